@@ -1,0 +1,112 @@
+//! The 25 joints of a NAO H25: names, order and limits.
+//!
+//! Order and names are those of the robot's own interface (LoLA, NAO V6). Angles are radians, hands are 0 (closed)
+//! to 1 (open).
+
+use core::ops::{Index, IndexMut};
+
+/// How many joints a NAO has, both hands included.
+pub const JOINTS: usize = 25;
+
+/// A joint, in the order of the robot's interface.
+///
+/// `LHipYawPitch` is the one motor that both legs share; there is no right one.
+#[expect(missing_docs, reason = "the names are the robot's own and say all")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[repr(u8)]
+pub enum Joint {
+    HeadYaw,
+    HeadPitch,
+    LShoulderPitch,
+    LShoulderRoll,
+    LElbowYaw,
+    LElbowRoll,
+    LWristYaw,
+    LHipYawPitch,
+    LHipRoll,
+    LHipPitch,
+    LKneePitch,
+    LAnklePitch,
+    LAnkleRoll,
+    RHipRoll,
+    RHipPitch,
+    RKneePitch,
+    RAnklePitch,
+    RAnkleRoll,
+    RShoulderPitch,
+    RShoulderRoll,
+    RElbowYaw,
+    RElbowRoll,
+    RWristYaw,
+    LHand,
+    RHand,
+}
+
+impl Joint {
+    /// Every joint, in order.
+    pub const ALL: [Self; JOINTS] = [
+        Self::HeadYaw,
+        Self::HeadPitch,
+        Self::LShoulderPitch,
+        Self::LShoulderRoll,
+        Self::LElbowYaw,
+        Self::LElbowRoll,
+        Self::LWristYaw,
+        Self::LHipYawPitch,
+        Self::LHipRoll,
+        Self::LHipPitch,
+        Self::LKneePitch,
+        Self::LAnklePitch,
+        Self::LAnkleRoll,
+        Self::RHipRoll,
+        Self::RHipPitch,
+        Self::RKneePitch,
+        Self::RAnklePitch,
+        Self::RAnkleRoll,
+        Self::RShoulderPitch,
+        Self::RShoulderRoll,
+        Self::RElbowYaw,
+        Self::RElbowRoll,
+        Self::RWristYaw,
+        Self::LHand,
+        Self::RHand,
+    ];
+
+    /// The joint's place in the robot's order, 0 to 24.
+    #[must_use]
+    pub const fn index(self) -> usize {
+        self as usize
+    }
+}
+
+/// One value for every joint, indexed by [`Joint`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Joints<T = f32>(pub [T; JOINTS]);
+
+impl<T: Copy> Joints<T> {
+    /// The same value for every joint.
+    #[must_use]
+    pub const fn all(value: T) -> Self {
+        Self([value; JOINTS])
+    }
+}
+
+impl<T: Copy + Default> Default for Joints<T> {
+    fn default() -> Self {
+        Self::all(T::default())
+    }
+}
+
+impl<T> Index<Joint> for Joints<T> {
+    type Output = T;
+
+    fn index(&self, joint: Joint) -> &T {
+        &self.0[joint.index()]
+    }
+}
+
+impl<T> IndexMut<Joint> for Joints<T> {
+    fn index_mut(&mut self, joint: Joint) -> &mut T {
+        &mut self.0[joint.index()]
+    }
+}

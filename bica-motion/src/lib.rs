@@ -1,0 +1,9 @@
+//! A NAO's body: joints, kinematics, head, walk, kicks, odometry, falls.
+//!
+//! Plain algorithms without a framework, `no_std` and without `alloc`. Metres, radians, seconds, newtons; x forward,
+//! y left, z up. The *robot* frame has its origin midway between the hip joints.
+#![no_std]
+
+pub mod joints;
+pub mod pose;
+pub mod robot;
