@@ -1,2 +1,4 @@
-//! Placeholder
+//! The framework: components, activation trees, rates, checks, state machines, probes.
 #![no_std]
+
+pub mod graph;
