@@ -1,2 +1,47 @@
-//! Chores.
-fn main() {}
+//! The workspace's chores: `cargo xtask` lists them.
+
+mod no_std;
+mod process;
+
+use std::process::ExitCode;
+
+const HELP: &str = "\
+Chores of the BICA workspace.
+
+  cargo xtask no-std    builds what runs on a robot for thumbv7em-none-eabihf, and links the forward without a heap;
+                        gets the target first (rustup, else Debian's Rust and a build of `core` from source)
+  cargo xtask ci        all that CI checks: format, lints, docs, tests, no-std
+";
+
+fn main() -> ExitCode {
+    let mut words = std::env::args().skip(1);
+    let result = match (words.next().as_deref(), words.next()) {
+        (Some("no-std"), None) => no_std::check(),
+        (Some("ci"), None) => ci(),
+        (None | Some("help" | "--help" | "-h"), None) => {
+            print!("{HELP}");
+            return ExitCode::SUCCESS;
+        }
+        (chore, rest) => {
+            let words: Vec<String> = chore.map(str::to_owned).into_iter().chain(rest).chain(words).collect();
+            eprintln!("`{}` is no chore.\n\n{HELP}", words.join(" "));
+            return ExitCode::from(2);
+        }
+    };
+    match result {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("xtask: {error}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn ci() -> Result<(), String> {
+    use process::run;
+    run("cargo", &["fmt", "--all", "--check"], &[])?;
+    run("cargo", &["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"], &[])?;
+    run("cargo", &["doc", "--workspace", "--no-deps"], &[("RUSTDOCFLAGS", "-D warnings")])?;
+    run("cargo", &["test", "--workspace"], &[])?;
+    no_std::check()
+}
