@@ -1,6 +1,6 @@
-//! The 25 joints of a NAO H25: names, order and limits.
+//! The 25 joints of a NAO H25: names and order.
 //!
-//! Order and names are those of the robot's own interface (LoLA, NAO V6). Angles are radians, hands are 0 (closed)
+//! Order and names are those of the robot's own interface (`LoLA`, NAO V6). Angles are radians, hands are 0 (closed)
 //! to 1 (open).
 
 use core::ops::{Index, IndexMut};

@@ -4,6 +4,12 @@
 //! y left, z up. The *robot* frame has its origin midway between the hip joints.
 #![no_std]
 
+pub mod dimensions;
 pub mod joints;
+pub mod kinematics;
+pub mod limits;
+pub mod masses;
 pub mod pose;
 pub mod robot;
+pub mod side;
+pub mod speed;

@@ -48,6 +48,7 @@ impl Pose2 {
 impl Mul for Pose2 {
     type Output = Self;
 
+    #[expect(clippy::suspicious_arithmetic_impl, reason = "chaining poses adds their headings")]
     fn mul(self, inner: Self) -> Self {
         Self { position: self.place(inner.position), heading: wrap(self.heading + inner.heading) }
     }
