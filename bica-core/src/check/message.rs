@@ -1,0 +1,120 @@
+//! The words for each finding: what was found, what is required, the remedy.
+
+use super::sums::{over_budget, overload};
+use super::{CAPACITY, Figure, Finding, Path, Text};
+use crate::graph::{Graph, Node};
+
+/// How many bytes a message may have.
+const LENGTH: usize = 4096;
+
+/// What a finding of a tree means, in one line.
+#[must_use]
+pub const fn message(graph: &Graph, finding: &Finding) -> Text<LENGTH> {
+    let mut text = Text::new();
+    match finding {
+        Finding::TooManyComponents(count) => too_many(&mut text, graph, *count),
+        Finding::TooManyStates(index) => too_many_states(&mut text, &graph.nodes[*index]),
+        Finding::BadFigure(figure) => bad_figure(&mut text, graph, *figure),
+        Finding::Cycle(path) => cycle(&mut text, graph, path),
+        Finding::Unreachable(path) => unreachable(&mut text, graph, path),
+        Finding::TooFast(index) => too_fast(&mut text, graph, *index),
+        Finding::OverBudget(chain) => over_budget(&mut text, graph, chain),
+        Finding::Overload(load) => overload(&mut text, graph, load),
+    }
+    text
+}
+
+pub(super) type Message = Text<LENGTH>;
+
+const fn too_many(text: &mut Message, graph: &Graph, count: usize) {
+    words(text, &["tree `", graph.name, "` lists "]);
+    text.push_whole(count as u64);
+    text.push(" components, and a tree can be checked for ");
+    text.push_whole(CAPACITY as u64);
+    text.push(" at most; merge some");
+}
+
+const fn too_many_states(text: &mut Message, node: &Node) {
+    words(text, &["component `", node.name, "` has "]);
+    text.push_whole(node.states.len() as u64);
+    text.push(" states, and a machine can be checked for ");
+    text.push_whole(CAPACITY as u64);
+    text.push(" at most; make a component of some");
+}
+
+const fn bad_figure(text: &mut Message, graph: &Graph, figure: Figure) {
+    match figure {
+        Figure::CycleHz => {
+            words(text, &["tree `", graph.name, "` has cycle_hz = "]);
+            text.push_number(graph.cycle_hz as f64);
+            text.push(": a rate is a finite number above 0; write how often per second the tree is ticked");
+        }
+        Figure::BudgetMs => {
+            words(text, &["tree `", graph.name, "` has budget_ms = "]);
+            push_given(text, graph.budget_ms);
+            text.push(": a cycle's budget is a finite number above 0; give it, or leave it out for no limit");
+        }
+        Figure::Hz(index) => {
+            words(text, &["component `", graph.nodes[index].name, "` has hz = "]);
+            push_given(text, graph.nodes[index].hz);
+            text.push(": a rate is a finite number above 0; give one, or leave it out to run in every cycle");
+        }
+        Figure::BudgetUs(index) => {
+            words(text, &["component `", graph.nodes[index].name, "` has budget_us = "]);
+            push_given(text, graph.nodes[index].budget_us);
+            text.push(": a budget is a finite number, not below 0; give one, or leave it out to count nothing");
+        }
+    }
+}
+
+pub(super) const fn push_given(text: &mut Message, figure: Option<f32>) {
+    if let Some(figure) = figure {
+        text.push_number(figure as f64);
+    }
+}
+
+const fn cycle(text: &mut Message, graph: &Graph, path: &Path) {
+    text.push("activation cycle: ");
+    let mut place = 0;
+    while place < path.len() {
+        text.push(if place == 0 { "" } else { " -> " });
+        text.push(graph.nodes[path.get(place)].name);
+        place += 1;
+    }
+}
+
+const fn unreachable(text: &mut Message, graph: &Graph, path: &Path) {
+    let one = path.len() == 1;
+    text.push(if one { "component " } else { "components " });
+    let mut place = 0;
+    while place < path.len() {
+        text.push(if place == 0 { "" } else { ", " });
+        words(text, &["`", graph.nodes[path.get(place)].name, "`"]);
+        place += 1;
+    }
+    let root = graph.nodes[graph.root].name;
+    words(text, &[" of tree `", graph.name, "` can never be activated: no component reachable from the root `", root]);
+    text.push(if one {
+        "` links to it; link it or remove it from the list"
+    } else {
+        "` links to them; link them or remove them from the list"
+    });
+}
+
+const fn too_fast(text: &mut Message, graph: &Graph, index: usize) {
+    let node = &graph.nodes[index];
+    words(text, &["component `", node.name, "` has hz = "]);
+    push_given(text, node.hz);
+    words(text, &[", faster than tree `", graph.name, "`, which is ticked with cycle_hz = "]);
+    text.push_number(graph.cycle_hz as f64);
+    text.push("; lower the component's hz or raise the tree's cycle_hz");
+}
+
+/// Adds pieces of text.
+pub(super) const fn words(text: &mut Message, pieces: &[&str]) {
+    let mut piece = 0;
+    while piece < pieces.len() {
+        text.push(pieces[piece]);
+        piece += 1;
+    }
+}

@@ -1,0 +1,109 @@
+//! The words for a sum that is too large: each share, and the situation.
+
+use super::message::{Message, push_given, words};
+use super::weight::Weight;
+use super::worst::order;
+use super::{CAPACITY, Choice, Worst};
+use crate::graph::Graph;
+
+/// How many of the largest shares of the load are listed.
+const LARGEST: usize = 8;
+
+pub(super) const fn over_budget(text: &mut Message, graph: &Graph, chain: &Worst) {
+    words(text, &["one cycle of tree `", graph.name, "` can take too long: "]);
+    let weights = Weight::Time.of_all(graph);
+    let order = order(graph.nodes);
+    let mut shares = Shares { text, graph, scale: 1.0, unit: " µs", listed: 0 };
+    let mut place = 0;
+    while place < graph.nodes.len() {
+        if chain.active.contains(order[place]) {
+            shares.push(order[place], weights[order[place]]);
+        }
+        place += 1;
+    }
+    text.push(if chain.exact { " = " } else { " = at most " });
+    text.push_number(chain.sum * 1e-3);
+    text.push(" ms > budget_ms = ");
+    push_given(text, graph.budget_ms);
+    situation(text, graph, chain);
+    text.push("; lower budgets, or let fewer components run in one cycle");
+}
+
+pub(super) const fn overload(text: &mut Message, graph: &Graph, load: &Worst) {
+    words(text, &["tree `", graph.name, "` needs more than one processor: "]);
+    let mut weights = Weight::Load.of_all(graph);
+    let mut shares = Shares { text, graph, scale: 100.0, unit: " %", listed: 0 };
+    while shares.listed < LARGEST
+        && let Some(index) = largest(load, &weights)
+    {
+        shares.push(index, weights[index]);
+        weights[index] = 0.0;
+    }
+    if largest(load, &weights).is_some() {
+        text.push(" + …");
+    }
+    text.push(if load.exact { " = " } else { " = at most " });
+    text.push_number(load.sum * 100.0);
+    text.push(" % > 100 % (budget × hz)");
+    situation(text, graph, load);
+    text.push("; lower budgets or rates");
+}
+
+/// The active component with the largest weight above 0.
+const fn largest(worst: &Worst, weights: &[f64; CAPACITY]) -> Option<usize> {
+    let mut largest = None;
+    let mut weight = 0.0;
+    let mut index = 0;
+    while index < CAPACITY {
+        if worst.active.contains(index) && weights[index] > weight {
+            weight = weights[index];
+            largest = Some(index);
+        }
+        index += 1;
+    }
+    largest
+}
+
+/// Writes a sum share by share.
+struct Shares<'a> {
+    text: &'a mut Message,
+    graph: &'a Graph,
+    scale: f64,
+    unit: &'static str,
+    listed: usize,
+}
+
+impl Shares<'_> {
+    /// Adds the share of a component, unless it is none.
+    const fn push(&mut self, index: usize, weight: f64) {
+        if weight > 0.0 {
+            words(self.text, &[if self.listed == 0 { "" } else { " + " }, self.graph.nodes[index].name, " "]);
+            self.text.push_number(weight * self.scale);
+            self.text.push(self.unit);
+            self.listed += 1;
+        }
+    }
+}
+
+/// In which states the worst happens.
+const fn situation(text: &mut Message, graph: &Graph, worst: &Worst) {
+    let mut joint = ", while ";
+    let mut index = 0;
+    while index < graph.nodes.len() {
+        let node = &graph.nodes[index];
+        match worst.choices[index] {
+            Choice::None => {}
+            Choice::State(state) => words(text, &[joint, "`", node.name, "` is in `", node.states[state].name, "`"]),
+            Choice::Transition(way) => {
+                let way = &node.transitions[way];
+                words(text, &[joint, "`", node.name, "` goes from `", node.states[way.from].name]);
+                words(text, &["` to `", node.states[way.to].name, "`"]);
+            }
+            Choice::Any => words(text, &[joint, "`", node.name, "` is in any state"]),
+        }
+        if !matches!(worst.choices[index], Choice::None) {
+            joint = ", ";
+        }
+        index += 1;
+    }
+}
