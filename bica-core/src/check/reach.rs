@@ -11,13 +11,16 @@ use crate::graph::{Graph, LinkKind, Node};
 pub const fn reachable(graph: &Graph) -> Set {
     let mut reached = Set::EMPTY.with(graph.root);
     let mut expanded = Set::EMPTY;
-    let mut node = 0;
-    while node < graph.nodes.len() {
-        if reached.contains(node) && !expanded.contains(node) {
-            reached = reached.union(all_links(&graph.nodes[node]));
-            expanded = expanded.with(node);
-            node = 0;
-        } else {
+    let mut changed = true;
+    while changed {
+        changed = false;
+        let mut node = 0;
+        while node < graph.nodes.len() {
+            if reached.contains(node) && !expanded.contains(node) {
+                reached = reached.union(all_links(&graph.nodes[node]));
+                expanded = expanded.with(node);
+                changed = true;
+            }
             node += 1;
         }
     }

@@ -4,10 +4,13 @@ use super::message::{Message, push_given, words};
 use super::weight::Weight;
 use super::worst::order;
 use super::{CAPACITY, Choice, Worst};
-use crate::graph::Graph;
+use crate::graph::{Graph, Node};
 
 /// How many of the largest shares of the load are listed.
 const LARGEST: usize = 8;
+
+/// Of how many machines it is said what they do.
+const SITUATION: usize = 8;
 
 pub(super) const fn over_budget(text: &mut Message, graph: &Graph, chain: &Worst) {
     words(text, &["one cycle of tree `", graph.name, "` can take too long: "]);
@@ -85,25 +88,34 @@ impl Shares<'_> {
     }
 }
 
-/// In which states the worst happens.
+/// In which states the worst happens, for the first machines at least.
 const fn situation(text: &mut Message, graph: &Graph, worst: &Worst) {
-    let mut joint = ", while ";
+    let mut named = 0;
     let mut index = 0;
-    while index < graph.nodes.len() {
-        let node = &graph.nodes[index];
-        match worst.choices[index] {
-            Choice::None => {}
-            Choice::State(state) => words(text, &[joint, "`", node.name, "` is in `", node.states[state].name, "`"]),
-            Choice::Transition(way) => {
-                let way = &node.transitions[way];
-                words(text, &[joint, "`", node.name, "` goes from `", node.states[way.from].name]);
-                words(text, &["` to `", node.states[way.to].name, "`"]);
-            }
-            Choice::Any => words(text, &[joint, "`", node.name, "` is in any state"]),
-        }
+    while index < graph.nodes.len() && named <= SITUATION {
         if !matches!(worst.choices[index], Choice::None) {
-            joint = ", ";
+            text.push(if named == 0 { ", while " } else { ", " });
+            if named == SITUATION {
+                text.push("…");
+            } else {
+                doing(text, &graph.nodes[index], worst.choices[index]);
+            }
+            named += 1;
         }
         index += 1;
+    }
+}
+
+/// What a machine does.
+const fn doing(text: &mut Message, node: &Node, choice: Choice) {
+    words(text, &["`", node.name, "`"]);
+    match choice {
+        Choice::None => {}
+        Choice::State(state) => words(text, &[" is in `", node.states[state].name, "`"]),
+        Choice::Transition(way) => {
+            let way = &node.transitions[way];
+            words(text, &[" goes from `", node.states[way.from].name, "` to `", node.states[way.to].name, "`"]);
+        }
+        Choice::Any => text.push(" is in any state"),
     }
 }

@@ -16,11 +16,11 @@ use super::weight::Weight;
 use super::{CAPACITY, Set, ranks};
 use crate::graph::{Graph, Node};
 
-/// How many branches the checks search before they settle for an upper bound: as many as keep the compiler's work under
-/// a second or so, 5000 for a tree of twenty components.
+/// How many branches the checks search before they settle for an upper bound: as many as keep the compiler's work to some
+/// tenths of a second, 2400 for a tree of twenty components.
 #[must_use]
 pub const fn steps(graph: &Graph) -> usize {
-    100000 / (graph.nodes.len() + 1)
+    50_000 / (graph.nodes.len() + 1)
 }
 
 /// What a machine does in a cycle.
@@ -135,15 +135,17 @@ impl<'g> Search<'g> {
         self.explore(0, Set::EMPTY.with(self.graph.root), 0.0);
         while self.depth > 0 {
             let branch = self.branches[self.depth - 1];
-            let (choice, next) = self.option(branch.index, branch.next);
+            let (choice, links, next) = if self.steps > 0 {
+                self.option(branch.index, branch.next)
+            } else {
+                self.options(branch.index, branch.next)
+            };
             self.choices[branch.index] = choice;
             self.branches[self.depth - 1].next = next;
-            match choice {
-                Choice::None | Choice::Any => self.depth -= 1,
-                Choice::State(_) | Choice::Transition(_) => {
-                    let links = links_of(&self.graph.nodes[branch.index], choice);
-                    self.explore(branch.place, branch.active.union(links), branch.sum);
-                }
+            if matches!(choice, Choice::None) {
+                self.depth -= 1;
+            } else {
+                self.explore(branch.place, branch.active.union(links), branch.sum);
             }
         }
         self.best
@@ -177,25 +179,43 @@ impl<'g> Search<'g> {
         self.best = Worst { sum, active, choices: self.choices, exact: true };
     }
 
-    /// What the machine `index` can do, `next` or the first possible behind, and the one after it; nothing at the end.
+    /// What the machine `index` can do, `next` or the first possible behind, with its links, and what is next then;
+    /// nothing at the end.
     ///
     /// Transitions come first: they include the state that they enter.
-    const fn option(&self, index: usize, mut next: usize) -> (Choice, usize) {
+    const fn option(&self, index: usize, mut next: usize) -> (Choice, Set, usize) {
         let node = &self.graph.nodes[index];
         let ways = if self.transitions { node.transitions.len() } else { 0 };
         while next < ways {
-            if self.states[index].contains(node.transitions[next].from) {
-                return (Choice::Transition(next), next + 1);
+            let way = &node.transitions[next];
+            if self.states[index].contains(way.from) {
+                let read = links_in(node, Some(way.from), true);
+                return (Choice::Transition(next), read.union(links_in(node, Some(way.to), false)), next + 1);
             }
             next += 1;
         }
         while next - ways < node.states.len() {
-            if self.states[index].contains(next - ways) {
-                return (Choice::State(next - ways), next + 1);
+            let state = next - ways;
+            if self.states[index].contains(state) {
+                return (Choice::State(state), links_in(node, Some(state), false), next + 1);
             }
             next += 1;
         }
-        (Choice::None, next)
+        (Choice::None, Set::EMPTY, next)
+    }
+
+    /// All that the machine can do from `next` on, at once.
+    const fn options(&self, index: usize, next: usize) -> (Choice, Set, usize) {
+        let (mut choice, mut links, mut next) = self.option(index, next);
+        let mut more = !matches!(choice, Choice::None);
+        while more {
+            let (another, others, after) = self.option(index, next);
+            links = links.union(others);
+            next = after;
+            more = !matches!(another, Choice::None);
+            choice = Choice::Any;
+        }
+        (choice, links, next)
     }
 
     /// The upper bound of a branch: the machines from `place` in the order on are in all their states at once.
@@ -221,19 +241,6 @@ impl<'g> Search<'g> {
             }
             place += 1;
         }
-    }
-}
-
-/// What a machine activates by a choice, besides the links that always hold.
-const fn links_of(node: &Node, choice: Choice) -> Set {
-    match choice {
-        Choice::None => Set::EMPTY,
-        Choice::State(state) => links_in(node, Some(state), false),
-        Choice::Transition(way) => {
-            let way = &node.transitions[way];
-            links_in(node, Some(way.from), true).union(links_in(node, Some(way.to), false))
-        }
-        Choice::Any => all_links(node),
     }
 }
 

@@ -2,4 +2,9 @@
 
 mod build;
 mod constant;
+mod generate;
 mod messages;
+mod naive;
+mod order;
+mod sums;
+mod text;

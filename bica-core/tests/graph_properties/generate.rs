@@ -1,0 +1,80 @@
+//! Random graphs.
+
+use bica_core::graph::{Graph, Link, LinkKind, Node, State, Transition};
+use proptest::prelude::*;
+
+use crate::build;
+
+/// A component before it is known how many there are.
+#[derive(Clone, Debug)]
+struct Draft {
+    budget_us: Option<u32>,
+    hz: Option<u32>,
+    links: Vec<(prop::sample::Index, bool, Option<prop::sample::Index>)>,
+    states: usize,
+    transitions: Vec<(prop::sample::Index, prop::sample::Index)>,
+}
+
+fn draft() -> impl Strategy<Value = Draft> {
+    let index = any::<prop::sample::Index>;
+    (
+        prop::option::of(0..5000_u32),
+        prop::option::of(1..=100_u32),
+        prop::collection::vec((index(), any::<bool>(), prop::option::of(index())), 0..5),
+        prop_oneof![Just(0_usize), 1..4_usize],
+        prop::collection::vec((index(), index()), 0..4),
+    )
+        .prop_map(|(budget_us, hz, links, states, transitions)| Draft {
+            budget_us,
+            hz,
+            links,
+            states,
+            transitions,
+        })
+}
+
+/// Graphs of up to `most` components with links in all directions.
+pub(crate) fn any_graph(most: usize) -> impl Strategy<Value = Graph> {
+    (prop::collection::vec(draft(), 1..=most), any::<prop::sample::Index>())
+        .prop_map(|(drafts, root)| graph(&drafts, root.index(drafts.len()), |_, to| Some(to.index(drafts.len()))))
+}
+
+/// Graphs of up to `most` components without a cycle, in an order of the list that says nothing.
+pub(crate) fn acyclic_graph(most: usize) -> impl Strategy<Value = Graph> {
+    prop::collection::vec(draft(), 1..=most)
+        .prop_flat_map(|drafts| {
+            let places: Vec<usize> = (0..drafts.len()).collect();
+            (Just(drafts), Just(places).prop_shuffle())
+        })
+        .prop_map(|(drafts, node_at)| {
+            let mut place_of = vec![0; drafts.len()];
+            node_at.iter().enumerate().for_each(|(place, &node)| place_of[node] = place);
+            graph(&drafts, node_at[0], |from, to| {
+                let behind = &node_at[place_of[from] + 1..];
+                (!behind.is_empty()).then(|| behind[to.index(behind.len())])
+            })
+        })
+}
+
+fn graph(drafts: &[Draft], root: usize, to: impl Fn(usize, &prop::sample::Index) -> Option<usize>) -> Graph {
+    let nodes = drafts.iter().enumerate().map(|(from, draft)| node(draft, |link| to(from, link))).collect::<Vec<_>>();
+    Graph { root, ..build::graph(nodes.leak()) }
+}
+
+fn node(draft: &Draft, to: impl Fn(&prop::sample::Index) -> Option<usize>) -> Node {
+    let state = |index: &prop::sample::Index| (draft.states > 0).then(|| index.index(draft.states));
+    let links = draft.links.iter().filter_map(|(end, read, of)| {
+        let kind = if *read { LinkKind::Requirement } else { LinkKind::Modulation };
+        Some(Link { to: to(end)?, kind, state: of.as_ref().and_then(state) })
+    });
+    let states = (0..draft.states).map(|index| State { initial: index == 0, ..build::state("state") });
+    let ways = draft.transitions.iter().filter_map(|(from, to)| Some(build::way(state(from)?, state(to)?)));
+    Node {
+        budget_us: draft.budget_us.map(|budget| budget as f32),
+        hz: draft.hz.map(|hz| hz as f32),
+        links: links.collect::<Vec<_>>().leak(),
+        states: states.collect::<Vec<_>>().leak(),
+        transitions: ways.collect::<Vec<Transition>>().leak(),
+        ..build::node("Node")
+    }
+}

@@ -1,0 +1,93 @@
+//! The longest chain and the load against all combinations of states.
+
+use std::collections::BTreeSet;
+
+use bica_core::check::{Choice, Finding, Worst, first, load, longest_chain, steps};
+use bica_core::graph::{Graph, Node};
+use proptest::prelude::*;
+
+use crate::generate::acyclic_graph;
+use crate::naive;
+
+/// More than the search can need for the graphs here.
+const ENOUGH: usize = 1_000_000;
+
+fn budgets(graph: &Graph) -> Vec<f64> {
+    graph.nodes.iter().map(|node| f64::from(node.budget_us.unwrap_or(0.0))).collect()
+}
+
+fn loads(graph: &Graph) -> Vec<f64> {
+    let hz = |node: &Node| f64::from(node.hz.unwrap_or(graph.cycle_hz));
+    graph.nodes.iter().zip(budgets(graph)).map(|(node, budget)| budget * 1e-6 * hz(node)).collect()
+}
+
+fn members(worst: &Worst) -> BTreeSet<usize> {
+    (0..bica_core::check::CAPACITY).filter(|&node| worst.active.contains(node)).collect()
+}
+
+fn close(a: f64, b: f64) -> bool {
+    (a - b).abs() <= 1e-12 * a.abs().max(b.abs())
+}
+
+/// Whether the components reported are those that the choices reported activate, and sum up to the sum reported.
+fn is_consistent(graph: &Graph, worst: &Worst, weights: &[f64]) -> bool {
+    let active = naive::active(graph, &worst.choices[..graph.nodes.len()]);
+    let silent = |node: usize| active.contains(&node) || worst.choices[node] == Choice::None;
+    members(worst) == active
+        && close(active.iter().map(|&node| weights[node]).sum(), worst.sum)
+        && (0..graph.nodes.len()).all(silent)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(1500))]
+
+    #[test]
+    fn longest_chain_is_the_worst_of_all(graph in acyclic_graph(7)) {
+        let found = longest_chain(&graph, ENOUGH);
+        prop_assert!(found.exact);
+        prop_assert!(close(found.sum, naive::worst(&graph, &budgets(&graph), true)));
+        prop_assert!(is_consistent(&graph, &found, &budgets(&graph)));
+    }
+
+    #[test]
+    fn load_is_the_worst_of_all(graph in acyclic_graph(7)) {
+        let found = load(&graph, ENOUGH);
+        prop_assert!(found.exact);
+        prop_assert!(close(found.sum, naive::worst(&graph, &loads(&graph), false)));
+        prop_assert!(is_consistent(&graph, &found, &loads(&graph)));
+    }
+
+    #[test]
+    fn limited_search_is_never_below(graph in acyclic_graph(7), steps in 0..12_usize) {
+        for (found, weights, ways) in [
+            (longest_chain(&graph, steps), budgets(&graph), true),
+            (load(&graph, steps), loads(&graph), false),
+        ] {
+            let worst = naive::worst(&graph, &weights, ways);
+            let all: f64 = naive::reachable(&graph).iter().map(|&node| weights[node]).sum();
+            prop_assert!(found.sum >= worst * (1.0 - 1e-12));
+            prop_assert!(found.sum <= all * (1.0 + 1e-12));
+            prop_assert!(!found.exact || close(found.sum, worst));
+        }
+    }
+
+    #[test]
+    fn sums_are_held_against_what_is_declared(graph in acyclic_graph(7), budget_us in 1..20_000_u32) {
+        let graph = Graph { budget_ms: Some(budget_us as f32 / 1e3), ..graph };
+        let time = naive::worst(&graph, &budgets(&graph), true);
+        let share = naive::worst(&graph, &loads(&graph), false);
+        match first(&graph) {
+            Some(Finding::Unreachable(_)) => {}
+            Some(Finding::OverBudget(found)) => prop_assert!(time > f64::from(budget_us) && close(found.sum, time)),
+            Some(Finding::Overload(found)) => prop_assert!(time <= f64::from(budget_us) && share > 1.0 && found.exact),
+            None => prop_assert!(time <= f64::from(budget_us) && share <= 1.0),
+            Some(other) => prop_assert!(false, "{:?}", other),
+        }
+    }
+
+    #[test]
+    fn small_trees_are_searched_exactly(graph in acyclic_graph(12)) {
+        prop_assert!(longest_chain(&graph, steps(&graph)).exact);
+        prop_assert!(load(&graph, steps(&graph)).exact);
+    }
+}
