@@ -1,0 +1,175 @@
+//! The orange ball.
+//!
+//! Orange regions on the field or at its end are candidates. A circle is fitted to the edge points of each, so a ball
+//! may be cut by the edge of the image, by the robot's own feet or by another robot. Then the circle has to be round
+//! (its edge points agree), full (orange inside) and, if the camera's pose is known, as large as a ball there is.
+//!
+//! Cost at 320 × 240 with one ball: segmentation 40 µs for the whole frame, less below the end of the field; 5 µs for
+//! each candidate, at most [`CANDIDATES`].
+
+use glam::{Vec2, Vec3};
+
+use crate::circle::Circle;
+use crate::colour::{Classify, Colour, ColourSet};
+use crate::edges::{self, RAYS};
+use crate::field_end::FieldEnd;
+use crate::frame::Frame;
+use crate::projection::Camera;
+use crate::regions::{Region, Regions};
+use crate::segment::{Area, Runs};
+
+/// Orange regions that are looked at, the largest first.
+pub const CANDIDATES: usize = 8;
+/// Radius of the ball of the rules of 2010 to 2015, m; the world of this project has this one.
+pub const RADIUS: f32 = 0.0325;
+/// Radius of the ball of 2009 in the frames of `nao2009`, m.
+pub const RADIUS_2009: f32 = 0.043;
+
+/// Less than this is not reported.
+const CONFIDENT: f32 = 0.45;
+/// An error of the camera's pitch that the check of the size forgives, rad.
+const PITCH_ERROR: f32 = 0.06;
+
+/// A ball in the image.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ball {
+    /// Its centre, pixels; may be outside the image.
+    pub centre: Vec2,
+    /// Its radius, pixels.
+    pub radius: f32,
+    /// From 0 to 1: how round and how orange it is.
+    pub confidence: f32,
+}
+
+impl Ball {
+    /// Where the ball touches the ground, by the camera's pose, ground frame, m. `radius` is the ball's, m. None if
+    /// its centre is not below the horizon.
+    #[must_use]
+    pub fn ground(&self, camera: &Camera, radius: f32) -> Option<Vec2> {
+        camera.ground(self.centre, radius)
+    }
+}
+
+/// Finds the ball; holds the memory for it: 12 bytes for each of `N` runs.
+///
+/// `N` = 512 is plenty for a ball in a hall: only orange makes runs, from the end of the field downwards.
+#[derive(Clone, Debug)]
+pub struct BallFinder<const N: usize> {
+    runs: Runs<N>,
+    regions: Regions<N, CANDIDATES>,
+    radius: f32,
+}
+
+impl<const N: usize> BallFinder<N> {
+    /// For balls of a radius, m.
+    #[must_use]
+    pub const fn new(radius: f32) -> Self {
+        Self { runs: Runs::new(), regions: Regions::new(), radius }
+    }
+
+    /// Finds the ball in a frame. Only orange is asked for. With `camera`, balls of impossible size are refused.
+    pub fn find(
+        &mut self,
+        frame: &Frame<'_>,
+        colours: &impl Classify,
+        field_end: &FieldEnd,
+        camera: Option<&Camera>,
+    ) -> Option<Ball> {
+        let area = Area::below((field_end.top().unwrap_or(0.0) - 8.0).max(0.0) as u16);
+        let step = if frame.height() > 240 { 2 } else { 1 };
+        self.runs.segment(frame, colours, ColourSet::of(Colour::Orange), area.every(step));
+        self.regions.connect(&self.runs, 6);
+        best(frame, colours, self.regions.as_slice(), field_end, camera.map(|camera| (camera, self.radius)))
+    }
+
+    /// How many runs of the last frame found no place.
+    #[must_use]
+    pub const fn dropped(&self) -> u32 {
+        self.runs.dropped()
+    }
+}
+
+/// The best ball among regions; others than orange ones are passed over. `camera` comes with the ball's radius, m.
+#[must_use]
+pub fn best(
+    frame: &Frame<'_>,
+    colours: &impl Classify,
+    regions: &[Region],
+    field_end: &FieldEnd,
+    camera: Option<(&Camera, f32)>,
+) -> Option<Ball> {
+    let look = Look { frame, colours, field_end, camera };
+    let balls = regions.iter().filter(|r| r.colour == Colour::Orange).filter_map(|region| look.examine(region));
+    // A far ball is as good as a near one, but a small patch is more often no ball.
+    let worth = |ball: &Ball| ball.confidence * (ball.radius / (ball.radius + 2.0));
+    balls.max_by(|a, b| worth(a).total_cmp(&worth(b)))
+}
+
+struct Look<'a, C> {
+    frame: &'a Frame<'a>,
+    colours: &'a C,
+    field_end: &'a FieldEnd,
+    camera: Option<(&'a Camera, f32)>,
+}
+
+impl<C: Classify> Look<'_, C> {
+    fn examine(&self, region: &Region) -> Option<Ball> {
+        let circle = self.circle(region)?;
+        let Circle { centre, radius } = circle.0;
+        let confidence = circle.1 * self.fullness(centre, radius);
+        let fits = self.is_on_field(centre, radius) && self.is_of_size(centre, radius);
+        (confidence >= CONFIDENT && fits).then_some(Ball { centre, radius, confidence })
+    }
+
+    /// The circle through the region's edge, and which part of the edge agrees.
+    fn circle(&self, region: &Region) -> Option<(Circle, f32)> {
+        let size = f32::from(region.width().max(region.height()));
+        let middle = Vec2::from(region.centroid);
+        let edges = edges::around(self.frame, self.colours, Colour::Orange, middle, size);
+        let tolerance = |radius: f32| (0.06 * radius).max(1.0);
+        let circle = Circle::fit(&edges.points, tolerance)?;
+        let agree = circle.support(&edges.points, tolerance(circle.radius));
+        let ended = (RAYS - edges.clipped) as f32;
+        let plausible = circle.radius >= 2.0 && circle.radius <= 2.0 * size && agree >= RAYS / 5;
+        plausible.then_some((circle, agree as f32 / ended))
+    }
+
+    /// The orange part of the circle, as far as it is in the image.
+    fn fullness(&self, centre: Vec2, radius: f32) -> f32 {
+        let (mut orange, mut seen) = (0, 0);
+        for v in -4..=4_i8 {
+            for u in -4..=4_i8 {
+                let offset = Vec2::new(f32::from(u), f32::from(v)) * 0.2;
+                let at = centre + radius * offset;
+                let pixel = self.frame.pixel(at.x as i32, at.y as i32).filter(|_| offset.length_squared() <= 0.7);
+                if let Some(pixel) = pixel {
+                    seen += 1;
+                    orange += i32::from(self.colours.classify(pixel) == Colour::Orange);
+                }
+            }
+        }
+        orange as f32 / seen.max(1) as f32
+    }
+
+    /// Its lowest point is on the field. Without any field only a ball that hides it counts.
+    fn is_on_field(&self, centre: Vec2, radius: f32) -> bool {
+        match self.field_end.row_at(centre.x) {
+            Some(end) => centre.y + radius >= end - 2.0,
+            None => radius > f32::from(self.frame.width()) / 8.0,
+        }
+    }
+
+    /// As large as a ball on the ground is there, give or take an error in the camera's pitch.
+    fn is_of_size(&self, centre: Vec2, radius: f32) -> bool {
+        let Some((camera, metres)) = self.camera else { return true };
+        let slack = PITCH_ERROR * camera.intrinsics().focal.y;
+        let expected = |dy: f32| {
+            let pixel = centre + Vec2::new(0.0, dy);
+            let place = camera.ground(pixel, metres)?;
+            camera.sphere_radius(Vec3::new(place.x, place.y, metres), metres)
+        };
+        let Some(nearest) = expected(slack) else { return false };
+        let farthest = expected(-slack).unwrap_or(0.0);
+        (0.7 * farthest - 1.0..=1.4 * nearest + 1.5).contains(&radius)
+    }
+}

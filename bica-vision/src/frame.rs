@@ -1,0 +1,176 @@
+//! A camera frame, looked at in place: YUYV 4:2:2, two pixels in four bytes.
+//!
+//! Pixel coordinates: `x` to the right, `y` down, the centre of the first pixel is (0, 0). Nothing is copied; access
+//! to a pixel is a bounds check and a load.
+
+use bica_motion::robot::Image;
+
+/// The smallest width and height of a frame, pixels.
+pub const MIN_SIDE: u16 = 16;
+/// The largest width of a frame, pixels.
+pub const MAX_WIDTH: u16 = 1280;
+/// The largest height of a frame, pixels.
+pub const MAX_HEIGHT: u16 = 960;
+
+/// Why bytes are not a frame.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FrameError {
+    /// Two pixels share their colour, so a row has an even number of them.
+    OddWidth(u16),
+    /// Width or height is outside [`MIN_SIDE`] … [`MAX_WIDTH`] × [`MAX_HEIGHT`].
+    Size(u16, u16),
+    /// The number of bytes is not two per pixel.
+    Length {
+        /// Bytes that a frame of this size has.
+        expected: usize,
+        /// Bytes that were given.
+        found: usize,
+    },
+}
+
+impl core::fmt::Display for FrameError {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        match *self {
+            Self::OddWidth(width) => write!(f, "a YUYV frame needs an even width, found {width}"),
+            Self::Size(width, height) => write!(
+                f,
+                "a frame of {width}×{height} pixels is outside {MIN_SIDE}×{MIN_SIDE} … {MAX_WIDTH}×{MAX_HEIGHT}"
+            ),
+            Self::Length { expected, found } => write!(f, "the frame needs {expected} bytes, found {found}"),
+        }
+    }
+}
+
+impl core::error::Error for FrameError {}
+
+/// The colour of one pixel, full-range BT.601.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Pixel {
+    /// Luma, 0 (black) to 255 (white).
+    pub y: u8,
+    /// Blue minus luma, 128 is grey.
+    pub cb: u8,
+    /// Red minus luma, 128 is grey.
+    pub cr: u8,
+}
+
+impl Pixel {
+    /// A pixel from its three values.
+    #[must_use]
+    pub const fn new(y: u8, cb: u8, cr: u8) -> Self {
+        Self { y, cb, cr }
+    }
+}
+
+/// Two neighbouring pixels, which share their chroma: the bytes `Y0 Cb Y1 Cr`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(transparent)]
+pub struct Pair(pub [u8; 4]);
+
+impl Pair {
+    /// Both pixels as one, with the mean luma (rounded down).
+    #[inline(always)]
+    #[must_use]
+    pub const fn mean(self) -> Pixel {
+        let [y0, cb, y1, cr] = self.0;
+        Pixel { y: u8::midpoint(y0, y1), cb, cr }
+    }
+}
+
+/// A frame of [`MIN_SIDE`] to [`MAX_WIDTH`] × [`MAX_HEIGHT`] pixels, borrowed.
+#[derive(Clone, Copy, Debug)]
+pub struct Frame<'a> {
+    pairs: &'a [[u8; 4]],
+    width: u16,
+    height: u16,
+}
+
+impl<'a> Frame<'a> {
+    /// Looks at `yuyv` as a frame of `width` × `height` pixels.
+    ///
+    /// # Errors
+    /// If the size is out of range, the width odd or the number of bytes not `2 * width * height`.
+    pub fn new(width: u16, height: u16, yuyv: &'a [u8]) -> Result<Self, FrameError> {
+        if !width.is_multiple_of(2) {
+            return Err(FrameError::OddWidth(width));
+        }
+        if !(MIN_SIDE..=MAX_WIDTH).contains(&width) || !(MIN_SIDE..=MAX_HEIGHT).contains(&height) {
+            return Err(FrameError::Size(width, height));
+        }
+        let expected = 2 * usize::from(width) * usize::from(height);
+        if yuyv.len() != expected {
+            return Err(FrameError::Length { expected, found: yuyv.len() });
+        }
+        Ok(Self { pairs: yuyv.as_chunks().0, width, height })
+    }
+
+    /// Looks at a robot's image.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    pub fn from_image(image: &Image<'a>) -> Result<Self, FrameError> {
+        Self::new(image.width, image.height, image.yuyv)
+    }
+
+    /// Width in pixels.
+    #[must_use]
+    pub const fn width(&self) -> u16 {
+        self.width
+    }
+
+    /// Height in pixels.
+    #[must_use]
+    pub const fn height(&self) -> u16 {
+        self.height
+    }
+
+    /// The pixel pairs of a row from the left; empty for a row below the frame.
+    #[inline]
+    #[must_use]
+    pub fn row(&self, y: u16) -> &'a [[u8; 4]] {
+        let pairs = usize::from(self.width / 2);
+        let start = usize::from(y) * pairs;
+        self.pairs.get(start..start + pairs).unwrap_or(&[])
+    }
+
+    /// The pixel at (x, y), none outside the frame.
+    #[inline]
+    #[must_use]
+    pub fn pixel(&self, x: i32, y: i32) -> Option<Pixel> {
+        if x < 0 || x >= i32::from(self.width) || y < 0 || y >= i32::from(self.height) {
+            return None;
+        }
+        let [y0, cb, y1, cr] = *self.pairs.get(y as usize * usize::from(self.width / 2) + x as usize / 2)?;
+        Some(Pixel { y: if x % 2 == 0 { y0 } else { y1 }, cb, cr })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_pixel_is_found_where_its_bytes_are() {
+        let mut bytes = [0; 2 * 16 * 16];
+        bytes[2 * (16 * 5 + 6)..][..4].copy_from_slice(&[10, 20, 30, 40]);
+        let frame = Frame::new(16, 16, &bytes).unwrap();
+        assert_eq!(frame.pixel(6, 5), Some(Pixel::new(10, 20, 40)));
+        assert_eq!(frame.pixel(7, 5), Some(Pixel::new(30, 20, 40)));
+        assert_eq!(Pair(frame.row(5)[3]).mean(), Pixel::new(20, 20, 40));
+        assert_eq!(frame.pixel(8, 5), Some(Pixel::new(0, 0, 0)));
+        for (x, y) in [(-1, 0), (0, -1), (16, 0), (0, 16), (i32::MIN, i32::MAX)] {
+            assert_eq!(frame.pixel(x, y), None);
+        }
+        assert!(frame.row(16).is_empty());
+    }
+
+    #[test]
+    fn what_is_not_a_frame_is_refused() {
+        let bytes = [0; 2 * 32 * 16];
+        assert_eq!(Frame::new(17, 16, &bytes).unwrap_err(), FrameError::OddWidth(17));
+        assert_eq!(Frame::new(0, 16, &bytes).unwrap_err(), FrameError::Size(0, 16));
+        assert_eq!(Frame::new(2000, 16, &bytes).unwrap_err(), FrameError::Size(2000, 16));
+        let wrong = FrameError::Length { expected: 512, found: 1024 };
+        assert_eq!(Frame::new(16, 16, &bytes).unwrap_err(), wrong);
+    }
+}

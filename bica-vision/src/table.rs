@@ -1,0 +1,146 @@
+//! Colour classes by table: one load per pixel pair, whatever the classes look like.
+//!
+//! | table | cells | memory | where |
+//! |---|---|---|---|
+//! | [`FullTable`] | 64 × 64 × 64 (Y, Cb, Cr) | 256 KiB borrowed | a host, tables of other teams |
+//! | [`CompactTable`] | 16 × 64 × 64, half a byte each | 32 KiB | a constant in flash, or a host's cache |
+//!
+//! Luma is coarser than chroma in the compact one because the classes depend on it only slowly.
+
+use crate::colour::{Classify, Colour, Filters};
+use crate::frame::Pixel;
+
+/// Bytes of a [`FullTable`].
+pub const FULL_BYTES: usize = 64 * 64 * 64;
+/// Bytes of a [`CompactTable`].
+pub const COMPACT_BYTES: usize = 16 * 64 * 64 / 2;
+
+/// A table with one byte per cell, index `[Y >> 2][Cb >> 2][Cr >> 2]`, numbers as [`Colour::from_index`].
+///
+/// The format of B-Human's colour tables of 2009 as they are kept with the reference images.
+#[derive(Clone, Copy, Debug)]
+pub struct FullTable<'a>(&'a [u8; FULL_BYTES]);
+
+impl<'a> FullTable<'a> {
+    /// Looks at bytes as a table; none unless there are [`FULL_BYTES`]. Unknown numbers mean [`Colour::None`].
+    #[must_use]
+    pub fn new(bytes: &'a [u8]) -> Option<Self> {
+        bytes.try_into().ok().map(Self)
+    }
+
+    /// Compiles thresholds into the caller's memory, each cell by the colour in its middle. About 10 ms.
+    pub fn compile(filters: &Filters, cells: &'a mut [u8; FULL_BYTES]) -> Self {
+        for (index, cell) in cells.iter_mut().enumerate() {
+            let middle = |shift: usize| (((index >> shift) & 63) << 2) as u8 + 2;
+            *cell = filters.classify(Pixel::new(middle(12), middle(6), middle(0))) as u8;
+        }
+        Self(cells)
+    }
+}
+
+impl Classify for FullTable<'_> {
+    #[inline]
+    fn classify(&self, pixel: Pixel) -> Colour {
+        let index = usize::from(pixel.y >> 2) << 12 | usize::from(pixel.cb >> 2) << 6 | usize::from(pixel.cr >> 2);
+        Colour::from_index(self.0[index])
+    }
+}
+
+/// A table with half a byte per cell, index `[Y >> 4][Cb >> 2][Cr >> 2]`.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct CompactTable([u8; COMPACT_BYTES]);
+
+impl CompactTable {
+    /// Compiles thresholds, each cell by the colour in its middle. About 2 ms at run time; also usable in constants.
+    #[must_use]
+    #[expect(clippy::large_stack_arrays, reason = "in a constant there is no stack; elsewhere it is the result's own")]
+    pub const fn compile(filters: &Filters) -> Self {
+        let mut cells = [0; COMPACT_BYTES];
+        let mut chroma = 0;
+        while chroma < 64 * 64 {
+            let mut rank = 5;
+            while rank > 0 {
+                rank -= 1;
+                // The class that decides first is painted last.
+                let (colour, filter) = filters.in_order()[rank];
+                let (low, high) = filter.luma_range(middle(chroma / 64), middle(chroma % 64));
+                paint(&mut cells, chroma, colour, low, high);
+            }
+            chroma += 1;
+        }
+        Self(cells)
+    }
+}
+
+/// The chroma in the middle of a cell.
+const fn middle(cell: usize) -> u8 {
+    (cell << 2) as u8 + 2
+}
+
+/// Gives a class to the cells of one chroma whose middle luma is from `low` to `high`.
+const fn paint(cells: &mut [u8; COMPACT_BYTES], chroma: usize, colour: Colour, low: u8, high: u8) {
+    let mut y = (low as usize + 7) >> 4;
+    while (y << 4) + 8 <= high as usize {
+        let (byte, shift) = ((y << 12 | chroma) / 2, 4 * (chroma & 1));
+        cells[byte] = cells[byte] & !(15 << shift) | (colour as u8) << shift;
+        y += 1;
+    }
+}
+
+impl Classify for CompactTable {
+    #[inline]
+    fn classify(&self, pixel: Pixel) -> Colour {
+        let index = usize::from(pixel.y >> 4) << 12 | usize::from(pixel.cb >> 2) << 6 | usize::from(pixel.cr >> 2);
+        Colour::from_index(self.0[index / 2] >> (4 * (index & 1)) & 15)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    extern crate std;
+
+    use std::boxed::Box;
+    use std::vec;
+
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::profile::{BUILT_IN, BUILT_IN_TABLE, DARWIN_2013, NAO_2009};
+
+    fn full_cells() -> Box<[u8; FULL_BYTES]> {
+        vec![0; FULL_BYTES].try_into().expect("its own length")
+    }
+
+    #[test]
+    fn a_compiled_table_decides_as_its_thresholds_in_the_middle_of_each_cell() {
+        for filters in [BUILT_IN, NAO_2009, DARWIN_2013] {
+            let (compact, mut cells) = (CompactTable::compile(&filters), full_cells());
+            let full = FullTable::compile(&filters, &mut cells);
+            for (y, cb, cr) in (0..16).flat_map(|y| (0..64).flat_map(move |cb| (0..64).map(move |cr| (y, cb, cr)))) {
+                let pixel = Pixel::new(16 * y + 8, 4 * cb + 2, 4 * cr + 2);
+                assert_eq!(compact.classify(pixel), filters.classify(pixel), "{pixel:?}");
+                let pixel = Pixel { y: pixel.y + 2, ..pixel };
+                assert_eq!(full.classify(pixel), filters.classify(pixel), "{pixel:?}");
+            }
+        }
+        assert_eq!(BUILT_IN_TABLE, CompactTable::compile(&BUILT_IN));
+    }
+
+    #[test]
+    fn only_the_right_number_of_bytes_is_a_table() {
+        assert!(FullTable::new(&vec![0; FULL_BYTES - 1]).is_none());
+        assert!(FullTable::new(&vec![0; FULL_BYTES + 1]).is_none());
+        assert!(FullTable::new(&vec![0; FULL_BYTES]).is_some());
+    }
+
+    proptest! {
+        #[test]
+        fn a_full_table_is_read_by_its_published_index((y, cb, cr) in any::<(u8, u8, u8)>(), class in any::<u8>()) {
+            let mut cells = full_cells();
+            cells[((y as usize / 4 * 64) + cb as usize / 4) * 64 + cr as usize / 4] = class;
+            let table = FullTable::new(&cells[..]).expect("its own length");
+            prop_assert_eq!(table.classify(Pixel::new(y, cb, cr)), Colour::from_index(class));
+            prop_assert_eq!(table.classify(Pixel::new(y ^ 4, cb, cr)), Colour::None);
+        }
+    }
+}
