@@ -1,1 +1,33 @@
-//! Macros.
+//! The macros of BICA: `#[component]` and `activation_tree!`.
+//!
+//! Each is a pipeline: parse (tokens to a model of what was written) → check (rules that one item can break) → expand
+//! (code). The stages collect mistakes in a report, so that all of an item are seen at once; whatever they find, the
+//! item itself is still emitted, and a stand-in for what was to be generated, so that one mistake gives one message.
+//! What only the whole program knows (a missing component, an activation cycle, a budget) is left to rustc and to the
+//! constant function `bica_core::check::check`.
+
+mod component;
+mod number;
+mod quoting;
+mod report;
+mod text;
+mod tree;
+mod wording;
+
+use proc_macro::TokenStream;
+
+/// Makes a component of the type whose impl block this is.
+///
+/// See the documentation of the facade crate `bica`.
+#[proc_macro_attribute]
+pub fn component(options: TokenStream, item: TokenStream) -> TokenStream {
+    component::run(options.into(), &item.into()).into()
+}
+
+/// Makes a tree of components.
+///
+/// See the documentation of the facade crate `bica`.
+#[proc_macro]
+pub fn activation_tree(input: TokenStream) -> TokenStream {
+    tree::run(input.into()).into()
+}

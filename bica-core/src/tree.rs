@@ -1,0 +1,179 @@
+//! A tree of components: what `activation_tree!` writes, and what a program does with it.
+
+use embassy_time::Instant;
+
+use crate::component::Component;
+use crate::cycle::{Cycle, Turn};
+use crate::engine::Engine;
+use crate::graph::{Graph, Node};
+use crate::hold::Hold;
+use crate::id::ComponentId;
+use crate::loan::Slot;
+use crate::probe::Probe;
+use crate::rate::Rate;
+use crate::set::Set;
+
+/// A tree of components, made by `activation_tree!`.
+///
+/// Between two ticks the owner fills in what was sensed and reads what is to be done; [`tick`](Tree::tick) thinks.
+/// A tree does no input or output and reads no clock: the same inputs at the same instants give the same outputs, bit
+/// for bit.
+pub trait Tree: Layout {
+    /// All that is known of the tree before it runs.
+    const GRAPH: Graph;
+    /// How many components the tree lists.
+    const COUNT: usize = Self::GRAPH.nodes.len();
+
+    /// One cycle: visits the root, and through it what is active.
+    ///
+    /// A clock that stands still or jumps is tolerated; see [`Rate`].
+    #[inline]
+    fn tick(&mut self, now: Instant) {
+        self.tick_with(now, &mut ());
+    }
+
+    /// One cycle, watched by `probe`.
+    #[inline]
+    fn tick_with<P: Probe>(&mut self, now: Instant, probe: &mut P) {
+        self.engine_mut().tick(now, probe);
+    }
+
+    /// Reads component `C`.
+    fn get<C: Component>(&self) -> &C
+    where
+        Self: Has<C>,
+    {
+        self.engine().store.get()
+    }
+
+    /// Writes component `C`.
+    fn get_mut<C: Component>(&mut self) -> &mut C
+    where
+        Self: Has<C>,
+    {
+        self.engine_mut().store.get_mut()
+    }
+
+    /// The rate of component `C`.
+    fn rate<C: Component>(&self) -> &Rate<C>
+    where
+        Self: Has<C>,
+    {
+        self.engine().store.rate()
+    }
+
+    /// The rate of component `C`, to be modulated.
+    fn rate_mut<C: Component>(&mut self) -> &mut Rate<C>
+    where
+        Self: Has<C>,
+    {
+        self.engine_mut().store.rate_mut()
+    }
+
+    /// The name of component `C` for what works with any component.
+    #[must_use]
+    fn id<C: Component>() -> ComponentId
+    where
+        Self: Has<C>,
+    {
+        ComponentId::new(Self::INDEX)
+    }
+
+    /// Holds component `C` active or latent from the next cycle on, or leaves it to the tree again.
+    fn hold<C: Component>(&mut self, hold: Hold)
+    where
+        Self: Has<C>,
+    {
+        self.hold_at(Self::id::<C>(), hold);
+    }
+
+    /// As [`hold`](Tree::hold), by name; does nothing for a component that the tree does not list.
+    fn hold_at(&mut self, component: ComponentId, hold: Hold) {
+        self.engine_mut().hold(component, hold);
+    }
+
+    /// How the component is held.
+    fn held(&self, component: ComponentId) -> Hold {
+        self.engine().held(component)
+    }
+
+    /// Whether the component was visited in the last cycle.
+    fn is_active(&self, component: ComponentId) -> bool {
+        self.engine().is_active(component)
+    }
+
+    /// The components that were visited in the last cycle, in the order of the tree's list.
+    fn active(&self) -> impl Iterator<Item = ComponentId> {
+        (0..Self::COUNT).map(ComponentId::new).filter(|&component| self.is_active(component))
+    }
+
+    /// The state of a state machine, an index in [`Node::states`]; of a latent one the state that it was in.
+    ///
+    /// `None` for a component that is no state machine or was never active.
+    fn state(&self, component: ComponentId) -> Option<usize> {
+        Self::state_of(self.engine().store.slots(), component.index())
+    }
+}
+
+/// Tree `Self` holds component `C`.
+#[diagnostic::on_unimplemented(
+    message = "activation tree `{Self}` does not hold component `{C}`",
+    label = "`{C}` is not in the list",
+    note = "add `{C}` to `components: [...]` of `{Self}`"
+)]
+pub trait Has<C: 'static>: Layout {
+    /// The component's place in the tree's list.
+    const INDEX: usize;
+    /// The component's place in the order in which activators come before what they activate.
+    #[doc(hidden)]
+    const RANK: usize;
+
+    #[doc(hidden)]
+    fn slot(slots: &Self::Slots) -> &Slot<C>;
+
+    #[doc(hidden)]
+    fn visit<P: Probe>(cycle: &mut Cycle<'_, Self, P>);
+}
+
+/// A component as a part of tree `T`; written by `#[component]` for every tree that holds what the component names.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no component",
+    label = "its impl block bears no `#[component]`",
+    note = "write `#[component]` on the impl block that holds its `step` or its states"
+)]
+pub trait Wired<T: Layout> {
+    /// The component's description in that tree.
+    const NODE: Node;
+
+    /// Visits the children that are needed now and, if it is due, runs the component between them.
+    fn pass<P: Probe>(cycle: &mut Cycle<'_, T, P>, turn: Turn);
+}
+
+/// How a tree holds its components.
+pub trait Layout: Sized + 'static {
+    /// All the slots.
+    #[doc(hidden)]
+    type Slots;
+    /// A set of the components.
+    #[doc(hidden)]
+    type Set: Set;
+    /// The rank of each component: activators come before what they activate.
+    #[doc(hidden)]
+    const RANKS: &'static [usize];
+    /// The component of each rank.
+    #[doc(hidden)]
+    const ORDER: &'static [usize];
+
+    #[doc(hidden)]
+    fn engine(&self) -> &Engine<Self>;
+    #[doc(hidden)]
+    fn engine_mut(&mut self) -> &mut Engine<Self>;
+    #[doc(hidden)]
+    fn visit_root<P: Probe>(cycle: &mut Cycle<'_, Self, P>);
+    #[doc(hidden)]
+    fn visit<P: Probe>(cycle: &mut Cycle<'_, Self, P>, index: usize);
+    #[doc(hidden)]
+    fn stop<P: Probe>(cycle: &mut Cycle<'_, Self, P>, index: usize);
+    #[doc(hidden)]
+    fn state_of(slots: &Self::Slots, index: usize) -> Option<usize>;
+}

@@ -1,0 +1,47 @@
+//! `NODE`: the component in a tree, as tools see it.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+use syn::Type;
+
+use super::runtime;
+use crate::component::links::Links;
+use crate::component::model::{Behaviour, Component, Way};
+use crate::quoting::option;
+
+pub(super) fn expand(component: &Component, behaviour: &Behaviour) -> TokenStream {
+    let p = runtime(component);
+    let (links, transitions): (Vec<_>, Vec<_>) = match behaviour {
+        Behaviour::Step(step) => (links(&p, &Links::of(step.iter()), None), Vec::new()),
+        Behaviour::Machine(machine) => (
+            (0..machine.states.len()).flat_map(|at| links(&p, &Links::of_state(machine, at), Some(at))).collect(),
+            machine.ways.iter().map(|way| transition(&p, way)).collect(),
+        ),
+    };
+    quote! {
+        const NODE: #p::Node = #p::Node {
+            name: <Self as #p::Component>::NAME,
+            doc: <Self as #p::Component>::DOC,
+            hz: <Self as #p::Component>::HZ,
+            budget_us: <Self as #p::Component>::BUDGET_US,
+            resume: <Self as #p::Component>::RESUME,
+            links: &[#(#links),*],
+            states: <Self as #p::Component>::STATES,
+            transitions: &[#(#transitions),*],
+        };
+    }
+}
+
+fn links(p: &TokenStream, links: &Links, state: Option<usize>) -> Vec<TokenStream> {
+    let state = option(state.as_ref());
+    let link = |to: &Type, kind: TokenStream| quote!(#p::Link { to: <__T as #p::Has<#to>>::INDEX, kind: #p::LinkKind::#kind, state: #state });
+    let requirements = links.requirements.iter().map(|to| link(to, quote!(Requirement)));
+    let modulations = links.modulations.iter().map(|to| link(to, quote!(Modulation)));
+    requirements.chain(modulations).collect()
+}
+
+fn transition(p: &TokenStream, way: &Way) -> TokenStream {
+    let name = way.condition.name.to_string();
+    let (doc, from, to, after_ms) = (&way.condition.doc, way.from, way.to, option(way.after_ms.as_ref()));
+    quote!(#p::Transition { name: #name, doc: #doc, from: #from, to: #to, after_ms: #after_ms })
+}

@@ -1,0 +1,56 @@
+//! `impl Wired`: the component as a part of any tree that holds its children.
+
+use std::collections::BTreeSet;
+
+use proc_macro2::TokenStream;
+use quote::quote;
+use syn::{Type, parse_quote};
+
+use super::{description, machine, node, runtime, step};
+use crate::component::links::Links;
+use crate::component::model::{Behaviour, Component};
+use crate::text;
+
+pub(super) fn expand(component: &Component, behaviour: &Behaviour) -> TokenStream {
+    let p = runtime(component);
+    let own = &component.item.self_ty;
+    let mut generics = description::owned(&component.item.generics);
+    generics.params.push(parse_quote!(__T));
+    let bounds = generics.make_where_clause();
+    bounds.predicates.push(parse_quote!(__T: #p::Has<#own>));
+    for child in children(behaviour) {
+        bounds.predicates.push(parse_quote!(__T: #p::Has<#child>));
+    }
+    let (parameters, _, bounds) = generics.split_for_impl();
+    let node = node::expand(component, behaviour);
+    let pass = match behaviour {
+        Behaviour::Step(function) => step::expand(&p, function.as_ref()),
+        Behaviour::Machine(machine) => machine::expand(&p, machine),
+    };
+    quote! {
+        #[automatically_derived]
+        impl #parameters #p::Wired<__T> for #own #bounds {
+            #node
+
+            #[inline]
+            fn pass<__P: #p::Probe>(cycle: &mut #p::Cycle<'_, __T, __P>, turn: #p::Turn) {
+                #pass
+            }
+        }
+    }
+}
+
+/// The visits of some children.
+pub(super) fn visits(p: &TokenStream, children: &[Type]) -> TokenStream {
+    quote!(#(<__T as #p::Has<#children>>::visit(cycle);)*)
+}
+
+/// All children, each once.
+fn children(behaviour: &Behaviour) -> Vec<Type> {
+    let links: Vec<Links> = match behaviour {
+        Behaviour::Step(step) => vec![Links::of(step.iter())],
+        Behaviour::Machine(machine) => (0..machine.states.len()).map(|at| Links::of_state(machine, at)).collect(),
+    };
+    let mut seen = BTreeSet::new();
+    links.iter().flat_map(Links::children).filter(|child| seen.insert(text::written(child))).cloned().collect()
+}
