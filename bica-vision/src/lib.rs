@@ -9,8 +9,8 @@
 //! | colour classes | [`colour`], [`table`], [`profile`] | 1 ns for a pixel pair by a table |
 //! | end of the field | [`field_end`] | 10 µs, needs green alone |
 //! | runs, regions, bars | [`segment`], [`regions`], [`bars`] | 20 to 40 µs for the rows asked for |
-//! | detectors | [`ball`], [`goal`] | 10 µs |
-//! | the world | [`projection`] | 30 ns for a point |
+//! | detectors | [`ball`], [`goal`], [`lines`] | 10 µs, lines 25 µs |
+//! | the world | [`projection`], [`memory`] | 30 ns for a point |
 //!
 //! Each detector asks for its own classes and does its own segmentation, so what is not called costs nothing: with only
 //! the ball wanted no goal is looked for. A caller who wants several can segment once, with [`segment::Runs`] for all
@@ -50,6 +50,8 @@ pub mod edges;
 pub mod field_end;
 pub mod frame;
 pub mod goal;
+pub mod lines;
+pub mod memory;
 pub mod profile;
 pub mod projection;
 pub mod regions;
