@@ -8,6 +8,7 @@ pub mod hold;
 pub mod id;
 pub mod probe;
 pub mod rate;
+pub mod render;
 pub mod tree;
 
 mod clock;

@@ -78,3 +78,37 @@ fn node(draft: &Draft, to: impl Fn(&prop::sample::Index) -> Option<usize>) -> No
         ..build::node("Node")
     }
 }
+
+/// Text that breaks careless writers.
+fn nasty() -> impl Strategy<Value = &'static str> {
+    prop_oneof!["(?s).{0,8}", "[\"\\\\&#<>;:|`{}\n\r\t\0 -]{0,6}", "[a-z_]{1,9}"].prop_map(|text| &*text.leak())
+}
+
+/// Graphs whose names, docs and numbers are whatever they can be.
+pub(crate) fn nasty_graph(most: usize) -> impl Strategy<Value = Graph> {
+    let texts = prop::collection::vec(nasty(), 16);
+    let figures = prop::collection::vec(any::<f32>(), 8);
+    (any_graph(most), texts, figures, any::<u32>()).prop_map(|(graph, texts, figures, after_ms)| {
+        let mut text = texts.into_iter().cycle();
+        let mut text = move || text.next().unwrap_or_default();
+        let mut figure = figures.into_iter().cycle();
+        let mut nodes = graph.nodes.to_vec();
+        for node in &mut nodes {
+            (node.name, node.doc, node.resume) = (text(), text(), text().is_empty());
+            node.hz = node.hz.and_then(|_| figure.next());
+            node.budget_us = node.budget_us.and_then(|_| figure.next());
+            let mut states = node.states.to_vec();
+            for state in &mut states {
+                (state.name, state.doc, state.last) = (text(), text(), text().is_empty());
+            }
+            let mut ways = node.transitions.to_vec();
+            for way in &mut ways {
+                (way.name, way.doc) = (text(), text());
+                way.after_ms = (!text().is_empty()).then_some(after_ms);
+            }
+            (node.states, node.transitions) = (states.leak(), ways.leak());
+        }
+        let budget_ms = figure.next().filter(|_| after_ms % 2 == 0);
+        Graph { name: text(), doc: text(), budget_ms, nodes: nodes.leak(), ..graph }
+    })
+}

@@ -2,7 +2,11 @@
 
 mod build;
 mod constant;
+mod dot;
+mod drawn;
 mod generate;
+mod json;
+mod mermaid;
 mod messages;
 mod naive;
 mod order;

@@ -1,0 +1,81 @@
+//! JSON.
+
+use core::fmt::{Display, Formatter, Result, Write, from_fn};
+
+use super::label::Escaped;
+use crate::graph::{Graph, Link, LinkKind, Node, State, Transition};
+
+pub(super) fn tree(graph: &Graph, f: &mut Formatter<'_>) -> Result {
+    write!(f, "{{\"name\": {}, \"doc\": {}, ", quoted(graph.name), quoted(graph.doc))?;
+    write!(f, "\"cycle_hz\": {}, ", figure(Some(graph.cycle_hz)))?;
+    write!(f, "\"budget_ms\": {}, ", figure(graph.budget_ms))?;
+    write!(f, "\"root\": {}, \"nodes\": ", graph.root)?;
+    list(f, graph.nodes, component)?;
+    f.write_str("}\n")
+}
+
+fn component(f: &mut Formatter<'_>, node: &Node) -> Result {
+    write!(f, "\n{{\"name\": {}, \"doc\": {}, ", quoted(node.name), quoted(node.doc))?;
+    write!(f, "\"hz\": {}, \"budget_us\": {}, ", figure(node.hz), figure(node.budget_us))?;
+    write!(f, "\"resume\": {}, \"links\": ", node.resume)?;
+    list(f, node.links, link)?;
+    f.write_str(", \"states\": ")?;
+    list(f, node.states, state)?;
+    f.write_str(", \"transitions\": ")?;
+    list(f, node.transitions, transition)?;
+    f.write_str("}")
+}
+
+fn link(f: &mut Formatter<'_>, link: &Link) -> Result {
+    let kind = match link.kind {
+        LinkKind::Requirement => "requirement",
+        LinkKind::Modulation => "modulation",
+    };
+    write!(f, "{{\"to\": {}, \"kind\": \"{kind}\", \"state\": {}}}", link.to, or_null(link.state))
+}
+
+fn state(f: &mut Formatter<'_>, state: &State) -> Result {
+    write!(f, "{{\"name\": {}, \"doc\": {}, ", quoted(state.name), quoted(state.doc))?;
+    write!(f, "\"initial\": {}, \"last\": {}}}", state.initial, state.last)
+}
+
+fn transition(f: &mut Formatter<'_>, way: &Transition) -> Result {
+    write!(f, "{{\"name\": {}, \"doc\": {}, ", quoted(way.name), quoted(way.doc))?;
+    write!(f, "\"from\": {}, \"to\": {}, \"after_ms\": {}}}", way.from, way.to, or_null(way.after_ms))
+}
+
+fn list<T>(f: &mut Formatter<'_>, items: &[T], item: fn(&mut Formatter<'_>, &T) -> Result) -> Result {
+    f.write_str("[")?;
+    for (index, entry) in items.iter().enumerate() {
+        f.write_str(if index == 0 { "" } else { ", " })?;
+        item(f, entry)?;
+    }
+    f.write_str("]")
+}
+
+fn figure(figure: Option<f32>) -> impl Display {
+    or_null(figure.filter(|figure| figure.is_finite()))
+}
+
+fn or_null(value: Option<impl Display>) -> impl Display {
+    from_fn(move |f| match &value {
+        Some(value) => value.fmt(f),
+        None => f.write_str("null"),
+    })
+}
+
+fn quoted(text: &str) -> impl Display {
+    from_fn(move |f| {
+        f.write_str("\"")?;
+        Escaped { out: f, escape }.write_str(text)?;
+        f.write_str("\"")
+    })
+}
+
+fn escape(f: &mut Formatter<'_>, character: char) -> Result {
+    match character {
+        '"' | '\\' => write!(f, "\\{character}"),
+        '\0'..' ' => write!(f, "\\u{:04x}", character as u32),
+        other => f.write_char(other),
+    }
+}

@@ -1,0 +1,47 @@
+//! What is written into the drawings.
+
+use core::fmt::{Display, Formatter, Result, Write, from_fn};
+
+use super::Arrow;
+use crate::graph::{Node, Transition};
+
+/// Rate and budget: `30 Hz · 40 µs`.
+pub(super) fn figures(node: &Node) -> impl Display {
+    from_fn(|f| {
+        match node.hz {
+            Some(hz) => write!(f, "{hz} Hz")?,
+            None => f.write_str("every cycle")?,
+        }
+        node.budget_us.map_or(Ok(()), |budget| write!(f, " · {budget} µs"))
+    })
+}
+
+/// The names of the states in which an arrow holds: `search, follow`.
+pub(super) fn states(arrow: Arrow<'_>) -> impl Display {
+    from_fn(move |f| {
+        arrow.states().enumerate().try_for_each(|(index, state)| {
+            f.write_str(if index == 0 { "" } else { ", " })?;
+            f.write_str(state.name)
+        })
+    })
+}
+
+/// A transition's name and timer: `ball_lost, after 1500 ms`.
+pub(super) fn transition(way: &Transition) -> impl Display {
+    from_fn(|f| {
+        f.write_str(way.name)?;
+        way.after_ms.map_or(Ok(()), |after| write!(f, ", after {after} ms"))
+    })
+}
+
+/// Writes text with every character escaped that a language needs escaped.
+pub(super) struct Escaped<'a, 'f> {
+    pub(super) out: &'a mut Formatter<'f>,
+    pub(super) escape: fn(&mut Formatter<'_>, char) -> Result,
+}
+
+impl Write for Escaped<'_, '_> {
+    fn write_str(&mut self, text: &str) -> Result {
+        text.chars().try_for_each(|character| (self.escape)(self.out, character))
+    }
+}

@@ -1,0 +1,69 @@
+//! Mermaid.
+
+use core::fmt::{Display, Formatter, Result, Write, from_fn};
+
+use super::label::{Escaped, figures, states, transition};
+use super::{Arrow, arrows};
+use crate::graph::{Graph, LinkKind, Node};
+
+pub(super) fn tree(graph: &Graph, f: &mut Formatter<'_>) -> Result {
+    f.write_str("flowchart TD\n")?;
+    for (index, node) in graph.nodes.iter().enumerate() {
+        component(f, index, node)?;
+    }
+    for (from, node) in graph.nodes.iter().enumerate() {
+        arrows(node).try_for_each(|to| arrow(f, from, to))?;
+    }
+    writeln!(f, "  style n{} stroke-width:3px", graph.root)
+}
+
+/// A round box, with double sides for a machine.
+fn component(f: &mut Formatter<'_>, index: usize, node: &Node) -> Result {
+    let (open, close) = if node.states.is_empty() { ("(\"", "\")") } else { ("[[\"", "\"]]") };
+    writeln!(f, "  n{index}{open}{}<br/>{}{close}", escaped(&node.name), escaped(&figures(node)))
+}
+
+fn arrow(f: &mut Formatter<'_>, from: usize, arrow: Arrow<'_>) -> Result {
+    let line = match arrow.kind() {
+        LinkKind::Requirement => "-.->",
+        LinkKind::Modulation => "-->",
+    };
+    if arrow.is_always() {
+        writeln!(f, "  n{from} {line} n{}", arrow.to())
+    } else {
+        writeln!(f, "  n{from} {line}|\"{}\"| n{}", escaped(&states(arrow)), arrow.to())
+    }
+}
+
+pub(super) fn machine(node: &Node, f: &mut Formatter<'_>) -> Result {
+    f.write_str("stateDiagram-v2\n")?;
+    for (index, state) in node.states.iter().enumerate() {
+        writeln!(f, "  state \"{}\" as s{index}", escaped(&state.name))?;
+        if state.initial {
+            writeln!(f, "  [*] --> s{index}")?;
+        }
+        if state.last {
+            writeln!(f, "  s{index} --> [*]")?;
+        }
+    }
+    for way in node.transitions {
+        let label = transition(way);
+        writeln!(f, "  s{} --> s{}: {}", way.from, way.to, escaped(&label))?;
+    }
+    Ok(())
+}
+
+fn escaped(text: &impl Display) -> impl Display {
+    from_fn(move |f| write!(Escaped { out: f, escape }, "{text}"))
+}
+
+/// Letters and digits stand for themselves; what may mean something to one of the languages inside Mermaid (its own,
+/// Markdown, HTML) is written as an entity.
+fn escape(f: &mut Formatter<'_>, character: char) -> Result {
+    match character {
+        ' ' | '_' | ',' | '.' => f.write_char(character),
+        control if control.is_control() => f.write_str(" "),
+        special if special.is_ascii_punctuation() => write!(f, "#{};", special as u32),
+        other => f.write_char(other),
+    }
+}

@@ -1,0 +1,49 @@
+//! What the drawings of a graph are to show, said once for all languages.
+
+use std::collections::BTreeSet;
+
+use bica_core::graph::{Graph, LinkKind, Node};
+
+/// Text as a picture can show it.
+fn shown(text: &str) -> String {
+    text.replace(|character: char| character.is_control(), " ")
+}
+
+/// An arrow: from, to, whether it is dashed, its label.
+pub(crate) type Arrow = (usize, usize, bool, String);
+
+pub(crate) fn figures(node: &Node) -> String {
+    let rate = node.hz.map_or("every cycle".into(), |hz| format!("{hz} Hz"));
+    rate + &node.budget_us.map_or(String::new(), |budget| format!(" · {budget} µs"))
+}
+
+pub(crate) fn names(graph: &Graph) -> Vec<String> {
+    graph.nodes.iter().map(|node| shown(node.name)).collect()
+}
+
+pub(crate) fn arrows(graph: &Graph) -> BTreeSet<Arrow> {
+    let links = graph.nodes.iter().enumerate().flat_map(|(from, node)| node.links.iter().map(move |link| (from, link)));
+    links.map(|(from, link)| (from, link.to, link.kind == LinkKind::Requirement, when(graph, from, link))).collect()
+}
+
+fn when(graph: &Graph, from: usize, like: &bica_core::graph::Link) -> String {
+    let node = &graph.nodes[from];
+    let same = node.links.iter().filter(|link| link.to == like.to && link.kind == like.kind);
+    let states: BTreeSet<_> = same.map(|link| link.state).collect();
+    if states.contains(&None) || states.len() == node.states.len() {
+        return String::new();
+    }
+    shown(&states.into_iter().flatten().map(|state| node.states[state].name).collect::<Vec<_>>().join(", "))
+}
+
+/// The transitions of a machine: from, to, label. In their order, since several may look the same.
+pub(crate) fn ways(node: &Node) -> Vec<(usize, usize, String)> {
+    let after =
+        |way: &bica_core::graph::Transition| way.after_ms.map_or(String::new(), |ms| format!(", after {ms} ms"));
+    node.transitions.iter().map(|way| (way.from, way.to, shown(way.name) + &after(way))).collect()
+}
+
+/// The states of a machine: name, whether it starts there, whether it is meant to stay.
+pub(crate) fn states(node: &Node) -> Vec<(String, bool, bool)> {
+    node.states.iter().map(|state| (shown(state.name), state.initial, state.last)).collect()
+}

@@ -1,0 +1,89 @@
+//! The Mermaid of a graph and of its machines, read line by line.
+
+use std::collections::BTreeSet;
+
+use bica_core::graph::{Graph, Node};
+use proptest::prelude::*;
+
+use crate::drawn;
+use crate::generate::nasty_graph;
+
+/// Text without entities; panics on a character that should have been one.
+fn plain(text: &str) -> String {
+    let mut plain = String::new();
+    let mut rest = text;
+    while let Some((before, entity)) = rest.split_once('#') {
+        plain.push_str(before);
+        let (code, after) = entity.split_once(';').expect("an entity ends");
+        plain.push(code.parse::<u32>().ok().and_then(char::from_u32).expect("an entity is a character"));
+        rest = after;
+    }
+    plain.push_str(rest);
+    let bare = text.replace(|c: char| c == '#' || c == ';' || c.is_ascii_alphanumeric(), "");
+    assert!(bare.chars().all(|c| " _,.".contains(c) || !c.is_ascii()), "not escaped: {text:?}");
+    plain
+}
+
+/// `n0 -.-> n1`, with `|"label"|` behind the line if there is a label.
+fn arrow(line: &str) -> Option<drawn::Arrow> {
+    let (from, rest) = line.trim().split_once(' ')?;
+    let (style, rest) = rest.split_once("->")?;
+    let (label, to) = match rest.strip_prefix("|\"") {
+        Some(labelled) => labelled.rsplit_once("\"| ")?,
+        None => ("", rest.trim()),
+    };
+    let index = |word: &str| word.strip_prefix('n')?.parse().ok();
+    Some((index(from)?, index(to)?, style == "-.", plain(label)))
+}
+
+/// `n0("name<br/>figures")`, or with `[[` and `]]` for a machine.
+fn component(line: &str) -> Option<(String, String, bool)> {
+    let machine = line.contains("[[\"");
+    let (_, text) = line.split_once(if machine { "[[\"" } else { "(\"" })?;
+    let (name, figures) = text.strip_suffix(if machine { "\"]]" } else { "\")" })?.split_once("<br/>")?;
+    Some((plain(name), plain(figures), machine))
+}
+
+fn check_tree(graph: &Graph) {
+    let text = graph.mermaid().to_string();
+    let mut lines = text.lines();
+    assert_eq!(lines.next(), Some("flowchart TD"));
+    let components = lines.by_ref().take(graph.nodes.len()).map(|line| component(line).expect(line));
+    let wanted = graph.nodes.iter().zip(drawn::names(graph));
+    let wanted = wanted.map(|(node, name)| (name, drawn::figures(node), !node.states.is_empty()));
+    assert_eq!(components.collect::<Vec<_>>(), wanted.collect::<Vec<_>>());
+    let arrows = lines.by_ref().take(drawn::arrows(graph).len()).map(|line| arrow(line).expect(line));
+    assert_eq!(arrows.collect::<BTreeSet<_>>(), drawn::arrows(graph));
+    assert_eq!(lines.next(), Some(&*format!("  style n{} stroke-width:3px", graph.root)));
+    assert_eq!(lines.next(), None);
+}
+
+fn check_machine(node: &Node) {
+    let text = node.mermaid().to_string();
+    let mut lines = text.lines().peekable();
+    assert_eq!(lines.next(), Some("stateDiagram-v2"));
+    for (index, (name, initial, last)) in drawn::states(node).into_iter().enumerate() {
+        let line = lines.next().expect("a line for each state").strip_prefix("  state \"").expect("a state");
+        let (text, end) = line.split_once('"').expect("a name ends");
+        assert_eq!((plain(text), end), (name, &*format!(" as s{index}")));
+        assert_eq!(lines.next_if(|line| *line == format!("  [*] --> s{index}")).is_some(), initial);
+        assert_eq!(lines.next_if(|line| *line == format!("  s{index} --> [*]")).is_some(), last);
+    }
+    let ways = lines.map(|line| {
+        let (ends, label) = line.trim_start().split_once(": ").expect("a label");
+        let (from, to) = ends.split_once(" --> ").expect("two ends");
+        let index = |word: &str| word[1..].parse().expect("an index");
+        (index(from), index(to), plain(label))
+    });
+    assert_eq!(ways.collect::<Vec<_>>(), drawn::ways(node));
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(2000))]
+
+    #[test]
+    fn mermaid_shows_the_graph(graph in nasty_graph(6)) {
+        check_tree(&graph);
+        graph.nodes.iter().for_each(check_machine);
+    }
+}
