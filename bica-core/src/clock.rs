@@ -72,9 +72,15 @@ impl Clock {
         Duration::from_ticks(now.as_ticks().saturating_sub(self.ran.get()))
     }
 
+    /// The time in the state; a clock that was set back to before the entry counts it from now.
     #[inline]
     pub(crate) fn in_state(&self, now: Instant) -> Duration {
-        Duration::from_ticks(now.as_ticks().saturating_sub(self.entered.get()))
+        let (now, entered) = (now.as_ticks(), self.entered.get());
+        if now < entered {
+            self.entered.set(now);
+            return Duration::from_ticks(0);
+        }
+        Duration::from_ticks(now - entered)
     }
 
     /// Enters a state, or none at all, and counts the time in it from now.
@@ -84,12 +90,10 @@ impl Clock {
         self.entered.set(now.as_ticks());
     }
 
-    /// A clock that was set back to before the entry counts the time in the state from now.
+    /// Index of the state that an active machine is in.
     #[inline]
-    pub(crate) fn tolerate(&self, now: Instant) {
-        if now.as_ticks() < self.entered.get() {
-            self.entered.set(now.as_ticks());
-        }
+    pub(crate) fn place(&self) -> usize {
+        self.state.get() as usize
     }
 
     /// Index of the state that the machine is in, or was in when it became latent.

@@ -60,7 +60,9 @@ impl<T: Layout, P: Probe> Cycle<'_, T, P> {
         };
         if turn.due {
             C::pass(self, turn);
-            clock.ran(self.now);
+            if C::TIMED {
+                clock.ran(self.now);
+            }
         } else {
             self.probe.skip(id::<T, C>());
             C::pass(self, turn);
@@ -169,13 +171,9 @@ impl<T: Layout, P: Probe> Cycle<'_, T, P> {
     pub fn machine<C>(&self, turn: Turn) -> Machine
     where
         T: Has<C>,
-        C: Component,
+        C: 'static,
     {
-        let clock = self.key.clock::<C>();
-        if turn.due {
-            clock.tolerate(self.now);
-        }
-        Machine { state: clock.state().unwrap_or(C::INITIAL), entering: turn.entering, moved: false }
+        Machine { state: self.key.clock::<C>().place(), entering: turn.entering, moved: false }
     }
 
     /// Whether the machine `C` has been in its state for that long.

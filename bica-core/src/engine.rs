@@ -33,12 +33,12 @@ impl<T: Layout> Engine<T> {
         T::visit_root(&mut cycle);
         let mut forced = self.forced.without(&cycle.closed);
         while let Some(rank) = forced.pop() {
-            T::visit(&mut cycle, T::ORDER[rank]);
+            T::visit(&mut cycle, rank);
         }
         let active = cycle.closed.without(&self.latent);
         let mut ended = self.active.without(&active);
         while let Some(rank) = ended.pop() {
-            T::stop(&mut cycle, T::ORDER[rank]);
+            T::stop(&mut cycle, rank);
         }
         self.active = active;
         cycle.probe.cycle_end();

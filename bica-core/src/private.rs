@@ -16,15 +16,3 @@ pub use crate::tree::{Has, Layout, Tree, Wired};
 pub fn state<C>(slot: &Slot<C>) -> Option<usize> {
     slot.clock().state()
 }
-
-/// The component of each rank: the inverse of `ranks`.
-#[must_use]
-pub const fn order<const N: usize>(ranks: [usize; N]) -> [usize; N] {
-    let mut order = [0; N];
-    let mut index = 0;
-    while index < N {
-        order[ranks[index]] = index;
-        index += 1;
-    }
-    order
-}

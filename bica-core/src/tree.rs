@@ -144,6 +144,8 @@ pub trait Has<C: 'static>: Layout {
 pub trait Wired<T: Layout> {
     /// The component's description in that tree.
     const NODE: Node;
+    /// Whether the component asks for the time.
+    const TIMED: bool;
 
     /// Visits the children that are needed now and, if it is due, runs the component between them.
     fn pass<P: Probe>(cycle: &mut Cycle<'_, T, P>, turn: Turn);
@@ -160,9 +162,6 @@ pub trait Layout: Sized + 'static {
     /// The rank of each component: activators come before what they activate.
     #[doc(hidden)]
     const RANKS: &'static [usize];
-    /// The component of each rank.
-    #[doc(hidden)]
-    const ORDER: &'static [usize];
 
     #[doc(hidden)]
     fn engine(&self) -> &Engine<Self>;
@@ -171,9 +170,9 @@ pub trait Layout: Sized + 'static {
     #[doc(hidden)]
     fn visit_root<P: Probe>(cycle: &mut Cycle<'_, Self, P>);
     #[doc(hidden)]
-    fn visit<P: Probe>(cycle: &mut Cycle<'_, Self, P>, index: usize);
+    fn visit<P: Probe>(cycle: &mut Cycle<'_, Self, P>, rank: usize);
     #[doc(hidden)]
-    fn stop<P: Probe>(cycle: &mut Cycle<'_, Self, P>, index: usize);
+    fn stop<P: Probe>(cycle: &mut Cycle<'_, Self, P>, rank: usize);
     #[doc(hidden)]
     fn state_of(slots: &Self::Slots, index: usize) -> Option<usize>;
 }

@@ -8,7 +8,7 @@ use syn::{Type, parse_quote};
 
 use super::{description, machine, node, runtime, step};
 use crate::component::links::Links;
-use crate::component::model::{Behaviour, Component};
+use crate::component::model::{Argument, Behaviour, Component, Function};
 use crate::text;
 
 pub(super) fn expand(component: &Component, behaviour: &Behaviour) -> TokenStream {
@@ -22,6 +22,7 @@ pub(super) fn expand(component: &Component, behaviour: &Behaviour) -> TokenStrea
         bounds.predicates.push(parse_quote!(__T: #p::Has<#child>));
     }
     let (parameters, _, bounds) = generics.split_for_impl();
+    let timed = timed(behaviour);
     let node = node::expand(component, behaviour);
     let pass = match behaviour {
         Behaviour::Step(function) => step::expand(&p, function.as_ref()),
@@ -31,6 +32,7 @@ pub(super) fn expand(component: &Component, behaviour: &Behaviour) -> TokenStrea
         #[automatically_derived]
         impl #parameters #p::Wired<__T> for #own #bounds {
             #node
+            const TIMED: bool = #timed;
 
             #[inline]
             fn pass<__P: #p::Probe>(cycle: &mut #p::Cycle<'_, __T, __P>, turn: #p::Turn) {
@@ -43,6 +45,18 @@ pub(super) fn expand(component: &Component, behaviour: &Behaviour) -> TokenStrea
 /// The visits of some children.
 pub(super) fn visits(p: &TokenStream, children: &[Type]) -> TokenStream {
     quote!(#(<__T as #p::Has<#children>>::visit(cycle);)*)
+}
+
+fn timed(behaviour: &Behaviour) -> bool {
+    let any = |function: &Function| function.arguments.iter().any(|argument| matches!(argument, Argument::Time));
+    match behaviour {
+        Behaviour::Step(step) => step.iter().any(any),
+        Behaviour::Machine(machine) => {
+            let places =
+                machine.states.iter().flat_map(|place| place.entries.iter().chain(&place.exits).chain([&place.body]));
+            places.chain(machine.ways.iter().map(|way| &way.condition)).any(any)
+        }
+    }
 }
 
 /// All children, each once.
