@@ -29,16 +29,6 @@ pub trait Component: Sized + 'static {
     /// Index in [`STATES`](Self::STATES) of the state in which the machine starts.
     #[doc(hidden)]
     const INITIAL: usize = 0;
-
-    /// Calls the `#[start]` hooks.
-    #[doc(hidden)]
-    #[inline]
-    fn __start(&mut self) {}
-
-    /// Calls the `#[stop]` hooks.
-    #[doc(hidden)]
-    #[inline]
-    fn __stop(&mut self) {}
 }
 
 /// What a component may know of time: ask for it with an argument `time: &Time`.

@@ -43,79 +43,77 @@ pub struct Machine {
 impl<T: Layout, P: Probe> Cycle<'_, T, P> {
     /// Visits `C`, unless it was visited in this cycle or is held latent.
     #[inline]
-    pub fn visit<C>(&mut self)
+    pub fn visit<C: 'static>(&mut self)
     where
         T: Has<C>,
-        C: Component + Wired<T>,
     {
         if !self.closed.insert(T::RANK) {
             return;
         }
-        let clock = self.key.clock::<C>();
-        let turn = if self.before.contains(T::RANK) {
-            let (rate, ()) = self.key.lend::<(Pace<C>, ())>();
-            Turn { due: clock.due(self.now, rate.period()), entering: false }
-        } else {
-            self.start::<C>()
-        };
-        if turn.due {
-            C::pass(self, turn);
-            if C::TIMED {
-                clock.ran(self.now);
-            }
-        } else {
+        let turn = self.turn::<C>();
+        if !turn.due {
             self.probe.skip(id::<T, C>());
-            C::pass(self, turn);
+        }
+        T::Member::pass(self, turn);
+        if T::Member::TIMED && turn.due {
+            self.key.clock::<C>().ran(self.now);
         }
     }
 
-    /// `C` becomes active.
-    fn start<C>(&mut self) -> Turn
+    /// What a visit of `C` finds.
+    #[inline]
+    fn turn<C: 'static>(&mut self) -> Turn
     where
         T: Has<C>,
-        C: Component,
+    {
+        if !self.before.contains(T::RANK) {
+            return self.start::<C>();
+        }
+        let clock = self.key.clock::<C>();
+        let (rate, ()) = self.key.lend::<(Pace<C>, ())>();
+        Turn { due: clock.due(self.now, rate.period()), entering: false }
+    }
+
+    /// `C` becomes active.
+    fn start<C: 'static>(&mut self) -> Turn
+    where
+        T: Has<C>,
     {
         let clock = self.key.clock::<C>();
         clock.anchor(self.now);
-        let entering = !C::RESUME || clock.state().is_none();
+        let entering = !T::Member::RESUME || clock.state().is_none();
         if entering {
-            clock.enter((!C::STATES.is_empty()).then_some(C::INITIAL), self.now);
+            clock.enter((!T::Member::STATES.is_empty()).then_some(T::Member::INITIAL), self.now);
         }
         self.probe.start(id::<T, C>());
-        let (component, ()) = self.lend::<C, ()>();
-        component.__start();
+        T::Member::start(self);
         Turn { due: true, entering }
     }
 
     /// `C` becomes latent.
     #[inline]
-    pub fn stop<C>(&mut self)
+    pub fn stop<C: 'static>(&mut self)
     where
         T: Has<C>,
-        C: Component,
     {
-        let (component, ()) = self.lend::<C, ()>();
-        component.__stop();
+        T::Member::stop(self);
         self.probe.stop(id::<T, C>());
     }
 
     /// Lends `C` to be written, and what else `L` names.
     #[inline]
-    pub fn lend<C, L>(&mut self) -> (&mut C, L::Lent<'_>)
+    pub fn lend<C: 'static, L: Loan<T>>(&mut self) -> (&mut C, L::Lent<'_>)
     where
         T: Has<C>,
-        C: Component,
-        L: Loan<T>,
     {
         self.key.lend::<(Write<C>, L)>()
     }
 
     /// `C` runs, and its own code begins.
     #[inline]
-    pub fn run<C>(&mut self)
+    pub fn run<C: 'static>(&mut self)
     where
         T: Has<C>,
-        C: 'static,
     {
         self.probe.run(id::<T, C>());
         self.begin::<C>();
@@ -123,20 +121,18 @@ impl<T: Layout, P: Probe> Cycle<'_, T, P> {
 
     /// The own code of `C` begins.
     #[inline]
-    fn begin<C>(&mut self)
+    fn begin<C: 'static>(&mut self)
     where
         T: Has<C>,
-        C: 'static,
     {
         self.probe.begin(id::<T, C>());
     }
 
     /// The own code of the machine `C` begins, or goes on in a new state.
     #[inline]
-    pub fn round<C>(&mut self, machine: Machine)
+    pub fn round<C: 'static>(&mut self, machine: Machine)
     where
         T: Has<C>,
-        C: 'static,
     {
         if machine.moved {
             self.begin::<C>();
@@ -147,20 +143,18 @@ impl<T: Layout, P: Probe> Cycle<'_, T, P> {
 
     /// The own code of `C` has ended.
     #[inline]
-    pub fn end<C>(&mut self)
+    pub fn end<C: 'static>(&mut self)
     where
         T: Has<C>,
-        C: 'static,
     {
         self.probe.end(id::<T, C>());
     }
 
     /// The time as `C` sees it.
     #[inline]
-    pub fn time<C>(&self) -> Time
+    pub fn time<C: 'static>(&self) -> Time
     where
         T: Has<C>,
-        C: 'static,
     {
         let clock = self.key.clock::<C>();
         Time { now: self.now, since_run: clock.since_run(self.now), in_state: clock.in_state(self.now) }
@@ -168,29 +162,26 @@ impl<T: Layout, P: Probe> Cycle<'_, T, P> {
 
     /// Where the machine `C` stands as it is visited.
     #[inline]
-    pub fn machine<C>(&self, turn: Turn) -> Machine
+    pub fn machine<C: 'static>(&self, turn: Turn) -> Machine
     where
         T: Has<C>,
-        C: 'static,
     {
         Machine { state: self.key.clock::<C>().place(), entering: turn.entering, moved: false }
     }
 
     /// Whether the machine `C` has been in its state for that long.
     #[inline]
-    pub fn stayed<C>(&self, ms: u32) -> bool
+    pub fn stayed<C: 'static>(&self, ms: u32) -> bool
     where
         T: Has<C>,
-        C: 'static,
     {
         self.key.clock::<C>().in_state(self.now) >= Duration::from_millis(ms as u64)
     }
 
     /// The machine `C` goes to another state; its own code pauses until the children there have been visited.
-    pub fn transit<C>(&mut self, from: usize, to: usize) -> Machine
+    pub fn transit<C: 'static>(&mut self, from: usize, to: usize) -> Machine
     where
         T: Has<C>,
-        C: 'static,
     {
         self.key.clock::<C>().enter(Some(to), self.now);
         self.end::<C>();

@@ -32,13 +32,13 @@ impl<T: Layout> Engine<T> {
         let mut cycle = Cycle { key, now, before: self.active, closed: self.latent, probe };
         T::visit_root(&mut cycle);
         let mut forced = self.forced.without(&cycle.closed);
-        while let Some(rank) = forced.pop() {
-            T::visit(&mut cycle, rank);
+        while let Some(index) = first::<T>(&mut forced) {
+            T::visit(&mut cycle, index);
         }
         let active = cycle.closed.without(&self.latent);
         let mut ended = self.active.without(&active);
-        while let Some(rank) = ended.pop() {
-            T::stop(&mut cycle, rank);
+        while let Some(index) = first::<T>(&mut ended) {
+            T::stop(&mut cycle, index);
         }
         self.active = active;
         cycle.probe.cycle_end();
@@ -67,4 +67,9 @@ impl<T: Layout> Engine<T> {
     pub(crate) fn is_active(&self, component: ComponentId) -> bool {
         T::RANKS.get(component.index()).is_some_and(|&rank| self.active.contains(rank))
     }
+}
+
+/// Takes the component of the lowest rank out of a set.
+fn first<T: Layout>(set: &mut T::Set) -> Option<usize> {
+    T::ORDER.get(set.pop()?).copied()
 }

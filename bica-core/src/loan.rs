@@ -39,14 +39,13 @@ pub struct Slot<C> {
     value: UnsafeCell<C>,
 }
 
-impl<C: Component> Slot<C> {
-    /// Holds `value`, at its declared rate and never active yet.
-    pub const fn new(value: C) -> Self {
-        Self { clock: Clock::new(), rate: UnsafeCell::new(Rate::DECLARED), value: UnsafeCell::new(value) }
+impl<C: 'static> Slot<C> {
+    /// Holds `value` in tree `T`, at its declared rate and never active yet.
+    pub const fn new<T: Has<C>>(value: C) -> Self {
+        let rate = Rate::at(<T::Member as Component>::HZ);
+        Self { clock: Clock::new(), rate: UnsafeCell::new(rate), value: UnsafeCell::new(value) }
     }
-}
 
-impl<C> Slot<C> {
     /// What is remembered of the component; it lies in no cell and is never lent.
     pub const fn clock(&self) -> &Clock {
         &self.clock
@@ -145,7 +144,7 @@ impl<'t, T: Layout> Key<'t, T> {
     /// Lends the components that `L` names, until the key is used again.
     #[inline]
     pub(crate) fn lend<L: Loan<T>>(&mut self) -> L::Lent<'_> {
-        const { assert!(distinct(L::CLAIMS), "two links to one component in one signature") };
+        const { assert!(distinct(L::CLAIMS), "{}", TWO_LINKS) };
         // SAFETY: a key is the only access to its store, and it is borrowed exclusively for as long as what is lent; its
         // claims are distinct by the line above.
         unsafe { L::lend(self.slots) }
@@ -180,6 +179,18 @@ pub struct Claim {
     index: usize,
     rate: bool,
     rest: Option<&'static Self>,
+}
+
+const TWO_LINKS: &str = "two links to one component in one signature";
+
+/// Stops the compiler if `L` claims a place twice. [`Key::lend`] asserts the same when code is generated; this is said
+/// already by a check, at the function whose loan it is.
+///
+/// # Panics
+/// If it does.
+#[track_caller]
+pub const fn assert_distinct<T: Layout, L: Loan<T>>() {
+    assert!(distinct(L::CLAIMS), "{}", TWO_LINKS);
 }
 
 const fn distinct(mut claims: Option<&Claim>) -> bool {

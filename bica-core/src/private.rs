@@ -1,18 +1,48 @@
 //! What generated code uses. No part of the public interface: it changes without notice.
 
-pub use crate::check::{check, ranks};
+pub use crate::check::ranks;
+use crate::check::{first, message};
 pub use crate::component::{Component, Time};
 pub use crate::cycle::{Cycle, Turn};
 pub use crate::engine::Engine;
 pub use crate::graph::{Graph, Link, LinkKind, Node, State, Transition};
-pub use crate::loan::{Pace, Read, Slot, Write};
+pub use crate::loan::{Pace, Read, Slot, Write, assert_distinct};
 pub use crate::probe::Probe;
 pub use crate::rate::Rate;
 pub use crate::set::words;
 pub use crate::tree::{Has, Layout, Tree, Wired};
 
+/// Stops the compiler if the tree as a whole breaks a rule; the message is shown at the caller.
+///
+/// # Panics
+/// With the [`message`] of the finding.
+#[track_caller]
+pub const fn check(graph: &Graph) {
+    if let Some(finding) = first(graph) {
+        panic!("{}", message(graph, &finding).as_str());
+    }
+}
+
+/// The node of `C` in tree `T`, under the name that the list gives it.
+#[must_use]
+pub const fn node<T: Has<C>, C: 'static>(name: &'static str) -> Node {
+    Node { name, ..<T::Member as Wired<T>>::NODE }
+}
+
 /// The state of what is in a slot.
 #[must_use]
-pub fn state<C>(slot: &Slot<C>) -> Option<usize> {
+pub fn state<C: 'static>(slot: &Slot<C>) -> Option<usize> {
     slot.clock().state()
+}
+
+/// The component of each rank: the inverse of `ranks`.
+#[must_use]
+pub const fn order<const N: usize>(ranks: &[usize; N]) -> [usize; N] {
+    let mut order = [0; N];
+    let mut index = 0;
+    while index < N {
+        order[ranks[index]] = index;
+        index += 1;
+    }
+    order
 }

@@ -17,8 +17,6 @@ pub struct Rate<C> {
 }
 
 impl<C: Component> Rate<C> {
-    pub(crate) const DECLARED: Self = Self { hz: C::HZ, period: period(C::HZ), of: PhantomData };
-
     /// Asks for `hz` runs per second.
     ///
     /// More than the declared rate gives the declared rate. Zero or less gives rest: `C` stays active and its children
@@ -26,17 +24,21 @@ impl<C: Component> Rate<C> {
     pub fn set(&mut self, hz: f32) {
         if self.hz != Some(hz) {
             let hz = if hz.is_nan() || C::HZ.is_some_and(|most| hz > most) { C::HZ } else { Some(hz.max(0.0)) };
-            *self = Self { hz, period: period(hz), of: PhantomData };
+            *self = Self::at(hz);
         }
     }
 
     /// Goes back to the declared rate.
     pub fn reset(&mut self) {
-        *self = Self::DECLARED;
+        *self = Self::at(C::HZ);
     }
 }
 
 impl<C> Rate<C> {
+    pub(crate) const fn at(hz: Option<f32>) -> Self {
+        Self { hz, period: period(hz), of: PhantomData }
+    }
+
     /// Runs per second that are asked for now; `None` is a run in every cycle.
     #[must_use]
     pub const fn hz(&self) -> Option<f32> {

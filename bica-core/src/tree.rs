@@ -39,7 +39,7 @@ pub trait Tree: Layout {
     }
 
     /// Reads component `C`.
-    fn get<C: Component>(&self) -> &C
+    fn get<C: 'static>(&self) -> &C
     where
         Self: Has<C>,
     {
@@ -47,7 +47,7 @@ pub trait Tree: Layout {
     }
 
     /// Writes component `C`.
-    fn get_mut<C: Component>(&mut self) -> &mut C
+    fn get_mut<C: 'static>(&mut self) -> &mut C
     where
         Self: Has<C>,
     {
@@ -55,7 +55,7 @@ pub trait Tree: Layout {
     }
 
     /// The rate of component `C`.
-    fn rate<C: Component>(&self) -> &Rate<C>
+    fn rate<C: 'static>(&self) -> &Rate<C>
     where
         Self: Has<C>,
     {
@@ -63,7 +63,7 @@ pub trait Tree: Layout {
     }
 
     /// The rate of component `C`, to be modulated.
-    fn rate_mut<C: Component>(&mut self) -> &mut Rate<C>
+    fn rate_mut<C: 'static>(&mut self) -> &mut Rate<C>
     where
         Self: Has<C>,
     {
@@ -72,7 +72,7 @@ pub trait Tree: Layout {
 
     /// The name of component `C` for what works with any component.
     #[must_use]
-    fn id<C: Component>() -> ComponentId
+    fn id<C: 'static>() -> ComponentId
     where
         Self: Has<C>,
     {
@@ -80,7 +80,7 @@ pub trait Tree: Layout {
     }
 
     /// Holds component `C` active or latent from the next cycle on, or leaves it to the tree again.
-    fn hold<C: Component>(&mut self, hold: Hold)
+    fn hold<C: 'static>(&mut self, hold: Hold)
     where
         Self: Has<C>,
     {
@@ -122,6 +122,10 @@ pub trait Tree: Layout {
     note = "add `{C}` to `components: [...]` of `{Self}`"
 )]
 pub trait Has<C: 'static>: Layout {
+    /// `C`, known to be a component whose children the tree holds. It is the one place that demands this.
+    #[doc(hidden)]
+    type Member: Wired<Self>;
+
     /// The component's place in the tree's list.
     const INDEX: usize;
     /// The component's place in the order in which activators come before what they activate.
@@ -141,7 +145,7 @@ pub trait Has<C: 'static>: Layout {
     label = "its impl block bears no `#[component]`",
     note = "write `#[component]` on the impl block that holds its `step` or its states"
 )]
-pub trait Wired<T: Layout> {
+pub trait Wired<T: Layout>: Component {
     /// The component's description in that tree.
     const NODE: Node;
     /// Whether the component asks for the time.
@@ -149,6 +153,14 @@ pub trait Wired<T: Layout> {
 
     /// Visits the children that are needed now and, if it is due, runs the component between them.
     fn pass<P: Probe>(cycle: &mut Cycle<'_, T, P>, turn: Turn);
+
+    /// Calls the `#[start]` hooks.
+    #[inline]
+    fn start<P: Probe>(_: &mut Cycle<'_, T, P>) {}
+
+    /// Calls the `#[stop]` hooks.
+    #[inline]
+    fn stop<P: Probe>(_: &mut Cycle<'_, T, P>) {}
 }
 
 /// How a tree holds its components.
@@ -162,6 +174,9 @@ pub trait Layout: Sized + 'static {
     /// The rank of each component: activators come before what they activate.
     #[doc(hidden)]
     const RANKS: &'static [usize];
+    /// The component of each rank.
+    #[doc(hidden)]
+    const ORDER: &'static [usize];
 
     #[doc(hidden)]
     fn engine(&self) -> &Engine<Self>;
@@ -170,9 +185,9 @@ pub trait Layout: Sized + 'static {
     #[doc(hidden)]
     fn visit_root<P: Probe>(cycle: &mut Cycle<'_, Self, P>);
     #[doc(hidden)]
-    fn visit<P: Probe>(cycle: &mut Cycle<'_, Self, P>, rank: usize);
+    fn visit<P: Probe>(cycle: &mut Cycle<'_, Self, P>, index: usize);
     #[doc(hidden)]
-    fn stop<P: Probe>(cycle: &mut Cycle<'_, Self, P>, rank: usize);
+    fn stop<P: Probe>(cycle: &mut Cycle<'_, Self, P>, index: usize);
     #[doc(hidden)]
     fn state_of(slots: &Self::Slots, index: usize) -> Option<usize>;
 }

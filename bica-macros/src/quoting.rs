@@ -1,6 +1,6 @@
 //! Small parts of generated code.
 
-use proc_macro2::{Span, TokenStream};
+use proc_macro2::{Span, TokenStream, TokenTree};
 use quote::{ToTokens, quote};
 use syn::spanned::Spanned;
 
@@ -15,4 +15,13 @@ pub(crate) fn option<T: ToTokens>(value: Option<&T>) -> TokenStream {
 /// handed the tokens on.
 pub(crate) fn at(tokens: &impl ToTokens) -> Span {
     Span::call_site().located_at(tokens.span())
+}
+
+/// The same tokens for the compiler to point elsewhere.
+pub(crate) fn placed(tokens: &TokenStream, span: Span) -> TokenStream {
+    let place = |mut token: TokenTree| {
+        token.set_span(span);
+        token
+    };
+    tokens.clone().into_iter().map(place).collect()
 }

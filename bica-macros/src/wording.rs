@@ -10,7 +10,6 @@ pub(crate) const STEP_AND_STATES: &str =
     "a state machine has no `step`: the function of its state is its step; give this one another name, or a `#[state]`";
 pub(crate) const NO_INITIAL: &str =
     "no state is initial: mark the one in which the machine starts with `#[state(initial)]`";
-pub(crate) const TWO_INITIAL: &str = "two states are initial, a machine starts in one: leave `initial` on one of them";
 pub(crate) const ASYNC: &str = "a component waits for nothing, a step runs to its end: remove `async`";
 pub(crate) const UNSAFE: &str = "the tree calls this function and cannot keep an unsafe contract: remove `unsafe`";
 pub(crate) const GENERIC: &str =
@@ -19,7 +18,7 @@ pub(crate) const TIME: &str = "the time can only be read: write `&Time`";
 pub(crate) const RATE: &str = "a rate is there to be modulated: write `&mut Rate<...>`";
 pub(crate) const RATE_OF_WHAT: &str = "the rate of which component? Write `&mut Rate<Child>`";
 pub(crate) const TRANSITION_WRITES: &str =
-    "a transition only looks: write `&`, or modulate in an `#[entry]` or `#[exit]` hook";
+    "a transition only looks: write `&`, and change things in an `#[entry]` or `#[exit]` hook";
 pub(crate) const ARROW: &str = "which states does it leave and enter? Write `#[transition(from -> to)]`";
 pub(crate) const TWICE: &str = "this is said twice: remove one";
 pub(crate) const TWO_ROLES: &str =
@@ -49,6 +48,10 @@ pub(crate) fn unknown_state(found: &str, nearest: Option<&str>, known: &str) -> 
 
 fn meant(nearest: Option<&str>, known: &str) -> String {
     nearest.map_or_else(|| format!("there is {known}"), |nearest| format!("did you mean `{nearest}`?"))
+}
+
+pub(crate) fn two_initial(first: &str) -> String {
+    format!("state `{first}` is initial already, a machine starts in one: leave `initial` on one of the two")
 }
 
 pub(crate) fn unreachable(state: &str) -> String {

@@ -1,6 +1,5 @@
 //! Arguments: links, the time, rates.
 
-use quote::ToTokens;
 use syn::{FnArg, GenericArgument, PathArguments, PathSegment, Signature, Type, TypeReference};
 
 use super::model::Argument;
@@ -8,7 +7,7 @@ use super::signature::Form;
 use crate::report::Report;
 use crate::{text, wording};
 
-/// Reads the arguments beside `self`.
+/// Reads the arguments beside `self`. One with a mistake still counts as the link that it was meant to be.
 pub(crate) fn read(signature: &Signature, own: &Type, form: Form, report: &mut Report) -> Vec<Argument> {
     let mut arguments = Vec::new();
     let mut seen: Vec<String> = Vec::new();
@@ -16,7 +15,6 @@ pub(crate) fn read(signature: &Signature, own: &Type, form: Form, report: &mut R
         let FnArg::Typed(input) = input else { continue };
         if form == Form::Plain {
             report.add(input, wording::HOOK_LINKS);
-            continue;
         }
         let Some(argument) = argument(&input.ty, own, form, report) else { continue };
         let place = text::written(&input.ty).replace("&mut ", "&");
@@ -33,19 +31,32 @@ pub(crate) fn read(signature: &Signature, own: &Type, form: Form, report: &mut R
 fn argument(kind: &Type, own: &Type, form: Form, report: &mut Report) -> Option<Argument> {
     let reference = match plain(kind) {
         Type::Reference(reference) => reference,
-        Type::Path(_) => return complain(report, kind, wording::owned(&text::written(kind))),
-        _ => return complain(report, kind, wording::no_component(&text::written(kind))),
+        Type::Path(_) => {
+            report.add(kind, wording::owned(&text::written(kind)));
+            return Some(Argument::Write(kind.clone()));
+        }
+        _ => return no_component(kind, report),
     };
-    let Type::Path(path) = plain(&reference.elem) else {
-        return complain(report, &reference.elem, wording::no_component(&text::written(&reference.elem)));
-    };
+    let Type::Path(path) = plain(&reference.elem) else { return no_component(&reference.elem, report) };
     let segment = path.path.segments.last()?;
-    match segment.ident.to_string().as_str() {
-        "Time" if reference.mutability.is_some() => complain(report, kind, wording::TIME),
-        "Time" => Some(Argument::Time),
-        "Rate" => rate(reference, segment, form, report),
-        _ => link(reference, own, form, report),
+    if let (Some(token), Form::Condition) = (&reference.mutability, form) {
+        report.add(token, wording::TRANSITION_WRITES);
     }
+    match segment.ident.to_string().as_str() {
+        "Time" => {
+            if reference.mutability.is_some() {
+                report.add(kind, wording::TIME);
+            }
+            Some(Argument::Time)
+        }
+        "Rate" => rate(reference, segment, report),
+        _ => link(reference, own, report),
+    }
+}
+
+fn no_component(kind: &Type, report: &mut Report) -> Option<Argument> {
+    report.add(kind, wording::no_component(&text::written(kind)));
+    None
 }
 
 /// The type without the invisible brackets that a `macro_rules` macro puts around it.
@@ -56,36 +67,25 @@ fn plain(mut kind: &Type) -> &Type {
     kind
 }
 
-fn complain<T>(report: &mut Report, at: &impl ToTokens, message: impl std::fmt::Display) -> Option<T> {
-    report.add(at, message);
+fn rate(reference: &TypeReference, segment: &PathSegment, report: &mut Report) -> Option<Argument> {
+    if reference.mutability.is_none() {
+        report.add(reference, wording::RATE);
+    }
+    if let PathArguments::AngleBracketed(list) = &segment.arguments
+        && let Some(GenericArgument::Type(of)) = list.args.first()
+    {
+        return Some(Argument::Rate(of.clone()));
+    }
+    report.add(segment, wording::RATE_OF_WHAT);
     None
 }
 
-fn rate(reference: &TypeReference, segment: &PathSegment, form: Form, report: &mut Report) -> Option<Argument> {
-    if reference.mutability.is_none() {
-        return complain(report, reference, wording::RATE);
-    }
-    if form == Form::Condition {
-        return complain(report, &reference.mutability, wording::TRANSITION_WRITES);
-    }
-    match &segment.arguments {
-        PathArguments::AngleBracketed(list) => match list.args.first() {
-            Some(GenericArgument::Type(of)) => Some(Argument::Rate(of.clone())),
-            _ => complain(report, segment, wording::RATE_OF_WHAT),
-        },
-        _ => complain(report, segment, wording::RATE_OF_WHAT),
-    }
-}
-
-fn link(reference: &TypeReference, own: &Type, form: Form, report: &mut Report) -> Option<Argument> {
+fn link(reference: &TypeReference, own: &Type, report: &mut Report) -> Option<Argument> {
     let child = plain(&reference.elem).clone();
     let written = text::written(&child);
     if written == "Self" || written == text::written(own) {
-        return complain(report, &child, wording::OWN_LINK);
+        report.add(&child, wording::OWN_LINK);
+        return None;
     }
-    match &reference.mutability {
-        Some(token) if form == Form::Condition => complain(report, token, wording::TRANSITION_WRITES),
-        Some(_) => Some(Argument::Write(child)),
-        None => Some(Argument::Read(child)),
-    }
+    Some(if reference.mutability.is_some() { Argument::Write(child) } else { Argument::Read(child) })
 }

@@ -15,6 +15,9 @@ pub(crate) fn check(component: &Component, report: &mut Report) -> Option<Behavi
         report.add(&step.name, wording::STEP_AND_STATES);
     }
     let machine = resolve::machine(component, report)?;
+    if component.gaps {
+        return None;
+    }
     reachable(&machine, report);
     ends(component, &machine, report);
     Some(Behaviour::Machine(machine))

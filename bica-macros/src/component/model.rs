@@ -14,8 +14,21 @@ pub(crate) struct Component {
     pub(crate) transitions: Vec<Transition>,
     pub(crate) entries: Vec<Hook>,
     pub(crate) exits: Vec<Hook>,
-    pub(crate) starts: Vec<Ident>,
-    pub(crate) stops: Vec<Ident>,
+    pub(crate) starts: Vec<Function>,
+    pub(crate) stops: Vec<Function>,
+    /// An attribute of a function could not be read, so that what seems to be missing may be there.
+    pub(crate) gaps: bool,
+}
+
+impl Component {
+    /// All functions that the tree calls; one with several transitions comes once for each.
+    pub(crate) fn functions(&self) -> impl Iterator<Item = &Function> + Clone {
+        let states = self.states.iter().map(|state| &state.function);
+        let transitions = self.transitions.iter().map(|transition| &transition.function);
+        let hooks = self.entries.iter().chain(&self.exits).map(|hook| &hook.function);
+        let edges = self.starts.iter().chain(&self.stops);
+        self.step.iter().chain(states).chain(transitions).chain(hooks).chain(edges)
+    }
 }
 
 /// What stands in the parentheses of `#[component(...)]`.
@@ -83,6 +96,8 @@ pub(crate) enum Behaviour {
     /// Its step; a component without one only holds what others read and write.
     Step(Option<Function>),
     Machine(Machine),
+    /// Mistakes leave it open; only its links are known, more or less.
+    Unclear,
 }
 
 /// A state machine; states are known by their place in the list.

@@ -36,6 +36,7 @@ pub(crate) fn parse(options: TokenStream, item: &TokenStream, report: &mut Repor
         exits: Vec::new(),
         starts: Vec::new(),
         stops: Vec::new(),
+        gaps: false,
     };
     functions(&mut component, report);
     Some(component)
@@ -77,19 +78,21 @@ fn sort(component: &mut Component, function: &mut ImplItemFn, roles: Vec<Attribu
         Some("state") => state(component, function, first, report),
         Some("transition") => transitions(component, function, roles, report),
         Some("start") => {
-            called(component, function, Form::Plain, report);
-            component.starts.push(function.sig.ident.clone());
+            let function = called(component, function, Form::Plain, report);
+            component.starts.push(function);
         }
         Some("stop") => {
-            called(component, function, Form::Plain, report);
-            component.stops.push(function.sig.ident.clone());
+            let function = called(component, function, Form::Plain, report);
+            component.stops.push(function);
         }
         _ => hook(component, function, first, report),
     }
 }
 
 fn state(component: &mut Component, function: &mut ImplItemFn, attribute: &Attribute, report: &mut Report) {
-    let (initial, last) = report.take(attributes::state(attribute)).unwrap_or_default();
+    let words = report.take(attributes::state(attribute));
+    component.gaps |= words.is_none();
+    let (initial, last) = words.unwrap_or_default();
     let function = called(component, function, Form::Step, report);
     component.states.push(State { function, initial, last });
 }
@@ -97,10 +100,12 @@ fn state(component: &mut Component, function: &mut ImplItemFn, attribute: &Attri
 fn transitions(component: &mut Component, function: &mut ImplItemFn, all: Vec<Attribute>, report: &mut Report) {
     let function = called(component, function, Form::Condition, report);
     for attribute in all.into_iter().filter(|attribute| attributes::role(attribute) == Some("transition")) {
-        if let Some(arrow) = report.take(attributes::transition(&attribute)) {
-            let attributes::Arrow { from, to, after_ms } = arrow;
-            component.transitions.push(Transition { function: function.clone(), from, to, after_ms, attribute });
-        }
+        let Some(arrow) = report.take(attributes::transition(&attribute)) else {
+            component.gaps = true;
+            continue;
+        };
+        let attributes::Arrow { from, to, after_ms } = arrow;
+        component.transitions.push(Transition { function: function.clone(), from, to, after_ms, attribute });
     }
 }
 

@@ -27,13 +27,14 @@ pub(crate) fn machine(component: &Component, report: &mut Report) -> Option<Mach
 
 fn initial(component: &Component, report: &mut Report) -> Option<usize> {
     let mut marked = component.states.iter().enumerate().filter_map(|(at, state)| Some((at, state.initial.as_ref()?)));
-    let Some((first, word)) = marked.next() else {
-        report.add(component.states.first().map(|state| &state.function.name), wording::NO_INITIAL);
+    let Some((first, _)) = marked.next() else {
+        if !component.gaps {
+            report.add(component.states.first().map(|state| &state.function.name), wording::NO_INITIAL);
+        }
         return None;
     };
     if let Some((_, second)) = marked.next() {
-        report.add(word, wording::TWO_INITIAL);
-        report.add(second, wording::TWO_INITIAL);
+        report.add(second, wording::two_initial(&component.states[first].function.name.to_string()));
         return None;
     }
     Some(first)

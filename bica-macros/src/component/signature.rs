@@ -39,6 +39,9 @@ fn receiver(signature: &Signature, form: Form, report: &mut Report) {
     let wanted = if form == Form::Condition { "&self" } else { "&mut self" };
     match signature.inputs.first() {
         Some(FnArg::Receiver(receiver)) if fits(receiver, form) => {}
+        Some(FnArg::Receiver(receiver)) if fits(receiver, Form::Step) => {
+            report.add(receiver, wording::TRANSITION_WRITES);
+        }
         Some(FnArg::Receiver(receiver)) => report.add(receiver, wording::receiver(&name, wanted)),
         _ => report.add(&signature.ident, wording::receiver(&name, wanted)),
     }

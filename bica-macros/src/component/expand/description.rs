@@ -19,7 +19,6 @@ pub(super) fn expand(component: &Component, behaviour: &Behaviour) -> TokenStrea
     let budget_us = option(component.options.budget_us.as_ref());
     let resume = component.options.resume.is_some();
     let states = states(component, behaviour);
-    let hooks = hooks(component);
     quote! {
         #[automatically_derived]
         impl #parameters #p::Component for #own #bounds {
@@ -29,7 +28,6 @@ pub(super) fn expand(component: &Component, behaviour: &Behaviour) -> TokenStrea
             const BUDGET_US: ::core::option::Option<f32> = #budget_us;
             const RESUME: bool = #resume;
             #states
-            #hooks
         }
     }
 }
@@ -69,13 +67,4 @@ fn state(p: &TokenStream, machine: &Machine, index: usize, place: &Place) -> Tok
     let name = place.body.name.to_string();
     let (doc, last, initial) = (&place.body.doc, place.last, machine.initial == index);
     quote!(#p::State { name: #name, doc: #doc, initial: #initial, last: #last })
-}
-
-fn hooks(component: &Component) -> TokenStream {
-    let hook = |name: TokenStream, calls: &[proc_macro2::Ident]| {
-        (!calls.is_empty()).then(|| quote!(fn #name(&mut self) { #(Self::#calls(self);)* }))
-    };
-    let start = hook(quote!(__start), &component.starts);
-    let stop = hook(quote!(__stop), &component.stops);
-    quote!(#start #stop)
 }

@@ -2,6 +2,7 @@
 
 mod call;
 mod description;
+mod hooks;
 mod machine;
 mod node;
 mod step;
@@ -24,7 +25,7 @@ pub(crate) fn expand(component: &Component, behaviour: &Behaviour) -> TokenStrea
 /// The impl block as written, the mistakes, and a component that does nothing, so that trees that list it hold.
 pub(crate) fn stand_in(component: &Component, report: &Report) -> TokenStream {
     let errors = report.to_compile_errors();
-    let nothing = expand(component, &Behaviour::Step(None));
+    let nothing = expand(component, &Behaviour::Unclear);
     quote!(#nothing #errors)
 }
 

@@ -6,9 +6,9 @@ use proc_macro2::TokenStream;
 use quote::quote;
 use syn::{Type, parse_quote};
 
-use super::{description, machine, node, runtime, step};
+use super::{description, hooks, machine, node, runtime, step};
 use crate::component::links::Links;
-use crate::component::model::{Argument, Behaviour, Component, Function};
+use crate::component::model::{Argument, Behaviour, Component};
 use crate::text;
 
 pub(super) fn expand(component: &Component, behaviour: &Behaviour) -> TokenStream {
@@ -18,16 +18,18 @@ pub(super) fn expand(component: &Component, behaviour: &Behaviour) -> TokenStrea
     generics.params.push(parse_quote!(__T));
     let bounds = generics.make_where_clause();
     bounds.predicates.push(parse_quote!(__T: #p::Has<#own>));
-    for child in children(behaviour) {
+    for child in children(component, behaviour) {
         bounds.predicates.push(parse_quote!(__T: #p::Has<#child>));
     }
     let (parameters, _, bounds) = generics.split_for_impl();
-    let timed = timed(behaviour);
+    let timed = timed(component);
     let node = node::expand(component, behaviour);
     let pass = match behaviour {
         Behaviour::Step(function) => step::expand(&p, function.as_ref()),
         Behaviour::Machine(machine) => machine::expand(&p, machine),
+        Behaviour::Unclear => TokenStream::new(),
     };
+    let hooks = (!matches!(behaviour, Behaviour::Unclear)).then(|| hooks::expand(component));
     quote! {
         #[automatically_derived]
         impl #parameters #p::Wired<__T> for #own #bounds {
@@ -38,6 +40,8 @@ pub(super) fn expand(component: &Component, behaviour: &Behaviour) -> TokenStrea
             fn pass<__P: #p::Probe>(cycle: &mut #p::Cycle<'_, __T, __P>, turn: #p::Turn) {
                 #pass
             }
+
+            #hooks
         }
     }
 }
@@ -47,23 +51,15 @@ pub(super) fn visits(p: &TokenStream, children: &[Type]) -> TokenStream {
     quote!(#(<__T as #p::Has<#children>>::visit(cycle);)*)
 }
 
-fn timed(behaviour: &Behaviour) -> bool {
-    let any = |function: &Function| function.arguments.iter().any(|argument| matches!(argument, Argument::Time));
-    match behaviour {
-        Behaviour::Step(step) => step.iter().any(any),
-        Behaviour::Machine(machine) => {
-            let places =
-                machine.states.iter().flat_map(|place| place.entries.iter().chain(&place.exits).chain([&place.body]));
-            places.chain(machine.ways.iter().map(|way| &way.condition)).any(any)
-        }
-    }
+fn timed(component: &Component) -> bool {
+    component.functions().flat_map(|function| &function.arguments).any(|argument| matches!(argument, Argument::Time))
 }
 
 /// All children, each once.
-fn children(behaviour: &Behaviour) -> Vec<Type> {
+fn children(component: &Component, behaviour: &Behaviour) -> Vec<Type> {
     let links: Vec<Links> = match behaviour {
-        Behaviour::Step(step) => vec![Links::of(step.iter())],
         Behaviour::Machine(machine) => (0..machine.states.len()).map(|at| Links::of_state(machine, at)).collect(),
+        Behaviour::Step(_) | Behaviour::Unclear => vec![Links::of(component.functions())],
     };
     let mut seen = BTreeSet::new();
     links.iter().flat_map(Links::children).filter(|child| seen.insert(text::written(child))).cloned().collect()

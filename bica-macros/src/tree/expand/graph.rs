@@ -4,7 +4,7 @@ use proc_macro2::TokenStream;
 use quote::{quote, quote_spanned};
 
 use super::runtime;
-use crate::quoting::{at, option};
+use crate::quoting::{at, option, placed};
 use crate::text;
 use crate::tree::model::Tree;
 
@@ -16,9 +16,12 @@ pub(super) fn expand(tree: &Tree, sound: bool) -> TokenStream {
     let budget_ms = option(tree.budget_ms.as_ref());
     let nodes = tree.components.iter().map(|entry| {
         let (kind, label) = (&entry.kind, text::written(&entry.kind));
-        quote_spanned!(at(kind) => #p::Node { name: #label, ..<#kind as #p::Wired<#name>>::NODE })
+        quote!(#p::node::<#name, #kind>(#label))
     });
-    let check = sound.then(|| quote_spanned!(at(name) => const _: () = #p::check(&<#name as #p::Tree>::GRAPH);));
+    let check = sound.then(|| {
+        let p = placed(&p, at(name));
+        quote_spanned!(at(name) => const _: () = #p::check(&<#name as #p::Tree>::GRAPH);)
+    });
     quote! {
         #[automatically_derived]
         impl #p::Tree for #name {

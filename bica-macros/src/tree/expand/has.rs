@@ -12,11 +12,12 @@ pub(super) fn expand(tree: &Tree) -> TokenStream {
     let name = &tree.name;
     let each = tree.components.iter().zip(fields(tree)).enumerate().map(|(index, (entry, field))| {
         let kind = &entry.kind;
-        let visit = quote_spanned!(at(kind) => cycle.visit::<#kind>(););
+        let member = quote_spanned!(at(kind) => type Member = #kind;);
         quote! {
             #[doc(hidden)]
             #[automatically_derived]
             impl #p::Has<#kind> for #name {
+                #member
                 const INDEX: usize = #index;
                 const RANK: usize = <Self as #p::Layout>::RANKS[#index];
 
@@ -27,7 +28,7 @@ pub(super) fn expand(tree: &Tree) -> TokenStream {
 
                 #[inline]
                 fn visit<__P: #p::Probe>(cycle: &mut #p::Cycle<'_, Self, __P>) {
-                    #visit
+                    cycle.visit::<#kind>();
                 }
             }
         }

@@ -19,6 +19,7 @@ pub(super) fn expand(tree: &Tree) -> TokenStream {
             type Slots = #slots;
             type Set = [usize; #p::words(#count)];
             const RANKS: &'static [usize] = &#p::ranks::<#count>(<Self as #p::Tree>::GRAPH.nodes);
+            const ORDER: &'static [usize] = &#p::order(&#p::ranks::<#count>(<Self as #p::Tree>::GRAPH.nodes));
 
             #[inline]
             fn engine(&self) -> &#p::Engine<Self> {
@@ -35,16 +36,16 @@ pub(super) fn expand(tree: &Tree) -> TokenStream {
                 <Self as #p::Has<#root>>::visit(cycle);
             }
 
-            fn visit<__P: #p::Probe>(cycle: &mut #p::Cycle<'_, Self, __P>, rank: usize) {
-                match rank {
-                    #(<Self as #p::Has<#kinds>>::RANK => <Self as #p::Has<#kinds>>::visit(cycle),)*
+            fn visit<__P: #p::Probe>(cycle: &mut #p::Cycle<'_, Self, __P>, index: usize) {
+                match index {
+                    #(#places => <Self as #p::Has<#kinds>>::visit(cycle),)*
                     _ => {}
                 }
             }
 
-            fn stop<__P: #p::Probe>(cycle: &mut #p::Cycle<'_, Self, __P>, rank: usize) {
-                match rank {
-                    #(<Self as #p::Has<#kinds>>::RANK => cycle.stop::<#kinds>(),)*
+            fn stop<__P: #p::Probe>(cycle: &mut #p::Cycle<'_, Self, __P>, index: usize) {
+                match index {
+                    #(#places => cycle.stop::<#kinds>(),)*
                     _ => {}
                 }
             }

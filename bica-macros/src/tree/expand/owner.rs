@@ -25,7 +25,7 @@ pub(super) fn expand(tree: &Tree) -> TokenStream {
             /// The tree at rest: every component new, none active yet.
             #[must_use]
             #visibility const fn new() -> Self {
-                Self { engine: #p::Engine::new(#slots { #(#fields: #p::Slot::new(#values)),* }) }
+                Self { engine: #p::Engine::new(#slots { #(#fields: #p::Slot::new::<#name>(#values)),* }) }
             }
         }
 

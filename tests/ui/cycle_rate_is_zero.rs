@@ -1,0 +1,22 @@
+use bica::prelude::*;
+
+struct Player;
+
+#[component]
+impl Player {
+    const fn new() -> Self {
+        Self
+    }
+}
+
+activation_tree! {
+    struct Forward {
+        root: Player,
+        cycle_hz: 0,
+        components: [Player],
+    }
+}
+
+fn main() {
+    Forward::new().tick(Instant::from_ticks(0));
+}

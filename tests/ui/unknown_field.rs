@@ -1,0 +1,23 @@
+use bica::prelude::*;
+
+struct Player;
+
+#[component]
+impl Player {
+    const fn new() -> Self {
+        Self
+    }
+}
+
+activation_tree! {
+    struct Forward {
+        root: Player,
+        cycle_hz: 100,
+        budget: 200,
+        components: [Player],
+    }
+}
+
+fn main() {
+    Forward::new().tick(Instant::from_ticks(0));
+}
