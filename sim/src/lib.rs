@@ -1,1 +1,36 @@
-//! Worlds.
+//! Worlds to run a robot in.
+//!
+//! A [`World`] gives what a robot gives, [`Sensors`](bica_motion::robot::Sensors), and takes what a robot takes,
+//! [`Command`](bica_motion::robot::Command), one control cycle at a time. What is true in it, only its [`Referee`] tells.
+//! The built-in world is [`field`]: pure Rust, the same in every run for the same seed, and many times faster than real
+//! time.
+//!
+//! ```
+//! use bica_motion::{joints::Joints, robot::{CameraId, Command, Lights}};
+//! use bica_sim::{World, field::{FieldWorld, Setup}};
+//!
+//! let mut world = FieldWorld::new(&Setup { seed: 7, ..Setup::default() })?;
+//! let mut targets = world.sensors().angles;
+//! for _ in 0..100 {
+//!     let sensors = world.sensors();
+//!     if let Some(image) = sensors.image {
+//!         assert_eq!(image.yuyv.len(), 320 * 240 * 2);
+//!     }
+//!     world.act(&Command { targets, stiffness: Joints::all(1.0), lights: Lights::default(), camera: CameraId::Top });
+//! }
+//! assert_eq!(world.now().as_millis(), 1000);
+//! # Ok::<(), bica_sim::field::SetupError>(())
+//! ```
+//!
+//! The *field* frame has its origin at the centre mark on the carpet, x toward the goal that the robot attacks, y left,
+//! z up. Metres, radians, seconds, kilograms and newtons.
+
+#![cfg_attr(test, expect(clippy::float_cmp, reason = "what must be exact is compared exactly"))]
+
+pub mod field;
+mod random;
+pub mod referee;
+mod world;
+
+pub use referee::Referee;
+pub use world::{CYCLE, CYCLE_SECONDS, World};

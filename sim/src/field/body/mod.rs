@@ -1,0 +1,226 @@
+//! The robot's body: motors, stance, falls, and what its sensors feel.
+
+mod balance;
+mod down;
+mod motors;
+mod senses;
+mod stance;
+
+use bica_motion::joints::{Joint, Joints};
+use bica_motion::kinematics::Skeleton;
+use bica_motion::pose::{Pose2, rotate};
+use bica_motion::robot::{CameraId, Command, FootPressure, Inertial};
+use bica_motion::side::Side;
+use glam::{Affine3A, Vec2};
+
+use self::balance::Balance;
+use self::down::Down;
+use self::motors::Motors;
+use self::senses::InertialUnit;
+use self::stance::{Stance, flat};
+use crate::random::{Random, Stream};
+use crate::referee::{Event, Fall, Posture};
+
+pub(crate) use self::senses::turn_rate;
+pub(crate) use self::stance::raised;
+
+/// Without balance for longer than this the robot falls, cycles.
+const PATIENCE: u32 = 15;
+/// Legs held less than this give way, a share.
+const LEAST_STIFFNESS: f32 = 0.05;
+/// How far a foot slips when it takes the weight: standard deviations along and across, m, and about, rad.
+const SLIP: (f32, f32) = (0.003, 0.010_5);
+
+/// A robot's body on the field.
+#[derive(Clone, Debug)]
+pub(crate) struct Body {
+    motors: Motors,
+    skeleton: Skeleton,
+    state: State,
+    robot: Affine3A,
+    unit: InertialUnit,
+    felt: Felt,
+    slips: Random,
+    noise: Random,
+}
+
+#[derive(Clone, Debug)]
+enum State {
+    /// Standing, for how many cycles without balance.
+    Up(Stance, u32),
+    Down(Down),
+}
+
+/// What the body's sensors say.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Felt {
+    pub(crate) angles: Joints,
+    pub(crate) inertial: Inertial,
+    /// Left first.
+    pub(crate) feet: [FootPressure; 2],
+}
+
+impl Body {
+    /// Stands over a place.
+    pub(crate) fn standing(place: Pose2, seed: u64) -> Self {
+        let motors = Motors::holding(stand_posture());
+        let skeleton = Skeleton::of(motors.angles());
+        let stance = Stance::under(place, &skeleton);
+        let robot = stance.robot(&skeleton);
+        let slips = Random::new(seed, Stream::Slip);
+        let noise = Random::new(seed, Stream::Sensors);
+        let felt =
+            Felt { angles: *motors.angles(), inertial: Inertial::default(), feet: <[FootPressure; 2]>::default() };
+        let state = State::Up(stance, 0);
+        let mut body = Self { motors, skeleton, state, robot, unit: InertialUnit::still(robot), felt, slips, noise };
+        body.feel();
+        body
+    }
+
+    /// Lives through one cycle, up to where it would be if nothing is in its way. Says when it falls or gets up.
+    pub(crate) fn step(&mut self, command: &Command) -> Option<Event> {
+        self.motors.step(command);
+        self.skeleton = Skeleton::of(self.motors.angles());
+        let event = match &mut self.state {
+            State::Up(stance, _) => {
+                let random = &mut self.slips;
+                stance.step(&self.skeleton, || draw_slip(random));
+                self.robot = stance.robot(&self.skeleton);
+                self.keep_balance()
+            }
+            State::Down(down) => down.step(self.motors.angles(), &self.skeleton).map(|stance| {
+                self.state = State::Up(stance, 0);
+                Event::GotUp
+            }),
+        };
+        self.place();
+        event
+    }
+
+    /// Moves over the ground without a step, as when something is in the way. Field frame, m.
+    pub(crate) fn shift(&mut self, by: Vec2) {
+        match &mut self.state {
+            State::Up(stance, _) => stance.shift(by),
+            State::Down(down) => down.shift(by),
+        }
+        self.place();
+    }
+
+    /// Reads all sensors; once per cycle, at its end.
+    pub(crate) fn feel(&mut self) {
+        let inertial = self.unit.step(&self.robot, &mut self.noise);
+        let pressure = self.balance().map_or_else(Default::default, |balance| balance.pressure());
+        let feet = pressure.map(|foot| senses::feel(foot, &mut self.noise));
+        self.felt = Felt { angles: senses::encode(self.motors.angles()), inertial, feet };
+    }
+
+    /// What the sensors say now.
+    pub(crate) const fn felt(&self) -> &Felt {
+        &self.felt
+    }
+
+    /// The robot frame's pose in the field frame.
+    pub(crate) const fn robot(&self) -> &Affine3A {
+        &self.robot
+    }
+
+    /// All parts in the robot frame.
+    pub(crate) const fn skeleton(&self) -> &Skeleton {
+        &self.skeleton
+    }
+
+    /// The poses of the soles in the field frame, left first.
+    pub(crate) fn soles(&self) -> [Affine3A; 2] {
+        Side::BOTH.map(|side| self.robot * self.skeleton.sole(side))
+    }
+
+    /// A camera's pose in the field frame, x along its optical axis.
+    pub(crate) fn camera(&self, camera: CameraId) -> Affine3A {
+        self.robot * self.skeleton.camera(camera)
+    }
+
+    /// The robot seen from above: the middle between its hips, and where its front faces or, lying, faced before.
+    pub(crate) fn pose(&self) -> Pose2 {
+        match &self.state {
+            State::Up(..) => flat(&self.robot),
+            State::Down(down) => down.place(),
+        }
+    }
+
+    /// Whether the robot is on its feet.
+    pub(crate) const fn posture(&self) -> Posture {
+        match &self.state {
+            State::Up(..) => Posture::Upright,
+            State::Down(down) => Posture::Down(down.fall()),
+        }
+    }
+
+    fn place(&mut self) {
+        self.robot = match &self.state {
+            State::Up(stance, _) => stance.robot(&self.skeleton),
+            State::Down(down) => down.robot(&self.skeleton),
+        };
+    }
+
+    /// Soles and mass, while the robot is on its feet.
+    fn balance(&self) -> Option<Balance> {
+        let State::Up(stance, _) = &self.state else { return None };
+        let mass = self.robot.transform_point3(self.skeleton.centre_of_mass());
+        Some(Balance { soles: self.soles(), support: stance.support(), mass })
+    }
+
+    fn keep_balance(&mut self) -> Option<Event> {
+        let lost = self.balance().and_then(|balance| balance.lost());
+        let limp = self.legs_are_limp();
+        let heading = flat(&self.robot).heading;
+        let State::Up(_, unbalanced) = &mut self.state else { return None };
+        if lost.is_none() && !limp {
+            *unbalanced = 0;
+            return None;
+        }
+        *unbalanced += 1;
+        if *unbalanced <= PATIENCE {
+            return None;
+        }
+        let fall = lost.map_or(Fall::Back, |way| side_of(rotate(way, -heading)));
+        self.state = State::Down(Down::new(fall, self.robot, heading));
+        Some(Event::Fall(fall))
+    }
+
+    /// Whether a leg does not carry any more, because one of its pitch joints is not held.
+    fn legs_are_limp(&self) -> bool {
+        Side::BOTH.iter().flat_map(|side| side.leg()[2..5].to_vec()).any(|joint| {
+            let stiffness = self.motors.stiffness(joint);
+            stiffness < LEAST_STIFFNESS
+        })
+    }
+}
+
+fn draw_slip(random: &mut Random) -> Pose2 {
+    Pose2::new(SLIP.0 * random.normal(), SLIP.0 * random.normal(), SLIP.1 * random.normal())
+}
+
+/// The side of the body that a direction in the robot frame leads to.
+fn side_of(way: Vec2) -> Fall {
+    match (way.x.abs() >= way.y.abs(), way.x >= 0.0, way.y >= 0.0) {
+        (true, true, _) => Fall::Front,
+        (true, false, _) => Fall::Back,
+        (false, _, true) => Fall::Left,
+        (false, _, false) => Fall::Right,
+    }
+}
+
+/// Hips 0.23 m over the ground, feet 12 mm behind them, arms down: how B-Human's robots stand ready to walk.
+pub(crate) fn stand_posture() -> Joints {
+    let mut posture = Joints::all(0.0);
+    for side in Side::BOTH {
+        let [_, _, hip, knee, ankle, _] = side.leg();
+        [posture[hip], posture[knee], posture[ankle]] = [-0.362_41, 0.841_70, -0.479_29];
+        let [shoulder_pitch, shoulder_roll, _, elbow_roll, ..] = side.arm();
+        posture[shoulder_pitch] = core::f32::consts::FRAC_PI_2;
+        posture[shoulder_roll] = side.sign() * 7.0_f32.to_radians();
+        posture[elbow_roll] = -side.sign() * 0.1;
+    }
+    posture[Joint::HeadPitch] = 0.0;
+    posture
+}

@@ -1,0 +1,114 @@
+//! What the body's sensors say, with their noise.
+
+use core::f32::consts::TAU;
+
+use bica_motion::dimensions::INERTIAL_UNIT;
+use bica_motion::joints::Joints;
+use bica_motion::robot::{FootPressure, Inertial};
+use glam::{Affine3A, Mat3A, Quat, Vec3, Vec3A};
+use libm::{asinf, atan2f, roundf};
+
+use super::balance::GRAVITY;
+use crate::random::Random;
+use crate::world::CYCLE_SECONDS;
+
+/// Standard deviation of the gyroscope, rad/s. Source: variance in B-Human 2023 `NaoProvider.h`.
+const GYRO_NOISE: f32 = 0.001_97;
+/// Standard deviation of the accelerometer, m/s². Source: as before.
+const ACCELERATION_NOISE: f32 = 0.0193;
+/// Standard deviation of the estimated torso angles, rad (our estimate).
+const ANGLE_NOISE: f32 = 0.002;
+/// Standard deviation of a pressure sensor under load, N (our estimate).
+const PRESSURE_NOISE: f32 = 0.2;
+/// The smallest angle that a joint's encoder tells apart, rad: 12 bits a turn.
+const ENCODER_STEP: f32 = TAU / 4096.0;
+/// Share of a new acceleration in the measured one: bones and plastic soften it.
+const ACCELERATION_SHARE: f32 = 0.2;
+/// The most that the accelerometer measures, m/s² (2 g).
+const MOST_ACCELERATION: f32 = 2.0 * GRAVITY;
+
+/// The inertial unit in the torso.
+#[derive(Clone, Debug)]
+pub(crate) struct InertialUnit {
+    before: Affine3A,
+    velocity: Vec3,
+    acceleration: Vec3,
+}
+
+impl InertialUnit {
+    /// In a robot that stands still with the robot frame there.
+    pub(crate) const fn still(robot: Affine3A) -> Self {
+        Self { before: robot, velocity: Vec3::ZERO, acceleration: Vec3::ZERO }
+    }
+
+    /// Measures after a cycle that brought the robot frame to a pose.
+    pub(crate) fn step(&mut self, robot: &Affine3A, random: &mut Random) -> Inertial {
+        let place = |pose: &Affine3A| pose.transform_point3(INERTIAL_UNIT);
+        let velocity = (place(robot) - place(&self.before)) / CYCLE_SECONDS;
+        let jolt = ((velocity - self.velocity) / CYCLE_SECONDS).clamp_length_max(MOST_ACCELERATION);
+        self.acceleration += ACCELERATION_SHARE * (jolt - self.acceleration);
+        let gyro = turn_rate(&self.before.matrix3, &robot.matrix3);
+        self.velocity = velocity;
+        self.before = *robot;
+
+        let force = robot.matrix3.transpose() * Vec3A::from(self.acceleration + GRAVITY * Vec3::Z);
+        let [x, y, z] = [robot.matrix3.x_axis, robot.matrix3.y_axis, robot.matrix3.z_axis];
+        Inertial {
+            gyro: gyro + noise(GYRO_NOISE, random),
+            acceleration: Vec3::from(force) + noise(ACCELERATION_NOISE, random),
+            roll: atan2f(y.z, z.z) + ANGLE_NOISE * random.normal(),
+            pitch: asinf((-x.z).clamp(-1.0, 1.0)) + ANGLE_NOISE * random.normal(),
+        }
+    }
+}
+
+/// The mean angular velocity over a cycle between two rotations, in the turning frame, rad/s.
+pub(crate) fn turn_rate(from: &Mat3A, to: &Mat3A) -> Vec3 {
+    let turn = Quat::from_mat3a(&(from.transpose() * *to)).normalize();
+    turn.to_scaled_axis() / CYCLE_SECONDS
+}
+
+/// Angles as the encoders tell them.
+pub(crate) fn encode(angles: &Joints) -> Joints {
+    Joints(angles.0.map(|angle| ENCODER_STEP * roundf(angle / ENCODER_STEP)))
+}
+
+/// Pressure with noise; a foot in the air feels nothing.
+pub(crate) fn feel(true_pressure: FootPressure, random: &mut Random) -> FootPressure {
+    let mut feel_one = |force: f32| (force + PRESSURE_NOISE * random.normal()).max(0.0);
+    let felt = FootPressure {
+        front_left: feel_one(true_pressure.front_left),
+        front_right: feel_one(true_pressure.front_right),
+        rear_left: feel_one(true_pressure.rear_left),
+        rear_right: feel_one(true_pressure.rear_right),
+    };
+    if true_pressure.total() > 0.0 { felt } else { FootPressure::default() }
+}
+
+fn noise(deviation: f32, random: &mut Random) -> Vec3 {
+    deviation * Vec3::new(random.normal(), random.normal(), random.normal())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::random::Stream;
+
+    #[test]
+    fn the_unit_feels_gravity_and_turning() {
+        let mut random = Random::new(3, Stream::Sensors);
+        let mut unit = InertialUnit::still(Affine3A::from_rotation_y(0.2));
+        let still = unit.step(&Affine3A::from_rotation_y(0.2), &mut random);
+        let lean = 0.2_f32;
+        assert!((still.acceleration - GRAVITY * Vec3::new(-lean.sin(), 0.0, lean.cos())).length() < 0.1);
+        assert!((still.pitch - 0.2).abs() < 0.01 && still.roll.abs() < 0.01);
+        let turning = unit.step(&Affine3A::from_rotation_y(0.21), &mut random);
+        assert!((turning.gyro - Vec3::new(0.0, 1.0, 0.0)).length() < 0.02, "{}", turning.gyro);
+    }
+
+    #[test]
+    fn a_foot_in_the_air_feels_nothing() {
+        let mut random = Random::new(3, Stream::Sensors);
+        assert_eq!(feel(FootPressure::default(), &mut random), FootPressure::default());
+    }
+}

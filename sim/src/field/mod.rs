@@ -1,0 +1,186 @@
+//! The built-in world: one NAO, its joints moving by kinematics, on the field of 2009.
+//!
+//! The robot stands on the foot that carries it; nothing accelerates but the ball. That is plain, but it is honest about
+//! what a player must cope with: late motors, slipping feet, falls, noise, and images with all that a hall holds.
+
+mod ball;
+mod blocking;
+mod body;
+mod game;
+mod hull;
+mod obstacle;
+mod pitch;
+mod render;
+mod setup;
+mod shoe;
+mod start;
+
+use core::time::Duration;
+
+use bica_motion::robot::{Buttons, CameraId, Command, Image, Sensors};
+use glam::{Affine3A, Vec2};
+
+use self::ball::Ball;
+use self::body::{Body, turn_rate};
+use self::game::Game;
+use self::obstacle::{GOALS, Obstacle};
+use self::render::{Renderer, Scene};
+pub use self::setup::{Frame, MAX_ROBOTS, Setup, SetupError, Start};
+use self::start::{Layout, Other};
+use crate::random::{Random, Stream};
+use crate::referee::{Posture, Referee};
+use crate::world::{CYCLE, World};
+
+/// Images come every third of ten cycles: 30 in a second.
+const FRAMES_PER_TEN_CYCLES: u64 = 3;
+
+/// A robot on the field of 2009.
+#[derive(Clone, Debug)]
+pub struct FieldWorld {
+    cycle: u64,
+    body: Body,
+    buttons: Buttons,
+    game: Game,
+    others: Vec<Obstacle>,
+    referee: Referee,
+    camera: CameraId,
+    /// Both cameras' poses a cycle ago.
+    cameras_before: [Affine3A; 2],
+    renderer: Renderer,
+    image: Vec<u8>,
+    image_is_new: bool,
+}
+
+impl FieldWorld {
+    /// A game that is about to start.
+    ///
+    /// # Errors
+    ///
+    /// If the setup makes no world; the error names what is wrong.
+    pub fn new(setup: &Setup) -> Result<Self, SetupError> {
+        setup.check()?;
+        let layout = Layout::new(setup, &mut Random::new(setup.seed, Stream::Start));
+        let body = Body::standing(layout.start.robot, setup.seed);
+        let mut referee = Referee::new(layout.attacks, body.pose(), layout.start.ball);
+        referee.others = layout.others.iter().map(|other| other.pose).collect();
+        let cameras_before = cameras(&body);
+        let (width, height) = setup.frame.size();
+        let mut world = Self {
+            cycle: 0,
+            body,
+            buttons: Buttons::default(),
+            game: Game::new(Ball::at(layout.start.ball, layout.braking)),
+            others: layout.others.iter().map(legs).collect(),
+            referee,
+            camera: CameraId::Top,
+            cameras_before,
+            renderer: Renderer::new(setup, &layout),
+            image: vec![0; 2 * width * height],
+            image_is_new: false,
+        };
+        world.keep_out();
+        Ok(world)
+    }
+
+    /// Whether a camera takes an image in this cycle.
+    const fn image_is_due(&self) -> bool {
+        self.cycle == 0 || self.frame() != (self.cycle - 1) * FRAMES_PER_TEN_CYCLES / 10
+    }
+
+    /// The number of the newest image.
+    const fn frame(&self) -> u64 {
+        self.cycle * FRAMES_PER_TEN_CYCLES / 10
+    }
+
+    fn keep_out(&mut self) -> bool {
+        let standing: Vec<Obstacle> = GOALS.iter().chain(&self.others).copied().collect();
+        let (buttons, hit) = blocking::block(&mut self.body, &standing);
+        self.buttons = buttons;
+        hit
+    }
+
+    fn move_ball(&mut self, soles_before: [Affine3A; 2], now: Duration) {
+        let soles = self.body.soles();
+        let ways = [(soles_before[0], soles[0]), (soles_before[1], soles[1])];
+        let mut obstacles: Vec<Obstacle> = GOALS.iter().chain(&self.others).copied().collect();
+        if matches!(self.body.posture(), Posture::Down(_)) {
+            obstacles.push(lying(&self.body));
+        }
+        self.game.step(now, ways, &obstacles, &mut self.referee);
+    }
+
+    fn take_image(&mut self) {
+        let camera = self.body.camera(self.camera);
+        let before = &self.cameras_before[self.camera as usize];
+        let scene = Scene {
+            camera,
+            turning: turn_rate(&before.matrix3, &camera.matrix3),
+            frame: self.frame(),
+            ball: self.game.ball.position,
+            robot: self.body.robot(),
+            skeleton: self.body.skeleton(),
+        };
+        self.renderer.draw(&scene, &mut self.image);
+    }
+}
+
+impl World for FieldWorld {
+    fn now(&self) -> Duration {
+        CYCLE * u32::try_from(self.cycle).unwrap_or(u32::MAX)
+    }
+
+    fn sensors(&mut self) -> Sensors<'_> {
+        if self.image_is_due() && !self.image_is_new {
+            self.take_image();
+            self.image_is_new = true;
+        }
+        let (width, height) = self.renderer.size();
+        let image = Image { camera: self.camera, width: width as u16, height: height as u16, yuyv: &self.image };
+        let felt = self.body.felt();
+        Sensors {
+            angles: felt.angles,
+            inertial: felt.inertial,
+            left_foot: felt.feet[0],
+            right_foot: felt.feet[1],
+            buttons: self.buttons,
+            image: self.image_is_new.then_some(image),
+        }
+    }
+
+    fn act(&mut self, command: &Command) {
+        self.cameras_before = cameras(&self.body);
+        self.image_is_new = false;
+        self.cycle += 1;
+        self.camera = command.camera;
+        let now = self.now();
+        let soles_before = self.body.soles();
+        if let Some(event) = self.body.step(command) {
+            self.referee.note(now, event);
+        }
+        if self.keep_out() {
+            self.game.note_collision(now, &mut self.referee);
+        }
+        self.body.feel();
+        self.referee.robot = self.body.pose();
+        self.referee.posture = self.body.posture();
+        self.move_ball(soles_before, now);
+    }
+
+    fn referee(&self) -> &Referee {
+        &self.referee
+    }
+}
+
+fn cameras(body: &Body) -> [Affine3A; 2] {
+    [CameraId::Top, CameraId::Bottom].map(|camera| body.camera(camera))
+}
+
+fn legs(other: &Other) -> Obstacle {
+    let foot = |y| other.pose.place(Vec2::new(0.02, y));
+    Obstacle::legs(foot(0.05), foot(-0.05))
+}
+
+fn lying(body: &Body) -> Obstacle {
+    let along = |z| body.robot().transform_point3(glam::Vec3::new(0.0, 0.0, z)).truncate();
+    Obstacle::lying(along(0.0), along(0.25))
+}

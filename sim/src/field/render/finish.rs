@@ -1,0 +1,160 @@
+//! From a sharp picture to what the sensor gives: motion blur, darker corners, noise, YUYV.
+
+use glam::{Vec2, Vec3};
+
+use super::canvas::Canvas;
+use super::palette::Palette;
+use super::view::View;
+use crate::random::Random;
+
+/// The most pictures that are averaged into a blurred one.
+const MOST_TAPS: usize = 12;
+/// Blur shorter than this is none, pixels.
+const LEAST_BLUR: f32 = 0.8;
+/// Length of the noise that rows take theirs from.
+const GRAIN: usize = 8192;
+/// How much darker the corners are.
+const VIGNETTE: f32 = 0.16;
+
+/// The part of a camera behind the lens.
+#[derive(Clone, Debug)]
+pub(crate) struct Sensor {
+    width: usize,
+    exposure: f32,
+    /// Noise as in YUYV.
+    grain: Vec<i8>,
+    /// Brightness of every pixel's place, 256 is full.
+    vignette: Vec<u16>,
+    blurred: Vec<u8>,
+}
+
+impl Sensor {
+    pub(crate) fn new(palette: &Palette, width: usize, height: usize, random: &mut Random) -> Self {
+        let deviation = |i: usize| if i.is_multiple_of(2) { palette.noise } else { 0.7 * palette.noise };
+        let grain = (0..GRAIN + 2 * width).map(|i| (deviation(i) * random.normal()).clamp(-60.0, 60.0) as i8);
+        let centre = Vec2::new(width as f32, height as f32) / 2.0;
+        let bright = |i: usize| {
+            let off = (Vec2::new((i % width) as f32, (i / width) as f32) - centre) / centre;
+            (256.0 * (1.0 - VIGNETTE * off.length_squared() / 2.0)) as u16
+        };
+        let vignette = (0..width * height).map(bright).collect();
+        Self { width, exposure: palette.exposure, grain: grain.collect(), vignette, blurred: vec![0; 4 * width] }
+    }
+
+    /// Makes the image of a picture, taken while the camera turned with an angular velocity (camera frame, rad/s).
+    pub(crate) fn expose(
+        &mut self,
+        canvas: &Canvas,
+        view: &View,
+        turning: Vec3,
+        random: &mut Random,
+        image: &mut [u8],
+    ) {
+        let taps = taps(view.focal * Vec2::new(turning.z, -turning.y) * self.exposure);
+        let bytes = canvas.pixels.as_flattened();
+        for (v, out) in image.chunks_exact_mut(2 * self.width).enumerate() {
+            let row = if taps.len() > 1 {
+                blur_row(bytes, canvas, v, &taps, &mut self.blurred);
+                &self.blurred
+            } else {
+                &bytes[4 * v * self.width..][..4 * self.width]
+            };
+            let start = (random.bits() as usize % GRAIN) & !3;
+            let grain = &self.grain[start..][..2 * self.width];
+            let vignette = &self.vignette[v * self.width..][..self.width];
+            pack(row, grain, vignette, out);
+        }
+    }
+}
+
+/// The offsets of the pictures that a blurred one is averaged of, along the motion in the image, pixels.
+fn taps(motion: Vec2) -> Vec<(isize, isize)> {
+    let length = motion.length();
+    if length < LEAST_BLUR {
+        return vec![(0, 0)];
+    }
+    let count = (length.min(MOST_TAPS as f32 - 1.0) + 0.5) as usize + 1;
+    let offset = |i: usize| motion * (i as f32 / (count - 1) as f32 - 0.5);
+    (0..count).map(|i| (libm::roundf(offset(i).x) as isize, libm::roundf(offset(i).y) as isize)).collect()
+}
+
+fn blur_row(bytes: &[u8], canvas: &Canvas, v: usize, taps: &[(isize, isize)], blurred: &mut [u8]) {
+    let width = canvas.width;
+    let mut sums = vec![0_u16; 4 * width];
+    for &(right, down) in taps {
+        let source = v.saturating_add_signed(down).min(canvas.height - 1);
+        let row = &bytes[4 * source * width..][..4 * width];
+        let shift = right.unsigned_abs().min(width - 1) * 4;
+        let kept = 4 * width - shift;
+        let (there, here) = if right >= 0 { (shift, 0) } else { (0, shift) };
+        add(&mut sums[here..here + kept], &row[there..there + kept]);
+        let (edge, border) = if right >= 0 { (kept, &row[4 * width - 4..]) } else { (0, &row[..4]) };
+        for pixel in sums[edge..edge + shift].chunks_exact_mut(4) {
+            add(pixel, border);
+        }
+    }
+    let share = 65_536 / taps.len() as u32;
+    for (out, sum) in blurred.iter_mut().zip(sums) {
+        *out = ((sum as u32 * share + 32_768) >> 16) as u8;
+    }
+}
+
+fn add(sums: &mut [u16], bytes: &[u8]) {
+    for (sum, byte) in sums.iter_mut().zip(bytes) {
+        *sum += *byte as u16;
+    }
+}
+
+/// Two pixels of four bytes each to `Y0 Cb Y1 Cr`.
+fn pack(row: &[u8], grain: &[i8], vignette: &[u16], out: &mut [u8]) {
+    let pairs = row.as_chunks::<8>().0.iter().zip(grain.as_chunks::<4>().0).zip(vignette.as_chunks::<2>().0);
+    for (out, ((pair, grain), vignette)) in out.as_chunks_mut::<4>().0.iter_mut().zip(pairs) {
+        let luma = |y: u8, v: u16, g: i8| (((y as u16 * v) >> 8) as i16 + g as i16).clamp(0, 255) as u8;
+        let chroma = |a: u8, b: u8, g: i8| (((a as i16 + b as i16 + 1) >> 1) + g as i16).clamp(0, 255) as u8;
+        *out = [
+            luma(pair[0], vignette[0], grain[0]),
+            chroma(pair[1], pair[5], grain[1]),
+            luma(pair[4], vignette[1], grain[2]),
+            chroma(pair[2], pair[6], grain[3]),
+        ];
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::random::Stream;
+    use glam::Affine3A;
+
+    /// The image of a white bar one pixel wide in the middle of black, without noise.
+    fn image_of_bar(turning: Vec3) -> Vec<u8> {
+        let (width, height) = (320, 240);
+        let mut canvas = Canvas::new(width, height);
+        for v in 0..height {
+            canvas.row(v)[160] = [200, 128, 128, 0];
+        }
+        let mut random = Random::new(1, Stream::Grain);
+        let mut palette = Palette::new(&mut random);
+        (palette.noise, palette.exposure) = (0.0, 0.01);
+        let mut sensor = Sensor::new(&palette, width, height, &mut random);
+        let mut image = vec![0; 2 * width * height];
+        let view = View::new(Affine3A::IDENTITY, width, height);
+        sensor.expose(&canvas, &view, turning, &mut random, &mut image);
+        image
+    }
+
+    #[test]
+    fn a_turning_head_smears_over_focal_length_times_angle() {
+        let smeared = |turning| {
+            let image = image_of_bar(turning);
+            let row: Vec<u8> = image[2 * 320 * 120..][..640].iter().step_by(2).copied().collect();
+            (row.iter().filter(|&&y| y > 5).count(), row.iter().map(|&y| y as u32).sum::<u32>())
+        };
+        let (still, light) = smeared(Vec3::ZERO);
+        assert_eq!(still, 1);
+        let (yawing, kept) = smeared(Vec3::new(0.0, 0.0, 2.0));
+        assert!((6..=8).contains(&yawing), "{yawing}");
+        assert!(kept.abs_diff(light) < light / 10, "{kept} {light}");
+        assert_eq!(smeared(Vec3::new(0.0, 2.0, 0.0)).0, 1);
+    }
+}

@@ -1,0 +1,149 @@
+//! The carpet with its lines, and the hall's floor around it.
+
+use super::canvas::{Pixel, mix};
+use super::light::Light;
+use super::lines::LineMap;
+use super::palette::{self, Palette, Rgb};
+use super::view::{LANES, Mapping};
+use crate::random::Random;
+
+/// Side of the carpet's repeated pattern, points; a power of two.
+const PATTERN: usize = 256;
+/// Points of the pattern per metre.
+const POINTS: f32 = 250.0;
+/// Beyond this depth of a pixel on the ground lines are sampled several times, m.
+const SAMPLE: f32 = 0.04;
+/// The most samples of a pixel.
+const MOST_SAMPLES: f32 = 4.0;
+/// Even the nearest line's edge is this soft, m.
+const SOFTNESS: f32 = 0.003;
+
+/// Everything flat on the ground.
+#[derive(Clone, Debug)]
+pub(crate) struct Ground {
+    lines: LineMap,
+    /// Brightness of tufts, ± of 255.
+    pattern: Vec<i8>,
+    carpet: Pixel,
+    line: Pixel,
+    floor: Pixel,
+    light: Light,
+}
+
+impl Ground {
+    pub(crate) fn new(palette: &Palette, light: Light, random: &mut Random) -> Self {
+        let floors = [Rgb::new(0.42, 0.40, 0.38), Rgb::new(0.45, 0.33, 0.22), Rgb::new(0.28, 0.29, 0.31)];
+        Self {
+            lines: LineMap::new(),
+            pattern: tufts(random),
+            carpet: palette.pixel(palette::CARPET),
+            line: palette.pixel(palette::LINE),
+            floor: palette.pixel(floors[random.below(floors.len())]),
+            light,
+        }
+    }
+
+    /// Paints pixels of a row that show the carpet.
+    pub(crate) fn paint_carpet(&self, ground: &Mapping, v: usize, first: usize, pixels: &mut [Pixel]) {
+        for (i, pixels) in pixels.chunks_mut(LANES).enumerate() {
+            let u = (first + i * LANES) as f32;
+            let places = ground.row(u, v as f32);
+            let spot = Spot::new(ground, u + pixels.len() as f32 / 2.0, v as f32);
+            self.paint_tufts(self.carpet, &places, &spot, pixels);
+            self.paint_lines(ground, (u, v as f32), &places, &spot, pixels);
+        }
+    }
+
+    /// Paints pixels of a row that show the floor around the carpet.
+    pub(crate) fn paint_floor(&self, ground: &Mapping, v: usize, first: usize, pixels: &mut [Pixel]) {
+        for (i, pixels) in pixels.chunks_mut(LANES).enumerate() {
+            let u = (first + i * LANES) as f32;
+            let spot = Spot::new(ground, u + pixels.len() as f32 / 2.0, v as f32);
+            self.paint_tufts(self.floor, &ground.row(u, v as f32), &spot, pixels);
+        }
+    }
+
+    fn paint_tufts(&self, colour: Pixel, (x, y): &([f32; LANES], [f32; LANES]), spot: &Spot, pixels: &mut [Pixel]) {
+        let slope = self.light.slope;
+        let light = 1.0 + slope.0 * x[0].clamp(-6.0, 6.0) + slope.1 * y[0].clamp(-6.0, 6.0);
+        let luma = (colour[0] as f32 * light) as i32;
+        let contrast = (256.0 * (1.0 / (POINTS * spot.side())).min(1.0)) as i32;
+        for (i, pixel) in pixels.iter_mut().enumerate() {
+            let column = (x[i] * POINTS + 65_536.0) as u32 as usize % PATTERN;
+            let row = (y[i] * POINTS + 65_536.0) as u32 as usize % PATTERN;
+            let tuft = (self.pattern[row * PATTERN + column] as i32 * contrast) >> 8;
+            *pixel = [(luma + tuft).clamp(0, 255) as u8, colour[1], colour[2], 0];
+        }
+    }
+
+    fn paint_lines(
+        &self,
+        ground: &Mapping,
+        (u, v): (f32, f32),
+        (x, y): &([f32; LANES], [f32; LANES]),
+        spot: &Spot,
+        pixels: &mut [Pixel],
+    ) {
+        let samples = (spot.deep / SAMPLE).ceil().clamp(1.0, MOST_SAMPLES);
+        if samples > 1.0 {
+            return self.paint_far_lines(ground, (u, v), spot, samples, pixels);
+        }
+        let width = spot.side().max(spot.deep).max(SOFTNESS);
+        for (i, pixel) in pixels.iter_mut().enumerate() {
+            if !self.lines.is_clear(x[i], y[i]) {
+                let share = self.lines.share(x[i], y[i], width);
+                *pixel = mix(*pixel, self.line, (share * 256.0) as i32);
+            }
+        }
+    }
+
+    fn paint_far_lines(&self, ground: &Mapping, (u, v): (f32, f32), spot: &Spot, samples: f32, pixels: &mut [Pixel]) {
+        let width = spot.wide.max(spot.deep / samples);
+        let mut shares = [0.0; LANES];
+        for sample in 0..samples as usize {
+            let (x, y) = ground.row(u, v + (sample as f32 + 0.5) / samples - 0.5);
+            for (i, share) in shares[..pixels.len()].iter_mut().enumerate() {
+                *share += self.lines.share(x[i], y[i], width);
+            }
+        }
+        for (pixel, share) in pixels.iter_mut().zip(shares) {
+            *pixel = mix(*pixel, self.line, (share * (256.0 / samples)) as i32);
+        }
+    }
+}
+
+/// How much of the ground a pixel shows: to the side and in depth, m.
+struct Spot {
+    wide: f32,
+    deep: f32,
+}
+
+impl Spot {
+    fn new(ground: &Mapping, u: f32, v: f32) -> Self {
+        let here = ground.at(u, v);
+        let size = |there: glam::Vec2| here.distance(there).min(10.0);
+        Self { wide: size(ground.at(u + 1.0, v)), deep: size(ground.at(u, v + 1.0)) }
+    }
+
+    fn side(&self) -> f32 {
+        (self.wide * self.deep).sqrt()
+    }
+}
+
+/// Fine grain over soft blotches.
+fn tufts(random: &mut Random) -> Vec<i8> {
+    const BLOTCH: usize = 16;
+    const BLOTCHES: usize = PATTERN / BLOTCH;
+    let blotches: Vec<f32> = (0..BLOTCHES * BLOTCHES).map(|_| 2.0 * random.normal()).collect();
+    let blotch = |x: usize, y: usize| blotches[(y % BLOTCHES) * BLOTCHES + x % BLOTCHES];
+    let smooth = |x: usize, y: usize| {
+        let (column, row) = (x / BLOTCH, y / BLOTCH);
+        let (right, up) = ((x % BLOTCH) as f32 / BLOTCH as f32, (y % BLOTCH) as f32 / BLOTCH as f32);
+        let near = blotch(column, row) * (1.0 - right) + blotch(column + 1, row) * right;
+        let far = blotch(column, row + 1) * (1.0 - right) + blotch(column + 1, row + 1) * right;
+        near * (1.0 - up) + far * up
+    };
+    (0..PATTERN * PATTERN)
+        .map(|i| (smooth(i % PATTERN, i / PATTERN) + 7.0 * random.normal()).clamp(-30.0, 30.0) as i8)
+        .collect()
+}

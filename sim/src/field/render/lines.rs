@@ -1,0 +1,116 @@
+//! How far every point of the carpet is from the edge of a line.
+
+use glam::Vec2;
+use libm::floorf;
+
+use crate::field::pitch::{CARPET, CIRCLE, CORNER, LINE_WIDTH, MARK, PENALTY_AREA, PENALTY_MARK};
+
+/// Distance between neighbouring points of the map, m.
+const STEP: f32 = 0.01;
+/// Points along x and y: a quarter of the carpet, since the lines are symmetric.
+const SIZE: (usize, usize) = ((CARPET.x / STEP) as usize + 2, (CARPET.y / STEP) as usize + 2);
+/// The map's unit, m: distances reach ±63.5 mm.
+const UNIT: f32 = 0.0005;
+/// A distance of the map that may be larger in truth, less what the nearest point may be off.
+const FAR: i8 = 112;
+
+/// Signed distances to the lines: negative on them.
+#[derive(Clone, Debug)]
+pub(crate) struct LineMap {
+    distances: Vec<i8>,
+}
+
+impl LineMap {
+    pub(crate) fn new() -> Self {
+        let mut distances = vec![0; SIZE.0 * SIZE.1];
+        for (i, distance) in distances.iter_mut().enumerate() {
+            let point = Vec2::new((i % SIZE.0) as f32, (i / SIZE.0) as f32) * STEP;
+            *distance = libm::roundf(exact(point) / UNIT).clamp(-127.0, 127.0) as i8;
+        }
+        Self { distances }
+    }
+
+    /// Whether a point is so far from all lines that a spot of 4 cm around it holds none.
+    #[inline(always)]
+    pub(crate) fn is_clear(&self, x: f32, y: f32) -> bool {
+        let column = ((x.abs() * (1.0 / STEP) + 0.5) as usize).min(SIZE.0 - 1);
+        let row = ((y.abs() * (1.0 / STEP) + 0.5) as usize).min(SIZE.1 - 1);
+        self.distances[row * SIZE.0 + column] > FAR
+    }
+
+    /// Which share of a round spot on the carpet is line, 0 to 1. `spot` is its width, m.
+    pub(crate) fn share(&self, x: f32, y: f32, spot: f32) -> f32 {
+        (0.5 - self.distance(x, y) / spot).clamp(0.0, 1.0)
+    }
+
+    /// Bilinear between the map's points, m.
+    fn distance(&self, x: f32, y: f32) -> f32 {
+        let most = |count: usize| count as f32 - 1.001;
+        let (x, y) = ((x.abs() / STEP).min(most(SIZE.0)), (y.abs() / STEP).min(most(SIZE.1)));
+        let (column, row) = (floorf(x), floorf(y));
+        let (right, up) = (x - column, y - row);
+        let start = row as usize * SIZE.0 + column as usize;
+        let at = |i: usize| self.distances[start + i] as f32;
+        let near = at(0) + right * (at(1) - at(0));
+        let far = at(SIZE.0) + right * (at(SIZE.0 + 1) - at(SIZE.0));
+        (near + up * (far - near)) * UNIT
+    }
+}
+
+/// The distance itself, m; the point in the quarter of positive coordinates.
+fn exact(point: Vec2) -> f32 {
+    let half = LINE_WIDTH / 2.0;
+    let bar = |centre: Vec2, size: Vec2| {
+        let out = (point - centre).abs() - size;
+        out.max(Vec2::ZERO).length() + out.max_element().min(0.0)
+    };
+    let to_x = |y: f32, from: f32, to: f32| {
+        bar(Vec2::new(f32::midpoint(from, to), y), Vec2::new((to - from) / 2.0 + half, half))
+    };
+    let to_y = |x: f32, to: f32| bar(Vec2::new(x, 0.0), Vec2::new(half, to + half));
+    let plus = |x: f32| {
+        let centre = Vec2::new(x, 0.0);
+        bar(centre, Vec2::new(MARK / 2.0, half)).min(bar(centre, Vec2::new(half, MARK / 2.0)))
+    };
+    let all = [
+        to_x(CORNER.y, 0.0, CORNER.x),
+        to_y(CORNER.x, CORNER.y),
+        to_y(0.0, CORNER.y),
+        to_y(PENALTY_AREA.x, PENALTY_AREA.y),
+        to_x(PENALTY_AREA.y, PENALTY_AREA.x, CORNER.x),
+        (point.length() - CIRCLE).abs() - half,
+        plus(PENALTY_MARK),
+        plus(0.0),
+    ];
+    all.into_iter().fold(f32::INFINITY, f32::min)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lines_are_where_the_rules_put_them() {
+        let map = LineMap::new();
+        let share = |x, y| map.share(x, y, 0.004);
+        for (x, y) in
+            [(3.0, 1.0), (-3.0, 0.0), (1.0, 2.0), (0.0, -1.2), (2.4, 1.0), (-2.7, 1.5), (0.6, 0.0), (1.2, 0.04)]
+        {
+            assert_eq!(share(x, y), 1.0, "{x} {y}");
+        }
+        for (x, y) in [(3.06, 1.0), (2.95, 1.7), (0.5, 0.5), (1.2, 0.08), (2.7, 1.4), (3.0, 2.06), (0.3, 0.0)] {
+            assert_eq!(share(x, y), 0.0, "{x} {y}");
+        }
+        assert!((map.share(3.025, 1.0, 0.01) - 0.5).abs() < 0.051);
+        assert!(map.is_clear(2.0, 0.8) && !map.is_clear(3.04, 0.8) && !map.is_clear(1.27, 0.0));
+    }
+
+    #[test]
+    fn points_beyond_the_carpet_or_no_numbers_do_no_harm() {
+        let map = LineMap::new();
+        for x in [1e9, -1e9, f32::INFINITY, f32::NAN] {
+            assert!(map.is_clear(x, 2.5) || x.is_nan());
+            assert!(map.share(x, 2.5, 0.01).is_finite());
+        }
+    }
+}

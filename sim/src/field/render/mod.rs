@@ -1,0 +1,159 @@
+//! What the cameras see, drawn by a small rasteriser of our own.
+//!
+//! The hall and the ground are a few large polygons whose pixels are mapped back to the plane that they show; what
+//! stands on the field are simple solids, drawn from the farthest to the nearest; the camera adds blur and noise.
+
+mod canvas;
+mod figure;
+mod finish;
+mod goal;
+mod ground;
+mod hall;
+mod light;
+mod lines;
+mod palette;
+mod solid;
+mod view;
+
+use bica_motion::kinematics::Skeleton;
+use glam::{Affine3A, Vec2, Vec3};
+
+use self::canvas::{Canvas, Pixel};
+use self::figure::Dress;
+use self::finish::Sensor;
+use self::ground::Ground;
+use self::hall::Hall;
+use self::light::Light;
+use self::palette::Palette;
+use self::solid::Solid;
+use self::view::View;
+use super::body::{raised, stand_posture};
+use super::pitch::BALL_RADIUS;
+use super::setup::Setup;
+use super::start::{Layout, Other};
+use crate::random::{Random, Stream};
+
+/// What there is to see in one image.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Scene<'a> {
+    /// The camera's pose in the field frame.
+    pub(crate) camera: Affine3A,
+    /// Its angular velocity in its own frame, rad/s.
+    pub(crate) turning: Vec3,
+    /// The image's number.
+    pub(crate) frame: u64,
+    /// The ball's middle, field frame, m.
+    pub(crate) ball: Vec2,
+    /// The robot frame's pose in the field frame.
+    pub(crate) robot: &'a Affine3A,
+    /// The robot's parts.
+    pub(crate) skeleton: &'a Skeleton,
+}
+
+/// Things that are seen as one from afar, and where.
+#[derive(Clone, Debug)]
+struct Group {
+    place: Vec2,
+    parts: Vec<Solid>,
+}
+
+/// Draws images of one game.
+#[derive(Clone, Debug)]
+pub(crate) struct Renderer {
+    seed: u64,
+    canvas: Canvas,
+    light: Light,
+    ground: Ground,
+    hall: Hall,
+    sensor: Sensor,
+    /// What never moves.
+    still: Vec<Group>,
+    ball: Pixel,
+    dress: Dress,
+}
+
+impl Renderer {
+    pub(crate) fn new(setup: &Setup, layout: &Layout) -> Self {
+        let mut camera = Random::new(setup.seed, Stream::Camera);
+        let mut hall = Random::new(setup.seed, Stream::Hall);
+        let palette = Palette::new(&mut camera);
+        let light = Light::new(&mut hall);
+        let (width, height) = setup.frame.size();
+        let dress = |mate: bool| {
+            let defends = if mate { layout.attacks.other() } else { layout.attacks };
+            Dress::of_defender(defends, &palette)
+        };
+        let mut still: Vec<Group> = goal::goals(layout.attacks, &palette).into_iter().map(Group::of_one).collect();
+        still.extend(layout.others.iter().map(|other| Group::of_robot(other, dress(other.mate))));
+        Self {
+            seed: setup.seed,
+            canvas: Canvas::new(width, height),
+            light,
+            ground: Ground::new(&palette, light, &mut hall),
+            hall: Hall::new(&palette, &mut hall),
+            sensor: Sensor::new(&palette, width, height, &mut camera),
+            still,
+            ball: palette.pixel(palette::ORANGE),
+            dress: dress(true),
+        }
+    }
+
+    /// Width and height of images, pixels.
+    pub(crate) const fn size(&self) -> (usize, usize) {
+        (self.canvas.width, self.canvas.height)
+    }
+
+    /// Draws a scene into an image, YUYV.
+    pub(crate) fn draw(&mut self, scene: &Scene<'_>, image: &mut [u8]) {
+        let view = View::new(scene.camera, self.canvas.width, self.canvas.height);
+        self.hall.draw(&view, &self.ground, &mut self.canvas);
+        self.draw_shadows(&view, scene);
+        self.draw_solids(&view, scene);
+        let mut grain = Random::new(self.seed.wrapping_add(scene.frame << 32), Stream::Grain);
+        self.sensor.expose(&self.canvas, &view, scene.turning, &mut grain, image);
+    }
+
+    fn draw_shadows(&mut self, view: &View, scene: &Scene<'_>) {
+        let ball = Solid::Shadow { centre: scene.ball, radius: 1.7 * BALL_RADIUS, darkness: 0.6 };
+        let still = self.still.iter().flat_map(|group| &group.parts).filter(|part| part.is_shadow());
+        for shadow in still.chain(&figure::shadows(scene.robot, scene.skeleton)).chain([&ball]) {
+            shadow.draw(view, &self.light, &mut self.canvas);
+        }
+    }
+
+    fn draw_solids(&mut self, view: &View, scene: &Scene<'_>) {
+        let centre = scene.ball.extend(BALL_RADIUS);
+        let ball = Group::of_one(Solid::Sphere { centre, radius: BALL_RADIUS, colour: self.ball });
+        let own = figure::below_the_head(scene.robot, scene.skeleton, self.dress);
+        let own = Group { place: view.pose.translation.truncate(), parts: own };
+        let mut groups: Vec<&Group> = self.still.iter().chain([&ball, &own]).collect();
+        let camera = Vec3::from(view.pose.translation);
+        sort_far_first(&mut groups, |group| group.place.distance(camera.truncate()));
+        for group in groups {
+            let mut parts: Vec<&Solid> = group.parts.iter().filter(|part| !part.is_shadow()).collect();
+            sort_far_first(&mut parts, |part| part.middle().distance(camera));
+            for part in parts {
+                part.draw(view, &self.light, &mut self.canvas);
+            }
+        }
+    }
+}
+
+impl Group {
+    fn of_one(part: Solid) -> Self {
+        Self { place: part.middle().truncate(), parts: vec![part] }
+    }
+
+    fn of_robot(other: &Other, dress: Dress) -> Self {
+        let skeleton = Skeleton::of(&stand_posture());
+        let sole = skeleton.sole(bica_motion::side::Side::Left);
+        let robot = raised(&other.pose) * Affine3A::from_translation(Vec3::new(0.0, 0.0, -sole.translation.z));
+        let mut parts = figure::figure(&robot, &skeleton, dress);
+        parts.extend(figure::shadows(&robot, &skeleton));
+        Self { place: other.pose.position, parts }
+    }
+}
+
+fn sort_far_first<T>(things: &mut [T], distance: impl Fn(&T) -> f32) {
+    things.sort_by(|a, b| distance(b).total_cmp(&distance(a)));
+}

@@ -1,0 +1,59 @@
+//! Colours as a camera with its settings sees them.
+
+use glam::Vec3;
+
+use super::canvas::Pixel;
+use crate::random::Random;
+
+/// Red, green and blue, 0 to 1, as a camera with good settings gives them.
+pub(crate) type Rgb = Vec3;
+
+/// Green carpet: between two labs' real images.
+pub(crate) const CARPET: Rgb = Rgb::new(0.17, 0.38, 0.20);
+/// White lines.
+pub(crate) const LINE: Rgb = Rgb::new(0.76, 0.76, 0.71);
+/// The ball.
+pub(crate) const ORANGE: Rgb = Rgb::new(0.86, 0.42, 0.17);
+/// The yellow goal.
+pub(crate) const YELLOW: Rgb = Rgb::new(0.78, 0.70, 0.10);
+/// The sky-blue goal.
+pub(crate) const SKY_BLUE: Rgb = Rgb::new(0.18, 0.42, 0.60);
+/// Nets and the triangles at the goals' sides.
+pub(crate) const WHITE: Rgb = Rgb::new(0.80, 0.80, 0.78);
+/// Robots.
+pub(crate) const SHELL: Rgb = Rgb::new(0.74, 0.74, 0.74);
+/// Robots' joints.
+pub(crate) const JOINT: Rgb = Rgb::new(0.20, 0.20, 0.22);
+/// Plastic parts of the red team.
+pub(crate) const RED_TEAM: Rgb = Rgb::new(0.66, 0.12, 0.13);
+/// Plastic parts of the blue team.
+pub(crate) const BLUE_TEAM: Rgb = Rgb::new(0.16, 0.20, 0.50);
+
+/// A camera's settings in one game.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Palette {
+    /// Exposure and white balance: how much of each colour it takes.
+    gain: Vec3,
+    /// Standard deviation of noise in luma, of 255.
+    pub(crate) noise: f32,
+    /// How long it takes light for an image, s.
+    pub(crate) exposure: f32,
+}
+
+impl Palette {
+    pub(crate) fn new(random: &mut Random) -> Self {
+        let exposure = random.between(0.86, 1.18);
+        let white = Vec3::new(random.between(0.93, 1.08), 1.0, random.between(0.92, 1.08));
+        Self { gain: exposure * white, noise: random.between(1.5, 3.0), exposure: random.between(0.005, 0.014) }
+    }
+
+    /// A colour as the camera sees it (BT.601, full range). Bright colours come close to white but do not clip hard.
+    pub(crate) fn pixel(&self, colour: Rgb) -> Pixel {
+        let soften = |x: f32| if x < 0.8 { x } else { 1.0 - 0.04 / (x - 0.6) };
+        let seen = self.gain * colour;
+        let (r, g, b) = (soften(seen.x), soften(seen.y), soften(seen.z));
+        let y = 0.299 * r + 0.587 * g + 0.114 * b;
+        let byte = |x: f32| (x * 255.0 + 0.5).clamp(0.0, 255.0) as u8;
+        [byte(y), byte(128.0 / 255.0 + (b - y) / 1.772), byte(128.0 / 255.0 + (r - y) / 1.402), 0]
+    }
+}

@@ -1,0 +1,200 @@
+//! The one who knows the truth and judges by it.
+
+use core::fmt;
+use core::time::Duration;
+
+use bica_motion::pose::Pose2;
+use bica_motion::side::Side;
+use glam::Vec2;
+
+/// The colour of a goal. The team that defends the yellow goal plays in red, the other in blue (rules of 2009).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum GoalColour {
+    /// Yellow.
+    Yellow,
+    /// Sky-blue.
+    SkyBlue,
+}
+
+impl GoalColour {
+    /// The colour of the other goal.
+    #[must_use]
+    pub const fn other(self) -> Self {
+        match self {
+            Self::Yellow => Self::SkyBlue,
+            Self::SkyBlue => Self::Yellow,
+        }
+    }
+}
+
+impl fmt::Display for GoalColour {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Yellow => "yellow",
+            Self::SkyBlue => "sky-blue",
+        })
+    }
+}
+
+/// Where a robot falls to, seen by itself.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Fall {
+    /// On its face.
+    Front,
+    /// On its back.
+    Back,
+    /// On its left side.
+    Left,
+    /// On its right side.
+    Right,
+}
+
+/// Whether the robot is on its feet.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Posture {
+    /// On its feet.
+    Upright,
+    /// Falling or lying.
+    Down(Fall),
+}
+
+/// What happened on the field.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Event {
+    /// The whole ball crossed the line of the attacked goal, between the posts.
+    Goal,
+    /// The whole ball crossed the line of the robot's own goal, between the posts.
+    OwnGoal,
+    /// A foot met the ball after half a second or more without touching it.
+    Touch {
+        /// Which foot.
+        foot: Side,
+    },
+    /// The ball left a foot at 0.5 m/s or faster.
+    Kick {
+        /// Which foot.
+        foot: Side,
+        /// The ball's speed, m/s.
+        speed: f32,
+    },
+    /// The whole ball crossed a side line or a goal line beside the goal.
+    BallOut,
+    /// The ball was put back into play.
+    BallPlaced {
+        /// Where, m, field frame.
+        at: Vec2,
+    },
+    /// The robot lost its balance.
+    Fall(Fall),
+    /// The robot is on its feet again.
+    GotUp,
+    /// The robot ran into a post, a net or another robot after half a second or more without touching any.
+    Collision,
+}
+
+/// An event and when it happened.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Happened {
+    /// Time since the start.
+    pub at: Duration,
+    /// What.
+    pub event: Event,
+}
+
+/// Who knows what is true in a world. For judging and reporting only: nothing of it may reach a player, except
+/// [`attacks`](Self::attacks), which every team is told before a game.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Referee {
+    pub(crate) attacks: GoalColour,
+    pub(crate) robot: Pose2,
+    pub(crate) posture: Posture,
+    pub(crate) ball: Vec2,
+    pub(crate) ball_velocity: Vec2,
+    pub(crate) others: Vec<Pose2>,
+    pub(crate) events: Vec<Happened>,
+}
+
+impl Referee {
+    /// One who saw nothing happen yet.
+    #[must_use]
+    pub fn new(attacks: GoalColour, robot: Pose2, ball: Vec2) -> Self {
+        let (others, events) = (Vec::new(), Vec::new());
+        Self { attacks, robot, posture: Posture::Upright, ball, ball_velocity: Vec2::ZERO, others, events }
+    }
+
+    /// The colour of the goal that the robot attacks: the one at positive x.
+    #[must_use]
+    pub const fn attacks(&self) -> GoalColour {
+        self.attacks
+    }
+
+    /// The robot's true pose in the field frame: the ground under the middle between its hips.
+    /// While it lies, the heading is the one it had before.
+    #[must_use]
+    pub const fn robot(&self) -> Pose2 {
+        self.robot
+    }
+
+    /// Whether the robot is on its feet.
+    #[must_use]
+    pub const fn posture(&self) -> Posture {
+        self.posture
+    }
+
+    /// The ball's true position, m, field frame.
+    #[must_use]
+    pub const fn ball(&self) -> Vec2 {
+        self.ball
+    }
+
+    /// The ball's true velocity, m/s, field frame.
+    #[must_use]
+    pub const fn ball_velocity(&self) -> Vec2 {
+        self.ball_velocity
+    }
+
+    /// Where the other robots stand, field frame; the goalkeeper first if there is one.
+    #[must_use]
+    pub fn others(&self) -> &[Pose2] {
+        &self.others
+    }
+
+    /// All that happened so far, oldest first.
+    #[must_use]
+    pub fn events(&self) -> &[Happened] {
+        &self.events
+    }
+
+    /// How many goals the robot's team has made.
+    #[must_use]
+    pub fn goals(&self) -> usize {
+        self.count(|event| *event == Event::Goal)
+    }
+
+    /// How many goals were made into the robot's own goal.
+    #[must_use]
+    pub fn own_goals(&self) -> usize {
+        self.count(|event| *event == Event::OwnGoal)
+    }
+
+    /// How often the robot fell.
+    #[must_use]
+    pub fn falls(&self) -> usize {
+        self.count(|event| matches!(event, Event::Fall(_)))
+    }
+
+    /// How often the ball was out.
+    #[must_use]
+    pub fn outs(&self) -> usize {
+        self.count(|event| *event == Event::BallOut)
+    }
+
+    /// How many events are such as `wanted` says.
+    pub fn count(&self, wanted: impl Fn(&Event) -> bool) -> usize {
+        self.events.iter().filter(|happened| wanted(&happened.event)).count()
+    }
+
+    pub(crate) fn note(&mut self, at: Duration, event: Event) {
+        self.events.push(Happened { at, event });
+    }
+}
