@@ -1,7 +1,7 @@
 //! Upright bars: runs of one colour that follow each other from row to row with the same width.
 //!
-//! A crossbar or a wall of the same colour is wider and so does not join; a post that a line, a shadow or a robot's arm
-//! crosses goes on below. Cost: one pass over the runs, each against at most [`BARS`] bars; 20 ns for each run.
+//! Followed from the bottom: a post ends where it meets its crossbar, which is wider. A post that a line, a shadow or a
+//! robot's arm crosses goes on behind. Cost: one pass over the runs, each against at most [`BARS`] bars; 20 ns for each run.
 
 use glam::Vec2;
 use heapless::Vec;
@@ -53,15 +53,15 @@ impl Bar {
     fn continues_in(&self, run: Run, step: u16) -> bool {
         let width = f32::from(run.width());
         run.colour == self.colour
-            && run.row > self.last.row
-            && run.row - self.last.row <= GAP * step
+            && run.row < self.last.row
+            && self.last.row - run.row <= GAP * step
             && run.overlaps(self.last)
-            && width <= 1.6 * self.width + 3.0
-            && width >= 0.5 * self.width - 3.0
+            && width <= 1.5 * self.width + 3.0
+            && width >= 0.6 * self.width - 3.0
     }
 
     fn grow(&mut self, run: Run) {
-        self.bottom = middle(run);
+        self.top = middle(run);
         self.width += (f32::from(run.width()) - self.width) / f32::from(self.rows + 1);
         self.rows += 1;
         self.last = run;
@@ -72,7 +72,7 @@ impl Bar {
 #[must_use]
 pub fn gather<const N: usize>(runs: &Runs<N>) -> Vec<Bar, BARS> {
     let mut bars: Vec<Bar, BARS> = Vec::new();
-    for &run in runs.as_slice() {
+    for &run in runs.as_slice().iter().rev() {
         let fitting = bars.iter_mut().filter(|bar| bar.continues_in(run, runs.step()));
         match fitting.max_by_key(|bar| bar.rows) {
             Some(bar) => bar.grow(run),
@@ -85,7 +85,7 @@ pub fn gather<const N: usize>(runs: &Runs<N>) -> Vec<Bar, BARS> {
 /// Starts a bar; in a full list in the place of the one with the fewest rows that has ended.
 fn start(bars: &mut Vec<Bar, BARS>, run: Run, step: u16) {
     let Err(bar) = bars.push(Bar::new(run)) else { return };
-    let ended = bars.iter_mut().filter(|other| run.row - other.last.row > GAP * step || other.rows == 1);
+    let ended = bars.iter_mut().filter(|other| other.last.row - run.row > GAP * step || other.rows == 1);
     if let Some(shortest) = ended.min_by_key(|other| other.rows) {
         *shortest = bar;
     }

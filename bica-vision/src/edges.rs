@@ -1,13 +1,12 @@
 //! Where a blob ends: edge points on rays from its middle.
 //!
-//! A ray is followed as long as pixels have the blob's class, small gaps (a highlight) included; then the place where
+//! A ray is followed as long as pixels belong to the blob, small gaps (a highlight) included; then the place where
 //! the redness Cr − Cb falls through the middle between inside and outside is the edge. Cost: a few ns for each pixel
 //! on [`RAYS`] rays, 2 µs for a blob of 20 pixels, 20 µs for one that fills the image.
 
 use glam::Vec2;
 use heapless::Vec;
 
-use crate::colour::{Classify, Colour};
 use crate::frame::{Frame, Pixel};
 
 /// Rays from the middle of a blob.
@@ -30,16 +29,16 @@ enum End {
     Faint,
 }
 
-/// Follows the rays of a blob of class `colour` around `centre`; `size` is about its width in pixels.
+/// Follows the rays around `centre` through the pixels that `belong`; `size` is about the blob's width in pixels.
 #[must_use]
-pub fn around(frame: &Frame<'_>, colours: &impl Classify, colour: Colour, centre: Vec2, size: f32) -> Edges {
+pub fn around(frame: &Frame<'_>, belongs: impl Fn(Pixel) -> bool, centre: Vec2, size: f32) -> Edges {
     let mut edges = Edges::default();
     // Turning by a constant needs no sine in the loop.
     let turn = Vec2::new(0.980_785_25, 0.195_090_32);
     let mut along = Vec2::X;
     for _ in 0..RAYS {
         let ray = Ray { frame, centre, along, reach: 2.0 + size / 16.0 };
-        match ray.end(colours, colour, 2 + (size / 10.0) as u32) {
+        match ray.end(&belongs, 2 + (size / 8.0) as u32) {
             End::At(point) => edges.points.extend([point]),
             End::Image => edges.clipped += 1,
             End::Faint => edges.faint += 1,
@@ -67,12 +66,12 @@ impl Ray<'_> {
         self.pixel(distance).map(|p| f32::from(p.cr) - f32::from(p.cb))
     }
 
-    fn end(&self, colours: &impl Classify, colour: Colour, gap: u32) -> End {
+    fn end(&self, belongs: &impl Fn(Pixel) -> bool, gap: u32) -> End {
         let (mut last, mut step) = (0, 0);
         while step <= last + gap {
             step += 1;
             let Some(pixel) = self.pixel(step as f32) else { break };
-            if colours.classify(pixel) == colour {
+            if belongs(pixel) {
                 last = step;
             }
         }

@@ -3,14 +3,18 @@
 //! Plain algorithms without a framework, `no_std` and without `alloc`. Lists have a fixed capacity; a full one drops
 //! what is least useful and counts it. Nothing here panics, whatever the frame shows and however wrong a pose is.
 //!
-//! | stage | module | cost at 320 × 240 on a desktop core |
+//! | stage | module | cost at 320 × 240, one core of a 3 GHz server |
 //! |---|---|---|
 //! | frame | [`frame`] | none, a view |
-//! | colour classes | [`colour`], [`table`], [`profile`] | 1 ns for a pixel pair by a table |
+//! | colour classes | [`colour`], [`table`], [`profile`] | 1.5 ns for a pixel pair by a table |
 //! | end of the field | [`field_end`] | 10 µs, needs green alone |
-//! | runs, regions, bars | [`segment`], [`regions`], [`bars`] | 20 to 40 µs for the rows asked for |
-//! | detectors | [`ball`], [`goal`], [`lines`] | 10 µs, lines 25 µs |
+//! | runs, regions, bars | [`segment`], [`regions`], [`bars`] | 30 µs on every second row |
+//! | ball | [`ball`], with [`edges`] and [`circle`] | 40 µs, its segmentation included |
+//! | goals | [`goal`] | 35 µs, their segmentation included |
+//! | lines | [`lines`] | 30 µs, needs white and green |
 //! | the world | [`projection`], [`memory`] | 30 ns for a point |
+//!
+//! Everything together takes 0.12 ms on real frames, 0.25 ms on noise, 0.3 ms at 640 × 480.
 //!
 //! Each detector asks for its own classes and does its own segmentation, so what is not called costs nothing: with only
 //! the ball wanted no goal is looked for. A caller who wants several can segment once, with [`segment::Runs`] for all

@@ -102,8 +102,6 @@ fn is_finite(pose: Pose2) -> bool {
 mod tests {
     extern crate std;
 
-    use std::vec::Vec;
-
     use proptest::prelude::*;
 
     use super::*;
@@ -163,12 +161,16 @@ mod tests {
     #[test]
     fn sightings_of_one_place_are_averaged_and_a_far_one_replaces() {
         let mut memory = Memory::new(5.0);
-        let noise: Vec<f32> = (0..100).map(|i| if i % 2 == 0 { 0.05 } else { -0.05 }).collect();
-        noise.iter().for_each(|n| memory.see(Vec2::new(1.0 + n, 0.0), 0.8));
+        for turn in 0..100 {
+            let noise = if turn % 2 == 0 { 0.05 } else { -0.05 };
+            memory.see(Vec2::new(1.0 + noise, 0.0), 0.8);
+        }
         assert!((memory.position().unwrap().x - 1.0).abs() < 0.03);
         memory.see(Vec2::new(-1.0, 2.0), 0.8);
         assert_eq!(memory.position(), Some(Vec2::new(-1.0, 2.0)));
-        (0..10).for_each(|_| memory.miss());
+        for _ in 0..10 {
+            memory.miss();
+        }
         assert_eq!((memory.position(), memory.age()), (None, None));
     }
 }

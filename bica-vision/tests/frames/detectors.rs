@@ -1,0 +1,224 @@
+//! Detectors on drawn frames, where the truth is known to a part of a pixel.
+
+use std::cell::Cell;
+
+use bica_vision::ball::{self, Ball, BallFinder};
+use bica_vision::colour::{Classify, Colour};
+use bica_vision::field_end::FieldEnd;
+use bica_vision::frame::Pixel;
+use bica_vision::goal::{Goal, GoalFinder, PostSide};
+use bica_vision::lines;
+use bica_vision::profile::BUILT_IN_TABLE;
+use bica_vision::projection::{Camera, Intrinsics};
+use glam::{Affine3A, Vec2, Vec3};
+use proptest::prelude::*;
+
+use crate::canvas::{BLUE, CARPET, Canvas, LINE, ORANGE, RED, YELLOW};
+
+fn ball_in(canvas: &Canvas, camera: Option<&Camera>) -> Option<Ball> {
+    canvas.look(|frame| {
+        let end = FieldEnd::find(frame, &BUILT_IN_TABLE);
+        BallFinder::<512>::new(ball::RADIUS).find(frame, &BUILT_IN_TABLE, &end, camera)
+    })
+}
+
+fn goal_in(canvas: &Canvas, colour: Colour) -> Option<Goal> {
+    canvas.look(|frame| {
+        let end = FieldEnd::find(frame, &BUILT_IN_TABLE);
+        let goals = GoalFinder::<1024>::new().find(frame, &BUILT_IN_TABLE, &end, None);
+        if colour == Colour::Blue { goals.blue } else { goals.yellow }
+    })
+}
+
+/// A camera at 0.5 m, looking down by `pitch` rad.
+fn camera(pitch: f32) -> Camera {
+    let pose = Affine3A::from_translation(Vec3::new(0.0, 0.0, 0.5)) * Affine3A::from_rotation_y(pitch);
+    Camera::new(pose, Intrinsics::nao_v6(320, 240))
+}
+
+/// A goal with its left post's foot at `left`; sizes in pixels.
+fn draw_goal(canvas: &mut Canvas, colour: Pixel, left: Vec2, span: f32, height: f32, width: f32) {
+    let (up, across) = (Vec2::new(0.0, -height), Vec2::new(span, 0.0));
+    canvas.bar(colour, left, left + up, width);
+    canvas.bar(colour, left + across, left + across + up, width);
+    canvas.bar(
+        colour,
+        left + up - Vec2::new(0.5 * width, 0.0),
+        left + across + up + Vec2::new(0.5 * width, 0.0),
+        0.6 * width,
+    );
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(150))]
+
+    #[test]
+    fn a_whole_ball_is_found_to_a_pixel(x in 0.1_f32..0.9, y in 0.3_f32..0.9, radius in 3.0_f32..60.0) {
+        let mut canvas = Canvas::field(320, 240, 40.0);
+        let centre = Vec2::new(radius + x * (319.0 - 2.0 * radius), (40.0 + y * 199.0).min(238.0 - radius));
+        canvas.bar(LINE, Vec2::new(0.0, 150.0), Vec2::new(320.0, 120.0), 12.0);
+        canvas.disc(ORANGE, centre, radius);
+        let found = ball_in(&canvas, None);
+        let Some(ball) = found else { return Err(TestCaseError::fail("no ball")) };
+        prop_assert!(ball.centre.distance(centre) <= 1.0, "{ball:?} for {centre}");
+        prop_assert!((ball.radius - radius).abs() <= 0.7_f32.max(0.04 * radius), "{ball:?} for {radius}");
+    }
+
+    #[test]
+    fn a_ball_cut_by_the_edge_is_found(x in 0.0_f32..319.0, y in 60.0_f32..239.0, radius in 8.0_f32..130.0) {
+        let mut canvas = Canvas::field(320, 240, 20.0);
+        let centre = Vec2::new(x, y);
+        canvas.disc(ORANGE, centre, radius);
+        let found = ball_in(&canvas, None);
+        let Some(ball) = found else { return Err(TestCaseError::fail("no ball")) };
+        prop_assert!(ball.centre.distance(centre) <= 1.5_f32.max(0.1 * radius), "{ball:?} for {centre}");
+        prop_assert!((ball.radius - radius).abs() <= 1.5_f32.max(0.1 * radius), "{ball:?} for {radius}");
+    }
+
+    #[test]
+    fn a_ball_behind_a_foot_is_found(x in 60.0_f32..260.0, radius in 12.0_f32..50.0, hidden in 0.0_f32..0.35) {
+        let mut canvas = Canvas::field(320, 240, 20.0);
+        let centre = Vec2::new(x, 150.0);
+        canvas.disc(ORANGE, centre, radius);
+        let edge = centre.y + radius * (1.0 - 2.0 * hidden);
+        canvas.paint(LINE, |at| (at.y - edge).min(radius - (at.x - x).abs()));
+        let found = ball_in(&canvas, None);
+        let Some(ball) = found else { return Err(TestCaseError::fail("no ball")) };
+        prop_assert!(ball.centre.distance(centre) <= 1.5_f32.max(0.1 * radius), "{ball:?} for {centre}, {radius}");
+    }
+
+    #[test]
+    fn what_is_not_round_or_not_orange_is_no_ball(x in 40.0_f32..280.0, radius in 6.0_f32..60.0) {
+        let centre = Vec2::new(x, 140.0);
+        let mut bar = Canvas::field(320, 240, 40.0);
+        bar.bar(ORANGE, centre - Vec2::new(0.0, radius), centre + Vec2::new(0.0, radius), 0.4 * radius);
+        prop_assert_eq!(ball_in(&bar, None), None);
+        let mut red = Canvas::field(320, 240, 40.0);
+        red.disc(RED, centre, radius);
+        prop_assert_eq!(ball_in(&red, None), None);
+        let mut ring = Canvas::field(320, 240, 40.0);
+        ring.disc(ORANGE, centre, radius);
+        ring.disc(CARPET, centre, 0.75 * radius);
+        prop_assert_eq!(ball_in(&ring, None), None);
+    }
+
+    #[test]
+    fn a_ball_in_the_hall_is_not_on_the_field(x in 20.0_f32..300.0, radius in 4.0_f32..20.0) {
+        let mut canvas = Canvas::field(320, 240, 90.0);
+        canvas.disc(ORANGE, Vec2::new(x, 84.0 - radius), radius);
+        prop_assert_eq!(ball_in(&canvas, None), None);
+    }
+
+    #[test]
+    fn a_ball_has_the_size_of_its_place(distance in 0.4_f32..3.0, side in -0.3_f32..0.3, factor in 0.3_f32..3.0) {
+        let camera = camera(0.3);
+        let place = Vec3::new(distance, side * distance, ball::RADIUS);
+        let (Some(centre), Some(radius)) = (camera.pixel(place), camera.sphere_radius(place, ball::RADIUS)) else {
+            return Err(TestCaseError::fail("behind the camera"));
+        };
+        prop_assume!(centre.y < 230.0 - radius && radius * factor > 3.0);
+        let mut canvas = Canvas::field(320, 240, camera.horizon(160.0).unwrap().max(0.0));
+        canvas.disc(ORANGE, centre, radius * factor);
+        let found = ball_in(&canvas, Some(&camera));
+        if (0.8..1.25).contains(&factor) {
+            let at = found.and_then(|ball| ball.ground(&camera, ball::RADIUS));
+            prop_assert!(at.is_some_and(|at| at.distance(place.truncate()) < 0.03 + 0.05 * distance), "{at:?}");
+        } else if distance < 1.0 && !(0.5..2.0).contains(&factor) {
+            prop_assert_eq!(found, None);
+        }
+    }
+
+    #[test]
+    fn the_field_ends_where_it_is_drawn(left in 30.0_f32..120.0, right in 30.0_f32..120.0, robot in 0.0_f32..300.0) {
+        let mut canvas = Canvas::field(320, 240, 0.0);
+        let end = |x: f32| left + (right - left) * x / 319.0;
+        canvas.paint(crate::canvas::WALL, |at| end(at.x) - at.y);
+        // A robot that stands in it, and something green in the hall.
+        canvas.bar(LINE, Vec2::new(robot, 20.0), Vec2::new(robot + 5.0, 190.0), 40.0);
+        canvas.bar(CARPET, Vec2::new(200.0, 2.0), Vec2::new(230.0, 2.0), 10.0);
+        canvas.bar(LINE, Vec2::new(0.0, 150.0), Vec2::new(320.0, 170.0), 14.0);
+        let found = canvas.look(|frame| FieldEnd::find(frame, &BUILT_IN_TABLE));
+        for x in (10..310).step_by(10).map(|x| x as f32).filter(|x| (x - robot).abs() > 40.0) {
+            let row = found.row_at(x).expect("a field");
+            prop_assert!((row - end(x)).abs() <= 5.0, "{row} for {} at {x}: {:?}", end(x), found.corners());
+        }
+    }
+
+    #[test]
+    fn a_goal_is_found_with_both_posts(
+        x in 30.0_f32..120.0, foot in 110.0_f32..140.0, height in 60.0_f32..100.0, width in 6.0_f32..16.0, blue: bool,
+    ) {
+        let mut canvas = Canvas::field(320, 240, 100.0);
+        let (pixel, colour) = if blue { (BLUE, Colour::Blue) } else { (YELLOW, Colour::Yellow) };
+        let (left, span) = (Vec2::new(x, foot), 1.6 * height);
+        draw_goal(&mut canvas, pixel, left, span, height, width);
+        let found = goal_in(&canvas, colour);
+        let Some(goal) = found else { return Err(TestCaseError::fail("no goal")) };
+        let Some(second) = goal.second else { return Err(TestCaseError::fail(format!("one post: {goal:?}"))) };
+        prop_assert!(goal.first.base.distance(left) <= 4.0 && second.base.distance(left + Vec2::new(span, 0.0)) <= 4.0);
+        prop_assert!(goal.is_complete());
+        prop_assert_eq!((goal.first.side, second.side), (PostSide::Left, PostSide::Right));
+        prop_assert_eq!(goal_in(&canvas, if blue { Colour::Yellow } else { Colour::Blue }), None);
+    }
+
+    #[test]
+    fn the_crossbar_tells_which_post_is_seen(foot in 110.0_f32..140.0, height in 60.0_f32..100.0, width in 6.0_f32..14.0) {
+        for (x, side) in [(290.0, PostSide::Left), (30.0 - 1.6 * height, PostSide::Right)] {
+            let mut canvas = Canvas::field(320, 240, 100.0);
+            draw_goal(&mut canvas, BLUE, Vec2::new(x, foot), 1.6 * height, height, width);
+            let goal = goal_in(&canvas, Colour::Blue);
+            prop_assert!(goal.is_some_and(|goal| goal.first.side == side && goal.second.is_none()), "{goal:?}");
+        }
+    }
+
+    #[test]
+    fn a_blue_thing_that_ends_on_the_field_or_in_the_hall_is_no_goal(x in 20.0_f32..300.0, height in 20.0_f32..60.0) {
+        let mut canvas = Canvas::field(320, 240, 100.0);
+        canvas.bar(BLUE, Vec2::new(x, 190.0), Vec2::new(x, 190.0 - height), 10.0);
+        canvas.bar(BLUE, Vec2::new(320.0 - x, 85.0), Vec2::new(320.0 - x, 85.0 - height), 10.0);
+        prop_assert_eq!(goal_in(&canvas, Colour::Blue), None);
+    }
+
+    #[test]
+    fn a_line_is_found_where_it_is_drawn(
+        x0 in 10.0_f32..310.0, y0 in 60.0_f32..230.0, x1 in 10.0_f32..310.0, y1 in 60.0_f32..230.0, width in 4.0_f32..10.0,
+    ) {
+        let (from, to) = (Vec2::new(x0, y0), Vec2::new(x1, y1));
+        let slant = ((x1 - x0).abs() / (y1 - y0).abs()).ln().abs();
+        prop_assume!(from.distance(to) > 90.0 && slant > 0.3);
+        let mut canvas = Canvas::field(320, 240, 30.0);
+        canvas.bar(LINE, from, to, width);
+        let lines = canvas.look(|frame| lines::find(frame, &BUILT_IN_TABLE, &FieldEnd::find(frame, &BUILT_IN_TABLE)));
+        let length: f32 = lines.iter().map(lines::Line::length).sum();
+        prop_assert!(length > 0.7 * from.distance(to) && length < 1.2 * from.distance(to), "{lines:?}");
+        let normal = (to - from).perp().normalize();
+        let off = lines.iter().flat_map(|l| [l.from, l.to]).map(|end| (end - from).dot(normal).abs()).fold(0.0, f32::max);
+        prop_assert!(off < 2.0, "{off} off: {lines:?}");
+    }
+}
+
+/// Counts what is looked at, and by how many classes it could be told apart.
+struct Counting(Cell<usize>);
+
+impl Classify for Counting {
+    fn classify(&self, pixel: Pixel) -> Colour {
+        self.0.set(self.0.get() + 1);
+        BUILT_IN_TABLE.classify(pixel)
+    }
+}
+
+#[test]
+fn a_ball_costs_its_part_of_the_frame_and_a_goal_nothing() {
+    let mut canvas = Canvas::field(320, 240, 120.0);
+    canvas.disc(ORANGE, Vec2::new(100.0, 180.0), 12.0);
+    draw_goal(&mut canvas, BLUE, Vec2::new(80.0, 130.0), 150.0, 90.0, 10.0);
+    let colours = Counting(Cell::new(0));
+    canvas.look(|frame| {
+        let end = FieldEnd::find(frame, &colours);
+        assert!(colours.0.get() <= 40 * 120, "the end of the field takes 40 columns, every second row");
+        colours.0.set(0);
+        assert!(BallFinder::<512>::new(ball::RADIUS).find(frame, &colours, &end, None).is_some());
+        // The rows below the end of the field, and the rays and samples of one candidate.
+        assert!(colours.0.get() <= 160 * 130 + 32 * 30 + 81, "{} pixels for the ball", colours.0.get());
+    });
+}

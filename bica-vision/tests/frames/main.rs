@@ -1,0 +1,8 @@
+//! Drawn frames, real frames and nonsense frames through the whole pipeline.
+
+mod canvas;
+mod detectors;
+mod nonsense;
+mod real;
+mod shelf;
+mod stages;
