@@ -5,11 +5,14 @@
 #![no_std]
 
 pub mod dimensions;
+pub mod feet;
 pub mod joints;
 pub mod kinematics;
+pub mod limbs;
 pub mod limits;
 pub mod masses;
 pub mod pose;
 pub mod robot;
 pub mod side;
 pub mod speed;
+pub mod walk;

@@ -249,7 +249,7 @@ fn out_of_reach_gives_the_straight_leg_in_its_direction() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 1000, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(crate::cases(1000))]
 
     #[test]
     fn poses_agree_with_the_reference(angles in any_angles()) {

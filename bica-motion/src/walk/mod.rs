@@ -1,0 +1,234 @@
+//! Walking in all directions.
+//!
+//! A gait after Hengst's Walk2014: steps are planned from the wanted velocity in closed form, pressure under the feet
+//! decides when the weight has come to the other foot, and one proportional term on the gyroscope steadies the ankles.
+//! Two things differ, because this gait keeps the centre of mass over the feet instead of letting the body rock: the
+//! hips sway from foot to foot ([`Parameters::sway_to`]), with both feet on the ground meanwhile, and the swinging foot
+//! comes down at rest over the ground instead of at rest under the body.
+
+mod balance;
+mod parameters;
+mod plan;
+pub(crate) mod shape;
+mod sway;
+mod velocity;
+
+pub use parameters::Parameters;
+pub use velocity::Velocity;
+
+use glam::Vec3;
+
+use self::balance::Balance;
+use self::plan::{Plan, Purpose};
+use crate::feet::{Foot, level_legs};
+use crate::limbs::{ArmAngles, Limbs};
+use crate::pose::Pose2;
+use crate::robot::{FootPressure, Sensors};
+use crate::side::Side;
+
+/// The longest cycle that counts, s: a late call must not skip half a step.
+const LONGEST_CYCLE: f32 = 0.03;
+/// How far arms hang off the body, rad.
+const ARMS_OUT: f32 = 0.122;
+
+/// What the walk feels.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Body {
+    /// Angular velocity of the torso, rad/s, torso frame.
+    pub gyro: Vec3,
+    /// Pressure under the left sole.
+    pub left_foot: FootPressure,
+    /// Pressure under the right sole.
+    pub right_foot: FootPressure,
+}
+
+impl From<&Sensors<'_>> for Body {
+    fn from(sensors: &Sensors<'_>) -> Self {
+        Self { gyro: sensors.inertial.gyro, left_foot: sensors.left_foot, right_foot: sensors.right_foot }
+    }
+}
+
+impl Body {
+    fn force(&self, side: Side) -> f32 {
+        match side {
+            Side::Left => self.left_foot.total(),
+            Side::Right => self.right_foot.total(),
+        }
+    }
+}
+
+/// What the walk is doing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Phase {
+    /// Feet together, still.
+    Standing,
+    /// The weight goes to the first foot; the feet have not moved yet.
+    Starting,
+    /// Steps.
+    Walking,
+    /// Feet together, the weight comes to rest between them.
+    Stopping,
+}
+
+/// A walk: [`step`](Self::step) it once per control cycle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Walk {
+    gait: Parameters,
+    phase: Phase,
+    plan: Option<Plan>,
+    /// Since the step began, s.
+    time: f32,
+    /// How long the swinging foot has waited for the other one to feel the ground, s.
+    waited: f32,
+    /// The velocity of the step on the way.
+    velocity: Velocity,
+    balance: Balance,
+}
+
+impl Walk {
+    /// A walk that stands.
+    #[must_use]
+    pub const fn new(gait: Parameters) -> Self {
+        Self {
+            gait,
+            phase: Phase::Standing,
+            plan: None,
+            time: 0.0,
+            waited: 0.0,
+            velocity: Velocity::ZERO,
+            balance: Balance::new(),
+        }
+    }
+
+    /// The gait's numbers.
+    #[must_use]
+    pub const fn gait(&self) -> &Parameters {
+        &self.gait
+    }
+
+    /// What the walk is doing. Another motion may take over when it is [`Standing`](Phase::Standing), and only then.
+    #[must_use]
+    pub const fn phase(&self) -> Phase {
+        self.phase
+    }
+
+    /// The velocity of the step on the way, within the gait's means; zero in stand.
+    #[must_use]
+    pub const fn velocity(&self) -> Velocity {
+        self.velocity
+    }
+
+    /// The foot meant to carry now; `None` while both do in stand.
+    #[must_use]
+    pub fn support(&self) -> Option<Side> {
+        self.plan.map(|plan| plan.support)
+    }
+
+    /// Lets the walk stand, wherever the feet are: after a fall, or after another motion that ended in stand.
+    pub const fn reset(&mut self) {
+        *self = Self::new(self.gait);
+    }
+
+    /// One control cycle of `dt` seconds: the targets for legs and arms.
+    ///
+    /// `request` is taken up when a step begins; at zero the walk brings its feet together and stands, always with the
+    /// same targets. A robot whose feet feel no ground is walked to a stand. Nonsense in any input never reaches the
+    /// targets.
+    pub fn step(&mut self, request: Velocity, body: &Body, dt: f32) -> Limbs {
+        let lifted = body.left_foot.total() + body.right_foot.total() < self.gait.touch;
+        let wanted = if lifted { Velocity::ZERO } else { request.clamped(&self.gait) };
+        self.pass_time(dt, body);
+        let correction = self.balance.ankle_pitch(body.gyro.y, &self.gait);
+        self.advance(&wanted, body);
+        let Some(plan) = self.plan else { return self.gait.stand() };
+        let feet = plan.feet(self.time);
+        let mut limbs = self.gait.limbs(&feet, plan.roll(self.time));
+        limbs.legs[plan.support.index()].ankle_pitch += correction;
+        limbs
+    }
+
+    /// Lets time pass, except while the swinging foot should leave the ground and the other one feels none.
+    fn pass_time(&mut self, dt: f32, body: &Body) {
+        let Some(plan) = self.plan else { return };
+        let dt = if dt > 0.0 { dt.min(LONGEST_CYCLE) } else { 0.0 };
+        let lifts = plan.lifts() && (self.time..self.time + dt).contains(&plan.liftoff());
+        if lifts && body.force(plan.support) < self.gait.touch && self.waited < self.gait.longest_wait {
+            self.waited += dt;
+        } else {
+            self.time += dt;
+        }
+    }
+
+    /// Begins the next step if it is time for it.
+    fn advance(&mut self, wanted: &Velocity, body: &Body) {
+        let Some(plan) = self.plan else {
+            if !wanted.is_zero() {
+                self.begin(first_support(wanted), &self.gait.together(), Phase::Starting, Purpose::Start);
+            }
+            return;
+        };
+        if !self.ended(&plan, body) {
+            return;
+        }
+        let feet = plan.feet(self.time);
+        let rest = (self.time - plan.duration).clamp(0.0, LONGEST_CYCLE);
+        self.velocity = self.velocity.toward(wanted, &self.gait);
+        let still = self.velocity.is_zero() && plan.ends_together(&self.gait);
+        match self.phase {
+            Phase::Stopping => self.reset(),
+            Phase::Walking if still => self.begin(plan.support.other(), &feet, Phase::Stopping, Purpose::Stop),
+            _ => {
+                let purpose = Purpose::Go(self.velocity);
+                self.begin(plan.support.other(), &feet, Phase::Walking, purpose);
+                self.time = rest;
+            }
+        }
+    }
+
+    fn begin(&mut self, support: Side, feet: &[Foot; 2], phase: Phase, purpose: Purpose) {
+        self.phase = phase;
+        self.plan = Some(Plan::new(support, feet, purpose, &self.gait));
+        self.time = 0.0;
+        self.waited = 0.0;
+    }
+
+    /// Whether the step is over: by time, or because the weight has come to the other foot already.
+    fn ended(&self, plan: &Plan, body: &Body) -> bool {
+        let share = self.time / plan.duration;
+        let weight_has_come = body.force(plan.support.other()) > body.force(plan.support);
+        share >= 1.0 || (plan.lifts() && share >= self.gait.earliest_switch && weight_has_come)
+    }
+}
+
+/// The foot to stand on first, so that the other one can go the wanted way at once.
+fn first_support(wanted: &Velocity) -> Side {
+    // The first step only shifts the weight: the foot that carries in it is the first to swing.
+    if wanted.left > 0.0 || (wanted.left == 0.0 && wanted.turn > 0.0) { Side::Left } else { Side::Right }
+}
+
+impl Parameters {
+    /// Both feet side by side under the hips.
+    #[must_use]
+    pub fn together(&self) -> [Foot; 2] {
+        Side::BOTH.map(|side| Foot { pose: Pose2::new(0.0, side.sign() * self.half_spacing, 0.0), lift: 0.0 })
+    }
+
+    /// The stand from which this gait starts and in which it ends.
+    #[must_use]
+    pub fn stand(&self) -> Limbs {
+        self.limbs(&self.together(), 0.0)
+    }
+
+    /// Arms and legs over these feet; arms swing against the legs.
+    fn limbs(&self, feet: &[Foot; 2], roll: f32) -> Limbs {
+        let behind = feet.map(|mut foot| {
+            foot.pose.position.x -= self.torso_offset;
+            foot
+        });
+        let arm = |side: Side| {
+            let opposite = feet[side.other().index()].pose.position.x;
+            ArmAngles::hanging(side, -self.arm_swing * opposite, ARMS_OUT)
+        };
+        Limbs { legs: level_legs(&behind, self.hip_height, roll), arms: Side::BOTH.map(arm) }
+    }
+}

@@ -1,0 +1,12 @@
+//! What the body can do, checked against references and in a quasi-static world.
+
+mod kinematics;
+mod walk;
+mod world;
+
+use proptest::prelude::ProptestConfig;
+
+/// This many random cases.
+fn cases(cases: u32) -> ProptestConfig {
+    ProptestConfig { cases, failure_persistence: None, ..ProptestConfig::default() }
+}

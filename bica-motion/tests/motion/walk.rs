@@ -1,0 +1,361 @@
+//! The walk in the quasi-static world.
+
+use bica_motion::joints::{Joint, Joints};
+use bica_motion::kinematics;
+use bica_motion::limits::limit;
+use bica_motion::pose::{Pose2, rotate, wrap};
+use bica_motion::robot::FootPressure;
+use bica_motion::side::Side;
+use bica_motion::speed::max_speed;
+use bica_motion::walk::{Body, Parameters, Phase, Velocity, Walk};
+use glam::{Affine3A, Vec2, Vec3};
+use proptest::prelude::*;
+
+use crate::world::{CYCLE, World, gap};
+
+const NAO: Parameters = Parameters::NAO;
+
+fn start() -> (Walk, World) {
+    (Walk::new(NAO), World::standing(NAO.stand().joints()))
+}
+
+fn cycle(walk: &mut Walk, world: &mut World, request: Velocity) -> Joints {
+    let targets = walk.step(request, &world.body(), CYCLE).joints();
+    world.step(&targets);
+    targets
+}
+
+/// The mean velocity over `cycles`, seen from the robot.
+fn measure(walk: &mut Walk, world: &mut World, request: Velocity, cycles: usize) -> Velocity {
+    let (mut way, mut turn) = (Vec2::ZERO, 0.0);
+    for _ in 0..cycles {
+        let before = world.ground();
+        cycle(walk, world, request);
+        let after = world.ground();
+        let turned = wrap(after.heading - before.heading);
+        way += rotate(after.position - before.position, -(before.heading + 0.5 * turned));
+        turn += turned;
+    }
+    let seconds = cycles as f32 * CYCLE;
+    Velocity::new(way.x / seconds, way.y / seconds, turn / seconds)
+}
+
+#[test]
+fn it_walks_as_fast_as_it_is_told_in_all_directions() {
+    for (forward, left, turn) in [
+        (0.25, 0.0, 0.0),
+        (0.1, 0.0, 0.0),
+        (-0.15, 0.0, 0.0),
+        (0.0, 0.12, 0.0),
+        (0.0, -0.12, 0.0),
+        (0.0, 0.05, 0.0),
+        (0.0, 0.0, 1.2),
+        (0.0, 0.0, -1.0),
+        (0.0, 0.0, 0.2),
+        (0.15, 0.05, 0.5),
+        (-0.1, 0.05, -0.3),
+        (0.15, -0.07, 0.0),
+        (0.2, 0.0, -0.5),
+    ] {
+        let request = Velocity::new(forward, left, turn);
+        assert_eq!(request.clamped(&NAO), request, "within the gait's means");
+        let (mut walk, mut world) = start();
+        measure(&mut walk, &mut world, request, 200);
+        let reached = measure(&mut walk, &mut world, request, 1000);
+        let near = |reached: f32, wanted: f32, small: f32| (reached - wanted).abs() <= 0.1 * wanted.abs() + small;
+        let good =
+            near(reached.forward, forward, 0.005) && near(reached.left, left, 0.005) && near(reached.turn, turn, 0.02);
+        assert!(good, "{request:?} became {reached:?}");
+    }
+}
+
+#[test]
+fn it_is_fast_enough() {
+    let most = |forward, left, turn| Velocity::new(forward, left, turn).clamped(&NAO);
+    assert!(most(9.0, 0.0, 0.0).forward >= 0.25);
+    assert!(most(-9.0, 0.0, 0.0).forward <= -0.12);
+    assert!(most(0.0, 9.0, 0.0).left > 0.1199 && most(0.0, -9.0, 0.0).left < -0.1199);
+    assert!(most(0.0, 0.0, 9.0).turn >= 1.0);
+}
+
+#[test]
+fn the_body_passes_over_the_standing_foot_at_constant_speed() {
+    let request = Velocity::new(0.2, 0.0, 0.0);
+    let (mut walk, mut world) = start();
+    measure(&mut walk, &mut world, request, 300);
+    let (mut before, mut support) = (Joints::all(0.0), None);
+    for _ in 0..300 {
+        let targets = cycle(&mut walk, &mut world, request);
+        if let Some(side) = walk.support().filter(|_| support == walk.support()) {
+            let place = |angles| kinematics::sole(side, angles).translation.x;
+            let speed = (place(&before) - place(&targets)) / CYCLE;
+            assert!((speed - 0.2).abs() < 0.002, "{speed}");
+        }
+        (before, support) = (targets, walk.support());
+    }
+}
+
+#[test]
+fn a_foot_touches_the_ground_nearly_at_rest() {
+    for request in [Velocity::new(0.25, 0.0, 0.0), Velocity::new(0.0, -0.12, 0.0), Velocity::new(0.1, 0.04, 0.6)] {
+        let (mut walk, mut world) = start();
+        measure(&mut walk, &mut world, request, 300);
+        let mut touches = 0;
+        for _ in 0..300 {
+            let before = Side::BOTH.map(|side| world.sole(side));
+            cycle(&mut walk, &mut world, request);
+            for side in Side::BOTH {
+                let (was, is) = (before[side.index()].translation, world.sole(side).translation);
+                if was.z >= 0.0005 && is.z < 0.0005 {
+                    touches += 1;
+                    let speed = (is - was).truncate().length() / CYCLE;
+                    assert!(speed < 0.1, "{request:?}: {speed} m/s");
+                }
+            }
+        }
+        assert!(touches >= 9, "{touches}");
+    }
+}
+
+#[test]
+fn arms_swing_against_the_legs() {
+    let (mut walk, mut world) = start();
+    let mut product = 0.0;
+    for _ in 0..500 {
+        let targets = cycle(&mut walk, &mut world, Velocity::new(0.2, 0.0, 0.0));
+        let [left, right] = Side::BOTH.map(|side| kinematics::sole(side, &targets).translation.x);
+        // Less pitch is further forward.
+        product += (left - right) * (targets[Joint::LShoulderPitch] - targets[Joint::RShoulderPitch]);
+    }
+    assert!(product > 0.5, "{product}");
+}
+
+#[test]
+fn standing_is_exactly_still() {
+    let (mut walk, mut world) = start();
+    let stand = NAO.stand();
+    for i in 0..300 {
+        let body = Body { gyro: Vec3::splat(0.01 * (i as f32).sin()), ..world.body() };
+        assert_eq!(walk.step(Velocity::ZERO, &body, CYCLE), stand);
+        world.step(&stand.joints());
+    }
+    assert_eq!(walk.phase(), Phase::Standing);
+}
+
+fn force(newtons: f32) -> FootPressure {
+    FootPressure { front_left: newtons, ..FootPressure::default() }
+}
+
+/// A walk in the middle of a step, with the side that carries.
+fn walking() -> (Walk, Side) {
+    let (mut walk, mut world) = start();
+    for _ in 0..200 {
+        cycle(&mut walk, &mut world, Velocity::new(0.1, 0.0, 0.0));
+    }
+    let support = walk.support();
+    while walk.support() == support {
+        cycle(&mut walk, &mut world, Velocity::new(0.1, 0.0, 0.0));
+    }
+    (walk, walk.support().expect("it walks"))
+}
+
+/// What it feels with these forces on the carrying and the coming foot, N.
+fn feels(carrying_side: Side, carrying: f32, coming: f32) -> Body {
+    let (left, right) = if carrying_side == Side::Left { (carrying, coming) } else { (coming, carrying) };
+    Body { gyro: Vec3::ZERO, left_foot: force(left), right_foot: force(right) }
+}
+
+/// Cycles until the other foot is meant to carry, when the weight comes to it in a cycle.
+fn cycles_until_switch(weight_comes: usize) -> usize {
+    let (mut walk, side) = walking();
+    for count in 1..200 {
+        let coming = if count >= weight_comes { 40.0 } else { 0.0 };
+        walk.step(Velocity::new(0.1, 0.0, 0.0), &feels(side, 50.0 - coming, coming), CYCLE);
+        if walk.support() != Some(side) {
+            return count;
+        }
+    }
+    panic!("the step never ends");
+}
+
+#[test]
+fn pressure_ends_a_step() {
+    let cycles = |seconds: f32| (seconds / CYCLE).round() as usize;
+    for (weight_comes, ends) in [
+        (cycles(NAO.duration), cycles(NAO.duration)),
+        (24, 24),
+        (10, cycles(NAO.earliest_switch * NAO.duration)),
+        (1000, cycles(NAO.duration)),
+    ] {
+        let found = cycles_until_switch(weight_comes);
+        assert!(found.abs_diff(ends) <= 1, "{weight_comes}: {found} is not {ends}");
+    }
+}
+
+/// Cycles until the swinging foot is lifted, when the carrying one feels the ground from a cycle on.
+fn cycles_until_liftoff(touches: usize) -> usize {
+    let (mut walk, side) = walking();
+    for count in 1..200 {
+        let carrying = if count >= touches { 10.0 } else { 0.0 };
+        let limbs = walk.step(Velocity::new(0.1, 0.0, 0.0), &feels(side, carrying, 50.0 - carrying), CYCLE);
+        let height = |side| kinematics::sole(side, &limbs.joints()).translation.z;
+        if height(side.other()) - height(side) > 1e-4 {
+            return count;
+        }
+    }
+    panic!("it never lifts its foot");
+}
+
+#[test]
+fn a_foot_stays_down_until_the_other_one_feels_the_ground() {
+    let (at_once, soon) = (cycles_until_liftoff(0), cycles_until_liftoff(20));
+    assert!(at_once <= 6, "{at_once}");
+    assert!((20..=22).contains(&soon), "{soon}");
+    let never = cycles_until_liftoff(1000) - at_once;
+    assert!(never.abs_diff((NAO.longest_wait / CYCLE) as usize) <= 1, "{never}");
+}
+
+#[test]
+fn a_robot_in_the_air_comes_to_a_stand() {
+    let (mut walk, _) = walking();
+    for _ in 0..300 {
+        walk.step(Velocity::new(0.2, 0.0, 0.0), &Body::default(), CYCLE);
+    }
+    assert_eq!(walk.phase(), Phase::Standing);
+}
+
+#[test]
+fn the_gyroscope_turns_the_carrying_ankle() {
+    let (mut walk, side) = walking();
+    let mut still = walk;
+    let level = Body { left_foot: force(26.0), right_foot: force(26.0), gyro: Vec3::ZERO };
+    let falling = Body { gyro: Vec3::new(0.0, 1.0, 0.0), ..level };
+    let request = Velocity::new(0.1, 0.0, 0.0);
+    let (mut with, mut without) = (walk.step(request, &falling, CYCLE), still.step(request, &level, CYCLE));
+    for _ in 0..5 {
+        (with, without) = (walk.step(request, &falling, CYCLE), still.step(request, &level, CYCLE));
+    }
+    let ankle = |limbs: &bica_motion::limbs::Limbs, side: Side| limbs.legs[side.index()].ankle_pitch;
+    assert!(ankle(&with, side) - ankle(&without, side) > 0.01, "falling forward presses the toes down");
+    assert!((ankle(&with, side.other()) - ankle(&without, side.other())).abs() < 1e-6);
+}
+
+#[test]
+fn nonsense_never_reaches_the_joints() {
+    let (mut walk, mut world) = start();
+    let wild = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 1e30, -1e30, 0.1];
+    for i in 0..2000 {
+        let pick = |step: usize| wild[(i / step) % wild.len()];
+        let body = Body { gyro: Vec3::new(0.0, pick(7), 0.0), left_foot: force(pick(11)), right_foot: force(pick(13)) };
+        let targets = walk.step(Velocity::new(pick(1), pick(2), pick(3)), &body, pick(5)).joints();
+        assert!(targets.0.iter().all(|angle| angle.is_finite()), "{targets:?}");
+        world.step(&targets);
+    }
+}
+
+/// Whether a velocity is within the walk volume.
+fn share(velocity: &Velocity) -> f32 {
+    let most = if velocity.forward < 0.0 { NAO.backward } else { NAO.fastest.forward };
+    let (x, y, turn) = (velocity.forward / most, velocity.left / NAO.fastest.left, velocity.turn / NAO.fastest.turn);
+    (x.abs().powf(1.5) + y.abs().powf(1.5)).powf(4.0 / 3.0) + turn * turn
+}
+
+proptest! {
+    #![proptest_config(crate::cases(1000))]
+
+    #[test]
+    fn requests_are_brought_into_the_walk_volume(x in -1.0_f32..1.0, y in -1.0_f32..1.0, turn in -3.0_f32..3.0) {
+        let asked = Velocity::new(x, y, turn);
+        let given = asked.clamped(&NAO);
+        prop_assert!(share(&given) <= 1.0001);
+        prop_assert!((given.turn - turn.clamp(-1.2, 1.2)).abs() < 1e-6, "turning goes first");
+        prop_assert!(given.forward * x >= 0.0 && given.left * y >= 0.0);
+        prop_assert!((given.forward * y - given.left * x).abs() < 1e-5, "the direction stays");
+        if share(&asked) <= 0.999 {
+            prop_assert!((given.forward - x).abs() + (given.left - y).abs() < 1e-6, "no less than asked for");
+        }
+    }
+
+    #[test]
+    fn velocity_changes_by_steps_and_through_zero(
+        now in prop::array::uniform3(-1.0_f32..1.0), wanted in prop::array::uniform3(-1.0_f32..1.0),
+    ) {
+        let scale = |v: [f32; 3]| Velocity::new(0.25 * v[0], 0.12 * v[1], 1.2 * v[2]);
+        let (now, wanted) = (scale(now), scale(wanted));
+        let next = now.toward(&wanted, &NAO);
+        let parts = |v: &Velocity| [v.forward, v.left, v.turn];
+        for i in 0..3 {
+            let (now, wanted, next) = (parts(&now)[i], parts(&wanted)[i], parts(&next)[i]);
+            let (up, down) = (parts(&NAO.speed_up)[i], parts(&NAO.slow_down)[i]);
+            prop_assert!(next.abs() - now.abs() <= up + 1e-6 && now.abs() - next.abs() <= down + 1e-6);
+            prop_assert!(now * next >= 0.0, "a sign changes only at zero");
+            prop_assert!((wanted - next).abs() <= (wanted - now).abs() + 1e-6);
+        }
+        let mut velocity = now;
+        for _ in 0..20 {
+            velocity = velocity.toward(&wanted, &NAO);
+        }
+        prop_assert_eq!(velocity, wanted);
+    }
+}
+
+/// Checks that hold in every cycle, and remembers the last targets.
+struct Watch {
+    last: Joints,
+    phase: Phase,
+}
+
+impl Watch {
+    fn check(&mut self, walk: &Walk, world: &World, targets: &Joints) -> Result<(), TestCaseError> {
+        prop_assert!(world.margin() >= 0.005, "the mass is {} mm inside", 1e3 * world.margin());
+        prop_assert!(gap([&world.sole(Side::Left), &world.sole(Side::Right)]) > 0.002, "the feet touch");
+        for joint in Joint::ALL.into_iter().filter(|joint| (7..18).contains(&joint.index())) {
+            let speed = (targets[joint] - self.last[joint]).abs() / CYCLE;
+            prop_assert!(speed <= 1.25 * max_speed(joint), "{joint:?} at {speed} rad/s");
+            let range = limit(joint);
+            let beyond = (range.min - targets[joint]).max(targets[joint] - range.max);
+            prop_assert!(beyond <= 0.0, "{joint:?} {beyond} rad beyond its limit");
+        }
+        if walk.phase() == Phase::Standing && self.phase != Phase::Standing {
+            let seen = |side| kinematics::sole(side, &self.last);
+            let between = seen(Side::Left).inverse() * seen(Side::Right);
+            let together = Affine3A::from_translation(Vec3::new(0.0, -2.0 * NAO.half_spacing, 0.0));
+            prop_assert!(between.abs_diff_eq(together, 5e-3), "it stands with its feet apart: {between:?}");
+        }
+        self.phase = walk.phase();
+        self.last = *targets;
+        Ok(())
+    }
+}
+
+proptest! {
+    #![proptest_config(crate::cases(100))]
+
+    #[test]
+    fn it_keeps_its_balance_whatever_it_is_asked(
+        requests in prop::collection::vec(
+            (prop::array::uniform3(-1.0_f32..1.0), prop::bool::weighted(0.15), 5_usize..250), 1..10,
+        ),
+        noise in prop::collection::vec(-0.1_f32..0.1, 97),
+    ) {
+        let (mut walk, mut world) = start();
+        let mut watch = Watch { last: NAO.stand().joints(), phase: Phase::Standing };
+        let stop = ([0.0; 3], true, 250);
+        let mut count = 0;
+        for (request, stands, cycles) in requests.into_iter().chain([stop]) {
+            let request = if stands { [0.0; 3] } else { request };
+            let request = Velocity::new(0.4 * request[0], 0.2 * request[1], 2.0 * request[2]);
+            for _ in 0..cycles {
+                count += 1;
+                let mut body = world.body();
+                body.gyro.y += noise[count % noise.len()];
+                let targets = walk.step(request, &body, CYCLE).joints();
+                world.step(&targets);
+                watch.check(&walk, &world, &targets)?;
+            }
+        }
+        prop_assert_eq!(walk.phase(), Phase::Standing);
+        prop_assert_eq!(walk.step(Velocity::ZERO, &world.body(), CYCLE), NAO.stand());
+        prop_assert!(world.pose() != Pose2::ORIGIN || count < 300);
+    }
+}

@@ -1,0 +1,187 @@
+//! A quasi-static world for tests: joints follow late and no faster than they can, the lower sole carries and stays
+//! where it is, the torso follows from the joints.
+
+use std::collections::VecDeque;
+
+use bica_motion::dimensions::SOLE_OUTLINE;
+use bica_motion::joints::Joints;
+use bica_motion::kinematics::Skeleton;
+use bica_motion::masses::TOTAL_MASS;
+use bica_motion::pose::{Pose2, wrap};
+use bica_motion::robot::FootPressure;
+use bica_motion::side::Side;
+use bica_motion::walk::Body;
+use glam::{Affine3A, Quat, Vec2, Vec3};
+
+pub(crate) const CYCLE: f32 = 0.01;
+/// How much lower the other sole must be to carry, m.
+const HYSTERESIS: f32 = 0.001;
+/// Up to this height a sole has contact, m.
+const CONTACT: f32 = 0.002;
+
+pub(crate) struct World {
+    pub(crate) angles: Joints,
+    waiting: VecDeque<Joints>,
+    pub(crate) support: Side,
+    /// The carrying sole on the ground.
+    anchor: Affine3A,
+    pub(crate) robot: Affine3A,
+    /// rad/s, torso frame.
+    pub(crate) gyro: Vec3,
+    /// Joints that wanted to move faster than they could, in cycles.
+    pub(crate) late: usize,
+}
+
+impl World {
+    pub(crate) fn standing(angles: Joints) -> Self {
+        let sole = Skeleton::of(&angles).sole(Side::Left);
+        let anchor = flat(&Affine3A::from_translation(sole.translation.into()));
+        let mut world = Self {
+            angles,
+            waiting: VecDeque::from(vec![angles; 3]),
+            support: Side::Left,
+            anchor,
+            robot: Affine3A::IDENTITY,
+            gyro: Vec3::ZERO,
+            late: 0,
+        };
+        world.robot = world.anchor * world.skeleton().sole(Side::Left).inverse();
+        world
+    }
+
+    pub(crate) fn skeleton(&self) -> Skeleton {
+        Skeleton::of(&self.angles)
+    }
+
+    /// One cycle.
+    pub(crate) fn step(&mut self, targets: &Joints) {
+        self.waiting.push_back(*targets);
+        let due = self.waiting.pop_front().expect("three commands are on their way");
+        let moved = self.angles.moved_toward(&due, CYCLE).clamp_to_limits();
+        self.late += usize::from(moved.0.iter().zip(due.0).any(|(a, b)| (a - b).abs() > 1e-6));
+        self.angles = moved;
+        let skeleton = self.skeleton();
+        let before = self.robot;
+        self.robot = self.anchor * skeleton.sole(self.support).inverse();
+        let other = self.robot * skeleton.sole(self.support.other());
+        if other.translation.z < -HYSTERESIS {
+            self.support = self.support.other();
+            self.anchor = flat(&other);
+            self.robot = self.anchor * skeleton.sole(self.support).inverse();
+        }
+        let turn = before.matrix3.transpose() * self.robot.matrix3;
+        self.gyro = Quat::from_mat3a(&turn).normalize().to_scaled_axis() / CYCLE;
+    }
+
+    pub(crate) fn sole(&self, side: Side) -> Affine3A {
+        self.robot * self.skeleton().sole(side)
+    }
+
+    pub(crate) fn touches(&self, side: Side) -> bool {
+        side == self.support || self.sole(side).translation.z < CONTACT
+    }
+
+    /// The torso's pose seen from above.
+    pub(crate) fn pose(&self) -> Pose2 {
+        seen_from_above(&self.robot)
+    }
+
+    /// Midway between the feet, along their mean heading.
+    pub(crate) fn ground(&self) -> Pose2 {
+        let [left, right] = Side::BOTH.map(|side| seen_from_above(&self.sole(side)));
+        Pose2 {
+            position: left.position.midpoint(right.position),
+            heading: left.heading + 0.5 * wrap(right.heading - left.heading),
+        }
+    }
+
+    pub(crate) fn body(&self) -> Body {
+        let [left, right] = self.forces();
+        let all = |force: f32| FootPressure {
+            front_left: force / 4.0,
+            front_right: force / 4.0,
+            rear_left: force / 4.0,
+            rear_right: force / 4.0,
+        };
+        Body { gyro: self.gyro, left_foot: all(left), right_foot: all(right) }
+    }
+
+    /// N, left first: by where the mass is between the ankles, less what does not touch.
+    pub(crate) fn forces(&self) -> [f32; 2] {
+        let [left, right] = Side::BOTH.map(|side| self.sole(side).translation.truncate());
+        let across = right - left;
+        let to_right = ((self.mass() - left).dot(across) / across.length_squared()).clamp(0.0, 1.0);
+        let touch = |side: Side| {
+            let height = self.sole(side).translation.z;
+            if side == self.support { 1.0 } else { (1.0 - height / CONTACT).clamp(0.0, 1.0) }
+        };
+        let (left, right) = (touch(Side::Left) * (1.0 - to_right), touch(Side::Right) * to_right);
+        let weight = TOTAL_MASS * 9.81;
+        match (left + right, self.support) {
+            (0.0, Side::Left) => [weight, 0.0],
+            (0.0, Side::Right) => [0.0, weight],
+            (sum, _) => [weight * left / sum, weight * right / sum],
+        }
+    }
+
+    /// The centre of mass seen from above.
+    pub(crate) fn mass(&self) -> Vec2 {
+        self.robot.transform_point3(self.skeleton().centre_of_mass()).truncate()
+    }
+
+    /// How far inside the soles that touch the centre of mass is, m; negative outside.
+    pub(crate) fn margin(&self) -> f32 {
+        let mut corners = Vec::new();
+        for side in Side::BOTH.into_iter().filter(|&side| self.touches(side)) {
+            corners.extend(outline(side, &self.sole(side)).into_iter().map(Vec3::truncate));
+        }
+        inside(&corners, self.mass())
+    }
+}
+
+pub(crate) fn outline(side: Side, sole: &Affine3A) -> Vec<Vec3> {
+    SOLE_OUTLINE.iter().map(|p| sole.transform_point3(Vec3::new(p.x, side.sign() * p.y, 0.0))).collect()
+}
+
+/// How far apart both soles are at least, seen from above, m; not positive when they overlap.
+pub(crate) fn gap(soles: [&Affine3A; 2]) -> f32 {
+    let [left, right] = [(Side::Left, soles[0]), (Side::Right, soles[1])]
+        .map(|(side, sole)| outline(side, sole).into_iter().map(Vec3::truncate).collect::<Vec<_>>());
+    // Convex shapes are apart by the widest of all gaps along the normals of their edges (or, at corners, more).
+    let mut widest = f32::NEG_INFINITY;
+    for (shape, other) in [(&left, &right), (&right, &left)] {
+        for (a, b) in shape.iter().zip(shape.iter().cycle().skip(1)) {
+            let normal = (*b - *a).normalize().perp();
+            let reach = |points: &[Vec2], pick: fn(f32, f32) -> f32| {
+                points.iter().map(|point| normal.dot(*point)).reduce(pick).expect("a sole has corners")
+            };
+            widest = widest.max(reach(other, f32::min) - reach(shape, f32::max));
+            widest = widest.max(reach(shape, f32::min) - reach(other, f32::max));
+        }
+    }
+    widest
+}
+
+/// The least distance to a line through two corners that has all others on one side.
+fn inside(corners: &[Vec2], point: Vec2) -> f32 {
+    let mut least = f32::INFINITY;
+    for &a in corners {
+        for &b in corners {
+            let Some(along) = (b - a).try_normalize() else { continue };
+            if corners.iter().all(|&c| along.perp_dot(c - a) >= -1e-6) {
+                least = least.min(along.perp_dot(point - a));
+            }
+        }
+    }
+    least
+}
+
+fn seen_from_above(pose: &Affine3A) -> Pose2 {
+    let ahead = pose.matrix3.x_axis;
+    Pose2 { position: pose.translation.truncate(), heading: ahead.y.atan2(ahead.x) }
+}
+
+fn flat(sole: &Affine3A) -> Affine3A {
+    let seen = seen_from_above(sole);
+    Affine3A::from_translation(seen.position.extend(0.0)) * Affine3A::from_rotation_z(seen.heading)
+}
