@@ -75,7 +75,7 @@ impl Parameters {
         closer: 0.28,
         torso_offset: 0.012,
         duration: 0.28,
-        duration_sideways: -0.35,
+        duration_sideways: -0.40,
         least_air: 0.11,
         lift: 0.008,
         sway_to: 0.021,
