@@ -8,7 +8,7 @@ use crate::wording;
 
 /// A positive number, written whole or with a fraction; `None` with a mistake reported if it is not.
 pub(crate) fn positive(value: &Expr, key: &str, report: &mut Report) -> Option<f32> {
-    let number = match value {
+    let number = match plain(value) {
         Expr::Lit(ExprLit { lit: Lit::Int(number), .. }) => number.base10_parse::<f32>().ok(),
         Expr::Lit(ExprLit { lit: Lit::Float(number), .. }) => number.base10_parse::<f32>().ok(),
         _ => None,
@@ -24,6 +24,14 @@ pub(crate) fn positive(value: &Expr, key: &str, report: &mut Report) -> Option<f
             None
         }
     }
+}
+
+/// The expression without the invisible brackets that a `macro_rules` macro puts around it.
+fn plain(mut value: &Expr) -> &Expr {
+    while let Expr::Group(group) = value {
+        value = &group.expr;
+    }
+    value
 }
 
 /// Parses the value behind `=` or `:`.

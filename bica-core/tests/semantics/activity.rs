@@ -1,0 +1,133 @@
+//! Active and latent; the hooks.
+
+use super::*;
+
+/// Writes its hooks down, for components know nothing of the probe.
+macro_rules! hooked {
+    ($name:ident, $rate:literal, $($step:item)?) => {
+        #[derive(Default)]
+        pub(crate) struct $name {
+            pub(crate) started: u32,
+            pub(crate) stopped: u32,
+            pub(crate) ran: u32,
+        }
+
+        #[component(hz = $rate, crate = bica_core)]
+        impl $name {
+            const fn new() -> Self {
+                Self { started: 0, stopped: 0, ran: 0 }
+            }
+
+            $($step)?
+
+            #[start]
+            fn woke(&mut self) {
+                self.started += 1;
+            }
+
+            #[stop]
+            fn slept(&mut self) {
+                self.stopped += 1;
+            }
+        }
+    };
+}
+
+hooked!(
+    Parent,
+    1,
+    fn step(&mut self, _: &mut Child) {
+        self.ran += 1;
+    }
+);
+hooked!(
+    Child,
+    1,
+    fn step(&mut self) {
+        self.ran += 1;
+    }
+);
+
+pub(crate) struct Switch {
+    pub(crate) on: bool,
+}
+
+#[component(crate = bica_core)]
+impl Switch {
+    const fn new() -> Self {
+        Self { on: false }
+    }
+
+    #[state(initial)]
+    fn off(&mut self) {}
+
+    #[state]
+    fn on(&mut self, parent: &mut Parent) {}
+
+    #[transition(off -> on)]
+    fn switched_on(&self) -> bool {
+        self.on
+    }
+
+    #[transition(on -> off)]
+    fn switched_off(&self) -> bool {
+        !self.on
+    }
+}
+
+activation_tree! {
+    pub(crate) struct Lamp {
+        root: Switch,
+        cycle_hz: 100,
+        components: [Child, Parent, Switch],
+        crate: bica_core,
+    }
+}
+
+#[test]
+fn latent_until_needed_then_started_and_run_at_once() {
+    let mut tree = Lamp::new();
+    assert_eq!(cycle(&mut tree, 0), ["start Switch", "run Switch"]);
+    assert_eq!(tree.active().collect::<Vec<_>>(), [Lamp::id::<Switch>()]);
+    tree.get_mut::<Switch>().on = true;
+    let expected = ["run Switch", "Switch: off -> on", "start Parent", "run Parent", "start Child", "run Child"];
+    assert_eq!(cycle(&mut tree, 10), expected);
+    assert_eq!(tree.active().map(bica_core::ComponentId::index).collect::<Vec<_>>(), [0, 1, 2]);
+}
+
+#[test]
+fn stopped_at_the_end_of_the_cycle_activators_first() {
+    let mut tree = Lamp::new();
+    tree.get_mut::<Switch>().on = true;
+    tree.tick(at(0));
+    tree.get_mut::<Switch>().on = false;
+    assert_eq!(cycle(&mut tree, 10), ["run Switch", "Switch: on -> off", "stop Parent", "stop Child"]);
+    assert_eq!(cycle(&mut tree, 20), ["run Switch"]);
+    assert!(!tree.is_active(Lamp::id::<Child>()));
+}
+
+#[test]
+fn started_again_it_is_due_at_once() {
+    let mut tree = Lamp::new();
+    for (ms, on) in [(0, true), (10, false), (20, true), (30, true)] {
+        tree.get_mut::<Switch>().on = on;
+        tree.tick(at(ms));
+    }
+    let child = tree.get::<Child>();
+    assert_eq!(
+        (child.started, child.stopped, child.ran),
+        (2, 1, 2),
+        "at 1 Hz only an activation brings the second run"
+    );
+}
+
+#[test]
+fn a_component_that_the_tree_does_not_list_is_never_active() {
+    let mut tree = Lamp::new();
+    let stranger = bica_core::ComponentId::new(99);
+    tree.hold_at(stranger, Hold::Active);
+    tree.tick(at(0));
+    assert!(!tree.is_active(stranger));
+    assert_eq!(tree.state(stranger), None);
+    assert_eq!(tree.held(stranger), Hold::Tree);
+}

@@ -1,0 +1,15 @@
+//! Each rule of the runtime by an example that shows it.
+
+mod activity;
+mod description;
+mod hold;
+mod loans;
+mod machine;
+mod order;
+mod rate;
+mod time;
+mod watch;
+
+use bica_core::{Duration, Hold, Instant, Probe, Rate, Time, Tree};
+use bica_macros::{activation_tree, component};
+use watch::{at, cycle, runs};

@@ -1,0 +1,114 @@
+//! Once per cycle; what is required before, what is modulated after.
+
+use super::*;
+
+/// Makes components that do nothing but link.
+macro_rules! links {
+    ($($name:ident($($link:ty),*);)*) => {$(
+        pub(crate) struct $name;
+
+        #[component(crate = bica_core)]
+        impl $name {
+            const fn new() -> Self {
+                Self
+            }
+
+            fn step(&mut self $(, _: $link)*) {}
+        }
+    )*};
+}
+
+links! {
+    Root(&Left, &Right, &mut After);
+    Left(&Shared);
+    Right(&Shared, &mut Moved);
+    Shared();
+    Moved();
+    After(&Shared, &mut Moved);
+}
+
+activation_tree! {
+    pub(crate) struct Diamond {
+        root: Root,
+        cycle_hz: 100,
+        components: [After, Moved, Shared, Right, Left, Root],
+        crate: bica_core,
+    }
+}
+
+#[test]
+fn required_children_run_before_and_modulated_children_after() {
+    assert_eq!(runs(&mut Diamond::new(), 0), ["Shared", "Left", "Right", "Moved", "Root", "After"]);
+}
+
+#[test]
+fn a_component_with_several_activators_runs_once() {
+    let mut tree = Diamond::new();
+    for ms in [0, 10, 10, 20] {
+        let runs = runs(&mut tree, ms);
+        assert_eq!(runs.iter().filter(|name| *name == "Shared").count(), 1);
+        assert_eq!(runs.len(), Diamond::COUNT);
+    }
+}
+
+#[test]
+fn what_was_read_is_of_this_cycle_and_what_was_written_is_used_in_it() {
+    let mut tree = Chain::new();
+    tree.get_mut::<Sensor>().truth = 7;
+    tree.tick(at(0));
+    assert_eq!(tree.get::<Motor>().moved_to, 14);
+}
+
+pub(crate) struct Sensor {
+    truth: i32,
+    seen: i32,
+}
+
+#[component(crate = bica_core)]
+impl Sensor {
+    const fn new() -> Self {
+        Self { truth: 0, seen: 0 }
+    }
+
+    fn step(&mut self) {
+        self.seen = self.truth;
+    }
+}
+
+pub(crate) struct Motor {
+    target: i32,
+    moved_to: i32,
+}
+
+#[component(crate = bica_core)]
+impl Motor {
+    const fn new() -> Self {
+        Self { target: 0, moved_to: 0 }
+    }
+
+    fn step(&mut self) {
+        self.moved_to = self.target;
+    }
+}
+
+pub(crate) struct Controller;
+
+#[component(crate = bica_core)]
+impl Controller {
+    const fn new() -> Self {
+        Self
+    }
+
+    fn step(&self, sensor: &Sensor, motor: &mut Motor) {
+        motor.target = 2 * sensor.seen;
+    }
+}
+
+activation_tree! {
+    pub(crate) struct Chain {
+        root: Controller,
+        cycle_hz: 100,
+        components: [Controller, Sensor, Motor],
+        crate: bica_core,
+    }
+}

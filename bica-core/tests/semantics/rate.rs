@@ -1,0 +1,141 @@
+//! Rates: the grid, lateness, a clock that jumps, modulation.
+
+use super::*;
+
+pub(crate) struct Slow {
+    asks: f32,
+}
+
+#[component(hz = 10, crate = bica_core)]
+impl Slow {
+    const fn new() -> Self {
+        Self { asks: 20.0 }
+    }
+
+    fn step(&mut self, rate: &mut Rate<Fast>) {
+        rate.set(self.asks);
+    }
+}
+
+#[derive(Default)]
+pub(crate) struct Fast;
+
+#[component(hz = 50, crate = bica_core)]
+impl Fast {
+    fn step(&mut self, _: &mut Always) {}
+}
+
+pub(crate) struct Always;
+
+#[component(crate = bica_core)]
+impl Always {}
+
+activation_tree! {
+    pub(crate) struct Rates {
+        root: Slow,
+        cycle_hz: 100,
+        components: [Slow, Fast = Fast, Always = Always],
+        crate: bica_core,
+    }
+}
+
+/// At which of these milliseconds `name` runs.
+fn moments(tree: &mut Rates, name: &str, ms: impl IntoIterator<Item = u64>) -> Vec<u64> {
+    ms.into_iter().filter(|&ms| runs(tree, ms).iter().any(|run| run == name)).collect()
+}
+
+#[test]
+fn a_component_runs_at_its_own_rate_and_a_child_may_be_faster() {
+    let mut tree = Rates::new();
+    tree.get_mut::<Slow>().asks = 50.0;
+    assert_eq!(moments(&mut tree, "Slow", (0..400).step_by(10)), [0, 100, 200, 300]);
+    let mut tree = Rates::new();
+    tree.get_mut::<Slow>().asks = 50.0;
+    assert_eq!(moments(&mut tree, "Fast", (0..100).step_by(10)), [0, 20, 40, 60, 80]);
+    let mut tree = Rates::new();
+    assert_eq!(moments(&mut tree, "Always", (0..50).step_by(10)), [0, 10, 20, 30, 40]);
+}
+
+#[test]
+fn late_by_less_than_a_period_keeps_the_grid() {
+    assert_eq!(moments(&mut Rates::new(), "Slow", [0, 170, 199, 200, 299, 300]), [0, 170, 200, 300]);
+}
+
+#[test]
+fn later_than_that_runs_once_and_starts_a_new_grid() {
+    assert_eq!(moments(&mut Rates::new(), "Slow", [0, 750, 751, 849, 850, 950]), [0, 750, 850, 950]);
+    assert_eq!(moments(&mut Rates::new(), "Slow", [0, 200, 299, 300]), [0, 200, 300]);
+}
+
+#[test]
+fn a_clock_set_back_by_more_than_a_period_starts_a_new_grid() {
+    assert_eq!(moments(&mut Rates::new(), "Slow", [1000, 899, 950, 999, 1000]), [1000, 899, 999]);
+    assert_eq!(moments(&mut Rates::new(), "Slow", [1000, 900, 1099, 1100]), [1000, 1100]);
+}
+
+#[test]
+fn a_clock_that_stands_still_runs_only_what_has_no_rate() {
+    assert_eq!(moments(&mut Rates::new(), "Slow", [5, 5, 5]), [5]);
+    assert_eq!(moments(&mut Rates::new(), "Always", [5, 5, 5]), [5, 5, 5]);
+}
+
+#[test]
+fn a_parent_modulates_the_rate() {
+    let mut tree = Rates::new();
+    assert_eq!(moments(&mut tree, "Fast", (0..200).step_by(10)), [0, 50, 100, 150]);
+    assert_eq!(tree.rate::<Fast>().hz(), Some(20.0));
+    tree.get_mut::<Slow>().asks = 1000.0;
+    tree.tick(at(200));
+    assert_eq!(tree.rate::<Fast>().hz(), Some(50.0), "no more than declared");
+}
+
+#[test]
+fn the_rate_is_modulated_from_outside() {
+    let mut tree = Rates::new();
+    tree.rate_mut::<Slow>().set(1.0);
+    tree.rate_mut::<Always>().set(10.0);
+    assert_eq!(moments(&mut tree, "Slow", (0..2000).step_by(10)), [0, 1000]);
+    assert_eq!(moments(&mut tree, "Always", (2000..2200).step_by(10)), [2000, 2100]);
+    tree.rate_mut::<Always>().reset();
+    assert_eq!(moments(&mut tree, "Always", [2200, 2201, 2202]), [2200, 2201, 2202]);
+}
+
+#[test]
+fn a_faster_rate_holds_at_once() {
+    let mut tree = Rates::new();
+    tree.rate_mut::<Slow>().set(1.0);
+    tree.tick(at(0));
+    tree.rate_mut::<Slow>().reset();
+    assert_eq!(moments(&mut tree, "Slow", [50, 99, 100]), [100]);
+}
+
+#[test]
+fn at_rest_a_component_is_active_but_does_not_run() {
+    let mut tree = Rates::new();
+    tree.rate_mut::<Slow>().set(0.0);
+    assert_eq!(moments(&mut tree, "Slow", [0, 100, 1_000_000]), [0], "the run that the activation brings");
+    assert!(tree.is_active(Rates::id::<Slow>()));
+    assert_eq!(moments(&mut tree, "Always", [1_000_001]), [1_000_001]);
+    tree.rate_mut::<Slow>().set(-3.0);
+    assert_eq!(tree.rate::<Slow>().hz(), Some(0.0));
+}
+
+#[test]
+fn a_rate_that_is_no_number_is_the_declared_one() {
+    let mut tree = Rates::new();
+    tree.rate_mut::<Slow>().set(1.0);
+    tree.rate_mut::<Slow>().set(f32::NAN);
+    assert_eq!(tree.rate::<Slow>().hz(), Some(10.0));
+    tree.rate_mut::<Slow>().set(f32::INFINITY);
+    assert_eq!(tree.rate::<Slow>().hz(), Some(10.0));
+    tree.rate_mut::<Always>().set(f32::NAN);
+    assert_eq!(tree.rate::<Always>().hz(), None);
+}
+
+#[test]
+fn the_end_of_time_is_no_panic() {
+    let mut tree = Rates::new();
+    for ticks in [u64::MAX, 0, u64::MAX - 1, 1, u64::MAX] {
+        tree.tick(Instant::from_ticks(ticks));
+    }
+}
