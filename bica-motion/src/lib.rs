@@ -5,14 +5,20 @@
 #![no_std]
 
 pub mod dimensions;
+pub mod fall;
 pub mod feet;
+pub mod getup;
+pub mod head;
 pub mod joints;
+pub mod keyframes;
 pub mod kinematics;
 pub mod limbs;
 pub mod limits;
 pub mod masses;
+pub mod odometry;
 pub mod pose;
 pub mod robot;
 pub mod side;
 pub mod speed;
+pub mod stand;
 pub mod walk;

@@ -1,6 +1,9 @@
 //! What the body can do, checked against references and in a quasi-static world.
 
+mod falls;
+mod head;
 mod kinematics;
+mod odometry;
 mod walk;
 mod world;
 

@@ -1,0 +1,174 @@
+//! Falling, lying, getting up.
+
+use bica_motion::fall::{Direction, FallDetector, Uprightness};
+use bica_motion::getup::{HOLD, TUCKED_KNEE, from, protection};
+use bica_motion::joints::{Joint, Joints};
+use bica_motion::keyframes::{Keyframe, Motion, duration};
+use bica_motion::kinematics::{Skeleton, ground_from_robot};
+use bica_motion::robot::Inertial;
+use bica_motion::side::Side;
+use bica_motion::speed::max_speed;
+use bica_motion::stand::{SIT, STAND, Stiffness, TO_SIT, TO_STAND};
+use bica_motion::walk::Parameters;
+use glam::{Quat, Vec3};
+
+use crate::world::{CYCLE, World};
+
+/// What the inertial unit says when the torso is turned by `tilt`.
+fn tilted(tilt: Quat) -> Inertial {
+    let up = tilt.inverse() * Vec3::Z;
+    let (y, z, x) = (tilt * Vec3::Y, tilt * Vec3::Z, tilt * Vec3::X);
+    Inertial { gyro: Vec3::ZERO, acceleration: 9.81 * up, roll: y.z.atan2(z.z), pitch: (-x.z).asin() }
+}
+
+fn toward(direction: Direction, angle: f32) -> Quat {
+    match direction {
+        Direction::Front => Quat::from_rotation_y(angle),
+        Direction::Back => Quat::from_rotation_y(-angle),
+        Direction::Left => Quat::from_rotation_x(-angle),
+        Direction::Right => Quat::from_rotation_x(angle),
+    }
+}
+
+#[test]
+fn a_fall_is_seen_in_every_direction_and_getting_up_too() {
+    for direction in Direction::ALL {
+        let mut detector = FallDetector::new();
+        let mut seen = vec![detector.state()];
+        let fall = (0..60).map(|i| 1.57 * (i as f32 / 60.0).powi(2));
+        let rise = (0..50).map(|i| 1.57 * (1.0 - i as f32 / 50.0));
+        let angles = fall.chain([1.57; 200]).chain(rise).chain([0.0; 60]);
+        for angle in angles {
+            let state = detector.step(&tilted(toward(direction, angle)), CYCLE);
+            if seen.last() != Some(&state) {
+                seen.push(state);
+            }
+        }
+        let wanted = [
+            Uprightness::Upright,
+            Uprightness::Falling(direction),
+            Uprightness::Fallen(direction),
+            Uprightness::Upright,
+        ];
+        assert_eq!(seen, wanted);
+    }
+}
+
+#[test]
+fn what_a_walk_does_is_no_fall() {
+    let mut detector = FallDetector::new();
+    for i in 0..1000 {
+        let (roll, pitch) = (0.2 * (0.2 * i as f32).sin(), 0.15 * (0.13 * i as f32).cos());
+        let jolt = Vec3::new(0.0, 12.0 * (0.9 * i as f32).sin(), 5.0 * (1.3 * i as f32).cos());
+        let mut inertial = tilted(Quat::from_rotation_x(roll) * Quat::from_rotation_y(pitch));
+        inertial.acceleration += jolt;
+        assert_eq!(detector.step(&inertial, CYCLE), Uprightness::Upright);
+    }
+}
+
+#[test]
+fn lying_still_decides_even_if_gravity_is_odd() {
+    let mut detector = FallDetector::new();
+    let strange = Inertial { pitch: 1.0, acceleration: Vec3::new(0.0, 0.0, 9.81), ..Inertial::default() };
+    for _ in 0..130 {
+        detector.step(&strange, CYCLE);
+    }
+    assert_eq!(detector.state(), Uprightness::Fallen(Direction::Front));
+}
+
+#[test]
+fn readings_that_are_no_numbers_change_nothing() {
+    let mut detector = FallDetector::new();
+    let nonsense = Inertial { pitch: f32::NAN, acceleration: Vec3::splat(f32::NAN), ..Inertial::default() };
+    for _ in 0..100 {
+        assert_eq!(detector.step(&nonsense, CYCLE), Uprightness::Upright);
+    }
+    assert_eq!(detector.step(&tilted(toward(Direction::Back, 0.6)), CYCLE), Uprightness::Falling(Direction::Back));
+}
+
+/// Plays a movement from a posture; gives all targets.
+fn play(frames: &'static [Keyframe], from: Joints) -> Vec<Joints> {
+    let mut motion = Motion::new(frames, from);
+    let mut targets = Vec::new();
+    while !motion.is_done() {
+        targets.push(motion.step(CYCLE).expect("there are frames").0);
+    }
+    targets
+}
+
+#[test]
+fn movements_keep_to_limits_and_speeds_and_end_in_the_stand() {
+    let crumpled = Joints::all(0.3).clamp_to_limits();
+    for direction in Direction::ALL {
+        let seconds = duration(from(direction));
+        assert!((2.5..=6.0).contains(&seconds), "{seconds} s");
+        for start in [SIT, crumpled, protection(direction).posture] {
+            let targets = play(from(direction), start);
+            assert!((targets.len() as f32 * CYCLE - seconds).abs() < 0.02);
+            assert_eq!(*targets.last().unwrap(), STAND);
+            for pair in targets.windows(2) {
+                assert!(pair[1].within_limits(), "{:?}", pair[1]);
+                for joint in Joint::ALL {
+                    let speed = (pair[1][joint] - pair[0][joint]).abs() / CYCLE;
+                    assert!(speed <= max_speed(joint), "{joint:?} at {speed} rad/s");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn a_get_up_passes_the_phases_by_which_it_is_known() {
+    for direction in Direction::ALL {
+        let targets = play(from(direction), Joints::all(0.0));
+        let tucked =
+            targets.iter().position(|t| t[Joint::LKneePitch] > TUCKED_KNEE && t[Joint::RKneePitch] > TUCKED_KNEE);
+        let tucked = tucked.expect("it tucks");
+        let held = targets[tucked..].iter().rev().take_while(|&&t| t == STAND).count();
+        assert!(held as f32 * CYCLE >= HOLD - 0.02, "{held} cycles");
+    }
+}
+
+#[test]
+fn sitting_down_and_standing_up_keeps_the_balance() {
+    let mut world = World::standing(STAND);
+    for frames in [&TO_SIT, &TO_STAND] {
+        for targets in play(frames, world.angles) {
+            world.step(&targets);
+            assert!(world.margin() > 0.02, "{}", world.margin());
+        }
+        for _ in 0..5 {
+            world.step(&frames[0].posture);
+        }
+        for joint in Joint::ALL {
+            assert!((world.angles[joint] - frames[0].posture[joint]).abs() < 1e-6, "{joint:?}");
+        }
+    }
+}
+
+#[test]
+fn the_stand_is_the_one_the_walk_knows() {
+    let gait = Parameters::NAO.stand().joints();
+    for joint in Joint::ALL {
+        assert!((STAND[joint] - gait[joint]).abs() < 1e-5, "{joint:?}: {} {}", STAND[joint], gait[joint]);
+    }
+    let mass = ground_from_robot(Side::Left, &STAND).transform_point3(Skeleton::of(&STAND).centre_of_mass());
+    assert!((mass.x - 0.02).abs() < 0.01 && mass.y.abs() < 0.001, "over the middle of the feet: {mass}");
+}
+
+#[test]
+fn stiffness_is_a_share() {
+    for profile in [Stiffness::Limp, Stiffness::Stand, Stiffness::Walk, Stiffness::Fall] {
+        assert!(profile.joints().0.iter().all(|value| (0.0..=1.0).contains(value)));
+    }
+    assert!(Stiffness::Limp.joints().0.iter().all(|&value| value == 0.0));
+    let legs = |profile: Stiffness| profile.joints()[Joint::LKneePitch];
+    assert!(legs(Stiffness::Fall) < legs(Stiffness::Stand) && legs(Stiffness::Stand) < legs(Stiffness::Walk));
+}
+
+#[test]
+fn no_movement_is_done_at_once() {
+    let mut none = Motion::none();
+    assert!(none.is_done());
+    assert_eq!(none.step(CYCLE), None);
+}
