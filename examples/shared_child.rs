@@ -1,100 +1,73 @@
-//! Figure 4 of the BICA paper: two components activate the same child, which is still one and runs once.
-#![forbid(unsafe_code)]
+//! Two components activate the same child: it is one instance, runs once in a cycle, and is latent when nobody needs it.
+//!
+//! `cargo run --example shared_child`
 
 use bica::prelude::*;
 
-/// Counts its runs.
-#[derive(Default)]
-struct Head {
-    wanted: f32,
-    runs: u32,
+/// Counts the frames that it took.
+struct Camera {
+    frames: u32,
 }
 
-#[component]
-impl Head {
+#[component(hz = 30)]
+impl Camera {
     const fn new() -> Self {
-        Self { wanted: 0.0, runs: 0 }
+        Self { frames: 0 }
     }
 
     fn step(&mut self) {
-        self.runs += 1;
+        self.frames += 1;
     }
 }
 
-struct Ball(f32);
+struct Ball;
 
 #[component(hz = 30)]
 impl Ball {
-    const fn new() -> Self {
-        Self(0.0)
-    }
-
-    /// Sees the ball drift.
-    fn step(&mut self) {
-        self.0 += 0.1;
-    }
+    fn step(&mut self, camera: &Camera) {}
 }
 
-struct FaceBall;
+struct Goal;
 
-#[component(hz = 10, budget_us = 40)]
-impl FaceBall {
-    const fn new() -> Self {
-        Self
-    }
-
-    fn step(&mut self, ball: &Ball, head: &mut Head) {
-        head.wanted = ball.0;
-    }
+#[component(hz = 10)]
+impl Goal {
+    fn step(&mut self, camera: &Camera) {}
 }
 
-struct Player;
+/// Needs the ball always, and the goal every second second.
+struct Striker;
 
 #[component]
-impl Player {
-    const fn new() -> Self {
-        Self
-    }
-
+impl Striker {
     #[state(initial)]
-    fn look(&mut self, head: &mut Head) {}
+    fn chase(&mut self, ball: &Ball) {}
 
     #[state]
-    fn face(&mut self, face: &mut FaceBall) {}
+    fn aim(&mut self, ball: &Ball, goal: &Goal) {}
 
-    #[transition(look -> face)]
-    fn seen(&self, ball: &Ball) -> bool {
-        ball.0 > 0.5
-    }
-
-    #[transition(face -> look, after_ms = 1500)]
-    fn lost(&self) -> bool {
+    #[transition(chase -> aim, after_ms = 1000)]
+    #[transition(aim -> chase, after_ms = 1000)]
+    fn second_is_over(&self) -> bool {
         true
     }
 }
 
 activation_tree! {
-    /// Two activators of one head.
     struct Robot {
-        root: Player,
+        root: Striker,
         cycle_hz: 100,
-        components: [Player, FaceBall, Ball, Head],
+        // Made by `new()` unless the list says how.
+        components: [Striker = Striker, Ball = Ball, Goal = Goal, Camera],
     }
 }
 
 fn main() {
     let mut robot = Robot::new();
-    for tick in 0..300 {
-        robot.tick(Instant::from_millis(tick * 10));
-        if tick % 25 == 0 {
-            let active: Vec<_> = robot.active().map(|id| Robot::GRAPH.nodes[id.index()].name).collect();
-            println!(
-                "{tick} {:?} {:?} {} {}",
-                active,
-                robot.state(Robot::id::<Player>()),
-                robot.get::<Head>().wanted,
-                robot.get::<Head>().runs
-            );
+    for ms in (0..4000).step_by(10) {
+        robot.tick(Instant::from_millis(ms));
+        if ms % 500 == 250 {
+            let active = robot.active().map(|id| Robot::GRAPH.nodes[id.index()].name).collect::<Vec<_>>();
+            println!("{ms:4} ms: {:2} frames; active: {}", robot.get::<Camera>().frames, active.join(", "));
         }
     }
 }

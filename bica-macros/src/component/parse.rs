@@ -11,7 +11,7 @@ use crate::{text, wording};
 
 /// Reads the impl block; `None` if it is none.
 pub(crate) fn parse(options: TokenStream, item: &TokenStream, report: &mut Report) -> Option<Component> {
-    let Ok(item) = syn::parse2::<ItemImpl>(item.clone()) else {
+    let Ok(mut item) = syn::parse2::<ItemImpl>(item.clone()) else {
         report.add(item, wording::NO_IMPL);
         return None;
     };
@@ -25,6 +25,7 @@ pub(crate) fn parse(options: TokenStream, item: &TokenStream, report: &mut Repor
     }
     let options = options::parse(options, report);
     let doc = text::doc(&item.attrs);
+    item.attrs.push(parse_quote!(#[allow(clippy::new_without_default, reason = "a tree makes it by `new`")]));
     let mut component = Component {
         item,
         options,

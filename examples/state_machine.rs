@@ -1,0 +1,88 @@
+//! A component whose behaviour depends on the situation: states, transitions, a timer, hooks.
+//!
+//! `cargo run --example state_machine`
+
+use bica::prelude::*;
+
+struct Ball {
+    /// In metres, if it is seen.
+    distance: Option<f32>,
+}
+
+#[component]
+impl Ball {}
+
+struct Legs {
+    speed: f32,
+}
+
+#[component(hz = 50)]
+impl Legs {}
+
+struct Player {
+    kicks: u32,
+}
+
+#[component(hz = 10)]
+impl Player {
+    /// Stands and looks around.
+    #[state(initial)]
+    fn look(&mut self) {}
+
+    /// Only in this state are the legs needed, so only here are they active.
+    #[state]
+    fn walk(&mut self, legs: &mut Legs, ball: &Ball) {
+        legs.speed = ball.distance.unwrap_or(0.0).min(0.2);
+    }
+
+    #[state]
+    fn kick(&mut self) {}
+
+    #[transition(look -> walk)]
+    fn seen(&self, ball: &Ball) -> bool {
+        ball.distance.is_some()
+    }
+
+    #[transition(walk -> kick)]
+    fn near(&self, ball: &Ball) -> bool {
+        ball.distance.is_some_and(|metres| metres < 0.1)
+    }
+
+    /// The timer and the condition must both hold.
+    #[transition(walk -> look, after_ms = 1500)]
+    fn lost(&self, ball: &Ball) -> bool {
+        ball.distance.is_none()
+    }
+
+    #[transition(kick -> look, after_ms = 800)]
+    fn kicked(&self) -> bool {
+        true
+    }
+
+    #[entry(kick)]
+    fn swing(&mut self) {
+        self.kicks += 1;
+    }
+}
+
+activation_tree! {
+    struct Robot {
+        root: Player,
+        cycle_hz: 50,
+        components: [Player = Player { kicks: 0 }, Ball = Ball { distance: None }, Legs = Legs { speed: 0.0 }],
+    }
+}
+
+fn main() {
+    let (mut robot, mut metres) = (Robot::new(), 0.5);
+    for ms in (0..6000).step_by(20) {
+        metres -= if robot.is_active(Robot::id::<Legs>()) { 0.02 * robot.get::<Legs>().speed } else { 0.0 };
+        robot.get_mut::<Ball>().distance = (500..4000).contains(&ms).then_some(metres);
+        let before = robot.state(Robot::id::<Player>());
+        robot.tick(Instant::from_millis(ms));
+        if let Some(state) = robot.state(Robot::id::<Player>()).filter(|state| Some(*state) != before) {
+            println!("{ms:4} ms: {} with the ball at {metres:.2} m", Player::STATES[state].name);
+        }
+    }
+    println!("{} kicks", robot.get::<Player>().kicks);
+}
