@@ -10,6 +10,8 @@ mod component;
 mod number;
 mod quoting;
 mod report;
+#[cfg(test)]
+mod tests;
 mod text;
 mod tree;
 mod wording;

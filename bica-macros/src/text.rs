@@ -49,3 +49,33 @@ fn distance(a: &str, b: &str) -> usize {
     }
     row[b.len()]
 }
+
+#[cfg(test)]
+mod tests {
+    use quote::quote;
+
+    use super::*;
+
+    #[test]
+    fn types_are_written_as_one_writes_them() {
+        assert_eq!(written(&quote!(Eye<320, 240>)), "Eye<320, 240>");
+        assert_eq!(written(&quote!(a::b::C)), "a::b::C");
+        assert_eq!(written(&quote!(Map<Grid<4>, f32>)), "Map<Grid<4>, f32>");
+        assert_eq!(written(&quote!(&mut Head)), "&mut Head");
+    }
+
+    #[test]
+    fn the_nearest_name_is_the_one_that_was_meant() {
+        let names = || ["look_for_ball", "approach_ball", "kick"].into_iter();
+        assert_eq!(nearest("aproach_ball", names()), Some("approach_ball"));
+        assert_eq!(nearest("kik", names()), Some("kick"));
+        assert_eq!(nearest("zzzzzzzz", names()), None);
+    }
+
+    #[test]
+    fn the_distance_is_the_number_of_changes() {
+        for (a, b, changes) in [("", "abc", 3), ("abc", "abc", 0), ("kitten", "sitting", 3), ("flaw", "lawn", 2)] {
+            assert_eq!((distance(a, b), distance(b, a)), (changes, changes));
+        }
+    }
+}

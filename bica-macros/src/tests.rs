@@ -1,0 +1,138 @@
+//! The expanders run as ordinary functions.
+
+use proc_macro2::{TokenStream, TokenTree};
+use quote::quote;
+use syn::{File, Item, parse2};
+
+use crate::{component, tree};
+
+fn machine() -> TokenStream {
+    quote! {
+        impl Player {
+            #[state(initial)]
+            fn look(&mut self, search: &mut Search) {}
+
+            #[state]
+            fn walk(&mut self, legs: &mut Legs<4>, rate: &mut Rate<Legs<4>>) {}
+
+            #[transition(look -> walk)]
+            fn seen(&self, ball: &Ball, time: &Time) -> bool { true }
+
+            #[transition(* -> look, after_ms = 5)]
+            fn lost(&self) -> bool { true }
+
+            #[entry(look | walk)]
+            fn hello(&mut self, ball: &Ball) {}
+
+            #[start]
+            fn woke(&mut self) {}
+        }
+    }
+}
+
+fn forward() -> TokenStream {
+    quote!(pub struct Forward { root: Player, cycle_hz: 100, components: [Player, Legs<4> = Legs::at(0), Ball] })
+}
+
+fn expanded(component: &TokenStream) -> File {
+    parse2(component::run(quote!(hz = 30, resume), component)).expect("code")
+}
+
+fn words(tokens: TokenStream) -> Vec<String> {
+    let word = |token| match token {
+        TokenTree::Group(group) => words(group.stream()),
+        other => vec![other.to_string()],
+    };
+    tokens.into_iter().flat_map(word).collect()
+}
+
+/// The messages of an expansion: the texts of its `compile_error!`.
+fn messages(tokens: TokenStream) -> Vec<String> {
+    let words = words(tokens);
+    let errors = words.windows(3).filter(|three| three[0] == "compile_error");
+    errors.map(|three| three[2].clone()).collect()
+}
+
+#[test]
+fn a_component_is_its_block_and_two_impls() {
+    let file = expanded(&machine());
+    let traits = file.items.iter().map(|item| {
+        let Item::Impl(block) = item else { panic!("only impl blocks") };
+        block.trait_.as_ref().map(|(path, _)| path.segments.last().unwrap().ident.to_string())
+    });
+    let traits = traits.collect::<Vec<_>>();
+    assert_eq!(traits, [None, Some("Component".to_owned()), Some("Wired".to_owned())]);
+}
+
+#[test]
+fn our_attributes_are_gone_and_the_rest_is_as_written() {
+    let file = expanded(&quote! {
+        impl Head {
+            /// Where it looks.
+            #[inline]
+            pub fn pan(&self) -> f32 { self.pan }
+            #[stop]
+            fn rest(&mut self) { self.pan = 0.0; }
+        }
+    });
+    let Item::Impl(block) = &file.items[0] else { panic!("the block comes first") };
+    let written = words(quote!(#block));
+    assert!(!written.contains(&"stop".to_owned()) && written.contains(&"inline".to_owned()));
+}
+
+#[test]
+fn generated_code_is_safe() {
+    for code in [component::run(quote!(), &machine()), tree::run(forward())] {
+        assert!(!words(code).contains(&"unsafe".to_owned()));
+    }
+}
+
+#[test]
+fn a_mistake_leaves_the_block_and_a_component() {
+    let broken = quote!(impl Head { async fn step(&mut self, body: Body, neck: &mut Neck) {} });
+    let code = component::run(quote!(hz = fast), &broken);
+    assert_eq!(messages(code.clone()).len(), 3);
+    let words = words(code);
+    for word in ["Component", "Wired", "Body", "Neck", "async"] {
+        assert!(words.contains(&word.to_owned()), "{word}");
+    }
+}
+
+#[test]
+fn what_is_no_block_comes_back_as_it_was() {
+    let item = quote!(
+        struct Head;
+    );
+    let code = component::run(quote!(), &item);
+    assert!(code.to_string().starts_with(&item.to_string()));
+    assert_eq!(messages(code).len(), 1);
+}
+
+#[test]
+fn all_mistakes_of_a_tree_are_found_at_once() {
+    let code = tree::run(quote!(struct Robot { root: Nobody, cycle_hz: 0, budget_ms: -1, components: [Head, Head] }));
+    assert_eq!(messages(code).len(), 4);
+}
+
+#[test]
+fn a_broken_tree_still_is_one() {
+    let code = tree::run(quote!(struct Robot { root: Nobody, cycle_hz: 100, components: [Head] }));
+    let words = words(code);
+    for word in ["Robot", "Layout", "Has"] {
+        assert!(words.contains(&word.to_owned()), "{word}");
+    }
+    assert!(!words.contains(&"check".to_owned()), "its graph is not what was meant");
+}
+
+#[test]
+fn nothing_at_all_is_an_error_and_no_panic() {
+    for code in [
+        component::run(quote!(), &quote!()),
+        tree::run(quote!()),
+        tree::run(quote!(
+            struct Robot {}
+        )),
+    ] {
+        assert!(!messages(code).is_empty());
+    }
+}
