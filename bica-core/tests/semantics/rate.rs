@@ -139,3 +139,31 @@ fn the_end_of_time_is_no_panic() {
         tree.tick(Instant::from_ticks(ticks));
     }
 }
+
+pub(crate) struct Tired {
+    runs: u32,
+}
+
+#[component(hz = 10, crate = bica_core)]
+impl Tired {
+    fn step(&mut self, rate: &mut Rate<Self>) {
+        self.runs += 1;
+        rate.set(10.0 / self.runs as f32);
+    }
+}
+
+activation_tree! {
+    pub(crate) struct Slower {
+        root: Tired,
+        cycle_hz: 100,
+        components: [Tired = Tired { runs: 0 }],
+        crate: bica_core,
+    }
+}
+
+#[test]
+fn a_component_modulates_its_own_rate() {
+    let mut tree = Slower::new();
+    let moments: Vec<_> = (0..1500).step_by(10).filter(|&ms| !runs(&mut tree, ms).is_empty()).collect();
+    assert_eq!(moments, [0, 100, 300, 600, 1000]);
+}

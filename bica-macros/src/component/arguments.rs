@@ -49,7 +49,7 @@ fn argument(kind: &Type, own: &Type, form: Form, report: &mut Report) -> Option<
             }
             Some(Argument::Time)
         }
-        "Rate" => rate(reference, segment, report),
+        "Rate" => rate(reference, segment, own, report),
         _ => link(reference, own, report),
     }
 }
@@ -67,14 +67,14 @@ fn plain(mut kind: &Type) -> &Type {
     kind
 }
 
-fn rate(reference: &TypeReference, segment: &PathSegment, report: &mut Report) -> Option<Argument> {
+fn rate(reference: &TypeReference, segment: &PathSegment, own: &Type, report: &mut Report) -> Option<Argument> {
     if reference.mutability.is_none() {
         report.add(reference, wording::RATE);
     }
     if let PathArguments::AngleBracketed(list) = &segment.arguments
         && let Some(GenericArgument::Type(of)) = list.args.first()
     {
-        return Some(Argument::Rate(of.clone()));
+        return Some(if is_own(of, own) { Argument::OwnRate } else { Argument::Rate(of.clone()) });
     }
     report.add(segment, wording::RATE_OF_WHAT);
     None
@@ -82,10 +82,14 @@ fn rate(reference: &TypeReference, segment: &PathSegment, report: &mut Report) -
 
 fn link(reference: &TypeReference, own: &Type, report: &mut Report) -> Option<Argument> {
     let child = plain(&reference.elem).clone();
-    let written = text::written(&child);
-    if written == "Self" || written == text::written(own) {
+    if is_own(&child, own) {
         report.add(&child, wording::OWN_LINK);
         return None;
     }
     Some(if reference.mutability.is_some() { Argument::Write(child) } else { Argument::Read(child) })
+}
+
+fn is_own(kind: &Type, own: &Type) -> bool {
+    let written = text::written(kind);
+    written == "Self" || written == text::written(own)
 }

@@ -59,6 +59,8 @@ pub(crate) enum Argument {
     Time,
     /// `&mut Rate<C>`
     Rate(Type),
+    /// `&mut Rate<Self>`
+    OwnRate,
 }
 
 /// `#[state]`

@@ -23,6 +23,9 @@ pub(crate) fn parse(options: TokenStream, item: &TokenStream, report: &mut Repor
         report.add(&item.self_ty, wording::NOT_A_NAME);
         return None;
     }
+    for lifetime in item.generics.lifetimes() {
+        report.add(lifetime, wording::LIFETIME);
+    }
     let options = options::parse(options, report);
     let doc = text::doc(&item.attrs);
     item.attrs.push(parse_quote!(#[allow(clippy::new_without_default, reason = "a tree makes it by `new`")]));

@@ -2,7 +2,6 @@
 
 use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, format_ident, quote};
-use syn::Type;
 
 use crate::component::model::{Argument, Function};
 
@@ -33,12 +32,13 @@ pub(super) fn loan(p: &TokenStream, function: &Function) -> TokenStream {
 }
 
 /// The arguments that are lent: their places, how, and of which type.
-fn children(function: &Function) -> impl DoubleEndedIterator<Item = (usize, TokenStream, &Type)> {
+fn children(function: &Function) -> impl DoubleEndedIterator<Item = (usize, TokenStream, TokenStream)> {
     function.arguments.iter().enumerate().filter_map(|(place, argument)| match argument {
         Argument::Time => None,
-        Argument::Read(child) => Some((place, quote!(Read), child)),
-        Argument::Write(child) => Some((place, quote!(Write), child)),
-        Argument::Rate(child) => Some((place, quote!(Pace), child)),
+        Argument::Read(child) => Some((place, quote!(Read), child.to_token_stream())),
+        Argument::Write(child) => Some((place, quote!(Write), child.to_token_stream())),
+        Argument::Rate(child) => Some((place, quote!(Pace), child.to_token_stream())),
+        Argument::OwnRate => Some((place, quote!(Pace), quote!(Self))),
     })
 }
 

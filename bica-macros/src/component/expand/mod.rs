@@ -23,8 +23,14 @@ pub(crate) fn expand(component: &Component, behaviour: &Behaviour) -> TokenStrea
 }
 
 /// The impl block as written, the mistakes, and a component that does nothing, so that trees that list it hold.
+///
+/// A type that borrows can be no component at all: another message about that would only repeat ours.
 pub(crate) fn stand_in(component: &Component, report: &Report) -> TokenStream {
     let errors = report.to_compile_errors();
+    if component.item.generics.lifetimes().next().is_some() {
+        let item = &component.item;
+        return quote!(#item #errors);
+    }
     let nothing = expand(component, &Behaviour::Unclear);
     quote!(#nothing #errors)
 }
