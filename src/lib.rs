@@ -1,4 +1,59 @@
-//! Placeholder
+//! Behaviour components for robots, with an activation graph that the compiler checks.
+//!
+//! A **component** is the unit of behaviour: it perceives, acts, or decides between the two. It is stepped iteratively, at
+//! its own rate. It activates the components that it needs by naming them in the signature of its step; what nobody needs
+//! is latent and costs nothing. The components that are active now are the **activation tree**: it has one root, and it
+//! changes all the time.
+//!
+//! ```
+//! use bica::prelude::*;
+//!
+//! pub struct Ball { offset: f32 }
+//!
+//! #[component]
+//! impl Ball {
+//!     pub const fn new() -> Self { Self { offset: 0.0 } }
+//! }
+//!
+//! pub struct Head { pan: f32 }
+//!
+//! #[component]
+//! impl Head {
+//!     pub const fn new() -> Self { Self { pan: 0.0 } }
+//! }
+//!
+//! pub struct FaceBall { gain: f32 }
+//!
+//! #[component(hz = 30, budget_us = 40)]
+//! impl FaceBall {
+//!     pub const fn new() -> Self { Self { gain: 0.5 } }
+//!
+//!     /// Keeps the ball in the middle of the image: `Ball` runs before, `Head` after.
+//!     fn step(&mut self, ball: &Ball, head: &mut Head) {
+//!         head.pan += self.gain * ball.offset;
+//!     }
+//! }
+//!
+//! activation_tree! {
+//!     pub struct Robot { root: FaceBall, cycle_hz: 100, budget_ms: 5, components: [FaceBall, Ball, Head] }
+//! }
+//!
+//! let mut robot = Robot::new();                  // no heap: it may stand in a `static`
+//! robot.get_mut::<Ball>().offset = 0.8;          // sense
+//! robot.tick(Instant::from_millis(0));           // think: one chain of direct calls
+//! assert_eq!(robot.get::<Head>().pan, 0.4);      // act
+//! ```
+//!
+//! # Where to look
+//!
+//! - [`component`](macro@component): links, rates, budgets, state machines.
+//! - [`activation_tree!`]: a robot's components, and what the compiler checks of them.
+//! - [`Tree`]: ticking, reading and writing components, their rates, holding them active or latent.
+//! - [`Probe`]: watching a tree at work. [`Graph`]: its static description, for drawings and tools.
+//! - [The crate underneath](bica_core): the rules by which components run.
+//! - The examples of this package: `first_component`, `shared_child`, `state_machine`, `probe`, `static_tree`.
+//!
+//! This crate needs no operating system, no heap and no `unsafe` of its users.
 #![no_std]
 
 #[doc(hidden)]

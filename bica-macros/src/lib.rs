@@ -18,17 +18,13 @@ mod wording;
 
 use proc_macro::TokenStream;
 
-/// Makes a component of the type whose impl block this is.
-///
-/// See the documentation of the facade crate `bica`.
+#[doc = include_str!("../doc/component.md")]
 #[proc_macro_attribute]
 pub fn component(options: TokenStream, item: TokenStream) -> TokenStream {
     component::run(options.into(), &item.into()).into()
 }
 
-/// Makes a tree of components.
-///
-/// See the documentation of the facade crate `bica`.
+#[doc = include_str!("../doc/activation_tree.md")]
 #[proc_macro]
 pub fn activation_tree(input: TokenStream) -> TokenStream {
     tree::run(input.into()).into()
