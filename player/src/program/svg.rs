@@ -11,9 +11,9 @@ use kind::Kind;
 use layers::{Item, Layers, Segment};
 use place::{BOX_HEIGHT, BOX_WIDTH, Places};
 
-mod kind;
-mod layers;
-mod place;
+pub(in crate::program) mod kind;
+pub(in crate::program) mod layers;
+pub(in crate::program) mod place;
 #[cfg(test)]
 mod tests;
 

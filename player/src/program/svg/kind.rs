@@ -4,7 +4,7 @@ use bica::graph::{Graph, LinkKind};
 
 /// What a component is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Kind {
+pub(in crate::program) enum Kind {
     /// Has states.
     Machine,
     /// Writes others; or is the root.
@@ -16,10 +16,10 @@ pub(super) enum Kind {
 }
 
 impl Kind {
-    pub(super) const ALL: [Self; 4] = [Self::Machine, Self::Controller, Self::Perception, Self::Actuation];
+    pub(in crate::program) const ALL: [Self; 4] = [Self::Machine, Self::Controller, Self::Perception, Self::Actuation];
 
     /// The kind of the component with this index.
-    pub(super) fn of(graph: &Graph, index: usize) -> Self {
+    pub(in crate::program) fn of(graph: &Graph, index: usize) -> Self {
         let node = &graph.nodes[index];
         let is_modulation = |kind: LinkKind| kind == LinkKind::Modulation;
         let written = graph.nodes.iter().flat_map(|node| node.links).any(|l| l.to == index && is_modulation(l.kind));
@@ -35,7 +35,7 @@ impl Kind {
         }
     }
 
-    pub(super) fn name(self) -> &'static str {
+    pub(in crate::program) fn name(self) -> &'static str {
         match self {
             Self::Machine => "state machine",
             Self::Controller => "controller",
@@ -45,7 +45,7 @@ impl Kind {
     }
 
     /// Fill and border.
-    pub(super) fn colours(self) -> (&'static str, &'static str) {
+    pub(in crate::program) fn colours(self) -> (&'static str, &'static str) {
         match self {
             Self::Machine => ("#fde3b0", "#d4860b"),
             Self::Controller => ("#cfe3ff", "#3b7dd8"),

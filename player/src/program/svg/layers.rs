@@ -10,7 +10,7 @@ const SWEEPS: usize = 24;
 
 /// What has a place in a row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Item {
+pub(in crate::program) enum Item {
     /// A component.
     Component(usize),
     /// Where the lines to a component further below pass.
@@ -19,26 +19,26 @@ pub(super) enum Item {
 
 /// A stretch of one or more links between neighbouring rows, with indices of items.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Segment {
-    pub(super) upper: usize,
-    pub(super) lower: usize,
+pub(in crate::program) struct Segment {
+    pub(in crate::program) upper: usize,
+    pub(in crate::program) lower: usize,
     /// Whether the link leads up, which only happens in a cycle.
-    pub(super) upward: bool,
-    pub(super) kind: LinkKind,
+    pub(in crate::program) upward: bool,
+    pub(in crate::program) kind: LinkKind,
 }
 
 /// The rows of a drawing.
 #[derive(Debug)]
-pub(super) struct Layers {
+pub(in crate::program) struct Layers {
     /// The components in the order of the tree, and behind them the passages.
-    pub(super) items: Vec<Item>,
-    pub(super) segments: Vec<Segment>,
+    pub(in crate::program) items: Vec<Item>,
+    pub(in crate::program) segments: Vec<Segment>,
     /// The items of each row from left to right.
-    pub(super) rows: Vec<Vec<usize>>,
+    pub(in crate::program) rows: Vec<Vec<usize>>,
 }
 
 impl Layers {
-    pub(super) fn new(graph: &Graph) -> Self {
+    pub(in crate::program) fn new(graph: &Graph) -> Self {
         let depths = depths(graph);
         let count = depths.iter().max().map_or(0, |depth| depth + 1);
         let mut layers = Self {
@@ -107,7 +107,7 @@ impl Layers {
     }
 
     /// The items above, or below, with a line to this one.
-    pub(super) fn neighbours(&self, item: usize, upper: bool) -> impl Iterator<Item = usize> {
+    pub(in crate::program) fn neighbours(&self, item: usize, upper: bool) -> impl Iterator<Item = usize> {
         let ends = self.segments.iter().map(move |s| if upper { (s.lower, s.upper) } else { (s.upper, s.lower) });
         ends.filter(move |&(this, _)| this == item).map(|(_, other)| other)
     }

@@ -2,8 +2,8 @@
 
 use super::layers::{Item, Layers, Segment};
 
-pub(super) const BOX_WIDTH: f64 = 104.0;
-pub(super) const BOX_HEIGHT: f64 = 38.0;
+pub(in crate::program) const BOX_WIDTH: f64 = 104.0;
+pub(in crate::program) const BOX_HEIGHT: f64 = 38.0;
 const PASSAGE_WIDTH: f64 = 2.0;
 const GAP: f64 = 11.0;
 const ROW: f64 = 96.0;
@@ -13,9 +13,9 @@ const SWEEPS: usize = 60;
 
 /// The positions of all items.
 #[derive(Debug)]
-pub(super) struct Places {
-    pub(super) width: f64,
-    pub(super) height: f64,
+pub(in crate::program) struct Places {
+    pub(in crate::program) width: f64,
+    pub(in crate::program) height: f64,
     /// The middle of each item.
     x: Vec<f64>,
     /// Its upper end.
@@ -26,7 +26,7 @@ pub(super) struct Places {
 }
 
 impl Places {
-    pub(super) fn new(layers: &Layers) -> Self {
+    pub(in crate::program) fn new(layers: &Layers) -> Self {
         let x = columns(layers);
         let left = bounds(layers, &x).0;
         let x: Vec<f64> = x.into_iter().map(|x| x - left + MARGIN).collect();
@@ -47,12 +47,12 @@ impl Places {
     }
 
     /// The middle of the upper edge of an item.
-    pub(super) fn of(&self, item: usize) -> (f64, f64) {
+    pub(in crate::program) fn of(&self, item: usize) -> (f64, f64) {
         (self.x[item], self.y[item])
     }
 
     /// Where a segment starts and ends.
-    pub(super) fn ends(&self, segment: &Segment) -> ((f64, f64), (f64, f64)) {
+    pub(in crate::program) fn ends(&self, segment: &Segment) -> ((f64, f64), (f64, f64)) {
         let ports = self.segments.iter().zip(&self.ports).find(|(other, _)| *other == segment);
         let (from, to) = ports.map_or((self.x[segment.upper], self.x[segment.lower]), |(_, ports)| *ports);
         ((from, self.y[segment.upper] + BOX_HEIGHT), (to, self.y[segment.lower]))

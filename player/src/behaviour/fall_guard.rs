@@ -1,0 +1,92 @@
+//! Falls.
+
+use bica::prelude::*;
+use bica_motion::fall::{Direction, Uprightness};
+use bica_motion::getup;
+use bica_motion::keyframes::{Keyframe, Motion};
+
+use crate::input::Measured;
+use crate::output::Motors;
+use crate::perception::FallDetector;
+
+/// Takes over when the robot falls: softens the fall, then gets it up, from the front or from the back.
+#[derive(Debug)]
+pub struct FallGuard {
+    movement: Motion,
+    brace: [Keyframe; 1],
+    upright: bool,
+}
+
+#[component(budget_us = 10)]
+impl FallGuard {
+    /// Has nothing to do yet.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self { movement: Motion::none(), brace: [getup::protection(Direction::Front)], upright: false }
+    }
+
+    /// In the air: limbs in, joints soft.
+    #[state(initial)]
+    fn brace(&mut self, falls: &FallDetector, motors: &mut Motors) {
+        if let Uprightness::Falling(direction) = falls.state() {
+            self.brace = [getup::protection(direction)];
+        }
+        let [frame] = &self.brace;
+        motors.whole(&frame.posture, frame.stiffness);
+    }
+
+    /// On the ground: plays the movement that gets it up from there.
+    #[state]
+    fn get_up(&mut self, time: &Time, motors: &mut Motors) {
+        if let Some((posture, stiffness)) = self.movement.step(time.dt()) {
+            motors.whole(&posture, stiffness);
+        }
+    }
+
+    /// On its feet.
+    #[state(last)]
+    fn stand(&mut self) {
+        self.upright = true;
+    }
+
+    #[transition(brace -> get_up)]
+    fn lies(&self, falls: &FallDetector) -> bool {
+        matches!(falls.state(), Uprightness::Fallen(_))
+    }
+
+    /// It was a stumble.
+    #[transition(brace -> stand, after_ms = 500)]
+    fn never_fell(&self, falls: &FallDetector) -> bool {
+        falls.upright()
+    }
+
+    #[transition(get_up -> stand)]
+    fn is_up(&self, falls: &FallDetector) -> bool {
+        self.movement.is_done() && falls.upright()
+    }
+
+    /// It did not work: once more, from where the robot lies now.
+    #[transition(get_up -> brace)]
+    fn failed(&self) -> bool {
+        self.movement.is_done()
+    }
+
+    #[entry(get_up)]
+    fn begin(&mut self, falls: &FallDetector, body: &Measured) {
+        if let Uprightness::Fallen(direction) = falls.state() {
+            self.movement = Motion::new(getup::from(direction), *body.angles());
+        }
+    }
+
+    #[stop]
+    fn end(&mut self) {
+        self.upright = false;
+        self.movement = Motion::none();
+    }
+
+    /// Whether the robot stands again.
+    #[must_use]
+    pub const fn upright(&self) -> bool {
+        self.upright
+    }
+}

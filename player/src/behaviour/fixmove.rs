@@ -1,0 +1,109 @@
+//! A fixed movement after an alignment.
+
+use bica::prelude::*;
+use bica_motion::pose::{rotate, wrap};
+use bica_motion::walk::Velocity;
+use libm::fabsf;
+
+use crate::motion::{Body, Kicker};
+use crate::perception::{BallDetector, Odometry};
+use crate::strategy::Strike;
+
+/// How near the ball must come to the place where the kick hits it, m, ahead and sideways.
+const NEAR: (f32, f32) = (0.015, 0.015);
+/// How near the heading must come to the wanted one, rad.
+const HEADED: f32 = 0.08;
+/// How hard to correct places, 1/s, and headings, 1/s.
+const GAIN: (f32, f32) = (1.5, 1.2);
+/// Fastest correction, m/s and rad/s.
+const FASTEST: (f32, f32) = (0.08, 0.5);
+
+/// A ball farther away than this is walked to first, m.
+const FAR: f32 = 0.5;
+/// Runs in place and still before the kick: time for some images of the ball at rest.
+const SETTLED: u8 = 8;
+
+/// Lines the body up with the ball, sideways, ahead and in heading, then plays one of the six kicks.
+#[derive(Debug)]
+pub struct Fixmove {
+    strike: Option<Strike>,
+    settled: u8,
+    far: bool,
+    done: bool,
+}
+
+#[component(hz = 30, budget_us = 10)]
+impl Fixmove {
+    /// Has nothing to play.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self { strike: None, settled: 0, far: false, done: false }
+    }
+
+    #[stop]
+    fn end(&mut self) {
+        *self = Self::new();
+    }
+
+    /// Steps to where the kick hits the ball.
+    #[state(initial)]
+    fn align(&mut self, ball: &BallDetector, odometry: &Odometry, body: &mut Body) {
+        let (Some(strike), Some(at)) = (self.strike, ball.at()) else { return body.stand() };
+        self.far = at.length() > FAR;
+        let turn = wrap(strike.heading - odometry.pose().heading);
+        let off = at - rotate(strike.kick.ball(), turn);
+        let aligned = fabsf(off.x) < NEAR.0 && fabsf(off.y) < NEAR.1 && fabsf(turn) < HEADED;
+        self.settled = if aligned && body.is_still() { self.settled.saturating_add(1) } else { 0 };
+        if aligned {
+            body.stand();
+        } else {
+            body.step_to(Velocity {
+                forward: (GAIN.0 * off.x).clamp(-FASTEST.0, FASTEST.0),
+                left: (GAIN.0 * off.y).clamp(-FASTEST.0, FASTEST.0),
+                turn: (GAIN.1 * turn).clamp(-FASTEST.1, FASTEST.1),
+            });
+        }
+    }
+
+    /// Plays the kick.
+    #[state]
+    fn strike(&mut self, kicker: &mut Kicker) {
+        if let Some(strike) = self.strike {
+            kicker.play(strike.kick);
+        }
+    }
+
+    /// The kick is over.
+    #[state(last)]
+    fn over(&mut self, body: &mut Body) {
+        self.done = true;
+        body.stand();
+    }
+
+    #[transition(align -> strike)]
+    fn in_place(&self) -> bool {
+        self.settled >= SETTLED
+    }
+
+    #[transition(strike -> over)]
+    fn played(&self, kicker: &Kicker) -> bool {
+        kicker.done()
+    }
+
+    /// Asks for `strike`; takes effect while it is not played yet.
+    pub const fn play(&mut self, strike: Strike) {
+        self.strike = Some(strike);
+    }
+
+    /// Whether the ball lies too far off to line up with it.
+    #[must_use]
+    pub const fn out_of_reach(&self) -> bool {
+        self.far
+    }
+
+    /// Whether the kick was played to its end.
+    #[must_use]
+    pub const fn done(&self) -> bool {
+        self.done
+    }
+}

@@ -1,0 +1,49 @@
+//! The tree, and its door to a robot.
+
+use bica::prelude::*;
+use bica_motion::robot::{Command, Lights, Sensors};
+
+use crate::behaviour::{FaceBall, FallGuard, Fixmove, FollowBall, GoRound, Player, SearchBall, SearchNet};
+use crate::input::{Colours, Eye, FrameTooLarge, Measured};
+use crate::motion::{Body, GoStraight, Head, Kicker, Turn, Walk};
+use crate::output::{Gaze, Motors};
+use crate::perception::{BallDetector, CameraPose, FallDetector, FieldEnd, NetDetector, Odometry};
+
+activation_tree! {
+    /// The forward of RoboCup 2009: finds the ball, walks to it, looks for the goal, lines up and kicks.
+    pub struct Forward {
+        root: Player,
+        cycle_hz: 100,
+        budget_ms: 200,
+        components: [
+            Player,
+            SearchBall, FollowBall, SearchNet, GoRound, Fixmove, FallGuard, FaceBall,
+            Body, GoStraight, Turn, Walk, Kicker, Head,
+            BallDetector, NetDetector, FieldEnd, CameraPose, Odometry, FallDetector,
+            Eye, Colours, Measured,
+            Motors, Gaze,
+        ],
+    }
+}
+
+/// Before a tick: tells the tree what the robot senses.
+///
+/// # Errors
+/// [`FrameTooLarge`] if the image does not fit into the eye; all else is taken in, and the last image stays.
+pub fn sense(robot: &mut Forward, sensors: &Sensors<'_>) -> Result<(), FrameTooLarge> {
+    robot.get_mut::<Measured>().measure(sensors);
+    let angles = *robot.get::<Measured>().angles();
+    sensors.image.as_ref().map_or(Ok(()), |image| robot.get_mut::<Eye>().see(image, &angles))
+}
+
+/// After a tick: what the robot is to do.
+#[must_use]
+pub fn act(robot: &Forward) -> Command {
+    let motors = robot.get::<Motors>();
+    Command {
+        targets: motors.targets(),
+        stiffness: *motors.stiffness(),
+        lights: Lights::default(),
+        camera: robot.get::<Gaze>().camera(),
+    }
+}

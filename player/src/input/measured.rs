@@ -1,0 +1,77 @@
+//! What the body measures of itself.
+
+use bica::prelude::*;
+use bica_motion::joints::Joints;
+use bica_motion::robot::{Buttons, FootPressure, Inertial, Sensors};
+use bica_motion::side::Side;
+
+/// Joint angles, inertial unit, feet and buttons of this cycle.
+#[derive(Clone, Copy, Debug)]
+pub struct Measured {
+    angles: Joints<f32>,
+    inertial: Inertial,
+    feet: (FootPressure, FootPressure),
+    buttons: Buttons,
+}
+
+#[component(budget_us = 1)]
+impl Measured {
+    /// A body that has measured nothing yet: everything zero.
+    #[must_use]
+    pub const fn new() -> Self {
+        const NONE: FootPressure = FootPressure { front_left: 0.0, front_right: 0.0, rear_left: 0.0, rear_right: 0.0 };
+        Self {
+            angles: Joints([0.0; bica_motion::joints::JOINTS]),
+            inertial: Inertial { gyro: glam::Vec3::ZERO, acceleration: glam::Vec3::ZERO, roll: 0.0, pitch: 0.0 },
+            feet: (NONE, NONE),
+            buttons: Buttons { chest: false, left_bumper: false, right_bumper: false },
+        }
+    }
+
+    /// Takes this cycle's measurements. A value that is no number is replaced by the last good one.
+    pub fn measure(&mut self, sensors: &Sensors<'_>) {
+        for (kept, new) in self.angles.0.iter_mut().zip(sensors.angles.0) {
+            if new.is_finite() {
+                *kept = new;
+            }
+        }
+        let new = &sensors.inertial;
+        if new.gyro.is_finite() && new.acceleration.is_finite() && new.roll.is_finite() && new.pitch.is_finite() {
+            self.inertial = *new;
+        }
+        if sensors.left_foot.total().is_finite() && sensors.right_foot.total().is_finite() {
+            self.feet = (sensors.left_foot, sensors.right_foot);
+        }
+        self.buttons = sensors.buttons;
+    }
+
+    /// Joint angles, rad.
+    #[must_use]
+    pub const fn angles(&self) -> &Joints<f32> {
+        &self.angles
+    }
+
+    /// The inertial unit.
+    #[must_use]
+    pub const fn inertial(&self) -> &Inertial {
+        &self.inertial
+    }
+
+    /// Pressure under the left and the right sole.
+    #[must_use]
+    pub const fn feet(&self) -> (&FootPressure, &FootPressure) {
+        (&self.feet.0, &self.feet.1)
+    }
+
+    /// The foot that carries more of the weight.
+    #[must_use]
+    pub fn support(&self) -> Side {
+        if self.feet.1.total() > self.feet.0.total() { Side::Right } else { Side::Left }
+    }
+
+    /// Buttons and bumpers.
+    #[must_use]
+    pub const fn buttons(&self) -> &Buttons {
+        &self.buttons
+    }
+}

@@ -1,0 +1,15 @@
+//! How the body moves: from wishes to joint targets.
+
+mod body;
+mod go_straight;
+mod head;
+mod kicker;
+mod turn;
+mod walk;
+
+pub use body::Body;
+pub use go_straight::GoStraight;
+pub use head::Head;
+pub use kicker::Kicker;
+pub use turn::Turn;
+pub use walk::Walk;

@@ -1,0 +1,47 @@
+//! The walk.
+
+use bica::prelude::*;
+use bica_motion::walk::{Body as Felt, Parameters, Phase, Velocity, Walk as Gait};
+
+use crate::input::Measured;
+use crate::output::Motors;
+
+/// Walks with the velocity that is asked for; brings the feet together and stands when it is zero.
+#[derive(Debug)]
+pub struct Walk {
+    gait: Gait,
+    request: Velocity,
+}
+
+#[component(budget_us = 20)]
+impl Walk {
+    /// A walk that stands.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self { gait: Gait::new(Parameters::NAO), request: Velocity::ZERO }
+    }
+
+    /// Whatever moved the body before has left it in the stand.
+    #[start]
+    fn begin(&mut self) {
+        self.gait.reset();
+        self.request = Velocity::ZERO;
+    }
+
+    fn step(&mut self, time: &Time, body: &Measured, motors: &mut Motors) {
+        let (&left_foot, &right_foot) = body.feet();
+        let felt = Felt { gyro: body.inertial().gyro, left_foot, right_foot };
+        motors.limbs(&self.gait.step(self.request, &felt, time.dt()));
+    }
+
+    /// Asks for a velocity: m/s and rad/s, seen from the robot.
+    pub const fn request(&mut self, velocity: Velocity) {
+        self.request = velocity;
+    }
+
+    /// Whether both feet are together and still.
+    #[must_use]
+    pub fn stands(&self) -> bool {
+        self.gait.phase() == Phase::Standing
+    }
+}

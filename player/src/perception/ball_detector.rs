@@ -1,0 +1,128 @@
+//! The ball.
+
+use bica::prelude::*;
+use bica_motion::pose::Pose2;
+use bica_motion::robot::CameraId;
+use bica_vision::ball::{Ball, BallFinder, RADIUS};
+use bica_vision::frame::Frame;
+use bica_vision::memory::Memory;
+use glam::Vec2;
+
+use super::{CameraPose, Direction, FieldEnd, Odometry};
+use crate::input::{Colours, Eye};
+
+/// Sightings in a row that make sure.
+const SURE: u8 = 2;
+/// Time without a sighting after which the ball is lost, ms.
+const LOST: u64 = 2000;
+
+/// Time without a sighting in which the belief in the ball's place halves, s.
+const HALF_LIFE: f32 = 2.0;
+
+/// Finds the ball in the image and remembers where it lies while it is not seen.
+pub struct BallDetector {
+    finder: BallFinder<512>,
+    seen: Option<Seen>,
+    in_row: u8,
+    unseen_ms: u64,
+    memory: Memory,
+    moved: Pose2,
+    image: u32,
+}
+
+/// A ball in an image.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Seen {
+    /// Centre and radius, px.
+    pub ball: Ball,
+    /// Where it was, seen from the torso.
+    pub direction: Direction,
+    /// The camera that saw it.
+    pub camera: CameraId,
+}
+
+#[component(hz = 30, budget_us = 500)]
+impl BallDetector {
+    /// Knows of no ball.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self {
+            finder: BallFinder::new(RADIUS),
+            seen: None,
+            in_row: 0,
+            unseen_ms: LOST,
+            memory: Memory::new(HALF_LIFE),
+            moved: Pose2::ORIGIN,
+            image: 0,
+        }
+    }
+
+    fn step(
+        &mut self,
+        time: &Time,
+        eye: &Eye,
+        colours: &Colours,
+        end: &FieldEnd,
+        pose: &CameraPose,
+        odometry: &Odometry,
+    ) {
+        self.unseen_ms = self.unseen_ms.saturating_add(time.since_run.as_millis());
+        self.memory.advance(self.moved.inverse() * odometry.pose(), time.dt());
+        self.moved = odometry.pose();
+        if self.image != eye.count() {
+            self.image = eye.count();
+            self.seen = self.look(eye, colours, end, pose);
+            self.in_row = if self.seen.is_some() { self.in_row.saturating_add(1) } else { 0 };
+            self.note(pose);
+        }
+    }
+
+    fn look(&mut self, eye: &Eye, colours: &Colours, end: &FieldEnd, pose: &CameraPose) -> Option<Seen> {
+        let image = eye.image();
+        let (frame, camera) = (Frame::from_image(&image).ok()?, pose.camera()?);
+        let ball = self.finder.find(&frame, colours, end.line(), Some(camera))?;
+        Some(Seen { ball, direction: Direction::of(camera.ray(ball.centre)), camera: image.camera })
+    }
+
+    fn note(&mut self, pose: &CameraPose) {
+        let Some(seen) = self.seen else { return };
+        if !self.sure() {
+            return;
+        }
+        self.unseen_ms = 0;
+        if let Some(at) = pose.camera().and_then(|camera| seen.ball.ground(camera, RADIUS)) {
+            self.memory.see(at, seen.ball.confidence);
+        }
+    }
+
+    /// The ball in the newest image.
+    #[must_use]
+    pub const fn seen(&self) -> Option<&Seen> {
+        self.seen.as_ref()
+    }
+
+    /// Whether the ball was in the last images, one after the other.
+    #[must_use]
+    pub const fn sure(&self) -> bool {
+        self.in_row >= SURE
+    }
+
+    /// Whether the ball has not been seen for two seconds.
+    #[must_use]
+    pub const fn lost(&self) -> bool {
+        self.unseen_ms >= LOST
+    }
+
+    /// Where to look for the ball: where it is seen, else where it is believed to lie.
+    #[must_use]
+    pub fn direction(&self) -> Option<Direction> {
+        let remembered = || self.at().map(|at| Direction::of_ground(at, RADIUS));
+        self.seen.map(|seen| seen.direction).or_else(remembered)
+    }
+
+    /// Where the ball is believed to lie, m, in the frame on the ground between the feet.
+    #[must_use]
+    pub fn at(&self) -> Option<Vec2> {
+        self.memory.position()
+    }
+}

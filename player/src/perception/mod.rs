@@ -1,0 +1,17 @@
+//! What the robot sees and feels, one component for each stimulus.
+
+mod aim;
+mod ball_detector;
+mod camera_pose;
+mod fall_detector;
+mod field_end;
+mod net_detector;
+mod odometry;
+
+pub use aim::Direction;
+pub use ball_detector::{BallDetector, Seen};
+pub use camera_pose::CameraPose;
+pub use fall_detector::FallDetector;
+pub use field_end::FieldEnd;
+pub use net_detector::NetDetector;
+pub use odometry::Odometry;

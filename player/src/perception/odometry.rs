@@ -1,0 +1,33 @@
+//! The way that the robot made.
+
+use bica::prelude::*;
+use bica_motion::odometry::Odometry as Estimate;
+use bica_motion::pose::Pose2;
+
+use crate::input::Measured;
+
+/// Where the robot is, seen from where it started, by the motion of the foot that carries it.
+#[derive(Debug)]
+pub struct Odometry {
+    estimate: Estimate,
+}
+
+#[component(budget_us = 10)]
+impl Odometry {
+    /// At the origin.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self { estimate: Estimate::new() }
+    }
+
+    fn step(&mut self, body: &Measured) {
+        let (left, right) = body.feet();
+        self.estimate.step(body.angles(), left, right, None);
+    }
+
+    /// The ground between the feet, in the frame of where the robot started.
+    #[must_use]
+    pub const fn pose(&self) -> Pose2 {
+        self.estimate.pose()
+    }
+}

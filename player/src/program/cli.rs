@@ -1,0 +1,129 @@
+//! The command line.
+
+use std::path::PathBuf;
+
+use bica_sim::field::{Frame, MAX_ROBOTS};
+use clap::{Args, Parser, Subcommand, ValueEnum};
+
+const AFTER: &str = "\
+Examples:
+  player                                one game, told as it goes
+  player --seed 7 --realtime            another game, at the speed of a clock
+  player --pictures album               the same, with a picture of every change of the tree
+  player play --games 100               many games on all cores, and a table
+  player graph --format svg > tree.svg  the activation tree, drawn
+  player watch frames --pictures seen   what the eyes see in recorded images
+
+Exit codes: 0 a goal (or what was asked is done), 1 no goal, 2 wrong arguments or files, 130 stopped by Ctrl-C.
+Colours are left out if NO_COLOR is set or the output is no terminal.";
+
+const ABOUT: &str = "\
+A NAO that plays forward on the field of RoboCup 2009: finds the ball in its camera
+images, walks to it, looks for the goal, lines up, kicks.
+
+Without a command it plays one game in the built-in world. Every behaviour is a
+component of an activation tree; the program tells how the tree changes, and measures
+what each component costs.";
+
+/// What the command line says.
+#[derive(Debug, Parser)]
+#[command(name = "player", version, about = ABOUT, after_help = AFTER, args_conflicts_with_subcommands = true)]
+pub(crate) struct Cli {
+    #[command(subcommand)]
+    pub(crate) command: Option<Command>,
+    #[command(flatten)]
+    pub(crate) play: Play,
+}
+
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    /// Play in the built-in world (this is what `player` alone does)
+    Play(Play),
+    /// Print the activation tree: its components, rates, links, states and transitions
+    Graph(GraphArgs),
+    /// Look at a folder of camera images (PNG) with the forward's eyes
+    Watch(Watch),
+}
+
+#[derive(Clone, Debug, Args)]
+pub(crate) struct Play {
+    /// Decides where robot and ball start, the light, the noise: the same seed gives the same game, bit for bit
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    pub(crate) seed: u64,
+    /// Play as fast as a clock instead of as fast as possible
+    #[arg(long)]
+    pub(crate) realtime: bool,
+    /// Put N more robots in the way, besides the goalkeeper
+    #[arg(long, value_name = "N", default_value_t = 0, value_parser = robots)]
+    pub(crate) robots: usize,
+    /// The size of the camera images: 160x120, 320x240 or 640x480
+    #[arg(long, value_name = "WxH", default_value = "320x240", value_parser = size)]
+    pub(crate) size: Frame,
+    /// End a game without a goal after this time in the world
+    #[arg(long, value_name = "S", default_value_t = 120.0, value_parser = seconds)]
+    pub(crate) seconds: f64,
+    /// Write a picture (PNG) at every change of the tree; several games get a folder each
+    #[arg(long, value_name = "DIR")]
+    pub(crate) pictures: Option<PathBuf>,
+    /// Play N games, with the seeds from --seed on, and print a table
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    pub(crate) games: Option<u32>,
+    /// Play this many games at once [default: one for each core]; the results are the same for any number
+    #[arg(long, value_name = "N", requires = "games", value_parser = clap::value_parser!(u32).range(1..=1024))]
+    pub(crate) threads: Option<u32>,
+    /// Exit with 0 if at least this many games ended in a goal [default: all]
+    #[arg(long, value_name = "N", requires = "games")]
+    pub(crate) at_least: Option<u32>,
+    /// Print the results as JSON on stdout and nothing else there; what is said to people goes to stderr
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+#[derive(Clone, Debug, Args)]
+pub(crate) struct GraphArgs {
+    /// What to print: a drawing (svg), a text for Graphviz (dot) or for Markdown (mermaid), or data (json)
+    #[arg(long, value_name = "FORMAT", default_value = "svg")]
+    pub(crate) format: Format,
+    /// The same as --format json
+    #[arg(long, conflicts_with = "format")]
+    pub(crate) json: bool,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Format {
+    Svg,
+    Dot,
+    Mermaid,
+    Json,
+}
+
+#[derive(Clone, Debug, Args)]
+pub(crate) struct Watch {
+    /// The folder; its PNG files are looked at in the order of their names
+    #[arg(value_name = "DIR")]
+    pub(crate) folder: PathBuf,
+    /// Camera poses, without which nothing is known of distances [default: `DIR_pose.csv` beside DIR, if it is there]
+    #[arg(long, value_name = "CSV")]
+    pub(crate) poses: Option<PathBuf>,
+    /// Write each image with what was recognised drawn in
+    #[arg(long, value_name = "DIR")]
+    pub(crate) pictures: Option<PathBuf>,
+    /// Print what was seen as JSON on stdout and nothing else there; what is said to people goes to stderr
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+fn robots(text: &str) -> Result<usize, String> {
+    let fits = text.parse().ok().filter(|&count| count <= MAX_ROBOTS);
+    fits.ok_or_else(|| format!("a number from 0 to {MAX_ROBOTS} is needed"))
+}
+
+fn size(text: &str) -> Result<Frame, String> {
+    let known = text.split_once('x').and_then(|(w, h)| Frame::of_size(w.parse().ok()?, h.parse().ok()?));
+    known.ok_or_else(|| "the cameras give 160x120, 320x240 or 640x480".to_owned())
+}
+
+fn seconds(text: &str) -> Result<f64, String> {
+    let fits = text.parse().ok().filter(|time: &f64| (0.01..=86_400.0).contains(time));
+    fits.ok_or_else(|| "a time from 0.01 to 86400 seconds is needed".to_owned())
+}

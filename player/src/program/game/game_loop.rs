@@ -1,0 +1,142 @@
+//! One game: sense, think, act, a hundred times a second of the world.
+
+use std::thread;
+use std::time::{Duration, Instant as Clock};
+
+use bica::{Instant, Tree};
+use bica_motion::pose::Pose2;
+use bica_player::perception::NetDetector;
+use bica_player::{Forward, act, sense};
+use bica_sim::World;
+use bica_sim::field::{FieldWorld, Frame, Setup};
+use bica_sim::referee::GoalColour;
+use bica_vision::colour::Colour;
+use glam::Vec2;
+
+use super::audience::Audience;
+use super::fingerprint::Fingerprint;
+use super::latency::Latencies;
+use super::meter::Meter;
+use super::record::{Record, Tally};
+use super::scene::{GRAPH, Scene};
+use crate::program::ending::Failure;
+use crate::program::stop;
+
+/// Points of the ball's way are at least this far apart, m.
+const TRAIL: f32 = 0.03;
+
+/// What is agreed on before a game.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Rules {
+    pub(crate) seed: u64,
+    pub(crate) size: Frame,
+    pub(crate) robots: usize,
+    /// The longest time of a game in the world.
+    pub(crate) limit: Duration,
+    pub(crate) realtime: bool,
+}
+
+/// Plays to the first goal, to the end of the time, or until Ctrl-C.
+pub(crate) fn play(rules: &Rules, audience: &mut impl Audience) -> Result<Record, Failure> {
+    let mut game = Game::new(rules)?;
+    let began = Clock::now();
+    while !game.is_over(rules) && !stop::asked() {
+        game.cycle()?;
+        game.report(audience)?;
+        if rules.realtime {
+            thread::sleep(game.world.now().saturating_sub(began.elapsed()));
+        }
+    }
+    Ok(game.into_record(rules, began.elapsed()))
+}
+
+struct Game {
+    seed: u64,
+    world: FieldWorld,
+    robot: Box<Forward>,
+    tally: Tally,
+    /// When the last cycle was.
+    thought: Duration,
+    start: Pose2,
+    trail: Vec<Vec2>,
+    reported: usize,
+}
+
+impl Game {
+    fn new(rules: &Rules) -> Result<Self, Failure> {
+        let setup = Setup { seed: rules.seed, frame: rules.size, robots: rules.robots, ..Setup::default() };
+        let world = FieldWorld::new(&setup)
+            .map_err(|error| Failure::new(format!("no such game can be set up: {error}"), "try another --robots"))?;
+        let mut robot = Box::new(Forward::new());
+        robot.get_mut::<NetDetector>().attack(match world.referee().attacks() {
+            GoalColour::Yellow => Colour::Yellow,
+            GoalColour::SkyBlue => Colour::Blue,
+        });
+        let tally = Tally {
+            cycles: 0,
+            tree_changes: 0,
+            fingerprint: Fingerprint::new(),
+            latencies: Latencies::default(),
+            meter: Meter::new(&GRAPH),
+        };
+        let (start, ball) = (world.referee().robot(), world.referee().ball());
+        Ok(Self {
+            seed: rules.seed,
+            world,
+            robot,
+            tally,
+            thought: Duration::ZERO,
+            start,
+            trail: vec![ball],
+            reported: 0,
+        })
+    }
+
+    fn is_over(&self, rules: &Rules) -> bool {
+        self.world.referee().goals() > 0 || self.world.now() >= rules.limit
+    }
+
+    fn cycle(&mut self) -> Result<(), Failure> {
+        self.thought = self.world.now();
+        let now = Instant::from_micros(self.thought.as_micros() as u64);
+        let sensors = self.world.sensors();
+        let began = Clock::now();
+        sense(&mut self.robot, &sensors).map_err(|error| Failure::new(error.to_string(), "choose a smaller --size"))?;
+        self.robot.tick_with(now, &mut self.tally.meter);
+        let command = act(&self.robot);
+        self.tally.latencies.note(began.elapsed());
+        self.world.act(&command);
+        let ball = self.world.referee().ball();
+        self.tally.fingerprint.note(&command, ball);
+        self.tally.cycles += 1;
+        self.tally.tree_changes += u64::from(self.tally.meter.changed());
+        if self.trail.last().is_none_or(|last| last.distance(ball) > TRAIL) {
+            self.trail.push(ball);
+        }
+        Ok(())
+    }
+
+    fn report(&mut self, audience: &mut impl Audience) -> Result<(), Failure> {
+        let referee = self.world.referee();
+        if self.tally.meter.changed() {
+            audience.changed(&Scene {
+                seed: self.seed,
+                t: self.thought.as_secs_f64(),
+                robot: &self.robot,
+                referee,
+                meter: &self.tally.meter,
+                start: self.start,
+                trail: &self.trail,
+            })?;
+        }
+        for happened in &referee.events()[self.reported..] {
+            audience.happened(happened)?;
+        }
+        self.reported = referee.events().len();
+        Ok(())
+    }
+
+    fn into_record(self, rules: &Rules, real: Duration) -> Record {
+        Record::new(rules, self.world.referee(), self.world.now(), self.tally, real)
+    }
+}

@@ -1,0 +1,95 @@
+//! A look at a game in progress: what the forward sees and believes, what is true, how the tree stands.
+
+use bica::graph::Graph;
+use bica::{ComponentId, Tree};
+use bica_motion::pose::Pose2;
+use bica_player::Forward;
+use bica_player::input::Eye;
+use bica_player::perception::{BallDetector, FieldEnd, NetDetector, Odometry};
+use bica_sim::Referee;
+use glam::Vec2;
+
+use super::meter::Meter;
+use super::sight::Sight;
+use crate::program::picture::scene::{Beliefs, Marks, TreeNow, Truth};
+
+/// The static description of the forward's tree.
+pub(crate) static GRAPH: Graph = Forward::GRAPH;
+
+/// A game after a cycle.
+pub(crate) struct Scene<'a> {
+    pub(crate) seed: u64,
+    /// Time in the world when the forward thought, s.
+    pub(crate) t: f64,
+    pub(crate) robot: &'a Forward,
+    pub(crate) referee: &'a Referee,
+    pub(crate) meter: &'a Meter,
+    /// Where the robot truly was when odometry began.
+    pub(crate) start: Pose2,
+    /// The way of the ball so far.
+    pub(crate) trail: &'a [Vec2],
+}
+
+impl Scene<'_> {
+    /// How the tree stands.
+    pub(crate) fn tree(&self) -> TreeNow {
+        let each = || (0..GRAPH.nodes.len()).map(ComponentId::new);
+        TreeNow {
+            graph: &GRAPH,
+            active: each().map(|id| self.robot.is_active(id)).collect(),
+            states: each().map(|id| self.robot.state(id)).collect(),
+        }
+    }
+
+    /// What is recognised in the newest image, by the detectors that are active.
+    pub(crate) fn marks(&self) -> Marks {
+        let ball = self.robot.get::<BallDetector>().seen().filter(|_| self.is_active::<BallDetector>());
+        let net = self.robot.get::<NetDetector>().seen().filter(|_| self.is_active::<NetDetector>());
+        let end = Some(self.robot.get::<FieldEnd>().line()).filter(|_| self.is_active::<FieldEnd>());
+        Marks {
+            ball: ball.map(|seen| seen.ball),
+            goals: net.copied().into_iter().collect(),
+            field_end: end.map_or(Vec::new(), |line| line.corners().to_vec()),
+        }
+    }
+
+    /// What the forward believes.
+    pub(crate) fn beliefs(&self) -> Beliefs {
+        Beliefs {
+            robot: self.start * self.robot.get::<Odometry>().pose(),
+            ball: self.robot.get::<BallDetector>().at(),
+            goal: self.robot.get::<NetDetector>().at(),
+        }
+    }
+
+    /// Where the forward believes ball and goal to be.
+    pub(crate) fn sights(&self) -> (Option<Sight>, Option<Sight>) {
+        let (beliefs, marks) = (self.beliefs(), self.marks());
+        let ball = beliefs.ball.map(|at| Sight::new(at, marks.ball.is_some()));
+        let goal = beliefs.goal.map(|at| Sight::new(at, !marks.goals.is_empty()));
+        (ball, goal)
+    }
+
+    /// What is true.
+    pub(crate) fn truth(&self) -> Truth {
+        Truth {
+            attacks: self.referee.attacks(),
+            robot: self.referee.robot(),
+            ball: self.referee.ball(),
+            others: self.referee.others().to_vec(),
+            trail: self.trail.to_vec(),
+        }
+    }
+
+    /// The newest image's pixels and size.
+    pub(crate) fn image(&self) -> Option<bica_motion::robot::Image<'_>> {
+        Some(self.robot.get::<Eye>().image()).filter(|image| image.width > 0)
+    }
+
+    fn is_active<C: bica::Component>(&self) -> bool
+    where
+        Forward: bica::Has<C>,
+    {
+        self.robot.is_active(Forward::id::<C>())
+    }
+}

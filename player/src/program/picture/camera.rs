@@ -1,0 +1,102 @@
+//! The camera's image with what was recognised in it.
+
+use bica_motion::robot::Image;
+use bica_vision::ball::Ball;
+use bica_vision::colour::Colour;
+use bica_vision::goal::{Goal, Post};
+use glam::Vec2;
+
+use super::canvas::{Area, Canvas, Rgb};
+use super::palette::{BELIEF, BLUE, TEXT, WHITE, YELLOW, sheer};
+use super::scene::Marks;
+use super::text::Font;
+
+/// An image enlarged to `width` pixels (a whole number of times the image's), with marks on it.
+pub(crate) fn view(image: &Image<'_>, marks: &Marks, width: usize) -> Canvas {
+    let times = (width / usize::from(image.width).max(1)).max(1);
+    let mut canvas = Canvas::new(usize::from(image.width) * times, usize::from(image.height) * times, TEXT);
+    pixels(&mut canvas, image, times);
+    let mut view = View { canvas, times: times as f32 };
+    view.field_end(&marks.field_end);
+    marks.goals.iter().for_each(|goal| view.goal(goal));
+    marks.ball.iter().for_each(|ball| view.ball(ball));
+    view.canvas
+}
+
+struct View {
+    canvas: Canvas,
+    /// Canvas pixels for one of the image's.
+    times: f32,
+}
+
+impl View {
+    fn at(&self, pixel: Vec2) -> Vec2 {
+        self.times * (pixel + 0.5)
+    }
+
+    fn field_end(&mut self, line: &[Vec2]) {
+        let line: Vec<Vec2> = line.iter().map(|p| self.at(*p)).collect();
+        self.canvas.polyline(&line, 4.0, sheer(TEXT, 0.5));
+        self.canvas.polyline(&line, 2.0, WHITE);
+    }
+
+    fn goal(&mut self, goal: &Goal) {
+        let rgb = if goal.colour == Colour::Yellow { YELLOW } else { BLUE };
+        let frame = Area { from: self.at(goal.min - 0.5), to: self.at(goal.max + 0.5) };
+        self.canvas.outline(frame, 2.0, 3.0, TEXT);
+        self.canvas.outline(frame, 2.0, 2.0, rgb);
+        self.post(&goal.first, rgb);
+        goal.second.iter().for_each(|post| self.post(post, rgb));
+        let word = if goal.is_complete() { "goal" } else { "part of a goal" };
+        self.label(frame.from - Vec2::new(0.0, 16.0), word, rgb);
+    }
+
+    fn post(&mut self, post: &Post, rgb: Rgb) {
+        let aside = Vec2::new(0.5 * post.width * self.times, 0.0);
+        let (foot, top) = (self.at(post.base), self.at(post.top));
+        self.canvas.polygon(&[foot - aside, top - aside, top + aside, foot + aside], sheer(rgb, 0.45));
+        self.canvas.line(foot, top, 2.0, WHITE);
+        if post.has_base {
+            self.canvas.disc(foot, 4.0, WHITE);
+            self.canvas.ring(foot, 4.0, 1.5, TEXT);
+        }
+    }
+
+    fn ball(&mut self, ball: &Ball) {
+        let (centre, radius) = (self.at(ball.centre), ball.radius * self.times);
+        self.canvas.ring(centre, radius, 4.0, WHITE);
+        self.canvas.ring(centre, radius, 2.0, BELIEF);
+        for arm in [Vec2::X, Vec2::Y] {
+            self.canvas.line(centre - 4.0 * arm, centre + 4.0 * arm, 1.5, WHITE);
+        }
+        self.label(centre + Vec2::new(radius + 5.0, -8.0), "ball", BELIEF);
+    }
+
+    fn label(&mut self, at: Vec2, word: &str, rgb: Rgb) {
+        let size = Vec2::new(Font::Bold.width(word) + 8.0, 15.0);
+        let room = Vec2::new(self.canvas.width() as f32, self.canvas.height() as f32) - size;
+        let at = at.min(room).max(Vec2::ZERO);
+        self.canvas.slab(Area { from: at, to: at + size }, 3.0, sheer(TEXT, 0.75));
+        self.canvas.write(at + Vec2::new(4.0, 1.0), Font::Bold, rgb, word);
+    }
+}
+
+fn pixels(canvas: &mut Canvas, image: &Image<'_>, times: usize) {
+    let width = usize::from(image.width);
+    for (index, pair) in image.yuyv.as_chunks::<4>().0.iter().enumerate() {
+        let &[first, cb, second, cr] = pair;
+        for (offset, luma) in [first, second].into_iter().enumerate() {
+            let (x, y) = ((2 * index + offset) % width, (2 * index + offset) / width);
+            let rgb = rgb(luma, cb, cr);
+            for (dx, dy) in (0..times * times).map(|n| (n % times, n / times)) {
+                canvas.set(x * times + dx, y * times + dy, rgb);
+            }
+        }
+    }
+}
+
+/// Full-range BT.601.
+fn rgb(luma: u8, cb: u8, cr: u8) -> Rgb {
+    let (luma, cb, cr) = (f32::from(luma), f32::from(cb) - 128.0, f32::from(cr) - 128.0);
+    [luma + 1.402 * cr, luma - 0.344_136 * cb - 0.714_136 * cr, luma + 1.772 * cb].map(|v| v.round() as u8)
+}

@@ -1,0 +1,124 @@
+//! A picture in memory, and how ink gets onto it.
+
+use glam::Vec2;
+
+/// Red, green and blue, 0 to 255 each.
+pub(crate) type Rgb = [u8; 3];
+
+/// A colour and how much of it covers what is below, 0 to 1.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Ink {
+    pub(crate) rgb: Rgb,
+    pub(crate) alpha: f32,
+}
+
+impl From<Rgb> for Ink {
+    fn from(rgb: Rgb) -> Self {
+        Self { rgb, alpha: 1.0 }
+    }
+}
+
+/// An upright rectangle in pixels, y down.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Area {
+    pub(crate) from: Vec2,
+    pub(crate) to: Vec2,
+}
+
+impl Area {
+    /// From the upper left corner and a size.
+    pub(crate) const fn sized(x: f32, y: f32, width: f32, height: f32) -> Self {
+        Self { from: Vec2::new(x, y), to: Vec2::new(x + width, y + height) }
+    }
+
+    /// The smallest rectangle around points, grown by `margin`.
+    pub(crate) fn around(points: &[Vec2], margin: f32) -> Self {
+        let from = points.iter().fold(Vec2::INFINITY, |low, p| low.min(*p));
+        let to = points.iter().fold(Vec2::NEG_INFINITY, |high, p| high.max(*p));
+        Self { from: from - margin, to: to + margin }
+    }
+
+    /// The middle.
+    pub(crate) fn centre(&self) -> Vec2 {
+        0.5 * (self.from + self.to)
+    }
+}
+
+/// Pixels in rows from the top.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Canvas {
+    width: usize,
+    height: usize,
+    pixels: Vec<Rgb>,
+}
+
+impl Canvas {
+    /// An empty sheet of one colour.
+    pub(crate) fn new(width: usize, height: usize, paper: Rgb) -> Self {
+        Self { width, height, pixels: vec![paper; width * height] }
+    }
+
+    /// Width in pixels.
+    pub(crate) const fn width(&self) -> usize {
+        self.width
+    }
+
+    /// Height in pixels.
+    pub(crate) const fn height(&self) -> usize {
+        self.height
+    }
+
+    /// Red, green, blue of every pixel, row by row.
+    pub(crate) fn bytes(&self) -> &[u8] {
+        self.pixels.as_flattened()
+    }
+
+    /// Replaces one pixel; nothing happens outside the canvas.
+    pub(crate) fn set(&mut self, x: usize, y: usize, rgb: Rgb) {
+        if x < self.width && y < self.height {
+            self.pixels[y * self.width + x] = rgb;
+        }
+    }
+
+    /// Lays ink over one pixel, of which `cover` (0 to 1) is inside the shape.
+    pub(crate) fn blend(&mut self, x: i32, y: i32, ink: Ink, cover: f32) {
+        let inside = (0..self.width as i32).contains(&x) && (0..self.height as i32).contains(&y);
+        let part = ink.alpha * cover;
+        if inside && part > 0.0 {
+            let below = &mut self.pixels[y as usize * self.width + x as usize];
+            for (old, new) in below.iter_mut().zip(ink.rgb) {
+                *old = (f32::from(*old) + part * (f32::from(new) - f32::from(*old))).round() as u8;
+            }
+        }
+    }
+
+    /// Paints a shape given by its signed distance (negative inside), with smooth edges, within `area`.
+    pub(crate) fn paint(&mut self, area: Area, ink: Ink, distance: impl Fn(Vec2) -> f32) {
+        let (Some(columns), Some(rows)) =
+            (pixels(area.from.x, area.to.x, self.width), pixels(area.from.y, area.to.y, self.height))
+        else {
+            return;
+        };
+        for y in rows {
+            for x in columns.clone() {
+                let cover = 0.5 - distance(Vec2::new(x as f32 + 0.5, y as f32 + 0.5));
+                self.blend(x, y, ink, cover.clamp(0.0, 1.0));
+            }
+        }
+    }
+
+    /// Copies a whole canvas onto this one, its upper left corner at (x, y).
+    pub(crate) fn place(&mut self, other: &Self, x: usize, y: usize) {
+        for row in 0..other.height {
+            for column in 0..other.width {
+                self.set(x + column, y + row, other.pixels[row * other.width + column]);
+            }
+        }
+    }
+}
+
+/// The pixels from `from` to `to` which lie on a canvas of `size`; none for what is no number.
+fn pixels(from: f32, to: f32, size: usize) -> Option<std::ops::Range<i32>> {
+    (from.is_finite() && to.is_finite())
+        .then(|| (from.floor().max(0.0) as i32)..(to.ceil().clamp(0.0, size as f32) as i32))
+}

@@ -1,0 +1,35 @@
+//! The colours of every picture.
+
+use super::canvas::{Ink, Rgb};
+
+pub(crate) const PAPER: Rgb = [247, 246, 242];
+pub(crate) const TEXT: Rgb = [36, 41, 46];
+pub(crate) const FAINT: Rgb = [150, 154, 158];
+pub(crate) const GHOST: Rgb = [214, 214, 210];
+pub(crate) const WHITE: Rgb = [255, 255, 255];
+
+pub(crate) const CARPET: Rgb = [58, 125, 78];
+pub(crate) const LINE: Rgb = [226, 238, 228];
+pub(crate) const YELLOW: Rgb = [244, 196, 32];
+pub(crate) const BLUE: Rgb = [66, 165, 245];
+pub(crate) const BALL: Rgb = [245, 124, 0];
+pub(crate) const ROBOT: Rgb = [236, 239, 241];
+pub(crate) const OTHER: Rgb = [176, 160, 190];
+pub(crate) const BELIEF: Rgb = [233, 30, 120];
+
+/// A link that reads.
+pub(crate) const REQUIRED: Rgb = [46, 120, 200];
+/// A link that writes.
+pub(crate) const MODULATED: Rgb = [214, 96, 40];
+
+/// A colour that lets some of what is below through.
+pub(crate) const fn sheer(rgb: Rgb, alpha: f32) -> Ink {
+    Ink { rgb, alpha }
+}
+
+/// A colour as style sheets write it, `#rrggbb`; black if it is written otherwise.
+pub(crate) fn hex(code: &str) -> Rgb {
+    let number = code.strip_prefix('#').and_then(|digits| u32::from_str_radix(digits, 16).ok()).unwrap_or(0);
+    let [_, red, green, blue] = number.to_be_bytes();
+    [red, green, blue]
+}

@@ -1,0 +1,41 @@
+//! PNG files, written and read.
+
+use std::fs::File;
+use std::io::{BufReader, BufWriter};
+use std::path::Path;
+
+use super::canvas::Canvas;
+
+/// Writes a picture.
+pub(crate) fn write(path: &Path, canvas: &Canvas) -> Result<(), png::EncodingError> {
+    let file = BufWriter::new(File::create(path)?);
+    let mut encoder = png::Encoder::new(file, canvas.width() as u32, canvas.height() as u32);
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.set_compression(png::Compression::Fast);
+    let mut writer = encoder.write_header()?;
+    writer.write_image_data(canvas.bytes())?;
+    writer.finish()
+}
+
+/// A picture read from a file: width, height, and red, green, blue of each pixel.
+pub(crate) struct Picture {
+    pub(crate) width: usize,
+    pub(crate) height: usize,
+    pub(crate) rgb: Vec<[u8; 3]>,
+}
+
+/// Reads a picture of any colour type; grey becomes RGB, transparency is dropped, 16 bits become 8.
+pub(crate) fn read(path: &Path) -> Result<Picture, png::DecodingError> {
+    let mut decoder = png::Decoder::new(BufReader::new(File::open(path)?));
+    decoder.set_transformations(png::Transformations::normalize_to_color8());
+    let mut reader = decoder.read_info()?;
+    let mut bytes = vec![0; reader.output_buffer_size().ok_or(png::DecodingError::LimitsExceeded)?];
+    let frame = reader.next_frame(&mut bytes)?;
+    reader.finish()?;
+    let samples = frame.color_type.samples();
+    let rgb = bytes[..frame.buffer_size()]
+        .chunks_exact(samples)
+        .map(|pixel| if samples < 3 { [pixel[0]; 3] } else { [pixel[0], pixel[1], pixel[2]] })
+        .collect();
+    Ok(Picture { width: frame.width as usize, height: frame.height as usize, rgb })
+}

@@ -1,0 +1,34 @@
+//! Which stretches of the drawing belong to a link.
+
+use bica::graph::Graph;
+
+use crate::program::svg::layers::{Item, Layers, Segment};
+
+/// For each component and each of its links the stretches on the way, as indices of [`Layers::segments`].
+pub(crate) fn routes(graph: &Graph, layers: &Layers) -> Vec<Vec<Vec<usize>>> {
+    let of_node = |from: usize| {
+        let links = graph.nodes[from].links.iter();
+        links
+            .map(|link| {
+                let leaves = |segment: &Segment| segment.upper == from && segment.kind == link.kind;
+                let starts = (0..layers.segments.len()).filter(|&index| leaves(&layers.segments[index]));
+                let mut ways = starts.map(|start| follow(layers, start));
+                ways.find(|way| way.last().is_some_and(|&end| layers.segments[end].lower == link.to))
+                    .unwrap_or_default()
+            })
+            .collect()
+    };
+    (0..graph.nodes.len()).map(of_node).collect()
+}
+
+/// A stretch and those below it, to the component at which they end.
+fn follow(layers: &Layers, start: usize) -> Vec<usize> {
+    let mut way = vec![start];
+    let mut end = layers.segments[start].lower;
+    while layers.items[end] == Item::Passage {
+        let Some(next) = layers.segments.iter().position(|segment| segment.upper == end) else { break };
+        way.push(next);
+        end = layers.segments[next].lower;
+    }
+    way
+}

@@ -1,0 +1,129 @@
+//! What the eyes see in one image.
+
+use std::time::Instant;
+
+use bica_motion::robot::Image;
+use bica_vision::ball::{BallFinder, RADIUS_2009};
+use bica_vision::colour::Colour;
+use bica_vision::field_end::FieldEnd;
+use bica_vision::frame::Frame;
+use bica_vision::goal::GoalFinder;
+use bica_vision::profile::NAO_2009;
+use bica_vision::projection::Camera;
+use bica_vision::table::CompactTable;
+use glam::Vec2;
+use serde::Serialize;
+
+use super::poses::Pose;
+use crate::program::picture::scene::Marks;
+
+/// The detectors, with the colours and the ball of 2009.
+pub(crate) struct Eyes {
+    colours: CompactTable,
+    balls: BallFinder<512>,
+    goals: GoalFinder<1024>,
+}
+
+/// An image for machines. Pixels: x right, y down, centre of the first pixel (0, 0).
+#[derive(Clone, Debug, Serialize)]
+pub(crate) struct Sighting {
+    pub(crate) file: String,
+    pub(crate) pose: Trust,
+    pub(crate) ball: Option<Ball>,
+    pub(crate) goals: Vec<Goal>,
+    /// The corners of the line, from the left.
+    pub(crate) field_end: Vec<[f32; 2]>,
+    /// Time that the detectors took, ms.
+    pub(crate) wall_ms: f64,
+    #[serde(skip)]
+    pub(crate) marks: Marks,
+}
+
+/// What is known of the camera.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub(crate) enum Trust {
+    /// Distances can be had.
+    Trusted,
+    /// There is a pose, but not one to rely on.
+    Untrusted,
+    /// There is no pose for this image.
+    Missing,
+}
+
+/// A ball for machines.
+#[derive(Clone, Debug, Serialize)]
+pub(crate) struct Ball {
+    pub(crate) x: f32,
+    pub(crate) y: f32,
+    pub(crate) radius: f32,
+    pub(crate) confidence: f32,
+    /// Where it lies, m ahead and to the left; none without a trusted pose.
+    pub(crate) ground: Option<[f32; 2]>,
+}
+
+/// A goal for machines.
+#[derive(Clone, Debug, Serialize)]
+pub(crate) struct Goal {
+    pub(crate) colour: &'static str,
+    pub(crate) x0: f32,
+    pub(crate) y0: f32,
+    pub(crate) x1: f32,
+    pub(crate) y1: f32,
+    pub(crate) complete: bool,
+    /// Where its middle is, m ahead and to the left; none without a trusted pose.
+    pub(crate) ground: Option<[f32; 2]>,
+}
+
+impl Eyes {
+    /// Opens them.
+    pub(crate) fn new() -> Self {
+        Self {
+            colours: CompactTable::compile(&NAO_2009),
+            balls: BallFinder::new(RADIUS_2009),
+            goals: GoalFinder::new(),
+        }
+    }
+
+    /// Looks at an image; says why if it is none for these eyes.
+    pub(crate) fn look(&mut self, file: &str, image: &Image<'_>, pose: Option<&Pose>) -> Result<Sighting, String> {
+        let frame = Frame::from_image(image).map_err(|error| error.to_string())?;
+        let trusted = pose.filter(|pose| pose.trusted);
+        let camera = trusted.map(|pose| pose.camera(frame.width().into(), frame.height().into()));
+        let began = Instant::now();
+        let end = FieldEnd::find(&frame, &self.colours);
+        let ball = self.balls.find(&frame, &self.colours, &end, camera.as_ref());
+        let goals = self.goals.find(&frame, &self.colours, &end, camera.as_ref());
+        let wall_ms = 1e3 * began.elapsed().as_secs_f64();
+        let goals: Vec<_> = [goals.yellow, goals.blue].into_iter().flatten().collect();
+        Ok(Sighting {
+            file: file.to_owned(),
+            pose: match pose {
+                None => Trust::Missing,
+                Some(pose) if pose.trusted => Trust::Trusted,
+                Some(_) => Trust::Untrusted,
+            },
+            ball: ball.map(|ball| Ball::new(&ball, camera.as_ref())),
+            goals: goals.iter().map(|goal| Goal::new(goal, camera.as_ref())).collect(),
+            field_end: end.corners().iter().map(Vec2::to_array).collect(),
+            wall_ms,
+            marks: Marks { ball, goals, field_end: end.corners().to_vec() },
+        })
+    }
+}
+
+impl Ball {
+    fn new(ball: &bica_vision::ball::Ball, camera: Option<&Camera>) -> Self {
+        let ground = camera.and_then(|camera| ball.ground(camera, RADIUS_2009)).map(|at| at.to_array());
+        Self { x: ball.centre.x, y: ball.centre.y, radius: ball.radius, confidence: ball.confidence, ground }
+    }
+}
+
+impl Goal {
+    fn new(goal: &bica_vision::goal::Goal, camera: Option<&Camera>) -> Self {
+        let colour = if goal.colour == Colour::Yellow { "yellow" } else { "blue" };
+        let ground = camera.and_then(|camera| goal.ground(camera)).map(|at| at.to_array());
+        let (min, max) = (goal.min, goal.max);
+        Self { colour, x0: min.x, y0: min.y, x1: max.x, y1: max.y, complete: goal.is_complete(), ground }
+    }
+}

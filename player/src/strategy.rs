@@ -1,0 +1,59 @@
+//! Which kick, and where to: decided once for each kick, at the ball.
+
+use bica_motion::kick::{Kick, KickKind};
+use bica_motion::pose::wrap;
+use libm::{atan2f, fabsf};
+
+use crate::perception::{BallDetector, NetDetector, Odometry};
+
+/// What to do with the ball.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Plan {
+    /// Kick it.
+    Kick(Strike),
+    /// Go round it first, turning by this angle, rad to the left.
+    GoRound(f32),
+}
+
+/// A kick and the heading to play it in.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Strike {
+    /// Which of the six.
+    pub kick: Kick,
+    /// Heading of the body, rad, in the frame of the odometry.
+    pub heading: f32,
+}
+
+/// Turning farther than this goes round the ball, less is left to the alignment, rad.
+const FAR: f32 = 0.6;
+/// How far to go round when no goal was seen, rad: it is behind.
+const BEHIND: f32 = 2.5;
+/// How far beside the goal's middle to aim, m: the keeper stands in the middle.
+const BESIDE: f32 = 0.38;
+
+/// Plans what to do with the ball: the kick and the side of the goal that ask for the least turning, if the goal was seen.
+#[must_use]
+pub fn plan(ball: &BallDetector, net: &NetDetector, odometry: &Odometry) -> Plan {
+    let (Some(ball), Some(goal)) = (ball.at(), net.at()) else { return Plan::GoRound(BEHIND) };
+    let across = BESIDE * (goal - ball).normalize_or_zero().perp();
+    let turns = [goal + across, goal - across].into_iter().flat_map(|target| {
+        let way = target - ball;
+        let direction = atan2f(way.y, way.x);
+        Kick::ALL.into_iter().map(move |kick| (kick, wrap(direction - kick.direction())))
+    });
+    let effort = |&(kick, turn): &(Kick, f32)| fabsf(turn) + reluctance(kick);
+    let best = turns.filter(|&(_, turn)| fabsf(turn) < FAR).min_by(|a, b| effort(a).total_cmp(&effort(b)));
+    let to_goal = goal - ball;
+    best.map_or(Plan::GoRound(atan2f(to_goal.y, to_goal.x)), |(kick, turn)| {
+        Plan::Kick(Strike { kick, heading: odometry.pose().heading + turn })
+    })
+}
+
+/// What a kick costs beside the turning, rad: the front kick is the surest.
+fn reluctance(kick: Kick) -> f32 {
+    match kick.kind {
+        KickKind::Front => 0.0,
+        KickKind::Diagonal => 0.25,
+        KickKind::Lateral => 0.4,
+    }
+}
