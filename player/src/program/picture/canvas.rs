@@ -122,3 +122,32 @@ fn pixels(from: f32, to: f32, size: usize) -> Option<std::ops::Range<i32>> {
     (from.is_finite() && to.is_finite())
         .then(|| (from.floor().max(0.0) as i32)..(to.ceil().clamp(0.0, size as f32) as i32))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_shape_covers_its_area_and_nothing_outside_the_canvas() {
+        let mut canvas = Canvas::new(60, 40, [0; 3]);
+        canvas.disc(Vec2::new(30.3, 20.6), 12.5, [255; 3]);
+        let covered: f32 = canvas.bytes().iter().step_by(3).map(|value| f32::from(*value) / 255.0).sum();
+        let area = std::f32::consts::PI * 12.5 * 12.5;
+        assert!((covered - area).abs() < 0.01 * area, "{covered} of {area}");
+        for centre in [Vec2::new(-40.0, 20.0), Vec2::splat(1e9), Vec2::NAN, Vec2::INFINITY] {
+            let before = canvas.clone();
+            canvas.disc(centre, 12.5, [9; 3]);
+            canvas.line(centre, centre + 1.0, 3.0, [9; 3]);
+            canvas.polygon(&[centre, centre + 1.0, centre - 2.0], [9; 3]);
+            assert_eq!(canvas, before, "{centre}");
+        }
+    }
+
+    #[test]
+    fn ink_lets_through_what_it_does_not_cover() {
+        let mut canvas = Canvas::new(4, 4, [100, 0, 200]);
+        canvas.slab(Area::sized(0.0, 0.0, 2.0, 4.0), 0.0, Ink { rgb: [200, 200, 200], alpha: 0.5 });
+        assert_eq!(canvas.bytes()[..3], [150, 100, 200]);
+        assert_eq!(canvas.bytes()[9..12], [100, 0, 200]);
+    }
+}

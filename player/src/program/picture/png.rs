@@ -39,3 +39,20 @@ pub(crate) fn read(path: &Path) -> Result<Picture, png::DecodingError> {
         .collect();
     Ok(Picture { width: frame.width as usize, height: frame.height as usize, rgb })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_picture_comes_back_as_it_was_written() {
+        let path = std::env::temp_dir().join(format!("bica-player-{}.png", std::process::id()));
+        let mut canvas = Canvas::new(3, 2, [1, 2, 3]);
+        canvas.set(2, 1, [250, 0, 7]);
+        write(&path, &canvas).unwrap();
+        let back = read(&path);
+        std::fs::remove_file(&path).unwrap();
+        let Picture { width, height, rgb } = back.unwrap();
+        assert_eq!((width, height, rgb.as_flattened()), (3, 2, canvas.bytes()));
+    }
+}

@@ -32,3 +32,24 @@ fn follow(layers: &Layers, start: usize) -> Vec<usize> {
     }
     way
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::program::game::scene::GRAPH;
+
+    #[test]
+    fn every_link_has_a_way_from_its_owner_down_to_its_end() {
+        let layers = Layers::new(&GRAPH);
+        for (from, (node, ways)) in GRAPH.nodes.iter().zip(routes(&GRAPH, &layers)).enumerate() {
+            for (link, way) in node.links.iter().zip(ways) {
+                let mut at = from;
+                for segment in way.iter().map(|&index| layers.segments[index]) {
+                    assert_eq!((segment.upper, segment.kind), (at, link.kind), "{} to {}", node.name, link.to);
+                    at = segment.lower;
+                }
+                assert_eq!(at, link.to, "{}", node.name);
+            }
+        }
+    }
+}

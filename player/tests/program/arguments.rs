@@ -1,0 +1,57 @@
+//! Wrong arguments: exit code 2, nothing on stdout, and a word on what is wrong and what would be right.
+
+use crate::run::{Folder, run};
+
+fn refused(args: &[&str], words: &[&str]) {
+    let ran = run(args);
+    assert_eq!(ran.code, Some(2), "{args:?}: {}{}", ran.stdout, ran.stderr);
+    assert_eq!(ran.stdout, "", "{args:?}");
+    for word in words {
+        assert!(ran.stderr.contains(word), "{args:?} lacks `{word}`:\n{}", ran.stderr);
+    }
+}
+
+#[test]
+fn a_wrong_argument_is_named_with_what_would_be_right() {
+    refused(&["kick"], &["kick", "Usage"]);
+    refused(&["--sed", "1"], &["--sed", "--seed"]);
+    refused(&["--seed", "one"], &["one", "--seed"]);
+    refused(&["--seed", "-1"], &["-1"]);
+    refused(&["--size", "321x240"], &["321x240", "160x120, 320x240 or 640x480"]);
+    refused(&["--robots", "9"], &["9", "from 0 to 8"]);
+    refused(&["--seconds", "0"], &["--seconds", "from 0.01 to 86400"]);
+    refused(&["--seconds", "NaN"], &["NaN", "from 0.01 to 86400"]);
+    refused(&["--games", "0"], &["--games"]);
+    refused(&["--threads", "2"], &["--games"]);
+    refused(&["play", "--games", "2", "--threads", "0"], &["--threads"]);
+    refused(&["play", "--at-least", "1"], &["--games"]);
+    refused(&["graph", "--format", "bmp"], &["bmp", "svg, dot, mermaid, json"]);
+    refused(&["graph", "--format", "dot", "--json"], &["--format", "--json"]);
+    refused(&["watch"], &["DIR"]);
+}
+
+#[test]
+fn a_place_where_no_picture_can_be_written_is_named() {
+    let folder = Folder::new("arguments");
+    let file = folder.path().join("file");
+    std::fs::write(&file, "").unwrap();
+    let file = file.to_str().unwrap();
+    refused(&["--seconds", "0.1", "--pictures", file], &[file, "help: "]);
+    refused(&["--seconds", "0.1", "--games", "2", "--pictures", file], &[file, "help: "]);
+}
+
+#[test]
+fn help_teaches_by_examples_and_exit_codes() {
+    for (args, word) in [
+        (&["--help"][..], "player play --games 100"),
+        (&["--help"], "Exit codes: 0 a goal"),
+        (&["play", "--help"], "the same seed gives the same game"),
+        (&["graph", "--help"], "Graphviz"),
+        (&["watch", "--help"], "in the order of their names"),
+        (&["--version"], env!("CARGO_PKG_VERSION")),
+    ] {
+        let ran = run(args);
+        assert_eq!((ran.code, ran.stderr.as_str()), (Some(0), ""), "{args:?}");
+        assert!(ran.stdout.contains(word), "{args:?} lacks `{word}`:\n{}", ran.stdout);
+    }
+}

@@ -1,0 +1,10 @@
+//! The program `player`, run as people and scripts run it.
+#![cfg(feature = "program")]
+
+mod arguments;
+mod ending;
+mod games;
+mod graph;
+mod pictures;
+mod run;
+mod watch;

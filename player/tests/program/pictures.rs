@@ -1,0 +1,36 @@
+//! Pictures of games.
+
+use std::fs::File;
+use std::io::BufReader;
+use std::path::Path;
+
+use crate::run::{Folder, run};
+
+fn size(path: &Path) -> (u32, u32) {
+    let mut reader = png::Decoder::new(BufReader::new(File::open(path).unwrap())).read_info().unwrap();
+    let mut bytes = vec![0; reader.output_buffer_size().unwrap()];
+    reader.next_frame(&mut bytes).unwrap();
+    let colours: std::collections::HashSet<&[u8]> = bytes.chunks(3).collect();
+    assert!(colours.len() > 50, "{} shows next to nothing", path.display());
+    (reader.info().width, reader.info().height)
+}
+
+#[test]
+fn every_change_of_the_tree_has_its_picture() {
+    let folder = Folder::new("pictures");
+    let told = run(&["--seconds", "2", "--json", "--pictures", folder.text()]).json();
+    let names = folder.names();
+    assert_eq!(names.len() as u64, told["tree_changes"].as_u64().unwrap());
+    assert_eq!(names[0], "0001_0000.00s_look_for_ball.png");
+    for name in &names {
+        assert_eq!(size(&folder.path().join(name)), (1340, 1046));
+    }
+}
+
+#[test]
+fn each_of_many_games_has_a_folder() {
+    let folder = Folder::new("albums");
+    run(&["--seed", "8", "--games", "2", "--seconds", "0.1", "--size", "160x120", "--pictures", folder.text()]);
+    assert_eq!(folder.names(), ["seed-8", "seed-9"]);
+    size(&folder.path().join("seed-8/0001_0000.00s_look_for_ball.png"));
+}
