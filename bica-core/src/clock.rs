@@ -4,8 +4,10 @@ use core::cell::Cell;
 
 use embassy_time::{Duration, Instant};
 
-/// No state: no state machine, or never active.
-const NONE: u16 = u16::MAX;
+/// In place of a state: never active.
+const NEVER: u16 = u16::MAX;
+/// In place of a state: no state machine.
+const NONE: u16 = u16::MAX - 1;
 
 /// Times and state of one component, in ticks of the clock.
 pub struct Clock {
@@ -20,7 +22,7 @@ pub struct Clock {
 
 impl Clock {
     pub(crate) const fn new() -> Self {
-        Self { grid: Cell::new(0), ran: Cell::new(0), entered: Cell::new(0), state: Cell::new(NONE) }
+        Self { grid: Cell::new(0), ran: Cell::new(0), entered: Cell::new(0), state: Cell::new(NEVER) }
     }
 
     /// Starts the grid here.
@@ -83,6 +85,11 @@ impl Clock {
         Duration::from_ticks(now - entered)
     }
 
+    /// When the state was entered, if the component was ever active.
+    pub(crate) fn since(&self) -> Option<Instant> {
+        (self.state.get() != NEVER).then(|| Instant::from_ticks(self.entered.get()))
+    }
+
     /// Enters a state, or none at all, and counts the time in it from now.
     #[inline]
     pub(crate) fn enter(&self, state: Option<usize>, now: Instant) {
@@ -100,6 +107,6 @@ impl Clock {
     #[inline]
     pub(crate) fn state(&self) -> Option<usize> {
         let state = self.state.get();
-        (state != NONE).then_some(state as usize)
+        (state < NONE).then_some(state as usize)
     }
 }

@@ -71,4 +71,4 @@ pub use hold::Hold;
 pub use id::ComponentId;
 pub use probe::Probe;
 pub use rate::Rate;
-pub use tree::{Has, Tree};
+pub use tree::{Has, Status, Tree};

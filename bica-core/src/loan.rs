@@ -183,7 +183,7 @@ pub struct Claim {
 
 const TWO_LINKS: &str = "two links to one component in one signature";
 
-/// Stops the compiler if `L` claims a place twice. [`Key::lend`] asserts the same when code is generated; this is said
+/// Stops the compiler if `L` claims a place twice. `Key::lend` asserts the same when code is generated; this is said
 /// already by a check, at the function whose loan it is.
 ///
 /// # Panics

@@ -2,6 +2,7 @@
 
 pub use crate::check::ranks;
 use crate::check::{first, message};
+pub use crate::clock::Clock;
 pub use crate::component::{Component, Time};
 pub use crate::cycle::{Cycle, Turn};
 pub use crate::engine::Engine;
@@ -29,10 +30,14 @@ pub const fn node<T: Has<C>, C: 'static>(name: &'static str) -> Node {
     Node { name, ..<T::Member as Wired<T>>::NODE }
 }
 
-/// The state of what is in a slot.
-#[must_use]
-pub fn state<C: 'static>(slot: &Slot<C>) -> Option<usize> {
-    slot.clock().state()
+/// The rate of `C` in runs per second, of which `None` is every cycle.
+pub fn hz<T: Tree + Has<C>, C: 'static>(tree: &T) -> Option<f32> {
+    tree.rate::<C>().hz()
+}
+
+/// Modulates the rate of `C`.
+pub fn set_hz<T: Tree + Has<C>, C: 'static>(tree: &mut T, hz: f32) {
+    tree.rate_mut::<C>().set_within(hz, <T::Member as Component>::HZ);
 }
 
 /// The component of each rank: the inverse of `ranks`.

@@ -54,28 +54,34 @@ pub trait Probe {
 
 impl Probe for () {}
 
-/// Writes each event of a probe as a call on the probes in these fields.
+/// Writes each event of a probe as a call on these probes.
 macro_rules! forward {
-    ($($field:tt),+) => {
-        forward!(@ [$($field),+] cycle_begin(now: Instant) (now));
-        forward!(@ [$($field),+] cycle_end() ());
-        forward!(@ [$($field),+] start(component: ComponentId) (component));
-        forward!(@ [$($field),+] stop(component: ComponentId) (component));
-        forward!(@ [$($field),+] skip(component: ComponentId) (component));
-        forward!(@ [$($field),+] run(component: ComponentId) (component));
-        forward!(@ [$($field),+] begin(component: ComponentId) (component));
-        forward!(@ [$($field),+] end(component: ComponentId) (component));
-        forward!(@ [$($field),+] transition(component: ComponentId, from: usize, to: usize) (component, from, to));
+    ($self:ident => $($probe:expr),+) => {
+        forward!(@ $self [$($probe),+] cycle_begin(now: Instant) (now));
+        forward!(@ $self [$($probe),+] cycle_end() ());
+        forward!(@ $self [$($probe),+] start(component: ComponentId) (component));
+        forward!(@ $self [$($probe),+] stop(component: ComponentId) (component));
+        forward!(@ $self [$($probe),+] skip(component: ComponentId) (component));
+        forward!(@ $self [$($probe),+] run(component: ComponentId) (component));
+        forward!(@ $self [$($probe),+] begin(component: ComponentId) (component));
+        forward!(@ $self [$($probe),+] end(component: ComponentId) (component));
+        forward!(@ $self [$($probe),+]
+            transition(component: ComponentId, from: usize, to: usize) (component, from, to));
     };
-    (@ [$($field:tt),+] $event:ident($($arg:ident: $kind:ty),*) $call:tt) => {
+    (@ $self:ident [$($probe:expr),+] $event:ident($($arg:ident: $kind:ty),*) $call:tt) => {
         #[inline]
-        fn $event(&mut self $(, $arg: $kind)*) {
-            $(self.$field.$event $call;)+
+        fn $event(&mut $self $(, $arg: $kind)*) {
+            $($probe.$event $call;)+
         }
     };
 }
 
+/// A probe that somebody else keeps.
+impl<P: Probe> Probe for &mut P {
+    forward!(self => (**self));
+}
+
 /// Two probes at once.
 impl<A: Probe, B: Probe> Probe for (A, B) {
-    forward!(0, 1);
+    forward!(self => self.0, self.1);
 }

@@ -22,10 +22,7 @@ impl<C: Component> Rate<C> {
     /// More than the declared rate gives the declared rate. Zero or less gives rest: `C` stays active and its children
     /// are visited, but apart from the run that every activation brings it does not run. NaN gives the declared rate.
     pub fn set(&mut self, hz: f32) {
-        if self.hz != Some(hz) {
-            let hz = if hz.is_nan() || C::HZ.is_some_and(|most| hz > most) { C::HZ } else { Some(hz.max(0.0)) };
-            *self = Self::at(hz);
-        }
+        self.set_within(hz, C::HZ);
     }
 
     /// Goes back to the declared rate.
@@ -37,6 +34,13 @@ impl<C: Component> Rate<C> {
 impl<C> Rate<C> {
     pub(crate) const fn at(hz: Option<f32>) -> Self {
         Self { hz, period: period(hz), of: PhantomData }
+    }
+
+    pub(crate) fn set_within(&mut self, hz: f32, declared: Option<f32>) {
+        if self.hz != Some(hz) {
+            let too_fast = declared.is_some_and(|most| hz > most);
+            *self = Self::at(if hz.is_nan() || too_fast { declared } else { Some(hz.max(0.0)) });
+        }
     }
 
     /// Runs per second that are asked for now; `None` is a run in every cycle.

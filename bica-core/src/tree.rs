@@ -2,6 +2,7 @@
 
 use embassy_time::Instant;
 
+use crate::clock::Clock;
 use crate::component::Component;
 use crate::cycle::{Cycle, Turn};
 use crate::engine::Engine;
@@ -111,8 +112,41 @@ pub trait Tree: Layout {
     ///
     /// `None` for a component that is no state machine or was never active.
     fn state(&self, component: ComponentId) -> Option<usize> {
-        Self::state_of(self.engine().store.slots(), component.index())
+        self.status(component)?.state
     }
+
+    /// All that a monitor shows of a component; `None` for one that the tree does not list.
+    fn status(&self, component: ComponentId) -> Option<Status> {
+        let clock = Self::clock(self.engine().store.slots(), component.index())?;
+        Some(Status {
+            active: self.is_active(component),
+            held: self.held(component),
+            state: clock.state(),
+            since: clock.since(),
+            hz: Self::hz(self, component.index()),
+        })
+    }
+
+    /// Modulates the rate of a component by name, as [`Rate::set`] does; does nothing for one that the tree does not
+    /// list.
+    fn set_rate_at(&mut self, component: ComponentId, hz: f32) {
+        Self::set_hz(self, component.index(), hz);
+    }
+}
+
+/// A component as it is now.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Status {
+    /// Whether it was visited in the last cycle.
+    pub active: bool,
+    /// How it is held.
+    pub held: Hold,
+    /// The state that its machine is in, or was in when it became latent: an index in [`Node::states`].
+    pub state: Option<usize>,
+    /// Since when the machine is in that state; without states, when it last became active. `None` before it first was.
+    pub since: Option<Instant>,
+    /// Runs per second that are asked of it now; `None` is a run in every cycle.
+    pub hz: Option<f32>,
 }
 
 /// Tree `Self` holds component `C`.
@@ -189,5 +223,9 @@ pub trait Layout: Sized + 'static {
     #[doc(hidden)]
     fn stop<P: Probe>(cycle: &mut Cycle<'_, Self, P>, index: usize);
     #[doc(hidden)]
-    fn state_of(slots: &Self::Slots, index: usize) -> Option<usize>;
+    fn clock(slots: &Self::Slots, index: usize) -> Option<&Clock>;
+    #[doc(hidden)]
+    fn hz(&self, index: usize) -> Option<f32>;
+    #[doc(hidden)]
+    fn set_hz(&mut self, index: usize, hz: f32);
 }

@@ -128,6 +128,26 @@ fn a_component_that_the_tree_does_not_list_is_never_active() {
     tree.hold_at(stranger, Hold::Active);
     tree.tick(at(0));
     assert!(!tree.is_active(stranger));
-    assert_eq!(tree.state(stranger), None);
+    tree.set_rate_at(stranger, 1.0);
+    assert_eq!((tree.state(stranger), tree.status(stranger)), (None, None));
     assert_eq!(tree.held(stranger), Hold::Tree);
+}
+
+#[test]
+fn a_monitor_sees_each_component_as_it_is() {
+    let mut tree = Lamp::new();
+    let [child, switch] = [Lamp::id::<Child>(), Lamp::id::<Switch>()];
+    let latent = Status { active: false, held: Hold::Tree, state: None, since: None, hz: Some(1.0) };
+    assert_eq!(tree.status(child), Some(latent));
+    tree.get_mut::<Switch>().on = true;
+    tree.tick(at(70));
+    tree.set_rate_at(child, 0.5);
+    tree.set_rate_at(switch, 20.0);
+    tree.hold_at(switch, Hold::Active);
+    let since = Some(at(70));
+    assert_eq!(tree.status(child), Some(Status { active: true, since, hz: Some(0.5), ..latent }));
+    let expected = Status { active: true, held: Hold::Active, state: Some(1), since, hz: Some(20.0) };
+    assert_eq!(tree.status(switch), Some(expected));
+    tree.set_rate_at(child, f32::INFINITY);
+    assert_eq!(tree.rate::<Child>().hz(), Some(1.0));
 }

@@ -3,6 +3,7 @@
 mod activity;
 mod description;
 mod hold;
+mod large;
 mod loans;
 mod machine;
 mod order;
@@ -10,6 +11,6 @@ mod rate;
 mod time;
 mod watch;
 
-use bica_core::{Duration, Hold, Instant, Probe, Rate, Time, Tree};
+use bica_core::{Duration, Hold, Instant, Probe, Rate, Status, Time, Tree};
 use bica_macros::{activation_tree, component};
 use watch::{at, cycle, runs};

@@ -127,6 +127,7 @@ fn called(component: &Component, function: &mut ImplItemFn, form: Form, report: 
     function.attrs.push(parse_quote!(#[allow(
         unused_variables,
         clippy::needless_pass_by_ref_mut,
+        clippy::too_many_arguments,
         clippy::trivially_copy_pass_by_ref,
         clippy::unused_self,
         reason = "an argument is a link, whether the function looks at it or not"

@@ -50,10 +50,24 @@ pub(super) fn expand(tree: &Tree) -> TokenStream {
                 }
             }
 
-            fn state_of(slots: &Self::Slots, index: usize) -> ::core::option::Option<usize> {
+            fn clock(slots: &Self::Slots, index: usize) -> ::core::option::Option<&#p::Clock> {
                 match index {
-                    #(#places => #p::state(&slots.#fields),)*
+                    #(#places => ::core::option::Option::Some(slots.#fields.clock()),)*
                     _ => ::core::option::Option::None,
+                }
+            }
+
+            fn hz(&self, index: usize) -> ::core::option::Option<f32> {
+                match index {
+                    #(#places => #p::hz::<Self, #kinds>(self),)*
+                    _ => ::core::option::Option::None,
+                }
+            }
+
+            fn set_hz(&mut self, index: usize, hz: f32) {
+                match index {
+                    #(#places => #p::set_hz::<Self, #kinds>(self, hz),)*
+                    _ => {}
                 }
             }
         }
