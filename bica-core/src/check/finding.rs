@@ -15,7 +15,7 @@ pub enum Finding {
     BadFigure(Figure),
     /// Components that activate each other round; see [`cycle`].
     Cycle(Path),
-    /// Components that nothing can ever activate; see [`unreachable`].
+    /// Components that nothing can ever activate; see [`unreachable()`].
     Unreachable(Path),
     /// A component, by index, that is to run more often than the tree.
     TooFast(usize),
