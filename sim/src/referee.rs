@@ -3,6 +3,7 @@
 use core::fmt;
 use core::time::Duration;
 
+use bica_motion::fall::Direction;
 use bica_motion::pose::Pose2;
 use bica_motion::side::Side;
 use glam::Vec2;
@@ -36,26 +37,13 @@ impl fmt::Display for GoalColour {
     }
 }
 
-/// Where a robot falls to, seen by itself.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Fall {
-    /// On its face.
-    Front,
-    /// On its back.
-    Back,
-    /// On its left side.
-    Left,
-    /// On its right side.
-    Right,
-}
-
 /// Whether the robot is on its feet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Posture {
     /// On its feet.
     Upright,
     /// Falling or lying.
-    Down(Fall),
+    Down(Direction),
 }
 
 /// What happened on the field.
@@ -85,7 +73,7 @@ pub enum Event {
         at: Vec2,
     },
     /// The robot lost its balance.
-    Fall(Fall),
+    Fall(Direction),
     /// The robot is on its feet again.
     GotUp,
     /// The robot ran into a post, a net or another robot after half a second or more without touching any.

@@ -2,6 +2,8 @@
 
 use core::f32::consts::FRAC_PI_2;
 
+use bica_motion::fall::Direction;
+use bica_motion::getup::TUCKED_KNEE;
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::kinematics::Skeleton;
 use bica_motion::pose::Pose2;
@@ -10,7 +12,6 @@ use glam::{Affine3A, Quat, Vec3, Vec3A};
 
 use super::balance::Balance;
 use super::stance::{Stance, raised};
-use crate::referee::Fall;
 
 /// From the loss of balance to the ground, cycles.
 const FALLING: u32 = 60;
@@ -18,17 +19,15 @@ const FALLING: u32 = 60;
 const RISING: u32 = 50;
 /// From the ground to standing, at least, cycles.
 const GETTING_UP: u32 = 250;
-/// Knees bent further than this are tucked, rad.
-const TUCKED: f32 = 1.5;
-/// Knees bent further than this do not stand, rad.
-const STANDING: f32 = 1.4;
+/// Knees that stand up on are bent between these, rad: neither still tucked nor still stretched out.
+const STANDING: (f32, f32) = (0.3, 1.4);
 /// How far the middle between the hips comes from the feet, m.
 const FALL_LENGTH: f32 = 0.22;
 
 /// A robot that is not on its feet.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Down {
-    fall: Fall,
+    fall: Direction,
     /// Where it was and, later, stands up: the middle between the hips and the heading.
     place: Pose2,
     /// The robot frame when it lost its balance.
@@ -42,12 +41,12 @@ pub(crate) struct Down {
 
 impl Down {
     /// Begins to fall from a pose in which it had that heading.
-    pub(crate) fn new(fall: Fall, from: Affine3A, heading: f32) -> Self {
+    pub(crate) fn new(fall: Direction, from: Affine3A, heading: f32) -> Self {
         let way = match fall {
-            Fall::Front => Vec3A::X,
-            Fall::Back => Vec3A::NEG_X,
-            Fall::Left => Vec3A::Y,
-            Fall::Right => Vec3A::NEG_Y,
+            Direction::Front => Vec3A::X,
+            Direction::Back => Vec3A::NEG_X,
+            Direction::Left => Vec3A::Y,
+            Direction::Right => Vec3A::NEG_Y,
         };
         let ground = from.translation + Affine3A::from_rotation_z(heading).transform_vector3a(way * FALL_LENGTH);
         let place = Pose2 { position: ground.truncate(), heading };
@@ -55,7 +54,7 @@ impl Down {
     }
 
     /// Where it falls or fell to.
-    pub(crate) const fn fall(&self) -> Fall {
+    pub(crate) const fn fall(&self) -> Direction {
         self.fall
     }
 
@@ -86,7 +85,7 @@ impl Down {
         if self.cycles < FALLING {
             return None;
         }
-        self.tucked |= [Joint::LKneePitch, Joint::RKneePitch].iter().all(|&knee| angles[knee] > TUCKED);
+        self.tucked |= [Joint::LKneePitch, Joint::RKneePitch].iter().all(|&knee| angles[knee] > TUCKED_KNEE);
         if !self.tucked || !can_stand(angles, skeleton) {
             self.rising = 0;
             return None;
@@ -104,10 +103,10 @@ impl Down {
 
     fn lying(&self) -> Affine3A {
         let (turn, height) = match self.fall {
-            Fall::Front => (Quat::from_rotation_y(FRAC_PI_2), 0.08),
-            Fall::Back => (Quat::from_rotation_y(-FRAC_PI_2), 0.09),
-            Fall::Left => (Quat::from_rotation_x(-FRAC_PI_2), 0.11),
-            Fall::Right => (Quat::from_rotation_x(FRAC_PI_2), 0.11),
+            Direction::Front => (Quat::from_rotation_y(FRAC_PI_2), 0.08),
+            Direction::Back => (Quat::from_rotation_y(-FRAC_PI_2), 0.09),
+            Direction::Left => (Quat::from_rotation_x(-FRAC_PI_2), 0.11),
+            Direction::Right => (Quat::from_rotation_x(FRAC_PI_2), 0.11),
         };
         raised(&self.place) * Affine3A::from_rotation_translation(turn, Vec3::new(0.0, 0.0, height))
     }
@@ -118,11 +117,11 @@ fn can_stand(angles: &Joints, skeleton: &Skeleton) -> bool {
     let soles = Side::BOTH.map(|side| skeleton.sole(side));
     let level = soles.iter().all(|sole| sole.matrix3.z_axis.z > 0.95);
     let even = (soles[0].translation.z - soles[1].translation.z).abs() < 0.01;
-    let bent = angles[Joint::LKneePitch].max(angles[Joint::RKneePitch]);
+    let bent = |knee: Joint| (STANDING.0..STANDING.1).contains(&angles[knee]);
     let ground = Affine3A::from_translation(Vec3::new(0.0, 0.0, -soles[0].translation.z));
     let soles = soles.map(|sole| ground * sole);
     let balance = Balance { soles, support: Side::Left, mass: skeleton.centre_of_mass() };
-    level && even && bent < STANDING && balance.lost().is_none()
+    level && even && bent(Joint::LKneePitch) && bent(Joint::RKneePitch) && balance.lost().is_none()
 }
 
 fn between(from: &Affine3A, to: &Affine3A, part: f32) -> Affine3A {

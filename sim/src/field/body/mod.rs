@@ -6,11 +6,13 @@ mod motors;
 mod senses;
 mod stance;
 
-use bica_motion::joints::{Joint, Joints};
+use bica_motion::fall::Direction;
+use bica_motion::joints::Joints;
 use bica_motion::kinematics::Skeleton;
 use bica_motion::pose::{Pose2, rotate};
 use bica_motion::robot::{CameraId, Command, FootPressure, Inertial};
 use bica_motion::side::Side;
+use bica_motion::stand::STAND;
 use glam::{Affine3A, Vec2};
 
 use self::balance::Balance;
@@ -19,7 +21,7 @@ use self::motors::Motors;
 use self::senses::InertialUnit;
 use self::stance::{Stance, flat};
 use crate::random::{Random, Stream};
-use crate::referee::{Event, Fall, Posture};
+use crate::referee::{Event, Posture};
 
 pub(crate) use self::senses::turn_rate;
 pub(crate) use self::stance::raised;
@@ -63,7 +65,7 @@ pub(crate) struct Felt {
 impl Body {
     /// Stands over a place.
     pub(crate) fn standing(place: Pose2, seed: u64) -> Self {
-        let motors = Motors::holding(stand_posture());
+        let motors = Motors::holding(STAND);
         let skeleton = Skeleton::of(motors.angles());
         let stance = Stance::under(place, &skeleton);
         let robot = stance.robot(&skeleton);
@@ -182,7 +184,7 @@ impl Body {
         if *unbalanced <= PATIENCE {
             return None;
         }
-        let fall = lost.map_or(Fall::Back, |way| side_of(rotate(way, -heading)));
+        let fall = lost.map_or(Direction::Back, |way| side_of(rotate(way, -heading)));
         self.state = State::Down(Down::new(fall, self.robot, heading));
         Some(Event::Fall(fall))
     }
@@ -201,26 +203,11 @@ fn draw_slip(random: &mut Random) -> Pose2 {
 }
 
 /// The side of the body that a direction in the robot frame leads to.
-fn side_of(way: Vec2) -> Fall {
+fn side_of(way: Vec2) -> Direction {
     match (way.x.abs() >= way.y.abs(), way.x >= 0.0, way.y >= 0.0) {
-        (true, true, _) => Fall::Front,
-        (true, false, _) => Fall::Back,
-        (false, _, true) => Fall::Left,
-        (false, _, false) => Fall::Right,
+        (true, true, _) => Direction::Front,
+        (true, false, _) => Direction::Back,
+        (false, _, true) => Direction::Left,
+        (false, _, false) => Direction::Right,
     }
-}
-
-/// Hips 0.23 m over the ground, feet 12 mm behind them, arms down: how B-Human's robots stand ready to walk.
-pub(crate) fn stand_posture() -> Joints {
-    let mut posture = Joints::all(0.0);
-    for side in Side::BOTH {
-        let [_, _, hip, knee, ankle, _] = side.leg();
-        [posture[hip], posture[knee], posture[ankle]] = [-0.362_41, 0.841_70, -0.479_29];
-        let [shoulder_pitch, shoulder_roll, _, elbow_roll, ..] = side.arm();
-        posture[shoulder_pitch] = core::f32::consts::FRAC_PI_2;
-        posture[shoulder_roll] = side.sign() * 7.0_f32.to_radians();
-        posture[elbow_roll] = -side.sign() * 0.1;
-    }
-    posture[Joint::HeadPitch] = 0.0;
-    posture
 }

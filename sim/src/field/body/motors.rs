@@ -1,5 +1,6 @@
 //! Motors: joints follow their targets late and no faster than they can.
 
+use bica_motion::head::HeadAngles;
 use bica_motion::joints::{JOINTS, Joint, Joints};
 use bica_motion::robot::Command;
 use bica_motion::speed::DEAD_TIME;
@@ -47,6 +48,7 @@ impl Motors {
                 self.angles.0[i] += strength * (moved.0[i] - self.angles.0[i]);
             }
         }
+        HeadAngles::read(&self.angles).clamped().write(&mut self.angles);
     }
 }
 
@@ -92,5 +94,7 @@ mod tests {
             motors.step(&command(9.0, 1.0));
         }
         assert!(motors.angles().within_limits());
+        let head = HeadAngles::read(motors.angles());
+        assert_eq!(head, head.clamped());
     }
 }

@@ -1,8 +1,8 @@
 //! Standing on the foot that carries the body.
 //!
 //! Quasi-static: the lower sole carries. It stays where it is, flat on the ground, and everything else follows from the
-//! joint angles. When the other sole comes to lie lower, by a little hysteresis, it carries from then on, from where it
-//! is then; what it is tilted against the ground and off it fades away quickly, so that the torso never jumps.
+//! joint angles. When the other sole comes to lie lower, by a little hysteresis, it carries from then on, where it
+//! was just before; what it is tilted against the ground and off it fades away quickly, so that the torso never jumps.
 
 use bica_motion::kinematics::Skeleton;
 use bica_motion::pose::Pose2;
@@ -29,6 +29,8 @@ pub(crate) struct Stance {
     tilt: Quat,
     /// What is left of its height when it came down, m.
     lift: f32,
+    /// The other sole a cycle ago, field frame.
+    other: Affine3A,
     /// The rest of a slip, per cycle.
     slip: Pose2,
     slip_cycles: u32,
@@ -38,16 +40,18 @@ impl Stance {
     /// Stands so that the robot frame's origin and heading are over `place`.
     pub(crate) fn under(place: Pose2, skeleton: &Skeleton) -> Self {
         let support = Side::Left;
-        let standing = Self {
+        let mut standing = Self {
             support,
             anchor: Pose2::ORIGIN,
             tilt: Quat::IDENTITY,
             lift: 0.0,
+            other: Affine3A::IDENTITY,
             slip: Pose2::ORIGIN,
             slip_cycles: 0,
         };
-        let robot = flat(&standing.robot(skeleton));
-        Self { anchor: place * robot.inverse(), ..standing }
+        standing.anchor = place * flat(&standing.robot(skeleton)).inverse();
+        standing.other = standing.robot(skeleton) * skeleton.sole(support.other());
+        standing
     }
 
     /// The foot that carries.
@@ -69,25 +73,27 @@ impl Stance {
             self.slip_cycles -= 1;
             self.anchor = self.anchor * self.slip;
         }
-        let robot = self.robot(skeleton);
-        let [carrying, other] = [self.support, self.support.other()].map(|side| robot * skeleton.sole(side));
-        let height = |sole: &Affine3A| sole.transform_point3(SOLE_MIDDLE).z;
-        if height(&other) < height(&carrying) - HYSTERESIS {
-            self.step_onto(&other, draw_slip());
+        let soles = [self.support, self.support.other()].map(|side| self.robot(skeleton) * skeleton.sole(side));
+        let [carrying, other] = soles.map(|sole| sole.transform_point3(SOLE_MIDDLE).z);
+        if other < carrying - HYSTERESIS {
+            self.step_onto_other(draw_slip());
         }
+        self.other = self.robot(skeleton) * skeleton.sole(self.support.other());
     }
 
     /// Moves without a step, as when pushed. Field frame, m.
     pub(crate) fn shift(&mut self, by: glam::Vec2) {
         self.anchor.position += by;
+        self.other.translation += glam::Vec3A::from(by.extend(0.0));
     }
 
-    fn step_onto(&mut self, sole: &Affine3A, slip: Pose2) {
+    /// The foot that carries now took the weight where it was a cycle ago: since then the lifted one only moved away.
+    fn step_onto_other(&mut self, slip: Pose2) {
         self.support = self.support.other();
-        self.anchor = flat(sole);
-        let level = Mat3A::from_rotation_z(-self.anchor.heading) * sole.matrix3;
+        self.anchor = flat(&self.other);
+        let level = Mat3A::from_rotation_z(-self.anchor.heading) * self.other.matrix3;
         self.tilt = Quat::from_mat3a(&level).normalize();
-        self.lift = sole.translation.z;
+        self.lift = self.other.translation.z;
         let share = 1.0 / SLIP_CYCLES as f32;
         self.slip = Pose2 { position: share * slip.position, heading: share * slip.heading };
         self.slip_cycles = SLIP_CYCLES;
@@ -103,4 +109,86 @@ pub(crate) fn flat(pose: &Affine3A) -> Pose2 {
 /// A pose on the ground as one in space.
 pub(crate) fn raised(pose: &Pose2) -> Affine3A {
     Affine3A::from_translation(pose.position.extend(0.0)) * Affine3A::from_rotation_z(pose.heading)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use bica_motion::feet::{Foot, level_legs};
+    use bica_motion::stand::STAND;
+
+    /// The body with level feet there: forward of the hips and lift, m, left first.
+    fn body(feet: [(f32, f32); 2]) -> Skeleton {
+        let foot = |(x, lift), y| Foot { pose: Pose2::new(x, y, 0.0), lift };
+        let mut angles = STAND;
+        let legs = level_legs(&[foot(feet[0], 0.05), foot(feet[1], -0.05)], 0.215, 0.0);
+        for (side, leg) in Side::BOTH.into_iter().zip(legs) {
+            leg.write(side, &mut angles);
+        }
+        Skeleton::of(&angles)
+    }
+
+    /// Steps of 4 cm, each foot in turn, in 20 cycles; tells where the robot frame and the carrying sole were.
+    fn walk(stance: &mut Stance, steps: usize) -> Vec<(Side, Affine3A, Affine3A)> {
+        let mut seen = Vec::new();
+        for step in 0..steps {
+            for cycle in 0..20 {
+                let part = cycle as f32 / 19.0;
+                let lift = 0.02 * (1.0 - (2.0 * part - 1.0) * (2.0 * part - 1.0));
+                let (swinging, carrying) = ((0.04 * part - 0.02, lift), (0.02 - 0.04 * part, 0.0));
+                let feet = if step % 2 == 0 { [carrying, swinging] } else { [swinging, carrying] };
+                let skeleton = body(feet);
+                stance.step(&skeleton, || Pose2::ORIGIN);
+                let robot = stance.robot(&skeleton);
+                seen.push((stance.support(), robot, robot * skeleton.sole(stance.support())));
+            }
+        }
+        seen
+    }
+
+    #[test]
+    fn the_carrying_foot_does_not_slide_and_the_torso_goes_a_step_length_per_step() {
+        let skeleton = body([(0.02, 0.0), (-0.02, 0.0)]);
+        let mut stance = Stance::under(Pose2::new(0.5, -0.3, 0.0), &skeleton);
+        let seen = walk(&mut stance, 10);
+        for pair in seen.windows(2) {
+            let [(before, _, from), (after, _, to)] = pair else { continue };
+            if before == after {
+                assert!(flat(from).position.distance(flat(to).position) < 1e-5);
+            }
+        }
+        let last = flat(&seen[seen.len() - 1].1);
+        assert!(last.position.distance(glam::Vec2::new(0.9, -0.3)) < 2e-3, "{last:?}");
+        assert!(last.heading.abs() < 1e-3);
+        assert!(
+            seen.iter().any(|(side, ..)| *side == Side::Left) && seen.iter().any(|(side, ..)| *side == Side::Right)
+        );
+    }
+
+    #[test]
+    fn moving_up_and_down_on_both_feet_goes_nowhere() {
+        let mut stance = Stance::under(Pose2::ORIGIN, &Skeleton::of(&STAND));
+        for cycle in 0..1_000 {
+            let skeleton = body([(0.001 * (cycle % 7) as f32, 0.0004 * (cycle % 3) as f32), (0.0, 0.0)]);
+            stance.step(&skeleton, || Pose2::new(1.0, 1.0, 1.0));
+        }
+        assert_eq!(stance.support(), Side::Left);
+        let robot = flat(&stance.robot(&Skeleton::of(&STAND)));
+        assert!(robot.position.length() < 1e-5 && robot.heading.abs() < 1e-5, "{robot:?}");
+    }
+
+    #[test]
+    fn a_slip_comes_little_by_little_and_wholly() {
+        let mut stance = Stance::under(Pose2::ORIGIN, &Skeleton::of(&STAND));
+        let right = body([(0.0, 0.01), (0.0, 0.0)]);
+        let before = flat(&stance.robot(&right));
+        for cycle in 0..20 {
+            let was = flat(&stance.robot(&right));
+            stance.step(&right, || Pose2::new(0.008, 0.0, 0.0));
+            let step = flat(&stance.robot(&right)).position.distance(was.position);
+            assert!(step < 0.002, "cycle {cycle}: {step}");
+        }
+        let after = flat(&stance.robot(&right));
+        assert!(((after.position - before.position).x - 0.008).abs() < 1e-4, "{before:?} {after:?}");
+    }
 }

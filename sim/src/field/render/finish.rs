@@ -8,7 +8,7 @@ use super::view::View;
 use crate::random::Random;
 
 /// The most pictures that are averaged into a blurred one.
-const MOST_TAPS: usize = 12;
+const MOST_TAPS: usize = 8;
 /// Blur shorter than this is none, pixels.
 const LEAST_BLUR: f32 = 0.8;
 /// Length of the noise that rows take theirs from.
@@ -23,8 +23,9 @@ pub(crate) struct Sensor {
     exposure: f32,
     /// Noise as in YUYV.
     grain: Vec<i8>,
-    /// Brightness of every pixel's place, 256 is full.
+    /// Brightness of every byte of an image, 256 is full.
     vignette: Vec<u16>,
+    sums: Vec<u16>,
     blurred: Vec<u8>,
 }
 
@@ -33,12 +34,20 @@ impl Sensor {
         let deviation = |i: usize| if i.is_multiple_of(2) { palette.noise } else { 0.7 * palette.noise };
         let grain = (0..GRAIN + 2 * width).map(|i| (deviation(i) * random.normal()).clamp(-60.0, 60.0) as i8);
         let centre = Vec2::new(width as f32, height as f32) / 2.0;
-        let bright = |i: usize| {
-            let off = (Vec2::new((i % width) as f32, (i / width) as f32) - centre) / centre;
-            (256.0 * (1.0 - VIGNETTE * off.length_squared() / 2.0)) as u16
+        let light = |i: usize| {
+            let off = (Vec2::new((i / 2 % width) as f32, (i / 2 / width) as f32) - centre) / centre;
+            let luma = (256.0 * (1.0 - VIGNETTE * off.length_squared() / 2.0)) as u16;
+            if i.is_multiple_of(2) { luma } else { 256 }
         };
-        let vignette = (0..width * height).map(bright).collect();
-        Self { width, exposure: palette.exposure, grain: grain.collect(), vignette, blurred: vec![0; 4 * width] }
+        let vignette = (0..2 * width * height).map(light).collect();
+        Self {
+            width,
+            exposure: palette.exposure,
+            grain: grain.collect(),
+            vignette,
+            sums: vec![0; 4 * width],
+            blurred: vec![0; 4 * width],
+        }
     }
 
     /// Makes the image of a picture, taken while the camera turned with an angular velocity (camera frame, rad/s).
@@ -54,15 +63,36 @@ impl Sensor {
         let bytes = canvas.pixels.as_flattened();
         for (v, out) in image.chunks_exact_mut(2 * self.width).enumerate() {
             let row = if taps.len() > 1 {
-                blur_row(bytes, canvas, v, &taps, &mut self.blurred);
+                self.blur_row(canvas, v, &taps);
                 &self.blurred
             } else {
                 &bytes[4 * v * self.width..][..4 * self.width]
             };
+            pack(row, out);
             let start = (random.bits() as usize % GRAIN) & !3;
-            let grain = &self.grain[start..][..2 * self.width];
-            let vignette = &self.vignette[v * self.width..][..self.width];
-            pack(row, grain, vignette, out);
+            disturb(&self.grain[start..], &self.vignette[2 * v * self.width..], out);
+        }
+    }
+
+    /// Averages a row with those, shifted, that the taps say.
+    fn blur_row(&mut self, canvas: &Canvas, v: usize, taps: &[(isize, isize)]) {
+        let bytes = 4 * canvas.width;
+        self.sums.fill(taps.len() as u16 / 2);
+        for &(right, down) in taps {
+            let source = v.saturating_add_signed(down).min(canvas.height - 1);
+            let row = &canvas.pixels.as_flattened()[source * bytes..][..bytes];
+            let shift = right.unsigned_abs().min(canvas.width - 1) * 4;
+            let kept = bytes - shift;
+            let (there, here) = if right >= 0 { (shift, 0) } else { (0, shift) };
+            add(&mut self.sums[here..here + kept], &row[there..there + kept]);
+            let (edge, border) = if right >= 0 { (kept, &row[bytes - 4..]) } else { (0, &row[..4]) };
+            for pixel in self.sums[edge..edge + shift].chunks_exact_mut(4) {
+                add(pixel, border);
+            }
+        }
+        let share = (65_536 / taps.len()) as u16;
+        for (out, sum) in self.blurred.iter_mut().zip(&self.sums) {
+            *out = ((*sum as u32 * share as u32) >> 16) as u8;
         }
     }
 }
@@ -78,27 +108,6 @@ fn taps(motion: Vec2) -> Vec<(isize, isize)> {
     (0..count).map(|i| (libm::roundf(offset(i).x) as isize, libm::roundf(offset(i).y) as isize)).collect()
 }
 
-fn blur_row(bytes: &[u8], canvas: &Canvas, v: usize, taps: &[(isize, isize)], blurred: &mut [u8]) {
-    let width = canvas.width;
-    let mut sums = vec![0_u16; 4 * width];
-    for &(right, down) in taps {
-        let source = v.saturating_add_signed(down).min(canvas.height - 1);
-        let row = &bytes[4 * source * width..][..4 * width];
-        let shift = right.unsigned_abs().min(width - 1) * 4;
-        let kept = 4 * width - shift;
-        let (there, here) = if right >= 0 { (shift, 0) } else { (0, shift) };
-        add(&mut sums[here..here + kept], &row[there..there + kept]);
-        let (edge, border) = if right >= 0 { (kept, &row[4 * width - 4..]) } else { (0, &row[..4]) };
-        for pixel in sums[edge..edge + shift].chunks_exact_mut(4) {
-            add(pixel, border);
-        }
-    }
-    let share = 65_536 / taps.len() as u32;
-    for (out, sum) in blurred.iter_mut().zip(sums) {
-        *out = ((sum as u32 * share + 32_768) >> 16) as u8;
-    }
-}
-
 fn add(sums: &mut [u16], bytes: &[u8]) {
     for (sum, byte) in sums.iter_mut().zip(bytes) {
         *sum += *byte as u16;
@@ -106,17 +115,17 @@ fn add(sums: &mut [u16], bytes: &[u8]) {
 }
 
 /// Two pixels of four bytes each to `Y0 Cb Y1 Cr`.
-fn pack(row: &[u8], grain: &[i8], vignette: &[u16], out: &mut [u8]) {
-    let pairs = row.as_chunks::<8>().0.iter().zip(grain.as_chunks::<4>().0).zip(vignette.as_chunks::<2>().0);
-    for (out, ((pair, grain), vignette)) in out.as_chunks_mut::<4>().0.iter_mut().zip(pairs) {
-        let luma = |y: u8, v: u16, g: i8| (((y as u16 * v) >> 8) as i16 + g as i16).clamp(0, 255) as u8;
-        let chroma = |a: u8, b: u8, g: i8| (((a as i16 + b as i16 + 1) >> 1) + g as i16).clamp(0, 255) as u8;
-        *out = [
-            luma(pair[0], vignette[0], grain[0]),
-            chroma(pair[1], pair[5], grain[1]),
-            luma(pair[4], vignette[1], grain[2]),
-            chroma(pair[2], pair[6], grain[3]),
-        ];
+fn pack(row: &[u8], out: &mut [u8]) {
+    let pairs = row.as_chunks::<8>().0;
+    for (out, &[y0, cb0, cr0, _, y1, cb1, cr1, _]) in out.as_chunks_mut::<4>().0.iter_mut().zip(pairs) {
+        *out = [y0, cb0.midpoint(cb1), y1, cr0.midpoint(cr1)];
+    }
+}
+
+/// Darkens the corners and adds noise.
+fn disturb(grain: &[i8], vignette: &[u16], out: &mut [u8]) {
+    for ((byte, grain), light) in out.iter_mut().zip(grain).zip(vignette) {
+        *byte = (((*byte as u16 * light) >> 8) as i16 + *grain as i16).clamp(0, 255) as u8;
     }
 }
 

@@ -4,7 +4,7 @@ use super::canvas::{Pixel, mix};
 use super::light::Light;
 use super::lines::LineMap;
 use super::palette::{self, Palette, Rgb};
-use super::view::{LANES, Mapping};
+use super::view::{LANES, Mapping, whole};
 use crate::random::Random;
 
 /// Side of the carpet's repeated pattern, points; a power of two.
@@ -68,11 +68,16 @@ impl Ground {
         let light = 1.0 + slope.0 * x[0].clamp(-6.0, 6.0) + slope.1 * y[0].clamp(-6.0, 6.0);
         let luma = (colour[0] as f32 * light) as i32;
         let contrast = (256.0 * (1.0 / (POINTS * spot.side())).min(1.0)) as i32;
-        for (i, pixel) in pixels.iter_mut().enumerate() {
-            let column = (x[i] * POINTS + 65_536.0) as u32 as usize % PATTERN;
-            let row = (y[i] * POINTS + 65_536.0) as u32 as usize % PATTERN;
-            let tuft = (self.pattern[row * PATTERN + column] as i32 * contrast) >> 8;
-            *pixel = [(luma + tuft).clamp(0, 255) as u8, colour[1], colour[2], 0];
+        let mut places = [0; LANES];
+        for i in 0..LANES {
+            let column = whole(x[i] * POINTS) % PATTERN;
+            let row = whole(y[i] * POINTS) % PATTERN;
+            places[i] = (row * PATTERN + column) as u16;
+        }
+        let tufts = places.map(|place| self.pattern[place as usize]);
+        for (pixel, tuft) in pixels.iter_mut().zip(tufts) {
+            let luma = luma + ((tuft as i32 * contrast) >> 8);
+            *pixel = [luma.clamp(0, 255) as u8, colour[1], colour[2], 0];
         }
     }
 
@@ -88,12 +93,14 @@ impl Ground {
         if samples > 1.0 {
             return self.paint_far_lines(ground, (u, v), spot, samples, pixels);
         }
+        let nearest = self.lines.nearest(x, y);
+        if nearest.are_clear() {
+            return;
+        }
         let width = spot.side().max(spot.deep).max(SOFTNESS);
         for (i, pixel) in pixels.iter_mut().enumerate() {
-            if !self.lines.is_clear(x[i], y[i]) {
-                let share = self.lines.share(x[i], y[i], width);
-                *pixel = mix(*pixel, self.line, (share * 256.0) as i32);
-            }
+            let share = nearest.sure_share(i, width).unwrap_or_else(|| self.lines.share(x[i], y[i], width));
+            self.mark(pixel, share);
         }
     }
 
@@ -102,12 +109,17 @@ impl Ground {
         let mut shares = [0.0; LANES];
         for sample in 0..samples as usize {
             let (x, y) = ground.row(u, v + (sample as f32 + 0.5) / samples - 0.5);
-            for (i, share) in shares[..pixels.len()].iter_mut().enumerate() {
-                *share += self.lines.share(x[i], y[i], width);
-            }
+            self.lines.nearest(&x, &y).add_shares(width, &mut shares);
         }
         for (pixel, share) in pixels.iter_mut().zip(shares) {
-            *pixel = mix(*pixel, self.line, (share * (256.0 / samples)) as i32);
+            self.mark(pixel, share / samples);
+        }
+    }
+
+    /// Paints a pixel of which a share shows a line.
+    fn mark(&self, pixel: &mut Pixel, share: f32) {
+        if share > 0.0 {
+            *pixel = mix(*pixel, self.line, (share * 256.0) as i32);
         }
     }
 }

@@ -7,7 +7,7 @@ use glam::{Vec2, Vec3};
 use super::canvas::{Canvas, Edge, Pixel};
 use super::ground::Ground;
 use super::palette::{Palette, Rgb};
-use super::view::{Mapping, View};
+use super::view::{LANES, Mapping, View, whole};
 use crate::field::pitch::CARPET;
 use crate::random::Random;
 
@@ -93,12 +93,17 @@ impl Wall {
     }
 
     fn paint(&self, mapping: &Mapping, v: usize, first: usize, pixels: &mut [Pixel]) {
-        for (i, pixels) in pixels.chunks_mut(super::view::LANES).enumerate() {
-            let (along, up) = mapping.row((first + i * super::view::LANES) as f32, v as f32);
-            for (i, pixel) in pixels.iter_mut().enumerate() {
-                let column = ((along[i] * POINTS) as usize).min(self.width - 1);
-                let row = ((up[i] * POINTS) as usize).min(self.height - 1);
-                *pixel = self.points[row * self.width + column];
+        let most = |count: usize| count as f32 - 1.0;
+        for (i, pixels) in pixels.chunks_mut(LANES).enumerate() {
+            let (along, up) = mapping.row((first + i * LANES) as f32, v as f32);
+            let mut places = [0; LANES];
+            for i in 0..LANES {
+                let column = whole((along[i] * POINTS - 0.5).clamp(0.0, most(self.width)));
+                let row = whole((up[i] * POINTS - 0.5).clamp(0.0, most(self.height)));
+                places[i] = row * self.width + column;
+            }
+            for (pixel, place) in pixels.iter_mut().zip(places) {
+                *pixel = self.points[place];
             }
         }
     }

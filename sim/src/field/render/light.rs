@@ -28,6 +28,6 @@ impl Light {
     pub(crate) fn on(&self, normal: Vec3) -> i32 {
         let above = 0.5 + 0.5 * normal.z;
         let side = normal.dot(self.from).max(0.0);
-        (256.0 * (0.58 + 0.32 * above + 0.22 * side)) as i32
+        (256.0 * (0.66 + 0.26 * above + 0.22 * side)) as i32
     }
 }

@@ -1,8 +1,8 @@
 //! How far every point of the carpet is from the edge of a line.
 
 use glam::Vec2;
-use libm::floorf;
 
+use super::view::{LANES, whole};
 use crate::field::pitch::{CARPET, CIRCLE, CORNER, LINE_WIDTH, MARK, PENALTY_AREA, PENALTY_MARK};
 
 /// Distance between neighbouring points of the map, m.
@@ -11,8 +11,10 @@ const STEP: f32 = 0.01;
 const SIZE: (usize, usize) = ((CARPET.x / STEP) as usize + 2, (CARPET.y / STEP) as usize + 2);
 /// The map's unit, m: distances reach ±63.5 mm.
 const UNIT: f32 = 0.0005;
-/// A distance of the map that may be larger in truth, less what the nearest point may be off.
-const FAR: i8 = 112;
+/// Points from one row of the map to the next.
+const STRIDE: usize = SIZE.0.next_power_of_two();
+/// Nearest points this far from all lines (in units of the map) have none within 5 cm.
+const CLEAR: i8 = 112;
 
 /// Signed distances to the lines: negative on them.
 #[derive(Clone, Debug)]
@@ -22,20 +24,24 @@ pub(crate) struct LineMap {
 
 impl LineMap {
     pub(crate) fn new() -> Self {
-        let mut distances = vec![0; SIZE.0 * SIZE.1];
+        let mut distances = vec![0; STRIDE * SIZE.1];
         for (i, distance) in distances.iter_mut().enumerate() {
-            let point = Vec2::new((i % SIZE.0) as f32, (i / SIZE.0) as f32) * STEP;
+            let point = Vec2::new((i % STRIDE) as f32, (i / STRIDE) as f32) * STEP;
             *distance = libm::roundf(exact(point) / UNIT).clamp(-127.0, 127.0) as i8;
         }
         Self { distances }
     }
 
-    /// Whether a point is so far from all lines that a spot of 4 cm around it holds none.
-    #[inline(always)]
-    pub(crate) fn is_clear(&self, x: f32, y: f32) -> bool {
-        let column = ((x.abs() * (1.0 / STEP) + 0.5) as usize).min(SIZE.0 - 1);
-        let row = ((y.abs() * (1.0 / STEP) + 0.5) as usize).min(SIZE.1 - 1);
-        self.distances[row * SIZE.0 + column] > FAR
+    /// What the map's nearest points say about many points of the carpet.
+    pub(crate) fn nearest(&self, x: &[f32; LANES], y: &[f32; LANES]) -> Nearest {
+        let most = |count: usize| count as f32 - 1.0;
+        let mut places = [0; LANES];
+        for i in 0..LANES {
+            let column = whole((x[i].abs() * (1.0 / STEP)).min(most(SIZE.0)));
+            let row = whole((y[i].abs() * (1.0 / STEP)).min(most(SIZE.1)));
+            places[i] = (row * STRIDE + column) as u32;
+        }
+        Nearest(places.map(|place| self.distances[place as usize % (STRIDE * SIZE.1)]))
     }
 
     /// Which share of a round spot on the carpet is line, 0 to 1. `spot` is its width, m.
@@ -47,13 +53,39 @@ impl LineMap {
     fn distance(&self, x: f32, y: f32) -> f32 {
         let most = |count: usize| count as f32 - 1.001;
         let (x, y) = ((x.abs() / STEP).min(most(SIZE.0)), (y.abs() / STEP).min(most(SIZE.1)));
-        let (column, row) = (floorf(x), floorf(y));
-        let (right, up) = (x - column, y - row);
-        let start = row as usize * SIZE.0 + column as usize;
+        let (column, row) = (whole(x - 0.5), whole(y - 0.5));
+        let (right, up) = (x - column as f32, y - row as f32);
+        let start = (row * STRIDE + column).min(STRIDE * (SIZE.1 - 1) - 2);
         let at = |i: usize| self.distances[start + i] as f32;
         let near = at(0) + right * (at(1) - at(0));
-        let far = at(SIZE.0) + right * (at(SIZE.0 + 1) - at(SIZE.0));
+        let far = at(STRIDE) + right * (at(STRIDE + 1) - at(STRIDE));
         (near + up * (far - near)) * UNIT
+    }
+}
+
+/// Distances to the lines, to half a step or so.
+pub(crate) struct Nearest([i8; LANES]);
+
+impl Nearest {
+    /// Whether all points are so far from lines that spots of 5 cm around them hold none.
+    pub(crate) fn are_clear(&self) -> bool {
+        self.0.iter().fold(i8::MAX, |least, &distance| least.min(distance)) > CLEAR
+    }
+
+    /// Which share of a spot around the point of that index is line, if it is all or nothing for certain. `spot` is its
+    /// width, m.
+    pub(crate) fn sure_share(&self, index: usize, spot: f32) -> Option<f32> {
+        let distance = self.0[index] as f32 * UNIT;
+        (distance.abs() > spot / 2.0 + STEP).then_some(if distance < 0.0 { 1.0 } else { 0.0 })
+    }
+
+    /// Adds to every point's sum which share of a spot around it is line, 0 to 1. `spot` is its width, m, wider than the
+    /// map's steps.
+    pub(crate) fn add_shares(&self, spot: f32, sums: &mut [f32; LANES]) {
+        let scale = UNIT / spot;
+        for (sum, &distance) in sums.iter_mut().zip(&self.0) {
+            *sum += (0.5 - distance as f32 * scale).clamp(0.0, 1.0);
+        }
     }
 }
 
@@ -102,14 +134,15 @@ mod tests {
             assert_eq!(share(x, y), 0.0, "{x} {y}");
         }
         assert!((map.share(3.025, 1.0, 0.01) - 0.5).abs() < 0.051);
-        assert!(map.is_clear(2.0, 0.8) && !map.is_clear(3.04, 0.8) && !map.is_clear(1.27, 0.0));
+        let clear = |x, y| map.nearest(&[x; LANES], &[y; LANES]).are_clear();
+        assert!(clear(2.0, 0.8) && !clear(3.04, 0.8) && !clear(1.27, 0.0));
     }
 
     #[test]
     fn points_beyond_the_carpet_or_no_numbers_do_no_harm() {
         let map = LineMap::new();
         for x in [1e9, -1e9, f32::INFINITY, f32::NAN] {
-            assert!(map.is_clear(x, 2.5) || x.is_nan());
+            assert!(map.nearest(&[x; LANES], &[2.5; LANES]).are_clear());
             assert!(map.share(x, 2.5, 0.01).is_finite());
         }
     }

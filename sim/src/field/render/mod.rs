@@ -16,6 +16,7 @@ mod solid;
 mod view;
 
 use bica_motion::kinematics::Skeleton;
+use bica_motion::stand::STAND;
 use glam::{Affine3A, Vec2, Vec3};
 
 use self::canvas::{Canvas, Pixel};
@@ -27,7 +28,7 @@ use self::light::Light;
 use self::palette::Palette;
 use self::solid::Solid;
 use self::view::View;
-use super::body::{raised, stand_posture};
+use super::body::raised;
 use super::pitch::BALL_RADIUS;
 use super::setup::Setup;
 use super::start::{Layout, Other};
@@ -145,7 +146,7 @@ impl Group {
     }
 
     fn of_robot(other: &Other, dress: Dress) -> Self {
-        let skeleton = Skeleton::of(&stand_posture());
+        let skeleton = Skeleton::of(&STAND);
         let sole = skeleton.sole(bica_motion::side::Side::Left);
         let robot = raised(&other.pose) * Affine3A::from_translation(Vec3::new(0.0, 0.0, -sole.translation.z));
         let mut parts = figure::figure(&robot, &skeleton, dress);

@@ -99,7 +99,17 @@ pub(crate) struct Mapping {
 }
 
 /// How many pixels are mapped at once.
-pub(crate) const LANES: usize = 16;
+pub(crate) const LANES: usize = 32;
+
+/// The nearest whole number, modulo 2²² and so also of negative ones; for numbers up to 2²² in size.
+///
+/// In that range a float of 1.5·2²³ has a whole number in its last bits. Unlike a cast this is a single addition, and
+/// the compiler makes one of many at once. What is out of range or no number gives some number below 2²².
+#[inline(always)]
+pub(crate) fn whole(x: f32) -> usize {
+    const ALIGN: f32 = 12_582_912.0;
+    ((x + ALIGN).to_bits() & 0x003f_ffff) as usize
+}
 
 impl Mapping {
     /// The plane's coordinates seen at a pixel, m.
@@ -153,6 +163,16 @@ mod tests {
             let found = view.mapping(Vec3::ZERO, Vec3::X, Vec3::Y).at(pixel.x, pixel.y);
             let limit = 3e-5 * (1.0 + seen.length_squared() / view.pose.translation.z);
             assert!(found.distance(point.truncate()) < limit, "{found} {point}");
+        }
+    }
+
+    #[test]
+    fn whole_numbers_are_nearest_and_wrap() {
+        for (x, nearest) in [(0.0, 0), (0.4, 0), (0.6, 1), (1234.4, 1234), (-0.6, (1 << 22) - 1)] {
+            assert_eq!(whole(x), nearest);
+        }
+        for x in [f32::NAN, f32::INFINITY, -1e30] {
+            assert!(whole(x) < 1 << 22);
         }
     }
 

@@ -1,0 +1,75 @@
+use core::time::Duration;
+
+use bica_motion::pose::Pose2;
+use bica_motion::side::Side;
+use bica_motion::stand::STAND;
+use bica_sim::World;
+use bica_sim::field::FieldWorld;
+use bica_sim::referee::Event;
+use glam::Vec2;
+
+use crate::puppet::{TOGETHER, alone, command, glide, swayed};
+
+/// Stands on one foot, swings the other one back and then forward at full speed.
+fn kick(world: &mut FieldWorld, foot: Side) {
+    let swung = |x: f32, lift: f32| {
+        let mut feet = swayed(foot.other());
+        feet[foot.index()].0 += x;
+        feet[foot.index()].2 = lift;
+        feet
+    };
+    glide(world, TOGETHER, swung(0.0, 0.0), 50);
+    glide(world, swung(0.0, 0.0), swung(-0.07, 0.03), 40);
+    glide(world, swung(-0.07, 0.03), swung(0.09, 0.02), 12);
+    glide(world, swung(0.09, 0.02), swung(0.0, 0.02), 30);
+    glide(world, swung(0.0, 0.02), swung(0.0, 0.0), 30);
+}
+
+fn stand(world: &mut FieldWorld, seconds: u32) {
+    for _ in 0..100 * seconds {
+        world.act(&command(STAND));
+    }
+}
+
+#[test]
+fn a_kicked_ball_goes_where_the_foot_swung_and_into_the_goal() {
+    for foot in Side::BOTH {
+        let robot = Pose2::new(1.6, 0.0, 0.0);
+        let ball = robot.place(Vec2::new(0.17, 0.055 * foot.sign()));
+        let mut world = alone(4, robot, ball);
+        kick(&mut world, foot);
+        let speed = world.referee().ball_velocity();
+        assert!(speed.x > 1.0 && speed.y.abs() < 0.35 * speed.x, "{foot:?}: {speed}");
+        assert_eq!(world.referee().count(|event| *event == Event::Touch { foot }), 1);
+        assert_eq!(world.referee().count(|event| matches!(event, Event::Kick { foot: by, .. } if *by == foot)), 1);
+        stand(&mut world, 2);
+        assert_eq!(world.referee().goals(), 1);
+        assert_eq!((world.referee().own_goals(), world.referee().falls()), (0, 0));
+        stand(&mut world, 4);
+        assert_eq!(world.referee().ball(), Vec2::ZERO);
+        assert_eq!(world.referee().goals(), 1);
+    }
+}
+
+#[test]
+fn a_ball_kicked_over_the_side_line_comes_back() {
+    let robot = Pose2::new(0.5, 1.5, core::f32::consts::FRAC_PI_2);
+    let mut world = alone(4, robot, robot.place(Vec2::new(0.17, 0.055)));
+    kick(&mut world, Side::Left);
+    stand(&mut world, 3);
+    assert_eq!(world.referee().outs(), 1);
+    let events = world.referee().events();
+    let out = events.iter().find(|happened| happened.event == Event::BallOut).expect("the ball was out");
+    let placed = events.iter().find(|happened| matches!(happened.event, Event::BallPlaced { .. })).expect("it is back");
+    assert_eq!(placed.at, out.at + Duration::from_secs(1));
+    let ball = world.referee().ball();
+    assert!(ball.y.abs() < 2.0 && ball.distance(robot.position) > 0.2, "{ball}");
+}
+
+#[test]
+fn a_ball_that_nobody_touches_lies_still() {
+    let mut world = alone(4, Pose2::ORIGIN, Vec2::new(1.0, 0.5));
+    stand(&mut world, 3);
+    assert_eq!(world.referee().ball(), Vec2::new(1.0, 0.5));
+    assert!(world.referee().events().is_empty());
+}
