@@ -4,11 +4,12 @@ use std::collections::BTreeSet;
 
 use proc_macro2::TokenStream;
 use quote::quote;
-use syn::{Type, parse_quote};
+use syn::{Type, WherePredicate, parse_quote, parse_quote_spanned};
 
 use super::{description, hooks, machine, node, runtime, step};
 use crate::component::links::Links;
 use crate::component::model::{Argument, Behaviour, Component};
+use crate::quoting::{at, placed};
 use crate::text;
 
 pub(super) fn expand(component: &Component, behaviour: &Behaviour) -> TokenStream {
@@ -19,7 +20,7 @@ pub(super) fn expand(component: &Component, behaviour: &Behaviour) -> TokenStrea
     let bounds = generics.make_where_clause();
     bounds.predicates.push(parse_quote!(__T: #p::Has<#own>));
     for child in children(component, behaviour) {
-        bounds.predicates.push(parse_quote!(__T: #p::Has<#child>));
+        bounds.predicates.push(holds(&p, &child));
     }
     let (parameters, _, bounds) = generics.split_for_impl();
     let timed = timed(component);
@@ -44,6 +45,12 @@ pub(super) fn expand(component: &Component, behaviour: &Behaviour) -> TokenStrea
             #hooks
         }
     }
+}
+
+/// `__T: Has<child>`, with the child's place in a signature for the compiler to point at.
+fn holds(p: &TokenStream, child: &Type) -> WherePredicate {
+    let p = placed(p, at(child));
+    parse_quote_spanned!(at(child) => __T: #p::Has<#child>)
 }
 
 /// The visits of some children.
