@@ -53,6 +53,7 @@ pub mod colour;
 pub mod edges;
 pub mod field_end;
 pub mod frame;
+pub mod gap;
 pub mod goal;
 pub mod lines;
 pub mod memory;
