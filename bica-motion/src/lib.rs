@@ -11,6 +11,7 @@ pub mod getup;
 pub mod head;
 pub mod joints;
 pub mod keyframes;
+pub mod kick;
 pub mod kinematics;
 pub mod limbs;
 pub mod limits;

@@ -2,6 +2,7 @@
 
 mod falls;
 mod head;
+mod kick;
 mod kinematics;
 mod odometry;
 mod walk;

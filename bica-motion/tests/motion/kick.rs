@@ -1,0 +1,173 @@
+//! The kicks in the quasi-static world.
+
+use bica_motion::joints::{Joint, Joints};
+use bica_motion::kick::{Kick, KickKind, KickMotion};
+use bica_motion::pose::wrap;
+use bica_motion::side::Side;
+use bica_motion::speed::max_speed;
+use bica_motion::stand::STAND;
+use bica_motion::walk::Parameters;
+use glam::Vec2;
+
+use crate::world::{CYCLE, World, gap, outline};
+
+const BALL_RADIUS: f32 = 0.0325;
+
+/// Plays a kick to its end and a bit further; calls `each` after every cycle.
+fn play(kick: Kick, mut each: impl FnMut(&World, &KickMotion, &Joints)) -> World {
+    let mut world = World::standing(STAND);
+    let mut motion = KickMotion::new(kick);
+    for _ in 0..(kick.seconds() / CYCLE) as usize + 10 {
+        let targets = motion.step(CYCLE).joints();
+        world.step(&targets);
+        each(&world, &motion, &targets);
+    }
+    assert!(motion.is_done());
+    world
+}
+
+#[test]
+fn a_kick_keeps_balance_limits_and_speeds_and_returns_to_the_stand() {
+    for kick in Kick::ALL {
+        assert!(kick.seconds() <= 2.5, "{}", kick.seconds());
+        let start = World::standing(STAND);
+        let stands = start.sole(kick.foot.other());
+        let mut last = STAND;
+        let end = play(kick, |world, _, targets| {
+            assert!(world.margin() > 0.012, "{kick:?}: the mass is {} mm inside", 1e3 * world.margin());
+            assert!(gap([&world.sole(Side::Left), &world.sole(Side::Right)]) > 0.005, "{kick:?}: the feet touch");
+            assert!(world.sole(kick.foot.other()).abs_diff_eq(stands, 1e-3), "{kick:?}: the standing foot moves");
+            assert!(targets.within_limits(), "{kick:?}: {targets:?}");
+            for joint in Joint::ALL {
+                let speed = (targets[joint] - last[joint]).abs() / CYCLE;
+                assert!(speed <= max_speed(joint), "{kick:?}: {joint:?} at {speed} rad/s");
+            }
+            last = *targets;
+        });
+        assert_eq!(last, Parameters::NAO.stand().joints());
+        assert!(end.sole(kick.foot).abs_diff_eq(start.sole(kick.foot), 1e-3));
+    }
+}
+
+#[test]
+fn the_right_foot_kicks_as_the_left_one_does_in_a_mirror() {
+    for pair in Kick::ALL.chunks(2) {
+        assert_eq!(pair[0].kind, pair[1].kind);
+        let [mut left, mut right] = [pair[0], pair[1]].map(KickMotion::new);
+        for _ in 0..250 {
+            let (left, right) = (left.step(CYCLE).joints(), right.step(CYCLE).joints().mirrored());
+            for joint in Joint::ALL {
+                assert!((left[joint] - right[joint]).abs() < 1e-5, "{joint:?}");
+            }
+        }
+        assert_eq!(pair[0].ball(), pair[1].ball() * Vec2::new(1.0, -1.0));
+        assert!((pair[0].direction() + pair[1].direction()).abs() < 1e-6);
+    }
+}
+
+/// How the foot meets a ball.
+struct Hit {
+    /// While the kick said that it strikes.
+    in_strike: bool,
+    /// Of the place on the foot's edge that meets the ball, m/s, ground frame.
+    velocity: Vec2,
+    /// From there to the ball's middle.
+    normal: Vec2,
+}
+
+impl Hit {
+    /// Where a hard ball flies: along the normal, and dragged along a little by the foot.
+    fn flight(&self) -> Vec2 {
+        let away = self.velocity.dot(self.normal) * self.normal;
+        1.5 * away + 0.1 * (self.velocity - away)
+    }
+}
+
+/// The place on a closed line that is nearest to a point: its index and share.
+fn nearest(line: &[Vec2], point: Vec2) -> (usize, f32, Vec2) {
+    let places = line.iter().zip(line.iter().cycle().skip(1)).enumerate().map(|(i, (&a, &b))| {
+        let t = ((point - a).dot(b - a) / (b - a).length_squared()).clamp(0.0, 1.0);
+        (i, t, a.lerp(b, t))
+    });
+    places.min_by(|a, b| a.2.distance(point).total_cmp(&b.2.distance(point))).expect("a line has points")
+}
+
+/// The first meeting of the kicking foot with a ball at `ball`, in the frame of the ground between the feet.
+fn hit(kick: Kick, ball: Vec2) -> Option<Hit> {
+    let start = World::standing(STAND).ground();
+    let seen = |world: &World| -> Vec<Vec2> {
+        let corners = outline(kick.foot, &world.sole(kick.foot));
+        corners.into_iter().map(|corner| start.locate(corner.truncate())).collect()
+    };
+    let mut before = seen(&World::standing(STAND));
+    let mut found: Option<Hit> = None;
+    play(kick, |world, motion, _| {
+        let now = seen(world);
+        for part in (1..=10).map(|i| i as f32 / 10.0) {
+            let line: Vec<Vec2> = before.iter().zip(&now).map(|(a, b)| a.lerp(*b, part)).collect();
+            let (i, t, place) = nearest(&line, ball);
+            if found.is_none() && place.distance(ball) < BALL_RADIUS {
+                assert!(world.sole(kick.foot).translation.z < 0.03, "the middle of the ball is above the sole");
+                let j = (i + 1) % now.len();
+                let velocity = (now[i].lerp(now[j], t) - before[i].lerp(before[j], t)) / CYCLE;
+                found = Some(Hit { in_strike: motion.strikes(), velocity, normal: (ball - place).normalize() });
+            }
+        }
+        before = now;
+    });
+    found
+}
+
+fn off(direction: Vec2, kick: Kick) -> f32 {
+    wrap(direction.y.atan2(direction.x) - kick.direction()).abs().to_degrees()
+}
+
+#[test]
+fn the_foot_meets_the_ball_fast_and_in_the_direction_promised() {
+    for kick in Kick::ALL {
+        let hit = hit(kick, kick.ball()).expect("it meets the ball");
+        assert!(hit.in_strike);
+        assert!(off(hit.velocity, kick) < 10.0, "{kick:?}: {}° off", off(hit.velocity, kick));
+        assert!(off(hit.flight(), kick) < 5.0, "{kick:?}: the ball flies {}° off", off(hit.flight(), kick));
+        let least = if kick.kind == KickKind::Front { 1.1 } else { 0.9 };
+        assert!(hit.velocity.length() >= least, "{kick:?}: {} m/s", hit.velocity.length());
+    }
+}
+
+#[test]
+fn a_ball_up_to_15_mm_off_its_place_is_kicked_too() {
+    for kick in Kick::ALL {
+        for (x, y) in [(1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0), (0.7, 0.7), (-0.7, 0.7), (0.7, -0.7)] {
+            let ball = kick.ball() + 0.015 * Vec2::new(x, y);
+            let hit = hit(kick, ball).expect("it meets the ball");
+            assert!(hit.in_strike, "{kick:?}: touched too early at {x}, {y}");
+            assert!(off(hit.flight(), kick) < 20.0, "{kick:?} at {x}, {y}: {}° off", off(hit.flight(), kick));
+            assert!(hit.flight().length() > 0.8, "{kick:?} at {x}, {y}: {} m/s", hit.flight().length());
+        }
+    }
+}
+
+#[test]
+fn a_ball_in_place_is_clear_of_the_standing_feet_and_in_the_way_of_nothing_else() {
+    let world = World::standing(STAND);
+    for kick in Kick::ALL {
+        let ball = world.ground().place(kick.ball());
+        for side in Side::BOTH {
+            let feet: Vec<Vec2> = outline(side, &world.sole(side)).iter().map(|corner| corner.truncate()).collect();
+            let room = nearest(&feet, ball).2.distance(ball) - BALL_RADIUS;
+            assert!(room > 0.015, "{kick:?}: {} mm from the {side:?} foot", 1e3 * room);
+        }
+    }
+}
+
+#[test]
+fn strange_cycle_times_do_no_harm() {
+    for dt in [f32::NAN, f32::NEG_INFINITY, -1.0, 0.0] {
+        let mut motion = KickMotion::new(Kick::ALL[0]);
+        let first = motion.step(dt).joints();
+        assert!(first.0.iter().all(|angle| angle.is_finite()) && !motion.is_done());
+    }
+    let mut motion = KickMotion::new(Kick::ALL[3]);
+    assert_eq!(motion.step(f32::INFINITY), Parameters::NAO.stand());
+    assert!(motion.is_done());
+}
