@@ -2,6 +2,7 @@
 
 use bica_motion::kick::{Kick, KickKind};
 use bica_motion::pose::wrap;
+use glam::Vec2;
 use libm::{atan2f, fabsf};
 
 use crate::perception::{BallDetector, NetDetector, Odometry};
@@ -28,25 +29,27 @@ pub struct Strike {
 const FAR: f32 = 0.6;
 /// How far to go round when no goal was seen, rad: it is behind.
 const BEHIND: f32 = 2.5;
-/// How far beside the goal's middle to aim, m: the keeper stands in the middle.
+/// How far beside the goal's middle to aim where the gap is not known, m: the keeper stands in the middle.
 const BESIDE: f32 = 0.38;
 
-/// Plans what to do with the ball: the kick and the side of the goal that ask for the least turning, if the goal was seen.
+/// Plans what to do with the ball: the kick that asks for the least turning, if the goal was seen.
 #[must_use]
 pub fn plan(ball: &BallDetector, net: &NetDetector, odometry: &Odometry) -> Plan {
     let (Some(ball), Some(goal)) = (ball.at(), net.at()) else { return Plan::GoRound(BEHIND) };
-    let across = BESIDE * (goal - ball).normalize_or_zero().perp();
-    let turns = [goal + across, goal - across].into_iter().flat_map(|target| {
-        let way = target - ball;
-        let direction = atan2f(way.y, way.x);
+    let targets = net.gap().map_or([BESIDE, -BESIDE], |gap| [gap; 2]).map(|aside| goal + aside * net.across());
+    let turns = targets.into_iter().flat_map(|target| {
+        let direction = heading(target - ball);
         Kick::ALL.into_iter().map(move |kick| (kick, wrap(direction - kick.direction())))
     });
     let effort = |&(kick, turn): &(Kick, f32)| fabsf(turn) + reluctance(kick);
     let best = turns.filter(|&(_, turn)| fabsf(turn) < FAR).min_by(|a, b| effort(a).total_cmp(&effort(b)));
-    let to_goal = goal - ball;
-    best.map_or(Plan::GoRound(atan2f(to_goal.y, to_goal.x)), |(kick, turn)| {
+    best.map_or(Plan::GoRound(heading(targets[0] - ball)), |(kick, turn)| {
         Plan::Kick(Strike { kick, heading: odometry.pose().heading + turn })
     })
+}
+
+fn heading(way: Vec2) -> f32 {
+    atan2f(way.y, way.x)
 }
 
 /// What a kick costs beside the turning, rad: the front kick is the surest.

@@ -40,7 +40,7 @@ impl SearchNet {
         gaze.through(CameraId::Top);
         if self.glance == 0 && self.rested == 0.0 {
             self.side = net.at().map_or(1.0, |goal| 1.0_f32.copysign(goal.y));
-            net.forget();
+            net.look_anew();
         }
         let Some(&pan) = PANS.get(self.glance) else {
             self.complete = true;

@@ -1,11 +1,13 @@
 //! The goal to score in.
 
 use bica::prelude::*;
-use bica_motion::pose::Pose2;
+use bica_motion::pose::{Pose2, rotate};
 use bica_vision::colour::Colour;
 use bica_vision::frame::Frame;
-use bica_vision::goal::{Goal, GoalFinder};
+use bica_vision::gap;
+use bica_vision::goal::{Goal, GoalFinder, POST_DISTANCE, Post};
 use bica_vision::memory::Memory;
+use bica_vision::projection::Camera;
 use glam::Vec2;
 
 use super::{CameraPose, FieldEnd, Odometry};
@@ -13,6 +15,12 @@ use crate::input::{Colours, Eye};
 
 /// Time without a sighting in which the belief in the goal's place halves, s.
 const HALF_LIFE: f32 = 20.0;
+/// Two posts are believed to be a goal's if their distance is right within this part of it.
+const WIDTH_ERROR: f32 = 0.3;
+/// A gap narrower than this part of the goal is not aimed at.
+const ROOM: f32 = 0.25;
+/// A lone post is believed to be of the remembered goal if that moves the goal by less than this, m.
+const SAME: f32 = 0.6;
 
 /// Finds the goal that the forward attacks and remembers where it is.
 pub struct NetDetector {
@@ -20,6 +28,9 @@ pub struct NetDetector {
     attacked: Colour,
     seen: Option<Goal>,
     whole: bool,
+    /// From the right post to the left one, length 1, in the frame of the odometry.
+    across: Vec2,
+    gap: Option<f32>,
     memory: Memory,
     moved: Pose2,
     image: u32,
@@ -35,6 +46,8 @@ impl NetDetector {
             attacked: Colour::Yellow,
             seen: None,
             whole: false,
+            across: Vec2::Y,
+            gap: None,
             memory: Memory::new(HALF_LIFE),
             moved: Pose2::ORIGIN,
             image: 0,
@@ -58,7 +71,8 @@ impl NetDetector {
         self.image = eye.count();
         self.seen = self.look(eye, colours, end, pose);
         if let Some((goal, camera)) = self.seen.zip(pose.camera()) {
-            self.note(&goal, goal.ground(camera));
+            self.note(&goal, camera);
+            self.note_gap(&goal, camera, eye, colours);
         }
     }
 
@@ -68,19 +82,46 @@ impl NetDetector {
         if self.attacked == Colour::Yellow { goals.yellow } else { goals.blue }
     }
 
-    /// A whole goal is better knowledge than a part of one.
-    fn note(&mut self, goal: &Goal, at: Option<Vec2>) {
-        let whole = goal.second.is_some();
-        if let Some(at) = at.filter(|_| whole || !self.whole) {
-            self.memory.see(at, if whole { 0.9 } else { 0.5 });
-            self.whole |= whole;
+    /// Two posts tell where the goal is; one corrects what is remembered, or is all that is known.
+    fn note(&mut self, goal: &Goal, camera: &Camera) {
+        let Some(first) = goal.first.ground(camera) else { return };
+        if let Some(second) = goal.second.and_then(|post| post.ground(camera)) {
+            let across = first - second;
+            if (across.length() - POST_DISTANCE).abs() < WIDTH_ERROR * POST_DISTANCE {
+                self.across = rotate(across.normalize(), self.moved.heading);
+                self.whole = true;
+                self.memory.see(0.5 * (first + second), 0.9);
+            }
+        } else if let Some(known) = self.memory.position() {
+            let half = 0.5 * POST_DISTANCE * self.across();
+            let near = |at: &Vec2| at.distance(known);
+            let middle = [first + half, first - half].into_iter().min_by(|a, b| near(a).total_cmp(&near(b)));
+            if let Some(middle) = middle.filter(|at| near(at) < SAME) {
+                self.memory.see(middle, 0.3);
+            }
+        } else if let Some(middle) = goal.ground(camera) {
+            self.across = rotate(middle.normalize_or_zero().perp(), self.moved.heading);
+            self.memory.see(middle, 0.3);
+        }
+    }
+
+    /// The keeper is seen only together with both posts.
+    fn note_gap(&mut self, goal: &Goal, camera: &Camera, eye: &Eye, colours: &Colours) {
+        let place = |post: Post| post.ground(camera).filter(|_| post.has_base);
+        let posts = place(goal.first).zip(goal.second.and_then(place));
+        let (Some((left, right)), Ok(frame)) = (posts, Frame::from_image(&eye.image())) else { return };
+        let gap = gap::widest(&frame, colours, camera, left, right);
+        if let Some(gap) = gap.filter(|gap| gap.width() > ROOM) {
+            self.gap = Some(POST_DISTANCE * (0.5 - gap.middle()));
         }
     }
 
     /// Attacks the goal of this colour from now on: [`Colour::Yellow`] or [`Colour::Blue`].
     pub fn attack(&mut self, colour: Colour) {
         self.attacked = colour;
-        self.forget();
+        self.whole = false;
+        self.gap = None;
+        self.memory.forget();
     }
 
     /// The colour of the goal that is attacked.
@@ -89,10 +130,9 @@ impl NetDetector {
         self.attacked
     }
 
-    /// Forgets where the goal is, to look for it anew.
-    pub fn forget(&mut self) {
+    /// Looks anew: what was seen before is only remembered.
+    pub const fn look_anew(&mut self) {
         self.whole = false;
-        self.memory.forget();
     }
 
     /// The goal in the newest image.
@@ -101,10 +141,23 @@ impl NetDetector {
         self.seen.as_ref()
     }
 
-    /// Whether both posts were seen at once since the detector last forgot.
+    /// Whether both posts were seen at once since the detector looked anew.
     #[must_use]
     pub const fn whole(&self) -> bool {
         self.whole
+    }
+
+    /// The direction along the goal line, from the right post to the left one, length 1.
+    #[must_use]
+    pub fn across(&self) -> Vec2 {
+        rotate(self.across, -self.moved.heading)
+    }
+
+    /// The middle of the widest part of the goal that nobody covers, m to the left of the goal's middle; none if the
+    /// whole goal line was never seen.
+    #[must_use]
+    pub const fn gap(&self) -> Option<f32> {
+        self.gap
     }
 
     /// Where the middle of the goal is believed to be, m, in the frame on the ground between the feet.
