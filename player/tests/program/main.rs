@@ -7,4 +7,5 @@ mod games;
 mod graph;
 mod pictures;
 mod run;
+mod schema;
 mod watch;
