@@ -1,7 +1,23 @@
 //! A NAO's body: joints, kinematics, head, walk, kicks, odometry, falls.
 //!
 //! Plain algorithms without a framework, `no_std` and without `alloc`. Metres, radians, seconds, newtons; x forward,
-//! y left, z up. The *robot* frame has its origin midway between the hip joints.
+//! y left, z up. The *robot* frame has its origin midway between the hip joints; the *ground* frame lies on the ground
+//! between the feet (see [`kinematics::ground_from_robot`]).
+//!
+//! ```
+//! use bica_motion::{joints::Joint, walk::{Body, Parameters, Phase, Velocity, Walk}, robot::FootPressure};
+//!
+//! let on_both_feet = FootPressure { front_left: 26.0, ..FootPressure::default() };
+//! let body = Body { left_foot: on_both_feet, right_foot: on_both_feet, ..Body::default() };
+//! let mut walk = Walk::new(Parameters::NAO);
+//! let stand = walk.step(Velocity::ZERO, &body, 0.01).joints();
+//! for _ in 0..100 {
+//!     let targets = walk.step(Velocity::new(0.2, 0.0, 0.0), &body, 0.01).joints();
+//!     assert!(targets.within_limits());
+//! }
+//! assert_eq!(walk.phase(), Phase::Walking);
+//! assert!(stand[Joint::LKneePitch] > 0.0);
+//! ```
 #![no_std]
 
 pub mod dimensions;

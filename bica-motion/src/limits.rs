@@ -1,6 +1,7 @@
 //! How far each joint turns.
 //!
-//! Source: B-Human 2023 `jointLimits.cfg` and rUNSWift 2019 `bodyV6.hpp`, which agree.
+//! Source: B-Human 2023 `jointLimits.cfg` and rUNSWift 2019 `bodyV6.hpp`, which agree. What
+//! the head's pitch may be depends on its yaw, too: see [`pitch_range`](crate::head::pitch_range).
 
 use crate::joints::{Joint, Joints};
 

@@ -2,7 +2,8 @@
 //!
 //! All are our own. Each shifts the weight over the right foot, lifts and swings the left one back, strikes, comes to a
 //! halt and returns to the stand. From pose to pose everything goes from rest to rest, so the strike is fastest halfway:
-//! there it meets the ball.
+//! there it meets the ball. The foot is lifted and set down straight, because one that
+//! moves aside while it still carries drags the body along.
 
 use glam::Vec3;
 
@@ -11,6 +12,9 @@ use crate::walk::Parameters;
 
 /// A pose and how long the way there takes, s.
 pub(super) type Frame = (f32, KickPose);
+
+/// The frame that is the strike, in each list.
+pub(super) const STRIKE: usize = 3;
 
 const fn frame(seconds: f32, hips: [f32; 3], foot: [f32; 3], [yaw, roll, pitch]: [f32; 3]) -> Frame {
     (seconds, KickPose { hips: Vec3::from_array(hips), foot: Vec3::from_array(foot), yaw, roll, pitch })

@@ -1,7 +1,7 @@
 //! A kick under way.
 
 use super::Kick;
-use super::frames::STAND;
+use super::frames::{STAND, STRIKE};
 use super::pose::KickPose;
 use crate::limbs::Limbs;
 use crate::walk::Parameters;
@@ -38,7 +38,7 @@ impl KickMotion {
     /// Whether the foot strikes now: the ball moves from here on.
     #[must_use]
     pub const fn strikes(&self) -> bool {
-        self.index == 3
+        self.index == STRIKE
     }
 
     /// `dt` seconds later: the targets for legs and arms; the stand when done.
