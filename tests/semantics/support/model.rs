@@ -1,0 +1,281 @@
+//! What a tree has to do, by the rules: an interpreter of its `GRAPH`, with plain vectors and no thought of speed.
+
+use std::vec::IntoIter;
+
+use bica::graph::{Graph, Link, LinkKind, Transition};
+use bica::prelude::*;
+
+use super::event::{Event, Read, Told};
+use super::rig::Hook;
+use super::unit::{bit, mixed};
+
+/// The ticks of the clock in a second.
+const SECOND: f64 = 1e6;
+
+/// A period longer than any clock runs.
+const NEVER: f64 = 1e30;
+
+/// What the rules make a tree remember of a component, and what the test components themselves do.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Memory {
+    pub(crate) active: bool,
+    visited: bool,
+    pub(crate) state: Option<usize>,
+    pub(crate) hz: Option<f32>,
+    /// The last point of the grid on which it runs.
+    grid: u64,
+    /// The last run since it became active.
+    ran: u64,
+    /// When the state was entered; without states, when it became active.
+    pub(crate) entered: u64,
+    /// Whether it was ever active.
+    pub(crate) started: bool,
+    pub(crate) hold: Hold,
+    pub(crate) flags: u32,
+    value: u64,
+    received: u64,
+}
+
+/// The model of one tree.
+pub(crate) struct Model {
+    graph: Graph,
+    hooks: &'static [Hook],
+    pub(crate) components: Vec<Memory>,
+    now: u64,
+    /// What really happened and was not yet expected.
+    events: IntoIter<Event>,
+}
+
+/// What differs.
+pub(crate) type Differs = Result<(), String>;
+
+impl Model {
+    pub(crate) fn new(graph: Graph, hooks: &'static [Hook]) -> Self {
+        let components = graph.nodes.iter().map(|node| Memory { hz: node.hz, ..Memory::default() }).collect();
+        Self { graph, hooks, components, now: 0, events: Vec::new().into_iter() }
+    }
+
+    /// Rule 4: the rate is modulable within the declared maximum.
+    pub(crate) fn set_rate(&mut self, index: usize, hz: f32) {
+        let declared = self.graph.nodes[index].hz;
+        let too_fast = declared.is_some_and(|most| hz > most);
+        self.components[index].hz = if hz.is_nan() || too_fast { declared } else { Some(hz) };
+    }
+
+    /// One cycle: compares what happened with what has to.
+    pub(crate) fn tick(&mut self, now: u64, events: Vec<Event>) -> Differs {
+        (self.now, self.events) = (now, events.into_iter());
+        self.expect(&Event::CycleBegin(now))?;
+        self.visit(self.graph.root)?;
+        let order = self.activators_first();
+        for &index in &order {
+            if self.components[index].hold == Hold::Active {
+                self.visit(index)?;
+            }
+        }
+        for &index in &order {
+            if self.components[index].active && !self.components[index].visited {
+                self.expect(&Event::Stopped(self.graph.nodes[index].name))?;
+                self.expect(&Event::Stop(index))?;
+            }
+        }
+        for memory in &mut self.components {
+            memory.active = std::mem::take(&mut memory.visited);
+        }
+        self.expect(&Event::CycleEnd)?;
+        self.events.next().map_or(Ok(()), |event| Err(format!("{event:?}, and nothing is to come any more")))
+    }
+
+    /// Rules 1, 2, 5 and 8.
+    fn visit(&mut self, index: usize) -> Differs {
+        if self.components[index].visited || self.components[index].hold == Hold::Latent {
+            return Ok(());
+        }
+        self.components[index].visited = true;
+        let fresh = !self.components[index].active;
+        let entering = fresh && self.start(index)?;
+        let due = fresh || self.is_due(index);
+        if !due {
+            self.expect(&Event::Skip(index))?;
+        }
+        self.visit_children(index, LinkKind::Requirement)?;
+        if due {
+            self.run(index, entering)?;
+        }
+        self.visit_children(index, LinkKind::Modulation)
+    }
+
+    /// Rules 5 and 6. Says whether the entry hooks of the initial state are to come.
+    fn start(&mut self, index: usize) -> Result<bool, String> {
+        let node = &self.graph.nodes[index];
+        let goes_on = node.resume && self.components[index].state.is_some();
+        let memory = &mut self.components[index];
+        (memory.grid, memory.ran, memory.started) = (self.now, self.now, true);
+        if !goes_on {
+            memory.entered = self.now;
+            memory.state = node.states.iter().position(|state| state.initial);
+        }
+        self.expect(&Event::Start(index))?;
+        self.expect(&Event::Started(node.name))?;
+        Ok(!goes_on)
+    }
+
+    /// Rule 3. What runs in every cycle leaves the grid alone. A clock that was set back by more than a period behind the grid starts the grid anew as well.
+    fn is_due(&mut self, index: usize) -> bool {
+        let memory = &mut self.components[index];
+        let period = match memory.hz {
+            None => return true,
+            Some(hz) if hz <= 0.0 => return false,
+            Some(hz) => (SECOND / f64::from(hz)).min(NEVER) as i128,
+        };
+        if period == 0 {
+            return true;
+        }
+        let late = i128::from(self.now) - i128::from(memory.grid) - period;
+        if (-2 * period..0).contains(&late) {
+            return false;
+        }
+        memory.grid = if (0..period).contains(&late) { memory.grid + period as u64 } else { self.now };
+        true
+    }
+
+    fn visit_children(&mut self, index: usize, kind: LinkKind) -> Differs {
+        let state = self.components[index].state;
+        let holds = |link: &&Link| link.kind == kind && (link.state.is_none() || link.state == state);
+        self.graph.nodes[index].links.iter().filter(holds).try_for_each(|link| self.visit(link.to))
+    }
+
+    /// Rules 2 and 7.
+    fn run(&mut self, index: usize, entering: bool) -> Differs {
+        self.expect(&Event::Run(index))?;
+        self.expect(&Event::Begin(index))?;
+        if let Some(state) = self.components[index].state {
+            if entering {
+                self.hooks(index, state, true)?;
+            }
+            if let Some(way) = self.transition(index, state)? {
+                self.hooks(index, state, false)?;
+                self.expect(&Event::End(index))?;
+                self.expect(&Event::Transition(index, state, way.to))?;
+                let memory = &mut self.components[index];
+                (memory.state, memory.entered) = (Some(way.to), self.now);
+                self.visit_children(index, LinkKind::Requirement)?;
+                self.expect(&Event::Begin(index))?;
+                self.hooks(index, way.to, true)?;
+            }
+        }
+        self.body(index)?;
+        self.components[index].ran = self.now;
+        self.expect(&Event::End(index))
+    }
+
+    /// The first transition that is to be taken.
+    fn transition(&mut self, index: usize, state: usize) -> Result<Option<Transition>, String> {
+        for &way in self.graph.nodes[index].transitions.iter().filter(|way| way.from == state) {
+            let stayed = way.after_ms.is_none_or(|ms| self.in_state(index) >= u64::from(ms) * 1000);
+            if stayed && (way.name.starts_with("timer") || self.ask(index, way.name)?) {
+                return Ok(Some(way));
+            }
+        }
+        Ok(None)
+    }
+
+    /// A component asks one of its transitions.
+    fn ask(&mut self, index: usize, name: &'static str) -> Result<bool, String> {
+        match self.next()? {
+            Event::Asked { by, transition, reads } if by == self.graph.nodes[index].name && transition == name => {
+                self.read(&reads)?;
+                Ok(self.components[index].flags & bit(name) != 0)
+            }
+            other => Err(format!("{other:?} instead of asking {name}")),
+        }
+    }
+
+    fn hooks(&mut self, index: usize, state: usize, entry: bool) -> Differs {
+        let node = &self.graph.nodes[index];
+        let (name, state) = (node.name, node.states[state].name);
+        for wanted in self.hooks.iter().filter(|hook| hook.of == name && hook.state == state && hook.entry == entry) {
+            match self.next()? {
+                Event::Hook { of, hook, reads, writes } if of == name && hook == wanted.name => {
+                    self.read(&reads)?;
+                    self.write(index, &writes);
+                }
+                other => return Err(format!("{other:?} instead of {wanted:?}")),
+            }
+        }
+        Ok(())
+    }
+
+    /// A step, or the body of the state that the component is in.
+    fn body(&mut self, index: usize) -> Differs {
+        let node = &self.graph.nodes[index];
+        let current = self.components[index].state.map_or("", |state| node.states[state].name);
+        loop {
+            match self.next()? {
+                Event::Rated { of, hz } => self.set_rate(self.named(of), f32::from_bits(hz)),
+                Event::Body { of, state, time, reads, writes } if of == node.name && state == current => {
+                    self.told(index, time)?;
+                    self.read(&reads)?;
+                    let memory = &mut self.components[index];
+                    memory.value = mixed(memory.value, std::mem::take(&mut memory.received) + 1);
+                    self.write(index, &writes);
+                    return Ok(());
+                }
+                other => return Err(format!("{other:?} instead of the body of {} in {current:?}", node.name)),
+            }
+        }
+    }
+
+    /// Time in the state. A clock that was set back to before the entry counts it from there.
+    fn in_state(&mut self, index: usize) -> u64 {
+        let memory = &mut self.components[index];
+        memory.entered = memory.entered.min(self.now);
+        self.now - memory.entered
+    }
+
+    fn told(&mut self, index: usize, time: Told) -> Differs {
+        let wanted = (self.now, self.now.saturating_sub(self.components[index].ran), self.in_state(index));
+        if time == wanted { Ok(()) } else { Err(format!("time is {time:?} instead of {wanted:?}")) }
+    }
+
+    /// What is read is what was last said.
+    fn read(&self, reads: &[Read]) -> Differs {
+        let wrong = reads.iter().find(|(name, value)| self.components[self.named(name)].value != *value);
+        wrong.map_or(Ok(()), |read| Err(format!("{read:?} is read, and not what was said last")))
+    }
+
+    fn write(&mut self, index: usize, writes: &[&'static str]) {
+        let value = self.components[index].value;
+        for name in writes {
+            let to = self.named(name);
+            self.components[to].received = mixed(self.components[to].received, value);
+        }
+    }
+
+    pub(crate) fn named(&self, name: &str) -> usize {
+        self.graph.nodes.iter().position(|node| node.name == name).expect("a component of the tree")
+    }
+
+    fn next(&mut self) -> Result<Event, String> {
+        self.events.next().ok_or_else(|| "nothing more happened".into())
+    }
+
+    fn expect(&mut self, wanted: &Event) -> Differs {
+        let event = self.next()?;
+        if event == *wanted { Ok(()) } else { Err(format!("{event:?} instead of {wanted:?}")) }
+    }
+
+    /// All components, each after those that can activate it; where that leaves a choice, in the order of the list.
+    fn activators_first(&self) -> Vec<usize> {
+        let mut order: Vec<usize> = Vec::new();
+        while order.len() < self.components.len() {
+            let waits = |index: usize| {
+                let activates = |&from: &usize| self.graph.nodes[from].links.iter().any(|link| link.to == index);
+                (0..self.components.len()).filter(activates).any(|from| !order.contains(&from))
+            };
+            let next = (0..self.components.len()).find(|index| !order.contains(index) && !waits(*index));
+            order.push(next.expect("no activation cycle"));
+        }
+        order
+    }
+}

@@ -1,0 +1,111 @@
+//! What is done to a tree from outside, at random.
+
+use bica::prelude::*;
+use proptest::prelude::*;
+use proptest::sample::Index;
+
+/// How the clock goes on.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Clock {
+    /// So many ticks later.
+    Later(u64),
+    /// So many ticks earlier.
+    Earlier(u64),
+    /// To this tick.
+    At(u64),
+}
+
+/// What a script may do besides ticking.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Act {
+    /// Sets the flags of a component.
+    Flags(u32),
+    /// Sets the rate of a component, by its type.
+    Rate(f32),
+    /// Sets the rate of a component, by its place in the list.
+    RateAt(f32),
+    /// Gives a component back its declared rate.
+    Reset,
+    /// Lets a component set the rate of its child in its next run.
+    Ask(f32),
+    /// Holds a component.
+    Hold(Hold),
+}
+
+/// One cycle: what is done before, to which components, and when it is.
+#[derive(Clone, Debug)]
+pub(crate) struct Tick {
+    pub(crate) acts: Vec<(Index, Act)>,
+    pub(crate) clock: Clock,
+}
+
+pub(crate) type Script = Vec<Tick>;
+
+/// What a script stresses: how likely each act is, against the others.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Stress {
+    pub(crate) flags: u32,
+    pub(crate) rates: u32,
+    pub(crate) holds: u32,
+    /// Whether the clock jumps, also back.
+    pub(crate) jumps: bool,
+}
+
+/// Scripts of up to four dozen cycles.
+pub(crate) fn scripts(stress: Stress) -> impl Strategy<Value = Script> {
+    let acts = prop::collection::vec((any::<Index>(), act(stress)), 0..4);
+    let tick = (acts, clock(stress.jumps)).prop_map(|(acts, clock)| Tick { acts, clock });
+    prop::collection::vec(tick, 1..48)
+}
+
+fn act(stress: Stress) -> BoxedStrategy<Act> {
+    prop_oneof![
+        1 => Just(Act::Flags(0)),
+        stress.flags => (any::<u32>(), any::<u32>()).prop_map(|(a, b)| Act::Flags(a & b)),
+        stress.rates => rate().prop_map(Act::Rate),
+        stress.rates => rate().prop_map(Act::RateAt),
+        stress.rates => Just(Act::Reset),
+        stress.rates => rate().prop_map(Act::Ask),
+        stress.holds => hold().prop_map(Act::Hold),
+    ]
+    .boxed()
+}
+
+fn hold() -> impl Strategy<Value = Hold> {
+    prop_oneof![1 => Just(Hold::Active), 1 => Just(Hold::Latent), 3 => Just(Hold::Tree)]
+}
+
+const ODD: [f32; 9] = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 0.0, -0.0, -1.0, f32::MIN_POSITIVE, 1e-30, 1e30];
+
+/// Rates around those declared, and what is none.
+fn rate() -> impl Strategy<Value = f32> {
+    prop_oneof![3 => 0.5_f32..120.0, 1 => prop::sample::select(&ODD[..])]
+}
+
+fn clock(jumps: bool) -> BoxedStrategy<Clock> {
+    let ms = |range: std::ops::Range<u64>| range.prop_map(|ms| Clock::Later(ms * 1000));
+    let steady = prop_oneof![
+        4 => Just(Clock::Later(10_000)),
+        2 => ms(1..40),
+        2 => (0..50_000_u64).prop_map(Clock::Later),
+        1 => ms(40..700),
+        1 => Just(Clock::Later(0)),
+    ];
+    let jump = prop_oneof![
+        (0..5_000_000_u64).prop_map(Clock::Earlier),
+        (0..90_000_u64).prop_map(Clock::Earlier),
+        any::<u64>().prop_map(Clock::At),
+        prop::sample::select(&[0, 1, u64::MAX - 1, u64::MAX][..]).prop_map(Clock::At),
+    ];
+    if jumps { prop_oneof![3 => steady, 1 => jump].boxed() } else { steady.boxed() }
+}
+
+impl Clock {
+    pub(crate) fn after(self, now: u64) -> u64 {
+        match self {
+            Self::Later(ticks) => now.saturating_add(ticks),
+            Self::Earlier(ticks) => now.saturating_sub(ticks),
+            Self::At(tick) => tick,
+        }
+    }
+}
