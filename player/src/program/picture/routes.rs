@@ -37,18 +37,41 @@ fn follow(layers: &Layers, start: usize) -> Vec<usize> {
 mod tests {
     use super::*;
     use crate::program::game::scene::GRAPH;
+    use bica::graph::{Link, LinkKind, Node};
+
+    const fn node(name: &'static str, links: &'static [Link]) -> Node {
+        let (states, transitions) = (&[], &[]);
+        Node { name, doc: "", hz: None, budget_us: None, resume: false, links, states, transitions }
+    }
+
+    /// `Top` reads and writes `Low`, past `Middle`.
+    const BOTH: Graph = {
+        const READ: LinkKind = LinkKind::Requirement;
+        const WRITE: LinkKind = LinkKind::Modulation;
+        const fn link(to: usize, kind: LinkKind, state: usize) -> Link {
+            Link { to, kind, state: Some(state) }
+        }
+        let nodes = &[
+            node("Top", &[link(2, READ, 0), link(2, WRITE, 1), link(1, READ, 0)]),
+            node("Middle", &[link(2, WRITE, 0)]),
+            node("Low", &[]),
+        ];
+        Graph { name: "Both", doc: "", cycle_hz: 100.0, budget_ms: None, root: 0, nodes }
+    };
 
     #[test]
     fn every_link_has_a_way_from_its_owner_down_to_its_end() {
-        let layers = Layers::new(&GRAPH);
-        for (from, (node, ways)) in GRAPH.nodes.iter().zip(routes(&GRAPH, &layers)).enumerate() {
-            for (link, way) in node.links.iter().zip(ways) {
-                let mut at = from;
-                for segment in way.iter().map(|&index| layers.segments[index]) {
-                    assert_eq!((segment.upper, segment.kind), (at, link.kind), "{} to {}", node.name, link.to);
-                    at = segment.lower;
+        for graph in [&GRAPH, &BOTH] {
+            let layers = Layers::new(graph);
+            for (from, (node, ways)) in graph.nodes.iter().zip(routes(graph, &layers)).enumerate() {
+                for (link, way) in node.links.iter().zip(ways) {
+                    let mut at = from;
+                    for segment in way.iter().map(|&index| layers.segments[index]) {
+                        assert_eq!((segment.upper, segment.kind), (at, link.kind), "{} to {}", node.name, link.to);
+                        at = segment.lower;
+                    }
+                    assert_eq!(at, link.to, "{}", node.name);
                 }
-                assert_eq!(at, link.to, "{}", node.name);
             }
         }
     }
