@@ -1,0 +1,42 @@
+//! The loop around a game.
+
+use bica::prelude::*;
+use bica_motion::robot::Command;
+use bica_player::perception::NetDetector;
+use bica_player::{Forward, act, sense};
+use bica_sim::World;
+use bica_sim::field::{FieldWorld, Setup};
+use bica_sim::referee::GoalColour;
+use bica_vision::colour::Colour;
+
+/// A forward in a world.
+pub(crate) struct Game {
+    pub(crate) world: FieldWorld,
+    pub(crate) robot: Box<Forward>,
+}
+
+impl Game {
+    pub(crate) fn new(setup: &Setup) -> Self {
+        let world = FieldWorld::new(setup).expect("the setup is sound");
+        let mut robot = Box::new(Forward::new());
+        robot.get_mut::<NetDetector>().attack(match world.referee().attacks() {
+            GoalColour::Yellow => Colour::Yellow,
+            GoalColour::SkyBlue => Colour::Blue,
+        });
+        Self { world, robot }
+    }
+
+    pub(crate) fn now(&self) -> Instant {
+        Instant::from_micros(self.world.now().as_micros() as u64)
+    }
+
+    /// One cycle: sense, think with a probe, act.
+    pub(crate) fn cycle<P: Probe>(&mut self, probe: &mut P) -> Command {
+        let now = self.now();
+        sense(&mut self.robot, &self.world.sensors()).expect("the eye is large enough");
+        self.robot.tick_with(now, probe);
+        let command = act(&self.robot);
+        self.world.act(&command);
+        command
+    }
+}

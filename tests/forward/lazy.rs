@@ -1,0 +1,35 @@
+//! What is not activated is not computed.
+
+use bica::prelude::*;
+use bica_player::Forward;
+use bica_player::behaviour::{FaceBall, Player};
+use bica_player::perception::{BallDetector, NetDetector};
+use bica_sim::field::Setup;
+
+use crate::game::Game;
+
+#[derive(Default)]
+struct Ran(Vec<ComponentId>);
+
+impl Probe for Ran {
+    fn run(&mut self, component: ComponentId) {
+        if !self.0.contains(&component) {
+            self.0.push(component);
+        }
+    }
+}
+
+#[test]
+fn facing_the_ball_runs_no_goal_code() {
+    let mut game = Game::new(&Setup { seed: 3, ..Setup::default() });
+    game.robot.hold::<Player>(Hold::Latent);
+    game.robot.hold::<FaceBall>(Hold::Active);
+    let mut ran = Ran::default();
+    for _ in 0..300 {
+        game.cycle(&mut ran);
+    }
+    let names: Vec<_> = ran.0.iter().map(|id| Forward::GRAPH.nodes[id.index()].name).collect();
+    assert!(ran.0.contains(&Forward::id::<FaceBall>()), "FaceBall did not run: {names:?}");
+    assert!(ran.0.contains(&Forward::id::<BallDetector>()), "the ball was not looked for: {names:?}");
+    assert!(!ran.0.contains(&Forward::id::<NetDetector>()), "goal code ran: {names:?}");
+}
