@@ -32,10 +32,11 @@ use crate::graph::Graph;
 /// The most components that one tree, and the most states that one machine can be checked for.
 pub const CAPACITY: usize = 256;
 
-/// Stops the compiler, with the whole reason in words, if a rule is broken.
+/// Stops the compiler, with the whole reason in words, if a rule is broken. The compiler points at the caller.
 ///
 /// # Panics
 /// With [`message`] of the [`first`] finding.
+#[track_caller]
 pub const fn check(graph: &Graph) {
     if let Some(finding) = first(graph) {
         panic!("{}", message(graph, &finding).as_str());

@@ -1,7 +1,6 @@
 //! What generated code uses. No part of the public interface: it changes without notice.
 
-pub use crate::check::ranks;
-use crate::check::{first, message};
+pub use crate::check::{check, ranks};
 pub use crate::clock::Clock;
 pub use crate::component::{Component, Time};
 pub use crate::cycle::{Cycle, Turn};
@@ -12,17 +11,6 @@ pub use crate::probe::Probe;
 pub use crate::rate::Rate;
 pub use crate::set::words;
 pub use crate::tree::{Has, Layout, Tree, Wired};
-
-/// Stops the compiler if the tree as a whole breaks a rule; the message is shown at the caller.
-///
-/// # Panics
-/// With the [`message`] of the finding.
-#[track_caller]
-pub const fn check(graph: &Graph) {
-    if let Some(finding) = first(graph) {
-        panic!("{}", message(graph, &finding).as_str());
-    }
-}
 
 /// The node of `C` in tree `T`, under the name that the list gives it.
 #[must_use]

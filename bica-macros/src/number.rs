@@ -1,6 +1,5 @@
 //! Rates and budgets.
 
-use syn::parse::ParseStream;
 use syn::{Expr, ExprLit, Lit};
 
 use crate::report::Report;
@@ -32,9 +31,4 @@ fn plain(mut value: &Expr) -> &Expr {
         value = &group.expr;
     }
     value
-}
-
-/// Parses the value behind `=` or `:`.
-pub(crate) fn value(input: ParseStream) -> syn::Result<Expr> {
-    input.parse()
 }

@@ -4,6 +4,8 @@ pub(crate) const NO_IMPL: &str = "`#[component]` belongs on an impl block: `#[co
 pub(crate) const TRAIT_IMPL: &str =
     "`#[component]` belongs on the type's own impl block, not on that of a trait: write `impl Name { ... }`";
 pub(crate) const NOT_A_NAME: &str = "a component is a struct or an enum: write its name here";
+pub(crate) const CONDITIONAL: &str =
+    "the tree calls this function in every build: remove `cfg`, or put it on the component and on its tree";
 pub(crate) const LIFETIME: &str =
     "a component belongs to its tree and borrows from nobody: hold values, and let `step` name what it reads";
 pub(crate) const RESUME_WITHOUT_STATES: &str =

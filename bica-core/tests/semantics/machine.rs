@@ -159,6 +159,13 @@ fn a_transition_loses_no_cycle() {
 }
 
 #[test]
+fn it_may_leave_its_initial_state_in_its_first_run_but_enters_it_first() {
+    let mut tree = Team::new();
+    tree.get_mut::<Ball>().near = true;
+    assert_eq!(player(&mut tree, 0), ["enter", "leave look", "enter", "walk"]);
+}
+
+#[test]
 fn the_children_change_with_the_state() {
     let mut tree = Team::new();
     tree.hold::<Resumer>(Hold::Latent);

@@ -56,5 +56,5 @@ fn one(input: ParseStream, options: &mut Options, seen: &mut Vec<Ident>, report:
 
 fn positive(input: ParseStream, key: &str, report: &mut Report) -> syn::Result<Option<f32>> {
     input.parse::<Token![=]>()?;
-    Ok(number::positive(&number::value(input)?, key, report))
+    Ok(number::positive(&input.parse()?, key, report))
 }

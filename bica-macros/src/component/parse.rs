@@ -123,6 +123,9 @@ fn hook(component: &mut Component, function: &mut ImplItemFn, attribute: &Attrib
 /// Reads the signature, and spares its author lints that its form, given by its role, would raise.
 fn called(component: &Component, function: &mut ImplItemFn, form: Form, report: &mut Report) -> Function {
     let arguments = signature::read(&function.sig, &component.item.self_ty, form, report);
+    for condition in function.attrs.iter().filter(|attribute| attribute.path().is_ident("cfg")) {
+        report.add(condition, wording::CONDITIONAL);
+    }
     let doc = text::doc(&function.attrs);
     function.attrs.push(parse_quote!(#[allow(
         unused_variables,

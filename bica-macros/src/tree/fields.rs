@@ -34,8 +34,8 @@ fn field(input: ParseStream, key: &Ident, draft: &mut Draft, report: &mut Report
     match key.to_string().as_str() {
         "root" => draft.root = Some(input.parse()?),
         // A rate that is no number is one mistake; that the tree then has no rate is not another.
-        "cycle_hz" => draft.cycle_hz = number::positive(&number::value(input)?, "cycle_hz", report).or(Some(f32::MAX)),
-        "budget_ms" => draft.budget_ms = number::positive(&number::value(input)?, "budget_ms", report),
+        "cycle_hz" => draft.cycle_hz = number::positive(&input.parse()?, "cycle_hz", report).or(Some(f32::MAX)),
+        "budget_ms" => draft.budget_ms = number::positive(&input.parse()?, "budget_ms", report),
         "components" => {
             let content;
             bracketed!(content in input);
