@@ -10,6 +10,7 @@ use std::path::Path;
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::pose::Pose2;
 use bica_motion::robot::{CameraId, Command, Image, Lights};
+use bica_motion::side::Side;
 use bica_sim::World;
 use bica_sim::field::{FieldWorld, Frame, Setup, Start};
 use glam::Vec2;
@@ -63,7 +64,15 @@ fn shots() -> Vec<Shot> {
         Shot { name: "blurred", seed: 6, robot: Pose2::new(0.0, 0.0, 0.2), head: (1.5, 0.0), cycles: 11, ..default() },
         Shot { name: "at-post", seed: 7, robot: Pose2::new(2.8, 0.45, 0.8), ..default() },
         Shot { name: "up", seed: 8, head: (0.5, -0.6), ..default() },
-        Shot { name: "lying", seed: 9, limp: true, cycles: 200, robot: Pose2::new(1.0, 0.0, 0.5), ..default() },
+        Shot {
+            name: "lying",
+            seed: 9,
+            head: (1.0, 0.2),
+            limp: true,
+            cycles: 200,
+            robot: Pose2::new(1.0, 0.0, 0.5),
+            ..default()
+        },
         Shot { name: "small", seed: 10, frame: Frame::Small, robot: Pose2::new(1.0, 0.5, 0.0), ..default() },
     ]
 }
@@ -86,7 +95,10 @@ fn take(shot: &Shot, path: &Path) -> Result<(), Box<dyn Error>> {
     let mut targets = world.sensors().angles;
     targets[Joint::HeadYaw] = shot.head.0;
     targets[Joint::HeadPitch] = shot.head.1;
-    let stiffness = Joints::all(if shot.limp { 0.0 } else { 1.0 });
+    let mut stiffness = Joints::all(1.0);
+    if shot.limp {
+        Side::BOTH.iter().flat_map(|side| side.leg()).for_each(|joint| stiffness[joint] = 0.0);
+    }
     let command = Command { targets, stiffness, lights: Lights::default(), camera: shot.camera };
     for _ in 0..shot.cycles {
         world.act(&command);

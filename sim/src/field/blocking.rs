@@ -7,10 +7,10 @@ use glam::{Vec2, Vec3};
 use super::body::Body;
 use super::obstacle::Obstacle;
 
-/// How thick the torso is, m.
-const TORSO_RADIUS: f32 = 0.11;
-/// The middle of a foot in the sole's frame, and how far it reaches, m.
-const FOOT: (Vec3, f32) = (Vec3::new(0.0227, 0.0, 0.0), 0.065);
+/// How thick the torso is between the arms, which give way, m.
+const TORSO_RADIUS: f32 = 0.09;
+/// The middle of a disc in the sole's frame that reaches to the toes, and its radius, m.
+const FOOT: (Vec3, f32) = (Vec3::new(0.035, 0.0, 0.0), 0.065);
 /// How often the overlaps are resolved one after the other; two walls of a corner need two.
 const ROUNDS: usize = 3;
 /// A foot feels what is within this of its front, as the cosine of the angle.

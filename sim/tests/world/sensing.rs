@@ -44,6 +44,21 @@ fn a_standing_robot_feels_its_weight_and_upright() {
 }
 
 #[test]
+fn every_image_has_noise_of_its_own() {
+    let mut world = alone(1, Pose2::ORIGIN, Vec2::new(1.0, 0.0));
+    let mut images = Vec::new();
+    for _ in 0..20 {
+        images.extend(world.sensors().image.map(|image| image.yuyv.to_vec()));
+        world.act(&command(STAND));
+    }
+    for pair in images.windows(2) {
+        let differences = pair[0].iter().zip(&pair[1]).map(|(a, b)| f64::from(a.abs_diff(*b)));
+        let mean = differences.sum::<f64>() / pair[0].len() as f64;
+        assert!((0.5..6.0).contains(&mean), "{mean}");
+    }
+}
+
+#[test]
 fn the_weight_goes_where_the_hips_sway() {
     let mut world = alone(1, Pose2::ORIGIN, Vec2::new(1.0, 1.0));
     glide(&mut world, TOGETHER, swayed(Side::Right), 60);

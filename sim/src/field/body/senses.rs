@@ -107,6 +107,19 @@ mod tests {
     }
 
     #[test]
+    fn the_unit_feels_where_the_torso_speeds_up_to() {
+        let mut random = Random::new(3, Stream::Sensors);
+        let mut unit = InertialUnit::still(Affine3A::IDENTITY);
+        let mut felt = Vec3::ZERO;
+        for cycle in 1..=40 {
+            let time = cycle as f32 * CYCLE_SECONDS;
+            let way = Vec3::new(0.5 * 1.5 * time * time, 0.0, 0.0);
+            felt = unit.step(&Affine3A::from_translation(way), &mut random).acceleration;
+        }
+        assert!((felt - Vec3::new(1.5, 0.0, GRAVITY)).length() < 0.15, "{felt}");
+    }
+
+    #[test]
     fn a_foot_in_the_air_feels_nothing() {
         let mut random = Random::new(3, Stream::Sensors);
         assert_eq!(feel(FootPressure::default(), &mut random), FootPressure::default());
