@@ -4,6 +4,8 @@ use core::cell::Cell;
 
 use embassy_time::{Duration, Instant};
 
+use crate::rate::REST;
+
 /// In place of a state: never active.
 const NEVER: u16 = u16::MAX;
 /// In place of a state: no state machine.
@@ -46,7 +48,7 @@ impl Clock {
             return self.set_back(now, period);
         }
         let elapsed = now - grid;
-        if elapsed < period {
+        if elapsed < period || period == REST {
             return false;
         }
         let late = elapsed - period;

@@ -49,11 +49,14 @@ impl<C> Rate<C> {
         self.hz
     }
 
-    /// Ticks of the clock between two runs: 0 runs in every cycle, `u64::MAX` rests.
+    /// Ticks of the clock between two runs: 0 runs in every cycle, [`REST`] never.
     pub(crate) const fn period(&self) -> u64 {
         self.period
     }
 }
+
+/// The period of a component that rests.
+pub(crate) const REST: u64 = u64::MAX;
 
 /// The whole ticks of one period. Rounded down: a component that is as fast as its tree misses no cycle.
 const fn period(hz: Option<f32>) -> u64 {

@@ -116,6 +116,12 @@ fn at_rest_a_component_is_active_but_does_not_run() {
     assert_eq!(moments(&mut tree, "Slow", [0, 100, 1_000_000]), [0], "the run that the activation brings");
     assert!(tree.is_active(Rates::id::<Slow>()));
     assert_eq!(moments(&mut tree, "Always", [1_000_001]), [1_000_001]);
+    let mut tree = Rates::new();
+    tree.rate_mut::<Slow>().set(0.0);
+    tree.tick(Instant::from_ticks(0));
+    let mut watch = super::watch::Watch::of::<Rates>();
+    tree.tick_with(Instant::from_ticks(u64::MAX), &mut watch);
+    assert!(watch.lines.contains(&"skip Slow".to_owned()), "not even at the end of time");
     tree.rate_mut::<Slow>().set(-3.0);
     assert_eq!(tree.rate::<Slow>().hz(), Some(0.0));
 }
