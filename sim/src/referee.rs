@@ -93,21 +93,36 @@ pub struct Happened {
 /// [`attacks`](Self::attacks), which every team is told before a game.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Referee {
-    pub(crate) attacks: GoalColour,
-    pub(crate) robot: Pose2,
-    pub(crate) posture: Posture,
-    pub(crate) ball: Vec2,
-    pub(crate) ball_velocity: Vec2,
-    pub(crate) others: Vec<Pose2>,
-    pub(crate) events: Vec<Happened>,
+    attacks: GoalColour,
+    robot: Pose2,
+    posture: Posture,
+    ball: Vec2,
+    ball_velocity: Vec2,
+    others: Vec<Pose2>,
+    events: Vec<Happened>,
 }
 
 impl Referee {
-    /// One who saw nothing happen yet.
+    /// One who saw nothing happen yet. `others` are the robots that stand on the field.
     #[must_use]
-    pub fn new(attacks: GoalColour, robot: Pose2, ball: Vec2) -> Self {
-        let (others, events) = (Vec::new(), Vec::new());
-        Self { attacks, robot, posture: Posture::Upright, ball, ball_velocity: Vec2::ZERO, others, events }
+    pub const fn new(attacks: GoalColour, robot: Pose2, ball: Vec2, others: Vec<Pose2>) -> Self {
+        let posture = Posture::Upright;
+        Self { attacks, robot, posture, ball, ball_velocity: Vec2::ZERO, others, events: Vec::new() }
+    }
+
+    /// Sees where the robot is. For worlds.
+    pub const fn see_robot(&mut self, robot: Pose2, posture: Posture) {
+        (self.robot, self.posture) = (robot, posture);
+    }
+
+    /// Sees where the ball is, m, and how it moves, m/s. For worlds.
+    pub const fn see_ball(&mut self, ball: Vec2, velocity: Vec2) {
+        (self.ball, self.ball_velocity) = (ball, velocity);
+    }
+
+    /// Notes that something happened, after all that was noted before. For worlds.
+    pub fn note(&mut self, at: Duration, event: Event) {
+        self.events.push(Happened { at, event });
     }
 
     /// The colour of the goal that the robot attacks: the one at positive x.
@@ -180,9 +195,5 @@ impl Referee {
     /// How many events are such as `wanted` says.
     pub fn count(&self, wanted: impl Fn(&Event) -> bool) -> usize {
         self.events.iter().filter(|happened| wanted(&happened.event)).count()
-    }
-
-    pub(crate) fn note(&mut self, at: Duration, event: Event) {
-        self.events.push(Happened { at, event });
     }
 }

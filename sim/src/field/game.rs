@@ -55,8 +55,7 @@ impl Game {
         let touching = self.roll(&shoes, obstacles);
         self.note_touch(now, touching, referee);
         self.apply_rules(now, referee);
-        referee.ball = self.ball.position;
-        referee.ball_velocity = self.ball.velocity;
+        referee.see_ball(self.ball.position, self.ball.velocity);
     }
 
     /// Notes that the robot ran into something.
@@ -124,7 +123,7 @@ impl Game {
 /// The place itself, or one beside it if a robot is there.
 fn free_place(at: Vec2, referee: &Referee) -> Vec2 {
     const ROOM: f32 = 0.3;
-    let robots = || referee.others.iter().chain([&referee.robot]);
+    let robots = || referee.others().iter().copied().chain([referee.robot()]);
     let free = |place: &Vec2| robots().all(|robot| robot.position.distance(*place) > ROOM);
     let around = (0..8).map(|eighth| at - rotate(at.normalize_or(Vec2::X), eighth as f32 * 0.785) * 2.0 * ROOM);
     core::iter::once(at).chain(around).find(free).unwrap_or(at)

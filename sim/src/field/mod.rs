@@ -61,8 +61,8 @@ impl FieldWorld {
         setup.check()?;
         let layout = Layout::new(setup, &mut Random::new(setup.seed, Stream::Start));
         let body = Body::standing(layout.start.robot, setup.seed);
-        let mut referee = Referee::new(layout.attacks, body.pose(), layout.start.ball);
-        referee.others = layout.others.iter().map(|other| other.pose).collect();
+        let others = layout.others.iter().map(|other| other.pose).collect();
+        let referee = Referee::new(layout.attacks, body.pose(), layout.start.ball, others);
         let cameras_before = cameras(&body);
         let (width, height) = setup.frame.size();
         let mut world = Self {
@@ -161,8 +161,7 @@ impl World for FieldWorld {
             self.game.note_collision(now, &mut self.referee);
         }
         self.body.feel();
-        self.referee.robot = self.body.pose();
-        self.referee.posture = self.body.posture();
+        self.referee.see_robot(self.body.pose(), self.body.posture());
         self.move_ball(soles_before, now);
     }
 
