@@ -25,10 +25,12 @@ pub const RADIUS: f32 = 0.0325;
 /// Radius of the ball of 2009 in the frames of `nao2009`, m.
 pub const RADIUS_2009: f32 = 0.043;
 
-/// Less than this is not reported.
-const CONFIDENT: f32 = 0.45;
+/// Less confidence than this is not reported, for a ball of any size.
+const CONFIDENT: f32 = 0.4;
+/// And for one of up to 6 pixels' radius, as many things are when they are small or blurred; in between for up to 12.
+const CONFIDENT_IF_SMALL: f32 = 0.6;
 /// An error of the camera's pitch that the check of the size forgives, rad.
-const PITCH_ERROR: f32 = 0.06;
+const PITCH_ERROR: f32 = 0.04;
 
 /// A ball in the image.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -105,6 +107,11 @@ pub fn best(
     balls.max_by(|a, b| worth(a).total_cmp(&worth(b)))
 }
 
+fn needed_confidence(radius: f32) -> f32 {
+    let small = ((12.0 - radius) / 6.0).clamp(0.0, 1.0);
+    CONFIDENT + small * (CONFIDENT_IF_SMALL - CONFIDENT)
+}
+
 /// The chroma of one ball: its shaded and its bright parts, which a class may leave out, have the same direction.
 #[derive(Clone, Copy)]
 struct Shade {
@@ -138,8 +145,9 @@ impl<C: Classify> Look<'_, C> {
         let shade = self.shade(region)?;
         let (Circle { centre, radius }, roundness) = self.circle(region, shade)?;
         let confidence = roundness * self.fullness(centre, radius, shade);
-        let fits = self.is_on_field(centre, radius) && self.is_of_size(centre, radius);
-        (confidence >= CONFIDENT && fits).then_some(Ball { centre, radius, confidence })
+        let fits = self.shows_enough(centre, radius) && self.is_on_field(centre, radius);
+        let fits = fits && self.is_of_size(centre, radius);
+        (confidence >= needed_confidence(radius) && fits).then_some(Ball { centre, radius, confidence })
     }
 
     fn is_orange(&self, pixel: Pixel, shade: Shade) -> bool {
@@ -197,11 +205,23 @@ impl<C: Classify> Look<'_, C> {
         orange as f32 / seen.max(1) as f32
     }
 
-    /// Its lowest point is on the field. Without any field only a ball that hides it counts.
+    /// Its centre is in the image, or it is large: the circle through a sliver of a small one is a guess.
+    fn shows_enough(&self, centre: Vec2, radius: f32) -> bool {
+        let size = Vec2::new(f32::from(self.frame.width()), f32::from(self.frame.height()));
+        let outside = (-centre).max(centre - size + Vec2::ONE).max_element();
+        outside <= 0.2 * radius || radius > size.x / 20.0
+    }
+
+    /// Most of it is below the end of the field. A large one hides the field, so of it the lowest point is enough, and
+    /// without any field only such a one counts.
     fn is_on_field(&self, centre: Vec2, radius: f32) -> bool {
-        match self.field_end.row_at(centre.x) {
-            Some(end) => centre.y + radius >= end - 2.0,
-            None => radius > f32::from(self.frame.width()) / 8.0,
+        let width = f32::from(self.frame.width());
+        // At the edge of the image the ball itself hides the end of the field: there the rows beside it count.
+        let ends = [-1.4, 0.0, 1.4].map(|side| self.field_end.row_at(centre.x + side * radius));
+        match ends.into_iter().flatten().reduce(f32::min) {
+            Some(end) if radius > width / 16.0 => centre.y + 1.05 * radius >= end,
+            Some(end) => centre.y + 0.5 * radius >= end,
+            None => radius > width / 8.0,
         }
     }
 

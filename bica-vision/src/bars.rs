@@ -1,7 +1,7 @@
 //! Upright bars: runs of one colour that follow each other from row to row with the same width.
 //!
 //! Followed from the bottom: a post ends where it meets its crossbar, which is wider. A post that a line, a shadow or a
-//! robot's arm crosses goes on behind. Cost: one pass over the runs, each against at most [`BARS`] bars; 20 ns for each run.
+//! robot's arm crosses, or that stands before something of its colour, goes on behind. Cost: one pass over the runs, each against at most [`BARS`] bars; 20 ns for each run.
 
 use glam::Vec2;
 use heapless::Vec;
@@ -43,21 +43,35 @@ impl Bar {
         self.bottom.y - self.top.y + 1.0
     }
 
-    /// Where it is in a row, by the line from its top to its bottom.
+    /// Where it is or would be in a row, by the line from its top to its bottom.
     #[must_use]
     pub fn x_at(&self, row: f32) -> f32 {
         let part = (row - self.top.y) / (self.bottom.y - self.top.y).max(1.0);
         self.top.x + part * (self.bottom.x - self.top.x)
     }
 
-    fn continues_in(&self, run: Run, step: u16) -> bool {
-        let width = f32::from(run.width());
+    /// Whether a run comes next, however wide.
+    fn meets(&self, run: Run, step: u16) -> bool {
         run.colour == self.colour
             && run.row < self.last.row
             && self.last.row - run.row <= GAP * step
             && run.overlaps(self.last)
-            && width <= 1.5 * self.width + 3.0
-            && width >= 0.6 * self.width - 3.0
+    }
+
+    /// Whether a run is too wide to be a part of the bar.
+    fn is_narrower(&self, run: Run) -> bool {
+        f32::from(run.width()) > 1.5 * self.width + 3.0
+    }
+
+    fn continues_in(&self, run: Run, step: u16) -> bool {
+        let straight = self.rows < 5 || (middle(run).x - self.x_at(f32::from(run.row))).abs() <= 0.3 * self.width + 2.0;
+        let thick = f32::from(run.width()) >= 0.6 * self.width - 3.0;
+        self.meets(run, step) && !self.is_narrower(run) && thick && straight
+    }
+
+    /// A wide run hides the bar in this row; it may go on above.
+    fn pass_behind(&mut self, run: Run) {
+        self.last.row = run.row;
     }
 
     fn grow(&mut self, run: Run) {
@@ -73,6 +87,9 @@ impl Bar {
 pub fn gather<const N: usize>(runs: &Runs<N>) -> Vec<Bar, BARS> {
     let mut bars: Vec<Bar, BARS> = Vec::new();
     for &run in runs.as_slice().iter().rev() {
+        for bar in bars.iter_mut().filter(|bar| bar.meets(run, runs.step()) && bar.is_narrower(run)) {
+            bar.pass_behind(run);
+        }
         let fitting = bars.iter_mut().filter(|bar| bar.continues_in(run, runs.step()));
         match fitting.max_by_key(|bar| bar.rows) {
             Some(bar) => bar.grow(run),

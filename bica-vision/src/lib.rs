@@ -7,10 +7,10 @@
 //! |---|---|---|
 //! | frame | [`frame`] | none, a view |
 //! | colour classes | [`colour`], [`table`], [`profile`] | 1.5 ns for a pixel pair by a table |
-//! | end of the field | [`field_end`] | 10 µs, needs green alone |
+//! | end of the field | [`field_end`] | 12 µs, needs green and white |
 //! | runs, regions, bars | [`segment`], [`regions`], [`bars`] | 30 µs on every second row |
 //! | ball | [`ball`], with [`edges`] and [`circle`] | 40 µs, its segmentation included |
-//! | goals | [`goal`] | 35 µs, their segmentation included |
+//! | goals | [`goal`], with [`gap`] | 35 µs, their segmentation included |
 //! | lines | [`lines`] | 30 µs, needs white and green |
 //! | the world | [`projection`], [`memory`] | 30 ns for a point |
 //!
@@ -37,7 +37,7 @@
 //!
 //! let frame = Frame::new(320, 240, &bytes).expect("a frame");
 //! let camera = Camera::of_nao(CameraId::Top, &angles, Side::Left, 320, 240);
-//! let end = FieldEnd::find(&frame, &table);
+//! let end = FieldEnd::find_with(&frame, &table, Some(&camera));
 //! let ball = balls.find(&frame, &table, &end, Some(&camera));
 //! let ball_on_ground = ball.and_then(|ball| ball.ground(&camera, ball::RADIUS));
 //! let goal = goals.find(&frame, &table, &end, Some(&camera)).blue;

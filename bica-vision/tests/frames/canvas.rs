@@ -55,16 +55,17 @@ impl Canvas {
         });
     }
 
-    /// The bytes of the frame.
+    /// The bytes of the frame; two pixels share the mean of their chroma.
     pub(crate) fn yuyv(&self) -> Vec<u8> {
-        let noisy = |index: usize, part: usize| {
-            let noise = ((index * 7919 + part * 104_729) % 7) as f32 - 3.0;
-            (self.pixels[index][part] + noise).round().clamp(0.0, 255.0) as u8
+        let byte = |value: f32, index: usize| {
+            let noise = (index * 7919 % 7) as f32 - 3.0;
+            (value + noise).round().clamp(0.0, 255.0) as u8
         };
-        (0..self.pixels.len())
-            .step_by(2)
-            .flat_map(|i| [noisy(i, 0), noisy(i, 1), noisy(i + 1, 0), noisy(i, 2)])
-            .collect()
+        let pair = |(index, [a, b]): (usize, &[[f32; 3]; 2])| {
+            let values = [a[0], 0.5 * (a[1] + b[1]), b[0], 0.5 * (a[2] + b[2])];
+            [0, 1, 2, 3].map(|part| byte(values[part], 4 * index + part))
+        };
+        self.pixels.as_chunks::<2>().0.iter().enumerate().flat_map(pair).collect()
     }
 
     /// Does something with the frame.

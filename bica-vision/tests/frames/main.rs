@@ -6,3 +6,4 @@ mod nonsense;
 mod real;
 mod shelf;
 mod stages;
+mod world;
