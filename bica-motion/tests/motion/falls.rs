@@ -77,6 +77,17 @@ fn lying_still_decides_even_if_gravity_is_odd() {
 }
 
 #[test]
+fn who_lies_knows_it_soon_and_knows_on_what() {
+    let mut detector = FallDetector::new();
+    for direction in [Direction::Front, Direction::Left, Direction::Back] {
+        for _ in 0..30 {
+            detector.step(&tilted(toward(direction, 1.5)), CYCLE);
+        }
+        assert_eq!(detector.state(), Uprightness::Fallen(direction));
+    }
+}
+
+#[test]
 fn readings_that_are_no_numbers_change_nothing() {
     let mut detector = FallDetector::new();
     let nonsense = Inertial { pitch: f32::NAN, acceleration: Vec3::splat(f32::NAN), ..Inertial::default() };

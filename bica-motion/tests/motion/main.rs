@@ -2,6 +2,7 @@
 
 mod falls;
 mod head;
+mod joints;
 mod kick;
 mod kinematics;
 mod odometry;
