@@ -90,20 +90,21 @@ impl Sensor {
                 add(pixel, border);
             }
         }
-        let share = (65_536 / taps.len()) as u16;
+        let halvings = taps.len().ilog2();
         for (out, sum) in self.blurred.iter_mut().zip(&self.sums) {
-            *out = ((*sum as u32 * share as u32) >> 16) as u8;
+            *out = (*sum >> halvings) as u8;
         }
     }
 }
 
-/// The offsets of the pictures that a blurred one is averaged of, along the motion in the image, pixels.
+/// The offsets of the pictures that a blurred one is averaged of, along the motion in the image, pixels. Their number
+/// is a power of two.
 fn taps(motion: Vec2) -> Vec<(isize, isize)> {
     let length = motion.length();
     if length < LEAST_BLUR {
         return vec![(0, 0)];
     }
-    let count = (length.min(MOST_TAPS as f32 - 1.0) + 0.5) as usize + 1;
+    let count = ((length + 0.5) as usize).saturating_add(1).min(MOST_TAPS).next_power_of_two();
     let offset = |i: usize| motion * (i as f32 / (count - 1) as f32 - 0.5);
     (0..count).map(|i| (libm::roundf(offset(i).x) as isize, libm::roundf(offset(i).y) as isize)).collect()
 }

@@ -1,5 +1,7 @@
 //! The carpet with its lines, and the hall's floor around it.
 
+use glam::Vec2;
+
 use super::canvas::{Pixel, mix};
 use super::light::Light;
 use super::lines::LineMap;
@@ -8,7 +10,9 @@ use super::view::{LANES, Mapping, whole};
 use crate::random::Random;
 
 /// Side of the carpet's repeated pattern, points; a power of two.
-const PATTERN: usize = 256;
+const PATTERN: u32 = 256;
+/// Points of the whole pattern.
+const TUFTS: usize = (PATTERN * PATTERN) as usize;
 /// Points of the pattern per metre.
 const POINTS: f32 = 250.0;
 /// Beyond this depth of a pixel on the ground lines are sampled several times, m.
@@ -72,9 +76,9 @@ impl Ground {
         for i in 0..LANES {
             let column = whole(x[i] * POINTS) % PATTERN;
             let row = whole(y[i] * POINTS) % PATTERN;
-            places[i] = (row * PATTERN + column) as u16;
+            places[i] = row * PATTERN + column;
         }
-        let tufts = places.map(|place| self.pattern[place as usize]);
+        let tufts = places.map(|place| self.pattern[place as usize % TUFTS]);
         for (pixel, tuft) in pixels.iter_mut().zip(tufts) {
             let luma = luma + ((tuft as i32 * contrast) >> 8);
             *pixel = [luma.clamp(0, 255) as u8, colour[1], colour[2], 0];
@@ -89,14 +93,17 @@ impl Ground {
         spot: &Spot,
         pixels: &mut [Pixel],
     ) {
+        let last = pixels.len() - 1;
+        let [from, middle, to] = [0, last / 2, last].map(|i| Vec2::new(x[i], y[i]));
+        let reach = middle.distance(from).max(middle.distance(to)) + spot.wide.max(spot.deep);
+        if self.lines.room_around(middle) > reach {
+            return;
+        }
         let samples = (spot.deep / SAMPLE).ceil().clamp(1.0, MOST_SAMPLES);
         if samples > 1.0 {
             return self.paint_far_lines(ground, (u, v), spot, samples, pixels);
         }
         let nearest = self.lines.nearest(x, y);
-        if nearest.are_clear() {
-            return;
-        }
         let width = spot.side().max(spot.deep).max(SOFTNESS);
         for (i, pixel) in pixels.iter_mut().enumerate() {
             let share = nearest.sure_share(i, width).unwrap_or_else(|| self.lines.share(x[i], y[i], width));
@@ -133,7 +140,7 @@ struct Spot {
 impl Spot {
     fn new(ground: &Mapping, u: f32, v: f32) -> Self {
         let here = ground.at(u, v);
-        let size = |there: glam::Vec2| here.distance(there).min(10.0);
+        let size = |there: Vec2| here.distance(there).min(10.0);
         Self { wide: size(ground.at(u + 1.0, v)), deep: size(ground.at(u, v + 1.0)) }
     }
 
@@ -144,8 +151,9 @@ impl Spot {
 
 /// Fine grain over soft blotches.
 fn tufts(random: &mut Random) -> Vec<i8> {
+    const SIDE: usize = PATTERN as usize;
     const BLOTCH: usize = 16;
-    const BLOTCHES: usize = PATTERN / BLOTCH;
+    const BLOTCHES: usize = SIDE / BLOTCH;
     let blotches: Vec<f32> = (0..BLOTCHES * BLOTCHES).map(|_| 2.0 * random.normal()).collect();
     let blotch = |x: usize, y: usize| blotches[(y % BLOTCHES) * BLOTCHES + x % BLOTCHES];
     let smooth = |x: usize, y: usize| {
@@ -155,7 +163,5 @@ fn tufts(random: &mut Random) -> Vec<i8> {
         let far = blotch(column, row + 1) * (1.0 - right) + blotch(column + 1, row + 1) * right;
         near * (1.0 - up) + far * up
     };
-    (0..PATTERN * PATTERN)
-        .map(|i| (smooth(i % PATTERN, i / PATTERN) + 7.0 * random.normal()).clamp(-30.0, 30.0) as i8)
-        .collect()
+    (0..TUFTS).map(|i| (smooth(i % SIDE, i / SIDE) + 7.0 * random.normal()).clamp(-30.0, 30.0) as i8).collect()
 }

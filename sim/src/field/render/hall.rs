@@ -100,10 +100,10 @@ impl Wall {
             for i in 0..LANES {
                 let column = whole((along[i] * POINTS - 0.5).clamp(0.0, most(self.width)));
                 let row = whole((up[i] * POINTS - 0.5).clamp(0.0, most(self.height)));
-                places[i] = row * self.width + column;
+                places[i] = row * self.width as u32 + column;
             }
             for (pixel, place) in pixels.iter_mut().zip(places) {
-                *pixel = self.points[place];
+                *pixel = self.points[place as usize];
             }
         }
     }

@@ -13,13 +13,16 @@ const SIZE: (usize, usize) = ((CARPET.x / STEP) as usize + 2, (CARPET.y / STEP) 
 const UNIT: f32 = 0.0005;
 /// Points from one row of the map to the next.
 const STRIDE: usize = SIZE.0.next_power_of_two();
-/// Nearest points this far from all lines (in units of the map) have none within 5 cm.
-const CLEAR: i8 = 112;
+/// Distance between neighbouring points of the coarse map, m, and how many there are along x and y.
+const COARSE: f32 = 0.05;
+const COARSE_SIZE: (usize, usize) = ((CARPET.x / COARSE) as usize + 2, (CARPET.y / COARSE) as usize + 2);
 
 /// Signed distances to the lines: negative on them.
 #[derive(Clone, Debug)]
 pub(crate) struct LineMap {
     distances: Vec<i8>,
+    /// How far it is to the nearest line at least, anywhere nearest to a coarse point, m.
+    rooms: Vec<f32>,
 }
 
 impl LineMap {
@@ -29,7 +32,18 @@ impl LineMap {
             let point = Vec2::new((i % STRIDE) as f32, (i / STRIDE) as f32) * STEP;
             *distance = libm::roundf(exact(point) / UNIT).clamp(-127.0, 127.0) as i8;
         }
-        Self { distances }
+        let room = |i: usize| {
+            let point = Vec2::new((i % COARSE_SIZE.0) as f32, (i / COARSE_SIZE.0) as f32) * COARSE;
+            exact(point) - COARSE
+        };
+        Self { distances, rooms: (0..COARSE_SIZE.0 * COARSE_SIZE.1).map(room).collect() }
+    }
+
+    /// A radius around a point of the carpet in which there is no line, m; may be negative.
+    pub(crate) fn room_around(&self, point: Vec2) -> f32 {
+        let index = |x: f32, most: usize| (whole((x.abs() * (1.0 / COARSE)).min(most as f32)) as usize).min(most);
+        let (column, row) = (index(point.x, COARSE_SIZE.0 - 1), index(point.y, COARSE_SIZE.1 - 1));
+        self.rooms[row * COARSE_SIZE.0 + column]
     }
 
     /// What the map's nearest points say about many points of the carpet.
@@ -39,7 +53,7 @@ impl LineMap {
         for i in 0..LANES {
             let column = whole((x[i].abs() * (1.0 / STEP)).min(most(SIZE.0)));
             let row = whole((y[i].abs() * (1.0 / STEP)).min(most(SIZE.1)));
-            places[i] = (row * STRIDE + column) as u32;
+            places[i] = row * STRIDE as u32 + column;
         }
         Nearest(places.map(|place| self.distances[place as usize % (STRIDE * SIZE.1)]))
     }
@@ -55,7 +69,7 @@ impl LineMap {
         let (x, y) = ((x.abs() / STEP).min(most(SIZE.0)), (y.abs() / STEP).min(most(SIZE.1)));
         let (column, row) = (whole(x - 0.5), whole(y - 0.5));
         let (right, up) = (x - column as f32, y - row as f32);
-        let start = (row * STRIDE + column).min(STRIDE * (SIZE.1 - 1) - 2);
+        let start = (row as usize * STRIDE + column as usize).min(STRIDE * (SIZE.1 - 1) - 2);
         let at = |i: usize| self.distances[start + i] as f32;
         let near = at(0) + right * (at(1) - at(0));
         let far = at(STRIDE) + right * (at(STRIDE + 1) - at(STRIDE));
@@ -67,11 +81,6 @@ impl LineMap {
 pub(crate) struct Nearest([i8; LANES]);
 
 impl Nearest {
-    /// Whether all points are so far from lines that spots of 5 cm around them hold none.
-    pub(crate) fn are_clear(&self) -> bool {
-        self.0.iter().fold(i8::MAX, |least, &distance| least.min(distance)) > CLEAR
-    }
-
     /// Which share of a spot around the point of that index is line, if it is all or nothing for certain. `spot` is its
     /// width, m.
     pub(crate) fn sure_share(&self, index: usize, spot: f32) -> Option<f32> {
@@ -120,6 +129,7 @@ fn exact(point: Vec2) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::random::{Random, Stream};
 
     #[test]
     fn lines_are_where_the_rules_put_them() {
@@ -134,15 +144,28 @@ mod tests {
             assert_eq!(share(x, y), 0.0, "{x} {y}");
         }
         assert!((map.share(3.025, 1.0, 0.01) - 0.5).abs() < 0.051);
-        let clear = |x, y| map.nearest(&[x; LANES], &[y; LANES]).are_clear();
-        assert!(clear(2.0, 0.8) && !clear(3.04, 0.8) && !clear(1.27, 0.0));
+    }
+
+    #[test]
+    fn rooms_hold_no_line_and_coarse_answers_agree_with_fine_ones() {
+        let map = LineMap::new();
+        let mut random = Random::new(6, Stream::Start);
+        for _ in 0..20_000 {
+            let point = Vec2::new(random.between(-3.7, 3.7), random.between(-2.7, 2.7));
+            assert!(map.room_around(point) <= exact(point.abs()), "{point}");
+            assert!(map.room_around(point) > exact(point.abs()) - 2.0 * COARSE, "{point}");
+            let spot = random.between(0.01, 0.1);
+            let share = map.nearest(&[point.x; LANES], &[point.y; LANES]).sure_share(3, spot);
+            assert!(share.is_none_or(|share| share == map.share(point.x, point.y, spot)), "{point}");
+        }
     }
 
     #[test]
     fn points_beyond_the_carpet_or_no_numbers_do_no_harm() {
         let map = LineMap::new();
         for x in [1e9, -1e9, f32::INFINITY, f32::NAN] {
-            assert!(map.nearest(&[x; LANES], &[2.5; LANES]).are_clear());
+            assert!(map.room_around(Vec2::new(x, 2.5)).is_finite());
+            assert_eq!(map.nearest(&[x; LANES], &[2.5; LANES]).sure_share(0, 0.05), Some(0.0));
             assert!(map.share(x, 2.5, 0.01).is_finite());
         }
     }

@@ -106,9 +106,9 @@ pub(crate) const LANES: usize = 32;
 /// In that range a float of 1.5·2²³ has a whole number in its last bits. Unlike a cast this is a single addition, and
 /// the compiler makes one of many at once. What is out of range or no number gives some number below 2²².
 #[inline(always)]
-pub(crate) fn whole(x: f32) -> usize {
+pub(crate) fn whole(x: f32) -> u32 {
     const ALIGN: f32 = 12_582_912.0;
-    ((x + ALIGN).to_bits() & 0x003f_ffff) as usize
+    (x + ALIGN).to_bits() & 0x003f_ffff
 }
 
 impl Mapping {

@@ -39,7 +39,7 @@ pub(super) fn tube(
     let paint = |v: usize, first: usize, pixels: &mut [Pixel]| {
         for (i, pixel) in pixels.iter_mut().enumerate() {
             let shade = gradient.at((first + i) as f32, v as f32);
-            *pixel = shades[whole((shade.clamp(-1.0, 1.0) + 1.0) * (SHADES as f32 / 2.0) - 0.5).min(SHADES - 1)];
+            *pixel = shades[whole((shade.clamp(-1.0, 1.0) + 1.0) * (SHADES as f32 / 2.0) - 0.5) as usize % SHADES];
         }
     };
     let corners = |end: usize| {
