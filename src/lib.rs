@@ -66,3 +66,7 @@ pub mod prelude {
     pub use bica_core::{Component, ComponentId, Duration, Has, Hold, Instant, Probe, Rate, Time, Tree};
     pub use bica_macros::{activation_tree, component};
 }
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -25,3 +25,11 @@ fn every_format_is_what_it_says_and_names_every_component() {
     assert_eq!(printed(&[]), printed(&["--format", "svg"]));
     assert_eq!(printed(&["--json"]), printed(&["--format", "json"]));
 }
+
+#[test]
+fn the_picture_in_the_readme_is_this_tree() {
+    let kept = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/forward.svg");
+    let kept = std::fs::read_to_string(kept).unwrap_or_default();
+    let remedy = "draw it anew: cargo run --release -- graph --format svg > docs/forward.svg";
+    assert!(kept == printed(&["--format", "svg"]), "docs/forward.svg is another tree; {remedy}");
+}
