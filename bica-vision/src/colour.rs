@@ -140,6 +140,32 @@ impl Filter {
         self
     }
 
+    /// The hues that pass as [`hue`](Self::hue) takes them, the first from 0 to 359; none if all do.
+    #[must_use]
+    pub fn hue_range(&self) -> Option<(i16, i16)> {
+        let degrees = |(b, r): (i16, i16)| libm::roundf(libm::atan2f(r.into(), b.into()).to_degrees()) as i16;
+        let from = degrees(self.from).rem_euclid(360);
+        (self.from != (0, 0)).then(|| (from, from + (degrees(self.to) - from).rem_euclid(360)))
+    }
+
+    /// The saturations that pass, percent.
+    #[must_use]
+    pub const fn saturation_range(&self) -> (u16, u16) {
+        self.saturation
+    }
+
+    /// The luma that passes if hue and saturation do.
+    #[must_use]
+    pub const fn luma_bounds(&self) -> (u8, u8) {
+        self.luma
+    }
+
+    /// How long the chroma vector has to be.
+    #[must_use]
+    pub const fn least_chroma(&self) -> u8 {
+        self.chroma_squared.isqrt() as u8
+    }
+
     /// Whether the pixel passes.
     #[must_use]
     pub const fn accepts(&self, pixel: Pixel) -> bool {
@@ -277,6 +303,18 @@ mod tests {
             let expected = hue < f64::from(wide) && length >= f64::from(chroma) && (dark..=light).contains(&y)
                 && percent > f64::from(least) && percent < f64::from(most);
             prop_assert_eq!(filter.accepts(Pixel::new(y, cb, cr)), expected);
+        }
+
+        #[test]
+        fn a_filter_tells_its_thresholds(
+            from in 0_i16..360, wide in 1_i16..180, saturation in any::<(u16, u16)>(), luma in any::<(u8, u8)>(),
+            chroma in any::<u8>(),
+        ) {
+            let any = Filter::ANY.saturation(saturation.0, saturation.1).luma(luma.0, luma.1).chroma(chroma);
+            let filter = any.hue(from, from + wide);
+            prop_assert_eq!((filter.hue_range(), any.hue_range()), (Some((from, from + wide)), None));
+            prop_assert_eq!((filter.saturation_range(), filter.luma_bounds()), (saturation, luma));
+            prop_assert_eq!(filter.least_chroma(), chroma);
         }
 
         #[test]

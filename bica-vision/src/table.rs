@@ -38,6 +38,12 @@ impl<'a> FullTable<'a> {
     }
 }
 
+impl<'a> From<&'a [u8; FULL_BYTES]> for FullTable<'a> {
+    fn from(cells: &'a [u8; FULL_BYTES]) -> Self {
+        Self(cells)
+    }
+}
+
 impl Classify for FullTable<'_> {
     #[inline]
     fn classify(&self, pixel: Pixel) -> Colour {
