@@ -131,6 +131,25 @@ mod tests {
     }
 
     #[test]
+    fn no_ball_passes_through_robots_that_stand_or_lie() {
+        let mut random = Random::new(6, Stream::Start);
+        let (left, right) = (Vec2::new(0.0, 0.05), Vec2::new(0.0, -0.05));
+        for robot in [Obstacle::legs(left, right), Obstacle::lying(left, right + Vec2::new(0.25, 0.0))] {
+            for _ in 0..500 {
+                let from = Vec2::new(random.between(-1.0, 1.0), random.between(0.5, 1.0));
+                let aim = Vec2::new(random.between(-0.05, 0.05), 0.0) - from;
+                let mut ball = Ball { velocity: 3.0 * aim.normalize(), ..Ball::at(from, 0.3) };
+                for _ in 0..500 {
+                    ball.roll(0.001);
+                    ball.bounce_off(&robot);
+                    let distance = ball.position.distance(robot.nearest(ball.position));
+                    assert!(distance > robot.radius + BALL_RADIUS - 1e-4, "{distance}");
+                }
+            }
+        }
+    }
+
+    #[test]
     fn the_net_holds_the_ball() {
         let mut ball = Ball { velocity: Vec2::new(3.0, 0.4), ..Ball::at(Vec2::new(2.5, 0.0), 0.3) };
         for _ in 0..5_000 {
