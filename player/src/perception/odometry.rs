@@ -6,7 +6,7 @@ use bica_motion::pose::Pose2;
 
 use crate::input::Measured;
 
-/// Where the robot is, seen from where it started, by the motion of the foot that carries it.
+/// Where the robot is, seen from where it started: the way by the foot that carries it, the turn by the gyroscope.
 #[derive(Debug)]
 pub struct Odometry {
     estimate: Estimate,
@@ -20,9 +20,10 @@ impl Odometry {
         Self { estimate: Estimate::new() }
     }
 
-    fn step(&mut self, body: &Measured) {
+    fn step(&mut self, time: &Time, body: &Measured) {
         let (left, right) = body.feet();
-        self.estimate.step(body.angles(), left, right, None);
+        let turned = body.inertial().gyro.z * time.dt();
+        self.estimate.step(body.angles(), left, right, Some(turned));
     }
 
     /// The ground between the feet, in the frame of where the robot started.
