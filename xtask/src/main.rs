@@ -10,7 +10,7 @@ Chores of the BICA workspace.
 
   cargo xtask no-std    builds what runs on a robot for thumbv7em-none-eabihf, and links the forward without a heap;
                         gets the target first (rustup, else Debian's Rust and a build of `core` from source)
-  cargo xtask ci        all that CI checks: format, lints, docs, tests, no-std
+  cargo xtask ci        all that CI checks: format, lints, docs, tests, twenty games, no-std
 ";
 
 fn main() -> ExitCode {
@@ -43,5 +43,6 @@ fn ci() -> Result<(), String> {
     run("cargo", &["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"], &[])?;
     run("cargo", &["doc", "--workspace", "--no-deps"], &[("RUSTDOCFLAGS", "-D warnings")])?;
     run("cargo", &["test", "--workspace"], &[])?;
+    run("cargo", &["run", "--release", "--", "play", "--games", "20", "--at-least", "19"], &[])?;
     no_std::check()
 }
