@@ -48,15 +48,19 @@
 
 pub mod ball;
 pub mod bars;
+pub mod centre_circle;
 pub mod circle;
 pub mod colour;
+pub mod crossings;
 pub mod edges;
 pub mod field_end;
 pub mod frame;
 pub mod gap;
 pub mod goal;
 pub mod lines;
+pub mod localization;
 pub mod memory;
+pub mod pitch;
 pub mod profile;
 pub mod projection;
 pub mod regions;

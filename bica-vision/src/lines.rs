@@ -10,9 +10,13 @@ use heapless::Vec;
 use crate::colour::{Classify, Colour};
 use crate::field_end::FieldEnd;
 use crate::frame::{Frame, Pair};
+use crate::projection::Camera;
 
 /// Segments in a frame; when there are more, the shortest are dropped.
 pub const LINES: usize = 24;
+
+/// The lines of a frame.
+pub type Lines = Vec<Line, LINES>;
 
 /// Scan lines along each side of the frame.
 const SCANS: u16 = 40;
@@ -24,6 +28,11 @@ const ENOUGH: u16 = 4;
 const WIDEST: f32 = 0.18;
 /// Pixels of no class between a line and the carpet.
 const SEAM: u16 = 2;
+/// How far off a line its other pieces may lie and how far beyond its ends, px at 320 × 240.
+const APART: f32 = 2.0;
+const BETWEEN: f32 = 14.0;
+/// Places on a line at which it is cut if its end is not on the ground.
+const CUTS: u8 = 16;
 /// Crossings of one scan with lines.
 const MIDDLES: usize = 16;
 
@@ -51,7 +60,50 @@ pub fn find(frame: &Frame<'_>, colours: &impl Classify, field_end: &FieldEnd) ->
     for axes in [Axes::Columns, Axes::Rows] {
         scan(frame, colours, field_end, axes, &mut lines);
     }
+    let scale = f32::from(frame.height()) / 240.0;
+    join(&mut lines, scale * APART, scale * BETWEEN);
     lines
+}
+
+/// The parts of lines that are on the ground within `farthest` m: ends on the ground, m, in the camera's ground frame.
+#[must_use]
+pub fn on_ground(lines: &[Line], camera: &Camera, farthest: f32) -> Vec<Line, LINES> {
+    let ground = |pixel: Vec2| camera.ground(pixel, 0.0).filter(|place| place.length() <= farthest);
+    let clipped = lines.iter().filter_map(|line| {
+        let near =
+            |from: Vec2, to: Vec2| (0..=CUTS).find_map(|cut| ground(from.lerp(to, f32::from(cut) / f32::from(CUTS))));
+        Some(Line { from: near(line.from, line.to)?, to: near(line.to, line.from)? })
+    });
+    clipped.filter(|line| line.from != line.to).collect()
+}
+
+/// Joins pieces of one line: whose ends lie within `apart` px of the line through the longer one and at most `between`
+/// px from its ends.
+fn join(lines: &mut Vec<Line, LINES>, apart: f32, between: f32) {
+    let mut at = 0;
+    while at < lines.len() {
+        let joined =
+            (at + 1..lines.len()).find_map(|other| Some((other, joint(&lines[at], &lines[other], apart, between)?)));
+        if let Some((other, line)) = joined {
+            lines[at] = line;
+            lines.swap_remove(other);
+        } else {
+            at += 1;
+        }
+    }
+}
+
+fn joint(a: &Line, b: &Line, apart: f32, between: f32) -> Option<Line> {
+    let (long, short) = if a.length() >= b.length() { (a, b) } else { (b, a) };
+    let length = long.length();
+    let along = (long.to - long.from).try_normalize()?;
+    let near = |end: Vec2| (along.perp_dot(end - long.from).abs() <= apart).then(|| along.dot(end - long.from));
+    let (from, to) = ((near(short.from)?, short.from), (near(short.to)?, short.to));
+    let (low, high) = if from.0 <= to.0 { (from, to) } else { (to, from) };
+    let meets = low.0 <= length + between && high.0 >= -between;
+    let first = if low.0 < 0.0 { low.1 } else { long.from };
+    let last = if high.0 > length { high.1 } else { long.to };
+    meets.then_some(Line { from: first, to: last })
 }
 
 /// What is scanned: `along` counts in a scan, `across` from scan to scan.

@@ -1,0 +1,64 @@
+//! From what detectors find in an image to sightings.
+
+use glam::Vec2;
+use heapless::Vec;
+
+use super::{POINTS, POSTS, PostSighting, Sightings};
+use crate::centre_circle;
+use crate::colour::Colour;
+use crate::crossings::Crossing;
+use crate::goal::{Goal, Goals, Post};
+use crate::lines::{self, Line};
+use crate::projection::Camera;
+
+/// Beyond this a line says little of where the robot is, m.
+const FARTHEST: f32 = 4.5;
+/// A crossing's heading is known up to this distance, m.
+const CROSSING_FARTHEST: f32 = 3.0;
+
+impl Sightings {
+    /// What is seen of the field: lines and their crossings, px, and goals; `attacked` is the colour of the goal at
+    /// positive x, [`Colour::Yellow`] or [`Colour::Blue`].
+    #[must_use]
+    pub fn of(lines: &[Line], crossings: &[Crossing], goals: &Goals, attacked: Colour, camera: &Camera) -> Self {
+        let on_ground = lines::on_ground(lines, camera, FARTHEST);
+        let near = |crossing: &Crossing| {
+            let pose = crossing.ground(camera).filter(|pose| pose.position.length() < CROSSING_FARTHEST)?;
+            Some((crossing.kind, pose))
+        };
+        let goals = [goals.yellow, goals.blue].into_iter().flatten();
+        let mut posts: Vec<PostSighting, POSTS> = Vec::new();
+        for (goal, post) in goals.flat_map(|goal| posts_of(&goal).map(move |post| (goal.colour, post))) {
+            let at = post.ground(camera).filter(|_| post.has_base);
+            let sighting = at.map(|at| PostSighting { at, side: post.side, attacked: goal == attacked });
+            posts.extend(sighting.into_iter().take(POSTS - posts.len()));
+        }
+        Self {
+            points: spread(&on_ground),
+            crossings: crossings.iter().filter_map(near).collect(),
+            circle: centre_circle::among(&on_ground),
+            posts,
+        }
+    }
+}
+
+fn posts_of(goal: &Goal) -> impl Iterator<Item = Post> + use<> {
+    [Some(goal.first), goal.second].into_iter().flatten()
+}
+
+/// Points on lines at even distances.
+fn spread(lines: &[Line]) -> Vec<Vec2, POINTS> {
+    let length: f32 = lines.iter().map(Line::length).sum();
+    let pitch = (length / POINTS as f32).max(0.1);
+    let mut points = Vec::new();
+    let mut rest = 0.5 * pitch;
+    for line in lines {
+        let length = line.length();
+        while rest < length && !points.is_full() {
+            points.extend([line.from.lerp(line.to, rest / length)]);
+            rest += pitch;
+        }
+        rest -= length;
+    }
+    points
+}
