@@ -13,6 +13,7 @@ Examples:
   player play --games 100               many games on all cores, and a table
   player graph --format svg > tree.svg  the activation tree, drawn
   player watch frames --pictures seen   what the eyes see in recorded images
+  player see frames --json              the same, one line of JSON for each image
 
 Exit codes: 0 a goal (or what was asked is done), 1 no goal, 2 wrong arguments or files, 130 stopped by Ctrl-C.
 Colours are left out if NO_COLOR is set or the output is no terminal.";
@@ -41,8 +42,12 @@ pub(crate) enum Command {
     Play(Play),
     /// Print the activation tree: its components, rates, links, states and transitions
     Graph(GraphArgs),
-    /// Look at a folder of camera images (PNG) with the forward's eyes
+    /// Look at a folder of camera images with the forward's eyes, and sum up
     Watch(Watch),
+    /// Look at a folder of camera images: one line for each, as JSON if you like; or compare with labels
+    See(See),
+    /// Learn colour classes from labelled images, and write them as a profile
+    Calibrate(Calibrate),
 }
 
 #[derive(Clone, Debug, Args)]
@@ -97,20 +102,69 @@ pub(crate) enum Format {
     Json,
 }
 
+/// What is looked at, and with which eyes.
 #[derive(Clone, Debug, Args)]
-pub(crate) struct Watch {
-    /// The folder; its PNG files are looked at in the order of their names
+pub(crate) struct Looking {
+    /// The folder; its images (PNG, JPEG, raw `NAME_WxH.yuyv`) are looked at in the order of their names
     #[arg(value_name = "DIR")]
     pub(crate) folder: PathBuf,
+    /// Colours: a profile (TOML), a table (.bin), or the name of a profile: built-in, nao2009 or darwin2013
+    #[arg(long, value_name = "FILE|NAME", default_value = "nao2009")]
+    pub(crate) profile: String,
     /// Camera poses, without which nothing is known of distances [default: `DIR_pose.csv` beside DIR, if it is there]
     #[arg(long, value_name = "CSV")]
     pub(crate) poses: Option<PathBuf>,
+    /// The radius of the ball, in millimetres
+    #[arg(long, value_name = "MM", default_value_t = 43.0, value_parser = millimetres)]
+    pub(crate) ball: f32,
     /// Write each image with what was recognised drawn in
     #[arg(long, value_name = "DIR")]
     pub(crate) pictures: Option<PathBuf>,
     /// Print what was seen as JSON on stdout and nothing else there; what is said to people goes to stderr
     #[arg(long)]
     pub(crate) json: bool,
+}
+
+#[derive(Clone, Debug, Args)]
+pub(crate) struct Watch {
+    #[command(flatten)]
+    pub(crate) looking: Looking,
+}
+
+#[derive(Clone, Debug, Args)]
+pub(crate) struct See {
+    #[command(flatten)]
+    pub(crate) looking: Looking,
+    /// Compare with labels, and print how much was right
+    #[arg(long, value_name = "CSV")]
+    pub(crate) score: Option<PathBuf>,
+}
+
+#[derive(Clone, Debug, Args)]
+pub(crate) struct Calibrate {
+    /// The folder with the images (PNG, JPEG, raw `NAME_WxH.yuyv`)
+    #[arg(value_name = "DIR")]
+    pub(crate) folder: PathBuf,
+    /// Rectangles of one class each: file, x0, y0, x1, y1, class; may be given several times
+    #[arg(long, value_name = "CSV")]
+    pub(crate) rectangles: Vec<PathBuf>,
+    /// Labelled balls and goals, as `player see --score` takes them
+    #[arg(long, value_name = "CSV")]
+    pub(crate) labels: Option<PathBuf>,
+    /// The profile, by name or file, that classes without labels are taken from
+    #[arg(long, value_name = "FILE|NAME", default_value = "built-in")]
+    pub(crate) base: String,
+    /// Write the profile (TOML)
+    #[arg(long, value_name = "FILE")]
+    pub(crate) out: Option<PathBuf>,
+    /// Print what was learned as JSON on stdout and nothing else there; what is said to people goes to stderr
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+fn millimetres(text: &str) -> Result<f32, String> {
+    let fits = text.parse().ok().filter(|length: &f32| (1.0..=1000.0).contains(length));
+    fits.ok_or_else(|| "a radius from 1 to 1000 millimetres is needed".to_owned())
 }
 
 fn robots(text: &str) -> Result<usize, String> {

@@ -1,11 +1,16 @@
 //! The program: what it is asked, what it does, how it ends.
 
+mod calibrate;
 mod cli;
 mod ending;
 mod game;
 mod graph;
+mod labels;
+mod look;
 mod picture;
+mod profile;
 mod progress;
+mod see;
 mod stop;
 mod svg;
 mod voice;
@@ -31,6 +36,8 @@ pub(crate) fn run() -> ExitCode {
         Some(Command::Play(args)) => game::run(&args),
         Some(Command::Graph(args)) => graph::run(&args),
         Some(Command::Watch(args)) => watch::run(&args),
+        Some(Command::See(args)) => see::run(&args),
+        Some(Command::Calibrate(args)) => calibrate::run(&args),
     };
     match thread::Builder::new().stack_size(STACK).spawn(work).map(thread::JoinHandle::join) {
         Ok(Ok(outcome)) => outcome.map_or_else(ExitCode::from, ExitCode::from),

@@ -73,6 +73,16 @@ impl Voice {
         Ok(out.flush()?)
     }
 
+    /// A line to machines, if they listen.
+    pub(crate) fn line(self, value: &impl Serialize) -> Result<(), Failure> {
+        if !self.json {
+            return Ok(());
+        }
+        let mut line = serde_json::to_vec(value).map_err(io::Error::from)?;
+        line.push(b'\n');
+        Ok(io::stdout().lock().write_all(&line)?)
+    }
+
     /// A word in a style, if people look at a terminal.
     pub(crate) fn style(self, style: Style, word: &str) -> String {
         if self.colour && style != Style::Plain {

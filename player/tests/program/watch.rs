@@ -94,7 +94,7 @@ fn a_wrong_folder_or_pose_file_is_an_error_that_names_it() {
         }
     };
     refused(&[&text("nowhere")], &["nowhere", "help: name a folder"]);
-    refused(&[folder.text()], &["no PNG image", folder.text()]);
+    refused(&[folder.text()], &["no image in", folder.text()]);
     draw(&folder.path().join("1.png"), 160);
     refused(&[&text("1.png")], &["1.png", "help: name a folder"]);
     refused(&[folder.text(), "--poses", &text("none.csv")], &["none.csv", "--poses"]);

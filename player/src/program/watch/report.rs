@@ -5,11 +5,11 @@ use std::path::Path;
 use glam::Vec2;
 use serde::Serialize;
 
-use super::sighting::{Goal, Sighting, Trust};
 use crate::program::ending::Failure;
 use crate::program::game::latency::percentile;
 use crate::program::game::sight::Sight;
 use crate::program::game::summary::row;
+use crate::program::look::{Goal, Listener, Pose, Sighting, Trust};
 use crate::program::voice::{Style, Voice};
 
 /// All that was seen in a folder.
@@ -17,6 +17,8 @@ use crate::program::voice::{Style, Voice};
 pub(crate) struct Report {
     schema: &'static str,
     folder: String,
+    #[serde(skip)]
+    voice: Voice,
     #[serde(skip)]
     has_poses: bool,
     frames: Vec<Sighting>,
@@ -47,10 +49,11 @@ struct Sum {
 
 impl Report {
     /// Nothing seen yet.
-    pub(crate) fn new(folder: &Path, has_poses: bool) -> Self {
+    pub(crate) fn new(voice: Voice, folder: &Path, has_poses: bool) -> Self {
         Self {
             schema: "bica-player/watch/1",
             folder: folder.display().to_string(),
+            voice,
             has_poses,
             frames: Vec::new(),
             skipped: Vec::new(),
@@ -58,33 +61,15 @@ impl Report {
         }
     }
 
-    /// Whether no image could be looked at.
-    pub(crate) fn is_empty(&self) -> bool {
-        self.frames.is_empty()
-    }
-
     /// The heading of the columns.
-    pub(crate) fn begin(voice: Voice) -> Result<(), Failure> {
+    pub(crate) fn begin(&self) -> Result<(), Failure> {
         let heading = columns("image", "ball: x, y, radius px", "ball on the ground", "end of field", "goals");
-        voice.say(&voice.style(Style::Faint, &heading))
-    }
-
-    /// Tells of an image.
-    pub(crate) fn saw(&mut self, voice: Voice, sighting: Sighting) -> Result<(), Failure> {
-        voice.say(&line(&sighting))?;
-        self.frames.push(sighting);
-        Ok(())
-    }
-
-    /// Tells of a file that could not be looked at.
-    pub(crate) fn skipped(&mut self, voice: Voice, file: &str, why: String) -> Result<(), Failure> {
-        voice.say(&format!("{file:<12} {}", voice.style(Style::Bad, &format!("skipped, {why}"))))?;
-        self.skipped.push(Skipped { file: file.to_owned(), why });
-        Ok(())
+        self.voice.say(&self.voice.style(Style::Faint, &heading))
     }
 
     /// Sums up.
-    pub(crate) fn end(&mut self, voice: Voice) -> Result<(), Failure> {
+    pub(crate) fn end(&mut self) -> Result<(), Failure> {
+        let voice = self.voice;
         self.summary = Sum::new(&self.frames, self.skipped.len());
         let sum = &self.summary;
         voice.say("")?;
@@ -115,6 +100,21 @@ impl Report {
     }
 }
 
+impl Listener for Report {
+    fn saw(&mut self, sighting: Sighting, _pose: Option<&Pose>) -> Result<(), Failure> {
+        self.voice.say(&line(&sighting))?;
+        self.frames.push(sighting);
+        Ok(())
+    }
+
+    fn skipped(&mut self, file: &str, why: String) -> Result<(), Failure> {
+        let words = self.voice.style(Style::Bad, &format!("skipped, {why}"));
+        self.voice.say(&format!("{file:<12} {words}"))?;
+        self.skipped.push(Skipped { file: file.to_owned(), why });
+        Ok(())
+    }
+}
+
 impl Sum {
     fn new(frames: &[Sighting], skipped: usize) -> Self {
         let count = |wanted: &dyn Fn(&Sighting) -> bool| frames.iter().filter(|frame| wanted(frame)).count();
@@ -134,7 +134,8 @@ impl Sum {
     }
 }
 
-fn line(sighting: &Sighting) -> String {
+/// An image as a row of the table.
+pub(crate) fn line(sighting: &Sighting) -> String {
     let dash = || "-".to_owned();
     let ball = sighting.ball.as_ref();
     let pixels = ball.map_or_else(dash, |ball| format!("{:.1}, {:.1}, {:.1}", ball.x, ball.y, ball.radius));

@@ -5,33 +5,65 @@ use std::path::{Path, PathBuf};
 
 use bica_motion::robot::{CameraId, Image};
 
+use super::raw;
 use crate::program::ending::Failure;
 use crate::program::picture::png::{self, Picture};
 
-/// The PNG files of a folder in the order of their names.
+/// The images of a folder in the order of their names.
 pub(crate) fn list(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
-    let mend = "name a folder with PNG images";
+    let mend = "name a folder with PNG, JPEG or raw images (NAME_WxH.yuyv)";
     let entries = fs::read_dir(folder).map_err(|error| Failure::of_path("look into", folder, &error, mend))?;
-    let is_png = |path: &PathBuf| path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("png"));
-    let mut files: Vec<PathBuf> = entries.filter_map(|entry| Some(entry.ok()?.path())).filter(is_png).collect();
+    let is_image = |path: &PathBuf| Format::of(path).is_some();
+    let mut files: Vec<PathBuf> = entries.filter_map(|entry| Some(entry.ok()?.path())).filter(is_image).collect();
     if files.is_empty() {
-        return Err(Failure::new(format!("there is no PNG image in `{}`", folder.display()), mend));
+        return Err(Failure::new(format!("there is no image in `{}`", folder.display()), mend));
     }
     files.sort();
     Ok(files)
 }
 
+/// What poses and labels call an image: its name without the ending and, of a raw one, without the size.
+pub(crate) fn stem(name: &str) -> &str {
+    let name = name.rsplit('/').next().unwrap_or(name);
+    let (stem, ending) = name.rsplit_once('.').unwrap_or((name, ""));
+    let sized = stem.rsplit_once('_').filter(|_| ending.eq_ignore_ascii_case("yuyv"));
+    sized.map_or(stem, |(stem, _)| stem)
+}
+
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Format {
+    Png,
+    Jpeg,
+    Raw,
+}
+
+impl Format {
+    fn of(path: &Path) -> Option<Self> {
+        Some(match path.extension()?.to_ascii_lowercase().to_str()? {
+            "png" => Self::Png,
+            "jpg" | "jpeg" => Self::Jpeg,
+            "yuyv" => Self::Raw,
+            _ => return None,
+        })
+    }
+}
+
 /// An image as a camera gives it.
+#[derive(Debug)]
 pub(crate) struct Recorded {
-    width: u16,
-    height: u16,
-    yuyv: Vec<u8>,
+    pub(super) width: u16,
+    pub(super) height: u16,
+    pub(super) yuyv: Vec<u8>,
 }
 
 impl Recorded {
-    /// Reads a PNG file.
+    /// Reads a file; what it is its ending tells.
     pub(crate) fn read(path: &Path) -> Result<Self, String> {
-        let picture = png::read(path).map_err(|error| format!("broken: {error}"))?;
+        let picture = match Format::of(path) {
+            Some(Format::Raw) => return raw::read(path),
+            Some(Format::Jpeg) => super::jpeg::read(path)?,
+            Some(Format::Png) | None => png::read(path).map_err(|error| format!("broken: {error}"))?,
+        };
         let size = u16::try_from(picture.width).ok().zip(u16::try_from(picture.height).ok());
         let (width, height) =
             size.ok_or_else(|| format!("{}×{} pixels are too many", picture.width, picture.height))?;
@@ -74,5 +106,11 @@ mod tests {
         for (value, wanted) in back.iter().zip([120_u8, 90, 120, 170]) {
             assert!(value.abs_diff(wanted) <= 1, "{back:?}");
         }
+    }
+
+    #[test]
+    fn an_image_is_called_as_its_labels_call_it() {
+        let names = ["a/008.png", "008_640x240.yuyv", "008.jpeg", "hall_2.png", "a.b.png", "x"];
+        assert_eq!(names.map(stem), ["008", "008", "008", "hall_2", "a.b", "x"]);
     }
 }

@@ -3,23 +3,30 @@
 use std::time::Instant;
 
 use bica_motion::robot::Image;
-use bica_vision::ball::{BallFinder, RADIUS_2009};
-use bica_vision::colour::Colour;
+use bica_vision::ball::BallFinder;
+use bica_vision::colour::{Classify, Colour};
 use bica_vision::field_end::FieldEnd;
 use bica_vision::frame::Frame;
-use bica_vision::goal::GoalFinder;
-use bica_vision::profile::NAO_2009;
+use bica_vision::goal::{GoalFinder, Goals};
+use bica_vision::lines;
 use bica_vision::projection::Camera;
-use bica_vision::table::CompactTable;
+use bica_vision::table::FullTable;
 use glam::Vec2;
 use serde::Serialize;
 
+use super::palette::Palette;
 use super::poses::Pose;
 use crate::program::picture::scene::Marks;
 
-/// The detectors, with the colours and the ball of 2009.
+/// The detectors, with the colours and the ball that they look for.
 pub(crate) struct Eyes {
-    colours: CompactTable,
+    palette: Palette,
+    detectors: Detectors,
+}
+
+struct Detectors {
+    /// Radius of the ball, m.
+    radius: f32,
     balls: BallFinder<512>,
     goals: GoalFinder<1024>,
 }
@@ -33,8 +40,13 @@ pub(crate) struct Sighting {
     pub(crate) goals: Vec<Goal>,
     /// The corners of the line, from the left.
     pub(crate) field_end: Vec<[f32; 2]>,
+    /// White lines: one end, the other end.
+    pub(crate) lines: Vec<[f32; 4]>,
     /// Time that the detectors took, ms.
     pub(crate) wall_ms: f64,
+    /// The camera, if its pose is trusted.
+    #[serde(skip)]
+    pub(crate) camera: Option<Camera>,
     #[serde(skip)]
     pub(crate) marks: Marks,
 }
@@ -75,14 +87,18 @@ pub(crate) struct Goal {
     pub(crate) ground: Option<[f32; 2]>,
 }
 
+/// What the detectors found.
+struct Found {
+    end: FieldEnd,
+    ball: Option<bica_vision::ball::Ball>,
+    goals: Goals,
+    lines: Vec<[f32; 4]>,
+}
+
 impl Eyes {
-    /// Opens them.
-    pub(crate) fn new() -> Self {
-        Self {
-            colours: CompactTable::compile(&NAO_2009),
-            balls: BallFinder::new(RADIUS_2009),
-            goals: GoalFinder::new(),
-        }
+    /// Opens them for a ball of `radius` metres.
+    pub(crate) fn new(palette: Palette, radius: f32) -> Self {
+        Self { palette, detectors: Detectors { radius, balls: BallFinder::new(radius), goals: GoalFinder::new() } }
     }
 
     /// Looks at an image; says why if it is none for these eyes.
@@ -90,31 +106,51 @@ impl Eyes {
         let frame = Frame::from_image(image).map_err(|error| error.to_string())?;
         let trusted = pose.filter(|pose| pose.trusted);
         let camera = trusted.map(|pose| pose.camera(frame.width().into(), frame.height().into()));
+        let camera = camera.as_ref();
         let began = Instant::now();
-        let end = FieldEnd::find(&frame, &self.colours);
-        let ball = self.balls.find(&frame, &self.colours, &end, camera.as_ref());
-        let goals = self.goals.find(&frame, &self.colours, &end, camera.as_ref());
+        let found = match &self.palette {
+            Palette::Compact(table) => self.detectors.find(&frame, &**table, camera),
+            Palette::Full(cells) => self.detectors.find(&frame, &FullTable::from(&**cells), camera),
+        };
         let wall_ms = 1e3 * began.elapsed().as_secs_f64();
+        Ok(self.detectors.tell(file, pose, camera, found, wall_ms))
+    }
+}
+
+impl Detectors {
+    fn find(&mut self, frame: &Frame<'_>, colours: &impl Classify, camera: Option<&Camera>) -> Found {
+        let end = FieldEnd::find(frame, colours);
+        let ball = self.balls.find(frame, colours, &end, camera);
+        let goals = self.goals.find(frame, colours, &end, camera);
+        let lines = lines::find(frame, colours, &end);
+        let lines = lines.iter().map(|line| [line.from.x, line.from.y, line.to.x, line.to.y]).collect();
+        Found { end, ball, goals, lines }
+    }
+
+    fn tell(&self, file: &str, pose: Option<&Pose>, camera: Option<&Camera>, found: Found, wall_ms: f64) -> Sighting {
+        let Found { end, ball, goals, lines } = found;
         let goals: Vec<_> = [goals.yellow, goals.blue].into_iter().flatten().collect();
-        Ok(Sighting {
+        Sighting {
             file: file.to_owned(),
             pose: match pose {
                 None => Trust::Missing,
                 Some(pose) if pose.trusted => Trust::Trusted,
                 Some(_) => Trust::Untrusted,
             },
-            ball: ball.map(|ball| Ball::new(&ball, camera.as_ref())),
-            goals: goals.iter().map(|goal| Goal::new(goal, camera.as_ref())).collect(),
+            ball: ball.map(|ball| Ball::new(&ball, camera, self.radius)),
+            goals: goals.iter().map(|goal| Goal::new(goal, camera)).collect(),
             field_end: end.corners().iter().map(Vec2::to_array).collect(),
+            lines,
             wall_ms,
+            camera: camera.copied(),
             marks: Marks { ball, goals, field_end: end.corners().to_vec() },
-        })
+        }
     }
 }
 
 impl Ball {
-    fn new(ball: &bica_vision::ball::Ball, camera: Option<&Camera>) -> Self {
-        let ground = camera.and_then(|camera| ball.ground(camera, RADIUS_2009)).map(|at| at.to_array());
+    fn new(ball: &bica_vision::ball::Ball, camera: Option<&Camera>, metres: f32) -> Self {
+        let ground = camera.and_then(|camera| ball.ground(camera, metres)).map(|at| at.to_array());
         Self { x: ball.centre.x, y: ball.centre.y, radius: ball.radius, confidence: ball.confidence, ground }
     }
 }

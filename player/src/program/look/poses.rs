@@ -1,8 +1,9 @@
 //! Camera poses from a CSV file.
 //!
 //! Columns by name: `file`, the rotation `r00` to `r22` from the camera's axes (x forward, y left, z up) to the ground's,
-//! the translation `tx_mm`, `ty_mm`, `tz_mm` in millimetres (origin on the ground between the feet), and `trusted` (1 or
-//! 0; 1 if there is no such column). Others are passed over.
+//! the translation `tx_mm`, `ty_mm`, `tz_mm` in millimetres (origin on the ground between the feet), and perhaps `trusted`
+//! (1 or 0; 1 if there is no such column) and `horizon_y_at_x159.5` (the row of the horizon, to compare with). Others are
+//! passed over.
 
 use std::collections::HashMap;
 use std::fs;
@@ -11,6 +12,7 @@ use std::path::Path;
 use bica_vision::projection::{Camera, Intrinsics};
 use glam::{Affine3A, Mat3, Vec2, Vec3};
 
+use super::frames::stem;
 use crate::program::ending::Failure;
 
 /// Focal length of the camera of a NAO of 2009 for a width of one pixel: 385.54 px at 320 (B-Human 2009).
@@ -25,6 +27,8 @@ pub(crate) struct Pose {
     camera_to_ground: Affine3A,
     /// Whether distances may be taken from it.
     pub(crate) trusted: bool,
+    /// The row of the horizon in the middle of an image 320 pixels wide, as the file has it.
+    pub(crate) horizon: Option<f32>,
 }
 
 impl Pose {
@@ -35,7 +39,7 @@ impl Pose {
     }
 }
 
-/// The poses of a file by the names of the images, without their folders.
+/// The poses of a file by the names of the images, without folder and ending.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Poses(HashMap<String, Pose>);
 
@@ -56,24 +60,31 @@ impl Poses {
         let needed = |name: &str| column(name).ok_or_else(|| format!("there is no column `{name}`"));
         let file = needed("file")?;
         let numbers = ROTATION.iter().chain(&TRANSLATION).map(|name| needed(name)).collect::<Result<Vec<_>, _>>()?;
-        let trusted = column("trusted");
+        let more = More { trusted: column("trusted"), horizon: column("horizon_y_at_x159.5") };
         let mut poses = HashMap::new();
         for (line, text) in lines {
             let cells: Vec<&str> = text.split(',').map(str::trim).collect();
-            let pose = pose(&cells, &numbers, trusted).map_err(|what| format!("line {}: {what}", line + 1))?;
+            let pose = pose(&cells, &numbers, more).map_err(|what| format!("line {}: {what}", line + 1))?;
             let name = cells.get(file).copied().unwrap_or_default();
-            poses.insert(name.rsplit('/').next().unwrap_or(name).to_owned(), pose);
+            poses.insert(stem(name).to_owned(), pose);
         }
         Ok(Self(poses))
     }
 
     /// The pose for an image.
     pub(crate) fn get(&self, file: &str) -> Option<&Pose> {
-        self.0.get(file)
+        self.0.get(stem(file))
     }
 }
 
-fn pose(cells: &[&str], numbers: &[usize], trusted: Option<usize>) -> Result<Pose, String> {
+/// Columns that need not be there.
+#[derive(Clone, Copy)]
+struct More {
+    trusted: Option<usize>,
+    horizon: Option<usize>,
+}
+
+fn pose(cells: &[&str], numbers: &[usize], more: More) -> Result<Pose, String> {
     let mut values = [0.0; 12];
     for (value, &column) in values.iter_mut().zip(numbers) {
         let cell = cells.get(column).ok_or_else(|| format!("{} cells, but the heading has more", cells.len()))?;
@@ -86,7 +97,8 @@ fn pose(cells: &[&str], numbers: &[usize], trusted: Option<usize>) -> Result<Pos
     }
     Ok(Pose {
         camera_to_ground: Affine3A::from_mat3_translation(rotation, 1e-3 * Vec3::new(x, y, z)),
-        trusted: trusted.is_none_or(|column| cells.get(column).is_some_and(|cell| *cell == "1")),
+        trusted: more.trusted.is_none_or(|column| cells.get(column).is_some_and(|cell| *cell == "1")),
+        horizon: more.horizon.and_then(|column| cells.get(column)?.parse().ok()),
     })
 }
 

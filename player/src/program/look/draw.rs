@@ -26,7 +26,7 @@ pub(crate) fn write(folder: &Path, recorded: &Recorded, sighting: &Sighting) -> 
     sheet.write(Vec2::new(MARGIN as f32, 6.0), Font::Title, TEXT, &sighting.file);
     sheet.write(Vec2::new(MARGIN as f32, 28.0), Font::Normal, FAINT, &words(sighting));
     sheet.place(&view, MARGIN, HEAD);
-    let path = folder.join(&sighting.file);
+    let path = folder.join(&sighting.file).with_extension("png");
     let mend = "is the disk full, or the folder write-protected?";
     png::write(&path, &sheet).map_err(|error| Failure::of_path("write", &path, &error, mend))
 }

@@ -1,0 +1,117 @@
+//! `player calibrate`: colour classes learned from labelled images.
+
+mod blocks;
+mod fit;
+mod rectangles;
+mod report;
+mod samples;
+
+use std::path::Path;
+
+use bica_vision::colour::{Colour, Filters};
+use bica_vision::frame::Frame;
+
+use super::cli::Calibrate;
+use super::ending::{Ending, Failure};
+use super::labels::{Labels, own_folder};
+use super::look::{self, Recorded};
+use super::profile;
+use super::stop;
+use super::voice::Voice;
+use blocks::{Learned, learn};
+use rectangles::Rectangle;
+use report::Report;
+use samples::Samples;
+
+/// What was learned of each class, in the order of decision.
+type Lessons = [(Colour, Option<Learned>); 5];
+
+/// Learns a profile from the images of a folder, tells how good it is, and writes it.
+pub(crate) fn run(args: &Calibrate) -> Result<Ending, Failure> {
+    let voice = Voice::new(args.json);
+    let base = profile::load(&args.base)?;
+    let mut teachers = Teachers::read(args)?;
+    let samples = teachers.teach(&args.folder)?;
+    if stop::asked() {
+        return Ok(Ending::Interrupted);
+    }
+    let samples = samples.weighed();
+    let lessons = base.in_order().map(|(class, _)| (class, learn(class, &samples)));
+    let filters = put_together(&base, &lessons);
+    let report = Report::new(args, &teachers, &lessons);
+    if let Some(path) = &args.out {
+        let text = profile::write(&filters, &report.notes());
+        let mend = "name a file in a folder that can be written to, with --out";
+        std::fs::write(path, text).map_err(|error| Failure::of_path("write the profile", path, &error, mend))?;
+    }
+    report.tell(voice)?;
+    Ok(if lessons.iter().any(|(_, learned)| learned.is_some()) { Ending::Reached } else { Ending::Missed })
+}
+
+fn put_together(base: &Filters, lessons: &Lessons) -> Filters {
+    let learned = |class| lessons.iter().find(|(of, _)| *of == class).and_then(|(_, learned)| learned.as_ref());
+    let filter = |class, base| learned(class).map_or(base, |learned| learned.filter);
+    Filters {
+        orange: filter(Colour::Orange, base.orange),
+        yellow: filter(Colour::Yellow, base.yellow),
+        blue: filter(Colour::Blue, base.blue),
+        white: filter(Colour::White, base.white),
+        green: filter(Colour::Green, base.green),
+    }
+}
+
+/// Labels and rectangles, and how many of them were of use.
+struct Teachers {
+    rectangles: Vec<Rectangle>,
+    labels: Option<Labels>,
+    images: usize,
+    used_rectangles: usize,
+    used_labels: usize,
+}
+
+impl Teachers {
+    fn read(args: &Calibrate) -> Result<Self, Failure> {
+        if args.rectangles.is_empty() && args.labels.is_none() {
+            let mend = "name a CSV file with --rectangles or --labels";
+            return Err(Failure::new("there is nothing to learn from", mend));
+        }
+        let mut rectangles = Vec::new();
+        for path in &args.rectangles {
+            rectangles.extend(rectangles::read(path)?);
+        }
+        let own = own_folder(&args.folder);
+        if rectangles.iter().any(|rectangle| rectangle.file.starts_with(&own)) {
+            rectangles.retain(|rectangle| rectangle.file.starts_with(&own));
+        }
+        let labels = args.labels.as_ref().map(|path| Labels::read(path, &args.folder)).transpose()?;
+        Ok(Self { rectangles, labels, images: 0, used_rectangles: 0, used_labels: 0 })
+    }
+
+    /// Gathers what is known of the pixels of a folder.
+    fn teach(&mut self, folder: &Path) -> Result<Samples, Failure> {
+        let mut samples = Samples::default();
+        for (image, path) in look::list(folder)?.into_iter().enumerate() {
+            let name = path.file_name().unwrap_or_default().to_string_lossy();
+            let own = self.rectangles.iter().filter(|of| look::stem(&of.file) == look::stem(&name));
+            let own: Vec<&Rectangle> = own.collect();
+            let label = self.labels.as_ref().and_then(|labels| labels.get(&name));
+            if stop::asked() || (own.is_empty() && label.is_none()) {
+                continue;
+            }
+            let wrong =
+                |why: &str| Failure::of_path("learn from", &path, &why, "mend the image, or take its labels away");
+            let recorded = Recorded::read(&path).map_err(|why| wrong(&why))?;
+            let frame = Frame::from_image(&recorded.image()).map_err(|why| wrong(&why.to_string()))?;
+            for rectangle in &own {
+                samples.add_rectangle(image, &frame, rectangle);
+            }
+            if let Some(label) = label {
+                samples.add_label(image, &frame, label);
+            }
+            self.images += 1;
+            self.used_rectangles += own.len();
+            self.used_labels += usize::from(label.is_some());
+        }
+        Ok(samples)
+    }
+}
