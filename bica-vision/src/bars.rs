@@ -22,7 +22,7 @@ pub struct Bar {
     pub colour: Colour,
     /// The middle of its highest run, pixels.
     pub top: Vec2,
-    /// The middle of its lowest run, pixels.
+    /// Its lowest row, and the middle of its four lowest runs, pixels.
     pub bottom: Vec2,
     /// Its mean width, pixels.
     pub width: f32,
@@ -58,23 +58,38 @@ impl Bar {
             && run.overlaps(self.last)
     }
 
-    /// Whether a run is too wide to be a part of the bar.
-    fn is_narrower(&self, run: Run) -> bool {
-        f32::from(run.width()) > 1.5 * self.width + 3.0
-    }
-
     fn continues_in(&self, run: Run, step: u16) -> bool {
-        let straight = self.rows < 5 || (middle(run).x - self.x_at(f32::from(run.row))).abs() <= 0.3 * self.width + 2.0;
-        let thick = f32::from(run.width()) >= 0.6 * self.width - 3.0;
-        self.meets(run, step) && !self.is_narrower(run) && thick && straight
+        let width = f32::from(run.width());
+        let alike = width <= 1.4 * self.width + 2.0 && width >= 0.6 * self.width - 3.0;
+        let straight = self.rows < 5 || self.aside(run) <= 0.25 * self.width + 2.0;
+        self.meets(run, step) && alike && straight
     }
 
-    /// A wide run hides the bar in this row; it may go on above.
+    /// How far the middle of a run is from where the bar would be in its row, pixels.
+    fn aside(&self, run: Run) -> f32 {
+        (middle(run).x - self.x_at(f32::from(run.row))).abs()
+    }
+
+    fn difference(&self, run: Run) -> f32 {
+        self.aside(run) + (f32::from(run.width()) - self.width).abs()
+    }
+
+    /// Whether a run goes over all of the bar's width and is no part of it.
+    fn is_covered_by(&self, run: Run, step: u16) -> bool {
+        let covers = run.start <= self.last.start + 2 && run.end + 2 >= self.last.end;
+        covers && self.meets(run, step) && !self.continues_in(run, step)
+    }
+
+    /// The bar is hidden in the row of a run; it may go on above.
     fn pass_behind(&mut self, run: Run) {
         self.last.row = run.row;
     }
 
     fn grow(&mut self, run: Run) {
+        if self.rows < 4 {
+            // The lowest row is often a part of the foot only.
+            self.bottom.x += (middle(run).x - self.bottom.x) / f32::from(self.rows + 1);
+        }
         self.top = middle(run);
         self.width += (f32::from(run.width()) - self.width) / f32::from(self.rows + 1);
         self.rows += 1;
@@ -87,11 +102,11 @@ impl Bar {
 pub fn gather<const N: usize>(runs: &Runs<N>) -> Vec<Bar, BARS> {
     let mut bars: Vec<Bar, BARS> = Vec::new();
     for &run in runs.as_slice().iter().rev() {
-        for bar in bars.iter_mut().filter(|bar| bar.meets(run, runs.step()) && bar.is_narrower(run)) {
+        for bar in bars.iter_mut().filter(|bar| bar.is_covered_by(run, runs.step())) {
             bar.pass_behind(run);
         }
         let fitting = bars.iter_mut().filter(|bar| bar.continues_in(run, runs.step()));
-        match fitting.max_by_key(|bar| bar.rows) {
+        match fitting.min_by(|a, b| a.difference(run).total_cmp(&b.difference(run))) {
             Some(bar) => bar.grow(run),
             None => start(&mut bars, run, runs.step()),
         }

@@ -145,6 +145,43 @@ proptest! {
     }
 
     #[test]
+    fn a_green_wall_and_a_robot_at_the_edge_are_not_the_end_of_the_field(
+        end in 150.0_f32..200.0, x in 60.0_f32..230.0, height in 20.0_f32..90.0, apart in 8.0_f32..30.0, left: bool,
+    ) {
+        let mut canvas = Canvas::field(320, 240, end);
+        let foot = Vec2::new(x + 25.0, end - apart);
+        canvas.bar(CARPET, foot, foot - Vec2::new(0.0, height), 50.0);
+        let edge = if left { 12.0 } else { 308.0 };
+        canvas.bar(LINE, Vec2::new(edge, 20.0), Vec2::new(edge, 230.0), 30.0);
+        let found = canvas.look(|frame| FieldEnd::find(frame, &BUILT_IN_TABLE));
+        for x in [0.0, 40.0, 80.0, 120.0, 160.0, 200.0, 240.0, 280.0, 319.0] {
+            let row = found.row_at(x).expect("a field");
+            prop_assert!((row - end).abs() <= 5.0, "{row} for {end} at {x}: {:?}", found.corners());
+        }
+    }
+
+    #[test]
+    fn a_post_before_something_of_its_colour_is_found(foot in 115.0_f32..140.0, height in 70.0_f32..100.0, size in 18.0_f32..40.0) {
+        let mut canvas = Canvas::field(320, 240, 100.0);
+        let left = Vec2::new(120.0, foot);
+        draw_goal(&mut canvas, YELLOW, left, 140.0, height, 10.0);
+        let beside = Vec2::new(120.0 - 0.5 * size, 98.0);
+        canvas.bar(YELLOW, beside, beside - Vec2::new(0.0, 0.3 * height), size);
+        let goal = goal_in(&canvas, Colour::Yellow);
+        let is_there = goal.is_some_and(|goal| goal.first.base.distance(left) <= 4.0 && goal.second.is_some());
+        prop_assert!(is_there, "{goal:?}");
+    }
+
+    #[test]
+    fn posts_whose_crossbars_lead_apart_are_no_goal(foot in 115.0_f32..140.0, width in 8.0_f32..12.0) {
+        let mut canvas = Canvas::field(320, 240, 100.0);
+        draw_goal(&mut canvas, BLUE, Vec2::new(-40.0, foot), 140.0, 80.0, width);
+        draw_goal(&mut canvas, BLUE, Vec2::new(220.0, foot), 140.0, 80.0, width);
+        let goal = goal_in(&canvas, Colour::Blue);
+        prop_assert!(goal.is_some_and(|goal| goal.second.is_none()), "{goal:?}");
+    }
+
+    #[test]
     fn a_goal_is_found_with_both_posts(
         x in 30.0_f32..120.0, foot in 110.0_f32..140.0, height in 60.0_f32..100.0, width in 6.0_f32..16.0, blue: bool,
     ) {
@@ -197,7 +234,7 @@ proptest! {
         prop_assert!(length > 0.7 * from.distance(to) && length < 1.2 * from.distance(to), "{lines:?}");
         let normal = (to - from).perp().normalize();
         let off = lines.iter().flat_map(|l| [l.from, l.to]).map(|end| (end - from).dot(normal).abs()).fold(0.0, f32::max);
-        prop_assert!(off < 2.0, "{off} off: {lines:?}");
+        prop_assert!(off < 3.0, "{off} off: {lines:?}");
     }
 }
 
