@@ -1,0 +1,192 @@
+//! The robot's mind: hears, thinks, speaks.
+
+use bica::{Instant, Tree};
+use bica_motion::robot;
+use bica_motion::stand::{STAND, Stiffness};
+use bica_player::input::EYE_BYTES;
+use bica_player::perception::{BallDetector, NetDetector};
+use bica_player::{Forward, act, sense};
+use bica_vision::colour::Colour;
+use bica_wire::message::{Attack, Command, Greeting, Hello, Pace, Sensors, Telemetry};
+use bica_wire::{Frame, FromRobot, Losses, SCHEMA, ToRobot, describe};
+use embassy_time::Duration;
+use embedded_io_async::Write;
+
+use crate::board::Board;
+use crate::meter::Meter;
+use crate::reason::Past;
+use crate::stack;
+use crate::voice::Voice;
+
+/// Silence after which the robot stands safe: the tree's own latency budget.
+const SILENCE: Duration = Duration::from_millis(200);
+
+/// Everything that a robot keeps while it plays.
+pub(crate) struct Mind<B> {
+    robot: &'static mut Forward,
+    frame: &'static mut Frame<EYE_BYTES>,
+    past: Past,
+    meter: Meter<B>,
+    /// How time passes; `None` before the first hello.
+    pace: Option<Pace>,
+    sensed: Option<Sensors>,
+    /// When the host was last heard.
+    heard: Instant,
+    late: u32,
+    safe: bool,
+    /// Whether ball and goal are in sight.
+    seen: (bool, bool),
+}
+
+impl<B: Board> Mind<B> {
+    /// A mind that waits for a hello.
+    pub(crate) fn new(robot: &'static mut Forward, frame: &'static mut Frame<EYE_BYTES>, past: Past) -> Self {
+        Self {
+            robot,
+            frame,
+            past,
+            meter: Meter::new(),
+            pace: None,
+            sensed: None,
+            heard: Instant::now(),
+            late: 0,
+            safe: false,
+            seen: (false, false),
+        }
+    }
+
+    /// How time passes; `None` before the first hello.
+    pub(crate) const fn pace(&self) -> Option<Pace> {
+        self.pace
+    }
+
+    /// The robot's first words.
+    pub(crate) fn greeting(&self) -> FromRobot<'_> {
+        FromRobot::Greeting(Greeting {
+            schema: SCHEMA,
+            name: Forward::GRAPH.name,
+            cycle_hz: Forward::GRAPH.cycle_hz,
+            components: Forward::COUNT as u8,
+            fine_hz: B::FINE_HZ,
+            restarts: self.past.restarts,
+            reason: &self.past.reason,
+        })
+    }
+
+    /// Does what the host says.
+    pub(crate) async fn hear(&mut self, message: &ToRobot<'_>, losses: Losses, voice: &mut Voice<impl Write>) {
+        self.heard = Instant::now();
+        match message {
+            ToRobot::Hello(hello) => self.begin(hello, voice).await,
+            ToRobot::Describe => {
+                for fact in describe(&Forward::GRAPH) {
+                    voice.say(&FromRobot::Fact(fact)).await;
+                }
+            }
+            ToRobot::Stack => voice.say(&FromRobot::Stack(stack::used())).await,
+            ToRobot::Trial(trial) => self.meter.test(*trial),
+            ToRobot::Chunk(chunk) => self.frame.add(chunk),
+            ToRobot::Sensors(sensors) => {
+                self.sensed = Some(*sensors);
+                if self.pace == Some(Pace::Lockstep) {
+                    self.cycle(Instant::from_micros(sensors.time_us), losses, voice).await;
+                }
+            }
+        }
+    }
+
+    async fn begin(&mut self, hello: &Hello, voice: &mut Voice<impl Write>) {
+        if hello.schema != SCHEMA {
+            defmt::warn!("a host of another schema: {=u64:x}", hello.schema);
+            voice.say(&self.greeting()).await;
+            return;
+        }
+        if self.pace.is_some() {
+            defmt::info!("a new game");
+            B::reset();
+        }
+        defmt::info!("hello; in step with the world: {=bool}", hello.pace == Pace::Lockstep);
+        self.robot.get_mut::<NetDetector>().attack(match hello.attack {
+            Attack::Yellow => Colour::Yellow,
+            Attack::Blue => Colour::Blue,
+        });
+        self.pace = Some(hello.pace);
+        voice.say(&self.greeting()).await;
+    }
+
+    /// A cycle of the robot's own clock was to begin at `due`.
+    pub(crate) async fn tick(&mut self, due: Instant, losses: Losses, voice: &mut Voice<impl Write>) {
+        let now = Instant::now();
+        let period = Duration::from_hz(Forward::GRAPH.cycle_hz as u64);
+        if now.saturating_duration_since(due) >= period {
+            self.late = self.late.wrapping_add(1);
+            defmt::warn!("late by {=u64} us", (now - due).as_micros());
+        }
+        let safe = now.saturating_duration_since(self.heard) > SILENCE;
+        if safe != self.safe {
+            defmt::warn!("safe: {=bool}", safe);
+        }
+        self.safe = safe;
+        self.cycle(now, losses, voice).await;
+    }
+
+    /// Senses, thinks, acts, reports.
+    async fn cycle(&mut self, now: Instant, losses: Losses, voice: &mut Voice<impl Write>) {
+        B::settle();
+        let began = B::fine();
+        let sensed = self.sensed.take();
+        if let Some(sensors) = &sensed {
+            let yuyv = sensors.picture.as_ref().and_then(|picture| self.frame.take(picture));
+            if let Err(error) = sense(self.robot, &sensors.sensed(yuyv)) {
+                defmt::warn!("an image of {=usize} bytes does not fit", error.bytes);
+            }
+        }
+        self.robot.tick_with(now, &mut self.meter);
+        let command = if self.safe { safe() } else { act(self.robot) };
+        let chain = B::fine().wrapping_sub(began);
+        self.tell_sights();
+        let time_us = sensed.map_or(now.as_micros(), |sensors| sensors.time_us);
+        voice.say(&FromRobot::Command(Command::new(time_us, &command))).await;
+        self.report(time_us, chain, losses, voice).await;
+    }
+
+    /// Logs what came into sight or went out of it.
+    fn tell_sights(&mut self) {
+        let ball = self.robot.get::<BallDetector>().seen().is_some();
+        let goal = self.robot.get::<NetDetector>().seen().is_some();
+        if (ball, goal) != self.seen {
+            defmt::info!("in sight: ball {=bool}, goal {=bool}", ball, goal);
+            self.seen = (ball, goal);
+        }
+    }
+
+    async fn report(&mut self, time_us: u64, chain: u32, losses: Losses, voice: &mut Voice<impl Write>) {
+        let mut states = [u8::MAX; Forward::COUNT];
+        for (index, state) in states.iter_mut().enumerate() {
+            *state = self.robot.state(bica::ComponentId::new(index)).map_or(u8::MAX, |state| state as u8);
+        }
+        let active = self.robot.active().fold(0, |set, id| set | 1 << id.index());
+        let telemetry = Telemetry {
+            time_us,
+            safe: self.safe,
+            late: self.late,
+            torn: self.frame.torn(),
+            losses,
+            chain,
+            active,
+            states: &states,
+            costs: self.meter.costs.as_flattened(),
+        };
+        voice.say(&FromRobot::Telemetry(telemetry)).await;
+    }
+}
+
+/// Stands, as stiff as the robot is declared to stand.
+fn safe() -> robot::Command {
+    robot::Command {
+        targets: STAND,
+        stiffness: Stiffness::Stand.joints(),
+        lights: robot::Lights::default(),
+        camera: robot::CameraId::default(),
+    }
+}
