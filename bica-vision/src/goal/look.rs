@@ -158,5 +158,5 @@ fn is_goal(left: &Post, right: &Post) -> bool {
         && right.side != PostSide::Left
         && high <= 3.5 * low + 2.0
         && shape.contains(&apart)
-        && (!whole || heights[0].min(heights[1]) >= 0.45 * height)
+        && (!whole || heights[0].min(heights[1]) >= 0.3 * height)
 }

@@ -13,7 +13,7 @@ use bica_vision::projection::{Camera, Intrinsics};
 use glam::{Affine3A, Vec2, Vec3};
 use proptest::prelude::*;
 
-use crate::canvas::{BLUE, CARPET, Canvas, LINE, ORANGE, RED, YELLOW};
+use crate::canvas::{BLUE, CARPET, Canvas, LINE, ORANGE, RED, WALL, YELLOW};
 
 fn ball_in(canvas: &Canvas, camera: Option<&Camera>) -> Option<Ball> {
     canvas.look(|frame| {
@@ -132,7 +132,7 @@ proptest! {
     fn the_field_ends_where_it_is_drawn(left in 30.0_f32..120.0, right in 30.0_f32..120.0, robot in 0.0_f32..300.0) {
         let mut canvas = Canvas::field(320, 240, 0.0);
         let end = |x: f32| left + (right - left) * x / 319.0;
-        canvas.paint(crate::canvas::WALL, |at| end(at.x) - at.y);
+        canvas.paint(WALL, |at| end(at.x) - at.y);
         // A robot that stands in it, and something green in the hall.
         canvas.bar(LINE, Vec2::new(robot, 20.0), Vec2::new(robot + 5.0, 190.0), 40.0);
         canvas.bar(CARPET, Vec2::new(200.0, 2.0), Vec2::new(230.0, 2.0), 10.0);
@@ -146,17 +146,52 @@ proptest! {
 
     #[test]
     fn a_green_wall_and_a_robot_at_the_edge_are_not_the_end_of_the_field(
-        end in 150.0_f32..200.0, x in 60.0_f32..230.0, height in 20.0_f32..90.0, apart in 8.0_f32..30.0, left: bool,
+        end in 150.0_f32..190.0,
+        slope in -0.1_f32..0.1,
+        x in 60.0_f32..230.0,
+        height in 20.0_f32..90.0,
+        apart in 12.0_f32..30.0,
+        left: bool,
     ) {
-        let mut canvas = Canvas::field(320, 240, end);
-        let foot = Vec2::new(x + 25.0, end - apart);
+        let end = |x: f32| end + slope * (x - 160.0);
+        let mut canvas = Canvas::field(320, 240, 0.0);
+        canvas.paint(WALL, |at| end(at.x) - at.y);
+        let foot = Vec2::new(x + 25.0, end(x + 25.0) - apart);
         canvas.bar(CARPET, foot, foot - Vec2::new(0.0, height), 50.0);
         let edge = if left { 12.0 } else { 308.0 };
         canvas.bar(LINE, Vec2::new(edge, 20.0), Vec2::new(edge, 230.0), 30.0);
         let found = canvas.look(|frame| FieldEnd::find(frame, &BUILT_IN_TABLE));
         for x in [0.0, 40.0, 80.0, 120.0, 160.0, 200.0, 240.0, 280.0, 319.0] {
             let row = found.row_at(x).expect("a field");
-            prop_assert!((row - end).abs() <= 5.0, "{row} for {end} at {x}: {:?}", found.corners());
+            prop_assert!((row - end(x)).abs() <= 5.0, "{row} for {} at {x}: {:?}", end(x), found.corners());
+        }
+    }
+
+    #[test]
+    fn a_long_green_wall_is_not_carpet(end in 110.0_f32..160.0, height in 20.0_f32..60.0, apart in 12.0_f32..30.0) {
+        let mut canvas = Canvas::field(320, 240, 0.0);
+        // Not white: white between greens is a line.
+        canvas.paint(Pixel::new(90, 124, 136), |at| end - at.y);
+        canvas.bar(CARPET, Vec2::new(160.0, end - apart), Vec2::new(160.0, end - apart - height), 250.0);
+        let found = canvas.look(|frame| FieldEnd::find(frame, &BUILT_IN_TABLE));
+        let row = found.row_at(160.0).expect("a field");
+        prop_assert!((row - end).abs() <= 3.0, "{row} for {end}: {:?}", found.corners());
+    }
+
+    #[test]
+    fn a_goal_seen_from_its_side_has_upright_posts(near in 70.0_f32..90.0, far in 30.0_f32..40.0, apart in 50.0_f32..100.0) {
+        let mut canvas = Canvas::field(320, 240, 100.0);
+        let (left, right) = (Vec2::new(110.0, 140.0), Vec2::new(110.0 + apart, 115.0));
+        let (left_top, right_top) = (left - Vec2::new(0.0, near), right - Vec2::new(0.0, far));
+        canvas.bar(YELLOW, left, left_top, 12.0);
+        canvas.bar(YELLOW, right, right_top, 6.0);
+        canvas.bar(YELLOW, left_top, right_top, 6.0);
+        let goal = goal_in(&canvas, Colour::Yellow);
+        let Some((first, second)) = goal.and_then(|goal| Some((goal.first, goal.second?))) else {
+            return Err(TestCaseError::fail(format!("{goal:?}")));
+        };
+        for (post, foot, top) in [(first, left, left_top), (second, right, right_top)] {
+            prop_assert!(post.base.distance(foot) <= 4.0 && (post.top - top).abs().max_element() <= 8.0, "{post:?} for {foot}");
         }
     }
 

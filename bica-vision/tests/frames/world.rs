@@ -228,5 +228,7 @@ fn the_built_in_world_is_seen_as_it_is() {
     assert!(score.found * 100 >= score.balls * 98 && score.wrong.is_empty());
     assert!(score.posts_found * 100 >= score.posts * 90 && score.wrong_posts.len() * 50 <= score.posts);
     assert!(score.ground_errors[score.ground_errors.len() / 2] <= 0.01);
+    assert!(score.post_errors[score.post_errors.len() / 2] <= 0.015, "error of posts");
+    assert!(score.post_errors[score.post_errors.len() * 95 / 100] <= 0.035, "error of posts, 95 %");
     assert!(score.end_errors[score.end_errors.len() * 95 / 100] <= 3.0);
 }
