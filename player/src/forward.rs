@@ -3,11 +3,13 @@
 use bica::prelude::*;
 use bica_motion::robot::{Command, Lights, Sensors};
 
-use crate::behaviour::{FaceBall, FallGuard, Fixmove, FollowBall, GoRound, Player, SearchBall, SearchNet};
+use crate::behaviour::{FaceBall, FallGuard, Fixmove, FollowBall, GoRound, LookAround, Player, SearchBall, SearchNet};
 use crate::input::{Colours, Eye, FrameTooLarge, Measured};
 use crate::motion::{Body, GoStraight, Head, Kicker, Turn, Walk};
 use crate::output::{Gaze, Motors};
-use crate::perception::{BallDetector, CameraPose, FallDetector, FieldEnd, NetDetector, Odometry};
+use crate::perception::{
+    BallDetector, CameraPose, FallDetector, FieldEnd, FieldLines, Localization, NetDetector, Odometry,
+};
 
 activation_tree! {
     /// The forward of RoboCup 2009: finds the ball, walks to it, looks for the goal, lines up and kicks.
@@ -17,9 +19,9 @@ activation_tree! {
         budget_ms: 200,
         components: [
             Player,
-            SearchBall, FollowBall, SearchNet, GoRound, Fixmove, FallGuard, FaceBall,
+            SearchBall, FollowBall, SearchNet, LookAround, GoRound, Fixmove, FallGuard, FaceBall,
             Body, GoStraight, Turn, Walk, Kicker, Head,
-            BallDetector, NetDetector, FieldEnd, CameraPose, Odometry, FallDetector,
+            Localization, BallDetector, NetDetector, FieldLines, FieldEnd, CameraPose, Odometry, FallDetector,
             Eye, Colours, Measured,
             Motors, Gaze,
         ],

@@ -5,7 +5,7 @@ use bica_motion::pose::wrap;
 use glam::Vec2;
 use libm::{atan2f, fabsf};
 
-use crate::perception::{BallDetector, NetDetector, Odometry};
+use crate::perception::{BallDetector, Localization, NetDetector, Odometry};
 
 /// What to do with the ball.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -32,10 +32,14 @@ const BEHIND: f32 = 2.5;
 /// How far beside the goal's middle to aim where the gap is not known, m: the keeper stands in the middle.
 const BESIDE: f32 = 0.38;
 
-/// Plans what to do with the ball: the kick that asks for the least turning, if the goal was seen.
+/// Plans what to do with the ball: the kick that asks for the least turning, if the goal was seen. If it was not, the
+/// place on the field tells which way round the ball to go.
 #[must_use]
-pub fn plan(ball: &BallDetector, net: &NetDetector, odometry: &Odometry) -> Plan {
-    let (Some(ball), Some(goal)) = (ball.at(), net.at()) else { return Plan::GoRound(BEHIND) };
+pub fn plan(ball: &BallDetector, net: &NetDetector, field: &Localization, odometry: &Odometry) -> Plan {
+    let Some(ball) = ball.at() else { return Plan::GoRound(BEHIND) };
+    let Some(goal) = net.at() else {
+        return Plan::GoRound(field.goal().map_or(BEHIND, |goal| heading(goal - ball)));
+    };
     let targets = net.gap().map_or([BESIDE, -BESIDE], |gap| [gap; 2]).map(|aside| goal + aside * net.across());
     let turns = targets.into_iter().flat_map(|target| {
         let direction = heading(target - ball);

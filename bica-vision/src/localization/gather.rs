@@ -29,8 +29,8 @@ impl Sightings {
         let goals = [goals.yellow, goals.blue].into_iter().flatten();
         let mut posts: Vec<PostSighting, POSTS> = Vec::new();
         for (goal, post) in goals.flat_map(|goal| posts_of(&goal).map(move |post| (goal.colour, post))) {
-            let at = post.ground(camera).filter(|_| post.has_base);
-            let sighting = at.map(|at| PostSighting { at, side: post.side, attacked: goal == attacked });
+            let (side, attacked, has_base) = (post.side, goal == attacked, post.has_base);
+            let sighting = post.ground(camera).map(|at| PostSighting { at, side, attacked, has_base });
             posts.extend(sighting.into_iter().take(POSTS - posts.len()));
         }
         Self {

@@ -17,19 +17,23 @@ const EYE: f32 = 0.48;
 const ASKEW: (f32, f32) = (0.04, 0.012);
 /// Deviation of what is at the feet, m.
 const CLOSE: f32 = 0.04;
+/// Deviation of a distance that a post's width tells, doublings.
+const BY_WIDTH: f32 = 0.4;
 /// Deviation of a crossing's heading, rad.
 const TURNED: f32 = 0.15;
 /// What is left of the likelihood if a point, a crossing or circle, or a post is nowhere near: it was none.
 const FLOOR: (f32, f32, f32) = (0.1, 0.2, 0.05);
 /// All points of an image count as much as so many that knew nothing of each other.
 const INDEPENDENT: f32 = 6.0;
+/// A point counts at most as this part of one: its neighbours on a short line say the same.
+const ALONE: f32 = 0.3;
 /// Images follow each other so closely that they say nearly the same: each counts as this part of one.
 const TEMPER: f32 = 0.5;
 
 /// The likelihood of all sightings, not normalized, above 0 and at most 1.
 pub(super) fn of(pose: &Pose2, sightings: &Sightings) -> f32 {
     let points: f32 = sightings.points.iter().map(|point| of_point(pose, *point)).product();
-    let share = (INDEPENDENT / sightings.points.len().max(1) as f32).min(1.0);
+    let share = (INDEPENDENT / sightings.points.len().max(1) as f32).min(ALONE);
     let crossings: f32 = sightings.crossings.iter().map(|(kind, seen)| of_crossing(pose, *kind, seen)).product();
     let posts: f32 = sightings.posts.iter().map(|post| of_post(pose, post)).product();
     let circle = sightings.circle.map_or(1.0, |circle| {
@@ -37,6 +41,13 @@ pub(super) fn of(pose: &Pose2, sightings: &Sightings) -> f32 {
         FLOOR.1 + (1.0 - FLOOR.1) * falling(off * off)
     });
     powf(powf(points, share) * crossings * posts * circle, TEMPER)
+}
+
+/// How many sightings the likelihood is of, at least 1.
+pub(super) fn count(sightings: &Sightings) -> f32 {
+    let points = INDEPENDENT.min(ALONE * sightings.points.len() as f32);
+    let others = sightings.crossings.len() + sightings.posts.len() + usize::from(sightings.circle.is_some());
+    (TEMPER * (points + others as f32)).max(1.0)
 }
 
 /// 1 at 0 and flat beyond: Cauchy's bell is kind to outliers.
@@ -74,7 +85,7 @@ fn quarter(angle: f32) -> f32 {
 }
 
 fn of_post(pose: &Pose2, post: &PostSighting) -> f32 {
-    let [left, right] = pitch::posts(post.attacked).map(|known| fit(pose, known, post.at));
+    let [left, right] = pitch::posts(post.attacked).map(|known| fit(pose, known, post));
     let best = match post.side {
         PostSide::Left => left,
         PostSide::Right => right,
@@ -84,9 +95,13 @@ fn of_post(pose: &Pose2, post: &PostSighting) -> f32 {
 }
 
 /// How well a post of the field is where one is seen: by its direction and by how far below the horizon its foot is.
-fn fit(pose: &Pose2, known: Vec2, seen: Vec2) -> f32 {
-    let expected = pose.locate(known);
+fn fit(pose: &Pose2, known: Vec2, post: &PostSighting) -> f32 {
+    let (expected, seen) = (pose.locate(known), post.at);
     let aside = wrap(atan2f(seen.y, seen.x) - atan2f(expected.y, expected.x)) / ASKEW.0;
-    let down = (atan2f(EYE, seen.length()) - atan2f(EYE, expected.length())) / ASKEW.1;
-    falling(aside * aside + down * down)
+    let away = if post.has_base {
+        (atan2f(EYE, seen.length()) - atan2f(EYE, expected.length())) / ASKEW.1
+    } else {
+        libm::log2f(seen.length() / expected.length()) / BY_WIDTH
+    };
+    falling(aside * aside + away * away)
 }

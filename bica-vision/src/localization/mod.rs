@@ -53,6 +53,8 @@ pub struct PostSighting {
     pub side: PostSide,
     /// Whether it is of the goal at positive x.
     pub attacked: bool,
+    /// Whether its foot is seen; else its width alone tells the distance.
+    pub has_base: bool,
 }
 
 /// What is seen of the field in one image: m and rad in the robot's ground frame.
@@ -172,6 +174,8 @@ impl<const N: usize> Localizer<N> {
             *weight = likelihood::of(particle, &sightings);
             fit += *weight / N as f32;
         }
+        // Of one sighting, so that images with many and with few can be compared.
+        let fit = libm::powf(fit, 1.0 / likelihood::count(&sightings));
         self.resample(&weights, &sightings, fit);
         self.estimate = self.gather();
     }

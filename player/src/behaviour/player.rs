@@ -4,7 +4,7 @@ use bica::prelude::*;
 
 use super::{FaceBall, FallGuard, Fixmove, FollowBall, GoRound, SearchBall, SearchNet};
 use crate::motion::Body;
-use crate::perception::{BallDetector, FallDetector, NetDetector, Odometry};
+use crate::perception::{BallDetector, FallDetector, Localization, NetDetector, Odometry};
 use crate::strategy::{Plan, plan};
 
 /// The forward of RoboCup 2009.
@@ -92,8 +92,15 @@ impl Player {
     }
 
     #[transition(search_net -> kick)]
-    fn goal_in_reach(&self, search: &SearchNet, ball: &BallDetector, net: &NetDetector, odometry: &Odometry) -> bool {
-        search.complete() && matches!(plan(ball, net, odometry), Plan::Kick(_))
+    fn goal_in_reach(
+        &self,
+        search: &SearchNet,
+        ball: &BallDetector,
+        net: &NetDetector,
+        field: &Localization,
+        odometry: &Odometry,
+    ) -> bool {
+        search.complete() && matches!(plan(ball, net, field, odometry), Plan::Kick(_))
     }
 
     #[transition(search_net -> go_round)]
@@ -118,7 +125,7 @@ impl Player {
 
     /// Decides what to do with the ball.
     #[exit(search_net)]
-    fn decide(&mut self, ball: &BallDetector, net: &NetDetector, odometry: &Odometry) {
-        self.plan = plan(ball, net, odometry);
+    fn decide(&mut self, ball: &BallDetector, net: &NetDetector, field: &Localization, odometry: &Odometry) {
+        self.plan = plan(ball, net, field, odometry);
     }
 }

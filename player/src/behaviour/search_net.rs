@@ -1,26 +1,16 @@
 //! The search for the goal.
 
 use bica::prelude::*;
-use bica_motion::robot::CameraId;
 
-use crate::motion::Head;
-use crate::output::Gaze;
+use super::LookAround;
 use crate::perception::NetDetector;
 
-/// Where to look, one after the other, rad: the side first on which the goal is remembered. Images overlap by a third.
-const PANS: [f32; 7] = [0.0, 0.6, 1.2, 1.9, -0.6, -1.2, -1.9];
-/// Head pitch while it looks, rad.
-const TILT: f32 = -0.05;
-/// How long the head rests in each direction, s.
-const REST: f32 = 0.15;
-
-/// Scans for the goal from one side to the other and tells when the scan is complete.
+/// Looks around for the goal and tells when it need look no longer.
 #[derive(Debug)]
 pub struct SearchNet {
-    glance: usize,
-    rested: f32,
+    began: bool,
+    glances: u32,
     complete: bool,
-    side: f32,
 }
 
 #[component(hz = 50, budget_us = 5)]
@@ -28,7 +18,7 @@ impl SearchNet {
     /// Has not looked yet.
     #[must_use]
     pub const fn new() -> Self {
-        Self { glance: 0, rested: 0.0, complete: false, side: 1.0 }
+        Self { began: false, glances: 0, complete: false }
     }
 
     #[start]
@@ -36,24 +26,15 @@ impl SearchNet {
         *self = Self::new();
     }
 
-    fn step(&mut self, time: &Time, net: &mut NetDetector, head: &mut Head, gaze: &mut Gaze) {
-        gaze.through(CameraId::Top);
-        if self.glance == 0 && self.rested == 0.0 {
-            self.side = net.at().map_or(1.0, |goal| 1.0_f32.copysign(goal.y));
+    /// Looks first to the side on which the goal is remembered.
+    fn step(&mut self, net: &mut NetDetector, look: &mut LookAround) {
+        if !self.began {
+            self.began = true;
+            look.to_side_of(net.at().map_or(1.0, |goal| goal.y));
             net.look_anew();
-        }
-        let Some(&pan) = PANS.get(self.glance) else {
-            self.complete = true;
-            return;
-        };
-        head.look_at(self.side * pan, TILT);
-        if head.arrived() {
-            self.rested += time.dt();
-        }
-        if self.rested > REST {
-            self.complete |= net.whole();
-            self.rested = 0.0;
-            self.glance += 1;
+        } else if look.glances() != self.glances {
+            self.glances = look.glances();
+            self.complete |= net.whole() || look.looked_everywhere();
         }
     }
 

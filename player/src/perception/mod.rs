@@ -5,6 +5,8 @@ mod ball_detector;
 mod camera_pose;
 mod fall_detector;
 mod field_end;
+mod field_lines;
+mod localization;
 mod net_detector;
 mod odometry;
 
@@ -13,5 +15,7 @@ pub use ball_detector::{BallDetector, Seen};
 pub use camera_pose::CameraPose;
 pub use fall_detector::FallDetector;
 pub use field_end::FieldEnd;
+pub use field_lines::FieldLines;
+pub use localization::Localization;
 pub use net_detector::NetDetector;
 pub use odometry::Odometry;

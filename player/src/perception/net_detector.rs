@@ -5,7 +5,7 @@ use bica_motion::pose::{Pose2, rotate};
 use bica_vision::colour::Colour;
 use bica_vision::frame::Frame;
 use bica_vision::gap;
-use bica_vision::goal::{Goal, GoalFinder, POST_DISTANCE, Post};
+use bica_vision::goal::{Goal, GoalFinder, Goals, POST_DISTANCE, Post};
 use bica_vision::memory::Memory;
 use bica_vision::projection::Camera;
 use glam::Vec2;
@@ -26,6 +26,7 @@ const SAME: f32 = 0.6;
 pub struct NetDetector {
     finder: GoalFinder<1024>,
     attacked: Colour,
+    goals: Goals,
     seen: Option<Goal>,
     whole: bool,
     /// From the right post to the left one, length 1, in the frame of the odometry.
@@ -44,6 +45,7 @@ impl NetDetector {
         Self {
             finder: GoalFinder::new(),
             attacked: Colour::Yellow,
+            goals: Goals { yellow: None, blue: None },
             seen: None,
             whole: false,
             across: Vec2::Y,
@@ -69,17 +71,17 @@ impl NetDetector {
             return;
         }
         self.image = eye.count();
-        self.seen = self.look(eye, colours, end, pose);
+        self.goals = self.look(eye, colours, end, pose);
+        self.seen = if self.attacked == Colour::Yellow { self.goals.yellow } else { self.goals.blue };
         if let Some((goal, camera)) = self.seen.zip(pose.camera()) {
             self.note(&goal, camera);
             self.note_gap(&goal, camera, eye, colours);
         }
     }
 
-    fn look(&mut self, eye: &Eye, colours: &Colours, end: &FieldEnd, pose: &CameraPose) -> Option<Goal> {
-        let frame = Frame::from_image(&eye.image()).ok()?;
-        let goals = self.finder.find(&frame, colours, end.line(), pose.camera());
-        if self.attacked == Colour::Yellow { goals.yellow } else { goals.blue }
+    fn look(&mut self, eye: &Eye, colours: &Colours, end: &FieldEnd, pose: &CameraPose) -> Goals {
+        let frame = Frame::from_image(&eye.image());
+        frame.map_or(Goals::default(), |frame| self.finder.find(&frame, colours, end.line(), pose.camera()))
     }
 
     /// Two posts tell where the goal is; one corrects what is remembered, or is all that is known.
@@ -135,7 +137,13 @@ impl NetDetector {
         self.whole = false;
     }
 
-    /// The goal in the newest image.
+    /// Both goals in the newest image, as far as they are seen.
+    #[must_use]
+    pub const fn goals(&self) -> &Goals {
+        &self.goals
+    }
+
+    /// The attacked goal in the newest image.
     #[must_use]
     pub const fn seen(&self) -> Option<&Goal> {
         self.seen.as_ref()

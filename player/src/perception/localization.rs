@@ -1,0 +1,66 @@
+//! The place on the field.
+
+use bica::prelude::*;
+use bica_motion::pose::Pose2;
+use bica_vision::localization::{Estimate, Localizer, Sightings};
+use bica_vision::pitch;
+use glam::Vec2;
+
+use super::{CameraPose, FieldLines, NetDetector, Odometry};
+use crate::input::Eye;
+
+/// Poses that are thought possible at a time.
+const PARTICLES: usize = 200;
+/// What the filter draws its random numbers from.
+const SEED: u64 = 2009;
+
+/// Where the robot is on the field: by lines, their crossings, the centre circle and both goals.
+///
+/// Only while it is active the lines are looked for.
+pub struct Localization {
+    localizer: Localizer<PARTICLES>,
+    moved: Pose2,
+    image: u32,
+}
+
+#[component(hz = 30, budget_us = 1000)]
+impl Localization {
+    /// Knows nothing.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self { localizer: Localizer::new(SEED), moved: Pose2::ORIGIN, image: 0 }
+    }
+
+    fn step(&mut self, eye: &Eye, net: &NetDetector, lines: &FieldLines, pose: &CameraPose, odometry: &Odometry) {
+        self.localizer.advance(self.moved.inverse() * odometry.pose());
+        self.moved = odometry.pose();
+        if self.image == eye.count() {
+            return;
+        }
+        self.image = eye.count();
+        if let Some(camera) = pose.camera() {
+            let (lines, crossings) = (lines.lines(), lines.crossings());
+            self.localizer.see(Sightings::of(lines, crossings, net.goals(), net.attacked(), camera));
+        }
+    }
+
+    /// What is believed most, sure or not; none before anything was seen.
+    #[must_use]
+    pub const fn estimate(&self) -> Option<Estimate> {
+        self.localizer.estimate()
+    }
+
+    /// Where the ground between the feet is in the field, x towards the attacked goal, if that is sure.
+    #[must_use]
+    pub fn pose(&self) -> Option<Pose2> {
+        self.estimate().filter(Estimate::is_sure).map(|estimate| estimate.pose)
+    }
+
+    /// Where the middle of the attacked goal is, m, in the frame on the ground between the feet; if the robot is sure
+    /// where it is itself.
+    #[must_use]
+    pub fn goal(&self) -> Option<Vec2> {
+        let [left, right] = pitch::posts(true);
+        Some(self.pose()?.locate(left.midpoint(right)))
+    }
+}
