@@ -52,6 +52,12 @@ pub(crate) enum Command {
 
 #[derive(Clone, Debug, Args)]
 pub(crate) struct Play {
+    /// Where the forward plays: `built-in`, or `firmware`, where an emulated microcontroller thinks in its place
+    #[arg(long, value_name = "WORLD", default_value = "built-in")]
+    pub(crate) world: World,
+    /// The image that the microcontroller runs; `cargo xtask firmware --build` makes it
+    #[arg(long, value_name = "FILE", default_value = "firmware/target/thumbv7em-none-eabihf/release/forward")]
+    pub(crate) image: PathBuf,
     /// Decides where robot and ball start, the light, the noise: the same seed gives the same game, bit for bit
     #[arg(long, value_name = "N", default_value_t = 0)]
     pub(crate) seed: u64,
@@ -61,8 +67,8 @@ pub(crate) struct Play {
     /// Put N more robots in the way, besides the goalkeeper
     #[arg(long, value_name = "N", default_value_t = 0, value_parser = robots)]
     pub(crate) robots: usize,
-    /// The size of the camera images: 160x120, 320x240 or 640x480
-    #[arg(long, value_name = "WxH", default_value = "320x240", value_parser = size)]
+    /// The size of the camera images: 160x120 (all that the firmware takes, and its default), 320x240 or 640x480
+    #[arg(long, value_name = "WxH", default_value_if("world", "firmware", "160x120"), default_value = "320x240", value_parser = size)]
     pub(crate) size: Frame,
     /// End a game without a goal after this time in the world
     #[arg(long, value_name = "S", default_value_t = 120.0, value_parser = seconds)]
@@ -82,6 +88,12 @@ pub(crate) struct Play {
     /// Print the results as JSON on stdout and nothing else there; what is said to people goes to stderr
     #[arg(long)]
     pub(crate) json: bool,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum World {
+    BuiltIn,
+    Firmware,
 }
 
 #[derive(Clone, Debug, Args)]

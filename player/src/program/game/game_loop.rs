@@ -15,6 +15,7 @@ use glam::Vec2;
 
 use super::audience::Audience;
 use super::fingerprint::Fingerprint;
+use super::firmware::{Image, Mind};
 use super::latency::Latencies;
 use super::meter::Meter;
 use super::record::{Record, Tally};
@@ -34,6 +35,8 @@ pub(crate) struct Rules {
     /// The longest time of a game in the world.
     pub(crate) limit: Duration,
     pub(crate) realtime: bool,
+    /// What thinks in place of this program.
+    pub(crate) firmware: Option<Image>,
 }
 
 /// Plays to the first goal, to the end of the time, or until Ctrl-C.
@@ -53,7 +56,9 @@ pub(crate) fn play(rules: &Rules, audience: &mut impl Audience) -> Result<Record
 struct Game {
     seed: u64,
     world: FieldWorld,
+    /// The forward; if a microcontroller thinks, its twin, which has to think the same.
     robot: Box<Forward>,
+    mind: Option<Mind>,
     tally: Tally,
     /// When the last cycle was.
     thought: Duration,
@@ -72,6 +77,7 @@ impl Game {
             GoalColour::Yellow => Colour::Yellow,
             GoalColour::SkyBlue => Colour::Blue,
         });
+        let mind = rules.firmware.map(|image| image.start(world.referee().attacks())).transpose()?;
         let tally = Tally {
             cycles: 0,
             tree_changes: 0,
@@ -84,6 +90,7 @@ impl Game {
             seed: rules.seed,
             world,
             robot,
+            mind,
             tally,
             thought: Duration::ZERO,
             start,
@@ -105,6 +112,9 @@ impl Game {
         self.robot.tick_with(now, &mut self.tally.meter);
         let command = act(&self.robot);
         self.tally.latencies.note(began.elapsed());
+        if let Some(mind) = &mut self.mind {
+            mind.think(now, &sensors, &command, &self.robot)?;
+        }
         self.world.act(&command);
         let ball = self.world.referee().ball();
         self.tally.fingerprint.note(&command, ball);
@@ -137,6 +147,7 @@ impl Game {
     }
 
     fn into_record(self, rules: &Rules, real: Duration) -> Record {
-        Record::new(rules, self.world.referee(), self.world.now(), self.tally, real)
+        let firmware = self.mind.map(Mind::sum_up);
+        Record { firmware, ..Record::new(rules, self.world.referee(), self.world.now(), self.tally, real) }
     }
 }

@@ -4,6 +4,7 @@ pub(crate) mod album;
 mod audience;
 mod event;
 mod fingerprint;
+mod firmware;
 pub(crate) mod game_loop;
 pub(crate) mod latency;
 mod meter;
@@ -31,6 +32,7 @@ pub(crate) fn run(args: &Play) -> Result<Ending, Failure> {
         robots: args.robots,
         limit: Duration::from_secs_f64(args.seconds),
         realtime: args.realtime,
+        firmware: firmware::Image::asked(args),
     };
     let (voice, pictures) = (Voice::new(args.json), args.pictures.as_deref());
     match args.games {

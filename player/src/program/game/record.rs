@@ -9,6 +9,7 @@ use serde::Serialize;
 
 use super::event::Told;
 use super::fingerprint::Fingerprint;
+use super::firmware::Figures;
 use super::game_loop::Rules;
 use super::latency::{Latencies, Latency};
 use super::meter::{Meter, Work};
@@ -41,6 +42,9 @@ pub(crate) struct Record {
     pub(crate) fingerprint: String,
     pub(crate) events: Vec<Told>,
     pub(crate) components: Vec<Component>,
+    /// What the microcontroller spent, if one thought.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) firmware: Option<Figures>,
     pub(crate) wall: Wall,
     #[serde(skip)]
     pub(crate) latencies: Latencies,
@@ -111,6 +115,7 @@ impl Record {
             fingerprint: tally.fingerprint.to_string(),
             events: referee.events().iter().map(Told::from).collect(),
             components: components(&GRAPH, &tally.meter),
+            firmware: None,
             wall: Wall {
                 real_s: real.as_secs_f64(),
                 latency_ms: tally.latencies.sum_up(),

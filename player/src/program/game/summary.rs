@@ -15,6 +15,9 @@ pub(crate) fn tell(voice: Voice, record: &Record) -> Result<(), Failure> {
     row(voice, "result", &voice.style(style, &words))?;
     row(voice, "game", &game(record))?;
     row(voice, "time", &time(record))?;
+    if let Some(figures) = &record.firmware {
+        return figures.tell(voice);
+    }
     row(voice, "latency", &latency(&record.wall.latency_ms))?;
     voice.say("")?;
     components(voice, record)
