@@ -2,10 +2,13 @@
 #![cfg(feature = "program")]
 
 mod arguments;
+mod calibrate;
 mod ending;
 mod games;
 mod graph;
 mod pictures;
 mod run;
+mod scene;
 mod schema;
+mod see;
 mod watch;

@@ -12,6 +12,11 @@ use super::samples::Sample;
 /// Blocks that the images are cut into, if there are as many with the class.
 pub(super) const BLOCKS: usize = 5;
 
+/// The part of what is known to be something else that may still pass.
+const STRAY: f64 = 1e-4;
+/// By how much a saturation may be raised to keep the rest out, percent.
+const RAISE: u16 = 40;
+
 /// What was learned of a class.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub(super) struct Learned {
@@ -52,6 +57,19 @@ pub(super) fn learn(class: Colour, samples: &[Sample]) -> Option<Learned> {
         precision: good / passed.max(1e-9),
         recall: good / total,
     })
+}
+
+/// The thresholds of a class that nothing was learned of: those given, with a saturation above nearly all that is known
+/// to be something else.
+pub(super) fn guarded(class: Colour, given: &Filter, samples: &[Sample]) -> Filter {
+    let others = || samples.iter().filter(|sample| sample.is_not.has(class));
+    let weight = |filter: &Filter| -> f64 {
+        others().filter(|sample| filter.accepts(sample.pixel)).map(|sample| f64::from(sample.weight)).sum()
+    };
+    let (least, most) = given.saturation_range();
+    let allowed = STRAY * weight(&Filter::ANY);
+    let mut raised = (least..most.min(least + RAISE)).map(|least| given.saturation(least, most));
+    raised.find(|filter| weight(filter) <= allowed).unwrap_or(*given)
 }
 
 fn concerns(class: Colour, sample: &Sample) -> bool {

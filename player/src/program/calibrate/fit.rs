@@ -1,15 +1,19 @@
-//! Thresholds from samples: one bound after the other is put where F1 is best, and in the middle of where it is as good.
+//! Thresholds from samples: one bound after the other is put where F3 is best.
 //!
-//! F1 is the harmonic mean of precision and recall. Where nothing else is near, a bound keeps a margin from the class,
-//! but no more than [`Bound::margin`], as nobody knows what is there in other images.
+//! F3 is a mean of precision and recall in which recall weighs nine times as much: what looks like a class but is none
+//! the detectors reject by its shape, what is left out they cannot find again. Where a bound may be anywhere in a range
+//! it is put in the middle between the class and the others; and where no others are near, a margin away from the class,
+//! as other images have other light.
 
 use bica_vision::colour::{Colour, Filter};
 use bica_vision::frame::Pixel;
 
 /// Bounds are moved in turn, at most this often.
 const ROUNDS: usize = 12;
-/// F1 that is not worth a narrower margin.
-const SAME: f64 = 0.002;
+/// F3 that is not worth a narrower margin.
+const SAME: f64 = 0.0005;
+/// How much more recall weighs than precision.
+const RECALL: f64 = 9.0;
 /// The part of a class that may be outside of the first bounds at each end.
 const OUTSIDE: f64 = 0.01;
 
@@ -37,8 +41,8 @@ struct Bound {
     value: usize,
     /// Whether it is the most that passes, not the least.
     is_upper: bool,
-    /// How far it may be from the class.
-    margin: i32,
+    /// How far it may be from the class, by where that ends.
+    margin: fn(i32) -> i32,
 }
 
 /// What each value can be; a saturation of 400 % is as good as any above.
@@ -46,17 +50,19 @@ const LIMITS: [(i32, i32); 4] = [(-89, 89), (0, 400), (0, 255), (0, 181)];
 
 /// Hue, then the others. Exposure changes luma, and with it chroma, most.
 const BOUNDS: [Bound; 6] = [
-    Bound { value: 0, is_upper: false, margin: 8 },
-    Bound { value: 0, is_upper: true, margin: 8 },
-    Bound { value: 1, is_upper: false, margin: 6 },
-    Bound { value: 3, is_upper: false, margin: 8 },
-    Bound { value: 2, is_upper: false, margin: 40 },
-    Bound { value: 2, is_upper: true, margin: 60 },
+    Bound { value: 0, is_upper: false, margin: |_| 10 },
+    Bound { value: 0, is_upper: true, margin: |_| 10 },
+    Bound { value: 1, is_upper: false, margin: |edge| edge / 3 },
+    Bound { value: 3, is_upper: false, margin: |edge| edge / 3 },
+    Bound { value: 2, is_upper: false, margin: |edge| edge / 3 },
+    Bound { value: 2, is_upper: true, margin: |edge| edge / 3 },
 ];
 
 /// White has no hue: grey is what it is.
-const BOUNDS_OF_WHITE: [Bound; 2] =
-    [Bound { value: 1, is_upper: true, margin: 4 }, Bound { value: 2, is_upper: false, margin: 15 }];
+const BOUNDS_OF_WHITE: [Bound; 2] = [
+    Bound { value: 1, is_upper: true, margin: |edge| edge / 3 },
+    Bound { value: 2, is_upper: false, margin: |edge| edge / 3 },
+];
 
 /// Thresholds as ranges of the values.
 type Box4 = [(i32, i32); 4];
@@ -135,7 +141,7 @@ impl Bound {
         *(if self.is_upper { &mut side.1 } else { &mut side.0 }) = to;
     }
 
-    /// Puts it in the middle of where F1 is as good as anywhere, the other bounds left where they are.
+    /// Puts it in the middle of where F3 is as good as anywhere, the other bounds left where they are.
     fn improve(self, ranges: &mut Box4, first: &Box4, points: &[Point]) {
         let (low, high) = LIMITS[self.value];
         let mut open = *ranges;
@@ -160,17 +166,18 @@ impl Bound {
             .rev()
             .map(|(more_good, more_bad)| {
                 (good, bad) = (good + more_good, bad + more_bad);
-                2.0 * good / (total + good + bad).max(1e-9)
+                (1.0 + RECALL) * good / (RECALL * total + good + bad).max(1e-9)
             })
             .collect();
         scores.reverse();
-        let loosest = tightness(self.get(first)).saturating_sub(self.margin as usize);
+        let edge = self.get(first);
+        let loosest = tightness(edge).saturating_sub((self.margin)(edge) as usize);
         let best = scores[loosest..].iter().copied().fold(0.0, f64::max);
         let is_best = |place: &usize| scores[*place] >= best - SAME;
         let Some(from) = (loosest..scores.len()).find(is_best) else { return };
         let to = (from..scores.len()).take_while(is_best).last().unwrap_or(from);
-        let middle = usize::midpoint(from, to) as i32;
-        self.set(ranges, if self.is_upper { high - middle } else { low + middle });
+        let place = if from == loosest { from } else { usize::midpoint(from, to) } as i32;
+        self.set(ranges, if self.is_upper { high - place } else { low + place });
     }
 }
 

@@ -8,7 +8,7 @@ mod samples;
 
 use std::path::Path;
 
-use bica_vision::colour::{Colour, Filters};
+use bica_vision::colour::{Colour, Filter, Filters};
 use bica_vision::frame::Frame;
 
 use super::cli::Calibrate;
@@ -18,10 +18,10 @@ use super::look::{self, Recorded};
 use super::profile;
 use super::stop;
 use super::voice::Voice;
-use blocks::{Learned, learn};
+use blocks::{Learned, guarded, learn};
 use rectangles::Rectangle;
 use report::Report;
-use samples::Samples;
+use samples::{Sample, Samples};
 
 /// What was learned of each class, in the order of decision.
 type Lessons = [(Colour, Option<Learned>); 5];
@@ -37,7 +37,7 @@ pub(crate) fn run(args: &Calibrate) -> Result<Ending, Failure> {
     }
     let samples = samples.weighed();
     let lessons = base.in_order().map(|(class, _)| (class, learn(class, &samples)));
-    let filters = put_together(&base, &lessons);
+    let filters = put_together(&base, &lessons, &samples);
     let report = Report::new(args, &teachers, &lessons);
     if let Some(path) = &args.out {
         let text = profile::write(&filters, &report.notes());
@@ -48,9 +48,13 @@ pub(crate) fn run(args: &Calibrate) -> Result<Ending, Failure> {
     Ok(if lessons.iter().any(|(_, learned)| learned.is_some()) { Ending::Reached } else { Ending::Missed })
 }
 
-fn put_together(base: &Filters, lessons: &Lessons) -> Filters {
+fn put_together(base: &Filters, lessons: &Lessons, samples: &[Sample]) -> Filters {
     let learned = |class| lessons.iter().find(|(of, _)| *of == class).and_then(|(_, learned)| learned.as_ref());
-    let filter = |class, base| learned(class).map_or(base, |learned| learned.filter);
+    let filter = |class, base: Filter| {
+        // White is all that is grey: walls, robots, and what else stands around.
+        let kept = || if class == Colour::White { base } else { guarded(class, &base, samples) };
+        learned(class).map_or_else(kept, |learned| learned.filter)
+    };
     Filters {
         orange: filter(Colour::Orange, base.orange),
         yellow: filter(Colour::Yellow, base.yellow),

@@ -46,7 +46,7 @@ impl<'a> Report<'a> {
     pub(super) fn notes(&self) -> Notes {
         let mut notes = Notes { top: vec![self.sources()], ..Notes::default() };
         for (lines, class) in notes.classes.iter_mut().zip(&self.classes) {
-            lines.push(class.learned.map_or_else(|| format!("As in the profile `{}`: no labels.", self.base), figures));
+            lines.push(class.learned.map_or_else(|| format!("No labels: as in the profile `{}`, but more saturated than what is known to be something else.", self.base), figures));
         }
         notes
     }

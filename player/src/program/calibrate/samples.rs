@@ -1,8 +1,9 @@
 //! Pixels of which something is known, from rectangles and from labelled images.
 //!
-//! A pixel in a rectangle is of its class and of no other. In a labelled image what is in an orange ball is orange, what
+//! A pixel in a rectangle is of its class and of no other; in one of no class it may be white, as walls are. In a labelled image what is in an orange ball is orange, what
 //! is outside all of them is not; what is outside the goal is neither yellow nor blue. Edges, where colours mix, are left
-//! out. Each rectangle and each ball counts as much as any other of its class, whatever its size.
+//! out. Each rectangle and each ball counts as much as any other of its class, whatever its size; a red ball as much as
+//! an orange one.
 
 use bica_vision::colour::{Colour, ColourSet};
 use bica_vision::frame::{Frame, Pair, Pixel};
@@ -44,8 +45,7 @@ impl Samples {
         let inside = |at: Vec2| (f32::from(x[0])..f32::from(x[1]) - 1.0).contains(&(at.x - 0.5));
         let rows = pairs(frame).filter(|(at, _)| (f32::from(y[0])..f32::from(y[1])).contains(&at.y));
         let pixels = rows.filter(|(at, _)| inside(*at)).map(|(_, pixel)| pixel);
-        let others = Colour::ALL.into_iter().filter(|other| other != class);
-        let is_not = others.fold(ColourSet::EMPTY, |set, other| set | ColourSet::of(other));
+        let is_not = others(*class);
         let is = Some(*class).filter(|class| *class != Colour::None);
         let samples = pixels.map(|pixel| Sample { image, pixel, is, is_not, weight: 1.0 }).collect();
         match is {
@@ -57,11 +57,13 @@ impl Samples {
     /// Takes in a labelled image.
     pub(super) fn add_label(&mut self, image: usize, frame: &Frame<'_>, label: &Label) {
         for ball in label.balls.iter().filter(|ball| ball.orange) {
-            let inside = pairs(frame).filter(|(at, _)| at.distance(ball.centre) <= 0.85 * ball.radius - 0.5);
-            let is_not = [Colour::Yellow, Colour::Blue, Colour::White, Colour::Green].map(ColourSet::of);
-            let is_not = is_not.into_iter().fold(ColourSet::EMPTY, |set, other| set | other);
-            let sample = |pixel| Sample { image, pixel, is: Some(Colour::Orange), is_not, weight: 1.0 };
-            self.things.push((Colour::Orange, inside.map(|(_, pixel)| sample(pixel)).collect()));
+            let sample =
+                |pixel| Sample { image, pixel, is: Some(Colour::Orange), is_not: others(Colour::Orange), weight: 1.0 };
+            self.things.push((Colour::Orange, inside(frame, ball).map(sample).collect()));
+        }
+        for ball in label.balls.iter().filter(|ball| !ball.orange) {
+            let sample = |pixel| Sample { image, pixel, is: None, is_not: ColourSet::of(Colour::Orange), weight: 1.0 };
+            self.things.push((Colour::Orange, inside(frame, ball).map(sample).collect()));
         }
         for (at, pixel) in pairs(frame).filter(|(at, _)| (at.y as usize).is_multiple_of(ROWS)) {
             let is_not = absent(at, label);
@@ -94,6 +96,19 @@ fn pairs<'a>(frame: &Frame<'a>) -> impl Iterator<Item = (Vec2, Pixel)> + use<'a>
     let frame = *frame;
     let row = move |y: u16| frame.row(y).iter().enumerate().map(move |(x, pair)| (x, y, Pair(*pair).mean()));
     (0..frame.height()).flat_map(row).map(|(x, y, pixel)| (Vec2::new(2.0 * x as f32 + 0.5, y.into()), pixel))
+}
+
+/// The pixels of a ball, without its edge.
+fn inside<'a>(frame: &Frame<'a>, ball: &Ball) -> impl Iterator<Item = Pixel> + use<'a> {
+    let Ball { centre, radius, .. } = *ball;
+    pairs(frame).filter(move |(at, _)| at.distance(centre) <= 0.85 * radius - 0.5).map(|(_, pixel)| pixel)
+}
+
+/// What a pixel of a class is not; one of no class may be white.
+fn others(class: Colour) -> ColourSet {
+    let is_open = |other: &Colour| class == Colour::None && *other == Colour::White;
+    let others = Colour::ALL.into_iter().filter(|other| *other != class && !is_open(other));
+    others.fold(ColourSet::EMPTY, |set, other| set | ColourSet::of(other))
 }
 
 /// What is not at a place of a labelled image.

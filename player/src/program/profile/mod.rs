@@ -47,6 +47,15 @@ mod tests {
     }
 
     #[test]
+    fn the_files_are_what_the_robot_has() {
+        let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../profiles/");
+        for (name, filters) in NAMED {
+            let file = load(&format!("{folder}{name}.toml")).expect(name);
+            assert_eq!(file, filters, "{name}");
+        }
+    }
+
+    #[test]
     fn every_threshold_comes_back() {
         for from in (0..360).step_by(7) {
             let wide = 1 + from % 179;
