@@ -6,7 +6,7 @@ use bica_core::graph::{Graph, Node};
 use proptest::prelude::*;
 
 use crate::drawn;
-use crate::generate::nasty_graph;
+use crate::generate::{every_character, nasty_graph};
 
 type Attributes = BTreeMap<String, String>;
 
@@ -130,4 +130,10 @@ proptest! {
         check_tree(&graph);
         graph.nodes.iter().for_each(check_machine);
     }
+}
+
+#[test]
+fn every_character_is_shown() {
+    check_tree(&every_character());
+    check_machine(&every_character().nodes[0]);
 }

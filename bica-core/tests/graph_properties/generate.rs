@@ -20,9 +20,9 @@ fn draft() -> impl Strategy<Value = Draft> {
     (
         prop::option::of(0..5000_u32),
         prop::option::of(1..=100_u32),
-        prop::collection::vec((index(), any::<bool>(), prop::option::of(index())), 0..5),
-        prop_oneof![Just(0_usize), 1..4_usize],
-        prop::collection::vec((index(), index()), 0..4),
+        prop::collection::vec((index(), any::<bool>(), prop::option::weighted(0.8, index())), 0..6),
+        prop_oneof![1 => Just(0_usize), 2 => 1..4_usize],
+        prop::collection::vec((index(), index()), 0..5),
     )
         .prop_map(|(budget_us, hz, links, states, transitions)| Draft {
             budget_us,
@@ -82,6 +82,19 @@ fn node(draft: &Draft, to: impl Fn(&prop::sample::Index) -> Option<usize>) -> No
 /// Text that breaks careless writers.
 fn nasty() -> impl Strategy<Value = &'static str> {
     prop_oneof!["(?s).{0,8}", "[\"\\\\&#<>;:|`{}\n\r\t\0 -]{0,6}", "[a-z_]{1,9}"].prop_map(|text| &*text.leak())
+}
+
+/// A machine whose names and docs hold every character below U+0300.
+pub(crate) fn every_character() -> Graph {
+    let text = &*(0..0x300_u32).filter_map(char::from_u32).collect::<String>().leak();
+    let node = Node {
+        doc: text,
+        links: &[Link { to: 1, kind: LinkKind::Requirement, state: Some(0) }],
+        states: vec![State { doc: text, initial: true, ..build::state(text) }, build::state("other")].leak(),
+        transitions: vec![Transition { name: text, doc: text, ..build::way(0, 1) }].leak(),
+        ..build::node(text)
+    };
+    Graph { name: text, doc: text, ..build::graph(vec![node, build::node("Other")].leak()) }
 }
 
 /// Graphs whose names, docs and numbers are whatever they can be.

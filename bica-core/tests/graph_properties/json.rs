@@ -4,7 +4,7 @@ use bica_core::graph::{Graph, Link, LinkKind, Node, State, Transition};
 use proptest::prelude::*;
 use serde_json::{Value, json};
 
-use crate::generate::nasty_graph;
+use crate::generate::{every_character, nasty_graph};
 
 /// JSON has no number for infinity and NaN; `f64` holds any `f32`.
 fn figure(written: &Value, figure: Option<f32>) -> bool {
@@ -62,4 +62,11 @@ proptest! {
         let written: Value = serde_json::from_str(&graph.json().to_string()).expect("valid JSON");
         prop_assert!(graph_is(&written, &graph), "{:#}", written);
     }
+}
+
+#[test]
+fn every_character_is_kept() {
+    let graph = every_character();
+    let written: Value = serde_json::from_str(&graph.json().to_string()).expect("valid JSON");
+    assert!(graph_is(&written, &graph));
 }

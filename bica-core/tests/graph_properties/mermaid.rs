@@ -6,7 +6,7 @@ use bica_core::graph::{Graph, Node};
 use proptest::prelude::*;
 
 use crate::drawn;
-use crate::generate::nasty_graph;
+use crate::generate::{every_character, nasty_graph};
 
 /// Text without entities; panics on a character that should have been one.
 fn plain(text: &str) -> String {
@@ -86,4 +86,10 @@ proptest! {
         check_tree(&graph);
         graph.nodes.iter().for_each(check_machine);
     }
+}
+
+#[test]
+fn every_character_is_shown() {
+    check_tree(&every_character());
+    check_machine(&every_character().nodes[0]);
 }

@@ -7,6 +7,7 @@ use bica::graph::{Graph, LinkKind, Node};
 use crate::support::rig::Rig;
 use crate::trees::chain::Chain;
 use crate::trees::modulated::Modulated;
+use crate::trees::resume::Resume;
 use crate::trees::swap::Swap;
 use crate::trees::timers::Timers;
 
@@ -96,6 +97,15 @@ fn numbers_are_places_in_the_list() {
         assert!(!Timers::new().is_active(ComponentId::new(index)));
     }
     assert_eq!(Timers::GRAPH.nodes[Timers::GRAPH.root].name, "Owner");
+}
+
+#[test]
+fn attributes_are_what_is_written() {
+    let resuming = Resume::GRAPH.nodes.iter().filter(|node| node.resume).map(|node| node.name);
+    assert_eq!(resuming.collect::<Vec<_>>(), ["Keeps"]);
+    assert_eq!(node(Resume::GRAPH, "Keeps").states.iter().map(|s| s.initial).collect::<Vec<_>>(), [false, true, false]);
     assert_eq!(node(Chain::GRAPH, "Middle").hz, Some(20.0));
     assert_eq!(node(Chain::GRAPH, "Top").hz, None);
+    let last = node(Timers::GRAPH, "Clockwork").states.iter().filter(|state| state.last).map(|state| state.name);
+    assert_eq!(last.collect::<Vec<_>>(), ["done"]);
 }
