@@ -119,7 +119,7 @@ impl Eyes {
 
 impl Detectors {
     fn find(&mut self, frame: &Frame<'_>, colours: &impl Classify, camera: Option<&Camera>) -> Found {
-        let end = FieldEnd::find(frame, colours);
+        let end = FieldEnd::find_with(frame, colours, camera);
         let ball = self.balls.find(frame, colours, &end, camera);
         let goals = self.goals.find(frame, colours, &end, camera);
         let lines = lines::find(frame, colours, &end);
