@@ -30,7 +30,7 @@ const WIDEST: f32 = 0.18;
 const SEAM: u16 = 2;
 /// How far off a line its other pieces may lie and how far beyond its ends, px at 320 × 240.
 const APART: f32 = 2.0;
-const BETWEEN: f32 = 14.0;
+const BETWEEN: f32 = 40.0;
 /// Places on a line at which it is cut if its end is not on the ground.
 const CUTS: u8 = 16;
 /// Crossings of one scan with lines.
@@ -100,6 +100,8 @@ fn joint(a: &Line, b: &Line, apart: f32, between: f32) -> Option<Line> {
     let near = |end: Vec2| (along.perp_dot(end - long.from).abs() <= apart).then(|| along.dot(end - long.from));
     let (from, to) = ((near(short.from)?, short.from), (near(short.to)?, short.to));
     let (low, high) = if from.0 <= to.0 { (from, to) } else { (to, from) };
+    // Where another line crosses, a piece as wide as that line is missing.
+    let between = between.min(0.8 * short.length());
     let meets = low.0 <= length + between && high.0 >= -between;
     let first = if low.0 < 0.0 { low.1 } else { long.from };
     let last = if high.0 > length { high.1 } else { long.to };

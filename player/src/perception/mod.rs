@@ -9,6 +9,7 @@ mod field_lines;
 mod localization;
 mod net_detector;
 mod odometry;
+mod robot_detector;
 
 pub use aim::Direction;
 pub use ball_detector::{BallDetector, Seen};
@@ -19,3 +20,4 @@ pub use field_lines::FieldLines;
 pub use localization::Localization;
 pub use net_detector::NetDetector;
 pub use odometry::Odometry;
+pub use robot_detector::RobotDetector;

@@ -1,0 +1,281 @@
+//! Other robots: what stands on the carpet and is no ball, no line and no goal.
+//!
+//! Columns are scanned from below. Where green ends, something begins; if it goes up as far as a robot would at that
+//! place, it stands there. Columns side by side make a robot, the lowest of their feet is where it touches the ground.
+//! The colour of its waistband and its other parts tells the team.
+//! Cost at 320 × 240: 40 columns of 120 pixels, 10 µs, and the box of each robot, 5 µs.
+
+use glam::Vec2;
+use heapless::Vec;
+
+use crate::colour::{Classify, Colour, Filter};
+use crate::field_end::FieldEnd;
+use crate::frame::{Frame, Pair, Pixel};
+use crate::projection::Camera;
+
+/// Robots in a frame; when there are more, the smallest are dropped.
+pub const ROBOTS: usize = 8;
+
+/// The robots of a frame.
+pub type Robots = Vec<Robot, ROBOTS>;
+
+/// Scanned columns.
+const COLUMNS: usize = 40;
+/// How high a robot goes up without a stretch of green, m: nearly to the horizon, as lines that run away do not.
+const LEAST_HEIGHT: f32 = 0.42;
+/// The same as a part of the frame's height, if the camera's pose is not known.
+const LEAST_PART: f32 = 0.15;
+/// How high a robot is at most, m, and how wide.
+const TALL: f32 = 0.6;
+const WIDE: (f32, f32) = (0.08, 0.9);
+/// What is broader than this are two robots side by side, m.
+const BROAD: f32 = 0.5;
+/// If the pose is not known, feet of neighbouring columns are no further apart than this part of the frame's height.
+const STEP: f32 = 0.12;
+/// A foot must be this far below the end of the field, as a part of the frame's height.
+const MARGIN: f32 = 0.025;
+/// Green that ends a robot, as a part of the least height: shoes and shadows have some.
+const GREEN: f32 = 0.03;
+/// The most of a goal's or the ball's colour and the least white in a column.
+const SHARES: (f32, f32) = (0.3, 0.15);
+/// The part of a robot's box that shows its team's colour.
+const TEAM: f32 = 0.01;
+/// A white thing with this part of a goal's colour is its net, unless it shows a team.
+const GOAL: f32 = 0.02;
+
+/// Red plastic: 2009's red team. Its shade is at hue 95–121 in real frames, 100–106 in the built-in world.
+const RED: Filter = Filter::ANY.hue(85, 118).saturation(30, 400).chroma(24);
+/// Blue plastic, darker and more violet than the sky-blue goal.
+const BLUE: Filter = Filter::ANY.hue(334, 359).saturation(30, 400).chroma(16);
+
+/// A team of 2009, by its colour.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Team {
+    /// Defends the yellow goal.
+    Red,
+    /// Defends the sky-blue goal.
+    Blue,
+}
+
+/// Another robot in the image.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Robot {
+    /// The top left corner of its box, px.
+    pub min: Vec2,
+    /// The bottom right corner, px: the row where it touches the ground.
+    pub max: Vec2,
+    /// Its team, if that shows.
+    pub team: Option<Team>,
+}
+
+impl Robot {
+    /// Where it touches the ground, px: the middle of its lower edge.
+    #[must_use]
+    pub fn base(&self) -> Vec2 {
+        Vec2::new(0.5 * (self.min.x + self.max.x), self.max.y)
+    }
+
+    /// The near edge of its feet, ground frame, m. None if that is not on the ground.
+    #[must_use]
+    pub fn ground(&self, camera: &Camera) -> Option<Vec2> {
+        camera.ground(self.base(), 0.0)
+    }
+
+    /// Whether a pixel is in its box.
+    #[must_use]
+    pub fn covers(&self, pixel: Vec2) -> bool {
+        pixel.cmpge(self.min).all() && pixel.cmple(self.max).all()
+    }
+
+    fn area(&self) -> f32 {
+        let size = self.max - self.min;
+        size.x * size.y
+    }
+}
+
+/// Finds the robots that stand below the end of the field. With `camera` a robot is what reaches nearly to the horizon
+/// from where it stands, is as wide as one, and shows a team's colour; without it, what is high in the image and no net.
+#[must_use]
+pub fn find(frame: &Frame<'_>, colours: &impl Classify, field_end: &FieldEnd, camera: Option<&Camera>) -> Robots {
+    let scan = Scan { frame, colours, field_end, camera };
+    let pitch = f32::from(frame.width()) / COLUMNS as f32;
+    let (mut robots, mut open): (Robots, Option<Robot>) = (Vec::new(), None);
+    for column in 0..COLUMNS {
+        let x = (column as f32 + 0.5) * pitch;
+        let foot = scan.foot(x);
+        let side = |x: f32, row: f32| Vec2::new(x, row);
+        match (foot, &mut open) {
+            (Some((top, row)), Some(robot)) if scan.belongs(robot, side(x + 0.5 * pitch, row)) => {
+                robot.min.y = robot.min.y.min(top);
+                robot.max = side(x + 0.5 * pitch, row.max(robot.max.y));
+            }
+            (foot, _) => {
+                scan.finish(open.take(), &mut robots);
+                let start =
+                    |(top, row)| Robot { min: side(x - 0.5 * pitch, top), max: side(x + 0.5 * pitch, row), team: None };
+                open = foot.map(start);
+            }
+        }
+    }
+    scan.finish(open, &mut robots);
+    robots
+}
+
+struct Scan<'a, C> {
+    frame: &'a Frame<'a>,
+    colours: &'a C,
+    field_end: &'a FieldEnd,
+    camera: Option<&'a Camera>,
+}
+
+impl<C: Classify> Scan<'_, C> {
+    /// The highest and the lowest row of what stands in a column.
+    fn foot(&self, x: f32) -> Option<(f32, f32)> {
+        let end = self.field_end.row_at(x)? + MARGIN * f32::from(self.frame.height());
+        let (mut green_below, mut stand): (bool, Option<Stand>) = (false, None);
+        for row in (0..self.frame.height()).rev().step_by(2) {
+            let pixel = self.frame.pixel(x as i32, i32::from(row))?;
+            let class = self.colours.classify(pixel);
+            let is_green = class == Colour::Green;
+            match &mut stand {
+                Some(open) => {
+                    if open.add(class, f32::from(row)) {
+                        return Some((open.top, open.base));
+                    }
+                    if open.is_over() {
+                        stand = None;
+                        green_below = true;
+                    }
+                }
+                // The end of the field is no foot.
+                None if f32::from(row) < end => return None,
+                None if is_green => green_below = true,
+                None if green_below => {
+                    stand = self.least_rows(x, row).map(|least| Stand::new(f32::from(row), least, class));
+                }
+                None => {}
+            }
+        }
+        None
+    }
+
+    /// How many rows a robot with its foot here has at least; none if it cannot stand here.
+    fn least_rows(&self, x: f32, row: u16) -> Option<f32> {
+        let pixel = Vec2::new(x, f32::from(row));
+        let Some(camera) = self.camera else { return Some(LEAST_PART * f32::from(self.frame.height())) };
+        let place = camera.ground(pixel, 0.0)?;
+        let top = camera.pixel(place.extend(LEAST_HEIGHT))?;
+        // A robot that is cut by the upper edge of the image needs no more than there is.
+        Some((pixel.y - top.y).min(0.8 * pixel.y).max(6.0))
+    }
+
+    /// Whether a column that ends at a pixel is of the robot at its left: arms have their lower ends above the feet, so
+    /// what is not too wide for one robot is one.
+    fn belongs(&self, robot: &Robot, end: Vec2) -> bool {
+        let Some(camera) = self.camera else {
+            return (end.y - robot.max.y).abs() <= STEP * f32::from(self.frame.height());
+        };
+        let row = end.y.max(robot.max.y);
+        let [left, right] = [robot.min.x, end.x].map(|x| camera.ground(Vec2::new(x, row), 0.0));
+        left.zip(right).is_some_and(|(left, right)| left.distance(right) <= BROAD)
+    }
+
+    fn finish(&self, robot: Option<Robot>, robots: &mut Robots) {
+        let Some(robot) = robot.and_then(|robot| self.measured(robot)) else { return };
+        let Err(robot) = robots.push(robot) else { return };
+        let smallest = robots.iter_mut().min_by(|a, b| a.area().total_cmp(&b.area()));
+        if let Some(smallest) = smallest.filter(|smallest| smallest.area() < robot.area()) {
+            *smallest = robot;
+        }
+    }
+
+    /// The robot with its full height and its team, if it is as wide as one.
+    fn measured(&self, mut robot: Robot) -> Option<Robot> {
+        if let Some(camera) = self.camera {
+            let [left, right] = [robot.min.x, robot.max.x].map(|x| camera.ground(Vec2::new(x, robot.max.y), 0.0));
+            let (left, right) = (left?, right?);
+            let width = left.distance(right);
+            if !(WIDE.0..=WIDE.1).contains(&width) {
+                return None;
+            }
+            let top = camera.pixel(left.midpoint(right).extend(TALL))?;
+            robot.min.y = robot.min.y.min(top.y.max(0.0));
+        }
+        robot.team = self.team(&robot);
+        let stands_alone = self.camera.is_none() && !self.is_net(&robot);
+        (robot.team.is_some() || stands_alone).then_some(robot)
+    }
+
+    /// Whether a goal's colour is seen in the robot's place.
+    fn is_net(&self, robot: &Robot) -> bool {
+        let (mut goal, mut all) = (0_u32, 0_u32);
+        for row in (robot.min.y as u16..=robot.max.y as u16).step_by(2) {
+            for pixel in self.pixels(robot, row) {
+                goal += u32::from(matches!(self.colours.classify(pixel), Colour::Yellow | Colour::Blue));
+                all += 1;
+            }
+        }
+        goal as f32 > GOAL * all as f32
+    }
+
+    /// The pixel pairs of a row between the robot's sides.
+    fn pixels(&self, robot: &Robot, row: u16) -> impl Iterator<Item = Pixel> + use<'_, C> {
+        let pairs = self.frame.row(row).get(robot.min.x as usize / 2..).unwrap_or(&[]);
+        let width = ((robot.max.x - robot.min.x) as usize / 2).max(1);
+        pairs.iter().take(width).map(|pair| Pair(*pair).mean())
+    }
+
+    fn team(&self, robot: &Robot) -> Option<Team> {
+        let (mut red, mut blue, mut all) = (0_u32, 0_u32, 0_u32);
+        for row in (robot.min.y as u16..=robot.max.y as u16).step_by(2) {
+            for pixel in self.pixels(robot, row) {
+                red += u32::from(RED.accepts(pixel));
+                blue += u32::from(BLUE.accepts(pixel));
+                all += 1;
+            }
+        }
+        let enough = TEAM * all as f32;
+        match (red as f32, blue as f32) {
+            (red, blue) if red >= enough && red > 3.0 * blue => Some(Team::Red),
+            (red, blue) if blue >= enough && blue > 3.0 * red => Some(Team::Blue),
+            _ => None,
+        }
+    }
+}
+
+/// Something that stands on the carpet in one column.
+struct Stand {
+    base: f32,
+    top: f32,
+    least: f32,
+    counts: [f32; 3],
+    green: f32,
+}
+
+impl Stand {
+    fn new(base: f32, least: f32, class: Colour) -> Self {
+        let mut stand = Self { base, top: base, least, counts: [0.0; 3], green: 0.0 };
+        stand.add(class, base);
+        stand
+    }
+
+    /// Adds the class of the next two rows; whether it is known to be a robot now.
+    fn add(&mut self, class: Colour, row: f32) -> bool {
+        let [all, wrong, white] = &mut self.counts;
+        *all += 2.0;
+        match class {
+            Colour::Green => self.green += 2.0,
+            Colour::Yellow | Colour::Blue | Colour::Orange => *wrong += 2.0,
+            Colour::White => *white += 2.0,
+            Colour::None => {}
+        }
+        self.top = row;
+        let shares = *wrong <= SHARES.0 * *all && *white >= SHARES.1 * *all;
+        self.base - row >= self.least && shares && !self.is_over()
+    }
+
+    /// Whether green goes on behind it.
+    fn is_over(&self) -> bool {
+        self.green > (GREEN * self.least).max(2.0)
+    }
+}
