@@ -2,7 +2,7 @@
 //!
 //! In the image the circle comes as short straight pieces. Each piece says where the middle is, 0.6 m to one of its
 //! sides; the place on which most of them agree is the circle's. A line through the middle is the halfway line.
-//! Cost: each pair of pieces twice, 2 µs for ten.
+//! Cost: each pair of pieces twice, 1 µs for ten.
 
 use glam::Vec2;
 

@@ -1,7 +1,7 @@
 //! Where lines meet: corners (L), junctions (T) and crosses (X).
 //!
 //! Which of them it is shows in the image, since perspective keeps what ends where; that lines meet at a right angle is
-//! checked on the ground. Cost: every pair of lines once, 3 µs for ten lines.
+//! checked on the ground. Cost: every pair of lines once, 0.3 µs for ten lines.
 
 use core::f32::consts::FRAC_PI_2;
 

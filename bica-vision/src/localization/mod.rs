@@ -8,7 +8,7 @@
 //! do not.
 //!
 //! Random numbers are the filter's own: the same sightings give the same poses, bit for bit. Whatever is seen, poses are
-//! numbers and on the carpet. Cost with 200 particles: 2 µs for a motion, 100 µs for the sightings of an image.
+//! numbers and on the carpet. Cost with 200 particles: 40 µs for a motion, 0.5 ms for the sightings of an image.
 
 mod gather;
 mod guess;
