@@ -34,7 +34,8 @@ pub const fn posts(attacked: bool) -> [Vec2; 2] {
 /// The x of the back of the attacked goal.
 pub const GOAL_BACK: f32 = 3.5;
 
-/// How far a place is from the middle of the nearest line, m; the white frame of a goal on the ground counts too. Not a number for what is none. Cost: 10 ns.
+/// How far a place is from the middle of the nearest line, m; the white frame of a goal on the ground counts too. Not a
+/// number for what is none. Cost: 10 ns.
 #[must_use]
 pub fn line_distance(place: Vec2) -> f32 {
     let at = place.abs();
