@@ -50,6 +50,7 @@ impl Scene<'_> {
             ball: ball.map(|seen| seen.ball),
             goals: net.copied().into_iter().collect(),
             field_end: end.map_or(Vec::new(), |line| line.corners().to_vec()),
+            ..Marks::default()
         }
     }
 

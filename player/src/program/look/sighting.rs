@@ -8,8 +8,9 @@ use bica_vision::colour::{Classify, Colour};
 use bica_vision::field_end::FieldEnd;
 use bica_vision::frame::Frame;
 use bica_vision::goal::{GoalFinder, Goals};
-use bica_vision::lines;
+use bica_vision::lines::{self, Line};
 use bica_vision::projection::Camera;
+use bica_vision::robots::{self, Team};
 use bica_vision::table::FullTable;
 use glam::Vec2;
 use serde::Serialize;
@@ -42,6 +43,7 @@ pub(crate) struct Sighting {
     pub(crate) field_end: Vec<[f32; 2]>,
     /// White lines: one end, the other end.
     pub(crate) lines: Vec<[f32; 4]>,
+    pub(crate) robots: Vec<Robot>,
     /// Time that the detectors took, ms.
     pub(crate) wall_ms: f64,
     /// The camera, if its pose is trusted.
@@ -92,7 +94,21 @@ struct Found {
     end: FieldEnd,
     ball: Option<bica_vision::ball::Ball>,
     goals: Goals,
-    lines: Vec<[f32; 4]>,
+    lines: Vec<Line>,
+    robots: robots::Robots,
+}
+
+/// Another robot for machines.
+#[derive(Clone, Debug, Serialize)]
+pub(crate) struct Robot {
+    x0: f32,
+    y0: f32,
+    x1: f32,
+    y1: f32,
+    /// Its colour, if that shows.
+    team: Option<&'static str>,
+    /// Where it stands, m ahead and to the left; none without a trusted pose.
+    ground: Option<[f32; 2]>,
 }
 
 impl Eyes {
@@ -122,13 +138,15 @@ impl Detectors {
         let end = FieldEnd::find_with(frame, colours, camera);
         let ball = self.balls.find(frame, colours, &end, camera);
         let goals = self.goals.find(frame, colours, &end, camera);
-        let lines = lines::find(frame, colours, &end);
-        let lines = lines.iter().map(|line| [line.from.x, line.from.y, line.to.x, line.to.y]).collect();
-        Found { end, ball, goals, lines }
+        // Without a pose, a line that runs away looks as upright as a robot.
+        let robots = camera.map(|camera| robots::find(frame, colours, &end, Some(camera))).unwrap_or_default();
+        let mut lines = lines::find(frame, colours, &end).to_vec();
+        lines.retain(|line| !robots.iter().any(|robot| robot.covers(line.from.midpoint(line.to))));
+        Found { end, ball, goals, lines, robots }
     }
 
     fn tell(&self, file: &str, pose: Option<&Pose>, camera: Option<&Camera>, found: Found, wall_ms: f64) -> Sighting {
-        let Found { end, ball, goals, lines } = found;
+        let Found { end, ball, goals, lines, robots } = found;
         let goals: Vec<_> = [goals.yellow, goals.blue].into_iter().flatten().collect();
         Sighting {
             file: file.to_owned(),
@@ -140,10 +158,11 @@ impl Detectors {
             ball: ball.map(|ball| Ball::new(&ball, camera, self.radius)),
             goals: goals.iter().map(|goal| Goal::new(goal, camera)).collect(),
             field_end: end.corners().iter().map(Vec2::to_array).collect(),
-            lines,
+            lines: lines.iter().map(|line| [line.from.x, line.from.y, line.to.x, line.to.y]).collect(),
+            robots: robots.iter().map(|robot| Robot::new(robot, camera)).collect(),
             wall_ms,
             camera: camera.copied(),
-            marks: Marks { ball, goals, field_end: end.corners().to_vec() },
+            marks: Marks { ball, goals, field_end: end.corners().to_vec(), lines, robots: robots.to_vec() },
         }
     }
 }
@@ -152,6 +171,15 @@ impl Ball {
     fn new(ball: &bica_vision::ball::Ball, camera: Option<&Camera>, metres: f32) -> Self {
         let ground = camera.and_then(|camera| ball.ground(camera, metres)).map(|at| at.to_array());
         Self { x: ball.centre.x, y: ball.centre.y, radius: ball.radius, confidence: ball.confidence, ground }
+    }
+}
+
+impl Robot {
+    fn new(robot: &robots::Robot, camera: Option<&Camera>) -> Self {
+        let ground = camera.and_then(|camera| robot.ground(camera)).map(|at| at.to_array());
+        let team = robot.team.map(|team| if team == Team::Red { "red" } else { "blue" });
+        let (min, max) = (robot.min, robot.max);
+        Self { x0: min.x, y0: min.y, x1: max.x, y1: max.y, team, ground }
     }
 }
 

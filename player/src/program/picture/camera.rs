@@ -4,10 +4,12 @@ use bica_motion::robot::Image;
 use bica_vision::ball::Ball;
 use bica_vision::colour::Colour;
 use bica_vision::goal::{Goal, Post};
+use bica_vision::lines::Line;
+use bica_vision::robots::{Robot, Team};
 use glam::Vec2;
 
 use super::canvas::{Area, Canvas, Rgb};
-use super::palette::{BELIEF, BLUE, TEXT, WHITE, YELLOW, sheer};
+use super::palette::{BELIEF, BLUE, LINE_MARK, ROBOT, TEXT, WHITE, YELLOW, sheer};
 use super::scene::Marks;
 use super::text::Font;
 
@@ -18,6 +20,8 @@ pub(crate) fn view(image: &Image<'_>, marks: &Marks, width: usize) -> Canvas {
     pixels(&mut canvas, image, times);
     let mut view = View { canvas, times: times as f32 };
     view.field_end(&marks.field_end);
+    marks.lines.iter().for_each(|line| view.line(line));
+    marks.robots.iter().for_each(|robot| view.robot(robot));
     marks.goals.iter().for_each(|goal| view.goal(goal));
     marks.ball.iter().for_each(|ball| view.ball(ball));
     view.canvas
@@ -38,6 +42,24 @@ impl View {
         let line: Vec<Vec2> = line.iter().map(|p| self.at(*p)).collect();
         self.canvas.polyline(&line, 4.0, sheer(TEXT, 0.5));
         self.canvas.polyline(&line, 2.0, WHITE);
+    }
+
+    fn line(&mut self, line: &Line) {
+        let (from, to) = (self.at(line.from), self.at(line.to));
+        self.canvas.line(from, to, 3.0, sheer(TEXT, 0.5));
+        self.canvas.line(from, to, 1.5, LINE_MARK);
+    }
+
+    fn robot(&mut self, robot: &Robot) {
+        let frame = Area { from: self.at(robot.min), to: self.at(robot.max) };
+        self.canvas.outline(frame, 2.0, 3.0, TEXT);
+        self.canvas.outline(frame, 2.0, 1.5, ROBOT);
+        let word = match robot.team {
+            Some(Team::Red) => "red robot",
+            Some(Team::Blue) => "blue robot",
+            None => "robot",
+        };
+        self.label(Vec2::new(frame.from.x, frame.to.y + 2.0), word, ROBOT);
     }
 
     fn goal(&mut self, goal: &Goal) {

@@ -17,6 +17,9 @@ pub(crate) const ROBOT: Rgb = [236, 239, 241];
 pub(crate) const OTHER: Rgb = [176, 160, 190];
 pub(crate) const BELIEF: Rgb = [233, 30, 120];
 
+/// What was recognised as a line, on an image in which lines are white.
+pub(crate) const LINE_MARK: Rgb = [224, 64, 251];
+
 /// A link that reads.
 pub(crate) const REQUIRED: Rgb = [46, 120, 200];
 /// A link that writes.

@@ -5,6 +5,8 @@ use bica_motion::pose::Pose2;
 use bica_sim::referee::GoalColour;
 use bica_vision::ball::Ball;
 use bica_vision::goal::Goal;
+use bica_vision::lines::Line;
+use bica_vision::robots::Robot;
 use glam::Vec2;
 
 /// What was recognised in an image, pixels: x right, y down, centre of the first pixel (0, 0).
@@ -14,6 +16,8 @@ pub(crate) struct Marks {
     pub(crate) goals: Vec<Goal>,
     /// The far end of the field, from left to right.
     pub(crate) field_end: Vec<Vec2>,
+    pub(crate) lines: Vec<Line>,
+    pub(crate) robots: Vec<Robot>,
 }
 
 /// What the robot believes.

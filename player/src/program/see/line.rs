@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::program::look::{Ball, Goal, Sighting};
+use crate::program::look::{Ball, Goal, Robot, Sighting};
 
 /// What is seen in an image. Pixels: x right, y down, the centre of the first pixel is (0, 0).
 #[derive(Debug, Serialize)]
@@ -12,7 +12,7 @@ pub(super) struct Line<'a> {
     goals: Vec<Frame<'a>>,
     field_end: &'a [[f32; 2]],
     lines: &'a [[f32; 4]],
-    robots: &'a [[f32; 4]],
+    robots: &'a [Robot],
     ms: f64,
 }
 
@@ -39,7 +39,7 @@ impl<'a> Line<'a> {
             goals: seen.goals.iter().map(frame).collect(),
             field_end: &seen.field_end,
             lines: &seen.lines,
-            robots: &[],
+            robots: &seen.robots,
             ms: seen.wall_ms,
         }
     }
