@@ -1,5 +1,6 @@
 //! The workspace's chores: `cargo xtask` lists them.
 
+mod firmware;
 mod no_std;
 mod process;
 
@@ -10,13 +11,20 @@ Chores of the BICA workspace.
 
   cargo xtask no-std    builds what runs on a robot for thumbv7em-none-eabihf, and links the forward without a heap;
                         gets the target first (rustup, else Debian's Rust and a build of `core` from source)
-  cargo xtask ci        all that CI checks: format, lints, docs, tests, twenty games, no-std
+  cargo xtask firmware  builds the image for the microcontroller, boots it in QEMU, and plays a game of which every
+                        cycle is thought on the host too; holds size, stack and instructions to their limits
+                        (--build: only builds; --size: what takes how much; --bless: takes the new figures as right)
+  cargo xtask ci        all that CI checks: format, lints, docs, tests, twenty games, no-std, firmware
 ";
 
 fn main() -> ExitCode {
     let mut words = std::env::args().skip(1);
     let result = match (words.next().as_deref(), words.next()) {
         (Some("no-std"), None) => no_std::check(),
+        (Some("firmware"), None) => firmware::check(None),
+        (Some("firmware"), Some(more)) if ["--build", "--size", "--bless"].contains(&more.as_str()) => {
+            firmware::check(Some(&more))
+        }
         (Some("ci"), None) => ci(),
         (None | Some("help" | "--help" | "-h"), None) => {
             print!("{HELP}");
@@ -44,5 +52,6 @@ fn ci() -> Result<(), String> {
     run("cargo", &["doc", "--workspace", "--no-deps"], &[("RUSTDOCFLAGS", "-D warnings")])?;
     run("cargo", &["test", "--workspace"], &[])?;
     run("cargo", &["run", "--release", "--", "play", "--games", "20", "--at-least", "19"], &[])?;
-    no_std::check()
+    no_std::check()?;
+    firmware::check(None)
 }

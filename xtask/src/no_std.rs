@@ -1,12 +1,13 @@
 //! The proof that a robot needs no operating system and no heap.
 
+use crate::firmware;
 use crate::process::{run, works};
 
 const TARGET: &str = "thumbv7em-none-eabihf";
-const CRATES: [&str; 5] = ["bica-core", "bica-motion", "bica-vision", "bica", "bica-player"];
-const DEBIAN: [&str; 3] = ["rustc-web", "cargo-web", "rust-web-src"];
+const CRATES: [&str; 6] = ["bica-core", "bica-motion", "bica-vision", "bica-wire", "bica", "bica-player"];
+const DEBIAN: [&str; 4] = ["rustc-web", "cargo-web", "rust-web-src", "lld"];
 
-/// Builds every crate that runs on a robot for a Cortex-M, then the forward as one static library without an allocator:
+/// Builds every crate that runs on a robot for a Cortex-M, then the image with the forward, without an allocator:
 /// rustc refuses that as soon as anything in it needs `alloc`.
 ///
 /// # Errors
@@ -16,10 +17,11 @@ pub(crate) fn check() -> Result<(), String> {
     for name in CRATES {
         rust.build(&["-p", name, "--lib", "--no-default-features"])?;
     }
-    rust.build(&["--manifest-path", "firmware/Cargo.toml", "--release"])
+    firmware::build(&rust)
 }
 
-enum Toolchain {
+/// What builds for the microcontroller.
+pub(crate) enum Toolchain {
     /// The machine's own, with the target's `core`.
     Rustup,
     /// Debian's, which builds `core` from source.
@@ -27,7 +29,11 @@ enum Toolchain {
 }
 
 impl Toolchain {
-    fn get() -> Result<Self, String> {
+    /// Whichever is there, or can be got.
+    ///
+    /// # Errors
+    /// What could not be installed.
+    pub(crate) fn get() -> Result<Self, String> {
         if works("rustup", &["target", "add", TARGET]) {
             return Ok(Self::Rustup);
         }
@@ -39,14 +45,22 @@ impl Toolchain {
         Ok(Self::Debian)
     }
 
-    fn build(&self, arguments: &[&str]) -> Result<(), String> {
+    /// Builds for the microcontroller.
+    ///
+    /// # Errors
+    /// What did not build.
+    pub(crate) fn build(&self, arguments: &[&str]) -> Result<(), String> {
         let common = ["build", "--quiet", "--target", TARGET];
         match self {
             Self::Rustup => run("cargo", &[&common[..], arguments].concat(), &[]),
             Self::Debian => run(
                 "/usr/bin/cargo",
                 &[&common[..], &["-Zbuild-std=core,alloc"], arguments].concat(),
-                &[("RUSTC_BOOTSTRAP", "1"), ("RUSTC", "/usr/bin/rustc")],
+                &[
+                    ("RUSTC_BOOTSTRAP", "1"),
+                    ("RUSTC", "/usr/bin/rustc"),
+                    ("CARGO_TARGET_THUMBV7EM_NONE_EABIHF_LINKER", "ld.lld"),
+                ],
             ),
         }
     }

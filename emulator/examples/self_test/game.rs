@@ -1,0 +1,82 @@
+//! A game that is thought twice.
+
+use std::error::Error;
+use std::path::{Path, PathBuf};
+
+use bica::{Instant, Tree};
+use bica_emulator::Mind;
+use bica_motion::robot::Command;
+use bica_player::perception::NetDetector;
+use bica_player::{Forward, act, sense};
+use bica_sim::World;
+use bica_sim::field::{FieldWorld, Frame, Setup};
+use bica_sim::referee::GoalColour;
+use bica_vision::colour::Colour;
+use bica_wire::message::{Attack, Stack};
+
+/// Longest game in the world, s.
+const LIMIT: u64 = 120;
+
+/// What a game brought.
+pub(crate) struct Played {
+    pub(crate) cycles: usize,
+    pub(crate) goal_s: f64,
+    pub(crate) stack: Stack,
+    /// The log, not decoded.
+    pub(crate) log: PathBuf,
+    /// Instructions from sensing to acting, in rising order.
+    pub(crate) chain: Vec<u64>,
+    /// Instructions of each component's runs, in rising order.
+    pub(crate) costs: Vec<(&'static str, Vec<u64>)>,
+}
+
+/// Plays a game to its first goal.
+pub(crate) fn play(image: &Path, seed: u64) -> Result<Played, Box<dyn Error>> {
+    let mut world = FieldWorld::new(&Setup { seed, frame: Frame::Small, ..Setup::default() })?;
+    let (attack, colour) = match world.referee().attacks() {
+        GoalColour::Yellow => (Attack::Yellow, Colour::Yellow),
+        GoalColour::SkyBlue => (Attack::Blue, Colour::Blue),
+    };
+    let mut twin = Box::new(Forward::new());
+    twin.get_mut::<NetDetector>().attack(colour);
+    let log = image.with_extension("log");
+    let mut mind = Mind::start(image, attack, Some(&log))?;
+    let (mut chain, mut costs) = (Vec::new(), vec![Vec::new(); Forward::COUNT]);
+    while world.referee().goals() == 0 && world.now().as_secs() < LIMIT {
+        let time_us = world.now().as_micros() as u64;
+        let sensors = world.sensors();
+        let thought = mind.think(time_us, &sensors)?;
+        sense(&mut twin, &sensors)?;
+        twin.tick(Instant::from_micros(time_us));
+        if bits(&act(&twin)) != bits(&thought.command) {
+            return Err(format!("at {time_us} µs the microcontroller commands something else than the host").into());
+        }
+        chain.push(thought.instructions);
+        for (list, cost) in costs.iter_mut().zip(thought.costs).filter(|(_, cost)| *cost > 0) {
+            list.push(cost);
+        }
+        world.act(&thought.command);
+    }
+    if world.referee().goals() == 0 {
+        return Err(format!("no goal in {LIMIT} s").into());
+    }
+    chain.sort_unstable();
+    for list in &mut costs {
+        list.sort_unstable();
+    }
+    let names = Forward::GRAPH.nodes.iter().map(|node| node.name);
+    Ok(Played {
+        cycles: chain.len(),
+        goal_s: world.now().as_secs_f64(),
+        stack: mind.stack()?,
+        log,
+        chain,
+        costs: names.zip(costs).collect(),
+    })
+}
+
+/// Every number of a command as it is in memory.
+fn bits(command: &Command) -> Vec<u32> {
+    let numbers = command.targets.0.iter().chain(&command.stiffness.0);
+    numbers.map(|number| number.to_bits()).chain([command.camera as u32]).collect()
+}

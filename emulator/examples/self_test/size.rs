@@ -1,0 +1,96 @@
+//! What the image takes, by its own tables.
+
+use std::borrow::Cow;
+use std::collections::BTreeMap;
+use std::error::Error;
+use std::fs;
+use std::path::Path;
+
+use bica::Tree;
+use bica_player::Forward;
+use gimli::constants as dwarf_names;
+use gimli::{DW_AT_byte_size, DW_AT_name, EndianSlice, LittleEndian};
+use object::{Object, ObjectSection, ObjectSymbol, SectionFlags};
+
+/// Where the board's memory begins.
+const MEMORY: u64 = 0x2000_0000;
+/// A section that is there when the program runs (ELF, `SHF_ALLOC`).
+const THERE: u64 = 2;
+/// How many of the largest symbols are told.
+const LARGEST: usize = 10;
+
+/// Bytes.
+pub(crate) struct Sections {
+    pub(crate) flash: u64,
+    pub(crate) memory: u64,
+}
+
+/// Adds up the sections of an image. What memory begins with lies in flash too.
+pub(crate) fn sections(image: &Path) -> Result<Sections, Box<dyn Error>> {
+    let bytes = fs::read(image)?;
+    let file = object::File::parse(&*bytes)?;
+    let mut sum = Sections { flash: 0, memory: 0 };
+    for section in file.sections() {
+        let SectionFlags::Elf { sh_flags } = section.flags() else { continue };
+        if sh_flags & THERE == 0 {
+            continue;
+        }
+        let in_memory = section.address() >= MEMORY;
+        sum.memory += if in_memory { section.size() } else { 0 };
+        sum.flash += if !in_memory || section.name()? == ".data" { section.size() } else { 0 };
+    }
+    Ok(sum)
+}
+
+/// Prints flash, memory, each component's memory and the largest symbols.
+pub(crate) fn tell(image: &Path) -> Result<(), Box<dyn Error>> {
+    let Sections { flash, memory } = sections(image)?;
+    println!("flash {flash} bytes, static memory {memory} bytes");
+    let sizes = structures(image)?;
+    println!("\nstatic memory of each component, bytes");
+    for node in Forward::GRAPH.nodes {
+        let size = sizes.get(node.name).map_or_else(|| "?".to_owned(), u64::to_string);
+        println!("{size:>9}  {}", node.name);
+    }
+    let bytes = fs::read(image)?;
+    let file = object::File::parse(&*bytes)?;
+    let mut symbols: Vec<_> = file.symbols().map(|symbol| (symbol.size(), symbol.name().unwrap_or("?"))).collect();
+    symbols.sort_unstable_by(|a, b| b.cmp(a));
+    println!("\nlargest symbols, bytes");
+    for (size, name) in symbols.iter().take(LARGEST) {
+        println!("{size:>9}  {name}");
+    }
+    let played = crate::game::play(image, 0)?;
+    println!("\ndeepest stack {} bytes", played.stack.deepest);
+    Ok(())
+}
+
+/// The sizes of the player's types, by their names.
+fn structures(image: &Path) -> Result<BTreeMap<String, u64>, Box<dyn Error>> {
+    let bytes = fs::read(image)?;
+    let file = object::File::parse(&*bytes)?;
+    let load = |id: gimli::SectionId| -> Result<Cow<'_, [u8]>, object::Error> {
+        file.section_by_name(id.name()).map_or(Ok(Cow::default()), |section| section.uncompressed_data())
+    };
+    let sections = gimli::DwarfSections::load(load)?;
+    let dwarf = sections.borrow(|section| EndianSlice::new(section, LittleEndian));
+    let mut sizes = BTreeMap::new();
+    let mut headers = dwarf.units();
+    while let Some(header) = headers.next()? {
+        let unit = dwarf.unit(header)?;
+        let (mut entries, mut depth, mut path) = (unit.entries(), 0, Vec::new());
+        while let Some((change, entry)) = entries.next_dfs()? {
+            depth += change;
+            path.retain(|(at, _)| *at < depth);
+            let Some(name) = entry.attr_value(DW_AT_name)? else { continue };
+            let name = dwarf.attr_string(&unit, name)?.to_string_lossy().into_owned();
+            let ours = path.first().is_some_and(|(_, top)| top == "bica_player");
+            match (entry.tag(), entry.attr_value(DW_AT_byte_size)?.and_then(|size| size.udata_value())) {
+                (dwarf_names::DW_TAG_namespace, _) => path.push((depth, name)),
+                (dwarf_names::DW_TAG_structure_type, Some(size)) if ours => drop(sizes.insert(name, size)),
+                _ => {}
+            }
+        }
+    }
+    Ok(sizes)
+}
