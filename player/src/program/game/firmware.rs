@@ -37,12 +37,12 @@ impl Image {
             GoalColour::Yellow => Attack::Yellow,
             GoalColour::SkyBlue => Attack::Blue,
         };
-        let remote = Remote::start(self.0, attack, None).map_err(failure)?;
+        let remote = Remote::start(self.0, attack, None).map_err(|error| failure(&error))?;
         Ok(Mind { remote, chains: Vec::new(), runs: vec![Vec::new(); GRAPH.nodes.len()] })
     }
 }
 
-fn failure(error: Error) -> Failure {
+fn failure(error: &Error) -> Failure {
     Failure::new(error.to_string(), "`cargo xtask firmware` gets what is needed, builds the image and tests it")
 }
 
@@ -64,7 +64,7 @@ impl Mind {
         twin: &Command,
         robot: &Forward,
     ) -> Result<(), Failure> {
-        let thought = self.remote.think(now.as_micros(), sensors).map_err(failure)?;
+        let thought = self.remote.think(now.as_micros(), sensors).map_err(|error| failure(&error))?;
         let same_tree = (0..GRAPH.nodes.len()).map(ComponentId::new).all(|id| {
             let index = id.index();
             thought.active.get(index) == Some(&robot.is_active(id))
