@@ -19,7 +19,7 @@ use bica::Tree;
 use bica_motion::joints::Joints;
 use bica_motion::robot::{self, CameraId, Lights};
 use bica_player::Forward;
-use bica_player::input::EYE_BYTES;
+use bica_player::input::{EYE_BYTES, Eye};
 use bica_wire::message::{Command, Pace};
 use bica_wire::{Frame, FromRobot, MAX_PACKET, Receiver, Sender, ToRobot};
 use embassy_executor::Spawner;
@@ -34,6 +34,7 @@ use mind::Mind;
 use voice::Voice;
 
 static ROBOT: ConstStaticCell<Forward> = ConstStaticCell::new(Forward::new());
+static EYE: ConstStaticCell<[u8; EYE_BYTES]> = ConstStaticCell::new([0; EYE_BYTES]);
 static FRAME: ConstStaticCell<Frame<EYE_BYTES>> = ConstStaticCell::new(Frame::new());
 static RECEIVER: ConstStaticCell<Receiver<MAX_PACKET>> = ConstStaticCell::new(Receiver::new());
 
@@ -46,7 +47,9 @@ async fn main(spawner: Spawner) {
     if past.restarts > 0 {
         defmt::error!("started anew, {=u32} times by now: {=str}", past.restarts, past.reason.as_str());
     }
-    spawner.spawn(live(ear, Voice::new(mouth), Mind::new(ROBOT.take(), FRAME.take(), past)).expect("one mind"));
+    let robot = ROBOT.take();
+    robot.get_mut::<Eye>().lend(EYE.take());
+    spawner.spawn(live(ear, Voice::new(mouth), Mind::new(robot, FRAME.take(), past)).expect("one mind"));
 }
 
 /// Hears and ticks, forever.

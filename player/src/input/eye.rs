@@ -9,6 +9,13 @@ use bica_motion::robot::{CameraId, Image};
 /// Bytes that the largest image takes: 640×480 pixels in YUYV 4:2:2, 160×120 with the feature `small-frames`.
 pub const EYE_BYTES: usize = if cfg!(feature = "small-frames") { 160 * 120 * 2 } else { 640 * 480 * 2 };
 
+/// Where the pixels lie: with the feature `small-frames` in memory that somebody lends ([`Eye::lend`]), since a
+/// microcontroller that held them in the tree would keep their zeros in its program too.
+#[cfg(feature = "small-frames")]
+type Room = &'static mut [u8];
+#[cfg(not(feature = "small-frames"))]
+type Room = [u8; EYE_BYTES];
+
 /// The newest camera image, with the joint angles at which it was taken.
 pub struct Eye {
     camera: CameraId,
@@ -16,7 +23,7 @@ pub struct Eye {
     height: u16,
     count: u32,
     angles: Joints<f32>,
-    yuyv: [u8; EYE_BYTES],
+    yuyv: Room,
 }
 
 /// An image was larger than the eye's memory; the one before it was kept.
@@ -38,7 +45,10 @@ impl core::error::Error for FrameTooLarge {}
 impl Eye {
     /// An eye that has seen nothing yet.
     #[must_use]
-    #[expect(clippy::large_stack_arrays, reason = "const: trees are built in a static or a box")]
+    #[cfg_attr(
+        not(feature = "small-frames"),
+        expect(clippy::large_stack_arrays, reason = "const: trees are built in a static or a box")
+    )]
     pub const fn new() -> Self {
         Self {
             camera: CameraId::Top,
@@ -46,8 +56,17 @@ impl Eye {
             height: 0,
             count: 0,
             angles: Joints([0.0; bica_motion::joints::JOINTS]),
+            #[cfg(feature = "small-frames")]
+            yuyv: &mut [],
+            #[cfg(not(feature = "small-frames"))]
             yuyv: [0; EYE_BYTES],
         }
+    }
+
+    /// Gives the eye memory for its images, [`EYE_BYTES`] of it; without, no image fits.
+    #[cfg(feature = "small-frames")]
+    pub fn lend(&mut self, room: &'static mut [u8; EYE_BYTES]) {
+        self.yuyv = room;
     }
 
     /// Takes a new image and the joint angles of its moment.
@@ -80,6 +99,6 @@ impl Eye {
     #[must_use]
     pub fn image(&self) -> Image<'_> {
         let bytes = 2 * usize::from(self.width) * usize::from(self.height);
-        Image { camera: self.camera, width: self.width, height: self.height, yuyv: &self.yuyv[..bytes.min(EYE_BYTES)] }
+        Image { camera: self.camera, width: self.width, height: self.height, yuyv: &self.yuyv[..bytes.min(self.yuyv.len())] }
     }
 }
