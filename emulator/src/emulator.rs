@@ -11,6 +11,24 @@ use crate::error::Error;
 /// QEMU's name for the memory word that tells the image to speak through the pipe, and its content ("PIPE").
 const JUMPER: &str = "loader,addr=0x203ffffc,data=0x45504950,data-len=4";
 
+/// What carries the messages.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Carrier {
+    /// A pipe: fast, and the microcontroller's time stands still while it waits.
+    Pipe,
+    /// The board's serial port: a byte at a time, slow in QEMU; time goes on while the microcontroller waits.
+    Serial,
+}
+
+impl Carrier {
+    fn arguments(self) -> &'static [&'static str] {
+        match self {
+            Self::Pipe => &["-icount", "shift=0,sleep=off", "-device", JUMPER, "-serial", "null"],
+            Self::Serial => &["-icount", "shift=0,sleep=on", "-serial", "stdio"],
+        }
+    }
+}
+
 /// A running image. It ends with this value.
 #[derive(Debug)]
 pub struct Emulator {
@@ -23,15 +41,16 @@ impl Emulator {
     ///
     /// # Errors
     /// [`Error::NoImage`], [`Error::NoEmulator`].
-    pub fn start(image: &Path, log: Option<&Path>) -> Result<Self, Error> {
+    pub fn start(image: &Path, carrier: Carrier, log: Option<&Path>) -> Result<Self, Error> {
         if !image.is_file() {
             return Err(Error::NoImage(image.to_owned()));
         }
         let log = log.map_or_else(|| "null".to_owned(), |path| format!("file:{}", path.display()));
         let mut child = Command::new("qemu-system-arm")
             .args(["-M", "mps2-an500", "-cpu", "cortex-m7", "-display", "none", "-monitor", "none"])
-            .args(["-icount", "shift=0,sleep=off", "-semihosting-config", "enable=on,target=native"])
-            .args(["-device", JUMPER, "-serial", "null", "-serial", &log])
+            .args(["-semihosting-config", "enable=on,target=native"])
+            .args(carrier.arguments())
+            .args(["-serial", &log])
             .arg("-kernel")
             .arg(image)
             .stdin(Stdio::piped())
@@ -88,6 +107,12 @@ impl<R: Read, W: Write> Line<R, W> {
         let mut room = [0; MAX_PACKET];
         let packet = self.sender.pack(message, &mut room).map_err(|error| Error::Unexpected(error.to_string()))?;
         self.write(packet.to_vec().as_slice())
+    }
+
+    /// Loses a packet before it is sent: the next one has the number after it.
+    pub fn lose(&mut self) {
+        // A message without content always fits.
+        let _ = self.sender.pack(&ToRobot::Describe, &mut [0; MAX_PACKET]);
     }
 
     /// Sends bytes that need not be a packet.

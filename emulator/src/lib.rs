@@ -8,6 +8,6 @@ mod emulator;
 mod error;
 mod mind;
 
-pub use emulator::{Emulator, Line};
+pub use emulator::{Carrier, Emulator, Line};
 pub use error::Error;
 pub use mind::{Mind, Thought};

@@ -6,7 +6,7 @@ use bica_motion::robot;
 use bica_wire::message::{Attack, Greeting, Hello, Pace, Sensors, Stack};
 use bica_wire::{FromRobot, SCHEMA, ToRobot, chunks};
 
-use crate::emulator::Emulator;
+use crate::emulator::{Carrier, Emulator};
 use crate::error::Error;
 
 /// A mind on an emulated microcontroller.
@@ -41,7 +41,7 @@ impl Mind {
     /// # Errors
     /// Any [`Error`].
     pub fn start(image: &Path, attack: Attack, log: Option<&Path>) -> Result<Self, Error> {
-        let mut emulator = Emulator::start(image, log)?;
+        let mut emulator = Emulator::start(image, Carrier::Pipe, log)?;
         let line = emulator.line();
         let schema = line.hear(greeting(|greeting| greeting.schema))?;
         if schema != SCHEMA {

@@ -69,12 +69,13 @@ async fn live(mut ear: Ear, mut voice: Voice<Mouth>, mut mind: Mind<An500>) {
             due = Instant::now() + period;
             continue;
         }
-        match select(ticker.next(), ear.read(&mut room)).await {
-            Either::First(()) => {
+        // The ear first: late cycles, always due, must not make it deaf.
+        match select(ear.read(&mut room), ticker.next()).await {
+            Either::First(Ok(count)) => listen(&room[..count], receiver, &mut mind, &mut voice).await,
+            Either::Second(()) => {
                 mind.tick(due, receiver.losses(), &mut voice).await;
                 due += period;
             }
-            Either::Second(Ok(count)) => listen(&room[..count], receiver, &mut mind, &mut voice).await,
         }
     }
 }

@@ -6,6 +6,7 @@ mod game;
 mod limits;
 mod log;
 mod size;
+mod trials;
 
 use std::error::Error;
 use std::path::Path;
@@ -44,5 +45,6 @@ fn test(image: &Path, figures: &Path, bless: bool) -> Result<(), Box<dyn Error>>
     if !lines.iter().any(|line| line.contains("look_for_ball -> approach")) {
         return Err("the log tells of no change of state".into());
     }
+    trials::run(image)?;
     if bless { figures::write(figures, &played) } else { figures::compare(figures, &played) }
 }

@@ -1,0 +1,56 @@
+//! A tree that describes itself.
+
+use bica_core::graph::{Graph, Link, LinkKind, Node, State, Transition};
+use bica_wire::describe;
+use bica_wire::message::Fact;
+
+const fn state(name: &'static str, initial: bool) -> State {
+    State { name, doc: "", initial, last: false }
+}
+
+static GRAPH: Graph = Graph {
+    name: "Pair",
+    doc: "",
+    cycle_hz: 100.0,
+    budget_ms: None,
+    root: 1,
+    nodes: &[
+        Node {
+            name: "Eye",
+            doc: "",
+            hz: None,
+            budget_us: Some(5.0),
+            resume: false,
+            links: &[],
+            states: &[],
+            transitions: &[],
+        },
+        Node {
+            name: "Head",
+            doc: "",
+            hz: Some(30.0),
+            budget_us: None,
+            resume: false,
+            links: &[Link { to: 0, kind: LinkKind::Requirement, state: Some(1) }],
+            states: &[state("rest", true), state("look", false)],
+            transitions: &[Transition { name: "wakes", doc: "", from: 0, to: 1, after_ms: None }],
+        },
+    ],
+};
+
+#[test]
+fn every_part_is_told_once_and_in_order() {
+    let facts: Vec<_> = describe(&GRAPH).collect();
+    assert_eq!(
+        facts,
+        [
+            Fact::Component { index: 0, name: "Eye", hz: None, budget_us: Some(5.0), root: false },
+            Fact::Component { index: 1, name: "Head", hz: Some(30.0), budget_us: None, root: true },
+            Fact::Link { from: 1, to: 0, modulation: false, state: Some(1) },
+            Fact::State { component: 1, index: 0, name: "rest", initial: true },
+            Fact::State { component: 1, index: 1, name: "look", initial: false },
+            Fact::Transition { component: 1, from: 0, to: 1, name: "wakes" },
+            Fact::End { facts: 6 },
+        ]
+    );
+}
