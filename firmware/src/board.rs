@@ -19,8 +19,8 @@ pub(crate) trait Board: Sized {
     /// How fast [`Self::fine`] counts, 1/s.
     const FINE_HZ: u32;
 
-    /// The link; called once.
-    fn link(&mut self) -> (Self::Ear, Self::Mouth);
+    /// The link.
+    fn link(self) -> (Self::Ear, Self::Mouth);
 
     /// A clock to measure code with; wraps around.
     fn fine() -> u32;

@@ -11,7 +11,8 @@ const FIGURES: &str = "firmware/figures.txt";
 /// # Errors
 /// What could not be installed or built, or did not hold.
 pub(crate) fn check(more: Option<&str>) -> Result<(), String> {
-    build(&Toolchain::get()?)?;
+    let rust = Toolchain::get()?;
+    build(&rust)?;
     if more == Some("--build") {
         return Ok(());
     }
@@ -19,12 +20,22 @@ pub(crate) fn check(more: Option<&str>) -> Result<(), String> {
         run("apt-get", &["update", "-qq"], &[])?;
         run("apt-get", &["install", "-y", "-qq", "qemu-system-arm"], &[])?;
     }
+    if more.is_none() {
+        build_for(&rust, "firmware/stm32h7/Cargo.toml", "firmware/stm32h7/target")?;
+    }
     let test = ["run", "--quiet", "--release", "-p", "bica-emulator", "--example", "self_test", "--", IMAGE, FIGURES];
     run("cargo", &[&test[..], more.as_slice()].concat(), &[])
 }
 
 /// Builds the image.
+///
+/// # Errors
+/// What did not build.
 pub(crate) fn build(rust: &Toolchain) -> Result<(), String> {
-    let folder = ["--config", "firmware/.cargo/config.toml", "--target-dir", "firmware/target"];
-    rust.build(&[&folder[..], &["--manifest-path", "firmware/Cargo.toml", "--release"]].concat())
+    build_for(rust, "firmware/Cargo.toml", "firmware/target")
+}
+
+fn build_for(rust: &Toolchain, manifest: &str, target: &str) -> Result<(), String> {
+    let place = ["--config", "firmware/.cargo/config.toml", "--target-dir", target];
+    rust.build(&[&place[..], &["--manifest-path", manifest, "--release"]].concat())
 }

@@ -33,7 +33,7 @@ impl Board for An500 {
     type Mouth = Mouth;
     const FINE_HZ: u32 = clock::HZ;
 
-    fn link(&mut self) -> (Ear, Mouth) {
+    fn link(self) -> (Ear, Mouth) {
         line::open()
     }
 
