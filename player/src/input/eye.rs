@@ -99,6 +99,11 @@ impl Eye {
     #[must_use]
     pub fn image(&self) -> Image<'_> {
         let bytes = 2 * usize::from(self.width) * usize::from(self.height);
-        Image { camera: self.camera, width: self.width, height: self.height, yuyv: &self.yuyv[..bytes.min(self.yuyv.len())] }
+        Image {
+            camera: self.camera,
+            width: self.width,
+            height: self.height,
+            yuyv: &self.yuyv[..bytes.min(self.yuyv.len())],
+        }
     }
 }
