@@ -44,7 +44,7 @@ fn reached(graph: &Graph, state: impl Fn(usize) -> Option<usize>, taken: &[(usiz
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 12, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 8, ..ProptestConfig::default() })]
 
     #[test]
     fn active_is_what_the_states_reach(seed: u64, robots in 0_usize..4) {
