@@ -46,6 +46,21 @@ pub enum Posture {
     Down(Direction),
 }
 
+/// What a pixel of a camera's image shows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Thing {
+    /// Carpet, lines, floor, walls: all that is behind what stands on the field.
+    Hall,
+    /// The ball.
+    Ball,
+    /// Either goal: posts, crossbar, net.
+    Goal,
+    /// Another robot, by its place in [`Referee::others`].
+    Other(usize),
+    /// The robot that looks.
+    Own,
+}
+
 /// What happened on the field.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Event {

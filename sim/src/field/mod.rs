@@ -28,7 +28,7 @@ use self::render::{Renderer, Scene};
 pub use self::setup::{Frame, MAX_ROBOTS, Setup, SetupError, Start};
 use self::start::{Layout, Other};
 use crate::random::{Random, Stream};
-use crate::referee::{Posture, Referee};
+use crate::referee::{Posture, Referee, Thing};
 use crate::world::{CYCLE, World};
 
 /// Images come every third of ten cycles: 30 in a second.
@@ -109,19 +109,26 @@ impl FieldWorld {
         self.game.step(now, ways, &obstacles, &mut self.referee);
     }
 
+    /// What every pixel of an image taken now would show, row by row from the top left. For judging only, as all that the
+    /// [`Referee`] knows. Cost: about that of an image.
+    pub fn things(&mut self) -> Vec<Thing> {
+        let camera = self.body.camera(self.camera);
+        let scene = scene(&self.body, camera, &camera, self.frame(), self.game.ball.position);
+        self.renderer.things(&scene)
+    }
+
     fn take_image(&mut self) {
         let camera = self.body.camera(self.camera);
         let before = &self.cameras_before[self.camera as usize];
-        let scene = Scene {
-            camera,
-            turning: turn_rate(&before.matrix3, &camera.matrix3),
-            frame: self.frame(),
-            ball: self.game.ball.position,
-            robot: self.body.robot(),
-            skeleton: self.body.skeleton(),
-        };
+        let scene = scene(&self.body, camera, before, self.frame(), self.game.ball.position);
         self.renderer.draw(&scene, &mut self.image);
     }
+}
+
+/// What the camera sees that was at the pose `before` a cycle ago.
+fn scene<'a>(body: &'a Body, camera: Affine3A, before: &Affine3A, frame: u64, ball: Vec2) -> Scene<'a> {
+    let turning = turn_rate(&before.matrix3, &camera.matrix3);
+    Scene { camera, turning, frame, ball, robot: body.robot(), skeleton: body.skeleton() }
 }
 
 impl World for FieldWorld {

@@ -6,6 +6,7 @@ use bica_motion::side::Side;
 use bica_motion::stand::STAND;
 use bica_sim::World;
 use bica_sim::field::FieldWorld;
+use bica_sim::referee::Thing;
 use glam::{Affine3A, Vec2, Vec3};
 use rand_pcg::{Pcg32, rand_core::Rng};
 
@@ -94,6 +95,10 @@ fn the_ball_is_drawn_where_the_camera_model_puts_it() {
         assert!(found.distance(expected) < 1.0, "round {round}: {found}, expected {expected}, radius {radius}");
         let disc = core::f32::consts::PI * radius * radius;
         assert!((0.6..1.6).contains(&(area / disc)), "round {round}: {area} of {disc}");
+        let things = world.things();
+        let shown = things.iter().filter(|thing| **thing == Thing::Ball).count() as f32;
+        assert!((0.8..1.6).contains(&(shown / disc)), "round {round}: {shown} pixels of {disc}");
+        assert_eq!(things[expected.y as usize * 320 + expected.x as usize], Thing::Ball, "round {round}");
     }
     assert!(seen > 20, "{seen}");
 }

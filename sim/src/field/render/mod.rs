@@ -33,6 +33,10 @@ use super::pitch::BALL_RADIUS;
 use super::setup::Setup;
 use super::start::{Layout, Other};
 use crate::random::{Random, Stream};
+use crate::referee::Thing;
+
+/// A picture with nothing on it: no thing has this colour.
+const BLANK: Pixel = [0, 0, 0, 0];
 
 /// What there is to see in one image.
 #[derive(Clone, Copy, Debug)]
@@ -54,6 +58,7 @@ pub(crate) struct Scene<'a> {
 /// Things that are seen as one from afar, and where.
 #[derive(Clone, Debug)]
 struct Group {
+    thing: Thing,
     place: Vec2,
     parts: Vec<Solid>,
 }
@@ -84,8 +89,10 @@ impl Renderer {
             let defends = if mate { layout.attacks.other() } else { layout.attacks };
             Dress::of_defender(defends, &palette)
         };
-        let mut still: Vec<Group> = goal::goals(layout.attacks, &palette).into_iter().map(Group::of_one).collect();
-        still.extend(layout.others.iter().map(|other| Group::of_robot(other, dress(other.mate))));
+        let goals = goal::goals(layout.attacks, &palette).into_iter();
+        let mut still: Vec<Group> = goals.map(|part| Group::of_one(Thing::Goal, part)).collect();
+        let others = layout.others.iter().enumerate();
+        still.extend(others.map(|(index, other)| Group::of_robot(index, other, dress(other.mate))));
         Self {
             seed: setup.seed,
             canvas: Canvas::new(width, height),
@@ -109,9 +116,22 @@ impl Renderer {
         let view = View::new(scene.camera, self.canvas.width, self.canvas.height);
         self.hall.draw(&view, &self.ground, &mut self.canvas);
         self.draw_shadows(&view, scene);
-        self.draw_solids(&view, scene);
+        self.draw_solids(&view, scene, |_, _| ());
         let mut grain = Random::new(self.seed.wrapping_add(scene.frame << 32), Stream::Grain);
         self.sensor.expose(&self.canvas, &view, scene.turning, &mut grain, image);
+    }
+
+    /// What every pixel of a scene's image shows.
+    pub(crate) fn things(&mut self, scene: &Scene<'_>) -> Vec<Thing> {
+        let view = View::new(scene.camera, self.canvas.width, self.canvas.height);
+        self.canvas.pixels.fill(BLANK);
+        let mut things = vec![Thing::Hall; self.canvas.pixels.len()];
+        self.draw_solids(&view, scene, |canvas, thing| {
+            for (shown, pixel) in things.iter_mut().zip(&mut canvas.pixels).filter(|(_, pixel)| **pixel != BLANK) {
+                (*shown, *pixel) = (thing, BLANK);
+            }
+        });
+        things
     }
 
     fn draw_shadows(&mut self, view: &View, scene: &Scene<'_>) {
@@ -122,11 +142,12 @@ impl Renderer {
         }
     }
 
-    fn draw_solids(&mut self, view: &View, scene: &Scene<'_>) {
+    /// Draws what stands on the field; `after` is told each thing that was drawn.
+    fn draw_solids(&mut self, view: &View, scene: &Scene<'_>, mut after: impl FnMut(&mut Canvas, Thing)) {
         let centre = scene.ball.extend(BALL_RADIUS);
-        let ball = Group::of_one(Solid::Sphere { centre, radius: BALL_RADIUS, colour: self.ball });
+        let ball = Group::of_one(Thing::Ball, Solid::Sphere { centre, radius: BALL_RADIUS, colour: self.ball });
         let own = figure::below_the_head(scene.robot, scene.skeleton, self.dress);
-        let own = Group { place: view.pose.translation.truncate(), parts: own };
+        let own = Group { thing: Thing::Own, place: view.pose.translation.truncate(), parts: own };
         let mut groups: Vec<&Group> = self.still.iter().chain([&ball, &own]).collect();
         let camera = Vec3::from(view.pose.translation);
         sort_far_first(&mut groups, |group| group.place.distance(camera.truncate()));
@@ -136,22 +157,23 @@ impl Renderer {
             for part in parts {
                 part.draw(view, &self.light, &mut self.canvas);
             }
+            after(&mut self.canvas, group.thing);
         }
     }
 }
 
 impl Group {
-    fn of_one(part: Solid) -> Self {
-        Self { place: part.middle().truncate(), parts: vec![part] }
+    fn of_one(thing: Thing, part: Solid) -> Self {
+        Self { thing, place: part.middle().truncate(), parts: vec![part] }
     }
 
-    fn of_robot(other: &Other, dress: Dress) -> Self {
+    fn of_robot(index: usize, other: &Other, dress: Dress) -> Self {
         let skeleton = Skeleton::of(&STAND);
         let sole = skeleton.sole(bica_motion::side::Side::Left);
         let robot = raised(&other.pose) * Affine3A::from_translation(Vec3::new(0.0, 0.0, -sole.translation.z));
         let mut parts = figure::figure(&robot, &skeleton, dress);
         parts.extend(figure::shadows(&robot, &skeleton));
-        Self { place: other.pose.position, parts }
+        Self { thing: Thing::Other(index), place: other.pose.position, parts }
     }
 }
 

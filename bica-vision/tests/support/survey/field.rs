@@ -1,0 +1,160 @@
+//! What is on the ground: lines, their crossings, the circle, the end of the field.
+
+use std::f32::consts::TAU;
+
+use bica_motion::pose::{Pose2, wrap};
+use bica_sim::referee::Thing;
+use bica_vision::crossings::CrossingKind;
+use bica_vision::lines::Line;
+use bica_vision::pitch::{self, CIRCLE, CORNER, PENALTY_AREA};
+use glam::Vec2;
+
+use super::FAR;
+use super::eyes::Seen;
+use super::score::Score;
+use super::truth::{SIZE, Truth};
+
+/// Lines are counted in pieces of this length, m.
+const PIECE: f32 = 0.1;
+/// A piece of line is found if one is seen this near, px; a line is right this near, m.
+const LINE_NEAR: (f32, f32) = (3.0, 0.1);
+/// A crossing is right within this distance, m, and angle, rad; its arms must be seen this far, m.
+const CROSSING_NEAR: (f32, f32) = (0.2, 0.3);
+const ARM: f32 = 0.2;
+/// The part of the circle that must be seen for it to be due, and how near its middle must be found, m.
+const CIRCLE_PART: f32 = 0.3;
+const CIRCLE_NEAR: f32 = 0.2;
+/// How many rows the end of the field may be off.
+const END_NEAR: f32 = 3.0;
+
+/// The straight lines of the field, half of them; the others are on the other side.
+const LINES: [(Vec2, Vec2); 7] = {
+    let (c, p) = (CORNER, PENALTY_AREA);
+    [
+        (Vec2::new(0.0, c.y), c),
+        (Vec2::new(0.0, -c.y), Vec2::new(c.x, -c.y)),
+        (Vec2::new(c.x, -c.y), c),
+        (Vec2::new(c.x, p.y), p),
+        (Vec2::new(c.x, -p.y), Vec2::new(p.x, -p.y)),
+        (Vec2::new(p.x, -p.y), p),
+        (Vec2::ZERO, Vec2::new(0.0, c.y)),
+    ]
+};
+
+/// The middles of all pieces of lines, field frame.
+fn pieces() -> impl Iterator<Item = Vec2> {
+    let straight = LINES.into_iter().flat_map(|(from, to)| {
+        let count = (from.distance(to) / PIECE).round() as usize;
+        (0..count).map(move |i| from.lerp(to, (i as f32 + 0.5) / count as f32))
+    });
+    let round = (0..(TAU * CIRCLE / PIECE) as usize / 2).map(|i| CIRCLE * Vec2::from_angle(PIECE / CIRCLE * i as f32));
+    straight.chain(round).flat_map(|at| [at, -at])
+}
+
+/// Whether a place of the ground is seen, some pixels within the image.
+fn is_seen(place: Vec2, truth: &Truth) -> bool {
+    let inside = |at: Vec2| at.min(Vec2::new(SIZE.0 as f32, SIZE.1 as f32) - at).min_element() > 4.0;
+    truth.shows(place.extend(0.0), Thing::Hall) && truth.pixel(place.extend(0.0)).is_some_and(inside)
+}
+
+/// Pieces of lines are due, and pieces of what is seen are right or wrong.
+pub(super) fn lines(score: &mut Score, seen: &Seen, truth: &Truth) {
+    let pixels =
+        |line: &Line| Some((seen.camera.pixel(line.from.extend(0.0))?, seen.camera.pixel(line.to.extend(0.0))?));
+    let found: Vec<(Vec2, Vec2)> = seen.lines.iter().filter_map(pixels).collect();
+    for piece in pieces().filter(|piece| truth.distance(*piece) <= FAR && is_seen(*piece, truth)) {
+        let at = truth.pixel(piece.extend(0.0));
+        score.due(at.is_some_and(|at| found.iter().any(|(from, to)| distance(at, *from, *to) <= LINE_NEAR.0)));
+    }
+    for line in &seen.lines {
+        let count = (line.length() / PIECE).ceil();
+        for index in 0..count as usize {
+            let place = line.from.lerp(line.to, (index as f32 + 0.5) / count);
+            if place.length() <= FAR {
+                let off = line_distance(truth.pose.place(place));
+                score.seen(off <= LINE_NEAR.1);
+                score.error(100.0 * off);
+            }
+        }
+    }
+}
+
+/// How far a place is from the nearest painted line, m.
+fn line_distance(place: Vec2) -> f32 {
+    let straight = LINES.iter().flat_map(|(from, to)| [(*from, *to), (-*from, -*to)]);
+    let nearest = straight.map(|(from, to)| distance(place, from, to)).fold(f32::INFINITY, f32::min);
+    let marks = [1.0, -1.0].map(|side| place.distance(Vec2::new(side * pitch::PENALTY_MARK, 0.0)));
+    nearest.min((place.length() - CIRCLE).abs()).min(marks[0]).min(marks[1])
+}
+
+fn distance(at: Vec2, from: Vec2, to: Vec2) -> f32 {
+    let along = to - from;
+    let share = ((at - from).dot(along) / along.length_squared().max(1e-9)).clamp(0.0, 1.0);
+    at.distance(from + share * along)
+}
+
+/// Due if its arms are seen. Right if kind, place and heading are.
+pub(super) fn crossings(score: &mut Score, seen: &Seen, truth: &Truth) {
+    let found = seen.crossings.iter().filter_map(|crossing| Some((crossing.kind, crossing.ground(&seen.camera)?)));
+    let found: Vec<(CrossingKind, Pose2)> = found.map(|(kind, pose)| (kind, truth.pose * pose)).collect();
+    let near = |a: &Pose2, b: &Pose2, quarters: f32| {
+        let turn = wrap(quarters * (a.heading - b.heading)).abs();
+        a.position.distance(b.position) < CROSSING_NEAR.0 && turn < quarters * CROSSING_NEAR.1
+    };
+    let quarters = |kind: CrossingKind| if kind == CrossingKind::X { 4.0 } else { 1.0 };
+    for (kind, pose) in found.iter().filter(|(_, pose)| truth.distance(pose.position) <= FAR) {
+        score.seen(pitch::crossings(*kind).any(|known| near(&known, pose, quarters(*kind))));
+    }
+    for kind in [CrossingKind::L, CrossingKind::T, CrossingKind::X] {
+        let due = |known: &Pose2| truth.distance(known.position) <= FAR && shows_arms(kind, known, truth);
+        for known in pitch::crossings(kind).filter(due) {
+            let same = |(of, pose): &&(CrossingKind, Pose2)| *of == kind && near(&known, pose, quarters(kind));
+            let hit = found.iter().find(same);
+            score.due(hit.is_some());
+            score.error(hit.map(|(_, pose)| 100.0 * pose.position.distance(known.position)));
+        }
+    }
+}
+
+fn shows_arms(kind: CrossingKind, known: &Pose2, truth: &Truth) -> bool {
+    let arms: &[Vec2] = match kind {
+        CrossingKind::L => &[Vec2::X, Vec2::Y],
+        CrossingKind::T => &[Vec2::X, Vec2::Y, Vec2::NEG_Y],
+        CrossingKind::X => &[Vec2::X, Vec2::Y, Vec2::NEG_X, Vec2::NEG_Y],
+    };
+    let shown = |arm: &Vec2| [0.0, 0.5 * ARM, ARM].iter().all(|along| is_seen(known.place(*along * *arm), truth));
+    arms.iter().all(shown)
+}
+
+/// Due if a part of its line is seen.
+pub(super) fn circle(score: &mut Score, seen: &Seen, truth: &Truth) {
+    let off = seen.circle.map(|circle| truth.pose.place(circle.centre).length());
+    let hit = off.filter(|off| *off < CIRCLE_NEAR);
+    if off.is_some() {
+        score.seen(hit.is_some());
+    }
+    let points = (0..60_u8).map(|i| CIRCLE * Vec2::from_angle(TAU / 60.0 * f32::from(i)));
+    let shown = points.filter(|at| truth.distance(*at) <= FAR && is_seen(*at, truth)).count();
+    if shown as f32 >= CIRCLE_PART * 60.0 {
+        score.due(hit.is_some());
+        score.error(hit.map(|off| 100.0 * off));
+    }
+}
+
+/// The row of the end in a column against the first row in which there is carpet; goals and robots stand before it.
+pub(super) fn end(score: &mut Score, seen: &Seen, truth: &Truth) {
+    for x in (20..SIZE.0 as u16).step_by(40).map(f32::from) {
+        let on_carpet = |y: &u16| {
+            let ground = truth.camera.ground(Vec2::new(x, f32::from(*y)), 0.0);
+            ground.is_some_and(|ground| truth.is_carpet(ground))
+        };
+        let Some(row) = (0..200).find(on_carpet).map(f32::from) else { continue };
+        let off = seen.end.row_at(x).map(|found| (found - row).abs());
+        let hit = off.filter(|off| *off <= END_NEAR);
+        score.due(hit.is_some());
+        if let Some(off) = off {
+            score.seen(hit.is_some());
+            score.error(off);
+        }
+    }
+}

@@ -1,0 +1,61 @@
+//! Random poses to look from.
+
+use std::f32::consts::PI;
+
+use bica_motion::joints::{Joint, Joints};
+use bica_motion::pose::Pose2;
+use bica_motion::robot::{CameraId, Command, Lights};
+use bica_sim::World;
+use bica_sim::field::{FieldWorld, Setup, Start};
+use glam::Vec2;
+use rand_pcg::Pcg32;
+use rand_pcg::rand_core::Rng;
+
+/// Cycles until the head rests.
+const REST: u32 = 70;
+
+/// A robot that looks somewhere, with a new image.
+pub(crate) struct Look {
+    /// Decides everything.
+    pub(crate) number: u64,
+    pub(crate) world: FieldWorld,
+}
+
+struct Dice(Pcg32);
+
+impl Dice {
+    fn between(&mut self, low: f32, high: f32) -> f32 {
+        low + (high - low) * (self.0.next_u32() >> 8) as f32 / (1_u32 << 24) as f32
+    }
+
+    fn start(&mut self) -> Start {
+        let robot = Pose2::new(self.between(-2.7, 2.7), self.between(-1.8, 1.8), self.between(-PI, PI));
+        loop {
+            let direction = robot.heading + self.between(-1.0, 1.0);
+            let ball = robot.position + self.between(0.2, 3.5) * Vec2::from_angle(direction);
+            if ball.x.abs() < 3.2 && ball.y.abs() < 2.2 {
+                return Start { robot, ball };
+            }
+        }
+    }
+}
+
+impl Look {
+    /// The look of that number: anywhere on the field, a keeper and four more robots around, the ball at 0.2 to 3.5 m, the
+    /// head turned anywhere, every third time with the camera at the chin. None if something would stand in a goal.
+    pub(crate) fn new(number: u64) -> Option<Self> {
+        let mut dice = Dice(Pcg32::new(number, 2009));
+        let setup = Setup { seed: number, robots: 4, start: Some(dice.start()), ..Setup::default() };
+        let mut world = FieldWorld::new(&setup).ok()?;
+        let mut targets = world.sensors().angles;
+        targets[Joint::HeadYaw] = dice.between(-1.2, 1.2);
+        targets[Joint::HeadPitch] = dice.between(-0.2, 0.4);
+        let camera = if number.is_multiple_of(3) { CameraId::Bottom } else { CameraId::Top };
+        let command = Command { targets, stiffness: Joints::all(1.0), lights: Lights::default(), camera };
+        (0..REST).for_each(|_| world.act(&command));
+        while world.sensors().image.is_none() {
+            world.act(&command);
+        }
+        Some(Self { number, world })
+    }
+}

@@ -1,0 +1,83 @@
+//! How well everything is seen: random poses in the built-in world, whose referee knows the truth.
+
+mod eyes;
+mod field;
+mod look;
+pub(crate) mod picture;
+mod score;
+mod things;
+mod truth;
+
+use std::fmt;
+
+use eyes::Eyes;
+pub(crate) use look::Look;
+pub(crate) use score::Score;
+use truth::Truth;
+
+/// What is farther away than this is not asked for, m.
+pub(crate) const FAR: f32 = 3.0;
+
+/// The scores of all that is looked for.
+pub(crate) struct Survey {
+    eyes: Eyes,
+    pub(crate) poses: usize,
+    pub(crate) ball: Score,
+    pub(crate) posts: Score,
+    pub(crate) lines: Score,
+    pub(crate) crossings: Score,
+    pub(crate) circle: Score,
+    pub(crate) robots: Score,
+    pub(crate) field_end: Score,
+}
+
+impl Survey {
+    /// Looks around from as many random poses, from the one of number `first` on.
+    pub(crate) fn of(first: u64, poses: usize) -> Self {
+        let mut survey = Self {
+            eyes: Eyes::new(),
+            poses: 0,
+            ball: Score::new("ball", "% of distance"),
+            posts: Score::new("goal posts", "% of distance"),
+            lines: Score::new("lines (dm)", "cm off"),
+            crossings: Score::new("crossings", "cm off"),
+            circle: Score::new("centre circle", "cm off"),
+            robots: Score::new("other robots", "cm off"),
+            field_end: Score::new("end of the field", "rows off"),
+        };
+        for look in (first..).filter_map(Look::new).take(poses) {
+            survey.add(look);
+        }
+        survey
+    }
+
+    fn add(&mut self, mut look: Look) {
+        let truth = Truth::of(&mut look);
+        let seen = self.eyes.see(&look);
+        self.poses += 1;
+        self.ball.note(look.number, |score| things::ball(score, &seen, &truth));
+        self.posts.note(look.number, |score| things::posts(score, &seen, &truth));
+        self.robots.note(look.number, |score| things::robots(score, &seen, &truth));
+        self.lines.note(look.number, |score| field::lines(score, &seen, &truth));
+        self.crossings.note(look.number, |score| field::crossings(score, &seen, &truth));
+        self.circle.note(look.number, |score| field::circle(score, &seen, &truth));
+        self.field_end.note(look.number, |score| field::end(score, &seen, &truth));
+    }
+
+    /// All scores.
+    pub(crate) fn scores(&self) -> [&Score; 7] {
+        [&self.ball, &self.posts, &self.lines, &self.crossings, &self.circle, &self.robots, &self.field_end]
+    }
+}
+
+impl fmt::Display for Survey {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(f, "{} poses, 320×240; what is within {FAR} m and not hidden is due", self.poses)?;
+        writeln!(
+            f,
+            "{:17}{:>15}{:>9}{:>15}{:>11}   error",
+            "", "found of due", "recall", "right of seen", "precision"
+        )?;
+        self.scores().into_iter().try_for_each(|score| writeln!(f, "{score}"))
+    }
+}

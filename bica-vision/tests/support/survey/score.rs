@@ -1,0 +1,89 @@
+//! A line of the table.
+
+use std::fmt;
+
+/// How often something was found and was right, and how far off it was.
+pub(crate) struct Score {
+    name: &'static str,
+    unit: &'static str,
+    due: usize,
+    found: usize,
+    seen: usize,
+    right: usize,
+    errors: Vec<f32>,
+    /// The numbers of the poses from which something was missed, and from which something was wrong.
+    pub(crate) missed: Vec<u64>,
+    pub(crate) wrong: Vec<u64>,
+}
+
+impl Score {
+    pub(crate) const fn new(name: &'static str, unit: &'static str) -> Self {
+        Self {
+            name,
+            unit,
+            due: 0,
+            found: 0,
+            seen: 0,
+            right: 0,
+            errors: Vec::new(),
+            missed: Vec::new(),
+            wrong: Vec::new(),
+        }
+    }
+
+    /// Counts what `look` tells, and notes the pose if something is amiss.
+    pub(crate) fn note(&mut self, pose: u64, look: impl FnOnce(&mut Self)) {
+        let (missed, wrong) = (self.due - self.found, self.seen - self.right);
+        look(self);
+        self.missed.extend((self.due - self.found > missed).then_some(pose));
+        self.wrong.extend((self.seen - self.right > wrong).then_some(pose));
+    }
+
+    /// Whether a word is part of its name.
+    pub(crate) fn is_called(&self, word: &str) -> bool {
+        self.name.contains(word)
+    }
+
+    /// Something had to be seen.
+    pub(crate) fn due(&mut self, is_found: bool) {
+        self.due += 1;
+        self.found += usize::from(is_found);
+    }
+
+    /// Something was seen.
+    pub(crate) fn seen(&mut self, is_right: bool) {
+        self.seen += 1;
+        self.right += usize::from(is_right);
+    }
+
+    /// How far off it was, if it was found.
+    pub(crate) fn error(&mut self, off: impl Into<Option<f32>>) {
+        self.errors.extend(off.into());
+    }
+
+    /// The part of what had to be seen that was found.
+    pub(crate) fn recall(&self) -> f32 {
+        self.found as f32 / self.due as f32
+    }
+
+    /// The part of what was seen that is there.
+    pub(crate) fn precision(&self) -> f32 {
+        self.right as f32 / self.seen as f32
+    }
+
+    /// The error that so many of a hundred are not above.
+    pub(crate) fn error_at(&self, percent: usize) -> f32 {
+        let mut errors = self.errors.clone();
+        errors.sort_by(f32::total_cmp);
+        errors.get(errors.len().max(1).saturating_sub(1) * percent / 100).copied().unwrap_or(f32::NAN)
+    }
+}
+
+impl fmt::Display for Score {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let found = format!("{} of {}", self.found, self.due);
+        let right = format!("{} of {}", self.right, self.seen);
+        write!(f, "{:17}{found:>15}{:9.3}{right:>15}{:11.3}", self.name, self.recall(), self.precision())?;
+        write!(f, "   median {:.2}, 95 % {:.2} {}", self.error_at(50), self.error_at(95), self.unit)
+    }
+}

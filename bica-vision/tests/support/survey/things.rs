@@ -1,0 +1,120 @@
+//! What stands or lies on the field: ball, goal posts, other robots.
+
+use std::f32::consts::PI;
+
+use bica_sim::referee::Thing;
+use bica_vision::ball::RADIUS;
+use bica_vision::goal::{Goal, HEIGHT, Post};
+use bica_vision::pitch;
+use glam::{Vec2, Vec3};
+
+use super::FAR;
+use super::eyes::Seen;
+use super::score::Score;
+use super::truth::{SIZE, Truth};
+
+/// The least part of a ball that must be seen of it to be due.
+const BALL_PART: f32 = 0.5;
+/// The least part of a post, and how high it is at least, px.
+const POST_PART: f32 = 0.5;
+const POST_LEAST: f32 = 16.0;
+/// Distances in which other robots are due, m, and how near they must be found.
+const ROBOTS_NEAR: f32 = 0.5;
+const ROBOT_ERROR: f32 = 0.35;
+
+/// Due if half of it is seen. Its ground error is a part of its distance.
+pub(super) fn ball(score: &mut Score, seen: &Seen, truth: &Truth) {
+    let place = truth.pose.locate(truth.ball);
+    let at = truth.camera.pixel(place.extend(RADIUS));
+    let expected = at.zip(truth.camera.sphere_radius(place.extend(RADIUS), RADIUS));
+    let is_there = |ball: &bica_vision::ball::Ball| {
+        expected.is_some_and(|(at, radius)| ball.centre.distance(at) < (0.5 * radius).max(3.0))
+    };
+    let hit = seen.ball.filter(is_there);
+    if seen.ball.is_some() {
+        score.seen(hit.is_some());
+    }
+    let part = expected.map_or(0.0, |(_, radius)| truth.area(Thing::Ball) as f32 / (PI * radius * radius));
+    if part < BALL_PART || place.length() > FAR {
+        return;
+    }
+    score.due(hit.is_some());
+    if let Some(ground) = hit.and_then(|ball| ball.ground(&seen.camera, RADIUS)) {
+        score.error(100.0 * ground.distance(place) / place.length());
+    }
+}
+
+/// Due anywhere on the field if half of it is seen. The ground error of those with a foot is a part of the distance.
+pub(super) fn posts(score: &mut Score, seen: &Seen, truth: &Truth) {
+    let goals = [(true, seen.goals.yellow), (false, seen.goals.blue)];
+    for (yellow, goal) in goals {
+        let found: Vec<Post> = goal.iter().flat_map(posts_of).collect();
+        let known = pitch::posts(yellow == truth.attacks_yellow);
+        for post in &found {
+            score.seen(known.iter().any(|known| is_at(post, *known, truth)));
+        }
+        for known in known {
+            let hit = found.iter().find(|post| is_at(post, known, truth));
+            if !is_post_due(known, truth) {
+                continue;
+            }
+            score.due(hit.is_some());
+            let place = truth.pose.locate(known);
+            if let Some(ground) = hit.filter(|post| post.has_base).and_then(|post| post.ground(&seen.camera)) {
+                score.error(100.0 * ground.distance(place) / place.length());
+            }
+        }
+    }
+}
+
+fn posts_of(goal: &Goal) -> impl Iterator<Item = Post> + use<> {
+    [Some(goal.first), goal.second].into_iter().flatten()
+}
+
+/// Whether a post is seen in the column in which one stands.
+fn is_at(post: &Post, known: Vec2, truth: &Truth) -> bool {
+    let ends = truth.pixel(known.extend(0.0)).zip(truth.pixel(known.extend(HEIGHT)));
+    ends.is_some_and(|(foot, top)| {
+        let x = foot.x + (top.x - foot.x) * (post.base.y - foot.y) / (top.y - foot.y);
+        (post.base.x - x).abs() < (0.3 * post.width).max(4.0)
+    })
+}
+
+fn is_post_due(known: Vec2, truth: &Truth) -> bool {
+    let points = (1..20_u8).map(|step| known.extend(HEIGHT * f32::from(step) / 20.0));
+    let shown: Vec<Vec3> = points.filter(|point| truth.shows(*point, Thing::Goal)).collect();
+    let rows = |point: &Vec3| truth.pixel(*point).map_or(0.0, |pixel| pixel.y);
+    let high = shown.first().map_or(0.0, rows) - shown.last().map_or(0.0, rows);
+    shown.len() as f32 >= POST_PART * 19.0 && high >= POST_LEAST
+}
+
+/// Due if both of its legs are seen down to the ground. A robot is 0.1 m nearer than its middle.
+pub(super) fn robots(score: &mut Score, seen: &Seen, truth: &Truth) {
+    let found = seen.robots.iter().filter_map(|robot| Some(truth.pose.place(robot.ground(&seen.camera)?)));
+    let found: Vec<Vec2> = found.filter(|place| truth.distance(*place) <= FAR).collect();
+    for place in &found {
+        score.seen(truth.others.iter().any(|other| other.position.distance(*place) < ROBOT_ERROR + 0.1));
+    }
+    for (index, other) in truth.others.iter().enumerate() {
+        let distance = truth.distance(other.position);
+        if !(ROBOTS_NEAR..FAR).contains(&distance) || !is_robot_due(index, other.position, truth) {
+            continue;
+        }
+        let nearest = found.iter().map(|place| place.distance(other.position)).reduce(f32::min);
+        let hit = nearest.filter(|off| *off < ROBOT_ERROR);
+        score.due(hit.is_some());
+        score.error(hit.map(|off| 100.0 * (off - 0.1).abs()));
+    }
+}
+
+fn is_robot_due(index: usize, place: Vec2, truth: &Truth) -> bool {
+    let toward = (truth.pose.position - place).normalize_or_zero();
+    let feet = [-0.05, 0.05].map(|side| place + 0.04 * toward + side * toward.perp());
+    let is_inside = |foot: &Vec2| {
+        let pixel = truth.pixel(foot.extend(0.0));
+        pixel.is_some_and(|at| (4.0..SIZE.0 as f32 - 4.0).contains(&at.x) && at.y < SIZE.1 as f32 - 4.0)
+    };
+    feet.iter().all(|foot| {
+        is_inside(foot) && [0.03, 0.1, 0.2].iter().all(|z| truth.shows(foot.extend(*z), Thing::Other(index)))
+    })
+}

@@ -1,0 +1,78 @@
+//! What is really in an image.
+
+use bica_motion::kinematics;
+use bica_motion::pose::Pose2;
+use bica_motion::side::Side;
+use bica_sim::World;
+use bica_sim::referee::{GoalColour, Thing};
+use bica_vision::projection::Camera;
+use glam::{Vec2, Vec3};
+
+use super::look::Look;
+
+/// The image's width and height, px.
+pub(super) const SIZE: (usize, usize) = (320, 240);
+
+/// What the referee knows of one image.
+pub(super) struct Truth {
+    /// The ground between the feet in the field frame.
+    pub(super) pose: Pose2,
+    pub(super) camera: Camera,
+    /// Field frame.
+    pub(super) ball: Vec2,
+    pub(super) others: Vec<Pose2>,
+    pub(super) attacks_yellow: bool,
+    things: Vec<Thing>,
+}
+
+impl Truth {
+    pub(super) fn of(look: &mut Look) -> Self {
+        let things = look.world.things();
+        let sensors = look.world.sensors();
+        let image = sensors.image.expect("there is a new one");
+        let camera = Camera::of_nao(image.camera, &sensors.angles, Side::Left, image.width, image.height);
+        let hips = kinematics::ground_from_robot(Side::Left, &sensors.angles).translation;
+        let referee = look.world.referee();
+        Self {
+            pose: referee.robot() * Pose2::new(-hips.x, -hips.y, 0.0),
+            camera,
+            ball: referee.ball(),
+            others: referee.others().to_vec(),
+            attacks_yellow: referee.attacks() == GoalColour::Yellow,
+            things,
+        }
+    }
+
+    /// The distance of a place of the field, m.
+    pub(super) fn distance(&self, place: Vec2) -> f32 {
+        self.pose.locate(place).length()
+    }
+
+    /// The pixel at which a point of the field frame would be seen if nothing hid it; within the image or not.
+    pub(super) fn pixel(&self, point: Vec3) -> Option<Vec2> {
+        self.camera.pixel(self.pose.locate(point.truncate()).extend(point.z))
+    }
+
+    /// What a pixel shows; none beside the image.
+    pub(super) fn thing(&self, pixel: Vec2) -> Option<Thing> {
+        let (x, y) = ((pixel.x + 0.5).floor(), (pixel.y + 0.5).floor());
+        let is_inside = x >= 0.0 && y >= 0.0 && x < SIZE.0 as f32 && y < SIZE.1 as f32;
+        is_inside.then(|| self.things[y as usize * SIZE.0 + x as usize])
+    }
+
+    /// Whether a point of the field frame is seen and shows that thing.
+    pub(super) fn shows(&self, point: Vec3, thing: Thing) -> bool {
+        self.pixel(point).is_some_and(|pixel| self.thing(pixel) == Some(thing))
+    }
+
+    /// How many pixels show a thing.
+    pub(super) fn area(&self, thing: Thing) -> usize {
+        self.things.iter().filter(|shown| **shown == thing).count()
+    }
+
+    /// Whether there is carpet at a place of the ground frame.
+    pub(super) fn is_carpet(&self, ground: Vec2) -> bool {
+        let place = self.pose.place(ground).abs();
+        place.x < bica_vision::pitch::CARPET.x && place.y < bica_vision::pitch::CARPET.y
+    }
+}
