@@ -3,12 +3,9 @@
 use std::time::Instant;
 
 use bica_motion::robot::Image;
-use bica_vision::ball::BallFinder;
-use bica_vision::colour::{Classify, Colour};
-use bica_vision::field_end::FieldEnd;
+use bica_vision::colour::Colour;
+use bica_vision::eyes::{self, Seen};
 use bica_vision::frame::Frame;
-use bica_vision::goal::{GoalFinder, Goals};
-use bica_vision::lines::{self, Line};
 use bica_vision::projection::Camera;
 use bica_vision::robots::{self, Team};
 use bica_vision::table::FullTable;
@@ -22,14 +19,9 @@ use crate::program::picture::scene::Marks;
 /// The detectors, with the colours and the ball that they look for.
 pub(crate) struct Eyes {
     palette: Palette,
-    detectors: Detectors,
-}
-
-struct Detectors {
     /// Radius of the ball, m.
     radius: f32,
-    balls: BallFinder<512>,
-    goals: GoalFinder<1024>,
+    eyes: eyes::Eyes<512, 1024>,
 }
 
 /// An image for machines. Pixels: x right, y down, centre of the first pixel (0, 0).
@@ -89,15 +81,6 @@ pub(crate) struct Goal {
     pub(crate) ground: Option<[f32; 2]>,
 }
 
-/// What the detectors found.
-struct Found {
-    end: FieldEnd,
-    ball: Option<bica_vision::ball::Ball>,
-    goals: Goals,
-    lines: Vec<Line>,
-    robots: robots::Robots,
-}
-
 /// Another robot for machines.
 #[derive(Clone, Debug, Serialize)]
 pub(crate) struct Robot {
@@ -114,7 +97,7 @@ pub(crate) struct Robot {
 impl Eyes {
     /// Opens them for a ball of `radius` metres.
     pub(crate) fn new(palette: Palette, radius: f32) -> Self {
-        Self { palette, detectors: Detectors { radius, balls: BallFinder::new(radius), goals: GoalFinder::new() } }
+        Self { palette, radius, eyes: eyes::Eyes::new(radius) }
     }
 
     /// Looks at an image; says why if it is none for these eyes.
@@ -124,29 +107,16 @@ impl Eyes {
         let camera = trusted.map(|pose| pose.camera(frame.width().into(), frame.height().into()));
         let camera = camera.as_ref();
         let began = Instant::now();
-        let found = match &self.palette {
-            Palette::Compact(table) => self.detectors.find(&frame, &**table, camera),
-            Palette::Full(cells) => self.detectors.find(&frame, &FullTable::from(&**cells), camera),
+        let seen = match &self.palette {
+            Palette::Compact(table) => self.eyes.look(&frame, &**table, camera),
+            Palette::Full(cells) => self.eyes.look(&frame, &FullTable::from(&**cells), camera),
         };
         let wall_ms = 1e3 * began.elapsed().as_secs_f64();
-        Ok(self.detectors.tell(file, pose, camera, found, wall_ms))
-    }
-}
-
-impl Detectors {
-    fn find(&mut self, frame: &Frame<'_>, colours: &impl Classify, camera: Option<&Camera>) -> Found {
-        let end = FieldEnd::find_with(frame, colours, camera);
-        let ball = self.balls.find(frame, colours, &end, camera);
-        let goals = self.goals.find(frame, colours, &end, camera);
-        // Without a pose, a line that runs away looks as upright as a robot.
-        let robots = camera.map(|camera| robots::find(frame, colours, &end, Some(camera))).unwrap_or_default();
-        let mut lines = lines::find(frame, colours, &end).to_vec();
-        lines.retain(|line| !robots.iter().any(|robot| robot.covers(line.from.midpoint(line.to))));
-        Found { end, ball, goals, lines, robots }
+        Ok(self.tell(file, pose, camera, seen, wall_ms))
     }
 
-    fn tell(&self, file: &str, pose: Option<&Pose>, camera: Option<&Camera>, found: Found, wall_ms: f64) -> Sighting {
-        let Found { end, ball, goals, lines, robots } = found;
+    fn tell(&self, file: &str, pose: Option<&Pose>, camera: Option<&Camera>, seen: Seen, wall_ms: f64) -> Sighting {
+        let Seen { end, ball, goals, lines, robots } = seen;
         let goals: Vec<_> = [goals.yellow, goals.blue].into_iter().flatten().collect();
         Sighting {
             file: file.to_owned(),
@@ -162,7 +132,13 @@ impl Detectors {
             robots: robots.iter().map(|robot| Robot::new(robot, camera)).collect(),
             wall_ms,
             camera: camera.copied(),
-            marks: Marks { ball, goals, field_end: end.corners().to_vec(), lines, robots: robots.to_vec() },
+            marks: Marks {
+                ball,
+                goals,
+                field_end: end.corners().to_vec(),
+                lines: lines.to_vec(),
+                robots: robots.to_vec(),
+            },
         }
     }
 }

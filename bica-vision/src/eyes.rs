@@ -1,0 +1,56 @@
+//! Everything at once: the detectors in the order in which one needs the other.
+//!
+//! A caller who wants less calls the detectors alone; what each costs stands at its module. Together they share one
+//! pass over the rows for ball and goals.
+
+use crate::ball::{Ball, BallFinder};
+use crate::colour::Classify;
+use crate::field_end::FieldEnd;
+use crate::frame::Frame;
+use crate::goal::{GoalFinder, Goals};
+use crate::lines::{self, Lines};
+use crate::projection::Camera;
+use crate::robots::{self, Robots};
+
+/// All detectors, with memory for `B` runs of the ball's colour and `G` runs of the goals' colours.
+///
+/// `B` = 512 and `G` = 1024 are plenty.
+#[derive(Clone, Debug)]
+pub struct Eyes<const B: usize, const G: usize> {
+    balls: BallFinder<B>,
+    goals: GoalFinder<G>,
+}
+
+/// What is seen in a frame.
+#[derive(Clone, Debug, Default)]
+pub struct Seen {
+    /// The line at which the field ends.
+    pub end: FieldEnd,
+    /// The ball.
+    pub ball: Option<Ball>,
+    /// Both goals.
+    pub goals: Goals,
+    /// Other robots; none without a camera's pose, as then a line that runs away looks as upright as a robot.
+    pub robots: Robots,
+    /// White lines, px; not those on a robot.
+    pub lines: Lines,
+}
+
+impl<const B: usize, const G: usize> Eyes<B, G> {
+    /// For balls of a radius, m.
+    #[must_use]
+    pub const fn new(radius: f32) -> Self {
+        Self { balls: BallFinder::new(radius), goals: GoalFinder::new() }
+    }
+
+    /// Looks for everything in a frame; with `camera`, what does not fit its pose is refused.
+    pub fn look(&mut self, frame: &Frame<'_>, colours: &impl Classify, camera: Option<&Camera>) -> Seen {
+        let end = FieldEnd::find_with(frame, colours, camera);
+        let ball = self.balls.find(frame, colours, &end, camera);
+        let goals = self.goals.find(frame, colours, &end, camera);
+        let robots = camera.map(|camera| robots::find(frame, colours, &end, Some(camera))).unwrap_or_default();
+        let mut lines = lines::find(frame, colours, &end);
+        lines.retain(|line| !robots.iter().any(|robot| robot.covers(line.from.midpoint(line.to))));
+        Seen { end, ball, goals, robots, lines }
+    }
+}
