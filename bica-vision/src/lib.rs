@@ -19,9 +19,9 @@
 //!
 //! Everything together takes 0.12 ms on real frames, 0.25 ms on noise, 0.3 ms at 640 × 480.
 //!
-//! [`eyes`] is everything together. Each detector asks for its own classes and does its own segmentation, so what is not called costs nothing: with only
-//! the ball wanted no goal is looked for. A caller who wants several can segment once, with [`segment::Runs`] for all
-//! classes, and hand the runs to [`goal::among`] and the regions to [`ball::best`].
+//! [`eyes`] is everything together. Each detector asks for its own classes and does its own segmentation, so what is
+//! not called costs nothing: with only the ball wanted no goal is looked for. A caller who wants several can segment
+//! once, with [`segment::Runs`] for all classes, and hand the runs to [`goal::among`] and the regions to [`ball::best`].
 //!
 //! Pixels: x to the right, y down, the centre of the first pixel is (0, 0). World: the ground frame of
 //! [`projection`], metres, x forward, y left, z up.

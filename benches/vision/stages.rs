@@ -1,0 +1,121 @@
+//! The stages of seeing, each on what the stages before it found.
+
+use std::hint::black_box;
+
+use bica_vision::ball::{self, BallFinder};
+use bica_vision::centre_circle;
+use bica_vision::colour::{Classify, Colour, ColourSet};
+use bica_vision::crossings;
+use bica_vision::eyes::Eyes;
+use bica_vision::field_end::FieldEnd;
+use bica_vision::frame::Pair;
+use bica_vision::goal::GoalFinder;
+use bica_vision::lines::{self, Lines};
+use bica_vision::regions::Regions;
+use bica_vision::robots;
+use bica_vision::segment::{Area, Runs};
+use bica_vision::table::CompactTable;
+
+use crate::shot::Shot;
+
+/// Runs of all classes that are kept.
+const RUNS: usize = 8192;
+/// How near lines must come to meet, as a part of the image's height.
+const REACH: f32 = 0.05;
+/// Lines farther away are not projected, m.
+const FARTHEST: f32 = 4.5;
+
+/// The memory of all stages, as a robot has it, and a place to copy a frame to.
+pub(crate) struct Desk {
+    copy: Vec<u8>,
+    runs: Runs<RUNS>,
+    regions: Regions<RUNS, 64>,
+    balls: BallFinder<512>,
+    goals: GoalFinder<1024>,
+    eyes: Eyes<512, 1024>,
+}
+
+/// A frame with what earlier stages found in it.
+pub(crate) struct Given<'a> {
+    pub(crate) shot: &'a Shot,
+    pub(crate) table: &'a CompactTable,
+    end: FieldEnd,
+    lines: Lines,
+    on_ground: Lines,
+}
+
+impl<'a> Given<'a> {
+    pub(crate) fn new(shot: &'a Shot, table: &'a CompactTable) -> Self {
+        let end = FieldEnd::find_with(&shot.frame(), table, shot.camera.as_ref());
+        let lines = lines::find(&shot.frame(), table, &end);
+        let on_ground = shot.camera.map(|camera| lines::on_ground(&lines, &camera, FARTHEST)).unwrap_or_default();
+        Self { shot, table, end, lines, on_ground }
+    }
+}
+
+/// A stage: its name and what it does.
+pub(crate) type Stage = (&'static str, fn(&mut Desk, &Given<'_>));
+
+/// The floor that no stage that reads the whole frame can go below.
+pub(crate) const MEMCPY: &str = "memcpy";
+/// All detectors together.
+pub(crate) const EVERYTHING: &str = "everything";
+
+/// From the frame to all that is seen in it.
+pub(crate) const STAGES: [Stage; 12] = [
+    (MEMCPY, |desk, given| {
+        desk.copy.clear();
+        desk.copy.extend_from_slice(black_box(&given.shot.yuyv));
+        black_box(&desk.copy);
+    }),
+    ("colour", |_, given| {
+        let frame = given.shot.frame();
+        let pairs = (0..frame.height()).flat_map(|row| frame.row(row));
+        let green = pairs.filter(|pair| given.table.classify(Pair(**pair).mean()) == Colour::Green);
+        black_box(green.count());
+    }),
+    ("runs", |desk, given| {
+        let all = Colour::ALL.into_iter().fold(ColourSet::EMPTY, |all, one| all | ColourSet::of(one));
+        desk.runs.segment(&given.shot.frame(), given.table, all, Area::ALL.every(2));
+    }),
+    // Of the runs that the stage before has left.
+    ("regions", |desk, _| desk.regions.connect(&desk.runs, 6)),
+    ("end of field", |_, given| {
+        black_box(FieldEnd::find_with(&given.shot.frame(), given.table, given.shot.camera.as_ref()));
+    }),
+    ("ball", |desk, given| {
+        black_box(desk.balls.find(&given.shot.frame(), given.table, &given.end, given.shot.camera.as_ref()));
+    }),
+    ("goals", |desk, given| {
+        black_box(desk.goals.find(&given.shot.frame(), given.table, &given.end, given.shot.camera.as_ref()));
+    }),
+    ("robots", |_, given| {
+        let Some(camera) = &given.shot.camera else { return };
+        black_box(robots::find(&given.shot.frame(), given.table, &given.end, Some(camera)));
+    }),
+    ("lines", |_, given| {
+        black_box(lines::find(&given.shot.frame(), given.table, &given.end));
+    }),
+    ("crossings", |_, given| {
+        black_box(crossings::among(&given.lines, REACH * f32::from(given.shot.height)));
+    }),
+    ("centre circle", |_, given| {
+        black_box(centre_circle::among(&given.on_ground));
+    }),
+    (EVERYTHING, |desk, given| {
+        black_box(desk.eyes.look(&given.shot.frame(), given.table, given.shot.camera.as_ref()));
+    }),
+];
+
+impl Desk {
+    pub(crate) fn new() -> Box<Self> {
+        Box::new(Self {
+            copy: Vec::new(),
+            runs: Runs::new(),
+            regions: Regions::new(),
+            balls: BallFinder::new(ball::RADIUS_2009),
+            goals: GoalFinder::new(),
+            eyes: Eyes::new(ball::RADIUS_2009),
+        })
+    }
+}
