@@ -44,7 +44,9 @@ pub(crate) fn print(albums: &[Album]) {
     let Some((width, height)) = albums.first().map(Album::size) else { return };
     println!("\n{width}×{height}, µs for a frame: mean over the frames and slowest frame, × one memcpy");
     print!("{:16}", "");
-    albums.iter().for_each(|album| print!("{:>32}", format!("{} ({})", album.name, album.shots.len())));
+    for album in albums {
+        print!("{:>32}", format!("{} ({})", album.name, album.shots.len()));
+    }
     println!();
     let figures: Vec<_> = albums.iter().map(|album| measure(album, &STAGES)).collect();
     for (row, (stage, _)) in STAGES.iter().enumerate() {
