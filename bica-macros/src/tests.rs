@@ -81,6 +81,18 @@ fn our_attributes_are_gone_and_the_rest_is_as_written() {
 }
 
 #[test]
+fn what_runs_is_a_call_of_its_own_on_bare_metal_unless_its_author_says_otherwise() {
+    let never = |block: &TokenStream| {
+        let file = expanded(block);
+        let Item::Impl(block) = &file.items[0] else { panic!("the block comes first") };
+        words(quote!(#block)).iter().filter(|word| *word == "never").count()
+    };
+    assert_eq!(never(&quote!(impl Head { fn step(&mut self) {} fn pan(&self) -> f32 { 0.0 } })), 1);
+    assert_eq!(never(&quote!(impl Head { #[inline(always)] fn step(&mut self) {} })), 0);
+    assert_eq!(never(&machine()), 3, "two states and a hook that may write");
+}
+
+#[test]
 fn generated_code_is_safe() {
     for code in [component::run(quote!(), &machine()), tree::run(forward())] {
         assert!(!words(code).contains(&"unsafe".to_owned()));

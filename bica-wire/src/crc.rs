@@ -28,9 +28,29 @@ const TABLE: [u32; 16] = {
 /// ```
 #[must_use]
 pub fn crc32(bytes: &[u8]) -> u32 {
-    !bytes.iter().fold(!0, |mut crc, &byte| {
-        crc ^= u32::from(byte);
-        crc = (crc >> 4) ^ TABLE[(crc & 15) as usize];
-        (crc >> 4) ^ TABLE[(crc & 15) as usize]
-    })
+    let mut crc = Crc32::new();
+    bytes.iter().for_each(|&byte| crc.add(byte));
+    crc.value()
+}
+
+/// The same, byte by byte.
+pub(crate) struct Crc32(u32);
+
+impl Crc32 {
+    /// Of no bytes.
+    pub(crate) const fn new() -> Self {
+        Self(!0)
+    }
+
+    /// Takes the next byte in.
+    pub(crate) const fn add(&mut self, byte: u8) {
+        let crc = self.0 ^ byte as u32;
+        let crc = (crc >> 4) ^ TABLE[(crc & 15) as usize];
+        self.0 = (crc >> 4) ^ TABLE[(crc & 15) as usize];
+    }
+
+    /// The check of all bytes so far.
+    pub(crate) const fn value(&self) -> u32 {
+        !self.0
+    }
 }

@@ -2,9 +2,10 @@
 
 use core::fmt;
 
+use postcard::ser_flavors::{Cobs, Flavor, Slice};
 use serde::Serialize;
 
-use crate::crc::crc32;
+use crate::crc::Crc32;
 
 /// Bytes of the running number, before the message.
 pub(crate) const NUMBER: usize = 2;
@@ -39,23 +40,36 @@ impl Sender {
         Self { number: 0 }
     }
 
-    /// Packs a message into `room`; the packet is the part that is returned.
+    /// Packs a message into `room`; the packet is the part that is returned. Needs no other memory.
     ///
     /// # Errors
     /// [`TooLarge`] if it does not fit.
     pub fn pack<'a>(&mut self, message: &impl Serialize, room: &'a mut [u8]) -> Result<&'a [u8], TooLarge> {
-        let mut plain = [0; MAX_PACKET];
-        plain[..NUMBER].copy_from_slice(&self.number.to_le_bytes());
-        let length = NUMBER + postcard::to_slice(message, &mut plain[NUMBER..]).map_err(|_| TooLarge)?.len();
-        let check = crc32(&plain[..length]).to_le_bytes();
-        plain.get_mut(length..length + CHECK).ok_or(TooLarge)?.copy_from_slice(&check);
-        let length = length + CHECK;
-        if room.len() <= cobs::max_encoding_length(length) {
-            return Err(TooLarge);
-        }
-        let end = cobs::encode(&plain[..length], room);
-        room[end] = 0;
+        let stuffed = Cobs::try_new(Slice::new(room)).map_err(|_| TooLarge)?;
+        let mut checked = Checked { to: stuffed, crc: Crc32::new() };
+        let packed = checked.try_extend(&self.number.to_le_bytes());
+        let packed = packed.and_then(|()| postcard::serialize_with_flavor(message, checked)).map_err(|_| TooLarge)?;
         self.number = self.number.wrapping_add(1);
-        Ok(&room[..=end])
+        Ok(packed)
+    }
+}
+
+/// Lets bytes pass, and their check after them.
+struct Checked<F> {
+    to: F,
+    crc: Crc32,
+}
+
+impl<F: Flavor> Flavor for Checked<F> {
+    type Output = F::Output;
+
+    fn try_push(&mut self, byte: u8) -> postcard::Result<()> {
+        self.crc.add(byte);
+        self.to.try_push(byte)
+    }
+
+    fn finalize(mut self) -> postcard::Result<F::Output> {
+        self.to.try_extend(&self.crc.value().to_le_bytes())?;
+        self.to.finalize()
     }
 }

@@ -23,12 +23,16 @@ static ROBOT: ConstStaticCell<Forward> = ConstStaticCell::new(Forward::new());
 static EYE: ConstStaticCell<[u8; EYE_BYTES]> = ConstStaticCell::new([0; EYE_BYTES]);
 static FRAME: ConstStaticCell<Frame<EYE_BYTES>> = ConstStaticCell::new(Frame::new());
 static RECEIVER: ConstStaticCell<Receiver<MAX_PACKET>> = ConstStaticCell::new(Receiver::new());
+static PACKET: ConstStaticCell<[u8; MAX_PACKET]> = ConstStaticCell::new([0; MAX_PACKET]);
+
+/// Room for the packet of a command, bytes: 250 at most, and what stuffing adds.
+const LAST_WORDS: usize = 320;
 
 /// Hears and ticks, forever. Called once.
 pub(crate) async fn live<B: Board>(mut ear: B::Ear, mouth: B::Mouth) -> ! {
     let (receiver, robot) = (RECEIVER.take(), ROBOT.take());
     robot.get_mut::<Eye>().lend(EYE.take());
-    let (mut voice, mut mind) = (Voice::new(mouth), Mind::<B>::new(robot, FRAME.take(), past()));
+    let (mut voice, mut mind) = (Voice::new(mouth, PACKET.take()), Mind::<B>::new(robot, FRAME.take(), past()));
     let period = Duration::from_hz(Forward::GRAPH.cycle_hz as u64);
     let mut ticker = Ticker::every(period);
     let mut due = Instant::now() + period;
@@ -87,7 +91,7 @@ pub(crate) fn end<B: Board>(reason: impl Display) -> ! {
         lights: Lights::default(),
         camera: CameraId::default(),
     };
-    let mut room = [0; MAX_PACKET];
+    let mut room = [0; LAST_WORDS];
     // A zero ends whatever packet the panic cut in two.
     B::cry(&[0]);
     if let Ok(packet) = Sender::new().pack(&FromRobot::Command(Command::new(u64::MAX, &limp)), &mut room) {

@@ -7,18 +7,19 @@ use embedded_io_async::Write;
 pub(crate) struct Voice<W> {
     link: W,
     sender: Sender,
+    /// Where packets are made. Not in [`Self::say`]: every future around it would hold one.
+    room: &'static mut [u8; MAX_PACKET],
 }
 
 impl<W: Write> Voice<W> {
     /// Has said nothing yet.
-    pub(crate) const fn new(link: W) -> Self {
-        Self { link, sender: Sender::new() }
+    pub(crate) const fn new(link: W, room: &'static mut [u8; MAX_PACKET]) -> Self {
+        Self { link, sender: Sender::new(), room }
     }
 
     /// Says it. What the link does not take is lost, as packets may be.
     pub(crate) async fn say(&mut self, message: &FromRobot<'_>) {
-        let mut room = [0; MAX_PACKET];
-        if let Ok(packet) = self.sender.pack(message, &mut room) {
+        if let Ok(packet) = self.sender.pack(message, self.room) {
             let _ = self.link.write_all(packet).await;
         }
     }

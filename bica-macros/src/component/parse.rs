@@ -121,6 +121,9 @@ fn hook(component: &mut Component, function: &mut ImplItemFn, attribute: &Attrib
 }
 
 /// Reads the signature, and spares its author lints that its form, given by its role, would raise.
+///
+/// On bare metal what runs stays a call of its own: inlined into the visit, its variables would lie on the stack while
+/// the children are visited, and a tree as deep as its longest chain would need the stack of all of them at once.
 fn called(component: &Component, function: &mut ImplItemFn, form: Form, report: &mut Report) -> Function {
     let arguments = signature::read(&function.sig, &component.item.self_ty, form, report);
     for condition in function.attrs.iter().filter(|attribute| attribute.path().is_ident("cfg")) {
@@ -135,5 +138,8 @@ fn called(component: &Component, function: &mut ImplItemFn, form: Form, report: 
         clippy::unused_self,
         reason = "an argument is a link, whether the function looks at it or not"
     )]));
+    if form == Form::Step && !function.attrs.iter().any(|attribute| attribute.path().is_ident("inline")) {
+        function.attrs.push(parse_quote!(#[cfg_attr(target_os = "none", inline(never))]));
+    }
     Function { name: function.sig.ident.clone(), doc, arguments }
 }

@@ -166,7 +166,7 @@ impl<const N: usize> Localizer<N> {
         }
         if !self.scattered {
             self.scattered = true;
-            self.particles = core::array::from_fn(|_| guess::anywhere(&mut self.random));
+            self.particles.iter_mut().for_each(|particle| *particle = guess::anywhere(&mut self.random));
         }
         let mut weights = [0.0; N];
         let mut fit = 0.0;

@@ -93,6 +93,20 @@ proptest! {
 }
 
 #[test]
+fn pieces_of_every_length_are_heard() {
+    // Without a zero in it: where a stretch of 254 bytes ends, the stuffing changes.
+    let piece = [255; 1024];
+    for bytes in (0..=piece.len()).map(|length| &piece[..length]) {
+        let message = ToRobot::Chunk(bica_wire::message::Chunk { image: u32::MAX, at: 1, bytes });
+        let mut heard = Vec::new();
+        hear(&mut Receiver::new(), &packets(std::slice::from_ref(&message)).concat(), |got, _| {
+            heard.push(got.as_ref() == Some(&message));
+        });
+        assert_eq!(heard, [true], "{} bytes", bytes.len());
+    }
+}
+
+#[test]
 fn more_than_a_packet_without_an_end_is_one_damaged_packet() {
     let mut receiver = Receiver::<MAX_PACKET>::new();
     hear(&mut receiver, &[1; 3 * MAX_PACKET], silent);
