@@ -29,7 +29,9 @@ const TABLE: [u32; 16] = {
 #[must_use]
 pub fn crc32(bytes: &[u8]) -> u32 {
     let mut crc = Crc32::new();
-    bytes.iter().for_each(|&byte| crc.add(byte));
+    for &byte in bytes {
+        crc.add(byte);
+    }
     crc.value()
 }
 

@@ -166,7 +166,9 @@ impl<const N: usize> Localizer<N> {
         }
         if !self.scattered {
             self.scattered = true;
-            self.particles.iter_mut().for_each(|particle| *particle = guess::anywhere(&mut self.random));
+            for particle in &mut self.particles {
+                *particle = guess::anywhere(&mut self.random);
+            }
         }
         let mut weights = [0.0; N];
         let mut fit = 0.0;
