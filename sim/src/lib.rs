@@ -28,8 +28,11 @@
 #![cfg_attr(test, expect(clippy::float_cmp, reason = "what must be exact is compared exactly"))]
 
 pub mod field;
+#[cfg(feature = "mujoco")]
+pub mod mujoco;
 mod random;
 pub mod referee;
+mod rules;
 mod world;
 
 pub use referee::Referee;

@@ -1,6 +1,7 @@
 //! The workspace's chores: `cargo xtask` lists them.
 
 mod firmware;
+mod mujoco;
 mod no_std;
 mod process;
 
@@ -14,6 +15,8 @@ Chores of the BICA workspace.
   cargo xtask firmware  builds the image for the microcontroller, boots it in QEMU, and plays a game of which every
                         cycle is thought on the host too; holds size, stack and instructions to their limits
                         (--build: only builds; --size: what takes how much; --bless: takes the new figures as right)
+  cargo xtask mujoco    installs what the feature `mujoco` needs: MuJoCo's library into target/mujoco (from PyPI, with pip), and
+                        EGL with Mesa's software renderer (with apt); `play --world mujoco` plays there
   cargo xtask ci        all that CI checks: format, lints, docs, tests, twenty games, no-std, firmware
 ";
 
@@ -25,6 +28,7 @@ fn main() -> ExitCode {
         (Some("firmware"), Some(more)) if ["--build", "--size", "--bless"].contains(&more.as_str()) => {
             firmware::check(Some(&more))
         }
+        (Some("mujoco"), None) => mujoco::install(),
         (Some("ci"), None) => ci(),
         (None | Some("help" | "--help" | "-h"), None) => {
             print!("{HELP}");

@@ -5,15 +5,15 @@
 
 mod ball;
 mod blocking;
-mod body;
+pub(crate) mod body;
 mod game;
 mod hull;
 mod obstacle;
-mod pitch;
-mod render;
+pub(crate) mod pitch;
+pub(crate) mod render;
 mod setup;
 mod shoe;
-mod start;
+pub(crate) mod start;
 
 use core::time::Duration;
 
@@ -165,7 +165,7 @@ impl World for FieldWorld {
             self.referee.note(now, event);
         }
         if self.keep_out() {
-            self.game.note_collision(now, &mut self.referee);
+            self.game.rules.note_collision(now, &mut self.referee);
         }
         self.body.feel();
         self.referee.see_robot(self.body.pose(), self.body.posture());

@@ -3,7 +3,7 @@
 mod balance;
 mod down;
 mod motors;
-mod senses;
+pub(crate) mod senses;
 mod stance;
 
 use bica_motion::fall::Direction;
@@ -203,7 +203,7 @@ fn draw_slip(random: &mut Random) -> Pose2 {
 }
 
 /// The side of the body that a direction in the robot frame leads to.
-fn side_of(way: Vec2) -> Direction {
+pub(crate) fn side_of(way: Vec2) -> Direction {
     match (way.x.abs() >= way.y.abs(), way.x >= 0.0, way.y >= 0.0) {
         (true, true, _) => Direction::Front,
         (true, false, _) => Direction::Back,

@@ -13,13 +13,13 @@ use crate::random::Random;
 use crate::world::CYCLE_SECONDS;
 
 /// Standard deviation of the gyroscope, rad/s. Source: variance in B-Human 2023 `NaoProvider.h`.
-const GYRO_NOISE: f32 = 0.001_97;
+pub(crate) const GYRO_NOISE: f32 = 0.001_97;
 /// Standard deviation of the accelerometer, m/s². Source: as before.
-const ACCELERATION_NOISE: f32 = 0.0193;
+pub(crate) const ACCELERATION_NOISE: f32 = 0.0193;
 /// Standard deviation of the estimated torso angles, rad (our estimate).
-const ANGLE_NOISE: f32 = 0.002;
+pub(crate) const ANGLE_NOISE: f32 = 0.002;
 /// Standard deviation of a pressure sensor under load, N (our estimate).
-const PRESSURE_NOISE: f32 = 0.2;
+pub(crate) const PRESSURE_NOISE: f32 = 0.2;
 /// The smallest angle that a joint's encoder tells apart, rad: 12 bits a turn.
 const ENCODER_STEP: f32 = TAU / 4096.0;
 /// Share of a new acceleration in the measured one: bones and plastic soften it.

@@ -11,7 +11,7 @@ mod ground;
 mod hall;
 mod light;
 mod lines;
-mod palette;
+pub(crate) mod palette;
 mod solid;
 mod view;
 

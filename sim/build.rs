@@ -1,0 +1,21 @@
+//! Finds MuJoCo's library for the feature `mujoco`, and lets tests and examples find it when they run.
+
+use std::env;
+use std::path::Path;
+
+const FOLDER: &str = "MUJOCO_DYNAMIC_LINK_DIR";
+
+fn main() {
+    println!("cargo::rerun-if-env-changed={FOLDER}");
+    if env::var_os("CARGO_FEATURE_MUJOCO").is_none() {
+        return;
+    }
+    let folder = env::var(FOLDER).unwrap_or_default();
+    println!("cargo::rerun-if-changed={folder}");
+    if Path::new(&folder).join("libmujoco.so").is_file() {
+        println!("cargo::rustc-link-arg=-Wl,-rpath,{folder}");
+    } else {
+        println!("cargo::error=the feature `mujoco` needs MuJoCo's library, and `{folder}` does not hold it");
+        println!("cargo::error=`cargo xtask mujoco` installs it");
+    }
+}

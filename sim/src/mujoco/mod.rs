@@ -1,0 +1,44 @@
+//! The field with real forces: a NAO that can topple, in MuJoCo. With the feature `mujoco`.
+//!
+//! The same [`World`](crate::World) as the built-in one, from the same [`Setup`](crate::field::Setup), and by the same
+//! rules; but bodies have mass, soles slip, motors have limits and what loses its balance falls. What a real robot adds to
+//! physics is added here: dead time of the motors, noise and delay of the sensors; [`Physics`] says how much.
+//!
+//! ```no_run
+//! use bica_motion::{robot::{CameraId, Command, Lights}, stand::{STAND, Stiffness}};
+//! use bica_sim::{World, field::Setup, mujoco::{MujocoWorld, Physics}};
+//! use glam::Vec2;
+//!
+//! let physics = Physics { friction: 0.7, dead_time: 0.04, cameras: false, ..Physics::default() };
+//! let mut world = MujocoWorld::new(&Setup { seed: 7, ..Setup::default() }, &physics)?;
+//! let stand = Command {
+//!     targets: STAND,
+//!     stiffness: Stiffness::Stand.joints(),
+//!     lights: Lights::default(),
+//!     camera: CameraId::Top,
+//! };
+//! for cycle in 0..500 {
+//!     if cycle == 200 {
+//!         world.push(Vec2::new(0.0, 0.2));
+//!     }
+//!     world.act(&stand);
+//! }
+//! println!("falls: {}", world.referee().falls());
+//! # Ok::<(), bica_sim::mujoco::Error>(())
+//! ```
+//!
+//! Method: rigid bodies with soft contacts (Todorov, Erez and Tassa 2012), steps of 2 ms. The robot is `models/nao.xml`; the
+//! field is made of the same lengths as the built-in one.
+
+mod contacts;
+mod error;
+mod model;
+mod motors;
+mod physics;
+mod posture;
+mod senses;
+mod world;
+
+pub use error::Error;
+pub use physics::Physics;
+pub use world::MujocoWorld;

@@ -1,0 +1,114 @@
+//! The model that MuJoCo computes: the robot of `models/nao.xml` on a field made from the field's lengths.
+
+mod field;
+mod paint;
+mod robots;
+
+use std::fmt::Write;
+
+use bica_motion::joints::{JOINTS, Joint};
+use mujoco_rs::prelude::{MjModel, MjtObjBase};
+use mujoco_rs::wrappers::mj_auxiliary::MjVfs;
+
+use self::paint::Paint;
+use super::error::Error;
+use super::physics::Physics;
+use crate::field::pitch::BALL_RADIUS;
+use crate::field::start::Layout;
+
+/// The robot.
+const NAO: &str = include_str!("../../../models/nao.xml");
+/// Gravity, m/s².
+pub(crate) const GRAVITY: f32 = 9.81;
+/// One step of the physics, s.
+pub(crate) const STEP: f32 = 0.002;
+
+/// A model, and where in its arrays things are.
+pub(crate) struct Model {
+    pub(crate) physics: Box<MjModel>,
+    /// The torso's free joint: its place in positions and in velocities.
+    pub(crate) torso: Place,
+    pub(crate) ball: Place,
+    /// Each joint's angle among the positions.
+    pub(crate) joints: [usize; JOINTS],
+    pub(crate) feet: [usize; 2],
+}
+
+/// Where a free joint is in the arrays.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Place {
+    pub(crate) position: usize,
+    pub(crate) velocity: usize,
+}
+
+impl Model {
+    /// Builds the model of a game.
+    pub(crate) fn new(layout: &Layout, physics: &Physics) -> Result<Self, Error> {
+        let failed = |error: &dyn std::fmt::Display| Error::Model(error.to_string());
+        let mut files = MjVfs::new();
+        files.add_from_buffer("nao.xml", NAO.as_bytes()).map_err(|error| failed(&error))?;
+        files.add_from_buffer("world.xml", world(layout).as_bytes()).map_err(|error| failed(&error))?;
+        let model = MjModel::from_xml_vfs("world.xml", &files).map_err(|error| failed(&error))?;
+        let mut model = Self::index(model)?;
+        model.adjust(layout, physics)?;
+        Ok(model)
+    }
+
+    fn index(physics: MjModel) -> Result<Self, Error> {
+        let free = |name| -> Result<Place, Error> {
+            let joint = find(&physics, MjtObjBase::mjOBJ_JOINT, name)?;
+            let (position, velocity) = (physics.jnt_qposadr()[joint], physics.jnt_dofadr()[joint]);
+            Ok(Place { position: position as usize, velocity: velocity as usize })
+        };
+        let (torso, ball) = (free("Torso")?, free("Ball")?);
+        let mut joints = [0; JOINTS];
+        for joint in Joint::ALL {
+            let id = find(&physics, MjtObjBase::mjOBJ_JOINT, &format!("{joint:?}"))?;
+            joints[joint.index()] = physics.jnt_qposadr()[id] as usize;
+        }
+        let foot = |name| find(&physics, MjtObjBase::mjOBJ_BODY, name);
+        let feet = [foot("LFoot")?, foot("RFoot")?];
+        Ok(Self { physics: Box::new(physics), torso, ball, joints, feet })
+    }
+
+    /// Sets what differs from game to game.
+    fn adjust(&mut self, layout: &Layout, physics: &Physics) -> Result<(), Error> {
+        for sole in ["LSole", "RSole"] {
+            let id = find(&self.physics, MjtObjBase::mjOBJ_GEOM, sole)?;
+            self.physics.geom_friction_mut()[id][0] = physics.friction.into();
+        }
+        let ball = find(&self.physics, MjtObjBase::mjOBJ_GEOM, "Ball")?;
+        self.physics.geom_friction_mut()[ball][2] = rolling_friction(layout.braking).into();
+        Ok(())
+    }
+}
+
+/// The arm of the torque, m, with which the carpet brakes the ball by `braking` m/s²: a solid ball slows down by 5/7 of
+/// what the force at its rim would do to a point.
+fn rolling_friction(braking: f32) -> f32 {
+    1.4 * braking * BALL_RADIUS / GRAVITY
+}
+
+pub(crate) fn find(model: &MjModel, kind: MjtObjBase, name: &str) -> Result<usize, Error> {
+    model.name_to_id(kind, name).ok_or_else(|| Error::Model(format!("it has no `{name}`")))
+}
+
+/// The world that includes the robot.
+fn world(layout: &Layout) -> String {
+    let paint = Paint::of(layout);
+    let mut xml = String::from("<mujoco model=\"field\">\n<include file=\"nao.xml\"/>\n");
+    paint.write(&mut xml);
+    xml.push_str("<worldbody>\n");
+    field::write(&mut xml);
+    for other in &layout.others {
+        robots::write(&mut xml, other);
+    }
+    let _ = writeln!(
+        xml,
+        "<body name=\"Ball\"><freejoint name=\"Ball\"/><geom name=\"Ball\" type=\"sphere\" size=\"{BALL_RADIUS}\" \
+         mass=\"0.055\" material=\"ball\" contype=\"16\" conaffinity=\"45\" condim=\"6\" priority=\"2\" \
+         friction=\"0.7 0.003 0.0016\" solref=\"0.01 0.25\"/></body>"
+    );
+    xml.push_str("</worldbody>\n</mujoco>\n");
+    xml
+}

@@ -1,0 +1,145 @@
+//! What the body's sensors say: late and with noise.
+
+use std::collections::VecDeque;
+
+use bica_motion::joints::Joints;
+use bica_motion::robot::{FootPressure, Inertial};
+use glam::Vec3;
+use libm::{asinf, atan2f};
+
+use super::model::{GRAVITY, STEP};
+use super::physics::Physics;
+use crate::field::body::senses::{ACCELERATION_NOISE, ANGLE_NOISE, GYRO_NOISE, PRESSURE_NOISE, encode};
+use crate::random::{Random, Stream};
+
+/// The inertial unit gives means over this many steps: a control cycle.
+const MEAN: usize = 5;
+/// The most that the accelerometer measures, m/s² (2 g).
+const MOST_ACCELERATION: f32 = 2.0 * GRAVITY;
+
+/// What is true in one step of the physics.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Truth {
+    /// Joint angles.
+    pub(crate) angles: Joints,
+    /// Angular velocity, torso frame, rad/s.
+    pub(crate) gyro: Vec3,
+    /// Specific force, torso frame, m/s².
+    pub(crate) acceleration: Vec3,
+    /// The torso's axes: the height of each one's tip.
+    pub(crate) rise: Vec3,
+    /// Left first.
+    pub(crate) feet: [FootPressure; 2],
+}
+
+/// What the sensors say.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Felt {
+    pub(crate) angles: Joints,
+    pub(crate) inertial: Inertial,
+    pub(crate) feet: [FootPressure; 2],
+}
+
+/// The sensors of a body.
+pub(crate) struct Senses {
+    /// The newest last.
+    truths: VecDeque<Truth>,
+    delay: usize,
+    noise: f32,
+    random: Random,
+}
+
+impl Senses {
+    /// Sensors of a body that has been as it is now for long.
+    pub(crate) fn new(now: Truth, seed: u64, physics: &Physics) -> Self {
+        let delay = libm::roundf(physics.sensor_delay / STEP) as usize;
+        let truths = core::iter::repeat_n(now, delay + MEAN).collect();
+        Self { truths, delay, noise: physics.noise, random: Random::new(seed, Stream::Sensors) }
+    }
+
+    /// Lets one step of the physics pass.
+    pub(crate) fn step(&mut self, now: Truth) {
+        self.truths.pop_front();
+        self.truths.push_back(now);
+    }
+
+    /// Reads all sensors; once per cycle.
+    pub(crate) fn feel(&mut self) -> Felt {
+        let late = self.truths[self.truths.len() - 1 - self.delay];
+        let [gyro, acceleration] = self.means();
+        let mut deviate = |deviation: f32| self.noise * deviation * self.random.normal();
+        let mut around = |deviation: f32| Vec3::new(deviate(deviation), deviate(deviation), deviate(deviation));
+        let inertial = Inertial {
+            gyro: gyro + around(GYRO_NOISE),
+            acceleration: acceleration + around(ACCELERATION_NOISE),
+            roll: atan2f(late.rise.y, late.rise.z) + deviate(ANGLE_NOISE),
+            pitch: asinf((-late.rise.x).clamp(-1.0, 1.0)) + deviate(ANGLE_NOISE),
+        };
+        let feet = late.feet.map(|foot| press(&foot, || deviate(PRESSURE_NOISE)));
+        Felt { angles: encode(&late.angles), inertial, feet }
+    }
+
+    /// What the inertial unit measures: means over a cycle whose middle is as old as the delay says, if it can be.
+    fn means(&self) -> [Vec3; 2] {
+        let newest = self.truths.len() - self.delay.saturating_sub(MEAN / 2);
+        let window = self.truths.range(newest - MEAN..newest);
+        let limit = |force: Vec3| force.clamp(Vec3::splat(-MOST_ACCELERATION), Vec3::splat(MOST_ACCELERATION));
+        let sums =
+            window.fold([Vec3::ZERO; 2], |[gyro, force], truth| [gyro + truth.gyro, force + limit(truth.acceleration)]);
+        sums.map(|sum| sum / MEAN as f32)
+    }
+}
+
+/// Pressure with noise; a foot in the air feels nothing.
+fn press(foot: &FootPressure, mut noise: impl FnMut() -> f32) -> FootPressure {
+    let mut feel = |force: f32| (force + noise()).max(0.0);
+    let felt = FootPressure {
+        front_left: feel(foot.front_left),
+        front_right: feel(foot.front_right),
+        rear_left: feel(foot.rear_left),
+        rear_right: feel(foot.rear_right),
+    };
+    if foot.total() > 0.0 { felt } else { FootPressure::default() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use bica_motion::joints::Joint;
+
+    fn truth(step: usize) -> Truth {
+        Truth {
+            angles: Joints::all(0.1 * step as f32),
+            gyro: Vec3::splat(step as f32),
+            acceleration: Vec3::new(0.0, 0.0, GRAVITY),
+            rise: Vec3::Z,
+            feet: <[FootPressure; 2]>::default(),
+        }
+    }
+
+    #[test]
+    fn everything_is_as_old_as_the_delay_says() {
+        for (sensor_delay, steps) in [(0.0, 0), (0.006, 3), (0.04, 20)] {
+            let physics = Physics { sensor_delay, noise: 0.0, ..Physics::default() };
+            let mut senses = Senses::new(truth(0), 1, &physics);
+            for step in 1..=100 {
+                senses.step(truth(step));
+            }
+            let felt = senses.feel();
+            let age = 100.0 - felt.angles[Joint::HeadYaw] / 0.1;
+            assert!((age - steps as f32).abs() < 0.02, "{age} {steps}");
+            let age = 100.0 - felt.inertial.gyro.x;
+            assert!((age - steps.max(MEAN / 2) as f32).abs() < 1e-3, "{age} {steps}");
+        }
+    }
+
+    #[test]
+    fn noise_has_the_deviation_asked_for() {
+        for noise in [0.0, 1.0, 5.0] {
+            let mut senses = Senses::new(truth(0), 1, &Physics { noise, ..Physics::default() });
+            let squares = (0..3_000).map(|_| senses.feel().inertial.gyro.x.powi(2)).sum::<f32>() / 3_000.0;
+            let expected = noise * GYRO_NOISE;
+            assert!((squares.sqrt() - expected).abs() <= 0.05 * expected, "{} {expected}", squares.sqrt());
+        }
+    }
+}

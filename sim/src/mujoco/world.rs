@@ -1,0 +1,243 @@
+//! The world: MuJoCo steps, and what is around it.
+
+use core::time::Duration;
+
+use bica_motion::joints::{JOINTS, Joints};
+use bica_motion::kinematics::Skeleton;
+use bica_motion::pose::Pose2;
+use bica_motion::robot::{Buttons, Command, FootPressure, Sensors};
+use bica_motion::side::Side;
+use bica_motion::stand::STAND;
+use glam::{Affine3A, Quat, Vec2, Vec3};
+use mujoco_rs::prelude::{MjData, MjModel};
+
+use super::contacts::{Owners, Touches};
+use super::error::Error;
+use super::model::{Model, Place, STEP};
+use super::motors::Motors;
+use super::physics::Physics;
+use super::posture::Watch;
+use super::senses::{Felt, Senses, Truth};
+use crate::field::Setup;
+use crate::field::pitch::BALL_RADIUS;
+use crate::field::start::Layout;
+use crate::random::{Random, Stream};
+use crate::referee::Referee;
+use crate::rules::Rules;
+use crate::world::{CYCLE, CYCLE_SECONDS, World};
+
+/// Steps of the physics in a control cycle.
+const STEPS: usize = (CYCLE_SECONDS / STEP + 0.5) as usize;
+
+/// A robot on the field of 2009, with real forces.
+pub struct MujocoWorld {
+    cycle: u32,
+    data: MjData<Box<MjModel>>,
+    torso: Place,
+    ball: Place,
+    joints: [usize; JOINTS],
+    feet: [usize; 2],
+    owners: Owners,
+    motors: Motors,
+    senses: Senses,
+    felt: Felt,
+    buttons: Buttons,
+    watch: Watch,
+    rules: Rules,
+    referee: Referee,
+}
+
+impl MujocoWorld {
+    /// A game that is about to start.
+    ///
+    /// # Errors
+    ///
+    /// If the setup or the physics makes no world; the error names what is wrong.
+    pub fn new(setup: &Setup, physics: &Physics) -> Result<Self, Error> {
+        setup.check()?;
+        physics.check()?;
+        let layout = Layout::new(setup, &mut Random::new(setup.seed, Stream::Start));
+        let Model { physics: model, torso, ball, joints, feet } = Model::new(&layout, physics)?;
+        let owners = Owners::of(&model);
+        let mut data = MjData::new(model);
+        stand(&mut data, torso, &joints, layout.start.robot);
+        place(&mut data, ball, layout.start.ball);
+        data.forward();
+        let watch = Watch::new(layout.start.robot.heading);
+        let others = layout.others.iter().map(|other| other.pose).collect();
+        let mut senses = Senses::new(truth(&data, torso, &joints), setup.seed, physics);
+        let felt = senses.feel();
+        Ok(Self {
+            cycle: 0,
+            data,
+            torso,
+            ball,
+            joints,
+            feet,
+            owners,
+            motors: Motors::holding(STAND, physics),
+            senses,
+            felt,
+            buttons: Buttons::default(),
+            watch,
+            rules: Rules::default(),
+            referee: Referee::new(layout.attacks, layout.start.robot, layout.start.ball, others),
+        })
+    }
+
+    /// Pushes the robot: changes the velocity of its torso at once by `velocity`, m/s, field frame.
+    ///
+    /// A push that is no number is none.
+    pub fn push(&mut self, velocity: Vec2) {
+        if velocity.is_finite() {
+            let own = &mut self.data.qvel_mut()[self.torso.velocity..][..2];
+            own[0] += f64::from(velocity.x);
+            own[1] += f64::from(velocity.y);
+        }
+    }
+
+    /// Puts the ball somewhere, at rest; m, field frame. For trials.
+    /// A place that is no number is none.
+    pub fn place_ball(&mut self, at: Vec2) {
+        if at.is_finite() {
+            place(&mut self.data, self.ball, at);
+            self.referee.see_ball(at, Vec2::ZERO);
+        }
+    }
+
+    /// Lets the ball roll at once with a velocity, m/s, field frame. For trials. One that is no number is none.
+    pub fn kick_ball(&mut self, velocity: Vec2) {
+        if velocity.is_finite() {
+            let spin = Vec2::new(-velocity.y, velocity.x) / BALL_RADIUS;
+            let numbers = [velocity.x, velocity.y, 0.0, spin.x, spin.y, 0.0];
+            write(&mut self.data.qvel_mut()[self.ball.velocity..], &numbers);
+        }
+    }
+
+    fn step(&mut self, touches: &mut Touches) {
+        let torques = self.motors.step(&angles(&self.data, &self.joints));
+        for (control, torque) in self.data.ctrl_mut().iter_mut().zip(torques.0) {
+            *control = torque.into();
+        }
+        self.data.step();
+        let ahead = self.feet.map(|foot| {
+            let pose = &self.data.xmat()[foot];
+            Vec3::new(pose[0] as f32, pose[3] as f32, pose[6] as f32)
+        });
+        self.owners.look(&self.data, ahead, touches);
+        self.senses.step(truth(&self.data, self.torso, &self.joints));
+    }
+
+    /// The robot frame's pose in the field frame.
+    fn robot(&self) -> Affine3A {
+        pose(&self.data, self.torso)
+    }
+
+    fn judge(&mut self, touches: Touches) {
+        let (now, robot) = (self.now(), self.robot());
+        if let Some(event) = self.watch.look(&robot, touches.ground) {
+            self.referee.note(now, event);
+        }
+        self.referee.see_robot(self.watch.pose(&robot), self.watch.posture());
+        if touches.thing {
+            self.rules.note_collision(now, &mut self.referee);
+        }
+        let (at, velocity) = self.seen_ball();
+        self.rules.note_touch(now, touches.ball, velocity.length(), &mut self.referee);
+        if let Some(back) = self.rules.apply(now, at, &mut self.referee) {
+            place(&mut self.data, self.ball, back);
+        }
+        let (at, velocity) = self.seen_ball();
+        self.referee.see_ball(at, velocity);
+    }
+
+    fn seen_ball(&self) -> (Vec2, Vec2) {
+        let plane = |numbers: &[f64], at: usize| Vec2::new(numbers[at] as f32, numbers[at + 1] as f32);
+        (plane(self.data.qpos(), self.ball.position), plane(self.data.qvel(), self.ball.velocity))
+    }
+}
+
+impl World for MujocoWorld {
+    fn now(&self) -> Duration {
+        CYCLE * self.cycle
+    }
+
+    fn sensors(&mut self) -> Sensors<'_> {
+        Sensors {
+            angles: self.felt.angles,
+            inertial: self.felt.inertial,
+            left_foot: self.felt.feet[0],
+            right_foot: self.felt.feet[1],
+            buttons: self.buttons,
+            image: None,
+        }
+    }
+
+    fn act(&mut self, command: &Command) {
+        self.cycle += 1;
+        self.motors.command(command);
+        let mut touches = Touches::default();
+        for _ in 0..STEPS {
+            self.step(&mut touches);
+        }
+        self.buttons = touches.buttons;
+        self.felt = self.senses.feel();
+        self.judge(touches);
+    }
+
+    fn referee(&self) -> &Referee {
+        &self.referee
+    }
+}
+
+/// Lets the robot stand over a place.
+fn stand(data: &mut MjData<Box<MjModel>>, torso: Place, joints: &[usize], at: Pose2) {
+    let sole = Skeleton::of(&STAND).sole(Side::Left);
+    let turn = Quat::from_rotation_z(at.heading);
+    let numbers = [at.position.x, at.position.y, -sole.translation.z, turn.w, turn.x, turn.y, turn.z];
+    write(&mut data.qpos_mut()[torso.position..], &numbers);
+    for (&place, angle) in joints.iter().zip(STAND.0) {
+        data.qpos_mut()[place] = angle.into();
+    }
+}
+
+/// Puts the ball somewhere, at rest.
+fn place(data: &mut MjData<Box<MjModel>>, ball: Place, at: Vec2) {
+    write(&mut data.qpos_mut()[ball.position..], &[at.x, at.y, BALL_RADIUS, 1.0, 0.0, 0.0, 0.0]);
+    data.qvel_mut()[ball.velocity..][..6].fill(0.0);
+}
+
+fn write(to: &mut [f64], numbers: &[f32]) {
+    for (to, number) in to.iter_mut().zip(numbers) {
+        *to = f64::from(*number);
+    }
+}
+
+fn angles(data: &MjData<Box<MjModel>>, joints: &[usize; JOINTS]) -> Joints {
+    Joints(joints.map(|place| data.qpos()[place] as f32))
+}
+
+fn pose(data: &MjData<Box<MjModel>>, body: Place) -> Affine3A {
+    let at = |i: usize| data.qpos()[body.position + i] as f32;
+    let turn = Quat::from_xyzw(at(4), at(5), at(6), at(3)).normalize();
+    Affine3A::from_rotation_translation(turn, Vec3::new(at(0), at(1), at(2)))
+}
+
+fn truth(data: &MjData<Box<MjModel>>, torso: Place, joints: &[usize; JOINTS]) -> Truth {
+    let sensed = |i: usize| data.sensordata()[i] as f32;
+    let three = |i: usize| Vec3::new(sensed(i), sensed(i + 1), sensed(i + 2));
+    let foot = |i: usize| FootPressure {
+        front_left: sensed(i),
+        front_right: sensed(i + 1),
+        rear_left: sensed(i + 2),
+        rear_right: sensed(i + 3),
+    };
+    let turn = pose(data, torso).matrix3;
+    Truth {
+        angles: angles(data, joints),
+        gyro: three(0),
+        acceleration: three(3),
+        rise: Vec3::new(turn.x_axis.z, turn.y_axis.z, turn.z_axis.z),
+        feet: [foot(6), foot(10)],
+    }
+}

@@ -1,0 +1,34 @@
+//! The same seed is the same story, bit for bit.
+
+use bica_motion::joints::Joint;
+use bica_motion::stand::STAND;
+use bica_sim::World;
+use bica_sim::field::Setup;
+use glam::Vec2;
+
+use crate::puppet::{blind, command, world};
+
+/// Everything that the body told.
+fn story(seed: u64) -> Vec<u32> {
+    let mut world = world(&Setup { seed, robots: 2, ..Setup::default() }, &blind());
+    let mut told = Vec::new();
+    for cycle in 0..300 {
+        let mut targets = STAND;
+        targets[Joint::LHipPitch] -= 0.3 * (cycle as f32 * 0.2).sin();
+        if cycle == 150 {
+            world.push(Vec2::new(0.3, -0.9));
+        }
+        world.act(&command(targets, 0.8));
+        let sensors = world.sensors();
+        let feet = [sensors.left_foot.total(), sensors.right_foot.total()];
+        let inertial = sensors.inertial.gyro.to_array().into_iter().chain(sensors.inertial.acceleration.to_array());
+        told.extend(sensors.angles.0.into_iter().chain(feet).chain(inertial).map(f32::to_bits));
+    }
+    told
+}
+
+#[test]
+fn the_same_seed_is_the_same_story() {
+    assert!(story(3) == story(3));
+    assert!(story(3) != story(4));
+}

@@ -1,0 +1,78 @@
+//! What sensors say against what is true.
+
+use bica_motion::joints::Joint;
+use bica_motion::masses::TOTAL_MASS;
+use bica_motion::stand::STAND;
+use bica_sim::World;
+use bica_sim::mujoco::Physics;
+use glam::Vec3;
+
+use crate::puppet::{alone, blind, command, stand};
+
+#[test]
+fn soles_feel_the_weight_and_the_unit_feels_gravity() {
+    let mut world = alone(1, &blind());
+    stand(&mut world, 200);
+    let (mut weight, mut force, mut gyro) = (0.0, Vec3::ZERO, Vec3::ZERO);
+    for _ in 0..100 {
+        stand(&mut world, 1);
+        let sensors = world.sensors();
+        weight += (sensors.left_foot.total() + sensors.right_foot.total()) / 100.0;
+        force += sensors.inertial.acceleration / 100.0;
+        gyro += sensors.inertial.gyro / 100.0;
+    }
+    assert!((weight - 9.81 * TOTAL_MASS).abs() < 0.5, "{weight} N");
+    assert!((force.length() - 9.81).abs() < 0.05, "{force}");
+    assert!(gyro.length() < 0.01, "{gyro}");
+    let sensors = world.sensors();
+    let (roll, pitch) = (sensors.inertial.roll, sensors.inertial.pitch);
+    let expected = 9.81 * Vec3::new(-pitch.sin(), roll.sin() * pitch.cos(), roll.cos() * pitch.cos());
+    assert!((force - expected).length() < 0.2, "{force} {expected}");
+}
+
+#[test]
+fn a_leaning_torso_shows_in_angles_and_gravity() {
+    let mut targets = STAND;
+    for ankle in [Joint::LAnklePitch, Joint::RAnklePitch] {
+        targets[ankle] -= 0.08;
+    }
+    let mut world = alone(1, &blind());
+    for _ in 0..200 {
+        world.act(&command(targets, 1.0));
+    }
+    let inertial = world.sensors().inertial;
+    assert!(inertial.pitch > 0.05 && inertial.acceleration.x < -0.5, "{inertial:?}");
+}
+
+#[test]
+fn a_joint_moves_in_the_sensors_after_dead_time_and_delay() {
+    for (dead_time, sensor_delay, cycles) in [(0.0, 0.0, 1), (0.03, 0.006, 4), (0.04, 0.03, 8)] {
+        let mut world = alone(1, &Physics { dead_time, sensor_delay, ..blind() });
+        stand(&mut world, 50);
+        let before = world.sensors().angles[Joint::HeadYaw];
+        let mut targets = STAND;
+        targets[Joint::HeadYaw] = 1.0;
+        let moved = (1..20).find(|_| {
+            world.act(&command(targets, 1.0));
+            (world.sensors().angles[Joint::HeadYaw] - before).abs() > 0.001
+        });
+        assert_eq!(moved, Some(cycles), "{dead_time} {sensor_delay}");
+    }
+}
+
+#[test]
+fn joints_reach_their_targets_and_turn_no_faster_than_they_can() {
+    let mut world = alone(1, &blind());
+    stand(&mut world, 50);
+    let mut targets = STAND;
+    targets[Joint::HeadYaw] = 1.5;
+    let (mut before, mut fastest) = (0.0, 0.0_f32);
+    for _ in 0..150 {
+        world.act(&command(targets, 1.0));
+        let now = world.sensors().angles[Joint::HeadYaw];
+        fastest = fastest.max((now - before) / 0.01);
+        before = now;
+    }
+    assert!((before - 1.5).abs() < 0.03, "{before}");
+    assert!((3.0..8.3).contains(&fastest), "{fastest} rad/s");
+}

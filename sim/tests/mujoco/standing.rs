@@ -1,0 +1,58 @@
+//! Standing, being pushed, falling.
+
+use bica_motion::fall::Direction;
+use bica_motion::stand::STAND;
+use bica_sim::World;
+use bica_sim::mujoco::Physics;
+use bica_sim::referee::{Event, Posture};
+use glam::Vec2;
+
+use crate::puppet::{alone, blind, command, stand};
+
+#[test]
+fn a_robot_that_stands_stays_where_it_is() {
+    let mut world = alone(1, &blind());
+    stand(&mut world, 1_000);
+    let robot = world.referee().robot();
+    assert_eq!(world.referee().posture(), Posture::Upright);
+    assert!(robot.position.length() < 0.01 && robot.heading.abs() < 0.02, "{robot:?}");
+}
+
+#[test]
+fn a_robot_falls_to_where_it_is_pushed() {
+    for (push, fall) in [
+        (Vec2::new(2.5, 0.0), Direction::Front),
+        (Vec2::new(-2.5, 0.0), Direction::Back),
+        (Vec2::new(0.0, 3.0), Direction::Left),
+        (Vec2::new(0.0, -3.0), Direction::Right),
+    ] {
+        let mut world = alone(1, &blind());
+        stand(&mut world, 100);
+        world.push(push);
+        stand(&mut world, 200);
+        assert_eq!(world.referee().posture(), Posture::Down(fall));
+        assert_eq!(world.referee().falls(), 1);
+    }
+}
+
+#[test]
+fn limp_legs_carry_nothing() {
+    let mut world = alone(1, &blind());
+    for _ in 0..300 {
+        world.act(&command(STAND, 0.0));
+    }
+    assert_eq!(world.referee().falls(), 1);
+    assert_eq!(world.referee().count(|event| *event == Event::GotUp), 0);
+}
+
+#[test]
+fn a_slippery_floor_lets_the_soles_slide() {
+    let slide = |friction| {
+        let mut world = alone(1, &Physics { friction, ..blind() });
+        stand(&mut world, 50);
+        world.push(Vec2::new(0.0, 0.35));
+        stand(&mut world, 100);
+        world.referee().robot().position.y
+    };
+    assert!(slide(0.1) > 2.0 * slide(1.0) + 0.005, "{} {}", slide(0.1), slide(1.0));
+}

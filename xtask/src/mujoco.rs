@@ -1,0 +1,67 @@
+//! MuJoCo's library, and what draws its images without a screen.
+
+use std::env::consts::ARCH;
+use std::fs;
+use std::path::Path;
+
+use crate::process::{root, run, works};
+
+/// Where builds with the feature `mujoco` look for the library (`.cargo/config.toml` names it).
+const FOLDER: &str = "target/mujoco";
+/// The version that the crate `mujoco-rs` in use is made for.
+const VERSION: &str = "3.17.0";
+/// EGL and Mesa's software renderer, from Debian and its like.
+const DRAWING: [&str; 2] = ["libegl1", "libgl1-mesa-dri"];
+
+/// Installs the library in [`FOLDER`], out of the Python package that its makers publish, and [`DRAWING`].
+///
+/// # Errors
+/// What could not be installed.
+pub(crate) fn install() -> Result<(), String> {
+    let folder = root().join(FOLDER);
+    let library = format!("libmujoco.so.{VERSION}");
+    if folder.join(&library).is_file() {
+        eprintln!("xtask: {FOLDER}/{library} is there");
+    } else {
+        fetch(&folder, &library)?;
+    }
+    link(&folder, &library).map_err(|error| format!("cannot link {FOLDER}/libmujoco.so to {library}: {error}"))?;
+    if DRAWING.iter().all(|package| works("dpkg", &["-s", package])) {
+        eprintln!("xtask: {} are there", DRAWING.join(" and "));
+        return Ok(());
+    }
+    run("apt-get", &["update", "-qq"], &[])?;
+    run("apt-get", &[&["install", "-y", "-qq", "--no-install-recommends"], &DRAWING[..]].concat(), &[])
+}
+
+/// Gets the Python package and takes the library out of it.
+fn fetch(folder: &Path, library: &str) -> Result<(), String> {
+    if !works("python3", &["-m", "pip", "--version"]) {
+        run("apt-get", &["update", "-qq"], &[])?;
+        run("apt-get", &["install", "-y", "-qq", "--no-install-recommends", "python3-pip"], &[])?;
+    }
+    let wheel = folder.join("wheel");
+    let told = |error| format!("cannot write to {FOLDER}: {error}");
+    fs::create_dir_all(&wheel).map_err(told)?;
+    let (package, platform) = (format!("mujoco=={VERSION}"), format!("manylinux_2_28_{ARCH}"));
+    let place = format!("{FOLDER}/wheel");
+    let chosen = ["--only-binary=:all:", "--platform", &platform, "--python-version", "3.12"];
+    let get = ["-m", "pip", "download", "--quiet", "--no-deps", "--dest", &place, &package];
+    run("python3", &[&get[..], &chosen].concat(), &[])?;
+    let packed = fs::read_dir(&wheel).map_err(told)?.flatten().map(|entry| entry.path());
+    let packed = packed.max().ok_or("pip got no package")?;
+    run("python3", &["-m", "zipfile", "-e", &packed.to_string_lossy(), &place], &[])?;
+    fs::rename(wheel.join("mujoco").join(library), folder.join(library)).map_err(told)?;
+    fs::remove_dir_all(wheel).map_err(told)?;
+    eprintln!("xtask: put {library} into {FOLDER}");
+    Ok(())
+}
+
+/// Gives the library the name that the linker looks for.
+fn link(folder: &Path, library: &str) -> std::io::Result<()> {
+    let name = folder.join("libmujoco.so");
+    if name.symlink_metadata().is_ok() {
+        fs::remove_file(&name)?;
+    }
+    std::os::unix::fs::symlink(library, name)
+}
