@@ -1,6 +1,7 @@
 //! Writes what the robot sees from several places, one PNG each, to the folder given.
 //!
-//! `cargo run -p bica-sim --release --example look -- DIR`
+//! `cargo run -p bica-sim --release --example look -- DIR`, and with `--features mujoco` and `mujoco` after the folder the
+//! same in MuJoCo.
 
 use std::error::Error;
 use std::fs::{self, File};
@@ -80,18 +81,34 @@ fn shots() -> Vec<Shot> {
 fn main() -> Result<(), Box<dyn Error>> {
     let folder = std::env::args().nth(1).ok_or("the folder to write to is missing")?;
     fs::create_dir_all(&folder)?;
+    let world = if std::env::args().nth(2).is_some_and(|word| word == "mujoco") { mujoco } else { built_in };
     for shot in shots() {
         let path = Path::new(&folder).join(shot.name).with_extension("png");
-        take(&shot, &path)?;
+        take(&shot, world, &path)?;
         println!("{}", path.display());
     }
     Ok(())
 }
 
-fn take(shot: &Shot, path: &Path) -> Result<(), Box<dyn Error>> {
+type AnyWorld = Result<Box<dyn World>, Box<dyn Error>>;
+
+fn built_in(setup: &Setup) -> AnyWorld {
+    Ok(Box::new(FieldWorld::new(setup)?))
+}
+
+#[cfg(feature = "mujoco")]
+fn mujoco(setup: &Setup) -> AnyWorld {
+    Ok(Box::new(bica_sim::mujoco::MujocoWorld::new(setup, &bica_sim::mujoco::Physics::default())?))
+}
+
+#[cfg(not(feature = "mujoco"))]
+fn mujoco(_: &Setup) -> AnyWorld {
+    Err("build this with --features mujoco; `cargo xtask mujoco` installs what that needs".into())
+}
+
+fn take(shot: &Shot, world: fn(&Setup) -> AnyWorld, path: &Path) -> Result<(), Box<dyn Error>> {
     let start = Some(Start { robot: shot.robot, ball: shot.ball });
-    let mut world =
-        FieldWorld::new(&Setup { seed: shot.seed, frame: shot.frame, robots: 3, start, ..Setup::default() })?;
+    let mut world = world(&Setup { seed: shot.seed, frame: shot.frame, robots: 3, start, ..Setup::default() })?;
     let mut targets = world.sensors().angles;
     targets[Joint::HeadYaw] = shot.head.0;
     targets[Joint::HeadPitch] = shot.head.1;

@@ -12,6 +12,19 @@ pub const CYCLE: Duration = Duration::from_millis(10);
 /// The robot's control cycle, s.
 pub const CYCLE_SECONDS: f32 = 0.01;
 
+/// Images come every third of ten cycles: 30 in a second.
+const FRAMES_PER_TEN_CYCLES: u64 = 3;
+
+/// The number of the newest image in a cycle.
+pub(crate) const fn frame(cycle: u64) -> u64 {
+    cycle * FRAMES_PER_TEN_CYCLES / 10
+}
+
+/// Whether a camera takes an image in a cycle.
+pub(crate) const fn image_is_due(cycle: u64) -> bool {
+    cycle == 0 || frame(cycle) != frame(cycle - 1)
+}
+
 /// A robot in its surroundings: real, simulated or recorded.
 ///
 /// The loop is: read [`sensors`](Self::sensors), think, [`act`](Self::act). The world stands still in between.

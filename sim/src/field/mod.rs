@@ -29,10 +29,7 @@ pub use self::setup::{Frame, MAX_ROBOTS, Setup, SetupError, Start};
 use self::start::{Layout, Other};
 use crate::random::{Random, Stream};
 use crate::referee::{Posture, Referee, Thing};
-use crate::world::{CYCLE, World};
-
-/// Images come every third of ten cycles: 30 in a second.
-const FRAMES_PER_TEN_CYCLES: u64 = 3;
+use crate::world::{CYCLE, World, frame, image_is_due};
 
 /// A robot on the field of 2009.
 #[derive(Clone, Debug)]
@@ -84,12 +81,12 @@ impl FieldWorld {
 
     /// Whether a camera takes an image in this cycle.
     const fn image_is_due(&self) -> bool {
-        self.cycle == 0 || self.frame() != (self.cycle - 1) * FRAMES_PER_TEN_CYCLES / 10
+        image_is_due(self.cycle)
     }
 
     /// The number of the newest image.
     const fn frame(&self) -> u64 {
-        self.cycle * FRAMES_PER_TEN_CYCLES / 10
+        frame(self.cycle)
     }
 
     fn keep_out(&mut self) -> bool {

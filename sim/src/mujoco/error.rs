@@ -20,6 +20,8 @@ pub enum Error {
     },
     /// MuJoCo does not take the model.
     Model(String),
+    /// Nothing can be drawn.
+    Camera(String),
 }
 
 impl fmt::Display for Error {
@@ -30,6 +32,9 @@ impl fmt::Display for Error {
                 write!(f, "`{name}` cannot be {value}: it goes from {least} to {most}")
             }
             Self::Model(error) => write!(f, "MuJoCo does not take the model: {error}"),
+            Self::Camera(error) => {
+                write!(f, "nothing can be drawn: {error}; `cargo xtask mujoco` installs what that needs")
+            }
         }
     }
 }

@@ -32,6 +32,7 @@
 
 mod contacts;
 mod error;
+mod eye;
 mod model;
 mod motors;
 mod physics;

@@ -5,7 +5,7 @@ use core::time::Duration;
 use bica_motion::joints::{JOINTS, Joints};
 use bica_motion::kinematics::Skeleton;
 use bica_motion::pose::Pose2;
-use bica_motion::robot::{Buttons, Command, FootPressure, Sensors};
+use bica_motion::robot::{Buttons, CameraId, Command, FootPressure, Image, Sensors};
 use bica_motion::side::Side;
 use bica_motion::stand::STAND;
 use glam::{Affine3A, Quat, Vec2, Vec3};
@@ -13,25 +13,27 @@ use mujoco_rs::prelude::{MjData, MjModel};
 
 use super::contacts::{Owners, Touches};
 use super::error::Error;
+use super::eye::{Aim, Eye};
 use super::model::{Model, Place, STEP};
 use super::motors::Motors;
 use super::physics::Physics;
 use super::posture::Watch;
 use super::senses::{Felt, Senses, Truth};
 use crate::field::Setup;
+use crate::field::body::turn_rate;
 use crate::field::pitch::BALL_RADIUS;
 use crate::field::start::Layout;
 use crate::random::{Random, Stream};
 use crate::referee::Referee;
 use crate::rules::Rules;
-use crate::world::{CYCLE, CYCLE_SECONDS, World};
+use crate::world::{CYCLE, CYCLE_SECONDS, World, frame, image_is_due};
 
 /// Steps of the physics in a control cycle.
 const STEPS: usize = (CYCLE_SECONDS / STEP + 0.5) as usize;
 
 /// A robot on the field of 2009, with real forces.
 pub struct MujocoWorld {
-    cycle: u32,
+    cycle: u64,
     data: MjData<Box<MjModel>>,
     torso: Place,
     ball: Place,
@@ -41,6 +43,11 @@ pub struct MujocoWorld {
     motors: Motors,
     senses: Senses,
     felt: Felt,
+    eye: Option<Eye>,
+    camera: CameraId,
+    /// Both cameras' poses a cycle ago.
+    cameras_before: [Affine3A; 2],
+    image_is_new: bool,
     buttons: Buttons,
     watch: Watch,
     rules: Rules,
@@ -57,8 +64,9 @@ impl MujocoWorld {
         setup.check()?;
         physics.check()?;
         let layout = Layout::new(setup, &mut Random::new(setup.seed, Stream::Start));
-        let Model { physics: model, torso, ball, joints, feet } = Model::new(&layout, physics)?;
+        let Model { physics: model, torso, ball, joints, feet } = Model::new(setup, &layout, physics)?;
         let owners = Owners::of(&model);
+        let eye = physics.cameras.then(|| Eye::new(setup, &model)).transpose()?;
         let mut data = MjData::new(model);
         stand(&mut data, torso, &joints, layout.start.robot);
         place(&mut data, ball, layout.start.ball);
@@ -67,7 +75,7 @@ impl MujocoWorld {
         let others = layout.others.iter().map(|other| other.pose).collect();
         let mut senses = Senses::new(truth(&data, torso, &joints), setup.seed, physics);
         let felt = senses.feel();
-        Ok(Self {
+        let mut world = Self {
             cycle: 0,
             data,
             torso,
@@ -78,11 +86,17 @@ impl MujocoWorld {
             motors: Motors::holding(STAND, physics),
             senses,
             felt,
+            eye,
+            camera: CameraId::Top,
+            cameras_before: [Affine3A::IDENTITY; 2],
+            image_is_new: false,
             buttons: Buttons::default(),
             watch,
             rules: Rules::default(),
             referee: Referee::new(layout.attacks, layout.start.robot, layout.start.ball, others),
-        })
+        };
+        world.cameras_before = world.cameras();
+        Ok(world)
     }
 
     /// Pushes the robot: changes the velocity of its torso at once by `velocity`, m/s, field frame.
@@ -133,6 +147,25 @@ impl MujocoWorld {
         pose(&self.data, self.torso)
     }
 
+    /// Both cameras' poses in the field frame.
+    fn cameras(&self) -> [Affine3A; 2] {
+        let (robot, skeleton) = (self.robot(), Skeleton::of(&angles(&self.data, &self.joints)));
+        [CameraId::Top, CameraId::Bottom].map(|camera| robot * skeleton.camera(camera))
+    }
+
+    fn take_image(&mut self) {
+        if self.image_is_new || !image_is_due(self.cycle) || self.eye.is_none() {
+            return;
+        }
+        let (before, pose) = (self.cameras_before[self.camera as usize], self.cameras()[self.camera as usize]);
+        let turning = turn_rate(&before.matrix3, &pose.matrix3);
+        let aim = Aim { camera: self.camera, pose, turning, frame: frame(self.cycle) };
+        if let Some(eye) = &mut self.eye {
+            eye.take(&mut self.data, &aim);
+            self.image_is_new = true;
+        }
+    }
+
     fn judge(&mut self, touches: Touches) {
         let (now, robot) = (self.now(), self.robot());
         if let Some(event) = self.watch.look(&robot, touches.ground) {
@@ -159,21 +192,28 @@ impl MujocoWorld {
 
 impl World for MujocoWorld {
     fn now(&self) -> Duration {
-        CYCLE * self.cycle
+        CYCLE * u32::try_from(self.cycle).unwrap_or(u32::MAX)
     }
 
     fn sensors(&mut self) -> Sensors<'_> {
+        self.take_image();
         Sensors {
             angles: self.felt.angles,
             inertial: self.felt.inertial,
             left_foot: self.felt.feet[0],
             right_foot: self.felt.feet[1],
             buttons: self.buttons,
-            image: None,
+            image: self.eye.as_ref().filter(|_| self.image_is_new).map(|eye| {
+                let (width, height, yuyv) = eye.image();
+                Image { camera: self.camera, width, height, yuyv }
+            }),
         }
     }
 
     fn act(&mut self, command: &Command) {
+        self.cameras_before = self.cameras();
+        self.image_is_new = false;
+        self.camera = command.camera;
         self.cycle += 1;
         self.motors.command(command);
         let mut touches = Touches::default();

@@ -11,7 +11,7 @@ use crate::random::Random;
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Light {
     /// Where the brighter side is, unit vector.
-    from: Vec3,
+    pub(crate) from: Vec3,
     /// How the brightness of the ground changes over the field, 1/m.
     pub(crate) slope: (f32, f32),
 }

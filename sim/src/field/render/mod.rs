@@ -3,17 +3,17 @@
 //! The hall and the ground are a few large polygons whose pixels are mapped back to the plane that they show; what
 //! stands on the field are simple solids, drawn from the farthest to the nearest; the camera adds blur and noise.
 
-mod canvas;
+pub(crate) mod canvas;
 mod figure;
-mod finish;
+pub(crate) mod finish;
 mod goal;
 mod ground;
 mod hall;
-mod light;
+pub(crate) mod light;
 mod lines;
 pub(crate) mod palette;
 mod solid;
-mod view;
+pub(crate) mod view;
 
 use bica_motion::kinematics::Skeleton;
 use bica_motion::stand::STAND;

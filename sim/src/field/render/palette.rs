@@ -49,11 +49,18 @@ impl Palette {
 
     /// A colour as the camera sees it (BT.601, full range). Bright colours come close to white but do not clip hard.
     pub(crate) fn pixel(&self, colour: Rgb) -> Pixel {
+        let [y, cb, cr] = self.seen(colour);
+        let byte = |count: f32| (count + 0.5).clamp(0.0, 255.0) as u8;
+        [byte(y), byte(128.0 + cb), byte(128.0 + cr), 0]
+    }
+
+    /// Luma, blue and red chroma of a colour, in counts of 255; chroma 0 is grey. The sum of what its red, green and blue
+    /// alone give.
+    pub(crate) fn seen(&self, colour: Rgb) -> [f32; 3] {
         let soften = |x: f32| if x < 0.8 { x } else { 1.0 - 0.04 / (x - 0.6) };
         let seen = self.gain * colour;
         let (r, g, b) = (soften(seen.x), soften(seen.y), soften(seen.z));
         let y = 0.299 * r + 0.587 * g + 0.114 * b;
-        let byte = |x: f32| (x * 255.0 + 0.5).clamp(0.0, 255.0) as u8;
-        [byte(y), byte(128.0 / 255.0 + (b - y) / 1.772), byte(128.0 / 255.0 + (r - y) / 1.402), 0]
+        [y, (b - y) / 1.772, (r - y) / 1.402].map(|part| part * 255.0)
     }
 }

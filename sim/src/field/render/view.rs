@@ -6,7 +6,7 @@
 use glam::{Affine3A, Vec2, Vec3};
 
 /// Focal lengths over width and height. Source: B-Human 2023 and HULKs 2025 (618.66 and 617.16 px at 640×480).
-const FOCAL: (f32, f32) = (618.66 / 640.0, 617.16 / 480.0);
+pub(crate) const FOCAL: (f32, f32) = (618.66 / 640.0, 617.16 / 480.0);
 /// Nothing nearer than this is drawn, m.
 pub(crate) const NEAR: f32 = 0.01;
 

@@ -3,6 +3,8 @@
 mod field;
 mod paint;
 mod robots;
+#[cfg(test)]
+mod tests;
 
 use std::fmt::Write;
 
@@ -13,8 +15,12 @@ use mujoco_rs::wrappers::mj_auxiliary::MjVfs;
 use self::paint::Paint;
 use super::error::Error;
 use super::physics::Physics;
+use crate::field::Setup;
 use crate::field::pitch::BALL_RADIUS;
+use crate::field::render::light::Light;
+use crate::field::render::view::FOCAL;
 use crate::field::start::Layout;
+use crate::random::{Random, Stream};
 
 /// The robot.
 const NAO: &str = include_str!("../../../models/nao.xml");
@@ -43,14 +49,15 @@ pub(crate) struct Place {
 
 impl Model {
     /// Builds the model of a game.
-    pub(crate) fn new(layout: &Layout, physics: &Physics) -> Result<Self, Error> {
+    pub(crate) fn new(setup: &Setup, layout: &Layout, physics: &Physics) -> Result<Self, Error> {
         let failed = |error: &dyn std::fmt::Display| Error::Model(error.to_string());
         let mut files = MjVfs::new();
         files.add_from_buffer("nao.xml", NAO.as_bytes()).map_err(|error| failed(&error))?;
-        files.add_from_buffer("world.xml", world(layout).as_bytes()).map_err(|error| failed(&error))?;
+        files.add_from_buffer("world.xml", world(setup, layout).as_bytes()).map_err(|error| failed(&error))?;
         let model = MjModel::from_xml_vfs("world.xml", &files).map_err(|error| failed(&error))?;
         let mut model = Self::index(model)?;
         model.adjust(layout, physics)?;
+        model.focus(setup)?;
         Ok(model)
     }
 
@@ -79,6 +86,20 @@ impl Model {
         }
         let ball = find(&self.physics, MjtObjBase::mjOBJ_GEOM, "Ball")?;
         self.physics.geom_friction_mut()[ball][2] = rolling_friction(layout.braking).into();
+        let team = find(&self.physics, MjtObjBase::mjOBJ_MATERIAL, "team")?;
+        self.physics.mat_rgba_mut()[team] = paint::team(layout).extend(1.0).to_array();
+        Ok(())
+    }
+
+    /// Gives both cameras the focal lengths and the optical centre of the built-in world's.
+    fn focus(&mut self, setup: &Setup) -> Result<(), Error> {
+        let (width, height) = setup.frame.size();
+        let (width, height) = (width as f32, height as f32);
+        for name in ["Top", "Bottom"] {
+            let camera = find(&self.physics, MjtObjBase::mjOBJ_CAMERA, name)?;
+            self.physics.cam_sensorsize_mut()[camera] = [width, height];
+            self.physics.cam_intrinsic_mut()[camera] = [FOCAL.0 * width, FOCAL.1 * height, 0.5, 0.5];
+        }
         Ok(())
     }
 }
@@ -94,11 +115,13 @@ pub(crate) fn find(model: &MjModel, kind: MjtObjBase, name: &str) -> Result<usiz
 }
 
 /// The world that includes the robot.
-fn world(layout: &Layout) -> String {
+fn world(setup: &Setup, layout: &Layout) -> String {
+    let light = Light::new(&mut Random::new(setup.seed, Stream::Hall));
     let paint = Paint::of(layout);
     let mut xml = String::from("<mujoco model=\"field\">\n<include file=\"nao.xml\"/>\n");
     paint.write(&mut xml);
     xml.push_str("<worldbody>\n");
+    paint::lamps(&mut xml, light);
     field::write(&mut xml);
     for other in &layout.others {
         robots::write(&mut xml, other);

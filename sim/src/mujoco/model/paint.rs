@@ -2,6 +2,9 @@
 
 use std::fmt::Write;
 
+use glam::Vec3;
+
+use crate::field::render::light::Light;
 use crate::field::render::palette::{
     BLUE_TEAM, CARPET, JOINT, LINE, ORANGE, RED_TEAM, Rgb, SHELL, SKY_BLUE, WHITE, YELLOW,
 };
@@ -27,7 +30,7 @@ impl Paint {
         Self { attacked, own, team, opponents }
     }
 
-    /// Materials and lamps. A level surface is lit so that it has its own colour; one in the shade two thirds of it.
+    /// Materials, and how they are drawn.
     pub(crate) fn write(&self, xml: &mut String) {
         let materials = [
             ("carpet", CARPET),
@@ -42,10 +45,36 @@ impl Paint {
             ("shells", SHELL),
             ("joints", JOINT),
         ];
-        xml.push_str("<asset>\n");
+        // Multisampling and shadows cost a software renderer seconds.
+        xml.push_str(
+            "<statistic center=\"0 0 0.3\" extent=\"1\"/>\n<visual>\n<global offwidth=\"1280\" offheight=\"960\"/>\n\
+             <quality offsamples=\"0\" shadowsize=\"0\"/>\n<map znear=\"0.02\" zfar=\"40\"/>\n\
+             <headlight ambient=\"0.74 0.74 0.74\" diffuse=\"0 0 0\" specular=\"0 0 0\"/>\n</visual>\n<asset>\n\
+             <texture name=\"hall\" type=\"skybox\" builtin=\"gradient\" rgb1=\"0.62 0.62 0.64\" rgb2=\"0.40 0.39 0.38\" \
+             width=\"64\" height=\"384\"/>\n",
+        );
         for (name, Rgb { x, y, z }) in materials {
             let _ = writeln!(xml, "<material name=\"{name}\" rgba=\"{x} {y} {z} 1\" specular=\"0\" shininess=\"0\"/>");
         }
         xml.push_str("</asset>\n");
+    }
+}
+
+/// The colour of the robot's own team.
+pub(crate) fn team(layout: &Layout) -> Rgb {
+    Paint::of(layout).team
+}
+
+/// Lamps above and from the brighter side: with the light from all around a level surface has about its own colour, one
+/// in the shade three quarters of it, as in the built-in world.
+pub(crate) fn lamps(xml: &mut String, light: Light) {
+    let Vec3 { x, y, z } = -light.from;
+    for (direction, strength) in [((0.0, 0.0, -1.0), 0.17), ((x, y, z), 0.2)] {
+        let (x, y, z) = direction;
+        let _ = writeln!(
+            xml,
+            "<light type=\"directional\" pos=\"0 0 4\" dir=\"{x} {y} {z}\" castshadow=\"false\" \
+             diffuse=\"{strength} {strength} {strength}\" specular=\"0.1 0.1 0.1\"/>"
+        );
     }
 }

@@ -1,0 +1,124 @@
+//! The model is the robot that bica-motion knows.
+
+use bica_motion::joints::{Joint, Joints};
+use bica_motion::kinematics::{Segment, Skeleton};
+use bica_motion::limits::limit;
+use bica_motion::masses::TOTAL_MASS;
+use bica_motion::robot::CameraId;
+use bica_motion::side::Side;
+use glam::{Vec3, Vec3A};
+use mujoco_rs::prelude::{MjData, MjModel, MjtObjBase};
+
+use super::*;
+use crate::field::Setup;
+
+fn model() -> Model {
+    let setup = Setup::default();
+    let layout = Layout::new(&setup, &mut Random::new(0, Stream::Start));
+    Model::new(&setup, &layout, &Physics::default()).unwrap()
+}
+
+fn name(segment: Segment) -> String {
+    let on = |side: Side, part: &str| format!("{}{part}", if side == Side::Left { "L" } else { "R" });
+    match segment {
+        Segment::Torso | Segment::Neck | Segment::Head => format!("{segment:?}"),
+        Segment::Shoulder(side) => on(side, "Shoulder"),
+        Segment::Biceps(side) => on(side, "Biceps"),
+        Segment::Elbow(side) => on(side, "Elbow"),
+        Segment::Forearm(side) => on(side, "Forearm"),
+        Segment::Hand(side) => on(side, "Hand"),
+        Segment::Pelvis(side) => on(side, "Pelvis"),
+        Segment::Hip(side) => on(side, "Hip"),
+        Segment::Thigh(side) => on(side, "Thigh"),
+        Segment::Tibia(side) => on(side, "Tibia"),
+        Segment::Ankle(side) => on(side, "Ankle"),
+        Segment::Foot(side) => on(side, "Foot"),
+    }
+}
+
+/// The model with the robot frame in the field's origin and these angles.
+fn posed(model: Model, angles: &Joints) -> MjData<Box<MjModel>> {
+    let right = find(&model.physics, MjtObjBase::mjOBJ_JOINT, "RHipYawPitch").unwrap();
+    let right = model.physics.jnt_qposadr()[right] as usize;
+    let mut data = MjData::new(model.physics);
+    data.qpos_mut()[model.torso.position..][..7].copy_from_slice(&[0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0]);
+    for joint in Joint::ALL {
+        data.qpos_mut()[model.joints[joint.index()]] = angles[joint].into();
+    }
+    data.qpos_mut()[right] = angles[Joint::LHipYawPitch].into();
+    data.forward_kinematics();
+    data
+}
+
+fn any_angles(random: &mut Random) -> Joints {
+    let mut angles = Joints::all(0.0);
+    for joint in Joint::ALL {
+        let range = limit(joint);
+        angles[joint] = random.between(range.min, range.max);
+    }
+    // Fingers weigh a little and are no part of the kinematics.
+    (angles[Joint::LHand], angles[Joint::RHand]) = (0.0, 0.0);
+    angles
+}
+
+fn vector(numbers: &[f64]) -> Vec3A {
+    Vec3A::new(numbers[0] as f32, numbers[1] as f32, numbers[2] as f32)
+}
+
+#[test]
+fn every_part_and_camera_is_where_the_kinematics_say() {
+    let mut random = Random::new(1, Stream::Start);
+    for _ in 0..30 {
+        let (angles, model) = (any_angles(&mut random), model());
+        let data = posed(model, &angles);
+        let skeleton = Skeleton::of(&angles);
+        for segment in Segment::ALL {
+            let body = find(data.model(), MjtObjBase::mjOBJ_BODY, &name(segment)).unwrap();
+            let (expected, turn) = (skeleton.pose(segment), &data.xmat()[body]);
+            assert!(vector(&data.xpos()[body]).distance(expected.translation) < 1e-5, "{segment:?}");
+            let ahead = Vec3A::new(turn[0] as f32, turn[3] as f32, turn[6] as f32);
+            assert!(ahead.distance(expected.matrix3.x_axis) < 1e-5, "{segment:?}");
+        }
+        for (camera, id) in [("Top", CameraId::Top), ("Bottom", CameraId::Bottom)] {
+            let camera = find(data.model(), MjtObjBase::mjOBJ_CAMERA, camera).unwrap();
+            let (expected, turn) = (skeleton.camera(id), &data.cam_xmat()[camera]);
+            assert!(vector(&data.cam_xpos()[camera]).distance(expected.translation) < 1e-5);
+            let axis = -Vec3A::new(turn[2] as f32, turn[5] as f32, turn[8] as f32);
+            assert!(axis.distance(expected.matrix3.x_axis) < 1e-5);
+        }
+    }
+}
+
+#[test]
+fn mass_and_its_centre_are_the_robot_s() {
+    let mut random = Random::new(2, Stream::Start);
+    for _ in 0..30 {
+        let angles = any_angles(&mut random);
+        let mut data = posed(model(), &angles);
+        data.forward();
+        let torso = find(data.model(), MjtObjBase::mjOBJ_BODY, "Torso").unwrap();
+        let centre = Vec3::from(vector(&data.subtree_com()[torso]));
+        assert!(centre.distance(Skeleton::of(&angles).centre_of_mass()) < 2e-5, "{centre}");
+        assert!((data.model().body_subtreemass()[torso] as f32 - TOTAL_MASS).abs() < 1e-4);
+    }
+}
+
+#[test]
+fn joints_turn_as_far_as_the_robot_s() {
+    let model = model().physics;
+    for joint in Joint::ALL {
+        let id = find(&model, MjtObjBase::mjOBJ_JOINT, &format!("{joint:?}")).unwrap();
+        let [min, max] = model.jnt_range()[id].map(|end| end as f32);
+        let range = limit(joint);
+        assert!((min - range.min).abs() < 1e-4 && (max - range.max).abs() < 1e-4, "{joint:?}");
+    }
+}
+
+#[test]
+fn motors_are_in_the_order_of_the_joints() {
+    let model = model().physics;
+    for joint in Joint::ALL {
+        let name = model.id_to_name(MjtObjBase::mjOBJ_ACTUATOR, joint.index());
+        assert_eq!(name, Some(format!("{joint:?}").as_str()));
+    }
+}
