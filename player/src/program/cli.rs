@@ -9,6 +9,7 @@ const AFTER: &str = "\
 Examples:
   player                                one game, told as it goes
   player --seed 7 --realtime            another game, at the speed of a clock
+  player --world mujoco                 a game in which the robot can topple
   player --pictures album               the same, with a picture of every change of the tree
   player play --games 100               many games on all cores, and a table
   player graph --format svg > tree.svg  the activation tree, drawn
@@ -52,7 +53,8 @@ pub(crate) enum Command {
 
 #[derive(Clone, Debug, Args)]
 pub(crate) struct Play {
-    /// Where the forward plays: `built-in`, or `firmware`, where an emulated microcontroller thinks in its place
+    /// Where the forward plays: `built-in`; `mujoco`, where forces are real (needs the feature `mujoco`); or `firmware`, the
+    /// built-in world, where an emulated microcontroller thinks in its place
     #[arg(long, value_name = "WORLD", default_value = "built-in")]
     pub(crate) world: World,
     /// The image that the microcontroller runs; `cargo xtask firmware --build` makes it
@@ -93,6 +95,7 @@ pub(crate) struct Play {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum World {
     BuiltIn,
+    Mujoco,
     Firmware,
 }
 

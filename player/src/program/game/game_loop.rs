@@ -8,11 +8,12 @@ use bica_motion::pose::Pose2;
 use bica_player::perception::NetDetector;
 use bica_player::{Forward, act, sense};
 use bica_sim::World;
-use bica_sim::field::{FieldWorld, Frame, Setup};
+use bica_sim::field::Frame;
 use bica_sim::referee::GoalColour;
 use bica_vision::colour::Colour;
 use glam::Vec2;
 
+use super::arena::Arena;
 use super::audience::Audience;
 use super::fingerprint::Fingerprint;
 use super::firmware::{Image, Mind};
@@ -29,6 +30,7 @@ const TRAIL: f32 = 0.03;
 /// What is agreed on before a game.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Rules {
+    pub(crate) arena: Arena,
     pub(crate) seed: u64,
     pub(crate) size: Frame,
     pub(crate) robots: usize,
@@ -55,7 +57,7 @@ pub(crate) fn play(rules: &Rules, audience: &mut impl Audience) -> Result<Record
 
 struct Game {
     seed: u64,
-    world: FieldWorld,
+    world: Box<dyn World>,
     /// The forward; if a microcontroller thinks, its twin, which has to think the same.
     robot: Box<Forward>,
     mind: Option<Mind>,
@@ -69,9 +71,7 @@ struct Game {
 
 impl Game {
     fn new(rules: &Rules) -> Result<Self, Failure> {
-        let setup = Setup { seed: rules.seed, frame: rules.size, robots: rules.robots, ..Setup::default() };
-        let world = FieldWorld::new(&setup)
-            .map_err(|error| Failure::new(format!("no such game can be set up: {error}"), "try another --robots"))?;
+        let world = Arena::open(rules)?;
         let mut robot = Box::new(Forward::new());
         robot.get_mut::<NetDetector>().attack(match world.referee().attacks() {
             GoalColour::Yellow => Colour::Yellow,

@@ -1,6 +1,7 @@
 //! Games in the built-in world.
 
 pub(crate) mod album;
+mod arena;
 mod audience;
 mod event;
 mod fingerprint;
@@ -19,14 +20,16 @@ mod table;
 
 use std::time::Duration;
 
-use super::cli::Play;
+use super::cli::{Play, World};
 use super::ending::{Ending, Failure};
 use super::voice::Voice;
+use arena::Arena;
 use game_loop::Rules;
 
 /// `player play`: one game, or many.
 pub(crate) fn run(args: &Play) -> Result<Ending, Failure> {
     let rules = Rules {
+        arena: if args.world == World::Mujoco { Arena::Mujoco } else { Arena::BuiltIn },
         seed: args.seed,
         size: args.size,
         robots: args.robots,

@@ -1,0 +1,51 @@
+//! The world that a game is played in.
+
+use bica_sim::World;
+use bica_sim::field::{FieldWorld, Setup};
+
+use super::game_loop::Rules;
+use crate::program::ending::Failure;
+
+/// The kinds of worlds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Arena {
+    /// The built-in one.
+    BuiltIn,
+    /// `MuJoCo`.
+    Mujoco,
+}
+
+impl Arena {
+    /// A world in which a game is about to start.
+    pub(crate) fn open(rules: &Rules) -> Result<Box<dyn World>, Failure> {
+        let setup = Setup { seed: rules.seed, frame: rules.size, robots: rules.robots, ..Setup::default() };
+        match rules.arena {
+            Self::BuiltIn => {
+                let world = FieldWorld::new(&setup).map_err(|error| {
+                    Failure::new(format!("no such game can be set up: {error}"), "try another --robots")
+                })?;
+                Ok(Box::new(world))
+            }
+            Self::Mujoco => mujoco(&setup),
+        }
+    }
+}
+
+#[cfg(feature = "mujoco")]
+fn mujoco(setup: &Setup) -> Result<Box<dyn World>, Failure> {
+    use bica_sim::mujoco::{Error, MujocoWorld, Physics};
+    let world = MujocoWorld::new(setup, &Physics::default()).map_err(|error| match &error {
+        Error::Camera(what) => {
+            Failure::new(format!("MuJoCo cannot draw: {what}"), "`cargo xtask mujoco` installs what that needs")
+        }
+        _ => Failure::new(format!("no such game can be set up: {error}"), "try another --robots"),
+    })?;
+    Ok(Box::new(world))
+}
+
+#[cfg(not(feature = "mujoco"))]
+fn mujoco(_setup: &Setup) -> Result<Box<dyn World>, Failure> {
+    let mend = "install its library with `cargo xtask mujoco`, then \
+                `cargo run --release --features mujoco -- play --world mujoco`";
+    Err(Failure::new("this program was built without MuJoCo", mend))
+}
