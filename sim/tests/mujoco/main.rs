@@ -4,5 +4,6 @@
 mod ball;
 mod determinism;
 mod puppet;
+mod seeing;
 mod sensing;
 mod standing;

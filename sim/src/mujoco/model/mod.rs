@@ -91,14 +91,15 @@ impl Model {
         Ok(())
     }
 
-    /// Gives both cameras the focal lengths and the optical centre of the built-in world's.
+    /// Gives both cameras the focal lengths of the built-in world's. There the optical axis is at half the width and height
+    /// where the first pixel's middle is 0, here where its edge is.
     fn focus(&mut self, setup: &Setup) -> Result<(), Error> {
         let (width, height) = setup.frame.size();
         let (width, height) = (width as f32, height as f32);
         for name in ["Top", "Bottom"] {
             let camera = find(&self.physics, MjtObjBase::mjOBJ_CAMERA, name)?;
             self.physics.cam_sensorsize_mut()[camera] = [width, height];
-            self.physics.cam_intrinsic_mut()[camera] = [FOCAL.0 * width, FOCAL.1 * height, 0.5, 0.5];
+            self.physics.cam_intrinsic_mut()[camera] = [FOCAL.0 * width, FOCAL.1 * height, -0.5, -0.5];
         }
         Ok(())
     }

@@ -1,0 +1,164 @@
+//! Images against the camera model that the eyes use: bica-vision's.
+
+use bica_motion::joints::Joint;
+use bica_motion::pose::{Pose2, rotate};
+use bica_motion::robot::{CameraId, Command, Image};
+use bica_motion::side::Side;
+use bica_motion::stand::STAND;
+use bica_sim::World;
+use bica_sim::field::{Setup, Start};
+use bica_sim::mujoco::{MujocoWorld, Physics};
+use bica_vision::projection::Camera;
+use glam::{Vec2, Vec3};
+
+use crate::puppet::{command, world};
+
+const BALL_RADIUS: f32 = 0.0325;
+
+/// An image and the camera that took it, over the ground between the feet.
+struct Look {
+    yuyv: Vec<u8>,
+    camera: Camera,
+    /// The ground between the feet, field frame.
+    ground: Pose2,
+}
+
+impl Look {
+    /// Stands there, looks somewhere, and waits until the head is still.
+    fn new(seed: u64, start: Start, id: CameraId, (yaw, pitch): (f32, f32)) -> Self {
+        let setup = Setup { seed, goalkeeper: false, start: Some(start), ..Setup::default() };
+        let mut world = world(&setup, &Physics { noise: 0.0, sensor_delay: 0.0, ..Physics::default() });
+        let mut targets = STAND;
+        (targets[Joint::HeadYaw], targets[Joint::HeadPitch]) = (yaw, pitch);
+        let command = Command { camera: id, ..command(targets, 1.0) };
+        for _ in 0..100 {
+            world.act(&command);
+        }
+        while world.sensors().image.is_none() {
+            world.act(&command);
+        }
+        Self::now(&mut world)
+    }
+
+    fn now(world: &mut MujocoWorld) -> Self {
+        let robot = world.referee().robot();
+        let sensors = world.sensors();
+        let Image { camera, width, height, yuyv } = sensors.image.unwrap();
+        let from_ground = bica_motion::kinematics::ground_from_robot(Side::Left, &sensors.angles);
+        let under_hips = Pose2::new(from_ground.translation.x, from_ground.translation.y, 0.0);
+        let ground = robot * under_hips.inverse();
+        Self { yuyv: yuyv.to_vec(), camera: Camera::of_nao(camera, &sensors.angles, Side::Left, width, height), ground }
+    }
+
+    /// Where a point of the field is in the image.
+    fn pixel(&self, point: Vec3) -> Option<Vec2> {
+        self.camera.pixel(self.ground.locate(point.truncate()).extend(point.z))
+    }
+
+    /// Luma, blue and red chroma at a pixel.
+    fn colour(&self, u: usize, v: usize) -> [i32; 3] {
+        let pair = &self.yuyv[(v * 320 + u / 2 * 2) * 2..][..4];
+        [pair[2 * (u % 2)], pair[1], pair[3]].map(i32::from)
+    }
+
+    /// Centroid of what is orange.
+    fn orange(&self) -> Option<Vec2> {
+        let mut sum = Vec3::ZERO;
+        for (u, v) in (0..240).flat_map(|v| (0..320).map(move |u| (u, v))) {
+            if self.colour(u, v)[2] > 145 {
+                sum += Vec3::new((u / 2 * 2) as f32 + 0.5, v as f32, 1.0);
+            }
+        }
+        (sum.z > 8.0).then(|| sum.truncate() / sum.z)
+    }
+}
+
+fn looks(ball_distance: (f32, f32), id: CameraId) -> Vec<(Look, Vec2)> {
+    let part = |i: u64, salt: u64| ((i * 37 + salt * 59) % 101) as f32 / 100.0;
+    let between = |(low, high): (f32, f32), part: f32| low + (high - low) * part;
+    (0..16)
+        .map(|i| {
+            let robot =
+                Pose2::new(between((-1.5, 0.5), part(i, 1)), between((-1.0, 1.0), part(i, 2)), 6.0 * part(i, 3));
+            let (yaw, pitch) = (between((-0.7, 0.7), part(i, 4)), between((-0.1, 0.2), part(i, 5)));
+            let aside = yaw + between((-0.25, 0.25), part(i, 6));
+            let ball = robot.place(rotate(Vec2::new(between(ball_distance, part(i, 7)), 0.0), aside));
+            (Look::new(i, Start { robot, ball }, id, (yaw, pitch)), ball)
+        })
+        .collect()
+}
+
+#[test]
+fn the_ball_is_where_the_projection_puts_it() {
+    let (mut offsets, mut worst) = (Vec::new(), 0.0_f32);
+    for (id, distance) in [(CameraId::Top, (0.9, 2.0)), (CameraId::Bottom, (0.35, 0.7))] {
+        for (look, ball) in looks(distance, id) {
+            let Some(expected) = look.pixel(ball.extend(BALL_RADIUS)) else { continue };
+            let room = Vec2::splat(40.0);
+            if expected.clamp(room, Vec2::new(320.0, 240.0) - room) != expected {
+                continue;
+            }
+            let found = look.orange().unwrap();
+            worst = worst.max(found.distance(expected));
+            offsets.push(found - expected);
+        }
+    }
+    let mean = offsets.iter().sum::<Vec2>() / offsets.len() as f32;
+    assert!(offsets.len() > 12, "{}", offsets.len());
+    assert!(worst < 3.0 && mean.length() < 0.6, "worst {worst}, mean {mean} of {}", offsets.len());
+}
+
+#[test]
+fn lines_are_white_and_the_carpet_beside_them_is_green() {
+    let mut seen = 0;
+    for i in 0..6 {
+        let robot = Pose2::new(-1.3, 0.5 * i as f32 - 1.3, 0.1 * i as f32 - 0.25);
+        let start = Start { robot, ball: Vec2::new(-2.5, 1.8) };
+        let look = Look::new(i, start, CameraId::Top, (0.0, 0.1 + 0.02 * i as f32));
+        for y in -38..=38 {
+            // The line across the middle of the field, and what is 20 cm off it.
+            for (x, white) in [(0.0, true), (0.2, false), (-0.2, false)] {
+                let point = Vec3::new(x, 0.05 * y as f32, 0.0);
+                let free = (0.25..0.5).contains(&point.y.abs()) || (0.75..1.8).contains(&point.y.abs());
+                let Some(at) = look.pixel(point).filter(|_| free) else { continue };
+                if at.clamp(Vec2::splat(5.0), Vec2::new(314.0, 234.0)) != at {
+                    continue;
+                }
+                let [luma, ..] = look.colour(at.x.round() as usize, at.y.round() as usize);
+                seen += 1;
+                assert_eq!(luma > 130, white, "{point}: {luma}");
+            }
+        }
+    }
+    assert!(seen > 100, "{seen}");
+}
+
+#[test]
+fn taking_images_changes_nothing_else() {
+    let told = |cameras| {
+        let mut world = world(&Setup { seed: 5, ..Setup::default() }, &Physics { cameras, ..Physics::default() });
+        let mut angles = Vec::new();
+        for cycle in 0..100 {
+            let mut targets = STAND;
+            targets[Joint::HeadYaw] = (cycle as f32 * 0.1).sin();
+            assert!(cameras || world.sensors().image.is_none());
+            world.act(&command(targets, 1.0));
+            angles.push(world.sensors().angles);
+        }
+        angles
+    };
+    assert!(told(true) == told(false));
+}
+
+#[test]
+fn the_same_seed_gives_the_same_images() {
+    let image = |seed| {
+        let mut world = world(&Setup { seed, ..Setup::default() }, &Physics::default());
+        for _ in 0..10 {
+            world.act(&command(STAND, 1.0));
+        }
+        world.sensors().image.unwrap().yuyv.to_vec()
+    };
+    assert!(image(2) == image(2));
+    assert!(image(2) != image(3));
+}
