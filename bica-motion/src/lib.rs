@@ -9,7 +9,7 @@
 //!
 //! let on_both_feet = FootPressure { front_left: 26.0, ..FootPressure::default() };
 //! let body = Body { left_foot: on_both_feet, right_foot: on_both_feet, ..Body::default() };
-//! let mut walk = Walk::new(Parameters::NAO);
+//! let mut walk = Walk::new(&Parameters::BUILT_IN);
 //! let stand = walk.step(Velocity::ZERO, &body, 0.01).joints();
 //! for _ in 0..100 {
 //!     let targets = walk.step(Velocity::new(0.2, 0.0, 0.0), &body, 0.01).joints();

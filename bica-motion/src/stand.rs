@@ -47,7 +47,7 @@ pub(crate) const fn symmetric(head_pitch: f32, arm: [f32; 5], leg: [f32; 6]) -> 
 }
 
 /// The stand that the walk starts from and ends in, hips 0.215 m over the ground; the same as
-/// [`Parameters::NAO.stand()`](crate::walk::Parameters::stand) but for rounding.
+/// [`Parameters::BUILT_IN.stand()`](crate::walk::Parameters::stand) but for rounding.
 pub const STAND: Joints =
     symmetric(0.0, [90.0, 6.990_085, 0.0, -5.729_578, 0.0], [0.0, 0.0, -29.457_882, 65.937_874, -36.479_992, 0.0]);
 

@@ -22,8 +22,8 @@ const fn frame(seconds: f32, hips: [f32; 3], foot: [f32; 3], [yaw, roll, pitch]:
 
 /// The stand before and after.
 pub(super) const STAND: KickPose = KickPose {
-    hips: Vec3::new(Parameters::NAO.torso_offset, 0.0, Parameters::NAO.hip_height),
-    foot: Vec3::new(0.0, Parameters::NAO.half_spacing, 0.0),
+    hips: Vec3::new(Parameters::BUILT_IN.torso_offset, 0.0, Parameters::BUILT_IN.hip_height),
+    foot: Vec3::new(0.0, Parameters::BUILT_IN.half_spacing, 0.0),
     yaw: 0.0,
     roll: 0.0,
     pitch: 0.0,

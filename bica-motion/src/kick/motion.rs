@@ -52,7 +52,7 @@ impl KickMotion {
             self.from = pose;
             self.index += 1;
         }
-        let stand = Parameters::NAO.stand();
+        let stand = Parameters::BUILT_IN.stand();
         let Some((seconds, to)) = frames.get(self.index) else { return stand };
         let pose = self.from.mix(to, smooth(self.time / seconds));
         Limbs { legs: pose.legs(self.kick.foot), ..stand }

@@ -47,7 +47,7 @@ impl KickPose {
             * Affine3A::from_rotation_y(self.pitch)
             * Affine3A::from_rotation_x(side * self.roll);
         let kicks = at(on(self.foot)) * turn * up;
-        let carries = at(Vec3::new(0.0, -side * Parameters::NAO.half_spacing, 0.0)) * up;
+        let carries = at(Vec3::new(0.0, -side * Parameters::BUILT_IN.half_spacing, 0.0)) * up;
         let seen = torso.inverse();
         let (left, right) = if kicking == Side::Left { (kicks, carries) } else { (carries, kicks) };
         legs_angles(&(seen * left), &(seen * right), YawFrom::Leg(kicking.other()))

@@ -7,55 +7,34 @@
 //! comes down at rest over the ground instead of at rest under the body.
 
 mod balance;
+mod body;
 mod parameters;
+mod pendulum;
 mod plan;
+mod profiles;
 pub(crate) mod shape;
 mod sway;
 mod velocity;
 
+pub use body::Body;
 pub use parameters::Parameters;
 pub use velocity::Velocity;
 
-use glam::Vec3;
+use glam::Vec2;
 
 use self::balance::Balance;
 use self::plan::{Plan, Purpose};
 use crate::feet::{Foot, level_legs};
 use crate::limbs::{ArmAngles, Limbs};
 use crate::pose::Pose2;
-use crate::robot::{FootPressure, Sensors};
 use crate::side::Side;
 
 /// The longest cycle that counts, s: a late call must not skip half a step.
 const LONGEST_CYCLE: f32 = 0.03;
+/// How fast a step on the way is moved to catch the body, m/s. Source: HULKs 2025's most for a foot.
+const CATCHING: f32 = 0.6;
 /// How far arms hang off the body, rad.
 const ARMS_OUT: f32 = 0.122;
-
-/// What the walk feels.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Body {
-    /// Angular velocity of the torso, rad/s, torso frame.
-    pub gyro: Vec3,
-    /// Pressure under the left sole.
-    pub left_foot: FootPressure,
-    /// Pressure under the right sole.
-    pub right_foot: FootPressure,
-}
-
-impl From<&Sensors<'_>> for Body {
-    fn from(sensors: &Sensors<'_>) -> Self {
-        Self { gyro: sensors.inertial.gyro, left_foot: sensors.left_foot, right_foot: sensors.right_foot }
-    }
-}
-
-impl Body {
-    fn force(&self, side: Side) -> f32 {
-        match side {
-            Side::Left => self.left_foot.total(),
-            Side::Right => self.right_foot.total(),
-        }
-    }
-}
 
 /// What the walk is doing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -73,7 +52,7 @@ pub enum Phase {
 /// A walk: [`step`](Self::step) it once per control cycle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Walk {
-    gait: Parameters,
+    gait: &'static Parameters,
     phase: Phase,
     plan: Option<Plan>,
     /// Since the step began, s.
@@ -83,12 +62,14 @@ pub struct Walk {
     /// The velocity of the step on the way.
     velocity: Velocity,
     balance: Balance,
+    /// How far the swinging foot is moved from its plan to catch the body, m.
+    caught: Vec2,
 }
 
 impl Walk {
     /// A walk that stands.
     #[must_use]
-    pub const fn new(gait: Parameters) -> Self {
+    pub const fn new(gait: &'static Parameters) -> Self {
         Self {
             gait,
             phase: Phase::Standing,
@@ -97,13 +78,14 @@ impl Walk {
             waited: 0.0,
             velocity: Velocity::ZERO,
             balance: Balance::new(),
+            caught: Vec2::ZERO,
         }
     }
 
     /// The gait's numbers.
     #[must_use]
-    pub const fn gait(&self) -> &Parameters {
-        &self.gait
+    pub const fn gait(&self) -> &'static Parameters {
+        self.gait
     }
 
     /// What the walk is doing. Another motion may take over when it is [`Standing`](Phase::Standing), and only then.
@@ -135,22 +117,46 @@ impl Walk {
     /// same targets. A robot whose feet feel no ground is walked to a stand. Nonsense in any input never reaches the
     /// targets.
     pub fn step(&mut self, request: Velocity, body: &Body, dt: f32) -> Limbs {
-        let lifted = body.left_foot.total() + body.right_foot.total() < self.gait.touch;
-        let wanted = if lifted { Velocity::ZERO } else { request.clamped(&self.gait) };
+        let lifted = body.weight() < self.gait.touch;
+        let wanted = if lifted { Velocity::ZERO } else { request.clamped(self.gait).planned(self.gait) };
+        self.balance.feel(body, self.gait);
         self.pass_time(dt, body);
-        let correction = self.balance.ankle_pitch(body.gyro.y, &self.gait);
         self.advance(&wanted, body);
         let Some(plan) = self.plan else { return self.gait.stand() };
-        let feet = plan.feet(self.time);
+        self.catch(&plan, dt);
+        let feet = self.feet(&plan);
         let mut limbs = self.gait.limbs(&feet, plan.roll(self.time));
-        limbs.legs[plan.support.index()].ankle_pitch += correction;
+        let carrying = &mut limbs.legs[plan.support.index()];
+        let [pitch, roll] = self.balance.ankle(self.gait);
+        carrying.ankle_pitch += pitch;
+        carrying.ankle_roll += roll;
+        carrying.hip_roll += plan.support.sign() * self.gait.hip_support * plan.over(self.time);
         limbs
+    }
+
+    /// Both feet: as planned, the swinging one moved to where it catches the body.
+    fn feet(&self, plan: &Plan) -> [Foot; 2] {
+        let mut feet = plan.feet(self.time);
+        let swinging = &mut feet[plan.support.other().index()];
+        swinging.pose.position += self.caught * plan.progress(self.time);
+        feet
+    }
+
+    /// Moves the next footprint toward where it catches the body, no faster than a foot can.
+    fn catch(&mut self, plan: &Plan, dt: f32) {
+        let wanted = self.gait.catch(self.off(plan)) * Vec2::new(1.0, plan.support.other().sign());
+        let most = Vec2::splat(CATCHING * valid(dt));
+        self.caught += (wanted - self.caught).clamp(-most, most);
+    }
+
+    fn off(&self, plan: &Plan) -> Vec2 {
+        self.balance.off(plan.support.other().sign(), self.time / plan.duration, self.gait)
     }
 
     /// Lets time pass, except while the swinging foot should leave the ground and the other one feels none.
     fn pass_time(&mut self, dt: f32, body: &Body) {
         let Some(plan) = self.plan else { return };
-        let dt = if dt > 0.0 { dt.min(LONGEST_CYCLE) } else { 0.0 };
+        let dt = self.gait.pace(self.off(&plan)) * valid(dt);
         let lifts = plan.lifts() && (self.time..self.time + dt).contains(&plan.liftoff());
         if lifts && body.force(plan.support) < self.gait.touch && self.waited < self.gait.longest_wait {
             self.waited += dt;
@@ -170,10 +176,10 @@ impl Walk {
         if !self.ended(&plan, body) {
             return;
         }
-        let feet = plan.feet(self.time);
+        let feet = self.feet(&plan);
         let rest = (self.time - plan.duration).clamp(0.0, LONGEST_CYCLE);
-        self.velocity = self.velocity.toward(wanted, &self.gait);
-        let still = self.velocity.is_zero() && plan.ends_together(&self.gait);
+        self.velocity = self.velocity.toward(wanted, self.gait);
+        let still = self.velocity.is_zero() && plan.ends_together(self.gait);
         match self.phase {
             Phase::Stopping => self.reset(),
             Phase::Walking if still => self.begin(plan.support.other(), &feet, Phase::Stopping, Purpose::Stop),
@@ -187,9 +193,10 @@ impl Walk {
 
     fn begin(&mut self, support: Side, feet: &[Foot; 2], phase: Phase, purpose: Purpose) {
         self.phase = phase;
-        self.plan = Some(Plan::new(support, feet, purpose, &self.gait));
+        self.plan = Some(Plan::new(support, feet, purpose, self.gait));
         self.time = 0.0;
         self.waited = 0.0;
+        self.caught = Vec2::ZERO;
     }
 
     /// Whether the step is over: by time, or because the weight has come to the other foot already.
@@ -198,6 +205,11 @@ impl Walk {
         let weight_has_come = body.force(plan.support.other()) > body.force(plan.support);
         share >= 1.0 || (plan.lifts() && share >= self.gait.earliest_switch && weight_has_come)
     }
+}
+
+/// A cycle time that counts, s.
+fn valid(dt: f32) -> f32 {
+    if dt > 0.0 { dt.min(LONGEST_CYCLE) } else { 0.0 }
 }
 
 /// The foot to stand on first, so that the other one can go the wanted way at once.

@@ -1,8 +1,11 @@
 //! What a gait is made of.
 
+use glam::Vec2;
+
 use crate::walk::Velocity;
 
-/// The numbers of a gait. [`NAO`](Self::NAO) is tried; other values are for experiments.
+/// The numbers of a gait: one profile for each world or robot. [`BUILT_IN`](Self::BUILT_IN) and [`NAO`](Self::NAO) are
+/// tried; other values are for experiments.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Parameters {
     /// Hips over the ground, m.
@@ -21,17 +24,18 @@ pub struct Parameters {
     pub least_air: f32,
     /// How high a foot is lifted, m.
     pub lift: f32,
-    /// Sideways distance of the hips' middle from the ankle that carries, in the middle of a step, m. In a slow gait
-    /// the body stands over this foot; a gait that rocks like a pendulum needs next to no sway, and a value near
-    /// [`half_spacing`](Self::half_spacing) here.
+    /// The height of the pendulum as which the body rocks from foot to foot, m. At 0 the body is *led* over the feet
+    /// instead: it sways as the next five numbers say, slowly enough to stand at every moment.
+    pub pendulum: f32,
+    /// When led: sideways distance of the hips' middle from the ankle that carries, in the middle of a step, m.
     pub sway_to: f32,
-    /// Up to this distance of the hips from the carrying ankle that foot alone holds the body, m: it sets how long both
-    /// feet stay on the ground.
+    /// When led: up to this distance of the hips from the carrying ankle that foot alone holds the body, m. It sets how
+    /// long both feet stay on the ground.
     pub sway_clear: f32,
-    /// How far the torso leans over the carrying foot for each metre that the feet are farther apart than together,
-    /// rad/m: with legs spread, swaying alone would turn the ankles beyond their limits.
+    /// When led: how far the torso leans over the carrying foot for each metre that the feet are farther apart than
+    /// together, rad/m: with legs spread, swaying alone would turn the ankles beyond their limits.
     pub lean: f32,
-    /// The most that the hips move sideways from foot to foot, m/s.
+    /// When led: the most that the hips move sideways from foot to foot, m/s.
     pub sway_speed: f32,
     /// The most of each direction; `forward` holds ahead, [`backward`](Self::backward) astern.
     pub fastest: Velocity,
@@ -41,6 +45,10 @@ pub struct Parameters {
     pub speed_up: Velocity,
     /// The most by which each part of the velocity shrinks from step to step.
     pub slow_down: Velocity,
+    /// How the body goes when it is to walk in place: feet slip. Found by trial.
+    pub drift: Velocity,
+    /// What to plan for each part of a velocity, after [`drift`](Self::drift) is taken off. Found by trial.
+    pub scale: Velocity,
     /// Share of a turn that is made when the inner foot carries, with the toes pointing inwards.
     pub inside_turn: f32,
     /// The most that each foot's toes point inwards, rad: more, and the feet touch.
@@ -56,49 +64,26 @@ pub struct Parameters {
     pub gyro_smoothing: f32,
     /// Ankle pitch per pitch rate, rad per rad/s.
     pub ankle_gain: f32,
+    /// Ankle roll per roll rate, rad per rad/s.
+    pub roll_gain: f32,
+    /// How far the carrying hip rolls beyond what geometry asks for in the middle of a step, rad: it sags under the
+    /// body's weight, and the other foot would not come off the ground.
+    pub hip_support: f32,
+    /// The torso's pitch when all is well, rad.
+    pub pitch: f32,
+    /// How far the capture point rocks sideways to each side of where the plan has it when all is well, m: joints follow
+    /// late.
+    pub rock: f32,
+    /// How far the swinging foot follows a body that topples, m for each m that its capture point is off: forward, and
+    /// to the foot's side.
+    pub catch: Vec2,
+    /// A capture point this far off is still left alone, m: forward, and to the side.
+    pub catch_from: Vec2,
+    /// The most that a step is moved to catch the body, m: forward, and to the side.
+    pub catch_most: Vec2,
+    /// By which share time slows down for each metre that the body topples out over the carrying foot, 1/m: it comes
+    /// back before the step ends.
+    pub slow: f32,
     /// Shoulder pitch per forward way of the opposite foot, rad/m.
     pub arm_swing: f32,
-}
-
-impl Parameters {
-    /// A NAO H25 on carpet.
-    ///
-    /// Orders of magnitude from B-Human 2018/2023, rUNSWift 2019, HULKs 2025 and Yggdrasil 2026 (half spacing, torso
-    /// offset, lift, arm swing, inside turn, earliest switch). Duration, hip height, sway and speeds are our own: chosen so
-    /// that the centre of mass stays over the feet at every moment, that no joint is asked for more than a fifth above
-    /// its speed, and that legs and ankles reach sideways. The ankle's gain is theirs; its low-pass is slower than theirs
-    /// (0.6 to 0.8), because without compliance between ankle and torso the loop gain
-    /// `ankle_gain * (1 - gyro_smoothing) / dt` must stay under 1.
-    pub const NAO: Self = Self {
-        hip_height: 0.215,
-        half_spacing: 0.050,
-        closer: 0.28,
-        torso_offset: 0.012,
-        duration: 0.28,
-        duration_sideways: -0.40,
-        least_air: 0.11,
-        lift: 0.008,
-        sway_to: 0.021,
-        sway_clear: 0.031,
-        lean: 3.3,
-        sway_speed: 0.6,
-        fastest: Velocity::new(0.26, 0.12, 1.2),
-        backward: 0.15,
-        speed_up: Velocity::new(0.07, 0.05, 0.6),
-        slow_down: Velocity::new(0.14, 0.10, 1.2),
-        inside_turn: 0.33,
-        most_inside: 0.12,
-        earliest_switch: 0.75,
-        longest_wait: 0.3,
-        touch: 3.0,
-        gyro_smoothing: 0.9,
-        ankle_gain: 0.05,
-        arm_swing: 6.0,
-    };
-}
-
-impl Default for Parameters {
-    fn default() -> Self {
-        Self::NAO
-    }
 }

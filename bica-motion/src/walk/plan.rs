@@ -8,6 +8,7 @@ use glam::Vec2;
 use crate::feet::Foot;
 use crate::pose::Pose2;
 use crate::side::Side;
+use crate::walk::pendulum::Pendulum;
 use crate::walk::shape::{bump, glide, mix, smooth};
 use crate::walk::sway::Shift;
 use crate::walk::{Parameters, Velocity};
@@ -38,6 +39,8 @@ pub(super) struct Plan {
     /// The weight's way to the carrying foot and away from it.
     shifts: [Shift; 2],
     sway_to: f32,
+    /// The pendulum as which the body rocks, unless it is led.
+    pendulum: Option<Pendulum>,
     /// How far the torso leans over the carrying foot, rad.
     lean: f32,
 }
@@ -61,23 +64,25 @@ impl Plan {
         let end = end(support.other(), &velocity, usual, gait);
         let [carrying, swinging] = [support, support.other()].map(|side| feet[side.index()].pose);
         let (hips, hips_after) = (carrying.inverse(), end[0].inverse());
-        let mut shifts = [Shift::from(carrying.position.y.abs(), gait), Shift::from(end[0].position.y.abs(), gait)];
+        let mut shifts = [carrying, end[0]].map(|foot| Shift::from(foot.position.y.abs(), gait));
         match purpose {
             Purpose::Start => shifts[0] = Shift::gentle(usual),
             Purpose::Stop => shifts[1] = Shift::gentle(usual),
             Purpose::Go(_) => {}
         }
         let longest = shifts[0].clear + shifts[1].clear + gait.least_air;
+        let duration = usual.max(longest);
         let lift = if let Purpose::Go(_) = purpose { gait.lift } else { 0.0 };
         Self {
             support,
-            duration: usual.max(longest),
+            duration,
             hips: [hips.position, hips_after.position],
             swing: [hips * swinging, hips_after * end[1]],
             lift,
             before: feet.map(|foot| foot.lift),
             shifts,
             sway_to: gait.sway_to,
+            pendulum: Pendulum::new(gait, duration),
             lean: gait.lean * (hips.position.y.abs().max(hips_after.position.y.abs()) - gait.half_spacing).max(0.0),
         }
     }
@@ -97,6 +102,12 @@ impl Plan {
     /// When the swinging foot leaves the ground, s after the beginning.
     pub(super) fn liftoff(&self) -> f32 {
         self.shifts[0].clear
+    }
+
+    /// How far the swinging foot is on its way, 0 to 1.
+    pub(super) fn progress(&self, time: f32) -> f32 {
+        let (from, to) = (self.liftoff(), self.duration - self.shifts[1].clear);
+        smooth((time - from) / (to - from))
     }
 
     /// Both feet, left first, `time` s after the beginning. Frame: under the hips, x as the torso faces.
@@ -121,9 +132,14 @@ impl Plan {
 
     /// The hips in the frame of the carrying sole: on their way, and swayed toward it.
     fn hips(&self, time: f32, heading: f32) -> Pose2 {
-        let way = self.hips[0].lerp(self.hips[1], (time / self.duration).clamp(0.0, 1.0));
-        let swayed = mix(way.y, -self.support.sign() * self.sway_to, self.over(time));
-        Pose2 { position: Vec2::new(way.x, swayed), heading }
+        let part = (time / self.duration).clamp(0.0, 1.0);
+        let position = self.pendulum.map_or_else(|| self.led(part, time), |it| it.between(&self.hips, part));
+        Pose2 { position, heading }
+    }
+
+    fn led(&self, part: f32, time: f32) -> Vec2 {
+        let way = self.hips[0].lerp(self.hips[1], part);
+        way.with_y(mix(way.y, -self.support.sign() * self.sway_to, self.over(time)))
     }
 
     /// The torso's roll, rad.
@@ -132,7 +148,7 @@ impl Plan {
     }
 
     /// How far the weight is over the carrying foot, 0 to 1.
-    fn over(&self, time: f32) -> f32 {
+    pub(super) fn over(&self, time: f32) -> f32 {
         self.shifts[0].at(time).min(self.shifts[1].at(self.duration - time))
     }
 }

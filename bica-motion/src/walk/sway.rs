@@ -19,10 +19,11 @@ pub(super) struct Shift {
 }
 
 impl Shift {
-    /// The way from `distance` m sideways of the carrying ankle. It begins at the gait's sway speed.
+    /// The way from `distance` m sideways of the carrying ankle. It begins at the gait's sway speed; in a gait that rocks
+    /// there is none.
     pub(super) fn from(distance: f32, gait: &Parameters) -> Self {
         let (whole, unsafe_part) = (distance - gait.sway_to, distance - gait.sway_clear);
-        if whole <= 0.0 {
+        if whole <= 0.0 || gait.pendulum > 0.0 {
             return Self { time: 0.0, clear: 0.0, gentle: false };
         }
         let time = FRAC_PI_2 * whole / gait.sway_speed;

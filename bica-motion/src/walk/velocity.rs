@@ -47,6 +47,19 @@ impl Velocity {
         Self::new(scale * x * most_forward, scale * y * gait.fastest.left, turn * gait.fastest.turn)
     }
 
+    /// What to plan so that the body goes like this; standing stays standing.
+    pub(super) fn planned(&self, gait: &Parameters) -> Self {
+        if self.is_zero() {
+            return *self;
+        }
+        let (drift, scale) = (&gait.drift, &gait.scale);
+        Self {
+            forward: scale.forward * (self.forward - drift.forward),
+            left: scale.left * (self.left - drift.left),
+            turn: scale.turn * (self.turn - drift.turn),
+        }
+    }
+
     /// The next step's velocity on the way from this one to `wanted`; a part that changes its sign stops at zero first.
     #[must_use]
     pub fn toward(&self, wanted: &Self, gait: &Parameters) -> Self {

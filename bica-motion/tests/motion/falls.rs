@@ -159,7 +159,7 @@ fn sitting_down_and_standing_up_keeps_the_balance() {
 
 #[test]
 fn the_stand_is_the_one_the_walk_knows() {
-    let gait = Parameters::NAO.stand().joints();
+    let gait = Parameters::BUILT_IN.stand().joints();
     for joint in Joint::ALL {
         assert!((STAND[joint] - gait[joint]).abs() < 1e-5, "{joint:?}: {} {}", STAND[joint], gait[joint]);
     }

@@ -44,7 +44,7 @@ fn a_kick_keeps_balance_limits_and_speeds_and_returns_to_the_stand() {
             }
             last = *targets;
         });
-        assert_eq!(last, Parameters::NAO.stand().joints());
+        assert_eq!(last, Parameters::BUILT_IN.stand().joints());
         assert!(end.sole(kick.foot).abs_diff_eq(start.sole(kick.foot), 1e-3));
     }
 }
@@ -168,6 +168,6 @@ fn strange_cycle_times_do_no_harm() {
         assert!(first.0.iter().all(|angle| angle.is_finite()) && !motion.is_done());
     }
     let mut motion = KickMotion::new(Kick::ALL[3]);
-    assert_eq!(motion.step(f32::INFINITY), Parameters::NAO.stand());
+    assert_eq!(motion.step(f32::INFINITY), Parameters::BUILT_IN.stand());
     assert!(motion.is_done());
 }

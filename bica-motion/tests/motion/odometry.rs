@@ -15,8 +15,8 @@ proptest! {
 
     #[test]
     fn it_knows_the_way(requests in prop::collection::vec(prop::array::uniform3(-1.0_f32..1.0), 1..6)) {
-        let mut walk = Walk::new(Parameters::NAO);
-        let mut world = World::standing(Parameters::NAO.stand().joints());
+        let mut walk = Walk::new(&Parameters::BUILT_IN);
+        let mut world = World::standing(Parameters::BUILT_IN.stand().joints());
         let mut odometry = Odometry::new();
         let start = world.ground();
         let mut way = 0.0;

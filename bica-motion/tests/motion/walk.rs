@@ -13,7 +13,7 @@ use proptest::prelude::*;
 
 use crate::world::{CYCLE, World, gap};
 
-const NAO: Parameters = Parameters::NAO;
+const NAO: &Parameters = &Parameters::BUILT_IN;
 
 fn start() -> (Walk, World) {
     (Walk::new(NAO), World::standing(NAO.stand().joints()))
@@ -58,7 +58,7 @@ fn it_walks_as_fast_as_it_is_told_in_all_directions() {
         (0.2, 0.0, -0.5),
     ] {
         let request = Velocity::new(forward, left, turn);
-        assert_eq!(request.clamped(&NAO), request, "within the gait's means");
+        assert_eq!(request.clamped(NAO), request, "within the gait's means");
         let (mut walk, mut world) = start();
         measure(&mut walk, &mut world, request, 200);
         let reached = measure(&mut walk, &mut world, request, 1000);
@@ -71,7 +71,7 @@ fn it_walks_as_fast_as_it_is_told_in_all_directions() {
 
 #[test]
 fn it_is_fast_enough() {
-    let most = |forward, left, turn| Velocity::new(forward, left, turn).clamped(&NAO);
+    let most = |forward, left, turn| Velocity::new(forward, left, turn).clamped(NAO);
     assert!(most(9.0, 0.0, 0.0).forward >= 0.25);
     assert!(most(-9.0, 0.0, 0.0).forward <= -0.12);
     assert!(most(0.0, 9.0, 0.0).left > 0.1199 && most(0.0, -9.0, 0.0).left < -0.1199);
@@ -162,7 +162,7 @@ fn walking() -> (Walk, Side) {
 /// What it feels with these forces on the carrying and the coming foot, N.
 fn feels(carrying_side: Side, carrying: f32, coming: f32) -> Body {
     let (left, right) = if carrying_side == Side::Left { (carrying, coming) } else { (coming, carrying) };
-    Body { gyro: Vec3::ZERO, left_foot: force(left), right_foot: force(right) }
+    Body { left_foot: force(left), right_foot: force(right), ..Body::default() }
 }
 
 /// Cycles until the other foot is meant to carry, when the weight comes to it in a cycle.
@@ -243,7 +243,7 @@ fn a_robot_in_the_air_comes_to_a_stand() {
 fn the_gyroscope_turns_the_carrying_ankle() {
     let (mut walk, side) = walking();
     let mut still = walk;
-    let level = Body { left_foot: force(26.0), right_foot: force(26.0), gyro: Vec3::ZERO };
+    let level = Body { left_foot: force(26.0), right_foot: force(26.0), ..Body::default() };
     let falling = Body { gyro: Vec3::new(0.0, 1.0, 0.0), ..level };
     let request = Velocity::new(0.1, 0.0, 0.0);
     let (mut with, mut without) = (walk.step(request, &falling, CYCLE), still.step(request, &level, CYCLE));
@@ -261,7 +261,13 @@ fn nonsense_never_reaches_the_joints() {
     let wild = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 1e30, -1e30, 0.1];
     for i in 0..2000 {
         let pick = |step: usize| wild[(i / step) % wild.len()];
-        let body = Body { gyro: Vec3::new(0.0, pick(7), 0.0), left_foot: force(pick(11)), right_foot: force(pick(13)) };
+        let body = Body {
+            gyro: Vec3::new(0.0, pick(7), 0.0),
+            left_foot: force(pick(11)),
+            right_foot: force(pick(13)),
+            roll: pick(17),
+            pitch: pick(19),
+        };
         let targets = walk.step(Velocity::new(pick(1), pick(2), pick(3)), &body, pick(5)).joints();
         assert!(targets.0.iter().all(|angle| angle.is_finite()), "{targets:?}");
         world.step(&targets);
@@ -281,7 +287,7 @@ proptest! {
     #[test]
     fn requests_are_brought_into_the_walk_volume(x in -1.0_f32..1.0, y in -1.0_f32..1.0, turn in -3.0_f32..3.0) {
         let asked = Velocity::new(x, y, turn);
-        let given = asked.clamped(&NAO);
+        let given = asked.clamped(NAO);
         prop_assert!(share(&given) <= 1.0001);
         prop_assert!((given.turn - turn.clamp(-1.2, 1.2)).abs() < 1e-6, "turning goes first");
         prop_assert!(given.forward * x >= 0.0 && given.left * y >= 0.0);
@@ -297,7 +303,7 @@ proptest! {
     ) {
         let scale = |v: [f32; 3]| Velocity::new(0.25 * v[0], 0.12 * v[1], 1.2 * v[2]);
         let (now, wanted) = (scale(now), scale(wanted));
-        let next = now.toward(&wanted, &NAO);
+        let next = now.toward(&wanted, NAO);
         let parts = |v: &Velocity| [v.forward, v.left, v.turn];
         for i in 0..3 {
             let (now, wanted, next) = (parts(&now)[i], parts(&wanted)[i], parts(&next)[i]);
@@ -308,7 +314,7 @@ proptest! {
         }
         let mut velocity = now;
         for _ in 0..20 {
-            velocity = velocity.toward(&wanted, &NAO);
+            velocity = velocity.toward(&wanted, NAO);
         }
         prop_assert_eq!(velocity, wanted);
     }

@@ -103,7 +103,7 @@ impl World {
             rear_left: force / 4.0,
             rear_right: force / 4.0,
         };
-        Body { gyro: self.gyro, left_foot: all(left), right_foot: all(right) }
+        Body { gyro: self.gyro, left_foot: all(left), right_foot: all(right), ..Body::default() }
     }
 
     /// N, left first: by where the mass is between the ankles, less what does not touch.

@@ -18,7 +18,7 @@ impl Walk {
     /// A walk that stands.
     #[must_use]
     pub const fn new() -> Self {
-        Self { gait: Gait::new(Parameters::NAO), request: Velocity::ZERO }
+        Self { gait: Gait::new(&Parameters::BUILT_IN), request: Velocity::ZERO }
     }
 
     /// Whatever moved the body before has left it in the stand.
@@ -29,8 +29,8 @@ impl Walk {
     }
 
     fn step(&mut self, time: &Time, body: &Measured, motors: &mut Motors) {
-        let (&left_foot, &right_foot) = body.feet();
-        let felt = Felt { gyro: body.inertial().gyro, left_foot, right_foot };
+        let (left_foot, right_foot) = body.feet();
+        let felt = Felt::new(body.inertial(), left_foot, right_foot);
         motors.limbs(&self.gait.step(self.request, &felt, time.dt()));
     }
 

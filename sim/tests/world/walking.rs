@@ -77,7 +77,7 @@ fn nothing_passes_through_a_goal_post() {
 
 /// Walks, watched in every cycle, and tells how far it came, seen from where it was.
 fn walk(world: &mut FieldWorld, velocity: Velocity, cycles: u32, mut watch: impl FnMut(&mut FieldWorld)) -> Pose2 {
-    let mut walk = Walk::new(Parameters::NAO);
+    let mut walk = Walk::new(&Parameters::BUILT_IN);
     let start = world.referee().robot();
     for _ in 0..cycles {
         let sensors = world.sensors();
