@@ -4,6 +4,7 @@
 
 use core::ops::BitOr;
 
+use crate::chroma::ChromaBox;
 use crate::frame::Pixel;
 
 /// What a pixel's colour can mean on a field of 2009.
@@ -86,6 +87,11 @@ impl BitOr for Colour {
 pub trait Classify {
     /// The class of a pixel.
     fn classify(&self, pixel: Pixel) -> Colour;
+
+    /// A box of chroma outside of which no pixel is of the class; the smaller, the more is passed over unseen.
+    fn chroma(&self, _: Colour) -> ChromaBox {
+        ChromaBox::ALL
+    }
 }
 
 /// The thresholds of one class, on quantities that stay when a camera changes its exposure.

@@ -52,6 +52,7 @@
 pub mod ball;
 pub mod bars;
 pub mod centre_circle;
+pub mod chroma;
 pub mod circle;
 pub mod colour;
 pub mod crossings;

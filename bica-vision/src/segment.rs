@@ -6,6 +6,7 @@
 
 use heapless::Vec;
 
+use crate::chroma::{self, BLOCK, Sieve};
 use crate::colour::{Classify, Colour, ColourSet};
 use crate::frame::{Frame, MAX_HEIGHT, Pair};
 
@@ -57,6 +58,15 @@ impl Area {
         Self { first, ..Self::ALL }
     }
 
+    fn step(self) -> u16 {
+        self.step.clamp(1, MAX_HEIGHT)
+    }
+
+    /// The rows of a frame that are in it.
+    fn rows(self, frame: &Frame<'_>) -> impl Iterator<Item = u16> + use<> {
+        (self.first..self.end.min(frame.height())).step_by(usize::from(self.step()))
+    }
+
     /// The same rows, thinned to every `step`th.
     #[must_use]
     pub const fn every(self, step: u16) -> Self {
@@ -102,31 +112,20 @@ impl<const N: usize> Runs<N> {
 
     /// Finds the runs of the `wanted` classes in an area of a frame; forgets those of the frame before.
     pub fn segment(&mut self, frame: &Frame<'_>, colours: &impl Classify, wanted: ColourSet, area: Area) {
-        *self = Self { step: area.step.clamp(1, MAX_HEIGHT), ..Self::new() };
-        for row in (area.first..area.end.min(frame.height())).step_by(usize::from(self.step)) {
-            self.segment_row(frame, colours, wanted, row);
+        self.clear(area);
+        let seek = Seek::new(colours, wanted);
+        for row in area.rows(frame) {
+            seek.row(frame, row, |run| self.push(run));
         }
     }
 
-    fn segment_row(&mut self, frame: &Frame<'_>, colours: &impl Classify, wanted: ColourSet, row: u16) {
-        let (mut current, mut start) = (Colour::None, 0);
-        for (pair, x) in frame.row(row).iter().zip((0..).step_by(2)) {
-            let class = colours.classify(Pair(*pair).mean());
-            // Without a branch: the borders between other classes are many and come as a surprise.
-            let class = if wanted.has(class) { class } else { Colour::None };
-            if class != current {
-                if current != Colour::None {
-                    self.push(Run { row, start, end: x, colour: current });
-                }
-                (current, start) = (class, x);
-            }
-        }
-        if current != Colour::None {
-            self.push(Run { row, start, end: frame.width(), colour: current });
-        }
+    /// Forgets all runs; those to come are of rows as far apart as those of `area`.
+    pub(crate) fn clear(&mut self, area: Area) {
+        self.list.clear();
+        (self.step, self.narrowest, self.dropped) = (area.step(), 2, 0);
     }
 
-    fn push(&mut self, run: Run) {
+    pub(crate) fn push(&mut self, run: Run) {
         while self.list.is_full() && self.narrowest <= run.width() {
             self.make_room();
         }
@@ -142,6 +141,87 @@ impl<const N: usize> Runs<N> {
         let narrowest = self.narrowest;
         self.list.retain(|run| run.width() >= narrowest);
         self.dropped += (before - self.list.len()) as u32;
+    }
+}
+
+/// Classes that are looked for in rows.
+pub(crate) struct Seek<'a, C> {
+    colours: &'a C,
+    wanted: ColourSet,
+    sieve: Sieve,
+}
+
+impl<'a, C: Classify> Seek<'a, C> {
+    pub(crate) fn new(colours: &'a C, wanted: ColourSet) -> Self {
+        let boxes = Colour::ALL.into_iter().filter(|colour| wanted.has(*colour)).map(|colour| colours.chroma(colour));
+        Self { colours, wanted, sieve: Sieve::new(boxes) }
+    }
+
+    /// Hands on the runs of a row, from the left.
+    #[inline]
+    pub(crate) fn row(&self, frame: &Frame<'_>, row: u16, mut found: impl FnMut(Run)) {
+        let mut open = Open { row, start: 0, colour: Colour::None };
+        let (blocks, rest) = chroma::blocks(frame.row(row));
+        let mut x = 0;
+        for block in blocks {
+            if self.sieve.holds_back(block) {
+                open.meet(Colour::None, x, &mut found);
+            } else {
+                open.meet_all(self.classes(block), x, &mut found);
+            }
+            x += 2 * BLOCK as u16;
+        }
+        for pair in rest {
+            open.meet(self.class(*pair), x, &mut found);
+            x += 2;
+        }
+        open.meet(Colour::None, frame.width(), &mut found);
+    }
+
+    /// The class of a pair if it is wanted. Without a branch: the borders between other classes are many and come as a
+    /// surprise.
+    #[inline(always)]
+    fn class(&self, pair: [u8; 4]) -> Colour {
+        let class = self.colours.classify(Pair(pair).mean());
+        if self.wanted.has(class) { class } else { Colour::None }
+    }
+
+    /// The classes of a block, four bits for each pair, the first one lowest.
+    #[inline(always)]
+    fn classes(&self, block: &[[u8; 4]; BLOCK]) -> u64 {
+        let place = |(at, pair): (usize, &[u8; 4])| (self.class(*pair) as u64) << (4 * at);
+        block.iter().enumerate().map(place).fold(0, |all, one| all | one)
+    }
+}
+
+/// The run that a row is in.
+struct Open {
+    row: u16,
+    start: u16,
+    colour: Colour,
+}
+
+impl Open {
+    /// A pixel of a class comes next; a run of another class ends before it.
+    #[inline(always)]
+    fn meet(&mut self, class: Colour, x: u16, found: &mut impl FnMut(Run)) {
+        if class != self.colour {
+            if self.colour != Colour::None {
+                found(Run { row: self.row, start: self.start, end: x, colour: self.colour });
+            }
+            (self.colour, self.start) = (class, x);
+        }
+    }
+
+    /// The pixels of a block come next. Only where the class changes something is to be done.
+    #[inline(always)]
+    fn meet_all(&mut self, classes: u64, first: u16, found: &mut impl FnMut(Run)) {
+        let mut changes = classes ^ (classes << 4 | self.colour as u64);
+        while changes != 0 {
+            let place = changes.trailing_zeros() / 4;
+            self.meet(Colour::from_index((classes >> (4 * place)) as u8 & 15), first + 2 * place as u16, found);
+            changes &= !(15 << (4 * place));
+        }
     }
 }
 

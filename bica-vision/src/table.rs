@@ -7,6 +7,7 @@
 //!
 //! Luma is coarser than chroma in the compact one because the classes depend on it only slowly.
 
+use crate::chroma::ChromaBox;
 use crate::colour::{Classify, Colour, Filters};
 use crate::frame::Pixel;
 
@@ -54,14 +55,19 @@ impl Classify for FullTable<'_> {
 
 /// A table with half a byte per cell, index `[Y >> 4][Cb >> 2][Cr >> 2]`.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct CompactTable([u8; COMPACT_BYTES]);
+pub struct CompactTable {
+    cells: [u8; COMPACT_BYTES],
+    /// Where each class has cells, by its number.
+    boxes: [ChromaBox; 6],
+}
 
 impl CompactTable {
     /// Compiles thresholds, each cell by the colour in its middle. About 2 ms at run time; also usable in constants.
     #[must_use]
     #[expect(clippy::large_stack_arrays, reason = "in a constant there is no stack; elsewhere it is the result's own")]
     pub const fn compile(filters: &Filters) -> Self {
-        let mut cells = [0; COMPACT_BYTES];
+        let (mut cells, mut boxes) = ([0; COMPACT_BYTES], [ChromaBox::EMPTY; 6]);
+        boxes[Colour::None as usize] = ChromaBox::ALL;
         let mut chroma = 0;
         while chroma < 64 * 64 {
             let mut rank = 5;
@@ -70,11 +76,15 @@ impl CompactTable {
                 // The class that decides first is painted last.
                 let (colour, filter) = filters.in_order()[rank];
                 let (low, high) = filter.luma_range(middle(chroma / 64), middle(chroma % 64));
-                paint(&mut cells, chroma, colour, low, high);
+                if low <= high {
+                    paint(&mut cells, chroma, colour, low, high);
+                    let first = [(chroma / 64 * 4) as u8, (chroma % 64 * 4) as u8];
+                    boxes[colour as usize] = boxes[colour as usize].with(first, [first[0] + 3, first[1] + 3]);
+                }
             }
             chroma += 1;
         }
-        Self(cells)
+        Self { cells, boxes }
     }
 }
 
@@ -97,7 +107,11 @@ impl Classify for CompactTable {
     #[inline]
     fn classify(&self, pixel: Pixel) -> Colour {
         let index = usize::from(pixel.y >> 4) << 12 | usize::from(pixel.cb >> 2) << 6 | usize::from(pixel.cr >> 2);
-        Colour::from_index(self.0[index / 2] >> (4 * (index & 1)) & 15)
+        Colour::from_index(self.cells[index / 2] >> (4 * (index & 1)) & 15)
+    }
+
+    fn chroma(&self, colour: Colour) -> ChromaBox {
+        self.boxes[colour as usize]
     }
 }
 
@@ -130,6 +144,21 @@ mod tests {
             }
         }
         assert_eq!(BUILT_IN_TABLE, CompactTable::compile(&BUILT_IN));
+    }
+
+    #[test]
+    fn every_pixel_is_in_the_box_of_its_class() {
+        for filters in [BUILT_IN, NAO_2009, DARWIN_2013] {
+            let table = CompactTable::compile(&filters);
+            let corner = |cell: u8, size: u8, end: u8| size * cell + end * (size - 1);
+            for (y, cb, cr) in (0..16).flat_map(|y| (0..64).flat_map(move |cb| (0..64).map(move |cr| (y, cb, cr)))) {
+                for end in [0, 1] {
+                    let pixel = Pixel::new(corner(y, 16, end), corner(cb, 4, end), corner(cr, 4, end));
+                    let wanted = table.chroma(table.classify(pixel));
+                    assert!(wanted.has([pixel.cb, pixel.cr]), "outside of its box: {pixel:?}");
+                }
+            }
+        }
     }
 
     #[test]

@@ -1,6 +1,7 @@
 //! What the stimuli look like.
 
 use bica::prelude::*;
+use bica_vision::chroma::ChromaBox;
 use bica_vision::colour::{Classify, Colour};
 use bica_vision::frame::Pixel;
 use bica_vision::profile;
@@ -32,5 +33,9 @@ impl Classify for Colours {
     #[inline]
     fn classify(&self, pixel: Pixel) -> Colour {
         self.table.classify(pixel)
+    }
+
+    fn chroma(&self, colour: Colour) -> ChromaBox {
+        self.table.chroma(colour)
     }
 }

@@ -21,7 +21,7 @@ pub(crate) struct Eyes {
     palette: Palette,
     /// Radius of the ball, m.
     radius: f32,
-    eyes: eyes::Eyes<512, 1024>,
+    detectors: eyes::Eyes<512, 1024>,
 }
 
 /// An image for machines. Pixels: x right, y down, centre of the first pixel (0, 0).
@@ -97,7 +97,7 @@ pub(crate) struct Robot {
 impl Eyes {
     /// Opens them for a ball of `radius` metres.
     pub(crate) fn new(palette: Palette, radius: f32) -> Self {
-        Self { palette, radius, eyes: eyes::Eyes::new(radius) }
+        Self { palette, radius, detectors: eyes::Eyes::new(radius) }
     }
 
     /// Looks at an image; says why if it is none for these eyes.
@@ -108,8 +108,8 @@ impl Eyes {
         let camera = camera.as_ref();
         let began = Instant::now();
         let seen = match &self.palette {
-            Palette::Compact(table) => self.eyes.look(&frame, &**table, camera),
-            Palette::Full(cells) => self.eyes.look(&frame, &FullTable::from(&**cells), camera),
+            Palette::Compact(table) => self.detectors.look(&frame, &**table, camera),
+            Palette::Full(cells) => self.detectors.look(&frame, &FullTable::from(&**cells), camera),
         };
         let wall_ms = 1e3 * began.elapsed().as_secs_f64();
         Ok(self.tell(file, pose, camera, seen, wall_ms))
