@@ -4,6 +4,7 @@
 
 use std::time;
 
+use bica::Stopwatch;
 use bica::prelude::*;
 
 struct Vision {
@@ -40,41 +41,16 @@ activation_tree! {
     }
 }
 
-/// Counts runs and adds up the time of each component's own code; children are not in it.
-struct Stopwatch {
-    began: time::Instant,
-    runs: [u32; Robot::COUNT],
-    spent: [time::Duration; Robot::COUNT],
-}
-
-impl Probe for Stopwatch {
-    fn run(&mut self, component: ComponentId) {
-        self.runs[component.index()] += 1;
-    }
-
-    fn begin(&mut self, _: ComponentId) {
-        self.began = time::Instant::now();
-    }
-
-    fn end(&mut self, component: ComponentId) {
-        self.spent[component.index()] += self.began.elapsed();
-    }
-}
-
 fn main() {
-    let mut robot = Robot::new();
     let began = time::Instant::now();
-    let mut watch = Stopwatch { began, runs: [0; Robot::COUNT], spent: [time::Duration::ZERO; Robot::COUNT] };
+    let mut watch: Stopwatch<_, { Robot::COUNT }> = Stopwatch::new(|| began.elapsed().as_nanos() as u64);
+    let mut robot = Robot::new();
     for cycle in 0..1000 {
         robot.tick_with(Instant::from_millis(10 * cycle), &mut watch);
     }
     println!("ten simulated seconds in {:?}", began.elapsed());
-    for (node, (runs, spent)) in Robot::GRAPH.nodes.iter().zip(watch.runs.into_iter().zip(watch.spent)) {
-        println!(
-            "{:8} {runs:5} runs, {:?} each, of {:?} µs",
-            node.name,
-            spent / runs.max(1),
-            node.budget_us.unwrap_or(0.0)
-        );
+    for (node, spent) in Robot::GRAPH.nodes.iter().zip(watch.spent()) {
+        let each = time::Duration::from_nanos(spent.total / spent.runs.max(1));
+        println!("{:8} {:5} runs, {each:?} each, of {:?} µs", node.name, spent.runs, node.budget_us.unwrap_or(0.0));
     }
 }

@@ -52,6 +52,7 @@ pub mod id;
 pub mod probe;
 pub mod rate;
 pub mod render;
+pub mod stopwatch;
 pub mod tree;
 
 mod clock;
@@ -71,4 +72,5 @@ pub use hold::Hold;
 pub use id::ComponentId;
 pub use probe::Probe;
 pub use rate::Rate;
+pub use stopwatch::Stopwatch;
 pub use tree::{Has, Status, Tree};

@@ -10,8 +10,9 @@ use crate::id::ComponentId;
 /// nothing: with the probe `()` nothing remains in the program.
 ///
 /// A run is one `run`, then one or more stretches of the component's own code, each between a `begin` and an `end`: its
-/// transitions, entry and exit hooks and body, but never its children. A probe with a clock reads it in both. Stretches
-/// never overlap. A run has two stretches when a transition is taken: the new state's children come in between.
+/// transitions, entry and exit hooks and body, but never its children. A probe with a clock reads it in both, or as a
+/// [`Stopwatch`](crate::stopwatch::Stopwatch) only once where one stretch follows another. Stretches never overlap. A run
+/// has two stretches when a transition is taken: the new state's children come in between.
 #[expect(unused_variables, reason = "the names of the arguments are documentation")]
 pub trait Probe {
     /// A cycle begins; `now` is what the tree was given.

@@ -1,0 +1,170 @@
+//! What a stopwatch charges to whom, by a counter that the components' own code moves.
+
+use std::cell::Cell;
+
+use super::*;
+use bica_core::stopwatch::{Spent, Stopwatch};
+
+thread_local! {
+    /// What the counter shows.
+    static TICKS: Cell<u64> = const { Cell::new(0) };
+    /// How often it was read.
+    static READS: Cell<u32> = const { Cell::new(0) };
+}
+
+fn work(ticks: u64) {
+    TICKS.set(TICKS.get().wrapping_add(ticks));
+}
+
+fn read() -> u64 {
+    READS.set(READS.get() + 1);
+    TICKS.get()
+}
+
+/// How often the counter is read meanwhile.
+fn reads(cycle: impl FnOnce()) -> u32 {
+    READS.set(0);
+    cycle();
+    READS.get()
+}
+
+/// A component that takes so many ticks, and its children.
+macro_rules! worker {
+    ($name:ident: $ticks:literal $(, $hz:literal Hz)?; $($child:ident)*) => {
+        pub(crate) struct $name;
+
+        #[component($(hz = $hz,)? crate = bica_core)]
+        impl $name {
+            const fn new() -> Self {
+                Self
+            }
+
+            fn step(&mut self $(, _: &$child)*) {
+                work($ticks);
+            }
+
+            #[start]
+            fn woke(&mut self) {
+                work(1000);
+            }
+
+            #[stop]
+            fn slept(&mut self) {
+                work(1000);
+            }
+        }
+    };
+}
+
+worker!(Top: 1; Middle Rare);
+worker!(Middle: 20; Bottom);
+worker!(Bottom: 300;);
+worker!(Rare: 4000, 1 Hz;);
+
+activation_tree! {
+    pub(crate) struct Bench {
+        root: Top,
+        cycle_hz: 100,
+        components: [Top, Middle, Bottom, Rare],
+        crate: bica_core,
+    }
+}
+
+fn watched(cycles: u64) -> (Bench, Stopwatch<fn() -> u64, 4>) {
+    let mut bench = Bench::new();
+    let mut watch = Stopwatch::<fn() -> u64, 4>::new(read);
+    for cycle in 0..cycles {
+        bench.tick_with(at(10 * cycle), &mut watch);
+    }
+    (bench, watch)
+}
+
+#[test]
+fn each_is_charged_with_its_own_code_and_no_hook() {
+    let (_, watch) = watched(5);
+    let spent = |runs, last| Spent { runs, total: runs * last, last };
+    assert_eq!(*watch.spent(), [spent(5, 1), spent(5, 20), spent(5, 300), spent(1, 4000)]);
+    assert_eq!(watch.of(Bench::id::<Middle>()), Some(spent(5, 20)));
+    assert_eq!(watch.of(bica_core::ComponentId::new(4)), None);
+}
+
+#[test]
+fn one_read_serves_the_end_of_one_and_the_beginning_of_the_next() {
+    let (mut bench, mut watch) = watched(1);
+    bench.hold::<Rare>(Hold::Latent);
+    bench.tick_with(at(10), &mut watch);
+    assert_eq!(reads(|| bench.tick_with(at(20), &mut watch)), 4, "three ran");
+    bench.hold::<Rare>(Hold::Tree);
+    bench.tick_with(at(30), &mut watch);
+    assert_eq!(reads(|| bench.tick_with(at(40), &mut watch)), 5, "between two that ran one was not due");
+}
+
+#[test]
+fn a_counter_may_wrap_around() {
+    TICKS.set(u64::MAX - 1000 - 310);
+    let (_, watch) = watched(3);
+    assert_eq!(watch.of(Bench::id::<Bottom>()), Some(Spent { runs: 3, total: 900, last: 300 }));
+}
+
+#[test]
+fn what_was_measured_can_be_forgotten() {
+    let (mut bench, mut watch) = watched(3);
+    watch.reset();
+    assert_eq!(*watch.spent(), [Spent::default(); 4]);
+    bench.tick_with(at(30), &mut watch);
+    assert_eq!(watch.of(Bench::id::<Top>()), Some(Spent { runs: 1, total: 1, last: 1 }));
+}
+
+#[test]
+fn what_it_does_not_measure_it_ignores() {
+    let mut watch = Stopwatch::<_, 2>::new(read);
+    Bench::new().tick_with(at(0), &mut watch);
+    assert_eq!(watch.spent().map(|spent| spent.total), [1, 20]);
+}
+
+pub(crate) struct Mover;
+
+#[component(crate = bica_core)]
+impl Mover {
+    const fn new() -> Self {
+        Self
+    }
+
+    #[state(initial)]
+    fn before(&mut self) {
+        work(1);
+    }
+
+    #[state(last)]
+    fn after(&mut self, _: &Bottom) {
+        work(2);
+    }
+
+    #[exit(before)]
+    fn leave(&mut self) {
+        work(10);
+    }
+
+    #[transition(before -> after, after_ms = 5)]
+    fn time_is_up(&self) -> bool {
+        true
+    }
+}
+
+activation_tree! {
+    pub(crate) struct Moving {
+        root: Mover,
+        cycle_hz: 100,
+        components: [Mover, Bottom],
+        crate: bica_core,
+    }
+}
+
+#[test]
+fn both_stretches_of_a_run_count() {
+    let (mut tree, mut watch) = (Moving::new(), Stopwatch::<_, 2>::new(read));
+    tree.tick_with(at(0), &mut watch);
+    tree.tick_with(at(10), &mut watch);
+    let mover = Spent { runs: 2, total: 13, last: 12 };
+    assert_eq!(*watch.spent(), [mover, Spent { runs: 1, total: 300, last: 300 }]);
+}
