@@ -3,14 +3,13 @@
 use std::hint::black_box;
 
 use bica_vision::ball::{self, BallFinder};
-use bica_vision::centre_circle;
 use bica_vision::colour::{Classify, Colour, ColourSet};
-use bica_vision::crossings;
 use bica_vision::eyes::Eyes;
 use bica_vision::field_end::FieldEnd;
 use bica_vision::frame::Pair;
 use bica_vision::goal::GoalFinder;
 use bica_vision::lines::{self, Lines};
+use bica_vision::markings::Markings;
 use bica_vision::regions::Regions;
 use bica_vision::robots;
 use bica_vision::segment::{Area, Runs};
@@ -20,10 +19,6 @@ use crate::shot::Shot;
 
 /// Runs of all classes that are kept.
 const RUNS: usize = 8192;
-/// How near lines must come to meet, as a part of the image's height.
-const REACH: f32 = 0.05;
-/// Lines farther away are not projected, m.
-const FARTHEST: f32 = 4.5;
 
 /// The memory of all stages, as a robot has it, and a place to copy a frame to.
 pub(crate) struct Desk {
@@ -41,15 +36,13 @@ pub(crate) struct Given<'a> {
     pub(crate) table: &'a CompactTable,
     end: FieldEnd,
     lines: Lines,
-    on_ground: Lines,
 }
 
 impl<'a> Given<'a> {
     pub(crate) fn new(shot: &'a Shot, table: &'a CompactTable) -> Self {
         let end = FieldEnd::find_with(&shot.frame(), table, shot.camera.as_ref());
-        let lines = lines::find(&shot.frame(), table, &end);
-        let on_ground = shot.camera.map(|camera| lines::on_ground(&lines, &camera, FARTHEST)).unwrap_or_default();
-        Self { shot, table, end, lines, on_ground }
+        let lines = lines::find(&shot.frame(), table, &end, shot.camera.as_ref());
+        Self { shot, table, end, lines }
     }
 }
 
@@ -62,7 +55,7 @@ pub(crate) const MEMCPY: &str = "memcpy";
 pub(crate) const EVERYTHING: &str = "everything";
 
 /// From the frame to all that is seen in it.
-pub(crate) const STAGES: [Stage; 12] = [
+pub(crate) const STAGES: [Stage; 11] = [
     (MEMCPY, |desk, given| {
         desk.copy.clear();
         desk.copy.extend_from_slice(black_box(&given.shot.yuyv));
@@ -94,13 +87,11 @@ pub(crate) const STAGES: [Stage; 12] = [
         black_box(robots::find(&given.shot.frame(), given.table, &given.end, Some(camera)));
     }),
     ("lines", |_, given| {
-        black_box(lines::find(&given.shot.frame(), given.table, &given.end));
+        black_box(lines::find(&given.shot.frame(), given.table, &given.end, given.shot.camera.as_ref()));
     }),
-    ("crossings", |_, given| {
-        black_box(crossings::among(&given.lines, REACH * f32::from(given.shot.height)));
-    }),
-    ("centre circle", |_, given| {
-        black_box(centre_circle::among(&given.on_ground));
+    ("markings", |_, given| {
+        let Some(camera) = &given.shot.camera else { return };
+        black_box(Markings::of(&given.shot.frame(), given.table, camera, &given.lines));
     }),
     (EVERYTHING, |desk, given| {
         black_box(desk.eyes.look(&given.shot.frame(), given.table, given.shot.camera.as_ref()));

@@ -1,16 +1,23 @@
 //! Where lines meet: corners (L), junctions (T) and crosses (X).
 //!
-//! Which of them it is shows in the image, since perspective keeps what ends where; that lines meet at a right angle is
-//! checked on the ground. Cost: every pair of lines once, 0.3 µs for ten lines.
+//! Lines that would meet at a right angle on the ground, and the centre circle with the halfway line, say where one may be.
+//! Which of its four arms are there is then looked up in the image, since lines are seen with gaps and a robot or the
+//! image's edge may hide an arm: unless all four are known to be there or not, there is no telling what it is.
+//! Cost: every pair of lines once and 16 places for each candidate, 5 µs.
 
-use core::f32::consts::FRAC_PI_2;
+use core::f32::consts::{FRAC_PI_2, PI};
 
 use bica_motion::pose::{Pose2, wrap};
 use glam::Vec2;
 use heapless::Vec;
 use libm::{atan2f, fabsf};
 
+use crate::centre_circle::CentreCircle;
+use crate::colour::Classify;
+use crate::frame::Frame;
 use crate::lines::Line;
+use crate::paint::{Ground, Shown};
+use crate::pitch::CIRCLE;
 use crate::projection::Camera;
 
 /// Crossings in a frame; more are dropped.
@@ -19,12 +26,18 @@ pub const CROSSINGS: usize = 12;
 /// The crossings of a frame.
 pub type Crossings = Vec<Crossing, CROSSINGS>;
 
-/// How far from a right angle lines may meet on the ground, rad: the error of far ends.
-const SLACK: f32 = 0.4;
-/// Lines that meet under a smaller angle in the image are one line.
-const LEAST_SINE: f32 = 0.15;
-/// Parts of the shorter line that must be to one side of a crossing to be an arm of it.
-const ARM: f32 = 0.15;
+/// Crossings farther away than this are not looked for, m.
+const FARTHEST: f32 = 3.5;
+/// The sine of how far from a right angle lines may meet on the ground: the error of short and far ones.
+const SKEW: f32 = 0.35;
+/// How far beyond its end a line may meet another, m.
+const REACH: f32 = 0.3;
+/// Where on an arm it is looked for, m from the crossing.
+const ALONG: [f32; 4] = [0.09, 0.13, 0.17, 0.21];
+/// Arms of a cross on the circle that are seen at least: the round ones often are not.
+const CROSS_ARMS: usize = 2;
+/// Crossings that are nearer to each other are one, m.
+const SAME: f32 = 0.25;
 
 /// How lines meet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -37,141 +50,110 @@ pub enum CrossingKind {
     X,
 }
 
-/// A crossing of two lines in the image.
+/// A crossing of two lines.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Crossing {
     /// How the lines meet.
     pub kind: CrossingKind,
     /// Where, px.
     pub at: Vec2,
-    /// The end of one arm, px: of the stem if it is a T.
-    pub first: Vec2,
-    /// The end of an arm across the first one, px.
-    pub second: Vec2,
+    /// Place and heading on the ground, m and rad in the camera's ground frame. The heading goes along an arm: that of an
+    /// L which has the other one at its left, the stem of a T, any arm of an X.
+    pub ground: Pose2,
 }
 
-impl Crossing {
-    /// Place and heading on the ground, m and rad in the camera's ground frame. The heading goes along an arm: that of
-    /// an L which has the other one at its left, the stem of a T, any arm of an X. None if the crossing is not seen on
-    /// the ground or is not near a right angle there.
-    #[must_use]
-    pub fn ground(&self, camera: &Camera) -> Option<Pose2> {
-        let at = camera.ground(self.at, 0.0)?;
-        let way = |end: Vec2| Some(camera.ground(at_most(self.at, end), 0.0)? - at);
-        let (first, second) = (way(self.first)?, way(self.second)?);
-        let angle = |way: Vec2| atan2f(way.y, way.x);
-        let turn = wrap(angle(second) - angle(first));
-        let is_right = fabsf(fabsf(turn) - FRAC_PI_2) < SLACK;
-        // Half of the error of each arm is in the heading.
-        let first_turns_left = self.kind != CrossingKind::L || turn > 0.0;
-        let heading = if first_turns_left { angle(first) } else { angle(second) };
-        let correction = 0.5 * (fabsf(turn) - FRAC_PI_2);
-        let side = if turn > 0.0 || self.kind == CrossingKind::L { 1.0 } else { -1.0 };
-        is_right.then(|| Pose2 { position: at, heading: wrap(heading + side * correction) })
-    }
-}
-
-/// The part of an arm that its direction is taken from: far along it the ground is uncertain.
-fn at_most(at: Vec2, end: Vec2) -> Vec2 {
-    at + (end - at).clamp_length_max(60.0)
-}
-
-/// The crossings among the lines of an image. Lines meet if they come within `reach` px of each other.
+/// The crossings among lines on the ground, m, and of the circle with the halfway line if it was found.
 #[must_use]
-pub fn among(lines: &[Line], reach: f32) -> Vec<Crossing, CROSSINGS> {
+pub fn find(
+    frame: &Frame<'_>,
+    colours: &impl Classify,
+    camera: &Camera,
+    lines: &[Line],
+    circle: Option<&CentreCircle>,
+) -> Crossings {
+    let look = Look { ground: Ground { frame, colours, camera } };
     let pairs = lines.iter().enumerate().flat_map(|(i, a)| lines[i + 1..].iter().map(move |b| (a, b)));
-    let mut found: Vec<Crossing, CROSSINGS> = Vec::new();
-    for crossing in pairs.filter_map(|(a, b)| cross(a, b, reach)) {
-        let is_new = found.iter().all(|other| other.at.distance(crossing.at) > reach);
+    let is_near = |place: &Pose2| place.position.length() <= FARTHEST;
+    let on_circle = circle.into_iter().flat_map(on_circle).filter(is_near);
+    let mut found: Crossings = on_circle.filter_map(|place| look.cross(place)).collect();
+    for place in pairs.filter_map(|(a, b)| meeting(a, b)).filter(is_near) {
+        let is_new = found.iter().all(|other| other.ground.position.distance(place.position) > SAME);
         if is_new && !found.is_full() {
-            found.extend([crossing]);
+            found.extend(look.crossing(place));
         }
     }
     found
 }
 
-fn cross(a: &Line, b: &Line, reach: f32) -> Option<Crossing> {
-    let (along, across, between) = (a.to - a.from, b.to - b.from, b.from - a.from);
-    let area = along.perp_dot(across);
-    if fabsf(area) < LEAST_SINE * along.length() * across.length() {
+/// Where the halfway line crosses the circle.
+fn on_circle(circle: &CentreCircle) -> impl Iterator<Item = Pose2> + use<> {
+    let centre = circle.centre;
+    let ways = circle.halfway.into_iter().flat_map(|way| [way, -way]);
+    ways.map(move |way| Pose2 { position: centre + CIRCLE * way, heading: atan2f(way.y, way.x) })
+}
+
+/// Where two lines on the ground would meet at about a right angle, heading along the longer one.
+fn meeting(a: &Line, b: &Line) -> Option<Pose2> {
+    let (long, short) = if a.length() >= b.length() { (a, b) } else { (b, a) };
+    let along = (long.to - long.from).try_normalize()?;
+    let across = (short.to - short.from).try_normalize()?;
+    if fabsf(along.dot(across)) > SKEW {
         return None;
     }
-    let (t, u) = (between.perp_dot(across) / area, between.perp_dot(along) / area);
-    let (first, second) = (Meeting::of(a, t, reach)?, Meeting::of(b, u, reach)?);
-    let (kind, first, second) = match (first.goes_on, second.goes_on) {
-        (true, true) => (CrossingKind::X, first, second),
-        (true, false) => (CrossingKind::T, second, first),
-        (false, true) => (CrossingKind::T, first, second),
-        (false, false) => (CrossingKind::L, first, second),
-    };
-    let at = a.from + t * along;
-    at.is_finite().then_some(Crossing { kind, at, first: first.end, second: second.end })
+    let (between, area) = (short.from - long.from, along.perp_dot(across));
+    let (on_long, on_short) = (between.perp_dot(across) / area, between.perp_dot(along) / area);
+    let reaches = |place: f32, line: &Line| place >= -REACH && place <= line.length() + REACH;
+    let position = long.from + on_long * along;
+    let meets = reaches(on_long, long) && reaches(on_short, short) && position.is_finite();
+    meets.then(|| Pose2 { position, heading: atan2f(along.y, along.x) })
 }
 
-/// How one line comes to a crossing.
-struct Meeting {
-    /// The end farther from the crossing.
-    end: Vec2,
-    goes_on: bool,
+struct Look<'a, C> {
+    ground: Ground<'a, C>,
 }
 
-impl Meeting {
-    /// `share`: where the crossing is on the line, 0 at its start, 1 at its end. None if that is out of reach.
-    fn of(line: &Line, share: f32, reach: f32) -> Option<Self> {
-        let length = line.length();
-        let (before, after) = (share * length, (1.0 - share) * length);
-        let arm = reach.max(ARM * length.min(4.0 * reach));
-        let end = if before > after { line.from } else { line.to };
-        (before.min(after) >= -reach).then_some(Self { end, goes_on: before > arm && after > arm })
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use glam::{Affine3A, Quat, Vec3};
-
-    use super::*;
-    use crate::projection::Intrinsics;
-
-    fn line(from: (f32, f32), to: (f32, f32)) -> Line {
-        Line { from: from.into(), to: to.into() }
+impl<C: Classify> Look<'_, C> {
+    /// A cross, where one is known to be if its place is in sight.
+    fn cross(&self, ground: Pose2) -> Option<Crossing> {
+        let arms = (0..4_u8).filter(|quarters| self.has_arm(ground, f32::from(*quarters) * FRAC_PI_2) == Some(true));
+        let at = self.ground.camera.pixel(ground.position.extend(0.0))?;
+        (arms.count() >= CROSS_ARMS).then_some(Crossing { kind: CrossingKind::X, at, ground })
     }
 
-    #[test]
-    fn what_ends_where_tells_the_kind() {
-        let bar = line((10.0, 50.0), (110.0, 50.0));
-        for (other, kind, at) in [
-            (line((60.0, 10.0), (60.0, 90.0)), Some(CrossingKind::X), (60.0, 50.0)),
-            (line((60.0, 54.0), (70.0, 120.0)), Some(CrossingKind::T), (59.4, 50.0)),
-            (line((13.0, 44.0), (10.0, 0.0)), Some(CrossingKind::L), (13.4, 50.0)),
-            (line((60.0, 70.0), (60.0, 120.0)), None, (0.0, 0.0)),
-            (line((20.0, 52.0), (100.0, 55.0)), None, (0.0, 0.0)),
-        ] {
-            let found = among(&[bar, other], 8.0);
-            assert_eq!(found.first().map(|crossing| crossing.kind), kind);
-            assert!(found.iter().all(|crossing| crossing.at.distance(at.into()) < 0.1), "{found:?}");
+    /// The crossing at a place, by which of its arms are there.
+    fn crossing(&self, place: Pose2) -> Option<Crossing> {
+        let mut arms = [false; 4];
+        for (arm, quarters) in arms.iter_mut().zip(0_u8..) {
+            *arm = self.has_arm(place, f32::from(quarters) * FRAC_PI_2)?;
         }
+        let (kind, turn) = match arms {
+            [true, true, true, true] => (CrossingKind::X, 0.0),
+            [true, true, false, true] => (CrossingKind::T, 0.0),
+            [true, true, true, false] => (CrossingKind::T, FRAC_PI_2),
+            [false, true, true, true] => (CrossingKind::T, PI),
+            [true, false, true, true] => (CrossingKind::T, -FRAC_PI_2),
+            [true, true, false, false] => (CrossingKind::L, 0.0),
+            [false, true, true, false] => (CrossingKind::L, FRAC_PI_2),
+            [false, false, true, true] => (CrossingKind::L, PI),
+            [true, false, false, true] => (CrossingKind::L, -FRAC_PI_2),
+            _ => return None,
+        };
+        let at = self.ground.camera.pixel(place.position.extend(0.0))?;
+        Some(Crossing { kind, at, ground: Pose2 { heading: wrap(place.heading + turn), ..place } })
     }
 
-    #[test]
-    fn a_heading_on_the_ground_is_found_again() {
-        let pose = Affine3A::from_rotation_translation(Quat::from_rotation_y(0.5), Vec3::new(0.0, 0.0, 0.5));
-        let camera = Camera::new(pose, Intrinsics::nao_v6(320, 240));
-        for step in 0..12_u8 {
-            let heading = 0.5 * f32::from(step) + 0.1;
-            let place = Pose2::new(1.1, 0.1, wrap(heading));
-            let pixel = |ahead: f32, left: f32| camera.pixel(place.place(Vec2::new(ahead, left)).extend(0.0)).unwrap();
-            let (middle, arms) = (pixel(0.0, 0.0), [pixel(0.3, 0.0), pixel(0.0, 0.3), pixel(0.0, -0.3)]);
-            let corner = [Line { from: middle, to: arms[1] }, Line { from: arms[0], to: middle }];
-            let junction = [Line { from: arms[2], to: arms[1] }, Line { from: arms[0], to: middle }];
-            for (kind, lines) in [(CrossingKind::L, corner), (CrossingKind::T, junction)] {
-                let found = among(&lines, 6.0);
-                assert_eq!(found.len(), 1);
-                let ground = found[0].ground(&camera).expect("a right angle");
-                assert_eq!(found[0].kind, kind);
-                assert!(ground.position.distance(place.position) < 1e-3, "{ground:?}");
-                assert!(wrap(ground.heading - heading).abs() < 1e-2, "{kind:?} {ground:?} {heading}");
+    /// Whether a line goes from a place into a direction; none if that is hidden or beside the image.
+    fn has_arm(&self, place: Pose2, direction: f32) -> Option<bool> {
+        let way = Vec2::from_angle(place.heading + direction);
+        let (mut lines, mut greens) = (0, 0);
+        for along in ALONG {
+            match self.ground.shows(place.position + along * way, way.perp()) {
+                Some(Shown::Line) => lines += 1,
+                Some(Shown::Carpet) => greens += 1,
+                Some(Shown::Other) | None => {}
             }
         }
+        // At the image's edge little carpet is enough to know that the line does not go on.
+        (lines >= 2 || lines == 0 && greens > 0).then_some(lines > greens)
     }
 }

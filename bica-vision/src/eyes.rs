@@ -9,6 +9,7 @@ use crate::field_end::FieldEnd;
 use crate::frame::Frame;
 use crate::goal::{GoalFinder, Goals};
 use crate::lines::{self, Lines};
+use crate::markings::Markings;
 use crate::projection::Camera;
 use crate::robots::{self, Robots};
 
@@ -34,6 +35,8 @@ pub struct Seen {
     pub robots: Robots,
     /// White lines, px; not those on a robot.
     pub lines: Lines,
+    /// What these are on the ground, with their crossings and the centre circle; nothing without a camera's pose.
+    pub markings: Markings,
 }
 
 impl<const B: usize, const G: usize> Eyes<B, G> {
@@ -49,8 +52,9 @@ impl<const B: usize, const G: usize> Eyes<B, G> {
         let ball = self.balls.find(frame, colours, &end, camera);
         let goals = self.goals.find(frame, colours, &end, camera);
         let robots = camera.map(|camera| robots::find(frame, colours, &end, Some(camera))).unwrap_or_default();
-        let mut lines = lines::find(frame, colours, &end);
+        let mut lines = lines::find(frame, colours, &end, camera);
         lines.retain(|line| !robots.iter().any(|robot| robot.covers(line.from.midpoint(line.to))));
-        Seen { end, ball, goals, robots, lines }
+        let markings = camera.map(|camera| Markings::of(frame, colours, camera, &lines)).unwrap_or_default();
+        Seen { end, ball, goals, robots, lines, markings }
     }
 }

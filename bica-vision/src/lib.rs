@@ -11,8 +11,8 @@
 //! | runs, regions, bars | [`segment`], [`regions`], [`bars`] | 30 µs on every second row |
 //! | ball | [`ball`], with [`edges`] and [`circle`] | 40 µs, its segmentation included |
 //! | goals | [`goal`], with [`gap`] | 35 µs, their segmentation included |
-//! | lines | [`lines`] | 30 µs, needs white and green |
-//! | crossings, centre circle | [`crossings`], [`centre_circle`] | 2 µs, from lines |
+//! | lines | [`lines`] | 30 µs, needs luma and at a line's sides green |
+//! | crossings, centre circle | [`markings`]: [`crossings`], [`centre_circle`] | 15 µs, from lines |
 //! | other robots | [`robots`] | 25 µs |
 //! | place on the field | [`localization`], on the map [`pitch`] | 0.5 ms with 200 particles |
 //! | the world | [`projection`], [`memory`] | 30 ns for a point |
@@ -64,7 +64,9 @@ pub mod gap;
 pub mod goal;
 pub mod lines;
 pub mod localization;
+pub mod markings;
 pub mod memory;
+mod paint;
 pub mod pitch;
 pub mod profile;
 pub mod projection;

@@ -4,27 +4,24 @@ use glam::Vec2;
 use heapless::Vec;
 
 use super::{POINTS, POSTS, PostSighting, Sightings};
-use crate::centre_circle;
 use crate::colour::Colour;
 use crate::crossings::Crossing;
 use crate::goal::{Goal, Goals, Post};
-use crate::lines::{self, Line};
+use crate::lines::Line;
+use crate::markings::Markings;
 use crate::projection::Camera;
 
-/// Beyond this a line says little of where the robot is, m.
-const FARTHEST: f32 = 4.5;
 /// A crossing's heading is known up to this distance, m.
 const CROSSING_FARTHEST: f32 = 3.0;
 
 impl Sightings {
-    /// What is seen of the field: lines and their crossings, px, and goals; `attacked` is the colour of the goal at
-    /// positive x, [`Colour::Yellow`] or [`Colour::Blue`].
+    /// What is seen of the field: what is painted on it, and goals; `attacked` is the colour of the goal at positive x,
+    /// [`Colour::Yellow`] or [`Colour::Blue`].
     #[must_use]
-    pub fn of(lines: &[Line], crossings: &[Crossing], goals: &Goals, attacked: Colour, camera: &Camera) -> Self {
-        let on_ground = lines::on_ground(lines, camera, FARTHEST);
+    pub fn of(markings: &Markings, goals: &Goals, attacked: Colour, camera: &Camera) -> Self {
         let near = |crossing: &Crossing| {
-            let pose = crossing.ground(camera).filter(|pose| pose.position.length() < CROSSING_FARTHEST)?;
-            Some((crossing.kind, pose))
+            let is_near = crossing.ground.position.length() < CROSSING_FARTHEST;
+            is_near.then_some((crossing.kind, crossing.ground))
         };
         let goals = [goals.yellow, goals.blue].into_iter().flatten();
         let mut posts: Vec<PostSighting, POSTS> = Vec::new();
@@ -34,9 +31,9 @@ impl Sightings {
             posts.extend(sighting.into_iter().take(POSTS - posts.len()));
         }
         Self {
-            points: spread(&on_ground),
-            crossings: crossings.iter().filter_map(near).collect(),
-            circle: centre_circle::among(&on_ground),
+            points: spread(&markings.lines),
+            crossings: markings.crossings.iter().filter_map(near).collect(),
+            circle: markings.circle,
             posts,
         }
     }

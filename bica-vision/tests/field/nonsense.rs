@@ -3,7 +3,7 @@
 use std::f32::consts::PI;
 
 use bica_motion::pose::Pose2;
-use bica_vision::centre_circle::CentreCircle;
+use bica_vision::centre_circle::{self, CentreCircle};
 use bica_vision::colour::Colour;
 use bica_vision::crossings::{self, CrossingKind};
 use bica_vision::field_end::FieldEnd;
@@ -11,6 +11,7 @@ use bica_vision::frame::Frame;
 use bica_vision::goal::{GoalFinder, PostSide};
 use bica_vision::lines::{self, Line};
 use bica_vision::localization::{Localizer, PostSighting, Sightings};
+use bica_vision::markings::Markings;
 use bica_vision::pitch::CARPET;
 use bica_vision::profile::BUILT_IN_TABLE;
 use bica_vision::projection::{Camera, Intrinsics};
@@ -123,14 +124,16 @@ proptest! {
     }
 
     #[test]
-    fn any_picture_from_any_camera_is_looked_at(bytes in picture(), camera in camera(), reach in number()) {
+    fn any_picture_from_any_camera_is_looked_at(bytes in picture(), camera in camera()) {
         let frame = Frame::new(160, 120, &bytes).expect("a frame");
         let end = FieldEnd::find(&frame, &BUILT_IN_TABLE);
-        let found = lines::find(&frame, &BUILT_IN_TABLE, &end);
-        let crossings = crossings::among(&found, reach);
+        let found = lines::find(&frame, &BUILT_IN_TABLE, &end, Some(&camera));
+        let markings = Markings::of(&frame, &BUILT_IN_TABLE, &camera, &found);
+        prop_assert!(markings.crossings.iter().all(|crossing| crossing.at.is_finite()));
+        prop_assert!(markings.circle.is_none_or(|circle| circle.centre.is_finite()));
         let goals = GoalFinder::<256>::new().find(&frame, &BUILT_IN_TABLE, &end, Some(&camera));
-        let sightings = Sightings::of(&found, &crossings, &goals, Colour::Yellow, &camera);
-        let on_ground = lines::on_ground(&found, &camera, 4.5);
+        let sightings = Sightings::of(&markings, &goals, Colour::Yellow, &camera);
+        let on_ground = &markings.lines;
         prop_assert!(on_ground.iter().all(|line| line.from.length().max(line.to.length()) <= 4.5));
         prop_assert!(sightings.points.iter().all(|point| point.length() <= 4.6));
         for robot in robots::find(&frame, &BUILT_IN_TABLE, &end, Some(&camera)) {
@@ -140,10 +143,16 @@ proptest! {
     }
 
     #[test]
-    fn any_lines_cross_or_do_not(ends in prop::collection::vec((place(), place()), 0..24), reach in number()) {
+    fn any_lines_cross_or_do_not(
+        bytes in picture(),
+        camera in camera(),
+        ends in prop::collection::vec((place(), place()), 0..24),
+    ) {
+        let frame = Frame::new(160, 120, &bytes).expect("a frame");
         let lines: Vec<Line> = ends.into_iter().map(|(from, to)| Line { from, to }).collect();
-        prop_assert!(crossings::among(&lines, reach).iter().all(|crossing| crossing.at.is_finite()));
-        let circle = bica_vision::centre_circle::among(&lines);
+        let circle = centre_circle::find(&frame, &BUILT_IN_TABLE, &camera, &lines);
         prop_assert!(circle.is_none_or(|circle| circle.centre.is_finite()));
+        let crossings = crossings::find(&frame, &BUILT_IN_TABLE, &camera, &lines, circle.as_ref());
+        prop_assert!(crossings.iter().all(|crossing| crossing.at.is_finite() && crossing.ground.position.is_finite()));
     }
 }

@@ -264,7 +264,7 @@ proptest! {
         let (from, to) = (Vec2::new(x, y) - half, Vec2::new(x, y) + half);
         let mut canvas = Canvas::field(320, 240, 30.0);
         canvas.bar(LINE, from, to, width);
-        let lines = canvas.look(|frame| lines::find(frame, &BUILT_IN_TABLE, &FieldEnd::find(frame, &BUILT_IN_TABLE)));
+        let lines = canvas.look(|frame| lines::find(frame, &BUILT_IN_TABLE, &FieldEnd::find(frame, &BUILT_IN_TABLE), None));
         let length: f32 = lines.iter().map(lines::Line::length).sum();
         prop_assert!(length > 0.7 * from.distance(to) && length < 1.2 * from.distance(to), "{lines:?}");
         let normal = (to - from).perp().normalize();

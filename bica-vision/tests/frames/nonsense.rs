@@ -52,7 +52,7 @@ fn pose() -> impl Strategy<Value = Affine3A> {
 fn all_answers(frame: &Frame<'_>, colours: &impl Classify, camera: Option<&Camera>) -> Vec<f32> {
     let end = FieldEnd::find_with(frame, colours, camera);
     let mut numbers: Vec<f32> = end.corners().iter().flat_map(|corner| [corner.x, corner.y]).collect();
-    numbers.extend(lines::find(frame, colours, &end).iter().flat_map(|l| [l.from.x, l.from.y, l.to.x, l.to.y]));
+    numbers.extend(lines::find(frame, colours, &end, None).iter().flat_map(|l| [l.from.x, l.from.y, l.to.x, l.to.y]));
     for end in [end, FieldEnd::NONE] {
         // Small capacities, so that they run full.
         let ball = BallFinder::<64>::new(ball::RADIUS).find(frame, colours, &end, camera);

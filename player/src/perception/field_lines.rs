@@ -1,21 +1,17 @@
-//! The lines on the carpet.
+//! What is painted on the carpet.
 
 use bica::prelude::*;
-use bica_vision::crossings::{self, Crossing, Crossings};
 use bica_vision::frame::Frame;
-use bica_vision::lines::{self, Line, Lines};
+use bica_vision::lines;
+use bica_vision::markings::Markings;
 
-use super::{FieldEnd, RobotDetector};
+use super::{CameraPose, FieldEnd, RobotDetector};
 use crate::input::{Colours, Eye};
 
-/// How near lines must come to meet, as a part of the image's height: two scans of the search for lines.
-const REACH: f32 = 0.05;
-
-/// The white lines in the newest image, and where they cross. What is white on a robot is no line.
+/// The white lines in the newest image, where they cross, and the centre circle. What is white on a robot is no line.
 #[derive(Debug)]
 pub struct FieldLines {
-    lines: Lines,
-    crossings: Crossings,
+    markings: Markings,
     image: u32,
 }
 
@@ -24,29 +20,25 @@ impl FieldLines {
     /// Has seen no lines yet.
     #[must_use]
     pub const fn new() -> Self {
-        Self { lines: Lines::new(), crossings: Crossings::new(), image: 0 }
+        Self { markings: Markings::NONE, image: 0 }
     }
 
-    fn step(&mut self, eye: &Eye, colours: &Colours, end: &FieldEnd, robots: &RobotDetector) {
+    fn step(&mut self, eye: &Eye, colours: &Colours, end: &FieldEnd, robots: &RobotDetector, pose: &CameraPose) {
         if self.image == eye.count() {
             return;
         }
         self.image = eye.count();
+        self.markings = Markings::NONE;
         let Ok(frame) = Frame::from_image(&eye.image()) else { return };
-        self.lines = lines::find(&frame, colours, end.line());
-        self.lines.retain(|line| !robots.covers(line.from.midpoint(line.to)));
-        self.crossings = crossings::among(&self.lines, REACH * f32::from(frame.height()));
+        let Some(camera) = pose.camera() else { return };
+        let mut lines = lines::find(&frame, colours, end.line(), Some(camera));
+        lines.retain(|line| !robots.covers(line.from.midpoint(line.to)));
+        self.markings = Markings::of(&frame, colours, camera, &lines);
     }
 
-    /// The lines, px.
+    /// What is painted on the carpet, m, in the frame on the ground between the feet.
     #[must_use]
-    pub fn lines(&self) -> &[Line] {
-        &self.lines
-    }
-
-    /// Where they cross, px.
-    #[must_use]
-    pub fn crossings(&self) -> &[Crossing] {
-        &self.crossings
+    pub const fn markings(&self) -> &Markings {
+        &self.markings
     }
 }

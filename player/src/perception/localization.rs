@@ -39,8 +39,7 @@ impl Localization {
         }
         self.image = eye.count();
         if let Some(camera) = pose.camera() {
-            let (lines, crossings) = (lines.lines(), lines.crossings());
-            self.localizer.see(Sightings::of(lines, crossings, net.goals(), net.attacked(), camera));
+            self.localizer.see(Sightings::of(lines.markings(), net.goals(), net.attacked(), camera));
         }
     }
 

@@ -5,12 +5,12 @@ use std::f32::consts::TAU;
 use bica_motion::pose::{Pose2, wrap};
 use bica_sim::referee::Thing;
 use bica_vision::crossings::CrossingKind;
+use bica_vision::eyes::Seen;
 use bica_vision::lines::Line;
 use bica_vision::pitch::{self, CIRCLE, CORNER, PENALTY_AREA};
 use glam::Vec2;
 
 use super::FAR;
-use super::eyes::Seen;
 use super::score::Score;
 use super::truth::{SIZE, Truth};
 
@@ -60,13 +60,13 @@ fn is_seen(place: Vec2, truth: &Truth) -> bool {
 /// Pieces of lines are due, and pieces of what is seen are right or wrong.
 pub(super) fn lines(score: &mut Score, seen: &Seen, truth: &Truth) {
     let pixels =
-        |line: &Line| Some((seen.camera.pixel(line.from.extend(0.0))?, seen.camera.pixel(line.to.extend(0.0))?));
-    let found: Vec<(Vec2, Vec2)> = seen.lines.iter().filter_map(pixels).collect();
+        |line: &Line| Some((truth.camera.pixel(line.from.extend(0.0))?, truth.camera.pixel(line.to.extend(0.0))?));
+    let found: Vec<(Vec2, Vec2)> = seen.markings.lines.iter().filter_map(pixels).collect();
     for piece in pieces().filter(|piece| truth.distance(*piece) <= FAR && is_seen(*piece, truth)) {
         let at = truth.pixel(piece.extend(0.0));
         score.due(at.is_some_and(|at| found.iter().any(|(from, to)| distance(at, *from, *to) <= LINE_NEAR.0)));
     }
-    for line in &seen.lines {
+    for line in &seen.markings.lines {
         let count = (line.length() / PIECE).ceil();
         for index in 0..count as usize {
             let place = line.from.lerp(line.to, (index as f32 + 0.5) / count);
@@ -95,8 +95,8 @@ fn distance(at: Vec2, from: Vec2, to: Vec2) -> f32 {
 
 /// Due if its arms are seen. Right if kind, place and heading are.
 pub(super) fn crossings(score: &mut Score, seen: &Seen, truth: &Truth) {
-    let found = seen.crossings.iter().filter_map(|crossing| Some((crossing.kind, crossing.ground(&seen.camera)?)));
-    let found: Vec<(CrossingKind, Pose2)> = found.map(|(kind, pose)| (kind, truth.pose * pose)).collect();
+    let found = seen.markings.crossings.iter().map(|crossing| (crossing.kind, truth.pose * crossing.ground));
+    let found: Vec<(CrossingKind, Pose2)> = found.collect();
     let near = |a: &Pose2, b: &Pose2, quarters: f32| {
         let turn = wrap(quarters * (a.heading - b.heading)).abs();
         a.position.distance(b.position) < CROSSING_NEAR.0 && turn < quarters * CROSSING_NEAR.1
@@ -128,7 +128,7 @@ fn shows_arms(kind: CrossingKind, known: &Pose2, truth: &Truth) -> bool {
 
 /// Due if a part of its line is seen.
 pub(super) fn circle(score: &mut Score, seen: &Seen, truth: &Truth) {
-    let off = seen.circle.map(|circle| truth.pose.place(circle.centre).length());
+    let off = seen.markings.circle.map(|circle| truth.pose.place(circle.centre).length());
     let hit = off.filter(|off| *off < CIRCLE_NEAR);
     if off.is_some() {
         score.seen(hit.is_some());

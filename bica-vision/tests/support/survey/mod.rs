@@ -1,16 +1,14 @@
 //! How well everything is seen: random poses in the built-in world, whose referee knows the truth.
 
-mod eyes;
+pub(crate) mod eyes;
 mod field;
 mod look;
-pub(crate) mod picture;
 mod score;
 mod things;
 mod truth;
 
 use std::fmt;
 
-use eyes::Eyes;
 pub(crate) use look::Look;
 pub(crate) use score::Score;
 use truth::Truth;
@@ -20,7 +18,6 @@ pub(crate) const FAR: f32 = 3.0;
 
 /// The scores of all that is looked for.
 pub(crate) struct Survey {
-    eyes: Eyes,
     pub(crate) poses: usize,
     pub(crate) ball: Score,
     pub(crate) posts: Score,
@@ -35,7 +32,6 @@ impl Survey {
     /// Looks around from as many random poses, from the one of number `first` on.
     pub(crate) fn of(first: u64, poses: usize) -> Self {
         let mut survey = Self {
-            eyes: Eyes::new(),
             poses: 0,
             ball: Score::new("ball", "% of distance"),
             posts: Score::new("goal posts", "% of distance"),
@@ -53,7 +49,7 @@ impl Survey {
 
     fn add(&mut self, mut look: Look) {
         let truth = Truth::of(&mut look);
-        let seen = self.eyes.see(&look);
+        let (_, seen) = eyes::see(&look);
         self.poses += 1;
         self.ball.note(look.number, |score| things::ball(score, &seen, &truth));
         self.posts.note(look.number, |score| things::posts(score, &seen, &truth));

@@ -4,7 +4,7 @@ use std::fmt;
 
 /// How often something was found and was right, and how far off it was.
 pub(crate) struct Score {
-    name: &'static str,
+    pub(crate) name: &'static str,
     unit: &'static str,
     due: usize,
     found: usize,
@@ -37,11 +37,6 @@ impl Score {
         look(self);
         self.missed.extend((self.due - self.found > missed).then_some(pose));
         self.wrong.extend((self.seen - self.right > wrong).then_some(pose));
-    }
-
-    /// Whether a word is part of its name.
-    pub(crate) fn is_called(&self, word: &str) -> bool {
-        self.name.contains(word)
     }
 
     /// Something had to be seen.

@@ -4,12 +4,12 @@ use std::f32::consts::PI;
 
 use bica_sim::referee::Thing;
 use bica_vision::ball::RADIUS;
+use bica_vision::eyes::Seen;
 use bica_vision::goal::{Goal, HEIGHT, Post};
 use bica_vision::pitch;
 use glam::{Vec2, Vec3};
 
 use super::FAR;
-use super::eyes::Seen;
 use super::score::Score;
 use super::truth::{SIZE, Truth};
 
@@ -39,7 +39,7 @@ pub(super) fn ball(score: &mut Score, seen: &Seen, truth: &Truth) {
         return;
     }
     score.due(hit.is_some());
-    if let Some(ground) = hit.and_then(|ball| ball.ground(&seen.camera, RADIUS)) {
+    if let Some(ground) = hit.and_then(|ball| ball.ground(&truth.camera, RADIUS)) {
         score.error(100.0 * ground.distance(place) / place.length());
     }
 }
@@ -60,7 +60,7 @@ pub(super) fn posts(score: &mut Score, seen: &Seen, truth: &Truth) {
             }
             score.due(hit.is_some());
             let place = truth.pose.locate(known);
-            if let Some(ground) = hit.filter(|post| post.has_base).and_then(|post| post.ground(&seen.camera)) {
+            if let Some(ground) = hit.filter(|post| post.has_base).and_then(|post| post.ground(&truth.camera)) {
                 score.error(100.0 * ground.distance(place) / place.length());
             }
         }
@@ -90,7 +90,7 @@ fn is_post_due(known: Vec2, truth: &Truth) -> bool {
 
 /// Due if both of its legs are seen down to the ground. A robot is 0.1 m nearer than its middle.
 pub(super) fn robots(score: &mut Score, seen: &Seen, truth: &Truth) {
-    let found = seen.robots.iter().filter_map(|robot| Some(truth.pose.place(robot.ground(&seen.camera)?)));
+    let found = seen.robots.iter().filter_map(|robot| Some(truth.pose.place(robot.ground(&truth.camera)?)));
     let found: Vec<Vec2> = found.filter(|place| truth.distance(*place) <= FAR).collect();
     for place in &found {
         score.seen(truth.others.iter().any(|other| other.position.distance(*place) < ROBOT_ERROR + 0.1));

@@ -116,7 +116,7 @@ impl Eyes {
     }
 
     fn tell(&self, file: &str, pose: Option<&Pose>, camera: Option<&Camera>, seen: Seen, wall_ms: f64) -> Sighting {
-        let Seen { end, ball, goals, lines, robots } = seen;
+        let Seen { end, ball, goals, lines, robots, .. } = seen;
         let goals: Vec<_> = [goals.yellow, goals.blue].into_iter().flatten().collect();
         Sighting {
             file: file.to_owned(),

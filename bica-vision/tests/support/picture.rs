@@ -7,10 +7,12 @@ use std::path::Path;
 use bica_motion::robot::Image;
 use bica_sim::World;
 use bica_vision::crossings::CrossingKind;
+use bica_vision::eyes::Seen;
+use bica_vision::projection::Camera;
 use glam::Vec2;
 
-use super::eyes::{Eyes, Seen};
-use super::look::Look;
+use crate::survey::Look;
+use crate::survey::eyes;
 
 /// Picture pixels for one of the image's.
 const TIMES: usize = 3;
@@ -24,10 +26,10 @@ struct Picture {
 
 /// Writes the image of a look with the marks of all that is seen in it.
 pub(crate) fn write(path: &Path, look: &Look) -> io::Result<()> {
-    let seen = Eyes::new().see(look);
+    let (camera, seen) = eyes::see(look);
     let mut world = look.world.clone();
     let mut picture = Picture::of(&world.sensors().image.expect("there is a new one"));
-    picture.mark(&seen);
+    picture.mark(&seen, &camera);
     let height = picture.pixels.len() / picture.width;
     let mut encoder = png::Encoder::new(BufWriter::new(File::create(path)?), picture.width as u32, height as u32);
     encoder.set_color(png::ColorType::Rgb);
@@ -46,12 +48,15 @@ impl Picture {
         Self { width: TIMES * width, pixels: (0..TIMES * TIMES * width * height).map(pixel).collect() }
     }
 
-    fn mark(&mut self, seen: &Seen) {
+    fn mark(&mut self, seen: &Seen, camera: &Camera) {
         self.path(seen.end.corners(), [255, 255, 255]);
-        for line in &seen.raw {
-            self.path(&[line.from, line.to], [255, 0, 0]);
+        for line in &seen.markings.lines {
+            let ends = [line.from, line.to].map(|end| camera.pixel(end.extend(0.0)));
+            if let [Some(from), Some(to)] = ends {
+                self.path(&[from, to], [255, 0, 0]);
+            }
         }
-        for crossing in &seen.crossings {
+        for crossing in &seen.markings.crossings {
             let colour = match crossing.kind {
                 CrossingKind::L => [255, 0, 255],
                 CrossingKind::T => [0, 255, 255],
@@ -59,9 +64,9 @@ impl Picture {
             };
             self.frame(crossing.at - 4.0, crossing.at + 4.0, colour);
         }
-        if let Some(circle) = seen.circle {
+        if let Some(circle) = seen.markings.circle {
             let points = (0..41_u8).map(|i| circle.centre + 0.6 * Vec2::from_angle(0.157_08 * f32::from(i)));
-            let points: Vec<Vec2> = points.filter_map(|at| seen.camera.pixel(at.extend(0.0))).collect();
+            let points: Vec<Vec2> = points.filter_map(|at| camera.pixel(at.extend(0.0))).collect();
             self.path(&points, [255, 160, 0]);
         }
         for robot in &seen.robots {

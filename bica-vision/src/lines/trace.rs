@@ -1,0 +1,80 @@
+//! A stripe followed to its ends, pixel by pixel.
+
+use glam::Vec2;
+
+use super::Stripe;
+use crate::frame::Frame;
+use crate::projection::Camera;
+
+/// How far a stripe is followed beyond each end of what scans found, px at 320 × 240.
+const FARTHEST: f32 = 60.0;
+/// The part of a stripe's rise by which it is brighter than its sides.
+const RISE_PART: f32 = 0.35;
+/// Pixels without the stripe after which it has ended.
+const GAP: f32 = 2.0;
+/// How wide a line looks on the ground, m, with a pixel more or less: what is wider is a robot's limb.
+const WIDTH: (f32, f32) = (0.02, 0.085);
+
+/// The stripe with its true ends.
+pub(super) fn to_the_ends(stripe: Stripe, frame: &Frame<'_>) -> Stripe {
+    let Some(along) = (stripe.to - stripe.from).try_normalize() else { return stripe };
+    let trace = Trace { frame, stripe, aside: (0.7 * stripe.width + 1.5) * along.perp() };
+    let scale = f32::from(frame.height()) / 240.0;
+    let to = trace.end(stripe.to, scale * along);
+    Stripe { from: trace.end(stripe.from, -scale * along), to, ..stripe }
+}
+
+/// Whether a stripe is as wide as a line would be on the ground.
+pub(super) fn is_of_width(stripe: &Stripe, camera: &Camera) -> bool {
+    let Some(along) = (stripe.to - stripe.from).try_normalize() else { return false };
+    let width = |middle: Vec2, pixels: f32| {
+        let aside = 0.5 * pixels.max(0.0) * along.perp();
+        let [left, right, ahead] = [middle - aside, middle + aside, middle + along].map(|at| camera.ground(at, 0.0));
+        let (left, right, ahead) = (left?, right?, ahead?);
+        let way = (ahead - left.midpoint(right)).try_normalize()?;
+        Some(libm::fabsf(way.perp_dot(right - left)))
+    };
+    let middle = stripe.from.midpoint(stripe.to);
+    let least = width(middle, stripe.width - 1.0);
+    let most = width(middle, stripe.width + 1.0);
+    least.is_some_and(|least| least <= WIDTH.1) && most.is_none_or(|most| most >= WIDTH.0)
+}
+
+struct Trace<'a> {
+    frame: &'a Frame<'a>,
+    stripe: Stripe,
+    /// From the middle of the stripe to beyond its edge, px.
+    aside: Vec2,
+}
+
+impl Trace<'_> {
+    fn luma(&self, at: Vec2) -> Option<f32> {
+        let pixel = self.frame.pixel(libm::floorf(at.x + 0.5) as i32, libm::floorf(at.y + 0.5) as i32)?;
+        Some(f32::from(pixel.y))
+    }
+
+    /// The last place from `start` on at which the stripe is seen. It goes on behind one that crosses it.
+    fn end(&self, start: Vec2, step: Vec2) -> Vec2 {
+        let (mut end, mut dark, mut bright) = (start, 0.0, 0.0);
+        for count in 1..FARTHEST as u8 {
+            let at = start + f32::from(count) * step;
+            let (Some(middle), Some(left), Some(right)) =
+                (self.luma(at), self.luma(at - self.aside), self.luma(at + self.aside))
+            else {
+                break;
+            };
+            let rise = RISE_PART * self.stripe.rise;
+            if middle >= left.max(right) + rise {
+                (end, dark, bright) = (at, 0.0, 0.0);
+            } else if middle >= left.min(right) + rise {
+                bright += 1.0;
+            } else {
+                dark += 1.0;
+            }
+            if dark > GAP || bright > 2.0 * self.stripe.width + 4.0 {
+                break;
+            }
+        }
+        end
+    }
+}

@@ -1,0 +1,34 @@
+//! Everything is seen from random poses in the built-in world, whose referee knows the truth.
+//!
+//! The figures of many more poses: `cargo run --release -p bica-vision --example survey`.
+
+#[path = "support/survey/mod.rs"]
+mod survey;
+
+use survey::{Score, Survey};
+
+/// How many poses: enough to notice a detector that went wrong.
+const POSES: usize = 300;
+
+/// The least recall and precision, and the largest error: the median and that of 95 in 100.
+struct Bounds(f32, f32, f32, f32);
+
+fn check(score: &Score, Bounds(recall, precision, median, most): &Bounds) {
+    let amiss = format!("{score}\nmissed {:?}\nwrong {:?}", score.missed, score.wrong);
+    assert!(score.recall() >= *recall && score.precision() >= *precision, "{amiss}");
+    assert!(score.error_at(50) <= *median && score.error_at(95) <= *most, "{amiss}");
+}
+
+#[test]
+fn what_there_is_is_seen_where_it_is() {
+    let survey = Survey::of(0, POSES);
+    println!("{survey}");
+    let Survey { ball, posts, lines, crossings, circle, robots, field_end, .. } = &survey;
+    check(ball, &Bounds(0.98, 0.98, 1.0, 2.0));
+    check(posts, &Bounds(0.95, 0.97, 1.5, 4.5));
+    check(lines, &Bounds(0.9, 0.96, 0.5, 4.0));
+    check(crossings, &Bounds(0.85, 0.95, 1.0, 3.0));
+    check(circle, &Bounds(0.8, 0.95, 1.0, 4.0));
+    check(robots, &Bounds(0.8, 0.8, 4.0, 10.0));
+    check(field_end, &Bounds(0.97, 0.97, 1.0, 3.0));
+}
