@@ -43,6 +43,9 @@ pub(crate) enum Command {
     Play(Play),
     /// Print the activation tree: its components, rates, links, states and transitions
     Graph(GraphArgs),
+    /// Try the body in `MuJoCo`: walking, pushes, odometry, kicks, getting up; print tables of what was reached
+    #[cfg(feature = "mujoco")]
+    Trial(Trial),
     /// Look at a folder of camera images with the forward's eyes, and sum up
     Watch(Watch),
     /// Look at a folder of camera images: one line for each, as JSON if you like; or compare with labels
@@ -97,6 +100,81 @@ pub(crate) enum World {
     BuiltIn,
     Mujoco,
     Firmware,
+}
+
+#[cfg(feature = "mujoco")]
+#[derive(Clone, Debug, Args)]
+pub(crate) struct Trial {
+    /// What to try [default: everything]
+    #[arg(value_name = "NAME")]
+    pub(crate) names: Vec<TrialName>,
+    /// Try everything with N seeds
+    #[arg(long, value_name = "N", default_value_t = 20, value_parser = clap::value_parser!(u32).range(1..))]
+    pub(crate) runs: u32,
+    /// The first seed
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    pub(crate) seed: u64,
+    /// Try this many at once [default: one for each core]; the results are the same for any number
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1024))]
+    pub(crate) threads: Option<u32>,
+    /// How well the soles grip
+    #[arg(long, value_name = "F")]
+    pub(crate) friction: Option<f32>,
+    /// A factor on the gain of the legs' motors
+    #[arg(long, value_name = "F")]
+    pub(crate) leg_gain: Option<f32>,
+    /// The greatest torque of the legs' motors, Nm
+    #[arg(long, value_name = "NM")]
+    pub(crate) torque_limit: Option<f32>,
+    /// From a command to its first effect, s
+    #[arg(long, value_name = "S")]
+    pub(crate) dead_time: Option<f32>,
+    /// A factor on the noise of the sensors
+    #[arg(long, value_name = "F")]
+    pub(crate) noise: Option<f32>,
+    /// Print the tables as JSON on stdout and nothing else there; what is said to people goes to stderr
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+/// What can be tried.
+#[cfg(feature = "mujoco")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum TrialName {
+    /// Velocities, each by itself and mixed
+    Walk,
+    /// Commands by chance for a minute
+    Commands,
+    /// Pushes from all sides
+    Pushes,
+    /// Commands by chance with other friction, gains, torques and dead time
+    Bodies,
+    /// Odometry after three metres
+    Odometry,
+    /// All six kicks
+    Kicks,
+    /// Getting up after being thrown over
+    GetUp,
+}
+
+#[cfg(feature = "mujoco")]
+impl TrialName {
+    /// All of them.
+    pub(crate) const ALL: &[Self] =
+        &[Self::Walk, Self::Commands, Self::Pushes, Self::Bodies, Self::Odometry, Self::Kicks, Self::GetUp];
+
+    /// The name as it is typed.
+    pub(crate) const fn word(self) -> &'static str {
+        match self {
+            Self::Walk => "walk",
+            Self::Commands => "commands",
+            Self::Pushes => "pushes",
+            Self::Bodies => "bodies",
+            Self::Odometry => "odometry",
+            Self::Kicks => "kicks",
+            Self::GetUp => "get-up",
+        }
+    }
 }
 
 #[derive(Clone, Debug, Args)]

@@ -13,6 +13,8 @@ mod progress;
 mod see;
 mod stop;
 mod svg;
+#[cfg(feature = "mujoco")]
+mod trial;
 mod voice;
 mod watch;
 
@@ -38,6 +40,8 @@ pub(crate) fn run() -> ExitCode {
         Some(Command::Watch(args)) => watch::run(&args),
         Some(Command::See(args)) => see::run(&args),
         Some(Command::Calibrate(args)) => calibrate::run(&args),
+        #[cfg(feature = "mujoco")]
+        Some(Command::Trial(args)) => trial::run(&args),
     };
     match thread::Builder::new().stack_size(STACK).spawn(work).map(thread::JoinHandle::join) {
         Ok(Ok(outcome)) => outcome.map_or_else(ExitCode::from, ExitCode::from),

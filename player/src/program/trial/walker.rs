@@ -1,0 +1,92 @@
+//! A body that moves as it is told, without a mind.
+
+use bica_motion::joints::Joint;
+use bica_motion::limbs::Limbs;
+use bica_motion::odometry::Odometry;
+use bica_motion::pose::Pose2;
+use bica_motion::robot::{CameraId, Command, Lights};
+use bica_motion::stand::Stiffness;
+use bica_motion::walk::{Body, Parameters, Velocity, Walk};
+use bica_sim::field::{Setup, Start};
+use bica_sim::mujoco::{MujocoWorld, Physics};
+use bica_sim::referee::Event;
+use bica_sim::{CYCLE_SECONDS, World};
+use glam::Vec2;
+
+use crate::program::ending::Failure;
+
+/// A robot alone on the field, and its gait.
+pub(crate) struct Walker {
+    pub(crate) world: MujocoWorld,
+    gait: Walk,
+    odometry: Odometry,
+}
+
+impl Walker {
+    /// Stands there; the ball lies in a corner.
+    pub(crate) fn new(seed: u64, robot: Pose2, physics: &Physics) -> Result<Self, Failure> {
+        let start = Some(Start { robot, ball: Vec2::new(-2.8, 1.8) });
+        let setup = Setup { seed, goalkeeper: false, start, ..Setup::default() };
+        let world =
+            MujocoWorld::new(&setup, physics).map_err(|error| Failure::new(error.to_string(), "try another value"))?;
+        let mut walker = Self { world, gait: Walk::new(&Parameters::NAO), odometry: Odometry::new() };
+        walker.go(Velocity::ZERO, 1.0);
+        Ok(walker)
+    }
+
+    /// Walks with a velocity for some seconds, unless it falls.
+    pub(crate) fn go(&mut self, velocity: Velocity, seconds: f32) {
+        for _ in 0..cycles(seconds) {
+            if self.fell() {
+                return;
+            }
+            self.cycle(velocity);
+        }
+    }
+
+    /// Walks for a control cycle.
+    pub(crate) fn cycle(&mut self, velocity: Velocity) {
+        let sensors = self.world.sensors();
+        let limbs = self.gait.step(velocity, &Body::from(&sensors), CYCLE_SECONDS);
+        let turned = sensors.inertial.gyro.z * CYCLE_SECONDS;
+        self.odometry.step(&sensors.angles, &sensors.left_foot, &sensors.right_foot, Some(turned));
+        self.act(&limbs);
+    }
+
+    /// Moves the limbs for a control cycle.
+    pub(crate) fn act(&mut self, limbs: &Limbs) {
+        let mut stiffness = Stiffness::Walk.joints();
+        for joint in [Joint::HeadYaw, Joint::HeadPitch] {
+            stiffness[joint] = 0.7;
+        }
+        let (lights, camera) = (Lights::default(), CameraId::Top);
+        self.world.act(&Command { targets: limbs.joints(), stiffness, lights, camera });
+    }
+
+    /// When it fell first, s.
+    pub(crate) fn fall(&self) -> Option<f32> {
+        let mut events = self.world.referee().events().iter();
+        let fall = events.find(|happened| matches!(happened.event, Event::Fall(_)));
+        fall.map(|fall| fall.at.as_secs_f32())
+    }
+
+    /// Whether it ever fell.
+    pub(crate) fn fell(&self) -> bool {
+        self.fall().is_some()
+    }
+
+    /// Where it is.
+    pub(crate) fn pose(&self) -> Pose2 {
+        self.world.referee().robot()
+    }
+
+    /// Where its odometry believes it to be, from where it was when that began.
+    pub(crate) const fn believed(&self) -> Pose2 {
+        self.odometry.pose()
+    }
+}
+
+/// Control cycles in a time, s.
+pub(crate) fn cycles(seconds: f32) -> usize {
+    (seconds / CYCLE_SECONDS).round() as usize
+}
