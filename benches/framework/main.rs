@@ -2,10 +2,14 @@
 //!
 //! `cargo bench --bench framework`. Compare figures of one run with each other, never with another machine's.
 
+mod active;
 mod chain;
 mod machine;
+mod ticks;
+#[path = "../trees/mod.rs"]
+mod trees;
 
 use criterion::{criterion_group, criterion_main};
 
-criterion_group!(benches, chain::bench, machine::bench);
+criterion_group!(benches, chain::bench, active::bench, machine::bench);
 criterion_main!(benches);
