@@ -63,7 +63,7 @@ impl Smaller {
 /// by the time that the same recording takes.
 fn per_second(frame: Frame) -> Result<f64, String> {
     let (width, height) = frame.size();
-    let name = format!("loop_{width}x{height}");
+    let name = format!("forward.at_{width}x{height}");
     let text = read(COUNTED_HERE)?;
     let count = text.lines().find_map(|line| line.strip_prefix(&name)?.trim().parse::<f64>().ok());
     let count = count.ok_or_else(|| format!("{COUNTED_HERE} has no `{name}`: cargo xtask budget --bless"))?;

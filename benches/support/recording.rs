@@ -54,6 +54,12 @@ impl Recording {
     }
 }
 
+impl Picture {
+    pub(crate) fn image(&self) -> Image<'_> {
+        Image { camera: self.camera, width: self.width, height: self.height, yuyv: &self.yuyv }
+    }
+}
+
 impl Moment {
     fn of(sensors: &Sensors<'_>) -> Self {
         let picture = sensors.image.map(|image| Picture {
@@ -67,12 +73,6 @@ impl Moment {
     }
 
     fn sensors(&self) -> Sensors<'_> {
-        let image = self.picture.as_ref().map(|picture| Image {
-            camera: picture.camera,
-            width: picture.width,
-            height: picture.height,
-            yuyv: &picture.yuyv,
-        });
-        Sensors { image, ..self.sensors }
+        Sensors { image: self.picture.as_ref().map(Picture::image), ..self.sensors }
     }
 }

@@ -1,6 +1,8 @@
 //! The workspace's chores: `cargo xtask` lists them.
 
+mod buildtime;
 mod firmware;
+mod instructions;
 mod mujoco;
 mod no_std;
 mod process;
@@ -17,7 +19,13 @@ Chores of the BICA workspace.
                         (--build: only builds; --size: what takes how much; --bless: takes the new figures as right)
   cargo xtask mujoco    installs what the feature `mujoco` needs: MuJoCo's library into target/mujoco (from PyPI, with pip), and
                         EGL with Mesa's software renderer (with apt); `play --world mujoco` plays there
-  cargo xtask ci        all that CI checks: format, lints, docs, tests, twenty games, no-std, firmware
+  cargo xtask budget    counts the instructions of the benchmarks that are gated, by valgrind, and holds each within 2 % of
+                        benches/instructions.txt; gets valgrind (with apt) and gungraun-runner (built once) first
+                        (--bless: takes the new counts as right)
+  cargo xtask buildtime measures what one waits for the compiler: a change to a component until its test has run, and a
+                        clean build of the facade
+  cargo xtask ci        all that CI checks: format, lints, docs, tests, twenty games, instructions, no-std,
+                        firmware
 ";
 
 fn main() -> ExitCode {
@@ -29,6 +37,9 @@ fn main() -> ExitCode {
             firmware::check(Some(&more))
         }
         (Some("mujoco"), None) => mujoco::install(),
+        (Some("budget"), None) => instructions::check(false),
+        (Some("budget"), Some(more)) if more == "--bless" => instructions::check(true),
+        (Some("buildtime"), None) => buildtime::check(),
         (Some("ci"), None) => ci(),
         (None | Some("help" | "--help" | "-h"), None) => {
             print!("{HELP}");
@@ -56,6 +67,7 @@ fn ci() -> Result<(), String> {
     run("cargo", &["doc", "--workspace", "--no-deps"], &[("RUSTDOCFLAGS", "-D warnings")])?;
     run("cargo", &["test", "--workspace"], &[])?;
     run("cargo", &["run", "--release", "--", "play", "--games", "20", "--at-least", "19"], &[])?;
+    instructions::check(false)?;
     no_std::check()?;
     firmware::check(None)
 }

@@ -34,3 +34,23 @@ pub(crate) fn works(program: &str, arguments: &[&str]) -> bool {
         .status()
         .is_ok_and(|status| status.success())
 }
+
+/// Runs a program in the workspace's folder, saying so first: what it prints on its standard output.
+///
+/// # Errors
+/// The command line, if it can't be started, fails, or prints what is no text.
+pub(crate) fn output(program: &str, arguments: &[&str], variables: &[(&str, &str)]) -> Result<String, String> {
+    let line = format!("{program} {}", arguments.join(" "));
+    eprintln!("xtask: {line}");
+    let done = Command::new(program)
+        .args(arguments)
+        .envs(variables.iter().copied())
+        .current_dir(root())
+        .stderr(Stdio::inherit())
+        .output()
+        .map_err(|error| format!("cannot start `{line}`: {error}"))?;
+    if !done.status.success() {
+        return Err(format!("`{line}` failed: {}", done.status));
+    }
+    String::from_utf8(done.stdout).map_err(|_| format!("`{line}` printed what is no text"))
+}

@@ -1,0 +1,39 @@
+//! One run of each component, the others latent.
+
+use std::time::{Duration, Instant as Clock};
+
+use bica::{ComponentId, Tree};
+use bica_player::Forward;
+use bica_sim::field::Frame;
+use criterion::{BenchmarkId, Criterion};
+
+use crate::alone::Alone;
+
+pub(crate) fn bench(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("component");
+    for (index, node) in Forward::GRAPH.nodes.iter().enumerate() {
+        for frame in [Frame::Small, Frame::Medium, Frame::Large] {
+            let (width, height) = frame.size();
+            let mut alone = Alone::new(ComponentId::new(index), frame);
+            if alone.sees() {
+                let id = BenchmarkId::new(node.name, format!("{width}x{height}"));
+                group.bench_function(id, |bencher| bencher.iter_custom(|runs| time(&mut alone, runs)));
+            } else if frame == Frame::Medium {
+                group.bench_function(node.name, |bencher| bencher.iter(|| alone.run()));
+            }
+        }
+    }
+    group.finish();
+}
+
+/// The time of some runs, each with a new image that is not part of it.
+fn time(alone: &mut Alone, runs: u64) -> Duration {
+    let mut sum = Duration::ZERO;
+    for _ in 0..runs {
+        alone.look();
+        let began = Clock::now();
+        alone.run();
+        sum += began.elapsed();
+    }
+    sum
+}

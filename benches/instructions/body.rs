@@ -1,0 +1,58 @@
+//! Kinematics and walk.
+
+use std::hint::black_box;
+
+use bica_motion::joints::Joints;
+use bica_motion::kinematics::{YawFrom, ankle, centre_of_mass, legs_angles};
+use bica_motion::robot::FootPressure;
+use bica_motion::side::Side;
+use bica_motion::walk::{Body, Parameters, Velocity, Walk};
+use gungraun::prelude::*;
+
+/// Some pose, rad.
+fn pose() -> Joints {
+    let mut walk = Walk::new(&Parameters::NAO);
+    strides(&mut walk, 30);
+    walk.step(FORWARD, &on_both_feet(), 0.01).joints()
+}
+
+const FORWARD: Velocity = Velocity { forward: 0.2, left: 0.02, turn: 0.1 };
+
+fn on_both_feet() -> Body {
+    let force = FootPressure { front_left: 26.0, ..FootPressure::default() };
+    Body { left_foot: force, right_foot: force, ..Body::default() }
+}
+
+fn strides(walk: &mut Walk, cycles: usize) {
+    let body = on_both_feet();
+    for _ in 0..cycles {
+        black_box(walk.step(black_box(FORWARD), &body, 0.01));
+    }
+}
+
+#[library_benchmark]
+#[bench::pose(pose())]
+fn forward_kinematics(angles: Joints) {
+    black_box(ankle(Side::Left, black_box(&angles)));
+}
+
+#[library_benchmark]
+#[bench::pose(pose())]
+fn balance(angles: Joints) {
+    black_box(centre_of_mass(black_box(&angles)));
+}
+
+#[library_benchmark]
+#[bench::pose([ankle(Side::Left, &pose()), ankle(Side::Right, &pose())])]
+fn inverse_kinematics(ankles: [glam::Affine3A; 2]) {
+    let [left, right] = black_box(&ankles);
+    black_box(legs_angles(left, right, YawFrom::Mean));
+}
+
+#[library_benchmark]
+#[bench::second(Walk::new(&Parameters::NAO))]
+fn walk(mut walk: Walk) {
+    strides(&mut walk, 100);
+}
+
+library_benchmark_group!(name = motion, benchmarks = [forward_kinematics, balance, inverse_kinematics, walk]);

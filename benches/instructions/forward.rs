@@ -1,0 +1,100 @@
+//! The forward: one run of each component, and its whole loop.
+
+use std::hint::black_box;
+
+use bica::prelude::*;
+use bica_player::behaviour::{
+    FaceBall, FallGuard, Fixmove, FollowBall, GoRound, LookAround, Player, SearchBall, SearchNet,
+};
+use bica_player::input::{Colours, Eye, Measured};
+use bica_player::motion::{Body, GoStraight, Head, Kicker, Turn, Walk};
+use bica_player::output::{Gaze, Motors};
+use bica_player::perception::{
+    BallDetector, CameraPose, FallDetector, FieldEnd, FieldLines, Localization, NetDetector, Odometry, RobotDetector,
+};
+use bica_player::{Forward, act, sense};
+use bica_sim::field::Frame;
+use gungraun::prelude::*;
+
+use crate::alone::Alone;
+use crate::recording::{CYCLES, Recording, WARM};
+
+/// The component, with a new image before it.
+fn alone<C: 'static>() -> Alone
+where
+    Forward: Has<C>,
+{
+    let mut alone = Alone::new(Forward::id::<C>(), Frame::Medium);
+    if alone.sees() {
+        alone.look();
+    }
+    alone
+}
+
+macro_rules! components {
+    ($($name:ident: $kind:ty),* $(,)?) => {
+        #[library_benchmark]
+        $(#[bench::$name(alone::<$kind>())])*
+        fn component(mut component: Alone) -> Alone {
+            component.run();
+            component
+        }
+
+        const _: () = assert!([$(stringify!($name)),*].len() == Forward::COUNT, "a component is missing here");
+    };
+}
+
+components! {
+    player: Player,
+    search_ball: SearchBall,
+    follow_ball: FollowBall,
+    search_net: SearchNet,
+    look_around: LookAround,
+    go_round: GoRound,
+    fixmove: Fixmove,
+    fall_guard: FallGuard,
+    face_ball: FaceBall,
+    body: Body,
+    go_straight: GoStraight,
+    turn: Turn,
+    walk: Walk,
+    kicker: Kicker,
+    head: Head,
+    localization: Localization,
+    ball_detector: BallDetector,
+    net_detector: NetDetector,
+    field_lines: FieldLines,
+    robot_detector: RobotDetector,
+    field_end: FieldEnd,
+    camera_pose: CameraPose,
+    odometry: Odometry,
+    fall_detector: FallDetector,
+    eye: Eye,
+    colours: Colours,
+    measured: Measured,
+    motors: Motors,
+    gaze: Gaze,
+}
+
+library_benchmark_group!(name = components, benchmarks = [component]);
+
+/// A forward, and what it is about to sense.
+fn recording(frame: Frame) -> (Recording, Box<Forward>) {
+    Recording::of_game(frame, WARM, CYCLES)
+}
+
+// As in the budget report, which times it.
+#[library_benchmark]
+#[bench::at_160x120(recording(Frame::Small))]
+#[bench::at_320x240(recording(Frame::Medium))]
+#[bench::at_640x480(recording(Frame::Large))]
+fn forward((recording, mut robot): (Recording, Box<Forward>)) -> (Recording, Box<Forward>) {
+    for (cycle, sensors) in recording.sensors().enumerate() {
+        sense(&mut robot, &sensors).expect("the eye is large enough");
+        robot.tick(Instant::from_millis(10_000 + 10 * cycle as u64));
+        black_box(act(&robot));
+    }
+    (recording, robot)
+}
+
+library_benchmark_group!(name = whole_loop, benchmarks = [forward]);

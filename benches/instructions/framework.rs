@@ -1,0 +1,92 @@
+//! The framework: a hundred cycles of each tree.
+
+use std::hint::black_box;
+
+use bica::prelude::*;
+use gungraun::prelude::*;
+
+use crate::trees::chain::{Hundred, Rarely, Ten};
+use crate::trees::latent::{TenOfHundred, TenOfTen};
+use crate::trees::machine::{ByHand, Machine, Ring};
+use crate::trees::shared::Diamond;
+use crate::trees::switch::{Root, Switch};
+
+const CYCLES: u64 = 100;
+
+/// A tree that is at work already.
+fn warm<T: Tree>(mut tree: T) -> T {
+    ticks(&mut tree, 0, |_, _| {});
+    tree
+}
+
+fn ticks<T: Tree>(tree: &mut T, from: u64, mut before: impl FnMut(&mut T, u64)) {
+    for now in from..from + CYCLES {
+        before(tree, now);
+        black_box(&mut *tree).tick(Instant::from_millis(now));
+    }
+}
+
+fn still() -> Switch {
+    let mut tree = Switch::new();
+    tree.get_mut::<Root>().changes = false;
+    warm(tree)
+}
+
+/// One benchmark for each tree: what a benchmark calls must be a function that is not generic.
+macro_rules! trees {
+    ($($name:ident: $kind:ty = $tree:expr),* $(,)?) => {
+        $(
+            #[library_benchmark]
+            #[bench::cycles($tree)]
+            fn $name(mut tree: $kind) -> $kind {
+                ticks(&mut tree, CYCLES, |_, _| {});
+                tree
+            }
+        )*
+    };
+}
+
+trees! {
+    chain_of_ten: Ten = warm(Ten::new()),
+    chain_of_ten_none_due: Rarely = warm(Rarely::new()),
+    chain_of_a_hundred: Hundred = warm(Hundred::new()),
+    ten_of_ten: TenOfTen = warm(TenOfTen::new()),
+    ten_of_a_hundred: TenOfHundred = warm(TenOfHundred::new()),
+    shared: Diamond = warm(Diamond::new()),
+    switch: Switch = warm(Switch::new()),
+    no_switch: Switch = still(),
+}
+
+#[library_benchmark]
+#[bench::cycles(warm(Machine::new()))]
+fn machine(mut tree: Machine) -> Machine {
+    ticks(&mut tree, CYCLES, |tree, now| tree.get_mut::<Ring>().input = now as u32);
+    tree
+}
+
+#[library_benchmark]
+#[bench::cycles(ByHand::new())]
+fn machine_by_hand(mut machine: ByHand) -> ByHand {
+    for now in CYCLES..2 * CYCLES {
+        let machine = black_box(&mut machine);
+        machine.input = now as u32;
+        machine.step(1000 * now);
+    }
+    machine
+}
+
+library_benchmark_group!(
+    name = trees,
+    benchmarks = [
+        chain_of_ten,
+        chain_of_ten_none_due,
+        chain_of_a_hundred,
+        ten_of_ten,
+        ten_of_a_hundred,
+        shared,
+        switch,
+        no_switch,
+        machine,
+        machine_by_hand
+    ]
+);

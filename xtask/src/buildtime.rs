@@ -1,0 +1,114 @@
+//! How long one waits for the compiler.
+
+use std::fs;
+use std::path::PathBuf;
+use std::time::{Duration, Instant};
+
+use crate::process::{output, root, run};
+
+/// Where a build from nothing goes.
+const CLEAN: &str = "target/buildtime";
+/// The longest that they may take on two free cores.
+const FACADE: Duration = Duration::from_mins(1);
+const CHANGE: Duration = Duration::from_secs(5);
+/// The component that is changed, where, and the test of it.
+const COMPONENT: &str = "player/src/behaviour/face_ball.rs";
+const PLACE: &str = "head.look_at(";
+const TEST: [&str; 7] = ["test", "--quiet", "--package", "bica", "--test", "forward", "facing_the_ball"];
+/// How often the component is changed; the least time counts.
+const CHANGES: u32 = 5;
+
+/// Measures, and fails if it takes too long.
+///
+/// # Errors
+/// What does not build, or what takes too long.
+pub(crate) fn check() -> Result<(), String> {
+    let rebuilt = (1..=CHANGES).map(after_change).collect::<Result<Vec<_>, _>>()?;
+    let changed = rebuilt.into_iter().min_by_key(|spent| spent.wall).ok_or("nothing was changed")?;
+    let facade = facade()?;
+    println!("{:<60}{:>10}{:>16}{:>10}", "", "wall", "all processors", "may take");
+    tell("a change to a component, until its test has run", changed, CHANGE);
+    tell("a clean `cargo build --release` of the facade", facade, FACADE);
+    // Other programs on the machine take time from the wall clock and hardly from the processors': that decides.
+    for (what, spent, limit) in [("one component", changed, CHANGE), ("the facade", facade, FACADE)] {
+        if spent.wall.min(spent.busy) > limit {
+            return Err(format!("{what} takes longer to build than {} s", limit.as_secs()));
+        }
+    }
+    Ok(())
+}
+
+#[derive(Clone, Copy)]
+struct Spent {
+    wall: Duration,
+    /// Processor time of all that was started.
+    busy: Duration,
+}
+
+fn tell(what: &str, spent: Spent, limit: Duration) {
+    let (wall, busy) = (spent.wall.as_secs_f64(), spent.busy.as_secs_f64());
+    println!("{what:<60}{wall:>8.1} s{busy:>14.1} s{:>8} s", limit.as_secs());
+}
+
+fn facade() -> Result<Spent, String> {
+    let folder = root().join(CLEAN);
+    if folder.exists() {
+        fs::remove_dir_all(&folder).map_err(|error| format!("cannot empty {CLEAN}: {error}"))?;
+    }
+    // What is measured is the compiler, not the network.
+    run("cargo", &["fetch", "--quiet"], &[])?;
+    let build = ["build", "--quiet", "--release", "--package", "bica", "--target-dir", CLEAN];
+    measure(|| run("cargo", &build, &[]))
+}
+
+/// Changes the component and runs its test, which was up to date before.
+fn after_change(number: u32) -> Result<Spent, String> {
+    run("cargo", &TEST, &[])?;
+    let _changed = Changed::new(number)?;
+    measure(|| run("cargo", &TEST, &[]))
+}
+
+fn measure(work: impl FnOnce() -> Result<(), String>) -> Result<Spent, String> {
+    let (began, before) = (Instant::now(), busy()?);
+    work()?;
+    Ok(Spent { wall: began.elapsed(), busy: busy()?.saturating_sub(before) })
+}
+
+/// Processor time of all programs that this one started and that have ended, theirs included.
+fn busy() -> Result<Duration, String> {
+    let wrong = || "cannot read processor times: /proc/self/stat is not as on Linux".to_owned();
+    let text = fs::read_to_string("/proc/self/stat").map_err(|_| wrong())?;
+    // The name comes second, in brackets, and may hold anything; user and system time of children are 16th and 17th.
+    let (_, rest) = text.rsplit_once(')').ok_or_else(wrong)?;
+    let ticks: Option<u64> = rest.split_whitespace().skip(13).take(2).map(|word| word.parse::<u64>().ok()).sum();
+    let per_second: u64 = output("getconf", &["CLK_TCK"], &[])?.trim().parse().map_err(|_| wrong())?;
+    Ok(Duration::from_millis(1000 * ticks.ok_or_else(wrong)? / per_second.max(1)))
+}
+
+/// A component whose code is another, until this is dropped.
+struct Changed {
+    file: PathBuf,
+    before: String,
+}
+
+impl Changed {
+    fn new(number: u32) -> Result<Self, String> {
+        let file = root().join(COMPONENT);
+        let before = fs::read_to_string(&file).map_err(|error| format!("cannot read {COMPONENT}: {error}"))?;
+        let code = format!("core::hint::black_box({number});\n        {PLACE}");
+        let after = before.replacen(PLACE, &code, 1);
+        if after == before {
+            return Err(format!("{COMPONENT} has no `{PLACE}` to change"));
+        }
+        fs::write(&file, after).map_err(|error| format!("cannot write {COMPONENT}: {error}"))?;
+        Ok(Self { file, before })
+    }
+}
+
+impl Drop for Changed {
+    fn drop(&mut self) {
+        if let Err(error) = fs::write(&self.file, &self.before) {
+            eprintln!("xtask: {COMPONENT} still has the change that was made to measure: {error}");
+        }
+    }
+}

@@ -1,0 +1,125 @@
+//! What costs what it did, and what does not.
+
+use std::collections::BTreeMap;
+use std::fmt::Write;
+
+/// How far a count may go from the committed one without somebody saying so.
+const TOLERANCE: f64 = 0.02;
+/// So few instructions are the compiler's to choose.
+const GRAIN: u64 = 4;
+
+const HEADING: &str = "# Instructions, counted by valgrind. `cargo xtask budget --bless` writes this file.\n";
+const COMPILER: &str = "# Compiler: ";
+
+/// What the gate says.
+pub(crate) struct Report {
+    /// All counts, beside the committed ones.
+    pub(crate) table: String,
+    /// What is not as it was, in words.
+    pub(crate) wrong: Vec<String>,
+}
+
+/// The file of these counts.
+pub(crate) fn text(counted: &BTreeMap<String, u64>, compiler: &str) -> String {
+    let mut text = format!("{HEADING}{COMPILER}{compiler}\n");
+    for (name, count) in counted {
+        let _ = writeln!(text, "{name} {count}");
+    }
+    text
+}
+
+/// Holds counts against those in a file.
+///
+/// # Errors
+/// A line of the file that is no name with a count.
+pub(crate) fn compare(text: &str, counted: &BTreeMap<String, u64>, compiler: &str) -> Result<Report, String> {
+    let known = read(text)?;
+    let (mut table, mut wrong) = (String::new(), Vec::new());
+    for (name, &now) in counted {
+        let before = known.get(name).copied();
+        let change = before.map_or(String::new(), |before| format!("{:+.2} %", percent(now, before)));
+        let _ = writeln!(table, "{name:<32}{now:>12}{change:>12}");
+        match before {
+            None => wrong.push(format!("{name}: new, {now} instructions")),
+            Some(before) if !is_near(now, before) => {
+                wrong.push(format!("{name}: {before} instructions before, {now} now, {change}"));
+            }
+            Some(_) => {}
+        }
+    }
+    let gone = known.keys().filter(|name| !counted.contains_key(*name));
+    wrong.extend(gone.map(|name| format!("{name}: not counted any more")));
+    let before = text.lines().find_map(|line| line.strip_prefix(COMPILER)).unwrap_or("unknown");
+    if !wrong.is_empty() && before != compiler {
+        wrong.push(format!("the compiler is another: {before} before, {compiler} now"));
+    }
+    Ok(Report { table, wrong })
+}
+
+fn read(text: &str) -> Result<BTreeMap<String, u64>, String> {
+    let line = |line: &str| {
+        let (name, count) = line.split_once(' ')?;
+        Some((name.to_owned(), count.parse().ok()?))
+    };
+    let lines = text.lines().filter(|line| !line.starts_with('#'));
+    lines.map(|words| line(words).ok_or_else(|| format!("`{words}` is no name with a count"))).collect()
+}
+
+fn is_near(now: u64, before: u64) -> bool {
+    now.abs_diff(before) as f64 <= (TOLERANCE * before as f64).max(GRAIN as f64)
+}
+
+fn percent(now: u64, before: u64) -> f64 {
+    100.0 * (now as f64 / before as f64 - 1.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn counts(pairs: &[(&str, u64)]) -> BTreeMap<String, u64> {
+        pairs.iter().map(|(name, count)| ((*name).to_owned(), *count)).collect()
+    }
+
+    fn wrong(before: &[(&str, u64)], now: &[(&str, u64)]) -> Vec<String> {
+        compare(&text(&counts(before), "rustc 1"), &counts(now), "rustc 1").expect("a sound file").wrong
+    }
+
+    #[test]
+    fn two_percent_either_way_are_no_change() {
+        assert!(wrong(&[("walk", 1000)], &[("walk", 1000)]).is_empty());
+        assert!(wrong(&[("walk", 1000)], &[("walk", 1020)]).is_empty());
+        assert!(wrong(&[("walk", 1000)], &[("walk", 980)]).is_empty());
+        assert!(wrong(&[("eye", 92)], &[("eye", 96)]).is_empty());
+    }
+
+    #[test]
+    fn code_made_slower_is_named() {
+        let wrong = wrong(&[("ball", 500), ("walk", 1000)], &[("ball", 500), ("walk", 1021)]);
+        assert_eq!(wrong, ["walk: 1000 instructions before, 1021 now, +2.10 %"]);
+    }
+
+    #[test]
+    fn code_made_faster_is_to_be_blessed_too() {
+        assert_eq!(wrong(&[("walk", 1000)], &[("walk", 900)]).len(), 1);
+    }
+
+    #[test]
+    fn what_comes_and_what_goes_is_named() {
+        let wrong = wrong(&[("old", 1)], &[("new", 1)]);
+        assert_eq!(wrong, ["new: new, 1 instructions", "old: not counted any more"]);
+    }
+
+    #[test]
+    fn another_compiler_is_told_with_what_it_changed() {
+        let text = text(&counts(&[("walk", 1000)]), "rustc 1");
+        let wrong = |now| compare(&text, &counts(&[("walk", now)]), "rustc 2").expect("a sound file").wrong;
+        assert!(wrong(1000).is_empty());
+        assert_eq!(wrong(2000)[1], "the compiler is another: rustc 1 before, rustc 2 now");
+    }
+
+    #[test]
+    fn a_line_that_is_no_figure_is_refused() {
+        assert!(compare("walk many\n", &BTreeMap::new(), "").is_err());
+    }
+}
