@@ -1,10 +1,11 @@
 //! What seeing costs, stage by stage, on rendered and on real frames.
 //!
 //! `cargo bench --bench vision` prints a table of minima, with a copy of the frame as the floor and made-up frames as
-//! the worst, then Criterion's figures; `cargo bench --bench vision -- table` the table alone. Compare figures of one run
-//! with each other, never with another machine's.
+//! the worst, then Criterion's figures; `cargo bench --bench vision -- table` the table alone; `cargo xtask opencv` what
+//! another library takes beside it. Compare figures of one run with each other, never with another machine's.
 
 mod figures;
+mod peer;
 mod recorded;
 mod rendered;
 mod shot;
@@ -17,22 +18,38 @@ use crate::shot::{Album, SIZES};
 use crate::stages::{Desk, Given, STAGES};
 
 fn main() {
-    let folder = recorded::folder();
-    let albums = SIZES.map(|size| {
-        let real = folder.iter().flat_map(|folder| recorded::albums(folder, size));
-        std::iter::once(rendered::album(size)).chain(real).collect::<Vec<_>>()
-    });
-    for albums in &albums {
-        figures::print(albums);
-        // The real frames with poses where there are some.
-        figures::print_worst(&worst::album(albums[0].size()), albums.get(1).unwrap_or(&albums[0]));
+    let words: Vec<String> = std::env::args().skip(1).collect();
+    let words: Vec<&str> = words.iter().map(String::as_str).collect();
+    match words[..] {
+        ["table", ..] => {
+            tables();
+        }
+        ["export", folder, ..] => SIZES.map(|size| peer::export(&usual(size), folder.as_ref())).into_iter().collect(),
+        ["everything", ..] => SIZES.map(|size| peer::everything(&usual(size))).into_iter().collect(),
+        _ => {
+            let mut criterion = Criterion::default().configure_from_args();
+            tables().iter().flatten().for_each(|album| bench(&mut criterion, album));
+            criterion.final_summary();
+        }
     }
-    if std::env::args().any(|word| word == "table") {
-        return;
-    }
-    let mut criterion = Criterion::default().configure_from_args();
-    albums.iter().flatten().for_each(|album| bench(&mut criterion, album));
-    criterion.final_summary();
+}
+
+/// Real frames with poses where there are some, else rendered ones.
+fn usual(size: (u16, u16)) -> Album {
+    recorded::folder().map_or_else(|| rendered::album(size), |folder| recorded::albums(&folder, size).swap_remove(0))
+}
+
+/// Prints what every stage takes, for each size, and how much longer frames may take that are made to.
+fn tables() -> Vec<Vec<Album>> {
+    let real = recorded::folder();
+    let of_size = |size| {
+        let real = real.iter().flat_map(|folder| recorded::albums(folder, size));
+        let albums: Vec<Album> = std::iter::once(rendered::album(size)).chain(real).collect();
+        figures::print(&albums);
+        figures::print_worst(&worst::album(size), albums.get(1).unwrap_or(&albums[0]));
+        albums
+    };
+    SIZES.map(of_size).into()
 }
 
 /// Every stage on the frames of an album, one after the other.

@@ -17,21 +17,22 @@ pub(crate) fn folder() -> Option<PathBuf> {
     if folder.is_dir() {
         return Some(folder);
     }
-    println!("real frames are skipped: there are none at {}", folder.display());
+    eprintln!("real frames are skipped: there are none at {}", folder.display());
     None
 }
 
 /// The frames of two robots, brought to a size: the cameras gave 320×240.
-pub(crate) fn albums(folder: &Path, size: (u16, u16)) -> [Album; 2] {
+pub(crate) fn albums(folder: &Path, size: (u16, u16)) -> Vec<Album> {
     let poses = poses(folder);
-    [("nao2009", &NAO_2009), ("darwin2013", &DARWIN_2013)].map(|(name, filters)| {
+    let album = |(name, filters)| {
         let shots = files(&folder.join(name)).into_iter().map(|file| {
             let key = format!("{name}/{}", file.file_name().unwrap_or_default().to_string_lossy());
             let pose = poses.iter().find(|(file, _)| *file == key).map(|(_, pose)| *pose);
             shot(key, &read(&file), size, pose)
         });
         Album { name, table: CompactTable::compile(filters), shots: shots.collect() }
-    })
+    };
+    [("nao2009", &NAO_2009), ("darwin2013", &DARWIN_2013)].map(album).into()
 }
 
 fn files(folder: &Path) -> Vec<PathBuf> {

@@ -5,6 +5,7 @@ mod firmware;
 mod instructions;
 mod mujoco;
 mod no_std;
+mod opencv;
 mod process;
 
 use std::process::ExitCode;
@@ -24,6 +25,8 @@ Chores of the BICA workspace.
                         (--bless: takes the new counts as right)
   cargo xtask buildtime measures what one waits for the compiler: a change to a component until its test has run, and a
                         clean build of the facade
+  cargo xtask opencv    the eyes beside OpenCV on the same frames, one core, in turn; fetches OpenCV into target/
+                        (needs Python 3), and fails unless the eyes take a tenth of the time or less
   cargo xtask ci        all that CI checks: format, lints, docs, tests, twenty games, instructions, no-std,
                         firmware
 ";
@@ -40,6 +43,7 @@ fn main() -> ExitCode {
         (Some("budget"), None) => instructions::check(false),
         (Some("budget"), Some(more)) if more == "--bless" => instructions::check(true),
         (Some("buildtime"), None) => buildtime::check(),
+        (Some("opencv"), None) => opencv::compare(),
         (Some("ci"), None) => ci(),
         (None | Some("help" | "--help" | "-h"), None) => {
             print!("{HELP}");

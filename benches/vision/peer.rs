@@ -1,0 +1,25 @@
+//! The same frames for another library, and what all detectors take on them.
+
+use std::fs;
+use std::path::Path;
+
+use crate::figures;
+use crate::shot::Album;
+use crate::stages::{EVERYTHING, MEMCPY, STAGES};
+
+/// Writes the frames of an album into a file `WIDTHxHEIGHT.yuyv`, one after the other.
+pub(crate) fn export(album: &Album, folder: &Path) {
+    let (width, height) = album.size();
+    let bytes: Vec<u8> = album.shots.iter().flat_map(|shot| shot.yuyv.iter().copied()).collect();
+    fs::create_dir_all(folder).expect("a folder to write to");
+    fs::write(folder.join(format!("{width}x{height}.yuyv")), bytes).expect("room for the frames");
+}
+
+/// Prints the size, what everything takes and what a copy of the frame takes: means over the frames, µs.
+pub(crate) fn everything(album: &Album) {
+    let (width, height) = album.size();
+    let stages: Vec<_> = STAGES.into_iter().filter(|(stage, _)| [MEMCPY, EVERYTHING].contains(stage)).collect();
+    let means = figures::measure(album, &stages).iter().map(|figure| format!("{:.1}", figure.mean)).collect::<Vec<_>>();
+    let [floor, all] = &means[..] else { return };
+    println!("{width}x{height} {all} {floor} {} {}", album.name, album.shots.len());
+}

@@ -1,0 +1,82 @@
+//! The eyes beside `OpenCV`, on the same frames and the same core.
+
+use std::collections::BTreeMap;
+use std::env;
+use std::path::PathBuf;
+
+use crate::process::{output, root, run, works};
+
+const PACKAGE: &str = "opencv-python-headless";
+/// Turns that each side has; they alternate, so that a busy machine hits both.
+const TURNS: usize = 3;
+/// How much less time the eyes have to take.
+const LEAST: f64 = 10.0;
+
+/// Gets `OpenCV` into a Python of its own, measures both sides in turn on one core, and prints a table of minima.
+///
+/// # Errors
+/// What could not be installed or measured; or that the eyes are not fast enough.
+pub(crate) fn compare() -> Result<(), String> {
+    let folder = env::var_os("CARGO_TARGET_DIR").map_or_else(|| root().join("target"), PathBuf::from).join("opencv");
+    let text = |path: PathBuf| path.to_string_lossy().into_owned();
+    let (python, frames) = (python(&text(folder.join("venv")))?, text(folder.join("frames")));
+    let ours = ["cargo", "bench", "--quiet", "--bench", "vision", "--"];
+    run(ours[0], &[&ours[1..], &["export", &frames]].concat(), &[])?;
+    let mut table = Table::new();
+    for _ in 0..TURNS {
+        note(&mut table, 0, &on_one_core(&[&ours[..], &["everything"]].concat())?);
+        note(&mut table, 2, &on_one_core(&[&python, "benches/vision/opencv.py", &frames])?);
+    }
+    print(&table)
+}
+
+/// The interpreter with `OpenCV`; installs it first if need be.
+fn python(venv: &str) -> Result<String, String> {
+    let python = format!("{venv}/bin/python");
+    if !works(&python, &["-c", "import cv2"]) {
+        run("python3", &["-m", "venv", venv], &[])
+            .map_err(|error| format!("{error}; Debian has it in the packages python3 and python3-venv"))?;
+        run(&python, &["-m", "pip", "install", "--quiet", PACKAGE], &[])?;
+    }
+    Ok(python)
+}
+
+fn on_one_core(words: &[&str]) -> Result<String, String> {
+    if works("taskset", &["-c", "0", "true"]) {
+        return output("taskset", &[&["-c", "0"], words].concat(), &[]);
+    }
+    eprintln!("xtask: there is no `taskset`, so the system chooses the core");
+    output(words[0], &words[1..], &[])
+}
+
+/// By size: everything by the eyes, a copy of the frame, `OpenCV` without and with measuring the components, µs.
+type Table = BTreeMap<(u32, u32), [f64; 4]>;
+
+/// Keeps the least of the two figures of each line, after its size.
+fn note(table: &mut Table, column: usize, text: &str) {
+    for line in text.lines() {
+        let words: Vec<&str> = line.split(' ').collect();
+        let size = words[0].split_once('x').and_then(|(w, h)| Some((w.parse().ok()?, h.parse().ok()?)));
+        let Some(size) = size else { continue };
+        let row = table.entry(size).or_insert([f64::INFINITY; 4]);
+        for (least, word) in row[column..column + 2].iter_mut().zip(&words[1..]) {
+            *least = least.min(word.parse().unwrap_or(f64::INFINITY));
+        }
+    }
+}
+
+fn print(table: &Table) -> Result<(), String> {
+    println!("\nµs for a frame, one core, least of {TURNS} alternating turns of minima");
+    println!("{:12}{:>12}{:>12}{:>24}{:>24}", "", "memcpy", "BICA", "OpenCV, components", "… with stats");
+    println!("{:12}{:>12}{:>12}{:>24}{:>24}", "", "", "everything", "colour part alone", "colour part alone");
+    for ((width, height), [ours, floor, plain, stats]) in table {
+        let size = format!("{width}×{height}");
+        let beside = |theirs: &f64| format!("{theirs:.0} = {:.1} ×", theirs / ours);
+        println!("{size:12}{floor:12.1}{ours:12.1}{:>24}{:>24}", beside(plain), beside(stats));
+    }
+    let least = table.values().map(|[ours, _, plain, stats]| plain.min(*stats) / ours).fold(f64::INFINITY, f64::min);
+    if least.is_finite() && least >= LEAST {
+        return Ok(());
+    }
+    Err(format!("OpenCV takes {least:.1} times as long as the eyes; it should be {LEAST} times or more"))
+}
