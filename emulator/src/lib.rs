@@ -6,8 +6,10 @@
 
 mod emulator;
 mod error;
+mod line;
 mod mind;
 
-pub use emulator::{Carrier, Emulator, Line};
+pub use emulator::{Carrier, Emulator};
 pub use error::Error;
-pub use mind::{Mind, Thought};
+pub use line::{Ear, Line, Mouth};
+pub use mind::{Mind, Thought, bits};

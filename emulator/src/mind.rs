@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use bica_motion::robot;
+use bica_motion::robot::{self, Light, Lights};
 use bica_wire::message::{Attack, Greeting, Hello, Pace, Sensors, Stack};
 use bica_wire::{FromRobot, SCHEMA, ToRobot, chunks};
 
@@ -36,12 +36,12 @@ pub struct Thought {
 }
 
 impl Mind {
-    /// Starts an image and tells it where to score.
+    /// Starts an image and tells it where to score; its log goes to a file, as of [`Emulator::start`].
     ///
     /// # Errors
     /// Any [`Error`].
-    pub fn start(image: &Path, attack: Attack, log: Option<&Path>) -> Result<Self, Error> {
-        let mut emulator = Emulator::start(image, Carrier::Pipe, log)?;
+    pub fn start(image: &Path, carrier: Carrier, attack: Attack, log: Option<&Path>) -> Result<Self, Error> {
+        let mut emulator = Emulator::start(image, carrier, log)?;
         let line = emulator.line();
         let schema = line.hear(greeting(|greeting| greeting.schema))?;
         if schema != SCHEMA {
@@ -103,6 +103,14 @@ impl Mind {
             _ => None,
         })
     }
+}
+
+/// Every number of a command as it is in memory: equal only for commands that are the same, bit for bit.
+pub fn bits(command: &robot::Command) -> impl Iterator<Item = u32> {
+    let Lights { chest, left_eye, right_eye } = command.lights;
+    let lights = [chest, left_eye, right_eye].map(|Light(red, green, blue)| [red, green, blue]);
+    let joints = command.targets.0.into_iter().chain(command.stiffness.0);
+    joints.chain(lights.into_iter().flatten()).map(f32::to_bits).chain([command.camera as u32])
 }
 
 fn greeting<T>(read: impl Fn(Greeting<'_>) -> T) -> impl FnMut(FromRobot<'_>) -> Option<T> {

@@ -29,7 +29,8 @@ pub(crate) struct Mind<B> {
     meter: Meter<B>,
     /// How time passes; `None` before the first hello.
     pace: Option<Pace>,
-    sensed: Option<Sensors>,
+    /// The time of what was sensed since the last cycle, and the fine ticks that taking it in took.
+    sensed: Option<(u64, u32)>,
     /// When the host was last heard.
     heard: Instant,
     late: u32,
@@ -87,7 +88,8 @@ impl<B: Board> Mind<B> {
             ToRobot::Trial(trial) => self.meter.test(*trial),
             ToRobot::Chunk(chunk) => self.frame.add(chunk),
             ToRobot::Sensors(sensors) => {
-                self.sensed = Some(*sensors);
+                B::settle();
+                self.sense(sensors);
                 if self.pace == Some(Pace::Lockstep) {
                     self.cycle(Instant::from_micros(sensors.time_us), losses, voice).await;
                 }
@@ -130,22 +132,24 @@ impl<B: Board> Mind<B> {
         self.cycle(now, losses, voice).await;
     }
 
-    /// Senses, thinks, acts, reports.
-    async fn cycle(&mut self, now: Instant, losses: Losses, voice: &mut Voice<impl Write>) {
-        B::settle();
+    /// Takes in what was sensed: at once, since the pieces of the next image may come before the next cycle.
+    fn sense(&mut self, sensors: &Sensors) {
         let began = B::fine();
-        let sensed = self.sensed.take();
-        if let Some(sensors) = &sensed {
-            let yuyv = sensors.picture.as_ref().and_then(|picture| self.frame.take(picture));
-            if let Err(error) = sense(self.robot, &sensors.sensed(yuyv)) {
-                defmt::warn!("an image of {=usize} bytes does not fit", error.bytes);
-            }
+        let yuyv = sensors.picture.as_ref().and_then(|picture| self.frame.take(picture));
+        if let Err(error) = sense(self.robot, &sensors.sensed(yuyv)) {
+            defmt::warn!("an image of {=usize} bytes does not fit", error.bytes);
         }
+        self.sensed = Some((sensors.time_us, B::fine().wrapping_sub(began)));
+    }
+
+    /// Thinks, acts, reports.
+    async fn cycle(&mut self, now: Instant, losses: Losses, voice: &mut Voice<impl Write>) {
+        let began = B::fine();
+        let (time_us, sensing) = self.sensed.take().unwrap_or((now.as_micros(), 0));
         self.robot.tick_with(now, &mut self.meter);
         let command = if self.safe { safe() } else { act(self.robot) };
-        let chain = B::fine().wrapping_sub(began);
+        let chain = B::fine().wrapping_sub(began).wrapping_add(sensing);
         self.tell_sights();
-        let time_us = sensed.map_or(now.as_micros(), |sensors| sensors.time_us);
         voice.say(&FromRobot::Command(Command::new(time_us, &command))).await;
         self.report(time_us, chain, losses, voice).await;
     }

@@ -3,16 +3,14 @@
 use std::error::Error;
 use std::path::{Path, PathBuf};
 
-use bica::{Instant, Tree};
-use bica_emulator::Mind;
-use bica_motion::robot::Command;
-use bica_player::perception::NetDetector;
-use bica_player::{Forward, act, sense};
+use bica::Tree;
+use bica_emulator::{Carrier, Mind};
+use bica_player::Forward;
 use bica_sim::World;
 use bica_sim::field::{FieldWorld, Frame, Setup};
-use bica_sim::referee::GoalColour;
-use bica_vision::colour::Colour;
-use bica_wire::message::{Attack, Stack};
+use bica_wire::message::Stack;
+
+use crate::twin::{Twin, attack};
 
 /// Longest game in the world, s.
 const LIMIT: u64 = 120;
@@ -33,24 +31,14 @@ pub(crate) struct Played {
 /// Plays a game to its first goal.
 pub(crate) fn play(image: &Path, seed: u64) -> Result<Played, Box<dyn Error>> {
     let mut world = FieldWorld::new(&Setup { seed, frame: Frame::Small, ..Setup::default() })?;
-    let (attack, colour) = match world.referee().attacks() {
-        GoalColour::Yellow => (Attack::Yellow, Colour::Yellow),
-        GoalColour::SkyBlue => (Attack::Blue, Colour::Blue),
-    };
-    let mut twin = Box::new(Forward::new());
-    twin.get_mut::<NetDetector>().attack(colour);
+    let mut twin = Twin::new(attack(&world));
     let log = image.with_extension("log");
-    let mut mind = Mind::start(image, attack, Some(&log))?;
+    let mut mind = Mind::start(image, Carrier::Pipe, attack(&world), Some(&log))?;
     let (mut chain, mut costs) = (Vec::new(), vec![Vec::new(); Forward::COUNT]);
     while world.referee().goals() == 0 && world.now().as_secs() < LIMIT {
         let time_us = world.now().as_micros() as u64;
         let sensors = world.sensors();
-        let thought = mind.think(time_us, &sensors)?;
-        sense(&mut twin, &sensors)?;
-        twin.tick(Instant::from_micros(time_us));
-        if bits(&act(&twin)) != bits(&thought.command) {
-            return Err(format!("at {time_us} µs the microcontroller commands something else than the host").into());
-        }
+        let thought = twin.think_with(&mut mind, time_us, &sensors)?;
         chain.push(thought.instructions);
         for (list, cost) in costs.iter_mut().zip(thought.costs).filter(|(_, cost)| *cost > 0) {
             list.push(cost);
@@ -73,10 +61,4 @@ pub(crate) fn play(image: &Path, seed: u64) -> Result<Played, Box<dyn Error>> {
         chain,
         costs: names.zip(costs).collect(),
     })
-}
-
-/// Every number of a command as it is in memory.
-fn bits(command: &Command) -> Vec<u32> {
-    let numbers = command.targets.0.iter().chain(&command.stiffness.0);
-    numbers.map(|number| number.to_bits()).chain([command.camera as u32]).collect()
 }

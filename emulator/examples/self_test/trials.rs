@@ -1,7 +1,7 @@
 //! What the robot does when things go wrong.
 
 use std::error::Error;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use bica::Tree;
 use bica_emulator::{Carrier, Emulator};
@@ -12,27 +12,25 @@ use bica_player::motion::Head;
 use bica_wire::message::{Attack, Chunk, Command, Fact, Hello, Pace, Picture, Sensors, Telemetry, Trial};
 use bica_wire::{FromRobot, Losses, SCHEMA, ToRobot};
 
+use crate::overload;
+
 type Done = Result<(), Box<dyn Error>>;
-type Try = (&'static str, fn(&Path) -> Done);
+type Try = (&'static str, Carrier, fn(&Path, Carrier) -> Done);
 
 /// Every trial.
-pub(crate) fn run(image: &Path) -> Done {
-    let trials: [Try; 5] = [
-        ("it describes itself", describes),
-        ("damaged, cut and lost packets are counted and survived", damage),
-        ("a panic leaves the joints limp, and its reason lives on", panic),
-        ("silence makes it stand safe, a word wakes it", silence),
-        ("a slow component makes cycles late and drops none", overload),
-    ];
-    for (name, trial) in trials {
-        trial(image).map_err(|error| format!("not so: {name}: {error}"))?;
-        println!("trial: {name}");
-    }
-    Ok(())
-}
+pub(crate) const ALL: [Try; 8] = [
+    ("it describes itself", Carrier::Pipe, describes),
+    ("it describes itself over the serial port", Carrier::Serial, describes),
+    ("damaged, cut and lost packets are counted and survived", Carrier::Pipe, damage),
+    ("damaged, cut and lost packets are counted and survived over the serial port", Carrier::Serial, damage),
+    ("a panic leaves the joints limp, and its reason lives on", Carrier::Pipe, panic),
+    ("a panic leaves the joints limp, and its reason lives on, over the serial port", Carrier::Serial, panic),
+    ("silence makes it stand safe, a word over the serial port wakes it", Carrier::Serial, silence),
+    ("a slow component makes cycles late and drops none, while images come", Carrier::Line, overload::overload),
+];
 
-fn describes(image: &Path) -> Done {
-    let mut robot = begin(image, Carrier::Pipe, Pace::Lockstep)?;
+fn describes(image: &Path, carrier: Carrier) -> Done {
+    let mut robot = begin(image, carrier, Pace::Lockstep)?;
     let line = robot.line();
     line.say(&ToRobot::Describe)?;
     let mut names = Vec::new();
@@ -48,8 +46,8 @@ fn describes(image: &Path) -> Done {
     same(&usize::from(facts), &(bica_wire::describe(&Forward::GRAPH).count() - 1))
 }
 
-fn damage(image: &Path) -> Done {
-    let mut robot = begin(image, Carrier::Pipe, Pace::Lockstep)?;
+fn damage(image: &Path, carrier: Carrier) -> Done {
+    let mut robot = begin(image, carrier, Pace::Lockstep)?;
     let line = robot.line();
     line.say(&ToRobot::Chunk(Chunk { image: 1, at: 0, bytes: &[128; 1000] }))?;
     line.write(&[7, 1, 2, 3, 4, 5, 6, 0, 200, 9, 9, 0])?;
@@ -67,8 +65,9 @@ fn damage(image: &Path) -> Done {
     same(&(losses.damaged, losses.missing), &(2, 3))
 }
 
-fn panic(image: &Path) -> Done {
-    let mut robot = begin(image, Carrier::Pipe, Pace::Lockstep)?;
+fn panic(image: &Path, carrier: Carrier) -> Done {
+    let log = log(image, "panic", carrier);
+    let mut robot = begin_with(image, carrier, Pace::Lockstep, Some(&log))?;
     let line = robot.line();
     line.say(&ToRobot::Trial(Trial::Panic { component: head() }))?;
     line.say(&ToRobot::Sensors(sensors(0)))?;
@@ -79,13 +78,17 @@ fn panic(image: &Path) -> Done {
         _ => None,
     })?;
     same(&(restarts, reason.contains("a trial: Head panics")), &(1, true))?;
-    hello(&mut robot, Pace::Lockstep)?;
+    greet(&mut robot, Pace::Lockstep)?;
     robot.line().say(&ToRobot::Sensors(sensors(0)))?;
-    robot.line().hear(command()).map(drop).map_err(Into::into)
+    robot.line().hear(command())?;
+    drop(robot);
+    let lines = crate::log::decode(image, &log)?;
+    let told = |words: &str| lines.iter().any(|line| line.contains("ERROR") && line.contains(words));
+    same(&(told("started anew, 1 times by now"), told("a trial: Head panics")), &(true, true))
 }
 
-fn silence(image: &Path) -> Done {
-    let mut robot = begin(image, Carrier::Serial, Pace::Clock)?;
+fn silence(image: &Path, carrier: Carrier) -> Done {
+    let mut robot = begin(image, carrier, Pace::Clock)?;
     let line = robot.line();
     let safe = line.hear(telemetry(|telemetry| telemetry.safe))?;
     same(&safe, &false)?;
@@ -97,41 +100,36 @@ fn silence(image: &Path) -> Done {
     Ok(())
 }
 
-/// For a second every run of a component takes one and a half cycles.
-fn overload(image: &Path) -> Done {
-    let mut robot = begin(image, Carrier::Serial, Pace::Clock)?;
-    let line = robot.line();
-    let (first, late) = line.hear(telemetry(|telemetry| (telemetry.time_us, telemetry.late)))?;
-    same(&late, &0)?;
-    line.say(&ToRobot::Trial(Trial::Slow { component: head(), ticks: 375_000 }))?;
-    let mut cycles = 0_u64;
-    let mut next = |line: &mut bica_emulator::Line<_, _>| {
-        cycles += 1;
-        line.hear(telemetry(|telemetry| (telemetry.time_us, telemetry.late)))
-    };
-    while next(line)?.1 < 50 {}
-    line.say(&ToRobot::Trial(Trial::Slow { component: head(), ticks: 0 }))?;
-    let (mut before, mut calm) = (0, 0);
-    let mut last = 0;
-    while calm < 20 {
-        let (time, late) = next(line)?;
-        calm = if late == before { calm + 1 } else { 0 };
-        (before, last) = (late, time);
-    }
-    // A cycle every 10 ms, however late some of them were.
-    same(&((last - first + 5_000) / 10_000), &cycles)
+/// Starts an image and a game.
+pub(crate) fn begin(image: &Path, carrier: Carrier, pace: Pace) -> Result<Emulator, Box<dyn Error>> {
+    begin_with(image, carrier, pace, None)
 }
 
-fn begin(image: &Path, carrier: Carrier, pace: Pace) -> Result<Emulator, Box<dyn Error>> {
-    let log = image.with_extension("trial.log");
-    let mut robot = Emulator::start(image, carrier, Some(&log))?;
+/// The same with a log.
+pub(crate) fn begin_with(
+    image: &Path,
+    carrier: Carrier,
+    pace: Pace,
+    log: Option<&Path>,
+) -> Result<Emulator, Box<dyn Error>> {
+    let mut robot = Emulator::start(image, carrier, log)?;
     robot.line().hear(greeting())?;
-    hello(&mut robot, pace)?;
+    greet(&mut robot, pace)?;
     Ok(robot)
 }
 
-fn hello(robot: &mut Emulator, pace: Pace) -> Done {
-    robot.line().say(&ToRobot::Hello(Hello { schema: SCHEMA, pace, attack: Attack::Yellow }))?;
+/// Where a trial's log goes.
+pub(crate) fn log(image: &Path, trial: &str, carrier: Carrier) -> PathBuf {
+    image.with_extension(format!("{trial}.{carrier:?}.log"))
+}
+
+/// What begins a game.
+pub(crate) const fn hello(pace: Pace) -> ToRobot<'static> {
+    ToRobot::Hello(Hello { schema: SCHEMA, pace, attack: Attack::Yellow })
+}
+
+fn greet(robot: &mut Emulator, pace: Pace) -> Done {
+    robot.line().say(&hello(pace))?;
     robot.line().hear(greeting()).map_err(Into::into)
 }
 
@@ -143,12 +141,13 @@ fn command() -> impl FnMut(FromRobot<'_>) -> Option<Command> {
     |message| if let FromRobot::Command(command) = message { Some(command) } else { None }
 }
 
-fn telemetry<T>(read: impl Fn(Telemetry<'_>) -> T) -> impl FnMut(FromRobot<'_>) -> Option<T> {
+/// What is told of a cycle.
+pub(crate) fn telemetry<T>(read: impl Fn(Telemetry<'_>) -> T) -> impl FnMut(FromRobot<'_>) -> Option<T> {
     move |message| if let FromRobot::Telemetry(telemetry) = message { Some(read(telemetry)) } else { None }
 }
 
 /// A robot that stands still.
-fn sensors(time_us: u64) -> Sensors {
+pub(crate) fn sensors(time_us: u64) -> Sensors {
     let (inertial, feet) = ([0.0, 0.0, 0.0, 0.0, 0.0, 9.81, 0.0, 0.0], [6.5; 8]);
     Sensors { time_us, angles: STAND.0, inertial, feet, buttons: [false; 3], picture: None }
 }
@@ -158,6 +157,7 @@ fn head() -> u8 {
     Forward::id::<Head>().index() as u8
 }
 
-fn same<T: PartialEq + std::fmt::Debug>(found: &T, wanted: &T) -> Done {
+/// Holds that something is as it has to be.
+pub(crate) fn same<T: PartialEq + std::fmt::Debug>(found: &T, wanted: &T) -> Done {
     if found == wanted { Ok(()) } else { Err(format!("found {found:?}, wanted {wanted:?}").into()) }
 }

@@ -10,10 +10,11 @@ use cortex_m::peripheral::NVIC;
 use cortex_m_rt::exception;
 use critical_section::Mutex;
 use embassy_sync::waitqueue::AtomicWaker;
+use embassy_time::{Duration, Instant};
 use embedded_io_async::{ErrorType, Read, Write};
 use heapless::Deque;
 
-use super::pipe::{self, Pipe};
+use super::pipe::{self, LINE_RATE, Pipe, Wanted};
 use super::uart;
 
 /// Bytes that wait at most; while it is full the port holds the host back.
@@ -46,6 +47,8 @@ pub(crate) enum Ear {
     Serial,
     /// By a pipe.
     Pipe(Pipe),
+    /// By a pipe that brings the next bytes at this time.
+    Line(Pipe, Instant),
 }
 
 /// Speaks to the host.
@@ -58,19 +61,18 @@ pub(crate) enum Mouth {
 
 /// Both ends.
 pub(super) fn open() -> (Ear, Mouth) {
-    if pipe::is_wanted() {
-        (Ear::Pipe(Pipe::input()), Mouth::Pipe(Pipe::output()))
-    } else {
-        (Ear::Serial, Mouth::Serial)
+    match pipe::wanted() {
+        Wanted::Serial => (Ear::Serial, Mouth::Serial),
+        Wanted::AtOnce => (Ear::Pipe(Pipe::input()), Mouth::Pipe(Pipe::output())),
+        Wanted::AsByLine => (Ear::Line(Pipe::input(), Instant::now()), Mouth::Pipe(Pipe::output())),
     }
 }
 
 /// Sends last words.
 pub(super) fn cry(bytes: &[u8]) {
-    if pipe::is_wanted() {
-        Pipe::output().write(bytes);
-    } else {
-        uart::LINK.send(bytes);
+    match pipe::wanted() {
+        Wanted::Serial => uart::LINK.send(bytes),
+        _ => Pipe::output().write(bytes),
     }
 }
 
@@ -85,17 +87,16 @@ impl ErrorType for Mouth {
 impl Read for Ear {
     /// Waits for a byte, then takes what is there.
     async fn read(&mut self, room: &mut [u8]) -> Result<usize, Infallible> {
-        if let Self::Pipe(pipe) = self {
-            return Ok(pipe.read(room));
-        }
-        let count = poll_fn(|context| {
-            WAKER.register(context.waker());
-            match take(room) {
-                0 => Poll::Pending,
-                count => Poll::Ready(count),
+        match self {
+            Self::Serial => Ok(heard(room).await),
+            Self::Pipe(pipe) => Ok(pipe.read(room)),
+            Self::Line(pipe, next) => {
+                reached(*next).await;
+                let count = pipe.read(room);
+                *next += Duration::from_micros(count as u64 * 1_000_000 / LINE_RATE);
+                Ok(count)
             }
-        });
-        Ok(count.await)
+        }
     }
 }
 
@@ -111,6 +112,33 @@ impl Write for Mouth {
     async fn flush(&mut self) -> Result<(), Infallible> {
         Ok(())
     }
+}
+
+/// Waits for a time.
+///
+/// The executor's own idling, `wfe`, is no sleep for QEMU: time would pass a few instructions at a time.
+async fn reached(time: Instant) {
+    poll_fn(|context| {
+        if Instant::now() >= time {
+            return Poll::Ready(());
+        }
+        cortex_m::asm::wfi();
+        context.waker().wake_by_ref();
+        Poll::Pending
+    })
+    .await;
+}
+
+/// Waits for bytes of the serial port.
+async fn heard(room: &mut [u8]) -> usize {
+    let count = poll_fn(|context| {
+        WAKER.register(context.waker());
+        match take(room) {
+            0 => Poll::Pending,
+            count => Poll::Ready(count),
+        }
+    });
+    count.await
 }
 
 fn take(room: &mut [u8]) -> usize {

@@ -2,7 +2,7 @@
 //!
 //! QEMU's serial port takes a byte at a time, at a tenth of a millisecond each; an image would take seconds. This way
 //! takes as much as there is at once, and the board's time stands still while it waits, so nothing that the host's
-//! own time does can be felt.
+//! own time does can be felt. Bytes come at once, or no faster than over a line of [`LINE_RATE`].
 
 use core::arch::asm;
 use core::ffi::CStr;
@@ -17,19 +17,39 @@ const READ_BINARY: usize = 1;
 const WRITE_BINARY: usize = 5;
 const APPLICATION_EXIT: usize = 0x2_0026;
 
+/// Bytes in a second of a line that brings 30 images in that time, and little else.
+pub(super) const LINE_RATE: u64 = 30 * 40_000;
+
 /// The emulator's `-device loader` puts a word here if the link is a pipe.
 const JUMPER: usize = 0x203f_fffc;
-/// That word ("PIPE").
-const SET: u32 = 0x4550_4950;
+/// That word if bytes come at once ("PIPE").
+const AT_ONCE: u32 = 0x4550_4950;
+/// That word if they come as over a line ("LINE").
+const AS_BY_LINE: u32 = 0x454e_494c;
 
 /// Where bytes come from or go to.
 #[derive(Clone, Copy)]
 pub(crate) struct Pipe(usize);
 
-/// Whether the link is a pipe.
-pub(super) fn is_wanted() -> bool {
+/// What the jumper says.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Wanted {
+    /// The serial port.
+    Serial,
+    /// A pipe, bytes at once.
+    AtOnce,
+    /// A pipe, bytes as over a line.
+    AsByLine,
+}
+
+/// What the link is.
+pub(super) fn wanted() -> Wanted {
     // SAFETY: a word of the board's memory, beyond what the linker gives to the program.
-    unsafe { ptr::read_volatile(ptr::with_exposed_provenance::<u32>(JUMPER)) == SET }
+    match unsafe { ptr::read_volatile(ptr::with_exposed_provenance::<u32>(JUMPER)) } {
+        AT_ONCE => Wanted::AtOnce,
+        AS_BY_LINE => Wanted::AsByLine,
+        _ => Wanted::Serial,
+    }
 }
 
 impl Pipe {

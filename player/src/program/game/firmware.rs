@@ -7,7 +7,7 @@
 use std::path::Path;
 
 use bica::{ComponentId, Instant, Tree};
-use bica_emulator::{Error, Mind as Remote};
+use bica_emulator::{Carrier, Error, Mind as Remote, bits};
 use bica_motion::robot::{Command, Sensors};
 use bica_player::Forward;
 use bica_sim::referee::GoalColour;
@@ -37,7 +37,7 @@ impl Image {
             GoalColour::Yellow => Attack::Yellow,
             GoalColour::SkyBlue => Attack::Blue,
         };
-        let remote = Remote::start(self.0, attack, None).map_err(|error| failure(&error))?;
+        let remote = Remote::start(self.0, Carrier::Pipe, attack, None).map_err(|error| failure(&error))?;
         Ok(Mind { remote, chains: Vec::new(), runs: vec![Vec::new(); GRAPH.nodes.len()] })
     }
 }
@@ -70,7 +70,7 @@ impl Mind {
             thought.active.get(index) == Some(&robot.is_active(id))
                 && thought.states.get(index) == Some(&robot.state(id))
         });
-        if thought.command != *twin || !same_tree || thought.lost > 0 {
+        if !bits(&thought.command).eq(bits(twin)) || !same_tree || thought.lost > 0 {
             let what = format!("the microcontroller thinks otherwise than this program, at {} µs", now.as_micros());
             return Err(Failure::new(what, "build the image anew from these sources: cargo xtask firmware --build"));
         }
