@@ -27,6 +27,9 @@ const TICKS: u32 = 625_000;
 /// What sensors bear that have no time: telemetry after them bears it too, all other the microcontroller's own.
 const NO_TIME: u64 = 0;
 
+/// What is sensed with an image, and its pixels.
+type Seen = (Sensors, Vec<u8>);
+
 /// What is told of a cycle.
 struct Told {
     time_us: u64,
@@ -119,7 +122,7 @@ fn ball_detector() -> ComponentId {
 }
 
 /// A second of a game as a robot that stands sees it.
-fn frames() -> Result<Vec<(Sensors, Vec<u8>)>, Box<dyn Error>> {
+fn frames() -> Result<Vec<Seen>, Box<dyn Error>> {
     let mut world = FieldWorld::new(&Setup { frame: Frame::Small, ..Setup::default() })?;
     let (targets, stiffness) = (STAND, Stiffness::Stand.joints());
     let stand = Command { targets, stiffness, lights: Lights::default(), camera: CameraId::Top };
@@ -134,7 +137,7 @@ fn frames() -> Result<Vec<(Sensors, Vec<u8>)>, Box<dyn Error>> {
     Ok(frames)
 }
 
-fn stream(mouth: &mut Mouth<impl std::io::Write>, frames: &[(Sensors, Vec<u8>)]) -> Result<(), bica_emulator::Error> {
+fn stream(mouth: &mut Mouth<impl std::io::Write>, frames: &[Seen]) -> Result<(), bica_emulator::Error> {
     for (number, (sensors, yuyv)) in (0..IMAGES).zip(frames.iter().cycle()) {
         if number == SLOW.0 || number == SLOW.1 {
             let ticks = if number == SLOW.0 { TICKS } else { 0 };

@@ -117,14 +117,18 @@ fn lie_at_random(moment: &mut Moment, cycle: usize, random: &mut Random) {
             *value = wild.get(random.below(2 * wild.len())).copied().unwrap_or_else(|| random.within(20.0));
         }
     };
-    angles.0.iter_mut().for_each(|angle| lie(angle, 5 * JOINTS));
-    for vector in [&mut inertial.gyro, &mut inertial.acceleration] {
-        [&mut vector.x, &mut vector.y, &mut vector.z].into_iter().for_each(|value| lie(value, 60));
+    for angle in &mut angles.0 {
+        lie(angle, 5 * JOINTS);
     }
-    [&mut inertial.roll, &mut inertial.pitch].into_iter().for_each(|value| lie(value, 60));
-    for foot in [left_foot, right_foot] {
-        let FootPressure { front_left, front_right, rear_left, rear_right } = foot;
-        [front_left, front_right, rear_left, rear_right].into_iter().for_each(|value| lie(value, 60));
+    let (gyro, acceleration) = (&mut inertial.gyro, &mut inertial.acceleration);
+    let turns = [&mut gyro.x, &mut gyro.y, &mut gyro.z, &mut inertial.roll, &mut inertial.pitch];
+    for value in turns.into_iter().chain([&mut acceleration.x, &mut acceleration.y, &mut acceleration.z]) {
+        lie(value, 60);
+    }
+    for FootPressure { front_left, front_right, rear_left, rear_right } in [left_foot, right_foot] {
+        for value in [front_left, front_right, rear_left, rear_right] {
+            lie(value, 60);
+        }
     }
     buttons.left_bumper ^= random.below(20) == 0;
     if let Some((_, yuyv)) = moment.image.as_mut().filter(|_| random.below(4) == 0) {

@@ -4,6 +4,7 @@
 mod arguments;
 mod calibrate;
 mod ending;
+mod firmware;
 mod games;
 mod graph;
 mod pictures;

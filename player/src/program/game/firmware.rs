@@ -10,6 +10,7 @@ use bica::{ComponentId, Instant, Tree};
 use bica_emulator::{Carrier, Error, Mind as Remote, bits};
 use bica_motion::robot::{Command, Sensors};
 use bica_player::Forward;
+use bica_sim::field::Frame;
 use bica_sim::referee::GoalColour;
 use bica_wire::message::Attack;
 use serde::Serialize;
@@ -26,9 +27,15 @@ pub(crate) struct Image(&'static Path);
 
 impl Image {
     /// The image that the command line names, if the microcontroller is to think.
-    pub(crate) fn asked(args: &Play) -> Option<Self> {
+    pub(crate) fn asked(args: &Play) -> Result<Option<Self>, Failure> {
+        if args.world != World::Firmware {
+            return Ok(None);
+        }
+        if args.size != Frame::Small {
+            return Err(Failure::new("the microcontroller takes no images larger than 160x120", "leave --size away"));
+        }
         // The one path of the program's whole life; every thread that plays reads it.
-        (args.world == World::Firmware).then(|| Self(Box::leak(args.image.clone().into_boxed_path())))
+        Ok(Some(Self(Box::leak(args.image.clone().into_boxed_path()))))
     }
 
     /// Starts it.

@@ -35,7 +35,7 @@ pub(crate) fn run(args: &Play) -> Result<Ending, Failure> {
         robots: args.robots,
         limit: Duration::from_secs_f64(args.seconds),
         realtime: args.realtime,
-        firmware: firmware::Image::asked(args),
+        firmware: firmware::Image::asked(args)?,
     };
     let (voice, pictures) = (Voice::new(args.json), args.pictures.as_deref());
     match args.games {
