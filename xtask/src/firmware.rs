@@ -1,7 +1,7 @@
 //! The image for the microcontroller: built, tested, weighed.
 
 use crate::no_std::Toolchain;
-use crate::process::{run, works};
+use crate::process::{root, run, works};
 
 const IMAGE: &str = "firmware/target/thumbv7em-none-eabihf/release/forward";
 const FIGURES: &str = "firmware/figures.txt";
@@ -20,11 +20,36 @@ pub(crate) fn check(more: Option<&str>) -> Result<(), String> {
         run("apt-get", &["update", "-qq"], &[])?;
         run("apt-get", &["install", "-y", "-qq", "qemu-system-arm"], &[])?;
     }
-    if more.is_none() {
-        build_for(&rust, "firmware/stm32h7/Cargo.toml", "firmware/stm32h7/target")?;
+    match more {
+        Some("--fuzz") => fuzz(),
+        Some(more) => self_test(&[more]),
+        None => {
+            build_for(&rust, "firmware/stm32h7/Cargo.toml", "firmware/stm32h7/target")?;
+            self_test(&[])?;
+            play()
+        }
     }
+}
+
+fn self_test(more: &[&str]) -> Result<(), String> {
     let test = ["run", "--quiet", "--release", "-p", "bica-emulator", "--example", "self_test", "--", IMAGE, FIGURES];
-    run("cargo", &[&test[..], more.as_slice()].concat(), &[])
+    run("cargo", &[&test[..], more].concat(), &[])
+}
+
+/// The program's tests that need an image, then ten games.
+fn play() -> Result<(), String> {
+    let image = root().join(IMAGE);
+    let image = image.to_str().ok_or("the workspace's folder has a name that is no text")?;
+    run("cargo", &["test", "--quiet", "-p", "bica-player", "--test", "program", "firmware"], &[("BICA_IMAGE", image)])?;
+    let games = ["play", "--world", "firmware", "--image", IMAGE, "--games", "10", "--at-least", "9"];
+    run("cargo", &[&["run", "--quiet", "--release", "--"], &games[..]].concat(), &[])
+}
+
+/// Ten minutes of damage for the packets, then for the image that hears them.
+fn fuzz() -> Result<(), String> {
+    const SECONDS: &str = "600";
+    run("cargo", &["run", "--quiet", "--release", "-p", "bica-wire", "--example", "fuzz", "--", SECONDS], &[])?;
+    self_test(&["--fuzz", SECONDS])
 }
 
 /// Builds the image.

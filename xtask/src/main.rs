@@ -15,9 +15,10 @@ Chores of the BICA workspace.
 
   cargo xtask no-std    builds what runs on a robot for thumbv7em-none-eabihf, and links the forward without a heap;
                         gets the target first (rustup, else Debian's Rust and a build of `core` from source)
-  cargo xtask firmware  builds the image for the microcontroller, boots it in QEMU, and plays a game of which every
+  cargo xtask firmware  builds the image for the microcontroller, boots it in QEMU, and plays games of which every
                         cycle is thought on the host too; holds size, stack and instructions to their limits
-                        (--build: only builds; --size: what takes how much; --bless: takes the new figures as right)
+                        (--build: only builds; --size: what takes how much; --bless: takes the new figures as right;
+                        --fuzz: damages the link for twice ten minutes)
   cargo xtask mujoco    installs what the feature `mujoco` needs: MuJoCo's library into target/mujoco (from PyPI, with pip), and
                         EGL with Mesa's software renderer (with apt); `play --world mujoco` plays there
   cargo xtask budget    counts the instructions of the benchmarks that are gated, by valgrind, and holds each within 2 % of
@@ -36,7 +37,7 @@ fn main() -> ExitCode {
     let result = match (words.next().as_deref(), words.next()) {
         (Some("no-std"), None) => no_std::check(),
         (Some("firmware"), None) => firmware::check(None),
-        (Some("firmware"), Some(more)) if ["--build", "--size", "--bless"].contains(&more.as_str()) => {
+        (Some("firmware"), Some(more)) if ["--build", "--size", "--bless", "--fuzz"].contains(&more.as_str()) => {
             firmware::check(Some(&more))
         }
         (Some("mujoco"), None) => mujoco::install(),
