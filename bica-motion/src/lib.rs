@@ -34,6 +34,7 @@ pub mod limits;
 pub mod masses;
 pub mod odometry;
 pub mod pose;
+pub mod profile;
 pub mod robot;
 pub mod side;
 pub mod speed;

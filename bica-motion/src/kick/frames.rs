@@ -1,38 +1,14 @@
-//! The three kicks, with the left foot.
+//! The three kicks of the built-in world, with the left foot.
 //!
 //! All are our own. Each shifts the weight over the right foot, lifts and swings the left one back, strikes, comes to a
 //! halt and returns to the stand. From pose to pose everything goes from rest to rest, so the strike is fastest halfway:
 //! there it meets the ball. The foot is lifted and set down straight, because one that
 //! moves aside while it still carries drags the body along.
 
-use glam::Vec3;
-
-use super::pose::KickPose;
-use crate::walk::Parameters;
-
-/// A pose and how long the way there takes, s.
-pub(super) type Frame = (f32, KickPose);
-
-/// The frame that is the strike, in each list.
-pub(super) const STRIKE: usize = 3;
-
-const fn frame(seconds: f32, hips: [f32; 3], foot: [f32; 3], [yaw, roll, pitch]: [f32; 3]) -> Frame {
-    (seconds, KickPose { hips: Vec3::from_array(hips), foot: Vec3::from_array(foot), yaw, roll, pitch })
-}
-
-/// The stand before and after.
-pub(super) const STAND: KickPose = KickPose {
-    hips: Vec3::new(Parameters::BUILT_IN.torso_offset, 0.0, Parameters::BUILT_IN.hip_height),
-    foot: Vec3::new(0.0, Parameters::BUILT_IN.half_spacing, 0.0),
-    yaw: 0.0,
-    roll: 0.0,
-    pitch: 0.0,
-};
-
-const END: Frame = (0.35, STAND);
+use super::pose::{Frame, frame};
 
 /// Straight ahead with the toes.
-pub(super) const FRONT: [Frame; 8] = [
+pub(super) const FRONT: [Frame; 7] = [
     frame(0.40, [0.012, -0.040, 0.215], [0.0, 0.050, 0.0], [0.0, 0.0, 0.0]),
     frame(0.15, [0.012, -0.040, 0.215], [0.0, 0.050, 0.020], [0.0, 0.0, 0.0]),
     frame(0.30, [-0.005, -0.045, 0.222], [-0.065, 0.055, 0.025], [-0.015, 0.0, 0.1]),
@@ -40,11 +16,10 @@ pub(super) const FRONT: [Frame; 8] = [
     frame(0.05, [0.032, -0.045, 0.222], [0.125, 0.056, 0.022], [0.015, 0.0, -0.1]),
     frame(0.35, [0.012, -0.040, 0.215], [0.0, 0.055, 0.020], [0.0, 0.0, 0.0]),
     frame(0.20, [0.012, -0.040, 0.215], [0.0, 0.050, 0.0], [0.0, 0.0, 0.0]),
-    END,
 ];
 
 /// To the right and ahead, with the toes turned in by 45°.
-pub(super) const DIAGONAL: [Frame; 9] = [
+pub(super) const DIAGONAL: [Frame; 8] = [
     frame(0.40, [0.012, -0.040, 0.215], [0.0, 0.050, 0.0], [0.0, 0.0, 0.0]),
     frame(0.15, [0.012, -0.040, 0.215], [0.0, 0.050, 0.020], [0.0, 0.0, 0.0]),
     frame(0.30, [0.000, -0.040, 0.215], [0.018, 0.122, 0.022], [-0.6, 0.22, 0.0]),
@@ -53,11 +28,10 @@ pub(super) const DIAGONAL: [Frame; 9] = [
     frame(0.35, [0.012, -0.040, 0.215], [0.02, 0.10, 0.020], [-0.3, 0.1, 0.0]),
     frame(0.20, [0.012, -0.040, 0.215], [0.0, 0.050, 0.020], [0.0, 0.0, 0.0]),
     frame(0.20, [0.012, -0.040, 0.215], [0.0, 0.050, 0.0], [0.0, 0.0, 0.0]),
-    END,
 ];
 
 /// To the right with the inner edge of the foot, before the right foot's toes.
-pub(super) const LATERAL: [Frame; 8] = [
+pub(super) const LATERAL: [Frame; 7] = [
     frame(0.40, [0.012, -0.040, 0.215], [0.0, 0.050, 0.0], [0.0, 0.0, 0.0]),
     frame(0.15, [0.012, -0.040, 0.215], [0.0, 0.050, 0.020], [0.0, 0.0, 0.0]),
     frame(0.35, [0.012, -0.040, 0.215], [0.095, 0.105, 0.020], [0.20, 0.31, 0.0]),
@@ -65,5 +39,4 @@ pub(super) const LATERAL: [Frame; 8] = [
     frame(0.05, [0.012, -0.055, 0.215], [0.115, 0.032, 0.020], [-0.22, 0.06, 0.0]),
     frame(0.35, [0.012, -0.040, 0.215], [0.0, 0.055, 0.020], [0.0, 0.0, 0.0]),
     frame(0.20, [0.012, -0.040, 0.215], [0.0, 0.050, 0.0], [0.0, 0.0, 0.0]),
-    END,
 ];

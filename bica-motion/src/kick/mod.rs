@@ -1,19 +1,21 @@
 //! Six fixed kicks: ahead, to the front of the other side, and to the other side, with either foot.
 //!
-//! A kick begins and ends in the stand of the walk, keeps the centre of mass over the standing foot at every moment, and
-//! asks no joint for more than its speed.
+//! A kick begins and ends in the stand of the walk and keeps the centre of mass over the standing foot at every moment.
+//! How it is done differs from world to world: [`Kicks`].
 
+mod forces;
 mod frames;
 mod motion;
 mod pose;
+mod technique;
 
 pub use motion::KickMotion;
+pub use technique::Kicks;
 
 use core::f32::consts::{FRAC_PI_2, FRAC_PI_4};
 
 use glam::Vec2;
 
-use self::frames::{DIAGONAL, FRONT, Frame, LATERAL};
 use crate::side::Side;
 
 /// Where a kick sends the ball.
@@ -51,13 +53,9 @@ impl Kick {
     ///
     /// Within 15 mm of it the kick still works.
     #[must_use]
-    pub const fn ball(self) -> Vec2 {
-        let (x, y) = match self.kind {
-            KickKind::Front => (0.170, 0.060),
-            KickKind::Diagonal => (0.155, -0.014),
-            KickKind::Lateral => (0.155, 0.002),
-        };
-        Vec2::new(x, self.foot.sign() * y)
+    pub const fn ball(self, kicks: &Kicks) -> Vec2 {
+        let ball = kicks.of(self.kind).ball;
+        Vec2::new(ball.x, self.foot.sign() * ball.y)
     }
 
     /// The direction in which the ball flies, rad, positive to the left, in the same frame as [`ball`](Self::ball).
@@ -69,19 +67,5 @@ impl Kick {
             KickKind::Lateral => FRAC_PI_2,
         };
         -self.foot.sign() * aside
-    }
-
-    /// From stand to stand, s.
-    #[must_use]
-    pub fn seconds(self) -> f32 {
-        self.frames().iter().map(|frame| frame.0).sum()
-    }
-
-    const fn frames(self) -> &'static [Frame] {
-        match self.kind {
-            KickKind::Front => &FRONT,
-            KickKind::Diagonal => &DIAGONAL,
-            KickKind::Lateral => &LATERAL,
-        }
     }
 }

@@ -1,26 +1,36 @@
 //! A kick under way.
 
 use super::Kick;
-use super::frames::{STAND, STRIKE};
-use super::pose::KickPose;
+use super::pose::{Frame, KickPose};
+use super::technique::STRIKE;
 use crate::limbs::Limbs;
-use crate::walk::Parameters;
+use crate::profile::Profile;
+use crate::side::Side;
 use crate::walk::shape::smooth;
+use crate::walk::{Balance, Body};
+
+/// The way back to the stand after the last pose, s.
+const END: f32 = 0.35;
+/// With the foot this high the other one carries everything, m.
+const LIFTED: f32 = 0.015;
 
 /// A kick under way: [`step`](Self::step) it once per control cycle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct KickMotion {
     kick: Kick,
+    profile: &'static Profile,
     index: usize,
     time: f32,
     from: KickPose,
+    balance: Balance,
 }
 
 impl KickMotion {
-    /// A kick that begins now; the robot stands as [`Parameters::stand`] says.
+    /// A kick that begins now; the robot stands as the [`stand`](crate::walk::Parameters::stand) of its gait.
     #[must_use]
-    pub const fn new(kick: Kick) -> Self {
-        Self { kick, index: 0, time: 0.0, from: STAND }
+    pub const fn new(kick: Kick, profile: &'static Profile) -> Self {
+        let from = KickPose::stand(&profile.gait);
+        Self { kick, profile, index: 0, time: 0.0, from, balance: Balance::new() }
     }
 
     /// Which kick it is.
@@ -29,10 +39,16 @@ impl KickMotion {
         self.kick
     }
 
+    /// From stand to stand, s.
+    #[must_use]
+    pub fn seconds(&self) -> f32 {
+        self.frames().iter().map(|frame| frame.0).sum::<f32>() + END
+    }
+
     /// Whether it is over and the robot told to stand.
     #[must_use]
     pub const fn is_done(&self) -> bool {
-        self.index >= self.kick.frames().len()
+        self.index > self.frames().len()
     }
 
     /// Whether the foot strikes now: the ball moves from here on.
@@ -42,19 +58,42 @@ impl KickMotion {
     }
 
     /// `dt` seconds later: the targets for legs and arms; the stand when done.
-    pub fn step(&mut self, dt: f32) -> Limbs {
+    pub fn step(&mut self, body: &Body, dt: f32) -> Limbs {
+        let gait = &self.profile.gait;
+        self.balance.feel(body, gait);
         if dt > 0.0 {
             self.time += dt;
         }
-        let frames = self.kick.frames();
-        while let Some(&(seconds, pose)) = frames.get(self.index).filter(|frame| self.time >= frame.0) {
+        while let Some((seconds, pose)) = self.frame().filter(|frame| self.time >= frame.0) {
             self.time -= seconds;
             self.from = pose;
             self.index += 1;
         }
-        let stand = Parameters::BUILT_IN.stand();
-        let Some((seconds, to)) = frames.get(self.index) else { return stand };
-        let pose = self.from.mix(to, smooth(self.time / seconds));
-        Limbs { legs: pose.legs(self.kick.foot), ..stand }
+        let stand = gait.stand();
+        let Some((seconds, to)) = self.frame() else { return stand };
+        let pose = self.from.mix(&to, smooth(self.time / seconds));
+        let mut legs = pose.legs(self.kick.foot, gait);
+        self.steady(&mut legs, smooth(pose.foot.z / LIFTED));
+        Limbs { legs, ..stand }
+    }
+
+    /// Steadies the foot that carries this `share` of what it carries alone.
+    fn steady(&self, legs: &mut [crate::kinematics::LegAngles; 2], share: f32) {
+        let standing: Side = self.kick.foot.other();
+        let [pitch, roll] = self.balance.standing(&self.profile.gait);
+        let leg = &mut legs[standing.index()];
+        leg.ankle_pitch += pitch;
+        leg.ankle_roll += roll;
+        leg.hip_roll += share * standing.sign() * self.profile.gait.hip_support_kicking;
+    }
+
+    const fn frames(&self) -> &'static [Frame] {
+        self.profile.kicks.of(self.kick.kind).frames
+    }
+
+    fn frame(&self) -> Option<Frame> {
+        let frames = self.frames();
+        let end = (self.index == frames.len()).then(|| (END, KickPose::stand(&self.profile.gait)));
+        frames.get(self.index).copied().or(end)
     }
 }

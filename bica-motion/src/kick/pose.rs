@@ -10,7 +10,7 @@ use crate::walk::shape::mix;
 
 /// The body over the foot that carries it, for a kick with the left foot; with the right one everything is mirrored.
 ///
-/// Frame: on the ground between the feet of the stand before the kick. The right foot stays there, at y −0.05 m.
+/// Frame: on the ground between the feet of the stand before the kick. The right foot stays there.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct KickPose {
     /// The middle between the hips, m.
@@ -25,7 +25,26 @@ pub(super) struct KickPose {
     pub(super) pitch: f32,
 }
 
+/// A pose and how long the way there takes, s.
+pub(super) type Frame = (f32, KickPose);
+
+/// A pose to reach in `seconds`, from places in m and angles in rad as in [`KickPose`].
+pub(super) const fn frame(seconds: f32, hips: [f32; 3], foot: [f32; 3], [yaw, roll, pitch]: [f32; 3]) -> Frame {
+    (seconds, KickPose { hips: Vec3::from_array(hips), foot: Vec3::from_array(foot), yaw, roll, pitch })
+}
+
 impl KickPose {
+    /// The stand of a gait, before and after.
+    pub(super) const fn stand(gait: &Parameters) -> Self {
+        Self {
+            hips: Vec3::new(gait.torso_offset, 0.0, gait.hip_height),
+            foot: Vec3::new(0.0, gait.half_spacing, 0.0),
+            yaw: 0.0,
+            roll: 0.0,
+            pitch: 0.0,
+        }
+    }
+
     /// The pose at a share of the way from this one to another.
     pub(super) fn mix(&self, to: &Self, share: f32) -> Self {
         Self {
@@ -38,7 +57,7 @@ impl KickPose {
     }
 
     /// The leg angles, left first, that make this pose with a foot.
-    pub(super) fn legs(&self, kicking: Side) -> [LegAngles; 2] {
+    pub(super) fn legs(&self, kicking: Side, gait: &Parameters) -> [LegAngles; 2] {
         let side = kicking.sign();
         let on = |place: Vec3| Vec3::new(place.x, side * place.y, place.z);
         let torso = at(on(self.hips)) * Affine3A::from_rotation_z(0.5 * side * self.yaw);
@@ -47,7 +66,7 @@ impl KickPose {
             * Affine3A::from_rotation_y(self.pitch)
             * Affine3A::from_rotation_x(side * self.roll);
         let kicks = at(on(self.foot)) * turn * up;
-        let carries = at(Vec3::new(0.0, -side * Parameters::BUILT_IN.half_spacing, 0.0)) * up;
+        let carries = at(Vec3::new(0.0, -side * gait.half_spacing, 0.0)) * up;
         let seen = torso.inverse();
         let (left, right) = if kicking == Side::Left { (kicks, carries) } else { (carries, kicks) };
         legs_angles(&(seen * left), &(seen * right), YawFrom::Leg(kicking.other()))

@@ -27,7 +27,7 @@ const SLOWEST: f32 = 0.1;
 
 /// How the torso moves, and how far its capture point is off.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct Balance {
+pub(crate) struct Balance {
     /// Rates of roll and pitch, smoothed, rad/s.
     rates: Vec2,
     /// The capture point from where it would be under an upright, still torso, m: forward and left.
@@ -35,12 +35,12 @@ pub(super) struct Balance {
 }
 
 impl Balance {
-    pub(super) const fn new() -> Self {
+    pub(crate) const fn new() -> Self {
         Self { rates: Vec2::ZERO, off: Vec2::ZERO }
     }
 
     /// Takes a cycle's measurements. What is no number counts as none.
-    pub(super) fn feel(&mut self, body: &Body, gait: &Parameters) {
+    pub(crate) fn feel(&mut self, body: &Body, gait: &Parameters) {
         let sane = |x: f32, most: f32| if x.is_finite() { x.clamp(-most, most) } else { 0.0 };
         let rates = Vec2::new(sane(body.gyro.x, MOST_RATE), sane(body.gyro.y, MOST_RATE));
         self.rates += (1.0 - gait.gyro_smoothing) * (rates - self.rates);
@@ -53,6 +53,11 @@ impl Balance {
     /// What to add to the carrying ankle's pitch and roll, rad: a fall forward presses the toes down.
     pub(super) fn ankle(&self, gait: &Parameters) -> [f32; 2] {
         [(gait.ankle_gain * self.rates.y).clamp(-MOST, MOST), (gait.roll_gain * self.rates.x).clamp(-MOST, MOST)]
+    }
+
+    /// What to add to the pitch and roll of an ankle that stands still, rad.
+    pub(crate) fn standing(&self, gait: &Parameters) -> [f32; 2] {
+        [(gait.stand_gain.y * self.rates.y).clamp(-MOST, MOST), (gait.stand_gain.x * self.rates.x).clamp(-MOST, MOST)]
     }
 
     /// How far the capture point is off at a share `part` of a step: forward, and toward the swinging foot on the side

@@ -22,7 +22,7 @@ pub use velocity::Velocity;
 
 use glam::Vec2;
 
-use self::balance::Balance;
+pub(crate) use self::balance::Balance;
 use self::plan::{Plan, Purpose};
 use crate::feet::{Foot, level_legs};
 use crate::limbs::{ArmAngles, Limbs};
@@ -88,6 +88,11 @@ impl Walk {
         self.gait
     }
 
+    /// Walks like this from now on.
+    pub const fn wear(&mut self, gait: &'static Parameters) {
+        self.gait = gait;
+    }
+
     /// What the walk is doing. Another motion may take over when it is [`Standing`](Phase::Standing), and only then.
     #[must_use]
     pub const fn phase(&self) -> Phase {
@@ -122,7 +127,7 @@ impl Walk {
         self.balance.feel(body, self.gait);
         self.pass_time(dt, body);
         self.advance(&wanted, body);
-        let Some(plan) = self.plan else { return self.gait.stand() };
+        let Some(plan) = self.plan else { return self.stand() };
         self.catch(&plan, dt);
         let feet = self.feet(&plan);
         let mut limbs = self.gait.limbs(&feet, plan.roll(self.time));
@@ -131,6 +136,17 @@ impl Walk {
         carrying.ankle_pitch += pitch;
         carrying.ankle_roll += roll;
         carrying.hip_roll += plan.support.sign() * self.gait.hip_support * plan.over(self.time);
+        limbs
+    }
+
+    /// Stands, both ankles steadied.
+    fn stand(&self) -> Limbs {
+        let mut limbs = self.gait.stand();
+        let [pitch, roll] = self.balance.standing(self.gait);
+        for leg in &mut limbs.legs {
+            leg.ankle_pitch += pitch;
+            leg.ankle_roll += roll;
+        }
         limbs
     }
 

@@ -69,6 +69,10 @@ pub struct Parameters {
     /// How far the carrying hip rolls beyond what geometry asks for in the middle of a step, rad: it sags under the
     /// body's weight, and the other foot would not come off the ground.
     pub hip_support: f32,
+    /// The same in a kick, whose hips stand still over one foot, rad.
+    pub hip_support_kicking: f32,
+    /// Ankle roll and pitch per rate of roll and pitch of a body that stands or kicks, rad per rad/s.
+    pub stand_gain: Vec2,
     /// The torso's pitch when all is well, rad.
     pub pitch: f32,
     /// How far the capture point rocks sideways to each side of where the plan has it when all is well, m: joints follow

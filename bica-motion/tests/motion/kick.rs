@@ -1,24 +1,30 @@
 //! The kicks in the quasi-static world.
 
 use bica_motion::joints::{Joint, Joints};
-use bica_motion::kick::{Kick, KickKind, KickMotion};
+use bica_motion::kick::{Kick, KickKind, KickMotion, Kicks};
 use bica_motion::pose::wrap;
+use bica_motion::profile::Profile;
 use bica_motion::side::Side;
 use bica_motion::speed::max_speed;
 use bica_motion::stand::STAND;
-use bica_motion::walk::Parameters;
+use bica_motion::walk::{Body, Parameters};
 use glam::Vec2;
 
 use crate::world::{CYCLE, World, gap, outline};
 
 const BALL_RADIUS: f32 = 0.0325;
 
+/// From stand to stand, s.
+fn seconds(kick: Kick) -> f32 {
+    KickMotion::new(kick, &Profile::BUILT_IN).seconds()
+}
+
 /// Plays a kick to its end and a bit further; calls `each` after every cycle.
 fn play(kick: Kick, mut each: impl FnMut(&World, &KickMotion, &Joints)) -> World {
     let mut world = World::standing(STAND);
-    let mut motion = KickMotion::new(kick);
-    for _ in 0..(kick.seconds() / CYCLE) as usize + 10 {
-        let targets = motion.step(CYCLE).joints();
+    let mut motion = KickMotion::new(kick, &Profile::BUILT_IN);
+    for _ in 0..(seconds(kick) / CYCLE) as usize + 10 {
+        let targets = motion.step(&world.body(), CYCLE).joints();
         world.step(&targets);
         each(&world, &motion, &targets);
     }
@@ -29,7 +35,7 @@ fn play(kick: Kick, mut each: impl FnMut(&World, &KickMotion, &Joints)) -> World
 #[test]
 fn a_kick_keeps_balance_limits_and_speeds_and_returns_to_the_stand() {
     for kick in Kick::ALL {
-        assert!(kick.seconds() <= 2.5, "{}", kick.seconds());
+        assert!(seconds(kick) <= 2.5, "{}", seconds(kick));
         let start = World::standing(STAND);
         let stands = start.sole(kick.foot.other());
         let mut last = STAND;
@@ -53,14 +59,15 @@ fn a_kick_keeps_balance_limits_and_speeds_and_returns_to_the_stand() {
 fn the_right_foot_kicks_as_the_left_one_does_in_a_mirror() {
     for pair in Kick::ALL.chunks(2) {
         assert_eq!(pair[0].kind, pair[1].kind);
-        let [mut left, mut right] = [pair[0], pair[1]].map(KickMotion::new);
+        let [mut left, mut right] = [pair[0], pair[1]].map(|kick| KickMotion::new(kick, &Profile::BUILT_IN));
         for _ in 0..250 {
-            let (left, right) = (left.step(CYCLE).joints(), right.step(CYCLE).joints().mirrored());
+            let (left, right) =
+                (left.step(&Body::default(), CYCLE).joints(), right.step(&Body::default(), CYCLE).joints().mirrored());
             for joint in Joint::ALL {
                 assert!((left[joint] - right[joint]).abs() < 1e-5, "{joint:?}");
             }
         }
-        assert_eq!(pair[0].ball(), pair[1].ball() * Vec2::new(1.0, -1.0));
+        assert_eq!(pair[0].ball(&Kicks::BUILT_IN), pair[1].ball(&Kicks::BUILT_IN) * Vec2::new(1.0, -1.0));
         assert!((pair[0].direction() + pair[1].direction()).abs() < 1e-6);
     }
 }
@@ -125,7 +132,7 @@ fn off(direction: Vec2, kick: Kick) -> f32 {
 #[test]
 fn the_foot_meets_the_ball_fast_and_in_the_direction_promised() {
     for kick in Kick::ALL {
-        let hit = hit(kick, kick.ball()).expect("it meets the ball");
+        let hit = hit(kick, kick.ball(&Kicks::BUILT_IN)).expect("it meets the ball");
         assert!(hit.in_strike);
         assert!(off(hit.velocity, kick) < 10.0, "{kick:?}: {}° off", off(hit.velocity, kick));
         assert!(off(hit.flight(), kick) < 5.0, "{kick:?}: the ball flies {}° off", off(hit.flight(), kick));
@@ -138,7 +145,7 @@ fn the_foot_meets_the_ball_fast_and_in_the_direction_promised() {
 fn a_ball_up_to_15_mm_off_its_place_is_kicked_too() {
     for kick in Kick::ALL {
         for (x, y) in [(1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0), (0.7, 0.7), (-0.7, 0.7), (0.7, -0.7)] {
-            let ball = kick.ball() + 0.015 * Vec2::new(x, y);
+            let ball = kick.ball(&Kicks::BUILT_IN) + 0.015 * Vec2::new(x, y);
             let hit = hit(kick, ball).expect("it meets the ball");
             assert!(hit.in_strike, "{kick:?}: touched too early at {x}, {y}");
             assert!(off(hit.flight(), kick) < 20.0, "{kick:?} at {x}, {y}: {}° off", off(hit.flight(), kick));
@@ -151,7 +158,7 @@ fn a_ball_up_to_15_mm_off_its_place_is_kicked_too() {
 fn a_ball_in_place_is_clear_of_the_standing_feet_and_in_the_way_of_nothing_else() {
     let world = World::standing(STAND);
     for kick in Kick::ALL {
-        let ball = world.ground().place(kick.ball());
+        let ball = world.ground().place(kick.ball(&Kicks::BUILT_IN));
         for side in Side::BOTH {
             let feet: Vec<Vec2> = outline(side, &world.sole(side)).iter().map(|corner| corner.truncate()).collect();
             let room = nearest(&feet, ball).2.distance(ball) - BALL_RADIUS;
@@ -163,11 +170,11 @@ fn a_ball_in_place_is_clear_of_the_standing_feet_and_in_the_way_of_nothing_else(
 #[test]
 fn strange_cycle_times_do_no_harm() {
     for dt in [f32::NAN, f32::NEG_INFINITY, -1.0, 0.0] {
-        let mut motion = KickMotion::new(Kick::ALL[0]);
-        let first = motion.step(dt).joints();
+        let mut motion = KickMotion::new(Kick::ALL[0], &Profile::BUILT_IN);
+        let first = motion.step(&Body::default(), dt).joints();
         assert!(first.0.iter().all(|angle| angle.is_finite()) && !motion.is_done());
     }
-    let mut motion = KickMotion::new(Kick::ALL[3]);
-    assert_eq!(motion.step(f32::INFINITY), Parameters::BUILT_IN.stand());
+    let mut motion = KickMotion::new(Kick::ALL[3], &Profile::BUILT_IN);
+    assert_eq!(motion.step(&Body::default(), f32::INFINITY), Parameters::BUILT_IN.stand());
     assert!(motion.is_done());
 }

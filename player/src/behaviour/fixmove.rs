@@ -5,6 +5,7 @@ use bica_motion::pose::{rotate, wrap};
 use bica_motion::walk::Velocity;
 use libm::fabsf;
 
+use crate::input::Measured;
 use crate::motion::{Body, Kicker};
 use crate::perception::{BallDetector, Odometry};
 use crate::strategy::Strike;
@@ -47,11 +48,11 @@ impl Fixmove {
 
     /// Steps to where the kick hits the ball.
     #[state(initial)]
-    fn align(&mut self, ball: &BallDetector, odometry: &Odometry, body: &mut Body) {
+    fn align(&mut self, measured: &Measured, ball: &BallDetector, odometry: &Odometry, body: &mut Body) {
         let (Some(strike), Some(at)) = (self.strike, ball.at()) else { return body.stand() };
         self.far = at.length() > FAR;
         let turn = wrap(strike.heading - odometry.pose().heading);
-        let off = at - rotate(strike.kick.ball(), turn);
+        let off = at - rotate(strike.kick.ball(&measured.profile().kicks), turn);
         let aligned = fabsf(off.x) < NEAR.0 && fabsf(off.y) < NEAR.1 && fabsf(turn) < HEADED;
         self.settled = if aligned && body.is_still() { self.settled.saturating_add(1) } else { 0 };
         if aligned {

@@ -2,8 +2,10 @@
 
 use bica::prelude::*;
 use bica_motion::joints::Joints;
+use bica_motion::profile::Profile;
 use bica_motion::robot::{Buttons, FootPressure, Inertial, Sensors};
 use bica_motion::side::Side;
+use bica_motion::walk::Body as Felt;
 
 /// Joint angles, inertial unit, feet and buttons of this cycle.
 #[derive(Clone, Copy, Debug)]
@@ -12,11 +14,12 @@ pub struct Measured {
     inertial: Inertial,
     feet: (FootPressure, FootPressure),
     buttons: Buttons,
+    profile: &'static Profile,
 }
 
 #[component(budget_us = 1)]
 impl Measured {
-    /// A body that has measured nothing yet: everything zero.
+    /// A body that has measured nothing yet: everything zero. It is the built-in world's.
     #[must_use]
     pub const fn new() -> Self {
         const NONE: FootPressure = FootPressure { front_left: 0.0, front_right: 0.0, rear_left: 0.0, rear_right: 0.0 };
@@ -25,6 +28,7 @@ impl Measured {
             inertial: Inertial { gyro: glam::Vec3::ZERO, acceleration: glam::Vec3::ZERO, roll: 0.0, pitch: 0.0 },
             feet: (NONE, NONE),
             buttons: Buttons { chest: false, left_bumper: false, right_bumper: false },
+            profile: &Profile::BUILT_IN,
         }
     }
 
@@ -43,6 +47,23 @@ impl Measured {
             self.feet = (sensors.left_foot, sensors.right_foot);
         }
         self.buttons = sensors.buttons;
+    }
+
+    /// Makes this a body of another kind: one that moves as `profile` says.
+    pub const fn be(&mut self, profile: &'static Profile) {
+        self.profile = profile;
+    }
+
+    /// How this body moves best.
+    #[must_use]
+    pub const fn profile(&self) -> &'static Profile {
+        self.profile
+    }
+
+    /// What walking and kicking need to feel.
+    #[must_use]
+    pub const fn felt(&self) -> Felt {
+        Felt::new(&self.inertial, &self.feet.0, &self.feet.1)
     }
 
     /// Joint angles, rad.

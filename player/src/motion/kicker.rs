@@ -3,11 +3,13 @@
 use bica::prelude::*;
 use bica_motion::kick::{Kick, KickMotion};
 
+use crate::input::Measured;
 use crate::output::Motors;
 
 /// Plays a kick from stand to stand.
 #[derive(Debug)]
 pub struct Kicker {
+    kick: Option<Kick>,
     motion: Option<KickMotion>,
 }
 
@@ -16,12 +18,13 @@ impl Kicker {
     /// Has nothing to play.
     #[must_use]
     pub const fn new() -> Self {
-        Self { motion: None }
+        Self { kick: None, motion: None }
     }
 
-    fn step(&mut self, time: &Time, motors: &mut Motors) {
-        if let Some(motion) = &mut self.motion {
-            motors.limbs(&motion.step(time.dt()));
+    fn step(&mut self, time: &Time, body: &Measured, motors: &mut Motors) {
+        if let Some(kick) = self.kick {
+            let motion = self.motion.get_or_insert(KickMotion::new(kick, body.profile()));
+            motors.limbs(&motion.step(&body.felt(), time.dt()));
         }
     }
 
@@ -32,7 +35,7 @@ impl Kicker {
 
     /// Plays `kick`, unless one is being played.
     pub fn play(&mut self, kick: Kick) {
-        self.motion.get_or_insert(KickMotion::new(kick));
+        self.kick.get_or_insert(kick);
     }
 
     /// Whether the kick is over and the robot stands again.

@@ -1,7 +1,7 @@
 //! The walk.
 
 use bica::prelude::*;
-use bica_motion::walk::{Body as Felt, Parameters, Phase, Velocity, Walk as Gait};
+use bica_motion::walk::{Parameters, Phase, Velocity, Walk as Gait};
 
 use crate::input::Measured;
 use crate::output::Motors;
@@ -29,8 +29,8 @@ impl Walk {
     }
 
     fn step(&mut self, time: &Time, body: &Measured, motors: &mut Motors) {
-        let (left_foot, right_foot) = body.feet();
-        let felt = Felt::new(body.inertial(), left_foot, right_foot);
+        self.gait.wear(&body.profile().gait);
+        let felt = body.felt();
         motors.limbs(&self.gait.step(self.request, &felt, time.dt()));
     }
 

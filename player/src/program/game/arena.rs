@@ -1,5 +1,6 @@
 //! The world that a game is played in.
 
+use bica_motion::profile::Profile;
 use bica_sim::World;
 use bica_sim::field::{FieldWorld, Setup};
 
@@ -16,6 +17,14 @@ pub(crate) enum Arena {
 }
 
 impl Arena {
+    /// How a robot moves there.
+    pub(crate) const fn profile(self) -> &'static Profile {
+        match self {
+            Self::BuiltIn => &Profile::BUILT_IN,
+            Self::Mujoco => &Profile::NAO,
+        }
+    }
+
     /// A world in which a game is about to start.
     pub(crate) fn open(rules: &Rules) -> Result<Box<dyn World>, Failure> {
         let setup = Setup { seed: rules.seed, frame: rules.size, robots: rules.robots, ..Setup::default() };

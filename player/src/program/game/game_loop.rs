@@ -5,6 +5,7 @@ use std::time::{Duration, Instant as Clock};
 
 use bica::{Instant, Tree};
 use bica_motion::pose::Pose2;
+use bica_player::input::Measured;
 use bica_player::perception::NetDetector;
 use bica_player::{Forward, act, sense};
 use bica_sim::World;
@@ -73,6 +74,7 @@ impl Game {
     fn new(rules: &Rules) -> Result<Self, Failure> {
         let world = Arena::open(rules)?;
         let mut robot = Box::new(Forward::new());
+        robot.get_mut::<Measured>().be(rules.arena.profile());
         robot.get_mut::<NetDetector>().attack(match world.referee().attacks() {
             GoalColour::Yellow => Colour::Yellow,
             GoalColour::SkyBlue => Colour::Blue,
