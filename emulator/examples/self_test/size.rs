@@ -1,6 +1,7 @@
 //! What the image takes, by its own tables.
 
 use std::borrow::Cow;
+use std::cmp::Reverse;
 use std::collections::BTreeMap;
 use std::error::Error;
 use std::fs;
@@ -11,6 +12,8 @@ use bica_player::Forward;
 use gimli::constants as dwarf_names;
 use gimli::{DW_AT_byte_size, DW_AT_name, EndianSlice, LittleEndian};
 use object::{Object, ObjectSection, ObjectSymbol, SectionFlags};
+
+use crate::limits;
 
 /// Where the board's memory begins.
 const MEMORY: u64 = 0x2000_0000;
@@ -42,27 +45,34 @@ pub(crate) fn sections(image: &Path) -> Result<Sections, Box<dyn Error>> {
     Ok(sum)
 }
 
-/// Prints flash, memory, each component's memory and the largest symbols.
+/// Prints flash, memory and stack beside their limits, each component's memory and the largest symbols.
 pub(crate) fn tell(image: &Path) -> Result<(), Box<dyn Error>> {
-    let Sections { flash, memory } = sections(image)?;
-    println!("flash {flash} bytes, static memory {memory} bytes");
+    let played = crate::game::play(image, 0)?;
+    limits::check(&sections(image)?, &played)?;
     let sizes = structures(image)?;
     println!("\nstatic memory of each component, bytes");
     for node in Forward::GRAPH.nodes {
         let size = sizes.get(node.name).map_or_else(|| "?".to_owned(), u64::to_string);
         println!("{size:>9}  {}", node.name);
     }
+    println!("\nlargest symbols, bytes");
+    for (size, place, name) in largest(image)? {
+        println!("{size:>9}  {place:<6}  {name}");
+    }
+    Ok(())
+}
+
+/// The largest symbols: bytes, where they are, and their names as in the sources.
+fn largest(image: &Path) -> Result<Vec<(u64, &'static str, String)>, Box<dyn Error>> {
     let bytes = fs::read(image)?;
     let file = object::File::parse(&*bytes)?;
-    let mut symbols: Vec<_> = file.symbols().map(|symbol| (symbol.size(), symbol.name().unwrap_or("?"))).collect();
-    symbols.sort_unstable_by(|a, b| b.cmp(a));
-    println!("\nlargest symbols, bytes");
-    for (size, name) in symbols.iter().take(LARGEST) {
-        println!("{size:>9}  {name}");
-    }
-    let played = crate::game::play(image, 0)?;
-    println!("\ndeepest stack {} bytes", played.stack.deepest);
-    Ok(())
+    let mut symbols: Vec<_> = file.symbols().map(|symbol| (symbol.size(), symbol.address(), symbol.name())).collect();
+    symbols.sort_by_key(|symbol| Reverse(symbol.0));
+    let told = symbols.into_iter().take(LARGEST).map(|(size, address, name)| {
+        let place = if address >= MEMORY { "memory" } else { "flash" };
+        Ok((size, place, format!("{:#}", rustc_demangle::demangle(name?))))
+    });
+    told.collect()
 }
 
 /// The sizes of the player's types, by their names.
