@@ -28,6 +28,7 @@
 #![cfg_attr(test, expect(clippy::float_cmp, reason = "what must be exact is compared exactly"))]
 
 pub mod field;
+mod film;
 #[cfg(feature = "mujoco")]
 pub mod mujoco;
 mod random;
@@ -35,5 +36,6 @@ pub mod referee;
 mod rules;
 mod world;
 
+pub use film::{Filmed, NoPicture, Onlooker, Picture};
 pub use referee::Referee;
 pub use world::{CYCLE, CYCLE_SECONDS, World};

@@ -28,8 +28,8 @@ Chores of the BICA workspace.
                         clean build of the facade
   cargo xtask opencv    the eyes beside OpenCV on the same frames, one core, in turn; fetches OpenCV into target/
                         (needs Python 3), and fails unless the eyes take a tenth of the time or less
-  cargo xtask ci        all that CI checks: format, lints, docs, tests, twenty games, instructions, no-std,
-                        firmware
+  cargo xtask ci        all that CI checks: format, lints, docs, tests, twenty games, instructions, MuJoCo,
+                        no-std, firmware
 ";
 
 fn main() -> ExitCode {
@@ -73,6 +73,7 @@ fn ci() -> Result<(), String> {
     run("cargo", &["test", "--workspace"], &[])?;
     run("cargo", &["run", "--release", "--", "play", "--games", "20", "--at-least", "19"], &[])?;
     instructions::check(false)?;
+    mujoco::check()?;
     no_std::check()?;
     firmware::check(None)
 }

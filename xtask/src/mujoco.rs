@@ -34,6 +34,26 @@ pub(crate) fn install() -> Result<(), String> {
     run("apt-get", &[&["install", "-y", "-qq", "--no-install-recommends"], &DRAWING[..]].concat(), &[])
 }
 
+/// What is tried in CI, in a shorter form than `player trial` has by itself.
+const TRIALS: [&str; 4] = ["walk", "commands", "pushes", "odometry"];
+
+/// What CI checks in MuJoCo, where it can be installed: lints, tests, trials of the body.
+///
+/// # Errors
+/// What did not hold.
+pub(crate) fn check() -> Result<(), String> {
+    if let Err(error) = install() {
+        eprintln!("xtask: MuJoCo cannot be installed here, so nothing is checked in it: {error}");
+        return Ok(());
+    }
+    let feature = ["--features", "mujoco"];
+    let lints = ["clippy", "--workspace", "--all-targets", "--features", "mujoco", "--", "-D", "warnings"];
+    run("cargo", &lints, &[])?;
+    run("cargo", &[&["test", "-p", "bica-sim", "--lib", "--test", "mujoco"], &feature[..]].concat(), &[])?;
+    let program = [&["run", "--release"], &feature[..], &["--"]].concat();
+    run("cargo", &[&program[..], &["trial", "--runs", "4"], &TRIALS[..]].concat(), &[])
+}
+
 /// Gets the Python package and takes the library out of it.
 fn fetch(folder: &Path, library: &str) -> Result<(), String> {
     if !works("python3", &["-m", "pip", "--version"]) {

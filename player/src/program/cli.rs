@@ -11,6 +11,7 @@ Examples:
   player --seed 7 --realtime            another game, at the speed of a clock
   player --world mujoco                 a game in which the robot can topple
   player --pictures album               the same, with a picture of every change of the tree
+  player --film game.gif                the same as a film
   player play --games 100               many games on all cores, and a table
   player graph --format svg > tree.svg  the activation tree, drawn
   player watch frames --pictures seen   what the eyes see in recorded images
@@ -81,6 +82,9 @@ pub(crate) struct Play {
     /// Write a picture (PNG) at every change of the tree; several games get a folder each
     #[arg(long, value_name = "DIR")]
     pub(crate) pictures: Option<PathBuf>,
+    /// Film the game: an animated picture (GIF) from outside, with the robot's own view beside it
+    #[arg(long, value_name = "FILE", conflicts_with = "games")]
+    pub(crate) film: Option<PathBuf>,
     /// Play N games, with the seeds from --seed on, and print a table
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     pub(crate) games: Option<u32>,

@@ -3,6 +3,7 @@
 mod calibrate;
 mod cli;
 mod ending;
+mod film;
 mod game;
 mod graph;
 mod labels;

@@ -34,3 +34,29 @@ fn each_of_many_games_has_a_folder() {
     assert_eq!(folder.names(), ["seed-8", "seed-9"]);
     size(&folder.path().join("seed-8/0001_0000.00s_look_for_ball.png"));
 }
+
+/// Width, height, and delay in hundredths of a second, of the pictures of a film; the first fills it.
+fn film(path: &Path) -> Vec<(u16, u16, u16)> {
+    let mut film = gif::Decoder::new(BufReader::new(File::open(path).unwrap())).unwrap();
+    assert_eq!((film.width(), film.height()), (800, 360));
+    let mut pictures = Vec::new();
+    while let Some(picture) = film.read_next_frame().unwrap() {
+        let colours: std::collections::HashSet<&u8> = picture.buffer.iter().collect();
+        assert!(!pictures.is_empty() || colours.len() > 30, "{} shows next to nothing", path.display());
+        pictures.push((picture.width, picture.height, picture.delay));
+    }
+    pictures
+}
+
+#[test]
+fn a_film_shows_every_tenth_of_a_second_and_changes_nothing() {
+    let folder = Folder::new("film");
+    let path = folder.path().join("game.gif");
+    let game = ["--seconds", "2", "--json", "--size", "160x120"];
+    let filmed = run(&[&game[..], &["--film", path.to_str().unwrap()]].concat()).json();
+    let pictures = film(&path);
+    assert_eq!(pictures.len(), 21);
+    assert_eq!(pictures[0], (800, 360, 10));
+    assert!(pictures[1..20].iter().all(|picture| picture.2 == 10) && pictures[20].2 > 100);
+    assert_eq!(filmed["fingerprint"], run(&game).json()["fingerprint"]);
+}

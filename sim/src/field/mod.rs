@@ -27,6 +27,7 @@ use self::obstacle::{GOALS, Obstacle};
 use self::render::{Renderer, Scene};
 pub use self::setup::{Frame, MAX_ROBOTS, Setup, SetupError, Start};
 use self::start::{Layout, Other};
+use crate::film::{Filmed, NoPicture, Onlooker, Picture};
 use crate::random::{Random, Stream};
 use crate::referee::{Posture, Referee, Thing};
 use crate::world::{CYCLE, World, frame, image_is_due};
@@ -119,6 +120,14 @@ impl FieldWorld {
         let before = &self.cameras_before[self.camera as usize];
         let scene = scene(&self.body, camera, before, self.frame(), self.game.ball.position);
         self.renderer.draw(&scene, &mut self.image);
+    }
+}
+
+impl Filmed for FieldWorld {
+    fn film(&mut self, from: &Onlooker, width: usize, height: usize) -> Result<Picture, NoPicture> {
+        let camera = self.body.camera(self.camera);
+        let scene = scene(&self.body, camera, &camera, self.frame(), self.game.ball.position);
+        Ok(self.renderer.film(&scene, from, width, height))
     }
 }
 

@@ -75,7 +75,7 @@ impl Eye {
     }
 }
 
-fn describe(error: &mujoco_rs::renderer::RendererError) -> String {
+pub(crate) fn describe(error: &mujoco_rs::renderer::RendererError) -> String {
     let cause = core::error::Error::source(error).map_or_else(String::new, |cause| format!(" ({cause})"));
     format!("{error}{cause}")
 }

@@ -33,6 +33,7 @@
 mod contacts;
 mod error;
 mod eye;
+mod film;
 mod model;
 mod motors;
 mod physics;

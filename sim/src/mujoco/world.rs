@@ -14,6 +14,7 @@ use mujoco_rs::prelude::{MjData, MjModel};
 use super::contacts::{Owners, Touches};
 use super::error::Error;
 use super::eye::{Aim, Eye};
+use super::film::Film;
 use super::model::{Model, Place, STEP};
 use super::motors::Motors;
 use super::physics::Physics;
@@ -23,6 +24,7 @@ use crate::field::Setup;
 use crate::field::body::turn_rate;
 use crate::field::pitch::BALL_RADIUS;
 use crate::field::start::Layout;
+use crate::film::{Filmed, NoPicture, Onlooker, Picture};
 use crate::random::{Random, Stream};
 use crate::referee::Referee;
 use crate::rules::Rules;
@@ -44,6 +46,7 @@ pub struct MujocoWorld {
     senses: Senses,
     felt: Felt,
     eye: Option<Eye>,
+    film: Option<Film>,
     camera: CameraId,
     /// Both cameras' poses a cycle ago.
     cameras_before: [Affine3A; 2],
@@ -87,6 +90,7 @@ impl MujocoWorld {
             senses,
             felt,
             eye,
+            film: None,
             camera: CameraId::Top,
             cameras_before: [Affine3A::IDENTITY; 2],
             image_is_new: false,
@@ -237,6 +241,17 @@ impl World for MujocoWorld {
 
     fn referee(&self) -> &Referee {
         &self.referee
+    }
+}
+
+impl Filmed for MujocoWorld {
+    fn film(&mut self, from: &Onlooker, width: usize, height: usize) -> Result<Picture, NoPicture> {
+        let fits = |film: &Film| film.size() == (width, height);
+        let film = match self.film.take().filter(fits) {
+            Some(film) => self.film.insert(film),
+            None => self.film.insert(Film::new(self.data.model(), width, height)?),
+        };
+        film.take(&mut self.data, from)
     }
 }
 

@@ -1,7 +1,7 @@
 //! The world that a game is played in.
 
 use bica_motion::profile::Profile;
-use bica_sim::World;
+use bica_sim::Filmed;
 use bica_sim::field::{FieldWorld, Setup};
 
 use super::game_loop::Rules;
@@ -26,7 +26,7 @@ impl Arena {
     }
 
     /// A world in which a game is about to start.
-    pub(crate) fn open(rules: &Rules) -> Result<Box<dyn World>, Failure> {
+    pub(crate) fn open(rules: &Rules) -> Result<Box<dyn Filmed>, Failure> {
         let setup = Setup { seed: rules.seed, frame: rules.size, robots: rules.robots, ..Setup::default() };
         match rules.arena {
             Self::BuiltIn => {
@@ -41,7 +41,7 @@ impl Arena {
 }
 
 #[cfg(feature = "mujoco")]
-fn mujoco(setup: &Setup) -> Result<Box<dyn World>, Failure> {
+fn mujoco(setup: &Setup) -> Result<Box<dyn Filmed>, Failure> {
     use bica_sim::mujoco::{Error, MujocoWorld, Physics};
     let world = MujocoWorld::new(setup, &Physics::default()).map_err(|error| match &error {
         Error::Camera(what) => {
@@ -53,7 +53,7 @@ fn mujoco(setup: &Setup) -> Result<Box<dyn World>, Failure> {
 }
 
 #[cfg(not(feature = "mujoco"))]
-fn mujoco(_setup: &Setup) -> Result<Box<dyn World>, Failure> {
+fn mujoco(_setup: &Setup) -> Result<Box<dyn Filmed>, Failure> {
     let mend = "install its library with `cargo xtask mujoco`, then \
                 `cargo run --release --features mujoco -- play --world mujoco`";
     Err(Failure::new("this program was built without MuJoCo", mend))

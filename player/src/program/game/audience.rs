@@ -1,6 +1,9 @@
 //! Who looks on while a game is played.
 
+use std::time::Duration;
+
 use bica_sim::referee::Happened;
+use bica_sim::{Onlooker, Picture, Referee};
 
 use super::scene::Scene;
 use crate::program::ending::Failure;
@@ -9,6 +12,16 @@ use crate::program::ending::Failure;
 pub(crate) trait Audience {
     /// The tree changed in this cycle.
     fn changed(&mut self, _scene: &Scene<'_>) -> Result<(), Failure> {
+        Ok(())
+    }
+
+    /// Where it looks from now, if it does.
+    fn looks_from(&mut self, _now: Duration, _referee: &Referee) -> Option<Onlooker> {
+        None
+    }
+
+    /// What it sees from there.
+    fn watched(&mut self, _scene: &Scene<'_>, _picture: &Picture) -> Result<(), Failure> {
         Ok(())
     }
 
@@ -27,16 +40,33 @@ impl<A: Audience> Audience for Option<A> {
         self.as_mut().map_or(Ok(()), |one| one.changed(scene))
     }
 
+    fn looks_from(&mut self, now: Duration, referee: &Referee) -> Option<Onlooker> {
+        self.as_mut().and_then(|one| one.looks_from(now, referee))
+    }
+
+    fn watched(&mut self, scene: &Scene<'_>, picture: &Picture) -> Result<(), Failure> {
+        self.as_mut().map_or(Ok(()), |one| one.watched(scene, picture))
+    }
+
     fn happened(&mut self, happened: &Happened) -> Result<(), Failure> {
         self.as_mut().map_or(Ok(()), |one| one.happened(happened))
     }
 }
 
-/// Two at once.
+/// Two at once, of whom at most one looks from outside.
 impl<A: Audience, B: Audience> Audience for (A, B) {
     fn changed(&mut self, scene: &Scene<'_>) -> Result<(), Failure> {
         self.0.changed(scene)?;
         self.1.changed(scene)
+    }
+
+    fn looks_from(&mut self, now: Duration, referee: &Referee) -> Option<Onlooker> {
+        self.0.looks_from(now, referee).or_else(|| self.1.looks_from(now, referee))
+    }
+
+    fn watched(&mut self, scene: &Scene<'_>, picture: &Picture) -> Result<(), Failure> {
+        self.0.watched(scene, picture)?;
+        self.1.watched(scene, picture)
     }
 
     fn happened(&mut self, happened: &Happened) -> Result<(), Failure> {

@@ -8,7 +8,7 @@ use bica_motion::pose::Pose2;
 use bica_player::input::Measured;
 use bica_player::perception::NetDetector;
 use bica_player::{Forward, act, sense};
-use bica_sim::World;
+use bica_sim::Filmed;
 use bica_sim::field::Frame;
 use bica_sim::referee::GoalColour;
 use bica_vision::colour::Colour;
@@ -23,6 +23,7 @@ use super::meter::Meter;
 use super::record::{Record, Tally};
 use super::scene::{GRAPH, Scene};
 use crate::program::ending::Failure;
+use crate::program::film::OUTSIDE;
 use crate::program::stop;
 
 /// Points of the ball's way are at least this far apart, m.
@@ -58,7 +59,7 @@ pub(crate) fn play(rules: &Rules, audience: &mut impl Audience) -> Result<Record
 
 struct Game {
     seed: u64,
-    world: Box<dyn World>,
+    world: Box<dyn Filmed>,
     /// The forward; if a microcontroller thinks, its twin, which has to think the same.
     robot: Box<Forward>,
     mind: Option<Mind>,
@@ -128,19 +129,30 @@ impl Game {
         Ok(())
     }
 
-    fn report(&mut self, audience: &mut impl Audience) -> Result<(), Failure> {
-        let referee = self.world.referee();
-        if self.tally.meter.changed() {
-            audience.changed(&Scene {
-                seed: self.seed,
-                t: self.thought.as_secs_f64(),
-                robot: &self.robot,
-                referee,
-                meter: &self.tally.meter,
-                start: self.start,
-                trail: &self.trail,
-            })?;
+    fn scene(&self) -> Scene<'_> {
+        Scene {
+            seed: self.seed,
+            t: self.thought.as_secs_f64(),
+            robot: &self.robot,
+            referee: self.world.referee(),
+            meter: &self.tally.meter,
+            start: self.start,
+            trail: &self.trail,
         }
+    }
+
+    fn report(&mut self, audience: &mut impl Audience) -> Result<(), Failure> {
+        if let Some(from) = audience.looks_from(self.world.now(), self.world.referee()) {
+            let (width, height) = OUTSIDE;
+            let picture = self.world.film(&from, width, height).map_err(|error| {
+                Failure::new(error.to_string(), "`cargo xtask mujoco` installs what MuJoCo needs to draw")
+            })?;
+            audience.watched(&self.scene(), &picture)?;
+        }
+        if self.tally.meter.changed() {
+            audience.changed(&self.scene())?;
+        }
+        let referee = self.world.referee();
         for happened in &referee.events()[self.reported..] {
             audience.happened(happened)?;
         }

@@ -2,7 +2,7 @@
 
 pub(crate) mod album;
 mod arena;
-mod audience;
+pub(crate) mod audience;
 mod event;
 mod fingerprint;
 mod firmware;
@@ -39,7 +39,7 @@ pub(crate) fn run(args: &Play) -> Result<Ending, Failure> {
     };
     let (voice, pictures) = (Voice::new(args.json), args.pictures.as_deref());
     match args.games {
-        None => single::run(&rules, voice, pictures),
+        None => single::run(&rules, voice, pictures, args.film.as_deref()),
         Some(games) => series::run(&rules, voice, pictures, &series::Plan::new(games, args.threads, args.at_least)),
     }
 }

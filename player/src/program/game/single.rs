@@ -10,6 +10,7 @@ use super::record::{Outcome, Record};
 use super::story::{Change, Story};
 use super::summary;
 use crate::program::ending::{Ending, Failure};
+use crate::program::film::Film;
 use crate::program::voice::Voice;
 
 /// A game for machines.
@@ -22,17 +23,28 @@ struct Told<'a> {
 }
 
 /// Plays it, sums it up.
-pub(crate) fn run(rules: &Rules, voice: Voice, pictures: Option<&Path>) -> Result<Ending, Failure> {
+pub(crate) fn run(
+    rules: &Rules,
+    voice: Voice,
+    pictures: Option<&Path>,
+    film: Option<&Path>,
+) -> Result<Ending, Failure> {
     let album = pictures.map(Album::new).transpose()?;
+    let filming = film.map(Film::new).transpose()?;
     let story = Story::new(voice);
     story.begin()?;
-    let mut audience = (story, album);
+    let mut audience = (story, (album, filming));
     let record = play(rules, &mut audience)?;
-    let (story, album) = audience;
+    let (story, (album, filming)) = audience;
     summary::tell(voice, &record)?;
     if let Some((album, folder)) = album.zip(pictures) {
         voice.say("")?;
         summary::row(voice, "pictures", &format!("{} in {}", album.count, folder.display()))?;
+    }
+    if let Some((filming, path)) = filming.zip(film) {
+        let count = filming.end()?;
+        voice.say("")?;
+        summary::row(voice, "film", &format!("{count} pictures in {}", path.display()))?;
     }
     voice.result(&Told { schema: "bica-player/game/1", record: &record, story: &story.changes })?;
     Ok(match record.result {

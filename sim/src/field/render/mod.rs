@@ -32,6 +32,7 @@ use super::body::raised;
 use super::pitch::BALL_RADIUS;
 use super::setup::Setup;
 use super::start::{Layout, Other};
+use crate::film::{Onlooker, Picture};
 use crate::random::{Random, Stream};
 use crate::referee::Thing;
 
@@ -116,7 +117,8 @@ impl Renderer {
         let view = View::new(scene.camera, self.canvas.width, self.canvas.height);
         self.hall.draw(&view, &self.ground, &mut self.canvas);
         self.draw_shadows(&view, scene);
-        self.draw_solids(&view, scene, |_, _| ());
+        let own = self.own(&view, scene);
+        self.draw_solids(&view, scene, &own, |_, _| ());
         let mut grain = Random::new(self.seed.wrapping_add(scene.frame << 32), Stream::Grain);
         self.sensor.expose(&self.canvas, &view, scene.turning, &mut grain, image);
     }
@@ -126,12 +128,32 @@ impl Renderer {
         let view = View::new(scene.camera, self.canvas.width, self.canvas.height);
         self.canvas.pixels.fill(BLANK);
         let mut things = vec![Thing::Hall; self.canvas.pixels.len()];
-        self.draw_solids(&view, scene, |canvas, thing| {
+        let own = self.own(&view, scene);
+        self.draw_solids(&view, scene, &own, |canvas, thing| {
             for (shown, pixel) in things.iter_mut().zip(&mut canvas.pixels).filter(|(_, pixel)| **pixel != BLANK) {
                 (*shown, *pixel) = (thing, BLANK);
             }
         });
         things
+    }
+
+    /// What the robot sees of itself.
+    fn own(&self, view: &View, scene: &Scene<'_>) -> Group {
+        let parts = figure::below_the_head(scene.robot, scene.skeleton, self.dress);
+        Group { thing: Thing::Own, place: view.pose.translation.truncate(), parts }
+    }
+
+    /// Draws a scene as it is seen from outside. The scene's own camera does not matter.
+    pub(crate) fn film(&mut self, scene: &Scene<'_>, from: &Onlooker, width: usize, height: usize) -> Picture {
+        let own = core::mem::replace(&mut self.canvas, Canvas::new(width, height));
+        let view = View::of_onlooker(from.pose(), width, height);
+        self.hall.draw(&view, &self.ground, &mut self.canvas);
+        self.draw_shadows(&view, scene);
+        let parts = figure::figure(scene.robot, scene.skeleton, self.dress);
+        let place = Vec3::from(scene.robot.translation).truncate();
+        self.draw_solids(&view, scene, &Group { thing: Thing::Own, place, parts }, |_, _| ());
+        let drawn = core::mem::replace(&mut self.canvas, own);
+        Picture { width, height, rgb: drawn.pixels.into_iter().map(rgb).collect() }
     }
 
     fn draw_shadows(&mut self, view: &View, scene: &Scene<'_>) {
@@ -142,13 +164,11 @@ impl Renderer {
         }
     }
 
-    /// Draws what stands on the field; `after` is told each thing that was drawn.
-    fn draw_solids(&mut self, view: &View, scene: &Scene<'_>, mut after: impl FnMut(&mut Canvas, Thing)) {
+    /// Draws what stands on the field, and of the robot itself what is given; `after` is told each thing that was drawn.
+    fn draw_solids(&mut self, view: &View, scene: &Scene<'_>, own: &Group, mut after: impl FnMut(&mut Canvas, Thing)) {
         let centre = scene.ball.extend(BALL_RADIUS);
         let ball = Group::of_one(Thing::Ball, Solid::Sphere { centre, radius: BALL_RADIUS, colour: self.ball });
-        let own = figure::below_the_head(scene.robot, scene.skeleton, self.dress);
-        let own = Group { thing: Thing::Own, place: view.pose.translation.truncate(), parts: own };
-        let mut groups: Vec<&Group> = self.still.iter().chain([&ball, &own]).collect();
+        let mut groups: Vec<&Group> = self.still.iter().chain([&ball, own]).collect();
         let camera = Vec3::from(view.pose.translation);
         sort_far_first(&mut groups, |group| group.place.distance(camera.truncate()));
         for group in groups {
@@ -175,6 +195,12 @@ impl Group {
         parts.extend(figure::shadows(&robot, &skeleton));
         Self { thing: Thing::Other(index), place: other.pose.position, parts }
     }
+}
+
+/// BT.601, full range.
+fn rgb([luma, blue, red, _]: Pixel) -> [u8; 3] {
+    let (luma, blue, red) = (f32::from(luma), f32::from(blue) - 128.0, f32::from(red) - 128.0);
+    [luma + 1.402 * red, luma - 0.344_136 * blue - 0.714_136 * red, luma + 1.772 * blue].map(|part| (part + 0.5) as u8)
 }
 
 fn sort_far_first<T>(things: &mut [T], distance: impl Fn(&T) -> f32) {

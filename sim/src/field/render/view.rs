@@ -5,6 +5,8 @@
 
 use glam::{Affine3A, Vec2, Vec3};
 
+use crate::film::FIELD_OF_VIEW;
+
 /// Focal lengths over width and height. Source: B-Human 2023 and HULKs 2025 (618.66 and 617.16 px at 640×480).
 pub(crate) const FOCAL: (f32, f32) = (618.66 / 640.0, 617.16 / 480.0);
 /// Nothing nearer than this is drawn, m.
@@ -27,6 +29,12 @@ impl View {
         let size = Vec2::new(width as f32, height as f32);
         let focal = size * Vec2::new(FOCAL.0, FOCAL.1);
         Self { pose, to_camera: pose.inverse(), focal, centre: size / 2.0, width, height }
+    }
+
+    /// An onlooker's camera, whose picture has a height of [`FIELD_OF_VIEW`].
+    pub(crate) fn of_onlooker(pose: Affine3A, width: usize, height: usize) -> Self {
+        let focal = Vec2::splat(height as f32 / 2.0 / libm::tanf(FIELD_OF_VIEW / 2.0));
+        Self { focal, ..Self::new(pose, width, height) }
     }
 
     /// A point of the field frame in the camera frame.

@@ -9,6 +9,7 @@ use crate::field::render::palette::{
     BLUE_TEAM, CARPET, JOINT, LINE, ORANGE, RED_TEAM, Rgb, SHELL, SKY_BLUE, WHITE, YELLOW,
 };
 use crate::field::start::Layout;
+use crate::film::FIELD_OF_VIEW;
 use crate::referee::GoalColour;
 
 /// The colours of a game.
@@ -46,12 +47,15 @@ impl Paint {
             ("joints", JOINT),
         ];
         // Multisampling and shadows cost a software renderer seconds.
-        xml.push_str(
-            "<statistic center=\"0 0 0.3\" extent=\"1\"/>\n<visual>\n<global offwidth=\"1280\" offheight=\"960\"/>\n\
+        let angle = FIELD_OF_VIEW.to_degrees();
+        let _ = writeln!(
+            xml,
+            "<statistic center=\"0 0 0.3\" extent=\"1\"/>\n<visual>\n<global offwidth=\"1280\" offheight=\"960\" \
+             fovy=\"{angle}\"/>\n\
              <quality offsamples=\"0\" shadowsize=\"0\"/>\n<map znear=\"0.02\" zfar=\"40\"/>\n\
              <headlight ambient=\"0.74 0.74 0.74\" diffuse=\"0 0 0\" specular=\"0 0 0\"/>\n</visual>\n<asset>\n\
              <texture name=\"hall\" type=\"skybox\" builtin=\"gradient\" rgb1=\"0.62 0.62 0.64\" rgb2=\"0.40 0.39 0.38\" \
-             width=\"64\" height=\"384\"/>\n",
+             width=\"64\" height=\"384\"/>"
         );
         for (name, Rgb { x, y, z }) in materials {
             let _ = writeln!(xml, "<material name=\"{name}\" rgba=\"{x} {y} {z} 1\" specular=\"0\" shininess=\"0\"/>");

@@ -1,0 +1,95 @@
+//! An animated GIF, picture by picture; only what changed is written.
+
+use std::borrow::Cow;
+use std::fs::File;
+use std::io::BufWriter;
+use std::path::{Path, PathBuf};
+
+use gif::{DisposalMethod, Encoder, EncodingError, Frame, Repeat};
+
+use super::colours::Colours;
+use crate::program::ending::Failure;
+use crate::program::picture::canvas::Canvas;
+
+/// Time of a picture, hundredths of a second.
+const TIME: u16 = 10;
+/// What lets the picture before show through.
+const CLEAR: u8 = 255;
+
+/// A GIF that is being written.
+pub(crate) struct Gif {
+    path: PathBuf,
+    encoder: Encoder<BufWriter<File>>,
+    colours: Colours,
+    width: usize,
+    /// The picture before.
+    before: Vec<u8>,
+    count: usize,
+}
+
+impl Gif {
+    /// An empty one.
+    pub(crate) fn new(path: &Path, width: usize, height: usize) -> Result<Self, Failure> {
+        let colours = Colours::new();
+        let mut palette: Vec<u8> = colours.all.iter().flatten().copied().collect();
+        palette.resize(256 * 3, 0);
+        let file = File::create(path).map_err(|error| {
+            Failure::of_path("write", path, &error, "name a file that can be made, or written to, with --film")
+        })?;
+        let opened = Encoder::new(BufWriter::new(file), width as u16, height as u16, &palette);
+        let mut encoder = opened.map_err(|error| failed(path, &error))?;
+        encoder.set_repeat(Repeat::Infinite).map_err(|error| failed(path, &error))?;
+        Ok(Self { path: path.to_owned(), encoder, colours, width, before: Vec::new(), count: 0 })
+    }
+
+    /// Adds a picture that stays for the time of `times` pictures.
+    pub(crate) fn add(&mut self, canvas: &Canvas, times: u16) -> Result<(), Failure> {
+        let pixels = canvas.bytes().as_chunks::<3>().0;
+        let now: Vec<u8> = pixels.iter().map(|rgb| self.colours.index(*rgb)).collect();
+        let frame = self.change(&now, times * TIME);
+        self.encoder.write_frame(&frame).map_err(|error| failed(&self.path, &error))?;
+        self.before = now;
+        self.count += 1;
+        Ok(())
+    }
+
+    /// The least rectangle that holds all that changed, clear where nothing did.
+    fn change(&self, now: &[u8], delay: u16) -> Frame<'static> {
+        let same = |at: usize| self.before.get(at) == Some(&now[at]);
+        let (mut left, mut right, mut top, mut bottom) = (self.width, 0, usize::MAX, 0);
+        for at in (0..now.len()).filter(|&at| !same(at)) {
+            let (x, y) = (at % self.width, at / self.width);
+            (left, right, top, bottom) = (left.min(x), right.max(x), top.min(y), bottom.max(y));
+        }
+        if left > right {
+            (left, right, top, bottom) = (0, 0, 0, 0);
+        }
+        let rows = (top..=bottom).flat_map(|y| (left..=right).map(move |x| (x, y)));
+        let changed = rows.map(|(x, y)| y * self.width + x).map(|at| if same(at) { CLEAR } else { now[at] });
+        Frame {
+            delay,
+            dispose: DisposalMethod::Keep,
+            transparent: Some(CLEAR),
+            left: left as u16,
+            top: top as u16,
+            width: (right - left + 1) as u16,
+            height: (bottom - top + 1) as u16,
+            buffer: Cow::Owned(changed.collect()),
+            ..Frame::default()
+        }
+    }
+
+    /// Closes the file. Says how many pictures there are.
+    pub(crate) fn end(self) -> Result<usize, Failure> {
+        let file = self
+            .encoder
+            .into_inner()
+            .map_err(|error| Failure::of_path("write", &self.path, &error, "is the disk full?"))?;
+        file.into_inner().map_err(|error| Failure::of_path("write", &self.path, &error, "is the disk full?"))?;
+        Ok(self.count)
+    }
+}
+
+fn failed(path: &Path, error: &EncodingError) -> Failure {
+    Failure::of_path("write", path, error, "is the disk full?")
+}
