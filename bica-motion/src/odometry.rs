@@ -1,6 +1,6 @@
 //! How far the robot has come, from its own joints.
 
-use glam::Affine3A;
+use glam::{Affine3A, Vec2};
 use libm::atan2f;
 
 use crate::joints::Joints;
@@ -12,12 +12,29 @@ use crate::side::Side;
 /// Less force than this on both feet together is no ground, N.
 const LEAST_FORCE: f32 = 3.0;
 
+/// How the way that the legs tell differs from the way that the body goes: soles slip, and joints give way.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Calibration {
+    /// True way over felt way, forward and left.
+    pub way: Vec2,
+    /// True turn over the turn that the gyroscope felt.
+    pub turn: f32,
+}
+
+impl Calibration {
+    /// What the legs tell is true, as in the built-in world.
+    pub const EXACT: Self = Self { way: Vec2::ONE, turn: 1.0 };
+    /// With real forces; found by trials in `MuJoCo`.
+    pub const NAO: Self = Self { way: Vec2::ONE, turn: 1.0 };
+}
+
 /// The way of the ground frame (see [`ground_from_robot`](crate::kinematics::ground_from_robot)), summed up.
 ///
 /// The foot with more weight on it does not move; so what the other one and the body do relative to it is motion over
 /// the ground. That holds in any motion: walking, kicking or standing. It knows nothing of slipping.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Odometry {
+    calibration: &'static Calibration,
     pose: Pose2,
     soles: Option<[Affine3A; 2]>,
     support: Option<Side>,
@@ -26,8 +43,13 @@ pub struct Odometry {
 impl Odometry {
     /// At the origin.
     #[must_use]
-    pub const fn new() -> Self {
-        Self { pose: Pose2::ORIGIN, soles: None, support: None }
+    pub const fn new(calibration: &'static Calibration) -> Self {
+        Self { calibration, pose: Pose2::ORIGIN, soles: None, support: None }
+    }
+
+    /// Corrects by these numbers from now on.
+    pub const fn wear(&mut self, calibration: &'static Calibration) {
+        self.calibration = calibration;
     }
 
     /// The ground frame now, seen from the ground frame of the first step.
@@ -55,7 +77,8 @@ impl Odometry {
         self.support = carrying;
         let (Some(before), Some(side)) = (before, carrying) else { return Pose2::ORIGIN };
         let mut motion = seen(side, &before) * seen(side, &soles).inverse();
-        motion.heading = turned.unwrap_or(motion.heading);
+        motion.position *= self.calibration.way;
+        motion.heading = turned.map_or(motion.heading, |turned| self.calibration.turn * turned);
         if !(motion.position.is_finite() && motion.heading.is_finite()) {
             return Pose2::ORIGIN;
         }

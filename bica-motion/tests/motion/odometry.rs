@@ -1,7 +1,7 @@
 //! Odometry against the true way in the quasi-static world.
 
 use bica_motion::joints::Joints;
-use bica_motion::odometry::Odometry;
+use bica_motion::odometry::{Calibration, Odometry};
 use bica_motion::pose::{Pose2, wrap};
 use bica_motion::robot::FootPressure;
 use bica_motion::stand::STAND;
@@ -17,7 +17,7 @@ proptest! {
     fn it_knows_the_way(requests in prop::collection::vec(prop::array::uniform3(-1.0_f32..1.0), 1..6)) {
         let mut walk = Walk::new(&Parameters::BUILT_IN);
         let mut world = World::standing(Parameters::BUILT_IN.stand().joints());
-        let mut odometry = Odometry::new();
+        let mut odometry = Odometry::new(&Calibration::EXACT);
         let start = world.ground();
         let mut way = 0.0;
         for request in requests {
@@ -46,7 +46,7 @@ fn ground(force: f32) -> FootPressure {
 
 #[test]
 fn nobody_moves_in_the_air_or_by_nonsense() {
-    let mut odometry = Odometry::new();
+    let mut odometry = Odometry::new(&Calibration::EXACT);
     let mut angles = STAND;
     for i in 0..10 {
         angles.0[9] += 0.05;

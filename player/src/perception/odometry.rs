@@ -1,7 +1,7 @@
 //! The way that the robot made.
 
 use bica::prelude::*;
-use bica_motion::odometry::Odometry as Estimate;
+use bica_motion::odometry::{Calibration, Odometry as Estimate};
 use bica_motion::pose::Pose2;
 
 use crate::input::Measured;
@@ -17,10 +17,11 @@ impl Odometry {
     /// At the origin.
     #[must_use]
     pub const fn new() -> Self {
-        Self { estimate: Estimate::new() }
+        Self { estimate: Estimate::new(&Calibration::EXACT) }
     }
 
     fn step(&mut self, time: &Time, body: &Measured) {
+        self.estimate.wear(&body.profile().odometry);
         let (left, right) = body.feet();
         let turned = body.inertial().gyro.z * time.dt();
         self.estimate.step(body.angles(), left, right, Some(turned));

@@ -114,16 +114,6 @@ impl MujocoWorld {
         }
     }
 
-    /// Carries the robot sideways as it stands or moves, by so much, m, field frame. For trials that need more room than
-    /// the field has. What is no number carries it nowhere.
-    pub fn carry(&mut self, by: Vec2) {
-        if by.is_finite() {
-            let own = &mut self.data.qpos_mut()[self.torso.position..][..2];
-            own[0] += f64::from(by.x);
-            own[1] += f64::from(by.y);
-        }
-    }
-
     /// Puts the ball somewhere, at rest; m, field frame. For trials.
     /// A place that is no number is none.
     pub fn place_ball(&mut self, at: Vec2) {

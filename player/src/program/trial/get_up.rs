@@ -2,6 +2,8 @@
 
 use bica::{Instant, Tree};
 use bica_motion::pose::Pose2;
+use bica_motion::profile::Profile;
+use bica_player::input::Measured;
 use bica_player::{Forward, act, sense};
 use bica_sim::World;
 use bica_sim::field::{Setup, Start};
@@ -45,6 +47,7 @@ fn throw(bench: &Bench, seed: u64, way: Vec2) -> Result<Option<f32>, Failure> {
     let mut world = MujocoWorld::new(&setup, &bench.physics)
         .map_err(|error| Failure::new(error.to_string(), "try another value"))?;
     let mut robot = Box::new(Forward::new());
+    robot.get_mut::<Measured>().be(&Profile::NAO);
     live(&mut world, &mut robot, 1.0)?;
     let speed = Dice::new(seed).between(THROW.0, THROW.1);
     world.push(speed * way);

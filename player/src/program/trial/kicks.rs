@@ -2,8 +2,9 @@
 
 use bica_motion::kick::{Kick, KickKind, KickMotion};
 use bica_motion::pose::{Pose2, wrap};
+use bica_motion::profile::Profile;
 use bica_motion::side::Side;
-use bica_motion::walk::Velocity;
+use bica_motion::walk::{Body, Velocity};
 use bica_sim::{CYCLE_SECONDS, World};
 use glam::Vec2;
 
@@ -55,11 +56,11 @@ fn play(bench: &Bench, seed: u64, kick: Kick) -> Result<Played, Failure> {
     let mut dice = Dice::new(seed);
     let mut beside = || dice.between(-BESIDE, BESIDE);
     let start = ground(&mut walker);
-    let ball = start.place(kick.ball() + Vec2::new(beside(), beside()));
+    let ball = start.place(kick.ball(&Profile::NAO.kicks) + Vec2::new(beside(), beside()));
     walker.world.place_ball(ball);
-    let mut motion = KickMotion::new(kick);
+    let mut motion = KickMotion::new(kick, &Profile::NAO);
     while !motion.is_done() {
-        let limbs = motion.step(CYCLE_SECONDS);
+        let limbs = motion.step(&Body::from(&walker.world.sensors()), CYCLE_SECONDS);
         walker.act(&limbs);
     }
     walker.go(Velocity::ZERO, 1.0);

@@ -4,9 +4,10 @@ use bica_motion::joints::Joint;
 use bica_motion::limbs::Limbs;
 use bica_motion::odometry::Odometry;
 use bica_motion::pose::Pose2;
+use bica_motion::profile::Profile;
 use bica_motion::robot::{CameraId, Command, Lights};
 use bica_motion::stand::Stiffness;
-use bica_motion::walk::{Body, Parameters, Velocity, Walk};
+use bica_motion::walk::{Body, Velocity, Walk};
 use bica_sim::field::{Setup, Start};
 use bica_sim::mujoco::{MujocoWorld, Physics};
 use bica_sim::referee::Event;
@@ -29,7 +30,8 @@ impl Walker {
         let setup = Setup { seed, goalkeeper: false, start, ..Setup::default() };
         let world =
             MujocoWorld::new(&setup, physics).map_err(|error| Failure::new(error.to_string(), "try another value"))?;
-        let mut walker = Self { world, gait: Walk::new(&Parameters::NAO), odometry: Odometry::new() };
+        let mut walker =
+            Self { world, gait: Walk::new(&Profile::NAO.gait), odometry: Odometry::new(&Profile::NAO.odometry) };
         walker.go(Velocity::ZERO, 1.0);
         Ok(walker)
     }
