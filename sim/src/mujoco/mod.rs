@@ -42,5 +42,5 @@ mod senses;
 mod world;
 
 pub use error::Error;
-pub use physics::Physics;
+pub use physics::{Part, Physics};
 pub use world::MujocoWorld;

@@ -45,6 +45,11 @@ impl Motors {
         self.waiting.push_back((self.delay, (targets, stiffness)));
     }
 
+    /// Lets a motor pull no more.
+    pub(crate) fn break_down(&mut self, joint: Joint) {
+        self.gains[joint] = 0.0;
+    }
+
     /// The torques of all joints in the next step, Nm, where the joints are at these angles.
     pub(crate) fn step(&mut self, angles: &Joints) -> Joints {
         while let Some((0, aim)) = self.waiting.front() {

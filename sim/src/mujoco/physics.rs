@@ -1,5 +1,7 @@
 //! What the physics is like, and what a real robot adds to it.
 
+use bica_motion::joints::Joint;
+use bica_motion::side::Side;
 use bica_motion::speed::DEAD_TIME;
 
 use super::error::Error;
@@ -22,6 +24,17 @@ pub struct Physics {
     pub noise: f32,
     /// Whether the cameras take images; a world without is faster, and needs nothing to draw with.
     pub cameras: bool,
+}
+
+/// A part of the robot that may break. For trials.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Part {
+    /// The gyroscope: it says that nothing turns.
+    Gyroscope,
+    /// The pressure sensors of a sole: they say that nothing presses.
+    Sole(Side),
+    /// A joint's motor: it pulls no more.
+    Motor(Joint),
 }
 
 impl Default for Physics {

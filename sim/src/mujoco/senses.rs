@@ -4,6 +4,7 @@ use std::collections::VecDeque;
 
 use bica_motion::joints::Joints;
 use bica_motion::robot::{FootPressure, Inertial};
+use bica_motion::side::Side;
 use glam::Vec3;
 use libm::{asinf, atan2f};
 
@@ -47,6 +48,9 @@ pub(crate) struct Senses {
     delay: usize,
     noise: f32,
     random: Random,
+    gyroscope_is_dead: bool,
+    /// Left first.
+    dead_soles: [bool; 2],
 }
 
 impl Senses {
@@ -54,7 +58,8 @@ impl Senses {
     pub(crate) fn new(now: Truth, seed: u64, physics: &Physics) -> Self {
         let delay = libm::roundf(physics.sensor_delay / STEP) as usize;
         let truths = core::iter::repeat_n(now, delay + MEAN).collect();
-        Self { truths, delay, noise: physics.noise, random: Random::new(seed, Stream::Sensors) }
+        let random = Random::new(seed, Stream::Sensors);
+        Self { truths, delay, noise: physics.noise, random, gyroscope_is_dead: false, dead_soles: [false; 2] }
     }
 
     /// Lets one step of the physics pass.
@@ -63,19 +68,35 @@ impl Senses {
         self.truths.push_back(now);
     }
 
+    /// Lets the gyroscope say from now on that nothing turns.
+    pub(crate) const fn break_gyroscope(&mut self) {
+        self.gyroscope_is_dead = true;
+    }
+
+    /// Lets a sole say from now on that nothing presses.
+    pub(crate) const fn break_sole(&mut self, side: Side) {
+        self.dead_soles[side.index()] = true;
+    }
+
     /// Reads all sensors; once per cycle.
     pub(crate) fn feel(&mut self) -> Felt {
         let late = self.truths[self.truths.len() - 1 - self.delay];
         let [gyro, acceleration] = self.means();
         let mut deviate = |deviation: f32| self.noise * deviation * self.random.normal();
         let mut around = |deviation: f32| Vec3::new(deviate(deviation), deviate(deviation), deviate(deviation));
+        let gyro = gyro + around(GYRO_NOISE);
         let inertial = Inertial {
-            gyro: gyro + around(GYRO_NOISE),
+            gyro: if self.gyroscope_is_dead { Vec3::ZERO } else { gyro },
             acceleration: acceleration + around(ACCELERATION_NOISE),
             roll: atan2f(late.rise.y, late.rise.z) + deviate(ANGLE_NOISE),
             pitch: asinf((-late.rise.x).clamp(-1.0, 1.0)) + deviate(ANGLE_NOISE),
         };
-        let feet = late.feet.map(|foot| press(&foot, || deviate(PRESSURE_NOISE)));
+        let mut feet = late.feet.map(|foot| press(&foot, || deviate(PRESSURE_NOISE)));
+        for (foot, dead) in feet.iter_mut().zip(self.dead_soles) {
+            if dead {
+                *foot = FootPressure::default();
+            }
+        }
         Felt { angles: encode(&late.angles), inertial, feet }
     }
 

@@ -15,13 +15,13 @@ use super::contacts::{Owners, Touches};
 use super::error::Error;
 use super::eye::{Aim, Eye};
 use super::film::Film;
-use super::model::{Model, Place, STEP};
+use super::model::{Model, Place, SHADES, STEP};
 use super::motors::Motors;
-use super::physics::Physics;
+use super::physics::{Part, Physics};
 use super::posture::Watch;
 use super::senses::{Felt, Senses, Truth};
 use crate::field::Setup;
-use crate::field::body::turn_rate;
+use crate::field::body::{flat, turn_rate};
 use crate::field::pitch::BALL_RADIUS;
 use crate::field::start::Layout;
 use crate::film::{Filmed, NoPicture, Onlooker, Picture};
@@ -114,6 +114,15 @@ impl MujocoWorld {
         }
     }
 
+    /// Breaks a part of the robot for good. For trials.
+    pub fn break_part(&mut self, part: Part) {
+        match part {
+            Part::Gyroscope => self.senses.break_gyroscope(),
+            Part::Sole(side) => self.senses.break_sole(side),
+            Part::Motor(joint) => self.motors.break_down(joint),
+        }
+    }
+
     /// Puts the ball somewhere, at rest; m, field frame. For trials.
     /// A place that is no number is none.
     pub fn place_ball(&mut self, at: Vec2) {
@@ -157,6 +166,21 @@ impl MujocoWorld {
         [CameraId::Top, CameraId::Bottom].map(|camera| robot * skeleton.camera(camera))
     }
 
+    /// Puts the shadows to where they are seen.
+    fn shade(&mut self) {
+        let (robot, skeleton) = (self.robot(), Skeleton::of(&angles(&self.data, &self.joints)));
+        let soles = Side::BOTH.map(|side| flat(&(robot * skeleton.sole(side))));
+        let middle = Vec2::new(0.0227, 0.0);
+        let [left, right] = soles.map(|sole| Pose2 { position: sole.place(middle), ..sole });
+        let ball = Pose2 { position: self.seen_ball().0, heading: 0.0 };
+        let shades: [Pose2; SHADES] = [left, right, flat(&robot), ball];
+        for (place, shade) in shades.iter().enumerate() {
+            let turn = Quat::from_rotation_z(shade.heading);
+            write(&mut self.data.mocap_pos_mut()[place], &shade.position.to_array());
+            write(&mut self.data.mocap_quat_mut()[place], &[turn.w, turn.x, turn.y, turn.z]);
+        }
+    }
+
     fn take_image(&mut self) {
         if self.image_is_new || !image_is_due(self.cycle) || self.eye.is_none() {
             return;
@@ -164,6 +188,7 @@ impl MujocoWorld {
         let (before, pose) = (self.cameras_before[self.camera as usize], self.cameras()[self.camera as usize]);
         let turning = turn_rate(&before.matrix3, &pose.matrix3);
         let aim = Aim { camera: self.camera, pose, turning, frame: frame(self.cycle) };
+        self.shade();
         if let Some(eye) = &mut self.eye {
             eye.take(&mut self.data, &aim);
             self.image_is_new = true;
@@ -236,6 +261,7 @@ impl World for MujocoWorld {
 
 impl Filmed for MujocoWorld {
     fn film(&mut self, from: &Onlooker, width: usize, height: usize) -> Result<Picture, NoPicture> {
+        self.shade();
         let fits = |film: &Film| film.size() == (width, height);
         let film = match self.film.take().filter(fits) {
             Some(film) => self.film.insert(film),

@@ -5,9 +5,9 @@ use bica_motion::pose::{Pose2, rotate};
 use bica_motion::robot::{CameraId, Command, Image};
 use bica_motion::side::Side;
 use bica_motion::stand::STAND;
-use bica_sim::World;
 use bica_sim::field::{Setup, Start};
 use bica_sim::mujoco::{MujocoWorld, Physics};
+use bica_sim::{Filmed, Onlooker, Picture, World};
 use bica_vision::projection::Camera;
 use glam::{Vec2, Vec3};
 
@@ -161,4 +161,27 @@ fn the_same_seed_gives_the_same_images() {
     };
     assert!(image(2) == image(2));
     assert!(image(2) != image(3));
+}
+
+#[test]
+fn filming_changes_nothing_and_shows_robot_and_ball() {
+    let onlooker = Onlooker { eye: Vec3::new(-0.2, -1.5, 0.8), target: Vec3::new(0.2, 0.0, 0.2) };
+    let start = Some(Start { robot: Pose2::ORIGIN, ball: Vec2::new(0.4, 0.1) });
+    let setup = Setup { seed: 5, start, ..Setup::default() };
+    let told = |films: bool| {
+        let mut world = world(&setup, &Physics { cameras: false, ..Physics::default() });
+        let mut angles = Vec::new();
+        for cycle in 0..50 {
+            if films && cycle % 10 == 0 {
+                let Picture { rgb, .. } = world.film(&onlooker, 240, 180).unwrap();
+                let count = |like: fn(&[u8; 3]) -> bool| rgb.iter().filter(|rgb| like(rgb)).count();
+                assert!(count(|rgb| rgb[0] > 170 && rgb[2] < 90 && rgb[1] < 150) > 20, "no ball");
+                assert!(count(|rgb| rgb.iter().all(|part| *part > 150)) > 500, "no robot");
+            }
+            world.act(&command(STAND, 1.0));
+            angles.push(world.sensors().angles);
+        }
+        angles
+    };
+    assert!(told(true) == told(false));
 }

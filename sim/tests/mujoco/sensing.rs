@@ -2,9 +2,11 @@
 
 use bica_motion::joints::Joint;
 use bica_motion::masses::TOTAL_MASS;
+use bica_motion::robot::FootPressure;
+use bica_motion::side::Side;
 use bica_motion::stand::STAND;
 use bica_sim::World;
-use bica_sim::mujoco::Physics;
+use bica_sim::mujoco::{Part, Physics};
 use glam::Vec3;
 
 use crate::puppet::{alone, blind, command, stand};
@@ -75,4 +77,23 @@ fn joints_reach_their_targets_and_turn_no_faster_than_they_can() {
     }
     assert!((before - 1.5).abs() < 0.03, "{before}");
     assert!((3.0..8.3).contains(&fastest), "{fastest} rad/s");
+}
+
+#[test]
+fn what_is_broken_says_and_does_nothing_more() {
+    let mut world = alone(1, &blind());
+    stand(&mut world, 50);
+    for part in [Part::Gyroscope, Part::Sole(Side::Left), Part::Motor(Joint::HeadYaw)] {
+        world.break_part(part);
+    }
+    let mut targets = STAND;
+    (targets[Joint::HeadYaw], targets[Joint::HeadPitch]) = (1.0, 0.3);
+    for _ in 0..100 {
+        world.act(&command(targets, 1.0));
+    }
+    let sensors = world.sensors();
+    assert_eq!(sensors.inertial.gyro, Vec3::ZERO);
+    assert_eq!(sensors.left_foot, FootPressure::default());
+    assert!(sensors.right_foot.total() > 10.0);
+    assert!(sensors.angles[Joint::HeadYaw].abs() < 0.1 && sensors.angles[Joint::HeadPitch] > 0.2);
 }

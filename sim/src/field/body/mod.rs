@@ -19,12 +19,12 @@ use self::balance::Balance;
 use self::down::Down;
 use self::motors::Motors;
 use self::senses::InertialUnit;
-use self::stance::{Stance, flat};
+use self::stance::Stance;
 use crate::random::{Random, Stream};
 use crate::referee::{Event, Posture};
 
 pub(crate) use self::senses::turn_rate;
-pub(crate) use self::stance::raised;
+pub(crate) use self::stance::{flat, raised};
 
 /// Without balance for longer than this the robot falls, cycles.
 const PATIENCE: u32 = 15;

@@ -3,6 +3,7 @@
 mod field;
 mod paint;
 mod robots;
+mod shades;
 #[cfg(test)]
 mod tests;
 
@@ -13,6 +14,7 @@ use mujoco_rs::prelude::{MjModel, MjtObjBase};
 use mujoco_rs::wrappers::mj_auxiliary::MjVfs;
 
 use self::paint::Paint;
+pub(crate) use self::shades::SHADES;
 use super::error::Error;
 use super::physics::Physics;
 use crate::field::Setup;
@@ -123,6 +125,7 @@ fn world(setup: &Setup, layout: &Layout) -> String {
     paint.write(&mut xml);
     xml.push_str("<worldbody>\n");
     paint::lamps(&mut xml, light);
+    shades::write(&mut xml);
     field::write(&mut xml);
     for other in &layout.others {
         robots::write(&mut xml, other);
