@@ -20,7 +20,6 @@ mod play;
 mod report;
 mod smaller;
 mod spread;
-mod stopwatch;
 mod table;
 mod verdict;
 

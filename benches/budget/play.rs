@@ -2,14 +2,13 @@
 
 use std::time::{Duration, Instant as Clock};
 
-use bica::Tree;
+use bica::{Stopwatch, Tree};
 use bica_player::{Forward, act, sense};
 use bica_sim::World;
 use bica_sim::field::{Frame, Setup};
 
 use crate::game::Game;
 use crate::lanes::{ACT, CHAIN, Cycle, LANES, Lanes, SEEING, SENSE};
-use crate::stopwatch::Stopwatch;
 
 /// A game that is played to its goal.
 struct Fixture {
@@ -62,13 +61,13 @@ fn play(fixture: &Fixture, frame: Frame, lanes: &mut Lanes) -> Result<(), String
 
 fn cycle(game: &mut Game, falls: bool) -> Result<Cycle, String> {
     let now = game.now();
-    let mut watch = Stopwatch::new();
     let mut sensors = game.world.sensors();
     if falls {
         sensors.inertial.pitch = PITCH;
     }
     let sees = sensors.image.is_some();
     let began = Clock::now();
+    let mut watch: Stopwatch<_, { Forward::COUNT }> = Stopwatch::new(|| began.elapsed().as_nanos() as u64);
     sense(&mut game.robot, &sensors).map_err(|error| error.to_string())?;
     let sensed = Clock::now();
     game.robot.tick_with(now, &mut watch);
@@ -78,7 +77,9 @@ fn cycle(game: &mut Game, falls: bool) -> Result<Cycle, String> {
     game.world.act(&command);
 
     let mut cycle = [None; LANES];
-    cycle[..Forward::COUNT].copy_from_slice(&watch.spent);
+    for (time, spent) in cycle.iter_mut().zip(watch.spent()) {
+        *time = (spent.runs > 0).then_some(spent.total as u32);
+    }
     let ns = |time: Duration| Some(time.as_nanos() as u32);
     cycle[SENSE] = ns(sensed - began);
     cycle[ACT] = ns(acted - thought);

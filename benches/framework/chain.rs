@@ -7,6 +7,7 @@ use criterion::{Criterion, Throughput};
 
 use crate::ticks::ticks;
 use crate::trees::chain::{Hundred, Rarely, Ten};
+use crate::trees::wide::WideHundred;
 
 pub(crate) fn bench(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("chain");
@@ -26,6 +27,7 @@ pub(crate) fn bench(criterion: &mut Criterion) {
 
     group.throughput(Throughput::Elements(100));
     group.bench_function("a hundred, all due", |bencher| ticks(bencher, &mut Hundred::new()));
+    group.bench_function("a hundred in ten chains, all due", |bencher| ticks(bencher, &mut WideHundred::new()));
     group.finish();
 }
 

@@ -1,15 +1,27 @@
 //! What the framework itself costs: visits, runs, machines, each beside the same work written by hand.
 //!
-//! `cargo bench --bench framework`. Compare figures of one run with each other, never with another machine's.
+//! `cargo bench --bench framework` prints least times of small and large trees beside each other, then Criterion's
+//! figures; `cargo bench --bench framework -- table` the least times alone. Compare figures of one run with each other,
+//! never with another machine's.
 
 mod active;
 mod chain;
 mod machine;
+mod minima;
 mod ticks;
 #[path = "../trees/mod.rs"]
 mod trees;
 
-use criterion::{criterion_group, criterion_main};
+use criterion::Criterion;
 
-criterion_group!(benches, chain::bench, active::bench, machine::bench);
-criterion_main!(benches);
+fn main() {
+    minima::print();
+    if std::env::args().any(|word| word == "table") {
+        return;
+    }
+    let mut criterion = Criterion::default().configure_from_args();
+    chain::bench(&mut criterion);
+    active::bench(&mut criterion);
+    machine::bench(&mut criterion);
+    criterion.final_summary();
+}

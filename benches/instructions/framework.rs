@@ -10,6 +10,7 @@ use crate::trees::latent::{TenOfHundred, TenOfTen};
 use crate::trees::machine::{ByHand, Machine, Ring};
 use crate::trees::shared::Diamond;
 use crate::trees::switch::{Root, Switch};
+use crate::trees::wide::{WideHundred, WideTen};
 
 const CYCLES: u64 = 100;
 
@@ -50,6 +51,8 @@ trees! {
     chain_of_ten: Ten = warm(Ten::new()),
     chain_of_ten_none_due: Rarely = warm(Rarely::new()),
     chain_of_a_hundred: Hundred = warm(Hundred::new()),
+    ten: WideTen = warm(WideTen::new()),
+    a_hundred: WideHundred = warm(WideHundred::new()),
     ten_of_ten: TenOfTen = warm(TenOfTen::new()),
     ten_of_a_hundred: TenOfHundred = warm(TenOfHundred::new()),
     shared: Diamond = warm(Diamond::new()),
@@ -81,6 +84,8 @@ library_benchmark_group!(
         chain_of_ten,
         chain_of_ten_none_due,
         chain_of_a_hundred,
+        ten,
+        a_hundred,
         ten_of_ten,
         ten_of_a_hundred,
         shared,

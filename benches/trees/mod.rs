@@ -8,3 +8,4 @@ pub(crate) mod latent;
 pub(crate) mod machine;
 pub(crate) mod shared;
 pub(crate) mod switch;
+pub(crate) mod wide;
