@@ -45,9 +45,9 @@ fn legend(svg: &mut String, report: &Report) {
          <rect x=\"488\" y=\"10\" width=\"16\" height=\"12\" fill=\"none\" stroke=\"#555555\"/>\
          <text x=\"509\" y=\"20\">declared</text>\n\
          <path d=\"M578 9V23\" stroke=\"#c0392b\" stroke-width=\"2\"/><text x=\"585\" y=\"20\">deadline {:.0} ms</text>\n\
-         <text x=\"{:.0}\" y=\"{:.0}\">slowest / declared</text>",
+         <text x=\"{:.0}\" y=\"{:.0}\" text-anchor=\"end\">slowest / declared</text>",
         report.deadline * 1e-3,
-        RIGHT + 12.0,
+        WIDTH - 10.0,
         TOP - 9.0
     );
 }
@@ -76,7 +76,8 @@ fn bar(svg: &mut String, row: &Row, y: f64) {
     let (top, high) = (y + 4.0, LINE - 8.0);
     let _ =
         writeln!(svg, "<text x=\"{:.0}\" y=\"{:.0}\" text-anchor=\"end\">{}</text>", LEFT - 8.0, y + 14.0, row.name);
-    for (us, colour) in [(time.max, "#8fc79f"), (time.p50, "#2e6f40")] {
+    let over = row.budget.is_some_and(|budget| time.max > budget);
+    for (us, colour) in [(time.max, if over { "#c0392b" } else { "#8fc79f" }), (time.p50, "#2e6f40")] {
         let long = along(us) - LEFT;
         let _ =
             writeln!(svg, "<rect x=\"{LEFT}\" y=\"{top}\" width=\"{long:.1}\" height=\"{high}\" fill=\"{colour}\"/>");

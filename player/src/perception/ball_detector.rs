@@ -41,7 +41,7 @@ pub struct Seen {
     pub camera: CameraId,
 }
 
-#[component(hz = 30, budget_us = 500)]
+#[component(hz = 30, budget_us = 700)]
 impl BallDetector {
     /// Knows of no ball.
     #[must_use]

@@ -15,7 +15,7 @@ pub struct FieldLines {
     image: u32,
 }
 
-#[component(hz = 30, budget_us = 300)]
+#[component(hz = 30, budget_us = 400)]
 impl FieldLines {
     /// Has seen no lines yet.
     #[must_use]
