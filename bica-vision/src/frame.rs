@@ -77,6 +77,23 @@ impl Pair {
     }
 }
 
+/// The luma of pixels in a row or a column.
+#[derive(Clone, Copy, Debug)]
+pub struct Lumas<'a> {
+    bytes: &'a [u8],
+    /// Bytes from one pixel to the next.
+    step: usize,
+}
+
+impl Lumas<'_> {
+    /// The luma of the pixel with a number; 0 beyond the frame.
+    #[inline(always)]
+    #[must_use]
+    pub fn get(&self, at: u16) -> u8 {
+        self.bytes.get(usize::from(at) * self.step).copied().unwrap_or_default()
+    }
+}
+
 /// A frame of [`MIN_SIDE`] to [`MAX_WIDTH`] × [`MAX_HEIGHT`] pixels, borrowed.
 #[derive(Clone, Copy, Debug)]
 pub struct Frame<'a> {
@@ -133,6 +150,21 @@ impl<'a> Frame<'a> {
         self.pairs.get(start..start + pairs).unwrap_or(&[])
     }
 
+    /// The luma of a row from the left; of nothing for a row below the frame.
+    #[inline]
+    #[must_use]
+    pub fn luma_row(&self, y: u16) -> Lumas<'a> {
+        Lumas { bytes: self.row(y).as_flattened(), step: 2 }
+    }
+
+    /// The luma of a column from the top; of nothing for a column beside the frame.
+    #[inline]
+    #[must_use]
+    pub fn luma_column(&self, x: u16) -> Lumas<'a> {
+        let first = if x < self.width { 2 * usize::from(x) } else { usize::MAX };
+        Lumas { bytes: self.pairs.as_flattened().get(first..).unwrap_or(&[]), step: 2 * usize::from(self.width) }
+    }
+
     /// The pixel at (x, y), none outside the frame.
     #[inline]
     #[must_use]
@@ -162,6 +194,10 @@ mod tests {
             assert_eq!(frame.pixel(x, y), None);
         }
         assert!(frame.row(16).is_empty());
+        assert_eq!([6, 7, 8, 16].map(|x| frame.luma_row(5).get(x)), [10, 30, 0, 0]);
+        assert_eq!([6, 7].map(|x| frame.luma_column(x).get(5)), [10, 30]);
+        assert_eq!([(6, 4), (6, 16), (16, 5)].map(|(x, y)| frame.luma_column(x).get(y)), [0, 0, 0]);
+        assert_eq!(frame.luma_row(16).get(0), 0);
     }
 
     #[test]

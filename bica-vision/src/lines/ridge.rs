@@ -8,7 +8,7 @@ use heapless::Vec;
 
 use super::Axes;
 use crate::colour::{Classify, Colour};
-use crate::frame::{Frame, Pixel};
+use crate::frame::{Frame, Lumas, Pixel};
 
 /// Stripes of one scan.
 pub(super) const RIDGES: usize = 16;
@@ -51,31 +51,40 @@ struct Open {
 impl<C: Classify> Scan<'_, C> {
     /// The stripes between two places of the scan, the second one excluded.
     pub(super) fn ridges(&self, first: u16, end: u16) -> Vec<Ridge, RIDGES> {
-        let (mut found, mut open): (Vec<Ridge, RIDGES>, Option<Open>) = (Vec::new(), None);
-        let mut base = self.luma(first) << SMOOTH;
-        for at in first..end {
-            let luma = self.luma(at);
-            match &mut open {
-                None => {
-                    let ground = base >> SMOOTH;
-                    if luma > ground + RISE.0 + ground / RISE.1 {
-                        open = Some(Open { start: at, base: ground, peak: luma });
-                    } else {
-                        base += luma - ground;
-                    }
+        let lumas = self.lumas();
+        let luma = |at: u16| i32::from(lumas.get(at));
+        let (mut found, mut base, mut at) = (Vec::new(), luma(first) << SMOOTH, first);
+        while at < end {
+            let (ground, here) = (base >> SMOOTH, luma(at));
+            if here <= ground + RISE.0 + ground / RISE.1 {
+                base += here - ground;
+                at += 1;
+                continue;
+            }
+            let mut ridge = Open { start: at, base: ground, peak: here };
+            at += 1;
+            while at < end {
+                let here = luma(at);
+                at += 1;
+                ridge.peak = ridge.peak.max(here);
+                if 2 * here < ridge.base + ridge.peak {
+                    found.extend(self.measured(&ridge, at - 1).into_iter().take(RIDGES - found.len()));
+                    break;
                 }
-                Some(ridge) => {
-                    ridge.peak = ridge.peak.max(luma);
-                    if 2 * luma < ridge.base + ridge.peak {
-                        found.extend(self.measured(ridge, at).into_iter().take(RIDGES - found.len()));
-                        open = None;
-                    } else if at - ridge.start > self.widest {
-                        (base, open) = (luma << SMOOTH, None);
-                    }
+                if at - 1 - ridge.start > self.widest {
+                    base = here << SMOOTH;
+                    break;
                 }
             }
         }
         found
+    }
+
+    fn lumas(&self) -> Lumas<'_> {
+        match self.axes {
+            Axes::Columns => self.frame.luma_column(self.across),
+            Axes::Rows => self.frame.luma_row(self.across),
+        }
     }
 
     fn pixel(&self, at: u16) -> Option<Pixel> {
