@@ -86,6 +86,9 @@ pub struct Lumas<'a> {
 }
 
 impl Lumas<'_> {
+    /// Of nothing.
+    pub const NONE: Self = Self { bytes: &[], step: 1 };
+
     /// The luma of the pixel with a number; 0 beyond the frame.
     #[inline(always)]
     #[must_use]

@@ -7,17 +7,17 @@
 use heapless::Vec;
 
 use super::Axes;
+use super::carpet::{LANES, Walk};
 use crate::colour::{Classify, Colour};
 use crate::frame::{Frame, Lumas, Pixel};
 
 /// Stripes of one scan.
 pub(super) const RIDGES: usize = 16;
-/// The least rise of luma, of 255, and as a part of what it rises from.
-const RISE: (i32, i32) = (12, 6);
 /// A stripe of the carpet's own colour is none unless it is so much brighter: tufts are not.
 const THIN_RISE: i32 = 30;
-/// Shift by which luma is smoothed on the carpet: over four pixels.
-const SMOOTH: i32 = 2;
+
+/// The stripes of one scan, along it.
+pub(super) type Ridges = Vec<Ridge, RIDGES>;
 
 /// A stripe across a scan.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -48,36 +48,41 @@ struct Open {
     peak: i32,
 }
 
+/// The stripes between `first` and `end` (not included) of each of some scans that lie side by side.
+pub(super) fn side_by_side<C: Classify>(scans: &[(Scan<'_, C>, u16)], end: u16) -> [Ridges; LANES] {
+    let mut found = [const { Ridges::new() }; LANES];
+    let mut walk = Walk::new(scans.iter().map(|(scan, first)| (scan.lumas(), *first)));
+    while let Some(mut rise) = walk.next_rise(end) {
+        while rise.lanes != 0 {
+            let lane = rise.lanes.trailing_zeros() as usize;
+            rise.lanes &= rise.lanes - 1;
+            let Some((scan, _)) = scans.get(lane) else { continue };
+            let (ground, luma) = walk.on_carpet(lane, rise.at);
+            let ridge = Open { start: rise.at, base: ground, peak: luma };
+            let (next, base) = scan.climb(ridge, end, &mut found[lane]);
+            walk.go_on(lane, next, base);
+        }
+    }
+    found
+}
+
 impl<C: Classify> Scan<'_, C> {
-    /// The stripes between two places of the scan, the second one excluded.
-    pub(super) fn ridges(&self, first: u16, end: u16) -> Vec<Ridge, RIDGES> {
+    /// Follows a stripe to where it falls again and notes it if it is one; where the carpet goes on, and with what new
+    /// luma if the old one is of no use.
+    fn climb(&self, mut ridge: Open, end: u16, found: &mut Ridges) -> (u16, Option<i32>) {
         let lumas = self.lumas();
-        let luma = |at: u16| i32::from(lumas.get(at));
-        let (mut found, mut base, mut at) = (Vec::new(), luma(first) << SMOOTH, first);
-        while at < end {
-            let (ground, here) = (base >> SMOOTH, luma(at));
-            if here <= ground + RISE.0 + ground / RISE.1 {
-                base += here - ground;
-                at += 1;
-                continue;
+        for at in ridge.start + 1..end {
+            let here = i32::from(lumas.get(at));
+            ridge.peak = ridge.peak.max(here);
+            if 2 * here < ridge.base + ridge.peak {
+                found.extend(self.measured(&ridge, at).into_iter().take(RIDGES - found.len()));
+                return (at + 1, None);
             }
-            let mut ridge = Open { start: at, base: ground, peak: here };
-            at += 1;
-            while at < end {
-                let here = luma(at);
-                at += 1;
-                ridge.peak = ridge.peak.max(here);
-                if 2 * here < ridge.base + ridge.peak {
-                    found.extend(self.measured(&ridge, at - 1).into_iter().take(RIDGES - found.len()));
-                    break;
-                }
-                if at - 1 - ridge.start > self.widest {
-                    base = here << SMOOTH;
-                    break;
-                }
+            if at - ridge.start > self.widest {
+                return (at + 1, Some(here));
             }
         }
-        found
+        (end, None)
     }
 
     fn lumas(&self) -> Lumas<'_> {
