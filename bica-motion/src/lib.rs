@@ -20,6 +20,7 @@
 //! ```
 #![no_std]
 
+pub mod bounds;
 pub mod dimensions;
 pub mod fall;
 pub mod feet;

@@ -1,5 +1,6 @@
 //! How fast each joint turns.
 
+use crate::bounds::within;
 use crate::joints::{Joint, Joints};
 
 /// From a command to the first motion of a joint, s. Source: B-Human 2015.
@@ -38,7 +39,7 @@ impl Joints<f32> {
             let most = max_speed(joint) * dt;
             let way = targets[joint] - self[joint];
             if most > 0.0 && !way.is_nan() {
-                moved[joint] += way.clamp(-most, most);
+                moved[joint] += within(way, -most, most);
             }
         }
         moved

@@ -4,6 +4,7 @@
 //! point*: its own place plus its velocity over the pendulum's pace (Pratt et al. 2006). Tilt and rate of the torso say
 //! how far that point is from where the plan has it; joints need not be measured for it.
 
+use crate::bounds::within;
 use core::f32::consts::PI;
 
 use glam::Vec2;
@@ -41,7 +42,7 @@ impl Balance {
 
     /// Takes a cycle's measurements. What is no number counts as none.
     pub(crate) fn feel(&mut self, body: &Body, gait: &Parameters) {
-        let sane = |x: f32, most: f32| if x.is_finite() { x.clamp(-most, most) } else { 0.0 };
+        let sane = |x: f32, most: f32| if x.is_finite() { within(x, -most, most) } else { 0.0 };
         let rates = Vec2::new(sane(body.gyro.x, MOST_RATE), sane(body.gyro.y, MOST_RATE));
         self.rates += (1.0 - gait.gyro_smoothing) * (rates - self.rates);
         let height = gait.hip_height + MASS_OVER_HIPS;

@@ -1,5 +1,6 @@
 //! How fast to walk: what is asked for and what a gait can give.
 
+use crate::bounds::within;
 use libm::{powf, sqrtf};
 
 use crate::walk::Parameters;
@@ -75,5 +76,5 @@ impl Velocity {
 fn approach(now: f32, wanted: f32, up: f32, down: f32) -> f32 {
     let goal = if now * wanted < 0.0 { 0.0 } else { wanted };
     let most = if goal.abs() > now.abs() { up } else { down };
-    now + (goal - now).clamp(-most, most)
+    now + within(goal - now, -most, most)
 }
