@@ -6,6 +6,7 @@ mod instructions;
 mod mujoco;
 mod no_std;
 mod opencv;
+mod peers;
 mod process;
 
 use std::process::ExitCode;
@@ -28,6 +29,8 @@ Chores of the BICA workspace.
                         clean build of the facade
   cargo xtask opencv    the eyes beside OpenCV on the same frames, one core, in turn; fetches OpenCV into target/
                         (needs Python 3), and fails unless the eyes take a tenth of the time or less
+  cargo xtask peers     does the same work in BICA and its peers (copper-rs, statig, smlang, …), timed beside each other,
+                        and fails if a promise about speed is broken (--quick: a look; --slow: BICA slower on purpose)
   cargo xtask ci        all that CI checks: format, lints, docs, tests, twenty games, instructions, MuJoCo,
                         no-std, firmware
 ";
@@ -45,6 +48,8 @@ fn main() -> ExitCode {
         (Some("budget"), Some(more)) if more == "--bless" => instructions::check(true),
         (Some("buildtime"), None) => buildtime::check(),
         (Some("opencv"), None) => opencv::compare(),
+        (Some("peers"), None) => peers::measure(None),
+        (Some("peers"), Some(option)) if peers::OPTIONS.contains(&option.as_str()) => peers::measure(Some(&option)),
         (Some("ci"), None) => ci(),
         (None | Some("help" | "--help" | "-h"), None) => {
             print!("{HELP}");
@@ -71,6 +76,7 @@ fn ci() -> Result<(), String> {
     run("cargo", &["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"], &[])?;
     run("cargo", &["doc", "--workspace", "--no-deps"], &[("RUSTDOCFLAGS", "-D warnings")])?;
     run("cargo", &["test", "--workspace"], &[])?;
+    peers::check()?;
     run("cargo", &["run", "--release", "--", "play", "--games", "20", "--at-least", "19"], &[])?;
     instructions::check(false)?;
     mujoco::check()?;

@@ -1,0 +1,78 @@
+//! The applications.
+
+use cu29::prelude::{CuResult, RobotClock};
+use peers::part::mix;
+use peers::subject::Subject;
+
+use crate::task::results;
+
+/// An application that was started, as something to be measured.
+macro_rules! application {
+    ($(#[$doc:meta])* $name:ident, $config:literal, $outputs:literal) => {
+        mod $name {
+            use cu29::prelude::*;
+
+            #[copper_runtime(config = $config)]
+            struct Application {}
+
+            type Started = CuAppLifecycle<NoopSectionStorage, NoopLogger, Application, Running>;
+
+            pub(super) struct Copper(Started);
+
+            impl Copper {
+                pub(super) fn start(clock: RobotClock) -> CuResult<Self> {
+                    Ok(Self(Application::builder().with_clock(clock).build()?.start()?))
+                }
+            }
+
+            impl super::Subject for Copper {
+                fn cycle(&mut self, _now: u64) {
+                    if let Err(error) = self.0.run_one_iteration() {
+                        panic!("no task here returns an error, yet Copper says: {error}");
+                    }
+                }
+
+                fn result(&self) -> u64 {
+                    super::result::<$outputs>()
+                }
+            }
+        }
+
+        $(#[$doc])*
+        ///
+        /// Read its result right after a cycle: all applications leave theirs in the same place.
+        ///
+        /// # Errors
+        /// What Copper has against it.
+        pub fn $name(clock: RobotClock) -> CuResult<impl Subject> {
+            $name::Copper::start(clock)
+        }
+    };
+}
+
+application! {
+    /// A chain of three.
+    chain_3, "config/chain_3.ron", 1
+}
+application! {
+    /// A chain of ten.
+    chain_10, "config/chain_10.ron", 1
+}
+application! {
+    /// A chain of a hundred.
+    chain_100, "config/chain_100.ron", 1
+}
+application! {
+    /// The diamond.
+    diamond, "config/diamond.ron", 1
+}
+application! {
+    /// The tree of the forward.
+    forward, "config/forward.ron", 4
+}
+
+/// One output as it is; several mixed.
+fn result<const N: usize>() -> u64 {
+    let outputs = results::<N>();
+    if let [one] = outputs[..] { one } else { mix(0, outputs) }
+}

@@ -1,0 +1,8 @@
+//! A program with a machine of five states, by hand.
+
+use peers::machine::ByHand;
+use peers::subject::show;
+
+fn main() {
+    show(ByHand::new(()));
+}

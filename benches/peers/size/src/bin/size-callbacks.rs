@@ -1,0 +1,9 @@
+//! A program with a chain of ten, over a blackboard with call-backs.
+
+use peers::callbacks::Callbacks;
+use peers::part::chain;
+use peers::subject::show;
+
+fn main() {
+    show(Callbacks::new(&chain::<10>()));
+}

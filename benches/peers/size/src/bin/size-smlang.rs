@@ -1,0 +1,8 @@
+//! A program with a machine of five states, with smlang.
+
+use peers::machine::Smlang;
+use peers::subject::show;
+
+fn main() {
+    show(Smlang::new());
+}

@@ -1,0 +1,111 @@
+//! The work: graphs of parts, each of which makes a number of the numbers of others.
+//!
+//! A part that needs no other goes on from its own number. All begin at 1. The parts of a graph are in an order in which
+//! each comes after those that it needs.
+
+/// One component's part of the work.
+#[derive(Clone, Copy, Debug)]
+pub struct Part {
+    /// Its name.
+    pub name: &'static str,
+    /// It runs once in so many cycles, in the first and from there on.
+    pub every: u64,
+    /// What its number starts from, so that no two parts do the same.
+    pub salt: u64,
+    /// The parts that it needs, by their place in the graph; at most [`MOST`].
+    pub needs: &'static [usize],
+}
+
+/// Most parts that one part needs.
+pub const MOST: usize = 6;
+
+/// Sensor to motor through a diamond: the two in the middle need the same.
+pub const DIAMOND: [Part; 4] = [
+    Part { name: "bottom", every: 1, salt: 0, needs: &[] },
+    Part { name: "left", every: 1, salt: 1, needs: &[0] },
+    Part { name: "right", every: 1, salt: 2, needs: &[0] },
+    Part { name: "top", every: 1, salt: 3, needs: &[1, 2] },
+];
+
+/// As in the tree of a soccer forward, at rates of 100, 50, 20, 10 and 5 Hz.
+pub const FORWARD: [Part; 25] = [
+    Part { name: "camera", every: 5, salt: 0, needs: &[] },
+    Part { name: "joints", every: 1, salt: 1, needs: &[] },
+    Part { name: "inertial", every: 1, salt: 2, needs: &[] },
+    Part { name: "feet", every: 1, salt: 3, needs: &[] },
+    Part { name: "game", every: 20, salt: 4, needs: &[] },
+    Part { name: "kinematics", every: 1, salt: 5, needs: &[1, 2] },
+    Part { name: "segments", every: 5, salt: 6, needs: &[0] },
+    Part { name: "ball", every: 5, salt: 7, needs: &[6, 5] },
+    Part { name: "net", every: 5, salt: 8, needs: &[6, 5] },
+    Part { name: "lines", every: 10, salt: 9, needs: &[6, 5] },
+    Part { name: "field_end", every: 10, salt: 10, needs: &[6] },
+    Part { name: "odometry", every: 1, salt: 11, needs: &[5, 3] },
+    Part { name: "ball_memory", every: 2, salt: 12, needs: &[7, 11] },
+    Part { name: "net_memory", every: 5, salt: 13, needs: &[8, 11] },
+    Part { name: "place", every: 10, salt: 14, needs: &[9, 11] },
+    Part { name: "fall", every: 2, salt: 15, needs: &[2, 3] },
+    Part { name: "player", every: 10, salt: 16, needs: &[12, 13, 14, 10, 15, 4] },
+    Part { name: "search", every: 5, salt: 17, needs: &[16, 12] },
+    Part { name: "gaze", every: 2, salt: 18, needs: &[17, 12] },
+    Part { name: "head", every: 1, salt: 19, needs: &[18, 1] },
+    Part { name: "approach", every: 5, salt: 20, needs: &[16, 12, 13] },
+    Part { name: "walk", every: 1, salt: 21, needs: &[20, 11] },
+    Part { name: "legs", every: 1, salt: 22, needs: &[21, 2] },
+    Part { name: "arms", every: 1, salt: 23, needs: &[21] },
+    Part { name: "lights", every: 20, salt: 24, needs: &[16] },
+];
+
+/// The parts of [`FORWARD`] whose numbers go out: head, legs, arms, lights.
+pub const OUTPUTS: [usize; 4] = [19, 22, 23, 24];
+
+const NAMES: [&str; 100] = {
+    const DIGITS: &str = "00010203040506070809101112131415161718192021222324252627282930313233343536373839\
+        40414243444546474849505152535455565758596061626364656667686970717273747576777879\
+        8081828384858687888990919293949596979899";
+    let mut names = [""; 100];
+    let mut at = 0;
+    while at < 100 {
+        names[at] = DIGITS.split_at(2 * at).1.split_at(2).0;
+        at += 1;
+    }
+    names
+};
+
+const BEFORE: [usize; 100] = {
+    let mut before = [0; 100];
+    let mut at = 1;
+    while at < 100 {
+        before[at] = at - 1;
+        at += 1;
+    }
+    before
+};
+
+/// A chain of `N` ≤ 100 parts, each of which needs the one before.
+#[must_use]
+pub fn chain<const N: usize>() -> [Part; N] {
+    core::array::from_fn(|at| Part {
+        name: NAMES[at],
+        every: 1,
+        salt: 0,
+        needs: if at == 0 { &[] } else { core::slice::from_ref(&BEFORE[at]) },
+    })
+}
+
+/// The number of a part that needs these numbers.
+#[inline]
+#[must_use]
+pub fn mix<const N: usize>(salt: u64, needs: [u64; N]) -> u64 {
+    needs.into_iter().fold(salt, |sum, need| sum.wrapping_add(need).wrapping_mul(31).wrapping_add(1))
+}
+
+/// The number of a graph: its last part's, or of several outputs a mixture.
+#[must_use]
+pub fn result(numbers: &[u64]) -> u64 {
+    if numbers.len() == FORWARD.len() {
+        mix(0, OUTPUTS.map(|output| numbers[output]))
+    } else {
+        numbers.last().copied().unwrap_or_default()
+    }
+}

@@ -1,0 +1,104 @@
+//! By hand: one function for each component, called one after the other. What a framework adds is on top of this.
+//!
+//! The functions are not inlined: else the compiler would make one multiplication of a whole chain.
+
+use crate::part::{self, mix};
+use crate::subject::{CYCLE_US, Subject};
+use crate::timer::Timer;
+
+#[inline(never)]
+fn step<const N: usize>(numbers: &mut [u64], to: usize, salt: u64, needs: [usize; N]) {
+    numbers[to] = mix(salt, needs.map(|need| numbers[need]));
+}
+
+/// A chain of `N`.
+pub struct Chain<T, const N: usize> {
+    numbers: [u64; N],
+    timer: T,
+}
+
+impl<T: Timer, const N: usize> Chain<T, N> {
+    /// At rest, with `timer` around each component.
+    pub const fn new(timer: T) -> Self {
+        Self { numbers: [1; N], timer }
+    }
+}
+
+impl<T: Timer, const N: usize> Subject for Chain<T, N> {
+    fn cycle(&mut self, _now: u64) {
+        self.timer.time(0, || step(&mut self.numbers, 0, 0, [0]));
+        for at in 1..N {
+            self.timer.time(at, || step(&mut self.numbers, at, 0, [at - 1]));
+        }
+    }
+
+    fn result(&self) -> u64 {
+        part::result(&self.numbers)
+    }
+}
+
+/// The diamond.
+pub struct Diamond<T> {
+    numbers: [u64; 4],
+    timer: T,
+}
+
+impl<T: Timer> Diamond<T> {
+    /// At rest, with `timer` around each component.
+    pub const fn new(timer: T) -> Self {
+        Self { numbers: [1; 4], timer }
+    }
+}
+
+impl<T: Timer> Subject for Diamond<T> {
+    fn cycle(&mut self, _now: u64) {
+        let numbers = &mut self.numbers;
+        self.timer.time(0, || step(numbers, 0, 0, [0]));
+        self.timer.time(1, || step(numbers, 1, 1, [0]));
+        self.timer.time(2, || step(numbers, 2, 2, [0]));
+        self.timer.time(3, || step(numbers, 3, 3, [1, 2]));
+    }
+
+    fn result(&self) -> u64 {
+        part::result(&self.numbers)
+    }
+}
+
+/// The tree of the forward.
+pub struct Forward<T> {
+    numbers: [u64; 25],
+    timer: T,
+}
+
+impl<T: Timer> Forward<T> {
+    /// At rest, with `timer` around each component.
+    pub const fn new(timer: T) -> Self {
+        Self { numbers: [1; 25], timer }
+    }
+}
+
+/// `numbers, timer, cycle: place every [needs]; …`
+macro_rules! steps {
+    ($numbers:ident, $timer:expr, $cycle:ident: $($to:literal $every:literal [$($need:literal),*];)*) => {
+        $(if $every == 1 || $cycle.is_multiple_of($every) {
+            $timer.time($to, || step($numbers, $to, $to, [$($need),*]));
+        })*
+    };
+}
+
+impl<T: Timer> Subject for Forward<T> {
+    fn cycle(&mut self, now: u64) {
+        let (numbers, cycle) = (&mut self.numbers, now / CYCLE_US);
+        steps! { numbers, self.timer, cycle:
+            0 5 [0]; 1 1 [1]; 2 1 [2]; 3 1 [3]; 4 20 [4];
+            5 1 [1, 2]; 6 5 [0]; 7 5 [6, 5]; 8 5 [6, 5]; 9 10 [6, 5];
+            10 10 [6]; 11 1 [5, 3]; 12 2 [7, 11]; 13 5 [8, 11]; 14 10 [9, 11];
+            15 2 [2, 3]; 16 10 [12, 13, 14, 10, 15, 4]; 17 5 [16, 12]; 18 2 [17, 12]; 19 1 [18, 1];
+            20 5 [16, 12, 13]; 21 1 [20, 11]; 22 1 [21, 2]; 23 1 [21]; 24 20 [16];
+        }
+    }
+
+    fn result(&self) -> u64 {
+        part::result(&self.numbers)
+    }
+}

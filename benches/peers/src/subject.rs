@@ -1,0 +1,26 @@
+//! What is measured.
+
+/// Microseconds between two cycles: a hundred cycles a second.
+pub const CYCLE_US: u64 = 10_000;
+
+/// Some work done some way.
+pub trait Subject {
+    /// One cycle at `now`, µs since the first, a multiple of [`CYCLE_US`].
+    fn cycle(&mut self, now: u64);
+
+    /// What the work came to; the same for all who do the same work.
+    fn result(&self) -> u64;
+}
+
+/// The result after `cycles` cycles from the start.
+pub fn result_after(subject: &mut impl Subject, cycles: u64) -> u64 {
+    for cycle in 0..cycles {
+        subject.cycle(cycle * CYCLE_US);
+    }
+    subject.result()
+}
+
+/// A whole program around a subject, to see how large it gets.
+pub fn show(mut subject: impl Subject) {
+    println!("{}", result_after(&mut subject, 1000));
+}

@@ -1,0 +1,63 @@
+//! All who do the same work come to the same result.
+
+use peers::boxed::Boxed;
+use peers::callbacks::Callbacks;
+use peers::channels::Channels;
+use peers::machine::{ByHand, Smlang, Statig};
+use peers::ours::{self, Ours};
+use peers::part::{DIAMOND, FORWARD, Part, chain};
+use peers::plain;
+use peers::subject::{Subject, result_after};
+use peers::timer::Pairs;
+
+const CYCLES: [u64; 4] = [1, 2, 20, 1234];
+
+/// Compares what two subjects make of the same number of cycles.
+fn same<A: Subject, B: Subject>(left: impl Fn() -> A, right: impl Fn() -> B) {
+    for cycles in CYCLES {
+        assert_eq!(result_after(&mut left(), cycles), result_after(&mut right(), cycles), "after {cycles} cycles");
+    }
+}
+
+/// Compares the late-bound ways with what was written by hand.
+fn late<S: Subject>(parts: &[Part], plain: impl Fn() -> S) {
+    same(&plain, || Boxed::new(parts, ()));
+    same(&plain, || Boxed::new(parts, Pairs::<_, 100>::new(|| 0)));
+    same(&plain, || Callbacks::new(parts));
+    same(&plain, || Channels::new(parts));
+}
+
+#[test]
+fn of_chains() {
+    late(&chain::<3>(), || plain::Chain::<_, 3>::new(()));
+    late(&chain::<10>(), || plain::Chain::<_, 10>::new(()));
+    late(&chain::<100>(), || plain::Chain::<_, 100>::new(()));
+    same(|| plain::Chain::<_, 3>::new(()), || Ours::<ours::Chain3, _>::new(()));
+    same(|| plain::Chain::<_, 10>::new(()), || Ours::<ours::Chain10, _>::new(()));
+    same(|| plain::Chain::<_, 100>::new(()), || Ours::<ours::Chain100, _>::new(()));
+}
+
+#[test]
+fn of_ten_among_latent_ones() {
+    same(|| Ours::<ours::Active, _>::new(()), || Ours::<ours::Latent, _>::new(()));
+    same(|| Ours::<ours::Active, _>::new(()), || Ours::<ours::Tree10, _>::new(()));
+}
+
+#[test]
+fn of_the_diamond() {
+    late(&DIAMOND, || plain::Diamond::new(()));
+    same(|| plain::Diamond::new(()), || Ours::<ours::Diamond, _>::new(()));
+}
+
+#[test]
+fn of_the_forward() {
+    late(&FORWARD, || plain::Forward::new(()));
+    same(|| plain::Forward::new(()), || Ours::<ours::Forward, _>::new(()));
+}
+
+#[test]
+fn of_the_machine() {
+    same(|| ByHand::new(()), || Ours::<ours::Machine, _>::new(()));
+    same(|| ByHand::new(()), Statig::new);
+    same(|| ByHand::new(()), Smlang::new);
+}
