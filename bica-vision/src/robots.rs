@@ -1,8 +1,8 @@
 //! Other robots: what stands on the carpet and is no ball, no line and no goal.
 //!
 //! Columns are scanned from below. Where green ends, something begins; if it goes up as far as a robot would at that
-//! place, it stands there. Columns side by side make a robot, the lowest of their feet is where it touches the ground.
-//! The colour of its waistband and its other parts tells the team.
+//! place, it stands there. Columns that are no farther apart than a robot's arms make a robot, the lowest of their feet is
+//! where it touches the ground. The colour of its waistband and its other parts tells the team.
 //! Cost at 320 × 240: 40 columns of 120 pixels and the box of each robot, 25 µs; 120 µs at 640 × 480.
 
 use glam::Vec2;
@@ -21,15 +21,17 @@ pub type Robots = Vec<Robot, ROBOTS>;
 
 /// Scanned columns.
 const COLUMNS: usize = 40;
-/// How high a robot goes up without a stretch of green, m: nearly to the horizon, as lines that run away do not.
-const LEAST_HEIGHT: f32 = 0.42;
+/// How high a robot goes up without a stretch of green, m: to its shoulders.
+const LEAST_HEIGHT: f32 = 0.35;
 /// The same as a part of the frame's height, if the camera's pose is not known.
 const LEAST_PART: f32 = 0.15;
 /// How high a robot is at most, m, and how wide.
 const TALL: f32 = 0.6;
 const WIDE: (f32, f32) = (0.08, 0.9);
-/// What is broader than this are two robots side by side, m.
-const BROAD: f32 = 0.5;
+/// What is broader than this are two robots side by side, m: a NAO is 0.3 m from arm to arm.
+const BROAD: f32 = 0.38;
+/// Between the columns of one robot there is less than this, m: the room between arm and leg.
+const APART: f32 = 0.18;
 /// If the pose is not known, feet of neighbouring columns are no further apart than this part of the frame's height.
 const STEP: f32 = 0.12;
 /// A foot must be this far below the end of the field, as a part of the frame's height.
@@ -66,6 +68,8 @@ pub struct Robot {
     pub max: Vec2,
     /// Its team, if that shows.
     pub team: Option<Team>,
+    /// Whether its feet are in the image.
+    pub has_base: bool,
 }
 
 impl Robot {
@@ -75,10 +79,10 @@ impl Robot {
         Vec2::new(0.5 * (self.min.x + self.max.x), self.max.y)
     }
 
-    /// The near edge of its feet, ground frame, m. None if that is not on the ground.
+    /// The near edge of its feet, ground frame, m. None if that is not on the ground or not in the image.
     #[must_use]
     pub fn ground(&self, camera: &Camera) -> Option<Vec2> {
-        camera.ground(self.base(), 0.0)
+        camera.ground(self.base(), 0.0).filter(|_| self.has_base)
     }
 
     /// Whether a pixel is in its box.
@@ -99,26 +103,42 @@ impl Robot {
 pub fn find(frame: &Frame<'_>, colours: &impl Classify, field_end: &FieldEnd, camera: Option<&Camera>) -> Robots {
     let scan = Scan { frame, colours, field_end, camera };
     let pitch = f32::from(frame.width()) / COLUMNS as f32;
-    let (mut robots, mut open): (Robots, Option<Robot>) = (Vec::new(), None);
+    let (mut robots, mut open): (Robots, Option<Group>) = (Vec::new(), None);
     for column in 0..COLUMNS {
-        let x = (column as f32 + 0.5) * pitch;
-        let foot = scan.foot(x);
-        let side = |x: f32, row: f32| Vec2::new(x, row);
-        match (foot, &mut open) {
-            (Some((top, row)), Some(robot)) if scan.belongs(robot, side(x + 0.5 * pitch, row)) => {
-                robot.min.y = robot.min.y.min(top);
-                robot.max = side(x + 0.5 * pitch, row.max(robot.max.y));
-            }
-            (foot, _) => {
-                scan.finish(open.take(), &mut robots);
-                let start =
-                    |(top, row)| Robot { min: side(x - 0.5 * pitch, top), max: side(x + 0.5 * pitch, row), team: None };
-                open = foot.map(start);
-            }
+        let (left, right) = (column as f32 * pitch, (column + 1) as f32 * pitch);
+        let Some(foot) = scan.foot(left.midpoint(right)) else { continue };
+        let (min, max) = (Vec2::new(left, foot.top), Vec2::new(right, foot.row));
+        let is_new = open.as_ref().is_none_or(|group| !scan.belongs(group, max));
+        if is_new {
+            scan.finish(open.take(), &mut robots);
         }
+        open.get_or_insert(Group { min, max, cut: 0, whole: 0 }).grow(min, max, foot.is_cut);
     }
     scan.finish(open, &mut robots);
     robots
+}
+
+/// Columns of one robot: their box, and how many of them the image's lower edge cuts and does not cut.
+struct Group {
+    min: Vec2,
+    max: Vec2,
+    cut: u8,
+    whole: u8,
+}
+
+impl Group {
+    fn grow(&mut self, min: Vec2, max: Vec2, is_cut: bool) {
+        (self.min, self.max) = (self.min.min(min), self.max.max(max));
+        self.cut += u8::from(is_cut);
+        self.whole += u8::from(!is_cut);
+    }
+}
+
+/// What stands in a column: its highest row, its lowest one, and whether that is the image's edge.
+struct Foot {
+    top: f32,
+    row: f32,
+    is_cut: bool,
 }
 
 struct Scan<'a, C> {
@@ -129,29 +149,29 @@ struct Scan<'a, C> {
 }
 
 impl<C: Classify> Scan<'_, C> {
-    /// The highest and the lowest row of what stands in a column.
-    fn foot(&self, x: f32) -> Option<(f32, f32)> {
+    /// What stands in a column.
+    fn foot(&self, x: f32) -> Option<Foot> {
         let end = self.field_end.row_at(x)? + MARGIN * f32::from(self.frame.height());
-        let (mut green_below, mut stand): (bool, Option<Stand>) = (false, None);
+        let bottom = self.frame.height() - 1;
+        let (mut is_ground, mut stand): (bool, Option<Stand>) = (true, None);
         for row in (0..self.frame.height()).rev().step_by(2) {
-            let pixel = self.frame.pixel(x as i32, i32::from(row))?;
-            let class = self.colours.classify(pixel);
-            let is_green = class == Colour::Green;
+            let class = self.colours.classify(self.frame.pixel(x as i32, i32::from(row))?);
             match &mut stand {
                 Some(open) => {
                     if open.add(class, f32::from(row)) {
-                        return Some((open.top, open.base));
+                        let is_cut = open.base >= f32::from(bottom);
+                        return Some(Foot { top: open.top, row: open.base, is_cut });
                     }
                     if open.is_over() {
-                        stand = None;
-                        green_below = true;
+                        (is_ground, stand) = (true, None);
                     }
                 }
                 // The end of the field is no foot.
                 None if f32::from(row) < end => return None,
-                None if is_green => green_below = true,
-                None if green_below => {
+                None if class == Colour::Green => is_ground = true,
+                None if is_ground => {
                     stand = self.least_rows(x, row).map(|least| Stand::new(f32::from(row), least, class));
+                    is_ground = stand.is_some();
                 }
                 None => {}
             }
@@ -171,17 +191,18 @@ impl<C: Classify> Scan<'_, C> {
 
     /// Whether a column that ends at a pixel is of the robot at its left: arms have their lower ends above the feet, so
     /// what is not too wide for one robot is one.
-    fn belongs(&self, robot: &Robot, end: Vec2) -> bool {
+    fn belongs(&self, robot: &Group, end: Vec2) -> bool {
         let Some(camera) = self.camera else {
             return (end.y - robot.max.y).abs() <= STEP * f32::from(self.frame.height());
         };
         let row = end.y.max(robot.max.y);
-        let [left, right] = [robot.min.x, end.x].map(|x| camera.ground(Vec2::new(x, row), 0.0));
-        left.zip(right).is_some_and(|(left, right)| left.distance(right) <= BROAD)
+        let [left, last, right] = [robot.min.x, robot.max.x, end.x].map(|x| camera.ground(Vec2::new(x, row), 0.0));
+        let (Some(left), Some(last), Some(right)) = (left, last, right) else { return false };
+        left.distance(right) <= BROAD && last.distance(right) <= APART
     }
 
-    fn finish(&self, robot: Option<Robot>, robots: &mut Robots) {
-        let Some(robot) = robot.and_then(|robot| self.measured(robot)) else { return };
+    fn finish(&self, group: Option<Group>, robots: &mut Robots) {
+        let Some(robot) = group.and_then(|group| self.measured(&group)) else { return };
         let Err(robot) = robots.push(robot) else { return };
         let smallest = robots.iter_mut().min_by(|a, b| a.area().total_cmp(&b.area()));
         if let Some(smallest) = smallest.filter(|smallest| smallest.area() < robot.area()) {
@@ -189,8 +210,12 @@ impl<C: Classify> Scan<'_, C> {
         }
     }
 
-    /// The robot with its full height and its team, if it is as wide as one.
-    fn measured(&self, mut robot: Robot) -> Option<Robot> {
+    /// The robot with its full height and its team, if it is as wide as one. What is cut all along may be the own body.
+    fn measured(&self, group: &Group) -> Option<Robot> {
+        if group.whole == 0 {
+            return None;
+        }
+        let mut robot = Robot { min: group.min, max: group.max, team: None, has_base: group.cut == 0 };
         if let Some(camera) = self.camera {
             let [left, right] = [robot.min.x, robot.max.x].map(|x| camera.ground(Vec2::new(x, robot.max.y), 0.0));
             let (left, right) = (left?, right?);
@@ -201,9 +226,14 @@ impl<C: Classify> Scan<'_, C> {
             let top = camera.pixel(left.midpoint(right).extend(TALL))?;
             robot.min.y = robot.min.y.min(top.y.max(0.0));
         }
-        robot.team = self.team(&robot);
+        let [red, blue] = self.team_colours(&robot);
+        robot.team = match (red >= TEAM, blue >= TEAM) {
+            (true, _) if red > 2.0 * blue => Some(Team::Red),
+            (_, true) if blue > 2.0 * red => Some(Team::Blue),
+            _ => None,
+        };
         let stands_alone = self.camera.is_none() && !self.is_net(&robot);
-        (robot.team.is_some() || stands_alone).then_some(robot)
+        (red.max(blue) >= TEAM || stands_alone).then_some(robot)
     }
 
     /// Whether a goal's colour is seen in the robot's place.
@@ -225,7 +255,8 @@ impl<C: Classify> Scan<'_, C> {
         pairs.iter().take(width).map(|pair| Pair(*pair).mean())
     }
 
-    fn team(&self, robot: &Robot) -> Option<Team> {
+    /// Which part of a robot's place shows each team's colour.
+    fn team_colours(&self, robot: &Robot) -> [f32; 2] {
         let (mut red, mut blue, mut all) = (0_u32, 0_u32, 0_u32);
         for row in (robot.min.y as u16..=robot.max.y as u16).step_by(2) {
             for pixel in self.pixels(robot, row) {
@@ -234,12 +265,7 @@ impl<C: Classify> Scan<'_, C> {
                 all += 1;
             }
         }
-        let enough = TEAM * all as f32;
-        match (red as f32, blue as f32) {
-            (red, blue) if red >= enough && red > 3.0 * blue => Some(Team::Red),
-            (red, blue) if blue >= enough && blue > 3.0 * red => Some(Team::Blue),
-            _ => None,
-        }
+        [red, blue].map(|count| count as f32 / all.max(1) as f32)
     }
 }
 

@@ -29,6 +29,6 @@ fn what_there_is_is_seen_where_it_is() {
     check(lines, &Bounds(0.9, 0.96, 0.5, 4.0));
     check(crossings, &Bounds(0.85, 0.95, 1.0, 3.0));
     check(circle, &Bounds(0.8, 0.95, 1.0, 4.0));
-    check(robots, &Bounds(0.8, 0.8, 4.0, 10.0));
+    check(robots, &Bounds(0.9, 0.9, 3.0, 10.0));
     check(field_end, &Bounds(0.97, 0.97, 1.0, 3.0));
 }

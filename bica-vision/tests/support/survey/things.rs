@@ -7,6 +7,7 @@ use bica_vision::ball::RADIUS;
 use bica_vision::eyes::Seen;
 use bica_vision::goal::{Goal, HEIGHT, Post};
 use bica_vision::pitch;
+use bica_vision::robots::Robot;
 use glam::{Vec2, Vec3};
 
 use super::FAR;
@@ -21,6 +22,8 @@ const POST_LEAST: f32 = 16.0;
 /// Distances in which other robots are due, m, and how near they must be found.
 const ROBOTS_NEAR: f32 = 0.5;
 const ROBOT_ERROR: f32 = 0.35;
+/// The least part of a robot's box that shows one, of 100.
+const ROBOT_PART: usize = 20;
 
 /// Due if half of it is seen. Its ground error is a part of its distance.
 pub(super) fn ball(score: &mut Score, seen: &Seen, truth: &Truth) {
@@ -90,11 +93,11 @@ fn is_post_due(known: Vec2, truth: &Truth) -> bool {
 
 /// Due if both of its legs are seen down to the ground. A robot is 0.1 m nearer than its middle.
 pub(super) fn robots(score: &mut Score, seen: &Seen, truth: &Truth) {
-    let found = seen.robots.iter().filter_map(|robot| Some(truth.pose.place(robot.ground(&truth.camera)?)));
-    let found: Vec<Vec2> = found.filter(|place| truth.distance(*place) <= FAR).collect();
-    for place in &found {
-        score.seen(truth.others.iter().any(|other| other.position.distance(*place) < ROBOT_ERROR + 0.1));
+    for robot in &seen.robots {
+        score.seen(is_robot(robot, truth));
     }
+    let found = seen.robots.iter().filter_map(|robot| Some(truth.pose.place(robot.ground(&truth.camera)?)));
+    let found: Vec<Vec2> = found.collect();
     for (index, other) in truth.others.iter().enumerate() {
         let distance = truth.distance(other.position);
         if !(ROBOTS_NEAR..FAR).contains(&distance) || !is_robot_due(index, other.position, truth) {
@@ -105,6 +108,17 @@ pub(super) fn robots(score: &mut Score, seen: &Seen, truth: &Truth) {
         score.due(hit.is_some());
         score.error(hit.map(|off| 100.0 * (off - 0.1).abs()));
     }
+}
+
+/// Whether a good part of a box shows another robot, and its base is there, if it is in sight and near.
+fn is_robot(robot: &Robot, truth: &Truth) -> bool {
+    let at = |u: f32, v: f32| truth.thing(robot.min + Vec2::new(u, v) * (robot.max - robot.min));
+    let grid = (0..100_u8).map(|i| (0.05 + 0.1 * f32::from(i % 10), 0.05 + 0.1 * f32::from(i / 10)));
+    let shown = grid.filter(|(u, v)| matches!(at(*u, *v), Some(Thing::Other(_)))).count();
+    let base = robot.ground(&truth.camera).filter(|base| base.length() <= FAR).map(|base| truth.pose.place(base));
+    let is_base =
+        base.is_none_or(|base| truth.others.iter().any(|other| other.position.distance(base) < ROBOT_ERROR + 0.1));
+    shown >= ROBOT_PART && is_base
 }
 
 fn is_robot_due(index: usize, place: Vec2, truth: &Truth) -> bool {
