@@ -2,6 +2,7 @@
 
 mod buildtime;
 mod firmware;
+mod fuzz;
 mod instructions;
 mod mujoco;
 mod no_std;
@@ -27,6 +28,8 @@ Chores of the BICA workspace.
                         (--bless: takes the new counts as right)
   cargo xtask buildtime measures what one waits for the compiler: a change to a component until its test has run, and a
                         clean build of the facade
+  cargo xtask fuzz      feeds any frames from any cameras to the eyes, and any bytes to the decoder of the robot's link;
+                        fetches cargo-fuzz into target/ (--seconds N: for each of the two, instead of 60)
   cargo xtask opencv    the eyes beside OpenCV on the same frames, one core, in turn; fetches OpenCV into target/
                         (needs Python 3), and fails unless the eyes take a tenth of the time or less
   cargo xtask peers     does the same work in BICA and its peers (copper-rs, statig, smlang, …), timed beside each other,
@@ -47,6 +50,8 @@ fn main() -> ExitCode {
         (Some("budget"), None) => instructions::check(false),
         (Some("budget"), Some(more)) if more == "--bless" => instructions::check(true),
         (Some("buildtime"), None) => buildtime::check(),
+        (Some("fuzz"), None) => fuzz::check(fuzz::SECONDS),
+        (Some("fuzz"), Some(more)) if more == "--seconds" => fuzz::check(&words.next().unwrap_or_default()),
         (Some("opencv"), None) => opencv::compare(),
         (Some("peers"), None) => peers::measure(None),
         (Some("peers"), Some(option)) if peers::OPTIONS.contains(&option.as_str()) => peers::measure(Some(&option)),
