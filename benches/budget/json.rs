@@ -1,4 +1,8 @@
 //! The report for machines.
+//!
+//! A row is `name`, `runs`, `p50_us`, `p99_us`, `max_us` (of every run the least time; `null` if it never ran), `ever_us`
+//! (the longest time ever measured), `declared_us` and `headroom` (the part of it that the slowest run leaves), `null`
+//! where nothing is declared. `findings` says in words what does not hold, and is empty if the command succeeds.
 
 use serde_json::{Value, json};
 

@@ -27,13 +27,14 @@ fn read(line: &str) -> Result<(String, u64), String> {
     Ok((name, count.ok_or_else(|| told("no count of instructions".to_owned()))?))
 }
 
-/// The compiler, on which the counts depend.
+/// The compiler and the processor that it compiles for, on which the counts depend.
 ///
 /// # Errors
 /// If there is none.
 pub(crate) fn compiler() -> Result<String, String> {
     let out = output("rustc", &["--version"], &[])?;
-    Ok(out.split_whitespace().take(2).collect::<Vec<_>>().join(" "))
+    let version = out.split_whitespace().take(2).collect::<Vec<_>>().join(" ");
+    Ok(format!("{version} for {}", std::env::consts::ARCH))
 }
 
 #[cfg(test)]
