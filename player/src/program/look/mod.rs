@@ -18,7 +18,7 @@ pub(crate) use frames::{Recorded, list, stem};
 pub(crate) use palette::Palette;
 pub(crate) use poses::Pose;
 use poses::Poses;
-pub(crate) use sighting::{Ball, Eyes, Goal, Robot, Sighting, Trust};
+pub(crate) use sighting::{Ball, Crossing, Eyes, Goal, Robot, Sighting, Trust};
 
 /// Who is told what is seen.
 pub(crate) trait Listener {

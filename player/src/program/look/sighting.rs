@@ -1,11 +1,15 @@
 //! What the eyes see in one image.
 
+use std::f32::consts::TAU;
 use std::time::Instant;
 
 use bica_motion::robot::Image;
+use bica_vision::centre_circle::CentreCircle;
 use bica_vision::colour::Colour;
+use bica_vision::crossings::{self, CrossingKind};
 use bica_vision::eyes::{self, Seen};
 use bica_vision::frame::Frame;
+use bica_vision::pitch::CIRCLE;
 use bica_vision::projection::Camera;
 use bica_vision::robots::{self, Team};
 use bica_vision::table::FullTable;
@@ -36,6 +40,10 @@ pub(crate) struct Sighting {
     /// White lines: one end, the other end.
     pub(crate) lines: Vec<[f32; 4]>,
     pub(crate) robots: Vec<Robot>,
+    /// Where lines cross; none without a trusted pose.
+    pub(crate) crossings: Vec<Crossing>,
+    /// The middle of the centre circle, m ahead and to the left; none without a trusted pose.
+    pub(crate) circle: Option<[f32; 2]>,
     /// Time that the detectors took, ms.
     pub(crate) wall_ms: f64,
     /// The camera, if its pose is trusted.
@@ -94,6 +102,16 @@ pub(crate) struct Robot {
     ground: Option<[f32; 2]>,
 }
 
+/// A crossing of lines for machines.
+#[derive(Clone, Debug, Serialize)]
+pub(crate) struct Crossing {
+    kind: &'static str,
+    x: f32,
+    y: f32,
+    /// Where it is, m ahead and to the left.
+    ground: [f32; 2],
+}
+
 impl Eyes {
     /// Opens them for a ball of `radius` metres.
     pub(crate) fn new(palette: Palette, radius: f32) -> Self {
@@ -116,7 +134,7 @@ impl Eyes {
     }
 
     fn tell(&self, file: &str, pose: Option<&Pose>, camera: Option<&Camera>, seen: Seen, wall_ms: f64) -> Sighting {
-        let Seen { end, ball, goals, lines, robots, .. } = seen;
+        let Seen { end, ball, goals, lines, robots, markings } = seen;
         let goals: Vec<_> = [goals.yellow, goals.blue].into_iter().flatten().collect();
         Sighting {
             file: file.to_owned(),
@@ -130,6 +148,8 @@ impl Eyes {
             field_end: end.corners().iter().map(Vec2::to_array).collect(),
             lines: lines.iter().map(|line| [line.from.x, line.from.y, line.to.x, line.to.y]).collect(),
             robots: robots.iter().map(|robot| Robot::new(robot, camera)).collect(),
+            crossings: markings.crossings.iter().map(Crossing::new).collect(),
+            circle: markings.circle.map(|circle| circle.centre.to_array()),
             wall_ms,
             camera: camera.copied(),
             marks: Marks {
@@ -138,6 +158,8 @@ impl Eyes {
                 field_end: end.corners().to_vec(),
                 lines: lines.to_vec(),
                 robots: robots.to_vec(),
+                crossings: markings.crossings.to_vec(),
+                circle: markings.circle.zip(camera).map_or(Vec::new(), |(circle, camera)| outline(&circle, camera)),
             },
         }
     }
@@ -148,6 +170,23 @@ impl Ball {
         let ground = camera.and_then(|camera| ball.ground(camera, metres)).map(|at| at.to_array());
         Self { x: ball.centre.x, y: ball.centre.y, radius: ball.radius, confidence: ball.confidence, ground }
     }
+}
+
+impl Crossing {
+    fn new(crossing: &crossings::Crossing) -> Self {
+        let kind = match crossing.kind {
+            CrossingKind::L => "L",
+            CrossingKind::T => "T",
+            CrossingKind::X => "X",
+        };
+        Self { kind, x: crossing.at.x, y: crossing.at.y, ground: crossing.ground.position.to_array() }
+    }
+}
+
+/// Points on a circle in the image, px, one after the other.
+fn outline(circle: &CentreCircle, camera: &Camera) -> Vec<Vec2> {
+    let points = (0..=72_u8).map(|step| circle.centre + CIRCLE * Vec2::from_angle(f32::from(step) * TAU / 72.0));
+    points.filter_map(|point| camera.pixel(point.extend(0.0))).collect()
 }
 
 impl Robot {

@@ -3,6 +3,7 @@
 use bica_motion::robot::Image;
 use bica_vision::ball::Ball;
 use bica_vision::colour::Colour;
+use bica_vision::crossings::{Crossing, CrossingKind};
 use bica_vision::goal::{Goal, Post};
 use bica_vision::lines::Line;
 use bica_vision::robots::{Robot, Team};
@@ -20,7 +21,9 @@ pub(crate) fn view(image: &Image<'_>, marks: &Marks, width: usize) -> Canvas {
     pixels(&mut canvas, image, times);
     let mut view = View { canvas, times: times as f32 };
     view.field_end(&marks.field_end);
+    view.circle(&marks.circle);
     marks.lines.iter().for_each(|line| view.line(line));
+    marks.crossings.iter().for_each(|crossing| view.crossing(crossing));
     marks.robots.iter().for_each(|robot| view.robot(robot));
     marks.goals.iter().for_each(|goal| view.goal(goal));
     marks.ball.iter().for_each(|ball| view.ball(ball));
@@ -48,6 +51,23 @@ impl View {
         let (from, to) = (self.at(line.from), self.at(line.to));
         self.canvas.line(from, to, 3.0, sheer(TEXT, 0.5));
         self.canvas.line(from, to, 1.5, LINE_MARK);
+    }
+
+    fn circle(&mut self, points: &[Vec2]) {
+        let line: Vec<Vec2> = points.iter().map(|p| self.at(*p)).collect();
+        self.canvas.polyline(&line, 3.0, sheer(BELIEF, 0.8));
+    }
+
+    fn crossing(&mut self, crossing: &Crossing) {
+        let at = self.at(crossing.at);
+        self.canvas.disc(at, 3.5, LINE_MARK);
+        self.canvas.ring(at, 3.5, 1.5, TEXT);
+        let word = match crossing.kind {
+            CrossingKind::L => "L",
+            CrossingKind::T => "T",
+            CrossingKind::X => "X",
+        };
+        self.label(at + Vec2::new(5.0, -18.0), word, LINE_MARK);
     }
 
     fn robot(&mut self, robot: &Robot) {

@@ -4,6 +4,7 @@ use bica::graph::{Graph, Link};
 use bica_motion::pose::Pose2;
 use bica_sim::referee::GoalColour;
 use bica_vision::ball::Ball;
+use bica_vision::crossings::Crossing;
 use bica_vision::goal::Goal;
 use bica_vision::lines::Line;
 use bica_vision::robots::Robot;
@@ -18,6 +19,9 @@ pub(crate) struct Marks {
     pub(crate) field_end: Vec<Vec2>,
     pub(crate) lines: Vec<Line>,
     pub(crate) robots: Vec<Robot>,
+    pub(crate) crossings: Vec<Crossing>,
+    /// Points on the centre circle, one after the other.
+    pub(crate) circle: Vec<Vec2>,
 }
 
 /// What the robot believes.

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::program::look::{Ball, Goal, Robot, Sighting};
+use crate::program::look::{Ball, Crossing, Goal, Robot, Sighting};
 
 /// What is seen in an image. Pixels: x right, y down, the centre of the first pixel is (0, 0).
 #[derive(Debug, Serialize)]
@@ -13,6 +13,8 @@ pub(super) struct Line<'a> {
     field_end: &'a [[f32; 2]],
     lines: &'a [[f32; 4]],
     robots: &'a [Robot],
+    crossings: &'a [Crossing],
+    circle: Option<[f32; 2]>,
     ms: f64,
 }
 
@@ -40,6 +42,8 @@ impl<'a> Line<'a> {
             field_end: &seen.field_end,
             lines: &seen.lines,
             robots: &seen.robots,
+            crossings: &seen.crossings,
+            circle: seen.circle,
             ms: seen.wall_ms,
         }
     }
