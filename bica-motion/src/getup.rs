@@ -60,6 +60,17 @@ pub const fn from(lying: Direction) -> &'static [Keyframe] {
     }
 }
 
+/// The movement to try after so many `failures`: every other time the one for the other side, in case the robot lies
+/// otherwise than it feels.
+#[must_use]
+pub const fn attempt(lying: Direction, failures: u8) -> &'static [Keyframe] {
+    match lying {
+        _ if failures.is_multiple_of(2) => from(lying),
+        Direction::Front => &FROM_BACK,
+        Direction::Back | Direction::Left | Direction::Right => &FROM_FRONT,
+    }
+}
+
 /// The posture in which to fall, for arms and legs: drawn in, the head away from the ground; with little stiffness
 /// ([`Stiffness::Fall`](crate::stand::Stiffness::Fall)). Angles after HULKs 2025 (knees 110°, head −33° and +25°).
 #[must_use]

@@ -26,6 +26,7 @@ pub mod fall;
 pub mod feet;
 pub mod getup;
 pub mod head;
+pub mod health;
 pub mod joints;
 pub mod keyframes;
 pub mod kick;

@@ -2,6 +2,7 @@
 
 mod falls;
 mod head;
+mod health;
 mod joints;
 mod kick;
 mod kinematics;

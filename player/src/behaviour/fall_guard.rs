@@ -4,16 +4,20 @@ use bica::prelude::*;
 use bica_motion::fall::{Direction, Uprightness};
 use bica_motion::getup;
 use bica_motion::keyframes::{Keyframe, Motion};
+use bica_motion::stand::TO_SIT;
 
 use crate::input::Measured;
 use crate::output::Motors;
 use crate::perception::FallDetector;
 
-/// Takes over when the robot falls: softens the fall, then gets it up, from the front or from the back.
+/// Takes over when the robot falls: softens the fall, then gets it up, from the front or from the back; if that fails, the
+/// other way. A body with a fault it sits down instead and lets go of its joints, for good.
 #[derive(Debug)]
 pub struct FallGuard {
     movement: Motion,
     brace: [Keyframe; 1],
+    /// Movements that did not get it up.
+    failures: u8,
     upright: bool,
 }
 
@@ -22,7 +26,7 @@ impl FallGuard {
     /// Has nothing to do yet.
     #[must_use]
     pub const fn new() -> Self {
-        Self { movement: Motion::none(), brace: [getup::protection(Direction::Front)], upright: false }
+        Self { movement: Motion::none(), brace: [getup::protection(Direction::Front)], failures: 0, upright: false }
     }
 
     /// In the air: limbs in, joints soft.
@@ -43,6 +47,16 @@ impl FallGuard {
         }
     }
 
+    /// Must not go on: sits down, then goes limp.
+    #[state(last)]
+    fn give_up(&mut self, time: &Time, motors: &mut Motors) {
+        let moving = self.movement.step(time.dt()).filter(|_| !self.movement.is_done());
+        match moving {
+            Some((posture, stiffness)) => motors.whole(&posture, stiffness),
+            None => motors.limp(),
+        }
+    }
+
     /// On its feet.
     #[state(last)]
     fn stand(&mut self) {
@@ -52,6 +66,11 @@ impl FallGuard {
     #[transition(brace -> get_up)]
     fn lies(&self, falls: &FallDetector) -> bool {
         matches!(falls.state(), Uprightness::Fallen(_))
+    }
+
+    #[transition(brace | get_up -> give_up)]
+    fn is_broken(&self, body: &Measured) -> bool {
+        body.fault().is_some()
     }
 
     /// It was a stumble.
@@ -74,13 +93,23 @@ impl FallGuard {
     #[entry(get_up)]
     fn begin(&mut self, falls: &FallDetector, body: &Measured) {
         if let Uprightness::Fallen(direction) = falls.state() {
-            self.movement = Motion::new(getup::from(direction), *body.angles());
+            self.movement = Motion::new(getup::attempt(direction, self.failures), *body.angles());
         }
+    }
+
+    #[exit(get_up)]
+    fn count(&mut self) {
+        self.failures = self.failures.wrapping_add(1);
+    }
+
+    #[entry(give_up)]
+    fn sit_down(&mut self, body: &Measured) {
+        self.movement = Motion::new(&TO_SIT, *body.angles());
     }
 
     #[stop]
     fn end(&mut self) {
-        self.upright = false;
+        (self.upright, self.failures) = (false, 0);
         self.movement = Motion::none();
     }
 

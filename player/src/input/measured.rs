@@ -1,6 +1,7 @@
 //! What the body measures of itself.
 
 use bica::prelude::*;
+use bica_motion::health::{Fault, Health};
 use bica_motion::joints::Joints;
 use bica_motion::profile::Profile;
 use bica_motion::robot::{Buttons, FootPressure, Inertial, Sensors};
@@ -15,6 +16,7 @@ pub struct Measured {
     feet: (FootPressure, FootPressure),
     buttons: Buttons,
     profile: &'static Profile,
+    health: Health,
 }
 
 #[component(budget_us = 1)]
@@ -29,6 +31,7 @@ impl Measured {
             feet: (NONE, NONE),
             buttons: Buttons { chest: false, left_bumper: false, right_bumper: false },
             profile: &Profile::BUILT_IN,
+            health: Health::new(),
         }
     }
 
@@ -47,6 +50,17 @@ impl Measured {
             self.feet = (sensors.left_foot, sensors.right_foot);
         }
         self.buttons = sensors.buttons;
+    }
+
+    /// Compares this cycle's measurements with what the joints were told last, and how firmly, 0 to 1.
+    pub fn check(&mut self, sensors: &Sensors<'_>, targets: &Joints, stiffness: &Joints) {
+        self.health.step(sensors, targets, stiffness);
+    }
+
+    /// Why the body must not go on moving, if there is a reason.
+    #[must_use]
+    pub const fn fault(&self) -> Option<Fault> {
+        self.health.fault()
     }
 
     /// Makes this a body of another kind: one that moves as `profile` says.

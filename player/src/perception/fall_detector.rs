@@ -9,6 +9,7 @@ use crate::input::Measured;
 #[derive(Debug)]
 pub struct FallDetector {
     balance: Balance,
+    sound: bool,
 }
 
 #[component(budget_us = 2)]
@@ -16,11 +17,12 @@ impl FallDetector {
     /// Upright.
     #[must_use]
     pub const fn new() -> Self {
-        Self { balance: Balance::new() }
+        Self { balance: Balance::new(), sound: true }
     }
 
     fn step(&mut self, time: &Time, body: &Measured) {
         self.balance.step(body.inertial(), time.dt());
+        self.sound = body.fault().is_none();
     }
 
     /// Whether the robot is upright, falls, or lies, and to which side.
@@ -29,9 +31,9 @@ impl FallDetector {
         self.balance.state()
     }
 
-    /// Whether the robot is on its feet.
+    /// Whether the robot is on its feet and may go on: it neither falls nor has a [fault](Measured::fault).
     #[must_use]
     pub fn upright(&self) -> bool {
-        self.state() == Uprightness::Upright
+        self.sound && self.state() == Uprightness::Upright
     }
 }
