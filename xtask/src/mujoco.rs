@@ -37,7 +37,7 @@ pub(crate) fn install() -> Result<(), String> {
 /// What is tried in CI, in a shorter form than `player trial` has by itself.
 const TRIALS: [&str; 4] = ["walk", "commands", "pushes", "odometry"];
 
-/// What CI checks in MuJoCo, where it can be installed: lints, tests, trials of the body.
+/// What CI checks in MuJoCo, where it can be installed: lints, tests, trials of the body, a few games.
 ///
 /// # Errors
 /// What did not hold.
@@ -50,8 +50,11 @@ pub(crate) fn check() -> Result<(), String> {
     let lints = ["clippy", "--workspace", "--all-targets", "--features", "mujoco", "--", "-D", "warnings"];
     run("cargo", &lints, &[])?;
     run("cargo", &[&["test", "-p", "bica-sim", "--lib", "--test", "mujoco"], &feature[..]].concat(), &[])?;
+    run("cargo", &[&["test", "-p", "bica-player", "--test", "program"], &feature[..], &["mujoco"]].concat(), &[])?;
     let program = [&["run", "--release"], &feature[..], &["--"]].concat();
-    run("cargo", &[&program[..], &["trial", "--runs", "4"], &TRIALS[..]].concat(), &[])
+    run("cargo", &[&program[..], &["trial", "--runs", "4"], &TRIALS[..]].concat(), &[])?;
+    let games = ["play", "--world", "mujoco", "--games", "4", "--seconds", "180", "--at-least", "3"];
+    run("cargo", &[&program[..], &games].concat(), &[])
 }
 
 /// Gets the Python package and takes the library out of it.

@@ -7,6 +7,7 @@ mod ending;
 mod firmware;
 mod games;
 mod graph;
+mod mujoco;
 mod pictures;
 mod run;
 mod scene;

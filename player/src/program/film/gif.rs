@@ -9,12 +9,15 @@ use gif::{DisposalMethod, Encoder, EncodingError, Frame, Repeat};
 
 use super::colours::Colours;
 use crate::program::ending::Failure;
-use crate::program::picture::canvas::Canvas;
+use crate::program::picture::canvas::{Canvas, Rgb};
 
 /// Time of a picture, hundredths of a second.
 const TIME: u16 = 10;
 /// What lets the picture before show through.
 const CLEAR: u8 = 255;
+
+/// A colour whose channels are all within this is as good: noise needs no writing.
+const AS_GOOD: u8 = 12;
 
 /// A GIF that is being written.
 pub(crate) struct Gif {
@@ -45,12 +48,22 @@ impl Gif {
     /// Adds a picture that stays for the time of `times` pictures.
     pub(crate) fn add(&mut self, canvas: &Canvas, times: u16) -> Result<(), Failure> {
         let pixels = canvas.bytes().as_chunks::<3>().0;
-        let now: Vec<u8> = pixels.iter().map(|rgb| self.colours.index(*rgb)).collect();
+        let now: Vec<u8> = pixels.iter().enumerate().map(|(at, rgb)| self.colour(at, *rgb)).collect();
         let frame = self.change(&now, times * TIME);
         self.encoder.write_frame(&frame).map_err(|error| failed(&self.path, &error))?;
         self.before = now;
         self.count += 1;
         Ok(())
+    }
+
+    /// The colour of a pixel: that of the picture before, if that is as good.
+    fn colour(&self, at: usize, rgb: Rgb) -> u8 {
+        let before = self.before.get(at).copied();
+        let near = |index: &u8| {
+            let shown = self.colours.all[usize::from(*index)];
+            shown.iter().zip(rgb).all(|(shown, wanted)| shown.abs_diff(wanted) <= AS_GOOD)
+        };
+        before.filter(near).unwrap_or_else(|| self.colours.index(rgb))
     }
 
     /// The least rectangle that holds all that changed, clear where nothing did.

@@ -1,0 +1,54 @@
+//! Games and trials where forces are real, and what is said where they cannot be had.
+
+#[cfg(not(feature = "mujoco"))]
+#[test]
+fn a_program_without_mujoco_says_how_to_get_one_with_it() {
+    let ran = crate::run::run(&["play", "--world", "mujoco"]);
+    assert_eq!((ran.code, ran.stdout.as_str()), (Some(2), ""));
+    assert!(ran.stderr.contains("cargo xtask mujoco") && ran.stderr.contains("--features mujoco"), "{}", ran.stderr);
+}
+
+#[cfg(feature = "mujoco")]
+mod with_mujoco {
+    use crate::run::{Folder, run, without_wall};
+
+    #[test]
+    fn a_game_is_told_as_in_every_world_and_the_same_each_time() {
+        let folder = Folder::new("mujoco");
+        let film = folder.path().join("game.gif");
+        let game = ["play", "--world", "mujoco", "--seed", "7", "--robots", "2", "--seconds", "1", "--json"];
+        let mut first = run(&game).json();
+        let mut second = run(&[&game[..], &["--film", film.to_str().unwrap()]].concat()).json();
+        assert_eq!(first["cycles"], 100);
+        assert!(first["components"][0]["runs"].as_u64() > Some(0));
+        without_wall(&mut first);
+        without_wall(&mut second);
+        assert_eq!(first, second);
+        assert!(film.metadata().unwrap().len() > 10_000);
+    }
+
+    #[test]
+    fn many_games_are_the_same_on_any_number_of_threads() {
+        let games = |threads| {
+            let mut told =
+                run(&["play", "--world", "mujoco", "--games", "3", "--threads", threads, "--seconds", "0.5", "--json"])
+                    .json();
+            without_wall(&mut told);
+            told
+        };
+        assert_eq!(games("1"), games("3"));
+    }
+
+    #[test]
+    fn a_trial_prints_its_table_and_fails_if_it_does_not_hold() {
+        let held = run(&["trial", "odometry", "--runs", "1", "--json"]);
+        assert_eq!(held.code, Some(0), "{}", held.stderr);
+        assert_eq!(held.json()["tables"][0]["trial"], "odometry");
+        // Nobody walks on ice.
+        let slipped = run(&["trial", "odometry", "--runs", "1", "--friction", "0.05", "--json"]);
+        assert_eq!(slipped.code, Some(1), "{}", slipped.stderr);
+        let wrong = run(&["trial", "odometry", "--friction", "9"]);
+        assert_eq!(wrong.code, Some(2));
+        assert!(wrong.stderr.contains("friction"), "{}", wrong.stderr);
+    }
+}
