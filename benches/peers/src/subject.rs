@@ -12,15 +12,19 @@ pub trait Subject {
     fn result(&self) -> u64;
 }
 
-/// The result after `cycles` cycles from the start.
-pub fn result_after(subject: &mut impl Subject, cycles: u64) -> u64 {
-    for cycle in 0..cycles {
+/// The results after each of the first `cycles` cycles.
+pub fn results(subject: &mut impl Subject, cycles: u64) -> Vec<u64> {
+    let after = |cycle| {
         subject.cycle(cycle * CYCLE_US);
-    }
-    subject.result()
+        subject.result()
+    };
+    (0..cycles).map(after).collect()
 }
 
 /// A whole program around a subject, to see how large it gets.
 pub fn show(mut subject: impl Subject) {
-    println!("{}", result_after(&mut subject, 1000));
+    for cycle in 0..1000 {
+        subject.cycle(cycle * CYCLE_US);
+    }
+    println!("{}", subject.result());
 }

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use peers::part::mix;
 use peers::report::figures::Work;
 use peers_run::cases;
 use peers_run::trial::Trial;
@@ -11,7 +12,7 @@ pub(crate) const OPTION: &str = "--rounds";
 
 /// How long a batch of cycles takes, ns: short, so that some fall between two interruptions.
 const BATCH_NS: f64 = 40_000.0;
-/// Cycles before the results are compared.
+/// Cycles whose results are compared.
 const COMPARED: u64 = 1000;
 
 /// Times all in so many rounds and prints a line `way<tab>work<tab>ns` for each.
@@ -41,12 +42,15 @@ fn least(trial: &mut Trial) -> f64 {
     (0..20).map(|_| trial.time(10)).fold(f64::MAX, f64::min).max(1.0)
 }
 
-/// All who do the same work come to the same result.
+/// All who do the same work come to the same results, cycle by cycle.
 fn compare(trials: &mut [Trial]) -> Result<(), String> {
     let mut results = BTreeMap::<Work, (&str, u64)>::new();
     for trial in trials {
-        trial.run(COMPARED);
-        let (name, result) = (trial.way.name(), trial.result());
+        let name = trial.way.name();
+        let result = (0..COMPARED).fold(0, |sum, _| {
+            trial.run(1);
+            mix(sum, [trial.result()])
+        });
         let &mut (other, expected) = results.entry(trial.work).or_insert((name, result));
         if result != expected {
             return Err(format!("{}: {name} comes to {result}, {other} to {expected}", trial.work.name()));
