@@ -3,7 +3,7 @@
 //! A [`World`] gives what a robot gives, [`Sensors`](bica_motion::robot::Sensors), and takes what a robot takes,
 //! [`Command`](bica_motion::robot::Command), one control cycle at a time. What is true in it, only its [`Referee`] tells.
 //! The built-in world is [`field`]: pure Rust, the same in every run for the same seed, and many times faster than real
-//! time.
+//! time. With the feature `mujoco` there is a second one, in which forces are real.
 //!
 //! ```
 //! use bica_motion::{joints::Joints, robot::{CameraId, Command, Lights}};

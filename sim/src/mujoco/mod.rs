@@ -39,6 +39,7 @@ mod motors;
 mod physics;
 mod posture;
 mod senses;
+mod state;
 mod world;
 
 pub use error::Error;

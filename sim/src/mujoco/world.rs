@@ -2,10 +2,10 @@
 
 use core::time::Duration;
 
-use bica_motion::joints::{JOINTS, Joints};
+use bica_motion::joints::JOINTS;
 use bica_motion::kinematics::Skeleton;
 use bica_motion::pose::Pose2;
-use bica_motion::robot::{Buttons, CameraId, Command, FootPressure, Image, Sensors};
+use bica_motion::robot::{Buttons, CameraId, Command, Image, Sensors};
 use bica_motion::side::Side;
 use bica_motion::stand::STAND;
 use glam::{Affine3A, Quat, Vec2, Vec3};
@@ -19,7 +19,8 @@ use super::model::{Model, Place, SHADES, STEP};
 use super::motors::Motors;
 use super::physics::{Part, Physics};
 use super::posture::Watch;
-use super::senses::{Felt, Senses, Truth};
+use super::senses::{Felt, Senses};
+use super::state::{angles, place, pose, stand, truth, write};
 use crate::field::Setup;
 use crate::field::body::{flat, turn_rate};
 use crate::field::pitch::BALL_RADIUS;
@@ -268,57 +269,5 @@ impl Filmed for MujocoWorld {
             None => self.film.insert(Film::new(self.data.model(), width, height)?),
         };
         film.take(&mut self.data, from)
-    }
-}
-
-/// Lets the robot stand over a place.
-fn stand(data: &mut MjData<Box<MjModel>>, torso: Place, joints: &[usize], at: Pose2) {
-    let sole = Skeleton::of(&STAND).sole(Side::Left);
-    let turn = Quat::from_rotation_z(at.heading);
-    let numbers = [at.position.x, at.position.y, -sole.translation.z, turn.w, turn.x, turn.y, turn.z];
-    write(&mut data.qpos_mut()[torso.position..], &numbers);
-    for (&place, angle) in joints.iter().zip(STAND.0) {
-        data.qpos_mut()[place] = angle.into();
-    }
-}
-
-/// Puts the ball somewhere, at rest.
-fn place(data: &mut MjData<Box<MjModel>>, ball: Place, at: Vec2) {
-    write(&mut data.qpos_mut()[ball.position..], &[at.x, at.y, BALL_RADIUS, 1.0, 0.0, 0.0, 0.0]);
-    data.qvel_mut()[ball.velocity..][..6].fill(0.0);
-}
-
-fn write(to: &mut [f64], numbers: &[f32]) {
-    for (to, number) in to.iter_mut().zip(numbers) {
-        *to = f64::from(*number);
-    }
-}
-
-fn angles(data: &MjData<Box<MjModel>>, joints: &[usize; JOINTS]) -> Joints {
-    Joints(joints.map(|place| data.qpos()[place] as f32))
-}
-
-fn pose(data: &MjData<Box<MjModel>>, body: Place) -> Affine3A {
-    let at = |i: usize| data.qpos()[body.position + i] as f32;
-    let turn = Quat::from_xyzw(at(4), at(5), at(6), at(3)).normalize();
-    Affine3A::from_rotation_translation(turn, Vec3::new(at(0), at(1), at(2)))
-}
-
-fn truth(data: &MjData<Box<MjModel>>, torso: Place, joints: &[usize; JOINTS]) -> Truth {
-    let sensed = |i: usize| data.sensordata()[i] as f32;
-    let three = |i: usize| Vec3::new(sensed(i), sensed(i + 1), sensed(i + 2));
-    let foot = |i: usize| FootPressure {
-        front_left: sensed(i),
-        front_right: sensed(i + 1),
-        rear_left: sensed(i + 2),
-        rear_right: sensed(i + 3),
-    };
-    let turn = pose(data, torso).matrix3;
-    Truth {
-        angles: angles(data, joints),
-        gyro: three(0),
-        acceleration: three(3),
-        rise: Vec3::new(turn.x_axis.z, turn.y_axis.z, turn.z_axis.z),
-        feet: [foot(6), foot(10)],
     }
 }
