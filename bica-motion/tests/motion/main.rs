@@ -1,6 +1,7 @@
 //! What the body can do, checked against references and in a quasi-static world.
 
 mod falls;
+mod forces;
 mod head;
 mod health;
 mod joints;

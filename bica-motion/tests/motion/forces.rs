@@ -1,0 +1,128 @@
+//! What the profile for real forces adds to walk and kicks. Whether it stands is tried in `MuJoCo`: `player trial`.
+
+use bica_motion::joints::Joints;
+use bica_motion::kick::{Kick, KickMotion};
+use bica_motion::kinematics;
+use bica_motion::profile::Profile;
+use bica_motion::robot::FootPressure;
+use bica_motion::side::Side;
+use bica_motion::walk::{Body, Phase, Velocity, Walk};
+use glam::Vec3;
+
+use crate::world::CYCLE;
+
+const NAO: &Profile = &Profile::NAO;
+
+fn force(newtons: f32) -> FootPressure {
+    FootPressure { front_left: newtons, ..FootPressure::default() }
+}
+
+/// Stands on both feet alike.
+fn level() -> Body {
+    Body { left_foot: force(26.0), right_foot: force(26.0), ..Body::default() }
+}
+
+/// Walks for a while, feeling this when `side` carries.
+fn walked(request: Velocity, cycles: usize, felt: impl Fn(Side) -> Body) -> (Walk, Joints) {
+    let mut walk = Walk::new(&NAO.gait);
+    let mut targets = NAO.gait.stand().joints();
+    for _ in 0..cycles {
+        let body = walk.support().map_or_else(level, &felt);
+        targets = walk.step(request, &body, CYCLE).joints();
+        assert!(targets.within_limits(), "{targets:?}");
+    }
+    (walk, targets)
+}
+
+/// How far the feet are apart, seen from the left one, m.
+fn apart(targets: &Joints) -> Vec3 {
+    let [left, right] = Side::BOTH.map(|side| kinematics::sole(side, targets));
+    (left.inverse() * right).translation.into()
+}
+
+#[test]
+fn no_joint_is_told_to_pass_its_limit() {
+    for request in [
+        Velocity::new(0.3, 0.0, 0.0),
+        Velocity::new(-0.15, 0.0, 0.0),
+        Velocity::new(0.0, 0.12, 0.0),
+        Velocity::new(0.0, -0.12, 0.0),
+        Velocity::new(0.0, 0.0, 0.8),
+        Velocity::new(0.1, 0.05, 0.3),
+    ] {
+        let (walk, _) = walked(request, 500, |_| level());
+        assert_eq!(walk.phase(), Phase::Walking);
+    }
+}
+
+#[test]
+fn a_body_that_topples_aside_is_caught_by_a_wider_step() {
+    let widest = |rolled: f32| {
+        let toppling = |side: Side| Body { roll: rolled * side.sign(), ..level() };
+        let counts = 100..160;
+        counts.map(|cycles| -apart(&walked(Velocity::new(0.1, 0.0, 0.0), cycles, toppling).1).y).fold(0.0, f32::max)
+    };
+    let (upright, toppling) = (widest(0.0), widest(0.2));
+    assert!(toppling > upright + 0.01, "{toppling} m is not wider than {upright} m");
+    assert!(toppling < upright + NAO.gait.catch_most.y + 0.01);
+}
+
+#[test]
+fn time_passes_slower_while_the_body_hangs_out_over_the_foot_that_carries() {
+    let steps = |rolled: f32| {
+        let mut walk = Walk::new(&NAO.gait);
+        let (mut steps, mut before) = (0, None);
+        for _ in 0..1000 {
+            let roll = walk.support().map_or(0.0, |side| -rolled * side.sign());
+            walk.step(Velocity::new(0.1, 0.0, 0.0), &Body { roll, ..level() }, CYCLE);
+            steps += u32::from(walk.support() != before);
+            before = walk.support();
+        }
+        steps
+    };
+    let (upright, hanging) = (steps(0.0), steps(0.15));
+    assert!((35..=45).contains(&upright), "{upright} steps in 10 s");
+    assert!(4 * hanging < 3 * upright, "{hanging} of {upright} steps");
+}
+
+#[test]
+fn a_body_that_falls_forward_in_stand_presses_its_toes_down() {
+    let mut walk = Walk::new(&NAO.gait);
+    let stand = NAO.gait.stand();
+    let mut limbs = stand;
+    for _ in 0..5 {
+        limbs = walk.step(Velocity::ZERO, &Body { gyro: Vec3::new(0.0, 0.5, 0.0), ..level() }, CYCLE);
+    }
+    for side in Side::BOTH {
+        assert!(limbs.legs[side.index()].ankle_pitch > stand.legs[side.index()].ankle_pitch + 0.01);
+    }
+}
+
+#[test]
+fn wild_readings_move_no_joint_beyond_reason() {
+    for wild in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 1e30] {
+        let felt = |_| Body { gyro: Vec3::splat(wild), roll: wild, pitch: wild, ..level() };
+        let mut walk = Walk::new(&NAO.gait);
+        for _ in 0..500 {
+            let targets = walk.step(Velocity::new(0.2, 0.0, 0.0), &felt(()), CYCLE).joints();
+            assert!(targets.0.iter().all(|angle| angle.is_finite()), "{targets:?}");
+        }
+    }
+}
+
+#[test]
+fn kicks_keep_to_the_limits_and_come_back_to_the_stand() {
+    for kick in Kick::ALL {
+        let mut motion = KickMotion::new(kick, NAO);
+        assert!(motion.seconds() < 2.5, "{kick:?}: {} s", motion.seconds());
+        let mut targets = NAO.gait.stand().joints();
+        for _ in 0..300 {
+            targets = motion.step(&level(), CYCLE).joints();
+            let clamped = targets.clamp_to_limits();
+            let beyond = targets.0.iter().zip(clamped.0).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
+            assert!(beyond < 0.05, "{kick:?}: {beyond} rad beyond a limit");
+        }
+        assert!(motion.is_done());
+        assert_eq!(targets, NAO.gait.stand().joints());
+    }
+}
