@@ -22,7 +22,7 @@ impl Markings {
     /// None.
     pub const NONE: Self = Self { lines: Lines::new(), crossings: Crossings::new(), circle: None };
 
-    /// What the lines of an image, px, are on the ground. Cost: 15 µs.
+    /// What the lines of an image, px, are on the ground. Cost: 8 µs, up to 50 µs where there are many.
     #[must_use]
     pub fn of(frame: &Frame<'_>, colours: &impl Classify, camera: &Camera, lines: &[Line]) -> Self {
         let lines = lines::on_ground(lines, camera, lines::FARTHEST);

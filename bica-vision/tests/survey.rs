@@ -24,11 +24,11 @@ fn what_there_is_is_seen_where_it_is() {
     let survey = Survey::of(0, POSES);
     println!("{survey}");
     let Survey { ball, posts, lines, crossings, circle, robots, field_end, .. } = &survey;
-    check(ball, &Bounds(0.98, 0.98, 1.0, 2.0));
-    check(posts, &Bounds(0.95, 0.97, 1.5, 4.5));
-    check(lines, &Bounds(0.9, 0.96, 0.5, 4.0));
-    check(crossings, &Bounds(0.85, 0.95, 1.0, 3.0));
-    check(circle, &Bounds(0.8, 0.95, 1.0, 4.0));
-    check(robots, &Bounds(0.9, 0.9, 3.0, 10.0));
-    check(field_end, &Bounds(0.97, 0.97, 1.0, 3.0));
+    check(ball, &Bounds(0.98, 0.98, 0.5, 1.5));
+    check(posts, &Bounds(0.96, 0.98, 1.5, 4.0));
+    check(lines, &Bounds(0.92, 0.97, 0.4, 3.5));
+    check(crossings, &Bounds(0.88, 0.97, 0.7, 2.5));
+    check(circle, &Bounds(0.8, 0.97, 1.0, 3.5));
+    check(robots, &Bounds(0.92, 0.92, 3.0, 9.0));
+    check(field_end, &Bounds(0.975, 0.975, 1.0, 2.0));
 }
