@@ -21,17 +21,24 @@ pub(crate) struct Lanes {
     /// The most that was ever measured.
     most: [u32; LANES],
     place: usize,
+    games: usize,
 }
 
 impl Lanes {
     /// Nothing was played yet.
     pub(crate) fn new() -> Self {
-        Self { least: Vec::new(), most: [0; LANES], place: 0 }
+        Self { least: Vec::new(), most: [0; LANES], place: 0, games: 0 }
     }
 
     /// The games start anew.
     pub(crate) fn rewind(&mut self) {
         self.place = 0;
+        self.games += 1;
+    }
+
+    /// How often the games began.
+    pub(crate) fn games(&self) -> usize {
+        self.games
     }
 
     /// Takes the next cycle in.

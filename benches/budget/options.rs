@@ -13,7 +13,8 @@ declared budgets and the tree's deadline. Fails if a declared budget or the dead
   cargo bench --bench budget -- [OPTIONS]
 
   --size WxH        size of the images: 160x120, 320x240 or 640x480 (the default)
-  --repeats N       how often each game is played; of every run the least time counts (the default is 5)
+  --repeats N       how often each game is played (the default is 5), or three times that while something does not hold;
+                    of every run the least time counts
   --loop-ms MS      fails too if the chain takes longer in more than 1 of 100 cycles
   --json            prints JSON; what is said to people goes to stderr
   --svg FILE        draws the bars of the README too

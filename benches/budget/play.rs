@@ -35,15 +35,14 @@ const LIMIT: Duration = Duration::from_mins(1);
 ///
 /// # Errors
 /// If a game was not the same when it was played again.
-pub(crate) fn all(frame: Frame, repeats: usize) -> Result<Lanes, String> {
-    let mut lanes = Lanes::new();
+pub(crate) fn all(frame: Frame, repeats: usize, lanes: &mut Lanes) -> Result<(), String> {
     for _ in 0..repeats {
         lanes.rewind();
         for game in &GAMES {
-            play(game, frame, &mut lanes)?;
+            play(game, frame, lanes)?;
         }
     }
-    Ok(lanes)
+    Ok(())
 }
 
 fn play(fixture: &Fixture, frame: Frame, lanes: &mut Lanes) -> Result<(), String> {

@@ -60,7 +60,7 @@ impl Report {
         let declared = longest_chain(graph, steps(graph)).sum;
         let mut report = Self {
             size: options.frame.size(),
-            repeats: options.repeats,
+            repeats: played.games(),
             cycles: played.cycles(),
             rows,
             sense: row("sensing", SENSE, None),

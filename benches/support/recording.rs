@@ -1,8 +1,10 @@
 //! Cycles of a game that can be sensed again and again, without the world.
 
+use bica::{Hold, Tree};
 use bica_motion::pose::Pose2;
 use bica_motion::robot::{CameraId, Image, Sensors};
 use bica_player::Forward;
+use bica_player::perception::Localization;
 use bica_sim::World;
 use bica_sim::field::{Frame, Setup, Start};
 use glam::Vec2;
@@ -33,10 +35,12 @@ pub(crate) struct Picture {
 
 impl Recording {
     /// The cycles of a game in which the robot walks towards a ball in front of a goal and others beside it, after
-    /// some that are not kept; and the forward as it was after them.
+    /// some that are not kept; and the forward as it was after them. It wants to know its place all the time, so that
+    /// everything that it can look for is looked for.
     pub(crate) fn of_game(frame: Frame, before: usize, cycles: usize) -> (Self, Box<Forward>) {
         let start = Start { robot: Pose2::new(0.6, 0.2, 0.0), ball: Vec2::new(1.8, 0.1) };
         let mut game = Game::new(&Setup { seed: 9, frame, robots: 2, start: Some(start), ..Setup::default() });
+        game.robot.hold::<Localization>(Hold::Active);
         for _ in 0..before {
             game.cycle(&mut ());
         }
