@@ -10,7 +10,8 @@ use bica_player::input::{Colours, Eye, Measured};
 use bica_player::motion::{Body, GoStraight, Head, Kicker, Turn, Walk};
 use bica_player::output::{Gaze, Motors};
 use bica_player::perception::{
-    BallDetector, CameraPose, FallDetector, FieldEnd, FieldLines, Localization, NetDetector, Odometry, RobotDetector,
+    BallDetector, CameraPose, FallDetector, FieldEnd, FieldLines, Localization, NetDetector, Odometry, OwnBody,
+    RobotDetector,
 };
 use bica_player::{Forward, act, sense};
 use bica_sim::field::Frame;
@@ -66,6 +67,7 @@ components! {
     field_lines: FieldLines,
     robot_detector: RobotDetector,
     field_end: FieldEnd,
+    own_body: OwnBody,
     camera_pose: CameraPose,
     odometry: Odometry,
     fall_detector: FallDetector,

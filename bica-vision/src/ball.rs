@@ -7,16 +7,20 @@
 //! Cost at 320 × 240: segmentation 30 µs for the whole frame, less if the end of the field is in sight; then 5 to 30 µs
 //! for each candidate by its size, of which there are at most [`CANDIDATES`].
 
-use glam::{Vec2, Vec3};
+use glam::Vec2;
 
 use crate::circle::Circle;
 use crate::colour::{Classify, Colour, ColourSet};
 use crate::edges::{self, RAYS};
 use crate::field_end::FieldEnd;
 use crate::frame::{Frame, Pixel};
+use crate::hypothesis::Seen;
+use crate::memory::Place;
+use crate::own_body::OwnBody;
 use crate::projection::Camera;
 use crate::regions::{Region, Regions};
 use crate::segment::{Area, Runs};
+use crate::uncertainty::Errors;
 
 /// Orange regions that are looked at, the largest first.
 pub const CANDIDATES: usize = 8;
@@ -29,8 +33,8 @@ pub const RADIUS_2009: f32 = 0.043;
 const CONFIDENT: f32 = 0.4;
 /// And for one of up to 6 pixels' radius, as many things are when they are small or blurred; in between for up to 12.
 const CONFIDENT_IF_SMALL: f32 = 0.6;
-/// An error of the camera's pitch that the check of the size forgives, rad.
-const PITCH_ERROR: f32 = 0.04;
+/// A region of which more than this part is on the robot's own body is not the ball.
+const OWN: f32 = 0.6;
 
 /// A ball in the image.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -49,6 +53,13 @@ impl Ball {
     #[must_use]
     pub fn ground(&self, camera: &Camera, radius: f32) -> Option<Vec2> {
         camera.ground(self.centre, radius)
+    }
+
+    /// As [`ground`](Self::ground), with how sure that is, and corrected by the ball's size where that is surer. None if
+    /// no ball on the ground is seen so.
+    #[must_use]
+    pub fn place(&self, camera: &Camera, radius: f32) -> Option<Place> {
+        Seen { centre: self.centre, radius: self.radius }.ball(camera, radius, &Errors::NAO)
     }
 }
 
@@ -77,11 +88,24 @@ impl<const N: usize> BallFinder<N> {
         field_end: &FieldEnd,
         camera: Option<&Camera>,
     ) -> Option<Ball> {
+        self.find_beside(frame, colours, field_end, camera, &OwnBody::NONE)
+    }
+
+    /// As [`find`](Self::find); what is orange on the robot's own body is no ball.
+    pub fn find_beside(
+        &mut self,
+        frame: &Frame<'_>,
+        colours: &impl Classify,
+        field_end: &FieldEnd,
+        camera: Option<&Camera>,
+        own: &OwnBody,
+    ) -> Option<Ball> {
         let area = Area::below((field_end.top().unwrap_or(0.0) - 8.0).max(0.0) as u16);
         // Every second row is enough to notice a ball of three pixels' radius; its edge is measured on all of them.
         self.runs.segment(frame, colours, ColourSet::of(Colour::Orange), area.every(2));
         self.regions.connect(&self.runs, 6);
-        best(frame, colours, self.regions.as_slice(), field_end, camera.map(|camera| (camera, self.radius)))
+        let camera = camera.map(|camera| (camera, self.radius));
+        best_beside(frame, colours, self.regions.as_slice(), field_end, camera, own)
     }
 
     /// How many runs of the last frame found no place.
@@ -100,7 +124,20 @@ pub fn best(
     field_end: &FieldEnd,
     camera: Option<(&Camera, f32)>,
 ) -> Option<Ball> {
-    let look = Look { frame, colours, field_end, camera };
+    best_beside(frame, colours, regions, field_end, camera, &OwnBody::NONE)
+}
+
+/// As [`best`]; what is orange on the robot's own body is no ball.
+#[must_use]
+pub fn best_beside(
+    frame: &Frame<'_>,
+    colours: &impl Classify,
+    regions: &[Region],
+    field_end: &FieldEnd,
+    camera: Option<(&Camera, f32)>,
+    own: &OwnBody,
+) -> Option<Ball> {
+    let look = Look { frame, colours, field_end, camera, own };
     let balls = regions.iter().filter(|r| r.colour == Colour::Orange).filter_map(|region| look.examine(region));
     // A far ball is as good as a near one, but a small patch is more often no ball.
     let worth = |ball: &Ball| ball.confidence * (ball.radius / (ball.radius + 2.0));
@@ -138,6 +175,7 @@ struct Look<'a, C> {
     colours: &'a C,
     field_end: &'a FieldEnd,
     camera: Option<(&'a Camera, f32)>,
+    own: &'a OwnBody,
 }
 
 impl<C: Classify> Look<'_, C> {
@@ -146,7 +184,7 @@ impl<C: Classify> Look<'_, C> {
         let (Circle { centre, radius }, roundness) = self.circle(region, shade)?;
         let confidence = roundness * self.fullness(centre, radius, shade);
         let fits = self.shows_enough(centre, radius) && self.is_on_field(centre, radius);
-        let fits = fits && self.is_of_size(centre, radius);
+        let fits = fits && self.is_of_size(centre, radius) && !self.is_own(region);
         (confidence >= needed_confidence(radius) && fits).then_some(Ball { centre, radius, confidence })
     }
 
@@ -225,17 +263,14 @@ impl<C: Classify> Look<'_, C> {
         }
     }
 
-    /// As large as a ball on the ground is there, give or take an error in the camera's pitch.
+    /// Whether most of what is orange is the robot itself.
+    fn is_own(&self, region: &Region) -> bool {
+        self.own.share(Vec2::from(region.centroid), 0.4 * f32::from(region.width().min(region.height()))) > OWN
+    }
+
+    /// As large as a ball on the ground is there.
     fn is_of_size(&self, centre: Vec2, radius: f32) -> bool {
         let Some((camera, metres)) = self.camera else { return true };
-        let slack = PITCH_ERROR * camera.intrinsics().focal.y;
-        let expected = |dy: f32| {
-            let pixel = centre + Vec2::new(0.0, dy);
-            let place = camera.ground(pixel, metres)?;
-            camera.sphere_radius(Vec3::new(place.x, place.y, metres), metres)
-        };
-        let Some(nearest) = expected(slack) else { return false };
-        let farthest = expected(-slack).unwrap_or(0.0);
-        (0.7 * farthest - 1.0..=1.4 * nearest + 1.5).contains(&radius)
+        Seen { centre, radius }.ball(camera, metres, &Errors::NAO).is_some()
     }
 }

@@ -3,6 +3,8 @@
 //! A caller who wants less calls the detectors alone; what each costs stands at its module. Together they share one
 //! pass over the rows for ball and goals.
 
+use glam::Vec2;
+
 use crate::ball::{Ball, BallFinder};
 use crate::colour::Classify;
 use crate::field_end::FieldEnd;
@@ -10,6 +12,7 @@ use crate::frame::Frame;
 use crate::goal::{GoalFinder, Goals};
 use crate::lines::{self, Lines};
 use crate::markings::Markings;
+use crate::own_body::OwnBody;
 use crate::projection::Camera;
 use crate::robots::{self, Robots};
 
@@ -48,12 +51,24 @@ impl<const B: usize, const G: usize> Eyes<B, G> {
 
     /// Looks for everything in a frame; with `camera`, what does not fit its pose is refused.
     pub fn look(&mut self, frame: &Frame<'_>, colours: &impl Classify, camera: Option<&Camera>) -> Seen {
+        self.look_beside(frame, colours, camera, &OwnBody::NONE)
+    }
+
+    /// As [`look`](Self::look); a ball or a line on the robot's own body is none.
+    pub fn look_beside(
+        &mut self,
+        frame: &Frame<'_>,
+        colours: &impl Classify,
+        camera: Option<&Camera>,
+        own: &OwnBody,
+    ) -> Seen {
         let end = FieldEnd::find_with(frame, colours, camera);
-        let ball = self.balls.find(frame, colours, &end, camera);
+        let ball = self.balls.find_beside(frame, colours, &end, camera, own);
         let goals = self.goals.find(frame, colours, &end, camera);
         let robots = camera.map(|camera| robots::find(frame, colours, &end, Some(camera))).unwrap_or_default();
         let mut lines = lines::find(frame, colours, &end, camera);
-        lines.retain(|line| !robots.iter().any(|robot| robot.covers(line.from.midpoint(line.to))));
+        let on_robot = |at: Vec2| own.covers(at) || robots.iter().any(|robot| robot.covers(at));
+        lines.retain(|line| !on_robot(line.from.midpoint(line.to)));
         let markings = camera.map(|camera| Markings::of(frame, colours, camera, &lines)).unwrap_or_default();
         Seen { end, ball, goals, robots, lines, markings }
     }

@@ -8,7 +8,8 @@ use crate::input::{Colours, Eye, FrameTooLarge, Measured};
 use crate::motion::{Body, GoStraight, Head, Kicker, Turn, Walk};
 use crate::output::{Gaze, Motors};
 use crate::perception::{
-    BallDetector, CameraPose, FallDetector, FieldEnd, FieldLines, Localization, NetDetector, Odometry, RobotDetector,
+    BallDetector, CameraPose, FallDetector, FieldEnd, FieldLines, Localization, NetDetector, Odometry, OwnBody,
+    RobotDetector,
 };
 
 activation_tree! {
@@ -21,7 +22,8 @@ activation_tree! {
             Player,
             SearchBall, FollowBall, SearchNet, LookAround, GoRound, Fixmove, FallGuard, FaceBall,
             Body, GoStraight, Turn, Walk, Kicker, Head,
-            Localization, BallDetector, NetDetector, FieldLines, RobotDetector, FieldEnd, CameraPose, Odometry, FallDetector,
+            Localization, BallDetector, NetDetector, FieldLines, RobotDetector, FieldEnd, OwnBody, CameraPose, Odometry,
+            FallDetector,
             Eye, Colours, Measured,
             Motors, Gaze,
         ],

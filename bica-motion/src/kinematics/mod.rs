@@ -32,6 +32,18 @@ pub fn ankle(side: Side, angles: &Joints) -> Affine3A {
     skeleton::leg(side, angles)[5]
 }
 
+/// The poses of an arm's parts in the robot frame: shoulder, biceps, elbow, forearm, hand.
+#[must_use]
+pub fn arm(side: Side, angles: &Joints) -> [Affine3A; 5] {
+    skeleton::arm(side, angles)
+}
+
+/// The poses of a leg's parts in the robot frame: pelvis, hip, thigh, tibia, ankle, foot.
+#[must_use]
+pub fn leg(side: Side, angles: &Joints) -> [Affine3A; 6] {
+    skeleton::leg(side, angles)
+}
+
 /// The pose of a camera in the robot frame: x along the optical axis, y to the left of the image, z up the image.
 #[must_use]
 pub fn camera(camera: CameraId, angles: &Joints) -> Affine3A {

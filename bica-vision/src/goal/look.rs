@@ -3,12 +3,14 @@
 use glam::Vec2;
 use heapless::Vec;
 
-use super::{Goal, POST_WIDTH, Post, PostSide};
+use super::{Goal, HEIGHT, POST_WIDTH, Post, PostSide};
 use crate::bars::{BARS, Bar};
 use crate::colour::Colour;
 use crate::field_end::FieldEnd;
+use crate::hypothesis;
 use crate::projection::Camera;
 use crate::segment::{Run, Runs};
+use crate::uncertainty::Errors;
 
 /// An error of the camera's pitch that checks of the geometry forgive, rad.
 const PITCH_ERROR: f32 = 0.04;
@@ -65,7 +67,11 @@ impl<const N: usize> Look<'_, N> {
         let Some(camera) = self.camera else { return true };
         let slack = PITCH_ERROR * camera.intrinsics().focal.y;
         let reaches = camera.horizon(bar.top.x).is_some_and(|row| bar.top.y <= row + slack);
-        (reaches || self.is_at_top(bar.top.y)) && (self.is_at_bottom(bar.bottom.y) || is_of_width(camera, bar, slack))
+        let sees_foot = !self.is_at_bottom(bar.bottom.y);
+        let sees_all = sees_foot && !self.is_at_top(bar.top.y);
+        (reaches || self.is_at_top(bar.top.y))
+            && (!sees_foot || is_of_width(camera, bar, slack))
+            && (!sees_all || hypothesis::is_as_high(camera, bar.bottom, bar.top, HEIGHT, &Errors::NAO))
     }
 
     fn post(&self, bar: &Bar) -> Post {

@@ -3,6 +3,7 @@
 mod canvas;
 mod detectors;
 mod nonsense;
+mod own_body;
 mod real;
 mod shelf;
 mod stages;

@@ -1,8 +1,9 @@
-//! The search for the ball.
+//! The search for the ball: first where it is remembered, then everywhere.
 
 use bica::prelude::*;
 use bica_motion::robot::CameraId;
 
+use super::FaceBall;
 use crate::motion::{Body, Head};
 use crate::output::Gaze;
 use crate::perception::BallDetector;
@@ -28,14 +29,20 @@ const GLANCES: [(CameraId, f32, f32); 13] = [
 ];
 /// How long the head rests in each direction, s: two images and the motors' dead time.
 const REST: f32 = 0.12;
+/// How long to look for the ball where it is remembered, s: the way of the head, and some images.
+const RECALL: f32 = 1.0;
+/// A ball that is believed less than this is not looked for where it is remembered.
+const BELIEVED: f32 = 0.1;
 /// How fast the body turns when nothing was found, rad/s.
 const TURN: f32 = 0.8;
 
-/// Looks around with the head, then turns the body, until the ball is seen.
+/// Looks where the ball ought to be, then around with the head, then turns the body, until the ball is seen.
 #[derive(Debug)]
 pub struct SearchBall {
     glance: usize,
     rested: f32,
+    /// For how long the remembered ball was looked for, s.
+    recalled: f32,
 }
 
 #[component(hz = 50, budget_us = 5)]
@@ -43,7 +50,7 @@ impl SearchBall {
     /// Has not looked anywhere yet.
     #[must_use]
     pub const fn new() -> Self {
-        Self { glance: 0, rested: 0.0 }
+        Self { glance: 0, rested: 0.0, recalled: 0.0 }
     }
 
     #[start]
@@ -51,8 +58,21 @@ impl SearchBall {
         *self = Self::new();
     }
 
-    /// Stands and moves the head.
+    /// Looks where the ball ought to be, or roll by now.
     #[state(initial)]
+    fn recall(&mut self, time: &Time, body: &mut Body, _face: &mut FaceBall) {
+        body.stand();
+        self.recalled += time.dt();
+    }
+
+    /// Nobody knows, or it is not there.
+    #[transition(recall -> scan)]
+    fn not_there(&self, ball: &BallDetector) -> bool {
+        self.recalled > RECALL || ball.memory().confidence() < BELIEVED
+    }
+
+    /// Stands and moves the head.
+    #[state]
     fn scan(&mut self, time: &Time, _ball: &BallDetector, head: &mut Head, gaze: &mut Gaze, body: &mut Body) {
         body.stand();
         let Some(&(camera, pan, tilt)) = GLANCES.get(self.glance) else { return };

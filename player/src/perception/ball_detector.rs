@@ -5,10 +5,11 @@ use bica_motion::pose::Pose2;
 use bica_motion::robot::CameraId;
 use bica_vision::ball::{Ball, BallFinder, RADIUS};
 use bica_vision::frame::Frame;
-use bica_vision::memory::Memory;
+use bica_vision::memory::ball::BallMemory;
+use bica_vision::memory::{Place, sight};
 use glam::Vec2;
 
-use super::{CameraPose, Direction, FieldEnd, Odometry};
+use super::{CameraPose, Direction, FieldEnd, Odometry, OwnBody};
 use crate::input::{Colours, Eye};
 
 /// Sightings in a row that make sure.
@@ -18,6 +19,8 @@ const LOST: u64 = 2000;
 
 /// Time without a sighting in which the belief in the ball's place halves, s.
 const HALF_LIFE: f32 = 2.0;
+/// A ball farther away than this may be there and not be seen, m.
+const VISIBLE: f32 = 2.5;
 
 /// Finds the ball in the image and remembers where it lies while it is not seen.
 pub struct BallDetector {
@@ -25,7 +28,7 @@ pub struct BallDetector {
     seen: Option<Seen>,
     in_row: u8,
     unseen_ms: u64,
-    memory: Memory,
+    memory: BallMemory,
     moved: Pose2,
     image: u32,
 }
@@ -51,7 +54,7 @@ impl BallDetector {
             seen: None,
             in_row: 0,
             unseen_ms: LOST,
-            memory: Memory::new(HALF_LIFE),
+            memory: BallMemory::new(HALF_LIFE),
             moved: Pose2::ORIGIN,
             image: 0,
         }
@@ -64,6 +67,7 @@ impl BallDetector {
         colours: &Colours,
         end: &FieldEnd,
         pose: &CameraPose,
+        own: &OwnBody,
         odometry: &Odometry,
     ) {
         self.unseen_ms = self.unseen_ms.saturating_add(time.since_run.as_millis());
@@ -71,27 +75,36 @@ impl BallDetector {
         self.moved = odometry.pose();
         if self.image != eye.count() {
             self.image = eye.count();
-            self.seen = self.look(eye, colours, end, pose);
+            self.seen = self.look(eye, colours, end, pose, own);
             self.in_row = if self.seen.is_some() { self.in_row.saturating_add(1) } else { 0 };
-            self.note(pose);
+            match self.seen {
+                Some(seen) => self.note(&seen, pose),
+                None => self.note_absence(eye, pose, own),
+            }
         }
     }
 
-    fn look(&mut self, eye: &Eye, colours: &Colours, end: &FieldEnd, pose: &CameraPose) -> Option<Seen> {
+    fn look(&mut self, eye: &Eye, colours: &Colours, end: &FieldEnd, pose: &CameraPose, own: &OwnBody) -> Option<Seen> {
         let image = eye.image();
         let (frame, camera) = (Frame::from_image(&image).ok()?, pose.camera()?);
-        let ball = self.finder.find(&frame, colours, end.line(), Some(camera))?;
+        let ball = self.finder.find_beside(&frame, colours, end.line(), Some(camera), own.body())?;
         Some(Seen { ball, direction: Direction::of(camera.ray(ball.centre)), camera: image.camera })
     }
 
-    fn note(&mut self, pose: &CameraPose) {
-        let Some(seen) = self.seen else { return };
-        if !self.sure() {
-            return;
-        }
+    fn note(&mut self, seen: &Seen, pose: &CameraPose) {
+        let (true, Some(camera)) = (self.sure(), pose.camera()) else { return };
         self.unseen_ms = 0;
-        if let Some(at) = pose.camera().and_then(|camera| seen.ball.ground(camera, RADIUS)) {
-            self.memory.see(at, seen.ball.confidence);
+        if let Some(Place { position, covariance }) = seen.ball.place(camera, RADIUS) {
+            self.memory.see(position, &covariance, seen.ball.confidence);
+        }
+    }
+
+    /// A ball that should be in a sharp image and is not is believed less.
+    fn note_absence(&mut self, eye: &Eye, pose: &CameraPose, own: &OwnBody) {
+        let Some((camera, place)) = pose.camera().zip(self.memory.likeliest()) else { return };
+        let size = Vec2::new(eye.image().width.into(), eye.image().height.into());
+        if pose.is_steady() && sight::shows(camera, size, own.body(), &place, RADIUS, VISIBLE) {
+            self.memory.miss();
         }
     }
 
@@ -120,9 +133,21 @@ impl BallDetector {
         self.seen.map(|seen| seen.direction).or_else(remembered)
     }
 
-    /// Where the ball is believed to lie, m, in the frame on the ground between the feet.
+    /// Where the ball is believed to lie or to roll now, m, in the frame on the ground between the feet.
     #[must_use]
     pub fn at(&self) -> Option<Vec2> {
-        self.memory.position()
+        self.place().map(|place| place.position)
+    }
+
+    /// The same, with how sure that is.
+    #[must_use]
+    pub fn place(&self) -> Option<Place> {
+        self.memory.likeliest()
+    }
+
+    /// What is remembered of the ball: whether it rolls, where to, how much it is believed.
+    #[must_use]
+    pub const fn memory(&self) -> &BallMemory {
+        &self.memory
     }
 }

@@ -4,11 +4,12 @@ use bica::prelude::*;
 use bica_vision::frame::Frame;
 use bica_vision::lines;
 use bica_vision::markings::Markings;
+use glam::Vec2;
 
-use super::{CameraPose, FieldEnd, RobotDetector};
+use super::{CameraPose, FieldEnd, OwnBody, RobotDetector};
 use crate::input::{Colours, Eye};
 
-/// The white lines in the newest image, where they cross, and the centre circle. What is white on a robot is no line.
+/// The white lines in the newest image, where they cross, and the centre circle. What is white on a robot, or on this one, is no line.
 #[derive(Debug)]
 pub struct FieldLines {
     markings: Markings,
@@ -23,7 +24,15 @@ impl FieldLines {
         Self { markings: Markings::NONE, image: 0 }
     }
 
-    fn step(&mut self, eye: &Eye, colours: &Colours, end: &FieldEnd, robots: &RobotDetector, pose: &CameraPose) {
+    fn step(
+        &mut self,
+        eye: &Eye,
+        colours: &Colours,
+        end: &FieldEnd,
+        robots: &RobotDetector,
+        own: &OwnBody,
+        pose: &CameraPose,
+    ) {
         if self.image == eye.count() {
             return;
         }
@@ -32,7 +41,8 @@ impl FieldLines {
         let Ok(frame) = Frame::from_image(&eye.image()) else { return };
         let Some(camera) = pose.camera() else { return };
         let mut lines = lines::find(&frame, colours, end.line(), Some(camera));
-        lines.retain(|line| !robots.covers(line.from.midpoint(line.to)));
+        let on_robot = |at: Vec2| own.body().covers(at) || robots.covers(at);
+        lines.retain(|line| !on_robot(line.from.midpoint(line.to)));
         self.markings = Markings::of(&frame, colours, camera, &lines);
     }
 

@@ -9,6 +9,7 @@ mod field_lines;
 mod localization;
 mod net_detector;
 mod odometry;
+mod own_body;
 mod robot_detector;
 
 pub use aim::Direction;
@@ -20,4 +21,5 @@ pub use field_lines::FieldLines;
 pub use localization::Localization;
 pub use net_detector::NetDetector;
 pub use odometry::Odometry;
+pub use own_body::OwnBody;
 pub use robot_detector::RobotDetector;

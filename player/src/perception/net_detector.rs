@@ -5,12 +5,13 @@ use bica_motion::pose::{Pose2, rotate};
 use bica_vision::colour::Colour;
 use bica_vision::frame::Frame;
 use bica_vision::gap;
-use bica_vision::goal::{Goal, GoalFinder, Goals, POST_DISTANCE, Post};
-use bica_vision::memory::Memory;
+use bica_vision::goal::{Goal, GoalFinder, Goals, POST_DISTANCE, POST_WIDTH, Post};
+use bica_vision::memory::{Memory, Place, sight};
 use bica_vision::projection::Camera;
+use bica_vision::uncertainty::{self, Covariance, Errors};
 use glam::Vec2;
 
-use super::{CameraPose, FieldEnd, Odometry};
+use super::{CameraPose, FieldEnd, Odometry, OwnBody};
 use crate::input::{Colours, Eye};
 
 /// Time without a sighting in which the belief in the goal's place halves, s.
@@ -21,6 +22,12 @@ const WIDTH_ERROR: f32 = 0.3;
 const ROOM: f32 = 0.25;
 /// A lone post is believed to be of the remembered goal if that moves the goal by less than this, m.
 const SAME: f32 = 0.6;
+/// A goal farther away than this may be there and not be seen, m.
+const VISIBLE: f32 = 4.0;
+/// How far the middle of the goal may be from where one post of unknown side says, m.
+const HALF_GOAL: f32 = 0.5 * POST_DISTANCE;
+/// How far off a goal may be where the feet of its posts are not seen, m.
+const UNSURE: f32 = 0.5;
 
 /// Finds the goal that the forward attacks and remembers where it is.
 pub struct NetDetector {
@@ -63,6 +70,7 @@ impl NetDetector {
         colours: &Colours,
         end: &FieldEnd,
         pose: &CameraPose,
+        own: &OwnBody,
         odometry: &Odometry,
     ) {
         self.memory.advance(self.moved.inverse() * odometry.pose(), time.dt());
@@ -73,9 +81,13 @@ impl NetDetector {
         self.image = eye.count();
         self.goals = self.look(eye, colours, end, pose);
         self.seen = if self.attacked == Colour::Yellow { self.goals.yellow } else { self.goals.blue };
-        if let Some((goal, camera)) = self.seen.zip(pose.camera()) {
-            self.note(&goal, camera);
-            self.note_gap(&goal, camera, eye, colours);
+        match (self.seen, pose.camera()) {
+            (Some(goal), Some(camera)) => {
+                self.note(&goal, camera);
+                self.note_gap(&goal, camera, eye, colours);
+            }
+            (None, Some(camera)) if pose.is_steady() => self.note_absence(eye, camera, own),
+            _ => {}
         }
     }
 
@@ -92,19 +104,38 @@ impl NetDetector {
             if (across.length() - POST_DISTANCE).abs() < WIDTH_ERROR * POST_DISTANCE {
                 self.across = rotate(across.normalize(), self.moved.heading);
                 self.whole = true;
-                self.memory.see(0.5 * (first + second), 0.9);
+                self.memory.see(0.5 * (first + second), &Self::spread(goal, camera), 0.9);
             }
         } else if let Some(known) = self.memory.position() {
             let half = 0.5 * POST_DISTANCE * self.across();
             let near = |at: &Vec2| at.distance(known);
             let middle = [first + half, first - half].into_iter().min_by(|a, b| near(a).total_cmp(&near(b)));
             if let Some(middle) = middle.filter(|at| near(at) < SAME) {
-                self.memory.see(middle, 0.3);
+                self.memory.see(middle, &Self::spread(goal, camera), 0.3);
             }
         } else if let Some(middle) = goal.ground(camera) {
             self.across = rotate(middle.normalize_or_zero().perp(), self.moved.heading);
-            self.memory.see(middle, 0.3);
+            self.memory.see(middle, &(Self::spread(goal, camera) + uncertainty::round(HALF_GOAL)), 0.3);
         }
+    }
+
+    /// A goal of which both posts should be in a sharp image, and none is, is believed less.
+    fn note_absence(&mut self, eye: &Eye, camera: &Camera, own: &OwnBody) {
+        let Some(place) = self.memory.place() else { return };
+        let size = Vec2::new(eye.image().width.into(), eye.image().height.into());
+        let half = 0.5 * POST_DISTANCE * self.across();
+        let posts = [half, -half].map(|aside| Place { position: place.position + aside, ..place });
+        if posts.iter().all(|post| sight::shows(camera, size, own.body(), post, 0.5 * POST_WIDTH, VISIBLE)) {
+            self.memory.miss();
+        }
+    }
+
+    /// How far off the feet of the posts may be.
+    fn spread(goal: &Goal, camera: &Camera) -> Covariance {
+        let feet = [Some(goal.first), goal.second].into_iter().flatten();
+        let spread =
+            feet.filter_map(|post| uncertainty::of_ground(camera, post.base, 0.0, &Errors::NAO)).reduce(|a, b| a + b);
+        spread.map_or(uncertainty::round(UNSURE), |spread| spread * if goal.second.is_some() { 0.5 } else { 1.0 })
     }
 
     /// The keeper is seen only together with both posts.
@@ -172,5 +203,11 @@ impl NetDetector {
     #[must_use]
     pub fn at(&self) -> Option<Vec2> {
         self.memory.position()
+    }
+
+    /// The same, with how sure that is.
+    #[must_use]
+    pub fn place(&self) -> Option<Place> {
+        self.memory.place()
     }
 }

@@ -1,17 +1,35 @@
 //! The other robots.
 
 use bica::prelude::*;
+use bica_motion::pose::Pose2;
 use bica_vision::frame::Frame;
+use bica_vision::memory::several::Several;
+use bica_vision::memory::{Place, sight};
+use bica_vision::projection::Camera;
 use bica_vision::robots::{self, Robot, Robots};
+use bica_vision::uncertainty::{self, Errors};
 use glam::Vec2;
 
-use super::{CameraPose, FieldEnd};
+use super::{CameraPose, FieldEnd, Odometry, OwnBody};
 use crate::input::{Colours, Eye};
 
-/// The other robots in the newest image.
+/// How many are remembered.
+const REMEMBERED: usize = 4;
+/// Time without a sighting in which the belief in a robot's place halves, s: robots walk.
+const HALF_LIFE: f32 = 4.0;
+/// How much a sighting is believed.
+const CONFIDENCE: f32 = 0.8;
+/// How far a robot's middle may be from the edge of its feet, m.
+const WIDTH: f32 = 0.1;
+/// A robot farther away than this may be there and not be seen, m.
+const VISIBLE: f32 = 2.0;
+
+/// The other robots in the newest image, and where those are that were seen before.
 #[derive(Debug)]
 pub struct RobotDetector {
     robots: Robots,
+    memory: Several<REMEMBERED>,
+    moved: Pose2,
     image: u32,
 }
 
@@ -20,17 +38,47 @@ impl RobotDetector {
     /// Has seen no robots yet.
     #[must_use]
     pub const fn new() -> Self {
-        Self { robots: Robots::new(), image: 0 }
+        Self { robots: Robots::new(), memory: Several::new(HALF_LIFE), moved: Pose2::ORIGIN, image: 0 }
     }
 
-    fn step(&mut self, eye: &Eye, colours: &Colours, end: &FieldEnd, pose: &CameraPose) {
+    fn step(
+        &mut self,
+        time: &Time,
+        eye: &Eye,
+        colours: &Colours,
+        end: &FieldEnd,
+        pose: &CameraPose,
+        own: &OwnBody,
+        odometry: &Odometry,
+    ) {
+        self.memory.advance(self.moved.inverse() * odometry.pose(), time.dt());
+        self.moved = odometry.pose();
         if self.image == eye.count() {
             return;
         }
         self.image = eye.count();
         if let Ok(frame) = Frame::from_image(&eye.image()) {
             self.robots = robots::find(&frame, colours, end.line(), pose.camera());
+            self.robots.retain(|robot| !own.body().covers(robot.base()));
+            if let Some(camera) = pose.camera() {
+                self.note(camera, own, Vec2::new(frame.width().into(), frame.height().into()));
+            }
         }
+    }
+
+    fn note(&mut self, camera: &Camera, own: &OwnBody, size: Vec2) {
+        for robot in &self.robots {
+            let spread = uncertainty::of_ground(camera, robot.base(), 0.0, &Errors::NAO);
+            if let Some((at, spread)) = robot.ground(camera).zip(spread) {
+                self.memory.see(at, &(spread + uncertainty::round(WIDTH)), CONFIDENCE);
+            }
+        }
+        self.memory.miss(|place| sight::shows(camera, size, own.body(), place, WIDTH, VISIBLE));
+    }
+
+    /// Where robots are believed to be, m, in the frame on the ground between the feet.
+    pub fn places(&self) -> impl Iterator<Item = Place> + '_ {
+        self.memory.places()
     }
 
     /// The robots, px.

@@ -5,7 +5,7 @@ use bica::{ComponentId, Tree};
 use bica_motion::pose::Pose2;
 use bica_player::Forward;
 use bica_player::input::Eye;
-use bica_player::perception::{BallDetector, FieldEnd, NetDetector, Odometry};
+use bica_player::perception::{BallDetector, FieldEnd, NetDetector, Odometry, OwnBody};
 use bica_sim::Referee;
 use glam::Vec2;
 
@@ -50,6 +50,7 @@ impl Scene<'_> {
             ball: ball.map(|seen| seen.ball),
             goals: net.copied().into_iter().collect(),
             field_end: end.map_or(Vec::new(), |line| line.corners().to_vec()),
+            own: self.robot.get::<OwnBody>().body().clone(),
             ..Marks::default()
         }
     }

@@ -3,12 +3,13 @@
 use std::f32::consts::TAU;
 use std::time::Instant;
 
-use bica_motion::robot::Image;
+use bica_motion::robot::{CameraId, Image};
 use bica_vision::centre_circle::CentreCircle;
 use bica_vision::colour::Colour;
 use bica_vision::crossings::{self, CrossingKind};
 use bica_vision::eyes::{self, Seen};
 use bica_vision::frame::Frame;
+use bica_vision::own_body::OwnBody;
 use bica_vision::pitch::CIRCLE;
 use bica_vision::projection::Camera;
 use bica_vision::robots::{self, Team};
@@ -19,6 +20,9 @@ use serde::Serialize;
 use super::palette::Palette;
 use super::poses::Pose;
 use crate::program::picture::scene::Marks;
+
+/// The camera that a NAO of 2009 looks through: files of poses are theirs.
+const SEES: CameraId = CameraId::Bottom;
 
 /// The detectors, with the colours and the ball that they look for.
 pub(crate) struct Eyes {
@@ -125,12 +129,15 @@ impl Eyes {
         let camera = trusted.map(|pose| pose.camera(frame.width().into(), frame.height().into()));
         let camera = camera.as_ref();
         let began = Instant::now();
+        let own = camera.map_or(OwnBody::NONE, |camera| OwnBody::standing(camera, SEES));
         let seen = match &self.palette {
-            Palette::Compact(table) => self.detectors.look(&frame, &**table, camera),
-            Palette::Full(cells) => self.detectors.look(&frame, &FullTable::from(&**cells), camera),
+            Palette::Compact(table) => self.detectors.look_beside(&frame, &**table, camera, &own),
+            Palette::Full(cells) => self.detectors.look_beside(&frame, &FullTable::from(&**cells), camera, &own),
         };
         let wall_ms = 1e3 * began.elapsed().as_secs_f64();
-        Ok(self.tell(file, pose, camera, seen, wall_ms))
+        let mut sighting = self.tell(file, pose, camera, seen, wall_ms);
+        sighting.marks.own = own;
+        Ok(sighting)
     }
 
     fn tell(&self, file: &str, pose: Option<&Pose>, camera: Option<&Camera>, seen: Seen, wall_ms: f64) -> Sighting {
@@ -160,6 +167,7 @@ impl Eyes {
                 robots: robots.to_vec(),
                 crossings: markings.crossings.to_vec(),
                 circle: markings.circle.zip(camera).map_or(Vec::new(), |(circle, camera)| outline(&circle, camera)),
+                own: OwnBody::NONE,
             },
         }
     }

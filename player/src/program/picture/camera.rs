@@ -6,6 +6,7 @@ use bica_vision::colour::Colour;
 use bica_vision::crossings::{Crossing, CrossingKind};
 use bica_vision::goal::{Goal, Post};
 use bica_vision::lines::Line;
+use bica_vision::own_body::OwnBody;
 use bica_vision::robots::{Robot, Team};
 use glam::Vec2;
 
@@ -20,6 +21,7 @@ pub(crate) fn view(image: &Image<'_>, marks: &Marks, width: usize) -> Canvas {
     let mut canvas = Canvas::new(usize::from(image.width) * times, usize::from(image.height) * times, TEXT);
     pixels(&mut canvas, image, times);
     let mut view = View { canvas, times: times as f32 };
+    view.own(&marks.own);
     view.field_end(&marks.field_end);
     view.circle(&marks.circle);
     marks.lines.iter().for_each(|line| view.line(line));
@@ -39,6 +41,23 @@ struct View {
 impl View {
     fn at(&self, pixel: Vec2) -> Vec2 {
         self.times * (pixel + 0.5)
+    }
+
+    /// The outline of the robot's own body, dotted.
+    fn own(&mut self, own: &OwnBody) {
+        let covers = |x: usize, y: usize| own.covers(Vec2::new(x as f32, y as f32) / self.times - 0.5);
+        let step = 2;
+        let mut outline = vec![];
+        for y in (step..self.canvas.height()).step_by(step) {
+            for x in (step..self.canvas.width()).step_by(step) {
+                if covers(x, y) != covers(x - step, y) || covers(x, y) != covers(x, y - step) {
+                    outline.push((x, y));
+                }
+            }
+        }
+        for (x, y) in outline {
+            self.canvas.set(x, y, BELIEF);
+        }
     }
 
     fn field_end(&mut self, line: &[Vec2]) {

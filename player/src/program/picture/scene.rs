@@ -7,6 +7,7 @@ use bica_vision::ball::Ball;
 use bica_vision::crossings::Crossing;
 use bica_vision::goal::Goal;
 use bica_vision::lines::Line;
+use bica_vision::own_body::OwnBody;
 use bica_vision::robots::Robot;
 use glam::Vec2;
 
@@ -22,6 +23,8 @@ pub(crate) struct Marks {
     pub(crate) crossings: Vec<Crossing>,
     /// Points on the centre circle, one after the other.
     pub(crate) circle: Vec<Vec2>,
+    /// The robot's own body.
+    pub(crate) own: OwnBody,
 }
 
 /// What the robot believes.

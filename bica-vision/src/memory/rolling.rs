@@ -1,0 +1,142 @@
+//! A ball that rolls: place and velocity, braked by the carpet.
+
+use bica_motion::pose::{Pose2, rotate};
+use glam::Vec2;
+use nalgebra::{Matrix2, Matrix2x4, Matrix4, Vector4};
+
+use super::place::{Fit, Place, drift, turn_of};
+use crate::uncertainty::{Covariance, largest, round, square};
+
+/// How carpet brakes a ball, m/s². Source: B-Human 2023 `ballSpecification.cfg`.
+const BRAKING: f32 = 0.3;
+/// How fast a ball may be that has just been kicked, any way, as a deviation, m/s.
+const KICKED: f32 = 1.0;
+/// What bumps of the carpet and another braking do to the velocity in a second, m/s.
+const BUMPS: f32 = 0.2;
+/// The longest step in which the motion counts as straight, s, and how many of them are computed at most.
+const STEP: (f32, usize) = (0.1, 50);
+
+/// A Kalman filter of place and velocity.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Rolling {
+    position: Vec2,
+    velocity: Vec2,
+    /// Of x, y, and both velocities.
+    covariance: Matrix4<f32>,
+}
+
+impl Rolling {
+    /// A ball at a place that was kicked just now: nobody knows where to.
+    pub(super) fn kicked(place: &Place) -> Self {
+        let mut covariance = Matrix4::zeros();
+        covariance.fixed_view_mut::<2, 2>(0, 0).copy_from(&place.covariance);
+        covariance.fixed_view_mut::<2, 2>(2, 2).copy_from(&round(KICKED));
+        Self { position: place.position, velocity: Vec2::ZERO, covariance }
+    }
+
+    pub(super) fn place(&self) -> Place {
+        Place { position: self.position, covariance: self.block(0) }
+    }
+
+    /// m/s.
+    pub(super) const fn velocity(&self) -> Vec2 {
+        self.velocity
+    }
+
+    pub(super) fn is_sound(&self) -> bool {
+        let fast = Place { position: self.velocity, covariance: self.block(2) };
+        self.place().is_sound() && fast.is_sound() && self.covariance.iter().all(|value| value.is_finite())
+    }
+
+    /// Whether it is slower than `most.0` m/s, with a deviation of less than `most.1`.
+    pub(super) fn is_slow(&self, most: (f32, f32)) -> bool {
+        self.velocity.length() < most.0 && largest(&self.block(2)) < most.1
+    }
+
+    fn block(&self, at: usize) -> Covariance {
+        self.covariance.fixed_view::<2, 2>(at, at).into()
+    }
+
+    /// This ball, or with `share` of the weight one that was kicked at a place.
+    pub(super) fn mix_in_kicked(&mut self, place: &Place, share: f32) {
+        let other = Self::kicked(place);
+        let (off, faster) = (other.position - self.position, other.velocity - self.velocity);
+        let apart = Vector4::new(off.x, off.y, faster.x, faster.y);
+        self.position += share * off;
+        self.velocity += share * faster;
+        self.covariance = self.covariance * (1.0 - share)
+            + other.covariance * share
+            + apart * apart.transpose() * (share * (1.0 - share));
+    }
+
+    /// As seen after the robot's `motion`.
+    pub(super) fn advance(&mut self, motion: Pose2) {
+        let added = drift(motion, self.position);
+        let turn = turn_of(motion);
+        let mut both = Matrix4::zeros();
+        both.fixed_view_mut::<2, 2>(0, 0).copy_from(&turn);
+        both.fixed_view_mut::<2, 2>(2, 2).copy_from(&turn);
+        self.covariance = both * self.covariance * both.transpose();
+        self.add(0, &added);
+        self.position = motion.locate(self.position);
+        self.velocity = rotate(self.velocity, -motion.heading);
+    }
+
+    fn add(&mut self, at: usize, covariance: &Covariance) {
+        let mut block = self.covariance.fixed_view_mut::<2, 2>(at, at);
+        block += covariance;
+    }
+
+    /// Rolls on for so many seconds.
+    pub(super) fn roll(&mut self, seconds: f32) {
+        let (mut left, (longest, most)) = (seconds, STEP);
+        for _ in 0..most {
+            let step = left.min(longest);
+            self.roll_a_bit(step);
+            left -= step;
+            if left <= 0.0 {
+                break;
+            }
+        }
+    }
+
+    fn roll_a_bit(&mut self, seconds: f32) {
+        let speed = self.velocity.length();
+        let moving = seconds.min(speed / BRAKING);
+        let stops = speed <= BRAKING * seconds;
+        let ahead = self.velocity.normalize_or_zero();
+        // What a change of the velocity does: ahead it lasts, aside it turns the way and shrinks with the speed.
+        let share = if stops { 1.0 } else { 1.0 - BRAKING * moving / speed };
+        let straight = square(ahead);
+        let aside = Matrix2::identity() - straight;
+        let (way, faster) = if stops {
+            // A ball of unknown velocity: it may move on at any.
+            (Matrix2::from_diagonal_element(seconds), Matrix2::identity())
+        } else {
+            (straight * moving + aside * (0.5 * (1.0 + share) * moving), straight + aside * share)
+        };
+        let mut moves = Matrix4::identity();
+        moves.fixed_view_mut::<2, 2>(0, 2).copy_from(&way);
+        moves.fixed_view_mut::<2, 2>(2, 2).copy_from(&faster);
+        self.covariance = moves * self.covariance * moves.transpose();
+        self.add(2, &(round(BUMPS) * seconds));
+        self.position += ahead * (speed - 0.5 * BRAKING * moving) * moving;
+        self.velocity = if stops { Vec2::ZERO } else { self.velocity * share };
+    }
+
+    /// How well a sighting fits.
+    pub(super) fn fit(&self, seen: &Place) -> Option<Fit> {
+        self.place().fit(seen)
+    }
+
+    /// Corrects place and velocity by a sighting that fits so.
+    pub(super) fn correct(&mut self, fit: &Fit) {
+        let above: Matrix2x4<f32> = self.covariance.fixed_rows::<2>(0).into();
+        let gain = above.transpose() * fit.inverse;
+        let step = gain * fit.off;
+        self.position += Vec2::new(step.x, step.y);
+        self.velocity += Vec2::new(step.z, step.w);
+        let covariance = self.covariance - gain * above;
+        self.covariance = 0.5 * (covariance + covariance.transpose());
+    }
+}

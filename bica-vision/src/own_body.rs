@@ -1,0 +1,160 @@
+//! The robot's own body in the image.
+//!
+//! Chest, shoulders, arms, legs and feet are capsules (what is within a radius of a line), as thick as a NAO's. A pixel
+//! shows the body if its ray meets one of them: exact for things close to the camera and at the image's edge, where
+//! outlines drawn as circles are not. Cost: 1 µs for the capsules of an image, 0.1 µs for a pixel.
+
+use bica_motion::dimensions::{
+    BOTTOM_CAMERA, BOTTOM_CAMERA_TILT, FOOT_HEIGHT, HIP, NECK, THIGH, TIBIA, TOP_CAMERA, TOP_CAMERA_TILT, UPPER_ARM,
+};
+use bica_motion::joints::Joints;
+use bica_motion::kinematics;
+use bica_motion::robot::CameraId;
+use bica_motion::side::Side;
+use bica_motion::stand::STAND;
+use glam::{Affine3A, Vec2, Vec3};
+use heapless::Vec;
+
+use crate::projection::{Camera, Intrinsics};
+
+/// Capsules of a body: two of the trunk, seven on each side.
+const PARTS: usize = 16;
+
+/// What the robot's own body covers in an image.
+#[derive(Clone, Debug, PartialEq)]
+pub struct OwnBody {
+    parts: Vec<Capsule, PARTS>,
+    intrinsics: Intrinsics,
+}
+
+/// What is within `radius` of the line between two points; camera frame, m.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Capsule {
+    from: Vec3,
+    along: Vec3,
+    radius: f32,
+}
+
+impl OwnBody {
+    /// No body: covers nothing.
+    pub const NONE: Self = Self { parts: Vec::new(), intrinsics: Intrinsics { focal: Vec2::ONE, centre: Vec2::ZERO } };
+
+    /// A NAO's body as its camera `id` sees it at these joint angles, rad. Only the pixels' directions are taken from
+    /// `camera`: the body hangs on the camera, whatever the ground does.
+    #[must_use]
+    pub fn of_nao(camera: &Camera, id: CameraId, angles: &Joints) -> Self {
+        Self::seen_from(kinematics::camera(id, angles), camera.intrinsics(), angles)
+    }
+
+    /// As [`of_nao`](Self::of_nao) where only the camera's pose over the ground is known: a NAO that stands upright
+    /// over the origin, facing along x, with its arms hanging.
+    #[must_use]
+    pub fn standing(camera: &Camera, id: CameraId) -> Self {
+        let (place, tilt) = match id {
+            CameraId::Top => (TOP_CAMERA, TOP_CAMERA_TILT),
+            CameraId::Bottom => (BOTTOM_CAMERA, BOTTOM_CAMERA_TILT),
+        };
+        let turn = Affine3A { translation: glam::Vec3A::ZERO, ..camera.pose() };
+        let head = turn * Affine3A::from_rotation_y(-tilt);
+        let at = NECK + head.transform_vector3(place);
+        let hips = Vec3::from(camera.pose().translation) - at;
+        let mut angles = STAND;
+        for side in Side::BOTH {
+            let ankle = Vec3::new(0.0, side.sign() * HIP.y, FOOT_HEIGHT) - hips;
+            kinematics::leg_angles_at(side, &Affine3A::from_translation(ankle), 0.0).write(side, &mut angles);
+        }
+        Self::seen_from(Affine3A { translation: at.into(), ..turn }, camera.intrinsics(), &angles)
+    }
+
+    fn seen_from(camera: Affine3A, intrinsics: Intrinsics, angles: &Joints) -> Self {
+        let mut body = Self { parts: Vec::new(), intrinsics };
+        let turn = camera.matrix3.transpose();
+        let camera = Affine3A { matrix3: turn, translation: turn * -camera.translation };
+        body.add(&camera, [[0.0, 0.0, 0.05], [0.002, 0.0, 0.14]], 0.052);
+        body.add(&camera, [[0.002, 0.045, 0.13], [0.002, -0.045, 0.13]], 0.052);
+        for side in Side::BOTH {
+            body.add_arm(&camera, side, angles);
+            body.add_leg(&camera, side, angles);
+        }
+        body
+    }
+
+    #[inline(never)]
+    fn add_arm(&mut self, camera: &Affine3A, side: Side, angles: &Joints) {
+        let [_, biceps, _, forearm, _] = kinematics::arm(side, angles);
+        let elbow = [UPPER_ARM.x, side.sign() * UPPER_ARM.y, 0.0];
+        self.add(&(*camera * biceps), [[0.0; 3], [0.02, 0.0, 0.0]], 0.042);
+        self.add(&(*camera * biceps), [[0.02, 0.0, 0.0], elbow], 0.034);
+        self.add(&(*camera * forearm), [[0.0; 3], [0.11, 0.0, 0.0]], 0.032);
+    }
+
+    #[inline(never)]
+    fn add_leg(&mut self, camera: &Affine3A, side: Side, angles: &Joints) {
+        let [_, _, thigh, tibia, _, foot] = kinematics::leg(side, angles);
+        let y = |inner: f32| side.sign() * (0.0065 + inner);
+        let low = 0.025 - FOOT_HEIGHT;
+        self.add(&(*camera * thigh), [[0.0; 3], [0.0, 0.0, -THIGH]], 0.048);
+        self.add(&(*camera * tibia), [[0.0; 3], [0.0, 0.0, -TIBIA]], 0.042);
+        for inner in [-0.018, 0.018] {
+            self.add(&(*camera * foot), [[-0.03, y(inner), low], [0.072, y(inner), low]], 0.028);
+        }
+    }
+
+    fn add(&mut self, pose: &Affine3A, ends: [[f32; 3]; 2], radius: f32) {
+        let [from, to] = ends.map(|end| pose.transform_point3(end.into()));
+        // There is room for all.
+        let _ = self.parts.push(Capsule { from, along: to - from, radius });
+    }
+
+    /// Whether a pixel shows the body. It does not where the pose is no number.
+    #[must_use]
+    pub fn covers(&self, pixel: Vec2) -> bool {
+        self.touches(pixel, 0.0)
+    }
+
+    /// Whether a circle in the image, its centre and radius in pixels, meets the body, a little more or less.
+    #[must_use]
+    pub fn touches(&self, centre: Vec2, radius: f32) -> bool {
+        let Intrinsics { focal, centre: middle } = self.intrinsics;
+        let offset = (centre - middle) / focal;
+        let ray = Vec3::new(1.0, -offset.x, -offset.y).normalize();
+        let margin = radius * ray.x / focal.x;
+        self.parts.iter().any(|part| part.is_near(ray, margin))
+    }
+
+    /// The part of a circle in the image that shows the body, 0 to 1, by 25 of its points.
+    #[must_use]
+    pub fn share(&self, centre: Vec2, radius: f32) -> f32 {
+        let mut hits = 0_u8;
+        let mut points = 0_u8;
+        for v in -3..=3_i8 {
+            for u in -3..=3_i8 {
+                let offset = Vec2::new(f32::from(u), f32::from(v)) / 3.2;
+                if offset.length_squared() <= 0.8 {
+                    points += 1;
+                    hits += u8::from(self.covers(centre + radius * offset));
+                }
+            }
+        }
+        f32::from(hits) / f32::from(points)
+    }
+}
+
+impl Capsule {
+    /// Whether the ray from the camera along the unit vector `ray` comes within the radius, and `margin` times the
+    /// distance more.
+    fn is_near(&self, ray: Vec3, margin: f32) -> bool {
+        let across = |v: Vec3| v - v.dot(ray) * ray;
+        let (from, along) = (across(self.from), across(self.along));
+        let length = along.length_squared();
+        let share = if length > 1e-9 { (-from.dot(along) / length).clamp(0.0, 1.0) } else { 0.0 };
+        let ahead = (self.from + share * self.along).dot(ray);
+        ahead > 0.0 && (from + share * along).length() <= self.radius + margin * ahead
+    }
+}
+
+impl Default for OwnBody {
+    fn default() -> Self {
+        Self::NONE
+    }
+}

@@ -1,0 +1,183 @@
+//! The robot's own body, in drawn worlds with known joints and in real frames with known cameras.
+
+use std::ops::Range;
+
+use bica_motion::joints::{Joint, Joints};
+use bica_motion::pose::Pose2;
+use bica_motion::robot::{CameraId, Command, Lights};
+use bica_motion::side::Side;
+use bica_sim::World;
+use bica_sim::field::{FieldWorld, Setup, Start};
+use bica_sim::referee::GoalColour;
+use bica_vision::ball::{self, BallFinder};
+use bica_vision::colour::{Classify, Colour, Filter, Filters};
+use bica_vision::field_end::FieldEnd;
+use bica_vision::frame::Frame;
+use bica_vision::own_body::OwnBody;
+use bica_vision::profile::{BUILT_IN, NAO_2009};
+use bica_vision::projection::Camera;
+use bica_vision::table::CompactTable;
+use glam::{Affine3A, Vec2, Vec3};
+
+use crate::shelf;
+
+/// Red plastic, real and built in.
+const RED: Filter = Filter::ANY.hue(85, 118).saturation(30, 400).chroma(24);
+
+/// What was counted over all frames, pixels.
+#[derive(Debug, Default)]
+struct Count {
+    red: usize,
+    red_covered: usize,
+    covered: usize,
+    green_covered: usize,
+}
+
+impl Count {
+    /// Only what is below the end of the field: the hall has red things too.
+    fn frame(&mut self, frame: &Frame<'_>, colours: &impl Classify, end: &FieldEnd, own: &OwnBody) {
+        for y in 0..frame.height() {
+            for x in (0..frame.width()).step_by(2) {
+                let at = Vec2::new(f32::from(x), f32::from(y));
+                if end.row_at(at.x).is_some_and(|row| at.y < row + 3.0) {
+                    continue;
+                }
+                let pixel = frame.pixel(i32::from(x), i32::from(y)).expect("within");
+                let (covered, red) = (own.covers(at), RED.accepts(pixel));
+                self.red += usize::from(red);
+                self.red_covered += usize::from(red && covered);
+                self.covered += usize::from(covered);
+                self.green_covered += usize::from(covered && colours.classify(pixel) == Colour::Green);
+            }
+        }
+    }
+
+    fn shares(&self) -> [f32; 2] {
+        [self.red_covered as f32 / self.red as f32, self.green_covered as f32 / self.covered as f32]
+    }
+}
+
+/// Looks of a robot of the red team, alone with the ball: frame, camera, body.
+fn looks(seeds: Range<u64>, ball: impl Fn(u64) -> Vec2, mut look: impl FnMut(&Frame<'_>, &Camera, &OwnBody)) {
+    for seed in seeds {
+        let robot = Pose2::new(0.0, 0.0, 0.1 * seed as f32);
+        let start = Some(Start { robot, ball: robot.place(ball(seed)) });
+        let setup = Setup { seed, goalkeeper: false, start, ..Setup::default() };
+        let mut world = FieldWorld::new(&setup).expect("a place on the carpet");
+        if world.referee().attacks() != GoalColour::SkyBlue {
+            continue;
+        }
+        let mut targets = world.sensors().angles;
+        for (yaw, pitch) in [(0.0, 0.45), (0.5, 0.35), (-0.8, 0.25), (1.2, 0.2), (-1.6, 0.2)] {
+            wait(&mut world, &mut targets, yaw, pitch);
+            let sensors = world.sensors();
+            let image = sensors.image.expect("waited for");
+            let frame = Frame::from_image(&image).expect("a frame");
+            let camera = Camera::of_nao(image.camera, &sensors.angles, Side::Left, image.width, image.height);
+            look(&frame, &camera, &OwnBody::of_nao(&camera, image.camera, &sensors.angles));
+        }
+    }
+}
+
+fn wait(world: &mut FieldWorld, targets: &mut Joints, yaw: f32, pitch: f32) {
+    (targets[Joint::HeadYaw], targets[Joint::HeadPitch]) = (yaw, pitch);
+    let camera = CameraId::Bottom;
+    let command = Command { targets: *targets, stiffness: Joints::all(1.0), lights: Lights::default(), camera };
+    (0..80).for_each(|_| world.act(&command));
+    while world.sensors().image.is_none() {
+        world.act(&command);
+    }
+}
+
+#[test]
+fn the_body_of_a_drawn_robot_is_where_its_joints_say() {
+    let colours = CompactTable::compile(&BUILT_IN);
+    let mut count = Count::default();
+    looks(
+        0..24,
+        |_| Vec2::new(-1.5, 0.5),
+        |frame, camera, own| {
+            count.frame(frame, &colours, &FieldEnd::find_with(frame, &colours, Some(camera)), own);
+        },
+    );
+    let [red, green] = count.shares();
+    println!("drawn: {:.1} % of the red is covered, {:.1} % of what is covered is green", 100.0 * red, 100.0 * green);
+    assert!(count.red > 5000, "{count:?}");
+    // The drawn robot is slimmer than a real one, by a centimetre at the shoulders and arms.
+    assert!(red > 0.97 && green < 0.4, "{count:?}");
+}
+
+/// With colours so badly tuned that red is orange, the robot's own shoulders and toes look like balls.
+#[test]
+fn own_red_parts_are_no_balls_and_no_ball_is_lost() {
+    let colours = CompactTable::compile(&Filters { orange: BUILT_IN.orange.hue(85, 146), ..BUILT_IN });
+    let (mut alone, mut beside) = (0, 0);
+    looks(
+        0..24,
+        |_| Vec2::new(-1.5, 0.5),
+        |frame, camera, own| {
+            let mut finder = BallFinder::<512>::new(ball::RADIUS);
+            let end = FieldEnd::find_with(frame, &colours, Some(camera));
+            // A robot that knows no pose cannot tell by the size.
+            alone += usize::from(finder.find(frame, &colours, &end, None).is_some());
+            beside += usize::from(finder.find_beside(frame, &colours, &end, None, own).is_some());
+        },
+    );
+    println!("own parts taken for balls: {alone} without the body, {beside} with it");
+    assert!(alone >= 5 && beside * 10 <= alone, "{alone} {beside}");
+
+    let colours = CompactTable::compile(&BUILT_IN);
+    let (mut balls, mut lost) = (0, 0);
+    let near = |seed: u64| Vec2::new(0.15 + 0.01 * (seed % 8) as f32, 0.03 * (seed % 7) as f32 - 0.09);
+    looks(0..40, near, |frame, camera, own| {
+        let mut finder = BallFinder::<512>::new(ball::RADIUS);
+        let end = FieldEnd::find_with(frame, &colours, Some(camera));
+        let found = finder.find(frame, &colours, &end, Some(camera));
+        balls += usize::from(found.is_some());
+        lost += usize::from(found != finder.find_beside(frame, &colours, &end, Some(camera), own));
+    });
+    println!("balls at the feet: {balls} seen, {lost} lost to the body");
+    assert!(balls >= 20 && lost == 0, "{balls} {lost}");
+}
+
+#[test]
+fn the_body_of_a_real_robot_is_where_its_camera_says() {
+    let Some(images) = shelf::images() else { return };
+    let colours = CompactTable::compile(&NAO_2009);
+    let (poses, labelled) = (shelf::poses(&images), shelf::labelled(&images, "nao2009"));
+    let (mut count, mut worst) = (Count::default(), (0.0_f32, String::new()));
+    for (file, camera, _, _) in poses.iter().filter(|(_, _, _, trusted)| *trusted) {
+        let Some(image) = labelled.iter().find(|image| &image.file == file) else { continue };
+        let own = OwnBody::standing(camera, CameraId::Bottom);
+        let frame = image.frame();
+        count.frame(&frame, &colours, &FieldEnd::find_with(&frame, &colours, Some(camera)), &own);
+        for ball in &image.balls {
+            let share = own.share(ball.centre, 0.8 * ball.radius);
+            if share > worst.0 {
+                worst = (share, file.clone());
+            }
+        }
+    }
+    let [red, green] = count.shares();
+    println!("real: {:.1} % of the red is covered, {:.1} % of what is covered is green", 100.0 * red, 100.0 * green);
+    println!("most of a ball that is covered: {:.2} {}", worst.0, worst.1);
+    assert!(count.red > 5000, "{count:?}");
+    assert!(red > 0.85 && green < 0.2, "{count:?}");
+    assert!(worst.0 < 0.1, "{worst:?}");
+}
+
+#[test]
+fn a_camera_that_is_no_number_sees_no_body() {
+    let camera = Camera::of_nao(CameraId::Top, &Joints::all(0.0), Side::Left, 320, 240);
+    let nowhere = Camera::new(Affine3A::from_translation(Vec3::NAN), camera.intrinsics());
+    let bodies = [
+        OwnBody::of_nao(&camera, CameraId::Bottom, &Joints::all(f32::NAN)),
+        OwnBody::standing(&nowhere, CameraId::Top),
+        OwnBody::NONE,
+    ];
+    for body in bodies {
+        for pixel in [Vec2::ZERO, Vec2::new(160.0, 239.0), Vec2::NAN, Vec2::splat(f32::MAX)] {
+            assert!(!body.covers(pixel) && body.share(pixel, 10.0) == 0.0);
+        }
+    }
+}

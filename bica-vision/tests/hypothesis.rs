@@ -1,0 +1,115 @@
+//! Hypotheses against what a camera with errors would see of balls, posts, and of what is neither.
+
+use bica_vision::goal;
+use bica_vision::hypothesis::{self, Seen};
+use bica_vision::projection::{Camera, Intrinsics};
+use bica_vision::uncertainty::{Errors, largest};
+use glam::{Affine3A, EulerRot, Quat, Vec2, Vec3};
+use proptest::prelude::*;
+
+const RADIUS: f32 = 0.0325;
+
+fn camera(yaw: f32, pitch: f32, height: f32) -> Camera {
+    let turn = Quat::from_euler(EulerRot::ZYX, yaw, pitch, 0.0);
+    let pose = Affine3A::from_rotation_translation(turn, Vec3::new(0.05, 0.0, height));
+    Camera::new(pose, Intrinsics::nao_v6(320, 240))
+}
+
+/// A camera that looks at a place on the ground, up to so many metres away, a little beside it.
+fn view(far: f32) -> impl Strategy<Value = (Camera, Vec2)> {
+    let parts = (0.3_f32..far, -0.8_f32..0.8, -0.2_f32..0.2, -0.2_f32..0.2, 0.42_f32..0.52);
+    parts.prop_map(|(distance, way, yaw, pitch, height)| {
+        let place = distance * Vec2::from_angle(way);
+        let down = height.atan2(distance - 0.05);
+        (camera(place.y.atan2(place.x - 0.05) + yaw, down + pitch, height), place)
+    })
+}
+
+fn circle(camera: &Camera, at: Vec3, radius: f32) -> Option<Seen> {
+    Some(Seen { centre: camera.pixel(at)?, radius: camera.sphere_radius(at, radius)? })
+}
+
+/// The camera as a robot that leans a little more would believe it to be.
+fn leaning(camera: &Camera, lean: Vec2) -> Camera {
+    let turn = Affine3A::from_quat(Quat::from_scaled_axis(lean.extend(0.0)));
+    let mut pose = camera.pose();
+    pose.matrix3 = turn.matrix3 * pose.matrix3;
+    Camera::new(pose, camera.intrinsics())
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(1000))]
+
+    #[test]
+    fn a_ball_fits_and_is_where_it_is((camera, place) in view(3.0)) {
+        let seen = circle(&camera, place.extend(RADIUS), RADIUS).expect("in front");
+        let off = seen.size_error(&camera, RADIUS, &Errors::NAO).expect("a number");
+        prop_assert!(off.abs() < 0.6, "{off} deviations");
+        let found = seen.ball(&camera, RADIUS, &Errors::NAO).expect("a ball");
+        prop_assert!(found.position.distance(place) < 0.03 * place.length(), "{found:?}");
+    }
+
+    #[test]
+    fn a_ball_seen_by_a_robot_that_leans_fits_and_is_as_sure_as_said(
+        (camera, place) in view(3.0), x in -0.03_f32..0.03, y in -0.03_f32..0.03, part in -0.2_f32..0.2,
+    ) {
+        let believed = leaning(&camera, Vec2::new(x, y));
+        let mut seen = circle(&camera, place.extend(RADIUS), RADIUS).expect("in front");
+        seen.radius *= 1.0 + part;
+        let found = seen.ball(&believed, RADIUS, &Errors::NAO);
+        let found = found.expect("two deviations of each are less than three of all");
+        let off = found.position - place;
+        let off = nalgebra::Vector2::new(off.x, off.y);
+        let distance = (off.transpose() * found.covariance.try_inverse().expect("a covariance") * off).x;
+        prop_assert!(distance < 16.0, "{distance} squared deviations");
+        let alone = bica_vision::uncertainty::of_ground(&believed, seen.centre, RADIUS, &Errors::NAO);
+        prop_assert!(alone.is_none_or(|alone| largest(&found.covariance) <= largest(&alone) + 1e-4));
+    }
+
+    #[test]
+    fn what_is_larger_or_smaller_than_a_ball_does_not_fit((camera, place) in view(1.2), is_large in any::<bool>()) {
+        let radius = if is_large { 2.5 * RADIUS } else { 0.4 * RADIUS };
+        let seen = circle(&camera, place.extend(RADIUS), radius).expect("in front");
+        prop_assert!(seen.ball(&camera, RADIUS, &Errors::NAO).is_none());
+    }
+
+    #[test]
+    fn a_ball_in_the_air_does_not_fit((camera, place) in view(1.5), height in 0.35_f32..0.6) {
+        // Just under the camera it may be behind the image.
+        let seen = circle(&camera, place.extend(height), RADIUS);
+        prop_assume!(seen.is_some());
+        let seen = seen.expect("in front");
+        prop_assert!(seen.ball(&camera, RADIUS, &Errors::NAO).is_none());
+    }
+
+    #[test]
+    fn posts_fit_and_what_is_half_or_twice_as_high_does_not(
+        (camera, place) in view(3.0), x in -0.03_f32..0.03, y in -0.03_f32..0.03,
+    ) {
+        prop_assume!(place.length() > 1.0);
+        let ends = |height: f32| camera.pixel(place.extend(0.0)).zip(camera.pixel(place.extend(height)));
+        let believed = leaning(&camera, Vec2::new(x, y));
+        let fits = |believed: &Camera, height: f32| {
+            let Some((foot, top)) = ends(height) else { return height == goal::HEIGHT };
+            hypothesis::is_as_high(believed, foot, top, goal::HEIGHT, &Errors::NAO)
+        };
+        prop_assert!(fits(&camera, goal::HEIGHT));
+        prop_assert!(fits(&believed, goal::HEIGHT));
+        if place.length() < 2.0 {
+            prop_assert!(!fits(&camera, 0.5 * goal::HEIGHT));
+            prop_assert!(!fits(&camera, 2.0 * goal::HEIGHT));
+        }
+    }
+
+    #[test]
+    fn no_pose_makes_a_place_that_is_no_number(
+        parts in prop::array::uniform12(prop_oneof![
+            Just(f32::NAN), Just(f32::INFINITY), Just(0.0_f32), Just(f32::MAX), -2.0_f32..2.0,
+        ]),
+        x in -1e4_f32..1e4, y in -1e4_f32..1e4, radius in -1.0_f32..1e4,
+    ) {
+        let camera = Camera::new(Affine3A::from_cols_array(&parts), Intrinsics::nao_v6(320, 240));
+        let found = Seen { centre: Vec2::new(x, y), radius }.ball(&camera, RADIUS, &Errors::NAO);
+        prop_assert!(found.is_none_or(|found| found.position.is_finite()));
+    }
+}

@@ -1,0 +1,51 @@
+//! Random numbers of a seed, and sightings that are off by what a projection is off.
+
+use bica_motion::robot::CameraId;
+use bica_motion::stand::STAND;
+use bica_vision::projection::Camera;
+use bica_vision::uncertainty::{self, Covariance, Errors};
+use glam::Vec2;
+
+/// Random numbers (xorshift*, Vigna 2016).
+#[derive(Clone, Debug)]
+pub(crate) struct Noise(u64);
+
+impl Noise {
+    pub(crate) fn new(seed: u64) -> Self {
+        let mut noise = Self(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) | 1);
+        (0..8).for_each(|_| _ = noise.unit());
+        noise
+    }
+
+    /// From 0 to 1.
+    pub(crate) fn unit(&mut self) -> f32 {
+        self.0 ^= self.0 >> 12;
+        self.0 ^= self.0 << 25;
+        self.0 ^= self.0 >> 27;
+        (self.0.wrapping_mul(0x2545_F491_4F6C_DD1D) >> 40) as f32 / (1 << 24) as f32
+    }
+
+    pub(crate) fn between(&mut self, low: f32, high: f32) -> f32 {
+        low + (high - low) * self.unit()
+    }
+
+    /// Mean 0, deviation 1.
+    pub(crate) fn normal(&mut self) -> f32 {
+        (-2.0 * (1.0 - self.unit()).ln()).sqrt() * (core::f32::consts::TAU * self.unit()).cos()
+    }
+
+    /// Off by what a covariance says.
+    pub(crate) fn off_by(&mut self, covariance: &Covariance) -> Vec2 {
+        let root = covariance.cholesky().expect("a covariance").l();
+        let off = root * nalgebra::Vector2::new(self.normal(), self.normal());
+        Vec2::new(off.x, off.y)
+    }
+}
+
+/// What a sighting of a ball at a place is uncertain by, for a NAO that stands.
+pub(crate) fn spread(place: Vec2) -> Covariance {
+    let camera = Camera::of_nao(CameraId::Top, &STAND, bica_motion::side::Side::Left, 320, 240);
+    let pixel = camera.pixel(place.extend(0.0325)).unwrap_or(Vec2::new(160.0, 239.0));
+    let spread = uncertainty::of_ground(&camera, pixel, 0.0325, &Errors::NAO).expect("on the ground");
+    spread + uncertainty::round(0.002)
+}
