@@ -9,11 +9,11 @@ const HEADING: &str = "file,r00,r01,r02,r10,r11,r12,r20,r21,r22,tx_mm,ty_mm,tz_m
 /// Half a metre up, 30° down.
 const POSE: &str = "0.8660254,0,0.5,0,1,0,-0.5,0,0.8660254,0,0,500";
 
-/// A carpet up to row 60, a grey hall above it, an orange ball of radius 14 at (x, 150).
+/// A carpet up to row 60, a grey hall above it, an orange ball at (x, 150), as large as one of 43 mm is there.
 fn draw(path: &Path, x: i32) {
     let mut rgb = Vec::new();
     for (row, column) in (0..240).flat_map(|row: i32| (0..320).map(move |column| (row, column))) {
-        let in_ball = (column - x).pow(2) + (row - 150).pow(2) <= 14 * 14;
+        let in_ball = (column - x).pow(2) + (row - 150).pow(2) <= 20 * 20;
         rgb.extend(match (in_ball, row < 60) {
             (true, _) => [220, 105, 40_u8],
             (_, true) => [150, 150, 150],
@@ -44,7 +44,7 @@ fn what_is_in_the_images_is_seen_and_placed_on_the_ground() {
     assert_eq!((&first["file"], &second["file"]), (&"1.png".into(), &"2.png".into()));
     assert_eq!((&first["pose"], &second["pose"]), (&"missing".into(), &"trusted".into()));
     assert!((first["ball"]["x"].as_f64().unwrap() - 100.0).abs() < 2.0, "{first}");
-    assert!((second["ball"]["radius"].as_f64().unwrap() - 14.0).abs() < 2.0, "{second}");
+    assert!((second["ball"]["radius"].as_f64().unwrap() - 20.0).abs() < 2.0, "{second}");
     assert!(first["ball"]["ground"].is_null() && told["summary"]["poses_missing"][0] == "1.png");
     // The ray to the ball's centre goes down 30° and atan(30 / 385.54); it ends 43 mm above the ground.
     let ahead = 0.457 / (30_f64.to_radians() + (30.0_f64 / 385.54).atan()).tan();
