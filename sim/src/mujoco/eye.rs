@@ -3,10 +3,10 @@
 use bica_motion::robot::CameraId;
 use glam::{Affine3A, Vec3};
 use mujoco_rs::prelude::{MjData, MjModel, MjtObjBase, MjvCamera};
-use mujoco_rs::renderer::MjRenderer;
 
 use super::error::Error;
 use super::model::find;
+use super::renderer::Renderer;
 use crate::field::Setup;
 use crate::field::render::canvas::Canvas;
 use crate::field::render::finish::Sensor;
@@ -17,7 +17,7 @@ use crate::random::{Random, Stream};
 /// Both cameras and what makes images of their pictures.
 pub(crate) struct Eye {
     seed: u64,
-    renderer: MjRenderer,
+    renderer: Renderer,
     /// The model's cameras, top first.
     cameras: [usize; 2],
     tint: Tint,
@@ -41,7 +41,7 @@ pub(crate) struct Aim {
 impl Eye {
     pub(crate) fn new(setup: &Setup, model: &MjModel) -> Result<Self, Error> {
         let (width, height) = setup.frame.size();
-        let renderer = MjRenderer::new(model, width, height, 0).map_err(|error| Error::Camera(describe(&error)))?;
+        let renderer = Renderer::new(model, width, height).map_err(|error| Error::Camera(describe(&error)))?;
         let camera = |name| find(model, MjtObjBase::mjOBJ_CAMERA, name);
         let mut random = Random::new(setup.seed, Stream::Camera);
         let palette = Palette::new(&mut random);
@@ -58,10 +58,8 @@ impl Eye {
 
     /// Takes an image. One that cannot be drawn stays as the last one was.
     pub(crate) fn take(&mut self, data: &mut MjData<Box<MjModel>>, aim: &Aim) {
-        data.forward_kinematics();
-        self.renderer.set_camera(MjvCamera::new_fixed(self.cameras[aim.camera as usize]));
-        let drawn = self.renderer.sync_data(data).and_then(|()| self.renderer.render());
-        if let (Ok(()), Some(picture)) = (drawn, self.renderer.rgb_flat()) {
+        let camera = MjvCamera::new_fixed(self.cameras[aim.camera as usize]);
+        if let Ok(picture) = self.renderer.draw(data, camera) {
             self.tint.apply(picture, &mut self.canvas);
         }
         let view = View::new(aim.pose, self.canvas.width, self.canvas.height);
@@ -97,9 +95,9 @@ impl Tint {
         Self { parts: core::array::from_fn(|channel| core::array::from_fn(|value| part(channel, value))) }
     }
 
-    fn apply(&self, picture: &[u8], canvas: &mut Canvas) {
+    fn apply(&self, picture: &[[u8; 3]], canvas: &mut Canvas) {
         const MIDDLE: [i32; 3] = [1 << 15, (128 << 16) + (1 << 15), (128 << 16) + (1 << 15)];
-        for (drawn, pixel) in picture.as_chunks::<3>().0.iter().zip(&mut canvas.pixels) {
+        for (drawn, pixel) in picture.iter().zip(&mut canvas.pixels) {
             let [r, g, b] = [0, 1, 2].map(|channel| &self.parts[channel][drawn[channel] as usize]);
             for i in 0..3 {
                 pixel[i] = ((MIDDLE[i] + r[i] + g[i] + b[i]) >> 16).clamp(0, 255) as u8;

@@ -1,21 +1,22 @@
 //! The camera outside.
 
 use mujoco_rs::prelude::{MjData, MjModel, MjvCamera};
-use mujoco_rs::renderer::{MjRenderer, RendererError};
+use mujoco_rs::renderer::RendererError;
 
 use super::eye::describe;
+use super::renderer::Renderer;
 use crate::film::{NoPicture, Onlooker, Picture};
 
 /// A camera that may be anywhere.
 pub(crate) struct Film {
-    renderer: MjRenderer,
+    renderer: Renderer,
     width: usize,
     height: usize,
 }
 
 impl Film {
     pub(crate) fn new(model: &MjModel, width: usize, height: usize) -> Result<Self, NoPicture> {
-        let renderer = MjRenderer::new(model, width, height, 0).map_err(|error| failed(&error))?;
+        let renderer = Renderer::new(model, width, height).map_err(|error| failed(&error))?;
         Ok(Self { renderer, width, height })
     }
 
@@ -32,10 +33,7 @@ impl Film {
         camera.distance = way.length().into();
         camera.azimuth = along.y.atan2(along.x).to_degrees().into();
         camera.elevation = up.atan2(along.length()).to_degrees().into();
-        self.renderer.set_camera(camera);
-        data.forward_kinematics();
-        self.renderer.sync_data(data).and_then(|()| self.renderer.render()).map_err(|error| failed(&error))?;
-        let rgb = self.renderer.rgb_flat().map_or(&[][..], |bytes| bytes.as_chunks::<3>().0).to_vec();
+        let rgb = self.renderer.draw(data, camera).map_err(|error| failed(&error))?.to_vec();
         Ok(Picture { width: self.width, height: self.height, rgb })
     }
 }

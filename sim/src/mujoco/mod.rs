@@ -38,6 +38,7 @@ mod model;
 mod motors;
 mod physics;
 mod posture;
+mod renderer;
 mod senses;
 mod state;
 mod world;

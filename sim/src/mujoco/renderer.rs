@@ -1,0 +1,40 @@
+//! Drawing without a screen, from any thread.
+
+use std::sync::{Mutex, PoisonError};
+
+use mujoco_rs::prelude::{MjData, MjModel, MjvCamera};
+use mujoco_rs::renderer::{MjRenderer, RendererError};
+
+/// Held while a renderer comes and goes: all of them share one display, which does not stand two threads at that.
+static DISPLAY: Mutex<()> = Mutex::new(());
+
+/// A renderer; there is one as long as it lives.
+pub(crate) struct Renderer(Option<MjRenderer>);
+
+impl Renderer {
+    pub(crate) fn new(model: &MjModel, width: usize, height: usize) -> Result<Self, RendererError> {
+        let _alone = DISPLAY.lock().unwrap_or_else(PoisonError::into_inner);
+        MjRenderer::new(model, width, height, 0).map(|renderer| Self(Some(renderer)))
+    }
+
+    /// What a camera sees: red, green and blue of each pixel, rows from the top.
+    pub(crate) fn draw(
+        &mut self,
+        data: &mut MjData<Box<MjModel>>,
+        camera: MjvCamera,
+    ) -> Result<&[[u8; 3]], RendererError> {
+        data.forward_kinematics();
+        let Some(renderer) = &mut self.0 else { return Ok(&[]) };
+        renderer.set_camera(camera);
+        renderer.sync_data(data)?;
+        renderer.render()?;
+        Ok(renderer.rgb_flat().map_or(&[][..], |bytes| bytes.as_chunks::<3>().0))
+    }
+}
+
+impl Drop for Renderer {
+    fn drop(&mut self) {
+        let _alone = DISPLAY.lock().unwrap_or_else(PoisonError::into_inner);
+        self.0 = None;
+    }
+}
