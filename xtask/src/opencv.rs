@@ -74,9 +74,10 @@ fn print(table: &Table) -> Result<(), String> {
         let beside = |theirs: &f64| format!("{theirs:.0} = {:.1} ×", theirs / ours);
         println!("{size:12}{floor:12.1}{ours:12.1}{:>24}{:>24}", beside(plain), beside(stats));
     }
-    let least = table.values().map(|[ours, _, plain, stats]| plain.min(*stats) / ours).fold(f64::INFINITY, f64::min);
+    // Regions have a size, a box and a middle: the components with their stats are what the eyes do too.
+    let least = table.values().map(|[ours, .., stats]| stats / ours).fold(f64::INFINITY, f64::min);
     if least.is_finite() && least >= LEAST {
         return Ok(());
     }
-    Err(format!("OpenCV takes {least:.1} times as long as the eyes; it should be {LEAST} times or more"))
+    Err(format!("OpenCV with stats takes {least:.1} times as long as the eyes; it should be {LEAST} times or more"))
 }
