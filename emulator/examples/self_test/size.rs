@@ -62,8 +62,11 @@ pub(crate) fn tell(image: &Path) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// The largest symbols: bytes, where they are, and their names as in the sources.
-fn largest(image: &Path) -> Result<Vec<(u64, &'static str, String)>, Box<dyn Error>> {
+/// A symbol: bytes, where it is, and its name as in the sources.
+type Symbol = (u64, &'static str, String);
+
+/// The largest symbols.
+fn largest(image: &Path) -> Result<Vec<Symbol>, Box<dyn Error>> {
     let bytes = fs::read(image)?;
     let file = object::File::parse(&*bytes)?;
     let mut symbols: Vec<_> = file.symbols().map(|symbol| (symbol.size(), symbol.address(), symbol.name())).collect();
