@@ -1,7 +1,7 @@
 //! Boxes of chroma: a cheap no, sixteen pairs at a time, where rare colours are looked for.
 //!
 //! The chroma of neighbouring pixels lies in a small box; if no wanted class has any colour in it, none of the pixels
-//! needs to be classified. Cost: 2 ns for [`BLOCK`] pairs where the processor takes 16 bytes at once, against 23 ns for
+//! needs to be classified. Cost: 2 ns for `BLOCK` pairs where the processor takes 16 bytes at once, against 23 ns for
 //! their classes. Elsewhere it would cost more than it saves and is left out.
 
 use heapless::Vec;

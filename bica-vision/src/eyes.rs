@@ -1,7 +1,6 @@
 //! Everything at once: the detectors in the order in which one needs the other.
 //!
-//! A caller who wants less calls the detectors alone; what each costs stands at its module. Together they share one
-//! pass over the rows for ball and goals.
+//! A caller who wants less calls the detectors alone; what each costs stands at its module.
 
 use glam::Vec2;
 
