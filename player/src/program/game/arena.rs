@@ -5,6 +5,7 @@ use bica_sim::Filmed;
 use bica_sim::field::{FieldWorld, Setup};
 
 use super::game_loop::Rules;
+use crate::program::cli::World;
 use crate::program::ending::Failure;
 
 /// The kinds of worlds.
@@ -13,14 +14,31 @@ pub(crate) enum Arena {
     /// The built-in one.
     BuiltIn,
     /// `MuJoCo`.
+    #[cfg(feature = "mujoco")]
     Mujoco,
 }
 
 impl Arena {
+    /// The one that is asked for; the microcontroller plays in the built-in one.
+    pub(crate) fn asked(world: World) -> Result<Self, Failure> {
+        match world {
+            World::BuiltIn | World::Firmware => Ok(Self::BuiltIn),
+            #[cfg(feature = "mujoco")]
+            World::Mujoco => Ok(Self::Mujoco),
+            #[cfg(not(feature = "mujoco"))]
+            World::Mujoco => {
+                let mend = "install its library with `cargo xtask mujoco`, then \
+                            `cargo run --release --features mujoco -- play --world mujoco`";
+                Err(Failure::new("this program was built without MuJoCo", mend))
+            }
+        }
+    }
+
     /// How a robot moves there.
     pub(crate) const fn profile(self) -> &'static Profile {
         match self {
             Self::BuiltIn => &Profile::BUILT_IN,
+            #[cfg(feature = "mujoco")]
             Self::Mujoco => &Profile::NAO,
         }
     }
@@ -35,6 +53,7 @@ impl Arena {
                 })?;
                 Ok(Box::new(world))
             }
+            #[cfg(feature = "mujoco")]
             Self::Mujoco => mujoco(&setup),
         }
     }
@@ -50,11 +69,4 @@ fn mujoco(setup: &Setup) -> Result<Box<dyn Filmed>, Failure> {
         _ => Failure::new(format!("no such game can be set up: {error}"), "try another --robots"),
     })?;
     Ok(Box::new(world))
-}
-
-#[cfg(not(feature = "mujoco"))]
-fn mujoco(_setup: &Setup) -> Result<Box<dyn Filmed>, Failure> {
-    let mend = "install its library with `cargo xtask mujoco`, then \
-                `cargo run --release --features mujoco -- play --world mujoco`";
-    Err(Failure::new("this program was built without MuJoCo", mend))
 }

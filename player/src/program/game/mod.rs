@@ -20,7 +20,7 @@ mod table;
 
 use std::time::Duration;
 
-use super::cli::{Play, World};
+use super::cli::Play;
 use super::ending::{Ending, Failure};
 use super::voice::Voice;
 use arena::Arena;
@@ -29,7 +29,7 @@ use game_loop::Rules;
 /// `player play`: one game, or many.
 pub(crate) fn run(args: &Play) -> Result<Ending, Failure> {
     let rules = Rules {
-        arena: if args.world == World::Mujoco { Arena::Mujoco } else { Arena::BuiltIn },
+        arena: Arena::asked(args.world)?,
         seed: args.seed,
         size: args.size,
         robots: args.robots,
