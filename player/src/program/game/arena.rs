@@ -20,6 +20,7 @@ pub(crate) enum Arena {
 
 impl Arena {
     /// The one that is asked for; the microcontroller plays in the built-in one.
+    #[cfg_attr(feature = "mujoco", expect(clippy::unnecessary_wraps, reason = "what is not built in is refused"))]
     pub(crate) fn asked(world: World) -> Result<Self, Failure> {
         match world {
             World::BuiltIn | World::Firmware => Ok(Self::BuiltIn),
