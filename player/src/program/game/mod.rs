@@ -1,4 +1,4 @@
-//! Games in the built-in world.
+//! Games, in whichever world.
 
 pub(crate) mod album;
 mod arena;
