@@ -72,8 +72,9 @@ impl Moment {
             height: image.height,
             yuyv: image.yuyv.to_vec(),
         });
-        let Sensors { angles, inertial, left_foot, right_foot, buttons, image: _ } = *sensors;
-        Self { sensors: Sensors { angles, inertial, left_foot, right_foot, buttons, image: None }, picture }
+        let Sensors { angles, temperatures, currents, inertial, left_foot, right_foot, buttons, image: _ } = *sensors;
+        let sensors = Sensors { angles, temperatures, currents, inertial, left_foot, right_foot, buttons, image: None };
+        Self { sensors, picture }
     }
 
     fn sensors(&self) -> Sensors<'_> {

@@ -20,6 +20,7 @@
 //! ```
 #![no_std]
 
+pub mod actuator;
 pub mod bounds;
 pub mod dimensions;
 pub mod fall;
@@ -41,4 +42,5 @@ pub mod robot;
 pub mod side;
 pub mod speed;
 pub mod stand;
+mod strain;
 pub mod walk;

@@ -80,6 +80,10 @@ pub struct Buttons {
 pub struct Sensors<'a> {
     /// Measured joint angles, rad.
     pub angles: Joints<f32>,
+    /// How hot the joints' motors are, °C; NaN where a robot cannot tell. A NAO V6 tells whole degrees of all.
+    pub temperatures: Joints<f32>,
+    /// What the joints' motors draw, A, 0 or more; NaN where a robot cannot tell.
+    pub currents: Joints<f32>,
     /// The inertial unit.
     pub inertial: Inertial,
     /// Pressure under the left sole.

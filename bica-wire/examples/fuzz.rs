@@ -73,10 +73,12 @@ fn round(random: &mut Random) -> u64 {
 
 fn messages<'a>(random: &mut Random, piece: &'a [u8]) -> (Vec<ToRobot<'a>>, Vec<FromRobot<'a>>) {
     let mut floats = || -> [f32; JOINTS] { core::array::from_fn(|_| random.below(2000) as f32 / 100.0 - 10.0) };
-    let (angles, targets) = (floats(), floats());
+    let (angles, temperatures, currents, targets) = (floats(), floats(), floats(), floats());
     let sensors = Sensors {
         time_us: random.next(),
         angles,
+        temperatures,
+        currents,
         inertial: [0.0; 8],
         feet: [1.0; 8],
         buttons: [true; 3],

@@ -30,6 +30,8 @@ impl Sensors {
         Self {
             time_us,
             angles: sensors.angles.0,
+            temperatures: sensors.temperatures.0,
+            currents: sensors.currents.0,
             inertial: [gx, gy, gz, ax, ay, az, inertial.roll, inertial.pitch],
             feet: [a, b, c, d, e, f, g, h],
             buttons: [buttons.chest, buttons.left_bumper, buttons.right_bumper],
@@ -56,6 +58,8 @@ impl Sensors {
         };
         robot::Sensors {
             angles: Joints(self.angles),
+            temperatures: Joints(self.temperatures),
+            currents: Joints(self.currents),
             inertial: Inertial { gyro: [gx, gy, gz].into(), acceleration: [ax, ay, az].into(), roll, pitch },
             left_foot: foot([a, b, c, d]),
             right_foot: foot([e, f, g, h]),

@@ -29,6 +29,7 @@
 mod convert;
 mod crc;
 mod describe;
+mod each;
 mod frame;
 pub mod message;
 mod packet;

@@ -10,6 +10,7 @@ use serde::{Deserialize, Serialize};
 use crate::receiver::Losses;
 
 /// What the host says.
+#[expect(clippy::large_enum_variant, reason = "there is no heap to box the sensors in")]
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, Schema)]
 pub enum ToRobot<'a> {
     /// Begins a game: the tree starts anew, and the robot answers with its greeting.
@@ -104,10 +105,19 @@ pub struct Sensors {
     /// When, µs.
     pub time_us: u64,
     /// Joint angles in the order of [`bica_motion::joints::Joint`].
+    #[serde(deserialize_with = "crate::each::deserialize")]
     pub angles: [f32; JOINTS],
+    /// Temperatures of the joints' motors, °C; NaN: not measured.
+    #[serde(deserialize_with = "crate::each::deserialize")]
+    pub temperatures: [f32; JOINTS],
+    /// Currents of the joints' motors, A; NaN: not measured.
+    #[serde(deserialize_with = "crate::each::deserialize")]
+    pub currents: [f32; JOINTS],
     /// Angular velocity x, y, z; specific force x, y, z; roll; pitch.
+    #[serde(deserialize_with = "crate::each::deserialize")]
     pub inertial: [f32; 8],
     /// Left sole front left, front right, rear left, rear right; then the right sole.
+    #[serde(deserialize_with = "crate::each::deserialize")]
     pub feet: [f32; 8],
     /// Chest button, left bumper, right bumper.
     pub buttons: [bool; 3],

@@ -35,9 +35,9 @@ activation_tree! {
 /// # Errors
 /// [`FrameTooLarge`] if the image does not fit into the eye; all else is taken in, and the last image stays.
 pub fn sense(robot: &mut Forward, sensors: &Sensors<'_>) -> Result<(), FrameTooLarge> {
-    let (targets, stiffness) = (robot.get::<Motors>().targets(), *robot.get::<Motors>().stiffness());
+    let told = act(robot);
     robot.get_mut::<Measured>().measure(sensors);
-    robot.get_mut::<Measured>().check(sensors, &targets, &stiffness);
+    robot.get_mut::<Measured>().check(sensors, &told.targets, &told.stiffness);
     let angles = *robot.get::<Measured>().angles();
     sensors.image.as_ref().map_or(Ok(()), |image| robot.get_mut::<Eye>().see(image, &angles))
 }
@@ -48,7 +48,7 @@ pub fn act(robot: &Forward) -> Command {
     let motors = robot.get::<Motors>();
     Command {
         targets: motors.targets(),
-        stiffness: *motors.stiffness(),
+        stiffness: robot.get::<Measured>().eased(motors.stiffness()),
         lights: Lights::default(),
         camera: robot.get::<Gaze>().camera(),
     }

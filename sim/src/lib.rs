@@ -29,6 +29,7 @@
 
 pub mod field;
 mod film;
+mod heat;
 #[cfg(feature = "mujoco")]
 pub mod mujoco;
 mod random;

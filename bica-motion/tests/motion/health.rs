@@ -13,6 +13,8 @@ fn standing(cycle: u32) -> Sensors<'static> {
     let noise = 1e-3 * (cycle % 7) as f32;
     Sensors {
         angles: STAND,
+        temperatures: Joints::all(40.0),
+        currents: Joints::all(0.1),
         inertial: Inertial { gyro: Vec3::splat(noise), acceleration: Vec3::Z * 9.81, roll: 0.0, pitch: 0.0 },
         left_foot: foot,
         right_foot: foot,
@@ -96,4 +98,81 @@ fn a_fault_stays_and_says_what_it_is() {
     }
     assert_eq!(health.fault(), Some(Fault::Inertial));
     assert_eq!(Fault::Stuck(Joint::LHipRoll).to_string(), "LHipRoll does not follow its target");
+}
+
+/// What is found when the knee's motor is that hot (°C) and draws that much (A) for so many cycles.
+fn strained(cycles: u32, temperature: f32, current: f32) -> Option<(Fault, u32)> {
+    found(cycles, &STAND, |sensors| {
+        sensors.temperatures[Joint::LKneePitch] = temperature;
+        sensors.currents[Joint::LKneePitch] = current;
+    })
+}
+
+#[test]
+fn a_hot_joint_is_a_fault_before_the_robot_itself_weakens_it() {
+    let (fault, cycle) = strained(2000, 75.0, 0.5).expect("it is found");
+    assert_eq!(fault, Fault::Hot(Joint::LKneePitch));
+    assert!((90..110).contains(&cycle), "{cycle}");
+    assert_eq!(strained(2000, 74.0, 0.5), None);
+    assert_eq!(fault.to_string(), "LKneePitch is too hot");
+}
+
+#[test]
+fn one_wrong_temperature_is_none() {
+    let mut health = Health::new();
+    for cycle in 0..1000 {
+        let mut sensors = standing(cycle);
+        sensors.temperatures[Joint::LKneePitch] = if cycle % 50 == 0 { 40.0 } else { 90.0 };
+        health.step(&sensors, &STAND, &Stiffness::Walk.joints());
+    }
+    assert_eq!(health.fault(), None);
+}
+
+#[test]
+fn a_motor_that_pushes_for_seconds_is_found_and_one_that_does_so_briefly_is_not() {
+    let (fault, cycle) = strained(2000, 40.0, 2.0).expect("it is found");
+    assert_eq!(fault, Fault::Overloaded(Joint::LKneePitch));
+    assert!((500..900).contains(&cycle), "{cycle}");
+    assert_eq!(strained(300, 40.0, 2.0), None);
+    assert_eq!(strained(20_000, 40.0, 1.2), None, "as much as a walk needs");
+    let getting_up = found(2000, &STAND, |sensors| {
+        (sensors.inertial.pitch, sensors.currents[Joint::LKneePitch]) = (1.2, 2.0);
+    });
+    assert_eq!(getting_up, None);
+}
+
+#[test]
+fn a_robot_that_cannot_tell_temperatures_and_currents_is_sound() {
+    for odd in [f32::NAN, f32::NEG_INFINITY, f32::MIN_POSITIVE, -0.0] {
+        let unknown = found(2000, &STAND, |sensors| {
+            (sensors.temperatures, sensors.currents) = (Joints::all(odd), Joints::all(f32::NAN));
+        });
+        assert_eq!(unknown, None);
+    }
+    let mut health = Health::new();
+    let silent = Sensors { temperatures: Joints::all(f32::NAN), currents: Joints::all(f32::NAN), ..standing(0) };
+    let stiffness = Stiffness::Walk.joints();
+    health.step(&silent, &STAND, &stiffness);
+    assert_eq!(health.eased(&stiffness), stiffness);
+}
+
+#[test]
+fn hot_and_loaded_joints_are_held_less_firmly_the_more_so_the_worse_it_is() {
+    let left = |temperature: f32, current: f32, cycles: u32| {
+        let mut health = Health::new();
+        for cycle in 0..cycles {
+            let mut sensors = standing(cycle);
+            sensors.temperatures[Joint::LKneePitch] = temperature;
+            sensors.currents[Joint::LKneePitch] = current;
+            health.step(&sensors, &STAND, &Stiffness::Walk.joints());
+        }
+        let eased = health.eased(&Joints::all(1.0));
+        assert_eq!(eased[Joint::RKneePitch], 1.0);
+        eased[Joint::LKneePitch]
+    };
+    assert_eq!([left(20.0, 0.1, 1), left(70.0, 0.1, 1)], [1.0, 1.0]);
+    assert!((left(72.5, 0.1, 1) - 0.85).abs() < 1e-6);
+    assert!((left(75.0, 0.1, 1) - 0.7).abs() < 1e-6 && (left(99.0, 0.1, 1) - 0.7).abs() < 1e-6);
+    let pushing = [100, 550, 700].map(|cycles| left(40.0, 2.0, cycles));
+    assert!(pushing[0] == 1.0 && pushing[1] < 1.0 && pushing[2] < pushing[1], "{pushing:?}");
 }

@@ -21,11 +21,14 @@ pub(crate) fn to_robot(bytes: &'static [u8]) -> BoxedStrategy<ToRobot<'static>> 
 fn sensors() -> impl Strategy<Value = Sensors> {
     let picture = (any::<u32>(), any::<bool>(), any::<u16>(), any::<u16>())
         .prop_map(|(image, bottom, width, height)| Picture { image, bottom, width, height });
-    let floats = prop::array::uniform25(-1e6_f32..1e6);
-    (any::<u64>(), floats, prop::array::uniform8(any::<i16>()), any::<[bool; 3]>(), prop::option::of(picture)).prop_map(
-        |(time_us, angles, small, buttons, picture)| Sensors {
+    let floats = || prop::array::uniform25(-1e6_f32..1e6);
+    let joints = [floats(), floats(), floats()];
+    (any::<u64>(), joints, prop::array::uniform8(any::<i16>()), any::<[bool; 3]>(), prop::option::of(picture)).prop_map(
+        |(time_us, [angles, temperatures, currents], small, buttons, picture)| Sensors {
             time_us,
             angles,
+            temperatures,
+            currents,
             inertial: small.map(f32::from),
             feet: small.map(f32::from),
             buttons,

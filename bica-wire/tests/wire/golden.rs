@@ -4,7 +4,7 @@ use bica_wire::message::{Attack, Chunk, Hello, Pace, Stack, Trial};
 use bica_wire::{FromRobot, MAX_PACKET, SCHEMA, Sender, ToRobot};
 
 /// The schema of these bytes.
-const GOLDEN: u64 = 0x0502_d887_4d13_5a8f;
+const GOLDEN: u64 = 0xdac9_1218_8cf8_d70e;
 
 fn bytes(message: &impl serde::Serialize) -> Vec<u8> {
     Sender::new().pack(message, &mut [0; MAX_PACKET]).expect("it fits").to_vec()

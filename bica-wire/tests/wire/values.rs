@@ -10,6 +10,8 @@ fn sensors_come_back_as_they_were() {
     let yuyv = [7; 16];
     let sensors = robot::Sensors {
         angles: Joints(core::array::from_fn(|index| index as f32)),
+        temperatures: Joints(core::array::from_fn(|index| 30.0 + index as f32)),
+        currents: Joints(core::array::from_fn(|index| if index == 3 { f32::NAN } else { 0.01 * index as f32 })),
         inertial: Inertial {
             gyro: [1.0, 2.0, 3.0].into(),
             acceleration: [4.0, 5.0, 6.0].into(),

@@ -111,14 +111,16 @@ fn lie(moment: &mut Moment, cycle: usize, _: &mut Random) {
 /// Every now and then a value is none, an image is noise, and the clock stands, jumps or goes back.
 fn lie_at_random(moment: &mut Moment, cycle: usize, random: &mut Random) {
     let wild = [f32::NAN, -f32::NAN, f32::INFINITY, f32::NEG_INFINITY, f32::MAX, -0.0, f32::MIN_POSITIVE];
-    let Sensors { angles, inertial, left_foot, right_foot, buttons, .. } = &mut moment.sensors;
+    let Sensors { angles, temperatures, currents, inertial, left_foot, right_foot, buttons, .. } = &mut moment.sensors;
     let mut lie = |value: &mut f32, one_in: usize| {
         if random.below(one_in) == 0 {
             *value = wild.get(random.below(2 * wild.len())).copied().unwrap_or_else(|| random.within(20.0));
         }
     };
-    for angle in &mut angles.0 {
-        lie(angle, 5 * JOINTS);
+    for joints in [angles, temperatures, currents] {
+        for value in &mut joints.0 {
+            lie(value, 5 * JOINTS);
+        }
     }
     let (gyro, acceleration) = (&mut inertial.gyro, &mut inertial.acceleration);
     let turns = [&mut gyro.x, &mut gyro.y, &mut gyro.z, &mut inertial.roll, &mut inertial.pitch];

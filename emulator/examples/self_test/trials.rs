@@ -149,7 +149,8 @@ pub(crate) fn telemetry<T>(read: impl Fn(Telemetry<'_>) -> T) -> impl FnMut(From
 /// A robot that stands still.
 pub(crate) fn sensors(time_us: u64) -> Sensors {
     let (inertial, feet) = ([0.0, 0.0, 0.0, 0.0, 0.0, 9.81, 0.0, 0.0], [6.5; 8]);
-    Sensors { time_us, angles: STAND.0, inertial, feet, buttons: [false; 3], picture: None }
+    let (temperatures, currents) = ([30.0; JOINTS], [0.2; JOINTS]);
+    Sensors { time_us, angles: STAND.0, temperatures, currents, inertial, feet, buttons: [false; 3], picture: None }
 }
 
 /// A component that runs in every cycle.

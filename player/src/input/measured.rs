@@ -63,6 +63,13 @@ impl Measured {
         self.health.fault()
     }
 
+    /// How hard to hold joints that are to be held with a `stiffness`: those with a hot or much loaded motor less firmly
+    /// ([`Health::eased`]).
+    #[must_use]
+    pub fn eased(&self, stiffness: &Joints) -> Joints {
+        self.health.eased(stiffness)
+    }
+
     /// Makes this a body of another kind: one that moves as `profile` says.
     pub const fn be(&mut self, profile: &'static Profile) {
         self.profile = profile;

@@ -17,6 +17,7 @@ pub(crate) mod start;
 
 use core::time::Duration;
 
+use bica_motion::joints::Joint;
 use bica_motion::robot::{Buttons, CameraId, Command, Image, Sensors};
 use glam::{Affine3A, Vec2};
 
@@ -78,6 +79,11 @@ impl FieldWorld {
         };
         world.keep_out();
         Ok(world)
+    }
+
+    /// Makes a joint's motor that hot, °C; from then on it cools or warms as usual. For trials.
+    pub fn heat(&mut self, joint: Joint, temperature: f32) {
+        self.body.heat(joint, temperature);
     }
 
     /// Whether a camera takes an image in this cycle.
@@ -152,6 +158,8 @@ impl World for FieldWorld {
         let felt = self.body.felt();
         Sensors {
             angles: felt.angles,
+            temperatures: felt.temperatures,
+            currents: felt.currents,
             inertial: felt.inertial,
             left_foot: felt.feet[0],
             right_foot: felt.feet[1],

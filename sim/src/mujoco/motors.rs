@@ -2,6 +2,7 @@
 
 use std::collections::VecDeque;
 
+use bica_motion::actuator::actuator;
 use bica_motion::head::HeadAngles;
 use bica_motion::joints::{JOINTS, Joint, Joints};
 use bica_motion::robot::Command;
@@ -65,6 +66,11 @@ impl Motors {
             torque.clamp(-self.limits.0[i], self.limits.0[i])
         }))
     }
+}
+
+/// The currents for these torques behind the gears, A.
+pub(crate) fn currents(torques: &Joints) -> Joints {
+    Joints(core::array::from_fn(|i| actuator(Joint::ALL[i]).current(torques.0[i])))
 }
 
 /// A motor's gain at full stiffness, Nm/rad, and its greatest torque, Nm: between values published for other simulators.

@@ -2,7 +2,7 @@
 
 use core::time::Duration;
 
-use bica_motion::joints::JOINTS;
+use bica_motion::joints::{JOINTS, Joint, Joints};
 use bica_motion::kinematics::Skeleton;
 use bica_motion::pose::Pose2;
 use bica_motion::robot::{Buttons, CameraId, Command, Image, Sensors};
@@ -16,7 +16,7 @@ use super::error::Error;
 use super::eye::{Aim, Eye};
 use super::film::Film;
 use super::model::{Model, Place, SHADES, STEP};
-use super::motors::Motors;
+use super::motors::{Motors, currents};
 use super::physics::{Part, Physics};
 use super::posture::Watch;
 use super::senses::{Felt, Senses};
@@ -26,6 +26,7 @@ use crate::field::body::{flat, turn_rate};
 use crate::field::pitch::BALL_RADIUS;
 use crate::field::start::Layout;
 use crate::film::{Filmed, NoPicture, Onlooker, Picture};
+use crate::heat::Heat;
 use crate::random::{Random, Stream};
 use crate::referee::Referee;
 use crate::rules::Rules;
@@ -44,6 +45,7 @@ pub struct MujocoWorld {
     feet: [usize; 2],
     owners: Owners,
     motors: Motors,
+    heat: Heat,
     senses: Senses,
     felt: Felt,
     eye: Option<Eye>,
@@ -88,6 +90,7 @@ impl MujocoWorld {
             feet,
             owners,
             motors: Motors::holding(STAND, physics),
+            heat: Heat::new(),
             senses,
             felt,
             eye,
@@ -124,6 +127,11 @@ impl MujocoWorld {
         }
     }
 
+    /// Makes a joint's motor that hot, °C; from then on it cools or warms as usual. For trials.
+    pub fn heat(&mut self, joint: Joint, temperature: f32) {
+        self.heat.set(joint, temperature);
+    }
+
     /// Puts the ball somewhere, at rest; m, field frame. For trials.
     /// A place that is no number is none.
     pub fn place_ball(&mut self, at: Vec2) {
@@ -142,7 +150,8 @@ impl MujocoWorld {
         }
     }
 
-    fn step(&mut self, touches: &mut Touches) {
+    /// One step of the physics; the torques of the joints in it, Nm.
+    fn step(&mut self, touches: &mut Touches) -> Joints {
         let torques = self.motors.step(&angles(&self.data, &self.joints));
         for (control, torque) in self.data.ctrl_mut().iter_mut().zip(torques.0) {
             *control = torque.into();
@@ -154,6 +163,7 @@ impl MujocoWorld {
         });
         self.owners.look(&self.data, ahead, touches);
         self.senses.step(truth(&self.data, self.torso, &self.joints));
+        torques
     }
 
     /// The robot frame's pose in the field frame.
@@ -229,6 +239,8 @@ impl World for MujocoWorld {
         self.take_image();
         Sensors {
             angles: self.felt.angles,
+            temperatures: self.heat.temperatures(),
+            currents: self.heat.currents(),
             inertial: self.felt.inertial,
             left_foot: self.felt.feet[0],
             right_foot: self.felt.feet[1],
@@ -247,9 +259,14 @@ impl World for MujocoWorld {
         self.cycle += 1;
         self.motors.command(command);
         let mut touches = Touches::default();
+        let mut drawn = Joints::all(0.0);
         for _ in 0..STEPS {
-            self.step(&mut touches);
+            let torques = self.step(&mut touches);
+            for (mean, current) in drawn.0.iter_mut().zip(currents(&torques).0) {
+                *mean += current / STEPS as f32;
+            }
         }
+        self.heat.step(drawn);
         self.buttons = touches.buttons;
         self.felt = self.senses.feel();
         self.judge(touches);

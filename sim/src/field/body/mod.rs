@@ -7,7 +7,7 @@ pub(crate) mod senses;
 mod stance;
 
 use bica_motion::fall::Direction;
-use bica_motion::joints::Joints;
+use bica_motion::joints::{Joint, Joints};
 use bica_motion::kinematics::Skeleton;
 use bica_motion::pose::{Pose2, rotate};
 use bica_motion::robot::{CameraId, Command, FootPressure, Inertial};
@@ -57,9 +57,24 @@ enum State {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Felt {
     pub(crate) angles: Joints,
+    pub(crate) temperatures: Joints,
+    pub(crate) currents: Joints,
     pub(crate) inertial: Inertial,
     /// Left first.
     pub(crate) feet: [FootPressure; 2],
+}
+
+impl Felt {
+    /// What motors tell of themselves, and nothing else.
+    fn nothing(motors: &Motors) -> Self {
+        Self {
+            angles: *motors.angles(),
+            temperatures: motors.heat().temperatures(),
+            currents: motors.heat().currents(),
+            inertial: Inertial::default(),
+            feet: <[FootPressure; 2]>::default(),
+        }
+    }
 }
 
 impl Body {
@@ -71,8 +86,7 @@ impl Body {
         let robot = stance.robot(&skeleton);
         let slips = Random::new(seed, Stream::Slip);
         let noise = Random::new(seed, Stream::Sensors);
-        let felt =
-            Felt { angles: *motors.angles(), inertial: Inertial::default(), feet: <[FootPressure; 2]>::default() };
+        let felt = Felt::nothing(&motors);
         let state = State::Up(stance, 0);
         let mut body = Self { motors, skeleton, state, robot, unit: InertialUnit::still(robot), felt, slips, noise };
         body.feel();
@@ -113,7 +127,13 @@ impl Body {
         let inertial = self.unit.step(&self.robot, &mut self.noise);
         let pressure = self.balance().map_or_else(Default::default, |balance| balance.pressure());
         let feet = pressure.map(|foot| senses::feel(foot, &mut self.noise));
-        self.felt = Felt { angles: senses::encode(self.motors.angles()), inertial, feet };
+        self.felt =
+            Felt { angles: senses::encode(self.motors.angles()), inertial, feet, ..Felt::nothing(&self.motors) };
+    }
+
+    /// Makes a motor that hot, °C.
+    pub(crate) fn heat(&mut self, joint: Joint, temperature: f32) {
+        self.motors.heat_up(joint, temperature);
     }
 
     /// What the sensors say now.

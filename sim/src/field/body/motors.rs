@@ -1,16 +1,22 @@
 //! Motors: joints follow their targets late and no faster than they can.
 
+use bica_motion::actuator::CONTINUOUS_CURRENT;
 use bica_motion::head::HeadAngles;
 use bica_motion::joints::{JOINTS, Joint, Joints};
 use bica_motion::robot::Command;
-use bica_motion::speed::DEAD_TIME;
+use bica_motion::speed::{DEAD_TIME, max_speed};
 
+use crate::heat::Heat;
 use crate::world::CYCLE_SECONDS;
 
 /// Cycles from a command to the first motion.
 const DELAY: usize = (DEAD_TIME / CYCLE_SECONDS + 0.5) as usize;
 /// From this stiffness on a joint reaches its full speed; below, proportionally less (our estimate).
 const FULL_SPEED: f32 = 0.2;
+
+/// What motors draw to hold the legs that carry the robot, to hold anything else, and in addition to turn at full speed:
+/// shares of what they bear for good. Our estimate; this world knows no forces.
+const DRAWN: [f32; 3] = [0.4, 0.1, 0.6];
 
 /// All motors of a robot.
 #[derive(Clone, Debug)]
@@ -19,17 +25,28 @@ pub(crate) struct Motors {
     /// Commands on their way, the oldest at `next`.
     waiting: [(Joints, Joints); DELAY],
     next: usize,
+    heat: Heat,
 }
 
 impl Motors {
     /// Motors that hold these angles.
     pub(crate) fn holding(angles: Joints) -> Self {
-        Self { angles, waiting: [(angles, Joints::all(1.0)); DELAY], next: 0 }
+        Self { angles, waiting: [(angles, Joints::all(1.0)); DELAY], next: 0, heat: Heat::new() }
     }
 
     /// True angles now, rad.
     pub(crate) const fn angles(&self) -> &Joints {
         &self.angles
+    }
+
+    /// How hot the motors are and what they draw.
+    pub(crate) const fn heat(&self) -> &Heat {
+        &self.heat
+    }
+
+    /// Makes a motor that hot, °C.
+    pub(crate) fn heat_up(&mut self, joint: Joint, temperature: f32) {
+        self.heat.set(joint, temperature);
     }
 
     /// The stiffness that acts now.
@@ -41,6 +58,7 @@ impl Motors {
     pub(crate) fn step(&mut self, command: &Command) {
         let due = core::mem::replace(&mut self.waiting[self.next], (command.targets, command.stiffness));
         self.next = (self.next + 1) % DELAY;
+        let before = self.angles;
         let moved = self.angles.moved_toward(&due.0, CYCLE_SECONDS).clamp_to_limits();
         for i in 0..JOINTS {
             let strength = (due.1.0[i] / FULL_SPEED).clamp(0.0, 1.0);
@@ -49,7 +67,19 @@ impl Motors {
             }
         }
         HeadAngles::read(&self.angles).clamped().write(&mut self.angles);
+        self.heat.step(drawn(&before, &self.angles, &due.1));
     }
+}
+
+/// The currents of a cycle between these angles at this stiffness, A.
+fn drawn(before: &Joints, after: &Joints, stiffness: &Joints) -> Joints {
+    let [legs, others, full_speed] = DRAWN;
+    Joints(Joint::ALL.map(|joint| {
+        let held = if (7..=17).contains(&joint.index()) { legs } else { others };
+        let speed = (after[joint] - before[joint]).abs() / CYCLE_SECONDS / max_speed(joint);
+        let firmness = if stiffness[joint] > 0.0 { stiffness[joint].min(1.0) } else { 0.0 };
+        CONTINUOUS_CURRENT[joint] * (held * firmness + full_speed * speed)
+    }))
 }
 
 #[cfg(test)]
