@@ -60,6 +60,10 @@ pub const TO_STAND: [Keyframe; 1] = [Keyframe { seconds: 1.0, posture: STAND, st
 /// From a stand to [`SIT`] in 1.5 s.
 pub const TO_SIT: [Keyframe; 1] = [Keyframe { seconds: 1.5, posture: SIT, stiffness: 0.8 }];
 
+/// How hard to hold [`SIT`] for good, 0 to 1: the least that does not tip over in `MuJoCo`, where it takes a fifteenth of what
+/// the motors bear.
+pub const RESTING: f32 = 0.1;
+
 /// How hard the joints are held.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Stiffness {

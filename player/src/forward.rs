@@ -1,7 +1,7 @@
 //! The tree, and its door to a robot.
 
 use bica::prelude::*;
-use bica_motion::robot::{Command, Lights, Sensors};
+use bica_motion::robot::{Command, Light, Lights, Sensors};
 
 use crate::behaviour::{FaceBall, FallGuard, Fixmove, FollowBall, GoRound, LookAround, Player, SearchBall, SearchNet};
 use crate::input::{Colours, Eye, FrameTooLarge, Measured};
@@ -30,6 +30,11 @@ activation_tree! {
     }
 }
 
+/// The chest of a robot in the game (rules of RoboCup 2009).
+const GREEN: Light = Light(0.0, 1.0, 0.0);
+/// The chest of a robot that was sent off.
+const RED: Light = Light(1.0, 0.0, 0.0);
+
 /// Before a tick: tells the tree what the robot senses.
 ///
 /// # Errors
@@ -45,11 +50,11 @@ pub fn sense(robot: &mut Forward, sensors: &Sensors<'_>) -> Result<(), FrameTooL
 /// After a tick: what the robot is to do.
 #[must_use]
 pub fn act(robot: &Forward) -> Command {
-    let motors = robot.get::<Motors>();
+    let (measured, motors) = (robot.get::<Measured>(), robot.get::<Motors>());
     Command {
         targets: motors.targets(),
-        stiffness: robot.get::<Measured>().eased(motors.stiffness()),
-        lights: Lights::default(),
+        stiffness: measured.eased(motors.stiffness()),
+        lights: Lights { chest: if measured.playing() { GREEN } else { RED }, ..Lights::default() },
         camera: robot.get::<Gaze>().camera(),
     }
 }

@@ -4,4 +4,6 @@ mod game;
 mod latent;
 mod lazy;
 mod no_heap;
+mod out;
 mod replay;
+mod strained;

@@ -4,14 +4,15 @@ use bica::prelude::*;
 use bica_motion::fall::{Direction, Uprightness};
 use bica_motion::getup;
 use bica_motion::keyframes::{Keyframe, Motion};
-use bica_motion::stand::TO_SIT;
+use bica_motion::stand::{RESTING, SIT, TO_SIT};
 
 use crate::input::Measured;
+use crate::motion::Body;
 use crate::output::Motors;
 use crate::perception::FallDetector;
 
 /// Takes over when the robot falls: softens the fall, then gets it up, from the front or from the back; if that fails, the
-/// other way. A body with a fault it sits down instead and lets go of its joints, for good.
+/// other way. A body with a fault it brings to a stand and sits down, for good.
 #[derive(Debug)]
 pub struct FallGuard {
     movement: Motion,
@@ -47,14 +48,18 @@ impl FallGuard {
         }
     }
 
-    /// Must not go on: sits down, then goes limp.
+    /// On its feet, but must not go on: first both of them on the ground.
+    #[state]
+    fn halt(&mut self, body: &mut Body) {
+        body.stand();
+    }
+
+    /// Must not go on: sits down and stays so, all but limp.
     #[state(last)]
     fn give_up(&mut self, time: &Time, motors: &mut Motors) {
         let moving = self.movement.step(time.dt()).filter(|_| !self.movement.is_done());
-        match moving {
-            Some((posture, stiffness)) => motors.whole(&posture, stiffness),
-            None => motors.limp(),
-        }
+        let (posture, stiffness) = moving.unwrap_or((SIT, RESTING));
+        motors.whole(&posture, stiffness);
     }
 
     /// On its feet.
@@ -68,9 +73,30 @@ impl FallGuard {
         matches!(falls.state(), Uprightness::Fallen(_))
     }
 
+    #[transition(halt -> brace)]
+    fn falls_over(&self, falls: &FallDetector) -> bool {
+        falls.falls()
+    }
+
+    #[transition(brace -> halt)]
+    fn breaks_on_its_feet(&self, body: &Measured, falls: &FallDetector) -> bool {
+        body.fault().is_some() && !falls.falls()
+    }
+
     #[transition(brace | get_up -> give_up)]
     fn is_broken(&self, body: &Measured) -> bool {
         body.fault().is_some()
+    }
+
+    #[transition(halt -> give_up)]
+    fn has_halted(&self, body: &Body) -> bool {
+        body.is_still()
+    }
+
+    /// What is broken may keep it from a stand.
+    #[transition(halt -> give_up, after_ms = 3000)]
+    fn cannot_halt(&self) -> bool {
+        true
     }
 
     /// It was a stumble.

@@ -3,6 +3,7 @@
 use bica::prelude::*;
 
 use super::{FaceBall, FallGuard, Fixmove, FollowBall, GoRound, SearchBall, SearchNet};
+use crate::input::Measured;
 use crate::motion::Body;
 use crate::perception::{BallDetector, FallDetector, Localization, NetDetector, Odometry};
 use crate::strategy::{Plan, plan};
@@ -51,18 +52,50 @@ impl Player {
         }
     }
 
+    /// Out of the game: stands.
+    #[state]
+    fn penalized(&mut self, body: &mut Body) {
+        body.stand();
+    }
+
     /// Down, or about to be: nothing else matters.
     #[state]
     fn fallen(&mut self, _guard: &mut FallGuard) {}
 
     #[transition(* -> fallen)]
     fn falls(&self, falls: &FallDetector) -> bool {
+        falls.falls()
+    }
+
+    #[transition(look_for_ball | approach | search_net | go_round | penalized -> fallen)]
+    fn breaks(&self, falls: &FallDetector) -> bool {
         !falls.upright()
+    }
+
+    /// On one foot it goes on until it stands on both.
+    #[transition(kick -> fallen)]
+    fn breaks_at_the_ball(&self, falls: &FallDetector, fixmove: &Fixmove) -> bool {
+        !falls.upright() && !fixmove.striking()
     }
 
     #[transition(fallen -> look_for_ball)]
     fn stands_again(&self, guard: &FallGuard) -> bool {
         guard.upright()
+    }
+
+    #[transition(look_for_ball | approach | search_net | go_round -> penalized)]
+    fn sent_off(&self, body: &Measured) -> bool {
+        !body.playing()
+    }
+
+    #[transition(kick -> penalized)]
+    fn sent_off_at_the_ball(&self, body: &Measured, fixmove: &Fixmove) -> bool {
+        !body.playing() && !fixmove.striking()
+    }
+
+    #[transition(penalized -> look_for_ball)]
+    fn let_in(&self, body: &Measured) -> bool {
+        body.playing()
     }
 
     #[transition(look_for_ball -> approach)]

@@ -4,17 +4,18 @@ use bica::prelude::*;
 use bica_motion::health::{Fault, Health};
 use bica_motion::joints::Joints;
 use bica_motion::profile::Profile;
-use bica_motion::robot::{Buttons, FootPressure, Inertial, Sensors};
+use bica_motion::robot::{FootPressure, Inertial, Sensors};
 use bica_motion::side::Side;
 use bica_motion::walk::Body as Felt;
 
-/// Joint angles, inertial unit, feet and buttons of this cycle.
+/// Joint angles, inertial unit and feet of this cycle, and what the chest button says.
 #[derive(Clone, Copy, Debug)]
 pub struct Measured {
     angles: Joints<f32>,
     inertial: Inertial,
     feet: (FootPressure, FootPressure),
-    buttons: Buttons,
+    pressed: bool,
+    playing: bool,
     profile: &'static Profile,
     health: Health,
 }
@@ -29,7 +30,8 @@ impl Measured {
             angles: Joints([0.0; bica_motion::joints::JOINTS]),
             inertial: Inertial { gyro: glam::Vec3::ZERO, acceleration: glam::Vec3::ZERO, roll: 0.0, pitch: 0.0 },
             feet: (NONE, NONE),
-            buttons: Buttons { chest: false, left_bumper: false, right_bumper: false },
+            pressed: false,
+            playing: true,
             profile: &Profile::BUILT_IN,
             health: Health::new(),
         }
@@ -49,7 +51,9 @@ impl Measured {
         if sensors.left_foot.total().is_finite() && sensors.right_foot.total().is_finite() {
             self.feet = (sensors.left_foot, sensors.right_foot);
         }
-        self.buttons = sensors.buttons;
+        let pressed = sensors.buttons.chest;
+        self.playing ^= pressed && !self.pressed;
+        self.pressed = pressed;
     }
 
     /// Compares this cycle's measurements with what the joints were told last, and how firmly, 0 to 1.
@@ -111,9 +115,9 @@ impl Measured {
         if self.feet.1.total() > self.feet.0.total() { Side::Right } else { Side::Left }
     }
 
-    /// Buttons and bumpers.
+    /// Whether the robot is in the game: each press of the chest button takes it out or lets it in (rules of RoboCup 2009).
     #[must_use]
-    pub const fn buttons(&self) -> &Buttons {
-        &self.buttons
+    pub const fn playing(&self) -> bool {
+        self.playing
     }
 }

@@ -52,11 +52,6 @@ impl Motors {
         }
     }
 
-    /// Lets go of all joints.
-    pub const fn limp(&mut self) {
-        self.stiffness = Joints([0.0; JOINTS]);
-    }
-
     fn set(&mut self, joint: Joint, target: f32, stiffness: f32) {
         if target.is_finite() && stiffness.is_finite() {
             self.targets[joint] = target;

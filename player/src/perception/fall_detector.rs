@@ -31,9 +31,15 @@ impl FallDetector {
         self.balance.state()
     }
 
+    /// Whether the robot falls or lies.
+    #[must_use]
+    pub fn falls(&self) -> bool {
+        self.state() != Uprightness::Upright
+    }
+
     /// Whether the robot is on its feet and may go on: it neither falls nor has a [fault](Measured::fault).
     #[must_use]
     pub fn upright(&self) -> bool {
-        self.sound && self.state() == Uprightness::Upright
+        self.sound && !self.falls()
     }
 }

@@ -10,6 +10,17 @@ fn a_program_without_mujoco_says_how_to_get_one_with_it() {
 
 #[cfg(feature = "mujoco")]
 mod with_mujoco {
+    use bica::{Instant, Tree};
+    use bica_motion::health::Fault;
+    use bica_motion::joints::Joint;
+    use bica_motion::profile::Profile;
+    use bica_motion::stand::RESTING;
+    use bica_player::input::Measured;
+    use bica_player::{Forward, act, sense};
+    use bica_sim::World;
+    use bica_sim::field::Setup;
+    use bica_sim::mujoco::{MujocoWorld, Physics};
+
     use crate::run::{Folder, run, without_wall};
 
     #[test]
@@ -37,6 +48,25 @@ mod with_mujoco {
             told
         };
         assert_eq!(games("1"), games("3"));
+    }
+
+    #[test]
+    fn a_robot_with_a_hot_joint_stops_and_sits_down_without_a_fall() {
+        let mut world = MujocoWorld::new(&Setup::default(), &Physics { cameras: false, ..Physics::default() }).unwrap();
+        let mut robot = Box::new(Forward::new());
+        robot.get_mut::<Measured>().be(&Profile::NAO);
+        for cycle in 0..3000 {
+            if cycle == 500 {
+                world.heat(Joint::LKneePitch, 78.0);
+            }
+            sense(&mut robot, &world.sensors()).unwrap();
+            robot.tick(Instant::from_millis(10 * cycle));
+            world.act(&act(&robot));
+            assert_eq!(robot.get::<Measured>().fault().is_some(), cycle >= 599, "in cycle {cycle}");
+        }
+        assert_eq!(robot.get::<Measured>().fault(), Some(Fault::Hot(Joint::LKneePitch)));
+        assert!(act(&robot).stiffness.0.iter().all(|stiffness| *stiffness <= RESTING));
+        assert_eq!(world.referee().falls(), 0);
     }
 
     #[test]

@@ -80,6 +80,21 @@ fn joints_reach_their_targets_and_turn_no_faster_than_they_can() {
 }
 
 #[test]
+fn motors_that_carry_draw_current_and_get_warm() {
+    let mut world = alone(1, &blind());
+    stand(&mut world, 2000);
+    let sensors = world.sensors();
+    let drawn = |joint| sensors.currents[joint];
+    assert!((0.1..0.7).contains(&drawn(Joint::LKneePitch)), "{}", drawn(Joint::LKneePitch));
+    assert!(drawn(Joint::HeadYaw) < 0.01);
+    let warm = sensors.temperatures;
+    assert!((25.0..30.0).contains(&warm[Joint::LKneePitch]) && warm[Joint::HeadYaw] < 25.5, "{warm:?}");
+    world.heat(Joint::HeadYaw, 60.5);
+    stand(&mut world, 1);
+    assert!((world.sensors().temperatures[Joint::HeadYaw] - 60.0).abs() < 1e-3);
+}
+
+#[test]
 fn what_is_broken_says_and_does_nothing_more() {
     let mut world = alone(1, &blind());
     stand(&mut world, 50);

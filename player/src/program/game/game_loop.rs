@@ -161,7 +161,8 @@ impl Game {
     }
 
     fn into_record(self, rules: &Rules, real: Duration) -> Record {
+        let fault = self.robot.get::<Measured>().fault().map(|fault| fault.to_string());
         let firmware = self.mind.map(Mind::sum_up);
-        Record { firmware, ..Record::new(rules, self.world.referee(), self.world.now(), self.tally, real) }
+        Record { fault, firmware, ..Record::new(rules, self.world.referee(), self.world.now(), self.tally, real) }
     }
 }

@@ -34,6 +34,8 @@ pub(crate) struct Record {
     pub(crate) own_goals: usize,
     pub(crate) falls: usize,
     pub(crate) kicks: usize,
+    /// Why the robot stopped for good, if it did.
+    pub(crate) fault: Option<String>,
     /// How long the game was in the world, s.
     pub(crate) simulated_s: f64,
     pub(crate) cycles: u64,
@@ -109,6 +111,7 @@ impl Record {
             own_goals: referee.own_goals(),
             falls: referee.falls(),
             kicks: referee.count(|event| matches!(event, Event::Kick { .. })),
+            fault: None,
             simulated_s: played.as_secs_f64(),
             cycles: tally.cycles,
             tree_changes: tally.tree_changes,

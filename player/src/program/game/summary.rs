@@ -13,6 +13,9 @@ pub(crate) fn tell(voice: Voice, record: &Record) -> Result<(), Failure> {
         _ => (Style::Bad, "no goal".to_owned()),
     };
     row(voice, "result", &voice.style(style, &words))?;
+    if let Some(fault) = &record.fault {
+        row(voice, "fault", &voice.style(Style::Bad, &format!("the robot sat down: {fault}")))?;
+    }
     row(voice, "game", &game(record))?;
     row(voice, "time", &time(record))?;
     if let Some(figures) = &record.firmware {

@@ -1,0 +1,49 @@
+//! A motor that gets too hot ends the game safely; a game heats none.
+
+use bica_motion::health::Fault;
+use bica_motion::joints::{Joint, Joints};
+use bica_motion::stand::{RESTING, SIT};
+use bica_player::input::Measured;
+use bica_sim::World;
+use bica_sim::field::Setup;
+
+use crate::game::Game;
+use bica::prelude::*;
+
+/// Plays for some cycles; whether every joint was held as firmly as it should.
+fn play(game: &mut Game, cycles: u32) -> bool {
+    (0..cycles).fold(true, |firm, _| {
+        game.cycle(&mut ());
+        let all = Joints::all(1.0);
+        firm & (game.robot.get::<Measured>().eased(&all) == all)
+    })
+}
+
+#[test]
+fn a_hot_joint_is_held_less_firmly_then_the_robot_sits_down() {
+    for (seed, joint) in [(3, Joint::LKneePitch), (4, Joint::RAnkleRoll), (5, Joint::HeadYaw)] {
+        let mut game = Game::new(&Setup { seed, ..Setup::default() });
+        assert!(play(&mut game, 700), "seed {seed}: a game strains nothing");
+        game.world.heat(joint, 73.5);
+        assert!(!play(&mut game, 100), "seed {seed}: warm, so softer");
+        assert_eq!(game.robot.get::<Measured>().fault(), None);
+        game.world.heat(joint, 78.0);
+        play(&mut game, 600);
+        assert_eq!(game.robot.get::<Measured>().fault(), Some(Fault::Hot(joint)));
+        let last = game.cycle(&mut ());
+        assert!(last.stiffness.0.iter().all(|stiffness| *stiffness <= RESTING), "seed {seed}");
+        let angles = game.world.sensors().angles;
+        let off = Joint::ALL.map(|joint| (angles[joint] - SIT[joint]).abs());
+        assert!(off[7..18].iter().all(|off| *off < 0.02), "seed {seed}: {off:?}");
+        assert_eq!(game.world.referee().falls(), 0, "seed {seed}");
+    }
+}
+
+#[test]
+fn whole_games_strain_no_motor() {
+    for seed in 0..3 {
+        let mut game = Game::new(&Setup { seed, robots: 2, ..Setup::default() });
+        assert!(play(&mut game, 6000), "seed {seed}");
+        assert_eq!(game.robot.get::<Measured>().fault(), None, "seed {seed}");
+    }
+}
