@@ -2,7 +2,7 @@
 
 use bica::prelude::*;
 use bica_motion::fall::{Direction, Uprightness};
-use bica_motion::getup;
+use bica_motion::getup::{self, GetUp};
 use bica_motion::keyframes::{Keyframe, Motion};
 use bica_motion::stand::{RESTING, SIT, TO_SIT};
 
@@ -15,8 +15,9 @@ use crate::perception::FallDetector;
 /// other way. A body with a fault it brings to a stand and sits down, for good.
 #[derive(Debug)]
 pub struct FallGuard {
-    movement: Motion,
-    brace: [Keyframe; 1],
+    movement: GetUp,
+    surrender: Motion,
+    brace: Keyframe,
     /// Movements that did not get it up.
     failures: u8,
     upright: bool,
@@ -27,25 +28,29 @@ impl FallGuard {
     /// Has nothing to do yet.
     #[must_use]
     pub const fn new() -> Self {
-        Self { movement: Motion::none(), brace: [getup::protection(Direction::Front)], failures: 0, upright: false }
+        Self {
+            movement: GetUp::none(),
+            surrender: Motion::none(),
+            brace: getup::protection(Direction::Front),
+            failures: 0,
+            upright: false,
+        }
     }
 
     /// In the air: limbs in, joints soft.
     #[state(initial)]
     fn brace(&mut self, falls: &FallDetector, motors: &mut Motors) {
         if let Uprightness::Falling(direction) = falls.state() {
-            self.brace = [getup::protection(direction)];
+            self.brace = getup::protection(direction);
         }
-        let [frame] = &self.brace;
-        motors.whole(&frame.posture, frame.stiffness);
+        motors.whole(&self.brace.posture, self.brace.stiffness);
     }
 
     /// On the ground: plays the movement that gets it up from there.
     #[state]
-    fn get_up(&mut self, time: &Time, motors: &mut Motors) {
-        if let Some((posture, stiffness)) = self.movement.step(time.dt()) {
-            motors.whole(&posture, stiffness);
-        }
+    fn get_up(&mut self, time: &Time, body: &Measured, motors: &mut Motors) {
+        let (posture, stiffness) = self.movement.step(body.inertial(), time.dt());
+        motors.whole(&posture, stiffness);
     }
 
     /// On its feet, but must not go on: first both of them on the ground.
@@ -57,7 +62,7 @@ impl FallGuard {
     /// Must not go on: sits down and stays so, all but limp.
     #[state(last)]
     fn give_up(&mut self, time: &Time, motors: &mut Motors) {
-        let moving = self.movement.step(time.dt()).filter(|_| !self.movement.is_done());
+        let moving = self.surrender.step(time.dt()).filter(|_| !self.surrender.is_done());
         let (posture, stiffness) = moving.unwrap_or((SIT, RESTING));
         motors.whole(&posture, stiffness);
     }
@@ -119,7 +124,7 @@ impl FallGuard {
     #[entry(get_up)]
     fn begin(&mut self, falls: &FallDetector, body: &Measured) {
         if let Uprightness::Fallen(direction) = falls.state() {
-            self.movement = Motion::new(getup::attempt(direction, self.failures), *body.angles());
+            self.movement = GetUp::new(direction, self.failures, *body.angles());
         }
     }
 
@@ -130,13 +135,13 @@ impl FallGuard {
 
     #[entry(give_up)]
     fn sit_down(&mut self, body: &Measured) {
-        self.movement = Motion::new(&TO_SIT, *body.angles());
+        self.surrender = Motion::new(&TO_SIT, *body.angles());
     }
 
     #[stop]
     fn end(&mut self) {
         (self.upright, self.failures) = (false, 0);
-        self.movement = Motion::none();
+        (self.movement, self.surrender) = (GetUp::none(), Motion::none());
     }
 
     /// Whether the robot stands again.

@@ -1,9 +1,8 @@
 use core::time::Duration;
 
 use bica_motion::fall::Direction;
-use bica_motion::getup;
+use bica_motion::getup::GetUp;
 use bica_motion::joints::{Joint, Joints};
-use bica_motion::keyframes::{Keyframe, Motion, duration};
 use bica_motion::pose::Pose2;
 use bica_motion::robot::Command;
 use bica_motion::side::Side;
@@ -98,14 +97,15 @@ fn it_gets_up_where_it_lies_by_the_movement_for_its_side() {
         for _ in 0..100 {
             world.act(&command(STAND));
         }
-        let (lying, begin) = (world.referee().robot(), world.now());
-        play(&mut world, getup::from(to));
+        let lying = world.referee().robot();
+        get_up(&mut world, to);
+        let end = world.now();
         assert_eq!(world.referee().posture(), Posture::Upright, "{to:?}");
         assert!(world.referee().robot().position.distance(lying.position) < 0.02);
         assert!((world.referee().robot().heading - 0.7).abs() < 0.1);
         let last = world.referee().events().last().expect("something happened");
         assert_eq!(last.event, Event::GotUp);
-        assert!(last.at < begin + Duration::from_secs_f32(duration(getup::from(to)) + 0.2));
+        assert!(last.at < end + Duration::from_millis(200));
         for _ in 0..300 {
             world.act(&command(STAND));
         }
@@ -123,10 +123,10 @@ fn standing_still_on_the_ground_gets_nobody_up() {
     assert_eq!(world.referee().posture(), Posture::Down(Direction::Front));
 }
 
-fn play(world: &mut FieldWorld, frames: &'static [Keyframe]) {
-    let mut motion = Motion::new(frames, world.sensors().angles);
-    while !motion.is_done() {
-        let Some((targets, stiffness)) = motion.step(0.01) else { break };
+fn get_up(world: &mut FieldWorld, lying: Direction) {
+    let mut movement = GetUp::new(lying, 0, world.sensors().angles);
+    while !movement.is_done() {
+        let (targets, stiffness) = movement.step(&world.sensors().inertial, 0.01);
         world.act(&Command { stiffness: Joints::all(stiffness), ..command(targets) });
     }
     for _ in 0..10 {
