@@ -12,6 +12,12 @@ pub use crate::rate::Rate;
 pub use crate::set::words;
 pub use crate::tree::{Has, Layout, Tree, Wired};
 
+/// A doc comment; nothing of it with the feature `terse`.
+#[must_use]
+pub const fn doc(text: &'static str) -> &'static str {
+    if cfg!(feature = "terse") { "" } else { text }
+}
+
 /// The node of `C` in tree `T`, under the name that the list gives it.
 #[must_use]
 pub const fn node<T: Has<C>, C: 'static>(name: &'static str) -> Node {

@@ -102,12 +102,6 @@ impl Fixmove {
         self.far
     }
 
-    /// Whether the kick is being played: nothing else may move the body.
-    #[must_use]
-    pub const fn striking(&self) -> bool {
-        self.settled >= SETTLED && !self.done
-    }
-
     /// Whether the kick was played to its end.
     #[must_use]
     pub const fn done(&self) -> bool {

@@ -64,18 +64,7 @@ impl Player {
 
     #[transition(* -> fallen)]
     fn falls(&self, falls: &FallDetector) -> bool {
-        falls.falls()
-    }
-
-    #[transition(look_for_ball | approach | search_net | go_round | penalized -> fallen)]
-    fn breaks(&self, falls: &FallDetector) -> bool {
         !falls.upright()
-    }
-
-    /// On one foot it goes on until it stands on both.
-    #[transition(kick -> fallen)]
-    fn breaks_at_the_ball(&self, falls: &FallDetector, fixmove: &Fixmove) -> bool {
-        !falls.upright() && !fixmove.striking()
     }
 
     #[transition(fallen -> look_for_ball)]
@@ -83,14 +72,9 @@ impl Player {
         guard.upright()
     }
 
-    #[transition(look_for_ball | approach | search_net | go_round -> penalized)]
+    #[transition(look_for_ball | approach | search_net | go_round | kick -> penalized)]
     fn sent_off(&self, body: &Measured) -> bool {
-        !body.playing()
-    }
-
-    #[transition(kick -> penalized)]
-    fn sent_off_at_the_ball(&self, body: &Measured, fixmove: &Fixmove) -> bool {
-        !body.playing() && !fixmove.striking()
+        !body.playing() && body.grounded()
     }
 
     #[transition(penalized -> look_for_ball)]

@@ -8,6 +8,9 @@ use bica_motion::robot::{FootPressure, Inertial, Sensors};
 use bica_motion::side::Side;
 use bica_motion::walk::Body as Felt;
 
+/// A foot with more force on it has touched the ground, N.
+const TOUCH: f32 = 10.0;
+
 /// Joint angles, inertial unit and feet of this cycle, and what the chest button says.
 #[derive(Clone, Copy, Debug)]
 pub struct Measured {
@@ -113,6 +116,12 @@ impl Measured {
     #[must_use]
     pub fn support(&self) -> Side {
         if self.feet.1.total() > self.feet.0.total() { Side::Right } else { Side::Left }
+    }
+
+    /// Whether both feet are on the ground: what is under way may be broken off.
+    #[must_use]
+    pub fn grounded(&self) -> bool {
+        self.feet.0.total().min(self.feet.1.total()) > TOUCH
     }
 
     /// Whether the robot is in the game: each press of the chest button takes it out or lets it in (rules of RoboCup 2009).

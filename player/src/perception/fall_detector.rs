@@ -5,11 +5,15 @@ use bica_motion::fall::{FallDetector as Balance, Uprightness};
 
 use crate::input::Measured;
 
+/// A fault breaks off what is under way when both feet stand, or after this, s: a kick is over by then.
+const PATIENCE: f32 = 3.0;
+
 /// Feels a fall, while it happens and after.
 #[derive(Debug)]
 pub struct FallDetector {
     balance: Balance,
-    sound: bool,
+    /// How much longer a body with a fault may wait for both feet to stand, s.
+    patience: f32,
 }
 
 #[component(budget_us = 2)]
@@ -17,12 +21,14 @@ impl FallDetector {
     /// Upright.
     #[must_use]
     pub const fn new() -> Self {
-        Self { balance: Balance::new(), sound: true }
+        Self { balance: Balance::new(), patience: PATIENCE }
     }
 
     fn step(&mut self, time: &Time, body: &Measured) {
         self.balance.step(body.inertial(), time.dt());
-        self.sound = body.fault().is_none();
+        if body.fault().is_some() {
+            self.patience = if body.grounded() { 0.0 } else { self.patience - time.dt() };
+        }
     }
 
     /// Whether the robot is upright, falls, or lies, and to which side.
@@ -37,9 +43,10 @@ impl FallDetector {
         self.state() != Uprightness::Upright
     }
 
-    /// Whether the robot is on its feet and may go on: it neither falls nor has a [fault](Measured::fault).
+    /// Whether the robot is on its feet and may go on: it neither falls nor has a [fault](Measured::fault) that
+    /// waited long enough.
     #[must_use]
     pub fn upright(&self) -> bool {
-        self.sound && !self.falls()
+        self.patience > 0.0 && !self.falls()
     }
 }

@@ -23,7 +23,7 @@ pub(super) fn expand(component: &Component, behaviour: &Behaviour) -> TokenStrea
         #[automatically_derived]
         impl #parameters #p::Component for #own #bounds {
             const NAME: &'static str = #name;
-            const DOC: &'static str = #doc;
+            const DOC: &'static str = #p::doc(#doc);
             const HZ: ::core::option::Option<f32> = #hz;
             const BUDGET_US: ::core::option::Option<f32> = #budget_us;
             const RESUME: bool = #resume;
@@ -66,5 +66,5 @@ fn states(component: &Component, behaviour: &Behaviour) -> TokenStream {
 fn state(p: &TokenStream, machine: &Machine, index: usize, place: &Place) -> TokenStream {
     let name = place.body.name.to_string();
     let (doc, last, initial) = (&place.body.doc, place.last, machine.initial == index);
-    quote!(#p::State { name: #name, doc: #doc, initial: #initial, last: #last })
+    quote!(#p::State { name: #name, doc: #p::doc(#doc), initial: #initial, last: #last })
 }

@@ -62,5 +62,5 @@ fn links(p: &TokenStream, links: &Links, state: Option<usize>) -> Vec<TokenStrea
 fn transition(p: &TokenStream, way: &Way) -> TokenStream {
     let name = way.condition.name.to_string();
     let (doc, from, to, after_ms) = (&way.condition.doc, way.from, way.to, option(way.after_ms.as_ref()));
-    quote!(#p::Transition { name: #name, doc: #doc, from: #from, to: #to, after_ms: #after_ms })
+    quote!(#p::Transition { name: #name, doc: #p::doc(#doc), from: #from, to: #to, after_ms: #after_ms })
 }

@@ -27,7 +27,7 @@ pub(super) fn expand(tree: &Tree, sound: bool) -> TokenStream {
         impl #p::Tree for #name {
             const GRAPH: #p::Graph = #p::Graph {
                 name: #label,
-                doc: #doc,
+                doc: #p::doc(#doc),
                 cycle_hz: #cycle_hz,
                 budget_ms: #budget_ms,
                 root: #root,
