@@ -3,7 +3,7 @@
 use std::time::Instant;
 
 use crate::shot::Album;
-use crate::stages::{Desk, EVERYTHING, Given, MEMCPY, STAGES, Stage};
+use crate::stages::{Desk, Given, MEMCPY, STAGES, Stage};
 
 /// Rounds over all frames.
 const ROUNDS: usize = 15;
@@ -60,12 +60,12 @@ pub(crate) fn print(albums: &[Album]) {
     }
 }
 
-/// Prints the frames that take longest, beside what a frame takes otherwise.
+/// Prints the frames that take longest, stage by stage, beside what a frame takes otherwise.
 pub(crate) fn print_worst(worst: &Album, usual: &Album) {
-    let everything: Vec<_> = STAGES.into_iter().filter(|(stage, _)| *stage == EVERYTHING).collect();
-    let (worst, usual) = (measure(worst, &everything), measure(usual, &everything));
+    println!("\n{:16}{:>12}{:>12}{:>14}  worst of {} made-up frames", "", "mean", "worst", "×", worst.shots.len());
+    let (worst, usual) = (measure(worst, &STAGES), measure(usual, &STAGES));
     for (worst, usual) in worst.iter().zip(&usual) {
-        let (ratio, most) = (worst.most / usual.mean, worst.most);
-        println!("worst of made-up frames: {most:.1} µs, {ratio:.1} × the mean, in `{}`", worst.slowest);
+        let ratio = worst.most / usual.mean;
+        println!("{:16}{:12.1}{:12.1}{ratio:12.1} ×  {}", worst.stage, usual.mean, worst.most, worst.slowest);
     }
 }

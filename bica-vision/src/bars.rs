@@ -58,11 +58,12 @@ impl Bar {
             && run.overlaps(self.last)
     }
 
-    fn continues_in(&self, run: Run, step: u16) -> bool {
+    /// Whether a run that it meets is its next one.
+    fn continues_in(&self, run: Run) -> bool {
         let width = f32::from(run.width());
         let alike = width <= 1.4 * self.width + 2.0 && width >= 0.6 * self.width - 3.0;
         let straight = self.rows < 5 || self.aside(run) <= 0.25 * self.width + 2.0;
-        self.meets(run, step) && alike && straight
+        alike && straight
     }
 
     /// How far the middle of a run is from where the bar would be in its row, pixels.
@@ -74,10 +75,9 @@ impl Bar {
         self.aside(run) + (f32::from(run.width()) - self.width).abs()
     }
 
-    /// Whether a run goes over all of the bar's width and is no part of it.
-    fn is_covered_by(&self, run: Run, step: u16) -> bool {
-        let covers = run.start <= self.last.start + 2 && run.end + 2 >= self.last.end;
-        covers && self.meets(run, step) && !self.continues_in(run, step)
+    /// Whether a run goes over all of the bar's width.
+    const fn is_covered_by(&self, run: Run) -> bool {
+        run.start <= self.last.start + 2 && run.end + 2 >= self.last.end
     }
 
     /// The bar is hidden in the row of a run; it may go on above.
@@ -102,12 +102,19 @@ impl Bar {
 pub fn gather<const N: usize>(runs: &Runs<N>) -> Vec<Bar, BARS> {
     let mut bars: Vec<Bar, BARS> = Vec::new();
     for &run in runs.as_slice().iter().rev() {
-        for bar in bars.iter_mut().filter(|bar| bar.is_covered_by(run, runs.step())) {
-            bar.pass_behind(run);
+        let mut fitting: Option<(f32, &mut Bar)> = None;
+        for bar in bars.iter_mut().filter(|bar| bar.meets(run, runs.step())) {
+            if bar.continues_in(run) {
+                let difference = bar.difference(run);
+                if fitting.as_ref().is_none_or(|(least, _)| difference < *least) {
+                    fitting = Some((difference, bar));
+                }
+            } else if bar.is_covered_by(run) {
+                bar.pass_behind(run);
+            }
         }
-        let fitting = bars.iter_mut().filter(|bar| bar.continues_in(run, runs.step()));
-        match fitting.min_by(|a, b| a.difference(run).total_cmp(&b.difference(run))) {
-            Some(bar) => bar.grow(run),
+        match fitting {
+            Some((_, bar)) => bar.grow(run),
             None => start(&mut bars, run, runs.step()),
         }
     }

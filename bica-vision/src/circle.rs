@@ -35,7 +35,9 @@ impl Circle {
     /// How many points are within `tolerance` of the line.
     #[must_use]
     pub fn support(&self, points: &[Vec2], tolerance: f32) -> usize {
-        points.iter().filter(|p| self.distance(**p).abs() <= tolerance).count()
+        let (low, high) = ((self.radius - tolerance).max(0.0), self.radius + tolerance);
+        let squares = low * low..=high * high;
+        points.iter().filter(|point| squares.contains(&point.distance_squared(self.centre))).count()
     }
 
     /// The circle that most points are close to; a point within `tolerance(radius)` pixels is close. Points that

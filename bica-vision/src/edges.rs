@@ -1,8 +1,9 @@
 //! Where a blob ends: edge points on rays from its middle.
 //!
 //! A ray is followed as long as pixels belong to the blob, small gaps (a highlight) included; then the place where
-//! the redness Cr − Cb falls through the middle between inside and outside is the edge. Cost: a few ns for each pixel
-//! on [`RAYS`] rays, 2 µs for a blob of 20 pixels, 20 µs for one that fills the image.
+//! the redness Cr − Cb falls through the middle between inside and outside is the edge. Large blobs are followed in
+//! strides, so that none costs more than one of [`FINE`] pixels does. Cost: 4 ns for each pixel that is looked at on
+//! [`RAYS`] rays, 2 µs for a blob of 20 pixels, 8 µs for one that fills the image.
 
 use glam::Vec2;
 use heapless::Vec;
@@ -11,6 +12,9 @@ use crate::frame::{Frame, Pixel};
 
 /// Rays from the middle of a blob.
 pub const RAYS: usize = 32;
+
+/// The width of the largest blob that is followed pixel by pixel.
+const FINE: f32 = 64.0;
 
 /// What the rays found.
 #[derive(Clone, Debug, Default)]
@@ -37,8 +41,8 @@ pub fn around(frame: &Frame<'_>, belongs: impl Fn(Pixel) -> bool, centre: Vec2, 
     let turn = Vec2::new(0.980_785_25, 0.195_090_32);
     let mut along = Vec2::X;
     for _ in 0..RAYS {
-        let ray = Ray { frame, centre, along, reach: 2.0 + size / 16.0 };
-        match ray.end(&belongs, 2 + (size / 8.0) as u32) {
+        let ray = Ray { frame, centre, along, reach: 2.0 + size / 16.0, stride: 1.0 + (size / FINE) as u8 as f32 };
+        match ray.end(&belongs, 2.0 + size / 8.0) {
             End::At(point) => edges.points.extend([point]),
             End::Image => edges.clipped += 1,
             End::Faint => edges.faint += 1,
@@ -54,51 +58,53 @@ struct Ray<'a> {
     along: Vec2,
     /// How far from the edge its two sides are compared, pixels.
     reach: f32,
+    /// From one pixel that is looked at to the next, pixels.
+    stride: f32,
 }
 
 impl Ray<'_> {
     fn pixel(&self, distance: f32) -> Option<Pixel> {
-        let at = self.centre + self.along * distance;
-        self.frame.pixel(libm::floorf(at.x + 0.5) as i32, libm::floorf(at.y + 0.5) as i32)
+        self.frame.nearest(self.centre + self.along * distance)
     }
 
     fn redness(&self, distance: f32) -> Option<f32> {
         self.pixel(distance).map(|p| f32::from(p.cr) - f32::from(p.cb))
     }
 
-    fn end(&self, belongs: &impl Fn(Pixel) -> bool, gap: u32) -> End {
-        let (mut last, mut step) = (0, 0);
-        while step <= last + gap {
-            step += 1;
-            let Some(pixel) = self.pixel(step as f32) else { break };
+    fn end(&self, belongs: &impl Fn(Pixel) -> bool, gap: f32) -> End {
+        let (mut last, mut at) = (0.0, 0.0);
+        while at <= last + gap {
+            at += self.stride;
+            let Some(pixel) = self.pixel(at) else { break };
             if belongs(pixel) {
-                last = step;
+                last = at;
             }
         }
-        if self.pixel(last as f32 + 2.0).is_none() {
+        if self.pixel(last + self.stride + 1.0).is_none() {
             return End::Image;
         }
-        self.crossing(last as f32).map_or(End::Faint, |distance| End::At(self.centre + self.along * distance))
+        self.crossing(last).map_or(End::Faint, |distance| End::At(self.centre + self.along * distance))
     }
 
     /// Where the redness falls through the middle of its values before and after the coarse edge.
     fn crossing(&self, coarse: f32) -> Option<f32> {
-        let inside = self.redness((coarse - self.reach).max(0.0))?;
+        let mut distance = (coarse - self.reach).max(0.0);
+        let inside = self.redness(distance)?;
         let outside = self.redness(coarse + self.reach + 1.0).or_else(|| self.redness(coarse + 2.0))?;
         if inside - outside < (0.3 * inside).max(12.0) {
             return None;
         }
-        let middle = 0.5 * (inside + outside);
-        let mut before = inside;
-        let mut distance = (coarse - self.reach).max(0.0);
-        while distance <= coarse + self.reach {
-            distance += 1.0;
-            let here = self.redness(distance)?;
-            if here < middle {
-                return Some(distance - (middle - here) / (before - here).max(1.0));
+        let (middle, mut before) = (0.5 * (inside + outside), inside);
+        for step in [self.stride, 1.0] {
+            while distance <= coarse + self.reach {
+                let here = self.redness(distance + step)?;
+                if here < middle {
+                    break;
+                }
+                (distance, before) = (distance + step, here);
             }
-            before = here;
         }
-        None
+        let here = self.redness(distance + 1.0)?;
+        (here < middle).then(|| distance + 1.0 - (middle - here) / (before - here).max(1.0))
     }
 }

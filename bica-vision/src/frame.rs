@@ -4,6 +4,7 @@
 //! to a pixel is a bounds check and a load.
 
 use bica_motion::robot::Image;
+use glam::Vec2;
 
 /// The smallest width and height of a frame, pixels.
 pub const MIN_SIDE: u16 = 16;
@@ -178,6 +179,15 @@ impl<'a> Frame<'a> {
         let [y0, cb, y1, cr] = *self.pairs.get(y as usize * usize::from(self.width / 2) + x as usize / 2)?;
         Some(Pixel { y: if x % 2 == 0 { y0 } else { y1 }, cb, cr })
     }
+
+    /// The pixel whose middle is nearest to a place, none outside the frame.
+    #[inline]
+    #[must_use]
+    pub fn nearest(&self, at: Vec2) -> Option<Pixel> {
+        // Of what is not negative, truncation is the floor, and costs less.
+        let at = at + 0.5;
+        if at.x >= 0.0 && at.y >= 0.0 { self.pixel(at.x as i32, at.y as i32) } else { None }
+    }
 }
 
 #[cfg(test)]
@@ -196,6 +206,13 @@ mod tests {
         for (x, y) in [(-1, 0), (0, -1), (16, 0), (0, 16), (i32::MIN, i32::MAX)] {
             assert_eq!(frame.pixel(x, y), None);
         }
+        for (x, y) in [(5.5, 4.5), (6.0, 5.0), (6.4, 5.4)] {
+            assert_eq!(frame.nearest(Vec2::new(x, y)), frame.pixel(6, 5));
+        }
+        for (x, y) in [(-0.6, 0.0), (0.0, -0.6), (15.5, 0.0), (0.0, 15.5), (f32::NAN, 0.0), (0.0, f32::INFINITY)] {
+            assert_eq!(frame.nearest(Vec2::new(x, y)), None);
+        }
+        assert_eq!(frame.nearest(Vec2::splat(-0.5)), frame.pixel(0, 0));
         assert!(frame.row(16).is_empty());
         assert_eq!([6, 7, 8, 16].map(|x| frame.luma_row(5).get(x)), [10, 30, 0, 0]);
         assert_eq!([6, 7].map(|x| frame.luma_column(x).get(5)), [10, 30]);

@@ -5,7 +5,7 @@
 use glam::Vec2;
 
 use crate::colour::{Classify, Colour};
-use crate::frame::{Frame, Pixel};
+use crate::frame::Frame;
 use crate::projection::Camera;
 
 /// How far beside a line there must be carpet: m, and px at 320 × 240 at least.
@@ -40,18 +40,14 @@ impl<C: Classify> Ground<'_, C> {
         let offset = self.camera.pixel((place + ASIDE.0 * across).extend(0.0))? - middle;
         let step = offset.try_normalize()?;
         let offset = step * offset.length().max(ASIDE.1 * f32::from(self.frame.height()) / 240.0);
-        let luma = |at: Vec2| self.pixel(at).map(|pixel| f32::from(pixel.y));
+        let luma = |at: Vec2| self.frame.nearest(at).map(|pixel| f32::from(pixel.y));
         let sides = luma(middle - offset)?.max(luma(middle + offset)?);
         let brightest = luma(middle)?.max(luma(middle - 0.7 * step)?).max(luma(middle + 0.7 * step)?);
         let rises = brightest > sides + RISE.0 + RISE.1 * sides;
-        Some(match self.colours.classify(self.pixel(middle)?) {
+        Some(match self.colours.classify(self.frame.nearest(middle)?) {
             Colour::White | Colour::None | Colour::Green if rises => Shown::Line,
             Colour::Green => Shown::Carpet,
             _ => Shown::Other,
         })
-    }
-
-    fn pixel(&self, at: Vec2) -> Option<Pixel> {
-        self.frame.pixel(libm::floorf(at.x + 0.5) as i32, libm::floorf(at.y + 0.5) as i32)
     }
 }

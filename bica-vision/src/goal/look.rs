@@ -1,5 +1,7 @@
 //! From bars to goals: which bars are posts, which posts are a goal.
 
+use core::ops::RangeInclusive;
+
 use glam::Vec2;
 use heapless::Vec;
 
@@ -92,8 +94,15 @@ impl<const N: usize> Look<'_, N> {
         let rows = bar.top.y - 0.15 * bar.height() - 3.0..=bar.top.y + 0.1 * bar.height();
         let (x, half, colour) = (bar.top.x, 0.5 * bar.width + 2.0, bar.colour);
         let close = move |run: &&Run| f32::from(run.start) <= x + half && f32::from(run.end) >= x - half;
-        let runs = self.runs.as_slice().iter();
-        runs.filter(move |run| run.colour == colour && rows.contains(&f32::from(run.row))).filter(close)
+        self.between(&rows).iter().filter(move |run| run.colour == colour).filter(close)
+    }
+
+    /// The runs of some rows.
+    fn between(&self, rows: &RangeInclusive<f32>) -> &[Run] {
+        let runs = self.runs.as_slice();
+        let first = runs.partition_point(|run| f32::from(run.row) < *rows.start());
+        let count = runs[first..].partition_point(|run| f32::from(run.row) <= *rows.end());
+        &runs[first..first + count]
     }
 
     fn side(&self, bar: &Bar) -> PostSide {
@@ -119,7 +128,7 @@ impl<const N: usize> Look<'_, N> {
             max = max.max(post.base + half).max(post.top + half);
         }
         let rows = min.y - 0.15 * (max.y - min.y)..=min.y + 0.25 * (max.y - min.y);
-        let bar = self.runs.as_slice().iter().filter(|r| r.colour == colour && rows.contains(&f32::from(r.row)));
+        let bar = self.between(&rows).iter().filter(|run| run.colour == colour);
         let (mut low, mut high) = (min, max);
         // Upwards along a crossbar that rises to one side, then downwards along one that falls.
         for run in bar.clone().rev().chain(bar) {

@@ -11,8 +11,8 @@ use super::carpet::{LANES, Walk};
 use crate::colour::{Classify, Colour};
 use crate::frame::{Frame, Lumas, Pixel};
 
-/// Stripes of one scan.
-pub(super) const RIDGES: usize = 16;
+/// Stripes of one scan. Where there are more, it is not lines that it sees, and the rest of it is left out.
+pub(super) const RIDGES: usize = 8;
 /// A stripe of the carpet's own colour is none unless it is so much brighter: tufts are not.
 const THIN_RISE: i32 = 30;
 
@@ -75,8 +75,8 @@ impl<C: Classify> Scan<'_, C> {
             let here = i32::from(lumas.get(at));
             ridge.peak = ridge.peak.max(here);
             if 2 * here < ridge.base + ridge.peak {
-                found.extend(self.measured(&ridge, at).into_iter().take(RIDGES - found.len()));
-                return (at + 1, None);
+                found.extend(self.measured(&ridge, at));
+                return (if found.is_full() { end } else { at + 1 }, None);
             }
             if at - ridge.start > self.widest {
                 return (at + 1, Some(here));

@@ -49,8 +49,7 @@ struct Trace<'a> {
 
 impl Trace<'_> {
     fn luma(&self, at: Vec2) -> Option<f32> {
-        let pixel = self.frame.pixel(libm::floorf(at.x + 0.5) as i32, libm::floorf(at.y + 0.5) as i32)?;
-        Some(f32::from(pixel.y))
+        self.frame.nearest(at).map(|pixel| f32::from(pixel.y))
     }
 
     /// The last place from `start` on at which the stripe is seen. It goes on behind one that crosses it.
