@@ -86,6 +86,12 @@ impl Fixmove {
         self.settled >= SETTLED
     }
 
+    /// Something is in the way, as a robot or a goal post.
+    #[transition(align -> over, after_ms = 10_000)]
+    fn blocked(&self) -> bool {
+        true
+    }
+
     #[transition(strike -> over)]
     fn played(&self, kicker: &Kicker) -> bool {
         kicker.done()

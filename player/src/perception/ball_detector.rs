@@ -1,7 +1,6 @@
 //! The ball.
 
 use bica::prelude::*;
-use bica_motion::pose::Pose2;
 use bica_motion::robot::CameraId;
 use bica_vision::ball::{Ball, BallFinder, RADIUS};
 use bica_vision::frame::Frame;
@@ -9,6 +8,7 @@ use bica_vision::memory::ball::BallMemory;
 use bica_vision::memory::{Place, sight};
 use glam::Vec2;
 
+use super::ride::Ride;
 use super::{CameraPose, Direction, FieldEnd, Odometry, OwnBody};
 use crate::input::{Colours, Eye};
 
@@ -29,8 +29,7 @@ pub struct BallDetector {
     in_row: u8,
     unseen_ms: u64,
     memory: BallMemory,
-    moved: Pose2,
-    image: u32,
+    ride: Ride,
 }
 
 /// A ball in an image.
@@ -55,8 +54,7 @@ impl BallDetector {
             in_row: 0,
             unseen_ms: LOST,
             memory: BallMemory::new(HALF_LIFE),
-            moved: Pose2::ORIGIN,
-            image: 0,
+            ride: Ride::new(),
         }
     }
 
@@ -71,10 +69,8 @@ impl BallDetector {
         odometry: &Odometry,
     ) {
         self.unseen_ms = self.unseen_ms.saturating_add(time.since_run.as_millis());
-        self.memory.advance(self.moved.inverse() * odometry.pose(), time.dt());
-        self.moved = odometry.pose();
-        if self.image != eye.count() {
-            self.image = eye.count();
+        self.memory.advance(self.ride.motion(odometry), time.dt());
+        if self.ride.sees_anew(eye) {
             self.seen = self.look(eye, colours, end, pose, own);
             self.in_row = if self.seen.is_some() { self.in_row.saturating_add(1) } else { 0 };
             match self.seen {

@@ -16,7 +16,7 @@ pub struct FieldLines {
     image: u32,
 }
 
-#[component(hz = 30, budget_us = 400)]
+#[component(hz = 30, budget_us = 300)]
 impl FieldLines {
     /// Has seen no lines yet.
     #[must_use]

@@ -6,6 +6,7 @@ use bica_vision::localization::{Estimate, Localizer, Sightings};
 use bica_vision::pitch;
 use glam::Vec2;
 
+use super::ride::Ride;
 use super::{CameraPose, FieldLines, NetDetector, Odometry};
 use crate::input::Eye;
 
@@ -19,8 +20,7 @@ const SEED: u64 = 2009;
 /// Only while it is active the lines are looked for.
 pub struct Localization {
     localizer: Localizer<PARTICLES>,
-    moved: Pose2,
-    image: u32,
+    ride: Ride,
 }
 
 #[component(hz = 30, budget_us = 1000)]
@@ -28,16 +28,14 @@ impl Localization {
     /// Knows nothing.
     #[must_use]
     pub const fn new() -> Self {
-        Self { localizer: Localizer::new(SEED), moved: Pose2::ORIGIN, image: 0 }
+        Self { localizer: Localizer::new(SEED), ride: Ride::new() }
     }
 
     fn step(&mut self, eye: &Eye, net: &NetDetector, lines: &FieldLines, pose: &CameraPose, odometry: &Odometry) {
-        self.localizer.advance(self.moved.inverse() * odometry.pose());
-        self.moved = odometry.pose();
-        if self.image == eye.count() {
+        self.localizer.advance(self.ride.motion(odometry));
+        if !self.ride.sees_anew(eye) {
             return;
         }
-        self.image = eye.count();
         if let Some(camera) = pose.camera() {
             self.localizer.see(Sightings::of(lines.markings(), net.goals(), net.attacked(), camera));
         }

@@ -10,6 +10,7 @@ mod localization;
 mod net_detector;
 mod odometry;
 mod own_body;
+mod ride;
 mod robot_detector;
 
 pub use aim::Direction;

@@ -1,16 +1,17 @@
 //! The goal to score in.
 
 use bica::prelude::*;
-use bica_motion::pose::{Pose2, rotate};
+use bica_motion::pose::rotate;
 use bica_vision::colour::Colour;
 use bica_vision::frame::Frame;
 use bica_vision::gap;
-use bica_vision::goal::{Goal, GoalFinder, Goals, POST_DISTANCE, POST_WIDTH, Post};
+use bica_vision::goal::{Goal, GoalFinder, Goals, POST_DISTANCE, POST_WIDTH, Post, PostSide};
 use bica_vision::memory::{Memory, Place, sight};
 use bica_vision::projection::Camera;
 use bica_vision::uncertainty::{self, Covariance, Errors};
 use glam::Vec2;
 
+use super::ride::Ride;
 use super::{CameraPose, FieldEnd, Odometry, OwnBody};
 use crate::input::{Colours, Eye};
 
@@ -40,8 +41,7 @@ pub struct NetDetector {
     across: Vec2,
     gap: Option<f32>,
     memory: Memory,
-    moved: Pose2,
-    image: u32,
+    ride: Ride,
 }
 
 #[component(hz = 30, budget_us = 500)]
@@ -58,8 +58,7 @@ impl NetDetector {
             across: Vec2::Y,
             gap: None,
             memory: Memory::new(HALF_LIFE),
-            moved: Pose2::ORIGIN,
-            image: 0,
+            ride: Ride::new(),
         }
     }
 
@@ -73,12 +72,10 @@ impl NetDetector {
         own: &OwnBody,
         odometry: &Odometry,
     ) {
-        self.memory.advance(self.moved.inverse() * odometry.pose(), time.dt());
-        self.moved = odometry.pose();
-        if self.image == eye.count() {
+        self.memory.advance(self.ride.motion(odometry), time.dt());
+        if !self.ride.sees_anew(eye) {
             return;
         }
-        self.image = eye.count();
         self.goals = self.look(eye, colours, end, pose);
         self.seen = if self.attacked == Colour::Yellow { self.goals.yellow } else { self.goals.blue };
         match (self.seen, pose.camera()) {
@@ -102,19 +99,20 @@ impl NetDetector {
         if let Some(second) = goal.second.and_then(|post| post.ground(camera)) {
             let across = first - second;
             if (across.length() - POST_DISTANCE).abs() < WIDTH_ERROR * POST_DISTANCE {
-                self.across = rotate(across.normalize(), self.moved.heading);
+                self.across = rotate(across.normalize(), self.ride.heading());
                 self.whole = true;
                 self.memory.see(0.5 * (first + second), &Self::spread(goal, camera), 0.9);
             }
         } else if let Some(known) = self.memory.position() {
-            let half = 0.5 * POST_DISTANCE * self.across();
-            let near = |at: &Vec2| at.distance(known);
-            let middle = [first + half, first - half].into_iter().min_by(|a, b| near(a).total_cmp(&near(b)));
-            if let Some(middle) = middle.filter(|at| near(at) < SAME) {
+            let middle = middle_by(first, goal.first.side, self.across(), known);
+            if middle.distance(known) < SAME {
                 self.memory.see(middle, &Self::spread(goal, camera), 0.3);
+            } else if goal.first.has_base {
+                // No post of the remembered goal stands there, so it is not where it is remembered.
+                self.memory.miss();
             }
         } else if let Some(middle) = goal.ground(camera) {
-            self.across = rotate(middle.normalize_or_zero().perp(), self.moved.heading);
+            self.across = rotate(middle.normalize_or_zero().perp(), self.ride.heading());
             self.memory.see(middle, &(Self::spread(goal, camera) + uncertainty::round(HALF_GOAL)), 0.3);
         }
     }
@@ -189,7 +187,7 @@ impl NetDetector {
     /// The direction along the goal line, from the right post to the left one, length 1.
     #[must_use]
     pub fn across(&self) -> Vec2 {
-        rotate(self.across, -self.moved.heading)
+        rotate(self.across, -self.ride.heading())
     }
 
     /// The middle of the widest part of the goal that nobody covers, m to the left of the goal's middle; none if the
@@ -209,5 +207,34 @@ impl NetDetector {
     #[must_use]
     pub fn place(&self) -> Option<Place> {
         self.memory.place()
+    }
+}
+
+/// Where the middle of a goal is by one of its posts and the direction of its line; if nobody knows which post it is, the
+/// place that is nearer to the known one.
+fn middle_by(post: Vec2, side: PostSide, across: Vec2, known: Vec2) -> Vec2 {
+    let half = 0.5 * POST_DISTANCE * across;
+    let (if_left, if_right) = (post - half, post + half);
+    match side {
+        PostSide::Left => if_left,
+        PostSide::Right => if_right,
+        PostSide::Unknown if if_left.distance(known) < if_right.distance(known) => if_left,
+        PostSide::Unknown => if_right,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_post_of_known_side_says_on_which_side_of_it_the_goal_is() {
+        let (left_post, goal) = (Vec2::new(2.0, 0.7), Vec2::new(2.0, 0.0));
+        let elsewhere = Vec2::new(2.0, 1.4);
+        assert_eq!(middle_by(left_post, PostSide::Left, Vec2::Y, elsewhere), goal);
+        assert_eq!(middle_by(left_post, PostSide::Right, Vec2::Y, goal), elsewhere);
+        for known in [goal, elsewhere] {
+            assert_eq!(middle_by(left_post, PostSide::Unknown, Vec2::Y, known), known);
+        }
     }
 }

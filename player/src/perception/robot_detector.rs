@@ -1,7 +1,6 @@
 //! The other robots.
 
 use bica::prelude::*;
-use bica_motion::pose::Pose2;
 use bica_vision::frame::Frame;
 use bica_vision::memory::several::Several;
 use bica_vision::memory::{Place, sight};
@@ -10,6 +9,7 @@ use bica_vision::robots::{self, Robot, Robots};
 use bica_vision::uncertainty::{self, Errors};
 use glam::Vec2;
 
+use super::ride::Ride;
 use super::{CameraPose, FieldEnd, Odometry, OwnBody};
 use crate::input::{Colours, Eye};
 
@@ -29,8 +29,7 @@ const VISIBLE: f32 = 2.0;
 pub struct RobotDetector {
     robots: Robots,
     memory: Several<REMEMBERED>,
-    moved: Pose2,
-    image: u32,
+    ride: Ride,
 }
 
 #[component(hz = 30, budget_us = 200)]
@@ -38,7 +37,7 @@ impl RobotDetector {
     /// Has seen no robots yet.
     #[must_use]
     pub const fn new() -> Self {
-        Self { robots: Robots::new(), memory: Several::new(HALF_LIFE), moved: Pose2::ORIGIN, image: 0 }
+        Self { robots: Robots::new(), memory: Several::new(HALF_LIFE), ride: Ride::new() }
     }
 
     fn step(
@@ -51,12 +50,10 @@ impl RobotDetector {
         own: &OwnBody,
         odometry: &Odometry,
     ) {
-        self.memory.advance(self.moved.inverse() * odometry.pose(), time.dt());
-        self.moved = odometry.pose();
-        if self.image == eye.count() {
+        self.memory.advance(self.ride.motion(odometry), time.dt());
+        if !self.ride.sees_anew(eye) {
             return;
         }
-        self.image = eye.count();
         if let Ok(frame) = Frame::from_image(&eye.image()) {
             self.robots = robots::find(&frame, colours, end.line(), pose.camera());
             self.robots.retain(|robot| !own.body().covers(robot.base()));
