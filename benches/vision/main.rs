@@ -17,6 +17,9 @@ use criterion::Criterion;
 use crate::shot::{Album, SIZES};
 use crate::stages::{Desk, Given, STAGES};
 
+/// Games that frames are rendered of.
+const WORLDS: u64 = 12;
+
 fn main() {
     let words: Vec<String> = std::env::args().skip(1).collect();
     let words: Vec<&str> = words.iter().map(String::as_str).collect();
@@ -36,7 +39,8 @@ fn main() {
 
 /// Real frames with poses where there are some, else rendered ones.
 fn usual(size: (u16, u16)) -> Album {
-    recorded::folder().map_or_else(|| rendered::album(size), |folder| recorded::albums(&folder, size).swap_remove(0))
+    recorded::folder()
+        .map_or_else(|| rendered::album(size, WORLDS), |folder| recorded::albums(&folder, size).swap_remove(0))
 }
 
 /// Prints what every stage takes, for each size, and how much longer frames may take that are made to.
@@ -44,7 +48,7 @@ fn tables() -> Vec<Vec<Album>> {
     let real = recorded::folder();
     let of_size = |size| {
         let real = real.iter().flat_map(|folder| recorded::albums(folder, size));
-        let albums: Vec<Album> = std::iter::once(rendered::album(size)).chain(real).collect();
+        let albums: Vec<Album> = std::iter::once(rendered::album(size, WORLDS)).chain(real).collect();
         figures::print(&albums);
         figures::print_worst(&worst::album(size), albums.get(1).unwrap_or(&albums[0]));
         albums

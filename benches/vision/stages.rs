@@ -26,8 +26,8 @@ pub(crate) struct Desk {
     runs: Runs<RUNS>,
     regions: Regions<RUNS, 64>,
     balls: BallFinder<512>,
-    goals: GoalFinder<1024>,
-    eyes: Eyes<512, 1024>,
+    goals: GoalFinder<512>,
+    eyes: Eyes<512, 512>,
 }
 
 /// A frame with what earlier stages found in it.

@@ -10,7 +10,7 @@ use rand_pcg::{Pcg32, rand_core::Rng};
 use crate::shot::{Album, Shot};
 
 /// A colour of each class of the built-in world, and one of none: Y, Cb, Cr.
-const COLOURS: [(&str, [u8; 3]); 6] = [
+pub(crate) const COLOURS: [(&str, [u8; 3]); 6] = [
     ("orange", [130, 88, 177]),
     ("yellow", [140, 78, 143]),
     ("blue", [120, 158, 98]),
@@ -21,9 +21,10 @@ const COLOURS: [(&str, [u8; 3]); 6] = [
 const GREEN: usize = 4;
 
 /// What lies where, from the place of a pixel pair: the number of one of two colours, or of any.
-type Pattern = fn(u16, u16, &mut Pcg32) -> usize;
+pub(crate) type Pattern = fn(u16, u16, &mut Pcg32) -> usize;
 
-const PATTERNS: [(&str, Pattern); 9] = [
+/// Patterns by name.
+pub(crate) const PATTERNS: [(&str, Pattern); 9] = [
     ("flat", |_, _, _| 0),
     ("checker of pairs", |x, y, _| usize::from(x + y) % 2),
     ("checker of pairs on every second row", |x, y, _| usize::from(x + y / 2) % 2),
@@ -40,22 +41,39 @@ pub(crate) fn album(size: (u16, u16)) -> Album {
     let mut shots = Vec::new();
     for (first, second) in (0..6).flat_map(|first| (0..6).map(move |second| (first, second))) {
         for (name, pattern) in PATTERNS.iter().filter(|_| first != second) {
-            for carpet in [0, 3, 6] {
-                let name = format!("{name}: {}, {}; carpet {carpet}/8", COLOURS[first].0, COLOURS[second].0);
-                shots.push(shot(name, size, |x, y, random| {
-                    let on_carpet = y >= size.1 - size.1 / 8 * carpet;
-                    let pick = if on_carpet { GREEN } else { [first, second][pattern(x, y, random)] };
-                    COLOURS[pick].1
-                }));
-            }
+            shots.extend([0, 3, 6].map(|carpet| made_up(size, (name, *pattern), [first, second], carpet)));
         }
     }
-    shots.push(shot("noise of all colours".to_owned(), size, |_, _, random| COLOURS[random.next_u32() as usize % 6].1));
-    shots.push(shot("noise of bytes".to_owned(), size, |_, _, random| {
+    shots.extend([noise_of_colours(size), noise_of_bytes(size)]);
+    Album { name: "worst", table: BUILT_IN_TABLE.clone(), shots }
+}
+
+/// A pattern in two colours, over so many eighths of carpet.
+pub(crate) fn made_up(
+    size: (u16, u16),
+    (name, pattern): (&str, Pattern),
+    [first, second]: [usize; 2],
+    carpet: u16,
+) -> Shot {
+    let name = format!("{name}: {}, {}; carpet {carpet}/8", COLOURS[first].0, COLOURS[second].0);
+    shot(name, size, |x, y, random| {
+        let on_carpet = y >= size.1 - size.1 / 8 * carpet;
+        let pick = if on_carpet { GREEN } else { [first, second][pattern(x, y, random)] };
+        COLOURS[pick].1
+    })
+}
+
+/// Noise of all colours.
+pub(crate) fn noise_of_colours(size: (u16, u16)) -> Shot {
+    shot("noise of all colours".to_owned(), size, |_, _, random| COLOURS[random.next_u32() as usize % 6].1)
+}
+
+/// Noise of all bytes.
+pub(crate) fn noise_of_bytes(size: (u16, u16)) -> Shot {
+    shot("noise of bytes".to_owned(), size, |_, _, random| {
         let [a, b, c, _] = random.next_u32().to_le_bytes();
         [a, b, c]
-    }));
-    Album { name: "worst", table: BUILT_IN_TABLE.clone(), shots }
+    })
 }
 
 fn shot(name: String, (width, height): (u16, u16), colour: impl Fn(u16, u16, &mut Pcg32) -> [u8; 3]) -> Shot {

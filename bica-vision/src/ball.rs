@@ -7,6 +7,8 @@
 //! Cost at 320 × 240: segmentation 30 µs for the whole frame, less if the end of the field is in sight; then 5 to 30 µs
 //! for each candidate by its size, of which there are at most [`CANDIDATES`].
 
+use core::cell::Cell;
+
 use glam::Vec2;
 
 use crate::circle::Circle;
@@ -29,12 +31,17 @@ pub const RADIUS: f32 = 0.0325;
 /// Radius of the ball of 2009 in the frames of `nao2009`, m.
 pub const RADIUS_2009: f32 = 0.043;
 
+/// Pixels that are looked at for the edges of all candidates together; recorded images need 10 548 at most.
+const LOOKS: u32 = 12_000;
 /// Less confidence than this is not reported, for a ball of any size.
 const CONFIDENT: f32 = 0.4;
 /// And for one of up to 6 pixels' radius, as many things are when they are small or blurred; in between for up to 12.
 const CONFIDENT_IF_SMALL: f32 = 0.6;
 /// A region of which more than this part is on the robot's own body is not the ball.
 const OWN: f32 = 0.6;
+
+/// Pieces of a ball in each row on average.
+const PIECES: u16 = 3;
 
 /// A ball in the image.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -71,13 +78,14 @@ pub struct BallFinder<const N: usize> {
     runs: Runs<N>,
     regions: Regions<N, CANDIDATES>,
     radius: f32,
+    passed_over: u32,
 }
 
 impl<const N: usize> BallFinder<N> {
     /// For balls of a radius, m.
     #[must_use]
     pub const fn new(radius: f32) -> Self {
-        Self { runs: Runs::new(), regions: Regions::new(), radius }
+        Self { runs: Runs::new(), regions: Regions::new(), radius, passed_over: 0 }
     }
 
     /// Finds the ball in a frame. Only orange is asked for. With `camera`, balls of impossible size are refused.
@@ -105,13 +113,16 @@ impl<const N: usize> BallFinder<N> {
         self.runs.segment(frame, colours, ColourSet::of(Colour::Orange), area.every(2));
         self.regions.connect(&self.runs, 6);
         let camera = camera.map(|camera| (camera, self.radius));
-        best_beside(frame, colours, self.regions.as_slice(), field_end, camera, own)
+        let look = Look::new(frame, colours, field_end, camera, own);
+        let ball = look.best(self.regions.as_slice());
+        self.passed_over = look.passed_over.get();
+        ball
     }
 
-    /// How many runs of the last frame found no place.
+    /// How many runs and regions of the last frame found no place or no time.
     #[must_use]
     pub const fn dropped(&self) -> u32 {
-        self.runs.dropped()
+        self.runs.dropped() + self.regions.dropped() + self.passed_over
     }
 }
 
@@ -137,16 +148,17 @@ pub fn best_beside(
     camera: Option<(&Camera, f32)>,
     own: &OwnBody,
 ) -> Option<Ball> {
-    let look = Look { frame, colours, field_end, camera, own };
-    let balls = regions.iter().filter(|r| r.colour == Colour::Orange).filter_map(|region| look.examine(region));
-    // A far ball is as good as a near one, but a small patch is more often no ball.
-    let worth = |ball: &Ball| ball.confidence * (ball.radius / (ball.radius + 2.0));
-    balls.max_by(|a, b| worth(a).total_cmp(&worth(b)))
+    Look::new(frame, colours, field_end, camera, own).best(regions)
 }
 
 fn needed_confidence(radius: f32) -> f32 {
     let small = ((12.0 - radius) / 6.0).clamp(0.0, 1.0);
     CONFIDENT + small * (CONFIDENT_IF_SMALL - CONFIDENT)
+}
+
+/// Whether a region has more pieces in a row than a ball has, with a highlight in it and something before it.
+fn is_frayed(region: &Region) -> bool {
+    region.runs > PIECES * region.height()
 }
 
 /// The chroma of one ball: its shaded and its bright parts, which a class may leave out, have the same direction.
@@ -176,11 +188,36 @@ struct Look<'a, C> {
     field_end: &'a FieldEnd,
     camera: Option<(&'a Camera, f32)>,
     own: &'a OwnBody,
+    /// What is left of [`LOOKS`], and how many regions came when nothing was.
+    left: Cell<u32>,
+    passed_over: Cell<u32>,
 }
 
-impl<C: Classify> Look<'_, C> {
+impl<'a, C: Classify> Look<'a, C> {
+    const fn new(
+        frame: &'a Frame<'a>,
+        colours: &'a C,
+        field_end: &'a FieldEnd,
+        camera: Option<(&'a Camera, f32)>,
+        own: &'a OwnBody,
+    ) -> Self {
+        Self { frame, colours, field_end, camera, own, left: Cell::new(LOOKS), passed_over: Cell::new(0) }
+    }
+
+    /// The best ball among regions, of which the first ones are looked at first.
+    fn best(&self, regions: &[Region]) -> Option<Ball> {
+        let balls = regions.iter().filter(|r| r.colour == Colour::Orange).filter_map(|region| self.examine(region));
+        // A far ball is as good as a near one, but a small patch is more often no ball.
+        let worth = |ball: &Ball| ball.confidence * (ball.radius / (ball.radius + 2.0));
+        balls.max_by(|a, b| worth(a).total_cmp(&worth(b)))
+    }
+
     fn examine(&self, region: &Region) -> Option<Ball> {
-        let shade = self.shade(region)?;
+        if self.left.get() == 0 {
+            self.passed_over.set(self.passed_over.get() + 1);
+            return None;
+        }
+        let shade = if is_frayed(region) { None } else { self.shade(region) }?;
         let (Circle { centre, radius }, roundness) = self.circle(region, shade)?;
         let confidence = roundness * self.fullness(centre, radius, shade);
         let fits = self.shows_enough(centre, radius) && self.is_on_field(centre, radius);
@@ -214,6 +251,7 @@ impl<C: Classify> Look<'_, C> {
         let size = f32::from(region.width().max(region.height()));
         let middle = Vec2::from(region.centroid);
         let edges = edges::around(self.frame, |pixel| self.is_orange(pixel, shade), middle, size);
+        self.left.set(self.left.get().saturating_sub(edges.looks));
         let tolerance = |radius: f32| (0.06 * radius).max(1.0);
         let circle = Circle::fit(&edges.points, tolerance)?;
         let near = tolerance(circle.radius);

@@ -15,6 +15,8 @@ pub const RAYS: usize = 32;
 
 /// The width of the largest blob that is followed pixel by pixel.
 const FINE: f32 = 64.0;
+/// The part of a ray that may be holes, beside one large gap; noise has more.
+const HOLES: f32 = 0.25;
 
 /// What the rays found.
 #[derive(Clone, Debug, Default)]
@@ -25,6 +27,8 @@ pub struct Edges {
     pub clipped: usize,
     /// Rays that ended where the colour changes its name but hardly its value.
     pub faint: usize,
+    /// Pixels that were looked at on the way to the ends of the rays.
+    pub looks: u32,
 }
 
 enum End {
@@ -33,7 +37,8 @@ enum End {
     Faint,
 }
 
-/// Follows the rays around `centre` through the pixels that `belong`; `size` is about the blob's width in pixels.
+/// Follows the rays around `centre` through the pixels that `belong`, up to twice the blob's `size` in pixels, which is
+/// about its width.
 #[must_use]
 pub fn around(frame: &Frame<'_>, belongs: impl Fn(Pixel) -> bool, centre: Vec2, size: f32) -> Edges {
     let mut edges = Edges::default();
@@ -42,7 +47,9 @@ pub fn around(frame: &Frame<'_>, belongs: impl Fn(Pixel) -> bool, centre: Vec2, 
     let mut along = Vec2::X;
     for _ in 0..RAYS {
         let ray = Ray { frame, centre, along, reach: 2.0 + size / 16.0, stride: 1.0 + (size / FINE) as u8 as f32 };
-        match ray.end(&belongs, 2.0 + size / 8.0) {
+        let (end, looks) = ray.end(&belongs, 2.0 + size / 8.0, 2.0 * size);
+        edges.looks += looks;
+        match end {
             End::At(point) => edges.points.extend([point]),
             End::Image => edges.clipped += 1,
             End::Faint => edges.faint += 1,
@@ -71,19 +78,22 @@ impl Ray<'_> {
         self.pixel(distance).map(|p| f32::from(p.cr) - f32::from(p.cb))
     }
 
-    fn end(&self, belongs: &impl Fn(Pixel) -> bool, gap: f32) -> End {
-        let (mut last, mut at) = (0.0, 0.0);
-        while at <= last + gap {
-            at += self.stride;
+    /// Where the blob ends, and how many pixels were looked at.
+    fn end(&self, belongs: &impl Fn(Pixel) -> bool, gap: f32, farthest: f32) -> (End, u32) {
+        let (mut last, mut at, mut beside, mut looks) = (0.0, 0.0, 0.0, 0);
+        while at <= farthest.min(last) + gap && beside <= gap + HOLES * at {
+            (at, looks) = (at + self.stride, looks + 1);
             let Some(pixel) = self.pixel(at) else { break };
             if belongs(pixel) {
                 last = at;
+            } else {
+                beside += self.stride;
             }
         }
         if self.pixel(last + self.stride + 1.0).is_none() {
-            return End::Image;
+            return (End::Image, looks);
         }
-        self.crossing(last).map_or(End::Faint, |distance| End::At(self.centre + self.along * distance))
+        (self.crossing(last).map_or(End::Faint, |distance| End::At(self.centre + self.along * distance)), looks)
     }
 
     /// Where the redness falls through the middle of its values before and after the coarse edge.

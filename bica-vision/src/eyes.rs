@@ -17,7 +17,7 @@ use crate::robots::{self, Robots};
 
 /// All detectors, with memory for `B` runs of the ball's colour and `G` runs of the goals' colours.
 ///
-/// `B` = 512 and `G` = 1024 are plenty.
+/// 512 of each are plenty.
 #[derive(Clone, Debug)]
 pub struct Eyes<const B: usize, const G: usize> {
     balls: BallFinder<B>,

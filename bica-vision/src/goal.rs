@@ -120,7 +120,7 @@ pub struct Goals {
     pub blue: Option<Goal>,
 }
 
-/// Finds goals; holds the memory for it: 8 bytes for each of `N` runs. `N` = 1024 is plenty.
+/// Finds goals; holds the memory for it: 8 bytes for each of `N` runs. `N` = 512 is plenty.
 #[derive(Clone, Debug)]
 pub struct GoalFinder<const N: usize> {
     runs: Runs<N>,

@@ -24,6 +24,8 @@ pub struct Region {
     pub area: u32,
     /// The mean of its pixels, (x, y).
     pub centroid: (f32, f32),
+    /// The runs that it is made of.
+    pub runs: u16,
 }
 
 impl Region {
@@ -72,7 +74,7 @@ impl<const N: usize, const M: usize> Regions<N, M> {
         Self { labels: Vec::new(), list: Vec::new(), roots: Vec::new(), dropped: 0 }
     }
 
-    /// The regions, in no special order.
+    /// The regions, the largest first.
     #[must_use]
     pub fn as_slice(&self) -> &[Region] {
         &self.list
@@ -160,7 +162,7 @@ impl<const N: usize, const M: usize> Regions<N, M> {
     }
 
     fn keep(&mut self, root: u16, colour: Colour) {
-        let empty = Region { colour, x0: NOWHERE, y0: NOWHERE, x1: 0, y1: 0, area: 0, centroid: (0.0, 0.0) };
+        let empty = Region { colour, x0: NOWHERE, y0: NOWHERE, x1: 0, y1: 0, area: 0, centroid: (0.0, 0.0), runs: 0 };
         if self.roots.push(root).is_ok() {
             let _ = self.list.push(empty);
             return;
@@ -185,6 +187,14 @@ impl<const N: usize, const M: usize> Regions<N, M> {
             let area = region.area.max(1) as f32;
             region.centroid = (region.centroid.0 / area, region.centroid.1 / area);
         }
+        // They are few: this needs less of a small processor's memory than a sort for many.
+        for end in 1..self.list.len() {
+            let mut at = end;
+            while at > 0 && self.list[at - 1].area < self.list[at].area {
+                self.list.swap(at - 1, at);
+                at -= 1;
+            }
+        }
     }
 }
 
@@ -206,6 +216,7 @@ fn add(region: &mut Region, run: Run, step: u16) {
     region.y1 = region.y1.max(run.row + 1);
     let area = u32::from(run.width()) * u32::from(step);
     region.area += area;
+    region.runs = region.runs.saturating_add(1);
     let middle = f32::from(run.start + run.end - 1) / 2.0;
     region.centroid.0 += middle * area as f32;
     region.centroid.1 += f32::from(run.row) * area as f32;

@@ -76,7 +76,8 @@ impl Area {
 
 /// The runs of a frame from the top left, at most `N`.
 ///
-/// When there are more, the narrowest ones are dropped and counted, so that noise goes first.
+/// When there are more, the narrowest ones are dropped and counted, so that noise goes first; of a row with more than
+/// `N` / 24 of them (and 20), the rest is not looked at and counts as one.
 #[derive(Clone, Debug)]
 pub struct Runs<const N: usize> {
     list: Vec<Run, N>,
@@ -86,6 +87,10 @@ pub struct Runs<const N: usize> {
 }
 
 impl<const N: usize> Runs<N> {
+    /// So many runs are noise and no things, and each comes as a surprise to the processor: the rest of such a row is left
+    /// out. Recorded images have 15 at most of rare colours.
+    const IN_A_ROW: usize = if N < 24 * 20 { 20 } else { N / 24 };
+
     /// No runs.
     #[must_use]
     pub const fn new() -> Self {
@@ -115,17 +120,18 @@ impl<const N: usize> Runs<N> {
         self.clear(area);
         let seek = Seek::new(colours, wanted);
         for row in area.rows(frame) {
-            seek.row(frame, row, |run| self.push(run));
+            let is_whole = seek.row(frame, row, Self::IN_A_ROW, |run| self.push(run));
+            self.dropped += u32::from(!is_whole);
         }
     }
 
     /// Forgets all runs; those to come are of rows as far apart as those of `area`.
-    pub(crate) fn clear(&mut self, area: Area) {
+    fn clear(&mut self, area: Area) {
         self.list.clear();
         (self.step, self.narrowest, self.dropped) = (area.step(), 2, 0);
     }
 
-    pub(crate) fn push(&mut self, run: Run) {
+    fn push(&mut self, run: Run) {
         while self.list.is_full() && self.narrowest <= run.width() {
             self.make_room();
         }
@@ -145,22 +151,22 @@ impl<const N: usize> Runs<N> {
 }
 
 /// Classes that are looked for in rows.
-pub(crate) struct Seek<'a, C> {
+struct Seek<'a, C> {
     colours: &'a C,
     wanted: ColourSet,
     sieve: Sieve,
 }
 
 impl<'a, C: Classify> Seek<'a, C> {
-    pub(crate) fn new(colours: &'a C, wanted: ColourSet) -> Self {
+    fn new(colours: &'a C, wanted: ColourSet) -> Self {
         let boxes = Colour::ALL.into_iter().filter(|colour| wanted.has(*colour)).map(|colour| colours.chroma(colour));
         Self { colours, wanted, sieve: Sieve::new(boxes) }
     }
 
-    /// Hands on the runs of a row, from the left.
+    /// Hands on the runs of a row, from the left, until there are about `most`; whether that was the whole row.
     #[inline]
-    pub(crate) fn row(&self, frame: &Frame<'_>, row: u16, mut found: impl FnMut(Run)) {
-        let mut open = Open { row, start: 0, colour: Colour::None };
+    fn row(&self, frame: &Frame<'_>, row: u16, most: usize, mut found: impl FnMut(Run)) -> bool {
+        let mut open = Open { row, start: 0, colour: Colour::None, count: 0 };
         let (blocks, rest) = chroma::blocks(frame.row(row));
         let mut x = 0;
         for block in blocks {
@@ -170,12 +176,19 @@ impl<'a, C: Classify> Seek<'a, C> {
                 open.meet_all(self.classes(block), x, &mut found);
             }
             x += 2 * BLOCK as u16;
+            if open.count > most {
+                return false;
+            }
         }
         for pair in rest {
             open.meet(self.class(*pair), x, &mut found);
             x += 2;
+            if open.count > most {
+                return false;
+            }
         }
         open.meet(Colour::None, frame.width(), &mut found);
+        true
     }
 
     /// The class of a pair if it is wanted. Without a branch: the borders between other classes are many and come as a
@@ -199,6 +212,8 @@ struct Open {
     row: u16,
     start: u16,
     colour: Colour,
+    /// How many runs of the row have ended.
+    count: usize,
 }
 
 impl Open {
@@ -208,6 +223,7 @@ impl Open {
         if class != self.colour {
             if self.colour != Colour::None {
                 found(Run { row: self.row, start: self.start, end: x, colour: self.colour });
+                self.count += 1;
             }
             (self.colour, self.start) = (class, x);
         }

@@ -11,8 +11,10 @@ use super::carpet::{LANES, Walk};
 use crate::colour::{Classify, Colour};
 use crate::frame::{Frame, Lumas, Pixel};
 
-/// Stripes of one scan. Where there are more, it is not lines that it sees, and the rest of it is left out.
+/// Stripes of one scan, and rises of luma that are looked into. Where there are more, it is not lines that it sees, and
+/// the rest of it is left out. Recorded images have 6 and 17 at most.
 pub(super) const RIDGES: usize = 8;
+const RISES: u8 = 24;
 /// A stripe of the carpet's own colour is none unless it is so much brighter: tufts are not.
 const THIN_RISE: i32 = 30;
 
@@ -51,6 +53,7 @@ struct Open {
 /// The stripes between `first` and `end` (not included) of each of some scans that lie side by side.
 pub(super) fn side_by_side<C: Classify>(scans: &[(Scan<'_, C>, u16)], end: u16) -> [Ridges; LANES] {
     let mut found = [const { Ridges::new() }; LANES];
+    let mut left = [RISES; LANES];
     let mut walk = Walk::new(scans.iter().map(|(scan, first)| (scan.lumas(), *first)));
     while let Some(mut rise) = walk.next_rise(end) {
         while rise.lanes != 0 {
@@ -60,7 +63,9 @@ pub(super) fn side_by_side<C: Classify>(scans: &[(Scan<'_, C>, u16)], end: u16) 
             let (ground, luma) = walk.on_carpet(lane, rise.at);
             let ridge = Open { start: rise.at, base: ground, peak: luma };
             let (next, base) = scan.climb(ridge, end, &mut found[lane]);
-            walk.go_on(lane, next, base);
+            left[lane] -= 1;
+            let is_noise = left[lane] == 0 || found[lane].is_full();
+            walk.go_on(lane, if is_noise { end } else { next }, base);
         }
     }
     found
@@ -76,7 +81,7 @@ impl<C: Classify> Scan<'_, C> {
             ridge.peak = ridge.peak.max(here);
             if 2 * here < ridge.base + ridge.peak {
                 found.extend(self.measured(&ridge, at));
-                return (if found.is_full() { end } else { at + 1 }, None);
+                return (at + 1, None);
             }
             if at - ridge.start > self.widest {
                 return (at + 1, Some(here));

@@ -32,11 +32,12 @@ const UNSURE: f32 = 0.5;
 
 /// Finds the goal that the forward attacks and remembers where it is.
 pub struct NetDetector {
-    finder: GoalFinder<1024>,
+    finder: GoalFinder<512>,
     attacked: Colour,
     goals: Goals,
     seen: Option<Goal>,
     whole: bool,
+    found: bool,
     /// From the right post to the left one, length 1, in the frame of the odometry.
     across: Vec2,
     gap: Option<f32>,
@@ -55,6 +56,7 @@ impl NetDetector {
             goals: Goals { yellow: None, blue: None },
             seen: None,
             whole: false,
+            found: false,
             across: Vec2::Y,
             gap: None,
             memory: Memory::new(HALF_LIFE),
@@ -100,12 +102,13 @@ impl NetDetector {
             let across = first - second;
             if (across.length() - POST_DISTANCE).abs() < WIDTH_ERROR * POST_DISTANCE {
                 self.across = rotate(across.normalize(), self.ride.heading());
-                self.whole = true;
+                (self.whole, self.found) = (true, true);
                 self.memory.see(0.5 * (first + second), &Self::spread(goal, camera), 0.9);
             }
         } else if let Some(known) = self.memory.position() {
             let middle = middle_by(first, goal.first.side, self.across(), known);
             if middle.distance(known) < SAME {
+                self.found = true;
                 self.memory.see(middle, &Self::spread(goal, camera), 0.3);
             } else if goal.first.has_base {
                 // No post of the remembered goal stands there, so it is not where it is remembered.
@@ -113,6 +116,7 @@ impl NetDetector {
             }
         } else if let Some(middle) = goal.ground(camera) {
             self.across = rotate(middle.normalize_or_zero().perp(), self.ride.heading());
+            self.found = true;
             self.memory.see(middle, &(Self::spread(goal, camera) + uncertainty::round(HALF_GOAL)), 0.3);
         }
     }
@@ -163,7 +167,7 @@ impl NetDetector {
 
     /// Looks anew: what was seen before is only remembered.
     pub const fn look_anew(&mut self) {
-        self.whole = false;
+        (self.whole, self.found) = (false, false);
     }
 
     /// Both goals in the newest image, as far as they are seen.
@@ -182,6 +186,12 @@ impl NetDetector {
     #[must_use]
     pub const fn whole(&self) -> bool {
         self.whole
+    }
+
+    /// Whether anything of the remembered goal was seen since the detector looked anew.
+    #[must_use]
+    pub const fn found(&self) -> bool {
+        self.found
     }
 
     /// The direction along the goal line, from the right post to the left one, length 1.
@@ -215,12 +225,8 @@ impl NetDetector {
 fn middle_by(post: Vec2, side: PostSide, across: Vec2, known: Vec2) -> Vec2 {
     let half = 0.5 * POST_DISTANCE * across;
     let (if_left, if_right) = (post - half, post + half);
-    match side {
-        PostSide::Left => if_left,
-        PostSide::Right => if_right,
-        PostSide::Unknown if if_left.distance(known) < if_right.distance(known) => if_left,
-        PostSide::Unknown => if_right,
-    }
+    let is_nearer = side == PostSide::Unknown && if_left.distance(known) < if_right.distance(known);
+    if side == PostSide::Left || is_nearer { if_left } else { if_right }
 }
 
 #[cfg(test)]

@@ -29,7 +29,7 @@ pub(crate) struct Eyes {
     palette: Palette,
     /// Radius of the ball, m.
     radius: f32,
-    detectors: eyes::Eyes<512, 1024>,
+    detectors: eyes::Eyes<512, 512>,
 }
 
 /// An image for machines. Pixels: x right, y down, centre of the first pixel (0, 0).
