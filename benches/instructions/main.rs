@@ -7,18 +7,28 @@
 #[path = "../support/alone.rs"]
 mod alone;
 mod body;
+mod eyes;
 mod forward;
 mod framework;
 #[path = "../../tests/forward/game.rs"]
 mod game;
 #[path = "../support/recording.rs"]
 mod recording;
+#[path = "../vision/rendered.rs"]
+mod rendered;
+#[path = "../vision/shot.rs"]
+#[expect(dead_code, reason = "benchmarks of time name frames and sizes")]
+mod shot;
 #[path = "../trees/mod.rs"]
 mod trees;
+#[path = "../vision/worst.rs"]
+#[expect(dead_code, reason = "benchmarks of time look at all of these frames")]
+mod worst;
 
 use gungraun::prelude::*;
 
 use body::motion;
+use eyes::frames;
 use forward::{components, whole_loop};
 use framework::trees as framework_trees;
 
@@ -28,5 +38,5 @@ const PLAIN: &str =
 
 gungraun::main!(
     config = LibraryBenchmarkConfig::default().env("GLIBC_TUNABLES", PLAIN);
-    library_benchmark_groups = framework_trees, motion, components, whole_loop
+    library_benchmark_groups = framework_trees, motion, components, whole_loop, frames
 );

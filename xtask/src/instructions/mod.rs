@@ -3,6 +3,7 @@
 
 mod count;
 mod gate;
+mod hardest;
 
 use std::fs;
 
@@ -21,6 +22,10 @@ pub(crate) fn check(bless: bool) -> Result<(), String> {
     let runner = get()?;
     let counted = count::count(&runner)?;
     let rust = count::compiler()?;
+    let hard = hardest::wrong(&counted);
+    if !hard.is_empty() {
+        return Err(format!("the eyes work too hard:\n  {}", hard.join("\n  ")));
+    }
     let file = root().join(FIGURES);
     if bless {
         return fs::write(&file, gate::text(&counted, &rust))
