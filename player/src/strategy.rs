@@ -32,15 +32,13 @@ const BEHIND: f32 = 2.5;
 /// How far beside the goal's middle to aim where the gap is not known, m: the keeper stands in the middle.
 const BESIDE: f32 = 0.38;
 
-/// Plans what to do with the ball: the kick that asks for the least turning, if the goal was seen. If it was not, the
-/// place on the field tells which way round the ball to go.
+/// Plans what to do with the ball: the kick that asks for the least turning, if the goal was seen. A goal that was not
+/// seen whole is where the place on the field says; one of which nobody knows is behind.
 #[must_use]
 pub fn plan(ball: &BallDetector, net: &NetDetector, field: &Localization, odometry: &Odometry) -> Plan {
     let Some(ball) = ball.at() else { return Plan::GoRound(BEHIND) };
-    let Some(goal) = net.at() else {
-        return Plan::GoRound(field.goal().map_or(BEHIND, |goal| heading(goal - ball)));
-    };
-    let targets = net.gap().map_or([BESIDE, -BESIDE], |gap| [gap; 2]).map(|aside| goal + aside * net.across());
+    let Some((goal, across)) = goal(net, field) else { return Plan::GoRound(BEHIND) };
+    let targets = net.gap().map_or([BESIDE, -BESIDE], |gap| [gap; 2]).map(|aside| goal + aside * across);
     let turns = targets.into_iter().flat_map(|target| {
         let direction = heading(target - ball);
         Kick::ALL.into_iter().map(move |kick| (kick, wrap(direction - kick.direction())))
@@ -50,6 +48,13 @@ pub fn plan(ball: &BallDetector, net: &NetDetector, field: &Localization, odomet
     best.map_or(Plan::GoRound(heading(targets[0] - ball)), |(kick, turn)| {
         Plan::Kick(Strike { kick, heading: odometry.pose().heading + turn })
     })
+}
+
+/// The middle of the goal, and the direction from its right post to its left one.
+fn goal(net: &NetDetector, field: &Localization) -> Option<(Vec2, Vec2)> {
+    let by_place = || field.posts().map(|[left, right]| (left.midpoint(right), (left - right).normalize_or_zero()));
+    let seen = net.at().map(|at| (at, net.across()));
+    if net.whole() { seen } else { by_place().or(seen.filter(|_| net.found())) }
 }
 
 fn heading(way: Vec2) -> f32 {

@@ -74,6 +74,12 @@ impl Fixmove {
         }
     }
 
+    /// Steps back, to come to the ball another way.
+    #[state]
+    fn retreat(&mut self, body: &mut Body) {
+        body.step_to(Velocity { forward: -FASTEST.0, left: 0.0, turn: 0.0 });
+    }
+
     /// The kick is over.
     #[state(last)]
     fn over(&mut self, body: &mut Body) {
@@ -87,8 +93,13 @@ impl Fixmove {
     }
 
     /// Something is in the way, as a robot or a goal post.
-    #[transition(align -> over, after_ms = 10_000)]
+    #[transition(align -> retreat, after_ms = 6000)]
     fn blocked(&self) -> bool {
+        true
+    }
+
+    #[transition(retreat -> over, after_ms = 2000)]
+    fn retreated(&self) -> bool {
         true
     }
 
@@ -108,7 +119,7 @@ impl Fixmove {
         self.far
     }
 
-    /// Whether the kick was played to its end.
+    /// Whether the kick was played to its end, or given up.
     #[must_use]
     pub const fn done(&self) -> bool {
         self.done

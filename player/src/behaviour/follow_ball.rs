@@ -2,6 +2,8 @@
 
 use bica::prelude::*;
 use bica_motion::robot::CameraId;
+use bica_motion::walk::Velocity;
+use glam::Vec2;
 use libm::fabsf;
 
 use super::FaceBall;
@@ -25,11 +27,22 @@ const REACHED: f32 = 0.28;
 /// Head pan within which the ball counts as reached, rad.
 const REACHED_PAN: f32 = 0.6;
 
-/// Walks to the ball by the head alone: no distance is used, only where the head looks while it faces the ball.
+/// The ball comes nearer by this, m, in this time, s, or something is in the way.
+const PROGRESS: (f32, f32) = (0.1, 5.0);
+/// How fast and how long to step aside then, m/s and s.
+const ASIDE: (f32, f32) = (0.1, 4.0);
+
+/// Walks to the ball by the head alone: where the head looks while it faces the ball is the way. If the ball comes no
+/// nearer, something is in the way, and it steps aside, to the one side and then to the other.
 #[derive(Debug)]
 pub struct FollowBall {
     turning: bool,
     reached: bool,
+    /// The least distance to the ball, m, and the time since, s.
+    nearest: f32,
+    in_vain: f32,
+    /// Where to step aside: 1 to the left, −1 to the right.
+    side: f32,
 }
 
 #[component(hz = 20, budget_us = 5)]
@@ -37,15 +50,15 @@ impl FollowBall {
     /// Has not followed a ball yet.
     #[must_use]
     pub const fn new() -> Self {
-        Self { turning: false, reached: false }
+        Self { turning: false, reached: false, nearest: f32::INFINITY, in_vain: 0.0, side: 1.0 }
     }
 
     #[start]
     fn begin(&mut self) {
-        *self = Self::new();
+        *self = Self { side: self.side, ..Self::new() };
     }
 
-    fn step(&mut self, ball: &BallDetector, head: &Head, face: &mut FaceBall, body: &mut Body) {
+    fn step(&mut self, time: &Time, ball: &BallDetector, head: &Head, face: &mut FaceBall, body: &mut Body) {
         let pan = head.pan();
         let tilt = ball.seen().filter(|seen| seen.camera == CameraId::Bottom).map(|_| head.tilt());
         let near = tilt.is_some_and(|tilt| tilt > NEAR);
@@ -54,11 +67,25 @@ impl FollowBall {
         self.turning = fabsf(pan) > if self.turning { AHEAD } else { STRAIGHT };
         if self.reached {
             body.stand();
+        } else if self.is_blocked(ball, time.dt()) {
+            body.step_to(Velocity { forward: 0.0, left: self.side * ASIDE.0, turn: STEER * pan });
         } else if self.turning {
             body.turn(fabsf(pan).clamp(TURN.0, TURN.1).copysign(pan));
         } else {
             body.go(if near { SPEED.1 } else { SPEED.0 }, STEER * pan);
         }
+    }
+
+    /// Whether it has come no nearer to the ball for long.
+    fn is_blocked(&mut self, ball: &BallDetector, seconds: f32) -> bool {
+        self.in_vain += seconds;
+        let distance = ball.at().map_or(self.nearest, Vec2::length);
+        if self.in_vain > PROGRESS.1 + ASIDE.1 {
+            (self.nearest, self.in_vain, self.side) = (distance, 0.0, -self.side);
+        } else if distance < self.nearest - PROGRESS.0 {
+            (self.nearest, self.in_vain) = (distance, 0.0);
+        }
+        self.in_vain > PROGRESS.1
     }
 
     /// Whether the ball lies before the feet: seen by the bottom camera, head far down and not far to a side.

@@ -53,11 +53,11 @@ impl Localization {
         self.estimate().filter(Estimate::is_sure).map(|estimate| estimate.pose)
     }
 
-    /// Where the middle of the attacked goal is, m, in the frame on the ground between the feet; if the robot is sure
-    /// where it is itself.
+    /// Where the left and the right post of the attacked goal are, m, in the frame on the ground between the feet; if the
+    /// robot is sure where it is itself.
     #[must_use]
-    pub fn goal(&self) -> Option<Vec2> {
-        let [left, right] = pitch::posts(true);
-        Some(self.pose()?.locate(left.midpoint(right)))
+    pub fn posts(&self) -> Option<[Vec2; 2]> {
+        let pose = self.pose()?;
+        Some(pitch::posts(true).map(|post| pose.locate(post)))
     }
 }
