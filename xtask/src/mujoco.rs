@@ -35,7 +35,7 @@ pub(crate) fn install() -> Result<(), String> {
 }
 
 /// What is tried in CI, in a shorter form than `player trial` has by itself.
-const TRIALS: [&str; 5] = ["walk", "commands", "pushes", "odometry", "kicks"];
+const TRIALS: [&str; 6] = ["walk", "commands", "pushes", "bodies", "odometry", "kicks"];
 
 /// What CI checks in MuJoCo, where it can be installed: lints, tests, trials of the body, a few games.
 ///

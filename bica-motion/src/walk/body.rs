@@ -2,6 +2,7 @@
 
 use glam::Vec3;
 
+use crate::joints::{Joint, Joints};
 use crate::robot::{FootPressure, Inertial, Sensors};
 use crate::side::Side;
 
@@ -18,20 +19,28 @@ pub struct Body {
     pub left_foot: FootPressure,
     /// Pressure under the right sole.
     pub right_foot: FootPressure,
+    /// Pitch of both knees as measured, left first, rad; none if nobody measured it.
+    pub knees: Option<[f32; 2]>,
 }
 
 impl From<&Sensors<'_>> for Body {
     fn from(sensors: &Sensors<'_>) -> Self {
-        Self::new(&sensors.inertial, &sensors.left_foot, &sensors.right_foot)
+        Self::new(&sensors.inertial, &sensors.left_foot, &sensors.right_foot, &sensors.angles)
     }
 }
 
 impl Body {
-    /// From the inertial unit and both feet.
+    /// From the inertial unit, both feet and the joints' angles.
     #[must_use]
-    pub const fn new(inertial: &Inertial, left_foot: &FootPressure, right_foot: &FootPressure) -> Self {
+    pub const fn new(
+        inertial: &Inertial,
+        left_foot: &FootPressure,
+        right_foot: &FootPressure,
+        angles: &Joints,
+    ) -> Self {
         let Inertial { gyro, roll, pitch, .. } = *inertial;
-        Self { gyro, roll, pitch, left_foot: *left_foot, right_foot: *right_foot }
+        let knees = [angles.0[Joint::LKneePitch.index()], angles.0[Joint::RKneePitch.index()]];
+        Self { gyro, roll, pitch, left_foot: *left_foot, right_foot: *right_foot, knees: Some(knees) }
     }
 
     /// The force on a foot, N.

@@ -15,6 +15,7 @@ mod profiles;
 pub(crate) mod shape;
 mod sway;
 mod velocity;
+mod weakness;
 
 pub use body::Body;
 pub use parameters::Parameters;
@@ -24,6 +25,7 @@ use glam::Vec2;
 
 pub(crate) use self::balance::Balance;
 use self::plan::{Plan, Purpose};
+use self::weakness::Weakness;
 use crate::feet::{Foot, level_legs};
 use crate::limbs::{ArmAngles, Limbs};
 use crate::pose::Pose2;
@@ -64,6 +66,7 @@ pub struct Walk {
     balance: Balance,
     /// How far the swinging foot is moved from its plan to catch the body, m.
     caught: Vec2,
+    weakness: Weakness,
 }
 
 impl Walk {
@@ -79,6 +82,7 @@ impl Walk {
             velocity: Velocity::ZERO,
             balance: Balance::new(),
             caught: Vec2::ZERO,
+            weakness: Weakness::new(),
         }
     }
 
@@ -111,9 +115,10 @@ impl Walk {
         self.plan.map(|plan| plan.support)
     }
 
-    /// Lets the walk stand, wherever the feet are: after a fall, or after another motion that ended in stand.
+    /// Lets the walk stand, wherever the feet are: after a fall, or after another motion that ended in stand. How weak the
+    /// legs are it remembers.
     pub const fn reset(&mut self) {
-        *self = Self::new(self.gait);
+        *self = Self { weakness: self.weakness, ..Self::new(self.gait) };
     }
 
     /// One control cycle of `dt` seconds: the targets for legs and arms.
@@ -128,6 +133,7 @@ impl Walk {
         self.pass_time(dt, body);
         self.advance(&wanted, body);
         let Some(plan) = self.plan else { return self.stand() };
+        self.weakness.feel(plan.support, body, self.gait);
         self.catch(&plan, dt);
         let feet = self.feet(&plan);
         let mut limbs = self.gait.limbs(&feet, plan.roll(self.time));
@@ -135,7 +141,10 @@ impl Walk {
         let [pitch, roll] = self.balance.ankle(self.gait);
         carrying.ankle_pitch += pitch;
         carrying.ankle_roll += roll;
-        carrying.hip_roll += plan.support.sign() * self.gait.hip_support * plan.over(self.time);
+        let over = plan.over(self.time);
+        carrying.hip_roll += plan.support.sign() * self.gait.hip_support * over;
+        self.weakness.mend(carrying, plan.support, over, self.gait);
+        self.weakness.tell(&limbs.legs);
         limbs
     }
 

@@ -71,6 +71,13 @@ pub struct Parameters {
     pub hip_support: f32,
     /// The same in a kick, whose hips stand still over one foot, rad.
     pub hip_support_kicking: f32,
+    /// A knee that carries may bend this much farther than it is told, rad: as far as one bends in a robot as strong as
+    /// the gait expects, and a little. What is more tells a weak leg.
+    pub knee_sag: f32,
+    /// How far a weak leg's hip rolls beyond [`hip_support`](Self::hip_support), rad for each rad that its knee gives way.
+    pub weak_hip: f32,
+    /// How far a weak leg's knee is straightened, rad for each rad that it gives way.
+    pub weak_knee: f32,
     /// Ankle roll and pitch per rate of roll and pitch of a body that stands or kicks, rad per rad/s.
     pub stand_gain: Vec2,
     /// The torso's pitch when all is well, rad.

@@ -1,8 +1,10 @@
 //! What the profile for real forces adds to walk and kicks. Whether it stands is tried in `MuJoCo`: `player trial`.
 
-use bica_motion::joints::Joints;
+use std::collections::VecDeque;
+
+use bica_motion::joints::{Joint, Joints};
 use bica_motion::kick::{Kick, KickMotion};
-use bica_motion::kinematics;
+use bica_motion::kinematics::{self, LegAngles};
 use bica_motion::profile::Profile;
 use bica_motion::robot::FootPressure;
 use bica_motion::side::Side;
@@ -101,7 +103,7 @@ fn a_body_that_falls_forward_in_stand_presses_its_toes_down() {
 #[test]
 fn wild_readings_move_no_joint_beyond_reason() {
     for wild in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 1e30] {
-        let felt = Body { gyro: Vec3::splat(wild), roll: wild, pitch: wild, ..level() };
+        let felt = Body { gyro: Vec3::splat(wild), roll: wild, pitch: wild, knees: Some([wild; 2]), ..level() };
         let mut walk = Walk::new(&NAO.gait);
         for _ in 0..500 {
             let targets = walk.step(Velocity::new(0.2, 0.0, 0.0), &felt, CYCLE).joints();
@@ -124,5 +126,55 @@ fn kicks_keep_to_the_limits_and_come_back_to_the_stand() {
         }
         assert!(motion.is_done());
         assert_eq!(targets, NAO.gait.stand().joints());
+    }
+}
+
+/// The targets in the middle of a step of the left leg's, of a robot whose knees bend `sag` rad farther than they are told
+/// when they carry.
+fn carried(sag: f32) -> [LegAngles; 2] {
+    let mut walk = Walk::new(&NAO.gait);
+    let mut told = VecDeque::from(vec![NAO.gait.stand().joints(); 4]);
+    let mut carried = [LegAngles::default(); 2];
+    for cycle in 0..1000 {
+        let carrying = walk.support();
+        let knees = [Joint::LKneePitch, Joint::RKneePitch].map(|knee| told[0][knee] + sag);
+        let body = carrying.map_or_else(level, |side| Body { knees: Some(knees), ..alone(side) });
+        let limbs = walk.step(Velocity::new(0.1, 0.0, 0.0), &body, CYCLE);
+        if carrying != walk.support() && cycle > 800 {
+            // The step that has just begun is the other leg's: what the last cycle told was this one's.
+            if let Some(side) = carrying {
+                carried[side.index()] = LegAngles::read(side, &told[3]);
+            }
+        }
+        told.pop_front();
+        told.push_back(limbs.joints());
+    }
+    carried
+}
+
+/// Stands on one foot.
+fn alone(side: Side) -> Body {
+    let [left_foot, right_foot] = Side::BOTH.map(|foot| force(if foot == side { 52.0 } else { 0.0 }));
+    Body { left_foot, right_foot, ..Body::default() }
+}
+
+#[test]
+fn a_weak_leg_is_told_to_lift_and_stretch_more() {
+    let [strong, usual, weak] = [0.0, NAO.gait.knee_sag - 0.005, NAO.gait.knee_sag + 0.05].map(carried);
+    assert_eq!(strong, usual, "what the gait expects needs nothing");
+    for side in Side::BOTH {
+        let (strong, weak) = (strong[side.index()], weak[side.index()]);
+        let lifted = side.sign() * (weak.hip_roll - strong.hip_roll);
+        assert!((lifted - 0.05 * NAO.gait.weak_hip).abs() < 0.005, "{side:?}: {lifted} rad");
+        let stretched = strong.knee_pitch - weak.knee_pitch;
+        assert!((stretched - 0.05 * NAO.gait.weak_knee).abs() < 0.002, "{side:?}: {stretched} rad");
+    }
+}
+
+#[test]
+fn a_knee_that_measures_nonsense_is_not_a_weak_one() {
+    let strong = carried(0.0);
+    for wrong in [f32::NAN, f32::INFINITY, 1.0, -1.0] {
+        assert_eq!(carried(wrong), strong, "{wrong}");
     }
 }

@@ -267,6 +267,7 @@ fn nonsense_never_reaches_the_joints() {
             right_foot: force(pick(13)),
             roll: pick(17),
             pitch: pick(19),
+            knees: Some([pick(23), pick(29)]),
         };
         let targets = walk.step(Velocity::new(pick(1), pick(2), pick(3)), &body, pick(5)).joints();
         assert!(targets.0.iter().all(|angle| angle.is_finite()), "{targets:?}");

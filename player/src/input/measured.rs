@@ -91,7 +91,7 @@ impl Measured {
     /// What walking and kicking need to feel.
     #[must_use]
     pub const fn felt(&self) -> Felt {
-        Felt::new(&self.inertial, &self.feet.0, &self.feet.1)
+        Felt::new(&self.inertial, &self.feet.0, &self.feet.1, &self.angles)
     }
 
     /// Joint angles, rad.
