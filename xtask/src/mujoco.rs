@@ -35,7 +35,7 @@ pub(crate) fn install() -> Result<(), String> {
 }
 
 /// What is tried in CI, in a shorter form than `player trial` has by itself.
-const TRIALS: [&str; 6] = ["walk", "commands", "pushes", "bodies", "odometry", "kicks"];
+const TRIALS: [&str; 8] = ["walk", "commands", "pushes", "bodies", "odometry", "kicks", "falls", "get-up"];
 
 /// What CI checks in MuJoCo, where it can be installed: lints, tests, trials of the body, a few games.
 ///

@@ -157,6 +157,8 @@ pub(crate) enum TrialName {
     Odometry,
     /// All six kicks
     Kicks,
+    /// Falls by pushes from eight sides: seen ahead, taken softly, got over
+    Falls,
     /// Getting up after being thrown over
     GetUp,
 }
@@ -164,8 +166,16 @@ pub(crate) enum TrialName {
 #[cfg(feature = "mujoco")]
 impl TrialName {
     /// All of them.
-    pub(crate) const ALL: &[Self] =
-        &[Self::Walk, Self::Commands, Self::Pushes, Self::Bodies, Self::Odometry, Self::Kicks, Self::GetUp];
+    pub(crate) const ALL: &[Self] = &[
+        Self::Walk,
+        Self::Commands,
+        Self::Pushes,
+        Self::Bodies,
+        Self::Odometry,
+        Self::Kicks,
+        Self::Falls,
+        Self::GetUp,
+    ];
 
     /// The name as it is typed.
     pub(crate) const fn word(self) -> &'static str {
@@ -176,6 +186,7 @@ impl TrialName {
             Self::Bodies => "bodies",
             Self::Odometry => "odometry",
             Self::Kicks => "kicks",
+            Self::Falls => "falls",
             Self::GetUp => "get-up",
         }
     }

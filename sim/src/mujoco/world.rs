@@ -55,6 +55,7 @@ pub struct MujocoWorld {
     cameras_before: [Affine3A; 2],
     image_is_new: bool,
     buttons: Buttons,
+    on_ground: bool,
     watch: Watch,
     rules: Rules,
     referee: Referee,
@@ -99,6 +100,7 @@ impl MujocoWorld {
             cameras_before: [Affine3A::IDENTITY; 2],
             image_is_new: false,
             buttons: Buttons::default(),
+            on_ground: false,
             watch,
             rules: Rules::default(),
             referee: Referee::new(layout.attacks, layout.start.robot, layout.start.ball, others),
@@ -130,6 +132,12 @@ impl MujocoWorld {
     /// Makes a joint's motor that hot, °C; from then on it cools or warms as usual. For trials.
     pub fn heat(&mut self, joint: Joint, temperature: f32) {
         self.heat.set(joint, temperature);
+    }
+
+    /// Whether more of the robot than its feet touched the floor in the last control cycle. For trials.
+    #[must_use]
+    pub const fn is_on_ground(&self) -> bool {
+        self.on_ground
     }
 
     /// Puts the ball somewhere, at rest; m, field frame. For trials.
@@ -268,6 +276,7 @@ impl World for MujocoWorld {
         }
         self.heat.step(drawn);
         self.buttons = touches.buttons;
+        self.on_ground = touches.ground;
         self.felt = self.senses.feel();
         self.judge(touches);
     }

@@ -1,11 +1,13 @@
-//! Trials of the body in MuJoCo: walking, pushes, odometry, kicks, getting up; each a table of what was reached.
+//! Trials of the body in MuJoCo: walking, pushes, odometry, kicks, falls, getting up; each a table of what was reached.
 
 mod bench;
 mod dice;
+mod falls;
 mod get_up;
 mod kicks;
 mod odometry;
 mod table;
+mod victim;
 mod walker;
 mod walking;
 
@@ -45,6 +47,7 @@ const fn of(name: TrialName) -> Try {
         TrialName::Bodies => walking::bodies,
         TrialName::Odometry => odometry::rows,
         TrialName::Kicks => kicks::rows,
+        TrialName::Falls => falls::rows,
         TrialName::GetUp => get_up::rows,
     }
 }

@@ -1,0 +1,84 @@
+//! The forward, alone on the field and without eyes, to be thrown over.
+
+use bica::{Instant, Tree};
+use bica_motion::fall::Uprightness;
+use bica_motion::joints::Joint;
+use bica_motion::pose::Pose2;
+use bica_motion::profile::Profile;
+use bica_player::behaviour::FallGuard;
+use bica_player::input::Measured;
+use bica_player::perception::FallDetector;
+use bica_player::{Forward, act, sense};
+use bica_sim::World;
+use bica_sim::field::{Setup, Start};
+use bica_sim::mujoco::MujocoWorld;
+use bica_sim::referee::Event;
+use glam::Vec2;
+
+use super::bench::Bench;
+use super::walker::cycles;
+use crate::program::ending::Failure;
+
+/// Legs that are held no harder than this have let go.
+const SOFT: f32 = 0.35;
+
+/// A whole forward, and what befell it first.
+pub(crate) struct Victim {
+    world: MujocoWorld,
+    robot: Box<Forward>,
+    /// When it felt that it falls, s.
+    pub(crate) felt: Option<f32>,
+    /// When more than its feet touched the ground, s, and whether its legs were soft then.
+    pub(crate) hit: Option<(f32, bool)>,
+}
+
+impl Victim {
+    /// Stands there.
+    pub(crate) fn new(bench: &Bench, seed: u64) -> Result<Self, Failure> {
+        let start = Some(Start { robot: Pose2::ORIGIN, ball: Vec2::new(-2.8, 1.8) });
+        let setup = Setup { seed, goalkeeper: false, start, ..Setup::default() };
+        let world = MujocoWorld::new(&setup, &bench.physics)
+            .map_err(|error| Failure::new(error.to_string(), "try another value"))?;
+        let mut robot = Box::new(Forward::new());
+        robot.get_mut::<Measured>().be(&Profile::NAO);
+        Ok(Self { world, robot, felt: None, hit: None })
+    }
+
+    /// Does what it likes for some seconds.
+    pub(crate) fn live(&mut self, seconds: f32) -> Result<(), Failure> {
+        for _ in 0..cycles(seconds) {
+            let now = self.world.now();
+            sense(&mut self.robot, &self.world.sensors())
+                .map_err(|error| Failure::new(error.to_string(), "choose a smaller image"))?;
+            self.robot.tick(Instant::from_micros(now.as_micros() as u64));
+            let command = act(&self.robot);
+            self.world.act(&command);
+            let falls = self.robot.get::<FallDetector>().state() != Uprightness::Upright;
+            self.felt = self.felt.or_else(|| falls.then_some(now.as_secs_f32()));
+            let soft = command.stiffness[Joint::LKneePitch] <= SOFT;
+            self.hit = self.hit.or_else(|| self.world.is_on_ground().then_some((now.as_secs_f32(), soft)));
+        }
+        Ok(())
+    }
+
+    /// Throws it over: changes the velocity of its torso, m/s, field frame.
+    pub(crate) fn push(&mut self, velocity: Vec2) {
+        self.world.push(velocity);
+    }
+
+    /// How long it lay, s, if it fell and got up; by the referee.
+    pub(crate) fn lay(&self) -> Option<f32> {
+        let when = |wanted: fn(&Event) -> bool| {
+            let happened = self.world.referee().events().iter().find(|happened| wanted(&happened.event));
+            happened.map(|happened| happened.at.as_secs_f32())
+        };
+        let fell = when(|event| matches!(event, Event::Fall(_)));
+        let up = when(|event| *event == Event::GotUp);
+        fell.zip(up).map(|(fell, up)| up - fell)
+    }
+
+    /// Whether it goes on with what it did before.
+    pub(crate) fn plays(&self) -> bool {
+        !self.robot.is_active(Forward::id::<FallGuard>())
+    }
+}
