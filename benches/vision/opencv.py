@@ -1,8 +1,9 @@
 """The colour part alone by OpenCV: YUYV to HSV, a mask for each of five classes, their connected components.
 
-python3 opencv.py FOLDER: looks at the frames WIDTHxHEIGHT.yuyv of the folder, one after the other in each file, and
+python3 opencv.py FOLDER [--threads]: looks at the frames WIDTHxHEIGHT.yuyv of the folder, one after the other in each file, and
 prints for each size the mean over the frames of the fastest of several rounds, µs, twice: with connectedComponents and
-with connectedComponentsWithStats, which also measures them. One thread; results go to memory that is there already.
+with connectedComponentsWithStats, which also measures them. One thread, or as many as OpenCV takes by itself; results go to
+memory that is there already.
 """
 
 import pathlib
@@ -59,7 +60,7 @@ def mean_of_minima(desk, frames, components):
 
 
 def main():
-    cv2.setNumThreads(1)
+    cv2.setNumThreads(-1 if "--threads" in sys.argv else 1)
     for path in sorted(pathlib.Path(sys.argv[1]).glob("*.yuyv"), key=lambda path: path.stat().st_size):
         width, height = map(int, path.stem.split("x"))
         frames = np.fromfile(path, np.uint8).reshape(-1, height, width, 2)[::STEP]

