@@ -20,7 +20,7 @@ mod worst;
 
 pub use finding::{Figure, Finding, first};
 pub use message::message;
-pub use order::{cycle, ranks};
+pub use order::{activators, cycle, ranks};
 pub use path::Path;
 pub use reach::{reachable, states_reached, unreachable};
 pub use set::Set;

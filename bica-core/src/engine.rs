@@ -2,74 +2,82 @@
 
 use embassy_time::Instant;
 
+use crate::clock::Clock;
 use crate::cycle::Cycle;
 use crate::hold::Hold;
 use crate::id::ComponentId;
 use crate::loan::Store;
 use crate::probe::Probe;
-use crate::set::Set;
 use crate::tree::Layout;
 
-/// A tree in being. All sets are numbered by rank, so that the lowest number is the first activator.
+/// A tree in being.
 pub struct Engine<T: Layout> {
     pub(crate) store: Store<T>,
-    active: T::Set,
-    latent: T::Set,
-    forced: T::Set,
+    /// How many components are held active.
+    forced: usize,
 }
 
 impl<T: Layout> Engine<T> {
     /// Takes the slots in; nothing is active yet.
     pub const fn new(slots: T::Slots) -> Self {
-        Self { store: Store::new(slots), active: T::Set::EMPTY, latent: T::Set::EMPTY, forced: T::Set::EMPTY }
+        Self { store: Store::new(slots), forced: 0 }
     }
 
     /// One cycle.
     #[inline]
     pub(crate) fn tick<P: Probe>(&mut self, now: Instant, probe: &mut P) {
         probe.cycle_begin(now);
-        let key = self.store.open();
-        let mut cycle = Cycle { key, now, before: self.active, closed: self.latent, probe };
+        self.store.pulse().begin(now);
+        let mut cycle = Cycle { key: self.store.open(), probe };
         T::visit_root(&mut cycle);
-        let mut forced = self.forced.without(&cycle.closed);
-        while let Some(index) = first::<T>(&mut forced) {
-            T::visit(&mut cycle, index);
+        if self.forced > 0 {
+            force(&mut cycle);
         }
-        let active = cycle.closed.without(&self.latent);
-        let mut ended = self.active.without(&active);
-        while let Some(index) = first::<T>(&mut ended) {
-            T::stop(&mut cycle, index);
+        if cycle.key.pulse().may_have_changed() {
+            settle(&mut cycle);
         }
-        self.active = active;
         cycle.probe.cycle_end();
     }
 
     pub(crate) fn hold(&mut self, component: ComponentId, hold: Hold) {
-        if let Some(&rank) = T::RANKS.get(component.index()) {
-            self.latent.remove(rank);
-            self.forced.remove(rank);
-            match hold {
-                Hold::Tree => {}
-                Hold::Active => _ = self.forced.insert(rank),
-                Hold::Latent => _ = self.latent.insert(rank),
-            }
-        }
+        let pulse = self.store.pulse();
+        let Some(mark) = self.clock(component).map(Clock::mark) else { return };
+        let before = mark.held();
+        mark.hold(hold, pulse.beat());
+        pulse.unsettle();
+        self.forced = self.forced + usize::from(hold == Hold::Active) - usize::from(before == Hold::Active);
     }
 
     pub(crate) fn held(&self, component: ComponentId) -> Hold {
-        match T::RANKS.get(component.index()) {
-            Some(&rank) if self.forced.contains(rank) => Hold::Active,
-            Some(&rank) if self.latent.contains(rank) => Hold::Latent,
-            _ => Hold::Tree,
-        }
+        self.clock(component).map_or(Hold::Tree, |clock| clock.mark().held())
     }
 
     pub(crate) fn is_active(&self, component: ComponentId) -> bool {
-        T::RANKS.get(component.index()).is_some_and(|&rank| self.active.contains(rank))
+        self.clock(component).is_some_and(|clock| clock.mark().is_active(self.store.pulse().beat()))
+    }
+
+    fn clock(&self, component: ComponentId) -> Option<&Clock> {
+        T::clock(self.store.slots(), component.index())
     }
 }
 
-/// Takes the component of the lowest rank out of a set.
-fn first<T: Layout>(set: &mut T::Set) -> Option<usize> {
-    T::ORDER.get(set.pop()?).copied()
+/// Visits what is held active and was not reached.
+#[cold]
+fn force<T: Layout, P: Probe>(cycle: &mut Cycle<'_, T, P>) {
+    for index in T::ORDER.iter().map(|&index| usize::from(index)) {
+        if cycle.key.clock_at(index).is_some_and(|clock| clock.mark().held() == Hold::Active) {
+            T::visit(cycle, index);
+        }
+    }
+}
+
+/// Stops what was active in the cycle before and is not any more, activators first.
+#[cold]
+fn settle<T: Layout, P: Probe>(cycle: &mut Cycle<'_, T, P>) {
+    let before = cycle.key.pulse().before();
+    for index in T::ORDER.iter().map(|&index| usize::from(index)) {
+        if cycle.key.clock_at(index).is_some_and(|clock| clock.mark().has_ended(before)) {
+            T::stop(cycle, index);
+        }
+    }
 }

@@ -59,7 +59,8 @@ mod clock;
 mod cycle;
 mod engine;
 mod loan;
-mod set;
+mod mark;
+mod pulse;
 
 #[doc(hidden)]
 #[path = "private.rs"]

@@ -29,6 +29,7 @@ use core::ptr;
 
 use crate::clock::Clock;
 use crate::component::Component;
+use crate::pulse::Pulse;
 use crate::rate::Rate;
 use crate::tree::{Has, Layout};
 
@@ -62,14 +63,23 @@ fn place<T: Has<C>, C: 'static>(slots: &T::Slots) -> &Slot<C> {
 }
 
 /// Owns the components of tree `T`.
+///
+/// The pulse lies beside the slots, so that one pointer is all that a visit needs.
 pub(crate) struct Store<T: Layout> {
+    pulse: Pulse,
     slots: T::Slots,
 }
 
 impl<T: Layout> Store<T> {
     /// Takes the slots in.
     pub(crate) const fn new(slots: T::Slots) -> Self {
-        Self { slots }
+        Self { pulse: Pulse::new(), slots }
+    }
+
+    /// What the components have in common; it is never lent.
+    #[inline]
+    pub(crate) const fn pulse(&self) -> &Pulse {
+        &self.pulse
     }
 
     /// The slots; without a key nobody gets at what is in them.
@@ -121,24 +131,35 @@ impl<T: Layout> Store<T> {
 
     /// Opens the store for one cycle.
     pub(crate) const fn open(&mut self) -> Key<'_, T> {
-        Key { slots: &self.slots, exclusive: PhantomData }
+        Key { store: self, exclusive: PhantomData }
     }
 }
 
 /// The right to lend the components of one store, made from an exclusive borrow of it.
 pub(crate) struct Key<'t, T: Layout> {
-    slots: &'t T::Slots,
+    store: &'t Store<T>,
     exclusive: PhantomData<&'t mut T::Slots>,
 }
 
 impl<'t, T: Layout> Key<'t, T> {
+    /// What the components have in common.
+    #[inline]
+    pub(crate) const fn pulse(&self) -> &'t Pulse {
+        self.store.pulse()
+    }
+
+    /// What is remembered of the component of that index, if there is one.
+    pub(crate) fn clock_at(&self, index: usize) -> Option<&'t Clock> {
+        T::clock(&self.store.slots, index)
+    }
+
     /// What is remembered of `C`.
     #[inline]
     pub(crate) fn clock<C: 'static>(&self) -> &'t Clock
     where
         T: Has<C>,
     {
-        T::slot(self.slots).clock()
+        T::slot(&self.store.slots).clock()
     }
 
     /// Lends the components that `L` names, until the key is used again.
@@ -147,7 +168,7 @@ impl<'t, T: Layout> Key<'t, T> {
         const { assert!(distinct(L::CLAIMS), "{}", TWO_LINKS) };
         // SAFETY: a key is the only access to its store, and it is borrowed exclusively for as long as what is lent; its
         // claims are distinct by the line above.
-        unsafe { L::lend(self.slots) }
+        unsafe { L::lend(&self.store.slots) }
     }
 }
 

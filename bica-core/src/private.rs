@@ -1,6 +1,6 @@
 //! What generated code uses. No part of the public interface: it changes without notice.
 
-pub use crate::check::{check, ranks};
+pub use crate::check::{activators, check, ranks};
 pub use crate::clock::Clock;
 pub use crate::component::{Component, Time};
 pub use crate::cycle::{Cycle, Turn};
@@ -9,7 +9,6 @@ pub use crate::graph::{Graph, Link, LinkKind, Node, State, Transition};
 pub use crate::loan::{Pace, Read, Slot, Write, assert_distinct};
 pub use crate::probe::Probe;
 pub use crate::rate::Rate;
-pub use crate::set::words;
 pub use crate::tree::{Has, Layout, Tree, Wired};
 
 /// A doc comment; nothing of it with the feature `terse`.
@@ -36,11 +35,11 @@ pub fn set_hz<T: Tree + Has<C>, C: 'static>(tree: &mut T, hz: f32) {
 
 /// The component of each rank: the inverse of `ranks`.
 #[must_use]
-pub const fn order<const N: usize>(ranks: &[usize; N]) -> [usize; N] {
+pub const fn order<const N: usize>(ranks: &[usize; N]) -> [u16; N] {
     let mut order = [0; N];
     let mut index = 0;
     while index < N {
-        order[ranks[index]] = index;
+        order[ranks[index]] = index as u16;
         index += 1;
     }
     order

@@ -50,8 +50,8 @@ impl<C> Rate<C> {
     }
 
     /// Ticks of the clock between two runs: 0 runs in every cycle, [`REST`] never.
-    pub(crate) const fn period(&self) -> u64 {
-        self.period
+    pub(crate) const fn period(&self) -> &u64 {
+        &self.period
     }
 }
 

@@ -12,7 +12,6 @@ use crate::id::ComponentId;
 use crate::loan::Slot;
 use crate::probe::Probe;
 use crate::rate::Rate;
-use crate::set::Set;
 
 /// A tree of components, made by `activation_tree!`.
 ///
@@ -162,9 +161,6 @@ pub trait Has<C: 'static>: Layout {
 
     /// The component's place in the tree's list.
     const INDEX: usize;
-    /// The component's place in the order in which activators come before what they activate.
-    #[doc(hidden)]
-    const RANK: usize;
 
     #[doc(hidden)]
     fn slot(slots: &Self::Slots) -> &Slot<C>;
@@ -202,15 +198,12 @@ pub trait Layout: Sized + 'static {
     /// All the slots.
     #[doc(hidden)]
     type Slots;
-    /// A set of the components.
+    /// How many links end at each component.
     #[doc(hidden)]
-    type Set: Set;
-    /// The rank of each component: activators come before what they activate.
+    const ACTIVATORS: &'static [usize];
+    /// The components in an order in which activators come before what they activate.
     #[doc(hidden)]
-    const RANKS: &'static [usize];
-    /// The component of each rank.
-    #[doc(hidden)]
-    const ORDER: &'static [usize];
+    const ORDER: &'static [u16];
 
     #[doc(hidden)]
     fn engine(&self) -> &Engine<Self>;

@@ -29,7 +29,11 @@ pub const fn ranks<const N: usize>(nodes: &[Node]) -> [usize; N] {
 }
 
 /// How many links end at each node.
-const fn activators<const N: usize>(nodes: &[Node]) -> [usize; N] {
+///
+/// # Panics
+/// If `nodes` has more than `N` entries.
+#[must_use]
+pub const fn activators<const N: usize>(nodes: &[Node]) -> [usize; N] {
     assert!(nodes.len() <= N, "more nodes than ranks");
     let mut count = [0; N];
     let mut node = 0;

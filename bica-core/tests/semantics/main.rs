@@ -8,6 +8,7 @@ mod loans;
 mod machine;
 mod order;
 mod rate;
+mod settled;
 mod stopwatch;
 mod time;
 mod watch;

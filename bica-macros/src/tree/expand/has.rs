@@ -19,7 +19,6 @@ pub(super) fn expand(tree: &Tree) -> TokenStream {
             impl #p::Has<#kind> for #name {
                 #member
                 const INDEX: usize = #index;
-                const RANK: usize = <Self as #p::Layout>::RANKS[#index];
 
                 #[inline]
                 fn slot(slots: &Self::Slots) -> &#p::Slot<#kind> {

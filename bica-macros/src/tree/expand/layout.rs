@@ -17,9 +17,8 @@ pub(super) fn expand(tree: &Tree) -> TokenStream {
         #[automatically_derived]
         impl #p::Layout for #name {
             type Slots = #slots;
-            type Set = [usize; #p::words(#count)];
-            const RANKS: &'static [usize] = &#p::ranks::<#count>(<Self as #p::Tree>::GRAPH.nodes);
-            const ORDER: &'static [usize] = &#p::order(&#p::ranks::<#count>(<Self as #p::Tree>::GRAPH.nodes));
+            const ACTIVATORS: &'static [usize] = &#p::activators::<#count>(<Self as #p::Tree>::GRAPH.nodes);
+            const ORDER: &'static [u16] = &#p::order(&#p::ranks::<#count>(<Self as #p::Tree>::GRAPH.nodes));
 
             #[inline]
             fn engine(&self) -> &#p::Engine<Self> {
