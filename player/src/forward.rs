@@ -3,7 +3,9 @@
 use bica::prelude::*;
 use bica_motion::robot::{Command, Light, Lights, Sensors};
 
-use crate::behaviour::{FaceBall, FallGuard, Fixmove, FollowBall, GoRound, LookAround, Player, SearchBall, SearchNet};
+use crate::behaviour::{
+    Dribble, FaceBall, FallGuard, Fixmove, FollowBall, GoRound, LookAround, Player, SearchBall, SearchNet,
+};
 use crate::input::{Colours, Eye, FrameTooLarge, Measured};
 use crate::motion::{Body, GoStraight, Head, Kicker, Turn, Walk};
 use crate::output::{Gaze, Motors};
@@ -20,7 +22,7 @@ activation_tree! {
         budget_ms: 200,
         components: [
             Player,
-            SearchBall, FollowBall, SearchNet, LookAround, GoRound, Fixmove, FallGuard, FaceBall,
+            SearchBall, FollowBall, SearchNet, LookAround, GoRound, Fixmove, Dribble, FallGuard, FaceBall,
             Body, GoStraight, Turn, Walk, Kicker, Head,
             Localization, BallDetector, NetDetector, FieldLines, RobotDetector, FieldEnd, OwnBody, CameraPose, Odometry,
             FallDetector,

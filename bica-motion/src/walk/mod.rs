@@ -8,6 +8,7 @@
 
 mod balance;
 mod body;
+mod kick;
 mod parameters;
 mod pendulum;
 mod plan;
@@ -18,6 +19,7 @@ mod velocity;
 mod weakness;
 
 pub use body::Body;
+pub use kick::in_reach;
 pub use parameters::Parameters;
 pub use velocity::Velocity;
 
@@ -47,6 +49,8 @@ pub enum Phase {
     Starting,
     /// Steps.
     Walking,
+    /// A step through the ball.
+    Kicking,
     /// Feet together, the weight comes to rest between them.
     Stopping,
 }
@@ -64,6 +68,8 @@ pub struct Walk {
     /// The velocity of the step on the way.
     velocity: Velocity,
     balance: Balance,
+    /// The foot that is to swing through the ball in its next step.
+    kick: Option<Side>,
     /// How far the swinging foot is moved from its plan to catch the body, m.
     caught: Vec2,
     weakness: Weakness,
@@ -81,9 +87,15 @@ impl Walk {
             waited: 0.0,
             velocity: Velocity::ZERO,
             balance: Balance::new(),
+            kick: None,
             caught: Vec2::ZERO,
             weakness: Weakness::new(),
         }
+    }
+
+    /// Lets a foot swing through the ball in its next step, if the walk goes on until then.
+    pub const fn kick(&mut self, foot: Side) {
+        self.kick = Some(foot);
     }
 
     /// The gait's numbers.
@@ -209,8 +221,13 @@ impl Walk {
             Phase::Stopping => self.reset(),
             Phase::Walking if still => self.begin(plan.support.other(), &feet, Phase::Stopping, Purpose::Stop),
             _ => {
-                let purpose = Purpose::Go(self.velocity);
-                self.begin(plan.support.other(), &feet, Phase::Walking, purpose);
+                let (phase, purpose) = if self.kick == Some(plan.support) {
+                    self.kick = None;
+                    (Phase::Kicking, Purpose::Kick(self.velocity))
+                } else {
+                    (Phase::Walking, Purpose::Go(self.velocity))
+                };
+                self.begin(plan.support.other(), &feet, phase, purpose);
                 self.time = rest;
             }
         }

@@ -95,6 +95,8 @@ pub struct Parameters {
     /// By which share time slows down for each metre that the body topples out over the carrying foot, 1/m: it comes
     /// back before the step ends.
     pub slow: f32,
+    /// How far ahead of the hips an ankle swings through a ball in a kick in the walk, m.
+    pub kick: f32,
     /// Shoulder pitch per forward way of the opposite foot, rad/m.
     pub arm_swing: f32,
 }

@@ -8,6 +8,7 @@ use glam::Vec2;
 use crate::feet::Foot;
 use crate::pose::Pose2;
 use crate::side::Side;
+use crate::walk::kick::through;
 use crate::walk::pendulum::Pendulum;
 use crate::walk::shape::{bump, glide, mix, smooth};
 use crate::walk::sway::Shift;
@@ -34,6 +35,8 @@ pub(super) struct Plan {
     swing: [Pose2; 2],
     /// How high the swinging foot is lifted, m.
     lift: f32,
+    /// How far the swinging foot swings through a ball before it comes down, m.
+    through: f32,
     /// How high both soles are at the beginning (left first): not zero after a step that ended early, m.
     before: [f32; 2],
     /// The weight's way to the carrying foot and away from it.
@@ -52,6 +55,8 @@ pub(super) enum Purpose {
     Start,
     /// A step at this velocity.
     Go(Velocity),
+    /// The same, through a ball that lies before the foot.
+    Kick(Velocity),
     /// To a stand: lets the weight come to rest between the feet.
     Stop,
 }
@@ -59,7 +64,11 @@ pub(super) enum Purpose {
 impl Plan {
     /// The step that follows when the feet are where `feet` says (as in [`feet`](Self::feet)) and `support` carries.
     pub(super) fn new(support: Side, feet: &[Foot; 2], purpose: Purpose, gait: &Parameters) -> Self {
-        let velocity = if let Purpose::Go(velocity) = purpose { velocity } else { Velocity::ZERO };
+        let (velocity, through) = match purpose {
+            Purpose::Go(velocity) => (velocity, 0.0),
+            Purpose::Kick(velocity) => (velocity, (gait.kick - 0.5 * velocity.forward.abs() * gait.duration).max(0.0)),
+            Purpose::Start | Purpose::Stop => (Velocity::ZERO, 0.0),
+        };
         let usual = gait.duration + gait.duration_sideways * velocity.left.abs();
         let end = end(support.other(), &velocity, usual, gait);
         let [carrying, swinging] = [support, support.other()].map(|side| feet[side.index()].pose);
@@ -68,17 +77,18 @@ impl Plan {
         match purpose {
             Purpose::Start => shifts[0] = Shift::gentle(usual),
             Purpose::Stop => shifts[1] = Shift::gentle(usual),
-            Purpose::Go(_) => {}
+            Purpose::Go(_) | Purpose::Kick(_) => {}
         }
         let longest = shifts[0].clear + shifts[1].clear + gait.least_air;
         let duration = usual.max(longest);
-        let lift = if let Purpose::Go(_) = purpose { gait.lift } else { 0.0 };
+        let lift = if matches!(purpose, Purpose::Start | Purpose::Stop) { 0.0 } else { gait.lift };
         Self {
             support,
             duration,
             hips: [hips.position, hips_after.position],
             swing: [hips * swinging, hips_after * end[1]],
             lift,
+            through,
             before: feet.map(|foot| foot.lift),
             shifts,
             sway_to: gait.sway_to,
@@ -116,7 +126,7 @@ impl Plan {
         let air = (time - from) / (to - from);
         let done = glide((air - EDGES[0]) / (1.0 - EDGES[0] - EDGES[1]));
         let swing = Pose2 {
-            position: self.swing[0].position.lerp(self.swing[1].position, done),
+            position: self.swing[0].position.lerp(self.swing[1].position, done) + Vec2::X * self.through * through(air),
             heading: mix(self.swing[0].heading, self.swing[1].heading, done),
         };
         let down = 1.0 - smooth(time / SETTLE);

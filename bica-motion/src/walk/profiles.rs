@@ -53,6 +53,7 @@ impl Parameters {
         catch_from: Vec2::ZERO,
         catch_most: Vec2::ZERO,
         slow: 0.0,
+        kick: 0.06,
         arm_swing: 6.0,
     };
 
@@ -89,6 +90,7 @@ impl Parameters {
         catch_from: Vec2::new(0.02, 0.012),
         catch_most: Vec2::new(0.08, 0.08),
         slow: 20.0,
+        kick: 0.06,
         ..Self::BUILT_IN
     };
 }

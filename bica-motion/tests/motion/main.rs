@@ -1,5 +1,6 @@
 //! What the body can do, checked against references and in a quasi-static world.
 
+mod dribble;
 mod falls;
 mod forces;
 mod head;

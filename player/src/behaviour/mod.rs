@@ -1,5 +1,6 @@
 //! What the forward does: from the root of the activation tree to the single skills.
 
+mod dribble;
 mod face_ball;
 mod fall_guard;
 mod fixmove;
@@ -10,6 +11,7 @@ mod player;
 mod search_ball;
 mod search_net;
 
+pub use dribble::Dribble;
 pub use face_ball::FaceBall;
 pub use fall_guard::FallGuard;
 pub use fixmove::Fixmove;

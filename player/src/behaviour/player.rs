@@ -2,11 +2,11 @@
 
 use bica::prelude::*;
 
-use super::{FaceBall, FallGuard, Fixmove, FollowBall, GoRound, SearchBall, SearchNet};
+use super::{Dribble, FaceBall, FallGuard, Fixmove, FollowBall, GoRound, SearchBall, SearchNet};
 use crate::input::Measured;
 use crate::motion::Body;
 use crate::perception::{BallDetector, FallDetector, Localization, NetDetector, Odometry};
-use crate::strategy::{Plan, plan};
+use crate::strategy::{Plan, dribbles, plan};
 
 /// The forward of RoboCup 2009.
 #[derive(Debug)]
@@ -52,6 +52,10 @@ impl Player {
         }
     }
 
+    /// Kicks the ball on in the walk, eyes on it.
+    #[state]
+    fn dribble(&mut self, _dribble: &mut Dribble, _face: &mut FaceBall) {}
+
     /// Out of the game: stands.
     #[state]
     fn penalized(&mut self, body: &mut Body) {
@@ -72,7 +76,7 @@ impl Player {
         guard.upright()
     }
 
-    #[transition(look_for_ball | approach | search_net | go_round | kick -> penalized)]
+    #[transition(look_for_ball | approach | search_net | go_round | kick | dribble -> penalized)]
     fn sent_off(&self, body: &Measured) -> bool {
         !body.playing() && body.grounded()
     }
@@ -96,6 +100,16 @@ impl Player {
     #[transition(go_round | kick -> look_for_ball, after_ms = 1500)]
     fn ball_lost_again(&self, ball: &BallDetector) -> bool {
         ball.lost()
+    }
+
+    #[transition(approach -> dribble)]
+    fn goal_far_ahead(&self, ball: &BallDetector, net: &NetDetector) -> bool {
+        dribbles(ball, net)
+    }
+
+    #[transition(dribble -> approach)]
+    fn ball_gone_on(&self, dribble: &Dribble) -> bool {
+        dribble.done()
     }
 
     #[transition(approach -> search_net)]

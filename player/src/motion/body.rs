@@ -1,6 +1,7 @@
 //! The walking body, which hands each wish to the component that does it.
 
 use bica::prelude::*;
+use bica_motion::side::Side;
 use bica_motion::walk::Velocity;
 
 use super::{GoStraight, Turn, Walk};
@@ -11,6 +12,7 @@ use super::{GoStraight, Turn, Walk};
 #[derive(Debug)]
 pub struct Body {
     wish: Wish,
+    kick: Option<Side>,
     still: bool,
 }
 
@@ -27,7 +29,7 @@ impl Body {
     /// A body that stands.
     #[must_use]
     pub const fn new() -> Self {
-        Self { wish: Wish::Stand, still: false }
+        Self { wish: Wish::Stand, kick: None, still: false }
     }
 
     /// Comes to a stand, feet together.
@@ -58,6 +60,9 @@ impl Body {
     fn stepping(&mut self, walk: &mut Walk) {
         if let Wish::Step(velocity) = self.wish {
             walk.request(velocity);
+        }
+        if let Some(foot) = self.kick.take() {
+            walk.kick(foot);
         }
     }
 
@@ -115,5 +120,10 @@ impl Body {
     /// Steps with `velocity`, forward, sideways and turning at once.
     pub const fn step_to(&mut self, velocity: Velocity) {
         self.wish = Wish::Step(velocity);
+    }
+
+    /// Lets a foot swing through the ball in its next step; while stepping.
+    pub const fn kick(&mut self, foot: Side) {
+        self.kick = Some(foot);
     }
 }

@@ -1,6 +1,7 @@
 //! The walk.
 
 use bica::prelude::*;
+use bica_motion::side::Side;
 use bica_motion::walk::{Parameters, Phase, Velocity, Walk as Gait};
 
 use crate::input::Measured;
@@ -37,6 +38,11 @@ impl Walk {
     /// Asks for a velocity: m/s and rad/s, seen from the robot.
     pub const fn request(&mut self, velocity: Velocity) {
         self.request = velocity;
+    }
+
+    /// Lets a foot swing through the ball in its next step.
+    pub const fn kick(&mut self, foot: Side) {
+        self.gait.kick(foot);
     }
 
     /// Whether both feet are together and still.

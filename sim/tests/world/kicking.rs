@@ -3,9 +3,10 @@ use core::time::Duration;
 use bica_motion::pose::Pose2;
 use bica_motion::side::Side;
 use bica_motion::stand::STAND;
-use bica_sim::World;
+use bica_motion::walk::{Body, Parameters, Velocity, Walk, in_reach};
 use bica_sim::field::FieldWorld;
 use bica_sim::referee::Event;
+use bica_sim::{CYCLE_SECONDS, World};
 use glam::Vec2;
 
 use crate::puppet::{TOGETHER, alone, command, glide, swayed};
@@ -72,4 +73,29 @@ fn a_ball_that_nobody_touches_lies_still() {
     stand(&mut world, 3);
     assert_eq!(world.referee().ball(), Vec2::new(1.0, 0.5));
     assert!(world.referee().events().is_empty());
+}
+
+#[test]
+fn a_ball_before_a_walking_foot_is_kicked_on_without_a_halt() {
+    for foot in Side::BOTH {
+        let half = Parameters::BUILT_IN.half_spacing;
+        let robot = Pose2::new(-1.5, 0.0, 0.0);
+        let ball = robot.place(Vec2::new(0.44, foot.sign() * half));
+        let mut world = alone(4, robot, ball);
+        let mut walk = Walk::new(&Parameters::BUILT_IN);
+        let mut kicked = false;
+        for _ in 0..1000 {
+            let at = world.referee().robot().locate(world.referee().ball());
+            if let Some(foot) = in_reach(at, half) {
+                walk.kick(foot);
+            }
+            kicked |= at.x > 0.5 || world.referee().ball_velocity().x > 0.3;
+            let ahead = if kicked { Velocity::ZERO } else { Velocity::new(0.15, 0.0, 0.0) };
+            let targets = walk.step(ahead, &Body::from(&world.sensors()), CYCLE_SECONDS).joints();
+            world.act(&command(targets));
+        }
+        let way = world.referee().ball() - ball;
+        assert!(way.x > 0.7 && way.y.abs() < 0.25 * way.x, "{foot:?}: {way}");
+        assert_eq!(world.referee().falls(), 0);
+    }
 }

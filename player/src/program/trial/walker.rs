@@ -6,6 +6,7 @@ use bica_motion::odometry::Odometry;
 use bica_motion::pose::Pose2;
 use bica_motion::profile::Profile;
 use bica_motion::robot::{CameraId, Command, Lights};
+use bica_motion::side::Side;
 use bica_motion::stand::Stiffness;
 use bica_motion::walk::{Body, Velocity, Walk};
 use bica_sim::field::{Setup, Start};
@@ -44,6 +45,11 @@ impl Walker {
             }
             self.cycle(velocity);
         }
+    }
+
+    /// Lets a foot swing through the ball in its next step.
+    pub(crate) const fn kick(&mut self, foot: Side) {
+        self.gait.kick(foot);
     }
 
     /// Walks for a control cycle.

@@ -1,0 +1,77 @@
+//! A step through the ball.
+
+use bica_motion::joints::{Joint, Joints};
+use bica_motion::side::Side;
+use bica_motion::speed::max_speed;
+use bica_motion::walk::{Parameters, Phase, Velocity, Walk, in_reach};
+use glam::Vec2;
+
+use crate::world::{CYCLE, World};
+
+const GAIT: &Parameters = &Parameters::BUILT_IN;
+
+/// A walk ahead in which a foot is asked to kick after a second: the farthest that each sole is before the hips, m, before
+/// and after, and the steps that were kicks.
+fn walk_and_kick(speed: f32, foot: Side) -> ([[f32; 2]; 2], u32) {
+    let (mut walk, mut world) = (Walk::new(GAIT), World::standing(GAIT.stand().joints()));
+    let (mut farthest, mut kicks, mut before) = ([[0.0_f32; 2]; 2], 0, GAIT.stand().joints());
+    for cycle in 0..400 {
+        if cycle == 150 {
+            walk.kick(foot);
+        }
+        let was = walk.phase();
+        let targets = walk.step(Velocity::new(speed, 0.0, 0.0), &world.body(), CYCLE).joints();
+        kicks += u32::from(walk.phase() == Phase::Kicking && was != Phase::Kicking);
+        world.step(&targets);
+        assert!(world.margin() >= 0.005, "{speed} m/s: the mass is {} m inside", world.margin());
+        check_speeds(&before, &targets);
+        before = targets;
+        let hips = world.pose();
+        for side in Side::BOTH {
+            let ahead = hips.locate(world.sole(side).translation.truncate()).x;
+            let most = &mut farthest[usize::from(cycle >= 150)][side.index()];
+            *most = most.max(ahead);
+        }
+    }
+    (farthest, kicks)
+}
+
+fn check_speeds(before: &Joints, after: &Joints) {
+    for joint in Joint::ALL.into_iter().filter(|joint| (7..18).contains(&joint.index())) {
+        let speed = (after[joint] - before[joint]).abs() / CYCLE;
+        assert!(speed <= 1.25 * max_speed(joint), "{joint:?} at {speed} rad/s");
+    }
+}
+
+#[test]
+fn one_step_of_the_foot_asked_for_swings_through_and_the_walk_goes_on() {
+    for speed in [0.08, 0.15, 0.2] {
+        for foot in Side::BOTH {
+            let ([before, after], kicks) = walk_and_kick(speed, foot);
+            assert_eq!(kicks, 1);
+            let (own, other) = (foot.index(), foot.other().index());
+            assert!(after[own] > before[own] + 0.015, "{speed} m/s: {before:?} {after:?}");
+            assert!((after[other] - before[other]).abs() < 0.005, "{speed} m/s: {before:?} {after:?}");
+        }
+    }
+}
+
+#[test]
+fn a_stand_kicks_nothing_but_the_next_walk_does() {
+    let (mut walk, mut world) = (Walk::new(GAIT), World::standing(GAIT.stand().joints()));
+    walk.kick(Side::Left);
+    for _ in 0..100 {
+        let targets = walk.step(Velocity::ZERO, &world.body(), CYCLE);
+        assert_eq!((walk.phase(), targets), (Phase::Standing, GAIT.stand()));
+        world.step(&targets.joints());
+    }
+}
+
+#[test]
+fn a_ball_before_a_foot_is_in_its_reach_and_no_other_is() {
+    assert_eq!(in_reach(Vec2::new(0.18, 0.055), 0.05), Some(Side::Left));
+    assert_eq!(in_reach(Vec2::new(0.18, -0.045), 0.05), Some(Side::Right));
+    for out in [(0.18, 0.0), (0.18, 0.09), (0.05, 0.05), (0.3, -0.05), (f32::NAN, 0.05), (0.18, f32::NAN)] {
+        assert_eq!(in_reach(out.into(), 0.05), None, "{out:?}");
+    }
+}
