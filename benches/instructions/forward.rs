@@ -4,7 +4,7 @@ use std::hint::black_box;
 
 use bica::prelude::*;
 use bica_player::behaviour::{
-    FaceBall, FallGuard, Fixmove, FollowBall, GoRound, LookAround, Player, SearchBall, SearchNet,
+    Dribble, FaceBall, FallGuard, Fixmove, FollowBall, GoRound, LookAround, Player, SearchBall, SearchNet,
 };
 use bica_player::input::{Colours, Eye, Measured};
 use bica_player::motion::{Body, GoStraight, Head, Kicker, Turn, Walk};
@@ -53,6 +53,7 @@ components! {
     look_around: LookAround,
     go_round: GoRound,
     fixmove: Fixmove,
+    dribble: Dribble,
     fall_guard: FallGuard,
     face_ball: FaceBall,
     body: Body,

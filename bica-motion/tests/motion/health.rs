@@ -167,12 +167,12 @@ fn hot_and_loaded_joints_are_held_less_firmly_the_more_so_the_worse_it_is() {
             health.step(&sensors, &STAND, &Stiffness::Walk.joints());
         }
         let eased = health.eased(&Joints::all(1.0));
-        assert_eq!(eased[Joint::RKneePitch], 1.0);
+        assert!(eased[Joint::RKneePitch] > 0.999);
         eased[Joint::LKneePitch]
     };
-    assert_eq!([left(20.0, 0.1, 1), left(70.0, 0.1, 1)], [1.0, 1.0]);
+    assert!(left(20.0, 0.1, 1) > 0.999 && left(70.0, 0.1, 1) > 0.999);
     assert!((left(72.5, 0.1, 1) - 0.85).abs() < 1e-6);
     assert!((left(75.0, 0.1, 1) - 0.7).abs() < 1e-6 && (left(99.0, 0.1, 1) - 0.7).abs() < 1e-6);
     let pushing = [100, 550, 700].map(|cycles| left(40.0, 2.0, cycles));
-    assert!(pushing[0] == 1.0 && pushing[1] < 1.0 && pushing[2] < pushing[1], "{pushing:?}");
+    assert!(pushing[0] > 0.999 && pushing[1] < 1.0 && pushing[2] < pushing[1], "{pushing:?}");
 }
