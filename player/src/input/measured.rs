@@ -2,12 +2,16 @@
 
 use bica::prelude::*;
 use bica_motion::health::{Fault, Health};
-use bica_motion::joints::Joints;
+use bica_motion::joints::{Joint, Joints};
 use bica_motion::profile::Profile;
 use bica_motion::robot::{FootPressure, Inertial, Sensors};
 use bica_motion::side::Side;
 use bica_motion::walk::Body as Felt;
 
+/// Legs held at least this hard follow what they are told.
+const FIRM: f32 = 0.6;
+/// Beyond this lean a robot falls or lies, rad.
+const UPRIGHT: f32 = 0.4;
 /// A foot with more force on it has touched the ground, N.
 const TOUCH: f32 = 10.0;
 
@@ -15,6 +19,9 @@ const TOUCH: f32 = 10.0;
 #[derive(Clone, Copy, Debug)]
 pub struct Measured {
     angles: Joints<f32>,
+    told: Joints<f32>,
+    /// Whether the legs are held so that they follow what they are told.
+    firm: bool,
     inertial: Inertial,
     feet: (FootPressure, FootPressure),
     pressed: bool,
@@ -31,6 +38,8 @@ impl Measured {
         const NONE: FootPressure = FootPressure { front_left: 0.0, front_right: 0.0, rear_left: 0.0, rear_right: 0.0 };
         Self {
             angles: Joints([0.0; bica_motion::joints::JOINTS]),
+            told: Joints([0.0; bica_motion::joints::JOINTS]),
+            firm: false,
             inertial: Inertial { gyro: glam::Vec3::ZERO, acceleration: glam::Vec3::ZERO, roll: 0.0, pitch: 0.0 },
             feet: (NONE, NONE),
             pressed: false,
@@ -62,6 +71,15 @@ impl Measured {
     /// Compares this cycle's measurements with what the joints were told last, and how firmly, 0 to 1.
     pub fn check(&mut self, sensors: &Sensors<'_>, targets: &Joints, stiffness: &Joints) {
         self.health.step(sensors, targets, stiffness);
+        self.told = *targets;
+        self.firm = stiffness[Joint::LKneePitch].min(stiffness[Joint::RKneePitch]) >= FIRM;
+    }
+
+    /// What the joints were told last, rad; none while the robot does not stand or its legs are too soft to follow.
+    #[must_use]
+    pub fn told(&self) -> Option<&Joints<f32>> {
+        let upright = self.inertial.roll.abs() < UPRIGHT && self.inertial.pitch.abs() < UPRIGHT;
+        (self.firm && upright).then_some(&self.told)
     }
 
     /// Why the body must not go on moving, if there is a reason.

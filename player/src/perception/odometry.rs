@@ -1,12 +1,13 @@
 //! The way that the robot made.
 
 use bica::prelude::*;
-use bica_motion::odometry::{Calibration, Odometry as Estimate};
+use bica_motion::odometry::{Calibration, Moved, Odometry as Estimate};
 use bica_motion::pose::Pose2;
 
 use crate::input::Measured;
 
-/// Where the robot is, seen from where it started: the way by the foot that carries it, the turn by the gyroscope.
+/// Where the robot is, seen from where it started: the way by the foot that carries it, as told and
+/// as measured, the turn by the gyroscope.
 #[derive(Debug)]
 pub struct Odometry {
     estimate: Estimate,
@@ -23,8 +24,8 @@ impl Odometry {
     fn step(&mut self, time: &Time, body: &Measured) {
         self.estimate.wear(&body.profile().odometry);
         let (left, right) = body.feet();
-        let turned = body.inertial().gyro.z * time.dt();
-        self.estimate.step(body.angles(), left, right, Some(turned));
+        let turned = Some(body.inertial().gyro.z * time.dt());
+        self.estimate.step(&Moved { told: body.told(), angles: body.angles(), feet: [left, right], turned });
     }
 
     /// The ground between the feet, in the frame of where the robot started.

@@ -1,8 +1,8 @@
 //! A body that moves as it is told, without a mind.
 
-use bica_motion::joints::Joint;
+use bica_motion::joints::{Joint, Joints};
 use bica_motion::limbs::Limbs;
-use bica_motion::odometry::Odometry;
+use bica_motion::odometry::{Moved, Odometry};
 use bica_motion::pose::Pose2;
 use bica_motion::profile::Profile;
 use bica_motion::robot::{CameraId, Command, Lights};
@@ -22,6 +22,8 @@ pub(crate) struct Walker {
     pub(crate) world: MujocoWorld,
     gait: Walk,
     odometry: Odometry,
+    /// What the joints were told last.
+    told: Joints,
 }
 
 impl Walker {
@@ -31,8 +33,8 @@ impl Walker {
         let setup = Setup { seed, goalkeeper: false, start, ..Setup::default() };
         let world =
             MujocoWorld::new(&setup, physics).map_err(|error| Failure::new(error.to_string(), "try another value"))?;
-        let mut walker =
-            Self { world, gait: Walk::new(&Profile::NAO.gait), odometry: Odometry::new(&Profile::NAO.odometry) };
+        let (gait, odometry) = (Walk::new(&Profile::NAO.gait), Odometry::new(&Profile::NAO.odometry));
+        let mut walker = Self { world, gait, odometry, told: Profile::NAO.gait.stand().joints() };
         walker.go(Velocity::ZERO, 1.0);
         Ok(walker)
     }
@@ -56,8 +58,13 @@ impl Walker {
     pub(crate) fn cycle(&mut self, velocity: Velocity) {
         let sensors = self.world.sensors();
         let limbs = self.gait.step(velocity, &Body::from(&sensors), CYCLE_SECONDS);
-        let turned = sensors.inertial.gyro.z * CYCLE_SECONDS;
-        self.odometry.step(&sensors.angles, &sensors.left_foot, &sensors.right_foot, Some(turned));
+        let moved = Moved {
+            told: Some(&self.told),
+            angles: &sensors.angles,
+            feet: [&sensors.left_foot, &sensors.right_foot],
+            turned: Some(sensors.inertial.gyro.z * CYCLE_SECONDS),
+        };
+        self.odometry.step(&moved);
         self.act(&limbs);
     }
 
@@ -68,7 +75,8 @@ impl Walker {
             stiffness[joint] = 0.7;
         }
         let (lights, camera) = (Lights::default(), CameraId::Top);
-        self.world.act(&Command { targets: limbs.joints(), stiffness, lights, camera });
+        self.told = limbs.joints();
+        self.world.act(&Command { targets: self.told, stiffness, lights, camera });
     }
 
     /// When it fell first, s.
