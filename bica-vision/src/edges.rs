@@ -2,7 +2,7 @@
 //!
 //! A ray is followed as long as pixels belong to the blob, small gaps (a highlight) included; then the place where
 //! the redness Cr − Cb falls through the middle between inside and outside is the edge. Large blobs are followed in
-//! strides, so that none costs more than one of [`FINE`] pixels does. Cost: 4 ns for each pixel that is looked at on
+//! strides, so that none costs more than one of `FINE` pixels does. Cost: 4 ns for each pixel that is looked at on
 //! [`RAYS`] rays, 2 µs for a blob of 20 pixels, 8 µs for one that fills the image.
 
 use glam::Vec2;

@@ -157,7 +157,6 @@ fn a_robot_that_cannot_tell_temperatures_and_currents_is_sound() {
 }
 
 #[test]
-#[expect(clippy::float_cmp, reason = "what is not eased is given back as it came")]
 fn hot_and_loaded_joints_are_held_less_firmly_the_more_so_the_worse_it_is() {
     let left = |temperature: f32, current: f32, cycles: u32| {
         let mut health = Health::new();
