@@ -35,11 +35,16 @@ const HELD: f32 = 0.8;
 const RISEN: f32 = 0.9;
 /// And lies again if it rises less than this.
 const LYING: f32 = 0.3;
+/// Who leans forward by more than this lies on its face, rad.
+const ON_ITS_FACE: f32 = 1.0;
+/// On the way from the back nobody may lie so from this posture on: by then the legs have rolled over who lay on a side.
+const ROLLED: usize = 2;
 
 /// A get-up under way.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GetUp {
-    begin: &'static [Frame],
+    /// The side that it sits up from: front or back.
+    side: Direction,
     mirrored: bool,
     from: Joints,
     /// Of the posture that it is on the way to.
@@ -56,22 +61,20 @@ impl GetUp {
     /// None: done at once.
     #[must_use]
     pub const fn none() -> Self {
-        let from = Joints([0.0; 25]);
-        Self { begin: &[], mirrored: false, from, index: usize::MAX, time: 0.0, seconds: 0.0, risen: false, fell: true }
+        let (side, from) = (Direction::Back, Joints([0.0; 25]));
+        Self { side, mirrored: false, from, index: usize::MAX, time: 0.0, seconds: 0.0, risen: false, fell: true }
     }
 
     /// From where the robot lies, with the joints at `from` (measured angles, rad), after so many `failures`.
     ///
-    /// From a side it is the way from the back: the legs roll the body over. After a failure it is tried with left and
-    /// right swapped, after the next the way from the other side, in case the robot lies otherwise than it feels.
+    /// From a side it is the way from the back: the legs roll the body over; whom they roll on its face stops at once.
+    /// After a failure it is tried with left and right swapped, after the next the way from the other side, in case the robot
+    /// lies otherwise than it feels.
     #[must_use]
     pub fn new(lying: Direction, failures: u8, from: Joints) -> Self {
-        let [own, other] = match lying {
-            Direction::Front => [&SIT_UP_FROM_FRONT[..], &SIT_UP_FROM_BACK],
-            Direction::Back | Direction::Left | Direction::Right => [&SIT_UP_FROM_BACK[..], &SIT_UP_FROM_FRONT],
-        };
-        let begin = if failures % 3 == 2 { other } else { own };
-        let mut movement = Self { begin, mirrored: failures % 3 == 1, from, index: 0, fell: false, ..Self::none() };
+        let on_back = (lying != Direction::Front) != (failures % 3 == 2);
+        let side = if on_back { Direction::Back } else { Direction::Front };
+        let mut movement = Self { side, mirrored: failures % 3 == 1, from, index: 0, fell: false, ..Self::none() };
         movement.seconds = movement.needed();
         movement
     }
@@ -79,7 +82,7 @@ impl GetUp {
     /// Whether it is over: it stands or should, or fell again on the way.
     #[must_use]
     pub fn is_done(&self) -> bool {
-        self.fell || self.index >= self.begin.len() + RISE.len() + 2
+        self.fell || self.index >= self.begin().len() + RISE.len() + 2
     }
 
     /// `dt` seconds later, with what the inertial unit feels: the targets and the stiffness of all joints. When done, the
@@ -106,17 +109,25 @@ impl GetUp {
         (targets, self.stiffness())
     }
 
-    /// Who had risen and lies again need not go on.
+    /// Who had risen and lies again need not go on; nor need who came to lie on the wrong side.
     fn feel(&mut self, inertial: &Inertial) {
         let rise = libm::cosf(inertial.pitch) * libm::cosf(inertial.roll);
         self.risen |= rise > RISEN;
-        self.fell |= self.risen && rise < LYING;
+        let on_face = self.side == Direction::Back && self.index >= ROLLED && inertial.pitch > ON_ITS_FACE;
+        self.fell |= self.risen && rise < LYING || on_face;
+    }
+
+    const fn begin(&self) -> &'static [Frame] {
+        match self.side {
+            Direction::Front => &SIT_UP_FROM_FRONT,
+            Direction::Back | Direction::Left | Direction::Right => &SIT_UP_FROM_BACK,
+        }
     }
 
     /// The posture that it is on the way to, and the time meant for that, s.
     fn goal(&self) -> (f32, Joints) {
-        let rise = self.index.wrapping_sub(self.begin.len());
-        let Some(frame) = self.begin.get(self.index).or_else(|| RISE.get(rise)) else {
+        let rise = self.index.wrapping_sub(self.begin().len());
+        let Some(frame) = self.begin().get(self.index).or_else(|| RISE.get(rise)) else {
             return (if rise == RISE.len() { STRETCH } else { HOLD }, STAND);
         };
         let posture = frame.posture();
@@ -133,7 +144,7 @@ impl GetUp {
     const fn stiffness(&self) -> f32 {
         match self.index {
             0 => SOFT,
-            index if index > self.begin.len() + RISE.len() => HELD,
+            index if index > self.begin().len() + RISE.len() => HELD,
             _ => 1.0,
         }
     }

@@ -122,9 +122,8 @@ fn get_ups_keep_to_limits_and_speeds_and_end_in_the_stand() {
     let attempts =
         Direction::ALL.into_iter().flat_map(|direction| [0, 1, 2, 255].map(|failures| (direction, failures)));
     for (direction, failures) in attempts {
-        let lying = tilted(toward(direction, 1.57));
         for start in [SIT, crumpled, protection(direction).posture] {
-            let targets = get_up(GetUp::new(direction, failures, start), &lying);
+            let targets = get_up(GetUp::new(direction, failures, start), &Inertial::default());
             let seconds = targets.len() as f32 * CYCLE;
             assert!((4.0..=11.0).contains(&seconds), "{seconds} s");
             assert_eq!(*targets.last().unwrap(), STAND);
@@ -160,6 +159,15 @@ fn after_a_failure_it_is_tried_another_way() {
         assert!(Joint::ALL.into_iter().all(|joint| (own[joint] - expected[joint]).abs() < 1e-5));
     }
     assert_eq!(way(2), get_up(GetUp::new(Direction::Front, 0, STAND), &Inertial::default()));
+}
+
+#[test]
+fn whom_the_legs_roll_on_its_face_gets_up_from_there() {
+    let lying = |direction| tilted(toward(direction, 1.5));
+    for (rolled_on, seconds) in [(Direction::Back, 4.0..9.0), (Direction::Front, 0.5..1.5)] {
+        let targets = get_up(GetUp::new(Direction::Left, 0, STAND), &lying(rolled_on));
+        assert!(seconds.contains(&(targets.len() as f32 * CYCLE)), "{rolled_on:?}: {} cycles", targets.len());
+    }
 }
 
 #[test]

@@ -4,6 +4,7 @@
 mod ball;
 mod determinism;
 mod puppet;
+mod rising;
 mod seeing;
 mod sensing;
 mod standing;

@@ -1,0 +1,64 @@
+//! Falling with open eyes, and getting up again.
+
+use bica_motion::fall::{Direction, FallDetector, Uprightness};
+use bica_motion::getup::{GetUp, protection};
+use bica_sim::mujoco::MujocoWorld;
+use bica_sim::referee::Posture;
+use bica_sim::{CYCLE_SECONDS, World};
+use glam::Vec2;
+
+use crate::puppet::{alone, blind, command, stand};
+
+/// Pushes the robot over, which feels that before it hits the ground, draws its limbs in, and knows what it lies on.
+fn fall(world: &mut MujocoWorld, push: Vec2) -> Direction {
+    stand(world, 50);
+    world.push(push);
+    let (mut balance, mut felt, mut hit) = (FallDetector::new(), false, false);
+    for _ in 0..300 {
+        hit |= world.is_on_ground();
+        match balance.step(&world.sensors().inertial, CYCLE_SECONDS) {
+            Uprightness::Upright => stand(world, 1),
+            Uprightness::Falling(direction) => {
+                assert!(felt || !hit, "{push}: it hit the ground before it felt the fall");
+                felt = true;
+                let brace = protection(direction);
+                world.act(&command(brace.posture, brace.stiffness));
+            }
+            Uprightness::Fallen(direction) => return direction,
+        }
+    }
+    panic!("{push}: it does not fall");
+}
+
+fn get_up(world: &mut MujocoWorld, lying: Direction, failures: u8) {
+    let mut movement = GetUp::new(lying, failures, world.sensors().angles);
+    while !movement.is_done() {
+        let (targets, stiffness) = movement.step(&world.sensors().inertial, CYCLE_SECONDS);
+        world.act(&command(targets, stiffness));
+    }
+}
+
+#[test]
+fn it_gets_up_from_face_and_back_either_way_round() {
+    for (push, lying) in [(Vec2::new(2.3, 0.0), Direction::Front), (Vec2::new(-2.3, 0.0), Direction::Back)] {
+        for failures in [0, 1] {
+            let mut world = alone(failures.into(), &blind());
+            assert_eq!(fall(&mut world, push), lying);
+            get_up(&mut world, lying, failures);
+            assert_eq!(world.referee().posture(), Posture::Upright, "{lying:?}, {failures}");
+        }
+    }
+}
+
+#[test]
+fn it_gets_up_from_a_side() {
+    for side in [1.0, -1.0] {
+        let mut world = alone(1, &blind());
+        let lying = fall(&mut world, Vec2::new(0.0, 2.3 * side));
+        get_up(&mut world, lying, 0);
+        if world.referee().posture() != Posture::Upright {
+            get_up(&mut world, Direction::Front, 1);
+        }
+        assert_eq!(world.referee().posture(), Posture::Upright, "{side}");
+    }
+}
