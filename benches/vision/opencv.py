@@ -13,7 +13,7 @@ import time
 import cv2
 import numpy as np
 
-ROUNDS = 2
+ROUNDS = 5
 # Every so many frames of the folder are looked at: neighbours are much alike.
 STEP = 4
 # Hue 0 to 180, saturation, value: orange, yellow, blue, white, green.
