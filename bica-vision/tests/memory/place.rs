@@ -126,3 +126,15 @@ fn the_covariance_tells_how_far_off_the_place_is() {
     assert!((1.2..2.6).contains(&mean), "{mean}");
     assert!(inside > 0.92, "{inside}");
 }
+
+/// Odometry is off by a tenth or so, and more by turns.
+#[test]
+fn belief_halves_on_the_way_and_in_a_turn() {
+    for (way, turn) in [(0.1, 0.0), (0.0, 0.2), (0.0, -0.2)] {
+        let mut memory = Memory::new(f32::MAX);
+        memory.see(Vec2::X, &sharp(), 1.0);
+        let motion = Pose2 { position: Vec2::X * way, heading: turn };
+        (0..30).for_each(|_| memory.advance(motion, 0.01));
+        assert!((memory.confidence() - 0.5).abs() < 1e-3, "{motion:?}: {}", memory.confidence());
+    }
+}
