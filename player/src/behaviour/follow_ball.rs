@@ -103,26 +103,26 @@ mod tests {
 
     const PERIOD: f32 = 0.05;
 
-    /// Whether it is blocked at the end of so many seconds, in which the ball is as far away as this says.
-    fn after(follow: &mut FollowBall, seconds: f32, distance: impl Fn(f32) -> f32) -> bool {
-        let runs = 0..(seconds / PERIOD) as u16;
-        runs.fold(false, |_, run| follow.is_blocked(Some(Vec2::X * distance(f32::from(run) * PERIOD)), PERIOD))
+    /// In which runs of so many seconds it is blocked, if the ball is as far away as this says.
+    fn runs(follow: &mut FollowBall, seconds: f32, distance: impl Fn(f32) -> f32) -> impl Iterator<Item = bool> {
+        let times = (0..(seconds / PERIOD) as u16).map(|run| f32::from(run) * PERIOD);
+        times.map(move |time| follow.is_blocked(Some(Vec2::X * distance(time)), PERIOD))
     }
 
     #[test]
     fn who_comes_nearer_is_not_blocked() {
-        assert!(!after(&mut FollowBall::new(), 20.0, |time| 3.0 - 0.1 * time));
-        assert!(!after(&mut FollowBall::new(), 20.0, |time| 1.0 + 0.2 * time), "the ball rolls away");
+        assert!(!runs(&mut FollowBall::new(), 20.0, |time| 3.0 - 0.1 * time).any(|blocked| blocked));
+        assert!(!runs(&mut FollowBall::new(), 20.0, |time| 1.0 + 0.2 * time).any(|blocked| blocked), "it rolls away");
     }
 
     #[test]
     fn who_comes_no_nearer_steps_to_one_side_and_then_to_the_other() {
         let mut follow = FollowBall::new();
-        assert!(!after(&mut follow, PROGRESS.1 - 0.2, |_| 1.0));
-        assert!(after(&mut follow, ASIDE.1, |_| 1.0));
+        assert!(!runs(&mut follow, PROGRESS.1 - 0.2, |_| 1.0).any(|blocked| blocked));
+        assert_eq!(runs(&mut follow, ASIDE.1, |_| 1.0).last(), Some(true));
         let before = follow.side;
-        assert!(!after(&mut follow, 1.0, |_| 1.0), "stepping aside ends");
-        assert!(after(&mut follow, PROGRESS.1, |_| 1.0));
+        assert_eq!(runs(&mut follow, 1.0, |_| 1.0).last(), Some(false), "stepping aside ends");
+        assert_eq!(runs(&mut follow, PROGRESS.1, |_| 1.0).last(), Some(true));
         assert!(follow.side * before < 0.0);
         follow.is_blocked(Some(Vec2::X * 0.8), PERIOD);
         assert!(!follow.is_blocked(Some(Vec2::X * 0.8), PERIOD), "the way is free");
