@@ -18,24 +18,36 @@ const TEST: [&str; 7] = ["test", "--quiet", "--package", "bica", "--test", "forw
 /// How often the component is changed; the least time counts.
 const CHANGES: u32 = 5;
 
-/// Measures, and fails if it takes too long.
+/// Measures, and fails if it takes too long: longer than `limit`, s, if there is one, to see the gate fail.
 ///
 /// # Errors
-/// What does not build, or what takes too long.
-pub(crate) fn check() -> Result<(), String> {
+/// A limit that is no time, what does not build, or what takes too long.
+pub(crate) fn check(limit: Option<&str>) -> Result<(), String> {
+    let limit = limit.map(seconds).transpose()?;
+    // Ctrl-C stops what is run here; this program goes on for a moment, to take the change back.
+    ctrlc::set_handler(|| {}).map_err(|error| format!("cannot listen to Ctrl-C: {error}"))?;
     let rebuilt = (1..=CHANGES).map(after_change).collect::<Result<Vec<_>, _>>()?;
     let changed = rebuilt.into_iter().min_by_key(|spent| spent.wall).ok_or("nothing was changed")?;
+    let (change, clean) = (limit.unwrap_or(CHANGE), limit.unwrap_or(FACADE));
     let facade = facade()?;
     println!("{:<60}{:>10}{:>16}{:>10}", "", "wall", "all processors", "may take");
-    tell("a change to a component, until its test has run", changed, CHANGE);
-    tell("a clean `cargo build --release` of the facade", facade, FACADE);
-    // Other programs on the machine take time from the wall clock and hardly from the processors': that decides.
-    for (what, spent, limit) in [("one component", changed, CHANGE), ("the facade", facade, FACADE)] {
-        if spent.wall.min(spent.busy) > limit {
-            return Err(format!("{what} takes longer to build than {} s", limit.as_secs()));
-        }
-    }
-    Ok(())
+    tell("a change to a component, until its test has run", changed, change);
+    tell("a clean `cargo build --release` of the facade", facade, clean);
+    let broken: Vec<String> =
+        [judge("one component", changed, change), judge("the facade", facade, clean)].into_iter().flatten().collect();
+    if broken.is_empty() { Ok(()) } else { Err(broken.join("; ")) }
+}
+
+fn seconds(text: &str) -> Result<Duration, String> {
+    let seconds = text.parse().ok().and_then(|seconds| Duration::try_from_secs_f64(seconds).ok());
+    seconds.ok_or_else(|| format!("--limit takes seconds, as in `--limit 0.1`, not `{text}`"))
+}
+
+/// What is wrong if it took too long. Other programs on the machine take time from the wall clock and hardly from the
+/// processors': the lesser of the two decides.
+fn judge(what: &str, spent: Spent, limit: Duration) -> Option<String> {
+    let (took, may) = (spent.wall.min(spent.busy).as_secs_f64(), limit.as_secs_f64());
+    (took > may).then(|| format!("{what} takes {took:.1} s to build, and may take {may} s"))
 }
 
 #[derive(Clone, Copy)]
@@ -47,7 +59,7 @@ struct Spent {
 
 fn tell(what: &str, spent: Spent, limit: Duration) {
     let (wall, busy) = (spent.wall.as_secs_f64(), spent.busy.as_secs_f64());
-    println!("{what:<60}{wall:>8.1} s{busy:>14.1} s{:>8} s", limit.as_secs());
+    println!("{what:<60}{wall:>8.1} s{busy:>14.1} s{:>8} s", limit.as_secs_f64());
 }
 
 fn facade() -> Result<Spent, String> {
@@ -110,5 +122,28 @@ impl Drop for Changed {
         if let Err(error) = fs::write(&self.file, &self.before) {
             eprintln!("xtask: {COMPONENT} still has the change that was made to measure: {error}");
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn spent(wall: u64, busy: u64) -> Spent {
+        Spent { wall: Duration::from_secs(wall), busy: Duration::from_secs(busy) }
+    }
+
+    #[test]
+    fn what_takes_too_long_is_named() {
+        assert_eq!(judge("one", spent(5, 9), CHANGE), None);
+        assert_eq!(judge("one", spent(9, 5), CHANGE), None);
+        let broken = judge("one", spent(6, 9), CHANGE);
+        assert_eq!(broken.as_deref(), Some("one takes 6.0 s to build, and may take 5 s"));
+    }
+
+    #[test]
+    fn a_limit_is_a_time() {
+        assert_eq!(seconds("0.5"), Ok(Duration::from_millis(500)));
+        assert!(["", "soon", "-1", "NaN", "inf"].iter().all(|text| seconds(text).is_err()));
     }
 }

@@ -27,7 +27,7 @@ Chores of the BICA workspace.
                         benches/instructions.txt; gets valgrind (with apt) and gungraun-runner (built once) first
                         (--bless: takes the new counts as right)
   cargo xtask buildtime measures what one waits for the compiler: a change to a component until its test has run, and a
-                        clean build of the facade
+                        clean build of the facade (--limit SECONDS: what each may take, to see it fail)
   cargo xtask fuzz      feeds any frames from any cameras to the eyes, and any bytes to the decoder of the robot's link;
                         fetches cargo-fuzz into target/ (--seconds N: for each of the two, instead of 60)
   cargo xtask opencv    the eyes beside OpenCV on the same frames, one core, in turn; fetches OpenCV into target/
@@ -49,7 +49,10 @@ fn main() -> ExitCode {
         (Some("mujoco"), None) => mujoco::install(),
         (Some("budget"), None) => instructions::check(false),
         (Some("budget"), Some(more)) if more == "--bless" => instructions::check(true),
-        (Some("buildtime"), None) => buildtime::check(),
+        (Some("buildtime"), None) => buildtime::check(None),
+        (Some("buildtime"), Some(more)) if more == "--limit" => {
+            buildtime::check(Some(&words.next().unwrap_or_default()))
+        }
         (Some("fuzz"), None) => fuzz::check(fuzz::SECONDS),
         (Some("fuzz"), Some(more)) if more == "--seconds" => fuzz::check(&words.next().unwrap_or_default()),
         (Some("opencv"), None) => opencv::compare(),

@@ -4,6 +4,7 @@
 mod count;
 mod gate;
 mod hardest;
+mod promise;
 
 use std::fs;
 
@@ -26,8 +27,10 @@ pub(crate) fn check(bless: bool) -> Result<(), String> {
     if !hard.is_empty() {
         return Err(format!("the eyes work too hard:\n  {}", hard.join("\n  ")));
     }
+    let promises = promise::judge(&counted);
     let file = root().join(FIGURES);
     if bless {
+        promises?;
         return fs::write(&file, gate::text(&counted, &rust))
             .map_err(|error| format!("cannot write {FIGURES}: {error}"));
     }
@@ -35,8 +38,11 @@ pub(crate) fn check(bless: bool) -> Result<(), String> {
     let report = gate::compare(&text, &counted, &rust)?;
     println!("{}", report.table);
     if report.wrong.is_empty() {
+        println!("{}", promises?);
         return Ok(());
     }
+    let (Ok(found) | Err(found)) = promises;
+    println!("{found}");
     let wrong = report.wrong.join("\n  ");
     Err(format!(
         "not within 2 % of {FIGURES}:\n  {wrong}\nIf that is meant, `cargo xtask budget --bless`, and say why in the commit."

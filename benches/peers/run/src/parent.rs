@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::{env, fs};
 
-use peers::report::claim::{deep, judge, latent};
+use peers::report::claim::{deep, judge};
 use peers::report::figures::{Figures, Way, Work};
 use peers::report::table;
 
@@ -57,11 +57,11 @@ pub(crate) fn run(options: &Options) -> Result<bool, String> {
         figures.sizes.insert((way, work), programs.size(program)?.saturating_sub(empty));
     }
     let verdicts = judge(&figures);
-    for table in [table::times(&figures), table::heap(&figures), table::sizes(&figures)] {
+    for table in [table::times(&figures), table::growth(&figures), table::heap(&figures), table::sizes(&figures)] {
         println!("{table}");
     }
     println!("{NOTES}\n{}", table::verdicts(&verdicts));
-    for note in [deep(&figures), latent(&figures)].into_iter().flatten() {
+    if let Some(note) = deep(&figures) {
         println!("{note}");
     }
     Ok(verdicts.iter().all(|verdict| verdict.holds))

@@ -8,6 +8,9 @@ use super::figures::{Figures, Way, Work};
 /// The works that all ways are asked for.
 const WORKS: [Work; 6] = [Work::Chain3, Work::Chain10, Work::Chain100, Work::Diamond, Work::Machine, Work::Forward];
 
+/// The works that show what more components cost; ours alone does them.
+const GROWING: [Work; 4] = [Work::Tree10, Work::Tree100, Work::Active, Work::Latent];
+
 /// Least times of a cycle and, in brackets, how many times ours.
 #[must_use]
 pub fn times(figures: &Figures) -> String {
@@ -18,6 +21,13 @@ pub fn times(figures: &Figures) -> String {
         Some(format!("{}{ratio}", short(*ns)))
     };
     table("ns per cycle (times BICA's)", cell)
+}
+
+/// What ours takes with more components, active or latent: nanoseconds of a cycle.
+#[must_use]
+pub fn growth(figures: &Figures) -> String {
+    let cell = |way, work| figures.times.get(&(way, work)).map(|&ns| short(ns));
+    table_of("ns per cycle, as trees grow", &GROWING, cell)
 }
 
 /// Heap allocations of a cycle.
@@ -43,17 +53,21 @@ pub fn verdicts(verdicts: &[Verdict]) -> String {
     verdicts.iter().map(line).collect()
 }
 
-/// A row for each way and a column for each work, as far as there is anything.
+/// A row for each way and a column for each of the works that all are asked for, as far as there is anything.
 fn table(title: &str, cell: impl Fn(Way, Work) -> Option<String>) -> String {
+    table_of(title, &WORKS, cell)
+}
+
+fn table_of(title: &str, works: &[Work], cell: impl Fn(Way, Work) -> Option<String>) -> String {
     let mut cells = BTreeMap::new();
     for &way in Way::ALL {
-        for work in WORKS {
+        for &work in works {
             if let Some(text) = cell(way, work) {
                 cells.insert((way, work), text);
             }
         }
     }
-    let works: Vec<Work> = WORKS.into_iter().filter(|work| cells.keys().any(|(_, with)| with == work)).collect();
+    let works: Vec<Work> = works.iter().copied().filter(|work| cells.keys().any(|(_, with)| with == work)).collect();
     let ways = Way::ALL.iter().filter(|way| cells.keys().any(|(with, _)| with == *way));
     let mut rows = vec![vec![title.to_owned()]];
     rows[0].extend(works.iter().map(|work| work.name().to_owned()));
