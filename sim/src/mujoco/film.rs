@@ -4,6 +4,7 @@ use mujoco_rs::prelude::{MjData, MjModel, MjvCamera};
 use mujoco_rs::renderer::RendererError;
 
 use super::eye::describe;
+use super::model::ONLOOKERS;
 use super::renderer::Renderer;
 use crate::film::{NoPicture, Onlooker, Picture};
 
@@ -16,7 +17,8 @@ pub(crate) struct Film {
 
 impl Film {
     pub(crate) fn new(model: &MjModel, width: usize, height: usize) -> Result<Self, NoPicture> {
-        let renderer = Renderer::new(model, width, height).map_err(|error| failed(&error))?;
+        let mut renderer = Renderer::new(model, width, height).map_err(|error| failed(&error))?;
+        renderer.show(ONLOOKERS);
         Ok(Self { renderer, width, height })
     }
 

@@ -1,6 +1,7 @@
 //! The model that MuJoCo computes: the robot of `models/nao.xml` on a field made from the field's lengths.
 
 mod field;
+mod hall;
 mod paint;
 mod robots;
 mod shades;
@@ -13,6 +14,7 @@ use bica_motion::joints::{JOINTS, Joint};
 use mujoco_rs::prelude::{MjModel, MjtObjBase};
 use mujoco_rs::wrappers::mj_auxiliary::MjVfs;
 
+pub(crate) use self::hall::ONLOOKERS;
 use self::paint::Paint;
 pub(crate) use self::shades::SHADES;
 use super::error::Error;
@@ -127,6 +129,7 @@ fn world(setup: &Setup, layout: &Layout) -> String {
     paint::lamps(&mut xml, light);
     shades::write(&mut xml);
     field::write(&mut xml);
+    hall::write(&mut xml);
     for other in &layout.others {
         robots::write(&mut xml, other);
     }

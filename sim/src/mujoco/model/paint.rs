@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use glam::Vec3;
 
+use super::hall;
 use crate::field::render::light::Light;
 use crate::field::render::palette::{
     BLUE_TEAM, CARPET, JOINT, LINE, ORANGE, RED_TEAM, Rgb, SHELL, SKY_BLUE, WHITE, YELLOW,
@@ -60,6 +61,7 @@ impl Paint {
         for (name, Rgb { x, y, z }) in materials {
             let _ = writeln!(xml, "<material name=\"{name}\" rgba=\"{x} {y} {z} 1\" specular=\"0\" shininess=\"0\"/>");
         }
+        hall::materials(xml);
         xml.push_str("</asset>\n");
     }
 }
