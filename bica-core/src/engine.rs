@@ -31,7 +31,7 @@ impl<T: Layout> Engine<T> {
         let mut cycle = Cycle { key: self.store.open(), probe };
         T::visit_root(&mut cycle);
         if self.forced > 0 {
-            force(&mut cycle);
+            force(&mut cycle, self.forced);
         }
         if cycle.key.pulse().may_have_changed() {
             settle(&mut cycle);
@@ -61,12 +61,16 @@ impl<T: Layout> Engine<T> {
     }
 }
 
-/// Visits what is held active and was not reached.
+/// Visits what is held active and was not reached; so many are held.
 #[cold]
-fn force<T: Layout, P: Probe>(cycle: &mut Cycle<'_, T, P>) {
+fn force<T: Layout, P: Probe>(cycle: &mut Cycle<'_, T, P>, mut held: usize) {
     for index in T::ORDER.iter().map(|&index| usize::from(index)) {
         if cycle.key.clock_at(index).is_some_and(|clock| clock.mark().held() == Hold::Active) {
             T::visit(cycle, index);
+            held -= 1;
+            if held == 0 {
+                return;
+            }
         }
     }
 }
