@@ -37,6 +37,8 @@ use crate::side::Side;
 const LONGEST_CYCLE: f32 = 0.03;
 /// How fast a step on the way is moved to catch the body, m/s. Source: HULKs 2025's most for a foot.
 const CATCHING: f32 = 0.6;
+/// A foot moved farther than this from its plan catches the body, m: more than a walk undisturbed.
+const CATCHES: f32 = 0.03;
 /// How far arms hang off the body, rad.
 const ARMS_OUT: f32 = 0.122;
 
@@ -49,6 +51,8 @@ pub enum Phase {
     Starting,
     /// Steps.
     Walking,
+    /// A step that comes down far from its plan, where it catches a body that topples.
+    Catching,
     /// A step through the ball.
     Kicking,
     /// Feet together, the weight comes to rest between them.
@@ -184,6 +188,9 @@ impl Walk {
         let wanted = self.gait.catch(self.off(plan)) * Vec2::new(1.0, plan.support.other().sign());
         let most = Vec2::splat(CATCHING * valid(dt));
         self.caught += (wanted - self.caught).clamp(-most, most);
+        if self.phase == Phase::Walking && self.caught.length() > CATCHES {
+            self.phase = Phase::Catching;
+        }
     }
 
     fn off(&self, plan: &Plan) -> Vec2 {

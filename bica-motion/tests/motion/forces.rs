@@ -70,6 +70,24 @@ fn a_body_that_topples_aside_is_caught_by_a_wider_step() {
 }
 
 #[test]
+fn a_step_that_catches_the_body_is_a_mode_of_its_own() {
+    let phases = |rolled: f32| {
+        let mut walk = Walk::new(&NAO.gait);
+        let phases = (0..300).map(|_| {
+            let roll = walk.support().map_or(0.0, |side| rolled * side.sign());
+            walk.step(Velocity::new(0.1, 0.0, 0.0), &Body { roll, ..level() }, CYCLE);
+            walk.phase()
+        });
+        phases.collect::<Vec<_>>()
+    };
+    assert!(!phases(0.0).contains(&Phase::Catching));
+    let toppling = phases(0.4);
+    assert!(toppling.contains(&Phase::Catching));
+    let walks_again = |pair: &[Phase]| pair == [Phase::Catching, Phase::Walking];
+    assert!(toppling.windows(2).any(walks_again), "a step later it walks again");
+}
+
+#[test]
 fn time_passes_slower_while_the_body_hangs_out_over_the_foot_that_carries() {
     let steps = |rolled: f32| {
         let mut walk = Walk::new(&NAO.gait);
