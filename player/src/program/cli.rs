@@ -161,6 +161,8 @@ pub(crate) enum TrialName {
     Falls,
     /// Getting up after being thrown over
     GetUp,
+    /// Games in which it is knocked over, and still has to score
+    Comeback,
 }
 
 #[cfg(feature = "mujoco")]
@@ -175,6 +177,7 @@ impl TrialName {
         Self::Kicks,
         Self::Falls,
         Self::GetUp,
+        Self::Comeback,
     ];
 
     /// The name as it is typed.
@@ -188,6 +191,7 @@ impl TrialName {
             Self::Kicks => "kicks",
             Self::Falls => "falls",
             Self::GetUp => "get-up",
+            Self::Comeback => "comeback",
         }
     }
 }

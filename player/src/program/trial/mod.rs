@@ -1,6 +1,7 @@
 //! Trials of the body in MuJoCo: walking, pushes, odometry, kicks, falls, getting up; each a table of what was reached.
 
 mod bench;
+mod comeback;
 mod dice;
 mod falls;
 mod get_up;
@@ -49,6 +50,7 @@ const fn of(name: TrialName) -> Try {
         TrialName::Kicks => kicks::rows,
         TrialName::Falls => falls::rows,
         TrialName::GetUp => get_up::rows,
+        TrialName::Comeback => comeback::rows,
     }
 }
 

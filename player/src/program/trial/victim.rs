@@ -1,4 +1,4 @@
-//! The forward, alone on the field and without eyes, to be thrown over.
+//! The forward, to be thrown over.
 
 use bica::{Instant, Tree};
 use bica_motion::fall::Uprightness;
@@ -7,12 +7,13 @@ use bica_motion::pose::Pose2;
 use bica_motion::profile::Profile;
 use bica_player::behaviour::FallGuard;
 use bica_player::input::Measured;
-use bica_player::perception::FallDetector;
+use bica_player::perception::{FallDetector, NetDetector};
 use bica_player::{Forward, act, sense};
 use bica_sim::World;
 use bica_sim::field::{Setup, Start};
-use bica_sim::mujoco::MujocoWorld;
-use bica_sim::referee::Event;
+use bica_sim::mujoco::{MujocoWorld, Physics};
+use bica_sim::referee::{Event, GoalColour};
+use bica_vision::colour::Colour;
 use glam::Vec2;
 
 use super::bench::Bench;
@@ -33,14 +34,22 @@ pub(crate) struct Victim {
 }
 
 impl Victim {
-    /// Stands there.
+    /// Stands there, alone and without eyes.
     pub(crate) fn new(bench: &Bench, seed: u64) -> Result<Self, Failure> {
         let start = Some(Start { robot: Pose2::ORIGIN, ball: Vec2::new(-2.8, 1.8) });
-        let setup = Setup { seed, goalkeeper: false, start, ..Setup::default() };
-        let world = MujocoWorld::new(&setup, &bench.physics)
+        Self::in_game(&Setup { seed, goalkeeper: false, start, ..Setup::default() }, &bench.physics, false)
+    }
+
+    /// In a game that begins.
+    pub(crate) fn in_game(setup: &Setup, physics: &Physics, cameras: bool) -> Result<Self, Failure> {
+        let world = MujocoWorld::new(setup, &Physics { cameras, ..*physics })
             .map_err(|error| Failure::new(error.to_string(), "try another value"))?;
         let mut robot = Box::new(Forward::new());
         robot.get_mut::<Measured>().be(&Profile::NAO);
+        robot.get_mut::<NetDetector>().attack(match world.referee().attacks() {
+            GoalColour::Yellow => Colour::Yellow,
+            GoalColour::SkyBlue => Colour::Blue,
+        });
         Ok(Self { world, robot, felt: None, hit: None })
     }
 
@@ -75,6 +84,14 @@ impl Victim {
         let fell = when(|event| matches!(event, Event::Fall(_)));
         let up = when(|event| *event == Event::GotUp);
         fell.zip(up).map(|(fell, up)| up - fell)
+    }
+
+    /// From its first fall to the next goal, s, if both happened.
+    pub(crate) fn scored(&self) -> Option<f32> {
+        let mut events = self.world.referee().events().iter();
+        let fell = events.find(|happened| matches!(happened.event, Event::Fall(_)))?;
+        let goal = events.find(|happened| happened.event == Event::Goal)?;
+        Some(goal.at.saturating_sub(fell.at).as_secs_f32())
     }
 
     /// Whether it goes on with what it did before.
