@@ -19,9 +19,10 @@ struct Fixture {
 }
 
 /// Together they make every component run.
-const GAMES: [Fixture; 3] = [
+const GAMES: [Fixture; 4] = [
     Fixture { seed: 0, robots: 2, fall: None },
     Fixture { seed: 26, robots: 2, fall: None },
+    Fixture { seed: 30, robots: 2, fall: None },
     Fixture { seed: 3, robots: 0, fall: Some(Duration::from_secs(6)) },
 ];
 /// How long it tells of the fall.
