@@ -1,34 +1,38 @@
 //! The image for the microcontroller: built, tested, weighed.
 
+use crate::cli::Firmware;
 use crate::no_std::Toolchain;
 use crate::process::{root, run, works};
 
 const IMAGE: &str = "firmware/target/thumbv7em-none-eabihf/release/forward";
 const FIGURES: &str = "firmware/figures.txt";
 
-/// Gets the target and QEMU, builds the image, and tests it; `more` is what is asked for beyond that.
+/// Gets the target and QEMU, builds the image, and tests it, or does what is asked for instead.
 ///
 /// # Errors
 /// What could not be installed or built, or did not hold.
-pub(crate) fn check(more: Option<&str>) -> Result<(), String> {
+pub(crate) fn check(asked: &Firmware) -> Result<(), String> {
     let rust = Toolchain::get()?;
     build(&rust)?;
-    if more == Some("--build") {
+    if asked.build {
         return Ok(());
     }
     if !works("qemu-system-arm", &["--version"]) {
         run("apt-get", &["update", "-qq"], &[])?;
         run("apt-get", &["install", "-y", "-qq", "qemu-system-arm"], &[])?;
     }
-    match more {
-        Some("--fuzz") => fuzz(),
-        Some(more) => self_test(&[more]),
-        None => {
-            build_for(&rust, "firmware/stm32h7/Cargo.toml", "firmware/stm32h7/target")?;
-            self_test(&[])?;
-            play()
-        }
+    if asked.fuzz {
+        return fuzz();
     }
+    if asked.size {
+        return self_test(&["--size"]);
+    }
+    if asked.bless {
+        return self_test(&["--bless"]);
+    }
+    build_for(&rust, "firmware/stm32h7/Cargo.toml", "firmware/stm32h7/target")?;
+    self_test(&[])?;
+    play()
 }
 
 fn self_test(more: &[&str]) -> Result<(), String> {

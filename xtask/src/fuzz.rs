@@ -6,17 +6,12 @@ use std::path::PathBuf;
 use crate::process::{root, run, works};
 
 const TARGETS: [&str; 2] = ["eyes", "wire"];
-/// Seconds for each target, if nothing is said.
-pub(crate) const SECONDS: &str = "60";
 
-/// Gets cargo-fuzz into target/, and runs each target for so many seconds.
+/// Gets cargo-fuzz into target/, and runs each target for so many seconds, at least 1: none would be for ever.
 ///
 /// # Errors
 /// What could not be installed or built, or a target that found an input that breaks what it holds.
-pub(crate) fn check(seconds: &str) -> Result<(), String> {
-    if seconds.parse::<u32>().is_err() {
-        return Err(format!("`{seconds}` is no number of seconds; say how long each target runs, such as {SECONDS}"));
-    }
+pub(crate) fn check(seconds: u32) -> Result<(), String> {
     let tool = tool()?;
     let limit = format!("-max_total_time={seconds}");
     for target in TARGETS {

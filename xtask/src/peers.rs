@@ -1,21 +1,21 @@
 //! BICA beside its peers. They are a workspace of their own: what they need is nothing that BICA needs.
 
+use crate::cli::Peers;
 use crate::process::run;
 
 const PLACE: [&str; 3] = ["--manifest-path", "benches/peers/Cargo.toml", "--locked"];
 const TARGET: [&str; 3] = ["--quiet", "--target-dir", "target/peers"];
 
-/// What [`measure`] takes.
-pub(crate) const OPTIONS: [&str; 2] = ["--quick", "--slow"];
-
 /// Builds all, then times, counts, weighs and judges.
 ///
 /// # Errors
 /// What could not be built, or that a promise is broken.
-pub(crate) fn measure(option: Option<&str>) -> Result<(), String> {
+pub(crate) fn measure(asked: &Peers) -> Result<(), String> {
     cargo("build", &["--release", "--workspace"])?;
     let program = ["--release", "--package", "peers-run", "--"];
-    cargo("run", &[&program[..], option.as_slice()].concat())
+    let options = [(asked.quick, "--quick"), (asked.slow, "--slow")];
+    let options: Vec<&str> = options.into_iter().filter_map(|(is_asked, word)| is_asked.then_some(word)).collect();
+    cargo("run", &[&program[..], &options].concat())
 }
 
 /// Whether all but copper-rs come to the same results, and the judge is right.

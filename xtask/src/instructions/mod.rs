@@ -8,6 +8,7 @@ mod promise;
 
 use std::fs;
 
+use crate::cli::Budget;
 use crate::process::{root, run, works};
 
 const FIGURES: &str = "benches/instructions.txt";
@@ -19,7 +20,7 @@ const TOOLS: &str = "target/tools";
 ///
 /// # Errors
 /// What could not be installed, built or counted, or what costs more or less than it did.
-pub(crate) fn check(bless: bool) -> Result<(), String> {
+pub(crate) fn check(asked: &Budget) -> Result<(), String> {
     let runner = get()?;
     let counted = count::count(&runner)?;
     let rust = count::compiler()?;
@@ -29,7 +30,7 @@ pub(crate) fn check(bless: bool) -> Result<(), String> {
     }
     let promises = promise::judge(&counted);
     let file = root().join(FIGURES);
-    if bless {
+    if asked.bless {
         promises?;
         return fs::write(&file, gate::text(&counted, &rust))
             .map_err(|error| format!("cannot write {FIGURES}: {error}"));
