@@ -1,6 +1,7 @@
 //! A fixed movement after an alignment.
 
 use bica::prelude::*;
+use bica_motion::kick::Kick;
 use bica_motion::pose::{rotate, wrap};
 use bica_motion::walk::Velocity;
 use libm::fabsf;
@@ -30,6 +31,7 @@ pub struct Fixmove {
     strike: Option<Strike>,
     settled: u8,
     far: bool,
+    gave_up: bool,
     done: bool,
 }
 
@@ -38,7 +40,7 @@ impl Fixmove {
     /// Has nothing to play.
     #[must_use]
     pub const fn new() -> Self {
-        Self { strike: None, settled: 0, far: false, done: false }
+        Self { strike: None, settled: 0, far: false, gave_up: false, done: false }
     }
 
     #[stop]
@@ -77,6 +79,7 @@ impl Fixmove {
     /// Steps back, to come to the ball another way.
     #[state]
     fn retreat(&mut self, body: &mut Body) {
+        self.gave_up = true;
         body.step_to(Velocity { forward: -FASTEST.0, left: 0.0, turn: 0.0 });
     }
 
@@ -117,6 +120,12 @@ impl Fixmove {
     #[must_use]
     pub const fn out_of_reach(&self) -> bool {
         self.far
+    }
+
+    /// The kick that was given up, as something was in the way.
+    #[must_use]
+    pub fn gave_up(&self) -> Option<Kick> {
+        self.strike.filter(|_| self.gave_up).map(|strike| strike.kick)
     }
 
     /// Whether the kick was played to its end, or given up.

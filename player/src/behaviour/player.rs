@@ -1,17 +1,20 @@
 //! The root: a forward that finds the ball, walks to it, looks for the goal and kicks.
 
 use bica::prelude::*;
+use bica_motion::kick::Kick;
 
 use super::{Dribble, FaceBall, FallGuard, Fixmove, FollowBall, GoRound, SearchBall, SearchNet};
 use crate::input::Measured;
 use crate::motion::Body;
-use crate::perception::{BallDetector, FallDetector, Localization, NetDetector, Odometry};
-use crate::strategy::{Plan, dribbles, plan};
+use crate::perception::{BallDetector, FallDetector, Localization, NetDetector, Odometry, RobotDetector};
+use crate::strategy::{Plan, Situation, dribbles, plan};
 
 /// The forward of RoboCup 2009.
 #[derive(Debug)]
 pub struct Player {
     plan: Plan,
+    /// The kick that was given up just now, as something was in the way.
+    in_vain: Option<Kick>,
 }
 
 #[component(hz = 20, budget_us = 20)]
@@ -19,16 +22,16 @@ impl Player {
     /// Starts in total uncertainty about the ball.
     #[must_use]
     pub const fn new() -> Self {
-        Self { plan: Plan::GoRound(0.0) }
+        Self { plan: Plan::GoRound(0.0), in_vain: None }
     }
 
     /// Looks around until the ball is seen.
     #[state(initial)]
     fn look_for_ball(&mut self, _search: &mut SearchBall) {}
 
-    /// Walks to the ball, by the direction in which the head looks at it.
+    /// Walks to the ball, by the direction in which the head looks at it. Notes who stands there.
     #[state]
-    fn approach(&mut self, _follow: &mut FollowBall) {}
+    fn approach(&mut self, _follow: &mut FollowBall, _robots: &RobotDetector) {}
 
     /// Stands at the ball and looks for the goal.
     #[state]
@@ -129,9 +132,11 @@ impl Player {
         ball: &BallDetector,
         net: &NetDetector,
         field: &Localization,
-        odometry: &Odometry,
+        robots: &RobotDetector,
+        body: &Measured,
     ) -> bool {
-        search.complete() && matches!(plan(ball, net, field, odometry), Plan::Kick(_))
+        let plan = || self.plan(Situation::of(ball, net, field, robots), body);
+        search.complete() && matches!(plan(), Plan::Kick(_))
     }
 
     #[transition(search_net -> go_round)]
@@ -156,7 +161,25 @@ impl Player {
 
     /// Decides what to do with the ball.
     #[exit(search_net)]
-    fn decide(&mut self, ball: &BallDetector, net: &NetDetector, field: &Localization, odometry: &Odometry) {
-        self.plan = plan(ball, net, field, odometry);
+    fn decide(
+        &mut self,
+        ball: &BallDetector,
+        net: &NetDetector,
+        field: &Localization,
+        robots: &RobotDetector,
+        odometry: &Odometry,
+        body: &Measured,
+    ) {
+        self.plan = self.plan(Situation::of(ball, net, field, robots), body).seen_with(odometry.pose().heading);
+    }
+
+    /// Learns whether the kick was possible.
+    #[exit(kick)]
+    fn judge(&mut self, fixmove: &Fixmove) {
+        self.in_vain = fixmove.gave_up();
+    }
+
+    fn plan(&self, situation: Option<Situation>, body: &Measured) -> Plan {
+        situation.map_or(Plan::GoRound(0.0), |situation| plan(&situation, &body.profile().kicks, self.in_vain))
     }
 }
