@@ -134,3 +134,33 @@ impl Fixmove {
         self.done
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use bica_motion::kick::KickKind;
+    use bica_motion::side::Side;
+
+    use super::*;
+
+    const STRIKE: Strike = Strike { kick: Kick { kind: KickKind::Diagonal, foot: Side::Left }, heading: 0.0 };
+
+    #[test]
+    fn who_steps_back_tells_which_kick_was_given_up() {
+        let mut fixmove = Fixmove::new();
+        fixmove.play(STRIKE);
+        assert_eq!(fixmove.gave_up(), None);
+        fixmove.retreat(&mut Body::new());
+        assert_eq!(fixmove.gave_up(), Some(STRIKE.kick));
+        fixmove.end();
+        assert_eq!(fixmove.gave_up(), None, "the next kick has nothing to do with it");
+    }
+
+    #[test]
+    fn a_ball_that_nobody_sees_is_not_lined_up_with() {
+        let mut fixmove = Fixmove::new();
+        fixmove.play(STRIKE);
+        fixmove.settled = SETTLED - 1;
+        fixmove.align(&Measured::new(), &BallDetector::new(), &Odometry::new(), &mut Body::new());
+        assert!(!fixmove.in_place() && !fixmove.out_of_reach());
+    }
+}

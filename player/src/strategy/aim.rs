@@ -12,8 +12,8 @@ const BESIDE: f32 = 0.38;
 const OTHERS: (i8, f32) = (4, 0.75);
 /// What it costs to aim beside the best place, rad for each metre.
 const OFF: f32 = 1.0;
-/// A ball that cannot get into the goal is kicked to places this far before it, and this far aside, m.
-const OPEN: (f32, [f32; 3]) = (1.2, [0.0, 0.6, -0.6]);
+/// A ball that cannot get into the goal is kicked to places this far before it, and this far aside, m; aside costs more, rad.
+const OPEN: (f32, [(f32, f32); 3]) = (1.2, [(0.0, 0.0), (0.6, 0.4), (-0.6, 0.4)]);
 
 /// A place to kick the ball to.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -37,5 +37,5 @@ pub(super) fn scoring(goal: &Goal) -> [Aim; 2 + 2 * OTHERS.0 as usize + 1] {
 
 /// Places on the field before the goal.
 pub(super) fn open(goal: &Goal) -> [Aim; 3] {
-    OPEN.1.map(|aside| Aim { at: goal.middle + aside * goal.across + OPEN.0 * goal.across.perp(), cost: 0.0 })
+    OPEN.1.map(|(aside, cost)| Aim { at: goal.middle + aside * goal.across + OPEN.0 * goal.across.perp(), cost })
 }
