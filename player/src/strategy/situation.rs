@@ -81,3 +81,25 @@ impl Goal {
         Some(Self { middle, across, gap: net.gap() })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_way_round_is_the_shorter_one_the_longer_one_or_none() {
+        let ball = Vec2::new(0.3, 0.0);
+        let with = |robots: &[Vec2]| {
+            let robots = robots.iter().map(|&at| Obstacle { at, radius: ROBOT });
+            Situation { ball, goal: None, obstacles: Obstacles(robots.collect()) }
+        };
+        let (right, left) = (ball - 0.3 * Vec2::Y, ball + 0.3 * Vec2::Y);
+        // Who turns to the left goes round on the right.
+        assert_eq!(with(&[]).way_round(2.0), Some(2.0));
+        assert_eq!(with(&[left]).way_round(2.0), Some(2.0));
+        assert_eq!(with(&[right]).way_round(2.0), Some(2.0 - TAU));
+        assert_eq!(with(&[right]).way_round(-2.0), Some(-2.0));
+        assert_eq!(with(&[left]).way_round(-2.0), Some(TAU - 2.0));
+        assert_eq!(with(&[left, right]).way_round(2.0), None);
+    }
+}
