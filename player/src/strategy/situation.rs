@@ -95,11 +95,11 @@ mod tests {
         };
         let (right, left) = (ball - 0.3 * Vec2::Y, ball + 0.3 * Vec2::Y);
         // Who turns to the left goes round on the right.
-        assert_eq!(with(&[]).way_round(2.0), Some(2.0));
-        assert_eq!(with(&[left]).way_round(2.0), Some(2.0));
-        assert_eq!(with(&[right]).way_round(2.0), Some(2.0 - TAU));
-        assert_eq!(with(&[right]).way_round(-2.0), Some(-2.0));
-        assert_eq!(with(&[left]).way_round(-2.0), Some(TAU - 2.0));
-        assert_eq!(with(&[left, right]).way_round(2.0), None);
+        assert_eq!(with(&[]).way_round(3.0), Some(3.0));
+        assert_eq!(with(&[left]).way_round(3.0), Some(3.0));
+        assert_eq!(with(&[right]).way_round(3.0), Some(3.0 - TAU));
+        assert_eq!(with(&[right]).way_round(-3.0), Some(-3.0));
+        assert_eq!(with(&[left]).way_round(-3.0), Some(TAU - 3.0));
+        assert_eq!(with(&[left, right]).way_round(3.0), None);
     }
 }
