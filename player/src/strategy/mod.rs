@@ -38,6 +38,8 @@ pub struct Strike {
 const FAR: f32 = 0.6;
 /// How far to go round when no goal was seen, rad: it is behind.
 const BEHIND: f32 = 2.5;
+/// What it costs to go round the ball at all, rad: more than any kick without.
+const ROUND: f32 = 10.0;
 /// Who goes round the ball anyway goes to where the surest kick does it: what a kick costs counts for more, by this factor.
 const CHOICE: f32 = 4.0;
 /// What it costs to try again what something was in the way of, rad.
@@ -50,6 +52,7 @@ const IN_VAIN: f32 = 1.0;
 /// A goal of which nobody knows is behind. A ball from which no free way leads into the goal, as beside a post, is kicked
 /// before the goal.
 #[must_use]
+#[inline(never)]
 pub fn plan(situation: &Situation, kicks: &Kicks, in_vain: Option<Kick>) -> Plan {
     let Some(goal) = &situation.goal else { return Plan::GoRound(BEHIND) };
     let choice = |aims: &[Aim]| choose(situation, aims, kicks, in_vain);
@@ -57,39 +60,36 @@ pub fn plan(situation: &Situation, kicks: &Kicks, in_vain: Option<Kick>) -> Plan
     possible.or_else(|| choose(&situation.alone(), &aim::scoring(goal), kicks, None)).unwrap_or(Plan::GoRound(BEHIND))
 }
 
-/// A kick that is possible.
-#[derive(Clone, Copy)]
-struct Choice {
-    kick: Kick,
-    /// The body has to turn by this, rad.
-    turn: f32,
-    /// What it costs beside the turning, rad.
-    cost: f32,
-}
-
-/// The cheapest kick that is possible with little turning; else the cheapest that is possible from round the ball.
+/// The cheapest kick that is possible with little turning; else the way round to the cheapest that is possible from there.
+#[inline(never)]
 fn choose(situation: &Situation, aims: &[Aim], kicks: &Kicks, in_vain: Option<Kick>) -> Option<Plan> {
-    let choices =
-        || aims.iter().flat_map(|aim| Kick::ALL.map(|kick| choice(situation, aim, kick, kicks, in_vain))).flatten();
-    let near = choices().filter(|choice| fabsf(choice.turn) < FAR);
-    if let Some(Choice { kick, turn, .. }) = least(near, |choice| fabsf(choice.turn) + choice.cost) {
-        return Some(Plan::Kick(Strike { kick, heading: turn }));
+    let mut best = (f32::INFINITY, None);
+    for aim in aims {
+        for kick in Kick::ALL {
+            let again = if in_vain == Some(kick) { IN_VAIN } else { 0.0 };
+            match weigh(situation, aim, kick, kicks, again) {
+                Some((effort, plan)) if effort < best.0 => best = (effort, Some(plan)),
+                _ => {}
+            }
+        }
     }
-    let round = choices().filter_map(|choice| Some(Choice { turn: situation.way_round(choice.turn)?, ..choice }));
-    least(round, |choice| fabsf(choice.turn) + CHOICE * choice.cost).map(|choice| Plan::GoRound(choice.turn))
+    best.1
 }
 
-fn choice(situation: &Situation, aim: &Aim, kick: Kick, kicks: &Kicks, in_vain: Option<Kick>) -> Option<Choice> {
+/// What leads to a kick, and the effort that it asks for, rad of turning; none if something is in the way.
+fn weigh(situation: &Situation, aim: &Aim, kick: Kick, kicks: &Kicks, again: f32) -> Option<(f32, Plan)> {
     let way = aim.at - situation.ball;
     let turn = wrap(atan2f(way.y, way.x) - kick.direction());
     let stand = situation.ball - rotate(kick.ball(kicks), turn);
-    let again = if in_vain == Some(kick) { IN_VAIN } else { 0.0 };
-    let possible = situation.obstacles.lets_stand(stand) && situation.obstacles.lets_pass(situation.ball, way);
-    possible.then_some(Choice { kick, turn, cost: aim.cost + reluctance(kick) + again })
-}
-
-fn least(choices: impl Iterator<Item = Choice>, effort: impl Fn(&Choice) -> f32) -> Option<Choice> {
-    choices.min_by(|a, b| effort(a).total_cmp(&effort(b)))
+    if !(situation.obstacles.lets_stand(stand) && situation.obstacles.lets_pass(situation.ball, way)) {
+        return None;
+    }
+    let cost = aim.cost + reluctance(kick) + again;
+    if fabsf(turn) < FAR {
+        return Some((fabsf(turn) + cost, Plan::Kick(Strike { kick, heading: turn })));
+    }
+    let round = situation.way_round(turn)?;
+    Some((ROUND + fabsf(round) + CHOICE * cost, Plan::GoRound(round)))
 }
 
 /// What a kick costs beside the turning, rad: the front kick is the surest.

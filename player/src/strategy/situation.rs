@@ -39,6 +39,7 @@ impl Situation {
     /// What is remembered; none if nobody knows where the ball is. A goal that was not seen whole is where the place on the field
     /// says.
     #[must_use]
+    #[inline(never)]
     pub fn of(ball: &BallDetector, net: &NetDetector, field: &Localization, robots: &RobotDetector) -> Option<Self> {
         let goal = Goal::of(net, field);
         let mut obstacles = Obstacles::default();
