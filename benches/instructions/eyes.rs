@@ -7,12 +7,16 @@ use gungraun::prelude::*;
 
 use crate::rendered;
 use crate::shot::{Album, Shot};
+use crate::slow::dawdle;
 use crate::worst::{self, COLOURS, PATTERNS};
 
 const SIZE: (u16, u16) = (320, 240);
 const WORLDS: u64 = 2;
 /// As many looks at a made-up frame as at rendered ones, so that counts can be compared.
 const FRAMES: usize = 2 * WORLDS as usize;
+/// The name of albums of frames that are made up, and how they dawdle if slowness is asked for.
+const WORST: &str = "worst";
+const DAWDLE: usize = 1000;
 
 type Desk = (Box<Eyes<512, 512>>, Album);
 
@@ -25,7 +29,7 @@ fn usual() -> Desk {
 }
 
 fn worst(shot: Shot) -> Desk {
-    desk(Album { name: "worst", table: BUILT_IN_TABLE.clone(), shots: vec![shot] })
+    desk(Album { name: WORST, table: BUILT_IN_TABLE.clone(), shots: vec![shot] })
 }
 
 /// A pattern in two colours, all by name.
@@ -53,6 +57,9 @@ fn pattern(name: &str, first: &str, second: &str) -> Desk {
 fn eyes((mut eyes, album): Desk) -> Desk {
     for shot in album.shots.iter().cycle().take(FRAMES) {
         eyes.look(&shot.frame(), &album.table, shot.camera.as_ref());
+        if album.name == WORST {
+            dawdle(DAWDLE);
+        }
     }
     (eyes, album)
 }

@@ -5,6 +5,7 @@ use std::hint::black_box;
 use bica::prelude::*;
 use gungraun::prelude::*;
 
+use crate::slow::dawdle;
 use crate::trees::chain::{Hundred, Rarely, Ten};
 use crate::trees::latent::{TenOfHundred, TenOfTen};
 use crate::trees::machine::{ByHand, Machine, Ring};
@@ -24,6 +25,7 @@ fn ticks<T: Tree>(tree: &mut T, from: u64, mut before: impl FnMut(&mut T, u64)) 
     for now in from..from + CYCLES {
         before(tree, now);
         black_box(&mut *tree).tick(Instant::from_millis(now));
+        dawdle(T::COUNT);
     }
 }
 

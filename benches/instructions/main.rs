@@ -19,6 +19,7 @@ mod rendered;
 #[path = "../vision/shot.rs"]
 #[expect(dead_code, reason = "benchmarks of time name frames and sizes")]
 mod shot;
+mod slow;
 #[path = "../trees/mod.rs"]
 mod trees;
 #[path = "../vision/worst.rs"]

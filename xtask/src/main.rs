@@ -5,6 +5,7 @@ mod cli;
 mod firmware;
 mod fuzz;
 mod instructions;
+mod miri;
 mod mujoco;
 mod no_std;
 mod opencv;
@@ -40,6 +41,7 @@ fn done(chore: &Chore) -> Result<(), String> {
         Chore::Buildtime(asked) => buildtime::check(asked.limit),
         Chore::Fuzz(asked) => fuzz::check(asked.seconds),
         Chore::Opencv => opencv::compare(),
+        Chore::Miri => miri::check(),
         Chore::Peers(asked) => peers::measure(asked),
         Chore::Ci => ci(),
     }
@@ -53,6 +55,7 @@ fn ci() -> Result<(), String> {
     run("cargo", &["test", "--workspace"], &[])?;
     peers::check()?;
     run("cargo", &["run", "--release", "--", "play", "--games", "20", "--at-least", "19"], &[])?;
+    miri::check_where_possible()?;
     instructions::check(&Budget::default())?;
     mujoco::check()?;
     no_std::check()?;

@@ -15,7 +15,8 @@ fn xtask(words: &[&str]) -> Said {
     Said { code: done.status.code(), stdout: text(done.stdout), stderr: text(done.stderr) }
 }
 
-const CHORES: [&str; 9] = ["no-std", "firmware", "mujoco", "budget", "buildtime", "fuzz", "opencv", "peers", "ci"];
+const CHORES: [&str; 10] =
+    ["no-std", "firmware", "mujoco", "budget", "buildtime", "fuzz", "opencv", "miri", "peers", "ci"];
 
 #[test]
 fn without_a_word_and_when_asked_it_lists_the_chores() {

@@ -59,13 +59,17 @@ pub(crate) enum Chore {
     /// Both see the same frames on one core, in turn. Fetches OpenCV into target/ first (needs Python 3), and fails unless the
     /// eyes take a tenth of the time or less.
     Opencv,
+    /// Run the framework's tests in Miri, which stops at undefined behaviour
+    ///
+    /// Installs a nightly compiler that has Miri first (with rustup).
+    Miri,
     /// Do the same work in BICA and its peers, and judge what is promised of speed
     ///
     /// Times copper-rs, statig, smlang and other designs beside BICA, and fails if a promise about speed is broken.
     Peers(Peers),
     /// Check all that CI checks, in CI's order
     ///
-    /// Format, lints, docs, tests, twenty games, instructions, MuJoCo, no-std, firmware.
+    /// Format, lints, docs, tests, twenty games, Miri, instructions, MuJoCo, no-std, firmware.
     Ci,
 }
 
@@ -88,10 +92,14 @@ pub(crate) struct Firmware {
 }
 
 #[derive(Debug, Default, Args)]
+#[group(multiple = false)]
 pub(crate) struct Budget {
     /// Take the new counts as right
     #[arg(long)]
     pub(crate) bless: bool,
+    /// Count trees and frames made slower on purpose: fails unless every gate does
+    #[arg(long)]
+    pub(crate) slow: bool,
 }
 
 #[derive(Debug, Args)]

@@ -69,5 +69,6 @@ fn a_wrong_option_is_named_with_the_one_that_may_be_meant() {
 #[test]
 fn what_cannot_be_done_at_once_is_refused() {
     is_refused("firmware --build --fuzz", &["'--build'", "'--fuzz'"]);
+    is_refused("budget --bless --slow", &["'--bless'", "'--slow'"]);
     is_refused("peers --quick --slow", &["'--quick'", "'--slow'"]);
 }

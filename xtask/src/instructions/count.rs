@@ -6,14 +6,19 @@ use serde_json::Value;
 
 use crate::process::output;
 
-/// Runs the benchmarks under valgrind: instructions by name.
+/// Asks the benchmarks to be slow, when they are compiled.
+const SLOW: (&str, &str) = ("BICA_SLOW", "1");
+
+/// Runs the benchmarks under valgrind, as they are or made slower on purpose: instructions by name.
 ///
 /// # Errors
 /// What does not build or run, or what cannot be understood of what comes out.
-pub(crate) fn count(runner: &str) -> Result<BTreeMap<String, u64>, String> {
+pub(crate) fn count(runner: &str, slow: bool) -> Result<BTreeMap<String, u64>, String> {
     let bench = ["bench", "--quiet", "--package", "bica", "--bench", "instructions", "--"];
     let asked = ["--output-format=json", "--parallel=auto"];
-    let out = output("cargo", &[&bench[..], &asked].concat(), &[("GUNGRAUN_RUNNER", runner)])?;
+    let variables = [("GUNGRAUN_RUNNER", runner), SLOW];
+    let variables = if slow { &variables[..] } else { &variables[..1] };
+    let out = output("cargo", &[&bench[..], &asked].concat(), variables)?;
     out.lines().map(read).collect()
 }
 

@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 
 /// Of one benchmark: rendered frames, and as many looks at each frame that is made to cost most.
-const EYES: &str = "eyes.";
-const USUAL: &str = "eyes.usual";
+pub(super) const EYES: &str = "eyes.";
+pub(super) const USUAL: &str = "eyes.usual";
 /// How many times as many instructions as a usual frame any other may take.
 const MOST: f64 = 5.0;
 

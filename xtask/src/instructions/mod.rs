@@ -5,6 +5,7 @@ mod count;
 mod gate;
 mod hardest;
 mod promise;
+mod slow;
 
 use std::fs;
 
@@ -22,21 +23,22 @@ const TOOLS: &str = "target/tools";
 /// What could not be installed, built or counted, or what costs more or less than it did.
 pub(crate) fn check(asked: &Budget) -> Result<(), String> {
     let runner = get()?;
-    let counted = count::count(&runner)?;
+    let counted = count::count(&runner, asked.slow)?;
     let rust = count::compiler()?;
+    if asked.slow {
+        return slow::judge(&counted, &committed()?, &rust).map(|said| println!("{said}"));
+    }
     let hard = hardest::wrong(&counted);
     if !hard.is_empty() {
         return Err(format!("the eyes work too hard:\n  {}", hard.join("\n  ")));
     }
     let promises = promise::judge(&counted);
-    let file = root().join(FIGURES);
     if asked.bless {
         promises?;
-        return fs::write(&file, gate::text(&counted, &rust))
+        return fs::write(root().join(FIGURES), gate::text(&counted, &rust))
             .map_err(|error| format!("cannot write {FIGURES}: {error}"));
     }
-    let text = fs::read_to_string(&file).map_err(|error| format!("cannot read {FIGURES}: {error}"))?;
-    let report = gate::compare(&text, &counted, &rust)?;
+    let report = gate::compare(&committed()?, &counted, &rust)?;
     println!("{}", report.table);
     if report.wrong.is_empty() {
         println!("{}", promises?);
@@ -48,6 +50,10 @@ pub(crate) fn check(asked: &Budget) -> Result<(), String> {
     Err(format!(
         "not within 2 % of {FIGURES}:\n  {wrong}\nIf that is meant, `cargo xtask budget --bless`, and say why in the commit."
     ))
+}
+
+fn committed() -> Result<String, String> {
+    fs::read_to_string(root().join(FIGURES)).map_err(|error| format!("cannot read {FIGURES}: {error}"))
 }
 
 /// Valgrind, and what reads its counts.

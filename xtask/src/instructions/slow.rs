@@ -1,0 +1,85 @@
+//! Whether the gates can fail: what is counted is slower on purpose, and each gate must say so.
+
+use std::collections::BTreeMap;
+
+use super::hardest::{EYES, USUAL};
+use super::{gate, hardest, promise};
+
+/// The benchmarks of trees; all of them dawdle, but not what is beside them for comparison.
+const TREES: &str = ".cycles";
+const BY_HAND: &str = "machine_by_hand.cycles";
+
+/// What the gates say of counts that are too high on purpose.
+///
+/// # Errors
+/// What they should have found and did not, or committed counts that cannot be read.
+pub(crate) fn judge(counted: &BTreeMap<String, u64>, committed: &str, compiler: &str) -> Result<String, String> {
+    let frames = || counted.keys().filter(|name| name.starts_with(EYES) && *name != USUAL);
+    let trees = counted.keys().filter(|name| name.ends_with(TREES) && *name != BY_HAND);
+    let hard = hardest::wrong(counted);
+    let (Ok(promises) | Err(promises)) = promise::judge(counted);
+    let changed = gate::compare(committed, counted, compiler)?.wrong;
+    let missed: Vec<String> = [
+        unsaid(frames(), &hard, "not too hard"),
+        unsaid(frames().chain(trees), &changed, "not off"),
+        promises.lines().filter(|line| line.starts_with(promise::KEPT)).map(str::to_owned).collect(),
+    ]
+    .concat();
+    if !missed.is_empty() {
+        return Err(format!("slower on purpose, and yet:\n  {}", missed.join("\n  ")));
+    }
+    Ok(format!("{}\n{promises}\n{}\nEvery gate fails, as it should.", hard.join("\n"), changed.join("\n")))
+}
+
+/// The names of which no line says anything.
+fn unsaid<'a>(names: impl Iterator<Item = &'a String>, said: &[String], what: &str) -> Vec<String> {
+    let is_said = |name: &str| said.iter().any(|line| line.split(':').next() == Some(name));
+    names.filter(|name| !is_said(name)).map(|name| format!("{name}: {what}")).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const NAMES: [&str; 8] = [
+        "a_hundred.cycles",
+        "chain_of_a_hundred.cycles",
+        "chain_of_ten.cycles",
+        "eyes.noise",
+        USUAL,
+        "ten.cycles",
+        "ten_of_a_hundred.cycles",
+        "ten_of_ten.cycles",
+    ];
+
+    fn judged(slow: &BTreeMap<String, u64>) -> Result<String, String> {
+        let committed = NAMES.map(|name| (name.to_owned(), 1000)).into();
+        judge(slow, &gate::text(&committed, "rustc 1"), "rustc 1")
+    }
+
+    /// Ten times as slow, and a hundred times if of a hundred components.
+    fn slow() -> BTreeMap<String, u64> {
+        let slow = NAMES.map(|name| (name.to_owned(), if name.contains("hundred") { 1_000_000 } else { 10_000 }));
+        slow.into_iter().chain([(USUAL.to_owned(), 1000)]).collect()
+    }
+
+    #[test]
+    fn all_is_well_if_every_gate_fails() {
+        assert!(
+            judged(&slow()).is_ok_and(|said| said.contains("eyes.noise: 10.0 ×") && said.contains("FAIL  ten active"))
+        );
+    }
+
+    #[test]
+    fn a_gate_that_holds_is_named() {
+        for (name, count, gate) in [
+            ("eyes.noise", 4000, "eyes.noise: not too hard"),
+            ("ten_of_a_hundred.cycles", 10_000, "pass  ten active"),
+            ("chain_of_a_hundred.cycles", 100_000, "pass  a chain"),
+            ("ten.cycles", 1010, "ten.cycles: not off"),
+        ] {
+            let counted = slow().into_iter().chain([(name.to_owned(), count)]).collect();
+            assert!(judged(&counted).is_err_and(|said| said.contains(gate)), "{gate}");
+        }
+    }
+}
