@@ -161,6 +161,8 @@ pub(crate) enum TrialName {
     Falls,
     /// Getting up after being thrown over
     GetUp,
+    /// Getting up beside a goal post, in the goal, beside the goalkeeper
+    Obstacles,
     /// Games in which it is knocked over, and still has to score
     Comeback,
 }
@@ -177,6 +179,7 @@ impl TrialName {
         Self::Kicks,
         Self::Falls,
         Self::GetUp,
+        Self::Obstacles,
         Self::Comeback,
     ];
 
@@ -191,6 +194,7 @@ impl TrialName {
             Self::Kicks => "kicks",
             Self::Falls => "falls",
             Self::GetUp => "get-up",
+            Self::Obstacles => "obstacles",
             Self::Comeback => "comeback",
         }
     }

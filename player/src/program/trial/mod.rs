@@ -1,4 +1,4 @@
-//! Trials of the body in MuJoCo: walking, pushes, odometry, kicks, falls, getting up; each a table of what was reached.
+//! Trials of the body in MuJoCo: walking, pushes, odometry, kicks, falls, getting up, also beside obstacles; each a table of what was reached.
 
 mod bench;
 mod comeback;
@@ -6,6 +6,7 @@ mod dice;
 mod falls;
 mod get_up;
 mod kicks;
+mod obstacles;
 mod odometry;
 mod table;
 mod victim;
@@ -50,6 +51,7 @@ const fn of(name: TrialName) -> Try {
         TrialName::Kicks => kicks::rows,
         TrialName::Falls => falls::rows,
         TrialName::GetUp => get_up::rows,
+        TrialName::Obstacles => obstacles::rows,
         TrialName::Comeback => comeback::rows,
     }
 }

@@ -31,6 +31,18 @@ pub(crate) struct Victim {
     pub(crate) felt: Option<f32>,
     /// When more than its feet touched the ground, s, and whether its legs were soft then.
     pub(crate) hit: Option<(f32, bool)>,
+    /// How often it tried to get up.
+    pub(crate) tries: u8,
+    tries_now: bool,
+}
+
+/// How long someone who fell has been on its feet again.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Stood {
+    /// From the first fall until it got up last, or until now, s.
+    pub(crate) after: f32,
+    /// Since it got up last, s; 0 if it lies.
+    pub(crate) since: f32,
 }
 
 impl Victim {
@@ -50,7 +62,7 @@ impl Victim {
             GoalColour::Yellow => Colour::Yellow,
             GoalColour::SkyBlue => Colour::Blue,
         });
-        Ok(Self { world, robot, felt: None, hit: None })
+        Ok(Self { world, robot, felt: None, hit: None, tries: 0, tries_now: false })
     }
 
     /// Does what it likes for some seconds.
@@ -66,8 +78,18 @@ impl Victim {
             self.felt = self.felt.or_else(|| falls.then_some(now.as_secs_f32()));
             let soft = command.stiffness[Joint::LKneePitch] <= SOFT;
             self.hit = self.hit.or_else(|| self.world.is_on_ground().then_some((now.as_secs_f32(), soft)));
+            self.count();
         }
         Ok(())
+    }
+
+    fn count(&mut self) {
+        let guard = Forward::id::<FallGuard>();
+        let states = Forward::GRAPH.nodes[guard.index()].states;
+        let tries =
+            self.robot.is_active(guard) && self.robot.state(guard).is_some_and(|state| states[state].name == "get_up");
+        self.tries += u8::from(tries && !self.tries_now);
+        self.tries_now = tries;
     }
 
     /// Throws it over: changes the velocity of its torso, m/s, field frame.
@@ -84,6 +106,16 @@ impl Victim {
         let fell = when(|event| matches!(event, Event::Fall(_)));
         let up = when(|event| *event == Event::GotUp);
         fell.zip(up).map(|(fell, up)| up - fell)
+    }
+
+    /// Whether it is on its feet since its first fall, and how long; none before that; by the referee.
+    pub(crate) fn stood(&self) -> Option<Stood> {
+        let now = self.world.now().as_secs_f32();
+        let mut events = self.world.referee().events().iter();
+        let fell = events.find(|happened| matches!(happened.event, Event::Fall(_)))?.at.as_secs_f32();
+        let last = events.rfind(|happened| matches!(happened.event, Event::Fall(_) | Event::GotUp));
+        let up = last.filter(|last| last.event == Event::GotUp).map(|last| last.at.as_secs_f32());
+        Some(Stood { after: up.unwrap_or(now) - fell, since: up.map_or(0.0, |up| now - up) })
     }
 
     /// From its first fall to the next goal, s, if both happened.
