@@ -33,8 +33,8 @@ const SOFT: f32 = 0.65;
 const HELD: f32 = 0.8;
 /// The torso's axis has risen if it rises more than this, as the sine of the angle to the ground.
 const RISEN: f32 = 0.9;
-/// And lies again if it rises less than this.
-const LYING: f32 = 0.3;
+/// And lies again, or does not even sit where it should, if it rises less than this.
+const LYING: f32 = 0.5;
 /// Who leans forward by more than this lies on its face, rad.
 const ON_ITS_FACE: f32 = 1.0;
 /// On the way from the back nobody may lie so from this posture on: by then the legs have rolled over who lay on a side.
@@ -68,13 +68,12 @@ impl GetUp {
     /// From where the robot lies, with the joints at `from` (measured angles, rad), after so many `failures`.
     ///
     /// From a side it is the way from the back: the legs roll the body over; whom they roll on its face stops at once.
-    /// After a failure it is tried with left and right swapped, after the next the way from the other side, in case the robot
-    /// lies otherwise than it feels.
+    /// After a failure it is tried with left and right swapped.
     #[must_use]
     pub fn new(lying: Direction, failures: u8, from: Joints) -> Self {
-        let on_back = (lying != Direction::Front) != (failures % 3 == 2);
+        let on_back = lying != Direction::Front;
         let side = if on_back { Direction::Back } else { Direction::Front };
-        let mut movement = Self { side, mirrored: failures % 3 == 1, from, index: 0, fell: false, ..Self::none() };
+        let mut movement = Self { side, mirrored: failures % 2 == 1, from, index: 0, fell: false, ..Self::none() };
         movement.seconds = movement.needed();
         movement
     }
@@ -109,10 +108,11 @@ impl GetUp {
         (targets, self.stiffness())
     }
 
-    /// Who had risen and lies again need not go on; nor need who came to lie on the wrong side.
+    /// Who had risen and lies again need not go on; nor need who does not sit when it is to rise from there, nor who came to
+    /// lie on the wrong side.
     fn feel(&mut self, inertial: &Inertial) {
         let rise = libm::cosf(inertial.pitch) * libm::cosf(inertial.roll);
-        self.risen |= rise > RISEN;
+        self.risen |= rise > RISEN || self.index > self.begin().len();
         let on_face = self.side == Direction::Back && self.index >= ROLLED && inertial.pitch > ON_ITS_FACE;
         self.fell |= self.risen && rise < LYING || on_face;
     }

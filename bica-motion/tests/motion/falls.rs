@@ -141,7 +141,7 @@ fn get_ups_keep_to_limits_and_speeds_and_end_in_the_stand() {
 #[test]
 fn a_get_up_passes_the_phases_by_which_it_is_known() {
     for direction in Direction::ALL {
-        let targets = get_up(GetUp::new(direction, 0, Joints::all(0.0)), &tilted(toward(direction, 1.57)));
+        let targets = get_up(GetUp::new(direction, 0, Joints::all(0.0)), &Inertial::default());
         let tucked =
             targets.iter().position(|t| t[Joint::LKneePitch] > TUCKED_KNEE && t[Joint::RKneePitch] > TUCKED_KNEE);
         let tucked = tucked.expect("it tucks");
@@ -151,23 +151,31 @@ fn a_get_up_passes_the_phases_by_which_it_is_known() {
 }
 
 #[test]
-fn after_a_failure_it_is_tried_another_way() {
+fn after_a_failure_it_is_tried_the_other_way_round() {
     let way = |failures| get_up(GetUp::new(Direction::Back, failures, STAND), &Inertial::default());
-    assert_eq!(way(3), way(0));
+    assert_eq!(way(2), way(0));
     let mirrored: Vec<Joints> = way(0).iter().map(Joints::mirrored).collect();
     for (own, expected) in way(1).iter().zip(&mirrored) {
         assert!(Joint::ALL.into_iter().all(|joint| (own[joint] - expected[joint]).abs() < 1e-5));
     }
-    assert_eq!(way(2), get_up(GetUp::new(Direction::Front, 0, STAND), &Inertial::default()));
 }
 
 #[test]
 fn whom_the_legs_roll_on_its_face_gets_up_from_there() {
     let lying = |direction| tilted(toward(direction, 1.5));
-    for (rolled_on, seconds) in [(Direction::Back, 4.0..9.0), (Direction::Front, 0.5..1.5)] {
+    for (rolled_on, seconds) in [(Direction::Back, 2.0..4.0), (Direction::Front, 0.5..1.5)] {
         let targets = get_up(GetUp::new(Direction::Left, 0, STAND), &lying(rolled_on));
         assert!(seconds.contains(&(targets.len() as f32 * CYCLE)), "{rolled_on:?}: {} cycles", targets.len());
     }
+}
+
+#[test]
+fn who_does_not_sit_when_it_is_to_rise_stops() {
+    let whole = get_up(GetUp::new(Direction::Front, 0, STAND), &Inertial::default()).len();
+    let sits = get_up(GetUp::new(Direction::Front, 0, STAND), &tilted(toward(Direction::Front, 0.9))).len();
+    let lies = get_up(GetUp::new(Direction::Front, 0, STAND), &tilted(toward(Direction::Front, 1.2))).len();
+    assert_eq!(sits, whole);
+    assert!((whole - 450..whole - 350).contains(&lies), "{lies} of {whole} cycles");
 }
 
 #[test]
