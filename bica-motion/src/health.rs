@@ -48,7 +48,16 @@ const CARRIES: f32 = 30.0;
 /// Beyond this lean it is falling or lying, where neither feet nor joints do as usual, rad.
 const UPRIGHT: f32 = 0.4;
 
-/// Watches joints, motors, inertial unit and feet; once it has found a fault, that stays.
+impl Fault {
+    /// Whether it passes with time: heat does.
+    #[must_use]
+    pub const fn passes(self) -> bool {
+        matches!(self, Self::Hot(_) | Self::Overloaded(_))
+    }
+}
+
+/// Watches joints, motors, inertial unit and feet. Once it has found a fault, that stays; but what is too hot may move again
+/// when everything has cooled below 70 °C, as the robot's own firmware has it, and no coil takes more than it bears for good.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Health {
     fault: Option<Fault>,
@@ -85,7 +94,10 @@ impl Health {
     /// What is wrong.
     #[must_use]
     pub const fn fault(&self) -> Option<Fault> {
-        self.fault
+        match self.fault {
+            Some(fault) => Some(fault),
+            None => self.strain.fault(),
+        }
     }
 
     /// How hard to hold joints that are to be held with a `stiffness`: those whose motors are hot or draw much, less.
@@ -107,8 +119,8 @@ impl Health {
             (self.silent, self.stuck.1) = ([0; 2], 0);
             inertial
         };
-        let strained = self.strain.step(sensors, upright);
-        self.fault = self.fault.or(found).or(strained);
+        self.strain.step(sensors, upright);
+        self.fault = self.fault.or(found);
     }
 
     fn inertial(&mut self, now: &Inertial) -> Option<Fault> {

@@ -12,6 +12,8 @@ const HOT: [f32; 2] = [70.0, 75.0];
 /// The same for the heat that goes into a coil, as a multiple of what it bears for good. Our choice: in `MuJoCo` walking
 /// brings knees to 2.3, and a motor that pushes with all its force gets past 4 within nine seconds.
 const LOADED: [f32; 2] = [3.0, 4.0];
+/// A coil has recovered when it has less, on the same scale: what it bears for good.
+const RECOVERED: f32 = 1.0;
 /// Share of its stiffness that a joint has left at the second value.
 const EASED: f32 = 0.7;
 /// What a cycle of 10 ms adds to the heat of a coil: one without iron follows within about ten seconds.
@@ -30,11 +32,17 @@ pub(crate) struct Strain {
     shares: Joints,
     /// For how long a joint has been too hot, cycles.
     hot: u16,
+    fault: Option<Fault>,
 }
 
 impl Strain {
     pub(crate) const fn new() -> Self {
-        Self { loads: Joints::all(0.0), shares: Joints::all(1.0), hot: 0 }
+        Self { loads: Joints::all(0.0), shares: Joints::all(1.0), hot: 0, fault: None }
+    }
+
+    /// What is too hot, until all have cooled.
+    pub(crate) const fn fault(&self) -> Option<Fault> {
+        self.fault
     }
 
     pub(crate) fn eased(&self, stiffness: &Joints) -> Joints {
@@ -47,8 +55,8 @@ impl Strain {
 
     /// Takes a cycle's temperatures and currents; what is no number is none. Falling and getting up, brief and hard, do not
     /// count as a load.
-    pub(crate) fn step(&mut self, sensors: &Sensors<'_>, upright: bool) -> Option<Fault> {
-        let (mut hot, mut overloaded) = (None, None);
+    pub(crate) fn step(&mut self, sensors: &Sensors<'_>, upright: bool) {
+        let (mut hot, mut overloaded, mut cool) = (None, None, true);
         for joint in Joint::ALL {
             let (temperature, current) = (sensors.temperatures[joint], sensors.currents[joint]);
             let load = &mut self.loads[joint];
@@ -58,6 +66,7 @@ impl Strain {
                 let share = within(current / CONTINUOUS_CURRENT[joint], -MOST, MOST);
                 *load += COIL * (share * share - *load);
             }
+            cool &= !(temperature >= HOT[0] || *load >= RECOVERED);
             self.shares[joint] = left(temperature, HOT) * left(*load, LOADED);
             if temperature >= HOT[1] {
                 hot = Some(Fault::Hot(joint));
@@ -67,7 +76,8 @@ impl Strain {
             }
         }
         self.hot = if hot.is_some() { self.hot.saturating_add(1) } else { 0 };
-        hot.filter(|_| self.hot >= SURE).or(overloaded)
+        let found = hot.filter(|_| self.hot >= SURE).or(overloaded);
+        self.fault = self.fault.filter(|_| !cool).or(found);
     }
 }
 

@@ -1,8 +1,10 @@
-//! A motor that gets too hot ends the game safely; a game heats none.
+//! A motor that gets too hot sits the robot down safely until it has cooled; a game heats none.
 
 use bica_motion::health::Fault;
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::stand::{RESTING, SIT};
+use bica_player::Forward;
+use bica_player::behaviour::FallGuard;
 use bica_player::input::Measured;
 use bica_sim::World;
 use bica_sim::field::Setup;
@@ -37,6 +39,23 @@ fn a_hot_joint_is_held_less_firmly_then_the_robot_sits_down() {
         assert!(off[7..18].iter().all(|off| *off < 0.02), "seed {seed}: {off:?}");
         assert_eq!(game.world.referee().falls(), 0, "seed {seed}");
     }
+}
+
+#[test]
+fn who_sat_down_hot_stands_up_and_plays_on_when_it_has_cooled() {
+    let mut game = Game::new(&Setup { seed: 3, ..Setup::default() });
+    game.world.heat(Joint::LKneePitch, 78.0);
+    play(&mut game, 900);
+    game.world.heat(Joint::LKneePitch, 71.0);
+    play(&mut game, 100);
+    assert!(game.robot.get::<Measured>().fault().is_some());
+    assert!(game.robot.is_active(Forward::id::<FallGuard>()), "it sits");
+    game.world.heat(Joint::LKneePitch, 60.0);
+    play(&mut game, 300);
+    assert_eq!(game.robot.get::<Measured>().fault(), None);
+    assert!(!game.robot.is_active(Forward::id::<FallGuard>()), "it plays");
+    play(&mut game, 6000);
+    assert_eq!((game.world.referee().falls(), game.world.referee().goals()), (0, 1));
 }
 
 #[test]

@@ -118,6 +118,33 @@ fn a_hot_joint_is_a_fault_before_the_robot_itself_weakens_it() {
 }
 
 #[test]
+fn what_was_too_hot_may_move_again_when_everything_has_cooled() {
+    let hot = |temperature| move |sensors: &mut Sensors<'_>| sensors.temperatures[Joint::LKneePitch] = temperature;
+    let pushing = |sensors: &mut Sensors<'_>| sensors.currents[Joint::LKneePitch] = 2.0;
+    let lying = |sensors: &mut Sensors<'_>| sensors.inertial.pitch = 1.2;
+    let mut health = Health::new();
+    let mut live = |change: &dyn Fn(&mut Sensors<'_>), cycles: u32| {
+        for cycle in 0..cycles {
+            let mut sensors = standing(cycle);
+            change(&mut sensors);
+            health.step(&sensors, &STAND, &Stiffness::Walk.joints());
+        }
+        health.fault()
+    };
+    let (too_hot, overloaded) = (Some(Fault::Hot(Joint::LKneePitch)), Some(Fault::Overloaded(Joint::LKneePitch)));
+    assert_eq!(live(&hot(75.0), 200), too_hot);
+    assert_eq!(live(&hot(70.0), 2000), too_hot, "not yet");
+    assert_eq!(live(&hot(69.0), 1), None);
+    assert_eq!(live(&pushing, 900), overloaded);
+    assert_eq!(live(&|_| (), 900), overloaded, "not yet");
+    assert_eq!(live(&|_| (), 1500), None);
+    assert_eq!(live(&pushing, 900), overloaded);
+    assert_eq!(live(&lying, 1), None, "who lies pushes nothing");
+    assert!(Fault::Hot(Joint::LKneePitch).passes() && Fault::Overloaded(Joint::LKneePitch).passes());
+    assert!(!Fault::Inertial.passes() && !Fault::Stuck(Joint::LKneePitch).passes());
+}
+
+#[test]
 fn one_wrong_temperature_is_none() {
     let mut health = Health::new();
     for cycle in 0..1000 {

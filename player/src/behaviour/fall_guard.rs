@@ -3,20 +3,22 @@
 use bica::prelude::*;
 use bica_motion::fall::{Direction, Uprightness};
 use bica_motion::getup::{self, GetUp};
+use bica_motion::health::Fault;
 use bica_motion::keyframes::{Keyframe, Motion};
-use bica_motion::stand::{RESTING, SIT, TO_SIT};
+use bica_motion::stand::{RESTING, SIT, TO_SIT, TO_STAND};
 
 use crate::input::Measured;
 use crate::motion::Body;
 use crate::output::Motors;
 use crate::perception::FallDetector;
 
-/// Takes over when the robot falls: softens the fall, then gets it up, from the front or from the back; if that fails, the
-/// other way. A body with a fault it brings to a stand and sits down, for good.
+/// Takes over when the robot falls: softens the fall, then gets it up, from the front or from the back; if that fails,
+/// another way. A body with a fault it brings to a stand and sits down, for good; or if it is hot only, until it has cooled.
 #[derive(Debug)]
 pub struct FallGuard {
     movement: GetUp,
-    surrender: Motion,
+    /// To sit down, or to stand up from there.
+    slowly: Motion,
     brace: Keyframe,
     /// Movements that did not get it up.
     failures: u8,
@@ -30,7 +32,7 @@ impl FallGuard {
     pub const fn new() -> Self {
         Self {
             movement: GetUp::none(),
-            surrender: Motion::none(),
+            slowly: Motion::none(),
             brace: getup::protection(Direction::Front),
             failures: 0,
             upright: false,
@@ -53,6 +55,12 @@ impl FallGuard {
         motors.whole(&posture, stiffness);
     }
 
+    /// On the ground, jammed or hot: limp, so that limbs slip free and motors cool.
+    #[state]
+    fn rest(&mut self, body: &Measured, motors: &mut Motors) {
+        motors.whole(body.angles(), 0.0);
+    }
+
     /// On its feet, but must not go on: first both of them on the ground.
     #[state]
     fn halt(&mut self, body: &mut Body) {
@@ -60,11 +68,19 @@ impl FallGuard {
     }
 
     /// Must not go on: sits down and stays so, all but limp.
-    #[state(last)]
-    fn give_up(&mut self, time: &Time, motors: &mut Motors) {
-        let moving = self.surrender.step(time.dt()).filter(|_| !self.surrender.is_done());
+    #[state]
+    fn sit(&mut self, time: &Time, motors: &mut Motors) {
+        let moving = self.slowly.step(time.dt()).filter(|_| !self.slowly.is_done());
         let (posture, stiffness) = moving.unwrap_or((SIT, RESTING));
         motors.whole(&posture, stiffness);
+    }
+
+    /// May go on: stands up from there.
+    #[state]
+    fn rise(&mut self, time: &Time, motors: &mut Motors) {
+        if let Some((posture, stiffness)) = self.slowly.step(time.dt()) {
+            motors.whole(&posture, stiffness);
+        }
     }
 
     /// On its feet.
@@ -73,35 +89,47 @@ impl FallGuard {
         self.upright = true;
     }
 
-    #[transition(brace -> get_up)]
-    fn lies(&self, falls: &FallDetector) -> bool {
-        matches!(falls.state(), Uprightness::Fallen(_))
-    }
-
-    #[transition(halt -> brace)]
+    #[transition(halt | rise -> brace)]
     fn falls_over(&self, falls: &FallDetector) -> bool {
         falls.falls()
     }
 
-    #[transition(brace -> halt)]
+    #[transition(brace | rise -> halt)]
     fn breaks_on_its_feet(&self, body: &Measured, falls: &FallDetector) -> bool {
         body.fault().is_some() && !falls.falls()
     }
 
-    #[transition(brace | get_up -> give_up)]
-    fn is_broken(&self, body: &Measured) -> bool {
-        body.fault().is_some()
+    /// The way up is hard on the motors, but short: what is hot waits until it is over.
+    #[transition(get_up -> halt)]
+    fn is_up_but_hot(&self, body: &Measured, falls: &FallDetector) -> bool {
+        self.movement.is_done() && body.fault().is_some_and(Fault::passes) && !falls.falls()
     }
 
-    #[transition(halt -> give_up)]
+    #[transition(brace | get_up | rest -> sit)]
+    fn is_broken(&self, body: &Measured) -> bool {
+        body.fault().is_some_and(|fault| !fault.passes())
+    }
+
+    #[transition(halt -> sit)]
     fn has_halted(&self, body: &Body) -> bool {
         body.is_still()
     }
 
     /// What is broken may keep it from a stand.
-    #[transition(halt -> give_up, after_ms = 3000)]
+    #[transition(halt -> sit, after_ms = 3000)]
     fn cannot_halt(&self) -> bool {
         true
+    }
+
+    /// It sat down because it was hot, or lies where it should sit.
+    #[transition(sit -> rest)]
+    fn has_cooled_on_the_ground(&self, body: &Measured, falls: &FallDetector) -> bool {
+        body.fault().is_none_or(Fault::passes) && falls.falls()
+    }
+
+    #[transition(sit -> rise)]
+    fn has_cooled(&self, body: &Measured) -> bool {
+        body.fault().is_none()
     }
 
     /// It was a stumble.
@@ -110,15 +138,30 @@ impl FallGuard {
         falls.upright()
     }
 
-    #[transition(get_up -> stand)]
+    #[transition(get_up | rise -> stand)]
     fn is_up(&self, falls: &FallDetector) -> bool {
-        self.movement.is_done() && falls.upright()
+        self.movement.is_done() && self.slowly.is_done() && falls.upright()
     }
 
-    /// It did not work: once more, from where the robot lies now.
-    #[transition(get_up -> brace)]
+    #[transition(brace -> get_up)]
+    fn lies(&self, falls: &FallDetector, body: &Measured) -> bool {
+        matches!(falls.state(), Uprightness::Fallen(_)) && body.fault().is_none()
+    }
+
+    #[transition(brace -> rest)]
+    fn lies_hot(&self, falls: &FallDetector) -> bool {
+        matches!(falls.state(), Uprightness::Fallen(_))
+    }
+
+    /// It did not work: once more, from where the robot lies then.
+    #[transition(get_up -> rest)]
     fn failed(&self) -> bool {
         self.movement.is_done()
+    }
+
+    #[transition(rest -> brace, after_ms = 500)]
+    fn has_rested(&self, body: &Measured) -> bool {
+        body.fault().is_none()
     }
 
     #[entry(get_up)]
@@ -133,15 +176,20 @@ impl FallGuard {
         self.failures = self.failures.wrapping_add(1);
     }
 
-    #[entry(give_up)]
+    #[entry(sit)]
     fn sit_down(&mut self, body: &Measured) {
-        self.surrender = Motion::new(&TO_SIT, *body.angles());
+        self.slowly = Motion::new(&TO_SIT, *body.angles());
+    }
+
+    #[entry(rise)]
+    fn stand_up(&mut self, body: &Measured) {
+        self.slowly = Motion::new(&TO_STAND, *body.angles());
     }
 
     #[stop]
     fn end(&mut self) {
         (self.upright, self.failures) = (false, 0);
-        (self.movement, self.surrender) = (GetUp::none(), Motion::none());
+        (self.movement, self.slowly) = (GetUp::none(), Motion::none());
     }
 
     /// Whether the robot stands again.

@@ -26,9 +26,11 @@ impl FallDetector {
 
     fn step(&mut self, time: &Time, body: &Measured) {
         self.balance.step(body.inertial(), time.dt());
-        if body.fault().is_some() {
-            self.patience = if body.grounded() { 0.0 } else { self.patience - time.dt() };
-        }
+        self.patience = match body.fault() {
+            None => PATIENCE,
+            Some(_) if body.grounded() => 0.0,
+            Some(_) => self.patience - time.dt(),
+        };
     }
 
     /// Whether the robot is upright, falls, or lies, and to which side.
