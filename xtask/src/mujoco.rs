@@ -1,6 +1,6 @@
 //! MuJoCo's library, and what draws its images without a screen.
 
-use std::env::consts::ARCH;
+use std::env::consts::{ARCH, OS};
 use std::fs;
 use std::path::Path;
 
@@ -18,18 +18,34 @@ const DRAWING: [&str; 2] = ["libegl1", "libgl1-mesa-dri"];
 /// # Errors
 /// What could not be installed.
 pub(crate) fn install() -> Result<(), String> {
+    if OS != "linux" {
+        return Err(format!("MuJoCo's library is fetched for Linux, and this is {OS}"));
+    }
     let folder = root().join(FOLDER);
     let library = format!("libmujoco.so.{VERSION}");
     if folder.join(&library).is_file() {
         eprintln!("xtask: {FOLDER}/{library} is there");
     } else {
-        fetch(&folder, &library)?;
+        fetch(&folder, &library).map_err(|error| {
+            format!("{error}\n  help: this needs Python's pip and a network; or put {library} into {FOLDER} yourself")
+        })?;
     }
     link(&folder, &library).map_err(|error| format!("cannot link {FOLDER}/libmujoco.so to {library}: {error}"))?;
     if DRAWING.iter().all(|package| works("dpkg", &["-s", package])) {
         eprintln!("xtask: {} are there", DRAWING.join(" and "));
         return Ok(());
     }
+    draw().map_err(|error| {
+        let packages = DRAWING.join(" and ");
+        format!(
+            "{error}\n  help: MuJoCo's library is in place; to draw, install {packages} as root, or what your system calls EGL \
+             and Mesa's software renderer"
+        )
+    })
+}
+
+/// Installs [`DRAWING`].
+fn draw() -> Result<(), String> {
     run("apt-get", &["update", "-qq"], &[])?;
     run("apt-get", &[&["install", "-y", "-qq", "--no-install-recommends"], &DRAWING[..]].concat(), &[])
 }

@@ -49,14 +49,14 @@ fn film(path: &Path) -> Vec<(u16, u16, u16)> {
 }
 
 #[test]
-fn a_film_shows_every_tenth_of_a_second_and_changes_nothing() {
+fn a_film_shows_twenty_pictures_a_second_and_changes_nothing() {
     let folder = Folder::new("film");
     let path = folder.path().join("game.gif");
     let game = ["--seconds", "2", "--json", "--size", "160x120"];
     let filmed = run(&[&game[..], &["--film", path.to_str().unwrap()]].concat()).json();
     let pictures = film(&path);
-    assert_eq!(pictures.len(), 21);
-    assert_eq!(pictures[0], (800, 360, 10));
-    assert!(pictures[1..20].iter().all(|picture| picture.2 == 10) && pictures[20].2 > 100);
+    assert_eq!(pictures.len(), 41);
+    assert_eq!(pictures[0], (800, 360, 5));
+    assert!(pictures[1..40].iter().all(|picture| picture.2 == 5) && pictures[40].2 > 100);
     assert_eq!(filmed["fingerprint"], run(&game).json()["fingerprint"]);
 }

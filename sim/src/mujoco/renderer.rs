@@ -17,13 +17,6 @@ impl Renderer {
         MjRenderer::new(model, width, height, 0).map(|renderer| Self(Some(renderer)))
     }
 
-    /// Draws the geoms of a group, too.
-    pub(crate) fn show(&mut self, group: usize) {
-        if let Some(renderer) = &mut self.0 {
-            renderer.opts_mut().geomgroup[group] = 1;
-        }
-    }
-
     /// What a camera sees: red, green and blue of each pixel, rows from the top.
     pub(crate) fn draw(
         &mut self,

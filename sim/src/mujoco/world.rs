@@ -14,7 +14,7 @@ use mujoco_rs::prelude::{MjData, MjModel};
 use super::contacts::{Owners, Touches};
 use super::error::Error;
 use super::eye::{Aim, Eye};
-use super::film::Film;
+use super::film::{Film, Moving};
 use super::model::{Model, Place, SHADES, STEP};
 use super::motors::{Motors, currents};
 use super::physics::{Part, Physics};
@@ -37,6 +37,8 @@ const STEPS: usize = (CYCLE_SECONDS / STEP + 0.5) as usize;
 
 /// A robot on the field of 2009, with real forces.
 pub struct MujocoWorld {
+    setup: Setup,
+    layout: Layout,
     cycle: u64,
     data: MjData<Box<MjModel>>,
     torso: Place,
@@ -82,7 +84,10 @@ impl MujocoWorld {
         let others = layout.others.iter().map(|other| other.pose).collect();
         let mut senses = Senses::new(truth(&data, torso, &joints), setup.seed, physics);
         let felt = senses.feel();
+        let referee = Referee::new(layout.attacks, layout.start.robot, layout.start.ball, others);
         let mut world = Self {
+            setup: *setup,
+            layout,
             cycle: 0,
             data,
             torso,
@@ -103,7 +108,7 @@ impl MujocoWorld {
             on_ground: false,
             watch,
             rules: Rules::default(),
-            referee: Referee::new(layout.attacks, layout.start.robot, layout.start.ball, others),
+            referee,
         };
         world.cameras_before = world.cameras();
         Ok(world)
@@ -288,12 +293,14 @@ impl World for MujocoWorld {
 
 impl Filmed for MujocoWorld {
     fn film(&mut self, from: &Onlooker, width: usize, height: usize) -> Result<Picture, NoPicture> {
-        self.shade();
         let fits = |film: &Film| film.size() == (width, height);
         let film = match self.film.take().filter(fits) {
-            Some(film) => self.film.insert(film),
-            None => self.film.insert(Film::new(self.data.model(), width, height)?),
+            Some(film) => film,
+            None => Film::new(&self.setup, &self.layout, width, height)?,
         };
-        film.take(&mut self.data, from)
+        let ball = pose(&self.data, self.ball).translation.into();
+        let skeleton = Skeleton::of(&angles(&self.data, &self.joints));
+        let moving = Moving { robot: self.robot(), skeleton, ball };
+        self.film.insert(film).take(&moving, from)
     }
 }

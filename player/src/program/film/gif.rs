@@ -7,17 +7,19 @@ use std::path::{Path, PathBuf};
 
 use gif::{DisposalMethod, Encoder, EncodingError, Frame, Repeat};
 
+use super::OUTSIDE;
 use super::colours::Colours;
 use crate::program::ending::Failure;
 use crate::program::picture::canvas::{Canvas, Rgb};
 
 /// Time of a picture, hundredths of a second.
-const TIME: u16 = 10;
+pub(crate) const TIME: u16 = 5;
 /// What lets the picture before show through.
 const CLEAR: u8 = 255;
 
-/// A colour whose channels are all within this is as good: noise needs no writing.
-const AS_GOOD: u8 = 12;
+/// A colour whose channels are all within this is as good: from outside, and in the robot's own view, whose noise needs no
+/// writing.
+const AS_GOOD: (u8, u8) = (3, 14);
 
 /// A GIF that is being written.
 pub(crate) struct Gif {
@@ -59,9 +61,10 @@ impl Gif {
     /// The colour of a pixel: that of the picture before, if that is as good.
     fn colour(&self, at: usize, rgb: Rgb) -> u8 {
         let before = self.before.get(at).copied();
+        let as_good = if at % self.width < OUTSIDE.0 { AS_GOOD.0 } else { AS_GOOD.1 };
         let near = |index: &u8| {
             let shown = self.colours.all[usize::from(*index)];
-            shown.iter().zip(rgb).all(|(shown, wanted)| shown.abs_diff(wanted) <= AS_GOOD)
+            shown.iter().zip(rgb).all(|(shown, wanted)| shown.abs_diff(wanted) <= as_good)
         };
         before.filter(near).unwrap_or_else(|| self.colours.index(rgb))
     }

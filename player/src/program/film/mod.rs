@@ -20,12 +20,14 @@ use super::picture::canvas::Canvas;
 use super::picture::palette::{FAINT, PAPER, TEXT};
 use super::picture::text::Font;
 use cameraman::Cameraman;
-use gif::Gif;
+use gif::{Gif, TIME};
 
 /// From picture to picture.
-const EVERY: Duration = Duration::from_millis(100);
+const EVERY: Duration = Duration::from_millis(10 * TIME as u64);
+/// The robot's own view changes with every so many pictures: its noise is most of a file.
+const OWN_EVERY: u32 = 2;
 /// How long the last picture stays, pictures.
-const LAST: u16 = 25;
+const LAST: u16 = 50;
 /// The size of the view from outside, pixels.
 pub(crate) const OUTSIDE: (usize, usize) = (480, 360);
 /// The size of the robot's own view, pixels.
@@ -39,13 +41,15 @@ pub(crate) struct Film {
     cameraman: Cameraman,
     next: Duration,
     last: Option<Canvas>,
+    /// The robot's own view, and how many pictures it stays.
+    own: Option<(Canvas, u32)>,
 }
 
 impl Film {
     /// Makes the file.
     pub(crate) fn new(path: &Path) -> Result<Self, Failure> {
         let gif = Gif::new(path, OUTSIDE.0 + OWN.0, OUTSIDE.1)?;
-        Ok(Self { gif, cameraman: Cameraman::new(), next: Duration::ZERO, last: None })
+        Ok(Self { gif, cameraman: Cameraman::new(), next: Duration::ZERO, last: None, own: None })
     }
 
     /// Lets the last picture stay for a while, and closes the file. Says how many pictures there are.
@@ -70,21 +74,28 @@ impl Audience for Film {
         if let Some(last) = self.last.take() {
             self.gif.add(&last, 1)?;
         }
-        self.last = Some(sheet(scene, picture));
+        if let Some(image) = scene.image().filter(|_| self.own.as_ref().is_none_or(|(_, left)| *left == 0)) {
+            self.own = Some((own_view(scene, &image), OWN_EVERY));
+        }
+        let own = self.own.as_mut().map(|(view, left)| {
+            *left -= 1;
+            &*view
+        });
+        self.last = Some(sheet(scene, picture, own));
         Ok(())
     }
 }
 
 /// Both views and the words.
-fn sheet(scene: &Scene<'_>, picture: &Picture) -> Canvas {
+fn sheet(scene: &Scene<'_>, picture: &Picture, own: Option<&Canvas>) -> Canvas {
     let mut sheet = Canvas::new(OUTSIDE.0 + OWN.0, OUTSIDE.1, PAPER);
     let mut outside = Canvas::new(picture.width, picture.height, PAPER);
     for (i, rgb) in picture.rgb.iter().enumerate() {
         outside.set(i % picture.width, i / picture.width, *rgb);
     }
     sheet.place(&outside, 0, 0);
-    if let Some(image) = scene.image() {
-        sheet.place(&own_view(scene, &image), OUTSIDE.0, 0);
+    if let Some(own) = own {
+        sheet.place(own, OUTSIDE.0, 0);
     }
     write(&mut sheet, scene);
     sheet

@@ -1,8 +1,7 @@
 //! The model that MuJoCo computes: the robot of `models/nao.xml` on a field made from the field's lengths.
 
-mod field;
-mod hall;
-mod paint;
+pub(super) mod field;
+pub(super) mod paint;
 mod robots;
 mod shades;
 #[cfg(test)]
@@ -14,7 +13,6 @@ use bica_motion::joints::{JOINTS, Joint};
 use mujoco_rs::prelude::{MjModel, MjtObjBase};
 use mujoco_rs::wrappers::mj_auxiliary::MjVfs;
 
-pub(crate) use self::hall::ONLOOKERS;
 use self::paint::Paint;
 pub(crate) use self::shades::SHADES;
 use super::error::Error;
@@ -124,12 +122,13 @@ fn world(setup: &Setup, layout: &Layout) -> String {
     let light = Light::new(&mut Random::new(setup.seed, Stream::Hall));
     let paint = Paint::of(layout);
     let mut xml = String::from("<mujoco model=\"field\">\n<include file=\"nao.xml\"/>\n");
+    xml.push_str(paint::DRAWN);
+    let _ = writeln!(xml, "<asset>\n{}", paint::AROUND);
     paint.write(&mut xml);
-    xml.push_str("<worldbody>\n");
+    xml.push_str("</asset>\n<worldbody>\n");
     paint::lamps(&mut xml, light);
     shades::write(&mut xml);
     field::write(&mut xml);
-    hall::write(&mut xml);
     for other in &layout.others {
         robots::write(&mut xml, other);
     }

@@ -4,13 +4,11 @@ use std::fmt::Write;
 
 use glam::Vec3;
 
-use super::hall;
 use crate::field::render::light::Light;
 use crate::field::render::palette::{
     BLUE_TEAM, CARPET, JOINT, LINE, ORANGE, RED_TEAM, Rgb, SHELL, SKY_BLUE, WHITE, YELLOW,
 };
 use crate::field::start::Layout;
-use crate::film::FIELD_OF_VIEW;
 use crate::referee::GoalColour;
 
 /// The colours of a game.
@@ -32,7 +30,7 @@ impl Paint {
         Self { attacked, own, team, opponents }
     }
 
-    /// Materials, and how they are drawn.
+    /// Writes the materials of what is on a field.
     pub(crate) fn write(&self, xml: &mut String) {
         let materials = [
             ("carpet", CARPET),
@@ -47,24 +45,21 @@ impl Paint {
             ("shells", SHELL),
             ("joints", JOINT),
         ];
-        // Multisampling and shadows cost a software renderer seconds.
-        let angle = FIELD_OF_VIEW.to_degrees();
-        let _ = writeln!(
-            xml,
-            "<statistic center=\"0 0 0.3\" extent=\"1\"/>\n<visual>\n<global offwidth=\"1280\" offheight=\"960\" \
-             fovy=\"{angle}\"/>\n\
-             <quality offsamples=\"0\" shadowsize=\"0\"/>\n<map znear=\"0.02\" zfar=\"40\"/>\n\
-             <headlight ambient=\"0.74 0.74 0.74\" diffuse=\"0 0 0\" specular=\"0 0 0\"/>\n</visual>\n<asset>\n\
-             <texture name=\"hall\" type=\"skybox\" builtin=\"gradient\" rgb1=\"0.62 0.62 0.64\" rgb2=\"0.40 0.39 0.38\" \
-             width=\"64\" height=\"384\"/>"
-        );
         for (name, Rgb { x, y, z }) in materials {
             let _ = writeln!(xml, "<material name=\"{name}\" rgba=\"{x} {y} {z} 1\" specular=\"0\" shininess=\"0\"/>");
         }
-        hall::materials(xml);
-        xml.push_str("</asset>\n");
     }
 }
+
+/// How the robot's cameras draw. Multisampling and shadows cost a software renderer most of its time.
+pub(crate) const DRAWN: &str = "<statistic center=\"0 0 0.3\" extent=\"1\"/>\n<visual>\n\
+    <global offwidth=\"1280\" offheight=\"960\"/>\n<quality offsamples=\"0\" shadowsize=\"0\"/>\n\
+    <map znear=\"0.02\" zfar=\"40\"/>\n\
+    <headlight ambient=\"0.74 0.74 0.74\" diffuse=\"0 0 0\" specular=\"0 0 0\"/>\n</visual>\n";
+
+/// What is seen where nothing is.
+pub(crate) const AROUND: &str = "<texture name=\"hall\" type=\"skybox\" builtin=\"gradient\" rgb1=\"0.62 0.62 0.64\" \
+    rgb2=\"0.40 0.39 0.38\" width=\"64\" height=\"384\"/>\n";
 
 /// The colour of the robot's own team.
 pub(crate) fn team(layout: &Layout) -> Rgb {

@@ -1,4 +1,4 @@
-//! The hall around the carpet, for those who look on: the robot's cameras do not draw it.
+//! The hall around the carpet, and the meshes of the nets.
 
 use std::fmt::Write;
 
@@ -6,8 +6,6 @@ use glam::Vec3;
 
 use crate::field::pitch::{GOAL_BACK, GOAL_TRIANGLE, POST};
 
-/// The group of geoms that is drawn for onlookers only.
-pub(crate) const ONLOOKERS: usize = 5;
 /// Half the hall's length and width, and its height, m.
 const HALL: Vec3 = Vec3::new(6.4, 5.4, 3.6);
 /// How high the panels on its walls reach, m.
@@ -18,7 +16,7 @@ const MESH: f32 = 0.08;
 const THREAD: f32 = 0.0025;
 
 /// Materials of the hall.
-pub(crate) fn materials(xml: &mut String) {
+pub(super) fn materials(xml: &mut String) {
     xml.push_str(
         "<texture name=\"boards\" type=\"2d\" builtin=\"checker\" rgb1=\"0.60 0.46 0.31\" rgb2=\"0.55 0.41 0.27\" \
          mark=\"edge\" markrgb=\"0.42 0.31 0.20\" width=\"96\" height=\"96\"/>\n\
@@ -32,7 +30,7 @@ pub(crate) fn materials(xml: &mut String) {
 }
 
 /// Writes the geoms of the hall.
-pub(crate) fn write(xml: &mut String) {
+pub(super) fn write(xml: &mut String) {
     look(xml, "boards", Vec3::new(0.0, 0.0, -0.008), Vec3::new(HALL.x, HALL.y, 0.003));
     for side in [-1.0, 1.0] {
         for (paint, low, high, out) in
@@ -72,8 +70,7 @@ fn net(xml: &mut String, end: f32) {
 fn look(xml: &mut String, paint: &str, at: Vec3, half: Vec3) {
     let _ = writeln!(
         xml,
-        "<geom type=\"box\" pos=\"{} {} {}\" size=\"{} {} {}\" material=\"{paint}\" group=\"{ONLOOKERS}\" \
-         contype=\"0\" conaffinity=\"0\"/>",
+        "<geom type=\"box\" pos=\"{} {} {}\" size=\"{} {} {}\" material=\"{paint}\"/>",
         at.x, at.y, at.z, half.x, half.y, half.z
     );
 }
