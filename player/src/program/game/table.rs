@@ -26,6 +26,7 @@ struct Sum {
     own_goals: usize,
     falls: usize,
     games_with_falls: usize,
+    seeds_with_falls: Vec<u64>,
     /// Over the games with a goal, s.
     time_to_goal_s: Option<Times>,
     seeds_without_goal: Vec<u64>,
@@ -75,6 +76,7 @@ impl Sum {
             own_goals: games.iter().map(|game| game.own_goals).sum(),
             falls: games.iter().map(|game| game.falls).sum(),
             games_with_falls: games.iter().filter(|game| game.falls > 0).count(),
+            seeds_with_falls: games.iter().filter(|game| game.falls > 0).map(|game| game.seed).collect(),
             time_to_goal_s: at(0.0).zip(at(0.5)).zip(at(0.9).zip(at(1.0))).map(|((min, p50), (p90, max))| Times {
                 min,
                 p50,
@@ -104,11 +106,18 @@ pub(crate) fn tell(voice: Voice, series: &Series) -> Result<(), Failure> {
     );
     row(voice, "time to goal", &times)?;
     row(voice, "own goals", &sum.own_goals.to_string())?;
-    row(voice, "falls", &format!("{} in {} games", sum.falls, sum.games_with_falls))?;
+    let which = match &sum.seeds_with_falls[..] {
+        [] => String::new(),
+        seeds => format!(", with the seeds {}", words(seeds)),
+    };
+    row(voice, "falls", &format!("{} in {} games{which}", sum.falls, sum.games_with_falls))?;
     row(voice, "latency", &latency(&wall.latency_ms))?;
     if sum.seeds_without_goal.is_empty() {
         return Ok(());
     }
-    let seeds: Vec<String> = sum.seeds_without_goal.iter().map(u64::to_string).collect();
-    row(voice, "no goal", &format!("with the seeds {}", seeds.join(" ")))
+    row(voice, "no goal", &format!("with the seeds {}", words(&sum.seeds_without_goal)))
+}
+
+fn words(seeds: &[u64]) -> String {
+    seeds.iter().map(u64::to_string).collect::<Vec<_>>().join(" ")
 }
