@@ -1,33 +1,65 @@
 //! How well everything is seen: random poses in the built-in world, whose referee knows the truth.
 //!
-//! `cargo run --release -p bica-vision --example survey -- [--poses 2000] [--first 0] [--amiss crossings]` prints a table;
-//! with `--amiss` also the numbers of the poses from which something of that name was missed or wrong. `--first 7 --picture
-//! FILE.png` writes the image of one pose instead, with all that is seen in it.
+//! `cargo run --release -p bica-vision --example survey` prints a table; with `-- --help` it says what else it does.
 
 #[path = "../tests/support/picture.rs"]
 mod picture;
 #[path = "../tests/support/survey/mod.rs"]
 mod survey;
 
-use std::io;
-use std::path::Path;
+use std::path::PathBuf;
+use std::process::ExitCode;
 
+use clap::Parser;
 use survey::{Look, Survey};
 
-fn main() -> io::Result<()> {
-    let words: Vec<String> = std::env::args().collect();
-    let word = |name: &str| words.get(words.iter().position(|word| word == name)? + 1);
-    let number = |name: &str, default: u64| word(name).and_then(|word| word.parse().ok()).unwrap_or(default);
-    if let Some(file) = word("--picture") {
-        let look = Look::new(number("--first", 0)).expect("a number that the table counts");
-        return picture::write(Path::new(file), &look);
-    }
-    let survey = Survey::of(number("--first", 0), number("--poses", 2000) as usize);
-    print!("{survey}");
-    for score in survey.scores() {
-        if word("--amiss").is_some_and(|word| score.name.contains(word.as_str())) {
-            println!("missed {:?}\nwrong {:?}", score.missed, score.wrong);
+/// Looks around from random poses in the built-in world, and prints how well everything is seen.
+#[derive(Parser)]
+#[command(name = "survey")]
+struct Options {
+    /// From how many poses to look
+    #[arg(long, value_name = "N", default_value_t = 2000, value_parser = clap::value_parser!(u32).range(1..))]
+    poses: u32,
+    /// The number of the first pose
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    first: u64,
+    /// Print too the numbers of the poses from which something of a name that holds this was missed or wrong
+    #[arg(long, value_name = "NAME")]
+    amiss: Option<String>,
+    /// Write the image of the first pose instead (PNG), with all that is seen in it
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["poses", "amiss"])]
+    picture: Option<PathBuf>,
+}
+
+fn main() -> ExitCode {
+    let options = Options::parse();
+    match done(&options) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("survey: {error}");
+            ExitCode::FAILURE
         }
+    }
+}
+
+fn done(options: &Options) -> Result<(), String> {
+    if let Some(file) = &options.picture {
+        let number = options.first;
+        let look = Look::new(number)
+            .ok_or_else(|| format!("pose {number} has something in a goal and is left out; take another --first"))?;
+        return picture::write(file, &look).map_err(|error| format!("cannot write {}: {error}", file.display()));
+    }
+    let survey = Survey::of(options.first, options.poses as usize);
+    print!("{survey}");
+    let Some(asked) = &options.amiss else { return Ok(()) };
+    let scores = survey.scores();
+    let found: Vec<_> = scores.iter().filter(|score| score.name.contains(asked.as_str())).collect();
+    if found.is_empty() {
+        let names = scores.map(|score| score.name).join(", ");
+        return Err(format!("nothing is called `{asked}`; there are {names}"));
+    }
+    for score in found {
+        println!("{}: missed {:?}\nwrong {:?}", score.name, score.missed, score.wrong);
     }
     Ok(())
 }

@@ -6,7 +6,7 @@ use std::fmt;
 pub(crate) struct Score {
     pub(crate) name: &'static str,
     unit: &'static str,
-    due: usize,
+    pub(crate) due: usize,
     found: usize,
     seen: usize,
     right: usize,
