@@ -44,8 +44,10 @@ pub(crate) enum Command {
     Play(Play),
     /// Print the activation tree: its components, rates, links, states and transitions
     Graph(GraphArgs),
-    /// Try the body in `MuJoCo`: walking, pushes, odometry, kicks, getting up; print tables of what was reached
     #[cfg(feature = "mujoco")]
+    #[command(
+        about = "Try the body in MuJoCo: walking, pushes, odometry, kicks, getting up; print tables of what was reached"
+    )]
     Trial(Trial),
     /// Look at a folder of camera images with the forward's eyes, and sum up
     Watch(Watch),
@@ -121,19 +123,19 @@ pub(crate) struct Trial {
     /// Try this many at once [default: one for each core]; the results are the same for any number
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1024))]
     pub(crate) threads: Option<u32>,
-    /// How well the soles grip
+    /// How well the soles grip, 0.05 to 3 [default: 1]
     #[arg(long, value_name = "F")]
     pub(crate) friction: Option<f32>,
-    /// A factor on the gain of the legs' motors
+    /// A factor on the gain of the legs' motors, 0.1 to 5 [default: 1]
     #[arg(long, value_name = "F")]
     pub(crate) leg_gain: Option<f32>,
-    /// The greatest torque of the legs' motors, Nm
+    /// The greatest torque of the legs' motors, Nm, 0.5 to 20 [default: 5]
     #[arg(long, value_name = "NM")]
     pub(crate) torque_limit: Option<f32>,
-    /// From a command to its first effect, s
+    /// From a command to its first effect, s, 0 to 0.2 [default: 0.03]
     #[arg(long, value_name = "S")]
     pub(crate) dead_time: Option<f32>,
-    /// A factor on the noise of the sensors
+    /// A factor on the noise of the sensors, 0 to 100 [default: 1]
     #[arg(long, value_name = "F")]
     pub(crate) noise: Option<f32>,
     /// Print the tables as JSON on stdout and nothing else there; what is said to people goes to stderr

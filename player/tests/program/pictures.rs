@@ -49,14 +49,14 @@ fn film(path: &Path) -> Vec<(u16, u16, u16)> {
 }
 
 #[test]
-fn a_film_shows_twenty_pictures_a_second_and_changes_nothing() {
+fn a_film_shows_fourteen_pictures_a_second_and_changes_nothing() {
     let folder = Folder::new("film");
     let path = folder.path().join("game.gif");
     let game = ["--seconds", "2", "--json", "--size", "160x120"];
     let filmed = run(&[&game[..], &["--film", path.to_str().unwrap()]].concat()).json();
     let pictures = film(&path);
-    assert_eq!(pictures.len(), 41);
-    assert_eq!(pictures[0], (800, 360, 5));
-    assert!(pictures[1..40].iter().all(|picture| picture.2 == 5) && pictures[40].2 > 100);
+    assert_eq!(pictures.len(), 29);
+    assert_eq!(pictures[0], (800, 360, 7));
+    assert!(pictures[1..28].iter().all(|picture| picture.2 == 7) && pictures[28].2 > 100);
     assert_eq!(filmed["fingerprint"], run(&game).json()["fingerprint"]);
 }

@@ -73,7 +73,9 @@ pub(crate) fn currents(torques: &Joints) -> Joints {
     Joints(core::array::from_fn(|i| actuator(Joint::ALL[i]).current(torques.0[i])))
 }
 
-/// A motor's gain at full stiffness, Nm/rad, and its greatest torque, Nm: between values published for other simulators.
+/// A motor's gain at full stiffness, Nm/rad, and its greatest torque, Nm: between values published for other simulators. With
+/// the joints' damping a joint without load turns at 0.7 to 1.3 times the published speed: legs at 5 rad/s, where the robot's
+/// roll at 4.5 and pitch at 7.0.
 const fn strength(joint: Joint, physics: &Physics) -> (f32, f32) {
     use Joint::{
         HeadPitch, HeadYaw, LElbowRoll, LElbowYaw, LHand, LShoulderPitch, LShoulderRoll, LWristYaw, RElbowRoll,

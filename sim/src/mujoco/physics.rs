@@ -78,6 +78,14 @@ mod tests {
     use super::*;
 
     #[test]
+    fn the_robot_is_as_slow_as_a_nao() {
+        let Physics { dead_time, sensor_delay, noise, .. } = Physics::default();
+        // Motors: B-Human 2015, 4.1.1.1. From a command to its trace in the sensors: B-Human 2023, `minDelay`.
+        assert_eq!((dead_time, noise), (0.030, 1.0));
+        assert!((dead_time + sensor_delay - 0.036).abs() < 1e-6);
+    }
+
+    #[test]
     fn a_parameter_out_of_its_range_is_named() {
         assert_eq!(Physics::default().check(), Ok(()));
         for (name, wrong) in [

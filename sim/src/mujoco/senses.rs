@@ -128,13 +128,16 @@ mod tests {
     use super::*;
     use bica_motion::joints::Joint;
 
+    /// Everything grows with the steps.
     fn truth(step: usize) -> Truth {
+        let now = step as f32;
+        let foot = FootPressure { front_left: now, front_right: now, rear_left: now, rear_right: now };
         Truth {
-            angles: Joints::all(0.1 * step as f32),
-            gyro: Vec3::splat(step as f32),
-            acceleration: Vec3::new(0.0, 0.0, GRAVITY),
-            rise: Vec3::Z,
-            feet: <[FootPressure; 2]>::default(),
+            angles: Joints::all(0.1 * now),
+            gyro: Vec3::splat(now),
+            acceleration: Vec3::splat(0.1 * now),
+            rise: Vec3::new(-libm::sinf(0.01 * now), 0.0, libm::cosf(0.01 * now)),
+            feet: [foot; 2],
         }
     }
 
@@ -147,20 +150,53 @@ mod tests {
                 senses.step(truth(step));
             }
             let felt = senses.feel();
-            let age = 100.0 - felt.angles[Joint::HeadYaw] / 0.1;
-            assert!((age - steps as f32).abs() < 0.02, "{age} {steps}");
-            let age = 100.0 - felt.inertial.gyro.x;
-            assert!((age - steps.max(MEAN / 2) as f32).abs() < 1e-3, "{age} {steps}");
+            let mean = steps.max(MEAN / 2);
+            for (what, told, steps) in [
+                ("angles", felt.angles[Joint::HeadYaw] / 0.1, steps),
+                ("pitch", felt.inertial.pitch / 0.01, steps),
+                ("left sole", felt.feet[0].total() / 4.0, steps),
+                ("right sole", felt.feet[1].rear_right, steps),
+                ("gyroscope", felt.inertial.gyro.x, mean),
+                ("accelerometer", felt.inertial.acceleration.z / 0.1, mean),
+            ] {
+                let age = 100.0 - told;
+                assert!((age - steps as f32).abs() < 0.02, "{what}: {age} {steps}");
+            }
         }
     }
 
     #[test]
-    fn noise_has_the_deviation_asked_for() {
+    fn noise_is_that_of_a_nao_times_the_factor_asked_for() {
+        // Variances in B-Human 2023 `NaoProvider.h`; the other two are our estimates.
+        let (gyro, acceleration) = (libm::sqrtf(3.87e-6), libm::sqrtf(3.74e-4));
         for noise in [0.0, 1.0, 5.0] {
-            let mut senses = Senses::new(truth(0), 1, &Physics { noise, ..Physics::default() });
-            let squares = (0..3_000).map(|_| senses.feel().inertial.gyro.x.powi(2)).sum::<f32>() / 3_000.0;
-            let expected = noise * GYRO_NOISE;
-            assert!((squares.sqrt() - expected).abs() <= 0.05 * expected, "{} {expected}", squares.sqrt());
+            let still = Truth { rise: Vec3::Z, ..truth(0) };
+            let still = Truth { feet: truth(10).feet, ..still };
+            let mut senses = Senses::new(still, 1, &Physics { noise, ..Physics::default() });
+            let mut squares = [0.0_f32; 10];
+            for _ in 0..3_000 {
+                let Felt { inertial, feet, .. } = senses.feel();
+                let (turn, force) = (inertial.gyro, inertial.acceleration);
+                let pressures = [feet[0].front_left - 10.0, feet[1].rear_right - 10.0];
+                let told = [turn.x, turn.y, turn.z, force.x, force.y, force.z, inertial.roll, inertial.pitch];
+                for (square, off) in squares.iter_mut().zip(told.into_iter().chain(pressures)) {
+                    *square += off * off / 3_000.0;
+                }
+            }
+            let published = [gyro, gyro, gyro, acceleration, acceleration, acceleration, 0.002, 0.002, 0.2, 0.2];
+            for (i, (square, one)) in squares.iter().zip(published).enumerate() {
+                let (deviation, expected) = (libm::sqrtf(*square), noise * one);
+                assert!((deviation - expected).abs() <= 0.05 * expected, "{i}: {deviation} {expected}");
+            }
         }
+    }
+
+    #[test]
+    fn the_accelerometer_ends_at_two_g_and_a_foot_in_the_air_feels_nothing() {
+        let hit = Truth { acceleration: Vec3::new(100.0, -100.0, GRAVITY), feet: Default::default(), ..truth(0) };
+        let felt = Senses::new(hit, 1, &Physics { noise: 0.0, ..Physics::default() }).feel();
+        assert!((felt.inertial.acceleration - Vec3::new(19.62, -19.62, GRAVITY)).length() < 1e-3);
+        let noisy = Senses::new(hit, 1, &Physics { noise: 10.0, ..Physics::default() }).feel();
+        assert_eq!(noisy.feet, <[FootPressure; 2]>::default());
     }
 }

@@ -47,6 +47,33 @@ fn a_leaning_torso_shows_in_angles_and_gravity() {
 }
 
 #[test]
+fn soles_feel_more_where_the_weight_is() {
+    let pressed = |turns: &[(Joint, f32)]| {
+        let mut targets = STAND;
+        for (joint, turn) in turns {
+            targets[*joint] += turn;
+        }
+        let mut world = alone(1, &blind());
+        for _ in 0..200 {
+            world.act(&command(targets, 1.0));
+        }
+        (world.sensors().left_foot, world.sensors().right_foot)
+    };
+    for turn in [0.12_f32, -0.12] {
+        // Both legs to the left: the torso is over the right foot.
+        let (hips, ankles) = ([Joint::LHipRoll, Joint::RHipRoll], [Joint::LAnkleRoll, Joint::RAnkleRoll]);
+        let (left, right) = pressed(&[(hips[0], turn), (hips[1], turn), (ankles[0], -turn), (ankles[1], -turn)]);
+        assert!((right.total() - left.total()) * turn.signum() > 5.0, "{turn}: {left:?} {right:?}");
+        let outwards = |foot: FootPressure| foot.front_right + foot.rear_right - foot.front_left - foot.rear_left;
+        assert!((outwards(left) + outwards(right)) * turn.signum() > 5.0, "{turn}: {left:?} {right:?}");
+        // Toes down: it leans back.
+        let (left, right) = pressed(&[(Joint::LAnklePitch, turn / 2.0), (Joint::RAnklePitch, turn / 2.0)]);
+        let backwards = |foot: FootPressure| foot.rear_left + foot.rear_right - foot.front_left - foot.front_right;
+        assert!((backwards(left) + backwards(right)) * turn.signum() > 5.0, "{turn}: {left:?} {right:?}");
+    }
+}
+
+#[test]
 fn a_joint_moves_in_the_sensors_after_dead_time_and_delay() {
     for (dead_time, sensor_delay, cycles) in [(0.0, 0.0, 1), (0.03, 0.006, 4), (0.04, 0.03, 8)] {
         let mut world = alone(1, &Physics { dead_time, sensor_delay, ..blind() });

@@ -99,7 +99,7 @@ impl Sight {
         let cost = 6.0 * lost
             + 3.0 * cut
             + 0.55 * distance
-            + 0.3 * f32::from(u8::from(hidden))
+            + 0.9 * f32::from(u8::from(hidden))
             + 1.5 * self.in_the_way(eye) as f32;
         View { eye, target: eye + rotate(axis, aim), cost }
     }

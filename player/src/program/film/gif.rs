@@ -13,13 +13,13 @@ use crate::program::ending::Failure;
 use crate::program::picture::canvas::{Canvas, Rgb};
 
 /// Time of a picture, hundredths of a second.
-pub(crate) const TIME: u16 = 5;
+pub(crate) const TIME: u16 = 7;
 /// What lets the picture before show through.
 const CLEAR: u8 = 255;
 
 /// A colour whose channels are all within this is as good: from outside, and in the robot's own view, whose noise needs no
 /// writing.
-const AS_GOOD: (u8, u8) = (3, 14);
+const AS_GOOD: (u8, u8) = (4, 18);
 
 /// A GIF that is being written.
 pub(crate) struct Gif {
@@ -81,7 +81,11 @@ impl Gif {
             (left, right, top, bottom) = (0, 0, 0, 0);
         }
         let rows = (top..=bottom).flat_map(|y| (left..=right).map(move |x| (x, y)));
-        let changed = rows.map(|(x, y)| y * self.width + x).map(|at| if same(at) { CLEAR } else { now[at] });
+        // Going on with the colour beside it packs better than letting the picture before show through.
+        let changed = rows.map(|(x, y)| y * self.width + x).scan(CLEAR, |beside, at| {
+            *beside = if same(at) && *beside != now[at] { CLEAR } else { now[at] };
+            Some(*beside)
+        });
         Frame {
             delay,
             dispose: DisposalMethod::Keep,

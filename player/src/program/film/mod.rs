@@ -25,9 +25,9 @@ use gif::{Gif, TIME};
 /// From picture to picture.
 const EVERY: Duration = Duration::from_millis(10 * TIME as u64);
 /// The robot's own view changes with every so many pictures: its noise is most of a file.
-const OWN_EVERY: u32 = 2;
+const OWN_EVERY: u32 = 3;
 /// How long the last picture stays, pictures.
-const LAST: u16 = 50;
+const LAST: u16 = 35;
 /// The size of the view from outside, pixels.
 pub(crate) const OUTSIDE: (usize, usize) = (480, 360);
 /// The size of the robot's own view, pixels.

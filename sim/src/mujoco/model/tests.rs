@@ -4,13 +4,14 @@ use bica_motion::joints::{Joint, Joints};
 use bica_motion::kinematics::{Segment, Skeleton};
 use bica_motion::limits::limit;
 use bica_motion::masses::TOTAL_MASS;
-use bica_motion::robot::CameraId;
+use bica_motion::robot::{CameraId, Command, Lights};
 use bica_motion::side::Side;
 use glam::{Vec3, Vec3A};
 use mujoco_rs::prelude::{MjData, MjModel, MjtObjBase};
 
 use super::*;
 use crate::field::Setup;
+use crate::mujoco::motors::Motors;
 
 fn model() -> Model {
     let setup = Setup::default();
@@ -111,6 +112,45 @@ fn joints_turn_as_far_as_the_robot_s() {
         let [min, max] = model.jnt_range()[id].map(|end| end as f32);
         let range = limit(joint);
         assert!((min - range.min).abs() < 1e-4 && (max - range.max).abs() < 1e-4, "{joint:?}");
+    }
+}
+
+#[test]
+fn joints_turn_about_as_fast_as_a_nao_s_without_load() {
+    let model = model().physics;
+    let physics = Physics { dead_time: 0.0, ..Physics::default() };
+    let end = |far: fn(Joint) -> f32| Joints(Joint::ALL.map(far));
+    let (least, most) = (end(|joint| limit(joint).min), end(|joint| limit(joint).max));
+    let mut motors = Motors::holding(least, &physics);
+    let (stiffness, camera) = (Joints::all(1.0), CameraId::Top);
+    motors.command(&Command { targets: most, stiffness, lights: Lights::default(), camera });
+    let torques = motors.step(&least);
+    for joint in Joint::ALL {
+        let id = find(&model, MjtObjBase::mjOBJ_JOINT, &format!("{joint:?}")).unwrap();
+        let at = model.jnt_dofadr()[id] as usize;
+        let (damping, friction) = (model.dof_damping()[at] as f32, model.dof_frictionloss()[at] as f32);
+        let speed = (torques[joint] - friction) / damping;
+        let share = speed / published(joint);
+        assert!((0.65..1.3).contains(&share), "{joint:?}: {speed} rad/s, {share} of a NAO's");
+    }
+}
+
+/// The speed of a motor without load behind its gear, rad/s: revolutions and ratios in rUNSWift 2019 `bodyV6.cpp`.
+fn published(joint: Joint) -> f32 {
+    use Joint::{
+        HeadPitch, HeadYaw, LAnklePitch, LElbowRoll, LElbowYaw, LHand, LHipPitch, LKneePitch, LShoulderPitch,
+        LShoulderRoll, LWristYaw, RAnklePitch, RElbowRoll, RElbowYaw, RHand, RHipPitch, RKneePitch, RShoulderPitch,
+        RShoulderRoll, RWristYaw,
+    };
+    match joint {
+        HeadYaw | LElbowYaw | RElbowYaw => 7.46,
+        HeadPitch | LShoulderRoll | RShoulderRoll | LElbowRoll | RElbowRoll => 6.47,
+        LShoulderPitch | RShoulderPitch => 7.94,
+        LWristYaw | RWristYaw => 17.38,
+        // The other published value, of a model, is 8.33.
+        LHand | RHand => 16.0,
+        LHipPitch | RHipPitch | LKneePitch | RKneePitch | LAnklePitch | RAnklePitch => 6.96,
+        _ => 4.53,
     }
 }
 
