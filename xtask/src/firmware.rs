@@ -1,6 +1,7 @@
 //! The image for the microcontroller: built, tested, weighed.
 
 use crate::cli::Firmware;
+use crate::install::packages;
 use crate::no_std::Toolchain;
 use crate::process::{root, run, works};
 
@@ -18,8 +19,7 @@ pub(crate) fn check(asked: &Firmware) -> Result<(), String> {
         return Ok(());
     }
     if !works("qemu-system-arm", &["--version"]) {
-        run("apt-get", &["update", "-qq"], &[])?;
-        run("apt-get", &["install", "-y", "-qq", "qemu-system-arm"], &[])?;
+        packages(&["qemu-system-arm"])?;
     }
     if asked.fuzz {
         return fuzz();

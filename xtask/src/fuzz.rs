@@ -1,9 +1,9 @@
 //! Any bytes for what reads bytes from outside: cargo-fuzz in a workspace of its own.
 
-use std::env;
 use std::path::{Path, PathBuf};
 
-use crate::process::{root, run, works};
+use crate::install::folder;
+use crate::process::{run, works};
 
 const TARGETS: [&str; 2] = ["eyes", "wire"];
 /// No input may take longer, s; and what is told is a summary, instead of each input that goes where none went before.
@@ -38,8 +38,7 @@ fn mend(target: &str, tool: &Path) -> String {
 
 /// The program; installs it first if need be.
 fn tool() -> Result<PathBuf, String> {
-    let folder =
-        env::var_os("CARGO_TARGET_DIR").map_or_else(|| root().join("target"), PathBuf::from).join("cargo-fuzz");
+    let folder = folder("cargo-fuzz");
     let path = folder.join("bin/cargo-fuzz");
     if !works(&path.to_string_lossy(), &["fuzz", "--version"]) {
         let folder = folder.to_string_lossy();

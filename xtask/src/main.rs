@@ -4,6 +4,7 @@ mod buildtime;
 mod cli;
 mod firmware;
 mod fuzz;
+mod install;
 mod instructions;
 mod miri;
 mod mujoco;

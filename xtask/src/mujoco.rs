@@ -4,6 +4,7 @@ use std::env::consts::{ARCH, OS};
 use std::fs;
 use std::path::Path;
 
+use crate::install::packages;
 use crate::process::{root, run, works};
 
 /// Where builds with the feature `mujoco` look for the library (`.cargo/config.toml` names it).
@@ -46,8 +47,7 @@ pub(crate) fn install() -> Result<(), String> {
 
 /// Installs [`DRAWING`].
 fn draw() -> Result<(), String> {
-    run("apt-get", &["update", "-qq"], &[])?;
-    run("apt-get", &[&["install", "-y", "-qq", "--no-install-recommends"], &DRAWING[..]].concat(), &[])
+    packages(&[&["--no-install-recommends"], &DRAWING[..]].concat())
 }
 
 /// What is tried in CI, in a shorter form than `player trial` has by itself.
@@ -76,8 +76,7 @@ pub(crate) fn check() -> Result<(), String> {
 /// Gets the Python package and takes the library out of it.
 fn fetch(folder: &Path, library: &str) -> Result<(), String> {
     if !works("python3", &["-m", "pip", "--version"]) {
-        run("apt-get", &["update", "-qq"], &[])?;
-        run("apt-get", &["install", "-y", "-qq", "--no-install-recommends", "python3-pip"], &[])?;
+        packages(&["--no-install-recommends", "python3-pip"])?;
     }
     let wheel = folder.join("wheel");
     let told = |error| format!("cannot write to {FOLDER}: {error}");

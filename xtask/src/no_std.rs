@@ -1,6 +1,7 @@
 //! The proof that a robot needs no operating system and no heap.
 
 use crate::firmware;
+use crate::install::packages;
 use crate::process::{run, works};
 
 const TARGET: &str = "thumbv7em-none-eabihf";
@@ -39,8 +40,7 @@ impl Toolchain {
         }
         eprintln!("xtask: rustup cannot fetch {TARGET}; taking Debian's Rust, which can build `core` itself");
         if !works("dpkg", &["-s", DEBIAN[2]]) {
-            run("apt-get", &["update", "-qq"], &[])?;
-            run("apt-get", &[&["install", "-y", "-qq"], &DEBIAN[..]].concat(), &[])?;
+            packages(&DEBIAN)?;
         }
         Ok(Self::Debian)
     }

@@ -1,10 +1,10 @@
 //! The eyes beside `OpenCV`, on the same frames and the same core.
 
 use std::collections::BTreeMap;
-use std::env;
 use std::path::PathBuf;
 
-use crate::process::{output, root, run, works};
+use crate::install::folder;
+use crate::process::{output, run, works};
 
 const PACKAGE: &str = "opencv-python-headless";
 /// Turns that each side has; they alternate, so that a busy machine hits both.
@@ -17,7 +17,7 @@ const LEAST: f64 = 10.0;
 /// # Errors
 /// What could not be installed or measured; or that the eyes are not fast enough.
 pub(crate) fn compare() -> Result<(), String> {
-    let folder = env::var_os("CARGO_TARGET_DIR").map_or_else(|| root().join("target"), PathBuf::from).join("opencv");
+    let folder = folder("opencv");
     let text = |path: PathBuf| path.to_string_lossy().into_owned();
     let (python, frames) = (python(&text(folder.join("venv")))?, text(folder.join("frames")));
     let ours = ["cargo", "bench", "--quiet", "--bench", "vision", "--"];

@@ -10,6 +10,7 @@ mod slow;
 use std::fs;
 
 use crate::cli::Budget;
+use crate::install::packages;
 use crate::process::{root, run, works};
 
 const FIGURES: &str = "benches/instructions.txt";
@@ -59,8 +60,7 @@ fn committed() -> Result<String, String> {
 /// Valgrind, and what reads its counts.
 fn get() -> Result<String, String> {
     if !works("valgrind", &["--version"]) {
-        run("apt-get", &["update", "-qq"], &[])?;
-        run("apt-get", &["install", "-y", "-qq", "valgrind"], &[])?;
+        packages(&["valgrind"])?;
     }
     let folder = format!("{TOOLS}/gungraun-{VERSION}");
     let runner = root().join(&folder).join("bin/gungraun-runner");
