@@ -36,6 +36,12 @@ impl Actuator {
         self.continuous / self.torque_constant()
     }
 
+    /// The resistance of the coil, ohm: what holds the motor still is all the voltage.
+    #[must_use]
+    pub const fn resistance(&self) -> f32 {
+        VOLTAGE * self.torque_constant() / self.stall
+    }
+
     /// The current for a torque behind the gear, A, positive.
     #[must_use]
     pub const fn current(&self, torque: f32) -> f32 {
@@ -91,6 +97,7 @@ mod tests {
         assert!((knee.no_load / knee.gear - 6.96).abs() < 0.01, "as F3 of the facts has it");
         assert!((CONTINUOUS_CURRENT[Joint::LKneePitch] - 0.75).abs() < 0.01);
         assert!((knee.current(2.48) - 1.0).abs() < 0.01 && (knee.current(-2.48) - 1.0).abs() < 0.01);
+        assert!((knee.resistance() - 7.9).abs() < 0.05);
         for joint in Joint::ALL {
             let Actuator { stall, continuous, .. } = actuator(joint);
             assert!(continuous > 0.0 && continuous < stall, "{joint:?}");
