@@ -51,7 +51,7 @@ fn draw() -> Result<(), String> {
 }
 
 /// What is tried in CI, in a shorter form than `player trial` has by itself.
-const TRIALS: [&str; 8] = ["walk", "commands", "pushes", "bodies", "odometry", "kicks", "falls", "get-up"];
+const TRIALS: [&str; 9] = ["walk", "commands", "pushes", "bodies", "odometry", "kicks", "falls", "get-up", "obstacles"];
 
 /// What CI checks in MuJoCo, where it can be installed: lints, tests, trials of the body, a few games.
 ///

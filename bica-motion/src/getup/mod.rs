@@ -5,13 +5,13 @@
 //! From there the way up is the same: it kneels up on one leg, pushing with the other side's hand, pulls the other leg in,
 //! and rises. Before it stands it passes a *tuck* (both knees bent beyond [`TUCKED_KNEE`]), by which a world without
 //! forces may know a get-up, then [`STAND`], held for [`HOLD`] seconds. The postures began as those of real robots; where
-//! they differ now they were searched for in a world with forces.
+//! they differ now they were searched for in a world with forces. Whom something blocks twice turns over before the next try.
 
 mod frame;
 mod postures;
 
 use frame::Frame;
-use postures::{RISE, SIT_UP_FROM_BACK, SIT_UP_FROM_FRONT};
+use postures::{RISE, SIT_UP_FROM_BACK, SIT_UP_FROM_FRONT, TURN_FROM_BACK, TURN_FROM_FRONT};
 
 use crate::fall::Direction;
 use crate::joints::{Joint, Joints};
@@ -40,11 +40,19 @@ const ON_ITS_FACE: f32 = 1.0;
 /// On the way from the back nobody may lie so from this posture on: by then the legs have rolled over who lay on a side.
 const ROLLED: usize = 2;
 
+/// What is played.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Way {
+    UpFromFront,
+    UpFromBack,
+    TurnFromFront,
+    TurnFromBack,
+}
+
 /// A get-up under way.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GetUp {
-    /// The side that it sits up from: front or back.
-    side: Direction,
+    way: Way,
     mirrored: bool,
     from: Joints,
     /// Of the posture that it is on the way to.
@@ -61,27 +69,37 @@ impl GetUp {
     /// None: done at once.
     #[must_use]
     pub const fn none() -> Self {
-        let (side, from) = (Direction::Back, Joints([0.0; 25]));
-        Self { side, mirrored: false, from, index: usize::MAX, time: 0.0, seconds: 0.0, risen: false, fell: true }
+        let (way, from) = (Way::UpFromBack, Joints([0.0; 25]));
+        Self { way, mirrored: false, from, index: usize::MAX, time: 0.0, seconds: 0.0, risen: false, fell: true }
     }
 
     /// From where the robot lies, with the joints at `from` (measured angles, rad), after so many `failures`.
     ///
     /// From a side it is the way from the back: the legs roll the body over; whom they roll on its face stops at once.
-    /// After a failure it is tried with left and right swapped.
+    /// After a failure it is tried with left and right swapped; after the next it only turns over, away from what may block
+    /// it, to be tried from there. It has turned when it has been limp for half a second then.
     #[must_use]
     pub fn new(lying: Direction, failures: u8, from: Joints) -> Self {
-        let on_back = lying != Direction::Front;
-        let side = if on_back { Direction::Back } else { Direction::Front };
-        let mut movement = Self { side, mirrored: failures % 2 == 1, from, index: 0, fell: false, ..Self::none() };
+        let way = match (lying, failures % 3 == 2) {
+            (Direction::Front, false) => Way::UpFromFront,
+            (Direction::Front, true) => Way::TurnFromFront,
+            (_, false) => Way::UpFromBack,
+            (_, true) => Way::TurnFromBack,
+        };
+        let mirrored = failures % 2 == 1;
+        let mut movement = Self { way, mirrored, from, index: 0, fell: false, ..Self::none() };
         movement.seconds = movement.needed();
         movement
     }
 
-    /// Whether it is over: it stands or should, or fell again on the way.
+    /// Whether it is over: it stands or should, or has turned over, or fell again on the way.
     #[must_use]
     pub fn is_done(&self) -> bool {
-        self.fell || self.index >= self.begin().len() + RISE.len() + 2
+        let rise = match self.way {
+            Way::UpFromFront | Way::UpFromBack => RISE.len() + 2,
+            Way::TurnFromFront | Way::TurnFromBack => 0,
+        };
+        self.fell || self.index >= self.begin().len() + rise
     }
 
     /// `dt` seconds later, with what the inertial unit feels: the targets and the stiffness of all joints. When done, the
@@ -113,14 +131,16 @@ impl GetUp {
     fn feel(&mut self, inertial: &Inertial) {
         let rise = libm::cosf(inertial.pitch) * libm::cosf(inertial.roll);
         self.risen |= rise > RISEN || self.index > self.begin().len();
-        let on_face = self.side == Direction::Back && self.index >= ROLLED && inertial.pitch > ON_ITS_FACE;
+        let on_face = self.way == Way::UpFromBack && self.index >= ROLLED && inertial.pitch > ON_ITS_FACE;
         self.fell |= self.risen && rise < LYING || on_face;
     }
 
     const fn begin(&self) -> &'static [Frame] {
-        match self.side {
-            Direction::Front => &SIT_UP_FROM_FRONT,
-            Direction::Back | Direction::Left | Direction::Right => &SIT_UP_FROM_BACK,
+        match self.way {
+            Way::UpFromFront => &SIT_UP_FROM_FRONT,
+            Way::UpFromBack => &SIT_UP_FROM_BACK,
+            Way::TurnFromFront => &TURN_FROM_FRONT,
+            Way::TurnFromBack => &TURN_FROM_BACK,
         }
     }
 

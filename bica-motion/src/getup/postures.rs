@@ -1,8 +1,9 @@
-//! The postures of the get-ups.
+//! The postures of the get-ups, and of turning over between them.
 //!
 //! Sources: rUNSWift 2022 `getupFront.pos`, `getupBack.pos` and `getupBackSlow.pos`, figures of real robots. The front and
 //! the rise were then searched for in MuJoCo by an evolution strategy (separable CMA-ES, Ros and Hansen 2008), over soles
-//! that grip less and more, weaker motors, softer and harder gains, and noise.
+//! that grip less and more, weaker motors, softer and harder gains, and noise; the ways to turn over by a cross-entropy
+//! search there (Rubinstein 1999), over soles that grip less and more.
 
 use super::frame::Frame;
 
@@ -50,4 +51,18 @@ pub(super) const RISE: [Frame; 10] = [
         28,
         [0, 27, 107, 18, 30, -20, 0, -5, -4, -47, 110, -67, -8, 15, -57, 112, -55, 12, 119, -22, -23, 10, 0],
     ),
+];
+
+/// From lying on the front to lying on the back.
+pub(super) const TURN_FROM_FRONT: [Frame; 3] = [
+    Frame::new(46, [0, 0, 88, -3, -5, -15, 0, -9, 10, -25, 39, 52, 0, 21, -21, 3, 33, 0, 38, -33, 23, 33, 0]),
+    Frame::new(35, [0, 0, 51, 32, 17, -47, 0, 5, 26, -66, -5, -40, 0, 16, -25, 14, -50, 0, 58, 12, 18, 88, 0]),
+    Frame::new(35, [0, 0, 109, -11, -48, -11, 0, -11, -21, -62, 11, 3, 0, 21, -23, 34, -8, 0, -3, 18, 72, 55, 0]),
+];
+
+/// From lying on the back to lying on the front.
+pub(super) const TURN_FROM_BACK: [Frame; 3] = [
+    Frame::new(27, [0, 0, 79, 12, -5, -27, 0, 14, -13, -18, 63, -68, 0, 10, 27, 3, 27, 0, 59, 18, -17, 56, 0]),
+    Frame::new(25, [0, 0, 72, 76, -11, -2, 0, 24, 20, -80, 19, 6, 0, -16, 27, 43, -14, 0, 40, -33, 19, 27, 0]),
+    Frame::new(51, [0, 0, -61, -18, -18, -12, 0, 2, -21, -28, 45, 0, 0, 21, 27, 46, -30, 0, 65, -12, 2, 5, 0]),
 ];

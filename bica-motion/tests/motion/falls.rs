@@ -120,22 +120,41 @@ fn get_up(mut movement: GetUp, inertial: &Inertial) -> Vec<Joints> {
 fn get_ups_keep_to_limits_and_speeds_and_end_in_the_stand() {
     let crumpled = Joints::all(0.3).clamp_to_limits();
     let attempts =
-        Direction::ALL.into_iter().flat_map(|direction| [0, 1, 2, 255].map(|failures| (direction, failures)));
+        Direction::ALL.into_iter().flat_map(|direction| [0, 1, 3, 4, 255].map(|failures| (direction, failures)));
     for (direction, failures) in attempts {
         for start in [SIT, crumpled, protection(direction).posture] {
             let targets = get_up(GetUp::new(direction, failures, start), &Inertial::default());
             let seconds = targets.len() as f32 * CYCLE;
             assert!((4.0..=11.0).contains(&seconds), "{seconds} s");
             assert_eq!(*targets.last().unwrap(), STAND);
-            for pair in targets.windows(2) {
-                assert!(pair[1].within_limits(), "{:?}", pair[1]);
-                for joint in Joint::ALL {
-                    let speed = (pair[1][joint] - pair[0][joint]).abs() / CYCLE;
-                    assert!(speed <= max_speed(joint) * 1.001, "{joint:?} at {speed} rad/s");
-                }
-            }
+            keeps_to_limits_and_speeds(&targets);
         }
     }
+}
+
+fn keeps_to_limits_and_speeds(targets: &[Joints]) {
+    for pair in targets.windows(2) {
+        assert!(pair[1].within_limits(), "{:?}", pair[1]);
+        for joint in Joint::ALL {
+            let speed = (pair[1][joint] - pair[0][joint]).abs() / CYCLE;
+            assert!(speed <= max_speed(joint) * 1.001, "{joint:?} at {speed} rad/s");
+        }
+    }
+}
+
+#[test]
+fn after_two_failures_it_turns_over_first_one_way_round_then_the_other() {
+    let turn = |lying, failures| get_up(GetUp::new(lying, failures, STAND), &tilted(toward(lying, 1.5)));
+    for lying in [Direction::Front, Direction::Back] {
+        let targets = turn(lying, 2);
+        keeps_to_limits_and_speeds(&targets);
+        assert!((0.5..2.5).contains(&(targets.len() as f32 * CYCLE)), "{} cycles", targets.len());
+        let last = |failures| *turn(lying, failures).last().unwrap();
+        let (one, other) = (last(2), last(5).mirrored());
+        assert!(Joint::ALL.into_iter().all(|joint| (one[joint] - other[joint]).abs() < 1e-5));
+        assert_eq!(turn(lying, 8), targets);
+    }
+    assert_ne!(turn(Direction::Front, 2), turn(Direction::Back, 2));
 }
 
 #[test]
@@ -153,7 +172,8 @@ fn a_get_up_passes_the_phases_by_which_it_is_known() {
 #[test]
 fn after_a_failure_it_is_tried_the_other_way_round() {
     let way = |failures| get_up(GetUp::new(Direction::Back, failures, STAND), &Inertial::default());
-    assert_eq!(way(2), way(0));
+    assert_eq!(way(4), way(0));
+    assert_eq!(way(3), way(1));
     let mirrored: Vec<Joints> = way(0).iter().map(Joints::mirrored).collect();
     for (own, expected) in way(1).iter().zip(&mirrored) {
         assert!(Joint::ALL.into_iter().all(|joint| (own[joint] - expected[joint]).abs() < 1e-5));

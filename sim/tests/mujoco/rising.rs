@@ -2,6 +2,7 @@
 
 use bica_motion::fall::{Direction, FallDetector, Uprightness};
 use bica_motion::getup::{GetUp, protection};
+use bica_motion::stand::STAND;
 use bica_sim::mujoco::MujocoWorld;
 use bica_sim::referee::Posture;
 use bica_sim::{CYCLE_SECONDS, World};
@@ -60,5 +61,21 @@ fn it_gets_up_from_a_side() {
             get_up(&mut world, Direction::Front, 1);
         }
         assert_eq!(world.referee().posture(), Posture::Upright, "{side}");
+    }
+}
+
+#[test]
+fn from_face_and_back_it_turns_over_either_way_round_if_it_lets_go_then() {
+    for (push, lying, turned) in [(2.3, Direction::Front, Direction::Back), (-2.3, Direction::Back, Direction::Front)] {
+        for failures in [2, 5] {
+            let mut world = alone(3, &blind());
+            assert_eq!(fall(&mut world, Vec2::new(push, 0.0)), lying);
+            get_up(&mut world, lying, failures);
+            for _ in 0..50 {
+                world.act(&command(STAND, 0.0));
+            }
+            let felt = world.sensors().inertial.acceleration;
+            assert!((felt - turned.gravity()).length() < 7.0, "{lying:?}, {failures}: {felt}");
+        }
     }
 }
