@@ -29,7 +29,7 @@ pub(crate) fn bench(criterion: &mut Criterion) {
         group.bench_function(BenchmarkId::new("a game", &size), |bencher| {
             bencher.iter(|| recording.sensors().for_each(|sensors| _ = think(&sensors)));
         });
-        let Some(folder) = &real else { continue };
+        let Some(folder) = real else { continue };
         for album in recorded::albums(folder, (width as u16, height as u16)) {
             let pictures: Vec<_> = album.shots.iter().map(picture).collect();
             let still = Sensors { image: None, ..recording.sensors().next().expect("a cycle") };

@@ -40,7 +40,7 @@ fn main() {
 /// Real frames with poses where there are some, else rendered ones.
 fn usual(size: (u16, u16)) -> Album {
     recorded::folder()
-        .map_or_else(|| rendered::album(size, WORLDS), |folder| recorded::albums(&folder, size).swap_remove(0))
+        .map_or_else(|| rendered::album(size, WORLDS), |folder| recorded::albums(folder, size).swap_remove(0))
 }
 
 /// Prints what every stage takes, for each size, and how much longer frames may take that are made to.

@@ -6,6 +6,11 @@ with connectedComponentsWithStats, which also measures them. One thread, or as m
 memory that is there already.
 """
 
+import signal
+
+# Ctrl-C ends it without a trace of where it was, also while what follows is read.
+signal.signal(signal.SIGINT, signal.SIG_DFL)
+
 import pathlib
 import sys
 import time

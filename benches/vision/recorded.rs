@@ -3,6 +3,7 @@
 use std::fs::{self, File};
 use std::io::BufReader;
 use std::path::{Path, PathBuf};
+use std::sync::LazyLock;
 
 use bica_vision::profile::{DARWIN_2013, NAO_2009};
 use bica_vision::projection::{Camera, Intrinsics};
@@ -11,14 +12,17 @@ use glam::{Affine3A, Mat3, Vec2, Vec3};
 
 use crate::shot::{Album, Shot};
 
-/// The folder of images; none, and a word about it, if it is not there.
-pub(crate) fn folder() -> Option<PathBuf> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared/images");
-    if folder.is_dir() {
-        return Some(folder);
-    }
-    eprintln!("real frames are skipped: there are none at {}", folder.display());
-    None
+/// The folder of images; none, and a word about it the first time, if it is not there.
+pub(crate) fn folder() -> Option<&'static Path> {
+    static FOLDER: LazyLock<Option<PathBuf>> = LazyLock::new(|| {
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared/images");
+        if folder.is_dir() {
+            return Some(folder);
+        }
+        eprintln!("real frames are skipped: there are none at {}", folder.display());
+        None
+    });
+    FOLDER.as_deref()
 }
 
 /// The frames of two robots, brought to a size: the cameras gave 320×240.

@@ -4,15 +4,16 @@ use crate::cli::Peers;
 use crate::process::run;
 
 const PLACE: [&str; 3] = ["--manifest-path", "benches/peers/Cargo.toml", "--locked"];
-const TARGET: [&str; 3] = ["--quiet", "--target-dir", "target/peers"];
+const TARGET: [&str; 2] = ["--target-dir", "target/peers"];
 
 /// Builds all, then times, counts, weighs and judges.
 ///
 /// # Errors
 /// What could not be built, or that a promise is broken.
 pub(crate) fn measure(asked: &Peers) -> Result<(), String> {
+    // The first build takes minutes and shows how far it is.
     cargo("build", &["--release", "--workspace"])?;
-    let program = ["--release", "--package", "peers-run", "--"];
+    let program = ["--quiet", "--release", "--package", "peers-run", "--"];
     let options = [(asked.quick, "--quick"), (asked.slow, "--slow")];
     let options: Vec<&str> = options.into_iter().filter_map(|(is_asked, word)| is_asked.then_some(word)).collect();
     cargo("run", &[&program[..], &options].concat())
@@ -24,8 +25,11 @@ pub(crate) fn measure(asked: &Peers) -> Result<(), String> {
 /// What failed.
 pub(crate) fn check() -> Result<(), String> {
     run("cargo", &["fmt", "--all", "--check", PLACE[0], PLACE[1]], &[])?;
-    cargo("clippy", &["--package", "peers", "--package", "peers-size", "--all-targets", "--", "-D", "warnings"])?;
-    cargo("test", &["--package", "peers"])
+    cargo(
+        "clippy",
+        &["--quiet", "--package", "peers", "--package", "peers-size", "--all-targets", "--", "-D", "warnings"],
+    )?;
+    cargo("test", &["--quiet", "--package", "peers"])
 }
 
 fn cargo(what: &str, more: &[&str]) -> Result<(), String> {

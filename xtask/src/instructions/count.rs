@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use serde_json::Value;
 
-use crate::process::output;
+use crate::process::{output, run};
 
 /// Asks the benchmarks to be slow, when they are compiled.
 const SLOW: (&str, &str) = ("BICA_SLOW", "1");
@@ -14,10 +14,12 @@ const SLOW: (&str, &str) = ("BICA_SLOW", "1");
 /// # Errors
 /// What does not build or run, or what cannot be understood of what comes out.
 pub(crate) fn count(runner: &str, slow: bool) -> Result<BTreeMap<String, u64>, String> {
-    let bench = ["bench", "--quiet", "--package", "bica", "--bench", "instructions", "--"];
-    let asked = ["--output-format=json", "--parallel=auto"];
+    let bench = ["bench", "--package", "bica", "--bench", "instructions"];
     let variables = [("GUNGRAUN_RUNNER", runner), SLOW];
     let variables = if slow { &variables[..] } else { &variables[..1] };
+    // The first build takes minutes and shows how far it is.
+    run("cargo", &[&bench[..], &["--no-run"]].concat(), variables)?;
+    let asked = ["--quiet", "--", "--output-format=json", "--parallel=auto"];
     let out = output("cargo", &[&bench[..], &asked].concat(), variables)?;
     out.lines().map(read).collect()
 }
