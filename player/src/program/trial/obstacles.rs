@@ -107,9 +107,15 @@ fn in_goal(dice: &mut Dice, _: Vec2) -> Pose2 {
     either(at, dice)
 }
 
-/// On any side of the goalkeeper but behind it, where the goal is.
+/// On any side of the goalkeeper but behind it, where the goal is, and not in a post.
 fn at_keeper(dice: &mut Dice, keeper: Vec2) -> Pose2 {
-    Pose2 { position: keeper + outward(dice, NEAR_KEEPER), heading: dice.between(-PI, PI) }
+    loop {
+        let pose = Pose2 { position: keeper + outward(dice, NEAR_KEEPER), heading: dice.between(-PI, PI) };
+        let at = Vec2::new(pose.position.x, pose.position.y.abs());
+        if at.distance(POST) > NEAR.0 {
+            return pose;
+        }
+    }
 }
 
 /// So far from something, and not nearer to the goal than that.
