@@ -25,27 +25,18 @@ mod verdict;
 
 use std::process::ExitCode;
 
+use clap::Parser;
 use lanes::Lanes;
-use options::{Asked, HELP, Options};
+use options::Options;
 use report::Report;
 
 fn main() -> ExitCode {
-    match options::read(std::env::args().skip(1)) {
-        Ok(Asked::Help) => {
-            print!("{HELP}");
-            ExitCode::SUCCESS
-        }
-        Ok(Asked::Report(options)) => match report(&options) {
-            Ok(true) => ExitCode::SUCCESS,
-            Ok(false) => ExitCode::FAILURE,
-            Err(error) => {
-                eprintln!("budget: {error}");
-                ExitCode::FAILURE
-            }
-        },
+    match report(&Options::parse()) {
+        Ok(true) => ExitCode::SUCCESS,
+        Ok(false) => ExitCode::FAILURE,
         Err(error) => {
-            eprintln!("budget: {error}\n\n{HELP}");
-            ExitCode::from(2)
+            eprintln!("budget: {error}");
+            ExitCode::FAILURE
         }
     }
 }
@@ -55,13 +46,14 @@ const MORE: usize = 3;
 
 /// Whether all that must hold does.
 fn report(options: &Options) -> Result<bool, String> {
+    let repeats = options.repeats as usize;
     let mut played = Lanes::new();
     let report = loop {
-        play::all(options.frame, options.repeats, &mut played)?;
-        let machine = options.smaller.map(|asked| asked.machine(options.frame)).transpose()?;
+        play::all(options.frame, repeats, &mut played)?;
+        let machine = options.smaller().map(|asked| asked.machine(options.frame)).transpose()?;
         let report = Report::new(options, &played, machine);
         // The least time can only fall: what was in between every time so far is worth another try.
-        if report.findings.is_empty() || played.games() >= MORE * options.repeats {
+        if report.findings.is_empty() || played.games() >= MORE * repeats {
             break report;
         }
     };
