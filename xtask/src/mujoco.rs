@@ -36,18 +36,8 @@ pub(crate) fn install() -> Result<(), String> {
         eprintln!("xtask: {} are there", DRAWING.join(" and "));
         return Ok(());
     }
-    draw().map_err(|error| {
-        let packages = DRAWING.join(" and ");
-        format!(
-            "{error}\n  help: MuJoCo's library is in place; to draw, install {packages} as root, or what your system calls EGL \
-             and Mesa's software renderer"
-        )
-    })
-}
-
-/// Installs [`DRAWING`].
-fn draw() -> Result<(), String> {
     packages(&[&["--no-install-recommends"], &DRAWING[..]].concat())
+        .map_err(|error| format!("{error}\n  help: MuJoCo's library is in place; only what draws is missing"))
 }
 
 /// What is tried in CI, in a shorter form than `player trial` has by itself.

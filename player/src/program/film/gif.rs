@@ -19,7 +19,7 @@ const CLEAR: u8 = 255;
 
 /// A colour whose channels are all within this is as good: from outside, and in the robot's own view, whose noise needs no
 /// writing.
-const AS_GOOD: (u8, u8) = (4, 18);
+const AS_GOOD: (u8, u8) = (5, 20);
 
 /// A GIF that is being written.
 pub(crate) struct Gif {

@@ -18,7 +18,7 @@ use crate::mujoco::model::paint::{AROUND, Paint};
 use crate::random::{Random, Stream};
 
 /// Light from all around, from the lamps together, and from behind whoever films.
-const LIGHT: (f32, f32, f32) = (0.50, 0.60, 0.14);
+const LIGHT: (f32, f32, f32) = (0.47, 0.56, 0.24);
 /// Directions of the lamps beside the light's: together they make shadows soft.
 const LAMPS: [(f32, f32); 2] = [(-0.04, -0.03), (0.04, 0.05)];
 /// How far shadows are cast from what is filmed, m, and in how many pixels.
