@@ -59,7 +59,7 @@ pub(crate) fn check() -> Result<(), String> {
     run("cargo", &[&["test", "-p", "bica-player", "--test", "program"], &feature[..], &["mujoco"]].concat(), &[])?;
     let program = [&["run", "--release"], &feature[..], &["--"]].concat();
     run("cargo", &[&program[..], &["trial", "--runs", "4"], &TRIALS[..]].concat(), &[])?;
-    let games = ["play", "--world", "mujoco", "--games", "4", "--seconds", "180", "--at-least", "3"];
+    let games = ["play", "--world", "mujoco", "--games", "8", "--seconds", "180", "--at-least", "7"];
     run("cargo", &[&program[..], &games].concat(), &[])
 }
 
