@@ -55,9 +55,9 @@ impl FallGuard {
         motors.whole(&posture, stiffness);
     }
 
-    /// On the ground, jammed or hot: limp, so that limbs slip free and motors cool.
+    /// On the ground, jammed or hot: limp, so that limbs slip free and motors cool. Feels what it comes to lie on.
     #[state]
-    fn rest(&mut self, body: &Measured, motors: &mut Motors) {
+    fn rest(&mut self, _falls: &FallDetector, body: &Measured, motors: &mut Motors) {
         motors.whole(body.angles(), 0.0);
     }
 
