@@ -67,29 +67,33 @@ fn choose(situation: &Situation, aims: &[Aim], kicks: &Kicks, in_vain: Option<Ki
     for aim in aims {
         for kick in Kick::ALL {
             let again = if in_vain == Some(kick) { IN_VAIN } else { 0.0 };
-            match weigh(situation, aim, kick, kicks, again) {
-                Some((effort, plan)) if effort < best.0 => best = (effort, Some(plan)),
-                _ => {}
+            if let Some((effort, plan)) = weigh(situation, aim, kick, kicks, again, best.0) {
+                best = (effort, Some(plan));
             }
         }
     }
     best.1
 }
 
-/// What leads to a kick, and the effort that it asks for, rad of turning; none if something is in the way.
-fn weigh(situation: &Situation, aim: &Aim, kick: Kick, kicks: &Kicks, again: f32) -> Option<(f32, Plan)> {
+/// What leads to a kick, and the effort that it asks for, rad of turning; none if that is not below `limit`, or something is in
+/// the way.
+fn weigh(situation: &Situation, aim: &Aim, kick: Kick, kicks: &Kicks, again: f32, limit: f32) -> Option<(f32, Plan)> {
     let way = aim.at - situation.ball;
     let turn = wrap(atan2f(way.y, way.x) - kick.direction());
-    let stand = situation.ball - rotate(kick.ball(kicks), turn);
-    if !(situation.obstacles.lets_stand(stand) && situation.obstacles.lets_pass(situation.ball, way)) {
+    let cost = aim.cost + reluctance(kick) + again;
+    let is_near = fabsf(turn) < FAR;
+    let least = if is_near { fabsf(turn) + cost } else { ROUND + fabsf(turn) + CHOICE * cost };
+    let stand = || situation.ball - rotate(kick.ball(kicks), turn);
+    let obstacles = &situation.obstacles;
+    if least >= limit || !obstacles.lets_pass(situation.ball, way) || !obstacles.lets_stand(stand()) {
         return None;
     }
-    let cost = aim.cost + reluctance(kick) + again;
-    if fabsf(turn) < FAR {
-        return Some((fabsf(turn) + cost, Plan::Kick(Strike { kick, heading: turn })));
+    if is_near {
+        return Some((least, Plan::Kick(Strike { kick, heading: turn })));
     }
     let round = situation.way_round(turn)?;
-    Some((ROUND + fabsf(round) + CHOICE * cost, Plan::GoRound(round)))
+    let effort = least - fabsf(turn) + fabsf(round);
+    (effort < limit).then_some((effort, Plan::GoRound(round)))
 }
 
 /// What a kick costs beside the turning, rad: the front kick is the surest.
