@@ -32,7 +32,7 @@ pub struct RobotDetector {
     ride: Ride,
 }
 
-#[component(hz = 30, budget_us = 200)]
+#[component(hz = 30, budget_us = 300)]
 impl RobotDetector {
     /// Has seen no robots yet.
     #[must_use]
