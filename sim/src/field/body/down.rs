@@ -19,6 +19,8 @@ const FALLING: u32 = 60;
 const RISING: u32 = 50;
 /// From the ground to standing, at least, cycles.
 const GETTING_UP: u32 = 250;
+/// Both hips bent further than this bring the torso off the ground, rad: the robot sits, and leans this far.
+const SITTING: (f32, f32) = (1.05, 0.8);
 /// Knees that stand up on are bent between these, rad: neither still tucked nor still stretched out.
 const STANDING: (f32, f32) = (0.3, 1.4);
 /// How far the middle between the hips comes from the feet, m.
@@ -34,6 +36,8 @@ pub(crate) struct Down {
     from: Affine3A,
     /// Cycles since then.
     cycles: u32,
+    /// Cycles since it sat.
+    sitting: u32,
     tucked: bool,
     /// Cycles in a posture that can stand.
     rising: u32,
@@ -50,7 +54,7 @@ impl Down {
         };
         let ground = from.translation + Affine3A::from_rotation_z(heading).transform_vector3a(way * FALL_LENGTH);
         let place = Pose2 { position: ground.truncate(), heading };
-        Self { fall, place, from, cycles: 0, tucked: false, rising: 0 }
+        Self { fall, place, from, cycles: 0, sitting: 0, tucked: false, rising: 0 }
     }
 
     /// Where it falls or fell to.
@@ -71,19 +75,23 @@ impl Down {
         }
         if self.rising > 0 {
             let standing = Stance::under(self.place, skeleton).robot(skeleton);
-            return between(&self.lying(), &standing, self.rising as f32 / RISING as f32);
+            return between(&self.resting(), &standing, self.rising as f32 / RISING as f32);
         }
-        self.lying()
+        self.resting()
     }
 
     /// Lets one cycle pass; gives the stance when it is on its feet again.
     ///
-    /// To get up, the knees must be tucked once after the fall and then a posture be held that can stand, for half a
+    /// It sits from when the hips were bent enough on. To get up, the knees must be tucked once after the fall and then a posture be held that can stand, for half a
     /// second and not before 2.5 s on the ground.
     pub(crate) fn step(&mut self, angles: &Joints, skeleton: &Skeleton) -> Option<Stance> {
         self.cycles += 1;
         if self.cycles < FALLING {
             return None;
+        }
+        let bent = [Joint::LHipPitch, Joint::RHipPitch].iter().all(|&hip| angles[hip] < -SITTING.0);
+        if bent || self.sitting > 0 {
+            self.sitting = (self.sitting + 1).min(RISING);
         }
         self.tucked |= [Joint::LKneePitch, Joint::RKneePitch].iter().all(|&knee| angles[knee] > TUCKED_KNEE);
         if !self.tucked || !can_stand(angles, skeleton) {
@@ -101,12 +109,21 @@ impl Down {
         self.place.position += by;
     }
 
+    fn resting(&self) -> Affine3A {
+        between(&self.lying(), &self.leaning(SITTING.1), self.sitting as f32 / RISING as f32)
+    }
+
     fn lying(&self) -> Affine3A {
+        self.leaning(FRAC_PI_2)
+    }
+
+    /// On the ground, the torso leaning this far to where it fell, rad.
+    fn leaning(&self, angle: f32) -> Affine3A {
         let (turn, height) = match self.fall {
-            Direction::Front => (Quat::from_rotation_y(FRAC_PI_2), 0.08),
-            Direction::Back => (Quat::from_rotation_y(-FRAC_PI_2), 0.09),
-            Direction::Left => (Quat::from_rotation_x(-FRAC_PI_2), 0.11),
-            Direction::Right => (Quat::from_rotation_x(FRAC_PI_2), 0.11),
+            Direction::Front => (Quat::from_rotation_y(angle), 0.08),
+            Direction::Back => (Quat::from_rotation_y(-angle), 0.09),
+            Direction::Left => (Quat::from_rotation_x(-angle), 0.11),
+            Direction::Right => (Quat::from_rotation_x(angle), 0.11),
         };
         raised(&self.place) * Affine3A::from_rotation_translation(turn, Vec3::new(0.0, 0.0, height))
     }
