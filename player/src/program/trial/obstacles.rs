@@ -6,6 +6,7 @@ use bica_motion::pose::Pose2;
 use bica_sim::World;
 use bica_sim::field::{Setup, Start};
 use bica_sim::mujoco::MujocoWorld;
+use bica_vision::pitch::{GOAL_BACK, POST};
 use glam::Vec2;
 
 use super::bench::Bench;
@@ -15,9 +16,6 @@ use super::table::{Row, median};
 use super::victim::Victim;
 use crate::program::ending::Failure;
 
-/// Where the left post of the attacked goal stands; its net hangs from there to [`BACK`], m (rules of 2009).
-const POST: Vec2 = Vec2::new(3.05, 0.7);
-const BACK: f32 = 3.5;
 /// From the middle of the robot to what it is beside, m: to a post or a net; to the middle of the goalkeeper.
 const NEAR: (f32, f32) = (0.2, 0.5);
 const NEAR_KEEPER: (f32, f32) = (0.3, 0.5);
@@ -103,7 +101,7 @@ fn at_post(dice: &mut Dice, _: Vec2) -> Pose2 {
 
 /// Between the posts, beside the net.
 fn in_goal(dice: &mut Dice, _: Vec2) -> Pose2 {
-    let at = Vec2::new(dice.between(POST.x, BACK - NEAR.0), POST.y - dice.between(NEAR.0, NEAR.1));
+    let at = Vec2::new(dice.between(POST.x, GOAL_BACK - NEAR.0), POST.y - dice.between(NEAR.0, NEAR.1));
     either(at, dice)
 }
 
