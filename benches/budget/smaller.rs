@@ -100,6 +100,6 @@ fn figures(line: &str) -> Result<(String, f64, f64), String> {
 }
 
 fn read(file: &str) -> Result<String, String> {
-    fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join(file))
+    fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(file))
         .map_err(|error| format!("cannot read {file}: {error}"))
 }

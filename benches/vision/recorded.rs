@@ -15,7 +15,7 @@ use crate::shot::{Album, Shot};
 /// The folder of images; none, and a word about it the first time, if it is not there.
 pub(crate) fn folder() -> Option<&'static Path> {
     static FOLDER: LazyLock<Option<PathBuf>> = LazyLock::new(|| {
-        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared/images");
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../shared/images");
         if folder.is_dir() {
             return Some(folder);
         }

@@ -14,7 +14,7 @@ const CHANGE: Duration = Duration::from_secs(5);
 /// The component that is changed, where, and the test of it.
 const COMPONENT: &str = "player/src/behaviour/face_ball.rs";
 const PLACE: &str = "head.look_at(";
-const TEST: [&str; 7] = ["test", "--quiet", "--package", "bica", "--test", "forward", "facing_the_ball"];
+const TEST: [&str; 7] = ["test", "--quiet", "--package", "bica-tests", "--test", "forward", "facing_the_ball"];
 /// How often the component is changed; the least time counts.
 const CHANGES: u32 = 5;
 

@@ -14,7 +14,7 @@ const SLOW: (&str, &str) = ("BICA_SLOW", "1");
 /// # Errors
 /// What does not build or run, or what cannot be understood of what comes out.
 pub(crate) fn count(runner: &str, slow: bool) -> Result<BTreeMap<String, u64>, String> {
-    let bench = ["bench", "--package", "bica", "--bench", "instructions"];
+    let bench = ["bench", "--package", "bica-benches", "--bench", "instructions"];
     let variables = [("GUNGRAUN_RUNNER", runner), SLOW];
     let variables = if slow { &variables[..] } else { &variables[..1] };
     // The first build takes minutes and shows how far it is.
