@@ -5,8 +5,8 @@ use quote::quote;
 use syn::{GenericParam, Generics, Type, parse_quote};
 
 use super::runtime;
-use crate::language::component::model::{Behaviour, Component, Machine, Place};
 use crate::expand::quoting::option;
+use crate::language::component::model::{Behaviour, Component, Machine, Place};
 
 pub(super) fn expand(component: &Component, behaviour: &Behaviour) -> TokenStream {
     let p = runtime(component);

@@ -5,9 +5,9 @@ use quote::{quote, quote_spanned};
 use syn::Type;
 
 use super::{call, runtime};
+use crate::expand::quoting::{at, option, placed};
 use crate::language::component::links::Links;
 use crate::language::component::model::{Behaviour, Component, Way};
-use crate::expand::quoting::{at, option, placed};
 
 pub(super) fn expand(component: &Component, behaviour: &Behaviour) -> TokenStream {
     let p = runtime(component);

@@ -7,9 +7,9 @@ use quote::quote;
 use syn::{Type, WherePredicate, parse_quote, parse_quote_spanned};
 
 use super::{description, hooks, machine, node, runtime, step};
+use crate::expand::quoting::{at, placed};
 use crate::language::component::links::Links;
 use crate::language::component::model::{Argument, Behaviour, Component};
-use crate::expand::quoting::{at, placed};
 use crate::language::text;
 
 pub(super) fn expand(component: &Component, behaviour: &Behaviour) -> TokenStream {
