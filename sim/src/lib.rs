@@ -30,6 +30,7 @@
 pub mod field;
 mod film;
 mod heat;
+mod in_loop;
 #[cfg(feature = "mujoco")]
 pub mod mujoco;
 mod random;
