@@ -75,7 +75,7 @@ impl Game {
     fn new(rules: &Rules) -> Result<Self, Failure> {
         let world = Arena::open(rules)?;
         let mut robot = Box::new(Forward::new());
-        robot.get_mut::<Measured>().be(rules.arena.profile());
+        robot.get_mut::<Measured>().set_profile(rules.arena.profile());
         robot.get_mut::<NetDetector>().attack(match world.referee().attacks() {
             GoalColour::Yellow => Colour::Yellow,
             GoalColour::SkyBlue => Colour::Blue,
