@@ -3,8 +3,8 @@
 use bica_motion::robot::{Command, Sensors};
 use bica_runner::Robot;
 
-use crate::field::FieldWorld;
-use crate::film::Filmed;
+use crate::kinematic::KinematicWorld;
+use crate::spectator::SpectatorView;
 use crate::world::World;
 
 /// Implements the runner's trait by our own, for every robot with the sensors and the command of a NAO.
@@ -32,6 +32,6 @@ macro_rules! controlled {
     };
 }
 
-controlled!(FieldWorld, dyn Filmed + '_);
+controlled!(KinematicWorld, dyn SpectatorView + '_);
 #[cfg(feature = "mujoco")]
 controlled!(crate::mujoco::MujocoWorld);

@@ -9,9 +9,9 @@ use bica_motion::robot::{CameraId, Command, Lights};
 use bica_motion::side::Side;
 use bica_motion::stand::Stiffness;
 use bica_motion::walk::{Feedback, Velocity, Walk};
-use bica_sim::field::{Setup, Start};
 use bica_sim::mujoco::{MujocoWorld, Physics};
 use bica_sim::referee::Event;
+use bica_sim::setup::{Setup, Start};
 use bica_sim::{CYCLE_SECONDS, World};
 use glam::Vec2;
 
