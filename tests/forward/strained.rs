@@ -2,7 +2,7 @@
 
 use bica_motion::health::Fault;
 use bica_motion::joints::{Joint, Joints};
-use bica_motion::stand::{RESTING, SIT};
+use bica_motion::stand::{SIT, SIT_STIFFNESS};
 use bica_player::Forward;
 use bica_player::behaviour::FallGuard;
 use bica_player::input::Measured;
@@ -17,7 +17,7 @@ fn play(game: &mut Game, cycles: u32) -> bool {
     (0..cycles).fold(true, |firm, _| {
         game.cycle(&mut ());
         let all = Joints::all(1.0);
-        firm & (game.robot.get::<Measured>().eased(&all) == all)
+        firm & (game.robot.get::<Measured>().derated(&all) == all)
     })
 }
 
@@ -33,7 +33,7 @@ fn a_hot_joint_is_held_less_firmly_then_the_robot_sits_down() {
         play(&mut game, 600);
         assert_eq!(game.robot.get::<Measured>().fault(), Some(Fault::Hot(joint)));
         let last = game.cycle(&mut ());
-        assert!(last.stiffness.0.iter().all(|stiffness| *stiffness <= RESTING), "seed {seed}");
+        assert!(last.stiffness.0.iter().all(|stiffness| *stiffness <= SIT_STIFFNESS), "seed {seed}");
         let angles = game.world.sensors().angles;
         let off = Joint::ALL.map(|joint| (angles[joint] - SIT[joint]).abs());
         assert!(off[7..18].iter().all(|off| *off < 0.02), "seed {seed}: {off:?}");

@@ -1,6 +1,6 @@
 //! Falling with open eyes, and getting up again.
 
-use bica_motion::fall::{Direction, FallDetector, Uprightness};
+use bica_motion::fall::{Direction, FallDetector, FallState};
 use bica_motion::getup::{GetUp, protection};
 use bica_motion::stand::STAND;
 use bica_sim::mujoco::MujocoWorld;
@@ -18,14 +18,14 @@ fn fall(world: &mut MujocoWorld, push: Vec2) -> Direction {
     for _ in 0..300 {
         hit |= world.is_on_ground();
         match balance.step(&world.sensors().inertial, CYCLE_SECONDS) {
-            Uprightness::Upright => stand(world, 1),
-            Uprightness::Falling(direction) => {
+            FallState::Upright => stand(world, 1),
+            FallState::Falling(direction) => {
                 assert!(felt || !hit, "{push}: it hit the ground before it felt the fall");
                 felt = true;
                 let brace = protection(direction);
                 world.act(&command(brace.posture, brace.stiffness));
             }
-            Uprightness::Fallen(direction) => return direction,
+            FallState::Fallen(direction) => return direction,
         }
     }
     panic!("{push}: it does not fall");

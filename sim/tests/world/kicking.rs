@@ -3,7 +3,7 @@ use core::time::Duration;
 use bica_motion::pose::Pose2;
 use bica_motion::side::Side;
 use bica_motion::stand::STAND;
-use bica_motion::walk::{Body, Parameters, Velocity, Walk, in_reach};
+use bica_motion::walk::{Feedback, Parameters, Velocity, Walk, in_walk_kick_foot};
 use bica_sim::field::FieldWorld;
 use bica_sim::referee::Event;
 use bica_sim::{CYCLE_SECONDS, World};
@@ -86,12 +86,12 @@ fn a_ball_before_a_walking_foot_is_kicked_on_without_a_halt() {
         let mut kicked = false;
         for _ in 0..1000 {
             let at = world.referee().robot().locate(world.referee().ball());
-            if let Some(foot) = in_reach(at, half) {
-                walk.kick(foot);
+            if let Some(foot) = in_walk_kick_foot(at, half) {
+                walk.request_kick(foot);
             }
             kicked |= at.x > 0.5 || world.referee().ball_velocity().x > 0.3;
             let ahead = if kicked { Velocity::ZERO } else { Velocity::new(0.15, 0.0, 0.0) };
-            let targets = walk.step(ahead, &Body::from(&world.sensors()), CYCLE_SECONDS).joints();
+            let targets = walk.step(ahead, &Feedback::from(&world.sensors()), CYCLE_SECONDS).joints();
             world.act(&command(targets));
         }
         let way = world.referee().ball() - ball;

@@ -1,7 +1,7 @@
 use bica_motion::pose::Pose2;
 use bica_motion::side::Side;
 use bica_motion::stand::Stiffness;
-use bica_motion::walk::{Body, Parameters, Velocity, Walk};
+use bica_motion::walk::{Feedback, Parameters, Velocity, Walk};
 use bica_sim::World;
 use bica_sim::field::FieldWorld;
 use bica_sim::referee::Event;
@@ -81,7 +81,7 @@ fn walk(world: &mut FieldWorld, velocity: Velocity, cycles: u32, mut watch: impl
     let start = world.referee().robot();
     for _ in 0..cycles {
         let sensors = world.sensors();
-        let limbs = walk.step(velocity, &Body::from(&sensors), 0.01);
+        let limbs = walk.step(velocity, &Feedback::from(&sensors), 0.01);
         let stiffness = Stiffness::Walk.joints();
         world.act(&bica_motion::robot::Command { stiffness, ..command(limbs.joints()) });
         watch(world);

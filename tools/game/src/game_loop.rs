@@ -74,7 +74,7 @@ impl Game {
     fn new(rules: &Rules) -> Result<Self, Failure> {
         let world = world_factory::open(rules)?;
         let mut robot = Box::new(Forward::new());
-        robot.get_mut::<Measured>().be(rules.world.profile());
+        robot.get_mut::<Measured>().set_profile(rules.world.profile());
         robot.get_mut::<NetDetector>().attack(match world.referee().attacks() {
             GoalColour::Yellow => Colour::Yellow,
             GoalColour::SkyBlue => Colour::Blue,

@@ -3,7 +3,7 @@
 use core::f32::consts::FRAC_PI_2;
 
 use bica_motion::fall::Direction;
-use bica_motion::getup::TUCKED_KNEE;
+use bica_motion::getup::TUCK_KNEE_ANGLE;
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::kinematics::Skeleton;
 use bica_motion::pose::Pose2;
@@ -93,7 +93,7 @@ impl Down {
         if bent || self.sitting > 0 {
             self.sitting = (self.sitting + 1).min(RISING);
         }
-        self.tucked |= [Joint::LKneePitch, Joint::RKneePitch].iter().all(|&knee| angles[knee] > TUCKED_KNEE);
+        self.tucked |= [Joint::LKneePitch, Joint::RKneePitch].iter().all(|&knee| angles[knee] > TUCK_KNEE_ANGLE);
         if !self.tucked || !can_stand(angles, skeleton) {
             self.rising = 0;
             return None;

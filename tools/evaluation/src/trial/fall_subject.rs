@@ -1,7 +1,7 @@
 //! The forward, to be thrown over.
 
 use bica::{Instant, Tree};
-use bica_motion::fall::Uprightness;
+use bica_motion::fall::FallState;
 use bica_motion::joints::Joint;
 use bica_motion::pose::Pose2;
 use bica_motion::profile::Profile;
@@ -57,7 +57,7 @@ impl FallSubject {
         let world = MujocoWorld::new(setup, &Physics { cameras, ..*physics })
             .map_err(|error| Failure::new(error.to_string(), "try another value"))?;
         let mut robot = Box::new(Forward::new());
-        robot.get_mut::<Measured>().be(&Profile::NAO);
+        robot.get_mut::<Measured>().set_profile(&Profile::NAO);
         robot.get_mut::<NetDetector>().attack(match world.referee().attacks() {
             GoalColour::Yellow => Colour::Yellow,
             GoalColour::SkyBlue => Colour::Blue,
@@ -74,7 +74,7 @@ impl FallSubject {
             self.robot.tick(Instant::from_micros(now.as_micros() as u64));
             let command = act(&self.robot);
             self.world.act(&command);
-            let falls = self.robot.get::<FallDetector>().state() != Uprightness::Upright;
+            let falls = self.robot.get::<FallDetector>().state() != FallState::Upright;
             self.felt = self.felt.or_else(|| falls.then_some(now.as_secs_f32()));
             let soft = command.stiffness[Joint::LKneePitch] <= SOFT;
             self.hit = self.hit.or_else(|| self.world.is_on_ground().then_some((now.as_secs_f32(), soft)));

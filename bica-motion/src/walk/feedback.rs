@@ -8,7 +8,7 @@ use crate::side::Side;
 
 /// What the walk feels.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Body {
+pub struct Feedback {
     /// Angular velocity of the torso, rad/s, torso frame.
     pub gyro: Vec3,
     /// The torso's roll, rad; positive leans to the right.
@@ -23,13 +23,13 @@ pub struct Body {
     pub knees: Option<[f32; 2]>,
 }
 
-impl From<&Sensors<'_>> for Body {
+impl From<&Sensors<'_>> for Feedback {
     fn from(sensors: &Sensors<'_>) -> Self {
         Self::new(&sensors.inertial, &sensors.left_foot, &sensors.right_foot, &sensors.angles)
     }
 }
 
-impl Body {
+impl Feedback {
     /// From the inertial unit, both feet and the joints' angles.
     #[must_use]
     pub const fn new(

@@ -4,8 +4,8 @@
 
 use glam::Vec2;
 
+use crate::easing::smooth;
 use crate::side::Side;
-use crate::walk::shape::smooth;
 
 /// How far to either side of the ankle's line a foot still meets the ball well, m.
 const BESIDE: f32 = 0.025;
@@ -17,7 +17,7 @@ const FARTHEST: f32 = 0.65;
 /// The foot whose next step can kick a ball that lies at `ball`, m (frame: on the ground between the feet, x ahead), in a
 /// walk ahead.
 #[must_use]
-pub fn in_reach(ball: Vec2, half_spacing: f32) -> Option<Side> {
+pub fn in_walk_kick_foot(ball: Vec2, half_spacing: f32) -> Option<Side> {
     let side = if ball.y > 0.0 { Side::Left } else { Side::Right };
     let [near, far] = AHEAD;
     let meets = ball.x > near && ball.x < far && (ball.y.abs() - half_spacing).abs() < BESIDE;

@@ -1,7 +1,7 @@
 //! What the motors bear.
 
 use crate::actuator::CONTINUOUS_CURRENT;
-use crate::bounds::within;
+use crate::bounds::clamp;
 use crate::health::Fault;
 use crate::joints::{Joint, Joints};
 use crate::robot::Sensors;
@@ -25,7 +25,7 @@ const SURE: u16 = 100;
 
 /// How hot motors and their coils are.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Strain {
+pub(crate) struct MotorLoad {
     /// Heat in each coil, 1: what the motor bears for good.
     loads: Joints,
     /// How much of its stiffness each joint has left.
@@ -35,7 +35,7 @@ pub(crate) struct Strain {
     fault: Option<Fault>,
 }
 
-impl Strain {
+impl MotorLoad {
     pub(crate) const fn new() -> Self {
         Self { loads: Joints::all(0.0), shares: Joints::all(1.0), hot: 0, fault: None }
     }
@@ -45,7 +45,7 @@ impl Strain {
         self.fault
     }
 
-    pub(crate) fn eased(&self, stiffness: &Joints) -> Joints {
+    pub(crate) fn derated(&self, stiffness: &Joints) -> Joints {
         let mut eased = *stiffness;
         for (stiffness, share) in eased.0.iter_mut().zip(self.shares.0) {
             *stiffness *= share;
@@ -63,7 +63,7 @@ impl Strain {
             if !upright {
                 *load = 0.0;
             } else if !current.is_nan() {
-                let share = within(current / CONTINUOUS_CURRENT[joint], -MOST, MOST);
+                let share = clamp(current / CONTINUOUS_CURRENT[joint], -MOST, MOST);
                 *load += COIL * (share * share - *load);
             }
             cool &= !(temperature >= HOT[0] || *load >= RECOVERED);
@@ -83,5 +83,5 @@ impl Strain {
 
 /// How much of its stiffness a joint has left at a value, which may be no number.
 fn left(value: f32, [from, to]: [f32; 2]) -> f32 {
-    if value > from { 1.0 - (1.0 - EASED) * within((value - from) / (to - from), 0.0, 1.0) } else { 1.0 }
+    if value > from { 1.0 - (1.0 - EASED) * clamp((value - from) / (to - from), 0.0, 1.0) } else { 1.0 }
 }
