@@ -36,8 +36,8 @@ fn follow(layers: &Layers, start: usize) -> Vec<usize> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use bica::graph::{Link, LinkKind, Node};
     use bica::Tree;
+    use bica::graph::{Link, LinkKind, Node};
     use bica_player::Forward;
 
     const fn node(name: &'static str, links: &'static [Link]) -> Node {
