@@ -8,13 +8,13 @@ use bica_motion::robot::{Command, Sensors};
 use bica_player::perception::NetDetector;
 use bica_player::{Forward, act, sense};
 use bica_sim::World;
-use bica_sim::field::FieldWorld;
+use bica_sim::kinematic::KinematicWorld;
 use bica_sim::referee::GoalColour;
 use bica_vision::colour::Colour;
 use bica_wire::message::Attack;
 
 /// The goal to score in, for the wire.
-pub(crate) fn attack(world: &FieldWorld) -> Attack {
+pub(crate) fn attack(world: &KinematicWorld) -> Attack {
     match world.referee().attacks() {
         GoalColour::Yellow => Attack::Yellow,
         GoalColour::SkyBlue => Attack::Blue,

@@ -10,8 +10,8 @@ use bica::{ComponentId, Instant, Tree};
 use bica_emulator::{Carrier, Error, Mind as Remote, bits};
 use bica_motion::robot::{Command, Sensors};
 use bica_player::Forward;
-use bica_sim::field::Frame;
 use bica_sim::referee::GoalColour;
+use bica_sim::setup::Frame;
 use bica_wire::message::Attack;
 use serde::Serialize;
 

@@ -8,9 +8,9 @@ use bica_motion::pose::Pose2;
 use bica_player::input::Measured;
 use bica_player::perception::NetDetector;
 use bica_player::{Forward, act, sense};
-use bica_sim::Filmed;
-use bica_sim::field::Frame;
+use bica_sim::SpectatorView;
 use bica_sim::referee::GoalColour;
+use bica_sim::setup::Frame;
 use bica_vision::colour::Colour;
 use glam::Vec2;
 
@@ -58,7 +58,7 @@ pub fn play(rules: &Rules, observer: &mut impl Observer) -> Result<Record, Failu
 
 struct Game {
     seed: u64,
-    world: Box<dyn Filmed>,
+    world: Box<dyn SpectatorView>,
     /// The forward; if a microcontroller thinks, its twin, which has to think the same.
     robot: Box<Forward>,
     mind: Option<Mind>,
@@ -142,7 +142,7 @@ impl Game {
 
     fn report(&mut self, observer: &mut impl Observer) -> Result<(), Failure> {
         if let Some(view) = observer.looks_from(self.world.now(), self.world.referee()) {
-            let picture = self.world.film(&view.from, view.width, view.height).map_err(|error| {
+            let picture = self.world.render_from(&view.from, view.width, view.height).map_err(|error| {
                 Failure::new(error.to_string(), "`cargo xtask mujoco` installs what MuJoCo needs to draw")
             })?;
             observer.watched(&self.scene(), &picture)?;

@@ -2,8 +2,8 @@
 
 use std::time::Duration;
 
-use bica_sim::referee::Happened;
-use bica_sim::{Onlooker, Picture, Referee};
+use bica_sim::referee::TimedEvent;
+use bica_sim::{Picture, Referee, SpectatorCamera};
 
 use super::scene::Scene;
 use bica_console::Failure;
@@ -12,7 +12,7 @@ use bica_console::Failure;
 #[derive(Clone, Copy, Debug)]
 pub struct View {
     /// Where it is taken from.
-    pub from: Onlooker,
+    pub from: SpectatorCamera,
     /// Pixels.
     pub width: usize,
     /// Pixels.
@@ -37,7 +37,7 @@ pub trait Observer {
     }
 
     /// The referee reports something.
-    fn happened(&mut self, _happened: &Happened) -> Result<(), Failure> {
+    fn happened(&mut self, _happened: &TimedEvent) -> Result<(), Failure> {
         Ok(())
     }
 }
@@ -59,7 +59,7 @@ impl<A: Observer> Observer for Option<A> {
         self.as_mut().map_or(Ok(()), |one| one.watched(scene, picture))
     }
 
-    fn happened(&mut self, happened: &Happened) -> Result<(), Failure> {
+    fn happened(&mut self, happened: &TimedEvent) -> Result<(), Failure> {
         self.as_mut().map_or(Ok(()), |one| one.happened(happened))
     }
 }
@@ -80,7 +80,7 @@ impl<A: Observer, B: Observer> Observer for (A, B) {
         self.1.watched(scene, picture)
     }
 
-    fn happened(&mut self, happened: &Happened) -> Result<(), Failure> {
+    fn happened(&mut self, happened: &TimedEvent) -> Result<(), Failure> {
         self.0.happened(happened)?;
         self.1.happened(happened)
     }

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use bica_evaluation::detection;
 #[cfg(feature = "mujoco")]
 use bica_evaluation::trial::Kind;
-use bica_sim::field::{Frame, MAX_ROBOTS};
+use bica_sim::setup::{Frame, MAX_ROBOTS};
 #[cfg(feature = "mujoco")]
 use clap::builder::PossibleValue;
 use clap::{Args, Parser, Subcommand, ValueEnum};

@@ -10,9 +10,9 @@ use bica_player::input::Measured;
 use bica_player::perception::{FallDetector, NetDetector};
 use bica_player::{Forward, act, sense};
 use bica_sim::World;
-use bica_sim::field::{Setup, Start};
 use bica_sim::mujoco::{MujocoWorld, Physics};
 use bica_sim::referee::{Event, GoalColour};
+use bica_sim::setup::{Setup, Start};
 use bica_vision::colour::Colour;
 use glam::Vec2;
 
@@ -77,7 +77,7 @@ impl FallSubject {
             let falls = self.robot.get::<FallDetector>().state() != FallState::Upright;
             self.felt = self.felt.or_else(|| falls.then_some(now.as_secs_f32()));
             let soft = command.stiffness[Joint::LKneePitch] <= SOFT;
-            self.hit = self.hit.or_else(|| self.world.is_on_ground().then_some((now.as_secs_f32(), soft)));
+            self.hit = self.hit.or_else(|| self.world.body_touches_floor().then_some((now.as_secs_f32(), soft)));
             self.count();
         }
         Ok(())

@@ -120,7 +120,7 @@ fn kick(bench: &Bench, seed: u64) -> Result<bool, Failure> {
     for kick in Kick::ALL {
         let mut motion = KickMotion::new(kick, &Profile::NAO);
         while !motion.is_done() {
-            let limbs = motion.step(&Body::from(&walker.world.sensors()), CYCLE_SECONDS);
+            let limbs = motion.step(&Feedback::from(&walker.world.sensors()), CYCLE_SECONDS);
             walker.act(&limbs);
             if mistaken(&mut balance, &mut walker) {
                 return Ok(true);

@@ -9,9 +9,9 @@ use bica_motion::robot::{CameraId, Command, Lights};
 use bica_motion::side::Side;
 use bica_motion::stand::Stiffness;
 use bica_motion::walk::{Feedback, Velocity, Walk};
-use bica_sim::field::{Setup, Start};
 use bica_sim::mujoco::{MujocoWorld, Physics};
 use bica_sim::referee::Event;
+use bica_sim::setup::{Setup, Start};
 use bica_sim::{CYCLE_SECONDS, World};
 use glam::Vec2;
 
@@ -22,8 +22,8 @@ pub struct Walker {
     pub world: MujocoWorld,
     gait: Walk,
     odometry: Odometry,
-    /// What the joints were told last.
-    told: Joints,
+    /// Joint targets of the last cycle, rad.
+    commanded: Joints,
 }
 
 impl Walker {
@@ -34,7 +34,7 @@ impl Walker {
         let world =
             MujocoWorld::new(&setup, physics).map_err(|error| Failure::new(error.to_string(), "try another value"))?;
         let (gait, odometry) = (Walk::new(&Profile::NAO.gait), Odometry::new(&Profile::NAO.odometry));
-        let mut walker = Self { world, gait, odometry, told: Profile::NAO.gait.stand().joints() };
+        let mut walker = Self { world, gait, odometry, commanded: Profile::NAO.gait.stand().joints() };
         walker.go(Velocity::ZERO, 1.0);
         Ok(walker)
     }
@@ -59,10 +59,10 @@ impl Walker {
         let sensors = self.world.sensors();
         let limbs = self.gait.step(velocity, &Feedback::from(&sensors), CYCLE_SECONDS);
         let moved = MotionInput {
-            commanded: Some(&self.told),
+            commanded: Some(&self.commanded),
             angles: &sensors.angles,
             feet: [&sensors.left_foot, &sensors.right_foot],
-            turned: Some(sensors.inertial.gyro.z * CYCLE_SECONDS),
+            gyro_turn: Some(sensors.inertial.gyro.z * CYCLE_SECONDS),
         };
         self.odometry.step(&moved);
         self.act(&limbs);
@@ -75,8 +75,8 @@ impl Walker {
             stiffness[joint] = 0.7;
         }
         let (lights, camera) = (Lights::default(), CameraId::Top);
-        self.told = limbs.joints();
-        self.world.act(&Command { targets: self.told, stiffness, lights, camera });
+        self.commanded = limbs.joints();
+        self.world.act(&Command { targets: self.commanded, stiffness, lights, camera });
     }
 
     /// When it fell first, s.

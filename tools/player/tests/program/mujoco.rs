@@ -19,9 +19,9 @@ mod with_mujoco {
     use bica_player::input::Measured;
     use bica_player::{Forward, act, sense};
     use bica_sim::World;
-    use bica_sim::field::Setup;
     use bica_sim::mujoco::{MujocoWorld, Physics};
     use bica_sim::referee::Posture;
+    use bica_sim::setup::Setup;
     use glam::Vec2;
 
     use crate::run::{Folder, run, without_wall};
@@ -60,7 +60,7 @@ mod with_mujoco {
         robot.get_mut::<Measured>().set_profile(&Profile::NAO);
         for cycle in 0..3000 {
             if cycle == 500 {
-                world.heat(Joint::LKneePitch, 78.0);
+                world.set_motor_temperature(Joint::LKneePitch, 78.0);
             }
             sense(&mut robot, &world.sensors()).unwrap();
             robot.tick(Instant::from_millis(10 * cycle));
@@ -80,8 +80,8 @@ mod with_mujoco {
         for cycle in 0..2600 {
             match cycle {
                 100 => world.push(Vec2::new(-2.3, 0.0)),
-                50 => world.heat(Joint::LKneePitch, 78.0),
-                1500 => world.heat(Joint::LKneePitch, 60.0),
+                50 => world.set_motor_temperature(Joint::LKneePitch, 78.0),
+                1500 => world.set_motor_temperature(Joint::LKneePitch, 60.0),
                 _ => {}
             }
             sense(&mut robot, &world.sensors()).unwrap();
@@ -106,8 +106,8 @@ mod with_mujoco {
         robot.get_mut::<Measured>().set_profile(&Profile::NAO);
         for cycle in 0..2500 {
             match cycle {
-                100 => world.heat(Joint::LKneePitch, 78.0),
-                1500 => world.heat(Joint::LKneePitch, 60.0),
+                100 => world.set_motor_temperature(Joint::LKneePitch, 78.0),
+                1500 => world.set_motor_temperature(Joint::LKneePitch, 60.0),
                 _ => {}
             }
             sense(&mut robot, &world.sensors()).unwrap();
