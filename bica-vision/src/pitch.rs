@@ -4,7 +4,7 @@
 //! the Standard Platform League 2009, middles of lines and posts. Turned by half a turn the field is the same but for the
 //! colours of its goals.
 
-use bica_motion::bounds::within;
+use bica_motion::bounds::clamp;
 use core::f32::consts::{FRAC_PI_2, PI};
 
 use bica_motion::pose::Pose2;
@@ -41,7 +41,7 @@ pub const GOAL_BACK: f32 = 3.5;
 pub fn line_distance(place: Vec2) -> f32 {
     let at = place.abs();
     // Each line of the quarter: where it starts, along x or y, and how long it is.
-    let level = |y: f32, from: f32, to: f32| (at - Vec2::new(within(at.x, from, to), y)).length_squared();
+    let level = |y: f32, from: f32, to: f32| (at - Vec2::new(clamp(at.x, from, to), y)).length_squared();
     let upright = |x: f32, to: f32| (at - Vec2::new(x, at.y.min(to))).length_squared();
     let straight = level(CORNER.y, 0.0, CORNER.x)
         .min(upright(CORNER.x, CORNER.y))

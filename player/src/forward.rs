@@ -55,7 +55,7 @@ pub fn act(robot: &Forward) -> Command {
     let (measured, motors) = (robot.get::<Measured>(), robot.get::<Motors>());
     Command {
         targets: motors.targets(),
-        stiffness: measured.eased(motors.stiffness()),
+        stiffness: measured.derated(motors.stiffness()),
         lights: Lights { chest: if measured.playing() { GREEN } else { RED }, ..Lights::default() },
         camera: robot.get::<Gaze>().camera(),
     }

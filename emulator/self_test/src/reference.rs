@@ -8,13 +8,13 @@ use bica_motion::robot::{Command, Sensors};
 use bica_player::perception::NetDetector;
 use bica_player::{Forward, act, sense};
 use bica_sim::World;
-use bica_sim::field::FieldWorld;
+use bica_sim::kinematic::KinematicWorld;
 use bica_sim::referee::GoalColour;
 use bica_vision::colour::Colour;
 use bica_wire::message;
 
 /// Returns the colour of the goal that the robot attacks.
-pub(crate) fn attacked_goal(world: &FieldWorld) -> message::GoalColour {
+pub(crate) fn attacked_goal(world: &KinematicWorld) -> message::GoalColour {
     match world.referee().attacks() {
         GoalColour::Yellow => message::GoalColour::Yellow,
         GoalColour::SkyBlue => message::GoalColour::Blue,

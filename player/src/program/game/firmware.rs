@@ -10,8 +10,8 @@ use bica::{ComponentId, Instant, Tree};
 use bica_emulator::{Controller as Remote, Error, Transport, command_bits};
 use bica_motion::robot::{Command, Sensors};
 use bica_player::Forward;
-use bica_sim::field::Frame;
 use bica_sim::referee::GoalColour;
+use bica_sim::setup::Frame;
 use bica_wire::message;
 use serde::Serialize;
 
