@@ -98,13 +98,14 @@ impl Command {
             && self.stiffness.iter().all(is_fraction)
             && self.lights.iter().all(is_fraction);
         let [cr, cg, cb, lr, lg, lb, rr, rg, rb] = self.lights;
-        valid.then_some(robot::Command {
-            targets: Joints(self.targets),
-            stiffness: Joints(self.stiffness),
-            lights: Lights { chest: Light(cr, cg, cb), left_eye: Light(lr, lg, lb), right_eye: Light(rr, rg, rb) },
-            camera: camera(self.bottom_camera),
-        })
-        .ok_or(InvalidCommand)
+        valid
+            .then_some(robot::Command {
+                targets: Joints(self.targets),
+                stiffness: Joints(self.stiffness),
+                lights: Lights { chest: Light(cr, cg, cb), left_eye: Light(lr, lg, lb), right_eye: Light(rr, rg, rb) },
+                camera: camera(self.bottom_camera),
+            })
+            .ok_or(InvalidCommand)
     }
 }
 

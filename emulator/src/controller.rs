@@ -40,12 +40,7 @@ impl Controller {
     ///
     /// # Errors
     /// Any [`Error`].
-    pub fn start(
-        image: &Path,
-        transport: Transport,
-        attacks: GoalColour,
-        log: Option<&Path>,
-    ) -> Result<Self, Error> {
+    pub fn start(image: &Path, transport: Transport, attacks: GoalColour, log: Option<&Path>) -> Result<Self, Error> {
         let mut emulator = Emulator::start(image, transport, log)?;
         let link = emulator.link();
         let schema = link.receive(identity(|identity| identity.schema))?;

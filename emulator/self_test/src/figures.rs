@@ -13,7 +13,8 @@ const TOLERANCE: f64 = 0.02;
 /// Resolution of the microcontroller's counter, instructions: a difference of one tick is always tolerated.
 const RESOLUTION: u64 = 40;
 
-const HEADING: &str = "# Instructions in the game of seed 0: name, median, maximum. Written by `cargo xtask firmware --bless`.\n";
+const HEADING: &str =
+    "# Instructions in the game of seed 0: name, median, maximum. Written by `cargo xtask firmware --bless`.\n";
 
 /// Returns name, median and maximum; the whole chain first.
 fn figures(played: &Played) -> impl Iterator<Item = (&str, u64, u64)> {
