@@ -28,6 +28,7 @@
 #![cfg_attr(test, expect(clippy::float_cmp, reason = "what must be exact is compared exactly"))]
 
 mod camera;
+mod in_loop;
 pub mod kinematic;
 mod layout;
 mod motor_heat;
