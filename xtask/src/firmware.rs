@@ -36,7 +36,7 @@ pub(crate) fn check(options: &Firmware) -> Result<(), String> {
 }
 
 fn self_test(more: &[&str]) -> Result<(), String> {
-    let test = ["run", "--quiet", "--release", "-p", "bica-emulator", "--example", "self_test", "--", IMAGE, FIGURES];
+    let test = ["run", "--quiet", "--release", "-p", "bica-firmware-test", "--", IMAGE, FIGURES];
     run("cargo", &[&test[..], more].concat(), &[])
 }
 

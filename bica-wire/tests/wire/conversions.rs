@@ -1,11 +1,12 @@
-//! Between the wire and a robot's mind.
+//! Conversion between messages and the robot interface.
 
 use bica_motion::joints::Joints;
 use bica_motion::robot::{self, Buttons, CameraId, FootPressure, Image, Inertial, Light, Lights};
+use bica_wire::InvalidCommand;
 use bica_wire::message::{Command, Sensors};
 
 #[test]
-fn sensors_come_back_as_they_were() {
+fn sensors_are_unchanged_by_a_round_trip() {
     let foot = |a| FootPressure { front_left: a, front_right: a + 1.0, rear_left: a + 2.0, rear_right: a + 3.0 };
     let yuyv = [7; 16];
     let sensors = robot::Sensors {
@@ -24,8 +25,8 @@ fn sensors_come_back_as_they_were() {
         image: Some(Image { camera: CameraId::Bottom, width: 4, height: 2, yuyv: &yuyv }),
     };
     let back = Sensors::new(5, &sensors, 1);
-    assert_eq!(format!("{:?}", back.sensed(Some(&yuyv))), format!("{sensors:?}"));
-    assert!(back.sensed(None).image.is_none());
+    assert_eq!(format!("{:?}", back.to_sensors(Some(&yuyv))), format!("{sensors:?}"));
+    assert!(back.to_sensors(None).image.is_none());
 }
 
 fn command() -> robot::Command {
@@ -38,22 +39,22 @@ fn command() -> robot::Command {
 }
 
 #[test]
-fn a_command_comes_back_as_it_was() {
-    assert_eq!(Command::new(5, &command()).obeyed(), Ok(command()));
+fn command_is_unchanged_by_a_round_trip() {
+    assert_eq!(Command::new(5, &command()).to_command(), Ok(command()));
 }
 
 #[test]
-fn what_is_no_command_is_not_obeyed() {
-    let spoils: [fn(&mut Command); 5] = [
+fn command_with_an_invalid_value_is_rejected() {
+    let defects: [fn(&mut Command); 5] = [
         |wire| wire.targets[3] = f32::NAN,
         |wire| wire.targets[24] = f32::INFINITY,
         |wire| wire.stiffness[0] = 1.001,
         |wire| wire.stiffness[0] = f32::NAN,
         |wire| wire.lights[8] = -0.1,
     ];
-    for spoil in spoils {
+    for defect in defects {
         let mut wire = Command::new(5, &command());
-        spoil(&mut wire);
-        assert!(wire.obeyed().is_err(), "{wire:?}");
+        defect(&mut wire);
+        assert_eq!(wire.to_command(), Err(InvalidCommand), "{wire:?}");
     }
 }

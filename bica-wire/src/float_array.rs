@@ -1,13 +1,15 @@
-//! Arrays, read in a loop: what serde generates reads each element in a place of its own, and flash is scarce.
+//! Deserialization of `f32` arrays in a loop.
+//!
+//! The code that serde generates reads each element separately, which costs flash.
 
 use core::fmt;
 
 use serde::Deserializer;
 use serde::de::{Error, SeqAccess, Visitor};
 
-struct Each<const N: usize>;
+struct FloatArray<const N: usize>;
 
-impl<'de, const N: usize> Visitor<'de> for Each<N> {
+impl<'de, const N: usize> Visitor<'de> for FloatArray<N> {
     type Value = [f32; N];
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -23,7 +25,7 @@ impl<'de, const N: usize> Visitor<'de> for Each<N> {
     }
 }
 
-/// Reads as many numbers as there are.
+/// Reads `N` numbers.
 pub(crate) fn deserialize<'de, const N: usize, D: Deserializer<'de>>(from: D) -> Result<[f32; N], D::Error> {
-    from.deserialize_tuple(N, Each)
+    from.deserialize_tuple(N, FloatArray)
 }

@@ -1,4 +1,4 @@
-//! The robot's log, made readable by the strings that the image keeps for that.
+//! Decoding of the robot's log with the format strings in the image.
 
 use std::error::Error;
 use std::fs;
@@ -6,9 +6,9 @@ use std::path::Path;
 
 use defmt_decoder::{DecodeError, Table};
 
-/// Every line of a log.
+/// Returns the lines of a log.
 pub(crate) fn decode(image: &Path, log: &Path) -> Result<Vec<String>, Box<dyn Error>> {
-    let table = Table::parse(&fs::read(image)?)?.ok_or("the image has no strings of a log")?;
+    let table = Table::parse(&fs::read(image)?)?.ok_or("the image contains no format strings of a log")?;
     let mut decoder = table.new_stream_decoder();
     decoder.received(&fs::read(log)?);
     let mut lines = Vec::new();
@@ -16,7 +16,7 @@ pub(crate) fn decode(image: &Path, log: &Path) -> Result<Vec<String>, Box<dyn Er
         match decoder.decode() {
             Ok(frame) => lines.push(frame.display(false).to_string()),
             Err(DecodeError::UnexpectedEof) => return Ok(lines),
-            Err(DecodeError::Malformed) => return Err("the log is no log of this image".into()),
+            Err(DecodeError::Malformed) => return Err("the log was not written by this image".into()),
         }
     }
 }

@@ -1,4 +1,4 @@
-//! What the image takes, by its own tables.
+//! Size of the image, by its symbol and debug tables.
 
 use std::borrow::Cow;
 use std::cmp::Reverse;
@@ -15,38 +15,38 @@ use object::{Object, ObjectSection, ObjectSymbol, SectionFlags};
 
 use crate::limits;
 
-/// Where the board's memory begins.
-const MEMORY: u64 = 0x2000_0000;
-/// A section that is there when the program runs (ELF, `SHF_ALLOC`).
-const THERE: u64 = 2;
-/// How many of the largest symbols are told.
+/// First address of the board's memory.
+const MEMORY_START: u64 = 0x2000_0000;
+/// Flag of a section that occupies memory at run time (ELF, `SHF_ALLOC`).
+const SHF_ALLOC: u64 = 2;
+/// Number of the largest symbols that are printed.
 const LARGEST: usize = 10;
 
-/// Bytes.
+/// Flash and static memory of an image, bytes.
 pub(crate) struct Sections {
     pub(crate) flash: u64,
     pub(crate) memory: u64,
 }
 
-/// Adds up the sections of an image. What memory begins with lies in flash too.
+/// Adds up the sections of an image. Initialised memory (`.data`) occupies flash too.
 pub(crate) fn sections(image: &Path) -> Result<Sections, Box<dyn Error>> {
     let bytes = fs::read(image)?;
     let file = object::File::parse(&*bytes)?;
     let mut sum = Sections { flash: 0, memory: 0 };
     for section in file.sections() {
         let SectionFlags::Elf { sh_flags } = section.flags() else { continue };
-        if sh_flags & THERE == 0 {
+        if sh_flags & SHF_ALLOC == 0 {
             continue;
         }
-        let in_memory = section.address() >= MEMORY;
+        let in_memory = section.address() >= MEMORY_START;
         sum.memory += if in_memory { section.size() } else { 0 };
         sum.flash += if !in_memory || section.name()? == ".data" { section.size() } else { 0 };
     }
     Ok(sum)
 }
 
-/// Prints flash, memory and stack beside their limits, each component's memory and the largest symbols.
-pub(crate) fn tell(image: &Path) -> Result<(), Box<dyn Error>> {
+/// Prints flash, memory and stack with their limits, each component's memory and the largest symbols.
+pub(crate) fn print(image: &Path) -> Result<(), Box<dyn Error>> {
     let played = crate::game::play(image, 0)?;
     limits::check(&sections(image)?, &played)?;
     let sizes = structures(image)?;
@@ -62,23 +62,23 @@ pub(crate) fn tell(image: &Path) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// A symbol: bytes, where it is, and its name as in the sources.
+/// A symbol: size in bytes, kind of memory, and demangled name.
 type Symbol = (u64, &'static str, String);
 
-/// The largest symbols.
+/// Returns the largest symbols.
 fn largest(image: &Path) -> Result<Vec<Symbol>, Box<dyn Error>> {
     let bytes = fs::read(image)?;
     let file = object::File::parse(&*bytes)?;
     let mut symbols: Vec<_> = file.symbols().map(|symbol| (symbol.size(), symbol.address(), symbol.name())).collect();
     symbols.sort_by_key(|symbol| Reverse(symbol.0));
-    let told = symbols.into_iter().take(LARGEST).map(|(size, address, name)| {
-        let place = if address >= MEMORY { "memory" } else { "flash" };
+    let symbols = symbols.into_iter().take(LARGEST).map(|(size, address, name)| {
+        let place = if address >= MEMORY_START { "memory" } else { "flash" };
         Ok((size, place, format!("{:#}", rustc_demangle::demangle(name?))))
     });
-    told.collect()
+    symbols.collect()
 }
 
-/// The sizes of the player's types, by their names.
+/// Returns the sizes of the player's types by their names.
 fn structures(image: &Path) -> Result<BTreeMap<String, u64>, Box<dyn Error>> {
     let bytes = fs::read(image)?;
     let file = object::File::parse(&*bytes)?;
@@ -97,10 +97,10 @@ fn structures(image: &Path) -> Result<BTreeMap<String, u64>, Box<dyn Error>> {
             path.retain(|(at, _)| *at < depth);
             let Some(name) = entry.attr_value(DW_AT_name)? else { continue };
             let name = dwarf.attr_string(&unit, name)?.to_string_lossy().into_owned();
-            let ours = path.first().is_some_and(|(_, top)| top == "bica_player");
+            let is_player = path.first().is_some_and(|(_, top)| top == "bica_player");
             match (entry.tag(), entry.attr_value(DW_AT_byte_size)?.and_then(|size| size.udata_value())) {
                 (dwarf_names::DW_TAG_namespace, _) => path.push((depth, name)),
-                (dwarf_names::DW_TAG_structure_type, Some(size)) if ours => drop(sizes.insert(name, size)),
+                (dwarf_names::DW_TAG_structure_type, Some(size)) if is_player => drop(sizes.insert(name, size)),
                 _ => {}
             }
         }
