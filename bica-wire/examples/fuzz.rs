@@ -5,8 +5,9 @@
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
+use bica_field::GoalColour;
 use bica_motion::joints::JOINTS;
-use bica_wire::message::{Attack, Chunk, Command, Hello, Pace, Sensors};
+use bica_wire::message::{Chunk, Command, Hello, Pace, Sensors};
 use bica_wire::{Frame, FromRobot, MAX_PACKET, Receiver, Sender, ToRobot};
 
 /// A sequence of pseudo-random numbers (`SplitMix64`, S. Vigna).
@@ -84,7 +85,7 @@ fn messages<'a>(random: &mut Random, piece: &'a [u8]) -> (Vec<ToRobot<'a>>, Vec<
         buttons: [true; 3],
         picture: None,
     };
-    let hello = Hello { schema: random.next(), pace: Pace::Clock, attack: Attack::Blue };
+    let hello = Hello { schema: random.next(), pace: Pace::Clock, attack: GoalColour::SkyBlue };
     let (image, at) = (random.next() as u32, random.next() as u32);
     let command =
         Command { time_us: random.next(), targets, stiffness: [0.5; JOINTS], lights: [0.0; 9], bottom: false };

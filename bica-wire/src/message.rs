@@ -3,6 +3,7 @@
 //! Units and frames are those of [`bica_motion::robot`]: radians, newtons, m/s², the torso's frame. Times are the
 //! world's, in microseconds since its start.
 
+use bica_field::GoalColour;
 use bica_motion::joints::JOINTS;
 use postcard_schema::Schema;
 use serde::{Deserialize, Serialize};
@@ -55,15 +56,6 @@ pub enum Pace {
     Lockstep,
 }
 
-/// The goal to score in.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, Schema)]
-pub enum Attack {
-    /// The yellow one.
-    Yellow,
-    /// The sky-blue one.
-    Blue,
-}
-
 /// Begins a game.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, Schema)]
 pub struct Hello {
@@ -71,8 +63,8 @@ pub struct Hello {
     pub schema: u64,
     /// How time passes.
     pub pace: Pace,
-    /// Where to.
-    pub attack: Attack,
+    /// Colour of the goal to score in.
+    pub attack: GoalColour,
 }
 
 /// A piece of an image.

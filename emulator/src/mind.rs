@@ -2,8 +2,9 @@
 
 use std::path::Path;
 
+use bica_field::GoalColour;
 use bica_motion::robot::{self, Light, Lights};
-use bica_wire::message::{Attack, Greeting, Hello, Pace, Sensors, Stack};
+use bica_wire::message::{Greeting, Hello, Pace, Sensors, Stack};
 use bica_wire::{FromRobot, SCHEMA, ToRobot, chunks};
 
 use crate::emulator::{Carrier, Emulator};
@@ -40,7 +41,7 @@ impl Mind {
     ///
     /// # Errors
     /// Any [`Error`].
-    pub fn start(image: &Path, carrier: Carrier, attack: Attack, log: Option<&Path>) -> Result<Self, Error> {
+    pub fn start(image: &Path, carrier: Carrier, attack: GoalColour, log: Option<&Path>) -> Result<Self, Error> {
         let mut emulator = Emulator::start(image, carrier, log)?;
         let line = emulator.line();
         let schema = line.hear(greeting(|greeting| greeting.schema))?;

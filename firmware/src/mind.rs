@@ -6,8 +6,7 @@ use bica_motion::stand::{STAND, Stiffness};
 use bica_player::input::EYE_BYTES;
 use bica_player::perception::{BallDetector, NetDetector};
 use bica_player::{Forward, act, sense};
-use bica_vision::colour::Colour;
-use bica_wire::message::{Attack, Command, Greeting, Hello, Pace, Sensors, Telemetry};
+use bica_wire::message::{Command, Greeting, Hello, Pace, Sensors, Telemetry};
 use bica_wire::{Frame, FromRobot, Losses, SCHEMA, ToRobot, describe};
 use embassy_time::Duration;
 use embedded_io_async::Write;
@@ -108,10 +107,7 @@ impl<B: Board> Mind<B> {
             B::reset();
         }
         defmt::info!("hello; in step with the world: {=bool}", hello.pace == Pace::Lockstep);
-        self.robot.get_mut::<NetDetector>().attack(match hello.attack {
-            Attack::Yellow => Colour::Yellow,
-            Attack::Blue => Colour::Blue,
-        });
+        self.robot.get_mut::<NetDetector>().attack(hello.attack);
         self.pace = Some(hello.pace);
         voice.say(&self.greeting()).await;
     }

@@ -35,6 +35,7 @@ pub mod mujoco;
 mod random;
 pub mod referee;
 mod rules;
+mod verdict;
 mod world;
 
 pub use film::{Filmed, NoPicture, Onlooker, Picture};

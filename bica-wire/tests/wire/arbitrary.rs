@@ -1,6 +1,7 @@
 //! Messages of every kind.
 
-use bica_wire::message::{Attack, Chunk, Hello, Pace, Picture, Sensors, Trial};
+use bica_field::GoalColour;
+use bica_wire::message::{Chunk, Hello, Pace, Picture, Sensors, Trial};
 use bica_wire::{FromRobot, MAX_PACKET, Receiver, Sender, ToRobot};
 use proptest::prelude::*;
 
@@ -8,7 +9,7 @@ use proptest::prelude::*;
 pub(crate) fn to_robot(bytes: &'static [u8]) -> BoxedStrategy<ToRobot<'static>> {
     let hello = (any::<u64>(), any::<bool>(), any::<bool>()).prop_map(|(schema, clock, yellow)| {
         let pace = if clock { Pace::Clock } else { Pace::Lockstep };
-        ToRobot::Hello(Hello { schema, pace, attack: if yellow { Attack::Yellow } else { Attack::Blue } })
+        ToRobot::Hello(Hello { schema, pace, attack: if yellow { GoalColour::Yellow } else { GoalColour::SkyBlue } })
     });
     let chunk = (any::<u32>(), any::<u32>()).prop_map(move |(image, at)| ToRobot::Chunk(Chunk { image, at, bytes }));
     let slow =

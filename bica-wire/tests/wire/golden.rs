@@ -1,6 +1,7 @@
 //! The bytes themselves: who changes one of these breaks every robot out there, and has to say so here.
 
-use bica_wire::message::{Attack, Chunk, Hello, Pace, Stack, Trial};
+use bica_field::GoalColour;
+use bica_wire::message::{Chunk, Hello, Pace, Stack, Trial};
 use bica_wire::{FromRobot, MAX_PACKET, SCHEMA, Sender, ToRobot};
 
 /// The schema of these bytes.
@@ -17,7 +18,7 @@ fn the_schema_is_the_one_that_these_bytes_belong_to() {
 
 #[test]
 fn packets_are_these_bytes() {
-    let hello = Hello { schema: 0x0123_4567_89ab_cdef, pace: Pace::Lockstep, attack: Attack::Blue };
+    let hello = Hello { schema: 0x0123_4567_89ab_cdef, pace: Pace::Lockstep, attack: GoalColour::SkyBlue };
     assert_eq!(bytes(&ToRobot::Describe), [1, 1, 6, 1, 132, 233, 70, 136, 0]);
     assert_eq!(
         bytes(&ToRobot::Hello(hello)),

@@ -5,7 +5,8 @@ use std::path::Path;
 use std::time::{Duration, Instant};
 
 use bica_emulator::{Carrier, Emulator, bits};
-use bica_wire::message::{Attack, Chunk, Pace, Picture, Sensors};
+use bica_field::GoalColour;
+use bica_wire::message::{Chunk, Pace, Picture, Sensors};
 use bica_wire::{Frame, FromRobot, Losses, MAX_PACKET, Receiver, Sender, ToRobot, chunks};
 
 use crate::random::Random;
@@ -35,7 +36,7 @@ pub(crate) fn run(image: &Path, carrier: Carrier, time: Duration, seed: u64) -> 
     let mut model = Model {
         receiver: Receiver::new(),
         frame: Box::new(Frame::new()),
-        twin: Twin::new(Attack::Yellow),
+        twin: Twin::new(GoalColour::Yellow),
         commands: Vec::new(),
         losses: Losses::default(),
     };

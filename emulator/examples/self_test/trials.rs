@@ -5,11 +5,12 @@ use std::path::{Path, PathBuf};
 
 use bica::Tree;
 use bica_emulator::{Carrier, Emulator};
+use bica_field::GoalColour;
 use bica_motion::joints::JOINTS;
 use bica_motion::stand::{STAND, Stiffness};
 use bica_player::Forward;
 use bica_player::motion::Head;
-use bica_wire::message::{Attack, Chunk, Command, Fact, Hello, Pace, Picture, Sensors, Telemetry, Trial};
+use bica_wire::message::{Chunk, Command, Fact, Hello, Pace, Picture, Sensors, Telemetry, Trial};
 use bica_wire::{FromRobot, Losses, SCHEMA, ToRobot};
 
 use crate::overload;
@@ -125,7 +126,7 @@ pub(crate) fn log(image: &Path, trial: &str, carrier: Carrier) -> PathBuf {
 
 /// What begins a game.
 pub(crate) const fn hello(pace: Pace) -> ToRobot<'static> {
-    ToRobot::Hello(Hello { schema: SCHEMA, pace, attack: Attack::Yellow })
+    ToRobot::Hello(Hello { schema: SCHEMA, pace, attack: GoalColour::Yellow })
 }
 
 fn greet(robot: &mut Emulator, pace: Pace) -> Done {

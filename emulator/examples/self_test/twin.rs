@@ -4,21 +4,16 @@ use std::error::Error;
 
 use bica::{ComponentId, Instant, Tree};
 use bica_emulator::{Mind, Thought, bits};
+use bica_field::GoalColour;
 use bica_motion::robot::{Command, Sensors};
 use bica_player::perception::NetDetector;
 use bica_player::{Forward, act, sense};
 use bica_sim::World;
 use bica_sim::field::FieldWorld;
-use bica_sim::referee::GoalColour;
-use bica_vision::colour::Colour;
-use bica_wire::message::Attack;
 
-/// The goal to score in, for the wire.
-pub(crate) fn attack(world: &FieldWorld) -> Attack {
-    match world.referee().attacks() {
-        GoalColour::Yellow => Attack::Yellow,
-        GoalColour::SkyBlue => Attack::Blue,
-    }
+/// The goal to score in.
+pub(crate) fn attack(world: &FieldWorld) -> GoalColour {
+    world.referee().attacks()
 }
 
 /// The forward on this computer.
@@ -26,12 +21,9 @@ pub(crate) struct Twin(Box<Forward>);
 
 impl Twin {
     /// One that scores in that goal.
-    pub(crate) fn new(attack: Attack) -> Self {
+    pub(crate) fn new(attack: GoalColour) -> Self {
         let mut robot = Box::new(Forward::new());
-        robot.get_mut::<NetDetector>().attack(match attack {
-            Attack::Yellow => Colour::Yellow,
-            Attack::Blue => Colour::Blue,
-        });
+        robot.get_mut::<NetDetector>().attack(attack);
         Self(robot)
     }
 

@@ -3,7 +3,9 @@
 use glam::Vec2;
 
 use super::obstacle::Obstacle;
-use super::pitch::BALL_RADIUS;
+use bica_field::FIELD;
+
+const BALL_RADIUS: f32 = FIELD.ball_radius();
 
 /// The ball.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -9,7 +9,6 @@ pub(crate) mod body;
 mod game;
 mod hull;
 mod obstacle;
-pub(crate) mod pitch;
 pub(crate) mod render;
 mod setup;
 mod shoe;

@@ -2,7 +2,11 @@
 
 use glam::Vec2;
 
-use super::pitch::{GOAL_BACK, POST, POST_RADIUS};
+use bica_field::FIELD;
+
+const GOAL_BACK: f32 = FIELD.goal_back();
+const POST: Vec2 = FIELD.goal_post();
+const POST_RADIUS: f32 = FIELD.post_radius();
 
 /// A wall with round ends, seen from above; a disc if both ends are the same. Field frame, m.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -6,7 +6,10 @@ use bica_motion::pose::Pose2;
 use glam::Vec2;
 
 use super::obstacle::{GOALS, Obstacle};
-use super::pitch::{BALL_RADIUS, CARPET};
+use bica_field::FIELD;
+
+const BALL_RADIUS: f32 = FIELD.ball_radius();
+const CARPET: Vec2 = FIELD.carpet_corner();
 
 /// How near the robot's middle may come to anything, m.
 pub(crate) const ROBOT_RADIUS: f32 = 0.15;

@@ -6,7 +6,9 @@ use glam::{Affine3A, Vec2, Vec3};
 use libm::sqrtf;
 
 use super::ball::{Ball, Surface};
-use super::pitch::BALL_RADIUS;
+use bica_field::FIELD;
+
+const BALL_RADIUS: f32 = FIELD.ball_radius();
 
 /// How high a shoe is: the plastic around a NAO's foot, m (estimated from photographs).
 const HEIGHT: f32 = 0.05;

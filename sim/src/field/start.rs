@@ -5,10 +5,12 @@ use core::f32::consts::PI;
 use bica_motion::pose::{Pose2, rotate};
 use glam::Vec2;
 
-use super::pitch::{CORNER, POST};
 use super::setup::{Setup, Start};
 use crate::random::Random;
-use crate::referee::GoalColour;
+use bica_field::{FIELD, GoalColour};
+
+const CORNER: Vec2 = FIELD.field_corner();
+const POST: Vec2 = FIELD.goal_post();
 
 /// What the seed decides about the field.
 #[derive(Clone, Debug, PartialEq)]

@@ -11,7 +11,9 @@ use mujoco_rs::prelude::{MjData, MjModel};
 
 use super::model::Place;
 use super::senses::Truth;
-use crate::field::pitch::BALL_RADIUS;
+use bica_field::FIELD;
+
+const BALL_RADIUS: f32 = FIELD.ball_radius();
 
 /// Lets the robot stand over a place.
 pub(crate) fn stand(data: &mut MjData<Box<MjModel>>, torso: Place, joints: &[usize], at: Pose2) {

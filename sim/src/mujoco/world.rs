@@ -23,7 +23,6 @@ use super::senses::{Felt, Senses};
 use super::state::{angles, place, pose, stand, truth, write};
 use crate::field::Setup;
 use crate::field::body::{flat, turn_rate};
-use crate::field::pitch::BALL_RADIUS;
 use crate::field::start::Layout;
 use crate::film::{Filmed, NoPicture, Onlooker, Picture};
 use crate::heat::Heat;
@@ -31,6 +30,9 @@ use crate::random::{Random, Stream};
 use crate::referee::Referee;
 use crate::rules::Rules;
 use crate::world::{CYCLE, CYCLE_SECONDS, World, frame, image_is_due};
+use bica_field::FIELD;
+
+const BALL_RADIUS: f32 = FIELD.ball_radius();
 
 /// Steps of the physics in a control cycle.
 const STEPS: usize = (CYCLE_SECONDS / STEP + 0.5) as usize;

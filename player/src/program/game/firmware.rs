@@ -8,11 +8,10 @@ use std::path::Path;
 
 use bica::{ComponentId, Instant, Tree};
 use bica_emulator::{Carrier, Error, Mind as Remote, bits};
+use bica_field::GoalColour;
 use bica_motion::robot::{Command, Sensors};
 use bica_player::Forward;
 use bica_sim::field::Frame;
-use bica_sim::referee::GoalColour;
-use bica_wire::message::Attack;
 use serde::Serialize;
 
 use super::scene::GRAPH;
@@ -40,11 +39,7 @@ impl Image {
 
     /// Starts it.
     pub(crate) fn start(self, attacks: GoalColour) -> Result<Mind, Failure> {
-        let attack = match attacks {
-            GoalColour::Yellow => Attack::Yellow,
-            GoalColour::SkyBlue => Attack::Blue,
-        };
-        let remote = Remote::start(self.0, Carrier::Pipe, attack, None).map_err(|error| failure(&error))?;
+        let remote = Remote::start(self.0, Carrier::Pipe, attacks, None).map_err(|error| failure(&error))?;
         Ok(Mind { remote, chains: Vec::new(), runs: vec![Vec::new(); GRAPH.nodes.len()] })
     }
 }

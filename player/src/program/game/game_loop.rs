@@ -10,8 +10,6 @@ use bica_player::perception::NetDetector;
 use bica_player::{Forward, act, sense};
 use bica_sim::Filmed;
 use bica_sim::field::Frame;
-use bica_sim::referee::GoalColour;
-use bica_vision::colour::Colour;
 use glam::Vec2;
 
 use super::arena::Arena;
@@ -76,10 +74,7 @@ impl Game {
         let world = Arena::open(rules)?;
         let mut robot = Box::new(Forward::new());
         robot.get_mut::<Measured>().be(rules.arena.profile());
-        robot.get_mut::<NetDetector>().attack(match world.referee().attacks() {
-            GoalColour::Yellow => Colour::Yellow,
-            GoalColour::SkyBlue => Colour::Blue,
-        });
+        robot.get_mut::<NetDetector>().attack(world.referee().attacks());
         let mind = rules.firmware.map(|image| image.start(world.referee().attacks())).transpose()?;
         let tally = Tally {
             cycles: 0,

@@ -2,11 +2,11 @@
 
 use std::f32::consts::{FRAC_PI_2, PI};
 
+use bica_field::FIELD;
 use bica_motion::pose::Pose2;
 use bica_sim::World;
 use bica_sim::field::{Setup, Start};
 use bica_sim::mujoco::MujocoWorld;
-use bica_vision::pitch::{GOAL_BACK, POST};
 use glam::Vec2;
 
 use super::bench::Bench;
@@ -95,13 +95,16 @@ fn keeper(setup: &Setup, bench: &Bench) -> Result<Vec2, Failure> {
 
 /// Before or beside a post.
 fn at_post(dice: &mut Dice, _: Vec2) -> Pose2 {
-    let at = POST + outward(dice, NEAR);
+    let at = FIELD.goal_post() + outward(dice, NEAR);
     either(at, dice)
 }
 
 /// Between the posts, beside the net.
 fn in_goal(dice: &mut Dice, _: Vec2) -> Pose2 {
-    let at = Vec2::new(dice.between(POST.x, GOAL_BACK - NEAR.0), POST.y - dice.between(NEAR.0, NEAR.1));
+    let at = Vec2::new(
+        dice.between(FIELD.goal_post().x, FIELD.goal_back() - NEAR.0),
+        FIELD.goal_post().y - dice.between(NEAR.0, NEAR.1),
+    );
     either(at, dice)
 }
 
@@ -110,7 +113,7 @@ fn at_keeper(dice: &mut Dice, keeper: Vec2) -> Pose2 {
     loop {
         let pose = Pose2 { position: keeper + outward(dice, NEAR_KEEPER), heading: dice.between(-PI, PI) };
         let at = Vec2::new(pose.position.x, pose.position.y.abs());
-        if at.distance(POST) > NEAR.0 {
+        if at.distance(FIELD.goal_post()) > NEAR.0 {
             return pose;
         }
     }

@@ -8,7 +8,7 @@ use glam::{Affine3A, Vec2, Vec3};
 use super::canvas::Pixel;
 use super::palette::{self, Palette};
 use super::solid::Solid;
-use crate::referee::GoalColour;
+use bica_field::GoalColour;
 
 /// A robot's colours.
 #[derive(Clone, Copy, Debug)]

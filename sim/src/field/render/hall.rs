@@ -8,8 +8,10 @@ use super::canvas::{Canvas, Edge, Pixel};
 use super::ground::Ground;
 use super::palette::{Palette, Rgb};
 use super::view::{LANES, Mapping, View, whole};
-use crate::field::pitch::CARPET;
 use crate::random::Random;
+use bica_field::FIELD;
+
+const CARPET: Vec2 = FIELD.carpet_corner();
 
 /// Half the hall's length and width, and its height, m.
 const HALL: Vec3 = Vec3::new(6.0, 5.0, 3.5);

@@ -29,12 +29,14 @@ use self::palette::Palette;
 use self::solid::Solid;
 use self::view::View;
 use super::body::raised;
-use super::pitch::BALL_RADIUS;
 use super::setup::Setup;
 use super::start::{Layout, Other};
 use crate::film::{Onlooker, Picture};
 use crate::random::{Random, Stream};
 use crate::referee::Thing;
+use bica_field::FIELD;
+
+const BALL_RADIUS: f32 = FIELD.ball_radius();
 
 /// A picture with nothing on it: no thing has this colour.
 const BLANK: Pixel = [0, 0, 0, 0];

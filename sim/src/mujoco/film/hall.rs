@@ -4,7 +4,11 @@ use std::fmt::Write;
 
 use glam::Vec3;
 
-use crate::field::pitch::{GOAL_BACK, GOAL_TRIANGLE, POST};
+use bica_field::FIELD;
+
+const GOAL_BACK: f32 = FIELD.goal_back();
+const GOAL_TRIANGLE: f32 = FIELD.goal_panel();
+const POST: Vec2 = FIELD.goal_post();
 
 /// Half the hall's length and width, and its height, m.
 const HALL: Vec3 = Vec3::new(6.4, 5.4, 3.6);

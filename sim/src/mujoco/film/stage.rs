@@ -9,13 +9,15 @@ use glam::{Affine3A, Quat};
 
 use super::{hall, shells};
 use crate::field::Setup;
-use crate::field::pitch::BALL_RADIUS;
 use crate::field::render::light::Light;
 use crate::field::start::{Layout, Other};
 use crate::film::FIELD_OF_VIEW;
 use crate::mujoco::model::field;
 use crate::mujoco::model::paint::{AROUND, Paint};
 use crate::random::{Random, Stream};
+use bica_field::FIELD;
+
+const BALL_RADIUS: f32 = FIELD.ball_radius();
 
 /// Light from all around, from the lamps together, and from behind whoever films.
 const LIGHT: (f32, f32, f32) = (0.47, 0.56, 0.24);

@@ -18,11 +18,13 @@ pub(crate) use self::shades::SHADES;
 use super::error::Error;
 use super::physics::Physics;
 use crate::field::Setup;
-use crate::field::pitch::BALL_RADIUS;
 use crate::field::render::light::Light;
 use crate::field::render::view::FOCAL;
 use crate::field::start::Layout;
 use crate::random::{Random, Stream};
+use bica_field::FIELD;
+
+const BALL_RADIUS: f32 = FIELD.ball_radius();
 
 /// The robot.
 const NAO: &str = include_str!("../../../models/nao.xml");

@@ -9,7 +9,7 @@ use crate::field::render::palette::{
     BLUE_TEAM, CARPET, JOINT, LINE, ORANGE, RED_TEAM, Rgb, SHELL, SKY_BLUE, WHITE, YELLOW,
 };
 use crate::field::start::Layout;
-use crate::referee::GoalColour;
+use bica_field::GoalColour;
 
 /// The colours of a game.
 pub(crate) struct Paint {
