@@ -5,12 +5,12 @@ use std::hint::black_box;
 use bica_motion::kinematics::{YawFrom, ankle, centre_of_mass, legs_angles};
 use bica_motion::robot::FootPressure;
 use bica_motion::side::Side;
-use bica_motion::walk::{Body, Parameters, Velocity, Walk};
+use bica_motion::walk::{Feedback, Parameters, Velocity, Walk};
 use criterion::Criterion;
 
 pub(crate) fn bench(criterion: &mut Criterion) {
     let force = FootPressure { front_left: 26.0, ..FootPressure::default() };
-    let feels = Body { left_foot: force, right_foot: force, ..Body::default() };
+    let feels = Feedback { left_foot: force, right_foot: force, ..Feedback::default() };
     let velocity = Velocity::new(0.2, 0.02, 0.1);
     let mut walk = Walk::new(&Parameters::NAO);
     let mut stride = move || walk.step(black_box(velocity), &feels, 0.01);

@@ -6,7 +6,7 @@ use bica_motion::joints::Joints;
 use bica_motion::kinematics::{YawFrom, ankle, centre_of_mass, legs_angles};
 use bica_motion::robot::FootPressure;
 use bica_motion::side::Side;
-use bica_motion::walk::{Body, Parameters, Velocity, Walk};
+use bica_motion::walk::{Feedback, Parameters, Velocity, Walk};
 use gungraun::prelude::*;
 
 /// Some pose, rad.
@@ -18,9 +18,9 @@ fn pose() -> Joints {
 
 const FORWARD: Velocity = Velocity { forward: 0.2, left: 0.02, turn: 0.1 };
 
-fn on_both_feet() -> Body {
+fn on_both_feet() -> Feedback {
     let force = FootPressure { front_left: 26.0, ..FootPressure::default() };
-    Body { left_foot: force, right_foot: force, ..Body::default() }
+    Feedback { left_foot: force, right_foot: force, ..Feedback::default() }
 }
 
 fn strides(walk: &mut Walk, cycles: usize) {

@@ -5,7 +5,7 @@
 /// As `f32::clamp`, but bounds in the wrong order give one of them instead of a panic, whose message would bring the
 /// formatting of floats, 13 KiB, into a microcontroller's program.
 #[must_use]
-pub const fn within(value: f32, low: f32, high: f32) -> f32 {
+pub const fn clamp(value: f32, low: f32, high: f32) -> f32 {
     if value < low {
         low
     } else if value > high {
@@ -17,21 +17,17 @@ pub const fn within(value: f32, low: f32, high: f32) -> f32 {
 
 #[cfg(test)]
 mod tests {
-    use super::within;
+    use super::clamp;
 
     #[test]
     fn it_is_clamp_where_clamp_does_not_panic() {
         let values = [-0.0, 0.0, 0.5, -2.0, 2.0, f32::INFINITY, f32::NEG_INFINITY, f32::NAN];
         for (low, high) in [(0.0, 1.0), (-0.0, 0.0), (-1.5, -1.0), (f32::NEG_INFINITY, f32::INFINITY)] {
             for value in values {
-                assert_eq!(
-                    within(value, low, high).to_bits(),
-                    value.clamp(low, high).to_bits(),
-                    "{value} {low} {high}"
-                );
+                assert_eq!(clamp(value, low, high).to_bits(), value.clamp(low, high).to_bits(), "{value} {low} {high}");
             }
         }
-        assert_eq!(within(0.5, 1.0, 0.0).to_bits(), 1.0_f32.to_bits());
-        assert_eq!(within(0.5, f32::NAN, f32::NAN).to_bits(), 0.5_f32.to_bits());
+        assert_eq!(clamp(0.5, 1.0, 0.0).to_bits(), 1.0_f32.to_bits());
+        assert_eq!(clamp(0.5, f32::NAN, f32::NAN).to_bits(), 0.5_f32.to_bits());
     }
 }

@@ -35,7 +35,7 @@ impl Direction {
 
 /// Whether the robot is on its feet.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Uprightness {
+pub enum FallState {
     /// It is.
     #[default]
     Upright,
@@ -68,7 +68,7 @@ pub struct FallDetector {
     roll: f32,
     pitch: f32,
     acceleration: Vec3,
-    state: Uprightness,
+    state: FallState,
     /// How long it falls, or is upright again, s.
     time: f32,
 }
@@ -77,17 +77,17 @@ impl FallDetector {
     /// A detector that believes the robot upright.
     #[must_use]
     pub const fn new() -> Self {
-        Self { roll: 0.0, pitch: 0.0, acceleration: Vec3::ZERO, state: Uprightness::Upright, time: 0.0 }
+        Self { roll: 0.0, pitch: 0.0, acceleration: Vec3::ZERO, state: FallState::Upright, time: 0.0 }
     }
 
     /// What it believes.
     #[must_use]
-    pub const fn state(&self) -> Uprightness {
+    pub const fn state(&self) -> FallState {
         self.state
     }
 
     /// One cycle of `dt` seconds. A reading that is no number is skipped.
-    pub fn step(&mut self, inertial: &Inertial, dt: f32) -> Uprightness {
+    pub fn step(&mut self, inertial: &Inertial, dt: f32) -> FallState {
         let finite = inertial.acceleration.is_finite() && inertial.roll.is_finite() && inertial.pitch.is_finite();
         if !finite || !dt.is_finite() {
             return self.state;
@@ -104,23 +104,23 @@ impl FallDetector {
         next
     }
 
-    fn next(&mut self) -> Uprightness {
+    fn next(&mut self) -> FallState {
         match self.state {
-            Uprightness::Upright => self.tilt().map_or(self.state, Uprightness::Falling),
-            Uprightness::Falling(direction) => match (self.lies_on(), self.tilt()) {
-                (Some(lies), _) => Uprightness::Fallen(lies),
-                (None, None) => Uprightness::Upright,
-                (None, Some(_)) if self.time >= LONGEST_FALL => Uprightness::Fallen(direction),
+            FallState::Upright => self.tilt().map_or(self.state, FallState::Falling),
+            FallState::Falling(direction) => match (self.lies_on(), self.tilt()) {
+                (Some(lies), _) => FallState::Fallen(lies),
+                (None, None) => FallState::Upright,
+                (None, Some(_)) if self.time >= LONGEST_FALL => FallState::Fallen(direction),
                 (None, Some(_)) => self.state,
             },
-            Uprightness::Fallen(direction) => {
+            FallState::Fallen(direction) => {
                 if self.roll.abs() > UPRIGHT || self.pitch.abs() > UPRIGHT {
                     self.time = 0.0;
                 }
                 if self.time >= UPRIGHT_TIME {
-                    Uprightness::Upright
+                    FallState::Upright
                 } else {
-                    Uprightness::Fallen(self.lies_on().unwrap_or(direction))
+                    FallState::Fallen(self.lies_on().unwrap_or(direction))
                 }
             }
         }

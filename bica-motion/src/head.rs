@@ -1,6 +1,6 @@
 //! The head: how far it turns, how fast, and where it must turn to look at something.
 
-use crate::bounds::within;
+use crate::bounds::clamp;
 use glam::Vec3;
 use libm::{asinf, atan2f, cosf, hypotf, sinf};
 
@@ -120,7 +120,7 @@ impl HeadMotion {
         let target = target.clamped();
         let toward = |now: f32, target: f32, speed: f32| {
             let most = if dt > 0.0 { speed * dt } else { 0.0 };
-            now + within(target - now, -most, most)
+            now + clamp(target - now, -most, most)
         };
         let now = now.clamped();
         let yaw = toward(now.yaw, target.yaw, self.yaw_speed);

@@ -1,9 +1,9 @@
 //! Whether the body can be trusted.
 
 use crate::joints::{Joint, Joints};
+use crate::motor_load::MotorLoad;
 use crate::robot::{Inertial, Sensors};
 use crate::side::Side;
-use crate::strain::Strain;
 
 /// Why a robot must not go on moving.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -51,7 +51,7 @@ const UPRIGHT: f32 = 0.4;
 impl Fault {
     /// Whether it passes with time: heat does.
     #[must_use]
-    pub const fn passes(self) -> bool {
+    pub const fn is_temporary(self) -> bool {
         matches!(self, Self::Hot(_) | Self::Overloaded(_))
     }
 }
@@ -66,7 +66,7 @@ pub struct Health {
     silent: [u16; 2],
     /// The joint that is farthest off, and for how long it has been that.
     stuck: (Joint, u16),
-    strain: Strain,
+    motor_load: MotorLoad,
 }
 
 impl Default for Health {
@@ -87,7 +87,7 @@ impl Health {
             same: 0,
             silent: [0; 2],
             stuck: (Joint::HeadYaw, 0),
-            strain: Strain::new(),
+            motor_load: MotorLoad::new(),
         }
     }
 
@@ -96,7 +96,7 @@ impl Health {
     pub const fn fault(&self) -> Option<Fault> {
         match self.fault {
             Some(fault) => Some(fault),
-            None => self.strain.fault(),
+            None => self.motor_load.fault(),
         }
     }
 
@@ -105,8 +105,8 @@ impl Health {
     /// The share falls to 0.7 on the way from 70 °C to 75 °C, and while the heat in the coil goes from three to four times
     /// what the motor bears for good. Beyond either a joint is a [`fault`](Self::fault).
     #[must_use]
-    pub fn eased(&self, stiffness: &Joints) -> Joints {
-        self.strain.eased(stiffness)
+    pub fn derated(&self, stiffness: &Joints) -> Joints {
+        self.motor_load.derated(stiffness)
     }
 
     /// Compares a cycle's sensors with what the joints were told last, and how firmly.
@@ -119,7 +119,7 @@ impl Health {
             (self.silent, self.stuck.1) = ([0; 2], 0);
             inertial
         };
-        self.strain.step(sensors, upright);
+        self.motor_load.step(sensors, upright);
         self.fault = self.fault.or(found);
     }
 

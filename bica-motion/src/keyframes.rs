@@ -1,7 +1,7 @@
 //! Fixed movements: lists of postures, played smoothly.
 
+use crate::easing::{mix, smooth};
 use crate::joints::Joints;
-use crate::walk::shape::{mix, smooth};
 
 /// A posture to reach.
 #[derive(Clone, Copy, Debug, PartialEq)]

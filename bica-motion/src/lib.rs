@@ -5,10 +5,10 @@
 //! between the feet (see [`kinematics::ground_from_robot`]).
 //!
 //! ```
-//! use bica_motion::{joints::Joint, walk::{Body, Parameters, Phase, Velocity, Walk}, robot::FootPressure};
+//! use bica_motion::{joints::Joint, walk::{Feedback, Parameters, Phase, Velocity, Walk}, robot::FootPressure};
 //!
 //! let on_both_feet = FootPressure { front_left: 26.0, ..FootPressure::default() };
-//! let body = Body { left_foot: on_both_feet, right_foot: on_both_feet, ..Body::default() };
+//! let body = Feedback { left_foot: on_both_feet, right_foot: on_both_feet, ..Feedback::default() };
 //! let mut walk = Walk::new(&Parameters::BUILT_IN);
 //! let stand = walk.step(Velocity::ZERO, &body, 0.01).joints();
 //! for _ in 0..100 {
@@ -23,6 +23,7 @@
 pub mod actuator;
 pub mod bounds;
 pub mod dimensions;
+mod easing;
 pub mod fall;
 pub mod feet;
 pub mod getup;
@@ -35,6 +36,7 @@ pub mod kinematics;
 pub mod limbs;
 pub mod limits;
 pub mod masses;
+mod motor_load;
 pub mod odometry;
 pub mod pose;
 pub mod profile;
@@ -42,5 +44,4 @@ pub mod robot;
 pub mod side;
 pub mod speed;
 pub mod stand;
-mod strain;
 pub mod walk;

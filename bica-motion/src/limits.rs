@@ -3,7 +3,7 @@
 //! Source: B-Human 2023 `jointLimits.cfg` and rUNSWift 2019 `bodyV6.hpp`, which agree. What
 //! the head's pitch may be depends on its yaw, too: see [`pitch_range`](crate::head::pitch_range).
 
-use crate::bounds::within;
+use crate::bounds::clamp;
 use crate::joints::{Joint, Joints};
 
 /// What a joint's angle may be, ends included: rad; a hand: 0 (closed) to 1 (open).
@@ -23,7 +23,7 @@ impl Range {
     /// The value of the range nearest to `angle`; what is no number counts as 0.
     #[must_use]
     pub fn clamp(&self, angle: f32) -> f32 {
-        within(if angle.is_nan() { 0.0 } else { angle }, self.min, self.max)
+        clamp(if angle.is_nan() { 0.0 } else { angle }, self.min, self.max)
     }
 
     /// Whether `angle` lies in the range.

@@ -1,6 +1,6 @@
 //! How fast each joint turns.
 
-use crate::bounds::within;
+use crate::bounds::clamp;
 use crate::joints::{Joint, Joints};
 
 /// From a command to the first motion of a joint, s. Source: B-Human 2015.
@@ -39,7 +39,7 @@ impl Joints<f32> {
             let most = max_speed(joint) * dt;
             let way = targets[joint] - self[joint];
             if most > 0.0 && !way.is_nan() {
-                moved[joint] += within(way, -most, most);
+                moved[joint] += clamp(way, -most, most);
             }
         }
         moved

@@ -62,7 +62,7 @@ pub const TO_SIT: [Keyframe; 1] = [Keyframe { seconds: 1.5, posture: SIT, stiffn
 
 /// How hard to hold [`SIT`] for good, 0 to 1: the least that does not tip over in `MuJoCo`, where it takes a fifteenth of what
 /// the motors bear.
-pub const RESTING: f32 = 0.1;
+pub const SIT_STIFFNESS: f32 = 0.1;
 
 /// How hard the joints are held.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

@@ -3,7 +3,7 @@
 //! Lists of postures, played at even speed from one to the next, but never faster than the joints turn. From the front the
 //! arms push the hips up and back over the spread feet until the robot sits; from the back it throws the legs and sits up.
 //! From there the way up is the same: it kneels up on one leg, pushing with the other side's hand, pulls the other leg in,
-//! and rises. Before it stands it passes a *tuck* (both knees bent beyond [`TUCKED_KNEE`]), by which a world without
+//! and rises. Before it stands it passes a *tuck* (both knees bent beyond [`TUCK_KNEE_ANGLE`]), by which a world without
 //! forces may know a get-up, then [`STAND`], held for [`HOLD`] seconds. The postures began as those of real robots; where
 //! they differ now they were searched for in a world with forces. Whom something blocks twice turns over before the next try.
 
@@ -13,16 +13,16 @@ mod postures;
 use frame::Frame;
 use postures::{RISE, SIT_UP_FROM_BACK, SIT_UP_FROM_FRONT, TURN_FROM_BACK, TURN_FROM_FRONT};
 
+use crate::easing::mix;
 use crate::fall::Direction;
 use crate::joints::{Joint, Joints};
 use crate::keyframes::Keyframe;
 use crate::robot::Inertial;
 use crate::speed::max_speed;
 use crate::stand::{STAND, symmetric};
-use crate::walk::shape::mix;
 
 /// In the tuck both knees are bent further than this, rad.
-pub const TUCKED_KNEE: f32 = 1.8;
+pub const TUCK_KNEE_ANGLE: f32 = 1.8;
 /// How long the stand at the end is held as part of the movement, s.
 pub const HOLD: f32 = 0.8;
 /// From the last posture to the stand, s.

@@ -3,11 +3,11 @@
 use super::Kick;
 use super::pose::{Frame, KickPose};
 use super::technique::STRIKE;
+use crate::easing::smooth;
 use crate::limbs::Limbs;
 use crate::profile::Profile;
 use crate::side::Side;
-use crate::walk::shape::smooth;
-use crate::walk::{Balance, Body};
+use crate::walk::{Balance, Feedback};
 
 /// The way back to the stand after the last pose, s.
 const END: f32 = 0.35;
@@ -58,7 +58,7 @@ impl KickMotion {
     }
 
     /// `dt` seconds later: the targets for legs and arms; the stand when done.
-    pub fn step(&mut self, body: &Body, dt: f32) -> Limbs {
+    pub fn step(&mut self, body: &Feedback, dt: f32) -> Limbs {
         let gait = &self.profile.gait;
         self.balance.feel(body, gait);
         if dt > 0.0 {
@@ -84,7 +84,7 @@ impl KickMotion {
         let leg = &mut legs[standing.index()];
         leg.ankle_pitch += pitch;
         leg.ankle_roll += roll;
-        leg.hip_roll += share * standing.sign() * self.profile.gait.hip_support_kicking;
+        leg.hip_roll += share * standing.sign() * self.profile.gait.kick_hip_roll_offset;
     }
 
     const fn frames(&self) -> &'static [Frame] {

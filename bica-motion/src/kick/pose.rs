@@ -3,10 +3,10 @@
 use glam::{Affine3A, Vec3};
 
 use crate::dimensions::FOOT_HEIGHT;
+use crate::easing::mix;
 use crate::kinematics::{LegAngles, YawFrom, legs_angles};
 use crate::side::Side;
 use crate::walk::Parameters;
-use crate::walk::shape::mix;
 
 /// The body over the foot that carries it, for a kick with the left foot; with the right one everything is mirrored.
 ///

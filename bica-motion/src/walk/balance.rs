@@ -4,14 +4,14 @@
 //! point*: its own place plus its velocity over the pendulum's pace (Pratt et al. 2006). Tilt and rate of the torso say
 //! how far that point is from where the plan has it; joints need not be measured for it.
 
-use crate::bounds::within;
+use crate::bounds::clamp;
 use core::f32::consts::PI;
 
 use glam::Vec2;
 use libm::sqrtf;
 
-use crate::walk::shape::smooth;
-use crate::walk::{Body, Parameters};
+use crate::easing::smooth;
+use crate::walk::{Feedback, Parameters};
 
 /// The most that balance turns an ankle, rad.
 const MOST: f32 = 0.1;
@@ -41,30 +41,36 @@ impl Balance {
     }
 
     /// Takes a cycle's measurements. What is no number counts as none.
-    pub(crate) fn feel(&mut self, body: &Body, gait: &Parameters) {
-        let sane = |x: f32, most: f32| if x.is_finite() { within(x, -most, most) } else { 0.0 };
+    pub(crate) fn feel(&mut self, body: &Feedback, gait: &Parameters) {
+        let sane = |x: f32, most: f32| if x.is_finite() { clamp(x, -most, most) } else { 0.0 };
         let rates = Vec2::new(sane(body.gyro.x, MOST_RATE), sane(body.gyro.y, MOST_RATE));
         self.rates += (1.0 - gait.gyro_smoothing) * (rates - self.rates);
         let height = gait.hip_height + MASS_OVER_HIPS;
         let pace = sqrtf(GRAVITY / height);
-        let tilt = Vec2::new(sane(body.pitch, PI) - gait.pitch, -sane(body.roll, PI));
+        let tilt = Vec2::new(sane(body.pitch, PI) - gait.torso_pitch, -sane(body.roll, PI));
         self.off = height * (tilt + Vec2::new(rates.y, -rates.x) / pace);
     }
 
     /// What to add to the carrying ankle's pitch and roll, rad: a fall forward presses the toes down.
     pub(super) fn ankle(&self, gait: &Parameters) -> [f32; 2] {
-        [(gait.ankle_gain * self.rates.y).clamp(-MOST, MOST), (gait.roll_gain * self.rates.x).clamp(-MOST, MOST)]
+        [
+            (gait.ankle_pitch_gain * self.rates.y).clamp(-MOST, MOST),
+            (gait.ankle_roll_gain * self.rates.x).clamp(-MOST, MOST),
+        ]
     }
 
     /// What to add to the pitch and roll of an ankle that stands still, rad.
     pub(crate) fn standing(&self, gait: &Parameters) -> [f32; 2] {
-        [(gait.stand_gain.y * self.rates.y).clamp(-MOST, MOST), (gait.stand_gain.x * self.rates.x).clamp(-MOST, MOST)]
+        [
+            (gait.stand_ankle_gain.y * self.rates.y).clamp(-MOST, MOST),
+            (gait.stand_ankle_gain.x * self.rates.x).clamp(-MOST, MOST),
+        ]
     }
 
     /// How far the capture point is off at a share `part` of a step: forward, and toward the swinging foot on the side
     /// with that `sign`, m.
     pub(super) fn off(&self, sign: f32, part: f32, gait: &Parameters) -> Vec2 {
-        let rocked = gait.rock * (2.0 * smooth(part) - 1.0);
+        let rocked = gait.capture_sway * (2.0 * smooth(part) - 1.0);
         Vec2::new(self.off.x, sign * self.off.y - rocked)
     }
 }
@@ -72,14 +78,14 @@ impl Balance {
 impl Parameters {
     /// How far from its plan the swinging foot comes down when the capture point is `off`, m.
     pub(super) fn catch(&self, off: Vec2) -> Vec2 {
-        let beyond = off - off.clamp(-self.catch_from, self.catch_from);
-        let moved = (self.catch * beyond).clamp(-self.catch_most, self.catch_most);
+        let beyond = off - off.clamp(-self.capture_deadband, self.capture_deadband);
+        let moved = (self.capture_gain * beyond).clamp(-self.max_capture_step, self.max_capture_step);
         moved.with_y(moved.y.max(-MOST_INWARDS))
     }
 
     /// How fast time passes when the capture point is `off`, 1 when all is well.
     pub(super) fn pace(&self, off: Vec2) -> f32 {
-        let outwards = (-off.y - self.catch_from.y).max(0.0);
-        (1.0 - self.slow * outwards).max(SLOWEST)
+        let outwards = (-off.y - self.capture_deadband.y).max(0.0);
+        (1.0 - self.phase_slowdown * outwards).max(SLOWEST)
     }
 }

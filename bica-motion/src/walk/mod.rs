@@ -3,23 +3,22 @@
 //! A gait after Hengst's Walk2014: steps are planned from the wanted velocity in closed form, pressure under the feet
 //! decides when the weight has come to the other foot, and one proportional term on the gyroscope steadies the ankles.
 //! Two things differ, because this gait keeps the centre of mass over the feet instead of letting the body rock: the
-//! hips sway from foot to foot ([`Parameters::sway_to`]), with both feet on the ground meanwhile, and the swinging foot
+//! hips sway from foot to foot ([`Parameters::mid_step_hip_offset`]), with both feet on the ground meanwhile, and the swinging foot
 //! comes down at rest over the ground instead of at rest under the body.
 
 mod balance;
-mod body;
-mod kick;
+mod feedback;
+mod in_walk_kick;
 mod parameters;
 mod pendulum;
 mod plan;
 mod profiles;
-pub(crate) mod shape;
+mod sag_compensation;
 mod sway;
 mod velocity;
-mod weakness;
 
-pub use body::Body;
-pub use kick::in_reach;
+pub use feedback::Feedback;
+pub use in_walk_kick::in_walk_kick_foot;
 pub use parameters::Parameters;
 pub use velocity::Velocity;
 
@@ -27,7 +26,7 @@ use glam::Vec2;
 
 pub(crate) use self::balance::Balance;
 use self::plan::{Plan, Purpose};
-use self::weakness::Weakness;
+use self::sag_compensation::SagCompensation;
 use crate::feet::{Foot, level_legs};
 use crate::limbs::{ArmAngles, Limbs};
 use crate::pose::Pose2;
@@ -52,7 +51,7 @@ pub enum Phase {
     /// Steps.
     Walking,
     /// A step that comes down far from its plan, where it catches a body that topples.
-    Catching,
+    Capturing,
     /// A step through the ball.
     Kicking,
     /// Feet together, the weight comes to rest between them.
@@ -76,7 +75,7 @@ pub struct Walk {
     kick: Option<Side>,
     /// How far the swinging foot is moved from its plan to catch the body, m.
     caught: Vec2,
-    weakness: Weakness,
+    sag_compensation: SagCompensation,
 }
 
 impl Walk {
@@ -93,12 +92,12 @@ impl Walk {
             balance: Balance::new(),
             kick: None,
             caught: Vec2::ZERO,
-            weakness: Weakness::new(),
+            sag_compensation: SagCompensation::new(),
         }
     }
 
     /// Lets a foot swing through the ball in its next step, if the walk goes on until then.
-    pub const fn kick(&mut self, foot: Side) {
+    pub const fn request_kick(&mut self, foot: Side) {
         self.kick = Some(foot);
     }
 
@@ -109,7 +108,7 @@ impl Walk {
     }
 
     /// Walks like this from now on.
-    pub const fn wear(&mut self, gait: &'static Parameters) {
+    pub const fn set_gait(&mut self, gait: &'static Parameters) {
         self.gait = gait;
     }
 
@@ -134,7 +133,7 @@ impl Walk {
     /// Lets the walk stand, wherever the feet are: after a fall, or after another motion that ended in stand. How weak the
     /// legs are it remembers.
     pub const fn reset(&mut self) {
-        *self = Self { weakness: self.weakness, ..Self::new(self.gait) };
+        *self = Self { sag_compensation: self.sag_compensation, ..Self::new(self.gait) };
     }
 
     /// One control cycle of `dt` seconds: the targets for legs and arms.
@@ -142,14 +141,14 @@ impl Walk {
     /// `request` is taken up when a step begins; at zero the walk brings its feet together and stands, always with the
     /// same targets. A robot whose feet feel no ground is walked to a stand. Nonsense in any input never reaches the
     /// targets.
-    pub fn step(&mut self, request: Velocity, body: &Body, dt: f32) -> Limbs {
-        let lifted = body.weight() < self.gait.touch;
+    pub fn step(&mut self, request: Velocity, body: &Feedback, dt: f32) -> Limbs {
+        let lifted = body.weight() < self.gait.contact_force;
         let wanted = if lifted { Velocity::ZERO } else { request.clamped(self.gait).planned(self.gait) };
         self.balance.feel(body, self.gait);
         self.pass_time(dt, body);
         self.advance(&wanted, body);
         let Some(plan) = self.plan else { return self.stand() };
-        self.weakness.feel(plan.support, body, self.gait);
+        self.sag_compensation.measure(plan.support, body, self.gait);
         self.catch(&plan, dt);
         let feet = self.feet(&plan);
         let mut limbs = self.gait.limbs(&feet, plan.roll(self.time));
@@ -158,9 +157,9 @@ impl Walk {
         carrying.ankle_pitch += pitch;
         carrying.ankle_roll += roll;
         let over = plan.over(self.time);
-        carrying.hip_roll += plan.support.sign() * self.gait.hip_support * over;
-        self.weakness.mend(carrying, plan.support, over, self.gait);
-        self.weakness.tell(&limbs.legs);
+        carrying.hip_roll += plan.support.sign() * self.gait.hip_roll_offset * over;
+        self.sag_compensation.compensate(carrying, plan.support, over, self.gait);
+        self.sag_compensation.record(&limbs.legs);
         limbs
     }
 
@@ -189,7 +188,7 @@ impl Walk {
         let most = Vec2::splat(CATCHING * valid(dt));
         self.caught += (wanted - self.caught).clamp(-most, most);
         if self.phase == Phase::Walking && self.caught.length() > CATCHES {
-            self.phase = Phase::Catching;
+            self.phase = Phase::Capturing;
         }
     }
 
@@ -198,11 +197,11 @@ impl Walk {
     }
 
     /// Lets time pass, except while the swinging foot should leave the ground and the other one feels none.
-    fn pass_time(&mut self, dt: f32, body: &Body) {
+    fn pass_time(&mut self, dt: f32, body: &Feedback) {
         let Some(plan) = self.plan else { return };
         let dt = self.gait.pace(self.off(&plan)) * valid(dt);
         let lifts = plan.lifts() && (self.time..self.time + dt).contains(&plan.liftoff());
-        if lifts && body.force(plan.support) < self.gait.touch && self.waited < self.gait.longest_wait {
+        if lifts && body.force(plan.support) < self.gait.contact_force && self.waited < self.gait.max_liftoff_delay {
             self.waited += dt;
         } else {
             self.time += dt;
@@ -210,7 +209,7 @@ impl Walk {
     }
 
     /// Begins the next step if it is time for it.
-    fn advance(&mut self, wanted: &Velocity, body: &Body) {
+    fn advance(&mut self, wanted: &Velocity, body: &Feedback) {
         let Some(plan) = self.plan else {
             if !wanted.is_zero() {
                 self.begin(first_support(wanted), &self.gait.together(), Phase::Starting, Purpose::Start);
@@ -249,10 +248,10 @@ impl Walk {
     }
 
     /// Whether the step is over: by time, or because the weight has come to the other foot already.
-    fn ended(&self, plan: &Plan, body: &Body) -> bool {
+    fn ended(&self, plan: &Plan, body: &Feedback) -> bool {
         let share = self.time / plan.duration;
         let weight_has_come = body.force(plan.support.other()) > body.force(plan.support);
-        share >= 1.0 || (plan.lifts() && share >= self.gait.earliest_switch && weight_has_come)
+        share >= 1.0 || (plan.lifts() && share >= self.gait.earliest_support_switch && weight_has_come)
     }
 }
 
@@ -288,7 +287,7 @@ impl Parameters {
         });
         let arm = |side: Side| {
             let opposite = feet[side.other().index()].pose.position.x;
-            ArmAngles::hanging(side, -self.arm_swing * opposite, ARMS_OUT)
+            ArmAngles::hanging(side, -self.arm_swing_gain * opposite, ARMS_OUT)
         };
         Limbs { legs: level_legs(&behind, self.hip_height, roll), arms: Side::BOTH.map(arm) }
     }

@@ -20,8 +20,8 @@ pub(super) struct Pendulum {
 impl Pendulum {
     /// The gait's pendulum in a step of `duration` s; `None` if the gait leads the body.
     pub(super) fn new(gait: &Parameters, duration: f32) -> Option<Self> {
-        let whole = duration * sqrtf(GRAVITY / gait.pendulum);
-        (gait.pendulum > 0.0).then(|| Self { whole, sinh_whole: sinhf(whole) })
+        let whole = duration * sqrtf(GRAVITY / gait.pendulum_height);
+        (gait.pendulum_height > 0.0).then(|| Self { whole, sinh_whole: sinhf(whole) })
     }
 
     /// Where the body is at a share of its way between two places, both seen from the foot.

@@ -5,12 +5,12 @@
 
 use glam::Vec2;
 
+use crate::easing::{bump, glide, mix, smooth};
 use crate::feet::Foot;
 use crate::pose::Pose2;
 use crate::side::Side;
-use crate::walk::kick::through;
+use crate::walk::in_walk_kick::through;
 use crate::walk::pendulum::Pendulum;
-use crate::walk::shape::{bump, glide, mix, smooth};
 use crate::walk::sway::Shift;
 use crate::walk::{Parameters, Velocity};
 
@@ -66,10 +66,12 @@ impl Plan {
     pub(super) fn new(support: Side, feet: &[Foot; 2], purpose: Purpose, gait: &Parameters) -> Self {
         let (velocity, through) = match purpose {
             Purpose::Go(velocity) => (velocity, 0.0),
-            Purpose::Kick(velocity) => (velocity, (gait.kick - 0.5 * velocity.forward.abs() * gait.duration).max(0.0)),
+            Purpose::Kick(velocity) => {
+                (velocity, (gait.kick_swing - 0.5 * velocity.forward.abs() * gait.step_duration).max(0.0))
+            }
             Purpose::Start | Purpose::Stop => (Velocity::ZERO, 0.0),
         };
-        let usual = gait.duration + gait.duration_sideways * velocity.left.abs();
+        let usual = gait.step_duration + gait.lateral_duration_gain * velocity.left.abs();
         let end = end(support.other(), &velocity, usual, gait);
         let [carrying, swinging] = [support, support.other()].map(|side| feet[side.index()].pose);
         let (hips, hips_after) = (carrying.inverse(), end[0].inverse());
@@ -79,9 +81,9 @@ impl Plan {
             Purpose::Stop => shifts[1] = Shift::gentle(usual),
             Purpose::Go(_) | Purpose::Kick(_) => {}
         }
-        let longest = shifts[0].clear + shifts[1].clear + gait.least_air;
+        let longest = shifts[0].clear + shifts[1].clear + gait.min_swing_duration;
         let duration = usual.max(longest);
-        let lift = if matches!(purpose, Purpose::Start | Purpose::Stop) { 0.0 } else { gait.lift };
+        let lift = if matches!(purpose, Purpose::Start | Purpose::Stop) { 0.0 } else { gait.step_height };
         Self {
             support,
             duration,
@@ -91,9 +93,10 @@ impl Plan {
             through,
             before: feet.map(|foot| foot.lift),
             shifts,
-            sway_to: gait.sway_to,
+            sway_to: gait.mid_step_hip_offset,
             pendulum: Pendulum::new(gait, duration),
-            lean: gait.lean * (hips.position.y.abs().max(hips_after.position.y.abs()) - gait.half_spacing).max(0.0),
+            lean: gait.lean_gain
+                * (hips.position.y.abs().max(hips_after.position.y.abs()) - gait.half_spacing).max(0.0),
         }
     }
 
@@ -173,9 +176,9 @@ fn end(swing: Side, velocity: &Velocity, duration: f32, gait: &Parameters) -> [P
     let half_step = 0.5 * velocity.forward * duration;
     let spread = (side * velocity.left * duration).max(0.0);
     let turn = side * velocity.turn * duration;
-    let inside = (gait.inside_turn * turn.abs()).min(gait.most_inside);
+    let inside = (gait.toe_in_share * turn.abs()).min(gait.max_toe_in);
     let toes_out = if turn > 0.0 { turn - inside } else { -inside };
-    let closer = (gait.closer * velocity.left.abs() * duration - TOES * inside).max(0.0);
+    let closer = (gait.lateral_foot_inset * velocity.left.abs() * duration - TOES * inside).max(0.0);
     let beside = side * (gait.half_spacing - closer + spread);
     [Pose2::new(-half_step, -beside, -side * toes_out), Pose2::new(half_step, beside, side * toes_out)]
 }

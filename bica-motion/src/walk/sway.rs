@@ -4,8 +4,8 @@ use core::f32::consts::FRAC_PI_2;
 
 use libm::{asinf, sinf};
 
+use crate::easing::smooth;
 use crate::walk::Parameters;
-use crate::walk::shape::smooth;
 
 /// One end of a step: the hips come from between the feet to the foot that carries, or, run backwards, leave it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,11 +22,11 @@ impl Shift {
     /// The way from `distance` m sideways of the carrying ankle. It begins at the gait's sway speed; in a gait that rocks
     /// there is none.
     pub(super) fn from(distance: f32, gait: &Parameters) -> Self {
-        let (whole, unsafe_part) = (distance - gait.sway_to, distance - gait.sway_clear);
-        if whole <= 0.0 || gait.pendulum > 0.0 {
+        let (whole, unsafe_part) = (distance - gait.mid_step_hip_offset, distance - gait.single_support_hip_offset);
+        if whole <= 0.0 || gait.pendulum_height > 0.0 {
             return Self { time: 0.0, clear: 0.0, gentle: false };
         }
-        let time = FRAC_PI_2 * whole / gait.sway_speed;
+        let time = FRAC_PI_2 * whole / gait.max_sway_speed;
         let clear = time / FRAC_PI_2 * asinf((unsafe_part / whole).clamp(0.0, 1.0));
         Self { time, clear, gentle: false }
     }

@@ -1,6 +1,6 @@
 //! How fast to walk: what is asked for and what a gait can give.
 
-use crate::bounds::within;
+use crate::bounds::clamp;
 use libm::{powf, sqrtf};
 
 use crate::walk::Parameters;
@@ -38,14 +38,14 @@ impl Velocity {
     /// B-Human 2023 and HULKs 2025). Parts that are no numbers count as zero.
     #[must_use]
     pub fn clamped(&self, gait: &Parameters) -> Self {
-        let most_forward = if self.forward < 0.0 { gait.backward } else { gait.fastest.forward };
+        let most_forward = if self.forward < 0.0 { gait.max_backward_speed } else { gait.max_velocity.forward };
         let share = |part: f32, most: f32| if part.is_nan() { 0.0 } else { (part / most).clamp(-1e3, 1e3) };
-        let (x, y) = (share(self.forward, most_forward), share(self.left, gait.fastest.left));
-        let turn = share(self.turn, gait.fastest.turn).clamp(-1.0, 1.0);
+        let (x, y) = (share(self.forward, most_forward), share(self.left, gait.max_velocity.left));
+        let turn = share(self.turn, gait.max_velocity.turn).clamp(-1.0, 1.0);
         let way = powf(powf(x.abs(), 1.5) + powf(y.abs(), 1.5), 4.0 / 3.0);
         let room = 1.0 - turn * turn;
         let scale = if way > room { sqrtf(room / way) } else { 1.0 };
-        Self::new(scale * x * most_forward, scale * y * gait.fastest.left, turn * gait.fastest.turn)
+        Self::new(scale * x * most_forward, scale * y * gait.max_velocity.left, turn * gait.max_velocity.turn)
     }
 
     /// What to plan so that the body goes like this; standing stays standing.
@@ -53,7 +53,7 @@ impl Velocity {
         if self.is_zero() {
             return *self;
         }
-        let (drift, scale) = (&gait.drift, &gait.scale);
+        let (drift, scale) = (&gait.velocity_drift, &gait.velocity_scale);
         Self {
             forward: scale.forward * (self.forward - drift.forward),
             left: scale.left * (self.left - drift.left),
@@ -66,9 +66,9 @@ impl Velocity {
     pub fn toward(&self, wanted: &Self, gait: &Parameters) -> Self {
         let part = |now, wanted, up, down| approach(now, wanted, up, down);
         Self {
-            forward: part(self.forward, wanted.forward, gait.speed_up.forward, gait.slow_down.forward),
-            left: part(self.left, wanted.left, gait.speed_up.left, gait.slow_down.left),
-            turn: part(self.turn, wanted.turn, gait.speed_up.turn, gait.slow_down.turn),
+            forward: part(self.forward, wanted.forward, gait.max_speed_up.forward, gait.max_slow_down.forward),
+            left: part(self.left, wanted.left, gait.max_speed_up.left, gait.max_slow_down.left),
+            turn: part(self.turn, wanted.turn, gait.max_speed_up.turn, gait.max_slow_down.turn),
         }
     }
 }
@@ -76,5 +76,5 @@ impl Velocity {
 fn approach(now: f32, wanted: f32, up: f32, down: f32) -> f32 {
     let goal = if now * wanted < 0.0 { 0.0 } else { wanted };
     let most = if goal.abs() > now.abs() { up } else { down };
-    now + within(goal - now, -most, most)
+    now + clamp(goal - now, -most, most)
 }

@@ -3,7 +3,7 @@
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::side::Side;
 use bica_motion::speed::max_speed;
-use bica_motion::walk::{Parameters, Phase, Velocity, Walk, in_reach};
+use bica_motion::walk::{Parameters, Phase, Velocity, Walk, in_walk_kick_foot};
 use glam::Vec2;
 
 use crate::world::{CYCLE, World};
@@ -17,7 +17,7 @@ fn walk_and_kick(speed: f32, foot: Side) -> ([[f32; 2]; 2], u32) {
     let (mut farthest, mut kicks, mut before) = ([[0.0_f32; 2]; 2], 0, GAIT.stand().joints());
     for cycle in 0..400 {
         if cycle == 150 {
-            walk.kick(foot);
+            walk.request_kick(foot);
         }
         let was = walk.phase();
         let targets = walk.step(Velocity::new(speed, 0.0, 0.0), &world.body(), CYCLE).joints();
@@ -59,7 +59,7 @@ fn one_step_of_the_foot_asked_for_swings_through_and_the_walk_goes_on() {
 #[test]
 fn a_stand_kicks_nothing_but_the_next_walk_does() {
     let (mut walk, mut world) = (Walk::new(GAIT), World::standing(GAIT.stand().joints()));
-    walk.kick(Side::Left);
+    walk.request_kick(Side::Left);
     for _ in 0..100 {
         let targets = walk.step(Velocity::ZERO, &world.body(), CYCLE);
         assert_eq!((walk.phase(), targets), (Phase::Standing, GAIT.stand()));
@@ -69,9 +69,9 @@ fn a_stand_kicks_nothing_but_the_next_walk_does() {
 
 #[test]
 fn a_ball_before_a_foot_is_in_its_reach_and_no_other_is() {
-    assert_eq!(in_reach(Vec2::new(0.18, 0.055), 0.05), Some(Side::Left));
-    assert_eq!(in_reach(Vec2::new(0.18, -0.045), 0.05), Some(Side::Right));
+    assert_eq!(in_walk_kick_foot(Vec2::new(0.18, 0.055), 0.05), Some(Side::Left));
+    assert_eq!(in_walk_kick_foot(Vec2::new(0.18, -0.045), 0.05), Some(Side::Right));
     for out in [(0.18, 0.0), (0.18, 0.09), (0.05, 0.05), (0.3, -0.05), (f32::NAN, 0.05), (0.18, f32::NAN)] {
-        assert_eq!(in_reach(out.into(), 0.05), None, "{out:?}");
+        assert_eq!(in_walk_kick_foot(out.into(), 0.05), None, "{out:?}");
     }
 }

@@ -1,7 +1,7 @@
 //! Falling, lying, getting up.
 
-use bica_motion::fall::{Direction, FallDetector, Uprightness};
-use bica_motion::getup::{GetUp, HOLD, TUCKED_KNEE, protection};
+use bica_motion::fall::{Direction, FallDetector, FallState};
+use bica_motion::getup::{GetUp, HOLD, TUCK_KNEE_ANGLE, protection};
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::keyframes::{Keyframe, Motion};
 use bica_motion::kinematics::{Skeleton, ground_from_robot};
@@ -44,12 +44,8 @@ fn a_fall_is_seen_in_every_direction_and_getting_up_too() {
                 seen.push(state);
             }
         }
-        let wanted = [
-            Uprightness::Upright,
-            Uprightness::Falling(direction),
-            Uprightness::Fallen(direction),
-            Uprightness::Upright,
-        ];
+        let wanted =
+            [FallState::Upright, FallState::Falling(direction), FallState::Fallen(direction), FallState::Upright];
         assert_eq!(seen, wanted);
     }
 }
@@ -62,7 +58,7 @@ fn what_a_walk_does_is_no_fall() {
         let jolt = Vec3::new(0.0, 12.0 * (0.9 * i as f32).sin(), 5.0 * (1.3 * i as f32).cos());
         let mut inertial = tilted(Quat::from_rotation_x(roll) * Quat::from_rotation_y(pitch));
         inertial.acceleration += jolt;
-        assert_eq!(detector.step(&inertial, CYCLE), Uprightness::Upright);
+        assert_eq!(detector.step(&inertial, CYCLE), FallState::Upright);
     }
 }
 
@@ -73,7 +69,7 @@ fn lying_still_decides_even_if_gravity_is_odd() {
     for _ in 0..130 {
         detector.step(&strange, CYCLE);
     }
-    assert_eq!(detector.state(), Uprightness::Fallen(Direction::Front));
+    assert_eq!(detector.state(), FallState::Fallen(Direction::Front));
 }
 
 #[test]
@@ -83,7 +79,7 @@ fn who_lies_knows_it_soon_and_knows_on_what() {
         for _ in 0..30 {
             detector.step(&tilted(toward(direction, 1.5)), CYCLE);
         }
-        assert_eq!(detector.state(), Uprightness::Fallen(direction));
+        assert_eq!(detector.state(), FallState::Fallen(direction));
     }
 }
 
@@ -92,9 +88,9 @@ fn readings_that_are_no_numbers_change_nothing() {
     let mut detector = FallDetector::new();
     let nonsense = Inertial { pitch: f32::NAN, acceleration: Vec3::splat(f32::NAN), ..Inertial::default() };
     for _ in 0..100 {
-        assert_eq!(detector.step(&nonsense, CYCLE), Uprightness::Upright);
+        assert_eq!(detector.step(&nonsense, CYCLE), FallState::Upright);
     }
-    assert_eq!(detector.step(&tilted(toward(Direction::Back, 0.6)), CYCLE), Uprightness::Falling(Direction::Back));
+    assert_eq!(detector.step(&tilted(toward(Direction::Back, 0.6)), CYCLE), FallState::Falling(Direction::Back));
 }
 
 /// Plays a movement from a posture; gives all targets.
@@ -161,8 +157,9 @@ fn after_two_failures_it_turns_over_first_one_way_round_then_the_other() {
 fn a_get_up_passes_the_phases_by_which_it_is_known() {
     for direction in Direction::ALL {
         let targets = get_up(GetUp::new(direction, 0, Joints::all(0.0)), &Inertial::default());
-        let tucked =
-            targets.iter().position(|t| t[Joint::LKneePitch] > TUCKED_KNEE && t[Joint::RKneePitch] > TUCKED_KNEE);
+        let tucked = targets
+            .iter()
+            .position(|t| t[Joint::LKneePitch] > TUCK_KNEE_ANGLE && t[Joint::RKneePitch] > TUCK_KNEE_ANGLE);
         let tucked = tucked.expect("it tucks");
         let held = targets[tucked..].iter().rev().take_while(|&&t| t == STAND).count();
         assert!(held as f32 * CYCLE >= HOLD - 0.02, "{held} cycles");

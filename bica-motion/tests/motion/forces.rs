@@ -8,7 +8,7 @@ use bica_motion::kinematics::{self, LegAngles};
 use bica_motion::profile::Profile;
 use bica_motion::robot::FootPressure;
 use bica_motion::side::Side;
-use bica_motion::walk::{Body, Phase, Velocity, Walk};
+use bica_motion::walk::{Feedback, Phase, Velocity, Walk};
 use glam::Vec3;
 
 use crate::world::CYCLE;
@@ -20,16 +20,16 @@ fn force(newtons: f32) -> FootPressure {
 }
 
 /// Stands on both feet alike.
-fn level() -> Body {
-    Body { left_foot: force(26.0), right_foot: force(26.0), ..Body::default() }
+fn level() -> Feedback {
+    Feedback { left_foot: force(26.0), right_foot: force(26.0), ..Feedback::default() }
 }
 
 /// Walks for a while, feeling this when `side` carries.
-fn walked(request: Velocity, cycles: usize, felt: impl Fn(Side) -> Body) -> (Walk, Joints) {
+fn walked(request: Velocity, cycles: usize, feedback: impl Fn(Side) -> Feedback) -> (Walk, Joints) {
     let mut walk = Walk::new(&NAO.gait);
     let mut targets = NAO.gait.stand().joints();
     for _ in 0..cycles {
-        let body = walk.support().map_or_else(level, &felt);
+        let body = walk.support().map_or_else(level, &feedback);
         targets = walk.step(request, &body, CYCLE).joints();
         assert!(targets.within_limits(), "{targets:?}");
     }
@@ -60,13 +60,13 @@ fn no_joint_is_told_to_pass_its_limit() {
 #[test]
 fn a_body_that_topples_aside_is_caught_by_a_wider_step() {
     let widest = |rolled: f32| {
-        let toppling = |side: Side| Body { roll: rolled * side.sign(), ..level() };
+        let toppling = |side: Side| Feedback { roll: rolled * side.sign(), ..level() };
         let counts = 100..160;
         counts.map(|cycles| -apart(&walked(Velocity::new(0.1, 0.0, 0.0), cycles, toppling).1).y).fold(0.0, f32::max)
     };
     let (upright, toppling) = (widest(0.0), widest(0.2));
     assert!(toppling > upright + 0.01, "{toppling} m is not wider than {upright} m");
-    assert!(toppling < upright + NAO.gait.catch_most.y + 0.01);
+    assert!(toppling < upright + NAO.gait.max_capture_step.y + 0.01);
 }
 
 #[test]
@@ -75,15 +75,15 @@ fn a_step_that_catches_the_body_is_a_mode_of_its_own() {
         let mut walk = Walk::new(&NAO.gait);
         let phases = (0..300).map(|_| {
             let roll = walk.support().map_or(0.0, |side| rolled * side.sign());
-            walk.step(Velocity::new(0.1, 0.0, 0.0), &Body { roll, ..level() }, CYCLE);
+            walk.step(Velocity::new(0.1, 0.0, 0.0), &Feedback { roll, ..level() }, CYCLE);
             walk.phase()
         });
         phases.collect::<Vec<_>>()
     };
-    assert!(!phases(0.0).contains(&Phase::Catching));
+    assert!(!phases(0.0).contains(&Phase::Capturing));
     let toppling = phases(0.4);
-    assert!(toppling.contains(&Phase::Catching));
-    let walks_again = |pair: &[Phase]| pair == [Phase::Catching, Phase::Walking];
+    assert!(toppling.contains(&Phase::Capturing));
+    let walks_again = |pair: &[Phase]| pair == [Phase::Capturing, Phase::Walking];
     assert!(toppling.windows(2).any(walks_again), "a step later it walks again");
 }
 
@@ -94,7 +94,7 @@ fn time_passes_slower_while_the_body_hangs_out_over_the_foot_that_carries() {
         let (mut steps, mut before) = (0, None);
         for _ in 0..1000 {
             let roll = walk.support().map_or(0.0, |side| -rolled * side.sign());
-            walk.step(Velocity::new(0.1, 0.0, 0.0), &Body { roll, ..level() }, CYCLE);
+            walk.step(Velocity::new(0.1, 0.0, 0.0), &Feedback { roll, ..level() }, CYCLE);
             steps += u32::from(walk.support() != before);
             before = walk.support();
         }
@@ -111,7 +111,7 @@ fn a_body_that_falls_forward_in_stand_presses_its_toes_down() {
     let stand = NAO.gait.stand();
     let mut limbs = stand;
     for _ in 0..5 {
-        limbs = walk.step(Velocity::ZERO, &Body { gyro: Vec3::new(0.0, 0.5, 0.0), ..level() }, CYCLE);
+        limbs = walk.step(Velocity::ZERO, &Feedback { gyro: Vec3::new(0.0, 0.5, 0.0), ..level() }, CYCLE);
     }
     for side in Side::BOTH {
         assert!(limbs.legs[side.index()].ankle_pitch > stand.legs[side.index()].ankle_pitch + 0.01);
@@ -121,10 +121,10 @@ fn a_body_that_falls_forward_in_stand_presses_its_toes_down() {
 #[test]
 fn wild_readings_move_no_joint_beyond_reason() {
     for wild in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 1e30] {
-        let felt = Body { gyro: Vec3::splat(wild), roll: wild, pitch: wild, knees: Some([wild; 2]), ..level() };
+        let feedback = Feedback { gyro: Vec3::splat(wild), roll: wild, pitch: wild, knees: Some([wild; 2]), ..level() };
         let mut walk = Walk::new(&NAO.gait);
         for _ in 0..500 {
-            let targets = walk.step(Velocity::new(0.2, 0.0, 0.0), &felt, CYCLE).joints();
+            let targets = walk.step(Velocity::new(0.2, 0.0, 0.0), &feedback, CYCLE).joints();
             assert!(targets.0.iter().all(|angle| angle.is_finite()), "{targets:?}");
         }
     }
@@ -156,7 +156,7 @@ fn carried(sag: f32) -> [LegAngles; 2] {
     for cycle in 0..1000 {
         let carrying = walk.support();
         let knees = [Joint::LKneePitch, Joint::RKneePitch].map(|knee| told[0][knee] + sag);
-        let body = carrying.map_or_else(level, |side| Body { knees: Some(knees), ..alone(side) });
+        let body = carrying.map_or_else(level, |side| Feedback { knees: Some(knees), ..alone(side) });
         let limbs = walk.step(Velocity::new(0.1, 0.0, 0.0), &body, CYCLE);
         if carrying != walk.support() && cycle > 800 {
             // The step that has just begun is the other leg's: what the last cycle told was this one's.
@@ -171,21 +171,22 @@ fn carried(sag: f32) -> [LegAngles; 2] {
 }
 
 /// Stands on one foot.
-fn alone(side: Side) -> Body {
+fn alone(side: Side) -> Feedback {
     let [left_foot, right_foot] = Side::BOTH.map(|foot| force(if foot == side { 52.0 } else { 0.0 }));
-    Body { left_foot, right_foot, ..Body::default() }
+    Feedback { left_foot, right_foot, ..Feedback::default() }
 }
 
 #[test]
 fn a_weak_leg_is_told_to_lift_and_stretch_more() {
-    let [strong, usual, weak] = [0.0, NAO.gait.knee_sag - 0.005, NAO.gait.knee_sag + 0.05].map(carried);
+    let [strong, usual, weak] =
+        [0.0, NAO.gait.expected_knee_sag - 0.005, NAO.gait.expected_knee_sag + 0.05].map(carried);
     assert_eq!(strong, usual, "what the gait expects needs nothing");
     for side in Side::BOTH {
         let (strong, weak) = (strong[side.index()], weak[side.index()]);
         let lifted = side.sign() * (weak.hip_roll - strong.hip_roll);
-        assert!((lifted - 0.05 * NAO.gait.weak_hip).abs() < 0.005, "{side:?}: {lifted} rad");
+        assert!((lifted - 0.05 * NAO.gait.sag_hip_gain).abs() < 0.005, "{side:?}: {lifted} rad");
         let stretched = strong.knee_pitch - weak.knee_pitch;
-        assert!((stretched - 0.05 * NAO.gait.weak_knee).abs() < 0.002, "{side:?}: {stretched} rad");
+        assert!((stretched - 0.05 * NAO.gait.sag_knee_gain).abs() < 0.002, "{side:?}: {stretched} rad");
     }
 }
 

@@ -140,8 +140,8 @@ fn what_was_too_hot_may_move_again_when_everything_has_cooled() {
     assert_eq!(live(&|_| (), 1500), None);
     assert_eq!(live(&pushing, 900), overloaded);
     assert_eq!(live(&lying, 1), None, "who lies pushes nothing");
-    assert!(Fault::Hot(Joint::LKneePitch).passes() && Fault::Overloaded(Joint::LKneePitch).passes());
-    assert!(!Fault::Inertial.passes() && !Fault::Stuck(Joint::LKneePitch).passes());
+    assert!(Fault::Hot(Joint::LKneePitch).is_temporary() && Fault::Overloaded(Joint::LKneePitch).is_temporary());
+    assert!(!Fault::Inertial.is_temporary() && !Fault::Stuck(Joint::LKneePitch).is_temporary());
 }
 
 #[test]
@@ -180,7 +180,7 @@ fn a_robot_that_cannot_tell_temperatures_and_currents_is_sound() {
     let silent = Sensors { temperatures: Joints::all(f32::NAN), currents: Joints::all(f32::NAN), ..standing(0) };
     let stiffness = Stiffness::Walk.joints();
     health.step(&silent, &STAND, &stiffness);
-    assert_eq!(health.eased(&stiffness), stiffness);
+    assert_eq!(health.derated(&stiffness), stiffness);
 }
 
 #[test]
@@ -193,7 +193,7 @@ fn hot_and_loaded_joints_are_held_less_firmly_the_more_so_the_worse_it_is() {
             sensors.currents[Joint::LKneePitch] = current;
             health.step(&sensors, &STAND, &Stiffness::Walk.joints());
         }
-        let eased = health.eased(&Joints::all(1.0));
+        let eased = health.derated(&Joints::all(1.0));
         assert!(eased[Joint::RKneePitch] > 0.999);
         eased[Joint::LKneePitch]
     };

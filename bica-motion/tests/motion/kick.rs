@@ -7,7 +7,7 @@ use bica_motion::profile::Profile;
 use bica_motion::side::Side;
 use bica_motion::speed::max_speed;
 use bica_motion::stand::STAND;
-use bica_motion::walk::{Body, Parameters};
+use bica_motion::walk::{Feedback, Parameters};
 use glam::Vec2;
 
 use crate::world::{CYCLE, World, gap, outline};
@@ -61,8 +61,10 @@ fn the_right_foot_kicks_as_the_left_one_does_in_a_mirror() {
         assert_eq!(pair[0].kind, pair[1].kind);
         let [mut left, mut right] = [pair[0], pair[1]].map(|kick| KickMotion::new(kick, &Profile::BUILT_IN));
         for _ in 0..250 {
-            let (left, right) =
-                (left.step(&Body::default(), CYCLE).joints(), right.step(&Body::default(), CYCLE).joints().mirrored());
+            let (left, right) = (
+                left.step(&Feedback::default(), CYCLE).joints(),
+                right.step(&Feedback::default(), CYCLE).joints().mirrored(),
+            );
             for joint in Joint::ALL {
                 assert!((left[joint] - right[joint]).abs() < 1e-5, "{joint:?}");
             }
@@ -171,10 +173,10 @@ fn a_ball_in_place_is_clear_of_the_standing_feet_and_in_the_way_of_nothing_else(
 fn strange_cycle_times_do_no_harm() {
     for dt in [f32::NAN, f32::NEG_INFINITY, -1.0, 0.0] {
         let mut motion = KickMotion::new(Kick::ALL[0], &Profile::BUILT_IN);
-        let first = motion.step(&Body::default(), dt).joints();
+        let first = motion.step(&Feedback::default(), dt).joints();
         assert!(first.0.iter().all(|angle| angle.is_finite()) && !motion.is_done());
     }
     let mut motion = KickMotion::new(Kick::ALL[3], &Profile::BUILT_IN);
-    assert_eq!(motion.step(&Body::default(), f32::INFINITY), Parameters::BUILT_IN.stand());
+    assert_eq!(motion.step(&Feedback::default(), f32::INFINITY), Parameters::BUILT_IN.stand());
     assert!(motion.is_done());
 }

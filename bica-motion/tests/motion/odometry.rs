@@ -1,7 +1,7 @@
 //! Odometry against the true way in the quasi-static world.
 
 use bica_motion::joints::{Joint, Joints};
-use bica_motion::odometry::{Calibration, Moved, Odometry};
+use bica_motion::odometry::{Calibration, MotionInput, Odometry};
 use bica_motion::pose::{Pose2, wrap};
 use bica_motion::robot::FootPressure;
 use bica_motion::stand::STAND;
@@ -19,15 +19,15 @@ proptest! {
         let mut world = World::standing(Parameters::BUILT_IN.stand().joints());
         let mut odometry = Odometry::new(&Calibration::EXACT);
         let start = world.ground();
-        let (mut way, mut told) = (0.0, None);
+        let (mut way, mut commanded) = (0.0, None);
         for request in requests {
             for _ in 0..150 {
                 let body = world.body();
-                odometry.step(&Moved { told: told.as_ref(), ..felt(&world.angles, [&body.left_foot, &body.right_foot]) });
+                odometry.step(&MotionInput { commanded: commanded.as_ref(), ..felt(&world.angles, [&body.left_foot, &body.right_foot]) });
                 let request = Velocity::new(0.25 * request[0], 0.12 * request[1], 1.2 * request[2]);
                 let before = world.ground();
                 let targets = walk.step(request, &body, CYCLE).joints();
-                told = is_told.then_some(targets);
+                commanded = is_told.then_some(targets);
                 world.step(&targets);
                 way += (start.inverse() * world.ground()).position.distance((start.inverse() * before).position);
             }
@@ -37,14 +37,14 @@ proptest! {
         let (true_pose, found) = (start.inverse() * world.ground(), odometry.pose());
         let off = true_pose.position.distance(found.position);
         prop_assert!(off < 0.02 + 0.03 * way, "{off} m off after {way} m");
-        let turned = wrap(true_pose.heading - found.heading);
-        prop_assert!(turned.abs() < 0.15, "{turned} rad off");
+        let gyro_turn = wrap(true_pose.heading - found.heading);
+        prop_assert!(gyro_turn.abs() < 0.15, "{gyro_turn} rad off");
     }
 }
 
-/// What legs and feet felt, and nothing else.
-fn felt<'a>(angles: &'a Joints, feet: [&'a FootPressure; 2]) -> Moved<'a> {
-    Moved { told: None, angles, feet, turned: None }
+/// What legs and feet feedback, and nothing else.
+fn felt<'a>(angles: &'a Joints, feet: [&'a FootPressure; 2]) -> MotionInput<'a> {
+    MotionInput { commanded: None, angles, feet, gyro_turn: None }
 }
 
 fn ground(force: f32) -> FootPressure {
@@ -64,12 +64,12 @@ fn nobody_moves_in_the_air_or_by_nonsense() {
     let feet = [&ground(30.0), &ground(20.0)];
     odometry.step(&felt(&Joints::all(f32::NAN), feet));
     let nowhere = [&ground(30.0), &ground(f32::NAN)];
-    odometry.step(&Moved { turned: Some(f32::NAN), ..felt(&STAND, nowhere) });
-    odometry.step(&Moved { turned: Some(f32::INFINITY), ..felt(&STAND, feet) });
-    odometry.step(&Moved { told: Some(&Joints::all(f32::NAN)), ..felt(&STAND, feet) });
+    odometry.step(&MotionInput { gyro_turn: Some(f32::NAN), ..felt(&STAND, nowhere) });
+    odometry.step(&MotionInput { gyro_turn: Some(f32::INFINITY), ..felt(&STAND, feet) });
+    odometry.step(&MotionInput { commanded: Some(&Joints::all(f32::NAN)), ..felt(&STAND, feet) });
     assert_eq!(odometry.pose(), Pose2::ORIGIN);
-    odometry.step(&Moved { turned: Some(0.05), ..felt(&STAND, feet) });
-    assert_eq!(odometry.pose(), Pose2::new(0.0, 0.0, 0.05), "the gyroscope knows better how far it turned");
+    odometry.step(&MotionInput { gyro_turn: Some(0.05), ..felt(&STAND, feet) });
+    assert_eq!(odometry.pose(), Pose2::new(0.0, 0.0, 0.05), "the gyroscope knows better how far it gyro_turn");
 }
 
 /// The `cycle`th of some cycles in which the hips go forward over the left foot; the right one is lifted.
@@ -85,22 +85,22 @@ fn leaning(cycle: usize) -> Joints {
 }
 
 /// How far the ground frame goes forward in 20 cycles, after as many at rest.
-fn way(told: impl Fn(usize) -> Option<Joints>, is: impl Fn(usize) -> Joints, feet: [f32; 2]) -> f32 {
+fn way(commanded: impl Fn(usize) -> Option<Joints>, is: impl Fn(usize) -> Joints, feet: [f32; 2]) -> f32 {
     let mut odometry = Odometry::new(&Calibration::EXACT);
     let feet = feet.map(ground);
     for cycle in 0..50 {
         let moving = |late: usize| cycle.clamp(20 + late, 40 + late) - 20 - late;
-        let (told, angles) = (told(moving(0)), is(moving(3)));
-        odometry.step(&Moved { told: told.as_ref(), ..felt(&angles, feet.each_ref()) });
+        let (commanded, angles) = (commanded(moving(0)), is(moving(3)));
+        odometry.step(&MotionInput { commanded: commanded.as_ref(), ..felt(&angles, feet.each_ref()) });
     }
     odometry.pose().position.x
 }
 
 #[test]
 fn each_source_counts_where_it_is_to_be_trusted() {
-    let (told, untold, still) = (|cycle| Some(leaning(cycle)), |_| None, |_| Some(leaning(0)));
+    let (commanded, untold, still) = (|cycle| Some(leaning(cycle)), |_| None, |_| Some(leaning(0)));
     let left = [50.0, 2.0];
-    let full = way(told, leaning, left);
+    let full = way(commanded, leaning, left);
     assert!(full > 0.01, "{full} m");
     let near = |way: f32, share: f32| (way - share * full).abs() < 0.02 * full;
     let legs_alone = way(untold, leaning, left);
@@ -108,41 +108,41 @@ fn each_source_counts_where_it_is_to_be_trusted() {
     let firmly = way(still, leaning, left);
     assert!(near(firmly, 1.0), "a foot that stands firmly believes the legs: {firmly} of {full} m");
     let between = way(still, leaning, [26.1, 25.9]);
-    assert!(near(between, 0.0), "between the feet it believes what was told: {between} of {full} m");
+    assert!(near(between, 0.0), "between the feet it believes what was commanded: {between} of {full} m");
     let half = way(still, leaning, [32.5, 19.5]);
     assert!(near(half, 0.5), "and in between both: {half} of {full} m");
 }
 
 #[test]
 fn what_was_told_stands_in_for_broken_sensors() {
-    let told = |cycle| Some(leaning(cycle));
+    let commanded = |cycle| Some(leaning(cycle));
     let left = [50.0, 2.0];
-    let full = way(told, leaning, left);
+    let full = way(commanded, leaning, left);
     for (name, way) in [
-        ("no number", way(told, |_| Joints::all(f32::NAN), left)),
-        ("the same again and again", way(told, |_| leaning(0), left)),
-        ("wild", way(told, |cycle| leaning(100 * (cycle % 2)), left)),
+        ("no number", way(commanded, |_| Joints::all(f32::NAN), left)),
+        ("the same again and again", way(commanded, |_| leaning(0), left)),
+        ("wild", way(commanded, |cycle| leaning(100 * (cycle % 2)), left)),
     ] {
         assert!((way - full).abs() < 0.1 * full, "{name}: {way} of {full} m");
     }
-    let silent = way(told, leaning, [0.0, 0.0]);
+    let silent = way(commanded, leaning, [0.0, 0.0]);
     assert!((silent - full).abs() < 1e-4, "silent feet: {silent} of {full} m");
 }
 
 #[test]
 fn a_gyroscope_that_says_nothing_leaves_the_turn_to_the_legs() {
-    let turned = |gyroscope: Option<f32>| {
+    let gyro_turn = |gyroscope: Option<f32>| {
         let mut odometry = Odometry::new(&Calibration::EXACT);
         let feet = [&ground(50.0), &ground(2.0)];
         for cycle in 0..20 {
             let mut angles = STAND;
             angles[Joint::LHipYawPitch] = -0.01 * cycle as f32;
-            odometry.step(&Moved { turned: gyroscope, ..felt(&angles, feet) });
+            odometry.step(&MotionInput { gyro_turn: gyroscope, ..felt(&angles, feet) });
         }
         odometry.pose().heading
     };
-    let legs = turned(None);
+    let legs = gyro_turn(None);
     assert!(legs.abs() > 0.02, "{legs} rad");
-    assert_eq!(turned(Some(0.0)).to_bits(), legs.to_bits());
-    assert!((turned(Some(0.002)) - 0.04).abs() < 1e-4);
+    assert_eq!(gyro_turn(Some(0.0)).to_bits(), legs.to_bits());
+    assert!((gyro_turn(Some(0.002)) - 0.04).abs() < 1e-4);
 }

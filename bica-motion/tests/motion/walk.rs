@@ -7,7 +7,7 @@ use bica_motion::pose::{Pose2, rotate, wrap};
 use bica_motion::robot::FootPressure;
 use bica_motion::side::Side;
 use bica_motion::speed::max_speed;
-use bica_motion::walk::{Body, Parameters, Phase, Velocity, Walk};
+use bica_motion::walk::{Feedback, Parameters, Phase, Velocity, Walk};
 use glam::{Affine3A, Vec2, Vec3};
 use proptest::prelude::*;
 
@@ -135,7 +135,7 @@ fn standing_is_exactly_still() {
     let (mut walk, mut world) = start();
     let stand = NAO.stand();
     for i in 0..300 {
-        let body = Body { gyro: Vec3::splat(0.01 * (i as f32).sin()), ..world.body() };
+        let body = Feedback { gyro: Vec3::splat(0.01 * (i as f32).sin()), ..world.body() };
         assert_eq!(walk.step(Velocity::ZERO, &body, CYCLE), stand);
         world.step(&stand.joints());
     }
@@ -160,9 +160,9 @@ fn walking() -> (Walk, Side) {
 }
 
 /// What it feels with these forces on the carrying and the coming foot, N.
-fn feels(carrying_side: Side, carrying: f32, coming: f32) -> Body {
+fn feels(carrying_side: Side, carrying: f32, coming: f32) -> Feedback {
     let (left, right) = if carrying_side == Side::Left { (carrying, coming) } else { (coming, carrying) };
-    Body { left_foot: force(left), right_foot: force(right), ..Body::default() }
+    Feedback { left_foot: force(left), right_foot: force(right), ..Feedback::default() }
 }
 
 /// Cycles until the other foot is meant to carry, when the weight comes to it in a cycle.
@@ -182,10 +182,10 @@ fn cycles_until_switch(weight_comes: usize) -> usize {
 fn pressure_ends_a_step() {
     let cycles = |seconds: f32| (seconds / CYCLE).round() as usize;
     for (weight_comes, ends) in [
-        (cycles(NAO.duration), cycles(NAO.duration)),
+        (cycles(NAO.step_duration), cycles(NAO.step_duration)),
         (24, 24),
-        (10, cycles(NAO.earliest_switch * NAO.duration)),
-        (1000, cycles(NAO.duration)),
+        (10, cycles(NAO.earliest_support_switch * NAO.step_duration)),
+        (1000, cycles(NAO.step_duration)),
     ] {
         let found = cycles_until_switch(weight_comes);
         assert!(found.abs_diff(ends) <= 1, "{weight_comes}: {found} is not {ends}");
@@ -227,14 +227,14 @@ fn a_foot_stays_down_until_the_other_one_feels_the_ground() {
     assert!(at_once <= 6, "{at_once}");
     assert!((20..=22).contains(&soon), "{soon}");
     let never = cycles_until_liftoff(1000) - at_once;
-    assert!(never.abs_diff((NAO.longest_wait / CYCLE) as usize) <= 1, "{never}");
+    assert!(never.abs_diff((NAO.max_liftoff_delay / CYCLE) as usize) <= 1, "{never}");
 }
 
 #[test]
 fn a_robot_in_the_air_comes_to_a_stand() {
     let (mut walk, _) = walking();
     for _ in 0..300 {
-        walk.step(Velocity::new(0.2, 0.0, 0.0), &Body::default(), CYCLE);
+        walk.step(Velocity::new(0.2, 0.0, 0.0), &Feedback::default(), CYCLE);
     }
     assert_eq!(walk.phase(), Phase::Standing);
 }
@@ -243,8 +243,8 @@ fn a_robot_in_the_air_comes_to_a_stand() {
 fn the_gyroscope_turns_the_carrying_ankle() {
     let (mut walk, side) = walking();
     let mut still = walk;
-    let level = Body { left_foot: force(26.0), right_foot: force(26.0), ..Body::default() };
-    let falling = Body { gyro: Vec3::new(0.0, 1.0, 0.0), ..level };
+    let level = Feedback { left_foot: force(26.0), right_foot: force(26.0), ..Feedback::default() };
+    let falling = Feedback { gyro: Vec3::new(0.0, 1.0, 0.0), ..level };
     let request = Velocity::new(0.1, 0.0, 0.0);
     let (mut with, mut without) = (walk.step(request, &falling, CYCLE), still.step(request, &level, CYCLE));
     for _ in 0..5 {
@@ -261,7 +261,7 @@ fn nonsense_never_reaches_the_joints() {
     let wild = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 1e30, -1e30, 0.1];
     for i in 0..2000 {
         let pick = |step: usize| wild[(i / step) % wild.len()];
-        let body = Body {
+        let body = Feedback {
             gyro: Vec3::new(0.0, pick(7), 0.0),
             left_foot: force(pick(11)),
             right_foot: force(pick(13)),
@@ -277,8 +277,9 @@ fn nonsense_never_reaches_the_joints() {
 
 /// Whether a velocity is within the walk volume.
 fn share(velocity: &Velocity) -> f32 {
-    let most = if velocity.forward < 0.0 { NAO.backward } else { NAO.fastest.forward };
-    let (x, y, turn) = (velocity.forward / most, velocity.left / NAO.fastest.left, velocity.turn / NAO.fastest.turn);
+    let most = if velocity.forward < 0.0 { NAO.max_backward_speed } else { NAO.max_velocity.forward };
+    let (x, y, turn) =
+        (velocity.forward / most, velocity.left / NAO.max_velocity.left, velocity.turn / NAO.max_velocity.turn);
     (x.abs().powf(1.5) + y.abs().powf(1.5)).powf(4.0 / 3.0) + turn * turn
 }
 
@@ -308,7 +309,7 @@ proptest! {
         let parts = |v: &Velocity| [v.forward, v.left, v.turn];
         for i in 0..3 {
             let (now, wanted, next) = (parts(&now)[i], parts(&wanted)[i], parts(&next)[i]);
-            let (up, down) = (parts(&NAO.speed_up)[i], parts(&NAO.slow_down)[i]);
+            let (up, down) = (parts(&NAO.max_speed_up)[i], parts(&NAO.max_slow_down)[i]);
             prop_assert!(next.abs() - now.abs() <= up + 1e-6 && now.abs() - next.abs() <= down + 1e-6);
             prop_assert!(now * next >= 0.0, "a sign changes only at zero");
             prop_assert!((wanted - next).abs() <= (wanted - now).abs() + 1e-6);

@@ -10,7 +10,7 @@ use bica_motion::masses::TOTAL_MASS;
 use bica_motion::pose::{Pose2, wrap};
 use bica_motion::robot::FootPressure;
 use bica_motion::side::Side;
-use bica_motion::walk::Body;
+use bica_motion::walk::Feedback;
 use glam::{Affine3A, Quat, Vec2, Vec3};
 
 pub(crate) const CYCLE: f32 = 0.01;
@@ -95,7 +95,7 @@ impl World {
         }
     }
 
-    pub(crate) fn body(&self) -> Body {
+    pub(crate) fn body(&self) -> Feedback {
         let [left, right] = self.forces();
         let all = |force: f32| FootPressure {
             front_left: force / 4.0,
@@ -103,7 +103,7 @@ impl World {
             rear_left: force / 4.0,
             rear_right: force / 4.0,
         };
-        Body { gyro: self.gyro, left_foot: all(left), right_foot: all(right), ..Body::default() }
+        Feedback { gyro: self.gyro, left_foot: all(left), right_foot: all(right), ..Feedback::default() }
     }
 
     /// N, left first: by where the mass is between the ankles, less what does not touch.

@@ -2,10 +2,9 @@
 
 use std::f32::consts::PI;
 
-use bica_field::{CrossingKind, FIELD};
+use bica_field::{CrossingKind, FIELD, GoalColour};
 use bica_motion::pose::Pose2;
 use bica_vision::centre_circle::{self, CentreCircle};
-use bica_vision::colour::Colour;
 use bica_vision::crossings;
 use bica_vision::field_end::FieldEnd;
 use bica_vision::frame::Frame;
@@ -132,7 +131,7 @@ proptest! {
         prop_assert!(markings.crossings.iter().all(|crossing| crossing.at.is_finite()));
         prop_assert!(markings.circle.is_none_or(|circle| circle.centre.is_finite()));
         let goals = GoalFinder::<256>::new().find(&frame, &BUILT_IN_TABLE, &end, Some(&camera));
-        let sightings = Sightings::of(&markings, &goals, Colour::Yellow, &camera);
+        let sightings = Sightings::of(&markings, &goals, GoalColour::Yellow, &camera);
         let on_ground = &markings.lines;
         prop_assert!(on_ground.iter().all(|line| line.from.length().max(line.to.length()) <= 4.5));
         prop_assert!(sightings.points.iter().all(|point| point.length() <= 4.6));

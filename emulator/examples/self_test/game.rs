@@ -7,7 +7,8 @@ use bica::Tree;
 use bica_emulator::{Carrier, Mind};
 use bica_player::Forward;
 use bica_sim::World;
-use bica_sim::field::{FieldWorld, Frame, Setup};
+use bica_sim::kinematic::KinematicWorld;
+use bica_sim::setup::{Frame, Setup};
 use bica_wire::message::Stack;
 
 use crate::twin::{Twin, attack};
@@ -30,7 +31,7 @@ pub(crate) struct Played {
 
 /// Plays a game to its first goal.
 pub(crate) fn play(image: &Path, seed: u64) -> Result<Played, Box<dyn Error>> {
-    let mut world = FieldWorld::new(&Setup { seed, frame: Frame::Small, ..Setup::default() })?;
+    let mut world = KinematicWorld::new(&Setup { seed, frame: Frame::Small, ..Setup::default() })?;
     let mut twin = Twin::new(attack(&world));
     let log = image.with_extension("log");
     let mut mind = Mind::start(image, Carrier::Pipe, attack(&world), Some(&log))?;

@@ -11,7 +11,8 @@ use bica_motion::stand::{STAND, Stiffness};
 use bica_player::Forward;
 use bica_player::perception::BallDetector;
 use bica_sim::World;
-use bica_sim::field::{FieldWorld, Frame, Setup};
+use bica_sim::kinematic::KinematicWorld;
+use bica_sim::setup::{Frame, Setup};
 use bica_wire::message::{Pace, Sensors, Telemetry, Trial};
 use bica_wire::{ToRobot, chunks};
 
@@ -123,7 +124,7 @@ fn ball_detector() -> ComponentId {
 
 /// A second of a game as a robot that stands sees it.
 fn frames() -> Result<Vec<Seen>, Box<dyn Error>> {
-    let mut world = FieldWorld::new(&Setup { frame: Frame::Small, ..Setup::default() })?;
+    let mut world = KinematicWorld::new(&Setup { frame: Frame::Small, ..Setup::default() })?;
     let (targets, stiffness) = (STAND, Stiffness::Stand.joints());
     let stand = Command { targets, stiffness, lights: Lights::default(), camera: CameraId::Top };
     let mut frames = Vec::new();

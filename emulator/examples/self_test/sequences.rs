@@ -7,7 +7,8 @@ use bica_emulator::{Carrier, Mind};
 use bica_motion::joints::JOINTS;
 use bica_motion::robot::{FootPressure, Image, Sensors};
 use bica_sim::World;
-use bica_sim::field::{FieldWorld, Frame, Setup};
+use bica_sim::kinematic::KinematicWorld;
+use bica_sim::setup::{Frame, Setup};
 
 use crate::random::Random;
 use crate::twin::{Twin, attack};
@@ -68,7 +69,7 @@ impl Sequence {
         let mut random = Random::new(2009);
         let (mut both, mut cycles) = (None, 0);
         for &(seed, robots, length) in self.worlds {
-            let mut world = FieldWorld::new(&Setup { seed, robots, frame: Frame::Small, ..Setup::default() })?;
+            let mut world = KinematicWorld::new(&Setup { seed, robots, frame: Frame::Small, ..Setup::default() })?;
             if both.is_none() {
                 let goal = attack(&world);
                 both = Some((Twin::new(goal), Mind::start(image, self.carrier, goal, None)?));
@@ -88,7 +89,7 @@ impl Sequence {
 }
 
 impl Moment {
-    fn of(world: &mut FieldWorld, cycle: usize) -> Self {
+    fn of(world: &mut KinematicWorld, cycle: usize) -> Self {
         let sensors = world.sensors();
         let image = sensors.image.as_ref().map(|image| (Image { yuyv: &[], ..*image }, image.yuyv.to_vec()));
         Self { time_us: 10_000 * cycle as u64, sensors: Sensors { image: None, ..sensors }, image }

@@ -9,10 +9,10 @@ use bica_motion::robot::{Command, Sensors};
 use bica_player::perception::NetDetector;
 use bica_player::{Forward, act, sense};
 use bica_sim::World;
-use bica_sim::field::FieldWorld;
+use bica_sim::kinematic::KinematicWorld;
 
 /// The goal to score in.
-pub(crate) fn attack(world: &FieldWorld) -> GoalColour {
+pub(crate) fn attack(world: &KinematicWorld) -> GoalColour {
     world.referee().attacks()
 }
 

@@ -1,7 +1,7 @@
 //! The ball kicked on in the walk.
 
 use bica::prelude::*;
-use bica_motion::walk::{Velocity, in_reach};
+use bica_motion::walk::{Velocity, in_walk_kick_foot};
 use libm::atan2f;
 
 use crate::input::Measured;
@@ -44,7 +44,7 @@ impl Dribble {
             return;
         };
         let half_spacing = measured.profile().gait.half_spacing;
-        if let Some(foot) = in_reach(at, half_spacing) {
+        if let Some(foot) = in_walk_kick_foot(at, half_spacing) {
             body.kick(foot);
         }
         let aside = at.y - half_spacing.copysign(at.y);

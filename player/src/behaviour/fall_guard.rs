@@ -1,11 +1,11 @@
 //! Falls.
 
 use bica::prelude::*;
-use bica_motion::fall::{Direction, Uprightness};
+use bica_motion::fall::{Direction, FallState};
 use bica_motion::getup::{self, GetUp};
 use bica_motion::health::Fault;
 use bica_motion::keyframes::{Keyframe, Motion};
-use bica_motion::stand::{RESTING, SIT, TO_SIT, TO_STAND};
+use bica_motion::stand::{SIT, SIT_STIFFNESS, TO_SIT, TO_STAND};
 
 use crate::input::Measured;
 use crate::motion::Body;
@@ -42,7 +42,7 @@ impl FallGuard {
     /// In the air: limbs in, joints soft.
     #[state(initial)]
     fn brace(&mut self, falls: &FallDetector, motors: &mut Motors) {
-        if let Uprightness::Falling(direction) = falls.state() {
+        if let FallState::Falling(direction) = falls.state() {
             self.brace = getup::protection(direction);
         }
         motors.whole(&self.brace.posture, self.brace.stiffness);
@@ -71,7 +71,7 @@ impl FallGuard {
     #[state]
     fn sit(&mut self, time: &Time, motors: &mut Motors) {
         let moving = self.slowly.step(time.dt()).filter(|_| !self.slowly.is_done());
-        let (posture, stiffness) = moving.unwrap_or((SIT, RESTING));
+        let (posture, stiffness) = moving.unwrap_or((SIT, SIT_STIFFNESS));
         motors.whole(&posture, stiffness);
     }
 
@@ -102,12 +102,12 @@ impl FallGuard {
     /// The way up is hard on the motors, but short: what is hot waits until it is over.
     #[transition(get_up -> halt)]
     fn is_up_but_hot(&self, body: &Measured, falls: &FallDetector) -> bool {
-        self.movement.is_done() && body.fault().is_some_and(Fault::passes) && !falls.falls()
+        self.movement.is_done() && body.fault().is_some_and(Fault::is_temporary) && !falls.falls()
     }
 
     #[transition(brace | get_up | rest -> sit)]
     fn is_broken(&self, body: &Measured) -> bool {
-        body.fault().is_some_and(|fault| !fault.passes())
+        body.fault().is_some_and(|fault| !fault.is_temporary())
     }
 
     #[transition(halt -> sit)]
@@ -124,7 +124,7 @@ impl FallGuard {
     /// It sat down because it was hot, or lies where it should sit.
     #[transition(sit -> rest)]
     fn has_cooled_on_the_ground(&self, body: &Measured, falls: &FallDetector) -> bool {
-        body.fault().is_none_or(Fault::passes) && falls.falls()
+        body.fault().is_none_or(Fault::is_temporary) && falls.falls()
     }
 
     #[transition(sit -> rise)]
@@ -145,12 +145,12 @@ impl FallGuard {
 
     #[transition(brace -> get_up)]
     fn lies(&self, falls: &FallDetector, body: &Measured) -> bool {
-        matches!(falls.state(), Uprightness::Fallen(_)) && body.fault().is_none()
+        matches!(falls.state(), FallState::Fallen(_)) && body.fault().is_none()
     }
 
     #[transition(brace -> rest)]
     fn lies_hot(&self, falls: &FallDetector) -> bool {
-        matches!(falls.state(), Uprightness::Fallen(_))
+        matches!(falls.state(), FallState::Fallen(_))
     }
 
     /// It did not work: once more, from where the robot lies then.
@@ -166,7 +166,7 @@ impl FallGuard {
 
     #[entry(get_up)]
     fn begin(&mut self, falls: &FallDetector, body: &Measured) {
-        if let Uprightness::Fallen(direction) = falls.state() {
+        if let FallState::Fallen(direction) = falls.state() {
             self.movement = GetUp::new(direction, self.failures, *body.angles());
         }
     }

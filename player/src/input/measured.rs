@@ -6,7 +6,7 @@ use bica_motion::joints::{Joint, Joints};
 use bica_motion::profile::Profile;
 use bica_motion::robot::{FootPressure, Inertial, Sensors};
 use bica_motion::side::Side;
-use bica_motion::walk::Body as Felt;
+use bica_motion::walk::Feedback;
 
 /// Legs held at least this hard follow what they are told.
 const FIRM: f32 = 0.6;
@@ -19,7 +19,7 @@ const TOUCH: f32 = 10.0;
 #[derive(Clone, Copy, Debug)]
 pub struct Measured {
     angles: Joints<f32>,
-    told: Joints<f32>,
+    commanded: Joints<f32>,
     /// Whether the legs are held so that they follow what they are told.
     firm: bool,
     inertial: Inertial,
@@ -38,7 +38,7 @@ impl Measured {
         const NONE: FootPressure = FootPressure { front_left: 0.0, front_right: 0.0, rear_left: 0.0, rear_right: 0.0 };
         Self {
             angles: Joints([0.0; bica_motion::joints::JOINTS]),
-            told: Joints([0.0; bica_motion::joints::JOINTS]),
+            commanded: Joints([0.0; bica_motion::joints::JOINTS]),
             firm: false,
             inertial: Inertial { gyro: glam::Vec3::ZERO, acceleration: glam::Vec3::ZERO, roll: 0.0, pitch: 0.0 },
             feet: (NONE, NONE),
@@ -71,15 +71,15 @@ impl Measured {
     /// Compares this cycle's measurements with what the joints were told last, and how firmly, 0 to 1.
     pub fn check(&mut self, sensors: &Sensors<'_>, targets: &Joints, stiffness: &Joints) {
         self.health.step(sensors, targets, stiffness);
-        self.told = *targets;
+        self.commanded = *targets;
         self.firm = stiffness[Joint::LKneePitch].min(stiffness[Joint::RKneePitch]) >= FIRM;
     }
 
     /// What the joints were told last, rad; none while the robot does not stand or its legs are too soft to follow.
     #[must_use]
-    pub fn told(&self) -> Option<&Joints<f32>> {
+    pub fn commanded(&self) -> Option<&Joints<f32>> {
         let upright = self.inertial.roll.abs() < UPRIGHT && self.inertial.pitch.abs() < UPRIGHT;
-        (self.firm && upright).then_some(&self.told)
+        (self.firm && upright).then_some(&self.commanded)
     }
 
     /// Why the body must not go on moving, if there is a reason.
@@ -89,14 +89,14 @@ impl Measured {
     }
 
     /// How hard to hold joints that are to be held with a `stiffness`: those with a hot or much loaded motor less firmly
-    /// ([`Health::eased`]).
+    /// ([`Health::derated`]).
     #[must_use]
-    pub fn eased(&self, stiffness: &Joints) -> Joints {
-        self.health.eased(stiffness)
+    pub fn derated(&self, stiffness: &Joints) -> Joints {
+        self.health.derated(stiffness)
     }
 
     /// Makes this a body of another kind: one that moves as `profile` says.
-    pub const fn be(&mut self, profile: &'static Profile) {
+    pub const fn set_profile(&mut self, profile: &'static Profile) {
         self.profile = profile;
     }
 
@@ -108,8 +108,8 @@ impl Measured {
 
     /// What walking and kicking need to feel.
     #[must_use]
-    pub const fn felt(&self) -> Felt {
-        Felt::new(&self.inertial, &self.feet.0, &self.feet.1, &self.angles)
+    pub const fn feedback(&self) -> Feedback {
+        Feedback::new(&self.inertial, &self.feet.0, &self.feet.1, &self.angles)
     }
 
     /// Joint angles, rad.

@@ -24,7 +24,7 @@ impl Kicker {
     fn step(&mut self, time: &Time, body: &Measured, motors: &mut Motors) {
         if let Some(kick) = self.kick {
             let motion = self.motion.get_or_insert(KickMotion::new(kick, body.profile()));
-            motors.limbs(&motion.step(&body.felt(), time.dt()));
+            motors.limbs(&motion.step(&body.feedback(), time.dt()));
         }
     }
 

@@ -30,9 +30,9 @@ impl Walk {
     }
 
     fn step(&mut self, time: &Time, body: &Measured, motors: &mut Motors) {
-        self.gait.wear(&body.profile().gait);
-        let felt = body.felt();
-        motors.limbs(&self.gait.step(self.request, &felt, time.dt()));
+        self.gait.set_gait(&body.profile().gait);
+        let feedback = body.feedback();
+        motors.limbs(&self.gait.step(self.request, &feedback, time.dt()));
     }
 
     /// Asks for a velocity: m/s and rad/s, seen from the robot.
@@ -42,7 +42,7 @@ impl Walk {
 
     /// Lets a foot swing through the ball in its next step.
     pub const fn kick(&mut self, foot: Side) {
-        self.gait.kick(foot);
+        self.gait.request_kick(foot);
     }
 
     /// Whether both feet are together and still.

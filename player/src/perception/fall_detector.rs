@@ -1,7 +1,7 @@
 //! The sense of balance.
 
 use bica::prelude::*;
-use bica_motion::fall::{FallDetector as Balance, Uprightness};
+use bica_motion::fall::{FallDetector as Balance, FallState};
 
 use crate::input::Measured;
 
@@ -35,14 +35,14 @@ impl FallDetector {
 
     /// Whether the robot is upright, falls, or lies, and to which side.
     #[must_use]
-    pub const fn state(&self) -> Uprightness {
+    pub const fn state(&self) -> FallState {
         self.balance.state()
     }
 
     /// Whether the robot falls or lies.
     #[must_use]
     pub fn falls(&self) -> bool {
-        self.state() != Uprightness::Upright
+        self.state() != FallState::Upright
     }
 
     /// Whether the robot is on its feet and may go on: it neither falls nor has a [fault](Measured::fault) that

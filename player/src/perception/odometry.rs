@@ -1,7 +1,7 @@
 //! The way that the robot made.
 
 use bica::prelude::*;
-use bica_motion::odometry::{Calibration, Moved, Odometry as Estimate};
+use bica_motion::odometry::{Calibration, MotionInput, Odometry as Estimate};
 use bica_motion::pose::Pose2;
 
 use crate::input::Measured;
@@ -22,10 +22,15 @@ impl Odometry {
     }
 
     fn step(&mut self, time: &Time, body: &Measured) {
-        self.estimate.wear(&body.profile().odometry);
+        self.estimate.set_calibration(&body.profile().odometry);
         let (left, right) = body.feet();
         let turned = Some(body.inertial().gyro.z * time.dt());
-        self.estimate.step(&Moved { told: body.told(), angles: body.angles(), feet: [left, right], turned });
+        self.estimate.step(&MotionInput {
+            commanded: body.commanded(),
+            angles: body.angles(),
+            feet: [left, right],
+            gyro_turn: turned,
+        });
     }
 
     /// The ground between the feet, in the frame of where the robot started.

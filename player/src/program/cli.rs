@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use bica_sim::field::{Frame, MAX_ROBOTS};
+use bica_sim::setup::{Frame, MAX_ROBOTS};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
 const AFTER: &str = "\

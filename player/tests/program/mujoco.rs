@@ -14,14 +14,14 @@ mod with_mujoco {
     use bica_motion::health::Fault;
     use bica_motion::joints::Joint;
     use bica_motion::profile::Profile;
-    use bica_motion::stand::RESTING;
+    use bica_motion::stand::SIT_STIFFNESS;
     use bica_player::behaviour::FallGuard;
     use bica_player::input::Measured;
     use bica_player::{Forward, act, sense};
     use bica_sim::World;
-    use bica_sim::field::Setup;
     use bica_sim::mujoco::{MujocoWorld, Physics};
     use bica_sim::referee::Posture;
+    use bica_sim::setup::Setup;
     use glam::Vec2;
 
     use crate::run::{Folder, run, without_wall};
@@ -57,10 +57,10 @@ mod with_mujoco {
     fn a_robot_with_a_hot_joint_stops_and_sits_down_without_a_fall() {
         let mut world = MujocoWorld::new(&Setup::default(), &Physics { cameras: false, ..Physics::default() }).unwrap();
         let mut robot = Box::new(Forward::new());
-        robot.get_mut::<Measured>().be(&Profile::NAO);
+        robot.get_mut::<Measured>().set_profile(&Profile::NAO);
         for cycle in 0..3000 {
             if cycle == 500 {
-                world.heat(Joint::LKneePitch, 78.0);
+                world.set_motor_temperature(Joint::LKneePitch, 78.0);
             }
             sense(&mut robot, &world.sensors()).unwrap();
             robot.tick(Instant::from_millis(10 * cycle));
@@ -68,7 +68,7 @@ mod with_mujoco {
             assert_eq!(robot.get::<Measured>().fault().is_some(), cycle >= 599, "in cycle {cycle}");
         }
         assert_eq!(robot.get::<Measured>().fault(), Some(Fault::Hot(Joint::LKneePitch)));
-        assert!(act(&robot).stiffness.0.iter().all(|stiffness| *stiffness <= RESTING));
+        assert!(act(&robot).stiffness.0.iter().all(|stiffness| *stiffness <= SIT_STIFFNESS));
         assert_eq!(world.referee().falls(), 0);
     }
 
@@ -76,19 +76,22 @@ mod with_mujoco {
     fn who_falls_with_a_hot_joint_lies_limp_until_it_has_cooled_then_gets_up() {
         let mut world = MujocoWorld::new(&Setup::default(), &Physics { cameras: false, ..Physics::default() }).unwrap();
         let mut robot = Box::new(Forward::new());
-        robot.get_mut::<Measured>().be(&Profile::NAO);
+        robot.get_mut::<Measured>().set_profile(&Profile::NAO);
         for cycle in 0..2600 {
             match cycle {
                 100 => world.push(Vec2::new(-2.3, 0.0)),
-                50 => world.heat(Joint::LKneePitch, 78.0),
-                1500 => world.heat(Joint::LKneePitch, 60.0),
+                50 => world.set_motor_temperature(Joint::LKneePitch, 78.0),
+                1500 => world.set_motor_temperature(Joint::LKneePitch, 60.0),
                 _ => {}
             }
             sense(&mut robot, &world.sensors()).unwrap();
             robot.tick(Instant::from_millis(10 * cycle));
             world.act(&act(&robot));
             if (1000..1500).contains(&cycle) {
-                assert!(act(&robot).stiffness.0.iter().all(|stiffness| *stiffness <= RESTING), "in cycle {cycle}");
+                assert!(
+                    act(&robot).stiffness.0.iter().all(|stiffness| *stiffness <= SIT_STIFFNESS),
+                    "in cycle {cycle}"
+                );
                 assert!(robot.get::<Measured>().fault().is_some());
             }
         }
@@ -100,11 +103,11 @@ mod with_mujoco {
     fn who_sat_down_hot_stands_up_without_a_fall_when_it_has_cooled() {
         let mut world = MujocoWorld::new(&Setup::default(), &Physics { cameras: false, ..Physics::default() }).unwrap();
         let mut robot = Box::new(Forward::new());
-        robot.get_mut::<Measured>().be(&Profile::NAO);
+        robot.get_mut::<Measured>().set_profile(&Profile::NAO);
         for cycle in 0..2500 {
             match cycle {
-                100 => world.heat(Joint::LKneePitch, 78.0),
-                1500 => world.heat(Joint::LKneePitch, 60.0),
+                100 => world.set_motor_temperature(Joint::LKneePitch, 78.0),
+                1500 => world.set_motor_temperature(Joint::LKneePitch, 60.0),
                 _ => {}
             }
             sense(&mut robot, &world.sensors()).unwrap();

@@ -9,7 +9,8 @@ use bica_player::motion::Body;
 use bica_player::perception::{Localization, NetDetector};
 use bica_player::{Forward, act, sense};
 use bica_sim::World;
-use bica_sim::field::{FieldWorld, Setup, Start};
+use bica_sim::kinematic::KinematicWorld;
+use bica_sim::setup::{Setup, Start};
 use bica_vision::localization::Estimate;
 use glam::Vec2;
 
@@ -18,7 +19,7 @@ const FOUND: (f32, f32) = (0.25, 0.174_533);
 
 /// A robot and its world.
 pub(crate) struct Lookout {
-    world: FieldWorld,
+    world: KinematicWorld,
     robot: Box<Forward>,
     seed: u64,
     clock: u64,
@@ -69,7 +70,7 @@ fn setup(seed: u64, robots: usize) -> Setup {
 impl Lookout {
     /// A robot at a pose that the seed decides, with as many others on the field.
     pub(crate) fn new(seed: u64, robots: usize) -> Self {
-        let world = FieldWorld::new(&setup(seed, robots)).expect("a start on the carpet");
+        let world = KinematicWorld::new(&setup(seed, robots)).expect("a start on the carpet");
         let mut robot = Box::new(Forward::new());
         robot.hold::<Player>(Hold::Latent);
         robot.hold::<LookAround>(Hold::Active);
@@ -82,7 +83,7 @@ impl Lookout {
     /// Carries the robot to where another seed puts it, without a word.
     pub(crate) fn kidnap(&mut self, seed: u64, robots: usize) {
         let mine = self.world.referee().attacks();
-        let others = (seed..).map(|seed| FieldWorld::new(&setup(seed, robots)).expect("a start on the carpet"));
+        let others = (seed..).map(|seed| KinematicWorld::new(&setup(seed, robots)).expect("a start on the carpet"));
         self.world = others.into_iter().find(|world| world.referee().attacks() == mine).expect("half of all");
     }
 

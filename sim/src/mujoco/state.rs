@@ -1,5 +1,6 @@
 //! Where everything is, read from MuJoCo's arrays and written to them.
 
+use bica_field::FIELD;
 use bica_motion::joints::{JOINTS, Joints};
 use bica_motion::kinematics::Skeleton;
 use bica_motion::pose::Pose2;
@@ -10,8 +11,7 @@ use glam::{Affine3A, Quat, Vec2, Vec3};
 use mujoco_rs::prelude::{MjData, MjModel};
 
 use super::model::Place;
-use super::senses::Truth;
-use bica_field::FIELD;
+use super::sensor_model::Truth;
 
 const BALL_RADIUS: f32 = FIELD.ball_radius();
 

@@ -1,6 +1,6 @@
 //! Falling with open eyes, and getting up again.
 
-use bica_motion::fall::{Direction, FallDetector, Uprightness};
+use bica_motion::fall::{Direction, FallDetector, FallState};
 use bica_motion::getup::{GetUp, protection};
 use bica_motion::stand::STAND;
 use bica_sim::mujoco::MujocoWorld;
@@ -8,7 +8,7 @@ use bica_sim::referee::Posture;
 use bica_sim::{CYCLE_SECONDS, World};
 use glam::Vec2;
 
-use crate::puppet::{alone, blind, command, stand};
+use crate::support::{alone, blind, command, stand};
 
 /// Pushes the robot over, which feels that before it hits the ground, draws its limbs in, and knows what it lies on.
 fn fall(world: &mut MujocoWorld, push: Vec2) -> Direction {
@@ -16,16 +16,16 @@ fn fall(world: &mut MujocoWorld, push: Vec2) -> Direction {
     world.push(push);
     let (mut balance, mut felt, mut hit) = (FallDetector::new(), false, false);
     for _ in 0..300 {
-        hit |= world.is_on_ground();
+        hit |= world.body_touches_floor();
         match balance.step(&world.sensors().inertial, CYCLE_SECONDS) {
-            Uprightness::Upright => stand(world, 1),
-            Uprightness::Falling(direction) => {
+            FallState::Upright => stand(world, 1),
+            FallState::Falling(direction) => {
                 assert!(felt || !hit, "{push}: it hit the ground before it felt the fall");
                 felt = true;
                 let brace = protection(direction);
                 world.act(&command(brace.posture, brace.stiffness));
             }
-            Uprightness::Fallen(direction) => return direction,
+            FallState::Fallen(direction) => return direction,
         }
     }
     panic!("{push}: it does not fall");

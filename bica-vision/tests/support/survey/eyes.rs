@@ -3,7 +3,6 @@
 use bica_field::FIELD;
 use bica_motion::side::Side;
 use bica_sim::World;
-use bica_vision::ball;
 use bica_vision::eyes::{Eyes, Seen};
 use bica_vision::frame::Frame;
 use bica_vision::profile::BUILT_IN_TABLE;

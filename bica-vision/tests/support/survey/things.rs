@@ -3,9 +3,9 @@
 use std::f32::consts::PI;
 
 use bica_field::FIELD;
-use bica_sim::referee::Thing;
+use bica_sim::PixelLabel;
 use bica_vision::eyes::Seen;
-use bica_vision::goal::{Goal, HEIGHT, Post};
+use bica_vision::goal::{Goal, Post};
 use bica_vision::robots::Robot;
 use glam::{Vec2, Vec3};
 
@@ -36,7 +36,7 @@ pub(super) fn ball(score: &mut Score, seen: &Seen, truth: &Truth) {
     if seen.ball.is_some() {
         score.seen(hit.is_some());
     }
-    let part = expected.map_or(0.0, |(_, radius)| truth.area(Thing::Ball) as f32 / (PI * radius * radius));
+    let part = expected.map_or(0.0, |(_, radius)| truth.area(PixelLabel::Ball) as f32 / (PI * radius * radius));
     if part < BALL_PART || place.length() > FAR {
         return;
     }
@@ -75,7 +75,7 @@ fn posts_of(goal: &Goal) -> impl Iterator<Item = Post> + use<> {
 
 /// Whether a post is seen in the column in which one stands.
 fn is_at(post: &Post, known: Vec2, truth: &Truth) -> bool {
-    let ends = truth.pixel(known.extend(0.0)).zip(truth.pixel(known.extend(HEIGHT)));
+    let ends = truth.pixel(known.extend(0.0)).zip(truth.pixel(known.extend(FIELD.goal_height())));
     ends.is_some_and(|(foot, top)| {
         let x = foot.x + (top.x - foot.x) * (post.base.y - foot.y) / (top.y - foot.y);
         (post.base.x - x).abs() < (0.3 * post.width).max(4.0)
@@ -83,8 +83,8 @@ fn is_at(post: &Post, known: Vec2, truth: &Truth) -> bool {
 }
 
 fn is_post_due(known: Vec2, truth: &Truth) -> bool {
-    let points = (1..20_u8).map(|step| known.extend(HEIGHT * f32::from(step) / 20.0));
-    let shown: Vec<Vec3> = points.filter(|point| truth.shows(*point, Thing::Goal)).collect();
+    let points = (1..20_u8).map(|step| known.extend(FIELD.goal_height() * f32::from(step) / 20.0));
+    let shown: Vec<Vec3> = points.filter(|point| truth.shows(*point, PixelLabel::Goal)).collect();
     let rows = |point: &Vec3| truth.pixel(*point).map_or(0.0, |pixel| pixel.y);
     let high = shown.first().map_or(0.0, rows) - shown.last().map_or(0.0, rows);
     shown.len() as f32 >= POST_PART * 19.0 && high >= POST_LEAST
@@ -113,7 +113,7 @@ pub(super) fn robots(score: &mut Score, seen: &Seen, truth: &Truth) {
 fn is_robot(robot: &Robot, truth: &Truth) -> bool {
     let at = |u: f32, v: f32| truth.thing(robot.min + Vec2::new(u, v) * (robot.max - robot.min));
     let grid = (0..100_u8).map(|i| (0.05 + 0.1 * f32::from(i % 10), 0.05 + 0.1 * f32::from(i / 10)));
-    let shown = grid.filter(|(u, v)| matches!(at(*u, *v), Some(Thing::Other(_)))).count();
+    let shown = grid.filter(|(u, v)| matches!(at(*u, *v), Some(PixelLabel::OtherRobot(_)))).count();
     let base = robot.ground(&truth.camera).filter(|base| base.length() <= FAR).map(|base| truth.pose.place(base));
     let is_base =
         base.is_none_or(|base| truth.others.iter().any(|other| other.position.distance(base) < ROBOT_ERROR + 0.1));
@@ -128,6 +128,6 @@ fn is_robot_due(index: usize, place: Vec2, truth: &Truth) -> bool {
         pixel.is_some_and(|at| (4.0..SIZE.0 as f32 - 4.0).contains(&at.x) && at.y < SIZE.1 as f32 - 4.0)
     };
     feet.iter().all(|foot| {
-        is_inside(foot) && [0.03, 0.1, 0.2].iter().all(|z| truth.shows(foot.extend(*z), Thing::Other(index)))
+        is_inside(foot) && [0.03, 0.1, 0.2].iter().all(|z| truth.shows(foot.extend(*z), PixelLabel::OtherRobot(index)))
     })
 }

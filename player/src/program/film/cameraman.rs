@@ -2,7 +2,7 @@
 
 use bica_field::FIELD;
 use bica_motion::pose::rotate;
-use bica_sim::{Onlooker, Referee};
+use bica_sim::{Referee, SpectatorCamera};
 use glam::Vec2;
 
 /// How long the cameraman takes to get going and to halt, s.
@@ -40,7 +40,7 @@ impl Cameraman {
     }
 
     /// Where to film from, `dt` seconds after the last time.
-    pub(crate) fn follow(&mut self, referee: &Referee, dt: f32) -> Onlooker {
+    pub(crate) fn follow(&mut self, referee: &Referee, dt: f32) -> SpectatorCamera {
         let others: Vec<Vec2> = referee.others().iter().map(|other| other.position).collect();
         let sight = Sight { robot: referee.robot().position, ball: referee.ball(), others };
         let wanted = self.choose(&sight);
@@ -52,7 +52,7 @@ impl Cameraman {
         let next = if self.goes { towards(next, wanted) } else { next };
         let now = towards(now, next);
         self.now = Some((now, next));
-        Onlooker { eye: now[0].extend(HEIGHTS.0), target: now[1].extend(HEIGHTS.1) }
+        SpectatorCamera { eye: now[0].extend(HEIGHTS.0), target: now[1].extend(HEIGHTS.1) }
     }
 
     /// The best view; another side only if that is much better.

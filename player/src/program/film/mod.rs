@@ -8,7 +8,7 @@ use std::path::Path;
 use std::time::Duration;
 
 use bica_motion::robot::Image;
-use bica_sim::{Onlooker, Picture, Referee};
+use bica_sim::{Picture, Referee, SpectatorCamera};
 use glam::Vec2;
 
 use super::ending::Failure;
@@ -62,7 +62,7 @@ impl Film {
 }
 
 impl Audience for Film {
-    fn looks_from(&mut self, now: Duration, referee: &Referee) -> Option<Onlooker> {
+    fn looks_from(&mut self, now: Duration, referee: &Referee) -> Option<SpectatorCamera> {
         if now < self.next {
             return None;
         }

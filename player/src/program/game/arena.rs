@@ -1,8 +1,9 @@
 //! The world that a game is played in.
 
 use bica_motion::profile::Profile;
-use bica_sim::Filmed;
-use bica_sim::field::{FieldWorld, Setup};
+use bica_sim::SpectatorView;
+use bica_sim::kinematic::KinematicWorld;
+use bica_sim::setup::Setup;
 
 use super::game_loop::Rules;
 use crate::program::cli::World;
@@ -45,11 +46,11 @@ impl Arena {
     }
 
     /// A world in which a game is about to start.
-    pub(crate) fn open(rules: &Rules) -> Result<Box<dyn Filmed>, Failure> {
+    pub(crate) fn open(rules: &Rules) -> Result<Box<dyn SpectatorView>, Failure> {
         let setup = Setup { seed: rules.seed, frame: rules.size, robots: rules.robots, ..Setup::default() };
         match rules.arena {
             Self::BuiltIn => {
-                let world = FieldWorld::new(&setup).map_err(|error| {
+                let world = KinematicWorld::new(&setup).map_err(|error| {
                     Failure::new(format!("no such game can be set up: {error}"), "try another --robots")
                 })?;
                 Ok(Box::new(world))
@@ -61,7 +62,7 @@ impl Arena {
 }
 
 #[cfg(feature = "mujoco")]
-fn mujoco(setup: &Setup) -> Result<Box<dyn Filmed>, Failure> {
+fn mujoco(setup: &Setup) -> Result<Box<dyn SpectatorView>, Failure> {
     use bica_sim::mujoco::{Error, MujocoWorld, Physics};
     let world = MujocoWorld::new(setup, &Physics::default()).map_err(|error| match &error {
         Error::Camera(what) => {

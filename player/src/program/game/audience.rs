@@ -2,8 +2,8 @@
 
 use std::time::Duration;
 
-use bica_sim::referee::Happened;
-use bica_sim::{Onlooker, Picture, Referee};
+use bica_sim::referee::TimedEvent;
+use bica_sim::{Picture, Referee, SpectatorCamera};
 
 use super::scene::Scene;
 use crate::program::ending::Failure;
@@ -16,7 +16,7 @@ pub(crate) trait Audience {
     }
 
     /// Where it looks from now, if it does.
-    fn looks_from(&mut self, _now: Duration, _referee: &Referee) -> Option<Onlooker> {
+    fn looks_from(&mut self, _now: Duration, _referee: &Referee) -> Option<SpectatorCamera> {
         None
     }
 
@@ -26,7 +26,7 @@ pub(crate) trait Audience {
     }
 
     /// The referee reports something.
-    fn happened(&mut self, _happened: &Happened) -> Result<(), Failure> {
+    fn happened(&mut self, _happened: &TimedEvent) -> Result<(), Failure> {
         Ok(())
     }
 }
@@ -40,7 +40,7 @@ impl<A: Audience> Audience for Option<A> {
         self.as_mut().map_or(Ok(()), |one| one.changed(scene))
     }
 
-    fn looks_from(&mut self, now: Duration, referee: &Referee) -> Option<Onlooker> {
+    fn looks_from(&mut self, now: Duration, referee: &Referee) -> Option<SpectatorCamera> {
         self.as_mut().and_then(|one| one.looks_from(now, referee))
     }
 
@@ -48,7 +48,7 @@ impl<A: Audience> Audience for Option<A> {
         self.as_mut().map_or(Ok(()), |one| one.watched(scene, picture))
     }
 
-    fn happened(&mut self, happened: &Happened) -> Result<(), Failure> {
+    fn happened(&mut self, happened: &TimedEvent) -> Result<(), Failure> {
         self.as_mut().map_or(Ok(()), |one| one.happened(happened))
     }
 }
@@ -60,7 +60,7 @@ impl<A: Audience, B: Audience> Audience for (A, B) {
         self.1.changed(scene)
     }
 
-    fn looks_from(&mut self, now: Duration, referee: &Referee) -> Option<Onlooker> {
+    fn looks_from(&mut self, now: Duration, referee: &Referee) -> Option<SpectatorCamera> {
         self.0.looks_from(now, referee).or_else(|| self.1.looks_from(now, referee))
     }
 
@@ -69,7 +69,7 @@ impl<A: Audience, B: Audience> Audience for (A, B) {
         self.1.watched(scene, picture)
     }
 
-    fn happened(&mut self, happened: &Happened) -> Result<(), Failure> {
+    fn happened(&mut self, happened: &TimedEvent) -> Result<(), Failure> {
         self.0.happened(happened)?;
         self.1.happened(happened)
     }

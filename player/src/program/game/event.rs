@@ -2,7 +2,7 @@
 
 use bica_motion::fall::Direction;
 use bica_motion::side::Side;
-use bica_sim::referee::{Event, Happened};
+use bica_sim::referee::{Event, TimedEvent};
 use serde::Serialize;
 
 use crate::program::voice::Style;
@@ -19,8 +19,8 @@ pub(crate) struct Told {
     pub(crate) detail: String,
 }
 
-impl From<&Happened> for Told {
-    fn from(happened: &Happened) -> Self {
+impl From<&TimedEvent> for Told {
+    fn from(happened: &TimedEvent) -> Self {
         let (event, detail) = match happened.event {
             Event::Goal => ("goal", String::new()),
             Event::OwnGoal => ("own_goal", String::new()),

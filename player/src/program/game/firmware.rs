@@ -11,7 +11,7 @@ use bica_emulator::{Carrier, Error, Mind as Remote, bits};
 use bica_field::GoalColour;
 use bica_motion::robot::{Command, Sensors};
 use bica_player::Forward;
-use bica_sim::field::Frame;
+use bica_sim::setup::Frame;
 use serde::Serialize;
 
 use super::scene::GRAPH;

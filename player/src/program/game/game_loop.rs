@@ -8,8 +8,8 @@ use bica_motion::pose::Pose2;
 use bica_player::input::Measured;
 use bica_player::perception::NetDetector;
 use bica_player::{Forward, act, sense};
-use bica_sim::Filmed;
-use bica_sim::field::Frame;
+use bica_sim::SpectatorView;
+use bica_sim::setup::Frame;
 use glam::Vec2;
 
 use super::arena::Arena;
@@ -57,7 +57,7 @@ pub(crate) fn play(rules: &Rules, audience: &mut impl Audience) -> Result<Record
 
 struct Game {
     seed: u64,
-    world: Box<dyn Filmed>,
+    world: Box<dyn SpectatorView>,
     /// The forward; if a microcontroller thinks, its twin, which has to think the same.
     robot: Box<Forward>,
     mind: Option<Mind>,
@@ -73,7 +73,7 @@ impl Game {
     fn new(rules: &Rules) -> Result<Self, Failure> {
         let world = Arena::open(rules)?;
         let mut robot = Box::new(Forward::new());
-        robot.get_mut::<Measured>().be(rules.arena.profile());
+        robot.get_mut::<Measured>().set_profile(rules.arena.profile());
         robot.get_mut::<NetDetector>().attack(world.referee().attacks());
         let mind = rules.firmware.map(|image| image.start(world.referee().attacks())).transpose()?;
         let tally = Tally {
@@ -139,7 +139,7 @@ impl Game {
     fn report(&mut self, audience: &mut impl Audience) -> Result<(), Failure> {
         if let Some(from) = audience.looks_from(self.world.now(), self.world.referee()) {
             let (width, height) = OUTSIDE;
-            let picture = self.world.film(&from, width, height).map_err(|error| {
+            let picture = self.world.render_from(&from, width, height).map_err(|error| {
                 Failure::new(error.to_string(), "`cargo xtask mujoco` installs what MuJoCo needs to draw")
             })?;
             audience.watched(&self.scene(), &picture)?;

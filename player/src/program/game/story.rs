@@ -1,6 +1,6 @@
 //! The story of a game, a line for every change of the tree and for everything that the referee reports.
 
-use bica_sim::referee::Happened;
+use bica_sim::referee::TimedEvent;
 use serde::Serialize;
 
 use super::audience::Audience;
@@ -78,7 +78,7 @@ impl Audience for Story {
         Ok(())
     }
 
-    fn happened(&mut self, happened: &Happened) -> Result<(), Failure> {
+    fn happened(&mut self, happened: &TimedEvent) -> Result<(), Failure> {
         let (style, words) = event::words(&happened.event);
         let words = self.voice.style(style, &format!("* {words}"));
         self.voice.say(&format!("{}  {words}", time(happened.at.as_secs_f64())))

@@ -1,6 +1,6 @@
 //! A game in which the forward is knocked over: it has to get up, find its way again, and score.
 
-use bica_sim::field::Setup;
+use bica_sim::setup::Setup;
 use glam::Vec2;
 
 use super::bench::Bench;

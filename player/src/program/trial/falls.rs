@@ -1,10 +1,10 @@
 //! Falls: seen before the ground is hit, taken softly, and over soon; and none seen where there is none.
 
-use bica_motion::fall::{FallDetector, Uprightness};
+use bica_motion::fall::{FallDetector, FallState};
 use bica_motion::kick::{Kick, KickMotion};
 use bica_motion::pose::Pose2;
 use bica_motion::profile::Profile;
-use bica_motion::walk::{Body, Velocity};
+use bica_motion::walk::{Feedback, Velocity};
 use bica_sim::{CYCLE_SECONDS, World};
 use glam::Vec2;
 
@@ -95,7 +95,7 @@ fn calm(bench: &Bench) -> Result<Row, Failure> {
 /// Whether a fall is felt where none is.
 fn mistaken(balance: &mut FallDetector, walker: &mut Walker) -> bool {
     let felt = balance.step(&walker.world.sensors().inertial, CYCLE_SECONDS);
-    felt != Uprightness::Upright && !walker.fell()
+    felt != FallState::Upright && !walker.fell()
 }
 
 fn walk(bench: &Bench, seed: u64) -> Result<bool, Failure> {

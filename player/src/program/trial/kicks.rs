@@ -4,7 +4,7 @@ use bica_motion::kick::{Kick, KickKind, KickMotion};
 use bica_motion::pose::{Pose2, wrap};
 use bica_motion::profile::Profile;
 use bica_motion::side::Side;
-use bica_motion::walk::{Body, Velocity, in_reach};
+use bica_motion::walk::{Feedback, Velocity, in_walk_kick_foot};
 use bica_sim::{CYCLE_SECONDS, World};
 use glam::Vec2;
 
@@ -81,7 +81,7 @@ fn play(bench: &Bench, seed: u64, kick: Kick) -> Result<Played, Failure> {
     walker.world.place_ball(ball);
     let mut motion = KickMotion::new(kick, &Profile::NAO);
     while !motion.is_done() {
-        let limbs = motion.step(&Body::from(&walker.world.sensors()), CYCLE_SECONDS);
+        let limbs = motion.step(&Feedback::from(&walker.world.sensors()), CYCLE_SECONDS);
         walker.act(&limbs);
     }
     walker.go(Velocity::ZERO, 1.0);
@@ -105,7 +105,7 @@ fn dribble(bench: &Bench, seed: u64, foot: Side) -> Result<Played, Failure> {
     walker.world.place_ball(ball);
     let ahead = Velocity::new(0.15, 0.0, 0.0);
     for _ in 0..800 {
-        if let Some(foot) = in_reach(ground(&mut walker).locate(ball), half) {
+        if let Some(foot) = in_walk_kick_foot(ground(&mut walker).locate(ball), half) {
             walker.kick(foot);
         }
         walker.cycle(ahead);

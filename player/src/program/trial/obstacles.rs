@@ -5,8 +5,8 @@ use std::f32::consts::{FRAC_PI_2, PI};
 use bica_field::FIELD;
 use bica_motion::pose::Pose2;
 use bica_sim::World;
-use bica_sim::field::{Setup, Start};
 use bica_sim::mujoco::MujocoWorld;
+use bica_sim::setup::{Setup, Start};
 use glam::Vec2;
 
 use super::bench::Bench;

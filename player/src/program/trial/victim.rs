@@ -1,7 +1,7 @@
 //! The forward, to be thrown over.
 
 use bica::{Instant, Tree};
-use bica_motion::fall::Uprightness;
+use bica_motion::fall::FallState;
 use bica_motion::joints::Joint;
 use bica_motion::pose::Pose2;
 use bica_motion::profile::Profile;
@@ -10,9 +10,9 @@ use bica_player::input::Measured;
 use bica_player::perception::{FallDetector, NetDetector};
 use bica_player::{Forward, act, sense};
 use bica_sim::World;
-use bica_sim::field::{Setup, Start};
 use bica_sim::mujoco::{MujocoWorld, Physics};
 use bica_sim::referee::Event;
+use bica_sim::setup::{Setup, Start};
 use glam::Vec2;
 
 use super::bench::Bench;
@@ -56,7 +56,7 @@ impl Victim {
         let world = MujocoWorld::new(setup, &Physics { cameras, ..*physics })
             .map_err(|error| Failure::new(error.to_string(), "try another value"))?;
         let mut robot = Box::new(Forward::new());
-        robot.get_mut::<Measured>().be(&Profile::NAO);
+        robot.get_mut::<Measured>().set_profile(&Profile::NAO);
         robot.get_mut::<NetDetector>().attack(world.referee().attacks());
         Ok(Self { world, robot, felt: None, hit: None, tries: 0, tries_now: false })
     }
@@ -70,10 +70,10 @@ impl Victim {
             self.robot.tick(Instant::from_micros(now.as_micros() as u64));
             let command = act(&self.robot);
             self.world.act(&command);
-            let falls = self.robot.get::<FallDetector>().state() != Uprightness::Upright;
+            let falls = self.robot.get::<FallDetector>().state() != FallState::Upright;
             self.felt = self.felt.or_else(|| falls.then_some(now.as_secs_f32()));
             let soft = command.stiffness[Joint::LKneePitch] <= SOFT;
-            self.hit = self.hit.or_else(|| self.world.is_on_ground().then_some((now.as_secs_f32(), soft)));
+            self.hit = self.hit.or_else(|| self.world.body_touches_floor().then_some((now.as_secs_f32(), soft)));
             self.count();
         }
         Ok(())

@@ -2,16 +2,16 @@
 
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::limbs::Limbs;
-use bica_motion::odometry::{Moved, Odometry};
+use bica_motion::odometry::{MotionInput, Odometry};
 use bica_motion::pose::Pose2;
 use bica_motion::profile::Profile;
 use bica_motion::robot::{CameraId, Command, Lights};
 use bica_motion::side::Side;
 use bica_motion::stand::Stiffness;
-use bica_motion::walk::{Body, Velocity, Walk};
-use bica_sim::field::{Setup, Start};
+use bica_motion::walk::{Feedback, Velocity, Walk};
 use bica_sim::mujoco::{MujocoWorld, Physics};
 use bica_sim::referee::Event;
+use bica_sim::setup::{Setup, Start};
 use bica_sim::{CYCLE_SECONDS, World};
 use glam::Vec2;
 
@@ -51,15 +51,15 @@ impl Walker {
 
     /// Lets a foot swing through the ball in its next step.
     pub(crate) const fn kick(&mut self, foot: Side) {
-        self.gait.kick(foot);
+        self.gait.request_kick(foot);
     }
 
     /// Walks for a control cycle.
     pub(crate) fn cycle(&mut self, velocity: Velocity) {
         let sensors = self.world.sensors();
-        let limbs = self.gait.step(velocity, &Body::from(&sensors), CYCLE_SECONDS);
-        let moved = Moved {
-            told: Some(&self.told),
+        let limbs = self.gait.step(velocity, &Feedback::from(&sensors), CYCLE_SECONDS);
+        let moved = MotionInput {
+            commanded: Some(&self.told),
             angles: &sensors.angles,
             feet: [&sensors.left_foot, &sensors.right_foot],
             turned: Some(sensors.inertial.gyro.z * CYCLE_SECONDS),

@@ -1,11 +1,10 @@
 //! Carpet, lines and goals.
 
+use bica_field::FIELD;
 use core::f32::consts::{FRAC_PI_2, TAU};
 use std::fmt::Write;
 
 use glam::{Vec2, Vec3};
-
-use bica_field::FIELD;
 
 const BAR_RADIUS: f32 = FIELD.crossbar_radius();
 const CARPET: Vec2 = FIELD.carpet_corner();

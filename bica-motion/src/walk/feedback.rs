@@ -1,0 +1,58 @@
+//! What the walk feels.
+
+use glam::Vec3;
+
+use crate::joints::{Joint, Joints};
+use crate::robot::{FootPressure, Inertial, Sensors};
+use crate::side::Side;
+
+/// What the walk feels.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Feedback {
+    /// Angular velocity of the torso, rad/s, torso frame.
+    pub gyro: Vec3,
+    /// The torso's roll, rad; positive leans to the right.
+    pub roll: f32,
+    /// The torso's pitch, rad; positive leans forward.
+    pub pitch: f32,
+    /// Pressure under the left sole.
+    pub left_foot: FootPressure,
+    /// Pressure under the right sole.
+    pub right_foot: FootPressure,
+    /// Pitch of both knees as measured, left first, rad; none if nobody measured it.
+    pub knees: Option<[f32; 2]>,
+}
+
+impl From<&Sensors<'_>> for Feedback {
+    fn from(sensors: &Sensors<'_>) -> Self {
+        Self::new(&sensors.inertial, &sensors.left_foot, &sensors.right_foot, &sensors.angles)
+    }
+}
+
+impl Feedback {
+    /// From the inertial unit, both feet and the joints' angles.
+    #[must_use]
+    pub const fn new(
+        inertial: &Inertial,
+        left_foot: &FootPressure,
+        right_foot: &FootPressure,
+        angles: &Joints,
+    ) -> Self {
+        let Inertial { gyro, roll, pitch, .. } = *inertial;
+        let knees = [angles.0[Joint::LKneePitch.index()], angles.0[Joint::RKneePitch.index()]];
+        Self { gyro, roll, pitch, left_foot: *left_foot, right_foot: *right_foot, knees: Some(knees) }
+    }
+
+    /// The force on a foot, N.
+    pub(super) fn force(&self, side: Side) -> f32 {
+        match side {
+            Side::Left => self.left_foot.total(),
+            Side::Right => self.right_foot.total(),
+        }
+    }
+
+    /// The force on both feet, N.
+    pub(super) fn weight(&self) -> f32 {
+        self.left_foot.total() + self.right_foot.total()
+    }
+}
