@@ -36,7 +36,7 @@ pub(crate) fn check(asked: &Firmware) -> Result<(), String> {
 }
 
 fn self_test(more: &[&str]) -> Result<(), String> {
-    let test = ["run", "--quiet", "--release", "-p", "bica-emulator", "--example", "self_test", "--", IMAGE, FIGURES];
+    let test = ["run", "--quiet", "--release", "-p", "bica-firmware-test", "--", IMAGE, FIGURES];
     run("cargo", &[&test[..], more].concat(), &[])
 }
 
@@ -44,7 +44,11 @@ fn self_test(more: &[&str]) -> Result<(), String> {
 fn play() -> Result<(), String> {
     let image = root().join(IMAGE);
     let image = image.to_str().ok_or("the workspace's folder has a name that is no text")?;
-    run("cargo", &["test", "--quiet", "-p", "bica-player", "--test", "program", "firmware"], &[("BICA_IMAGE", image)])?;
+    run(
+        "cargo",
+        &["test", "--quiet", "-p", "bica-player-program", "--test", "program", "firmware"],
+        &[("BICA_IMAGE", image)],
+    )?;
     let games = ["play", "--world", "firmware", "--image", IMAGE, "--games", "10", "--at-least", "9"];
     run("cargo", &[&["run", "--quiet", "--release", "--"], &games[..]].concat(), &[])
 }

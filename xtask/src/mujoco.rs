@@ -56,7 +56,11 @@ pub(crate) fn check() -> Result<(), String> {
     let lints = ["clippy", "--workspace", "--all-targets", "--features", "mujoco", "--", "-D", "warnings"];
     run("cargo", &lints, &[])?;
     run("cargo", &[&["test", "-p", "bica-sim", "--lib", "--test", "mujoco"], &feature[..]].concat(), &[])?;
-    run("cargo", &[&["test", "-p", "bica-player", "--test", "program"], &feature[..], &["mujoco"]].concat(), &[])?;
+    run(
+        "cargo",
+        &[&["test", "-p", "bica-player-program", "--test", "program"], &feature[..], &["mujoco"]].concat(),
+        &[],
+    )?;
     let program = [&["run", "--release"], &feature[..], &["--"]].concat();
     run("cargo", &[&program[..], &["trial", "--runs", "4"], &TRIALS[..]].concat(), &[])?;
     let games = ["play", "--world", "mujoco", "--games", "8", "--seconds", "180", "--at-least", "7"];

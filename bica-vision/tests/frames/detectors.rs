@@ -3,7 +3,7 @@
 use std::cell::Cell;
 
 use bica_field::FIELD;
-use bica_vision::ball::BallFinder;
+use bica_vision::ball::{Ball, BallFinder};
 use bica_vision::colour::{Classify, Colour};
 use bica_vision::field_end::FieldEnd;
 use bica_vision::frame::Pixel;
