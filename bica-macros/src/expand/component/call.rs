@@ -1,0 +1,54 @@
+//! A call of one of the component's functions, with what its signature asks for.
+
+use proc_macro2::{Ident, TokenStream};
+use quote::{ToTokens, format_ident, quote};
+
+use crate::language::component::model::{Argument, Function};
+
+/// A block that borrows and calls; its value is what the function returns.
+pub(super) fn expand(p: &TokenStream, function: &Function) -> TokenStream {
+    let name = &function.name;
+    let set = borrow_set(p, function);
+    let borrowed = nested(children(function).map(|(place, ..)| binding(place).into_token_stream()).collect());
+    let timed = function.arguments.iter().any(|argument| matches!(argument, Argument::Time));
+    let time = timed.then(|| quote!(let time = cycle.time::<Self>();));
+    let given = function.arguments.iter().enumerate().map(|(place, argument)| match argument {
+        Argument::Time => quote!(&time),
+        _ => binding(place).to_token_stream(),
+    });
+    quote! {{
+        #time
+        let (this, #borrowed) = cycle.borrow::<Self, #set>();
+        Self::#name(this #(, #given)*)
+    }}
+}
+
+/// The type of what is borrowed together.
+pub(super) fn borrow_set(p: &TokenStream, function: &Function) -> TokenStream {
+    nested(children(function).map(|(_, kind, child)| quote!(#p::#kind<#child>)).collect())
+}
+
+/// Pairs of pairs around the parts, as flat as possible: the compiler limits how deep types may nest.
+fn nested(mut parts: Vec<TokenStream>) -> TokenStream {
+    if parts.len() < 2 {
+        return parts.pop().unwrap_or_else(|| quote!(()));
+    }
+    let right = nested(parts.split_off(parts.len() / 2));
+    let left = nested(parts);
+    quote!((#left, #right))
+}
+
+/// The arguments that are borrowed: their places, how, and of which type.
+fn children(function: &Function) -> impl DoubleEndedIterator<Item = (usize, TokenStream, TokenStream)> {
+    function.arguments.iter().enumerate().filter_map(|(place, argument)| match argument {
+        Argument::Time => None,
+        Argument::Read(child) => Some((place, quote!(Read), child.to_token_stream())),
+        Argument::Write(child) => Some((place, quote!(Write), child.to_token_stream())),
+        Argument::Rate(child) => Some((place, quote!(WriteRate), child.to_token_stream())),
+        Argument::OwnRate => Some((place, quote!(WriteRate), quote!(Self))),
+    })
+}
+
+fn binding(place: usize) -> Ident {
+    format_ident!("a{place}")
+}
