@@ -4,13 +4,13 @@ use std::hint::black_box;
 
 use bica::prelude::*;
 use bica_player::behaviour::{
-    Dribble, FaceBall, FallGuard, Fixmove, FollowBall, GoRound, LookAround, Player, SearchBall, SearchNet,
+    Dribble, FaceBall, SafetyGuard, Fixmove, FollowBall, GoRound, LookAround, Player, SearchBall, SearchNet,
 };
-use bica_player::input::{Colours, Eye, Measured};
+use bica_player::input::{Colours, CameraInput, Measured};
 use bica_player::motion::{Body, GoStraight, Head, Kicker, Turn, Walk};
-use bica_player::output::{Gaze, Motors};
+use bica_player::output::{CameraSelector, Motors};
 use bica_player::perception::{
-    BallDetector, CameraPose, FallDetector, FieldEnd, FieldLines, Localization, NetDetector, Odometry, OwnBody,
+    BallDetector, CameraPose, FallDetector, FieldEnd, FieldLines, Localization, GoalDetector, Odometry, OwnBody,
     RobotDetector,
 };
 use bica_player::{Forward, act, sense};
@@ -54,7 +54,7 @@ components! {
     go_round: GoRound,
     fixmove: Fixmove,
     dribble: Dribble,
-    fall_guard: FallGuard,
+    safety_guard: SafetyGuard,
     face_ball: FaceBall,
     body: Body,
     go_straight: GoStraight,
@@ -64,7 +64,7 @@ components! {
     head: Head,
     localization: Localization,
     ball_detector: BallDetector,
-    net_detector: NetDetector,
+    goal_detector: GoalDetector,
     field_lines: FieldLines,
     robot_detector: RobotDetector,
     field_end: FieldEnd,
@@ -72,11 +72,11 @@ components! {
     camera_pose: CameraPose,
     odometry: Odometry,
     fall_detector: FallDetector,
-    eye: Eye,
+    eye: CameraInput,
     colours: Colours,
     measured: Measured,
     motors: Motors,
-    gaze: Gaze,
+    gaze: CameraSelector,
 }
 
 library_benchmark_group!(name = components, benchmarks = [component]);

@@ -1,7 +1,7 @@
 //! One component of the forward, run without the others.
 
 use bica::prelude::*;
-use bica_player::input::Eye;
+use bica_player::input::CameraInput;
 use bica_player::{Forward, sense};
 use bica_sim::setup::Frame;
 
@@ -28,7 +28,7 @@ impl Alone {
         robot.hold_at(component, Hold::Active);
         let node = &Forward::GRAPH.nodes[component.index()];
         let hz = node.hz.unwrap_or(Forward::GRAPH.cycle_hz);
-        let eye = Forward::id::<Eye>().index();
+        let eye = Forward::id::<CameraInput>().index();
         let mut alone = Self {
             robot,
             recording,

@@ -3,8 +3,8 @@
 use bica::{Instant, Tree};
 use bica_motion::robot;
 use bica_motion::stand::{STAND, Stiffness};
-use bica_player::input::EYE_BYTES;
-use bica_player::perception::{BallDetector, NetDetector};
+use bica_player::input::IMAGE_BYTES;
+use bica_player::perception::{BallDetector, GoalDetector};
 use bica_player::{Forward, act, sense};
 use bica_vision::colour::Colour;
 use bica_wire::message::{Attack, Command, Greeting, Hello, Pace, Sensors, Telemetry};
@@ -24,7 +24,7 @@ const SILENCE: Duration = Duration::from_millis(200);
 /// Everything that a robot keeps while it plays.
 pub(crate) struct Mind<B> {
     robot: &'static mut Forward,
-    frame: &'static mut Frame<EYE_BYTES>,
+    frame: &'static mut Frame<IMAGE_BYTES>,
     past: Past,
     meter: Meter<B>,
     /// How time passes; `None` before the first hello.
@@ -41,7 +41,7 @@ pub(crate) struct Mind<B> {
 
 impl<B: Board> Mind<B> {
     /// A mind that waits for a hello.
-    pub(crate) fn new(robot: &'static mut Forward, frame: &'static mut Frame<EYE_BYTES>, past: Past) -> Self {
+    pub(crate) fn new(robot: &'static mut Forward, frame: &'static mut Frame<IMAGE_BYTES>, past: Past) -> Self {
         Self {
             robot,
             frame,
@@ -108,7 +108,7 @@ impl<B: Board> Mind<B> {
             B::reset();
         }
         defmt::info!("hello; in step with the world: {=bool}", hello.pace == Pace::Lockstep);
-        self.robot.get_mut::<NetDetector>().attack(match hello.attack {
+        self.robot.get_mut::<GoalDetector>().attack(match hello.attack {
             Attack::Yellow => Colour::Yellow,
             Attack::Blue => Colour::Blue,
         });
@@ -157,7 +157,7 @@ impl<B: Board> Mind<B> {
     /// Logs what came into sight or went out of it.
     fn tell_sights(&mut self) {
         let ball = self.robot.get::<BallDetector>().seen().is_some();
-        let goal = self.robot.get::<NetDetector>().seen().is_some();
+        let goal = self.robot.get::<GoalDetector>().seen().is_some();
         if (ball, goal) != self.seen {
             defmt::info!("in sight: ball {=bool}, goal {=bool}", ball, goal);
             self.seen = (ball, goal);

@@ -2,7 +2,7 @@
 
 use bica::prelude::*;
 use bica_motion::robot::Command;
-use bica_player::perception::NetDetector;
+use bica_player::perception::GoalDetector;
 use bica_player::{Forward, act, sense};
 use bica_sim::World;
 use bica_sim::kinematic::KinematicWorld;
@@ -20,7 +20,7 @@ impl Game {
     pub(crate) fn new(setup: &Setup) -> Self {
         let world = KinematicWorld::new(setup).expect("the setup is sound");
         let mut robot = Box::new(Forward::new());
-        robot.get_mut::<NetDetector>().attack(match world.referee().attacks() {
+        robot.get_mut::<GoalDetector>().attack(match world.referee().attacks() {
             GoalColour::Yellow => Colour::Yellow,
             GoalColour::SkyBlue => Colour::Blue,
         });

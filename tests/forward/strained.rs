@@ -4,7 +4,7 @@ use bica_motion::health::Fault;
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::stand::{SIT, SIT_STIFFNESS};
 use bica_player::Forward;
-use bica_player::behaviour::FallGuard;
+use bica_player::behaviour::SafetyGuard;
 use bica_player::input::Measured;
 use bica_sim::World;
 use bica_sim::setup::Setup;
@@ -49,11 +49,11 @@ fn who_sat_down_hot_stands_up_and_plays_on_when_it_has_cooled() {
     game.world.set_motor_temperature(Joint::LKneePitch, 71.0);
     play(&mut game, 100);
     assert!(game.robot.get::<Measured>().fault().is_some());
-    assert!(game.robot.is_active(Forward::id::<FallGuard>()), "it sits");
+    assert!(game.robot.is_active(Forward::id::<SafetyGuard>()), "it sits");
     game.world.set_motor_temperature(Joint::LKneePitch, 60.0);
     play(&mut game, 300);
     assert_eq!(game.robot.get::<Measured>().fault(), None);
-    assert!(!game.robot.is_active(Forward::id::<FallGuard>()), "it plays");
+    assert!(!game.robot.is_active(Forward::id::<SafetyGuard>()), "it plays");
     play(&mut game, 6000);
     assert_eq!((game.world.referee().falls(), game.world.referee().goals()), (0, 1));
 }

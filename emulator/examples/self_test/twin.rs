@@ -5,7 +5,7 @@ use std::error::Error;
 use bica::{ComponentId, Instant, Tree};
 use bica_emulator::{Mind, Thought, bits};
 use bica_motion::robot::{Command, Sensors};
-use bica_player::perception::NetDetector;
+use bica_player::perception::GoalDetector;
 use bica_player::{Forward, act, sense};
 use bica_sim::World;
 use bica_sim::kinematic::KinematicWorld;
@@ -28,7 +28,7 @@ impl Twin {
     /// One that scores in that goal.
     pub(crate) fn new(attack: Attack) -> Self {
         let mut robot = Box::new(Forward::new());
-        robot.get_mut::<NetDetector>().attack(match attack {
+        robot.get_mut::<GoalDetector>().attack(match attack {
             Attack::Yellow => Colour::Yellow,
             Attack::Blue => Colour::Blue,
         });

@@ -15,7 +15,7 @@ mod with_mujoco {
     use bica_motion::joints::Joint;
     use bica_motion::profile::Profile;
     use bica_motion::stand::SIT_STIFFNESS;
-    use bica_player::behaviour::FallGuard;
+    use bica_player::behaviour::SafetyGuard;
     use bica_player::input::Measured;
     use bica_player::{Forward, act, sense};
     use bica_sim::World;
@@ -115,7 +115,7 @@ mod with_mujoco {
             world.act(&act(&robot));
         }
         assert_eq!(robot.get::<Measured>().fault(), None);
-        assert!(!robot.is_active(Forward::id::<FallGuard>()));
+        assert!(!robot.is_active(Forward::id::<SafetyGuard>()));
         assert_eq!((world.referee().falls(), world.referee().posture()), (0, Posture::Upright));
     }
 

@@ -6,7 +6,7 @@ use bica_motion::pose::{Pose2, wrap};
 use bica_motion::side::Side;
 use bica_player::behaviour::{LookAround, Player};
 use bica_player::motion::Body;
-use bica_player::perception::{Localization, NetDetector};
+use bica_player::perception::{Localization, GoalDetector};
 use bica_player::{Forward, act, sense};
 use bica_sim::World;
 use bica_sim::kinematic::KinematicWorld;
@@ -90,7 +90,7 @@ impl Lookout {
     }
 
     fn tell_colour(&mut self) {
-        self.robot.get_mut::<NetDetector>().attack(match self.world.referee().attacks() {
+        self.robot.get_mut::<GoalDetector>().attack(match self.world.referee().attacks() {
             GoalColour::Yellow => Colour::Yellow,
             GoalColour::SkyBlue => Colour::Blue,
         });

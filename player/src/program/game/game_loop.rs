@@ -6,7 +6,7 @@ use std::time::{Duration, Instant as Clock};
 use bica::{Instant, Tree};
 use bica_motion::pose::Pose2;
 use bica_player::input::Measured;
-use bica_player::perception::NetDetector;
+use bica_player::perception::GoalDetector;
 use bica_player::{Forward, act, sense};
 use bica_sim::SpectatorView;
 use bica_sim::referee::GoalColour;
@@ -76,7 +76,7 @@ impl Game {
         let world = Arena::open(rules)?;
         let mut robot = Box::new(Forward::new());
         robot.get_mut::<Measured>().set_profile(rules.arena.profile());
-        robot.get_mut::<NetDetector>().attack(match world.referee().attacks() {
+        robot.get_mut::<GoalDetector>().attack(match world.referee().attacks() {
             GoalColour::Yellow => Colour::Yellow,
             GoalColour::SkyBlue => Colour::Blue,
         });

@@ -4,8 +4,8 @@ use bica::graph::Graph;
 use bica::{ComponentId, Tree};
 use bica_motion::pose::Pose2;
 use bica_player::Forward;
-use bica_player::input::Eye;
-use bica_player::perception::{BallDetector, FieldEnd, NetDetector, Odometry, OwnBody};
+use bica_player::input::CameraInput;
+use bica_player::perception::{BallDetector, FieldEnd, GoalDetector, Odometry, OwnBody};
 use bica_sim::Referee;
 use glam::Vec2;
 
@@ -44,7 +44,7 @@ impl Scene<'_> {
     /// What is recognised in the newest image, by the detectors that are active.
     pub(crate) fn marks(&self) -> Marks {
         let ball = self.robot.get::<BallDetector>().seen().filter(|_| self.is_active::<BallDetector>());
-        let net = self.robot.get::<NetDetector>().seen().filter(|_| self.is_active::<NetDetector>());
+        let net = self.robot.get::<GoalDetector>().seen().filter(|_| self.is_active::<GoalDetector>());
         let end = Some(self.robot.get::<FieldEnd>().line()).filter(|_| self.is_active::<FieldEnd>());
         Marks {
             ball: ball.map(|seen| seen.ball),
@@ -60,7 +60,7 @@ impl Scene<'_> {
         Beliefs {
             robot: self.start * self.robot.get::<Odometry>().pose(),
             ball: self.robot.get::<BallDetector>().at(),
-            goal: self.robot.get::<NetDetector>().at(),
+            goal: self.robot.get::<GoalDetector>().at(),
         }
     }
 
@@ -85,7 +85,7 @@ impl Scene<'_> {
 
     /// The newest image's pixels and size.
     pub(crate) fn image(&self) -> Option<bica_motion::robot::Image<'_>> {
-        Some(self.robot.get::<Eye>().image()).filter(|image| image.width > 0)
+        Some(self.robot.get::<CameraInput>().image()).filter(|image| image.width > 0)
     }
 
     fn is_active<C: bica::Component>(&self) -> bool

@@ -5,9 +5,9 @@ use bica_motion::fall::FallState;
 use bica_motion::joints::Joint;
 use bica_motion::pose::Pose2;
 use bica_motion::profile::Profile;
-use bica_player::behaviour::FallGuard;
+use bica_player::behaviour::SafetyGuard;
 use bica_player::input::Measured;
-use bica_player::perception::{FallDetector, NetDetector};
+use bica_player::perception::{FallDetector, GoalDetector};
 use bica_player::{Forward, act, sense};
 use bica_sim::World;
 use bica_sim::mujoco::{MujocoWorld, Physics};
@@ -58,7 +58,7 @@ impl Victim {
             .map_err(|error| Failure::new(error.to_string(), "try another value"))?;
         let mut robot = Box::new(Forward::new());
         robot.get_mut::<Measured>().set_profile(&Profile::NAO);
-        robot.get_mut::<NetDetector>().attack(match world.referee().attacks() {
+        robot.get_mut::<GoalDetector>().attack(match world.referee().attacks() {
             GoalColour::Yellow => Colour::Yellow,
             GoalColour::SkyBlue => Colour::Blue,
         });
@@ -84,7 +84,7 @@ impl Victim {
     }
 
     fn count(&mut self) {
-        let guard = Forward::id::<FallGuard>();
+        let guard = Forward::id::<SafetyGuard>();
         let states = Forward::GRAPH.nodes[guard.index()].states;
         let tries =
             self.robot.is_active(guard) && self.robot.state(guard).is_some_and(|state| states[state].name == "get_up");
@@ -128,6 +128,6 @@ impl Victim {
 
     /// Whether it goes on with what it did before.
     pub(crate) fn plays(&self) -> bool {
-        !self.robot.is_active(Forward::id::<FallGuard>())
+        !self.robot.is_active(Forward::id::<SafetyGuard>())
     }
 }
