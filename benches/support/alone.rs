@@ -1,8 +1,9 @@
 //! One component of the forward, run without the others.
 
 use bica::prelude::*;
+use bica::runner::Robot;
+use bica_player::Forward;
 use bica_player::input::CameraInput;
-use bica_player::{Forward, sense};
 use bica_sim::setup::Frame;
 
 use crate::recording::Recording;
@@ -52,7 +53,7 @@ impl Alone {
     /// A new image comes.
     pub(crate) fn look(&mut self) {
         for sensors in self.recording.sensors().filter(|sensors| sensors.image.is_some()) {
-            sense(&mut self.robot, &sensors).expect("the eye is large enough");
+            self.robot.sense(&sensors).expect("the eye is large enough");
         }
         self.now += self.period;
     }

@@ -3,7 +3,7 @@
 use bica::prelude::*;
 use bica_player::Forward;
 use bica_player::behaviour::{FaceBall, Player};
-use bica_player::perception::{BallDetector, FieldLines, Localization, GoalDetector};
+use bica_player::perception::{BallDetector, FieldLines, GoalDetector, Localization};
 use bica_sim::setup::Setup;
 
 use crate::game::Game;

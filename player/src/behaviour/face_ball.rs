@@ -1,4 +1,4 @@
-//! Gaze control: the ball in the middle of the image.
+//! CameraSelector control: the ball in the middle of the image.
 
 use bica::prelude::*;
 use bica_motion::robot::CameraId;

@@ -152,9 +152,8 @@ impl Player {
         if !search.is_complete() {
             return false;
         }
-        let plan = Situation::of(ball, goal, field, robots).map_or(Plan::GoRound(0.0), |situation| {
-            plan(&situation, &profile.get().kicks, self.last_failed_kick)
-        });
+        let plan = Situation::of(ball, goal, field, robots)
+            .map_or(Plan::GoRound(0.0), |situation| plan(&situation, &profile.get().kicks, self.last_failed_kick));
         self.decision.set(Some(plan));
         matches!(plan, Plan::Kick(_))
     }

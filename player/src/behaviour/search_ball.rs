@@ -74,7 +74,14 @@ impl SearchBall {
 
     /// Stands and scans with the head.
     #[state]
-    fn scan(&mut self, time: &Time, _ball: &BallDetector, head: &mut Head, selector: &mut CameraSelector, body: &mut Body) {
+    fn scan(
+        &mut self,
+        time: &Time,
+        _ball: &BallDetector,
+        head: &mut Head,
+        selector: &mut CameraSelector,
+        body: &mut Body,
+    ) {
         body.stand();
         let Some(&(camera, pan, tilt)) = GLANCES.get(self.glance) else { return };
         selector.select(camera);

@@ -80,7 +80,14 @@ impl BallDetector {
         }
     }
 
-    fn look(&mut self, input: &CameraInput, colours: &Colours, end: &FieldEnd, pose: &CameraPose, own: &OwnBody) -> Option<BallSighting> {
+    fn look(
+        &mut self,
+        input: &CameraInput,
+        colours: &Colours,
+        end: &FieldEnd,
+        pose: &CameraPose,
+        own: &OwnBody,
+    ) -> Option<BallSighting> {
         let image = input.image();
         let (frame, camera) = (Frame::from_image(&image).ok()?, pose.camera()?);
         let ball = self.finder.find_beside(&frame, colours, end.line(), Some(camera), own.body())?;

@@ -19,10 +19,7 @@ impl Bearing {
     /// The bearing of a direction vector (ground frame: x forward, y left, z up).
     #[must_use]
     pub fn of(direction: Vec3) -> Self {
-        Self {
-            pan: atan2f(direction.y, direction.x),
-            down: atan2f(-direction.z, hypotf(direction.x, direction.y)),
-        }
+        Self { pan: atan2f(direction.y, direction.x), down: atan2f(-direction.z, hypotf(direction.x, direction.y)) }
     }
 
     /// The bearing of a point `height` m above a place on the ground, m.

@@ -31,7 +31,14 @@ impl Localization {
         Self { localizer: Localizer::new(SEED), ego_motion: EgoMotion::new() }
     }
 
-    fn step(&mut self, input: &CameraInput, goals: &GoalDetector, lines: &FieldLines, pose: &CameraPose, odometry: &Odometry) {
+    fn step(
+        &mut self,
+        input: &CameraInput,
+        goals: &GoalDetector,
+        lines: &FieldLines,
+        pose: &CameraPose,
+        odometry: &Odometry,
+    ) {
         let is_new = self.ego_motion.begin_run(odometry, input, |motion| self.localizer.advance(motion));
         let Some(camera) = pose.camera().filter(|_| is_new) else { return };
         self.localizer.see(Sightings::of(lines.markings(), goals.goals(), goals.attacked(), camera));

@@ -56,7 +56,9 @@ pub fn plan(situation: &Situation, kicks: &Kicks, last_failed_kick: Option<Kick>
     let Some(goal) = &situation.goal else { return Plan::GoRound(UNKNOWN_GOAL_TURN) };
     let choice = |aims: &[Aim]| choose(situation, aims, kicks, last_failed_kick);
     let possible = choice(&aim::scoring(goal)).or_else(|| choice(&aim::open(goal)));
-    possible.or_else(|| choose(&situation.without_obstacles(), &aim::scoring(goal), kicks, None)).unwrap_or(Plan::GoRound(UNKNOWN_GOAL_TURN))
+    possible
+        .or_else(|| choose(&situation.without_obstacles(), &aim::scoring(goal), kicks, None))
+        .unwrap_or(Plan::GoRound(UNKNOWN_GOAL_TURN))
 }
 
 /// The cheapest kick that needs little turning; else the path around the ball to the cheapest one.

@@ -8,7 +8,7 @@ use glam::Vec2;
 use libm::{ceilf, fabsf};
 
 use super::obstacles::{Obstacle, Obstacles};
-use crate::perception::{BallDetector, Localization, GoalDetector, RobotDetector};
+use crate::perception::{BallDetector, GoalDetector, Localization, RobotDetector};
 
 /// Radius of another robot, m: half of its width, less the compliance of its arms.
 const ROBOT_RADIUS: f32 = 0.12;
@@ -79,7 +79,8 @@ impl Situation {
 
 impl Goal {
     fn of(goal: &GoalDetector, field: &Localization) -> Option<Self> {
-        let localized = || field.posts().map(|[left, right]| (left.midpoint(right), (left - right).normalize_or_zero()));
+        let localized =
+            || field.posts().map(|[left, right]| (left.midpoint(right), (left - right).normalize_or_zero()));
         let seen = goal.position().map(|at| (at, goal.across()));
         let (middle, across) =
             if goal.is_complete() { seen } else { localized().or(seen.filter(|_| goal.is_found())) }?;
