@@ -7,8 +7,7 @@ use bica_motion::stand::{STAND, Stiffness};
 use bica_player::Forward;
 use bica_player::input::IMAGE_BYTES;
 use bica_player::perception::{BallDetector, GoalDetector};
-use bica_vision::colour::Colour;
-use bica_wire::message::{ClockMode, Command, GoalColour, Hello, Identity, LinkStats, Sensors, Telemetry};
+use bica_wire::message::{ClockMode, Command, Hello, Identity, LinkStats, Sensors, Telemetry};
 use bica_wire::{FromRobot, ImageBuffer, SCHEMA, ToRobot, describe};
 use embassy_time::Duration;
 use embedded_io_async::Write;
@@ -109,10 +108,7 @@ impl<B: Board> Mind<B> {
             B::reset();
         }
         defmt::info!("hello; in step with the world: {=bool}", hello.clock_mode == ClockMode::Lockstep);
-        self.robot.get_mut::<GoalDetector>().attack(match hello.attacks {
-            GoalColour::Yellow => Colour::Yellow,
-            GoalColour::Blue => Colour::Blue,
-        });
+        self.robot.get_mut::<GoalDetector>().attack(hello.attacks);
         self.pace = Some(hello.clock_mode);
         voice.say(&self.greeting()).await;
     }

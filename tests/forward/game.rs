@@ -7,9 +7,7 @@ use bica_player::Forward;
 use bica_player::perception::GoalDetector;
 use bica_sim::World;
 use bica_sim::kinematic::KinematicWorld;
-use bica_sim::referee::GoalColour;
 use bica_sim::setup::Setup;
-use bica_vision::colour::Colour;
 
 /// A forward in a world.
 pub(crate) struct Game {
@@ -21,10 +19,7 @@ impl Game {
     pub(crate) fn new(setup: &Setup) -> Self {
         let world = KinematicWorld::new(setup).expect("the setup is sound");
         let mut robot = Box::new(Forward::new());
-        robot.get_mut::<GoalDetector>().attack(match world.referee().attacks() {
-            GoalColour::Yellow => Colour::Yellow,
-            GoalColour::SkyBlue => Colour::Blue,
-        });
+        robot.get_mut::<GoalDetector>().attack(world.referee().attacks());
         Self { world, robot }
     }
 

@@ -1,8 +1,9 @@
 //! The ball.
 
 use bica::prelude::*;
+use bica_field::FIELD;
 use bica_motion::robot::CameraId;
-use bica_vision::ball::{Ball, BallFinder, RADIUS};
+use bica_vision::ball::{Ball, BallFinder};
 use bica_vision::frame::Frame;
 use bica_vision::memory::ball::BallMemory;
 use bica_vision::memory::{Place, sight};
@@ -49,7 +50,7 @@ impl BallDetector {
     #[must_use]
     pub const fn new() -> Self {
         Self {
-            finder: BallFinder::new(RADIUS),
+            finder: BallFinder::new(FIELD.ball_radius()),
             seen: None,
             in_row: 0,
             unseen_ms: LOST,
@@ -97,7 +98,7 @@ impl BallDetector {
     fn remember(&mut self, seen: &BallSighting, pose: &CameraPose) {
         let (true, Some(camera)) = (self.is_confirmed(), pose.camera()) else { return };
         self.unseen_ms = 0;
-        if let Some(Place { position, covariance }) = seen.ball.place(camera, RADIUS) {
+        if let Some(Place { position, covariance }) = seen.ball.place(camera, FIELD.ball_radius()) {
             self.memory.see(position, &covariance, seen.ball.confidence);
         }
     }
@@ -106,7 +107,7 @@ impl BallDetector {
     fn reduce_confidence(&mut self, input: &CameraInput, pose: &CameraPose, own: &OwnBody) {
         let Some((camera, place)) = pose.camera().zip(self.memory.likeliest()) else { return };
         let size = Vec2::new(input.image().width.into(), input.image().height.into());
-        if pose.is_steady() && sight::shows(camera, size, own.body(), &place, RADIUS, VISIBLE) {
+        if pose.is_steady() && sight::shows(camera, size, own.body(), &place, FIELD.ball_radius(), VISIBLE) {
             self.memory.miss();
         }
     }
@@ -132,7 +133,7 @@ impl BallDetector {
     /// The bearing of the ball in the newest image, else of its remembered position.
     #[must_use]
     pub fn bearing(&self) -> Option<Bearing> {
-        let remembered = || self.position().map(|at| Bearing::of_ground(at, RADIUS));
+        let remembered = || self.position().map(|at| Bearing::of_ground(at, FIELD.ball_radius()));
         self.seen.map(|seen| seen.bearing).or_else(remembered)
     }
 

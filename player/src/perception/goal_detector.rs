@@ -1,11 +1,11 @@
 //! The attacked goal.
 
 use bica::prelude::*;
+use bica_field::{FIELD, GoalColour};
 use bica_motion::pose::rotate;
-use bica_vision::colour::Colour;
 use bica_vision::frame::Frame;
 use bica_vision::gap;
-use bica_vision::goal::{Goal, GoalFinder, Goals, POST_DISTANCE, POST_WIDTH, Post, PostSide};
+use bica_vision::goal::{Goal, GoalFinder, Goals, Post, PostSide};
 use bica_vision::memory::{Memory, Place, sight};
 use bica_vision::projection::Camera;
 use bica_vision::uncertainty::{self, Covariance, Errors};
@@ -26,14 +26,14 @@ const SAME: f32 = 0.6;
 /// Distance up to which a goal in view is always detected, m.
 const VISIBLE: f32 = 4.0;
 /// Standard deviation of the middle of the goal from one post of unknown side, m.
-const HALF_GOAL: f32 = 0.5 * POST_DISTANCE;
+const HALF_GOAL: f32 = 0.5 * FIELD.goal_width();
 /// Standard deviation of a goal whose post bases are not in view, m.
 const UNSURE: f32 = 0.5;
 
 /// Finds the attacked goal in the image (the paper's "net") and remembers its position.
 pub struct GoalDetector {
     finder: GoalFinder<512>,
-    attacked: Colour,
+    attacked: GoalColour,
     goals: Goals,
     seen: Option<Goal>,
     /// Both posts were seen at once since the last restart of the search.
@@ -54,7 +54,7 @@ impl GoalDetector {
     pub const fn new() -> Self {
         Self {
             finder: GoalFinder::new(),
-            attacked: Colour::Yellow,
+            attacked: GoalColour::Yellow,
             goals: Goals { yellow: None, blue: None },
             seen: None,
             complete: false,
@@ -81,7 +81,7 @@ impl GoalDetector {
             return;
         }
         self.goals = self.look(input, colours, end, pose);
-        self.seen = if self.attacked == Colour::Yellow { self.goals.yellow } else { self.goals.blue };
+        self.seen = if self.attacked == GoalColour::Yellow { self.goals.yellow } else { self.goals.blue };
         match (self.seen, pose.camera()) {
             (Some(goal), Some(camera)) => {
                 self.remember(&goal, camera);
@@ -102,7 +102,7 @@ impl GoalDetector {
         let Some(first) = goal.first.ground(camera) else { return };
         if let Some(second) = goal.second.and_then(|post| post.ground(camera)) {
             let across = first - second;
-            if (across.length() - POST_DISTANCE).abs() < WIDTH_ERROR * POST_DISTANCE {
+            if (across.length() - FIELD.goal_width()).abs() < WIDTH_ERROR * FIELD.goal_width() {
                 self.across = rotate(across.normalize(), self.ego_motion.heading());
                 (self.complete, self.found) = (true, true);
                 self.memory.see(0.5 * (first + second), &Self::spread(goal, camera), 0.9);
@@ -127,9 +127,9 @@ impl GoalDetector {
     fn reduce_confidence(&mut self, input: &CameraInput, camera: &Camera, own: &OwnBody) {
         let Some(place) = self.memory.place() else { return };
         let size = Vec2::new(input.image().width.into(), input.image().height.into());
-        let half = 0.5 * POST_DISTANCE * self.across();
+        let half = 0.5 * FIELD.goal_width() * self.across();
         let posts = [half, -half].map(|aside| Place { position: place.position + aside, ..place });
-        if posts.iter().all(|post| sight::shows(camera, size, own.body(), post, 0.5 * POST_WIDTH, VISIBLE)) {
+        if posts.iter().all(|post| sight::shows(camera, size, own.body(), post, FIELD.post_radius(), VISIBLE)) {
             self.memory.miss();
         }
     }
@@ -149,12 +149,12 @@ impl GoalDetector {
         let (Some((left, right)), Ok(frame)) = (posts, Frame::from_image(&input.image())) else { return };
         let gap = gap::widest(&frame, colours, camera, left, right);
         if let Some(gap) = gap.filter(|gap| gap.width() > ROOM) {
-            self.gap = Some(POST_DISTANCE * (0.5 - gap.middle()));
+            self.gap = Some(FIELD.goal_width() * (0.5 - gap.middle()));
         }
     }
 
-    /// Sets the colour of the attacked goal, [`Colour::Yellow`] or [`Colour::Blue`], and forgets the other goal.
-    pub fn attack(&mut self, colour: Colour) {
+    /// Sets the colour of the attacked goal and forgets the remembered one.
+    pub fn attack(&mut self, colour: GoalColour) {
         self.attacked = colour;
         self.complete = false;
         self.gap = None;
@@ -163,7 +163,7 @@ impl GoalDetector {
 
     /// The colour of the attacked goal.
     #[must_use]
-    pub const fn attacked(&self) -> Colour {
+    pub const fn attacked(&self) -> GoalColour {
         self.attacked
     }
 
@@ -225,7 +225,7 @@ impl GoalDetector {
 /// The middle of a goal, from one of its posts and the unit vector along its line. For a post of unknown side: of both
 /// candidates, the one that is nearer to the `known` position.
 fn middle_by(post: Vec2, side: PostSide, across: Vec2, known: Vec2) -> Vec2 {
-    let half = 0.5 * POST_DISTANCE * across;
+    let half = 0.5 * FIELD.goal_width() * across;
     let (if_left, if_right) = (post - half, post + half);
     let is_nearer = side == PostSide::Unknown && if_left.distance(known) < if_right.distance(known);
     if side == PostSide::Left || is_nearer { if_left } else { if_right }

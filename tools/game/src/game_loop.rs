@@ -10,9 +10,7 @@ use bica_player::Forward;
 use bica_player::input::{HealthMonitor, RobotProfile};
 use bica_player::perception::GoalDetector;
 use bica_sim::SpectatorView;
-use bica_sim::referee::GoalColour;
 use bica_sim::setup::Frame;
-use bica_vision::colour::Colour;
 use glam::Vec2;
 
 use super::fingerprint::Fingerprint;
@@ -76,10 +74,7 @@ impl Game {
         let world = world_factory::open(rules)?;
         let mut robot = Box::new(Forward::new());
         robot.get_mut::<RobotProfile>().set(rules.world.profile());
-        robot.get_mut::<GoalDetector>().attack(match world.referee().attacks() {
-            GoalColour::Yellow => Colour::Yellow,
-            GoalColour::SkyBlue => Colour::Blue,
-        });
+        robot.get_mut::<GoalDetector>().attack(world.referee().attacks());
         let mind = rules.firmware.map(|image| image.start(world.referee().attacks())).transpose()?;
         let tally = Tally {
             cycles: 0,
