@@ -12,7 +12,7 @@ use bica_player::input::{CameraInput, Colours, GameState, HealthMonitor, RobotPr
 use bica_player::motion::{Body, GoStraight, Head, Kicker, Turn, Walk};
 use bica_player::output::{CameraSelector, Motors};
 use bica_player::perception::{
-    BallDetector, CameraPose, FallDetector, FieldEnd, FieldLines, GoalDetector, Localization, Odometry, OwnBody,
+    BallDetector, CameraPose, FallDetector, FieldBoundary, FieldLines, GoalDetector, Localization, Odometry, OwnBody,
     RobotDetector,
 };
 use bica_sim::setup::Frame;
@@ -68,7 +68,7 @@ components! {
     goal_detector: GoalDetector,
     field_lines: FieldLines,
     robot_detector: RobotDetector,
-    field_end: FieldEnd,
+    field_boundary: FieldBoundary,
     own_body: OwnBody,
     camera_pose: CameraPose,
     odometry: Odometry,

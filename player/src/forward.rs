@@ -11,7 +11,7 @@ use crate::input::{CameraInput, Colours, FrameTooLarge, GameState, HealthMonitor
 use crate::motion::{Body, GoStraight, Head, Kicker, Turn, Walk};
 use crate::output::{CameraSelector, Motors};
 use crate::perception::{
-    BallDetector, CameraPose, FallDetector, FieldEnd, FieldLines, GoalDetector, Localization, Odometry, OwnBody,
+    BallDetector, CameraPose, FallDetector, FieldBoundary, FieldLines, GoalDetector, Localization, Odometry, OwnBody,
     RobotDetector,
 };
 
@@ -25,7 +25,7 @@ activation_tree! {
             Player,
             SearchBall, FollowBall, SearchNet, LookAround, GoRound, Fixmove, Dribble, SafetyGuard, FaceBall,
             Body, GoStraight, Turn, Walk, Kicker, Head,
-            Localization, BallDetector, GoalDetector, FieldLines, RobotDetector, FieldEnd, OwnBody, CameraPose, Odometry,
+            Localization, BallDetector, GoalDetector, FieldLines, RobotDetector, FieldBoundary, OwnBody, CameraPose, Odometry,
             FallDetector,
             CameraInput, Colours, RobotState, HealthMonitor, GameState, RobotProfile,
             Motors, CameraSelector,

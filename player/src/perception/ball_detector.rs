@@ -6,11 +6,11 @@ use bica_motion::robot::CameraId;
 use bica_vision::ball::{Ball, BallFinder};
 use bica_vision::frame::Frame;
 use bica_vision::memory::ball::BallMemory;
-use bica_vision::memory::{Place, sight};
+use bica_vision::memory::{PositionEstimate, visibility};
 use glam::Vec2;
 
 use super::ego_motion::EgoMotion;
-use super::{Bearing, CameraPose, FieldEnd, Odometry, OwnBody};
+use super::{Bearing, CameraPose, FieldBoundary, Odometry, OwnBody};
 use crate::input::{CameraInput, Colours};
 
 /// Consecutive sightings that confirm the ball.
@@ -64,7 +64,7 @@ impl BallDetector {
         time: &Time,
         input: &CameraInput,
         colours: &Colours,
-        end: &FieldEnd,
+        end: &FieldBoundary,
         pose: &CameraPose,
         own: &OwnBody,
         odometry: &Odometry,
@@ -85,20 +85,20 @@ impl BallDetector {
         &mut self,
         input: &CameraInput,
         colours: &Colours,
-        end: &FieldEnd,
+        end: &FieldBoundary,
         pose: &CameraPose,
         own: &OwnBody,
     ) -> Option<BallSighting> {
         let image = input.image();
         let (frame, camera) = (Frame::from_image(&image).ok()?, pose.camera()?);
-        let ball = self.finder.find_beside(&frame, colours, end.line(), Some(camera), own.body())?;
+        let ball = self.finder.find_with_body(&frame, colours, end.line(), Some(camera), own.body())?;
         Some(BallSighting { ball, bearing: Bearing::of(camera.ray(ball.centre)), camera: image.camera })
     }
 
     fn remember(&mut self, seen: &BallSighting, pose: &CameraPose) {
         let (true, Some(camera)) = (self.is_confirmed(), pose.camera()) else { return };
         self.unseen_ms = 0;
-        if let Some(Place { position, covariance }) = seen.ball.place(camera, FIELD.ball_radius()) {
+        if let Some(PositionEstimate { position, covariance }) = seen.ball.estimate(camera, FIELD.ball_radius()) {
             self.memory.see(position, &covariance, seen.ball.confidence);
         }
     }
@@ -107,7 +107,7 @@ impl BallDetector {
     fn reduce_confidence(&mut self, input: &CameraInput, pose: &CameraPose, own: &OwnBody) {
         let Some((camera, place)) = pose.camera().zip(self.memory.likeliest()) else { return };
         let size = Vec2::new(input.image().width.into(), input.image().height.into());
-        if pose.is_steady() && sight::shows(camera, size, own.body(), &place, FIELD.ball_radius(), VISIBLE) {
+        if pose.is_steady() && visibility::is_in_view(camera, size, own.body(), &place, FIELD.ball_radius(), VISIBLE) {
             self.memory.miss();
         }
     }
@@ -145,7 +145,7 @@ impl BallDetector {
 
     /// The same with its covariance, m².
     #[must_use]
-    pub fn estimate(&self) -> Option<Place> {
+    pub fn estimate(&self) -> Option<PositionEstimate> {
         self.memory.likeliest()
     }
 

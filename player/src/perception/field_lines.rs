@@ -7,7 +7,7 @@ use bica_vision::markings::Markings;
 use glam::Vec2;
 
 use super::ego_motion::LastImage;
-use super::{CameraPose, FieldEnd, OwnBody, RobotDetector};
+use super::{CameraPose, FieldBoundary, OwnBody, RobotDetector};
 use crate::input::{CameraInput, Colours};
 
 /// The field lines in the newest image, their crossings and the centre circle. White pixels on robots, this one included,
@@ -30,7 +30,7 @@ impl FieldLines {
         &mut self,
         input: &CameraInput,
         colours: &Colours,
-        end: &FieldEnd,
+        end: &FieldBoundary,
         robots: &RobotDetector,
         own: &OwnBody,
         pose: &CameraPose,

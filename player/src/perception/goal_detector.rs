@@ -6,13 +6,13 @@ use bica_motion::pose::rotate;
 use bica_vision::frame::Frame;
 use bica_vision::gap;
 use bica_vision::goal::{Goal, GoalFinder, Goals, Post, PostSide};
-use bica_vision::memory::{Memory, Place, sight};
+use bica_vision::memory::{Memory, PositionEstimate, visibility};
 use bica_vision::projection::Camera;
 use bica_vision::uncertainty::{self, Covariance, Errors};
 use glam::Vec2;
 
 use super::ego_motion::EgoMotion;
-use super::{CameraPose, FieldEnd, Odometry, OwnBody};
+use super::{CameraPose, FieldBoundary, Odometry, OwnBody};
 use crate::input::{CameraInput, Colours};
 
 /// Half-life of the confidence in a goal that is not seen, s.
@@ -71,7 +71,7 @@ impl GoalDetector {
         time: &Time,
         input: &CameraInput,
         colours: &Colours,
-        end: &FieldEnd,
+        end: &FieldBoundary,
         pose: &CameraPose,
         own: &OwnBody,
         odometry: &Odometry,
@@ -92,7 +92,7 @@ impl GoalDetector {
         }
     }
 
-    fn look(&mut self, input: &CameraInput, colours: &Colours, end: &FieldEnd, pose: &CameraPose) -> Goals {
+    fn look(&mut self, input: &CameraInput, colours: &Colours, end: &FieldBoundary, pose: &CameraPose) -> Goals {
         let frame = Frame::from_image(&input.image());
         frame.map_or(Goals::default(), |frame| self.finder.find(&frame, colours, end.line(), pose.camera()))
     }
@@ -125,11 +125,12 @@ impl GoalDetector {
 
     /// Reduces the confidence in a remembered goal of which a sharp image should show both posts.
     fn reduce_confidence(&mut self, input: &CameraInput, camera: &Camera, own: &OwnBody) {
-        let Some(place) = self.memory.place() else { return };
+        let Some(place) = self.memory.estimate() else { return };
         let size = Vec2::new(input.image().width.into(), input.image().height.into());
         let half = 0.5 * FIELD.goal_width() * self.across();
-        let posts = [half, -half].map(|aside| Place { position: place.position + aside, ..place });
-        if posts.iter().all(|post| sight::shows(camera, size, own.body(), post, FIELD.post_radius(), VISIBLE)) {
+        let posts = [half, -half].map(|aside| PositionEstimate { position: place.position + aside, ..place });
+        if posts.iter().all(|post| visibility::is_in_view(camera, size, own.body(), post, FIELD.post_radius(), VISIBLE))
+        {
             self.memory.miss();
         }
     }
@@ -217,8 +218,8 @@ impl GoalDetector {
 
     /// The same with its covariance, m².
     #[must_use]
-    pub fn estimate(&self) -> Option<Place> {
-        self.memory.place()
+    pub fn estimate(&self) -> Option<PositionEstimate> {
+        self.memory.estimate()
     }
 }
 

@@ -1,7 +1,7 @@
 //! The field boundary in the image.
 
 use bica::prelude::*;
-use bica_vision::field_end::FieldEnd as Line;
+use bica_vision::field_boundary::FieldBoundary as Line;
 use bica_vision::frame::Frame;
 
 use super::ego_motion::LastImage;
@@ -9,13 +9,13 @@ use crate::input::{CameraInput, Colours};
 
 /// The field boundary in the newest image (the paper's "end of field"). Pixels above it do not show the field.
 #[derive(Debug)]
-pub struct FieldEnd {
+pub struct FieldBoundary {
     line: Line,
     image: LastImage,
 }
 
 #[component(hz = 30, budget_us = 300)]
-impl FieldEnd {
+impl FieldBoundary {
     /// No boundary before the first image.
     #[must_use]
     pub const fn new() -> Self {
