@@ -9,3 +9,4 @@ pub mod profile;
 pub mod scoring;
 #[cfg(feature = "mujoco")]
 pub mod trial;
+pub mod trial_kind;

@@ -3,10 +3,8 @@
 use std::path::PathBuf;
 
 use bica_evaluation::detection;
-#[cfg(feature = "mujoco")]
-use bica_evaluation::trial::Kind;
+use bica_evaluation::trial_kind::Kind;
 use bica_sim::setup::{Frame, MAX_ROBOTS};
-#[cfg(feature = "mujoco")]
 use clap::builder::PossibleValue;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
@@ -36,7 +34,7 @@ what each component costs.";
 /// What the command line says.
 #[derive(Debug, Parser)]
 #[command(name = "player", version, about = ABOUT, after_help = AFTER, args_conflicts_with_subcommands = true)]
-pub(crate) struct Cli {
+pub struct Cli {
     #[command(subcommand)]
     pub(crate) command: Option<Command>,
     #[command(flatten)]
@@ -49,7 +47,6 @@ pub(crate) enum Command {
     Play(Play),
     /// Print the activation tree: its components, rates, links, states and transitions
     Graph(GraphArgs),
-    #[cfg(feature = "mujoco")]
     #[command(
         about = "Try the body in MuJoCo: walking, pushes, odometry, kicks, getting up; print tables of what was reached"
     )]
@@ -113,7 +110,6 @@ pub(crate) enum World {
     Firmware,
 }
 
-#[cfg(feature = "mujoco")]
 #[derive(Clone, Debug, Args)]
 pub(crate) struct Trial {
     /// What to try [default: everything]
@@ -149,11 +145,9 @@ pub(crate) struct Trial {
 }
 
 /// A trial by its name.
-#[cfg(feature = "mujoco")]
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct TrialName(pub(crate) Kind);
 
-#[cfg(feature = "mujoco")]
 impl ValueEnum for TrialName {
     fn value_variants<'a>() -> &'a [Self] {
         const NAMES: [TrialName; Kind::ALL.len()] = {

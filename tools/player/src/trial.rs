@@ -1,18 +1,31 @@
 //! `player trial`: the body in `MuJoCo`.
 
-use bica_console::{Console, Failure, Outcome};
+#[cfg(feature = "mujoco")]
+use bica_console::Console;
+use bica_console::{Failure, Outcome};
+#[cfg(feature = "mujoco")]
 use bica_evaluation::trial;
+#[cfg(feature = "mujoco")]
 use bica_sim::mujoco::Physics;
 
 use crate::cli::Trial;
 
-/// Tries what is named.
+/// Refuses: this program was built without `MuJoCo`.
+#[cfg(not(feature = "mujoco"))]
+pub(crate) fn run(_: &Trial) -> Result<Outcome, Failure> {
+    let remedy = "install its library with `cargo xtask mujoco`, then `cargo run --release --features mujoco -- trial`";
+    Err(Failure::new("this program was built without MuJoCo", remedy))
+}
+
+/// Runs the named trials.
+#[cfg(feature = "mujoco")]
 pub(crate) fn run(args: &Trial) -> Result<Outcome, Failure> {
     let kinds = args.names.iter().map(|name| name.0).collect();
     let &Trial { runs, seed, threads, .. } = args;
     trial::run(&trial::Trial { kinds, runs, seed, threads, physics: physics(args) }, Console::new(args.json))
 }
 
+#[cfg(feature = "mujoco")]
 fn physics(args: &Trial) -> Physics {
     let default = Physics { cameras: false, ..Physics::default() };
     Physics {

@@ -6,7 +6,6 @@ mod fall_subject;
 mod falls;
 mod get_up;
 mod kicks;
-mod kind;
 mod obstacles;
 mod odometry;
 mod rng;
@@ -18,8 +17,9 @@ use bica_sim::mujoco::Physics;
 
 use bench::Bench;
 use bica_console::{Console, Failure, Outcome, interrupt};
-pub use kind::Kind;
 use table::Table;
+
+use crate::trial_kind::Kind;
 
 /// What to try, how often, and in which physics.
 #[derive(Clone, Debug)]

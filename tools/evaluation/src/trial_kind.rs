@@ -1,6 +1,6 @@
-//! What can be tried.
+//! The kinds of trials, named also by programs that are built without MuJoCo.
 
-/// What can be tried.
+/// A kind of trial.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// Velocities.

@@ -1,0 +1,48 @@
+//! The pages of the documentation.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// Folders without pages of ours: version control, what is built, and what a package manager puts there.
+const SKIPPED: [&str; 3] = [".git", "target", "node_modules"];
+
+/// A Markdown file of the repository.
+pub(crate) struct Page {
+    pub(crate) path: PathBuf,
+    /// The path relative to the repository.
+    pub(crate) name: String,
+    pub(crate) text: String,
+}
+
+impl Page {
+    /// All Markdown files of the repository, in the order of their names.
+    pub(crate) fn all() -> Vec<Self> {
+        let mut paths = Vec::new();
+        collect(&root(), &mut paths);
+        paths.sort();
+        paths.into_iter().map(Self::read).collect()
+    }
+
+    fn read(path: PathBuf) -> Self {
+        let text = fs::read_to_string(&path).expect("a Markdown file is UTF-8");
+        let name = path.strip_prefix(root()).expect("the file is in the repository").display().to_string();
+        Self { path, name, text }
+    }
+}
+
+/// The folder of the repository.
+pub(crate) fn root() -> PathBuf {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2).expect("the package is two folders deep");
+    folder.to_path_buf()
+}
+
+fn collect(folder: &Path, paths: &mut Vec<PathBuf>) {
+    for entry in fs::read_dir(folder).expect("a readable folder").map(|entry| entry.expect("a readable entry")) {
+        let (path, name) = (entry.path(), entry.file_name());
+        if path.is_dir() && !SKIPPED.iter().any(|skipped| name == *skipped) {
+            collect(&path, paths);
+        } else if path.extension().is_some_and(|extension| extension == "md") {
+            paths.push(path);
+        }
+    }
+}
