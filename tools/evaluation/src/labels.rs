@@ -50,8 +50,8 @@ pub struct Labels(Vec<Label>);
 impl Labels {
     /// Reads those for a folder: the ones that name it, or all if none does.
     pub fn read(path: &Path, folder: &Path) -> Result<Self, Failure> {
-        let mend = "name a CSV file with the labels";
-        let text = fs::read_to_string(path).map_err(|error| Failure::of_path("read the labels", path, &error, mend))?;
+        let help = "name a CSV file with the labels";
+        let text = fs::read_to_string(path).map_err(|error| Failure::of_path("read the labels", path, &error, help))?;
         let wrong = |what| Failure::new(format!("`{}`: {what}", path.display()), MEND);
         let mut all = parse(&text).map_err(wrong)?;
         let own = own_folder(folder);

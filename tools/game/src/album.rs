@@ -8,8 +8,8 @@ use super::scene::{GRAPH, Scene};
 use crate::observer::Observer;
 use bica_console::{Failure, make_folder};
 use bica_drawing::png;
-use bica_drawing::polar::words;
-use bica_drawing::sheet::{Moment, Sheet};
+use bica_drawing::polar::describe;
+use bica_drawing::sheet::{Sheet, Snapshot};
 
 /// Draws each change of the tree into a folder.
 pub struct Album {
@@ -37,18 +37,18 @@ impl Observer for Album {
             names.join(" ")
         };
         let changes = [named(&scene.meter.started, '+'), named(&scene.meter.stopped, '-')].join(" ");
-        let picture = self.sheet.draw(&Moment {
+        let picture = self.sheet.draw(&Snapshot {
             title: &format!("{:.2} s   {state}   ball {}   goal {}", scene.t, words(ball), words(goal)),
             subtitle: &format!("seed {}   {changes}", scene.seed),
             image: scene.image(),
             marks: &scene.marks(),
-            beliefs: &scene.beliefs(),
+            estimates: &scene.estimates(),
             truth: &scene.truth(),
             tree: &tree,
         });
         self.count += 1;
         let path = self.folder.join(format!("{:04}_{:07.2}s_{state}.png", self.count, scene.t));
-        let mend = "is the disk full, or the folder write-protected?";
-        png::write(&path, &picture).map_err(|error| Failure::of_path("write", &path, &error, mend))
+        let help = "is the disk full, or the folder write-protected?";
+        png::write(&path, &picture).map_err(|error| Failure::of_path("write", &path, &error, help))
     }
 }

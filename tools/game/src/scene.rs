@@ -10,8 +10,8 @@ use bica_sim::Referee;
 use glam::Vec2;
 
 use super::meter::Meter;
-use bica_drawing::polar::Sight;
-use bica_drawing::scene::{Beliefs, Marks, TreeNow, Truth};
+use bica_drawing::polar::Polar;
+use bica_drawing::scene::{Estimates, GroundTruth, Marks, TreeState};
 
 /// The static description of the forward's tree.
 pub static GRAPH: Graph = Forward::GRAPH;
@@ -32,9 +32,9 @@ pub struct Scene<'a> {
 
 impl Scene<'_> {
     /// How the tree stands.
-    pub fn tree(&self) -> TreeNow {
+    pub fn tree(&self) -> TreeState {
         let each = || (0..GRAPH.nodes.len()).map(ComponentId::new);
-        TreeNow {
+        TreeState {
             graph: &GRAPH,
             active: each().map(|id| self.robot.is_active(id)).collect(),
             states: each().map(|id| self.robot.state(id)).collect(),
@@ -56,8 +56,8 @@ impl Scene<'_> {
     }
 
     /// What the forward believes.
-    pub fn beliefs(&self) -> Beliefs {
-        Beliefs {
+    pub fn estimates(&self) -> Estimates {
+        Estimates {
             robot: self.start * self.robot.get::<Odometry>().pose(),
             ball: self.robot.get::<BallDetector>().at(),
             goal: self.robot.get::<NetDetector>().at(),
@@ -65,16 +65,16 @@ impl Scene<'_> {
     }
 
     /// Where the forward believes ball and goal to be.
-    pub fn sights(&self) -> (Option<Sight>, Option<Sight>) {
-        let (beliefs, marks) = (self.beliefs(), self.marks());
-        let ball = beliefs.ball.map(|at| Sight::new(at, marks.ball.is_some()));
-        let goal = beliefs.goal.map(|at| Sight::new(at, !marks.goals.is_empty()));
+    pub fn sights(&self) -> (Option<Polar>, Option<Polar>) {
+        let (estimates, marks) = (self.estimates(), self.marks());
+        let ball = estimates.ball.map(|at| Polar::new(at, marks.ball.is_some()));
+        let goal = estimates.goal.map(|at| Polar::new(at, !marks.goals.is_empty()));
         (ball, goal)
     }
 
     /// What is true.
-    pub fn truth(&self) -> Truth {
-        Truth {
+    pub fn truth(&self) -> GroundTruth {
+        GroundTruth {
             attacks: self.referee.attacks(),
             robot: self.referee.robot(),
             ball: self.referee.ball(),

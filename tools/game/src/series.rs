@@ -13,8 +13,8 @@ use super::series_summary::{self, Series};
 use super::summary::{GameResult, Record};
 use bica_console::Console;
 use bica_console::Progress;
+use bica_console::interrupt;
 use bica_console::{Failure, Outcome};
-use bica_console::{STACK, interrupt};
 
 /// How many games, and on how many threads.
 pub struct Plan {

@@ -8,8 +8,8 @@ use super::scene::Scene;
 use crate::observer::Observer;
 use bica_console::Failure;
 use bica_console::{Console, Style};
-use bica_drawing::polar::{Sight, words};
-use bica_drawing::scene::TreeNow;
+use bica_drawing::polar::{Polar, describe};
+use bica_drawing::scene::TreeState;
 
 /// A change of the tree for machines.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -20,8 +20,8 @@ pub struct Change {
     pub state: &'static str,
     /// The active components with the states of the machines among them, in the order of the tree's list.
     pub active: Vec<String>,
-    pub ball: Option<Sight>,
-    pub goal: Option<Sight>,
+    pub ball: Option<Polar>,
+    pub goal: Option<Polar>,
 }
 
 /// Tells a game as it goes, and keeps what it told.
@@ -47,7 +47,7 @@ impl Story {
     }
 
     /// The active components but the root and those that activate nothing, new ones marked, then those that have gone.
-    fn components(&self, scene: &Scene<'_>, tree: &TreeNow) -> String {
+    fn components(&self, scene: &Scene<'_>, tree: &TreeState) -> String {
         let is_in = |list: &[bica::ComponentId], node: usize| list.iter().any(|id| id.index() == node);
         let activates = |node: usize| !tree.graph.nodes[node].links.is_empty();
         let mut parts: Vec<String> = active(tree)
@@ -95,11 +95,11 @@ fn columns(console: Console, time: &str, state: &str, (ball, goal): (&str, &str)
 }
 
 /// The active components but the root.
-fn active(tree: &TreeNow) -> impl Iterator<Item = usize> {
+fn active(tree: &TreeState) -> impl Iterator<Item = usize> {
     (0..tree.active.len()).filter(|&node| tree.active[node] && node != tree.graph.root)
 }
 
-fn with_state(tree: &TreeNow, node: usize) -> String {
+fn with_state(tree: &TreeState, node: usize) -> String {
     let name = tree.graph.nodes[node].name;
     tree.state(node).map_or_else(|| name.to_owned(), |state| format!("{name}:{state}"))
 }

@@ -35,9 +35,9 @@ fn world(world: World) -> Result<WorldKind, Failure> {
         World::Mujoco => Ok(WorldKind::Mujoco),
         #[cfg(not(feature = "mujoco"))]
         World::Mujoco => {
-            let mend = "install its library with `cargo xtask mujoco`, then \
+            let help = "install its library with `cargo xtask mujoco`, then \
                         `cargo run --release --features mujoco -- play --world mujoco`";
-            Err(Failure::new("this program was built without MuJoCo", mend))
+            Err(Failure::new("this program was built without MuJoCo", help))
         }
     }
 }

@@ -52,8 +52,8 @@ pub fn run(args: &Calibrate, console: Console) -> Result<Outcome, Failure> {
     let report = Report::new(args, &teachers, &lessons);
     if let Some(path) = &args.out {
         let text = profile::write(&filters, &report.notes());
-        let mend = "name a file in a folder that can be written to, with --out";
-        std::fs::write(path, text).map_err(|error| Failure::of_path("write the profile", path, &error, mend))?;
+        let help = "name a file in a folder that can be written to, with --out";
+        std::fs::write(path, text).map_err(|error| Failure::of_path("write the profile", path, &error, help))?;
     }
     report.tell(console)?;
     Ok(if lessons.iter().any(|(_, learned)| learned.is_some()) { Outcome::Success } else { Outcome::Unsuccessful })
@@ -87,8 +87,8 @@ struct Teachers {
 impl Teachers {
     fn read(args: &Calibrate) -> Result<Self, Failure> {
         if args.rectangles.is_empty() && args.labels.is_none() {
-            let mend = "name a CSV file with --rectangles or --labels";
-            return Err(Failure::new("there is nothing to learn from", mend));
+            let help = "name a CSV file with --rectangles or --labels";
+            return Err(Failure::new("there is nothing to learn from", help));
         }
         let mut rectangles = Vec::new();
         for path in &args.rectangles {
@@ -114,7 +114,7 @@ impl Teachers {
                 continue;
             }
             let wrong =
-                |why: &str| Failure::of_path("learn from", &path, &why, "mend the image, or take its labels away");
+                |why: &str| Failure::of_path("learn from", &path, &why, "help the image, or take its labels away");
             let recorded = Recorded::read(&path).map_err(|why| wrong(&why))?;
             let frame = Frame::from_image(&recorded.image()).map_err(|why| wrong(&why.to_string()))?;
             for rectangle in &own {

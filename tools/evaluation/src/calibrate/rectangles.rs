@@ -35,9 +35,9 @@ pub struct Rectangle {
 
 /// The rectangles of a file.
 pub fn read(path: &Path) -> Result<Vec<Rectangle>, Failure> {
-    let mend = "name a CSV file with the columns file, x0, y0, x1, y1 and class";
-    let text = fs::read_to_string(path).map_err(|error| Failure::of_path("read the rectangles", path, &error, mend))?;
-    parse(&text).map_err(|(what, mend)| Failure::new(format!("`{}`: {what}", path.display()), mend))
+    let help = "name a CSV file with the columns file, x0, y0, x1, y1 and class";
+    let text = fs::read_to_string(path).map_err(|error| Failure::of_path("read the rectangles", path, &error, help))?;
+    parse(&text).map_err(|(what, help)| Failure::new(format!("`{}`: {what}", path.display()), help))
 }
 
 fn parse(text: &str) -> Result<Vec<Rectangle>, (String, String)> {
@@ -49,7 +49,7 @@ fn parse(text: &str) -> Result<Vec<Rectangle>, (String, String)> {
     let mut rectangles = Vec::new();
     for (line, cells) in table.rows() {
         let cell = |column: usize| cells.get(column).map_or("", String::as_str);
-        let wrong = |what: &str, mend: &str| (format!("line {line}: {what}"), mend.to_owned());
+        let wrong = |what: &str, help: &str| (format!("line {line}: {what}"), help.to_owned());
         let known = CLASSES.iter().find(|(name, _)| *name == cell(class));
         let names = || CLASSES.map(|(name, _)| name).join(", ");
         let (_, class) = known

@@ -11,7 +11,7 @@ use bica_drawing::camera;
 use bica_drawing::canvas::Canvas;
 use bica_drawing::palette::{FAINT, PAPER, TEXT};
 use bica_drawing::png;
-use bica_drawing::polar::Sight;
+use bica_drawing::polar::Polar;
 use bica_drawing::text::Font;
 
 const WIDTH: usize = 640;
@@ -27,8 +27,8 @@ pub fn write(folder: &Path, recorded: &Recorded, sighting: &Sighting) -> Result<
     sheet.write(Vec2::new(MARGIN as f32, 28.0), Font::Normal, FAINT, &words(sighting));
     sheet.place(&view, MARGIN, HEAD);
     let path = folder.join(&sighting.file).with_extension("png");
-    let mend = "is the disk full, or the folder write-protected?";
-    png::write(&path, &sheet).map_err(|error| Failure::of_path("write", &path, &error, mend))
+    let help = "is the disk full, or the folder write-protected?";
+    png::write(&path, &sheet).map_err(|error| Failure::of_path("write", &path, &error, help))
 }
 
 fn words(sighting: &Sighting) -> String {
@@ -45,5 +45,5 @@ fn words(sighting: &Sighting) -> String {
 
 fn place(what: &str, ground: Option<[f32; 2]>) -> String {
     ground
-        .map_or_else(|| what.to_owned(), |at| format!("{what} {}", Sight::new(Vec2::from(at), true).to_string().trim()))
+        .map_or_else(|| what.to_owned(), |at| format!("{what} {}", Polar::new(Vec2::from(at), true).to_string().trim()))
 }

@@ -28,12 +28,12 @@ impl Palette {
 }
 
 fn table(path: &Path) -> Result<Palette, Failure> {
-    let mend =
+    let help =
         "a table has 64×64×64 bytes, index [Y>>2][Cb>>2][Cr>>2]: 0 none, 1 orange, 2 yellow, 3 blue, 4 white, 5 green";
-    let bytes = fs::read(path).map_err(|error| Failure::of_path("read the table", path, &error, mend))?;
+    let bytes = fs::read(path).map_err(|error| Failure::of_path("read the table", path, &error, help))?;
     let found = bytes.len();
     let cells = bytes.into_boxed_slice().try_into().map_err(|_| {
-        Failure::new(format!("`{}` is no colour table: {found} bytes, not {FULL_BYTES}", path.display()), mend)
+        Failure::new(format!("`{}` is no colour table: {found} bytes, not {FULL_BYTES}", path.display()), help)
     })?;
     Ok(Palette::Full(cells))
 }

@@ -10,7 +10,7 @@ use crate::camera_poses::Pose;
 use bica_console::Failure;
 use bica_console::statistics::percentile;
 use bica_console::{Console, Style};
-use bica_drawing::polar::Sight;
+use bica_drawing::polar::Polar;
 
 /// All that was seen in a folder.
 #[derive(Debug, Serialize)]
@@ -138,7 +138,7 @@ pub fn line(sighting: &Sighting) -> String {
     let dash = || "-".to_owned();
     let ball = sighting.ball.as_ref();
     let pixels = ball.map_or_else(dash, |ball| format!("{:.1}, {:.1}, {:.1}", ball.x, ball.y, ball.radius));
-    let place = ball.and_then(|ball| ball.ground).map(|at| Sight::new(Vec2::from(at), true).to_string());
+    let place = ball.and_then(|ball| ball.ground).map(|at| Polar::new(Vec2::from(at), true).to_string());
     let top = sighting.field_end.iter().map(|corner| corner[1]).reduce(f32::min);
     let end = top.map_or_else(dash, |row| format!("row {row:.0}"));
     let goals: Vec<String> = sighting.goals.iter().map(goal).collect();
@@ -149,7 +149,7 @@ pub fn line(sighting: &Sighting) -> String {
 fn goal(goal: &Goal) -> String {
     let Goal { colour, x0, y0, x1, y1, complete, ground } = goal;
     let part = if *complete { "" } else { " (part)" };
-    let place = ground.map(|at| Sight::new(Vec2::from(at), true).to_string());
+    let place = ground.map(|at| Polar::new(Vec2::from(at), true).to_string());
     format!("{colour} {x0:.0}:{y0:.0}:{x1:.0}:{y1:.0}{part} {}", place.as_deref().unwrap_or("").trim())
 }
 

@@ -13,12 +13,12 @@ use bica_drawing::png::{self, Picture};
 
 /// The images of a folder in the order of their names.
 pub fn list(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
-    let mend = "name a folder with PNG, JPEG or raw images (NAME_WxH.yuyv)";
-    let entries = fs::read_dir(folder).map_err(|error| Failure::of_path("look into", folder, &error, mend))?;
+    let help = "name a folder with PNG, JPEG or raw images (NAME_WxH.yuyv)";
+    let entries = fs::read_dir(folder).map_err(|error| Failure::of_path("look into", folder, &error, help))?;
     let is_image = |path: &PathBuf| Format::of(path).is_some();
     let mut files: Vec<PathBuf> = entries.filter_map(|entry| Some(entry.ok()?.path())).filter(is_image).collect();
     if files.is_empty() {
-        return Err(Failure::new(format!("there is no image in `{}`", folder.display()), mend));
+        return Err(Failure::new(format!("there is no image in `{}`", folder.display()), help));
     }
     files.sort();
     Ok(files)

@@ -25,9 +25,9 @@ pub fn load(name: &str) -> Result<Filters, Failure> {
         return Ok(*filters);
     }
     let path = Path::new(name);
-    let mend = "name a TOML file, or one of built-in, nao2009 and darwin2013";
-    let text = fs::read_to_string(path).map_err(|error| Failure::of_path("read the profile", path, &error, mend))?;
-    parse::parse(&text).map_err(|wrong| Failure::new(format!("`{name}`, {}", wrong.what), wrong.mend))
+    let help = "name a TOML file, or one of built-in, nao2009 and darwin2013";
+    let text = fs::read_to_string(path).map_err(|error| Failure::of_path("read the profile", path, &error, help))?;
+    parse::parse(&text).map_err(|wrong| Failure::new(format!("`{name}`, {}", wrong.what), wrong.help))
 }
 
 #[cfg(test)]

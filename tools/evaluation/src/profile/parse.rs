@@ -1,4 +1,4 @@
-//! From text to thresholds. What is wrong is named with its line and key, and how to mend it.
+//! From text to thresholds. What is wrong is named with its line and key, and how to help it.
 
 use std::ops::Range;
 
@@ -8,11 +8,11 @@ use toml::de::{DeTable, DeValue};
 
 use super::CLASSES;
 
-/// What is wrong with a text, and how to mend it.
+/// What is wrong with a text, and how to help it.
 #[derive(Debug)]
 pub struct Mistake {
     pub what: String,
-    pub mend: String,
+    pub help: String,
 }
 
 type Entry<'a> = Spanned<DeValue<'a>>;
@@ -21,14 +21,14 @@ type Entry<'a> = Spanned<DeValue<'a>>;
 pub fn parse(text: &str) -> Result<Filters, Mistake> {
     let reader = Reader { text };
     let root = DeTable::parse(text).map_err(|error| {
-        let mend = "a profile is TOML: `[class]` and under it `key = value` lines";
-        reader.wrong(&error.span().unwrap_or_default(), None, error.message(), mend)
+        let help = "a profile is TOML: `[class]` and under it `key = value` lines";
+        reader.wrong(&error.span().unwrap_or_default(), None, error.message(), help)
     })?;
     let root = root.get_ref();
     let known = |key: &str| CLASSES.contains(&key);
     if let Some((key, _)) = root.iter().find(|(key, _)| !known(key.get_ref())) {
-        let mend = format!("the classes are {}", CLASSES.join(", "));
-        return Err(reader.wrong(&key.span(), Some(key.get_ref()), "there is no such class", &mend));
+        let help = format!("the classes are {}", CLASSES.join(", "));
+        return Err(reader.wrong(&key.span(), Some(key.get_ref()), "there is no such class", &help));
     }
     let [orange, yellow, blue, green, white] = CLASSES.map(|class| reader.class(root, class));
     Ok(Filters { orange: orange?, yellow: yellow?, blue: blue?, white: white?, green: green? })
@@ -40,11 +40,11 @@ struct Reader<'a> {
 
 impl Reader<'_> {
     fn class(&self, root: &DeTable<'_>, class: &str) -> Result<Filter, Mistake> {
-        let mend = format!("write a section `[{class}]`; without a line in it every colour belongs");
+        let help = format!("write a section `[{class}]`; without a line in it every colour belongs");
         let end = self.text.len()..self.text.len();
-        let entry = root.get(class).ok_or_else(|| self.wrong(&end, Some(class), "the class is missing", &mend))?;
+        let entry = root.get(class).ok_or_else(|| self.wrong(&end, Some(class), "the class is missing", &help))?;
         let DeValue::Table(table) = entry.get_ref() else {
-            return Err(self.wrong(&entry.span(), Some(class), "this is no section", &mend));
+            return Err(self.wrong(&entry.span(), Some(class), "this is no section", &help));
         };
         let mut filter = Filter::ANY;
         for (key, value) in table {
@@ -61,8 +61,8 @@ impl Reader<'_> {
                 }
                 "chroma" => filter.chroma(self.number(&name, value, u8::MAX)?),
                 _ => {
-                    let mend = "the keys are hue, saturation, luma and chroma";
-                    return Err(self.wrong(&key.span(), Some(&name), "there is no such key", mend));
+                    let help = "the keys are hue, saturation, luma and chroma";
+                    return Err(self.wrong(&key.span(), Some(&name), "there is no such key", help));
                 }
             };
         }
@@ -72,8 +72,8 @@ impl Reader<'_> {
     fn hue(&self, filter: Filter, key: &str, value: &Entry<'_>) -> Result<Filter, Mistake> {
         let [from, to] = self.pair(key, value, 719_i16)?;
         if !(1..180).contains(&(to - from)) || from >= 360 {
-            let mend = "write [from, to] in degrees, from 0 to 359 and to 1 to 179 more; 350 to 10 is [350, 370]";
-            return Err(self.wrong(&value.span(), Some(key), &format!("{from} to {to} is no range of hues"), mend));
+            let help = "write [from, to] in degrees, from 0 to 359 and to 1 to 179 more; 350 to 10 is [350, 370]";
+            return Err(self.wrong(&value.span(), Some(key), &format!("{from} to {to} is no range of hues"), help));
         }
         Ok(filter.hue(from, to))
     }
@@ -82,8 +82,8 @@ impl Reader<'_> {
     fn range<T: Number>(&self, key: &str, value: &Entry<'_>, most: T) -> Result<[T; 2], Mistake> {
         let [min, max] = self.pair(key, value, most)?;
         if min > max {
-            let mend = "write [min, max]";
-            return Err(self.wrong(&value.span(), Some(key), &format!("{min} is more than {max}"), mend));
+            let help = "write [min, max]";
+            return Err(self.wrong(&value.span(), Some(key), &format!("{min} is more than {max}"), help));
         }
         Ok([min, max])
     }
@@ -91,8 +91,8 @@ impl Reader<'_> {
     fn pair<T: Number>(&self, key: &str, value: &Entry<'_>, most: T) -> Result<[T; 2], Mistake> {
         let list: &[Entry<'_>] = value.get_ref().as_array().map_or(&[], |list| list);
         let [first, second] = list else {
-            let mend = "write two whole numbers in brackets, like [10, 20]";
-            return Err(self.wrong(&value.span(), Some(key), "these are not two numbers", mend));
+            let help = "write two whole numbers in brackets, like [10, 20]";
+            return Err(self.wrong(&value.span(), Some(key), "these are not two numbers", help));
         };
         Ok([self.number(key, first, most)?, self.number(key, second, most)?])
     }
@@ -104,16 +104,16 @@ impl Reader<'_> {
             number.and_then(|number| T::try_from(number).ok()).filter(|number| *number <= most && number.is_positive());
         fits.ok_or_else(|| {
             let found = &self.text[value.span()];
-            let mend = format!("a whole number from 0 to {most} is needed");
-            self.wrong(&value.span(), Some(key), &format!("`{found}` does not do"), &mend)
+            let help = format!("a whole number from 0 to {most} is needed");
+            self.wrong(&value.span(), Some(key), &format!("`{found}` does not do"), &help)
         })
     }
 
-    fn wrong(&self, at: &Range<usize>, key: Option<&str>, what: &str, mend: &str) -> Mistake {
+    fn wrong(&self, at: &Range<usize>, key: Option<&str>, what: &str, help: &str) -> Mistake {
         let before = self.text.get(..at.start).unwrap_or(self.text);
         let line = 1 + before.matches('\n').count();
         let key = key.map(|key| format!(" `{key}`:")).unwrap_or_default();
-        Mistake { what: format!("line {line}:{key} {what}"), mend: mend.to_owned() }
+        Mistake { what: format!("line {line}:{key} {what}"), help: help.to_owned() }
     }
 }
 

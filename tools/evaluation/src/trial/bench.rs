@@ -10,7 +10,7 @@ use bica_sim::mujoco::Physics;
 use super::Trial;
 
 use bica_console::Failure;
-use bica_console::{STACK, interrupt};
+use bica_console::interrupt;
 
 /// How often and with what a trial is made.
 pub struct Bench {

@@ -39,7 +39,7 @@ impl Cameraman {
     /// Where to film from, `dt` seconds after the last time.
     pub fn follow(&mut self, referee: &Referee, dt: f32) -> SpectatorCamera {
         let others: Vec<Vec2> = referee.others().iter().map(|other| other.position).collect();
-        let sight = Sight { robot: referee.robot().position, ball: referee.ball(), others };
+        let sight = Polar { robot: referee.robot().position, ball: referee.ball(), others };
         let wanted = self.choose(&sight);
         let (now, next) = self.now.unwrap_or((wanted, wanted));
         let off = now[0].distance(wanted[0]).max(now[1].distance(wanted[1]));
@@ -53,7 +53,7 @@ impl Cameraman {
     }
 
     /// The best view; another side only if that is much better.
-    fn choose(&mut self, sight: &Sight) -> [Vec2; 2] {
+    fn choose(&mut self, sight: &Polar) -> [Vec2; 2] {
         let views = |aside: usize| DISTANCES.map(|distance| sight.view(ASIDE[aside], distance));
         let best = |aside: usize| views(aside).into_iter().min_by(|a, b| a.cost.total_cmp(&b.cost));
         let habit = |aside: usize| if aside == self.aside { 0.0 } else { 0.6 };
@@ -66,7 +66,7 @@ impl Cameraman {
 }
 
 /// What is to be seen, and what may be in the way.
-struct Sight {
+struct Polar {
     robot: Vec2,
     ball: Vec2,
     others: Vec<Vec2>,
@@ -79,7 +79,7 @@ struct View {
     cost: f32,
 }
 
-impl Sight {
+impl Polar {
     fn view(&self, aside: f32, distance: f32) -> View {
         let goal = Vec2::new(GOAL.0, 0.0);
         let attack = (goal + Vec2::X - self.robot).normalize_or(Vec2::X);
@@ -132,13 +132,13 @@ mod tests {
         (view[1] - view[0]).angle_to(point - view[0]).tan() / (core::f32::consts::FRAC_PI_8.tan() * 4.0 / 3.0)
     }
 
-    fn sights() -> impl Iterator<Item = Sight> {
+    fn sights() -> impl Iterator<Item = Polar> {
         let part = |i: usize, salt: usize| ((i * 37 + salt * 59) % 101) as f32 / 50.0 - 1.0;
         (0..400).map(move |i| {
             let ball = Vec2::new(2.8 * part(i, 1), 1.8 * part(i, 2 + i / 101));
             let away = rotate(Vec2::new(1.2 + part(i, 3), 0.0), 3.1 * part(i, 4 + i / 101));
             let robot = (ball + away).clamp(Vec2::new(-2.9, -1.9), Vec2::new(2.9, 1.9));
-            Sight { robot, ball, others: vec![Vec2::new(2.8, 0.2)] }
+            Polar { robot, ball, others: vec![Vec2::new(2.8, 0.2)] }
         })
     }
 

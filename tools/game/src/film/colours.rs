@@ -21,7 +21,7 @@ const GREYS: [[f32; 3]; 3] = [[0.78, 0.78, 0.78], [0.80, 0.78, 0.73], [0.74, 0.7
 const SHADES: (usize, usize) = (15, 30);
 /// What is drawn on pictures.
 const INKS: [Rgb; 9] =
-    [ink::PAPER, ink::TEXT, ink::FAINT, ink::GHOST, ink::WHITE, ink::YELLOW, ink::BLUE, ink::BELIEF, ink::BALL];
+    [ink::PAPER, ink::TEXT, ink::FAINT, ink::GHOST, ink::WHITE, ink::YELLOW, ink::BLUE, ink::ESTIMATE, ink::BALL];
 /// Bits of each channel that choose the colour.
 const BITS: u32 = 5;
 

@@ -17,7 +17,7 @@ use bica_console::Failure;
 use bica_drawing::camera;
 use bica_drawing::canvas::Canvas;
 use bica_drawing::palette::{FAINT, PAPER, TEXT};
-use bica_drawing::polar::words;
+use bica_drawing::polar::describe;
 use bica_drawing::text::Font;
 use cameraman::Cameraman;
 use gif::{Gif, TIME};
