@@ -7,12 +7,12 @@
 use std::path::{Path, PathBuf};
 
 use bica::{ComponentId, Instant, Tree};
-use bica_emulator::{Carrier, Error, Mind as Remote, bits};
+use bica_emulator::{Controller as Remote, Error, Transport, command_bits};
 use bica_motion::robot::{Command, Sensors};
 use bica_player::Forward;
 use bica_sim::referee::GoalColour;
 use bica_sim::setup::Frame;
-use bica_wire::message::Attack;
+use bica_wire::message;
 use serde::Serialize;
 
 use super::scene::GRAPH;
@@ -36,10 +36,10 @@ impl Image {
     /// Starts it.
     pub fn start(self, attacks: GoalColour) -> Result<Mind, Failure> {
         let attack = match attacks {
-            GoalColour::Yellow => Attack::Yellow,
-            GoalColour::SkyBlue => Attack::Blue,
+            GoalColour::Yellow => message::GoalColour::Yellow,
+            GoalColour::SkyBlue => message::GoalColour::Blue,
         };
-        let remote = Remote::start(self.0, Carrier::Pipe, attack, None).map_err(|error| failure(&error))?;
+        let remote = Remote::start(self.0, Transport::Pipe, attack, None).map_err(|error| failure(&error))?;
         Ok(Mind { remote, chains: Vec::new(), runs: vec![Vec::new(); GRAPH.nodes.len()] })
     }
 }
@@ -66,13 +66,13 @@ impl Mind {
         twin: &Command,
         robot: &Forward,
     ) -> Result<(), Failure> {
-        let thought = self.remote.think(now.as_micros(), sensors).map_err(|error| failure(&error))?;
+        let thought = self.remote.cycle(now.as_micros(), sensors).map_err(|error| failure(&error))?;
         let same_tree = (0..GRAPH.nodes.len()).map(ComponentId::new).all(|id| {
             let index = id.index();
             thought.active.get(index) == Some(&robot.is_active(id))
                 && thought.states.get(index) == Some(&robot.state(id))
         });
-        if !bits(&thought.command).eq(bits(twin)) || !same_tree || thought.lost > 0 {
+        if !command_bits(&thought.command).eq(command_bits(twin)) || !same_tree || thought.lost > 0 {
             let what = format!("the microcontroller thinks otherwise than this program, at {} µs", now.as_micros());
             return Err(Failure::new(what, "build the image anew from these sources: cargo xtask firmware --build"));
         }
