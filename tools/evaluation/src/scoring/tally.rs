@@ -1,10 +1,10 @@
-//! Counts and errors, summed up.
+//! Counts and percentiles.
 
 use serde::Serialize;
 
 use bica_console::statistics::percentile;
 
-/// How many of how many.
+/// Number of correct cases among all cases.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Share {
     pub of: usize,
@@ -26,13 +26,13 @@ impl std::fmt::Display for Share {
     }
 }
 
-/// Sizes of errors.
+/// Errors of measurements.
 #[derive(Clone, Debug, Default)]
 pub struct Errors(Vec<f64>);
 
-/// Percentiles; none without any error to speak of.
+/// Percentiles of errors; none without measurements.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
-pub struct Spread {
+pub struct Percentiles {
     pub p50: Option<f64>,
     pub p95: Option<f64>,
     pub max: Option<f64>,
@@ -43,17 +43,17 @@ impl Errors {
         self.0.push(error.into());
     }
 
-    pub fn spread(&self) -> Spread {
+    pub fn spread(&self) -> Percentiles {
         let mut sorted = self.0.clone();
         sorted.sort_by(f64::total_cmp);
         let at = |part| percentile(&sorted, part);
-        Spread { p50: at(0.5), p95: at(0.95), max: at(1.0) }
+        Percentiles { p50: at(0.5), p95: at(0.95), max: at(1.0) }
     }
 }
 
-impl Spread {
-    /// In words, each number times a factor and with a unit.
-    pub fn words(self, factor: f64, unit: &str) -> String {
+impl Percentiles {
+    /// Text of the percentiles, each multiplied by a factor and with a unit.
+    pub fn text(self, factor: f64, unit: &str) -> String {
         let number =
             |value: Option<f64>| value.map_or_else(|| "-".to_owned(), |value| format!("{:.2}", factor * value));
         format!("median {}, 95 % {}, worst {} {unit}", number(self.p50), number(self.p95), number(self.max))

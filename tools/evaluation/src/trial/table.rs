@@ -1,37 +1,41 @@
-//! What was reached, for people and machines.
+//! Results of trials.
 
 use serde::Serialize;
 
 use bica_console::Failure;
 use bica_console::{Console, Style};
 
-/// One thing that was tried, with every seed.
+/// One case of a trial, with all seeds.
 #[derive(Clone, Debug, Serialize)]
 pub struct Row {
+    /// Name of the case.
     pub name: String,
+    /// Number of runs.
     pub runs: usize,
-    /// Runs that went well.
+    /// Number of runs that succeeded.
     pub good: usize,
-    /// Runs that have to.
+    /// Number of runs that must succeed.
     pub needed: usize,
-    /// What else was measured: in words, with units.
+    /// Other measurements, as text with units.
     pub figures: String,
-    /// Whether the figures are as they have to be.
+    /// Whether the other measurements are as required.
     pub figures_hold: bool,
 }
 
-/// One trial.
+/// Results of one trial.
 #[derive(Clone, Debug, Serialize)]
 pub struct Table {
+    /// Name of the trial.
     pub trial: &'static str,
+    /// One row for each case.
     pub rows: Vec<Row>,
 }
 
-/// Trials for machines.
+/// Results of all trials.
 #[derive(Serialize)]
-pub struct Told<'a> {
+pub struct TrialReport<'a> {
     pub schema: &'static str,
-    pub runs: u64,
+    pub runs: u32,
     pub tables: &'a [Table],
 }
 
@@ -42,13 +46,13 @@ impl Row {
 }
 
 impl Table {
-    /// Whether everything is as it has to be.
+    /// Returns whether all rows are as required.
     pub fn holds(&self) -> bool {
         self.rows.iter().all(Row::holds)
     }
 
-    /// Tells people.
-    pub fn tell(&self, console: Console) -> Result<(), Failure> {
+    /// Prints the table.
+    pub fn print(&self, console: Console) -> Result<(), Failure> {
         let heading = format!("{:<26} {:>9} {:>7}  figures", self.trial, "good", "needed");
         console.print(&console.styled(Style::Strong, &heading))?;
         for row in &self.rows {
@@ -60,13 +64,13 @@ impl Table {
     }
 }
 
-/// The value in the middle; 0 of none.
+/// Returns the median (the upper one of an even number); 0 of no values.
 pub fn median(mut values: Vec<f32>) -> f32 {
     values.sort_by(f32::total_cmp);
     values.get(values.len() / 2).copied().unwrap_or(0.0)
 }
 
-/// The mean; 0 of none.
+/// Returns the mean; 0 of no values.
 pub fn mean(values: &[f32]) -> f32 {
     values.iter().sum::<f32>() / values.len().max(1) as f32
 }

@@ -1,4 +1,4 @@
-//! A body that moves as it is told, without a mind.
+//! A robot without behaviours: gait and odometry only.
 
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::limbs::Limbs;
@@ -17,7 +17,7 @@ use glam::Vec2;
 
 use bica_console::Failure;
 
-/// A robot alone on the field, and its gait.
+/// A robot alone on the field, with a gait and odometry.
 pub struct Walker {
     pub world: MujocoWorld,
     gait: Walk,
@@ -27,7 +27,7 @@ pub struct Walker {
 }
 
 impl Walker {
-    /// Stands there; the ball lies in a corner.
+    /// A standing robot; the ball lies in a corner.
     pub fn new(seed: u64, robot: Pose2, physics: &Physics) -> Result<Self, Failure> {
         let start = Some(Start { robot, ball: Vec2::new(-2.8, 1.8) });
         let setup = Setup { seed, goalkeeper: false, start, ..Setup::default() };
@@ -39,7 +39,7 @@ impl Walker {
         Ok(walker)
     }
 
-    /// Walks with a velocity for some seconds, unless it falls.
+    /// Walks with a velocity for some seconds, until a fall.
     pub fn go(&mut self, velocity: Velocity, seconds: f32) {
         for _ in 0..cycles(seconds) {
             if self.fell() {
@@ -49,12 +49,12 @@ impl Walker {
         }
     }
 
-    /// Lets a foot swing through the ball in its next step.
+    /// Requests an in-walk kick with a foot.
     pub const fn kick(&mut self, foot: Side) {
         self.gait.request_kick(foot);
     }
 
-    /// Walks for a control cycle.
+    /// Walks for one control cycle.
     pub fn cycle(&mut self, velocity: Velocity) {
         let sensors = self.world.sensors();
         let limbs = self.gait.step(velocity, &Feedback::from(&sensors), CYCLE_SECONDS);
@@ -68,7 +68,7 @@ impl Walker {
         self.act(&limbs);
     }
 
-    /// Moves the limbs for a control cycle.
+    /// Moves the limbs for one control cycle.
     pub fn act(&mut self, limbs: &Limbs) {
         let mut stiffness = Stiffness::Walk.joints();
         for joint in [Joint::HeadYaw, Joint::HeadPitch] {
@@ -79,30 +79,30 @@ impl Walker {
         self.world.act(&Command { targets: self.commanded, stiffness, lights, camera });
     }
 
-    /// When it fell first, s.
+    /// Returns the time of the first fall, s.
     pub fn fall(&self) -> Option<f32> {
         let mut events = self.world.referee().events().iter();
         let fall = events.find(|happened| matches!(happened.event, Event::Fall(_)));
         fall.map(|fall| fall.at.as_secs_f32())
     }
 
-    /// Whether it ever fell.
+    /// Returns whether the robot fell.
     pub fn fell(&self) -> bool {
         self.fall().is_some()
     }
 
-    /// Where it is.
+    /// Returns the true pose.
     pub fn pose(&self) -> Pose2 {
         self.world.referee().robot()
     }
 
-    /// Where its odometry believes it to be, from where it was when that began.
-    pub const fn believed(&self) -> Pose2 {
+    /// Returns the pose by odometry, from the start.
+    pub const fn odometry_pose(&self) -> Pose2 {
         self.odometry.pose()
     }
 }
 
-/// Control cycles in a time, s.
+/// Returns the number of control cycles in a time, s.
 pub fn cycles(seconds: f32) -> usize {
     (seconds / CYCLE_SECONDS).round() as usize
 }
