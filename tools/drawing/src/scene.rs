@@ -1,8 +1,8 @@
 //! Content of a picture, independent of its source.
 
 use bica::graph::{Graph, Link};
+use bica_field::GoalColour;
 use bica_motion::pose::Pose2;
-use bica_sim::referee::GoalColour;
 use bica_vision::ball::Ball;
 use bica_vision::crossings::Crossing;
 use bica_vision::goal::Goal;

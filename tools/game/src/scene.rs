@@ -1,4 +1,4 @@
-//! A look at a game in progress: what the forward sees and believes, what is true, how the tree stands.
+//! State of a game after a cycle: detections and estimates of the forward, the true state, the tree.
 
 use bica::graph::Graph;
 use bica::{ComponentId, Tree};
@@ -9,29 +9,33 @@ use bica_player::perception::{BallDetector, FieldEnd, NetDetector, Odometry, Own
 use bica_sim::Referee;
 use glam::Vec2;
 
-use super::meter::Meter;
+use crate::meter::Meter;
 use bica_drawing::polar::Polar;
 use bica_drawing::scene::{Estimates, GroundTruth, Marks, TreeState};
 
-/// The static description of the forward's tree.
+/// Static description of the forward's tree.
 pub static GRAPH: Graph = Forward::GRAPH;
 
-/// A game after a cycle.
+/// State of a game after a cycle.
 pub struct Scene<'a> {
+    /// Seed of the game.
     pub seed: u64,
-    /// Time in the world when the forward thought, s.
+    /// Simulated time of the cycle, s.
     pub t: f64,
+    /// The forward.
     pub robot: &'a Forward,
+    /// The referee.
     pub referee: &'a Referee,
-    pub meter: &'a Meter,
-    /// Where the robot truly was when odometry began.
+    pub(crate) meter: &'a Meter,
+    /// True pose at the start of odometry.
     pub start: Pose2,
-    /// The way of the ball so far.
-    pub trail: &'a [Vec2],
+    /// Path of the ball so far.
+    pub ball_path: &'a [Vec2],
 }
 
 impl Scene<'_> {
-    /// How the tree stands.
+    /// Returns the state of the tree.
+    #[must_use]
     pub fn tree(&self) -> TreeState {
         let each = || (0..GRAPH.nodes.len()).map(ComponentId::new);
         TreeState {
@@ -41,7 +45,8 @@ impl Scene<'_> {
         }
     }
 
-    /// What is recognised in the newest image, by the detectors that are active.
+    /// Returns the detections in the newest image, of the active detectors.
+    #[must_use]
     pub fn marks(&self) -> Marks {
         let ball = self.robot.get::<BallDetector>().seen().filter(|_| self.is_active::<BallDetector>());
         let net = self.robot.get::<NetDetector>().seen().filter(|_| self.is_active::<NetDetector>());
@@ -55,7 +60,8 @@ impl Scene<'_> {
         }
     }
 
-    /// What the forward believes.
+    /// Returns the estimates of the forward.
+    #[must_use]
     pub fn estimates(&self) -> Estimates {
         Estimates {
             robot: self.start * self.robot.get::<Odometry>().pose(),
@@ -64,26 +70,29 @@ impl Scene<'_> {
         }
     }
 
-    /// Where the forward believes ball and goal to be.
-    pub fn sights(&self) -> (Option<Polar>, Option<Polar>) {
+    /// Returns the estimated positions of ball and goal relative to the robot.
+    #[must_use]
+    pub fn positions(&self) -> (Option<Polar>, Option<Polar>) {
         let (estimates, marks) = (self.estimates(), self.marks());
         let ball = estimates.ball.map(|at| Polar::new(at, marks.ball.is_some()));
         let goal = estimates.goal.map(|at| Polar::new(at, !marks.goals.is_empty()));
         (ball, goal)
     }
 
-    /// What is true.
+    /// Returns the true state.
+    #[must_use]
     pub fn truth(&self) -> GroundTruth {
         GroundTruth {
             attacks: self.referee.attacks(),
             robot: self.referee.robot(),
             ball: self.referee.ball(),
             others: self.referee.others().to_vec(),
-            trail: self.trail.to_vec(),
+            trail: self.ball_path.to_vec(),
         }
     }
 
-    /// The newest image's pixels and size.
+    /// Returns the newest image, if there is one.
+    #[must_use]
     pub fn image(&self) -> Option<bica_motion::robot::Image<'_>> {
         Some(self.robot.get::<Eye>().image()).filter(|image| image.width > 0)
     }

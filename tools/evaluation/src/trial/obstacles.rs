@@ -2,11 +2,11 @@
 
 use std::f32::consts::{FRAC_PI_2, PI};
 
+use bica_field::FIELD;
 use bica_motion::pose::Pose2;
 use bica_sim::World;
 use bica_sim::mujoco::MujocoWorld;
 use bica_sim::setup::{Setup, Start};
-use bica_vision::pitch::{GOAL_BACK, POST};
 use glam::Vec2;
 
 use super::fall_subject::FallSubject;
@@ -99,15 +99,15 @@ fn keeper(setup: &Setup, series: &Series) -> Result<Vec2, Failure> {
 
 /// A pose in front of or beside a post.
 fn at_post(rng: &mut Rng, _: Vec2) -> Pose2 {
-    let at = POST + outward(rng, POST_DISTANCE);
+    let at = FIELD.goal_post() + outward(rng, POST_DISTANCE);
     either(at, rng)
 }
 
 /// A pose between the posts, beside the net.
 fn in_goal(rng: &mut Rng, _: Vec2) -> Pose2 {
     let at = Vec2::new(
-        rng.between(POST.x, GOAL_BACK - POST_DISTANCE.0),
-        POST.y - rng.between(POST_DISTANCE.0, POST_DISTANCE.1),
+        rng.between(FIELD.goal_post().x, FIELD.goal_back() - POST_DISTANCE.0),
+        FIELD.goal_post().y - rng.between(POST_DISTANCE.0, POST_DISTANCE.1),
     );
     either(at, rng)
 }
@@ -117,7 +117,7 @@ fn at_keeper(rng: &mut Rng, keeper: Vec2) -> Pose2 {
     loop {
         let pose = Pose2 { position: keeper + outward(rng, KEEPER_DISTANCE), heading: rng.between(-PI, PI) };
         let at = Vec2::new(pose.position.x, pose.position.y.abs());
-        if at.distance(POST) > POST_DISTANCE.0 {
+        if at.distance(FIELD.goal_post()) > POST_DISTANCE.0 {
             return pose;
         }
     }

@@ -12,9 +12,7 @@ use bica_player::motion::Body;
 use bica_player::perception::{Localization, NetDetector};
 use bica_sim::World;
 use bica_sim::kinematic::KinematicWorld;
-use bica_sim::referee::GoalColour;
 use bica_sim::setup::{Setup, Start};
-use bica_vision::colour::Colour;
 use bica_vision::localization::Estimate;
 use glam::Vec2;
 
@@ -100,11 +98,7 @@ impl Lookout {
         robot.hold::<Player>(Hold::Latent);
         robot.hold::<LookAround>(Hold::Active);
         robot.hold::<Body>(Hold::Active);
-        let colour = match world.referee().attacks() {
-            GoalColour::Yellow => Colour::Yellow,
-            GoalColour::SkyBlue => Colour::Blue,
-        };
-        robot.get_mut::<NetDetector>().attack(colour);
+        robot.get_mut::<NetDetector>().attack(world.referee().attacks());
         Self { runner: Runner::new(robot, Stage { world, cycle: 0 }), seed }
     }
 
