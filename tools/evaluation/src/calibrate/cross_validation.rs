@@ -10,7 +10,7 @@ use super::fit::{Axes, fit};
 use super::samples::Sample;
 
 /// Number of blocks; fewer if fewer images show the class.
-pub const BLOCKS: usize = 5;
+pub(super) const BLOCKS: usize = 5;
 
 /// Share of the pixels known to be of other classes that may pass.
 const ALLOWED_FALSE: f64 = 1e-4;
@@ -19,22 +19,22 @@ const MAX_INCREASE: u16 = 40;
 
 /// Fitted class.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct FittedClass {
+pub(super) struct FittedClass {
     /// Thresholds fitted to all samples.
     #[serde(skip)]
-    pub filter: Filter,
+    pub(super) filter: Filter,
     /// Number of images that show the class.
-    pub images: usize,
+    pub(super) images: usize,
     /// Number of blocks; 1 if the test used the training data.
-    pub blocks: usize,
+    pub(super) blocks: usize,
     /// Share of the accepted pixels that are of the class.
-    pub precision: f64,
+    pub(super) precision: f64,
     /// Share of the pixels of the class that are accepted.
-    pub recall: f64,
+    pub(super) recall: f64,
 }
 
 /// Fits a class; none without a sample of it.
-pub fn fit_class(class: Colour, samples: &[Sample]) -> Option<FittedClass> {
+pub(super) fn fit_class(class: Colour, samples: &[Sample]) -> Option<FittedClass> {
     let own: Vec<&Sample> = samples.iter().filter(|sample| concerns(class, sample)).collect();
     let mut images: Vec<usize> =
         own.iter().filter(|sample| sample.is == Some(class)).map(|sample| sample.image).collect();
@@ -61,7 +61,7 @@ pub fn fit_class(class: Colour, samples: &[Sample]) -> Option<FittedClass> {
 
 /// Thresholds of a class without samples: those of the base profile, with the least saturation raised above nearly all
 /// pixels known to be of other classes.
-pub fn with_raised_saturation(class: Colour, given: &Filter, samples: &[Sample]) -> Filter {
+pub(super) fn with_raised_saturation(class: Colour, given: &Filter, samples: &[Sample]) -> Filter {
     let others = || samples.iter().filter(|sample| sample.is_not.has(class));
     let weight = |filter: &Filter| -> f64 {
         others().filter(|sample| filter.accepts(sample.pixel)).map(|sample| f64::from(sample.weight)).sum()

@@ -18,7 +18,7 @@ const INITIAL_OUTSIDE: f64 = 0.01;
 
 /// Sample in the coordinates of the bounds.
 #[derive(Clone, Copy, Debug)]
-pub struct Point {
+pub(super) struct Point {
     /// Hue (degrees from the mean of the class), saturation (percent), luma, chroma.
     values: [f32; 4],
     /// Weight if the sample is of the class, else 0.
@@ -29,7 +29,7 @@ pub struct Point {
 
 /// Coordinates of a class: hue is relative to its mean.
 #[derive(Clone, Copy, Debug)]
-pub struct Axes {
+pub(super) struct Axes {
     middle: f32,
 }
 
@@ -68,7 +68,7 @@ type Box4 = [(i32, i32); 4];
 
 impl Axes {
     /// Coordinates by the mean chroma of the samples of a class.
-    pub fn of(class: impl Iterator<Item = (Pixel, f32)>) -> Self {
+    pub(super) fn of(class: impl Iterator<Item = (Pixel, f32)>) -> Self {
         let mean = class.fold((0.0, 0.0), |(b, r), (pixel, weight)| {
             (b + weight * (f32::from(pixel.cb) - 128.0), r + weight * (f32::from(pixel.cr) - 128.0))
         });
@@ -76,7 +76,7 @@ impl Axes {
     }
 
     /// Converts a sample.
-    pub fn point(self, pixel: Pixel, weight: f32, is_of_class: bool) -> Point {
+    pub(super) fn point(self, pixel: Pixel, weight: f32, is_of_class: bool) -> Point {
         let (b, r) = (f32::from(pixel.cb) - 128.0, f32::from(pixel.cr) - 128.0);
         let chroma = b.hypot(r);
         let hue = (r.atan2(b).to_degrees() - self.middle + 540.0).rem_euclid(360.0) - 180.0;
@@ -88,7 +88,7 @@ impl Axes {
 }
 
 /// Returns the best thresholds of a class; none without a point of the class.
-pub fn fit(class: Colour, axes: Axes, points: &[Point]) -> Option<Filter> {
+pub(super) fn fit(class: Colour, axes: Axes, points: &[Point]) -> Option<Filter> {
     let bounds: &[Bound] = if class == Colour::White { &BOUNDS_OF_WHITE } else { &BOUNDS };
     let first = start(bounds, points)?;
     let mut ranges = first;

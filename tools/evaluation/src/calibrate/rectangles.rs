@@ -22,19 +22,19 @@ const CLASSES: [(&str, Colour); 6] = [
 
 /// Rectangle of pixels of one class.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Rectangle {
+pub(super) struct Rectangle {
     /// Folder and name, as in the file of rectangles.
-    pub file: String,
+    pub(super) file: String,
     /// First column, and last column plus one.
-    pub x: [u16; 2],
+    pub(super) x: [u16; 2],
     /// First row, and last row plus one.
-    pub y: [u16; 2],
+    pub(super) y: [u16; 2],
     /// The class; [`Colour::None`] for pixels of none of the classes.
-    pub class: Colour,
+    pub(super) class: Colour,
 }
 
 /// Reads a file.
-pub fn read(path: &Path) -> Result<Vec<Rectangle>, Failure> {
+pub(super) fn read(path: &Path) -> Result<Vec<Rectangle>, Failure> {
     let help = "name a CSV file with the columns file, x0, y0, x1, y1 and class";
     let text = fs::read_to_string(path).map_err(|error| Failure::of_path("read the rectangles", path, &error, help))?;
     parse(&text).map_err(|(what, help)| Failure::new(format!("`{}`: {what}", path.display()), help))

@@ -10,7 +10,7 @@ use bica_console::{Console, Style};
 
 /// Result of a calibration.
 #[derive(Debug, Serialize)]
-pub struct Report<'a> {
+pub(super) struct Report<'a> {
     schema: &'static str,
     images: usize,
     rectangles: usize,
@@ -27,7 +27,7 @@ struct Class<'a> {
 }
 
 impl<'a> Report<'a> {
-    pub fn new(args: &'a CalibrationOptions, data: &TrainingData, classes: &'a FittedClasses) -> Self {
+    pub(super) fn new(args: &'a CalibrationOptions, data: &TrainingData, classes: &'a FittedClasses) -> Self {
         let classes = CLASSES.into_iter().zip(classes);
         Self {
             schema: "bica-player/calibrate/1",
@@ -41,7 +41,7 @@ impl<'a> Report<'a> {
     }
 
     /// Returns the comments of the profile.
-    pub fn notes(&self) -> Notes {
+    pub(super) fn notes(&self) -> Notes {
         let mut notes = Notes { top: vec![self.sources()], ..Notes::default() };
         for (lines, class) in notes.classes.iter_mut().zip(&self.classes) {
             lines.push(class.learned.map_or_else(
@@ -65,7 +65,7 @@ impl<'a> Report<'a> {
     }
 
     /// Prints the result.
-    pub fn print(&self, console: Console) -> Result<(), Failure> {
+    pub(super) fn print(&self, console: Console) -> Result<(), Failure> {
         console.print(&self.sources())?;
         console.print(&console.styled(
             Style::Faint,

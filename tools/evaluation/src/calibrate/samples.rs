@@ -19,29 +19,29 @@ const GOAL_MARGIN: f32 = 12.0;
 
 /// Pixel with its known class.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Sample {
+pub(super) struct Sample {
     /// Index of the image in the order of names.
-    pub image: usize,
+    pub(super) image: usize,
     /// The pixel.
-    pub pixel: Pixel,
+    pub(super) pixel: Pixel,
     /// Its class, if known.
-    pub is: Option<Colour>,
+    pub(super) is: Option<Colour>,
     /// Classes that it is known not to be of.
-    pub is_not: ColourSet,
+    pub(super) is_not: ColourSet,
     /// Number of pixels it stands for.
-    pub weight: f32,
+    pub(super) weight: f32,
 }
 
 /// Samples, grouped by rectangle or ball.
 #[derive(Debug, Default)]
-pub struct Samples {
+pub(super) struct Samples {
     groups: Vec<(Colour, Vec<Sample>)>,
     background: Vec<Sample>,
 }
 
 impl Samples {
     /// Adds the part of a rectangle that lies in the image.
-    pub fn add_rectangle(&mut self, image: usize, frame: &Frame<'_>, rectangle: &Rectangle) {
+    pub(super) fn add_rectangle(&mut self, image: usize, frame: &Frame<'_>, rectangle: &Rectangle) {
         let Rectangle { x, y, class, .. } = rectangle;
         let inside = |at: Vec2| (f32::from(x[0])..f32::from(x[1]) - 1.0).contains(&(at.x - 0.5));
         let rows = pairs(frame).filter(|(at, _)| (f32::from(y[0])..f32::from(y[1])).contains(&at.y));
@@ -56,7 +56,7 @@ impl Samples {
     }
 
     /// Adds a labelled image.
-    pub fn add_label(&mut self, image: usize, frame: &Frame<'_>, label: &Label) {
+    pub(super) fn add_label(&mut self, image: usize, frame: &Frame<'_>, label: &Label) {
         for ball in label.balls.iter().filter(|ball| ball.orange) {
             let sample =
                 |pixel| Sample { image, pixel, is: Some(Colour::Orange), is_not: others(Colour::Orange), weight: 1.0 };
@@ -75,7 +75,7 @@ impl Samples {
     }
 
     /// Returns all samples, weighted so that the groups of a class weigh the same.
-    pub fn weighted(self) -> Vec<Sample> {
+    pub(super) fn weighted(self) -> Vec<Sample> {
         let Self { mut groups, background } = self;
         groups.retain(|(_, samples)| !samples.is_empty());
         for class in Colour::ALL {

@@ -22,7 +22,7 @@ const MARGIN: usize = 12;
 const TITLE_HEIGHT: usize = 48;
 
 /// Writes the picture of an image into a folder, under the name of the image.
-pub fn write(folder: &Path, recorded: &RecordedFrame, detections: &Detections) -> Result<(), Failure> {
+pub(super) fn write(folder: &Path, recorded: &RecordedFrame, detections: &Detections) -> Result<(), Failure> {
     let view = camera::view(&recorded.image(), &detections.marks, WIDTH);
     let (width, height) = (view.width() + 2 * MARGIN, view.height() + TITLE_HEIGHT + MARGIN);
     let mut sheet = Canvas::new(width, height, PAPER);

@@ -58,9 +58,9 @@ impl Format {
 /// Recorded image.
 #[derive(Debug)]
 pub struct RecordedFrame {
-    pub width: u16,
-    pub height: u16,
-    pub yuyv: Vec<u8>,
+    width: u16,
+    height: u16,
+    yuyv: Vec<u8>,
 }
 
 impl RecordedFrame {

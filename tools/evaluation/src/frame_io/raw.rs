@@ -9,7 +9,7 @@ use std::path::Path;
 use super::RecordedFrame;
 
 /// Reads a file.
-pub fn read(path: &Path) -> Result<RecordedFrame, String> {
+pub(super) fn read(path: &Path) -> Result<RecordedFrame, String> {
     let (width, height) = size(path).ok_or("its name does not give its size: NAME_WxH.yuyv")?;
     let bytes = fs::read(path).map_err(|error| format!("cannot be read: {error}"))?;
     let expected = 2 * usize::from(width) * usize::from(height);

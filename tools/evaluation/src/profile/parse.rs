@@ -10,15 +10,15 @@ use super::CLASSES;
 
 /// Error in a profile.
 #[derive(Debug)]
-pub struct ParseError {
-    pub what: String,
-    pub help: String,
+pub(super) struct ParseError {
+    pub(super) what: String,
+    pub(super) help: String,
 }
 
 type Entry<'a> = Spanned<DeValue<'a>>;
 
 /// Parses a profile.
-pub fn parse(text: &str) -> Result<Filters, ParseError> {
+pub(super) fn parse(text: &str) -> Result<Filters, ParseError> {
     let reader = Reader { text };
     let root = DeTable::parse(text).map_err(|error| {
         let help = "a profile is TOML: `[class]` and under it `key = value` lines";

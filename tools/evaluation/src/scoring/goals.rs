@@ -12,23 +12,23 @@ const MIN_OVERLAP: f32 = 0.6;
 
 /// Figures of goals.
 #[derive(Debug, Default, Serialize)]
-pub struct Goals {
+pub(super) struct Goals {
     /// Complete goals: those with an overlapping box.
-    pub complete: Share,
+    pub(super) complete: Share,
     /// Partial goals: those of which a part was detected.
-    pub partial: Share,
+    pub(super) partial: Share,
     /// Images without a goal: those without a detection.
-    pub without: Share,
+    pub(super) without: Share,
     /// Images whose complete goal was missed or has a wrong box.
-    pub missed: Vec<String>,
+    pub(super) missed: Vec<String>,
     /// Images whose partial goal was missed.
-    pub missed_partial: Vec<String>,
+    pub(super) missed_partial: Vec<String>,
     /// Images with a detected goal that is absent or of the other colour.
-    pub wrong: Vec<String>,
+    pub(super) wrong: Vec<String>,
 }
 
 impl Goals {
-    pub fn count(&mut self, seen: &Detections, label: Option<&labels::Goal>) {
+    pub(super) fn count(&mut self, seen: &Detections, label: Option<&labels::Goal>) {
         let Some(label) = label else {
             self.without.count(seen.goals.is_empty());
             return self.note_wrong(seen, !seen.goals.is_empty());

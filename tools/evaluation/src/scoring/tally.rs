@@ -6,13 +6,13 @@ use bica_console::statistics::percentile;
 
 /// Number of correct cases among all cases.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
-pub struct Share {
-    pub of: usize,
-    pub good: usize,
+pub(super) struct Share {
+    pub(super) of: usize,
+    pub(super) good: usize,
 }
 
 impl Share {
-    pub fn count(&mut self, good: bool) {
+    pub(super) fn count(&mut self, good: bool) {
         self.of += 1;
         self.good += usize::from(good);
     }
@@ -28,22 +28,22 @@ impl std::fmt::Display for Share {
 
 /// Errors of measurements.
 #[derive(Clone, Debug, Default)]
-pub struct Errors(Vec<f64>);
+pub(super) struct Errors(Vec<f64>);
 
 /// Percentiles of errors; none without measurements.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
-pub struct Percentiles {
+pub(super) struct Percentiles {
     pub p50: Option<f64>,
     pub p95: Option<f64>,
-    pub max: Option<f64>,
+    pub(super) max: Option<f64>,
 }
 
 impl Errors {
-    pub fn note(&mut self, error: f32) {
+    pub(super) fn note(&mut self, error: f32) {
         self.0.push(error.into());
     }
 
-    pub fn spread(&self) -> Percentiles {
+    pub(super) fn spread(&self) -> Percentiles {
         let mut sorted = self.0.clone();
         sorted.sort_by(f64::total_cmp);
         let at = |part| percentile(&sorted, part);
@@ -53,7 +53,7 @@ impl Errors {
 
 impl Percentiles {
     /// Text of the percentiles, each multiplied by a factor and with a unit.
-    pub fn text(self, factor: f64, unit: &str) -> String {
+    pub(super) fn text(self, factor: f64, unit: &str) -> String {
         let number =
             |value: Option<f64>| value.map_or_else(|| "-".to_owned(), |value| format!("{:.2}", factor * value));
         format!("median {}, 95 % {}, worst {} {unit}", number(self.p50), number(self.p95), number(self.max))

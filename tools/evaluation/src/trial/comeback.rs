@@ -17,7 +17,7 @@ const LATEST_PUSH: f32 = 15.0;
 const TIME_LIMIT: f32 = 180.0;
 
 /// One game for each seed, with cameras, from a random start.
-pub fn rows(series: &Series) -> Result<Vec<Row>, Failure> {
+pub(super) fn rows(series: &Series) -> Result<Vec<Row>, Failure> {
     let games = series.each(|seed| play(series, seed))?;
     let goals: Vec<f32> = games.iter().flatten().copied().collect();
     Ok(vec![Row {

@@ -24,44 +24,44 @@ use bica_console::Failure;
 const RELAXED: f32 = 0.35;
 
 /// A forward in a world, and its first fall.
-pub struct FallSubject {
+pub(super) struct FallSubject {
     runner: Runner<Box<Forward>, MujocoWorld>,
     /// Time at which the robot detected a fall, s.
-    pub fall_detected: Option<f32>,
+    pub(super) fall_detected: Option<f32>,
     /// First contact of the ground with another part than the feet.
-    pub impact: Option<Impact>,
+    pub(super) impact: Option<Impact>,
     /// Number of attempts to get up.
-    pub attempts: u8,
+    pub(super) attempts: u8,
     gets_up: bool,
 }
 
 /// Impact of a fall.
 #[derive(Clone, Copy, Debug)]
-pub struct Impact {
+pub(super) struct Impact {
     /// Time, s.
-    pub at: f32,
+    pub(super) at: f32,
     /// Whether the legs were relaxed.
-    pub relaxed: bool,
+    pub(super) relaxed: bool,
 }
 
 /// Recovery from a fall.
 #[derive(Clone, Copy, Debug)]
-pub struct Recovery {
+pub(super) struct Recovery {
     /// Time from the first fall until the robot got up last, or until now, s.
-    pub after: f32,
+    pub(super) after: f32,
     /// Time since the robot got up last, s; 0 if it lies.
-    pub since: f32,
+    pub(super) since: f32,
 }
 
 impl FallSubject {
     /// A standing robot, alone and without cameras.
-    pub fn new(series: &Series, seed: u64) -> Result<Self, Failure> {
+    pub(super) fn new(series: &Series, seed: u64) -> Result<Self, Failure> {
         let start = Some(Start { robot: Pose2::ORIGIN, ball: Vec2::new(-2.8, 1.8) });
         Self::in_game(&Setup { seed, goalkeeper: false, start, ..Setup::default() }, &series.physics, false)
     }
 
     /// A robot at the start of a game.
-    pub fn in_game(setup: &Setup, physics: &Physics, cameras: bool) -> Result<Self, Failure> {
+    pub(super) fn in_game(setup: &Setup, physics: &Physics, cameras: bool) -> Result<Self, Failure> {
         let world = MujocoWorld::new(setup, &Physics { cameras, ..*physics })
             .map_err(|error| Failure::new(error.to_string(), "try another value"))?;
         let mut robot = Box::new(Forward::new());
@@ -71,7 +71,7 @@ impl FallSubject {
     }
 
     /// Runs the forward for some seconds.
-    pub fn run(&mut self, seconds: f32) -> Result<(), Failure> {
+    pub(super) fn run(&mut self, seconds: f32) -> Result<(), Failure> {
         for _ in 0..cycles(seconds) {
             let now = self.runner.world().now().as_secs_f32();
             let command =
@@ -96,12 +96,12 @@ impl FallSubject {
     }
 
     /// Pushes the robot: changes the velocity of its torso, m/s, field frame.
-    pub fn push(&mut self, velocity: Vec2) {
+    pub(super) fn push(&mut self, velocity: Vec2) {
         self.runner.world_mut().push(velocity);
     }
 
     /// Returns the time from the fall to the get-up by the referee, s.
-    pub fn time_down(&self) -> Option<f32> {
+    pub(super) fn time_down(&self) -> Option<f32> {
         let when = |wanted: fn(&Event) -> bool| {
             let happened = self.runner.world().referee().events().iter().find(|happened| wanted(&happened.event));
             happened.map(|happened| happened.at.as_secs_f32())
@@ -112,7 +112,7 @@ impl FallSubject {
     }
 
     /// Returns the recovery from the first fall by the referee; none before it.
-    pub fn recovery(&self) -> Option<Recovery> {
+    pub(super) fn recovery(&self) -> Option<Recovery> {
         let now = self.runner.world().now().as_secs_f32();
         let mut events = self.runner.world().referee().events().iter();
         let fell = events.find(|happened| matches!(happened.event, Event::Fall(_)))?.at.as_secs_f32();
@@ -122,7 +122,7 @@ impl FallSubject {
     }
 
     /// Returns the time from the first fall to the next goal, s.
-    pub fn time_to_goal(&self) -> Option<f32> {
+    pub(super) fn time_to_goal(&self) -> Option<f32> {
         let mut events = self.runner.world().referee().events().iter();
         let fell = events.find(|happened| matches!(happened.event, Event::Fall(_)))?;
         let goal = events.find(|happened| happened.event == Event::Goal)?;
@@ -130,7 +130,7 @@ impl FallSubject {
     }
 
     /// Returns whether the robot has gone on with the game.
-    pub fn is_playing(&self) -> bool {
+    pub(super) fn is_playing(&self) -> bool {
         !self.runner.robot().is_active(Forward::id::<FallGuard>())
     }
 }

@@ -24,7 +24,7 @@ const WALKS: usize = 10;
 const WALK: f32 = 2.0;
 
 /// Pushes to eight sides, then walks and kicks without a push.
-pub fn rows(series: &Series) -> Result<Vec<Row>, Failure> {
+pub(super) fn rows(series: &Series) -> Result<Vec<Row>, Failure> {
     let names =
         ["the front", "front left", "the left", "back left", "the back", "back right", "the right", "front right"];
     let pushes = names.into_iter().enumerate().map(|(eighth, name)| {

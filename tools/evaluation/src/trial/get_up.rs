@@ -9,13 +9,13 @@ use super::table::{Row, median};
 use bica_console::Failure;
 
 /// Time to get up, s.
-pub const TIME_LIMIT: f32 = 15.0;
+pub(super) const TIME_LIMIT: f32 = 15.0;
 /// Least and greatest velocity that a push adds to the torso, m/s.
-pub const LEAST_PUSH: f32 = 2.0;
-pub const GREATEST_PUSH: f32 = 2.6;
+pub(super) const LEAST_PUSH: f32 = 2.0;
+pub(super) const GREATEST_PUSH: f32 = 2.6;
 
 /// Falls to the front, the back and both sides.
-pub fn rows(series: &Series) -> Result<Vec<Row>, Failure> {
+pub(super) fn rows(series: &Series) -> Result<Vec<Row>, Failure> {
     let falls = [("front", Vec2::X), ("back", Vec2::NEG_X), ("left", Vec2::Y), ("right", Vec2::NEG_Y)];
     let row = |(name, direction)| {
         let times = series.each(|seed| push_over(series, seed, direction))?;

@@ -22,7 +22,7 @@ const LEAST_DRIBBLE: f32 = 0.5;
 const MAX_DIRECTION_ERROR: f32 = 15.0;
 
 /// All six kicks, then the in-walk kicks.
-pub fn rows(series: &Series) -> Result<Vec<Row>, Failure> {
+pub(super) fn rows(series: &Series) -> Result<Vec<Row>, Failure> {
     let fixed = Kick::ALL.iter().map(|kick| row(series, *kick));
     let in_walk = Side::BOTH.iter().map(|foot| dribble_row(series, *foot));
     fixed.chain(in_walk).collect()

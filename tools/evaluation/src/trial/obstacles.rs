@@ -33,7 +33,7 @@ const STANDING_TIME: f32 = 3.0;
 type Place = fn(&mut Rng, Vec2) -> Pose2;
 
 /// Pushes to any side, beside three kinds of obstacles.
-pub fn rows(series: &Series) -> Result<Vec<Row>, Failure> {
+pub(super) fn rows(series: &Series) -> Result<Vec<Row>, Failure> {
     let places: [(&str, Place); 3] =
         [("beside a post", at_post), ("in the goal", in_goal), ("beside the goalkeeper", at_keeper)];
     places.into_iter().map(|(name, place)| row(series, name, place)).collect()

@@ -21,7 +21,7 @@ const MAX_POSITION_ERROR: f32 = 0.08;
 const MAX_HEADING_ERROR: f32 = 8.0;
 
 /// Error of odometry after three metres of mixed walking.
-pub fn rows(series: &Series) -> Result<Vec<Row>, Failure> {
+pub(super) fn rows(series: &Series) -> Result<Vec<Row>, Failure> {
     let runs = series.each(|seed| {
         let mut rng = Rng::new(seed);
         let mut walker = Walker::new(seed, Pose2::new(0.0, 0.0, rng.between(-PI, PI)), &series.physics)?;

@@ -7,36 +7,36 @@ use bica_console::{Console, Style};
 
 /// One case of a trial, with all seeds.
 #[derive(Clone, Debug, Serialize)]
-pub struct Row {
+pub(super) struct Row {
     /// Name of the case.
-    pub name: String,
+    pub(super) name: String,
     /// Number of runs.
-    pub runs: usize,
+    pub(super) runs: usize,
     /// Number of runs that succeeded.
-    pub good: usize,
+    pub(super) good: usize,
     /// Number of runs that must succeed.
-    pub needed: usize,
+    pub(super) needed: usize,
     /// Other measurements, as text with units.
-    pub figures: String,
+    pub(super) figures: String,
     /// Whether the other measurements are as required.
-    pub figures_hold: bool,
+    pub(super) figures_hold: bool,
 }
 
 /// Results of one trial.
 #[derive(Clone, Debug, Serialize)]
-pub struct Table {
+pub(super) struct Table {
     /// Name of the trial.
-    pub trial: &'static str,
+    pub(super) trial: &'static str,
     /// One row for each case.
-    pub rows: Vec<Row>,
+    pub(super) rows: Vec<Row>,
 }
 
 /// Results of all trials.
 #[derive(Serialize)]
-pub struct TrialReport<'a> {
-    pub schema: &'static str,
-    pub runs: u32,
-    pub tables: &'a [Table],
+pub(super) struct TrialReport<'a> {
+    pub(super) schema: &'static str,
+    pub(super) runs: u32,
+    pub(super) tables: &'a [Table],
 }
 
 impl Row {
@@ -47,12 +47,12 @@ impl Row {
 
 impl Table {
     /// Returns whether all rows are as required.
-    pub fn holds(&self) -> bool {
+    pub(super) fn holds(&self) -> bool {
         self.rows.iter().all(Row::holds)
     }
 
     /// Prints the table.
-    pub fn print(&self, console: Console) -> Result<(), Failure> {
+    pub(super) fn print(&self, console: Console) -> Result<(), Failure> {
         let heading = format!("{:<26} {:>9} {:>7}  figures", self.trial, "good", "needed");
         console.print(&console.styled(Style::Strong, &heading))?;
         for row in &self.rows {
@@ -65,12 +65,12 @@ impl Table {
 }
 
 /// Returns the median (the upper one of an even number); 0 of no values.
-pub fn median(mut values: Vec<f32>) -> f32 {
+pub(super) fn median(mut values: Vec<f32>) -> f32 {
     values.sort_by(f32::total_cmp);
     values.get(values.len() / 2).copied().unwrap_or(0.0)
 }
 
 /// Returns the mean; 0 of no values.
-pub fn mean(values: &[f32]) -> f32 {
+pub(super) fn mean(values: &[f32]) -> f32 {
     values.iter().sum::<f32>() / values.len().max(1) as f32
 }

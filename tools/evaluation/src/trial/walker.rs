@@ -18,8 +18,8 @@ use glam::Vec2;
 use bica_console::Failure;
 
 /// A robot alone on the field, with a gait and odometry.
-pub struct Walker {
-    pub world: MujocoWorld,
+pub(super) struct Walker {
+    pub(super) world: MujocoWorld,
     gait: Walk,
     odometry: Odometry,
     /// Joint targets of the last cycle, rad.
@@ -28,7 +28,7 @@ pub struct Walker {
 
 impl Walker {
     /// A standing robot; the ball lies in a corner.
-    pub fn new(seed: u64, robot: Pose2, physics: &Physics) -> Result<Self, Failure> {
+    pub(super) fn new(seed: u64, robot: Pose2, physics: &Physics) -> Result<Self, Failure> {
         let start = Some(Start { robot, ball: Vec2::new(-2.8, 1.8) });
         let setup = Setup { seed, goalkeeper: false, start, ..Setup::default() };
         let world =
@@ -40,7 +40,7 @@ impl Walker {
     }
 
     /// Walks with a velocity for some seconds, until a fall.
-    pub fn go(&mut self, velocity: Velocity, seconds: f32) {
+    pub(super) fn go(&mut self, velocity: Velocity, seconds: f32) {
         for _ in 0..cycles(seconds) {
             if self.fell() {
                 return;
@@ -50,12 +50,12 @@ impl Walker {
     }
 
     /// Requests an in-walk kick with a foot.
-    pub const fn kick(&mut self, foot: Side) {
+    pub(super) const fn kick(&mut self, foot: Side) {
         self.gait.request_kick(foot);
     }
 
     /// Walks for one control cycle.
-    pub fn cycle(&mut self, velocity: Velocity) {
+    pub(super) fn cycle(&mut self, velocity: Velocity) {
         let sensors = self.world.sensors();
         let limbs = self.gait.step(velocity, &Feedback::from(&sensors), CYCLE_SECONDS);
         let moved = MotionInput {
@@ -69,7 +69,7 @@ impl Walker {
     }
 
     /// Moves the limbs for one control cycle.
-    pub fn act(&mut self, limbs: &Limbs) {
+    pub(super) fn act(&mut self, limbs: &Limbs) {
         let mut stiffness = Stiffness::Walk.joints();
         for joint in [Joint::HeadYaw, Joint::HeadPitch] {
             stiffness[joint] = 0.7;
@@ -80,29 +80,29 @@ impl Walker {
     }
 
     /// Returns the time of the first fall, s.
-    pub fn fall(&self) -> Option<f32> {
+    pub(super) fn fall(&self) -> Option<f32> {
         let mut events = self.world.referee().events().iter();
         let fall = events.find(|happened| matches!(happened.event, Event::Fall(_)));
         fall.map(|fall| fall.at.as_secs_f32())
     }
 
     /// Returns whether the robot fell.
-    pub fn fell(&self) -> bool {
+    pub(super) fn fell(&self) -> bool {
         self.fall().is_some()
     }
 
     /// Returns the true pose.
-    pub fn pose(&self) -> Pose2 {
+    pub(super) fn pose(&self) -> Pose2 {
         self.world.referee().robot()
     }
 
     /// Returns the pose by odometry, from the start.
-    pub const fn odometry_pose(&self) -> Pose2 {
+    pub(super) const fn odometry_pose(&self) -> Pose2 {
         self.odometry.pose()
     }
 }
 
 /// Returns the number of control cycles in a time, s.
-pub fn cycles(seconds: f32) -> usize {
+pub(super) fn cycles(seconds: f32) -> usize {
     (seconds / CYCLE_SECONDS).round() as usize
 }

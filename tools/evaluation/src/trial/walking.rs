@@ -27,7 +27,7 @@ const MAX_TURN_DRIFT: f32 = 0.1;
 const INTERVAL: f32 = 2.0;
 
 /// Single and combined velocities.
-pub fn velocities(series: &Series) -> Result<Vec<Row>, Failure> {
+pub(super) fn velocities(series: &Series) -> Result<Vec<Row>, Failure> {
     let commanded = [
         ("forward 0.2 m/s", Velocity::new(0.2, 0.0, 0.0)),
         ("backward 0.1 m/s", Velocity::new(-0.1, 0.0, 0.0)),
@@ -95,12 +95,12 @@ fn near(reached: Velocity, commanded: Velocity) -> bool {
 }
 
 /// Random commands, changed every two seconds for a minute.
-pub fn commands(series: &Series) -> Result<Vec<Row>, Failure> {
+pub(super) fn commands(series: &Series) -> Result<Vec<Row>, Failure> {
     Ok(vec![commands_row(series, "random commands, 60 s", &series.physics, 19)?])
 }
 
 /// Random commands with other bodies and floors.
-pub fn bodies(series: &Series) -> Result<Vec<Row>, Failure> {
+pub(super) fn bodies(series: &Series) -> Result<Vec<Row>, Failure> {
     let physics = series.physics;
     let bodies = [
         ("friction 0.5", Physics { friction: 0.5, ..physics }),
@@ -144,7 +144,7 @@ fn inward(rng: &mut Rng, pose: Pose2) -> Velocity {
 }
 
 /// Pushes from random directions, every two seconds for twenty seconds, while walking.
-pub fn pushes(series: &Series) -> Result<Vec<Row>, Failure> {
+pub(super) fn pushes(series: &Series) -> Result<Vec<Row>, Failure> {
     let row = |(name, speed, wanted)| {
         let runs = series.each(|seed| {
             let mut rng = Rng::new(seed);
