@@ -1,4 +1,4 @@
-//! What goals look like.
+//! Solids of the goals.
 
 use glam::{Vec2, Vec3};
 
@@ -7,7 +7,7 @@ use crate::camera::palette::{self, Palette};
 use crate::pitch::{BAR_RADIUS, GOAL_BACK, GOAL_HEIGHT, GOAL_TRIANGLE, POST, POST_RADIUS};
 use crate::referee::GoalColour;
 
-/// Both goals; the one at positive x has the colour given.
+/// Returns the solids of both goals. `attacked`: colour of the goal at positive x.
 pub(crate) fn goals(attacked: GoalColour, palette: &Palette) -> Vec<Solid> {
     [(1.0, attacked), (-1.0, attacked.other())]
         .into_iter()
