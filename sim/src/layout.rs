@@ -5,10 +5,10 @@ use core::f32::consts::PI;
 use bica_motion::pose::{Pose2, rotate};
 use glam::Vec2;
 
-use crate::pitch::{CORNER, POST};
+use crate::field::{CORNER, POST};
 use crate::random::Random;
-use crate::referee::GoalColour;
 use crate::setup::{Setup, Start};
+use bica_field::GoalColour;
 
 /// Start positions and conditions of a game.
 #[derive(Clone, Debug, PartialEq)]

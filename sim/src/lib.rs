@@ -38,13 +38,14 @@
 #![cfg_attr(test, expect(clippy::float_cmp, reason = "values that must be exact are compared exactly"))]
 
 mod camera;
+mod field;
+mod in_loop;
 pub mod kinematic;
 mod layout;
 mod motor_heat;
 #[cfg(feature = "mujoco")]
 pub mod mujoco;
 mod obstacle;
-mod pitch;
 mod random;
 pub mod referee;
 mod segmentation;

@@ -2,7 +2,7 @@
 
 use glam::Vec2;
 
-use crate::pitch::{GOAL_BACK, POST, POST_RADIUS};
+use crate::field::{GOAL_BACK, POST, POST_RADIUS};
 
 /// A capsule on the ground, all points within `radius` of a segment; a disc if both ends coincide. Field frame, m.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -5,8 +5,8 @@ use core::fmt;
 use bica_motion::pose::Pose2;
 use glam::Vec2;
 
+use crate::field::{BALL_RADIUS, CARPET};
 use crate::obstacle::{GOALS, Obstacle};
-use crate::pitch::{BALL_RADIUS, CARPET};
 
 /// Radius of the disc around the robot's origin that must be free at the start, m.
 pub(crate) const ROBOT_RADIUS: f32 = 0.15;

@@ -2,8 +2,8 @@
 
 use glam::Vec2;
 
+use crate::field::BALL_RADIUS;
 use crate::obstacle::Obstacle;
-use crate::pitch::BALL_RADIUS;
 
 /// State of the ball.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -6,7 +6,7 @@ use glam::{Affine3A, Vec2, Vec3};
 use libm::sqrtf;
 
 use super::ball::{Ball, Surface};
-use crate::pitch::BALL_RADIUS;
+use crate::field::BALL_RADIUS;
 
 /// Height of the foot's shell, m (estimated from photographs).
 const HEIGHT: f32 = 0.05;

@@ -11,7 +11,7 @@ use mujoco_rs::prelude::{MjData, MjModel};
 
 use super::model::FreeJoint;
 use super::sensor_model::IdealMeasurement;
-use crate::pitch::BALL_RADIUS;
+use crate::field::BALL_RADIUS;
 
 /// Sets the robot to its standing posture above a pose on the ground.
 pub(crate) fn stand(data: &mut MjData<Box<MjModel>>, torso: FreeJoint, joints: &[usize], at: Pose2) {

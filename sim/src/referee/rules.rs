@@ -6,7 +6,7 @@ use bica_motion::pose::rotate;
 use bica_motion::side::Side;
 use glam::Vec2;
 
-use crate::pitch::{Verdict, judge};
+use super::verdict::{Verdict, judge};
 use crate::referee::{Event, Referee};
 
 /// Minimum speed of the ball after a kick, m/s.

@@ -8,7 +8,7 @@ use super::ground::Ground;
 use crate::camera::canvas::{Canvas, Edge, Pixel};
 use crate::camera::palette::{Palette, Rgb};
 use crate::camera::pinhole::{LANES, Mapping, PinholeCamera, round_wrapping};
-use crate::pitch::CARPET;
+use crate::field::CARPET;
 use crate::random::Random;
 
 /// Half length, half width, and height of the hall, m.

@@ -3,7 +3,7 @@
 use glam::Vec2;
 
 use crate::camera::pinhole::{LANES, round_wrapping};
-use crate::pitch::{CARPET, CIRCLE, CORNER, LINE_WIDTH, MARK, PENALTY_AREA, PENALTY_MARK};
+use crate::field::{CARPET, CIRCLE, CORNER, LINE_WIDTH, MARK, PENALTY_AREA, PENALTY_MARK};
 
 /// Resolution of the map, m.
 const STEP: f32 = 0.01;

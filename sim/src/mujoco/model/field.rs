@@ -5,8 +5,8 @@ use std::fmt::Write;
 
 use glam::{Vec2, Vec3};
 
-use crate::pitch::{
-    BAR_RADIUS, CARPET, CIRCLE, CORNER, GOAL_BACK, GOAL_HEIGHT, GOAL_TRIANGLE, LINE_WIDTH, MARK, PENALTY_AREA,
+use crate::field::{
+    BAR_RADIUS, CARPET, CIRCLE, CORNER, GOAL_BACK, GOAL_HEIGHT, GOAL_PANEL, LINE_WIDTH, MARK, PENALTY_AREA,
     PENALTY_MARK, POST, POST_RADIUS,
 };
 
@@ -72,8 +72,8 @@ fn goal(xml: &mut String, end: f32, paint: &str) {
     for y in [-POST.y, POST.y] {
         tube(xml, at(POST.x, y, 0.0), at(POST.x, y, GOAL_HEIGHT), POST_RADIUS, paint, OBSTACLE);
         tube(xml, at(POST.x, y, 0.006), at(GOAL_BACK, y, 0.006), 0.006, "net", VISUAL);
-        for (x, z) in [(GOAL_TRIANGLE, 0.01), (0.0, GOAL_TRIANGLE)] {
-            let (low, high) = (at(POST.x + GOAL_TRIANGLE, y, 0.01), at(POST.x + x, y, z));
+        for (x, z) in [(GOAL_PANEL, 0.01), (0.0, GOAL_PANEL)] {
+            let (low, high) = (at(POST.x + GOAL_PANEL, y, 0.01), at(POST.x + x, y, z));
             tube(xml, if x > 0.0 { at(POST.x, y, 0.01) } else { low }, high, 0.012, "net", VISUAL);
         }
         let (middle, half) = (f32::midpoint(POST.x, GOAL_BACK), (GOAL_BACK - POST.x) / 2.0);

@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use glam::Vec3;
 
-use crate::pitch::{GOAL_BACK, GOAL_TRIANGLE, POST};
+use crate::field::{GOAL_BACK, GOAL_PANEL, POST};
 
 /// Half length, half width, and height of the hall, m.
 const HALL: Vec3 = Vec3::new(6.4, 5.4, 3.6);
@@ -49,7 +49,7 @@ pub(super) fn write(xml: &mut String) {
 
 /// Writes the threads of the net behind a goal; `end`: 1 at positive x, −1 at negative x.
 fn net(xml: &mut String, end: f32) {
-    let (half_width, half_height) = (POST.y, GOAL_TRIANGLE / 2.0);
+    let (half_width, half_height) = (POST.y, GOAL_PANEL / 2.0);
     let (middle, depth) = (f32::midpoint(POST.x, GOAL_BACK), (GOAL_BACK - POST.x) / 2.0);
     let rows = (2.0 * half_height / MESH) as i32;
     for row in 1..=rows {

@@ -9,10 +9,10 @@ use glam::{Affine3A, Quat};
 
 use super::{hall, shells};
 use crate::camera::light::Light;
+use crate::field::BALL_RADIUS;
 use crate::layout::{Layout, OtherRobot};
 use crate::mujoco::model::field;
 use crate::mujoco::model::paint::{BACKGROUND, Paint};
-use crate::pitch::BALL_RADIUS;
 use crate::random::{Random, Stream};
 use crate::setup::Setup;
 use crate::spectator::FIELD_OF_VIEW;
