@@ -6,13 +6,13 @@ use bica_motion::pose::rotate;
 use bica_vision::frame::Frame;
 use bica_vision::gap;
 use bica_vision::goal::{Goal, GoalFinder, Goals, Post, PostSide};
-use bica_vision::memory::{Memory, Place, sight};
+use bica_vision::memory::{Memory, PositionEstimate, visibility};
 use bica_vision::projection::Camera;
 use bica_vision::uncertainty::{self, Covariance, Errors};
 use glam::Vec2;
 
 use super::ride::Ride;
-use super::{CameraPose, FieldEnd, Odometry, OwnBody};
+use super::{CameraPose, FieldBoundary, Odometry, OwnBody};
 use crate::input::{Colours, Eye};
 
 /// Time without a sighting in which the belief in the goal's place halves, s.
@@ -69,7 +69,7 @@ impl NetDetector {
         time: &Time,
         eye: &Eye,
         colours: &Colours,
-        end: &FieldEnd,
+        end: &FieldBoundary,
         pose: &CameraPose,
         own: &OwnBody,
         odometry: &Odometry,
@@ -90,7 +90,7 @@ impl NetDetector {
         }
     }
 
-    fn look(&mut self, eye: &Eye, colours: &Colours, end: &FieldEnd, pose: &CameraPose) -> Goals {
+    fn look(&mut self, eye: &Eye, colours: &Colours, end: &FieldBoundary, pose: &CameraPose) -> Goals {
         let frame = Frame::from_image(&eye.image());
         frame.map_or(Goals::default(), |frame| self.finder.find(&frame, colours, end.line(), pose.camera()))
     }
@@ -123,11 +123,12 @@ impl NetDetector {
 
     /// A goal of which both posts should be in a sharp image, and none is, is believed less.
     fn note_absence(&mut self, eye: &Eye, camera: &Camera, own: &OwnBody) {
-        let Some(place) = self.memory.place() else { return };
+        let Some(place) = self.memory.estimate() else { return };
         let size = Vec2::new(eye.image().width.into(), eye.image().height.into());
         let half = 0.5 * FIELD.goal_width() * self.across();
-        let posts = [half, -half].map(|aside| Place { position: place.position + aside, ..place });
-        if posts.iter().all(|post| sight::shows(camera, size, own.body(), post, FIELD.post_radius(), VISIBLE)) {
+        let posts = [half, -half].map(|aside| PositionEstimate { position: place.position + aside, ..place });
+        if posts.iter().all(|post| visibility::is_in_view(camera, size, own.body(), post, FIELD.post_radius(), VISIBLE))
+        {
             self.memory.miss();
         }
     }
@@ -215,8 +216,8 @@ impl NetDetector {
 
     /// The same, with how sure that is.
     #[must_use]
-    pub fn place(&self) -> Option<Place> {
-        self.memory.place()
+    pub fn estimate(&self) -> Option<PositionEstimate> {
+        self.memory.estimate()
     }
 }
 

@@ -1,20 +1,20 @@
 //! Where the field ends in the image.
 
 use bica::prelude::*;
-use bica_vision::field_end::FieldEnd as Line;
+use bica_vision::field_boundary::FieldBoundary as Line;
 use bica_vision::frame::Frame;
 
 use crate::input::{Colours, Eye};
 
 /// The line at which the carpet ends in the newest image. What is above it is not on the field.
 #[derive(Debug)]
-pub struct FieldEnd {
+pub struct FieldBoundary {
     line: Line,
     image: u32,
 }
 
 #[component(hz = 30, budget_us = 300)]
-impl FieldEnd {
+impl FieldBoundary {
     /// Has seen no field yet.
     #[must_use]
     pub const fn new() -> Self {
