@@ -19,7 +19,7 @@ pub struct Marks {
     /// Goals.
     pub goals: Vec<Goal>,
     /// Field boundary, from left to right.
-    pub field_end: Vec<Vec2>,
+    pub field_boundary: Vec<Vec2>,
     /// White lines.
     pub lines: Vec<Line>,
     /// Other robots.

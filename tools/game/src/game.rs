@@ -8,8 +8,8 @@ use bica::runner::Runner;
 use bica_console::{Failure, interrupt};
 use bica_motion::pose::Pose2;
 use bica_player::Forward;
-use bica_player::input::Measured;
-use bica_player::perception::NetDetector;
+use bica_player::input::{HealthMonitor, RobotProfile};
+use bica_player::perception::GoalDetector;
 use bica_sim::SpectatorView;
 use bica_sim::setup::Frame;
 use glam::Vec2;
@@ -84,8 +84,8 @@ impl Game {
         let world = world_factory::open(rules)?;
         let mut robot = Box::new(Forward::new());
         let (attacks, start, ball) = (world.referee().attacks(), world.referee().robot(), world.referee().ball());
-        robot.get_mut::<Measured>().set_profile(rules.world.profile());
-        robot.get_mut::<NetDetector>().attack(attacks);
+        robot.get_mut::<RobotProfile>().set(rules.world.profile());
+        robot.get_mut::<GoalDetector>().attack(attacks);
         let firmware = rules.firmware.map(|image| image.start(attacks)).transpose()?;
         let observers = (FirmwareCheck::new(firmware), (Meter::new(&GRAPH), Stopwatch::default()));
         Ok(Self {
@@ -169,7 +169,7 @@ impl Game {
             meter,
         };
         GameSummary {
-            fault: robot.get::<Measured>().fault().map(|fault| fault.to_string()),
+            fault: robot.get::<HealthMonitor>().fault().map(|fault| fault.to_string()),
             firmware: firmware.summarize(),
             ..GameSummary::new(rules, world.referee(), world.now(), measurements, real)
         }

@@ -7,9 +7,9 @@ use bica_field::{CrossingKind, FIELD, GoalColour};
 use bica_motion::robot::{CameraId, Image};
 use bica_vision::centre_circle::CentreCircle;
 use bica_vision::crossings;
-use bica_vision::eyes::{self, Seen};
 use bica_vision::frame::Frame;
 use bica_vision::own_body::OwnBody;
+use bica_vision::pipeline;
 use bica_vision::projection::Camera;
 use bica_vision::robots::{self, Team};
 use bica_vision::table::FullTable;
@@ -29,7 +29,7 @@ pub struct Detectors {
     colours: ColourTable,
     /// Radius of the ball, m.
     radius: f32,
-    detectors: eyes::Eyes<512, 512>,
+    detectors: pipeline::Pipeline<512, 512>,
 }
 
 /// Detections in an image. Pixels: x right, y down, the centre of the first pixel is (0, 0).
@@ -44,7 +44,8 @@ pub struct Detections {
     /// Goals.
     pub goals: Vec<Goal>,
     /// Corners of the field boundary, from the left.
-    pub field_end: Vec<[f32; 2]>,
+    #[serde(rename = "field_end")]
+    pub field_boundary: Vec<[f32; 2]>,
     /// White lines: `[x0, y0, x1, y1]` from end to end.
     pub lines: Vec<[f32; 4]>,
     /// Other robots.
@@ -136,7 +137,7 @@ impl Detectors {
     /// Detectors for a ball of `radius` metres.
     #[must_use]
     pub fn new(colours: ColourTable, radius: f32) -> Self {
-        Self { colours, radius, detectors: eyes::Eyes::new(radius) }
+        Self { colours, radius, detectors: pipeline::Pipeline::new(radius) }
     }
 
     /// Runs the detectors on an image.
@@ -151,8 +152,10 @@ impl Detectors {
         let began = Instant::now();
         let own = camera.map_or(OwnBody::NONE, |camera| OwnBody::standing(camera, CAMERA));
         let seen = match &self.colours {
-            ColourTable::Compact(table) => self.detectors.look_beside(&frame, &**table, camera, &own),
-            ColourTable::Full(cells) => self.detectors.look_beside(&frame, &FullTable::from(&**cells), camera, &own),
+            ColourTable::Compact(table) => self.detectors.detect_with_body(&frame, &**table, camera, &own),
+            ColourTable::Full(cells) => {
+                self.detectors.detect_with_body(&frame, &FullTable::from(&**cells), camera, &own)
+            }
         };
         let wall_ms = 1e3 * began.elapsed().as_secs_f64();
         let mut detections = self.collect(file, pose, camera, seen, wall_ms);
@@ -165,10 +168,10 @@ impl Detectors {
         file: &str,
         pose: Option<&Pose>,
         camera: Option<&Camera>,
-        seen: Seen,
+        seen: pipeline::Detections,
         wall_ms: f64,
     ) -> Detections {
-        let Seen { end, ball, goals, lines, robots, markings } = seen;
+        let pipeline::Detections { end, ball, goals, lines, robots, markings } = seen;
         let goals: Vec<_> = [goals.yellow, goals.blue].into_iter().flatten().collect();
         Detections {
             file: file.to_owned(),
@@ -179,7 +182,7 @@ impl Detectors {
             },
             ball: ball.map(|ball| Ball::new(&ball, camera, self.radius)),
             goals: goals.iter().map(|goal| Goal::new(goal, camera)).collect(),
-            field_end: end.corners().iter().map(Vec2::to_array).collect(),
+            field_boundary: end.corners().iter().map(Vec2::to_array).collect(),
             lines: lines.iter().map(|line| [line.from.x, line.from.y, line.to.x, line.to.y]).collect(),
             robots: robots.iter().map(|robot| Robot::new(robot, camera)).collect(),
             crossings: markings.crossings.iter().map(Crossing::new).collect(),
@@ -189,7 +192,7 @@ impl Detectors {
             marks: Marks {
                 ball,
                 goals,
-                field_end: end.corners().to_vec(),
+                field_boundary: end.corners().to_vec(),
                 lines: lines.to_vec(),
                 robots: robots.to_vec(),
                 crossings: markings.crossings.to_vec(),

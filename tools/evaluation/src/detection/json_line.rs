@@ -10,7 +10,8 @@ pub struct JsonLine<'a> {
     file: &'a str,
     ball: Option<&'a Ball>,
     goals: Vec<GoalBox<'a>>,
-    field_end: &'a [[f32; 2]],
+    #[serde(rename = "field_end")]
+    field_boundary: &'a [[f32; 2]],
     lines: &'a [[f32; 4]],
     robots: &'a [Robot],
     crossings: &'a [Crossing],
@@ -41,7 +42,7 @@ impl<'a> JsonLine<'a> {
             file: &seen.file,
             ball: seen.ball.as_ref(),
             goals: seen.goals.iter().map(frame).collect(),
-            field_end: &seen.field_end,
+            field_boundary: &seen.field_boundary,
             lines: &seen.lines,
             robots: &seen.robots,
             crossings: &seen.crossings,

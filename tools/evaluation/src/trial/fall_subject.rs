@@ -7,9 +7,9 @@ use bica_motion::joints::Joint;
 use bica_motion::pose::Pose2;
 use bica_motion::profile::Profile;
 use bica_player::Forward;
-use bica_player::behaviour::FallGuard;
-use bica_player::input::Measured;
-use bica_player::perception::{FallDetector, NetDetector};
+use bica_player::behaviour::SafetyGuard;
+use bica_player::input::RobotProfile;
+use bica_player::perception::{FallDetector, GoalDetector};
 use bica_sim::World;
 use bica_sim::mujoco::{MujocoWorld, Physics};
 use bica_sim::referee::Event;
@@ -65,8 +65,8 @@ impl FallSubject {
         let world = MujocoWorld::new(setup, &Physics { cameras, ..*physics })
             .map_err(|error| Failure::new(error.to_string(), "try another value"))?;
         let mut robot = Box::new(Forward::new());
-        robot.get_mut::<Measured>().set_profile(&Profile::NAO);
-        robot.get_mut::<NetDetector>().attack(world.referee().attacks());
+        robot.get_mut::<RobotProfile>().set(&Profile::NAO);
+        robot.get_mut::<GoalDetector>().attack(world.referee().attacks());
         Ok(Self { runner: Runner::new(robot, world), fall_detected: None, impact: None, attempts: 0, gets_up: false })
     }
 
@@ -88,7 +88,7 @@ impl FallSubject {
 
     fn count_attempts(&mut self) {
         let robot = self.runner.robot();
-        let guard = Forward::id::<FallGuard>();
+        let guard = Forward::id::<SafetyGuard>();
         let states = Forward::GRAPH.nodes[guard.index()].states;
         let gets_up = robot.is_active(guard) && robot.state(guard).is_some_and(|state| states[state].name == "get_up");
         self.attempts += u8::from(gets_up && !self.gets_up);
@@ -131,6 +131,6 @@ impl FallSubject {
 
     /// Returns whether the robot has gone on with the game.
     pub(super) fn is_playing(&self) -> bool {
-        !self.runner.robot().is_active(Forward::id::<FallGuard>())
+        !self.runner.robot().is_active(Forward::id::<SafetyGuard>())
     }
 }

@@ -9,7 +9,7 @@ use bica_motion::side::Side;
 use bica_player::Forward;
 use bica_player::behaviour::{LookAround, Player};
 use bica_player::motion::Body;
-use bica_player::perception::{Localization, NetDetector};
+use bica_player::perception::{GoalDetector, Localization};
 use bica_sim::World;
 use bica_sim::kinematic::KinematicWorld;
 use bica_sim::setup::{Setup, Start};
@@ -98,7 +98,7 @@ impl Lookout {
         robot.hold::<Player>(Hold::Latent);
         robot.hold::<LookAround>(Hold::Active);
         robot.hold::<Body>(Hold::Active);
-        robot.get_mut::<NetDetector>().attack(world.referee().attacks());
+        robot.get_mut::<GoalDetector>().attack(world.referee().attacks());
         Self { runner: Runner::new(robot, Stage { world, cycle: 0 }), seed }
     }
 

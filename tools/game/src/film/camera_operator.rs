@@ -156,7 +156,7 @@ mod tests {
     fn the_picture_shows_robot_and_ball_and_mostly_the_goal() {
         let mut goals = 0;
         for subjects in situations() {
-            let view = CameraOperator::new().choose(&sight);
+            let view = CameraOperator::new().choose(&subjects);
             for point in [subjects.robot, subjects.ball] {
                 assert!(column(view, point).abs() < 0.98, "{} {} from {view:?}", subjects.robot, subjects.ball);
             }
