@@ -6,7 +6,7 @@ use bica_wire::message::{ClockMode, FaultInjection, GoalColour, Hello, ImageChun
 use bica_wire::{Encoder, FromRobot, MAX_PACKET, SCHEMA, ToRobot};
 
 /// Schema of these bytes.
-const GOLDEN_SCHEMA: u64 = 0xdac9_1218_8cf8_d70e;
+const GOLDEN_SCHEMA: u64 = 0x440d_edbb_24e7_fd83;
 
 fn bytes(message: &impl serde::Serialize) -> Vec<u8> {
     Encoder::new().encode(message, &mut [0; MAX_PACKET]).expect("the packet fits").to_vec()
