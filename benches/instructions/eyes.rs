@@ -1,6 +1,6 @@
 //! The eyes: what frames cost, and what those cost that are made to.
 
-use bica_vision::ball::RADIUS;
+use bica_field::FIELD;
 use bica_vision::eyes::Eyes;
 use bica_vision::profile::BUILT_IN_TABLE;
 use gungraun::prelude::*;
@@ -21,7 +21,7 @@ const DAWDLE: usize = 1000;
 type Desk = (Box<Eyes<512, 512>>, Album);
 
 fn desk(album: Album) -> Desk {
-    (Box::new(Eyes::new(RADIUS)), album)
+    (Box::new(Eyes::new(FIELD.ball_radius())), album)
 }
 
 fn usual() -> Desk {

@@ -26,8 +26,6 @@ use crate::uncertainty::Errors;
 
 /// Orange regions that are looked at, the largest first.
 pub const CANDIDATES: usize = 8;
-/// Radius of the ball of the rules of 2010 to 2015, m; the world of this project has this one.
-pub const RADIUS: f32 = 0.0325;
 /// Radius of the ball of 2009 in the frames of `nao2009`, m.
 pub const RADIUS_2009: f32 = 0.043;
 

@@ -7,6 +7,7 @@
 
 use core::f32::consts::{FRAC_PI_2, PI};
 
+use bica_field::{CrossingKind, FIELD};
 use bica_motion::pose::{Pose2, wrap};
 use glam::Vec2;
 use heapless::Vec;
@@ -17,7 +18,6 @@ use crate::colour::Classify;
 use crate::frame::Frame;
 use crate::lines::Line;
 use crate::paint::{Ground, Shown};
-use crate::pitch::CIRCLE;
 use crate::projection::Camera;
 
 /// Crossings in a frame; more are dropped.
@@ -38,17 +38,6 @@ const ALONG: [f32; 4] = [0.09, 0.13, 0.17, 0.21];
 const CROSS_ARMS: usize = 2;
 /// Crossings that are nearer to each other are one, m.
 const SAME: f32 = 0.25;
-
-/// How lines meet.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum CrossingKind {
-    /// Both end.
-    L,
-    /// One ends at the other.
-    T,
-    /// Both go on.
-    X,
-}
 
 /// A crossing of two lines.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -89,7 +78,7 @@ pub fn find(
 fn on_circle(circle: &CentreCircle) -> impl Iterator<Item = Pose2> + use<> {
     let centre = circle.centre;
     let ways = circle.halfway.into_iter().flat_map(|way| [way, -way]);
-    ways.map(move |way| Pose2 { position: centre + CIRCLE * way, heading: atan2f(way.y, way.x) })
+    ways.map(move |way| Pose2 { position: centre + FIELD.centre_circle_radius() * way, heading: atan2f(way.y, way.x) })
 }
 
 /// Where two lines on the ground would meet at about a right angle, heading along the longer one.

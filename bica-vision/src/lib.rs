@@ -14,7 +14,7 @@
 //! | lines | [`lines`] | 40 µs, needs luma and at a line's sides green |
 //! | crossings, centre circle | [`markings`]: [`crossings`], [`centre_circle`] | 8 µs, 50 µs where there are many lines |
 //! | other robots | [`robots`] | 20 µs |
-//! | place on the field | [`localization`], on the map [`pitch`] | 0.5 ms with 200 particles |
+//! | place on the field | [`localization`], on the field of [`bica_field`] | 0.5 ms with 200 particles |
 //! | the robot's own body | [`own_body`] | 1 µs, and 0.1 µs for a pixel |
 //! | the world | [`projection`], [`uncertainty`], [`hypothesis`], [`memory`] | 20 to 600 ns for a point |
 //!
@@ -30,22 +30,23 @@
 //! [`projection`], metres, x forward, y left, z up.
 //!
 //! ```
+//! use bica_field::FIELD;
 //! use bica_motion::{joints::Joints, robot::CameraId, side::Side};
 //! use bica_vision::{
-//!     ball::{self, BallFinder}, field_end::FieldEnd, frame::Frame, goal::GoalFinder, profile, projection::Camera,
+//!     ball::BallFinder, field_end::FieldEnd, frame::Frame, goal::GoalFinder, profile, projection::Camera,
 //!     table::CompactTable,
 //! };
 //!
 //! # let (bytes, angles) = (vec![0; 2 * 320 * 240], Joints::all(0.0));
 //! let table = CompactTable::compile(&profile::BUILT_IN);
-//! let mut balls = BallFinder::<512>::new(ball::RADIUS);
+//! let mut balls = BallFinder::<512>::new(FIELD.ball_radius());
 //! let mut goals = GoalFinder::<1024>::new();
 //!
 //! let frame = Frame::new(320, 240, &bytes).expect("a frame");
 //! let camera = Camera::of_nao(CameraId::Top, &angles, Side::Left, 320, 240);
 //! let end = FieldEnd::find_with(&frame, &table, Some(&camera));
 //! let ball = balls.find(&frame, &table, &end, Some(&camera));
-//! let ball_on_ground = ball.and_then(|ball| ball.ground(&camera, ball::RADIUS));
+//! let ball_on_ground = ball.and_then(|ball| ball.ground(&camera, FIELD.ball_radius()));
 //! let goal = goals.find(&frame, &table, &end, Some(&camera)).blue;
 //! let goal_on_ground = goal.and_then(|goal| goal.ground(&camera));
 //! # assert_eq!((ball_on_ground, goal_on_ground), (None, None));
@@ -72,7 +73,6 @@ pub mod markings;
 pub mod memory;
 pub mod own_body;
 mod paint;
-pub mod pitch;
 pub mod profile;
 pub mod projection;
 pub mod regions;

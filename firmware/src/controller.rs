@@ -7,8 +7,7 @@ use bica_motion::stand::{STAND, Stiffness};
 use bica_player::Forward;
 use bica_player::input::EYE_BYTES;
 use bica_player::perception::{BallDetector, NetDetector};
-use bica_vision::colour::Colour;
-use bica_wire::message::{ClockMode, Command, GoalColour, Hello, Identity, LinkStats, Sensors, Telemetry};
+use bica_wire::message::{ClockMode, Command, Hello, Identity, LinkStats, Sensors, Telemetry};
 use bica_wire::{FromRobot, ImageBuffer, SCHEMA, ToRobot, describe};
 use embassy_time::Duration;
 use embedded_io_async::Write;
@@ -123,10 +122,7 @@ impl<B: Board> Controller<B> {
             B::reset();
         }
         defmt::info!("game started; lockstep: {=bool}", hello.clock_mode == ClockMode::Lockstep);
-        self.runner.robot_mut().get_mut::<NetDetector>().attack(match hello.attacks {
-            GoalColour::Yellow => Colour::Yellow,
-            GoalColour::Blue => Colour::Blue,
-        });
+        self.runner.robot_mut().get_mut::<NetDetector>().attack(hello.attacks);
         self.clock_mode = Some(hello.clock_mode);
         tx.send(&self.identity()).await;
     }

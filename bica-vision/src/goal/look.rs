@@ -2,10 +2,11 @@
 
 use core::ops::RangeInclusive;
 
+use bica_field::{FIELD, GoalColour};
 use glam::Vec2;
 use heapless::Vec;
 
-use super::{Goal, HEIGHT, POST_WIDTH, Post, PostSide};
+use super::{Goal, Post, PostSide};
 use crate::bars::{BARS, Bar};
 use crate::colour::Colour;
 use crate::field_end::FieldEnd;
@@ -26,7 +27,8 @@ pub(super) struct Look<'a, const N: usize> {
 }
 
 impl<const N: usize> Look<'_, N> {
-    pub(super) fn goal(&self, colour: Colour, bars: &[Bar]) -> Option<Goal> {
+    pub(super) fn goal(&self, goal: GoalColour, bars: &[Bar]) -> Option<Goal> {
+        let colour = Colour::of_goal(goal);
         let own = bars.iter().filter(|bar| bar.colour == colour && self.is_post(bar));
         let posts: Vec<Post, BARS> = own.map(|bar| self.post(bar)).collect();
         let (mut first, mut second) = (posts.iter().copied().max_by(|a, b| area(a).total_cmp(&area(b)))?, None);
@@ -35,7 +37,7 @@ impl<const N: usize> Look<'_, N> {
             second = Some(Post { side: PostSide::Right, ..right });
         }
         let (min, max) = self.bounds(colour, first, second);
-        Some(Goal { colour, first, second, min, max })
+        Some(Goal { colour: goal, first, second, min, max })
     }
 
     fn is_post(&self, bar: &Bar) -> bool {
@@ -73,7 +75,7 @@ impl<const N: usize> Look<'_, N> {
         let sees_all = sees_foot && !self.is_at_top(bar.top.y);
         (reaches || self.is_at_top(bar.top.y))
             && (!sees_foot || is_of_width(camera, bar, slack))
-            && (!sees_all || hypothesis::is_as_high(camera, bar.bottom, bar.top, HEIGHT, &Errors::NAO))
+            && (!sees_all || hypothesis::is_as_high(camera, bar.bottom, bar.top, FIELD.goal_height(), &Errors::NAO))
     }
 
     fn post(&self, bar: &Bar) -> Post {
@@ -149,7 +151,7 @@ fn area(post: &Post) -> f32 {
 fn is_of_width(camera: &Camera, bar: &Bar, slack: f32) -> bool {
     let expected = |dy: f32| {
         let place = camera.ground(bar.bottom + Vec2::new(0.0, dy), 0.0)?;
-        camera.sphere_radius(place.extend(0.5 * POST_WIDTH), 0.5 * POST_WIDTH).map(|radius| 2.0 * radius)
+        camera.sphere_radius(place.extend(FIELD.post_radius()), FIELD.post_radius()).map(|radius| 2.0 * radius)
     };
     let Some(thickest) = expected(slack) else { return false };
     let thinnest = expected(-slack).unwrap_or(0.0);

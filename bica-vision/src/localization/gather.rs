@@ -1,10 +1,10 @@
 //! From what detectors find in an image to sightings.
 
+use bica_field::GoalColour;
 use glam::Vec2;
 use heapless::Vec;
 
 use super::{POINTS, POSTS, PostSighting, Sightings};
-use crate::colour::Colour;
 use crate::crossings::Crossing;
 use crate::goal::{Goal, Goals, Post};
 use crate::lines::Line;
@@ -15,10 +15,9 @@ use crate::projection::Camera;
 const CROSSING_FARTHEST: f32 = 3.0;
 
 impl Sightings {
-    /// What is seen of the field: what is painted on it, and goals; `attacked` is the colour of the goal at positive x,
-    /// [`Colour::Yellow`] or [`Colour::Blue`].
+    /// Sightings of one image: field markings and goals. `attacked` is the colour of the goal at positive x.
     #[must_use]
-    pub fn of(markings: &Markings, goals: &Goals, attacked: Colour, camera: &Camera) -> Self {
+    pub fn of(markings: &Markings, goals: &Goals, attacked: GoalColour, camera: &Camera) -> Self {
         let near = |crossing: &Crossing| {
             let is_near = crossing.ground.position.length() < CROSSING_FARTHEST;
             is_near.then_some((crossing.kind, crossing.ground))

@@ -2,15 +2,14 @@
 
 use core::f32::consts::{FRAC_PI_2, PI};
 
+use bica_field::{CrossingKind, FIELD};
 use bica_motion::pose::Pose2;
 use glam::Vec2;
 use libm::atan2f;
 
 use super::random::Random;
-use super::{PostSighting, Sightings, pose_of};
-use crate::crossings::CrossingKind;
-use crate::goal::{POST_DISTANCE, PostSide};
-use crate::pitch;
+use super::{PostSighting, Sightings, map, pose_of};
+use crate::goal::PostSide;
 
 /// How far guesses are spread, m at a place and for each metre to what is seen, and rad.
 const SPREAD: (f32, f32, f32) = (0.03, 0.03, 0.03);
@@ -19,7 +18,7 @@ const WIDTH_ERROR: f32 = 0.15;
 
 /// Any pose within the lines.
 pub(super) fn anywhere(random: &mut Random) -> Pose2 {
-    Pose2::new(random.within(pitch::CORNER.x), random.within(pitch::CORNER.y), random.within(PI))
+    Pose2::new(random.within(FIELD.field_corner().x), random.within(FIELD.field_corner().y), random.within(PI))
 }
 
 /// A pose from which one of the sightings would look like this; of what tells most, mostly.
@@ -37,7 +36,7 @@ pub(super) fn from(sightings: &Sightings, random: &mut Random) -> Pose2 {
     } else {
         None
     };
-    match drawn.filter(|(pose, _)| pose.position.abs().cmple(pitch::CARPET).all()) {
+    match drawn.filter(|(pose, _)| pose.position.abs().cmple(FIELD.carpet_corner()).all()) {
         Some((pose, way)) => spread(pose, way, random),
         None => anywhere(random),
     }
@@ -61,11 +60,11 @@ fn from_posts(sightings: &Sightings, random: &mut Random) -> Guess {
     if let (Some(left), Some(right)) = (left, right)
         && post.side != PostSide::Unknown
     {
-        let [known_left, known_right] = pitch::posts(post.attacked);
+        let [known_left, known_right] = FIELD.goal_posts(post.attacked);
         let pose = pose_of(between(known_left, known_right), between(left.at, right.at));
         return Some((pose, left.at.length()));
     }
-    let [left, right] = pitch::posts(post.attacked);
+    let [left, right] = FIELD.goal_posts(post.attacked);
     let is_left = match post.side {
         PostSide::Left => true,
         PostSide::Right => false,
@@ -79,7 +78,7 @@ fn partner<'a>(posts: &'a [PostSighting], post: &PostSighting, side: PostSide) -
     posts.iter().find(|other| {
         let width = other.at.distance(post.at);
         let error = 0.1 + WIDTH_ERROR * post.at.length();
-        other.side == side && other.attacked == post.attacked && libm::fabsf(width - POST_DISTANCE) < error
+        other.side == side && other.attacked == post.attacked && libm::fabsf(width - FIELD.goal_width()) < error
     })
 }
 
@@ -97,8 +96,8 @@ fn from_circle(sightings: &Sightings, random: &mut Random) -> Guess {
 }
 
 fn from_crossing(kind: CrossingKind, seen: Pose2, random: &mut Random) -> Pose2 {
-    let chosen = random.below(pitch::count(kind));
-    let mut known = pitch::crossings(kind).nth(chosen).unwrap_or(Pose2::ORIGIN);
+    let chosen = random.below(map::count(kind));
+    let mut known = map::crossings(kind).nth(chosen).unwrap_or(Pose2::ORIGIN);
     if kind == CrossingKind::X {
         known.heading += FRAC_PI_2 * random.below(4) as f32;
     }

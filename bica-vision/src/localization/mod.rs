@@ -13,8 +13,10 @@
 mod gather;
 mod guess;
 mod likelihood;
+pub mod map;
 mod random;
 
+use bica_field::{CrossingKind, FIELD};
 use bica_motion::pose::{Pose2, rotate, wrap};
 use glam::Vec2;
 use heapless::Vec;
@@ -22,9 +24,8 @@ use libm::fabsf;
 
 use self::random::Random;
 use crate::centre_circle::CentreCircle;
-use crate::crossings::{CROSSINGS, CrossingKind};
+use crate::crossings::CROSSINGS;
 use crate::goal::PostSide;
-use crate::pitch::CARPET;
 
 /// Points on lines that are used of one image.
 pub const POINTS: usize = 24;
@@ -252,7 +253,7 @@ fn on_carpet(pose: Pose2) -> Pose2 {
     if !(pose.position.is_finite() && pose.heading.is_finite()) {
         return Pose2::ORIGIN;
     }
-    Pose2 { position: pose.position.clamp(-CARPET, CARPET), heading: wrap(pose.heading) }
+    Pose2 { position: pose.position.clamp(-FIELD.carpet_corner(), FIELD.carpet_corner()), heading: wrap(pose.heading) }
 }
 
 /// The pose of a robot that sees `seen`, a pose of its own frame, where the field has `known`.

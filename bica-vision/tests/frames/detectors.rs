@@ -2,7 +2,8 @@
 
 use std::cell::Cell;
 
-use bica_vision::ball::{self, Ball, BallFinder};
+use bica_field::FIELD;
+use bica_vision::ball::{Ball, BallFinder};
 use bica_vision::colour::{Classify, Colour};
 use bica_vision::field_end::FieldEnd;
 use bica_vision::frame::Pixel;
@@ -18,7 +19,7 @@ use crate::canvas::{BLUE, CARPET, Canvas, LINE, ORANGE, RED, WALL, YELLOW};
 fn ball_in(canvas: &Canvas, camera: Option<&Camera>) -> Option<Ball> {
     canvas.look(|frame| {
         let end = FieldEnd::find(frame, &BUILT_IN_TABLE);
-        BallFinder::<512>::new(ball::RADIUS).find(frame, &BUILT_IN_TABLE, &end, camera)
+        BallFinder::<512>::new(FIELD.ball_radius()).find(frame, &BUILT_IN_TABLE, &end, camera)
     })
 }
 
@@ -112,8 +113,8 @@ proptest! {
     #[test]
     fn a_ball_has_the_size_of_its_place(distance in 0.4_f32..3.0, side in -0.3_f32..0.3, factor in 0.3_f32..3.0) {
         let camera = camera(0.3);
-        let place = Vec3::new(distance, side * distance, ball::RADIUS);
-        let (Some(centre), Some(radius)) = (camera.pixel(place), camera.sphere_radius(place, ball::RADIUS)) else {
+        let place = Vec3::new(distance, side * distance, FIELD.ball_radius());
+        let (Some(centre), Some(radius)) = (camera.pixel(place), camera.sphere_radius(place, FIELD.ball_radius())) else {
             return Err(TestCaseError::fail("behind the camera"));
         };
         prop_assume!(centre.y < 230.0 - radius && radius * factor > 3.0);
@@ -121,7 +122,7 @@ proptest! {
         canvas.disc(ORANGE, centre, radius * factor);
         let found = ball_in(&canvas, Some(&camera));
         if (0.8..1.25).contains(&factor) {
-            let at = found.and_then(|ball| ball.ground(&camera, ball::RADIUS));
+            let at = found.and_then(|ball| ball.ground(&camera, FIELD.ball_radius()));
             prop_assert!(at.is_some_and(|at| at.distance(place.truncate()) < 0.03 + 0.05 * distance), "{at:?}");
         } else if distance < 1.0 && !(0.5..2.0).contains(&factor) {
             prop_assert_eq!(found, None);
@@ -293,7 +294,7 @@ fn a_ball_costs_its_part_of_the_frame_and_a_goal_nothing() {
         let end = FieldEnd::find(frame, &colours);
         assert!(colours.0.get() <= 40 * 120, "the end of the field takes 40 columns, every second row");
         colours.0.set(0);
-        assert!(BallFinder::<512>::new(ball::RADIUS).find(frame, &colours, &end, None).is_some());
+        assert!(BallFinder::<512>::new(FIELD.ball_radius()).find(frame, &colours, &end, None).is_some());
         // The rows below the end of the field, and the rays and samples of one candidate.
         assert!(colours.0.get() <= 160 * 130 + 32 * 30 + 81, "{} pixels for the ball", colours.0.get());
     });

@@ -2,15 +2,15 @@
 
 use std::ops::Range;
 
+use bica_field::{FIELD, GoalColour};
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::pose::Pose2;
 use bica_motion::robot::{CameraId, Command, Lights};
 use bica_motion::side::Side;
 use bica_sim::World;
 use bica_sim::kinematic::KinematicWorld;
-use bica_sim::referee::GoalColour;
 use bica_sim::setup::{Setup, Start};
-use bica_vision::ball::{self, BallFinder};
+use bica_vision::ball::BallFinder;
 use bica_vision::colour::{Classify, Colour, Filter, Filters};
 use bica_vision::field_end::FieldEnd;
 use bica_vision::frame::Frame;
@@ -117,7 +117,7 @@ fn own_red_parts_are_no_balls_and_no_ball_is_lost() {
         0..24,
         |_| Vec2::new(-1.5, 0.5),
         |frame, camera, own| {
-            let mut finder = BallFinder::<512>::new(ball::RADIUS);
+            let mut finder = BallFinder::<512>::new(FIELD.ball_radius());
             let end = FieldEnd::find_with(frame, &colours, Some(camera));
             // A robot that knows no pose cannot tell by the size.
             alone += usize::from(finder.find(frame, &colours, &end, None).is_some());
@@ -131,7 +131,7 @@ fn own_red_parts_are_no_balls_and_no_ball_is_lost() {
     let (mut balls, mut lost) = (0, 0);
     let near = |seed: u64| Vec2::new(0.15 + 0.01 * (seed % 8) as f32, 0.03 * (seed % 7) as f32 - 0.09);
     looks(0..40, near, |frame, camera, own| {
-        let mut finder = BallFinder::<512>::new(ball::RADIUS);
+        let mut finder = BallFinder::<512>::new(FIELD.ball_radius());
         let end = FieldEnd::find_with(frame, &colours, Some(camera));
         let found = finder.find(frame, &colours, &end, Some(camera));
         balls += usize::from(found.is_some());

@@ -1,5 +1,6 @@
 //! What should be visible is believed less when it is not seen; what is out of sight is not.
 
+use bica_field::FIELD;
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::pose::Pose2;
 use bica_motion::robot::CameraId;
@@ -13,7 +14,7 @@ use bica_vision::uncertainty;
 use glam::Vec2;
 
 const SIZE: Vec2 = Vec2::new(320.0, 240.0);
-const RADIUS: f32 = 0.0325;
+const RADIUS: f32 = FIELD.ball_radius();
 
 /// A NAO that looks somewhere: camera, yaw and pitch.
 fn view(id: CameraId, yaw: f32, pitch: f32) -> (Camera, OwnBody) {

@@ -4,9 +4,9 @@ use std::fs::File;
 use std::io::{self, BufWriter};
 use std::path::Path;
 
+use bica_field::CrossingKind;
 use bica_motion::robot::Image;
 use bica_sim::World;
-use bica_vision::crossings::CrossingKind;
 use bica_vision::eyes::Seen;
 use bica_vision::projection::Camera;
 use glam::Vec2;

@@ -1,8 +1,9 @@
 //! The ball.
 
 use bica::prelude::*;
+use bica_field::FIELD;
 use bica_motion::robot::CameraId;
-use bica_vision::ball::{Ball, BallFinder, RADIUS};
+use bica_vision::ball::{Ball, BallFinder};
 use bica_vision::frame::Frame;
 use bica_vision::memory::ball::BallMemory;
 use bica_vision::memory::{Place, sight};
@@ -49,7 +50,7 @@ impl BallDetector {
     #[must_use]
     pub const fn new() -> Self {
         Self {
-            finder: BallFinder::new(RADIUS),
+            finder: BallFinder::new(FIELD.ball_radius()),
             seen: None,
             in_row: 0,
             unseen_ms: LOST,
@@ -90,7 +91,7 @@ impl BallDetector {
     fn note(&mut self, seen: &Seen, pose: &CameraPose) {
         let (true, Some(camera)) = (self.sure(), pose.camera()) else { return };
         self.unseen_ms = 0;
-        if let Some(Place { position, covariance }) = seen.ball.place(camera, RADIUS) {
+        if let Some(Place { position, covariance }) = seen.ball.place(camera, FIELD.ball_radius()) {
             self.memory.see(position, &covariance, seen.ball.confidence);
         }
     }
@@ -99,7 +100,7 @@ impl BallDetector {
     fn note_absence(&mut self, eye: &Eye, pose: &CameraPose, own: &OwnBody) {
         let Some((camera, place)) = pose.camera().zip(self.memory.likeliest()) else { return };
         let size = Vec2::new(eye.image().width.into(), eye.image().height.into());
-        if pose.is_steady() && sight::shows(camera, size, own.body(), &place, RADIUS, VISIBLE) {
+        if pose.is_steady() && sight::shows(camera, size, own.body(), &place, FIELD.ball_radius(), VISIBLE) {
             self.memory.miss();
         }
     }
@@ -125,7 +126,7 @@ impl BallDetector {
     /// Where to look for the ball: where it is seen, else where it is believed to lie.
     #[must_use]
     pub fn direction(&self) -> Option<Direction> {
-        let remembered = || self.at().map(|at| Direction::of_ground(at, RADIUS));
+        let remembered = || self.at().map(|at| Direction::of_ground(at, FIELD.ball_radius()));
         self.seen.map(|seen| seen.direction).or_else(remembered)
     }
 

@@ -1,12 +1,14 @@
 //! A shoe that pushes and kicks the ball.
 
+use bica_field::FIELD;
 use bica_motion::dimensions::SOLE_OUTLINE;
 use bica_motion::side::Side;
 use glam::{Affine3A, Vec2, Vec3};
 use libm::sqrtf;
 
 use super::ball::{Ball, Surface};
-use crate::pitch::BALL_RADIUS;
+
+const BALL_RADIUS: f32 = FIELD.ball_radius();
 
 /// How high a shoe is: the plastic around a NAO's foot, m (estimated from photographs).
 const HEIGHT: f32 = 0.05;

@@ -1,9 +1,9 @@
 //! The camera's image with what was recognised in it.
 
+use bica_field::{CrossingKind, GoalColour};
 use bica_motion::robot::Image;
 use bica_vision::ball::Ball;
-use bica_vision::colour::Colour;
-use bica_vision::crossings::{Crossing, CrossingKind};
+use bica_vision::crossings::Crossing;
 use bica_vision::goal::{Goal, Post};
 use bica_vision::lines::Line;
 use bica_vision::own_body::OwnBody;
@@ -102,7 +102,7 @@ impl View {
     }
 
     fn goal(&mut self, goal: &Goal) {
-        let rgb = if goal.colour == Colour::Yellow { YELLOW } else { BLUE };
+        let rgb = if goal.colour == GoalColour::Yellow { YELLOW } else { BLUE };
         let frame = Area { from: self.at(goal.min - 0.5), to: self.at(goal.max + 0.5) };
         self.canvas.outline(frame, 2.0, 3.0, TEXT);
         self.canvas.outline(frame, 2.0, 2.0, rgb);

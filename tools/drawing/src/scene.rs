@@ -1,8 +1,8 @@
 //! What a picture shows, free of where it comes from.
 
 use bica::graph::{Graph, Link};
+use bica_field::GoalColour;
 use bica_motion::pose::Pose2;
-use bica_sim::referee::GoalColour;
 use bica_vision::ball::Ball;
 use bica_vision::crossings::Crossing;
 use bica_vision::goal::Goal;

@@ -1,8 +1,8 @@
 //! What the eyes see from a pose.
 
+use bica_field::FIELD;
 use bica_motion::side::Side;
 use bica_sim::World;
-use bica_vision::ball;
 use bica_vision::eyes::{Eyes, Seen};
 use bica_vision::frame::Frame;
 use bica_vision::profile::BUILT_IN_TABLE;
@@ -17,6 +17,6 @@ pub(crate) fn see(look: &Look) -> (Camera, Seen) {
     let image = sensors.image.expect("there is a new one");
     let frame = Frame::from_image(&image).expect("a frame");
     let camera = Camera::of_nao(image.camera, &sensors.angles, Side::Left, image.width, image.height);
-    let seen = Eyes::<512, 1024>::new(ball::RADIUS).look(&frame, &BUILT_IN_TABLE, Some(&camera));
+    let seen = Eyes::<512, 1024>::new(FIELD.ball_radius()).look(&frame, &BUILT_IN_TABLE, Some(&camera));
     (camera, seen)
 }

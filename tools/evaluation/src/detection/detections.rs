@@ -3,14 +3,13 @@
 use std::f32::consts::TAU;
 use std::time::Instant;
 
+use bica_field::{CrossingKind, FIELD, GoalColour};
 use bica_motion::robot::{CameraId, Image};
 use bica_vision::centre_circle::CentreCircle;
-use bica_vision::colour::Colour;
-use bica_vision::crossings::{self, CrossingKind};
+use bica_vision::crossings;
 use bica_vision::eyes::{self, Seen};
 use bica_vision::frame::Frame;
 use bica_vision::own_body::OwnBody;
-use bica_vision::pitch::CIRCLE;
 use bica_vision::projection::Camera;
 use bica_vision::robots::{self, Team};
 use bica_vision::table::FullTable;
@@ -193,7 +192,8 @@ impl Crossing {
 
 /// Points on a circle in the image, px, one after the other.
 fn outline(circle: &CentreCircle, camera: &Camera) -> Vec<Vec2> {
-    let points = (0..=72_u8).map(|step| circle.centre + CIRCLE * Vec2::from_angle(f32::from(step) * TAU / 72.0));
+    let points = (0..=72_u8)
+        .map(|step| circle.centre + FIELD.centre_circle_radius() * Vec2::from_angle(f32::from(step) * TAU / 72.0));
     points.filter_map(|point| camera.pixel(point.extend(0.0))).collect()
 }
 
@@ -208,7 +208,7 @@ impl Robot {
 
 impl Goal {
     fn new(goal: &bica_vision::goal::Goal, camera: Option<&Camera>) -> Self {
-        let colour = if goal.colour == Colour::Yellow { "yellow" } else { "blue" };
+        let colour = if goal.colour == GoalColour::Yellow { "yellow" } else { "blue" };
         let ground = camera.and_then(|camera| goal.ground(camera)).map(|at| at.to_array());
         let (min, max) = (goal.min, goal.max);
         Self { colour, x0: min.x, y0: min.y, x1: max.x, y1: max.y, complete: goal.is_complete(), ground }

@@ -1,18 +1,18 @@
 //! The rules in the order in which they are checked.
 
 use super::weight::hz;
-use super::{CAPACITY, Path, Worst, cycle, load, longest_chain, steps, unreachable};
+use super::{CAPACITY, Path, WorstCase, cycle, load, longest_chain, steps, unreachable};
 use crate::graph::{Graph, Node};
 
 /// A broken rule.
 #[derive(Clone, Copy, Debug)]
-pub enum Finding {
+pub enum Violation {
     /// More components than [`CAPACITY`]; how many.
     TooManyComponents(usize),
     /// A component, by index, with more states than [`CAPACITY`].
     TooManyStates(usize),
     /// A rate or a budget that is none.
-    BadFigure(Figure),
+    BadNumber(Number),
     /// Components that activate each other round; see [`cycle`].
     Cycle(Path),
     /// Components that nothing can ever activate; see [`unreachable()`].
@@ -20,14 +20,14 @@ pub enum Finding {
     /// A component, by index, that is to run more often than the tree.
     TooFast(usize),
     /// What can run in one cycle takes longer than the tree's budget; see [`longest_chain`].
-    OverBudget(Worst),
+    OverBudget(WorstCase),
     /// The active components need more than a whole processor; see [`load`].
-    Overload(Worst),
+    Overload(WorstCase),
 }
 
 /// A number of the declaration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Figure {
+pub enum Number {
     /// [`Graph::cycle_hz`].
     CycleHz,
     /// [`Graph::budget_ms`].
@@ -40,25 +40,25 @@ pub enum Figure {
 
 /// The first broken rule of a tree; `None` if all is well.
 #[must_use]
-pub const fn first(graph: &Graph) -> Option<Finding> {
+pub const fn first_violation(graph: &Graph) -> Option<Violation> {
     if graph.nodes.len() > CAPACITY {
-        return Some(Finding::TooManyComponents(graph.nodes.len()));
+        return Some(Violation::TooManyComponents(graph.nodes.len()));
     }
     if let Some(index) = too_many_states(graph.nodes) {
-        return Some(Finding::TooManyStates(index));
+        return Some(Violation::TooManyStates(index));
     }
-    if let Some(figure) = bad_figure(graph) {
-        return Some(Finding::BadFigure(figure));
+    if let Some(figure) = bad_number(graph) {
+        return Some(Violation::BadNumber(figure));
     }
     if let Some(path) = cycle(graph.nodes) {
-        return Some(Finding::Cycle(path));
+        return Some(Violation::Cycle(path));
     }
     let unreachable = unreachable(graph);
     if !unreachable.is_empty() {
-        return Some(Finding::Unreachable(unreachable));
+        return Some(Violation::Unreachable(unreachable));
     }
     if let Some(index) = too_fast(graph) {
-        return Some(Finding::TooFast(index));
+        return Some(Violation::TooFast(index));
     }
     sums(graph)
 }
@@ -74,20 +74,20 @@ const fn too_many_states(nodes: &[Node]) -> Option<usize> {
     None
 }
 
-const fn bad_figure(graph: &Graph) -> Option<Figure> {
+const fn bad_number(graph: &Graph) -> Option<Number> {
     if !is_rate(Some(graph.cycle_hz)) {
-        return Some(Figure::CycleHz);
+        return Some(Number::CycleHz);
     }
     if !is_rate(graph.budget_ms) {
-        return Some(Figure::BudgetMs);
+        return Some(Number::BudgetMs);
     }
     let mut index = 0;
     while index < graph.nodes.len() {
         if !is_rate(graph.nodes[index].hz) {
-            return Some(Figure::Hz(index));
+            return Some(Number::Hz(index));
         }
         if !is_time(graph.nodes[index].budget_us) {
-            return Some(Figure::BudgetUs(index));
+            return Some(Number::BudgetUs(index));
         }
         index += 1;
     }
@@ -121,16 +121,16 @@ const fn too_fast(graph: &Graph) -> Option<usize> {
     None
 }
 
-const fn sums(graph: &Graph) -> Option<Finding> {
+const fn sums(graph: &Graph) -> Option<Violation> {
     if let Some(budget_ms) = graph.budget_ms {
         let chain = longest_chain(graph, steps(graph));
         if chain.sum > budget_ms as f64 * 1e3 {
-            return Some(Finding::OverBudget(chain));
+            return Some(Violation::OverBudget(chain));
         }
     }
     let load = load(graph, steps(graph));
     if load.sum > 1.0 {
-        return Some(Finding::Overload(load));
+        return Some(Violation::Overload(load));
     }
     None
 }

@@ -2,8 +2,8 @@
 
 use super::message::{Message, push_given, words};
 use super::weight::Weight;
-use super::worst::order;
-use super::{CAPACITY, Choice, Worst};
+use super::worst_case::order;
+use super::{CAPACITY, Choice, WorstCase};
 use crate::graph::{Graph, Node};
 
 /// How many of the largest shares of the load are listed.
@@ -12,7 +12,7 @@ const LARGEST: usize = 8;
 /// Of how many machines it is said what they do.
 const SITUATION: usize = 8;
 
-pub(super) const fn over_budget(text: &mut Message, graph: &Graph, chain: &Worst) {
+pub(super) const fn over_budget(text: &mut Message, graph: &Graph, chain: &WorstCase) {
     words(text, &["one cycle of tree `", graph.name, "` can take too long: "]);
     let weights = Weight::Time.of_all(graph);
     let order = order(graph.nodes);
@@ -32,7 +32,7 @@ pub(super) const fn over_budget(text: &mut Message, graph: &Graph, chain: &Worst
     text.push("; lower budgets, or let fewer components run in one cycle");
 }
 
-pub(super) const fn overload(text: &mut Message, graph: &Graph, load: &Worst) {
+pub(super) const fn overload(text: &mut Message, graph: &Graph, load: &WorstCase) {
     words(text, &["tree `", graph.name, "` needs more than one processor: "]);
     let mut weights = Weight::Load.of_all(graph);
     let mut shares = Shares { text, graph, scale: 100.0, unit: " %", listed: 0 };
@@ -53,7 +53,7 @@ pub(super) const fn overload(text: &mut Message, graph: &Graph, load: &Worst) {
 }
 
 /// The active component with the largest weight above 0.
-const fn largest(worst: &Worst, weights: &[f64; CAPACITY]) -> Option<usize> {
+const fn largest(worst: &WorstCase, weights: &[f64; CAPACITY]) -> Option<usize> {
     let mut largest = None;
     let mut weight = 0.0;
     let mut index = 0;
@@ -89,7 +89,7 @@ impl Shares<'_> {
 }
 
 /// In which states the worst happens, for the first machines at least.
-const fn situation(text: &mut Message, graph: &Graph, worst: &Worst) {
+const fn situation(text: &mut Message, graph: &Graph, worst: &WorstCase) {
     let mut named = 0;
     let mut index = 0;
     while index < graph.nodes.len() && named <= SITUATION {

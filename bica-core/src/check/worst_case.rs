@@ -9,7 +9,7 @@
 //! The search goes through the machines from the root on, branches over what each can do if it is active at all, and
 //! leaves out branches that cannot exceed what is found already. That is exact. The number of branches is limited
 //! ([`steps`]) because the compiler has to go through them; behind the limit the machines not yet decided are taken to
-//! be in all their states at once, which is never less than the truth and sets [`Worst::exact`] to false.
+//! be in all their states at once, which is never less than the truth and sets [`WorstCase::exact`] to false.
 
 use super::reach::{all_links, links_in, states_reached};
 use super::weight::Weight;
@@ -38,7 +38,7 @@ pub enum Choice {
 
 /// The combination of states with the largest sum.
 #[derive(Clone, Copy, Debug)]
-pub struct Worst {
+pub struct WorstCase {
     /// The sum over `active`, in µs of one cycle or as a share of one processor.
     pub sum: f64,
     /// The components that are active.
@@ -57,7 +57,7 @@ pub struct Worst {
 /// # Panics
 /// If there are more than [`CAPACITY`] nodes, or states in one of them.
 #[must_use]
-pub const fn longest_chain(graph: &Graph, steps: usize) -> Worst {
+pub const fn longest_chain(graph: &Graph, steps: usize) -> WorstCase {
     Search::new(graph, Weight::Time, steps).run()
 }
 
@@ -70,7 +70,7 @@ pub const fn longest_chain(graph: &Graph, steps: usize) -> Worst {
 /// # Panics
 /// If there are more than [`CAPACITY`] nodes, or states in one of them.
 #[must_use]
-pub const fn load(graph: &Graph, steps: usize) -> Worst {
+pub const fn load(graph: &Graph, steps: usize) -> WorstCase {
     Search::new(graph, Weight::Load, steps).run()
 }
 
@@ -88,7 +88,7 @@ struct Search<'g> {
     branches: [Branch; CAPACITY],
     depth: usize,
     choices: [Choice; CAPACITY],
-    best: Worst,
+    best: WorstCase,
 }
 
 /// A machine to decide about.
@@ -127,11 +127,11 @@ impl<'g> Search<'g> {
             branches: [Branch { index: 0, place: 0, active: Set::EMPTY, sum: 0.0, next: 0 }; CAPACITY],
             depth: 0,
             choices,
-            best: Worst { sum: -1.0, active: Set::EMPTY, choices, exact: true },
+            best: WorstCase { sum: -1.0, active: Set::EMPTY, choices, exact: true },
         }
     }
 
-    const fn run(mut self) -> Worst {
+    const fn run(mut self) -> WorstCase {
         self.explore(0, Set::EMPTY.with(self.graph.root), 0.0);
         while self.depth > 0 {
             let branch = self.branches[self.depth - 1];
@@ -176,7 +176,7 @@ impl<'g> Search<'g> {
                 }
             }
         }
-        self.best = Worst { sum, active, choices: self.choices, exact: true };
+        self.best = WorstCase { sum, active, choices: self.choices, exact: true };
     }
 
     /// What the machine `index` can do, `next` or the first possible behind, with its links, and what is next then;
@@ -233,7 +233,7 @@ impl<'g> Search<'g> {
 
     /// Takes the upper bound of a branch for its worst.
     const fn give_up(&mut self, mut place: usize, active: Set, sum: f64) {
-        self.best = Worst { sum, active, choices: self.choices, exact: false };
+        self.best = WorstCase { sum, active, choices: self.choices, exact: false };
         while place < self.graph.nodes.len() {
             let index = self.order[place];
             if active.contains(index) && !self.states[index].is_empty() {
