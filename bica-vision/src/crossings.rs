@@ -46,7 +46,7 @@ pub struct Crossing {
     pub kind: CrossingKind,
     /// Where, px.
     pub at: Vec2,
-    /// Place and heading on the ground, m and rad in the camera's ground frame. The heading goes along an arm: that of an
+    /// PositionEstimate and heading on the ground, m and rad in the camera's ground frame. The heading goes along an arm: that of an
     /// L which has the other one at its left, the stem of a T, any arm of an X.
     pub ground: Pose2,
 }

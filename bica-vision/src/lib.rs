@@ -7,7 +7,7 @@
 //! |---|---|---|
 //! | frame | [`frame`] | none, a view |
 //! | colour classes | [`colour`], [`table`], [`profile`] | 1.5 ns for a pixel pair by a table |
-//! | end of the field | [`field_end`] | 12 µs, needs green and white |
+//! | end of the field | [`field_boundary`] | 12 µs, needs green and white |
 //! | runs, regions, bars | [`segment`], [`regions`], [`bars`] | 30 µs on every second row |
 //! | ball | [`ball`], with [`edges`] and [`circle`] | 15 µs, 60 µs where much is orange; its segmentation included |
 //! | goals | [`goal`], with [`gap`] | 35 µs, their segmentation included |
@@ -22,7 +22,7 @@
 //! what is no carpet with a ball and lines is given up: rows, scans and candidates have budgets that real frames do not
 //! use up.
 //!
-//! [`eyes`] is everything together. Each detector asks for its own classes and does its own segmentation, so what is
+//! [`pipeline`] is everything together. Each detector asks for its own classes and does its own segmentation, so what is
 //! not called costs nothing: with only the ball wanted no goal is looked for. A caller who wants several can segment
 //! once, with [`segment::Runs`] for all classes, and hand the runs to [`goal::among`] and the regions to [`ball::best`].
 //!
@@ -33,7 +33,7 @@
 //! use bica_field::FIELD;
 //! use bica_motion::{joints::Joints, robot::CameraId, side::Side};
 //! use bica_vision::{
-//!     ball::BallFinder, field_end::FieldEnd, frame::Frame, goal::GoalFinder, profile, projection::Camera,
+//!     ball::BallFinder, field_boundary::FieldBoundary, frame::Frame, goal::GoalFinder, profile, projection::Camera,
 //!     table::CompactTable,
 //! };
 //!
@@ -44,7 +44,7 @@
 //!
 //! let frame = Frame::new(320, 240, &bytes).expect("a frame");
 //! let camera = Camera::of_nao(CameraId::Top, &angles, Side::Left, 320, 240);
-//! let end = FieldEnd::find_with(&frame, &table, Some(&camera));
+//! let end = FieldBoundary::find_with(&frame, &table, Some(&camera));
 //! let ball = balls.find(&frame, &table, &end, Some(&camera));
 //! let ball_on_ground = ball.and_then(|ball| ball.ground(&camera, FIELD.ball_radius()));
 //! let goal = goals.find(&frame, &table, &end, Some(&camera)).blue;
@@ -61,8 +61,7 @@ pub mod circle;
 pub mod colour;
 pub mod crossings;
 pub mod edges;
-pub mod eyes;
-pub mod field_end;
+pub mod field_boundary;
 pub mod frame;
 pub mod gap;
 pub mod goal;
@@ -73,6 +72,7 @@ pub mod markings;
 pub mod memory;
 pub mod own_body;
 mod paint;
+pub mod pipeline;
 pub mod profile;
 pub mod projection;
 pub mod regions;

@@ -1,7 +1,7 @@
 //! Hypotheses against what a camera with errors would see of balls, posts, and of what is neither.
 
 use bica_field::FIELD;
-use bica_vision::hypothesis::{self, Seen};
+use bica_vision::hypothesis::{self, ImageCircle};
 use bica_vision::projection::{Camera, Intrinsics};
 use bica_vision::uncertainty::{Errors, largest};
 use glam::{Affine3A, EulerRot, Quat, Vec2, Vec3};
@@ -25,8 +25,8 @@ fn view(far: f32) -> impl Strategy<Value = (Camera, Vec2)> {
     })
 }
 
-fn circle(camera: &Camera, at: Vec3, radius: f32) -> Option<Seen> {
-    Some(Seen { centre: camera.pixel(at)?, radius: camera.sphere_radius(at, radius)? })
+fn circle(camera: &Camera, at: Vec3, radius: f32) -> Option<ImageCircle> {
+    Some(ImageCircle { centre: camera.pixel(at)?, radius: camera.sphere_radius(at, radius)? })
 }
 
 /// The camera as a robot that leans a little more would believe it to be.
@@ -109,7 +109,7 @@ proptest! {
         x in -1e4_f32..1e4, y in -1e4_f32..1e4, radius in -1.0_f32..1e4,
     ) {
         let camera = Camera::new(Affine3A::from_cols_array(&parts), Intrinsics::nao_v6(320, 240));
-        let found = Seen { centre: Vec2::new(x, y), radius }.ball(&camera, RADIUS, &Errors::NAO);
+        let found = ImageCircle { centre: Vec2::new(x, y), radius }.ball(&camera, RADIUS, &Errors::NAO);
         prop_assert!(found.is_none_or(|found| found.position.is_finite()));
     }
 }

@@ -5,8 +5,8 @@ use bica::{ComponentId, Instant, Tree};
 use bica_motion::robot;
 use bica_motion::stand::{STAND, Stiffness};
 use bica_player::Forward;
-use bica_player::input::EYE_BYTES;
-use bica_player::perception::{BallDetector, NetDetector};
+use bica_player::input::IMAGE_BYTES;
+use bica_player::perception::{BallDetector, GoalDetector};
 use bica_wire::message::{ClockMode, Command, Hello, Identity, LinkStats, Sensors, Telemetry};
 use bica_wire::{FromRobot, ImageBuffer, SCHEMA, ToRobot, describe};
 use embassy_time::Duration;
@@ -24,7 +24,7 @@ const SILENCE: Duration = Duration::from_millis(200);
 /// The robot's controller on board `B`.
 pub(crate) struct Controller<B> {
     runner: Runner<&'static mut Forward, (), (), Meter<B>>,
-    image: &'static mut ImageBuffer<EYE_BYTES>,
+    image: &'static mut ImageBuffer<IMAGE_BYTES>,
     crash_log: CrashLog,
     /// `None` before the first [`Hello`].
     clock_mode: Option<ClockMode>,
@@ -49,7 +49,7 @@ impl<B: Board> Controller<B> {
     /// Creates a controller that waits for a [`Hello`].
     pub(crate) fn new(
         robot: &'static mut Forward,
-        image: &'static mut ImageBuffer<EYE_BYTES>,
+        image: &'static mut ImageBuffer<IMAGE_BYTES>,
         crash_log: CrashLog,
     ) -> Self {
         Self {
@@ -122,7 +122,7 @@ impl<B: Board> Controller<B> {
             B::reset();
         }
         defmt::info!("game started; lockstep: {=bool}", hello.clock_mode == ClockMode::Lockstep);
-        self.runner.robot_mut().get_mut::<NetDetector>().attack(hello.attacks);
+        self.runner.robot_mut().get_mut::<GoalDetector>().attack(hello.attacks);
         self.clock_mode = Some(hello.clock_mode);
         tx.send(&self.identity()).await;
     }
@@ -170,7 +170,7 @@ impl<B: Board> Controller<B> {
     fn log_visible(&mut self) {
         let robot = self.runner.robot();
         let ball = robot.get::<BallDetector>().seen().is_some();
-        let goal = robot.get::<NetDetector>().seen().is_some();
+        let goal = robot.get::<GoalDetector>().seen().is_some();
         if (ball, goal) != self.visible {
             defmt::info!("visible: ball {=bool}, goal {=bool}", ball, goal);
             self.visible = (ball, goal);

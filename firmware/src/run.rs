@@ -2,7 +2,7 @@
 
 use bica::Tree;
 use bica_player::Forward;
-use bica_player::input::{EYE_BYTES, Eye};
+use bica_player::input::{CameraInput, IMAGE_BYTES};
 use bica_wire::message::ClockMode;
 use bica_wire::{Decoder, ImageBuffer, MAX_PACKET, ToRobot};
 use embassy_futures::select::{Either, select};
@@ -16,8 +16,8 @@ use crate::crash_log::{self, CrashLog};
 use crate::link::MessageTx;
 
 static ROBOT: ConstStaticCell<Forward> = ConstStaticCell::new(Forward::new());
-static CAMERA_INPUT: ConstStaticCell<[u8; EYE_BYTES]> = ConstStaticCell::new([0; EYE_BYTES]);
-static IMAGE: ConstStaticCell<ImageBuffer<EYE_BYTES>> = ConstStaticCell::new(ImageBuffer::new());
+static CAMERA_BUFFER: ConstStaticCell<[u8; IMAGE_BYTES]> = ConstStaticCell::new([0; IMAGE_BYTES]);
+static IMAGE: ConstStaticCell<ImageBuffer<IMAGE_BYTES>> = ConstStaticCell::new(ImageBuffer::new());
 static DECODER: ConstStaticCell<Decoder<MAX_PACKET>> = ConstStaticCell::new(Decoder::new());
 static PACKET: ConstStaticCell<[u8; MAX_PACKET]> = ConstStaticCell::new([0; MAX_PACKET]);
 
@@ -33,7 +33,7 @@ const RX_BYTES: usize = 256;
 /// If it is called twice.
 pub async fn run<B: Board>(mut rx: B::Rx, tx: B::Tx) -> ! {
     let (decoder, robot) = (DECODER.take(), ROBOT.take());
-    robot.get_mut::<Eye>().lend(CAMERA_INPUT.take());
+    robot.get_mut::<CameraInput>().set_buffer(CAMERA_BUFFER.take());
     let mut tx = MessageTx::new(tx, PACKET.take());
     let mut controller = Controller::<B>::new(robot, IMAGE.take(), read_crash_log());
     let period = Duration::from_hz(Forward::GRAPH.cycle_hz as u64);

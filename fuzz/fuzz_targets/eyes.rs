@@ -6,7 +6,7 @@
 use bica_field::{FIELD, GoalColour};
 use bica_motion::pose::Pose2;
 use bica_vision::colour::Classify;
-use bica_vision::eyes::{Eyes, Seen};
+use bica_vision::pipeline::{Detections, Pipeline};
 use bica_vision::frame::{Frame, MAX_HEIGHT, MAX_WIDTH, MIN_SIDE};
 use bica_vision::localization::{Localizer, Sightings};
 use bica_vision::profile::{BUILT_IN, BUILT_IN_TABLE};
@@ -104,7 +104,7 @@ impl Input {
 }
 
 /// Every number in what is seen.
-fn numbers(seen: &Seen, camera: Option<&Camera>) -> Vec<f32> {
+fn numbers(seen: &Detections, camera: Option<&Camera>) -> Vec<f32> {
     let mut points: Vec<Vec2> = seen.end.corners().to_vec();
     points.extend(seen.ball.iter().flat_map(|ball| [ball.centre, Vec2::new(ball.radius, ball.confidence)]));
     points.extend([seen.goals.yellow, seen.goals.blue].iter().flatten().flat_map(|goal| [goal.min, goal.max]));
@@ -121,8 +121,8 @@ fn numbers(seen: &Seen, camera: Option<&Camera>) -> Vec<f32> {
     points.iter().flat_map(Vec2::to_array).collect()
 }
 
-fn look(frame: &Frame<'_>, colours: &impl Classify, camera: Option<&Camera>) -> Seen {
-    let mut eyes = Box::new(Eyes::<512, 1024>::new(FIELD.ball_radius()));
+fn look(frame: &Frame<'_>, colours: &impl Classify, camera: Option<&Camera>) -> Detections {
+    let mut eyes = Box::new(Pipeline::<512, 1024>::new(FIELD.ball_radius()));
     let (seen, again) = (eyes.look(frame, colours, camera), eyes.look(frame, colours, camera));
     assert_eq!(numbers(&seen, camera), numbers(&again, camera), "the same frame is seen otherwise");
     seen

@@ -6,7 +6,7 @@ use bica_field::{CrossingKind, FIELD, GoalColour};
 use bica_motion::pose::Pose2;
 use bica_vision::centre_circle::{self, CentreCircle};
 use bica_vision::crossings;
-use bica_vision::field_end::FieldEnd;
+use bica_vision::field_boundary::FieldBoundary;
 use bica_vision::frame::Frame;
 use bica_vision::goal::{GoalFinder, PostSide};
 use bica_vision::lines::{self, Line};
@@ -125,7 +125,7 @@ proptest! {
     #[test]
     fn any_picture_from_any_camera_is_looked_at(bytes in picture(), camera in camera()) {
         let frame = Frame::new(160, 120, &bytes).expect("a frame");
-        let end = FieldEnd::find(&frame, &BUILT_IN_TABLE);
+        let end = FieldBoundary::find(&frame, &BUILT_IN_TABLE);
         let found = lines::find(&frame, &BUILT_IN_TABLE, &end, Some(&camera));
         let markings = Markings::of(&frame, &BUILT_IN_TABLE, &camera, &found);
         prop_assert!(markings.crossings.iter().all(|crossing| crossing.at.is_finite()));

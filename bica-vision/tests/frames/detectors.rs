@@ -5,7 +5,7 @@ use std::cell::Cell;
 use bica_field::FIELD;
 use bica_vision::ball::{Ball, BallFinder};
 use bica_vision::colour::{Classify, Colour};
-use bica_vision::field_end::FieldEnd;
+use bica_vision::field_boundary::FieldBoundary;
 use bica_vision::frame::Pixel;
 use bica_vision::goal::{Goal, GoalFinder, PostSide};
 use bica_vision::lines;
@@ -18,14 +18,14 @@ use crate::canvas::{BLUE, CARPET, Canvas, LINE, ORANGE, RED, WALL, YELLOW};
 
 fn ball_in(canvas: &Canvas, camera: Option<&Camera>) -> Option<Ball> {
     canvas.look(|frame| {
-        let end = FieldEnd::find(frame, &BUILT_IN_TABLE);
+        let end = FieldBoundary::find(frame, &BUILT_IN_TABLE);
         BallFinder::<512>::new(FIELD.ball_radius()).find(frame, &BUILT_IN_TABLE, &end, camera)
     })
 }
 
 fn goal_in(canvas: &Canvas, colour: Colour) -> Option<Goal> {
     canvas.look(|frame| {
-        let end = FieldEnd::find(frame, &BUILT_IN_TABLE);
+        let end = FieldBoundary::find(frame, &BUILT_IN_TABLE);
         let goals = GoalFinder::<1024>::new().find(frame, &BUILT_IN_TABLE, &end, None);
         if colour == Colour::Blue { goals.blue } else { goals.yellow }
     })
@@ -138,7 +138,7 @@ proptest! {
         canvas.bar(LINE, Vec2::new(robot, 20.0), Vec2::new(robot + 5.0, 190.0), 40.0);
         canvas.bar(CARPET, Vec2::new(200.0, 2.0), Vec2::new(230.0, 2.0), 10.0);
         canvas.bar(LINE, Vec2::new(0.0, 150.0), Vec2::new(320.0, 170.0), 14.0);
-        let found = canvas.look(|frame| FieldEnd::find(frame, &BUILT_IN_TABLE));
+        let found = canvas.look(|frame| FieldBoundary::find(frame, &BUILT_IN_TABLE));
         for x in (10..310).step_by(10).map(|x| x as f32).filter(|x| (x - robot).abs() > 40.0) {
             let row = found.row_at(x).expect("a field");
             prop_assert!((row - end(x)).abs() <= 5.0, "{row} for {} at {x}: {:?}", end(x), found.corners());
@@ -161,7 +161,7 @@ proptest! {
         canvas.bar(CARPET, foot, foot - Vec2::new(0.0, height), 50.0);
         let edge = if left { 12.0 } else { 308.0 };
         canvas.bar(LINE, Vec2::new(edge, 20.0), Vec2::new(edge, 230.0), 30.0);
-        let found = canvas.look(|frame| FieldEnd::find(frame, &BUILT_IN_TABLE));
+        let found = canvas.look(|frame| FieldBoundary::find(frame, &BUILT_IN_TABLE));
         for x in [0.0, 40.0, 80.0, 120.0, 160.0, 200.0, 240.0, 280.0, 319.0] {
             let row = found.row_at(x).expect("a field");
             prop_assert!((row - end(x)).abs() <= 5.0, "{row} for {} at {x}: {:?}", end(x), found.corners());
@@ -174,7 +174,7 @@ proptest! {
         // Not white: white between greens is a line.
         canvas.paint(Pixel::new(90, 124, 136), |at| end - at.y);
         canvas.bar(CARPET, Vec2::new(160.0, end - apart), Vec2::new(160.0, end - apart - height), 250.0);
-        let found = canvas.look(|frame| FieldEnd::find(frame, &BUILT_IN_TABLE));
+        let found = canvas.look(|frame| FieldBoundary::find(frame, &BUILT_IN_TABLE));
         let row = found.row_at(160.0).expect("a field");
         prop_assert!((row - end).abs() <= 3.0, "{row} for {end}: {:?}", found.corners());
     }
@@ -265,7 +265,7 @@ proptest! {
         let (from, to) = (Vec2::new(x, y) - half, Vec2::new(x, y) + half);
         let mut canvas = Canvas::field(320, 240, 30.0);
         canvas.bar(LINE, from, to, width);
-        let lines = canvas.look(|frame| lines::find(frame, &BUILT_IN_TABLE, &FieldEnd::find(frame, &BUILT_IN_TABLE), None));
+        let lines = canvas.look(|frame| lines::find(frame, &BUILT_IN_TABLE, &FieldBoundary::find(frame, &BUILT_IN_TABLE), None));
         let length: f32 = lines.iter().map(lines::Line::length).sum();
         prop_assert!(length > 0.7 * from.distance(to) && length < 1.2 * from.distance(to), "{lines:?}");
         let normal = (to - from).perp().normalize();
@@ -291,7 +291,7 @@ fn a_ball_costs_its_part_of_the_frame_and_a_goal_nothing() {
     draw_goal(&mut canvas, BLUE, Vec2::new(80.0, 130.0), 150.0, 90.0, 10.0);
     let colours = Counting(Cell::new(0));
     canvas.look(|frame| {
-        let end = FieldEnd::find(frame, &colours);
+        let end = FieldBoundary::find(frame, &colours);
         assert!(colours.0.get() <= 40 * 120, "the end of the field takes 40 columns, every second row");
         colours.0.set(0);
         assert!(BallFinder::<512>::new(FIELD.ball_radius()).find(frame, &colours, &end, None).is_some());

@@ -10,7 +10,7 @@ use bica_sim::World;
 use bica_sim::kinematic::KinematicWorld;
 use bica_sim::setup::{Setup, Start};
 use bica_vision::ball::BallFinder;
-use bica_vision::field_end::FieldEnd;
+use bica_vision::field_boundary::FieldBoundary;
 use bica_vision::frame::Frame;
 use bica_vision::goal::{Goal, GoalFinder, Post};
 use bica_vision::profile::BUILT_IN_TABLE;
@@ -91,7 +91,7 @@ impl Score {
         let image = sensors.image.expect("waited for");
         let frame = Frame::from_image(&image).expect("a frame");
         let camera = Camera::of_nao(image.camera, &sensors.angles, Side::Left, image.width, image.height);
-        let end = FieldEnd::find_with(&frame, &BUILT_IN_TABLE, Some(&camera));
+        let end = FieldBoundary::find_with(&frame, &BUILT_IN_TABLE, Some(&camera));
         self.count_ball(&frame, &camera, &end, &truth, own_body_may_hide, name);
         let goals = GoalFinder::<1024>::new().find(&frame, &BUILT_IN_TABLE, &end, Some(&camera));
         for (goal, posts) in [(goals.yellow, &truth.yellow), (goals.blue, &truth.blue)] {
@@ -104,7 +104,7 @@ impl Score {
         &mut self,
         frame: &Frame<'_>,
         camera: &Camera,
-        end: &FieldEnd,
+        end: &FieldBoundary,
         truth: &Truth,
         own_body_may_hide: bool,
         name: &str,
@@ -148,7 +148,7 @@ impl Score {
     }
 
     /// The row of the end of the field against that where the first ray meets carpet.
-    fn count_end(&mut self, end: &FieldEnd, truth: &Truth, camera: &Camera) {
+    fn count_end(&mut self, end: &FieldBoundary, truth: &Truth, camera: &Camera) {
         for x in (20..320_u16).step_by(40).map(f32::from) {
             let on_carpet = |y: &u16| {
                 let ground = camera.ground(Vec2::new(x, f32::from(*y)), 0.0);

@@ -7,8 +7,8 @@ use bica::{ComponentId, Instant, Tree};
 use bica_emulator::{Controller, CycleReport, command_bits};
 use bica_field::GoalColour;
 use bica_motion::robot::{Command, Sensors};
-use bica_player::perception::NetDetector;
 use bica_player::Forward;
+use bica_player::perception::GoalDetector;
 
 /// The forward on the host.
 pub(crate) struct Reference(Runner<Box<Forward>>);
@@ -17,7 +17,7 @@ impl Reference {
     /// Creates a forward that attacks the goal of a colour.
     pub(crate) fn new(attacks: GoalColour) -> Self {
         let mut runner = Runner::new(Box::new(Forward::new()), ());
-        runner.robot_mut().get_mut::<NetDetector>().attack(attacks);
+        runner.robot_mut().get_mut::<GoalDetector>().attack(attacks);
         Self(runner)
     }
 

@@ -22,7 +22,7 @@ pub fn view(image: &Image<'_>, marks: &Marks, width: usize) -> Canvas {
     pixels(&mut canvas, image, times);
     let mut view = View { canvas, times: times as f32 };
     view.own(&marks.own);
-    view.field_end(&marks.field_end);
+    view.field_boundary(&marks.field_boundary);
     view.circle(&marks.circle);
     marks.lines.iter().for_each(|line| view.line(line));
     marks.crossings.iter().for_each(|crossing| view.crossing(crossing));
@@ -60,7 +60,7 @@ impl View {
         }
     }
 
-    fn field_end(&mut self, line: &[Vec2]) {
+    fn field_boundary(&mut self, line: &[Vec2]) {
         let line: Vec<Vec2> = line.iter().map(|p| self.at(*p)).collect();
         self.canvas.polyline(&line, 4.0, sheer(TEXT, 0.5));
         self.canvas.polyline(&line, 2.0, WHITE);

@@ -17,7 +17,7 @@ pub struct Marks {
     pub ball: Option<Ball>,
     pub goals: Vec<Goal>,
     /// The far end of the field, from left to right.
-    pub field_end: Vec<Vec2>,
+    pub field_boundary: Vec<Vec2>,
     pub lines: Vec<Line>,
     pub robots: Vec<Robot>,
     pub crossings: Vec<Crossing>,

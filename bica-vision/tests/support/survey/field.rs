@@ -5,9 +5,9 @@ use std::f32::consts::TAU;
 use bica_field::{CrossingKind, FIELD};
 use bica_motion::pose::{Pose2, wrap};
 use bica_sim::PixelLabel;
-use bica_vision::eyes::Seen;
 use bica_vision::lines::Line;
 use bica_vision::localization::map;
+use bica_vision::pipeline::Detections;
 use glam::Vec2;
 
 use super::FAR;
@@ -59,7 +59,7 @@ fn is_seen(place: Vec2, truth: &Truth) -> bool {
 }
 
 /// Pieces of lines are due, and pieces of what is seen are right or wrong.
-pub(super) fn lines(score: &mut Score, seen: &Seen, truth: &Truth) {
+pub(super) fn lines(score: &mut Score, seen: &Detections, truth: &Truth) {
     let pixels =
         |line: &Line| Some((truth.camera.pixel(line.from.extend(0.0))?, truth.camera.pixel(line.to.extend(0.0))?));
     let found: Vec<(Vec2, Vec2)> = seen.markings.lines.iter().filter_map(pixels).collect();
@@ -95,7 +95,7 @@ fn distance(at: Vec2, from: Vec2, to: Vec2) -> f32 {
 }
 
 /// Due if its arms are seen. Right if kind, place and heading are.
-pub(super) fn crossings(score: &mut Score, seen: &Seen, truth: &Truth) {
+pub(super) fn crossings(score: &mut Score, seen: &Detections, truth: &Truth) {
     let found = seen.markings.crossings.iter().map(|crossing| (crossing.kind, truth.pose * crossing.ground));
     let found: Vec<(CrossingKind, Pose2)> = found.collect();
     let near = |a: &Pose2, b: &Pose2, quarters: f32| {
@@ -128,7 +128,7 @@ fn shows_arms(kind: CrossingKind, known: &Pose2, truth: &Truth) -> bool {
 }
 
 /// Due if a part of its line is seen.
-pub(super) fn circle(score: &mut Score, seen: &Seen, truth: &Truth) {
+pub(super) fn circle(score: &mut Score, seen: &Detections, truth: &Truth) {
     let off = seen.markings.circle.map(|circle| truth.pose.place(circle.centre).length());
     let hit = off.filter(|off| *off < CIRCLE_NEAR);
     if off.is_some() {
@@ -143,7 +143,7 @@ pub(super) fn circle(score: &mut Score, seen: &Seen, truth: &Truth) {
 }
 
 /// The row of the end in a column against the first row in which there is carpet; goals and robots stand before it.
-pub(super) fn end(score: &mut Score, seen: &Seen, truth: &Truth) {
+pub(super) fn end(score: &mut Score, seen: &Detections, truth: &Truth) {
     for x in (20..SIZE.0 as u16).step_by(40).map(f32::from) {
         let on_carpet = |y: &u16| {
             let ground = truth.camera.ground(Vec2::new(x, f32::from(*y)), 0.0);

@@ -4,8 +4,8 @@ use std::f32::consts::PI;
 
 use bica_field::FIELD;
 use bica_sim::PixelLabel;
-use bica_vision::eyes::Seen;
 use bica_vision::goal::{Goal, Post};
+use bica_vision::pipeline::Detections;
 use bica_vision::robots::Robot;
 use glam::{Vec2, Vec3};
 
@@ -25,7 +25,7 @@ const ROBOT_ERROR: f32 = 0.35;
 const ROBOT_PART: usize = 20;
 
 /// Due if half of it is seen. Its ground error is a part of its distance.
-pub(super) fn ball(score: &mut Score, seen: &Seen, truth: &Truth) {
+pub(super) fn ball(score: &mut Score, seen: &Detections, truth: &Truth) {
     let place = truth.pose.locate(truth.ball);
     let at = truth.camera.pixel(place.extend(FIELD.ball_radius()));
     let expected = at.zip(truth.camera.sphere_radius(place.extend(FIELD.ball_radius()), FIELD.ball_radius()));
@@ -47,7 +47,7 @@ pub(super) fn ball(score: &mut Score, seen: &Seen, truth: &Truth) {
 }
 
 /// Due anywhere on the field if half of it is seen. The ground error of those with a foot is a part of the distance.
-pub(super) fn posts(score: &mut Score, seen: &Seen, truth: &Truth) {
+pub(super) fn posts(score: &mut Score, seen: &Detections, truth: &Truth) {
     let goals = [(true, seen.goals.yellow), (false, seen.goals.blue)];
     for (yellow, goal) in goals {
         let found: Vec<Post> = goal.iter().flat_map(posts_of).collect();
@@ -91,7 +91,7 @@ fn is_post_due(known: Vec2, truth: &Truth) -> bool {
 }
 
 /// Due if both of its legs are seen down to the ground. A robot is 0.1 m nearer than its middle.
-pub(super) fn robots(score: &mut Score, seen: &Seen, truth: &Truth) {
+pub(super) fn robots(score: &mut Score, seen: &Detections, truth: &Truth) {
     for robot in &seen.robots {
         score.seen(is_robot(robot, truth));
     }

@@ -29,11 +29,11 @@ const PITCH_ERROR: f32 = 0.035;
 
 /// The line at which the field ends, from the left edge of the image to the right one.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct FieldEnd {
+pub struct FieldBoundary {
     corners: Vec<Vec2, COLUMNS>,
 }
 
-impl FieldEnd {
+impl FieldBoundary {
     /// No field in sight.
     pub const NONE: Self = Self { corners: Vec::new() };
 

@@ -3,17 +3,17 @@
 use bica_motion::pose::Pose2;
 use glam::Vec2;
 
-use super::place::GATE;
-use super::{Memory, Place};
+use super::position_estimate::GATE;
+use super::{Memory, PositionEstimate};
 use crate::uncertainty::Covariance;
 
 /// Remembers up to `N` things of a kind; when there are more, the least believed is forgotten.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Several<const N: usize> {
+pub struct MultiTargetMemory<const N: usize> {
     memories: [Memory; N],
 }
 
-impl<const N: usize> Several<N> {
+impl<const N: usize> MultiTargetMemory<N> {
     /// Nothing remembered yet; half-lives as in [`Memory::new`].
     #[must_use]
     pub const fn new(half_life: f32) -> Self {
@@ -21,8 +21,8 @@ impl<const N: usize> Several<N> {
     }
 
     /// The places, in no order.
-    pub fn places(&self) -> impl Iterator<Item = Place> + '_ {
-        self.memories.iter().filter_map(Memory::place)
+    pub fn places(&self) -> impl Iterator<Item = PositionEstimate> + '_ {
+        self.memories.iter().filter_map(Memory::estimate)
     }
 
     /// Takes in a sighting as [`Memory::see`]: of the nearest remembered thing, as deviations go, or of a new one.
@@ -41,10 +41,10 @@ impl<const N: usize> Several<N> {
 
     /// What was not seen in this image and should have been, by `shows` of its place, is believed a quarter less. After
     /// the image's sightings were taken in, and before time goes on.
-    pub fn miss(&mut self, shows: impl Fn(&Place) -> bool) {
+    pub fn miss(&mut self, shows: impl Fn(&PositionEstimate) -> bool) {
         for memory in &mut self.memories {
             let unseen = memory.age().is_some_and(|age| age > 0.0);
-            if unseen && memory.place().is_some_and(|place| shows(&place)) {
+            if unseen && memory.estimate().is_some_and(|place| shows(&place)) {
                 memory.miss();
             }
         }

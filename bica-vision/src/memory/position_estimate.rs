@@ -25,14 +25,14 @@ const FARTHEST: f32 = 1000.0;
 
 /// A place on the ground, in the ground frame of the robot as it stands now: x forward, y left.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Place {
+pub struct PositionEstimate {
     /// The best estimate, m.
     pub position: Vec2,
     /// How far off it may be, m².
     pub covariance: Covariance,
 }
 
-impl Place {
+impl PositionEstimate {
     /// As it was seen; none if that is no number, or the covariance none of a place.
     pub(super) fn seen(position: Vec2, covariance: &Covariance) -> Option<Self> {
         let place = Self { position, covariance: covariance + round(SHARPEST) };

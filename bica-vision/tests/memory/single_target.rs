@@ -33,7 +33,7 @@ proptest! {
         for motion in &motions {
             robot = robot * *motion;
             memory.advance(*motion, 0.01);
-            let spread = largest(&memory.place().expect("remembered").covariance);
+            let spread = largest(&memory.estimate().expect("remembered").covariance);
             prop_assert!(spread >= before, "surer by walking");
             before = spread;
         }
@@ -62,7 +62,7 @@ proptest! {
         for (a, b, c, d, see) in steps {
             let covariance = Covariance::from_row_slice(&spread) * c;
             if see { memory.see(Vec2::new(a, b), &covariance, d) } else { memory.advance(Pose2::new(a, b, c), d) }
-            if let Some(place) = memory.place() {
+            if let Some(place) = memory.estimate() {
                 prop_assert!(place.position.is_finite() && place.covariance.iter().all(|value| value.is_finite()));
                 prop_assert!(memory.age().is_some_and(f32::is_finite));
             }
@@ -80,7 +80,7 @@ fn sightings_of_one_place_are_averaged_and_a_far_one_replaces() {
         memory.see(Vec2::new(1.0 + noise, 0.0), &spread, 0.8);
     }
     assert!((memory.position().unwrap().x - 1.0).abs() < 0.03);
-    assert!(largest(&memory.place().unwrap().covariance) < 0.045);
+    assert!(largest(&memory.estimate().unwrap().covariance) < 0.045);
     memory.see(Vec2::new(-1.0, 2.0), &spread, 0.8);
     assert_eq!(memory.position(), Some(Vec2::new(-1.0, 2.0)));
     for _ in 0..13 {

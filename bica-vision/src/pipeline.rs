@@ -6,7 +6,7 @@ use glam::Vec2;
 
 use crate::ball::{Ball, BallFinder};
 use crate::colour::Classify;
-use crate::field_end::FieldEnd;
+use crate::field_boundary::FieldBoundary;
 use crate::frame::Frame;
 use crate::goal::{GoalFinder, Goals};
 use crate::lines::{self, Lines};
@@ -19,16 +19,16 @@ use crate::robots::{self, Robots};
 ///
 /// 512 of each are plenty.
 #[derive(Clone, Debug)]
-pub struct Eyes<const B: usize, const G: usize> {
+pub struct Pipeline<const B: usize, const G: usize> {
     balls: BallFinder<B>,
     goals: GoalFinder<G>,
 }
 
 /// What is seen in a frame.
 #[derive(Clone, Debug, Default)]
-pub struct Seen {
+pub struct Detections {
     /// The line at which the field ends.
-    pub end: FieldEnd,
+    pub end: FieldBoundary,
     /// The ball.
     pub ball: Option<Ball>,
     /// Both goals.
@@ -41,7 +41,7 @@ pub struct Seen {
     pub markings: Markings,
 }
 
-impl<const B: usize, const G: usize> Eyes<B, G> {
+impl<const B: usize, const G: usize> Pipeline<B, G> {
     /// For balls of a radius, m.
     #[must_use]
     pub const fn new(radius: f32) -> Self {
@@ -49,26 +49,26 @@ impl<const B: usize, const G: usize> Eyes<B, G> {
     }
 
     /// Looks for everything in a frame; with `camera`, what does not fit its pose is refused.
-    pub fn look(&mut self, frame: &Frame<'_>, colours: &impl Classify, camera: Option<&Camera>) -> Seen {
-        self.look_beside(frame, colours, camera, &OwnBody::NONE)
+    pub fn look(&mut self, frame: &Frame<'_>, colours: &impl Classify, camera: Option<&Camera>) -> Detections {
+        self.detect_with_body(frame, colours, camera, &OwnBody::NONE)
     }
 
     /// As [`look`](Self::look); a ball or a line on the robot's own body is none.
-    pub fn look_beside(
+    pub fn detect_with_body(
         &mut self,
         frame: &Frame<'_>,
         colours: &impl Classify,
         camera: Option<&Camera>,
         own: &OwnBody,
-    ) -> Seen {
-        let end = FieldEnd::find_with(frame, colours, camera);
-        let ball = self.balls.find_beside(frame, colours, &end, camera, own);
+    ) -> Detections {
+        let end = FieldBoundary::find_with(frame, colours, camera);
+        let ball = self.balls.find_with_body(frame, colours, &end, camera, own);
         let goals = self.goals.find(frame, colours, &end, camera);
         let robots = camera.map(|camera| robots::find(frame, colours, &end, Some(camera))).unwrap_or_default();
         let mut lines = lines::find(frame, colours, &end, camera);
         let on_robot = |at: Vec2| own.covers(at) || robots.iter().any(|robot| robot.covers(at));
         lines.retain(|line| !on_robot(line.from.midpoint(line.to)));
         let markings = camera.map(|camera| Markings::of(frame, colours, camera, &lines)).unwrap_or_default();
-        Seen { end, ball, goals, robots, lines, markings }
+        Detections { end, ball, goals, robots, lines, markings }
     }
 }

@@ -9,7 +9,7 @@ use heapless::Vec;
 use super::{Goal, Post, PostSide};
 use crate::bars::{BARS, Bar};
 use crate::colour::Colour;
-use crate::field_end::FieldEnd;
+use crate::field_boundary::FieldBoundary;
 use crate::hypothesis;
 use crate::projection::Camera;
 use crate::segment::{Run, Runs};
@@ -19,14 +19,14 @@ use crate::uncertainty::Errors;
 const PITCH_ERROR: f32 = 0.04;
 
 /// What a frame has to say about its bars.
-pub(super) struct Look<'a, const N: usize> {
+pub(super) struct PostSearch<'a, const N: usize> {
     pub(super) size: Vec2,
     pub(super) runs: &'a Runs<N>,
-    pub(super) field_end: &'a FieldEnd,
+    pub(super) field_boundary: &'a FieldBoundary,
     pub(super) camera: Option<&'a Camera>,
 }
 
-impl<const N: usize> Look<'_, N> {
+impl<const N: usize> PostSearch<'_, N> {
     pub(super) fn goal(&self, goal: GoalColour, bars: &[Bar]) -> Option<Goal> {
         let colour = Colour::of_goal(goal);
         let own = bars.iter().filter(|bar| bar.colour == colour && self.is_post(bar));
@@ -58,7 +58,7 @@ impl<const N: usize> Look<'_, N> {
 
     /// Its foot is on the field and its top above the end of it.
     fn stands_on_field(&self, bar: &Bar) -> bool {
-        let Some(end) = self.field_end.row_at(bar.bottom.x) else {
+        let Some(end) = self.field_boundary.row_at(bar.bottom.x) else {
             return self.is_at_bottom(bar.bottom.y) && self.is_at_top(bar.top.y);
         };
         let margin = 2.0 + 0.1 * bar.height();

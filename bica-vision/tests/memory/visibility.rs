@@ -7,7 +7,7 @@ use bica_motion::robot::CameraId;
 use bica_motion::side::Side;
 use bica_motion::stand::STAND;
 use bica_vision::memory::ball::BallMemory;
-use bica_vision::memory::sight;
+use bica_vision::memory::visibility;
 use bica_vision::own_body::OwnBody;
 use bica_vision::projection::Camera;
 use bica_vision::uncertainty;
@@ -35,7 +35,7 @@ fn belief_after_looking(at: Vec2, (camera, body): &(Camera, OwnBody)) -> f32 {
     }
     for _ in 0..30 {
         ball.advance(Pose2::ORIGIN, 1.0 / 30.0);
-        if ball.likeliest().is_some_and(|place| sight::shows(camera, SIZE, body, &place, RADIUS, 3.0)) {
+        if ball.likeliest().is_some_and(|place| visibility::is_in_view(camera, SIZE, body, &place, RADIUS, 3.0)) {
             ball.miss();
         }
     }
@@ -69,7 +69,7 @@ fn a_ball_that_may_be_elsewhere_is_not_missed() {
     let mut ball = BallMemory::new(10.0);
     ball.see(Vec2::new(1.0, 0.0), &uncertainty::round(0.02), 0.9);
     let shows = |ball: &BallMemory| {
-        ball.likeliest().is_some_and(|place| sight::shows(&camera, SIZE, &body, &place, RADIUS, 3.0))
+        ball.likeliest().is_some_and(|place| visibility::is_in_view(&camera, SIZE, &body, &place, RADIUS, 3.0))
     };
     assert!(shows(&ball));
     for _ in 0..100 {

@@ -2,7 +2,7 @@
 
 use glam::{Vec2, Vec3};
 
-use super::Place;
+use super::PositionEstimate;
 use crate::own_body::OwnBody;
 use crate::projection::Camera;
 use crate::uncertainty;
@@ -16,7 +16,7 @@ const DEVIATIONS: f32 = 2.0;
 /// Not if it may be outside the image, behind the robot's own body, or farther from the camera than `far` metres.
 /// What stands before it is not known here.
 #[must_use]
-pub fn shows(camera: &Camera, size: Vec2, own: &OwnBody, place: &Place, radius: f32, far: f32) -> bool {
+pub fn is_in_view(camera: &Camera, size: Vec2, own: &OwnBody, place: &PositionEstimate, radius: f32, far: f32) -> bool {
     let spread = DEVIATIONS * uncertainty::largest(&place.covariance);
     let eye = Vec3::from(camera.pose().translation);
     [Vec2::ZERO, Vec2::X, Vec2::NEG_X, Vec2::Y, Vec2::NEG_Y].into_iter().all(|way| {

@@ -17,7 +17,7 @@ const MISS: (f32, f32) = (1.6, 1.0);
 
 /// Points that go straight on from scan to scan, with the sums for a least squares fit.
 #[derive(Clone, Copy)]
-pub(super) struct Strand {
+pub(super) struct LineTrack {
     first: Vec2,
     last: Vec2,
     slope: f32,
@@ -27,7 +27,7 @@ pub(super) struct Strand {
     rise: f32,
 }
 
-impl Strand {
+impl LineTrack {
     pub(super) fn new(across: f32, ridge: Ridge) -> Self {
         let first = Vec2::new(across, ridge.at);
         Self { first, last: first, slope: 0.0, count: 1, sums: [0.0; 4], width: ridge.width, rise: ridge.rise }
@@ -77,17 +77,17 @@ impl Strand {
 }
 
 /// Adds a stripe to the strand that it continues best, or starts one.
-pub(super) fn string(open: &mut Vec<Strand, OPEN>, across: f32, ridge: Ridge, pitch: f32) {
+pub(super) fn string(open: &mut Vec<LineTrack, OPEN>, across: f32, ridge: Ridge, pitch: f32) {
     let fitting = open.iter_mut().filter_map(|strand| Some((strand.miss(across, ridge, pitch)?, strand)));
     match fitting.min_by(|a, b| a.0.total_cmp(&b.0)) {
         Some((_, strand)) => strand.add(across, ridge),
         // When all places are taken, a strand is long: a new point is worth less.
-        None => open.extend([Strand::new(across, ridge)].into_iter().take(OPEN - open.len())),
+        None => open.extend([LineTrack::new(across, ridge)].into_iter().take(OPEN - open.len())),
     }
 }
 
 /// Ends the strands that were not continued since `before` and hands over their stripes.
-pub(super) fn close(open: &mut Vec<Strand, OPEN>, axes: Axes, before: f32, mut hand: impl FnMut(Stripe)) {
+pub(super) fn close(open: &mut Vec<LineTrack, OPEN>, axes: Axes, before: f32, mut hand: impl FnMut(Stripe)) {
     open.retain(|strand| {
         let goes_on = strand.last.x >= before;
         if !goes_on {

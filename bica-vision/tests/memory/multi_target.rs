@@ -1,11 +1,11 @@
 //! Several things of a kind.
 
 use bica_motion::pose::Pose2;
-use bica_vision::memory::several::Several;
+use bica_vision::memory::multi_target::MultiTargetMemory;
 use bica_vision::uncertainty::round;
 use glam::Vec2;
 
-fn places<const N: usize>(things: &Several<N>) -> Vec<Vec2> {
+fn places<const N: usize>(things: &MultiTargetMemory<N>) -> Vec<Vec2> {
     let mut places: Vec<Vec2> = things.places().map(|place| place.position).collect();
     places.sort_by(|a, b| a.x.total_cmp(&b.x));
     places
@@ -13,7 +13,7 @@ fn places<const N: usize>(things: &Several<N>) -> Vec<Vec2> {
 
 #[test]
 fn each_sighting_is_of_the_nearest_thing_or_of_a_new_one() {
-    let mut robots = Several::<3>::new(10.0);
+    let mut robots = MultiTargetMemory::<3>::new(10.0);
     let truth = [Vec2::new(0.5, 0.3), Vec2::new(1.0, -0.4), Vec2::new(1.8, 0.5)];
     for turn in 0..20 {
         let off = if turn % 2 == 0 { 0.03 } else { -0.03 };
@@ -34,7 +34,7 @@ fn each_sighting_is_of_the_nearest_thing_or_of_a_new_one() {
 
 #[test]
 fn when_there_are_too_many_the_least_believed_is_forgotten() {
-    let mut robots = Several::<2>::new(1.0);
+    let mut robots = MultiTargetMemory::<2>::new(1.0);
     robots.see(Vec2::new(1.0, 0.0), &round(0.05), 0.8);
     robots.advance(Pose2::ORIGIN, 1.0);
     robots.see(Vec2::new(2.0, 0.0), &round(0.05), 0.8);
@@ -47,7 +47,7 @@ fn when_there_are_too_many_the_least_believed_is_forgotten() {
 
 #[test]
 fn what_should_be_seen_and_is_not_is_forgotten_alone() {
-    let mut robots = Several::<4>::new(100.0);
+    let mut robots = MultiTargetMemory::<4>::new(100.0);
     let (there, gone) = (Vec2::new(1.0, 0.5), Vec2::new(1.0, -0.5));
     robots.see(gone, &round(0.05), 0.8);
     for _ in 0..20 {
