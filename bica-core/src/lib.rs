@@ -68,3 +68,7 @@ pub use probe::Probe;
 pub use rate::Rate;
 pub use stopwatch::Stopwatch;
 pub use tree::{Has, Status, Tree};
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -32,3 +32,7 @@ mod lines;
 pub use crossing::{Crossing, CrossingKind};
 pub use dimensions::{FIELD, FieldDimensions, SPL_2009};
 pub use goal::GoalColour;
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -26,3 +26,7 @@ pub fn component(options: TokenStream, item: TokenStream) -> TokenStream {
 pub fn activation_tree(input: TokenStream) -> TokenStream {
     tree::run(input.into()).into()
 }
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -45,3 +45,7 @@ pub mod side;
 pub mod speed;
 pub mod stand;
 pub mod walk;
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

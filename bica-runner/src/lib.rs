@@ -111,3 +111,7 @@ pub use runner::Runner;
 pub use schedule::{Overrun, OverrunPolicy, RunError, Schedule};
 pub use timing::Timing;
 pub use world::World;
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -80,3 +80,7 @@ pub mod robots;
 pub mod segment;
 pub mod table;
 pub mod uncertainty;
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -48,3 +48,7 @@ pub use image::{CHUNK_BYTES, ImageBuffer, chunks};
 pub use message::{FromRobot, ToRobot};
 pub use packet::MAX_PACKET;
 pub use schema::SCHEMA;
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

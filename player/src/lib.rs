@@ -24,3 +24,7 @@ pub mod perception;
 pub mod strategy;
 
 pub use forward::Forward;
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

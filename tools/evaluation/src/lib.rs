@@ -7,6 +7,7 @@ pub mod frame_io;
 pub mod labels;
 pub mod profile;
 pub mod scoring;
+mod table;
 #[cfg(feature = "mujoco")]
 pub mod trial;
 pub mod trial_kind;

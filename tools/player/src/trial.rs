@@ -1,4 +1,4 @@
-//! `player trial`: the body in `MuJoCo`.
+//! `player trial`: trials of the body in `MuJoCo`.
 
 #[cfg(feature = "mujoco")]
 use bica_console::Console;
@@ -22,7 +22,7 @@ pub(crate) fn run(_: &Trial) -> Result<Outcome, Failure> {
 pub(crate) fn run(args: &Trial) -> Result<Outcome, Failure> {
     let kinds = args.names.iter().map(|name| name.0).collect();
     let &Trial { runs, seed, threads, .. } = args;
-    trial::run(&trial::Trial { kinds, runs, seed, threads, physics: physics(args) }, Console::new(args.json))
+    trial::run(&trial::TrialOptions { kinds, runs, seed, threads, physics: physics(args) }, Console::new(args.json))
 }
 
 #[cfg(feature = "mujoco")]
