@@ -61,6 +61,8 @@
 pub use bica_core::__private;
 pub use bica_core::*;
 pub use bica_macros::{activation_tree, component};
+#[doc(inline)]
+pub use bica_runner as runner;
 
 /// Everything that a file of components needs.
 pub mod prelude {

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use bica_sim::field::Frame;
+use bica_sim::setup::Frame;
 use clap::Parser;
 
 use crate::smaller::{Smaller, Source};

@@ -5,7 +5,7 @@ use std::time::{Duration, Instant as Clock};
 use bica::{Stopwatch, Tree};
 use bica_player::{Forward, act, sense};
 use bica_sim::World;
-use bica_sim::field::{Frame, Setup};
+use bica_sim::setup::{Frame, Setup};
 
 use crate::game::Game;
 use crate::lanes::{ACT, CHAIN, Cycle, LANES, Lanes, SEEING, SENSE};

@@ -9,7 +9,7 @@ use std::time::Instant as Clock;
 
 use bica::prelude::*;
 use bica_player::{act, sense};
-use bica_sim::field::Frame;
+use bica_sim::setup::Frame;
 
 use crate::recording::{CYCLES, Recording, WARM};
 

@@ -4,7 +4,7 @@ use std::time::{Duration, Instant as Clock};
 
 use bica::{ComponentId, Tree};
 use bica_player::Forward;
-use bica_sim::field::Frame;
+use bica_sim::setup::Frame;
 use criterion::{BenchmarkId, Criterion};
 
 use crate::alone::Alone;

@@ -5,7 +5,7 @@ use std::hint::black_box;
 use bica::{Instant, Tree};
 use bica_motion::robot::{CameraId, Sensors};
 use bica_player::{act, sense};
-use bica_sim::field::Frame;
+use bica_sim::setup::Frame;
 use criterion::{BenchmarkId, Criterion, Throughput};
 
 use crate::recorded;

@@ -14,7 +14,7 @@ use bica_player::perception::{
     RobotDetector,
 };
 use bica_player::{Forward, act, sense};
-use bica_sim::field::Frame;
+use bica_sim::setup::Frame;
 use gungraun::prelude::*;
 
 use crate::alone::Alone;

@@ -3,7 +3,7 @@
 use bica::prelude::*;
 use bica_player::input::Eye;
 use bica_player::{Forward, sense};
-use bica_sim::field::Frame;
+use bica_sim::setup::Frame;
 
 use crate::recording::Recording;
 

@@ -6,7 +6,7 @@ use bica_motion::robot::{CameraId, Image, Sensors};
 use bica_player::Forward;
 use bica_player::perception::Localization;
 use bica_sim::World;
-use bica_sim::field::{Frame, Setup, Start};
+use bica_sim::setup::{Frame, Setup, Start};
 use glam::Vec2;
 
 use crate::game::Game;

@@ -4,7 +4,8 @@ use bica_motion::joints::{Joint, Joints};
 use bica_motion::robot::{CameraId, Command, Lights};
 use bica_motion::side::Side;
 use bica_sim::World;
-use bica_sim::field::{FieldWorld, Frame, Setup};
+use bica_sim::kinematic::KinematicWorld;
+use bica_sim::setup::{Frame, Setup};
 use bica_vision::profile::BUILT_IN_TABLE;
 use bica_vision::projection::Camera;
 
@@ -21,13 +22,13 @@ pub(crate) fn album((width, height): (u16, u16), worlds: u64) -> Album {
 }
 
 fn shots(setup: &Setup) -> Vec<Shot> {
-    let mut world = FieldWorld::new(setup).expect("a sound setup");
+    let mut world = KinematicWorld::new(setup).expect("a sound setup");
     let mut targets = world.sensors().angles;
     LOOKS.map(|look| shot(&mut world, &mut targets, look, setup.seed)).into()
 }
 
 /// Turns the head and waits until it rests and a frame is there.
-fn shot(world: &mut FieldWorld, targets: &mut Joints, (yaw, pitch): (f32, f32), seed: u64) -> Shot {
+fn shot(world: &mut KinematicWorld, targets: &mut Joints, (yaw, pitch): (f32, f32), seed: u64) -> Shot {
     targets[Joint::HeadYaw] = yaw;
     targets[Joint::HeadPitch] = pitch;
     let stiffness = Joints::all(1.0);

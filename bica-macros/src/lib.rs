@@ -7,14 +7,11 @@
 //! constant function `bica_core::check::check`.
 
 mod component;
-mod number;
-mod quoting;
-mod report;
+mod expand;
+mod language;
 #[cfg(test)]
 mod tests;
-mod text;
 mod tree;
-mod wording;
 
 use proc_macro::TokenStream;
 

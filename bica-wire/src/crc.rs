@@ -1,9 +1,9 @@
-//! The check that tells a damaged packet from a whole one.
+//! CRC-32, which detects damaged packets.
 
-/// The generator polynomial of CRC-32/ISO-HDLC (ITU-T V.42), bits reversed.
+/// Generator polynomial of CRC-32/ISO-HDLC (ITU-T V.42), bits reversed.
 const POLYNOMIAL: u32 = 0xedb8_8320;
 
-/// One entry for every half byte: a sixteenth of the usual table, for the sake of small memories.
+/// Remainders of the 16 values of half a byte: 64 bytes of flash instead of the usual 1024.
 const TABLE: [u32; 16] = {
     let mut table = [0; 16];
     let mut entry = 0;
@@ -19,9 +19,9 @@ const TABLE: [u32; 16] = {
     table
 };
 
-/// CRC-32/ISO-HDLC, the one of Ethernet and zip.
+/// Computes CRC-32/ISO-HDLC, as used by Ethernet and zip.
 ///
-/// It notices every burst of damage up to 32 bits, and all but one of 2³² others.
+/// It detects every burst error of up to 32 bits, and other errors with probability 1 − 2⁻³².
 ///
 /// ```
 /// assert_eq!(bica_wire::crc32(b"123456789"), 0xcbf4_3926);
@@ -35,23 +35,23 @@ pub fn crc32(bytes: &[u8]) -> u32 {
     crc.value()
 }
 
-/// The same, byte by byte.
+/// CRC-32/ISO-HDLC, computed byte by byte.
 pub(crate) struct Crc32(u32);
 
 impl Crc32 {
-    /// Of no bytes.
+    /// Creates the CRC of no bytes.
     pub(crate) const fn new() -> Self {
         Self(!0)
     }
 
-    /// Takes the next byte in.
+    /// Adds the next byte.
     pub(crate) const fn add(&mut self, byte: u8) {
         let crc = self.0 ^ byte as u32;
         let crc = (crc >> 4) ^ TABLE[(crc & 15) as usize];
         self.0 = (crc >> 4) ^ TABLE[(crc & 15) as usize];
     }
 
-    /// The check of all bytes so far.
+    /// Returns the CRC of all bytes added so far.
     pub(crate) const fn value(&self) -> u32 {
         !self.0
     }

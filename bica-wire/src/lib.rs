@@ -1,46 +1,50 @@
-//! What robot and host say to each other over a serial line, and how it gets through.
+//! Messages and packets between a robot and its host over a serial line.
 //!
-//! A *message* ([`ToRobot`], [`FromRobot`]) is data in postcard's format. A *packet* is a message with a running number
-//! before it and a CRC-32 after it, freed of zero bytes (COBS) and ended by one. So a receiver finds the next packet
-//! after any damage, notices every damaged and every missing one, and needs no memory but one packet's.
+//! A *message* ([`ToRobot`], [`FromRobot`]) is data in postcard's format. A *packet* is a sequence number, a message and
+//! a CRC-32, encoded with COBS (consistent overhead byte stuffing), so that it contains no zero byte, and terminated by a
+//! zero byte. A receiver therefore finds the next packet after any damage, detects every damaged and every missing
+//! packet, and needs memory for one packet only.
 //!
 //! ```
-//! use bica_wire::{FromRobot, Receiver, Sender, SCHEMA, message::Greeting};
+//! use bica_wire::{Decoder, Encoder, FromRobot, message::StackUsage};
 //!
-//! let greeting = Greeting { schema: SCHEMA, name: "Forward", cycle_hz: 100.0, components: 25, fine_hz: 1, restarts: 0, reason: "" };
-//! let (mut sender, mut receiver) = (Sender::new(), Receiver::<256>::new());
-//! let mut room = [0; 256];
-//! let packet = sender.pack(&FromRobot::Greeting(greeting.clone()), &mut room)?;
-//! let mut heard = 0;
+//! let message = FromRobot::StackUsage(StackUsage { max_used: 4096, size: 65536 });
+//! let (mut encoder, mut decoder) = (Encoder::new(), Decoder::<256>::new());
+//! let mut buffer = [0; 256];
+//! let packet = encoder.encode(&message, &mut buffer)?;
+//! let mut received = 0;
 //! for &byte in packet {
-//!     if let Some(message) = receiver.push(byte) {
-//!         assert_eq!(message.read::<FromRobot>(), Ok(FromRobot::Greeting(greeting.clone())));
-//!         heard += 1;
+//!     if let Some(packet) = decoder.push(byte) {
+//!         assert_eq!(packet.message::<FromRobot>().as_ref(), Ok(&message));
+//!         received += 1;
 //!     }
 //! }
-//! assert_eq!(heard, 1);
+//! assert_eq!(received, 1);
 //! # Ok::<(), bica_wire::TooLarge>(())
 //! ```
 //!
-//! The robot speaks first: its greeting carries [`SCHEMA`], a number that two programs share only if they mean the same
-//! by every byte. Asked to, it describes itself ([`describe()`]), so a monitor needs nothing generated from its sources.
+//! The robot sends first: its [`message::Identity`] carries [`SCHEMA`], a hash of all message types. Two programs
+//! understand each other if and only if their hashes are equal. On request the robot sends the graph of its tree
+//! ([`describe()`]), so a monitor needs no code generated from the robot's sources.
 #![no_std]
 
 mod convert;
 mod crc;
+mod decoder;
 mod describe;
-mod each;
-mod frame;
+mod encoder;
+mod float_array;
+mod image;
 pub mod message;
 mod packet;
-mod receiver;
 mod schema;
 
-pub use convert::NoCommand;
+pub use convert::InvalidCommand;
 pub use crc::crc32;
+pub use decoder::{Decoder, Packet, UnknownMessage};
 pub use describe::describe;
-pub use frame::{CHUNK, Frame, chunks};
+pub use encoder::{Encoder, TooLarge};
+pub use image::{CHUNK_BYTES, ImageBuffer, chunks};
 pub use message::{FromRobot, ToRobot};
-pub use packet::{MAX_PACKET, Sender, TooLarge};
-pub use receiver::{Heard, Losses, NotUnderstood, Receiver};
+pub use packet::MAX_PACKET;
 pub use schema::SCHEMA;

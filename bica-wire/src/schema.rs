@@ -1,14 +1,14 @@
-//! One number for all that the bytes mean.
+//! The hash of all message types.
 
 use postcard_schema::key::Key;
 
 use crate::message::{FromRobot, ToRobot};
 
-/// Two programs understand each other if, and only if, this is the same in both.
+/// Hash of the names, order and types of everything in [`ToRobot`] and [`FromRobot`] (FNV-1a by postcard-schema).
 ///
-/// It is made from the names, order and types of everything in [`ToRobot`] and [`FromRobot`] (FNV-1a by postcard-schema).
+/// Two programs understand each other if and only if this value is the same in both.
 pub const SCHEMA: u64 = {
-    let up = u64::from_le_bytes(Key::for_path::<ToRobot<'static>>("bica/1/to").to_bytes());
-    let down = u64::from_le_bytes(Key::for_path::<FromRobot<'static>>("bica/1/from").to_bytes());
-    up ^ down.rotate_left(1)
+    let to_robot = u64::from_le_bytes(Key::for_path::<ToRobot<'static>>("bica/1/to").to_bytes());
+    let from_robot = u64::from_le_bytes(Key::for_path::<FromRobot<'static>>("bica/1/from").to_bytes());
+    to_robot ^ from_robot.rotate_left(1)
 };

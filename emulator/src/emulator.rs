@@ -1,84 +1,85 @@
-//! QEMU with a firmware image, and a pipe to it.
+//! QEMU with a firmware image, and a link to it.
 
 use std::path::Path;
 use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
 
 use crate::error::Error;
-use crate::line::Line;
+use crate::link::Link;
 
-/// QEMU's name for the memory word that tells the image to speak through the pipe, and its content: "PIPE", "LINE".
-const JUMPERS: [&str; 2] =
-    ["loader,addr=0x203ffffc,data=0x45504950,data-len=4", "loader,addr=0x203ffffc,data=0x454e494c,data-len=4"];
+/// QEMU devices that write a word beyond the program's memory. The image selects its transport by that word:
+/// "PIPE" or "LINE" in ASCII.
+const SELECT_PIPE: &str = "loader,addr=0x203ffffc,data=0x45504950,data-len=4";
+const SELECT_PACED_PIPE: &str = "loader,addr=0x203ffffc,data=0x454e494c,data-len=4";
 
-/// What carries the messages.
+/// Transport of the packets between program and image.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Carrier {
-    /// A pipe: fast, and the microcontroller's time stands still while it waits.
+pub enum Transport {
+    /// A pipe: fast. The microcontroller's time stands still while it waits for bytes.
     Pipe,
-    /// A pipe that brings no more than 1.2 MB in a second of the microcontroller's time, 30 images: that time goes on
-    /// while there is something to read. Whoever falls silent stops it.
-    Line,
-    /// The board's serial port: a byte at a time, slow in QEMU; time goes on while the microcontroller waits.
+    /// A pipe limited to 1.2 MB per second of the microcontroller's time, which is 30 images. The microcontroller's time
+    /// advances as long as the program sends; it stands still when the pipe is empty.
+    PacedPipe,
+    /// The board's serial port: one byte at a time, slow in QEMU. Time advances while the microcontroller waits.
     Serial,
 }
 
-impl Carrier {
+impl Transport {
     fn arguments(self) -> &'static [&'static str] {
         match self {
-            Self::Pipe => &["-icount", "shift=0,sleep=off", "-device", JUMPERS[0], "-serial", "null"],
-            Self::Line => &["-icount", "shift=0,sleep=off", "-device", JUMPERS[1], "-serial", "null"],
+            Self::Pipe => &["-icount", "shift=0,sleep=off", "-device", SELECT_PIPE, "-serial", "null"],
+            Self::PacedPipe => &["-icount", "shift=0,sleep=off", "-device", SELECT_PACED_PIPE, "-serial", "null"],
             Self::Serial => &["-icount", "shift=0,sleep=on", "-serial", "stdio"],
         }
     }
 }
 
-/// A running image. It ends with this value.
+/// A running image. Dropping it ends the emulator.
 #[derive(Debug)]
 pub struct Emulator {
     child: Child,
-    line: Line<ChildStdout, ChildStdin>,
+    link: Link<ChildStdout, ChildStdin>,
 }
 
 impl Emulator {
-    /// Starts an image; its log (defmt, not decoded) goes to a file, if one is named.
+    /// Starts an image. Its log (defmt, encoded) is written to the file `log`, if there is one.
     ///
     /// # Errors
-    /// [`Error::NoImage`], [`Error::NoEmulator`].
-    pub fn start(image: &Path, carrier: Carrier, log: Option<&Path>) -> Result<Self, Error> {
+    /// [`Error::ImageMissing`], [`Error::QemuUnavailable`].
+    pub fn start(image: &Path, transport: Transport, log: Option<&Path>) -> Result<Self, Error> {
         if !image.is_file() {
-            return Err(Error::NoImage(image.to_owned()));
+            return Err(Error::ImageMissing(image.to_owned()));
         }
         let log = log.map_or_else(|| "null".to_owned(), |path| format!("file:{}", path.display()));
         let mut command = Command::new("qemu-system-arm");
-        // In a group of its own: Ctrl-C is for the program, which ends the emulator when it has summed up.
+        // A separate process group: Ctrl-C stops the program only, which ends the emulator after its summary.
         #[cfg(unix)]
         std::os::unix::process::CommandExt::process_group(&mut command, 0);
         let mut child = command
             .args(["-M", "mps2-an500", "-cpu", "cortex-m7", "-display", "none", "-monitor", "none"])
             .args(["-semihosting-config", "enable=on,target=native"])
-            .args(carrier.arguments())
+            .args(transport.arguments())
             .args(["-serial", &log])
             .arg("-kernel")
             .arg(image)
             .stdin(Stdio::piped())
             .stdout(Stdio::piped())
             .spawn()
-            .map_err(Error::NoEmulator)?;
-        let (Some(to), Some(from)) = (child.stdin.take(), child.stdout.take()) else {
-            return Err(Error::Unexpected("no pipes".to_owned()));
+            .map_err(Error::QemuUnavailable)?;
+        let (Some(tx), Some(rx)) = (child.stdin.take(), child.stdout.take()) else {
+            return Err(Error::UnexpectedMessage("the emulator has no pipes".to_owned()));
         };
-        Ok(Self { child, line: Line::new(from, to) })
+        Ok(Self { child, link: Link::new(rx, tx) })
     }
 
-    /// The pipe.
-    pub const fn line(&mut self) -> &mut Line<ChildStdout, ChildStdin> {
-        &mut self.line
+    /// Returns the link to the image.
+    pub const fn link(&mut self) -> &mut Link<ChildStdout, ChildStdin> {
+        &mut self.link
     }
 }
 
 impl Drop for Emulator {
     fn drop(&mut self) {
-        // An emulator that has already ended needs no end.
+        // Both calls fail only if the emulator has already ended.
         let _ = self.child.kill();
         let _ = self.child.wait();
     }

@@ -1,37 +1,41 @@
-//! What can go wrong with an emulated robot.
+//! Errors of an emulated robot.
 
 use std::path::PathBuf;
 use std::{fmt, io};
 
-/// What can go wrong with an emulated robot.
+/// Error of an emulated robot.
 #[derive(Debug)]
 pub enum Error {
-    /// There is no image.
-    NoImage(PathBuf),
+    /// The image file does not exist.
+    ImageMissing(PathBuf),
     /// QEMU cannot be started.
-    NoEmulator(io::Error),
-    /// The emulator ended, or its pipe did.
-    Gone(io::Error),
-    /// The image speaks another schema than this program.
-    OtherSchema(u64),
-    /// The robot said something that nobody could expect there, or nothing.
-    Unexpected(String),
+    QemuUnavailable(io::Error),
+    /// The emulator ended, or its link closed.
+    Disconnected(io::Error),
+    /// The image was built with another schema, whose hash is this.
+    SchemaMismatch(u64),
+    /// The robot sent an unexpected message, or none.
+    UnexpectedMessage(String),
 }
 
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::NoImage(path) => {
-                write!(f, "there is no firmware image `{}`: `cargo xtask firmware --build` makes it", path.display())
-            }
-            Self::NoEmulator(error) => write!(f, "cannot start qemu-system-arm ({error}): install QEMU for Arm"),
-            Self::Gone(error) => write!(f, "the emulator has gone: {error}"),
-            Self::OtherSchema(schema) => write!(
+            Self::ImageMissing(path) => write!(
                 f,
-                "the image speaks schema {schema:016x}, this program {:016x}: build it again with `cargo xtask firmware --build`",
+                "the firmware image `{}` does not exist: build it with `cargo xtask firmware --build`",
+                path.display()
+            ),
+            Self::QemuUnavailable(error) => {
+                write!(f, "cannot start qemu-system-arm ({error}): install QEMU for Arm")
+            }
+            Self::Disconnected(error) => write!(f, "the emulator disconnected: {error}"),
+            Self::SchemaMismatch(schema) => write!(
+                f,
+                "the image has schema {schema:016x}, this program {:016x}: rebuild it with `cargo xtask firmware --build`",
                 bica_wire::SCHEMA
             ),
-            Self::Unexpected(what) => write!(f, "the robot said something unexpected: {what}"),
+            Self::UnexpectedMessage(message) => write!(f, "unexpected message from the robot: {message}"),
         }
     }
 }

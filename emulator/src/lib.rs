@@ -1,15 +1,15 @@
-//! The firmware image in QEMU, as a robot's mind that a program can talk to.
+//! The firmware image in QEMU, as a robot controller that a program exchanges messages with.
 //!
-//! [`Emulator`] starts QEMU and carries messages; [`Mind`] senses, thinks and acts with the microcontroller in lockstep
-//! with a world. One instruction is one nanosecond of the microcontroller's time, so what it measures is a count of
-//! instructions, the same on every computer.
+//! [`Emulator`] starts QEMU and connects a [`Link`] to the image. [`Controller`] runs the microcontroller in lockstep
+//! with a world: one sense-think-act cycle for each set of sensor values. One instruction takes one nanosecond of the
+//! microcontroller's time, so a time that it measures is a number of instructions, the same on every computer.
 
+mod controller;
 mod emulator;
 mod error;
-mod line;
-mod mind;
+mod link;
 
-pub use emulator::{Carrier, Emulator};
+pub use controller::{Controller, CycleReport, command_bits};
+pub use emulator::{Emulator, Transport};
 pub use error::Error;
-pub use line::{Ear, Line, Mouth};
-pub use mind::{Mind, Thought, bits};
+pub use link::{Link, Rx, Tx};

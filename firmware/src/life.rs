@@ -7,8 +7,8 @@ use bica_motion::joints::Joints;
 use bica_motion::robot::{self, CameraId, Lights};
 use bica_player::Forward;
 use bica_player::input::{EYE_BYTES, Eye};
-use bica_wire::message::{Command, Pace};
-use bica_wire::{Frame, FromRobot, MAX_PACKET, Receiver, Sender, ToRobot};
+use bica_wire::message::{Command, ClockMode};
+use bica_wire::{ImageBuffer, FromRobot, MAX_PACKET, Decoder, Encoder, ToRobot};
 use embassy_futures::select::{Either, select};
 use embassy_time::{Duration, Instant, Ticker};
 use embedded_io_async::Read;
@@ -21,8 +21,8 @@ use crate::voice::Voice;
 
 static ROBOT: ConstStaticCell<Forward> = ConstStaticCell::new(Forward::new());
 static EYE: ConstStaticCell<[u8; EYE_BYTES]> = ConstStaticCell::new([0; EYE_BYTES]);
-static FRAME: ConstStaticCell<Frame<EYE_BYTES>> = ConstStaticCell::new(Frame::new());
-static RECEIVER: ConstStaticCell<Receiver<MAX_PACKET>> = ConstStaticCell::new(Receiver::new());
+static FRAME: ConstStaticCell<ImageBuffer<EYE_BYTES>> = ConstStaticCell::new(ImageBuffer::new());
+static RECEIVER: ConstStaticCell<Decoder<MAX_PACKET>> = ConstStaticCell::new(Decoder::new());
 static PACKET: ConstStaticCell<[u8; MAX_PACKET]> = ConstStaticCell::new([0; MAX_PACKET]);
 
 /// Room for the packet of a command, bytes: 250 at most, and what stuffing adds.
@@ -39,7 +39,7 @@ pub(crate) async fn live<B: Board>(mut ear: B::Ear, mouth: B::Mouth) -> ! {
     let mut room = [0; 256];
     voice.say(&mind.greeting()).await;
     loop {
-        if mind.pace() != Some(Pace::Clock) {
+        if mind.pace() != Some(ClockMode::FreeRunning) {
             let count = ear.read(&mut room).await.unwrap_or(0);
             listen(&room[..count], receiver, &mut mind, &mut voice).await;
             ticker.reset();
@@ -50,7 +50,7 @@ pub(crate) async fn live<B: Board>(mut ear: B::Ear, mouth: B::Mouth) -> ! {
         match select(ear.read(&mut room), ticker.next()).await {
             Either::First(count) => listen(&room[..count.unwrap_or(0)], receiver, &mut mind, &mut voice).await,
             Either::Second(()) => {
-                mind.tick(due, receiver.losses(), &mut voice).await;
+                mind.tick(due, receiver.stats(), &mut voice).await;
                 due += period;
             }
         }
@@ -60,21 +60,21 @@ pub(crate) async fn live<B: Board>(mut ear: B::Ear, mouth: B::Mouth) -> ! {
 fn past() -> reason::Past {
     let past = reason::past();
     if past.restarts > 0 {
-        defmt::error!("started anew, {=u32} times by now: {=str}", past.restarts, past.reason.as_str());
+        defmt::error!("restart {=u32} after a panic: {=str}", past.restarts, past.reason.as_str());
     }
     past
 }
 
 async fn listen<B: Board>(
     bytes: &[u8],
-    receiver: &mut Receiver<MAX_PACKET>,
+    receiver: &mut Decoder<MAX_PACKET>,
     mind: &mut Mind<B>,
     voice: &mut Voice<B::Mouth>,
 ) {
     for &byte in bytes {
-        let losses = receiver.losses();
+        let losses = receiver.stats();
         if let Some(heard) = receiver.push(byte) {
-            match heard.read::<ToRobot<'_>>() {
+            match heard.message::<ToRobot<'_>>() {
                 Ok(message) => mind.hear(&message, losses, voice).await,
                 Err(_) => defmt::warn!("a packet that is no message"),
             }
@@ -94,7 +94,7 @@ pub(crate) fn end<B: Board>(reason: impl Display) -> ! {
     let mut room = [0; LAST_WORDS];
     // A zero ends whatever packet the panic cut in two.
     B::cry(&[0]);
-    if let Ok(packet) = Sender::new().pack(&FromRobot::Command(Command::new(u64::MAX, &limp)), &mut room) {
+    if let Ok(packet) = Encoder::new().encode(&FromRobot::Command(Command::new(u64::MAX, &limp)), &mut room) {
         B::cry(packet);
     }
     reason::keep(reason);

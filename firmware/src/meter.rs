@@ -4,7 +4,7 @@ use core::marker::PhantomData;
 
 use bica::{ComponentId, Probe, Tree};
 use bica_player::Forward;
-use bica_wire::message::Trial;
+use bica_wire::message::FaultInjection;
 
 use crate::board::Board;
 
@@ -25,11 +25,11 @@ impl<B: Board> Meter<B> {
     }
 
     /// Puts a component to a test.
-    pub(crate) const fn test(&mut self, trial: Trial) {
+    pub(crate) const fn test(&mut self, trial: FaultInjection) {
         match trial {
-            Trial::Slow { ticks: 0, .. } => self.slow = None,
-            Trial::Slow { component, ticks } => self.slow = Some((component as usize, ticks)),
-            Trial::Panic { component } => self.panics = Some(component as usize),
+            FaultInjection::Delay { ticks: 0, .. } => self.slow = None,
+            FaultInjection::Delay { component, ticks } => self.slow = Some((component as usize, ticks)),
+            FaultInjection::Panic { component } => self.panics = Some(component as usize),
         }
     }
 }
@@ -49,7 +49,7 @@ impl<B: Board> Probe for Meter<B> {
 
     fn begin(&mut self, component: ComponentId) {
         self.began = B::fine();
-        assert!(self.panics != Some(component.index()), "a trial: {} panics", name(component));
+        assert!(self.panics != Some(component.index()), "injected: {} panics", name(component));
     }
 
     fn end(&mut self, component: ComponentId) {

@@ -7,8 +7,8 @@ use bica_player::input::EYE_BYTES;
 use bica_player::perception::{BallDetector, NetDetector};
 use bica_player::{Forward, act, sense};
 use bica_vision::colour::Colour;
-use bica_wire::message::{Attack, Command, Greeting, Hello, Pace, Sensors, Telemetry};
-use bica_wire::{Frame, FromRobot, Losses, SCHEMA, ToRobot, describe};
+use bica_wire::message::{ClockMode, Command, GoalColour, Hello, Identity, LinkStats, Sensors, Telemetry};
+use bica_wire::{ImageBuffer, FromRobot, SCHEMA, ToRobot, describe};
 use embassy_time::Duration;
 use embedded_io_async::Write;
 
@@ -24,11 +24,11 @@ const SILENCE: Duration = Duration::from_millis(200);
 /// Everything that a robot keeps while it plays.
 pub(crate) struct Mind<B> {
     robot: &'static mut Forward,
-    frame: &'static mut Frame<EYE_BYTES>,
+    frame: &'static mut ImageBuffer<EYE_BYTES>,
     past: Past,
     meter: Meter<B>,
     /// How time passes; `None` before the first hello.
-    pace: Option<Pace>,
+    pace: Option<ClockMode>,
     /// The time of what was sensed since the last cycle, and the fine ticks that taking it in took.
     sensed: Option<(u64, u32)>,
     /// When the host was last heard.
@@ -41,7 +41,7 @@ pub(crate) struct Mind<B> {
 
 impl<B: Board> Mind<B> {
     /// A mind that waits for a hello.
-    pub(crate) fn new(robot: &'static mut Forward, frame: &'static mut Frame<EYE_BYTES>, past: Past) -> Self {
+    pub(crate) fn new(robot: &'static mut Forward, frame: &'static mut ImageBuffer<EYE_BYTES>, past: Past) -> Self {
         Self {
             robot,
             frame,
@@ -57,40 +57,40 @@ impl<B: Board> Mind<B> {
     }
 
     /// How time passes; `None` before the first hello.
-    pub(crate) const fn pace(&self) -> Option<Pace> {
+    pub(crate) const fn pace(&self) -> Option<ClockMode> {
         self.pace
     }
 
     /// The robot's first words.
     pub(crate) fn greeting(&self) -> FromRobot<'_> {
-        FromRobot::Greeting(Greeting {
+        FromRobot::Identity(Identity {
             schema: SCHEMA,
             name: Forward::GRAPH.name,
             cycle_hz: Forward::GRAPH.cycle_hz,
             components: Forward::COUNT as u8,
-            fine_hz: B::FINE_HZ,
+            counter_hz: B::FINE_HZ,
             restarts: self.past.restarts,
-            reason: &self.past.reason,
+            last_panic: &self.past.reason,
         })
     }
 
     /// Does what the host says.
-    pub(crate) async fn hear(&mut self, message: &ToRobot<'_>, losses: Losses, voice: &mut Voice<impl Write>) {
+    pub(crate) async fn hear(&mut self, message: &ToRobot<'_>, losses: LinkStats, voice: &mut Voice<impl Write>) {
         self.heard = Instant::now();
         match message {
             ToRobot::Hello(hello) => self.begin(hello, voice).await,
             ToRobot::Describe => {
                 for fact in describe(&Forward::GRAPH) {
-                    voice.say(&FromRobot::Fact(fact)).await;
+                    voice.say(&FromRobot::GraphItem(fact)).await;
                 }
             }
-            ToRobot::Stack => voice.say(&FromRobot::Stack(stack::used())).await,
-            ToRobot::Trial(trial) => self.meter.test(*trial),
-            ToRobot::Chunk(chunk) => self.frame.add(chunk),
+            ToRobot::StackUsage => voice.say(&FromRobot::StackUsage(stack::used())).await,
+            ToRobot::FaultInjection(trial) => self.meter.test(*trial),
+            ToRobot::ImageChunk(chunk) => self.frame.add(chunk),
             ToRobot::Sensors(sensors) => {
                 B::settle();
                 self.sense(sensors);
-                if self.pace == Some(Pace::Lockstep) {
+                if self.pace == Some(ClockMode::Lockstep) {
                     self.cycle(Instant::from_micros(sensors.time_us), losses, voice).await;
                 }
             }
@@ -107,17 +107,17 @@ impl<B: Board> Mind<B> {
             defmt::info!("a new game");
             B::reset();
         }
-        defmt::info!("hello; in step with the world: {=bool}", hello.pace == Pace::Lockstep);
-        self.robot.get_mut::<NetDetector>().attack(match hello.attack {
-            Attack::Yellow => Colour::Yellow,
-            Attack::Blue => Colour::Blue,
+        defmt::info!("hello; in step with the world: {=bool}", hello.clock_mode == ClockMode::Lockstep);
+        self.robot.get_mut::<NetDetector>().attack(match hello.attacks {
+            GoalColour::Yellow => Colour::Yellow,
+            GoalColour::Blue => Colour::Blue,
         });
-        self.pace = Some(hello.pace);
+        self.pace = Some(hello.clock_mode);
         voice.say(&self.greeting()).await;
     }
 
     /// A cycle of the robot's own clock was to begin at `due`.
-    pub(crate) async fn tick(&mut self, due: Instant, losses: Losses, voice: &mut Voice<impl Write>) {
+    pub(crate) async fn tick(&mut self, due: Instant, losses: LinkStats, voice: &mut Voice<impl Write>) {
         let now = Instant::now();
         let period = Duration::from_hz(Forward::GRAPH.cycle_hz as u64);
         if now.saturating_duration_since(due) >= period {
@@ -135,15 +135,15 @@ impl<B: Board> Mind<B> {
     /// Takes in what was sensed: at once, since the pieces of the next image may come before the next cycle.
     fn sense(&mut self, sensors: &Sensors) {
         let began = B::fine();
-        let yuyv = sensors.picture.as_ref().and_then(|picture| self.frame.take(picture));
-        if let Err(error) = sense(self.robot, &sensors.sensed(yuyv)) {
+        let yuyv = sensors.image.as_ref().and_then(|picture| self.frame.take(picture));
+        if let Err(error) = sense(self.robot, &sensors.to_sensors(yuyv)) {
             defmt::warn!("an image of {=usize} bytes does not fit", error.bytes);
         }
         self.sensed = Some((sensors.time_us, B::fine().wrapping_sub(began)));
     }
 
     /// Thinks, acts, reports.
-    async fn cycle(&mut self, now: Instant, losses: Losses, voice: &mut Voice<impl Write>) {
+    async fn cycle(&mut self, now: Instant, losses: LinkStats, voice: &mut Voice<impl Write>) {
         let began = B::fine();
         let (time_us, sensing) = self.sensed.take().unwrap_or((now.as_micros(), 0));
         self.robot.tick_with(now, &mut self.meter);
@@ -159,12 +159,12 @@ impl<B: Board> Mind<B> {
         let ball = self.robot.get::<BallDetector>().seen().is_some();
         let goal = self.robot.get::<NetDetector>().seen().is_some();
         if (ball, goal) != self.seen {
-            defmt::info!("in sight: ball {=bool}, goal {=bool}", ball, goal);
+            defmt::info!("visible: ball {=bool}, goal {=bool}", ball, goal);
             self.seen = (ball, goal);
         }
     }
 
-    async fn report(&mut self, time_us: u64, chain: u32, losses: Losses, voice: &mut Voice<impl Write>) {
+    async fn report(&mut self, time_us: u64, chain: u32, losses: LinkStats, voice: &mut Voice<impl Write>) {
         let mut states = [u8::MAX; Forward::COUNT];
         for (index, state) in states.iter_mut().enumerate() {
             *state = self.robot.state(bica::ComponentId::new(index)).map_or(u8::MAX, |state| state as u8);
@@ -172,14 +172,14 @@ impl<B: Board> Mind<B> {
         let active = self.robot.active().fold(0, |set, id| set | 1 << id.index());
         let telemetry = Telemetry {
             time_us,
-            safe: self.safe,
-            late: self.late,
-            torn: self.frame.torn(),
-            losses,
-            chain,
+            safe_stop: self.safe,
+            late_cycles: self.late,
+            incomplete_images: self.frame.incomplete(),
+            link: losses,
+            chain_ticks: chain,
             active,
             states: &states,
-            costs: self.meter.costs.as_flattened(),
+            component_ticks: self.meter.costs.as_flattened(),
         };
         voice.say(&FromRobot::Telemetry(telemetry)).await;
     }

@@ -4,7 +4,7 @@
 use core::arch::asm;
 use core::ptr::{addr_of, addr_of_mut};
 
-use bica_wire::message::Stack;
+use bica_wire::message::StackUsage as Stack;
 
 const PAINT: u32 = 0x5afe_57ac;
 
@@ -40,6 +40,6 @@ pub(crate) fn used() -> Stack {
         while word < top && word.read_volatile() == PAINT {
             word = word.add(1);
         }
-        Stack { deepest: (top.addr() - word.addr()) as u32, room }
+        Stack { max_used: (top.addr() - word.addr()) as u32, size: room }
     }
 }

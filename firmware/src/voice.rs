@@ -1,12 +1,12 @@
 //! What the robot says, in packets.
 
-use bica_wire::{FromRobot, MAX_PACKET, Sender};
+use bica_wire::{FromRobot, MAX_PACKET, Encoder};
 use embedded_io_async::Write;
 
 /// Speaks over a link.
 pub(crate) struct Voice<W> {
     link: W,
-    sender: Sender,
+    sender: Encoder,
     /// Where packets are made. Not in [`Self::say`]: every future around it would hold one.
     room: &'static mut [u8; MAX_PACKET],
 }
@@ -14,12 +14,12 @@ pub(crate) struct Voice<W> {
 impl<W: Write> Voice<W> {
     /// Has said nothing yet.
     pub(crate) const fn new(link: W, room: &'static mut [u8; MAX_PACKET]) -> Self {
-        Self { link, sender: Sender::new(), room }
+        Self { link, sender: Encoder::new(), size: room }
     }
 
     /// Says it. What the link does not take is lost, as packets may be.
     pub(crate) async fn say(&mut self, message: &FromRobot<'_>) {
-        if let Ok(packet) = self.sender.pack(message, self.room) {
+        if let Ok(packet) = self.sender.encode(message, self.room) {
             let _ = self.link.write_all(packet).await;
         }
     }

@@ -1,6 +1,7 @@
 //! The tree, and its door to a robot.
 
 use bica::prelude::*;
+use bica::runner::Robot;
 use bica_motion::robot::{Command, Light, Lights, Sensors};
 
 use crate::behaviour::{
@@ -36,6 +37,20 @@ activation_tree! {
 const GREEN: Light = Light(0.0, 1.0, 0.0);
 /// The chest of a robot that was sent off.
 const RED: Light = Light(1.0, 0.0, 0.0);
+
+impl Robot for Forward {
+    type Sensors<'a> = Sensors<'a>;
+    type Command = Command;
+    type Error = FrameTooLarge;
+
+    fn sense(&mut self, sensors: &Sensors<'_>) -> Result<(), FrameTooLarge> {
+        sense(self, sensors)
+    }
+
+    fn act(&mut self) -> Command {
+        act(self)
+    }
+}
 
 /// Before a tick: tells the tree what the robot senses.
 ///

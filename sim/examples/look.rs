@@ -13,7 +13,8 @@ use bica_motion::pose::Pose2;
 use bica_motion::robot::{CameraId, Command, Image, Lights};
 use bica_motion::side::Side;
 use bica_sim::World;
-use bica_sim::field::{FieldWorld, Frame, Setup, Start};
+use bica_sim::kinematic::KinematicWorld;
+use bica_sim::setup::{Frame, Setup, Start};
 use glam::Vec2;
 
 /// A place to look from.
@@ -93,7 +94,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 type AnyWorld = Result<Box<dyn World>, Box<dyn Error>>;
 
 fn built_in(setup: &Setup) -> AnyWorld {
-    Ok(Box::new(FieldWorld::new(setup)?))
+    Ok(Box::new(KinematicWorld::new(setup)?))
 }
 
 #[cfg(feature = "mujoco")]

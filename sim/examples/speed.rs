@@ -7,7 +7,8 @@ use std::time::Instant;
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::robot::{CameraId, Command, Lights};
 use bica_sim::World;
-use bica_sim::field::{FieldWorld, Frame, Setup, SetupError};
+use bica_sim::kinematic::KinematicWorld;
+use bica_sim::setup::{Frame, Setup, SetupError};
 
 /// Simulated time of a run, s.
 const SECONDS: u32 = 60;
@@ -30,7 +31,7 @@ fn main() -> Result<(), SetupError> {
 
 /// The real time of a run in which the head looks around, s.
 fn run(setup: &Setup, camera: CameraId) -> Result<f64, SetupError> {
-    let mut world = FieldWorld::new(setup)?;
+    let mut world = KinematicWorld::new(setup)?;
     let mut targets = world.sensors().angles;
     let begin = Instant::now();
     let mut images = 0;

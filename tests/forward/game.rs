@@ -5,19 +5,20 @@ use bica_motion::robot::Command;
 use bica_player::perception::NetDetector;
 use bica_player::{Forward, act, sense};
 use bica_sim::World;
-use bica_sim::field::{FieldWorld, Setup};
+use bica_sim::kinematic::KinematicWorld;
 use bica_sim::referee::GoalColour;
+use bica_sim::setup::Setup;
 use bica_vision::colour::Colour;
 
 /// A forward in a world.
 pub(crate) struct Game {
-    pub(crate) world: FieldWorld,
+    pub(crate) world: KinematicWorld,
     pub(crate) robot: Box<Forward>,
 }
 
 impl Game {
     pub(crate) fn new(setup: &Setup) -> Self {
-        let world = FieldWorld::new(setup).expect("the setup is sound");
+        let world = KinematicWorld::new(setup).expect("the setup is sound");
         let mut robot = Box::new(Forward::new());
         robot.get_mut::<NetDetector>().attack(match world.referee().attacks() {
             GoalColour::Yellow => Colour::Yellow,

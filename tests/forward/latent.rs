@@ -3,7 +3,7 @@
 use bica::graph::{Graph, LinkKind};
 use bica::prelude::*;
 use bica_player::Forward;
-use bica_sim::field::Setup;
+use bica_sim::setup::Setup;
 use proptest::prelude::*;
 
 use crate::game::Game;

@@ -4,7 +4,7 @@ use bica::prelude::*;
 use bica_player::Forward;
 use bica_player::behaviour::{FaceBall, Player};
 use bica_player::perception::{BallDetector, FieldLines, Localization, NetDetector};
-use bica_sim::field::Setup;
+use bica_sim::setup::Setup;
 
 use crate::game::Game;
 

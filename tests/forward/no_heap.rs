@@ -3,7 +3,7 @@
 use bica::prelude::*;
 use bica_player::{act, sense};
 use bica_sim::World;
-use bica_sim::field::Setup;
+use bica_sim::setup::Setup;
 
 use crate::game::Game;
 

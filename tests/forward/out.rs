@@ -5,7 +5,7 @@ use bica_motion::robot::{Command, Light, Sensors};
 use bica_player::behaviour::Player;
 use bica_player::{Forward, act, sense};
 use bica_sim::World;
-use bica_sim::field::Setup;
+use bica_sim::setup::Setup;
 
 use crate::game::Game;
 

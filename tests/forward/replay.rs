@@ -1,7 +1,7 @@
 //! The same inputs give the same outputs, bit for bit.
 
 use bica_sim::World;
-use bica_sim::field::Setup;
+use bica_sim::setup::Setup;
 
 use crate::game::Game;
 

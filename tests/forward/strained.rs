@@ -7,7 +7,7 @@ use bica_player::Forward;
 use bica_player::behaviour::FallGuard;
 use bica_player::input::Measured;
 use bica_sim::World;
-use bica_sim::field::Setup;
+use bica_sim::setup::Setup;
 
 use crate::game::Game;
 use bica::prelude::*;
@@ -26,10 +26,10 @@ fn a_hot_joint_is_held_less_firmly_then_the_robot_sits_down() {
     for (seed, joint) in [(3, Joint::LKneePitch), (4, Joint::RAnkleRoll), (5, Joint::HeadYaw)] {
         let mut game = Game::new(&Setup { seed, ..Setup::default() });
         assert!(play(&mut game, 700), "seed {seed}: a game strains nothing");
-        game.world.heat(joint, 73.5);
+        game.world.set_motor_temperature(joint, 73.5);
         assert!(!play(&mut game, 100), "seed {seed}: warm, so softer");
         assert_eq!(game.robot.get::<Measured>().fault(), None);
-        game.world.heat(joint, 78.0);
+        game.world.set_motor_temperature(joint, 78.0);
         play(&mut game, 600);
         assert_eq!(game.robot.get::<Measured>().fault(), Some(Fault::Hot(joint)));
         let last = game.cycle(&mut ());
@@ -44,13 +44,13 @@ fn a_hot_joint_is_held_less_firmly_then_the_robot_sits_down() {
 #[test]
 fn who_sat_down_hot_stands_up_and_plays_on_when_it_has_cooled() {
     let mut game = Game::new(&Setup { seed: 3, ..Setup::default() });
-    game.world.heat(Joint::LKneePitch, 78.0);
+    game.world.set_motor_temperature(Joint::LKneePitch, 78.0);
     play(&mut game, 900);
-    game.world.heat(Joint::LKneePitch, 71.0);
+    game.world.set_motor_temperature(Joint::LKneePitch, 71.0);
     play(&mut game, 100);
     assert!(game.robot.get::<Measured>().fault().is_some());
     assert!(game.robot.is_active(Forward::id::<FallGuard>()), "it sits");
-    game.world.heat(Joint::LKneePitch, 60.0);
+    game.world.set_motor_temperature(Joint::LKneePitch, 60.0);
     play(&mut game, 300);
     assert_eq!(game.robot.get::<Measured>().fault(), None);
     assert!(!game.robot.is_active(Forward::id::<FallGuard>()), "it plays");

@@ -1,57 +1,54 @@
-//! How long one waits for the compiler.
+//! Compile times: a changed component, and a clean build of the facade.
 
 use std::fs;
 use std::path::PathBuf;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
-use crate::process::{output, root, run};
+use crate::process::{root, run};
+use crate::processor_time::{Spent, measure};
 
-/// Where a build from nothing goes.
+/// The build directory of the clean build.
 const CLEAN: &str = "target/buildtime";
-/// The longest that they may take on two free cores.
+/// Longest time of a clean release build of the facade, on two idle processors.
 const FACADE: Duration = Duration::from_mins(1);
+/// Longest time from a changed component to the end of its test.
 const CHANGE: Duration = Duration::from_secs(5);
-/// The component that is changed, where, and the test of it.
+/// The component that is changed.
 const COMPONENT: &str = "player/src/behaviour/face_ball.rs";
+/// The text in it before which a statement is inserted.
 const PLACE: &str = "head.look_at(";
+/// The test of that component.
 const TEST: [&str; 7] = ["test", "--quiet", "--package", "bica-tests", "--test", "forward", "facing_the_ball"];
-/// How often the component is changed; the least time counts.
+/// Number of changes; the shortest time counts.
 const CHANGES: u32 = 5;
 
-/// Measures, and fails if it takes too long: longer than `limit`, if there is one, to see the gate fail.
+/// Measures both, and compares them with their limits, or with `limit` for both if it is given.
 ///
 /// # Errors
-/// What does not build, or what takes too long.
+/// What does not build, or what takes longer than its limit.
 pub(crate) fn check(limit: Option<Duration>) -> Result<(), String> {
-    // Ctrl-C stops what is run here; this program goes on for a moment, to take the change back.
+    // Ctrl-C stops the compiler; this program continues for a moment, to restore the changed file.
     ctrlc::set_handler(|| {}).map_err(|error| format!("cannot listen to Ctrl-C: {error}"))?;
     let rebuilt = (1..=CHANGES).map(after_change).collect::<Result<Vec<_>, _>>()?;
     let changed = rebuilt.into_iter().min_by_key(|spent| spent.wall).ok_or("nothing was changed")?;
     let (change, clean) = (limit.unwrap_or(CHANGE), limit.unwrap_or(FACADE));
     let facade = facade()?;
-    println!("{:<60}{:>10}{:>16}{:>10}", "", "wall", "all processors", "may take");
-    tell("a change to a component, until its test has run", changed, change);
-    tell("a clean `cargo build --release` of the facade", facade, clean);
+    println!("{:<60}{:>10}{:>16}{:>10}", "", "wall", "all processors", "limit");
+    print("a change to a component, until its test has run", changed, change);
+    print("a clean `cargo build --release` of the facade", facade, clean);
     let broken: Vec<String> =
         [judge("one component", changed, change), judge("the facade", facade, clean)].into_iter().flatten().collect();
     if broken.is_empty() { Ok(()) } else { Err(broken.join("; ")) }
 }
 
-/// What is wrong if it took too long. Other programs on the machine take time from the wall clock and hardly from the
-/// processors': the lesser of the two decides.
+/// A message if the work took too long. Other programs on the machine lengthen the wall-clock time and hardly the processor
+/// time, so the shorter of the two is compared with the limit.
 fn judge(what: &str, spent: Spent, limit: Duration) -> Option<String> {
-    let (took, may) = (spent.wall.min(spent.busy).as_secs_f64(), limit.as_secs_f64());
-    (took > may).then(|| format!("{what} takes {took:.1} s to build, and may take {may} s"))
+    let (took, limit) = (spent.wall.min(spent.busy).as_secs_f64(), limit.as_secs_f64());
+    (took > limit).then(|| format!("{what} takes {took:.1} s to build; the limit is {limit} s"))
 }
 
-#[derive(Clone, Copy)]
-struct Spent {
-    wall: Duration,
-    /// Processor time of all that was started.
-    busy: Duration,
-}
-
-fn tell(what: &str, spent: Spent, limit: Duration) {
+fn print(what: &str, spent: Spent, limit: Duration) {
     let (wall, busy) = (spent.wall.as_secs_f64(), spent.busy.as_secs_f64());
     println!("{what:<60}{wall:>8.1} s{busy:>14.1} s{:>8} s", limit.as_secs_f64());
 }
@@ -61,37 +58,20 @@ fn facade() -> Result<Spent, String> {
     if folder.exists() {
         fs::remove_dir_all(&folder).map_err(|error| format!("cannot empty {CLEAN}: {error}"))?;
     }
-    // What is measured is the compiler, not the network.
+    // The network is not measured.
     run("cargo", &["fetch", "--quiet"], &[])?;
     let build = ["build", "--quiet", "--release", "--package", "bica", "--target-dir", CLEAN];
     measure(|| run("cargo", &build, &[]))
 }
 
-/// Changes the component and runs its test, which was up to date before.
+/// Changes the component and runs its test; the test was up to date before.
 fn after_change(number: u32) -> Result<Spent, String> {
     run("cargo", &TEST, &[])?;
     let _changed = Changed::new(number)?;
     measure(|| run("cargo", &TEST, &[]))
 }
 
-fn measure(work: impl FnOnce() -> Result<(), String>) -> Result<Spent, String> {
-    let (began, before) = (Instant::now(), busy()?);
-    work()?;
-    Ok(Spent { wall: began.elapsed(), busy: busy()?.saturating_sub(before) })
-}
-
-/// Processor time of all programs that this one started and that have ended, theirs included.
-fn busy() -> Result<Duration, String> {
-    let wrong = || "cannot read processor times: /proc/self/stat is not as on Linux".to_owned();
-    let text = fs::read_to_string("/proc/self/stat").map_err(|_| wrong())?;
-    // The name comes second, in brackets, and may hold anything; user and system time of children are 16th and 17th.
-    let (_, rest) = text.rsplit_once(')').ok_or_else(wrong)?;
-    let ticks: Option<u64> = rest.split_whitespace().skip(13).take(2).map(|word| word.parse::<u64>().ok()).sum();
-    let per_second: u64 = output("getconf", &["CLK_TCK"], &[])?.trim().parse().map_err(|_| wrong())?;
-    Ok(Duration::from_millis(1000 * ticks.ok_or_else(wrong)? / per_second.max(1)))
-}
-
-/// A component whose code is another, until this is dropped.
+/// A changed source file; restored when this is dropped.
 struct Changed {
     file: PathBuf,
     before: String,
@@ -114,7 +94,7 @@ impl Changed {
 impl Drop for Changed {
     fn drop(&mut self) {
         if let Err(error) = fs::write(&self.file, &self.before) {
-            eprintln!("xtask: {COMPONENT} still has the change that was made to measure: {error}");
+            eprintln!("xtask: {COMPONENT} still has the statement that was inserted for the measurement: {error}");
         }
     }
 }
@@ -128,10 +108,10 @@ mod tests {
     }
 
     #[test]
-    fn what_takes_too_long_is_named() {
+    fn a_time_above_its_limit_is_reported() {
         assert_eq!(judge("one", spent(5, 9), CHANGE), None);
         assert_eq!(judge("one", spent(9, 5), CHANGE), None);
         let broken = judge("one", spent(6, 9), CHANGE);
-        assert_eq!(broken.as_deref(), Some("one takes 6.0 s to build, and may take 5 s"));
+        assert_eq!(broken.as_deref(), Some("one takes 6.0 s to build; the limit is 5 s"));
     }
 }

@@ -1,4 +1,4 @@
-//! Any bytes for what reads bytes from outside: cargo-fuzz in a workspace of its own.
+//! Fuzzing of the code that reads bytes from outside, with cargo-fuzz in a workspace of its own.
 
 use std::path::{Path, PathBuf};
 
@@ -6,43 +6,43 @@ use crate::install::folder;
 use crate::process::{run, works};
 
 const TARGETS: [&str; 2] = ["eyes", "wire"];
-/// No input may take longer, s; and what is told is a summary, instead of each input that goes where none went before.
+/// Longest time of one input, 10 s; a summary at the end instead of a line for each new input.
 const OPTIONS: [&str; 3] = ["-timeout=10", "-verbosity=0", "-print_final_stats=1"];
 
-/// Gets cargo-fuzz into target/, and runs each target for so many seconds, at least 1: none would be for ever.
+/// Installs cargo-fuzz into target/, and runs each target for `seconds`, at least 1 (0 would mean no limit).
 ///
 /// # Errors
-/// What could not be installed or built, or a target that found an input that breaks what it holds.
+/// What could not be installed or built, or a target that found a failing input.
 pub(crate) fn check(seconds: u32) -> Result<(), String> {
     let tool = tool()?;
     let limit = format!("-max_total_time={seconds}");
     for target in TARGETS {
-        // The sanitizers look for errors of memory, which safe Rust has not; without them it runs on any toolchain.
+        // Sanitizers detect memory errors, which safe Rust excludes; without them any toolchain works.
         let words = ["fuzz", "run", "--sanitizer", "none", "--fuzz-dir", "fuzz", target, "--", &limit];
-        // Coverage for the fuzzer is a flag of unstable rustc.
+        // Coverage instrumentation is an unstable option of rustc.
         run(&tool.to_string_lossy(), &[&words[..], &OPTIONS].concat(), &[("RUSTC_BOOTSTRAP", "1")])
-            .map_err(|error| format!("{error}\n{}", mend(target, &tool)))?;
-        eprintln!("xtask: {target}: {seconds} s, and nothing broke it");
+            .map_err(|error| format!("{error}\n{}", advice(target, &tool)))?;
+        eprintln!("xtask: {target}: {seconds} s without a failure");
     }
     Ok(())
 }
 
-/// What can be done about a failure.
-fn mend(target: &str, tool: &Path) -> String {
+/// What to do after a failure.
+fn advice(target: &str, tool: &Path) -> String {
     let folder = tool.parent().unwrap_or(tool).display();
     format!(
-        "An input that broke `{target}` is in fuzz/artifacts/{target}. The commands that cargo-fuzz tells work after\n  \
+        "The failing input of `{target}` is in fuzz/artifacts/{target}. The commands that cargo-fuzz prints work after\n  \
          export RUSTC_BOOTSTRAP=1 PATH={folder}:$PATH"
     )
 }
 
-/// The program; installs it first if need be.
+/// The path of cargo-fuzz; builds it first if it is missing.
 fn tool() -> Result<PathBuf, String> {
     let folder = folder("cargo-fuzz");
     let path = folder.join("bin/cargo-fuzz");
     if !works(&path.to_string_lossy(), &["fuzz", "--version"]) {
         let folder = folder.to_string_lossy();
-        eprintln!("xtask: building cargo-fuzz, once; it takes a minute or so");
+        eprintln!("xtask: building cargo-fuzz, once; this takes about a minute");
         run("cargo", &["install", "cargo-fuzz", "--locked", "--quiet", "--root", &folder], &[])?;
     }
     Ok(path)

@@ -1,16 +1,16 @@
-//! The proof that the framework's unsafe code means something: Miri runs its tests, and stops at undefined behaviour.
+//! Absence of undefined behaviour in the framework's unsafe code: its tests run in Miri.
 
 use crate::process::{run, works};
 
-/// A nightly compiler that has Miri; not each has.
+/// A nightly compiler that includes Miri; some do not.
 const NIGHTLY: &str = "nightly-2026-05-20";
 const PARTS: [&str; 4] = ["--component", "miri", "--component", "rust-src"];
 const TEST: [&str; 8] = ["cargo", "miri", "test", "--quiet", "--package", "bica-core", "--test", "semantics"];
-/// Miri is a thousand times slower than a processor: one case has to do for a test that tries many. proptest looks for
-/// files of earlier failures, which Miri forbids unless told.
+/// Miri is about a thousand times slower than native code, so property tests run one case. proptest reads files of earlier
+/// failures, which Miri forbids by default.
 const VARIABLES: [(&str, &str); 2] = [("PROPTEST_CASES", "1"), ("MIRIFLAGS", "-Zmiri-disable-isolation")];
 
-/// Gets Miri, and runs the tests of what the framework means.
+/// Installs Miri and runs the tests of the framework's semantics.
 ///
 /// # Errors
 /// What could not be installed, a test that fails, or undefined behaviour.
@@ -19,13 +19,13 @@ pub(crate) fn check() -> Result<(), String> {
     test()
 }
 
-/// The same where Miri can be installed; elsewhere it is only said that it cannot.
+/// The same where Miri can be installed; elsewhere prints that it is skipped.
 ///
 /// # Errors
 /// A test that fails, or undefined behaviour.
-pub(crate) fn check_where_possible() -> Result<(), String> {
+pub(crate) fn check_if_installable() -> Result<(), String> {
     if let Err(error) = install() {
-        eprintln!("xtask: Miri cannot be installed here, so nothing is checked in it: {error}");
+        eprintln!("xtask: SKIPPED: Miri cannot be installed here: {error}");
         return Ok(());
     }
     test()
@@ -37,7 +37,7 @@ fn install() -> Result<(), String> {
     }
     let toolchain = ["toolchain", "install", NIGHTLY, "--profile", "minimal", "--no-self-update"];
     run("rustup", &[&toolchain[..], &PARTS].concat(), &[])
-        .map_err(|error| format!("{error}; Miri comes with rustup's compilers only, see https://rustup.rs"))
+        .map_err(|error| format!("{error}; Miri is available with rustup only, see https://rustup.rs"))
 }
 
 fn test() -> Result<(), String> {

@@ -1,4 +1,4 @@
-//! MuJoCo's library, and what draws its images without a screen.
+//! MuJoCo's library, and the software renderer for its camera images.
 
 use std::env::consts::{ARCH, OS};
 use std::fs;
@@ -7,14 +7,14 @@ use std::path::Path;
 use crate::install::packages;
 use crate::process::{root, run, works};
 
-/// Where builds with the feature `mujoco` look for the library (`.cargo/config.toml` names it).
+/// The folder in which builds with the feature `mujoco` find the library (named in `.cargo/config.toml`).
 const FOLDER: &str = "target/mujoco";
-/// The version that the crate `mujoco-rs` in use is made for.
+/// The version that the used `mujoco-rs` requires.
 const VERSION: &str = "3.17.0";
-/// EGL and Mesa's software renderer, from Debian and its like.
-const DRAWING: [&str; 2] = ["libegl1", "libgl1-mesa-dri"];
+/// Debian's packages of EGL and of Mesa's software renderer.
+const RENDERER: [&str; 2] = ["libegl1", "libgl1-mesa-dri"];
 
-/// Installs the library in [`FOLDER`], out of the Python package that its makers publish, and [`DRAWING`].
+/// Installs the library in [`FOLDER`], taken from the Python package that its authors publish, and [`RENDERER`].
 ///
 /// # Errors
 /// What could not be installed.
@@ -25,67 +25,71 @@ pub(crate) fn install() -> Result<(), String> {
     let folder = root().join(FOLDER);
     let library = format!("libmujoco.so.{VERSION}");
     if folder.join(&library).is_file() {
-        eprintln!("xtask: {FOLDER}/{library} is there");
+        eprintln!("xtask: {FOLDER}/{library} is already installed");
     } else {
         fetch(&folder, &library).map_err(|error| {
-            format!("{error}\n  help: this needs Python's pip and a network; or put {library} into {FOLDER} yourself")
+            format!("{error}\n  help: this needs Python's pip and a network; or copy {library} into {FOLDER} by hand")
         })?;
     }
     link(&folder, &library).map_err(|error| format!("cannot link {FOLDER}/libmujoco.so to {library}: {error}"))?;
-    if DRAWING.iter().all(|package| works("dpkg", &["-s", package])) {
-        eprintln!("xtask: {} are there", DRAWING.join(" and "));
+    if RENDERER.iter().all(|package| works("dpkg", &["-s", package])) {
+        eprintln!("xtask: {} are already installed", RENDERER.join(" and "));
         return Ok(());
     }
-    packages(&[&["--no-install-recommends"], &DRAWING[..]].concat())
-        .map_err(|error| format!("{error}\n  help: MuJoCo's library is in place; only what draws is missing"))
+    packages(&[&["--no-install-recommends"], &RENDERER[..]].concat())
+        .map_err(|error| format!("{error}\n  help: MuJoCo's library is installed; only the renderer is missing"))
 }
 
-/// What is tried in CI, in a shorter form than `player trial` has by itself.
+/// The trials of CI, with fewer runs than `player trial` has by default.
 const TRIALS: [&str; 9] = ["walk", "commands", "pushes", "bodies", "odometry", "kicks", "falls", "get-up", "obstacles"];
 
-/// What CI checks in MuJoCo, where it can be installed: lints, tests, trials of the body, a few games.
+/// Checks in MuJoCo, where it can be installed: lints, tests, trials of the body, some games.
 ///
 /// # Errors
-/// What did not hold.
+/// The first check that fails.
 pub(crate) fn check() -> Result<(), String> {
     if let Err(error) = install() {
-        eprintln!("xtask: MuJoCo cannot be installed here, so nothing is checked in it: {error}");
+        eprintln!("xtask: SKIPPED: MuJoCo cannot be installed here: {error}");
         return Ok(());
     }
     let feature = ["--features", "mujoco"];
     let lints = ["clippy", "--workspace", "--all-targets", "--features", "mujoco", "--", "-D", "warnings"];
     run("cargo", &lints, &[])?;
     run("cargo", &[&["test", "-p", "bica-sim", "--lib", "--test", "mujoco"], &feature[..]].concat(), &[])?;
-    run("cargo", &[&["test", "-p", "bica-player", "--test", "program"], &feature[..], &["mujoco"]].concat(), &[])?;
+    run(
+        "cargo",
+        &[&["test", "-p", "bica-player-program", "--test", "program"], &feature[..], &["mujoco"]].concat(),
+        &[],
+    )?;
     let program = [&["run", "--release"], &feature[..], &["--"]].concat();
     run("cargo", &[&program[..], &["trial", "--runs", "4"], &TRIALS[..]].concat(), &[])?;
     let games = ["play", "--world", "mujoco", "--games", "8", "--seconds", "180", "--at-least", "7"];
     run("cargo", &[&program[..], &games].concat(), &[])
 }
 
-/// Gets the Python package and takes the library out of it.
+/// Downloads the Python package and extracts the library.
 fn fetch(folder: &Path, library: &str) -> Result<(), String> {
     if !works("python3", &["-m", "pip", "--version"]) {
         packages(&["--no-install-recommends", "python3-pip"])?;
     }
     let wheel = folder.join("wheel");
-    let told = |error| format!("cannot write to {FOLDER}: {error}");
-    fs::create_dir_all(&wheel).map_err(told)?;
+    let message = |error| format!("cannot write to {FOLDER}: {error}");
+    fs::create_dir_all(&wheel).map_err(message)?;
     let (package, platform) = (format!("mujoco=={VERSION}"), format!("manylinux_2_28_{ARCH}"));
     let place = format!("{FOLDER}/wheel");
     let chosen = ["--only-binary=:all:", "--platform", &platform, "--python-version", "3.12"];
     let get = ["-m", "pip", "download", "--quiet", "--no-deps", "--dest", &place, &package];
     run("python3", &[&get[..], &chosen].concat(), &[])?;
-    let packed = fs::read_dir(&wheel).map_err(told)?.flatten().map(|entry| entry.path());
+    let packed = fs::read_dir(&wheel).map_err(message)?.flatten().map(|entry| entry.path());
     let packed = packed.max().ok_or("pip got no package")?;
     run("python3", &["-m", "zipfile", "-e", &packed.to_string_lossy(), &place], &[])?;
-    fs::rename(wheel.join("mujoco").join(library), folder.join(library)).map_err(told)?;
-    fs::remove_dir_all(wheel).map_err(told)?;
+    fs::rename(wheel.join("mujoco").join(library), folder.join(library)).map_err(message)?;
+    fs::remove_dir_all(wheel).map_err(message)?;
     eprintln!("xtask: put {library} into {FOLDER}");
     Ok(())
 }
 
-/// Gives the library the name that the linker looks for.
+/// Links the library to the name that the linker expects.
 fn link(folder: &Path, library: &str) -> std::io::Result<()> {
     let name = folder.join("libmujoco.so");
     if name.symlink_metadata().is_ok() {

@@ -1,4 +1,4 @@
-//! The proof that a robot needs no operating system and no heap.
+//! Builds of the robot's crates for a microcontroller, without the standard library and without a heap.
 
 use crate::firmware;
 use crate::install::packages;
@@ -8,8 +8,8 @@ const TARGET: &str = "thumbv7em-none-eabihf";
 const CRATES: [&str; 6] = ["bica-core", "bica-motion", "bica-vision", "bica-wire", "bica", "bica-player"];
 const DEBIAN: [&str; 4] = ["rustc-web", "cargo-web", "rust-web-src", "lld"];
 
-/// Builds every crate that runs on a robot for a Cortex-M, then the image with the forward, without an allocator:
-/// rustc refuses that as soon as anything in it needs `alloc`.
+/// Builds every crate that runs on a robot for a Cortex-M, then links the firmware image without an allocator, which fails
+/// as soon as anything in it needs `alloc`.
 ///
 /// # Errors
 /// What could not be installed or built.
@@ -21,16 +21,16 @@ pub(crate) fn check() -> Result<(), String> {
     firmware::build(&rust)
 }
 
-/// What builds for the microcontroller.
+/// A toolchain that builds for the microcontroller.
 pub(crate) enum Toolchain {
-    /// The machine's own, with the target's `core`.
+    /// The installed toolchain, with a precompiled `core` for the target.
     Rustup,
-    /// Debian's, which builds `core` from source.
+    /// Debian's toolchain, which builds `core` from source.
     Debian,
 }
 
 impl Toolchain {
-    /// Whichever is there, or can be got.
+    /// The first of the two that is installed or can be installed.
     ///
     /// # Errors
     /// What could not be installed.
@@ -38,7 +38,7 @@ impl Toolchain {
         if works("rustup", &["target", "add", TARGET]) {
             return Ok(Self::Rustup);
         }
-        eprintln!("xtask: rustup cannot fetch {TARGET}; taking Debian's Rust, which can build `core` itself");
+        eprintln!("xtask: rustup cannot fetch {TARGET}; using Debian's Rust, which builds `core` from source");
         if !works("dpkg", &["-s", DEBIAN[2]]) {
             packages(&DEBIAN)?;
         }

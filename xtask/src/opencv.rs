@@ -1,4 +1,4 @@
-//! The eyes beside `OpenCV`, on the same frames and the same core.
+//! Speed of the vision and of `OpenCV`, on the same frames and the same core.
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -7,20 +7,20 @@ use crate::install::folder;
 use crate::process::{output, run, works};
 
 const PACKAGE: &str = "opencv-python-headless";
-/// Turns that each side has; they alternate, so that a busy machine hits both.
+/// Number of turns of each side. They alternate, so that other load on the machine affects both.
 const TURNS: usize = 3;
-/// How much less time the eyes have to take.
+/// Required ratio of OpenCV's time to the vision's.
 const LEAST: f64 = 10.0;
 
-/// Gets `OpenCV` into a Python of its own, measures both sides in turn on one core, and prints a table of minima.
+/// Installs `OpenCV` into a virtual environment, measures both sides in turn on one core, and prints a table of minima.
 ///
 /// # Errors
-/// What could not be installed or measured; or that the eyes are not fast enough.
+/// What could not be installed or measured, or that the ratio is below the required one.
 pub(crate) fn compare() -> Result<(), String> {
     let folder = folder("opencv");
     let text = |path: PathBuf| path.to_string_lossy().into_owned();
     let (python, frames) = (python(&text(folder.join("venv")))?, text(folder.join("frames")));
-    // The first build takes minutes and shows how far it is.
+    // The first build takes minutes, so its progress is shown.
     run("cargo", &["bench", "--bench", "vision", "--", "export", &frames], &[])?;
     let ours = ["cargo", "bench", "--quiet", "--bench", "vision", "--"];
     let mut table = Table::new();
@@ -33,7 +33,7 @@ pub(crate) fn compare() -> Result<(), String> {
     print(&table)
 }
 
-/// The interpreter with `OpenCV`; installs it first if need be.
+/// The path of a Python interpreter with `OpenCV`; installs it first if it is missing.
 fn python(venv: &str) -> Result<String, String> {
     let python = format!("{venv}/bin/python");
     if !works(&python, &["-c", "import cv2"]) {
@@ -48,15 +48,15 @@ fn on_one_core(words: &[&str]) -> Result<String, String> {
     if works("taskset", &["-c", "0", "true"]) {
         return output("taskset", &[&["-c", "0"], words].concat(), &[]);
     }
-    eprintln!("xtask: there is no `taskset`, so the system chooses the core");
+    eprintln!("xtask: `taskset` is not installed, so the system chooses the core");
     output(words[0], &words[1..], &[])
 }
 
-/// By size: everything by the eyes, a copy of the frame, `OpenCV` without and with measuring the components, and both with
-/// as many threads as it takes by itself, µs.
+/// By frame size: the whole vision, a copy of the frame, `OpenCV` without and with component statistics on one thread, and
+/// both with `OpenCV`'s default number of threads, µs.
 type Table = BTreeMap<(u32, u32), [f64; 6]>;
 
-/// Keeps the least of the two figures of each line, after its size.
+/// Keeps the minimum of each figure. A line holds a frame size and two figures.
 fn note(table: &mut Table, column: usize, text: &str) {
     for line in text.lines() {
         let words: Vec<&str> = line.split(' ').collect();
@@ -71,7 +71,7 @@ fn note(table: &mut Table, column: usize, text: &str) {
 
 fn print(table: &Table) -> Result<(), String> {
     println!(
-        "\nµs for a frame, least of {TURNS} alternating turns of minima; OpenCV: the colour part alone, regions or only labels"
+        "\nTime per frame, µs, minimum of {TURNS} alternating turns. OpenCV: colour segmentation alone, with region statistics or labels only"
     );
     let heads = ["memcpy", "everything", "regions", "regions, threads", "labels", "labels, threads"];
     println!(
@@ -85,11 +85,15 @@ fn print(table: &Table) -> Result<(), String> {
         }
         println!();
     }
-    // Regions have a size, a box and a middle: the components with their stats are what the eyes do too.
+    // The vision computes area, bounding box and centroid of each region, so components with statistics are the same work.
     let least = table.values().map(|[ours, _, _, stats, ..]| stats / ours).fold(f64::INFINITY, f64::min);
     if least.is_finite() && least >= LEAST {
-        println!("OpenCV with stats takes {least:.1} times as long as the eyes or more; it should be {LEAST} times");
+        println!(
+            "OpenCV with statistics takes at least {least:.1} times as long as the vision; {LEAST} times is required"
+        );
         return Ok(());
     }
-    Err(format!("OpenCV with stats takes {least:.1} times as long as the eyes; it should be {LEAST} times or more"))
+    Err(format!(
+        "OpenCV with statistics takes {least:.1} times as long as the vision; {LEAST} times or more is required"
+    ))
 }

@@ -1,4 +1,4 @@
-//! BICA beside its peers. They are a workspace of their own: what they need is nothing that BICA needs.
+//! Speed of BICA and its peers, in a workspace of its own: BICA needs none of the peers' dependencies.
 
 use crate::cli::Peers;
 use crate::process::run;
@@ -6,20 +6,20 @@ use crate::process::run;
 const PLACE: [&str; 3] = ["--manifest-path", "benches/peers/Cargo.toml", "--locked"];
 const TARGET: [&str; 2] = ["--target-dir", "target/peers"];
 
-/// Builds all, then times, counts, weighs and judges.
+/// Builds all, measures time, instructions, allocations and program size, and checks the promises.
 ///
 /// # Errors
-/// What could not be built, or that a promise is broken.
-pub(crate) fn measure(asked: &Peers) -> Result<(), String> {
-    // The first build takes minutes and shows how far it is.
+/// What could not be built, or a promise that does not hold.
+pub(crate) fn measure(selected: &Peers) -> Result<(), String> {
+    // The first build takes minutes, so its progress is shown.
     cargo("build", &["--release", "--workspace"])?;
     let program = ["--quiet", "--release", "--package", "peers-run", "--"];
-    let options = [(asked.quick, "--quick"), (asked.slow, "--slow")];
-    let options: Vec<&str> = options.into_iter().filter_map(|(is_asked, word)| is_asked.then_some(word)).collect();
+    let options = [(selected.quick, "--quick"), (selected.slow, "--slow")];
+    let options: Vec<&str> = options.into_iter().filter_map(|(selected, word)| selected.then_some(word)).collect();
     cargo("run", &[&program[..], &options].concat())
 }
 
-/// Whether all but copper-rs come to the same results, and the judge is right.
+/// Checks that all designs but copper-rs compute the same results, and that the judgement of times is right.
 ///
 /// # Errors
 /// What failed.

@@ -7,8 +7,9 @@ use bica_motion::pose::Pose2;
 use bica_motion::robot::{CameraId, Command, Lights};
 use bica_motion::side::Side;
 use bica_sim::World;
-use bica_sim::field::{FieldWorld, Setup, Start};
+use bica_sim::kinematic::KinematicWorld;
 use bica_sim::referee::GoalColour;
+use bica_sim::setup::{Setup, Start};
 use bica_vision::ball::{self, BallFinder};
 use bica_vision::colour::{Classify, Colour, Filter, Filters};
 use bica_vision::field_end::FieldEnd;
@@ -63,7 +64,7 @@ fn looks(seeds: Range<u64>, ball: impl Fn(u64) -> Vec2, mut look: impl FnMut(&Fr
         let robot = Pose2::new(0.0, 0.0, 0.1 * seed as f32);
         let start = Some(Start { robot, ball: robot.place(ball(seed)) });
         let setup = Setup { seed, goalkeeper: false, start, ..Setup::default() };
-        let mut world = FieldWorld::new(&setup).expect("a place on the carpet");
+        let mut world = KinematicWorld::new(&setup).expect("a place on the carpet");
         if world.referee().attacks() != GoalColour::SkyBlue {
             continue;
         }
@@ -79,7 +80,7 @@ fn looks(seeds: Range<u64>, ball: impl Fn(u64) -> Vec2, mut look: impl FnMut(&Fr
     }
 }
 
-fn wait(world: &mut FieldWorld, targets: &mut Joints, yaw: f32, pitch: f32) {
+fn wait(world: &mut KinematicWorld, targets: &mut Joints, yaw: f32, pitch: f32) {
     (targets[Joint::HeadYaw], targets[Joint::HeadPitch]) = (yaw, pitch);
     let camera = CameraId::Bottom;
     let command = Command { targets: *targets, stiffness: Joints::all(1.0), lights: Lights::default(), camera };

@@ -6,8 +6,9 @@ use bica_motion::pose::Pose2;
 use bica_motion::robot::{CameraId, Command, Lights};
 use bica_motion::side::Side;
 use bica_sim::World;
-use bica_sim::field::{FieldWorld, Setup, Start};
+use bica_sim::kinematic::KinematicWorld;
 use bica_sim::referee::GoalColour;
+use bica_sim::setup::{Setup, Start};
 use bica_vision::ball::{self, BallFinder};
 use bica_vision::field_end::FieldEnd;
 use bica_vision::frame::Frame;
@@ -47,7 +48,7 @@ struct Truth {
 }
 
 impl Truth {
-    fn of(world: &FieldWorld, angles: &Joints) -> Self {
+    fn of(world: &KinematicWorld, angles: &Joints) -> Self {
         let referee = world.referee();
         let hips = kinematics::ground_from_robot(Side::Left, angles).translation;
         let (robot, hips) = (referee.robot(), Vec2::new(hips.x, hips.y));
@@ -84,7 +85,7 @@ fn is_inside(pixel: Vec2, margin: f32) -> bool {
 }
 
 impl Score {
-    fn look(&mut self, world: &mut FieldWorld, name: &str, own_body_may_hide: bool) {
+    fn look(&mut self, world: &mut KinematicWorld, name: &str, own_body_may_hide: bool) {
         let truth = Truth::of(world, &world.clone().sensors().angles);
         let sensors = world.sensors();
         let image = sensors.image.expect("waited for");
@@ -178,7 +179,7 @@ impl Score {
 }
 
 /// Turns the head and waits until it rests and a frame is there.
-fn turn_head(world: &mut FieldWorld, targets: &mut Joints, yaw: f32, pitch: f32, camera: CameraId) {
+fn turn_head(world: &mut KinematicWorld, targets: &mut Joints, yaw: f32, pitch: f32, camera: CameraId) {
     targets[Joint::HeadYaw] = yaw;
     targets[Joint::HeadPitch] = pitch;
     let command = Command { targets: *targets, stiffness: Joints::all(1.0), lights: Lights::default(), camera };
@@ -212,7 +213,7 @@ fn the_built_in_world_is_seen_as_it_is() {
     let mut random = TestRunner::deterministic();
     for seed in 0..WORLDS {
         let setup = Setup { seed, robots: 3, start: Some(start(&mut random)), ..Setup::default() };
-        let Ok(mut world) = FieldWorld::new(&setup) else { continue };
+        let Ok(mut world) = KinematicWorld::new(&setup) else { continue };
         let mut targets = world.sensors().angles;
         for look in 0..LOOKS {
             let yaw = draw(&mut random, -1.2..1.2);

@@ -1,30 +1,32 @@
-//! Messages of every kind.
+//! Strategies for arbitrary messages, and encoding and decoding of sequences of them.
 
-use bica_wire::message::{Attack, Chunk, Hello, Pace, Picture, Sensors, Trial};
-use bica_wire::{FromRobot, MAX_PACKET, Receiver, Sender, ToRobot};
+use bica_wire::message::{ClockMode, FaultInjection, GoalColour, Hello, ImageChunk, ImageInfo, Sensors};
+use bica_wire::{Decoder, Encoder, FromRobot, MAX_PACKET, ToRobot};
 use proptest::prelude::*;
 
-/// What the host may say; `bytes` are for a piece of an image.
+/// Any message of the host; `bytes` are the content of an image chunk.
 pub(crate) fn to_robot(bytes: &'static [u8]) -> BoxedStrategy<ToRobot<'static>> {
-    let hello = (any::<u64>(), any::<bool>(), any::<bool>()).prop_map(|(schema, clock, yellow)| {
-        let pace = if clock { Pace::Clock } else { Pace::Lockstep };
-        ToRobot::Hello(Hello { schema, pace, attack: if yellow { Attack::Yellow } else { Attack::Blue } })
+    let hello = (any::<u64>(), any::<bool>(), any::<bool>()).prop_map(|(schema, free_running, yellow)| {
+        let clock_mode = if free_running { ClockMode::FreeRunning } else { ClockMode::Lockstep };
+        let attacks = if yellow { GoalColour::Yellow } else { GoalColour::Blue };
+        ToRobot::Hello(Hello { schema, clock_mode, attacks })
     });
-    let chunk = (any::<u32>(), any::<u32>()).prop_map(move |(image, at)| ToRobot::Chunk(Chunk { image, at, bytes }));
-    let slow =
-        (any::<u8>(), any::<u32>()).prop_map(|(component, ticks)| ToRobot::Trial(Trial::Slow { component, ticks }));
-    let panic = any::<u8>().prop_map(|component| ToRobot::Trial(Trial::Panic { component }));
+    let chunk = (any::<u32>(), any::<u32>())
+        .prop_map(move |(image_id, offset)| ToRobot::ImageChunk(ImageChunk { image_id, offset, bytes }));
+    let delay = (any::<u8>(), any::<u32>()).prop_map(|(component, ticks)| FaultInjection::Delay { component, ticks });
+    let panic = any::<u8>().prop_map(|component| FaultInjection::Panic { component });
+    let fault = prop_oneof![delay, panic].prop_map(ToRobot::FaultInjection);
     let sensors = sensors().prop_map(ToRobot::Sensors);
-    prop_oneof![Just(ToRobot::Describe), Just(ToRobot::Stack), hello, chunk, slow, panic, sensors].boxed()
+    prop_oneof![Just(ToRobot::Describe), Just(ToRobot::StackUsage), hello, chunk, fault, sensors].boxed()
 }
 
 fn sensors() -> impl Strategy<Value = Sensors> {
-    let picture = (any::<u32>(), any::<bool>(), any::<u16>(), any::<u16>())
-        .prop_map(|(image, bottom, width, height)| Picture { image, bottom, width, height });
+    let image = (any::<u32>(), any::<bool>(), any::<u16>(), any::<u16>())
+        .prop_map(|(id, bottom_camera, width, height)| ImageInfo { id, bottom_camera, width, height });
     let floats = || prop::array::uniform25(-1e6_f32..1e6);
     let joints = [floats(), floats(), floats()];
-    (any::<u64>(), joints, prop::array::uniform8(any::<i16>()), any::<[bool; 3]>(), prop::option::of(picture)).prop_map(
-        |(time_us, [angles, temperatures, currents], small, buttons, picture)| Sensors {
+    (any::<u64>(), joints, prop::array::uniform8(any::<i16>()), any::<[bool; 3]>(), prop::option::of(image)).prop_map(
+        |(time_us, [angles, temperatures, currents], small, buttons, image)| Sensors {
             time_us,
             angles,
             temperatures,
@@ -32,30 +34,30 @@ fn sensors() -> impl Strategy<Value = Sensors> {
             inertial: small.map(f32::from),
             feet: small.map(f32::from),
             buttons,
-            picture,
+            image,
         },
     )
 }
 
-/// The packets of these messages, numbered in order.
+/// Encodes messages as packets with consecutive sequence numbers.
 pub(crate) fn packets(messages: &[ToRobot<'_>]) -> Vec<Vec<u8>> {
-    let mut sender = Sender::new();
-    let mut room = [0; MAX_PACKET];
-    messages.iter().map(|message| sender.pack(message, &mut room).expect("it fits").to_vec()).collect()
+    let mut encoder = Encoder::new();
+    let mut buffer = [0; MAX_PACKET];
+    messages.iter().map(|message| encoder.encode(message, &mut buffer).expect("the packet fits").to_vec()).collect()
 }
 
-/// How many packets come whole, each seen by `look`.
-pub(crate) fn hear(
-    receiver: &mut Receiver<MAX_PACKET>,
+/// Decodes a stream, passes each packet's message to `observe`, and returns the number of packets.
+pub(crate) fn decode(
+    decoder: &mut Decoder<MAX_PACKET>,
     bytes: &[u8],
-    mut look: impl FnMut(Option<ToRobot<'_>>, Option<FromRobot<'_>>),
+    mut observe: impl FnMut(Option<ToRobot<'_>>, Option<FromRobot<'_>>),
 ) -> usize {
-    let mut whole = 0;
+    let mut received = 0;
     for &byte in bytes {
-        if let Some(heard) = receiver.push(byte) {
-            whole += 1;
-            look(heard.read().ok(), heard.read().ok());
+        if let Some(packet) = decoder.push(byte) {
+            received += 1;
+            observe(packet.message().ok(), packet.message().ok());
         }
     }
-    whole
+    received
 }

@@ -1,8 +1,8 @@
-//! A tree that describes itself.
+//! The description of a tree.
 
 use bica_core::graph::{Graph, Link, LinkKind, Node, State, Transition};
 use bica_wire::describe;
-use bica_wire::message::Fact;
+use bica_wire::message::GraphItem;
 
 const fn state(name: &'static str, initial: bool) -> State {
     State { name, doc: "", initial, last: false }
@@ -39,18 +39,18 @@ static GRAPH: Graph = Graph {
 };
 
 #[test]
-fn every_part_is_told_once_and_in_order() {
-    let facts: Vec<_> = describe(&GRAPH).collect();
+fn every_part_of_the_graph_is_described_once_and_in_order() {
+    let items: Vec<_> = describe(&GRAPH).collect();
     assert_eq!(
-        facts,
+        items,
         [
-            Fact::Component { index: 0, name: "Eye", hz: None, budget_us: Some(5.0), root: false },
-            Fact::Component { index: 1, name: "Head", hz: Some(30.0), budget_us: None, root: true },
-            Fact::Link { from: 1, to: 0, modulation: false, state: Some(1) },
-            Fact::State { component: 1, index: 0, name: "rest", initial: true },
-            Fact::State { component: 1, index: 1, name: "look", initial: false },
-            Fact::Transition { component: 1, from: 0, to: 1, name: "wakes" },
-            Fact::End { facts: 6 },
+            GraphItem::Component { index: 0, name: "Eye", hz: None, budget_us: Some(5.0), root: false },
+            GraphItem::Component { index: 1, name: "Head", hz: Some(30.0), budget_us: None, root: true },
+            GraphItem::Link { from: 1, to: 0, modulation: false, state: Some(1) },
+            GraphItem::State { component: 1, index: 0, name: "rest", initial: true },
+            GraphItem::State { component: 1, index: 1, name: "look", initial: false },
+            GraphItem::Transition { component: 1, from: 0, to: 1, name: "wakes" },
+            GraphItem::End { items: 6 },
         ]
     );
 }

@@ -1,8 +1,8 @@
-//! What holds for every message and every damage.
+//! Properties that hold for every message and every kind of damage.
 
 mod arbitrary;
+mod conversions;
 mod damage;
 mod describe;
 mod golden;
-mod pictures;
-mod values;
+mod images;

@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use crate::field::SetupError;
+use crate::setup::SetupError;
 
 /// Why a [`MujocoWorld`](super::MujocoWorld) cannot be made.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,12 +1,12 @@
 //! The field with real forces: a NAO that can topple, in MuJoCo. With the feature `mujoco`.
 //!
-//! The same [`World`](crate::World) as the built-in one, from the same [`Setup`](crate::field::Setup), and by the same
+//! The same [`World`](crate::World) as the built-in one, from the same [`Setup`](crate::setup::Setup), and by the same
 //! rules; but bodies have mass, soles slip, motors have limits and what loses its balance falls. What a real robot adds to
 //! physics is added here: dead time of the motors, noise and delay of the sensors; [`Physics`] says how much.
 //!
 //! ```no_run
 //! use bica_motion::{robot::{CameraId, Command, Lights}, stand::{STAND, Stiffness}};
-//! use bica_sim::{World, field::Setup, mujoco::{MujocoWorld, Physics}};
+//! use bica_sim::{World, setup::Setup, mujoco::{MujocoWorld, Physics}};
 //! use glam::Vec2;
 //!
 //! let physics = Physics { friction: 0.7, dead_time: 0.04, cameras: false, ..Physics::default() };
@@ -32,17 +32,17 @@
 
 mod contacts;
 mod error;
-mod eye;
-mod film;
+mod fall_monitor;
 mod model;
 mod motors;
 mod physics;
-mod posture;
 mod renderer;
-mod senses;
+mod robot_camera;
+mod sensor_model;
+mod spectator;
 mod state;
 mod world;
 
 pub use error::Error;
-pub use physics::{Part, Physics};
+pub use physics::{Fault, Physics};
 pub use world::MujocoWorld;

@@ -28,11 +28,11 @@ pub struct Physics {
 
 /// A part of the robot that may break. For trials.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Part {
+pub enum Fault {
     /// The gyroscope: it says that nothing turns.
     Gyroscope,
     /// The pressure sensors of a sole: they say that nothing presses.
-    Sole(Side),
+    SoleSensors(Side),
     /// A joint's motor: it pulls no more.
     Motor(Joint),
 }

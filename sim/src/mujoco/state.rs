@@ -10,8 +10,8 @@ use glam::{Affine3A, Quat, Vec2, Vec3};
 use mujoco_rs::prelude::{MjData, MjModel};
 
 use super::model::Place;
-use super::senses::Truth;
-use crate::field::pitch::BALL_RADIUS;
+use super::sensor_model::Truth;
+use crate::pitch::BALL_RADIUS;
 
 /// Lets the robot stand over a place.
 pub(crate) fn stand(data: &mut MjData<Box<MjModel>>, torso: Place, joints: &[usize], at: Pose2) {

@@ -13,23 +13,23 @@ use mujoco_rs::prelude::{MjData, MjModel};
 
 use super::contacts::{Owners, Touches};
 use super::error::Error;
-use super::eye::{Aim, Eye};
-use super::film::{Film, Moving};
-use super::model::{Model, Place, SHADES, STEP};
+use super::fall_monitor::FallMonitor;
+use super::model::{Model, Place, SHADOWS, STEP};
 use super::motors::{Motors, currents};
-use super::physics::{Part, Physics};
-use super::posture::Watch;
-use super::senses::{Felt, Senses};
+use super::physics::{Fault, Physics};
+use super::robot_camera::{Aim, RobotCamera};
+use super::sensor_model::{Measurement, SensorModel};
+use super::spectator::{Moving, SpectatorRenderer};
 use super::state::{angles, place, pose, stand, truth, write};
-use crate::field::Setup;
-use crate::field::body::{flat, turn_rate};
-use crate::field::pitch::BALL_RADIUS;
-use crate::field::start::Layout;
-use crate::film::{Filmed, NoPicture, Onlooker, Picture};
-use crate::heat::Heat;
+use crate::layout::Layout;
+use crate::motor_heat::MotorHeat;
+use crate::pitch::BALL_RADIUS;
 use crate::random::{Random, Stream};
 use crate::referee::Referee;
-use crate::rules::Rules;
+use crate::referee::rules::Rules;
+use crate::setup::Setup;
+use crate::spectator::{Picture, RenderError, SpectatorCamera, SpectatorView};
+use crate::transform::{angular_velocity, ground_pose};
 use crate::world::{CYCLE, CYCLE_SECONDS, World, frame, image_is_due};
 
 /// Steps of the physics in a control cycle.
@@ -47,18 +47,18 @@ pub struct MujocoWorld {
     feet: [usize; 2],
     owners: Owners,
     motors: Motors,
-    heat: Heat,
-    senses: Senses,
-    felt: Felt,
-    eye: Option<Eye>,
-    film: Option<Film>,
+    heat: MotorHeat,
+    senses: SensorModel,
+    felt: Measurement,
+    eye: Option<RobotCamera>,
+    film: Option<SpectatorRenderer>,
     camera: CameraId,
     /// Both cameras' poses a cycle ago.
     cameras_before: [Affine3A; 2],
     image_is_new: bool,
     buttons: Buttons,
     on_ground: bool,
-    watch: Watch,
+    watch: FallMonitor,
     rules: Rules,
     referee: Referee,
 }
@@ -75,14 +75,14 @@ impl MujocoWorld {
         let layout = Layout::new(setup, &mut Random::new(setup.seed, Stream::Start));
         let Model { physics: model, torso, ball, joints, feet } = Model::new(setup, &layout, physics)?;
         let owners = Owners::of(&model);
-        let eye = physics.cameras.then(|| Eye::new(setup, &model)).transpose()?;
+        let eye = physics.cameras.then(|| RobotCamera::new(setup, &model)).transpose()?;
         let mut data = MjData::new(model);
         stand(&mut data, torso, &joints, layout.start.robot);
         place(&mut data, ball, layout.start.ball);
         data.forward();
-        let watch = Watch::new(layout.start.robot.heading);
+        let watch = FallMonitor::new(layout.start.robot.heading);
         let others = layout.others.iter().map(|other| other.pose).collect();
-        let mut senses = Senses::new(truth(&data, torso, &joints), setup.seed, physics);
+        let mut senses = SensorModel::new(truth(&data, torso, &joints), setup.seed, physics);
         let felt = senses.feel();
         let referee = Referee::new(layout.attacks, layout.start.robot, layout.start.ball, others);
         let mut world = Self {
@@ -96,7 +96,7 @@ impl MujocoWorld {
             feet,
             owners,
             motors: Motors::holding(STAND, physics),
-            heat: Heat::new(),
+            heat: MotorHeat::new(),
             senses,
             felt,
             eye,
@@ -126,22 +126,22 @@ impl MujocoWorld {
     }
 
     /// Breaks a part of the robot for good. For trials.
-    pub fn break_part(&mut self, part: Part) {
-        match part {
-            Part::Gyroscope => self.senses.break_gyroscope(),
-            Part::Sole(side) => self.senses.break_sole(side),
-            Part::Motor(joint) => self.motors.break_down(joint),
+    pub fn inject_fault(&mut self, fault: Fault) {
+        match fault {
+            Fault::Gyroscope => self.senses.break_gyroscope(),
+            Fault::SoleSensors(side) => self.senses.break_sole(side),
+            Fault::Motor(joint) => self.motors.break_down(joint),
         }
     }
 
     /// Makes a joint's motor that hot, °C; from then on it cools or warms as usual. For trials.
-    pub fn heat(&mut self, joint: Joint, temperature: f32) {
+    pub fn set_motor_temperature(&mut self, joint: Joint, temperature: f32) {
         self.heat.set(joint, temperature);
     }
 
     /// Whether more of the robot than its feet touched the floor in the last control cycle. For trials.
     #[must_use]
-    pub const fn is_on_ground(&self) -> bool {
+    pub const fn body_touches_floor(&self) -> bool {
         self.on_ground
     }
 
@@ -150,7 +150,7 @@ impl MujocoWorld {
     pub fn place_ball(&mut self, at: Vec2) {
         if at.is_finite() {
             place(&mut self.data, self.ball, at);
-            self.referee.see_ball(at, Vec2::ZERO);
+            self.referee.set_ball(at, Vec2::ZERO);
         }
     }
 
@@ -193,11 +193,11 @@ impl MujocoWorld {
     /// Puts the shadows to where they are seen.
     fn shade(&mut self) {
         let (robot, skeleton) = (self.robot(), Skeleton::of(&angles(&self.data, &self.joints)));
-        let soles = Side::BOTH.map(|side| flat(&(robot * skeleton.sole(side))));
+        let soles = Side::BOTH.map(|side| ground_pose(&(robot * skeleton.sole(side))));
         let middle = Vec2::new(0.0227, 0.0);
         let [left, right] = soles.map(|sole| Pose2 { position: sole.place(middle), ..sole });
         let ball = Pose2 { position: self.seen_ball().0, heading: 0.0 };
-        let shades: [Pose2; SHADES] = [left, right, flat(&robot), ball];
+        let shades: [Pose2; SHADOWS] = [left, right, ground_pose(&robot), ball];
         for (place, shade) in shades.iter().enumerate() {
             let turn = Quat::from_rotation_z(shade.heading);
             write(&mut self.data.mocap_pos_mut()[place], &shade.position.to_array());
@@ -210,7 +210,7 @@ impl MujocoWorld {
             return;
         }
         let (before, pose) = (self.cameras_before[self.camera as usize], self.cameras()[self.camera as usize]);
-        let turning = turn_rate(&before.matrix3, &pose.matrix3);
+        let turning = angular_velocity(&before.matrix3, &pose.matrix3);
         let aim = Aim { camera: self.camera, pose, turning, frame: frame(self.cycle) };
         self.shade();
         if let Some(eye) = &mut self.eye {
@@ -222,9 +222,9 @@ impl MujocoWorld {
     fn judge(&mut self, touches: Touches) {
         let (now, robot) = (self.now(), self.robot());
         if let Some(event) = self.watch.look(&robot, touches.ground) {
-            self.referee.note(now, event);
+            self.referee.record(now, event);
         }
-        self.referee.see_robot(self.watch.pose(&robot), self.watch.posture());
+        self.referee.set_robot(self.watch.pose(&robot), self.watch.posture());
         if touches.thing {
             self.rules.note_collision(now, &mut self.referee);
         }
@@ -234,7 +234,7 @@ impl MujocoWorld {
             place(&mut self.data, self.ball, back);
         }
         let (at, velocity) = self.seen_ball();
-        self.referee.see_ball(at, velocity);
+        self.referee.set_ball(at, velocity);
     }
 
     fn seen_ball(&self) -> (Vec2, Vec2) {
@@ -291,12 +291,12 @@ impl World for MujocoWorld {
     }
 }
 
-impl Filmed for MujocoWorld {
-    fn film(&mut self, from: &Onlooker, width: usize, height: usize) -> Result<Picture, NoPicture> {
-        let fits = |film: &Film| film.size() == (width, height);
+impl SpectatorView for MujocoWorld {
+    fn render_from(&mut self, from: &SpectatorCamera, width: usize, height: usize) -> Result<Picture, RenderError> {
+        let fits = |film: &SpectatorRenderer| film.size() == (width, height);
         let film = match self.film.take().filter(fits) {
             Some(film) => film,
-            None => Film::new(&self.setup, &self.layout, width, height)?,
+            None => SpectatorRenderer::new(&self.setup, &self.layout, width, height)?,
         };
         let ball = pose(&self.data, self.ball).translation.into();
         let skeleton = Skeleton::of(&angles(&self.data, &self.joints));

@@ -2,11 +2,11 @@
 
 use bica_motion::pose::Pose2;
 use bica_sim::World;
-use bica_sim::field::{Setup, Start};
 use bica_sim::referee::Event;
+use bica_sim::setup::{Setup, Start};
 use glam::Vec2;
 
-use crate::puppet::{blind, stand, world};
+use crate::support::{blind, stand, world};
 
 fn rolling(seed: u64, from: Vec2, velocity: Vec2) -> bica_sim::mujoco::MujocoWorld {
     let start = Some(Start { robot: Pose2::new(-2.0, 1.5, 0.0), ball: from });

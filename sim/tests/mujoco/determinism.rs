@@ -3,10 +3,10 @@
 use bica_motion::joints::Joint;
 use bica_motion::stand::STAND;
 use bica_sim::World;
-use bica_sim::field::Setup;
+use bica_sim::setup::Setup;
 use glam::Vec2;
 
-use crate::puppet::{blind, command, world};
+use crate::support::{blind, command, world};
 
 /// Everything that the body told.
 fn story(seed: u64) -> Vec<u32> {

@@ -3,8 +3,8 @@
 
 mod ball;
 mod determinism;
-mod puppet;
 mod rising;
 mod seeing;
 mod sensing;
 mod standing;
+mod support;

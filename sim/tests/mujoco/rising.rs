@@ -8,7 +8,7 @@ use bica_sim::referee::Posture;
 use bica_sim::{CYCLE_SECONDS, World};
 use glam::Vec2;
 
-use crate::puppet::{alone, blind, command, stand};
+use crate::support::{alone, blind, command, stand};
 
 /// Pushes the robot over, which feels that before it hits the ground, draws its limbs in, and knows what it lies on.
 fn fall(world: &mut MujocoWorld, push: Vec2) -> Direction {
@@ -16,7 +16,7 @@ fn fall(world: &mut MujocoWorld, push: Vec2) -> Direction {
     world.push(push);
     let (mut balance, mut felt, mut hit) = (FallDetector::new(), false, false);
     for _ in 0..300 {
-        hit |= world.is_on_ground();
+        hit |= world.body_touches_floor();
         match balance.step(&world.sensors().inertial, CYCLE_SECONDS) {
             FallState::Upright => stand(world, 1),
             FallState::Falling(direction) => {

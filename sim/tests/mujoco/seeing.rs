@@ -5,13 +5,13 @@ use bica_motion::pose::{Pose2, rotate};
 use bica_motion::robot::{CameraId, Command, Image};
 use bica_motion::side::Side;
 use bica_motion::stand::STAND;
-use bica_sim::field::{Setup, Start};
 use bica_sim::mujoco::{MujocoWorld, Physics};
-use bica_sim::{Filmed, Onlooker, Picture, World};
+use bica_sim::setup::{Setup, Start};
+use bica_sim::{Picture, SpectatorCamera, SpectatorView, World};
 use bica_vision::projection::Camera;
 use glam::{Vec2, Vec3};
 
-use crate::puppet::{command, world};
+use crate::support::{command, world};
 
 const BALL_RADIUS: f32 = 0.0325;
 
@@ -165,7 +165,7 @@ fn the_same_seed_gives_the_same_images() {
 
 #[test]
 fn filming_changes_nothing_and_shows_robot_and_ball() {
-    let onlooker = Onlooker { eye: Vec3::new(-0.2, -1.5, 0.8), target: Vec3::new(0.2, 0.0, 0.2) };
+    let onlooker = SpectatorCamera { eye: Vec3::new(-0.2, -1.5, 0.8), target: Vec3::new(0.2, 0.0, 0.2) };
     let start = Some(Start { robot: Pose2::ORIGIN, ball: Vec2::new(0.4, 0.1) });
     let setup = Setup { seed: 5, start, ..Setup::default() };
     let told = |films: bool| {
@@ -173,7 +173,7 @@ fn filming_changes_nothing_and_shows_robot_and_ball() {
         let mut angles = Vec::new();
         for cycle in 0..50 {
             if films && cycle % 10 == 0 {
-                let Picture { rgb, .. } = world.film(&onlooker, 240, 180).unwrap();
+                let Picture { rgb, .. } = world.render_from(&onlooker, 240, 180).unwrap();
                 let count = |like: fn(&[u8; 3]) -> bool| rgb.iter().filter(|rgb| like(rgb)).count();
                 assert!(count(|rgb| rgb[0] > 170 && rgb[2] < 90 && rgb[1] < 150) > 20, "no ball");
                 assert!(count(|rgb| rgb.iter().all(|part| *part > 150)) > 500, "no robot");

@@ -6,10 +6,10 @@ use bica_motion::robot::FootPressure;
 use bica_motion::side::Side;
 use bica_motion::stand::STAND;
 use bica_sim::World;
-use bica_sim::mujoco::{Part, Physics};
+use bica_sim::mujoco::{Fault, Physics};
 use glam::Vec3;
 
-use crate::puppet::{alone, blind, command, stand};
+use crate::support::{alone, blind, command, stand};
 
 #[test]
 fn soles_feel_the_weight_and_the_unit_feels_gravity() {
@@ -116,7 +116,7 @@ fn motors_that_carry_draw_current_and_get_warm() {
     assert!(drawn(Joint::HeadYaw) < 0.01);
     let warm = sensors.temperatures;
     assert!((25.0..30.0).contains(&warm[Joint::LKneePitch]) && warm[Joint::HeadYaw] < 25.5, "{warm:?}");
-    world.heat(Joint::HeadYaw, 60.5);
+    world.set_motor_temperature(Joint::HeadYaw, 60.5);
     stand(&mut world, 1);
     assert!((world.sensors().temperatures[Joint::HeadYaw] - 60.0).abs() < 1e-3);
 }
@@ -125,8 +125,8 @@ fn motors_that_carry_draw_current_and_get_warm() {
 fn what_is_broken_says_and_does_nothing_more() {
     let mut world = alone(1, &blind());
     stand(&mut world, 50);
-    for part in [Part::Gyroscope, Part::Sole(Side::Left), Part::Motor(Joint::HeadYaw)] {
-        world.break_part(part);
+    for fault in [Fault::Gyroscope, Fault::SoleSensors(Side::Left), Fault::Motor(Joint::HeadYaw)] {
+        world.inject_fault(fault);
     }
     let mut targets = STAND;
     (targets[Joint::HeadYaw], targets[Joint::HeadPitch]) = (1.0, 0.3);

@@ -7,7 +7,7 @@ use bica_sim::mujoco::Physics;
 use bica_sim::referee::{Event, Posture};
 use glam::Vec2;
 
-use crate::puppet::{alone, blind, command, stand};
+use crate::support::{alone, blind, command, stand};
 
 #[test]
 fn a_robot_that_stands_stays_where_it_is() {

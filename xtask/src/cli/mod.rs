@@ -5,88 +5,103 @@ use std::time::Duration;
 use clap::{Args, Parser, Subcommand};
 
 const AFTER: &str = "\
-What a chore needs beyond Rust it installs, and says so. `cargo xtask help CHORE` tells more of one.
+A task installs what it needs beyond Rust, and says so. `cargo xtask help TASK` describes one task.
 
-Exit codes: 0 all holds (or what was asked is done), 1 something failed, 2 wrong arguments.";
+Exit codes: 0 success, 1 a check or an installation failed, 2 wrong arguments.";
 
-/// What the command line says.
+/// The command line of `cargo xtask`.
 #[derive(Debug, Parser)]
 #[command(
     name = "xtask",
     bin_name = "cargo xtask",
-    about = "Chores of the BICA workspace.",
+    about = "Development tasks of the BICA workspace.",
     after_help = AFTER,
-    subcommand_value_name = "CHORE",
-    subcommand_help_heading = "Chores"
+    subcommand_value_name = "TASK",
+    subcommand_help_heading = "Tasks"
 )]
-pub(crate) struct Cli {
+pub struct Cli {
     #[command(subcommand)]
-    pub(crate) chore: Option<Chore>,
+    pub(crate) task: Option<Task>,
 }
 
 #[derive(Debug, Subcommand)]
-pub(crate) enum Chore {
-    /// Build what runs on a robot for thumbv7em-none-eabihf, without a heap
+pub(crate) enum Task {
+    /// Build the robot's crates for thumbv7em-none-eabihf, without a heap
     ///
-    /// Builds every crate that runs on a robot for a Cortex-M, and links the forward without an allocator. Gets the target
-    /// first: by rustup, else Debian's Rust and a build of `core` from source.
+    /// Builds every crate that runs on a robot for a Cortex-M, and links the forward without an allocator. First installs
+    /// the target with rustup, or else Debian's Rust, which builds `core` from source.
     NoStd,
-    /// Build the image for the microcontroller, boot it in QEMU, play games on it
+    /// Build the firmware, boot it in QEMU, and play games on it
     ///
-    /// Every cycle of the games is thought on the host too, and must come to the same; size, stack and instructions are held
-    /// to their limits. Gets the target and QEMU first.
+    /// Every cycle of the games is computed on the host too, and both results must be equal. Size, stack and instructions
+    /// are compared with firmware/figures.txt. First installs the target and QEMU.
     Firmware(Firmware),
     /// Install what `play --world mujoco` needs
     ///
     /// Puts MuJoCo's library into target/mujoco (from PyPI, with pip), for the feature `mujoco`, and installs EGL with Mesa's
     /// software renderer (with apt).
     Mujoco,
-    /// Count the instructions of the benchmarks that are gated, and hold them to benches/instructions.txt
+    /// Count the instructions of the benchmarks and compare them with benches/instructions.txt
     ///
-    /// Each must be within 2 % of its committed count. Gets valgrind (with apt) and gungraun-runner (built once) first.
+    /// Each count must be within 2 % of the committed one. First installs valgrind (with apt) and gungraun-runner (built
+    /// once).
     Budget(Budget),
-    /// Measure what one waits for the compiler
+    /// Measure compile times
     ///
-    /// Times a change to a component until its test has run, and a clean build of the facade, and fails if either takes too
-    /// long.
+    /// Measures the time from a changed component to the end of its test, and a clean release build of the facade. Fails if
+    /// either is above its limit.
     Buildtime(Buildtime),
-    /// Feed any frames to the eyes, and any bytes to the decoder of the robot's link
+    /// Measure the README's two commands in a fresh clone
     ///
-    /// Fetches cargo-fuzz into target/ first.
+    /// Clones the repository into target/newcomer, downloads the packages, then measures `cargo run --release` and `cargo
+    /// test --workspace`, the latter twice. Prints the slowest compilations and test programs. Takes about ten minutes.
+    Newcomer(Newcomer),
+    /// Fuzz the vision and the decoder of the robot's link
+    ///
+    /// First builds cargo-fuzz into target/.
     Fuzz(Fuzz),
-    /// Time the eyes beside OpenCV
+    /// Compare the speed of the vision with OpenCV
     ///
-    /// Both see the same frames on one core, in turn. Fetches OpenCV into target/ first (needs Python 3), and fails unless the
-    /// eyes take a tenth of the time or less.
+    /// Both process the same frames on one core, in turn. First installs OpenCV into target/ (needs Python 3). Fails unless
+    /// the vision is at least ten times as fast.
     Opencv,
-    /// Run the framework's tests in Miri, which stops at undefined behaviour
+    /// Run the framework's tests in Miri, which detects undefined behaviour
     ///
-    /// Installs a nightly compiler that has Miri first (with rustup).
+    /// First installs a nightly compiler with Miri (with rustup).
     Miri,
-    /// Do the same work in BICA and its peers, and judge what is promised of speed
+    /// Compare the speed of BICA with its peers
     ///
-    /// Times copper-rs, statig, smlang and other designs beside BICA, and fails if a promise about speed is broken.
+    /// Times copper-rs, statig, smlang and other designs beside BICA at the same work, and fails if a promise about speed
+    /// does not hold.
     Peers(Peers),
-    /// Check all that CI checks, in CI's order
+    /// Check that the crates can be published
     ///
-    /// Format, lints, docs, tests, twenty games, Miri, instructions, MuJoCo, no-std, firmware.
+    /// Runs `cargo publish --workspace --dry-run`: packages each public crate and builds it from its package.
+    Publish,
+    /// Check licences, sources and duplicates of all dependencies
+    ///
+    /// Runs cargo-deny with deny.toml on every workspace of the repository. First builds cargo-deny into target/.
+    Deny,
+    /// Check everything that CI checks, in the same order
+    ///
+    /// Format, lints, docs, tests, packages, licences, twenty games, Miri, instructions, MuJoCo, no-std, firmware.
     Ci,
 }
 
 #[derive(Debug, Default, Args)]
 #[group(multiple = false)]
-#[expect(clippy::struct_excessive_bools, reason = "each is an option of its own, and the group lets one be")]
+#[expect(clippy::struct_excessive_bools, reason = "each is an option of its own, and the group allows one at a time")]
 pub(crate) struct Firmware {
     /// Only build the image
     #[arg(long)]
     pub(crate) build: bool,
-    /// Tell what takes how much of the flash
+    /// Print the flash size of each part
     #[arg(long)]
     pub(crate) size: bool,
-    /// Take the new figures as right
+    /// Accept the new figures
     #[arg(long)]
     pub(crate) bless: bool,
-    /// Damage the link for twice ten minutes, instead of the games
+    /// Inject errors into the link for twice ten minutes, instead of playing games
     #[arg(long)]
     pub(crate) fuzz: bool,
 }
@@ -94,24 +109,31 @@ pub(crate) struct Firmware {
 #[derive(Debug, Default, Args)]
 #[group(multiple = false)]
 pub(crate) struct Budget {
-    /// Take the new counts as right
+    /// Accept the new counts
     #[arg(long)]
     pub(crate) bless: bool,
-    /// Count trees and frames made slower on purpose: fails unless every gate does
+    /// Count trees and frames that are slow on purpose: fails unless every gate fails
     #[arg(long)]
     pub(crate) slow: bool,
 }
 
 #[derive(Debug, Args)]
 pub(crate) struct Buildtime {
-    /// What each may take, s, instead of what is promised: to see the gate fail
+    /// Limit of both times, s, instead of the usual ones: to see the check fail
     #[arg(long, value_name = "SECONDS", value_parser = seconds)]
     pub(crate) limit: Option<Duration>,
 }
 
 #[derive(Debug, Args)]
+pub(crate) struct Newcomer {
+    /// Fail if a time is above its limit; only an otherwise idle machine can pass
+    #[arg(long)]
+    pub(crate) judge: bool,
+}
+
+#[derive(Debug, Args)]
 pub(crate) struct Fuzz {
-    /// How long each of the two is fed, s
+    /// Duration of each of the two targets, s
     #[arg(long, value_name = "N", default_value_t = 60, value_parser = clap::value_parser!(u32).range(1..))]
     pub(crate) seconds: u32,
 }
@@ -119,17 +141,17 @@ pub(crate) struct Fuzz {
 #[derive(Debug, Args)]
 #[group(multiple = false)]
 pub(crate) struct Peers {
-    /// A look: one process, few rounds; too few to judge by
+    /// A quick look: one process, few rounds; too few to judge
     #[arg(long)]
     pub(crate) quick: bool,
-    /// A look at BICA made slower on purpose: every promise about time must break
+    /// A quick look at BICA made slower on purpose: every promise about time must fail
     #[arg(long)]
     pub(crate) slow: bool,
 }
 
 fn seconds(text: &str) -> Result<Duration, String> {
     let seconds = text.parse().ok().and_then(|seconds| Duration::try_from_secs_f64(seconds).ok());
-    seconds.ok_or_else(|| "a time in seconds is needed, such as 0.1".to_owned())
+    seconds.ok_or_else(|| "expected a time in seconds, such as 0.1".to_owned())
 }
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! Counting.
+//! Instruction counts of the benchmarks.
 
 use std::collections::BTreeMap;
 
@@ -6,35 +6,35 @@ use serde_json::Value;
 
 use crate::process::{output, run};
 
-/// Asks the benchmarks to be slow, when they are compiled.
+/// At compile time: makes the benchmarks slow on purpose.
 const SLOW: (&str, &str) = ("BICA_SLOW", "1");
 
-/// Runs the benchmarks under valgrind, as they are or made slower on purpose: instructions by name.
+/// Runs the benchmarks under valgrind, optionally made slower on purpose, and returns the instructions of each by name.
 ///
 /// # Errors
-/// What does not build or run, or what cannot be understood of what comes out.
+/// What does not build or run, or output of an unknown form.
 pub(crate) fn count(runner: &str, slow: bool) -> Result<BTreeMap<String, u64>, String> {
     let bench = ["bench", "--package", "bica-benches", "--bench", "instructions"];
     let variables = [("GUNGRAUN_RUNNER", runner), SLOW];
     let variables = if slow { &variables[..] } else { &variables[..1] };
-    // The first build takes minutes and shows how far it is.
+    // The first build takes minutes, so its progress is shown.
     run("cargo", &[&bench[..], &["--no-run"]].concat(), variables)?;
-    let asked = ["--quiet", "--", "--output-format=json", "--parallel=auto"];
-    let out = output("cargo", &[&bench[..], &asked].concat(), variables)?;
+    let options = ["--quiet", "--", "--output-format=json", "--parallel=auto"];
+    let out = output("cargo", &[&bench[..], &options].concat(), variables)?;
     out.lines().map(read).collect()
 }
 
 /// One benchmark's name and count.
 fn read(line: &str) -> Result<(String, u64), String> {
-    let told = |error| format!("gungraun-runner told something else than was expected, {error}: {line:.100}");
-    let json: Value = serde_json::from_str(line).map_err(|error| told(error.to_string()))?;
-    let word = |name: &str| json[name].as_str().map(str::to_owned).ok_or_else(|| told(format!("no `{name}`")));
+    let unknown = |error| format!("output of gungraun-runner has an unknown form, {error}: {line:.100}");
+    let json: Value = serde_json::from_str(line).map_err(|error| unknown(error.to_string()))?;
+    let word = |name: &str| json[name].as_str().map(str::to_owned).ok_or_else(|| unknown(format!("no `{name}`")));
     let count = json.pointer("/profiles/0/data/total/metrics/Ir/values/new").and_then(Value::as_u64);
     let name = format!("{}.{}", word("function_name")?, word("id")?);
-    Ok((name, count.ok_or_else(|| told("no count of instructions".to_owned()))?))
+    Ok((name, count.ok_or_else(|| unknown("no count of instructions".to_owned()))?))
 }
 
-/// The compiler and the processor that it compiles for, on which the counts depend.
+/// The compiler version and the target processor, on which the counts depend.
 ///
 /// # Errors
 /// If there is none.

@@ -1,25 +1,25 @@
-//! What costs what it did, and what does not.
+//! Comparison of instruction counts with the committed ones.
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
-/// How far a count may go from the committed one without somebody saying so.
+/// Largest accepted relative change of a count.
 const TOLERANCE: f64 = 0.02;
-/// So few instructions are the compiler's to choose.
+/// Largest accepted absolute change: smaller ones are the compiler's choice.
 const GRAIN: u64 = 4;
 
 const HEADING: &str = "# Instructions, counted by valgrind. `cargo xtask budget --bless` writes this file.\n";
 const COMPILER: &str = "# Compiler: ";
 
-/// What the gate says.
+/// Result of a comparison.
 pub(crate) struct Report {
-    /// All counts, beside the committed ones.
+    /// All counts with their change.
     pub(crate) table: String,
-    /// What is not as it was, in words.
+    /// One message for each count that changed, is new, or is missing.
     pub(crate) wrong: Vec<String>,
 }
 
-/// The file of these counts.
+/// The content of the file with these counts.
 pub(crate) fn text(counted: &BTreeMap<String, u64>, compiler: &str) -> String {
     let mut text = format!("{HEADING}{COMPILER}{compiler}\n");
     for (name, count) in counted {
@@ -28,10 +28,10 @@ pub(crate) fn text(counted: &BTreeMap<String, u64>, compiler: &str) -> String {
     text
 }
 
-/// Holds counts against those in a file.
+/// Compares counts with those of a file.
 ///
 /// # Errors
-/// A line of the file that is no name with a count.
+/// A line of the file that is not a name and a count.
 pub(crate) fn compare(text: &str, counted: &BTreeMap<String, u64>, compiler: &str) -> Result<Report, String> {
     let known = read(text)?;
     let (mut table, mut wrong) = (String::new(), Vec::new());
@@ -48,10 +48,10 @@ pub(crate) fn compare(text: &str, counted: &BTreeMap<String, u64>, compiler: &st
         }
     }
     let gone = known.keys().filter(|name| !counted.contains_key(*name));
-    wrong.extend(gone.map(|name| format!("{name}: not counted any more")));
+    wrong.extend(gone.map(|name| format!("{name}: no longer counted")));
     let before = text.lines().find_map(|line| line.strip_prefix(COMPILER)).unwrap_or("unknown");
     if !wrong.is_empty() && before != compiler {
-        wrong.push(format!("the compiler is another: {before} before, {compiler} now"));
+        wrong.push(format!("the compiler changed: {before} before, {compiler} now"));
     }
     Ok(Report { table, wrong })
 }
@@ -62,7 +62,7 @@ fn read(text: &str) -> Result<BTreeMap<String, u64>, String> {
         Some((name.to_owned(), count.parse().ok()?))
     };
     let lines = text.lines().filter(|line| !line.starts_with('#'));
-    lines.map(|words| line(words).ok_or_else(|| format!("`{words}` is no name with a count"))).collect()
+    lines.map(|words| line(words).ok_or_else(|| format!("`{words}` is not a name and a count"))).collect()
 }
 
 fn is_near(now: u64, before: u64) -> bool {
@@ -86,7 +86,7 @@ mod tests {
     }
 
     #[test]
-    fn two_percent_either_way_are_no_change() {
+    fn changes_up_to_two_percent_are_accepted() {
         assert!(wrong(&[("walk", 1000)], &[("walk", 1000)]).is_empty());
         assert!(wrong(&[("walk", 1000)], &[("walk", 1020)]).is_empty());
         assert!(wrong(&[("walk", 1000)], &[("walk", 980)]).is_empty());
@@ -94,32 +94,32 @@ mod tests {
     }
 
     #[test]
-    fn code_made_slower_is_named() {
+    fn a_count_that_rises_by_more_is_reported() {
         let wrong = wrong(&[("ball", 500), ("walk", 1000)], &[("ball", 500), ("walk", 1021)]);
         assert_eq!(wrong, ["walk: 1000 instructions before, 1021 now, +2.10 %"]);
     }
 
     #[test]
-    fn code_made_faster_is_to_be_blessed_too() {
+    fn a_count_that_falls_by_more_is_reported_too() {
         assert_eq!(wrong(&[("walk", 1000)], &[("walk", 900)]).len(), 1);
     }
 
     #[test]
-    fn what_comes_and_what_goes_is_named() {
+    fn new_and_missing_benchmarks_are_reported() {
         let wrong = wrong(&[("old", 1)], &[("new", 1)]);
-        assert_eq!(wrong, ["new: new, 1 instructions", "old: not counted any more"]);
+        assert_eq!(wrong, ["new: new, 1 instructions", "old: no longer counted"]);
     }
 
     #[test]
-    fn another_compiler_is_told_with_what_it_changed() {
+    fn a_changed_compiler_is_reported_with_the_changed_counts() {
         let text = text(&counts(&[("walk", 1000)]), "rustc 1");
         let wrong = |now| compare(&text, &counts(&[("walk", now)]), "rustc 2").expect("a sound file").wrong;
         assert!(wrong(1000).is_empty());
-        assert_eq!(wrong(2000)[1], "the compiler is another: rustc 1 before, rustc 2 now");
+        assert_eq!(wrong(2000)[1], "the compiler changed: rustc 1 before, rustc 2 now");
     }
 
     #[test]
-    fn a_line_that_is_no_figure_is_refused() {
+    fn a_line_without_a_count_is_refused() {
         assert!(compare("walk many\n", &BTreeMap::new(), "").is_err());
     }
 }

@@ -1,5 +1,5 @@
-//! The gate on speed: instructions of the benchmarks in `benches/instructions`, which no clock and no other program on
-//! the machine can change.
+//! The gate on speed: instruction counts of the benchmarks in `benches/instructions`. They depend neither on a clock nor on
+//! other programs on the machine.
 
 mod count;
 mod gate;
@@ -18,23 +18,23 @@ const FIGURES: &str = "benches/instructions.txt";
 const VERSION: &str = "0.20.0";
 const TOOLS: &str = "target/tools";
 
-/// Counts, and compares with the committed figures; or takes the new ones as right.
+/// Counts, and compares with the committed figures or accepts the new ones.
 ///
 /// # Errors
-/// What could not be installed, built or counted, or what costs more or less than it did.
-pub(crate) fn check(asked: &Budget) -> Result<(), String> {
-    let runner = get()?;
-    let counted = count::count(&runner, asked.slow)?;
+/// What could not be installed, built or counted, or a count that changed.
+pub(crate) fn check(options: &Budget) -> Result<(), String> {
+    let runner = install()?;
+    let counted = count::count(&runner, options.slow)?;
     let rust = count::compiler()?;
-    if asked.slow {
-        return slow::judge(&counted, &committed()?, &rust).map(|said| println!("{said}"));
+    if options.slow {
+        return slow::judge(&counted, &committed()?, &rust).map(|report| println!("{report}"));
     }
     let hard = hardest::wrong(&counted);
     if !hard.is_empty() {
-        return Err(format!("the eyes work too hard:\n  {}", hard.join("\n  ")));
+        return Err(format!("frames above the bound:\n  {}", hard.join("\n  ")));
     }
     let promises = promise::judge(&counted);
-    if asked.bless {
+    if options.bless {
         promises?;
         return fs::write(root().join(FIGURES), gate::text(&counted, &rust))
             .map_err(|error| format!("cannot write {FIGURES}: {error}"));
@@ -49,7 +49,7 @@ pub(crate) fn check(asked: &Budget) -> Result<(), String> {
     println!("{found}");
     let wrong = report.wrong.join("\n  ");
     Err(format!(
-        "not within 2 % of {FIGURES}:\n  {wrong}\nIf that is meant, `cargo xtask budget --bless`, and say why in the commit."
+        "not within 2 % of {FIGURES}:\n  {wrong}\nIf the change is intended, run `cargo xtask budget --bless` and give the reason in the commit."
     ))
 }
 
@@ -57,16 +57,16 @@ fn committed() -> Result<String, String> {
     fs::read_to_string(root().join(FIGURES)).map_err(|error| format!("cannot read {FIGURES}: {error}"))
 }
 
-/// Valgrind, and what reads its counts.
-fn get() -> Result<String, String> {
+/// Installs valgrind and the runner that reads its counts; returns the runner's path.
+fn install() -> Result<String, String> {
     if !works("valgrind", &["--version"]) {
         packages(&["valgrind"])?;
     }
     let folder = format!("{TOOLS}/gungraun-{VERSION}");
     let runner = root().join(&folder).join("bin/gungraun-runner");
     if !runner.is_file() {
-        eprintln!("xtask: building gungraun-runner {VERSION}, once; it takes two minutes or so");
-        // It only reads counts: what optimising it would take is never won back.
+        eprintln!("xtask: building gungraun-runner {VERSION}, once; this takes about two minutes");
+        // A debug build: optimising would take longer than it saves.
         let install = ["install", "--quiet", "--locked", "--debug", "gungraun-runner", "--version", VERSION];
         run("cargo", &[&install[..], &["--root", &folder]].concat(), &[])?;
     }

@@ -1,17 +1,16 @@
-//! What is promised of the framework's cost, in instructions: no figure of yesterday excuses breaking it.
+//! Promises about the framework's cost in instructions. They hold whatever the committed counts are.
 
 use std::collections::BTreeMap;
 
-/// A hundred components cost ten times what ten do, but for so much.
+/// Largest accepted deviation from ten times the cost, for ten times as many components.
 const LINEAR: f64 = 0.15;
-/// Ten active components cost the same among ninety that are latent, but for so much. In time it is 10 %, which
-/// `cargo xtask peers` holds; in instructions there are the three calls that the compiler makes in the larger program where
-/// it makes one function of the smaller.
+/// Largest accepted deviation between ten active components alone and among ninety latent ones. In time it is 10 %, which
+/// `cargo xtask peers` checks; in instructions the larger program has three calls that the compiler inlines in the smaller.
 const LATENT: f64 = 0.15;
-/// What the line of a promise that is kept begins with.
+/// First word of the line of a promise that holds.
 pub(super) const KEPT: &str = "pass";
 
-/// A promise: what the second takes is so many times what the first does.
+/// A promise: `large` costs `times` as much as `small`, within `tolerance`.
 struct Promise {
     claim: &'static str,
     small: &'static str,
@@ -44,14 +43,14 @@ const PROMISES: [Promise; 3] = [
     },
 ];
 
-/// What was found of each promise, a line each.
+/// One line for each promise.
 ///
 /// # Errors
-/// The same lines, if one is broken or was not counted.
+/// The same lines, if a promise does not hold or was not counted.
 pub(crate) fn judge(counted: &BTreeMap<String, u64>) -> Result<String, String> {
     let found: Vec<(bool, String)> = PROMISES.iter().map(|promise| line(promise, counted)).collect();
     let lines = found.iter().map(|(_, line)| line.as_str()).collect::<Vec<_>>().join("\n");
-    if found.iter().all(|(holds, _)| *holds) { Ok(lines) } else { Err(format!("a promise is broken:\n{lines}")) }
+    if found.iter().all(|(holds, _)| *holds) { Ok(lines) } else { Err(format!("a promise does not hold:\n{lines}")) }
 }
 
 fn line(promise: &Promise, counted: &BTreeMap<String, u64>) -> (bool, String) {
@@ -70,7 +69,7 @@ fn line(promise: &Promise, counted: &BTreeMap<String, u64>) -> (bool, String) {
 mod tests {
     use super::*;
 
-    /// Counts that keep every promise, with one of them changed.
+    /// Counts with which every promise holds, with one of them replaced.
     fn with(name: &str, count: u64) -> BTreeMap<String, u64> {
         let mut counted: BTreeMap<String, u64> = PROMISES
             .iter()
@@ -83,13 +82,13 @@ mod tests {
     }
 
     #[test]
-    fn what_is_kept_is_told() {
+    fn promises_that_hold_are_listed() {
         let found = judge(&with("walk", 1));
         assert!(found.is_ok_and(|lines| lines.lines().count() == PROMISES.len() && lines.contains("+0.0 %")));
     }
 
     #[test]
-    fn each_promise_can_be_broken() {
+    fn each_promise_can_fail() {
         assert!(judge(&with("a_hundred.cycles", 11_490)).is_ok());
         assert!(judge(&with("a_hundred.cycles", 11_510)).is_err());
         assert!(judge(&with("chain_of_a_hundred.cycles", 8_400)).is_err());
@@ -98,7 +97,7 @@ mod tests {
     }
 
     #[test]
-    fn what_was_not_counted_is_not_kept() {
+    fn a_promise_that_was_not_counted_fails() {
         assert!(judge(&BTreeMap::new()).is_err());
     }
 }

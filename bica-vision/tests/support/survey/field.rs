@@ -3,7 +3,7 @@
 use std::f32::consts::TAU;
 
 use bica_motion::pose::{Pose2, wrap};
-use bica_sim::referee::Thing;
+use bica_sim::PixelLabel;
 use bica_vision::crossings::CrossingKind;
 use bica_vision::eyes::Seen;
 use bica_vision::lines::Line;
@@ -54,7 +54,7 @@ fn pieces() -> impl Iterator<Item = Vec2> {
 /// Whether a place of the ground is seen, some pixels within the image.
 fn is_seen(place: Vec2, truth: &Truth) -> bool {
     let inside = |at: Vec2| at.min(Vec2::new(SIZE.0 as f32, SIZE.1 as f32) - at).min_element() > 4.0;
-    truth.shows(place.extend(0.0), Thing::Hall) && truth.pixel(place.extend(0.0)).is_some_and(inside)
+    truth.shows(place.extend(0.0), PixelLabel::Background) && truth.pixel(place.extend(0.0)).is_some_and(inside)
 }
 
 /// Pieces of lines are due, and pieces of what is seen are right or wrong.

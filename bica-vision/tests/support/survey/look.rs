@@ -6,7 +6,8 @@ use bica_motion::joints::{Joint, Joints};
 use bica_motion::pose::Pose2;
 use bica_motion::robot::{CameraId, Command, Lights};
 use bica_sim::World;
-use bica_sim::field::{FieldWorld, Setup, Start};
+use bica_sim::kinematic::KinematicWorld;
+use bica_sim::setup::{Setup, Start};
 use glam::Vec2;
 use rand_pcg::Pcg32;
 use rand_pcg::rand_core::Rng;
@@ -18,7 +19,7 @@ const REST: u32 = 70;
 pub(crate) struct Look {
     /// Decides everything.
     pub(crate) number: u64,
-    pub(crate) world: FieldWorld,
+    pub(crate) world: KinematicWorld,
 }
 
 struct Dice(Pcg32);
@@ -46,7 +47,7 @@ impl Look {
     pub(crate) fn new(number: u64) -> Option<Self> {
         let mut dice = Dice(Pcg32::new(number, 2009));
         let setup = Setup { seed: number, robots: 4, start: Some(dice.start()), ..Setup::default() };
-        let mut world = FieldWorld::new(&setup).ok()?;
+        let mut world = KinematicWorld::new(&setup).ok()?;
         let mut targets = world.sensors().angles;
         targets[Joint::HeadYaw] = dice.between(-1.2, 1.2);
         targets[Joint::HeadPitch] = dice.between(-0.2, 0.4);

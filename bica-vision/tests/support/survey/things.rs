@@ -2,7 +2,7 @@
 
 use std::f32::consts::PI;
 
-use bica_sim::referee::Thing;
+use bica_sim::PixelLabel;
 use bica_vision::ball::RADIUS;
 use bica_vision::eyes::Seen;
 use bica_vision::goal::{Goal, HEIGHT, Post};
@@ -37,7 +37,7 @@ pub(super) fn ball(score: &mut Score, seen: &Seen, truth: &Truth) {
     if seen.ball.is_some() {
         score.seen(hit.is_some());
     }
-    let part = expected.map_or(0.0, |(_, radius)| truth.area(Thing::Ball) as f32 / (PI * radius * radius));
+    let part = expected.map_or(0.0, |(_, radius)| truth.area(PixelLabel::Ball) as f32 / (PI * radius * radius));
     if part < BALL_PART || place.length() > FAR {
         return;
     }
@@ -85,7 +85,7 @@ fn is_at(post: &Post, known: Vec2, truth: &Truth) -> bool {
 
 fn is_post_due(known: Vec2, truth: &Truth) -> bool {
     let points = (1..20_u8).map(|step| known.extend(HEIGHT * f32::from(step) / 20.0));
-    let shown: Vec<Vec3> = points.filter(|point| truth.shows(*point, Thing::Goal)).collect();
+    let shown: Vec<Vec3> = points.filter(|point| truth.shows(*point, PixelLabel::Goal)).collect();
     let rows = |point: &Vec3| truth.pixel(*point).map_or(0.0, |pixel| pixel.y);
     let high = shown.first().map_or(0.0, rows) - shown.last().map_or(0.0, rows);
     shown.len() as f32 >= POST_PART * 19.0 && high >= POST_LEAST
@@ -114,7 +114,7 @@ pub(super) fn robots(score: &mut Score, seen: &Seen, truth: &Truth) {
 fn is_robot(robot: &Robot, truth: &Truth) -> bool {
     let at = |u: f32, v: f32| truth.thing(robot.min + Vec2::new(u, v) * (robot.max - robot.min));
     let grid = (0..100_u8).map(|i| (0.05 + 0.1 * f32::from(i % 10), 0.05 + 0.1 * f32::from(i / 10)));
-    let shown = grid.filter(|(u, v)| matches!(at(*u, *v), Some(Thing::Other(_)))).count();
+    let shown = grid.filter(|(u, v)| matches!(at(*u, *v), Some(PixelLabel::OtherRobot(_)))).count();
     let base = robot.ground(&truth.camera).filter(|base| base.length() <= FAR).map(|base| truth.pose.place(base));
     let is_base =
         base.is_none_or(|base| truth.others.iter().any(|other| other.position.distance(base) < ROBOT_ERROR + 0.1));
@@ -129,6 +129,6 @@ fn is_robot_due(index: usize, place: Vec2, truth: &Truth) -> bool {
         pixel.is_some_and(|at| (4.0..SIZE.0 as f32 - 4.0).contains(&at.x) && at.y < SIZE.1 as f32 - 4.0)
     };
     feet.iter().all(|foot| {
-        is_inside(foot) && [0.03, 0.1, 0.2].iter().all(|z| truth.shows(foot.extend(*z), Thing::Other(index)))
+        is_inside(foot) && [0.03, 0.1, 0.2].iter().all(|z| truth.shows(foot.extend(*z), PixelLabel::OtherRobot(index)))
     })
 }

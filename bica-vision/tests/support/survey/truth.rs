@@ -3,8 +3,9 @@
 use bica_motion::kinematics;
 use bica_motion::pose::Pose2;
 use bica_motion::side::Side;
+use bica_sim::PixelLabel;
 use bica_sim::World;
-use bica_sim::referee::{GoalColour, Thing};
+use bica_sim::referee::GoalColour;
 use bica_vision::projection::Camera;
 use glam::{Vec2, Vec3};
 
@@ -22,12 +23,12 @@ pub(super) struct Truth {
     pub(super) ball: Vec2,
     pub(super) others: Vec<Pose2>,
     pub(super) attacks_yellow: bool,
-    things: Vec<Thing>,
+    things: Vec<PixelLabel>,
 }
 
 impl Truth {
     pub(super) fn of(look: &mut Look) -> Self {
-        let things = look.world.things();
+        let things = look.world.segmentation_mask();
         let sensors = look.world.sensors();
         let image = sensors.image.expect("there is a new one");
         let camera = Camera::of_nao(image.camera, &sensors.angles, Side::Left, image.width, image.height);
@@ -54,19 +55,19 @@ impl Truth {
     }
 
     /// What a pixel shows; none beside the image.
-    pub(super) fn thing(&self, pixel: Vec2) -> Option<Thing> {
+    pub(super) fn thing(&self, pixel: Vec2) -> Option<PixelLabel> {
         let (x, y) = ((pixel.x + 0.5).floor(), (pixel.y + 0.5).floor());
         let is_inside = x >= 0.0 && y >= 0.0 && x < SIZE.0 as f32 && y < SIZE.1 as f32;
         is_inside.then(|| self.things[y as usize * SIZE.0 + x as usize])
     }
 
     /// Whether a point of the field frame is seen and shows that thing.
-    pub(super) fn shows(&self, point: Vec3, thing: Thing) -> bool {
+    pub(super) fn shows(&self, point: Vec3, thing: PixelLabel) -> bool {
         self.pixel(point).is_some_and(|pixel| self.thing(pixel) == Some(thing))
     }
 
     /// How many pixels show a thing.
-    pub(super) fn area(&self, thing: Thing) -> usize {
+    pub(super) fn area(&self, thing: PixelLabel) -> usize {
         self.things.iter().filter(|shown| **shown == thing).count()
     }
 

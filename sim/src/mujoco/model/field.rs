@@ -5,7 +5,7 @@ use std::fmt::Write;
 
 use glam::{Vec2, Vec3};
 
-use crate::field::pitch::{
+use crate::pitch::{
     BAR_RADIUS, CARPET, CIRCLE, CORNER, GOAL_BACK, GOAL_HEIGHT, GOAL_TRIANGLE, LINE_WIDTH, MARK, PENALTY_AREA,
     PENALTY_MARK, POST, POST_RADIUS,
 };

@@ -3,7 +3,7 @@
 pub(super) mod field;
 pub(super) mod paint;
 mod robots;
-mod shades;
+mod shadows;
 #[cfg(test)]
 mod tests;
 
@@ -14,20 +14,19 @@ use mujoco_rs::prelude::{MjModel, MjtObjBase};
 use mujoco_rs::wrappers::mj_auxiliary::MjVfs;
 
 use self::paint::Paint;
-pub(crate) use self::shades::SHADES;
+pub(crate) use self::shadows::SHADOWS;
 use super::error::Error;
 use super::physics::Physics;
-use crate::field::Setup;
-use crate::field::pitch::BALL_RADIUS;
-use crate::field::render::light::Light;
-use crate::field::render::view::FOCAL;
-use crate::field::start::Layout;
+use crate::camera::light::Light;
+use crate::camera::pinhole::FOCAL;
+use crate::layout::Layout;
+use crate::pitch::BALL_RADIUS;
 use crate::random::{Random, Stream};
+use crate::sensor_model::GRAVITY;
+use crate::setup::Setup;
 
 /// The robot.
 const NAO: &str = include_str!("../../../models/nao.xml");
-/// Gravity, m/s².
-pub(crate) const GRAVITY: f32 = 9.81;
 /// One step of the physics, s.
 pub(crate) const STEP: f32 = 0.002;
 
@@ -127,7 +126,7 @@ fn world(setup: &Setup, layout: &Layout) -> String {
     paint.write(&mut xml);
     xml.push_str("</asset>\n<worldbody>\n");
     paint::lamps(&mut xml, light);
-    shades::write(&mut xml);
+    shadows::write(&mut xml);
     field::write(&mut xml);
     for other in &layout.others {
         robots::write(&mut xml, other);

@@ -4,11 +4,9 @@ use std::fmt::Write;
 
 use glam::Vec3;
 
-use crate::field::render::light::Light;
-use crate::field::render::palette::{
-    BLUE_TEAM, CARPET, JOINT, LINE, ORANGE, RED_TEAM, Rgb, SHELL, SKY_BLUE, WHITE, YELLOW,
-};
-use crate::field::start::Layout;
+use crate::camera::light::Light;
+use crate::camera::palette::{BLUE_TEAM, CARPET, JOINT, LINE, ORANGE, RED_TEAM, Rgb, SHELL, SKY_BLUE, WHITE, YELLOW};
+use crate::layout::Layout;
 use crate::referee::GoalColour;
 
 /// The colours of a game.

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use crate::field::start::Other;
+use crate::layout::Other;
 
 /// Writes a robot that stands still.
 pub(crate) fn write(xml: &mut String, other: &Other) {

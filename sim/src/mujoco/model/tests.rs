@@ -10,8 +10,8 @@ use glam::{Vec3, Vec3A};
 use mujoco_rs::prelude::{MjData, MjModel, MjtObjBase};
 
 use super::*;
-use crate::field::Setup;
 use crate::mujoco::motors::Motors;
+use crate::setup::Setup;
 
 fn model() -> Model {
     let setup = Setup::default();

@@ -1,0 +1,70 @@
+//! `impl Component`: what is true of the component in every tree.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+use syn::{GenericParam, Generics, Type, parse_quote};
+
+use super::runtime;
+use crate::expand::quoting::option;
+use crate::language::component::model::{Behaviour, Component, Machine, Place};
+
+pub(super) fn expand(component: &Component, behaviour: &Behaviour) -> TokenStream {
+    let p = runtime(component);
+    let own = &component.item.self_ty;
+    let generics = owned(&component.item.generics);
+    let (parameters, _, bounds) = generics.split_for_impl();
+    let name = name(own);
+    let doc = &component.doc;
+    let hz = option(component.options.hz.as_ref());
+    let budget_us = option(component.options.budget_us.as_ref());
+    let resume = component.options.resume.is_some();
+    let states = states(component, behaviour);
+    quote! {
+        #[automatically_derived]
+        impl #parameters #p::Component for #own #bounds {
+            const NAME: &'static str = #name;
+            const DOC: &'static str = #p::doc(#doc);
+            const HZ: ::core::option::Option<f32> = #hz;
+            const BUDGET_US: ::core::option::Option<f32> = #budget_us;
+            const RESUME: bool = #resume;
+            #states
+        }
+    }
+}
+
+/// The generics of the impl block, its types bound to outlive everything as a component must.
+pub(super) fn owned(generics: &Generics) -> Generics {
+    let mut generics = generics.clone();
+    for parameter in &mut generics.params {
+        if let GenericParam::Type(parameter) = parameter {
+            parameter.bounds.push(parse_quote!('static));
+        }
+    }
+    generics
+}
+
+fn name(own: &Type) -> String {
+    match own {
+        Type::Path(path) => path.path.segments.last().map(|segment| segment.ident.to_string()).unwrap_or_default(),
+        _ => String::new(),
+    }
+}
+
+fn states(component: &Component, behaviour: &Behaviour) -> TokenStream {
+    let p = runtime(component);
+    let Behaviour::Machine(machine) = behaviour else {
+        return quote!(const STATES: &'static [#p::State] = &[];);
+    };
+    let initial = machine.initial;
+    let states = machine.states.iter().enumerate().map(|(index, place)| state(&p, machine, index, place));
+    quote! {
+        const STATES: &'static [#p::State] = &[#(#states),*];
+        const INITIAL: usize = #initial;
+    }
+}
+
+fn state(p: &TokenStream, machine: &Machine, index: usize, place: &Place) -> TokenStream {
+    let name = place.body.name.to_string();
+    let (doc, last, initial) = (&place.body.doc, place.last, machine.initial == index);
+    quote!(#p::State { name: #name, doc: #p::doc(#doc), initial: #initial, last: #last })
+}

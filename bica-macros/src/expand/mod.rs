@@ -1,0 +1,5 @@
+//! From checked models to code.
+
+pub(crate) mod component;
+pub(crate) mod quoting;
+pub(crate) mod tree;

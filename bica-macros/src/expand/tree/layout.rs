@@ -1,0 +1,74 @@
+//! `impl Layout`: how the engine gets at the components.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::{fields, runtime, slots};
+use crate::language::tree::model::Tree;
+
+pub(super) fn expand(tree: &Tree) -> TokenStream {
+    let p = runtime(tree);
+    let (name, slots, fields) = (&tree.name, slots(tree), fields(tree));
+    let count = tree.components.len();
+    let root = &tree.components[tree.root].kind;
+    let kinds: Vec<_> = tree.components.iter().map(|entry| &entry.kind).collect();
+    let places: Vec<usize> = (0..count).collect();
+    quote! {
+        #[automatically_derived]
+        impl #p::Layout for #name {
+            type Slots = #slots;
+            const ACTIVATORS: &'static [usize] = &#p::activators::<#count>(<Self as #p::Tree>::GRAPH.nodes);
+            const ORDER: &'static [u16] = &#p::order(&#p::ranks::<#count>(<Self as #p::Tree>::GRAPH.nodes));
+
+            #[inline]
+            fn engine(&self) -> &#p::Engine<Self> {
+                &self.engine
+            }
+
+            #[inline]
+            fn engine_mut(&mut self) -> &mut #p::Engine<Self> {
+                &mut self.engine
+            }
+
+            #[inline]
+            fn visit_root<__P: #p::Probe>(cycle: &mut #p::Cycle<'_, Self, __P>) {
+                <Self as #p::Has<#root>>::visit(cycle);
+            }
+
+            fn visit<__P: #p::Probe>(cycle: &mut #p::Cycle<'_, Self, __P>, index: usize) {
+                match index {
+                    #(#places => <Self as #p::Has<#kinds>>::visit(cycle),)*
+                    _ => {}
+                }
+            }
+
+            fn stop<__P: #p::Probe>(cycle: &mut #p::Cycle<'_, Self, __P>, index: usize) {
+                match index {
+                    #(#places => cycle.stop::<#kinds>(),)*
+                    _ => {}
+                }
+            }
+
+            fn clock(slots: &Self::Slots, index: usize) -> ::core::option::Option<&#p::Clock> {
+                match index {
+                    #(#places => ::core::option::Option::Some(slots.#fields.clock()),)*
+                    _ => ::core::option::Option::None,
+                }
+            }
+
+            fn hz(&self, index: usize) -> ::core::option::Option<f32> {
+                match index {
+                    #(#places => #p::hz::<Self, #kinds>(self),)*
+                    _ => ::core::option::Option::None,
+                }
+            }
+
+            fn set_hz(&mut self, index: usize, hz: f32) {
+                match index {
+                    #(#places => #p::set_hz::<Self, #kinds>(self, hz),)*
+                    _ => {}
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,47 @@
+//! The code of a tree: one file for each thing that is generated.
+
+mod graph;
+mod has;
+mod layout;
+mod owner;
+mod slots;
+
+use proc_macro2::{Ident, TokenStream};
+use quote::{format_ident, quote};
+
+use crate::language::tree::model::Tree;
+
+/// Everything of a tree; the rules for the tree as a whole are checked if its text has no mistake.
+pub(crate) fn expand(tree: &Tree, sound: bool) -> TokenStream {
+    let owner = owner::expand(tree);
+    let slots = slots::expand(tree);
+    let layout = layout::expand(tree);
+    let graph = graph::expand(tree, sound);
+    let has = has::expand(tree);
+    quote!(#owner #slots #layout #graph #has)
+}
+
+/// The path to what generated code uses.
+fn runtime(tree: &Tree) -> TokenStream {
+    let krate = &tree.krate;
+    quote!(#krate::__private)
+}
+
+/// The struct of the slots.
+fn slots(tree: &Tree) -> Ident {
+    format_ident!("__{}Slots", tree.name)
+}
+
+/// The fields of that struct, one for each component: its name in small letters and its place.
+fn fields(tree: &Tree) -> Vec<Ident> {
+    let field = |(place, entry): (usize, &crate::language::tree::model::Entry)| {
+        let name: String = quote::ToTokens::to_token_stream(&entry.kind)
+            .into_iter()
+            .filter_map(|token| if let proc_macro2::TokenTree::Ident(word) = token { Some(word) } else { None })
+            .last()
+            .map(|word| word.to_string().to_lowercase())
+            .unwrap_or_default();
+        format_ident!("{name}_{place}")
+    };
+    tree.components.iter().enumerate().map(field).collect()
+}

@@ -1,0 +1,39 @@
+//! The struct that the user names.
+
+use proc_macro2::TokenStream;
+use quote::{quote, quote_spanned};
+
+use super::{fields, runtime, slots};
+use crate::expand::quoting::at;
+use crate::language::tree::model::Tree;
+
+pub(super) fn expand(tree: &Tree) -> TokenStream {
+    let p = runtime(tree);
+    let (attributes, visibility, name, slots) = (&tree.attributes, &tree.visibility, &tree.name, slots(tree));
+    let values = tree.components.iter().map(|entry| {
+        let kind = &entry.kind;
+        entry.value.as_ref().map_or_else(|| quote_spanned!(at(kind) => <#kind>::new()), |value| quote!(#value))
+    });
+    let fields = fields(tree);
+    quote! {
+        #(#attributes)*
+        #visibility struct #name {
+            engine: #p::Engine<#name>,
+        }
+
+        impl #name {
+            /// The tree at rest: every component new, none active yet.
+            #[must_use]
+            #visibility const fn new() -> Self {
+                Self { engine: #p::Engine::new(#slots { #(#fields: #p::Slot::new::<#name>(#values)),* }) }
+            }
+        }
+
+        #[automatically_derived]
+        impl ::core::default::Default for #name {
+            fn default() -> Self {
+                Self::new()
+            }
+        }
+    }
+}

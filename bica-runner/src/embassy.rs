@@ -1,0 +1,50 @@
+//! The real-time loop on embassy-time.
+
+use core::ops::DerefMut;
+
+use bica_core::Instant;
+use embassy_time::Timer;
+
+use crate::observer::Observer;
+use crate::request::Requests;
+use crate::robot::Robot;
+use crate::runner::Runner;
+use crate::schedule::{RunError, Schedule};
+use crate::world::World;
+
+impl Schedule {
+    /// Waits for the next deadline and returns it. Can be cancelled, so it can stand beside a link in a `select`.
+    ///
+    /// A loop of its own calls [`begin`](Self::begin) and [`end`](Self::end) around what it does then.
+    pub async fn wait(&mut self) -> Instant {
+        let due = self.deadline(Instant::now());
+        Timer::at(due).await;
+        due
+    }
+}
+
+impl<T, W, Q, O> Runner<T, W, Q, O>
+where
+    T: DerefMut<Target: Robot>,
+    W: World<T::Target>,
+    Q: Requests,
+    O: Observer<T::Target>,
+{
+    /// Runs cycles at the rate of `schedule`, other tasks in between; returns only with an error.
+    pub async fn run_async(&mut self, schedule: &mut Schedule) -> RunError<<T::Target as Robot>::Error> {
+        schedule.restart();
+        loop {
+            schedule.wait().await;
+            schedule.begin(Instant::now());
+            if let Err(error) = self.cycle() {
+                return RunError::Sense(error);
+            }
+            if let Some(overrun) = schedule.end(Instant::now()) {
+                self.observer_mut().overrun(&overrun);
+                if schedule.aborts() {
+                    return RunError::Overrun(overrun);
+                }
+            }
+        }
+    }
+}

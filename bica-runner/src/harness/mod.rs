@@ -1,0 +1,251 @@
+//! A test harness: advances a robot in time and asks for its states by name.
+//!
+//! ```
+//! # use bica_core::Tree;
+//! # use bica_macros::{activation_tree, component};
+//! use bica_core::Duration;
+//! use bica_runner::harness::Harness;
+//!
+//! # pub struct Battery { charge: f32 }
+//! #
+//! # #[component(crate = bica_core)]
+//! # impl Battery {
+//! #     pub const fn new() -> Self { Self { charge: 1.0 } }
+//! # }
+//! #
+//! # pub struct Vacuum;
+//! #
+//! # #[component(crate = bica_core)]
+//! # impl Vacuum {
+//! #     pub const fn new() -> Self { Self }
+//! #     #[state(initial)]
+//! #     fn clean(&mut self) {}
+//! #     #[state]
+//! #     fn dock(&mut self) {}
+//! #     #[transition(clean -> dock, after_ms = 500)]
+//! #     fn is_empty(&self, battery: &Battery) -> bool { battery.charge < 0.2 }
+//! #     #[transition(dock -> clean)]
+//! #     fn is_full(&self, battery: &Battery) -> bool { battery.charge > 0.9 }
+//! # }
+//! #
+//! # activation_tree! {
+//! #     pub struct Robot { root: Vacuum, cycle_hz: 50, components: [Vacuum, Battery], crate: bica_core }
+//! # }
+//! #
+//! let mut test = Harness::new(Robot::new());
+//! test.stays::<Vacuum>("clean", Duration::from_secs(2));
+//! test.tree_mut().get_mut::<Battery>().charge = 0.1;
+//! test.reaches::<Vacuum>("dock", Duration::from_millis(100));
+//! ```
+
+mod history;
+mod stage;
+
+use std::boxed::Box;
+use std::string::String;
+use std::{format, panic};
+
+use bica_core::{ComponentId, Duration, Has, Instant, Tree};
+
+pub use history::{History, Transition};
+pub use stage::{InWorld, Stage, Ticks};
+
+use crate::robot::Robot;
+use crate::world::World;
+
+/// A tree under test, the stage on which it runs, and the history of its transitions.
+#[derive(Debug)]
+pub struct Harness<T, S = Ticks> {
+    tree: Box<T>,
+    stage: S,
+    history: History,
+}
+
+impl<T: Tree> Harness<T> {
+    /// A tree that is ticked at its `cycle_hz`. The test writes the input components and reads the output components.
+    #[must_use]
+    pub fn new(tree: T) -> Self {
+        Self::of_box(Box::new(tree))
+    }
+
+    /// As [`new`](Self::new), for a tree that is too large for the stack.
+    #[must_use]
+    pub const fn of_box(tree: Box<T>) -> Self {
+        Self { tree, stage: Ticks::new(T::GRAPH.cycle_hz), history: History::new(T::GRAPH) }
+    }
+
+    /// The same robot in control of a world, which gives the sensor values and the time.
+    pub fn in_world<W: World<T>>(self, world: W) -> Harness<T, InWorld<W>>
+    where
+        T: Robot,
+    {
+        Harness { tree: self.tree, stage: InWorld(world), history: self.history }
+    }
+}
+
+impl<T: Robot, W: World<T>> Harness<T, InWorld<W>> {
+    /// The world.
+    pub const fn world(&self) -> &W {
+        &self.stage.0
+    }
+
+    /// The world, to be changed.
+    pub const fn world_mut(&mut self) -> &mut W {
+        &mut self.stage.0
+    }
+}
+
+impl<T: Tree, S: Stage<T>> Harness<T, S> {
+    /// The tree.
+    pub const fn tree(&self) -> &T {
+        &self.tree
+    }
+
+    /// The tree, to write inputs, hold components and set rates.
+    pub const fn tree_mut(&mut self) -> &mut T {
+        &mut self.tree
+    }
+
+    /// The transitions so far.
+    pub const fn history(&self) -> &History {
+        &self.history
+    }
+
+    /// The instant of the next cycle.
+    #[must_use]
+    pub fn now(&self) -> Instant {
+        self.stage.now()
+    }
+
+    /// Runs one cycle.
+    pub fn cycle(&mut self) {
+        self.stage.cycle(&mut self.tree, &mut self.history);
+    }
+
+    /// Runs so many cycles.
+    pub fn cycles(&mut self, count: usize) {
+        (0..count).for_each(|_| self.cycle());
+    }
+
+    /// Runs the cycles of a duration.
+    pub fn run_for(&mut self, duration: Duration) {
+        let end = self.now() + duration;
+        while self.now() < end {
+            self.cycle();
+        }
+    }
+
+    /// Runs until `condition` holds, at most for `limit`. Returns the time that it took.
+    ///
+    /// # Panics
+    /// If the condition does not hold within the limit; the message contains `expectation`.
+    #[track_caller]
+    pub fn until(&mut self, expectation: &str, limit: Duration, mut condition: impl FnMut(&Self) -> bool) -> Duration {
+        let began = self.now();
+        while !condition(self) {
+            if self.now() >= began + limit {
+                self.fail(&format!("{expectation}: not within {} s", seconds(limit)));
+            }
+            self.cycle();
+        }
+        self.now() - began
+    }
+
+    /// Runs until state machine `C` is active in a state, at most for `limit`. Returns the time that it took.
+    ///
+    /// # Panics
+    /// If the state is not reached, or `C` has no such state.
+    #[track_caller]
+    pub fn reaches<C: 'static>(&mut self, state: &str, limit: Duration) -> Duration
+    where
+        T: Has<C>,
+    {
+        self.check_state::<C>(state);
+        let expectation = format!("`{}` in state `{state}`", self.name::<C>());
+        self.until(&expectation, limit, |test| test.state::<C>() == Some(state))
+    }
+
+    /// Runs for `duration`, in which state machine `C` must stay active in a state.
+    ///
+    /// # Panics
+    /// If it is in another state before or after any cycle, or `C` has no such state.
+    #[track_caller]
+    pub fn stays<C: 'static>(&mut self, state: &str, duration: Duration)
+    where
+        T: Has<C>,
+    {
+        self.check_state::<C>(state);
+        let (began, end) = (self.now(), self.now() + duration);
+        while self.now() < end {
+            self.cycle();
+            if self.state::<C>() != Some(state) {
+                let stayed = seconds(self.now() - began);
+                self.fail(&format!("`{}` left state `{state}` within {stayed} s", self.name::<C>()));
+            }
+        }
+    }
+
+    /// The name of the state of state machine `C`; `None` while it is latent.
+    #[must_use]
+    pub fn state<C: 'static>(&self) -> Option<&'static str>
+    where
+        T: Has<C>,
+    {
+        let id = T::id::<C>();
+        let state = self.tree.state(id).filter(|_| self.tree.is_active(id))?;
+        T::GRAPH.nodes[id.index()].states.get(state).map(|state| state.name)
+    }
+
+    /// Whether component `C` was active in the last cycle.
+    #[must_use]
+    pub fn is_active<C: 'static>(&self) -> bool
+    where
+        T: Has<C>,
+    {
+        self.tree.is_active(T::id::<C>())
+    }
+
+    fn name<C: 'static>(&self) -> &'static str
+    where
+        T: Has<C>,
+    {
+        T::GRAPH.nodes[T::id::<C>().index()].name
+    }
+
+    #[track_caller]
+    fn check_state<C: 'static>(&self, wanted: &str)
+    where
+        T: Has<C>,
+    {
+        let states = T::GRAPH.nodes[T::id::<C>().index()].states;
+        if !states.iter().any(|state| state.name == wanted) {
+            let names = states.iter().map(|state| state.name).collect::<std::vec::Vec<_>>().join(", ");
+            panic!("`{}` has no state `{wanted}`; its states: {names}", self.name::<C>());
+        }
+    }
+
+    /// Fails the test with what was expected, the state of all active machines, and the last transitions.
+    #[track_caller]
+    fn fail(&self, expectation: &str) -> ! {
+        let mut active = String::new();
+        for id in self.tree.active() {
+            active += &format!("\n  {}{}", T::GRAPH.nodes[id.index()].name, self.in_state(id));
+        }
+        panic!(
+            "expected: {expectation}\nat {} s, active:{active}\nlast transitions:\n{}",
+            seconds(self.now() - Instant::MIN),
+            self.history
+        );
+    }
+
+    fn in_state(&self, id: ComponentId) -> String {
+        let Some(status) = self.tree.status(id) else { return String::new() };
+        let Some((state, since)) = status.state.zip(status.since) else { return String::new() };
+        let name = T::GRAPH.nodes[id.index()].states.get(state).map_or("?", |state| state.name);
+        format!(": {name} for {} s", seconds(self.now().saturating_duration_since(since)))
+    }
+}
+
+fn seconds(duration: Duration) -> f64 {
+    duration.as_micros() as f64 * 1e-6
+}

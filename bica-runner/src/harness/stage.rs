@@ -1,0 +1,60 @@
+//! How a test advances.
+
+use core::fmt::Debug;
+
+use bica_core::{Duration, Instant, Tree};
+
+use super::History;
+use crate::robot::Robot;
+use crate::runner::Runner;
+use crate::world::World;
+
+/// What surrounds a tree under test.
+pub trait Stage<T> {
+    /// The instant of the next cycle.
+    fn now(&self) -> Instant;
+
+    /// Runs one cycle.
+    fn cycle(&mut self, tree: &mut T, history: &mut History);
+}
+
+/// Ticks on a regular grid, with nothing around the tree.
+#[derive(Clone, Copy, Debug)]
+pub struct Ticks {
+    hz: f64,
+    number: u64,
+}
+
+impl Ticks {
+    pub(super) const fn new(hz: f32) -> Self {
+        Self { hz: hz as f64, number: 0 }
+    }
+}
+
+impl<T: Tree> Stage<T> for Ticks {
+    fn now(&self) -> Instant {
+        Instant::MIN + Duration::from_micros((self.number as f64 * 1e6 / self.hz) as u64)
+    }
+
+    fn cycle(&mut self, tree: &mut T, history: &mut History) {
+        tree.tick_with(Stage::<T>::now(self), history);
+        self.number += 1;
+    }
+}
+
+/// Cycles of a runner in a world.
+#[derive(Clone, Copy, Debug)]
+pub struct InWorld<W>(pub(super) W);
+
+impl<T: Robot<Error: Debug>, W: World<T>> Stage<T> for InWorld<W> {
+    fn now(&self) -> Instant {
+        self.0.now()
+    }
+
+    fn cycle(&mut self, tree: &mut T, history: &mut History) {
+        let taken = Runner::new(tree, &mut self.0).with_observer(history).cycle();
+        if let Err(error) = taken {
+            panic!("the robot refused the sensor values: {error:?}");
+        }
+    }
+}

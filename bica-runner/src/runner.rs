@@ -1,0 +1,153 @@
+//! The sense-think-act loop.
+
+use core::ops::DerefMut;
+
+use bica_core::{Instant, Tree};
+
+use crate::observer::{Cycle, Observer};
+use crate::request::{Request, Requests};
+use crate::robot::Robot;
+use crate::world::World;
+
+/// A robot, the world that it controls, the requests to it and its observer.
+///
+/// `T` points to the tree: `Box<Tree>`, `&mut Tree`, `&'static mut Tree`. `W` is the [`World`], or `()` where sensor values
+/// come as messages.
+#[derive(Debug)]
+pub struct Runner<T, W = (), Q = (), O = ()> {
+    robot: T,
+    world: W,
+    requests: Q,
+    observer: O,
+}
+
+impl<T, W> Runner<T, W> {
+    /// A runner without requests and observer.
+    pub const fn new(robot: T, world: W) -> Self {
+        Self { robot, world, requests: (), observer: () }
+    }
+}
+
+impl<T, W, Q, O> Runner<T, W, Q, O> {
+    /// The same runner with this source of requests.
+    pub fn with_requests<N: Requests>(self, requests: N) -> Runner<T, W, N, O> {
+        Runner { robot: self.robot, world: self.world, requests, observer: self.observer }
+    }
+
+    /// The same runner with this observer.
+    pub fn with_observer<N>(self, observer: N) -> Runner<T, W, Q, N> {
+        Runner { robot: self.robot, world: self.world, requests: self.requests, observer }
+    }
+
+    /// The world.
+    pub const fn world(&self) -> &W {
+        &self.world
+    }
+
+    /// The world, to be changed between two cycles.
+    pub const fn world_mut(&mut self) -> &mut W {
+        &mut self.world
+    }
+
+    /// The observer.
+    pub const fn observer(&self) -> &O {
+        &self.observer
+    }
+
+    /// The observer, to be read out and reset.
+    pub const fn observer_mut(&mut self) -> &mut O {
+        &mut self.observer
+    }
+
+    /// The source of requests.
+    pub const fn requests_mut(&mut self) -> &mut Q {
+        &mut self.requests
+    }
+
+    /// The parts: robot, world, requests, observer.
+    pub fn into_parts(self) -> (T, W, Q, O) {
+        (self.robot, self.world, self.requests, self.observer)
+    }
+}
+
+impl<T, W, Q, O> Runner<T, W, Q, O>
+where
+    T: DerefMut<Target: Robot>,
+    O: Observer<T::Target>,
+{
+    /// The tree.
+    pub fn robot(&self) -> &T::Target {
+        &self.robot
+    }
+
+    /// The tree, to set it up before the first cycle. Later changes are [requests](Self::request), which observers see.
+    pub fn robot_mut(&mut self) -> &mut T::Target {
+        &mut self.robot
+    }
+
+    /// Applies one request, between two cycles.
+    #[inline]
+    pub fn request(&mut self, now: Instant, request: Request) {
+        request.apply(&mut *self.robot);
+        self.observer.requested(now, &request);
+    }
+
+    /// Writes sensor values into the tree: the first half of a cycle, for values that come as messages.
+    ///
+    /// # Errors
+    /// If the robot refuses the values.
+    #[inline]
+    pub fn sense(
+        &mut self,
+        now: Instant,
+        sensors: &<T::Target as Robot>::Sensors<'_>,
+    ) -> Result<(), <T::Target as Robot>::Error> {
+        sense(&mut *self.robot, &mut self.observer, now, sensors)
+    }
+
+    /// Ticks the tree and reads the command: the second half of a cycle.
+    #[inline]
+    pub fn think(&mut self, now: Instant) -> <T::Target as Robot>::Command {
+        self.robot.tick_with(now, &mut self.observer);
+        let command = self.robot.act();
+        self.observer.acted(&Cycle { now, robot: &*self.robot, command: &command });
+        command
+    }
+}
+
+impl<T, W, Q, O> Runner<T, W, Q, O>
+where
+    T: DerefMut<Target: Robot>,
+    W: World<T::Target>,
+    Q: Requests,
+    O: Observer<T::Target>,
+{
+    /// One cycle: requests, sense, think, act. Returns the command that the world was given.
+    ///
+    /// # Errors
+    /// If the robot refuses the sensor values. Then the tree is not ticked and the world does not go on.
+    #[inline]
+    pub fn cycle(&mut self) -> Result<<T::Target as Robot>::Command, <T::Target as Robot>::Error> {
+        let now = self.world.now();
+        while let Some(request) = self.requests.next(now) {
+            self.request(now, request);
+        }
+        sense(&mut *self.robot, &mut self.observer, now, &self.world.sensors())?;
+        let command = self.think(now);
+        self.world.act(&command);
+        Ok(command)
+    }
+}
+
+#[inline]
+fn sense<R: Robot, O: Observer<R>>(
+    robot: &mut R,
+    observer: &mut O,
+    now: Instant,
+    sensors: &R::Sensors<'_>,
+) -> Result<(), R::Error> {
+    observer.sensing(now, sensors);
+    let taken = robot.sense(sensors);
+    observer.sensed();
+    taken
+}

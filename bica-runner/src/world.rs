@@ -1,0 +1,44 @@
+//! The controlled side of the loop.
+
+use bica_core::Instant;
+
+use crate::robot::Robot;
+
+/// What a robot program controls (the plant of control engineering): a real body, a simulation, or recorded values.
+///
+/// The trait can be used as `dyn World<R>`.
+pub trait World<R: Robot + ?Sized> {
+    /// The time of this cycle on the world's own clock, which never runs backwards.
+    fn now(&self) -> Instant;
+
+    /// The sensor values of this cycle.
+    fn sensors(&mut self) -> R::Sensors<'_>;
+
+    /// Applies a command for one cycle. A simulation advances by that cycle.
+    fn act(&mut self, command: &R::Command);
+}
+
+macro_rules! forward_to_target {
+    () => {
+        fn now(&self) -> Instant {
+            (**self).now()
+        }
+
+        fn sensors(&mut self) -> R::Sensors<'_> {
+            (**self).sensors()
+        }
+
+        fn act(&mut self, command: &R::Command) {
+            (**self).act(command);
+        }
+    };
+}
+
+impl<R: Robot + ?Sized, W: World<R> + ?Sized> World<R> for &mut W {
+    forward_to_target!();
+}
+
+#[cfg(feature = "std")]
+impl<R: Robot + ?Sized, W: World<R> + ?Sized> World<R> for std::boxed::Box<W> {
+    forward_to_target!();
+}

@@ -1,0 +1,86 @@
+//! The test program of the firmware image, run by `cargo xtask firmware`.
+//!
+//! It plays a game in which every cycle is computed on the host and on the emulated microcontroller, checks the robot's
+//! reactions to faults, and compares size, memory and instruction counts with limits and committed figures.
+
+mod figures;
+mod game;
+mod limits;
+mod link_fuzz;
+mod log;
+mod overload;
+mod packet_fuzz;
+mod parts;
+mod random;
+mod reference;
+mod scenarios;
+mod sequences;
+mod session;
+mod size;
+
+use std::error::Error;
+use std::path::Path;
+use std::process::ExitCode;
+use std::thread;
+use std::time::Duration;
+
+use bica_emulator::Transport;
+
+const USAGE: &str = "firmware-test IMAGE FIGURES [--size | --bless | --fuzz SECONDS [SEED]]";
+
+/// Time limit of the whole test. A silent emulator would block it forever.
+const TIMEOUT: Duration = Duration::from_mins(30);
+
+fn main() -> ExitCode {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
+    let number = |text: &str| text.parse::<u64>().map_err(|error| format!("{text}: {error}").into());
+    let result = match arguments[..] {
+        [image, _, "--size"] => size::print(Path::new(image)),
+        [image, figures, "--bless"] => test(Path::new(image), Path::new(figures), true),
+        [image, figures] => test(Path::new(image), Path::new(figures), false),
+        [image, _, "--fuzz", seconds] => number(seconds).and_then(|seconds| fuzz(Path::new(image), seconds, 0)),
+        [image, _, "--fuzz", seconds, seed] => {
+            number(seconds).and_then(|seconds| fuzz(Path::new(image), seconds, number(seed)?))
+        }
+        _ => Err(USAGE.into()),
+    };
+    match result {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("firmware-test: {error}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+/// Runs all tests; `bless` commits the instruction counts of this game instead of comparing them.
+fn test(image: &Path, figures: &Path, bless: bool) -> Result<(), Box<dyn Error>> {
+    thread::spawn(|| {
+        thread::sleep(TIMEOUT);
+        eprintln!("firmware-test: not finished after {TIMEOUT:?}");
+        std::process::exit(1);
+    });
+    let played = game::play(image, 0)?;
+    let lines = log::decode(image, &played.log)?;
+    for line in &lines {
+        println!("log: {line}");
+    }
+    println!("{} cycles, goal after {:.2} s; every command equals the host's", played.cycles, played.goal_s);
+    limits::check(&size::sections(image)?, &played)?;
+    for expected in ["look_for_ball -> approach", "visible: ball true, goal true"] {
+        if !lines.iter().any(|line| line.contains(expected)) {
+            return Err(format!("the log does not contain: {expected}").into());
+        }
+    }
+    parts::run_all(parts::list(image))?;
+    if bless { figures::write(figures, &played) } else { figures::compare(figures, &played) }
+}
+
+/// Damages packets on the host, then the link to the image, each for a time.
+fn fuzz(image: &Path, seconds: u64, seed: u64) -> Result<(), Box<dyn Error>> {
+    let time = Duration::from_secs(seconds);
+    println!("fuzz: packets: {}", packet_fuzz::run(time, seed)?);
+    println!("fuzz: link by pipe: {}", link_fuzz::run(image, Transport::Pipe, time, seed)?);
+    Ok(())
+}

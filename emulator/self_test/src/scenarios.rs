@@ -1,0 +1,122 @@
+//! Reactions of the robot to requests, damage, faults and silence.
+
+use std::error::Error;
+use std::path::Path;
+
+use bica::Tree;
+use bica_emulator::Transport;
+use bica_motion::joints::JOINTS;
+use bica_motion::stand::{STAND, Stiffness};
+use bica_player::Forward;
+use bica_player::motion::Head;
+use bica_wire::message::{ClockMode, Command, FaultInjection, GraphItem, ImageChunk, ImageInfo, LinkStats, Sensors};
+use bica_wire::{FromRobot, ToRobot};
+
+use crate::overload;
+use crate::session::{self, command, expect_eq, log_path, standing, telemetry};
+
+type Outcome = Result<(), Box<dyn Error>>;
+/// A scenario: the property that it checks, the transport, the check.
+type Scenario = (&'static str, Transport, fn(&Path, Transport) -> Outcome);
+
+/// All scenarios.
+pub(crate) const ALL: [Scenario; 8] = [
+    ("the robot sends the graph of its tree", Transport::Pipe, describe),
+    ("the robot sends the graph of its tree, serial port", Transport::Serial, describe),
+    ("damaged, truncated and lost packets are counted and tolerated", Transport::Pipe, damage),
+    ("damaged, truncated and lost packets are counted and tolerated, serial port", Transport::Serial, damage),
+    ("a panic switches all joints off; its message survives the restart", Transport::Pipe, panic),
+    ("a panic switches all joints off; its message survives the restart, serial port", Transport::Serial, panic),
+    ("silence causes a safe stop, a message ends it, serial port", Transport::Serial, silence),
+    ("a slow component delays cycles and drops none, while images arrive", Transport::PacedPipe, overload::overload),
+];
+
+fn describe(image: &Path, transport: Transport) -> Outcome {
+    let mut robot = session::start(image, transport, ClockMode::Lockstep)?;
+    let link = robot.link();
+    link.send(&ToRobot::Describe)?;
+    let mut names = Vec::new();
+    let items = link.receive(|message| match message {
+        FromRobot::GraphItem(GraphItem::End { items }) => Some(items),
+        FromRobot::GraphItem(GraphItem::Component { name, .. }) => {
+            names.push(name.to_owned());
+            None
+        }
+        _ => None,
+    })?;
+    let nodes = Forward::GRAPH.nodes;
+    expect_eq(&names, &nodes.iter().map(|node| node.name.to_owned()).collect())?;
+    let parts = nodes.iter().map(|node| 1 + node.links.len() + node.states.len() + node.transitions.len());
+    expect_eq(&usize::from(items), &parts.sum())
+}
+
+fn damage(image: &Path, transport: Transport) -> Outcome {
+    let mut robot = session::start(image, transport, ClockMode::Lockstep)?;
+    let link = robot.link();
+    link.send(&ToRobot::ImageChunk(ImageChunk { image_id: 1, offset: 0, bytes: &[128; 1000] }))?;
+    link.write(&[7, 1, 2, 3, 4, 5, 6, 0, 200, 9, 9, 0])?;
+    let info = Some(ImageInfo { id: 1, bottom_camera: false, width: 160, height: 120 });
+    link.send(&ToRobot::Sensors(Sensors { image: info, ..standing(0) }))?;
+    let (incomplete, stats) = link.receive(telemetry(|telemetry| (telemetry.incomplete_images, telemetry.link)))?;
+    expect_eq(&(incomplete, stats.damaged, stats.missing), &(1, 2, 0))?;
+    for _ in 0..3 {
+        link.skip();
+    }
+    link.send(&ToRobot::Sensors(standing(10_000)))?;
+    link.receive(telemetry(|_| ()))?;
+    link.send(&ToRobot::Sensors(standing(20_000)))?;
+    let stats: LinkStats = link.receive(telemetry(|telemetry| telemetry.link))?;
+    expect_eq(&(stats.damaged, stats.missing), &(2, 3))
+}
+
+fn panic(image: &Path, transport: Transport) -> Outcome {
+    let log = log_path(image, "panic", transport);
+    let mut robot = session::start_with_log(image, transport, ClockMode::Lockstep, Some(&log))?;
+    let link = robot.link();
+    link.send(&ToRobot::FaultInjection(FaultInjection::Panic { component: head() }))?;
+    link.send(&ToRobot::Sensors(standing(0)))?;
+    let last: Command = link.receive(command())?;
+    expect_eq(&last.stiffness, &[0.0; JOINTS])?;
+    let (restarts, last_panic) = link.receive(|message| match message {
+        FromRobot::Identity(identity) => Some((identity.restarts, identity.last_panic.to_owned())),
+        _ => None,
+    })?;
+    expect_eq(&(restarts, last_panic.contains("injected: Head panics")), &(1, true))?;
+    session::start_game(&mut robot, ClockMode::Lockstep)?;
+    robot.link().send(&ToRobot::Sensors(standing(0)))?;
+    robot.link().receive(command())?;
+    drop(robot);
+    let lines = crate::log::decode(image, &log)?;
+    let logged = |text: &str| lines.iter().any(|line| line.contains("ERROR") && line.contains(text));
+    expect_eq(&(logged("restart 1 after a panic"), logged("injected: Head panics")), &(true, true))
+}
+
+/// Allowed time from the first cycle of the game to the safe stop, µs: 200 ms of silence, within two cycles.
+const SILENCE_US: std::ops::RangeInclusive<u64> = 180_000..=220_000;
+
+fn silence(image: &Path, transport: Transport) -> Outcome {
+    let mut robot = session::start(image, transport, ClockMode::FreeRunning)?;
+    let link = robot.link();
+    let read = || telemetry(|telemetry| (telemetry.time_us, telemetry.safe_stop));
+    let (start_us, safe_stop) = link.receive(read())?;
+    expect_eq(&safe_stop, &false)?;
+    let stop_us = loop {
+        let (time_us, safe_stop) = link.receive(read())?;
+        if safe_stop {
+            break time_us;
+        }
+    };
+    if !SILENCE_US.contains(&(stop_us - start_us)) {
+        return Err(format!("safe stop {} µs after the first cycle", stop_us - start_us).into());
+    }
+    let stop = link.receive(command())?;
+    expect_eq(&(stop.targets, stop.stiffness), &(STAND.0, Stiffness::Stand.joints().0))?;
+    link.send(&ToRobot::Sensors(standing(0)))?;
+    while link.receive(telemetry(|telemetry| telemetry.safe_stop))? {}
+    Ok(())
+}
+
+/// Index of a component that runs in every cycle.
+fn head() -> u8 {
+    Forward::id::<Head>().index() as u8
+}

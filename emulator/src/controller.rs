@@ -1,0 +1,129 @@
+//! A robot controller on an emulated microcontroller, in lockstep with a world.
+
+use std::path::Path;
+
+use bica_motion::robot::{self, Light, Lights};
+use bica_wire::message::{ClockMode, GoalColour, Hello, Identity, Sensors, StackUsage, Telemetry};
+use bica_wire::{FromRobot, SCHEMA, ToRobot, chunks};
+
+use crate::emulator::{Emulator, Transport};
+use crate::error::Error;
+
+/// A robot controller on an emulated microcontroller.
+#[derive(Debug)]
+pub struct Controller {
+    emulator: Emulator,
+    last_image_id: u32,
+    instructions_per_tick: u64,
+}
+
+/// Result of a cycle.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CycleReport {
+    /// Command for the robot.
+    pub command: robot::Command,
+    /// Number of instructions from sensing to acting.
+    pub instructions: u64,
+    /// Number of instructions in each component's own code, in the order of the tree's list.
+    pub costs: Vec<u64>,
+    /// Whether each component is active.
+    pub active: Vec<bool>,
+    /// Index of the current state of each component; `None` without a state machine.
+    pub states: Vec<Option<usize>>,
+    /// Total number of incomplete images and of damaged or missing packets.
+    pub lost: u32,
+}
+
+impl Controller {
+    /// Starts an image and a game in which the robot attacks the goal of a colour. The log is written to a file, as by
+    /// [`Emulator::start`].
+    ///
+    /// # Errors
+    /// Any [`Error`].
+    pub fn start(image: &Path, transport: Transport, attacks: GoalColour, log: Option<&Path>) -> Result<Self, Error> {
+        let mut emulator = Emulator::start(image, transport, log)?;
+        let link = emulator.link();
+        let schema = link.receive(identity(|identity| identity.schema))?;
+        if schema != SCHEMA {
+            return Err(Error::SchemaMismatch(schema));
+        }
+        link.send(&ToRobot::Hello(Hello { schema: SCHEMA, clock_mode: ClockMode::Lockstep, attacks }))?;
+        let counter_hz = link.receive(identity(|identity| identity.counter_hz))?;
+        let instructions_per_tick = 1_000_000_000 / u64::from(counter_hz.max(1));
+        Ok(Self { emulator, last_image_id: 0, instructions_per_tick })
+    }
+
+    /// Returns the emulator.
+    pub const fn emulator(&mut self) -> &mut Emulator {
+        &mut self.emulator
+    }
+
+    /// Runs one sense-think-act cycle.
+    ///
+    /// # Errors
+    /// [`Error::Disconnected`], or [`Error::UnexpectedMessage`] if the robot's command is invalid.
+    pub fn cycle(&mut self, time_us: u64, sensors: &robot::Sensors<'_>) -> Result<CycleReport, Error> {
+        let link = self.emulator.link();
+        if let Some(image) = sensors.image {
+            self.last_image_id = self.last_image_id.wrapping_add(1);
+            for chunk in chunks(self.last_image_id, image.yuyv) {
+                link.send(&ToRobot::ImageChunk(chunk))?;
+            }
+        }
+        link.send(&ToRobot::Sensors(Sensors::new(time_us, sensors, self.last_image_id)))?;
+        let command = link.receive(|message| match message {
+            FromRobot::Command(command) => Some(command),
+            _ => None,
+        })?;
+        if command.time_us != time_us {
+            return Err(Error::UnexpectedMessage(format!("a command for {} µs at {time_us} µs", command.time_us)));
+        }
+        let command = command.to_command().map_err(|error| Error::UnexpectedMessage(error.to_string()))?;
+        let instructions_per_tick = self.instructions_per_tick;
+        link.receive(|message| match message {
+            FromRobot::Telemetry(telemetry) => Some(CycleReport::new(command, &telemetry, instructions_per_tick)),
+            _ => None,
+        })
+    }
+
+    /// Requests the stack usage.
+    ///
+    /// # Errors
+    /// [`Error::Disconnected`].
+    pub fn stack_usage(&mut self) -> Result<StackUsage, Error> {
+        self.emulator.link().send(&ToRobot::StackUsage)?;
+        self.emulator.link().receive(|message| match message {
+            FromRobot::StackUsage(usage) => Some(usage),
+            _ => None,
+        })
+    }
+}
+
+impl CycleReport {
+    fn new(command: robot::Command, telemetry: &Telemetry<'_>, instructions_per_tick: u64) -> Self {
+        let instructions = |ticks: u32| u64::from(ticks) * instructions_per_tick;
+        Self {
+            command,
+            instructions: instructions(telemetry.chain_ticks),
+            costs: telemetry.component_ticks().map(instructions).collect(),
+            active: (0..telemetry.states.len()).map(|index| telemetry.active >> index & 1 == 1).collect(),
+            states: telemetry.states.iter().map(|&state| (state != u8::MAX).then_some(state.into())).collect(),
+            lost: telemetry.incomplete_images + telemetry.link.damaged + telemetry.link.missing,
+        }
+    }
+}
+
+/// Returns the memory representation of every number of a command: equal only for commands that are equal bit for bit.
+pub fn command_bits(command: &robot::Command) -> impl Iterator<Item = u32> {
+    let Lights { chest, left_eye, right_eye } = command.lights;
+    let lights = [chest, left_eye, right_eye].map(|Light(red, green, blue)| [red, green, blue]);
+    let joints = command.targets.0.into_iter().chain(command.stiffness.0);
+    joints.chain(lights.into_iter().flatten()).map(f32::to_bits).chain([command.camera as u32])
+}
+
+fn identity<T>(read: impl Fn(Identity<'_>) -> T) -> impl FnMut(FromRobot<'_>) -> Option<T> {
+    move |message| match message {
+        FromRobot::Identity(identity) => Some(read(identity)),
+        _ => None,
+    }
+}

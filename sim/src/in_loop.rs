@@ -1,0 +1,37 @@
+//! The worlds as the controlled side of a [`Runner`](bica_runner::Runner).
+
+use bica_motion::robot::{Command, Sensors};
+use bica_runner::Robot;
+
+use crate::kinematic::KinematicWorld;
+use crate::spectator::SpectatorView;
+use crate::world::World;
+
+/// Implements the runner's trait by our own, for every robot with the sensors and the command of a NAO.
+macro_rules! controlled {
+    ($($world:ty),+) => {
+        $(
+            impl<R> bica_runner::World<R> for $world
+            where
+                R: Robot<Command = Command> + ?Sized,
+                for<'a> R: Robot<Sensors<'a> = Sensors<'a>>,
+            {
+                fn now(&self) -> bica_core::Instant {
+                    bica_core::Instant::from_micros(World::now(self).as_micros() as u64)
+                }
+
+                fn sensors(&mut self) -> Sensors<'_> {
+                    World::sensors(self)
+                }
+
+                fn act(&mut self, command: &Command) {
+                    World::act(self, command);
+                }
+            }
+        )+
+    };
+}
+
+controlled!(KinematicWorld, dyn SpectatorView + '_);
+#[cfg(feature = "mujoco")]
+controlled!(crate::mujoco::MujocoWorld);

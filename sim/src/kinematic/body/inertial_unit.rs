@@ -1,0 +1,83 @@
+//! The inertial unit in the torso.
+
+use bica_motion::dimensions::INERTIAL_UNIT;
+use bica_motion::robot::Inertial;
+use glam::{Affine3A, Vec3, Vec3A};
+use libm::{asinf, atan2f};
+
+use crate::random::Random;
+use crate::sensor_model::{ACCELERATION_NOISE, ACCELEROMETER_RANGE, ANGLE_NOISE, GRAVITY, GYRO_NOISE};
+use crate::transform::angular_velocity;
+use crate::world::CYCLE_SECONDS;
+
+/// Share of a new acceleration in the measured one: bones and plastic soften it.
+const ACCELERATION_SHARE: f32 = 0.2;
+/// The inertial unit in the torso.
+#[derive(Clone, Debug)]
+pub(crate) struct InertialUnit {
+    before: Affine3A,
+    velocity: Vec3,
+    acceleration: Vec3,
+}
+
+impl InertialUnit {
+    /// In a robot that stands still with the robot frame there.
+    pub(crate) const fn still(robot: Affine3A) -> Self {
+        Self { before: robot, velocity: Vec3::ZERO, acceleration: Vec3::ZERO }
+    }
+
+    /// Measures after a cycle that brought the robot frame to a pose.
+    pub(crate) fn step(&mut self, robot: &Affine3A, random: &mut Random) -> Inertial {
+        let place = |pose: &Affine3A| pose.transform_point3(INERTIAL_UNIT);
+        let velocity = (place(robot) - place(&self.before)) / CYCLE_SECONDS;
+        let jolt = ((velocity - self.velocity) / CYCLE_SECONDS).clamp_length_max(ACCELEROMETER_RANGE);
+        self.acceleration += ACCELERATION_SHARE * (jolt - self.acceleration);
+        let gyro = angular_velocity(&self.before.matrix3, &robot.matrix3);
+        self.velocity = velocity;
+        self.before = *robot;
+
+        let force = robot.matrix3.transpose() * Vec3A::from(self.acceleration + GRAVITY * Vec3::Z);
+        let [x, y, z] = [robot.matrix3.x_axis, robot.matrix3.y_axis, robot.matrix3.z_axis];
+        Inertial {
+            gyro: gyro + noise(GYRO_NOISE, random),
+            acceleration: Vec3::from(force) + noise(ACCELERATION_NOISE, random),
+            roll: atan2f(y.z, z.z) + ANGLE_NOISE * random.normal(),
+            pitch: asinf((-x.z).clamp(-1.0, 1.0)) + ANGLE_NOISE * random.normal(),
+        }
+    }
+}
+
+fn noise(deviation: f32, random: &mut Random) -> Vec3 {
+    deviation * Vec3::new(random.normal(), random.normal(), random.normal())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::random::Stream;
+
+    #[test]
+    fn the_unit_feels_gravity_and_turning() {
+        let mut random = Random::new(3, Stream::Sensors);
+        let mut unit = InertialUnit::still(Affine3A::from_rotation_y(0.2));
+        let still = unit.step(&Affine3A::from_rotation_y(0.2), &mut random);
+        let lean = 0.2_f32;
+        assert!((still.acceleration - GRAVITY * Vec3::new(-lean.sin(), 0.0, lean.cos())).length() < 0.1);
+        assert!((still.pitch - 0.2).abs() < 0.01 && still.roll.abs() < 0.01);
+        let turning = unit.step(&Affine3A::from_rotation_y(0.21), &mut random);
+        assert!((turning.gyro - Vec3::new(0.0, 1.0, 0.0)).length() < 0.02, "{}", turning.gyro);
+    }
+
+    #[test]
+    fn the_unit_feels_where_the_torso_speeds_up_to() {
+        let mut random = Random::new(3, Stream::Sensors);
+        let mut unit = InertialUnit::still(Affine3A::IDENTITY);
+        let mut felt = Vec3::ZERO;
+        for cycle in 1..=40 {
+            let time = cycle as f32 * CYCLE_SECONDS;
+            let way = Vec3::new(0.5 * 1.5 * time * time, 0.0, 0.0);
+            felt = unit.step(&Affine3A::from_translation(way), &mut random).acceleration;
+        }
+        assert!((felt - Vec3::new(1.5, 0.0, GRAVITY)).length() < 0.15, "{felt}");
+    }
+}

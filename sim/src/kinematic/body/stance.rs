@@ -1,0 +1,184 @@
+//! Standing on the foot that carries the body.
+//!
+//! Quasi-static: the lower sole carries. It stays where it is, flat on the ground, and everything else follows from the
+//! joint angles. When the other sole comes to lie lower, by a little hysteresis, it carries from then on, where it
+//! was just before; what it is tilted against the ground and off it fades away quickly, so that the torso never jumps.
+
+use bica_motion::kinematics::Skeleton;
+use bica_motion::pose::Pose2;
+use bica_motion::side::Side;
+use glam::{Affine3A, Mat3A, Quat, Vec3};
+
+use crate::transform::{ground_pose, level_pose};
+
+/// How much lower the other sole must be to carry, m.
+const HYSTERESIS: f32 = 0.001;
+/// Share of tilt and lift that is left after a cycle: a time constant of 30 ms.
+const FADE: f32 = 0.716_5;
+/// Cycles over which a slip is spread.
+const SLIP_CYCLES: u32 = 8;
+/// The middle of a sole, x in its own frame, m.
+const SOLE_MIDDLE: Vec3 = Vec3::new(0.0227, 0.0, 0.0);
+
+/// How the body stands.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Stance {
+    support: Side,
+    /// Where the carrying sole is on the ground.
+    anchor: Pose2,
+    /// What is left of its tilt when it came down.
+    tilt: Quat,
+    /// What is left of its height when it came down, m.
+    lift: f32,
+    /// The other sole a cycle ago, field frame.
+    other: Affine3A,
+    /// The rest of a slip, per cycle.
+    slip: Pose2,
+    slip_cycles: u32,
+}
+
+impl Stance {
+    /// Stands so that the robot frame's origin and heading are over `place`.
+    pub(crate) fn under(place: Pose2, skeleton: &Skeleton) -> Self {
+        let support = Side::Left;
+        let mut standing = Self {
+            support,
+            anchor: Pose2::ORIGIN,
+            tilt: Quat::IDENTITY,
+            lift: 0.0,
+            other: Affine3A::IDENTITY,
+            slip: Pose2::ORIGIN,
+            slip_cycles: 0,
+        };
+        standing.anchor = place * ground_pose(&standing.robot(skeleton)).inverse();
+        standing.other = standing.robot(skeleton) * skeleton.sole(support.other());
+        standing
+    }
+
+    /// The foot that carries.
+    pub(crate) const fn support(&self) -> Side {
+        self.support
+    }
+
+    /// The robot frame's pose in the field frame.
+    pub(crate) fn robot(&self, skeleton: &Skeleton) -> Affine3A {
+        let residue = Affine3A::from_rotation_translation(self.tilt, Vec3::new(0.0, 0.0, self.lift));
+        level_pose(&self.anchor) * residue * skeleton.sole(self.support).inverse()
+    }
+
+    /// Stands for one cycle with the body as it is now. A step begins with a slip as `draw_slip` says.
+    pub(crate) fn step(&mut self, skeleton: &Skeleton, draw_slip: impl FnOnce() -> Pose2) {
+        self.tilt = Quat::IDENTITY.slerp(self.tilt, FADE);
+        self.lift *= FADE;
+        if self.slip_cycles > 0 {
+            self.slip_cycles -= 1;
+            self.anchor = self.anchor * self.slip;
+        }
+        let soles = [self.support, self.support.other()].map(|side| self.robot(skeleton) * skeleton.sole(side));
+        let [carrying, other] = soles.map(|sole| sole.transform_point3(SOLE_MIDDLE).z);
+        if other < carrying - HYSTERESIS {
+            self.step_onto_other(draw_slip());
+        }
+        self.other = self.robot(skeleton) * skeleton.sole(self.support.other());
+    }
+
+    /// Moves without a step, as when pushed. Field frame, m.
+    pub(crate) fn shift(&mut self, by: glam::Vec2) {
+        self.anchor.position += by;
+        self.other.translation += glam::Vec3A::from(by.extend(0.0));
+    }
+
+    /// The foot that carries now took the weight where it was a cycle ago: since then the lifted one only moved away.
+    fn step_onto_other(&mut self, slip: Pose2) {
+        self.support = self.support.other();
+        self.anchor = ground_pose(&self.other);
+        let level = Mat3A::from_rotation_z(-self.anchor.heading) * self.other.matrix3;
+        self.tilt = Quat::from_mat3a(&level).normalize();
+        self.lift = self.other.translation.z;
+        let share = 1.0 / SLIP_CYCLES as f32;
+        self.slip = Pose2 { position: share * slip.position, heading: share * slip.heading };
+        self.slip_cycles = SLIP_CYCLES;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use bica_motion::feet::{Foot, level_legs};
+    use bica_motion::stand::STAND;
+
+    /// The body with level feet there: forward of the hips and lift, m, left first.
+    fn body(feet: [(f32, f32); 2]) -> Skeleton {
+        let foot = |(x, lift), y| Foot { pose: Pose2::new(x, y, 0.0), lift };
+        let mut angles = STAND;
+        let legs = level_legs(&[foot(feet[0], 0.05), foot(feet[1], -0.05)], 0.215, 0.0);
+        for (side, leg) in Side::BOTH.into_iter().zip(legs) {
+            leg.write(side, &mut angles);
+        }
+        Skeleton::of(&angles)
+    }
+
+    /// Steps of 4 cm, each foot in turn, in 20 cycles; tells where the robot frame and the carrying sole were.
+    fn walk(stance: &mut Stance, steps: usize) -> Vec<(Side, Affine3A, Affine3A)> {
+        let mut seen = Vec::new();
+        for step in 0..steps {
+            for cycle in 0..20 {
+                let part = cycle as f32 / 19.0;
+                let lift = 0.02 * (1.0 - (2.0 * part - 1.0) * (2.0 * part - 1.0));
+                let (swinging, carrying) = ((0.04 * part - 0.02, lift), (0.02 - 0.04 * part, 0.0));
+                let feet = if step % 2 == 0 { [carrying, swinging] } else { [swinging, carrying] };
+                let skeleton = body(feet);
+                stance.step(&skeleton, || Pose2::ORIGIN);
+                let robot = stance.robot(&skeleton);
+                seen.push((stance.support(), robot, robot * skeleton.sole(stance.support())));
+            }
+        }
+        seen
+    }
+
+    #[test]
+    fn the_carrying_foot_does_not_slide_and_the_torso_goes_a_step_length_per_step() {
+        let skeleton = body([(0.02, 0.0), (-0.02, 0.0)]);
+        let mut stance = Stance::under(Pose2::new(0.5, -0.3, 0.0), &skeleton);
+        let seen = walk(&mut stance, 10);
+        for pair in seen.windows(2) {
+            let [(before, _, from), (after, _, to)] = pair else { continue };
+            if before == after {
+                assert!(ground_pose(from).position.distance(ground_pose(to).position) < 1e-5);
+            }
+        }
+        let last = ground_pose(&seen[seen.len() - 1].1);
+        assert!(last.position.distance(glam::Vec2::new(0.9, -0.3)) < 2e-3, "{last:?}");
+        assert!(last.heading.abs() < 1e-3);
+        assert!(
+            seen.iter().any(|(side, ..)| *side == Side::Left) && seen.iter().any(|(side, ..)| *side == Side::Right)
+        );
+    }
+
+    #[test]
+    fn moving_up_and_down_on_both_feet_goes_nowhere() {
+        let mut stance = Stance::under(Pose2::ORIGIN, &Skeleton::of(&STAND));
+        for cycle in 0..1_000 {
+            let skeleton = body([(0.001 * (cycle % 7) as f32, 0.0004 * (cycle % 3) as f32), (0.0, 0.0)]);
+            stance.step(&skeleton, || Pose2::new(1.0, 1.0, 1.0));
+        }
+        assert_eq!(stance.support(), Side::Left);
+        let robot = ground_pose(&stance.robot(&Skeleton::of(&STAND)));
+        assert!(robot.position.length() < 1e-5 && robot.heading.abs() < 1e-5, "{robot:?}");
+    }
+
+    #[test]
+    fn a_slip_comes_little_by_little_and_wholly() {
+        let mut stance = Stance::under(Pose2::ORIGIN, &Skeleton::of(&STAND));
+        let right = body([(0.0, 0.01), (0.0, 0.0)]);
+        let before = ground_pose(&stance.robot(&right));
+        for cycle in 0..20 {
+            let was = ground_pose(&stance.robot(&right));
+            stance.step(&right, || Pose2::new(0.008, 0.0, 0.0));
+            let step = ground_pose(&stance.robot(&right)).position.distance(was.position);
+            assert!(step < 0.002, "cycle {cycle}: {step}");
+        }
+        let after = ground_pose(&stance.robot(&right));
+        assert!(((after.position - before.position).x - 0.008).abs() < 1e-4, "{before:?} {after:?}");
+    }
+}

@@ -1,0 +1,122 @@
+//! Where everything is when a game starts.
+
+use core::f32::consts::PI;
+
+use bica_motion::pose::{Pose2, rotate};
+use glam::Vec2;
+
+use crate::pitch::{CORNER, POST};
+use crate::random::Random;
+use crate::referee::GoalColour;
+use crate::setup::{Setup, Start};
+
+/// What the seed decides about the field.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Layout {
+    /// Robot and ball.
+    pub(crate) start: Start,
+    /// The colour of the goal at positive x.
+    pub(crate) attacks: GoalColour,
+    /// How the carpet brakes the ball, m/s².
+    pub(crate) braking: f32,
+    /// The other robots, the goalkeeper first if there is one.
+    pub(crate) others: Vec<Other>,
+}
+
+/// A robot that stands there.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Other {
+    pub(crate) pose: Pose2,
+    /// Whether it plays for the robot's own team.
+    pub(crate) mate: bool,
+}
+
+impl Layout {
+    pub(crate) fn new(setup: &Setup, random: &mut Random) -> Self {
+        let attacks = if random.chance(0.5) { GoalColour::Yellow } else { GoalColour::SkyBlue };
+        let braking = random.between(0.3, 0.4);
+        let drawn = draw_start(random);
+        let start = setup.start.unwrap_or(drawn);
+        let keeper = draw_goalkeeper(random);
+        let mut others = Vec::new();
+        others.extend(setup.goalkeeper.then_some(keeper));
+        for index in 0..setup.robots {
+            others.extend(draw_other(&start, &others, index % 2 == 0, random));
+        }
+        Self { start, attacks, braking, others }
+    }
+}
+
+/// The ball in the attacked half, the robot 0.8 to 2.2 m from it and heading anywhere.
+fn draw_start(random: &mut Random) -> Start {
+    let ball = Vec2::new(random.between(0.3, 1.6), random.between(-1.0, 1.0));
+    let heading = random.between(-PI, PI);
+    loop {
+        let away = rotate(Vec2::X, random.between(-PI, PI)) * random.between(0.8, 2.2);
+        let position = ball + away;
+        if position.x.abs() < CORNER.x - 0.4 && position.y.abs() < CORNER.y - 0.3 {
+            return Start { robot: Pose2 { position, heading }, ball };
+        }
+    }
+}
+
+/// A bit off the middle of the goal, before the line.
+fn draw_goalkeeper(random: &mut Random) -> Other {
+    let side = random.between(0.08, 0.28) * if random.chance(0.5) { 1.0 } else { -1.0 };
+    let pose = Pose2::new(CORNER.x - random.between(0.02, 0.12), side, PI + random.between(-0.2, 0.2));
+    Other { pose, mate: false }
+}
+
+/// Anywhere, but out of the way between robot, ball and goal; none if no such place is found.
+fn draw_other(start: &Start, others: &[Other], mate: bool, random: &mut Random) -> Option<Other> {
+    let goal = Vec2::new(POST.x, 0.0);
+    for _ in 0..200 {
+        let position = Vec2::new(random.between(-2.7, 2.7), random.between(-1.8, 1.8));
+        let heading = random.between(-PI, PI);
+        let clear = distance_to_path(position, start.robot.position, start.ball) > 0.5
+            && distance_to_path(position, start.ball, goal) > 0.5
+            && others.iter().all(|other| other.pose.position.distance(position) > 0.5);
+        if clear {
+            return Some(Other { pose: Pose2 { position, heading }, mate });
+        }
+    }
+    None
+}
+
+fn distance_to_path(point: Vec2, from: Vec2, to: Vec2) -> f32 {
+    let along = to - from;
+    let t = ((point - from).dot(along) / along.length_squared()).clamp(0.0, 1.0);
+    point.distance(from + t * along)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::random::Stream;
+
+    #[test]
+    fn starts_are_as_promised_and_every_robot_finds_a_place() {
+        let mut yellow = 0;
+        for seed in 0..500 {
+            let setup = Setup { seed, robots: 8, ..Setup::default() };
+            let layout = Layout::new(&setup, &mut Random::new(seed, Stream::Start));
+            let Start { robot, ball } = layout.start;
+            assert!((0.3..=1.6).contains(&ball.x) && ball.y.abs() <= 1.0);
+            assert!((0.8..=2.2).contains(&robot.position.distance(ball)));
+            assert_eq!(Setup { start: Some(layout.start), ..setup }.check(), Ok(()));
+            assert!(layout.others.len() >= 8, "seed {seed}: {}", layout.others.len());
+            assert!((0.3..=0.4).contains(&layout.braking));
+            yellow += usize::from(layout.attacks == GoalColour::Yellow);
+        }
+        assert!((200..300).contains(&yellow), "{yellow}");
+    }
+
+    #[test]
+    fn a_given_start_changes_nothing_else() {
+        let drawn = Layout::new(&Setup::default(), &mut Random::new(0, Stream::Start));
+        let start = Start { robot: Pose2::new(-1.0, 0.0, 0.0), ball: Vec2::new(0.0, 0.5) };
+        let setup = Setup { start: Some(start), ..Setup::default() };
+        let given = Layout::new(&setup, &mut Random::new(0, Stream::Start));
+        assert_eq!(given, Layout { start, ..drawn });
+    }
+}

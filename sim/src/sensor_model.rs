@@ -1,0 +1,65 @@
+//! Resolution, range and noise of the body's sensors, common to both simulators.
+
+use core::f32::consts::TAU;
+
+use bica_motion::joints::Joints;
+use bica_motion::robot::FootPressure;
+use libm::roundf;
+
+/// Gravity, m/s².
+pub(crate) const GRAVITY: f32 = 9.81;
+/// Standard deviation of the gyroscope, rad/s. Source: variance in B-Human 2023 `NaoProvider.h`.
+pub(crate) const GYRO_NOISE: f32 = 0.001_97;
+/// Standard deviation of the accelerometer, m/s². Source: as for the gyroscope.
+pub(crate) const ACCELERATION_NOISE: f32 = 0.0193;
+/// Standard deviation of the estimated torso angles, rad (our estimate).
+pub(crate) const ANGLE_NOISE: f32 = 0.002;
+/// Standard deviation of a pressure sensor under load, N (our estimate).
+pub(crate) const PRESSURE_NOISE: f32 = 0.2;
+/// Range of the accelerometer, m/s² (±2 g).
+pub(crate) const ACCELEROMETER_RANGE: f32 = 2.0 * GRAVITY;
+/// Resolution of a joint's encoder, rad: 12 bits per turn.
+const ENCODER_RESOLUTION: f32 = TAU / 4096.0;
+
+/// Rounds joint angles to the resolution of the encoders.
+pub(crate) fn encode(angles: &Joints) -> Joints {
+    Joints(angles.0.map(|angle| ENCODER_RESOLUTION * roundf(angle / ENCODER_RESOLUTION)))
+}
+
+/// Adds noise, N, to the forces on a sole; a sole without load reads exactly 0.
+pub(crate) fn measure_pressure(force: &FootPressure, mut noise: impl FnMut() -> f32) -> FootPressure {
+    let mut measure = |force: f32| (force + noise()).max(0.0);
+    let measured = FootPressure {
+        front_left: measure(force.front_left),
+        front_right: measure(force.front_right),
+        rear_left: measure(force.rear_left),
+        rear_right: measure(force.rear_right),
+    };
+    if force.total() > 0.0 { measured } else { FootPressure::default() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_foot_in_the_air_measures_nothing() {
+        assert_eq!(measure_pressure(&FootPressure::default(), || 0.5), FootPressure::default());
+    }
+
+    #[test]
+    fn noise_never_makes_a_pressure_negative() {
+        let force = FootPressure { front_left: 1.0, ..FootPressure::default() };
+        let measured = measure_pressure(&force, || -0.5);
+        assert_eq!(measured, FootPressure { front_left: 0.5, ..FootPressure::default() });
+    }
+
+    #[test]
+    fn an_encoder_rounds_to_the_nearest_of_4096_steps_per_turn() {
+        let step = TAU / 4096.0;
+        let read = encode(&Joints::all(10.4 * step)).0[0];
+        assert!((read - 10.0 * step).abs() < 1e-7, "{read}");
+        let read = encode(&Joints::all(-10.6 * step)).0[0];
+        assert!((read + 11.0 * step).abs() < 1e-7, "{read}");
+    }
+}

@@ -1,0 +1,69 @@
+use std::thread;
+
+use bica_motion::joints::{JOINTS, Joints};
+use bica_motion::robot::CameraId;
+use bica_motion::stand::STAND;
+use bica_sim::World;
+use bica_sim::kinematic::KinematicWorld;
+use bica_sim::setup::Setup;
+
+use crate::support::command;
+
+/// Everything that a game of wild motions gave, as one list of bytes and words.
+fn game(seed: u64, look_every: u32) -> (Vec<u8>, Vec<u32>, String) {
+    let mut world = KinematicWorld::new(&Setup { seed, robots: 2, ..Setup::default() }).expect("a good setup");
+    let mut images = Vec::new();
+    let mut words = Vec::new();
+    for cycle in 0..400_u32 {
+        if cycle % look_every == 0 {
+            let sensors = world.sensors();
+            images.extend(sensors.image.iter().flat_map(|image| image.yuyv));
+            words.extend(sensors.angles.0.map(f32::to_bits));
+            words.extend(sensors.inertial.gyro.to_array().map(f32::to_bits));
+            words.push(sensors.left_foot.total().to_bits());
+        }
+        let wave = |i: usize| 0.2 * libm::sinf(cycle as f32 * 0.07 * (1.0 + i as f32 / JOINTS as f32));
+        let targets = Joints(core::array::from_fn(|i| STAND.0[i] + wave(i)));
+        let camera = if cycle % 100 < 50 { CameraId::Top } else { CameraId::Bottom };
+        world.act(&bica_motion::robot::Command { camera, ..command(targets) });
+    }
+    (images, words, format!("{:?}", world.referee()))
+}
+
+#[test]
+fn the_same_seed_and_commands_give_the_same_game_in_every_thread() {
+    let first = game(11, 1);
+    assert_eq!(first.0.len(), 120 * 320 * 240 * 2);
+    let threads: Vec<_> = (0..2).map(|_| thread::spawn(|| game(11, 1))).collect();
+    for thread in threads {
+        assert!(thread.join().expect("the game ends") == first);
+    }
+}
+
+#[test]
+fn other_seeds_give_other_games() {
+    assert!(game(11, 1) != game(12, 1));
+}
+
+#[test]
+fn looking_changes_nothing() {
+    let (_, words, truth) = game(11, 1);
+    let (_, fewer_words, same_truth) = game(11, 10);
+    assert_eq!(truth, same_truth);
+    let per_look = words.len() / 400;
+    let looked: Vec<u32> = words.chunks(per_look).step_by(10).flatten().copied().collect();
+    assert_eq!(looked, fewer_words);
+}
+
+#[test]
+fn sensors_say_the_same_twice_in_a_cycle() {
+    let mut world = KinematicWorld::new(&Setup::default()).expect("a good setup");
+    for _ in 0..10 {
+        let first = world.sensors();
+        let (inertial, image) = (first.inertial, first.image.map(|image| image.yuyv.to_vec()));
+        let second = world.sensors();
+        assert_eq!(second.inertial, inertial);
+        assert_eq!(second.image.map(|image| image.yuyv.to_vec()), image);
+        world.act(&command(STAND));
+    }
+}

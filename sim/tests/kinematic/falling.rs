@@ -1,0 +1,135 @@
+use core::time::Duration;
+
+use bica_motion::fall::Direction;
+use bica_motion::getup::GetUp;
+use bica_motion::joints::{Joint, Joints};
+use bica_motion::pose::Pose2;
+use bica_motion::robot::Command;
+use bica_motion::side::Side;
+use bica_motion::stand::STAND;
+use bica_sim::World;
+use bica_sim::kinematic::KinematicWorld;
+use bica_sim::referee::{Event, Posture};
+use glam::Vec2;
+
+use crate::support::{TOGETHER, alone, command, glide, swayed};
+
+fn world() -> KinematicWorld {
+    alone(2, Pose2::new(-1.0, 0.3, 0.7), Vec2::new(2.0, 1.5))
+}
+
+/// Leans over until it falls.
+fn fall(world: &mut KinematicWorld, to: Direction) {
+    let mut posture = STAND;
+    match to {
+        Direction::Front | Direction::Back => {
+            let lean = if to == Direction::Front { -0.6 } else { 0.6 };
+            posture[Joint::LAnklePitch] += lean;
+            posture[Joint::RAnklePitch] += lean;
+            for _ in 0..60 {
+                world.act(&command(posture));
+            }
+        }
+        Direction::Left | Direction::Right => {
+            let side = if to == Direction::Left { Side::Left } else { Side::Right };
+            let mut lifted = TOGETHER;
+            lifted[side.index()].2 = 0.03;
+            glide(world, TOGETHER, lifted, 10);
+            glide(world, lifted, lifted, 50);
+        }
+    }
+}
+
+#[test]
+fn a_robot_without_balance_falls_to_the_side_where_it_lost_it() {
+    for to in Direction::ALL {
+        let mut world = world();
+        fall(&mut world, to);
+        assert_eq!(world.referee().posture(), Posture::Down(to));
+        assert_eq!(world.referee().count(|event| *event == Event::Fall(to)), 1);
+        for _ in 0..100 {
+            world.act(&command(STAND));
+        }
+        let inertial = world.sensors().inertial;
+        assert!((inertial.acceleration - to.gravity()).length() < 0.5, "{to:?}: {}", inertial.acceleration);
+        assert_eq!(world.sensors().left_foot.total(), 0.0);
+    }
+}
+
+#[test]
+fn a_short_loss_of_balance_is_forgiven() {
+    for (cycles, falls) in [(13, 0), (30, 1)] {
+        let mut world = world();
+        let mut lifted = TOGETHER;
+        lifted[0].2 = 0.012;
+        glide(&mut world, TOGETHER, lifted, 1);
+        glide(&mut world, lifted, lifted, cycles);
+        glide(&mut world, TOGETHER, TOGETHER, 30);
+        assert_eq!(world.referee().falls(), falls, "{cycles}");
+    }
+}
+
+#[test]
+fn a_robot_over_its_carrying_foot_stands_on_it() {
+    let mut world = world();
+    let mut lifted = swayed(Side::Left);
+    lifted[1].2 = 0.04;
+    glide(&mut world, TOGETHER, swayed(Side::Left), 50);
+    glide(&mut world, swayed(Side::Left), lifted, 30);
+    glide(&mut world, lifted, lifted, 200);
+    assert_eq!(world.referee().falls(), 0);
+}
+
+#[test]
+fn legs_that_are_let_go_do_not_carry() {
+    let mut world = world();
+    for _ in 0..100 {
+        world.act(&Command { stiffness: Joints::all(0.0), ..command(STAND) });
+    }
+    assert_eq!(world.referee().falls(), 1);
+}
+
+#[test]
+fn it_gets_up_where_it_lies_by_the_movement_for_its_side() {
+    for to in Direction::ALL {
+        let mut world = world();
+        fall(&mut world, to);
+        for _ in 0..100 {
+            world.act(&command(STAND));
+        }
+        let lying = world.referee().robot();
+        get_up(&mut world, to);
+        let end = world.now();
+        assert_eq!(world.referee().posture(), Posture::Upright, "{to:?}");
+        assert!(world.referee().robot().position.distance(lying.position) < 0.02);
+        assert!((world.referee().robot().heading - 0.7).abs() < 0.1);
+        let last = world.referee().events().last().expect("something happened");
+        assert_eq!(last.event, Event::GotUp);
+        assert!(last.at < end + Duration::from_millis(200));
+        for _ in 0..300 {
+            world.act(&command(STAND));
+        }
+        assert_eq!(world.referee().posture(), Posture::Upright);
+    }
+}
+
+#[test]
+fn standing_still_on_the_ground_gets_nobody_up() {
+    let mut world = world();
+    fall(&mut world, Direction::Front);
+    for _ in 0..1_000 {
+        world.act(&command(STAND));
+    }
+    assert_eq!(world.referee().posture(), Posture::Down(Direction::Front));
+}
+
+fn get_up(world: &mut KinematicWorld, lying: Direction) {
+    let mut movement = GetUp::new(lying, 0, world.sensors().angles);
+    while !movement.is_done() {
+        let (targets, stiffness) = movement.step(&world.sensors().inertial, 0.01);
+        world.act(&Command { stiffness: Joints::all(stiffness), ..command(targets) });
+    }
+    for _ in 0..10 {
+        world.act(&command(STAND));
+    }
+}

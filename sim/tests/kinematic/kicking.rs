@@ -1,0 +1,101 @@
+use core::time::Duration;
+
+use bica_motion::pose::Pose2;
+use bica_motion::side::Side;
+use bica_motion::stand::STAND;
+use bica_motion::walk::{Feedback, Parameters, Velocity, Walk, in_walk_kick_foot};
+use bica_sim::kinematic::KinematicWorld;
+use bica_sim::referee::Event;
+use bica_sim::{CYCLE_SECONDS, World};
+use glam::Vec2;
+
+use crate::support::{TOGETHER, alone, command, glide, swayed};
+
+/// Stands on one foot, swings the other one back and then forward at full speed.
+fn kick(world: &mut KinematicWorld, foot: Side) {
+    let swung = |x: f32, lift: f32| {
+        let mut feet = swayed(foot.other());
+        feet[foot.index()].0 += x;
+        feet[foot.index()].2 = lift;
+        feet
+    };
+    glide(world, TOGETHER, swung(0.0, 0.0), 50);
+    glide(world, swung(0.0, 0.0), swung(-0.07, 0.03), 40);
+    glide(world, swung(-0.07, 0.03), swung(0.09, 0.02), 12);
+    glide(world, swung(0.09, 0.02), swung(0.0, 0.02), 30);
+    glide(world, swung(0.0, 0.02), swung(0.0, 0.0), 30);
+}
+
+fn stand(world: &mut KinematicWorld, seconds: u32) {
+    for _ in 0..100 * seconds {
+        world.act(&command(STAND));
+    }
+}
+
+#[test]
+fn a_kicked_ball_goes_where_the_foot_swung_and_into_the_goal() {
+    for foot in Side::BOTH {
+        let robot = Pose2::new(1.6, 0.0, 0.0);
+        let ball = robot.place(Vec2::new(0.17, 0.055 * foot.sign()));
+        let mut world = alone(4, robot, ball);
+        kick(&mut world, foot);
+        let speed = world.referee().ball_velocity();
+        assert!(speed.x > 1.0 && speed.y.abs() < 0.35 * speed.x, "{foot:?}: {speed}");
+        assert_eq!(world.referee().count(|event| *event == Event::Touch { foot }), 1);
+        assert_eq!(world.referee().count(|event| matches!(event, Event::Kick { foot: by, .. } if *by == foot)), 1);
+        stand(&mut world, 2);
+        assert_eq!(world.referee().goals(), 1);
+        assert_eq!((world.referee().own_goals(), world.referee().falls()), (0, 0));
+        stand(&mut world, 4);
+        assert_eq!(world.referee().ball(), Vec2::ZERO);
+        assert_eq!(world.referee().goals(), 1);
+    }
+}
+
+#[test]
+fn a_ball_kicked_over_the_side_line_comes_back() {
+    let robot = Pose2::new(0.5, 1.5, core::f32::consts::FRAC_PI_2);
+    let mut world = alone(4, robot, robot.place(Vec2::new(0.17, 0.055)));
+    kick(&mut world, Side::Left);
+    stand(&mut world, 3);
+    assert_eq!(world.referee().outs(), 1);
+    let events = world.referee().events();
+    let out = events.iter().find(|happened| happened.event == Event::BallOut).expect("the ball was out");
+    let placed = events.iter().find(|happened| matches!(happened.event, Event::BallPlaced { .. })).expect("it is back");
+    assert_eq!(placed.at, out.at + Duration::from_secs(1));
+    let ball = world.referee().ball();
+    assert!(ball.y.abs() < 2.0 && ball.distance(robot.position) > 0.2, "{ball}");
+}
+
+#[test]
+fn a_ball_that_nobody_touches_lies_still() {
+    let mut world = alone(4, Pose2::ORIGIN, Vec2::new(1.0, 0.5));
+    stand(&mut world, 3);
+    assert_eq!(world.referee().ball(), Vec2::new(1.0, 0.5));
+    assert!(world.referee().events().is_empty());
+}
+
+#[test]
+fn a_ball_before_a_walking_foot_is_kicked_on_without_a_halt() {
+    for foot in Side::BOTH {
+        let half = Parameters::BUILT_IN.half_spacing;
+        let robot = Pose2::new(-1.5, 0.0, 0.0);
+        let ball = robot.place(Vec2::new(0.44, foot.sign() * half));
+        let mut world = alone(4, robot, ball);
+        let mut walk = Walk::new(&Parameters::BUILT_IN);
+        let mut kicked = false;
+        for _ in 0..1000 {
+            let at = world.referee().robot().locate(world.referee().ball());
+            if let Some(foot) = in_walk_kick_foot(at, half) {
+                walk.request_kick(foot);
+            }
+            kicked |= at.x > 0.5 || world.referee().ball_velocity().x > 0.3;
+            let ahead = if kicked { Velocity::ZERO } else { Velocity::new(0.15, 0.0, 0.0) };
+            let targets = walk.step(ahead, &Feedback::from(&world.sensors()), CYCLE_SECONDS).joints();
+            world.act(&command(targets));
+        }
+        let way = world.referee().ball() - ball;
+        assert!(way.x > 0.7 && way.y.abs() < 0.25 * way.x, "{foot:?}: {way}");
+        assert_eq!(world.referee().falls(), 0);
+    }
+}

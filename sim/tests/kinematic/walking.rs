@@ -1,0 +1,96 @@
+use bica_motion::pose::Pose2;
+use bica_motion::side::Side;
+use bica_motion::stand::Stiffness;
+use bica_motion::walk::{Feedback, Parameters, Velocity, Walk};
+use bica_sim::World;
+use bica_sim::kinematic::KinematicWorld;
+use bica_sim::referee::Event;
+use glam::Vec2;
+
+use crate::support::{SWAY, alone, command, glide};
+
+/// One slow step: the hips go over the carrying foot, the other one is lifted, set down ahead, and the hips follow.
+fn step(world: &mut KinematicWorld, swing: Side, behind: f32, ahead: f32) {
+    let feet = |swing_x: f32, lift: f32, support_x: f32| {
+        let mut feet = [(support_x, 0.05 + swing.sign() * SWAY, 0.0), (support_x, -0.05 + swing.sign() * SWAY, 0.0)];
+        feet[swing.index()].0 = swing_x;
+        feet[swing.index()].2 = lift;
+        feet
+    };
+    let over_other = |x: f32| {
+        let feet = feet(x, 0.0, 0.0);
+        let swung = feet[swing.index()].0;
+        feet.map(|(x, y, lift)| (x - swung, y - 2.0 * swing.sign() * SWAY, lift))
+    };
+    glide(world, feet(behind, 0.0, 0.0), feet(behind, 0.02, 0.0), 20);
+    glide(world, feet(behind, 0.02, 0.0), feet(ahead, 0.02, 0.0), 40);
+    glide(world, feet(ahead, 0.02, 0.0), feet(ahead, 0.0, 0.0), 20);
+    glide(world, feet(ahead, 0.0, 0.0), over_other(ahead), 50);
+}
+
+#[test]
+fn feet_set_by_hand_carry_the_robot_as_far_as_they_step() {
+    let mut world = alone(3, Pose2::new(-2.0, 0.0, 0.0), Vec2::new(2.0, 1.5));
+    let start = [(0.0, 0.05, 0.0), (0.0, -0.05, 0.0)];
+    let over_right = start.map(|(x, y, lift)| (x, y + SWAY, lift));
+    glide(&mut world, start, over_right, 60);
+    let before = world.referee().robot().position;
+    for index in 0..10 {
+        let behind = if index == 0 { 0.0 } else { -0.04 };
+        step(&mut world, if index % 2 == 0 { Side::Left } else { Side::Right }, behind, 0.04);
+    }
+    let way = world.referee().robot().position - before;
+    assert_eq!(world.referee().falls(), 0);
+    assert!((way.x - 0.4).abs() < 0.04, "{way}");
+    assert!(way.y.abs() < 0.06, "{way}");
+}
+
+#[test]
+fn the_walk_goes_where_it_is_told() {
+    for (velocity, least) in [
+        (Velocity::new(0.1, 0.0, 0.0), Pose2::new(0.5, 0.0, 0.0)),
+        (Velocity::new(-0.1, 0.0, 0.0), Pose2::new(-0.4, 0.0, 0.0)),
+        (Velocity::new(0.0, 0.08, 0.0), Pose2::new(0.0, 0.3, 0.0)),
+        (Velocity::new(0.0, 0.0, 0.25), Pose2::new(0.0, 0.0, 1.5)),
+    ] {
+        let way = walk(&mut alone(5, Pose2::ORIGIN, Vec2::new(2.0, 1.5)), velocity, 1_000, |_| ());
+        let along = |of: f32, least: f32| least == 0.0 || of / least >= 1.0;
+        assert!(along(way.position.x, least.position.x), "{velocity:?}: {way:?}");
+        assert!(along(way.position.y, least.position.y), "{velocity:?}: {way:?}");
+        assert!(along(way.heading, least.heading), "{velocity:?}: {way:?}");
+    }
+}
+
+#[test]
+fn nothing_passes_through_a_goal_post() {
+    let mut world = alone(5, Pose2::new(2.5, 0.7, 0.0), Vec2::new(0.0, 1.5));
+    let mut nearest = f32::INFINITY;
+    let mut pressed = false;
+    walk(&mut world, Velocity::new(0.15, 0.0, 0.0), 1_000, |world| {
+        let buttons = world.sensors().buttons;
+        pressed |= buttons.left_bumper || buttons.right_bumper;
+        nearest = nearest.min(world.referee().robot().position.distance(Vec2::new(3.05, 0.7)));
+    });
+    assert!((0.1399..0.25).contains(&nearest), "{nearest}");
+    assert!(pressed && world.referee().count(|event| *event == Event::Collision) > 0);
+}
+
+/// Walks, watched in every cycle, and tells how far it came, seen from where it was.
+fn walk(
+    world: &mut KinematicWorld,
+    velocity: Velocity,
+    cycles: u32,
+    mut watch: impl FnMut(&mut KinematicWorld),
+) -> Pose2 {
+    let mut walk = Walk::new(&Parameters::BUILT_IN);
+    let start = world.referee().robot();
+    for _ in 0..cycles {
+        let sensors = world.sensors();
+        let limbs = walk.step(velocity, &Feedback::from(&sensors), 0.01);
+        let stiffness = Stiffness::Walk.joints();
+        world.act(&bica_motion::robot::Command { stiffness, ..command(limbs.joints()) });
+        watch(world);
+    }
+    assert_eq!(world.referee().falls(), 0, "{velocity:?}");
+    start.inverse() * world.referee().robot()
+}

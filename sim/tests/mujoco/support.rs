@@ -1,0 +1,37 @@
+//! A world and a robot in it that does as it is told.
+
+use bica_motion::joints::Joints;
+use bica_motion::pose::Pose2;
+use bica_motion::robot::{CameraId, Command, Lights};
+use bica_motion::stand::STAND;
+use bica_sim::World;
+use bica_sim::mujoco::{MujocoWorld, Physics};
+use bica_sim::setup::{Setup, Start};
+use glam::Vec2;
+
+/// Physics without cameras.
+pub(crate) fn blind() -> Physics {
+    Physics { cameras: false, ..Physics::default() }
+}
+
+/// A robot alone in the middle, the ball out of its way.
+pub(crate) fn alone(seed: u64, physics: &Physics) -> MujocoWorld {
+    let start = Some(Start { robot: Pose2::ORIGIN, ball: Vec2::new(1.0, 1.5) });
+    world(&Setup { seed, goalkeeper: false, start, ..Setup::default() }, physics)
+}
+
+pub(crate) fn world(setup: &Setup, physics: &Physics) -> MujocoWorld {
+    MujocoWorld::new(setup, physics).unwrap()
+}
+
+pub(crate) fn command(targets: Joints, stiffness: f32) -> Command {
+    let camera = CameraId::Top;
+    Command { targets, stiffness: Joints::all(stiffness), lights: Lights::default(), camera }
+}
+
+/// Stands for some cycles.
+pub(crate) fn stand(world: &mut MujocoWorld, cycles: u32) {
+    for _ in 0..cycles {
+        world.act(&command(STAND, 1.0));
+    }
+}

@@ -1,0 +1,158 @@
+//! The map of the field: what is true, and what the robot believes.
+
+use bica_motion::pose::Pose2;
+use bica_sim::referee::GoalColour;
+use glam::Vec2;
+
+use super::canvas::{Area, Canvas, Ink, Rgb};
+use super::palette::{BALL, BELIEF, BLUE, CARPET, LINE, OTHER, ROBOT, TEXT, YELLOW, sheer};
+use super::scene::{Beliefs, Truth};
+use super::text::Font;
+
+/// Half the carpet, m.
+const CARPET_HALF: Vec2 = Vec2::new(3.70, 2.70);
+/// Half the field, line centres, m.
+const FIELD_HALF: Vec2 = Vec2::new(3.0, 2.0);
+/// Half the distance between the posts of a goal, its line and its depth, m.
+const GOAL: (f32, f32, f32) = (0.70, 3.05, 3.50);
+
+/// A map of the field of 2009, the attacked goal to the right.
+pub struct Map {
+    canvas: Canvas,
+    /// Pixels per metre.
+    scale: f32,
+}
+
+impl Map {
+    /// An empty field, `width` pixels wide.
+    pub fn new(width: usize, attacks: GoalColour) -> Self {
+        let scale = width as f32 / (2.0 * CARPET_HALF.x);
+        let mut map = Self { canvas: Canvas::new(width, (2.0 * CARPET_HALF.y * scale) as usize, CARPET), scale };
+        map.lines();
+        map.goal(1.0, attacks);
+        map.goal(-1.0, attacks.other());
+        map
+    }
+
+    /// The map drawn.
+    pub fn into_canvas(self) -> Canvas {
+        self.canvas
+    }
+
+    /// Draws where everything truly is.
+    pub fn truth(&mut self, truth: &Truth) {
+        let trail: Vec<Vec2> = truth.trail.iter().map(|p| self.at(*p)).collect();
+        self.canvas.polyline(&trail, 1.5, sheer(BALL, 0.6));
+        for other in &truth.others {
+            self.robot(other, OTHER);
+        }
+        self.robot(&truth.robot, ROBOT);
+        let at = self.at(truth.ball);
+        ball(&mut self.canvas, at);
+    }
+
+    /// Draws where the robot believes that things are.
+    pub fn beliefs(&mut self, beliefs: &Beliefs) {
+        let pose = &beliefs.robot;
+        let here = self.at(pose.position);
+        self.canvas.dashed_ring(here, 0.17 * self.scale, 2.0, BELIEF);
+        let nose = self.at(pose.place(Vec2::new(0.3, 0.0)));
+        self.canvas.line(here, nose, 2.0, BELIEF);
+        if let Some(ball) = beliefs.ball {
+            let ball = self.at(pose.place(ball));
+            self.canvas.dashed(here, ball, 1.0, 4.0, sheer(BELIEF, 0.8));
+            self.canvas.ring(ball, 9.0, 2.0, BELIEF);
+        }
+        if let Some(goal) = beliefs.goal {
+            let goal = self.at(pose.place(goal));
+            cross(&mut self.canvas, goal, 9.0);
+        }
+    }
+
+    fn at(&self, field: Vec2) -> Vec2 {
+        self.scale * Vec2::new(field.x + CARPET_HALF.x, CARPET_HALF.y - field.y)
+    }
+
+    fn lines(&mut self) {
+        let width = 0.05 * self.scale;
+        let mut boxes = vec![(-FIELD_HALF, FIELD_HALF)];
+        for side in [-1.0, 1.0] {
+            boxes.push((Vec2::new(side * 2.4, -1.5), Vec2::new(side * FIELD_HALF.x, 1.5)));
+        }
+        for (from, to) in boxes {
+            let corners = [from, Vec2::new(to.x, from.y), to, Vec2::new(from.x, to.y), from].map(|p| self.at(p));
+            self.canvas.polyline(&corners, width, LINE);
+        }
+        self.canvas.line(self.at(Vec2::new(0.0, -FIELD_HALF.y)), self.at(Vec2::new(0.0, FIELD_HALF.y)), width, LINE);
+        self.canvas.ring(self.at(Vec2::ZERO), 0.6 * self.scale, width, LINE);
+        for x in [-1.2, 0.0, 1.2] {
+            self.mark(Vec2::new(x, 0.0), width);
+        }
+    }
+
+    fn mark(&mut self, at: Vec2, width: f32) {
+        for arm in [Vec2::new(0.05, 0.0), Vec2::new(0.0, 0.05)] {
+            self.canvas.line(self.at(at - arm), self.at(at + arm), width, LINE);
+        }
+    }
+
+    fn goal(&mut self, side: f32, colour: GoalColour) {
+        let rgb = match colour {
+            GoalColour::Yellow => YELLOW,
+            GoalColour::SkyBlue => BLUE,
+        };
+        let (half, line, depth) = GOAL;
+        let net = [self.at(Vec2::new(side * line, half)), self.at(Vec2::new(side * depth, -half))];
+        self.canvas.slab(Area::around(&net, 0.0), 2.0, sheer(rgb, 0.35));
+        for y in [-half, half] {
+            self.canvas.disc(self.at(Vec2::new(side * line, y)), 0.07 * self.scale, rgb);
+        }
+        self.canvas.line(self.at(Vec2::new(side * line, -half)), self.at(Vec2::new(side * line, half)), 2.0, rgb);
+    }
+
+    fn robot(&mut self, pose: &Pose2, ink: impl Into<Ink>) {
+        let ink = ink.into();
+        let nose = pose.place(Vec2::new(0.28, 0.0));
+        self.canvas.line(self.at(pose.position), self.at(nose), 1.5, TEXT);
+        let body = [(0.1, 0.0), (0.02, 0.14), (-0.08, 0.12), (-0.08, -0.12), (0.02, -0.14)]
+            .map(|(x, y)| self.at(pose.place(Vec2::new(x, y))));
+        self.canvas.polygon(&body, ink);
+        let mut edge = body.to_vec();
+        edge.push(body[0]);
+        self.canvas.polyline(&edge, 1.0, TEXT);
+        self.canvas.disc(self.at(pose.position), 0.05 * self.scale, TEXT);
+    }
+}
+
+/// Explains the signs of the map, in one line from `at`.
+pub fn legend(canvas: &mut Canvas, at: Vec2) {
+    let mut x = at.x;
+    let mut entry = |sign: &dyn Fn(&mut Canvas, Vec2), words: &str| {
+        sign(canvas, Vec2::new(x + 6.0, at.y + 6.0));
+        canvas.write(Vec2::new(x + 17.0, at.y), Font::Normal, TEXT, words);
+        x += 31.0 + Font::Normal.width(words);
+    };
+    entry(&|canvas, at| ball(canvas, at), "ball");
+    entry(&|canvas, at| square(canvas, at, ROBOT), "robot");
+    entry(&|canvas, at| square(canvas, at, OTHER), "others");
+    entry(&|canvas, at| canvas.dashed_ring(at, 6.0, 2.0, BELIEF), "believed: robot,");
+    entry(&|canvas, at| canvas.ring(at, 6.0, 2.0, BELIEF), "ball,");
+    entry(&|canvas, at| cross(canvas, at, 6.0), "goal");
+}
+
+fn ball(canvas: &mut Canvas, at: Vec2) {
+    canvas.disc(at, 5.0, BALL);
+    canvas.ring(at, 5.0, 1.0, TEXT);
+}
+
+fn square(canvas: &mut Canvas, at: Vec2, rgb: Rgb) {
+    let area = Area { from: at - 6.0, to: at + 6.0 };
+    canvas.slab(area, 2.0, rgb);
+    canvas.outline(area, 2.0, 1.0, TEXT);
+}
+
+fn cross(canvas: &mut Canvas, at: Vec2, size: f32) {
+    for arm in [Vec2::splat(size), Vec2::new(size, -size)] {
+        canvas.line(at - arm, at + arm, 2.0, BELIEF);
+    }
+}

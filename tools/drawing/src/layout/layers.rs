@@ -1,0 +1,155 @@
+//! Which box is in which row and where in it: rows by the longest way from the root, sorted so that few lines cross.
+
+use std::collections::BTreeMap;
+
+use bica::check::{CAPACITY, ranks};
+use bica::graph::{Graph, LinkKind};
+
+/// How often the rows are sorted by their neighbours.
+const SWEEPS: usize = 24;
+
+/// What has a place in a row.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Item {
+    /// A component.
+    Component(usize),
+    /// Where the lines to a component further below pass.
+    Passage,
+}
+
+/// A stretch of one or more links between neighbouring rows, with indices of items.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Segment {
+    pub upper: usize,
+    pub lower: usize,
+    /// Whether the link leads up, which only happens in a cycle.
+    pub upward: bool,
+    pub kind: LinkKind,
+}
+
+/// The rows of a drawing.
+#[derive(Debug)]
+pub struct Layers {
+    /// The components in the order of the tree, and behind them the passages.
+    pub items: Vec<Item>,
+    pub segments: Vec<Segment>,
+    /// The items of each row from left to right.
+    pub rows: Vec<Vec<usize>>,
+}
+
+impl Layers {
+    pub fn new(graph: &Graph) -> Self {
+        let depths = depths(graph);
+        let count = depths.iter().max().map_or(0, |depth| depth + 1);
+        let mut layers = Self {
+            items: (0..graph.nodes.len()).map(Item::Component).collect(),
+            segments: Vec::new(),
+            rows: vec![Vec::new(); count],
+        };
+        depths.iter().enumerate().for_each(|(node, &depth)| layers.rows[depth].push(node));
+        layers.connect(graph, &depths);
+        layers.sort();
+        layers
+    }
+
+    /// Leads all links down from row to row. Links of one kind to one component share their passages.
+    fn connect(&mut self, graph: &Graph, depths: &[usize]) {
+        let mut passages = BTreeMap::new();
+        for (from, node) in graph.nodes.iter().enumerate() {
+            for link in node.links.iter().filter(|link| link.to != from) {
+                let upward = depths[link.to] < depths[from];
+                let (top, bottom) = if upward { (link.to, from) } else { (from, link.to) };
+                let mut upper = top;
+                for row in depths[top] + 1..depths[bottom] {
+                    let key = (bottom, row, link.kind == LinkKind::Modulation, upward.then_some(top));
+                    let lower = *passages.entry(key).or_insert_with(|| {
+                        self.items.push(Item::Passage);
+                        self.rows[row].push(self.items.len() - 1);
+                        self.items.len() - 1
+                    });
+                    self.segments.push(Segment { upper, lower, upward, kind: link.kind });
+                    upper = lower;
+                }
+                self.segments.push(Segment { upper, lower: bottom, upward, kind: link.kind });
+            }
+        }
+        self.segments.sort_by_key(|s| (s.upper, s.lower, s.upward, s.kind == LinkKind::Modulation));
+        self.segments.dedup();
+    }
+
+    /// Sorts each row by where its neighbours in the rows above and below are, and keeps the best that was seen.
+    fn sort(&mut self) {
+        let mut best = (self.crossings(), self.rows.clone());
+        for sweep in 0..SWEEPS {
+            let downward = sweep % 2 == 0;
+            for step in 1..self.rows.len() {
+                let row = if downward { step } else { self.rows.len() - 1 - step };
+                self.sort_row(row, downward);
+            }
+            let crossings = self.crossings();
+            if crossings < best.0 {
+                best = (crossings, self.rows.clone());
+            }
+        }
+        self.rows = best.1;
+    }
+
+    fn sort_row(&mut self, row: usize, by_upper: bool) {
+        let places = self.places();
+        let mean = |item: usize| {
+            let neighbours = self.neighbours(item, by_upper).map(|other| places[other]);
+            let (sum, count) = neighbours.fold((0.0, 0.0), |(sum, count), place| (sum + place, count + 1.0));
+            if count > 0.0 { sum / count } else { places[item] }
+        };
+        let mut sorted: Vec<(f64, usize)> = self.rows[row].iter().map(|&item| (mean(item), item)).collect();
+        sorted.sort_by(|a, b| a.0.total_cmp(&b.0));
+        self.rows[row] = sorted.into_iter().map(|(_, item)| item).collect();
+    }
+
+    /// The items above, or below, with a line to this one.
+    pub fn neighbours(&self, item: usize, upper: bool) -> impl Iterator<Item = usize> {
+        let ends = self.segments.iter().map(move |s| if upper { (s.lower, s.upper) } else { (s.upper, s.lower) });
+        ends.filter(move |&(this, _)| this == item).map(|(_, other)| other)
+    }
+
+    /// Where each item is in its row, from 0 to 1.
+    fn places(&self) -> Vec<f64> {
+        let mut places = vec![0.0; self.items.len()];
+        for row in &self.rows {
+            for (place, &item) in row.iter().enumerate() {
+                places[item] = (place as f64 + 0.5) / row.len() as f64;
+            }
+        }
+        places
+    }
+
+    /// How many pairs of lines cross.
+    fn crossings(&self) -> usize {
+        let places = self.places();
+        let mut row_of = vec![0; self.items.len()];
+        self.rows.iter().enumerate().for_each(|(index, row)| row.iter().for_each(|&item| row_of[item] = index));
+        let cross = |a: &Segment, b: &Segment| {
+            row_of[a.upper] == row_of[b.upper]
+                && (places[a.upper] - places[b.upper]) * (places[a.lower] - places[b.lower]) < 0.0
+        };
+        let pairs = self.segments.iter().enumerate();
+        pairs.map(|(index, a)| self.segments[index + 1..].iter().filter(|b| cross(a, b)).count()).sum()
+    }
+}
+
+/// The row of each component: below all its activators, and at the bottom if it activates nothing. Links that close a
+/// cycle lead up.
+fn depths(graph: &Graph) -> Vec<usize> {
+    let ranks: [usize; CAPACITY] = ranks(graph.nodes);
+    let links = graph.nodes.iter().enumerate().flat_map(|(from, node)| node.links.iter().map(move |l| (from, l.to)));
+    let downward = links.map(|(from, to)| if ranks[from] < ranks[to] { (from, to) } else { (to, from) });
+    let mut downward: Vec<_> = downward.filter(|(upper, lower)| upper != lower).collect();
+    downward.sort_by_key(|&(upper, _)| ranks[upper]);
+    let mut depths = vec![0; graph.nodes.len()];
+    for (upper, lower) in downward {
+        depths[lower] = depths[lower].max(depths[upper] + 1);
+    }
+    let is_leaf = |node: usize| graph.nodes[node].links.is_empty();
+    let bottom = (0..depths.len()).filter(|&node| !is_leaf(node)).map(|node| depths[node] + 1).max().unwrap_or(0);
+    (0..depths.len()).map(|node| if is_leaf(node) { bottom } else { depths[node] }).collect()
+}

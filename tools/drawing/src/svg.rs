@@ -1,0 +1,144 @@
+//! The picture of an activation tree: the root on top, what touches the outside at the bottom.
+//!
+//! Boxes are coloured by what a component is, and links say by their line whether they read or write. All text outside
+//! of boxes has a grey that can be read on white and on black.
+
+use std::fmt::Write;
+
+use bica::graph::{Graph, LinkKind, Node};
+
+use crate::layout::kind::Kind;
+use crate::layout::layers::{Item, Layers, Segment};
+use crate::layout::place::{BOX_HEIGHT, BOX_WIDTH, Places};
+
+#[cfg(test)]
+mod tests;
+
+const GREY: &str = "#7d8590";
+const LEGEND_HEIGHT: f64 = 44.0;
+
+/// Draws a tree as SVG, about 900 pixels wide for two dozen components.
+///
+/// # Panics
+/// If the tree has more than [`bica::check::CAPACITY`] components, which none that compiles has.
+pub fn svg(graph: &Graph) -> String {
+    let layers = Layers::new(graph);
+    let places = Places::new(&layers);
+    let (width, height) = (places.width, places.height + LEGEND_HEIGHT);
+    let mut out = format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width:.0} {height:.0}\" width=\"{width:.0}\" \
+         height=\"{height:.0}\" font-family=\"'DejaVu Sans', Verdana, sans-serif\" font-size=\"12\" \
+         text-anchor=\"middle\">\n<title>{}</title>\n",
+        escaped(graph.name)
+    );
+    for segment in &layers.segments {
+        out += &line(&layers, &places, segment);
+    }
+    for (item, node) in graph.nodes.iter().enumerate() {
+        out += &component(node, Kind::of(graph, item), places.of(item), item == graph.root);
+    }
+    out += &legend(graph, width, places.height);
+    out + "</svg>\n"
+}
+
+/// A box with the component's name and rate.
+fn component(node: &Node, kind: Kind, (x, y): (f64, f64), root: bool) -> String {
+    let (fill, border) = kind.colours();
+    let (left, thickness) = (x - BOX_WIDTH / 2.0, if root { 3.0 } else { 1.5 });
+    let rate = node.hz.map_or("every cycle".into(), |hz| format!("{hz} Hz"));
+    format!(
+        "<g><title>{}</title><rect x=\"{left:.1}\" y=\"{y:.1}\" width=\"{BOX_WIDTH}\" height=\"{BOX_HEIGHT}\" rx=\"7\" \
+         fill=\"{fill}\" stroke=\"{border}\" stroke-width=\"{thickness}\"/>\
+         <text x=\"{x:.1}\" y=\"{:.1}\" fill=\"#1f2328\"{}>{}</text>\
+         <text x=\"{x:.1}\" y=\"{:.1}\" fill=\"#424a53\" font-size=\"10\">{}</text></g>\n",
+        escaped(node.doc.trim()),
+        y + 17.0,
+        fitting(node.name),
+        escaped(node.name),
+        y + 31.0,
+        escaped(&rate),
+    )
+}
+
+/// Makes a long name as narrow as its box.
+fn fitting(name: &str) -> String {
+    if name.chars().count() > 14 {
+        format!(" textLength=\"{}\" lengthAdjust=\"spacingAndGlyphs\"", BOX_WIDTH - 10.0)
+    } else {
+        String::new()
+    }
+}
+
+/// One stretch of a link, from layer to layer.
+fn line(layers: &Layers, places: &Places, segment: &Segment) -> String {
+    let (from, to) = places.ends(segment);
+    let middle = f64::midpoint(from.1, to.1);
+    let mut path = format!("M{:.1} {:.1}", from.0, from.1);
+    let arrives = matches!(layers.items[segment.lower], Item::Component(_));
+    let departs = matches!(layers.items[segment.upper], Item::Component(_));
+    write!(path, "C{:.1} {middle:.1} {:.1} {middle:.1} {:.1} {:.1}", from.0, to.0, to.0, to.1).expect("a string grows");
+    if !arrives {
+        write!(path, "v{BOX_HEIGHT}").expect("a string grows");
+    }
+    let dash = if segment.kind == LinkKind::Requirement { " stroke-dasharray=\"5 3\"" } else { "" };
+    let mut line = format!("<path d=\"{path}\" fill=\"none\" stroke=\"{GREY}\" stroke-width=\"1.3\"{dash}/>\n");
+    if segment.upward && departs {
+        line += &head(from.0, from.1, 1.0);
+    }
+    if !segment.upward && arrives {
+        line += &head(to.0, to.1, -1.0);
+    }
+    line
+}
+
+/// The head of an arrow that ends at a box above (`side` 1) or below (`side` -1).
+fn head(x: f64, y: f64, side: f64) -> String {
+    let back = 7.0 * side;
+    format!("<path d=\"M{x:.1} {y:.1}l-3.5 {back:.1}h7z\" fill=\"{GREY}\"/>\n")
+}
+
+fn legend(graph: &Graph, width: f64, top: f64) -> String {
+    let y = top + 20.0;
+    let kinds = Kind::ALL.into_iter().filter(|&kind| (0..graph.nodes.len()).any(|node| Kind::of(graph, node) == kind));
+    let mut entries: Vec<(String, &str)> = kinds.map(|kind| (swatch(kind), kind.name())).collect();
+    entries.push((sample(" stroke-dasharray=\"5 3\""), "reads (requirement)"));
+    entries.push((sample(""), "writes (modulation)"));
+    let length = |name: &str| 42.0 + 6.3 * name.len() as f64;
+    let whole: f64 = entries.iter().map(|(_, name)| length(name)).sum();
+    let mut x = (width - whole) / 2.0;
+    let mut out = format!("<g fill=\"{GREY}\" font-size=\"11\" text-anchor=\"start\">\n");
+    for (mark, name) in entries {
+        writeln!(out, "<g transform=\"translate({x:.1} {y:.1})\">{mark}<text x=\"26\" y=\"4\">{name}</text></g>")
+            .expect("a string grows");
+        x += length(name);
+    }
+    out + "</g>\n"
+}
+
+fn swatch(kind: Kind) -> String {
+    let (fill, border) = kind.colours();
+    format!(
+        "<rect y=\"-6\" width=\"20\" height=\"12\" rx=\"3\" fill=\"{fill}\" stroke=\"{border}\" stroke-width=\"1.5\"/>"
+    )
+}
+
+fn sample(dash: &str) -> String {
+    format!("<path d=\"M0 0h20\" stroke=\"{GREY}\" stroke-width=\"1.5\"{dash}/>")
+}
+
+/// Text as XML has it; characters that XML cannot hold become spaces.
+fn escaped(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for character in text.chars() {
+        match character {
+            '&' => out.push_str("&amp;"),
+            '<' => out.push_str("&lt;"),
+            '>' => out.push_str("&gt;"),
+            '"' => out.push_str("&quot;"),
+            '\u{fffe}' | '\u{ffff}' => out.push(' '),
+            control if control.is_control() => out.push(' '),
+            other => out.push(other),
+        }
+    }
+    out
+}

@@ -1,0 +1,153 @@
+//! The tree at one moment: active components in boxes with their states, latent ones as shadows.
+
+use bica::graph::{Graph, LinkKind};
+use glam::Vec2;
+
+use super::canvas::{Area, Canvas, Rgb};
+use super::palette::{FAINT, GHOST, MODULATED, PAPER, REQUIRED, TEXT, hex};
+use super::scene::TreeNow;
+use super::text::Font;
+use crate::layout::kind::Kind;
+use crate::layout::layers::{Item, Layers, Segment};
+use crate::layout::place::{BOX_HEIGHT, BOX_WIDTH, Places};
+use crate::layout::routes::routes;
+
+/// Pieces of a curve from one row to the next.
+const PIECES: usize = 16;
+const BOX: Vec2 = Vec2::new(BOX_WIDTH as f32, BOX_HEIGHT as f32);
+
+/// Draws trees of one graph, every component always at the same place.
+pub struct TreeView {
+    layers: Layers,
+    places: Places,
+    routes: Vec<Vec<Vec<usize>>>,
+    size: Vec2,
+}
+
+impl TreeView {
+    /// Makes places for a graph.
+    pub fn new(graph: &Graph, width: usize, height: usize) -> Self {
+        let layers = Layers::new(graph);
+        let (places, routes) = (Places::new(&layers), routes(graph, &layers));
+        Self { layers, places, routes, size: Vec2::new(width as f32, height as f32) }
+    }
+
+    /// The tree as it is now.
+    pub fn draw(&self, tree: &TreeNow) -> Canvas {
+        let mut canvas = Canvas::new(self.size.x as usize, self.size.y as usize, PAPER);
+        let in_use = self.in_use(tree);
+        for (index, segment) in self.layers.segments.iter().enumerate() {
+            if in_use[index] {
+                self.stretch(&mut canvas, segment);
+            }
+        }
+        for node in 0..tree.graph.nodes.len() {
+            self.component(&mut canvas, tree, node);
+        }
+        canvas
+    }
+
+    /// Which stretches belong to a link that is in use.
+    fn in_use(&self, tree: &TreeNow) -> Vec<bool> {
+        let mut in_use = vec![false; self.layers.segments.len()];
+        for (from, node) in tree.graph.nodes.iter().enumerate() {
+            for (link, way) in node.links.iter().zip(&self.routes[from]).filter(|(link, _)| tree.uses(from, link)) {
+                debug_assert!(!way.is_empty(), "no way from {} to node {}", node.name, link.to);
+                for &index in way {
+                    in_use[index] = true;
+                }
+            }
+        }
+        in_use
+    }
+
+    /// The upper left corner of an item's box: the drawing stretched to the size asked for, the boxes as they are.
+    fn corner(&self, item: usize) -> Vec2 {
+        let (x, y) = self.places.of(item);
+        let drawn = Vec2::new(self.places.width as f32, self.places.height as f32) - BOX;
+        let part = (Vec2::new(x as f32, y as f32) - Vec2::new(0.5 * BOX.x, 0.0)) / drawn;
+        part * (self.size - BOX)
+    }
+
+    /// Where a stretch begins or ends at an item, sideways from the item's corner.
+    fn port(&self, item: usize, x: f64) -> Vec2 {
+        let (middle, _) = self.places.of(item);
+        self.corner(item) + Vec2::new((x - middle) as f32 + 0.5 * BOX.x, 0.0)
+    }
+
+    fn stretch(&self, canvas: &mut Canvas, segment: &Segment) {
+        let ((from, _), (to, _)) = self.places.ends(segment);
+        let (from, to) = (self.port(segment.upper, from) + Vec2::new(0.0, BOX.y), self.port(segment.lower, to));
+        let rgb = if segment.kind == LinkKind::Requirement { REQUIRED } else { MODULATED };
+        let curve: Vec<Vec2> = bend(from, to).collect();
+        canvas.polyline(&curve, 1.6, rgb);
+        let is_component = |item: usize| matches!(self.layers.items[item], Item::Component(_));
+        match segment.kind {
+            LinkKind::Requirement if is_component(segment.upper) => canvas.arrow_head(from, Vec2::NEG_Y, 8.0, rgb),
+            LinkKind::Modulation if is_component(segment.lower) => canvas.arrow_head(to, Vec2::Y, 8.0, rgb),
+            _ => {}
+        }
+        if !is_component(segment.lower) {
+            canvas.line(to, to + Vec2::new(0.0, BOX.y), 1.6, rgb);
+        }
+    }
+
+    fn component(&self, canvas: &mut Canvas, tree: &TreeNow, node: usize) {
+        let from = self.corner(node);
+        let area = Area { from, to: from + BOX };
+        let (name, middle, line) = (tree.graph.nodes[node].name, area.centre(), Vec2::new(0.0, 8.0));
+        if !tree.active[node] {
+            canvas.slab(area, 6.0, PAPER);
+            canvas.outline(area, 6.0, 1.0, GHOST);
+            return canvas.write_centred(middle, Font::Normal, FAINT, name);
+        }
+        let (fill, border) = colours(tree.graph, node);
+        canvas.slab(area, 6.0, fill);
+        canvas.outline(area, 6.0, 1.8, border);
+        match tree.state(node) {
+            Some(state) => {
+                canvas.write_centred(middle - line, Font::Bold, TEXT, name);
+                canvas.write_centred(middle + line, Font::Small, TEXT, state);
+            }
+            None => canvas.write_centred(middle, Font::Bold, TEXT, name),
+        }
+    }
+}
+
+fn colours(graph: &Graph, node: usize) -> (Rgb, Rgb) {
+    let (fill, border) = Kind::of(graph, node).colours();
+    (hex(fill), hex(border))
+}
+
+/// Explains the signs of the tree, in one line from `at`.
+pub fn legend(canvas: &mut Canvas, at: Vec2) {
+    let mut x = at.x;
+    for kind in Kind::ALL {
+        let (fill, border) = kind.colours();
+        canvas.slab(Area::sized(x, at.y, 26.0, 12.0), 4.0, hex(fill));
+        canvas.outline(Area::sized(x, at.y, 26.0, 12.0), 4.0, 1.5, hex(border));
+        canvas.write(Vec2::new(x + 32.0, at.y), Font::Normal, TEXT, kind.name());
+        x += 56.0 + Font::Normal.width(kind.name());
+    }
+    canvas.outline(Area::sized(x, at.y, 26.0, 12.0), 4.0, 1.0, GHOST);
+    canvas.write(Vec2::new(x + 32.0, at.y), Font::Normal, FAINT, "latent");
+    x += 56.0 + Font::Normal.width("latent");
+    for (rgb, reads, words) in [(REQUIRED, true, "reads (requirement)"), (MODULATED, false, "writes (modulation)")] {
+        let (from, to) = (Vec2::new(x, at.y + 6.0), Vec2::new(x + 26.0, at.y + 6.0));
+        canvas.line(from, to, 1.6, rgb);
+        canvas.arrow_head(if reads { from } else { to }, if reads { Vec2::NEG_X } else { Vec2::X }, 8.0, rgb);
+        canvas.write(Vec2::new(x + 32.0, at.y), Font::Normal, TEXT, words);
+        x += 56.0 + Font::Normal.width(words);
+    }
+}
+
+/// A curve that leaves and arrives upright.
+fn bend(from: Vec2, to: Vec2) -> impl Iterator<Item = Vec2> {
+    let pull = Vec2::new(0.0, 0.5 * (to.y - from.y));
+    (0..=PIECES).map(move |piece| {
+        let t = piece as f32 / PIECES as f32;
+        let (out, back) = (from.lerp(from + pull, t), (to - pull).lerp(to, t));
+        let between = (from + pull).lerp(to - pull, t);
+        out.lerp(between, t).lerp(between.lerp(back, t), t)
+    })
+}

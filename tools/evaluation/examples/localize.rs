@@ -1,0 +1,29 @@
+//! How well the robot finds out where on the field it is: it starts anywhere, looks around for ten seconds, and is asked.
+//!
+//! `cargo run --release -p bica-evaluation --example localize -- --games 100 [--robots 4] [--seed 0] [--kidnap 1]` prints each
+//! miss and the figures. With `--kidnap 1` it is carried off after the ten seconds, and asked after ten more.
+
+#[path = "../tests/support/lookout.rs"]
+mod lookout;
+
+use lookout::Lookout;
+
+fn main() {
+    let words: Vec<String> = std::env::args().collect();
+    let number = |name: &str, default: u64| {
+        let at = words.iter().position(|word| word == name);
+        at.and_then(|at| words.get(at + 1)?.parse().ok()).unwrap_or(default)
+    };
+    let (games, robots, first) = (number("--games", 100), number("--robots", 0) as usize, number("--seed", 0));
+    let play = |seed| {
+        let mut lookout = Lookout::new(seed, robots);
+        let outcome = lookout.look_around(10.0);
+        if number("--kidnap", 0) == 0 {
+            return outcome;
+        }
+        lookout.kidnap(seed + 1000, robots);
+        lookout.look_around(10.0)
+    };
+    let outcomes: Vec<_> = (first..first + games).map(play).collect();
+    lookout::print(&outcomes);
+}

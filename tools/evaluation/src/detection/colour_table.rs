@@ -1,0 +1,39 @@
+//! The colours that the eyes know.
+
+use std::fs;
+use std::path::Path;
+
+use bica_vision::table::{CompactTable, FULL_BYTES};
+
+use crate::profile;
+use bica_console::Failure;
+
+/// Colour classes, compiled.
+#[derive(Debug)]
+pub enum Palette {
+    /// From thresholds.
+    Compact(Box<CompactTable>),
+    /// A table of another team.
+    Full(Box<[u8; FULL_BYTES]>),
+}
+
+impl Palette {
+    /// A profile by its name or from a file (TOML), or a table from a file that ends in `.bin`.
+    pub fn load(name: &str) -> Result<Self, Failure> {
+        if Path::new(name).extension().is_some_and(|ending| ending.eq_ignore_ascii_case("bin")) {
+            return table(Path::new(name));
+        }
+        Ok(Self::Compact(Box::new(CompactTable::compile(&profile::load(name)?))))
+    }
+}
+
+fn table(path: &Path) -> Result<Palette, Failure> {
+    let mend =
+        "a table has 64×64×64 bytes, index [Y>>2][Cb>>2][Cr>>2]: 0 none, 1 orange, 2 yellow, 3 blue, 4 white, 5 green";
+    let bytes = fs::read(path).map_err(|error| Failure::of_path("read the table", path, &error, mend))?;
+    let found = bytes.len();
+    let cells = bytes.into_boxed_slice().try_into().map_err(|_| {
+        Failure::new(format!("`{}` is no colour table: {found} bytes, not {FULL_BYTES}", path.display()), mend)
+    })?;
+    Ok(Palette::Full(cells))
+}

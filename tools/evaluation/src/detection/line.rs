@@ -1,0 +1,50 @@
+//! An image for machines: one line of JSON.
+
+use serde::Serialize;
+
+use super::{Ball, Crossing, Goal, Robot, Sighting};
+
+/// What is seen in an image. Pixels: x right, y down, the centre of the first pixel is (0, 0).
+#[derive(Debug, Serialize)]
+pub struct Line<'a> {
+    file: &'a str,
+    ball: Option<&'a Ball>,
+    goals: Vec<Frame<'a>>,
+    field_end: &'a [[f32; 2]],
+    lines: &'a [[f32; 4]],
+    robots: &'a [Robot],
+    crossings: &'a [Crossing],
+    circle: Option<[f32; 2]>,
+    ms: f64,
+}
+
+/// The box around a goal.
+#[derive(Debug, Serialize)]
+struct Frame<'a> {
+    colour: &'a str,
+    x0: f32,
+    y0: f32,
+    x1: f32,
+    y1: f32,
+    complete: bool,
+}
+
+impl<'a> Line<'a> {
+    pub fn new(seen: &'a Sighting) -> Self {
+        let frame = |goal: &'a Goal| {
+            let &Goal { colour, x0, y0, x1, y1, complete, .. } = goal;
+            Frame { colour, x0, y0, x1, y1, complete }
+        };
+        Self {
+            file: &seen.file,
+            ball: seen.ball.as_ref(),
+            goals: seen.goals.iter().map(frame).collect(),
+            field_end: &seen.field_end,
+            lines: &seen.lines,
+            robots: &seen.robots,
+            crossings: &seen.crossings,
+            circle: seen.circle,
+            ms: seen.wall_ms,
+        }
+    }
+}

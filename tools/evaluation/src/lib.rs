@@ -1,0 +1,11 @@
+//! Evaluation of vision on recorded images, colour calibration, and trials of the body.
+
+pub mod calibrate;
+pub mod camera_poses;
+pub mod detection;
+pub mod frame_io;
+pub mod labels;
+pub mod profile;
+pub mod scoring;
+#[cfg(feature = "mujoco")]
+pub mod trial;

@@ -1,0 +1,61 @@
+//! Counts and errors, summed up.
+
+use serde::Serialize;
+
+use bica_console::statistics::percentile;
+
+/// How many of how many.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct Share {
+    pub of: usize,
+    pub good: usize,
+}
+
+impl Share {
+    pub fn count(&mut self, good: bool) {
+        self.of += 1;
+        self.good += usize::from(good);
+    }
+}
+
+/// `66/68 0.971`
+impl std::fmt::Display for Share {
+    fn fmt(&self, out: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let Self { of, good } = *self;
+        if of == 0 { write!(out, "none") } else { write!(out, "{good}/{of} {:.3}", good as f32 / of as f32) }
+    }
+}
+
+/// Sizes of errors.
+#[derive(Clone, Debug, Default)]
+pub struct Errors(Vec<f64>);
+
+/// Percentiles; none without any error to speak of.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct Spread {
+    pub p50: Option<f64>,
+    pub p95: Option<f64>,
+    pub max: Option<f64>,
+}
+
+impl Errors {
+    pub fn note(&mut self, error: f32) {
+        self.0.push(error.into());
+    }
+
+    pub fn spread(&self) -> Spread {
+        let mut sorted = self.0.clone();
+        sorted.sort_by(f64::total_cmp);
+        let at = |part| percentile(&sorted, part);
+        Spread { p50: at(0.5), p95: at(0.95), max: at(1.0) }
+    }
+}
+
+impl Spread {
+    /// In words, each number times a factor and with a unit.
+    pub fn words(self, factor: f64, unit: &str) -> String {
+        let number =
+            |value: Option<f64>| value.map_or_else(|| "-".to_owned(), |value| format!("{:.2}", factor * value));
+        format!("median {}, 95 % {}, worst {} {unit}", number(self.p50), number(self.p95), number(self.max))
+    }
+}

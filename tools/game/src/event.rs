@@ -1,0 +1,70 @@
+//! What the referee reports, told to people and machines.
+
+use bica_motion::fall::Direction;
+use bica_motion::side::Side;
+use bica_sim::referee::{Event, TimedEvent};
+use serde::Serialize;
+
+use bica_console::Style;
+
+/// An event for machines.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Told {
+    /// When, s.
+    pub t: f64,
+    /// What: `goal`, `own_goal`, `touch`, `kick`, `ball_out`, `ball_placed`, `fall`, `got_up` or `collision`.
+    pub event: &'static str,
+    /// What else there is to say, in words.
+    #[serde(skip_serializing_if = "String::is_empty")]
+    pub detail: String,
+}
+
+impl From<&TimedEvent> for Told {
+    fn from(happened: &TimedEvent) -> Self {
+        let (event, detail) = match happened.event {
+            Event::Goal => ("goal", String::new()),
+            Event::OwnGoal => ("own_goal", String::new()),
+            Event::Touch { foot } => ("touch", side(foot).to_owned()),
+            Event::Kick { foot, speed } => ("kick", format!("{} {speed:.2} m/s", side(foot))),
+            Event::BallOut => ("ball_out", String::new()),
+            Event::BallPlaced { at } => ("ball_placed", format!("{:.2} {:.2}", at.x, at.y)),
+            Event::Fall(fall) => ("fall", direction(fall).to_owned()),
+            Event::GotUp => ("got_up", String::new()),
+            Event::Collision => ("collision", String::new()),
+        };
+        Self { t: happened.at.as_secs_f64(), event, detail }
+    }
+}
+
+/// An event in words, and how weighty it is.
+pub fn words(event: &Event) -> (Style, String) {
+    match event {
+        Event::Goal => (Style::Good, "GOAL".to_owned()),
+        Event::OwnGoal => (Style::Bad, "own goal".to_owned()),
+        Event::Touch { foot } => (Style::Faint, format!("the {} foot touches the ball", side(*foot))),
+        Event::Kick { foot, speed } => {
+            (Style::Strong, format!("the {} foot kicks the ball at {speed:.1} m/s", side(*foot)))
+        }
+        Event::BallOut => (Style::Bad, "the ball is out".to_owned()),
+        Event::BallPlaced { at } => (Style::Plain, format!("the ball is placed at {:.2}, {:.2}", at.x, at.y)),
+        Event::Fall(fall) => (Style::Bad, format!("the robot falls {}", direction(*fall))),
+        Event::GotUp => (Style::Strong, "the robot is up again".to_owned()),
+        Event::Collision => (Style::Bad, "the robot runs into something".to_owned()),
+    }
+}
+
+const fn side(side: Side) -> &'static str {
+    match side {
+        Side::Left => "left",
+        Side::Right => "right",
+    }
+}
+
+const fn direction(fall: Direction) -> &'static str {
+    match fall {
+        Direction::Front => "forward",
+        Direction::Back => "backward",
+        Direction::Left => "to the left",
+        Direction::Right => "to the right",
+    }
+}

@@ -1,0 +1,57 @@
+//! The world that a game is played in.
+
+use bica_motion::profile::Profile;
+use bica_sim::SpectatorView;
+use bica_sim::kinematic::KinematicWorld;
+use bica_sim::setup::Setup;
+
+use super::game_loop::Rules;
+use bica_console::Failure;
+
+/// The kinds of worlds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum WorldKind {
+    /// The built-in one.
+    BuiltIn,
+    /// `MuJoCo`.
+    #[cfg(feature = "mujoco")]
+    Mujoco,
+}
+
+impl WorldKind {
+    /// How a robot moves there.
+    pub const fn profile(self) -> &'static Profile {
+        match self {
+            Self::BuiltIn => &Profile::BUILT_IN,
+            #[cfg(feature = "mujoco")]
+            Self::Mujoco => &Profile::NAO,
+        }
+    }
+}
+
+/// A world in which a game is about to start.
+pub fn open(rules: &Rules) -> Result<Box<dyn SpectatorView>, Failure> {
+    let setup = Setup { seed: rules.seed, frame: rules.size, robots: rules.robots, ..Setup::default() };
+    match rules.world {
+        WorldKind::BuiltIn => {
+            let world = KinematicWorld::new(&setup).map_err(|error| {
+                Failure::new(format!("no such game can be set up: {error}"), "try another --robots")
+            })?;
+            Ok(Box::new(world))
+        }
+        #[cfg(feature = "mujoco")]
+        WorldKind::Mujoco => mujoco(&setup),
+    }
+}
+
+#[cfg(feature = "mujoco")]
+fn mujoco(setup: &Setup) -> Result<Box<dyn SpectatorView>, Failure> {
+    use bica_sim::mujoco::{Error, MujocoWorld, Physics};
+    let world = MujocoWorld::new(setup, &Physics::default()).map_err(|error| match &error {
+        Error::Camera(what) => {
+            Failure::new(format!("MuJoCo cannot draw: {what}"), "`cargo xtask mujoco` installs what that needs")
+        }
+        _ => Failure::new(format!("no such game can be set up: {error}"), "try another --robots"),
+    })?;
+    Ok(Box::new(world))
+}

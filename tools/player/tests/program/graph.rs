@@ -1,0 +1,35 @@
+//! The tree in every format.
+
+use crate::run::run;
+
+fn printed(args: &[&str]) -> String {
+    let ran = run(&[&["graph"], args].concat());
+    assert_eq!((ran.code, ran.stderr.as_str()), (Some(0), ""));
+    ran.stdout
+}
+
+#[test]
+fn every_format_is_what_it_says_and_names_every_component() {
+    let graph: serde_json::Value = serde_json::from_str(&printed(&["--json"])).unwrap();
+    let nodes = graph["nodes"].as_array().unwrap();
+    assert_eq!(graph["name"], "Forward");
+    assert!(nodes.len() > 15);
+    for (format, start) in [("svg", "<svg "), ("dot", "digraph"), ("mermaid", "flowchart"), ("json", "{")] {
+        let text = printed(&["--format", format]);
+        assert!(text.starts_with(start), "{format}: {}", &text[..40]);
+        for node in nodes {
+            let name = node["name"].as_str().unwrap();
+            assert!(text.contains(name), "{format} lacks {name}");
+        }
+    }
+    assert_eq!(printed(&[]), printed(&["--format", "svg"]));
+    assert_eq!(printed(&["--json"]), printed(&["--format", "json"]));
+}
+
+#[test]
+fn the_picture_in_the_readme_is_this_tree() {
+    let kept = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/forward.svg");
+    let kept = std::fs::read_to_string(kept).unwrap_or_default();
+    let remedy = "draw it anew: cargo run --release -- graph --format svg > docs/forward.svg";
+    assert!(kept == printed(&["--format", "svg"]), "docs/forward.svg is another tree; {remedy}");
+}

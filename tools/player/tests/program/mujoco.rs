@@ -1,0 +1,134 @@
+//! Games and trials where forces are real, and what is said where they cannot be had.
+
+#[cfg(not(feature = "mujoco"))]
+#[test]
+fn a_program_without_mujoco_says_how_to_get_one_with_it() {
+    let ran = crate::run::run(&["play", "--world", "mujoco"]);
+    assert_eq!((ran.code, ran.stdout.as_str()), (Some(2), ""));
+    assert!(ran.stderr.contains("cargo xtask mujoco") && ran.stderr.contains("--features mujoco"), "{}", ran.stderr);
+}
+
+#[cfg(feature = "mujoco")]
+mod with_mujoco {
+    use bica::{Instant, Tree};
+    use bica_motion::health::Fault;
+    use bica_motion::joints::Joint;
+    use bica_motion::profile::Profile;
+    use bica_motion::stand::SIT_STIFFNESS;
+    use bica_player::behaviour::FallGuard;
+    use bica_player::input::Measured;
+    use bica_player::{Forward, act, sense};
+    use bica_sim::World;
+    use bica_sim::mujoco::{MujocoWorld, Physics};
+    use bica_sim::referee::Posture;
+    use bica_sim::setup::Setup;
+    use glam::Vec2;
+
+    use crate::run::{Folder, run, without_wall};
+
+    #[test]
+    fn a_game_is_told_as_in_every_world_and_the_same_each_time() {
+        let folder = Folder::new("mujoco");
+        let film = folder.path().join("game.gif");
+        let game = ["play", "--world", "mujoco", "--seed", "7", "--robots", "2", "--seconds", "1", "--json"];
+        let mut first = run(&game).json();
+        let mut second = run(&[&game[..], &["--film", film.to_str().unwrap()]].concat()).json();
+        assert_eq!(first["cycles"], 100);
+        assert!(first["components"][0]["runs"].as_u64() > Some(0));
+        without_wall(&mut first);
+        without_wall(&mut second);
+        assert_eq!(first, second);
+        assert!(film.metadata().unwrap().len() > 10_000);
+    }
+
+    #[test]
+    fn many_games_are_the_same_on_any_number_of_threads() {
+        let games = |threads| {
+            let mut told =
+                run(&["play", "--world", "mujoco", "--games", "3", "--threads", threads, "--seconds", "0.5", "--json"])
+                    .json();
+            without_wall(&mut told);
+            told
+        };
+        assert_eq!(games("1"), games("3"));
+    }
+
+    #[test]
+    fn a_robot_with_a_hot_joint_stops_and_sits_down_without_a_fall() {
+        let mut world = MujocoWorld::new(&Setup::default(), &Physics { cameras: false, ..Physics::default() }).unwrap();
+        let mut robot = Box::new(Forward::new());
+        robot.get_mut::<Measured>().set_profile(&Profile::NAO);
+        for cycle in 0..3000 {
+            if cycle == 500 {
+                world.set_motor_temperature(Joint::LKneePitch, 78.0);
+            }
+            sense(&mut robot, &world.sensors()).unwrap();
+            robot.tick(Instant::from_millis(10 * cycle));
+            world.act(&act(&robot));
+            assert_eq!(robot.get::<Measured>().fault().is_some(), cycle >= 599, "in cycle {cycle}");
+        }
+        assert_eq!(robot.get::<Measured>().fault(), Some(Fault::Hot(Joint::LKneePitch)));
+        assert!(act(&robot).stiffness.0.iter().all(|stiffness| *stiffness <= SIT_STIFFNESS));
+        assert_eq!(world.referee().falls(), 0);
+    }
+
+    #[test]
+    fn who_falls_with_a_hot_joint_lies_limp_until_it_has_cooled_then_gets_up() {
+        let mut world = MujocoWorld::new(&Setup::default(), &Physics { cameras: false, ..Physics::default() }).unwrap();
+        let mut robot = Box::new(Forward::new());
+        robot.get_mut::<Measured>().set_profile(&Profile::NAO);
+        for cycle in 0..2600 {
+            match cycle {
+                100 => world.push(Vec2::new(-2.3, 0.0)),
+                50 => world.set_motor_temperature(Joint::LKneePitch, 78.0),
+                1500 => world.set_motor_temperature(Joint::LKneePitch, 60.0),
+                _ => {}
+            }
+            sense(&mut robot, &world.sensors()).unwrap();
+            robot.tick(Instant::from_millis(10 * cycle));
+            world.act(&act(&robot));
+            if (1000..1500).contains(&cycle) {
+                assert!(
+                    act(&robot).stiffness.0.iter().all(|stiffness| *stiffness <= SIT_STIFFNESS),
+                    "in cycle {cycle}"
+                );
+                assert!(robot.get::<Measured>().fault().is_some());
+            }
+        }
+        assert_eq!(robot.get::<Measured>().fault(), None);
+        assert_eq!((world.referee().falls(), world.referee().posture()), (1, Posture::Upright));
+    }
+
+    #[test]
+    fn who_sat_down_hot_stands_up_without_a_fall_when_it_has_cooled() {
+        let mut world = MujocoWorld::new(&Setup::default(), &Physics { cameras: false, ..Physics::default() }).unwrap();
+        let mut robot = Box::new(Forward::new());
+        robot.get_mut::<Measured>().set_profile(&Profile::NAO);
+        for cycle in 0..2500 {
+            match cycle {
+                100 => world.set_motor_temperature(Joint::LKneePitch, 78.0),
+                1500 => world.set_motor_temperature(Joint::LKneePitch, 60.0),
+                _ => {}
+            }
+            sense(&mut robot, &world.sensors()).unwrap();
+            robot.tick(Instant::from_millis(10 * cycle));
+            world.act(&act(&robot));
+        }
+        assert_eq!(robot.get::<Measured>().fault(), None);
+        assert!(!robot.is_active(Forward::id::<FallGuard>()));
+        assert_eq!((world.referee().falls(), world.referee().posture()), (0, Posture::Upright));
+    }
+
+    #[test]
+    fn a_trial_prints_its_table_and_fails_if_it_does_not_hold() {
+        let held = run(&["trial", "odometry", "--runs", "1", "--json"]);
+        assert_eq!(held.code, Some(0), "{}", held.stderr);
+        assert_eq!(held.json()["tables"][0]["trial"], "odometry");
+        // Such legs carry nobody.
+        let weak = run(&["trial", "odometry", "--runs", "1", "--torque-limit", "0.5", "--json"]);
+        assert_eq!(weak.code, Some(1), "{}", weak.stderr);
+        let wrong = run(&["trial", "odometry", "--friction", "9"]);
+        assert_eq!(wrong.code, Some(2));
+        assert!(wrong.stderr.contains("friction"), "{}", wrong.stderr);
+    }
+}

@@ -1,0 +1,39 @@
+//! The page that describes the JSON knows every field that the program prints.
+
+use std::collections::BTreeSet;
+use std::fs;
+
+use serde_json::Value;
+
+use crate::run::{Folder, run};
+
+fn fields(value: &Value, found: &mut BTreeSet<String>) {
+    match value {
+        Value::Object(object) => {
+            found.extend(object.keys().cloned());
+            object.values().for_each(|value| fields(value, found));
+        }
+        Value::Array(values) => values.iter().for_each(|value| fields(value, found)),
+        _ => {}
+    }
+}
+
+#[test]
+fn every_field_is_described() {
+    let page = fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/json.md")).unwrap();
+    let folder = Folder::new("schema");
+    fs::write(folder.path().join("1.png"), "no image").unwrap();
+    let mut printed = BTreeSet::new();
+    for args in [
+        &["--seconds", "1.5"][..],
+        &["play", "--games", "1", "--seconds", "0.1"],
+        &["graph"],
+        &["watch", folder.text()],
+    ] {
+        fields(&run(&[args, &["--json"]].concat()).json(), &mut printed);
+    }
+    assert!(printed.len() > 50, "{printed:?}");
+    for field in printed {
+        assert!(page.contains(&format!("`{field}`")), "docs/json.md lacks `{field}`");
+    }
+}

@@ -1,0 +1,119 @@
+//! Recorded images, good and bad ones.
+
+use std::fs;
+use std::path::Path;
+
+use crate::run::{Folder, run};
+
+const HEADING: &str = "file,r00,r01,r02,r10,r11,r12,r20,r21,r22,tx_mm,ty_mm,tz_mm,trusted\n";
+/// Half a metre up, 30° down.
+const POSE: &str = "0.8660254,0,0.5,0,1,0,-0.5,0,0.8660254,0,0,500";
+
+/// A carpet up to row 60, a grey hall above it, an orange ball at (x, 150), as large as one of 43 mm is there.
+fn draw(path: &Path, x: i32) {
+    let mut rgb = Vec::new();
+    for (row, column) in (0..240).flat_map(|row: i32| (0..320).map(move |column| (row, column))) {
+        let in_ball = (column - x).pow(2) + (row - 150).pow(2) <= 20 * 20;
+        rgb.extend(match (in_ball, row < 60) {
+            (true, _) => [220, 105, 40_u8],
+            (_, true) => [150, 150, 150],
+            _ => [40, 105, 60],
+        });
+    }
+    write(path, 320, 240, &rgb);
+}
+
+fn write(path: &Path, width: u32, height: u32, rgb: &[u8]) {
+    let mut encoder = png::Encoder::new(fs::File::create(path).unwrap(), width, height);
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.write_header().unwrap().write_image_data(rgb).unwrap();
+}
+
+#[test]
+fn what_is_in_the_images_is_seen_and_placed_on_the_ground() {
+    let (folder, seen) = (Folder::new("watch/frames"), Folder::new("watch/seen"));
+    for (name, x) in [("2.png", 160), ("1.png", 100)] {
+        draw(&folder.path().join(name), x);
+    }
+    let poses = folder.path().join("poses.csv");
+    fs::write(&poses, format!("{HEADING}frames/2.png,{POSE},1\n")).unwrap();
+    let ran = run(&["watch", folder.text(), "--poses", poses.to_str().unwrap(), "--pictures", seen.text(), "--json"]);
+    assert_eq!(ran.code, Some(0), "{}", ran.stderr);
+    let told = ran.json();
+    let (first, second) = (&told["frames"][0], &told["frames"][1]);
+    assert_eq!((&first["file"], &second["file"]), (&"1.png".into(), &"2.png".into()));
+    assert_eq!((&first["pose"], &second["pose"]), (&"missing".into(), &"trusted".into()));
+    assert!((first["ball"]["x"].as_f64().unwrap() - 100.0).abs() < 2.0, "{first}");
+    assert!((second["ball"]["radius"].as_f64().unwrap() - 20.0).abs() < 2.0, "{second}");
+    assert!(first["ball"]["ground"].is_null() && told["summary"]["poses_missing"][0] == "1.png");
+    // The ray to the ball's centre goes down 30° and atan(30 / 385.54); it ends 43 mm above the ground.
+    let ahead = 0.457 / (30_f64.to_radians() + (30.0_f64 / 385.54).atan()).tan();
+    assert!((second["ball"]["ground"][0].as_f64().unwrap() - ahead).abs() < 0.03, "{second}");
+    assert_eq!(seen.names(), ["1.png", "2.png"]);
+}
+
+#[test]
+fn poses_beside_the_folder_are_found() {
+    let outer = Folder::new("beside");
+    let frames = outer.path().join("lab");
+    fs::create_dir(&frames).unwrap();
+    draw(&frames.join("1.png"), 160);
+    fs::write(outer.path().join("lab_pose.csv"), format!("{HEADING}lab/1.png,{POSE},1\n")).unwrap();
+    let told = run(&["watch", frames.to_str().unwrap(), "--json"]).json();
+    assert_eq!(told["frames"][0]["pose"], "trusted");
+}
+
+#[test]
+fn what_cannot_be_looked_at_is_skipped_counted_and_named() {
+    let folder = Folder::new("broken");
+    draw(&folder.path().join("a.png"), 160);
+    let whole = fs::read(folder.path().join("a.png")).unwrap();
+    fs::write(folder.path().join("b.png"), &whole[..whole.len() / 2]).unwrap();
+    fs::write(folder.path().join("c.PNG"), "no image").unwrap();
+    write(&folder.path().join("d.png"), 33, 32, &[90; 33 * 32 * 3]);
+    fs::write(folder.path().join("e.txt"), "not looked at").unwrap();
+    let ran = run(&["watch", folder.text()]);
+    assert_eq!((ran.code, ran.stderr.as_str()), (Some(0), ""));
+    assert!(ran.stdout.contains("1 seen, 3 skipped"), "{}", ran.stdout);
+    let told = run(&["watch", folder.text(), "--json"]).json();
+    let skipped: Vec<_> = told["skipped"].as_array().unwrap().iter().map(|skip| skip["file"].as_str()).collect();
+    assert_eq!(skipped, [Some("b.png"), Some("c.PNG"), Some("d.png")]);
+    fs::remove_file(folder.path().join("a.png")).unwrap();
+    assert_eq!(run(&["watch", folder.text()]).code, Some(1), "nothing could be looked at");
+}
+
+#[test]
+fn a_wrong_folder_or_pose_file_is_an_error_that_names_it() {
+    let folder = Folder::new("empty");
+    let text = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    let refused = |args: &[&str], words: &[&str]| {
+        let ran = run(&[&["watch"], args].concat());
+        assert_eq!((ran.code, ran.stdout.as_str()), (Some(2), ""));
+        for word in words {
+            assert!(ran.stderr.contains(word), "{}", ran.stderr);
+        }
+    };
+    refused(&[&text("nowhere")], &["nowhere", "help: name a folder"]);
+    refused(&[folder.text()], &["no image in", folder.text()]);
+    draw(&folder.path().join("1.png"), 160);
+    refused(&[&text("1.png")], &["1.png", "help: name a folder"]);
+    refused(&[folder.text(), "--poses", &text("none.csv")], &["none.csv", "--poses"]);
+    fs::write(text("bad.csv"), format!("{HEADING}1.png,{POSE},1\n1.png,one\n")).unwrap();
+    refused(&[folder.text(), "--poses", &text("bad.csv")], &["bad.csv", "line 3", "`one` is no number"]);
+    refused(&[folder.text(), "--pictures", &text("bad.csv")], &["bad.csv", "--pictures"]);
+}
+
+/// The frames of a real robot, which are not part of this repository.
+#[test]
+fn the_ball_is_seen_in_real_frames() {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../../shared/images/nao2009");
+    if !Path::new(folder).is_dir() {
+        eprintln!("skipped: {folder} is not there");
+        return;
+    }
+    let told = run(&["watch", folder, "--json"]).json();
+    assert_eq!((&told["summary"]["seen"], &told["summary"]["skipped"]), (&103.into(), &0.into()));
+    assert!(told["summary"]["balls"].as_u64() >= Some(60), "{}", told["summary"]);
+    let first = &told["frames"][0]["ball"];
+    assert!((first["x"].as_f64().unwrap() - 171.2).abs() < 2.0 && (first["y"].as_f64().unwrap() - 148.7).abs() < 2.0);
+}

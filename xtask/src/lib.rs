@@ -1,0 +1,61 @@
+//! The development tasks of the workspace, and their command line.
+//!
+//! A library beside the program, so that a test can parse every `cargo xtask` command that the documentation shows.
+
+mod buildtime;
+mod ci;
+pub mod cli;
+mod deny;
+mod firmware;
+mod fuzz;
+mod install;
+mod instructions;
+mod miri;
+mod mujoco;
+mod newcomer;
+mod no_std;
+mod opencv;
+mod peers;
+mod process;
+mod processor_time;
+mod publish;
+
+use std::process::ExitCode;
+
+use clap::{CommandFactory, Parser};
+
+use cli::{Cli, Task};
+
+/// Runs the task that the command line names; without one prints the list of tasks.
+#[must_use]
+pub fn run() -> ExitCode {
+    let Some(task) = Cli::parse().task else {
+        print!("{}", Cli::command().render_help());
+        return ExitCode::SUCCESS;
+    };
+    match perform(&task) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("xtask: {error}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn perform(task: &Task) -> Result<(), String> {
+    match task {
+        Task::NoStd => no_std::check(),
+        Task::Firmware(options) => firmware::check(options),
+        Task::Mujoco => mujoco::install(),
+        Task::Budget(options) => instructions::check(options),
+        Task::Buildtime(options) => buildtime::check(options.limit),
+        Task::Newcomer(options) => newcomer::measure(options),
+        Task::Fuzz(options) => fuzz::check(options.seconds),
+        Task::Opencv => opencv::compare(),
+        Task::Miri => miri::check(),
+        Task::Peers(options) => peers::measure(options),
+        Task::Publish => publish::check(),
+        Task::Deny => deny::check(),
+        Task::Ci => ci::check(),
+    }
+}
