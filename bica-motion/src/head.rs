@@ -69,7 +69,7 @@ impl HeadAngles {
 /// arbitrary for points within a few centimetres of the neck, for which no solution exists.
 #[must_use]
 pub fn look_at<M: RobotModel>(camera: CameraId, point: Vec3) -> HeadAngles {
-    let CameraMount { position, tilt } = M::DIMENSIONS.camera(camera);
+    let CameraMount { position, tilt, .. } = M::DIMENSIONS.camera(camera);
     let (ahead, up) = (hypotf(point.x, point.y), point.z - M::DIMENSIONS.neck.z);
     // Distance of the optical axis from the neck, independent of the pitch.
     let over_neck = position.x * sinf(tilt) + position.z * cosf(tilt);

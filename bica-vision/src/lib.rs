@@ -30,7 +30,7 @@
 //! [`projection`], metres, x forward, y left, z up.
 //!
 //! ```
-//! use bica_motion::{joints::Joints, robot::CameraId, side::Side};
+//! use bica_motion::{joints::Joints, model::Nao, robot::CameraId, side::Side};
 //! use bica_vision::{
 //!     ball::{self, BallFinder}, field_end::FieldEnd, frame::Frame, goal::GoalFinder, profile, projection::Camera,
 //!     table::CompactTable,
@@ -42,7 +42,7 @@
 //! let mut goals = GoalFinder::<1024>::new();
 //!
 //! let frame = Frame::new(320, 240, &bytes).expect("a frame");
-//! let camera = Camera::of_nao(CameraId::Top, &angles, Side::Left, 320, 240);
+//! let camera = Camera::of::<Nao>(CameraId::Top, &angles, Side::Left, 320, 240);
 //! let end = FieldEnd::find_with(&frame, &table, Some(&camera));
 //! let ball = balls.find(&frame, &table, &end, Some(&camera));
 //! let ball_on_ground = ball.and_then(|ball| ball.ground(&camera, ball::RADIUS));

@@ -1,8 +1,9 @@
 //! The robot's mind: hears, thinks, speaks.
 
 use bica::{Instant, Tree};
+use bica_motion::model::{Nao, RobotModel};
 use bica_motion::robot;
-use bica_motion::stand::{STAND, Stiffness};
+use bica_motion::stiffness::Stiffness;
 use bica_player::input::EYE_BYTES;
 use bica_player::perception::{BallDetector, NetDetector};
 use bica_player::{Forward, act, sense};
@@ -188,8 +189,8 @@ impl<B: Board> Mind<B> {
 /// Stands, as stiff as the robot is declared to stand.
 fn safe() -> robot::Command {
     robot::Command {
-        targets: STAND,
-        stiffness: Stiffness::Stand.joints(),
+        targets: Nao::STAND,
+        stiffness: Stiffness::Stand.joints::<Nao>(),
         lights: robot::Lights::default(),
         camera: robot::CameraId::default(),
     }

@@ -1,7 +1,7 @@
 //! Motors that get warm.
 
-use bica_motion::actuator::{Actuator, actuator};
 use bica_motion::joints::{JOINTS, Joint, Joints};
+use bica_motion::model::{Actuator, Nao, RobotModel};
 
 use crate::world::CYCLE_SECONDS;
 
@@ -60,9 +60,9 @@ impl MotorHeat {
 /// shoulder 2.6 mNm are given, an eighth of what it stalls at: a loss of 0.4 W where the other motors of the arm, no larger,
 /// bear 3 W. It is taken to bear what they do.
 fn bears(joint: Joint) -> f32 {
-    let motor = actuator(joint);
+    let motor = Nao::ACTUATORS[joint];
     let of = match joint {
-        Joint::LShoulderPitch | Joint::RShoulderPitch => actuator(Joint::LShoulderRoll),
+        Joint::LShoulderPitch | Joint::RShoulderPitch => Nao::ACTUATORS[Joint::LShoulderRoll],
         _ => motor,
     };
     libm::sqrtf(loss(&of) / motor.resistance())
@@ -76,12 +76,11 @@ fn loss(motor: &Actuator) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use bica_motion::actuator::CONTINUOUS_CURRENT;
 
     #[test]
     fn a_minute_s_push_warms_the_motors_of_an_arm_alike() {
         let mut heat = MotorHeat::new();
-        let blocked = Joints(Joint::ALL.map(|joint| actuator(joint).current(1.3)));
+        let blocked = Joints(Joint::ALL.map(|joint| Nao::ACTUATORS[joint].current(1.3)));
         for _ in 0..6000 {
             heat.step(blocked);
         }
@@ -100,9 +99,9 @@ mod tests {
             }
             heat.temperatures()[Joint::LKneePitch]
         };
-        let after_ten = minutes(&mut heat, 10, CONTINUOUS_CURRENT);
+        let after_ten = minutes(&mut heat, 10, *Nao::CONTINUOUS_CURRENTS);
         assert!((60.0..65.0).contains(&after_ten), "{after_ten}");
-        let at_last = minutes(&mut heat, 60, CONTINUOUS_CURRENT);
+        let at_last = minutes(&mut heat, 60, *Nao::CONTINUOUS_CURRENTS);
         assert!((83.0..=85.0).contains(&at_last), "{at_last}");
         let rested = minutes(&mut heat, 10, Joints::all(0.0));
         assert!((45.0..50.0).contains(&rested), "{rested}");

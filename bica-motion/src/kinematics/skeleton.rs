@@ -89,7 +89,7 @@ pub(super) fn sole<M: RobotModel>(foot: Affine3A) -> Affine3A {
 
 /// A camera in the head.
 pub(super) fn camera<M: RobotModel>(head: Affine3A, camera: CameraId) -> Affine3A {
-    let CameraMount { position, tilt } = M::DIMENSIONS.camera(camera);
+    let CameraMount { position, tilt, .. } = M::DIMENSIONS.camera(camera);
     head * at(position) * pitch(tilt)
 }
 

@@ -11,6 +11,8 @@ pub struct CameraMount {
     pub position: Vec3,
     /// Downward tilt of the optical axis, rad.
     pub tilt: f32,
+    /// Focal lengths relative to the width and the height of the image.
+    pub focal: Vec2,
 }
 
 /// Lengths in m, x forward, y left, z up, at zero joint angles.

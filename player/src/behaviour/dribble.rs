@@ -43,11 +43,11 @@ impl Dribble {
             self.done = true;
             return;
         };
-        let half_spacing = measured.profile().gait.half_spacing;
-        if let Some(foot) = in_walk_kick_foot(at, half_spacing) {
+        let gait = &measured.profile().gait;
+        if let Some(foot) = in_walk_kick_foot(at, gait) {
             body.kick(foot);
         }
-        let aside = at.y - half_spacing.copysign(at.y);
+        let aside = at.y - gait.half_spacing.copysign(at.y);
         let way = net.at().map_or(at, |goal| goal - at);
         body.step_to(Velocity {
             forward: SPEED,

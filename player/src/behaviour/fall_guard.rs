@@ -5,7 +5,7 @@ use bica_motion::fall::{Direction, FallState};
 use bica_motion::getup::{self, GetUp};
 use bica_motion::health::Fault;
 use bica_motion::keyframes::{Keyframe, Motion};
-use bica_motion::stand::{SIT, SIT_STIFFNESS, TO_SIT, TO_STAND};
+use bica_motion::model::{Nao, RobotModel};
 
 use crate::input::Measured;
 use crate::motion::Body;
@@ -33,7 +33,7 @@ impl FallGuard {
         Self {
             movement: GetUp::none(),
             slowly: Motion::none(),
-            brace: getup::protection(Direction::Front),
+            brace: getup::protection::<Nao>(Direction::Front),
             failures: 0,
             upright: false,
         }
@@ -43,7 +43,7 @@ impl FallGuard {
     #[state(initial)]
     fn brace(&mut self, falls: &FallDetector, motors: &mut Motors) {
         if let FallState::Falling(direction) = falls.state() {
-            self.brace = getup::protection(direction);
+            self.brace = getup::protection::<Nao>(direction);
         }
         motors.whole(&self.brace.posture, self.brace.stiffness);
     }
@@ -71,7 +71,7 @@ impl FallGuard {
     #[state]
     fn sit(&mut self, time: &Time, motors: &mut Motors) {
         let moving = self.slowly.step(time.dt()).filter(|_| !self.slowly.is_done());
-        let (posture, stiffness) = moving.unwrap_or((SIT, SIT_STIFFNESS));
+        let (posture, stiffness) = moving.unwrap_or((Nao::SIT, Nao::SIT_STIFFNESS));
         motors.whole(&posture, stiffness);
     }
 
@@ -178,12 +178,12 @@ impl FallGuard {
 
     #[entry(sit)]
     fn sit_down(&mut self, body: &Measured) {
-        self.slowly = Motion::new(&TO_SIT, *body.angles());
+        self.slowly = Motion::new(Nao::TO_SIT, *body.angles());
     }
 
     #[entry(rise)]
     fn stand_up(&mut self, body: &Measured) {
-        self.slowly = Motion::new(&TO_STAND, *body.angles());
+        self.slowly = Motion::new(Nao::TO_STAND, *body.angles());
     }
 
     #[stop]

@@ -1,17 +1,13 @@
 //! What the body measures of itself.
 
 use bica::prelude::*;
-use bica_motion::health::{Fault, Health};
+use bica_motion::health::{FOLLOWING_STIFFNESS, Fault, Health, is_upright};
 use bica_motion::joints::{Joint, Joints};
-use bica_motion::profile::Profile;
+use bica_motion::model::{Nao, Profile, RobotModel};
 use bica_motion::robot::{FootPressure, Inertial, Sensors};
 use bica_motion::side::Side;
 use bica_motion::walk::Feedback;
 
-/// Legs held at least this hard follow what they are told.
-const FIRM: f32 = 0.6;
-/// Beyond this lean a robot falls or lies, rad.
-const UPRIGHT: f32 = 0.4;
 /// A foot with more force on it has touched the ground, N.
 const TOUCH: f32 = 10.0;
 
@@ -44,7 +40,7 @@ impl Measured {
             feet: (NONE, NONE),
             pressed: false,
             playing: true,
-            profile: &Profile::BUILT_IN,
+            profile: Nao::KINEMATIC_PROFILE,
             health: Health::new(),
         }
     }
@@ -72,13 +68,13 @@ impl Measured {
     pub fn check(&mut self, sensors: &Sensors<'_>, targets: &Joints, stiffness: &Joints) {
         self.health.step(sensors, targets, stiffness);
         self.commanded = *targets;
-        self.firm = stiffness[Joint::LKneePitch].min(stiffness[Joint::RKneePitch]) >= FIRM;
+        self.firm = stiffness[Joint::LKneePitch].min(stiffness[Joint::RKneePitch]) >= FOLLOWING_STIFFNESS;
     }
 
     /// What the joints were told last, rad; none while the robot does not stand or its legs are too soft to follow.
     #[must_use]
     pub fn commanded(&self) -> Option<&Joints<f32>> {
-        let upright = self.inertial.roll.abs() < UPRIGHT && self.inertial.pitch.abs() < UPRIGHT;
+        let upright = is_upright(&self.inertial);
         (self.firm && upright).then_some(&self.commanded)
     }
 

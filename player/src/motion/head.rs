@@ -1,8 +1,8 @@
 //! The head.
 
 use bica::prelude::*;
-use bica_motion::dimensions;
-use bica_motion::head::{HeadAngles, HeadMotion};
+use bica_motion::head::HeadAngles;
+use bica_motion::model::{HeadSpeed, Nao, RobotModel};
 use bica_motion::robot::CameraId;
 use libm::fabsf;
 
@@ -10,7 +10,7 @@ use crate::input::Measured;
 use crate::output::Motors;
 
 /// Fast, yet below what the motors can (6.5 rad/s), so that images stay sharp.
-const SPEED: HeadMotion = HeadMotion { yaw_speed: 4.0, pitch_speed: 3.0 };
+const SPEED: HeadSpeed = HeadSpeed { yaw: 4.0, pitch: 3.0 };
 /// How near the measured joints must be to count as arrived, rad.
 const ARRIVED: f32 = 0.03;
 
@@ -31,7 +31,7 @@ impl Head {
     }
 
     fn step(&mut self, time: &Time, body: &Measured, motors: &mut Motors) {
-        self.commanded = SPEED.step(self.commanded, self.wanted, time.dt());
+        self.commanded = SPEED.step::<Nao>(self.commanded, self.wanted, time.dt());
         let measured = HeadAngles::read(body.angles());
         let near = |measured: f32, wanted: f32| fabsf(measured - wanted) < ARRIVED;
         self.arrived = near(measured.yaw, self.wanted.yaw) && near(measured.pitch, self.wanted.pitch);
@@ -42,7 +42,7 @@ impl Head {
     /// number is not done.
     pub fn look_at(&mut self, pan: f32, tilt: f32) {
         if pan.is_finite() && tilt.is_finite() {
-            let wanted = HeadAngles { yaw: pan, pitch: tilt }.clamped();
+            let wanted = HeadAngles { yaw: pan, pitch: tilt }.clamped::<Nao>();
             self.arrived &= wanted == self.wanted;
             self.wanted = wanted;
         }
@@ -51,10 +51,7 @@ impl Head {
     /// How far below the head's own direction a camera looks, rad.
     #[must_use]
     pub const fn mounted(camera: CameraId) -> f32 {
-        match camera {
-            CameraId::Top => dimensions::TOP_CAMERA_TILT,
-            CameraId::Bottom => dimensions::BOTTOM_CAMERA_TILT,
-        }
+        Nao::DIMENSIONS.camera(camera).tilt
     }
 
     /// Head pan that was commanded last, rad to the left.

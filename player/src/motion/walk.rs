@@ -1,8 +1,9 @@
 //! The walk.
 
 use bica::prelude::*;
+use bica_motion::model::{Nao, RobotModel};
 use bica_motion::side::Side;
-use bica_motion::walk::{Parameters, Phase, Velocity, Walk as Gait};
+use bica_motion::walk::{Phase, Velocity, Walk as Gait};
 
 use crate::input::Measured;
 use crate::output::Motors;
@@ -19,7 +20,7 @@ impl Walk {
     /// A walk that stands.
     #[must_use]
     pub const fn new() -> Self {
-        Self { gait: Gait::new(&Parameters::BUILT_IN), request: Velocity::ZERO }
+        Self { gait: Gait::new(&Nao::KINEMATIC_PROFILE.gait), request: Velocity::ZERO }
     }
 
     /// Whatever moved the body before has left it in the stand.

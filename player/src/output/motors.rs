@@ -3,7 +3,8 @@
 use bica::prelude::*;
 use bica_motion::joints::{JOINTS, Joint, Joints};
 use bica_motion::limbs::Limbs;
-use bica_motion::stand::Stiffness;
+use bica_motion::model::Nao;
+use bica_motion::stiffness::Stiffness;
 
 /// How stiff the head is held (B-Human 2023).
 const HEAD: f32 = 0.7;
@@ -33,7 +34,7 @@ impl Motors {
 
     /// Sets the targets of arms and legs for walking, rad. What is no number is not done.
     pub fn limbs(&mut self, limbs: &Limbs) {
-        self.all_but_head(&limbs.joints(), &Stiffness::Walk.joints());
+        self.all_but_head(&limbs.joints(), &Stiffness::Walk.joints::<Nao>());
     }
 
     /// Sets the targets of all joints but the head's, rad, and how stiff they hold them. What is no number is not done.
@@ -62,7 +63,7 @@ impl Motors {
     /// The targets, rad, within the joints' limits.
     #[must_use]
     pub fn targets(&self) -> Joints {
-        self.targets.clamp_to_limits()
+        self.targets.clamp_to_limits::<Nao>()
     }
 
     /// The stiffness, 0 to 1.

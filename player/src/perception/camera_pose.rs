@@ -1,6 +1,7 @@
 //! Where the camera is.
 
 use bica::prelude::*;
+use bica_motion::model::Nao;
 use bica_vision::projection::Camera;
 
 use crate::input::{Eye, Measured};
@@ -28,7 +29,7 @@ impl CameraPose {
         if self.image != eye.count() {
             self.image = eye.count();
             let image = eye.image();
-            let camera = Camera::of_nao(image.camera, eye.angles(), body.support(), image.width, image.height);
+            let camera = Camera::of::<Nao>(image.camera, eye.angles(), body.support(), image.width, image.height);
             let [before, now] = [self.camera.unwrap_or(camera), camera].map(|camera| camera.pose().matrix3.x_axis);
             self.turned = now.distance(before);
             self.camera = Some(camera);

@@ -1,6 +1,7 @@
 //! The robot's own body in the image.
 
 use bica::prelude::*;
+use bica_motion::model::Nao;
 use bica_vision::own_body::OwnBody as Body;
 
 use super::CameraPose;
@@ -25,7 +26,7 @@ impl OwnBody {
         if self.image != eye.count() {
             self.image = eye.count();
             let camera = pose.camera();
-            self.body = camera.map_or(Body::NONE, |camera| Body::of_nao(camera, eye.image().camera, eye.angles()));
+            self.body = camera.map_or(Body::NONE, |camera| Body::of::<Nao>(camera, eye.image().camera, eye.angles()));
         }
     }
 

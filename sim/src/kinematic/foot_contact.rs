@@ -1,6 +1,6 @@
 //! A shoe that pushes and kicks the ball.
 
-use bica_motion::dimensions::SOLE_OUTLINE;
+use bica_motion::model::{Nao, RobotModel};
 use bica_motion::side::Side;
 use glam::{Affine3A, Vec2, Vec3};
 use libm::sqrtf;
@@ -17,8 +17,11 @@ const GRIP: f32 = 0.1;
 /// The most that a ball is moved out of a shoe in one sub-step, m: a shoe that comes down on it squeezes it out.
 const MOST_PUSH: f32 = 0.005;
 
+/// The left sole's corners in its own frame, m.
+const SOLE: &[Vec2] = Nao::DIMENSIONS.sole_outline;
+
 /// The sole's corners, field frame, m.
-type Outline = [Vec3; SOLE_OUTLINE.len()];
+type Outline = [Vec3; SOLE.len()];
 
 /// A shoe on its way through one cycle.
 #[derive(Clone, Copy, Debug)]
@@ -96,8 +99,8 @@ fn reach(sole: f32) -> Option<f32> {
 pub(crate) fn outline(side: Side, sole: &Affine3A) -> Outline {
     core::array::from_fn(|i| {
         let corner = match side {
-            Side::Left => SOLE_OUTLINE[i],
-            Side::Right => SOLE_OUTLINE[SOLE_OUTLINE.len() - 1 - i] * Vec2::new(1.0, -1.0),
+            Side::Left => SOLE[i],
+            Side::Right => SOLE[SOLE.len() - 1 - i] * Vec2::new(1.0, -1.0),
         };
         sole.transform_point3(corner.extend(0.0))
     })

@@ -1,6 +1,6 @@
 //! The world that a game is played in.
 
-use bica_motion::profile::Profile;
+use bica_motion::model::{Nao, Profile, RobotModel};
 use bica_sim::SpectatorView;
 use bica_sim::kinematic::KinematicWorld;
 use bica_sim::setup::Setup;
@@ -22,9 +22,9 @@ impl WorldKind {
     /// How a robot moves there.
     pub const fn profile(self) -> &'static Profile {
         match self {
-            Self::BuiltIn => &Profile::BUILT_IN,
+            Self::BuiltIn => Nao::KINEMATIC_PROFILE,
             #[cfg(feature = "mujoco")]
-            Self::Mujoco => &Profile::NAO,
+            Self::Mujoco => Nao::DYNAMIC_PROFILE,
         }
     }
 }

@@ -19,13 +19,20 @@ pub(super) const DIMENSIONS: Dimensions = Dimensions {
     hand: Vec3::new(0.057_75, 0.0, 0.012_31),
     torso: Vec3::new(0.0, 0.0, 0.085),
     inertial_unit: Vec3::new(-0.008, 0.006_06, 0.112),
-    top_camera: CameraMount { position: Vec3::new(0.058_71, 0.0, 0.063_64), tilt: 1.2_f32.to_radians() },
-    bottom_camera: CameraMount { position: Vec3::new(0.050_71, 0.0, 0.017_74), tilt: 39.7_f32.to_radians() },
+    top_camera: CameraMount { position: Vec3::new(0.058_71, 0.0, 0.063_64), tilt: 1.2_f32.to_radians(), focal: FOCAL },
+    bottom_camera: CameraMount {
+        position: Vec3::new(0.050_71, 0.0, 0.017_74),
+        tilt: 39.7_f32.to_radians(),
+        focal: FOCAL,
+    },
     mass_over_hips: 0.035,
     sole_outline: &SOLE_OUTLINE,
     left_pressure: LEFT_PRESSURE,
     right_pressure: RIGHT_PRESSURE,
 };
+
+/// Focal lengths of both cameras: 618.66 and 617.16 pixels at 640 × 480. Source: B-Human 2023 and HULKs 2025.
+const FOCAL: Vec2 = Vec2::new(618.66 / 640.0, 617.16 / 480.0);
 
 /// Edge of the left sole.
 ///

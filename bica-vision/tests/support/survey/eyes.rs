@@ -1,5 +1,6 @@
 //! What the eyes see from a pose.
 
+use bica_motion::model::Nao;
 use bica_motion::side::Side;
 use bica_sim::World;
 use bica_vision::ball;
@@ -16,7 +17,7 @@ pub(crate) fn see(look: &Look) -> (Camera, Seen) {
     let sensors = world.sensors();
     let image = sensors.image.expect("there is a new one");
     let frame = Frame::from_image(&image).expect("a frame");
-    let camera = Camera::of_nao(image.camera, &sensors.angles, Side::Left, image.width, image.height);
+    let camera = Camera::of::<Nao>(image.camera, &sensors.angles, Side::Left, image.width, image.height);
     let seen = Eyes::<512, 1024>::new(ball::RADIUS).look(&frame, &BUILT_IN_TABLE, Some(&camera));
     (camera, seen)
 }

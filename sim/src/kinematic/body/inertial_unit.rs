@@ -1,6 +1,6 @@
 //! The inertial unit in the torso.
 
-use bica_motion::dimensions::INERTIAL_UNIT;
+use bica_motion::model::{Nao, RobotModel};
 use bica_motion::robot::Inertial;
 use glam::{Affine3A, Vec3, Vec3A};
 use libm::{asinf, atan2f};
@@ -28,7 +28,7 @@ impl InertialUnit {
 
     /// Measures after a cycle that brought the robot frame to a pose.
     pub(crate) fn step(&mut self, robot: &Affine3A, random: &mut Random) -> Inertial {
-        let place = |pose: &Affine3A| pose.transform_point3(INERTIAL_UNIT);
+        let place = |pose: &Affine3A| pose.transform_point3(Nao::DIMENSIONS.inertial_unit);
         let velocity = (place(robot) - place(&self.before)) / CYCLE_SECONDS;
         let jolt = ((velocity - self.velocity) / CYCLE_SECONDS).clamp_length_max(ACCELEROMETER_RANGE);
         self.acceleration += ACCELERATION_SHARE * (jolt - self.acceleration);

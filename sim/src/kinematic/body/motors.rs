@@ -1,16 +1,15 @@
 //! Motors: joints follow their targets late and no faster than they can.
 
-use bica_motion::actuator::CONTINUOUS_CURRENT;
 use bica_motion::head::HeadAngles;
 use bica_motion::joints::{JOINTS, Joint, Joints};
+use bica_motion::model::{Nao, RobotModel};
 use bica_motion::robot::Command;
-use bica_motion::speed::{DEAD_TIME, max_speed};
 
 use crate::motor_heat::MotorHeat;
 use crate::world::CYCLE_SECONDS;
 
 /// Cycles from a command to the first motion.
-const DELAY: usize = (DEAD_TIME / CYCLE_SECONDS + 0.5) as usize;
+const DELAY: usize = (Nao::DEAD_TIME / CYCLE_SECONDS + 0.5) as usize;
 /// From this stiffness on a joint reaches its full speed; below, proportionally less (our estimate).
 const FULL_SPEED: f32 = 0.2;
 
@@ -59,14 +58,14 @@ impl Motors {
         let due = core::mem::replace(&mut self.waiting[self.next], (command.targets, command.stiffness));
         self.next = (self.next + 1) % DELAY;
         let before = self.angles;
-        let moved = self.angles.moved_toward(&due.0, CYCLE_SECONDS).clamp_to_limits();
+        let moved = self.angles.moved_toward::<Nao>(&due.0, CYCLE_SECONDS).clamp_to_limits::<Nao>();
         for i in 0..JOINTS {
             let strength = (due.1.0[i] / FULL_SPEED).clamp(0.0, 1.0);
             if strength > 0.0 {
                 self.angles.0[i] += strength * (moved.0[i] - self.angles.0[i]);
             }
         }
-        HeadAngles::read(&self.angles).clamped().write(&mut self.angles);
+        HeadAngles::read(&self.angles).clamped::<Nao>().write(&mut self.angles);
         self.heat.step(drawn(&before, &self.angles, &due.1));
     }
 }
@@ -76,9 +75,9 @@ fn drawn(before: &Joints, after: &Joints, stiffness: &Joints) -> Joints {
     let [legs, others, full_speed] = DRAWN;
     Joints(Joint::ALL.map(|joint| {
         let held = if (7..=17).contains(&joint.index()) { legs } else { others };
-        let speed = (after[joint] - before[joint]).abs() / CYCLE_SECONDS / max_speed(joint);
+        let speed = (after[joint] - before[joint]).abs() / CYCLE_SECONDS / Nao::MAX_SPEEDS[joint];
         let firmness = if stiffness[joint] > 0.0 { stiffness[joint].min(1.0) } else { 0.0 };
-        CONTINUOUS_CURRENT[joint] * (held * firmness + full_speed * speed)
+        Nao::CONTINUOUS_CURRENTS[joint] * (held * firmness + full_speed * speed)
     }))
 }
 
@@ -86,7 +85,6 @@ fn drawn(before: &Joints, after: &Joints, stiffness: &Joints) -> Joints {
 mod tests {
     use super::*;
     use bica_motion::robot::{CameraId, Lights};
-    use bica_motion::speed::max_speed;
 
     fn command(target: f32, stiffness: f32) -> Command {
         let (targets, stiffness) = (Joints::all(target), Joints::all(stiffness));
@@ -102,13 +100,13 @@ mod tests {
         }
         motors.step(&command(0.9, 1.0));
         let moved = motors.angles()[Joint::LKneePitch] - 0.3;
-        assert!((moved - max_speed(Joint::LKneePitch) * 0.01).abs() < 1e-6);
+        assert!((moved - Nao::MAX_SPEEDS[Joint::LKneePitch] * 0.01).abs() < 1e-6);
     }
 
     #[test]
     fn a_limp_joint_and_one_with_a_wrong_target_stay() {
         for wrong in [command(0.5, 0.0), command(f32::NAN, 1.0), command(0.5, f32::NAN), command(0.5, -1.0)] {
-            let held = Joints::all(0.0).clamp_to_limits();
+            let held = Joints::all(0.0).clamp_to_limits::<Nao>();
             let mut motors = Motors::holding(held);
             for _ in 0..10 {
                 motors.step(&wrong);
@@ -123,8 +121,8 @@ mod tests {
         for _ in 0..300 {
             motors.step(&command(9.0, 1.0));
         }
-        assert!(motors.angles().within_limits());
+        assert!(motors.angles().within_limits::<Nao>());
         let head = HeadAngles::read(motors.angles());
-        assert_eq!(head, head.clamped());
+        assert_eq!(head, head.clamped::<Nao>());
     }
 }

@@ -1,5 +1,6 @@
 //! What the eyes see in one image.
 
+use bica_motion::model::Nao;
 use std::f32::consts::TAU;
 use std::time::Instant;
 
@@ -129,7 +130,7 @@ impl Eyes {
         let camera = trusted.map(|pose| pose.camera(frame.width().into(), frame.height().into()));
         let camera = camera.as_ref();
         let began = Instant::now();
-        let own = camera.map_or(OwnBody::NONE, |camera| OwnBody::standing(camera, SEES));
+        let own = camera.map_or(OwnBody::NONE, |camera| OwnBody::standing::<Nao>(camera, SEES));
         let seen = match &self.palette {
             Palette::Compact(table) => self.detectors.look_beside(&frame, &**table, camera, &own),
             Palette::Full(cells) => self.detectors.look_beside(&frame, &FullTable::from(&**cells), camera, &own),

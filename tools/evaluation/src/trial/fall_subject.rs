@@ -3,8 +3,8 @@
 use bica::{Instant, Tree};
 use bica_motion::fall::FallState;
 use bica_motion::joints::Joint;
+use bica_motion::model::{Nao, RobotModel};
 use bica_motion::pose::Pose2;
-use bica_motion::profile::Profile;
 use bica_player::behaviour::FallGuard;
 use bica_player::input::Measured;
 use bica_player::perception::{FallDetector, NetDetector};
@@ -57,7 +57,7 @@ impl FallSubject {
         let world = MujocoWorld::new(setup, &Physics { cameras, ..*physics })
             .map_err(|error| Failure::new(error.to_string(), "try another value"))?;
         let mut robot = Box::new(Forward::new());
-        robot.get_mut::<Measured>().set_profile(&Profile::NAO);
+        robot.get_mut::<Measured>().set_profile(Nao::DYNAMIC_PROFILE);
         robot.get_mut::<NetDetector>().attack(match world.referee().attacks() {
             GoalColour::Yellow => Colour::Yellow,
             GoalColour::SkyBlue => Colour::Blue,

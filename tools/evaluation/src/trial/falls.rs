@@ -2,8 +2,8 @@
 
 use bica_motion::fall::{FallDetector, FallState};
 use bica_motion::kick::{Kick, KickMotion};
+use bica_motion::model::{Nao, RobotModel};
 use bica_motion::pose::Pose2;
-use bica_motion::profile::Profile;
 use bica_motion::walk::{Feedback, Velocity};
 use bica_sim::{CYCLE_SECONDS, World};
 use glam::Vec2;
@@ -118,7 +118,7 @@ fn kick(bench: &Bench, seed: u64) -> Result<bool, Failure> {
     let mut walker = Walker::new(seed, Pose2::ORIGIN, &bench.physics)?;
     let mut balance = FallDetector::new();
     for kick in Kick::ALL {
-        let mut motion = KickMotion::new(kick, &Profile::NAO);
+        let mut motion = KickMotion::<Nao>::new(kick, Nao::DYNAMIC_PROFILE);
         while !motion.is_done() {
             let limbs = motion.step(&Feedback::from(&walker.world.sensors()), CYCLE_SECONDS);
             walker.act(&limbs);

@@ -2,6 +2,7 @@
 
 use bica::prelude::*;
 use bica_motion::kinematics;
+use bica_motion::model::Nao;
 use bica_motion::pose::{Pose2, wrap};
 use bica_motion::side::Side;
 use bica_player::behaviour::{LookAround, Player};
@@ -98,7 +99,7 @@ impl Lookout {
 
     /// The ground between the feet, as the referee knows it.
     fn truth(&mut self) -> Pose2 {
-        let hips = kinematics::ground_from_robot(Side::Left, &self.world.sensors().angles).translation;
+        let hips = kinematics::ground_from_robot::<Nao>(Side::Left, &self.world.sensors().angles).translation;
         self.world.referee().robot() * Pose2::new(-hips.x, -hips.y, 0.0)
     }
 
