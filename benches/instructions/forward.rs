@@ -10,7 +10,7 @@ use bica_player::input::{Colours, Eye, Measured};
 use bica_player::motion::{Body, GoStraight, Head, Kicker, Turn, Walk};
 use bica_player::output::{Gaze, Motors};
 use bica_player::perception::{
-    BallDetector, CameraPose, FallDetector, FieldEnd, FieldLines, Localization, NetDetector, Odometry, OwnBody,
+    BallDetector, CameraPose, FallDetector, FieldBoundary, FieldLines, Localization, NetDetector, Odometry, OwnBody,
     RobotDetector,
 };
 use bica_player::{Forward, act, sense};
@@ -67,7 +67,7 @@ components! {
     net_detector: NetDetector,
     field_lines: FieldLines,
     robot_detector: RobotDetector,
-    field_end: FieldEnd,
+    field_boundary: FieldBoundary,
     own_body: OwnBody,
     camera_pose: CameraPose,
     odometry: Odometry,

@@ -61,7 +61,7 @@ fn a_component_is_its_block_and_two_impls() {
         block.trait_.as_ref().map(|(path, _)| path.segments.last().unwrap().ident.to_string())
     });
     let traits = traits.collect::<Vec<_>>();
-    assert_eq!(traits, [None, Some("Component".to_owned()), Some("Wired".to_owned())]);
+    assert_eq!(traits, [None, Some("Component".to_owned()), Some("MemberOf".to_owned())]);
 }
 
 #[test]
@@ -105,7 +105,7 @@ fn a_mistake_leaves_the_block_and_a_component() {
     let code = component::run(quote!(hz = fast), &broken);
     assert_eq!(messages(code.clone()).len(), 3);
     let words = words(code);
-    for word in ["Component", "Wired", "Body", "Neck", "async"] {
+    for word in ["Component", "MemberOf", "Body", "Neck", "async"] {
         assert!(words.contains(&word.to_owned()), "{word}");
     }
 }

@@ -7,8 +7,7 @@ use bica_motion::stiffness::Stiffness;
 use bica_player::input::EYE_BYTES;
 use bica_player::perception::{BallDetector, NetDetector};
 use bica_player::{Forward, act, sense};
-use bica_vision::colour::Colour;
-use bica_wire::message::{ClockMode, Command, GoalColour, Hello, Identity, LinkStats, Sensors, Telemetry};
+use bica_wire::message::{ClockMode, Command, Hello, Identity, LinkStats, Sensors, Telemetry};
 use bica_wire::{ImageBuffer, FromRobot, SCHEMA, ToRobot, describe};
 use embassy_time::Duration;
 use embedded_io_async::Write;
@@ -109,10 +108,7 @@ impl<B: Board> Mind<B> {
             B::reset();
         }
         defmt::info!("hello; in step with the world: {=bool}", hello.clock_mode == ClockMode::Lockstep);
-        self.robot.get_mut::<NetDetector>().attack(match hello.attacks {
-            GoalColour::Yellow => Colour::Yellow,
-            GoalColour::Blue => Colour::Blue,
-        });
+        self.robot.get_mut::<NetDetector>().attack(hello.attacks);
         self.pace = Some(hello.clock_mode);
         voice.say(&self.greeting()).await;
     }

@@ -11,7 +11,7 @@ use crate::input::{Colours, Eye, FrameTooLarge, Measured};
 use crate::motion::{Body, GoStraight, Head, Kicker, Turn, Walk};
 use crate::output::{Gaze, Motors};
 use crate::perception::{
-    BallDetector, CameraPose, FallDetector, FieldEnd, FieldLines, Localization, NetDetector, Odometry, OwnBody,
+    BallDetector, CameraPose, FallDetector, FieldBoundary, FieldLines, Localization, NetDetector, Odometry, OwnBody,
     RobotDetector,
 };
 
@@ -25,7 +25,7 @@ activation_tree! {
             Player,
             SearchBall, FollowBall, SearchNet, LookAround, GoRound, Fixmove, Dribble, FallGuard, FaceBall,
             Body, GoStraight, Turn, Walk, Kicker, Head,
-            Localization, BallDetector, NetDetector, FieldLines, RobotDetector, FieldEnd, OwnBody, CameraPose, Odometry,
+            Localization, BallDetector, NetDetector, FieldLines, RobotDetector, FieldBoundary, OwnBody, CameraPose, Odometry,
             FallDetector,
             Eye, Colours, Measured,
             Motors, Gaze,

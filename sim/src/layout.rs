@@ -5,10 +5,12 @@ use core::f32::consts::PI;
 use bica_motion::pose::{Pose2, rotate};
 use glam::Vec2;
 
-use crate::pitch::{CORNER, POST};
 use crate::random::Random;
-use crate::referee::GoalColour;
 use crate::setup::{Setup, Start};
+use bica_field::{FIELD, GoalColour};
+
+const CORNER: Vec2 = FIELD.field_corner();
+const POST: Vec2 = FIELD.goal_post();
 
 /// What the seed decides about the field.
 #[derive(Clone, Debug, PartialEq)]

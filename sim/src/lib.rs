@@ -35,7 +35,6 @@ mod motor_heat;
 #[cfg(feature = "mujoco")]
 pub mod mujoco;
 mod obstacle;
-mod pitch;
 mod random;
 pub mod referee;
 mod segmentation;
@@ -43,6 +42,7 @@ mod sensor_model;
 pub mod setup;
 mod spectator;
 mod transform;
+mod verdict;
 mod world;
 
 pub use referee::Referee;

@@ -1,8 +1,11 @@
 //! What stands in the way on the ground.
 
+use bica_field::FIELD;
 use glam::Vec2;
 
-use crate::pitch::{GOAL_BACK, POST, POST_RADIUS};
+const GOAL_BACK: f32 = FIELD.goal_back();
+const POST: Vec2 = FIELD.goal_post();
+const POST_RADIUS: f32 = FIELD.post_radius();
 
 /// A wall with round ends, seen from above; a disc if both ends are the same. Field frame, m.
 #[derive(Clone, Copy, Debug, PartialEq)]

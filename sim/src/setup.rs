@@ -1,12 +1,15 @@
 //! What to build a field world from.
 
+use bica_field::FIELD;
 use core::fmt;
 
 use bica_motion::pose::Pose2;
 use glam::Vec2;
 
 use crate::obstacle::{GOALS, Obstacle};
-use crate::pitch::{BALL_RADIUS, CARPET};
+
+const BALL_RADIUS: f32 = FIELD.ball_radius();
+const CARPET: Vec2 = FIELD.carpet_corner();
 
 /// How near the robot's middle may come to anything, m.
 pub(crate) const ROBOT_RADIUS: f32 = 0.15;

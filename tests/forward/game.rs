@@ -6,9 +6,7 @@ use bica_player::perception::NetDetector;
 use bica_player::{Forward, act, sense};
 use bica_sim::World;
 use bica_sim::kinematic::KinematicWorld;
-use bica_sim::referee::GoalColour;
 use bica_sim::setup::Setup;
-use bica_vision::colour::Colour;
 
 /// A forward in a world.
 pub(crate) struct Game {
@@ -20,10 +18,7 @@ impl Game {
     pub(crate) fn new(setup: &Setup) -> Self {
         let world = KinematicWorld::new(setup).expect("the setup is sound");
         let mut robot = Box::new(Forward::new());
-        robot.get_mut::<NetDetector>().attack(match world.referee().attacks() {
-            GoalColour::Yellow => Colour::Yellow,
-            GoalColour::SkyBlue => Colour::Blue,
-        });
+        robot.get_mut::<NetDetector>().attack(world.referee().attacks());
         Self { world, robot }
     }
 

@@ -4,21 +4,16 @@ use std::error::Error;
 
 use bica::{ComponentId, Instant, Tree};
 use bica_emulator::{Controller, CycleReport, command_bits};
+use bica_field::GoalColour;
 use bica_motion::robot::{Command, Sensors};
 use bica_player::perception::NetDetector;
 use bica_player::{Forward, act, sense};
 use bica_sim::World;
 use bica_sim::kinematic::KinematicWorld;
-use bica_sim::referee::GoalColour;
-use bica_vision::colour::Colour;
-use bica_wire::message;
 
 /// Returns the colour of the goal that the robot attacks.
-pub(crate) fn attacked_goal(world: &KinematicWorld) -> message::GoalColour {
-    match world.referee().attacks() {
-        GoalColour::Yellow => message::GoalColour::Yellow,
-        GoalColour::SkyBlue => message::GoalColour::Blue,
-    }
+pub(crate) fn attacked_goal(world: &KinematicWorld) -> GoalColour {
+    world.referee().attacks()
 }
 
 /// The forward on the host.
@@ -26,12 +21,9 @@ pub(crate) struct Reference(Box<Forward>);
 
 impl Reference {
     /// Creates a forward that attacks the goal of a colour.
-    pub(crate) fn new(attacks: message::GoalColour) -> Self {
+    pub(crate) fn new(attacks: GoalColour) -> Self {
         let mut robot = Box::new(Forward::new());
-        robot.get_mut::<NetDetector>().attack(match attacks {
-            message::GoalColour::Yellow => Colour::Yellow,
-            message::GoalColour::Blue => Colour::Blue,
-        });
+        robot.get_mut::<NetDetector>().attack(attacks);
         Self(robot)
     }
 

@@ -1,15 +1,16 @@
 //! The ball.
 
 use bica::prelude::*;
+use bica_field::FIELD;
 use bica_motion::robot::CameraId;
-use bica_vision::ball::{Ball, BallFinder, RADIUS};
+use bica_vision::ball::{Ball, BallFinder};
 use bica_vision::frame::Frame;
 use bica_vision::memory::ball::BallMemory;
-use bica_vision::memory::{Place, sight};
+use bica_vision::memory::{PositionEstimate, visibility};
 use glam::Vec2;
 
 use super::ride::Ride;
-use super::{CameraPose, Direction, FieldEnd, Odometry, OwnBody};
+use super::{CameraPose, Direction, FieldBoundary, Odometry, OwnBody};
 use crate::input::{Colours, Eye};
 
 /// Sightings in a row that make sure.
@@ -49,7 +50,7 @@ impl BallDetector {
     #[must_use]
     pub const fn new() -> Self {
         Self {
-            finder: BallFinder::new(RADIUS),
+            finder: BallFinder::new(FIELD.ball_radius()),
             seen: None,
             in_row: 0,
             unseen_ms: LOST,
@@ -63,7 +64,7 @@ impl BallDetector {
         time: &Time,
         eye: &Eye,
         colours: &Colours,
-        end: &FieldEnd,
+        end: &FieldBoundary,
         pose: &CameraPose,
         own: &OwnBody,
         odometry: &Odometry,
@@ -80,17 +81,24 @@ impl BallDetector {
         }
     }
 
-    fn look(&mut self, eye: &Eye, colours: &Colours, end: &FieldEnd, pose: &CameraPose, own: &OwnBody) -> Option<Seen> {
+    fn look(
+        &mut self,
+        eye: &Eye,
+        colours: &Colours,
+        end: &FieldBoundary,
+        pose: &CameraPose,
+        own: &OwnBody,
+    ) -> Option<Seen> {
         let image = eye.image();
         let (frame, camera) = (Frame::from_image(&image).ok()?, pose.camera()?);
-        let ball = self.finder.find_beside(&frame, colours, end.line(), Some(camera), own.body())?;
+        let ball = self.finder.find_with_body(&frame, colours, end.line(), Some(camera), own.body())?;
         Some(Seen { ball, direction: Direction::of(camera.ray(ball.centre)), camera: image.camera })
     }
 
     fn note(&mut self, seen: &Seen, pose: &CameraPose) {
         let (true, Some(camera)) = (self.sure(), pose.camera()) else { return };
         self.unseen_ms = 0;
-        if let Some(Place { position, covariance }) = seen.ball.place(camera, RADIUS) {
+        if let Some(PositionEstimate { position, covariance }) = seen.ball.estimate(camera, FIELD.ball_radius()) {
             self.memory.see(position, &covariance, seen.ball.confidence);
         }
     }
@@ -99,7 +107,7 @@ impl BallDetector {
     fn note_absence(&mut self, eye: &Eye, pose: &CameraPose, own: &OwnBody) {
         let Some((camera, place)) = pose.camera().zip(self.memory.likeliest()) else { return };
         let size = Vec2::new(eye.image().width.into(), eye.image().height.into());
-        if pose.is_steady() && sight::shows(camera, size, own.body(), &place, RADIUS, VISIBLE) {
+        if pose.is_steady() && visibility::is_in_view(camera, size, own.body(), &place, FIELD.ball_radius(), VISIBLE) {
             self.memory.miss();
         }
     }
@@ -125,19 +133,19 @@ impl BallDetector {
     /// Where to look for the ball: where it is seen, else where it is believed to lie.
     #[must_use]
     pub fn direction(&self) -> Option<Direction> {
-        let remembered = || self.at().map(|at| Direction::of_ground(at, RADIUS));
+        let remembered = || self.at().map(|at| Direction::of_ground(at, FIELD.ball_radius()));
         self.seen.map(|seen| seen.direction).or_else(remembered)
     }
 
     /// Where the ball is believed to lie or to roll now, m, in the frame on the ground between the feet.
     #[must_use]
     pub fn at(&self) -> Option<Vec2> {
-        self.place().map(|place| place.position)
+        self.estimate().map(|place| place.position)
     }
 
     /// The same, with how sure that is.
     #[must_use]
-    pub fn place(&self) -> Option<Place> {
+    pub fn estimate(&self) -> Option<PositionEstimate> {
         self.memory.likeliest()
     }
 

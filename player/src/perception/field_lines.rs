@@ -6,7 +6,7 @@ use bica_vision::lines;
 use bica_vision::markings::Markings;
 use glam::Vec2;
 
-use super::{CameraPose, FieldEnd, OwnBody, RobotDetector};
+use super::{CameraPose, FieldBoundary, OwnBody, RobotDetector};
 use crate::input::{Colours, Eye};
 
 /// The white lines in the newest image, where they cross, and the centre circle. What is white on a robot, or on this one, is no line.
@@ -28,7 +28,7 @@ impl FieldLines {
         &mut self,
         eye: &Eye,
         colours: &Colours,
-        end: &FieldEnd,
+        end: &FieldBoundary,
         robots: &RobotDetector,
         own: &OwnBody,
         pose: &CameraPose,

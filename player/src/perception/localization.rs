@@ -1,9 +1,9 @@
 //! The place on the field.
 
 use bica::prelude::*;
+use bica_field::FIELD;
 use bica_motion::pose::Pose2;
 use bica_vision::localization::{Estimate, Localizer, Sightings};
-use bica_vision::pitch;
 use glam::Vec2;
 
 use super::ride::Ride;
@@ -58,6 +58,6 @@ impl Localization {
     #[must_use]
     pub fn posts(&self) -> Option<[Vec2; 2]> {
         let pose = self.pose()?;
-        Some(pitch::posts(true).map(|post| pose.locate(post)))
+        Some(FIELD.goal_posts(true).map(|post| pose.locate(post)))
     }
 }

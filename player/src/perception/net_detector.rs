@@ -1,18 +1,18 @@
 //! The goal to score in.
 
 use bica::prelude::*;
+use bica_field::{FIELD, GoalColour};
 use bica_motion::pose::rotate;
-use bica_vision::colour::Colour;
 use bica_vision::frame::Frame;
 use bica_vision::gap;
-use bica_vision::goal::{Goal, GoalFinder, Goals, POST_DISTANCE, POST_WIDTH, Post, PostSide};
-use bica_vision::memory::{Memory, Place, sight};
+use bica_vision::goal::{Goal, GoalFinder, Goals, Post, PostSide};
+use bica_vision::memory::{Memory, PositionEstimate, visibility};
 use bica_vision::projection::Camera;
 use bica_vision::uncertainty::{self, Covariance, Errors};
 use glam::Vec2;
 
 use super::ride::Ride;
-use super::{CameraPose, FieldEnd, Odometry, OwnBody};
+use super::{CameraPose, FieldBoundary, Odometry, OwnBody};
 use crate::input::{Colours, Eye};
 
 /// Time without a sighting in which the belief in the goal's place halves, s.
@@ -26,14 +26,14 @@ const SAME: f32 = 0.6;
 /// A goal farther away than this may be there and not be seen, m.
 const VISIBLE: f32 = 4.0;
 /// How far the middle of the goal may be from where one post of unknown side says, m.
-const HALF_GOAL: f32 = 0.5 * POST_DISTANCE;
+const HALF_GOAL: f32 = 0.5 * FIELD.goal_width();
 /// How far off a goal may be where the feet of its posts are not seen, m.
 const UNSURE: f32 = 0.5;
 
 /// Finds the goal that the forward attacks and remembers where it is.
 pub struct NetDetector {
     finder: GoalFinder<512>,
-    attacked: Colour,
+    attacked: GoalColour,
     goals: Goals,
     seen: Option<Goal>,
     whole: bool,
@@ -52,7 +52,7 @@ impl NetDetector {
     pub const fn new() -> Self {
         Self {
             finder: GoalFinder::new(),
-            attacked: Colour::Yellow,
+            attacked: GoalColour::Yellow,
             goals: Goals { yellow: None, blue: None },
             seen: None,
             whole: false,
@@ -69,7 +69,7 @@ impl NetDetector {
         time: &Time,
         eye: &Eye,
         colours: &Colours,
-        end: &FieldEnd,
+        end: &FieldBoundary,
         pose: &CameraPose,
         own: &OwnBody,
         odometry: &Odometry,
@@ -79,7 +79,7 @@ impl NetDetector {
             return;
         }
         self.goals = self.look(eye, colours, end, pose);
-        self.seen = if self.attacked == Colour::Yellow { self.goals.yellow } else { self.goals.blue };
+        self.seen = if self.attacked == GoalColour::Yellow { self.goals.yellow } else { self.goals.blue };
         match (self.seen, pose.camera()) {
             (Some(goal), Some(camera)) => {
                 self.note(&goal, camera);
@@ -90,7 +90,7 @@ impl NetDetector {
         }
     }
 
-    fn look(&mut self, eye: &Eye, colours: &Colours, end: &FieldEnd, pose: &CameraPose) -> Goals {
+    fn look(&mut self, eye: &Eye, colours: &Colours, end: &FieldBoundary, pose: &CameraPose) -> Goals {
         let frame = Frame::from_image(&eye.image());
         frame.map_or(Goals::default(), |frame| self.finder.find(&frame, colours, end.line(), pose.camera()))
     }
@@ -100,7 +100,7 @@ impl NetDetector {
         let Some(first) = goal.first.ground(camera) else { return };
         if let Some(second) = goal.second.and_then(|post| post.ground(camera)) {
             let across = first - second;
-            if (across.length() - POST_DISTANCE).abs() < WIDTH_ERROR * POST_DISTANCE {
+            if (across.length() - FIELD.goal_width()).abs() < WIDTH_ERROR * FIELD.goal_width() {
                 self.across = rotate(across.normalize(), self.ride.heading());
                 (self.whole, self.found) = (true, true);
                 self.memory.see(0.5 * (first + second), &Self::spread(goal, camera), 0.9);
@@ -123,11 +123,12 @@ impl NetDetector {
 
     /// A goal of which both posts should be in a sharp image, and none is, is believed less.
     fn note_absence(&mut self, eye: &Eye, camera: &Camera, own: &OwnBody) {
-        let Some(place) = self.memory.place() else { return };
+        let Some(place) = self.memory.estimate() else { return };
         let size = Vec2::new(eye.image().width.into(), eye.image().height.into());
-        let half = 0.5 * POST_DISTANCE * self.across();
-        let posts = [half, -half].map(|aside| Place { position: place.position + aside, ..place });
-        if posts.iter().all(|post| sight::shows(camera, size, own.body(), post, 0.5 * POST_WIDTH, VISIBLE)) {
+        let half = 0.5 * FIELD.goal_width() * self.across();
+        let posts = [half, -half].map(|aside| PositionEstimate { position: place.position + aside, ..place });
+        if posts.iter().all(|post| visibility::is_in_view(camera, size, own.body(), post, FIELD.post_radius(), VISIBLE))
+        {
             self.memory.miss();
         }
     }
@@ -147,12 +148,12 @@ impl NetDetector {
         let (Some((left, right)), Ok(frame)) = (posts, Frame::from_image(&eye.image())) else { return };
         let gap = gap::widest(&frame, colours, camera, left, right);
         if let Some(gap) = gap.filter(|gap| gap.width() > ROOM) {
-            self.gap = Some(POST_DISTANCE * (0.5 - gap.middle()));
+            self.gap = Some(FIELD.goal_width() * (0.5 - gap.middle()));
         }
     }
 
-    /// Attacks the goal of this colour from now on: [`Colour::Yellow`] or [`Colour::Blue`].
-    pub fn attack(&mut self, colour: Colour) {
+    /// Sets the colour of the attacked goal and forgets the remembered one.
+    pub fn attack(&mut self, colour: GoalColour) {
         self.attacked = colour;
         self.whole = false;
         self.gap = None;
@@ -161,7 +162,7 @@ impl NetDetector {
 
     /// The colour of the goal that is attacked.
     #[must_use]
-    pub const fn attacked(&self) -> Colour {
+    pub const fn attacked(&self) -> GoalColour {
         self.attacked
     }
 
@@ -215,15 +216,15 @@ impl NetDetector {
 
     /// The same, with how sure that is.
     #[must_use]
-    pub fn place(&self) -> Option<Place> {
-        self.memory.place()
+    pub fn estimate(&self) -> Option<PositionEstimate> {
+        self.memory.estimate()
     }
 }
 
 /// Where the middle of a goal is by one of its posts and the direction of its line; if nobody knows which post it is, the
 /// place that is nearer to the known one.
 fn middle_by(post: Vec2, side: PostSide, across: Vec2, known: Vec2) -> Vec2 {
-    let half = 0.5 * POST_DISTANCE * across;
+    let half = 0.5 * FIELD.goal_width() * across;
     let (if_left, if_right) = (post - half, post + half);
     let is_nearer = side == PostSide::Unknown && if_left.distance(known) < if_right.distance(known);
     if side == PostSide::Left || is_nearer { if_left } else { if_right }

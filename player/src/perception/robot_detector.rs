@@ -2,15 +2,15 @@
 
 use bica::prelude::*;
 use bica_vision::frame::Frame;
-use bica_vision::memory::several::Several;
-use bica_vision::memory::{Place, sight};
+use bica_vision::memory::multi_target::MultiTargetMemory;
+use bica_vision::memory::{PositionEstimate, visibility};
 use bica_vision::projection::Camera;
 use bica_vision::robots::{self, Robot, Robots};
 use bica_vision::uncertainty::{self, Errors};
 use glam::Vec2;
 
 use super::ride::Ride;
-use super::{CameraPose, FieldEnd, Odometry, OwnBody};
+use super::{CameraPose, FieldBoundary, Odometry, OwnBody};
 use crate::input::{Colours, Eye};
 
 /// How many are remembered.
@@ -28,7 +28,7 @@ const VISIBLE: f32 = 2.0;
 #[derive(Debug)]
 pub struct RobotDetector {
     robots: Robots,
-    memory: Several<REMEMBERED>,
+    memory: MultiTargetMemory<REMEMBERED>,
     ride: Ride,
 }
 
@@ -37,7 +37,7 @@ impl RobotDetector {
     /// Has seen no robots yet.
     #[must_use]
     pub const fn new() -> Self {
-        Self { robots: Robots::new(), memory: Several::new(HALF_LIFE), ride: Ride::new() }
+        Self { robots: Robots::new(), memory: MultiTargetMemory::new(HALF_LIFE), ride: Ride::new() }
     }
 
     fn step(
@@ -45,7 +45,7 @@ impl RobotDetector {
         time: &Time,
         eye: &Eye,
         colours: &Colours,
-        end: &FieldEnd,
+        end: &FieldBoundary,
         pose: &CameraPose,
         own: &OwnBody,
         odometry: &Odometry,
@@ -70,11 +70,11 @@ impl RobotDetector {
                 self.memory.see(at, &(spread + uncertainty::round(WIDTH)), CONFIDENCE);
             }
         }
-        self.memory.miss(|place| sight::shows(camera, size, own.body(), place, WIDTH, VISIBLE));
+        self.memory.miss(|place| visibility::is_in_view(camera, size, own.body(), place, WIDTH, VISIBLE));
     }
 
     /// Where robots are believed to be, m, in the frame on the ground between the feet.
-    pub fn places(&self) -> impl Iterator<Item = Place> + '_ {
+    pub fn places(&self) -> impl Iterator<Item = PositionEstimate> + '_ {
         self.memory.places()
     }
 

@@ -1,6 +1,6 @@
 //! Where to kick the ball.
 
-use bica_vision::goal::POST_DISTANCE;
+use bica_field::FIELD;
 use glam::Vec2;
 
 use super::situation::Goal;
@@ -28,7 +28,7 @@ pub(super) struct Aim {
 pub(super) fn scoring(goal: &Goal) -> [Aim; 2 + 2 * OTHERS.0 as usize + 1] {
     let best = goal.gap.map_or([BESIDE, -BESIDE], |gap| [gap; 2]);
     core::array::from_fn(|i| {
-        let half = 0.5 * POST_DISTANCE * OTHERS.1;
+        let half = 0.5 * FIELD.goal_width() * OTHERS.1;
         let aside = best.get(i).copied().unwrap_or_else(|| half * (f32::from(i as i8 - 2) / f32::from(OTHERS.0) - 1.0));
         let off = best.iter().map(|best| libm::fabsf(best - aside)).fold(f32::INFINITY, f32::min);
         Aim { at: goal.middle + aside * goal.across, cost: OFF * off }

@@ -2,8 +2,8 @@
 
 use core::f32::consts::TAU;
 
+use bica_field::FIELD;
 use bica_motion::pose::rotate;
-use bica_vision::goal::{POST_DISTANCE, POST_WIDTH};
 use glam::Vec2;
 use libm::{ceilf, fabsf};
 
@@ -43,9 +43,9 @@ impl Situation {
     pub fn of(ball: &BallDetector, net: &NetDetector, field: &Localization, robots: &RobotDetector) -> Option<Self> {
         let goal = Goal::of(net, field);
         let mut obstacles = Obstacles::default();
-        let half = |goal: Goal| 0.5 * POST_DISTANCE * goal.across;
+        let half = |goal: Goal| 0.5 * FIELD.goal_width() * goal.across;
         let posts = goal.into_iter().flat_map(|goal| [goal.middle + half(goal), goal.middle - half(goal)]);
-        let posts = posts.map(|at| Obstacle { at, radius: 0.5 * POST_WIDTH });
+        let posts = posts.map(|at| Obstacle { at, radius: FIELD.post_radius() });
         let robots = robots.places().map(|place| place.position);
         let robots = robots.map(|toes| Obstacle { at: toes + TOES * toes.normalize_or_zero(), radius: ROBOT });
         obstacles.0.extend(posts.chain(robots));

@@ -146,6 +146,7 @@ impl Mapping {
 mod tests {
     use super::*;
     use crate::random::{Random, Stream};
+    use bica_motion::model::Nao;
 
     fn some_view(random: &mut Random) -> PinholeCamera {
         let mut any = |low, high| random.between(low, high);

@@ -1,9 +1,11 @@
 //! The ball: it rolls, slows down and bounces. Seen from above; its middle stays one radius over the carpet.
 
+use bica_field::FIELD;
 use glam::Vec2;
 
 use crate::obstacle::Obstacle;
-use crate::pitch::BALL_RADIUS;
+
+const BALL_RADIUS: f32 = FIELD.ball_radius();
 
 /// The ball.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,12 +1,14 @@
 //! A shoe that pushes and kicks the ball.
 
+use bica_field::FIELD;
 use bica_motion::model::{Nao, RobotModel};
 use bica_motion::side::Side;
 use glam::{Affine3A, Vec2, Vec3};
 use libm::sqrtf;
 
 use super::ball::{Ball, Surface};
-use crate::pitch::BALL_RADIUS;
+
+const BALL_RADIUS: f32 = FIELD.ball_radius();
 
 /// How high a shoe is: the plastic around a NAO's foot, m (estimated from photographs).
 const HEIGHT: f32 = 0.05;
@@ -17,11 +19,8 @@ const GRIP: f32 = 0.1;
 /// The most that a ball is moved out of a shoe in one sub-step, m: a shoe that comes down on it squeezes it out.
 const MOST_PUSH: f32 = 0.005;
 
-/// The left sole's corners in its own frame, m.
-const SOLE: &[Vec2] = Nao::DIMENSIONS.sole_outline;
-
 /// The sole's corners, field frame, m.
-type Outline = [Vec3; SOLE.len()];
+type Outline = [Vec3; Nao::DIMENSIONS.sole_outline.len()];
 
 /// A shoe on its way through one cycle.
 #[derive(Clone, Copy, Debug)]
@@ -99,8 +98,10 @@ fn reach(sole: f32) -> Option<f32> {
 pub(crate) fn outline(side: Side, sole: &Affine3A) -> Outline {
     core::array::from_fn(|i| {
         let corner = match side {
-            Side::Left => SOLE[i],
-            Side::Right => SOLE[SOLE.len() - 1 - i] * Vec2::new(1.0, -1.0),
+            Side::Left => Nao::DIMENSIONS.sole_outline[i],
+            Side::Right => {
+                Nao::DIMENSIONS.sole_outline[Nao::DIMENSIONS.sole_outline.len() - 1 - i] * Vec2::new(1.0, -1.0)
+            }
         };
         sole.transform_point3(corner.extend(0.0))
     })

@@ -1,5 +1,6 @@
 //! Where everything is, read from MuJoCo's arrays and written to them.
 
+use bica_field::FIELD;
 use bica_motion::joints::{JOINTS, Joints};
 use bica_motion::kinematics::Skeleton;
 use bica_motion::model::{Nao, RobotModel};
@@ -11,7 +12,8 @@ use mujoco_rs::prelude::{MjData, MjModel};
 
 use super::model::Place;
 use super::sensor_model::Truth;
-use crate::pitch::BALL_RADIUS;
+
+const BALL_RADIUS: f32 = FIELD.ball_radius();
 
 /// Lets the robot stand over a place.
 pub(crate) fn stand(data: &mut MjData<Box<MjModel>>, torso: Place, joints: &[usize], at: Pose2) {

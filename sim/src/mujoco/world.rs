@@ -1,5 +1,6 @@
 //! The world: MuJoCo steps, and what is around it.
 
+use bica_field::FIELD;
 use core::time::Duration;
 
 use bica_motion::joints::{JOINTS, Joint, Joints};
@@ -23,7 +24,6 @@ use super::spectator::{Moving, SpectatorRenderer};
 use super::state::{angles, place, pose, stand, truth, write};
 use crate::layout::Layout;
 use crate::motor_heat::MotorHeat;
-use crate::pitch::BALL_RADIUS;
 use crate::random::{Random, Stream};
 use crate::referee::Referee;
 use crate::referee::rules::Rules;
@@ -31,6 +31,8 @@ use crate::setup::Setup;
 use crate::spectator::{Picture, RenderError, SpectatorCamera, SpectatorView};
 use crate::transform::{angular_velocity, ground_pose};
 use crate::world::{CYCLE, CYCLE_SECONDS, World, frame, image_is_due};
+
+const BALL_RADIUS: f32 = FIELD.ball_radius();
 
 /// Steps of the physics in a control cycle.
 const STEPS: usize = (CYCLE_SECONDS / STEP + 0.5) as usize;

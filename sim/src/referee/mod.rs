@@ -3,43 +3,14 @@
 mod event;
 pub(crate) mod rules;
 
-use core::fmt;
 use core::time::Duration;
 
+use bica_field::GoalColour;
 use bica_motion::fall::Direction;
 use bica_motion::pose::Pose2;
 use glam::Vec2;
 
 pub use self::event::{Event, TimedEvent};
-
-/// The colour of a goal. The team that defends the yellow goal plays in red, the other in blue (rules of 2009).
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum GoalColour {
-    /// Yellow.
-    Yellow,
-    /// Sky-blue.
-    SkyBlue,
-}
-
-impl GoalColour {
-    /// The colour of the other goal.
-    #[must_use]
-    pub const fn other(self) -> Self {
-        match self {
-            Self::Yellow => Self::SkyBlue,
-            Self::SkyBlue => Self::Yellow,
-        }
-    }
-}
-
-impl fmt::Display for GoalColour {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Yellow => "yellow",
-            Self::SkyBlue => "sky-blue",
-        })
-    }
-}
 
 /// Whether the robot is on its feet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

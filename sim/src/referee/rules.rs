@@ -6,8 +6,8 @@ use bica_motion::pose::rotate;
 use bica_motion::side::Side;
 use glam::Vec2;
 
-use crate::pitch::{Verdict, judge};
 use crate::referee::{Event, Referee};
+use crate::verdict::{Verdict, judge};
 
 /// A ball that leaves a foot this fast was kicked, m/s.
 const KICKED: f32 = 0.5;

@@ -86,7 +86,7 @@ fn a_ball_before_a_walking_foot_is_kicked_on_without_a_halt() {
         let mut kicked = false;
         for _ in 0..1000 {
             let at = world.referee().robot().locate(world.referee().ball());
-            if let Some(foot) = in_walk_kick_foot(at, half) {
+            if let Some(foot) = in_walk_kick_foot(at, &Nao::KINEMATIC_PROFILE.gait) {
                 walk.request_kick(foot);
             }
             kicked |= at.x > 0.5 || world.referee().ball_velocity().x > 0.3;

@@ -22,7 +22,7 @@ fn camera_pose(id: CameraId, robot: Pose2, angles: &Joints) -> Affine3A {
     let under_hips = Pose2::new(from_ground.translation.x, from_ground.translation.y, 0.0);
     let ground = robot * under_hips.inverse();
     let field = Affine3A::from_translation(ground.position.extend(0.0)) * Affine3A::from_rotation_z(ground.heading);
-    field * from_ground * camera(id, angles)
+    field * from_ground * camera::<Nao>(id, angles)
 }
 
 /// A point of the camera frame in the image.

@@ -9,9 +9,7 @@ use bica_player::input::Measured;
 use bica_player::perception::NetDetector;
 use bica_player::{Forward, act, sense};
 use bica_sim::SpectatorView;
-use bica_sim::referee::GoalColour;
 use bica_sim::setup::Frame;
-use bica_vision::colour::Colour;
 use glam::Vec2;
 
 use super::fingerprint::Fingerprint;
@@ -75,10 +73,7 @@ impl Game {
         let world = world_factory::open(rules)?;
         let mut robot = Box::new(Forward::new());
         robot.get_mut::<Measured>().set_profile(rules.world.profile());
-        robot.get_mut::<NetDetector>().attack(match world.referee().attacks() {
-            GoalColour::Yellow => Colour::Yellow,
-            GoalColour::SkyBlue => Colour::Blue,
-        });
+        robot.get_mut::<NetDetector>().attack(world.referee().attacks());
         let mind = rules.firmware.map(|image| image.start(world.referee().attacks())).transpose()?;
         let tally = Tally {
             cycles: 0,

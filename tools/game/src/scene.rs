@@ -5,7 +5,7 @@ use bica::{ComponentId, Tree};
 use bica_motion::pose::Pose2;
 use bica_player::Forward;
 use bica_player::input::Eye;
-use bica_player::perception::{BallDetector, FieldEnd, NetDetector, Odometry, OwnBody};
+use bica_player::perception::{BallDetector, FieldBoundary, NetDetector, Odometry, OwnBody};
 use bica_sim::Referee;
 use glam::Vec2;
 
@@ -45,11 +45,11 @@ impl Scene<'_> {
     pub fn marks(&self) -> Marks {
         let ball = self.robot.get::<BallDetector>().seen().filter(|_| self.is_active::<BallDetector>());
         let net = self.robot.get::<NetDetector>().seen().filter(|_| self.is_active::<NetDetector>());
-        let end = Some(self.robot.get::<FieldEnd>().line()).filter(|_| self.is_active::<FieldEnd>());
+        let end = Some(self.robot.get::<FieldBoundary>().line()).filter(|_| self.is_active::<FieldBoundary>());
         Marks {
             ball: ball.map(|seen| seen.ball),
             goals: net.copied().into_iter().collect(),
-            field_end: end.map_or(Vec::new(), |line| line.corners().to_vec()),
+            field_boundary: end.map_or(Vec::new(), |line| line.corners().to_vec()),
             own: self.robot.get::<OwnBody>().body().clone(),
             ..Marks::default()
         }

@@ -17,7 +17,7 @@ pub(super) fn expand(p: &TokenStream, machine: &Machine) -> TokenStream {
         if state == last { quote!(_ => #round) } else { quote!(#state => #round) }
     });
     quote! {
-        let mut machine = cycle.machine::<Self>(turn);
+        let mut machine = cycle.machine::<Self>(visit);
         loop {
             match machine.state {
                 #(#arms)*
@@ -39,12 +39,12 @@ fn round(p: &TokenStream, machine: &Machine, state: usize) -> TokenStream {
     let leaving = (!ways.is_empty()).then(|| quote!(if !machine.moved { #(#ways)* }));
     quote! {{
         #before
-        if turn.due {
-            cycle.round::<Self>(machine);
+        if visit.due {
+            cycle.begin_state::<Self>(machine);
             #entering
             #leaving
             #body
-            cycle.end::<Self>();
+            cycle.end_code::<Self>();
         }
         #after
         return;
@@ -59,11 +59,11 @@ fn calls(p: &TokenStream, functions: &[Function]) -> TokenStream {
 fn leave(p: &TokenStream, way: &Way, exits: &TokenStream) -> TokenStream {
     let (from, to) = (way.from, way.to);
     let condition = call::expand(p, &way.condition);
-    let timer = way.after_ms.map(|ms| quote!(cycle.stayed::<Self>(#ms) &&));
+    let timer = way.after_ms.map(|ms| quote!(cycle.has_been_in_state::<Self>(#ms) &&));
     quote! {
         if #timer #condition {
             #exits
-            machine = cycle.transit::<Self>(#from, #to);
+            machine = cycle.transition::<Self>(#from, #to);
             continue;
         }
     }

@@ -42,11 +42,11 @@ fn distinct(component: &Component, behaviour: &Behaviour) -> TokenStream {
     if matches!(behaviour, Behaviour::Unclear) {
         return TokenStream::new();
     }
-    let lending = component.functions().filter(|function| !function.arguments.is_empty());
-    let each = lending.map(|function| {
+    let borrowing = component.functions().filter(|function| !function.arguments.is_empty());
+    let each = borrowing.map(|function| {
         let p = placed(&runtime(component), at(&function.name));
-        let loan = call::loan(&p, function);
-        quote_spanned!(at(&function.name) => #p::assert_distinct::<__T, (#p::Write<Self>, #loan)>();)
+        let set = call::borrow_set(&p, function);
+        quote_spanned!(at(&function.name) => #p::assert_distinct::<__T, (#p::Write<Self>, #set)>();)
     });
     quote!(#(#each)*)
 }

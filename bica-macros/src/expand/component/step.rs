@@ -14,10 +14,10 @@ pub(super) fn expand(p: &TokenStream, step: Option<&Function>) -> TokenStream {
     let call = step.map(|step| call::expand(p, step));
     quote! {
         #before
-        if turn.due {
-            cycle.run::<Self>();
+        if visit.due {
+            cycle.begin_run::<Self>();
             #call
-            cycle.end::<Self>();
+            cycle.end_code::<Self>();
         }
         #after
     }

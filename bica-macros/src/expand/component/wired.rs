@@ -1,4 +1,4 @@
-//! `impl Wired`: the component as a part of any tree that holds its children.
+//! `impl MemberOf`: the component as a part of any tree that holds its children.
 
 use std::collections::BTreeSet;
 
@@ -33,12 +33,12 @@ pub(super) fn expand(component: &Component, behaviour: &Behaviour) -> TokenStrea
     let hooks = (!matches!(behaviour, Behaviour::Unclear)).then(|| hooks::expand(component));
     quote! {
         #[automatically_derived]
-        impl #parameters #p::Wired<__T> for #own #bounds {
+        impl #parameters #p::MemberOf<__T> for #own #bounds {
             #node
             const TIMED: bool = #timed;
 
             #[inline]
-            fn pass<__P: #p::Probe>(cycle: &mut #p::Cycle<'_, __T, __P>, turn: #p::Turn) {
+            fn pass<__P: #p::Probe>(cycle: &mut #p::Cycle<'_, __T, __P>, visit: #p::Visit) {
                 #pass
             }
 

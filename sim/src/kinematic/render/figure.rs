@@ -8,7 +8,7 @@ use glam::{Affine3A, Vec2, Vec3};
 use super::solid::Solid;
 use crate::camera::canvas::Pixel;
 use crate::camera::palette::{self, Palette};
-use crate::referee::GoalColour;
+use bica_field::GoalColour;
 
 /// A robot's colours.
 #[derive(Clone, Copy, Debug)]

@@ -4,8 +4,14 @@ use glam::{Vec2, Vec3};
 
 use super::solid::Solid;
 use crate::camera::palette::{self, Palette};
-use crate::pitch::{BAR_RADIUS, GOAL_BACK, GOAL_HEIGHT, GOAL_TRIANGLE, POST, POST_RADIUS};
-use crate::referee::GoalColour;
+use bica_field::{FIELD, GoalColour};
+
+const BAR_RADIUS: f32 = FIELD.crossbar_radius();
+const GOAL_BACK: f32 = FIELD.goal_back();
+const GOAL_HEIGHT: f32 = FIELD.goal_height();
+const GOAL_TRIANGLE: f32 = FIELD.goal_panel();
+const POST: Vec2 = FIELD.goal_post();
+const POST_RADIUS: f32 = FIELD.post_radius();
 
 /// Both goals; the one at positive x has the colour given.
 pub(crate) fn goals(attacked: GoalColour, palette: &Palette) -> Vec<Solid> {

@@ -2,14 +2,16 @@
 //!
 //! Some of it has the colours of ball and goals, as in every hall; it is all beyond the carpet.
 
+use bica_field::FIELD;
 use glam::{Vec2, Vec3};
 
 use super::ground::Ground;
 use crate::camera::canvas::{Canvas, Edge, Pixel};
 use crate::camera::palette::{Palette, Rgb};
 use crate::camera::pinhole::{LANES, Mapping, PinholeCamera, whole};
-use crate::pitch::CARPET;
 use crate::random::Random;
+
+const CARPET: Vec2 = FIELD.carpet_corner();
 
 /// Half the hall's length and width, and its height, m.
 const HALL: Vec3 = Vec3::new(6.0, 5.0, 3.5);

@@ -1,9 +1,17 @@
 //! How far every point of the carpet is from the edge of a line.
 
+use bica_field::FIELD;
 use glam::Vec2;
 
 use crate::camera::pinhole::{LANES, whole};
-use crate::pitch::{CARPET, CIRCLE, CORNER, LINE_WIDTH, MARK, PENALTY_AREA, PENALTY_MARK};
+
+const CARPET: Vec2 = FIELD.carpet_corner();
+const CIRCLE: f32 = FIELD.centre_circle_radius();
+const CORNER: Vec2 = FIELD.field_corner();
+const LINE_WIDTH: f32 = FIELD.line_width();
+const MARK: f32 = FIELD.penalty_mark_size();
+const PENALTY_AREA: Vec2 = FIELD.penalty_area_corner();
+const PENALTY_MARK: f32 = FIELD.penalty_mark();
 
 /// Distance between neighbouring points of the map, m.
 const STEP: f32 = 0.01;

@@ -10,6 +10,7 @@ mod hall;
 mod lines;
 mod solid;
 
+use bica_field::FIELD;
 use bica_motion::kinematics::Skeleton;
 use bica_motion::model::{Nao, RobotModel};
 use glam::{Affine3A, Vec2, Vec3};
@@ -24,12 +25,13 @@ use crate::camera::light::Light;
 use crate::camera::palette::{self, Palette};
 use crate::camera::pinhole::PinholeCamera;
 use crate::layout::{Layout, Other};
-use crate::pitch::BALL_RADIUS;
 use crate::random::{Random, Stream};
 use crate::segmentation::PixelLabel;
 use crate::setup::Setup;
 use crate::spectator::{Picture, SpectatorCamera};
 use crate::transform::level_pose;
+
+const BALL_RADIUS: f32 = FIELD.ball_radius();
 
 /// A picture with nothing on it: no thing has this colour.
 const BLANK: Pixel = [0, 0, 0, 0];

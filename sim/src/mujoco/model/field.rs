@@ -1,14 +1,24 @@
 //! Carpet, lines and goals.
 
+use bica_field::FIELD;
 use core::f32::consts::{FRAC_PI_2, TAU};
 use std::fmt::Write;
 
 use glam::{Vec2, Vec3};
 
-use crate::pitch::{
-    BAR_RADIUS, CARPET, CIRCLE, CORNER, GOAL_BACK, GOAL_HEIGHT, GOAL_TRIANGLE, LINE_WIDTH, MARK, PENALTY_AREA,
-    PENALTY_MARK, POST, POST_RADIUS,
-};
+const BAR_RADIUS: f32 = FIELD.crossbar_radius();
+const CARPET: Vec2 = FIELD.carpet_corner();
+const CIRCLE: f32 = FIELD.centre_circle_radius();
+const CORNER: Vec2 = FIELD.field_corner();
+const GOAL_BACK: f32 = FIELD.goal_back();
+const GOAL_HEIGHT: f32 = FIELD.goal_height();
+const GOAL_TRIANGLE: f32 = FIELD.goal_panel();
+const LINE_WIDTH: f32 = FIELD.line_width();
+const MARK: f32 = FIELD.penalty_mark_size();
+const PENALTY_AREA: Vec2 = FIELD.penalty_area_corner();
+const PENALTY_MARK: f32 = FIELD.penalty_mark();
+const POST: Vec2 = FIELD.goal_post();
+const POST_RADIUS: f32 = FIELD.post_radius();
 
 /// How many straight pieces make the centre circle.
 const PIECES: u32 = 48;

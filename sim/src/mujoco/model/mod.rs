@@ -7,6 +7,7 @@ mod shadows;
 #[cfg(test)]
 mod tests;
 
+use bica_field::FIELD;
 use std::fmt::Write;
 
 use bica_motion::joints::{JOINTS, Joint};
@@ -20,10 +21,11 @@ use super::physics::Physics;
 use crate::camera::light::Light;
 use crate::camera::pinhole::FOCAL;
 use crate::layout::Layout;
-use crate::pitch::BALL_RADIUS;
 use crate::random::{Random, Stream};
 use crate::sensor_model::GRAVITY;
 use crate::setup::Setup;
+
+const BALL_RADIUS: f32 = FIELD.ball_radius();
 
 /// The robot.
 const NAO: &str = include_str!("../../../models/nao.xml");

@@ -7,7 +7,7 @@ use glam::Vec3;
 use crate::camera::light::Light;
 use crate::camera::palette::{BLUE_TEAM, CARPET, JOINT, LINE, ORANGE, RED_TEAM, Rgb, SHELL, SKY_BLUE, WHITE, YELLOW};
 use crate::layout::Layout;
-use crate::referee::GoalColour;
+use bica_field::GoalColour;
 
 /// The colours of a game.
 pub(crate) struct Paint {

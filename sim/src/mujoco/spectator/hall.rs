@@ -1,10 +1,13 @@
 //! The hall around the carpet, and the meshes of the nets.
 
+use bica_field::FIELD;
 use std::fmt::Write;
 
 use glam::Vec3;
 
-use crate::pitch::{GOAL_BACK, GOAL_TRIANGLE, POST};
+const GOAL_BACK: f32 = FIELD.goal_back();
+const GOAL_TRIANGLE: f32 = FIELD.goal_panel();
+const POST: Vec2 = FIELD.goal_post();
 
 /// Half the hall's length and width, and its height, m.
 const HALL: Vec3 = Vec3::new(6.4, 5.4, 3.6);

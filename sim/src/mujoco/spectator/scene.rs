@@ -1,5 +1,6 @@
 //! The model that is filmed: field, ball and robots as they look, in a hall with lamps. Nothing in it moves by itself.
 
+use bica_field::FIELD;
 use std::fmt::Write;
 
 use bica_motion::kinematics::{Segment, Skeleton};
@@ -12,10 +13,11 @@ use crate::camera::light::Light;
 use crate::layout::{Layout, Other};
 use crate::mujoco::model::field;
 use crate::mujoco::model::paint::{AROUND, Paint};
-use crate::pitch::BALL_RADIUS;
 use crate::random::{Random, Stream};
 use crate::setup::Setup;
 use crate::spectator::FIELD_OF_VIEW;
+
+const BALL_RADIUS: f32 = FIELD.ball_radius();
 
 /// Light from all around, from the lamps together, and from behind whoever films.
 const LIGHT: (f32, f32, f32) = (0.47, 0.56, 0.24);

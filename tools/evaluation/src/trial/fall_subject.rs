@@ -11,9 +11,8 @@ use bica_player::perception::{FallDetector, NetDetector};
 use bica_player::{Forward, act, sense};
 use bica_sim::World;
 use bica_sim::mujoco::{MujocoWorld, Physics};
-use bica_sim::referee::{Event, GoalColour};
+use bica_sim::referee::Event;
 use bica_sim::setup::{Setup, Start};
-use bica_vision::colour::Colour;
 use glam::Vec2;
 
 use super::bench::Bench;
@@ -58,10 +57,7 @@ impl FallSubject {
             .map_err(|error| Failure::new(error.to_string(), "try another value"))?;
         let mut robot = Box::new(Forward::new());
         robot.get_mut::<Measured>().set_profile(Nao::DYNAMIC_PROFILE);
-        robot.get_mut::<NetDetector>().attack(match world.referee().attacks() {
-            GoalColour::Yellow => Colour::Yellow,
-            GoalColour::SkyBlue => Colour::Blue,
-        });
+        robot.get_mut::<NetDetector>().attack(world.referee().attacks());
         Ok(Self { world, robot, felt: None, hit: None, tries: 0, tries_now: false })
     }
 

@@ -11,9 +11,7 @@ use bica_player::perception::{Localization, NetDetector};
 use bica_player::{Forward, act, sense};
 use bica_sim::World;
 use bica_sim::kinematic::KinematicWorld;
-use bica_sim::referee::GoalColour;
 use bica_sim::setup::{Setup, Start};
-use bica_vision::colour::Colour;
 use bica_vision::localization::Estimate;
 use glam::Vec2;
 
@@ -91,10 +89,7 @@ impl Lookout {
     }
 
     fn tell_colour(&mut self) {
-        self.robot.get_mut::<NetDetector>().attack(match self.world.referee().attacks() {
-            GoalColour::Yellow => Colour::Yellow,
-            GoalColour::SkyBlue => Colour::Blue,
-        });
+        self.robot.get_mut::<NetDetector>().attack(self.world.referee().attacks());
     }
 
     /// The ground between the feet, as the referee knows it.
