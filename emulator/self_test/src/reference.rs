@@ -2,12 +2,13 @@
 
 use std::error::Error;
 
+use bica::runner::Robot;
 use bica::{ComponentId, Instant, Tree};
 use bica_emulator::{Controller, CycleReport, command_bits};
 use bica_field::GoalColour;
 use bica_motion::robot::{Command, Sensors};
-use bica_player::perception::NetDetector;
-use bica_player::{Forward, act, sense};
+use bica_player::Forward;
+use bica_player::perception::GoalDetector;
 use bica_sim::World;
 use bica_sim::kinematic::KinematicWorld;
 
@@ -23,16 +24,16 @@ impl Reference {
     /// Creates a forward that attacks the goal of a colour.
     pub(crate) fn new(attacks: GoalColour) -> Self {
         let mut robot = Box::new(Forward::new());
-        robot.get_mut::<NetDetector>().attack(attacks);
+        robot.get_mut::<GoalDetector>().attack(attacks);
         Self(robot)
     }
 
     /// Runs one sense-think-act cycle on the host.
     pub(crate) fn cycle(&mut self, time_us: u64, sensors: &Sensors<'_>) -> Command {
         // The firmware ignores an image that does not fit, too.
-        let _ = sense(&mut self.0, sensors);
+        let _ = self.0.sense(sensors);
         self.0.tick(Instant::from_micros(time_us));
-        act(&self.0)
+        self.0.act()
     }
 
     /// Runs one cycle on the microcontroller and on the host and compares them.

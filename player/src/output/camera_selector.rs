@@ -1,30 +1,30 @@
-//! Which camera looks.
+//! The selected camera.
 
 use bica::prelude::*;
 use bica_motion::robot::CameraId;
 
 /// The camera selection: the robot sends the images of one camera at a time.
 #[derive(Debug)]
-pub struct Gaze {
+pub struct CameraSelector {
     camera: CameraId,
 }
 
 #[component(budget_us = 1)]
-impl Gaze {
-    /// Looks through the top camera.
+impl CameraSelector {
+    /// The top camera.
     #[must_use]
     pub const fn new() -> Self {
         Self { camera: CameraId::Top }
     }
 
-    /// Asks for images of `camera` from now on.
-    pub const fn through(&mut self, camera: CameraId) {
+    /// Selects the camera whose images are sent from now on.
+    pub const fn select(&mut self, camera: CameraId) {
         self.camera = camera;
     }
 
-    /// The camera that was asked for.
+    /// The selected camera.
     #[must_use]
-    pub const fn camera(&self) -> CameraId {
+    pub const fn selected(&self) -> CameraId {
         self.camera
     }
 }

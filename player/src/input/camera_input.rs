@@ -1,4 +1,4 @@
-//! The camera image.
+//! The newest camera image.
 
 use core::fmt;
 
@@ -6,44 +6,44 @@ use bica::prelude::*;
 use bica_motion::joints::Joints;
 use bica_motion::robot::{CameraId, Image};
 
-/// Bytes that the largest image takes: 640×480 pixels in YUYV 4:2:2, 160×120 with the feature `small-frames`.
-pub const EYE_BYTES: usize = if cfg!(feature = "small-frames") { 160 * 120 * 2 } else { 640 * 480 * 2 };
+/// Bytes of the largest image: 640×480 pixels in YUYV 4:2:2, 160×120 with the feature `small-frames`.
+pub const IMAGE_BYTES: usize = if cfg!(feature = "small-frames") { 160 * 120 * 2 } else { 640 * 480 * 2 };
 
-/// Where the pixels lie: with the feature `small-frames` in memory that somebody lends ([`Eye::lend`]), since a
-/// microcontroller that held them in the tree would keep their zeros in its program too.
+/// Memory of the pixels. With the feature `small-frames` it is borrowed ([`CameraInput::set_buffer`]): in the tree it would
+/// also take room in flash, since the tree's initial value is stored there.
 #[cfg(feature = "small-frames")]
-type Room = &'static mut [u8];
+type Buffer = &'static mut [u8];
 #[cfg(not(feature = "small-frames"))]
-type Room = [u8; EYE_BYTES];
+type Buffer = [u8; IMAGE_BYTES];
 
 /// The newest camera image, with the joint angles at which it was taken.
-pub struct Eye {
+pub struct CameraInput {
     camera: CameraId,
     width: u16,
     height: u16,
     count: u32,
     angles: Joints<f32>,
-    yuyv: Room,
+    yuyv: Buffer,
 }
 
-/// An image was larger than the eye's memory; the one before it was kept.
+/// An image is larger than the buffer; the one before it was kept.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct FrameTooLarge {
-    /// Bytes that came.
+    /// Size of the refused image, bytes.
     pub bytes: usize,
 }
 
 impl fmt::Display for FrameTooLarge {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "an image of {} bytes came, the eye holds {EYE_BYTES}: ask the camera for a smaller one", self.bytes)
+        write!(f, "an image has {} bytes, the buffer {IMAGE_BYTES}: select a smaller image size", self.bytes)
     }
 }
 
 impl core::error::Error for FrameTooLarge {}
 
 #[component(budget_us = 1)]
-impl Eye {
-    /// An eye that has seen nothing yet.
+impl CameraInput {
+    /// No image yet.
     #[must_use]
     #[cfg_attr(
         not(feature = "small-frames"),
@@ -59,31 +59,31 @@ impl Eye {
             #[cfg(feature = "small-frames")]
             yuyv: &mut [],
             #[cfg(not(feature = "small-frames"))]
-            yuyv: [0; EYE_BYTES],
+            yuyv: [0; IMAGE_BYTES],
         }
     }
 
-    /// Gives the eye memory for its images, [`EYE_BYTES`] of it; without, no image fits.
+    /// Sets the memory for images; without it no image fits.
     #[cfg(feature = "small-frames")]
-    pub fn lend(&mut self, room: &'static mut [u8; EYE_BYTES]) {
-        self.yuyv = room;
+    pub fn set_buffer(&mut self, buffer: &'static mut [u8; IMAGE_BYTES]) {
+        self.yuyv = buffer;
     }
 
-    /// Takes a new image and the joint angles of its moment.
+    /// Copies a new image and the joint angles (rad) at which it was taken.
     ///
     /// # Errors
     /// [`FrameTooLarge`] if it does not fit; the last image stays.
-    pub fn see(&mut self, image: &Image<'_>, angles: &Joints<f32>) -> Result<(), FrameTooLarge> {
+    pub fn receive(&mut self, image: &Image<'_>, angles: &Joints<f32>) -> Result<(), FrameTooLarge> {
         let bytes = image.yuyv.len();
-        let room = self.yuyv.get_mut(..bytes).ok_or(FrameTooLarge { bytes })?;
-        room.copy_from_slice(image.yuyv);
+        let buffer = self.yuyv.get_mut(..bytes).ok_or(FrameTooLarge { bytes })?;
+        buffer.copy_from_slice(image.yuyv);
         (self.camera, self.width, self.height) = (image.camera, image.width, image.height);
         self.angles = *angles;
         self.count = self.count.wrapping_add(1);
         Ok(())
     }
 
-    /// How many images came so far: tells a new one from one already looked at.
+    /// Number of images so far; it identifies the newest one.
     #[must_use]
     pub const fn count(&self) -> u32 {
         self.count
@@ -95,7 +95,7 @@ impl Eye {
         &self.angles
     }
 
-    /// The image; 0×0 before the first one came.
+    /// The newest image; 0×0 before the first one.
     #[must_use]
     pub fn image(&self) -> Image<'_> {
         let bytes = 2 * usize::from(self.width) * usize::from(self.height);
