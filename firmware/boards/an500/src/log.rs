@@ -1,15 +1,16 @@
-//! The log: defmt's bytes go out through the second port.
+//! The log: defmt's bytes are sent through the second serial port.
+#![expect(unsafe_code, reason = "the logger's state is shared by critical sections that defmt acquires and releases")]
 
 use core::cell::UnsafeCell;
 
 use critical_section::RestoreState;
 use defmt::Encoder;
 
-use super::uart;
+use crate::uart;
 
 struct State(UnsafeCell<(Encoder, RestoreState)>);
 
-// SAFETY: whoever touches it holds a critical section on the only core, from `acquire` to `release`.
+// SAFETY: every access happens between `acquire` and `release`, in a critical section on the only core.
 unsafe impl Sync for State {}
 
 static STATE: State = State(UnsafeCell::new((Encoder::new(), RestoreState::invalid())));
@@ -17,15 +18,15 @@ static STATE: State = State(UnsafeCell::new((Encoder::new(), RestoreState::inval
 #[defmt::global_logger]
 struct Log;
 
-// SAFETY: from `acquire` to `release` interrupts are off on the only core, so no other context logs, and defmt itself
-// never acquires twice in one.
+// SAFETY: interrupts are off from `acquire` to `release` on the only core, so no other context logs, and defmt never
+// acquires twice in one context.
 unsafe impl defmt::Logger for Log {
     fn acquire() {
-        // SAFETY: `release` gives the state back.
+        // SAFETY: `release` restores the state.
         let restore = unsafe { critical_section::acquire() };
-        // SAFETY: interrupts are off; nobody else has the state.
-        let (encoder, kept) = unsafe { &mut *STATE.0.get() };
-        *kept = restore;
+        // SAFETY: interrupts are off, so this is the only access to the state.
+        let (encoder, saved) = unsafe { &mut *STATE.0.get() };
+        *saved = restore;
         encoder.start_frame(send);
     }
 
@@ -33,10 +34,10 @@ unsafe impl defmt::Logger for Log {
 
     unsafe fn release() {
         // SAFETY: as in `acquire`.
-        let (encoder, kept) = unsafe { &mut *STATE.0.get() };
+        let (encoder, saved) = unsafe { &mut *STATE.0.get() };
         encoder.end_frame(send);
-        // SAFETY: the state that `acquire` got.
-        unsafe { critical_section::release(*kept) };
+        // SAFETY: the state that `acquire` saved.
+        unsafe { critical_section::release(*saved) };
     }
 
     unsafe fn write(bytes: &[u8]) {

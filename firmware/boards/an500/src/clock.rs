@@ -1,4 +1,5 @@
-//! The time, by the processor's own timer.
+//! Time driver with the processor's own timer, SysTick.
+#![expect(unsafe_code, reason = "the timer is accessed without its owner")]
 
 use core::cell::{Cell, RefCell};
 use core::task::Waker;
@@ -10,11 +11,11 @@ use critical_section::{CriticalSection, Mutex};
 use embassy_time_driver::Driver;
 use embassy_time_queue_utils::Queue;
 
-/// The processor's clock.
-pub(super) const HZ: u32 = 25_000_000;
-/// The timer's clock ticks between two interrupts: 1 ms, the grain of alarms.
+/// Frequency of the processor's clock, Hz.
+pub(crate) const HZ: u32 = 25_000_000;
+/// Clock ticks between two timer interrupts: 1 ms, the resolution of alarms.
 const PERIOD: u32 = HZ / 1000;
-const PER_MICROSECOND: u64 = (HZ / 1_000_000) as u64;
+const TICKS_PER_MICROSECOND: u64 = (HZ / 1_000_000) as u64;
 
 struct Clock {
     /// Clock ticks up to the last interrupt.
@@ -28,9 +29,9 @@ embassy_time_driver::time_driver_impl!(static CLOCK: Clock = Clock {
 });
 
 /// Starts the timer.
-pub(super) fn start() {
+pub(crate) fn start() {
     critical_section::with(|_| {
-        // SAFETY: nobody else has the timer; it is this module's alone.
+        // SAFETY: only this module accesses the timer.
         let mut timer = unsafe { cortex_m::Peripherals::steal() }.SYST;
         timer.set_clock_source(SystClkSource::Core);
         timer.set_reload(PERIOD - 1);
@@ -40,39 +41,39 @@ pub(super) fn start() {
     });
 }
 
-/// Clock ticks since the start.
-pub(super) fn fine() -> u64 {
-    critical_section::with(|cs| CLOCK.fine(cs))
+/// Returns the clock ticks since the start.
+pub(crate) fn counter() -> u64 {
+    critical_section::with(|cs| CLOCK.counter(cs))
 }
 
-/// Begins a new period of the timer now, so that whatever follows finds the timer in the same phase.
-pub(super) fn settle() {
+/// Starts a new timer period now, so that the code that follows always finds the timer in the same phase.
+pub(crate) fn align() {
     critical_section::with(|cs| {
-        let now = CLOCK.fine(cs);
+        let now = CLOCK.counter(cs);
         CLOCK.base.borrow(cs).set(now);
-        // SAFETY: nobody else has the timer; interrupts are off.
+        // SAFETY: only this module accesses the timer, and interrupts are off.
         unsafe { cortex_m::Peripherals::steal() }.SYST.clear_current();
         SCB::clear_pendst();
     });
 }
 
 impl Clock {
-    fn fine(&self, cs: CriticalSection<'_>) -> u64 {
-        let mut left = SYST::get_current();
+    fn counter(&self, cs: CriticalSection<'_>) -> u64 {
+        let mut remaining = SYST::get_current();
         let mut base = self.base.borrow(cs).get();
         if SCB::is_pendst_pending() {
-            left = SYST::get_current();
+            remaining = SYST::get_current();
             base += u64::from(PERIOD);
         }
-        base + u64::from(if left == 0 { 0 } else { PERIOD - left })
+        base + u64::from(if remaining == 0 { 0 } else { PERIOD - remaining })
     }
 
     fn now(&self, cs: CriticalSection<'_>) -> u64 {
-        self.fine(cs) / PER_MICROSECOND
+        self.counter(cs) / TICKS_PER_MICROSECOND
     }
 
-    /// A period is over: wakes whoever waited for it.
-    fn tick(&self, cs: CriticalSection<'_>) {
+    /// Ends a timer period and wakes the tasks whose alarm has expired.
+    fn end_period(&self, cs: CriticalSection<'_>) {
         let base = self.base.borrow(cs);
         base.set(base.get() + u64::from(PERIOD));
         self.queue.borrow_ref_mut(cs).next_expiration(self.now(cs));
@@ -91,5 +92,5 @@ impl Driver for Clock {
 
 #[exception]
 fn SysTick() {
-    critical_section::with(|cs| CLOCK.tick(cs));
+    critical_section::with(|cs| CLOCK.end_period(cs));
 }

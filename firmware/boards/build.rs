@@ -1,4 +1,4 @@
-//! Tells the linker where the board has its memory, and how to lay out program and log.
+//! Build script of all boards: passes the memory layout of the board and the linker scripts to the linker.
 
 use std::path::PathBuf;
 use std::{env, fs, io};
