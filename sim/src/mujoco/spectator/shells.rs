@@ -4,7 +4,6 @@
 use core::f32::consts::FRAC_PI_2;
 use std::fmt::Write;
 
-use bica_motion::model::{Nao, RobotModel};
 use bica_motion::kinematics::Segment;
 use bica_motion::side::Side;
 
@@ -190,7 +189,7 @@ const HIP: &[Part] = &[
     primitive(DARK, "sphere", "0.030", [0.0; 3], EVEN),
 ];
 
-const Nao::DIMENSIONS.thigh: &[Part] = &[
+const THIGH: &[Part] = &[
     loft(
         WHITE,
         Axis::Z,
@@ -216,7 +215,7 @@ const Nao::DIMENSIONS.thigh: &[Part] = &[
     ),
 ];
 
-const Nao::DIMENSIONS.tibia: &[Part] = &[
+const TIBIA: &[Part] = &[
     disc(DARK, "0.0275 0.033", [0.0; 3], ASIDE),
     loft(
         WHITE,
@@ -281,8 +280,8 @@ const fn parts(segment: Segment) -> (&'static [Part], f32) {
         Segment::Hand(side) => (HAND, side),
         Segment::Pelvis(side) => (PELVIS, side),
         Segment::Hip(side) => (HIP, side),
-        Segment::Thigh(side) => (Nao::DIMENSIONS.thigh, side),
-        Segment::Tibia(side) => (Nao::DIMENSIONS.tibia, side),
+        Segment::Thigh(side) => (THIGH, side),
+        Segment::Tibia(side) => (TIBIA, side),
         Segment::Ankle(side) => (ANKLE, side),
         Segment::Foot(side) => (FOOT, side),
     };
