@@ -61,6 +61,7 @@ mod engine;
 mod loan;
 mod mark;
 mod pulse;
+mod written;
 
 #[doc(hidden)]
 #[path = "private.rs"]

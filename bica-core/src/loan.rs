@@ -70,6 +70,19 @@ pub(crate) struct Store<T: Layout> {
     slots: T::Slots,
 }
 
+// SAFETY: nothing is `Shared`, so this never applies. It stands in place of the automatic impl, whose absence the
+// compiler explains cell by cell.
+unsafe impl<T: Layout> Sync for Store<T> where (): Shared<T> {}
+
+/// A tree that several threads could use. There is none.
+#[diagnostic::on_unimplemented(
+    message = "activation tree `{T}` cannot be shared: one owner ticks it",
+    label = "`{T}` is not `Sync`",
+    note = "for a `static`, write `static ROBOT: ConstStaticCell<{T}> = ConstStaticCell::new({T}::new());` with the \
+            crate `static_cell`, and take it once with `ROBOT.take()`"
+)]
+pub(crate) trait Shared<T> {}
+
 impl<T: Layout> Store<T> {
     /// Takes the slots in.
     pub(crate) const fn new(slots: T::Slots) -> Self {
@@ -203,16 +216,6 @@ pub struct Claim {
 }
 
 const TWO_LINKS: &str = "two links to one component in one signature";
-
-/// Stops the compiler if `L` claims a place twice. `Key::lend` asserts the same when code is generated; this is said
-/// already by a check, at the function whose loan it is.
-///
-/// # Panics
-/// If it does.
-#[track_caller]
-pub const fn assert_distinct<T: Layout, L: Loan<T>>() {
-    assert!(distinct(L::CLAIMS), "{}", TWO_LINKS);
-}
 
 const fn distinct(mut claims: Option<&Claim>) -> bool {
     while let Some(claim) = claims {

@@ -12,6 +12,7 @@ use crate::id::ComponentId;
 use crate::loan::Slot;
 use crate::probe::Probe;
 use crate::rate::Rate;
+use crate::written::WrittenLink;
 
 /// A tree of components, made by `activation_tree!`.
 ///
@@ -176,6 +177,8 @@ pub trait Has<C: 'static>: Layout {
     note = "write `#[component]` on the impl block that holds its `step` or its states"
 )]
 pub trait Wired<T: Layout>: Component {
+    /// The links as the signatures write them, before two paths to one component are recognised as one.
+    const WRITTEN: &'static [WrittenLink];
     /// The component's description in that tree.
     const NODE: Node;
     /// Whether the component asks for the time.
