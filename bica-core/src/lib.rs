@@ -55,14 +55,6 @@ pub mod render;
 pub mod stopwatch;
 pub mod tree;
 
-mod clock;
-mod cycle;
-mod engine;
-mod loan;
-mod mark;
-mod pulse;
-mod written;
-
 #[doc(hidden)]
 #[path = "private.rs"]
 pub mod __private;

@@ -1,18 +1,20 @@
-//! What generated code uses. No part of the public interface: it changes without notice.
+//! What generated code uses. It is no part of the public interface and changes without notice.
 
+pub use crate::__visit_functions as visit_functions;
 pub use crate::check::{activators, check, ranks};
-pub use crate::clock::Clock;
 pub use crate::component::{Component, Time};
-pub use crate::cycle::{Cycle, Turn};
-pub use crate::engine::Engine;
 pub use crate::graph::{Graph, Link, LinkKind, Node, State, Transition};
-pub use crate::loan::{Pace, Read, Slot, Write};
 pub use crate::probe::Probe;
 pub use crate::rate::Rate;
-pub use crate::tree::{Has, Layout, Tree, Wired};
-pub use crate::written::{DistinctLinks, WrittenKind, WrittenLink, assert_single_link, counts};
+pub use crate::tree::borrow::{Read, Slot, Write, WriteRate};
+pub use crate::tree::component_state::ComponentState;
+pub use crate::tree::cycle::{Cycle, Visit, is_shared, visits_at_rate};
+pub use crate::tree::cycle_state::VisitOutcome;
+pub use crate::tree::engine::Engine;
+pub use crate::tree::written::{DistinctLinks, WrittenKind, WrittenLink, assert_single_link, counts};
+pub use crate::tree::{Has, Layout, MemberOf, Tree};
 
-/// A doc comment; nothing of it with the feature `terse`.
+/// Returns a doc comment; nothing with the feature `terse`.
 #[must_use]
 pub const fn doc(text: &'static str) -> &'static str {
     if cfg!(feature = "terse") { "" } else { text }
@@ -61,23 +63,23 @@ pub trait Lists<const INDEX: usize> {
     type Component;
 }
 
-/// The node of `C` in tree `T`, under the name that the list gives it.
+/// Returns the node of `C` in tree `T`, under the name that the list gives it.
 #[must_use]
 pub const fn node<T: Has<C>, C: 'static>(name: &'static str) -> Node {
-    Node { name, ..<T::Member as Wired<T>>::NODE }
+    Node { name, ..<T::Member as MemberOf<T>>::NODE }
 }
 
-/// The rate of `C` in runs per second, of which `None` is every cycle.
+/// Returns the rate of `C` in runs per second; `None` is every cycle.
 pub fn hz<T: Tree + Has<C>, C: 'static>(tree: &T) -> Option<f32> {
     tree.rate::<C>().hz()
 }
 
-/// Modulates the rate of `C`.
+/// Sets the rate of `C`.
 pub fn set_hz<T: Tree + Has<C>, C: 'static>(tree: &mut T, hz: f32) {
     tree.rate_mut::<C>().set_within(hz, <T::Member as Component>::HZ);
 }
 
-/// The component of each rank: the inverse of `ranks`.
+/// Returns the component of each rank: the inverse of `ranks`.
 #[must_use]
 pub const fn order<const N: usize>(ranks: &[usize; N]) -> [u16; N] {
     let mut order = [0; N];

@@ -1,31 +1,67 @@
-//! How often a component runs, and how that is changed while it does.
+//! How often a component runs.
+//!
+//! # The grid
+//!
+//! A component with a rate has a grid of instants: the first is its first run after it became active, and the others
+//! follow at multiples of the exact period `1 / hz`. Fractions of a clock tick are kept (to 2⁻³² ticks), so the grid does
+//! not drift: 30 Hz are 108,000 runs an hour.
+//!
+//! A tree is ticked about once in a cycle `T = 1 / cycle_hz`, but never exactly. So a grid point has a window:
+//!
+//! | Rate | A run is due from | A run keeps the grid up to |
+//! |---|---|---|
+//! | above `cycle_hz / 2` | half a cycle before its grid point | a period and half a cycle after it |
+//! | up to `cycle_hz / 2` | a quarter of a cycle before its grid point | a period after it |
+//!
+//! The declared rate decides which row applies; a component that declares none belongs to the first.
+//!
+//! # Guarantee
+//!
+//! **If every tick comes within half a cycle of its nominal instant `n · T`, no run is lost and none is added, at any rate
+//! up to `cycle_hz`:** each grid point is served by one run, in order. So in any span a component runs as often as the
+//! span has periods, ± 1. If each tick is also within half a cycle of the first one's schedule, a component with
+//! `hz = cycle_hz` runs in every tick.
+//!
+//! A run that comes later than its window starts a new grid: the component runs once, at once, and the grid points in
+//! between are dropped. There is never a burst. The grid also starts anew if the clock is set back by more than a period.
+//!
+//! A period is at least one clock tick, or else the component runs in every cycle. A period above 2⁶² clock ticks is rest.
 
 use core::marker::PhantomData;
 
-use embassy_time::TICK_HZ;
-
 use crate::component::Component;
 
-/// The rate of component `C`, modulable between rest and its declared `hz`.
+mod grid;
+mod period;
+
+pub(crate) use grid::{Grid, Tolerance};
+pub(crate) use period::Period;
+
+/// The rate of component `C`: it can be set, at run time, between rest and the declared `hz`.
 ///
-/// A parent asks for it with an argument `rate: &mut Rate<C>`; from outside it is
-/// [`Tree::rate_mut`](crate::tree::Tree::rate_mut). What was set holds until it is set again, also while `C` is latent.
+/// A parent takes it as an argument `rate: &mut Rate<C>`; from outside it is
+/// [`Tree::rate_mut`](crate::tree::Tree::rate_mut). A rate holds until it is set again, also while `C` is latent.
 pub struct Rate<C> {
-    hz: Option<f32>,
-    period: u64,
+    period: Period,
     of: PhantomData<fn() -> C>,
 }
 
 impl<C: Component> Rate<C> {
-    /// Asks for `hz` runs per second.
+    /// Requests `hz` runs per second.
     ///
-    /// More than the declared rate gives the declared rate. Zero or less gives rest: `C` stays active and its children
-    /// are visited, but apart from the run that every activation brings it does not run. NaN gives the declared rate.
+    /// | `hz` | Rate from now on |
+    /// |---|---|
+    /// | NaN of either sign | the declared rate |
+    /// | negative, −0, 0 | rest: `C` stays active and its children are visited, but only its activation makes it run |
+    /// | above the declared rate, also infinite | the declared rate |
+    /// | other | `hz` |
+    ///
+    /// The decision is made on the bits of `hz`, so it is the same on every processor.
     pub fn set(&mut self, hz: f32) {
         self.set_within(hz, C::HZ);
     }
 
-    /// Goes back to the declared rate.
+    /// Returns to the declared rate.
     pub fn reset(&mut self) {
         *self = Self::at(C::HZ);
     }
@@ -33,36 +69,43 @@ impl<C: Component> Rate<C> {
 
 impl<C> Rate<C> {
     pub(crate) const fn at(hz: Option<f32>) -> Self {
-        Self { hz, period: period(hz), of: PhantomData }
+        Self { period: Period::new(hz), of: PhantomData }
     }
 
     pub(crate) fn set_within(&mut self, hz: f32, declared: Option<f32>) {
-        if self.hz != Some(hz) {
-            let too_fast = declared.is_some_and(|most| hz > most);
-            *self = Self::at(if hz.is_nan() || too_fast { declared } else { Some(hz.max(0.0)) });
+        let hz = limited(hz, declared);
+        if self.hz() != hz {
+            *self = Self::at(hz);
         }
     }
 
-    /// Runs per second that are asked for now; `None` is a run in every cycle.
+    /// Returns the requested runs per second; `None` is a run in every cycle.
     #[must_use]
     pub const fn hz(&self) -> Option<f32> {
-        self.hz
+        self.period.hz()
     }
 
-    /// Ticks of the clock between two runs: 0 runs in every cycle, [`REST`] never.
-    pub(crate) const fn period(&self) -> &u64 {
+    pub(crate) const fn period(&self) -> &Period {
         &self.period
     }
 }
 
-/// The period of a component that rests.
-pub(crate) const REST: u64 = u64::MAX;
-
-/// The whole ticks of one period. Rounded down: a component that is as fast as its tree misses no cycle.
-const fn period(hz: Option<f32>) -> u64 {
-    match hz {
-        None => 0,
-        // Beyond the range of u64 the conversion saturates, and one divided by zero is infinite.
-        Some(hz) => (TICK_HZ as f64 / hz as f64) as u64,
+/// Returns the rate that a request gives.
+///
+/// Floating-point comparisons and `max` treat −0 and NaN differently on different processors. The bits of numbers that
+/// are not negative are ordered as the numbers are.
+const fn limited(hz: f32, declared: Option<f32>) -> Option<f32> {
+    const SIGN: u32 = 1 << 31;
+    const INFINITY: u32 = f32::INFINITY.to_bits();
+    let bits = hz.to_bits();
+    if bits & !SIGN > INFINITY {
+        return declared;
+    }
+    if bits & SIGN != 0 {
+        return Some(0.0);
+    }
+    match declared {
+        Some(most) if bits > most.to_bits() => declared,
+        _ => Some(hz),
     }
 }

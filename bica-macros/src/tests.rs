@@ -61,7 +61,7 @@ fn a_machine_is_its_block_two_impls_and_the_name_that_is_taken() {
         block.trait_.as_ref().map(|(path, _)| path.segments.last().unwrap().ident.to_string())
     });
     let traits = traits.collect::<Vec<_>>();
-    assert_eq!(traits, [None, Some("Component".to_owned()), Some("Wired".to_owned()), None]);
+    assert_eq!(traits, [None, Some("Component".to_owned()), Some("MemberOf".to_owned()), None]);
 }
 
 #[test]
@@ -106,7 +106,7 @@ fn a_mistake_leaves_the_block_and_a_component() {
     let code = component::run(quote!(hz = fast), &broken);
     assert_eq!(messages(code.clone()).len(), 3);
     let words = words(code);
-    for word in ["Component", "Wired", "IS_STUB", "async"] {
+    for word in ["Component", "MemberOf", "IS_STUB", "async"] {
         assert!(words.contains(&word.to_owned()), "{word}");
     }
 }

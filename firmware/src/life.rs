@@ -6,9 +6,9 @@ use bica::Tree;
 use bica_motion::joints::Joints;
 use bica_motion::robot::{self, CameraId, Lights};
 use bica_player::Forward;
-use bica_player::input::{EYE_BYTES, Eye};
-use bica_wire::message::{Command, ClockMode};
-use bica_wire::{ImageBuffer, FromRobot, MAX_PACKET, Decoder, Encoder, ToRobot};
+use bica_player::input::{CameraInput, IMAGE_BYTES};
+use bica_wire::message::{ClockMode, Command};
+use bica_wire::{Decoder, Encoder, FromRobot, ImageBuffer, MAX_PACKET, ToRobot};
 use embassy_futures::select::{Either, select};
 use embassy_time::{Duration, Instant, Ticker};
 use embedded_io_async::Read;
@@ -20,8 +20,8 @@ use crate::reason;
 use crate::voice::Voice;
 
 static ROBOT: ConstStaticCell<Forward> = ConstStaticCell::new(Forward::new());
-static EYE: ConstStaticCell<[u8; EYE_BYTES]> = ConstStaticCell::new([0; EYE_BYTES]);
-static FRAME: ConstStaticCell<ImageBuffer<EYE_BYTES>> = ConstStaticCell::new(ImageBuffer::new());
+static EYE: ConstStaticCell<[u8; IMAGE_BYTES]> = ConstStaticCell::new([0; IMAGE_BYTES]);
+static FRAME: ConstStaticCell<ImageBuffer<IMAGE_BYTES>> = ConstStaticCell::new(ImageBuffer::new());
 static RECEIVER: ConstStaticCell<Decoder<MAX_PACKET>> = ConstStaticCell::new(Decoder::new());
 static PACKET: ConstStaticCell<[u8; MAX_PACKET]> = ConstStaticCell::new([0; MAX_PACKET]);
 
@@ -31,7 +31,7 @@ const LAST_WORDS: usize = 320;
 /// Hears and ticks, forever. Called once.
 pub(crate) async fn live<B: Board>(mut ear: B::Ear, mouth: B::Mouth) -> ! {
     let (receiver, robot) = (RECEIVER.take(), ROBOT.take());
-    robot.get_mut::<Eye>().lend(EYE.take());
+    robot.get_mut::<CameraInput>().set_buffer(EYE.take());
     let (mut voice, mut mind) = (Voice::new(mouth, PACKET.take()), Mind::<B>::new(robot, FRAME.take(), past()));
     let period = Duration::from_hz(Forward::GRAPH.cycle_hz as u64);
     let mut ticker = Ticker::every(period);

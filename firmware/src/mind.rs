@@ -1,14 +1,14 @@
 //! The robot's mind: hears, thinks, speaks.
 
+use bica::runner::Robot;
 use bica::{Instant, Tree};
 use bica_motion::robot;
 use bica_motion::stand::{STAND, Stiffness};
-use bica_player::input::EYE_BYTES;
-use bica_player::perception::{BallDetector, NetDetector};
-use bica_player::{Forward, act, sense};
-use bica_vision::colour::Colour;
-use bica_wire::message::{ClockMode, Command, GoalColour, Hello, Identity, LinkStats, Sensors, Telemetry};
-use bica_wire::{ImageBuffer, FromRobot, SCHEMA, ToRobot, describe};
+use bica_player::Forward;
+use bica_player::input::IMAGE_BYTES;
+use bica_player::perception::{BallDetector, GoalDetector};
+use bica_wire::message::{ClockMode, Command, Hello, Identity, LinkStats, Sensors, Telemetry};
+use bica_wire::{FromRobot, ImageBuffer, SCHEMA, ToRobot, describe};
 use embassy_time::Duration;
 use embedded_io_async::Write;
 
@@ -24,7 +24,7 @@ const SILENCE: Duration = Duration::from_millis(200);
 /// Everything that a robot keeps while it plays.
 pub(crate) struct Mind<B> {
     robot: &'static mut Forward,
-    frame: &'static mut ImageBuffer<EYE_BYTES>,
+    frame: &'static mut ImageBuffer<IMAGE_BYTES>,
     past: Past,
     meter: Meter<B>,
     /// How time passes; `None` before the first hello.
@@ -41,7 +41,7 @@ pub(crate) struct Mind<B> {
 
 impl<B: Board> Mind<B> {
     /// A mind that waits for a hello.
-    pub(crate) fn new(robot: &'static mut Forward, frame: &'static mut ImageBuffer<EYE_BYTES>, past: Past) -> Self {
+    pub(crate) fn new(robot: &'static mut Forward, frame: &'static mut ImageBuffer<IMAGE_BYTES>, past: Past) -> Self {
         Self {
             robot,
             frame,
@@ -108,10 +108,7 @@ impl<B: Board> Mind<B> {
             B::reset();
         }
         defmt::info!("hello; in step with the world: {=bool}", hello.clock_mode == ClockMode::Lockstep);
-        self.robot.get_mut::<NetDetector>().attack(match hello.attacks {
-            GoalColour::Yellow => Colour::Yellow,
-            GoalColour::Blue => Colour::Blue,
-        });
+        self.robot.get_mut::<GoalDetector>().attack(hello.attacks);
         self.pace = Some(hello.clock_mode);
         voice.say(&self.greeting()).await;
     }
@@ -136,7 +133,7 @@ impl<B: Board> Mind<B> {
     fn sense(&mut self, sensors: &Sensors) {
         let began = B::fine();
         let yuyv = sensors.image.as_ref().and_then(|picture| self.frame.take(picture));
-        if let Err(error) = sense(self.robot, &sensors.to_sensors(yuyv)) {
+        if let Err(error) = self.robot.sense(&sensors.to_sensors(yuyv)) {
             defmt::warn!("an image of {=usize} bytes does not fit", error.bytes);
         }
         self.sensed = Some((sensors.time_us, B::fine().wrapping_sub(began)));
@@ -147,7 +144,8 @@ impl<B: Board> Mind<B> {
         let began = B::fine();
         let (time_us, sensing) = self.sensed.take().unwrap_or((now.as_micros(), 0));
         self.robot.tick_with(now, &mut self.meter);
-        let command = if self.safe { safe() } else { act(self.robot) };
+        let command = self.robot.act();
+        let command = if self.safe { safe() } else { command };
         let chain = B::fine().wrapping_sub(began).wrapping_add(sensing);
         self.tell_sights();
         voice.say(&FromRobot::Command(Command::new(time_us, &command))).await;
@@ -157,7 +155,7 @@ impl<B: Board> Mind<B> {
     /// Logs what came into sight or went out of it.
     fn tell_sights(&mut self) {
         let ball = self.robot.get::<BallDetector>().seen().is_some();
-        let goal = self.robot.get::<NetDetector>().seen().is_some();
+        let goal = self.robot.get::<GoalDetector>().seen().is_some();
         if (ball, goal) != self.seen {
             defmt::info!("visible: ball {=bool}, goal {=bool}", ball, goal);
             self.seen = (ball, goal);

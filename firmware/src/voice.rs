@@ -1,6 +1,6 @@
 //! What the robot says, in packets.
 
-use bica_wire::{FromRobot, MAX_PACKET, Encoder};
+use bica_wire::{Encoder, FromRobot, MAX_PACKET};
 use embedded_io_async::Write;
 
 /// Speaks over a link.

@@ -1,25 +1,25 @@
-//! The words for each finding: what was found, what is required, the remedy.
+//! The words for each violation: what was found, what is required, the remedy.
 
-use super::sums::{over_budget, overload};
-use super::{CAPACITY, Figure, Finding, Path, Text};
+use super::sum_message::{over_budget, overload};
+use super::{CAPACITY, Number, Path, Text, Violation};
 use crate::graph::{Graph, Node};
 
 /// How many bytes a message may have.
 const LENGTH: usize = 4096;
 
-/// What a finding of a tree means, in one line.
+/// What a violation of a tree means, in one line.
 #[must_use]
-pub const fn message(graph: &Graph, finding: &Finding) -> Text<LENGTH> {
+pub const fn message(graph: &Graph, violation: &Violation) -> Text<LENGTH> {
     let mut text = Text::new();
-    match finding {
-        Finding::TooManyComponents(count) => too_many(&mut text, graph, *count),
-        Finding::TooManyStates(index) => too_many_states(&mut text, &graph.nodes[*index]),
-        Finding::BadFigure(figure) => bad_figure(&mut text, graph, *figure),
-        Finding::Cycle(path) => cycle(&mut text, graph, path),
-        Finding::Unreachable(path) => unreachable(&mut text, graph, path),
-        Finding::TooFast(index) => too_fast(&mut text, graph, *index),
-        Finding::OverBudget(chain) => over_budget(&mut text, graph, chain),
-        Finding::Overload(load) => overload(&mut text, graph, load),
+    match violation {
+        Violation::TooManyComponents(count) => too_many(&mut text, graph, *count),
+        Violation::TooManyStates(index) => too_many_states(&mut text, &graph.nodes[*index]),
+        Violation::BadNumber(figure) => bad_number(&mut text, graph, *figure),
+        Violation::Cycle(path) => cycle(&mut text, graph, path),
+        Violation::Unreachable(path) => unreachable(&mut text, graph, path),
+        Violation::TooFast(index) => too_fast(&mut text, graph, *index),
+        Violation::OverBudget(chain) => over_budget(&mut text, graph, chain),
+        Violation::Overload(load) => overload(&mut text, graph, load),
     }
     text
 }
@@ -42,24 +42,24 @@ const fn too_many_states(text: &mut Message, node: &Node) {
     text.push(" at most; make a component of some");
 }
 
-const fn bad_figure(text: &mut Message, graph: &Graph, figure: Figure) {
+const fn bad_number(text: &mut Message, graph: &Graph, figure: Number) {
     match figure {
-        Figure::CycleHz => {
+        Number::CycleHz => {
             words(text, &["tree `", graph.name, "` has cycle_hz = "]);
             text.push_number(graph.cycle_hz as f64);
             text.push(": a rate is a finite number above 0; write how often per second the tree is ticked");
         }
-        Figure::BudgetMs => {
+        Number::BudgetMs => {
             words(text, &["tree `", graph.name, "` has budget_ms = "]);
             push_given(text, graph.budget_ms);
             text.push(": a cycle's budget is a finite number above 0; give it, or leave it out for no limit");
         }
-        Figure::Hz(index) => {
+        Number::Hz(index) => {
             words(text, &["component `", graph.nodes[index].name, "` has hz = "]);
             push_given(text, graph.nodes[index].hz);
             text.push(": a rate is a finite number above 0; give one, or leave it out to run in every cycle");
         }
-        Figure::BudgetUs(index) => {
+        Number::BudgetUs(index) => {
             words(text, &["component `", graph.nodes[index].name, "` has budget_us = "]);
             push_given(text, graph.nodes[index].budget_us);
             text.push(": a budget is a finite number, not below 0; give one, or leave it out to count nothing");

@@ -1,14 +1,14 @@
 //! The words for each broken rule.
 
-use bica_core::check::{check, first, message};
+use bica_core::check::{check, first_violation, message};
 use bica_core::graph::{Graph, Node, State};
 
 use crate::build::{graph, in_state, node, state, to, way};
 
 #[track_caller]
 fn says(graph: Graph, words: &str) {
-    let finding = first(&graph).expect("a rule is broken");
-    assert_eq!(message(&graph, &finding).as_str(), words);
+    let violation = first_violation(&graph).expect("a rule is broken");
+    assert_eq!(message(&graph, &violation).as_str(), words);
     let panic = std::panic::catch_unwind(|| check(&graph)).expect_err("the check panics");
     assert_eq!(panic.downcast_ref::<String>().expect("with a message"), words);
 }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use bica_core::check::{Finding, cycle, first, ranks, reachable, states_reached, unreachable};
+use bica_core::check::{Violation, cycle, first_violation, ranks, reachable, states_reached, unreachable};
 use petgraph::algo::{is_cyclic_directed, tarjan_scc};
 use petgraph::graph::NodeIndex;
 use proptest::prelude::*;
@@ -75,9 +75,9 @@ proptest! {
     fn cycles_are_reported_before_what_they_hide(graph in any_graph(12)) {
         let cyclic = is_cyclic_directed(&naive::library(graph.nodes));
         let whole = naive::reachable(&graph).len() == graph.nodes.len();
-        match first(&graph) {
-            Some(Finding::Cycle(_)) => prop_assert!(cyclic),
-            Some(Finding::Unreachable(_)) => prop_assert!(!cyclic && !whole),
+        match first_violation(&graph) {
+            Some(Violation::Cycle(_)) => prop_assert!(cyclic),
+            Some(Violation::Unreachable(_)) => prop_assert!(!cyclic && !whole),
             _ => prop_assert!(!cyclic && whole),
         }
     }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use bica_core::check::{Choice, Finding, Worst, first, load, longest_chain, steps};
+use bica_core::check::{Choice, Violation, WorstCase, first_violation, load, longest_chain, steps};
 use bica_core::graph::{Graph, Node};
 use proptest::prelude::*;
 
@@ -21,7 +21,7 @@ fn loads(graph: &Graph) -> Vec<f64> {
     graph.nodes.iter().zip(budgets(graph)).map(|(node, budget)| budget * 1e-6 * hz(node)).collect()
 }
 
-fn members(worst: &Worst) -> BTreeSet<usize> {
+fn members(worst: &WorstCase) -> BTreeSet<usize> {
     (0..bica_core::check::CAPACITY).filter(|&node| worst.active.contains(node)).collect()
 }
 
@@ -30,7 +30,7 @@ fn close(a: f64, b: f64) -> bool {
 }
 
 /// Whether the components reported are those that the choices reported activate, and sum up to the sum reported.
-fn is_consistent(graph: &Graph, worst: &Worst, weights: &[f64]) -> bool {
+fn is_consistent(graph: &Graph, worst: &WorstCase, weights: &[f64]) -> bool {
     let active = naive::active(graph, &worst.choices[..graph.nodes.len()]);
     let silent = |node: usize| active.contains(&node) || worst.choices[node] == Choice::None;
     members(worst) == active
@@ -76,10 +76,10 @@ proptest! {
         let graph = Graph { budget_ms: Some(budget_us as f32 / 1e3), ..graph };
         let time = naive::worst(&graph, &budgets(&graph), true);
         let share = naive::worst(&graph, &loads(&graph), false);
-        match first(&graph) {
-            Some(Finding::Unreachable(_)) => {}
-            Some(Finding::OverBudget(found)) => prop_assert!(time > f64::from(budget_us) && close(found.sum, time)),
-            Some(Finding::Overload(found)) => prop_assert!(time <= f64::from(budget_us) && share > 1.0 && found.exact),
+        match first_violation(&graph) {
+            Some(Violation::Unreachable(_)) => {}
+            Some(Violation::OverBudget(found)) => prop_assert!(time > f64::from(budget_us) && close(found.sum, time)),
+            Some(Violation::Overload(found)) => prop_assert!(time <= f64::from(budget_us) && share > 1.0 && found.exact),
             None => prop_assert!(time <= f64::from(budget_us) && share <= 1.0),
             Some(other) => prop_assert!(false, "{:?}", other),
         }

@@ -2,7 +2,8 @@
 //!
 //! Changes: the schema hash covers the names of types and fields; it changed with their renaming, the bytes did not.
 
-use bica_wire::message::{ClockMode, FaultInjection, GoalColour, Hello, ImageChunk, StackUsage};
+use bica_field::GoalColour;
+use bica_wire::message::{ClockMode, FaultInjection, Hello, ImageChunk, StackUsage};
 use bica_wire::{Encoder, FromRobot, MAX_PACKET, SCHEMA, ToRobot};
 
 /// Schema of these bytes.
@@ -19,7 +20,7 @@ fn schema_hash_is_the_committed_one() {
 
 #[test]
 fn packets_have_the_committed_bytes() {
-    let hello = Hello { schema: 0x0123_4567_89ab_cdef, clock_mode: ClockMode::Lockstep, attacks: GoalColour::Blue };
+    let hello = Hello { schema: 0x0123_4567_89ab_cdef, clock_mode: ClockMode::Lockstep, attacks: GoalColour::SkyBlue };
     assert_eq!(bytes(&ToRobot::Describe), [1, 1, 6, 1, 132, 233, 70, 136, 0]);
     assert_eq!(
         bytes(&ToRobot::Hello(hello)),

@@ -2,23 +2,19 @@
 
 use std::error::Error;
 
+use bica::runner::Robot;
 use bica::{ComponentId, Instant, Tree};
 use bica_emulator::{Controller, CycleReport, command_bits};
+use bica_field::GoalColour;
 use bica_motion::robot::{Command, Sensors};
-use bica_player::perception::NetDetector;
-use bica_player::{Forward, act, sense};
+use bica_player::Forward;
+use bica_player::perception::GoalDetector;
 use bica_sim::World;
 use bica_sim::kinematic::KinematicWorld;
-use bica_sim::referee::GoalColour;
-use bica_vision::colour::Colour;
-use bica_wire::message;
 
 /// Returns the colour of the goal that the robot attacks.
-pub(crate) fn attacked_goal(world: &KinematicWorld) -> message::GoalColour {
-    match world.referee().attacks() {
-        GoalColour::Yellow => message::GoalColour::Yellow,
-        GoalColour::SkyBlue => message::GoalColour::Blue,
-    }
+pub(crate) fn attacked_goal(world: &KinematicWorld) -> GoalColour {
+    world.referee().attacks()
 }
 
 /// The forward on the host.
@@ -26,21 +22,18 @@ pub(crate) struct Reference(Box<Forward>);
 
 impl Reference {
     /// Creates a forward that attacks the goal of a colour.
-    pub(crate) fn new(attacks: message::GoalColour) -> Self {
+    pub(crate) fn new(attacks: GoalColour) -> Self {
         let mut robot = Box::new(Forward::new());
-        robot.get_mut::<NetDetector>().attack(match attacks {
-            message::GoalColour::Yellow => Colour::Yellow,
-            message::GoalColour::Blue => Colour::Blue,
-        });
+        robot.get_mut::<GoalDetector>().attack(attacks);
         Self(robot)
     }
 
     /// Runs one sense-think-act cycle on the host.
     pub(crate) fn cycle(&mut self, time_us: u64, sensors: &Sensors<'_>) -> Command {
         // The firmware ignores an image that does not fit, too.
-        let _ = sense(&mut self.0, sensors);
+        let _ = self.0.sense(sensors);
         self.0.tick(Instant::from_micros(time_us));
-        act(&self.0)
+        self.0.act()
     }
 
     /// Runs one cycle on the microcontroller and on the host and compares them.

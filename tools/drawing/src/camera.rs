@@ -1,9 +1,9 @@
 //! The camera's image with what was recognised in it.
 
+use bica_field::{CrossingKind, GoalColour};
 use bica_motion::robot::Image;
 use bica_vision::ball::Ball;
-use bica_vision::colour::Colour;
-use bica_vision::crossings::{Crossing, CrossingKind};
+use bica_vision::crossings::Crossing;
 use bica_vision::goal::{Goal, Post};
 use bica_vision::lines::Line;
 use bica_vision::own_body::OwnBody;
@@ -22,7 +22,7 @@ pub fn view(image: &Image<'_>, marks: &Marks, width: usize) -> Canvas {
     pixels(&mut canvas, image, times);
     let mut view = View { canvas, times: times as f32 };
     view.own(&marks.own);
-    view.field_end(&marks.field_end);
+    view.field_boundary(&marks.field_boundary);
     view.circle(&marks.circle);
     marks.lines.iter().for_each(|line| view.line(line));
     marks.crossings.iter().for_each(|crossing| view.crossing(crossing));
@@ -60,7 +60,7 @@ impl View {
         }
     }
 
-    fn field_end(&mut self, line: &[Vec2]) {
+    fn field_boundary(&mut self, line: &[Vec2]) {
         let line: Vec<Vec2> = line.iter().map(|p| self.at(*p)).collect();
         self.canvas.polyline(&line, 4.0, sheer(TEXT, 0.5));
         self.canvas.polyline(&line, 2.0, WHITE);
@@ -102,7 +102,7 @@ impl View {
     }
 
     fn goal(&mut self, goal: &Goal) {
-        let rgb = if goal.colour == Colour::Yellow { YELLOW } else { BLUE };
+        let rgb = if goal.colour == GoalColour::Yellow { YELLOW } else { BLUE };
         let frame = Area { from: self.at(goal.min - 0.5), to: self.at(goal.max + 0.5) };
         self.canvas.outline(frame, 2.0, 3.0, TEXT);
         self.canvas.outline(frame, 2.0, 2.0, rgb);

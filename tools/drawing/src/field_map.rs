@@ -1,7 +1,7 @@
 //! The map of the field: what is true, and what the robot believes.
 
+use bica_field::{FIELD, GoalColour};
 use bica_motion::pose::Pose2;
-use bica_sim::referee::GoalColour;
 use glam::Vec2;
 
 use super::canvas::{Area, Canvas, Ink, Rgb};
@@ -10,11 +10,9 @@ use super::scene::{Beliefs, Truth};
 use super::text::Font;
 
 /// Half the carpet, m.
-const CARPET_HALF: Vec2 = Vec2::new(3.70, 2.70);
+const CARPET_HALF: Vec2 = FIELD.carpet_corner();
 /// Half the field, line centres, m.
-const FIELD_HALF: Vec2 = Vec2::new(3.0, 2.0);
-/// Half the distance between the posts of a goal, its line and its depth, m.
-const GOAL: (f32, f32, f32) = (0.70, 3.05, 3.50);
+const FIELD_HALF: Vec2 = FIELD.field_corner();
 
 /// A map of the field of 2009, the attacked goal to the right.
 pub struct Map {
@@ -74,24 +72,26 @@ impl Map {
     }
 
     fn lines(&mut self) {
-        let width = 0.05 * self.scale;
+        let width = FIELD.line_width() * self.scale;
         let mut boxes = vec![(-FIELD_HALF, FIELD_HALF)];
         for side in [-1.0, 1.0] {
-            boxes.push((Vec2::new(side * 2.4, -1.5), Vec2::new(side * FIELD_HALF.x, 1.5)));
+            let area = FIELD.penalty_area_corner();
+            boxes.push((Vec2::new(side * area.x, -area.y), Vec2::new(side * FIELD_HALF.x, area.y)));
         }
         for (from, to) in boxes {
             let corners = [from, Vec2::new(to.x, from.y), to, Vec2::new(from.x, to.y), from].map(|p| self.at(p));
             self.canvas.polyline(&corners, width, LINE);
         }
         self.canvas.line(self.at(Vec2::new(0.0, -FIELD_HALF.y)), self.at(Vec2::new(0.0, FIELD_HALF.y)), width, LINE);
-        self.canvas.ring(self.at(Vec2::ZERO), 0.6 * self.scale, width, LINE);
-        for x in [-1.2, 0.0, 1.2] {
+        self.canvas.ring(self.at(Vec2::ZERO), FIELD.centre_circle_radius() * self.scale, width, LINE);
+        for x in [-FIELD.penalty_mark(), 0.0, FIELD.penalty_mark()] {
             self.mark(Vec2::new(x, 0.0), width);
         }
     }
 
     fn mark(&mut self, at: Vec2, width: f32) {
-        for arm in [Vec2::new(0.05, 0.0), Vec2::new(0.0, 0.05)] {
+        let half = FIELD.penalty_mark_size() / 2.0;
+        for arm in [Vec2::new(half, 0.0), Vec2::new(0.0, half)] {
             self.canvas.line(self.at(at - arm), self.at(at + arm), width, LINE);
         }
     }
@@ -101,7 +101,8 @@ impl Map {
             GoalColour::Yellow => YELLOW,
             GoalColour::SkyBlue => BLUE,
         };
-        let (half, line, depth) = GOAL;
+        let Vec2 { x: line, y: half } = FIELD.goal_post();
+        let depth = FIELD.goal_back();
         let net = [self.at(Vec2::new(side * line, half)), self.at(Vec2::new(side * depth, -half))];
         self.canvas.slab(Area::around(&net, 0.0), 2.0, sheer(rgb, 0.35));
         for y in [-half, half] {

@@ -1,8 +1,8 @@
 //! What a picture shows, free of where it comes from.
 
 use bica::graph::{Graph, Link};
+use bica_field::GoalColour;
 use bica_motion::pose::Pose2;
-use bica_sim::referee::GoalColour;
 use bica_vision::ball::Ball;
 use bica_vision::crossings::Crossing;
 use bica_vision::goal::Goal;
@@ -17,7 +17,7 @@ pub struct Marks {
     pub ball: Option<Ball>,
     pub goals: Vec<Goal>,
     /// The far end of the field, from left to right.
-    pub field_end: Vec<Vec2>,
+    pub field_boundary: Vec<Vec2>,
     pub lines: Vec<Line>,
     pub robots: Vec<Robot>,
     pub crossings: Vec<Crossing>,

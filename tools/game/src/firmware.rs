@@ -8,11 +8,10 @@ use std::path::{Path, PathBuf};
 
 use bica::{ComponentId, Instant, Tree};
 use bica_emulator::{Controller as Remote, Error, Transport, command_bits};
+use bica_field::GoalColour;
 use bica_motion::robot::{Command, Sensors};
 use bica_player::Forward;
-use bica_sim::referee::GoalColour;
 use bica_sim::setup::Frame;
-use bica_wire::message;
 use serde::Serialize;
 
 use super::scene::GRAPH;
@@ -35,11 +34,7 @@ impl Image {
 
     /// Starts it.
     pub fn start(self, attacks: GoalColour) -> Result<Mind, Failure> {
-        let attack = match attacks {
-            GoalColour::Yellow => message::GoalColour::Yellow,
-            GoalColour::SkyBlue => message::GoalColour::Blue,
-        };
-        let remote = Remote::start(self.0, Transport::Pipe, attack, None).map_err(|error| failure(&error))?;
+        let remote = Remote::start(self.0, Transport::Pipe, attacks, None).map_err(|error| failure(&error))?;
         Ok(Mind { remote, chains: Vec::new(), runs: vec![Vec::new(); GRAPH.nodes.len()] })
     }
 }

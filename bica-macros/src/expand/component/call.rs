@@ -6,14 +6,11 @@ use quote::{ToTokens, format_ident, quote, quote_spanned};
 use crate::expand::quoting::{at, placed};
 use crate::language::component::model::{Argument, Function};
 
-/// A block that lends and calls; its value is what the function returns.
+/// A block that borrows and calls; its value is what the function returns.
 pub(super) fn expand(p: &TokenStream, function: &Function) -> TokenStream {
     let name = &function.name;
-    let loan = loan(p, function);
-    let lent = children(function).rev().fold(quote!(()), |rest, (place, ..)| {
-        let binding = binding(place);
-        quote!((#binding, #rest))
-    });
+    let set = borrow_set(p, function);
+    let borrowed = nested(children(function).map(|(place, ..)| binding(place).into_token_stream()).collect());
     let timed = function.arguments.iter().any(|argument| matches!(argument, Argument::Time(_)));
     let time = timed.then(|| quote!(let time = cycle.time::<Self>();));
     let given = function.arguments.iter().enumerate().map(|(place, argument)| match argument {
@@ -25,24 +22,34 @@ pub(super) fn expand(p: &TokenStream, function: &Function) -> TokenStream {
     });
     quote! {{
         #time
-        let (this, #lent) = cycle.lend::<Self, #loan>();
+        let (this, #borrowed) = cycle.borrow::<Self, #set>();
         Self::#name(this #(, #given)*)
     }}
 }
 
-/// The type of the loan: nested pairs, ended by `()`.
-fn loan(p: &TokenStream, function: &Function) -> TokenStream {
-    children(function).rev().fold(quote!(()), |rest, (_, kind, child)| quote!((#p::#kind<#child>, #rest)))
+/// The type of what is borrowed together.
+fn borrow_set(p: &TokenStream, function: &Function) -> TokenStream {
+    nested(children(function).map(|(_, kind, child)| quote!(#p::#kind<#child>)).collect())
 }
 
-/// The arguments that are lent: their places, how, and of which type.
+/// Pairs of pairs around the parts, as flat as possible: the compiler limits how deep types may nest.
+fn nested(mut parts: Vec<TokenStream>) -> TokenStream {
+    if parts.len() < 2 {
+        return parts.pop().unwrap_or_else(|| quote!(()));
+    }
+    let right = nested(parts.split_off(parts.len() / 2));
+    let left = nested(parts);
+    quote!((#left, #right))
+}
+
+/// The arguments that are borrowed: their places, how, and of which type.
 fn children(function: &Function) -> impl DoubleEndedIterator<Item = (usize, TokenStream, TokenStream)> {
     function.arguments.iter().enumerate().filter_map(|(place, argument)| match argument {
         Argument::Time(_) => None,
         Argument::Read(child) => Some((place, quote!(Read), child.to_token_stream())),
         Argument::Write(child) => Some((place, quote!(Write), child.to_token_stream())),
-        Argument::Rate(child) => Some((place, quote!(Pace), child.to_token_stream())),
-        Argument::OwnRate => Some((place, quote!(Pace), quote!(Self))),
+        Argument::Rate(child) => Some((place, quote!(WriteRate), child.to_token_stream())),
+        Argument::OwnRate => Some((place, quote!(WriteRate), quote!(Self))),
     })
 }
 

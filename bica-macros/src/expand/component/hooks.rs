@@ -18,7 +18,7 @@ fn hook(p: &TokenStream, name: &TokenStream, functions: &[Function]) -> Option<T
     (!functions.is_empty()).then(|| {
         quote! {
             fn #name<__P: #p::Probe>(cycle: &mut #p::Cycle<'_, __T, __P>) {
-                let (this, ()) = cycle.lend::<Self, ()>();
+                let (this, ()) = cycle.borrow::<Self, ()>();
                 #(Self::#calls(this);)*
             }
         }

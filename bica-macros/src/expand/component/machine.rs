@@ -17,7 +17,7 @@ pub(super) fn expand(p: &TokenStream, machine: &Machine, visits: &Visits) -> Tok
         if state == last { quote!(_ => #round) } else { quote!(#state => #round) }
     });
     quote! {
-        let mut machine = cycle.machine::<Self>(turn);
+        let mut machine = cycle.machine::<Self>(visit);
         loop {
             match machine.state {
                 #(#arms)*
@@ -37,12 +37,12 @@ fn round(p: &TokenStream, machine: &Machine, index: usize, visits: &Visits) -> T
     let leaving = (!transitions.is_empty()).then(|| quote!(if !machine.moved { #(#transitions)* }));
     quote! {{
         #before
-        if turn.due {
-            cycle.round::<Self>(machine);
+        if visit.due {
+            cycle.begin_state::<Self>(machine);
             #entering
             #leaving
             #body
-            cycle.end::<Self>();
+            cycle.end_code::<Self>();
         }
         #after
         return;
@@ -57,11 +57,11 @@ fn calls(p: &TokenStream, functions: &[Function]) -> TokenStream {
 fn leave(p: &TokenStream, edge: &Edge, exits: &TokenStream) -> TokenStream {
     let (from, to) = (edge.from, edge.to);
     let condition = call::expand(p, &edge.condition);
-    let timer = edge.after_ms.map(|ms| quote!(cycle.stayed::<Self>(#ms) &&));
+    let timer = edge.after_ms.map(|ms| quote!(cycle.has_been_in_state::<Self>(#ms) &&));
     quote! {
         if #timer #condition {
             #exits
-            machine = cycle.transit::<Self>(#from, #to);
+            machine = cycle.transition::<Self>(#from, #to);
             continue;
         }
     }

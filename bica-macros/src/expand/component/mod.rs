@@ -4,11 +4,11 @@ mod call;
 mod description;
 mod hooks;
 mod machine;
+mod member;
 mod node;
 mod step;
 mod stub;
 mod visits;
-mod wired;
 
 use proc_macro2::TokenStream;
 use quote::{quote, quote_spanned};
@@ -24,9 +24,9 @@ pub(crate) use stub::{misplaced, stub};
 pub(crate) fn expand(component: &Component, behaviour: &Behaviour) -> TokenStream {
     let block = &component.block;
     let description = description::expand(component, behaviour);
-    let wired = wired::expand(component, behaviour);
+    let member = member::expand(component, behaviour);
     let no_step = (component.step.is_none() && is_whole(component)).then(|| no_step(component));
-    quote!(#block #description #wired #no_step)
+    quote!(#block #description #member #no_step)
 }
 
 /// Whether the block is the one that makes the component, rather than one of helpers with an attribute too much: it has

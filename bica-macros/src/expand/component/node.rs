@@ -29,7 +29,7 @@ pub(super) fn expand(component: &Component, behaviour: &Behaviour, visits: &Visi
                 budget_us: <Self as #p::Component>::BUDGET_US,
                 resume: <Self as #p::Component>::RESUME,
                 links: const {
-                    &#p::DistinctLinks::<#count>::of(<Self as #p::Wired<__T>>::WRITTEN, <__T as #p::Has<Self>>::INDEX)
+                    &#p::DistinctLinks::<#count>::of(<Self as #p::MemberOf<__T>>::WRITTEN, <__T as #p::Has<Self>>::INDEX)
                 }.as_slice(),
                 states: <Self as #p::Component>::STATES,
                 transitions: &[#(#transitions),*],

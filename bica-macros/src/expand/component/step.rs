@@ -12,10 +12,10 @@ pub(super) fn expand(p: &TokenStream, step: Option<&Function>, visits: &Visits) 
     let call = step.map(|step| call::expand(p, step));
     quote! {
         #before
-        if turn.due {
-            cycle.run::<Self>();
+        if visit.due {
+            cycle.begin_run::<Self>();
             #call
-            cycle.end::<Self>();
+            cycle.end_code::<Self>();
         }
         #after
     }

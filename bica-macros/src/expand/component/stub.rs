@@ -35,10 +35,10 @@ fn nothing(krate: &Path, generics: &Generics, own: &Type) -> Option<TokenStream>
         quote!(impl #p::CycleTime for #own { fn of(_: &#p::Time) -> &Self { ::core::unreachable!() } })
     });
     let generics = description::owned(generics);
-    let mut wired = generics.clone();
-    wired.params.push(parse_quote!(__T: #p::Has<#own>));
+    let mut member = generics.clone();
+    member.params.push(parse_quote!(__T: #p::Has<#own>));
     let (parameters, _, bounds) = generics.split_for_impl();
-    let (wired_parameters, _, _) = wired.split_for_impl();
+    let (member_parameters, _, _) = member.split_for_impl();
     Some(quote! {
         #time
 
@@ -54,7 +54,7 @@ fn nothing(krate: &Path, generics: &Generics, own: &Type) -> Option<TokenStream>
         }
 
         #[automatically_derived]
-        impl #wired_parameters #p::Wired<__T> for #own #bounds {
+        impl #member_parameters #p::MemberOf<__T> for #own #bounds {
             const WRITTEN: &'static [#p::WrittenLink] = &[];
             const NODE: #p::Node = #p::Node {
                 name: #name,
@@ -68,7 +68,7 @@ fn nothing(krate: &Path, generics: &Generics, own: &Type) -> Option<TokenStream>
             };
             const TIMED: bool = false;
 
-            fn pass<__P: #p::Probe>(_: &mut #p::Cycle<'_, __T, __P>, _: #p::Turn) {
+            fn pass<__P: #p::Probe>(_: &mut #p::Cycle<'_, __T, __P>, _: #p::Visit) {
                 const { ::core::panic!("a component that could not be read cannot run") }
             }
         }

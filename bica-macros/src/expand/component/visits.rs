@@ -75,7 +75,7 @@ impl Visits {
             }
             let index = first + place;
             quote! {
-                if const { #p::counts(<Self as #p::Wired<__T>>::WRITTEN, #index, <__T as #p::Has<Self>>::INDEX) } {
+                if const { #p::counts(<Self as #p::MemberOf<__T>>::WRITTEN, #index, <__T as #p::Has<Self>>::INDEX) } {
                     #visit
                 }
             }

@@ -26,10 +26,7 @@ pub(super) fn expand(tree: &Tree) -> TokenStream {
                     &slots.#field
                 }
 
-                #[inline]
-                fn visit<__P: #p::Probe>(cycle: &mut #p::Cycle<'_, Self, __P>) {
-                    cycle.visit::<#kind>();
-                }
+                #p::visit_functions!(#kind);
             }
 
             #listed

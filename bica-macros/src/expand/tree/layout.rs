@@ -9,7 +9,7 @@ use crate::language::tree::model::Tree;
 
 pub(super) fn expand(tree: &Tree) -> TokenStream {
     let p = runtime(tree);
-    let (name, slots, fields) = (&tree.name, slots(tree), fields(tree));
+    let (name, slots, fields, cycle_hz) = (&tree.name, slots(tree), fields(tree), tree.cycle_hz);
     let count = tree.components.len();
     let root = &tree.root;
     let root = quote_spanned!(at(root) => <Self as #p::Has<#root>>::visit);
@@ -19,6 +19,7 @@ pub(super) fn expand(tree: &Tree) -> TokenStream {
         #[automatically_derived]
         impl #p::Layout for #name {
             type Slots = #slots;
+            const CYCLE_HZ: f32 = #cycle_hz;
             const ACTIVATORS: &'static [usize] = &#p::activators::<#count>(<Self as #p::Tree>::GRAPH.nodes);
             const ORDER: &'static [u16] = &#p::order(&#p::ranks::<#count>(<Self as #p::Tree>::GRAPH.nodes));
 
@@ -51,9 +52,9 @@ pub(super) fn expand(tree: &Tree) -> TokenStream {
                 }
             }
 
-            fn clock(slots: &Self::Slots, index: usize) -> ::core::option::Option<&#p::Clock> {
+            fn component_state(slots: &Self::Slots, index: usize) -> ::core::option::Option<&#p::ComponentState> {
                 match index {
-                    #(#places => ::core::option::Option::Some(slots.#fields.clock()),)*
+                    #(#places => ::core::option::Option::Some(slots.#fields.state()),)*
                     _ => ::core::option::Option::None,
                 }
             }

@@ -61,11 +61,11 @@ fn traits(draft: &Draft, p: &TokenStream) -> TokenStream {
             const STATES: &'static [#p::State] = &[];
         }
 
-        impl #p::Wired<#name> for Any {
+        impl #p::MemberOf<#name> for Any {
             const WRITTEN: &'static [#p::WrittenLink] = &[];
             const NODE: #p::Node = ::core::unreachable!();
             const TIMED: bool = false;
-            fn pass<__P: #p::Probe>(_: &mut #p::Cycle<'_, #name, __P>, _: #p::Turn) {}
+            fn pass<__P: #p::Probe>(_: &mut #p::Cycle<'_, #name, __P>, _: #p::Visit) {}
         }
 
         impl<__C: 'static> #p::Has<__C> for #name {
@@ -75,6 +75,11 @@ fn traits(draft: &Draft, p: &TokenStream) -> TokenStream {
                 ::core::unreachable!()
             }
             fn visit<__P: #p::Probe>(_: &mut #p::Cycle<'_, Self, __P>) {}
+            fn visit_shared<__P: #p::Probe>(_: &mut #p::Cycle<'_, Self, __P>) {}
+            fn visit_once<__P: #p::Probe>(_: &mut #p::Cycle<'_, Self, __P>) {}
+            fn visit_unusual<__P: #p::Probe>(_: &mut #p::Cycle<'_, Self, __P>) -> #p::VisitOutcome {
+                ::core::unreachable!()
+            }
         }
     }
 }
@@ -84,6 +89,7 @@ fn layout(draft: &Draft, p: &TokenStream) -> TokenStream {
     quote! {
         impl #p::Layout for #name {
             type Slots = ();
+            const CYCLE_HZ: f32 = 1.0;
             const ACTIVATORS: &'static [usize] = &[];
             const ORDER: &'static [u16] = &[];
             fn engine(&self) -> &#p::Engine<Self> {
@@ -95,7 +101,7 @@ fn layout(draft: &Draft, p: &TokenStream) -> TokenStream {
             fn visit_root<__P: #p::Probe>(_: &mut #p::Cycle<'_, Self, __P>) {}
             fn visit<__P: #p::Probe>(_: &mut #p::Cycle<'_, Self, __P>, _: usize) {}
             fn stop<__P: #p::Probe>(_: &mut #p::Cycle<'_, Self, __P>, _: usize) {}
-            fn clock(_: &Self::Slots, _: usize) -> ::core::option::Option<&#p::Clock> {
+            fn component_state(_: &Self::Slots, _: usize) -> ::core::option::Option<&#p::ComponentState> {
                 ::core::option::Option::None
             }
             fn hz(&self, _: usize) -> ::core::option::Option<f32> {

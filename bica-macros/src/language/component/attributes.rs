@@ -112,10 +112,7 @@ pub(crate) fn transition(attribute: &Attribute) -> syn::Result<Arrow> {
     }
     list.parse_args_with(|input: ParseStream| {
         let from = sources(input)?;
-        if !input.peek(Token![->]) {
-            return Err(input.error(wording::ARROW));
-        }
-        input.parse::<Token![->]>()?;
+        input.parse::<Token![->]>().map_err(|found| syn::Error::new(found.span(), wording::ARROW))?;
         let to = Ident::parse_any(input).map_err(|found| syn::Error::new(found.span(), wording::ARROW))?;
         if input.peek(Token![|]) {
             return Err(input.error(wording::ONE_TARGET));

@@ -3,14 +3,13 @@
 use std::f32::consts::TAU;
 use std::time::Instant;
 
+use bica_field::{CrossingKind, FIELD, GoalColour};
 use bica_motion::robot::{CameraId, Image};
 use bica_vision::centre_circle::CentreCircle;
-use bica_vision::colour::Colour;
-use bica_vision::crossings::{self, CrossingKind};
-use bica_vision::eyes::{self, Seen};
+use bica_vision::crossings;
 use bica_vision::frame::Frame;
 use bica_vision::own_body::OwnBody;
-use bica_vision::pitch::CIRCLE;
+use bica_vision::pipeline::{self, Detections};
 use bica_vision::projection::Camera;
 use bica_vision::robots::{self, Team};
 use bica_vision::table::FullTable;
@@ -29,7 +28,7 @@ pub struct Eyes {
     palette: Palette,
     /// Radius of the ball, m.
     radius: f32,
-    detectors: eyes::Eyes<512, 512>,
+    detectors: pipeline::Pipeline<512, 512>,
 }
 
 /// An image for machines. Pixels: x right, y down, centre of the first pixel (0, 0).
@@ -40,7 +39,7 @@ pub struct Sighting {
     pub ball: Option<Ball>,
     pub goals: Vec<Goal>,
     /// The corners of the line, from the left.
-    pub field_end: Vec<[f32; 2]>,
+    pub field_boundary: Vec<[f32; 2]>,
     /// White lines: one end, the other end.
     pub lines: Vec<[f32; 4]>,
     pub robots: Vec<Robot>,
@@ -119,7 +118,7 @@ pub struct Crossing {
 impl Eyes {
     /// Opens them for a ball of `radius` metres.
     pub fn new(palette: Palette, radius: f32) -> Self {
-        Self { palette, radius, detectors: eyes::Eyes::new(radius) }
+        Self { palette, radius, detectors: pipeline::Pipeline::new(radius) }
     }
 
     /// Looks at an image; says why if it is none for these eyes.
@@ -131,8 +130,8 @@ impl Eyes {
         let began = Instant::now();
         let own = camera.map_or(OwnBody::NONE, |camera| OwnBody::standing(camera, SEES));
         let seen = match &self.palette {
-            Palette::Compact(table) => self.detectors.look_beside(&frame, &**table, camera, &own),
-            Palette::Full(cells) => self.detectors.look_beside(&frame, &FullTable::from(&**cells), camera, &own),
+            Palette::Compact(table) => self.detectors.detect_with_body(&frame, &**table, camera, &own),
+            Palette::Full(cells) => self.detectors.detect_with_body(&frame, &FullTable::from(&**cells), camera, &own),
         };
         let wall_ms = 1e3 * began.elapsed().as_secs_f64();
         let mut sighting = self.tell(file, pose, camera, seen, wall_ms);
@@ -140,8 +139,15 @@ impl Eyes {
         Ok(sighting)
     }
 
-    fn tell(&self, file: &str, pose: Option<&Pose>, camera: Option<&Camera>, seen: Seen, wall_ms: f64) -> Sighting {
-        let Seen { end, ball, goals, lines, robots, markings } = seen;
+    fn tell(
+        &self,
+        file: &str,
+        pose: Option<&Pose>,
+        camera: Option<&Camera>,
+        seen: Detections,
+        wall_ms: f64,
+    ) -> Sighting {
+        let Detections { end, ball, goals, lines, robots, markings } = seen;
         let goals: Vec<_> = [goals.yellow, goals.blue].into_iter().flatten().collect();
         Sighting {
             file: file.to_owned(),
@@ -152,7 +158,7 @@ impl Eyes {
             },
             ball: ball.map(|ball| Ball::new(&ball, camera, self.radius)),
             goals: goals.iter().map(|goal| Goal::new(goal, camera)).collect(),
-            field_end: end.corners().iter().map(Vec2::to_array).collect(),
+            field_boundary: end.corners().iter().map(Vec2::to_array).collect(),
             lines: lines.iter().map(|line| [line.from.x, line.from.y, line.to.x, line.to.y]).collect(),
             robots: robots.iter().map(|robot| Robot::new(robot, camera)).collect(),
             crossings: markings.crossings.iter().map(Crossing::new).collect(),
@@ -162,7 +168,7 @@ impl Eyes {
             marks: Marks {
                 ball,
                 goals,
-                field_end: end.corners().to_vec(),
+                field_boundary: end.corners().to_vec(),
                 lines: lines.to_vec(),
                 robots: robots.to_vec(),
                 crossings: markings.crossings.to_vec(),
@@ -193,7 +199,8 @@ impl Crossing {
 
 /// Points on a circle in the image, px, one after the other.
 fn outline(circle: &CentreCircle, camera: &Camera) -> Vec<Vec2> {
-    let points = (0..=72_u8).map(|step| circle.centre + CIRCLE * Vec2::from_angle(f32::from(step) * TAU / 72.0));
+    let points = (0..=72_u8)
+        .map(|step| circle.centre + FIELD.centre_circle_radius() * Vec2::from_angle(f32::from(step) * TAU / 72.0));
     points.filter_map(|point| camera.pixel(point.extend(0.0))).collect()
 }
 
@@ -208,7 +215,7 @@ impl Robot {
 
 impl Goal {
     fn new(goal: &bica_vision::goal::Goal, camera: Option<&Camera>) -> Self {
-        let colour = if goal.colour == Colour::Yellow { "yellow" } else { "blue" };
+        let colour = if goal.colour == GoalColour::Yellow { "yellow" } else { "blue" };
         let ground = camera.and_then(|camera| goal.ground(camera)).map(|at| at.to_array());
         let (min, max) = (goal.min, goal.max);
         Self { colour, x0: min.x, y0: min.y, x1: max.x, y1: max.y, complete: goal.is_complete(), ground }

@@ -126,7 +126,7 @@ impl Sum {
             balls_placed: count(&|frame| frame.ball.as_ref().is_some_and(|ball| ball.ground.is_some())),
             goals_complete: goals(true),
             goals_partial: goals(false),
-            field_ends: count(&|frame| !frame.field_end.is_empty()),
+            field_ends: count(&|frame| !frame.field_boundary.is_empty()),
             poses_untrusted: count(&|frame| frame.pose == Trust::Untrusted),
             poses_missing: missing.map(|frame| frame.file.clone()).collect(),
         }
@@ -139,7 +139,7 @@ pub fn line(sighting: &Sighting) -> String {
     let ball = sighting.ball.as_ref();
     let pixels = ball.map_or_else(dash, |ball| format!("{:.1}, {:.1}, {:.1}", ball.x, ball.y, ball.radius));
     let place = ball.and_then(|ball| ball.ground).map(|at| Sight::new(Vec2::from(at), true).to_string());
-    let top = sighting.field_end.iter().map(|corner| corner[1]).reduce(f32::min);
+    let top = sighting.field_boundary.iter().map(|corner| corner[1]).reduce(f32::min);
     let end = top.map_or_else(dash, |row| format!("row {row:.0}"));
     let goals: Vec<String> = sighting.goals.iter().map(goal).collect();
     let goals = if goals.is_empty() { dash() } else { goals.join("; ") };

@@ -2,11 +2,11 @@
 
 use std::f32::consts::{FRAC_PI_2, PI};
 
+use bica_field::FIELD;
 use bica_motion::pose::Pose2;
 use bica_sim::World;
 use bica_sim::mujoco::MujocoWorld;
 use bica_sim::setup::{Setup, Start};
-use bica_vision::pitch::{GOAL_BACK, POST};
 use glam::Vec2;
 
 use super::bench::Bench;
@@ -95,13 +95,16 @@ fn keeper(setup: &Setup, bench: &Bench) -> Result<Vec2, Failure> {
 
 /// Before or beside a post.
 fn at_post(rng: &mut Rng, _: Vec2) -> Pose2 {
-    let at = POST + outward(rng, NEAR);
+    let at = FIELD.goal_post() + outward(rng, NEAR);
     either(at, rng)
 }
 
 /// Between the posts, beside the net.
 fn in_goal(rng: &mut Rng, _: Vec2) -> Pose2 {
-    let at = Vec2::new(rng.between(POST.x, GOAL_BACK - NEAR.0), POST.y - rng.between(NEAR.0, NEAR.1));
+    let at = Vec2::new(
+        rng.between(FIELD.goal_post().x, FIELD.goal_back() - NEAR.0),
+        FIELD.goal_post().y - rng.between(NEAR.0, NEAR.1),
+    );
     either(at, rng)
 }
 
@@ -110,7 +113,7 @@ fn at_keeper(rng: &mut Rng, keeper: Vec2) -> Pose2 {
     loop {
         let pose = Pose2 { position: keeper + outward(rng, NEAR_KEEPER), heading: rng.between(-PI, PI) };
         let at = Vec2::new(pose.position.x, pose.position.y.abs());
-        if at.distance(POST) > NEAR.0 {
+        if at.distance(FIELD.goal_post()) > NEAR.0 {
             return pose;
         }
     }

@@ -1,5 +1,6 @@
 //! Where the film is taken from: from behind and beside the robot, so that it, the ball and the goal can be seen.
 
+use bica_field::FIELD;
 use bica_motion::pose::rotate;
 use bica_sim::{Referee, SpectatorCamera};
 use glam::Vec2;
@@ -16,8 +17,10 @@ const HALF_VIEW: f32 = 0.47;
 const DISTANCES: [f32; 12] = [1.2, 1.35, 1.5, 1.65, 1.8, 2.0, 2.2, 2.4, 2.6, 2.9, 3.2, 3.6];
 /// From where, seen from the robot: angles from behind it as it attacks, rad.
 const ASIDE: [f32; 8] = [0.6, 0.85, 1.1, 1.4, -0.6, -0.85, -1.1, -1.4];
-/// The middle of the attacked goal, half its width, and what one may be near to a post or a robot, m.
-const GOAL: (f32, f32, f32) = (3.05, 0.7, 0.3);
+/// A post or a robot nearer than this to the line of sight hides what is behind it, m.
+const CLEARANCE: f32 = 0.3;
+/// The left post of the attacked goal.
+const POST: Vec2 = FIELD.goal_post();
 /// The hall's walls are beyond this, m.
 const HALL: Vec2 = Vec2::new(5.5, 4.5);
 
@@ -81,7 +84,7 @@ struct View {
 
 impl Sight {
     fn view(&self, aside: f32, distance: f32) -> View {
-        let goal = Vec2::new(GOAL.0, 0.0);
+        let goal = Vec2::new(POST.x, 0.0);
         let attack = (goal + Vec2::X - self.robot).normalize_or(Vec2::X);
         let eye = (self.robot - distance * rotate(attack, aside)).clamp(-HALL, HALL);
         let axis = self.robot - eye;
@@ -89,7 +92,7 @@ impl Sight {
         let angle = |point: Vec2| axis.angle_to(point - eye);
         let body = 0.26 / axis.length().max(0.3);
         let (right, left) = (angle(self.ball).min(-body), angle(self.ball).max(body));
-        let posts = [GOAL.1, -GOAL.1].map(|y| angle(Vec2::new(GOAL.0, y)));
+        let posts = [POST.y, -POST.y].map(|y| angle(Vec2::new(POST.x, y)));
         let (far_right, far_left) = (right.min(posts[0]).min(posts[1]), left.max(posts[0]).max(posts[1]));
         let (least, most) = (left - HALF_VIEW, right + HALF_VIEW);
         let aim = f32::midpoint(far_right, far_left).max(least.min(most)).min(most.max(least));
@@ -106,11 +109,11 @@ impl Sight {
 
     /// How many things stand before robot or ball, or close to the eye.
     fn in_the_way(&self, eye: Vec2) -> usize {
-        let posts = [1.0, -1.0].map(|end| [GOAL.1, -GOAL.1].map(|y| Vec2::new(end * GOAL.0, y)));
+        let posts = [1.0, -1.0].map(|end| [POST.y, -POST.y].map(|y| Vec2::new(end * POST.x, y)));
         let things = posts.as_flattened().iter().chain(&self.others);
         let blocks = |thing: &&Vec2| {
             let near = |to: Vec2| off_way(**thing, eye, to);
-            near(self.robot) < GOAL.2 || near(self.ball) < GOAL.2 / 2.0 || eye.distance(**thing) < 3.0 * GOAL.2
+            near(self.robot) < CLEARANCE || near(self.ball) < CLEARANCE / 2.0 || eye.distance(**thing) < 3.0 * CLEARANCE
         };
         things.filter(blocks).count()
     }
@@ -150,7 +153,7 @@ mod tests {
             for point in [sight.robot, sight.ball] {
                 assert!(seen(view, point).abs() < 0.98, "{} {} from {view:?}", sight.robot, sight.ball);
             }
-            goals += usize::from([0.7, -0.7].iter().all(|y| seen(view, Vec2::new(GOAL.0, *y)).abs() < 1.0));
+            goals += usize::from([0.7, -0.7].iter().all(|y| seen(view, Vec2::new(POST.x, *y)).abs() < 1.0));
         }
         assert!(goals > 340, "{goals} of 400");
     }
@@ -161,7 +164,7 @@ mod tests {
             let [eye, _] = Cameraman::new().choose(sight);
             [1.0, -1.0]
                 .iter()
-                .any(|end| [0.7, -0.7].iter().any(|y| off_way(Vec2::new(end * GOAL.0, *y), eye, sight.robot) < 0.15))
+                .any(|end| [0.7, -0.7].iter().any(|y| off_way(Vec2::new(end * POST.x, *y), eye, sight.robot) < 0.15))
         });
         assert!(blocked.count() < 8);
     }

@@ -1,0 +1,283 @@
+//! One cycle of a tree: what is visited, what is due, what starts and what stops.
+
+use embassy_time::{Duration, Instant};
+
+use super::borrow::{BorrowSet, ExclusiveStore, Write, WriteRate};
+use super::component_state::Policy;
+use super::cycle_state::VisitOutcome;
+use super::engine;
+use super::layout::{Has, Layout, MemberOf};
+use crate::component::{Component, Time};
+use crate::id::ComponentId;
+use crate::probe::Probe;
+use crate::rate::{Period, Tolerance};
+
+/// A cycle of tree `T` in progress, watched by `P`.
+///
+/// It is forgotten when the cycle ends. So it is dropped only if the tick unwinds, and then it marks the tree.
+pub struct Cycle<'t, T: Layout, P> {
+    pub(crate) store: ExclusiveStore<'t, T>,
+    pub(crate) probe: &'t mut P,
+}
+
+/// What a component does when it is visited.
+#[derive(Clone, Copy)]
+pub struct Visit {
+    /// The component is to run.
+    pub due: bool,
+    /// A state machine begins in its initial state.
+    pub entering: bool,
+}
+
+/// Progress of a state machine in its run.
+#[derive(Clone, Copy)]
+pub struct Machine {
+    /// Index of the state.
+    pub state: usize,
+    /// The entry hooks of the state are still to be called.
+    pub entering: bool,
+    /// A transition was taken in this run.
+    pub moved: bool,
+}
+
+impl<T: Layout, P> Drop for Cycle<'_, T, P> {
+    fn drop(&mut self) {
+        if cfg!(panic = "unwind") {
+            engine::interrupt(self);
+        }
+    }
+}
+
+impl<T: Layout, P: Probe> Cycle<'_, T, P> {
+    /// Whether `C` was visited in this cycle.
+    #[inline]
+    #[must_use]
+    pub fn was_visited<C: 'static>(&self) -> bool
+    where
+        T: Has<C>,
+    {
+        self.store.component_state::<C>().activation().was_visited(self.store.cycle_state().parity())
+    }
+
+    /// Begins the visit of `C`, which declares a rate. Almost always it was active before, and then only its period is
+    /// asked.
+    #[inline]
+    #[must_use]
+    pub fn visit_at_rate<C: 'static>(&mut self) -> VisitOutcome
+    where
+        T: Has<C>,
+    {
+        let (cycle_state, state) = (self.store.cycle_state(), self.store.component_state::<C>());
+        if !state.activation().is_awaited(cycle_state.previous()) {
+            return self.visit_any::<C>();
+        }
+        let period = self.period::<C>();
+        state.activation().visit(cycle_state.parity());
+        if state.is_due(cycle_state.now().as_ticks(), period, const { tolerance::<T, C>() }) {
+            VisitOutcome::DUE
+        } else {
+            VisitOutcome::WAITING
+        }
+    }
+
+    /// Begins the visit of `C`, which declares no rate, if it was active before and runs in every cycle; returns whether
+    /// that was so.
+    #[inline]
+    #[must_use]
+    pub fn visit_in_every_cycle<C: 'static>(&mut self) -> bool
+    where
+        T: Has<C>,
+    {
+        let (cycle_state, state) = (self.store.cycle_state(), self.store.component_state::<C>());
+        let period = self.period::<C>();
+        let usual = state.activation().is_awaited(cycle_state.previous()) && period.is_every_cycle();
+        if usual {
+            state.activation().visit(cycle_state.parity());
+        }
+        usual
+    }
+
+    /// Begins the visit of `C` in all cases; it starts if it was latent.
+    #[inline]
+    #[must_use]
+    pub fn visit_any<C: 'static>(&mut self) -> VisitOutcome
+    where
+        T: Has<C>,
+    {
+        let cycle_state = self.store.cycle_state();
+        if cfg!(panic = "unwind") && cycle_state.takes_interruption() {
+            engine::stop_interrupted(self);
+        }
+        let state = self.store.component_state::<C>();
+        let outcome = cycle_state.visit(state, self.period::<C>(), const { &policy::<T, C>() });
+        if outcome.is_started() {
+            self.probe.start(id::<T, C>());
+            T::Member::start(self);
+        }
+        outcome
+    }
+
+    #[inline]
+    fn period<C: 'static>(&mut self) -> &Period
+    where
+        T: Has<C>,
+    {
+        self.store.borrow::<WriteRate<C>>().period()
+    }
+
+    /// `C` is visited and not due.
+    #[inline]
+    pub fn skip<C: 'static>(&mut self)
+    where
+        T: Has<C>,
+    {
+        self.probe.skip(id::<T, C>());
+    }
+
+    /// The visit of `C`, in which it ran, ends.
+    #[inline]
+    pub fn end_run<C: 'static>(&mut self)
+    where
+        T: Has<C>,
+    {
+        if T::Member::TIMED {
+            self.store.component_state::<C>().record_run(self.now());
+        }
+    }
+
+    /// Makes `C` latent.
+    #[inline]
+    pub fn stop<C: 'static>(&mut self)
+    where
+        T: Has<C>,
+    {
+        T::Member::stop(self);
+        self.probe.stop(id::<T, C>());
+    }
+
+    /// Borrows `C` mutably, and the components of `L`.
+    #[inline]
+    pub fn borrow<C: 'static, L: BorrowSet<T>>(&mut self) -> (&mut C, L::Borrowed<'_>)
+    where
+        T: Has<C>,
+    {
+        self.store.borrow::<(Write<C>, L)>()
+    }
+
+    /// The run of `C` begins, and with it its own code.
+    #[inline]
+    pub fn begin_run<C: 'static>(&mut self)
+    where
+        T: Has<C>,
+    {
+        self.probe.run(id::<T, C>());
+        self.begin_code::<C>();
+    }
+
+    #[inline]
+    fn begin_code<C: 'static>(&mut self)
+    where
+        T: Has<C>,
+    {
+        self.probe.begin(id::<T, C>());
+    }
+
+    /// The own code of the state machine `C` begins, or continues in a new state.
+    #[inline]
+    pub fn begin_state<C: 'static>(&mut self, machine: Machine)
+    where
+        T: Has<C>,
+    {
+        if machine.moved {
+            self.begin_code::<C>();
+        } else {
+            self.begin_run::<C>();
+        }
+    }
+
+    /// The own code of `C` ends.
+    #[inline]
+    pub fn end_code<C: 'static>(&mut self)
+    where
+        T: Has<C>,
+    {
+        self.probe.end(id::<T, C>());
+    }
+
+    #[inline]
+    fn now(&self) -> Instant {
+        self.store.cycle_state().now()
+    }
+
+    /// Returns the times of `C`.
+    #[inline]
+    #[must_use]
+    pub fn time<C: 'static>(&self) -> Time
+    where
+        T: Has<C>,
+    {
+        let (state, now) = (self.store.component_state::<C>(), self.now());
+        Time { now, since_run: state.since_run(now), in_state: state.in_state(now) }
+    }
+
+    /// Returns the state of the state machine `C` as its visit begins.
+    #[inline]
+    #[must_use]
+    pub fn machine<C: 'static>(&self, visit: Visit) -> Machine
+    where
+        T: Has<C>,
+    {
+        Machine { state: self.store.component_state::<C>().state_index(), entering: visit.entering, moved: false }
+    }
+
+    /// Whether the state machine `C` has been in its state for at least `ms` milliseconds.
+    #[inline]
+    #[must_use]
+    pub fn has_been_in_state<C: 'static>(&self, ms: u32) -> bool
+    where
+        T: Has<C>,
+    {
+        self.store.component_state::<C>().in_state(self.now()) >= Duration::from_millis(ms as u64)
+    }
+
+    /// The state machine `C` enters another state; its own code pauses until the children of that state were visited.
+    pub fn transition<C: 'static>(&mut self, from: usize, to: usize) -> Machine
+    where
+        T: Has<C>,
+    {
+        self.store.cycle_state().request_recheck();
+        self.store.component_state::<C>().enter(to, self.now());
+        self.end_code::<C>();
+        self.probe.transition(id::<T, C>(), from, to);
+        Machine { state: to, entering: true, moved: true }
+    }
+}
+
+#[inline]
+fn id<T: Has<C>, C: 'static>() -> ComponentId {
+    const { ComponentId::new(T::INDEX) }
+}
+
+const fn tolerance<T: Has<C>, C: 'static>() -> Tolerance {
+    Tolerance::new(T::CYCLE_HZ, <T::Member as Component>::HZ)
+}
+
+const fn policy<T: Has<C>, C: 'static>() -> Policy {
+    let initial =
+        if <T::Member as Component>::STATES.is_empty() { None } else { Some(<T::Member as Component>::INITIAL) };
+    Policy::new(initial, <T::Member as Component>::RESUME, tolerance::<T, C>())
+}
+
+/// Whether `C` declares a rate, or the target wants small code: one form of visit is then enough.
+#[inline]
+#[must_use]
+pub const fn visits_at_rate<T: Has<C>, C: 'static>() -> bool {
+    <T::Member as Component>::HZ.is_some() || cfg!(target_os = "none")
+}
+
+/// Whether several links end at `C`.
+#[inline]
+#[must_use]
+pub const fn is_shared<T: Has<C>, C: 'static>() -> bool {
+    T::ACTIVATORS[T::INDEX] > 1
+}

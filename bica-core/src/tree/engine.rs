@@ -1,0 +1,117 @@
+//! The cycles of a tree.
+
+use core::mem;
+
+use embassy_time::Instant;
+
+use super::borrow::Store;
+use super::component_state::ComponentState;
+use super::cycle::Cycle;
+use super::layout::Layout;
+use crate::hold::Hold;
+use crate::id::ComponentId;
+use crate::probe::Probe;
+
+/// The components of a tree and what is stored of them from cycle to cycle.
+pub struct Engine<T: Layout> {
+    pub(crate) store: Store<T>,
+    /// Number of components that are held active.
+    held_active: usize,
+}
+
+impl<T: Layout> Engine<T> {
+    /// Takes the components; none is active yet.
+    pub const fn new(slots: T::Slots) -> Self {
+        Self { store: Store::new(slots), held_active: 0 }
+    }
+
+    /// Runs one cycle.
+    #[inline]
+    pub(crate) fn tick<P: Probe>(&mut self, now: Instant, probe: &mut P) {
+        probe.cycle_begin(now);
+        self.store.cycle_state().begin(now);
+        let mut cycle = Cycle { store: self.store.open(), probe };
+        T::visit_root(&mut cycle);
+        if self.held_active > 0 {
+            visit_held_active(&mut cycle, self.held_active);
+        }
+        if cycle.store.cycle_state().takes_recheck() {
+            stop_unvisited(&mut cycle);
+        }
+        cycle.probe.cycle_end();
+        // Dropping a cycle marks the tree as interrupted.
+        mem::forget(cycle);
+    }
+
+    pub(crate) fn hold(&mut self, component: ComponentId, hold: Hold) {
+        let cycle_state = self.store.cycle_state();
+        let Some(activation) = self.component_state(component).map(ComponentState::activation) else { return };
+        let before = activation.held();
+        activation.hold(hold, cycle_state.parity());
+        cycle_state.request_recheck();
+        self.held_active = self.held_active + usize::from(hold == Hold::Active) - usize::from(before == Hold::Active);
+    }
+
+    pub(crate) fn held(&self, component: ComponentId) -> Hold {
+        self.component_state(component).map_or(Hold::Tree, |state| state.activation().held())
+    }
+
+    pub(crate) fn is_active(&self, component: ComponentId) -> bool {
+        let last = self.store.cycle_state().parity();
+        self.component_state(component).is_some_and(|state| state.activation().is_active(last))
+    }
+
+    fn component_state(&self, component: ComponentId) -> Option<&ComponentState> {
+        T::component_state(self.store.slots(), component.index())
+    }
+}
+
+/// The indices of the components, activators before what they activate.
+fn order<T: Layout>() -> impl Iterator<Item = usize> {
+    T::ORDER.iter().map(|&index| usize::from(index))
+}
+
+/// Visits the components that are held active and were not reached; `held` is their number.
+#[cold]
+fn visit_held_active<T: Layout, P: Probe>(cycle: &mut Cycle<'_, T, P>, mut held: usize) {
+    for index in order::<T>() {
+        if cycle.store.state_at(index).is_some_and(|state| state.activation().held() == Hold::Active) {
+            T::visit(cycle, index);
+            held -= 1;
+            if held == 0 {
+                return;
+            }
+        }
+    }
+}
+
+/// Stops the components that were active in the previous cycle and were not visited in this one, activators first.
+#[cold]
+fn stop_unvisited<T: Layout, P: Probe>(cycle: &mut Cycle<'_, T, P>) {
+    let previous = cycle.store.cycle_state().previous();
+    for index in order::<T>() {
+        if cycle.store.state_at(index).is_some_and(|state| state.activation().end_unless_visited(previous)) {
+            T::stop(cycle, index);
+        }
+    }
+}
+
+/// Marks all active components: the tick unwinds.
+#[cold]
+pub(super) fn interrupt<T: Layout, P>(cycle: &Cycle<'_, T, P>) {
+    order::<T>().filter_map(|index| cycle.store.state_at(index)).for_each(|state| state.activation().interrupt());
+    cycle.store.cycle_state().interrupt();
+}
+
+/// Stops what was active when the last tick unwound, activators first, and discards its history.
+#[cold]
+pub(super) fn stop_interrupted<T: Layout, P: Probe>(cycle: &mut Cycle<'_, T, P>) {
+    for index in order::<T>() {
+        if let Some(state) = cycle.store.state_at(index)
+            && state.activation().end_if_interrupted()
+        {
+            state.discard_history();
+            T::stop(cycle, index);
+        }
+    }
+}

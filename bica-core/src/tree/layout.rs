@@ -1,0 +1,102 @@
+//! What the macros implement for a tree and its components.
+
+use super::borrow::Slot;
+use super::component_state::ComponentState;
+use super::cycle::{Cycle, Visit};
+use super::cycle_state::VisitOutcome;
+use super::engine::Engine;
+use super::written::WrittenLink;
+use crate::component::Component;
+use crate::graph::Node;
+use crate::probe::Probe;
+
+/// Tree `Self` holds component `C`.
+#[diagnostic::on_unimplemented(
+    message = "activation tree `{Self}` does not hold component `{C}`",
+    label = "`{C}` is not in the list",
+    note = "add `{C}` to `components: [...]` of `{Self}`"
+)]
+pub trait Has<C: 'static>: Layout {
+    /// `C`, known to be a component whose children the tree holds. It is the one place that requires this.
+    #[doc(hidden)]
+    type Member: MemberOf<Self>;
+
+    /// Index of the component in the tree's list.
+    const INDEX: usize;
+
+    #[doc(hidden)]
+    fn slot(slots: &Self::Slots) -> &Slot<C>;
+
+    /// Visits the component unless it was visited in this cycle or is held latent.
+    #[doc(hidden)]
+    fn visit<P: Probe>(cycle: &mut Cycle<'_, Self, P>);
+    /// As `visit_once`, as a function of its own: several components link to this one.
+    #[doc(hidden)]
+    fn visit_shared<P: Probe>(cycle: &mut Cycle<'_, Self, P>);
+    /// Visits a component that was not visited in this cycle.
+    #[doc(hidden)]
+    fn visit_once<P: Probe>(cycle: &mut Cycle<'_, Self, P>);
+    /// Begins the visit of a component without a declared rate that was latent or was given a rate. If it is not due,
+    /// its visit ends here.
+    #[doc(hidden)]
+    fn visit_unusual<P: Probe>(cycle: &mut Cycle<'_, Self, P>) -> VisitOutcome;
+}
+
+/// A component as a member of tree `T`; `#[component]` implements it for every tree that holds the component's children.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no component",
+    label = "its impl block bears no `#[component]`",
+    note = "write `#[component]` on the impl block that holds its `step` or its states"
+)]
+pub trait MemberOf<T: Layout>: Component {
+    /// Links as the signatures write them, before two paths to one component are recognised as one.
+    const WRITTEN: &'static [WrittenLink];
+    /// Description of the component in that tree.
+    const NODE: Node;
+    /// Whether the component takes a `&Time`.
+    const TIMED: bool;
+
+    /// Visits the children that are needed now and, if the component is due, runs it between them.
+    fn pass<P: Probe>(cycle: &mut Cycle<'_, T, P>, visit: Visit);
+
+    /// Calls the `#[start]` hooks.
+    #[inline]
+    fn start<P: Probe>(_: &mut Cycle<'_, T, P>) {}
+
+    /// Calls the `#[stop]` hooks.
+    #[inline]
+    fn stop<P: Probe>(_: &mut Cycle<'_, T, P>) {}
+}
+
+/// How a tree holds its components.
+pub trait Layout: Sized + 'static {
+    /// All the slots.
+    #[doc(hidden)]
+    type Slots;
+    /// Nominal rate of ticks, 1/s.
+    #[doc(hidden)]
+    const CYCLE_HZ: f32;
+    /// Number of links that end at each component.
+    #[doc(hidden)]
+    const ACTIVATORS: &'static [usize];
+    /// The components in an order in which activators come before what they activate.
+    #[doc(hidden)]
+    const ORDER: &'static [u16];
+
+    #[doc(hidden)]
+    fn engine(&self) -> &Engine<Self>;
+    #[doc(hidden)]
+    fn engine_mut(&mut self) -> &mut Engine<Self>;
+    #[doc(hidden)]
+    fn visit_root<P: Probe>(cycle: &mut Cycle<'_, Self, P>);
+    #[doc(hidden)]
+    fn visit<P: Probe>(cycle: &mut Cycle<'_, Self, P>, index: usize);
+    #[doc(hidden)]
+    fn stop<P: Probe>(cycle: &mut Cycle<'_, Self, P>, index: usize);
+    #[doc(hidden)]
+    fn component_state(slots: &Self::Slots, index: usize) -> Option<&ComponentState>;
+    #[doc(hidden)]
+    fn hz(&self, index: usize) -> Option<f32>;
+    #[doc(hidden)]
+    fn set_hz(&mut self, index: usize, hz: f32);
+}

@@ -1,0 +1,71 @@
+//! The visit of one component, written into each tree.
+//!
+//! These functions call each other along the activation graph, through [`MemberOf::pass`](super::layout::MemberOf::pass).
+//! They are a macro and not generic functions because the compiler limits how deep a generic function may instantiate
+//! itself (`recursion_limit`, 128): a long chain of components would exceed that. As functions of the generated
+//! implementations each component has its own.
+
+/// The functions of `Has<$component>` that visit the component.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __visit_functions {
+    ($component:ty) => {
+        #[inline]
+        fn visit<__P: $crate::__private::Probe>(cycle: &mut $crate::__private::Cycle<'_, Self, __P>) {
+            if !const { $crate::__private::is_shared::<Self, $component>() } {
+                <Self as $crate::__private::Has<$component>>::visit_once(cycle);
+            } else if !cycle.was_visited::<$component>() {
+                <Self as $crate::__private::Has<$component>>::visit_shared(cycle);
+            }
+        }
+
+        #[cfg_attr(not(target_os = "none"), inline(never))]
+        fn visit_shared<__P: $crate::__private::Probe>(cycle: &mut $crate::__private::Cycle<'_, Self, __P>) {
+            <Self as $crate::__private::Has<$component>>::visit_once(cycle);
+        }
+
+        #[inline]
+        fn visit_once<__P: $crate::__private::Probe>(cycle: &mut $crate::__private::Cycle<'_, Self, __P>) {
+            if const { $crate::__private::visits_at_rate::<Self, $component>() } {
+                let outcome = cycle.visit_at_rate::<$component>();
+                if !outcome.is_closed() {
+                    let visit = $crate::__private::Visit { due: outcome.is_due(), entering: outcome.is_entering() };
+                    if !visit.due {
+                        cycle.skip::<$component>();
+                    }
+                    <$component as $crate::__private::MemberOf<Self>>::pass(cycle, visit);
+                    if visit.due {
+                        cycle.end_run::<$component>();
+                    }
+                }
+                return;
+            }
+            // Paths merge before component values are live, which avoids spills.
+            let outcome = if cycle.visit_in_every_cycle::<$component>() {
+                $crate::__private::VisitOutcome::DUE
+            } else {
+                <Self as $crate::__private::Has<$component>>::visit_unusual(cycle)
+            };
+            if !outcome.is_closed() {
+                let visit = $crate::__private::Visit { due: true, entering: outcome.is_entering() };
+                <$component as $crate::__private::MemberOf<Self>>::pass(cycle, visit);
+                cycle.end_run::<$component>();
+            }
+        }
+
+        #[cold]
+        #[inline(never)]
+        fn visit_unusual<__P: $crate::__private::Probe>(
+            cycle: &mut $crate::__private::Cycle<'_, Self, __P>,
+        ) -> $crate::__private::VisitOutcome {
+            let outcome = cycle.visit_any::<$component>();
+            if outcome.is_due() || outcome.is_closed() {
+                return outcome;
+            }
+            cycle.skip::<$component>();
+            let visit = $crate::__private::Visit { due: false, entering: false };
+            <$component as $crate::__private::MemberOf<Self>>::pass(cycle, visit);
+            $crate::__private::VisitOutcome::CLOSED
+        }
+    };
+}
