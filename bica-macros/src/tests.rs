@@ -129,7 +129,13 @@ fn all_mistakes_of_a_tree_are_found_at_once() {
 
 #[test]
 fn a_broken_tree_still_is_one() {
-    let code = tree::run(quote!(struct Robot { root: Head, cycle_hz: often, components: [Head] }));
+    let code = tree::run(quote!(
+        struct Robot {
+            root: Head,
+            cycle_hz: often,
+            components: [Head],
+        }
+    ));
     let words = words(code);
     for word in ["Robot", "Layout", "Has"] {
         assert!(words.contains(&word.to_owned()), "{word}");

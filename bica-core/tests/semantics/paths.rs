@@ -81,7 +81,8 @@ fn a_child_that_is_read_by_one_path_and_whose_rate_is_set_by_another_runs_before
 #[test]
 fn the_graph_has_one_link_for_each_component_and_state() {
     let link = |to, kind, state| Link { to, kind, state: Some(state) };
-    let links = [link(1, LinkKind::Requirement, 0), link(2, LinkKind::Modulation, 0), link(3, LinkKind::Requirement, 1)];
+    let links =
+        [link(1, LinkKind::Requirement, 0), link(2, LinkKind::Modulation, 0), link(3, LinkKind::Requirement, 1)];
     assert_eq!(ByPaths::GRAPH.nodes[0].links, links);
     assert_eq!(ByPaths::GRAPH.root, 0);
 }

@@ -80,7 +80,6 @@ fn converted(digits: &str, suffix: &str, key: &str) -> Option<String> {
     Some(format!("{}", (number * 1e6).round() / 1e6))
 }
 
-
 #[cfg(test)]
 mod tests {
     use syn::parse_quote;

@@ -13,7 +13,7 @@ impl Fast {
 
 struct Slow;
 
-#[component(hz = 0.5f32, budget_us = 1e3,)]
+#[component(hz = 0.5f32, budget_us = 1e3)]
 impl Slow {
     const fn new() -> Self {
         Self

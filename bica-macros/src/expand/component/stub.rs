@@ -31,9 +31,8 @@ fn nothing(krate: &Path, generics: &Generics, own: &Type) -> Option<TokenStream>
     }
     let p = private(krate);
     let name = description::name(own);
-    let time = (name == "Time").then(|| {
-        quote!(impl #p::CycleTime for #own { fn of(_: &#p::Time) -> &Self { ::core::unreachable!() } })
-    });
+    let time = (name == "Time")
+        .then(|| quote!(impl #p::CycleTime for #own { fn of(_: &#p::Time) -> &Self { ::core::unreachable!() } }));
     let generics = description::owned(generics);
     let mut member = generics.clone();
     member.params.push(parse_quote!(__T: #p::Has<#own>));

@@ -13,8 +13,31 @@ use crate::language::{text, wording};
 
 /// Types of the language and of its library that can be no components.
 const VALUES: [&str; 25] = [
-    "bool", "char", "str", "f32", "f64", "u8", "u16", "u32", "u64", "u128", "usize", "i8", "i16", "i32", "i64", "i128",
-    "isize", "String", "Vec", "Box", "Option", "Result", "Instant", "Duration", "ComponentId",
+    "bool",
+    "char",
+    "str",
+    "f32",
+    "f64",
+    "u8",
+    "u16",
+    "u32",
+    "u64",
+    "u128",
+    "usize",
+    "i8",
+    "i16",
+    "i32",
+    "i64",
+    "i128",
+    "isize",
+    "String",
+    "Vec",
+    "Box",
+    "Option",
+    "Result",
+    "Instant",
+    "Duration",
+    "ComponentId",
 ];
 
 /// Reads the arguments beside `self`. A wrong one is left out.
@@ -65,13 +88,7 @@ pub(crate) fn no_lifetime(lifetime: &Lifetime, report: &mut Report) {
     }
 }
 
-fn argument(
-    kind: &Type,
-    own: &Type,
-    form: Form,
-    signature: &Signature,
-    report: &mut Report,
-) -> Option<Argument> {
+fn argument(kind: &Type, own: &Type, form: Form, signature: &Signature, report: &mut Report) -> Option<Argument> {
     let reference = match plain(kind) {
         Type::Reference(reference) => reference,
         Type::Path(path) => return owned(path, form, report),

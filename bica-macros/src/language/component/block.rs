@@ -25,7 +25,10 @@ pub(crate) struct Block {
 pub(crate) enum Item {
     Function(Function),
     /// A constant, a type or a macro.
-    Other { attributes: Vec<Attribute>, tokens: TokenStream },
+    Other {
+        attributes: Vec<Attribute>,
+        tokens: TokenStream,
+    },
 }
 
 /// A function with its body as written.

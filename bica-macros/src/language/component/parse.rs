@@ -15,7 +15,10 @@ use crate::language::{text, wording};
 pub(crate) enum Parsed {
     Component(Box<Component>),
     /// No impl block of a type. The item without our attributes, and the type that was meant to be a component.
-    Misplaced { item: TokenStream, of: Option<(Generics, Type)> },
+    Misplaced {
+        item: TokenStream,
+        of: Option<(Generics, Type)>,
+    },
 }
 
 /// Reads the item.

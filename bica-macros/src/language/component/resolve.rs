@@ -88,9 +88,8 @@ impl Names {
         let Some(to) = to else { return false };
         for (place, from) in from.iter().enumerate() {
             let Some(from) = *from else { return false };
-            let same = |edge: &Edge| {
-                edge.from == from && edge.to == to && edge.condition.name == transition.function.name
-            };
+            let same =
+                |edge: &Edge| edge.from == from && edge.to == to && edge.condition.name == transition.function.name;
             if edges.iter().any(same) {
                 let name = if let Sources::These(names) = &transition.from { names.get(place) } else { None };
                 report.add(name.unwrap_or(&transition.to), wording::TWICE);

@@ -11,8 +11,7 @@ use crate::language::report::Report;
 use crate::language::{text, wording};
 
 /// Traits that the standard library derives.
-const DERIVED: [&str; 9] =
-    ["Clone", "Copy", "Debug", "Default", "Eq", "Hash", "Ord", "PartialEq", "PartialOrd"];
+const DERIVED: [&str; 9] = ["Clone", "Copy", "Debug", "Default", "Eq", "Hash", "Ord", "PartialEq", "PartialOrd"];
 
 /// Reads the tree; `None` if it has no name.
 pub(crate) fn parse(input: TokenStream, report: &mut Report) -> Option<Draft> {

@@ -11,7 +11,8 @@ pub(crate) const LIFETIME: &str =
     "a component cannot borrow, its tree owns it: store values, and read other components in `step`";
 
 pub(crate) fn reserved(name: &str) -> String {
-    let used = if name == "Time" { "an argument `&Time` is the time of the cycle" } else { "`Rate<C>` is the rate of C" };
+    let used =
+        if name == "Time" { "an argument `&Time` is the time of the cycle" } else { "`Rate<C>` is the rate of C" };
     format!("a component cannot be called `{name}`, {used}: choose another name")
 }
 
@@ -58,7 +59,9 @@ pub(crate) const STEP_AND_STATES: &str =
     "a state machine has no `step`, it runs the function of its state: rename this function, or make it a `#[state]`";
 
 pub(crate) fn no_initial(first: &str) -> String {
-    format!("no state is initial: mark the one in which the machine starts, perhaps `{first}`, with `#[state(initial)]`")
+    format!(
+        "no state is initial: mark the one in which the machine starts, perhaps `{first}`, with `#[state(initial)]`"
+    )
 }
 
 pub(crate) fn unknown_state(found: &str, nearest: Option<&str>, known: &str) -> String {
