@@ -24,7 +24,11 @@ impl Workspace {
         Self {
             packages: packages.iter().map(|package| text(&package["name"])).collect(),
             features: packages.iter().flat_map(|package| keys(&package["features"])).collect(),
-            targets: packages.iter().flat_map(|package| list(&package["targets"])).flat_map(|target| named(&target)).collect(),
+            targets: packages
+                .iter()
+                .flat_map(|package| list(&package["targets"]))
+                .flat_map(|target| named(&target))
+                .collect(),
         }
     }
 

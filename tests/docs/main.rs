@@ -23,7 +23,7 @@ fn every_command_is_accepted_by_the_program_that_it_starts() {
     for page in Page::all() {
         for command in commands::of(&page.text) {
             checked += 1;
-            if let Err(error) = commands::check(&command.text, &workspace) {
+            if let Err(error) = commands::check(&command, &workspace) {
                 refused.push(format!("{}:{}: `{}`: {error}", page.name, command.line, command.text));
             }
         }
