@@ -199,9 +199,8 @@ impl Explorer {
 
     #[transition(follow_wall -> arrive)]
     fn lap_complete(&self, odometry: &Odometry) -> bool {
-        self.lap.is_some_and(|(begin, driven)| {
-            odometry.driven - driven > MIN_LAP && odometry.distance_to(begin) < LAP_END
-        })
+        self.lap
+            .is_some_and(|(begin, driven)| odometry.driven - driven > MIN_LAP && odometry.distance_to(begin) < LAP_END)
     }
 
     #[transition(search_wall | follow_wall | round_end -> turn_left)]

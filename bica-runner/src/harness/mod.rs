@@ -42,8 +42,8 @@ mod history;
 mod stage;
 
 use std::boxed::Box;
-use std::string::String;
 use std::format;
+use std::string::String;
 
 use bica_core::{ComponentId, Duration, Has, Instant, Tree};
 
