@@ -36,7 +36,10 @@ fn firmware_plays_the_same_game_and_counts_instructions() {
     assert_eq!(ran.code, alone.code);
     assert_eq!(told, story(alone.json()), "the same game, bit for bit");
     assert_eq!(spent["chain"]["runs"], told["cycles"]);
-    assert!(spent["chain"]["max"].as_u64().is_some_and(|max| max > 100_000), "a cycle with an image takes more: {spent}");
+    assert!(
+        spent["chain"]["max"].as_u64().is_some_and(|max| max > 100_000),
+        "a cycle with an image takes more: {spent}"
+    );
     let runs = |list: &Value| -> Vec<Value> {
         list.as_array().unwrap().iter().map(|component| component["name"].clone()).collect()
     };

@@ -45,7 +45,10 @@ fn json_goes_to_stdout_and_text_to_stderr() {
     assert_eq!((&printed["cycles"], &printed["simulated_s"]), (&300.into(), &3.0.into()));
     assert_eq!(printed["story"].as_array().unwrap().len() as u64, printed["tree_changes"].as_u64().unwrap());
     assert_eq!(printed["story"][0]["state"], "look_for_ball");
-    assert!(printed["wall"]["latency_ms"]["p50"].as_f64().unwrap() <= printed["wall"]["latency_ms"]["max"].as_f64().unwrap());
+    assert!(
+        printed["wall"]["latency_ms"]["p50"].as_f64().unwrap()
+            <= printed["wall"]["latency_ms"]["max"].as_f64().unwrap()
+    );
 }
 
 #[test]
