@@ -1,13 +1,13 @@
-//! The words for each violation: what was found, what is required, the remedy.
+//! The message for each violation: what was found, what is required, the remedy.
 
 use super::sum_message::{over_budget, overload};
 use super::{CAPACITY, Number, Path, Text, Violation};
 use crate::graph::{Graph, Node};
 
-/// How many bytes a message may have.
+/// Largest length of a message, bytes.
 const LENGTH: usize = 4096;
 
-/// What a violation of a tree means, in one line.
+/// Returns the message for a violation, in one line.
 #[must_use]
 pub const fn message(graph: &Graph, violation: &Violation) -> Text<LENGTH> {
     let mut text = Text::new();

@@ -98,9 +98,9 @@ pub const fn states_reached(node: &Node) -> Set {
     }
     let mut transition = 0;
     while transition < node.transitions.len() {
-        let way = &node.transitions[transition];
-        if reached.contains(way.from) && !reached.contains(way.to) {
-            reached = reached.with(way.to);
+        let edge = &node.transitions[transition];
+        if reached.contains(edge.from) && !reached.contains(edge.to) {
+            reached = reached.with(edge.to);
             transition = 0;
         } else {
             transition += 1;

@@ -112,9 +112,12 @@ const fn doing(text: &mut Message, node: &Node, choice: Choice) {
     match choice {
         Choice::None => {}
         Choice::State(state) => words(text, &[" is in `", node.states[state].name, "`"]),
-        Choice::Transition(way) => {
-            let way = &node.transitions[way];
-            words(text, &[" goes from `", node.states[way.from].name, "` to `", node.states[way.to].name, "`"]);
+        Choice::Transition(transition) => {
+            let transition = &node.transitions[transition];
+            words(
+                text,
+                &[" goes from `", node.states[transition.from].name, "` to `", node.states[transition.to].name, "`"],
+            );
         }
         Choice::Any => text.push(" is in any state"),
     }

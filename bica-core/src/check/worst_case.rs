@@ -185,17 +185,17 @@ impl<'g> Search<'g> {
     /// Transitions come first: they include the state that they enter.
     const fn option(&self, index: usize, mut next: usize) -> (Choice, Set, usize) {
         let node = &self.graph.nodes[index];
-        let ways = if self.transitions { node.transitions.len() } else { 0 };
-        while next < ways {
-            let way = &node.transitions[next];
-            if self.states[index].contains(way.from) {
-                let read = links_in(node, Some(way.from), true);
-                return (Choice::Transition(next), read.union(links_in(node, Some(way.to), false)), next + 1);
+        let transitions = if self.transitions { node.transitions.len() } else { 0 };
+        while next < transitions {
+            let transition = &node.transitions[next];
+            if self.states[index].contains(transition.from) {
+                let read = links_in(node, Some(transition.from), true);
+                return (Choice::Transition(next), read.union(links_in(node, Some(transition.to), false)), next + 1);
             }
             next += 1;
         }
-        while next - ways < node.states.len() {
-            let state = next - ways;
+        while next - transitions < node.states.len() {
+            let state = next - transitions;
             if self.states[index].contains(state) {
                 return (Choice::State(state), links_in(node, Some(state), false), next + 1);
             }
