@@ -1,7 +1,7 @@
 //! The eyes: what frames cost, and what those cost that are made to.
 
-use bica_vision::ball::RADIUS;
-use bica_vision::eyes::Eyes;
+use bica_field::FIELD;
+use bica_vision::pipeline::Pipeline;
 use bica_vision::profile::BUILT_IN_TABLE;
 use gungraun::prelude::*;
 
@@ -18,10 +18,10 @@ const FRAMES: usize = 2 * WORLDS as usize;
 const WORST: &str = "worst";
 const DAWDLE: usize = 1000;
 
-type Desk = (Box<Eyes<512, 512>>, Album);
+type Desk = (Box<Pipeline<512, 512>>, Album);
 
 fn desk(album: Album) -> Desk {
-    (Box::new(Eyes::new(RADIUS)), album)
+    (Box::new(Pipeline::new(FIELD.ball_radius())), album)
 }
 
 fn usual() -> Desk {

@@ -4,12 +4,12 @@ use std::hint::black_box;
 
 use bica_vision::ball::{self, BallFinder};
 use bica_vision::colour::{Classify, Colour, ColourSet};
-use bica_vision::eyes::Eyes;
-use bica_vision::field_end::FieldEnd;
+use bica_vision::field_boundary::FieldBoundary;
 use bica_vision::frame::Pair;
 use bica_vision::goal::GoalFinder;
 use bica_vision::lines::{self, Lines};
 use bica_vision::markings::Markings;
+use bica_vision::pipeline::Pipeline;
 use bica_vision::regions::Regions;
 use bica_vision::robots;
 use bica_vision::segment::{Area, Runs};
@@ -27,20 +27,20 @@ pub(crate) struct Desk {
     regions: Regions<RUNS, 64>,
     balls: BallFinder<512>,
     goals: GoalFinder<512>,
-    eyes: Eyes<512, 512>,
+    eyes: Pipeline<512, 512>,
 }
 
 /// A frame with what earlier stages found in it.
 pub(crate) struct Given<'a> {
     pub(crate) shot: &'a Shot,
     pub(crate) table: &'a CompactTable,
-    end: FieldEnd,
+    end: FieldBoundary,
     lines: Lines,
 }
 
 impl<'a> Given<'a> {
     pub(crate) fn new(shot: &'a Shot, table: &'a CompactTable) -> Self {
-        let end = FieldEnd::find_with(&shot.frame(), table, shot.camera.as_ref());
+        let end = FieldBoundary::find_with(&shot.frame(), table, shot.camera.as_ref());
         let lines = lines::find(&shot.frame(), table, &end, shot.camera.as_ref());
         Self { shot, table, end, lines }
     }
@@ -74,7 +74,7 @@ pub(crate) const STAGES: [Stage; 11] = [
     // Of the runs that the stage before has left.
     ("regions", |desk, _| desk.regions.connect(&desk.runs, 6)),
     ("end of field", |_, given| {
-        black_box(FieldEnd::find_with(&given.shot.frame(), given.table, given.shot.camera.as_ref()));
+        black_box(FieldBoundary::find_with(&given.shot.frame(), given.table, given.shot.camera.as_ref()));
     }),
     ("ball", |desk, given| {
         black_box(desk.balls.find(&given.shot.frame(), given.table, &given.end, given.shot.camera.as_ref()));
@@ -106,7 +106,7 @@ impl Desk {
             regions: Regions::new(),
             balls: BallFinder::new(ball::RADIUS_2009),
             goals: GoalFinder::new(),
-            eyes: Eyes::new(ball::RADIUS_2009),
+            eyes: Pipeline::new(ball::RADIUS_2009),
         })
     }
 }

@@ -30,8 +30,8 @@ pub struct Node {
     pub budget_us: Option<f32>,
     /// Whether a state machine continues in the state in which it became latent.
     pub resume: bool,
-    /// Links to the components that this one activates, in the order in which they are visited: of each state first the
-    /// requirements, then the modulations.
+    /// Links to the components that this one activates, in the order of the text. Of each state the requirements are
+    /// visited in this order, and so are the modulations.
     pub links: &'static [Link],
     /// The states, empty for a component that is no state machine.
     pub states: &'static [State],

@@ -14,10 +14,10 @@ use glam::Vec2;
 use crate::circle::Circle;
 use crate::colour::{Classify, Colour, ColourSet};
 use crate::edges::{self, RAYS};
-use crate::field_end::FieldEnd;
+use crate::field_boundary::FieldBoundary;
 use crate::frame::{Frame, Pixel};
-use crate::hypothesis::Seen;
-use crate::memory::Place;
+use crate::hypothesis::ImageCircle;
+use crate::memory::PositionEstimate;
 use crate::own_body::OwnBody;
 use crate::projection::Camera;
 use crate::regions::{Region, Regions};
@@ -26,8 +26,6 @@ use crate::uncertainty::Errors;
 
 /// Orange regions that are looked at, the largest first.
 pub const CANDIDATES: usize = 8;
-/// Radius of the ball of the rules of 2010 to 2015, m; the world of this project has this one.
-pub const RADIUS: f32 = 0.0325;
 /// Radius of the ball of 2009 in the frames of `nao2009`, m.
 pub const RADIUS_2009: f32 = 0.043;
 
@@ -65,8 +63,8 @@ impl Ball {
     /// As [`ground`](Self::ground), with how sure that is, and corrected by the ball's size where that is surer. None if
     /// no ball on the ground is seen so.
     #[must_use]
-    pub fn place(&self, camera: &Camera, radius: f32) -> Option<Place> {
-        Seen { centre: self.centre, radius: self.radius }.ball(camera, radius, &Errors::NAO)
+    pub fn estimate(&self, camera: &Camera, radius: f32) -> Option<PositionEstimate> {
+        ImageCircle { centre: self.centre, radius: self.radius }.ball(camera, radius, &Errors::NAO)
     }
 }
 
@@ -93,27 +91,27 @@ impl<const N: usize> BallFinder<N> {
         &mut self,
         frame: &Frame<'_>,
         colours: &impl Classify,
-        field_end: &FieldEnd,
+        field_boundary: &FieldBoundary,
         camera: Option<&Camera>,
     ) -> Option<Ball> {
-        self.find_beside(frame, colours, field_end, camera, &OwnBody::NONE)
+        self.find_with_body(frame, colours, field_boundary, camera, &OwnBody::NONE)
     }
 
     /// As [`find`](Self::find); what is orange on the robot's own body is no ball.
-    pub fn find_beside(
+    pub fn find_with_body(
         &mut self,
         frame: &Frame<'_>,
         colours: &impl Classify,
-        field_end: &FieldEnd,
+        field_boundary: &FieldBoundary,
         camera: Option<&Camera>,
         own: &OwnBody,
     ) -> Option<Ball> {
-        let area = Area::below((field_end.top().unwrap_or(0.0) - 8.0).max(0.0) as u16);
+        let area = Area::below((field_boundary.top().unwrap_or(0.0) - 8.0).max(0.0) as u16);
         // Every second row is enough to notice a ball of three pixels' radius; its edge is measured on all of them.
         self.runs.segment(frame, colours, ColourSet::of(Colour::Orange), area.every(2));
         self.regions.connect(&self.runs, 6);
         let camera = camera.map(|camera| (camera, self.radius));
-        let look = Look::new(frame, colours, field_end, camera, own);
+        let look = Look::new(frame, colours, field_boundary, camera, own);
         let ball = look.best(self.regions.as_slice());
         self.passed_over = look.passed_over.get();
         ball
@@ -132,23 +130,23 @@ pub fn best(
     frame: &Frame<'_>,
     colours: &impl Classify,
     regions: &[Region],
-    field_end: &FieldEnd,
+    field_boundary: &FieldBoundary,
     camera: Option<(&Camera, f32)>,
 ) -> Option<Ball> {
-    best_beside(frame, colours, regions, field_end, camera, &OwnBody::NONE)
+    best_with_body(frame, colours, regions, field_boundary, camera, &OwnBody::NONE)
 }
 
 /// As [`best`]; what is orange on the robot's own body is no ball.
 #[must_use]
-pub fn best_beside(
+pub fn best_with_body(
     frame: &Frame<'_>,
     colours: &impl Classify,
     regions: &[Region],
-    field_end: &FieldEnd,
+    field_boundary: &FieldBoundary,
     camera: Option<(&Camera, f32)>,
     own: &OwnBody,
 ) -> Option<Ball> {
-    Look::new(frame, colours, field_end, camera, own).best(regions)
+    Look::new(frame, colours, field_boundary, camera, own).best(regions)
 }
 
 fn needed_confidence(radius: f32) -> f32 {
@@ -185,7 +183,7 @@ impl Shade {
 struct Look<'a, C> {
     frame: &'a Frame<'a>,
     colours: &'a C,
-    field_end: &'a FieldEnd,
+    field_boundary: &'a FieldBoundary,
     camera: Option<(&'a Camera, f32)>,
     own: &'a OwnBody,
     /// What is left of [`LOOKS`], and how many regions came when nothing was.
@@ -197,11 +195,11 @@ impl<'a, C: Classify> Look<'a, C> {
     const fn new(
         frame: &'a Frame<'a>,
         colours: &'a C,
-        field_end: &'a FieldEnd,
+        field_boundary: &'a FieldBoundary,
         camera: Option<(&'a Camera, f32)>,
         own: &'a OwnBody,
     ) -> Self {
-        Self { frame, colours, field_end, camera, own, left: Cell::new(LOOKS), passed_over: Cell::new(0) }
+        Self { frame, colours, field_boundary, camera, own, left: Cell::new(LOOKS), passed_over: Cell::new(0) }
     }
 
     /// The best ball among regions, of which the first ones are looked at first.
@@ -293,7 +291,7 @@ impl<'a, C: Classify> Look<'a, C> {
     fn is_on_field(&self, centre: Vec2, radius: f32) -> bool {
         let width = f32::from(self.frame.width());
         // At the edge of the image the ball itself hides the end of the field: there the rows beside it count.
-        let ends = [-1.4, 0.0, 1.4].map(|side| self.field_end.row_at(centre.x + side * radius));
+        let ends = [-1.4, 0.0, 1.4].map(|side| self.field_boundary.row_at(centre.x + side * radius));
         match ends.into_iter().flatten().reduce(f32::min) {
             Some(end) if radius > width / 16.0 => centre.y + 1.05 * radius >= end,
             Some(end) => centre.y + 0.5 * radius >= end,
@@ -309,6 +307,6 @@ impl<'a, C: Classify> Look<'a, C> {
     /// As large as a ball on the ground is there.
     fn is_of_size(&self, centre: Vec2, radius: f32) -> bool {
         let Some((camera, metres)) = self.camera else { return true };
-        Seen { centre, radius }.ball(camera, metres, &Errors::NAO).is_some()
+        ImageCircle { centre, radius }.ball(camera, metres, &Errors::NAO).is_some()
     }
 }

@@ -6,6 +6,7 @@
 
 use core::f32::consts::TAU;
 
+use bica_field::FIELD;
 use glam::{Mat2, Vec2};
 use heapless::Vec;
 
@@ -13,7 +14,6 @@ use crate::colour::Classify;
 use crate::frame::Frame;
 use crate::lines::Line;
 use crate::paint::{Ground, Shown};
-use crate::pitch::CIRCLE;
 use crate::projection::Camera;
 
 /// How near pieces must be to the circle, m, at a place and for each metre of the way there.
@@ -72,7 +72,8 @@ fn centres(lines: &[Line]) -> Vec<Vec2, GUESSES> {
 fn best(pieces: &[Line], is_wanted: impl Fn(&Vec2) -> bool) -> Option<Vec2> {
     let pairs =
         pieces.iter().enumerate().flat_map(|(i, a)| pieces[i + 1..].iter().map(move |b| (middle(a), middle(b))));
-    let guesses = pairs.flat_map(|(a, b)| middles(a, b, CIRCLE).into_iter().flatten()).filter(is_wanted);
+    let guesses =
+        pairs.flat_map(|(a, b)| middles(a, b, FIELD.centre_circle_radius()).into_iter().flatten()).filter(is_wanted);
     let length = |centre: Vec2| pieces.iter().filter(|piece| fits(piece, centre)).map(Line::length).sum::<f32>();
     let (most, best) = guesses.map(|at| (length(at), at)).max_by(|a, b| a.0.total_cmp(&b.0))?;
     (most >= LEAST).then_some(best)
@@ -82,7 +83,7 @@ fn best(pieces: &[Line], is_wanted: impl Fn(&Vec2) -> bool) -> Option<Vec2> {
 fn is_painted(ground: &Ground<'_, impl Classify>, centre: Vec2) -> bool {
     let turn = Vec2::from_angle(TAU / PLACES as f32);
     let ways = core::iter::successors(Some(Vec2::X), |way| Some(way.rotate(turn))).take(PLACES);
-    let shown = ways.filter_map(|way| ground.shows(centre + CIRCLE * way, way));
+    let shown = ways.filter_map(|way| ground.shows(centre + FIELD.centre_circle_radius() * way, way));
     let (mut lines, mut all) = (0, 0);
     for shown in shown {
         lines += usize::from(shown == Shown::Line);
@@ -104,7 +105,9 @@ fn middles(a: Vec2, b: Vec2, radius: f32) -> [Option<Vec2>; 2] {
 }
 
 fn fits(piece: &Line, centre: Vec2) -> bool {
-    let near = |point: Vec2| libm::fabsf(point.distance(centre) - CIRCLE) <= NEAR.0 + NEAR.1 * point.length();
+    let near = |point: Vec2| {
+        libm::fabsf(point.distance(centre) - FIELD.centre_circle_radius()) <= NEAR.0 + NEAR.1 * point.length()
+    };
     near(piece.from) && near(piece.to) && near(middle(piece))
 }
 
@@ -114,7 +117,11 @@ fn nearer(pieces: &[Line], centre: Vec2) -> Vec2 {
     let (mut normal, mut right) = (Mat2::ZERO, Vec2::ZERO);
     for piece in pieces.iter().filter(|piece| fits(piece, centre)) {
         let ends = [(piece.from, 1.0), (middle(piece), 4.0), (piece.to, 1.0)];
-        let off: f32 = ends.iter().map(|(point, share)| share * (point.distance(centre) - CIRCLE)).sum::<f32>() / 6.0;
+        let off: f32 = ends
+            .iter()
+            .map(|(point, share)| share * (point.distance(centre) - FIELD.centre_circle_radius()))
+            .sum::<f32>()
+            / 6.0;
         let outward = (middle(piece) - centre).normalize_or_zero();
         let weight = piece.length() / (NEAR.0 + NEAR.1 * middle(piece).length());
         normal += weight * Mat2::from_cols(outward * outward.x, outward * outward.y);
@@ -148,7 +155,7 @@ mod tests {
     #[test]
     fn pieces_of_half_a_circle_agree_on_its_middle() {
         let centre = Vec2::new(1.5, -0.4);
-        let mut lines = arc(centre, CIRCLE, 3, 11);
+        let mut lines = arc(centre, FIELD.centre_circle_radius(), 3, 11);
         lines.push(Line { from: centre - Vec2::new(0.9, 0.9), to: centre + Vec2::new(0.2, 0.2) });
         lines.push(Line { from: Vec2::new(0.5, 2.0), to: Vec2::new(3.0, 2.2) });
         let guesses = centres(&lines);

@@ -4,6 +4,8 @@
 
 use core::ops::BitOr;
 
+use bica_field::GoalColour;
+
 use crate::chroma::ChromaBox;
 use crate::frame::Pixel;
 
@@ -27,6 +29,15 @@ pub enum Colour {
 }
 
 impl Colour {
+    /// The class of a goal's paint.
+    #[must_use]
+    pub const fn of_goal(colour: GoalColour) -> Self {
+        match colour {
+            GoalColour::Yellow => Self::Yellow,
+            GoalColour::SkyBlue => Self::Blue,
+        }
+    }
+
     /// Every class but [`Colour::None`], in order.
     pub const ALL: [Self; 5] = [Self::Orange, Self::Yellow, Self::Blue, Self::White, Self::Green];
 

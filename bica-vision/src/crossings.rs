@@ -7,6 +7,7 @@
 
 use core::f32::consts::{FRAC_PI_2, PI};
 
+use bica_field::{CrossingKind, FIELD};
 use bica_motion::pose::{Pose2, wrap};
 use glam::Vec2;
 use heapless::Vec;
@@ -17,7 +18,6 @@ use crate::colour::Classify;
 use crate::frame::Frame;
 use crate::lines::Line;
 use crate::paint::{Ground, Shown};
-use crate::pitch::CIRCLE;
 use crate::projection::Camera;
 
 /// Crossings in a frame; more are dropped.
@@ -39,17 +39,6 @@ const CROSS_ARMS: usize = 2;
 /// Crossings that are nearer to each other are one, m.
 const SAME: f32 = 0.25;
 
-/// How lines meet.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum CrossingKind {
-    /// Both end.
-    L,
-    /// One ends at the other.
-    T,
-    /// Both go on.
-    X,
-}
-
 /// A crossing of two lines.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Crossing {
@@ -57,7 +46,7 @@ pub struct Crossing {
     pub kind: CrossingKind,
     /// Where, px.
     pub at: Vec2,
-    /// Place and heading on the ground, m and rad in the camera's ground frame. The heading goes along an arm: that of an
+    /// PositionEstimate and heading on the ground, m and rad in the camera's ground frame. The heading goes along an arm: that of an
     /// L which has the other one at its left, the stem of a T, any arm of an X.
     pub ground: Pose2,
 }
@@ -89,7 +78,7 @@ pub fn find(
 fn on_circle(circle: &CentreCircle) -> impl Iterator<Item = Pose2> + use<> {
     let centre = circle.centre;
     let ways = circle.halfway.into_iter().flat_map(|way| [way, -way]);
-    ways.map(move |way| Pose2 { position: centre + CIRCLE * way, heading: atan2f(way.y, way.x) })
+    ways.map(move |way| Pose2 { position: centre + FIELD.centre_circle_radius() * way, heading: atan2f(way.y, way.x) })
 }
 
 /// Where two lines on the ground would meet at about a right angle, heading along the longer one.

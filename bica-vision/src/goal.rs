@@ -3,24 +3,18 @@
 //! Posts are upright bars that stand on the field and rise above its end. The crossbar at the top tells the left from
 //! the right post when only one is seen. Cost at 320 × 240: segmentation 30 µs on every second row, then 5 µs.
 
-mod look;
+mod posts;
 
+use bica_field::{FIELD, GoalColour};
 use glam::{Vec2, Vec3};
 
-use self::look::Look;
+use self::posts::PostSearch;
 use crate::bars;
 use crate::colour::{Classify, Colour};
-use crate::field_end::FieldEnd;
+use crate::field_boundary::FieldBoundary;
 use crate::frame::Frame;
 use crate::projection::Camera;
 use crate::segment::{Area, Runs};
-
-/// Distance of the middles of a goal's posts, m (rules of 2009).
-pub const POST_DISTANCE: f32 = 1.4;
-/// Diameter of a post, m.
-pub const POST_WIDTH: f32 = 0.1;
-/// Height of a goal, m.
-pub const HEIGHT: f32 = 0.8;
 
 /// Which post of a goal, seen from the field.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -58,9 +52,9 @@ impl Post {
             // The foot is seen where the post's front meets the ground, half its width before its middle.
             let front = camera.ground(self.base, 0.0)?;
             let eye = Vec3::from(camera.pose().translation).truncate();
-            return Some(front + 0.5 * POST_WIDTH * (front - eye).normalize_or_zero());
+            return Some(front + FIELD.post_radius() * (front - eye).normalize_or_zero());
         }
-        let place = camera.place_by_radius(self.base, 0.5 * self.width, 0.5 * POST_WIDTH)?;
+        let place = camera.place_by_radius(self.base, 0.5 * self.width, FIELD.post_radius())?;
         Some(place.truncate())
     }
 }
@@ -68,8 +62,8 @@ impl Post {
 /// What is seen of one goal.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Goal {
-    /// [`Colour::Yellow`] or [`Colour::Blue`].
-    pub colour: Colour,
+    /// Colour.
+    pub colour: GoalColour,
     /// The post, or the left one of two.
     pub first: Post,
     /// The right post of two.
@@ -104,8 +98,8 @@ impl Goal {
         }
         let left = first.normalize_or_zero().perp();
         Some(match self.first.side {
-            PostSide::Left => first - 0.5 * POST_DISTANCE * left,
-            PostSide::Right => first + 0.5 * POST_DISTANCE * left,
+            PostSide::Left => first - 0.5 * FIELD.goal_width() * left,
+            PostSide::Right => first + 0.5 * FIELD.goal_width() * left,
             PostSide::Unknown => first,
         })
     }
@@ -139,12 +133,12 @@ impl<const N: usize> GoalFinder<N> {
         &mut self,
         frame: &Frame<'_>,
         colours: &impl Classify,
-        field_end: &FieldEnd,
+        field_boundary: &FieldBoundary,
         camera: Option<&Camera>,
     ) -> Goals {
         let step = if frame.height() > 320 { 4 } else { 2 };
         self.runs.segment(frame, colours, Colour::Yellow | Colour::Blue, Area::ALL.every(step));
-        among(frame, &self.runs, field_end, camera)
+        among(frame, &self.runs, field_boundary, camera)
     }
 
     /// How many runs of the last frame found no place.
@@ -165,10 +159,15 @@ impl<const N: usize> Default for GoalFinder<N> {
 pub fn among<const N: usize>(
     frame: &Frame<'_>,
     runs: &Runs<N>,
-    field_end: &FieldEnd,
+    field_boundary: &FieldBoundary,
     camera: Option<&Camera>,
 ) -> Goals {
     let bars = bars::gather(runs);
-    let look = Look { size: Vec2::new(f32::from(frame.width()), f32::from(frame.height())), runs, field_end, camera };
-    Goals { yellow: look.goal(Colour::Yellow, &bars), blue: look.goal(Colour::Blue, &bars) }
+    let look = PostSearch {
+        size: Vec2::new(f32::from(frame.width()), f32::from(frame.height())),
+        runs,
+        field_boundary,
+        camera,
+    };
+    Goals { yellow: look.goal(GoalColour::Yellow, &bars), blue: look.goal(GoalColour::SkyBlue, &bars) }
 }

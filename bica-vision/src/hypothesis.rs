@@ -8,7 +8,7 @@
 use glam::{Vec2, Vec3};
 use libm::sqrtf;
 
-use crate::memory::Place;
+use crate::memory::PositionEstimate;
 use crate::projection::Camera;
 use crate::uncertainty::{self, Covariance, Errors, round, square};
 
@@ -21,14 +21,14 @@ const HEIGHT_ERROR: f32 = 0.2;
 
 /// A circle in the image: centre and radius, pixels.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Seen {
+pub struct ImageCircle {
     /// Where.
     pub centre: Vec2,
     /// How large.
     pub radius: f32,
 }
 
-impl Seen {
+impl ImageCircle {
     /// How far off its radius may be, pixels.
     fn error(self) -> f32 {
         let (part, pixels) = RADIUS_ERROR;
@@ -58,33 +58,33 @@ impl Seen {
     /// Where a ball of `radius` metres that is seen so touches the ground, m, and how sure that is: by the pixel, and
     /// where that is little sure by the size. None if no ball on the ground is seen so.
     #[must_use]
-    pub fn ball(self, camera: &Camera, radius: f32, errors: &Errors) -> Option<Place> {
+    pub fn ball(self, camera: &Camera, radius: f32, errors: &Errors) -> Option<PositionEstimate> {
         self.size_error(camera, radius, errors).filter(|off| off.abs() <= DEVIATIONS)?;
         let by_size = self.by_size(camera, radius, errors)?;
         let by_pose = camera.ground(self.centre, radius);
         let covariance = by_pose.and_then(|_| uncertainty::of_ground(camera, self.centre, radius, errors));
-        let by_pose = by_pose.zip(covariance).map(|(position, covariance)| Place { position, covariance });
+        let by_pose = by_pose.zip(covariance).map(|(position, covariance)| PositionEstimate { position, covariance });
         Some(by_pose.and_then(|place| both(&place, &by_size)).unwrap_or(by_size))
     }
 
-    fn by_size(self, camera: &Camera, radius: f32, errors: &Errors) -> Option<Place> {
+    fn by_size(self, camera: &Camera, radius: f32, errors: &Errors) -> Option<PositionEstimate> {
         let at = camera.place_by_radius(self.centre, self.radius, radius)?;
         let way = (at - Vec3::from(camera.pose().translation)).truncate();
         let aside = errors.pan + errors.pixels / camera.intrinsics().focal.x;
         let covariance = square(way * (self.error() / self.radius)) + square(way.perp() * aside) + round(errors.height);
-        Some(Place { position: at.truncate(), covariance })
+        Some(PositionEstimate { position: at.truncate(), covariance })
     }
 }
 
 /// The place that two tell together.
-fn both(first: &Place, second: &Place) -> Option<Place> {
+fn both(first: &PositionEstimate, second: &PositionEstimate) -> Option<PositionEstimate> {
     let weight = (first.covariance + second.covariance).try_inverse()?;
     let gain: Covariance = first.covariance * weight;
     let off = second.position - first.position;
     let step = gain * nalgebra::Vector2::new(off.x, off.y);
     let position = first.position + Vec2::new(step.x, step.y);
     let covariance = first.covariance - gain * first.covariance;
-    position.is_finite().then_some(Place { position, covariance })
+    position.is_finite().then_some(PositionEstimate { position, covariance })
 }
 
 /// Whether what stands at a pixel, `height` metres high, ends at another one, within the errors.

@@ -5,19 +5,19 @@
 //! rows. A circle comes as several short segments.
 //! Cost: half of the pixels below the end of the field, once: 40 µs at 320 × 240, 60 µs at 640 × 480.
 
-mod carpet;
+mod edge_scan;
+mod line_track;
 mod ridge;
-mod strand;
 mod trace;
 
 use glam::Vec2;
 use heapless::Vec;
 
-use self::carpet::LANES;
+use self::edge_scan::LANES;
+use self::line_track::{LineTrack, OPEN};
 use self::ridge::Scan;
-use self::strand::{OPEN, Strand};
 use crate::colour::Classify;
-use crate::field_end::FieldEnd;
+use crate::field_boundary::FieldBoundary;
 use crate::frame::Frame;
 use crate::projection::Camera;
 
@@ -79,10 +79,15 @@ type Stripes = Vec<Stripe, LINES>;
 /// Finds the line segments of a frame below the end of the field. With `camera`, what is wider or narrower on the ground
 /// than a line is none.
 #[must_use]
-pub fn find(frame: &Frame<'_>, colours: &impl Classify, field_end: &FieldEnd, camera: Option<&Camera>) -> Lines {
+pub fn find(
+    frame: &Frame<'_>,
+    colours: &impl Classify,
+    field_boundary: &FieldBoundary,
+    camera: Option<&Camera>,
+) -> Lines {
     let mut stripes = Stripes::new();
     for axes in [Axes::Columns, Axes::Rows] {
-        scan(frame, colours, field_end, axes, &mut stripes);
+        scan(frame, colours, field_boundary, axes, &mut stripes);
     }
     let scale = f32::from(frame.height()) / 240.0;
     join(&mut stripes, scale * APART, scale * BETWEEN);
@@ -148,8 +153,8 @@ impl Axes {
     }
 }
 
-fn scan(frame: &Frame<'_>, colours: &impl Classify, field_end: &FieldEnd, axes: Axes, stripes: &mut Stripes) {
-    let Some(top) = field_end.top() else { return };
+fn scan(frame: &Frame<'_>, colours: &impl Classify, field_boundary: &FieldBoundary, axes: Axes, stripes: &mut Stripes) {
+    let Some(top) = field_boundary.top() else { return };
     let (side, end) = match axes {
         Axes::Columns => (frame.width(), frame.height()),
         Axes::Rows => (frame.height(), frame.width()),
@@ -157,11 +162,11 @@ fn scan(frame: &Frame<'_>, colours: &impl Classify, field_end: &FieldEnd, axes: 
     let pitch = ((PITCH * f32::from(frame.height())) as u16).max(2);
     let widest = (WIDEST * f32::from(frame.height())) as u16;
     let first = |across: u16| match axes {
-        Axes::Columns => (field_end.row_at(across.into()).unwrap_or(top) as u16).min(end),
+        Axes::Columns => (field_boundary.row_at(across.into()).unwrap_or(top) as u16).min(end),
         Axes::Rows if f32::from(across) >= top => 0,
         Axes::Rows => end,
     };
-    let mut open: Vec<Strand, OPEN> = Vec::new();
+    let mut open: Vec<LineTrack, OPEN> = Vec::new();
     let mut scans = (pitch / 2..side)
         .step_by(pitch.into())
         .map(|across| (Scan { frame, colours, axes, across, widest }, first(across)));
@@ -174,14 +179,14 @@ fn scan(frame: &Frame<'_>, colours: &impl Classify, field_end: &FieldEnd, axes: 
             let place = f32::from(scan.across);
             for ridge in ridges {
                 let pixel = axes.pixel(place, ridge.at);
-                if field_end.is_below(pixel.x, pixel.y, 0.0) {
-                    strand::string(&mut open, place, ridge, pitch.into());
+                if field_boundary.is_below(pixel.x, pixel.y, 0.0) {
+                    line_track::string(&mut open, place, ridge, pitch.into());
                 }
             }
-            strand::close(&mut open, axes, place - 1.5 * f32::from(pitch), |stripe| keep(stripes, stripe));
+            line_track::close(&mut open, axes, place - 1.5 * f32::from(pitch), |stripe| keep(stripes, stripe));
         }
     }
-    strand::close(&mut open, axes, f32::MAX, |stripe| keep(stripes, stripe));
+    line_track::close(&mut open, axes, f32::MAX, |stripe| keep(stripes, stripe));
 }
 
 fn keep(stripes: &mut Stripes, stripe: Stripe) {

@@ -9,7 +9,7 @@ use glam::Vec2;
 use heapless::Vec;
 
 use crate::colour::{Classify, Colour, Filter};
-use crate::field_end::FieldEnd;
+use crate::field_boundary::FieldBoundary;
 use crate::frame::{Frame, Pair, Pixel};
 use crate::projection::Camera;
 
@@ -100,8 +100,13 @@ impl Robot {
 /// Finds the robots that stand below the end of the field. With `camera` a robot is what reaches nearly to the horizon
 /// from where it stands, is as wide as one, and shows a team's colour; without it, what is high in the image and no net.
 #[must_use]
-pub fn find(frame: &Frame<'_>, colours: &impl Classify, field_end: &FieldEnd, camera: Option<&Camera>) -> Robots {
-    let scan = Scan { frame, colours, field_end, camera };
+pub fn find(
+    frame: &Frame<'_>,
+    colours: &impl Classify,
+    field_boundary: &FieldBoundary,
+    camera: Option<&Camera>,
+) -> Robots {
+    let scan = Scan { frame, colours, field_boundary, camera };
     let pitch = f32::from(frame.width()) / COLUMNS as f32;
     let (mut robots, mut open): (Robots, Option<Group>) = (Vec::new(), None);
     for column in 0..COLUMNS {
@@ -144,14 +149,14 @@ struct Foot {
 struct Scan<'a, C> {
     frame: &'a Frame<'a>,
     colours: &'a C,
-    field_end: &'a FieldEnd,
+    field_boundary: &'a FieldBoundary,
     camera: Option<&'a Camera>,
 }
 
 impl<C: Classify> Scan<'_, C> {
     /// What stands in a column.
     fn foot(&self, x: f32) -> Option<Foot> {
-        let end = self.field_end.row_at(x)? + MARGIN * f32::from(self.frame.height());
+        let end = self.field_boundary.row_at(x)? + MARGIN * f32::from(self.frame.height());
         let bottom = self.frame.height() - 1;
         let (mut is_ground, mut stand): (bool, Option<Stand>) = (true, None);
         for row in (0..self.frame.height()).rev().step_by(2) {

@@ -1,13 +1,13 @@
 //! Hypotheses against what a camera with errors would see of balls, posts, and of what is neither.
 
-use bica_vision::goal;
-use bica_vision::hypothesis::{self, Seen};
+use bica_field::FIELD;
+use bica_vision::hypothesis::{self, ImageCircle};
 use bica_vision::projection::{Camera, Intrinsics};
 use bica_vision::uncertainty::{Errors, largest};
 use glam::{Affine3A, EulerRot, Quat, Vec2, Vec3};
 use proptest::prelude::*;
 
-const RADIUS: f32 = 0.0325;
+const RADIUS: f32 = FIELD.ball_radius();
 
 fn camera(yaw: f32, pitch: f32, height: f32) -> Camera {
     let turn = Quat::from_euler(EulerRot::ZYX, yaw, pitch, 0.0);
@@ -25,8 +25,8 @@ fn view(far: f32) -> impl Strategy<Value = (Camera, Vec2)> {
     })
 }
 
-fn circle(camera: &Camera, at: Vec3, radius: f32) -> Option<Seen> {
-    Some(Seen { centre: camera.pixel(at)?, radius: camera.sphere_radius(at, radius)? })
+fn circle(camera: &Camera, at: Vec3, radius: f32) -> Option<ImageCircle> {
+    Some(ImageCircle { centre: camera.pixel(at)?, radius: camera.sphere_radius(at, radius)? })
 }
 
 /// The camera as a robot that leans a little more would believe it to be.
@@ -90,14 +90,14 @@ proptest! {
         let ends = |height: f32| camera.pixel(place.extend(0.0)).zip(camera.pixel(place.extend(height)));
         let believed = leaning(&camera, Vec2::new(x, y));
         let fits = |believed: &Camera, height: f32| {
-            let Some((foot, top)) = ends(height) else { return height == goal::HEIGHT };
-            hypothesis::is_as_high(believed, foot, top, goal::HEIGHT, &Errors::NAO)
+            let Some((foot, top)) = ends(height) else { return height == FIELD.goal_height() };
+            hypothesis::is_as_high(believed, foot, top, FIELD.goal_height(), &Errors::NAO)
         };
-        prop_assert!(fits(&camera, goal::HEIGHT));
-        prop_assert!(fits(&believed, goal::HEIGHT));
+        prop_assert!(fits(&camera, FIELD.goal_height()));
+        prop_assert!(fits(&believed, FIELD.goal_height()));
         if place.length() < 2.0 {
-            prop_assert!(!fits(&camera, 0.5 * goal::HEIGHT));
-            prop_assert!(!fits(&camera, 2.0 * goal::HEIGHT));
+            prop_assert!(!fits(&camera, 0.5 * FIELD.goal_height()));
+            prop_assert!(!fits(&camera, 2.0 * FIELD.goal_height()));
         }
     }
 
@@ -109,7 +109,7 @@ proptest! {
         x in -1e4_f32..1e4, y in -1e4_f32..1e4, radius in -1.0_f32..1e4,
     ) {
         let camera = Camera::new(Affine3A::from_cols_array(&parts), Intrinsics::nao_v6(320, 240));
-        let found = Seen { centre: Vec2::new(x, y), radius }.ball(&camera, RADIUS, &Errors::NAO);
+        let found = ImageCircle { centre: Vec2::new(x, y), radius }.ball(&camera, RADIUS, &Errors::NAO);
         prop_assert!(found.is_none_or(|found| found.position.is_finite()));
     }
 }

@@ -26,7 +26,7 @@ fn amiss(score: &Score, Bounds(due, recall, precision, median, most): &Bounds) -
 fn what_there_is_is_seen_where_it_is() {
     let survey = Survey::of(0, POSES);
     println!("{survey}");
-    let Survey { ball, posts, lines, crossings, circle, robots, field_end, .. } = &survey;
+    let Survey { ball, posts, lines, crossings, circle, robots, field_boundary, .. } = &survey;
     let bounds = [
         (ball, Bounds(60, 0.98, 0.98, 0.25, 0.6)),
         (posts, Bounds(95, 0.965, 0.98, 1.2, 3.6)),
@@ -34,7 +34,7 @@ fn what_there_is_is_seen_where_it_is() {
         (crossings, Bounds(105, 0.89, 0.98, 0.55, 2.0)),
         (circle, Bounds(27, 0.8, 0.97, 0.7, 2.8)),
         (robots, Bounds(40, 0.93, 0.925, 2.0, 8.0)),
-        (field_end, Bounds(2000, 0.98, 0.98, 0.85, 1.5)),
+        (field_boundary, Bounds(2000, 0.98, 0.98, 0.85, 1.5)),
     ];
     let amiss: Vec<_> = bounds.iter().filter_map(|(score, bounds)| amiss(score, bounds)).collect();
     assert!(amiss.is_empty(), "{}", amiss.join("\n"));

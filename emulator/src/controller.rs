@@ -2,8 +2,9 @@
 
 use std::path::Path;
 
+use bica_field::GoalColour;
 use bica_motion::robot::{self, Light, Lights};
-use bica_wire::message::{ClockMode, GoalColour, Hello, Identity, Sensors, StackUsage, Telemetry};
+use bica_wire::message::{ClockMode, Hello, Identity, Sensors, StackUsage, Telemetry};
 use bica_wire::{FromRobot, SCHEMA, ToRobot, chunks};
 
 use crate::emulator::{Emulator, Transport};

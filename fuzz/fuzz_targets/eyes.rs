@@ -3,10 +3,10 @@
 //! Nothing may panic, all numbers that come out are finite, and the same frame is seen the same again.
 #![no_main]
 
+use bica_field::{FIELD, GoalColour};
 use bica_motion::pose::Pose2;
-use bica_vision::ball;
-use bica_vision::colour::{Classify, Colour};
-use bica_vision::eyes::{Eyes, Seen};
+use bica_vision::colour::Classify;
+use bica_vision::pipeline::{Detections, Pipeline};
 use bica_vision::frame::{Frame, MAX_HEIGHT, MAX_WIDTH, MIN_SIDE};
 use bica_vision::localization::{Localizer, Sightings};
 use bica_vision::profile::{BUILT_IN, BUILT_IN_TABLE};
@@ -104,7 +104,7 @@ impl Input {
 }
 
 /// Every number in what is seen.
-fn numbers(seen: &Seen, camera: Option<&Camera>) -> Vec<f32> {
+fn numbers(seen: &Detections, camera: Option<&Camera>) -> Vec<f32> {
     let mut points: Vec<Vec2> = seen.end.corners().to_vec();
     points.extend(seen.ball.iter().flat_map(|ball| [ball.centre, Vec2::new(ball.radius, ball.confidence)]));
     points.extend([seen.goals.yellow, seen.goals.blue].iter().flatten().flat_map(|goal| [goal.min, goal.max]));
@@ -114,15 +114,15 @@ fn numbers(seen: &Seen, camera: Option<&Camera>) -> Vec<f32> {
     points.extend(seen.markings.crossings.iter().flat_map(|crossing| [crossing.at, crossing.ground.position]));
     points.extend(seen.markings.circle.iter().map(|circle| circle.centre));
     if let Some(camera) = camera {
-        points.extend(seen.ball.iter().filter_map(|ball| ball.ground(camera, ball::RADIUS)));
+        points.extend(seen.ball.iter().filter_map(|ball| ball.ground(camera, FIELD.ball_radius())));
         points.extend(seen.robots.iter().filter_map(|robot| robot.ground(camera)));
         points.extend([seen.goals.yellow, seen.goals.blue].iter().flatten().filter_map(|goal| goal.ground(camera)));
     }
     points.iter().flat_map(Vec2::to_array).collect()
 }
 
-fn look(frame: &Frame<'_>, colours: &impl Classify, camera: Option<&Camera>) -> Seen {
-    let mut eyes = Box::new(Eyes::<512, 1024>::new(ball::RADIUS));
+fn look(frame: &Frame<'_>, colours: &impl Classify, camera: Option<&Camera>) -> Detections {
+    let mut eyes = Box::new(Pipeline::<512, 1024>::new(FIELD.ball_radius()));
     let (seen, again) = (eyes.look(frame, colours, camera), eyes.look(frame, colours, camera));
     assert_eq!(numbers(&seen, camera), numbers(&again, camera), "the same frame is seen otherwise");
     seen
@@ -141,7 +141,7 @@ fuzz_target!(|input: Input| {
     let Some(camera) = camera else { return };
     let mut localizer = Localizer::<60>::new(1);
     localizer.advance(Pose2::ORIGIN);
-    localizer.see(Sightings::of(&seen.markings, &seen.goals, Colour::Yellow, &camera));
+    localizer.see(Sightings::of(&seen.markings, &seen.goals, GoalColour::Yellow, &camera));
     let estimate = localizer.estimate();
     assert!(estimate.is_none_or(|estimate| estimate.pose.position.is_finite() && estimate.pose.heading.is_finite()));
 });

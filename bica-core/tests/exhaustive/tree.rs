@@ -34,6 +34,7 @@ impl<const I: usize, const R: bool> Component for Node<I, R> {
 }
 
 impl<const I: usize, const R: bool, T: Has<Self>> MemberOf<T> for Node<I, R> {
+    const WRITTEN: &'static [bica_core::__private::WrittenLink] = &[];
     const NODE: GraphNode = GraphNode {
         name: "Node",
         doc: "",

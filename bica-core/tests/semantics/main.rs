@@ -8,6 +8,7 @@ mod jitter;
 mod large;
 mod machine;
 mod order;
+mod paths;
 mod rate;
 mod requests;
 mod settled;

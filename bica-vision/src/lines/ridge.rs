@@ -7,7 +7,7 @@
 use heapless::Vec;
 
 use super::Axes;
-use super::carpet::{LANES, Walk};
+use super::edge_scan::{LANES, Walk};
 use crate::colour::{Classify, Colour};
 use crate::frame::{Frame, Lumas, Pixel};
 

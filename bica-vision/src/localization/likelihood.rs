@@ -2,14 +2,13 @@
 
 use core::f32::consts::{FRAC_PI_2, FRAC_PI_4};
 
+use bica_field::{CrossingKind, FIELD};
 use bica_motion::pose::{Pose2, wrap};
 use glam::Vec2;
 use libm::{atan2f, powf};
 
-use super::{PostSighting, Sightings};
-use crate::crossings::CrossingKind;
+use super::{PostSighting, Sightings, map};
 use crate::goal::PostSide;
-use crate::pitch;
 
 /// How high the camera is, m: what turns an error of its pitch into one of distance.
 const EYE: f32 = 0.48;
@@ -62,14 +61,14 @@ fn deviation(place: Vec2) -> f32 {
 }
 
 fn of_point(pose: &Pose2, point: Vec2) -> f32 {
-    let off = pitch::line_distance(pose.place(point)) / deviation(point);
+    let off = FIELD.line_distance(pose.place(point)) / deviation(point);
     FLOOR.0 + (1.0 - FLOOR.0) * falling(off * off)
 }
 
 fn of_crossing(pose: &Pose2, kind: CrossingKind, seen: &Pose2) -> f32 {
     let (place, heading) = (pose.place(seen.position), pose.heading + seen.heading);
     let deviation = deviation(seen.position);
-    let best = pitch::crossings(kind).map(|known| {
+    let best = map::crossings(kind).map(|known| {
         let off = known.position.distance(place) / deviation;
         let turned = wrap(heading - known.heading);
         let turned = if kind == CrossingKind::X { quarter(turned) } else { turned } / TURNED;
@@ -85,7 +84,7 @@ fn quarter(angle: f32) -> f32 {
 }
 
 fn of_post(pose: &Pose2, post: &PostSighting) -> f32 {
-    let [left, right] = pitch::posts(post.attacked).map(|known| fit(pose, known, post));
+    let [left, right] = FIELD.goal_posts(post.attacked).map(|known| fit(pose, known, post));
     let best = match post.side {
         PostSide::Left => left,
         PostSide::Right => right,

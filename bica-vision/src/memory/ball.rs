@@ -10,7 +10,7 @@ use glam::Vec2;
 use libm::expf;
 
 use super::belief::Belief;
-use super::place::{GATE, Place, turned};
+use super::position_estimate::{GATE, PositionEstimate, turned};
 use super::rolling::Rolling;
 use super::{LASTING, sound};
 use crate::uncertainty::Covariance;
@@ -37,7 +37,7 @@ pub struct BallMemory {
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Ball {
-    resting: Place,
+    resting: PositionEstimate,
     rolling: Rolling,
     /// How much it is believed to roll.
     rolls: f32,
@@ -59,20 +59,21 @@ impl BallMemory {
 
     /// Where the ball is and how sure that is, if it is not forgotten.
     #[must_use]
-    pub fn place(&self) -> Option<Place> {
-        self.ball().map(Ball::place)
+    pub fn estimate(&self) -> Option<PositionEstimate> {
+        self.ball().map(Ball::estimate)
     }
 
     /// Where the ball is if it does what it more likely does, rest or roll; if it is not forgotten.
     #[must_use]
-    pub fn likeliest(&self) -> Option<Place> {
-        self.ball().map(|ball| if ball.rolls > 0.5 { ball.rolling.place() } else { ball.resting }.with(&ball.lasting))
+    pub fn likeliest(&self) -> Option<PositionEstimate> {
+        self.ball()
+            .map(|ball| if ball.rolls > 0.5 { ball.rolling.estimate() } else { ball.resting }.with(&ball.lasting))
     }
 
     /// Where the ball is, if it is not forgotten.
     #[must_use]
     pub fn position(&self) -> Option<Vec2> {
-        self.place().map(|place| place.position)
+        self.estimate().map(|place| place.position)
     }
 
     /// How much the ball is believed to roll, 0 to 1; 0 if it is forgotten.
@@ -96,10 +97,10 @@ impl BallMemory {
     /// Where the ball will be in so many seconds if nothing stops it, and how sure that is. A time that is not positive
     /// counts as now. After 5 s every ball rests.
     #[must_use]
-    pub fn predict(&self, seconds: f32) -> Option<Place> {
+    pub fn predict(&self, seconds: f32) -> Option<PositionEstimate> {
         let mut ball = *self.ball()?;
         ball.rolling.roll(sound(Pose2::ORIGIN, seconds).1);
-        Some(ball.place())
+        Some(ball.estimate())
     }
 
     /// How much the ball's place is believed, 0 to 1.
@@ -125,13 +126,15 @@ impl BallMemory {
     /// none, is not seen.
     #[inline(never)]
     pub fn see(&mut self, position: Vec2, covariance: &Covariance, confidence: f32) {
-        let Some(seen) = Place::seen(position, covariance).filter(|_| Belief::counts(confidence)) else { return };
+        let Some(seen) = PositionEstimate::seen(position, covariance).filter(|_| Belief::counts(confidence)) else {
+            return;
+        };
         let again = self.ball().copied().and_then(|ball| ball.corrected(&seen));
         self.belief.see(confidence, again.is_some());
         self.ball = Some(again.unwrap_or_else(|| Ball::new(&seen)));
     }
 
-    /// It should have been seen and was not ([`sight::shows`](super::sight::shows)): believed a quarter less.
+    /// It should have been seen and was not ([`visibility::is_in_view`](super::visibility::is_in_view)): believed a quarter less.
     pub fn miss(&mut self) {
         self.belief.miss();
     }
@@ -155,12 +158,12 @@ impl BallMemory {
 }
 
 impl Ball {
-    fn new(seen: &Place) -> Self {
+    fn new(seen: &PositionEstimate) -> Self {
         Self { resting: *seen, rolling: Rolling::kicked(seen), rolls: AT_FIRST, lasting: seen.covariance * LASTING }
     }
 
-    fn place(&self) -> Place {
-        self.resting.mixed(&self.rolling.place(), self.rolls).with(&self.lasting)
+    fn estimate(&self) -> PositionEstimate {
+        self.resting.mixed(&self.rolling.estimate(), self.rolls).with(&self.lasting)
     }
 
     fn is_sound(&self) -> bool {
@@ -183,12 +186,12 @@ impl Ball {
         let stopped = self.rolls * within(stopping);
         let rolls = (self.rolls + kicked - stopped).clamp(LEAST, 1.0 - LEAST);
         let before = self.resting;
-        self.resting = before.mixed(&self.rolling.place(), (stopped / (1.0 - rolls)).clamp(0.0, 1.0));
+        self.resting = before.mixed(&self.rolling.estimate(), (stopped / (1.0 - rolls)).clamp(0.0, 1.0));
         self.rolling.mix_in_kicked(&before, (kicked / rolls).clamp(0.0, 1.0));
         self.rolls = rolls;
     }
 
-    fn corrected(mut self, seen: &Place) -> Option<Self> {
+    fn corrected(mut self, seen: &PositionEstimate) -> Option<Self> {
         self.resting = self.resting.faded(FADE);
         self.lasting = seen.covariance * LASTING;
         let (resting, rolling) = (self.resting.fit(seen)?, self.rolling.fit(seen)?);

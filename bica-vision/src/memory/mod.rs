@@ -2,22 +2,22 @@
 //!
 //! A remembered place moves against the robot's own motion (odometry), is surer the more often it is seen, and is
 //! believed less and less sure with time and with the way walked. [`Memory`] is for what stands, [`ball::BallMemory`]
-//! for what may roll, [`several::Several`] for things that look alike. [`sight`] tells what should be visible, so that what is not there is forgotten.
+//! for what may roll, [`multi_target::MultiTargetMemory`] for things that look alike. [`sight`] tells what should be visible, so that what is not there is forgotten.
 //! What they hold is always a number. Cost: 50 ns for each motion or sighting of a `Memory`.
 
 pub mod ball;
 mod belief;
-mod place;
+pub mod multi_target;
+mod position_estimate;
 mod rolling;
-pub mod several;
-pub mod sight;
+pub mod visibility;
 
 use bica_motion::pose::Pose2;
 use glam::Vec2;
 
 use self::belief::Belief;
-pub use self::place::Place;
-use self::place::{GATE, turned};
+pub use self::position_estimate::PositionEstimate;
+use self::position_estimate::{GATE, turned};
 use crate::uncertainty::Covariance;
 
 /// By how much the covariance grows before a sighting is weighed: this keeps the weight of a sighting at a half or more,
@@ -37,7 +37,7 @@ pub struct Memory {
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Known {
     /// As far as sightings differ from each other.
-    place: Place,
+    place: PositionEstimate,
     /// The covariance of what they have in common.
     lasting: Covariance,
 }
@@ -52,7 +52,7 @@ impl Memory {
 
     /// The place and how sure it is, if it is not forgotten.
     #[must_use]
-    pub fn place(&self) -> Option<Place> {
+    pub fn estimate(&self) -> Option<PositionEstimate> {
         self.known().map(|known| known.place.with(&known.lasting))
     }
 
@@ -63,7 +63,7 @@ impl Memory {
     /// The place, if it is not forgotten.
     #[must_use]
     pub fn position(&self) -> Option<Vec2> {
-        self.place().map(|place| place.position)
+        self.estimate().map(|place| place.position)
     }
 
     /// How much the place is believed, 0 to 1.
@@ -88,7 +88,7 @@ impl Memory {
     /// sighting is no number.
     #[must_use]
     pub fn distance(&self, position: Vec2, covariance: &Covariance) -> Option<f32> {
-        let fit = self.place()?.fit(&Place::seen(position, covariance)?)?;
+        let fit = self.estimate()?.fit(&PositionEstimate::seen(position, covariance)?)?;
         Some(fit.distance)
     }
 
@@ -96,15 +96,17 @@ impl Memory {
     /// remembered place, as deviations go, both are weighed by their covariances, else the new one stands. What is not
     /// a number, or a covariance that is none, is not seen.
     pub fn see(&mut self, position: Vec2, covariance: &Covariance, confidence: f32) {
-        let Some(seen) = Place::seen(position, covariance).filter(|_| Belief::counts(confidence)) else { return };
+        let Some(seen) = PositionEstimate::seen(position, covariance).filter(|_| Belief::counts(confidence)) else {
+            return;
+        };
         let faded = self.known().map(|known| known.place.faded(FADE));
         let fit = faded.and_then(|faded| Some((faded, faded.fit(&seen).filter(|fit| fit.distance <= GATE)?)));
-        let again = fit.map(|(faded, fit)| faded.corrected(&fit)).filter(Place::is_sound);
+        let again = fit.map(|(faded, fit)| faded.corrected(&fit)).filter(PositionEstimate::is_sound);
         self.belief.see(confidence, again.is_some());
         self.known = Some(Known { place: again.unwrap_or(seen), lasting: seen.covariance * LASTING });
     }
 
-    /// It should have been seen and was not ([`sight::shows`]): believed a quarter less.
+    /// It should have been seen and was not ([`visibility::is_in_view`]): believed a quarter less.
     pub fn miss(&mut self) {
         self.belief.miss();
     }

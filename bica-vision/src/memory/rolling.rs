@@ -4,7 +4,7 @@ use bica_motion::pose::{Pose2, rotate};
 use glam::Vec2;
 use nalgebra::{Matrix2, Matrix2x4, Matrix4, Vector4};
 
-use super::place::{Fit, Place, drift, turn_of};
+use super::position_estimate::{Fit, PositionEstimate, drift, turn_of};
 use crate::uncertainty::{Covariance, largest, round, square};
 
 /// How carpet brakes a ball, m/s². Source: B-Human 2023 `ballSpecification.cfg`.
@@ -27,15 +27,15 @@ pub(super) struct Rolling {
 
 impl Rolling {
     /// A ball at a place that was kicked just now: nobody knows where to.
-    pub(super) fn kicked(place: &Place) -> Self {
+    pub(super) fn kicked(place: &PositionEstimate) -> Self {
         let mut covariance = Matrix4::zeros();
         covariance.fixed_view_mut::<2, 2>(0, 0).copy_from(&place.covariance);
         covariance.fixed_view_mut::<2, 2>(2, 2).copy_from(&round(KICKED));
         Self { position: place.position, velocity: Vec2::ZERO, covariance }
     }
 
-    pub(super) fn place(&self) -> Place {
-        Place { position: self.position, covariance: self.block(0) }
+    pub(super) fn estimate(&self) -> PositionEstimate {
+        PositionEstimate { position: self.position, covariance: self.block(0) }
     }
 
     /// m/s.
@@ -44,8 +44,8 @@ impl Rolling {
     }
 
     pub(super) fn is_sound(&self) -> bool {
-        let fast = Place { position: self.velocity, covariance: self.block(2) };
-        self.place().is_sound() && fast.is_sound() && self.covariance.iter().all(|value| value.is_finite())
+        let fast = PositionEstimate { position: self.velocity, covariance: self.block(2) };
+        self.estimate().is_sound() && fast.is_sound() && self.covariance.iter().all(|value| value.is_finite())
     }
 
     /// Whether it is slower than `most.0` m/s, with a deviation of less than `most.1`.
@@ -58,7 +58,7 @@ impl Rolling {
     }
 
     /// This ball, or with `share` of the weight one that was kicked at a place.
-    pub(super) fn mix_in_kicked(&mut self, place: &Place, share: f32) {
+    pub(super) fn mix_in_kicked(&mut self, place: &PositionEstimate, share: f32) {
         let other = Self::kicked(place);
         let (off, faster) = (other.position - self.position, other.velocity - self.velocity);
         let apart = Vector4::new(off.x, off.y, faster.x, faster.y);
@@ -125,8 +125,8 @@ impl Rolling {
     }
 
     /// How well a sighting fits.
-    pub(super) fn fit(&self, seen: &Place) -> Option<Fit> {
-        self.place().fit(seen)
+    pub(super) fn fit(&self, seen: &PositionEstimate) -> Option<Fit> {
+        self.estimate().fit(seen)
     }
 
     /// Corrects place and velocity by a sighting that fits so.

@@ -2,17 +2,16 @@
 
 use std::f32::consts::PI;
 
+use bica_field::{CrossingKind, FIELD, GoalColour};
 use bica_motion::pose::Pose2;
 use bica_vision::centre_circle::{self, CentreCircle};
-use bica_vision::colour::Colour;
-use bica_vision::crossings::{self, CrossingKind};
-use bica_vision::field_end::FieldEnd;
+use bica_vision::crossings;
+use bica_vision::field_boundary::FieldBoundary;
 use bica_vision::frame::Frame;
 use bica_vision::goal::{GoalFinder, PostSide};
 use bica_vision::lines::{self, Line};
 use bica_vision::localization::{Localizer, PostSighting, Sightings};
 use bica_vision::markings::Markings;
-use bica_vision::pitch::CARPET;
 use bica_vision::profile::BUILT_IN_TABLE;
 use bica_vision::projection::{Camera, Intrinsics};
 use bica_vision::robots;
@@ -100,7 +99,7 @@ proptest! {
             localizer.see(sightings);
             let estimate = localizer.estimate();
             for pose in localizer.particles().iter().chain(estimate.iter().map(|estimate| &estimate.pose)) {
-                prop_assert!(pose.position.abs().cmple(CARPET).all() && pose.heading.abs() < 1.0001 * PI, "{pose:?}");
+                prop_assert!(pose.position.abs().cmple(FIELD.carpet_corner()).all() && pose.heading.abs() < 1.0001 * PI, "{pose:?}");
             }
             if let Some(estimate) = estimate {
                 prop_assert!((0.0..=1.0).contains(&estimate.belief) && estimate.spread.is_finite(), "{estimate:?}");
@@ -126,13 +125,13 @@ proptest! {
     #[test]
     fn any_picture_from_any_camera_is_looked_at(bytes in picture(), camera in camera()) {
         let frame = Frame::new(160, 120, &bytes).expect("a frame");
-        let end = FieldEnd::find(&frame, &BUILT_IN_TABLE);
+        let end = FieldBoundary::find(&frame, &BUILT_IN_TABLE);
         let found = lines::find(&frame, &BUILT_IN_TABLE, &end, Some(&camera));
         let markings = Markings::of(&frame, &BUILT_IN_TABLE, &camera, &found);
         prop_assert!(markings.crossings.iter().all(|crossing| crossing.at.is_finite()));
         prop_assert!(markings.circle.is_none_or(|circle| circle.centre.is_finite()));
         let goals = GoalFinder::<256>::new().find(&frame, &BUILT_IN_TABLE, &end, Some(&camera));
-        let sightings = Sightings::of(&markings, &goals, Colour::Yellow, &camera);
+        let sightings = Sightings::of(&markings, &goals, GoalColour::Yellow, &camera);
         let on_ground = &markings.lines;
         prop_assert!(on_ground.iter().all(|line| line.from.length().max(line.to.length()) <= 4.5));
         prop_assert!(sightings.points.iter().all(|point| point.length() <= 4.6));

@@ -2,9 +2,10 @@
 
 use std::cell::Cell;
 
-use bica_vision::ball::{self, Ball, BallFinder};
+use bica_field::FIELD;
+use bica_vision::ball::{Ball, BallFinder};
 use bica_vision::colour::{Classify, Colour};
-use bica_vision::field_end::FieldEnd;
+use bica_vision::field_boundary::FieldBoundary;
 use bica_vision::frame::Pixel;
 use bica_vision::goal::{Goal, GoalFinder, PostSide};
 use bica_vision::lines;
@@ -17,14 +18,14 @@ use crate::canvas::{BLUE, CARPET, Canvas, LINE, ORANGE, RED, WALL, YELLOW};
 
 fn ball_in(canvas: &Canvas, camera: Option<&Camera>) -> Option<Ball> {
     canvas.look(|frame| {
-        let end = FieldEnd::find(frame, &BUILT_IN_TABLE);
-        BallFinder::<512>::new(ball::RADIUS).find(frame, &BUILT_IN_TABLE, &end, camera)
+        let end = FieldBoundary::find(frame, &BUILT_IN_TABLE);
+        BallFinder::<512>::new(FIELD.ball_radius()).find(frame, &BUILT_IN_TABLE, &end, camera)
     })
 }
 
 fn goal_in(canvas: &Canvas, colour: Colour) -> Option<Goal> {
     canvas.look(|frame| {
-        let end = FieldEnd::find(frame, &BUILT_IN_TABLE);
+        let end = FieldBoundary::find(frame, &BUILT_IN_TABLE);
         let goals = GoalFinder::<1024>::new().find(frame, &BUILT_IN_TABLE, &end, None);
         if colour == Colour::Blue { goals.blue } else { goals.yellow }
     })
@@ -112,8 +113,8 @@ proptest! {
     #[test]
     fn a_ball_has_the_size_of_its_place(distance in 0.4_f32..3.0, side in -0.3_f32..0.3, factor in 0.3_f32..3.0) {
         let camera = camera(0.3);
-        let place = Vec3::new(distance, side * distance, ball::RADIUS);
-        let (Some(centre), Some(radius)) = (camera.pixel(place), camera.sphere_radius(place, ball::RADIUS)) else {
+        let place = Vec3::new(distance, side * distance, FIELD.ball_radius());
+        let (Some(centre), Some(radius)) = (camera.pixel(place), camera.sphere_radius(place, FIELD.ball_radius())) else {
             return Err(TestCaseError::fail("behind the camera"));
         };
         prop_assume!(centre.y < 230.0 - radius && radius * factor > 3.0);
@@ -121,7 +122,7 @@ proptest! {
         canvas.disc(ORANGE, centre, radius * factor);
         let found = ball_in(&canvas, Some(&camera));
         if (0.8..1.25).contains(&factor) {
-            let at = found.and_then(|ball| ball.ground(&camera, ball::RADIUS));
+            let at = found.and_then(|ball| ball.ground(&camera, FIELD.ball_radius()));
             prop_assert!(at.is_some_and(|at| at.distance(place.truncate()) < 0.03 + 0.05 * distance), "{at:?}");
         } else if distance < 1.0 && !(0.5..2.0).contains(&factor) {
             prop_assert_eq!(found, None);
@@ -137,7 +138,7 @@ proptest! {
         canvas.bar(LINE, Vec2::new(robot, 20.0), Vec2::new(robot + 5.0, 190.0), 40.0);
         canvas.bar(CARPET, Vec2::new(200.0, 2.0), Vec2::new(230.0, 2.0), 10.0);
         canvas.bar(LINE, Vec2::new(0.0, 150.0), Vec2::new(320.0, 170.0), 14.0);
-        let found = canvas.look(|frame| FieldEnd::find(frame, &BUILT_IN_TABLE));
+        let found = canvas.look(|frame| FieldBoundary::find(frame, &BUILT_IN_TABLE));
         for x in (10..310).step_by(10).map(|x| x as f32).filter(|x| (x - robot).abs() > 40.0) {
             let row = found.row_at(x).expect("a field");
             prop_assert!((row - end(x)).abs() <= 5.0, "{row} for {} at {x}: {:?}", end(x), found.corners());
@@ -160,7 +161,7 @@ proptest! {
         canvas.bar(CARPET, foot, foot - Vec2::new(0.0, height), 50.0);
         let edge = if left { 12.0 } else { 308.0 };
         canvas.bar(LINE, Vec2::new(edge, 20.0), Vec2::new(edge, 230.0), 30.0);
-        let found = canvas.look(|frame| FieldEnd::find(frame, &BUILT_IN_TABLE));
+        let found = canvas.look(|frame| FieldBoundary::find(frame, &BUILT_IN_TABLE));
         for x in [0.0, 40.0, 80.0, 120.0, 160.0, 200.0, 240.0, 280.0, 319.0] {
             let row = found.row_at(x).expect("a field");
             prop_assert!((row - end(x)).abs() <= 5.0, "{row} for {} at {x}: {:?}", end(x), found.corners());
@@ -173,7 +174,7 @@ proptest! {
         // Not white: white between greens is a line.
         canvas.paint(Pixel::new(90, 124, 136), |at| end - at.y);
         canvas.bar(CARPET, Vec2::new(160.0, end - apart), Vec2::new(160.0, end - apart - height), 250.0);
-        let found = canvas.look(|frame| FieldEnd::find(frame, &BUILT_IN_TABLE));
+        let found = canvas.look(|frame| FieldBoundary::find(frame, &BUILT_IN_TABLE));
         let row = found.row_at(160.0).expect("a field");
         prop_assert!((row - end).abs() <= 3.0, "{row} for {end}: {:?}", found.corners());
     }
@@ -264,7 +265,7 @@ proptest! {
         let (from, to) = (Vec2::new(x, y) - half, Vec2::new(x, y) + half);
         let mut canvas = Canvas::field(320, 240, 30.0);
         canvas.bar(LINE, from, to, width);
-        let lines = canvas.look(|frame| lines::find(frame, &BUILT_IN_TABLE, &FieldEnd::find(frame, &BUILT_IN_TABLE), None));
+        let lines = canvas.look(|frame| lines::find(frame, &BUILT_IN_TABLE, &FieldBoundary::find(frame, &BUILT_IN_TABLE), None));
         let length: f32 = lines.iter().map(lines::Line::length).sum();
         prop_assert!(length > 0.7 * from.distance(to) && length < 1.2 * from.distance(to), "{lines:?}");
         let normal = (to - from).perp().normalize();
@@ -290,10 +291,10 @@ fn a_ball_costs_its_part_of_the_frame_and_a_goal_nothing() {
     draw_goal(&mut canvas, BLUE, Vec2::new(80.0, 130.0), 150.0, 90.0, 10.0);
     let colours = Counting(Cell::new(0));
     canvas.look(|frame| {
-        let end = FieldEnd::find(frame, &colours);
+        let end = FieldBoundary::find(frame, &colours);
         assert!(colours.0.get() <= 40 * 120, "the end of the field takes 40 columns, every second row");
         colours.0.set(0);
-        assert!(BallFinder::<512>::new(ball::RADIUS).find(frame, &colours, &end, None).is_some());
+        assert!(BallFinder::<512>::new(FIELD.ball_radius()).find(frame, &colours, &end, None).is_some());
         // The rows below the end of the field, and the rays and samples of one candidate.
         assert!(colours.0.get() <= 160 * 130 + 32 * 30 + 81, "{} pixels for the ball", colours.0.get());
     });

@@ -1,12 +1,13 @@
 //! Any bytes, any size, any pose: an answer, and one made of numbers.
 
-use bica_vision::ball::{self, BallFinder};
+use bica_field::FIELD;
+use bica_vision::ball::BallFinder;
 use bica_vision::colour::Classify;
-use bica_vision::eyes::Eyes;
-use bica_vision::field_end::FieldEnd;
+use bica_vision::field_boundary::FieldBoundary;
 use bica_vision::frame::Frame;
 use bica_vision::goal::GoalFinder;
 use bica_vision::lines;
+use bica_vision::pipeline::Pipeline;
 use bica_vision::profile::{BUILT_IN, BUILT_IN_TABLE};
 use bica_vision::projection::{Camera, Intrinsics};
 use glam::Affine3A;
@@ -51,16 +52,16 @@ fn pose() -> impl Strategy<Value = Affine3A> {
 }
 
 fn all_answers(frame: &Frame<'_>, colours: &impl Classify, camera: Option<&Camera>) -> Vec<f32> {
-    let end = FieldEnd::find_with(frame, colours, camera);
+    let end = FieldBoundary::find_with(frame, colours, camera);
     let mut numbers: Vec<f32> = end.corners().iter().flat_map(|corner| [corner.x, corner.y]).collect();
     numbers.extend(lines::find(frame, colours, &end, None).iter().flat_map(|l| [l.from.x, l.from.y, l.to.x, l.to.y]));
-    let seen = Eyes::<64, 64>::new(ball::RADIUS).look(frame, colours, camera);
+    let seen = Pipeline::<64, 64>::new(FIELD.ball_radius()).look(frame, colours, camera);
     numbers.extend(seen.robots.iter().flat_map(|robot| [robot.min.x, robot.min.y, robot.max.x, robot.max.y]));
     numbers.extend(seen.markings.crossings.iter().flat_map(|crossing| [crossing.at.x, crossing.at.y]));
     numbers.extend(seen.markings.circle.iter().flat_map(|circle| [circle.centre.x, circle.centre.y]));
-    for end in [end, FieldEnd::NONE] {
+    for end in [end, FieldBoundary::NONE] {
         // Small capacities, so that they run full.
-        let ball = BallFinder::<64>::new(ball::RADIUS).find(frame, colours, &end, camera);
+        let ball = BallFinder::<64>::new(FIELD.ball_radius()).find(frame, colours, &end, camera);
         numbers.extend(ball.iter().flat_map(|b| [b.centre.x, b.centre.y, b.radius, b.confidence]));
         let goals = GoalFinder::<64>::new().find(frame, colours, &end, camera);
         for goal in [goals.yellow, goals.blue].into_iter().flatten() {

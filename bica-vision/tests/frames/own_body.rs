@@ -2,17 +2,17 @@
 
 use std::ops::Range;
 
+use bica_field::{FIELD, GoalColour};
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::pose::Pose2;
 use bica_motion::robot::{CameraId, Command, Lights};
 use bica_motion::side::Side;
 use bica_sim::World;
 use bica_sim::kinematic::KinematicWorld;
-use bica_sim::referee::GoalColour;
 use bica_sim::setup::{Setup, Start};
-use bica_vision::ball::{self, BallFinder};
+use bica_vision::ball::BallFinder;
 use bica_vision::colour::{Classify, Colour, Filter, Filters};
-use bica_vision::field_end::FieldEnd;
+use bica_vision::field_boundary::FieldBoundary;
 use bica_vision::frame::Frame;
 use bica_vision::own_body::OwnBody;
 use bica_vision::profile::{BUILT_IN, NAO_2009};
@@ -36,7 +36,7 @@ struct Count {
 
 impl Count {
     /// Only what is below the end of the field: the hall has red things too.
-    fn frame(&mut self, frame: &Frame<'_>, colours: &impl Classify, end: &FieldEnd, own: &OwnBody) {
+    fn frame(&mut self, frame: &Frame<'_>, colours: &impl Classify, end: &FieldBoundary, own: &OwnBody) {
         for y in 0..frame.height() {
             for x in (0..frame.width()).step_by(2) {
                 let at = Vec2::new(f32::from(x), f32::from(y));
@@ -98,7 +98,7 @@ fn the_body_of_a_drawn_robot_is_where_its_joints_say() {
         0..24,
         |_| Vec2::new(-1.5, 0.5),
         |frame, camera, own| {
-            count.frame(frame, &colours, &FieldEnd::find_with(frame, &colours, Some(camera)), own);
+            count.frame(frame, &colours, &FieldBoundary::find_with(frame, &colours, Some(camera)), own);
         },
     );
     let [red, green] = count.shares();
@@ -117,11 +117,11 @@ fn own_red_parts_are_no_balls_and_no_ball_is_lost() {
         0..24,
         |_| Vec2::new(-1.5, 0.5),
         |frame, camera, own| {
-            let mut finder = BallFinder::<512>::new(ball::RADIUS);
-            let end = FieldEnd::find_with(frame, &colours, Some(camera));
+            let mut finder = BallFinder::<512>::new(FIELD.ball_radius());
+            let end = FieldBoundary::find_with(frame, &colours, Some(camera));
             // A robot that knows no pose cannot tell by the size.
             alone += usize::from(finder.find(frame, &colours, &end, None).is_some());
-            beside += usize::from(finder.find_beside(frame, &colours, &end, None, own).is_some());
+            beside += usize::from(finder.find_with_body(frame, &colours, &end, None, own).is_some());
         },
     );
     println!("own parts taken for balls: {alone} without the body, {beside} with it");
@@ -131,11 +131,11 @@ fn own_red_parts_are_no_balls_and_no_ball_is_lost() {
     let (mut balls, mut lost) = (0, 0);
     let near = |seed: u64| Vec2::new(0.15 + 0.01 * (seed % 8) as f32, 0.03 * (seed % 7) as f32 - 0.09);
     looks(0..40, near, |frame, camera, own| {
-        let mut finder = BallFinder::<512>::new(ball::RADIUS);
-        let end = FieldEnd::find_with(frame, &colours, Some(camera));
+        let mut finder = BallFinder::<512>::new(FIELD.ball_radius());
+        let end = FieldBoundary::find_with(frame, &colours, Some(camera));
         let found = finder.find(frame, &colours, &end, Some(camera));
         balls += usize::from(found.is_some());
-        lost += usize::from(found != finder.find_beside(frame, &colours, &end, Some(camera), own));
+        lost += usize::from(found != finder.find_with_body(frame, &colours, &end, Some(camera), own));
     });
     println!("balls at the feet: {balls} seen, {lost} lost to the body");
     assert!(balls >= 20 && lost == 0, "{balls} {lost}");
@@ -151,7 +151,7 @@ fn the_body_of_a_real_robot_is_where_its_camera_says() {
         let Some(image) = labelled.iter().find(|image| &image.file == file) else { continue };
         let own = OwnBody::standing(camera, CameraId::Bottom);
         let frame = image.frame();
-        count.frame(&frame, &colours, &FieldEnd::find_with(&frame, &colours, Some(camera)), &own);
+        count.frame(&frame, &colours, &FieldBoundary::find_with(&frame, &colours, Some(camera)), &own);
         for ball in &image.balls {
             let share = own.share(ball.centre, 0.8 * ball.radius);
             if share > worst.0 {

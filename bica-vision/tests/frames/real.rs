@@ -4,7 +4,7 @@ use std::fs;
 
 use bica_vision::ball::{Ball, BallFinder, RADIUS_2009};
 use bica_vision::colour::{Classify, Colour, Filters};
-use bica_vision::field_end::FieldEnd;
+use bica_vision::field_boundary::FieldBoundary;
 use bica_vision::frame::{Frame, Pair};
 use bica_vision::goal::{Goal, GoalFinder};
 use bica_vision::profile::{DARWIN_2013, NAO_2009};
@@ -99,7 +99,7 @@ fn score(images: &[Labelled], filters: &Filters) -> Score {
     let mut score = Score::default();
     for image in images {
         let frame = image.frame();
-        let end = FieldEnd::find(&frame, &table);
+        let end = FieldBoundary::find(&frame, &table);
         score.count_ball(image, balls.find(&frame, &table, &end, None));
         let seen = goals.find(&frame, &table, &end, None);
         score.count_goal(image, [seen.yellow, seen.blue]);
@@ -145,7 +145,7 @@ fn poses_and_sizes_agree_on_the_distance_of_the_ball() {
         let Some(image) = image.filter(|image| image.balls.iter().any(|ball| ball.flag == "full")) else { continue };
         full += 1;
         let frame = image.frame();
-        let ball = finder.find(&frame, &table, &FieldEnd::find(&frame, &table), Some(&camera));
+        let ball = finder.find(&frame, &table, &FieldBoundary::find(&frame, &table), Some(&camera));
         let Some(ball) = ball else { continue };
         let by_pose = camera.ground(ball.centre, RADIUS_2009).expect("below the horizon").extend(RADIUS_2009);
         let by_pose = by_pose.distance(camera.pose().translation.into());
@@ -174,7 +174,7 @@ fn another_teams_table_is_read_and_agrees_on_the_ball() {
                 (both, only_theirs) = (both + agreed, only_theirs + 1 - agreed);
             }
         }
-        let end = FieldEnd::find(&frame, &theirs);
+        let end = FieldBoundary::find(&frame, &theirs);
         let ball = BallFinder::<1024>::new(RADIUS_2009).find(&frame, &theirs, &end, None);
         found += usize::from(ball.is_some_and(|ball| image.balls.iter().any(|label| is_hit(&ball, label))));
     }
@@ -194,7 +194,7 @@ fn the_cameras_own_bytes_are_read_without_a_detour() {
         let half: Vec<u8> =
             half.as_chunks::<6>().0.iter().flat_map(|[a, cb, cr, b, _, _]| [*a, *cb, *b, *cr]).collect();
         let frame = Frame::new(320, 240, &half).expect("a frame");
-        let end = FieldEnd::find(&frame, &table);
+        let end = FieldBoundary::find(&frame, &table);
         assert_eq!(BallFinder::<512>::new(RADIUS_2009).find(&frame, &table, &end, None).is_some(), has_ball, "{file}");
     }
 }

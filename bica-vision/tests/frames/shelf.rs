@@ -4,7 +4,7 @@ use std::fs::{self, File};
 use std::io::BufReader;
 use std::path::{Path, PathBuf};
 
-use bica_vision::colour::Colour;
+use bica_field::GoalColour;
 use bica_vision::frame::Frame;
 use bica_vision::projection::{Camera, Intrinsics};
 use glam::{Affine3A, Mat3, Vec2, Vec3};
@@ -33,7 +33,7 @@ pub(crate) struct BallLabel {
 pub(crate) struct GoalLabel {
     pub(crate) min: Vec2,
     pub(crate) max: Vec2,
-    pub(crate) colour: Colour,
+    pub(crate) colour: GoalColour,
     pub(crate) complete: bool,
 }
 
@@ -90,7 +90,7 @@ fn goal(text: &str) -> Option<GoalLabel> {
     Some(GoalLabel {
         min: Vec2::new(number(0)?, number(1)?),
         max: Vec2::new(number(2)?, number(3)?),
-        colour: if parts[4] == "blue" { Colour::Blue } else { Colour::Yellow },
+        colour: if parts[4] == "blue" { GoalColour::SkyBlue } else { GoalColour::Yellow },
         complete: parts[5] == "complete",
     })
 }

@@ -1,5 +1,6 @@
 //! Frames of the built-in world, where the referee knows the truth.
 
+use bica_field::{FIELD, GoalColour};
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::kinematics;
 use bica_motion::pose::Pose2;
@@ -7,10 +8,9 @@ use bica_motion::robot::{CameraId, Command, Lights};
 use bica_motion::side::Side;
 use bica_sim::World;
 use bica_sim::kinematic::KinematicWorld;
-use bica_sim::referee::GoalColour;
 use bica_sim::setup::{Setup, Start};
-use bica_vision::ball::{self, BallFinder};
-use bica_vision::field_end::FieldEnd;
+use bica_vision::ball::BallFinder;
+use bica_vision::field_boundary::FieldBoundary;
 use bica_vision::frame::Frame;
 use bica_vision::goal::{Goal, GoalFinder, Post};
 use bica_vision::profile::BUILT_IN_TABLE;
@@ -91,7 +91,7 @@ impl Score {
         let image = sensors.image.expect("waited for");
         let frame = Frame::from_image(&image).expect("a frame");
         let camera = Camera::of_nao(image.camera, &sensors.angles, Side::Left, image.width, image.height);
-        let end = FieldEnd::find_with(&frame, &BUILT_IN_TABLE, Some(&camera));
+        let end = FieldBoundary::find_with(&frame, &BUILT_IN_TABLE, Some(&camera));
         self.count_ball(&frame, &camera, &end, &truth, own_body_may_hide, name);
         let goals = GoalFinder::<1024>::new().find(&frame, &BUILT_IN_TABLE, &end, Some(&camera));
         for (goal, posts) in [(goals.yellow, &truth.yellow), (goals.blue, &truth.blue)] {
@@ -104,14 +104,14 @@ impl Score {
         &mut self,
         frame: &Frame<'_>,
         camera: &Camera,
-        end: &FieldEnd,
+        end: &FieldBoundary,
         truth: &Truth,
         own_body_may_hide: bool,
         name: &str,
     ) {
-        let found = BallFinder::<512>::new(ball::RADIUS).find(frame, &BUILT_IN_TABLE, end, Some(camera));
-        let place = truth.ball.extend(ball::RADIUS);
-        let seen = camera.pixel(place).zip(camera.sphere_radius(place, ball::RADIUS));
+        let found = BallFinder::<512>::new(FIELD.ball_radius()).find(frame, &BUILT_IN_TABLE, end, Some(camera));
+        let place = truth.ball.extend(FIELD.ball_radius());
+        let seen = camera.pixel(place).zip(camera.sphere_radius(place, FIELD.ball_radius()));
         let hit = found.zip(seen).filter(|(ball, (at, radius))| ball.centre.distance(*at) < (0.5 * radius).max(3.0));
         let is_due = seen.is_some_and(|(at, radius)| radius >= 3.0 && is_inside(at, radius + 1.0))
             && !own_body_may_hide
@@ -121,7 +121,7 @@ impl Score {
         if let (Some(ball), None) = (found, hit) {
             self.wrong.push(format!("{name}: {ball:?}, not {seen:?}"));
         }
-        if let Some(ground) = hit.and_then(|(ball, _)| ball.ground(camera, ball::RADIUS)).filter(|_| is_due) {
+        if let Some(ground) = hit.and_then(|(ball, _)| ball.ground(camera, FIELD.ball_radius())).filter(|_| is_due) {
             self.ground_errors.push(ground.distance(truth.ball) / truth.ball.length());
         }
     }
@@ -148,7 +148,7 @@ impl Score {
     }
 
     /// The row of the end of the field against that where the first ray meets carpet.
-    fn count_end(&mut self, end: &FieldEnd, truth: &Truth, camera: &Camera) {
+    fn count_end(&mut self, end: &FieldBoundary, truth: &Truth, camera: &Camera) {
         for x in (20..320_u16).step_by(40).map(f32::from) {
             let on_carpet = |y: &u16| {
                 let ground = camera.ground(Vec2::new(x, f32::from(*y)), 0.0);

@@ -71,7 +71,7 @@ impl Scene {
 
     /// How many squared deviations the truth is off the estimate.
     fn off(&self) -> f32 {
-        let place = self.memory.place().expect("just seen");
+        let place = self.memory.estimate().expect("just seen");
         let off = self.local() - place.position;
         let off = nalgebra::Vector2::new(off.x, off.y);
         (off.transpose() * place.covariance.try_inverse().expect("a covariance") * off).x
@@ -194,12 +194,12 @@ fn an_unseen_ball_rolls_on_and_comes_to_rest() {
     (0..10).for_each(|_| scene.step(0.0, 0.0));
     scene.kick(1.0);
     (0..15).for_each(|_| scene.step(0.0, 0.0));
-    let seen = scene.memory.place().expect("seen");
+    let seen = scene.memory.estimate().expect("seen");
     for _ in 0..30 {
         scene.roll();
         scene.memory.advance(Pose2::ORIGIN, STEP);
     }
-    let place = scene.memory.place().expect("remembered");
+    let place = scene.memory.estimate().expect("remembered");
     assert!(place.position.distance(seen.position) > 0.4, "{place:?}");
     assert!(place.position.distance(scene.local()) < 0.2, "{place:?} is not {}", scene.local());
     assert!(largest(&place.covariance) > 2.0 * largest(&seen.covariance));
@@ -259,7 +259,7 @@ proptest! {
         for ([a, b, c, d], [xx, xy, yy], see) in steps {
             let covariance = Covariance::new(xx, xy, xy, yy);
             if see { memory.see(Vec2::new(a, b), &covariance, c) } else { memory.advance(Pose2::new(a, b, c), d) }
-            for place in [memory.place(), memory.predict(c)].into_iter().flatten() {
+            for place in [memory.estimate(), memory.predict(c)].into_iter().flatten() {
                 prop_assert!(place.position.is_finite() && place.covariance.iter().all(|value| value.is_finite()));
             }
             prop_assert!((0.0..=1.0).contains(&memory.rolls()) && memory.velocity().is_finite());

@@ -4,15 +4,15 @@ use std::fs::File;
 use std::io::{self, BufWriter};
 use std::path::Path;
 
+use bica_field::CrossingKind;
 use bica_motion::robot::Image;
 use bica_sim::World;
-use bica_vision::crossings::CrossingKind;
-use bica_vision::eyes::Seen;
+use bica_vision::pipeline::Detections;
 use bica_vision::projection::Camera;
 use glam::Vec2;
 
 use crate::survey::Look;
-use crate::survey::eyes;
+use crate::survey::detect;
 
 /// Picture pixels for one of the image's.
 const TIMES: usize = 3;
@@ -26,7 +26,7 @@ struct Picture {
 
 /// Writes the image of a look with the marks of all that is seen in it.
 pub(crate) fn write(path: &Path, look: &Look) -> io::Result<()> {
-    let (camera, seen) = eyes::see(look);
+    let (camera, seen) = detect::see(look);
     let mut world = look.world.clone();
     let mut picture = Picture::of(&world.sensors().image.expect("there is a new one"));
     picture.mark(&seen, &camera);
@@ -48,7 +48,7 @@ impl Picture {
         Self { width: TIMES * width, pixels: (0..TIMES * TIMES * width * height).map(pixel).collect() }
     }
 
-    fn mark(&mut self, seen: &Seen, camera: &Camera) {
+    fn mark(&mut self, seen: &Detections, camera: &Camera) {
         self.path(seen.end.corners(), [255, 255, 255]);
         for line in &seen.markings.lines {
             let ends = [line.from, line.to].map(|end| camera.pixel(end.extend(0.0)));

@@ -16,7 +16,7 @@ pub use diagnostics::{FaultInjection, LinkStats, StackUsage, Telemetry};
 pub use graph::GraphItem;
 pub use image::{ImageChunk, ImageInfo};
 pub use robot::{Command, Sensors};
-pub use session::{ClockMode, GoalColour, Hello, Identity};
+pub use session::{ClockMode, Hello, Identity};
 
 /// A message from the host.
 #[expect(clippy::large_enum_variant, reason = "there is no heap to box the sensors in")]

@@ -1,5 +1,6 @@
 //! The start of a game, and who the robot is.
 
+use bica_field::GoalColour;
 use postcard_schema::Schema;
 use serde::{Deserialize, Serialize};
 
@@ -21,15 +22,6 @@ pub enum ClockMode {
     FreeRunning,
     /// The world's clock: the tree is ticked once for each [`Sensors`](super::Sensors) message, at the message's time.
     Lockstep,
-}
-
-/// Colour of a goal.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, Schema)]
-pub enum GoalColour {
-    /// Yellow.
-    Yellow,
-    /// Sky blue.
-    Blue,
 }
 
 /// Identity of the robot's program.

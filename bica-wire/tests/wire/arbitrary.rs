@@ -1,6 +1,7 @@
 //! Strategies for arbitrary messages, and encoding and decoding of sequences of them.
 
-use bica_wire::message::{ClockMode, FaultInjection, GoalColour, Hello, ImageChunk, ImageInfo, Sensors};
+use bica_field::GoalColour;
+use bica_wire::message::{ClockMode, FaultInjection, Hello, ImageChunk, ImageInfo, Sensors};
 use bica_wire::{Decoder, Encoder, FromRobot, MAX_PACKET, ToRobot};
 use proptest::prelude::*;
 
@@ -8,7 +9,7 @@ use proptest::prelude::*;
 pub(crate) fn to_robot(bytes: &'static [u8]) -> BoxedStrategy<ToRobot<'static>> {
     let hello = (any::<u64>(), any::<bool>(), any::<bool>()).prop_map(|(schema, free_running, yellow)| {
         let clock_mode = if free_running { ClockMode::FreeRunning } else { ClockMode::Lockstep };
-        let attacks = if yellow { GoalColour::Yellow } else { GoalColour::Blue };
+        let attacks = if yellow { GoalColour::Yellow } else { GoalColour::SkyBlue };
         ToRobot::Hello(Hello { schema, clock_mode, attacks })
     });
     let chunk = (any::<u32>(), any::<u32>())

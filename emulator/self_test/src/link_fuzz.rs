@@ -5,7 +5,8 @@ use std::path::Path;
 use std::time::{Duration, Instant};
 
 use bica_emulator::{Emulator, Transport, command_bits};
-use bica_wire::message::{ClockMode, GoalColour, ImageChunk, ImageInfo, LinkStats, Sensors};
+use bica_field::GoalColour;
+use bica_wire::message::{ClockMode, ImageChunk, ImageInfo, LinkStats, Sensors};
 use bica_wire::{Decoder, Encoder, FromRobot, ImageBuffer, MAX_PACKET, ToRobot, chunks};
 
 use crate::random::Random;

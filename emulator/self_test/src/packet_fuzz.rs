@@ -3,8 +3,9 @@
 use std::error::Error;
 use std::time::{Duration, Instant};
 
+use bica_field::GoalColour;
 use bica_motion::joints::JOINTS;
-use bica_wire::message::{ClockMode, Command, GoalColour, Hello, ImageChunk, Sensors};
+use bica_wire::message::{ClockMode, Command, Hello, ImageChunk, Sensors};
 use bica_wire::{Decoder, Encoder, FromRobot, ImageBuffer, MAX_PACKET, ToRobot};
 use serde::Serialize;
 
@@ -77,7 +78,7 @@ fn messages<'a>(random: &mut Random, content: &'a [u8]) -> (Vec<ToRobot<'a>>, Ve
         buttons: [true; 3],
         image: None,
     };
-    let hello = Hello { schema: random.next(), clock_mode: ClockMode::FreeRunning, attacks: GoalColour::Blue };
+    let hello = Hello { schema: random.next(), clock_mode: ClockMode::FreeRunning, attacks: GoalColour::SkyBlue };
     let chunk = ImageChunk { image_id: random.next() as u32, offset: random.next() as u32, bytes: content };
     let command =
         Command { time_us: random.next(), targets, stiffness: [0.5; JOINTS], lights: [0.0; 9], bottom_camera: false };

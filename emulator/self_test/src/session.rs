@@ -4,9 +4,10 @@ use std::error::Error;
 use std::path::{Path, PathBuf};
 
 use bica_emulator::{Emulator, Transport};
+use bica_field::GoalColour;
 use bica_motion::joints::JOINTS;
 use bica_motion::stand::STAND;
-use bica_wire::message::{ClockMode, Command, GoalColour, Hello, Sensors, Telemetry};
+use bica_wire::message::{ClockMode, Command, Hello, Sensors, Telemetry};
 use bica_wire::{FromRobot, SCHEMA, ToRobot};
 
 /// Starts an image and a game.

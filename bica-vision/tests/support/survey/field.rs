@@ -2,12 +2,12 @@
 
 use std::f32::consts::TAU;
 
+use bica_field::{CrossingKind, FIELD};
 use bica_motion::pose::{Pose2, wrap};
 use bica_sim::PixelLabel;
-use bica_vision::crossings::CrossingKind;
-use bica_vision::eyes::Seen;
 use bica_vision::lines::Line;
-use bica_vision::pitch::{self, CIRCLE, CORNER, PENALTY_AREA};
+use bica_vision::localization::map;
+use bica_vision::pipeline::Detections;
 use glam::Vec2;
 
 use super::FAR;
@@ -29,7 +29,7 @@ const END_NEAR: f32 = 3.0;
 
 /// The straight lines of the field, half of them; the others are on the other side.
 const LINES: [(Vec2, Vec2); 7] = {
-    let (c, p) = (CORNER, PENALTY_AREA);
+    let (c, p) = (FIELD.field_corner(), FIELD.penalty_area_corner());
     [
         (Vec2::new(0.0, c.y), c),
         (Vec2::new(0.0, -c.y), Vec2::new(c.x, -c.y)),
@@ -47,7 +47,8 @@ fn pieces() -> impl Iterator<Item = Vec2> {
         let count = (from.distance(to) / PIECE).round() as usize;
         (0..count).map(move |i| from.lerp(to, (i as f32 + 0.5) / count as f32))
     });
-    let round = (0..(TAU * CIRCLE / PIECE) as usize / 2).map(|i| CIRCLE * Vec2::from_angle(PIECE / CIRCLE * i as f32));
+    let round = (0..(TAU * FIELD.centre_circle_radius() / PIECE) as usize / 2)
+        .map(|i| FIELD.centre_circle_radius() * Vec2::from_angle(PIECE / FIELD.centre_circle_radius() * i as f32));
     straight.chain(round).flat_map(|at| [at, -at])
 }
 
@@ -58,7 +59,7 @@ fn is_seen(place: Vec2, truth: &Truth) -> bool {
 }
 
 /// Pieces of lines are due, and pieces of what is seen are right or wrong.
-pub(super) fn lines(score: &mut Score, seen: &Seen, truth: &Truth) {
+pub(super) fn lines(score: &mut Score, seen: &Detections, truth: &Truth) {
     let pixels =
         |line: &Line| Some((truth.camera.pixel(line.from.extend(0.0))?, truth.camera.pixel(line.to.extend(0.0))?));
     let found: Vec<(Vec2, Vec2)> = seen.markings.lines.iter().filter_map(pixels).collect();
@@ -83,8 +84,8 @@ pub(super) fn lines(score: &mut Score, seen: &Seen, truth: &Truth) {
 fn line_distance(place: Vec2) -> f32 {
     let straight = LINES.iter().flat_map(|(from, to)| [(*from, *to), (-*from, -*to)]);
     let nearest = straight.map(|(from, to)| distance(place, from, to)).fold(f32::INFINITY, f32::min);
-    let marks = [1.0, -1.0].map(|side| place.distance(Vec2::new(side * pitch::PENALTY_MARK, 0.0)));
-    nearest.min((place.length() - CIRCLE).abs()).min(marks[0]).min(marks[1])
+    let marks = [1.0, -1.0].map(|side| place.distance(Vec2::new(side * FIELD.penalty_mark(), 0.0)));
+    nearest.min((place.length() - FIELD.centre_circle_radius()).abs()).min(marks[0]).min(marks[1])
 }
 
 fn distance(at: Vec2, from: Vec2, to: Vec2) -> f32 {
@@ -94,7 +95,7 @@ fn distance(at: Vec2, from: Vec2, to: Vec2) -> f32 {
 }
 
 /// Due if its arms are seen. Right if kind, place and heading are.
-pub(super) fn crossings(score: &mut Score, seen: &Seen, truth: &Truth) {
+pub(super) fn crossings(score: &mut Score, seen: &Detections, truth: &Truth) {
     let found = seen.markings.crossings.iter().map(|crossing| (crossing.kind, truth.pose * crossing.ground));
     let found: Vec<(CrossingKind, Pose2)> = found.collect();
     let near = |a: &Pose2, b: &Pose2, quarters: f32| {
@@ -103,11 +104,11 @@ pub(super) fn crossings(score: &mut Score, seen: &Seen, truth: &Truth) {
     };
     let quarters = |kind: CrossingKind| if kind == CrossingKind::X { 4.0 } else { 1.0 };
     for (kind, pose) in found.iter().filter(|(_, pose)| truth.distance(pose.position) <= FAR) {
-        score.seen(pitch::crossings(*kind).any(|known| near(&known, pose, quarters(*kind))));
+        score.seen(map::crossings(*kind).any(|known| near(&known, pose, quarters(*kind))));
     }
     for kind in [CrossingKind::L, CrossingKind::T, CrossingKind::X] {
         let due = |known: &Pose2| truth.distance(known.position) <= FAR && shows_arms(kind, known, truth);
-        for known in pitch::crossings(kind).filter(due) {
+        for known in map::crossings(kind).filter(due) {
             let same = |(of, pose): &&(CrossingKind, Pose2)| *of == kind && near(&known, pose, quarters(kind));
             let hit = found.iter().find(same);
             score.due(hit.is_some());
@@ -127,13 +128,13 @@ fn shows_arms(kind: CrossingKind, known: &Pose2, truth: &Truth) -> bool {
 }
 
 /// Due if a part of its line is seen.
-pub(super) fn circle(score: &mut Score, seen: &Seen, truth: &Truth) {
+pub(super) fn circle(score: &mut Score, seen: &Detections, truth: &Truth) {
     let off = seen.markings.circle.map(|circle| truth.pose.place(circle.centre).length());
     let hit = off.filter(|off| *off < CIRCLE_NEAR);
     if off.is_some() {
         score.seen(hit.is_some());
     }
-    let points = (0..60_u8).map(|i| CIRCLE * Vec2::from_angle(TAU / 60.0 * f32::from(i)));
+    let points = (0..60_u8).map(|i| FIELD.centre_circle_radius() * Vec2::from_angle(TAU / 60.0 * f32::from(i)));
     let shown = points.filter(|at| truth.distance(*at) <= FAR && is_seen(*at, truth)).count();
     if shown as f32 >= CIRCLE_PART * 60.0 {
         score.due(hit.is_some());
@@ -142,7 +143,7 @@ pub(super) fn circle(score: &mut Score, seen: &Seen, truth: &Truth) {
 }
 
 /// The row of the end in a column against the first row in which there is carpet; goals and robots stand before it.
-pub(super) fn end(score: &mut Score, seen: &Seen, truth: &Truth) {
+pub(super) fn end(score: &mut Score, seen: &Detections, truth: &Truth) {
     for x in (20..SIZE.0 as u16).step_by(40).map(f32::from) {
         let on_carpet = |y: &u16| {
             let ground = truth.camera.ground(Vec2::new(x, f32::from(*y)), 0.0);

@@ -1,6 +1,6 @@
 //! How well everything is seen: random poses in the built-in world, whose referee knows the truth.
 
-pub(crate) mod eyes;
+pub(crate) mod detect;
 mod field;
 mod look;
 mod score;
@@ -25,7 +25,7 @@ pub(crate) struct Survey {
     pub(crate) crossings: Score,
     pub(crate) circle: Score,
     pub(crate) robots: Score,
-    pub(crate) field_end: Score,
+    pub(crate) field_boundary: Score,
 }
 
 impl Survey {
@@ -39,7 +39,7 @@ impl Survey {
             crossings: Score::new("crossings", "cm off"),
             circle: Score::new("centre circle", "cm off"),
             robots: Score::new("other robots", "cm off"),
-            field_end: Score::new("end of the field", "rows off"),
+            field_boundary: Score::new("end of the field", "rows off"),
         };
         for look in (first..).filter_map(Look::new).take(poses) {
             survey.add(look);
@@ -49,7 +49,7 @@ impl Survey {
 
     fn add(&mut self, mut look: Look) {
         let truth = Truth::of(&mut look);
-        let (_, seen) = eyes::see(&look);
+        let (_, seen) = detect::see(&look);
         self.poses += 1;
         self.ball.note(look.number, |score| things::ball(score, &seen, &truth));
         self.posts.note(look.number, |score| things::posts(score, &seen, &truth));
@@ -57,12 +57,12 @@ impl Survey {
         self.lines.note(look.number, |score| field::lines(score, &seen, &truth));
         self.crossings.note(look.number, |score| field::crossings(score, &seen, &truth));
         self.circle.note(look.number, |score| field::circle(score, &seen, &truth));
-        self.field_end.note(look.number, |score| field::end(score, &seen, &truth));
+        self.field_boundary.note(look.number, |score| field::end(score, &seen, &truth));
     }
 
     /// All scores.
     pub(crate) fn scores(&self) -> [&Score; 7] {
-        [&self.ball, &self.posts, &self.lines, &self.crossings, &self.circle, &self.robots, &self.field_end]
+        [&self.ball, &self.posts, &self.lines, &self.crossings, &self.circle, &self.robots, &self.field_boundary]
     }
 }
 

@@ -2,11 +2,10 @@
 
 use std::f32::consts::PI;
 
+use bica_field::FIELD;
 use bica_sim::PixelLabel;
-use bica_vision::ball::RADIUS;
-use bica_vision::eyes::Seen;
-use bica_vision::goal::{Goal, HEIGHT, Post};
-use bica_vision::pitch;
+use bica_vision::goal::{Goal, Post};
+use bica_vision::pipeline::Detections;
 use bica_vision::robots::Robot;
 use glam::{Vec2, Vec3};
 
@@ -26,10 +25,10 @@ const ROBOT_ERROR: f32 = 0.35;
 const ROBOT_PART: usize = 20;
 
 /// Due if half of it is seen. Its ground error is a part of its distance.
-pub(super) fn ball(score: &mut Score, seen: &Seen, truth: &Truth) {
+pub(super) fn ball(score: &mut Score, seen: &Detections, truth: &Truth) {
     let place = truth.pose.locate(truth.ball);
-    let at = truth.camera.pixel(place.extend(RADIUS));
-    let expected = at.zip(truth.camera.sphere_radius(place.extend(RADIUS), RADIUS));
+    let at = truth.camera.pixel(place.extend(FIELD.ball_radius()));
+    let expected = at.zip(truth.camera.sphere_radius(place.extend(FIELD.ball_radius()), FIELD.ball_radius()));
     let is_there = |ball: &bica_vision::ball::Ball| {
         expected.is_some_and(|(at, radius)| ball.centre.distance(at) < (0.5 * radius).max(3.0))
     };
@@ -42,17 +41,17 @@ pub(super) fn ball(score: &mut Score, seen: &Seen, truth: &Truth) {
         return;
     }
     score.due(hit.is_some());
-    if let Some(ground) = hit.and_then(|ball| ball.ground(&truth.camera, RADIUS)) {
+    if let Some(ground) = hit.and_then(|ball| ball.ground(&truth.camera, FIELD.ball_radius())) {
         score.error(100.0 * ground.distance(place) / place.length());
     }
 }
 
 /// Due anywhere on the field if half of it is seen. The ground error of those with a foot is a part of the distance.
-pub(super) fn posts(score: &mut Score, seen: &Seen, truth: &Truth) {
+pub(super) fn posts(score: &mut Score, seen: &Detections, truth: &Truth) {
     let goals = [(true, seen.goals.yellow), (false, seen.goals.blue)];
     for (yellow, goal) in goals {
         let found: Vec<Post> = goal.iter().flat_map(posts_of).collect();
-        let known = pitch::posts(yellow == truth.attacks_yellow);
+        let known = FIELD.goal_posts(yellow == truth.attacks_yellow);
         for post in &found {
             score.seen(known.iter().any(|known| is_at(post, *known, truth)));
         }
@@ -76,7 +75,7 @@ fn posts_of(goal: &Goal) -> impl Iterator<Item = Post> + use<> {
 
 /// Whether a post is seen in the column in which one stands.
 fn is_at(post: &Post, known: Vec2, truth: &Truth) -> bool {
-    let ends = truth.pixel(known.extend(0.0)).zip(truth.pixel(known.extend(HEIGHT)));
+    let ends = truth.pixel(known.extend(0.0)).zip(truth.pixel(known.extend(FIELD.goal_height())));
     ends.is_some_and(|(foot, top)| {
         let x = foot.x + (top.x - foot.x) * (post.base.y - foot.y) / (top.y - foot.y);
         (post.base.x - x).abs() < (0.3 * post.width).max(4.0)
@@ -84,7 +83,7 @@ fn is_at(post: &Post, known: Vec2, truth: &Truth) -> bool {
 }
 
 fn is_post_due(known: Vec2, truth: &Truth) -> bool {
-    let points = (1..20_u8).map(|step| known.extend(HEIGHT * f32::from(step) / 20.0));
+    let points = (1..20_u8).map(|step| known.extend(FIELD.goal_height() * f32::from(step) / 20.0));
     let shown: Vec<Vec3> = points.filter(|point| truth.shows(*point, PixelLabel::Goal)).collect();
     let rows = |point: &Vec3| truth.pixel(*point).map_or(0.0, |pixel| pixel.y);
     let high = shown.first().map_or(0.0, rows) - shown.last().map_or(0.0, rows);
@@ -92,7 +91,7 @@ fn is_post_due(known: Vec2, truth: &Truth) -> bool {
 }
 
 /// Due if both of its legs are seen down to the ground. A robot is 0.1 m nearer than its middle.
-pub(super) fn robots(score: &mut Score, seen: &Seen, truth: &Truth) {
+pub(super) fn robots(score: &mut Score, seen: &Detections, truth: &Truth) {
     for robot in &seen.robots {
         score.seen(is_robot(robot, truth));
     }

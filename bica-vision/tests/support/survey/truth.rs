@@ -1,11 +1,11 @@
 //! What is really in an image.
 
+use bica_field::{FIELD, GoalColour};
 use bica_motion::kinematics;
 use bica_motion::pose::Pose2;
 use bica_motion::side::Side;
 use bica_sim::PixelLabel;
 use bica_sim::World;
-use bica_sim::referee::GoalColour;
 use bica_vision::projection::Camera;
 use glam::{Vec2, Vec3};
 
@@ -74,6 +74,6 @@ impl Truth {
     /// Whether there is carpet at a place of the ground frame.
     pub(super) fn is_carpet(&self, ground: Vec2) -> bool {
         let place = self.pose.place(ground).abs();
-        place.x < bica_vision::pitch::CARPET.x && place.y < bica_vision::pitch::CARPET.y
+        place.x < FIELD.carpet_corner().x && place.y < FIELD.carpet_corner().y
     }
 }

@@ -1,0 +1,22 @@
+//! What the eyes see from a pose.
+
+use bica_field::FIELD;
+use bica_motion::side::Side;
+use bica_sim::World;
+use bica_vision::frame::Frame;
+use bica_vision::pipeline::{Detections, Pipeline};
+use bica_vision::profile::BUILT_IN_TABLE;
+use bica_vision::projection::Camera;
+
+use super::look::Look;
+
+/// The camera as the robot knows it, and what is seen.
+pub(crate) fn see(look: &Look) -> (Camera, Detections) {
+    let mut world = look.world.clone();
+    let sensors = world.sensors();
+    let image = sensors.image.expect("there is a new one");
+    let frame = Frame::from_image(&image).expect("a frame");
+    let camera = Camera::of_nao(image.camera, &sensors.angles, Side::Left, image.width, image.height);
+    let seen = Pipeline::<512, 1024>::new(FIELD.ball_radius()).look(&frame, &BUILT_IN_TABLE, Some(&camera));
+    (camera, seen)
+}
