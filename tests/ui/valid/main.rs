@@ -1,5 +1,6 @@
 //! Unusual forms that are valid. Each file compiles and does what it says.
 
+mod limits;
 mod names;
 mod numbers;
 mod places;
