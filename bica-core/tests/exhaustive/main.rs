@@ -18,9 +18,11 @@
 //! - *Answers of machines that do not run.* Nobody asks them.
 //! - *Sequences that lead to the same state of the model and of the engine.* Their continuations are the same.
 //!
-//! Each test states how large its trees are; together they are the product of all above within these bounds. A machine of
-//! two states counts as one additional state, one of three as two. The tests print how many trees and cycles they
-//! compared; the ignored one takes minutes.
+//! The product of all this is too large to be explored. Each test explores one part of it completely, and states the part
+//! as a [`Family`]: how many components, how many states they have together, whether all rates, and whether holds. A
+//! machine of two states counts as one additional state, one of three as two. The tests print how many trees and cycles
+//! they compared. Those that are ignored take minutes. Larger machines with rates, timers and values are left to the
+//! random trees.
 
 mod explore;
 mod model;
@@ -97,11 +99,11 @@ fn up_to_three_components_with_all_rates() {
 }
 
 #[test]
-fn up_to_three_components_with_all_states() {
+fn three_components_with_three_machines() {
     explored(&Family {
-        name: "3 components, up to 9 states",
+        name: "3 components, up to 6 states",
         components: 3,
-        additional_states: 6,
+        additional_states: 3,
         rates: false,
         holds: false,
     });
@@ -111,7 +113,8 @@ fn up_to_three_components_with_all_states() {
 fn up_to_three_components_with_holds() {
     for components in 1..=3 {
         let name = ["", "1 component held", "2 components held", "3 components held"][components];
-        explored(&Family { name, components, additional_states: 1, rates: components < 3, holds: true });
+        let additional_states = [0, 2, 1, 0][components];
+        explored(&Family { name, components, additional_states, rates: components < 3, holds: true });
     }
 }
 
@@ -132,6 +135,18 @@ fn four_components_with_a_machine() {
         name: "4 components, up to 5 states",
         components: 4,
         additional_states: 1,
+        rates: false,
+        holds: false,
+    });
+}
+
+#[test]
+#[ignore = "takes minutes"]
+fn three_components_with_all_states() {
+    explored(&Family {
+        name: "3 components, up to 9 states",
+        components: 3,
+        additional_states: 6,
         rates: false,
         holds: false,
     });
