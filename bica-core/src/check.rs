@@ -16,6 +16,7 @@ mod sum_message;
 mod text;
 mod violation;
 mod weight;
+mod wording;
 mod worst_case;
 
 pub use message::message;

@@ -183,7 +183,7 @@ macro_rules! members {
                 &slots.$field
             }
 
-            visit_functions!(Node<$index, $own>);
+            visit_functions!(Node<$index, $own>, __pass_of_generic);
         }
     )*};
 }
