@@ -8,13 +8,13 @@ mod samples;
 
 use std::path::{Path, PathBuf};
 
+use bica_console::{Console, Failure, Outcome, interrupt};
 use bica_vision::colour::{Colour, Filter, Filters};
 use bica_vision::frame::Frame;
 
 use crate::frame_io::{self, RecordedFrame};
 use crate::labels::{Labels, own_folder};
 use crate::profile;
-use bica_console::{Console, Failure, Outcome, interrupt};
 use cross_validation::{FittedClass, fit_class, with_raised_saturation};
 use rectangles::Rectangle;
 use report::Report;
