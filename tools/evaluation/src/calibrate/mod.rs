@@ -117,7 +117,7 @@ impl TrainingData {
                 continue;
             }
             let wrong =
-                |why: &str| Failure::of_path("learn from", &path, &why, "help the image, or take its labels away");
+                |why: &str| Failure::of_path("use", &path, &why, "repair the image, or remove its labels");
             let recorded = RecordedFrame::read(&path).map_err(|why| wrong(&why))?;
             let frame = Frame::from_image(&recorded.image()).map_err(|why| wrong(&why.to_string()))?;
             for rectangle in &own {
