@@ -18,13 +18,14 @@
 //! | the robot's own body | [`own_body`] | 1 µs, and 0.1 µs for a pixel |
 //! | the world | [`projection`], [`uncertainty`], [`hypothesis`], [`memory`] | 20 to 600 ns for a point |
 //!
-//! Everything together takes 0.1 ms on real frames, 0.17 ms at 640 × 480; on the worst noise three to five times that, as
-//! what is no carpet with a ball and lines is given up: rows, scans and candidates have budgets that real frames do not
-//! use up.
+//! Everything together takes 0.1 ms on real frames, 0.17 ms at 640 × 480; on the worst noise three to five times that,
+//! as what is no carpet with a ball and lines is given up: rows, scans and candidates have budgets that real frames do
+//! not use up.
 //!
-//! [`pipeline`] is everything together. Each detector asks for its own classes and does its own segmentation, so what is
-//! not called costs nothing: with only the ball wanted no goal is looked for. A caller who wants several can segment
-//! once, with [`segment::Runs`] for all classes, and hand the runs to [`goal::among`] and the regions to [`ball::best`].
+//! [`pipeline`] is everything together. Each detector asks for its own classes and does its own segmentation, so what
+//! is not called costs nothing: with only the ball wanted no goal is looked for. A caller who wants several can segment
+//! once, with [`segment::Runs`] for all classes, and hand the runs to [`goal::among`] and the regions to
+//! [`ball::best`].
 //!
 //! Pixels: x to the right, y down, the centre of the first pixel is (0, 0). World: the ground frame of
 //! [`projection`], metres, x forward, y left, z up.

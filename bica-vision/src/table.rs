@@ -1,35 +1,35 @@
-//! Colour classes by table: one load per pixel pair, whatever the classes look like.
+//! Colour classes by lookup table: one load per pixel pair, whatever the shape of the classes.
 //!
 //! | table | cells | memory | where |
 //! |---|---|---|---|
-//! | [`FullTable`] | 64 × 64 × 64 (Y, Cb, Cr) | 256 KiB borrowed | a host, tables of other teams |
+//! | [`FullTable`] | 64 × 64 × 64 (Y, Cb, Cr) | 256 KiB borrowed | hosts, tables of other teams |
 //! | [`CompactTable`] | 16 × 64 × 64, half a byte each | 32 KiB | a constant in flash, or a host's cache |
 //!
-//! Luma is coarser than chroma in the compact one because the classes depend on it only slowly.
+//! The compact table has a coarser luma axis than chroma axes, because the classes depend less on luma.
 
 use crate::chroma::ChromaBox;
 use crate::colour::{Classify, Colour, Filters};
 use crate::frame::Pixel;
 
-/// Bytes of a [`FullTable`].
+/// Size of a [`FullTable`], bytes.
 pub const FULL_BYTES: usize = 64 * 64 * 64;
-/// Bytes of a [`CompactTable`].
+/// Size of a [`CompactTable`], bytes.
 pub const COMPACT_BYTES: usize = 16 * 64 * 64 / 2;
 
-/// A table with one byte per cell, index `[Y >> 2][Cb >> 2][Cr >> 2]`, numbers as [`Colour::from_index`].
+/// Lookup table with one byte per cell, index `[Y >> 2][Cb >> 2][Cr >> 2]`, numbers as in [`Colour::from_index`].
 ///
-/// The format of B-Human's colour tables of 2009 as they are kept with the reference images.
+/// This is the format of B-Human's colour tables of 2009 among the recorded images.
 #[derive(Clone, Copy, Debug)]
 pub struct FullTable<'a>(&'a [u8; FULL_BYTES]);
 
 impl<'a> FullTable<'a> {
-    /// Looks at bytes as a table; none unless there are [`FULL_BYTES`]. Unknown numbers mean [`Colour::None`].
+    /// Borrows bytes as a table; `None` unless there are [`FULL_BYTES`]. Unknown numbers mean [`Colour::None`].
     #[must_use]
     pub fn new(bytes: &'a [u8]) -> Option<Self> {
         bytes.try_into().ok().map(Self)
     }
 
-    /// Compiles thresholds into the caller's memory, each cell by the colour in its middle. About 10 ms.
+    /// Compiles thresholds into the caller's memory, each cell by the colour at its centre. Takes about 10 ms.
     pub fn compile(filters: &Filters, cells: &'a mut [u8; FULL_BYTES]) -> Self {
         for (index, cell) in cells.iter_mut().enumerate() {
             let middle = |shift: usize| (((index >> shift) & 63) << 2) as u8 + 2;
@@ -53,16 +53,16 @@ impl Classify for FullTable<'_> {
     }
 }
 
-/// A table with half a byte per cell, index `[Y >> 4][Cb >> 2][Cr >> 2]`.
+/// Lookup table with half a byte per cell, index `[Y >> 4][Cb >> 2][Cr >> 2]`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct CompactTable {
     cells: [u8; COMPACT_BYTES],
-    /// Where each class has cells, by its number.
+    /// Bounding box of each class's cells, by class number.
     boxes: [ChromaBox; 6],
 }
 
 impl CompactTable {
-    /// Compiles thresholds, each cell by the colour in its middle. About 2 ms at run time; also usable in constants.
+    /// Compiles thresholds, each cell by the colour at its centre. Takes about 2 ms at run time; usable in constants.
     #[must_use]
     #[expect(clippy::large_stack_arrays, reason = "in a constant there is no stack; elsewhere it is the result's own")]
     pub const fn compile(filters: &Filters) -> Self {
@@ -73,7 +73,7 @@ impl CompactTable {
             let mut rank = 5;
             while rank > 0 {
                 rank -= 1;
-                // The class that decides first is painted last.
+                // The class that decides first is written last.
                 let (colour, filter) = filters.in_order()[rank];
                 let (low, high) = filter.luma_range(middle(chroma / 64), middle(chroma % 64));
                 if low <= high {
@@ -88,12 +88,12 @@ impl CompactTable {
     }
 }
 
-/// The chroma in the middle of a cell.
+/// Chroma at the centre of a cell.
 const fn middle(cell: usize) -> u8 {
     (cell << 2) as u8 + 2
 }
 
-/// Gives a class to the cells of one chroma whose middle luma is from `low` to `high`.
+/// Writes a class to the cells of one chroma with centre luma from `low` to `high`.
 const fn paint(cells: &mut [u8; COMPACT_BYTES], chroma: usize, colour: Colour, low: u8, high: u8) {
     let mut y = (low as usize + 7) >> 4;
     while (y << 4) + 8 <= high as usize {

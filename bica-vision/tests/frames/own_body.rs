@@ -141,30 +141,30 @@ fn own_red_parts_are_no_balls_and_no_ball_is_lost() {
     assert!(balls >= 20 && lost == 0, "{balls} {lost}");
 }
 
-#[test]
-fn the_body_of_a_real_robot_is_where_its_camera_says() {
-    let Some(images) = shelf::images() else { return };
-    let colours = CompactTable::compile(&NAO_2009);
-    let (poses, labelled) = (shelf::poses(&images), shelf::labelled(&images, "nao2009"));
-    let (mut count, mut worst) = (Count::default(), (0.0_f32, String::new()));
-    for (file, camera, _, _) in poses.iter().filter(|(_, _, _, trusted)| *trusted) {
-        let Some(image) = labelled.iter().find(|image| &image.file == file) else { continue };
-        let own = OwnBody::standing(camera, CameraId::Bottom);
-        let frame = image.frame();
-        count.frame(&frame, &colours, &FieldBoundary::find_with(&frame, &colours, Some(camera)), &own);
-        for ball in &image.balls {
-            let share = own.share(ball.centre, 0.8 * ball.radius);
-            if share > worst.0 {
-                worst = (share, file.clone());
+bica_test_data::images_test! {
+    fn the_body_of_a_real_robot_is_where_its_camera_says() {
+        let colours = CompactTable::compile(&NAO_2009);
+        let (poses, labelled) = (shelf::poses(), shelf::labelled("nao2009"));
+        let (mut count, mut worst) = (Count::default(), (0.0_f32, String::new()));
+        for (file, camera, _, _) in poses.iter().filter(|(_, _, _, trusted)| *trusted) {
+            let Some(image) = labelled.iter().find(|image| &image.file == file) else { continue };
+            let own = OwnBody::standing(camera, CameraId::Bottom);
+            let frame = image.frame();
+            count.frame(&frame, &colours, &FieldBoundary::find_with(&frame, &colours, Some(camera)), &own);
+            for ball in &image.balls {
+                let share = own.share(ball.centre, 0.8 * ball.radius);
+                if share > worst.0 {
+                    worst = (share, file.clone());
+                }
             }
         }
+        let [red, green] = count.shares();
+        println!("real: {:.1} % of the red is covered, {:.1} % of what is covered is green", 100.0 * red, 100.0 * green);
+        println!("most of a ball that is covered: {:.2} {}", worst.0, worst.1);
+        assert!(count.red > 5000, "{count:?}");
+        assert!(red > 0.85 && green < 0.2, "{count:?}");
+        assert!(worst.0 < 0.1, "{worst:?}");
     }
-    let [red, green] = count.shares();
-    println!("real: {:.1} % of the red is covered, {:.1} % of what is covered is green", 100.0 * red, 100.0 * green);
-    println!("most of a ball that is covered: {:.2} {}", worst.0, worst.1);
-    assert!(count.red > 5000, "{count:?}");
-    assert!(red > 0.85 && green < 0.2, "{count:?}");
-    assert!(worst.0 < 0.1, "{worst:?}");
 }
 
 #[test]

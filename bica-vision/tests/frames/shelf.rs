@@ -2,22 +2,13 @@
 
 use std::fs::{self, File};
 use std::io::BufReader;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use bica_field::GoalColour;
+use bica_test_data::images;
 use bica_vision::frame::Frame;
 use bica_vision::projection::{Camera, Intrinsics};
 use glam::{Affine3A, Mat3, Vec2, Vec3};
-
-/// The folder of images; none, and a word about it, if it is not there.
-pub(crate) fn images() -> Option<PathBuf> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../shared/images");
-    if folder.is_dir() {
-        return Some(folder);
-    }
-    println!("skipped: no real frames at {}", folder.display());
-    None
-}
 
 /// A labelled ball.
 #[derive(Clone, Debug)]
@@ -53,17 +44,17 @@ impl Labelled {
 }
 
 /// The labelled frames of a folder.
-pub(crate) fn labelled(images: &Path, folder: &str) -> Vec<Labelled> {
-    let text = fs::read_to_string(images.join("labels.csv")).expect("labels.csv");
+pub(crate) fn labelled(folder: &str) -> Vec<Labelled> {
+    let text = fs::read_to_string(images().join("labels.csv")).expect("labels.csv");
     let lines = text.lines().filter(|line| line.starts_with(folder) && !line.contains("unlabelled"));
-    lines.map(|line| read(images, line)).collect()
+    lines.map(read).collect()
 }
 
-fn read(images: &Path, line: &str) -> Labelled {
+fn read(line: &str) -> Labelled {
     let fields: Vec<&str> = line.split(',').collect();
     let one = [fields[1], fields[2], fields[3], "orange", fields[4]].join(":");
     let list = if fields[4].contains(':') { fields[4] } else { &one };
-    let (width, height, yuyv) = yuyv(&images.join(fields[0]));
+    let (width, height, yuyv) = yuyv(&images().join(fields[0]));
     Labelled {
         file: fields[0].to_owned(),
         balls: list.split(';').filter_map(ball).collect(),
@@ -117,8 +108,8 @@ fn pair([r0, g0, b0, r1, g1, b1]: [u8; 6]) -> [u8; 4] {
 }
 
 /// The poses of the cameras of `nao2009`: file, camera, row of the horizon at x = 159.5, whether to trust it.
-pub(crate) fn poses(images: &Path) -> Vec<(String, Camera, f32, bool)> {
-    let text = fs::read_to_string(images.join("nao2009_pose.csv")).expect("nao2009_pose.csv");
+pub(crate) fn poses() -> Vec<(String, Camera, f32, bool)> {
+    let text = fs::read_to_string(images().join("nao2009_pose.csv")).expect("nao2009_pose.csv");
     let pose = |line: &str| {
         let fields: Vec<&str> = line.split(',').collect();
         let n: Vec<f32> = fields[2..15].iter().map(|field| field.parse().expect("a number")).collect();
