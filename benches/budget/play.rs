@@ -2,8 +2,9 @@
 
 use std::time::{Duration, Instant as Clock};
 
+use bica::runner::Robot;
 use bica::{Stopwatch, Tree};
-use bica_player::{Forward, act, sense};
+use bica_player::Forward;
 use bica_sim::World;
 use bica_sim::setup::{Frame, Setup};
 
@@ -68,11 +69,11 @@ fn cycle(game: &mut Game, falls: bool) -> Result<Cycle, String> {
     let sees = sensors.image.is_some();
     let began = Clock::now();
     let mut watch: Stopwatch<_, { Forward::COUNT }> = Stopwatch::new(|| began.elapsed().as_nanos() as u64);
-    sense(&mut game.robot, &sensors).map_err(|error| error.to_string())?;
+    game.robot.sense(&sensors).map_err(|error| error.to_string())?;
     let sensed = Clock::now();
     game.robot.tick_with(now, &mut watch);
     let thought = Clock::now();
-    let command = act(&game.robot);
+    let command = game.robot.act();
     let acted = Clock::now();
     game.world.act(&command);
 

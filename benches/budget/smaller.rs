@@ -8,7 +8,7 @@ use std::path::Path;
 use std::time::Instant as Clock;
 
 use bica::prelude::*;
-use bica_player::{act, sense};
+use bica::runner::Robot;
 use bica_sim::setup::Frame;
 
 use crate::recording::{CYCLES, Recording, WARM};
@@ -77,9 +77,9 @@ fn least_time(frame: Frame) -> Result<f64, String> {
     for _ in 0..REPEATS {
         let began = Clock::now();
         for sensors in recording.sensors() {
-            sense(&mut robot, &sensors).map_err(|error| error.to_string())?;
+            robot.sense(&sensors).map_err(|error| error.to_string())?;
             robot.tick(Instant::from_millis(10 * now));
-            std::hint::black_box(act(&robot));
+            std::hint::black_box(robot.act());
             now += 1;
         }
         least = least.min(began.elapsed().as_secs_f64());

@@ -2,9 +2,9 @@
 
 use std::hint::black_box;
 
+use bica::runner::Robot;
 use bica::{Instant, Tree};
 use bica_motion::robot::{CameraId, Sensors};
-use bica_player::{act, sense};
 use bica_sim::setup::Frame;
 use criterion::{BenchmarkId, Criterion, Throughput};
 
@@ -20,10 +20,10 @@ pub(crate) fn bench(criterion: &mut Criterion) {
         let (recording, mut robot) = Recording::of_game(frame, WARM, CYCLES);
         let mut cycle = 1000;
         let mut think = |sensors: &Sensors<'_>| {
-            sense(&mut robot, sensors).expect("the eye is large enough");
+            robot.sense(sensors).expect("the eye is large enough");
             robot.tick(Instant::from_millis(10 * cycle));
             cycle += 1;
-            black_box(act(&robot))
+            black_box(robot.act())
         };
         group.throughput(Throughput::Elements(CYCLES as u64));
         group.bench_function(BenchmarkId::new("a game", &size), |bencher| {

@@ -3,17 +3,18 @@
 use std::hint::black_box;
 
 use bica::prelude::*;
+use bica::runner::Robot;
+use bica_player::Forward;
 use bica_player::behaviour::{
-    Dribble, FaceBall, FallGuard, Fixmove, FollowBall, GoRound, LookAround, Player, SearchBall, SearchNet,
+    Dribble, FaceBall, Fixmove, FollowBall, GoRound, LookAround, Player, SafetyGuard, SearchBall, SearchNet,
 };
-use bica_player::input::{Colours, Eye, Measured};
+use bica_player::input::{CameraInput, Colours, GameState, HealthMonitor, RobotProfile, RobotState};
 use bica_player::motion::{Body, GoStraight, Head, Kicker, Turn, Walk};
-use bica_player::output::{Gaze, Motors};
+use bica_player::output::{CameraSelector, Motors};
 use bica_player::perception::{
-    BallDetector, CameraPose, FallDetector, FieldBoundary, FieldLines, Localization, NetDetector, Odometry, OwnBody,
+    BallDetector, CameraPose, FallDetector, FieldBoundary, FieldLines, GoalDetector, Localization, Odometry, OwnBody,
     RobotDetector,
 };
-use bica_player::{Forward, act, sense};
 use bica_sim::setup::Frame;
 use gungraun::prelude::*;
 
@@ -54,7 +55,7 @@ components! {
     go_round: GoRound,
     fixmove: Fixmove,
     dribble: Dribble,
-    fall_guard: FallGuard,
+    safety_guard: SafetyGuard,
     face_ball: FaceBall,
     body: Body,
     go_straight: GoStraight,
@@ -64,7 +65,7 @@ components! {
     head: Head,
     localization: Localization,
     ball_detector: BallDetector,
-    net_detector: NetDetector,
+    goal_detector: GoalDetector,
     field_lines: FieldLines,
     robot_detector: RobotDetector,
     field_boundary: FieldBoundary,
@@ -72,11 +73,14 @@ components! {
     camera_pose: CameraPose,
     odometry: Odometry,
     fall_detector: FallDetector,
-    eye: Eye,
+    camera_input: CameraInput,
     colours: Colours,
-    measured: Measured,
+    robot_state: RobotState,
+    health_monitor: HealthMonitor,
+    game_state: GameState,
+    robot_profile: RobotProfile,
     motors: Motors,
-    gaze: Gaze,
+    camera_selector: CameraSelector,
 }
 
 library_benchmark_group!(name = components, benchmarks = [component]);
@@ -93,9 +97,9 @@ fn recording(frame: Frame) -> (Recording, Box<Forward>) {
 #[bench::at_640x480(recording(Frame::Large))]
 fn forward((recording, mut robot): (Recording, Box<Forward>)) -> (Recording, Box<Forward>) {
     for (cycle, sensors) in recording.sensors().enumerate() {
-        sense(&mut robot, &sensors).expect("the eye is large enough");
+        robot.sense(&sensors).expect("the eye is large enough");
         robot.tick(Instant::from_millis(10_000 + 10 * cycle as u64));
-        black_box(act(&robot));
+        black_box(robot.act());
     }
     (recording, robot)
 }

@@ -1,8 +1,9 @@
 //! One component of the forward, run without the others.
 
 use bica::prelude::*;
-use bica_player::input::Eye;
-use bica_player::{Forward, sense};
+use bica::runner::Robot;
+use bica_player::Forward;
+use bica_player::input::CameraInput;
 use bica_sim::setup::Frame;
 
 use crate::recording::Recording;
@@ -28,7 +29,7 @@ impl Alone {
         robot.hold_at(component, Hold::Active);
         let node = &Forward::GRAPH.nodes[component.index()];
         let hz = node.hz.unwrap_or(Forward::GRAPH.cycle_hz);
-        let eye = Forward::id::<Eye>().index();
+        let eye = Forward::id::<CameraInput>().index();
         let mut alone = Self {
             robot,
             recording,
@@ -52,7 +53,7 @@ impl Alone {
     /// A new image comes.
     pub(crate) fn look(&mut self) {
         for sensors in self.recording.sensors().filter(|sensors| sensors.image.is_some()) {
-            sense(&mut self.robot, &sensors).expect("the eye is large enough");
+            self.robot.sense(&sensors).expect("the eye is large enough");
         }
         self.now += self.period;
     }

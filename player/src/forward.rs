@@ -1,17 +1,17 @@
-//! The tree, and its door to a robot.
+//! The tree of the forward, its inputs and its command.
 
 use bica::prelude::*;
 use bica::runner::Robot;
 use bica_motion::robot::{Command, Light, Lights, Sensors};
 
 use crate::behaviour::{
-    Dribble, FaceBall, FallGuard, Fixmove, FollowBall, GoRound, LookAround, Player, SearchBall, SearchNet,
+    Dribble, FaceBall, Fixmove, FollowBall, GoRound, LookAround, Player, SafetyGuard, SearchBall, SearchNet,
 };
-use crate::input::{Colours, Eye, FrameTooLarge, Measured};
+use crate::input::{CameraInput, Colours, FrameTooLarge, GameState, HealthMonitor, RobotProfile, RobotState};
 use crate::motion::{Body, GoStraight, Head, Kicker, Turn, Walk};
-use crate::output::{Gaze, Motors};
+use crate::output::{CameraSelector, Motors};
 use crate::perception::{
-    BallDetector, CameraPose, FallDetector, FieldBoundary, FieldLines, Localization, NetDetector, Odometry, OwnBody,
+    BallDetector, CameraPose, FallDetector, FieldBoundary, FieldLines, GoalDetector, Localization, Odometry, OwnBody,
     RobotDetector,
 };
 
@@ -23,55 +23,46 @@ activation_tree! {
         budget_ms: 200,
         components: [
             Player,
-            SearchBall, FollowBall, SearchNet, LookAround, GoRound, Fixmove, Dribble, FallGuard, FaceBall,
+            SearchBall, FollowBall, SearchNet, LookAround, GoRound, Fixmove, Dribble, SafetyGuard, FaceBall,
             Body, GoStraight, Turn, Walk, Kicker, Head,
-            Localization, BallDetector, NetDetector, FieldLines, RobotDetector, FieldBoundary, OwnBody, CameraPose, Odometry,
+            Localization, BallDetector, GoalDetector, FieldLines, RobotDetector, FieldBoundary, OwnBody, CameraPose, Odometry,
             FallDetector,
-            Eye, Colours, Measured,
-            Motors, Gaze,
+            CameraInput, Colours, RobotState, HealthMonitor, GameState, RobotProfile,
+            Motors, CameraSelector,
         ],
     }
 }
 
-/// The chest of a robot in the game (rules of RoboCup 2009).
+/// Chest light of a robot in the game (rules of RoboCup 2009).
 const GREEN: Light = Light(0.0, 1.0, 0.0);
-/// The chest of a robot that was sent off.
+/// Chest light of a penalized robot.
 const RED: Light = Light(1.0, 0.0, 0.0);
 
 impl Robot for Forward {
     type Sensors<'a> = Sensors<'a>;
     type Command = Command;
+    /// The image does not fit into [`CameraInput`]. The other values are taken and the last image stays.
     type Error = FrameTooLarge;
 
     fn sense(&mut self, sensors: &Sensors<'_>) -> Result<(), FrameTooLarge> {
-        sense(self, sensors)
+        let commanded = *self.get::<Motors>().commanded();
+        self.get_mut::<RobotState>().measure(sensors, &commanded);
+        self.get_mut::<HealthMonitor>().check(sensors, &commanded);
+        self.get_mut::<GameState>().set_button(sensors.buttons.chest);
+        let Some(image) = &sensors.image else { return Ok(()) };
+        let angles = *self.get::<RobotState>().angles();
+        self.get_mut::<CameraInput>().receive(image, &angles)
     }
 
     fn act(&mut self) -> Command {
-        act(self)
-    }
-}
-
-/// Before a tick: tells the tree what the robot senses.
-///
-/// # Errors
-/// [`FrameTooLarge`] if the image does not fit into the eye; all else is taken in, and the last image stays.
-pub fn sense(robot: &mut Forward, sensors: &Sensors<'_>) -> Result<(), FrameTooLarge> {
-    let told = act(robot);
-    robot.get_mut::<Measured>().measure(sensors);
-    robot.get_mut::<Measured>().check(sensors, &told.targets, &told.stiffness);
-    let angles = *robot.get::<Measured>().angles();
-    sensors.image.as_ref().map_or(Ok(()), |image| robot.get_mut::<Eye>().see(image, &angles))
-}
-
-/// After a tick: what the robot is to do.
-#[must_use]
-pub fn act(robot: &Forward) -> Command {
-    let (measured, motors) = (robot.get::<Measured>(), robot.get::<Motors>());
-    Command {
-        targets: motors.targets(),
-        stiffness: measured.derated(motors.stiffness()),
-        lights: Lights { chest: if measured.playing() { GREEN } else { RED }, ..Lights::default() },
-        camera: robot.get::<Gaze>().camera(),
+        let stiffness = self.get::<HealthMonitor>().derated(self.get::<Motors>().stiffness());
+        let commanded = *self.get_mut::<Motors>().command(stiffness);
+        let chest = if self.get::<GameState>().playing() { GREEN } else { RED };
+        Command {
+            targets: commanded.targets,
+            stiffness: commanded.stiffness,
+            lights: Lights { chest, ..Lights::default() },
+            camera: self.get::<CameraSelector>().selected(),
+        }
     }
 }

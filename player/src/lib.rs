@@ -1,14 +1,16 @@
-//! The forward of RoboCup 2009: its components and its tree.
+//! The forward of RoboCup 2009: its components and its activation tree.
 //!
-//! [`Forward`] is the robot's mind. A cycle is three lines:
+//! [`Forward`] is the tree. It implements [`Robot`](bica::runner::Robot), so a [`Runner`](bica::runner::Runner) connects it
+//! with a world. One cycle by hand is three lines:
 //!
 //! ```
 //! # use bica::prelude::*;
-//! # use bica_player::{Forward, act, sense};
+//! # use bica::runner::Robot;
+//! # use bica_player::Forward;
 //! # fn cycle(robot: &mut Forward, sensors: &bica_motion::robot::Sensors<'_>, now: Instant) {
-//! sense(robot, sensors).expect("the image fits");
+//! robot.sense(sensors).expect("the image fits");
 //! robot.tick(now);
-//! let command = act(robot);
+//! let command = robot.act();
 //! # }
 //! ```
 #![no_std]
@@ -21,4 +23,4 @@ pub mod output;
 pub mod perception;
 pub mod strategy;
 
-pub use forward::{Forward, act, sense};
+pub use forward::Forward;

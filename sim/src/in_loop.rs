@@ -1,4 +1,4 @@
-//! The worlds as the controlled side of a [`Runner`](bica_runner::Runner).
+//! The worlds as the plant of a [`Runner`](bica_runner::Runner).
 
 use bica_motion::robot::{Command, Sensors};
 use bica_runner::Robot;
@@ -7,7 +7,7 @@ use crate::kinematic::KinematicWorld;
 use crate::spectator::SpectatorView;
 use crate::world::World;
 
-/// Implements the runner's trait by our own, for every robot with the sensors and the command of a NAO.
+/// Implements the runner's trait by this crate's trait, for every robot with the sensors and the command of a NAO.
 macro_rules! controlled {
     ($($world:ty),+) => {
         $(

@@ -1,42 +1,40 @@
-//! Where everything is when a game starts.
+//! Start positions and conditions of a game, drawn from its seed.
 
 use core::f32::consts::PI;
 
 use bica_motion::pose::{Pose2, rotate};
 use glam::Vec2;
 
+use crate::field::{CORNER, POST};
 use crate::random::Random;
 use crate::setup::{Setup, Start};
-use bica_field::{FIELD, GoalColour};
+use bica_field::GoalColour;
 
-const CORNER: Vec2 = FIELD.field_corner();
-const POST: Vec2 = FIELD.goal_post();
-
-/// What the seed decides about the field.
+/// Start positions and conditions of a game.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Layout {
-    /// Robot and ball.
+    /// Start positions of robot and ball.
     pub(crate) start: Start,
     /// The colour of the goal at positive x.
     pub(crate) attacks: GoalColour,
-    /// How the carpet brakes the ball, m/s².
-    pub(crate) braking: f32,
-    /// The other robots, the goalkeeper first if there is one.
-    pub(crate) others: Vec<Other>,
+    /// Deceleration of the ball by rolling resistance, m/s².
+    pub(crate) rolling_deceleration: f32,
+    /// OtherRobot robots; the goalkeeper first if there is one.
+    pub(crate) others: Vec<OtherRobot>,
 }
 
-/// A robot that stands there.
+/// A robot that stands still on the field.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Other {
+pub(crate) struct OtherRobot {
     pub(crate) pose: Pose2,
-    /// Whether it plays for the robot's own team.
-    pub(crate) mate: bool,
+    /// Whether it belongs to the team of the simulated robot.
+    pub(crate) teammate: bool,
 }
 
 impl Layout {
     pub(crate) fn new(setup: &Setup, random: &mut Random) -> Self {
         let attacks = if random.chance(0.5) { GoalColour::Yellow } else { GoalColour::SkyBlue };
-        let braking = random.between(0.3, 0.4);
+        let rolling_deceleration = random.between(0.3, 0.4);
         let drawn = draw_start(random);
         let start = setup.start.unwrap_or(drawn);
         let keeper = draw_goalkeeper(random);
@@ -45,11 +43,11 @@ impl Layout {
         for index in 0..setup.robots {
             others.extend(draw_other(&start, &others, index % 2 == 0, random));
         }
-        Self { start, attacks, braking, others }
+        Self { start, attacks, rolling_deceleration, others }
     }
 }
 
-/// The ball in the attacked half, the robot 0.8 to 2.2 m from it and heading anywhere.
+/// Draws a ball position in the attacked half and a robot 0.8 to 2.2 m from it with any heading.
 fn draw_start(random: &mut Random) -> Start {
     let ball = Vec2::new(random.between(0.3, 1.6), random.between(-1.0, 1.0));
     let heading = random.between(-PI, PI);
@@ -62,15 +60,15 @@ fn draw_start(random: &mut Random) -> Start {
     }
 }
 
-/// A bit off the middle of the goal, before the line.
-fn draw_goalkeeper(random: &mut Random) -> Other {
+/// Draws a goalkeeper on the goal line, 0.08 to 0.28 m beside the centre of the goal.
+fn draw_goalkeeper(random: &mut Random) -> OtherRobot {
     let side = random.between(0.08, 0.28) * if random.chance(0.5) { 1.0 } else { -1.0 };
     let pose = Pose2::new(CORNER.x - random.between(0.02, 0.12), side, PI + random.between(-0.2, 0.2));
-    Other { pose, mate: false }
+    OtherRobot { pose, teammate: false }
 }
 
-/// Anywhere, but out of the way between robot, ball and goal; none if no such place is found.
-fn draw_other(start: &Start, others: &[Other], mate: bool, random: &mut Random) -> Option<Other> {
+/// Draws a place at least 0.5 m from the paths robot to ball and ball to goal and from other robots; `None` if none is found.
+fn draw_other(start: &Start, others: &[OtherRobot], teammate: bool, random: &mut Random) -> Option<OtherRobot> {
     let goal = Vec2::new(POST.x, 0.0);
     for _ in 0..200 {
         let position = Vec2::new(random.between(-2.7, 2.7), random.between(-1.8, 1.8));
@@ -79,7 +77,7 @@ fn draw_other(start: &Start, others: &[Other], mate: bool, random: &mut Random) 
             && distance_to_path(position, start.ball, goal) > 0.5
             && others.iter().all(|other| other.pose.position.distance(position) > 0.5);
         if clear {
-            return Some(Other { pose: Pose2 { position, heading }, mate });
+            return Some(OtherRobot { pose: Pose2 { position, heading }, teammate });
         }
     }
     None
@@ -97,7 +95,7 @@ mod tests {
     use crate::random::Stream;
 
     #[test]
-    fn starts_are_as_promised_and_every_robot_finds_a_place() {
+    fn drawn_starts_are_valid_and_every_robot_finds_a_place() {
         let mut yellow = 0;
         for seed in 0..500 {
             let setup = Setup { seed, robots: 8, ..Setup::default() };
@@ -107,14 +105,14 @@ mod tests {
             assert!((0.8..=2.2).contains(&robot.position.distance(ball)));
             assert_eq!(Setup { start: Some(layout.start), ..setup }.check(), Ok(()));
             assert!(layout.others.len() >= 8, "seed {seed}: {}", layout.others.len());
-            assert!((0.3..=0.4).contains(&layout.braking));
+            assert!((0.3..=0.4).contains(&layout.rolling_deceleration));
             yellow += usize::from(layout.attacks == GoalColour::Yellow);
         }
         assert!((200..300).contains(&yellow), "{yellow}");
     }
 
     #[test]
-    fn a_given_start_changes_nothing_else() {
+    fn a_given_start_changes_nothing_else_in_the_layout() {
         let drawn = Layout::new(&Setup::default(), &mut Random::new(0, Stream::Start));
         let start = Start { robot: Pose2::new(-1.0, 0.0, 0.0), ball: Vec2::new(0.0, 0.5) };
         let setup = Setup { start: Some(start), ..Setup::default() };

@@ -1,9 +1,18 @@
-//! Worlds to run a robot in.
+//! Simulators of a NAO on a soccer field of 2009.
 //!
-//! A [`World`] gives what a robot gives, [`Sensors`](bica_motion::robot::Sensors), and takes what a robot takes,
-//! [`Command`](bica_motion::robot::Command), one control cycle at a time. What is true in it, only its [`Referee`] tells.
-//! The built-in world is [`kinematic`]: pure Rust, the same in every run for the same seed, and many times faster than real
-//! time. With the feature `mujoco` there is a second one, in which forces are real.
+//! A [`World`] has the interface of a real robot: it supplies [`Sensors`](bica_motion::robot::Sensors) and executes a
+//! [`Command`](bica_motion::robot::Command), one control cycle at a time. Ground truth is available only from its
+//! [`Referee`]. There are two simulators:
+//!
+//! | | [`kinematic`] | `mujoco` |
+//! |---|---|---|
+//! | robot | joint angles and foot contact, no forces | rigid bodies, friction, torque limits |
+//! | dependencies | none | feature `mujoco` and MuJoCo's library |
+//! | speed | many times real time | near real time |
+//! | determinism | same seed, same result on every machine | same seed, same result on one machine |
+//!
+//! Both share everything else: [`setup`], start positions, field objects, camera model, sensor noise, motor temperatures,
+//! rules and [`referee`].
 //!
 //! ```
 //! use bica_motion::{joints::Joints, robot::{CameraId, Command, Lights}};
@@ -22,12 +31,14 @@
 //! # Ok::<(), bica_sim::setup::SetupError>(())
 //! ```
 //!
-//! The *field* frame has its origin at the centre mark on the carpet, x toward the goal that the robot attacks, y left,
-//! z up. Metres, radians, seconds, kilograms and newtons.
+//! Conventions: the *field* frame has its origin at the centre mark on the carpet, x toward the attacked goal, y left, z up.
+//! The *robot* frame has its origin midway between the hip joints, x forward, y left, z up. Units are metres, radians,
+//! seconds, kilograms and newtons.
 
-#![cfg_attr(test, expect(clippy::float_cmp, reason = "what must be exact is compared exactly"))]
+#![cfg_attr(test, expect(clippy::float_cmp, reason = "values that must be exact are compared exactly"))]
 
 mod camera;
+mod field;
 mod in_loop;
 pub mod kinematic;
 mod layout;
@@ -42,7 +53,6 @@ mod sensor_model;
 pub mod setup;
 mod spectator;
 mod transform;
-mod verdict;
 mod world;
 
 pub use referee::Referee;

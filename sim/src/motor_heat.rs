@@ -1,75 +1,76 @@
-//! Motors that get warm.
+//! Thermal model of the motors.
 
 use bica_motion::actuator::{Actuator, actuator};
 use bica_motion::joints::{JOINTS, Joint, Joints};
 
 use crate::world::CYCLE_SECONDS;
 
-/// The hall, and a motor that did nothing yet, °C.
-const HALL: f32 = 25.0;
-/// How much warmer than the hall a motor becomes that loses in its coil what it may lose for good, K. Our estimate: 85 °C,
-/// where a NAO's firmware has weakened it for long.
-const RISE: f32 = 60.0;
-/// How fast it becomes so, s. Our estimate: a motor of 22 mm in a shell; teams report hot knees after a half of ten minutes.
-const SLOWNESS: f32 = 600.0;
+/// Ambient temperature, and that of a motor at the start, °C.
+const AMBIENT: f32 = 25.0;
+/// Steady-state rise above ambient at the continuous current, K. Our estimate: it leads to 85 °C, at which a NAO's firmware has
+/// long reduced the stiffness.
+const STEADY_RISE: f32 = 60.0;
+/// Thermal time constant, s. Our estimate for a motor of 22 mm in a shell: teams report hot knees after a half of ten minutes.
+const TIME_CONSTANT: f32 = 600.0;
 
-/// Currents and temperatures of all motors: each motor and its gear as one body that is heated in proportion to the square
-/// of the current and cools in proportion to how much warmer it is than the hall.
+/// Currents and temperatures of all motors. Each motor with its gear is a first-order thermal model: copper loss (current
+/// squared) heats it, and it cools in proportion to its rise above ambient.
 #[derive(Clone, Debug)]
 pub(crate) struct MotorHeat {
     temperatures: Joints,
     currents: Joints,
-    /// The current at which each motor becomes [`RISE`] warmer, A.
-    bears: Joints,
+    /// Current at which each motor settles at [`STEADY_RISE`], A.
+    continuous: Joints,
 }
 
 impl MotorHeat {
-    /// Motors that did nothing yet.
+    /// Returns motors at ambient temperature.
     pub(crate) fn new() -> Self {
-        let bears = Joints(Joint::ALL.map(bears));
-        Self { temperatures: Joints::all(HALL), currents: Joints::all(0.0), bears }
+        let continuous = Joints(Joint::ALL.map(continuous_current));
+        Self { temperatures: Joints::all(AMBIENT), currents: Joints::all(0.0), continuous }
     }
 
-    /// Lets a control cycle pass in which the motors draw these currents, A.
+    /// Advances by one control cycle in which the motors draw these currents, A.
     pub(crate) fn step(&mut self, currents: Joints) {
         self.currents = currents;
         for i in 0..JOINTS {
-            let share = currents.0[i] / self.bears.0[i];
-            let goal = HALL + RISE * share * share;
-            self.temperatures.0[i] += CYCLE_SECONDS / SLOWNESS * (goal - self.temperatures.0[i]);
+            let share = currents.0[i] / self.continuous.0[i];
+            let steady = AMBIENT + STEADY_RISE * share * share;
+            self.temperatures.0[i] += CYCLE_SECONDS / TIME_CONSTANT * (steady - self.temperatures.0[i]);
         }
     }
 
-    /// Makes a motor that hot, °C.
+    /// Sets the temperature of a motor, °C.
     pub(crate) fn set(&mut self, joint: Joint, temperature: f32) {
         self.temperatures[joint] = temperature;
     }
 
-    /// What the motors draw, A.
+    /// Currents in the last cycle, A.
     pub(crate) const fn currents(&self) -> Joints {
         self.currents
     }
 
-    /// What the robot tells of its temperatures: whole degrees, °C.
+    /// Measured temperatures: rounded down to whole degrees, °C.
     pub(crate) fn temperatures(&self) -> Joints {
         Joints(self.temperatures.0.map(libm::floorf))
     }
 }
 
-/// What the motor of a joint bears for good: as its maker says; but what warms is the loss in the coil. For the pitch of the
-/// shoulder 2.6 mNm are given, an eighth of what it stalls at: a loss of 0.4 W where the other motors of the arm, no larger,
-/// bear 3 W. It is taken to bear what they do.
-fn bears(joint: Joint) -> f32 {
+/// Returns the continuous current of a joint's motor, A, from its continuous copper loss.
+///
+/// The loss is the data sheet's, except for the shoulder pitch: its data sheet states 2.6 mNm, an eighth of the stall torque,
+/// which is a loss of 0.4 W. The other motors of the arm, which are not larger, bear 3 W, so their loss is used.
+fn continuous_current(joint: Joint) -> f32 {
     let motor = actuator(joint);
-    let of = match joint {
+    let rating = match joint {
         Joint::LShoulderPitch | Joint::RShoulderPitch => actuator(Joint::LShoulderRoll),
         _ => motor,
     };
-    libm::sqrtf(loss(&of) / motor.resistance())
+    libm::sqrtf(copper_loss(&rating) / motor.resistance())
 }
 
-/// What a motor may lose in its coil for good, W.
-fn loss(motor: &Actuator) -> f32 {
+/// Returns the continuous copper loss of a motor, W.
+fn copper_loss(motor: &Actuator) -> f32 {
     motor.resistance() * motor.continuous_current() * motor.continuous_current()
 }
 
@@ -79,11 +80,11 @@ mod tests {
     use bica_motion::actuator::CONTINUOUS_CURRENT;
 
     #[test]
-    fn a_minute_s_push_warms_the_motors_of_an_arm_alike() {
+    fn one_minute_at_high_load_heats_all_motors_of_an_arm_alike() {
         let mut heat = MotorHeat::new();
-        let blocked = Joints(Joint::ALL.map(|joint| actuator(joint).current(1.3)));
+        let loaded = Joints(Joint::ALL.map(|joint| actuator(joint).current(1.3)));
         for _ in 0..6000 {
-            heat.step(blocked);
+            heat.step(loaded);
         }
         for joint in [Joint::LShoulderPitch, Joint::LShoulderRoll, Joint::RElbowRoll] {
             let warm = heat.temperatures()[joint];
@@ -92,7 +93,7 @@ mod tests {
     }
 
     #[test]
-    fn a_motor_at_its_continuous_current_gets_too_hot_in_minutes_and_cools_as_slowly() {
+    fn temperature_approaches_the_steady_rise_with_the_time_constant() {
         let mut heat = MotorHeat::new();
         let minutes = |heat: &mut MotorHeat, minutes: u32, currents: Joints| {
             for _ in 0..6000 * minutes {
@@ -102,8 +103,8 @@ mod tests {
         };
         let after_ten = minutes(&mut heat, 10, CONTINUOUS_CURRENT);
         assert!((60.0..65.0).contains(&after_ten), "{after_ten}");
-        let at_last = minutes(&mut heat, 60, CONTINUOUS_CURRENT);
-        assert!((83.0..=85.0).contains(&at_last), "{at_last}");
+        let settled = minutes(&mut heat, 60, CONTINUOUS_CURRENT);
+        assert!((83.0..=85.0).contains(&settled), "{settled}");
         let rested = minutes(&mut heat, 10, Joints::all(0.0));
         assert!((45.0..50.0).contains(&rested), "{rested}");
     }

@@ -1,48 +1,45 @@
-//! What stands in the way on the ground.
+//! Obstacles on the field as shapes on the ground.
 
-use bica_field::FIELD;
 use glam::Vec2;
 
-const GOAL_BACK: f32 = FIELD.goal_back();
-const POST: Vec2 = FIELD.goal_post();
-const POST_RADIUS: f32 = FIELD.post_radius();
+use crate::field::{GOAL_BACK, POST, POST_RADIUS};
 
-/// A wall with round ends, seen from above; a disc if both ends are the same. Field frame, m.
+/// A capsule on the ground, all points within `radius` of a segment; a disc if both ends coincide. Field frame, m.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Obstacle {
-    /// One end.
+    /// One end of the segment.
     pub(crate) from: Vec2,
-    /// The other end.
+    /// The other end of the segment.
     pub(crate) to: Vec2,
-    /// Half its thickness.
+    /// Radius.
     pub(crate) radius: f32,
-    /// Share of the speed across its surface with which a ball comes back.
-    pub(crate) bounce: f32,
-    /// Share of the speed along its surface that a ball loses.
-    pub(crate) grip: f32,
+    /// Coefficient of restitution for a ball, 0 to 1.
+    pub(crate) restitution: f32,
+    /// Fraction of its tangential speed that a ball loses on contact, 0 to 1.
+    pub(crate) tangential_loss: f32,
 }
 
 impl Obstacle {
     const fn post(x: f32, y: f32) -> Self {
         let place = Vec2::new(x, y);
-        Self { from: place, to: place, radius: POST_RADIUS, bounce: 0.6, grip: 0.05 }
+        Self { from: place, to: place, radius: POST_RADIUS, restitution: 0.6, tangential_loss: 0.05 }
     }
 
     const fn net(from: Vec2, to: Vec2) -> Self {
-        Self { from, to, radius: 0.01, bounce: 0.1, grip: 0.6 }
+        Self { from, to, radius: 0.01, restitution: 0.1, tangential_loss: 0.6 }
     }
 
-    /// Robot legs, standing still.
+    /// Returns the shape of the legs of a standing robot.
     pub(crate) const fn legs(left: Vec2, right: Vec2) -> Self {
-        Self { from: left, to: right, radius: 0.07, bounce: 0.4, grip: 0.2 }
+        Self { from: left, to: right, radius: 0.07, restitution: 0.4, tangential_loss: 0.2 }
     }
 
-    /// A robot's body lying on the ground.
+    /// Returns the shape of a robot lying on the ground.
     pub(crate) const fn lying(hips: Vec2, head: Vec2) -> Self {
-        Self { from: hips, to: head, radius: 0.09, bounce: 0.3, grip: 0.3 }
+        Self { from: hips, to: head, radius: 0.09, restitution: 0.3, tangential_loss: 0.3 }
     }
 
-    /// The point of the middle line nearest to `point`.
+    /// Returns the point of the segment nearest to `point`.
     pub(crate) fn nearest(&self, point: Vec2) -> Vec2 {
         let along = self.to - self.from;
         let length = along.length_squared();
@@ -50,12 +47,13 @@ impl Obstacle {
         self.from + t * along
     }
 
-    /// How a disc overlaps this: the direction that leads out, and how far. `None` if it does not.
+    /// Returns the outward normal and the depth, m, by which a disc penetrates this shape; `None` if it does not.
     pub(crate) fn overlap(&self, centre: Vec2, radius: f32) -> Option<(Vec2, f32)> {
-        let out = centre - self.nearest(centre);
-        let distance = out.length();
+        let outward = centre - self.nearest(centre);
+        let distance = outward.length();
         let depth = self.radius + radius - distance;
-        let normal = if distance > 1e-6 { out / distance } else { (self.to - self.from).perp().normalize_or(Vec2::X) };
+        let normal =
+            if distance > 1e-6 { outward / distance } else { (self.to - self.from).perp().normalize_or(Vec2::X) };
         (depth > 0.0).then_some((normal, depth))
     }
 }
@@ -78,4 +76,26 @@ const fn goal(end: f32) -> [Obstacle; 5] {
         Obstacle::net(corners[1], corners[2]),
         Obstacle::net(corners[2], corners[3]),
     ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn overlap_is_the_shortest_way_out() {
+        let wall = Obstacle::net(Vec2::ZERO, Vec2::X);
+        let (normal, depth) = wall.overlap(Vec2::new(0.5, 0.03), 0.05).unwrap();
+        assert!(normal.distance(Vec2::Y) < 1e-6 && (depth - 0.03).abs() < 1e-6, "{normal} {depth}");
+        let (normal, depth) = wall.overlap(Vec2::new(1.03, 0.04), 0.05).unwrap();
+        assert!(normal.distance(Vec2::new(0.6, 0.8)) < 1e-6 && (depth - 0.01).abs() < 1e-6, "{normal} {depth}");
+        assert_eq!(wall.overlap(Vec2::new(0.5, 0.061), 0.05), None);
+    }
+
+    #[test]
+    fn a_disc_centred_on_the_segment_is_pushed_across_it() {
+        let wall = Obstacle::net(Vec2::ZERO, Vec2::X);
+        let (normal, depth) = wall.overlap(Vec2::new(0.5, 0.0), 0.05).unwrap();
+        assert!(normal.dot(Vec2::X).abs() < 1e-6 && (depth - 0.06).abs() < 1e-6, "{normal} {depth}");
+    }
 }

@@ -1,29 +1,29 @@
-//! Random numbers from a seed.
+//! Seeded random streams.
 
 use core::f32::consts::TAU;
 
 use libm::{cosf, logf, sqrtf};
 use rand_pcg::{Pcg32, rand_core::Rng};
 
-/// What the numbers are for. Every purpose has its own stream, so that drawing more of one leaves the others as they
-/// were.
+/// The purpose of a random stream. Purposes have independent streams: drawing more numbers for one does not change the
+/// numbers of another.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Stream {
-    /// Where everything is at the start, and how the ball rolls.
+    /// Start positions, goal colours and rolling resistance.
     Start,
-    /// How the feet slip.
+    /// Slip of the feet.
     Slip,
     /// Noise of the body's sensors.
     Sensors,
-    /// Walls, people and carpet.
+    /// Appearance of hall and carpet.
     Hall,
     /// Camera settings.
     Camera,
-    /// Noise in the images.
+    /// Image noise.
     Grain,
 }
 
-/// A generator of random numbers.
+/// A pseudo-random generator (PCG).
 #[derive(Clone, Debug)]
 pub(crate) struct Random(Pcg32);
 
@@ -32,32 +32,32 @@ impl Random {
         Self(Pcg32::new(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15), stream as u64))
     }
 
-    /// Any number.
+    /// Returns a uniform 32-bit number.
     pub(crate) fn bits(&mut self) -> u32 {
         self.0.next_u32()
     }
 
-    /// From 0 inclusive to 1 exclusive, uniform.
+    /// Returns a uniform number in [0, 1).
     pub(crate) fn unit(&mut self) -> f32 {
         (self.bits() >> 8) as f32 / (1 << 24) as f32
     }
 
-    /// From `low` to `high`, uniform.
+    /// Returns a uniform number between `low` and `high`.
     pub(crate) fn between(&mut self, low: f32, high: f32) -> f32 {
         low + (high - low) * self.unit()
     }
 
-    /// From 0 to `count` − 1; 0 if `count` is 0.
+    /// Returns a uniform number from 0 to `count` − 1; 0 if `count` is 0.
     pub(crate) fn below(&mut self, count: usize) -> usize {
         ((self.bits() as u64 * count as u64) >> 32) as usize
     }
 
-    /// True with the probability given.
+    /// Returns true with the given probability.
     pub(crate) fn chance(&mut self, probability: f32) -> bool {
         self.unit() < probability
     }
 
-    /// Normal, mean 0, standard deviation 1 (Box and Muller 1958).
+    /// Returns a standard normal number: mean 0, standard deviation 1 (Box and Muller 1958).
     pub(crate) fn normal(&mut self) -> f32 {
         let radius = sqrtf(-2.0 * logf(1.0 - self.unit()));
         radius * cosf(TAU * self.unit())
@@ -79,7 +79,7 @@ mod tests {
     }
 
     #[test]
-    fn streams_and_seeds_differ() {
+    fn streams_and_seeds_give_different_numbers() {
         let first = |seed, stream| Random::new(seed, stream).bits();
         assert_ne!(first(1, Stream::Start), first(2, Stream::Start));
         assert_ne!(first(1, Stream::Start), first(1, Stream::Slip));

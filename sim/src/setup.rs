@@ -1,34 +1,31 @@
-//! What to build a field world from.
+//! Parameters of a game: seed, image size, robots and start positions.
 
-use bica_field::FIELD;
 use core::fmt;
 
 use bica_motion::pose::Pose2;
 use glam::Vec2;
 
+use crate::field::{BALL_RADIUS, CARPET};
 use crate::obstacle::{GOALS, Obstacle};
 
-const BALL_RADIUS: f32 = FIELD.ball_radius();
-const CARPET: Vec2 = FIELD.carpet_corner();
-
-/// How near the robot's middle may come to anything, m.
+/// Radius of the disc around the robot's origin that must be free at the start, m.
 pub(crate) const ROBOT_RADIUS: f32 = 0.15;
 
-/// The most other robots that fit comfortably, the goalkeeper not counted.
+/// Maximum number of other robots, not counting the goalkeeper.
 pub const MAX_ROBOTS: usize = 8;
 
-/// What to build a [`KinematicWorld`](crate::kinematic::KinematicWorld) from.
+/// Parameters of a game, for either simulator.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Setup {
-    /// Decides everything that differs from game to game: start, goal colours, light, camera, noise.
+    /// Seed of everything that differs between games: start positions, goal colours, light, camera settings, noise.
     pub seed: u64,
-    /// The size of camera images.
+    /// Size of camera images.
     pub frame: Frame,
-    /// Whether a goalkeeper stands in the goal.
+    /// Whether a goalkeeper stands in the attacked goal.
     pub goalkeeper: bool,
-    /// How many more robots stand on the field, at most [`MAX_ROBOTS`].
+    /// Number of further robots on the field, at most [`MAX_ROBOTS`]. They stand still.
     pub robots: usize,
-    /// Where robot and ball are at first; by the seed if `None`.
+    /// Start positions of robot and ball; drawn from the seed if `None`.
     pub start: Option<Start>,
 }
 
@@ -38,7 +35,7 @@ impl Default for Setup {
     }
 }
 
-/// The size of camera images.
+/// Size of camera images.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Frame {
     /// 160×120.
@@ -51,7 +48,7 @@ pub enum Frame {
 }
 
 impl Frame {
-    /// Width and height, pixels.
+    /// Returns width and height, pixels.
     #[must_use]
     pub const fn size(self) -> (usize, usize) {
         match self {
@@ -61,36 +58,36 @@ impl Frame {
         }
     }
 
-    /// The frame of that many pixels; `None` if there is none.
+    /// Returns the variant with this size in pixels, if there is one.
     #[must_use]
     pub fn of_size(width: usize, height: usize) -> Option<Self> {
         [Self::Small, Self::Medium, Self::Large].into_iter().find(|frame| frame.size() == (width, height))
     }
 }
 
-/// Where robot and ball are at first. Field frame.
+/// Start positions of robot and ball. Field frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Start {
-    /// The middle of the robot's torso, on the ground.
+    /// Pose of the robot frame, projected to the ground.
     pub robot: Pose2,
-    /// The middle of the ball.
+    /// Centre of the ball, m.
     pub ball: Vec2,
 }
 
-/// Why a [`Setup`] makes no world.
+/// The reason why a [`Setup`] is invalid.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum SetupError {
-    /// More robots than fit.
+    /// More robots than [`MAX_ROBOTS`].
     TooManyRobots(usize),
-    /// The robot's start is not on the carpet, or no number.
+    /// The robot's start pose is not on the carpet or not finite.
     RobotOffCarpet(Pose2),
-    /// The ball's start is not on the carpet, or no number.
+    /// The ball's start position is not on the carpet or not finite.
     BallOffCarpet(Vec2),
-    /// The robot would stand in a goal's post or net.
+    /// The robot would overlap a goal post or a net.
     RobotInGoal(Pose2),
-    /// The ball would lie in a goal's post or net.
+    /// The ball would overlap a goal post or a net.
     BallInGoal(Vec2),
-    /// Robot and ball would be in the same place.
+    /// Robot and ball would overlap.
     BallUnderRobot(Vec2),
 }
 
@@ -98,7 +95,7 @@ impl fmt::Display for SetupError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::TooManyRobots(count) => {
-                write!(f, "{count} more robots do not fit on the field: at most {MAX_ROBOTS} do")
+                write!(f, "{count} other robots do not fit on the field: at most {MAX_ROBOTS} are possible")
             }
             Self::RobotOffCarpet(Pose2 { position: at, heading }) => write!(
                 f,
@@ -124,9 +121,11 @@ impl fmt::Display for SetupError {
 impl core::error::Error for SetupError {}
 
 impl Setup {
+    /// Checks that a world can be built from these parameters.
+    ///
     /// # Errors
     ///
-    /// If no world can be built from this; says why.
+    /// If a parameter is invalid; the error names it.
     pub(crate) fn check(&self) -> Result<(), SetupError> {
         if self.robots > MAX_ROBOTS {
             return Err(SetupError::TooManyRobots(self.robots));
@@ -171,7 +170,7 @@ mod tests {
     }
 
     #[test]
-    fn a_bad_setup_is_refused_and_the_reason_named() {
+    fn an_invalid_setup_is_rejected_with_its_reason() {
         let ball = Vec2::new(1.0, 0.0);
         assert_eq!(start(0.0, 0.0, 0.0, ball), Ok(()));
         assert!(matches!(start(f32::NAN, 0.0, 0.0, ball), Err(SetupError::RobotOffCarpet(_))));
@@ -187,7 +186,7 @@ mod tests {
     }
 
     #[test]
-    fn frames_are_known_by_their_size() {
+    fn a_frame_is_found_by_its_size() {
         assert_eq!(Frame::of_size(640, 480), Some(Frame::Large));
         assert_eq!(Frame::of_size(641, 480), None);
     }

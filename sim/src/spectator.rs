@@ -1,4 +1,4 @@
-//! Looking at a world from outside.
+//! Views of a world from a camera outside the robot.
 
 use core::fmt;
 
@@ -6,54 +6,54 @@ use glam::{Affine3A, Mat3A, Vec3, Vec3A};
 
 use crate::world::World;
 
-/// How much an onlooker sees from top to bottom, rad (45°).
+/// Vertical field of view of a spectator camera, rad (45°).
 pub(crate) const FIELD_OF_VIEW: f32 = core::f32::consts::FRAC_PI_4;
 
-/// Where someone looks on from, and to where. Field frame, m.
+/// Position and direction of a camera that shows the world to people. Field frame, m.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SpectatorCamera {
-    /// The eye.
+    /// Optical centre.
     pub eye: Vec3,
-    /// What is in the middle of the picture; not right above or below the eye.
+    /// Point in the centre of the picture; must not lie straight above or below `eye`.
     pub target: Vec3,
 }
 
-/// A picture: rows from the top; red, green and blue of each pixel.
+/// An RGB picture, rows from the top.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Picture {
-    /// Pixels.
+    /// Width, pixels.
     pub width: usize,
-    /// Pixels.
+    /// Height, pixels.
     pub height: usize,
-    /// `width * height` of them.
+    /// Red, green and blue of `width * height` pixels.
     pub rgb: Vec<[u8; 3]>,
 }
 
-/// Why there is no picture.
+/// The reason why a view could not be rendered.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct RenderError(pub(crate) String);
 
 impl fmt::Display for RenderError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "the world cannot be drawn from outside: {}", self.0)
+        write!(f, "the spectator view cannot be rendered: {}", self.0)
     }
 }
 
 impl core::error::Error for RenderError {}
 
-/// A world that others can look at. What they see is the truth: nothing of it may reach a player.
+/// A world that can be rendered from outside. The view shows ground truth: the robot's program must not use it.
 pub trait SpectatorView: World {
-    /// What is seen from outside now, as a sharp and even camera of 45° from top to bottom would; width and height in pixels.
-    /// Changes nothing in the world.
+    /// Renders the current state as an ideal camera with a vertical field of view of 45° shows it; width and height in
+    /// pixels. Does not change the state of the world.
     ///
     /// # Errors
     ///
-    /// If nothing can be drawn; says why.
-    fn render_from(&mut self, from: &SpectatorCamera, width: usize, height: usize) -> Result<Picture, RenderError>;
+    /// If no renderer is available; the error contains the reason.
+    fn render_from(&mut self, camera: &SpectatorCamera, width: usize, height: usize) -> Result<Picture, RenderError>;
 }
 
 impl SpectatorCamera {
-    /// The camera's pose in the field frame: x along its axis, y to the left, z up the picture.
+    /// Returns the camera's pose in the field frame: x along the optical axis, y to the left, z up in the picture.
     pub(crate) fn pose(&self) -> Affine3A {
         let ahead = Vec3A::from((self.target - self.eye).try_normalize().unwrap_or(Vec3::X));
         let left = Vec3A::Z.cross(ahead).try_normalize().unwrap_or(Vec3A::Y);

@@ -1,4 +1,4 @@
-//! What every world does.
+//! The interface of a world, and the timing of its cycles and images.
 
 use core::time::Duration;
 
@@ -6,40 +6,61 @@ use bica_motion::robot::{Command, Sensors};
 
 use crate::referee::Referee;
 
-/// The robot's control cycle.
+/// Period of the control cycle.
 pub const CYCLE: Duration = Duration::from_millis(10);
 
-/// The robot's control cycle, s.
+/// Period of the control cycle, s.
 pub const CYCLE_SECONDS: f32 = 0.01;
 
-/// Images come every third of ten cycles: 30 in a second.
+/// Camera images in ten control cycles: 30 per second.
 const FRAMES_PER_TEN_CYCLES: u64 = 3;
 
-/// The number of the newest image in a cycle.
+/// Returns the index of the newest image in a cycle.
 pub(crate) const fn frame(cycle: u64) -> u64 {
     cycle * FRAMES_PER_TEN_CYCLES / 10
 }
 
-/// Whether a camera takes an image in a cycle.
+/// Returns whether a camera takes an image in a cycle.
 pub(crate) const fn image_is_due(cycle: u64) -> bool {
     cycle == 0 || frame(cycle) != frame(cycle - 1)
 }
 
-/// A robot in its surroundings: real, simulated or recorded.
+/// A robot and its surroundings: real, simulated or recorded.
 ///
-/// The loop is: read [`sensors`](Self::sensors), think, [`act`](Self::act). The world stands still in between.
+/// One control cycle is: read [`sensors`](Self::sensors), compute a command, [`act`](Self::act). Time advances only in
+/// `act`. The trait is object-safe: `Box<dyn World>` selects the simulator at run time.
 pub trait World {
-    /// Time since the start.
+    /// Time since the start of the world; a multiple of [`CYCLE`].
     fn now(&self) -> Duration;
 
-    /// What the robot senses now. Asking twice in a cycle gives the same answer.
+    /// Measurements of the current cycle. Repeated calls within a cycle return equal values.
     ///
-    /// The image is there only in the cycles in which a camera brought a new one.
+    /// `image` is `Some` only in cycles in which a camera delivers a new image.
     fn sensors(&mut self) -> Sensors<'_>;
 
-    /// Obeys a command for one control cycle ([`CYCLE`]).
+    /// Executes a command for one control cycle ([`CYCLE`]).
     fn act(&mut self, command: &Command);
 
-    /// Who knows the truth. Nothing of it may reach the player.
+    /// Ground truth and events, for evaluation only. The robot's program must not read it.
     fn referee(&self) -> &Referee;
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn thirty_of_a_hundred_cycles_have_a_new_image() {
+        let cycles: Vec<u64> = (0..100).filter(|cycle| image_is_due(*cycle)).collect();
+        assert_eq!(cycles.len(), 30);
+        assert_eq!(cycles[..4], [0, 4, 7, 10]);
+    }
+
+    #[test]
+    fn an_image_keeps_its_index_until_the_next_is_due() {
+        for cycle in 1..1_000 {
+            let expected = frame(cycle - 1) + u64::from(image_is_due(cycle));
+            assert_eq!(frame(cycle), expected, "cycle {cycle}");
+        }
+    }
 }

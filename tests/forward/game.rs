@@ -1,9 +1,10 @@
 //! The loop around a game.
 
 use bica::prelude::*;
+use bica::runner::Robot;
 use bica_motion::robot::Command;
-use bica_player::perception::NetDetector;
-use bica_player::{Forward, act, sense};
+use bica_player::Forward;
+use bica_player::perception::GoalDetector;
 use bica_sim::World;
 use bica_sim::kinematic::KinematicWorld;
 use bica_sim::setup::Setup;
@@ -18,7 +19,7 @@ impl Game {
     pub(crate) fn new(setup: &Setup) -> Self {
         let world = KinematicWorld::new(setup).expect("the setup is sound");
         let mut robot = Box::new(Forward::new());
-        robot.get_mut::<NetDetector>().attack(world.referee().attacks());
+        robot.get_mut::<GoalDetector>().attack(world.referee().attacks());
         Self { world, robot }
     }
 
@@ -29,9 +30,9 @@ impl Game {
     /// One cycle: sense, think with a probe, act.
     pub(crate) fn cycle<P: Probe>(&mut self, probe: &mut P) -> Command {
         let now = self.now();
-        sense(&mut self.robot, &self.world.sensors()).expect("the eye is large enough");
+        self.robot.sense(&self.world.sensors()).expect("the eye is large enough");
         self.robot.tick_with(now, probe);
-        let command = act(&self.robot);
+        let command = self.robot.act();
         self.world.act(&command);
         command
     }

@@ -3,7 +3,7 @@
 use bica::prelude::*;
 use bica_player::Forward;
 use bica_player::behaviour::{FaceBall, Player};
-use bica_player::perception::{BallDetector, FieldLines, Localization, NetDetector};
+use bica_player::perception::{BallDetector, FieldLines, GoalDetector, Localization};
 use bica_sim::setup::Setup;
 
 use crate::game::Game;
@@ -36,7 +36,7 @@ fn facing_the_ball_runs_no_goal_code() {
     let names: Vec<_> = ran.0.iter().map(|id| Forward::GRAPH.nodes[id.index()].name).collect();
     assert!(ran.0.contains(&Forward::id::<FaceBall>()), "FaceBall did not run: {names:?}");
     assert!(ran.0.contains(&Forward::id::<BallDetector>()), "the ball was not looked for: {names:?}");
-    assert!(!ran.0.contains(&Forward::id::<NetDetector>()), "goal code ran: {names:?}");
+    assert!(!ran.0.contains(&Forward::id::<GoalDetector>()), "goal code ran: {names:?}");
     for id in [Forward::id::<FieldLines>(), Forward::id::<Localization>()] {
         assert!(!ran.0.contains(&id), "code for the place on the field ran: {names:?}");
     }
@@ -45,7 +45,7 @@ fn facing_the_ball_runs_no_goal_code() {
 #[test]
 fn who_wants_to_know_the_place_gets_goals_and_lines() {
     let ran = ran_with(Forward::id::<Localization>());
-    for id in [Forward::id::<FieldLines>(), Forward::id::<NetDetector>()] {
+    for id in [Forward::id::<FieldLines>(), Forward::id::<GoalDetector>()] {
         assert!(ran.0.contains(&id), "{} did not run", Forward::GRAPH.nodes[id.index()].name);
     }
     assert!(!ran.0.contains(&Forward::id::<BallDetector>()), "the ball was looked for");

@@ -1,7 +1,7 @@
 //! A tick never allocates.
 
 use bica::prelude::*;
-use bica_player::{act, sense};
+use bica::runner::Robot;
 use bica_sim::World;
 use bica_sim::setup::Setup;
 
@@ -16,9 +16,9 @@ fn a_whole_game_of_ticks_allocates_nothing() {
         let robot = &mut game.robot;
         let mut command = None;
         let counted = allocation_counter::measure(|| {
-            if sense(robot, &sensors).is_ok() {
+            if robot.sense(&sensors).is_ok() {
                 robot.tick(now);
-                command = Some(act(robot));
+                command = Some(robot.act());
             }
         });
         assert_eq!(counted.count_total, 0, "in cycle {cycle}");

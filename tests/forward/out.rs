@@ -1,9 +1,10 @@
 //! The chest button takes the robot out of the game and lets it in again.
 
 use bica::prelude::*;
+use bica::runner::Robot;
 use bica_motion::robot::{Command, Light, Sensors};
+use bica_player::Forward;
 use bica_player::behaviour::Player;
-use bica_player::{Forward, act, sense};
 use bica_sim::World;
 use bica_sim::setup::Setup;
 
@@ -16,9 +17,9 @@ fn play(game: &mut Game, cycles: u32, chest: bool) -> Command {
         let now = game.now();
         let mut buttons = game.world.sensors().buttons;
         buttons.chest = chest;
-        sense(&mut game.robot, &Sensors { buttons, ..game.world.sensors() }).expect("the eye is large enough");
+        game.robot.sense(&Sensors { buttons, ..game.world.sensors() }).expect("the eye is large enough");
         game.robot.tick(now);
-        let command = act(&game.robot);
+        let command = game.robot.act();
         game.world.act(&command);
         last = Some(command);
     }

@@ -4,8 +4,8 @@ use bica_motion::health::Fault;
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::stand::{SIT, SIT_STIFFNESS};
 use bica_player::Forward;
-use bica_player::behaviour::FallGuard;
-use bica_player::input::Measured;
+use bica_player::behaviour::SafetyGuard;
+use bica_player::input::HealthMonitor;
 use bica_sim::World;
 use bica_sim::setup::Setup;
 
@@ -17,7 +17,7 @@ fn play(game: &mut Game, cycles: u32) -> bool {
     (0..cycles).fold(true, |firm, _| {
         game.cycle(&mut ());
         let all = Joints::all(1.0);
-        firm & (game.robot.get::<Measured>().derated(&all) == all)
+        firm & (game.robot.get::<HealthMonitor>().derated(&all) == all)
     })
 }
 
@@ -28,10 +28,10 @@ fn a_hot_joint_is_held_less_firmly_then_the_robot_sits_down() {
         assert!(play(&mut game, 700), "seed {seed}: a game strains nothing");
         game.world.set_motor_temperature(joint, 73.5);
         assert!(!play(&mut game, 100), "seed {seed}: warm, so softer");
-        assert_eq!(game.robot.get::<Measured>().fault(), None);
+        assert_eq!(game.robot.get::<HealthMonitor>().fault(), None);
         game.world.set_motor_temperature(joint, 78.0);
         play(&mut game, 600);
-        assert_eq!(game.robot.get::<Measured>().fault(), Some(Fault::Hot(joint)));
+        assert_eq!(game.robot.get::<HealthMonitor>().fault(), Some(Fault::Hot(joint)));
         let last = game.cycle(&mut ());
         assert!(last.stiffness.0.iter().all(|stiffness| *stiffness <= SIT_STIFFNESS), "seed {seed}");
         let angles = game.world.sensors().angles;
@@ -48,12 +48,12 @@ fn who_sat_down_hot_stands_up_and_plays_on_when_it_has_cooled() {
     play(&mut game, 900);
     game.world.set_motor_temperature(Joint::LKneePitch, 71.0);
     play(&mut game, 100);
-    assert!(game.robot.get::<Measured>().fault().is_some());
-    assert!(game.robot.is_active(Forward::id::<FallGuard>()), "it sits");
+    assert!(game.robot.get::<HealthMonitor>().fault().is_some());
+    assert!(game.robot.is_active(Forward::id::<SafetyGuard>()), "it sits");
     game.world.set_motor_temperature(Joint::LKneePitch, 60.0);
     play(&mut game, 300);
-    assert_eq!(game.robot.get::<Measured>().fault(), None);
-    assert!(!game.robot.is_active(Forward::id::<FallGuard>()), "it plays");
+    assert_eq!(game.robot.get::<HealthMonitor>().fault(), None);
+    assert!(!game.robot.is_active(Forward::id::<SafetyGuard>()), "it plays");
     play(&mut game, 6000);
     assert_eq!((game.world.referee().falls(), game.world.referee().goals()), (0, 1));
 }
@@ -63,6 +63,6 @@ fn whole_games_strain_no_motor() {
     for seed in 0..3 {
         let mut game = Game::new(&Setup { seed, robots: 2, ..Setup::default() });
         assert!(play(&mut game, 6000), "seed {seed}");
-        assert_eq!(game.robot.get::<Measured>().fault(), None, "seed {seed}");
+        assert_eq!(game.robot.get::<HealthMonitor>().fault(), None, "seed {seed}");
     }
 }

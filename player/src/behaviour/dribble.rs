@@ -1,25 +1,29 @@
-//! The ball kicked on in the walk.
+//! Kicking the ball on while walking.
 
 use bica::prelude::*;
 use bica_motion::walk::{Velocity, in_walk_kick_foot};
 use libm::atan2f;
 
-use crate::input::Measured;
+use crate::input::RobotProfile;
 use crate::motion::Body;
-use crate::perception::{BallDetector, NetDetector};
+use crate::perception::{BallDetector, GoalDetector};
 
-/// Speed ahead, m/s.
+/// Forward speed, m/s.
 const SPEED: f32 = 0.15;
-/// How hard to bring a foot before the ball, 1/s, and to face the goal, 1/s.
-const GAIN: (f32, f32) = (1.0, 0.8);
-/// Fastest correction, m/s and rad/s.
-const FASTEST: (f32, f32) = (0.05, 0.3);
-/// A ball that far ahead rolls, or is not worth the straight way any more, m.
-const AWAY: f32 = 0.7;
-/// A ball less far ahead was missed, m.
-const BEHIND: f32 = 0.08;
+/// Gain that brings a foot before the ball, 1/s.
+const ASIDE_GAIN: f32 = 1.0;
+/// Gain that turns the body to the goal, 1/s.
+const TURN_GAIN: f32 = 0.8;
+/// Largest sideways speed, m/s.
+const MAX_ASIDE: f32 = 0.05;
+/// Largest turning speed, rad/s.
+const MAX_TURN: f32 = 0.3;
+/// Forward distance from which the ball is out of reach, m.
+const FAR: f32 = 0.7;
+/// Forward distance below which the ball was missed, m.
+const MISSED: f32 = 0.08;
 
-/// Walks through the ball towards the goal: brings a foot before it, and lets that foot swing through it in a step.
+/// Walks through the ball towards the goal: brings a foot before the ball, which swings through it in a step.
 #[derive(Debug)]
 pub struct Dribble {
     done: bool,
@@ -27,7 +31,7 @@ pub struct Dribble {
 
 #[component(hz = 30, budget_us = 5)]
 impl Dribble {
-    /// Has nothing to kick.
+    /// Not done.
     #[must_use]
     pub const fn new() -> Self {
         Self { done: false }
@@ -38,21 +42,21 @@ impl Dribble {
         *self = Self::new();
     }
 
-    fn step(&mut self, measured: &Measured, ball: &BallDetector, net: &NetDetector, body: &mut Body) {
-        let Some(at) = ball.at().filter(|at| (BEHIND..AWAY).contains(&at.x)) else {
+    fn step(&mut self, profile: &RobotProfile, ball: &BallDetector, goal: &GoalDetector, body: &mut Body) {
+        let Some(at) = ball.position().filter(|at| (MISSED..FAR).contains(&at.x)) else {
             self.done = true;
             return;
         };
-        let half_spacing = measured.profile().gait.half_spacing;
+        let half_spacing = profile.get().gait.half_spacing;
         if let Some(foot) = in_walk_kick_foot(at, half_spacing) {
             body.kick(foot);
         }
         let aside = at.y - half_spacing.copysign(at.y);
-        let way = net.at().map_or(at, |goal| goal - at);
-        body.step_to(Velocity {
+        let to_goal = goal.position().map_or(at, |goal| goal - at);
+        body.step_with(Velocity {
             forward: SPEED,
-            left: (GAIN.0 * aside).clamp(-FASTEST.0, FASTEST.0),
-            turn: (GAIN.1 * atan2f(way.y, way.x)).clamp(-FASTEST.1, FASTEST.1),
+            left: (ASIDE_GAIN * aside).clamp(-MAX_ASIDE, MAX_ASIDE),
+            turn: (TURN_GAIN * atan2f(to_goal.y, to_goal.x)).clamp(-MAX_TURN, MAX_TURN),
         });
     }
 

@@ -1,25 +1,24 @@
-//! Eyes on the ball.
+//! CameraSelector control: the ball in the middle of the image.
 
 use bica::prelude::*;
 use bica_motion::robot::CameraId;
 use libm::fabsf;
 
 use crate::motion::Head;
-use crate::output::Gaze;
-use crate::perception::{BallDetector, Direction};
+use crate::output::CameraSelector;
+use crate::perception::{BallDetector, Bearing};
 
-/// A ball farther down than this is for the bottom camera, rad below the horizon.
+/// Angle below the horizon from which the bottom camera is selected, rad.
 const NEAR: f32 = 0.5;
-/// A ball less far down than this is for the top camera, rad below the horizon.
+/// Angle below the horizon up to which the top camera is selected, rad.
 const FAR: f32 = 0.36;
-/// Part of the way to the ball that the head goes in a run.
+/// Share of the error that the head corrects in a run.
 const GAIN: f32 = 0.7;
-
-/// How near the middle of the image the ball is in the middle, rad.
+/// Largest angle to the middle of the image at which the ball is centred, rad.
 const CENTRED: f32 = 0.15;
 
-/// Keeps the ball in the middle of the image, with the camera that sees it best; a ball that is not seen is looked for
-/// where it is remembered.
+/// Keeps the ball in the middle of the image of the more suitable camera. While the ball is not seen, the head points to its
+/// remembered position.
 #[derive(Debug)]
 pub struct FaceBall {
     centred: bool,
@@ -27,7 +26,7 @@ pub struct FaceBall {
 
 #[component(hz = 30, budget_us = 5)]
 impl FaceBall {
-    /// Faces nothing yet.
+    /// Not centred.
     #[must_use]
     pub const fn new() -> Self {
         Self { centred: false }
@@ -38,22 +37,22 @@ impl FaceBall {
         *self = Self::new();
     }
 
-    fn step(&mut self, ball: &BallDetector, head: &mut Head, gaze: &mut Gaze) {
-        let Some(Direction { pan, down }) = ball.direction() else { return };
-        let before = gaze.camera();
+    fn step(&mut self, ball: &BallDetector, head: &mut Head, camera: &mut CameraSelector) {
+        let Some(Bearing { pan, down }) = ball.bearing() else { return };
+        let before = camera.selected();
         match before {
-            CameraId::Top if down > NEAR => gaze.through(CameraId::Bottom),
-            CameraId::Bottom if down < FAR => gaze.through(CameraId::Top),
+            CameraId::Top if down > NEAR => camera.select(CameraId::Bottom),
+            CameraId::Bottom if down < FAR => camera.select(CameraId::Top),
             _ => {}
         }
-        let tilt = down - Head::mounted(gaze.camera());
+        let tilt = down - Head::camera_tilt(camera.selected());
         let (from_pan, from_tilt) = (head.pan(), head.tilt());
-        let gain = if gaze.camera() == before { GAIN } else { 1.0 };
+        let gain = if camera.selected() == before { GAIN } else { 1.0 };
         self.centred = ball.seen().is_some() && fabsf(pan - from_pan) < CENTRED && fabsf(tilt - from_tilt) < CENTRED;
         head.look_at(from_pan + gain * (pan - from_pan), from_tilt + gain * (tilt - from_tilt));
     }
 
-    /// Whether the ball is seen in the middle of the image, so that the head's direction is the ball's.
+    /// Whether the ball is in the middle of the newest image.
     #[must_use]
     pub const fn centred(&self) -> bool {
         self.centred

@@ -6,64 +6,70 @@ use bica_motion::pose::{rotate, wrap};
 use bica_motion::walk::Velocity;
 use libm::fabsf;
 
-use crate::input::Measured;
+use crate::input::RobotProfile;
 use crate::motion::{Body, Kicker};
 use crate::perception::{BallDetector, Odometry};
 use crate::strategy::Strike;
 
-/// How near the ball must come to the place where the kick hits it, m, ahead and sideways.
-const NEAR: (f32, f32) = (0.015, 0.015);
-/// How near the heading must come to the wanted one, rad.
-const HEADED: f32 = 0.08;
-/// How hard to correct places, 1/s, and headings, 1/s.
-const GAIN: (f32, f32) = (1.5, 1.2);
-/// Fastest correction, m/s and rad/s.
-const FASTEST: (f32, f32) = (0.08, 0.5);
-
-/// A ball farther away than this is walked to first, m.
+/// Largest position error of the ball before a kick, forward and sideways each, m.
+const POSITION_TOLERANCE: f32 = 0.015;
+/// Largest heading error before a kick, rad.
+const HEADING_TOLERANCE: f32 = 0.08;
+/// Position gain, 1/s.
+const POSITION_GAIN: f32 = 1.5;
+/// Heading gain, 1/s.
+const HEADING_GAIN: f32 = 1.2;
+/// Largest correction speed, forward and sideways each, m/s.
+const MAX_SPEED: f32 = 0.08;
+/// Largest turning speed, rad/s.
+const MAX_TURN: f32 = 0.5;
+/// Distance of the ball beyond which it has to be approached again, m.
 const FAR: f32 = 0.5;
-/// Runs in place and still before the kick: time for some images of the ball at rest.
+/// Number of aligned runs at rest before the kick: time for some images of the ball.
 const SETTLED: u8 = 8;
 
-/// Lines the body up with the ball, sideways, ahead and in heading, then plays one of the six kicks.
+/// Lines the body up with the ball, sideways, forward and in heading, then plays one of the six kicks.
 #[derive(Debug)]
 pub struct Fixmove {
     strike: Option<Strike>,
+    /// Number of aligned runs at rest.
     settled: u8,
     far: bool,
-    gave_up: bool,
+    failed: bool,
     done: bool,
 }
 
 #[component(hz = 30, budget_us = 10)]
 impl Fixmove {
-    /// Has nothing to play.
+    /// No kick requested.
     #[must_use]
     pub const fn new() -> Self {
-        Self { strike: None, settled: 0, far: false, gave_up: false, done: false }
+        Self { strike: None, settled: 0, far: false, failed: false, done: false }
     }
 
     #[stop]
-    fn end(&mut self) {
+    fn reset(&mut self) {
         *self = Self::new();
     }
 
     /// Steps to where the kick hits the ball.
     #[state(initial)]
-    fn align(&mut self, measured: &Measured, ball: &BallDetector, odometry: &Odometry, body: &mut Body) {
-        let (Some(strike), Some(at)) = (self.strike, ball.at()) else { return body.stand() };
+    fn align(&mut self, profile: &RobotProfile, ball: &BallDetector, odometry: &Odometry, body: &mut Body) {
+        let (Some(strike), Some(at)) = (self.strike, ball.position()) else { return body.stand() };
         self.far = at.length() > FAR;
         let turn = wrap(strike.heading - odometry.pose().heading);
-        let off = at - rotate(strike.kick.ball(&measured.profile().kicks), turn);
-        let aligned = fabsf(off.x) < NEAR.0 && fabsf(off.y) < NEAR.1 && fabsf(turn) < HEADED;
+        let error = at - rotate(strike.kick.ball(&profile.get().kicks), turn);
+        let aligned = fabsf(error.x) < POSITION_TOLERANCE
+            && fabsf(error.y) < POSITION_TOLERANCE
+            && fabsf(turn) < HEADING_TOLERANCE;
         self.settled = if aligned && body.is_still() { self.settled.saturating_add(1) } else { 0 };
         if aligned {
             body.stand();
         } else {
-            body.step_to(Velocity {
-                forward: (GAIN.0 * off.x).clamp(-FASTEST.0, FASTEST.0),
-                left: (GAIN.0 * off.y).clamp(-FASTEST.0, FASTEST.0),
-                turn: (GAIN.1 * turn).clamp(-FASTEST.1, FASTEST.1),
+            body.step_with(Velocity {
+                forward: (POSITION_GAIN * error.x).clamp(-MAX_SPEED, MAX_SPEED),
+                left: (POSITION_GAIN * error.y).clamp(-MAX_SPEED, MAX_SPEED),
+                turn: (HEADING_GAIN * turn).clamp(-MAX_TURN, MAX_TURN),
             });
         }
     }
@@ -76,11 +82,11 @@ impl Fixmove {
         }
     }
 
-    /// Steps back, to come to the ball another way.
+    /// Steps back for another attempt from another place.
     #[state]
     fn retreat(&mut self, body: &mut Body) {
-        self.gave_up = true;
-        body.step_to(Velocity { forward: -FASTEST.0, left: 0.0, turn: 0.0 });
+        self.failed = true;
+        body.step_with(Velocity { forward: -MAX_SPEED, left: 0.0, turn: 0.0 });
     }
 
     /// The kick is over.
@@ -95,7 +101,7 @@ impl Fixmove {
         self.settled >= SETTLED
     }
 
-    /// Something is in the way, as a robot or a goal post.
+    /// An obstacle keeps the robot from lining up, as another robot or a goal post.
     #[transition(align -> retreat, after_ms = 6000)]
     fn blocked(&self) -> bool {
         true
@@ -111,21 +117,21 @@ impl Fixmove {
         kicker.done()
     }
 
-    /// Asks for `strike`; takes effect while it is not played yet.
+    /// Requests a kick; has no effect on one that is being played.
     pub const fn play(&mut self, strike: Strike) {
         self.strike = Some(strike);
     }
 
-    /// Whether the ball lies too far off to line up with it.
+    /// Whether the ball is too far away to line up.
     #[must_use]
     pub const fn out_of_reach(&self) -> bool {
         self.far
     }
 
-    /// The kick that was given up, as something was in the way.
+    /// The kick that was given up because the robot could not line up.
     #[must_use]
-    pub fn gave_up(&self) -> Option<Kick> {
-        self.strike.filter(|_| self.gave_up).map(|strike| strike.kick)
+    pub fn failed_kick(&self) -> Option<Kick> {
+        self.strike.filter(|_| self.failed).map(|strike| strike.kick)
     }
 
     /// Whether the kick was played to its end, or given up.
@@ -145,22 +151,22 @@ mod tests {
     const STRIKE: Strike = Strike { kick: Kick { kind: KickKind::Diagonal, foot: Side::Left }, heading: 0.0 };
 
     #[test]
-    fn who_steps_back_tells_which_kick_was_given_up() {
+    fn a_retreat_reports_the_failed_kick_until_the_component_stops() {
         let mut fixmove = Fixmove::new();
         fixmove.play(STRIKE);
-        assert_eq!(fixmove.gave_up(), None);
+        assert_eq!(fixmove.failed_kick(), None);
         fixmove.retreat(&mut Body::new());
-        assert_eq!(fixmove.gave_up(), Some(STRIKE.kick));
-        fixmove.end();
-        assert_eq!(fixmove.gave_up(), None, "the next kick has nothing to do with it");
+        assert_eq!(fixmove.failed_kick(), Some(STRIKE.kick));
+        fixmove.reset();
+        assert_eq!(fixmove.failed_kick(), None);
     }
 
     #[test]
-    fn a_ball_that_nobody_sees_is_not_lined_up_with() {
+    fn an_unknown_ball_position_allows_no_kick() {
         let mut fixmove = Fixmove::new();
         fixmove.play(STRIKE);
         fixmove.settled = SETTLED - 1;
-        fixmove.align(&Measured::new(), &BallDetector::new(), &Odometry::new(), &mut Body::new());
+        fixmove.align(&RobotProfile::new(), &BallDetector::new(), &Odometry::new(), &mut Body::new());
         assert!(!fixmove.in_place() && !fixmove.out_of_reach());
     }
 }

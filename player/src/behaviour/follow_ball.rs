@@ -1,4 +1,4 @@
-//! The way to the ball.
+//! The approach to the ball.
 
 use bica::prelude::*;
 use bica_motion::robot::CameraId;
@@ -10,49 +10,58 @@ use super::FaceBall;
 use crate::motion::{Body, Head};
 use crate::perception::BallDetector;
 
-/// Head pan within which the body goes on, rad (35°); beyond it turns on the spot.
-const STRAIGHT: f32 = 0.61;
+/// Head pan above which the body turns on the spot, rad (35°).
+const TURN_PAN: f32 = 0.61;
 /// Head pan below which a turn on the spot ends, rad.
-const AHEAD: f32 = 0.25;
-/// Speed to the ball and speed when it is near, m/s.
-const SPEED: (f32, f32) = (0.25, 0.12);
-/// How hard to steer towards the ball, 1/s.
-const STEER: f32 = 1.0;
-/// Slowest and fastest turn on the spot, rad/s.
-const TURN: (f32, f32) = (0.4, 1.0);
-/// With the bottom camera, head tilt from which the ball is near, rad.
-const NEAR: f32 = -0.1;
-/// With the bottom camera, head tilt from which the ball is reached, rad.
-const REACHED: f32 = 0.28;
-/// Head pan within which the ball counts as reached, rad.
+const AHEAD_PAN: f32 = 0.25;
+/// Walking speed, m/s.
+const SPEED: f32 = 0.25;
+/// Walking speed near the ball, m/s.
+const NEAR_SPEED: f32 = 0.12;
+/// Steering gain: turning speed per head pan, 1/s.
+const STEERING_GAIN: f32 = 1.0;
+/// Slowest turn on the spot, rad/s.
+const MIN_TURN: f32 = 0.4;
+/// Fastest turn on the spot, rad/s.
+const MAX_TURN: f32 = 1.0;
+/// Head tilt from which a ball in the bottom camera is near, rad.
+const NEAR_TILT: f32 = -0.1;
+/// Head tilt from which a ball in the bottom camera is reached, rad.
+const REACHED_TILT: f32 = 0.28;
+/// Head pan below which the ball can be reached, rad.
 const REACHED_PAN: f32 = 0.6;
 
-/// The ball comes nearer by this, m, in this time, s, or something is in the way.
-const PROGRESS: (f32, f32) = (0.1, 5.0);
-/// A ball that is farther away than before by this, m, rolls: the way to it begins anew.
-const ROLLS: f32 = 0.4;
-/// How fast and how long to step aside then, m/s and s.
-const ASIDE: (f32, f32) = (0.1, 4.0);
+/// The approach counts as stalled if the distance does not shrink by this much, m, ...
+const PROGRESS_DISTANCE: f32 = 0.1;
+/// ... in this time, s.
+const PROGRESS_TIME: f32 = 5.0;
+/// A ball that is farther away than before by this, m, rolls: the approach begins anew.
+const ROLLED_DISTANCE: f32 = 0.4;
+/// Sidestepping speed, m/s.
+const ASIDE_SPEED: f32 = 0.1;
+/// Duration of sidestepping, s.
+const ASIDE_TIME: f32 = 4.0;
 
-/// Walks to the ball by the head alone: where the head looks while it faces the ball is the way. If the ball comes no
-/// nearer, something is in the way, and it steps aside, to the one side and then to the other.
+/// Walks to the ball in the direction in which the head looks while it faces the ball. A stalled approach steps to one side,
+/// and to the other side when it stalls again.
 #[derive(Debug)]
 pub struct FollowBall {
     turning: bool,
     reached: bool,
-    /// The least distance to the ball, m, and the time since, s.
+    /// Least distance to the ball, m.
     nearest: f32,
-    in_vain: f32,
-    /// Where to step aside: 1 to the left, −1 to the right.
+    /// Time since `nearest` was reached, s.
+    stalled_time: f32,
+    /// Side to step to: 1 left, −1 right.
     side: f32,
 }
 
 #[component(hz = 20, budget_us = 5)]
 impl FollowBall {
-    /// Has not followed a ball yet.
+    /// The ball is not reached.
     #[must_use]
     pub const fn new() -> Self {
-        Self { turning: false, reached: false, nearest: f32::INFINITY, in_vain: 0.0, side: 1.0 }
+        Self { turning: false, reached: false, nearest: f32::INFINITY, stalled_time: 0.0, side: 1.0 }
     }
 
     #[start]
@@ -63,34 +72,36 @@ impl FollowBall {
     fn step(&mut self, time: &Time, ball: &BallDetector, head: &Head, face: &mut FaceBall, body: &mut Body) {
         let pan = head.pan();
         let tilt = ball.seen().filter(|seen| seen.camera == CameraId::Bottom).map(|_| head.tilt());
-        let near = tilt.is_some_and(|tilt| tilt > NEAR);
-        self.reached =
-            ball.sure() && tilt.is_some_and(|tilt| tilt > REACHED) && fabsf(pan) < REACHED_PAN && face.centred();
-        self.turning = fabsf(pan) > if self.turning { AHEAD } else { STRAIGHT };
+        let near = tilt.is_some_and(|tilt| tilt > NEAR_TILT);
+        self.reached = ball.is_confirmed()
+            && tilt.is_some_and(|tilt| tilt > REACHED_TILT)
+            && fabsf(pan) < REACHED_PAN
+            && face.centred();
+        self.turning = fabsf(pan) > if self.turning { AHEAD_PAN } else { TURN_PAN };
         if self.reached {
             body.stand();
-        } else if self.is_blocked(ball.at(), time.dt()) {
-            body.step_to(Velocity { forward: 0.0, left: self.side * ASIDE.0, turn: STEER * pan });
+        } else if self.is_stalled(ball.position(), time.dt()) {
+            body.step_with(Velocity { forward: 0.0, left: self.side * ASIDE_SPEED, turn: STEERING_GAIN * pan });
         } else if self.turning {
-            body.turn(fabsf(pan).clamp(TURN.0, TURN.1).copysign(pan));
+            body.turn(fabsf(pan).clamp(MIN_TURN, MAX_TURN).copysign(pan));
         } else {
-            body.go(if near { SPEED.1 } else { SPEED.0 }, STEER * pan);
+            body.go(if near { NEAR_SPEED } else { SPEED }, STEERING_GAIN * pan);
         }
     }
 
-    /// Whether it has come no nearer to the ball for long.
-    fn is_blocked(&mut self, ball: Option<Vec2>, seconds: f32) -> bool {
-        self.in_vain += seconds;
+    /// Whether the distance to the ball has not shrunk for long, `seconds` after the last call.
+    fn is_stalled(&mut self, ball: Option<Vec2>, seconds: f32) -> bool {
+        self.stalled_time += seconds;
         let distance = ball.map_or(self.nearest, Vec2::length);
-        if self.in_vain > PROGRESS.1 + ASIDE.1 {
-            (self.nearest, self.in_vain, self.side) = (distance, 0.0, -self.side);
-        } else if distance < self.nearest - PROGRESS.0 || distance > self.nearest + ROLLS {
-            (self.nearest, self.in_vain) = (distance, 0.0);
+        if self.stalled_time > PROGRESS_TIME + ASIDE_TIME {
+            (self.nearest, self.stalled_time, self.side) = (distance, 0.0, -self.side);
+        } else if distance < self.nearest - PROGRESS_DISTANCE || distance > self.nearest + ROLLED_DISTANCE {
+            (self.nearest, self.stalled_time) = (distance, 0.0);
         }
-        self.in_vain > PROGRESS.1
+        self.stalled_time > PROGRESS_TIME
     }
 
-    /// Whether the ball lies before the feet: seen by the bottom camera, head far down and not far to a side.
+    /// Whether the ball lies before the feet: centred in the bottom camera, with the head far down and not far to a side.
     #[must_use]
     pub const fn reached(&self) -> bool {
         self.reached
@@ -103,28 +114,27 @@ mod tests {
 
     const PERIOD: f32 = 0.05;
 
-    /// In which runs of so many seconds it is blocked, if the ball is as far away as this says.
+    /// For each run of some seconds whether the approach is stalled, with the distance to the ball as a function of time.
     fn runs(follow: &mut FollowBall, seconds: f32, distance: impl Fn(f32) -> f32) -> impl Iterator<Item = bool> {
         let times = (0..(seconds / PERIOD) as u16).map(|run| f32::from(run) * PERIOD);
-        times.map(move |time| follow.is_blocked(Some(Vec2::X * distance(time)), PERIOD))
+        times.map(move |time| follow.is_stalled(Some(Vec2::X * distance(time)), PERIOD))
     }
 
     #[test]
-    fn who_comes_nearer_is_not_blocked() {
-        assert!(!runs(&mut FollowBall::new(), 20.0, |time| 3.0 - 0.1 * time).any(|blocked| blocked));
-        assert!(!runs(&mut FollowBall::new(), 20.0, |time| 1.0 + 0.2 * time).any(|blocked| blocked), "it rolls away");
+    fn approach_with_changing_distance_is_never_stalled() {
+        assert!(!runs(&mut FollowBall::new(), 20.0, |time| 3.0 - 0.1 * time).any(|stalled| stalled), "nearer");
+        assert!(!runs(&mut FollowBall::new(), 20.0, |time| 1.0 + 0.2 * time).any(|stalled| stalled), "rolls away");
     }
 
     #[test]
-    fn who_comes_no_nearer_steps_to_one_side_and_then_to_the_other() {
+    fn stalled_approach_sidesteps_alternately() {
         let mut follow = FollowBall::new();
-        assert!(!runs(&mut follow, PROGRESS.1 - 0.2, |_| 1.0).any(|blocked| blocked));
-        assert_eq!(runs(&mut follow, ASIDE.1, |_| 1.0).last(), Some(true));
-        let before = follow.side;
-        assert_eq!(runs(&mut follow, 1.0, |_| 1.0).last(), Some(false), "stepping aside ends");
-        assert_eq!(runs(&mut follow, PROGRESS.1, |_| 1.0).last(), Some(true));
-        assert!(follow.side * before < 0.0);
-        follow.is_blocked(Some(Vec2::X * 0.8), PERIOD);
-        assert!(!follow.is_blocked(Some(Vec2::X * 0.8), PERIOD), "the way is free");
+        assert!(!runs(&mut follow, PROGRESS_TIME - 0.2, |_| 1.0).any(|stalled| stalled));
+        assert_eq!(runs(&mut follow, ASIDE_TIME, |_| 1.0).last(), Some(true));
+        let side = follow.side;
+        assert_eq!(runs(&mut follow, 1.0, |_| 1.0).last(), Some(false), "sidestepping ends");
+        assert_eq!(runs(&mut follow, PROGRESS_TIME, |_| 1.0).last(), Some(true));
+        assert_eq!((side, follow.side), (1.0, -1.0));
+        assert!(!follow.is_stalled(Some(Vec2::X * 0.8), PERIOD), "progress ends the stall at once");
     }
 }

@@ -1,31 +1,34 @@
-//! A look around with the head.
+//! Looking around with the head.
 
 use bica::prelude::*;
 use bica_motion::robot::CameraId;
 
 use crate::motion::Head;
-use crate::output::Gaze;
+use crate::output::CameraSelector;
 use crate::perception::Localization;
 
-/// Where to look, one after the other, rad: one side first. Images overlap by a third.
+/// Head pans in their order, rad. Neighbouring images overlap by a third.
 const PANS: [f32; 7] = [0.0, 0.6, 1.2, 1.9, -0.6, -1.2, -1.9];
-/// Head pitch while it looks, rad.
+/// Head tilt, rad.
 const TILT: f32 = -0.05;
-/// How long the head rests in each direction, s.
-const REST: f32 = 0.15;
+/// Time that the head rests in each direction, s.
+const REST_TIME: f32 = 0.15;
 
-/// Looks along the horizon from one side to the other, again and again, and finds out where on the field it is.
+/// Moves the head along the horizon from one side to the other, repeatedly, while the robot localizes itself.
 #[derive(Debug)]
 pub struct LookAround {
+    /// Index in [`PANS`].
     glance: usize,
     glances: u32,
+    /// Time at rest, s.
     rested: f32,
+    /// First side: 1 left, −1 right.
     side: f32,
 }
 
 #[component(hz = 50, budget_us = 5)]
 impl LookAround {
-    /// Has not looked yet.
+    /// Left side first.
     #[must_use]
     pub const fn new() -> Self {
         Self { glance: 0, glances: 0, rested: 0.0, side: 1.0 }
@@ -36,33 +39,33 @@ impl LookAround {
         *self = Self { side: self.side, ..Self::new() };
     }
 
-    fn step(&mut self, time: &Time, _field: &Localization, head: &mut Head, gaze: &mut Gaze) {
-        gaze.through(CameraId::Top);
+    fn step(&mut self, time: &Time, _field: &Localization, head: &mut Head, camera: &mut CameraSelector) {
+        camera.select(CameraId::Top);
         head.look_at(self.side * PANS[self.glance], TILT);
         if head.arrived() {
             self.rested += time.dt();
         }
-        if self.rested > REST {
+        if self.rested > REST_TIME {
             self.rested = 0.0;
             self.glance = (self.glance + 1) % PANS.len();
             self.glances += 1;
         }
     }
 
-    /// Looks to the side of `y` first, positive for left; takes effect from the second glance on.
-    pub const fn to_side_of(&mut self, y: f32) {
+    /// Sets the first side to that of `y`, positive for left; takes effect from the second direction on.
+    pub const fn set_first_side(&mut self, y: f32) {
         self.side = 1.0_f32.copysign(y);
     }
 
-    /// In how many directions it has looked since it began.
+    /// Number of directions looked at since the component became active.
     #[must_use]
     pub const fn glances(&self) -> u32 {
         self.glances
     }
 
-    /// Whether it has looked in every direction since it began.
+    /// Whether every direction was looked at since the component became active.
     #[must_use]
-    pub const fn looked_everywhere(&self) -> bool {
+    pub const fn is_complete(&self) -> bool {
         self.glances as usize >= PANS.len()
     }
 }

@@ -1,53 +1,59 @@
 //! The root: a forward that finds the ball, walks to it, looks for the goal and kicks.
 
+use core::cell::Cell;
+
 use bica::prelude::*;
 use bica_motion::kick::Kick;
 
-use super::{Dribble, FaceBall, FallGuard, Fixmove, FollowBall, GoRound, SearchBall, SearchNet};
-use crate::input::Measured;
+use super::{Dribble, FaceBall, Fixmove, FollowBall, GoRound, SafetyGuard, SearchBall, SearchNet};
+use crate::input::{GameState, HealthMonitor, RobotProfile, RobotState};
 use crate::motion::Body;
-use crate::perception::{BallDetector, FallDetector, Localization, NetDetector, Odometry, RobotDetector};
-use crate::strategy::{Plan, Situation, dribbles, plan};
+use crate::perception::{BallDetector, FallDetector, GoalDetector, Localization, Odometry, RobotDetector};
+use crate::strategy::{Plan, Situation, can_dribble, plan};
 
 /// The forward of RoboCup 2009.
 #[derive(Debug)]
 pub struct Player {
+    /// What to do with the ball; headings in the frame of the odometry.
     plan: Plan,
-    /// The kick that was given up just now, as something was in the way.
-    in_vain: Option<Kick>,
+    /// The plan that a transition of this run has made, relative to the body. A transition decides by it, and the exit hook
+    /// keeps it; transitions only read the component, hence the cell.
+    decision: Cell<Option<Plan>>,
+    /// The last kick, if it was given up because the robot could not line up.
+    last_failed_kick: Option<Kick>,
 }
 
 #[component(hz = 20, budget_us = 20)]
 impl Player {
-    /// Starts in total uncertainty about the ball.
+    /// Without a plan.
     #[must_use]
     pub const fn new() -> Self {
-        Self { plan: Plan::GoRound(0.0), in_vain: None }
+        Self { plan: Plan::GoRound(0.0), decision: Cell::new(None), last_failed_kick: None }
     }
 
-    /// Looks around until the ball is seen.
+    /// Searches the ball.
     #[state(initial)]
     fn look_for_ball(&mut self, _search: &mut SearchBall) {}
 
-    /// Walks to the ball, by the direction in which the head looks at it. Notes who stands there.
+    /// Walks to the ball and remembers other robots on the way.
     #[state]
     fn approach(&mut self, _follow: &mut FollowBall, _robots: &RobotDetector) {}
 
-    /// Stands at the ball and looks for the goal.
+    /// Stands at the ball and searches the goal.
     #[state]
     fn search_net(&mut self, _search: &mut SearchNet, body: &mut Body) {
         body.stand();
     }
 
-    /// Walks around the ball to face a goal that is behind.
+    /// Walks around the ball until the body faces the goal.
     #[state]
     fn go_round(&mut self, round: &mut GoRound, _face: &mut FaceBall) {
         if let Plan::GoRound(angle) = self.plan {
-            round.by(angle);
+            round.turn_by(angle);
         }
     }
 
-    /// Lines up and kicks, eyes on the ball.
+    /// Lines up and kicks while the head faces the ball.
     #[state]
     fn kick(&mut self, fixmove: &mut Fixmove, _face: &mut FaceBall) {
         if let Plan::Kick(kick) = self.plan {
@@ -55,7 +61,7 @@ impl Player {
         }
     }
 
-    /// Kicks the ball on in the walk, eyes on it.
+    /// Kicks the ball on while walking; the head faces the ball.
     #[state]
     fn dribble(&mut self, _dribble: &mut Dribble, _face: &mut FaceBall) {}
 
@@ -65,53 +71,60 @@ impl Player {
         body.stand();
     }
 
-    /// Down, or about to be: nothing else matters.
+    /// After a fall or a fault: the safety guard controls the body.
     #[state]
-    fn fallen(&mut self, _guard: &mut FallGuard) {}
+    fn fallen(&mut self, _guard: &mut SafetyGuard) {}
 
+    /// The robot falls or lies.
     #[transition(* -> fallen)]
-    fn falls(&self, falls: &FallDetector) -> bool {
-        !falls.upright()
+    fn is_down(&self, falls: &FallDetector) -> bool {
+        falls.is_down()
+    }
+
+    /// A fault ends what is under way.
+    #[transition(* -> fallen)]
+    fn has_fault(&self, health: &HealthMonitor) -> bool {
+        health.must_stop()
     }
 
     #[transition(fallen -> look_for_ball)]
-    fn stands_again(&self, guard: &FallGuard) -> bool {
-        guard.upright()
+    fn stands_again(&self, guard: &SafetyGuard) -> bool {
+        guard.stands()
     }
 
     #[transition(look_for_ball | approach | search_net | go_round | kick | dribble -> penalized)]
-    fn sent_off(&self, body: &Measured) -> bool {
-        !body.playing() && body.grounded()
+    fn sent_off(&self, game: &GameState, state: &RobotState) -> bool {
+        !game.playing() && state.grounded()
     }
 
     #[transition(penalized -> look_for_ball)]
-    fn let_in(&self, body: &Measured) -> bool {
-        body.playing()
+    fn let_in(&self, game: &GameState) -> bool {
+        game.playing()
     }
 
     #[transition(look_for_ball -> approach)]
     fn ball_seen(&self, ball: &BallDetector) -> bool {
-        ball.sure()
+        ball.is_confirmed()
     }
 
     #[transition(approach -> look_for_ball)]
     fn ball_lost(&self, ball: &BallDetector) -> bool {
-        ball.lost()
+        ball.is_lost()
     }
 
-    /// The eyes were on the goal before; they get time to find the ball again.
+    /// The head faced the goal before; the delay lets it find the ball again.
     #[transition(go_round | kick -> look_for_ball, after_ms = 1500)]
     fn ball_lost_again(&self, ball: &BallDetector) -> bool {
-        ball.lost()
+        ball.is_lost()
     }
 
     #[transition(approach -> dribble)]
-    fn goal_far_ahead(&self, ball: &BallDetector, net: &NetDetector) -> bool {
-        dribbles(ball, net)
+    fn goal_far_ahead(&self, ball: &BallDetector, goal: &GoalDetector) -> bool {
+        can_dribble(ball, goal)
     }
 
     #[transition(dribble -> approach)]
-    fn ball_gone_on(&self, dribble: &Dribble) -> bool {
+    fn ball_kicked_on(&self, dribble: &Dribble) -> bool {
         dribble.done()
     }
 
@@ -121,27 +134,33 @@ impl Player {
     }
 
     #[transition(search_net -> look_for_ball)]
-    fn nothing_known(&self, search: &SearchNet, ball: &BallDetector) -> bool {
-        search.complete() && ball.at().is_none()
+    fn ball_unknown(&self, search: &SearchNet, ball: &BallDetector) -> bool {
+        search.is_complete() && ball.position().is_none()
     }
 
+    /// The search is complete, and a kick is possible with little turning.
     #[transition(search_net -> kick)]
     fn goal_in_reach(
         &self,
         search: &SearchNet,
         ball: &BallDetector,
-        net: &NetDetector,
+        goal: &GoalDetector,
         field: &Localization,
         robots: &RobotDetector,
-        body: &Measured,
+        profile: &RobotProfile,
     ) -> bool {
-        let plan = || self.plan(Situation::of(ball, net, field, robots), body);
-        search.complete() && matches!(plan(), Plan::Kick(_))
+        if !search.is_complete() {
+            return false;
+        }
+        let plan = Situation::of(ball, goal, field, robots)
+            .map_or(Plan::GoRound(0.0), |situation| plan(&situation, &profile.get().kicks, self.last_failed_kick));
+        self.decision.set(Some(plan));
+        matches!(plan, Plan::Kick(_))
     }
 
     #[transition(search_net -> go_round)]
     fn goal_behind(&self, search: &SearchNet) -> bool {
-        search.complete()
+        search.is_complete()
     }
 
     #[transition(go_round -> search_net)]
@@ -159,27 +178,16 @@ impl Player {
         fixmove.done()
     }
 
-    /// Decides what to do with the ball.
+    /// Keeps the plan that the transition has made.
     #[exit(search_net)]
-    fn decide(
-        &mut self,
-        ball: &BallDetector,
-        net: &NetDetector,
-        field: &Localization,
-        robots: &RobotDetector,
-        odometry: &Odometry,
-        body: &Measured,
-    ) {
-        self.plan = self.plan(Situation::of(ball, net, field, robots), body).seen_with(odometry.pose().heading);
+    fn keep_plan(&mut self, odometry: &Odometry) {
+        if let Some(plan) = self.decision.take() {
+            self.plan = plan.in_frame(odometry.pose().heading);
+        }
     }
 
-    /// Learns whether the kick was possible.
     #[exit(kick)]
-    fn judge(&mut self, fixmove: &Fixmove) {
-        self.in_vain = fixmove.gave_up();
-    }
-
-    fn plan(&self, situation: Option<Situation>, body: &Measured) -> Plan {
-        situation.map_or(Plan::GoRound(0.0), |situation| plan(&situation, &body.profile().kicks, self.in_vain))
+    fn keep_failed_kick(&mut self, fixmove: &Fixmove) {
+        self.last_failed_kick = fixmove.failed_kick();
     }
 }

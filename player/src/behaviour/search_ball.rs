@@ -1,17 +1,16 @@
-//! The search for the ball: first where it is remembered, then everywhere.
+//! The search for the ball.
 
 use bica::prelude::*;
 use bica_motion::robot::CameraId;
 
 use super::FaceBall;
 use crate::motion::{Body, Head};
-use crate::output::Gaze;
+use crate::output::CameraSelector;
 use crate::perception::BallDetector;
 
-/// Where to look, one after the other: camera, head pan and tilt in rad.
+/// Camera, head pan (rad) and head tilt (rad) in their order.
 ///
-/// Three bands, which overlap: the feet, up to 2 m, and the far field. Ahead first, then left, then right; the body turns
-/// when all was looked at in vain.
+/// Three overlapping bands: the feet, up to 2 m, and the far field; ahead, then left, then right.
 const GLANCES: [(CameraId, f32, f32); 13] = [
     (CameraId::Bottom, 0.0, -0.1),
     (CameraId::Bottom, 0.0, 0.35),
@@ -27,27 +26,29 @@ const GLANCES: [(CameraId, f32, f32); 13] = [
     (CameraId::Bottom, -1.7, -0.1),
     (CameraId::Top, -1.7, 0.0),
 ];
-/// How long the head rests in each direction, s: two images and the motors' dead time.
-const REST: f32 = 0.12;
-/// How long to look for the ball where it is remembered, s: the way of the head, and some images.
-const RECALL: f32 = 1.0;
-/// A ball that is believed less than this is not looked for where it is remembered.
-const BELIEVED: f32 = 0.1;
-/// How fast the body turns when nothing was found, rad/s.
-const TURN: f32 = 0.8;
+/// Time that the head rests in each direction, s: two images and the motors' dead time.
+const REST_TIME: f32 = 0.12;
+/// Duration of the search at the remembered position, s: the head motion and some images.
+const RECALL_TIME: f32 = 1.0;
+/// Confidence below which the remembered position is not searched, 0 to 1.
+const MIN_CONFIDENCE: f32 = 0.1;
+/// Turning speed of the body after a scan without result, rad/s.
+const TURN_SPEED: f32 = 0.8;
 
-/// Looks where the ball ought to be, then around with the head, then turns the body, until the ball is seen.
+/// Searches the ball: at its remembered position, then around with the head, then with turns of the body.
 #[derive(Debug)]
 pub struct SearchBall {
+    /// Index in [`GLANCES`].
     glance: usize,
+    /// Time at rest, s.
     rested: f32,
-    /// For how long the remembered ball was looked for, s.
+    /// Time at the remembered position, s.
     recalled: f32,
 }
 
 #[component(hz = 50, budget_us = 5)]
 impl SearchBall {
-    /// Has not looked anywhere yet.
+    /// Nothing searched.
     #[must_use]
     pub const fn new() -> Self {
         Self { glance: 0, rested: 0.0, recalled: 0.0 }
@@ -58,46 +59,53 @@ impl SearchBall {
         *self = Self::new();
     }
 
-    /// Looks where the ball ought to be, or roll by now.
+    /// Looks at the remembered position of the ball.
     #[state(initial)]
     fn recall(&mut self, time: &Time, body: &mut Body, _face: &mut FaceBall) {
         body.stand();
         self.recalled += time.dt();
     }
 
-    /// Nobody knows, or it is not there.
+    /// The ball is not there, or its position is not known.
     #[transition(recall -> scan)]
-    fn not_there(&self, ball: &BallDetector) -> bool {
-        self.recalled > RECALL || ball.memory().confidence() < BELIEVED
+    fn not_found(&self, ball: &BallDetector) -> bool {
+        self.recalled > RECALL_TIME || ball.memory().confidence() < MIN_CONFIDENCE
     }
 
-    /// Stands and moves the head.
+    /// Stands and scans with the head.
     #[state]
-    fn scan(&mut self, time: &Time, _ball: &BallDetector, head: &mut Head, gaze: &mut Gaze, body: &mut Body) {
+    fn scan(
+        &mut self,
+        time: &Time,
+        _ball: &BallDetector,
+        head: &mut Head,
+        selector: &mut CameraSelector,
+        body: &mut Body,
+    ) {
         body.stand();
         let Some(&(camera, pan, tilt)) = GLANCES.get(self.glance) else { return };
-        gaze.through(camera);
+        selector.select(camera);
         head.look_at(pan, tilt);
         if head.arrived() {
             self.rested += time.dt();
         }
-        if self.rested > REST {
+        if self.rested > REST_TIME {
             self.rested = 0.0;
             self.glance += 1;
         }
     }
 
-    /// Turns to where the head could not look.
+    /// Turns the body to where the head cannot look.
     #[state]
-    fn turn_around(&mut self, _ball: &BallDetector, head: &mut Head, gaze: &mut Gaze, body: &mut Body) {
-        gaze.through(CameraId::Top);
+    fn turn_around(&mut self, _ball: &BallDetector, head: &mut Head, selector: &mut CameraSelector, body: &mut Body) {
+        selector.select(CameraId::Top);
         head.look_at(0.0, 0.0);
-        body.turn(TURN);
+        body.turn(TURN_SPEED);
         self.glance = 0;
     }
 
     #[transition(scan -> turn_around)]
-    fn nothing_found(&self) -> bool {
+    fn scan_complete(&self) -> bool {
         self.glance >= GLANCES.len()
     }
 

@@ -3,9 +3,9 @@
 use bica::prelude::*;
 
 use super::LookAround;
-use crate::perception::NetDetector;
+use crate::perception::GoalDetector;
 
-/// Looks around for the goal and tells when it need look no longer.
+/// Looks around for the attacked goal (the paper's "net") until it was seen or every direction was looked at.
 #[derive(Debug)]
 pub struct SearchNet {
     began: bool,
@@ -15,7 +15,7 @@ pub struct SearchNet {
 
 #[component(hz = 50, budget_us = 5)]
 impl SearchNet {
-    /// Has not looked yet.
+    /// Not begun.
     #[must_use]
     pub const fn new() -> Self {
         Self { began: false, glances: 0, complete: false }
@@ -26,21 +26,21 @@ impl SearchNet {
         *self = Self::new();
     }
 
-    /// Looks first to the side on which the goal is remembered.
-    fn step(&mut self, net: &mut NetDetector, look: &mut LookAround) {
+    /// Begins on the side of the remembered goal.
+    fn step(&mut self, goal: &mut GoalDetector, look: &mut LookAround) {
         if !self.began {
             self.began = true;
-            look.to_side_of(net.at().map_or(1.0, |goal| goal.y));
-            net.look_anew();
+            look.set_first_side(goal.position().map_or(1.0, |goal| goal.y));
+            goal.restart_search();
         } else if look.glances() != self.glances {
             self.glances = look.glances();
-            self.complete |= net.whole() || look.looked_everywhere();
+            self.complete |= goal.is_complete() || look.is_complete();
         }
     }
 
-    /// Whether there is nothing more to look at: the whole goal was seen, or every direction was looked in.
+    /// Whether the search is over: both posts were seen at once, or every direction was looked at.
     #[must_use]
-    pub const fn complete(&self) -> bool {
+    pub const fn is_complete(&self) -> bool {
         self.complete
     }
 }

@@ -1,4 +1,4 @@
-//! What the stimuli look like.
+//! The colour classes.
 
 use bica::prelude::*;
 use bica_vision::chroma::ChromaBox;
@@ -7,9 +7,9 @@ use bica_vision::frame::Pixel;
 use bica_vision::profile;
 use bica_vision::table::CompactTable;
 
-/// The colours of ball, goals, carpet and lines, set up from outside.
+/// The colour classes of ball, goals, field and lines.
 ///
-/// The table itself lies outside the tree: on a microcontroller in flash, where 32 KiB hurt less than in memory.
+/// The table is outside the tree: a microcontroller keeps its 32 KiB in flash.
 #[derive(Debug)]
 pub struct Colours {
     table: &'static CompactTable,
@@ -17,14 +17,14 @@ pub struct Colours {
 
 #[component(budget_us = 1)]
 impl Colours {
-    /// The colours of the built-in world.
+    /// The colour classes of the built-in world.
     #[must_use]
     pub const fn new() -> Self {
         Self { table: &profile::BUILT_IN_TABLE }
     }
 
-    /// Sets all colours; the table is a constant, or lives as long as the program.
-    pub const fn tune(&mut self, table: &'static CompactTable) {
+    /// Sets all colour classes.
+    pub const fn set_table(&mut self, table: &'static CompactTable) {
         self.table = table;
     }
 }

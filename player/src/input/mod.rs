@@ -1,9 +1,15 @@
-//! What comes from outside: filled before a tick, read by perception.
+//! Input components: written before a tick, read by perception, motion and behaviour.
 
+mod camera_input;
 mod colours;
-mod eye;
-mod measured;
+mod game_state;
+mod health_monitor;
+mod robot_profile;
+mod robot_state;
 
+pub use camera_input::{CameraInput, FrameTooLarge, IMAGE_BYTES};
 pub use colours::Colours;
-pub use eye::{EYE_BYTES, Eye, FrameTooLarge};
-pub use measured::Measured;
+pub use game_state::GameState;
+pub use health_monitor::HealthMonitor;
+pub use robot_profile::RobotProfile;
+pub use robot_state::RobotState;

@@ -1,4 +1,4 @@
-//! The walking body, which hands each wish to the component that does it.
+//! The walking body: one component for each kind of walking.
 
 use bica::prelude::*;
 use bica_motion::side::Side;
@@ -6,18 +6,18 @@ use bica_motion::walk::Velocity;
 
 use super::{GoStraight, Turn, Walk};
 
-/// Walks as its activators wish: stands, goes straight, turns on the spot, or steps in any direction.
+/// Stands, goes straight, turns on the spot or steps in any direction, as its activators request.
 ///
-/// Each way to walk is a state with its own child, so only the one in use is active.
+/// Each of them is a state with its own child, so only the one in use is active.
 #[derive(Debug)]
 pub struct Body {
-    wish: Wish,
+    request: Request,
     kick: Option<Side>,
     still: bool,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Wish {
+enum Request {
     Stand,
     Straight { forward: f32, turn: f32 },
     Turn(f32),
@@ -26,10 +26,10 @@ enum Wish {
 
 #[component(hz = 50, budget_us = 5)]
 impl Body {
-    /// A body that stands.
+    /// Standing.
     #[must_use]
     pub const fn new() -> Self {
-        Self { wish: Wish::Stand, kick: None, still: false }
+        Self { request: Request::Stand, kick: None, still: false }
     }
 
     /// Comes to a stand, feet together.
@@ -39,60 +39,60 @@ impl Body {
         self.still = walk.stands();
     }
 
-    /// Goes forward, steering a little.
+    /// Walks forward and steers.
     #[state]
     fn going(&mut self, straight: &mut GoStraight) {
-        if let Wish::Straight { forward, turn } = self.wish {
-            straight.go(forward, turn);
+        if let Request::Straight { forward, turn } = self.request {
+            straight.set_speed(forward, turn);
         }
     }
 
     /// Turns on the spot.
     #[state]
     fn turning(&mut self, turn: &mut Turn) {
-        if let Wish::Turn(speed) = self.wish {
-            turn.at(speed);
+        if let Request::Turn(speed) = self.request {
+            turn.set_speed(speed);
         }
     }
 
     /// Steps in any direction.
     #[state]
     fn stepping(&mut self, walk: &mut Walk) {
-        if let Wish::Step(velocity) = self.wish {
+        if let Request::Step(velocity) = self.request {
             walk.request(velocity);
         }
         if let Some(foot) = self.kick.take() {
-            walk.kick(foot);
+            walk.request_kick(foot);
         }
     }
 
     #[transition(going | turning | stepping -> standing)]
-    fn wants_to_stand(&self) -> bool {
-        self.wish == Wish::Stand
+    fn stand_requested(&self) -> bool {
+        self.request == Request::Stand
     }
 
     #[transition(standing | turning | stepping -> going)]
-    fn wants_to_go(&self) -> bool {
-        matches!(self.wish, Wish::Straight { .. })
+    fn go_requested(&self) -> bool {
+        matches!(self.request, Request::Straight { .. })
     }
 
     #[transition(standing | going | stepping -> turning)]
-    fn wants_to_turn(&self) -> bool {
-        matches!(self.wish, Wish::Turn(_))
+    fn turn_requested(&self) -> bool {
+        matches!(self.request, Request::Turn(_))
     }
 
     #[transition(standing | going | turning -> stepping)]
-    fn wants_to_step(&self) -> bool {
-        matches!(self.wish, Wish::Step(_))
+    fn step_requested(&self) -> bool {
+        matches!(self.request, Request::Step(_))
     }
 
     #[exit(standing)]
-    fn move_off(&mut self) {
+    fn leave_stand(&mut self) {
         self.still = false;
     }
 
     #[stop]
-    fn forget(&mut self) {
+    fn reset(&mut self) {
         *self = Self::new();
     }
 
@@ -102,27 +102,27 @@ impl Body {
         self.still
     }
 
-    /// Stands still.
+    /// Requests to stand.
     pub const fn stand(&mut self) {
-        self.wish = Wish::Stand;
+        self.request = Request::Stand;
     }
 
-    /// Goes forward at `forward` m/s while turning at `turn` rad/s, positive to the left.
+    /// Requests to walk forward at `forward` m/s while turning at `turn` rad/s, positive to the left.
     pub const fn go(&mut self, forward: f32, turn: f32) {
-        self.wish = Wish::Straight { forward, turn };
+        self.request = Request::Straight { forward, turn };
     }
 
-    /// Turns on the spot at `speed` rad/s, positive to the left.
+    /// Requests to turn on the spot at `speed` rad/s, positive to the left.
     pub const fn turn(&mut self, speed: f32) {
-        self.wish = Wish::Turn(speed);
+        self.request = Request::Turn(speed);
     }
 
-    /// Steps with `velocity`, forward, sideways and turning at once.
-    pub const fn step_to(&mut self, velocity: Velocity) {
-        self.wish = Wish::Step(velocity);
+    /// Requests steps with `velocity`: forward, sideways and turning at once.
+    pub const fn step_with(&mut self, velocity: Velocity) {
+        self.request = Request::Step(velocity);
     }
 
-    /// Lets a foot swing through the ball in its next step; while stepping.
+    /// Requests that a foot swings through the ball in its next step; only while stepping.
     pub const fn kick(&mut self, foot: Side) {
         self.kick = Some(foot);
     }

@@ -1,20 +1,22 @@
-//! Forward walking.
+//! Walking forward.
 
 use bica::prelude::*;
 use bica_motion::walk::Velocity;
 
 use super::Walk;
 
-/// Goes straight on, with a little steering.
+/// Walks forward and steers.
 #[derive(Debug)]
 pub struct GoStraight {
+    /// m/s
     forward: f32,
+    /// rad/s
     turn: f32,
 }
 
 #[component(hz = 50, budget_us = 2)]
 impl GoStraight {
-    /// Does not go yet.
+    /// Speed zero.
     #[must_use]
     pub const fn new() -> Self {
         Self { forward: 0.0, turn: 0.0 }
@@ -24,8 +26,8 @@ impl GoStraight {
         walk.request(Velocity { forward: self.forward, left: 0.0, turn: self.turn });
     }
 
-    /// Goes at `forward` m/s, steering at `turn` rad/s.
-    pub const fn go(&mut self, forward: f32, turn: f32) {
+    /// Sets the speed: `forward` m/s and `turn` rad/s, positive to the left.
+    pub const fn set_speed(&mut self, forward: f32, turn: f32) {
         self.forward = forward;
         self.turn = turn;
     }

@@ -6,70 +6,70 @@ use bica_motion::head::{HeadAngles, HeadMotion};
 use bica_motion::robot::CameraId;
 use libm::fabsf;
 
-use crate::input::Measured;
+use crate::input::RobotState;
 use crate::output::Motors;
 
-/// Fast, yet below what the motors can (6.5 rad/s), so that images stay sharp.
+/// Speed limits: below the motors' 6.5 rad/s, so that images stay sharp.
 const SPEED: HeadMotion = HeadMotion { yaw_speed: 4.0, pitch_speed: 3.0 };
-/// How near the measured joints must be to count as arrived, rad.
+/// Largest error of the measured joints that counts as arrived, rad.
 const ARRIVED: f32 = 0.03;
 
-/// Pan and tilt of the head, at a limited speed and within what the shell allows.
+/// Pan and tilt of the head, with limited speed and within the limits of the shell.
 #[derive(Debug)]
 pub struct Head {
-    wanted: HeadAngles,
+    target: HeadAngles,
     commanded: HeadAngles,
     arrived: bool,
 }
 
 #[component(budget_us = 3)]
 impl Head {
-    /// A head that looks ahead.
+    /// Straight ahead.
     #[must_use]
     pub const fn new() -> Self {
-        Self { wanted: HeadAngles::AHEAD, commanded: HeadAngles::AHEAD, arrived: false }
+        Self { target: HeadAngles::AHEAD, commanded: HeadAngles::AHEAD, arrived: false }
     }
 
-    fn step(&mut self, time: &Time, body: &Measured, motors: &mut Motors) {
-        self.commanded = SPEED.step(self.commanded, self.wanted, time.dt());
-        let measured = HeadAngles::read(body.angles());
-        let near = |measured: f32, wanted: f32| fabsf(measured - wanted) < ARRIVED;
-        self.arrived = near(measured.yaw, self.wanted.yaw) && near(measured.pitch, self.wanted.pitch);
-        motors.head(self.commanded.yaw, self.commanded.pitch);
+    fn step(&mut self, time: &Time, state: &RobotState, motors: &mut Motors) {
+        self.commanded = SPEED.step(self.commanded, self.target, time.dt());
+        let measured = HeadAngles::read(state.angles());
+        let near = |measured: f32, target: f32| fabsf(measured - target) < ARRIVED;
+        self.arrived = near(measured.yaw, self.target.yaw) && near(measured.pitch, self.target.pitch);
+        motors.set_head(self.commanded.yaw, self.commanded.pitch);
     }
 
-    /// Looks in a direction: `pan` rad to the left, `tilt` rad down. What is out of reach is brought into it, what is no
-    /// number is not done.
+    /// Sets the direction: `pan` rad to the left, `tilt` rad down, limited to the range of the joints. Values that are not
+    /// finite are ignored.
     pub fn look_at(&mut self, pan: f32, tilt: f32) {
         if pan.is_finite() && tilt.is_finite() {
-            let wanted = HeadAngles { yaw: pan, pitch: tilt }.clamped();
-            self.arrived &= wanted == self.wanted;
-            self.wanted = wanted;
+            let target = HeadAngles { yaw: pan, pitch: tilt }.clamped();
+            self.arrived &= target == self.target;
+            self.target = target;
         }
     }
 
-    /// How far below the head's own direction a camera looks, rad.
+    /// Angle of a camera below the direction of the head, rad.
     #[must_use]
-    pub const fn mounted(camera: CameraId) -> f32 {
+    pub const fn camera_tilt(camera: CameraId) -> f32 {
         match camera {
             CameraId::Top => dimensions::TOP_CAMERA_TILT,
             CameraId::Bottom => dimensions::BOTTOM_CAMERA_TILT,
         }
     }
 
-    /// Head pan that was commanded last, rad to the left.
+    /// The commanded head pan, rad to the left.
     #[must_use]
     pub const fn pan(&self) -> f32 {
         self.commanded.yaw
     }
 
-    /// Head tilt that was commanded last, rad down.
+    /// The commanded head tilt, rad down.
     #[must_use]
     pub const fn tilt(&self) -> f32 {
         self.commanded.pitch
     }
 
-    /// Whether the head looks where it was told to.
+    /// Whether the head has reached its target.
     #[must_use]
     pub const fn arrived(&self) -> bool {
         self.arrived

@@ -3,10 +3,10 @@
 use bica::prelude::*;
 use bica_motion::kick::{Kick, KickMotion};
 
-use crate::input::Measured;
+use crate::input::{RobotProfile, RobotState};
 use crate::output::Motors;
 
-/// Plays a kick from stand to stand.
+/// Plays a kick, from stand to stand.
 #[derive(Debug)]
 pub struct Kicker {
     kick: Option<Kick>,
@@ -15,25 +15,25 @@ pub struct Kicker {
 
 #[component(budget_us = 15)]
 impl Kicker {
-    /// Has nothing to play.
+    /// No kick.
     #[must_use]
     pub const fn new() -> Self {
         Self { kick: None, motion: None }
     }
 
-    fn step(&mut self, time: &Time, body: &Measured, motors: &mut Motors) {
+    fn step(&mut self, time: &Time, state: &RobotState, profile: &RobotProfile, motors: &mut Motors) {
         if let Some(kick) = self.kick {
-            let motion = self.motion.get_or_insert(KickMotion::new(kick, body.profile()));
-            motors.limbs(&motion.step(&body.feedback(), time.dt()));
+            let motion = self.motion.get_or_insert(KickMotion::new(kick, profile.get()));
+            motors.set_limbs(&motion.step(&state.feedback(), time.dt()));
         }
     }
 
     #[stop]
-    fn end(&mut self) {
+    fn reset(&mut self) {
         *self = Self::new();
     }
 
-    /// Plays `kick`, unless one is being played.
+    /// Requests `kick`, unless another one was requested before.
     pub fn play(&mut self, kick: Kick) {
         self.kick.get_or_insert(kick);
     }

@@ -1,4 +1,4 @@
-//! How the body moves: from wishes to joint targets.
+//! Motion: from requested velocities and directions to joint targets.
 
 mod body;
 mod go_straight;

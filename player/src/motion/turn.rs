@@ -8,12 +8,13 @@ use super::Walk;
 /// Turns on the spot.
 #[derive(Debug)]
 pub struct Turn {
+    /// rad/s
     speed: f32,
 }
 
 #[component(hz = 50, budget_us = 2)]
 impl Turn {
-    /// Does not turn yet.
+    /// Speed zero.
     #[must_use]
     pub const fn new() -> Self {
         Self { speed: 0.0 }
@@ -23,8 +24,8 @@ impl Turn {
         walk.request(Velocity { forward: 0.0, left: 0.0, turn: self.speed });
     }
 
-    /// Turns at `speed` rad/s, positive to the left.
-    pub const fn at(&mut self, speed: f32) {
+    /// Sets the speed, rad/s, positive to the left.
+    pub const fn set_speed(&mut self, speed: f32) {
         self.speed = speed;
     }
 }

@@ -1,13 +1,13 @@
-//! The walk.
+//! Walking.
 
 use bica::prelude::*;
 use bica_motion::side::Side;
 use bica_motion::walk::{Parameters, Phase, Velocity, Walk as Gait};
 
-use crate::input::Measured;
+use crate::input::{RobotProfile, RobotState};
 use crate::output::Motors;
 
-/// Walks with the velocity that is asked for; brings the feet together and stands when it is zero.
+/// Walks with the requested velocity; brings the feet together and stands when it is zero.
 #[derive(Debug)]
 pub struct Walk {
     gait: Gait,
@@ -16,32 +16,32 @@ pub struct Walk {
 
 #[component(budget_us = 20)]
 impl Walk {
-    /// A walk that stands.
+    /// Standing.
     #[must_use]
     pub const fn new() -> Self {
         Self { gait: Gait::new(&Parameters::BUILT_IN), request: Velocity::ZERO }
     }
 
-    /// Whatever moved the body before has left it in the stand.
+    /// Every other motion ends in the stand.
     #[start]
     fn begin(&mut self) {
         self.gait.reset();
         self.request = Velocity::ZERO;
     }
 
-    fn step(&mut self, time: &Time, body: &Measured, motors: &mut Motors) {
-        self.gait.set_gait(&body.profile().gait);
-        let feedback = body.feedback();
-        motors.limbs(&self.gait.step(self.request, &feedback, time.dt()));
+    fn step(&mut self, time: &Time, state: &RobotState, profile: &RobotProfile, motors: &mut Motors) {
+        self.gait.set_gait(&profile.get().gait);
+        let feedback = state.feedback();
+        motors.set_limbs(&self.gait.step(self.request, &feedback, time.dt()));
     }
 
-    /// Asks for a velocity: m/s and rad/s, seen from the robot.
+    /// Requests a velocity, in the frame of the robot.
     pub const fn request(&mut self, velocity: Velocity) {
         self.request = velocity;
     }
 
-    /// Lets a foot swing through the ball in its next step.
-    pub const fn kick(&mut self, foot: Side) {
+    /// Requests that a foot swings through the ball in its next step.
+    pub const fn request_kick(&mut self, foot: Side) {
         self.gait.request_kick(foot);
     }
 

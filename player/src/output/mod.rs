@@ -1,7 +1,7 @@
-//! What goes out: written by behaviour and motion, read after a tick.
+//! Output components: written by motion and behaviour, read after a tick.
 
-mod gaze;
+mod camera_selector;
 mod motors;
 
-pub use gaze::Gaze;
-pub use motors::Motors;
+pub use camera_selector::CameraSelector;
+pub use motors::{JointCommand, Motors};

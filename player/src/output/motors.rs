@@ -1,43 +1,50 @@
-//! What the joints are told.
+//! The joint commands.
 
 use bica::prelude::*;
 use bica_motion::joints::{JOINTS, Joint, Joints};
 use bica_motion::limbs::Limbs;
 use bica_motion::stand::Stiffness;
 
-/// How stiff the head is held (B-Human 2023).
-const HEAD: f32 = 0.7;
+/// Stiffness of the head joints, 0 to 1 (B-Human 2023).
+const HEAD_STIFFNESS: f32 = 0.7;
 
 /// Targets and stiffness of all joints.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct JointCommand {
+    /// Target angles, rad, within the joint limits.
+    pub targets: Joints,
+    /// Stiffness, 0 (limp) to 1.
+    pub stiffness: Joints,
+}
+
+/// Targets and stiffness of all joints, as requested by the motion components and as commanded to the motors.
 ///
-/// The head and the rest of the body have writers of their own; what nobody writes keeps its last target.
+/// A joint that no component writes keeps its last target. Values that are not finite are ignored.
 #[derive(Debug)]
 pub struct Motors {
     targets: Joints,
     stiffness: Joints,
+    commanded: JointCommand,
 }
 
 #[component(budget_us = 1)]
 impl Motors {
-    /// Limp until a first target comes.
+    /// All joints limp until the first targets are written.
     #[must_use]
     pub const fn new() -> Self {
-        Self { targets: Joints([0.0; JOINTS]), stiffness: Joints([0.0; JOINTS]) }
+        const ZERO: Joints = Joints([0.0; JOINTS]);
+        Self { targets: ZERO, stiffness: ZERO, commanded: JointCommand { targets: ZERO, stiffness: ZERO } }
     }
 
-    /// Sets the head's targets, rad. What is no number is not done.
-    pub fn head(&mut self, pan: f32, tilt: f32) {
-        self.set(Joint::HeadYaw, pan, HEAD);
-        self.set(Joint::HeadPitch, tilt, HEAD);
+    /// Sets the targets of the head, rad.
+    pub fn set_head(&mut self, pan: f32, tilt: f32) {
+        self.set(Joint::HeadYaw, pan, HEAD_STIFFNESS);
+        self.set(Joint::HeadPitch, tilt, HEAD_STIFFNESS);
     }
 
-    /// Sets the targets of arms and legs for walking, rad. What is no number is not done.
-    pub fn limbs(&mut self, limbs: &Limbs) {
-        self.all_but_head(&limbs.joints(), &Stiffness::Walk.joints());
-    }
-
-    /// Sets the targets of all joints but the head's, rad, and how stiff they hold them. What is no number is not done.
-    pub fn all_but_head(&mut self, targets: &Joints, stiffness: &Joints) {
+    /// Sets the targets of arms and legs, rad, with the stiffness for walking.
+    pub fn set_limbs(&mut self, limbs: &Limbs) {
+        let (targets, stiffness) = (limbs.joints(), Stiffness::Walk.joints());
         for joint in Joint::ALL {
             if !matches!(joint, Joint::HeadYaw | Joint::HeadPitch) {
                 self.set(joint, targets[joint], stiffness[joint]);
@@ -45,8 +52,8 @@ impl Motors {
         }
     }
 
-    /// Sets the targets of all joints, rad, and one stiffness for all, 0 to 1. What is no number is not done.
-    pub fn whole(&mut self, targets: &Joints, stiffness: f32) {
+    /// Sets the targets of all joints, rad, and one stiffness for all, 0 to 1.
+    pub fn set_all(&mut self, targets: &Joints, stiffness: f32) {
         for joint in Joint::ALL {
             self.set(joint, targets[joint], stiffness);
         }
@@ -59,15 +66,21 @@ impl Motors {
         }
     }
 
-    /// The targets, rad, within the joints' limits.
-    #[must_use]
-    pub fn targets(&self) -> Joints {
-        self.targets.clamp_to_limits()
-    }
-
-    /// The stiffness, 0 to 1.
+    /// The requested stiffness, 0 to 1.
     #[must_use]
     pub const fn stiffness(&self) -> &Joints {
         &self.stiffness
+    }
+
+    /// Forms the command from the targets, within the joint limits, and the stiffness that is to be commanded, 0 to 1.
+    pub fn command(&mut self, stiffness: Joints) -> &JointCommand {
+        self.commanded = JointCommand { targets: self.targets.clamp_to_limits(), stiffness };
+        &self.commanded
+    }
+
+    /// The command of the previous cycle; all zero before the first one.
+    #[must_use]
+    pub const fn commanded(&self) -> &JointCommand {
+        &self.commanded
     }
 }

@@ -9,44 +9,44 @@ use bica_vision::memory::ball::BallMemory;
 use bica_vision::memory::{PositionEstimate, visibility};
 use glam::Vec2;
 
-use super::ride::Ride;
-use super::{CameraPose, Direction, FieldBoundary, Odometry, OwnBody};
-use crate::input::{Colours, Eye};
+use super::ego_motion::EgoMotion;
+use super::{Bearing, CameraPose, FieldBoundary, Odometry, OwnBody};
+use crate::input::{CameraInput, Colours};
 
-/// Sightings in a row that make sure.
+/// Consecutive sightings that confirm the ball.
 const SURE: u8 = 2;
-/// Time without a sighting after which the ball is lost, ms.
+/// Time without a confirmed sighting after which the ball is lost, ms.
 const LOST: u64 = 2000;
 
-/// Time without a sighting in which the belief in the ball's place halves, s.
+/// Half-life of the confidence in a ball that is not seen, s.
 const HALF_LIFE: f32 = 2.0;
-/// A ball farther away than this may be there and not be seen, m.
+/// Distance up to which a ball in view is always detected, m.
 const VISIBLE: f32 = 2.5;
 
-/// Finds the ball in the image and remembers where it lies while it is not seen.
+/// Finds the ball in the image and remembers its position while it is not seen.
 pub struct BallDetector {
     finder: BallFinder<512>,
-    seen: Option<Seen>,
+    seen: Option<BallSighting>,
     in_row: u8,
     unseen_ms: u64,
     memory: BallMemory,
-    ride: Ride,
+    ego_motion: EgoMotion,
 }
 
 /// A ball in an image.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Seen {
+pub struct BallSighting {
     /// Centre and radius, px.
     pub ball: Ball,
-    /// Where it was, seen from the torso.
-    pub direction: Direction,
-    /// The camera that saw it.
+    /// The bearing of its centre.
+    pub bearing: Bearing,
+    /// The camera that took the image.
     pub camera: CameraId,
 }
 
 #[component(hz = 30, budget_us = 700)]
 impl BallDetector {
-    /// Knows of no ball.
+    /// No ball.
     #[must_use]
     pub const fn new() -> Self {
         Self {
@@ -55,14 +55,14 @@ impl BallDetector {
             in_row: 0,
             unseen_ms: LOST,
             memory: BallMemory::new(HALF_LIFE),
-            ride: Ride::new(),
+            ego_motion: EgoMotion::new(),
         }
     }
 
     fn step(
         &mut self,
         time: &Time,
-        eye: &Eye,
+        input: &CameraInput,
         colours: &Colours,
         end: &FieldBoundary,
         pose: &CameraPose,
@@ -70,43 +70,43 @@ impl BallDetector {
         odometry: &Odometry,
     ) {
         self.unseen_ms = self.unseen_ms.saturating_add(time.since_run.as_millis());
-        self.memory.advance(self.ride.motion(odometry), time.dt());
-        if self.ride.sees_anew(eye) {
-            self.seen = self.look(eye, colours, end, pose, own);
+        let advance = |motion| self.memory.advance(motion, time.dt());
+        if self.ego_motion.begin_run(odometry, input, advance) {
+            self.seen = self.look(input, colours, end, pose, own);
             self.in_row = if self.seen.is_some() { self.in_row.saturating_add(1) } else { 0 };
             match self.seen {
-                Some(seen) => self.note(&seen, pose),
-                None => self.note_absence(eye, pose, own),
+                Some(seen) => self.remember(&seen, pose),
+                None => self.reduce_confidence(input, pose, own),
             }
         }
     }
 
     fn look(
         &mut self,
-        eye: &Eye,
+        input: &CameraInput,
         colours: &Colours,
         end: &FieldBoundary,
         pose: &CameraPose,
         own: &OwnBody,
-    ) -> Option<Seen> {
-        let image = eye.image();
+    ) -> Option<BallSighting> {
+        let image = input.image();
         let (frame, camera) = (Frame::from_image(&image).ok()?, pose.camera()?);
         let ball = self.finder.find_with_body(&frame, colours, end.line(), Some(camera), own.body())?;
-        Some(Seen { ball, direction: Direction::of(camera.ray(ball.centre)), camera: image.camera })
+        Some(BallSighting { ball, bearing: Bearing::of(camera.ray(ball.centre)), camera: image.camera })
     }
 
-    fn note(&mut self, seen: &Seen, pose: &CameraPose) {
-        let (true, Some(camera)) = (self.sure(), pose.camera()) else { return };
+    fn remember(&mut self, seen: &BallSighting, pose: &CameraPose) {
+        let (true, Some(camera)) = (self.is_confirmed(), pose.camera()) else { return };
         self.unseen_ms = 0;
         if let Some(PositionEstimate { position, covariance }) = seen.ball.estimate(camera, FIELD.ball_radius()) {
             self.memory.see(position, &covariance, seen.ball.confidence);
         }
     }
 
-    /// A ball that should be in a sharp image and is not is believed less.
-    fn note_absence(&mut self, eye: &Eye, pose: &CameraPose, own: &OwnBody) {
+    /// Reduces the confidence in a remembered ball that a sharp image should show.
+    fn reduce_confidence(&mut self, input: &CameraInput, pose: &CameraPose, own: &OwnBody) {
         let Some((camera, place)) = pose.camera().zip(self.memory.likeliest()) else { return };
-        let size = Vec2::new(eye.image().width.into(), eye.image().height.into());
+        let size = Vec2::new(input.image().width.into(), input.image().height.into());
         if pose.is_steady() && visibility::is_in_view(camera, size, own.body(), &place, FIELD.ball_radius(), VISIBLE) {
             self.memory.miss();
         }
@@ -114,42 +114,42 @@ impl BallDetector {
 
     /// The ball in the newest image.
     #[must_use]
-    pub const fn seen(&self) -> Option<&Seen> {
+    pub const fn seen(&self) -> Option<&BallSighting> {
         self.seen.as_ref()
     }
 
-    /// Whether the ball was in the last images, one after the other.
+    /// Whether the ball was in the last two images.
     #[must_use]
-    pub const fn sure(&self) -> bool {
+    pub const fn is_confirmed(&self) -> bool {
         self.in_row >= SURE
     }
 
-    /// Whether the ball has not been seen for two seconds.
+    /// Whether the last confirmed sighting is at least 2 s old.
     #[must_use]
-    pub const fn lost(&self) -> bool {
+    pub const fn is_lost(&self) -> bool {
         self.unseen_ms >= LOST
     }
 
-    /// Where to look for the ball: where it is seen, else where it is believed to lie.
+    /// The bearing of the ball in the newest image, else of its remembered position.
     #[must_use]
-    pub fn direction(&self) -> Option<Direction> {
-        let remembered = || self.at().map(|at| Direction::of_ground(at, FIELD.ball_radius()));
-        self.seen.map(|seen| seen.direction).or_else(remembered)
+    pub fn bearing(&self) -> Option<Bearing> {
+        let remembered = || self.position().map(|at| Bearing::of_ground(at, FIELD.ball_radius()));
+        self.seen.map(|seen| seen.bearing).or_else(remembered)
     }
 
-    /// Where the ball is believed to lie or to roll now, m, in the frame on the ground between the feet.
+    /// The most likely position of the ball now, lying or rolling, m, in the ground frame between the feet.
     #[must_use]
-    pub fn at(&self) -> Option<Vec2> {
+    pub fn position(&self) -> Option<Vec2> {
         self.estimate().map(|place| place.position)
     }
 
-    /// The same, with how sure that is.
+    /// The same with its covariance, m².
     #[must_use]
     pub fn estimate(&self) -> Option<PositionEstimate> {
         self.memory.likeliest()
     }
 
-    /// What is remembered of the ball: whether it rolls, where to, how much it is believed.
+    /// The memory of the ball: velocity and confidence.
     #[must_use]
     pub const fn memory(&self) -> &BallMemory {
         &self.memory

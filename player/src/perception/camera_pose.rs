@@ -1,47 +1,48 @@
-//! Where the camera is.
+//! The pose of the camera.
 
 use bica::prelude::*;
 use bica_vision::projection::Camera;
 
-use crate::input::{Eye, Measured};
+use super::ego_motion::LastImage;
+use crate::input::{CameraInput, RobotState};
 
-/// A camera that turns farther than this between two images, rad, may blur what it shows.
+/// Rotation between two images above which they may be blurred, rad.
 const BLURRED: f32 = 0.05;
 
-/// The camera over the ground at the moment of the newest image, from the joints and the foot that carries.
+/// The pose of the camera when it took the newest image, from the joint angles and the support foot.
 #[derive(Debug)]
 pub struct CameraPose {
     camera: Option<Camera>,
+    /// Rotation since the image before, rad.
     turned: f32,
-    image: u32,
+    image: LastImage,
 }
 
 #[component(budget_us = 5)]
 impl CameraPose {
-    /// Knows nothing before the first image.
+    /// Unknown before the first image.
     #[must_use]
     pub const fn new() -> Self {
-        Self { camera: None, turned: 0.0, image: 0 }
+        Self { camera: None, turned: 0.0, image: LastImage::new() }
     }
 
-    fn step(&mut self, eye: &Eye, body: &Measured) {
-        if self.image != eye.count() {
-            self.image = eye.count();
-            let image = eye.image();
-            let camera = Camera::of_nao(image.camera, eye.angles(), body.support(), image.width, image.height);
+    fn step(&mut self, input: &CameraInput, state: &RobotState) {
+        if self.image.take_new(input) {
+            let image = input.image();
+            let camera = Camera::of_nao(image.camera, input.angles(), state.support(), image.width, image.height);
             let [before, now] = [self.camera.unwrap_or(camera), camera].map(|camera| camera.pose().matrix3.x_axis);
             self.turned = now.distance(before);
             self.camera = Some(camera);
         }
     }
 
-    /// Whether the camera held still enough for a sharp image, since the one before.
+    /// Whether the camera rotated so little since the image before that the newest one is sharp.
     #[must_use]
     pub fn is_steady(&self) -> bool {
         self.turned < BLURRED
     }
 
-    /// The camera, in the ground frame; none before the first image.
+    /// The camera with its pose in the ground frame; `None` before the first image.
     #[must_use]
     pub const fn camera(&self) -> Option<&Camera> {
         self.camera.as_ref()

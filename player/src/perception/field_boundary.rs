@@ -1,34 +1,34 @@
-//! Where the field ends in the image.
+//! The field boundary in the image.
 
 use bica::prelude::*;
 use bica_vision::field_boundary::FieldBoundary as Line;
 use bica_vision::frame::Frame;
 
-use crate::input::{Colours, Eye};
+use super::ego_motion::LastImage;
+use crate::input::{CameraInput, Colours};
 
-/// The line at which the carpet ends in the newest image. What is above it is not on the field.
+/// The field boundary in the newest image (the paper's "end of field"). Pixels above it do not show the field.
 #[derive(Debug)]
 pub struct FieldBoundary {
     line: Line,
-    image: u32,
+    image: LastImage,
 }
 
 #[component(hz = 30, budget_us = 300)]
 impl FieldBoundary {
-    /// Has seen no field yet.
+    /// No boundary before the first image.
     #[must_use]
     pub const fn new() -> Self {
-        Self { line: Line::NONE, image: 0 }
+        Self { line: Line::NONE, image: LastImage::new() }
     }
 
-    fn step(&mut self, eye: &Eye, colours: &Colours) {
-        if self.image != eye.count() {
-            self.image = eye.count();
-            self.line = Frame::from_image(&eye.image()).map_or(Line::NONE, |frame| Line::find(&frame, colours));
+    fn step(&mut self, input: &CameraInput, colours: &Colours) {
+        if self.image.take_new(input) {
+            self.line = Frame::from_image(&input.image()).map_or(Line::NONE, |frame| Line::find(&frame, colours));
         }
     }
 
-    /// The line.
+    /// The boundary.
     #[must_use]
     pub const fn line(&self) -> &Line {
         &self.line

@@ -1,4 +1,4 @@
-//! What is painted on the carpet.
+//! The field markings.
 
 use bica::prelude::*;
 use bica_vision::frame::Frame;
@@ -6,39 +6,40 @@ use bica_vision::lines;
 use bica_vision::markings::Markings;
 use glam::Vec2;
 
+use super::ego_motion::LastImage;
 use super::{CameraPose, FieldBoundary, OwnBody, RobotDetector};
-use crate::input::{Colours, Eye};
+use crate::input::{CameraInput, Colours};
 
-/// The white lines in the newest image, where they cross, and the centre circle. What is white on a robot, or on this one, is no line.
+/// The field lines in the newest image, their crossings and the centre circle. White pixels on robots, this one included,
+/// are excluded.
 #[derive(Debug)]
 pub struct FieldLines {
     markings: Markings,
-    image: u32,
+    image: LastImage,
 }
 
 #[component(hz = 30, budget_us = 300)]
 impl FieldLines {
-    /// Has seen no lines yet.
+    /// No markings before the first image.
     #[must_use]
     pub const fn new() -> Self {
-        Self { markings: Markings::NONE, image: 0 }
+        Self { markings: Markings::NONE, image: LastImage::new() }
     }
 
     fn step(
         &mut self,
-        eye: &Eye,
+        input: &CameraInput,
         colours: &Colours,
         end: &FieldBoundary,
         robots: &RobotDetector,
         own: &OwnBody,
         pose: &CameraPose,
     ) {
-        if self.image == eye.count() {
+        if !self.image.take_new(input) {
             return;
         }
-        self.image = eye.count();
         self.markings = Markings::NONE;
-        let Ok(frame) = Frame::from_image(&eye.image()) else { return };
+        let Ok(frame) = Frame::from_image(&input.image()) else { return };
         let Some(camera) = pose.camera() else { return };
         let mut lines = lines::find(&frame, colours, end.line(), Some(camera));
         let on_robot = |at: Vec2| own.body().covers(at) || robots.covers(at);
@@ -46,7 +47,7 @@ impl FieldLines {
         self.markings = Markings::of(&frame, colours, camera, &lines);
     }
 
-    /// What is painted on the carpet, m, in the frame on the ground between the feet.
+    /// The markings, m, in the ground frame between the feet.
     #[must_use]
     pub const fn markings(&self) -> &Markings {
         &self.markings

@@ -1,4 +1,4 @@
-//! The place on the field.
+//! Self-localization on the field.
 
 use bica::prelude::*;
 use bica_field::FIELD;
@@ -6,55 +6,59 @@ use bica_motion::pose::Pose2;
 use bica_vision::localization::{Estimate, Localizer, Sightings};
 use glam::Vec2;
 
-use super::ride::Ride;
-use super::{CameraPose, FieldLines, NetDetector, Odometry};
-use crate::input::Eye;
+use super::ego_motion::EgoMotion;
+use super::{CameraPose, FieldLines, GoalDetector, Odometry};
+use crate::input::CameraInput;
 
-/// Poses that are thought possible at a time.
+/// Number of particles.
 const PARTICLES: usize = 200;
-/// What the filter draws its random numbers from.
+/// Seed of the filter's random numbers.
 const SEED: u64 = 2009;
 
-/// Where the robot is on the field: by lines, their crossings, the centre circle and both goals.
+/// The robot's pose on the field: a particle filter over lines, their crossings, the centre circle and both goals.
 ///
-/// Only while it is active the lines are looked for.
+/// Lines are searched in the image only while this component is active.
 pub struct Localization {
     localizer: Localizer<PARTICLES>,
-    ride: Ride,
+    ego_motion: EgoMotion,
 }
 
 #[component(hz = 30, budget_us = 1000)]
 impl Localization {
-    /// Knows nothing.
+    /// Unknown pose.
     #[must_use]
     pub const fn new() -> Self {
-        Self { localizer: Localizer::new(SEED), ride: Ride::new() }
+        Self { localizer: Localizer::new(SEED), ego_motion: EgoMotion::new() }
     }
 
-    fn step(&mut self, eye: &Eye, net: &NetDetector, lines: &FieldLines, pose: &CameraPose, odometry: &Odometry) {
-        self.localizer.advance(self.ride.motion(odometry));
-        if !self.ride.sees_anew(eye) {
-            return;
-        }
-        if let Some(camera) = pose.camera() {
-            self.localizer.see(Sightings::of(lines.markings(), net.goals(), net.attacked(), camera));
-        }
+    fn step(
+        &mut self,
+        input: &CameraInput,
+        goals: &GoalDetector,
+        lines: &FieldLines,
+        pose: &CameraPose,
+        odometry: &Odometry,
+    ) {
+        let is_new = self.ego_motion.begin_run(odometry, input, |motion| self.localizer.advance(motion));
+        let Some(camera) = pose.camera().filter(|_| is_new) else { return };
+        self.localizer.see(Sightings::of(lines.markings(), goals.goals(), goals.attacked(), camera));
     }
 
-    /// What is believed most, sure or not; none before anything was seen.
+    /// The most likely pose, certain or not; `None` before the first sighting.
     #[must_use]
     pub const fn estimate(&self) -> Option<Estimate> {
         self.localizer.estimate()
     }
 
-    /// Where the ground between the feet is in the field, x towards the attacked goal, if that is sure.
+    /// The pose of the point on the ground between the feet in the field frame, x towards the attacked goal; `None` while it
+    /// is uncertain.
     #[must_use]
     pub fn pose(&self) -> Option<Pose2> {
         self.estimate().filter(Estimate::is_sure).map(|estimate| estimate.pose)
     }
 
-    /// Where the left and the right post of the attacked goal are, m, in the frame on the ground between the feet; if the
-    /// robot is sure where it is itself.
+    /// The left and the right post of the attacked goal, m, in the ground frame between the feet; `None` while the pose is
+    /// uncertain.
     #[must_use]
     pub fn posts(&self) -> Option<[Vec2; 2]> {
         let pose = self.pose()?;

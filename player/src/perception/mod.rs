@@ -1,26 +1,26 @@
-//! What the robot sees and feels, one component for each stimulus.
+//! Perception: one component for each stimulus.
 
-mod aim;
 mod ball_detector;
+mod bearing;
 mod camera_pose;
+mod ego_motion;
 mod fall_detector;
 mod field_boundary;
 mod field_lines;
+mod goal_detector;
 mod localization;
-mod net_detector;
 mod odometry;
 mod own_body;
-mod ride;
 mod robot_detector;
 
-pub use aim::Direction;
-pub use ball_detector::{BallDetector, Seen};
+pub use ball_detector::{BallDetector, BallSighting};
+pub use bearing::Bearing;
 pub use camera_pose::CameraPose;
 pub use fall_detector::FallDetector;
 pub use field_boundary::FieldBoundary;
 pub use field_lines::FieldLines;
+pub use goal_detector::GoalDetector;
 pub use localization::Localization;
-pub use net_detector::NetDetector;
 pub use odometry::Odometry;
 pub use own_body::OwnBody;
 pub use robot_detector::RobotDetector;

@@ -1,16 +1,16 @@
-//! The way that the robot made.
+//! Odometry.
 
 use bica::prelude::*;
-use bica_motion::odometry::{Calibration, MotionInput, Odometry as Estimate};
+use bica_motion::odometry::{Calibration, MotionInput, Odometry as Estimator};
 use bica_motion::pose::Pose2;
 
-use crate::input::Measured;
+use crate::input::{RobotProfile, RobotState};
 
-/// Where the robot is, seen from where it started: the way by the foot that carries it, as told and
-/// as measured, the turn by the gyroscope.
+/// The robot's pose relative to where it started: displacement from the support leg, commanded and measured, and rotation
+/// from the gyroscope.
 #[derive(Debug)]
 pub struct Odometry {
-    estimate: Estimate,
+    estimator: Estimator,
 }
 
 #[component(budget_us = 10)]
@@ -18,24 +18,22 @@ impl Odometry {
     /// At the origin.
     #[must_use]
     pub const fn new() -> Self {
-        Self { estimate: Estimate::new(&Calibration::EXACT) }
+        Self { estimator: Estimator::new(&Calibration::EXACT) }
     }
 
-    fn step(&mut self, time: &Time, body: &Measured) {
-        self.estimate.set_calibration(&body.profile().odometry);
-        let (left, right) = body.feet();
-        let turned = Some(body.inertial().gyro.z * time.dt());
-        self.estimate.step(&MotionInput {
-            commanded: body.commanded(),
-            angles: body.angles(),
-            feet: [left, right],
-            gyro_turn: turned,
+    fn step(&mut self, time: &Time, state: &RobotState, profile: &RobotProfile) {
+        self.estimator.set_calibration(&profile.get().odometry);
+        self.estimator.step(&MotionInput {
+            commanded: state.commanded(),
+            angles: state.angles(),
+            feet: state.feet(),
+            gyro_turn: Some(state.inertial().gyro.z * time.dt()),
         });
     }
 
-    /// The ground between the feet, in the frame of where the robot started.
+    /// The pose of the point on the ground between the feet, in the frame of the start.
     #[must_use]
     pub const fn pose(&self) -> Pose2 {
-        self.estimate.pose()
+        self.estimator.pose()
     }
 }

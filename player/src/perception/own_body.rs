@@ -4,28 +4,28 @@ use bica::prelude::*;
 use bica_vision::own_body::OwnBody as Body;
 
 use super::CameraPose;
-use crate::input::Eye;
+use super::ego_motion::LastImage;
+use crate::input::CameraInput;
 
-/// What the robot's own chest, arms and legs cover in the newest image: what is seen there is no stimulus.
+/// The part of the newest image that the robot's own chest, arms and legs cover. Detectors ignore it.
 #[derive(Debug)]
 pub struct OwnBody {
     body: Body,
-    image: u32,
+    image: LastImage,
 }
 
 #[component(budget_us = 10)]
 impl OwnBody {
-    /// Covers nothing before the first image.
+    /// Nothing is covered before the first image.
     #[must_use]
     pub const fn new() -> Self {
-        Self { body: Body::NONE, image: 0 }
+        Self { body: Body::NONE, image: LastImage::new() }
     }
 
-    fn step(&mut self, eye: &Eye, pose: &CameraPose) {
-        if self.image != eye.count() {
-            self.image = eye.count();
+    fn step(&mut self, input: &CameraInput, pose: &CameraPose) {
+        if self.image.take_new(input) {
             let camera = pose.camera();
-            self.body = camera.map_or(Body::NONE, |camera| Body::of_nao(camera, eye.image().camera, eye.angles()));
+            self.body = camera.map_or(Body::NONE, |camera| Body::of_nao(camera, input.image().camera, input.angles()));
         }
     }
 

@@ -1,4 +1,4 @@
-//! The other robots.
+//! Other robots.
 
 use bica::prelude::*;
 use bica_vision::frame::Frame;
@@ -9,61 +9,61 @@ use bica_vision::robots::{self, Robot, Robots};
 use bica_vision::uncertainty::{self, Errors};
 use glam::Vec2;
 
-use super::ride::Ride;
+use super::ego_motion::EgoMotion;
 use super::{CameraPose, FieldBoundary, Odometry, OwnBody};
-use crate::input::{Colours, Eye};
+use crate::input::{CameraInput, Colours};
 
-/// How many are remembered.
+/// Number of robots that are remembered.
 const REMEMBERED: usize = 4;
-/// Time without a sighting in which the belief in a robot's place halves, s: robots walk.
+/// Half-life of the confidence in a robot that is not seen, s.
 const HALF_LIFE: f32 = 4.0;
-/// How much a sighting is believed.
+/// Confidence of a sighting, 0 to 1.
 const CONFIDENCE: f32 = 0.8;
-/// How far a robot's middle may be from the edge of its feet, m.
+/// Standard deviation from the edge of a robot's feet to its middle, m.
 const WIDTH: f32 = 0.1;
-/// A robot farther away than this may be there and not be seen, m.
+/// Distance up to which a robot in view is always detected, m.
 const VISIBLE: f32 = 2.0;
 
-/// The other robots in the newest image, and where those are that were seen before.
+/// The other robots in the newest image, and the remembered positions of those that are out of view.
 #[derive(Debug)]
 pub struct RobotDetector {
     robots: Robots,
     memory: MultiTargetMemory<REMEMBERED>,
-    ride: Ride,
+    ego_motion: EgoMotion,
 }
 
 #[component(hz = 30, budget_us = 300)]
 impl RobotDetector {
-    /// Has seen no robots yet.
+    /// No robots.
     #[must_use]
     pub const fn new() -> Self {
-        Self { robots: Robots::new(), memory: MultiTargetMemory::new(HALF_LIFE), ride: Ride::new() }
+        Self { robots: Robots::new(), memory: MultiTargetMemory::new(HALF_LIFE), ego_motion: EgoMotion::new() }
     }
 
     fn step(
         &mut self,
         time: &Time,
-        eye: &Eye,
+        input: &CameraInput,
         colours: &Colours,
         end: &FieldBoundary,
         pose: &CameraPose,
         own: &OwnBody,
         odometry: &Odometry,
     ) {
-        self.memory.advance(self.ride.motion(odometry), time.dt());
-        if !self.ride.sees_anew(eye) {
+        let advance = |motion| self.memory.advance(motion, time.dt());
+        if !self.ego_motion.begin_run(odometry, input, advance) {
             return;
         }
-        if let Ok(frame) = Frame::from_image(&eye.image()) {
+        if let Ok(frame) = Frame::from_image(&input.image()) {
             self.robots = robots::find(&frame, colours, end.line(), pose.camera());
             self.robots.retain(|robot| !own.body().covers(robot.base()));
             if let Some(camera) = pose.camera() {
-                self.note(camera, own, Vec2::new(frame.width().into(), frame.height().into()));
+                self.remember(camera, own, Vec2::new(frame.width().into(), frame.height().into()));
             }
         }
     }
 
-    fn note(&mut self, camera: &Camera, own: &OwnBody, size: Vec2) {
+    fn remember(&mut self, camera: &Camera, own: &OwnBody, size: Vec2) {
         for robot in &self.robots {
             let spread = uncertainty::of_ground(camera, robot.base(), 0.0, &Errors::NAO);
             if let Some((at, spread)) = robot.ground(camera).zip(spread) {
@@ -73,12 +73,12 @@ impl RobotDetector {
         self.memory.miss(|place| visibility::is_in_view(camera, size, own.body(), place, WIDTH, VISIBLE));
     }
 
-    /// Where robots are believed to be, m, in the frame on the ground between the feet.
+    /// The remembered positions, m, in the ground frame between the feet.
     pub fn places(&self) -> impl Iterator<Item = PositionEstimate> + '_ {
         self.memory.places()
     }
 
-    /// The robots, px.
+    /// The robots in the newest image, px.
     #[must_use]
     pub fn robots(&self) -> &[Robot] {
         &self.robots

@@ -1,22 +1,25 @@
-//! When to kick the ball on in the walk.
+//! When to kick the ball on while walking.
 
 use libm::{atan2f, fabsf};
 
-use crate::perception::{BallDetector, NetDetector};
+use crate::perception::{BallDetector, GoalDetector};
 
-/// A goal farther than this from the ball is too far for a kick past its keeper, m.
+/// Distance from ball to goal beyond which a kick past the keeper is unlikely, m.
 const LONG: f32 = 2.2;
-/// Where the ball must lie to be kicked on in the walk: nearest and farthest ahead, and aside, m.
-const BEFORE: ([f32; 2], f32) = ([0.25, 0.6], 0.12);
-/// How far aside of straight ahead the goal may be from the ball, rad.
-const ALONG: f32 = 0.5;
+/// Least forward distance of the ball, m.
+const MIN_AHEAD: f32 = 0.25;
+/// Largest forward distance of the ball, m.
+const MAX_AHEAD: f32 = 0.6;
+/// Largest sideways distance of the ball, m.
+const MAX_ASIDE: f32 = 0.12;
+/// Largest angle between straight ahead and the direction from ball to goal, rad.
+const MAX_ANGLE: f32 = 0.5;
 
-/// Whether to kick the ball on in the walk: it lies straight ahead, and far behind it the goal.
+/// Whether to kick the ball on while walking: it lies straight ahead, and the goal far behind it.
 #[must_use]
-pub fn dribbles(ball: &BallDetector, net: &NetDetector) -> bool {
-    let Some((ball, goal)) = ball.at().zip(net.at()).filter(|_| ball.sure()) else { return false };
-    let ([near, far], aside) = BEFORE;
-    let way = goal - ball;
-    let before = ball.x > near && ball.x < far && fabsf(ball.y) < aside;
-    before && way.length() > LONG && fabsf(atan2f(way.y, way.x)) < ALONG
+pub fn can_dribble(ball: &BallDetector, goal: &GoalDetector) -> bool {
+    let Some((ball, goal)) = ball.position().zip(goal.position()).filter(|_| ball.is_confirmed()) else { return false };
+    let to_goal = goal - ball;
+    let before = ball.x > MIN_AHEAD && ball.x < MAX_AHEAD && fabsf(ball.y) < MAX_ASIDE;
+    before && to_goal.length() > LONG && fabsf(atan2f(to_goal.y, to_goal.x)) < MAX_ANGLE
 }

@@ -1,13 +1,13 @@
-//! What to do with the ball: decided once for each kick, at the ball.
+//! Planning at the ball, once for each kick.
 //!
-//! Data flow: what perception remembers → [`Situation`] → [`plan`] → a kick, or a way round the ball.
+//! Data flow: remembered ball, goal and robots → [`Situation`] → [`plan`] → a kick, or a path around the ball.
 
 mod aim;
 mod dribble;
 mod obstacles;
 mod situation;
 
-pub use dribble::dribbles;
+pub use dribble::can_dribble;
 pub use situation::Situation;
 
 use bica_motion::kick::{Kick, KickKind, Kicks};
@@ -21,52 +21,53 @@ use aim::Aim;
 pub enum Plan {
     /// Kick it.
     Kick(Strike),
-    /// Go round it first, turning by this angle, rad to the left.
+    /// Walk around it first, with a turn by this angle, rad to the left.
     GoRound(f32),
 }
 
 /// A kick and the heading to play it in.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Strike {
-    /// Which of the six.
+    /// The kick.
     pub kick: Kick,
-    /// Heading of the body, rad.
+    /// Heading of the body during the kick, rad.
     pub heading: f32,
 }
 
-/// Turning farther than this goes round the ball, less is left to the alignment, rad.
-const FAR: f32 = 0.6;
-/// How far to go round when no goal was seen, rad: it is behind.
-const BEHIND: f32 = 2.5;
-/// What it costs to go round the ball at all, rad: more than any kick without.
-const ROUND: f32 = 10.0;
-/// Who goes round the ball anyway goes to where the surest kick does it: what a kick costs counts for more, by this factor.
-const CHOICE: f32 = 4.0;
-/// What it costs to try again what something was in the way of, rad.
-const IN_VAIN: f32 = 1.0;
+/// Largest turn of an alignment, rad; a larger one needs a path around the ball.
+const MAX_ALIGNMENT: f32 = 0.6;
+/// Turn around the ball if no goal was seen, rad: it is behind the robot.
+const UNKNOWN_GOAL_TURN: f32 = 2.5;
+/// Cost of a path around the ball, rad: above that of every kick without one.
+const CIRCLING_COST: f32 = 10.0;
+/// Weight of a kick's cost once circling is needed.
+const CIRCLING_WEIGHT: f32 = 4.0;
+/// Cost of a kick that was given up just before, rad.
+const REPETITION_COST: f32 = 1.0;
 
-/// Plans what to do with the ball: the kick that asks for the least turning, that nothing is in the way of, and that need
-/// not be played from where something stands. Headings are relative to the body's. A kick that was given up just now, `in_vain`, is
-/// planned again only if all else costs much more.
+/// Plans what to do with the ball: the kick with the least turning whose path and standing place are free. Headings are
+/// relative to the body. `last_failed_kick` is planned again only if every other kick costs much more.
 ///
-/// A goal of which nobody knows is behind. A ball from which no free way leads into the goal, as beside a post, is kicked
-/// before the goal.
+/// An unknown goal is assumed behind the robot. If no free path leads from the ball into the goal, as beside a post, the ball is
+/// kicked before the goal.
 #[must_use]
 #[inline(never)]
-pub fn plan(situation: &Situation, kicks: &Kicks, in_vain: Option<Kick>) -> Plan {
-    let Some(goal) = &situation.goal else { return Plan::GoRound(BEHIND) };
-    let choice = |aims: &[Aim]| choose(situation, aims, kicks, in_vain);
+pub fn plan(situation: &Situation, kicks: &Kicks, last_failed_kick: Option<Kick>) -> Plan {
+    let Some(goal) = &situation.goal else { return Plan::GoRound(UNKNOWN_GOAL_TURN) };
+    let choice = |aims: &[Aim]| choose(situation, aims, kicks, last_failed_kick);
     let possible = choice(&aim::scoring(goal)).or_else(|| choice(&aim::open(goal)));
-    possible.or_else(|| choose(&situation.alone(), &aim::scoring(goal), kicks, None)).unwrap_or(Plan::GoRound(BEHIND))
+    possible
+        .or_else(|| choose(&situation.without_obstacles(), &aim::scoring(goal), kicks, None))
+        .unwrap_or(Plan::GoRound(UNKNOWN_GOAL_TURN))
 }
 
-/// The cheapest kick that is possible with little turning; else the way round to the cheapest that is possible from there.
+/// The cheapest kick that needs little turning; else the path around the ball to the cheapest one.
 #[inline(never)]
-fn choose(situation: &Situation, aims: &[Aim], kicks: &Kicks, in_vain: Option<Kick>) -> Option<Plan> {
+fn choose(situation: &Situation, aims: &[Aim], kicks: &Kicks, last_failed_kick: Option<Kick>) -> Option<Plan> {
     let mut best = (f32::INFINITY, None);
     for aim in aims {
         for kick in Kick::ALL {
-            let again = if in_vain == Some(kick) { IN_VAIN } else { 0.0 };
+            let again = if last_failed_kick == Some(kick) { REPETITION_COST } else { 0.0 };
             if let Some((effort, plan)) = weigh(situation, aim, kick, kicks, again, best.0) {
                 best = (effort, Some(plan));
             }
@@ -75,17 +76,16 @@ fn choose(situation: &Situation, aims: &[Aim], kicks: &Kicks, in_vain: Option<Ki
     best.1
 }
 
-/// What leads to a kick, and the effort that it asks for, rad of turning; none if that is not below `limit`, or something is in
-/// the way.
+/// The plan for a kick and its effort, rad of turning; `None` if the effort is not below `limit`, or an obstacle prevents it.
 fn weigh(situation: &Situation, aim: &Aim, kick: Kick, kicks: &Kicks, again: f32, limit: f32) -> Option<(f32, Plan)> {
-    let way = aim.at - situation.ball;
-    let turn = wrap(atan2f(way.y, way.x) - kick.direction());
-    let cost = aim.cost + reluctance(kick) + again;
-    let is_near = fabsf(turn) < FAR;
-    let least = if is_near { fabsf(turn) + cost } else { ROUND + fabsf(turn) + CHOICE * cost };
+    let path = aim.at - situation.ball;
+    let turn = wrap(atan2f(path.y, path.x) - kick.direction());
+    let cost = aim.cost + kick_cost(kick) + again;
+    let is_near = fabsf(turn) < MAX_ALIGNMENT;
+    let least = if is_near { fabsf(turn) + cost } else { CIRCLING_COST + fabsf(turn) + CIRCLING_WEIGHT * cost };
     let stand = || situation.ball - rotate(kick.ball(kicks), turn);
     let obstacles = &situation.obstacles;
-    if least >= limit || !obstacles.lets_pass(situation.ball, way) || !obstacles.lets_stand(stand()) {
+    if least >= limit || !obstacles.allow_kick(situation.ball, path) || !obstacles.allow_stand(stand()) {
         return None;
     }
     if is_near {
@@ -96,8 +96,8 @@ fn weigh(situation: &Situation, aim: &Aim, kick: Kick, kicks: &Kicks, again: f32
     (effort < limit).then_some((effort, Plan::GoRound(round)))
 }
 
-/// What a kick costs beside the turning, rad: the front kick is the surest.
-const fn reluctance(kick: Kick) -> f32 {
+/// Cost of a kick in addition to the turning, rad: the front kick is the most reliable.
+const fn kick_cost(kick: Kick) -> f32 {
     match kick.kind {
         KickKind::Front => 0.0,
         KickKind::Diagonal => 0.25,
@@ -108,7 +108,7 @@ const fn reluctance(kick: Kick) -> f32 {
 impl Plan {
     /// The same plan with headings in a frame in which the body has this heading, rad.
     #[must_use]
-    pub fn seen_with(self, heading: f32) -> Self {
+    pub fn in_frame(self, heading: f32) -> Self {
         match self {
             Self::Kick(strike) => Self::Kick(Strike { heading: strike.heading + heading, ..strike }),
             Self::GoRound(angle) => Self::GoRound(angle),
@@ -129,7 +129,7 @@ mod tests {
     const KICKS: Kicks = Kicks::NAO;
     const BALL: Vec2 = Vec2::new(0.3, 0.0);
 
-    /// Goal posts stand where its middle and direction say; other robots at `robots`, m.
+    /// A situation with the two posts of a goal, given by its middle and heading, and robots at these positions, m.
     fn situation(ball: Vec2, middle: Vec2, heading: f32, gap: Option<f32>, robots: &[Vec2]) -> Situation {
         let across = rotate(Vec2::Y, heading);
         let post = |side: f32| Obstacle { at: middle + 0.7 * side * across, radius: 0.05 };
@@ -145,7 +145,7 @@ mod tests {
     }
 
     #[test]
-    fn a_far_goal_straight_ahead_is_kicked_at_where_the_gap_is() {
+    fn a_far_goal_straight_ahead_gets_a_front_kick_into_the_gap() {
         for gap in [-0.4_f32, 0.3] {
             let (strike, _, way) = kick(&situation(BALL, Vec2::new(2.3, 0.0), 0.0, Some(gap), &[]));
             assert_eq!(strike.kick.kind, KickKind::Front);
@@ -154,7 +154,7 @@ mod tests {
     }
 
     #[test]
-    fn a_goal_to_a_side_is_kicked_at_with_the_kick_that_needs_little_turning() {
+    fn a_goal_to_a_side_gets_the_kick_with_the_least_turning() {
         for (direction, kind) in [(FRAC_PI_2, KickKind::Lateral), (0.8, KickKind::Diagonal)] {
             for side in [1.0, -1.0] {
                 let angle = side * direction;
@@ -167,15 +167,15 @@ mod tests {
     }
 
     #[test]
-    fn a_goal_that_is_behind_or_unknown_asks_for_a_way_round_the_ball() {
+    fn a_goal_behind_the_robot_or_unknown_needs_a_path_around_the_ball() {
         let behind = situation(BALL, Vec2::new(-2.0, 0.0), PI, Some(0.0), &[]);
         assert!(matches!(plan(&behind, &KICKS, None), Plan::GoRound(angle) if angle.abs() > 3.0));
         let unknown = Situation { goal: None, ..behind };
-        assert_eq!(plan(&unknown, &KICKS, None), Plan::GoRound(BEHIND));
+        assert_eq!(plan(&unknown, &KICKS, None), Plan::GoRound(UNKNOWN_GOAL_TURN));
     }
 
     #[test]
-    fn a_ball_at_the_keepers_foot_is_kicked_past_it_and_from_beside_it() {
+    fn a_ball_at_the_keepers_foot_is_kicked_past_it_from_beside_it() {
         for side in [1.0, -1.0] {
             let keeper = Vec2::new(0.37, -0.12 * side);
             let (_, stand, way) = kick(&situation(BALL, Vec2::new(0.5, 0.0), 0.0, Some(0.3 * side), &[keeper]));
@@ -196,11 +196,11 @@ mod tests {
         let (_, stand, way) = kick(&after);
         let way = rotate(way, angle);
         assert!(way.x < -0.3 && way.y > 0.3, "back into the field, towards the goal's middle: {way}");
-        assert!(after.obstacles.lets_stand(stand));
+        assert!(after.obstacles.allow_stand(stand));
     }
 
     #[test]
-    fn a_kick_that_was_in_vain_is_not_tried_again_if_another_one_will_do() {
+    fn a_failed_kick_is_not_repeated_if_another_one_is_possible() {
         let at_goal = situation(BALL, Vec2::new(0.8, 0.0), 0.0, Some(0.0), &[]);
         let (first, ..) = kick(&at_goal);
         let Plan::Kick(second) = plan(&at_goal, &KICKS, Some(first.kick)) else { panic!("a kick") };
@@ -208,13 +208,13 @@ mod tests {
     }
 
     #[test]
-    fn the_way_round_the_ball_goes_where_nobody_stands() {
+    fn the_path_around_the_ball_avoids_other_robots() {
         for side in [1.0, -1.0] {
             let goal = (Vec2::new(-2.0, 0.3 * side), PI);
             let Plan::GoRound(short) = plan(&situation(BALL, goal.0, goal.1, Some(0.0), &[]), &KICKS, None) else {
                 panic!("far")
             };
-            // Who turns to the left goes round on the right.
+            // A turn to the left leads round the right side of the ball.
             let robot = BALL + Vec2::new(0.0, -0.3 * short.signum());
             let Plan::GoRound(long) = plan(&situation(BALL, goal.0, goal.1, Some(0.0), &[robot]), &KICKS, None) else {
                 panic!("far")
@@ -224,7 +224,7 @@ mod tests {
     }
 
     #[test]
-    fn who_is_surrounded_tries_what_would_be_right_without_the_others() {
+    fn a_surrounded_ball_is_played_as_if_there_were_no_robots() {
         let ring: [Vec2; 4] = core::array::from_fn(|i| BALL + 0.2 * Vec2::from_angle(i as f32 * FRAC_PI_2));
         let goal = Vec2::new(2.0, 0.0);
         let free = plan(&situation(BALL, goal, 0.0, Some(0.0), &[]), &KICKS, None);

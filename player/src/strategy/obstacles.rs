@@ -1,41 +1,41 @@
-//! What stands near the ball.
+//! Obstacles near the ball.
 
 use glam::Vec2;
 use heapless::Vec;
 
-/// The radius of a ball with what its way may be off, m.
-const BALL: f32 = 0.06;
-/// The radius that the robot needs where it stands to kick, m: its shoulders, or its feet with the steps that lead there.
-const BODY: f32 = 0.15;
-/// What stands farther from the ball than this is not in its way, m: it may be elsewhere by then.
+/// Radius of the ball plus the uncertainty of its path, m.
+const BALL_RADIUS: f32 = 0.06;
+/// Radius of the free place that the robot needs for a kick, m: its shoulders, or its feet with the steps that lead there.
+const BODY_RADIUS: f32 = 0.15;
+/// Distance from the ball beyond which obstacles are ignored, m: robots will have moved.
 const NEAR: f32 = 0.8;
 
-/// What is round and stands on the carpet.
+/// A round obstacle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Obstacle {
-    /// Its middle, m, ground frame.
+    /// Centre in the ground frame, m.
     pub(super) at: Vec2,
-    /// m.
+    /// Radius, m.
     pub(super) radius: f32,
 }
 
-/// Two posts and all robots that are remembered.
+/// Two goal posts and all remembered robots.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Obstacles(pub(super) Vec<Obstacle, 6>);
 
 impl Obstacles {
-    /// Whether the robot can stand at a place, m, ground frame.
-    pub(super) fn lets_stand(&self, place: Vec2) -> bool {
-        self.0.iter().all(|obstacle| obstacle.at.distance(place) > obstacle.radius + BODY)
+    /// Whether the robot can stand at a place in the ground frame, m.
+    pub(super) fn allow_stand(&self, place: Vec2) -> bool {
+        self.0.iter().all(|obstacle| obstacle.at.distance(place) > obstacle.radius + BODY_RADIUS)
     }
 
-    /// Whether a ball can be kicked that way. What touches it from behind lets it go.
-    pub(super) fn lets_pass(&self, ball: Vec2, way: Vec2) -> bool {
-        let ahead = way.normalize_or_zero();
+    /// Whether a ball can be kicked along the vector `path`, m. An obstacle behind the ball does not matter.
+    pub(super) fn allow_kick(&self, ball: Vec2, path: Vec2) -> bool {
+        let ahead = path.normalize_or_zero();
         self.0.iter().all(|obstacle| {
             let off = obstacle.at - ball;
-            let before = (0.0..NEAR).contains(&off.dot(ahead)) && off.dot(ahead) < way.length();
-            !before || libm::fabsf(off.perp_dot(ahead)) > obstacle.radius + BALL
+            let before = (0.0..NEAR).contains(&off.dot(ahead)) && off.dot(ahead) < path.length();
+            !before || libm::fabsf(off.perp_dot(ahead)) > obstacle.radius + BALL_RADIUS
         })
     }
 }

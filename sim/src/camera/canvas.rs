@@ -1,14 +1,14 @@
-//! A picture in memory and convex polygons on it.
+//! A YCbCr canvas and convex polygons on it.
 
 use glam::Vec2;
 
-/// Luma, blue and red chroma (128 is grey), and a byte unused.
+/// Luma, blue and red chroma (128 is grey), and a padding byte.
 pub(crate) type Pixel = [u8; 4];
 
-/// Pixels that are painted together at an edge.
+/// Number of pixels that are painted together at an edge.
 const CHUNK: usize = 16;
 
-/// A picture, rows from the top.
+/// Pixels of a picture, rows from the top.
 #[derive(Clone, Debug)]
 pub(crate) struct Canvas {
     pub(crate) width: usize,
@@ -16,16 +16,16 @@ pub(crate) struct Canvas {
     pub(crate) pixels: Vec<Pixel>,
 }
 
-/// How a polygon's edge looks.
+/// Rendering of a polygon's edge.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Edge {
-    /// Pixels that are partly inside are mixed with what was there.
+    /// Antialiased: pixels that are partly covered are blended with the background.
     Soft,
-    /// Pixels that are partly inside are painted wholly: neighbours leave no gap.
+    /// Pixels that are partly covered are painted completely, so that adjacent polygons leave no gap.
     Hard,
 }
 
-/// A part of a row between two places, in pixels.
+/// An interval of a row, pixels.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Span {
     from: f32,
@@ -33,7 +33,7 @@ struct Span {
 }
 
 impl Span {
-    /// How much of a pixel lies inside.
+    /// Returns the fraction of a pixel inside the interval.
     fn covers(self, u: usize) -> f32 {
         let u = u as f32;
         ((u + 0.5).min(self.to) - (u - 0.5).max(self.from)).max(0.0)
@@ -45,13 +45,13 @@ impl Canvas {
         Self { width, height, pixels: vec![[0, 128, 128, 0]; width * height] }
     }
 
-    /// The pixels of a row.
+    /// Returns the pixels of a row.
     pub(crate) fn row(&mut self, v: usize) -> &mut [Pixel] {
         &mut self.pixels[v * self.width..][..self.width]
     }
 
-    /// Paints a convex polygon. `paint` gets a row, the first pixel's column and the pixels as they are, and changes
-    /// them to what they are where the polygon covers them wholly.
+    /// Paints a convex polygon. `paint` receives the row, the column of the first pixel and the current pixels, and replaces
+    /// them by the colours of a completely covered pixel.
     pub(crate) fn fill(&mut self, polygon: &[Vec2], edge: Edge, mut paint: impl FnMut(usize, usize, &mut [Pixel])) {
         let lowest = polygon.iter().fold(f32::NEG_INFINITY, |most, corner| most.max(corner.y));
         let highest = polygon.iter().fold(f32::INFINITY, |least, corner| least.min(corner.y));
@@ -78,7 +78,7 @@ impl Canvas {
     }
 }
 
-/// Where a row of a polygon begins and ends.
+/// Returns the interval of the horizontal line at `y` inside a polygon.
 fn cut(polygon: &[Vec2], y: f32) -> Option<Span> {
     let mut span = Span { from: f32::INFINITY, to: f32::NEG_INFINITY };
     let mut a = polygon[polygon.len() - 1];
@@ -93,6 +93,7 @@ fn cut(polygon: &[Vec2], y: f32) -> Option<Span> {
     (span.from <= span.to).then_some(span)
 }
 
+/// Combines the intervals of two lines; with only one of them, returns it.
 fn both(lines: [Option<Span>; 2], from: fn(f32, f32) -> f32, to: fn(f32, f32) -> f32) -> Option<Span> {
     match lines {
         [Some(a), Some(b)] => Some(Span { from: from(a.from, b.from), to: to(a.to, b.to) }),
@@ -100,6 +101,7 @@ fn both(lines: [Option<Span>; 2], from: fn(f32, f32) -> f32, to: fn(f32, f32) ->
     }
 }
 
+/// Paints the antialiased columns `first` to `end` of a row that the intervals `lines` cover.
 fn soft_row(
     row: &mut [Pixel],
     v: usize,
@@ -130,12 +132,12 @@ fn soft_row(
     }
 }
 
-/// From one colour (0) to another (256).
+/// Blends two colours; `share`: weight of `to`, of 256.
 pub(crate) fn mix(from: Pixel, to: Pixel, share: i32) -> Pixel {
     core::array::from_fn(|i| (from[i] as i32 + (((to[i] as i32 - from[i] as i32) * share + 128) >> 8)) as u8)
 }
 
-/// A colour under more or less light; 256 leaves it as it is.
+/// Scales the brightness of a colour by `light` / 256.
 pub(crate) fn lit([y, cb, cr, _]: Pixel, light: i32) -> Pixel {
     let chroma = |c: u8| (128 + (((c as i32 - 128) * light) >> 8)).clamp(0, 255) as u8;
     [((y as i32 * light) >> 8).clamp(0, 255) as u8, chroma(cb), chroma(cr), 0]
@@ -175,7 +177,7 @@ mod tests {
     }
 
     #[test]
-    fn hard_neighbours_leave_no_gap() {
+    fn adjacent_hard_polygons_leave_no_gap() {
         let mut random = Random::new(12, Stream::Start);
         for _ in 0..200 {
             let (top, bottom) = (random.between(-20.0, 80.0), random.between(-20.0, 80.0));
@@ -189,7 +191,7 @@ mod tests {
     }
 
     #[test]
-    fn polygons_off_the_picture_or_without_area_change_nothing_or_little() {
+    fn polygons_outside_the_canvas_or_without_area_paint_almost_nothing() {
         let far = [Vec2::new(-50.0, -50.0), Vec2::new(-10.0, -50.0), Vec2::new(-10.0, -20.0)];
         assert_eq!(area(&painted(&far, Edge::Soft)), 0.0);
         let line = [Vec2::new(5.0, 5.0), Vec2::new(30.0, 20.0), Vec2::new(5.0, 5.0)];

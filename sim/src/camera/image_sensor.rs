@@ -1,4 +1,6 @@
-//! From a sharp picture to what the sensor gives: motion blur, darker corners, noise, YUYV.
+//! Image sensor: turns an ideal picture into YUYV with motion blur, vignetting and noise.
+//!
+//! The shutter is global: all rows are exposed at the same time.
 
 use glam::{Vec2, Vec3};
 
@@ -7,32 +9,35 @@ use super::palette::Palette;
 use super::pinhole::PinholeCamera;
 use crate::random::Random;
 
-/// The most pictures that are averaged into a blurred one.
-const MOST_TAPS: usize = 8;
-/// Blur shorter than this is none, pixels.
-const LEAST_BLUR: f32 = 0.8;
-/// Length of the noise that rows take theirs from.
-const GRAIN: usize = 8192;
-/// How much darker the corners are.
+/// Maximum number of shifted pictures averaged into a blurred one.
+const MAX_TAPS: usize = 8;
+/// Minimum length of motion blur that is rendered, pixels.
+const MIN_BLUR: f32 = 0.8;
+/// Number of start positions in the precomputed noise.
+const NOISE_LENGTH: usize = 8192;
+/// Relative loss of luma in the corners.
 const VIGNETTE: f32 = 0.16;
 
-/// The part of a camera behind the lens.
+/// State of an image sensor.
 #[derive(Clone, Debug)]
 pub(crate) struct ImageSensor {
     width: usize,
+    /// Exposure time, s.
     exposure: f32,
-    /// Noise as in YUYV.
-    grain: Vec<i8>,
-    /// Brightness of every byte of an image, 256 is full.
+    /// Precomputed noise of luma and chroma bytes, alternating.
+    noise: Vec<i8>,
+    /// Relative brightness of every byte of an image, of 256.
     vignette: Vec<u16>,
+    /// Sums of the bytes of shifted rows.
     sums: Vec<u16>,
+    /// A blurred row.
     blurred: Vec<u8>,
 }
 
 impl ImageSensor {
     pub(crate) fn new(palette: &Palette, width: usize, height: usize, random: &mut Random) -> Self {
         let deviation = |i: usize| if i.is_multiple_of(2) { palette.noise } else { 0.7 * palette.noise };
-        let grain = (0..GRAIN + 2 * width).map(|i| (deviation(i) * random.normal()).clamp(-60.0, 60.0) as i8);
+        let noise = (0..NOISE_LENGTH + 2 * width).map(|i| (deviation(i) * random.normal()).clamp(-60.0, 60.0) as i8);
         let centre = Vec2::new(width as f32, height as f32) / 2.0;
         let light = |i: usize| {
             let off = (Vec2::new((i / 2 % width) as f32, (i / 2 / width) as f32) - centre) / centre;
@@ -43,23 +48,23 @@ impl ImageSensor {
         Self {
             width,
             exposure: palette.exposure,
-            grain: grain.collect(),
+            noise: noise.collect(),
             vignette,
             sums: vec![0; 4 * width],
             blurred: vec![0; 4 * width],
         }
     }
 
-    /// Makes the image of a picture, taken while the camera turned with an angular velocity (camera frame, rad/s).
+    /// Converts a picture to an image taken while the camera rotates with an angular velocity (camera frame, rad/s).
     pub(crate) fn expose(
         &mut self,
         canvas: &Canvas,
         view: &PinholeCamera,
-        turning: Vec3,
+        angular_velocity: Vec3,
         random: &mut Random,
         image: &mut [u8],
     ) {
-        let taps = taps(view.focal * Vec2::new(turning.z, -turning.y) * self.exposure);
+        let taps = taps(view.focal * Vec2::new(angular_velocity.z, -angular_velocity.y) * self.exposure);
         let bytes = canvas.pixels.as_flattened();
         for (v, out) in image.chunks_exact_mut(2 * self.width).enumerate() {
             let row = if taps.len() > 1 {
@@ -69,12 +74,12 @@ impl ImageSensor {
                 &bytes[4 * v * self.width..][..4 * self.width]
             };
             pack(row, out);
-            let start = (random.bits() as usize % GRAIN) & !3;
-            disturb(&self.grain[start..], &self.vignette[2 * v * self.width..], out);
+            let start = (random.bits() as usize % NOISE_LENGTH) & !3;
+            vignette_and_noise(&self.noise[start..], &self.vignette[2 * v * self.width..], out);
         }
     }
 
-    /// Averages a row with those, shifted, that the taps say.
+    /// Averages a row over shifts of the picture by (right, down) pixels.
     fn blur_row(&mut self, canvas: &Canvas, v: usize, taps: &[(isize, isize)]) {
         let bytes = 4 * canvas.width;
         self.sums.fill(taps.len() as u16 / 2);
@@ -97,25 +102,26 @@ impl ImageSensor {
     }
 }
 
-/// The offsets of the pictures that a blurred one is averaged of, along the motion in the image, pixels. Their number
-/// is a power of two.
+/// Returns the shifts of the pictures to be averaged, along the motion in the image, pixels. Their number is a power of
+/// two.
 fn taps(motion: Vec2) -> Vec<(isize, isize)> {
     let length = motion.length();
-    if length < LEAST_BLUR {
+    if length < MIN_BLUR {
         return vec![(0, 0)];
     }
-    let count = ((length + 0.5) as usize).saturating_add(1).min(MOST_TAPS).next_power_of_two();
+    let count = ((length + 0.5) as usize).saturating_add(1).min(MAX_TAPS).next_power_of_two();
     let offset = |i: usize| motion * (i as f32 / (count - 1) as f32 - 0.5);
     (0..count).map(|i| (libm::roundf(offset(i).x) as isize, libm::roundf(offset(i).y) as isize)).collect()
 }
 
+/// Adds bytes to sums.
 fn add(sums: &mut [u16], bytes: &[u8]) {
     for (sum, byte) in sums.iter_mut().zip(bytes) {
         *sum += *byte as u16;
     }
 }
 
-/// Two pixels of four bytes each to `Y0 Cb Y1 Cr`.
+/// Packs pairs of pixels as `Y0 Cb Y1 Cr`.
 fn pack(row: &[u8], out: &mut [u8]) {
     let pairs = row.as_chunks::<8>().0;
     for (out, &[y0, cb0, cr0, _, y1, cb1, cr1, _]) in out.as_chunks_mut::<4>().0.iter_mut().zip(pairs) {
@@ -123,10 +129,10 @@ fn pack(row: &[u8], out: &mut [u8]) {
     }
 }
 
-/// Darkens the corners and adds noise.
-fn disturb(grain: &[i8], vignette: &[u16], out: &mut [u8]) {
-    for ((byte, grain), light) in out.iter_mut().zip(grain).zip(vignette) {
-        *byte = (((*byte as u16 * light) >> 8) as i16 + *grain as i16).clamp(0, 255) as u8;
+/// Applies vignetting and adds noise.
+fn vignette_and_noise(noise: &[i8], vignette: &[u16], out: &mut [u8]) {
+    for ((byte, noise), light) in out.iter_mut().zip(noise).zip(vignette) {
+        *byte = (((*byte as u16 * light) >> 8) as i16 + *noise as i16).clamp(0, 255) as u8;
     }
 }
 
@@ -136,8 +142,8 @@ mod tests {
     use crate::random::Stream;
     use glam::Affine3A;
 
-    /// The image of a white bar one pixel wide in the middle of black, without noise.
-    fn image_of_bar(turning: Vec3) -> Vec<u8> {
+    /// Returns the noiseless image of a white bar, one pixel wide, on black.
+    fn image_of_bar(angular_velocity: Vec3) -> Vec<u8> {
         let (width, height) = (320, 240);
         let mut canvas = Canvas::new(width, height);
         for v in 0..height {
@@ -149,22 +155,22 @@ mod tests {
         let mut sensor = ImageSensor::new(&palette, width, height, &mut random);
         let mut image = vec![0; 2 * width * height];
         let view = PinholeCamera::new(Affine3A::IDENTITY, width, height);
-        sensor.expose(&canvas, &view, turning, &mut random, &mut image);
+        sensor.expose(&canvas, &view, angular_velocity, &mut random, &mut image);
         image
     }
 
     #[test]
-    fn a_turning_head_smears_over_focal_length_times_angle() {
-        let smeared = |turning| {
-            let image = image_of_bar(turning);
+    fn motion_blur_spreads_over_focal_length_times_angle_and_keeps_the_light() {
+        let blurred = |angular_velocity| {
+            let image = image_of_bar(angular_velocity);
             let row: Vec<u8> = image[2 * 320 * 120..][..640].iter().step_by(2).copied().collect();
             (row.iter().filter(|&&y| y > 5).count(), row.iter().map(|&y| y as u32).sum::<u32>())
         };
-        let (still, light) = smeared(Vec3::ZERO);
+        let (still, light) = blurred(Vec3::ZERO);
         assert_eq!(still, 1);
-        let (yawing, kept) = smeared(Vec3::new(0.0, 0.0, 2.0));
+        let (yawing, kept) = blurred(Vec3::new(0.0, 0.0, 2.0));
         assert!((6..=8).contains(&yawing), "{yawing}");
         assert!(kept.abs_diff(light) < light / 10, "{kept} {light}");
-        assert_eq!(smeared(Vec3::new(0.0, 2.0, 0.0)).0, 1);
+        assert_eq!(blurred(Vec3::new(0.0, 2.0, 0.0)).0, 1);
     }
 }

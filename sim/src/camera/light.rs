@@ -1,4 +1,4 @@
-//! Light in the hall: lamps above, brighter from one side.
+//! Illumination of the hall: lamps above, brighter from one side.
 
 use core::f32::consts::PI;
 
@@ -7,12 +7,12 @@ use libm::{cosf, sinf};
 
 use crate::random::Random;
 
-/// How surfaces are lit. 256 is a surface that the palette's colours were chosen for.
+/// Illumination of surfaces; brightness 256 leaves the palette's colours unchanged.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Light {
-    /// Where the brighter side is, unit vector.
+    /// Direction of the brighter side, unit vector, field frame.
     pub(crate) from: Vec3,
-    /// How the brightness of the ground changes over the field, 1/m.
+    /// Relative change of the brightness of the ground along x and y, 1/m.
     pub(crate) slope: (f32, f32),
 }
 
@@ -24,7 +24,7 @@ impl Light {
         Self { from, slope: (slope * from.x, slope * from.y) }
     }
 
-    /// How bright a surface with this outward unit normal (field frame) is.
+    /// Returns the brightness, of 256, of a surface with this outward unit normal (field frame).
     pub(crate) fn on(&self, normal: Vec3) -> i32 {
         let above = 0.5 + 0.5 * normal.z;
         let side = normal.dot(self.from).max(0.0);

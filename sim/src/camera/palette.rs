@@ -1,14 +1,14 @@
-//! Colours as a camera with its settings sees them.
+//! Colours of objects, and how a camera with its exposure and white balance renders them.
 
 use glam::Vec3;
 
 use super::canvas::Pixel;
 use crate::random::Random;
 
-/// Red, green and blue, 0 to 1, as a camera with good settings gives them.
+/// Red, green and blue, 0 to 1, as a well adjusted camera renders them.
 pub(crate) type Rgb = Vec3;
 
-/// Green carpet: between two labs' real images.
+/// Green carpet: between the real images of two laboratories.
 pub(crate) const CARPET: Rgb = Rgb::new(0.17, 0.38, 0.20);
 /// White lines.
 pub(crate) const LINE: Rgb = Rgb::new(0.76, 0.76, 0.71);
@@ -18,25 +18,25 @@ pub(crate) const ORANGE: Rgb = Rgb::new(0.86, 0.42, 0.17);
 pub(crate) const YELLOW: Rgb = Rgb::new(0.78, 0.70, 0.10);
 /// The sky-blue goal.
 pub(crate) const SKY_BLUE: Rgb = Rgb::new(0.18, 0.42, 0.60);
-/// Nets and the triangles at the goals' sides.
+/// Nets and side panels of the goals.
 pub(crate) const WHITE: Rgb = Rgb::new(0.80, 0.80, 0.78);
-/// Robots.
+/// Shells of robots.
 pub(crate) const SHELL: Rgb = Rgb::new(0.74, 0.74, 0.74);
-/// Robots' joints.
+/// Joints of robots.
 pub(crate) const JOINT: Rgb = Rgb::new(0.20, 0.20, 0.22);
 /// Plastic parts of the red team.
 pub(crate) const RED_TEAM: Rgb = Rgb::new(0.66, 0.12, 0.13);
 /// Plastic parts of the blue team.
 pub(crate) const BLUE_TEAM: Rgb = Rgb::new(0.16, 0.20, 0.50);
 
-/// A camera's settings in one game.
+/// Camera settings of one game.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Palette {
-    /// Exposure and white balance: how much of each colour it takes.
+    /// Gain of red, green and blue by exposure and white balance.
     gain: Vec3,
-    /// Standard deviation of noise in luma, of 255.
+    /// Standard deviation of the luma noise, counts of 255.
     pub(crate) noise: f32,
-    /// How long it takes light for an image, s.
+    /// Exposure time, s.
     pub(crate) exposure: f32,
 }
 
@@ -47,19 +47,19 @@ impl Palette {
         Self { gain: exposure * white, noise: random.between(1.5, 3.0), exposure: random.between(0.005, 0.014) }
     }
 
-    /// A colour as the camera sees it (BT.601, full range). Bright colours come close to white but do not clip hard.
+    /// Converts a colour as the camera renders it (BT.601, full range). Bright colours saturate gradually.
     pub(crate) fn pixel(&self, colour: Rgb) -> Pixel {
-        let [y, cb, cr] = self.seen(colour);
+        let [y, cb, cr] = self.ycbcr(colour);
         let byte = |count: f32| (count + 0.5).clamp(0.0, 255.0) as u8;
         [byte(y), byte(128.0 + cb), byte(128.0 + cr), 0]
     }
 
-    /// Luma, blue and red chroma of a colour, in counts of 255; chroma 0 is grey. The sum of what its red, green and blue
-    /// alone give.
-    pub(crate) fn seen(&self, colour: Rgb) -> [f32; 3] {
-        let soften = |x: f32| if x < 0.8 { x } else { 1.0 - 0.04 / (x - 0.6) };
-        let seen = self.gain * colour;
-        let (r, g, b) = (soften(seen.x), soften(seen.y), soften(seen.z));
+    /// Returns luma, blue and red chroma of a colour, counts of 255; chroma 0 is grey. Equals the sum of the results for its red,
+    /// green and blue alone.
+    pub(crate) fn ycbcr(&self, colour: Rgb) -> [f32; 3] {
+        let saturate = |x: f32| if x < 0.8 { x } else { 1.0 - 0.04 / (x - 0.6) };
+        let rgb = self.gain * colour;
+        let (r, g, b) = (saturate(rgb.x), saturate(rgb.y), saturate(rgb.z));
         let y = 0.299 * r + 0.587 * g + 0.114 * b;
         [y, (b - y) / 1.772, (r - y) / 1.402].map(|part| part * 255.0)
     }

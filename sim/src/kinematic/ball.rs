@@ -1,73 +1,71 @@
-//! The ball: it rolls, slows down and bounces. Seen from above; its middle stays one radius over the carpet.
+//! The ball: rolling and bouncing in the plane. Its centre stays one radius above the carpet.
 
-use bica_field::FIELD;
 use glam::Vec2;
 
+use crate::field::BALL_RADIUS;
 use crate::obstacle::Obstacle;
 
-const BALL_RADIUS: f32 = FIELD.ball_radius();
-
-/// The ball.
+/// State of the ball.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Ball {
-    /// Middle, m, field frame.
+    /// Centre, m, field frame.
     pub(crate) position: Vec2,
-    /// m/s, field frame.
+    /// Velocity, m/s, field frame.
     pub(crate) velocity: Vec2,
-    /// How the carpet brakes it, m/s².
-    pub(crate) braking: f32,
+    /// Deceleration by rolling resistance, m/s².
+    pub(crate) rolling_deceleration: f32,
 }
 
-/// A surface that meets the ball.
+/// A surface that touches the ball.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Surface {
-    /// Unit vector out of it.
+    /// Outward normal, unit vector.
     pub(crate) normal: Vec2,
-    /// How deep the ball is in it, m.
+    /// Penetration depth of the ball, m.
     pub(crate) depth: f32,
-    /// Its own velocity, m/s.
+    /// Velocity of the surface, m/s.
     pub(crate) velocity: Vec2,
-    /// Share of the closing speed with which the ball comes off.
-    pub(crate) bounce: f32,
-    /// Share of the sliding speed that the ball loses.
-    pub(crate) grip: f32,
+    /// Coefficient of restitution, 0 to 1.
+    pub(crate) restitution: f32,
+    /// Fraction of the relative tangential speed that the ball loses, 0 to 1.
+    pub(crate) tangential_loss: f32,
 }
 
 impl Ball {
-    /// A ball that lies still.
-    pub(crate) const fn at(position: Vec2, braking: f32) -> Self {
-        Self { position, velocity: Vec2::ZERO, braking }
+    /// Returns a ball at rest.
+    pub(crate) const fn at(position: Vec2, rolling_deceleration: f32) -> Self {
+        Self { position, velocity: Vec2::ZERO, rolling_deceleration }
     }
 
-    /// Rolls for `dt` s under constant braking, exactly.
+    /// Rolls for `dt` s under constant deceleration (exact solution).
     pub(crate) fn roll(&mut self, dt: f32) {
         let speed = self.velocity.length();
         if speed == 0.0 {
             return;
         }
         let direction = self.velocity / speed;
-        let moving = dt.min(speed / self.braking);
-        self.position += direction * (speed - 0.5 * self.braking * moving) * moving;
-        let left = speed - self.braking * moving;
+        let moving = dt.min(speed / self.rolling_deceleration);
+        self.position += direction * (speed - 0.5 * self.rolling_deceleration * moving) * moving;
+        let left = speed - self.rolling_deceleration * moving;
         self.velocity = if moving < dt { Vec2::ZERO } else { direction * left };
     }
 
-    /// Comes off a surface that it is in: out of it, and away from it if they were closing in.
-    pub(crate) fn meet(&mut self, surface: &Surface) {
+    /// Resolves a contact: removes the penetration and, if the bodies approach each other, applies restitution and friction.
+    pub(crate) fn collide(&mut self, surface: &Surface) {
         self.position += surface.normal * surface.depth;
         let relative = self.velocity - surface.velocity;
         let closing = relative.dot(surface.normal);
         if closing < 0.0 {
             let sliding = relative - closing * surface.normal;
-            self.velocity -= (1.0 + surface.bounce) * closing * surface.normal + surface.grip * sliding;
+            self.velocity -= (1.0 + surface.restitution) * closing * surface.normal + surface.tangential_loss * sliding;
         }
     }
 
-    /// Comes off an obstacle that stands still, if it is in it.
+    /// Resolves a contact with a static obstacle, if there is one.
     pub(crate) fn bounce_off(&mut self, obstacle: &Obstacle) {
         if let Some((normal, depth)) = obstacle.overlap(self.position, BALL_RADIUS) {
-            let (bounce, grip) = (obstacle.bounce, obstacle.grip);
-            self.meet(&Surface { normal, depth, velocity: Vec2::ZERO, bounce, grip });
+            let (restitution, tangential_loss) = (obstacle.restitution, obstacle.tangential_loss);
+            self.collide(&Surface { normal, depth, velocity: Vec2::ZERO, restitution, tangential_loss });
         }
     }
 }
@@ -78,7 +76,7 @@ mod tests {
     use crate::obstacle::GOALS;
     use crate::random::{Random, Stream};
 
-    fn bounce(ball: &mut Ball) {
+    fn bounce_off_goals(ball: &mut Ball) {
         for obstacle in &GOALS {
             ball.bounce_off(obstacle);
         }
@@ -100,7 +98,7 @@ mod tests {
     }
 
     #[test]
-    fn energy_never_grows_off_what_stands_still() {
+    fn a_contact_with_a_static_obstacle_never_adds_energy() {
         let mut random = Random::new(5, Stream::Start);
         for _ in 0..2_000 {
             let position = Vec2::new(random.between(2.6, 3.6), random.between(-1.0, 1.0));
@@ -109,20 +107,20 @@ mod tests {
             for _ in 0..300 {
                 let before = ball.velocity.length();
                 ball.roll(0.001);
-                bounce(&mut ball);
+                bounce_off_goals(&mut ball);
                 assert!(ball.velocity.length() <= before * 1.000_01);
             }
         }
     }
 
     #[test]
-    fn a_ball_bounces_off_a_post_with_its_share_of_the_speed() {
+    fn a_post_returns_the_normal_speed_times_its_restitution() {
         let mut ball = Ball { velocity: Vec2::new(1.0, 0.0), ..Ball::at(Vec2::new(2.9, 0.7), 0.3) };
         let mut turned = false;
         for _ in 0..200 {
             let before = ball.velocity.x;
             ball.roll(0.001);
-            bounce(&mut ball);
+            bounce_off_goals(&mut ball);
             if before > 0.0 && ball.velocity.x < 0.0 {
                 turned = true;
                 assert!((ball.velocity.x + 0.6 * before).abs() < 1e-3);
@@ -133,7 +131,7 @@ mod tests {
     }
 
     #[test]
-    fn no_ball_passes_through_robots_that_stand_or_lie() {
+    fn no_ball_passes_through_a_standing_or_lying_robot() {
         let mut random = Random::new(6, Stream::Start);
         let (left, right) = (Vec2::new(0.0, 0.05), Vec2::new(0.0, -0.05));
         for robot in [Obstacle::legs(left, right), Obstacle::lying(left, right + Vec2::new(0.25, 0.0))] {
@@ -152,11 +150,11 @@ mod tests {
     }
 
     #[test]
-    fn the_net_holds_the_ball() {
+    fn a_ball_shot_into_the_goal_comes_to_rest_at_the_net() {
         let mut ball = Ball { velocity: Vec2::new(3.0, 0.4), ..Ball::at(Vec2::new(2.5, 0.0), 0.3) };
         for _ in 0..5_000 {
             ball.roll(0.001);
-            bounce(&mut ball);
+            bounce_off_goals(&mut ball);
         }
         assert_eq!(ball.velocity, Vec2::ZERO);
         assert!(ball.position.x > 3.2 && ball.position.x < 3.5, "{}", ball.position);

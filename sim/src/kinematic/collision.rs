@@ -1,4 +1,4 @@
-//! Nothing passes through posts, nets and other robots.
+//! Collisions of the robot with posts, nets and other robots.
 
 use bica_motion::robot::Buttons;
 use bica_motion::side::Side;
@@ -7,21 +7,23 @@ use glam::{Vec2, Vec3};
 use super::body::Body;
 use crate::obstacle::Obstacle;
 
-/// How thick the torso is between the arms, which give way, m.
+/// Radius of the torso without the arms, which yield, m.
 const TORSO_RADIUS: f32 = 0.09;
-/// The middle of a disc in the sole's frame that reaches to the toes, and its radius, m.
-const FOOT: (Vec3, f32) = (Vec3::new(0.035, 0.0, 0.0), 0.065);
-/// How often the overlaps are resolved one after the other; two walls of a corner need two.
-const ROUNDS: usize = 3;
-/// A foot feels what is within this of its front, as the cosine of the angle.
-const BUMPER: f32 = 0.5;
+/// Centre of a disc that covers the front of a foot, sole frame, m.
+const FOOT_CENTRE: Vec3 = Vec3::new(0.035, 0.0, 0.0);
+/// Radius of that disc, m.
+const FOOT_RADIUS: f32 = 0.065;
+/// Number of overlaps resolved one after the other; the two walls of a corner need two.
+const ITERATIONS: usize = 3;
+/// Cosine of the angle between foot and obstacle within which a bumper is pressed (60°).
+const BUMPER_COSINE: f32 = 0.5;
 
-/// Moves a body out of the obstacles that it ran into, so that it slides along them. Says which bumpers that pressed,
-/// and whether it ran into any at all.
+/// Moves a body out of the obstacles that it overlaps, so that it slides along them. Returns the pressed bumpers and
+/// whether there was any contact.
 pub(crate) fn resolve(body: &mut Body, obstacles: &[Obstacle]) -> (Buttons, bool) {
     let mut buttons = Buttons::default();
     let mut hit = false;
-    for _ in 0..ROUNDS {
+    for _ in 0..ITERATIONS {
         let Some((normal, depth)) = deepest(body, obstacles) else { break };
         press(&mut buttons, body, obstacles);
         body.shift(normal * depth);
@@ -30,22 +32,24 @@ pub(crate) fn resolve(body: &mut Body, obstacles: &[Obstacle]) -> (Buttons, bool
     (buttons, hit)
 }
 
+/// Returns the outward normal and the depth, m, of the deepest overlap.
 fn deepest(body: &Body, obstacles: &[Obstacle]) -> Option<(Vec2, f32)> {
     let [left, right] = feet(body);
-    let parts = [(body.pose().position, TORSO_RADIUS), (left, FOOT.1), (right, FOOT.1)];
+    let parts = [(body.pose().position, TORSO_RADIUS), (left, FOOT_RADIUS), (right, FOOT_RADIUS)];
     let overlaps = parts
         .iter()
         .flat_map(|&(centre, radius)| obstacles.iter().filter_map(move |obstacle| obstacle.overlap(centre, radius)));
     overlaps.max_by(|a, b| a.1.total_cmp(&b.1))
 }
 
+/// Presses the bumpers of feet that touch an obstacle in front of them.
 fn press(buttons: &mut Buttons, body: &Body, obstacles: &[Obstacle]) {
     let feet = feet(body);
     for side in Side::BOTH {
         let ahead = (body.soles()[side.index()].matrix3.x_axis).truncate();
         let centre = feet[side.index()];
-        let pressed = obstacles.iter().filter_map(|obstacle| obstacle.overlap(centre, FOOT.1));
-        let pressed = pressed.into_iter().any(|(normal, _)| normal.dot(ahead) < -BUMPER);
+        let pressed = obstacles.iter().filter_map(|obstacle| obstacle.overlap(centre, FOOT_RADIUS));
+        let pressed = pressed.into_iter().any(|(normal, _)| normal.dot(ahead) < -BUMPER_COSINE);
         match side {
             Side::Left => buttons.left_bumper |= pressed,
             Side::Right => buttons.right_bumper |= pressed,
@@ -53,6 +57,7 @@ fn press(buttons: &mut Buttons, body: &Body, obstacles: &[Obstacle]) {
     }
 }
 
+/// Returns the centres of the discs around both feet, left first. Field frame, m.
 fn feet(body: &Body) -> [Vec2; 2] {
-    body.soles().map(|sole| sole.transform_point3(FOOT.0).truncate())
+    body.soles().map(|sole| sole.transform_point3(FOOT_CENTRE).truncate())
 }

@@ -2,7 +2,7 @@
 
 use glam::Vec2;
 
-/// The convex hull of points, counter-clockwise where y is left of x (Andrew's monotone chain, 1979).
+/// Returns the convex hull of points, counter-clockwise where y is left of x (Andrew's monotone chain, 1979).
 pub(crate) fn convex_hull(mut points: Vec<Vec2>) -> Vec<Vec2> {
     points.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
     points.dedup();
@@ -37,7 +37,7 @@ mod tests {
     use crate::random::{Random, Stream};
 
     #[test]
-    fn a_hull_is_convex_holds_all_points_and_is_made_of_them() {
+    fn a_hull_is_convex_contains_all_points_and_has_corners_among_them() {
         let mut random = Random::new(2, Stream::Start);
         for count in 3..40 {
             let points: Vec<Vec2> = (0..count).map(|_| Vec2::new(random.unit(), random.unit())).collect();
@@ -51,7 +51,7 @@ mod tests {
     }
 
     #[test]
-    fn few_points_are_their_own_hull() {
+    fn the_hull_of_at_most_one_distinct_point_is_that_point() {
         assert!(convex_hull(Vec::new()).is_empty());
         assert_eq!(convex_hull(vec![Vec2::X]), [Vec2::X]);
         assert_eq!(convex_hull(vec![Vec2::X, Vec2::X, Vec2::X]).len(), 1);

@@ -1,28 +1,26 @@
-//! A shoe that pushes and kicks the ball.
+//! Contact between a moving foot and the ball.
 
-use bica_field::FIELD;
 use bica_motion::dimensions::SOLE_OUTLINE;
 use bica_motion::side::Side;
 use glam::{Affine3A, Vec2, Vec3};
 use libm::sqrtf;
 
 use super::ball::{Ball, Surface};
+use crate::field::BALL_RADIUS;
 
-const BALL_RADIUS: f32 = FIELD.ball_radius();
-
-/// How high a shoe is: the plastic around a NAO's foot, m (estimated from photographs).
+/// Height of the foot's shell, m (estimated from photographs).
 const HEIGHT: f32 = 0.05;
-/// Share of the closing speed with which a ball comes off a shoe: our estimate for hard plastic on a rubber ball.
-const BOUNCE: f32 = 0.5;
-/// Share of the sliding speed that a ball loses at a shoe.
-const GRIP: f32 = 0.1;
-/// The most that a ball is moved out of a shoe in one sub-step, m: a shoe that comes down on it squeezes it out.
-const MOST_PUSH: f32 = 0.005;
+/// Coefficient of restitution: our estimate for a rubber ball on hard plastic.
+const RESTITUTION: f32 = 0.5;
+/// Fraction of the relative tangential speed that the ball loses on contact (our estimate).
+const TANGENTIAL_LOSS: f32 = 0.1;
+/// Maximum displacement of the ball per sub-step, m: a foot that is set down on the ball squeezes it out gradually.
+const MAX_PUSH: f32 = 0.005;
 
-/// The sole's corners, field frame, m.
+/// Corners of a sole, field frame, m.
 type Outline = [Vec3; SOLE_OUTLINE.len()];
 
-/// A shoe on its way through one cycle.
+/// A foot during one control cycle: the outlines of its sole at the start and at the end.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct FootContact {
     from: Outline,
@@ -31,20 +29,20 @@ pub(crate) struct FootContact {
 }
 
 impl FootContact {
-    /// A shoe whose sole goes from one pose in the field frame to another in `dt` s.
+    /// Returns a foot whose sole moves from one pose to another in `dt` s. Field frame.
     pub(crate) fn new(side: Side, from: &Affine3A, to: &Affine3A, dt: f32) -> Self {
         Self { from: outline(side, from), to: outline(side, to), dt }
     }
 
-    /// Whether the ball is near enough to be met at all.
+    /// Returns whether contact is possible: a corner comes within 0.15 m of the ball.
     pub(crate) fn is_near(&self, ball: Vec2) -> bool {
         self.from.iter().chain(&self.to).any(|corner| corner.truncate().distance_squared(ball) < 0.15 * 0.15)
     }
 
-    /// Moves the ball out of the shoe's way at `part` (0 to 1) of its way. Says whether they touched.
+    /// Resolves the contact with the ball at the fraction `part` (0 to 1) of the motion. Returns whether there was one.
     pub(crate) fn push(&self, ball: &mut Ball, part: f32) -> bool {
         let Some(surface) = self.surface(ball.position, part) else { return false };
-        ball.meet(&surface);
+        ball.collide(&surface);
         true
     }
 
@@ -61,17 +59,23 @@ impl FootContact {
             }
         }
         let mix = |ends: &Outline| ends[nearest.index].lerp(ends[(nearest.index + 1) % ends.len()], nearest.t);
-        let radius = reach(mix(&corners).z)?;
-        let out = if inside { nearest.point - ball } else { ball - nearest.point };
+        let radius = contact_radius(mix(&corners).z)?;
+        let outward = if inside { nearest.point - ball } else { ball - nearest.point };
         let depth = if inside { radius + nearest.distance } else { radius - nearest.distance };
         let velocity = (mix(&self.to) - mix(&self.from)).truncate() / self.dt;
-        let normal = out.try_normalize()?;
-        let pushed = depth.min(MOST_PUSH);
-        (depth > 0.0).then_some(Surface { normal, depth: pushed, velocity, bounce: BOUNCE, grip: GRIP })
+        let normal = outward.try_normalize()?;
+        let pushed = depth.min(MAX_PUSH);
+        (depth > 0.0).then_some(Surface {
+            normal,
+            depth: pushed,
+            velocity,
+            restitution: RESTITUTION,
+            tangential_loss: TANGENTIAL_LOSS,
+        })
     }
 }
 
-/// The place on a sole's edge nearest to the ball.
+/// The point of a sole's edge nearest to the ball.
 struct Edge {
     distance: f32,
     point: Vec2,
@@ -88,13 +92,14 @@ impl Edge {
     }
 }
 
-/// The radius of the ball where a shoe with its sole at `sole` over the ground meets it; `None` if it passes over.
-fn reach(sole: f32) -> Option<f32> {
-    let over_middle = (sole - BALL_RADIUS).max(0.0).max(BALL_RADIUS - sole - HEIGHT);
-    (over_middle < BALL_RADIUS).then(|| sqrtf(BALL_RADIUS * BALL_RADIUS - over_middle * over_middle))
+/// Returns the largest radius of the ball between the heights of sole and instep, where `sole` is the height of the sole, m;
+/// `None` if the foot passes over the ball.
+fn contact_radius(sole: f32) -> Option<f32> {
+    let from_centre = (sole - BALL_RADIUS).max(0.0).max(BALL_RADIUS - sole - HEIGHT);
+    (from_centre < BALL_RADIUS).then(|| sqrtf(BALL_RADIUS * BALL_RADIUS - from_centre * from_centre))
 }
 
-/// The corners of a sole in the field frame, counter-clockwise seen from above.
+/// Returns the corners of a sole in the field frame, counter-clockwise seen from above.
 pub(crate) fn outline(side: Side, sole: &Affine3A) -> Outline {
     core::array::from_fn(|i| {
         let corner = match side {
@@ -114,22 +119,22 @@ mod tests {
         Affine3A::from_translation(Vec3::new(x, y, z))
     }
 
-    /// Moves a shoe over the ball's place in cycles of 10 ms and sub-steps of 1 ms.
+    /// Moves a foot through the place of the ball in cycles of 10 ms and sub-steps of 1 ms.
     fn kick(side: Side, speed: f32, height: f32) -> Ball {
         let mut ball = Ball::at(Vec2::new(0.3, 0.0), 1e-6);
         for cycle in 0..60 {
             let x = |cycle| speed * 0.01 * cycle as f32;
-            let shoe = FootContact::new(side, &at(x(cycle), 0.0, height), &at(x(cycle + 1), 0.0, height), 0.01);
+            let foot = FootContact::new(side, &at(x(cycle), 0.0, height), &at(x(cycle + 1), 0.0, height), 0.01);
             for step in 1..=10 {
                 ball.roll(0.001);
-                shoe.push(&mut ball, step as f32 / 10.0);
+                foot.push(&mut ball, step as f32 / 10.0);
             }
         }
         ball
     }
 
     #[test]
-    fn a_kicked_ball_leaves_with_one_and_a_half_times_the_foot_s_speed() {
+    fn a_kicked_ball_leaves_at_one_plus_restitution_times_the_speed_of_the_foot() {
         for side in Side::BOTH {
             let ball = kick(side, 1.2, 0.01);
             assert!((ball.velocity.length() - 1.8).abs() < 0.01, "{}", ball.velocity);
@@ -137,7 +142,7 @@ mod tests {
     }
 
     #[test]
-    fn a_fast_foot_does_not_pass_through() {
+    fn a_foot_at_any_speed_pushes_the_ball_ahead() {
         for speed in [0.05, 0.5, 2.0, 4.0] {
             let ball = kick(Side::Right, speed, 0.02);
             assert!(ball.position.x > speed * 0.6 + 0.1, "{speed}: {}", ball.position);
@@ -145,15 +150,15 @@ mod tests {
     }
 
     #[test]
-    fn a_foot_lifted_over_the_ball_leaves_it_alone() {
+    fn a_foot_above_the_ball_does_not_touch_it() {
         assert_eq!(kick(Side::Left, 1.0, 0.07), Ball::at(Vec2::new(0.3, 0.0), 1e-6));
         assert_ne!(kick(Side::Left, 1.0, 0.05), Ball::at(Vec2::new(0.3, 0.0), 1e-6));
     }
 
     #[test]
-    fn a_ball_that_rolls_against_a_standing_shoe_bounces_and_never_gains() {
+    fn a_ball_that_rolls_against_a_standing_foot_bounces_and_gains_no_speed() {
         let mut random = Random::new(9, Stream::Start);
-        let shoe = FootContact::new(Side::Left, &at(0.0, 0.0, 0.0), &at(0.0, 0.0, 0.0), 0.01);
+        let foot = FootContact::new(Side::Left, &at(0.0, 0.0, 0.0), &at(0.0, 0.0, 0.0), 0.01);
         for _ in 0..500 {
             let angle = random.between(-3.0, 3.0);
             let direction = bica_motion::pose::rotate(Vec2::X, angle);
@@ -161,7 +166,7 @@ mod tests {
             for _ in 0..200 {
                 let before = ball.velocity.length();
                 ball.roll(0.001);
-                shoe.push(&mut ball, 1.0);
+                foot.push(&mut ball, 1.0);
                 assert!(ball.velocity.length() <= before * 1.000_01);
             }
             assert!(ball.position.length() > 0.1, "{angle}: {}", ball.position);

@@ -1,42 +1,43 @@
-//! What touches what in a cycle.
+//! Contacts in a control cycle.
 
 use bica_motion::robot::Buttons;
 use bica_motion::side::Side;
 use glam::Vec3;
 use mujoco_rs::prelude::{MjData, MjModel, MjtObjBase};
 
-/// A foot feels what is within this of its front, as the cosine of the angle.
-const BUMPER: f32 = 0.5;
+/// Cosine of the angle between foot and contact within which a bumper is pressed (60°).
+const BUMPER_COSINE: f32 = 0.5;
 
-/// What a geom belongs to.
+/// The object to which a geom belongs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Owner {
     Foot(Side),
     /// The robot without its feet.
     Body,
     Floor,
-    /// Post, net, another robot.
-    Thing,
+    /// Post, net or another robot.
+    Obstacle,
     Ball,
 }
 
-/// Knows what every geom belongs to.
-pub(crate) struct Owners(Vec<Owner>);
+/// Owners of all geoms of a model.
+pub(crate) struct GeomOwners(Vec<Owner>);
 
-/// What touched what.
+/// Contacts of the robot during a control cycle.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Touches {
-    /// The foot that touched the ball.
+pub(crate) struct Contacts {
+    /// The foot that touched the ball last.
     pub(crate) ball: Option<Side>,
-    /// Whether the robot touched a thing.
-    pub(crate) thing: bool,
-    /// Whether more of the robot than its feet touched the floor.
-    pub(crate) ground: bool,
-    /// Bumpers that were pressed.
+    /// Whether the robot touched an obstacle.
+    pub(crate) obstacle: bool,
+    /// Whether a part of the robot other than its feet touched the floor.
+    pub(crate) floor: bool,
+    /// Pressed bumpers.
     pub(crate) buttons: Buttons,
 }
 
-impl Owners {
+impl GeomOwners {
+    /// Finds the owners by the names and contact types of the geoms.
     pub(crate) fn of(model: &MjModel) -> Self {
         let owner = |geom: usize| {
             let name = model.id_to_name(MjtObjBase::mjOBJ_GEOM, geom).unwrap_or_default();
@@ -44,7 +45,7 @@ impl Owners {
                 ("LSole" | "LShoe", _) => Owner::Foot(Side::Left),
                 ("RSole" | "RShoe", _) => Owner::Foot(Side::Right),
                 (_, 4) => Owner::Floor,
-                (_, 8) => Owner::Thing,
+                (_, 8) => Owner::Obstacle,
                 (_, 16) => Owner::Ball,
                 _ => Owner::Body,
             }
@@ -52,33 +53,33 @@ impl Owners {
         Self((0..model.geom_contype().len()).map(owner).collect())
     }
 
-    /// Adds what touches what now. `ahead`: the directions of both feet, left first.
-    pub(crate) fn look(&self, data: &MjData<Box<MjModel>>, ahead: [Vec3; 2], touches: &mut Touches) {
+    /// Adds the current contacts. `ahead`: forward directions of both feet, left first.
+    pub(crate) fn collect(&self, data: &MjData<Box<MjModel>>, ahead: [Vec3; 2], contacts: &mut Contacts) {
         for contact in data.contact().iter().filter(|contact| contact.dist <= 0.0) {
             let [a, b] = contact.geom.map(|geom| self.0.get(geom as usize).copied());
             let (Some(a), Some(b)) = (a, b) else { continue };
             let normal = Vec3::new(contact.frame[0] as f32, contact.frame[1] as f32, contact.frame[2] as f32);
-            touches.note(a, b, normal, ahead);
-            touches.note(b, a, -normal, ahead);
+            contacts.add(a, b, normal, ahead);
+            contacts.add(b, a, -normal, ahead);
         }
     }
 }
 
-impl Touches {
-    /// Something of the robot's touches something else, in the direction of `out` from it.
-    fn note(&mut self, own: Owner, other: Owner, out: Vec3, ahead: [Vec3; 2]) {
+impl Contacts {
+    /// Adds a contact between `own` and `other`; `outward`: contact normal from `own` to `other`.
+    fn add(&mut self, own: Owner, other: Owner, outward: Vec3, ahead: [Vec3; 2]) {
         match (own, other) {
             (Owner::Foot(side), Owner::Ball) => self.ball = Some(side),
-            (Owner::Foot(side), Owner::Thing) => {
-                self.thing = true;
-                let pressed = out.dot(ahead[side.index()]) > BUMPER;
+            (Owner::Foot(side), Owner::Obstacle) => {
+                self.obstacle = true;
+                let pressed = outward.dot(ahead[side.index()]) > BUMPER_COSINE;
                 match side {
                     Side::Left => self.buttons.left_bumper |= pressed,
                     Side::Right => self.buttons.right_bumper |= pressed,
                 }
             }
-            (Owner::Body, Owner::Thing) => self.thing = true,
-            (Owner::Body, Owner::Floor) => self.ground = true,
+            (Owner::Body, Owner::Obstacle) => self.obstacle = true,
+            (Owner::Body, Owner::Floor) => self.floor = true,
             _ => {}
         }
     }

@@ -1,26 +1,26 @@
-//! Why there is no such world.
+//! Errors of the dynamic simulator.
 
 use core::fmt;
 
 use crate::setup::SetupError;
 
-/// Why a [`MujocoWorld`](super::MujocoWorld) cannot be made.
+/// The reason why a [`MujocoWorld`](super::MujocoWorld) cannot be built.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Error {
-    /// The setup makes no world.
+    /// The setup is invalid.
     Setup(SetupError),
-    /// A parameter of the physics is no number or out of its range.
+    /// A parameter of the physics is not finite or outside its range.
     Physics {
-        /// The parameter's name.
+        /// Name of the parameter.
         name: &'static str,
-        /// What it was.
+        /// Rejected value.
         value: f32,
-        /// Its least and its greatest value.
+        /// Minimum and maximum.
         range: (f32, f32),
     },
-    /// MuJoCo does not take the model.
+    /// MuJoCo rejects the model.
     Model(String),
-    /// Nothing can be drawn.
+    /// No renderer is available.
     Camera(String),
 }
 
@@ -29,11 +29,14 @@ impl fmt::Display for Error {
         match self {
             Self::Setup(error) => error.fmt(f),
             Self::Physics { name, value, range: (least, most) } => {
-                write!(f, "`{name}` cannot be {value}: it goes from {least} to {most}")
+                write!(f, "`{name}` is {value}, outside of its range {least} to {most}")
             }
-            Self::Model(error) => write!(f, "MuJoCo does not take the model: {error}"),
+            Self::Model(error) => write!(f, "MuJoCo rejects the model: {error}"),
             Self::Camera(error) => {
-                write!(f, "nothing can be drawn: {error}; `cargo xtask mujoco` installs what that needs")
+                write!(
+                    f,
+                    "camera images cannot be rendered: {error}; `cargo xtask mujoco` installs the required libraries"
+                )
             }
         }
     }

@@ -1,42 +1,43 @@
-//! Whether the robot is on its feet, as the referee sees it.
+//! Detection of falls and of getting up, for the referee.
 
 use bica_motion::pose::{Pose2, rotate};
 use glam::{Affine3A, Vec2};
-use libm::atan2f;
 
 use crate::referee::{Event, Posture};
-use crate::transform::fall_direction;
+use crate::transform::{fall_direction, ground_pose};
 
-/// A torso whose axis rises less than this has fallen: it leans by 53°.
-const FALLEN: f32 = 0.6;
-/// A torso whose axis rises more than this stands: it leans by less than 20°.
-const STANDING: f32 = 0.94;
-/// Hips that stand are at least this high, m.
-const STANDING_HIPS: f32 = 0.15;
-/// Who stands for this long stands for good, cycles.
-const PATIENCE: u32 = 50;
+/// Vertical component of the torso axis below which the robot falls: it leans by more than 53°.
+const FALLEN_COSINE: f32 = 0.6;
+/// Vertical component of the torso axis above which the robot is upright: it leans by less than 20°.
+const UPRIGHT_COSINE: f32 = 0.94;
+/// Minimum height of the hips of a standing robot, m.
+const MIN_HIP_HEIGHT: f32 = 0.15;
+/// Time that an upright robot needs to count as standing, cycles.
+const STANDING_CYCLES: u32 = 50;
 
-/// Sees a robot fall and get up.
+/// State of the detection.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct FallMonitor {
     posture: Posture,
-    /// The heading while it can be told.
+    /// Heading before a fall, rad.
     heading: f32,
+    /// Consecutive upright cycles.
     standing: u32,
 }
 
 impl FallMonitor {
-    /// Of a robot that stands.
+    /// Returns the monitor of a standing robot.
     pub(crate) const fn new(heading: f32) -> Self {
         Self { posture: Posture::Upright, heading, standing: 0 }
     }
 
-    /// Looks at the robot frame, once per cycle; `ground`: whether more than the feet touches the floor.
-    pub(crate) fn look(&mut self, robot: &Affine3A, ground: bool) -> Option<Event> {
-        let rise = robot.matrix3.z_axis.z;
-        let upright = rise > STANDING && robot.translation.z > STANDING_HIPS && !ground;
+    /// Updates with the pose of the robot frame, once per cycle; `floor`: whether a part other than the feet touches the floor.
+    /// Returns the event if the robot falls or gets up.
+    pub(crate) fn step(&mut self, robot: &Affine3A, floor: bool) -> Option<Event> {
+        let up = robot.matrix3.z_axis.z;
+        let upright = up > UPRIGHT_COSINE && robot.translation.z > MIN_HIP_HEIGHT && !floor;
         self.standing = if upright { self.standing + 1 } else { 0 };
-        if self.posture == Posture::Upright && rise > FALLEN {
+        if self.posture == Posture::Upright && up > FALLEN_COSINE {
             self.heading = heading(robot);
             return None;
         }
@@ -47,7 +48,7 @@ impl FallMonitor {
                 self.posture = Posture::Down(fall);
                 Some(Event::Fall(fall))
             }
-            Posture::Down(_) if self.standing >= PATIENCE => {
+            Posture::Down(_) if self.standing >= STANDING_CYCLES => {
                 self.posture = Posture::Upright;
                 self.heading = heading(robot);
                 Some(Event::GotUp)
@@ -56,16 +57,17 @@ impl FallMonitor {
         }
     }
 
+    /// Whether the robot stands or has fallen.
     pub(crate) const fn posture(&self) -> Posture {
         self.posture
     }
 
-    /// The ground under the middle between the hips; lying, the heading is the one that it had before.
+    /// Projects the robot frame to the ground; while the robot lies, with the heading before the fall.
     pub(crate) fn pose(&self, robot: &Affine3A) -> Pose2 {
         Pose2 { position: Vec2::new(robot.translation.x, robot.translation.y), heading: self.heading }
     }
 }
 
 fn heading(robot: &Affine3A) -> f32 {
-    atan2f(robot.matrix3.x_axis.y, robot.matrix3.x_axis.x)
+    ground_pose(robot).heading
 }

@@ -1,8 +1,8 @@
-//! The field with real forces: a NAO that can topple, in MuJoCo. With the feature `mujoco`.
+//! The dynamic simulator: a NAO as rigid bodies in MuJoCo. With the feature `mujoco`.
 //!
-//! The same [`World`](crate::World) as the built-in one, from the same [`Setup`](crate::setup::Setup), and by the same
-//! rules; but bodies have mass, soles slip, motors have limits and what loses its balance falls. What a real robot adds to
-//! physics is added here: dead time of the motors, noise and delay of the sensors; [`Physics`] says how much.
+//! It implements the same [`World`](crate::World) as the kinematic simulator, from the same [`Setup`](crate::setup::Setup) and
+//! with the same rules, but bodies have mass, soles slip, motors have torque limits, and a robot without balance falls.
+//! Dead time of the motors, sensor delay and sensor noise are modelled here; [`Physics`] holds their parameters.
 //!
 //! ```no_run
 //! use bica_motion::{robot::{CameraId, Command, Lights}, stand::{STAND, Stiffness}};
@@ -27,8 +27,8 @@
 //! # Ok::<(), bica_sim::mujoco::Error>(())
 //! ```
 //!
-//! Method: rigid bodies with soft contacts (Todorov, Erez and Tassa 2012), steps of 2 ms. The robot is `models/nao.xml`; the
-//! field is made of the same lengths as the built-in one.
+//! Method: rigid bodies with soft contacts (Todorov, Erez and Tassa 2012), time step 2 ms. The robot is `models/nao.xml`; the
+//! field is generated from the same dimensions as in the kinematic simulator.
 
 mod contacts;
 mod error;

@@ -1,4 +1,4 @@
-//! Motors: commands act after their dead time, and pull the joints to their targets with limited torque.
+//! Motors: proportional position control with dead time and torque limits.
 
 use std::collections::VecDeque;
 
@@ -10,31 +10,35 @@ use bica_motion::robot::Command;
 use super::model::STEP;
 use super::physics::Physics;
 
-/// What a joint is to be at, and how hard.
-type Aim = (Joints, Joints);
+/// Target angles, rad, and stiffness, 0 to 1.
+type Setpoint = (Joints, Joints);
 
 /// All motors of a robot.
 pub(crate) struct Motors {
-    /// Commands on their way and the steps that are left until they act, the oldest first.
-    waiting: VecDeque<(u32, Aim)>,
-    acting: Aim,
+    /// Setpoints within the dead time and the steps until they act, the oldest first.
+    pending: VecDeque<(u32, Setpoint)>,
+    acting: Setpoint,
+    /// Dead time, steps of the physics.
     delay: u32,
+    /// Position gain at full stiffness, Nm/rad.
     gains: Joints,
+    /// Torque limits, Nm.
     limits: Joints,
 }
 
 impl Motors {
-    /// Motors that hold these angles.
+    /// Returns motors that hold these angles at full stiffness.
     pub(crate) fn holding(angles: Joints, physics: &Physics) -> Self {
         let (mut gains, mut limits) = (Joints::all(0.0), Joints::all(0.0));
         for joint in Joint::ALL {
             (gains[joint], limits[joint]) = strength(joint, physics);
         }
         let delay = libm::roundf(physics.dead_time / STEP) as u32;
-        Self { waiting: VecDeque::new(), acting: (angles, Joints::all(1.0)), delay, gains, limits }
+        Self { pending: VecDeque::new(), acting: (angles, Joints::all(1.0)), delay, gains, limits }
     }
 
-    /// Takes a command. Targets beyond the limits stop there; what is no number holds nothing.
+    /// Accepts a command. Targets are clamped to the joint limits; a joint with a target or stiffness that is not finite gets no
+    /// stiffness.
     pub(crate) fn command(&mut self, command: &Command) {
         let (mut targets, mut stiffness) = (command.targets, command.stiffness);
         for joint in 0..JOINTS {
@@ -43,21 +47,21 @@ impl Motors {
         }
         targets = targets.clamp_to_limits();
         HeadAngles::read(&targets).clamped().write(&mut targets);
-        self.waiting.push_back((self.delay, (targets, stiffness)));
+        self.pending.push_back((self.delay, (targets, stiffness)));
     }
 
-    /// Lets a motor pull no more.
-    pub(crate) fn break_down(&mut self, joint: Joint) {
+    /// Removes the torque of a motor permanently.
+    pub(crate) fn fail(&mut self, joint: Joint) {
         self.gains[joint] = 0.0;
     }
 
-    /// The torques of all joints in the next step, Nm, where the joints are at these angles.
+    /// Advances by one step of the physics. Returns the torques of all joints at these angles, Nm.
     pub(crate) fn step(&mut self, angles: &Joints) -> Joints {
-        while let Some((0, aim)) = self.waiting.front() {
-            self.acting = *aim;
-            self.waiting.pop_front();
+        while let Some((0, setpoint)) = self.pending.front() {
+            self.acting = *setpoint;
+            self.pending.pop_front();
         }
-        for (left, _) in &mut self.waiting {
+        for (left, _) in &mut self.pending {
             *left -= 1;
         }
         let (targets, stiffness) = &self.acting;
@@ -68,14 +72,15 @@ impl Motors {
     }
 }
 
-/// The currents for these torques behind the gears, A.
+/// Returns the currents for these joint torques, A.
 pub(crate) fn currents(torques: &Joints) -> Joints {
     Joints(core::array::from_fn(|i| actuator(Joint::ALL[i]).current(torques.0[i])))
 }
 
-/// A motor's gain at full stiffness, Nm/rad, and its greatest torque, Nm: between values published for other simulators. With
-/// the joints' damping a joint without load turns at 0.7 to 1.3 times the published speed: legs at 5 rad/s, where the robot's
-/// roll at 4.5 and pitch at 7.0.
+/// Returns a motor's position gain at full stiffness, Nm/rad, and its torque limit, Nm.
+///
+/// The values lie between those published for other simulators. With the damping of the joints the no-load speed is 0.65 to 1.3
+/// times the published one: 5 rad/s in the legs, where the robot's rolls have 4.5 and its pitches 7.0.
 const fn strength(joint: Joint, physics: &Physics) -> (f32, f32) {
     use Joint::{
         HeadPitch, HeadYaw, LElbowRoll, LElbowYaw, LHand, LShoulderPitch, LShoulderRoll, LWristYaw, RElbowRoll,
@@ -106,7 +111,7 @@ mod tests {
     }
 
     #[test]
-    fn a_command_acts_after_its_dead_time() {
+    fn a_command_acts_after_the_dead_time() {
         for (dead_time, steps) in [(0.0, 0), (0.03, 15), (0.04, 20)] {
             let mut motors = Motors::holding(Joints::all(0.0), &Physics { dead_time, ..Physics::default() });
             motors.command(&command(0.05, 1.0));
@@ -118,7 +123,7 @@ mod tests {
     }
 
     #[test]
-    fn torque_has_its_limit_and_stiffness_its_share() {
+    fn torque_is_proportional_to_stiffness_up_to_the_limit() {
         let physics = Physics { dead_time: 0.0, torque_limit: 3.0, ..Physics::default() };
         for (target, stiffness, expected) in [(1.0, 1.0, 3.0), (0.05, 0.5, 1.0), (0.05, 0.0, 0.0), (0.05, 7.0, 2.0)] {
             let mut motors = Motors::holding(Joints::all(0.0), &physics);
@@ -128,7 +133,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_number_holds_nothing() {
+    fn a_joint_with_an_invalid_command_has_no_torque() {
         for wrong in [command(f32::NAN, 1.0), command(0.1, f32::NAN), command(f32::INFINITY, 1.0)] {
             let mut motors = Motors::holding(Joints::all(0.0), &Physics { dead_time: 0.0, ..Physics::default() });
             motors.command(&wrong);

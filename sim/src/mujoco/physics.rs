@@ -1,4 +1,4 @@
-//! What the physics is like, and what a real robot adds to it.
+//! Parameters of the physics, and faults for experiments.
 
 use bica_motion::joints::Joint;
 use bica_motion::side::Side;
@@ -6,34 +6,34 @@ use bica_motion::speed::DEAD_TIME;
 
 use super::error::Error;
 
-/// What may differ from robot to robot and from floor to floor.
+/// Parameters that differ between robots and between floors.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Physics {
-    /// How well soles grip the carpet: the greatest sideways force over the weight, 0.05 to 3.
+    /// Coefficient of friction between soles and carpet, 0.05 to 3.
     pub friction: f32,
-    /// How hard the legs' motors pull to their targets: a factor on their gain of 40 Nm/rad at full stiffness, 0.1 to 5.
+    /// Factor on the position gain of the leg motors, which is 40 Nm/rad at full stiffness; 0.1 to 5.
     pub leg_gain: f32,
-    /// The greatest torque of the legs' motors, Nm, 0.5 to 20. 5 lies between values published for the robot and its models.
+    /// Torque limit of the leg joints, Nm, 0.5 to 20. The default lies between values published for the robot and its models.
     pub torque_limit: f32,
-    /// From a command to its first effect on a motor, s, 0 to 0.2. A NAO's is 30 ms (B-Human 2015).
+    /// Dead time from a command to its first effect on a motor, s, 0 to 0.2. A NAO has 30 ms (B-Human 2015).
     pub dead_time: f32,
-    /// How old what the body's sensors tell is, s, 0 to 0.2. Together with the dead time 36 ms go from a command to its first
-    /// trace in the sensors (B-Human 2023); so 6 ms are left for this.
+    /// Age of the measurements of the body's sensors, s, 0 to 0.2. The latency from a command to its first effect in the
+    /// measurements is 36 ms (B-Human 2023); without the dead time, 6 ms remain.
     pub sensor_delay: f32,
-    /// A factor on the noise of all sensors but the cameras, 0 to 100. At 1 it is a NAO's (B-Human 2023); 0 is none.
+    /// Factor on the noise of the body's sensors, 0 to 100: 1 is the noise of a NAO (B-Human 2023), 0 is none.
     pub noise: f32,
-    /// Whether the cameras take images; a world without is faster, and needs nothing to draw with.
+    /// Whether camera images are rendered. Without them the simulation is faster and needs no renderer.
     pub cameras: bool,
 }
 
-/// A part of the robot that may break. For trials.
+/// A permanent fault of the robot. For experiments.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Fault {
-    /// The gyroscope: it says that nothing turns.
+    /// The gyroscope measures zero.
     Gyroscope,
-    /// The pressure sensors of a sole: they say that nothing presses.
+    /// The pressure sensors of a sole measure zero.
     SoleSensors(Side),
-    /// A joint's motor: it pulls no more.
+    /// The motor of a joint has no torque.
     Motor(Joint),
 }
 
@@ -52,9 +52,11 @@ impl Default for Physics {
 }
 
 impl Physics {
+    /// Checks the ranges of all parameters.
+    ///
     /// # Errors
     ///
-    /// If a parameter is out of its range; names it.
+    /// If a parameter is outside its range; the error names it.
     pub(crate) fn check(&self) -> Result<(), Error> {
         let parameters = [
             ("friction", self.friction, (0.05, 3.0)),
@@ -78,15 +80,15 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_robot_is_as_slow_as_a_nao() {
+    fn the_default_latency_is_that_of_a_nao() {
         let Physics { dead_time, sensor_delay, noise, .. } = Physics::default();
-        // Motors: B-Human 2015, 4.1.1.1. From a command to its trace in the sensors: B-Human 2023, `minDelay`.
+        // Dead time: B-Human 2015, 4.1.1.1. Latency from command to measurement: B-Human 2023, `minDelay`.
         assert_eq!((dead_time, noise), (0.030, 1.0));
         assert!((dead_time + sensor_delay - 0.036).abs() < 1e-6);
     }
 
     #[test]
-    fn a_parameter_out_of_its_range_is_named() {
+    fn a_parameter_outside_its_range_is_rejected_by_name() {
         assert_eq!(Physics::default().check(), Ok(()));
         for (name, wrong) in [
             ("friction", Physics { friction: f32::NAN, ..Physics::default() }),

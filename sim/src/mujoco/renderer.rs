@@ -1,23 +1,23 @@
-//! Drawing without a screen, from any thread.
+//! Off-screen rendering from any thread.
 
 use std::sync::{Mutex, PoisonError};
 
 use mujoco_rs::prelude::{MjData, MjModel, MjvCamera};
 use mujoco_rs::renderer::{MjRenderer, RendererError};
 
-/// Held while a renderer comes and goes: all of them share one display, which does not stand two threads at that.
+/// Held while a renderer is created or dropped: all renderers share one display, which is not thread-safe.
 static DISPLAY: Mutex<()> = Mutex::new(());
 
-/// A renderer; there is one as long as it lives.
+/// An off-screen renderer; `None` only while it is dropped.
 pub(crate) struct Renderer(Option<MjRenderer>);
 
 impl Renderer {
     pub(crate) fn new(model: &MjModel, width: usize, height: usize) -> Result<Self, RendererError> {
-        let _alone = DISPLAY.lock().unwrap_or_else(PoisonError::into_inner);
+        let _guard = DISPLAY.lock().unwrap_or_else(PoisonError::into_inner);
         MjRenderer::new(model, width, height, 0).map(|renderer| Self(Some(renderer)))
     }
 
-    /// What a camera sees: red, green and blue of each pixel, rows from the top.
+    /// Renders the view of a camera: red, green and blue of each pixel, rows from the top.
     pub(crate) fn draw(
         &mut self,
         data: &mut MjData<Box<MjModel>>,
@@ -34,7 +34,7 @@ impl Renderer {
 
 impl Drop for Renderer {
     fn drop(&mut self) {
-        let _alone = DISPLAY.lock().unwrap_or_else(PoisonError::into_inner);
+        let _guard = DISPLAY.lock().unwrap_or_else(PoisonError::into_inner);
         self.0 = None;
     }
 }

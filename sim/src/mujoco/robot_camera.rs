@@ -1,4 +1,4 @@
-//! The cameras: MuJoCo draws what they see, without a screen; the sensor behind the lens is the built-in world's.
+//! The robot's cameras: MuJoCo renders the picture off screen; the image sensor is shared with the kinematic simulator.
 
 use bica_motion::robot::CameraId;
 use glam::{Affine3A, Vec3};
@@ -14,27 +14,27 @@ use crate::camera::pinhole::PinholeCamera;
 use crate::random::{Random, Stream};
 use crate::setup::Setup;
 
-/// Both cameras and what makes images of their pictures.
+/// Both cameras with renderer and image sensor.
 pub(crate) struct RobotCamera {
     seed: u64,
     renderer: Renderer,
-    /// The model's cameras, top first.
+    /// Indices of the cameras in the model, top first.
     cameras: [usize; 2],
-    tint: Tint,
+    colour_response: ColourResponse,
     canvas: Canvas,
     sensor: ImageSensor,
     image: Vec<u8>,
 }
 
-/// How a camera stood and turned when it took an image.
+/// State of a camera during the exposure of an image.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Aim {
+pub(crate) struct Exposure {
     pub(crate) camera: CameraId,
-    /// Field from camera.
+    /// Pose in the field frame, x along the optical axis.
     pub(crate) pose: Affine3A,
-    /// In the camera's own frame, rad/s.
-    pub(crate) turning: Vec3,
-    /// The image's number.
+    /// Angular velocity, camera frame, rad/s.
+    pub(crate) angular_velocity: Vec3,
+    /// Index of the image.
     pub(crate) frame: u64,
 }
 
@@ -49,48 +49,49 @@ impl RobotCamera {
             seed: setup.seed,
             renderer,
             cameras: [camera("Top")?, camera("Bottom")?],
-            tint: Tint::new(&palette),
+            colour_response: ColourResponse::new(&palette),
             canvas: Canvas::new(width, height),
             sensor: ImageSensor::new(&palette, width, height, &mut random),
             image: vec![0; 2 * width * height],
         })
     }
 
-    /// Takes an image. One that cannot be drawn stays as the last one was.
-    pub(crate) fn take(&mut self, data: &mut MjData<Box<MjModel>>, aim: &Aim) {
-        let camera = MjvCamera::new_fixed(self.cameras[aim.camera as usize]);
+    /// Takes an image. If the renderer fails, the previous picture is used again.
+    pub(crate) fn take(&mut self, data: &mut MjData<Box<MjModel>>, exposure: &Exposure) {
+        let camera = MjvCamera::new_fixed(self.cameras[exposure.camera as usize]);
         if let Ok(picture) = self.renderer.draw(data, camera) {
-            self.tint.apply(picture, &mut self.canvas);
+            self.colour_response.apply(picture, &mut self.canvas);
         }
-        let view = PinholeCamera::new(aim.pose, self.canvas.width, self.canvas.height);
-        let mut grain = Random::new(self.seed.wrapping_add(aim.frame << 32), Stream::Grain);
-        self.sensor.expose(&self.canvas, &view, aim.turning, &mut grain, &mut self.image);
+        let view = PinholeCamera::new(exposure.pose, self.canvas.width, self.canvas.height);
+        let mut grain = Random::new(self.seed.wrapping_add(exposure.frame << 32), Stream::Grain);
+        self.sensor.expose(&self.canvas, &view, exposure.angular_velocity, &mut grain, &mut self.image);
     }
 
-    /// The newest image: width, height, YUYV.
+    /// Returns the newest image: width, height, YUYV.
     pub(crate) fn image(&self) -> (u16, u16, &[u8]) {
         (self.canvas.width as u16, self.canvas.height as u16, &self.image)
     }
 }
 
+/// Formats a renderer error with its cause.
 pub(crate) fn describe(error: &mujoco_rs::renderer::RendererError) -> String {
     let cause = core::error::Error::source(error).map_or_else(String::new, |cause| format!(" ({cause})"));
     format!("{error}{cause}")
 }
 
-/// A camera's colours for every red, green and blue that may be drawn.
-struct Tint {
-    /// What each value of each channel adds to luma, blue and red chroma; 1/65536 of a count.
+/// Lookup table from rendered colours to those of the camera with its exposure and white balance.
+struct ColourResponse {
+    /// Contribution of each value of each channel to luma, blue and red chroma, in 1/65536 counts.
     parts: [[[i32; 3]; 256]; 3],
 }
 
-impl Tint {
+impl ColourResponse {
     fn new(palette: &Palette) -> Self {
         let part = |channel: usize, value: usize| {
             let mut drawn = [0.0; 3];
             drawn[channel] = value as f32 / 255.0;
-            let seen = palette.seen(Rgb::from(drawn));
-            seen.map(|count| (count * 65_536.0) as i32)
+            let ycbcr = palette.ycbcr(Rgb::from(drawn));
+            ycbcr.map(|count| (count * 65_536.0) as i32)
         };
         Self { parts: core::array::from_fn(|channel| core::array::from_fn(|value| part(channel, value))) }
     }

@@ -1,4 +1,4 @@
-//! What the body's sensors say: late and with noise.
+//! Body sensors with delay and noise.
 
 use std::collections::VecDeque;
 
@@ -15,24 +15,24 @@ use crate::sensor_model::{
     ACCELERATION_NOISE, ACCELEROMETER_RANGE, ANGLE_NOISE, GYRO_NOISE, PRESSURE_NOISE, encode, measure_pressure,
 };
 
-/// The inertial unit gives means over this many steps: a control cycle.
-const MEAN: usize = 5;
-/// What is true in one step of the physics.
+/// Averaging window of the inertial unit, steps of the physics: one control cycle.
+const WINDOW: usize = 5;
+/// Ideal measurements in one step of the physics.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Truth {
-    /// Joint angles.
+pub(crate) struct IdealMeasurement {
+    /// Joint angles, rad.
     pub(crate) angles: Joints,
     /// Angular velocity, torso frame, rad/s.
     pub(crate) gyro: Vec3,
     /// Specific force, torso frame, m/s².
     pub(crate) acceleration: Vec3,
-    /// The torso's axes: the height of each one's tip.
-    pub(crate) rise: Vec3,
-    /// Left first.
+    /// Vertical direction in the torso frame: the z components of the torso's axes.
+    pub(crate) up: Vec3,
+    /// Forces on the soles, left first.
     pub(crate) feet: [FootPressure; 2],
 }
 
-/// What the sensors say.
+/// Measurements of the body's sensors in one cycle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Measurement {
     pub(crate) angles: Joints,
@@ -40,73 +40,76 @@ pub(crate) struct Measurement {
     pub(crate) feet: [FootPressure; 2],
 }
 
-/// The sensors of a body.
+/// State of the body's sensors.
 pub(crate) struct SensorModel {
-    /// The newest last.
-    truths: VecDeque<Truth>,
+    /// Ideal measurements within delay and window, the newest last.
+    history: VecDeque<IdealMeasurement>,
+    /// Steps of the physics.
     delay: usize,
+    /// Factor on all noise.
     noise: f32,
     random: Random,
-    gyroscope_is_dead: bool,
+    gyroscope_failed: bool,
     /// Left first.
-    dead_soles: [bool; 2],
+    failed_soles: [bool; 2],
 }
 
 impl SensorModel {
-    /// Sensors of a body that has been as it is now for long.
-    pub(crate) fn new(now: Truth, seed: u64, physics: &Physics) -> Self {
+    /// Returns the sensors of a body at rest.
+    pub(crate) fn new(now: IdealMeasurement, seed: u64, physics: &Physics) -> Self {
         let delay = libm::roundf(physics.sensor_delay / STEP) as usize;
-        let truths = core::iter::repeat_n(now, delay + MEAN).collect();
+        let history = core::iter::repeat_n(now, delay + WINDOW).collect();
         let random = Random::new(seed, Stream::Sensors);
-        Self { truths, delay, noise: physics.noise, random, gyroscope_is_dead: false, dead_soles: [false; 2] }
+        Self { history, delay, noise: physics.noise, random, gyroscope_failed: false, failed_soles: [false; 2] }
     }
 
-    /// Lets one step of the physics pass.
-    pub(crate) fn step(&mut self, now: Truth) {
-        self.truths.pop_front();
-        self.truths.push_back(now);
+    /// Advances by one step of the physics.
+    pub(crate) fn step(&mut self, now: IdealMeasurement) {
+        self.history.pop_front();
+        self.history.push_back(now);
     }
 
-    /// Lets the gyroscope say from now on that nothing turns.
-    pub(crate) const fn break_gyroscope(&mut self) {
-        self.gyroscope_is_dead = true;
+    /// Makes the gyroscope measure zero from now on.
+    pub(crate) const fn fail_gyroscope(&mut self) {
+        self.gyroscope_failed = true;
     }
 
-    /// Lets a sole say from now on that nothing presses.
-    pub(crate) const fn break_sole(&mut self, side: Side) {
-        self.dead_soles[side.index()] = true;
+    /// Makes a sole measure zero from now on.
+    pub(crate) const fn fail_sole(&mut self, side: Side) {
+        self.failed_soles[side.index()] = true;
     }
 
-    /// Reads all sensors; once per cycle.
-    pub(crate) fn feel(&mut self) -> Measurement {
-        let late = self.truths[self.truths.len() - 1 - self.delay];
+    /// Reads all sensors; to be called once per cycle.
+    pub(crate) fn measure(&mut self) -> Measurement {
+        let delayed = self.history[self.history.len() - 1 - self.delay];
         let [gyro, acceleration] = self.means();
-        let mut deviate = |deviation: f32| self.noise * deviation * self.random.normal();
-        let mut around = |deviation: f32| Vec3::new(deviate(deviation), deviate(deviation), deviate(deviation));
-        let gyro = gyro + around(GYRO_NOISE);
+        let mut noise = |deviation: f32| self.noise * deviation * self.random.normal();
+        let mut noise_vector = |deviation: f32| Vec3::new(noise(deviation), noise(deviation), noise(deviation));
+        let gyro = gyro + noise_vector(GYRO_NOISE);
         let inertial = Inertial {
-            gyro: if self.gyroscope_is_dead { Vec3::ZERO } else { gyro },
-            acceleration: acceleration + around(ACCELERATION_NOISE),
-            roll: atan2f(late.rise.y, late.rise.z) + deviate(ANGLE_NOISE),
-            pitch: asinf((-late.rise.x).clamp(-1.0, 1.0)) + deviate(ANGLE_NOISE),
+            gyro: if self.gyroscope_failed { Vec3::ZERO } else { gyro },
+            acceleration: acceleration + noise_vector(ACCELERATION_NOISE),
+            roll: atan2f(delayed.up.y, delayed.up.z) + noise(ANGLE_NOISE),
+            pitch: asinf((-delayed.up.x).clamp(-1.0, 1.0)) + noise(ANGLE_NOISE),
         };
-        let mut feet = late.feet.map(|foot| measure_pressure(&foot, || deviate(PRESSURE_NOISE)));
-        for (foot, dead) in feet.iter_mut().zip(self.dead_soles) {
-            if dead {
+        let mut feet = delayed.feet.map(|foot| measure_pressure(&foot, || noise(PRESSURE_NOISE)));
+        for (foot, failed) in feet.iter_mut().zip(self.failed_soles) {
+            if failed {
                 *foot = FootPressure::default();
             }
         }
-        Measurement { angles: encode(&late.angles), inertial, feet }
+        Measurement { angles: encode(&delayed.angles), inertial, feet }
     }
 
-    /// What the inertial unit measures: means over a cycle whose middle is as old as the delay says, if it can be.
+    /// Returns the means of angular velocity and specific force over a window whose centre has the age of the delay, or the
+    /// newest window if the delay is shorter than half of it.
     fn means(&self) -> [Vec3; 2] {
-        let newest = self.truths.len() - self.delay.saturating_sub(MEAN / 2);
-        let window = self.truths.range(newest - MEAN..newest);
+        let newest = self.history.len() - self.delay.saturating_sub(WINDOW / 2);
+        let window = self.history.range(newest - WINDOW..newest);
         let limit = |force: Vec3| force.clamp(Vec3::splat(-ACCELEROMETER_RANGE), Vec3::splat(ACCELEROMETER_RANGE));
         let sums =
-            window.fold([Vec3::ZERO; 2], |[gyro, force], truth| [gyro + truth.gyro, force + limit(truth.acceleration)]);
-        sums.map(|sum| sum / MEAN as f32)
+            window.fold([Vec3::ZERO; 2], |[gyro, force], ideal| [gyro + ideal.gyro, force + limit(ideal.acceleration)]);
+        sums.map(|sum| sum / WINDOW as f32)
     }
 }
 
@@ -116,58 +119,58 @@ mod tests {
     use crate::sensor_model::GRAVITY;
     use bica_motion::joints::Joint;
 
-    /// Everything grows with the steps.
-    fn truth(step: usize) -> Truth {
+    /// Returns measurements that are proportional to the step.
+    fn ideal(step: usize) -> IdealMeasurement {
         let now = step as f32;
         let foot = FootPressure { front_left: now, front_right: now, rear_left: now, rear_right: now };
-        Truth {
+        IdealMeasurement {
             angles: Joints::all(0.1 * now),
             gyro: Vec3::splat(now),
             acceleration: Vec3::splat(0.1 * now),
-            rise: Vec3::new(-libm::sinf(0.01 * now), 0.0, libm::cosf(0.01 * now)),
+            up: Vec3::new(-libm::sinf(0.01 * now), 0.0, libm::cosf(0.01 * now)),
             feet: [foot; 2],
         }
     }
 
     #[test]
-    fn everything_is_as_old_as_the_delay_says() {
+    fn each_measurement_has_the_age_of_the_delay() {
         for (sensor_delay, steps) in [(0.0, 0), (0.006, 3), (0.04, 20)] {
             let physics = Physics { sensor_delay, noise: 0.0, ..Physics::default() };
-            let mut senses = SensorModel::new(truth(0), 1, &physics);
+            let mut sensors = SensorModel::new(ideal(0), 1, &physics);
             for step in 1..=100 {
-                senses.step(truth(step));
+                sensors.step(ideal(step));
             }
-            let felt = senses.feel();
-            let mean = steps.max(MEAN / 2);
-            for (what, told, steps) in [
-                ("angles", felt.angles[Joint::HeadYaw] / 0.1, steps),
-                ("pitch", felt.inertial.pitch / 0.01, steps),
-                ("left sole", felt.feet[0].total() / 4.0, steps),
-                ("right sole", felt.feet[1].rear_right, steps),
-                ("gyroscope", felt.inertial.gyro.x, mean),
-                ("accelerometer", felt.inertial.acceleration.z / 0.1, mean),
+            let measured = sensors.measure();
+            let mean = steps.max(WINDOW / 2);
+            for (what, value, steps) in [
+                ("angles", measured.angles[Joint::HeadYaw] / 0.1, steps),
+                ("pitch", measured.inertial.pitch / 0.01, steps),
+                ("left sole", measured.feet[0].total() / 4.0, steps),
+                ("right sole", measured.feet[1].rear_right, steps),
+                ("gyroscope", measured.inertial.gyro.x, mean),
+                ("accelerometer", measured.inertial.acceleration.z / 0.1, mean),
             ] {
-                let age = 100.0 - told;
+                let age = 100.0 - value;
                 assert!((age - steps as f32).abs() < 0.02, "{what}: {age} {steps}");
             }
         }
     }
 
     #[test]
-    fn noise_is_that_of_a_nao_times_the_factor_asked_for() {
+    fn noise_has_the_published_deviation_times_the_factor() {
         // Variances in B-Human 2023 `NaoProvider.h`; the other two are our estimates.
         let (gyro, acceleration) = (libm::sqrtf(3.87e-6), libm::sqrtf(3.74e-4));
         for noise in [0.0, 1.0, 5.0] {
-            let still = Truth { rise: Vec3::Z, ..truth(0) };
-            let still = Truth { feet: truth(10).feet, ..still };
-            let mut senses = SensorModel::new(still, 1, &Physics { noise, ..Physics::default() });
+            let still = IdealMeasurement { up: Vec3::Z, ..ideal(0) };
+            let still = IdealMeasurement { feet: ideal(10).feet, ..still };
+            let mut sensors = SensorModel::new(still, 1, &Physics { noise, ..Physics::default() });
             let mut squares = [0.0_f32; 10];
             for _ in 0..3_000 {
-                let Measurement { inertial, feet, .. } = senses.feel();
+                let Measurement { inertial, feet, .. } = sensors.measure();
                 let (turn, force) = (inertial.gyro, inertial.acceleration);
                 let pressures = [feet[0].front_left - 10.0, feet[1].rear_right - 10.0];
-                let told = [turn.x, turn.y, turn.z, force.x, force.y, force.z, inertial.roll, inertial.pitch];
-                for (square, off) in squares.iter_mut().zip(told.into_iter().chain(pressures)) {
+                let value = [turn.x, turn.y, turn.z, force.x, force.y, force.z, inertial.roll, inertial.pitch];
+                for (square, off) in squares.iter_mut().zip(value.into_iter().chain(pressures)) {
                     *square += off * off / 3_000.0;
                 }
             }
@@ -180,11 +183,12 @@ mod tests {
     }
 
     #[test]
-    fn the_accelerometer_ends_at_two_g_and_a_foot_in_the_air_feels_nothing() {
-        let hit = Truth { acceleration: Vec3::new(100.0, -100.0, GRAVITY), feet: Default::default(), ..truth(0) };
-        let felt = SensorModel::new(hit, 1, &Physics { noise: 0.0, ..Physics::default() }).feel();
-        assert!((felt.inertial.acceleration - Vec3::new(19.62, -19.62, GRAVITY)).length() < 1e-3);
-        let noisy = SensorModel::new(hit, 1, &Physics { noise: 10.0, ..Physics::default() }).feel();
+    fn the_accelerometer_saturates_at_two_g_and_a_sole_without_load_measures_zero() {
+        let hit =
+            IdealMeasurement { acceleration: Vec3::new(100.0, -100.0, GRAVITY), feet: Default::default(), ..ideal(0) };
+        let measured = SensorModel::new(hit, 1, &Physics { noise: 0.0, ..Physics::default() }).measure();
+        assert!((measured.inertial.acceleration - Vec3::new(19.62, -19.62, GRAVITY)).length() < 1e-3);
+        let noisy = SensorModel::new(hit, 1, &Physics { noise: 10.0, ..Physics::default() }).measure();
         assert_eq!(noisy.feet, <[FootPressure; 2]>::default());
     }
 }

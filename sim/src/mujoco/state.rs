@@ -1,6 +1,5 @@
-//! Where everything is, read from MuJoCo's arrays and written to them.
+//! Access to the state in MuJoCo's arrays.
 
-use bica_field::FIELD;
 use bica_motion::joints::{JOINTS, Joints};
 use bica_motion::kinematics::Skeleton;
 use bica_motion::pose::Pose2;
@@ -10,13 +9,12 @@ use bica_motion::stand::STAND;
 use glam::{Affine3A, Quat, Vec2, Vec3};
 use mujoco_rs::prelude::{MjData, MjModel};
 
-use super::model::Place;
-use super::sensor_model::Truth;
+use super::model::FreeJoint;
+use super::sensor_model::IdealMeasurement;
+use crate::field::BALL_RADIUS;
 
-const BALL_RADIUS: f32 = FIELD.ball_radius();
-
-/// Lets the robot stand over a place.
-pub(crate) fn stand(data: &mut MjData<Box<MjModel>>, torso: Place, joints: &[usize], at: Pose2) {
+/// Sets the robot to its standing posture above a pose on the ground.
+pub(crate) fn stand(data: &mut MjData<Box<MjModel>>, torso: FreeJoint, joints: &[usize], at: Pose2) {
     let sole = Skeleton::of(&STAND).sole(Side::Left);
     let turn = Quat::from_rotation_z(at.heading);
     let numbers = [at.position.x, at.position.y, -sole.translation.z, turn.w, turn.x, turn.y, turn.z];
@@ -26,33 +24,37 @@ pub(crate) fn stand(data: &mut MjData<Box<MjModel>>, torso: Place, joints: &[usi
     }
 }
 
-/// Puts the ball somewhere, at rest.
-pub(crate) fn place(data: &mut MjData<Box<MjModel>>, ball: Place, at: Vec2) {
+/// Sets the ball to a position, at rest.
+pub(crate) fn place(data: &mut MjData<Box<MjModel>>, ball: FreeJoint, at: Vec2) {
     write(&mut data.qpos_mut()[ball.position..], &[at.x, at.y, BALL_RADIUS, 1.0, 0.0, 0.0, 0.0]);
     data.qvel_mut()[ball.velocity..][..6].fill(0.0);
 }
 
-/// Writes numbers to the first places.
+/// Writes numbers to the first elements.
 pub(crate) fn write(to: &mut [f64], numbers: &[f32]) {
     for (to, number) in to.iter_mut().zip(numbers) {
         *to = f64::from(*number);
     }
 }
 
-/// The joints' angles.
+/// Returns the joint angles.
 pub(crate) fn angles(data: &MjData<Box<MjModel>>, joints: &[usize; JOINTS]) -> Joints {
     Joints(joints.map(|place| data.qpos()[place] as f32))
 }
 
-/// The pose of a body that moves freely, field frame.
-pub(crate) fn pose(data: &MjData<Box<MjModel>>, body: Place) -> Affine3A {
+/// Returns the pose of a body with a free joint, field frame.
+pub(crate) fn pose(data: &MjData<Box<MjModel>>, body: FreeJoint) -> Affine3A {
     let at = |i: usize| data.qpos()[body.position + i] as f32;
     let turn = Quat::from_xyzw(at(4), at(5), at(6), at(3)).normalize();
     Affine3A::from_rotation_translation(turn, Vec3::new(at(0), at(1), at(2)))
 }
 
-/// What the sensors would say if they were perfect.
-pub(crate) fn truth(data: &MjData<Box<MjModel>>, torso: Place, joints: &[usize; JOINTS]) -> Truth {
+/// Returns the measurements of ideal sensors.
+pub(crate) fn ideal_measurement(
+    data: &MjData<Box<MjModel>>,
+    torso: FreeJoint,
+    joints: &[usize; JOINTS],
+) -> IdealMeasurement {
     let sensed = |i: usize| data.sensordata()[i] as f32;
     let three = |i: usize| Vec3::new(sensed(i), sensed(i + 1), sensed(i + 2));
     let foot = |i: usize| FootPressure {
@@ -62,11 +64,11 @@ pub(crate) fn truth(data: &MjData<Box<MjModel>>, torso: Place, joints: &[usize; 
         rear_right: sensed(i + 3),
     };
     let turn = pose(data, torso).matrix3;
-    Truth {
+    IdealMeasurement {
         angles: angles(data, joints),
         gyro: three(0),
         acceleration: three(3),
-        rise: Vec3::new(turn.x_axis.z, turn.y_axis.z, turn.z_axis.z),
+        up: Vec3::new(turn.x_axis.z, turn.y_axis.z, turn.z_axis.z),
         feet: [foot(6), foot(10)],
     }
 }

@@ -2,6 +2,7 @@
 
 mod event;
 pub(crate) mod rules;
+mod verdict;
 
 use core::time::Duration;
 
@@ -12,17 +13,18 @@ use glam::Vec2;
 
 pub use self::event::{Event, TimedEvent};
 
-/// Whether the robot is on its feet.
+/// Whether the robot stands or has fallen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Posture {
     /// On its feet.
     Upright,
-    /// Falling or lying.
+    /// Falling or lying on the ground; the side to which it fell.
     Down(Direction),
 }
 
-/// Who knows what is true in a world. For judging and reporting only: nothing of it may reach a player, except
-/// [`attacks`](Self::attacks), which every team is told before a game.
+/// Ground truth of a world and the list of events, for evaluation only.
+///
+/// The robot's program must not read it, except for [`attacks`](Self::attacks), which teams know before a game.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Referee {
     attacks: GoalColour,
@@ -35,97 +37,98 @@ pub struct Referee {
 }
 
 impl Referee {
-    /// One who saw nothing happen yet. `others` are the robots that stand on the field.
+    /// Returns a referee without events. `others` are the robots that stand on the field.
     #[must_use]
     pub const fn new(attacks: GoalColour, robot: Pose2, ball: Vec2, others: Vec<Pose2>) -> Self {
         let posture = Posture::Upright;
         Self { attacks, robot, posture, ball, ball_velocity: Vec2::ZERO, others, events: Vec::new() }
     }
 
-    /// Sees where the robot is. For worlds.
+    /// Sets the robot's true pose and posture. For implementations of worlds.
     pub const fn set_robot(&mut self, robot: Pose2, posture: Posture) {
         (self.robot, self.posture) = (robot, posture);
     }
 
-    /// Sees where the ball is, m, and how it moves, m/s. For worlds.
+    /// Sets the ball's true position, m, and velocity, m/s. For implementations of worlds.
     pub const fn set_ball(&mut self, ball: Vec2, velocity: Vec2) {
         (self.ball, self.ball_velocity) = (ball, velocity);
     }
 
-    /// Notes that something happened, after all that was noted before. For worlds.
+    /// Appends an event; times must not decrease. For implementations of worlds.
     pub fn record(&mut self, at: Duration, event: Event) {
         self.events.push(TimedEvent { at, event });
     }
 
-    /// The colour of the goal that the robot attacks: the one at positive x.
+    /// Colour of the attacked goal, the one at positive x.
     #[must_use]
     pub const fn attacks(&self) -> GoalColour {
         self.attacks
     }
 
-    /// The robot's true pose in the field frame: the ground under the middle between its hips.
-    /// While it lies, the heading is the one it had before.
+    /// True pose of the robot frame, projected to the ground, in the field frame.
+    ///
+    /// While the robot lies, the heading is the one before the fall.
     #[must_use]
     pub const fn robot(&self) -> Pose2 {
         self.robot
     }
 
-    /// Whether the robot is on its feet.
+    /// Whether the robot stands or has fallen.
     #[must_use]
     pub const fn posture(&self) -> Posture {
         self.posture
     }
 
-    /// The ball's true position, m, field frame.
+    /// True position of the ball, m, field frame.
     #[must_use]
     pub const fn ball(&self) -> Vec2 {
         self.ball
     }
 
-    /// The ball's true velocity, m/s, field frame.
+    /// True velocity of the ball, m/s, field frame.
     #[must_use]
     pub const fn ball_velocity(&self) -> Vec2 {
         self.ball_velocity
     }
 
-    /// Where the other robots stand, field frame; the goalkeeper first if there is one.
+    /// True poses of the other robots, field frame; the goalkeeper first if there is one.
     #[must_use]
     pub fn others(&self) -> &[Pose2] {
         &self.others
     }
 
-    /// All that happened so far, oldest first.
+    /// All events so far, oldest first.
     #[must_use]
     pub fn events(&self) -> &[TimedEvent] {
         &self.events
     }
 
-    /// How many goals the robot's team has made.
+    /// Number of goals scored by the robot's team.
     #[must_use]
     pub fn goals(&self) -> usize {
         self.count(|event| *event == Event::Goal)
     }
 
-    /// How many goals were made into the robot's own goal.
+    /// Number of own goals.
     #[must_use]
     pub fn own_goals(&self) -> usize {
         self.count(|event| *event == Event::OwnGoal)
     }
 
-    /// How often the robot fell.
+    /// Number of the robot's falls.
     #[must_use]
     pub fn falls(&self) -> usize {
         self.count(|event| matches!(event, Event::Fall(_)))
     }
 
-    /// How often the ball was out.
+    /// Number of times that the ball left the field beside the goals.
     #[must_use]
     pub fn outs(&self) -> usize {
         self.count(|event| *event == Event::BallOut)
     }
 
-    /// How many events are such as `wanted` says.
+    /// Number of events for which `wanted` returns true.
     pub fn count(&self, wanted: impl Fn(&Event) -> bool) -> usize {
-        self.events.iter().filter(|happened| wanted(&happened.event)).count()
+        self.events.iter().filter(|timed| wanted(&timed.event)).count()
     }
 }

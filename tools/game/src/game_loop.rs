@@ -3,11 +3,12 @@
 use std::thread;
 use std::time::{Duration, Instant as Clock};
 
+use bica::runner::Robot;
 use bica::{Instant, Tree};
 use bica_motion::pose::Pose2;
-use bica_player::input::Measured;
-use bica_player::perception::NetDetector;
-use bica_player::{Forward, act, sense};
+use bica_player::Forward;
+use bica_player::input::{HealthMonitor, RobotProfile};
+use bica_player::perception::GoalDetector;
 use bica_sim::SpectatorView;
 use bica_sim::setup::Frame;
 use glam::Vec2;
@@ -72,8 +73,8 @@ impl Game {
     fn new(rules: &Rules) -> Result<Self, Failure> {
         let world = world_factory::open(rules)?;
         let mut robot = Box::new(Forward::new());
-        robot.get_mut::<Measured>().set_profile(rules.world.profile());
-        robot.get_mut::<NetDetector>().attack(world.referee().attacks());
+        robot.get_mut::<RobotProfile>().set(rules.world.profile());
+        robot.get_mut::<GoalDetector>().attack(world.referee().attacks());
         let mind = rules.firmware.map(|image| image.start(world.referee().attacks())).transpose()?;
         let tally = Tally {
             cycles: 0,
@@ -105,9 +106,9 @@ impl Game {
         let now = Instant::from_micros(self.thought.as_micros() as u64);
         let sensors = self.world.sensors();
         let began = Clock::now();
-        sense(&mut self.robot, &sensors).map_err(|error| Failure::new(error.to_string(), "choose a smaller --size"))?;
+        self.robot.sense(&sensors).map_err(|error| Failure::new(error.to_string(), "choose a smaller --size"))?;
         self.robot.tick_with(now, &mut self.tally.meter);
-        let command = act(&self.robot);
+        let command = self.robot.act();
         self.tally.latencies.note(began.elapsed());
         if let Some(mind) = &mut self.mind {
             mind.think(now, &sensors, &command, &self.robot)?;
@@ -154,7 +155,7 @@ impl Game {
     }
 
     fn into_record(self, rules: &Rules, real: Duration) -> Record {
-        let fault = self.robot.get::<Measured>().fault().map(|fault| fault.to_string());
+        let fault = self.robot.get::<HealthMonitor>().fault().map(|fault| fault.to_string());
         let firmware = self.mind.map(Mind::sum_up);
         Record { fault, firmware, ..Record::new(rules, self.world.referee(), self.world.now(), self.tally, real) }
     }

@@ -4,8 +4,8 @@ use bica::graph::Graph;
 use bica::{ComponentId, Tree};
 use bica_motion::pose::Pose2;
 use bica_player::Forward;
-use bica_player::input::Eye;
-use bica_player::perception::{BallDetector, FieldBoundary, NetDetector, Odometry, OwnBody};
+use bica_player::input::CameraInput;
+use bica_player::perception::{BallDetector, FieldBoundary, GoalDetector, Odometry, OwnBody};
 use bica_sim::Referee;
 use glam::Vec2;
 
@@ -44,7 +44,7 @@ impl Scene<'_> {
     /// What is recognised in the newest image, by the detectors that are active.
     pub fn marks(&self) -> Marks {
         let ball = self.robot.get::<BallDetector>().seen().filter(|_| self.is_active::<BallDetector>());
-        let net = self.robot.get::<NetDetector>().seen().filter(|_| self.is_active::<NetDetector>());
+        let net = self.robot.get::<GoalDetector>().seen().filter(|_| self.is_active::<GoalDetector>());
         let end = Some(self.robot.get::<FieldBoundary>().line()).filter(|_| self.is_active::<FieldBoundary>());
         Marks {
             ball: ball.map(|seen| seen.ball),
@@ -59,8 +59,8 @@ impl Scene<'_> {
     pub fn beliefs(&self) -> Beliefs {
         Beliefs {
             robot: self.start * self.robot.get::<Odometry>().pose(),
-            ball: self.robot.get::<BallDetector>().at(),
-            goal: self.robot.get::<NetDetector>().at(),
+            ball: self.robot.get::<BallDetector>().position(),
+            goal: self.robot.get::<GoalDetector>().position(),
         }
     }
 
@@ -85,7 +85,7 @@ impl Scene<'_> {
 
     /// The newest image's pixels and size.
     pub fn image(&self) -> Option<bica_motion::robot::Image<'_>> {
-        Some(self.robot.get::<Eye>().image()).filter(|image| image.width > 0)
+        Some(self.robot.get::<CameraInput>().image()).filter(|image| image.width > 0)
     }
 
     fn is_active<C: bica::Component>(&self) -> bool

@@ -69,7 +69,7 @@ pub(crate) struct Play {
     #[arg(long, value_name = "WORLD", default_value = "built-in")]
     pub(crate) world: World,
     /// The image that the microcontroller runs; `cargo xtask firmware --build` makes it
-    #[arg(long, value_name = "FILE", default_value = "firmware/target/thumbv7em-none-eabihf/release/forward")]
+    #[arg(long, value_name = "FILE", default_value = "firmware/target/thumbv7em-none-eabihf/release/forward-an500")]
     pub(crate) image: PathBuf,
     /// Decides where robot and ball start, the light, the noise: the same seed gives the same game, bit for bit
     #[arg(long, value_name = "N", default_value_t = 0)]

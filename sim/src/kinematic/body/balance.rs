@@ -1,4 +1,4 @@
-//! Whether the centre of mass is over the soles, and how they share the weight.
+//! Static balance: the centre of mass over the support polygon, and the distribution of the weight on the soles.
 
 use bica_motion::dimensions::{LEFT_PRESSURE, RIGHT_PRESSURE};
 use bica_motion::masses::TOTAL_MASS;
@@ -10,46 +10,46 @@ use crate::kinematic::convex_hull::convex_hull;
 use crate::kinematic::foot_contact::outline;
 use crate::sensor_model::GRAVITY;
 
-/// Up to this height over the ground a sole still has contact, m.
-const CONTACT: f32 = 0.002;
+/// Maximum height of a sole in contact with the ground, m.
+const CONTACT_HEIGHT: f32 = 0.002;
 
-/// Both feet and the mass over them. Field frame.
+/// Both soles and the centre of mass. Field frame.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Balance {
     /// Poses of the soles, left first.
     pub(crate) soles: [Affine3A; 2],
-    /// The foot that carries for certain.
+    /// The support foot, which always has contact.
     pub(crate) support: Side,
-    /// Centre of mass.
+    /// Centre of mass, m.
     pub(crate) mass: Vec3,
 }
 
 impl Balance {
-    /// The way from the soles on the ground to the point under the centre of mass, if that lies outside of them. m.
-    pub(crate) fn lost(&self) -> Option<Vec2> {
+    /// Returns the offset from the support polygon to the projected centre of mass, m; `None` if that lies inside.
+    pub(crate) fn offset_outside_support(&self) -> Option<Vec2> {
         let mut corners = Vec::with_capacity(26);
         for side in Side::BOTH {
-            let touching = |corner: &Vec3| side == self.support || corner.z < CONTACT;
+            let touching = |corner: &Vec3| side == self.support || corner.z < CONTACT_HEIGHT;
             let points = outline(side, &self.soles[side.index()]);
             corners.extend(points.iter().filter(|corner| touching(corner)).map(|corner| corner.truncate()));
         }
-        way_out(&convex_hull(corners), self.mass.truncate())
+        offset_outside(&convex_hull(corners), self.mass.truncate())
     }
 
-    /// The forces on both soles' sensors, N, left first, without noise.
+    /// Returns the forces on the pressure sensors of both soles, N, left first, without noise.
     pub(crate) fn pressure(&self) -> [FootPressure; 2] {
         let [left, right] = self.shares();
         [self.sole_pressure(Side::Left, left), self.sole_pressure(Side::Right, right)]
     }
 
-    /// Which share of the weight each foot carries: by where the mass is between them and whether they touch.
+    /// Returns the fraction of the weight on each foot, from the position of the centre of mass between them and their contact.
     fn shares(&self) -> [f32; 2] {
         let [left, right] = self.soles.map(|sole| sole.translation.truncate());
         let across = right - left;
         let to_right = ((self.mass.truncate() - left).dot(across) / across.length_squared().max(1e-6)).clamp(0.0, 1.0);
         let touch = |side: Side| {
             let height = self.soles[side.index()].translation.z;
-            if side == self.support { 1.0 } else { (1.0 - height / CONTACT).clamp(0.0, 1.0) }
+            if side == self.support { 1.0 } else { (1.0 - height / CONTACT_HEIGHT).clamp(0.0, 1.0) }
         };
         let (left, right) = (touch(Side::Left) * (1.0 - to_right), touch(Side::Right) * to_right);
         match (left + right, self.support) {
@@ -77,17 +77,17 @@ impl Balance {
     }
 }
 
-/// From the nearest point of a convex polygon to a point outside of it; `None` if inside.
-fn way_out(polygon: &[Vec2], point: Vec2) -> Option<Vec2> {
+/// Returns the offset from the nearest point of a convex polygon to a point outside; `None` if the point is inside.
+fn offset_outside(polygon: &[Vec2], point: Vec2) -> Option<Vec2> {
     let edges = || polygon.iter().zip(polygon.iter().cycle().skip(1));
     if edges().all(|(&a, &b)| (b - a).perp_dot(point - a) >= 0.0) {
         return None;
     }
-    let ways = edges().map(|(&a, &b)| {
+    let offsets = edges().map(|(&a, &b)| {
         let t = ((point - a).dot(b - a) / (b - a).length_squared().max(1e-12)).clamp(0.0, 1.0);
         point - a.lerp(b, t)
     });
-    ways.min_by(|a, b| a.length_squared().total_cmp(&b.length_squared()))
+    offsets.min_by(|a, b| a.length_squared().total_cmp(&b.length_squared()))
 }
 
 #[cfg(test)]
@@ -100,26 +100,26 @@ mod tests {
     }
 
     #[test]
-    fn both_soles_on_the_ground_carry_what_is_between_them() {
-        assert_eq!(standing(Vec3::new(0.02, 0.0, 0.25), 0.0).lost(), None);
-        assert_eq!(standing(Vec3::new(0.099, 0.0, 0.25), 0.0).lost(), None);
-        let way = standing(Vec3::new(0.12, 0.0, 0.25), 0.0).lost().unwrap();
-        assert!((way - Vec2::new(0.0199, 0.0)).length() < 1e-5, "{way}");
-        let way = standing(Vec3::new(0.02, 0.2, 0.25), 0.0).lost().unwrap();
-        assert!((way - Vec2::new(0.0, 0.2 - 0.1017)).length() < 1e-5, "{way}");
+    fn the_support_polygon_of_two_soles_includes_the_ground_between_them() {
+        assert_eq!(standing(Vec3::new(0.02, 0.0, 0.25), 0.0).offset_outside_support(), None);
+        assert_eq!(standing(Vec3::new(0.099, 0.0, 0.25), 0.0).offset_outside_support(), None);
+        let offset = standing(Vec3::new(0.12, 0.0, 0.25), 0.0).offset_outside_support().unwrap();
+        assert!((offset - Vec2::new(0.0199, 0.0)).length() < 1e-5, "{offset}");
+        let offset = standing(Vec3::new(0.02, 0.2, 0.25), 0.0).offset_outside_support().unwrap();
+        assert!((offset - Vec2::new(0.0, 0.2 - 0.1017)).length() < 1e-5, "{offset}");
     }
 
     #[test]
-    fn a_lifted_sole_carries_nothing() {
+    fn a_lifted_sole_supports_nothing_and_has_no_pressure() {
         let lifted = standing(Vec3::new(0.02, 0.0, 0.25), 0.01);
-        let way = lifted.lost().unwrap();
-        assert!((way - Vec2::new(0.0, -0.0112)).length() < 1e-5, "{way}");
+        let offset = lifted.offset_outside_support().unwrap();
+        assert!((offset - Vec2::new(0.0, -0.0112)).length() < 1e-5, "{offset}");
         assert_eq!(lifted.pressure()[1].total(), 0.0);
         assert!((lifted.pressure()[0].total() - TOTAL_MASS * GRAVITY).abs() < 1e-3);
     }
 
     #[test]
-    fn pressure_follows_the_mass() {
+    fn pressure_moves_with_the_centre_of_mass() {
         let [left, right] = standing(Vec3::new(0.02, 0.0, 0.25), 0.0).pressure();
         assert!((left.total() - right.total()).abs() < 1e-3);
         let [left, right] = standing(Vec3::new(0.02, 0.04, 0.25), 0.0).pressure();

@@ -10,43 +10,45 @@ use crate::sensor_model::{ACCELERATION_NOISE, ACCELEROMETER_RANGE, ANGLE_NOISE, 
 use crate::transform::angular_velocity;
 use crate::world::CYCLE_SECONDS;
 
-/// Share of a new acceleration in the measured one: bones and plastic soften it.
-const ACCELERATION_SHARE: f32 = 0.2;
-/// The inertial unit in the torso.
+/// Filter gain of the acceleration per cycle: the structure damps the steps of the quasi-static motion (our estimate).
+const ACCELERATION_GAIN: f32 = 0.2;
+/// State of the inertial unit.
 #[derive(Clone, Debug)]
 pub(crate) struct InertialUnit {
-    before: Affine3A,
+    /// Robot frame in the previous cycle, field frame.
+    previous: Affine3A,
     velocity: Vec3,
     acceleration: Vec3,
 }
 
 impl InertialUnit {
-    /// In a robot that stands still with the robot frame there.
+    /// Returns the unit of a robot at rest with this pose of the robot frame.
     pub(crate) const fn still(robot: Affine3A) -> Self {
-        Self { before: robot, velocity: Vec3::ZERO, acceleration: Vec3::ZERO }
+        Self { previous: robot, velocity: Vec3::ZERO, acceleration: Vec3::ZERO }
     }
 
-    /// Measures after a cycle that brought the robot frame to a pose.
+    /// Measures at the end of a cycle in which the robot frame moved to this pose.
     pub(crate) fn step(&mut self, robot: &Affine3A, random: &mut Random) -> Inertial {
         let place = |pose: &Affine3A| pose.transform_point3(INERTIAL_UNIT);
-        let velocity = (place(robot) - place(&self.before)) / CYCLE_SECONDS;
-        let jolt = ((velocity - self.velocity) / CYCLE_SECONDS).clamp_length_max(ACCELEROMETER_RANGE);
-        self.acceleration += ACCELERATION_SHARE * (jolt - self.acceleration);
-        let gyro = angular_velocity(&self.before.matrix3, &robot.matrix3);
+        let velocity = (place(robot) - place(&self.previous)) / CYCLE_SECONDS;
+        let acceleration = ((velocity - self.velocity) / CYCLE_SECONDS).clamp_length_max(ACCELEROMETER_RANGE);
+        self.acceleration += ACCELERATION_GAIN * (acceleration - self.acceleration);
+        let gyro = angular_velocity(&self.previous.matrix3, &robot.matrix3);
         self.velocity = velocity;
-        self.before = *robot;
+        self.previous = *robot;
 
-        let force = robot.matrix3.transpose() * Vec3A::from(self.acceleration + GRAVITY * Vec3::Z);
+        let specific_force = robot.matrix3.transpose() * Vec3A::from(self.acceleration + GRAVITY * Vec3::Z);
         let [x, y, z] = [robot.matrix3.x_axis, robot.matrix3.y_axis, robot.matrix3.z_axis];
         Inertial {
             gyro: gyro + noise(GYRO_NOISE, random),
-            acceleration: Vec3::from(force) + noise(ACCELERATION_NOISE, random),
+            acceleration: Vec3::from(specific_force) + noise(ACCELERATION_NOISE, random),
             roll: atan2f(y.z, z.z) + ANGLE_NOISE * random.normal(),
             pitch: asinf((-x.z).clamp(-1.0, 1.0)) + ANGLE_NOISE * random.normal(),
         }
     }
 }
 
+/// Draws noise with this standard deviation on each axis.
 fn noise(deviation: f32, random: &mut Random) -> Vec3 {
     deviation * Vec3::new(random.normal(), random.normal(), random.normal())
 }
@@ -57,7 +59,7 @@ mod tests {
     use crate::random::Stream;
 
     #[test]
-    fn the_unit_feels_gravity_and_turning() {
+    fn the_unit_measures_gravity_and_angular_velocity() {
         let mut random = Random::new(3, Stream::Sensors);
         let mut unit = InertialUnit::still(Affine3A::from_rotation_y(0.2));
         let still = unit.step(&Affine3A::from_rotation_y(0.2), &mut random);
@@ -69,15 +71,15 @@ mod tests {
     }
 
     #[test]
-    fn the_unit_feels_where_the_torso_speeds_up_to() {
+    fn the_unit_measures_the_acceleration_of_the_torso() {
         let mut random = Random::new(3, Stream::Sensors);
         let mut unit = InertialUnit::still(Affine3A::IDENTITY);
-        let mut felt = Vec3::ZERO;
+        let mut measured = Vec3::ZERO;
         for cycle in 1..=40 {
             let time = cycle as f32 * CYCLE_SECONDS;
-            let way = Vec3::new(0.5 * 1.5 * time * time, 0.0, 0.0);
-            felt = unit.step(&Affine3A::from_translation(way), &mut random).acceleration;
+            let offset = Vec3::new(0.5 * 1.5 * time * time, 0.0, 0.0);
+            measured = unit.step(&Affine3A::from_translation(offset), &mut random).acceleration;
         }
-        assert!((felt - Vec3::new(1.5, 0.0, GRAVITY)).length() < 0.15, "{felt}");
+        assert!((measured - Vec3::new(1.5, 0.0, GRAVITY)).length() < 0.15, "{measured}");
     }
 }

@@ -1,7 +1,7 @@
-//! The robot's body: motors, stance, falls, and what its sensors feel.
+//! The robot's body: motors, stance, falls and measurements.
 
 mod balance;
-mod down;
+mod fallen;
 mod inertial_unit;
 mod motors;
 mod stance;
@@ -16,7 +16,7 @@ use bica_motion::stand::STAND;
 use glam::{Affine3A, Vec2};
 
 use self::balance::Balance;
-use self::down::Down;
+use self::fallen::Fallen;
 use self::inertial_unit::InertialUnit;
 use self::motors::Motors;
 use self::stance::Stance;
@@ -25,36 +25,38 @@ use crate::referee::{Event, Posture};
 use crate::sensor_model::{PRESSURE_NOISE, encode, measure_pressure};
 use crate::transform::{fall_direction, ground_pose};
 
-/// Without balance for longer than this the robot falls, cycles.
-const PATIENCE: u32 = 15;
-/// Legs held less than this give way, a share.
-const LEAST_STIFFNESS: f32 = 0.05;
-/// How far a foot slips when it takes the weight: standard deviations along and across, m, and about, rad.
-const SLIP: (f32, f32) = (0.003, 0.010_5);
+/// Maximum number of consecutive cycles without balance; after more the robot falls.
+const MAX_UNBALANCED: u32 = 15;
+/// Minimum stiffness of a pitch joint of the legs that carries the robot, 0 to 1.
+const MIN_STIFFNESS: f32 = 0.05;
+/// Slip of a foot at touchdown: standard deviation along each axis, m.
+const SLIP_POSITION: f32 = 0.003;
+/// Slip of a foot at touchdown: standard deviation of the heading, rad.
+const SLIP_HEADING: f32 = 0.010_5;
 
-/// A robot's body on the field.
+/// State of the robot's body on the field.
 #[derive(Clone, Debug)]
 pub(crate) struct Body {
     motors: Motors,
     skeleton: Skeleton,
     state: State,
     robot: Affine3A,
-    unit: InertialUnit,
-    felt: Felt,
+    inertial_unit: InertialUnit,
+    measurement: Measurement,
     slips: Random,
     noise: Random,
 }
 
 #[derive(Clone, Debug)]
 enum State {
-    /// Standing, for how many cycles without balance.
-    Up(Stance, u32),
-    Down(Down),
+    /// On its feet, and the number of consecutive cycles without balance.
+    Standing(Stance, u32),
+    Fallen(Fallen),
 }
 
-/// What the body's sensors say.
+/// Measurements of the body's sensors in one cycle.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Felt {
+pub(crate) struct Measurement {
     pub(crate) angles: Joints,
     pub(crate) temperatures: Joints,
     pub(crate) currents: Joints,
@@ -63,9 +65,9 @@ pub(crate) struct Felt {
     pub(crate) feet: [FootPressure; 2],
 }
 
-impl Felt {
-    /// What motors tell of themselves, and nothing else.
-    fn nothing(motors: &Motors) -> Self {
+impl Measurement {
+    /// Returns true angles, currents and temperatures of the motors; everything else is zero.
+    fn of_motors(motors: &Motors) -> Self {
         Self {
             angles: *motors.angles(),
             temperatures: motors.heat().temperatures(),
@@ -77,7 +79,7 @@ impl Felt {
 }
 
 impl Body {
-    /// Stands over a place.
+    /// Returns a body that stands with its robot frame above `place`.
     pub(crate) fn standing(place: Pose2, seed: u64) -> Self {
         let motors = Motors::holding(STAND);
         let skeleton = Skeleton::of(motors.angles());
@@ -85,137 +87,154 @@ impl Body {
         let robot = stance.robot(&skeleton);
         let slips = Random::new(seed, Stream::Slip);
         let noise = Random::new(seed, Stream::Sensors);
-        let felt = Felt::nothing(&motors);
-        let state = State::Up(stance, 0);
-        let mut body = Self { motors, skeleton, state, robot, unit: InertialUnit::still(robot), felt, slips, noise };
+        let measurement = Measurement::of_motors(&motors);
+        let state = State::Standing(stance, 0);
+        let mut body = Self {
+            motors,
+            skeleton,
+            state,
+            robot,
+            inertial_unit: InertialUnit::still(robot),
+            measurement,
+            slips,
+            noise,
+        };
         body.measure();
         body
     }
 
-    /// Lives through one cycle, up to where it would be if nothing is in its way. Says when it falls or gets up.
+    /// Advances by one control cycle without obstacles. Returns the event if the robot falls or gets up.
     pub(crate) fn step(&mut self, command: &Command) -> Option<Event> {
         self.motors.step(command);
         self.skeleton = Skeleton::of(self.motors.angles());
         let event = match &mut self.state {
-            State::Up(stance, _) => {
+            State::Standing(stance, _) => {
                 let random = &mut self.slips;
                 stance.step(&self.skeleton, || draw_slip(random));
                 self.robot = stance.robot(&self.skeleton);
-                self.keep_balance()
+                self.check_balance()
             }
-            State::Down(down) => down.step(self.motors.angles(), &self.skeleton).map(|stance| {
-                self.state = State::Up(stance, 0);
+            State::Fallen(fallen) => fallen.step(self.motors.angles(), &self.skeleton).map(|stance| {
+                self.state = State::Standing(stance, 0);
                 Event::GotUp
             }),
         };
-        self.place();
+        self.update_pose();
         event
     }
 
-    /// Moves over the ground without a step, as when something is in the way. Field frame, m.
+    /// Displaces the body along the ground, as an obstacle does. Field frame, m.
     pub(crate) fn shift(&mut self, by: Vec2) {
         match &mut self.state {
-            State::Up(stance, _) => stance.shift(by),
-            State::Down(down) => down.shift(by),
+            State::Standing(stance, _) => stance.shift(by),
+            State::Fallen(fallen) => fallen.shift(by),
         }
-        self.place();
+        self.update_pose();
     }
 
-    /// Reads all sensors; once per cycle, at its end.
+    /// Reads all sensors; to be called once per cycle, at its end.
     pub(crate) fn measure(&mut self) {
-        let inertial = self.unit.step(&self.robot, &mut self.noise);
-        let pressure = self.balance().map_or_else(Default::default, |balance| balance.pressure());
-        let feet = pressure.map(|foot| measure_pressure(&foot, || PRESSURE_NOISE * self.noise.normal()));
-        self.felt = Felt { angles: encode(self.motors.angles()), inertial, feet, ..Felt::nothing(&self.motors) };
+        let inertial = self.inertial_unit.step(&self.robot, &mut self.noise);
+        let forces = self.balance().map_or_else(Default::default, |balance| balance.pressure());
+        let feet = forces.map(|foot| measure_pressure(&foot, || PRESSURE_NOISE * self.noise.normal()));
+        self.measurement = Measurement {
+            angles: encode(self.motors.angles()),
+            inertial,
+            feet,
+            ..Measurement::of_motors(&self.motors)
+        };
     }
 
-    /// Makes a motor that hot, °C.
-    pub(crate) fn heat(&mut self, joint: Joint, temperature: f32) {
-        self.motors.heat_up(joint, temperature);
+    /// Sets the temperature of a motor, °C.
+    pub(crate) fn set_motor_temperature(&mut self, joint: Joint, temperature: f32) {
+        self.motors.set_temperature(joint, temperature);
     }
 
-    /// What the sensors say now.
-    pub(crate) const fn felt(&self) -> &Felt {
-        &self.felt
+    /// Measurements of the current cycle.
+    pub(crate) const fn measurement(&self) -> &Measurement {
+        &self.measurement
     }
 
-    /// The robot frame's pose in the field frame.
+    /// Pose of the robot frame in the field frame.
     pub(crate) const fn robot(&self) -> &Affine3A {
         &self.robot
     }
 
-    /// All parts in the robot frame.
+    /// Poses of all segments in the robot frame.
     pub(crate) const fn skeleton(&self) -> &Skeleton {
         &self.skeleton
     }
 
-    /// The poses of the soles in the field frame, left first.
+    /// Poses of the soles in the field frame, left first.
     pub(crate) fn soles(&self) -> [Affine3A; 2] {
         Side::BOTH.map(|side| self.robot * self.skeleton.sole(side))
     }
 
-    /// A camera's pose in the field frame, x along its optical axis.
+    /// Pose of a camera in the field frame, x along the optical axis.
     pub(crate) fn camera(&self, camera: CameraId) -> Affine3A {
         self.robot * self.skeleton.camera(camera)
     }
 
-    /// The robot seen from above: the middle between its hips, and where its front faces or, lying, faced before.
+    /// Pose of the robot frame projected to the ground; while the robot lies, with the heading before the fall.
     pub(crate) fn pose(&self) -> Pose2 {
         match &self.state {
-            State::Up(..) => ground_pose(&self.robot),
-            State::Down(down) => down.place(),
+            State::Standing(..) => ground_pose(&self.robot),
+            State::Fallen(fallen) => fallen.pose(),
         }
     }
 
-    /// Whether the robot is on its feet.
+    /// Whether the robot stands or has fallen.
     pub(crate) const fn posture(&self) -> Posture {
         match &self.state {
-            State::Up(..) => Posture::Upright,
-            State::Down(down) => Posture::Down(down.fall()),
+            State::Standing(..) => Posture::Upright,
+            State::Fallen(fallen) => Posture::Down(fallen.direction()),
         }
     }
 
-    fn place(&mut self) {
+    /// Updates the pose of the robot frame.
+    fn update_pose(&mut self) {
         self.robot = match &self.state {
-            State::Up(stance, _) => stance.robot(&self.skeleton),
-            State::Down(down) => down.robot(&self.skeleton),
+            State::Standing(stance, _) => stance.robot(&self.skeleton),
+            State::Fallen(fallen) => fallen.robot(&self.skeleton),
         };
     }
 
-    /// Soles and mass, while the robot is on its feet.
+    /// Soles and centre of mass; `None` unless the robot stands.
     fn balance(&self) -> Option<Balance> {
-        let State::Up(stance, _) = &self.state else { return None };
+        let State::Standing(stance, _) = &self.state else { return None };
         let mass = self.robot.transform_point3(self.skeleton.centre_of_mass());
         Some(Balance { soles: self.soles(), support: stance.support(), mass })
     }
 
-    fn keep_balance(&mut self) -> Option<Event> {
-        let lost = self.balance().and_then(|balance| balance.lost());
+    /// Counts cycles without balance and lets the robot fall after too many.
+    fn check_balance(&mut self) -> Option<Event> {
+        let lost_toward = self.balance().and_then(|balance| balance.offset_outside_support());
         let limp = self.legs_are_limp();
         let heading = ground_pose(&self.robot).heading;
-        let State::Up(_, unbalanced) = &mut self.state else { return None };
-        if lost.is_none() && !limp {
+        let State::Standing(_, unbalanced) = &mut self.state else { return None };
+        if lost_toward.is_none() && !limp {
             *unbalanced = 0;
             return None;
         }
         *unbalanced += 1;
-        if *unbalanced <= PATIENCE {
+        if *unbalanced <= MAX_UNBALANCED {
             return None;
         }
-        let fall = lost.map_or(Direction::Back, |way| fall_direction(rotate(way, -heading)));
-        self.state = State::Down(Down::new(fall, self.robot, heading));
+        let fall = lost_toward.map_or(Direction::Back, |offset| fall_direction(rotate(offset, -heading)));
+        self.state = State::Fallen(Fallen::new(fall, self.robot, heading));
         Some(Event::Fall(fall))
     }
 
-    /// Whether a leg does not carry any more, because one of its pitch joints is not held.
+    /// Whether a leg does not carry the robot because one of its pitch joints has too little stiffness.
     fn legs_are_limp(&self) -> bool {
         Side::BOTH.iter().flat_map(|side| side.leg()[2..5].to_vec()).any(|joint| {
             let stiffness = self.motors.stiffness(joint);
-            stiffness < LEAST_STIFFNESS
+            stiffness < MIN_STIFFNESS
         })
     }
 }
 
+/// Draws the slip of a foot at touchdown.
 fn draw_slip(random: &mut Random) -> Pose2 {
-    Pose2::new(SLIP.0 * random.normal(), SLIP.0 * random.normal(), SLIP.1 * random.normal())
+    Pose2::new(SLIP_POSITION * random.normal(), SLIP_POSITION * random.normal(), SLIP_HEADING * random.normal())
 }

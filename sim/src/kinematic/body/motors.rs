@@ -1,84 +1,89 @@
-//! Motors: joints follow their targets late and no faster than they can.
+//! Motors: joints follow their targets after a dead time, at limited speed.
 
 use bica_motion::actuator::CONTINUOUS_CURRENT;
 use bica_motion::head::HeadAngles;
 use bica_motion::joints::{JOINTS, Joint, Joints};
 use bica_motion::robot::Command;
+use bica_motion::side::Side;
 use bica_motion::speed::{DEAD_TIME, max_speed};
 
 use crate::motor_heat::MotorHeat;
 use crate::world::CYCLE_SECONDS;
 
-/// Cycles from a command to the first motion.
+/// Dead time from a command to the first motion, cycles.
 const DELAY: usize = (DEAD_TIME / CYCLE_SECONDS + 0.5) as usize;
-/// From this stiffness on a joint reaches its full speed; below, proportionally less (our estimate).
-const FULL_SPEED: f32 = 0.2;
+/// Minimum stiffness for full speed; below it the speed is proportional to the stiffness (our estimate).
+const FULL_SPEED_STIFFNESS: f32 = 0.2;
 
-/// What motors draw to hold the legs that carry the robot, to hold anything else, and in addition to turn at full speed:
-/// shares of what they bear for good. Our estimate; this world knows no forces.
-const DRAWN: [f32; 3] = [0.4, 0.1, 0.6];
+/// Current to hold a leg joint, as a fraction of the continuous current. Our estimate; this simulator has no forces.
+const LEG_HOLDING: f32 = 0.4;
+/// Current to hold any other joint, as a fraction of the continuous current (our estimate).
+const OTHER_HOLDING: f32 = 0.1;
+/// Additional current at full speed, as a fraction of the continuous current (our estimate).
+const MOVING: f32 = 0.6;
 
 /// All motors of a robot.
 #[derive(Clone, Debug)]
 pub(crate) struct Motors {
     angles: Joints,
-    /// Commands on their way, the oldest at `next`.
+    /// Ring buffer of targets and stiffness within the dead time, the oldest at `next`.
     waiting: [(Joints, Joints); DELAY],
     next: usize,
     heat: MotorHeat,
 }
 
 impl Motors {
-    /// Motors that hold these angles.
+    /// Returns motors at rest at these angles.
     pub(crate) fn holding(angles: Joints) -> Self {
         Self { angles, waiting: [(angles, Joints::all(1.0)); DELAY], next: 0, heat: MotorHeat::new() }
     }
 
-    /// True angles now, rad.
+    /// True angles, rad.
     pub(crate) const fn angles(&self) -> &Joints {
         &self.angles
     }
 
-    /// How hot the motors are and what they draw.
+    /// Temperatures and currents.
     pub(crate) const fn heat(&self) -> &MotorHeat {
         &self.heat
     }
 
-    /// Makes a motor that hot, °C.
-    pub(crate) fn heat_up(&mut self, joint: Joint, temperature: f32) {
+    /// Sets the temperature of a motor, °C.
+    pub(crate) fn set_temperature(&mut self, joint: Joint, temperature: f32) {
         self.heat.set(joint, temperature);
     }
 
-    /// The stiffness that acts now.
+    /// Stiffness after the dead time, 0 to 1.
     pub(crate) fn stiffness(&self, joint: Joint) -> f32 {
         self.waiting[(self.next + DELAY - 1) % DELAY].1[joint]
     }
 
-    /// Turns the joints for one cycle. Targets beyond the limits stop there; what is no number moves nothing.
+    /// Moves the joints for one cycle. Targets are clamped to the joint limits; a joint with a target or stiffness that is not
+    /// finite does not move.
     pub(crate) fn step(&mut self, command: &Command) {
         let due = core::mem::replace(&mut self.waiting[self.next], (command.targets, command.stiffness));
         self.next = (self.next + 1) % DELAY;
         let before = self.angles;
         let moved = self.angles.moved_toward(&due.0, CYCLE_SECONDS).clamp_to_limits();
         for i in 0..JOINTS {
-            let strength = (due.1.0[i] / FULL_SPEED).clamp(0.0, 1.0);
+            let strength = (due.1.0[i] / FULL_SPEED_STIFFNESS).clamp(0.0, 1.0);
             if strength > 0.0 {
                 self.angles.0[i] += strength * (moved.0[i] - self.angles.0[i]);
             }
         }
         HeadAngles::read(&self.angles).clamped().write(&mut self.angles);
-        self.heat.step(drawn(&before, &self.angles, &due.1));
+        self.heat.step(currents(&before, &self.angles, &due.1));
     }
 }
 
-/// The currents of a cycle between these angles at this stiffness, A.
-fn drawn(before: &Joints, after: &Joints, stiffness: &Joints) -> Joints {
-    let [legs, others, full_speed] = DRAWN;
+/// Returns the currents of a cycle between these angles at this stiffness, A.
+fn currents(before: &Joints, after: &Joints, stiffness: &Joints) -> Joints {
     Joints(Joint::ALL.map(|joint| {
-        let held = if (7..=17).contains(&joint.index()) { legs } else { others };
+        let is_leg = Side::BOTH.iter().any(|side| side.leg().contains(&joint));
+        let holding = if is_leg { LEG_HOLDING } else { OTHER_HOLDING };
         let speed = (after[joint] - before[joint]).abs() / CYCLE_SECONDS / max_speed(joint);
-        let firmness = if stiffness[joint] > 0.0 { stiffness[joint].min(1.0) } else { 0.0 };
-        CONTINUOUS_CURRENT[joint] * (held * firmness + full_speed * speed)
+        let stiffness = if stiffness[joint] > 0.0 { stiffness[joint].min(1.0) } else { 0.0 };
+        CONTINUOUS_CURRENT[joint] * (holding * stiffness + MOVING * speed)
     }))
 }
 
@@ -94,7 +99,7 @@ mod tests {
     }
 
     #[test]
-    fn a_joint_moves_after_thirty_milliseconds_at_its_own_speed() {
+    fn a_joint_moves_after_the_dead_time_at_its_maximum_speed() {
         let mut motors = Motors::holding(Joints::all(0.3));
         for _ in 0..3 {
             motors.step(&command(0.9, 1.0));
@@ -106,7 +111,7 @@ mod tests {
     }
 
     #[test]
-    fn a_limp_joint_and_one_with_a_wrong_target_stay() {
+    fn a_joint_without_stiffness_or_with_an_invalid_target_does_not_move() {
         for wrong in [command(0.5, 0.0), command(f32::NAN, 1.0), command(0.5, f32::NAN), command(0.5, -1.0)] {
             let held = Joints::all(0.0).clamp_to_limits();
             let mut motors = Motors::holding(held);
@@ -118,7 +123,7 @@ mod tests {
     }
 
     #[test]
-    fn no_joint_passes_its_limit() {
+    fn joints_stop_at_their_limits() {
         let mut motors = Motors::holding(Joints::all(0.3));
         for _ in 0..300 {
             motors.step(&command(9.0, 1.0));

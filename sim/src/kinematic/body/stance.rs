@@ -1,8 +1,8 @@
-//! Standing on the foot that carries the body.
+//! Standing on the support foot.
 //!
-//! Quasi-static: the lower sole carries. It stays where it is, flat on the ground, and everything else follows from the
-//! joint angles. When the other sole comes to lie lower, by a little hysteresis, it carries from then on, where it
-//! was just before; what it is tilted against the ground and off it fades away quickly, so that the torso never jumps.
+//! Quasi-static: the lower sole is the support foot. It stays flat on the ground where it is, and the pose of the body follows
+//! from the joint angles. When the other sole is lower by a hysteresis, it becomes the support foot where it was one cycle
+//! before. Its tilt and height at touchdown decay exponentially, so that the pose of the torso is continuous.
 
 use bica_motion::kinematics::Skeleton;
 use bica_motion::pose::Pose2;
@@ -11,41 +11,42 @@ use glam::{Affine3A, Mat3A, Quat, Vec3};
 
 use crate::transform::{ground_pose, level_pose};
 
-/// How much lower the other sole must be to carry, m.
+/// Height by which the other sole must be lower to become the support foot, m.
 const HYSTERESIS: f32 = 0.001;
-/// Share of tilt and lift that is left after a cycle: a time constant of 30 ms.
-const FADE: f32 = 0.716_5;
-/// Cycles over which a slip is spread.
+/// Factor on tilt and height at touchdown per cycle: a time constant of 30 ms.
+const DECAY: f32 = 0.716_5;
+/// Cycles over which a slip is distributed.
 const SLIP_CYCLES: u32 = 8;
-/// The middle of a sole, x in its own frame, m.
+/// Centre of a sole in the sole frame, m.
 const SOLE_MIDDLE: Vec3 = Vec3::new(0.0227, 0.0, 0.0);
 
-/// How the body stands.
+/// Contact state of a standing body.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Stance {
     support: Side,
-    /// Where the carrying sole is on the ground.
+    /// Pose of the support sole on the ground, field frame.
     anchor: Pose2,
-    /// What is left of its tilt when it came down.
+    /// Remaining tilt of the support sole since touchdown.
     tilt: Quat,
-    /// What is left of its height when it came down, m.
-    lift: f32,
-    /// The other sole a cycle ago, field frame.
+    /// Remaining height of the support sole since touchdown, m.
+    height: f32,
+    /// The other sole in the previous cycle, field frame.
     other: Affine3A,
-    /// The rest of a slip, per cycle.
+    /// Slip per cycle.
     slip: Pose2,
+    /// Cycles for which the slip continues.
     slip_cycles: u32,
 }
 
 impl Stance {
-    /// Stands so that the robot frame's origin and heading are over `place`.
+    /// Returns a stance in which the robot frame projects to `place`.
     pub(crate) fn under(place: Pose2, skeleton: &Skeleton) -> Self {
         let support = Side::Left;
         let mut standing = Self {
             support,
             anchor: Pose2::ORIGIN,
             tilt: Quat::IDENTITY,
-            lift: 0.0,
+            height: 0.0,
             other: Affine3A::IDENTITY,
             slip: Pose2::ORIGIN,
             slip_cycles: 0,
@@ -55,46 +56,46 @@ impl Stance {
         standing
     }
 
-    /// The foot that carries.
+    /// The support foot.
     pub(crate) const fn support(&self) -> Side {
         self.support
     }
 
-    /// The robot frame's pose in the field frame.
+    /// Pose of the robot frame in the field frame.
     pub(crate) fn robot(&self, skeleton: &Skeleton) -> Affine3A {
-        let residue = Affine3A::from_rotation_translation(self.tilt, Vec3::new(0.0, 0.0, self.lift));
+        let residue = Affine3A::from_rotation_translation(self.tilt, Vec3::new(0.0, 0.0, self.height));
         level_pose(&self.anchor) * residue * skeleton.sole(self.support).inverse()
     }
 
-    /// Stands for one cycle with the body as it is now. A step begins with a slip as `draw_slip` says.
+    /// Advances by one cycle with the current joint angles. `draw_slip` supplies the slip at touchdown.
     pub(crate) fn step(&mut self, skeleton: &Skeleton, draw_slip: impl FnOnce() -> Pose2) {
-        self.tilt = Quat::IDENTITY.slerp(self.tilt, FADE);
-        self.lift *= FADE;
+        self.tilt = Quat::IDENTITY.slerp(self.tilt, DECAY);
+        self.height *= DECAY;
         if self.slip_cycles > 0 {
             self.slip_cycles -= 1;
             self.anchor = self.anchor * self.slip;
         }
         let soles = [self.support, self.support.other()].map(|side| self.robot(skeleton) * skeleton.sole(side));
-        let [carrying, other] = soles.map(|sole| sole.transform_point3(SOLE_MIDDLE).z);
-        if other < carrying - HYSTERESIS {
-            self.step_onto_other(draw_slip());
+        let [support, other] = soles.map(|sole| sole.transform_point3(SOLE_MIDDLE).z);
+        if other < support - HYSTERESIS {
+            self.switch_support(draw_slip());
         }
         self.other = self.robot(skeleton) * skeleton.sole(self.support.other());
     }
 
-    /// Moves without a step, as when pushed. Field frame, m.
+    /// Displaces the stance along the ground. Field frame, m.
     pub(crate) fn shift(&mut self, by: glam::Vec2) {
         self.anchor.position += by;
         self.other.translation += glam::Vec3A::from(by.extend(0.0));
     }
 
-    /// The foot that carries now took the weight where it was a cycle ago: since then the lifted one only moved away.
-    fn step_onto_other(&mut self, slip: Pose2) {
+    /// Makes the other foot the support foot where it was one cycle ago, when it still had its distance to the old one.
+    fn switch_support(&mut self, slip: Pose2) {
         self.support = self.support.other();
         self.anchor = ground_pose(&self.other);
         let level = Mat3A::from_rotation_z(-self.anchor.heading) * self.other.matrix3;
         self.tilt = Quat::from_mat3a(&level).normalize();
-        self.lift = self.other.translation.z;
+        self.height = self.other.translation.z;
         let share = 1.0 / SLIP_CYCLES as f32;
         self.slip = Pose2 { position: share * slip.position, heading: share * slip.heading };
         self.slip_cycles = SLIP_CYCLES;
@@ -107,7 +108,7 @@ mod tests {
     use bica_motion::feet::{Foot, level_legs};
     use bica_motion::stand::STAND;
 
-    /// The body with level feet there: forward of the hips and lift, m, left first.
+    /// Returns the body with level feet: x from the hips and lift, m, left first.
     fn body(feet: [(f32, f32); 2]) -> Skeleton {
         let foot = |(x, lift), y| Foot { pose: Pose2::new(x, y, 0.0), lift };
         let mut angles = STAND;
@@ -118,9 +119,9 @@ mod tests {
         Skeleton::of(&angles)
     }
 
-    /// Steps of 4 cm, each foot in turn, in 20 cycles; tells where the robot frame and the carrying sole were.
+    /// Takes steps of 4 cm with alternating feet, 20 cycles each; returns robot frame and support sole of each cycle.
     fn walk(stance: &mut Stance, steps: usize) -> Vec<(Side, Affine3A, Affine3A)> {
-        let mut seen = Vec::new();
+        let mut poses = Vec::new();
         for step in 0..steps {
             for cycle in 0..20 {
                 let part = cycle as f32 / 19.0;
@@ -130,14 +131,14 @@ mod tests {
                 let skeleton = body(feet);
                 stance.step(&skeleton, || Pose2::ORIGIN);
                 let robot = stance.robot(&skeleton);
-                seen.push((stance.support(), robot, robot * skeleton.sole(stance.support())));
+                poses.push((stance.support(), robot, robot * skeleton.sole(stance.support())));
             }
         }
-        seen
+        poses
     }
 
     #[test]
-    fn the_carrying_foot_does_not_slide_and_the_torso_goes_a_step_length_per_step() {
+    fn the_support_foot_does_not_slide_and_each_step_moves_the_torso_by_its_length() {
         let skeleton = body([(0.02, 0.0), (-0.02, 0.0)]);
         let mut stance = Stance::under(Pose2::new(0.5, -0.3, 0.0), &skeleton);
         let seen = walk(&mut stance, 10);
@@ -156,7 +157,7 @@ mod tests {
     }
 
     #[test]
-    fn moving_up_and_down_on_both_feet_goes_nowhere() {
+    fn shifting_weight_on_both_feet_does_not_move_the_robot() {
         let mut stance = Stance::under(Pose2::ORIGIN, &Skeleton::of(&STAND));
         for cycle in 0..1_000 {
             let skeleton = body([(0.001 * (cycle % 7) as f32, 0.0004 * (cycle % 3) as f32), (0.0, 0.0)]);
@@ -168,7 +169,7 @@ mod tests {
     }
 
     #[test]
-    fn a_slip_comes_little_by_little_and_wholly() {
+    fn a_slip_is_distributed_over_cycles_and_complete() {
         let mut stance = Stance::under(Pose2::ORIGIN, &Skeleton::of(&STAND));
         let right = body([(0.0, 0.01), (0.0, 0.0)]);
         let before = ground_pose(&stance.robot(&right));

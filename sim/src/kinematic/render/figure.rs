@@ -1,4 +1,4 @@
-//! What robots look like, part by part.
+//! Solids and colours of robots.
 
 use bica_motion::dimensions::{FOOT_HEIGHT, THIGH, TIBIA, UPPER_ARM};
 use bica_motion::kinematics::{Segment, Skeleton};
@@ -10,7 +10,7 @@ use crate::camera::canvas::Pixel;
 use crate::camera::palette::{self, Palette};
 use bica_field::GoalColour;
 
-/// A robot's colours.
+/// Colours of a robot's parts.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct RobotColours {
     shell: Pixel,
@@ -19,7 +19,7 @@ pub(crate) struct RobotColours {
 }
 
 impl RobotColours {
-    /// The dress of the team that defends a goal: red for yellow, blue for sky-blue (rules of 2009).
+    /// Returns the colours of the team that defends a goal: red for yellow, blue for sky-blue (rules of 2009).
     pub(crate) fn of_defender(goal: GoalColour, palette: &Palette) -> Self {
         let team = match goal {
             GoalColour::Yellow => palette::RED_TEAM,
@@ -30,62 +30,62 @@ impl RobotColours {
     }
 }
 
-/// The solids of a robot, with the robot frame at a pose in the field frame.
-pub(crate) fn figure(robot: &Affine3A, skeleton: &Skeleton, dress: RobotColours) -> Vec<Solid> {
-    let mut figure = below_the_head(robot, skeleton, dress);
+/// Returns the solids of a robot with the robot frame at a pose in the field frame.
+pub(crate) fn figure(robot: &Affine3A, skeleton: &Skeleton, colours: RobotColours) -> Vec<Solid> {
+    let mut figure = below_the_head(robot, skeleton, colours);
     let part = Part { pose: *robot * skeleton.pose(Segment::Head) };
-    figure.push(part.sphere([-0.005, 0.0, 0.06], 0.062, dress.shell));
-    figure.push(part.tube([[0.045, 0.0, 0.062], [0.058, 0.0, 0.062]], [0.03, 0.016], dress.joint));
+    figure.push(part.sphere([-0.005, 0.0, 0.06], 0.062, colours.shell));
+    figure.push(part.tube([[0.045, 0.0, 0.062], [0.058, 0.0, 0.062]], [0.03, 0.016], colours.joint));
     for side in Side::BOTH {
         let out = |y: f32| [-0.005, side.sign() * y, 0.06];
-        figure.push(part.tube([out(0.05), out(0.068)], [0.03, 0.022], dress.team));
+        figure.push(part.tube([out(0.05), out(0.068)], [0.03, 0.022], colours.team));
     }
     figure
 }
 
-/// The solids that a robot's own cameras may see.
-pub(crate) fn below_the_head(robot: &Affine3A, skeleton: &Skeleton, dress: RobotColours) -> Vec<Solid> {
+/// Returns the solids of a robot that its own cameras can show.
+pub(crate) fn below_the_head(robot: &Affine3A, skeleton: &Skeleton, colours: RobotColours) -> Vec<Solid> {
     let part = |segment| Part { pose: *robot * skeleton.pose(segment) };
     let torso = part(Segment::Torso);
     let mut figure = vec![
-        torso.tube([[0.0, 0.0, -0.02], [0.0, 0.0, 0.035]], [0.045, 0.05], dress.joint),
-        torso.tube([[0.0, 0.0, 0.035], [0.0, 0.0, 0.065]], [0.056, 0.056], dress.team),
-        torso.tube([[0.0, 0.0, 0.065], [-0.005, 0.0, 0.185]], [0.054, 0.052], dress.shell),
-        torso.tube([[-0.01, 0.0, 0.185], [-0.01, 0.0, 0.21]], [0.03, 0.022], dress.joint),
+        torso.tube([[0.0, 0.0, -0.02], [0.0, 0.0, 0.035]], [0.045, 0.05], colours.joint),
+        torso.tube([[0.0, 0.0, 0.035], [0.0, 0.0, 0.065]], [0.056, 0.056], colours.team),
+        torso.tube([[0.0, 0.0, 0.065], [-0.005, 0.0, 0.185]], [0.054, 0.052], colours.shell),
+        torso.tube([[-0.01, 0.0, 0.185], [-0.01, 0.0, 0.21]], [0.03, 0.022], colours.joint),
     ];
     for side in Side::BOTH {
         let y = side.sign();
-        figure.push(torso.tube([[0.0, 0.03 * y, 0.165], [0.0, 0.075 * y, 0.18]], [0.04, 0.03], dress.shell));
-        figure.extend(arm(side, part, dress));
-        figure.extend(leg(side, part, dress));
+        figure.push(torso.tube([[0.0, 0.03 * y, 0.165], [0.0, 0.075 * y, 0.18]], [0.04, 0.03], colours.shell));
+        figure.extend(arm(side, part, colours));
+        figure.extend(leg(side, part, colours));
     }
     figure
 }
 
-fn arm(side: Side, part: impl Fn(Segment) -> Part, dress: RobotColours) -> [Solid; 4] {
+fn arm(side: Side, part: impl Fn(Segment) -> Part, colours: RobotColours) -> [Solid; 4] {
     let elbow = [UPPER_ARM.x, side.sign() * UPPER_ARM.y, 0.0];
     [
-        part(Segment::Shoulder(side)).sphere([0.0, 0.0, 0.0], 0.036, dress.team),
-        part(Segment::Biceps(side)).tube([[0.02, 0.0, 0.0], elbow], [0.028, 0.024], dress.shell),
-        part(Segment::Forearm(side)).tube([[0.0, 0.0, 0.0], [0.085, 0.0, 0.0]], [0.026, 0.022], dress.shell),
-        part(Segment::Hand(side)).sphere([0.055, 0.0, 0.005], 0.022, dress.joint),
+        part(Segment::Shoulder(side)).sphere([0.0, 0.0, 0.0], 0.036, colours.team),
+        part(Segment::Biceps(side)).tube([[0.02, 0.0, 0.0], elbow], [0.028, 0.024], colours.shell),
+        part(Segment::Forearm(side)).tube([[0.0, 0.0, 0.0], [0.085, 0.0, 0.0]], [0.026, 0.022], colours.shell),
+        part(Segment::Hand(side)).sphere([0.055, 0.0, 0.005], 0.022, colours.joint),
     ]
 }
 
-fn leg(side: Side, part: impl Fn(Segment) -> Part, dress: RobotColours) -> [Solid; 6] {
-    let shoe = part(Segment::Foot(side));
+fn leg(side: Side, part: impl Fn(Segment) -> Part, colours: RobotColours) -> [Solid; 6] {
+    let foot = part(Segment::Foot(side));
     let y = side.sign() * 0.0065;
     [
-        part(Segment::Thigh(side)).tube([[0.0, 0.0, 0.0], [0.0, 0.0, -THIGH]], [0.042, 0.034], dress.shell),
-        part(Segment::Tibia(side)).sphere([0.0, 0.0, 0.0], 0.033, dress.joint),
-        part(Segment::Tibia(side)).tube([[0.0, 0.0, -0.01], [0.0, 0.0, -TIBIA]], [0.036, 0.034], dress.shell),
-        part(Segment::Ankle(side)).sphere([0.0, 0.0, 0.0], 0.03, dress.joint),
-        shoe.block([0.006, y, 0.018 - FOOT_HEIGHT], [0.058, 0.042, 0.018], dress.shell),
-        shoe.tube([[0.058, y, -FOOT_HEIGHT], [0.058, y, 0.034 - FOOT_HEIGHT]], [0.042, 0.036], dress.team),
+        part(Segment::Thigh(side)).tube([[0.0, 0.0, 0.0], [0.0, 0.0, -THIGH]], [0.042, 0.034], colours.shell),
+        part(Segment::Tibia(side)).sphere([0.0, 0.0, 0.0], 0.033, colours.joint),
+        part(Segment::Tibia(side)).tube([[0.0, 0.0, -0.01], [0.0, 0.0, -TIBIA]], [0.036, 0.034], colours.shell),
+        part(Segment::Ankle(side)).sphere([0.0, 0.0, 0.0], 0.03, colours.joint),
+        foot.block([0.006, y, 0.018 - FOOT_HEIGHT], [0.058, 0.042, 0.018], colours.shell),
+        foot.tube([[0.058, y, -FOOT_HEIGHT], [0.058, y, 0.034 - FOOT_HEIGHT]], [0.042, 0.036], colours.team),
     ]
 }
 
-/// A part of the body that is one solid piece.
+/// A rigid segment of the body, field frame.
 struct Part {
     pose: Affine3A,
 }
@@ -109,7 +109,7 @@ impl Part {
     }
 }
 
-/// The shadows under a robot's feet.
+/// Returns the shadows under a robot's feet.
 pub(crate) fn shadows(robot: &Affine3A, skeleton: &Skeleton) -> [Solid; 2] {
     Side::BOTH.map(|side| {
         let sole = *robot * skeleton.sole(side);

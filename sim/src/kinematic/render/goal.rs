@@ -1,19 +1,13 @@
-//! What goals look like.
+//! Solids of the goals.
 
 use glam::{Vec2, Vec3};
 
 use super::solid::Solid;
 use crate::camera::palette::{self, Palette};
-use bica_field::{FIELD, GoalColour};
+use crate::field::{BAR_RADIUS, GOAL_BACK, GOAL_HEIGHT, GOAL_PANEL, POST, POST_RADIUS};
+use bica_field::GoalColour;
 
-const BAR_RADIUS: f32 = FIELD.crossbar_radius();
-const GOAL_BACK: f32 = FIELD.goal_back();
-const GOAL_HEIGHT: f32 = FIELD.goal_height();
-const GOAL_TRIANGLE: f32 = FIELD.goal_panel();
-const POST: Vec2 = FIELD.goal_post();
-const POST_RADIUS: f32 = FIELD.post_radius();
-
-/// Both goals; the one at positive x has the colour given.
+/// Returns the solids of both goals. `attacked`: colour of the goal at positive x.
 pub(crate) fn goals(attacked: GoalColour, palette: &Palette) -> Vec<Solid> {
     [(1.0, attacked), (-1.0, attacked.other())]
         .into_iter()
@@ -37,8 +31,8 @@ fn goal(end: f32, colour: GoalColour, palette: &Palette) -> Vec<Solid> {
     ];
     for y in [-POST.y, POST.y] {
         let foot = at(POST.x, y, 0.0);
-        let deep = at(POST.x + GOAL_TRIANGLE, y, 0.0);
-        let high = at(POST.x, y, GOAL_TRIANGLE);
+        let deep = at(POST.x + GOAL_PANEL, y, 0.0);
+        let high = at(POST.x, y, GOAL_PANEL);
         let rear = at(GOAL_BACK, y, 0.0);
         let over = at(POST.x, y, GOAL_HEIGHT);
         parts.push(Solid::Shadow { centre: Vec2::new(foot.x, y), radius: 0.16, darkness: 0.35 });

@@ -1,4 +1,4 @@
-//! The carpet with its lines, and the hall's floor around it.
+//! Texture of the carpet with its lines and of the floor around it.
 
 use glam::Vec2;
 
@@ -6,27 +6,27 @@ use super::lines::LineMap;
 use crate::camera::canvas::{Pixel, mix};
 use crate::camera::light::Light;
 use crate::camera::palette::{self, Palette, Rgb};
-use crate::camera::pinhole::{LANES, Mapping, whole};
+use crate::camera::pinhole::{LANES, Mapping, round_wrapping};
 use crate::random::Random;
 
-/// Side of the carpet's repeated pattern, points; a power of two.
+/// Side of the carpet's periodic texture, points; a power of two.
 const PATTERN: u32 = 256;
-/// Points of the whole pattern.
+/// Number of points of the texture.
 const TUFTS: usize = (PATTERN * PATTERN) as usize;
-/// Points of the pattern per metre.
+/// Resolution of the texture, points per metre.
 const POINTS: f32 = 250.0;
-/// Beyond this depth of a pixel on the ground lines are sampled several times, m.
-const SAMPLE: f32 = 0.04;
-/// The most samples of a pixel.
-const MOST_SAMPLES: f32 = 4.0;
-/// Even the nearest line's edge is this soft, m.
-const SOFTNESS: f32 = 0.003;
+/// Depth of a pixel on the ground beyond which lines are supersampled, m.
+const SAMPLE_DEPTH: f32 = 0.04;
+/// Maximum number of samples of a pixel.
+const MAX_SAMPLES: f32 = 4.0;
+/// Minimum width of the transition at a line's edge, m.
+const MIN_EDGE_WIDTH: f32 = 0.003;
 
-/// Everything flat on the ground.
+/// Texture and colours of the ground.
 #[derive(Clone, Debug)]
 pub(crate) struct Ground {
     lines: LineMap,
-    /// Brightness of tufts, ± of 255.
+    /// Luma offset of the tufts, counts of 255.
     pattern: Vec<i8>,
     carpet: Pixel,
     line: Pixel,
@@ -74,8 +74,8 @@ impl Ground {
         let contrast = (256.0 * (1.0 / (POINTS * spot.side())).min(1.0)) as i32;
         let mut places = [0; LANES];
         for i in 0..LANES {
-            let column = whole(x[i] * POINTS) % PATTERN;
-            let row = whole(y[i] * POINTS) % PATTERN;
+            let column = round_wrapping(x[i] * POINTS) % PATTERN;
+            let row = round_wrapping(y[i] * POINTS) % PATTERN;
             places[i] = row * PATTERN + column;
         }
         let tufts = places.map(|place| self.pattern[place as usize % TUFTS]);
@@ -96,18 +96,18 @@ impl Ground {
         let last = pixels.len() - 1;
         let [from, middle, to] = [0, last / 2, last].map(|i| Vec2::new(x[i], y[i]));
         let reach = middle.distance(from).max(middle.distance(to)) + spot.wide.max(spot.deep);
-        if self.lines.room_around(middle) > reach {
+        if self.lines.clearance(middle) > reach {
             return;
         }
-        let samples = (spot.deep / SAMPLE).ceil().clamp(1.0, MOST_SAMPLES);
+        let samples = (spot.deep / SAMPLE_DEPTH).ceil().clamp(1.0, MAX_SAMPLES);
         if samples > 1.0 {
             return self.paint_far_lines(ground, (u, v), spot, samples, pixels);
         }
         let nearest = self.lines.nearest(x, y);
-        let width = spot.side().max(spot.deep).max(SOFTNESS);
+        let width = spot.side().max(spot.deep).max(MIN_EDGE_WIDTH);
         for (i, pixel) in pixels.iter_mut().enumerate() {
-            let share = nearest.sure_share(i, width).unwrap_or_else(|| self.lines.share(x[i], y[i], width));
-            self.mark(pixel, share);
+            let share = nearest.certain_share(i, width).unwrap_or_else(|| self.lines.share(x[i], y[i], width));
+            self.blend_line(pixel, share);
         }
     }
 
@@ -119,19 +119,19 @@ impl Ground {
             self.lines.nearest(&x, &y).add_shares(width, &mut shares);
         }
         for (pixel, share) in pixels.iter_mut().zip(shares) {
-            self.mark(pixel, share / samples);
+            self.blend_line(pixel, share / samples);
         }
     }
 
-    /// Paints a pixel of which a share shows a line.
-    fn mark(&self, pixel: &mut Pixel, share: f32) {
+    /// Blends the line colour into a pixel; `share`: covered fraction, 0 to 1.
+    fn blend_line(&self, pixel: &mut Pixel, share: f32) {
         if share > 0.0 {
             *pixel = mix(*pixel, self.line, (share * 256.0) as i32);
         }
     }
 }
 
-/// How much of the ground a pixel shows: to the side and in depth, m.
+/// Area of the ground shown by a pixel: width and depth, m.
 struct Spot {
     wide: f32,
     deep: f32,
@@ -149,7 +149,7 @@ impl Spot {
     }
 }
 
-/// Fine grain over soft blotches.
+/// Draws a texture of fine noise over smooth blotches.
 fn tufts(random: &mut Random) -> Vec<i8> {
     const SIDE: usize = PATTERN as usize;
     const BLOTCH: usize = 16;

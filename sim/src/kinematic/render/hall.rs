@@ -1,34 +1,32 @@
-//! The hall around the field: four walls with all that hangs and stands there, and a ceiling.
+//! The hall around the field: four walls with posters, furniture and people, a floor and a ceiling.
 //!
-//! Some of it has the colours of ball and goals, as in every hall; it is all beyond the carpet.
+//! Some of these distractors have the colours of ball and goals. All of them are outside the carpet.
 
-use bica_field::FIELD;
 use glam::{Vec2, Vec3};
 
 use super::ground::Ground;
 use crate::camera::canvas::{Canvas, Edge, Pixel};
 use crate::camera::palette::{Palette, Rgb};
-use crate::camera::pinhole::{LANES, Mapping, PinholeCamera, whole};
+use crate::camera::pinhole::{LANES, Mapping, PinholeCamera, round_wrapping};
+use crate::field::CARPET;
 use crate::random::Random;
 
-const CARPET: Vec2 = FIELD.carpet_corner();
-
-/// Half the hall's length and width, and its height, m.
+/// Half length, half width, and height of the hall, m.
 const HALL: Vec3 = Vec3::new(6.0, 5.0, 3.5);
-/// Points of a wall's picture per metre.
+/// Resolution of a wall's texture, points per metre.
 const POINTS: f32 = 50.0;
 
-/// Walls and ceiling.
+/// Textures of the walls and colour of the ceiling.
 #[derive(Clone, Debug)]
 pub(crate) struct Hall {
     walls: [Wall; 4],
     ceiling: Pixel,
 }
 
-/// A wall's picture, rows from the floor up.
+/// A wall and its texture, rows from the floor up.
 #[derive(Clone, Debug)]
 struct Wall {
-    /// Its lower left corner, seen from inside.
+    /// Lower left corner seen from inside, field frame, m.
     corner: Vec3,
     along: Vec3,
     size: Vec2,
@@ -39,13 +37,13 @@ struct Wall {
 
 impl Hall {
     pub(crate) fn new(palette: &Palette, random: &mut Random) -> Self {
-        let papers = [
+        let wallpapers = [
             Rgb::new(0.66, 0.65, 0.61),
             Rgb::new(0.52, 0.54, 0.56),
             Rgb::new(0.60, 0.54, 0.46),
             Rgb::new(0.70, 0.70, 0.70),
         ];
-        let paper = papers[random.below(papers.len())];
+        let wallpaper = wallpapers[random.below(wallpapers.len())];
         let (x, y) = (HALL.x, HALL.y);
         let walls = [
             (Vec3::new(x, y, 0.0), Vec3::NEG_Y),
@@ -55,15 +53,15 @@ impl Hall {
         ];
         let walls = walls.map(|(corner, along)| {
             let shade = random.between(0.85, 1.05);
-            let mut wall = Wall::blank(corner, along, palette.pixel(shade * paper));
+            let mut wall = Wall::blank(corner, along, palette.pixel(shade * wallpaper));
             wall.decorate(palette, random);
-            wall.roughen(random);
+            wall.add_texture_noise(random);
             wall
         });
         Self { walls, ceiling: palette.pixel(Rgb::new(0.72, 0.72, 0.74)) }
     }
 
-    /// Paints everything behind the things on the field, the whole picture.
+    /// Paints the background: the whole canvas.
     pub(crate) fn draw(&self, view: &PinholeCamera, ground: &Ground, canvas: &mut Canvas) {
         canvas.pixels.fill(self.ceiling);
         for wall in &self.walls {
@@ -100,8 +98,8 @@ impl Wall {
             let (along, up) = mapping.row((first + i * LANES) as f32, v as f32);
             let mut places = [0; LANES];
             for i in 0..LANES {
-                let column = whole((along[i] * POINTS - 0.5).clamp(0.0, most(self.width)));
-                let row = whole((up[i] * POINTS - 0.5).clamp(0.0, most(self.height)));
+                let column = round_wrapping((along[i] * POINTS - 0.5).clamp(0.0, most(self.width)));
+                let row = round_wrapping((up[i] * POINTS - 0.5).clamp(0.0, most(self.height)));
                 places[i] = row * self.width as u32 + column;
             }
             for (pixel, place) in pixels.iter_mut().zip(places) {
@@ -179,8 +177,8 @@ impl Wall {
         }
     }
 
-    /// No wall is evenly lit or clean.
-    fn roughen(&mut self, random: &mut Random) {
+    /// Adds a vertical brightness gradient and noise.
+    fn add_texture_noise(&mut self, random: &mut Random) {
         for (i, point) in self.points.iter_mut().enumerate() {
             let row = i / self.width;
             let shade = (row as i32 * 24 / self.height as i32) - 12 + (random.bits() >> 30) as i32 * 2;
@@ -189,7 +187,7 @@ impl Wall {
     }
 }
 
-/// The floor around the carpet, and a hand's breadth under it so that no gap shows.
+/// Returns the floor around the carpet as rectangles that reach 0.1 m under it, so that no gap is visible.
 fn floor_strips() -> [[Vec3; 4]; 4] {
     let (hall, carpet) = (HALL.truncate(), CARPET - 0.1);
     [
@@ -204,14 +202,14 @@ fn rectangle(from: Vec2, to: Vec2) -> [Vec3; 4] {
     [(from.x, from.y), (to.x, from.y), (to.x, to.y), (from.x, to.y)].map(|(x, y)| Vec3::new(x, y, 0.0))
 }
 
-/// What most things are: grey, brown, dark blue.
+/// Draws an unsaturated colour: grey, brown or dark blue.
 fn muted(random: &mut Random) -> Rgb {
     let grey = random.between(0.1, 0.75);
     let tints = [Rgb::ONE, Rgb::new(1.0, 0.82, 0.62), Rgb::new(0.75, 0.85, 1.1), Rgb::new(0.85, 0.95, 0.85)];
     grey * tints[random.below(tints.len())]
 }
 
-/// Mostly muted; now and then vivid, and some of that near the colours of ball, goals and teams.
+/// Draws a colour that is muted with probability 0.6, otherwise vivid: some are near the colours of ball, goals and teams.
 fn any_colour(random: &mut Random) -> Rgb {
     const VIVID: [Rgb; 8] = [
         Rgb::new(0.65, 0.12, 0.12),

@@ -1,36 +1,29 @@
-//! How far every point of the carpet is from the edge of a line.
+//! Signed distance map of the field lines.
 
-use bica_field::FIELD;
 use glam::Vec2;
 
-use crate::camera::pinhole::{LANES, whole};
+use crate::camera::pinhole::{LANES, round_wrapping};
+use crate::field::{CARPET, CIRCLE, CORNER, LINE_WIDTH, MARK, PENALTY_AREA, PENALTY_MARK};
 
-const CARPET: Vec2 = FIELD.carpet_corner();
-const CIRCLE: f32 = FIELD.centre_circle_radius();
-const CORNER: Vec2 = FIELD.field_corner();
-const LINE_WIDTH: f32 = FIELD.line_width();
-const MARK: f32 = FIELD.penalty_mark_size();
-const PENALTY_AREA: Vec2 = FIELD.penalty_area_corner();
-const PENALTY_MARK: f32 = FIELD.penalty_mark();
-
-/// Distance between neighbouring points of the map, m.
+/// Resolution of the map, m.
 const STEP: f32 = 0.01;
-/// Points along x and y: a quarter of the carpet, since the lines are symmetric.
+/// Number of points along x and y: one quadrant of the carpet, since the lines are symmetric.
 const SIZE: (usize, usize) = ((CARPET.x / STEP) as usize + 2, (CARPET.y / STEP) as usize + 2);
-/// The map's unit, m: distances reach ±63.5 mm.
+/// Unit of the stored distances, m: they reach ±63.5 mm.
 const UNIT: f32 = 0.0005;
-/// Points from one row of the map to the next.
+/// Number of points from one row of the map to the next.
 const STRIDE: usize = SIZE.0.next_power_of_two();
-/// Distance between neighbouring points of the coarse map, m, and how many there are along x and y.
+/// Resolution of the coarse map, m.
 const COARSE: f32 = 0.05;
+/// Number of points of the coarse map along x and y.
 const COARSE_SIZE: (usize, usize) = ((CARPET.x / COARSE) as usize + 2, (CARPET.y / COARSE) as usize + 2);
 
-/// Signed distances to the lines: negative on them.
+/// Signed distances to the edges of the lines: negative on a line.
 #[derive(Clone, Debug)]
 pub(crate) struct LineMap {
     distances: Vec<i8>,
-    /// How far it is to the nearest line at least, anywhere nearest to a coarse point, m.
-    rooms: Vec<f32>,
+    /// Lower bound of the distance to a line within the cell of each coarse point, m.
+    clearances: Vec<f32>,
 }
 
 impl LineMap {
@@ -40,42 +33,43 @@ impl LineMap {
             let point = Vec2::new((i % STRIDE) as f32, (i / STRIDE) as f32) * STEP;
             *distance = libm::roundf(exact(point) / UNIT).clamp(-127.0, 127.0) as i8;
         }
-        let room = |i: usize| {
+        let clearance = |i: usize| {
             let point = Vec2::new((i % COARSE_SIZE.0) as f32, (i / COARSE_SIZE.0) as f32) * COARSE;
             exact(point) - COARSE
         };
-        Self { distances, rooms: (0..COARSE_SIZE.0 * COARSE_SIZE.1).map(room).collect() }
+        Self { distances, clearances: (0..COARSE_SIZE.0 * COARSE_SIZE.1).map(clearance).collect() }
     }
 
-    /// A radius around a point of the carpet in which there is no line, m; may be negative.
-    pub(crate) fn room_around(&self, point: Vec2) -> f32 {
-        let index = |x: f32, most: usize| (whole((x.abs() * (1.0 / COARSE)).min(most as f32)) as usize).min(most);
+    /// Returns the radius of a disc around a point of the carpet without a line, m; may be negative.
+    pub(crate) fn clearance(&self, point: Vec2) -> f32 {
+        let index =
+            |x: f32, most: usize| (round_wrapping((x.abs() * (1.0 / COARSE)).min(most as f32)) as usize).min(most);
         let (column, row) = (index(point.x, COARSE_SIZE.0 - 1), index(point.y, COARSE_SIZE.1 - 1));
-        self.rooms[row * COARSE_SIZE.0 + column]
+        self.clearances[row * COARSE_SIZE.0 + column]
     }
 
-    /// What the map's nearest points say about many points of the carpet.
+    /// Looks up the nearest points of the map for [`LANES`] points of the carpet.
     pub(crate) fn nearest(&self, x: &[f32; LANES], y: &[f32; LANES]) -> Nearest {
         let most = |count: usize| count as f32 - 1.0;
         let mut places = [0; LANES];
         for i in 0..LANES {
-            let column = whole((x[i].abs() * (1.0 / STEP)).min(most(SIZE.0)));
-            let row = whole((y[i].abs() * (1.0 / STEP)).min(most(SIZE.1)));
+            let column = round_wrapping((x[i].abs() * (1.0 / STEP)).min(most(SIZE.0)));
+            let row = round_wrapping((y[i].abs() * (1.0 / STEP)).min(most(SIZE.1)));
             places[i] = row * STRIDE as u32 + column;
         }
         Nearest(places.map(|place| self.distances[place as usize % (STRIDE * SIZE.1)]))
     }
 
-    /// Which share of a round spot on the carpet is line, 0 to 1. `spot` is its width, m.
+    /// Returns the fraction of a round spot on the carpet that is line, 0 to 1. `spot`: its width, m.
     pub(crate) fn share(&self, x: f32, y: f32, spot: f32) -> f32 {
         (0.5 - self.distance(x, y) / spot).clamp(0.0, 1.0)
     }
 
-    /// Bilinear between the map's points, m.
+    /// Returns the distance by bilinear interpolation, m.
     fn distance(&self, x: f32, y: f32) -> f32 {
         let most = |count: usize| count as f32 - 1.001;
         let (x, y) = ((x.abs() / STEP).min(most(SIZE.0)), (y.abs() / STEP).min(most(SIZE.1)));
-        let (column, row) = (whole(x - 0.5), whole(y - 0.5));
+        let (column, row) = (round_wrapping(x - 0.5), round_wrapping(y - 0.5));
         let (right, up) = (x - column as f32, y - row as f32);
         let start = (row as usize * STRIDE + column as usize).min(STRIDE * (SIZE.1 - 1) - 2);
         let at = |i: usize| self.distances[start + i] as f32;
@@ -85,19 +79,18 @@ impl LineMap {
     }
 }
 
-/// Distances to the lines, to half a step or so.
+/// Distances at the nearest points of the map: errors up to about half of its resolution.
 pub(crate) struct Nearest([i8; LANES]);
 
 impl Nearest {
-    /// Which share of a spot around the point of that index is line, if it is all or nothing for certain. `spot` is its
-    /// width, m.
-    pub(crate) fn sure_share(&self, index: usize, spot: f32) -> Option<f32> {
+    /// Returns the fraction of a spot around a point that is line if it is certainly 0 or 1. `spot`: its width, m.
+    pub(crate) fn certain_share(&self, index: usize, spot: f32) -> Option<f32> {
         let distance = self.0[index] as f32 * UNIT;
         (distance.abs() > spot / 2.0 + STEP).then_some(if distance < 0.0 { 1.0 } else { 0.0 })
     }
 
-    /// Adds to every point's sum which share of a spot around it is line, 0 to 1. `spot` is its width, m, wider than the
-    /// map's steps.
+    /// Adds to each sum the fraction of a spot around the point that is line. `spot`: its width, m, wider than the resolution
+    /// of the map.
     pub(crate) fn add_shares(&self, spot: f32, sums: &mut [f32; LANES]) {
         let scale = UNIT / spot;
         for (sum, &distance) in sums.iter_mut().zip(&self.0) {
@@ -106,7 +99,7 @@ impl Nearest {
     }
 }
 
-/// The distance itself, m; the point in the quarter of positive coordinates.
+/// Computes the signed distance, m, for a point in the quadrant of positive coordinates.
 fn exact(point: Vec2) -> f32 {
     let half = LINE_WIDTH / 2.0;
     let bar = |centre: Vec2, size: Vec2| {
@@ -155,25 +148,25 @@ mod tests {
     }
 
     #[test]
-    fn rooms_hold_no_line_and_coarse_answers_agree_with_fine_ones() {
+    fn clearances_are_lower_bounds_and_certain_shares_agree_with_interpolated_ones() {
         let map = LineMap::new();
         let mut random = Random::new(6, Stream::Start);
         for _ in 0..20_000 {
             let point = Vec2::new(random.between(-3.7, 3.7), random.between(-2.7, 2.7));
-            assert!(map.room_around(point) <= exact(point.abs()), "{point}");
-            assert!(map.room_around(point) > exact(point.abs()) - 2.0 * COARSE, "{point}");
+            assert!(map.clearance(point) <= exact(point.abs()), "{point}");
+            assert!(map.clearance(point) > exact(point.abs()) - 2.0 * COARSE, "{point}");
             let spot = random.between(0.01, 0.1);
-            let share = map.nearest(&[point.x; LANES], &[point.y; LANES]).sure_share(3, spot);
+            let share = map.nearest(&[point.x; LANES], &[point.y; LANES]).certain_share(3, spot);
             assert!(share.is_none_or(|share| share == map.share(point.x, point.y, spot)), "{point}");
         }
     }
 
     #[test]
-    fn points_beyond_the_carpet_or_no_numbers_do_no_harm() {
+    fn points_outside_the_carpet_or_not_finite_are_handled() {
         let map = LineMap::new();
         for x in [1e9, -1e9, f32::INFINITY, f32::NAN] {
-            assert!(map.room_around(Vec2::new(x, 2.5)).is_finite());
-            assert_eq!(map.nearest(&[x; LANES], &[2.5; LANES]).sure_share(0, 0.05), Some(0.0));
+            assert!(map.clearance(Vec2::new(x, 2.5)).is_finite());
+            assert_eq!(map.nearest(&[x; LANES], &[2.5; LANES]).certain_share(0, 0.05), Some(0.0));
             assert!(map.share(x, 2.5, 0.01).is_finite());
         }
     }

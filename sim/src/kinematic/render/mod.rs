@@ -1,7 +1,7 @@
-//! What the cameras see, drawn by a small rasteriser of our own.
+//! Software renderer for camera images.
 //!
-//! The hall and the ground are a few large polygons whose pixels are mapped back to the plane that they show; what
-//! stands on the field are simple solids, drawn from the farthest to the nearest; the camera adds blur and noise.
+//! Hall and ground are a few large polygons, textured by homographies. Objects on the field are simple solids, drawn from the
+//! farthest to the nearest (painter's algorithm). The image sensor adds motion blur, vignetting and noise.
 
 mod figure;
 mod goal;
@@ -10,7 +10,6 @@ mod hall;
 mod lines;
 mod solid;
 
-use bica_field::FIELD;
 use bica_motion::kinematics::Skeleton;
 use bica_motion::stand::STAND;
 use glam::{Affine3A, Vec2, Vec3};
@@ -24,44 +23,43 @@ use crate::camera::image_sensor::ImageSensor;
 use crate::camera::light::Light;
 use crate::camera::palette::{self, Palette};
 use crate::camera::pinhole::PinholeCamera;
-use crate::layout::{Layout, Other};
+use crate::field::BALL_RADIUS;
+use crate::layout::{Layout, OtherRobot};
 use crate::random::{Random, Stream};
 use crate::segmentation::PixelLabel;
 use crate::setup::Setup;
 use crate::spectator::{Picture, SpectatorCamera};
 use crate::transform::level_pose;
 
-const BALL_RADIUS: f32 = FIELD.ball_radius();
-
-/// A picture with nothing on it: no thing has this colour.
+/// Colour of pixels without an object; no object has this colour.
 const BLANK: Pixel = [0, 0, 0, 0];
 
-/// What there is to see in one image.
+/// State of the world in one image.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Scene<'a> {
-    /// The camera's pose in the field frame.
+    /// Pose of the camera in the field frame.
     pub(crate) camera: Affine3A,
-    /// Its angular velocity in its own frame, rad/s.
-    pub(crate) turning: Vec3,
-    /// The image's number.
+    /// Angular velocity of the camera, camera frame, rad/s.
+    pub(crate) angular_velocity: Vec3,
+    /// Index of the image.
     pub(crate) frame: u64,
-    /// The ball's middle, field frame, m.
+    /// Centre of the ball, field frame, m.
     pub(crate) ball: Vec2,
-    /// The robot frame's pose in the field frame.
+    /// Pose of the robot frame in the field frame.
     pub(crate) robot: &'a Affine3A,
-    /// The robot's parts.
+    /// Segments of the robot.
     pub(crate) skeleton: &'a Skeleton,
 }
 
-/// Things that are seen as one from afar, and where.
+/// Solids of one object, sorted as one by distance.
 #[derive(Clone, Debug)]
 struct Group {
-    thing: PixelLabel,
+    label: PixelLabel,
     place: Vec2,
     parts: Vec<Solid>,
 }
 
-/// Draws images of one game.
+/// Renderer of the images of one game.
 #[derive(Clone, Debug)]
 pub(crate) struct Renderer {
     seed: u64,
@@ -70,10 +68,10 @@ pub(crate) struct Renderer {
     ground: Ground,
     hall: Hall,
     sensor: ImageSensor,
-    /// What never moves.
-    still: Vec<Group>,
+    /// Objects that never move.
+    static_objects: Vec<Group>,
     ball: Pixel,
-    dress: RobotColours,
+    colours: RobotColours,
 }
 
 impl Renderer {
@@ -83,14 +81,14 @@ impl Renderer {
         let palette = Palette::new(&mut camera);
         let light = Light::new(&mut hall);
         let (width, height) = setup.frame.size();
-        let dress = |mate: bool| {
-            let defends = if mate { layout.attacks.other() } else { layout.attacks };
+        let colours = |teammate: bool| {
+            let defends = if teammate { layout.attacks.other() } else { layout.attacks };
             RobotColours::of_defender(defends, &palette)
         };
         let goals = goal::goals(layout.attacks, &palette).into_iter();
-        let mut still: Vec<Group> = goals.map(|part| Group::of_one(PixelLabel::Goal, part)).collect();
+        let mut static_objects: Vec<Group> = goals.map(|part| Group::of_one(PixelLabel::Goal, part)).collect();
         let others = layout.others.iter().enumerate();
-        still.extend(others.map(|(index, other)| Group::of_robot(index, other, dress(other.mate))));
+        static_objects.extend(others.map(|(index, other)| Group::of_robot(index, other, colours(other.teammate))));
         Self {
             seed: setup.seed,
             canvas: Canvas::new(width, height),
@@ -98,9 +96,9 @@ impl Renderer {
             ground: Ground::new(&palette, light, &mut hall),
             hall: Hall::new(&palette, &mut hall),
             sensor: ImageSensor::new(&palette, width, height, &mut camera),
-            still,
+            static_objects,
             ball: palette.pixel(palette::ORANGE),
-            dress: dress(true),
+            colours: colours(true),
         }
     }
 
@@ -109,7 +107,7 @@ impl Renderer {
         (self.canvas.width, self.canvas.height)
     }
 
-    /// Draws a scene into an image, YUYV.
+    /// Renders a scene as a YUYV image.
     pub(crate) fn draw(&mut self, scene: &Scene<'_>, image: &mut [u8]) {
         let view = PinholeCamera::new(scene.camera, self.canvas.width, self.canvas.height);
         self.hall.draw(&view, &self.ground, &mut self.canvas);
@@ -117,51 +115,57 @@ impl Renderer {
         let own = self.own(&view, scene);
         self.draw_solids(&view, scene, &own, |_, _| ());
         let mut grain = Random::new(self.seed.wrapping_add(scene.frame << 32), Stream::Grain);
-        self.sensor.expose(&self.canvas, &view, scene.turning, &mut grain, image);
+        self.sensor.expose(&self.canvas, &view, scene.angular_velocity, &mut grain, image);
     }
 
-    /// What every pixel of a scene's image shows.
+    /// Returns the label of every pixel of a scene's image.
     pub(crate) fn segmentation_mask(&mut self, scene: &Scene<'_>) -> Vec<PixelLabel> {
         let view = PinholeCamera::new(scene.camera, self.canvas.width, self.canvas.height);
         self.canvas.pixels.fill(BLANK);
-        let mut things = vec![PixelLabel::Background; self.canvas.pixels.len()];
+        let mut labels = vec![PixelLabel::Background; self.canvas.pixels.len()];
         let own = self.own(&view, scene);
-        self.draw_solids(&view, scene, &own, |canvas, thing| {
-            for (shown, pixel) in things.iter_mut().zip(&mut canvas.pixels).filter(|(_, pixel)| **pixel != BLANK) {
-                (*shown, *pixel) = (thing, BLANK);
+        self.draw_solids(&view, scene, &own, |canvas, label| {
+            for (shown, pixel) in labels.iter_mut().zip(&mut canvas.pixels).filter(|(_, pixel)| **pixel != BLANK) {
+                (*shown, *pixel) = (label, BLANK);
             }
         });
-        things
+        labels
     }
 
-    /// What the robot sees of itself.
+    /// Returns the body that carries the camera, without its head.
     fn own(&self, view: &PinholeCamera, scene: &Scene<'_>) -> Group {
-        let parts = figure::below_the_head(scene.robot, scene.skeleton, self.dress);
-        Group { thing: PixelLabel::OwnBody, place: view.pose.translation.truncate(), parts }
+        let parts = figure::below_the_head(scene.robot, scene.skeleton, self.colours);
+        Group { label: PixelLabel::OwnBody, place: view.pose.translation.truncate(), parts }
     }
 
-    /// Draws a scene as it is seen from outside. The scene's own camera does not matter.
-    pub(crate) fn film(&mut self, scene: &Scene<'_>, from: &SpectatorCamera, width: usize, height: usize) -> Picture {
-        let own = core::mem::replace(&mut self.canvas, Canvas::new(width, height));
-        let view = PinholeCamera::of_onlooker(from.pose(), width, height);
+    /// Renders a scene from a spectator camera; the camera of the scene is not used.
+    pub(crate) fn render_from(
+        &mut self,
+        scene: &Scene<'_>,
+        camera: &SpectatorCamera,
+        width: usize,
+        height: usize,
+    ) -> Picture {
+        let image_canvas = core::mem::replace(&mut self.canvas, Canvas::new(width, height));
+        let view = PinholeCamera::of_spectator(camera.pose(), width, height);
         self.hall.draw(&view, &self.ground, &mut self.canvas);
         self.draw_shadows(&view, scene);
-        let parts = figure::figure(scene.robot, scene.skeleton, self.dress);
+        let parts = figure::figure(scene.robot, scene.skeleton, self.colours);
         let place = Vec3::from(scene.robot.translation).truncate();
-        self.draw_solids(&view, scene, &Group { thing: PixelLabel::OwnBody, place, parts }, |_, _| ());
-        let drawn = core::mem::replace(&mut self.canvas, own);
+        self.draw_solids(&view, scene, &Group { label: PixelLabel::OwnBody, place, parts }, |_, _| ());
+        let drawn = core::mem::replace(&mut self.canvas, image_canvas);
         Picture { width, height, rgb: drawn.pixels.into_iter().map(rgb).collect() }
     }
 
     fn draw_shadows(&mut self, view: &PinholeCamera, scene: &Scene<'_>) {
         let ball = Solid::Shadow { centre: scene.ball, radius: 1.7 * BALL_RADIUS, darkness: 0.6 };
-        let still = self.still.iter().flat_map(|group| &group.parts).filter(|part| part.is_shadow());
-        for shadow in still.chain(&figure::shadows(scene.robot, scene.skeleton)).chain([&ball]) {
+        let shadows = self.static_objects.iter().flat_map(|group| &group.parts).filter(|part| part.is_shadow());
+        for shadow in shadows.chain(&figure::shadows(scene.robot, scene.skeleton)).chain([&ball]) {
             shadow.draw(view, &self.light, &mut self.canvas);
         }
     }
 
-    /// Draws what stands on the field, and of the robot itself what is given; `after` is told each thing that was drawn.
+    /// Draws the objects on the field and the given parts of the robot. Calls `after` with the label of each drawn object.
     fn draw_solids(
         &mut self,
         view: &PinholeCamera,
@@ -171,41 +175,41 @@ impl Renderer {
     ) {
         let centre = scene.ball.extend(BALL_RADIUS);
         let ball = Group::of_one(PixelLabel::Ball, Solid::Sphere { centre, radius: BALL_RADIUS, colour: self.ball });
-        let mut groups: Vec<&Group> = self.still.iter().chain([&ball, own]).collect();
+        let mut groups: Vec<&Group> = self.static_objects.iter().chain([&ball, own]).collect();
         let camera = Vec3::from(view.pose.translation);
         sort_far_first(&mut groups, |group| group.place.distance(camera.truncate()));
         for group in groups {
             let mut parts: Vec<&Solid> = group.parts.iter().filter(|part| !part.is_shadow()).collect();
-            sort_far_first(&mut parts, |part| part.middle().distance(camera));
+            sort_far_first(&mut parts, |part| part.centre().distance(camera));
             for part in parts {
                 part.draw(view, &self.light, &mut self.canvas);
             }
-            after(&mut self.canvas, group.thing);
+            after(&mut self.canvas, group.label);
         }
     }
 }
 
 impl Group {
-    fn of_one(thing: PixelLabel, part: Solid) -> Self {
-        Self { thing, place: part.middle().truncate(), parts: vec![part] }
+    fn of_one(label: PixelLabel, part: Solid) -> Self {
+        Self { label, place: part.centre().truncate(), parts: vec![part] }
     }
 
-    fn of_robot(index: usize, other: &Other, dress: RobotColours) -> Self {
+    fn of_robot(index: usize, other: &OtherRobot, colours: RobotColours) -> Self {
         let skeleton = Skeleton::of(&STAND);
         let sole = skeleton.sole(bica_motion::side::Side::Left);
         let robot = level_pose(&other.pose) * Affine3A::from_translation(Vec3::new(0.0, 0.0, -sole.translation.z));
-        let mut parts = figure::figure(&robot, &skeleton, dress);
+        let mut parts = figure::figure(&robot, &skeleton, colours);
         parts.extend(figure::shadows(&robot, &skeleton));
-        Self { thing: PixelLabel::OtherRobot(index), place: other.pose.position, parts }
+        Self { label: PixelLabel::OtherRobot(index), place: other.pose.position, parts }
     }
 }
 
-/// BT.601, full range.
+/// Converts a pixel to red, green and blue (BT.601, full range).
 fn rgb([luma, blue, red, _]: Pixel) -> [u8; 3] {
     let (luma, blue, red) = (f32::from(luma), f32::from(blue) - 128.0, f32::from(red) - 128.0);
     [luma + 1.402 * red, luma - 0.344_136 * blue - 0.714_136 * red, luma + 1.772 * blue].map(|part| (part + 0.5) as u8)
 }
 
-fn sort_far_first<T>(things: &mut [T], distance: impl Fn(&T) -> f32) {
-    things.sort_by(|a, b| distance(b).total_cmp(&distance(a)));
+fn sort_far_first<T>(items: &mut [T], distance: impl Fn(&T) -> f32) {
+    items.sort_by(|a, b| distance(b).total_cmp(&distance(a)));
 }

@@ -1,4 +1,4 @@
-//! The model that MuJoCo computes: the robot of `models/nao.xml` on a field made from the field's lengths.
+//! The physical model: the robot of `models/nao.xml` on a generated field.
 
 pub(super) mod field;
 pub(super) mod paint;
@@ -7,7 +7,6 @@ mod shadows;
 #[cfg(test)]
 mod tests;
 
-use bica_field::FIELD;
 use std::fmt::Write;
 
 use bica_motion::joints::{JOINTS, Joint};
@@ -20,33 +19,36 @@ use super::error::Error;
 use super::physics::Physics;
 use crate::camera::light::Light;
 use crate::camera::pinhole::FOCAL;
+use crate::field::BALL_RADIUS;
 use crate::layout::Layout;
 use crate::random::{Random, Stream};
 use crate::sensor_model::GRAVITY;
 use crate::setup::Setup;
 
-const BALL_RADIUS: f32 = FIELD.ball_radius();
-
-/// The robot.
+/// MuJoCo model of the robot.
 const NAO: &str = include_str!("../../../models/nao.xml");
-/// One step of the physics, s.
+/// Time step of the physics, s.
 pub(crate) const STEP: f32 = 0.002;
 
-/// A model, and where in its arrays things are.
+/// A model and the indices of its parts.
 pub(crate) struct Model {
     pub(crate) physics: Box<MjModel>,
-    /// The torso's free joint: its place in positions and in velocities.
-    pub(crate) torso: Place,
-    pub(crate) ball: Place,
-    /// Each joint's angle among the positions.
+    /// Free joint of the torso.
+    pub(crate) torso: FreeJoint,
+    /// Free joint of the ball.
+    pub(crate) ball: FreeJoint,
+    /// Addresses of the joint angles in the positions.
     pub(crate) joints: [usize; JOINTS],
+    /// Bodies of the feet, left first.
     pub(crate) feet: [usize; 2],
 }
 
-/// Where a free joint is in the arrays.
+/// Addresses of a free joint.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Place {
+pub(crate) struct FreeJoint {
+    /// In the positions: 3 of the position, 4 of the quaternion.
     pub(crate) position: usize,
+    /// In the velocities: 3 linear, 3 angular.
     pub(crate) velocity: usize,
 }
 
@@ -60,15 +62,15 @@ impl Model {
         let model = MjModel::from_xml_vfs("world.xml", &files).map_err(|error| failed(&error))?;
         let mut model = Self::index(model)?;
         model.adjust(layout, physics)?;
-        model.focus(setup)?;
+        model.set_intrinsics(setup)?;
         Ok(model)
     }
 
     fn index(physics: MjModel) -> Result<Self, Error> {
-        let free = |name| -> Result<Place, Error> {
+        let free = |name| -> Result<FreeJoint, Error> {
             let joint = find(&physics, MjtObjBase::mjOBJ_JOINT, name)?;
             let (position, velocity) = (physics.jnt_qposadr()[joint], physics.jnt_dofadr()[joint]);
-            Ok(Place { position: position as usize, velocity: velocity as usize })
+            Ok(FreeJoint { position: position as usize, velocity: velocity as usize })
         };
         let (torso, ball) = (free("Torso")?, free("Ball")?);
         let mut joints = [0; JOINTS];
@@ -81,22 +83,22 @@ impl Model {
         Ok(Self { physics: Box::new(physics), torso, ball, joints, feet })
     }
 
-    /// Sets what differs from game to game.
+    /// Sets the parameters that differ between games.
     fn adjust(&mut self, layout: &Layout, physics: &Physics) -> Result<(), Error> {
         for sole in ["LSole", "RSole"] {
             let id = find(&self.physics, MjtObjBase::mjOBJ_GEOM, sole)?;
             self.physics.geom_friction_mut()[id][0] = physics.friction.into();
         }
         let ball = find(&self.physics, MjtObjBase::mjOBJ_GEOM, "Ball")?;
-        self.physics.geom_friction_mut()[ball][2] = rolling_friction(layout.braking).into();
+        self.physics.geom_friction_mut()[ball][2] = rolling_friction(layout.rolling_deceleration).into();
         let team = find(&self.physics, MjtObjBase::mjOBJ_MATERIAL, "team")?;
         self.physics.mat_rgba_mut()[team] = paint::team(layout).extend(1.0).to_array();
         Ok(())
     }
 
-    /// Gives both cameras the focal lengths of the built-in world's. There the optical axis is at half the width and height
-    /// where the first pixel's middle is 0, here where its edge is.
-    fn focus(&mut self, setup: &Setup) -> Result<(), Error> {
+    /// Sets the intrinsic parameters of both cameras to those of the pinhole model. There the centre of the first pixel is 0, in
+    /// MuJoCo its edge is.
+    fn set_intrinsics(&mut self, setup: &Setup) -> Result<(), Error> {
         let (width, height) = setup.frame.size();
         let (width, height) = (width as f32, height as f32);
         for name in ["Top", "Bottom"] {
@@ -108,23 +110,26 @@ impl Model {
     }
 }
 
-/// The arm of the torque, m, with which the carpet brakes the ball by `braking` m/s²: a solid ball slows down by 5/7 of
-/// what the force at its rim would do to a point.
-fn rolling_friction(braking: f32) -> f32 {
-    1.4 * braking * BALL_RADIUS / GRAVITY
+/// Returns MuJoCo's coefficient of rolling friction, m, at which the ball decelerates by `rolling_deceleration`, m/s².
+///
+/// The coefficient is the lever arm of the normal force. A solid ball with moment of inertia 2/5 m r² decelerates by 5/7 of
+/// torque / (m r).
+fn rolling_friction(rolling_deceleration: f32) -> f32 {
+    1.4 * rolling_deceleration * BALL_RADIUS / GRAVITY
 }
 
+/// Finds an element of the model by its name.
 pub(crate) fn find(model: &MjModel, kind: MjtObjBase, name: &str) -> Result<usize, Error> {
-    model.name_to_id(kind, name).ok_or_else(|| Error::Model(format!("it has no `{name}`")))
+    model.name_to_id(kind, name).ok_or_else(|| Error::Model(format!("it has no element `{name}`")))
 }
 
-/// The world that includes the robot.
+/// Generates the XML of the world, which includes the robot.
 fn world(setup: &Setup, layout: &Layout) -> String {
     let light = Light::new(&mut Random::new(setup.seed, Stream::Hall));
     let paint = Paint::of(layout);
     let mut xml = String::from("<mujoco model=\"field\">\n<include file=\"nao.xml\"/>\n");
-    xml.push_str(paint::DRAWN);
-    let _ = writeln!(xml, "<asset>\n{}", paint::AROUND);
+    xml.push_str(paint::RENDER_OPTIONS);
+    let _ = writeln!(xml, "<asset>\n{}", paint::BACKGROUND);
     paint.write(&mut xml);
     xml.push_str("</asset>\n<worldbody>\n");
     paint::lamps(&mut xml, light);

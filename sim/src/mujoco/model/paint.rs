@@ -1,4 +1,4 @@
-//! Colours and light.
+//! XML of materials, background and lamps.
 
 use std::fmt::Write;
 
@@ -9,7 +9,7 @@ use crate::camera::palette::{BLUE_TEAM, CARPET, JOINT, LINE, ORANGE, RED_TEAM, R
 use crate::layout::Layout;
 use bica_field::GoalColour;
 
-/// The colours of a game.
+/// Colours of a game.
 pub(crate) struct Paint {
     attacked: Rgb,
     own: Rgb,
@@ -18,7 +18,7 @@ pub(crate) struct Paint {
 }
 
 impl Paint {
-    /// The team that defends the yellow goal plays in red, the other in blue (rules of 2009).
+    /// Returns the colours of a layout: the team that defends the yellow goal plays in red, the other in blue (rules of 2009).
     pub(crate) fn of(layout: &Layout) -> Self {
         let both = |colour| match colour {
             GoalColour::Yellow => (YELLOW, RED_TEAM),
@@ -28,7 +28,7 @@ impl Paint {
         Self { attacked, own, team, opponents }
     }
 
-    /// Writes the materials of what is on a field.
+    /// Writes the materials of field, ball, goals and robots.
     pub(crate) fn write(&self, xml: &mut String) {
         let materials = [
             ("carpet", CARPET),
@@ -49,23 +49,23 @@ impl Paint {
     }
 }
 
-/// How the robot's cameras draw. Multisampling and shadows cost a software renderer most of its time.
-pub(crate) const DRAWN: &str = "<statistic center=\"0 0 0.3\" extent=\"1\"/>\n<visual>\n\
+/// Rendering options for the robot's cameras. Multisampling and shadows would take most of the time of a software renderer.
+pub(crate) const RENDER_OPTIONS: &str = "<statistic center=\"0 0 0.3\" extent=\"1\"/>\n<visual>\n\
     <global offwidth=\"1280\" offheight=\"960\"/>\n<quality offsamples=\"0\" shadowsize=\"0\"/>\n\
     <map znear=\"0.02\" zfar=\"40\"/>\n\
     <headlight ambient=\"0.74 0.74 0.74\" diffuse=\"0 0 0\" specular=\"0 0 0\"/>\n</visual>\n";
 
-/// What is seen where nothing is.
-pub(crate) const AROUND: &str = "<texture name=\"hall\" type=\"skybox\" builtin=\"gradient\" rgb1=\"0.62 0.62 0.64\" \
+/// Background texture.
+pub(crate) const BACKGROUND: &str = "<texture name=\"hall\" type=\"skybox\" builtin=\"gradient\" rgb1=\"0.62 0.62 0.64\" \
     rgb2=\"0.40 0.39 0.38\" width=\"64\" height=\"384\"/>\n";
 
-/// The colour of the robot's own team.
+/// Returns the colour of the robot's own team.
 pub(crate) fn team(layout: &Layout) -> Rgb {
     Paint::of(layout).team
 }
 
-/// Lamps above and from the brighter side: with the light from all around a level surface has about its own colour, one
-/// in the shade three quarters of it, as in the built-in world.
+/// Writes a lamp above and one on the brighter side. With the ambient light a horizontal surface has about its own colour, one in
+/// the shade three quarters of it, as in the kinematic simulator.
 pub(crate) fn lamps(xml: &mut String, light: Light) {
     let Vec3 { x, y, z } = -light.from;
     for (direction, strength) in [((0.0, 0.0, -1.0), 0.17), ((x, y, z), 0.2)] {

@@ -1,17 +1,17 @@
-//! The other robots: figures that stand there.
+//! XML of the other robots: static bodies.
 
 use std::fmt::Write;
 
-use crate::layout::Other;
+use crate::layout::OtherRobot;
 
 /// Writes a robot that stands still.
-pub(crate) fn write(xml: &mut String, other: &Other) {
+pub(crate) fn write(xml: &mut String, other: &OtherRobot) {
     let (at, heading) = (other.pose.position, other.pose.heading);
-    let team = if other.mate { "mates" } else { "opponents" };
+    let team = if other.teammate { "mates" } else { "opponents" };
     let _ = writeln!(xml, "<body pos=\"{} {} 0\" euler=\"0 0 {heading}\">", at.x, at.y);
-    let thing = "contype=\"8\" conaffinity=\"33\" friction=\"0.5 0.005 0.0001\"";
+    let contact = "contype=\"8\" conaffinity=\"33\" friction=\"0.5 0.005 0.0001\"";
     let mut part = |shape: &str, material: &str| {
-        let _ = writeln!(xml, "<geom {shape} material=\"{material}\" {thing}/>");
+        let _ = writeln!(xml, "<geom {shape} material=\"{material}\" {contact}/>");
     };
     part("type=\"ellipsoid\" size=\"0.05 0.064 0.088\" pos=\"0 0 0.347\"", "shells");
     part("type=\"capsule\" size=\"0.043\" fromto=\"0 -0.037 0.388 0 0.037 0.388\"", "shells");

@@ -1,4 +1,4 @@
-//! The model is the robot that bica-motion knows.
+//! The MuJoCo model agrees with the robot model of bica-motion.
 
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::kinematics::{Segment, Skeleton};
@@ -37,7 +37,7 @@ fn name(segment: Segment) -> String {
     }
 }
 
-/// The model with the robot frame in the field's origin and these angles.
+/// Returns the model with the robot frame at the origin of the field and these angles.
 fn posed(model: Model, angles: &Joints) -> MjData<Box<MjModel>> {
     let right = find(&model.physics, MjtObjBase::mjOBJ_JOINT, "RHipYawPitch").unwrap();
     let right = model.physics.jnt_qposadr()[right] as usize;
@@ -57,7 +57,7 @@ fn any_angles(random: &mut Random) -> Joints {
         let range = limit(joint);
         angles[joint] = random.between(range.min, range.max);
     }
-    // Fingers weigh a little and are no part of the kinematics.
+    // Fingers have mass but are not part of the kinematics.
     (angles[Joint::LHand], angles[Joint::RHand]) = (0.0, 0.0);
     angles
 }
@@ -67,7 +67,7 @@ fn vector(numbers: &[f64]) -> Vec3A {
 }
 
 #[test]
-fn every_part_and_camera_is_where_the_kinematics_say() {
+fn segments_and_cameras_have_the_poses_of_the_kinematics() {
     let mut random = Random::new(1, Stream::Start);
     for _ in 0..30 {
         let (angles, model) = (any_angles(&mut random), model());
@@ -91,7 +91,7 @@ fn every_part_and_camera_is_where_the_kinematics_say() {
 }
 
 #[test]
-fn mass_and_its_centre_are_the_robot_s() {
+fn mass_and_centre_of_mass_are_those_of_the_kinematics() {
     let mut random = Random::new(2, Stream::Start);
     for _ in 0..30 {
         let angles = any_angles(&mut random);
@@ -105,7 +105,7 @@ fn mass_and_its_centre_are_the_robot_s() {
 }
 
 #[test]
-fn joints_turn_as_far_as_the_robot_s() {
+fn joint_ranges_are_those_of_the_robot_model() {
     let model = model().physics;
     for joint in Joint::ALL {
         let id = find(&model, MjtObjBase::mjOBJ_JOINT, &format!("{joint:?}")).unwrap();
@@ -116,7 +116,7 @@ fn joints_turn_as_far_as_the_robot_s() {
 }
 
 #[test]
-fn joints_turn_about_as_fast_as_a_nao_s_without_load() {
+fn the_no_load_speed_of_joints_is_near_the_published_one() {
     let model = model().physics;
     let physics = Physics { dead_time: 0.0, ..Physics::default() };
     let end = |far: fn(Joint) -> f32| Joints(Joint::ALL.map(far));
@@ -135,7 +135,7 @@ fn joints_turn_about_as_fast_as_a_nao_s_without_load() {
     }
 }
 
-/// The speed of a motor without load behind its gear, rad/s: revolutions and ratios in rUNSWift 2019 `bodyV6.cpp`.
+/// Returns the published no-load speed of a joint, rad/s: motor speeds and gear ratios in rUNSWift 2019 `bodyV6.cpp`.
 fn published(joint: Joint) -> f32 {
     use Joint::{
         HeadPitch, HeadYaw, LAnklePitch, LElbowRoll, LElbowYaw, LHand, LHipPitch, LKneePitch, LShoulderPitch,
@@ -155,7 +155,7 @@ fn published(joint: Joint) -> f32 {
 }
 
 #[test]
-fn motors_are_in_the_order_of_the_joints() {
+fn actuators_have_the_order_of_the_joints() {
     let model = model().physics;
     for joint in Joint::ALL {
         let name = model.id_to_name(MjtObjBase::mjOBJ_ACTUATOR, joint.index());

@@ -1,43 +1,44 @@
-//! Lofts: smooth shells through rounded cross-sections, as meshes.
+//! Lofts: smooth closed surfaces through rounded cross-sections, as triangle meshes.
 
 use core::f32::consts::{FRAC_PI_2, TAU};
 use std::fmt::Write;
 
 use glam::Vec3;
 
-/// Corners of a cross-section.
+/// Number of corners of a cross-section.
 const CORNERS: usize = 16;
-/// Cross-sections from one that is given to the next.
-const FINE: usize = 2;
-/// Cross-sections that round an end.
-const ROUND: usize = 3;
-/// The half-width of what is left of an end, m.
-const TIP: f32 = 0.0005;
+/// Number of interpolated intervals between given cross-sections.
+const SUBDIVISION: usize = 2;
+/// Number of cross-sections of a rounded end.
+const END_SECTIONS: usize = 3;
+/// Minimum half width at an end, m.
+const MIN_HALF_WIDTH: f32 = 0.0005;
 
-/// A cross-section: its place along the axis, its middle across, half its width across; m. Across a shell along x these are
-/// y and z, along z they are x and y.
+/// A cross-section: position along the axis, two coordinates of the centre, two half widths; m. The transverse coordinates are
+/// y and z for a loft along x, and x and y for a loft along z.
 pub(super) type Section = [f32; 5];
 
-/// Along what a shell goes.
+/// Axis of a loft.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Axis {
     X,
     Z,
 }
 
-/// A shell.
+/// Parameters of a loft.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Loft {
     pub(super) axis: Axis,
-    /// 2: cross-sections are ellipses; more: they come closer to rectangles.
-    pub(super) boxy: f32,
+    /// Exponent of the superellipses: 2 for ellipses, larger for shapes closer to rectangles.
+    pub(super) exponent: f32,
     /// Radius of the rounded ends, m.
     pub(super) round: f32,
+    /// Cross-sections in ascending order along the axis.
     pub(super) sections: &'static [Section],
 }
 
 impl Loft {
-    /// Writes its mesh; `side` is -1 for its mirror image at the plane y = 0.
+    /// Writes the mesh; `side`: −1 for the mirror image at the plane y = 0, otherwise 1.
     pub(super) fn write(&self, xml: &mut String, name: &str, side: f32) {
         let sections = self.all();
         let _ = write!(xml, "<mesh name=\"{name}\" inertia=\"shell\" vertex=\"");
@@ -53,11 +54,12 @@ impl Loft {
         xml.push_str("\"/>\n");
     }
 
-    /// Given cross-sections, those between, and those of the ends.
+    /// Returns the given cross-sections, those interpolated between, and those of the rounded ends.
     fn all(&self) -> Vec<Section> {
         let last = self.sections.len() - 1;
-        let between = (0..last * FINE).map(|i| self.between(i / FINE, (i % FINE) as f32 / FINE as f32));
-        let ends = |end: Section, way: f32| (1..=ROUND).map(move |step| self.end(end, way, step));
+        let between = (0..last * SUBDIVISION)
+            .map(|i| self.between(i / SUBDIVISION, (i % SUBDIVISION) as f32 / SUBDIVISION as f32));
+        let ends = |end: Section, way: f32| (1..=END_SECTIONS).map(move |step| self.end(end, way, step));
         let mut all: Vec<Section> = ends(self.sections[0], -1.0).collect();
         all.reverse();
         all.extend(between);
@@ -66,7 +68,7 @@ impl Loft {
         all
     }
 
-    /// Between one and the next, on a spline through all (Catmull and Rom 1974).
+    /// Interpolates between a cross-section and the next by a Catmull-Rom spline (1974).
     fn between(&self, from: usize, t: f32) -> Section {
         let last = self.sections.len() - 1;
         let [a, b, c, d] = [from.saturating_sub(1), from, from + 1, (from + 2).min(last)].map(|i| self.sections[i]);
@@ -76,16 +78,17 @@ impl Loft {
         })
     }
 
+    /// Returns a cross-section of a rounded end; `way`: direction along the axis, 1 or −1.
     fn end(&self, [at, u, v, width, height]: Section, way: f32, step: usize) -> Section {
-        let (sin, cos) = libm::sincosf(FRAC_PI_2 * step as f32 / ROUND as f32);
+        let (sin, cos) = libm::sincosf(FRAC_PI_2 * step as f32 / END_SECTIONS as f32);
         let less = self.round * (1.0 - cos);
-        [at + way * self.round * sin, u, v, (width - less).max(TIP), (height - less).max(TIP)]
+        [at + way * self.round * sin, u, v, (width - less).max(MIN_HALF_WIDTH), (height - less).max(MIN_HALF_WIDTH)]
     }
 
-    /// A corner of a superellipse.
+    /// Returns a corner of a superellipse.
     fn corner(&self, [at, u, v, width, height]: &Section, side: f32, angle: f32) -> Vec3 {
         let (sin, cos) = libm::sincosf(angle);
-        let bulge = |part: f32| libm::powf(part.abs(), 2.0 / self.boxy).copysign(part);
+        let bulge = |part: f32| libm::powf(part.abs(), 2.0 / self.exponent).copysign(part);
         let (along_u, along_v) = (width * bulge(cos), height * bulge(sin));
         let middle = self.place(*at, *u, *v, side);
         middle + self.place(0.0, along_u, along_v, 1.0)
@@ -103,7 +106,7 @@ fn vertex(xml: &mut String, Vec3 { x, y, z }: Vec3) {
     let _ = write!(xml, "{x:.5} {y:.5} {z:.5} ");
 }
 
-/// Triangles between neighbouring cross-sections, and from both ends to the middles that come after all corners.
+/// Writes triangles between neighbouring cross-sections, and from both ends to their centres, which follow after all corners.
 fn faces(xml: &mut String, sections: usize) {
     let mut face = |a: usize, b: usize, c: usize| {
         let _ = write!(xml, "{a} {b} {c} ");
@@ -127,12 +130,12 @@ mod tests {
 
     const SHELL: Loft = Loft {
         axis: Axis::Z,
-        boxy: 2.5,
+        exponent: 2.5,
         round: 0.01,
         sections: &[[-0.05, 0.01, 0.02, 0.03, 0.02], [0.0, 0.0, 0.01, 0.04, 0.03], [0.05, 0.0, 0.0, 0.02, 0.02]],
     };
 
-    /// Vertices and faces of its mesh.
+    /// Returns vertices and faces of the mesh.
     fn mesh(side: f32) -> (Vec<Vec3>, Vec<[usize; 3]>) {
         let mut xml = String::new();
         SHELL.write(&mut xml, "shell", side);
@@ -145,7 +148,7 @@ mod tests {
     }
 
     #[test]
-    fn a_shell_is_closed_and_its_faces_look_outwards() {
+    fn a_loft_is_closed_and_its_faces_point_outward() {
         for side in [1.0, -1.0] {
             let (vertices, faces) = mesh(side);
             let edges: Vec<(usize, usize)> =
@@ -159,7 +162,7 @@ mod tests {
     }
 
     #[test]
-    fn the_right_shell_mirrors_the_left() {
+    fn the_right_loft_mirrors_the_left() {
         let (left, right) = (mesh(1.0).0, mesh(-1.0).0);
         for at in &left {
             let mirrored = Vec3::new(at.x, -at.y, at.z);

@@ -1,5 +1,5 @@
-//! The camera outside. What it sees is a model of its own: what only onlookers see, or what is drawn more finely for them,
-//! touches neither the physics nor the robot's own images.
+//! The spectator camera. It renders a separate model with more detail, which affects neither the physics nor the robot's own
+//! images.
 
 mod hall;
 mod loft;
@@ -18,10 +18,10 @@ use crate::layout::Layout;
 use crate::setup::Setup;
 use crate::spectator::{Picture, RenderError, SpectatorCamera};
 
-/// Drawn pixels of a picture's, across and down: their mean has smooth edges.
-const FINE: usize = 2;
+/// Supersampling factor along each axis.
+const SUPERSAMPLING: usize = 2;
 
-/// A camera that may be anywhere.
+/// Renderer of spectator views.
 pub(crate) struct SpectatorRenderer {
     renderer: Renderer,
     data: MjData<Box<MjModel>>,
@@ -29,19 +29,22 @@ pub(crate) struct SpectatorRenderer {
     height: usize,
 }
 
-/// What moves, field frame.
+/// Poses of the moving objects, field frame.
 pub(crate) struct Moving {
+    /// Robot frame.
     pub(crate) robot: Affine3A,
+    /// Segments in the robot frame.
     pub(crate) skeleton: Skeleton,
-    /// The ball's middle.
+    /// Centre of the ball, m.
     pub(crate) ball: Vec3,
 }
 
 impl SpectatorRenderer {
     pub(crate) fn new(setup: &Setup, layout: &Layout, width: usize, height: usize) -> Result<Self, RenderError> {
         let model = MjModel::from_xml_string(&scene::write(setup, layout))
-            .map_err(|error| RenderError(format!("MuJoCo does not take the model that is filmed: {error}")))?;
-        let renderer = Renderer::new(&model, FINE * width, FINE * height).map_err(|error| failed(&error))?;
+            .map_err(|error| RenderError(format!("MuJoCo rejects the model of the spectator view: {error}")))?;
+        let renderer =
+            Renderer::new(&model, SUPERSAMPLING * width, SUPERSAMPLING * height).map_err(|error| failed(&error))?;
         Ok(Self { renderer, data: MjData::new(Box::new(model)), width, height })
     }
 
@@ -50,15 +53,16 @@ impl SpectatorRenderer {
         (self.width, self.height)
     }
 
-    pub(crate) fn take(&mut self, moving: &Moving, from: &SpectatorCamera) -> Result<Picture, RenderError> {
+    /// Renders a picture.
+    pub(crate) fn render(&mut self, moving: &Moving, spectator: &SpectatorCamera) -> Result<Picture, RenderError> {
         self.place(scene::BALL, &Affine3A::from_translation(moving.ball));
-        self.place(scene::LAMP, &Affine3A::from_translation(from.target));
+        self.place(scene::LAMP, &Affine3A::from_translation(spectator.target));
         for segment in Segment::ALL {
             self.place(scene::ROBOT + segment.index(), &(moving.robot * moving.skeleton.pose(segment)));
         }
-        let camera = self.camera(from);
+        let camera = self.camera(spectator);
         let drawn = self.renderer.draw(&mut self.data, camera).map_err(|error| failed(&error))?;
-        Ok(Picture { width: self.width, height: self.height, rgb: smooth(drawn, self.width, self.height) })
+        Ok(Picture { width: self.width, height: self.height, rgb: downsample(drawn, self.width, self.height) })
     }
 
     fn place(&mut self, body: usize, pose: &Affine3A) {
@@ -67,29 +71,31 @@ impl SpectatorRenderer {
         write(&mut self.data.mocap_quat_mut()[body], &[turn.w, turn.x, turn.y, turn.z]);
     }
 
-    fn camera(&self, from: &SpectatorCamera) -> MjvCamera {
-        let way = from.target - from.eye;
-        let (up, along) = (way.z, way.truncate());
+    fn camera(&self, spectator: &SpectatorCamera) -> MjvCamera {
+        let offset = spectator.target - spectator.eye;
+        let (up, along) = (offset.z, offset.truncate());
         let mut camera = MjvCamera::new_free(self.data.model());
-        camera.lookat = from.target.to_array().map(f64::from);
-        camera.distance = way.length().into();
+        camera.lookat = spectator.target.to_array().map(f64::from);
+        camera.distance = offset.length().into();
         camera.azimuth = along.y.atan2(along.x).to_degrees().into();
         camera.elevation = up.atan2(along.length()).to_degrees().into();
         camera
     }
 }
 
-/// Means of squares of [`FINE`] by [`FINE`] pixels.
-fn smooth(drawn: &[[u8; 3]], width: usize, height: usize) -> Vec<[u8; 3]> {
-    let at = |x: usize, y: usize| drawn.get(y * FINE * width + x).copied().unwrap_or_default();
+/// Averages squares of [`SUPERSAMPLING`] by [`SUPERSAMPLING`] pixels.
+fn downsample(drawn: &[[u8; 3]], width: usize, height: usize) -> Vec<[u8; 3]> {
+    let at = |x: usize, y: usize| drawn.get(y * SUPERSAMPLING * width + x).copied().unwrap_or_default();
     let mean = |x: usize, y: usize| {
-        let square = (0..FINE * FINE).map(|i| at(FINE * x + i % FINE, FINE * y + i / FINE));
+        let square = (0..SUPERSAMPLING * SUPERSAMPLING)
+            .map(|i| at(SUPERSAMPLING * x + i % SUPERSAMPLING, SUPERSAMPLING * y + i / SUPERSAMPLING));
         let sum = square.fold([0_usize; 3], |sum, rgb| core::array::from_fn(|i| sum[i] + usize::from(rgb[i])));
-        sum.map(|part| (part / (FINE * FINE)) as u8)
+        sum.map(|part| (part / (SUPERSAMPLING * SUPERSAMPLING)) as u8)
     };
     (0..height).flat_map(|y| (0..width).map(move |x| mean(x, y))).collect()
 }
 
+/// Converts a renderer error.
 fn failed(error: &RendererError) -> RenderError {
     RenderError(describe(error))
 }

@@ -1,6 +1,5 @@
-//! The model that is filmed: field, ball and robots as they look, in a hall with lamps. Nothing in it moves by itself.
+//! XML of the model for spectator views: field, ball, robots, hall and lamps. Only mocap bodies move.
 
-use bica_field::FIELD;
 use std::fmt::Write;
 
 use bica_motion::kinematics::{Segment, Skeleton};
@@ -10,34 +9,39 @@ use glam::{Affine3A, Quat};
 
 use super::{hall, shells};
 use crate::camera::light::Light;
-use crate::layout::{Layout, Other};
+use crate::field::BALL_RADIUS;
+use crate::layout::{Layout, OtherRobot};
 use crate::mujoco::model::field;
-use crate::mujoco::model::paint::{AROUND, Paint};
+use crate::mujoco::model::paint::{BACKGROUND, Paint};
 use crate::random::{Random, Stream};
 use crate::setup::Setup;
 use crate::spectator::FIELD_OF_VIEW;
 
-const BALL_RADIUS: f32 = FIELD.ball_radius();
-
-/// Light from all around, from the lamps together, and from behind whoever films.
-const LIGHT: (f32, f32, f32) = (0.47, 0.56, 0.24);
-/// Directions of the lamps beside the light's: together they make shadows soft.
+/// Intensity of the ambient light.
+const AMBIENT_LIGHT: f32 = 0.47;
+/// Total intensity of the lamps.
+const LAMP_LIGHT: f32 = 0.56;
+/// Intensity of the light from the camera.
+const CAMERA_LIGHT: f32 = 0.24;
+/// Offsets of the lamps' directions from the main direction: several lamps make soft shadows.
 const LAMPS: [(f32, f32); 2] = [(-0.04, -0.03), (0.04, 0.05)];
-/// How far shadows are cast from what is filmed, m, and in how many pixels.
-const SHADOWS: (f32, usize) = (2.6, 1024);
+/// Radius around the target within which shadows are cast, m.
+const SHADOW_RADIUS: f32 = 2.6;
+/// Size of the shadow map, pixels.
+const SHADOW_MAP: usize = 1024;
 
-/// What is moved: the ball, the lamps, then the robot's segments.
+/// Index of the ball among the mocap bodies.
 pub(super) const BALL: usize = 0;
-/// The lamps.
+/// Index of the lamps among the mocap bodies.
 pub(super) const LAMP: usize = 1;
-/// The first segment.
+/// Index of the robot's first segment among the mocap bodies.
 pub(super) const ROBOT: usize = 2;
 
-/// The model as text.
+/// Generates the XML of the model.
 pub(super) fn write(setup: &Setup, layout: &Layout) -> String {
     let mut xml = String::from("<mujoco model=\"film\">\n<compiler angle=\"radian\"/>\n");
-    drawing(&mut xml);
-    let _ = writeln!(xml, "<asset>\n{AROUND}");
+    render_options(&mut xml);
+    let _ = writeln!(xml, "<asset>\n{BACKGROUND}");
     Paint::of(layout).write(&mut xml);
     hall::materials(&mut xml);
     shells::assets(&mut xml);
@@ -57,21 +61,21 @@ pub(super) fn write(setup: &Setup, layout: &Layout) -> String {
     xml
 }
 
-fn drawing(xml: &mut String) {
-    let (angle, ambient, behind) = (FIELD_OF_VIEW.to_degrees(), LIGHT.0, LIGHT.2);
-    let (far, size) = SHADOWS;
+/// Writes the rendering options.
+fn render_options(xml: &mut String) {
+    let angle = FIELD_OF_VIEW.to_degrees();
     let _ = writeln!(
         xml,
         "<statistic center=\"0 0 0.3\" extent=\"1\"/>\n<visual>\n<global offwidth=\"1920\" offheight=\"1440\" \
-         fovy=\"{angle}\"/>\n<quality offsamples=\"0\" shadowsize=\"{size}\"/>\n\
-         <map znear=\"0.05\" zfar=\"40\" shadowclip=\"{far}\"/>\n<headlight ambient=\"{ambient} {ambient} {ambient}\" \
-         diffuse=\"{behind} {behind} {behind}\" specular=\"0.1 0.1 0.1\"/>\n</visual>"
+         fovy=\"{angle}\"/>\n<quality offsamples=\"0\" shadowsize=\"{SHADOW_MAP}\"/>\n\
+         <map znear=\"0.05\" zfar=\"40\" shadowclip=\"{SHADOW_RADIUS}\"/>\n<headlight ambient=\"{AMBIENT_LIGHT} {AMBIENT_LIGHT} {AMBIENT_LIGHT}\" \
+         diffuse=\"{CAMERA_LIGHT} {CAMERA_LIGHT} {CAMERA_LIGHT}\" specular=\"0.1 0.1 0.1\"/>\n</visual>"
     );
 }
 
-/// Lamps that follow what is filmed, for only around them shadows are cast.
+/// Writes lamps that follow the target, because shadows are cast only around them.
 fn lamps(xml: &mut String, light: &Light) {
-    let strength = LIGHT.1 / LAMPS.len() as f32;
+    let strength = LAMP_LIGHT / LAMPS.len() as f32;
     xml.push_str("<body mocap=\"true\">\n");
     for (x, y) in LAMPS {
         let (x, y) = (0.35 * light.from.x + x, 0.35 * light.from.y + y);
@@ -85,8 +89,8 @@ fn lamps(xml: &mut String, light: &Light) {
     xml.push_str("</body>\n");
 }
 
-/// A robot that stands there.
-fn standing(xml: &mut String, other: &Other) {
+/// Writes a robot that stands still.
+fn standing(xml: &mut String, other: &OtherRobot) {
     let skeleton = Skeleton::of(&STAND);
     let hips = other.pose.position.extend(-skeleton.sole(Side::Left).translation.z);
     let robot = Affine3A::from_rotation_translation(Quat::from_rotation_z(other.pose.heading), hips);
@@ -97,7 +101,7 @@ fn standing(xml: &mut String, other: &Other) {
             "<body pos=\"{} {} {}\" quat=\"{} {} {} {}\">",
             at.x, at.y, at.z, turn.w, turn.x, turn.y, turn.z
         );
-        shells::write(xml, segment, if other.mate { "mates" } else { "opponents" });
+        shells::write(xml, segment, if other.teammate { "mates" } else { "opponents" });
         xml.push_str("</body>\n");
     }
 }
@@ -111,7 +115,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_moves_is_where_it_is_looked_for_and_a_nao_is_as_high_as_one() {
+    fn segments_have_the_expected_mocap_indices_and_the_robot_has_the_height_of_a_nao() {
         let setup = Setup { goalkeeper: false, ..Setup::default() };
         let layout = Layout::new(&setup, &mut Random::new(0, Stream::Start));
         let model = Box::new(MjModel::from_xml_string(&write(&setup, &layout)).unwrap());
@@ -124,7 +128,7 @@ mod tests {
         }
         data.forward_kinematics();
         let model = data.model();
-        // The world is body 0, then come the bodies that move, in their order.
+        // The world is body 0; the mocap bodies follow in their order.
         let robot = |body: i32| (ROBOT as i32 + 1..=(ROBOT + SEGMENTS) as i32).contains(&body);
         let shells = (0..model.geom_bodyid().len()).filter(|geom| robot(model.geom_bodyid()[*geom]));
         let heights: Vec<f64> = shells

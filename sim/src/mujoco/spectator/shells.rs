@@ -1,5 +1,5 @@
-//! How a NAO looks: shells of each segment, in the segment's frame, for the left side; the right one is its mirror image.
-//! After photographs of the robots of 2009, around the lengths of `bica_motion::dimensions`.
+//! Outer shells of a NAO: lofts and primitive shapes per segment, in the segment's frame, for the left side; the right side is the
+//! mirror image. Modelled after photographs of the robots of 2009, around the lengths of `bica_motion::dimensions`.
 
 use core::f32::consts::FRAC_PI_2;
 use std::fmt::Write;
@@ -14,42 +14,45 @@ const DARK: &str = "shell dark";
 const LIGHT: &str = "shell light";
 const BLACK: &str = "shell black";
 const LED: &str = "shell led";
-/// In the team's colour.
+/// Placeholder for the team's colour.
 const TEAM: &str = "";
 
-/// A part that is seen.
+/// A visible part of a segment.
 #[derive(Clone, Copy, Debug)]
 struct Part {
     paint: &'static str,
     shape: Shape,
-    /// Its middle, m.
+    /// Centre in the segment frame, m.
     at: [f32; 3],
-    /// Turns about x, y and z, rad.
+    /// Rotations about x, y and z, rad.
     turn: [f32; 3],
 }
 
 #[derive(Clone, Copy, Debug)]
 enum Shape {
     Loft(Loft),
-    /// One of MuJoCo's shapes, with its sizes.
-    Solid(&'static str, &'static str),
+    /// A primitive shape of MuJoCo and its sizes.
+    Primitive(&'static str, &'static str),
 }
 
-const fn loft(paint: &'static str, axis: Axis, boxy: f32, round: f32, sections: &'static [Section]) -> Part {
-    Part { paint, shape: Shape::Loft(Loft { axis, boxy, round, sections }), at: [0.0; 3], turn: [0.0; 3] }
+const fn loft(paint: &'static str, axis: Axis, exponent: f32, round: f32, sections: &'static [Section]) -> Part {
+    Part { paint, shape: Shape::Loft(Loft { axis, exponent, round, sections }), at: [0.0; 3], turn: [0.0; 3] }
 }
 
-const fn solid(paint: &'static str, shape: &'static str, size: &'static str, at: [f32; 3], turn: [f32; 3]) -> Part {
-    Part { paint, shape: Shape::Solid(shape, size), at, turn }
+const fn primitive(paint: &'static str, shape: &'static str, size: &'static str, at: [f32; 3], turn: [f32; 3]) -> Part {
+    Part { paint, shape: Shape::Primitive(shape, size), at, turn }
 }
 
-/// A disc of this radius and half its thickness that looks to the side (turned by `turn` about x, y and z).
+/// Returns a disc; `size`: radius and half thickness, m; `turn`: rotations of its axis from z, rad.
 const fn disc(paint: &'static str, size: &'static str, at: [f32; 3], turn: [f32; 3]) -> Part {
-    solid(paint, "cylinder", size, at, turn)
+    primitive(paint, "cylinder", size, at, turn)
 }
 
+/// Turns a disc to face forward.
 const AHEAD: [f32; 3] = [0.0, FRAC_PI_2, 0.0];
+/// Turns a disc to face sideways.
 const ASIDE: [f32; 3] = [FRAC_PI_2, 0.0, 0.0];
+/// No rotation.
 const EVEN: [f32; 3] = [0.0; 3];
 
 const TORSO: &[Part] = &[
@@ -124,7 +127,7 @@ const HEAD: &[Part] = &[
     // The cameras in forehead and mouth, and the touch sensor on top.
     disc(BLACK, "0.005 0.002", [0.0535, 0.0, 0.0765], [0.0, FRAC_PI_2 - 0.25, 0.0]),
     disc(BLACK, "0.0065 0.002", [0.0530, 0.0, 0.0235], [0.0, FRAC_PI_2 + 0.35, 0.0]),
-    solid(DARK, "ellipsoid", "0.016 0.011 0.004", [-0.003, 0.0, 0.1125], EVEN),
+    primitive(DARK, "ellipsoid", "0.016 0.011 0.004", [-0.003, 0.0, 0.1125], EVEN),
 ];
 
 const SHOULDER: &[Part] = &[
@@ -146,7 +149,7 @@ const BICEPS: &[Part] = &[loft(
     &[[0.010, 0.004, 0.0, 0.027, 0.028], [0.040, 0.008, 0.0, 0.030, 0.030], [0.078, 0.012, 0.0, 0.027, 0.028]],
 )];
 
-const ELBOW: &[Part] = &[solid(DARK, "sphere", "0.0255", [0.0; 3], EVEN)];
+const ELBOW: &[Part] = &[primitive(DARK, "sphere", "0.0255", [0.0; 3], EVEN)];
 
 const FOREARM: &[Part] = &[
     loft(
@@ -168,12 +171,12 @@ const HAND: &[Part] = &[
         &[[0.012, 0.0, 0.0, 0.021, 0.024], [0.032, 0.0, 0.0, 0.023, 0.028], [0.046, 0.0, 0.0, 0.020, 0.025]],
     ),
     // Two fingers and a thumb.
-    solid(DARK, "capsule", "0.0075 0.014", [0.066, 0.010, -0.012], [0.0, FRAC_PI_2 + 0.5, 0.0]),
-    solid(DARK, "capsule", "0.0075 0.014", [0.066, -0.010, -0.012], [0.0, FRAC_PI_2 + 0.5, 0.0]),
-    solid(DARK, "capsule", "0.0075 0.013", [0.062, 0.0, 0.018], [0.0, FRAC_PI_2 - 0.2, 0.0]),
+    primitive(DARK, "capsule", "0.0075 0.014", [0.066, 0.010, -0.012], [0.0, FRAC_PI_2 + 0.5, 0.0]),
+    primitive(DARK, "capsule", "0.0075 0.014", [0.066, -0.010, -0.012], [0.0, FRAC_PI_2 + 0.5, 0.0]),
+    primitive(DARK, "capsule", "0.0075 0.013", [0.062, 0.0, 0.018], [0.0, FRAC_PI_2 - 0.2, 0.0]),
 ];
 
-const PELVIS: &[Part] = &[solid(DARK, "capsule", "0.024 0.014", [0.0, -0.010, 0.010], [0.785, 0.0, 0.0])];
+const PELVIS: &[Part] = &[primitive(DARK, "capsule", "0.024 0.014", [0.0, -0.010, 0.010], [0.785, 0.0, 0.0])];
 
 const HIP: &[Part] = &[
     loft(
@@ -183,7 +186,7 @@ const HIP: &[Part] = &[
         0.012,
         &[[-0.020, -0.020, 0.0, 0.024, 0.032], [0.004, -0.022, 0.0, 0.028, 0.036], [0.022, -0.020, 0.0, 0.022, 0.032]],
     ),
-    solid(DARK, "sphere", "0.030", [0.0; 3], EVEN),
+    primitive(DARK, "sphere", "0.030", [0.0; 3], EVEN),
 ];
 
 const THIGH: &[Part] = &[
@@ -228,7 +231,7 @@ const TIBIA: &[Part] = &[
     ),
 ];
 
-const ANKLE: &[Part] = &[solid(DARK, "sphere", "0.027", [0.0, 0.0, 0.002], EVEN)];
+const ANKLE: &[Part] = &[primitive(DARK, "sphere", "0.027", [0.0, 0.0, 0.002], EVEN)];
 
 const FOOT: &[Part] = &[
     loft(
@@ -264,7 +267,7 @@ const FOOT: &[Part] = &[
     ),
 ];
 
-/// The parts of a segment; -1 if they are to be mirrored.
+/// Returns the parts of a segment and the sign of y: −1 if they are to be mirrored.
 const fn parts(segment: Segment) -> (&'static [Part], f32) {
     let (parts, side) = match segment {
         Segment::Torso => return (TORSO, 1.0),
@@ -310,13 +313,13 @@ fn mesh(segment: Segment, part: usize) -> String {
     format!("{}-{part}", segment.index())
 }
 
-/// Writes the geoms of a segment; `team`: the material of what is in the team's colour.
+/// Writes the geoms of a segment; `team`: material of the parts in the team's colour.
 pub(super) fn write(xml: &mut String, segment: Segment, team: &str) {
     let (parts, side) = parts(segment);
     for (part, Part { paint, shape, at: [x, y, z], turn: [roll, pitch, yaw] }) in parts.iter().enumerate() {
         let form = match shape {
             Shape::Loft(_) => format!("type=\"mesh\" mesh=\"{}\"", mesh(segment, part)),
-            Shape::Solid(shape, size) => format!("type=\"{shape}\" size=\"{size}\""),
+            Shape::Primitive(shape, size) => format!("type=\"{shape}\" size=\"{size}\""),
         };
         let paint = if paint.is_empty() { team } else { paint };
         let _ = writeln!(

@@ -110,7 +110,7 @@ fn kinds_follow_from_links() {
         node("FollowBall", vec![link(1, read), link(2, write), link(4, write)], &[]),
         node("Ball", vec![link(3, read)], &[]),
         node("Motors", vec![], &[]),
-        node("Eye", vec![], &[]),
+        node("CameraInput", vec![], &[]),
         node("Body", vec![link(2, write)], states),
     ]);
     let kinds: Vec<_> = (0..5).map(|node| Kind::of(&graph, node)).collect();

@@ -1,14 +1,15 @@
 //! The forward, to be thrown over.
 
+use bica::runner::Robot;
 use bica::{Instant, Tree};
 use bica_motion::fall::FallState;
 use bica_motion::joints::Joint;
 use bica_motion::pose::Pose2;
 use bica_motion::profile::Profile;
-use bica_player::behaviour::FallGuard;
-use bica_player::input::Measured;
-use bica_player::perception::{FallDetector, NetDetector};
-use bica_player::{Forward, act, sense};
+use bica_player::Forward;
+use bica_player::behaviour::SafetyGuard;
+use bica_player::input::RobotProfile;
+use bica_player::perception::{FallDetector, GoalDetector};
 use bica_sim::World;
 use bica_sim::mujoco::{MujocoWorld, Physics};
 use bica_sim::referee::Event;
@@ -56,8 +57,8 @@ impl FallSubject {
         let world = MujocoWorld::new(setup, &Physics { cameras, ..*physics })
             .map_err(|error| Failure::new(error.to_string(), "try another value"))?;
         let mut robot = Box::new(Forward::new());
-        robot.get_mut::<Measured>().set_profile(&Profile::NAO);
-        robot.get_mut::<NetDetector>().attack(world.referee().attacks());
+        robot.get_mut::<RobotProfile>().set(&Profile::NAO);
+        robot.get_mut::<GoalDetector>().attack(world.referee().attacks());
         Ok(Self { world, robot, felt: None, hit: None, tries: 0, tries_now: false })
     }
 
@@ -65,10 +66,11 @@ impl FallSubject {
     pub fn live(&mut self, seconds: f32) -> Result<(), Failure> {
         for _ in 0..cycles(seconds) {
             let now = self.world.now();
-            sense(&mut self.robot, &self.world.sensors())
+            self.robot
+                .sense(&self.world.sensors())
                 .map_err(|error| Failure::new(error.to_string(), "choose a smaller image"))?;
             self.robot.tick(Instant::from_micros(now.as_micros() as u64));
-            let command = act(&self.robot);
+            let command = self.robot.act();
             self.world.act(&command);
             let falls = self.robot.get::<FallDetector>().state() != FallState::Upright;
             self.felt = self.felt.or_else(|| falls.then_some(now.as_secs_f32()));
@@ -80,7 +82,7 @@ impl FallSubject {
     }
 
     fn count(&mut self) {
-        let guard = Forward::id::<FallGuard>();
+        let guard = Forward::id::<SafetyGuard>();
         let states = Forward::GRAPH.nodes[guard.index()].states;
         let tries =
             self.robot.is_active(guard) && self.robot.state(guard).is_some_and(|state| states[state].name == "get_up");
@@ -124,6 +126,6 @@ impl FallSubject {
 
     /// Whether it goes on with what it did before.
     pub fn plays(&self) -> bool {
-        !self.robot.is_active(Forward::id::<FallGuard>())
+        !self.robot.is_active(Forward::id::<SafetyGuard>())
     }
 }

@@ -1,13 +1,14 @@
 //! A robot that stands anywhere on the field and looks around to find out where.
 
 use bica::prelude::*;
+use bica::runner::Robot;
 use bica_motion::kinematics;
 use bica_motion::pose::{Pose2, wrap};
 use bica_motion::side::Side;
+use bica_player::Forward;
 use bica_player::behaviour::{LookAround, Player};
 use bica_player::motion::Body;
-use bica_player::perception::{Localization, NetDetector};
-use bica_player::{Forward, act, sense};
+use bica_player::perception::{GoalDetector, Localization};
 use bica_sim::World;
 use bica_sim::kinematic::KinematicWorld;
 use bica_sim::setup::{Setup, Start};
@@ -88,7 +89,7 @@ impl Lookout {
     }
 
     fn tell_colour(&mut self) {
-        self.robot.get_mut::<NetDetector>().attack(self.world.referee().attacks());
+        self.robot.get_mut::<GoalDetector>().attack(self.world.referee().attacks());
     }
 
     /// The ground between the feet, as the referee knows it.
@@ -106,11 +107,11 @@ impl Lookout {
     pub(crate) fn look_around(&mut self, seconds: f32) -> Outcome {
         let mut since = None;
         for cycle in 0..(100.0 * seconds) as u64 {
-            let sensed = sense(&mut self.robot, &self.world.sensors());
+            let sensed = self.robot.sense(&self.world.sensors());
             sensed.expect("the eye is large enough");
             self.clock += 10;
             self.robot.tick(Instant::from_millis(self.clock));
-            let command = act(&self.robot);
+            let command = self.robot.act();
             self.world.act(&command);
             let outcome = Outcome { seed: self.seed, truth: self.truth(), estimate: self.estimate(), since };
             since = if outcome.is_found() { since.or(Some(0.01 * cycle as f32)) } else { None };

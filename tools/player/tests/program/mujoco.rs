@@ -10,14 +10,15 @@ fn a_program_without_mujoco_says_how_to_get_one_with_it() {
 
 #[cfg(feature = "mujoco")]
 mod with_mujoco {
+    use bica::runner::Robot;
     use bica::{Instant, Tree};
     use bica_motion::health::Fault;
     use bica_motion::joints::Joint;
     use bica_motion::profile::Profile;
     use bica_motion::stand::SIT_STIFFNESS;
-    use bica_player::behaviour::FallGuard;
-    use bica_player::input::Measured;
-    use bica_player::{Forward, act, sense};
+    use bica_player::Forward;
+    use bica_player::behaviour::SafetyGuard;
+    use bica_player::input::{HealthMonitor, RobotProfile};
     use bica_sim::World;
     use bica_sim::mujoco::{MujocoWorld, Physics};
     use bica_sim::referee::Posture;
@@ -57,18 +58,18 @@ mod with_mujoco {
     fn a_robot_with_a_hot_joint_stops_and_sits_down_without_a_fall() {
         let mut world = MujocoWorld::new(&Setup::default(), &Physics { cameras: false, ..Physics::default() }).unwrap();
         let mut robot = Box::new(Forward::new());
-        robot.get_mut::<Measured>().set_profile(&Profile::NAO);
+        robot.get_mut::<RobotProfile>().set(&Profile::NAO);
         for cycle in 0..3000 {
             if cycle == 500 {
                 world.set_motor_temperature(Joint::LKneePitch, 78.0);
             }
-            sense(&mut robot, &world.sensors()).unwrap();
+            robot.sense(&world.sensors()).unwrap();
             robot.tick(Instant::from_millis(10 * cycle));
-            world.act(&act(&robot));
-            assert_eq!(robot.get::<Measured>().fault().is_some(), cycle >= 599, "in cycle {cycle}");
+            world.act(&robot.act());
+            assert_eq!(robot.get::<HealthMonitor>().fault().is_some(), cycle >= 599, "in cycle {cycle}");
         }
-        assert_eq!(robot.get::<Measured>().fault(), Some(Fault::Hot(Joint::LKneePitch)));
-        assert!(act(&robot).stiffness.0.iter().all(|stiffness| *stiffness <= SIT_STIFFNESS));
+        assert_eq!(robot.get::<HealthMonitor>().fault(), Some(Fault::Hot(Joint::LKneePitch)));
+        assert!(robot.act().stiffness.0.iter().all(|stiffness| *stiffness <= SIT_STIFFNESS));
         assert_eq!(world.referee().falls(), 0);
     }
 
@@ -76,7 +77,7 @@ mod with_mujoco {
     fn who_falls_with_a_hot_joint_lies_limp_until_it_has_cooled_then_gets_up() {
         let mut world = MujocoWorld::new(&Setup::default(), &Physics { cameras: false, ..Physics::default() }).unwrap();
         let mut robot = Box::new(Forward::new());
-        robot.get_mut::<Measured>().set_profile(&Profile::NAO);
+        robot.get_mut::<RobotProfile>().set(&Profile::NAO);
         for cycle in 0..2600 {
             match cycle {
                 100 => world.push(Vec2::new(-2.3, 0.0)),
@@ -84,18 +85,18 @@ mod with_mujoco {
                 1500 => world.set_motor_temperature(Joint::LKneePitch, 60.0),
                 _ => {}
             }
-            sense(&mut robot, &world.sensors()).unwrap();
+            robot.sense(&world.sensors()).unwrap();
             robot.tick(Instant::from_millis(10 * cycle));
-            world.act(&act(&robot));
+            world.act(&robot.act());
             if (1000..1500).contains(&cycle) {
                 assert!(
-                    act(&robot).stiffness.0.iter().all(|stiffness| *stiffness <= SIT_STIFFNESS),
+                    robot.act().stiffness.0.iter().all(|stiffness| *stiffness <= SIT_STIFFNESS),
                     "in cycle {cycle}"
                 );
-                assert!(robot.get::<Measured>().fault().is_some());
+                assert!(robot.get::<HealthMonitor>().fault().is_some());
             }
         }
-        assert_eq!(robot.get::<Measured>().fault(), None);
+        assert_eq!(robot.get::<HealthMonitor>().fault(), None);
         assert_eq!((world.referee().falls(), world.referee().posture()), (1, Posture::Upright));
     }
 
@@ -103,19 +104,19 @@ mod with_mujoco {
     fn who_sat_down_hot_stands_up_without_a_fall_when_it_has_cooled() {
         let mut world = MujocoWorld::new(&Setup::default(), &Physics { cameras: false, ..Physics::default() }).unwrap();
         let mut robot = Box::new(Forward::new());
-        robot.get_mut::<Measured>().set_profile(&Profile::NAO);
+        robot.get_mut::<RobotProfile>().set(&Profile::NAO);
         for cycle in 0..2500 {
             match cycle {
                 100 => world.set_motor_temperature(Joint::LKneePitch, 78.0),
                 1500 => world.set_motor_temperature(Joint::LKneePitch, 60.0),
                 _ => {}
             }
-            sense(&mut robot, &world.sensors()).unwrap();
+            robot.sense(&world.sensors()).unwrap();
             robot.tick(Instant::from_millis(10 * cycle));
-            world.act(&act(&robot));
+            world.act(&robot.act());
         }
-        assert_eq!(robot.get::<Measured>().fault(), None);
-        assert!(!robot.is_active(Forward::id::<FallGuard>()));
+        assert_eq!(robot.get::<HealthMonitor>().fault(), None);
+        assert!(!robot.is_active(Forward::id::<SafetyGuard>()));
         assert_eq!((world.referee().falls(), world.referee().posture()), (0, Posture::Upright));
     }
 

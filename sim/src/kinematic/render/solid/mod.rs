@@ -1,4 +1,4 @@
-//! Simple solids, drawn from the farthest to the nearest.
+//! Simple solids with a colour.
 
 mod flat;
 mod sphere;
@@ -10,26 +10,26 @@ use crate::camera::canvas::{Canvas, Pixel};
 use crate::camera::light::Light;
 use crate::camera::pinhole::PinholeCamera;
 
-/// Something with a shape and a colour; field frame, m.
+/// A solid, field frame, m.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Solid {
     /// A sphere.
     Sphere { centre: Vec3, radius: f32, colour: Pixel },
-    /// A cylinder or a blunt cone.
+    /// A cylinder or a truncated cone.
     Tube { ends: [Vec3; 2], radii: [f32; 2], colour: Pixel },
-    /// A box, around a pose.
+    /// A box centred on a pose; `half`: half of its size.
     Block { pose: Affine3A, half: Vec3, colour: Pixel },
     /// A thin triangle.
     Sheet { corners: [Vec3; 3], colour: Pixel },
-    /// A net between three or four corners, the first two edges perpendicular.
+    /// A net between four corners; two may coincide. The first two edges are perpendicular.
     Net { corners: [Vec3; 4], colour: Pixel },
-    /// Darkness on the ground.
+    /// A soft shadow on the ground; `darkness`: relative loss of brightness in its centre.
     Shadow { centre: Vec2, radius: f32, darkness: f32 },
 }
 
 impl Solid {
-    /// Its middle, to sort by.
-    pub(crate) fn middle(&self) -> Vec3 {
+    /// Returns the centre, by which solids are sorted.
+    pub(crate) fn centre(&self) -> Vec3 {
         match self {
             Self::Sphere { centre, .. } => *centre,
             Self::Tube { ends, .. } => ends[0].midpoint(ends[1]),
@@ -40,24 +40,25 @@ impl Solid {
         }
     }
 
-    /// Whether it is only darkness on the ground.
+    /// Returns whether this is a shadow.
     pub(crate) const fn is_shadow(&self) -> bool {
         matches!(self, Self::Shadow { .. })
     }
 
-    fn reach(&self) -> f32 {
+    /// Returns the radius of a sphere around the centre that contains the solid, m.
+    fn bounding_radius(&self) -> f32 {
         match self {
             Self::Sphere { radius, .. } | Self::Shadow { radius, .. } => *radius,
             Self::Tube { ends, radii, .. } => ends[0].distance(ends[1]) / 2.0 + radii[0].max(radii[1]),
             Self::Block { half, .. } => half.length(),
-            Self::Sheet { corners, .. } => corners.iter().fold(0.0, |most, c| c.distance(self.middle()).max(most)),
-            Self::Net { corners, .. } => corners.iter().fold(0.0, |most, c| c.distance(self.middle()).max(most)),
+            Self::Sheet { corners, .. } => corners.iter().fold(0.0, |most, c| c.distance(self.centre()).max(most)),
+            Self::Net { corners, .. } => corners.iter().fold(0.0, |most, c| c.distance(self.centre()).max(most)),
         }
     }
 
-    /// Draws it over what is there.
+    /// Draws the solid over the canvas.
     pub(crate) fn draw(&self, view: &PinholeCamera, light: &Light, canvas: &mut Canvas) {
-        if !view.may_see(view.seen(self.middle()), self.reach()) {
+        if !view.may_contain(view.in_camera(self.centre()), self.bounding_radius()) {
             return;
         }
         match self {
@@ -84,7 +85,7 @@ mod tests {
         canvas
     }
 
-    /// A camera as on a robot's head, looking about ahead.
+    /// Draws a camera pose as on a robot's head, looking approximately ahead.
     fn some_view(random: &mut Random) -> PinholeCamera {
         let mut any = |low, high| random.between(low, high);
         let pose = Affine3A::from_translation(Vec3::new(any(-0.5, 0.5), any(-0.5, 0.5), any(0.4, 0.5)))
@@ -94,7 +95,7 @@ mod tests {
         PinholeCamera::new(pose, 320, 240)
     }
 
-    /// The middle and the width of what a row shows, its edges by how much of their pixels they cover.
+    /// Returns centre and width of the coloured interval of a row, with sub-pixel edges from the coverage.
     fn row_of(canvas: &mut Canvas, v: usize) -> (f32, f32) {
         let chroma: Vec<f32> = canvas.row(v).iter().map(|pixel| (128 - pixel[1]) as f32).collect();
         let first = chroma.iter().position(|&chroma| chroma > 0.0).unwrap_or(0);
@@ -105,7 +106,7 @@ mod tests {
     }
 
     #[test]
-    fn posts_are_drawn_where_the_camera_model_puts_them() {
+    fn a_post_is_drawn_at_its_projection_with_its_projected_width() {
         let mut random = Random::new(8, Stream::Start);
         let mut seen = 0;
         for _ in 0..300 {
@@ -113,7 +114,7 @@ mod tests {
             let foot = Vec3::new(random.between(1.0, 3.0), random.between(-0.8, 0.8), 0.0);
             let ends = [foot, foot + 0.8 * Vec3::Z];
             let mut canvas = drawn(&view, Solid::Tube { ends, radii: [0.05; 2], colour: COLOUR });
-            let middle = view.seen(foot + 0.4 * Vec3::Z);
+            let middle = view.in_camera(foot + 0.4 * Vec3::Z);
             let at = view.pixel(middle);
             // Between the tangents to a circle: off the axis it looks wider.
             let width = view.focal.x * 0.1 * middle.truncate().length() / (middle.x * middle.x);
@@ -130,7 +131,7 @@ mod tests {
     }
 
     #[test]
-    fn a_box_is_as_large_as_its_corners_say() {
+    fn a_box_is_drawn_with_its_projected_size() {
         let view = PinholeCamera::new(Affine3A::IDENTITY, 320, 240);
         let pose = Affine3A::from_translation(Vec3::new(2.1, 0.0, 0.0));
         let mut canvas = drawn(&view, Solid::Block { pose, half: Vec3::new(0.1, 0.2, 0.3), colour: COLOUR });
@@ -141,7 +142,7 @@ mod tests {
     }
 
     #[test]
-    fn a_shadow_darkens_and_nothing_else_is_touched() {
+    fn a_shadow_darkens_only_the_pixels_that_it_covers() {
         let view = PinholeCamera::new(Affine3A::from_rotation_y(1.2), 320, 240);
         let view = PinholeCamera::new(Affine3A::from_translation(0.5 * Vec3::Z) * view.pose, 320, 240);
         let mut canvas = Canvas::new(320, 240);
@@ -149,7 +150,7 @@ mod tests {
         let centre = Vec2::new(0.25, 0.0);
         let light = Light::new(&mut Random::new(1, Stream::Hall));
         Solid::Shadow { centre, radius: 0.05, darkness: 0.5 }.draw(&view, &light, &mut canvas);
-        let at = view.pixel(view.seen(centre.extend(0.0)));
+        let at = view.pixel(view.in_camera(centre.extend(0.0)));
         let middle = canvas.row(at.y as usize)[at.x as usize][0];
         assert!((90..=115).contains(&middle), "{middle}");
         let corner = canvas.row(0)[0];

@@ -7,6 +7,7 @@ use crate::camera::canvas::{Canvas, Pixel, lit, mix};
 use crate::camera::light::Light;
 use crate::camera::pinhole::{NEAR, PinholeCamera};
 
+/// Draws a sphere with antialiased outline by intersecting the ray of each pixel.
 pub(super) fn sphere(
     view: &PinholeCamera,
     light: &Light,
@@ -14,7 +15,7 @@ pub(super) fn sphere(
     (centre, radius): (Vec3, f32),
     colour: Pixel,
 ) {
-    let seen = view.seen(centre);
+    let seen = view.in_camera(centre);
     let beyond = seen.length_squared() - radius * radius;
     if seen.x < radius + NEAR || beyond <= 0.0 {
         return;
@@ -37,14 +38,14 @@ pub(super) fn sphere(
             if covered > 0.0 {
                 let depth = sqrtf((radius * radius - miss).max(0.0));
                 let normal = view.pose.transform_vector3((ray * (along - depth) - seen) / radius);
-                *pixel = mix(*pixel, shiny(colour, light, normal, view, ray), (covered * 256.0) as i32);
+                *pixel = mix(*pixel, with_highlight(colour, light, normal, view, ray), (covered * 256.0) as i32);
             }
         }
     }
 }
 
-/// A colour with a soft highlight where the lamps above mirror.
-fn shiny(colour: Pixel, light: &Light, normal: Vec3, view: &PinholeCamera, ray: Vec3) -> Pixel {
+/// Returns the colour with a soft specular highlight of the lamps above.
+fn with_highlight(colour: Pixel, light: &Light, normal: Vec3, view: &PinholeCamera, ray: Vec3) -> Pixel {
     let base = lit(colour, light.on(normal));
     let ray = view.pose.transform_vector3(ray);
     let mirrored = ray - 2.0 * ray.dot(normal) * normal;

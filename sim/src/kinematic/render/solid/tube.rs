@@ -1,4 +1,4 @@
-//! Cylinders and blunt cones.
+//! Cylinders and truncated cones.
 
 use core::f32::consts::TAU;
 
@@ -7,14 +7,15 @@ use libm::{cosf, sinf, sqrtf};
 
 use crate::camera::canvas::{Canvas, Edge, Pixel, lit};
 use crate::camera::light::Light;
-use crate::camera::pinhole::{NEAR, PinholeCamera, whole};
+use crate::camera::pinhole::{NEAR, PinholeCamera, round_wrapping};
 use crate::kinematic::convex_hull::convex_hull;
 
-/// How many corners an end has.
+/// Number of corners of an end.
 const CIRCLE: usize = 14;
-/// Steps of brightness across a tube.
+/// Number of brightness levels across a tube.
 const SHADES: usize = 16;
 
+/// Draws the side of a tube as the convex hull of its ends, and the end that faces the camera.
 pub(super) fn tube(
     view: &PinholeCamera,
     light: &Light,
@@ -22,7 +23,7 @@ pub(super) fn tube(
     (ends, radii): ([Vec3; 2], [f32; 2]),
     colour: Pixel,
 ) {
-    let mut seen = ends.map(|end| view.seen(end));
+    let mut seen = ends.map(|end| view.in_camera(end));
     let axis = (seen[1] - seen[0]).normalize_or_zero();
     for end in 0..2 {
         let other = seen[1 - end];
@@ -39,7 +40,8 @@ pub(super) fn tube(
     let paint = |v: usize, first: usize, pixels: &mut [Pixel]| {
         for (i, pixel) in pixels.iter_mut().enumerate() {
             let shade = gradient.at((first + i) as f32, v as f32);
-            *pixel = shades[whole((shade.clamp(-1.0, 1.0) + 1.0) * (SHADES as f32 / 2.0) - 0.5) as usize % SHADES];
+            *pixel =
+                shades[round_wrapping((shade.clamp(-1.0, 1.0) + 1.0) * (SHADES as f32 / 2.0) - 0.5) as usize % SHADES];
         }
     };
     let corners = |end: usize| {
@@ -64,7 +66,7 @@ pub(super) fn tube(
     }
 }
 
-/// Brightness from one edge of a tube to the other.
+/// Returns the brightness from one edge of a tube to the other.
 fn shades(view: &PinholeCamera, light: &Light, axis: Vec3, across: Vec3) -> [i32; SHADES] {
     let toward = across.cross(axis).normalize_or_zero();
     core::array::from_fn(|i| {
@@ -75,7 +77,7 @@ fn shades(view: &PinholeCamera, light: &Light, axis: Vec3, across: Vec3) -> [i32
     })
 }
 
-/// Where a pixel lies between both edges of a tube.
+/// Position of pixels between both edges of a tube.
 struct Gradient {
     start: Vec2,
     along: Vec2,
@@ -95,7 +97,7 @@ impl Gradient {
         Self { start, along, normal, half: half(0), growth: (half(1) - half(0)) / length }
     }
 
-    /// −1 to 1.
+    /// Returns the position of a pixel: −1 at one edge, 1 at the other.
     fn at(&self, u: f32, v: f32) -> f32 {
         let offset = Vec2::new(u, v) - self.start;
         offset.dot(self.normal) / (self.half + self.growth * offset.dot(self.along)).max(0.3)

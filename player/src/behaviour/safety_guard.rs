@@ -1,0 +1,200 @@
+//! Falls and faults.
+
+use bica::prelude::*;
+use bica_motion::fall::{Direction, FallState};
+use bica_motion::getup::{self, GetUp};
+use bica_motion::health::Fault;
+use bica_motion::keyframes::{Keyframe, Motion};
+use bica_motion::stand::{SIT, SIT_STIFFNESS, TO_SIT, TO_STAND};
+
+use crate::input::{HealthMonitor, RobotState};
+use crate::motion::Body;
+use crate::output::Motors;
+use crate::perception::FallDetector;
+
+/// Controls the body after a fall or a fault. A falling robot braces and then gets up, from the front or from the back; after
+/// a failed attempt with another movement. A robot with a fault stops and sits down: for good, or until hot motors have cooled.
+#[derive(Debug)]
+pub struct SafetyGuard {
+    get_up: GetUp,
+    /// Sitting down, or standing up from the sitting posture.
+    sit_or_rise: Motion,
+    brace: Keyframe,
+    /// Number of get-up movements since the fall.
+    attempts: u8,
+    stands: bool,
+}
+
+#[component(budget_us = 10)]
+impl SafetyGuard {
+    /// Nothing to do.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self {
+            get_up: GetUp::none(),
+            sit_or_rise: Motion::none(),
+            brace: getup::protection(Direction::Front),
+            attempts: 0,
+            stands: false,
+        }
+    }
+
+    /// In the air: limbs in, joints soft.
+    #[state(initial)]
+    fn brace(&mut self, falls: &FallDetector, motors: &mut Motors) {
+        if let FallState::Falling(direction) = falls.state() {
+            self.brace = getup::protection(direction);
+        }
+        motors.set_all(&self.brace.posture, self.brace.stiffness);
+    }
+
+    /// On the ground: plays the get-up movement.
+    #[state]
+    fn get_up(&mut self, time: &Time, state: &RobotState, motors: &mut Motors) {
+        let (posture, stiffness) = self.get_up.step(state.inertial(), time.dt());
+        motors.set_all(&posture, stiffness);
+    }
+
+    /// On the ground after a failed attempt, or hot: limp, so that limbs come free and motors cool.
+    #[state]
+    fn rest(&mut self, _falls: &FallDetector, state: &RobotState, motors: &mut Motors) {
+        motors.set_all(state.angles(), 0.0);
+    }
+
+    /// On its feet with a fault: ends the step, both feet on the ground.
+    #[state]
+    fn halt(&mut self, body: &mut Body) {
+        body.stand();
+    }
+
+    /// With a fault: sits down and stays there, almost limp.
+    #[state]
+    fn sit(&mut self, time: &Time, motors: &mut Motors) {
+        let moving = self.sit_or_rise.step(time.dt()).filter(|_| !self.sit_or_rise.is_done());
+        let (posture, stiffness) = moving.unwrap_or((SIT, SIT_STIFFNESS));
+        motors.set_all(&posture, stiffness);
+    }
+
+    /// After a fault: stands up from the sitting posture.
+    #[state]
+    fn rise(&mut self, time: &Time, motors: &mut Motors) {
+        if let Some((posture, stiffness)) = self.sit_or_rise.step(time.dt()) {
+            motors.set_all(&posture, stiffness);
+        }
+    }
+
+    /// On its feet.
+    #[state(last)]
+    fn stand(&mut self) {
+        self.stands = true;
+    }
+
+    #[transition(halt | rise -> brace)]
+    fn falls(&self, falls: &FallDetector) -> bool {
+        falls.is_down()
+    }
+
+    #[transition(brace | rise -> halt)]
+    fn has_fault_on_its_feet(&self, health: &HealthMonitor, falls: &FallDetector) -> bool {
+        health.fault().is_some() && !falls.is_down()
+    }
+
+    /// Getting up heats the motors, but takes little time: it is finished first.
+    #[transition(get_up -> halt)]
+    fn is_up_but_hot(&self, health: &HealthMonitor, falls: &FallDetector) -> bool {
+        self.get_up.is_done() && health.fault().is_some_and(Fault::is_temporary) && !falls.is_down()
+    }
+
+    #[transition(brace | get_up | rest -> sit)]
+    fn has_lasting_fault(&self, health: &HealthMonitor) -> bool {
+        health.fault().is_some_and(|fault| !fault.is_temporary())
+    }
+
+    #[transition(halt -> sit)]
+    fn has_halted(&self, body: &Body) -> bool {
+        body.is_still()
+    }
+
+    /// A fault may make a stand impossible.
+    #[transition(halt -> sit, after_ms = 3000)]
+    fn cannot_halt(&self) -> bool {
+        true
+    }
+
+    /// The robot lies, with no fault or only a temporary one.
+    #[transition(sit -> rest)]
+    fn lies_while_sitting(&self, health: &HealthMonitor, falls: &FallDetector) -> bool {
+        health.fault().is_none_or(Fault::is_temporary) && falls.is_down()
+    }
+
+    #[transition(sit -> rise)]
+    fn has_cooled(&self, health: &HealthMonitor) -> bool {
+        health.fault().is_none()
+    }
+
+    /// It was a stumble.
+    #[transition(brace -> stand, after_ms = 500)]
+    fn never_fell(&self, falls: &FallDetector) -> bool {
+        !falls.is_down()
+    }
+
+    #[transition(get_up | rise -> stand)]
+    fn is_up(&self, falls: &FallDetector) -> bool {
+        self.get_up.is_done() && self.sit_or_rise.is_done() && !falls.is_down()
+    }
+
+    #[transition(brace -> get_up)]
+    fn lies(&self, falls: &FallDetector, health: &HealthMonitor) -> bool {
+        matches!(falls.state(), FallState::Fallen(_)) && health.fault().is_none()
+    }
+
+    #[transition(brace -> rest)]
+    fn lies_hot(&self, falls: &FallDetector) -> bool {
+        matches!(falls.state(), FallState::Fallen(_))
+    }
+
+    /// The next attempt begins from where the robot lies then.
+    #[transition(get_up -> rest)]
+    fn failed(&self) -> bool {
+        self.get_up.is_done()
+    }
+
+    #[transition(rest -> brace, after_ms = 500)]
+    fn has_rested(&self, health: &HealthMonitor) -> bool {
+        health.fault().is_none()
+    }
+
+    #[entry(get_up)]
+    fn begin_get_up(&mut self, falls: &FallDetector, state: &RobotState) {
+        if let FallState::Fallen(direction) = falls.state() {
+            self.get_up = GetUp::new(direction, self.attempts, *state.angles());
+        }
+    }
+
+    #[exit(get_up)]
+    fn count_attempt(&mut self) {
+        self.attempts = self.attempts.wrapping_add(1);
+    }
+
+    #[entry(sit)]
+    fn begin_sit(&mut self, state: &RobotState) {
+        self.sit_or_rise = Motion::new(&TO_SIT, *state.angles());
+    }
+
+    #[entry(rise)]
+    fn begin_rise(&mut self, state: &RobotState) {
+        self.sit_or_rise = Motion::new(&TO_STAND, *state.angles());
+    }
+
+    #[stop]
+    fn reset(&mut self) {
+        (self.stands, self.attempts) = (false, 0);
+        (self.get_up, self.sit_or_rise) = (GetUp::none(), Motion::none());
+    }
+
+    /// Whether the robot stands again.
+    #[must_use]
+    pub const fn stands(&self) -> bool {
+        self.stands
+    }
+}

@@ -1,0 +1,49 @@
+//! The state of the game.
+
+use bica::prelude::*;
+
+/// Whether the robot is in the game. Each press of the chest button changes it (rules of RoboCup 2009).
+#[derive(Clone, Copy, Debug)]
+pub struct GameState {
+    pressed: bool,
+    playing: bool,
+}
+
+#[component(budget_us = 1)]
+impl GameState {
+    /// In the game, button released.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self { pressed: false, playing: true }
+    }
+
+    /// Takes the state of the chest button: true while pressed.
+    pub const fn set_button(&mut self, pressed: bool) {
+        self.playing ^= pressed && !self.pressed;
+        self.pressed = pressed;
+    }
+
+    /// Whether the robot is in the game, not penalized.
+    #[must_use]
+    pub const fn playing(&self) -> bool {
+        self.playing
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_press_changes_the_state_once_however_long_it_lasts() {
+        let mut game = GameState::new();
+        for expected in [false, true] {
+            for _ in 0..3 {
+                game.set_button(true);
+                assert_eq!(game.playing(), expected);
+            }
+            game.set_button(false);
+            assert_eq!(game.playing(), expected);
+        }
+    }
+}

@@ -1,0 +1,146 @@
+//! The state of joints, inertial unit and feet.
+
+use bica::prelude::*;
+use bica_motion::joints::{JOINTS, Joint, Joints};
+use bica_motion::robot::{FootPressure, Inertial, Sensors};
+use bica_motion::side::Side;
+use bica_motion::walk::Feedback;
+
+use crate::output::JointCommand;
+
+/// Legs follow their targets from this stiffness on, 0 to 1.
+const FIRM: f32 = 0.6;
+/// Largest roll or pitch of an upright torso, rad.
+const UPRIGHT: f32 = 0.4;
+/// Force on a foot that touches the ground, N.
+const TOUCH: f32 = 10.0;
+
+/// Joint angles, inertial unit and foot pressure of this cycle, and the joint targets of the previous one.
+#[derive(Clone, Copy, Debug)]
+pub struct RobotState {
+    angles: Joints<f32>,
+    commanded: Joints<f32>,
+    /// Whether the legs are stiff enough to follow `commanded`.
+    firm: bool,
+    inertial: Inertial,
+    feet: [FootPressure; 2],
+}
+
+#[component(budget_us = 1)]
+impl RobotState {
+    /// Before the first measurement: everything zero.
+    #[must_use]
+    pub const fn new() -> Self {
+        const NONE: FootPressure = FootPressure { front_left: 0.0, front_right: 0.0, rear_left: 0.0, rear_right: 0.0 };
+        Self {
+            angles: Joints([0.0; JOINTS]),
+            commanded: Joints([0.0; JOINTS]),
+            firm: false,
+            inertial: Inertial { gyro: glam::Vec3::ZERO, acceleration: glam::Vec3::ZERO, roll: 0.0, pitch: 0.0 },
+            feet: [NONE; 2],
+        }
+    }
+
+    /// Takes the measurements of this cycle and the command of the previous one. Instead of a measurement that is not
+    /// finite the last finite one is kept.
+    pub fn measure(&mut self, sensors: &Sensors<'_>, commanded: &JointCommand) {
+        for (kept, new) in self.angles.0.iter_mut().zip(sensors.angles.0) {
+            if new.is_finite() {
+                *kept = new;
+            }
+        }
+        let new = &sensors.inertial;
+        if new.gyro.is_finite() && new.acceleration.is_finite() && new.roll.is_finite() && new.pitch.is_finite() {
+            self.inertial = *new;
+        }
+        if sensors.left_foot.total().is_finite() && sensors.right_foot.total().is_finite() {
+            self.feet = [sensors.left_foot, sensors.right_foot];
+        }
+        self.commanded = commanded.targets;
+        let stiffness = &commanded.stiffness;
+        self.firm = stiffness[Joint::LKneePitch].min(stiffness[Joint::RKneePitch]) >= FIRM;
+    }
+
+    /// Joint targets of the previous cycle, rad; `None` while the torso is not upright or the legs are too soft to follow.
+    #[must_use]
+    pub fn commanded(&self) -> Option<&Joints<f32>> {
+        let upright = self.inertial.roll.abs() < UPRIGHT && self.inertial.pitch.abs() < UPRIGHT;
+        (self.firm && upright).then_some(&self.commanded)
+    }
+
+    /// The feedback for walk and kicks.
+    #[must_use]
+    pub const fn feedback(&self) -> Feedback {
+        Feedback::new(&self.inertial, &self.feet[0], &self.feet[1], &self.angles)
+    }
+
+    /// Joint angles, rad.
+    #[must_use]
+    pub const fn angles(&self) -> &Joints<f32> {
+        &self.angles
+    }
+
+    /// The inertial unit.
+    #[must_use]
+    pub const fn inertial(&self) -> &Inertial {
+        &self.inertial
+    }
+
+    /// Pressure under the left and the right sole.
+    #[must_use]
+    pub const fn feet(&self) -> [&FootPressure; 2] {
+        [&self.feet[0], &self.feet[1]]
+    }
+
+    /// The foot that carries more of the weight.
+    #[must_use]
+    pub fn support(&self) -> Side {
+        if self.feet[1].total() > self.feet[0].total() { Side::Right } else { Side::Left }
+    }
+
+    /// Whether both feet touch the ground.
+    #[must_use]
+    pub fn grounded(&self) -> bool {
+        self.feet[0].total().min(self.feet[1].total()) > TOUCH
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn sensors(angle: f32, roll: f32) -> Sensors<'static> {
+        Sensors {
+            angles: Joints([angle; JOINTS]),
+            temperatures: Joints([30.0; JOINTS]),
+            currents: Joints([0.0; JOINTS]),
+            inertial: Inertial { roll, ..Inertial::default() },
+            left_foot: FootPressure::default(),
+            right_foot: FootPressure::default(),
+            buttons: bica_motion::robot::Buttons::default(),
+            image: None,
+        }
+    }
+
+    fn command(stiffness: f32) -> JointCommand {
+        JointCommand { targets: Joints([0.2; JOINTS]), stiffness: Joints([stiffness; JOINTS]) }
+    }
+
+    #[test]
+    fn a_measurement_that_is_not_finite_leaves_the_last_one() {
+        let mut state = RobotState::new();
+        state.measure(&sensors(0.1, 0.3), &command(1.0));
+        state.measure(&sensors(f32::NAN, f32::INFINITY), &command(1.0));
+        assert_eq!(state.angles(), &Joints([0.1; JOINTS]));
+        assert_eq!(state.inertial().roll.to_bits(), 0.3_f32.to_bits());
+    }
+
+    #[test]
+    fn the_previous_command_is_valid_only_for_stiff_legs_under_an_upright_torso() {
+        let mut state = RobotState::new();
+        for (roll, stiffness, valid) in [(0.0, 1.0, true), (0.0, 0.5, false), (0.5, 1.0, false), (-0.5, 1.0, false)] {
+            state.measure(&sensors(0.0, roll), &command(stiffness));
+            assert_eq!(state.commanded().is_some(), valid, "roll {roll}, stiffness {stiffness}");
+        }
+    }
+}

@@ -1,0 +1,30 @@
+//! The selected camera.
+
+use bica::prelude::*;
+use bica_motion::robot::CameraId;
+
+/// The camera selection: the robot sends the images of one camera at a time.
+#[derive(Debug)]
+pub struct CameraSelector {
+    camera: CameraId,
+}
+
+#[component(budget_us = 1)]
+impl CameraSelector {
+    /// The top camera.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self { camera: CameraId::Top }
+    }
+
+    /// Selects the camera whose images are sent from now on.
+    pub const fn select(&mut self, camera: CameraId) {
+        self.camera = camera;
+    }
+
+    /// The selected camera.
+    #[must_use]
+    pub const fn selected(&self) -> CameraId {
+        self.camera
+    }
+}

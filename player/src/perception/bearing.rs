@@ -1,0 +1,30 @@
+//! Bearings from the head.
+
+use glam::{Vec2, Vec3};
+use libm::{atan2f, hypotf};
+
+/// Height of the cameras over the ground in a walking robot, m.
+const CAMERA_HEIGHT: f32 = 0.48;
+
+/// A direction from the head, relative to an upright torso.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bearing {
+    /// Angle to the left, rad.
+    pub pan: f32,
+    /// Angle below the horizon, rad.
+    pub down: f32,
+}
+
+impl Bearing {
+    /// The bearing of a direction vector (ground frame: x forward, y left, z up).
+    #[must_use]
+    pub fn of(direction: Vec3) -> Self {
+        Self { pan: atan2f(direction.y, direction.x), down: atan2f(-direction.z, hypotf(direction.x, direction.y)) }
+    }
+
+    /// The bearing of a point `height` m above a place on the ground, m.
+    #[must_use]
+    pub fn of_ground(place: Vec2, height: f32) -> Self {
+        Self::of(place.extend(height - CAMERA_HEIGHT))
+    }
+}

@@ -1,0 +1,249 @@
+//! The attacked goal.
+
+use bica::prelude::*;
+use bica_field::{FIELD, GoalColour};
+use bica_motion::pose::rotate;
+use bica_vision::frame::Frame;
+use bica_vision::gap;
+use bica_vision::goal::{Goal, GoalFinder, Goals, Post, PostSide};
+use bica_vision::memory::{Memory, PositionEstimate, visibility};
+use bica_vision::projection::Camera;
+use bica_vision::uncertainty::{self, Covariance, Errors};
+use glam::Vec2;
+
+use super::ego_motion::EgoMotion;
+use super::{CameraPose, FieldBoundary, Odometry, OwnBody};
+use crate::input::{CameraInput, Colours};
+
+/// Half-life of the confidence in a goal that is not seen, s.
+const HALF_LIFE: f32 = 20.0;
+/// Largest relative error of the distance between two posts of one goal.
+const WIDTH_ERROR: f32 = 0.3;
+/// Width of the narrowest gap to aim at, relative to the goal.
+const ROOM: f32 = 0.25;
+/// Largest correction of the remembered goal by a single post, m; a farther post belongs to something else.
+const SAME: f32 = 0.6;
+/// Distance up to which a goal in view is always detected, m.
+const VISIBLE: f32 = 4.0;
+/// Standard deviation of the middle of the goal from one post of unknown side, m.
+const HALF_GOAL: f32 = 0.5 * FIELD.goal_width();
+/// Standard deviation of a goal whose post bases are not in view, m.
+const UNSURE: f32 = 0.5;
+
+/// Finds the attacked goal in the image (the paper's "net") and remembers its position.
+pub struct GoalDetector {
+    finder: GoalFinder<512>,
+    attacked: GoalColour,
+    goals: Goals,
+    seen: Option<Goal>,
+    /// Both posts were seen at once since the last restart of the search.
+    complete: bool,
+    /// A part was seen since the last restart of the search.
+    found: bool,
+    /// From the right post to the left one, length 1, in the frame of the odometry.
+    across: Vec2,
+    gap: Option<f32>,
+    memory: Memory,
+    ego_motion: EgoMotion,
+}
+
+#[component(hz = 30, budget_us = 500)]
+impl GoalDetector {
+    /// Attacks the yellow goal.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self {
+            finder: GoalFinder::new(),
+            attacked: GoalColour::Yellow,
+            goals: Goals { yellow: None, blue: None },
+            seen: None,
+            complete: false,
+            found: false,
+            across: Vec2::Y,
+            gap: None,
+            memory: Memory::new(HALF_LIFE),
+            ego_motion: EgoMotion::new(),
+        }
+    }
+
+    fn step(
+        &mut self,
+        time: &Time,
+        input: &CameraInput,
+        colours: &Colours,
+        end: &FieldBoundary,
+        pose: &CameraPose,
+        own: &OwnBody,
+        odometry: &Odometry,
+    ) {
+        let advance = |motion| self.memory.advance(motion, time.dt());
+        if !self.ego_motion.begin_run(odometry, input, advance) {
+            return;
+        }
+        self.goals = self.look(input, colours, end, pose);
+        self.seen = if self.attacked == GoalColour::Yellow { self.goals.yellow } else { self.goals.blue };
+        match (self.seen, pose.camera()) {
+            (Some(goal), Some(camera)) => {
+                self.remember(&goal, camera);
+                self.measure_gap(&goal, camera, input, colours);
+            }
+            (None, Some(camera)) if pose.is_steady() => self.reduce_confidence(input, camera, own),
+            _ => {}
+        }
+    }
+
+    fn look(&mut self, input: &CameraInput, colours: &Colours, end: &FieldBoundary, pose: &CameraPose) -> Goals {
+        let frame = Frame::from_image(&input.image());
+        frame.map_or(Goals::default(), |frame| self.finder.find(&frame, colours, end.line(), pose.camera()))
+    }
+
+    /// Updates the remembered goal: two posts give its position; one post corrects it, or gives a first estimate.
+    fn remember(&mut self, goal: &Goal, camera: &Camera) {
+        let Some(first) = goal.first.ground(camera) else { return };
+        if let Some(second) = goal.second.and_then(|post| post.ground(camera)) {
+            let across = first - second;
+            if (across.length() - FIELD.goal_width()).abs() < WIDTH_ERROR * FIELD.goal_width() {
+                self.across = rotate(across.normalize(), self.ego_motion.heading());
+                (self.complete, self.found) = (true, true);
+                self.memory.see(0.5 * (first + second), &Self::spread(goal, camera), 0.9);
+            }
+        } else if let Some(known) = self.memory.position() {
+            let middle = middle_by(first, goal.first.side, self.across(), known);
+            if middle.distance(known) < SAME {
+                self.found = true;
+                self.memory.see(middle, &Self::spread(goal, camera), 0.3);
+            } else if goal.first.has_base {
+                // A post stands where the remembered goal has none.
+                self.memory.miss();
+            }
+        } else if let Some(middle) = goal.ground(camera) {
+            self.across = rotate(middle.normalize_or_zero().perp(), self.ego_motion.heading());
+            self.found = true;
+            self.memory.see(middle, &(Self::spread(goal, camera) + uncertainty::round(HALF_GOAL)), 0.3);
+        }
+    }
+
+    /// Reduces the confidence in a remembered goal of which a sharp image should show both posts.
+    fn reduce_confidence(&mut self, input: &CameraInput, camera: &Camera, own: &OwnBody) {
+        let Some(place) = self.memory.estimate() else { return };
+        let size = Vec2::new(input.image().width.into(), input.image().height.into());
+        let half = 0.5 * FIELD.goal_width() * self.across();
+        let posts = [half, -half].map(|aside| PositionEstimate { position: place.position + aside, ..place });
+        if posts.iter().all(|post| visibility::is_in_view(camera, size, own.body(), post, FIELD.post_radius(), VISIBLE))
+        {
+            self.memory.miss();
+        }
+    }
+
+    /// The covariance of the post bases on the ground, m².
+    fn spread(goal: &Goal, camera: &Camera) -> Covariance {
+        let feet = [Some(goal.first), goal.second].into_iter().flatten();
+        let spread =
+            feet.filter_map(|post| uncertainty::of_ground(camera, post.base, 0.0, &Errors::NAO)).reduce(|a, b| a + b);
+        spread.map_or(uncertainty::round(UNSURE), |spread| spread * if goal.second.is_some() { 0.5 } else { 1.0 })
+    }
+
+    /// Measures the gap beside the keeper; possible only if both posts are in view.
+    fn measure_gap(&mut self, goal: &Goal, camera: &Camera, input: &CameraInput, colours: &Colours) {
+        let place = |post: Post| post.ground(camera).filter(|_| post.has_base);
+        let posts = place(goal.first).zip(goal.second.and_then(place));
+        let (Some((left, right)), Ok(frame)) = (posts, Frame::from_image(&input.image())) else { return };
+        let gap = gap::widest(&frame, colours, camera, left, right);
+        if let Some(gap) = gap.filter(|gap| gap.width() > ROOM) {
+            self.gap = Some(FIELD.goal_width() * (0.5 - gap.middle()));
+        }
+    }
+
+    /// Sets the colour of the attacked goal and forgets the remembered one.
+    pub fn attack(&mut self, colour: GoalColour) {
+        self.attacked = colour;
+        self.complete = false;
+        self.gap = None;
+        self.memory.forget();
+    }
+
+    /// The colour of the attacked goal.
+    #[must_use]
+    pub const fn attacked(&self) -> GoalColour {
+        self.attacked
+    }
+
+    /// Restarts the search: from now on only new sightings count as found; the remembered position stays.
+    pub const fn restart_search(&mut self) {
+        (self.complete, self.found) = (false, false);
+    }
+
+    /// Both goals in the newest image.
+    #[must_use]
+    pub const fn goals(&self) -> &Goals {
+        &self.goals
+    }
+
+    /// The attacked goal in the newest image.
+    #[must_use]
+    pub const fn seen(&self) -> Option<&Goal> {
+        self.seen.as_ref()
+    }
+
+    /// Whether both posts were seen at once since the search was restarted.
+    #[must_use]
+    pub const fn is_complete(&self) -> bool {
+        self.complete
+    }
+
+    /// Whether a part of the remembered goal was seen since the search was restarted.
+    #[must_use]
+    pub const fn is_found(&self) -> bool {
+        self.found
+    }
+
+    /// The unit vector along the goal line, from the right post to the left one, in the ground frame.
+    #[must_use]
+    pub fn across(&self) -> Vec2 {
+        rotate(self.across, -self.ego_motion.heading())
+    }
+
+    /// The middle of the widest gap, m to the left of the middle of the goal; `None` if both posts were never in view at
+    /// once.
+    #[must_use]
+    pub const fn gap(&self) -> Option<f32> {
+        self.gap
+    }
+
+    /// The position of the middle of the goal, m, in the ground frame between the feet.
+    #[must_use]
+    pub fn position(&self) -> Option<Vec2> {
+        self.memory.position()
+    }
+
+    /// The same with its covariance, m².
+    #[must_use]
+    pub fn estimate(&self) -> Option<PositionEstimate> {
+        self.memory.estimate()
+    }
+}
+
+/// The middle of a goal, from one of its posts and the unit vector along its line. For a post of unknown side: of both
+/// candidates, the one that is nearer to the `known` position.
+fn middle_by(post: Vec2, side: PostSide, across: Vec2, known: Vec2) -> Vec2 {
+    let half = 0.5 * FIELD.goal_width() * across;
+    let (if_left, if_right) = (post - half, post + half);
+    let is_nearer = side == PostSide::Unknown && if_left.distance(known) < if_right.distance(known);
+    if side == PostSide::Left || is_nearer { if_left } else { if_right }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_side_of_a_post_gives_the_side_of_the_goal() {
+        let (left_post, goal) = (Vec2::new(2.0, 0.7), Vec2::new(2.0, 0.0));
+        let elsewhere = Vec2::new(2.0, 1.4);
+        assert_eq!(middle_by(left_post, PostSide::Left, Vec2::Y, elsewhere), goal);
+        assert_eq!(middle_by(left_post, PostSide::Right, Vec2::Y, goal), elsewhere);
+        for known in [goal, elsewhere] {
+            assert_eq!(middle_by(left_post, PostSide::Unknown, Vec2::Y, known), known);
+        }
+    }
+}

@@ -1,0 +1,216 @@
+//! Falling, lying and getting up.
+//!
+//! The simulator has no contact forces on the ground, so it decides from postures what a real robot does by pushing itself up:
+//! after a fall the robot stands again once it has folded its legs and then holds a posture that balances on both soles.
+
+use core::f32::consts::FRAC_PI_2;
+
+use bica_motion::fall::Direction;
+use bica_motion::joints::{Joint, Joints};
+use bica_motion::kinematics::Skeleton;
+use bica_motion::pose::Pose2;
+use bica_motion::side::Side;
+use glam::{Affine3A, Quat, Vec2, Vec3, Vec3A};
+
+use super::balance::Balance;
+use super::stance::Stance;
+use crate::transform::level_pose;
+
+/// Time from the loss of balance to the ground, cycles.
+const FALLING: u32 = 60;
+/// Time from a balanced posture on the ground to standing, cycles.
+const RISING: u32 = 50;
+/// Minimum time from the ground to standing, cycles.
+const GETTING_UP: u32 = 250;
+/// Bend of both hips beyond which the robot sits instead of lying, rad: the torso is off the ground.
+const SITTING_HIP: f32 = 1.05;
+/// Lean of the torso of a sitting robot, rad.
+const SITTING_LEAN: f32 = 0.8;
+/// Bend of both knees that a robot must have passed before it can rise, rad.
+///
+/// A robot rises through a squat that balances on its soles. Its hips start 0.08 to 0.11 m above the ground (lying), and arms and
+/// torso lift them by about 4 cm. The lowest balanced squat has its hips at 0.145 m with knees at 1.8 rad, at 0.18 m with
+/// knees at 1.2 rad, and at 0.126 m with knees at their stop of 2.1 rad: with straighter knees the robot does not reach it.
+const FOLDED_KNEE: f32 = 1.8;
+/// Minimum bend of the knees of a standing robot, rad: below, the legs are stretched.
+const STANDING_KNEE_MIN: f32 = 0.3;
+/// Bend of the knees from which on a robot squats instead of standing, rad.
+const STANDING_KNEE_MAX: f32 = 1.4;
+/// Distance of the robot frame from the feet after a fall, along the ground, m.
+const FALL_LENGTH: f32 = 0.22;
+
+/// State of a robot that is not on its feet.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Fallen {
+    direction: Direction,
+    /// Robot frame on the ground with the heading before the fall: where the robot lies and, later, stands up.
+    pose: Pose2,
+    /// Robot frame when the balance was lost, field frame.
+    from: Affine3A,
+    /// Cycles since then.
+    cycles: u32,
+    /// Cycles since the robot sat up, at most [`RISING`].
+    sitting: u32,
+    /// Whether the knees have passed [`FOLDED_KNEE`] on the ground.
+    folded: bool,
+    /// Cycles in a posture that balances.
+    rising: u32,
+}
+
+impl Fallen {
+    /// Returns the start of a fall in a direction from a pose with a heading.
+    pub(crate) fn new(direction: Direction, from: Affine3A, heading: f32) -> Self {
+        let axis = match direction {
+            Direction::Front => Vec3A::X,
+            Direction::Back => Vec3A::NEG_X,
+            Direction::Left => Vec3A::Y,
+            Direction::Right => Vec3A::NEG_Y,
+        };
+        let ground = from.translation + Affine3A::from_rotation_z(heading).transform_vector3a(axis * FALL_LENGTH);
+        let pose = Pose2 { position: ground.truncate(), heading };
+        Self { direction, pose, from, cycles: 0, sitting: 0, folded: false, rising: 0 }
+    }
+
+    /// Side to which the robot falls or fell.
+    pub(crate) const fn direction(&self) -> Direction {
+        self.direction
+    }
+
+    /// Robot frame on the ground with the heading before the fall.
+    pub(crate) const fn pose(&self) -> Pose2 {
+        self.pose
+    }
+
+    /// Pose of the robot frame in the field frame.
+    pub(crate) fn robot(&self, skeleton: &Skeleton) -> Affine3A {
+        if self.cycles < FALLING {
+            let part = self.cycles as f32 / FALLING as f32;
+            return between(&self.from, &self.lying(), part * part);
+        }
+        if self.rising > 0 {
+            let standing = Stance::under(self.pose, skeleton).robot(skeleton);
+            return between(&self.resting(), &standing, self.rising as f32 / RISING as f32);
+        }
+        self.resting()
+    }
+
+    /// Advances by one cycle. Returns the stance when the robot is on its feet again.
+    ///
+    /// The robot sits from the first cycle on in which both hips are bent enough. It stands after the knees were folded and a
+    /// balanced posture was then held for 0.5 s, at the earliest 2.5 s after it reached the ground.
+    pub(crate) fn step(&mut self, angles: &Joints, skeleton: &Skeleton) -> Option<Stance> {
+        self.cycles += 1;
+        if self.cycles < FALLING {
+            return None;
+        }
+        let bent = [Joint::LHipPitch, Joint::RHipPitch].iter().all(|&hip| angles[hip] < -SITTING_HIP);
+        if bent || self.sitting > 0 {
+            self.sitting = (self.sitting + 1).min(RISING);
+        }
+        self.folded |= [Joint::LKneePitch, Joint::RKneePitch].iter().all(|&knee| angles[knee] > FOLDED_KNEE);
+        if !self.folded || !can_stand(angles, skeleton) {
+            self.rising = 0;
+            return None;
+        }
+        if self.cycles >= FALLING + GETTING_UP - RISING {
+            self.rising += 1;
+        }
+        (self.rising >= RISING).then(|| Stance::under(self.pose, skeleton))
+    }
+
+    /// Displaces the robot along the ground. Field frame, m.
+    pub(crate) fn shift(&mut self, by: Vec2) {
+        self.pose.position += by;
+    }
+
+    fn resting(&self) -> Affine3A {
+        between(&self.lying(), &self.leaning(SITTING_LEAN), self.sitting as f32 / RISING as f32)
+    }
+
+    fn lying(&self) -> Affine3A {
+        self.leaning(FRAC_PI_2)
+    }
+
+    /// Returns the robot frame on the ground with the torso leaning toward the side of the fall, rad from upright.
+    fn leaning(&self, angle: f32) -> Affine3A {
+        let (turn, height) = match self.direction {
+            Direction::Front => (Quat::from_rotation_y(angle), 0.08),
+            Direction::Back => (Quat::from_rotation_y(-angle), 0.09),
+            Direction::Left => (Quat::from_rotation_x(-angle), 0.11),
+            Direction::Right => (Quat::from_rotation_x(angle), 0.11),
+        };
+        level_pose(&self.pose) * Affine3A::from_rotation_translation(turn, Vec3::new(0.0, 0.0, height))
+    }
+}
+
+/// Returns whether the body would balance on level soles if it were put upright.
+fn can_stand(angles: &Joints, skeleton: &Skeleton) -> bool {
+    let soles = Side::BOTH.map(|side| skeleton.sole(side));
+    let level = soles.iter().all(|sole| sole.matrix3.z_axis.z > 0.95);
+    let even = (soles[0].translation.z - soles[1].translation.z).abs() < 0.01;
+    let bent = |knee: Joint| (STANDING_KNEE_MIN..STANDING_KNEE_MAX).contains(&angles[knee]);
+    let ground = Affine3A::from_translation(Vec3::new(0.0, 0.0, -soles[0].translation.z));
+    let soles = soles.map(|sole| ground * sole);
+    let balance = Balance { soles, support: Side::Left, mass: skeleton.centre_of_mass() };
+    level && even && bent(Joint::LKneePitch) && bent(Joint::RKneePitch) && balance.offset_outside_support().is_none()
+}
+
+/// Interpolates between two poses.
+fn between(from: &Affine3A, to: &Affine3A, part: f32) -> Affine3A {
+    let rotation = |pose: &Affine3A| Quat::from_mat3a(&pose.matrix3).normalize();
+    let position = from.translation.lerp(to.translation, part);
+    Affine3A::from_rotation_translation(rotation(from).slerp(rotation(to), part), position.into())
+}
+
+#[cfg(test)]
+mod tests {
+    use bica_motion::limits::limit;
+    use bica_motion::stand::STAND;
+
+    use super::*;
+
+    /// Returns the lowest height of the robot frame above the soles, m, among postures with these knees that balance.
+    fn lowest_balanced_squat(knee: f32) -> f32 {
+        let grid = |joint: Joint| {
+            let range = limit(joint);
+            (0..60).map(move |i| range.min + (range.max - range.min) * i as f32 / 59.0)
+        };
+        let heights = grid(Joint::LHipPitch).flat_map(|hip| {
+            grid(Joint::LAnklePitch).filter_map(move |ankle| {
+                let mut angles = STAND;
+                for side in Side::BOTH {
+                    let leg = side.leg();
+                    (angles[leg[2]], angles[leg[3]], angles[leg[4]]) = (hip, knee, ankle);
+                }
+                let skeleton = Skeleton::of(&angles);
+                let level = skeleton.sole(Side::Left).inverse();
+                let soles = Side::BOTH.map(|side| level * skeleton.sole(side));
+                let mass = level.transform_point3(skeleton.centre_of_mass());
+                let upright = level.matrix3.z_axis.z > 0.0;
+                let balance = Balance { soles, support: Side::Left, mass };
+                (upright && balance.offset_outside_support().is_none()).then_some(level.translation.z)
+            })
+        });
+        heights.fold(f32::INFINITY, f32::min)
+    }
+
+    #[test]
+    fn the_squat_with_folded_knees_is_low_enough_to_be_reached_from_the_ground() {
+        for (knee, height) in [(FOLDED_KNEE, 0.145), (1.2, 0.177), (2.1, 0.126)] {
+            let lowest = lowest_balanced_squat(knee);
+            assert!((lowest - height).abs() < 0.003, "knees at {knee} rad: {lowest} m");
+        }
+    }
+
+    #[test]
+    fn only_a_robot_that_folded_its_knees_can_rise() {
+        for (bend, rises) in [(FOLDED_KNEE - 0.02, false), (FOLDED_KNEE + 0.02, true)] {
+            let mut folded = STAND;
+            (folded[Joint::LKneePitch], folded[Joint::RKneePitch]) = (bend, bend);
+            let mut fallen = Fallen::new(Direction::Front, Affine3A::IDENTITY, 0.0);
+            let postures = core::iter::repeat_n(folded, 100).chain(core::iter::repeat_n(STAND, 400));
+            let stands = postures.filter(|angles| fallen.step(angles, &Skeleton::of(angles)).is_some()).count() > 0;
+            assert_eq!(stands, rises, "knees at {bend} rad");
+        }
+    }
+}

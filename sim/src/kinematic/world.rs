@@ -1,0 +1,192 @@
+//! The kinematic world: body, ball, obstacles, camera and referee.
+
+use core::time::Duration;
+
+use bica_motion::joints::Joint;
+use bica_motion::robot::{Buttons, CameraId, Command, Image, Sensors};
+use glam::{Affine3A, Vec2, Vec3};
+
+use super::ball::Ball;
+use super::body::Body;
+use super::render::{Renderer, Scene};
+use super::{ball_motion, collision};
+use crate::layout::{Layout, OtherRobot};
+use crate::obstacle::{GOALS, Obstacle};
+use crate::random::{Random, Stream};
+use crate::referee::rules::Rules;
+use crate::referee::{Posture, Referee};
+use crate::segmentation::PixelLabel;
+use crate::setup::{Setup, SetupError};
+use crate::spectator::{Picture, RenderError, SpectatorCamera, SpectatorView};
+use crate::transform::angular_velocity;
+use crate::world::{CYCLE, World, frame, image_is_due};
+
+/// A robot on the field of 2009, simulated by kinematics.
+#[derive(Clone, Debug)]
+pub struct KinematicWorld {
+    cycle: u64,
+    body: Body,
+    buttons: Buttons,
+    ball: Ball,
+    rules: Rules,
+    /// Goals, then other robots.
+    obstacles: Vec<Obstacle>,
+    referee: Referee,
+    camera: CameraId,
+    /// Poses of both cameras in the previous cycle, field frame.
+    previous_cameras: [Affine3A; 2],
+    renderer: Renderer,
+    image: Vec<u8>,
+    image_is_new: bool,
+}
+
+impl KinematicWorld {
+    /// Builds a world in its start state.
+    ///
+    /// # Errors
+    ///
+    /// If the setup is invalid; the error names the parameter.
+    pub fn new(setup: &Setup) -> Result<Self, SetupError> {
+        setup.check()?;
+        let layout = Layout::new(setup, &mut Random::new(setup.seed, Stream::Start));
+        let body = Body::standing(layout.start.robot, setup.seed);
+        let others = layout.others.iter().map(|other| other.pose).collect();
+        let referee = Referee::new(layout.attacks, body.pose(), layout.start.ball, others);
+        let previous_cameras = cameras(&body);
+        let (width, height) = setup.frame.size();
+        let mut world = Self {
+            cycle: 0,
+            body,
+            buttons: Buttons::default(),
+            ball: Ball::at(layout.start.ball, layout.rolling_deceleration),
+            rules: Rules::default(),
+            obstacles: GOALS.iter().copied().chain(layout.others.iter().map(legs)).collect(),
+            referee,
+            camera: CameraId::Top,
+            previous_cameras,
+            renderer: Renderer::new(setup, &layout),
+            image: vec![0; 2 * width * height],
+            image_is_new: false,
+        };
+        world.resolve_collisions();
+        Ok(world)
+    }
+
+    /// Sets the temperature of a joint's motor, °C; from then on the thermal model continues. For experiments.
+    pub fn set_motor_temperature(&mut self, joint: Joint, temperature: f32) {
+        self.body.set_motor_temperature(joint, temperature);
+    }
+
+    /// Renders the label of each pixel of an image taken now, row by row from the top left. Ground truth, for evaluation
+    /// only. Takes about as long as an image.
+    pub fn segmentation_mask(&mut self) -> Vec<PixelLabel> {
+        let camera = self.body.camera(self.camera);
+        let scene = scene(&self.body, camera, &camera, frame(self.cycle), self.ball.position);
+        self.renderer.segmentation_mask(&scene)
+    }
+
+    /// Moves the robot out of obstacles and sets the bumpers. Returns whether it touched any.
+    fn resolve_collisions(&mut self) -> bool {
+        let (buttons, hit) = collision::resolve(&mut self.body, &self.obstacles);
+        self.buttons = buttons;
+        hit
+    }
+
+    fn move_ball(&mut self, previous_soles: [Affine3A; 2], now: Duration) {
+        let soles = self.body.soles();
+        let motions = [(previous_soles[0], soles[0]), (previous_soles[1], soles[1])];
+        let mut obstacles = self.obstacles.clone();
+        if matches!(self.body.posture(), Posture::Down(_)) {
+            obstacles.push(lying(&self.body));
+        }
+        let touching = ball_motion::advance(&mut self.ball, motions, &obstacles);
+        self.rules.record_touch(now, touching, self.ball.velocity.length(), &mut self.referee);
+        if let Some(place) = self.rules.apply(now, self.ball.position, &mut self.referee) {
+            self.ball = Ball::at(place, self.ball.rolling_deceleration);
+        }
+        self.referee.set_ball(self.ball.position, self.ball.velocity);
+    }
+
+    fn take_image(&mut self) {
+        let camera = self.body.camera(self.camera);
+        let previous = &self.previous_cameras[self.camera as usize];
+        let scene = scene(&self.body, camera, previous, frame(self.cycle), self.ball.position);
+        self.renderer.draw(&scene, &mut self.image);
+    }
+}
+
+impl World for KinematicWorld {
+    fn now(&self) -> Duration {
+        CYCLE * u32::try_from(self.cycle).unwrap_or(u32::MAX)
+    }
+
+    fn sensors(&mut self) -> Sensors<'_> {
+        if image_is_due(self.cycle) && !self.image_is_new {
+            self.take_image();
+            self.image_is_new = true;
+        }
+        let (width, height) = self.renderer.size();
+        let image = Image { camera: self.camera, width: width as u16, height: height as u16, yuyv: &self.image };
+        let measured = self.body.measurement();
+        Sensors {
+            angles: measured.angles,
+            temperatures: measured.temperatures,
+            currents: measured.currents,
+            inertial: measured.inertial,
+            left_foot: measured.feet[0],
+            right_foot: measured.feet[1],
+            buttons: self.buttons,
+            image: self.image_is_new.then_some(image),
+        }
+    }
+
+    fn act(&mut self, command: &Command) {
+        self.previous_cameras = cameras(&self.body);
+        self.image_is_new = false;
+        self.cycle += 1;
+        self.camera = command.camera;
+        let now = self.now();
+        let previous_soles = self.body.soles();
+        if let Some(event) = self.body.step(command) {
+            self.referee.record(now, event);
+        }
+        if self.resolve_collisions() {
+            self.rules.record_collision(now, &mut self.referee);
+        }
+        self.body.measure();
+        self.referee.set_robot(self.body.pose(), self.body.posture());
+        self.move_ball(previous_soles, now);
+    }
+
+    fn referee(&self) -> &Referee {
+        &self.referee
+    }
+}
+
+impl SpectatorView for KinematicWorld {
+    fn render_from(&mut self, camera: &SpectatorCamera, width: usize, height: usize) -> Result<Picture, RenderError> {
+        let own_camera = self.body.camera(self.camera);
+        let scene = scene(&self.body, own_camera, &own_camera, frame(self.cycle), self.ball.position);
+        Ok(self.renderer.render_from(&scene, camera, width, height))
+    }
+}
+
+/// Describes what a camera shows whose pose was `previous` one cycle ago.
+fn scene<'a>(body: &'a Body, camera: Affine3A, previous: &Affine3A, frame: u64, ball: Vec2) -> Scene<'a> {
+    let angular_velocity = angular_velocity(&previous.matrix3, &camera.matrix3);
+    Scene { camera, angular_velocity, frame, ball, robot: body.robot(), skeleton: body.skeleton() }
+}
+
+fn cameras(body: &Body) -> [Affine3A; 2] {
+    [CameraId::Top, CameraId::Bottom].map(|camera| body.camera(camera))
+}
+
+fn legs(other: &OtherRobot) -> Obstacle {
+    let foot = |y| other.pose.place(Vec2::new(0.02, y));
+    Obstacle::legs(foot(0.05), foot(-0.05))
+}
+
+fn lying(body: &Body) -> Obstacle {
+    let along = |z| body.robot().transform_point3(Vec3::new(0.0, 0.0, z)).truncate();
+    Obstacle::lying(along(0.0), along(0.25))
+}
