@@ -118,7 +118,8 @@ fn middles(a: Vec2, b: Vec2, radius: f32) -> [Option<Vec2>; 2] {
 
 fn fits(piece: &Line, centre: Vec2) -> bool {
     let near = |point: Vec2| {
-        libm::fabsf(point.distance(centre) - FIELD.centre_circle_radius()) <= TOLERANCE + TOLERANCE_PER_METRE * point.length()
+        libm::fabsf(point.distance(centre) - FIELD.centre_circle_radius())
+            <= TOLERANCE + TOLERANCE_PER_METRE * point.length()
     };
     near(piece.from) && near(piece.to) && near(middle(piece))
 }

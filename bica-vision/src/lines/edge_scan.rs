@@ -71,7 +71,7 @@ impl<'a> ParallelScan<'a> {
 mod lockstep {
     use wide::{i16x8, u16x8};
 
-    use super::{RISE, RISE_DIVISOR, Rise, SMOOTH, ParallelScan};
+    use super::{ParallelScan, RISE, RISE_DIVISOR, Rise, SMOOTH};
 
     #[inline]
     pub(super) fn next_rise(scan: &mut ParallelScan<'_>, end: u16) -> Option<Rise> {
@@ -134,7 +134,7 @@ mod lockstep {
 
 #[cfg(not(any(target_arch = "x86_64", target_arch = "aarch64")))]
 mod lockstep {
-    use super::{RISE, RISE_DIVISOR, Rise, SMOOTH, ParallelScan};
+    use super::{ParallelScan, RISE, RISE_DIVISOR, Rise, SMOOTH};
 
     #[inline]
     pub(super) fn next_rise(scan: &mut ParallelScan<'_>, end: u16) -> Option<Rise> {
