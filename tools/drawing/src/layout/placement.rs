@@ -1,31 +1,41 @@
-//! Where things are on the picture, in pixels.
+//! Coordinates of the items, px.
 
 use super::layers::{Item, Layers, Segment};
 
+/// Width of a component, px.
 pub const BOX_WIDTH: f64 = 104.0;
+/// Height of a component, px.
 pub const BOX_HEIGHT: f64 = 38.0;
-const PASSAGE_WIDTH: f64 = 2.0;
+/// Width of a dummy node, px.
+const DUMMY_WIDTH: f64 = 2.0;
+/// Least distance between two items of a layer, px.
 const GAP: f64 = 11.0;
-const ROW: f64 = 96.0;
+/// Distance from layer to layer, px.
+const LAYER_DISTANCE: f64 = 96.0;
+/// Margin around the drawing, px.
 const MARGIN: f64 = 14.0;
-/// How often boxes are moved towards their neighbours.
+/// Number of passes that move the items towards their neighbours.
 const SWEEPS: usize = 60;
 
-/// The positions of all items.
+/// Coordinates of all items.
 #[derive(Debug)]
-pub struct Places {
+pub struct Placement {
+    /// Width of the drawing, px.
     pub width: f64,
+    /// Height of the drawing, px.
     pub height: f64,
-    /// The middle of each item.
+    /// Centre of each item.
     x: Vec<f64>,
-    /// Its upper end.
+    /// Upper edge of each item.
     y: Vec<f64>,
-    /// Where on its upper item each segment starts and on its lower item it ends, in the order of the segments.
+    /// x of each segment at its upper and at its lower item.
     ports: Vec<(f64, f64)>,
     segments: Vec<Segment>,
 }
 
-impl Places {
+impl Placement {
+    /// Coordinates for these layers.
+    #[must_use]
     pub fn new(layers: &Layers) -> Self {
         let x = columns(layers);
         let left = bounds(layers, &x).0;
@@ -33,12 +43,12 @@ impl Places {
         let mut y = vec![0.0; x.len()];
         for (row, items) in layers.rows.iter().enumerate() {
             for &item in items {
-                y[item] = MARGIN + row as f64 * ROW;
+                y[item] = MARGIN + row as f64 * LAYER_DISTANCE;
             }
         }
         Self {
             width: bounds(layers, &x).1 + MARGIN,
-            height: MARGIN * 2.0 + BOX_HEIGHT + ROW * layers.rows.len().saturating_sub(1) as f64,
+            height: MARGIN * 2.0 + BOX_HEIGHT + LAYER_DISTANCE * layers.rows.len().saturating_sub(1) as f64,
             ports: ports(layers, &x),
             segments: layers.segments.clone(),
             x,
@@ -46,12 +56,14 @@ impl Places {
         }
     }
 
-    /// The middle of the upper edge of an item.
+    /// Returns the middle of the upper edge of an item.
+    #[must_use]
     pub fn of(&self, item: usize) -> (f64, f64) {
         (self.x[item], self.y[item])
     }
 
-    /// Where a segment starts and ends.
+    /// Returns the start and the end of a segment.
+    #[must_use]
     pub fn ends(&self, segment: &Segment) -> ((f64, f64), (f64, f64)) {
         let ports = self.segments.iter().zip(&self.ports).find(|(other, _)| *other == segment);
         let (from, to) = ports.map_or((self.x[segment.upper], self.x[segment.lower]), |(_, ports)| *ports);
@@ -62,7 +74,7 @@ impl Places {
 fn width(item: Item) -> f64 {
     match item {
         Item::Component(_) => BOX_WIDTH,
-        Item::Passage => PASSAGE_WIDTH,
+        Item::Dummy => DUMMY_WIDTH,
     }
 }
 
@@ -73,7 +85,7 @@ fn bounds(layers: &Layers, x: &[f64]) -> (f64, f64) {
     (if left.is_finite() { left } else { 0.0 }, right)
 }
 
-/// Moves each row as near to its neighbours as its order and the gaps allow, in turn, until they rest.
+/// Moves each layer towards its neighbours, in turn, as far as its order and the gaps allow.
 fn columns(layers: &Layers) -> Vec<f64> {
     let mut x = vec![0.0; layers.items.len()];
     for row in &layers.rows {
@@ -88,8 +100,8 @@ fn columns(layers: &Layers) -> Vec<f64> {
     x
 }
 
-/// Gives the items of a row the places with the least sum of squared distances to where their neighbours want them:
-/// without the gaps that is the regression of an increasing sequence, solved by pooling adjacent violators.
+/// Sets the items of a layer to the positions with the least sum of squared distances from the means of their neighbours.
+/// Without the gaps this is isotonic regression, solved by pooling adjacent violators.
 fn spread(layers: &Layers, row: &[usize], x: &mut [f64]) {
     let mut offset = 0.0;
     let mut offsets = Vec::new();
@@ -99,8 +111,8 @@ fn spread(layers: &Layers, row: &[usize], x: &mut [f64]) {
             offset += f64::midpoint(width(layers.items[row[place - 1]]), width(layers.items[item])) + GAP;
         }
         offsets.push(offset);
-        let weight = if layers.items[item] == Item::Passage { 2.0 } else { 1.0 };
-        pools.push((wish(layers, item, x) - offset, weight, 1));
+        let weight = if layers.items[item] == Item::Dummy { 2.0 } else { 1.0 };
+        pools.push((barycentre(layers, item, x) - offset, weight, 1));
         while let [.., before, last] = pools[..]
             && before.0 >= last.0
         {
@@ -115,17 +127,17 @@ fn spread(layers: &Layers, row: &[usize], x: &mut [f64]) {
     }
 }
 
-/// The mean of an item's neighbours.
-fn wish(layers: &Layers, item: usize, x: &[f64]) -> f64 {
+/// Mean of an item's neighbours.
+fn barycentre(layers: &Layers, item: usize, x: &[f64]) -> f64 {
     let neighbours = layers.neighbours(item, true).chain(layers.neighbours(item, false)).map(|other| x[other]);
     let (sum, count) = neighbours.fold((0.0, 0.0), |(sum, count), x| (sum + x, count + 1.0));
     if count > 0.0 { sum / count } else { x[item] }
 }
 
-/// Spreads the ends of the segments over the edges of their boxes, in the order of the other ends.
+/// Spreads the ends of the segments over the edges of the boxes, in the order of their other ends.
 fn ports(layers: &Layers, x: &[f64]) -> Vec<(f64, f64)> {
     let mut ports: Vec<_> = layers.segments.iter().map(|segment| (x[segment.upper], x[segment.lower])).collect();
-    for item in (0..layers.items.len()).filter(|&item| layers.items[item] != Item::Passage) {
+    for item in (0..layers.items.len()).filter(|&item| layers.items[item] != Item::Dummy) {
         for (index, x) in along_edge(layers, x, item, |segment| (segment.upper, segment.lower)) {
             ports[index].0 = x;
         }
@@ -136,7 +148,7 @@ fn ports(layers: &Layers, x: &[f64]) -> Vec<(f64, f64)> {
     ports
 }
 
-/// The segments at one edge of a box, each with its place.
+/// Segments at one edge of a box, each with its x.
 fn along_edge(
     layers: &Layers,
     x: &[f64],

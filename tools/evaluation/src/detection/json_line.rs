@@ -1,15 +1,16 @@
-//! An image for machines: one line of JSON.
+//! Detections as one line of JSON.
 
 use serde::Serialize;
 
-use super::{Ball, Crossing, Goal, Robot, Sighting};
+use super::{Ball, Crossing, Detections, Goal, Robot};
 
-/// What is seen in an image. Pixels: x right, y down, the centre of the first pixel is (0, 0).
+/// Detections in an image. Pixels: x right, y down, the centre of the first pixel is (0, 0).
 #[derive(Debug, Serialize)]
-pub struct Line<'a> {
+pub struct JsonLine<'a> {
     file: &'a str,
     ball: Option<&'a Ball>,
-    goals: Vec<Frame<'a>>,
+    goals: Vec<GoalBox<'a>>,
+    #[serde(rename = "field_end")]
     field_boundary: &'a [[f32; 2]],
     lines: &'a [[f32; 4]],
     robots: &'a [Robot],
@@ -18,9 +19,9 @@ pub struct Line<'a> {
     ms: f64,
 }
 
-/// The box around a goal.
+/// Bounding box of a goal.
 #[derive(Debug, Serialize)]
-struct Frame<'a> {
+struct GoalBox<'a> {
     colour: &'a str,
     x0: f32,
     y0: f32,
@@ -29,11 +30,13 @@ struct Frame<'a> {
     complete: bool,
 }
 
-impl<'a> Line<'a> {
-    pub fn new(seen: &'a Sighting) -> Self {
+impl<'a> JsonLine<'a> {
+    /// The line of an image.
+    #[must_use]
+    pub fn new(seen: &'a Detections) -> Self {
         let frame = |goal: &'a Goal| {
             let &Goal { colour, x0, y0, x1, y1, complete, .. } = goal;
-            Frame { colour, x0, y0, x1, y1, complete }
+            GoalBox { colour, x0, y0, x1, y1, complete }
         };
         Self {
             file: &seen.file,

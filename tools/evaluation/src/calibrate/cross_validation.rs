@@ -1,7 +1,7 @@
-//! Cross-validation that keeps neighbouring images together.
+//! Blocked cross-validation.
 //!
-//! Images of a recording are near-copies of their neighbours: split at random, each would be tested by its twin. So the
-//! images are cut into blocks that follow each other, and each block is tested by what the others taught.
+//! Consecutive images of a recording are near-copies, so a random split would test on the training data. The images are
+//! split into consecutive blocks; each block is tested with thresholds fitted to the others.
 
 use bica_vision::colour::{Colour, Filter};
 use serde::Serialize;
@@ -9,32 +9,32 @@ use serde::Serialize;
 use super::fit::{Axes, fit};
 use super::samples::Sample;
 
-/// Blocks that the images are cut into, if there are as many with the class.
-pub const BLOCKS: usize = 5;
+/// Number of blocks; fewer if fewer images show the class.
+pub(super) const BLOCKS: usize = 5;
 
-/// The part of what is known to be something else that may still pass.
-const STRAY: f64 = 1e-4;
-/// By how much a saturation may be raised to keep the rest out, percent.
-const RAISE: u16 = 40;
+/// Share of the pixels known to be of other classes that may pass.
+const ALLOWED_FALSE: f64 = 1e-4;
+/// Largest increase of the least saturation, percent.
+const MAX_INCREASE: u16 = 40;
 
-/// What was learned of a class.
+/// Fitted class.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Learned {
-    /// The thresholds by all samples.
+pub(super) struct FittedClass {
+    /// Thresholds fitted to all samples.
     #[serde(skip)]
-    pub filter: Filter,
-    /// Images with the class.
-    pub images: usize,
-    /// Blocks that were tested by the others; 1 if all images were tested by themselves.
-    pub blocks: usize,
-    /// The part of the pixels that pass and are of the class.
-    pub precision: f64,
-    /// The part of the class that passes.
-    pub recall: f64,
+    pub(super) filter: Filter,
+    /// Number of images that show the class.
+    pub(super) images: usize,
+    /// Number of blocks; 1 if the test used the training data.
+    pub(super) blocks: usize,
+    /// Share of the accepted pixels that are of the class.
+    pub(super) precision: f64,
+    /// Share of the pixels of the class that are accepted.
+    pub(super) recall: f64,
 }
 
-/// Learns a class; none without a sample of it.
-pub fn learn(class: Colour, samples: &[Sample]) -> Option<Learned> {
+/// Fits a class; none without a sample of it.
+pub(super) fn fit_class(class: Colour, samples: &[Sample]) -> Option<FittedClass> {
     let own: Vec<&Sample> = samples.iter().filter(|sample| concerns(class, sample)).collect();
     let mut images: Vec<usize> =
         own.iter().filter(|sample| sample.is == Some(class)).map(|sample| sample.image).collect();
@@ -50,7 +50,7 @@ pub fn learn(class: Colour, samples: &[Sample]) -> Option<Learned> {
         own.iter().filter(|sample| block(sample) == tested).for_each(|sample| count.add(class, sample, &filter));
     }
     let Count { good, passed, total } = count;
-    Some(Learned {
+    Some(FittedClass {
         filter: all,
         images: images.len(),
         blocks,
@@ -59,16 +59,16 @@ pub fn learn(class: Colour, samples: &[Sample]) -> Option<Learned> {
     })
 }
 
-/// The thresholds of a class that nothing was learned of: those given, with a saturation above nearly all that is known
-/// to be something else.
-pub fn guarded(class: Colour, given: &Filter, samples: &[Sample]) -> Filter {
+/// Thresholds of a class without samples: those of the base profile, with the least saturation raised above nearly all
+/// pixels known to be of other classes.
+pub(super) fn with_raised_saturation(class: Colour, given: &Filter, samples: &[Sample]) -> Filter {
     let others = || samples.iter().filter(|sample| sample.is_not.has(class));
     let weight = |filter: &Filter| -> f64 {
         others().filter(|sample| filter.accepts(sample.pixel)).map(|sample| f64::from(sample.weight)).sum()
     };
     let (least, most) = given.saturation_range();
-    let allowed = STRAY * weight(&Filter::ANY);
-    let mut raised = (least..most.min(least + RAISE)).map(|least| given.saturation(least, most));
+    let allowed = ALLOWED_FALSE * weight(&Filter::ANY);
+    let mut raised = (least..most.min(least + MAX_INCREASE)).map(|least| given.saturation(least, most));
     raised.find(|filter| weight(filter) <= allowed).unwrap_or(*given)
 }
 
@@ -76,7 +76,7 @@ fn concerns(class: Colour, sample: &Sample) -> bool {
     sample.is == Some(class) || sample.is_not.has(class)
 }
 
-/// The block of an image: every block has as many images with the class, give or take one.
+/// Block of an image; the blocks differ by at most one in their number of images with the class.
 fn block(with_class: &[usize], blocks: usize, image: usize) -> usize {
     let before = with_class.partition_point(|other| *other < image).min(with_class.len() - 1);
     before * blocks / with_class.len()
