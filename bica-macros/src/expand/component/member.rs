@@ -6,31 +6,31 @@ use proc_macro2::TokenStream;
 use quote::quote;
 use syn::{Type, WherePredicate, parse_quote, parse_quote_spanned};
 
+use super::visits::Visits;
 use super::{description, hooks, machine, node, runtime, step};
 use crate::expand::quoting::{at, placed};
-use crate::language::component::links::Links;
 use crate::language::component::model::{Argument, Behaviour, Component};
 use crate::language::text;
 
 pub(super) fn expand(component: &Component, behaviour: &Behaviour) -> TokenStream {
     let p = runtime(component);
-    let own = &component.item.self_ty;
-    let mut generics = description::owned(&component.item.generics);
+    let own = component.own();
+    let visits = Visits::of(&p, behaviour);
+    let mut generics = description::owned(&component.block.header.generics);
     generics.params.push(parse_quote!(__T));
     let bounds = generics.make_where_clause();
     bounds.predicates.push(parse_quote!(__T: #p::Has<#own>));
-    for child in children(component, behaviour) {
-        bounds.predicates.push(holds(&p, &child));
+    for child in children(&visits) {
+        bounds.predicates.push(holds(&p, child));
     }
     let (parameters, _, bounds) = generics.split_for_impl();
     let timed = timed(component);
-    let node = node::expand(component, behaviour);
+    let node = node::expand(component, behaviour, &visits);
     let pass = match behaviour {
-        Behaviour::Step(function) => step::expand(&p, function.as_ref()),
-        Behaviour::Machine(machine) => machine::expand(&p, machine),
-        Behaviour::Unclear => TokenStream::new(),
+        Behaviour::Step(function) => step::expand(&p, function.as_ref(), &visits),
+        Behaviour::Machine(machine) => machine::expand(&p, machine, &visits),
     };
-    let hooks = (!matches!(behaviour, Behaviour::Unclear)).then(|| hooks::expand(component));
+    let hooks = hooks::expand(component);
     quote! {
         #[automatically_derived]
         impl #parameters #p::MemberOf<__T> for #own #bounds {
@@ -53,21 +53,12 @@ fn holds(p: &TokenStream, child: &Type) -> WherePredicate {
     parse_quote_spanned!(at(child) => __T: #p::Has<#child>)
 }
 
-/// The visits of some children.
-pub(super) fn visits(p: &TokenStream, children: &[Type]) -> TokenStream {
-    quote!(#(<__T as #p::Has<#children>>::visit(cycle);)*)
-}
-
 fn timed(component: &Component) -> bool {
-    component.functions().flat_map(|function| &function.arguments).any(|argument| matches!(argument, Argument::Time))
+    component.functions().flat_map(|function| &function.arguments).any(|argument| matches!(argument, Argument::Time(_)))
 }
 
-/// All children, each once.
-fn children(component: &Component, behaviour: &Behaviour) -> Vec<Type> {
-    let links: Vec<Links> = match behaviour {
-        Behaviour::Machine(machine) => (0..machine.states.len()).map(|at| Links::of_state(machine, at)).collect(),
-        Behaviour::Step(_) | Behaviour::Unclear => vec![Links::of(component.functions())],
-    };
+/// All children, each text once.
+fn children(visits: &Visits) -> impl Iterator<Item = &Type> {
     let mut seen = BTreeSet::new();
-    links.iter().flat_map(Links::children).filter(|child| seen.insert(text::written(child))).cloned().collect()
+    visits.children().filter(move |child| seen.insert(text::written(child)))
 }
