@@ -1,13 +1,13 @@
-//! Frames to look at, with the cameras that took them.
+//! Frames with their cameras.
 
 use bica_vision::frame::Frame;
 use bica_vision::projection::Camera;
 use bica_vision::table::CompactTable;
 
-/// The sizes that are measured, pixels.
+/// Measured frame sizes, px.
 pub(crate) const SIZES: [(u16, u16); 3] = [(160, 120), (320, 240), (640, 480)];
 
-/// A frame with its camera's pose, if that is known.
+/// Frame with its camera pose, if known.
 pub(crate) struct Shot {
     pub(crate) name: String,
     pub(crate) width: u16,
@@ -22,7 +22,7 @@ impl Shot {
     }
 }
 
-/// Frames of one size that belong together, with their colours.
+/// Set of frames of one size, with their colour table.
 pub(crate) struct Album {
     pub(crate) name: &'static str,
     pub(crate) table: CompactTable,
@@ -30,7 +30,7 @@ pub(crate) struct Album {
 }
 
 impl Album {
-    /// Width and height of its frames, pixels.
+    /// Width and height of the frames, px.
     pub(crate) fn size(&self) -> (u16, u16) {
         self.shots.first().map_or((0, 0), |shot| (shot.width, shot.height))
     }

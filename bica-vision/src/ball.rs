@@ -31,13 +31,13 @@ pub const CANDIDATES: usize = 8;
 pub const RADIUS_2009: f32 = 0.043;
 
 /// Pixel budget of the edge search over all candidates. Recorded images need 10 548 pixels at most.
-const LOOKS: u32 = 12_000;
+const PIXEL_BUDGET: u32 = 12_000;
 /// Minimum confidence of a reported ball of any size.
 const CONFIDENT: f32 = 0.4;
 /// Minimum confidence at a radius up to 6 px, where many objects are small or blurred; interpolated up to 12 px.
 const CONFIDENT_IF_SMALL: f32 = 0.6;
 /// Maximum share of a candidate region that the robot's own body may cover.
-const OWN: f32 = 0.6;
+const MAX_OWN: f32 = 0.6;
 
 /// Maximum mean number of runs per row in a region of a ball.
 const PIECES: u16 = 3;
@@ -77,14 +77,14 @@ pub struct BallFinder<const N: usize> {
     runs: Runs<N>,
     regions: Regions<N, CANDIDATES>,
     radius: f32,
-    passed_over: u32,
+    skipped: u32,
 }
 
 impl<const N: usize> BallFinder<N> {
     /// Creates a detector for balls of a radius in metres.
     #[must_use]
     pub const fn new(radius: f32) -> Self {
-        Self { runs: Runs::new(), regions: Regions::new(), radius, passed_over: 0 }
+        Self { runs: Runs::new(), regions: Regions::new(), radius, skipped: 0 }
     }
 
     /// Finds the ball in a frame. Segments orange only. With `camera`, balls of a wrong size are rejected.
@@ -112,16 +112,16 @@ impl<const N: usize> BallFinder<N> {
         self.runs.segment(frame, colours, ColourSet::of(Colour::Orange), area.every(2));
         self.regions.connect(&self.runs, 6);
         let camera = camera.map(|camera| (camera, self.radius));
-        let look = Look::new(frame, colours, field_boundary, camera, own);
-        let ball = look.best(self.regions.as_slice());
-        self.passed_over = look.passed_over.get();
+        let search = CandidateSearch::new(frame, colours, field_boundary, camera, own);
+        let ball = search.best(self.regions.as_slice());
+        self.skipped = search.skipped.get();
         ball
     }
 
     /// Number of runs and regions of the last frame that exceeded the capacity or the pixel budget.
     #[must_use]
     pub const fn dropped(&self) -> u32 {
-        self.runs.dropped() + self.regions.dropped() + self.passed_over
+        self.runs.dropped() + self.regions.dropped() + self.skipped
     }
 }
 
@@ -147,7 +147,7 @@ pub fn best_with_body(
     camera: Option<(&Camera, f32)>,
     own: &OwnBody,
 ) -> Option<Ball> {
-    Look::new(frame, colours, field_boundary, camera, own).best(regions)
+    CandidateSearch::new(frame, colours, field_boundary, camera, own).best(regions)
 }
 
 fn needed_confidence(radius: f32) -> f32 {
@@ -181,18 +181,18 @@ impl Shade {
     }
 }
 
-struct Look<'a, C> {
+struct CandidateSearch<'a, C> {
     frame: &'a Frame<'a>,
     colours: &'a C,
     field_boundary: &'a FieldBoundary,
     camera: Option<(&'a Camera, f32)>,
     own: &'a OwnBody,
-    /// Rest of the pixel budget [`LOOKS`], and the number of regions skipped without budget.
+    /// Rest of the pixel budget [`PIXEL_BUDGET`], and the number of regions skipped without budget.
     left: Cell<u32>,
-    passed_over: Cell<u32>,
+    skipped: Cell<u32>,
 }
 
-impl<'a, C: Classify> Look<'a, C> {
+impl<'a, C: Classify> CandidateSearch<'a, C> {
     const fn new(
         frame: &'a Frame<'a>,
         colours: &'a C,
@@ -200,7 +200,7 @@ impl<'a, C: Classify> Look<'a, C> {
         camera: Option<(&'a Camera, f32)>,
         own: &'a OwnBody,
     ) -> Self {
-        Self { frame, colours, field_boundary, camera, own, left: Cell::new(LOOKS), passed_over: Cell::new(0) }
+        Self { frame, colours, field_boundary, camera, own, left: Cell::new(PIXEL_BUDGET), skipped: Cell::new(0) }
     }
 
     /// Returns the best ball among regions. Examines them in their order.
@@ -213,13 +213,13 @@ impl<'a, C: Classify> Look<'a, C> {
 
     fn examine(&self, region: &Region) -> Option<Ball> {
         if self.left.get() == 0 {
-            self.passed_over.set(self.passed_over.get() + 1);
+            self.skipped.set(self.skipped.get() + 1);
             return None;
         }
         let shade = if is_frayed(region) { None } else { self.shade(region) }?;
         let (Circle { centre, radius }, roundness) = self.circle(region, shade)?;
         let confidence = roundness * self.fullness(centre, radius, shade);
-        let fits = self.shows_enough(centre, radius) && self.is_on_field(centre, radius);
+        let fits = self.is_sufficiently_visible(centre, radius) && self.is_on_field(centre, radius);
         let fits = fits && self.is_of_size(centre, radius) && !self.is_own(region);
         (confidence >= needed_confidence(radius) && fits).then_some(Ball { centre, radius, confidence })
     }
@@ -250,7 +250,7 @@ impl<'a, C: Classify> Look<'a, C> {
         let size = f32::from(region.width().max(region.height()));
         let middle = Vec2::from(region.centroid);
         let edges = edges::around(self.frame, |pixel| self.is_orange(pixel, shade), middle, size);
-        self.left.set(self.left.get().saturating_sub(edges.looks));
+        self.left.set(self.left.get().saturating_sub(edges.reads));
         let tolerance = |radius: f32| (0.06 * radius).max(1.0);
         let circle = Circle::fit(&edges.points, tolerance)?;
         let near = tolerance(circle.radius);
@@ -282,7 +282,7 @@ impl<'a, C: Classify> Look<'a, C> {
 
     /// Whether the centre is in the image or the ball is large: a circle through a sliver of a small ball is
     /// unreliable.
-    fn shows_enough(&self, centre: Vec2, radius: f32) -> bool {
+    fn is_sufficiently_visible(&self, centre: Vec2, radius: f32) -> bool {
         let size = Vec2::new(f32::from(self.frame.width()), f32::from(self.frame.height()));
         let outside = (-centre).max(centre - size + Vec2::ONE).max_element();
         outside <= 0.2 * radius || radius > size.x / 20.0
@@ -303,7 +303,7 @@ impl<'a, C: Classify> Look<'a, C> {
 
     /// Whether the robot's own body covers most of the region.
     fn is_own(&self, region: &Region) -> bool {
-        self.own.share(Vec2::from(region.centroid), 0.4 * f32::from(region.width().min(region.height()))) > OWN
+        self.own.share(Vec2::from(region.centroid), 0.4 * f32::from(region.width().min(region.height()))) > MAX_OWN
     }
 
     /// Whether the circle has the size of a ball on the ground at that position.

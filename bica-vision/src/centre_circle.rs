@@ -14,8 +14,8 @@ use heapless::Vec;
 
 use crate::colour::Classify;
 use crate::frame::Frame;
+use crate::line_probe::{Ground, Surface};
 use crate::lines::Line;
-use crate::paint::{Ground, Shown};
 use crate::projection::Camera;
 
 /// Tolerated distance of a segment from the circle at the robot, m.
@@ -95,11 +95,11 @@ fn best(pieces: &[Line], is_wanted: impl Fn(&Vec2) -> bool) -> Option<Vec2> {
 fn is_on_line(ground: &Ground<'_, impl Classify>, centre: Vec2) -> bool {
     let turn = Vec2::from_angle(TAU / SAMPLES as f32);
     let ways = core::iter::successors(Some(Vec2::X), |way| Some(way.rotate(turn))).take(SAMPLES);
-    let shown = ways.filter_map(|way| ground.shows(centre + FIELD.centre_circle_radius() * way, way));
+    let shown = ways.filter_map(|way| ground.surface(centre + FIELD.centre_circle_radius() * way, way));
     let (mut lines, mut all) = (0, 0);
     for shown in shown {
-        lines += usize::from(shown == Shown::Line);
-        all += usize::from(shown != Shown::Other);
+        lines += usize::from(shown == Surface::Line);
+        all += usize::from(shown != Surface::Other);
     }
     lines >= ON_LINE && lines as f32 >= ON_LINE_SHARE * all as f32
 }
@@ -166,7 +166,7 @@ mod tests {
     extern crate std;
 
     #[test]
-    fn pieces_of_half_a_circle_agree_on_its_middle() {
+    fn segments_of_half_a_circle_give_its_centre() {
         let centre = Vec2::new(1.5, -0.4);
         let mut lines = arc(centre, FIELD.centre_circle_radius(), 3, 11);
         lines.push(Line { from: centre - Vec2::new(0.9, 0.9), to: centre + Vec2::new(0.2, 0.2) });
@@ -177,7 +177,7 @@ mod tests {
     }
 
     #[test]
-    fn no_pieces_no_middle() {
+    fn degenerate_segments_give_no_centre() {
         let nothing = [Line { from: Vec2::X, to: Vec2::X }, Line { from: Vec2::NAN, to: Vec2::X }];
         assert!(centres(&nothing).is_empty());
     }

@@ -133,7 +133,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn a_box_has_what_was_put_in_and_what_is_between(a in any::<[u8; 2]>(), b in any::<[u8; 2]>(), at in any::<[u8; 2]>()) {
+        fn box_contains_its_members_and_all_between(a in any::<[u8; 2]>(), b in any::<[u8; 2]>(), at in any::<[u8; 2]>()) {
             let found = ChromaBox::EMPTY.with(a, a).with(b, b);
             let between = |axis: usize| (a[axis].min(b[axis])..=a[axis].max(b[axis])).contains(&at[axis]);
             prop_assert_eq!(found.has(at), between(0) && between(1));
@@ -141,7 +141,7 @@ mod tests {
         }
 
         #[test]
-        fn nothing_wanted_is_held_back(
+        fn filter_never_skips_a_wanted_pair(
             pairs in any::<[[u8; 4]; BLOCK]>(), boxes in prop::collection::vec(chroma_box(), 0..5),
         ) {
             let wanted = pairs.iter().any(|[_, cb, _, cr]| boxes.iter().any(|wanted| wanted.has([*cb, *cr])));

@@ -280,7 +280,7 @@ mod tests {
     use proptest::prelude::*;
 
     #[test]
-    fn a_direction_is_the_unit_vector_of_its_angle() {
+    fn direction_is_the_unit_vector_of_its_angle() {
         for degrees in -720..=720_i16 {
             let (c, s) = direction(degrees);
             let angle = f64::from(degrees).to_radians();
@@ -290,7 +290,7 @@ mod tests {
     }
 
     #[test]
-    fn a_set_has_what_was_put_in() {
+    fn set_contains_exactly_its_members() {
         let set = Colour::Orange | Colour::Green;
         for colour in Colour::ALL {
             assert_eq!(set.has(colour), matches!(colour, Colour::Orange | Colour::Green));
@@ -304,7 +304,7 @@ mod tests {
 
         /// Compares with floating-point hue and saturation, except close to a threshold.
         #[test]
-        fn a_filter_is_a_range_of_hue_saturation_and_luma(
+        fn filter_equals_floating_point_hue_saturation_and_luma(
             (y, cb, cr) in any::<(u8, u8, u8)>(), from in -180_i16..360, wide in 1_i16..180,
             (least, span) in (0_u16..100, 0_u16..200), (dark, light) in any::<(u8, u8)>(), chroma in 0_u8..60,
         ) {
@@ -323,7 +323,7 @@ mod tests {
         }
 
         #[test]
-        fn a_filter_tells_its_thresholds(
+        fn filter_returns_its_thresholds(
             from in 0_i16..360, wide in 1_i16..180, saturation in any::<(u16, u16)>(), luma in any::<(u8, u8)>(),
             chroma in any::<u8>(),
         ) {
@@ -335,7 +335,7 @@ mod tests {
         }
 
         #[test]
-        fn exposure_does_not_change_a_hue(cb in 100_u8..156, cr in 100_u8..156, from in 0_i16..360) {
+        fn hue_and_saturation_are_invariant_to_exposure(cb in 100_u8..156, cr in 100_u8..156, from in 0_i16..360) {
             let doubled = |c: u8| (2 * i16::from(c) - 128) as u8;
             let filter = Filter::ANY.hue(from, from + 60).saturation(10, 90);
             let (dim, bright) = (Pixel::new(60, cb, cr), Pixel::new(120, doubled(cb), doubled(cr)));

@@ -17,8 +17,8 @@ use libm::{atan2f, fabsf};
 use crate::centre_circle::CentreCircle;
 use crate::colour::Classify;
 use crate::frame::Frame;
+use crate::line_probe::{Ground, Surface};
 use crate::lines::Line;
-use crate::paint::{Ground, Shown};
 use crate::projection::Camera;
 
 /// Maximum number of crossings in a frame; more are dropped.
@@ -61,15 +61,15 @@ pub fn find(
     lines: &[Line],
     circle: Option<&CentreCircle>,
 ) -> Crossings {
-    let look = Look { ground: Ground { frame, colours, camera } };
+    let search = CrossingSearch { ground: Ground { frame, colours, camera } };
     let pairs = lines.iter().enumerate().flat_map(|(i, a)| lines[i + 1..].iter().map(move |b| (a, b)));
     let is_near = |place: &Pose2| place.position.length() <= FARTHEST;
     let on_circle = circle.into_iter().flat_map(on_circle).filter(is_near);
-    let mut found: Crossings = on_circle.filter_map(|place| look.cross(place)).collect();
+    let mut found: Crossings = on_circle.filter_map(|place| search.cross(place)).collect();
     for place in pairs.filter_map(|(a, b)| meeting(a, b)).filter(is_near) {
         let is_new = found.iter().all(|other| other.ground.position.distance(place.position) > SAME);
         if is_new && !found.is_full() {
-            found.extend(look.crossing(place));
+            found.extend(search.crossing(place));
         }
     }
     found
@@ -98,11 +98,11 @@ fn meeting(a: &Line, b: &Line) -> Option<Pose2> {
     meets.then(|| Pose2 { position, heading: atan2f(along.y, along.x) })
 }
 
-struct Look<'a, C> {
+struct CrossingSearch<'a, C> {
     ground: Ground<'a, C>,
 }
 
-impl<C: Classify> Look<'_, C> {
+impl<C: Classify> CrossingSearch<'_, C> {
     /// X crossing at a position known from the circle, if it is in view.
     fn cross(&self, ground: Pose2) -> Option<Crossing> {
         let arms = (0..4_u8).filter(|quarters| self.has_arm(ground, f32::from(*quarters) * FRAC_PI_2) == Some(true));
@@ -137,10 +137,10 @@ impl<C: Classify> Look<'_, C> {
         let way = Vec2::from_angle(place.heading + direction);
         let (mut lines, mut greens) = (0, 0);
         for along in ALONG {
-            match self.ground.shows(place.position + along * way, way.perp()) {
-                Some(Shown::Line) => lines += 1,
-                Some(Shown::Carpet) => greens += 1,
-                Some(Shown::Other) | None => {}
+            match self.ground.surface(place.position + along * way, way.perp()) {
+                Some(Surface::Line) => lines += 1,
+                Some(Surface::Carpet) => greens += 1,
+                Some(Surface::Other) | None => {}
             }
         }
         // At the image edge a few samples of carpet are enough to see that the line ends.

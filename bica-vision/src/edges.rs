@@ -28,7 +28,7 @@ pub struct Edges {
     /// Number of rays that ended at a change of class with nearly no change of colour.
     pub faint: usize,
     /// Number of pixels read on all rays.
-    pub looks: u32,
+    pub reads: u32,
 }
 
 enum End {
@@ -47,8 +47,8 @@ pub fn around(frame: &Frame<'_>, belongs: impl Fn(Pixel) -> bool, centre: Vec2, 
     let mut along = Vec2::X;
     for _ in 0..RAYS {
         let ray = Ray { frame, centre, along, reach: 2.0 + size / 16.0, stride: 1.0 + (size / FINE) as u8 as f32 };
-        let (end, looks) = ray.end(&belongs, 2.0 + size / 8.0, 2.0 * size);
-        edges.looks += looks;
+        let (end, reads) = ray.end(&belongs, 2.0 + size / 8.0, 2.0 * size);
+        edges.reads += reads;
         match end {
             End::At(point) => edges.points.extend([point]),
             End::Image => edges.clipped += 1,
@@ -80,9 +80,9 @@ impl Ray<'_> {
 
     /// End of the blob on the ray, and the number of pixels read.
     fn end(&self, belongs: &impl Fn(Pixel) -> bool, gap: f32, farthest: f32) -> (End, u32) {
-        let (mut last, mut at, mut beside, mut looks) = (0.0, 0.0, 0.0, 0);
+        let (mut last, mut at, mut beside, mut reads) = (0.0, 0.0, 0.0, 0);
         while at <= farthest.min(last) + gap && beside <= gap + HOLES * at {
-            (at, looks) = (at + self.stride, looks + 1);
+            (at, reads) = (at + self.stride, reads + 1);
             let Some(pixel) = self.pixel(at) else { break };
             if belongs(pixel) {
                 last = at;
@@ -91,9 +91,9 @@ impl Ray<'_> {
             }
         }
         if self.pixel(last + self.stride + 1.0).is_none() {
-            return (End::Image, looks);
+            return (End::Image, reads);
         }
-        (self.crossing(last).map_or(End::Faint, |distance| End::At(self.centre + self.along * distance)), looks)
+        (self.crossing(last).map_or(End::Faint, |distance| End::At(self.centre + self.along * distance)), reads)
     }
 
     /// Position where the redness crosses the mean of its values on both sides of the coarse edge.

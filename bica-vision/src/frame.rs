@@ -205,7 +205,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_pixel_is_found_where_its_bytes_are() {
+    fn pixel_has_the_values_of_its_bytes() {
         let mut bytes = [0; 2 * 16 * 16];
         bytes[2 * (16 * 5 + 6)..][..4].copy_from_slice(&[10, 20, 30, 40]);
         let frame = Frame::new(16, 16, &bytes).unwrap();
@@ -231,7 +231,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_not_a_frame_is_refused() {
+    fn invalid_sizes_and_lengths_are_rejected() {
         let bytes = [0; 2 * 32 * 16];
         assert_eq!(Frame::new(17, 16, &bytes).unwrap_err(), FrameError::OddWidth(17));
         assert_eq!(Frame::new(0, 16, &bytes).unwrap_err(), FrameError::Size(0, 16));

@@ -164,11 +164,11 @@ pub fn among<const N: usize>(
     camera: Option<&Camera>,
 ) -> Goals {
     let bars = bars::gather(runs);
-    let look = PostSearch {
+    let search = PostSearch {
         size: Vec2::new(f32::from(frame.width()), f32::from(frame.height())),
         runs,
         field_boundary,
         camera,
     };
-    Goals { yellow: look.goal(GoalColour::Yellow, &bars), blue: look.goal(GoalColour::SkyBlue, &bars) }
+    Goals { yellow: search.goal(GoalColour::Yellow, &bars), blue: search.goal(GoalColour::SkyBlue, &bars) }
 }

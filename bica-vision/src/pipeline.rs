@@ -28,7 +28,7 @@ pub struct Pipeline<const B: usize, const G: usize> {
 #[derive(Clone, Debug, Default)]
 pub struct Detections {
     /// Field boundary.
-    pub end: FieldBoundary,
+    pub boundary: FieldBoundary,
     /// Ball.
     pub ball: Option<Ball>,
     /// Goals.
@@ -49,7 +49,7 @@ impl<const B: usize, const G: usize> Pipeline<B, G> {
     }
 
     /// Detects all objects in a frame. With `camera`, objects that contradict its pose are rejected.
-    pub fn look(&mut self, frame: &Frame<'_>, colours: &impl Classify, camera: Option<&Camera>) -> Detections {
+    pub fn detect(&mut self, frame: &Frame<'_>, colours: &impl Classify, camera: Option<&Camera>) -> Detections {
         self.detect_with_body(frame, colours, camera, &OwnBody::NONE)
     }
 
@@ -61,14 +61,14 @@ impl<const B: usize, const G: usize> Pipeline<B, G> {
         camera: Option<&Camera>,
         own: &OwnBody,
     ) -> Detections {
-        let end = FieldBoundary::find_with(frame, colours, camera);
-        let ball = self.balls.find_with_body(frame, colours, &end, camera, own);
-        let goals = self.goals.find(frame, colours, &end, camera);
-        let robots = camera.map(|camera| robots::find(frame, colours, &end, Some(camera))).unwrap_or_default();
-        let mut lines = lines::find(frame, colours, &end, camera);
+        let boundary = FieldBoundary::find_with(frame, colours, camera);
+        let ball = self.balls.find_with_body(frame, colours, &boundary, camera, own);
+        let goals = self.goals.find(frame, colours, &boundary, camera);
+        let robots = camera.map(|camera| robots::find(frame, colours, &boundary, Some(camera))).unwrap_or_default();
+        let mut lines = lines::find(frame, colours, &boundary, camera);
         let on_robot = |at: Vec2| own.covers(at) || robots.iter().any(|robot| robot.covers(at));
         lines.retain(|line| !on_robot(line.from.midpoint(line.to)));
         let markings = camera.map(|camera| Markings::of(frame, colours, camera, &lines)).unwrap_or_default();
-        Detections { end, ball, goals, robots, lines, markings }
+        Detections { boundary, ball, goals, robots, lines, markings }
     }
 }

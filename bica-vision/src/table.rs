@@ -132,7 +132,7 @@ mod tests {
     }
 
     #[test]
-    fn a_compiled_table_decides_as_its_thresholds_in_the_middle_of_each_cell() {
+    fn compiled_table_equals_its_thresholds_at_cell_centres() {
         for filters in [BUILT_IN, NAO_2009, DARWIN_2013] {
             let (compact, mut cells) = (CompactTable::compile(&filters), full_cells());
             let full = FullTable::compile(&filters, &mut cells);
@@ -147,7 +147,7 @@ mod tests {
     }
 
     #[test]
-    fn every_pixel_is_in_the_box_of_its_class() {
+    fn pixels_are_inside_the_bounding_box_of_their_class() {
         for filters in [BUILT_IN, NAO_2009, DARWIN_2013] {
             let table = CompactTable::compile(&filters);
             let corner = |cell: u8, size: u8, end: u8| size * cell + end * (size - 1);
@@ -162,7 +162,7 @@ mod tests {
     }
 
     #[test]
-    fn only_the_right_number_of_bytes_is_a_table() {
+    fn table_of_a_wrong_size_is_rejected() {
         assert!(FullTable::new(&vec![0; FULL_BYTES - 1]).is_none());
         assert!(FullTable::new(&vec![0; FULL_BYTES + 1]).is_none());
         assert!(FullTable::new(&vec![0; FULL_BYTES]).is_some());
@@ -170,7 +170,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn a_full_table_is_read_by_its_published_index((y, cb, cr) in any::<(u8, u8, u8)>(), class in any::<u8>()) {
+        fn full_table_uses_the_published_index((y, cb, cr) in any::<(u8, u8, u8)>(), class in any::<u8>()) {
             let mut cells = full_cells();
             cells[((y as usize / 4 * 64) + cb as usize / 4) * 64 + cr as usize / 4] = class;
             let table = FullTable::new(&cells[..]).expect("its own length");

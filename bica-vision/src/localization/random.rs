@@ -49,7 +49,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn numbers_are_spread_as_promised() {
+    fn distributions_have_the_stated_moments() {
         let mut random = Random::new(7);
         let (mut sum, mut squares, mut even) = (0.0, 0.0, [0_u32; 10]);
         for _ in 0..20_000 {

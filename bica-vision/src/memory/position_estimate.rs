@@ -112,8 +112,8 @@ impl Fit {
         let distance = (off.transpose() * inverse * off).x;
         let size = logf(determinant);
         let (outliers, wider) = (OUTLIERS, OUTLIER_SPREAD);
-        let wild = logf(outliers) - 0.5 * (distance / (wider * wider) + size) - 2.0 * logf(wider);
-        let likelihood = wild.max(-0.5 * (distance + size));
+        let outlier = logf(outliers) - 0.5 * (distance / (wider * wider) + size) - 2.0 * logf(wider);
+        let likelihood = outlier.max(-0.5 * (distance + size));
         (determinant > 0.0 && likelihood.is_finite()).then_some(Self { off, inverse, distance, likelihood })
     }
 }

@@ -1,4 +1,4 @@
-//! What is seen on real frames, as a table, with bounds that hold today.
+//! Detection in recorded frames: a table of scores, with bounds.
 
 use std::fs;
 
@@ -13,7 +13,7 @@ use bica_vision::table::{CompactTable, FullTable};
 
 use crate::shelf::{self, BallLabel, GoalLabel, Labelled};
 
-/// What was counted over a folder.
+/// Counts over a folder.
 #[derive(Debug, Default)]
 struct Score {
     full: usize,
@@ -109,7 +109,7 @@ fn score(images: &[Labelled], filters: &Filters) -> Score {
 }
 
 images_test! {
-    fn a_nao_of_2009_sees_balls_and_goals() {
+    fn balls_and_goals_are_found_in_frames_of_a_nao_of_2009() {
         let mut score = score(&shelf::labelled("nao2009"), &NAO_2009);
         score.print("nao2009");
         assert!(score.full >= 60 && score.complete >= 15 && score.partial >= 15, "labels are missing");
@@ -120,7 +120,7 @@ images_test! {
         assert_eq!(score.false_goals, Vec::<String>::new());
     }
 
-    fn a_darwin_of_2013_sees_balls_and_goals() {
+    fn balls_and_goals_are_found_in_frames_of_a_darwin_of_2013() {
         let mut score = score(&shelf::labelled("darwin2013"), &DARWIN_2013);
         score.print("darwin2013");
         assert!(score.full >= 7, "labels are missing");
@@ -129,12 +129,12 @@ images_test! {
         assert_eq!(score.false_goals, Vec::<String>::new());
     }
 
-    fn poses_and_sizes_agree_on_the_distance_of_the_ball() {
+    fn ball_distances_from_pose_and_from_size_agree() {
         let (table, mut finder) = (CompactTable::compile(&NAO_2009), BallFinder::<512>::new(RADIUS_2009));
         let labelled = shelf::labelled("nao2009");
         let (mut ratios, mut full) = (Vec::new(), 0);
         for (file, camera, horizon, trusted) in shelf::poses() {
-            // The file's 159.5 is the middle of the image, which is 160 to the focal lengths.
+            // Column 159.5 of the file is the image centre, 160 in the intrinsics.
             let row = camera.horizon(160.0).expect("the robot stands");
             assert!((row - horizon).abs() < 0.05 + 2e-4 * horizon.abs(), "{file}: horizon at {row}, not {horizon}");
             let image = labelled.iter().find(|image| image.file == file).filter(|_| trusted);
@@ -154,7 +154,7 @@ images_test! {
         assert!(ratios.len() == full && median <= 0.05 && most <= 0.12);
     }
 
-    fn another_teams_table_is_read_and_agrees_on_the_ball() {
+    fn colour_table_of_another_team_agrees_on_the_ball() {
         let bytes = fs::read(images().join("luts/bhuman2009_y64_cb64_cr64.bin")).expect("the table");
         let (theirs, ours) = (FullTable::new(&bytes).expect("its size"), CompactTable::compile(&NAO_2009));
         let (mut both, mut only_theirs, mut found) = (0_u32, 0_u32, 0);
@@ -176,10 +176,10 @@ images_test! {
         assert!(both >= 10 * only_theirs && found * 100 >= full.len() * 98);
     }
 
-    fn the_cameras_own_bytes_are_read_without_a_detour() {
+    fn raw_yuyv_frames_of_the_camera_are_read_directly() {
         let table = CompactTable::compile(&NAO_2009);
         for (file, has_ball) in [("008", true), ("030", false), ("044", true), ("117", true)] {
-            // The robot kept every second row of 640 × 480, so what is round is twice as wide: skip every second pair.
+            // The robot stored every second row of 640 × 480, so circles are twice as wide: skip every second pair.
             let bytes = fs::read(images().join(format!("yuyv/{file}_640x240.yuyv"))).expect("a frame");
             let half: Vec<u8> =
                 bytes.as_chunks::<4>().0.iter().flat_map(|[y0, cb, y1, cr]| [u8::midpoint(*y0, *y1), *cb, *cr]).collect();

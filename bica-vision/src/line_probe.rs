@@ -1,4 +1,4 @@
-//! Test of single ground points for a line, at positions where a hypothesis predicts one.
+//! Classification of single ground points, to verify a predicted line in the image.
 //!
 //! Cost: six pixels and three projections for each point, 60 ns.
 
@@ -27,7 +27,7 @@ pub(crate) struct Ground<'a, C> {
 
 /// Surface at a ground point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Shown {
+pub(crate) enum Surface {
     /// Line.
     Line,
     /// Carpet.
@@ -39,7 +39,7 @@ pub(crate) enum Shown {
 impl<C: Classify> Ground<'_, C> {
     /// Classifies a point, m in the camera's ground frame, on an expected line with the normal `across` (unit vector).
     /// `None` outside the image.
-    pub(crate) fn shows(&self, place: Vec2, across: Vec2) -> Option<Shown> {
+    pub(crate) fn surface(&self, place: Vec2, across: Vec2) -> Option<Surface> {
         let middle = self.camera.pixel(place.extend(0.0))?;
         let offset = self.camera.pixel((place + ASIDE * across).extend(0.0))? - middle;
         let step = offset.try_normalize()?;
@@ -49,9 +49,9 @@ impl<C: Classify> Ground<'_, C> {
         let brightest = luma(middle)?.max(luma(middle - 0.7 * step)?).max(luma(middle + 0.7 * step)?);
         let rises = brightest > sides + RISE + RISE_SHARE * sides;
         Some(match self.colours.classify(self.frame.nearest(middle)?) {
-            Colour::White | Colour::None | Colour::Green if rises => Shown::Line,
-            Colour::Green => Shown::Carpet,
-            _ => Shown::Other,
+            Colour::White | Colour::None | Colour::Green if rises => Surface::Line,
+            Colour::Green => Surface::Carpet,
+            _ => Surface::Other,
         })
     }
 }
