@@ -8,6 +8,7 @@
 
 use bica_motion::joints::Joints;
 use bica_motion::kinematics;
+use bica_motion::model::{Nao, RobotModel};
 use bica_motion::robot::CameraId;
 use bica_motion::side::Side;
 use glam::{Affine3A, Vec2, Vec3};
@@ -23,12 +24,17 @@ pub struct Intrinsics {
 }
 
 impl Intrinsics {
-    /// Intrinsics of both cameras of a NAO V6 at an image size: focal lengths 618.66 and 617.16 px at 640 × 480 (values
-    /// in use by B-Human 2023 and HULKs 2025), principal point in the middle.
+    /// Intrinsics of a robot's camera at an image size, px, with the principal point in the middle.
+    #[must_use]
+    pub fn of<M: RobotModel>(camera: CameraId, width: u16, height: u16) -> Self {
+        let size = Vec2::new(f32::from(width), f32::from(height));
+        Self { focal: M::DIMENSIONS.camera(camera).focal * size, centre: 0.5 * size }
+    }
+
+    /// Intrinsics of both cameras of a NAO V6 at an image size, px.
     #[must_use]
     pub fn nao_v6(width: u16, height: u16) -> Self {
-        let size = Vec2::new(f32::from(width), f32::from(height));
-        Self { focal: Vec2::new(618.66 / 640.0, 617.16 / 480.0) * size, centre: 0.5 * size }
+        Self::of::<Nao>(CameraId::Top, width, height)
     }
 }
 
@@ -51,11 +57,11 @@ impl Camera {
         Self { pose, inverse, intrinsics }
     }
 
-    /// Camera of a NAO V6 at these joint angles, standing on the sole of the `support` side; image size in px.
+    /// Camera of a robot at these joint angles, standing on the sole of the `support` side; image size in px.
     #[must_use]
-    pub fn of_nao(id: CameraId, angles: &Joints, support: Side, width: u16, height: u16) -> Self {
-        let pose = kinematics::ground_from_robot(support, angles) * kinematics::camera(id, angles);
-        Self::new(pose, Intrinsics::nao_v6(width, height))
+    pub fn of<M: RobotModel>(id: CameraId, angles: &Joints, support: Side, width: u16, height: u16) -> Self {
+        let pose = kinematics::ground_from_robot::<M>(support, angles) * kinematics::camera::<M>(id, angles);
+        Self::new(pose, Intrinsics::of::<M>(id, width, height))
     }
 
     /// Pose in the ground frame.

@@ -1,5 +1,6 @@
 //! Outline of the robot's own body, in rendered frames with known joints and in recorded frames with known poses.
 
+use bica_motion::model::Nao;
 use std::ops::Range;
 
 use bica_field::{FIELD, GoalColour};
@@ -74,8 +75,8 @@ fn looks(seeds: Range<u64>, ball: impl Fn(u64) -> Vec2, mut look: impl FnMut(&Fr
             let sensors = world.sensors();
             let image = sensors.image.expect("waited for");
             let frame = Frame::from_image(&image).expect("a frame");
-            let camera = Camera::of_nao(image.camera, &sensors.angles, Side::Left, image.width, image.height);
-            look(&frame, &camera, &OwnBody::of_nao(&camera, image.camera, &sensors.angles));
+            let camera = Camera::of::<Nao>(image.camera, &sensors.angles, Side::Left, image.width, image.height);
+            look(&frame, &camera, &OwnBody::of::<Nao>(&camera, image.camera, &sensors.angles));
         }
     }
 }
@@ -152,7 +153,7 @@ bica_test_data::images_test! {
         let (mut count, mut worst) = (Count::default(), (0.0_f32, String::new()));
         for (file, camera, _, _) in poses.iter().filter(|(_, _, _, trusted)| *trusted) {
             let Some(image) = labelled.iter().find(|image| &image.file == file) else { continue };
-            let own = OwnBody::standing(camera, CameraId::Bottom);
+            let own = OwnBody::standing::<Nao>(camera, CameraId::Bottom);
             let frame = image.frame();
             count.frame(&frame, &colours, &FieldBoundary::find_with(&frame, &colours, Some(camera)), &own);
             for ball in &image.balls {
@@ -173,11 +174,11 @@ bica_test_data::images_test! {
 
 #[test]
 fn body_outline_is_empty_for_a_pose_that_is_not_finite() {
-    let camera = Camera::of_nao(CameraId::Top, &Joints::all(0.0), Side::Left, 320, 240);
+    let camera = Camera::of::<Nao>(CameraId::Top, &Joints::all(0.0), Side::Left, 320, 240);
     let nowhere = Camera::new(Affine3A::from_translation(Vec3::NAN), camera.intrinsics());
     let bodies = [
-        OwnBody::of_nao(&camera, CameraId::Bottom, &Joints::all(f32::NAN)),
-        OwnBody::standing(&nowhere, CameraId::Top),
+        OwnBody::of::<Nao>(&camera, CameraId::Bottom, &Joints::all(f32::NAN)),
+        OwnBody::standing::<Nao>(&nowhere, CameraId::Top),
         OwnBody::NONE,
     ];
     for body in bodies {

@@ -3,10 +3,10 @@ use core::time::Duration;
 use bica_motion::fall::Direction;
 use bica_motion::getup::GetUp;
 use bica_motion::joints::{Joint, Joints};
+use bica_motion::model::{Nao, RobotModel};
 use bica_motion::pose::Pose2;
 use bica_motion::robot::Command;
 use bica_motion::side::Side;
-use bica_motion::stand::STAND;
 use bica_sim::World;
 use bica_sim::kinematic::KinematicWorld;
 use bica_sim::referee::{Event, Posture};
@@ -20,7 +20,7 @@ fn world() -> KinematicWorld {
 
 /// Leans over until it falls.
 fn fall(world: &mut KinematicWorld, to: Direction) {
-    let mut posture = STAND;
+    let mut posture = Nao::STAND;
     match to {
         Direction::Front | Direction::Back => {
             let lean = if to == Direction::Front { -0.6 } else { 0.6 };
@@ -48,7 +48,7 @@ fn a_robot_without_balance_falls_to_the_side_where_it_lost_it() {
         assert_eq!(world.referee().posture(), Posture::Down(to));
         assert_eq!(world.referee().count(|event| *event == Event::Fall(to)), 1);
         for _ in 0..100 {
-            world.act(&command(STAND));
+            world.act(&command(Nao::STAND));
         }
         let inertial = world.sensors().inertial;
         assert!((inertial.acceleration - to.gravity()).length() < 0.5, "{to:?}: {}", inertial.acceleration);
@@ -84,7 +84,7 @@ fn a_robot_over_its_carrying_foot_stands_on_it() {
 fn legs_that_are_let_go_do_not_carry() {
     let mut world = world();
     for _ in 0..100 {
-        world.act(&Command { stiffness: Joints::all(0.0), ..command(STAND) });
+        world.act(&Command { stiffness: Joints::all(0.0), ..command(Nao::STAND) });
     }
     assert_eq!(world.referee().falls(), 1);
 }
@@ -95,7 +95,7 @@ fn it_gets_up_where_it_lies_by_the_movement_for_its_side() {
         let mut world = world();
         fall(&mut world, to);
         for _ in 0..100 {
-            world.act(&command(STAND));
+            world.act(&command(Nao::STAND));
         }
         let lying = world.referee().robot();
         get_up(&mut world, to);
@@ -107,7 +107,7 @@ fn it_gets_up_where_it_lies_by_the_movement_for_its_side() {
         assert_eq!(last.event, Event::GotUp);
         assert!(last.at < end + Duration::from_millis(200));
         for _ in 0..300 {
-            world.act(&command(STAND));
+            world.act(&command(Nao::STAND));
         }
         assert_eq!(world.referee().posture(), Posture::Upright);
     }
@@ -118,18 +118,18 @@ fn standing_still_on_the_ground_gets_nobody_up() {
     let mut world = world();
     fall(&mut world, Direction::Front);
     for _ in 0..1_000 {
-        world.act(&command(STAND));
+        world.act(&command(Nao::STAND));
     }
     assert_eq!(world.referee().posture(), Posture::Down(Direction::Front));
 }
 
 fn get_up(world: &mut KinematicWorld, lying: Direction) {
-    let mut movement = GetUp::new(lying, 0, world.sensors().angles);
+    let mut movement = GetUp::<Nao>::new(lying, 0, world.sensors().angles);
     while !movement.is_done() {
         let (targets, stiffness) = movement.step(&world.sensors().inertial, 0.01);
         world.act(&Command { stiffness: Joints::all(stiffness), ..command(targets) });
     }
     for _ in 0..10 {
-        world.act(&command(STAND));
+        world.act(&command(Nao::STAND));
     }
 }

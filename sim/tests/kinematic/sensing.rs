@@ -1,7 +1,6 @@
-use bica_motion::masses::TOTAL_MASS;
+use bica_motion::model::{Nao, RobotModel};
 use bica_motion::pose::Pose2;
 use bica_motion::robot::{CameraId, Command};
-use bica_motion::stand::STAND;
 use bica_sim::World;
 use bica_sim::kinematic::KinematicWorld;
 use bica_sim::setup::{Frame, Setup};
@@ -23,7 +22,7 @@ fn images_come_thirty_times_a_second_from_the_camera_asked_for() {
                 assert_eq!(image.yuyv.len(), 2 * frame.size().0 * frame.size().1);
             }
             camera = if cycle < 100 { CameraId::Top } else { CameraId::Bottom };
-            world.act(&Command { camera, ..command(STAND) });
+            world.act(&Command { camera, ..command(Nao::STAND) });
         }
         assert_eq!(images, 60);
     }
@@ -33,10 +32,10 @@ fn images_come_thirty_times_a_second_from_the_camera_asked_for() {
 fn a_standing_robot_feels_its_weight_and_upright() {
     let mut world = alone(1, Pose2::new(-1.0, 0.5, 1.0), Vec2::ZERO);
     for _ in 0..100 {
-        world.act(&command(STAND));
+        world.act(&command(Nao::STAND));
         let sensors = world.sensors();
         let force = sensors.left_foot.total() + sensors.right_foot.total();
-        assert!((force - TOTAL_MASS * 9.81).abs() < 4.0, "{force}");
+        assert!((force - Nao::TOTAL_MASS * 9.81).abs() < 4.0, "{force}");
         assert!(sensors.inertial.roll.abs() < 0.02 && sensors.inertial.pitch.abs() < 0.02);
         assert!((sensors.inertial.acceleration.z - 9.81).abs() < 0.2);
         assert!(sensors.inertial.gyro.length() < 0.02);
@@ -50,7 +49,7 @@ fn every_image_has_noise_of_its_own() {
     let mut images = Vec::new();
     for _ in 0..20 {
         images.extend(world.sensors().image.map(|image| image.yuyv.to_vec()));
-        world.act(&command(STAND));
+        world.act(&command(Nao::STAND));
     }
     for pair in images.windows(2) {
         let differences = pair[0].iter().zip(&pair[1]).map(|(a, b)| f64::from(a.abs_diff(*b)));

@@ -2,7 +2,7 @@
 
 use bica_motion::fall::{Direction, FallDetector, FallState};
 use bica_motion::getup::{GetUp, protection};
-use bica_motion::stand::STAND;
+use bica_motion::model::{Nao, RobotModel};
 use bica_sim::mujoco::MujocoWorld;
 use bica_sim::referee::Posture;
 use bica_sim::{CYCLE_SECONDS, World};
@@ -22,7 +22,7 @@ fn fall(world: &mut MujocoWorld, push: Vec2) -> Direction {
             FallState::Falling(direction) => {
                 assert!(felt || !hit, "{push}: it hit the ground before it felt the fall");
                 felt = true;
-                let brace = protection(direction);
+                let brace = protection::<Nao>(direction);
                 world.act(&command(brace.posture, brace.stiffness));
             }
             FallState::Fallen(direction) => return direction,
@@ -32,7 +32,7 @@ fn fall(world: &mut MujocoWorld, push: Vec2) -> Direction {
 }
 
 fn get_up(world: &mut MujocoWorld, lying: Direction, failures: u8) {
-    let mut movement = GetUp::new(lying, failures, world.sensors().angles);
+    let mut movement = GetUp::<Nao>::new(lying, failures, world.sensors().angles);
     while !movement.is_done() {
         let (targets, stiffness) = movement.step(&world.sensors().inertial, CYCLE_SECONDS);
         world.act(&command(targets, stiffness));
@@ -72,7 +72,7 @@ fn from_face_and_back_it_turns_over_either_way_round_if_it_lets_go_then() {
             assert_eq!(fall(&mut world, Vec2::new(push, 0.0)), lying);
             get_up(&mut world, lying, failures);
             for _ in 0..50 {
-                world.act(&command(STAND, 0.0));
+                world.act(&command(Nao::STAND, 0.0));
             }
             let felt = world.sensors().inertial.acceleration;
             assert!((felt - turned.gravity()).length() < 7.0, "{lying:?}, {failures}: {felt}");

@@ -1,10 +1,9 @@
 //! What sensors say against what is true.
 
 use bica_motion::joints::Joint;
-use bica_motion::masses::TOTAL_MASS;
+use bica_motion::model::{Nao, RobotModel};
 use bica_motion::robot::FootPressure;
 use bica_motion::side::Side;
-use bica_motion::stand::STAND;
 use bica_sim::World;
 use bica_sim::mujoco::{Fault, Physics};
 use glam::Vec3;
@@ -23,7 +22,7 @@ fn soles_feel_the_weight_and_the_unit_feels_gravity() {
         force += sensors.inertial.acceleration / 100.0;
         gyro += sensors.inertial.gyro / 100.0;
     }
-    assert!((weight - 9.81 * TOTAL_MASS).abs() < 0.5, "{weight} N");
+    assert!((weight - 9.81 * Nao::TOTAL_MASS).abs() < 0.5, "{weight} N");
     assert!((force.length() - 9.81).abs() < 0.05, "{force}");
     assert!(gyro.length() < 0.01, "{gyro}");
     let sensors = world.sensors();
@@ -34,7 +33,7 @@ fn soles_feel_the_weight_and_the_unit_feels_gravity() {
 
 #[test]
 fn a_leaning_torso_shows_in_angles_and_gravity() {
-    let mut targets = STAND;
+    let mut targets = Nao::STAND;
     for ankle in [Joint::LAnklePitch, Joint::RAnklePitch] {
         targets[ankle] -= 0.08;
     }
@@ -49,7 +48,7 @@ fn a_leaning_torso_shows_in_angles_and_gravity() {
 #[test]
 fn soles_feel_more_where_the_weight_is() {
     let pressed = |turns: &[(Joint, f32)]| {
-        let mut targets = STAND;
+        let mut targets = Nao::STAND;
         for (joint, turn) in turns {
             targets[*joint] += turn;
         }
@@ -79,7 +78,7 @@ fn a_joint_moves_in_the_sensors_after_dead_time_and_delay() {
         let mut world = alone(1, &Physics { dead_time, sensor_delay, ..blind() });
         stand(&mut world, 50);
         let before = world.sensors().angles[Joint::HeadYaw];
-        let mut targets = STAND;
+        let mut targets = Nao::STAND;
         targets[Joint::HeadYaw] = 1.0;
         let moved = (1..20).find(|_| {
             world.act(&command(targets, 1.0));
@@ -93,7 +92,7 @@ fn a_joint_moves_in_the_sensors_after_dead_time_and_delay() {
 fn joints_reach_their_targets_and_turn_no_faster_than_they_can() {
     let mut world = alone(1, &blind());
     stand(&mut world, 50);
-    let mut targets = STAND;
+    let mut targets = Nao::STAND;
     targets[Joint::HeadYaw] = 1.5;
     let (mut before, mut fastest) = (0.0, 0.0_f32);
     for _ in 0..150 {
@@ -128,7 +127,7 @@ fn what_is_broken_says_and_does_nothing_more() {
     for fault in [Fault::Gyroscope, Fault::SoleSensors(Side::Left), Fault::Motor(Joint::HeadYaw)] {
         world.inject_fault(fault);
     }
-    let mut targets = STAND;
+    let mut targets = Nao::STAND;
     (targets[Joint::HeadYaw], targets[Joint::HeadPitch]) = (1.0, 0.3);
     for _ in 0..100 {
         world.act(&command(targets, 1.0));

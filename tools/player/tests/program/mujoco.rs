@@ -14,8 +14,6 @@ mod with_mujoco {
     use bica::{Instant, Tree};
     use bica_motion::health::Fault;
     use bica_motion::joints::Joint;
-    use bica_motion::profile::Profile;
-    use bica_motion::stand::SIT_STIFFNESS;
     use bica_player::Forward;
     use bica_player::behaviour::SafetyGuard;
     use bica_player::input::{HealthMonitor, RobotProfile};
@@ -58,7 +56,7 @@ mod with_mujoco {
     fn a_robot_with_a_hot_joint_stops_and_sits_down_without_a_fall() {
         let mut world = MujocoWorld::new(&Setup::default(), &Physics { cameras: false, ..Physics::default() }).unwrap();
         let mut robot = Box::new(Forward::new());
-        robot.get_mut::<RobotProfile>().set(&Profile::NAO);
+        robot.get_mut::<RobotProfile>().set(Nao::DYNAMIC_PROFILE);
         for cycle in 0..3000 {
             if cycle == 500 {
                 world.set_motor_temperature(Joint::LKneePitch, 78.0);
@@ -69,7 +67,7 @@ mod with_mujoco {
             assert_eq!(robot.get::<HealthMonitor>().fault().is_some(), cycle >= 599, "in cycle {cycle}");
         }
         assert_eq!(robot.get::<HealthMonitor>().fault(), Some(Fault::Hot(Joint::LKneePitch)));
-        assert!(robot.act().stiffness.0.iter().all(|stiffness| *stiffness <= SIT_STIFFNESS));
+        assert!(robot.act().stiffness.0.iter().all(|stiffness| *stiffness <= Nao::SIT_STIFFNESS));
         assert_eq!(world.referee().falls(), 0);
     }
 
@@ -77,7 +75,7 @@ mod with_mujoco {
     fn who_falls_with_a_hot_joint_lies_limp_until_it_has_cooled_then_gets_up() {
         let mut world = MujocoWorld::new(&Setup::default(), &Physics { cameras: false, ..Physics::default() }).unwrap();
         let mut robot = Box::new(Forward::new());
-        robot.get_mut::<RobotProfile>().set(&Profile::NAO);
+        robot.get_mut::<RobotProfile>().set(Nao::DYNAMIC_PROFILE);
         for cycle in 0..2600 {
             match cycle {
                 100 => world.push(Vec2::new(-2.3, 0.0)),
@@ -90,7 +88,7 @@ mod with_mujoco {
             world.act(&robot.act());
             if (1000..1500).contains(&cycle) {
                 assert!(
-                    robot.act().stiffness.0.iter().all(|stiffness| *stiffness <= SIT_STIFFNESS),
+                    robot.act().stiffness.0.iter().all(|stiffness| *stiffness <= Nao::SIT_STIFFNESS),
                     "in cycle {cycle}"
                 );
                 assert!(robot.get::<HealthMonitor>().fault().is_some());
@@ -104,7 +102,7 @@ mod with_mujoco {
     fn who_sat_down_hot_stands_up_without_a_fall_when_it_has_cooled() {
         let mut world = MujocoWorld::new(&Setup::default(), &Physics { cameras: false, ..Physics::default() }).unwrap();
         let mut robot = Box::new(Forward::new());
-        robot.get_mut::<RobotProfile>().set(&Profile::NAO);
+        robot.get_mut::<RobotProfile>().set(Nao::DYNAMIC_PROFILE);
         for cycle in 0..2500 {
             match cycle {
                 100 => world.set_motor_temperature(Joint::LKneePitch, 78.0),

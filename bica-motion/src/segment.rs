@@ -1,14 +1,14 @@
-//! The rigid parts of the body.
+//! Rigid segments of the body.
 
 use crate::side::Side;
 
-/// How many rigid parts there are.
+/// Number of segments.
 pub const SEGMENTS: usize = 25;
 
-/// A rigid part of the body, named after its place; its frame sits on the joint that moves it.
+/// A rigid segment of the body. The origin of its frame is the joint that moves it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Segment {
-    /// Chest and back; its frame is the robot's.
+    /// Chest and back; its frame is the robot frame.
     Torso,
     /// Moved by the head's yaw.
     Neck,
@@ -71,7 +71,7 @@ impl Segment {
         ]
     };
 
-    /// The segment's place in [`ALL`](Self::ALL).
+    /// Position of the segment in [`ALL`](Self::ALL).
     #[must_use]
     pub const fn index(self) -> usize {
         match self {
