@@ -4,7 +4,7 @@ use glam::Vec2;
 use heapless::Vec;
 
 use super::ridge::Ridge;
-use super::{Axes, Stripe};
+use super::stripe::{Axes, Stripe};
 
 /// Maximum number of open tracks.
 pub(super) const OPEN: usize = 24;

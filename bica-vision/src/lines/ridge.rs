@@ -6,8 +6,8 @@
 
 use heapless::Vec;
 
-use super::Axes;
 use super::edge_scan::{LANES, ParallelScan};
+use super::stripe::Axes;
 use crate::colour::{Classify, Colour};
 use crate::frame::{Frame, Lumas, Pixel};
 

@@ -2,7 +2,7 @@
 
 use glam::Vec2;
 
-use super::Stripe;
+use super::stripe::Stripe;
 use crate::frame::Frame;
 use crate::projection::Camera;
 
