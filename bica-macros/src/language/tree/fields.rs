@@ -10,7 +10,7 @@ use crate::language::report::Report;
 use crate::language::types::plain;
 use crate::language::{number, text, wording};
 
-/// The fields that a user may be told of; `crate` is for the crates of the framework.
+/// The fields that messages name; `crate` is for the crates of the framework.
 const KEYS: [&str; 4] = ["root", "cycle_hz", "budget_ms", "components"];
 const KNOWN: &str = "`root`, `cycle_hz`, `budget_ms` and `components`";
 
