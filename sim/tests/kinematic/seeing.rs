@@ -95,10 +95,10 @@ fn image_and_segmentation_mask_show_the_ball_at_its_projection() {
         assert!(found.distance(expected) < 1.0, "round {round}: {found}, expected {expected}, radius {radius}");
         let disc = core::f32::consts::PI * radius * radius;
         assert!((0.6..1.6).contains(&(area / disc)), "round {round}: {area} of {disc}");
-        let things = world.segmentation_mask();
-        let shown = things.iter().filter(|thing| **thing == PixelLabel::Ball).count() as f32;
+        let labels = world.segmentation_mask();
+        let shown = labels.iter().filter(|label| **label == PixelLabel::Ball).count() as f32;
         assert!((0.8..1.6).contains(&(shown / disc)), "round {round}: {shown} pixels of {disc}");
-        assert_eq!(things[expected.y as usize * 320 + expected.x as usize], PixelLabel::Ball, "round {round}");
+        assert_eq!(labels[expected.y as usize * 320 + expected.x as usize], PixelLabel::Ball, "round {round}");
     }
     assert!(seen > 20, "{seen}");
 }

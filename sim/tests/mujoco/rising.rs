@@ -75,8 +75,8 @@ fn a_robot_without_stiffness_after_a_motion_rolls_over() {
             for _ in 0..50 {
                 world.act(&command(STAND, 0.0));
             }
-            let felt = world.sensors().inertial.acceleration;
-            assert!((felt - turned.gravity()).length() < 7.0, "{lying:?}, {failures}: {felt}");
+            let acceleration = world.sensors().inertial.acceleration;
+            assert!((acceleration - turned.gravity()).length() < 7.0, "{lying:?}, {failures}: {acceleration}");
         }
     }
 }
