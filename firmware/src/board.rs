@@ -1,37 +1,36 @@
-//! What a board has to provide: the whole of a port.
-//!
-//! `docs/firmware-port.md` goes through it step by step. Besides what stands here a board brings two things that Rust
-//! finds by themselves: a time driver (`embassy_time_driver::time_driver_impl!`, 1 µs ticks) and a log
-//! (`#[defmt::global_logger]`); most have both in a crate already.
+//! The interface of a board.
 
 use embedded_io_async::{Read, Write};
 
-/// A board that a robot's mind runs on.
+/// A board that runs the robot's controller.
 ///
-/// Camera and joints are reached over the link, where another computer owns them. A board that owns them itself gives
-/// an [`Ear`](Self::Ear) that makes [`bica_wire::ToRobot`] packets of what they give, and a [`Mouth`](Self::Mouth) that
-/// obeys the [`bica_wire::FromRobot::Command`]s written to it.
-pub(crate) trait Board: Sized {
-    /// Where bytes come in: of a serial line, a TCP connection or whatever else keeps their order. Some may get lost.
-    type Ear: Read;
-    /// Where bytes go out.
-    type Mouth: Write;
-    /// How fast [`Self::fine`] counts, 1/s.
-    const FINE_HZ: u32;
+/// A board also provides a time driver with 1 µs ticks (`embassy_time_driver::time_driver_impl!`) and a log
+/// (`#[defmt::global_logger]`), which Rust finds at link time. Most HALs contain both.
+///
+/// Cameras and joints are reached over the link if another computer owns them. A board that owns them itself provides an
+/// [`Rx`](Self::Rx) that encodes [`bica_wire::ToRobot`] packets from their values, and a [`Tx`](Self::Tx) that executes
+/// the [`bica_wire::FromRobot::Command`]s written to it.
+pub trait Board: Sized {
+    /// Receiver of bytes: a serial line, a TCP connection or any other ordered stream. Bytes may get lost.
+    type Rx: Read;
+    /// Transmitter of bytes.
+    type Tx: Write;
+    /// Rate of [`Self::counter`], Hz.
+    const COUNTER_HZ: u32;
 
-    /// The link.
-    fn link(self) -> (Self::Ear, Self::Mouth);
+    /// Returns both directions of the link.
+    fn link(self) -> (Self::Rx, Self::Tx);
 
-    /// A clock to measure code with; wraps around.
-    fn fine() -> u32;
+    /// Returns a counter that measures the cost of code. It wraps around.
+    fn counter() -> u32;
 
-    /// Called before a measurement that has to be the same in every run: whatever of the clock's phase can be chosen,
-    /// is. A board with a counter of cycles has nothing to do here.
-    fn settle() {}
+    /// Called before a measurement that must be reproducible: aligns the phase of the counter, where a board can choose
+    /// it. A counter of processor cycles needs no alignment.
+    fn align_counter() {}
 
-    /// Sends bytes at once, waiting for the hardware; for last words. Nothing else runs any more.
-    fn cry(bytes: &[u8]);
+    /// Sends bytes and waits until the hardware has sent them. Called after a panic, when no task runs any more.
+    fn write_blocking(bytes: &[u8]);
 
-    /// Starts anew. Memory in `.uninit` sections keeps its content.
+    /// Restarts the microcontroller. Memory in `.uninit` sections keeps its content.
     fn reset() -> !;
 }

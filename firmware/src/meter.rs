@@ -1,36 +1,38 @@
-//! What a cycle costs, and what changes in it: the probe that measures, logs, and puts components to the test.
+//! Costs of the components, log of the transitions, and injection of faults.
 
 use core::marker::PhantomData;
 
+use bica::runner::Observer;
 use bica::{ComponentId, Probe, Tree};
 use bica_player::Forward;
 use bica_wire::message::FaultInjection;
 
 use crate::board::Board;
+use crate::faults::Faults;
 
-/// Measures by the fine clock of board `B`.
+/// An observer that measures with the counter of board `B`.
 pub(crate) struct Meter<B> {
-    /// Fine ticks in each component's own code in this cycle, the lowest byte first.
-    pub(crate) costs: [[u8; 4]; Forward::COUNT],
-    began: u32,
-    slow: Option<(usize, u32)>,
-    panics: Option<usize>,
+    /// Time spent in each component's own code in this cycle, counter ticks, little-endian.
+    costs: [[u8; 4]; Forward::COUNT],
+    start: u32,
+    faults: Faults,
     board: PhantomData<B>,
 }
 
 impl<B: Board> Meter<B> {
-    /// Has measured nothing yet.
+    /// Creates a meter without costs and faults.
     pub(crate) const fn new() -> Self {
-        Self { costs: [[0; 4]; Forward::COUNT], began: 0, slow: None, panics: None, board: PhantomData }
+        Self { costs: [[0; 4]; Forward::COUNT], start: 0, faults: Faults::NONE, board: PhantomData }
     }
 
-    /// Puts a component to a test.
-    pub(crate) const fn test(&mut self, trial: FaultInjection) {
-        match trial {
-            FaultInjection::Delay { ticks: 0, .. } => self.slow = None,
-            FaultInjection::Delay { component, ticks } => self.slow = Some((component as usize, ticks)),
-            FaultInjection::Panic { component } => self.panics = Some(component as usize),
-        }
+    /// Injects a fault.
+    pub(crate) fn inject(&mut self, fault: FaultInjection) {
+        self.faults.inject(fault);
+    }
+
+    /// Returns the costs of all components in this cycle: four bytes each, counter ticks, little-endian.
+    pub(crate) const fn costs(&self) -> &[u8] {
+        self.costs.as_flattened()
     }
 }
 
@@ -48,20 +50,19 @@ impl<B: Board> Probe for Meter<B> {
     }
 
     fn begin(&mut self, component: ComponentId) {
-        self.began = B::fine();
-        assert!(self.panics != Some(component.index()), "injected: {} panics", name(component));
+        self.start = B::counter();
+        self.faults.before_run(component.index(), name(component));
     }
 
     fn end(&mut self, component: ComponentId) {
-        if let Some((_, ticks)) = self.slow.filter(|&(slow, _)| slow == component.index()) {
-            let began = B::fine();
-            while B::fine().wrapping_sub(began) < ticks {}
-        }
+        self.faults.after_run::<B>(component.index());
         let cost = &mut self.costs[component.index()];
-        *cost = u32::from_le_bytes(*cost).wrapping_add(B::fine().wrapping_sub(self.began)).to_le_bytes();
+        *cost = u32::from_le_bytes(*cost).wrapping_add(B::counter().wrapping_sub(self.start)).to_le_bytes();
     }
 
     fn transition(&mut self, component: ComponentId, from: usize, to: usize) {
         defmt::info!("{=str}: {=str} -> {=str}", name(component), state(component, from), state(component, to));
     }
 }
+
+impl<B: Board> Observer<Forward> for Meter<B> {}

@@ -1,11 +1,14 @@
 //! The firmware image: build, tests, and comparison with the committed figures.
 
+use std::fs;
+
 use crate::cli::Firmware;
 use crate::install::packages;
 use crate::no_std::Toolchain;
 use crate::process::{root, run, works};
 
-const IMAGE: &str = "firmware/target/thumbv7em-none-eabihf/release/forward";
+const IMAGE: &str = "firmware/target/thumbv7em-none-eabihf/release/forward-an500";
+const ROBOT_IMAGE: &str = "firmware/target/thumbv7em-none-eabihf/release/forward-stm32h743";
 const FIGURES: &str = "firmware/figures.txt";
 
 /// Installs the target and QEMU, builds the image and tests it, or performs the selected option instead.
@@ -30,7 +33,8 @@ pub(crate) fn check(options: &Firmware) -> Result<(), String> {
     if options.bless {
         return self_test(&["--bless"]);
     }
-    build_for(&rust, "firmware/stm32h7/Cargo.toml", "firmware/stm32h7/target")?;
+    build_for(&rust, "stm32h743")?;
+    check_fault_injection()?;
     self_test(&[])?;
     play()
 }
@@ -53,11 +57,22 @@ fn play() -> Result<(), String> {
     run("cargo", &[&["run", "--quiet", "--release", "--"], &games[..]].concat(), &[])
 }
 
-/// Ten minutes of injected errors for the decoder, then ten for the running image.
+/// Ten minutes of damaged packets for the decoder, then ten for the running image.
 fn fuzz() -> Result<(), String> {
-    const SECONDS: &str = "600";
-    run("cargo", &["run", "--quiet", "--release", "-p", "bica-wire", "--example", "fuzz", "--", SECONDS], &[])?;
-    self_test(&["--fuzz", SECONDS])
+    self_test(&["--fuzz", "600"])
+}
+
+/// Checks that the image for QEMU contains the injected faults, and the image for a robot does not.
+fn check_fault_injection() -> Result<(), String> {
+    /// A part of the message of an injected panic.
+    const MARK: &[u8] = b"injected: ";
+    for (image, expected) in [(IMAGE, true), (ROBOT_IMAGE, false)] {
+        let bytes = fs::read(root().join(image)).map_err(|error| format!("{image}: {error}"))?;
+        if bytes.windows(MARK.len()).any(|window| window == MARK) != expected {
+            return Err(format!("{image}: fault injection is {}", if expected { "missing" } else { "built in" }));
+        }
+    }
+    Ok(())
 }
 
 /// Builds the image.
@@ -65,10 +80,12 @@ fn fuzz() -> Result<(), String> {
 /// # Errors
 /// What did not build.
 pub(crate) fn build(rust: &Toolchain) -> Result<(), String> {
-    build_for(rust, "firmware/Cargo.toml", "firmware/target")
+    build_for(rust, "an500")
 }
 
-fn build_for(rust: &Toolchain, manifest: &str, target: &str) -> Result<(), String> {
-    let place = ["--config", "firmware/.cargo/config.toml", "--target-dir", target];
-    rust.build(&[&place[..], &["--manifest-path", manifest, "--release"]].concat())
+/// Builds the image of a board. Each board is built alone: Cargo would unify the features of both.
+fn build_for(rust: &Toolchain, board: &str) -> Result<(), String> {
+    let manifest = format!("firmware/boards/{board}/Cargo.toml");
+    let options = ["--config", "firmware/.cargo/config.toml", "--target-dir", "firmware/target"];
+    rust.build(&[&options[..], &["--manifest-path", &manifest, "--release"]].concat())
 }

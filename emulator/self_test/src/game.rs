@@ -11,7 +11,7 @@ use bica_sim::kinematic::KinematicWorld;
 use bica_sim::setup::{Frame, Setup};
 use bica_wire::message::StackUsage;
 
-use crate::reference::{Reference, attacked_goal};
+use crate::reference::Reference;
 
 /// Time limit of a game, s of the world's clock.
 const LIMIT_S: u64 = 120;
@@ -32,9 +32,9 @@ pub(crate) struct Played {
 /// Plays a game until the first goal.
 pub(crate) fn play(image: &Path, seed: u64) -> Result<Played, Box<dyn Error>> {
     let mut world = KinematicWorld::new(&Setup { seed, frame: Frame::Small, ..Setup::default() })?;
-    let mut reference = Reference::new(attacked_goal(&world));
+    let mut reference = Reference::new(world.referee().attacks());
     let log = image.with_extension("log");
-    let mut controller = Controller::start(image, Transport::Pipe, attacked_goal(&world), Some(&log))?;
+    let mut controller = Controller::start(image, Transport::Pipe, world.referee().attacks(), Some(&log))?;
     let (mut chain, mut costs) = (Vec::new(), vec![Vec::new(); Forward::COUNT]);
     while world.referee().goals() == 0 && world.now().as_secs() < LIMIT_S {
         let time_us = world.now().as_micros() as u64;

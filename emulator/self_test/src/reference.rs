@@ -2,38 +2,31 @@
 
 use std::error::Error;
 
-use bica::runner::Robot;
+use bica::runner::Runner;
 use bica::{ComponentId, Instant, Tree};
 use bica_emulator::{Controller, CycleReport, command_bits};
 use bica_field::GoalColour;
 use bica_motion::robot::{Command, Sensors};
 use bica_player::Forward;
 use bica_player::perception::GoalDetector;
-use bica_sim::World;
-use bica_sim::kinematic::KinematicWorld;
-
-/// Returns the colour of the goal that the robot attacks.
-pub(crate) fn attacked_goal(world: &KinematicWorld) -> GoalColour {
-    world.referee().attacks()
-}
 
 /// The forward on the host.
-pub(crate) struct Reference(Box<Forward>);
+pub(crate) struct Reference(Runner<Box<Forward>>);
 
 impl Reference {
     /// Creates a forward that attacks the goal of a colour.
     pub(crate) fn new(attacks: GoalColour) -> Self {
-        let mut robot = Box::new(Forward::new());
-        robot.get_mut::<GoalDetector>().attack(attacks);
-        Self(robot)
+        let mut runner = Runner::new(Box::new(Forward::new()), ());
+        runner.robot_mut().get_mut::<GoalDetector>().attack(attacks);
+        Self(runner)
     }
 
     /// Runs one sense-think-act cycle on the host.
     pub(crate) fn cycle(&mut self, time_us: u64, sensors: &Sensors<'_>) -> Command {
+        let now = Instant::from_micros(time_us);
         // The firmware ignores an image that does not fit, too.
-        let _ = self.0.sense(sensors);
-        self.0.tick(Instant::from_micros(time_us));
-        self.0.act()
+        let _ = self.0.sense(now, sensors);
+        self.0.think(now)
     }
 
     /// Runs one cycle on the microcontroller and on the host and compares them.
@@ -53,8 +46,9 @@ impl Reference {
             return Err(format!("at {time_us} µs value {index} of the command differs from the host's").into());
         }
         let ids = || (0..Forward::COUNT).map(ComponentId::new);
-        let same_tree = ids().map(|id| self.0.is_active(id)).eq(report.active.iter().copied())
-            && ids().map(|id| self.0.state(id)).eq(report.states.iter().copied());
+        let robot = self.0.robot();
+        let same_tree = ids().map(|id| robot.is_active(id)).eq(report.active.iter().copied())
+            && ids().map(|id| robot.state(id)).eq(report.states.iter().copied());
         if !same_tree {
             return Err(format!("at {time_us} µs the active components or states differ from the host's").into());
         }

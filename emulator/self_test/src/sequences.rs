@@ -11,7 +11,7 @@ use bica_sim::kinematic::KinematicWorld;
 use bica_sim::setup::{Frame, Setup};
 
 use crate::random::Random;
-use crate::reference::{Reference, attacked_goal};
+use crate::reference::Reference;
 
 /// A sequence of sensor values.
 pub(crate) struct Sequence {
@@ -71,7 +71,7 @@ impl Sequence {
         for &(seed, robots, length) in self.worlds {
             let mut world = KinematicWorld::new(&Setup { seed, robots, frame: Frame::Small, ..Setup::default() })?;
             if both.is_none() {
-                let goal = attacked_goal(&world);
+                let goal = world.referee().attacks();
                 both = Some((Reference::new(goal), Controller::start(image, self.transport, goal, None)?));
             }
             let Some((reference, controller)) = &mut both else { continue };

@@ -1,0 +1,35 @@
+//! The forward on an STM32H743. It compiles and was never run.
+//!
+//! Before use, check clock, pins and serial port against the board.
+#![no_std]
+#![no_main]
+
+mod board;
+
+use core::panic::PanicInfo;
+
+use bica_firmware::Board;
+use defmt_rtt as _;
+use embassy_executor::Spawner;
+use embassy_stm32::usart::{BufferedUartRx, BufferedUartTx};
+
+use board::Stm32h743;
+
+/// Starts the board, then the robot's task.
+#[embassy_executor::main]
+async fn main(spawner: Spawner) {
+    bica_firmware::paint_stack();
+    let (rx, tx) = Stm32h743::start().link();
+    spawner.spawn(robot(rx, tx).expect("spawned once"));
+}
+
+/// The robot's task.
+#[embassy_executor::task]
+async fn robot(rx: BufferedUartRx<'static>, tx: BufferedUartTx<'static>) {
+    bica_firmware::run::<Stm32h743>(rx, tx).await
+}
+
+#[panic_handler]
+fn panic(info: &PanicInfo<'_>) -> ! {
+    bica_firmware::handle_panic::<Stm32h743>(info)
+}

@@ -1,0 +1,209 @@
+//! The robot's controller: handles messages, runs cycles and reports them.
+
+use bica::runner::Runner;
+use bica::{ComponentId, Instant, Tree};
+use bica_motion::robot;
+use bica_motion::stand::{STAND, Stiffness};
+use bica_player::Forward;
+use bica_player::input::IMAGE_BYTES;
+use bica_player::perception::{BallDetector, GoalDetector};
+use bica_wire::message::{ClockMode, Command, Hello, Identity, LinkStats, Sensors, Telemetry};
+use bica_wire::{FromRobot, ImageBuffer, SCHEMA, ToRobot, describe};
+use embassy_time::Duration;
+use embedded_io_async::Write;
+
+use crate::board::Board;
+use crate::crash_log::CrashLog;
+use crate::link::MessageTx;
+use crate::meter::Meter;
+use crate::stack;
+
+/// Silence of the host after which the robot stops safely: the latency budget of the tree.
+const SILENCE: Duration = Duration::from_millis(200);
+
+/// The robot's controller on board `B`.
+pub(crate) struct Controller<B> {
+    runner: Runner<&'static mut Forward, (), (), Meter<B>>,
+    image: &'static mut ImageBuffer<IMAGE_BYTES>,
+    crash_log: CrashLog,
+    /// `None` before the first [`Hello`].
+    clock_mode: Option<ClockMode>,
+    /// Sensor values taken in since the last cycle.
+    sensed: Option<Sensed>,
+    /// Time of the last message.
+    last_message: Instant,
+    late_cycles: u32,
+    safe_stop: bool,
+    /// Whether ball and goal are visible.
+    visible: (bool, bool),
+}
+
+/// Sensor values that were written into the tree.
+struct Sensed {
+    time_us: u64,
+    /// Time that it took to write them, counter ticks.
+    ticks: u32,
+}
+
+impl<B: Board> Controller<B> {
+    /// Creates a controller that waits for a [`Hello`].
+    pub(crate) fn new(
+        robot: &'static mut Forward,
+        image: &'static mut ImageBuffer<IMAGE_BYTES>,
+        crash_log: CrashLog,
+    ) -> Self {
+        Self {
+            runner: Runner::new(robot, ()).with_observer(Meter::new()),
+            image,
+            crash_log,
+            clock_mode: None,
+            sensed: None,
+            last_message: Instant::now(),
+            late_cycles: 0,
+            safe_stop: false,
+            visible: (false, false),
+        }
+    }
+
+    /// Returns the clock mode; `None` before the first [`Hello`].
+    pub(crate) const fn clock_mode(&self) -> Option<ClockMode> {
+        self.clock_mode
+    }
+
+    /// Returns the identity of this program.
+    pub(crate) fn identity(&self) -> FromRobot<'_> {
+        FromRobot::Identity(Identity {
+            schema: SCHEMA,
+            name: Forward::GRAPH.name,
+            cycle_hz: Forward::GRAPH.cycle_hz,
+            components: Forward::COUNT as u8,
+            counter_hz: B::COUNTER_HZ,
+            restarts: self.crash_log.restarts,
+            last_panic: &self.crash_log.last_panic,
+        })
+    }
+
+    /// Handles a message. `link` are the packet counts before it.
+    pub(crate) async fn receive(
+        &mut self,
+        message: &ToRobot<'_>,
+        link: LinkStats,
+        tx: &mut MessageTx<impl Write>,
+    ) {
+        self.last_message = Instant::now();
+        match message {
+            ToRobot::Hello(hello) => self.start_game(hello, tx).await,
+            ToRobot::Describe => {
+                for item in describe(&Forward::GRAPH) {
+                    tx.send(&FromRobot::GraphItem(item)).await;
+                }
+            }
+            ToRobot::StackUsage => tx.send(&FromRobot::StackUsage(stack::usage())).await,
+            ToRobot::FaultInjection(fault) => self.runner.observer_mut().inject(*fault),
+            ToRobot::ImageChunk(chunk) => self.image.add(chunk),
+            ToRobot::Sensors(sensors) => {
+                B::align_counter();
+                self.sense(sensors);
+                if self.clock_mode == Some(ClockMode::Lockstep) {
+                    self.cycle(Instant::from_micros(sensors.time_us), link, tx).await;
+                }
+            }
+        }
+    }
+
+    async fn start_game(&mut self, hello: &Hello, tx: &mut MessageTx<impl Write>) {
+        if hello.schema != SCHEMA {
+            defmt::warn!("the host has another schema: {=u64:x}", hello.schema);
+            tx.send(&self.identity()).await;
+            return;
+        }
+        if self.clock_mode.is_some() {
+            defmt::info!("restart for a new game");
+            B::reset();
+        }
+        defmt::info!("game started; lockstep: {=bool}", hello.clock_mode == ClockMode::Lockstep);
+        self.runner.robot_mut().get_mut::<GoalDetector>().attack(hello.attacks);
+        self.clock_mode = Some(hello.clock_mode);
+        tx.send(&self.identity()).await;
+    }
+
+    /// Runs a cycle by the robot's own clock. It was due at `due`.
+    pub(crate) async fn tick(&mut self, due: Instant, link: LinkStats, tx: &mut MessageTx<impl Write>) {
+        let now = Instant::now();
+        let period = Duration::from_hz(Forward::GRAPH.cycle_hz as u64);
+        if now.saturating_duration_since(due) >= period {
+            self.late_cycles = self.late_cycles.wrapping_add(1);
+            defmt::warn!("late by {=u64} us", (now - due).as_micros());
+        }
+        let safe_stop = now.saturating_duration_since(self.last_message) > SILENCE;
+        if safe_stop != self.safe_stop {
+            defmt::warn!("safe stop: {=bool}", safe_stop);
+        }
+        self.safe_stop = safe_stop;
+        self.cycle(now, link, tx).await;
+    }
+
+    /// Writes sensor values into the tree. It does so at once, since chunks of the next image may come before the cycle.
+    fn sense(&mut self, sensors: &Sensors) {
+        let start = B::counter();
+        let yuyv = sensors.image.as_ref().and_then(|info| self.image.take(info));
+        let now = Instant::from_micros(sensors.time_us);
+        if let Err(error) = self.runner.sense(now, &sensors.to_sensors(yuyv)) {
+            defmt::warn!("an image of {=usize} bytes does not fit", error.bytes);
+        }
+        self.sensed = Some(Sensed { time_us: sensors.time_us, ticks: B::counter().wrapping_sub(start) });
+    }
+
+    /// Ticks the tree, sends the command and the report.
+    async fn cycle(&mut self, now: Instant, link: LinkStats, tx: &mut MessageTx<impl Write>) {
+        let start = B::counter();
+        let sensed = self.sensed.take().unwrap_or(Sensed { time_us: now.as_micros(), ticks: 0 });
+        let command = self.runner.think(now);
+        let command = if self.safe_stop { stand() } else { command };
+        let chain_ticks = B::counter().wrapping_sub(start).wrapping_add(sensed.ticks);
+        self.log_visible();
+        tx.send(&FromRobot::Command(Command::new(sensed.time_us, &command))).await;
+        self.report(sensed.time_us, chain_ticks, link, tx).await;
+    }
+
+    /// Logs a change of what is visible.
+    fn log_visible(&mut self) {
+        let robot = self.runner.robot();
+        let ball = robot.get::<BallDetector>().seen().is_some();
+        let goal = robot.get::<GoalDetector>().seen().is_some();
+        if (ball, goal) != self.visible {
+            defmt::info!("visible: ball {=bool}, goal {=bool}", ball, goal);
+            self.visible = (ball, goal);
+        }
+    }
+
+    async fn report(&mut self, time_us: u64, chain_ticks: u32, link: LinkStats, tx: &mut MessageTx<impl Write>) {
+        let robot = self.runner.robot();
+        let mut states = [u8::MAX; Forward::COUNT];
+        for (index, state) in states.iter_mut().enumerate() {
+            *state = robot.state(ComponentId::new(index)).map_or(u8::MAX, |state| state as u8);
+        }
+        let telemetry = Telemetry {
+            time_us,
+            safe_stop: self.safe_stop,
+            late_cycles: self.late_cycles,
+            incomplete_images: self.image.incomplete(),
+            link,
+            chain_ticks,
+            active: robot.active().fold(0, |set, id| set | 1 << id.index()),
+            states: &states,
+            component_ticks: self.runner.observer().costs(),
+        };
+        tx.send(&FromRobot::Telemetry(telemetry)).await;
+    }
+}
+
+/// Command of the safe stop: the robot stands, with the stiffness declared for that.
+fn stand() -> robot::Command {
+    robot::Command {
+        targets: STAND,
+        stiffness: Stiffness::Stand.joints(),
+        lights: robot::Lights::default(),
+        camera: robot::CameraId::default(),
+    }
+}

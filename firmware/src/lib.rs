@@ -1,0 +1,23 @@
+//! The forward on a microcontroller, for any board.
+//!
+//! The microcontroller runs the activation tree. The world is on the other end of a serial link with the messages of
+//! `bica-wire`. There is no heap: an image that allocates does not link.
+//!
+//! A board package implements [`Board`], calls [`paint_stack`] and [`run`] in its `main`, and [`handle_panic`] in its
+//! panic handler. `docs/firmware-port.md` describes a port step by step.
+#![no_std]
+
+mod board;
+mod controller;
+mod crash_log;
+mod faults;
+mod link;
+mod meter;
+mod panic;
+mod run;
+mod stack;
+
+pub use board::Board;
+pub use panic::handle_panic;
+pub use run::run;
+pub use stack::paint as paint_stack;

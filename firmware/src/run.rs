@@ -1,0 +1,86 @@
+//! The robot's task: receives messages and ticks the tree.
+
+use bica::Tree;
+use bica_player::Forward;
+use bica_player::input::{CameraInput, IMAGE_BYTES};
+use bica_wire::message::ClockMode;
+use bica_wire::{Decoder, ImageBuffer, MAX_PACKET, ToRobot};
+use embassy_futures::select::{Either, select};
+use embassy_time::{Duration, Instant, Ticker};
+use embedded_io_async::Read;
+use static_cell::ConstStaticCell;
+
+use crate::board::Board;
+use crate::controller::Controller;
+use crate::crash_log::{self, CrashLog};
+use crate::link::MessageTx;
+
+static ROBOT: ConstStaticCell<Forward> = ConstStaticCell::new(Forward::new());
+static CAMERA_BUFFER: ConstStaticCell<[u8; IMAGE_BYTES]> = ConstStaticCell::new([0; IMAGE_BYTES]);
+static IMAGE: ConstStaticCell<ImageBuffer<IMAGE_BYTES>> = ConstStaticCell::new(ImageBuffer::new());
+static DECODER: ConstStaticCell<Decoder<MAX_PACKET>> = ConstStaticCell::new(Decoder::new());
+static PACKET: ConstStaticCell<[u8; MAX_PACKET]> = ConstStaticCell::new([0; MAX_PACKET]);
+
+/// Size of the buffer for received bytes.
+const RX_BYTES: usize = 256;
+
+/// Receives messages and ticks the tree, forever. Called once.
+///
+/// The loop is not `Runner::run_async`: in lockstep a message is the clock, and in free-running mode messages are handled
+/// between the ticks. A late cycle is executed, not skipped.
+///
+/// # Panics
+/// If it is called twice.
+pub async fn run<B: Board>(mut rx: B::Rx, tx: B::Tx) -> ! {
+    let (decoder, robot) = (DECODER.take(), ROBOT.take());
+    robot.get_mut::<CameraInput>().set_buffer(CAMERA_BUFFER.take());
+    let mut tx = MessageTx::new(tx, PACKET.take());
+    let mut controller = Controller::<B>::new(robot, IMAGE.take(), read_crash_log());
+    let period = Duration::from_hz(Forward::GRAPH.cycle_hz as u64);
+    let mut ticker = Ticker::every(period);
+    let mut due = Instant::now() + period;
+    let mut buffer = [0; RX_BYTES];
+    tx.send(&controller.identity()).await;
+    loop {
+        if controller.clock_mode() != Some(ClockMode::FreeRunning) {
+            let count = rx.read(&mut buffer).await.unwrap_or(0);
+            receive(&buffer[..count], decoder, &mut controller, &mut tx).await;
+            ticker.reset();
+            due = Instant::now() + period;
+            continue;
+        }
+        // The receiver is polled first: late cycles, which are always due, must not block it.
+        match select(rx.read(&mut buffer), ticker.next()).await {
+            Either::First(count) => receive(&buffer[..count.unwrap_or(0)], decoder, &mut controller, &mut tx).await,
+            Either::Second(()) => {
+                controller.tick(due, decoder.stats(), &mut tx).await;
+                due += period;
+            }
+        }
+    }
+}
+
+fn read_crash_log() -> CrashLog {
+    let log = crash_log::read();
+    if log.restarts > 0 {
+        defmt::error!("restart {=u32} after a panic: {=str}", log.restarts, log.last_panic.as_str());
+    }
+    log
+}
+
+async fn receive<B: Board>(
+    bytes: &[u8],
+    decoder: &mut Decoder<MAX_PACKET>,
+    controller: &mut Controller<B>,
+    tx: &mut MessageTx<B::Tx>,
+) {
+    for &byte in bytes {
+        let stats = decoder.stats();
+        if let Some(packet) = decoder.push(byte) {
+            match packet.message::<ToRobot<'_>>() {
+                Ok(message) => controller.receive(&message, stats, tx).await,
+                Err(_) => defmt::warn!("a packet contains no message of this schema"),
+            }
+        }
+    }
+}
