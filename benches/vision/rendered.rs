@@ -1,6 +1,7 @@
 //! Frames of the built-in world.
 
 use bica_motion::joints::{Joint, Joints};
+use bica_motion::model::Nao;
 use bica_motion::robot::{CameraId, Command, Lights};
 use bica_motion::side::Side;
 use bica_sim::World;
@@ -41,7 +42,7 @@ fn shot(world: &mut KinematicWorld, targets: &mut Joints, (yaw, pitch): (f32, f3
     }
     let sensors = world.sensors();
     let image = sensors.image.expect("waited for");
-    let camera = Camera::of_nao(image.camera, &sensors.angles, Side::Left, image.width, image.height);
+    let camera = Camera::of::<Nao>(image.camera, &sensors.angles, Side::Left, image.width, image.height);
     let name = format!("game {seed}, head at {yaw} {pitch}");
     Shot { name, width: image.width, height: image.height, yuyv: image.yuyv.to_vec(), camera: Some(camera) }
 }

@@ -1,6 +1,7 @@
 //! Frames that make a stage work hard: no sound camera sends them, a broken one may.
 
 use bica_motion::joints::Joints;
+use bica_motion::model::Nao;
 use bica_motion::robot::CameraId;
 use bica_motion::side::Side;
 use bica_vision::profile::BUILT_IN_TABLE;
@@ -84,6 +85,6 @@ fn shot(name: String, (width, height): (u16, u16), colour: impl Fn(u16, u16, &mu
         [luma, cb, luma, cr]
     });
     let yuyv = yuyv.collect();
-    let camera = Camera::of_nao(CameraId::Top, &Joints::all(0.0), Side::Left, width, height);
+    let camera = Camera::of::<Nao>(CameraId::Top, &Joints::all(0.0), Side::Left, width, height);
     Shot { name, width, height, yuyv, camera: Some(camera) }
 }

@@ -2,7 +2,7 @@
 
 use bica_motion::health::Fault;
 use bica_motion::joints::{Joint, Joints};
-use bica_motion::stand::{SIT, SIT_STIFFNESS};
+use bica_motion::model::{Nao, RobotModel};
 use bica_player::Forward;
 use bica_player::behaviour::SafetyGuard;
 use bica_player::input::HealthMonitor;
@@ -33,9 +33,9 @@ fn a_hot_joint_is_held_less_firmly_then_the_robot_sits_down() {
         play(&mut game, 600);
         assert_eq!(game.robot.get::<HealthMonitor>().fault(), Some(Fault::Hot(joint)));
         let last = game.cycle(&mut ());
-        assert!(last.stiffness.0.iter().all(|stiffness| *stiffness <= SIT_STIFFNESS), "seed {seed}");
+        assert!(last.stiffness.0.iter().all(|stiffness| *stiffness <= Nao::SIT_STIFFNESS), "seed {seed}");
         let angles = game.world.sensors().angles;
-        let off = Joint::ALL.map(|joint| (angles[joint] - SIT[joint]).abs());
+        let off = Joint::ALL.map(|joint| (angles[joint] - Nao::SIT[joint]).abs());
         assert!(off[7..18].iter().all(|off| *off < 0.02), "seed {seed}: {off:?}");
         assert_eq!(game.world.referee().falls(), 0, "seed {seed}");
     }

@@ -5,7 +5,7 @@ use std::collections::VecDeque;
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::kick::{Kick, KickMotion};
 use bica_motion::kinematics::{self, LegAngles};
-use bica_motion::profile::Profile;
+use bica_motion::model::{Nao, RobotModel};
 use bica_motion::robot::FootPressure;
 use bica_motion::side::Side;
 use bica_motion::walk::{Feedback, Phase, Velocity, Walk};
@@ -13,7 +13,7 @@ use glam::Vec3;
 
 use crate::world::CYCLE;
 
-const NAO: &Profile = &Profile::NAO;
+const NAO: &bica_motion::model::Profile = Nao::DYNAMIC_PROFILE;
 
 fn force(newtons: f32) -> FootPressure {
     FootPressure { front_left: newtons, ..FootPressure::default() }
@@ -26,19 +26,19 @@ fn level() -> Feedback {
 
 /// Walks for a while, feeling this when `side` carries.
 fn walked(request: Velocity, cycles: usize, feedback: impl Fn(Side) -> Feedback) -> (Walk, Joints) {
-    let mut walk = Walk::new(&NAO.gait);
-    let mut targets = NAO.gait.stand().joints();
+    let mut walk = Walk::<Nao>::new(&NAO.gait);
+    let mut targets = NAO.gait.stand::<Nao>().joints();
     for _ in 0..cycles {
         let body = walk.support().map_or_else(level, &feedback);
         targets = walk.step(request, &body, CYCLE).joints();
-        assert!(targets.within_limits(), "{targets:?}");
+        assert!(targets.within_limits::<Nao>(), "{targets:?}");
     }
     (walk, targets)
 }
 
 /// How far the feet are apart, seen from the left one, m.
 fn apart(targets: &Joints) -> Vec3 {
-    let [left, right] = Side::BOTH.map(|side| kinematics::sole(side, targets));
+    let [left, right] = Side::BOTH.map(|side| kinematics::sole::<Nao>(side, targets));
     (left.inverse() * right).translation.into()
 }
 
@@ -72,7 +72,7 @@ fn a_body_that_topples_aside_is_caught_by_a_wider_step() {
 #[test]
 fn a_step_that_catches_the_body_is_a_mode_of_its_own() {
     let phases = |rolled: f32| {
-        let mut walk = Walk::new(&NAO.gait);
+        let mut walk = Walk::<Nao>::new(&NAO.gait);
         let phases = (0..300).map(|_| {
             let roll = walk.support().map_or(0.0, |side| rolled * side.sign());
             walk.step(Velocity::new(0.1, 0.0, 0.0), &Feedback { roll, ..level() }, CYCLE);
@@ -90,7 +90,7 @@ fn a_step_that_catches_the_body_is_a_mode_of_its_own() {
 #[test]
 fn time_passes_slower_while_the_body_hangs_out_over_the_foot_that_carries() {
     let steps = |rolled: f32| {
-        let mut walk = Walk::new(&NAO.gait);
+        let mut walk = Walk::<Nao>::new(&NAO.gait);
         let (mut steps, mut before) = (0, None);
         for _ in 0..1000 {
             let roll = walk.support().map_or(0.0, |side| -rolled * side.sign());
@@ -107,8 +107,8 @@ fn time_passes_slower_while_the_body_hangs_out_over_the_foot_that_carries() {
 
 #[test]
 fn a_body_that_falls_forward_in_stand_presses_its_toes_down() {
-    let mut walk = Walk::new(&NAO.gait);
-    let stand = NAO.gait.stand();
+    let mut walk = Walk::<Nao>::new(&NAO.gait);
+    let stand = NAO.gait.stand::<Nao>();
     let mut limbs = stand;
     for _ in 0..5 {
         limbs = walk.step(Velocity::ZERO, &Feedback { gyro: Vec3::new(0.0, 0.5, 0.0), ..level() }, CYCLE);
@@ -122,7 +122,7 @@ fn a_body_that_falls_forward_in_stand_presses_its_toes_down() {
 fn wild_readings_move_no_joint_beyond_reason() {
     for wild in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 1e30] {
         let feedback = Feedback { gyro: Vec3::splat(wild), roll: wild, pitch: wild, knees: Some([wild; 2]), ..level() };
-        let mut walk = Walk::new(&NAO.gait);
+        let mut walk = Walk::<Nao>::new(&NAO.gait);
         for _ in 0..500 {
             let targets = walk.step(Velocity::new(0.2, 0.0, 0.0), &feedback, CYCLE).joints();
             assert!(targets.0.iter().all(|angle| angle.is_finite()), "{targets:?}");
@@ -133,25 +133,25 @@ fn wild_readings_move_no_joint_beyond_reason() {
 #[test]
 fn kicks_keep_to_the_limits_and_come_back_to_the_stand() {
     for kick in Kick::ALL {
-        let mut motion = KickMotion::new(kick, NAO);
+        let mut motion = KickMotion::<Nao>::new(kick, NAO);
         assert!(motion.seconds() < 2.5, "{kick:?}: {} s", motion.seconds());
-        let mut targets = NAO.gait.stand().joints();
+        let mut targets = NAO.gait.stand::<Nao>().joints();
         for _ in 0..300 {
             targets = motion.step(&level(), CYCLE).joints();
-            let clamped = targets.clamp_to_limits();
+            let clamped = targets.clamp_to_limits::<Nao>();
             let beyond = targets.0.iter().zip(clamped.0).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
             assert!(beyond < 0.05, "{kick:?}: {beyond} rad beyond a limit");
         }
         assert!(motion.is_done());
-        assert_eq!(targets, NAO.gait.stand().joints());
+        assert_eq!(targets, NAO.gait.stand::<Nao>().joints());
     }
 }
 
 /// The targets in the middle of a step of the left leg's, of a robot whose knees bend `sag` rad farther than they are told
 /// when they carry.
 fn carried(sag: f32) -> [LegAngles; 2] {
-    let mut walk = Walk::new(&NAO.gait);
-    let mut told = VecDeque::from(vec![NAO.gait.stand().joints(); 4]);
+    let mut walk = Walk::<Nao>::new(&NAO.gait);
+    let mut told = VecDeque::from(vec![NAO.gait.stand::<Nao>().joints(); 4]);
     let mut carried = [LegAngles::default(); 2];
     for cycle in 0..1000 {
         let carrying = walk.support();

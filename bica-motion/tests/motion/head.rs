@@ -1,12 +1,11 @@
 //! The head's range, speed and aim.
 
-use bica_motion::head::{HeadAngles, HeadMotion, look_at, look_at_over_ground, pitch_range};
+use bica_motion::head::{HeadAngles, look_at, look_at_over_ground, pitch_range};
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::kinematics::{self, ground_from_robot};
-use bica_motion::limits::limit;
+use bica_motion::model::{Nao, RobotModel};
 use bica_motion::robot::CameraId;
 use bica_motion::side::Side;
-use bica_motion::stand::STAND;
 use glam::Vec3;
 use proptest::prelude::*;
 
@@ -23,7 +22,7 @@ fn pitch_depends_on_yaw_as_published() {
         // Halfway between two of them.
         (35.585, -34.95, 22.69),
     ] {
-        let range = pitch_range(f32::to_radians(yaw));
+        let range = pitch_range::<Nao>(f32::to_radians(yaw));
         let near = |found: f32, wanted: f32| (found.to_degrees() - wanted).abs() < 0.01;
         assert!(near(range.min, min) && near(range.max, max), "{yaw}°: {range:?}");
     }
@@ -38,11 +37,11 @@ proptest! {
 
     #[test]
     fn clamped_angles_are_possible(yaw in -9.0_f32..9.0, pitch in -9.0_f32..9.0) {
-        let clamped = HeadAngles { yaw, pitch }.clamped();
-        prop_assert!(limit(Joint::HeadYaw).contains(clamped.yaw));
-        prop_assert!(limit(Joint::HeadPitch).contains(clamped.pitch));
-        prop_assert!(pitch_range(clamped.yaw).contains(clamped.pitch));
-        prop_assert_eq!(clamped.clamped(), clamped);
+        let clamped = HeadAngles { yaw, pitch }.clamped::<Nao>();
+        prop_assert!(Nao::LIMITS[Joint::HeadYaw].contains(clamped.yaw));
+        prop_assert!(Nao::LIMITS[Joint::HeadPitch].contains(clamped.pitch));
+        prop_assert!(pitch_range::<Nao>(clamped.yaw).contains(clamped.pitch));
+        prop_assert_eq!(clamped.clamped::<Nao>(), clamped);
     }
 
     #[test]
@@ -51,8 +50,8 @@ proptest! {
     ) {
         let point = Vec3::new(far * bearing.cos(), far * bearing.sin(), height);
         let mut angles = Joints::all(0.0);
-        look_at(camera, point).write(&mut angles);
-        let seen = kinematics::camera(camera, &angles).inverse().transform_point3(point);
+        look_at::<Nao>(camera, point).write(&mut angles);
+        let seen = kinematics::camera::<Nao>(camera, &angles).inverse().transform_point3(point);
         prop_assert!(seen.x > 0.0, "{seen} is behind the camera");
         prop_assert!(seen.y.abs() < 1e-5 * far.max(1.0) && seen.z.abs() < 1e-5 * far.max(1.0), "{seen}");
     }
@@ -61,10 +60,10 @@ proptest! {
     fn over_the_ground_it_looks_at_the_same_point(x in 0.3_f32..3.0, y in -2.0_f32..2.0, left in any::<bool>()) {
         let support = if left { Side::Left } else { Side::Right };
         let point = Vec3::new(x, y, 0.0325);
-        let mut angles = STAND;
+        let mut angles = Nao::STAND;
         angles[Joint::LHipRoll] += 0.05;
-        look_at_over_ground(CameraId::Top, point, support, &angles).write(&mut angles);
-        let camera = ground_from_robot(support, &angles) * kinematics::camera(CameraId::Top, &angles);
+        look_at_over_ground::<Nao>(CameraId::Top, point, support, &angles).write(&mut angles);
+        let camera = ground_from_robot::<Nao>(support, &angles) * kinematics::camera::<Nao>(CameraId::Top, &angles);
         let seen = camera.inverse().transform_point3(point);
         prop_assert!(seen.x > 0.0 && seen.y.abs() < 1e-4 && seen.z.abs() < 1e-4, "{seen}");
     }
@@ -73,18 +72,18 @@ proptest! {
     fn it_arrives_no_faster_than_it_may(
         from in (-2.1_f32..2.1, -0.7_f32..0.6), to in (-3.0_f32..3.0, -1.0_f32..1.0),
     ) {
-        let mut now = HeadAngles { yaw: from.0, pitch: from.1 }.clamped();
+        let mut now = HeadAngles { yaw: from.0, pitch: from.1 }.clamped::<Nao>();
         let target = HeadAngles { yaw: to.0, pitch: to.1 };
-        let motion = HeadMotion::CALM;
+        let motion = Nao::HEAD_SPEED;
         for _ in 0..600 {
-            let next = motion.step(now, target, 0.01);
-            prop_assert!((next.yaw - now.yaw).abs() <= 0.01 * motion.yaw_speed + 1e-6);
-            let most = motion.pitch_speed + 0.5 * motion.yaw_speed;
+            let next = motion.step::<Nao>(now, target, 0.01);
+            prop_assert!((next.yaw - now.yaw).abs() <= 0.01 * motion.yaw + 1e-6);
+            let most = motion.pitch + 0.5 * motion.yaw;
             prop_assert!((next.pitch - now.pitch).abs() <= 0.01 * most + 1e-6);
-            prop_assert!(pitch_range(next.yaw).contains(next.pitch));
+            prop_assert!(pitch_range::<Nao>(next.yaw).contains(next.pitch));
             now = next;
         }
-        prop_assert_eq!(now, target.clamped());
+        prop_assert_eq!(now, target.clamped::<Nao>());
     }
 }
 
@@ -92,9 +91,9 @@ proptest! {
 fn nonsense_leaves_the_head_where_it_can_be() {
     for value in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
         let target = HeadAngles { yaw: value, pitch: value };
-        let next = HeadMotion::CALM.step(HeadAngles::AHEAD, target, 0.01);
-        assert!(next.yaw.is_finite() && pitch_range(next.yaw).contains(next.pitch), "{next:?}");
-        let next = HeadMotion::CALM.step(HeadAngles::AHEAD, HeadAngles { yaw: 1.0, pitch: 0.2 }, value);
-        assert!(next.yaw.is_finite() && pitch_range(next.yaw).contains(next.pitch), "{next:?}");
+        let next = Nao::HEAD_SPEED.step::<Nao>(HeadAngles::AHEAD, target, 0.01);
+        assert!(next.yaw.is_finite() && pitch_range::<Nao>(next.yaw).contains(next.pitch), "{next:?}");
+        let next = Nao::HEAD_SPEED.step::<Nao>(HeadAngles::AHEAD, HeadAngles { yaw: 1.0, pitch: 0.2 }, value);
+        assert!(next.yaw.is_finite() && pitch_range::<Nao>(next.yaw).contains(next.pitch), "{next:?}");
     }
 }

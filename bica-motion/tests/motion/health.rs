@@ -2,9 +2,10 @@
 
 use bica_motion::health::{Fault, Health};
 use bica_motion::joints::{Joint, Joints};
+use bica_motion::model::{Nao, RobotModel};
 use bica_motion::robot::{Buttons, FootPressure, Inertial, Sensors};
 use bica_motion::side::Side;
-use bica_motion::stand::{STAND, Stiffness};
+use bica_motion::stiffness::Stiffness;
 use glam::Vec3;
 
 /// What a standing robot senses in a cycle; its inertial unit is noisy.
@@ -12,7 +13,7 @@ fn standing(cycle: u32) -> Sensors<'static> {
     let foot = FootPressure { front_left: 26.0, ..FootPressure::default() };
     let noise = 1e-3 * (cycle % 7) as f32;
     Sensors {
-        angles: STAND,
+        angles: Nao::STAND,
         temperatures: Joints::all(40.0),
         currents: Joints::all(0.1),
         inertial: Inertial { gyro: Vec3::splat(noise), acceleration: Vec3::Z * 9.81, roll: 0.0, pitch: 0.0 },
@@ -25,8 +26,8 @@ fn standing(cycle: u32) -> Sensors<'static> {
 
 /// What is found in `cycles` when each one's sensors are changed so, and after how many.
 fn found(cycles: u32, targets: &Joints, change: impl Fn(&mut Sensors<'_>)) -> Option<(Fault, u32)> {
-    let mut health = Health::new();
-    let stiffness = Stiffness::Walk.joints();
+    let mut health = Health::<Nao>::new();
+    let stiffness = Stiffness::Walk.joints::<Nao>();
     (0..cycles).find_map(|cycle| {
         let mut sensors = standing(cycle);
         change(&mut sensors);
@@ -37,33 +38,33 @@ fn found(cycles: u32, targets: &Joints, change: impl Fn(&mut Sensors<'_>)) -> Op
 
 #[test]
 fn a_sound_body_has_no_fault() {
-    assert_eq!(found(2000, &STAND, |_| ()), None);
+    assert_eq!(found(2000, &Nao::STAND, |_| ()), None);
 }
 
 #[test]
 fn a_joint_that_does_not_follow_is_found_within_two_seconds() {
-    let mut targets = STAND;
+    let mut targets = Nao::STAND;
     targets[Joint::RKneePitch] += 0.9;
     let (fault, cycle) = found(2000, &targets, |_| ()).expect("it is found");
     assert_eq!(fault, Fault::Stuck(Joint::RKneePitch));
     assert!((90..200).contains(&cycle), "{cycle}");
-    targets[Joint::RKneePitch] = STAND[Joint::RKneePitch] + 0.3;
+    targets[Joint::RKneePitch] = Nao::STAND[Joint::RKneePitch] + 0.3;
     assert_eq!(found(2000, &targets, |_| ()), None, "motors give way a little");
-    let mut arms = STAND;
+    let mut arms = Nao::STAND;
     arms[Joint::LShoulderPitch] -= 1.0;
     assert_eq!(found(2000, &arms, |_| ()), None, "arms are soft");
 }
 
 #[test]
 fn a_silent_inertial_unit_is_found() {
-    let (fault, _) = found(2000, &STAND, |sensors| sensors.inertial.gyro = Vec3::ZERO).expect("it is found");
+    let (fault, _) = found(2000, &Nao::STAND, |sensors| sensors.inertial.gyro = Vec3::ZERO).expect("it is found");
     assert_eq!(fault, Fault::Inertial);
 }
 
 #[test]
 fn a_silent_foot_is_found_but_a_lifted_robot_is_none() {
     for side in Side::BOTH {
-        let silent = found(2000, &STAND, |sensors| {
+        let silent = found(2000, &Nao::STAND, |sensors| {
             let carries = FootPressure { front_left: 52.0, ..FootPressure::default() };
             (sensors.left_foot, sensors.right_foot) = (carries, carries);
             match side {
@@ -73,7 +74,7 @@ fn a_silent_foot_is_found_but_a_lifted_robot_is_none() {
         });
         assert_eq!(silent.map(|(fault, _)| fault), Some(Fault::Foot(side)));
     }
-    let lifted = found(2000, &STAND, |sensors| {
+    let lifted = found(2000, &Nao::STAND, |sensors| {
         (sensors.left_foot, sensors.right_foot) = (FootPressure::default(), FootPressure::default());
     });
     assert_eq!(lifted, None);
@@ -81,20 +82,20 @@ fn a_silent_foot_is_found_but_a_lifted_robot_is_none() {
 
 #[test]
 fn who_lies_down_is_not_blamed() {
-    let mut targets = STAND;
+    let mut targets = Nao::STAND;
     targets[Joint::RKneePitch] += 0.9;
     assert_eq!(found(2000, &targets, |sensors| sensors.inertial.pitch = 1.5), None);
 }
 
 #[test]
 fn a_fault_stays_and_says_what_it_is() {
-    let mut health = Health::new();
+    let mut health = Health::<Nao>::new();
     for cycle in 0..300 {
         let sensors = Sensors { inertial: standing(0).inertial, ..standing(cycle) };
-        health.step(&sensors, &STAND, &Stiffness::Walk.joints());
+        health.step(&sensors, &Nao::STAND, &Stiffness::Walk.joints::<Nao>());
     }
     for cycle in 0..300 {
-        health.step(&standing(cycle), &STAND, &Stiffness::Walk.joints());
+        health.step(&standing(cycle), &Nao::STAND, &Stiffness::Walk.joints::<Nao>());
     }
     assert_eq!(health.fault(), Some(Fault::Inertial));
     assert_eq!(Fault::Stuck(Joint::LHipRoll).to_string(), "LHipRoll does not follow its target");
@@ -102,7 +103,7 @@ fn a_fault_stays_and_says_what_it_is() {
 
 /// What is found when the knee's motor is that hot (°C) and draws that much (A) for so many cycles.
 fn strained(cycles: u32, temperature: f32, current: f32) -> Option<(Fault, u32)> {
-    found(cycles, &STAND, |sensors| {
+    found(cycles, &Nao::STAND, |sensors| {
         sensors.temperatures[Joint::LKneePitch] = temperature;
         sensors.currents[Joint::LKneePitch] = current;
     })
@@ -122,12 +123,12 @@ fn what_was_too_hot_may_move_again_when_everything_has_cooled() {
     let hot = |temperature| move |sensors: &mut Sensors<'_>| sensors.temperatures[Joint::LKneePitch] = temperature;
     let pushing = |sensors: &mut Sensors<'_>| sensors.currents[Joint::LKneePitch] = 2.0;
     let lying = |sensors: &mut Sensors<'_>| sensors.inertial.pitch = 1.2;
-    let mut health = Health::new();
+    let mut health = Health::<Nao>::new();
     let mut live = |change: &dyn Fn(&mut Sensors<'_>), cycles: u32| {
         for cycle in 0..cycles {
             let mut sensors = standing(cycle);
             change(&mut sensors);
-            health.step(&sensors, &STAND, &Stiffness::Walk.joints());
+            health.step(&sensors, &Nao::STAND, &Stiffness::Walk.joints::<Nao>());
         }
         health.fault()
     };
@@ -146,11 +147,11 @@ fn what_was_too_hot_may_move_again_when_everything_has_cooled() {
 
 #[test]
 fn one_wrong_temperature_is_none() {
-    let mut health = Health::new();
+    let mut health = Health::<Nao>::new();
     for cycle in 0..1000 {
         let mut sensors = standing(cycle);
         sensors.temperatures[Joint::LKneePitch] = if cycle % 50 == 0 { 40.0 } else { 90.0 };
-        health.step(&sensors, &STAND, &Stiffness::Walk.joints());
+        health.step(&sensors, &Nao::STAND, &Stiffness::Walk.joints::<Nao>());
     }
     assert_eq!(health.fault(), None);
 }
@@ -162,7 +163,7 @@ fn a_motor_that_pushes_for_seconds_is_found_and_one_that_does_so_briefly_is_not(
     assert!((500..900).contains(&cycle), "{cycle}");
     assert_eq!(strained(300, 40.0, 2.0), None);
     assert_eq!(strained(20_000, 40.0, 1.2), None, "as much as a walk needs");
-    let getting_up = found(2000, &STAND, |sensors| {
+    let getting_up = found(2000, &Nao::STAND, |sensors| {
         (sensors.inertial.pitch, sensors.currents[Joint::LKneePitch]) = (1.2, 2.0);
     });
     assert_eq!(getting_up, None);
@@ -171,27 +172,27 @@ fn a_motor_that_pushes_for_seconds_is_found_and_one_that_does_so_briefly_is_not(
 #[test]
 fn a_robot_that_cannot_tell_temperatures_and_currents_is_sound() {
     for odd in [f32::NAN, f32::NEG_INFINITY, f32::MIN_POSITIVE, -0.0] {
-        let unknown = found(2000, &STAND, |sensors| {
+        let unknown = found(2000, &Nao::STAND, |sensors| {
             (sensors.temperatures, sensors.currents) = (Joints::all(odd), Joints::all(f32::NAN));
         });
         assert_eq!(unknown, None);
     }
-    let mut health = Health::new();
+    let mut health = Health::<Nao>::new();
     let silent = Sensors { temperatures: Joints::all(f32::NAN), currents: Joints::all(f32::NAN), ..standing(0) };
-    let stiffness = Stiffness::Walk.joints();
-    health.step(&silent, &STAND, &stiffness);
+    let stiffness = Stiffness::Walk.joints::<Nao>();
+    health.step(&silent, &Nao::STAND, &stiffness);
     assert_eq!(health.derated(&stiffness), stiffness);
 }
 
 #[test]
 fn hot_and_loaded_joints_are_held_less_firmly_the_more_so_the_worse_it_is() {
     let left = |temperature: f32, current: f32, cycles: u32| {
-        let mut health = Health::new();
+        let mut health = Health::<Nao>::new();
         for cycle in 0..cycles {
             let mut sensors = standing(cycle);
             sensors.temperatures[Joint::LKneePitch] = temperature;
             sensors.currents[Joint::LKneePitch] = current;
-            health.step(&sensors, &STAND, &Stiffness::Walk.joints());
+            health.step(&sensors, &Nao::STAND, &Stiffness::Walk.joints::<Nao>());
         }
         let eased = health.derated(&Joints::all(1.0));
         assert!(eased[Joint::RKneePitch] > 0.999);

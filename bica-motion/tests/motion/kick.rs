@@ -1,13 +1,11 @@
 //! The kicks in the quasi-static world.
 
 use bica_motion::joints::{Joint, Joints};
-use bica_motion::kick::{Kick, KickKind, KickMotion, Kicks};
+use bica_motion::kick::{Kick, KickKind, KickMotion};
+use bica_motion::model::{Nao, RobotModel};
 use bica_motion::pose::wrap;
-use bica_motion::profile::Profile;
 use bica_motion::side::Side;
-use bica_motion::speed::max_speed;
-use bica_motion::stand::STAND;
-use bica_motion::walk::{Feedback, Parameters};
+use bica_motion::walk::Feedback;
 use glam::Vec2;
 
 use crate::world::{CYCLE, World, gap, outline};
@@ -16,13 +14,13 @@ const BALL_RADIUS: f32 = 0.0325;
 
 /// From stand to stand, s.
 fn seconds(kick: Kick) -> f32 {
-    KickMotion::new(kick, &Profile::BUILT_IN).seconds()
+    KickMotion::<Nao>::new(kick, Nao::KINEMATIC_PROFILE).seconds()
 }
 
 /// Plays a kick to its end and a bit further; calls `each` after every cycle.
 fn play(kick: Kick, mut each: impl FnMut(&World, &KickMotion, &Joints)) -> World {
-    let mut world = World::standing(STAND);
-    let mut motion = KickMotion::new(kick, &Profile::BUILT_IN);
+    let mut world = World::standing(Nao::STAND);
+    let mut motion = KickMotion::<Nao>::new(kick, Nao::KINEMATIC_PROFILE);
     for _ in 0..(seconds(kick) / CYCLE) as usize + 10 {
         let targets = motion.step(&world.body(), CYCLE).joints();
         world.step(&targets);
@@ -36,21 +34,21 @@ fn play(kick: Kick, mut each: impl FnMut(&World, &KickMotion, &Joints)) -> World
 fn a_kick_keeps_balance_limits_and_speeds_and_returns_to_the_stand() {
     for kick in Kick::ALL {
         assert!(seconds(kick) <= 2.5, "{}", seconds(kick));
-        let start = World::standing(STAND);
+        let start = World::standing(Nao::STAND);
         let stands = start.sole(kick.foot.other());
-        let mut last = STAND;
+        let mut last = Nao::STAND;
         let end = play(kick, |world, _, targets| {
             assert!(world.margin() > 0.012, "{kick:?}: the mass is {} mm inside", 1e3 * world.margin());
             assert!(gap([&world.sole(Side::Left), &world.sole(Side::Right)]) > 0.005, "{kick:?}: the feet touch");
             assert!(world.sole(kick.foot.other()).abs_diff_eq(stands, 1e-3), "{kick:?}: the standing foot moves");
-            assert!(targets.within_limits(), "{kick:?}: {targets:?}");
+            assert!(targets.within_limits::<Nao>(), "{kick:?}: {targets:?}");
             for joint in Joint::ALL {
                 let speed = (targets[joint] - last[joint]).abs() / CYCLE;
-                assert!(speed <= max_speed(joint), "{kick:?}: {joint:?} at {speed} rad/s");
+                assert!(speed <= Nao::MAX_SPEEDS[joint], "{kick:?}: {joint:?} at {speed} rad/s");
             }
             last = *targets;
         });
-        assert_eq!(last, Parameters::BUILT_IN.stand().joints());
+        assert_eq!(last, Nao::KINEMATIC_PROFILE.gait.stand::<Nao>().joints());
         assert!(end.sole(kick.foot).abs_diff_eq(start.sole(kick.foot), 1e-3));
     }
 }
@@ -59,7 +57,7 @@ fn a_kick_keeps_balance_limits_and_speeds_and_returns_to_the_stand() {
 fn the_right_foot_kicks_as_the_left_one_does_in_a_mirror() {
     for pair in Kick::ALL.chunks(2) {
         assert_eq!(pair[0].kind, pair[1].kind);
-        let [mut left, mut right] = [pair[0], pair[1]].map(|kick| KickMotion::new(kick, &Profile::BUILT_IN));
+        let [mut left, mut right] = [pair[0], pair[1]].map(|kick| KickMotion::<Nao>::new(kick, Nao::KINEMATIC_PROFILE));
         for _ in 0..250 {
             let (left, right) = (
                 left.step(&Feedback::default(), CYCLE).joints(),
@@ -69,7 +67,10 @@ fn the_right_foot_kicks_as_the_left_one_does_in_a_mirror() {
                 assert!((left[joint] - right[joint]).abs() < 1e-5, "{joint:?}");
             }
         }
-        assert_eq!(pair[0].ball(&Kicks::BUILT_IN), pair[1].ball(&Kicks::BUILT_IN) * Vec2::new(1.0, -1.0));
+        assert_eq!(
+            pair[0].ball(&Nao::KINEMATIC_PROFILE.kicks),
+            pair[1].ball(&Nao::KINEMATIC_PROFILE.kicks) * Vec2::new(1.0, -1.0)
+        );
         assert!((pair[0].direction() + pair[1].direction()).abs() < 1e-6);
     }
 }
@@ -103,12 +104,12 @@ fn nearest(line: &[Vec2], point: Vec2) -> (usize, f32, Vec2) {
 
 /// The first meeting of the kicking foot with a ball at `ball`, in the frame of the ground between the feet.
 fn hit(kick: Kick, ball: Vec2) -> Option<Hit> {
-    let start = World::standing(STAND).ground();
+    let start = World::standing(Nao::STAND).ground();
     let seen = |world: &World| -> Vec<Vec2> {
         let corners = outline(kick.foot, &world.sole(kick.foot));
         corners.into_iter().map(|corner| start.locate(corner.truncate())).collect()
     };
-    let mut before = seen(&World::standing(STAND));
+    let mut before = seen(&World::standing(Nao::STAND));
     let mut found: Option<Hit> = None;
     play(kick, |world, motion, _| {
         let now = seen(world);
@@ -134,7 +135,7 @@ fn off(direction: Vec2, kick: Kick) -> f32 {
 #[test]
 fn the_foot_meets_the_ball_fast_and_in_the_direction_promised() {
     for kick in Kick::ALL {
-        let hit = hit(kick, kick.ball(&Kicks::BUILT_IN)).expect("it meets the ball");
+        let hit = hit(kick, kick.ball(&Nao::KINEMATIC_PROFILE.kicks)).expect("it meets the ball");
         assert!(hit.in_strike);
         assert!(off(hit.velocity, kick) < 10.0, "{kick:?}: {}° off", off(hit.velocity, kick));
         assert!(off(hit.flight(), kick) < 5.0, "{kick:?}: the ball flies {}° off", off(hit.flight(), kick));
@@ -147,7 +148,7 @@ fn the_foot_meets_the_ball_fast_and_in_the_direction_promised() {
 fn a_ball_up_to_15_mm_off_its_place_is_kicked_too() {
     for kick in Kick::ALL {
         for (x, y) in [(1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0), (0.7, 0.7), (-0.7, 0.7), (0.7, -0.7)] {
-            let ball = kick.ball(&Kicks::BUILT_IN) + 0.015 * Vec2::new(x, y);
+            let ball = kick.ball(&Nao::KINEMATIC_PROFILE.kicks) + 0.015 * Vec2::new(x, y);
             let hit = hit(kick, ball).expect("it meets the ball");
             assert!(hit.in_strike, "{kick:?}: touched too early at {x}, {y}");
             assert!(off(hit.flight(), kick) < 20.0, "{kick:?} at {x}, {y}: {}° off", off(hit.flight(), kick));
@@ -158,9 +159,9 @@ fn a_ball_up_to_15_mm_off_its_place_is_kicked_too() {
 
 #[test]
 fn a_ball_in_place_is_clear_of_the_standing_feet_and_in_the_way_of_nothing_else() {
-    let world = World::standing(STAND);
+    let world = World::standing(Nao::STAND);
     for kick in Kick::ALL {
-        let ball = world.ground().place(kick.ball(&Kicks::BUILT_IN));
+        let ball = world.ground().place(kick.ball(&Nao::KINEMATIC_PROFILE.kicks));
         for side in Side::BOTH {
             let feet: Vec<Vec2> = outline(side, &world.sole(side)).iter().map(|corner| corner.truncate()).collect();
             let room = nearest(&feet, ball).2.distance(ball) - BALL_RADIUS;
@@ -172,11 +173,11 @@ fn a_ball_in_place_is_clear_of_the_standing_feet_and_in_the_way_of_nothing_else(
 #[test]
 fn strange_cycle_times_do_no_harm() {
     for dt in [f32::NAN, f32::NEG_INFINITY, -1.0, 0.0] {
-        let mut motion = KickMotion::new(Kick::ALL[0], &Profile::BUILT_IN);
+        let mut motion = KickMotion::<Nao>::new(Kick::ALL[0], Nao::KINEMATIC_PROFILE);
         let first = motion.step(&Feedback::default(), dt).joints();
         assert!(first.0.iter().all(|angle| angle.is_finite()) && !motion.is_done());
     }
-    let mut motion = KickMotion::new(Kick::ALL[3], &Profile::BUILT_IN);
-    assert_eq!(motion.step(&Feedback::default(), f32::INFINITY), Parameters::BUILT_IN.stand());
+    let mut motion = KickMotion::<Nao>::new(Kick::ALL[3], Nao::KINEMATIC_PROFILE);
+    assert_eq!(motion.step(&Feedback::default(), f32::INFINITY), Nao::KINEMATIC_PROFILE.gait.stand::<Nao>());
     assert!(motion.is_done());
 }

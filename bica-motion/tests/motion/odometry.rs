@@ -1,11 +1,11 @@
 //! Odometry against the true way in the quasi-static world.
 
 use bica_motion::joints::{Joint, Joints};
+use bica_motion::model::{Nao, RobotModel};
 use bica_motion::odometry::{Calibration, MotionInput, Odometry};
 use bica_motion::pose::{Pose2, wrap};
 use bica_motion::robot::FootPressure;
-use bica_motion::stand::STAND;
-use bica_motion::walk::{Parameters, Velocity, Walk};
+use bica_motion::walk::{Velocity, Walk};
 use proptest::prelude::*;
 
 use crate::world::{CYCLE, World};
@@ -15,9 +15,9 @@ proptest! {
 
     #[test]
     fn it_knows_the_way(requests in prop::collection::vec(prop::array::uniform3(-1.0_f32..1.0), 1..6), is_told: bool) {
-        let mut walk = Walk::new(&Parameters::BUILT_IN);
-        let mut world = World::standing(Parameters::BUILT_IN.stand().joints());
-        let mut odometry = Odometry::new(&Calibration::EXACT);
+        let mut walk = Walk::<Nao>::new(&Nao::KINEMATIC_PROFILE.gait);
+        let mut world = World::standing(Nao::KINEMATIC_PROFILE.gait.stand::<Nao>().joints());
+        let mut odometry = Odometry::<Nao>::new(&Calibration::EXACT);
         let start = world.ground();
         let (mut way, mut commanded) = (0.0, None);
         for request in requests {
@@ -53,8 +53,8 @@ fn ground(force: f32) -> FootPressure {
 
 #[test]
 fn nobody_moves_in_the_air_or_by_nonsense() {
-    let mut odometry = Odometry::new(&Calibration::EXACT);
-    let mut angles = STAND;
+    let mut odometry = Odometry::<Nao>::new(&Calibration::EXACT);
+    let mut angles = Nao::STAND;
     for i in 0..10 {
         angles.0[9] += 0.05;
         let motion = odometry.step(&felt(&angles, [&ground(0.0); 2]));
@@ -64,17 +64,17 @@ fn nobody_moves_in_the_air_or_by_nonsense() {
     let feet = [&ground(30.0), &ground(20.0)];
     odometry.step(&felt(&Joints::all(f32::NAN), feet));
     let nowhere = [&ground(30.0), &ground(f32::NAN)];
-    odometry.step(&MotionInput { gyro_turn: Some(f32::NAN), ..felt(&STAND, nowhere) });
-    odometry.step(&MotionInput { gyro_turn: Some(f32::INFINITY), ..felt(&STAND, feet) });
-    odometry.step(&MotionInput { commanded: Some(&Joints::all(f32::NAN)), ..felt(&STAND, feet) });
+    odometry.step(&MotionInput { gyro_turn: Some(f32::NAN), ..felt(&Nao::STAND, nowhere) });
+    odometry.step(&MotionInput { gyro_turn: Some(f32::INFINITY), ..felt(&Nao::STAND, feet) });
+    odometry.step(&MotionInput { commanded: Some(&Joints::all(f32::NAN)), ..felt(&Nao::STAND, feet) });
     assert_eq!(odometry.pose(), Pose2::ORIGIN);
-    odometry.step(&MotionInput { gyro_turn: Some(0.05), ..felt(&STAND, feet) });
+    odometry.step(&MotionInput { gyro_turn: Some(0.05), ..felt(&Nao::STAND, feet) });
     assert_eq!(odometry.pose(), Pose2::new(0.0, 0.0, 0.05), "the gyroscope knows better how far it gyro_turn");
 }
 
 /// The `cycle`th of some cycles in which the hips go forward over the left foot; the right one is lifted.
 fn leaning(cycle: usize) -> Joints {
-    let mut angles = STAND;
+    let mut angles = Nao::STAND;
     angles[Joint::RKneePitch] += 0.3;
     for joint in [Joint::LAnklePitch, Joint::RAnklePitch] {
         angles[joint] -= 0.01 * cycle as f32;
@@ -86,7 +86,7 @@ fn leaning(cycle: usize) -> Joints {
 
 /// How far the ground frame goes forward in 20 cycles, after as many at rest.
 fn way(commanded: impl Fn(usize) -> Option<Joints>, is: impl Fn(usize) -> Joints, feet: [f32; 2]) -> f32 {
-    let mut odometry = Odometry::new(&Calibration::EXACT);
+    let mut odometry = Odometry::<Nao>::new(&Calibration::EXACT);
     let feet = feet.map(ground);
     for cycle in 0..50 {
         let moving = |late: usize| cycle.clamp(20 + late, 40 + late) - 20 - late;
@@ -132,10 +132,10 @@ fn what_was_told_stands_in_for_broken_sensors() {
 #[test]
 fn a_gyroscope_that_says_nothing_leaves_the_turn_to_the_legs() {
     let gyro_turn = |gyroscope: Option<f32>| {
-        let mut odometry = Odometry::new(&Calibration::EXACT);
+        let mut odometry = Odometry::<Nao>::new(&Calibration::EXACT);
         let feet = [&ground(50.0), &ground(2.0)];
         for cycle in 0..20 {
-            let mut angles = STAND;
+            let mut angles = Nao::STAND;
             angles[Joint::LHipYawPitch] = -0.01 * cycle as f32;
             odometry.step(&MotionInput { gyro_turn: gyroscope, ..felt(&angles, feet) });
         }

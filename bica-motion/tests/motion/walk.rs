@@ -2,21 +2,20 @@
 
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::kinematics;
-use bica_motion::limits::limit;
+use bica_motion::model::{Nao, RobotModel};
 use bica_motion::pose::{Pose2, rotate, wrap};
 use bica_motion::robot::FootPressure;
 use bica_motion::side::Side;
-use bica_motion::speed::max_speed;
 use bica_motion::walk::{Feedback, Parameters, Phase, Velocity, Walk};
 use glam::{Affine3A, Vec2, Vec3};
 use proptest::prelude::*;
 
 use crate::world::{CYCLE, World, gap};
 
-const NAO: &Parameters = &Parameters::BUILT_IN;
+const NAO: &Parameters = &Nao::KINEMATIC_PROFILE.gait;
 
 fn start() -> (Walk, World) {
-    (Walk::new(NAO), World::standing(NAO.stand().joints()))
+    (Walk::<Nao>::new(NAO), World::standing(NAO.stand::<Nao>().joints()))
 }
 
 fn cycle(walk: &mut Walk, world: &mut World, request: Velocity) -> Joints {
@@ -87,7 +86,7 @@ fn the_body_passes_over_the_standing_foot_at_constant_speed() {
     for _ in 0..300 {
         let targets = cycle(&mut walk, &mut world, request);
         if let Some(side) = walk.support().filter(|_| support == walk.support()) {
-            let place = |angles| kinematics::sole(side, angles).translation.x;
+            let place = |angles| kinematics::sole::<Nao>(side, angles).translation.x;
             let speed = (place(&before) - place(&targets)) / CYCLE;
             assert!((speed - 0.2).abs() < 0.002, "{speed}");
         }
@@ -123,7 +122,7 @@ fn arms_swing_against_the_legs() {
     let mut product = 0.0;
     for _ in 0..500 {
         let targets = cycle(&mut walk, &mut world, Velocity::new(0.2, 0.0, 0.0));
-        let [left, right] = Side::BOTH.map(|side| kinematics::sole(side, &targets).translation.x);
+        let [left, right] = Side::BOTH.map(|side| kinematics::sole::<Nao>(side, &targets).translation.x);
         // Less pitch is further forward.
         product += (left - right) * (targets[Joint::LShoulderPitch] - targets[Joint::RShoulderPitch]);
     }
@@ -133,7 +132,7 @@ fn arms_swing_against_the_legs() {
 #[test]
 fn standing_is_exactly_still() {
     let (mut walk, mut world) = start();
-    let stand = NAO.stand();
+    let stand = NAO.stand::<Nao>();
     for i in 0..300 {
         let body = Feedback { gyro: Vec3::splat(0.01 * (i as f32).sin()), ..world.body() };
         assert_eq!(walk.step(Velocity::ZERO, &body, CYCLE), stand);
@@ -195,7 +194,7 @@ fn pressure_ends_a_step() {
 #[test]
 fn steps_keep_time_whatever_the_cycle() {
     for cycle in [0.01, 0.012, 0.02] {
-        let mut walk = Walk::new(NAO);
+        let mut walk = Walk::<Nao>::new(NAO);
         let body = feels(Side::Left, 26.0, 26.0);
         let (mut steps, mut side) = (0, None);
         for _ in 0..(28.0_f32 / cycle) as usize {
@@ -213,7 +212,7 @@ fn cycles_until_liftoff(touches: usize) -> usize {
     for count in 1..200 {
         let carrying = if count >= touches { 10.0 } else { 0.0 };
         let limbs = walk.step(Velocity::new(0.1, 0.0, 0.0), &feels(side, carrying, 50.0 - carrying), CYCLE);
-        let height = |side| kinematics::sole(side, &limbs.joints()).translation.z;
+        let height = |side| kinematics::sole::<Nao>(side, &limbs.joints()).translation.z;
         if height(side.other()) - height(side) > 1e-4 {
             return count;
         }
@@ -334,13 +333,13 @@ impl Watch {
         prop_assert!(gap([&world.sole(Side::Left), &world.sole(Side::Right)]) > 0.002, "the feet touch");
         for joint in Joint::ALL.into_iter().filter(|joint| (7..18).contains(&joint.index())) {
             let speed = (targets[joint] - self.last[joint]).abs() / CYCLE;
-            prop_assert!(speed <= 1.25 * max_speed(joint), "{joint:?} at {speed} rad/s");
-            let range = limit(joint);
+            prop_assert!(speed <= 1.25 * Nao::MAX_SPEEDS[joint], "{joint:?} at {speed} rad/s");
+            let range = Nao::LIMITS[joint];
             let beyond = (range.min - targets[joint]).max(targets[joint] - range.max);
             prop_assert!(beyond <= 0.0, "{joint:?} {beyond} rad beyond its limit");
         }
         if walk.phase() != Phase::Walking && self.phase == Phase::Walking {
-            let seen = |side| kinematics::sole(side, &self.last);
+            let seen = |side| kinematics::sole::<Nao>(side, &self.last);
             let between = seen(Side::Left).inverse() * seen(Side::Right);
             let together = Affine3A::from_translation(Vec3::new(0.0, -2.0 * NAO.half_spacing, 0.0));
             prop_assert!(between.abs_diff_eq(together, 5e-3), "it stops with its feet apart: {between:?}");
@@ -362,7 +361,7 @@ proptest! {
         noise in prop::collection::vec(-0.1_f32..0.1, 97),
     ) {
         let (mut walk, mut world) = start();
-        let mut watch = Watch { last: NAO.stand().joints(), phase: Phase::Standing };
+        let mut watch = Watch { last: NAO.stand::<Nao>().joints(), phase: Phase::Standing };
         let stop = ([0.0; 3], true, 250);
         let mut count = 0;
         for (request, stands, cycles) in requests.into_iter().chain([stop]) {
@@ -378,7 +377,7 @@ proptest! {
             }
         }
         prop_assert_eq!(walk.phase(), Phase::Standing);
-        prop_assert_eq!(walk.step(Velocity::ZERO, &world.body(), CYCLE), NAO.stand());
+        prop_assert_eq!(walk.step(Velocity::ZERO, &world.body(), CYCLE), NAO.stand::<Nao>());
         prop_assert!(world.pose() != Pose2::ORIGIN || count < 300);
     }
 }

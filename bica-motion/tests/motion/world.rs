@@ -1,17 +1,15 @@
 //! A quasi-static world for tests: joints follow late and no faster than they can, the lower sole carries and stays
 //! where it is, the torso follows from the joints.
 
-use std::collections::VecDeque;
-
-use bica_motion::dimensions::SOLE_OUTLINE;
 use bica_motion::joints::Joints;
 use bica_motion::kinematics::Skeleton;
-use bica_motion::masses::TOTAL_MASS;
+use bica_motion::model::{Nao, RobotModel};
 use bica_motion::pose::{Pose2, wrap};
 use bica_motion::robot::FootPressure;
 use bica_motion::side::Side;
 use bica_motion::walk::Feedback;
 use glam::{Affine3A, Quat, Vec2, Vec3};
+use std::collections::VecDeque;
 
 pub(crate) const CYCLE: f32 = 0.01;
 /// How much lower the other sole must be to carry, m.
@@ -34,7 +32,7 @@ pub(crate) struct World {
 
 impl World {
     pub(crate) fn standing(angles: Joints) -> Self {
-        let sole = Skeleton::of(&angles).sole(Side::Left);
+        let sole = Skeleton::<Nao>::of(&angles).sole(Side::Left);
         let anchor = flat(&Affine3A::from_translation(sole.translation.into()));
         let mut world = Self {
             angles,
@@ -50,14 +48,14 @@ impl World {
     }
 
     pub(crate) fn skeleton(&self) -> Skeleton {
-        Skeleton::of(&self.angles)
+        Skeleton::<Nao>::of(&self.angles)
     }
 
     /// One cycle.
     pub(crate) fn step(&mut self, targets: &Joints) {
         self.waiting.push_back(*targets);
         let due = self.waiting.pop_front().expect("three commands are on their way");
-        let moved = self.angles.moved_toward(&due, CYCLE).clamp_to_limits();
+        let moved = self.angles.moved_toward::<Nao>(&due, CYCLE).clamp_to_limits::<Nao>();
         self.late += usize::from(moved.0.iter().zip(due.0).any(|(a, b)| (a - b).abs() > 1e-6));
         self.angles = moved;
         let skeleton = self.skeleton();
@@ -116,7 +114,7 @@ impl World {
             if side == self.support { 1.0 } else { (1.0 - height / CONTACT).clamp(0.0, 1.0) }
         };
         let (left, right) = (touch(Side::Left) * (1.0 - to_right), touch(Side::Right) * to_right);
-        let weight = TOTAL_MASS * 9.81;
+        let weight = Nao::TOTAL_MASS * 9.81;
         match (left + right, self.support) {
             (0.0, Side::Left) => [weight, 0.0],
             (0.0, Side::Right) => [0.0, weight],
@@ -140,7 +138,7 @@ impl World {
 }
 
 pub(crate) fn outline(side: Side, sole: &Affine3A) -> Vec<Vec3> {
-    SOLE_OUTLINE.iter().map(|p| sole.transform_point3(Vec3::new(p.x, side.sign() * p.y, 0.0))).collect()
+    Nao::DIMENSIONS.sole_outline.iter().map(|p| sole.transform_point3(Vec3::new(p.x, side.sign() * p.y, 0.0))).collect()
 }
 
 /// How far apart both soles are at least, seen from above, m; not positive when they overlap.

@@ -1,7 +1,7 @@
 //! The parameters of this body.
 
 use bica::prelude::*;
-use bica_motion::profile::Profile;
+use bica_motion::model::{Nao, Profile, RobotModel};
 
 /// Gait, kicks and odometry calibration of the body that the forward controls.
 #[derive(Clone, Copy, Debug)]
@@ -14,7 +14,7 @@ impl RobotProfile {
     /// The profile of the built-in world.
     #[must_use]
     pub const fn new() -> Self {
-        Self { profile: &Profile::BUILT_IN }
+        Self { profile: Nao::KINEMATIC_PROFILE }
     }
 
     /// Sets the profile of another body.

@@ -1,8 +1,9 @@
 //! Walking.
 
 use bica::prelude::*;
+use bica_motion::model::{Nao, RobotModel};
 use bica_motion::side::Side;
-use bica_motion::walk::{Parameters, Phase, Velocity, Walk as Gait};
+use bica_motion::walk::{Phase, Velocity, Walk as Gait};
 
 use crate::input::{RobotProfile, RobotState};
 use crate::output::Motors;
@@ -19,7 +20,7 @@ impl Walk {
     /// Standing.
     #[must_use]
     pub const fn new() -> Self {
-        Self { gait: Gait::new(&Parameters::BUILT_IN), request: Velocity::ZERO }
+        Self { gait: Gait::new(&Nao::KINEMATIC_PROFILE.gait), request: Velocity::ZERO }
     }
 
     /// Every other motion ends in the stand.

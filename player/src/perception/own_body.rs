@@ -1,6 +1,7 @@
 //! The robot's own body in the image.
 
 use bica::prelude::*;
+use bica_motion::model::Nao;
 use bica_vision::own_body::OwnBody as Body;
 
 use super::CameraPose;
@@ -25,7 +26,8 @@ impl OwnBody {
     fn step(&mut self, input: &CameraInput, pose: &CameraPose) {
         if self.image.take_new(input) {
             let camera = pose.camera();
-            self.body = camera.map_or(Body::NONE, |camera| Body::of_nao(camera, input.image().camera, input.angles()));
+            self.body =
+                camera.map_or(Body::NONE, |camera| Body::of::<Nao>(camera, input.image().camera, input.angles()));
         }
     }
 

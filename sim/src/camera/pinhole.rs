@@ -146,6 +146,7 @@ impl Mapping {
 mod tests {
     use super::*;
     use crate::random::{Random, Stream};
+    use bica_motion::model::Nao;
 
     fn some_view(random: &mut Random) -> PinholeCamera {
         let mut any = |low, high| random.between(low, high);
@@ -199,7 +200,7 @@ mod tests {
         ];
         for (id, (u, v), (x, y)) in cases {
             let hips = Affine3A::from_translation(Vec3::new(0.0, 0.0, 0.230));
-            let view = PinholeCamera::new(hips * camera(id, &Joints::all(0.0)), 640, 480);
+            let view = PinholeCamera::new(hips * camera::<Nao>(id, &Joints::all(0.0)), 640, 480);
             let hit = view.mapping(Vec3::ZERO, Vec3::X, Vec3::Y).at(u, v);
             assert!(hit.distance(Vec2::new(x, y)) < 1e-3, "{id:?} {u} {v}: {hit}");
         }

@@ -1,8 +1,8 @@
 use std::thread;
 
 use bica_motion::joints::{JOINTS, Joints};
+use bica_motion::model::{Nao, RobotModel};
 use bica_motion::robot::CameraId;
-use bica_motion::stand::STAND;
 use bica_sim::World;
 use bica_sim::kinematic::KinematicWorld;
 use bica_sim::setup::Setup;
@@ -23,7 +23,7 @@ fn game(seed: u64, read_every: u32) -> (Vec<u8>, Vec<u32>, String) {
             words.push(sensors.left_foot.total().to_bits());
         }
         let wave = |i: usize| 0.2 * libm::sinf(cycle as f32 * 0.07 * (1.0 + i as f32 / JOINTS as f32));
-        let targets = Joints(core::array::from_fn(|i| STAND.0[i] + wave(i)));
+        let targets = Joints(core::array::from_fn(|i| Nao::STAND.0[i] + wave(i)));
         let camera = if cycle % 100 < 50 { CameraId::Top } else { CameraId::Bottom };
         world.act(&bica_motion::robot::Command { camera, ..command(targets) });
     }
@@ -66,7 +66,7 @@ fn repeated_reads_in_a_cycle_return_equal_measurements() {
         let second = world.sensors();
         assert_eq!(second.inertial, inertial);
         assert_eq!(second.image.map(|image| image.yuyv.to_vec()), image);
-        world.act(&command(STAND));
+        world.act(&command(Nao::STAND));
     }
     assert_eq!(images, 3);
 }

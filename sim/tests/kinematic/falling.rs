@@ -3,10 +3,10 @@ use core::time::Duration;
 use bica_motion::fall::Direction;
 use bica_motion::getup::GetUp;
 use bica_motion::joints::{Joint, Joints};
+use bica_motion::model::{Nao, RobotModel};
 use bica_motion::pose::Pose2;
 use bica_motion::robot::Command;
 use bica_motion::side::Side;
-use bica_motion::stand::STAND;
 use bica_sim::World;
 use bica_sim::kinematic::KinematicWorld;
 use bica_sim::referee::{Event, Posture};
@@ -20,7 +20,7 @@ fn world() -> KinematicWorld {
 
 /// Leans until the robot falls.
 fn fall(world: &mut KinematicWorld, to: Direction) {
-    let mut posture = STAND;
+    let mut posture = Nao::STAND;
     match to {
         Direction::Front | Direction::Back => {
             let lean = if to == Direction::Front { -0.6 } else { 0.6 };
@@ -48,7 +48,7 @@ fn a_robot_falls_to_the_side_on_which_it_lost_its_balance() {
         assert_eq!(world.referee().posture(), Posture::Down(to));
         assert_eq!(world.referee().count(|event| *event == Event::Fall(to)), 1);
         for _ in 0..100 {
-            world.act(&command(STAND));
+            world.act(&command(Nao::STAND));
         }
         let inertial = world.sensors().inertial;
         assert!((inertial.acceleration - to.gravity()).length() < 0.5, "{to:?}: {}", inertial.acceleration);
@@ -85,7 +85,7 @@ fn a_robot_with_its_mass_over_one_foot_stands_on_it() {
 fn legs_without_stiffness_do_not_carry_the_robot() {
     let mut world = world();
     for _ in 0..100 {
-        world.act(&Command { stiffness: Joints::all(0.0), ..command(STAND) });
+        world.act(&Command { stiffness: Joints::all(0.0), ..command(Nao::STAND) });
     }
     assert_eq!(world.referee().falls(), 1);
 }
@@ -96,7 +96,7 @@ fn the_get_up_motion_of_each_side_restores_the_stance_in_place() {
         let mut world = world();
         fall(&mut world, to);
         for _ in 0..100 {
-            world.act(&command(STAND));
+            world.act(&command(Nao::STAND));
         }
         let lying = world.referee().robot();
         get_up(&mut world, to);
@@ -108,7 +108,7 @@ fn the_get_up_motion_of_each_side_restores_the_stance_in_place() {
         assert_eq!(last.event, Event::GotUp);
         assert!(last.at < end + Duration::from_millis(200));
         for _ in 0..300 {
-            world.act(&command(STAND));
+            world.act(&command(Nao::STAND));
         }
         assert_eq!(world.referee().posture(), Posture::Upright);
     }
@@ -119,18 +119,18 @@ fn the_standing_posture_alone_does_not_get_a_robot_up() {
     let mut world = world();
     fall(&mut world, Direction::Front);
     for _ in 0..1_000 {
-        world.act(&command(STAND));
+        world.act(&command(Nao::STAND));
     }
     assert_eq!(world.referee().posture(), Posture::Down(Direction::Front));
 }
 
 fn get_up(world: &mut KinematicWorld, lying: Direction) {
-    let mut movement = GetUp::new(lying, 0, world.sensors().angles);
+    let mut movement = GetUp::<Nao>::new(lying, 0, world.sensors().angles);
     while !movement.is_done() {
         let (targets, stiffness) = movement.step(&world.sensors().inertial, 0.01);
         world.act(&Command { stiffness: Joints::all(stiffness), ..command(targets) });
     }
     for _ in 0..10 {
-        world.act(&command(STAND));
+        world.act(&command(Nao::STAND));
     }
 }

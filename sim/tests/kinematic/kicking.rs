@@ -1,9 +1,9 @@
 use core::time::Duration;
 
+use bica_motion::model::{Nao, RobotModel};
 use bica_motion::pose::Pose2;
 use bica_motion::side::Side;
-use bica_motion::stand::STAND;
-use bica_motion::walk::{Feedback, Parameters, Velocity, Walk, in_walk_kick_foot};
+use bica_motion::walk::{Feedback, Velocity, Walk, in_walk_kick_foot};
 use bica_sim::kinematic::KinematicWorld;
 use bica_sim::referee::Event;
 use bica_sim::{CYCLE_SECONDS, World};
@@ -28,7 +28,7 @@ fn kick(world: &mut KinematicWorld, foot: Side) {
 
 fn stand(world: &mut KinematicWorld, seconds: u32) {
     for _ in 0..100 * seconds {
-        world.act(&command(STAND));
+        world.act(&command(Nao::STAND));
     }
 }
 
@@ -80,15 +80,15 @@ fn an_untouched_ball_does_not_move() {
 #[test]
 fn a_kick_while_walking_moves_the_ball_straight_ahead() {
     for foot in Side::BOTH {
-        let half = Parameters::BUILT_IN.half_spacing;
+        let half = Nao::KINEMATIC_PROFILE.gait.half_spacing;
         let robot = Pose2::new(-1.5, 0.0, 0.0);
         let ball = robot.place(Vec2::new(0.44, foot.sign() * half));
         let mut world = alone(4, robot, ball);
-        let mut walk = Walk::new(&Parameters::BUILT_IN);
+        let mut walk = Walk::<Nao>::new(&Nao::KINEMATIC_PROFILE.gait);
         let mut kicked = false;
         for _ in 0..1000 {
             let at = world.referee().robot().locate(world.referee().ball());
-            if let Some(foot) = in_walk_kick_foot(at, half) {
+            if let Some(foot) = in_walk_kick_foot(at, &Nao::KINEMATIC_PROFILE.gait) {
                 walk.request_kick(foot);
             }
             kicked |= at.x > 0.5 || world.referee().ball_velocity().x > 0.3;

@@ -1,7 +1,6 @@
-use bica_motion::masses::TOTAL_MASS;
+use bica_motion::model::{Nao, RobotModel};
 use bica_motion::pose::Pose2;
 use bica_motion::robot::{CameraId, Command};
-use bica_motion::stand::STAND;
 use bica_sim::World;
 use bica_sim::kinematic::KinematicWorld;
 use bica_sim::setup::{Frame, Setup};
@@ -23,7 +22,7 @@ fn the_selected_camera_delivers_thirty_images_a_second() {
                 assert_eq!(image.yuyv.len(), 2 * frame.size().0 * frame.size().1);
             }
             camera = if cycle < 100 { CameraId::Top } else { CameraId::Bottom };
-            world.act(&Command { camera, ..command(STAND) });
+            world.act(&Command { camera, ..command(Nao::STAND) });
         }
         assert_eq!(images, 60);
     }
@@ -33,10 +32,10 @@ fn the_selected_camera_delivers_thirty_images_a_second() {
 fn a_standing_robot_measures_its_weight_and_gravity() {
     let mut world = alone(1, Pose2::new(-1.0, 0.5, 1.0), Vec2::ZERO);
     for _ in 0..100 {
-        world.act(&command(STAND));
+        world.act(&command(Nao::STAND));
         let sensors = world.sensors();
         let force = sensors.left_foot.total() + sensors.right_foot.total();
-        assert!((force - TOTAL_MASS * 9.81).abs() < 4.0, "{force}");
+        assert!((force - Nao::TOTAL_MASS * 9.81).abs() < 4.0, "{force}");
         assert!(sensors.inertial.roll.abs() < 0.02 && sensors.inertial.pitch.abs() < 0.02);
         assert!((sensors.inertial.acceleration.z - 9.81).abs() < 0.2);
         assert!(sensors.inertial.gyro.length() < 0.02);
@@ -50,7 +49,7 @@ fn consecutive_images_differ_by_noise() {
     let mut images = Vec::new();
     for _ in 0..20 {
         images.extend(world.sensors().image.map(|image| image.yuyv.to_vec()));
-        world.act(&command(STAND));
+        world.act(&command(Nao::STAND));
     }
     assert_eq!(images.len(), 6);
     for pair in images.windows(2) {
@@ -67,7 +66,7 @@ fn the_pressure_moves_to_the_foot_under_the_hips() {
     glide(&mut world, swayed(Side::Right), swayed(Side::Right), 10);
     let sensors = world.sensors();
     let (left, right) = (sensors.left_foot.total(), sensors.right_foot.total());
-    assert!(right > 5.0 * left && (left + right - TOTAL_MASS * 9.81).abs() < 4.0, "{left} {right}");
+    assert!(right > 5.0 * left && (left + right - Nao::TOTAL_MASS * 9.81).abs() < 4.0, "{left} {right}");
     let mut lifted = swayed(Side::Right);
     lifted[0].2 = 0.03;
     glide(&mut world, swayed(Side::Right), lifted, 30);

@@ -2,10 +2,10 @@
 
 use bica_motion::feet::{Foot, level_legs};
 use bica_motion::joints::Joints;
+use bica_motion::model::{Nao, RobotModel};
 use bica_motion::pose::Pose2;
 use bica_motion::robot::{CameraId, Command, Lights};
 use bica_motion::side::Side;
-use bica_motion::stand::STAND;
 use bica_sim::World;
 use bica_sim::kinematic::KinematicWorld;
 use bica_sim::setup::{Setup, Start};
@@ -30,8 +30,8 @@ pub(crate) fn command(targets: Joints) -> Command {
 /// Returns the posture with an upright torso and these feet, left first: x, y relative to the hips, and lift, m.
 pub(crate) fn posture(feet: [(f32, f32, f32); 2]) -> Joints {
     let feet = feet.map(|(x, y, lift)| Foot { pose: Pose2::new(x, y, 0.0), lift });
-    let mut posture = STAND;
-    for (side, leg) in Side::BOTH.into_iter().zip(level_legs(&feet, HIPS, 0.0)) {
+    let mut posture = Nao::STAND;
+    for (side, leg) in Side::BOTH.into_iter().zip(level_legs::<Nao>(&feet, HIPS, 0.0)) {
         leg.write(side, &mut posture);
     }
     posture

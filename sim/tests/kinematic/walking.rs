@@ -1,7 +1,8 @@
+use bica_motion::model::{Nao, RobotModel};
 use bica_motion::pose::Pose2;
 use bica_motion::side::Side;
-use bica_motion::stand::Stiffness;
-use bica_motion::walk::{Feedback, Parameters, Velocity, Walk};
+use bica_motion::stiffness::Stiffness;
+use bica_motion::walk::{Feedback, Velocity, Walk};
 use bica_sim::World;
 use bica_sim::kinematic::KinematicWorld;
 use bica_sim::referee::Event;
@@ -85,12 +86,12 @@ fn walk(
     cycles: u32,
     mut watch: impl FnMut(&mut KinematicWorld),
 ) -> Pose2 {
-    let mut walk = Walk::new(&Parameters::BUILT_IN);
+    let mut walk = Walk::<Nao>::new(&Nao::KINEMATIC_PROFILE.gait);
     let start = world.referee().robot();
     for _ in 0..cycles {
         let sensors = world.sensors();
         let limbs = walk.step(velocity, &Feedback::from(&sensors), 0.01);
-        let stiffness = Stiffness::Walk.joints();
+        let stiffness = Stiffness::Walk.joints::<Nao>();
         world.act(&bica_motion::robot::Command { stiffness, ..command(limbs.joints()) });
         watch(world);
     }

@@ -1,7 +1,7 @@
 //! Equal seeds give equal measurements, bit for bit.
 
 use bica_motion::joints::Joint;
-use bica_motion::stand::STAND;
+use bica_motion::model::{Nao, RobotModel};
 use bica_sim::World;
 use bica_sim::setup::Setup;
 use glam::Vec2;
@@ -13,7 +13,7 @@ fn measurements(seed: u64) -> Vec<u32> {
     let mut world = world(&Setup { seed, robots: 2, ..Setup::default() }, &blind());
     let mut words = Vec::new();
     for cycle in 0..300 {
-        let mut targets = STAND;
+        let mut targets = Nao::STAND;
         targets[Joint::LHipPitch] -= 0.3 * (cycle as f32 * 0.2).sin();
         if cycle == 150 {
             world.push(Vec2::new(0.3, -0.9));

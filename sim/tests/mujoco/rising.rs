@@ -2,7 +2,7 @@
 
 use bica_motion::fall::{Direction, FallDetector, FallState};
 use bica_motion::getup::{GetUp, protection};
-use bica_motion::stand::STAND;
+use bica_motion::model::{Nao, RobotModel};
 use bica_sim::mujoco::MujocoWorld;
 use bica_sim::referee::Posture;
 use bica_sim::{CYCLE_SECONDS, World};
@@ -15,7 +15,7 @@ use crate::support::{alone, blind, command, stand};
 fn fall(world: &mut MujocoWorld, push: Vec2) -> Direction {
     stand(world, 50);
     world.push(push);
-    let (mut detector, mut detected, mut hit) = (FallDetector::new(), false, false);
+    let (mut detector, mut detected, mut hit) = (FallDetector::<Nao>::new(), false, false);
     for _ in 0..300 {
         hit |= world.body_touches_floor();
         match detector.step(&world.sensors().inertial, CYCLE_SECONDS) {
@@ -23,7 +23,7 @@ fn fall(world: &mut MujocoWorld, push: Vec2) -> Direction {
             FallState::Falling(direction) => {
                 assert!(detected || !hit, "{push}: impact before detection");
                 detected = true;
-                let brace = protection(direction);
+                let brace = protection::<Nao>(direction);
                 world.act(&command(brace.posture, brace.stiffness));
             }
             FallState::Fallen(direction) => return direction,
@@ -33,7 +33,7 @@ fn fall(world: &mut MujocoWorld, push: Vec2) -> Direction {
 }
 
 fn get_up(world: &mut MujocoWorld, lying: Direction, failures: u8) {
-    let mut movement = GetUp::new(lying, failures, world.sensors().angles);
+    let mut movement = GetUp::<Nao>::new(lying, failures, world.sensors().angles);
     while !movement.is_done() {
         let (targets, stiffness) = movement.step(&world.sensors().inertial, CYCLE_SECONDS);
         world.act(&command(targets, stiffness));
@@ -73,7 +73,7 @@ fn a_robot_without_stiffness_after_a_motion_rolls_over() {
             assert_eq!(fall(&mut world, Vec2::new(push, 0.0)), lying);
             get_up(&mut world, lying, failures);
             for _ in 0..50 {
-                world.act(&command(STAND, 0.0));
+                world.act(&command(Nao::STAND, 0.0));
             }
             let acceleration = world.sensors().inertial.acceleration;
             assert!((acceleration - turned.gravity()).length() < 7.0, "{lying:?}, {failures}: {acceleration}");

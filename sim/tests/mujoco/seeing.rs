@@ -1,10 +1,10 @@
 //! Images against the camera model of bica-vision.
 
 use bica_motion::joints::Joint;
+use bica_motion::model::{Nao, RobotModel};
 use bica_motion::pose::{Pose2, rotate};
 use bica_motion::robot::{CameraId, Command, Image};
 use bica_motion::side::Side;
-use bica_motion::stand::STAND;
 use bica_sim::mujoco::{MujocoWorld, Physics};
 use bica_sim::setup::{Setup, Start};
 use bica_sim::{Picture, SpectatorCamera, SpectatorView, World};
@@ -28,7 +28,7 @@ impl Look {
     fn new(seed: u64, start: Start, id: CameraId, (yaw, pitch): (f32, f32)) -> Self {
         let setup = Setup { seed, goalkeeper: false, start: Some(start), ..Setup::default() };
         let mut world = world(&setup, &Physics { noise: 0.0, sensor_delay: 0.0, ..Physics::default() });
-        let mut targets = STAND;
+        let mut targets = Nao::STAND;
         (targets[Joint::HeadYaw], targets[Joint::HeadPitch]) = (yaw, pitch);
         let command = Command { camera: id, ..command(targets, 1.0) };
         for _ in 0..100 {
@@ -44,10 +44,14 @@ impl Look {
         let robot = world.referee().robot();
         let sensors = world.sensors();
         let Image { camera, width, height, yuyv } = sensors.image.unwrap();
-        let from_ground = bica_motion::kinematics::ground_from_robot(Side::Left, &sensors.angles);
+        let from_ground = bica_motion::kinematics::ground_from_robot::<Nao>(Side::Left, &sensors.angles);
         let under_hips = Pose2::new(from_ground.translation.x, from_ground.translation.y, 0.0);
         let ground = robot * under_hips.inverse();
-        Self { yuyv: yuyv.to_vec(), camera: Camera::of_nao(camera, &sensors.angles, Side::Left, width, height), ground }
+        Self {
+            yuyv: yuyv.to_vec(),
+            camera: Camera::of::<Nao>(camera, &sensors.angles, Side::Left, width, height),
+            ground,
+        }
     }
 
     /// Projects a point in the field frame to the image.
@@ -139,7 +143,7 @@ fn rendering_images_does_not_change_the_physics() {
         let mut world = world(&Setup { seed: 5, ..Setup::default() }, &Physics { cameras, ..Physics::default() });
         let mut angles = Vec::new();
         for cycle in 0..100 {
-            let mut targets = STAND;
+            let mut targets = Nao::STAND;
             targets[Joint::HeadYaw] = (cycle as f32 * 0.1).sin();
             assert!(cameras || world.sensors().image.is_none());
             world.act(&command(targets, 1.0));
@@ -155,7 +159,7 @@ fn equal_seeds_give_equal_images() {
     let image = |seed| {
         let mut world = world(&Setup { seed, ..Setup::default() }, &Physics::default());
         for _ in 0..10 {
-            world.act(&command(STAND, 1.0));
+            world.act(&command(Nao::STAND, 1.0));
         }
         world.sensors().image.unwrap().yuyv.to_vec()
     };
@@ -178,7 +182,7 @@ fn the_spectator_view_shows_robot_and_ball_and_does_not_change_the_physics() {
                 assert!(count(|rgb| rgb[0] > 170 && rgb[2] < 90 && rgb[1] < 150) > 20, "no ball");
                 assert!(count(|rgb| rgb.iter().all(|part| *part > 150)) > 500, "no robot");
             }
-            world.act(&command(STAND, 1.0));
+            world.act(&command(Nao::STAND, 1.0));
             angles.push(world.sensors().angles);
         }
         angles

@@ -1,10 +1,9 @@
 //! Measurements against known states.
 
 use bica_motion::joints::Joint;
-use bica_motion::masses::TOTAL_MASS;
+use bica_motion::model::{Nao, RobotModel};
 use bica_motion::robot::FootPressure;
 use bica_motion::side::Side;
-use bica_motion::stand::STAND;
 use bica_sim::World;
 use bica_sim::mujoco::{Fault, Physics};
 use glam::Vec3;
@@ -23,7 +22,7 @@ fn a_standing_robot_measures_its_weight_and_gravity() {
         force += sensors.inertial.acceleration / 100.0;
         gyro += sensors.inertial.gyro / 100.0;
     }
-    assert!((weight - 9.81 * TOTAL_MASS).abs() < 0.5, "{weight} N");
+    assert!((weight - 9.81 * Nao::TOTAL_MASS).abs() < 0.5, "{weight} N");
     assert!((force.length() - 9.81).abs() < 0.05, "{force}");
     assert!(gyro.length() < 0.01, "{gyro}");
     let sensors = world.sensors();
@@ -34,7 +33,7 @@ fn a_standing_robot_measures_its_weight_and_gravity() {
 
 #[test]
 fn a_leaning_torso_shows_in_pitch_and_in_the_direction_of_gravity() {
-    let mut targets = STAND;
+    let mut targets = Nao::STAND;
     for ankle in [Joint::LAnklePitch, Joint::RAnklePitch] {
         targets[ankle] -= 0.08;
     }
@@ -50,7 +49,7 @@ fn a_leaning_torso_shows_in_pitch_and_in_the_direction_of_gravity() {
 #[test]
 fn the_pressure_is_higher_on_the_side_of_the_centre_of_mass() {
     let pressed = |turns: &[(Joint, f32)]| {
-        let mut targets = STAND;
+        let mut targets = Nao::STAND;
         for (joint, turn) in turns {
             targets[*joint] += turn;
         }
@@ -80,7 +79,7 @@ fn a_measured_joint_moves_after_dead_time_and_sensor_delay() {
         let mut world = alone(1, &Physics { dead_time, sensor_delay, ..blind() });
         stand(&mut world, 50);
         let before = world.sensors().angles[Joint::HeadYaw];
-        let mut targets = STAND;
+        let mut targets = Nao::STAND;
         targets[Joint::HeadYaw] = 1.0;
         let moved = (1..20).find(|_| {
             world.act(&command(targets, 1.0));
@@ -94,7 +93,7 @@ fn a_measured_joint_moves_after_dead_time_and_sensor_delay() {
 fn a_joint_reaches_its_target_at_a_speed_near_the_published_one() {
     let mut world = alone(1, &blind());
     stand(&mut world, 50);
-    let mut targets = STAND;
+    let mut targets = Nao::STAND;
     targets[Joint::HeadYaw] = 1.5;
     let (mut before, mut fastest) = (0.0, 0.0_f32);
     for _ in 0..150 {
@@ -130,7 +129,7 @@ fn failed_sensors_measure_zero_and_a_failed_motor_does_not_move() {
     for fault in [Fault::Gyroscope, Fault::SoleSensors(Side::Left), Fault::Motor(Joint::HeadYaw)] {
         world.inject_fault(fault);
     }
-    let mut targets = STAND;
+    let mut targets = Nao::STAND;
     (targets[Joint::HeadYaw], targets[Joint::HeadPitch]) = (1.0, 0.3);
     for _ in 0..100 {
         world.act(&command(targets, 1.0));
@@ -139,6 +138,6 @@ fn failed_sensors_measure_zero_and_a_failed_motor_does_not_move() {
     assert_eq!(sensors.inertial.gyro, Vec3::ZERO);
     assert_eq!(sensors.left_foot, FootPressure::default());
     let force = sensors.right_foot.total();
-    assert!((10.0..9.81 * TOTAL_MASS).contains(&force), "{force} N");
+    assert!((10.0..9.81 * Nao::TOTAL_MASS).contains(&force), "{force} N");
     assert!(sensors.angles[Joint::HeadYaw].abs() < 0.1 && (sensors.angles[Joint::HeadPitch] - 0.3).abs() < 0.1);
 }

@@ -1,7 +1,7 @@
 //! Standing, pushes and falls.
 
 use bica_motion::fall::Direction;
-use bica_motion::stand::STAND;
+use bica_motion::model::{Nao, RobotModel};
 use bica_sim::World;
 use bica_sim::mujoco::Physics;
 use bica_sim::referee::{Event, Posture};
@@ -39,7 +39,7 @@ fn a_robot_falls_in_the_direction_of_a_push() {
 fn legs_without_stiffness_do_not_carry_the_robot() {
     let mut world = alone(1, &blind());
     for _ in 0..300 {
-        world.act(&command(STAND, 0.0));
+        world.act(&command(Nao::STAND, 0.0));
     }
     assert_eq!(world.referee().falls(), 1);
     assert_eq!(world.referee().count(|event| *event == Event::GotUp), 0);

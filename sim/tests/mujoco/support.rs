@@ -1,9 +1,9 @@
 //! Worlds and commands for the tests.
 
 use bica_motion::joints::Joints;
+use bica_motion::model::{Nao, RobotModel};
 use bica_motion::pose::Pose2;
 use bica_motion::robot::{CameraId, Command, Lights};
-use bica_motion::stand::STAND;
 use bica_sim::World;
 use bica_sim::mujoco::{MujocoWorld, Physics};
 use bica_sim::setup::{Setup, Start};
@@ -32,6 +32,6 @@ pub(crate) fn command(targets: Joints, stiffness: f32) -> Command {
 /// Commands the standing posture for some cycles.
 pub(crate) fn stand(world: &mut MujocoWorld, cycles: u32) {
     for _ in 0..cycles {
-        world.act(&command(STAND, 1.0));
+        world.act(&command(Nao::STAND, 1.0));
     }
 }

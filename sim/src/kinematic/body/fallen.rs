@@ -164,25 +164,24 @@ fn between(from: &Affine3A, to: &Affine3A, part: f32) -> Affine3A {
 
 #[cfg(test)]
 mod tests {
-    use bica_motion::limits::limit;
-    use bica_motion::stand::STAND;
 
     use super::*;
+    use bica_motion::model::{Nao, RobotModel};
 
     /// Returns the lowest height of the robot frame above the soles, m, among postures with these knees that balance.
     fn lowest_balanced_squat(knee: f32) -> f32 {
         let grid = |joint: Joint| {
-            let range = limit(joint);
+            let range = Nao::LIMITS[joint];
             (0..60).map(move |i| range.min + (range.max - range.min) * i as f32 / 59.0)
         };
         let heights = grid(Joint::LHipPitch).flat_map(|hip| {
             grid(Joint::LAnklePitch).filter_map(move |ankle| {
-                let mut angles = STAND;
+                let mut angles = Nao::STAND;
                 for side in Side::BOTH {
                     let leg = side.leg();
                     (angles[leg[2]], angles[leg[3]], angles[leg[4]]) = (hip, knee, ankle);
                 }
-                let skeleton = Skeleton::of(&angles);
+                let skeleton = Skeleton::<Nao>::of(&angles);
                 let level = skeleton.sole(Side::Left).inverse();
                 let soles = Side::BOTH.map(|side| level * skeleton.sole(side));
                 let mass = level.transform_point3(skeleton.centre_of_mass());
@@ -205,11 +204,12 @@ mod tests {
     #[test]
     fn only_a_robot_that_folded_its_knees_can_rise() {
         for (bend, rises) in [(FOLDED_KNEE - 0.02, false), (FOLDED_KNEE + 0.02, true)] {
-            let mut folded = STAND;
+            let mut folded = Nao::STAND;
             (folded[Joint::LKneePitch], folded[Joint::RKneePitch]) = (bend, bend);
             let mut fallen = Fallen::new(Direction::Front, Affine3A::IDENTITY, 0.0);
-            let postures = core::iter::repeat_n(folded, 100).chain(core::iter::repeat_n(STAND, 400));
-            let stands = postures.filter(|angles| fallen.step(angles, &Skeleton::of(angles)).is_some()).count() > 0;
+            let postures = core::iter::repeat_n(folded, 100).chain(core::iter::repeat_n(Nao::STAND, 400));
+            let stands =
+                postures.filter(|angles| fallen.step(angles, &Skeleton::<Nao>::of(angles)).is_some()).count() > 0;
             assert_eq!(stands, rises, "knees at {bend} rad");
         }
     }
