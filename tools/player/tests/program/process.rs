@@ -1,4 +1,4 @@
-//! Runs the program.
+//! Processes of the program.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -6,14 +6,14 @@ use std::process::{Command, Output, Stdio};
 
 use serde_json::Value;
 
-/// The program with arguments, not yet started.
+/// Returns the program with arguments, not yet started.
 pub(crate) fn player(args: &[&str]) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_player"));
     command.args(args).stdin(Stdio::null());
     command
 }
 
-/// What the program did.
+/// Result of a process.
 pub(crate) struct Ran {
     pub(crate) code: Option<i32>,
     pub(crate) stdout: String,
@@ -28,13 +28,13 @@ pub(crate) fn run(args: &[&str]) -> Ran {
 }
 
 impl Ran {
-    /// What it printed, which has to be one JSON value and nothing else.
+    /// Parses the output, which must be one JSON value.
     pub(crate) fn json(&self) -> Value {
         serde_json::from_str(&self.stdout).unwrap_or_else(|error| panic!("{error} in:\n{}", self.stdout))
     }
 }
 
-/// Takes everything away that depends on the computer.
+/// Removes everything that depends on the computer.
 pub(crate) fn without_wall(value: &mut Value) {
     match value {
         Value::Object(fields) => {
@@ -46,7 +46,7 @@ pub(crate) fn without_wall(value: &mut Value) {
     }
 }
 
-/// A folder for one test, empty at first, gone at its end.
+/// Empty folder of a test, removed at its end.
 pub(crate) struct Folder(PathBuf);
 
 impl Folder {
@@ -65,7 +65,7 @@ impl Folder {
         self.0.to_str().expect("UTF-8")
     }
 
-    /// The names in it, sorted.
+    /// Returns the names of its files, sorted.
     pub(crate) fn names(&self) -> Vec<String> {
         let entries = fs::read_dir(&self.0).expect("a folder").map(|entry| entry.expect("an entry").file_name());
         let mut names: Vec<String> = entries.map(|name| name.into_string().expect("UTF-8")).collect();

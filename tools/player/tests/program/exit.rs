@@ -1,24 +1,24 @@
-//! Ends that come from outside.
+//! Ends of the program by a closed pipe or a signal.
 
 use std::io::{self, BufRead, BufReader};
 use std::process::Stdio;
 
-use crate::run::player;
+use crate::process::player;
 
 #[test]
-fn whoever_does_not_listen_ends_the_program_quietly() {
+fn a_closed_stdout_ends_the_program_without_a_message() {
     for args in [&["--seconds", "600"][..], &["graph"], &["--seconds", "0.1", "--json"]] {
         let (reader, writer) = io::pipe().unwrap();
         drop(reader);
         let ended = player(args).stdout(writer).output().unwrap();
-        let said = String::from_utf8(ended.stderr).unwrap();
-        assert!(!said.contains("error") && !said.contains("panic"), "{args:?}: {said}");
+        let message = String::from_utf8(ended.stderr).unwrap();
+        assert!(!message.contains("error") && !message.contains("panic"), "{args:?}: {message}");
         assert_eq!(ended.status.code(), Some(141), "{args:?}");
     }
 }
 
 #[test]
-fn whoever_stops_reading_ends_the_game() {
+fn a_reader_that_goes_away_ends_the_game() {
     let mut child = player(&["--seconds", "600"]).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
     BufReader::new(child.stdout.take().unwrap()).read_line(&mut String::new()).unwrap();
     let ended = child.wait_with_output().unwrap();
