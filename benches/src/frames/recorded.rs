@@ -10,10 +10,10 @@ use bica_vision::projection::{Camera, Intrinsics};
 use bica_vision::table::CompactTable;
 use glam::{Affine3A, Mat3, Vec2, Vec3};
 
-use crate::shot::{Album, Shot};
+use super::{Album, Shot};
 
 /// The folder of images; none, and a word about it the first time, if it is not there.
-pub(crate) fn folder() -> Option<&'static Path> {
+pub fn folder() -> Option<&'static Path> {
     static FOLDER: LazyLock<Option<PathBuf>> = LazyLock::new(|| {
         let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../shared/images");
         if folder.is_dir() {
@@ -26,7 +26,8 @@ pub(crate) fn folder() -> Option<&'static Path> {
 }
 
 /// The frames of two robots, brought to a size: the cameras gave 320×240.
-pub(crate) fn albums(folder: &Path, size: (u16, u16)) -> Vec<Album> {
+#[must_use]
+pub fn albums(folder: &Path, size: (u16, u16)) -> Vec<Album> {
     let poses = poses(folder);
     let album = |(name, filters)| {
         let shots = files(&folder.join(name)).into_iter().map(|file| {

@@ -8,7 +8,7 @@ mod alone {
     nine!(links!(every:));
 
     /// The root.
-    pub(crate) struct Root;
+    pub struct Root;
 
     #[component]
     impl Root {
@@ -33,7 +33,7 @@ mod alone {
         ($($name:ident)*) => {
             activation_tree! {
                 /// Ten components, all active.
-                pub(crate) struct TenOfTen {
+                pub struct TenOfTen {
                     root: Root,
                     cycle_hz: 1000,
                     components: [Root = Root, $($name),*],
@@ -50,7 +50,7 @@ mod among {
     ninety!(links!(every:));
 
     /// The root.
-    pub(crate) struct Root;
+    pub struct Root;
 
     #[component]
     impl Root {
@@ -75,7 +75,7 @@ mod among {
         ($($name:ident)*) => {
             activation_tree! {
                 /// A hundred components, ten of them active.
-                pub(crate) struct TenOfHundred {
+                pub struct TenOfHundred {
                     root: Root,
                     cycle_hz: 1000,
                     components: [Root = Root, $($name),*],
@@ -89,5 +89,5 @@ mod among {
     nine!(rest!());
 }
 
-pub(crate) use alone::TenOfTen;
-pub(crate) use among::TenOfHundred;
+pub use alone::TenOfTen;
+pub use among::TenOfHundred;

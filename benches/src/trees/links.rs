@@ -11,7 +11,7 @@ macro_rules! links {
     };
     (@component every $name:ident, $step:item) => {
         #[doc = "A link of the chain."]
-        pub(crate) struct $name(u64);
+        pub struct $name(u64);
 
         #[component]
         impl $name {
@@ -21,7 +21,7 @@ macro_rules! links {
     };
     (@component rarely $name:ident, $step:item) => {
         #[doc = "A link of the chain."]
-        pub(crate) struct $name(u64);
+        pub struct $name(u64);
 
         #[component(hz = 0.001)]
         impl $name {
@@ -37,7 +37,7 @@ macro_rules! chain {
         links!($rate: $first $($rest)*);
         activation_tree! {
             /// A chain.
-            pub(crate) struct $tree { root: $first, cycle_hz: 1000, components: [$first, $($rest),*] }
+            pub struct $tree { root: $first, cycle_hz: 1000, components: [$first, $($rest),*] }
         }
     };
 }

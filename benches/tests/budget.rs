@@ -1,15 +1,8 @@
 //! The budget report's judgement: times as they would be measured, and what it finds in them.
 
-#[path = "../benches/budget/lanes.rs"]
-mod lanes;
-#[path = "../benches/budget/spread.rs"]
-mod spread;
-#[path = "../benches/budget/verdict.rs"]
-mod verdict;
-
-use lanes::{ACT, CHAIN, Cycle, LANES, Lanes, SEEING, SENSE};
-use spread::Spread;
-use verdict::{Row, broken, idle, late};
+use bica_benches::budget::lanes::{ACT, CHAIN, Cycle, LANES, Lanes, SEEING, SENSE};
+use bica_benches::budget::spread::Spread;
+use bica_benches::budget::verdict::{Row, broken, idle, late};
 
 /// Lane 0 takes these times, in every playing of the game, cycle by cycle, ns.
 fn played(games: &[&[u32]]) -> Result<Lanes, usize> {

@@ -5,7 +5,7 @@ mod one {
     nine!(links!(every:));
 
     /// The root.
-    pub(crate) struct Root(u64);
+    pub struct Root(u64);
 
     #[component]
     impl Root {
@@ -22,7 +22,7 @@ mod one {
         ($($name:ident)*) => {
             activation_tree! {
                 /// Ten components.
-                pub(crate) struct WideTen { root: Root, cycle_hz: 1000, components: [Root, $($name),*] }
+                pub struct WideTen { root: Root, cycle_hz: 1000, components: [Root, $($name),*] }
             }
         };
     }
@@ -43,7 +43,7 @@ mod ten {
     links!(every: J0 J1 J2 J3 J4 J5 J6 J7 J8 J9);
 
     /// The root.
-    pub(crate) struct Root(u64);
+    pub struct Root(u64);
 
     #[component]
     impl Root {
@@ -60,7 +60,7 @@ mod ten {
         ($($name:ident)*) => {
             activation_tree! {
                 /// A hundred components.
-                pub(crate) struct WideHundred { root: Root, cycle_hz: 1000, components: [Root, $($name),*] }
+                pub struct WideHundred { root: Root, cycle_hz: 1000, components: [Root, $($name),*] }
             }
         };
     }
@@ -70,5 +70,5 @@ mod ten {
     nine!(rest!());
 }
 
-pub(crate) use one::WideTen;
-pub(crate) use ten::WideHundred;
+pub use one::WideTen;
+pub use ten::WideHundred;

@@ -3,8 +3,9 @@
 use bica::prelude::*;
 
 /// Five states in a ring; two are left by a timer.
-pub(crate) struct Ring {
-    pub(crate) input: u32,
+pub struct Ring {
+    /// What the transitions read.
+    pub input: u32,
     work: u64,
 }
 
@@ -67,7 +68,7 @@ impl Ring {
 
 activation_tree! {
     /// One machine.
-    pub(crate) struct Machine {
+    pub struct Machine {
         root: Ring,
         cycle_hz: 1000,
         components: [Ring],
@@ -84,20 +85,25 @@ enum State {
 }
 
 /// The same machine as a `match`.
-pub(crate) struct ByHand {
+pub struct ByHand {
     state: State,
     entered: u64,
-    pub(crate) input: u32,
+    /// What the transitions read.
+    pub input: u32,
     work: u64,
 }
 
 impl ByHand {
-    pub(crate) const fn new() -> Self {
+    /// In the first state.
+    #[must_use]
+    #[expect(clippy::new_without_default, reason = "as components are made")]
+    pub const fn new() -> Self {
         Self { state: State::A, entered: 0, input: 0, work: 1 }
     }
 
+    /// One step at `now`, µs.
     #[inline(never)]
-    pub(crate) fn step(&mut self, now: u64) {
+    pub fn step(&mut self, now: u64) {
         let next = match self.state {
             State::A if self.input.is_multiple_of(7) => Some(State::B),
             State::B if now - self.entered >= 5000 => Some(State::C),

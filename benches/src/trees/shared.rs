@@ -5,7 +5,7 @@ use bica::prelude::*;
 macro_rules! component {
     ($name:ident $(, $child:ident: $kind:ident)*) => {
         #[doc = "A corner of the diamond."]
-        pub(crate) struct $name(u64);
+        pub struct $name(u64);
 
         #[component]
         impl $name {
@@ -24,5 +24,5 @@ component!(Root, left: Left, right: Right);
 
 activation_tree! {
     /// Two components want the same child, which runs once.
-    pub(crate) struct Diamond { root: Root, cycle_hz: 1000, components: [Root, Left, Right, Shared] }
+    pub struct Diamond { root: Root, cycle_hz: 1000, components: [Root, Left, Right, Shared] }
 }

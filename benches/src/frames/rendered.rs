@@ -10,13 +10,17 @@ use bica_sim::setup::{Frame, Setup};
 use bica_vision::profile::BUILT_IN_TABLE;
 use bica_vision::projection::Camera;
 
-use crate::shot::{Album, Shot};
+use super::{Album, Shot};
 
 /// Yaw and pitch of the head, rad.
 const LOOKS: [(f32, f32); 2] = [(-0.5, 0.0), (0.4, 0.2)];
 
 /// Two frames of a size from each of several games, with four other robots and a goalkeeper.
-pub(crate) fn album((width, height): (u16, u16), worlds: u64) -> Album {
+///
+/// # Panics
+/// If the world has no camera of that size.
+#[must_use]
+pub fn album((width, height): (u16, u16), worlds: u64) -> Album {
     let frame = Frame::of_size(width.into(), height.into()).expect("a size of the world's camera");
     let setups = (0..worlds).map(|seed| Setup { seed, frame, robots: 4, ..Setup::default() });
     Album { name: "rendered", table: BUILT_IN_TABLE.clone(), shots: setups.flat_map(|setup| shots(&setup)).collect() }

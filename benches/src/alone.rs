@@ -8,11 +8,10 @@ use bica_sim::setup::Frame;
 
 use crate::recording::Recording;
 
-/// A forward in the middle of a game, all held latent but one component: what that one reads stays as it was, and each
-/// tick is one run of it.
-pub(crate) struct Alone {
+/// A forward in the middle of a game in which all components but one are held latent: the inputs of that one do not change,
+/// and each tick is one run of it.
+pub struct Alone {
     robot: Box<Forward>,
-    /// In which it looks at the image of its newest moment.
     recording: Recording,
     sees: bool,
     now: Instant,
@@ -20,8 +19,9 @@ pub(crate) struct Alone {
 }
 
 impl Alone {
-    /// The component at this place in the tree's list.
-    pub(crate) fn new(component: ComponentId, frame: Frame) -> Self {
+    /// The component with this identifier, with images of this size.
+    #[must_use]
+    pub fn new(component: ComponentId, frame: Frame) -> Self {
         let (recording, mut robot) = Recording::of_game(frame, 55, 5);
         for other in (0..Forward::COUNT).map(ComponentId::new).filter(|other| *other != component) {
             robot.hold_at(other, Hold::Latent);
@@ -29,15 +29,15 @@ impl Alone {
         robot.hold_at(component, Hold::Active);
         let node = &Forward::GRAPH.nodes[component.index()];
         let hz = node.hz.unwrap_or(Forward::GRAPH.cycle_hz);
-        let eye = Forward::id::<CameraInput>().index();
+        let input = Forward::id::<CameraInput>().index();
         let mut alone = Self {
             robot,
             recording,
-            sees: node.links.iter().any(|link| link.to == eye),
+            sees: node.links.iter().any(|link| link.to == input),
             now: Instant::from_secs(10),
             period: Duration::from_micros((1e6 / f64::from(hz)).ceil() as u64),
         };
-        // What became active only now settles.
+        // The first runs after the start of a component differ from later ones.
         for _ in 0..3 {
             alone.look();
             alone.run();
@@ -45,21 +45,25 @@ impl Alone {
         alone
     }
 
-    /// Whether it looks at images, and wants a new one for every run.
-    pub(crate) fn sees(&self) -> bool {
+    /// Whether the component reads images, and needs a new one for every run.
+    #[must_use]
+    pub const fn sees(&self) -> bool {
         self.sees
     }
 
-    /// A new image comes.
-    pub(crate) fn look(&mut self) {
+    /// Brings a new image.
+    ///
+    /// # Panics
+    /// If the image does not fit.
+    pub fn look(&mut self) {
         for sensors in self.recording.sensors().filter(|sensors| sensors.image.is_some()) {
-            self.robot.sense(&sensors).expect("the eye is large enough");
+            self.robot.sense(&sensors).expect("the image fits");
         }
         self.now += self.period;
     }
 
-    /// One run.
-    pub(crate) fn run(&mut self) {
+    /// Runs the component once.
+    pub fn run(&mut self) {
         self.robot.tick(self.now);
         self.now += self.period;
     }

@@ -8,10 +8,10 @@ use bica_vision::profile::BUILT_IN_TABLE;
 use bica_vision::projection::Camera;
 use rand_pcg::{Pcg32, rand_core::Rng};
 
-use crate::shot::{Album, Shot};
+use super::{Album, Shot};
 
 /// A colour of each class of the built-in world, and one of none: Y, Cb, Cr.
-pub(crate) const COLOURS: [(&str, [u8; 3]); 6] = [
+pub const COLOURS: [(&str, [u8; 3]); 6] = [
     ("orange", [130, 88, 177]),
     ("yellow", [140, 78, 143]),
     ("blue", [120, 158, 98]),
@@ -22,10 +22,10 @@ pub(crate) const COLOURS: [(&str, [u8; 3]); 6] = [
 const GREEN: usize = 4;
 
 /// What lies where, from the place of a pixel pair: the number of one of two colours, or of any.
-pub(crate) type Pattern = fn(u16, u16, &mut Pcg32) -> usize;
+pub type Pattern = fn(u16, u16, &mut Pcg32) -> usize;
 
 /// Patterns by name.
-pub(crate) const PATTERNS: [(&str, Pattern); 9] = [
+pub const PATTERNS: [(&str, Pattern); 9] = [
     ("flat", |_, _, _| 0),
     ("checker of pairs", |x, y, _| usize::from(x + y) % 2),
     ("checker of pairs on every second row", |x, y, _| usize::from(x + y / 2) % 2),
@@ -38,7 +38,7 @@ pub(crate) const PATTERNS: [(&str, Pattern); 9] = [
 ];
 
 /// Every pattern in every two colours, with and without carpet under it; noise of all colours and of all bytes.
-pub(crate) fn album(size: (u16, u16)) -> Album {
+pub fn album(size: (u16, u16)) -> Album {
     let mut shots = Vec::new();
     for (first, second) in (0..6).flat_map(|first| (0..6).map(move |second| (first, second))) {
         for (name, pattern) in PATTERNS.iter().filter(|_| first != second) {
@@ -50,12 +50,7 @@ pub(crate) fn album(size: (u16, u16)) -> Album {
 }
 
 /// A pattern in two colours, over so many eighths of carpet.
-pub(crate) fn made_up(
-    size: (u16, u16),
-    (name, pattern): (&str, Pattern),
-    [first, second]: [usize; 2],
-    carpet: u16,
-) -> Shot {
+pub fn made_up(size: (u16, u16), (name, pattern): (&str, Pattern), [first, second]: [usize; 2], carpet: u16) -> Shot {
     let name = format!("{name}: {}, {}; carpet {carpet}/8", COLOURS[first].0, COLOURS[second].0);
     shot(name, size, |x, y, random| {
         let on_carpet = y >= size.1 - size.1 / 8 * carpet;
@@ -65,12 +60,14 @@ pub(crate) fn made_up(
 }
 
 /// Noise of all colours.
-pub(crate) fn noise_of_colours(size: (u16, u16)) -> Shot {
+#[must_use]
+pub fn noise_of_colours(size: (u16, u16)) -> Shot {
     shot("noise of all colours".to_owned(), size, |_, _, random| COLOURS[random.next_u32() as usize % 6].1)
 }
 
 /// Noise of all bytes.
-pub(crate) fn noise_of_bytes(size: (u16, u16)) -> Shot {
+#[must_use]
+pub fn noise_of_bytes(size: (u16, u16)) -> Shot {
     shot("noise of bytes".to_owned(), size, |_, _, random| {
         let [a, b, c, _] = random.next_u32().to_le_bytes();
         [a, b, c]

@@ -5,7 +5,7 @@ use bica::prelude::*;
 macro_rules! leaf {
     ($name:ident) => {
         #[doc = "What one state activates."]
-        pub(crate) struct $name(u64);
+        pub struct $name(u64);
 
         #[component]
         impl $name {
@@ -23,9 +23,9 @@ leaf!(Left);
 leaf!(Right);
 
 /// The root.
-pub(crate) struct Root {
+pub struct Root {
     /// Whether it changes its state.
-    pub(crate) changes: bool,
+    pub changes: bool,
 }
 
 #[component]
@@ -53,5 +53,5 @@ impl Root {
 
 activation_tree! {
     /// In every cycle one component becomes active and one latent.
-    pub(crate) struct Switch { root: Root, cycle_hz: 1000, components: [Root, Left, Right] }
+    pub struct Switch { root: Root, cycle_hz: 1000, components: [Root, Left, Right] }
 }

@@ -18,6 +18,6 @@ mod hundred {
     nine!(rest!(A0));
 }
 
-pub(crate) use hundred::Hundred;
-pub(crate) use rarely::Rarely;
-pub(crate) use ten::Ten;
+pub use hundred::Hundred;
+pub use rarely::Rarely;
+pub use ten::Ten;
