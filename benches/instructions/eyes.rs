@@ -5,10 +5,10 @@ use bica_vision::pipeline::Pipeline;
 use bica_vision::profile::BUILT_IN_TABLE;
 use gungraun::prelude::*;
 
-use crate::rendered;
-use crate::shot::{Album, Shot};
 use crate::slow::dawdle;
-use crate::worst::{self, COLOURS, PATTERNS};
+use bica_benches::frames::rendered;
+use bica_benches::frames::worst::{self, COLOURS, PATTERNS};
+use bica_benches::frames::{Album, Shot};
 
 const SIZE: (u16, u16) = (320, 240);
 const WORLDS: u64 = 2;
@@ -56,7 +56,7 @@ fn pattern(name: &str, first: &str, second: &str) -> Desk {
 #[bench::noise_of_bytes(worst(worst::noise_of_bytes(SIZE)))]
 fn eyes((mut eyes, album): Desk) -> Desk {
     for shot in album.shots.iter().cycle().take(FRAMES) {
-        eyes.look(&shot.frame(), &album.table, shot.camera.as_ref());
+        eyes.detect(&shot.frame(), &album.table, shot.camera.as_ref());
         if album.name == WORST {
             dawdle(DAWDLE);
         }

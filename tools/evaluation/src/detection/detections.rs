@@ -172,7 +172,7 @@ impl Detectors {
         seen: pipeline::Detections,
         wall_ms: f64,
     ) -> Detections {
-        let pipeline::Detections { end, ball, goals, lines, robots, markings } = seen;
+        let pipeline::Detections { boundary: end, ball, goals, lines, robots, markings } = seen;
         let goals: Vec<_> = [goals.yellow, goals.blue].into_iter().flatten().collect();
         Detections {
             file: file.to_owned(),
