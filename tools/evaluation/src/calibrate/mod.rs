@@ -116,8 +116,7 @@ impl TrainingData {
             if interrupt::requested() || (own.is_empty() && label.is_none()) {
                 continue;
             }
-            let wrong =
-                |why: &str| Failure::of_path("use", &path, &why, "repair the image, or remove its labels");
+            let wrong = |why: &str| Failure::of_path("use", &path, &why, "repair the image, or remove its labels");
             let recorded = RecordedFrame::read(&path).map_err(|why| wrong(&why))?;
             let frame = Frame::from_image(&recorded.image()).map_err(|why| wrong(&why.to_string()))?;
             for rectangle in &own {
