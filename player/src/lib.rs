@@ -25,6 +25,10 @@ pub mod strategy;
 
 pub use forward::Forward;
 
+/// Model of the robot that the forward controls. Every component takes limits, lengths and motions from it, so another robot
+/// needs another type in this line only.
+pub type Model = bica_motion::model::Nao;
+
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;

@@ -14,9 +14,9 @@ mod table;
 mod walker;
 mod walking;
 
+use bica_console::{Console, Failure, Outcome, interrupt};
 use bica_sim::mujoco::Physics;
 
-use bica_console::{Console, Failure, Outcome, interrupt};
 use series::Series;
 use table::Table;
 
