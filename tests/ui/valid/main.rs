@@ -1,4 +1,4 @@
-//! Unusual forms that are valid. Each file compiles and does what it says.
+//! Unusual forms that are valid: they compile and behave like the usual ones.
 
 mod names;
 mod numbers;
