@@ -29,6 +29,9 @@ pub trait Component: Sized + 'static {
     /// Index in [`STATES`](Self::STATES) of the state in which the machine starts.
     #[doc(hidden)]
     const INITIAL: usize = 0;
+    /// Whether the component stands in for one with mistakes, which are reported already.
+    #[doc(hidden)]
+    const IS_STUB: bool = false;
 }
 
 /// What a component may know of time: ask for it with an argument `time: &Time`.

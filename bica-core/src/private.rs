@@ -6,17 +6,61 @@ pub use crate::component::{Component, Time};
 pub use crate::graph::{Graph, Link, LinkKind, Node, State, Transition};
 pub use crate::probe::Probe;
 pub use crate::rate::Rate;
-pub use crate::tree::borrow::{Read, Slot, Write, WriteRate, assert_distinct};
+pub use crate::tree::borrow::{Read, Slot, Write, WriteRate};
 pub use crate::tree::component_state::ComponentState;
 pub use crate::tree::cycle::{Cycle, Visit, is_shared, visits_at_rate};
 pub use crate::tree::cycle_state::VisitOutcome;
 pub use crate::tree::engine::Engine;
+pub use crate::tree::written::{DistinctLinks, WrittenKind, WrittenLink, assert_single_link, counts};
 pub use crate::tree::{Has, Layout, MemberOf, Tree};
 
 /// Returns a doc comment; nothing with the feature `terse`.
 #[must_use]
 pub const fn doc(text: &'static str) -> &'static str {
     if cfg!(feature = "terse") { "" } else { text }
+}
+
+/// Checks the graph of a tree unless one of its components has mistakes of its own, which are reported already.
+#[track_caller]
+pub const fn check_complete(graph: &Graph, stubs: &[bool]) {
+    let mut index = 0;
+    while index < stubs.len() {
+        if stubs[index] {
+            return;
+        }
+        index += 1;
+    }
+    check(graph);
+}
+
+/// Whether `C` stands in for a component with mistakes.
+#[must_use]
+pub const fn is_stub<T: Has<C>, C: 'static>() -> bool {
+    T::Member::IS_STUB
+}
+
+/// A type that an argument `&Time` can have.
+#[diagnostic::on_unimplemented(
+    message = "an argument called `Time` is the time of the cycle, and `{Self}` is another type",
+    label = "not `bica::Time`",
+    note = "write `&bica::Time`, or give the other type another name"
+)]
+pub trait CycleTime {
+    /// The time of the cycle as that type.
+    fn of(time: &Time) -> &Self;
+}
+
+impl CycleTime for Time {
+    #[inline]
+    fn of(time: &Time) -> &Self {
+        time
+    }
+}
+
+/// The component at a place in the list of a tree. An associated type cannot be less visible than the tree.
+pub trait Lists<const INDEX: usize> {
+    /// The component.
+    type Component;
 }
 
 /// Returns the node of `C` in tree `T`, under the name that the list gives it.

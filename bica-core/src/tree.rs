@@ -19,6 +19,7 @@ pub(crate) mod cycle_state;
 pub(crate) mod engine;
 mod layout;
 mod visit;
+pub(crate) mod written;
 
 pub use layout::{Has, Layout, MemberOf};
 

@@ -1,22 +1,21 @@
 //! `#[component]`: parse → check → expand.
 
 use proc_macro2::TokenStream;
-use quote::quote;
 
 use crate::expand::component as expand;
-use crate::language::component::{check, parse};
+use crate::language::component::check;
+use crate::language::component::parse::{Parsed, parse};
 use crate::language::report::Report;
 
 /// Expands `#[component(options)] item`.
 pub(crate) fn run(options: TokenStream, item: &TokenStream) -> TokenStream {
     let mut report = Report::default();
-    let Some(component) = parse::parse(options, item, &mut report) else {
-        let errors = report.to_compile_errors();
-        return quote!(#item #errors);
+    let component = match parse(options, item, &mut report) {
+        Parsed::Component(component) => component,
+        Parsed::Misplaced { item, of } => return expand::misplaced(&item, of.as_ref(), &report),
     };
-    let behaviour = check::check(&component, &mut report);
-    match behaviour {
+    match check::check(&component, &mut report) {
         Some(behaviour) if report.is_empty() => expand::expand(&component, &behaviour),
-        _ => expand::stand_in(&component, &report),
+        _ => expand::stub(&component, &report),
     }
 }

@@ -54,20 +54,21 @@ fn messages(tokens: TokenStream) -> Vec<String> {
 }
 
 #[test]
-fn a_component_is_its_block_and_two_impls() {
+fn a_machine_is_its_block_two_impls_and_the_name_that_is_taken() {
     let file = expanded(&machine());
     let traits = file.items.iter().map(|item| {
         let Item::Impl(block) = item else { panic!("only impl blocks") };
         block.trait_.as_ref().map(|(path, _)| path.segments.last().unwrap().ident.to_string())
     });
     let traits = traits.collect::<Vec<_>>();
-    assert_eq!(traits, [None, Some("Component".to_owned()), Some("MemberOf".to_owned())]);
+    assert_eq!(traits, [None, Some("Component".to_owned()), Some("MemberOf".to_owned()), None]);
 }
 
 #[test]
 fn our_attributes_are_gone_and_the_rest_is_as_written() {
     let file = expanded(&quote! {
         impl Head {
+            const LIMIT: f32 = 1.0;
             /// Where it looks.
             #[inline]
             pub fn pan(&self) -> f32 { self.pan }
@@ -105,7 +106,7 @@ fn a_mistake_leaves_the_block_and_a_component() {
     let code = component::run(quote!(hz = fast), &broken);
     assert_eq!(messages(code.clone()).len(), 3);
     let words = words(code);
-    for word in ["Component", "MemberOf", "Body", "Neck", "async"] {
+    for word in ["Component", "MemberOf", "IS_STUB", "async"] {
         assert!(words.contains(&word.to_owned()), "{word}");
     }
 }
@@ -113,7 +114,7 @@ fn a_mistake_leaves_the_block_and_a_component() {
 #[test]
 fn what_is_no_block_comes_back_as_it_was() {
     let item = quote!(
-        struct Head;
+        fn head() {}
     );
     let code = component::run(quote!(), &item);
     assert!(code.to_string().starts_with(&item.to_string()));
@@ -122,18 +123,24 @@ fn what_is_no_block_comes_back_as_it_was() {
 
 #[test]
 fn all_mistakes_of_a_tree_are_found_at_once() {
-    let code = tree::run(quote!(struct Robot { root: Nobody, cycle_hz: 0, budget_ms: -1, components: [Head, Head] }));
+    let code = tree::run(quote!(struct Robot { rot: Head, cycle_hz: 0, budget_ms: -1, components: [Head, Head] }));
     assert_eq!(messages(code).len(), 4);
 }
 
 #[test]
 fn a_broken_tree_still_is_one() {
-    let code = tree::run(quote!(struct Robot { root: Nobody, cycle_hz: 100, components: [Head] }));
+    let code = tree::run(quote!(
+        struct Robot {
+            root: Head,
+            cycle_hz: often,
+            components: [Head],
+        }
+    ));
     let words = words(code);
     for word in ["Robot", "Layout", "Has"] {
         assert!(words.contains(&word.to_owned()), "{word}");
     }
-    assert!(!words.contains(&"check".to_owned()), "its graph is not what was meant");
+    assert!(!words.contains(&"check_complete".to_owned()), "nothing is known of its graph");
 }
 
 #[test]
@@ -147,4 +154,21 @@ fn nothing_at_all_is_an_error_and_no_panic() {
     ] {
         assert!(!messages(code).is_empty());
     }
+}
+
+#[test]
+fn a_body_that_is_no_rust_reaches_the_compiler_without_a_message_of_ours() {
+    let code = component::run(quote!(), &quote!(impl Head { fn step(&mut self, neck: &Neck) { let x = ; } }));
+    assert!(messages(code.clone()).is_empty());
+    let words = words(code);
+    assert!(words.windows(3).any(|three| three == ["x", "=", ";"]));
+    assert!(words.contains(&"pass".to_owned()) && !words.contains(&"IS_STUB".to_owned()));
+}
+
+#[test]
+fn a_signature_that_is_no_rust_makes_a_stub_without_a_message_of_ours() {
+    let code = component::run(quote!(), &quote!(impl Head { #[state(initial)] fn up(&mut self, neck &Neck) {} }));
+    assert!(messages(code.clone()).is_empty());
+    let words = words(code);
+    assert!(words.contains(&"IS_STUB".to_owned()) && !words.contains(&"initial".to_owned()));
 }

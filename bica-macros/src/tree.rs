@@ -1,7 +1,6 @@
 //! `activation_tree!`: parse → check → expand.
 
 use proc_macro2::TokenStream;
-use quote::quote;
 
 use crate::expand::tree as expand;
 use crate::language::report::Report;
@@ -10,11 +9,11 @@ use crate::language::tree::{check, parse};
 /// Expands `activation_tree! { input }`.
 pub(crate) fn run(input: TokenStream) -> TokenStream {
     let mut report = Report::default();
-    let Some(tree) = parse::parse(input, &mut report) else {
+    let Some(draft) = parse::parse(input, &mut report) else {
         return report.to_compile_errors();
     };
-    let tree = check::check(tree, &mut report);
-    let code = tree.map(|tree| expand::expand(&tree, report.is_empty()));
-    let errors = report.to_compile_errors();
-    quote!(#code #errors)
+    match check::check(&draft, &mut report) {
+        Some(tree) => expand::expand(&tree),
+        None => expand::stub(&draft, &report),
+    }
 }

@@ -72,6 +72,19 @@ pub(crate) struct Store<T: Layout> {
     slots: T::Slots,
 }
 
+// SAFETY: nothing is `Shared`, so this never applies. It replaces the automatic impl, whose absence the compiler explains
+// cell by cell.
+unsafe impl<T: Layout> Sync for Store<T> where (): Shared<T> {}
+
+/// Tree `T` can be used by several threads. No tree can.
+#[diagnostic::on_unimplemented(
+    message = "activation tree `{T}` cannot be shared: one owner ticks it",
+    label = "`{T}` is not `Sync`",
+    note = "for a `static`, write `static ROBOT: ConstStaticCell<{T}> = ConstStaticCell::new({T}::new());` with the \
+            crate `static_cell`, and take it once with `ROBOT.take()`"
+)]
+pub(crate) trait Shared<T> {}
+
 impl<T: Layout> Store<T> {
     /// Takes the slots.
     pub(crate) const fn new(slots: T::Slots) -> Self {
@@ -212,16 +225,6 @@ pub enum Accesses {
 }
 
 const TWO_LINKS: &str = "two links to one component in one signature";
-
-/// Stops the compiler if `L` borrows a place twice. `ExclusiveStore::borrow` asserts the same when code is generated;
-/// this reports it already in a check, at the function that has these arguments.
-///
-/// # Panics
-/// If it does.
-#[track_caller]
-pub const fn assert_distinct<T: Layout, L: BorrowSet<T>>() {
-    assert!(is_distinct(L::ACCESSES), "{}", TWO_LINKS);
-}
 
 const fn is_distinct(accesses: &Accesses) -> bool {
     match accesses {

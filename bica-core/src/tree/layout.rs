@@ -5,6 +5,7 @@ use super::component_state::ComponentState;
 use super::cycle::{Cycle, Visit};
 use super::cycle_state::VisitOutcome;
 use super::engine::Engine;
+use super::written::WrittenLink;
 use crate::component::Component;
 use crate::graph::Node;
 use crate::probe::Probe;
@@ -48,6 +49,8 @@ pub trait Has<C: 'static>: Layout {
     note = "write `#[component]` on the impl block that holds its `step` or its states"
 )]
 pub trait MemberOf<T: Layout>: Component {
+    /// Links as the signatures write them, before two paths to one component are recognised as one.
+    const WRITTEN: &'static [WrittenLink];
     /// Description of the component in that tree.
     const NODE: Node;
     /// Whether the component takes a `&Time`.

@@ -7,6 +7,7 @@ mod large;
 mod loans;
 mod machine;
 mod order;
+mod paths;
 mod rate;
 mod settled;
 mod stopwatch;

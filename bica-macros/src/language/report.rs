@@ -35,7 +35,7 @@ impl Report {
         self.errors.is_none()
     }
 
-    /// The mistakes as code that makes the compiler say them.
+    /// The mistakes as calls of `compile_error!`.
     pub(crate) fn to_compile_errors(&self) -> TokenStream {
         self.errors.as_ref().map(Error::to_compile_error).unwrap_or_default()
     }

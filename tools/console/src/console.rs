@@ -1,37 +1,48 @@
-//! Where words go: to people or to machines.
+//! Output of a command: lines for people, JSON for programs.
 
-use std::env;
-use std::io::{self, IsTerminal, Write};
+use std::io::{self, Write};
 
+use anstream::{AutoStream, ColorChoice};
+use anstyle::AnsiColor;
 use serde::Serialize;
 
 use crate::Failure;
 
-/// How a word looks on a terminal.
+/// Emphasis of a word on a terminal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Style {
+    /// As the terminal writes by default.
     Plain,
+    /// A heading or an important value.
     Strong,
+    /// A detail.
     Faint,
+    /// A success.
     Good,
+    /// A failure.
     Bad,
+    /// A value that has just changed.
     New,
 }
 
 impl Style {
-    const fn code(self) -> &'static str {
+    const fn ansi(self) -> anstyle::Style {
+        let plain = anstyle::Style::new();
         match self {
-            Self::Plain => "0",
-            Self::Strong => "1",
-            Self::Faint => "2",
-            Self::Good => "1;32",
-            Self::Bad => "1;31",
-            Self::New => "36",
+            Self::Plain => plain,
+            Self::Strong => plain.bold(),
+            Self::Faint => plain.dimmed(),
+            Self::Good => AnsiColor::Green.on_default().bold(),
+            Self::Bad => AnsiColor::Red.on_default().bold(),
+            Self::New => AnsiColor::Cyan.on_default(),
         }
     }
 }
 
-/// The console of the program.
+/// Output of a command.
+///
+/// Without `--json`, lines for people go to stdout. With `--json`, stdout holds JSON only and lines for people go to
+/// stderr. Styles are left out where the output is no terminal or `NO_COLOR` is set.
 #[derive(Clone, Copy, Debug)]
 pub struct Console {
     json: bool,
@@ -39,35 +50,43 @@ pub struct Console {
 }
 
 impl Console {
-    /// To people on stdout; with `json` people are spoken to on stderr.
+    /// The console of this process, with or without `--json`.
+    #[must_use]
     pub fn new(json: bool) -> Self {
-        let terminal = if json { io::stderr().is_terminal() } else { io::stdout().is_terminal() };
-        let set = |name| env::var_os(name).is_some_and(|value| !value.is_empty());
-        let dumb = env::var_os("TERM").is_some_and(|value| value == "dumb");
-        Self { json, colour: terminal && !set("NO_COLOR") && !dumb }
+        let choice = if json { AutoStream::choice(&io::stderr()) } else { AutoStream::choice(&io::stdout()) };
+        Self { json, colour: choice != ColorChoice::Never }
     }
 
-    /// Whether results go to machines.
+    /// Whether JSON is printed.
+    #[must_use]
     pub const fn is_json(self) -> bool {
         self.json
     }
 
-    /// A line to people.
+    /// Prints a line for people.
+    ///
+    /// # Errors
+    /// If stdout cannot be written. A closed stderr is ignored: the JSON on stdout is still wanted.
     pub fn print(self, line: &str) -> Result<(), Failure> {
         if self.json {
-            // A person who does not listen is no reason to keep the results from the machine.
-            let _ = writeln!(io::stderr().lock(), "{line}");
+            let _ = writeln!(anstream::stderr().lock(), "{line}");
             return Ok(());
         }
-        Ok(writeln!(io::stdout().lock(), "{line}")?)
+        Ok(writeln!(anstream::stdout().lock(), "{line}")?)
     }
 
-    /// Prints a line with a name before it.
-    pub fn print_row(self, name: &str, words: &str) -> Result<(), Failure> {
-        self.print(&format!("{}  {words}", self.styled(Style::Strong, &format!("{name:<12}"))))
+    /// Prints a line that begins with a name.
+    ///
+    /// # Errors
+    /// As [`print`](Self::print).
+    pub fn print_row(self, name: &str, text: &str) -> Result<(), Failure> {
+        self.print(&format!("{}  {text}", self.styled(Style::Strong, &format!("{name:<12}"))))
     }
 
-    /// The result to machines, if they listen.
+    /// Prints the result of the command as indented JSON; nothing without `--json`.
+    ///
+    /// # Errors
+    /// If stdout cannot be written.
     pub fn print_json(self, value: &impl Serialize) -> Result<(), Failure> {
         if !self.json {
             return Ok(());
@@ -78,7 +97,10 @@ impl Console {
         Ok(out.flush()?)
     }
 
-    /// A line to machines, if they listen.
+    /// Prints a value as one line of JSON; nothing without `--json`.
+    ///
+    /// # Errors
+    /// If stdout cannot be written.
     pub fn print_json_line(self, value: &impl Serialize) -> Result<(), Failure> {
         if !self.json {
             return Ok(());
@@ -88,12 +110,14 @@ impl Console {
         Ok(io::stdout().lock().write_all(&line)?)
     }
 
-    /// A word in a style, if people look at a terminal.
-    pub fn styled(self, style: Style, word: &str) -> String {
-        if self.colour && style != Style::Plain {
-            format!("\x1b[{}m{word}\x1b[0m", style.code())
+    /// Wraps a text in the escape sequences of a style, if the output shows styles.
+    #[must_use]
+    pub fn styled(self, style: Style, text: &str) -> String {
+        if self.colour {
+            let ansi = style.ansi();
+            format!("{ansi}{text}{ansi:#}")
         } else {
-            word.to_owned()
+            text.to_owned()
         }
     }
 }

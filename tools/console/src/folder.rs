@@ -5,8 +5,11 @@ use std::path::Path;
 
 use crate::Failure;
 
-/// Makes a folder for pictures, with those above it.
+/// Makes a folder for pictures, and its parents.
+///
+/// # Errors
+/// If the folder cannot be made.
 pub fn make_folder(folder: &Path) -> Result<(), Failure> {
-    let mend = "name a folder that can be made, or written to, with --pictures";
-    fs::create_dir_all(folder).map_err(|error| Failure::of_path("make the folder", folder, &error, mend))
+    let help = "name a folder that can be made, or written to, with --pictures";
+    fs::create_dir_all(folder).map_err(|error| Failure::of_path("make the folder", folder, &error, help))
 }

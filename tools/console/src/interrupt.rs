@@ -1,21 +1,21 @@
-//! Ctrl-C: the first ends what is being done and sums it up, the second ends the program.
+//! Ctrl-C: the first one ends the running games and prints their summary, the second one ends the program.
 
 use std::process;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-static ASKED: AtomicBool = AtomicBool::new(false);
+static REQUESTED: AtomicBool = AtomicBool::new(false);
 
-/// Listens for Ctrl-C from now on.
+/// Installs the handler of Ctrl-C. Where none can be installed, Ctrl-C ends the program at once.
 pub fn listen() {
-    // Where no handler can be had, Ctrl-C ends the program at once, as ever.
     let _ = ctrlc::set_handler(|| {
-        if ASKED.swap(true, Ordering::Relaxed) {
+        if REQUESTED.swap(true, Ordering::Relaxed) {
             process::exit(130);
         }
     });
 }
 
-/// Whether someone pressed Ctrl-C.
+/// Whether Ctrl-C was pressed.
+#[must_use]
 pub fn requested() -> bool {
-    ASKED.load(Ordering::Relaxed)
+    REQUESTED.load(Ordering::Relaxed)
 }

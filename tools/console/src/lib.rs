@@ -1,16 +1,16 @@
-//! What the command-line tools of BICA share.
+//! Shared basis of the command-line tools: output for people and for programs, errors, exit codes, Ctrl-C, and many runs
+//! in parallel.
 
+mod batch;
 mod console;
+mod failure;
 mod folder;
 pub mod interrupt;
 mod outcome;
-mod progress;
 pub mod statistics;
 
+pub use batch::{Batch, STACK_BYTES};
 pub use console::{Console, Style};
+pub use failure::Failure;
 pub use folder::make_folder;
-pub use outcome::{Failure, Outcome};
-pub use progress::Progress;
-
-/// Room for a forward on the stack, bytes: it holds a whole image, and is made there before it moves to the heap.
-pub const STACK: usize = 32 << 20;
+pub use outcome::Outcome;

@@ -1,6 +1,8 @@
 //! Statistics of measured values.
 
-/// The smallest value that at least `part` of the sorted values do not exceed (nearest rank).
+/// Returns the smallest value that at least `part` (0 to 1) of the sorted values do not exceed (nearest rank); none of an
+/// empty list.
+#[must_use]
 pub fn percentile(sorted: &[f64], part: f64) -> Option<f64> {
     let rank = (part * sorted.len() as f64).ceil() as usize;
     sorted.get(rank.max(1) - 1).copied()
@@ -11,7 +13,7 @@ mod tests {
     use super::percentile;
 
     #[test]
-    fn percentiles_are_values_by_nearest_rank() {
+    fn percentiles_follow_the_nearest_rank() {
         let values: Vec<f64> = (1..=100).map(f64::from).collect();
         assert_eq!(percentile(&values, 0.5), Some(50.0));
         assert_eq!(percentile(&values, 0.99), Some(99.0));

@@ -1,4 +1,4 @@
-//! The camera's image with what was recognised in it.
+//! Camera image with detections.
 
 use bica_field::{CrossingKind, GoalColour};
 use bica_motion::robot::Image;
@@ -11,16 +11,17 @@ use bica_vision::robots::{Robot, Team};
 use glam::Vec2;
 
 use super::canvas::{Area, Canvas, Rgb};
-use super::palette::{BELIEF, BLUE, LINE_MARK, ROBOT, TEXT, WHITE, YELLOW, sheer};
+use super::palette::{BLUE, ESTIMATE, LINE_MARK, ROBOT, TEXT, WHITE, YELLOW, translucent};
 use super::scene::Marks;
 use super::text::Font;
 
-/// An image enlarged to `width` pixels (a whole number of times the image's), with marks on it.
+/// Draws an image, enlarged by a whole factor to at most `width` px, with detections.
+#[must_use]
 pub fn view(image: &Image<'_>, marks: &Marks, width: usize) -> Canvas {
     let times = (width / usize::from(image.width).max(1)).max(1);
     let mut canvas = Canvas::new(usize::from(image.width) * times, usize::from(image.height) * times, TEXT);
     pixels(&mut canvas, image, times);
-    let mut view = View { canvas, times: times as f32 };
+    let mut view = View { canvas, scale: times as f32 };
     view.own(&marks.own);
     view.field_boundary(&marks.field_boundary);
     view.circle(&marks.circle);
@@ -34,18 +35,18 @@ pub fn view(image: &Image<'_>, marks: &Marks, width: usize) -> Canvas {
 
 struct View {
     canvas: Canvas,
-    /// Canvas pixels for one of the image's.
-    times: f32,
+    /// Canvas pixels per image pixel.
+    scale: f32,
 }
 
 impl View {
     fn at(&self, pixel: Vec2) -> Vec2 {
-        self.times * (pixel + 0.5)
+        self.scale * (pixel + 0.5)
     }
 
-    /// The outline of the robot's own body, dotted.
+    /// Draws the outline of the robot's own body, dotted.
     fn own(&mut self, own: &OwnBody) {
-        let covers = |x: usize, y: usize| own.covers(Vec2::new(x as f32, y as f32) / self.times - 0.5);
+        let covers = |x: usize, y: usize| own.covers(Vec2::new(x as f32, y as f32) / self.scale - 0.5);
         let step = 2;
         let mut outline = vec![];
         for y in (step..self.canvas.height()).step_by(step) {
@@ -56,25 +57,25 @@ impl View {
             }
         }
         for (x, y) in outline {
-            self.canvas.set(x, y, BELIEF);
+            self.canvas.set(x, y, ESTIMATE);
         }
     }
 
     fn field_boundary(&mut self, line: &[Vec2]) {
         let line: Vec<Vec2> = line.iter().map(|p| self.at(*p)).collect();
-        self.canvas.polyline(&line, 4.0, sheer(TEXT, 0.5));
+        self.canvas.polyline(&line, 4.0, translucent(TEXT, 0.5));
         self.canvas.polyline(&line, 2.0, WHITE);
     }
 
     fn line(&mut self, line: &Line) {
         let (from, to) = (self.at(line.from), self.at(line.to));
-        self.canvas.line(from, to, 3.0, sheer(TEXT, 0.5));
+        self.canvas.line(from, to, 3.0, translucent(TEXT, 0.5));
         self.canvas.line(from, to, 1.5, LINE_MARK);
     }
 
     fn circle(&mut self, points: &[Vec2]) {
         let line: Vec<Vec2> = points.iter().map(|p| self.at(*p)).collect();
-        self.canvas.polyline(&line, 3.0, sheer(BELIEF, 0.8));
+        self.canvas.polyline(&line, 3.0, translucent(ESTIMATE, 0.8));
     }
 
     fn crossing(&mut self, crossing: &Crossing) {
@@ -113,9 +114,9 @@ impl View {
     }
 
     fn post(&mut self, post: &Post, rgb: Rgb) {
-        let aside = Vec2::new(0.5 * post.width * self.times, 0.0);
+        let aside = Vec2::new(0.5 * post.width * self.scale, 0.0);
         let (foot, top) = (self.at(post.base), self.at(post.top));
-        self.canvas.polygon(&[foot - aside, top - aside, top + aside, foot + aside], sheer(rgb, 0.45));
+        self.canvas.polygon(&[foot - aside, top - aside, top + aside, foot + aside], translucent(rgb, 0.45));
         self.canvas.line(foot, top, 2.0, WHITE);
         if post.has_base {
             self.canvas.disc(foot, 4.0, WHITE);
@@ -124,20 +125,20 @@ impl View {
     }
 
     fn ball(&mut self, ball: &Ball) {
-        let (centre, radius) = (self.at(ball.centre), ball.radius * self.times);
+        let (centre, radius) = (self.at(ball.centre), ball.radius * self.scale);
         self.canvas.ring(centre, radius, 4.0, WHITE);
-        self.canvas.ring(centre, radius, 2.0, BELIEF);
+        self.canvas.ring(centre, radius, 2.0, ESTIMATE);
         for arm in [Vec2::X, Vec2::Y] {
             self.canvas.line(centre - 4.0 * arm, centre + 4.0 * arm, 1.5, WHITE);
         }
-        self.label(centre + Vec2::new(radius + 5.0, -8.0), "ball", BELIEF);
+        self.label(centre + Vec2::new(radius + 5.0, -8.0), "ball", ESTIMATE);
     }
 
     fn label(&mut self, at: Vec2, word: &str, rgb: Rgb) {
         let size = Vec2::new(Font::Bold.width(word) + 8.0, 15.0);
         let room = Vec2::new(self.canvas.width() as f32, self.canvas.height() as f32) - size;
         let at = at.min(room).max(Vec2::ZERO);
-        self.canvas.slab(Area { from: at, to: at + size }, 3.0, sheer(TEXT, 0.75));
+        self.canvas.rounded_rectangle(Area { from: at, to: at + size }, 3.0, translucent(TEXT, 0.75));
         self.canvas.write(at + Vec2::new(4.0, 1.0), Font::Bold, rgb, word);
     }
 }

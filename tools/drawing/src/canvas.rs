@@ -1,14 +1,16 @@
-//! A picture in memory, and how ink gets onto it.
+//! A picture in memory.
 
 use glam::Vec2;
 
 /// Red, green and blue, 0 to 255 each.
 pub type Rgb = [u8; 3];
 
-/// A colour and how much of it covers what is below, 0 to 1.
+/// Colour with opacity.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ink {
+    /// Red, green, blue.
     pub rgb: Rgb,
+    /// Opacity, 0 to 1.
     pub alpha: f32,
 }
 
@@ -18,33 +20,38 @@ impl From<Rgb> for Ink {
     }
 }
 
-/// An upright rectangle in pixels, y down.
+/// Axis-aligned rectangle, px.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Area {
+    /// Upper left corner.
     pub from: Vec2,
+    /// Lower right corner.
     pub to: Vec2,
 }
 
 impl Area {
-    /// From the upper left corner and a size.
+    /// A rectangle by its upper left corner and its size.
+    #[must_use]
     pub const fn sized(x: f32, y: f32, width: f32, height: f32) -> Self {
         Self { from: Vec2::new(x, y), to: Vec2::new(x + width, y + height) }
     }
 
-    /// The smallest rectangle around points, grown by `margin`.
+    /// The bounding box of points, enlarged by `margin` on each side.
+    #[must_use]
     pub fn around(points: &[Vec2], margin: f32) -> Self {
         let from = points.iter().fold(Vec2::INFINITY, |low, p| low.min(*p));
         let to = points.iter().fold(Vec2::NEG_INFINITY, |high, p| high.max(*p));
         Self { from: from - margin, to: to + margin }
     }
 
-    /// The middle.
+    /// The centre.
+    #[must_use]
     pub fn centre(&self) -> Vec2 {
         0.5 * (self.from + self.to)
     }
 }
 
-/// Pixels in rows from the top.
+/// Picture: pixels in rows from the top.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Canvas {
     width: usize,
@@ -53,34 +60,38 @@ pub struct Canvas {
 }
 
 impl Canvas {
-    /// An empty sheet of one colour.
+    /// A picture of one colour.
+    #[must_use]
     pub fn new(width: usize, height: usize, paper: Rgb) -> Self {
         Self { width, height, pixels: vec![paper; width * height] }
     }
 
-    /// Width in pixels.
+    /// Width, px.
+    #[must_use]
     pub const fn width(&self) -> usize {
         self.width
     }
 
-    /// Height in pixels.
+    /// Height, px.
+    #[must_use]
     pub const fn height(&self) -> usize {
         self.height
     }
 
     /// Red, green, blue of every pixel, row by row.
+    #[must_use]
     pub fn bytes(&self) -> &[u8] {
         self.pixels.as_flattened()
     }
 
-    /// Replaces one pixel; nothing happens outside the canvas.
+    /// Sets one pixel; pixels outside the canvas are ignored.
     pub fn set(&mut self, x: usize, y: usize, rgb: Rgb) {
         if x < self.width && y < self.height {
             self.pixels[y * self.width + x] = rgb;
         }
     }
 
-    /// Lays ink over one pixel, of which `cover` (0 to 1) is inside the shape.
+    /// Blends ink into one pixel, of which the share `cover` (0 to 1) lies inside the shape.
     pub fn blend(&mut self, x: i32, y: i32, ink: Ink, cover: f32) {
         let inside = (0..self.width as i32).contains(&x) && (0..self.height as i32).contains(&y);
         let part = ink.alpha * cover;
@@ -92,7 +103,7 @@ impl Canvas {
         }
     }
 
-    /// Paints a shape given by its signed distance (negative inside), with smooth edges, within `area`.
+    /// Fills a shape, given by its signed distance in px (negative inside), with anti-aliased edges. `area` contains it.
     pub fn paint(&mut self, area: Area, ink: Ink, distance: impl Fn(Vec2) -> f32) {
         let (Some(columns), Some(rows)) =
             (pixels(area.from.x, area.to.x, self.width), pixels(area.from.y, area.to.y, self.height))
@@ -107,7 +118,7 @@ impl Canvas {
         }
     }
 
-    /// Copies a whole canvas onto this one, its upper left corner at (x, y).
+    /// Copies a canvas onto this one, with its upper left corner at (x, y).
     pub fn place(&mut self, other: &Self, x: usize, y: usize) {
         for row in 0..other.height {
             for column in 0..other.width {
@@ -117,7 +128,7 @@ impl Canvas {
     }
 }
 
-/// The pixels from `from` to `to` which lie on a canvas of `size`; none for what is no number.
+/// Range of pixels from `from` to `to` on a canvas of `size`; none for values that are not finite.
 fn pixels(from: f32, to: f32, size: usize) -> Option<std::ops::Range<i32>> {
     (from.is_finite() && to.is_finite())
         .then(|| (from.floor().max(0.0) as i32)..(to.ceil().clamp(0.0, size as f32) as i32))
@@ -128,7 +139,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_shape_covers_its_area_and_nothing_outside_the_canvas() {
+    fn a_disc_covers_its_area_and_shapes_outside_the_canvas_cover_nothing() {
         let mut canvas = Canvas::new(60, 40, [0; 3]);
         canvas.disc(Vec2::new(30.3, 20.6), 12.5, [255; 3]);
         let covered: f32 = canvas.bytes().iter().step_by(3).map(|value| f32::from(*value) / 255.0).sum();
@@ -144,9 +155,9 @@ mod tests {
     }
 
     #[test]
-    fn ink_lets_through_what_it_does_not_cover() {
+    fn translucent_ink_is_blended_with_the_pixels_below() {
         let mut canvas = Canvas::new(4, 4, [100, 0, 200]);
-        canvas.slab(Area::sized(0.0, 0.0, 2.0, 4.0), 0.0, Ink { rgb: [200, 200, 200], alpha: 0.5 });
+        canvas.rounded_rectangle(Area::sized(0.0, 0.0, 2.0, 4.0), 0.0, Ink { rgb: [200, 200, 200], alpha: 0.5 });
         assert_eq!(canvas.bytes()[..3], [150, 100, 200]);
         assert_eq!(canvas.bytes()[9..12], [100, 0, 200]);
     }

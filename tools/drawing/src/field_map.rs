@@ -1,12 +1,12 @@
-//! The map of the field: what is true, and what the robot believes.
+//! Map of the field with the true state of a game and the robot's estimates.
 
 use bica_field::{FIELD, GoalColour};
 use bica_motion::pose::Pose2;
 use glam::Vec2;
 
 use super::canvas::{Area, Canvas, Ink, Rgb};
-use super::palette::{BALL, BELIEF, BLUE, CARPET, LINE, OTHER, ROBOT, TEXT, YELLOW, sheer};
-use super::scene::{Beliefs, Truth};
+use super::palette::{BALL, BLUE, CARPET, ESTIMATE, LINE, OTHER, ROBOT, TEXT, YELLOW, translucent};
+use super::scene::{Estimates, GroundTruth};
 use super::text::Font;
 
 /// Half the carpet, m.
@@ -14,7 +14,8 @@ const CARPET_HALF: Vec2 = FIELD.carpet_corner();
 /// Half the field, line centres, m.
 const FIELD_HALF: Vec2 = FIELD.field_corner();
 
-/// A map of the field of 2009, the attacked goal to the right.
+/// Map of the field of 2009, with the attacked goal on the right.
+#[derive(Debug)]
 pub struct Map {
     canvas: Canvas,
     /// Pixels per metre.
@@ -22,7 +23,8 @@ pub struct Map {
 }
 
 impl Map {
-    /// An empty field, `width` pixels wide.
+    /// An empty field, `width` px wide.
+    #[must_use]
     pub fn new(width: usize, attacks: GoalColour) -> Self {
         let scale = width as f32 / (2.0 * CARPET_HALF.x);
         let mut map = Self { canvas: Canvas::new(width, (2.0 * CARPET_HALF.y * scale) as usize, CARPET), scale };
@@ -32,15 +34,16 @@ impl Map {
         map
     }
 
-    /// The map drawn.
+    /// Returns the picture.
+    #[must_use]
     pub fn into_canvas(self) -> Canvas {
         self.canvas
     }
 
-    /// Draws where everything truly is.
-    pub fn truth(&mut self, truth: &Truth) {
+    /// Draws the true positions.
+    pub fn truth(&mut self, truth: &GroundTruth) {
         let trail: Vec<Vec2> = truth.trail.iter().map(|p| self.at(*p)).collect();
-        self.canvas.polyline(&trail, 1.5, sheer(BALL, 0.6));
+        self.canvas.polyline(&trail, 1.5, translucent(BALL, 0.6));
         for other in &truth.others {
             self.robot(other, OTHER);
         }
@@ -49,19 +52,19 @@ impl Map {
         ball(&mut self.canvas, at);
     }
 
-    /// Draws where the robot believes that things are.
-    pub fn beliefs(&mut self, beliefs: &Beliefs) {
-        let pose = &beliefs.robot;
+    /// Draws the robot's estimates.
+    pub fn estimates(&mut self, estimates: &Estimates) {
+        let pose = &estimates.robot;
         let here = self.at(pose.position);
-        self.canvas.dashed_ring(here, 0.17 * self.scale, 2.0, BELIEF);
+        self.canvas.dashed_ring(here, 0.17 * self.scale, 2.0, ESTIMATE);
         let nose = self.at(pose.place(Vec2::new(0.3, 0.0)));
-        self.canvas.line(here, nose, 2.0, BELIEF);
-        if let Some(ball) = beliefs.ball {
+        self.canvas.line(here, nose, 2.0, ESTIMATE);
+        if let Some(ball) = estimates.ball {
             let ball = self.at(pose.place(ball));
-            self.canvas.dashed(here, ball, 1.0, 4.0, sheer(BELIEF, 0.8));
-            self.canvas.ring(ball, 9.0, 2.0, BELIEF);
+            self.canvas.dashed(here, ball, 1.0, 4.0, translucent(ESTIMATE, 0.8));
+            self.canvas.ring(ball, 9.0, 2.0, ESTIMATE);
         }
-        if let Some(goal) = beliefs.goal {
+        if let Some(goal) = estimates.goal {
             let goal = self.at(pose.place(goal));
             cross(&mut self.canvas, goal, 9.0);
         }
@@ -104,7 +107,7 @@ impl Map {
         let Vec2 { x: line, y: half } = FIELD.goal_post();
         let depth = FIELD.goal_back();
         let net = [self.at(Vec2::new(side * line, half)), self.at(Vec2::new(side * depth, -half))];
-        self.canvas.slab(Area::around(&net, 0.0), 2.0, sheer(rgb, 0.35));
+        self.canvas.rounded_rectangle(Area::around(&net, 0.0), 2.0, translucent(rgb, 0.35));
         for y in [-half, half] {
             self.canvas.disc(self.at(Vec2::new(side * line, y)), 0.07 * self.scale, rgb);
         }
@@ -125,7 +128,7 @@ impl Map {
     }
 }
 
-/// Explains the signs of the map, in one line from `at`.
+/// Draws a legend of the map in one line from `at`.
 pub fn legend(canvas: &mut Canvas, at: Vec2) {
     let mut x = at.x;
     let mut entry = |sign: &dyn Fn(&mut Canvas, Vec2), words: &str| {
@@ -136,8 +139,8 @@ pub fn legend(canvas: &mut Canvas, at: Vec2) {
     entry(&|canvas, at| ball(canvas, at), "ball");
     entry(&|canvas, at| square(canvas, at, ROBOT), "robot");
     entry(&|canvas, at| square(canvas, at, OTHER), "others");
-    entry(&|canvas, at| canvas.dashed_ring(at, 6.0, 2.0, BELIEF), "believed: robot,");
-    entry(&|canvas, at| canvas.ring(at, 6.0, 2.0, BELIEF), "ball,");
+    entry(&|canvas, at| canvas.dashed_ring(at, 6.0, 2.0, ESTIMATE), "estimated: robot,");
+    entry(&|canvas, at| canvas.ring(at, 6.0, 2.0, ESTIMATE), "ball,");
     entry(&|canvas, at| cross(canvas, at, 6.0), "goal");
 }
 
@@ -148,12 +151,12 @@ fn ball(canvas: &mut Canvas, at: Vec2) {
 
 fn square(canvas: &mut Canvas, at: Vec2, rgb: Rgb) {
     let area = Area { from: at - 6.0, to: at + 6.0 };
-    canvas.slab(area, 2.0, rgb);
+    canvas.rounded_rectangle(area, 2.0, rgb);
     canvas.outline(area, 2.0, 1.0, TEXT);
 }
 
 fn cross(canvas: &mut Canvas, at: Vec2, size: f32) {
     for arm in [Vec2::splat(size), Vec2::new(size, -size)] {
-        canvas.line(at - arm, at + arm, 2.0, BELIEF);
+        canvas.line(at - arm, at + arm, 2.0, ESTIMATE);
     }
 }

@@ -1,4 +1,6 @@
-//! Drawings for tools: activation trees, the field, camera images with what was recognised in them.
+//! Drawings for tools: activation trees as SVG and in pictures, a map of the field, and camera images with detections.
+//!
+//! Coordinates of pictures are pixels: x right, y down.
 
 pub mod camera;
 pub mod canvas;
@@ -10,6 +12,8 @@ pub mod polar;
 pub mod scene;
 mod shapes;
 pub mod sheet;
-pub mod svg;
+mod svg;
 pub mod text;
 pub mod tree_view;
+
+pub use svg::svg;

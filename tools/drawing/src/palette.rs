@@ -1,36 +1,51 @@
-//! The colours of every picture.
+//! Colours of all pictures.
 
 use super::canvas::{Ink, Rgb};
 
+/// Background.
 pub const PAPER: Rgb = [247, 246, 242];
+/// Text and thin outlines.
 pub const TEXT: Rgb = [36, 41, 46];
+/// Secondary text.
 pub const FAINT: Rgb = [150, 154, 158];
+/// Latent components.
 pub const GHOST: Rgb = [214, 214, 210];
+/// White.
 pub const WHITE: Rgb = [255, 255, 255];
 
+/// Carpet.
 pub const CARPET: Rgb = [58, 125, 78];
+/// Field lines.
 pub const LINE: Rgb = [226, 238, 228];
+/// Yellow goal.
 pub const YELLOW: Rgb = [244, 196, 32];
+/// Blue goal.
 pub const BLUE: Rgb = [66, 165, 245];
+/// Ball.
 pub const BALL: Rgb = [245, 124, 0];
+/// The robot.
 pub const ROBOT: Rgb = [236, 239, 241];
+/// Other robots.
 pub const OTHER: Rgb = [176, 160, 190];
-pub const BELIEF: Rgb = [233, 30, 120];
+/// The robot's estimates.
+pub const ESTIMATE: Rgb = [233, 30, 120];
 
-/// What was recognised as a line, on an image in which lines are white.
+/// Detected lines, on images in which lines are white.
 pub const LINE_MARK: Rgb = [224, 64, 251];
 
-/// A link that reads.
+/// Requirement links.
 pub const REQUIRED: Rgb = [46, 120, 200];
-/// A link that writes.
+/// Modulation links.
 pub const MODULATED: Rgb = [214, 96, 40];
 
-/// A colour that lets some of what is below through.
-pub const fn sheer(rgb: Rgb, alpha: f32) -> Ink {
+/// Returns ink with an opacity `alpha` from 0 to 1.
+#[must_use]
+pub const fn translucent(rgb: Rgb, alpha: f32) -> Ink {
     Ink { rgb, alpha }
 }
 
-/// A colour as style sheets write it, `#rrggbb`; black if it is written otherwise.
+/// Parses `#rrggbb`; black for any other text.
+#[must_use]
 pub fn hex(code: &str) -> Rgb {
     let number = code.strip_prefix('#').and_then(|digits| u32::from_str_radix(digits, 16).ok()).unwrap_or(0);
     let [_, red, green, blue] = number.to_be_bytes();

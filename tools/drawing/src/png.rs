@@ -1,4 +1,4 @@
-//! PNG files, written and read.
+//! PNG files.
 
 use std::fs::File;
 use std::io::{BufReader, BufWriter};
@@ -7,6 +7,9 @@ use std::path::Path;
 use super::canvas::Canvas;
 
 /// Writes a picture.
+///
+/// # Errors
+/// If the file cannot be written.
 pub fn write(path: &Path, canvas: &Canvas) -> Result<(), png::EncodingError> {
     let file = BufWriter::new(File::create(path)?);
     let mut encoder = png::Encoder::new(file, canvas.width() as u32, canvas.height() as u32);
@@ -17,14 +20,21 @@ pub fn write(path: &Path, canvas: &Canvas) -> Result<(), png::EncodingError> {
     writer.finish()
 }
 
-/// A picture read from a file: width, height, and red, green, blue of each pixel.
+/// Picture of a file.
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Picture {
+    /// Width, px.
     pub width: usize,
+    /// Height, px.
     pub height: usize,
+    /// Red, green, blue of each pixel, row by row.
     pub rgb: Vec<[u8; 3]>,
 }
 
 /// Reads a picture of any colour type; grey becomes RGB, transparency is dropped, 16 bits become 8.
+///
+/// # Errors
+/// If the file cannot be read or is no complete PNG.
 pub fn read(path: &Path) -> Result<Picture, png::DecodingError> {
     let mut decoder = png::Decoder::new(BufReader::new(File::open(path)?));
     decoder.set_transformations(png::Transformations::normalize_to_color8());
@@ -45,7 +55,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_picture_comes_back_as_it_was_written() {
+    fn a_written_picture_is_read_back_unchanged() {
         let path = std::env::temp_dir().join(format!("bica-player-{}.png", std::process::id()));
         let mut canvas = Canvas::new(3, 2, [1, 2, 3]);
         canvas.set(2, 1, [250, 0, 7]);

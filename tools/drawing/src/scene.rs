@@ -1,4 +1,4 @@
-//! What a picture shows, free of where it comes from.
+//! Content of a picture, independent of its source.
 
 use bica::graph::{Graph, Link};
 use bica_field::GoalColour;
@@ -11,63 +11,73 @@ use bica_vision::own_body::OwnBody;
 use bica_vision::robots::Robot;
 use glam::Vec2;
 
-/// What was recognised in an image, pixels: x right, y down, centre of the first pixel (0, 0).
+/// Detections in an image, px; the centre of the first pixel is (0, 0).
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Marks {
+    /// The ball.
     pub ball: Option<Ball>,
+    /// Goals.
     pub goals: Vec<Goal>,
-    /// The far end of the field, from left to right.
+    /// Field boundary, from left to right.
     pub field_boundary: Vec<Vec2>,
+    /// White lines.
     pub lines: Vec<Line>,
+    /// Other robots.
     pub robots: Vec<Robot>,
+    /// Crossings of lines.
     pub crossings: Vec<Crossing>,
-    /// Points on the centre circle, one after the other.
+    /// Points on the centre circle, in order.
     pub circle: Vec<Vec2>,
     /// The robot's own body.
     pub own: OwnBody,
 }
 
-/// What the robot believes.
+/// Estimates of the robot.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Beliefs {
-    /// Where it stands on the field, m: odometry from where it truly started.
+pub struct Estimates {
+    /// Pose on the field, m: odometry from the true start.
     pub robot: Pose2,
-    /// The ball, m, in the robot's own frame.
+    /// Ball in the robot's frame, m.
     pub ball: Option<Vec2>,
-    /// The middle of the goal that it attacks, m, in its own frame.
+    /// Centre of the attacked goal in the robot's frame, m.
     pub goal: Option<Vec2>,
 }
 
-/// What is true, m, in the field's frame; only a referee knows it.
+/// True state of a game in the field frame, m.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Truth {
-    /// The colour of the goal at positive x.
+pub struct GroundTruth {
+    /// Colour of the goal at positive x, which the robot attacks.
     pub attacks: GoalColour,
+    /// Pose of the robot.
     pub robot: Pose2,
+    /// Position of the ball.
     pub ball: Vec2,
-    /// The goalkeeper and other robots.
+    /// Poses of the goalkeeper and other robots.
     pub others: Vec<Pose2>,
-    /// The way of the ball so far.
+    /// Path of the ball so far.
     pub trail: Vec<Vec2>,
 }
 
-/// The tree at one moment.
+/// State of an activation tree after a cycle.
 #[derive(Clone, Debug, PartialEq)]
-pub struct TreeNow {
+pub struct TreeState {
+    /// The tree.
     pub graph: &'static Graph,
-    /// For each component whether it is active.
+    /// Whether each component is active.
     pub active: Vec<bool>,
-    /// For each component the index of its state.
+    /// State of each state machine.
     pub states: Vec<Option<usize>>,
 }
 
-impl TreeNow {
-    /// Whether a link is in use: its owner is active, and in the state that the link belongs to.
+impl TreeState {
+    /// Returns whether a link is in use: its owner is active and in the state that the link belongs to.
+    #[must_use]
     pub fn uses(&self, node: usize, link: &Link) -> bool {
         self.active[node] && (link.state.is_none() || link.state == self.states[node])
     }
 
-    /// The name of the state of an active state machine.
+    /// Returns the name of the state of an active state machine.
+    #[must_use]
     pub fn state(&self, node: usize) -> Option<&'static str> {
         let state = self.states[node].filter(|_| self.active[node])?;
         self.graph.nodes[node].states.get(state).map(|state| state.name)

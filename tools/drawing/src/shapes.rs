@@ -1,28 +1,28 @@
-//! Lines, circles and polygons.
+//! Lines, circles, rectangles and polygons.
 
 use glam::Vec2;
 
 use super::canvas::{Area, Canvas, Ink};
 
 impl Canvas {
-    /// A filled circle.
+    /// Draws a filled circle.
     pub fn disc(&mut self, centre: Vec2, radius: f32, ink: impl Into<Ink>) {
         self.paint(Area::around(&[centre], radius + 1.0), ink.into(), |p| p.distance(centre) - radius);
     }
 
-    /// A circle drawn with a pen of `width`.
+    /// Draws a circle with a pen of `width`.
     pub fn ring(&mut self, centre: Vec2, radius: f32, width: f32, ink: impl Into<Ink>) {
         let area = Area::around(&[centre], radius + width + 1.0);
         self.paint(area, ink.into(), |p| (p.distance(centre) - radius).abs() - 0.5 * width);
     }
 
-    /// A straight line with round ends.
+    /// Draws a straight line with round ends.
     pub fn line(&mut self, from: Vec2, to: Vec2, width: f32, ink: impl Into<Ink>) {
         let area = Area::around(&[from, to], width + 1.0);
         self.paint(area, ink.into(), |p| to_segment(p, from, to) - 0.5 * width);
     }
 
-    /// A line through points. For ink that covers: where pieces meet it is laid twice.
+    /// Draws straight lines from point to point. Translucent ink is blended twice where two lines meet.
     pub fn polyline(&mut self, points: &[Vec2], width: f32, ink: impl Into<Ink>) {
         let ink = ink.into();
         for pair in points.windows(2) {
@@ -30,7 +30,7 @@ impl Canvas {
         }
     }
 
-    /// A straight line in dashes of `dash` pixels, as much left out between them.
+    /// Draws a straight line in dashes of `dash` px, with gaps of the same length.
     pub fn dashed(&mut self, from: Vec2, to: Vec2, width: f32, dash: f32, ink: impl Into<Ink>) {
         let (ink, length) = (ink.into(), from.distance(to));
         let along = (to - from).normalize_or_zero();
@@ -40,7 +40,7 @@ impl Canvas {
         }
     }
 
-    /// A circle in dashes.
+    /// Draws a dashed circle.
     pub fn dashed_ring(&mut self, centre: Vec2, radius: f32, width: f32, ink: impl Into<Ink>) {
         let dashes = (radius * 0.6).clamp(6.0, 60.0).round();
         let area = Area::around(&[centre], radius + width + 1.0);
@@ -51,25 +51,25 @@ impl Canvas {
         });
     }
 
-    /// A filled polygon, convex or not.
+    /// Draws a filled polygon, convex or not.
     pub fn polygon(&mut self, corners: &[Vec2], ink: impl Into<Ink>) {
         if corners.len() > 2 {
             self.paint(Area::around(corners, 1.0), ink.into(), |p| to_polygon(p, corners));
         }
     }
 
-    /// A filled rectangle with round corners.
-    pub fn slab(&mut self, area: Area, radius: f32, ink: impl Into<Ink>) {
+    /// Draws a filled rectangle with round corners.
+    pub fn rounded_rectangle(&mut self, area: Area, radius: f32, ink: impl Into<Ink>) {
         let margin = Area { from: area.from - 1.0, to: area.to + 1.0 };
-        self.paint(margin, ink.into(), |p| to_slab(p, area, radius));
+        self.paint(margin, ink.into(), |p| to_rounded_rectangle(p, area, radius));
     }
 
-    /// The outline of a rectangle with round corners; the pen stays inside.
+    /// Draws the outline of a rectangle with round corners; the pen stays inside.
     pub fn outline(&mut self, area: Area, radius: f32, width: f32, ink: impl Into<Ink>) {
-        self.paint(area, ink.into(), |p| (to_slab(p, area, radius) + 0.5 * width).abs() - 0.5 * width);
+        self.paint(area, ink.into(), |p| (to_rounded_rectangle(p, area, radius) + 0.5 * width).abs() - 0.5 * width);
     }
 
-    /// An arrow head whose tip is at `tip`.
+    /// Draws an arrow head with its tip at `tip`.
     pub fn arrow_head(&mut self, tip: Vec2, direction: Vec2, size: f32, ink: impl Into<Ink>) {
         let back = tip - direction.normalize_or_zero() * size;
         let aside = direction.normalize_or_zero().perp() * size * 0.45;
@@ -96,7 +96,7 @@ fn to_polygon(p: Vec2, corners: &[Vec2]) -> f32 {
     if inside { -nearest } else { nearest }
 }
 
-fn to_slab(p: Vec2, area: Area, radius: f32) -> f32 {
+fn to_rounded_rectangle(p: Vec2, area: Area, radius: f32) -> f32 {
     let half = 0.5 * (area.to - area.from) - radius;
     let beyond = (p - area.centre()).abs() - half;
     beyond.max(Vec2::ZERO).length() + beyond.max_element().min(0.0) - radius

@@ -1,4 +1,4 @@
-//! A whole picture: camera on the left, map on the right, the tree below.
+//! Picture of a game: camera image on the left, field map on the right, activation tree below.
 
 use bica::graph::Graph;
 use bica_motion::robot::Image;
@@ -8,55 +8,73 @@ use super::camera;
 use super::canvas::Canvas;
 use super::field_map::{self, Map};
 use super::palette::{FAINT, PAPER, TEXT};
-use super::scene::{Beliefs, Marks, TreeNow, Truth};
+use super::scene::{Estimates, GroundTruth, Marks, TreeState};
 use super::text::Font;
 use super::tree_view::{self, TreeView};
 
+/// Margin around and between the parts, px.
 const MARGIN: usize = 20;
-const HEAD: usize = 56;
-const PANEL: (usize, usize) = (640, 480);
-const LEGEND: usize = 30;
-const TREE: (usize, usize) = (2 * PANEL.0 + MARGIN, 430);
+/// Height of the title, px.
+const TITLE_HEIGHT: usize = 56;
+/// Size of the camera image and of the map, px.
+const PANEL_WIDTH: usize = 640;
+const PANEL_HEIGHT: usize = 480;
+/// Height of a legend, px.
+const LEGEND_HEIGHT: usize = 30;
+/// Size of the tree, px.
+const TREE_WIDTH: usize = 2 * PANEL_WIDTH + MARGIN;
+const TREE_HEIGHT: usize = 430;
 
-/// One moment of a game.
-pub struct Moment<'a> {
+/// Content of a sheet.
+#[derive(Debug)]
+pub struct Snapshot<'a> {
+    /// First line.
     pub title: &'a str,
+    /// Second line.
     pub subtitle: &'a str,
+    /// Camera image.
     pub image: Option<Image<'a>>,
+    /// Detections in the image.
     pub marks: &'a Marks,
-    pub beliefs: &'a Beliefs,
-    pub truth: &'a Truth,
-    pub tree: &'a TreeNow,
+    /// Estimates of the robot.
+    pub estimates: &'a Estimates,
+    /// True state of the game.
+    pub truth: &'a GroundTruth,
+    /// State of the tree.
+    pub tree: &'a TreeState,
 }
 
-/// Draws the moments of a game.
+/// Draws the sheets of a game.
+#[derive(Debug)]
 pub struct Sheet {
     tree: TreeView,
 }
 
 impl Sheet {
-    /// Makes ready for a tree.
+    /// A drawer for a tree.
+    #[must_use]
     pub fn new(graph: &Graph) -> Self {
-        Self { tree: TreeView::new(graph, TREE.0, TREE.1) }
+        Self { tree: TreeView::new(graph, TREE_WIDTH, TREE_HEIGHT) }
     }
 
-    /// Draws one moment.
-    pub fn draw(&self, moment: &Moment<'_>) -> Canvas {
-        let below = HEAD + PANEL.1 + LEGEND;
-        let mut sheet = Canvas::new(TREE.0 + 2 * MARGIN, below + TREE.1 + LEGEND + MARGIN, PAPER);
+    /// Draws one sheet.
+    #[must_use]
+    pub fn draw(&self, moment: &Snapshot<'_>) -> Canvas {
+        let below = TITLE_HEIGHT + PANEL_HEIGHT + LEGEND_HEIGHT;
+        let mut sheet = Canvas::new(TREE_WIDTH + 2 * MARGIN, below + TREE_HEIGHT + LEGEND_HEIGHT + MARGIN, PAPER);
         sheet.write(Vec2::new(MARGIN as f32, 10.0), Font::Title, TEXT, moment.title);
         sheet.write(Vec2::new(MARGIN as f32, 33.0), Font::Normal, FAINT, moment.subtitle);
         if let Some(image) = &moment.image {
-            sheet.place(&camera::view(image, moment.marks, PANEL.0), MARGIN, HEAD);
+            sheet.place(&camera::view(image, moment.marks, PANEL_WIDTH), MARGIN, TITLE_HEIGHT);
         }
-        let mut map = Map::new(PANEL.0, moment.truth.attacks);
+        let mut map = Map::new(PANEL_WIDTH, moment.truth.attacks);
         map.truth(moment.truth);
-        map.beliefs(moment.beliefs);
-        sheet.place(&map.into_canvas(), 2 * MARGIN + PANEL.0, HEAD);
-        let legend = (HEAD + PANEL.1) as f32 + 4.0;
-        field_map::legend(&mut sheet, Vec2::new((2 * MARGIN + PANEL.0) as f32, legend - 11.0));
+        map.estimates(moment.estimates);
+        sheet.place(&map.into_canvas(), 2 * MARGIN + PANEL_WIDTH, TITLE_HEIGHT);
+        let legend = (TITLE_HEIGHT + PANEL_HEIGHT) as f32 + 4.0;
+        field_map::legend(&mut sheet, Vec2::new((2 * MARGIN + PANEL_WIDTH) as f32, legend - 11.0));
         sheet.place(&self.tree.draw(moment.tree), MARGIN, below);
-        tree_view::legend(&mut sheet, Vec2::new(MARGIN as f32, (below + TREE.1) as f32 + 12.0));
+        tree_view::legend(&mut sheet, Vec2::new(MARGIN as f32, (below + TREE_HEIGHT) as f32 + 12.0));
         sheet
     }
 }

@@ -1,15 +1,13 @@
-//! The picture of an activation tree: the root on top, what touches the outside at the bottom.
+//! Activation trees as SVG: the root at the top, inputs and outputs at the bottom.
 //!
-//! Boxes are coloured by what a component is, and links say by their line whether they read or write. All text outside
-//! of boxes has a grey that can be read on white and on black.
+//! A box has the colour of the kind of its component. Requirement links are dashed, modulation links are solid. Text
+//! outside the boxes is grey, so that it can be read on white and on black.
 
 use std::fmt::Write;
 
 use bica::graph::{Graph, LinkKind, Node};
 
-use crate::layout::kind::Kind;
-use crate::layout::layers::{Item, Layers, Segment};
-use crate::layout::place::{BOX_HEIGHT, BOX_WIDTH, Places};
+use crate::layout::{BOX_HEIGHT, BOX_WIDTH, Item, Kind, Layers, Placement, Segment};
 
 #[cfg(test)]
 mod tests;
@@ -17,14 +15,15 @@ mod tests;
 const GREY: &str = "#7d8590";
 const LEGEND_HEIGHT: f64 = 44.0;
 
-/// Draws a tree as SVG, about 900 pixels wide for two dozen components.
+/// Returns a drawing of a tree as SVG, about 900 pixels wide for two dozen components.
 ///
 /// # Panics
-/// If the tree has more than [`bica::check::CAPACITY`] components, which none that compiles has.
+/// If the tree has more than [`bica::check::CAPACITY`] components, which no tree that compiles has.
+#[must_use]
 pub fn svg(graph: &Graph) -> String {
     let layers = Layers::new(graph);
-    let places = Places::new(&layers);
-    let (width, height) = (places.width, places.height + LEGEND_HEIGHT);
+    let placement = Placement::new(&layers);
+    let (width, height) = (placement.width, placement.height + LEGEND_HEIGHT);
     let mut out = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width:.0} {height:.0}\" width=\"{width:.0}\" \
          height=\"{height:.0}\" font-family=\"'DejaVu Sans', Verdana, sans-serif\" font-size=\"12\" \
@@ -32,16 +31,16 @@ pub fn svg(graph: &Graph) -> String {
         escaped(graph.name)
     );
     for segment in &layers.segments {
-        out += &line(&layers, &places, segment);
+        out += &line(&layers, &placement, segment);
     }
     for (item, node) in graph.nodes.iter().enumerate() {
-        out += &component(node, Kind::of(graph, item), places.of(item), item == graph.root);
+        out += &component(node, Kind::of(graph, item), placement.of(item), item == graph.root);
     }
-    out += &legend(graph, width, places.height);
+    out += &legend(graph, width, placement.height);
     out + "</svg>\n"
 }
 
-/// A box with the component's name and rate.
+/// Box with the component's name and rate.
 fn component(node: &Node, kind: Kind, (x, y): (f64, f64), root: bool) -> String {
     let (fill, border) = kind.colours();
     let (left, thickness) = (x - BOX_WIDTH / 2.0, if root { 3.0 } else { 1.5 });
@@ -60,7 +59,7 @@ fn component(node: &Node, kind: Kind, (x, y): (f64, f64), root: bool) -> String 
     )
 }
 
-/// Makes a long name as narrow as its box.
+/// Attributes that compress a long name to the width of its box.
 fn fitting(name: &str) -> String {
     if name.chars().count() > 14 {
         format!(" textLength=\"{}\" lengthAdjust=\"spacingAndGlyphs\"", BOX_WIDTH - 10.0)
@@ -69,9 +68,9 @@ fn fitting(name: &str) -> String {
     }
 }
 
-/// One stretch of a link, from layer to layer.
-fn line(layers: &Layers, places: &Places, segment: &Segment) -> String {
-    let (from, to) = places.ends(segment);
+/// One segment, with an arrow head where its link ends.
+fn line(layers: &Layers, placement: &Placement, segment: &Segment) -> String {
+    let (from, to) = placement.ends(segment);
     let middle = f64::midpoint(from.1, to.1);
     let mut path = format!("M{:.1} {:.1}", from.0, from.1);
     let arrives = matches!(layers.items[segment.lower], Item::Component(_));
@@ -91,7 +90,7 @@ fn line(layers: &Layers, places: &Places, segment: &Segment) -> String {
     line
 }
 
-/// The head of an arrow that ends at a box above (`side` 1) or below (`side` -1).
+/// Arrow head at a box above (`side` 1) or below (`side` -1).
 fn head(x: f64, y: f64, side: f64) -> String {
     let back = 7.0 * side;
     format!("<path d=\"M{x:.1} {y:.1}l-3.5 {back:.1}h7z\" fill=\"{GREY}\"/>\n")
@@ -126,7 +125,7 @@ fn sample(dash: &str) -> String {
     format!("<path d=\"M0 0h20\" stroke=\"{GREY}\" stroke-width=\"1.5\"{dash}/>")
 }
 
-/// Text as XML has it; characters that XML cannot hold become spaces.
+/// Escapes text for XML; characters that XML does not allow become spaces.
 fn escaped(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for character in text.chars() {

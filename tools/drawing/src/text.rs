@@ -1,4 +1,4 @@
-//! Words on a picture, in the fixed fonts of embedded-graphics.
+//! Text on a picture, in the bitmap fonts of embedded-graphics.
 
 use embedded_graphics::Drawable;
 use embedded_graphics::Pixel;
@@ -11,7 +11,7 @@ use glam::Vec2;
 
 use super::canvas::{Canvas, Ink};
 
-/// A size and weight of letters.
+/// Size and weight of letters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Font {
     /// 6×10 pixels.
@@ -34,19 +34,21 @@ impl Font {
         }
     }
 
-    /// The width of a text in pixels.
+    /// Returns the width of a text, px.
+    #[must_use]
     pub fn width(self, text: &str) -> f32 {
         text.chars().count() as f32 * self.letters().character_size.width as f32
     }
 
-    /// The height of a line in pixels.
+    /// Returns the height of a line, px.
+    #[must_use]
     pub const fn height(self) -> f32 {
         self.letters().character_size.height as f32
     }
 }
 
 impl Canvas {
-    /// Writes a line; (x, y) is its upper left corner. Letters outside Latin-1 become `?`.
+    /// Writes a line with its upper left corner at `at`. Letters outside Latin-1 become `?`.
     pub fn write(&mut self, at: Vec2, font: Font, ink: impl Into<Ink>, text: &str) {
         let style = MonoTextStyle::new(font.letters(), BinaryColor::On);
         let at = Point::new(at.x.round() as i32, at.y.round() as i32);
@@ -54,7 +56,7 @@ impl Canvas {
             Text::with_baseline(text, at, style, Baseline::Top).draw(&mut Pen { canvas: self, ink: ink.into() });
     }
 
-    /// Writes a line around a middle.
+    /// Writes a line with its centre at `at`.
     pub fn write_centred(&mut self, at: Vec2, font: Font, ink: impl Into<Ink>, text: &str) {
         self.write(at - 0.5 * Vec2::new(font.width(text), font.height()), font, ink, text);
     }

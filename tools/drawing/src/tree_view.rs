@@ -1,44 +1,45 @@
-//! The tree at one moment: active components in boxes with their states, latent ones as shadows.
+//! Picture of an activation tree in one cycle: active components with their states, latent ones as pale boxes.
 
 use bica::graph::{Graph, LinkKind};
 use glam::Vec2;
 
 use super::canvas::{Area, Canvas, Rgb};
 use super::palette::{FAINT, GHOST, MODULATED, PAPER, REQUIRED, TEXT, hex};
-use super::scene::TreeNow;
+use super::scene::TreeState;
 use super::text::Font;
-use crate::layout::kind::Kind;
-use crate::layout::layers::{Item, Layers, Segment};
-use crate::layout::place::{BOX_HEIGHT, BOX_WIDTH, Places};
-use crate::layout::routes::routes;
+use crate::layout::{BOX_HEIGHT, BOX_WIDTH, Item, Kind, Layers, Placement, Segment, routes};
 
-/// Pieces of a curve from one row to the next.
+/// Number of straight pieces of a curve.
 const PIECES: usize = 16;
+/// Size of a component, px.
 const BOX: Vec2 = Vec2::new(BOX_WIDTH as f32, BOX_HEIGHT as f32);
 
-/// Draws trees of one graph, every component always at the same place.
+/// Draws states of one tree; each component keeps its place.
+#[derive(Debug)]
 pub struct TreeView {
     layers: Layers,
-    places: Places,
+    placement: Placement,
     routes: Vec<Vec<Vec<usize>>>,
     size: Vec2,
 }
 
 impl TreeView {
-    /// Makes places for a graph.
+    /// A view of a graph, in pictures of this size, px.
+    #[must_use]
     pub fn new(graph: &Graph, width: usize, height: usize) -> Self {
         let layers = Layers::new(graph);
-        let (places, routes) = (Places::new(&layers), routes(graph, &layers));
-        Self { layers, places, routes, size: Vec2::new(width as f32, height as f32) }
+        let (placement, routes) = (Placement::new(&layers), routes(graph, &layers));
+        Self { layers, placement, routes, size: Vec2::new(width as f32, height as f32) }
     }
 
-    /// The tree as it is now.
-    pub fn draw(&self, tree: &TreeNow) -> Canvas {
+    /// Draws the tree in a state.
+    #[must_use]
+    pub fn draw(&self, tree: &TreeState) -> Canvas {
         let mut canvas = Canvas::new(self.size.x as usize, self.size.y as usize, PAPER);
         let in_use = self.in_use(tree);
         for (index, segment) in self.layers.segments.iter().enumerate() {
             if in_use[index] {
-                self.stretch(&mut canvas, segment);
+                self.segment(&mut canvas, segment);
             }
         }
         for node in 0..tree.graph.nodes.len() {
@@ -47,8 +48,8 @@ impl TreeView {
         canvas
     }
 
-    /// Which stretches belong to a link that is in use.
-    fn in_use(&self, tree: &TreeNow) -> Vec<bool> {
+    /// Returns for each segment whether it belongs to a link in use.
+    fn in_use(&self, tree: &TreeState) -> Vec<bool> {
         let mut in_use = vec![false; self.layers.segments.len()];
         for (from, node) in tree.graph.nodes.iter().enumerate() {
             for (link, way) in node.links.iter().zip(&self.routes[from]).filter(|(link, _)| tree.uses(from, link)) {
@@ -61,22 +62,22 @@ impl TreeView {
         in_use
     }
 
-    /// The upper left corner of an item's box: the drawing stretched to the size asked for, the boxes as they are.
+    /// Upper left corner of an item's box: the layout is stretched to the size of the picture, the boxes are not.
     fn corner(&self, item: usize) -> Vec2 {
-        let (x, y) = self.places.of(item);
-        let drawn = Vec2::new(self.places.width as f32, self.places.height as f32) - BOX;
+        let (x, y) = self.placement.of(item);
+        let drawn = Vec2::new(self.placement.width as f32, self.placement.height as f32) - BOX;
         let part = (Vec2::new(x as f32, y as f32) - Vec2::new(0.5 * BOX.x, 0.0)) / drawn;
         part * (self.size - BOX)
     }
 
-    /// Where a stretch begins or ends at an item, sideways from the item's corner.
+    /// Upper end of a segment's port at an item.
     fn port(&self, item: usize, x: f64) -> Vec2 {
-        let (middle, _) = self.places.of(item);
+        let (middle, _) = self.placement.of(item);
         self.corner(item) + Vec2::new((x - middle) as f32 + 0.5 * BOX.x, 0.0)
     }
 
-    fn stretch(&self, canvas: &mut Canvas, segment: &Segment) {
-        let ((from, _), (to, _)) = self.places.ends(segment);
+    fn segment(&self, canvas: &mut Canvas, segment: &Segment) {
+        let ((from, _), (to, _)) = self.placement.ends(segment);
         let (from, to) = (self.port(segment.upper, from) + Vec2::new(0.0, BOX.y), self.port(segment.lower, to));
         let rgb = if segment.kind == LinkKind::Requirement { REQUIRED } else { MODULATED };
         let curve: Vec<Vec2> = bend(from, to).collect();
@@ -92,17 +93,17 @@ impl TreeView {
         }
     }
 
-    fn component(&self, canvas: &mut Canvas, tree: &TreeNow, node: usize) {
+    fn component(&self, canvas: &mut Canvas, tree: &TreeState, node: usize) {
         let from = self.corner(node);
         let area = Area { from, to: from + BOX };
         let (name, middle, line) = (tree.graph.nodes[node].name, area.centre(), Vec2::new(0.0, 8.0));
         if !tree.active[node] {
-            canvas.slab(area, 6.0, PAPER);
+            canvas.rounded_rectangle(area, 6.0, PAPER);
             canvas.outline(area, 6.0, 1.0, GHOST);
             return canvas.write_centred(middle, Font::Normal, FAINT, name);
         }
         let (fill, border) = colours(tree.graph, node);
-        canvas.slab(area, 6.0, fill);
+        canvas.rounded_rectangle(area, 6.0, fill);
         canvas.outline(area, 6.0, 1.8, border);
         match tree.state(node) {
             Some(state) => {
@@ -119,12 +120,12 @@ fn colours(graph: &Graph, node: usize) -> (Rgb, Rgb) {
     (hex(fill), hex(border))
 }
 
-/// Explains the signs of the tree, in one line from `at`.
+/// Draws a legend of the tree in one line from `at`.
 pub fn legend(canvas: &mut Canvas, at: Vec2) {
     let mut x = at.x;
     for kind in Kind::ALL {
         let (fill, border) = kind.colours();
-        canvas.slab(Area::sized(x, at.y, 26.0, 12.0), 4.0, hex(fill));
+        canvas.rounded_rectangle(Area::sized(x, at.y, 26.0, 12.0), 4.0, hex(fill));
         canvas.outline(Area::sized(x, at.y, 26.0, 12.0), 4.0, 1.5, hex(border));
         canvas.write(Vec2::new(x + 32.0, at.y), Font::Normal, TEXT, kind.name());
         x += 56.0 + Font::Normal.width(kind.name());
@@ -141,7 +142,7 @@ pub fn legend(canvas: &mut Canvas, at: Vec2) {
     }
 }
 
-/// A curve that leaves and arrives upright.
+/// Points of a cubic Bézier curve with vertical ends.
 fn bend(from: Vec2, to: Vec2) -> impl Iterator<Item = Vec2> {
     let pull = Vec2::new(0.0, 0.5 * (to.y - from.y));
     (0..=PIECES).map(move |piece| {

@@ -1,7 +1,8 @@
-//! How well the robot finds out where on the field it is: it starts anywhere, looks around for ten seconds, and is asked.
+//! Quality of self-localization: the robot starts at a random pose and looks around for ten seconds.
 //!
-//! `cargo run --release -p bica-evaluation --example localize -- --games 100 [--robots 4] [--seed 0] [--kidnap 1]` prints each
-//! miss and the figures. With `--kidnap 1` it is carried off after the ten seconds, and asked after ten more.
+//! `cargo run --release -p bica-evaluation --example localize -- --games 100 [--robots 4] [--seed 0] [--kidnap 1]` prints
+//! the failures and the statistics. With `--kidnap 1` the robot is moved to another pose after the ten seconds, and the
+//! estimate is judged ten seconds later.
 
 #[path = "../tests/support/lookout.rs"]
 mod lookout;

@@ -1,8 +1,8 @@
-//! Labels of recorded images from a CSV file.
+//! Labels of recorded images, from a CSV file.
 //!
-//! Columns by name: `file`; `ball_x`, `ball_y`, `ball_radius` (px), `none` if there is no ball, `unlabelled` if nobody
-//! looked; `ball_flag`, `full`, `clipped` or `small`, or all balls as `x:y:r:colour:flag` with `;` between them; `goal`,
-//! empty or `x0:y0:x1:y1:colour:complete|partial` (px).
+//! Columns, found by name: `file`; `ball_x`, `ball_y`, `ball_radius` (px; `none` without a ball, `unlabelled` without a
+//! label); `ball_flag` (`full`, `clipped` or `small`; or all balls as `x:y:r:colour:flag`, separated by `;`); `goal` (empty
+//! or `x0:y0:x1:y1:colour:complete|partial`, px).
 
 use std::fs;
 use std::path::Path;
@@ -10,49 +10,61 @@ use std::path::Path;
 use glam::Vec2;
 
 use crate::frame_io::stem;
+use crate::table::Table;
 use bica_console::Failure;
 
-const MEND: &str = "the columns are file, ball_x, ball_y, ball_radius, ball_flag and goal";
+const HELP: &str = "the columns are file, ball_x, ball_y, ball_radius, ball_flag and goal";
 
-/// What is in an image.
+/// Content of an image, as labelled.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Label {
-    /// The folder and the name, as the file has it.
+    /// Folder and name, as in the file of labels.
     pub file: String,
+    /// All balls.
     pub balls: Vec<Ball>,
+    /// The goal.
     pub goal: Option<Goal>,
 }
 
-/// A ball, px.
+/// Labelled ball, px.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ball {
+    /// Centre.
     pub centre: Vec2,
+    /// Radius.
     pub radius: f32,
-    /// Else it is red, or another that is not to be played with.
+    /// Whether this is the ball of the game; otherwise it is a red object or another ball.
     pub orange: bool,
-    /// Whether it is whole in the image and not tiny.
+    /// Whether the image shows all of it and it is not tiny.
     pub full: bool,
 }
 
-/// The box around a goal, px.
+/// Bounding box of a goal, px.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Goal {
+    /// Upper left corner.
     pub min: Vec2,
+    /// Lower right corner.
     pub max: Vec2,
+    /// `yellow` or `blue`.
     pub colour: String,
+    /// Whether the image shows both posts.
     pub complete: bool,
 }
 
-/// The labels for the images of one folder.
+/// Labels of the images of one folder.
 #[derive(Debug)]
 pub struct Labels(Vec<Label>);
 
 impl Labels {
-    /// Reads those for a folder: the ones that name it, or all if none does.
+    /// Reads the labels of a folder: those that name it, or all if none does.
+    ///
+    /// # Errors
+    /// If the file cannot be read or a label is malformed.
     pub fn read(path: &Path, folder: &Path) -> Result<Self, Failure> {
-        let mend = "name a CSV file with the labels";
-        let text = fs::read_to_string(path).map_err(|error| Failure::of_path("read the labels", path, &error, mend))?;
-        let wrong = |what| Failure::new(format!("`{}`: {what}", path.display()), MEND);
+        let help = "name a CSV file with the labels";
+        let text = fs::read_to_string(path).map_err(|error| Failure::of_path("read the labels", path, &error, help))?;
+        let wrong = |what| Failure::new(format!("`{}`: {what}", path.display()), HELP);
         let mut all = parse(&text).map_err(wrong)?;
         let own = own_folder(folder);
         if all.iter().any(|label| label.file.starts_with(&own)) {
@@ -61,27 +73,29 @@ impl Labels {
         Ok(Self(all))
     }
 
-    /// The label for an image; none if there is none, or several.
+    /// Returns the label of an image; none if there is none or more than one.
+    #[must_use]
     pub fn get(&self, file: &str) -> Option<&Label> {
         let mut fitting = self.0.iter().filter(|label| stem(&label.file) == stem(file));
         fitting.next().filter(|_| fitting.next().is_none())
     }
 }
 
-/// How files of labels begin the name of an image of a folder: with its name and a slash.
+/// Returns the prefix of a folder's images in files of labels: its name and a slash.
+#[must_use]
 pub fn own_folder(folder: &Path) -> String {
     let folder = folder.canonicalize().unwrap_or_else(|_| folder.to_owned());
     format!("{}/", folder.file_name().unwrap_or_default().to_string_lossy())
 }
 
 fn parse(text: &str) -> Result<Vec<Label>, String> {
-    let table = Table::new(text)?;
+    let table = Table::parse(text)?;
     let columns = ["file", "ball_x", "ball_y", "ball_radius", "ball_flag", "goal"].map(|name| table.column(name));
     let [file, x, y, radius, flag, goal] = columns;
     let (file, x, y, radius, flag, goal) = (file?, x?, y?, radius?, flag?, goal?);
     let mut labels = Vec::new();
-    for (line, cells) in table.rows() {
-        let cell = |column: usize| cells.get(column).map_or("", String::as_str);
+    for row in table.rows() {
+        let cell = |column: usize| row.cell(column);
         if cell(x) == "unlabelled" {
             continue;
         }
@@ -92,7 +106,7 @@ fn parse(text: &str) -> Result<Vec<Label>, String> {
             let goal = Some(cell(goal)).filter(|text| !text.is_empty()).map(self::goal).transpose()?;
             Ok(Label { file: cell(file).to_owned(), balls, goal })
         };
-        labels.push(label().map_err(|what: String| format!("line {line}: {what}"))?);
+        labels.push(label().map_err(|what: String| format!("line {}: {what}", row.line))?);
     }
     Ok(labels)
 }
@@ -115,55 +129,17 @@ fn goal(text: &str) -> Result<Goal, String> {
     Ok(Goal { min, max, colour: parts[4].to_owned(), complete: parts[5] == "complete" })
 }
 
-/// A CSV text with a heading.
-pub struct Table<'a> {
-    heading: Vec<String>,
-    text: &'a str,
-}
-
-impl<'a> Table<'a> {
-    /// Reads the heading.
-    pub fn new(text: &'a str) -> Result<Self, String> {
-        let heading = text.lines().next().ok_or("the file is empty")?;
-        Ok(Self { heading: cells(heading), text })
-    }
-
-    /// The place of a column.
-    pub fn column(&self, name: &str) -> Result<usize, String> {
-        self.heading.iter().position(|cell| cell == name).ok_or_else(|| format!("there is no column `{name}`"))
-    }
-
-    /// The cells of each row, with the number of its line.
-    pub fn rows(&self) -> impl Iterator<Item = (usize, Vec<String>)> {
-        let lines = self.text.lines().enumerate().skip(1).filter(|(_, line)| !line.trim().is_empty());
-        lines.map(|(index, line)| (index + 1, cells(line)))
-    }
-}
-
-/// The cells of a line; a comma between quotation marks is a part of its cell.
-fn cells(line: &str) -> Vec<String> {
-    let (mut cells, mut quoted) = (vec![String::new()], false);
-    for letter in line.chars() {
-        match letter {
-            '"' => quoted = !quoted,
-            ',' if !quoted => cells.push(String::new()),
-            _ => cells.last_mut().into_iter().for_each(|cell| cell.push(letter)),
-        }
-    }
-    cells.iter().map(|cell| cell.trim().to_owned()).collect()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    const HEADING: &str = "file,ball_x,ball_y,ball_radius,ball_flag,goal,checked\n";
+    const HEADER: &str = "file,ball_x,ball_y,ball_radius,ball_flag,goal,checked\n";
 
     #[test]
-    fn labels_are_read_in_all_their_forms() {
+    fn all_forms_of_labels_are_parsed() {
         let rows = "a/1.png,10,20.5,3,full,1:2:3:4:blue:partial,\"by hand, or not\"\na/2.png,none,none,none,,,\n\
             a/3.png,unlabelled,,,,,\n\na/4.png,1,2,3,1:2:3:orange:clipped;4:5:6:red:full,,\n";
-        let labels = parse(&format!("{HEADING}{rows}")).expect("labels");
+        let labels = parse(&format!("{HEADER}{rows}")).expect("labels");
         let names: Vec<&str> = labels.iter().map(|label| stem(&label.file)).collect();
         assert_eq!(names, ["1", "2", "4"]);
         let first = Ball { centre: Vec2::new(10.0, 20.5), radius: 3.0, orange: true, full: true };
@@ -182,8 +158,8 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_label_is_refused_and_the_line_named() {
-        let wrong = |rows: &str| parse(&format!("{HEADING}{rows}")).expect_err(rows);
+    fn malformed_labels_are_refused_with_their_line() {
+        let wrong = |rows: &str| parse(&format!("{HEADER}{rows}")).expect_err(rows);
         assert_eq!(wrong("1.png,1,2,x,full,,"), "line 2: `1:2:x:orange:full` is no ball");
         assert_eq!(wrong("\n1.png,none,,,,1:2:3:blue,"), "line 3: `1:2:3:blue` is no goal");
         assert_eq!(parse("file,ball_x\n").expect_err("columns"), "there is no column `ball_y`");

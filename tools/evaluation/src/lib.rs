@@ -7,5 +7,6 @@ pub mod frame_io;
 pub mod labels;
 pub mod profile;
 pub mod scoring;
+mod table;
 #[cfg(feature = "mujoco")]
 pub mod trial;

@@ -1,4 +1,4 @@
-//! What the referee reports, told to people and machines.
+//! Events of the referee, as JSON and as text.
 
 use bica_motion::fall::Direction;
 use bica_motion::side::Side;
@@ -7,21 +7,21 @@ use serde::Serialize;
 
 use bica_console::Style;
 
-/// An event for machines.
+/// Event of a game, for JSON.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Told {
-    /// When, s.
+pub struct EventRecord {
+    /// Time, s.
     pub t: f64,
-    /// What: `goal`, `own_goal`, `touch`, `kick`, `ball_out`, `ball_placed`, `fall`, `got_up` or `collision`.
+    /// Kind: `goal`, `own_goal`, `touch`, `kick`, `ball_out`, `ball_placed`, `fall`, `got_up` or `collision`.
     pub event: &'static str,
-    /// What else there is to say, in words.
+    /// Details, as text.
     #[serde(skip_serializing_if = "String::is_empty")]
     pub detail: String,
 }
 
-impl From<&TimedEvent> for Told {
-    fn from(happened: &TimedEvent) -> Self {
-        let (event, detail) = match happened.event {
+impl From<&TimedEvent> for EventRecord {
+    fn from(event: &TimedEvent) -> Self {
+        let (kind, detail) = match event.event {
             Event::Goal => ("goal", String::new()),
             Event::OwnGoal => ("own_goal", String::new()),
             Event::Touch { foot } => ("touch", side(foot).to_owned()),
@@ -32,12 +32,12 @@ impl From<&TimedEvent> for Told {
             Event::GotUp => ("got_up", String::new()),
             Event::Collision => ("collision", String::new()),
         };
-        Self { t: happened.at.as_secs_f64(), event, detail }
+        Self { t: event.at.as_secs_f64(), event: kind, detail }
     }
 }
 
-/// An event in words, and how weighty it is.
-pub fn words(event: &Event) -> (Style, String) {
+/// Returns the text of an event and its emphasis.
+pub(crate) fn describe(event: &Event) -> (Style, String) {
     match event {
         Event::Goal => (Style::Good, "GOAL".to_owned()),
         Event::OwnGoal => (Style::Bad, "own goal".to_owned()),
@@ -48,8 +48,8 @@ pub fn words(event: &Event) -> (Style, String) {
         Event::BallOut => (Style::Bad, "the ball is out".to_owned()),
         Event::BallPlaced { at } => (Style::Plain, format!("the ball is placed at {:.2}, {:.2}", at.x, at.y)),
         Event::Fall(fall) => (Style::Bad, format!("the robot falls {}", direction(*fall))),
-        Event::GotUp => (Style::Strong, "the robot is up again".to_owned()),
-        Event::Collision => (Style::Bad, "the robot runs into something".to_owned()),
+        Event::GotUp => (Style::Strong, "the robot has got up".to_owned()),
+        Event::Collision => (Style::Bad, "the robot collides".to_owned()),
     }
 }
 

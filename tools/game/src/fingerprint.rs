@@ -1,20 +1,20 @@
-//! A number that two games share only if the forward did the same in both, bit for bit.
+//! Fingerprint of a game: equal for two games if all commands and ball positions are equal, bit for bit.
 
 use bica_motion::robot::{CameraId, Command};
 use glam::Vec2;
 
-/// FNV-1a over every command and every place of the ball (parameters of G. Fowler, L. Noll and K.-P. Vo for 64 bits).
+/// FNV-1a hash of 64 bits (parameters of G. Fowler, L. Noll and K.-P. Vo) over commands and ball positions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Fingerprint(u64);
+pub(crate) struct Fingerprint(u64);
 
 impl Fingerprint {
-    /// Of no game.
-    pub const fn new() -> Self {
+    /// The fingerprint of a game without cycles.
+    pub(crate) const fn new() -> Self {
         Self(0xcbf2_9ce4_8422_2325)
     }
 
-    /// Takes in one cycle.
-    pub fn note(&mut self, command: &Command, ball: Vec2) {
+    /// Adds a cycle.
+    pub(crate) fn add(&mut self, command: &Command, ball: Vec2) {
         let joints = command.targets.0.iter().chain(&command.stiffness.0);
         for value in joints.chain(&ball.to_array()) {
             self.bytes(&value.to_bits().to_le_bytes());

@@ -1,129 +1,161 @@
-//! A game in which an emulated microcontroller thinks.
+//! Games controlled by firmware on an emulated microcontroller.
 //!
-//! The world obeys the microcontroller alone. The forward of this program is its twin: it senses the same, and has to
-//! come to the same commands, bit for bit, and the same tree in every cycle. So the story of the one is the story of the
-//! other, and any difference ends the game.
+//! The world takes the commands of this program's forward, which runs on the same sensor values as the firmware. Both must
+//! produce the same commands, bit for bit, and the same tree in every cycle; a deviation ends the game. So the story of the
+//! game is that of the firmware.
 
 use std::path::{Path, PathBuf};
 
-use bica::{ComponentId, Instant, Tree};
-use bica_emulator::{Controller as Remote, Error, Transport, command_bits};
+use bica::runner::{Cycle, Observer};
+use bica::{ComponentId, Instant, Probe, Tree};
+use bica_console::{Console, Failure, Style};
+use bica_emulator::{Controller, CycleReport, Error, Transport, command_bits};
 use bica_field::GoalColour;
-use bica_motion::robot::{Command, Sensors};
+use bica_motion::robot::Sensors;
 use bica_player::Forward;
 use bica_sim::setup::Frame;
 use serde::Serialize;
 
-use super::scene::GRAPH;
-use bica_console::Failure;
-use bica_console::{Console, Style};
+use crate::scene::GRAPH;
 
-/// An image for the microcontroller.
+/// Firmware image for the emulated microcontroller.
 #[derive(Clone, Copy, Debug)]
-pub struct Image(&'static Path);
+pub struct FirmwareImage(&'static Path);
 
-impl Image {
+impl FirmwareImage {
     /// The image of a file, for cameras of a size.
+    ///
+    /// # Errors
+    /// If the firmware cannot process images of this size.
     pub fn new(path: PathBuf, size: Frame) -> Result<Self, Failure> {
         if size != Frame::Small {
-            return Err(Failure::new("the microcontroller takes no images larger than 160x120", "leave --size away"));
+            return Err(Failure::new("the firmware cannot process images larger than 160x120", "leave out --size"));
         }
-        // The one path of the program's whole life; every thread that plays reads it.
+        // One path for the life of the program, shared by all threads.
         Ok(Self(Box::leak(path.into_boxed_path())))
     }
 
-    /// Starts it.
-    pub fn start(self, attacks: GoalColour) -> Result<Mind, Failure> {
-        let remote = Remote::start(self.0, Transport::Pipe, attacks, None).map_err(|error| failure(&error))?;
-        Ok(Mind { remote, chains: Vec::new(), runs: vec![Vec::new(); GRAPH.nodes.len()] })
+    pub(crate) fn start(self, attacks: GoalColour) -> Result<Controller, Failure> {
+        Controller::start(self.0, Transport::Pipe, attacks, None).map_err(|error| failure(&error))
     }
 }
 
 fn failure(error: &Error) -> Failure {
-    Failure::new(error.to_string(), "`cargo xtask firmware` gets what is needed, builds the image and tests it")
+    Failure::new(error.to_string(), "`cargo xtask firmware` installs what is needed, builds the image and tests it")
 }
 
-/// A microcontroller that thinks.
-pub struct Mind {
-    remote: Remote,
-    /// Instructions of every cycle.
-    chains: Vec<u64>,
-    /// Instructions of every run of each component.
+/// Observer that runs the firmware, if there is one, and compares it with this program.
+#[derive(Debug)]
+pub(crate) struct FirmwareCheck {
+    controller: Option<Controller>,
+    report: Option<Result<CycleReport, Error>>,
+    failure: Option<Failure>,
+    /// Instructions of each cycle.
+    cycles: Vec<u64>,
+    /// Instructions of each run of each component.
     runs: Vec<Vec<u64>>,
 }
 
-impl Mind {
-    /// Senses, thinks, acts; the twin has just done the same.
-    pub fn think(
-        &mut self,
-        now: Instant,
-        sensors: &Sensors<'_>,
-        twin: &Command,
-        robot: &Forward,
-    ) -> Result<(), Failure> {
-        let thought = self.remote.cycle(now.as_micros(), sensors).map_err(|error| failure(&error))?;
+impl FirmwareCheck {
+    pub(crate) fn new(controller: Option<Controller>) -> Self {
+        let runs = vec![Vec::new(); GRAPH.nodes.len()];
+        Self { controller, report: None, failure: None, cycles: Vec::new(), runs }
+    }
+
+    /// Returns the first failure.
+    pub(crate) fn result(&mut self) -> Result<(), Failure> {
+        self.failure.take().map_or(Ok(()), Err)
+    }
+
+    fn compare(&mut self, cycle: &Cycle<'_, Forward>, report: &CycleReport) -> Result<(), Failure> {
+        let robot = cycle.robot;
         let same_tree = (0..GRAPH.nodes.len()).map(ComponentId::new).all(|id| {
             let index = id.index();
-            thought.active.get(index) == Some(&robot.is_active(id))
-                && thought.states.get(index) == Some(&robot.state(id))
+            report.active.get(index) == Some(&robot.is_active(id)) && report.states.get(index) == Some(&robot.state(id))
         });
-        if !command_bits(&thought.command).eq(command_bits(twin)) || !same_tree || thought.lost > 0 {
-            let what = format!("the microcontroller thinks otherwise than this program, at {} µs", now.as_micros());
-            return Err(Failure::new(what, "build the image anew from these sources: cargo xtask firmware --build"));
+        if !command_bits(&report.command).eq(command_bits(cycle.command)) || !same_tree || report.lost > 0 {
+            let what = format!("firmware and program deviate at {} µs", cycle.now.as_micros());
+            return Err(Failure::new(what, "rebuild the image from these sources: cargo xtask firmware --build"));
         }
-        self.chains.push(thought.instructions);
-        for (runs, &cost) in self.runs.iter_mut().zip(&thought.costs).filter(|(_, cost)| **cost > 0) {
+        self.cycles.push(report.instructions);
+        for (runs, &cost) in self.runs.iter_mut().zip(&report.costs).filter(|(_, cost)| **cost > 0) {
             runs.push(cost);
         }
         Ok(())
     }
 
-    /// What it spent.
-    pub fn sum_up(self) -> Figures {
-        let components = GRAPH.nodes.iter().zip(self.runs).map(|(node, runs)| Spent::new(node.name, runs)).collect();
-        Figures { chain: Spent::new("chain", self.chains), components }
+    /// Returns the instruction counts of the game, if the firmware took part.
+    pub(crate) fn summarize(self) -> Option<FirmwareSummary> {
+        self.controller.as_ref()?;
+        let count = |(node, runs): (&bica::graph::Node, _)| InstructionCount::new(node.name, runs);
+        let components = GRAPH.nodes.iter().zip(self.runs).map(count).collect();
+        Some(FirmwareSummary { chain: InstructionCount::new("chain", self.cycles), components })
     }
 }
 
-/// Instructions that a game took, counted by the microcontroller's own clock: one in 40 instructions.
+impl Probe for FirmwareCheck {}
+
+impl Observer<Forward> for FirmwareCheck {
+    fn sensing(&mut self, now: Instant, sensors: &Sensors<'_>) {
+        self.report = self.controller.as_mut().map(|controller| controller.cycle(now.as_micros(), sensors));
+    }
+
+    fn acted(&mut self, cycle: &Cycle<'_, Forward>) {
+        let result = match self.report.take() {
+            Some(Ok(report)) => self.compare(cycle, &report),
+            Some(Err(error)) => Err(failure(&error)),
+            None => Ok(()),
+        };
+        self.failure = self.failure.take().or(result.err());
+    }
+}
+
+/// Instructions of a game, by the clock of the emulated microcontroller (one tick for 40 instructions).
 #[derive(Clone, Debug, Serialize)]
-pub struct Figures {
-    /// From sensing to acting, of every cycle.
-    pub chain: Spent,
-    pub components: Vec<Spent>,
+pub struct FirmwareSummary {
+    /// Each cycle, from sensing to acting.
+    pub chain: InstructionCount,
+    /// The runs of each component.
+    pub components: Vec<InstructionCount>,
 }
 
 /// Instructions of many runs.
 #[derive(Clone, Debug, Serialize)]
-pub struct Spent {
+pub struct InstructionCount {
+    /// Name of the component, or `chain`.
     pub name: &'static str,
+    /// Number of runs.
     pub runs: usize,
+    /// Median of a run.
     pub median: u64,
+    /// Maximum of a run.
     pub max: u64,
+    /// Sum of all runs.
     pub total: u64,
 }
 
-impl Spent {
+impl InstructionCount {
     fn new(name: &'static str, mut runs: Vec<u64>) -> Self {
         runs.sort_unstable();
-        let at = |place: usize| runs.get(place).copied().unwrap_or(0);
+        let at = |index: usize| runs.get(index).copied().unwrap_or(0);
         let (median, max) = (at(runs.len() / 2), at(runs.len().saturating_sub(1)));
         Self { name, runs: runs.len(), median, max, total: runs.iter().sum() }
     }
 }
 
-impl Figures {
-    /// Tells people, the costliest component first.
-    pub fn tell(&self, console: Console) -> Result<(), Failure> {
-        let Spent { median, max, .. } = self.chain;
-        let chain = format!("sense-think-act median {median}  max {max} instructions a cycle, on the microcontroller");
+impl FirmwareSummary {
+    /// Prints a table with the most expensive component first.
+    pub(crate) fn print(&self, console: Console) -> Result<(), Failure> {
+        let InstructionCount { median, max, .. } = self.chain;
+        let chain =
+            format!("sense-think-act median {median}  max {max} instructions per cycle, on the microcontroller");
         console.print_row("cost", &chain)?;
         console.print("")?;
-        let heading = format!("{:<14} {:>7} {:>11} {:>11} {:>13}", "component", "runs", "median", "max", "total");
-        console.print(&console.styled(Style::Strong, &format!("{heading}  instructions")))?;
-        let mut sorted: Vec<_> = self.components.iter().filter(|spent| spent.runs > 0).collect();
-        sorted.sort_by_key(|spent| std::cmp::Reverse(spent.total));
-        for Spent { name, runs, median, max, total } in sorted {
+        let header = format!("{:<14} {:>7} {:>11} {:>11} {:>13}", "component", "runs", "median", "max", "total");
+        console.print(&console.styled(Style::Strong, &format!("{header}  instructions")))?;
+        let mut sorted: Vec<_> = self.components.iter().filter(|count| count.runs > 0).collect();
+        sorted.sort_by_key(|count| std::cmp::Reverse(count.total));
+        for InstructionCount { name, runs, median, max, total } in sorted {
             console.print(&format!("{name:<14} {runs:>7} {median:>11} {max:>11} {total:>13}"))?;
         }
         Ok(())

@@ -1,15 +1,15 @@
-//! Games of the forward, in whichever world.
+//! Games of the forward: one game or a series, with observers, summaries, pictures and films.
 
-pub mod album;
+mod album;
 mod event;
-pub mod film;
+mod film;
 mod fingerprint;
 mod firmware;
-mod game_loop;
+mod game;
 mod latency;
 mod meter;
-pub mod observer;
-pub mod scene;
+mod observer;
+mod scene;
 mod series;
 mod series_summary;
 mod single;
@@ -18,8 +18,15 @@ mod summary;
 mod summary_text;
 mod world_factory;
 
-pub use firmware::Image;
-pub use game_loop::Rules;
-pub use series::{Plan, run as run_series};
-pub use single::run as run_one;
+pub use album::Album;
+pub use event::EventRecord;
+pub use film::Film;
+pub use firmware::{FirmwareImage, FirmwareSummary, InstructionCount};
+pub use game::{Rules, play};
+pub use latency::LatencySummary;
+pub use observer::{GameObserver, View};
+pub use scene::{GRAPH, Scene};
+pub use series::{SeriesOptions, play_series};
+pub use single::play_one;
+pub use summary::{ComponentActivity, ComponentCost, GameResult, GameSummary, Wall};
 pub use world_factory::WorldKind;

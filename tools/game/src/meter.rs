@@ -1,50 +1,53 @@
-//! The probe of the program: what ran how often and for how long, and whether the tree changed.
+//! Activity and cost of the components, and changes of the tree.
 
 use std::time::{Duration, Instant as Clock};
 
 use bica::graph::Graph;
+use bica::runner::Observer;
 use bica::{ComponentId, Instant, Probe};
+use bica_player::Forward;
 
-/// What one component did in a game.
+/// Activity of a component in a game.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Work {
+pub(crate) struct Activity {
     /// Cycles in which it was active.
-    pub active: u64,
-    /// Times that its own code ran.
-    pub runs: u64,
-    /// Times that it became active.
-    pub starts: u64,
+    pub(crate) active: u64,
+    /// Number of runs.
+    pub(crate) runs: u64,
+    /// Number of activations.
+    pub(crate) starts: u64,
     /// Time in its own code.
-    pub time: Duration,
+    pub(crate) time: Duration,
 }
 
-/// Sees all that a tree does.
-pub struct Meter {
-    /// For each component, in the order of the tree's list.
-    pub work: Vec<Work>,
-    /// What became active in this cycle.
-    pub started: Vec<ComponentId>,
-    /// What became latent in this cycle.
-    pub stopped: Vec<ComponentId>,
-    moved: bool,
+/// Probe that measures all components.
+#[derive(Debug)]
+pub(crate) struct Meter {
+    /// Activity of each component, in the order of the tree.
+    pub(crate) activity: Vec<Activity>,
+    /// Components that became active in this cycle.
+    pub(crate) started: Vec<ComponentId>,
+    /// Components that became latent in this cycle.
+    pub(crate) stopped: Vec<ComponentId>,
+    has_transition: bool,
     began: Clock,
 }
 
 impl Meter {
-    /// Has seen nothing yet.
-    pub fn new(graph: &Graph) -> Self {
+    /// A meter without cycles.
+    pub(crate) fn new(graph: &Graph) -> Self {
         Self {
-            work: vec![Work::default(); graph.nodes.len()],
+            activity: vec![Activity::default(); graph.nodes.len()],
             started: Vec::new(),
             stopped: Vec::new(),
-            moved: false,
+            has_transition: false,
             began: Clock::now(),
         }
     }
 
-    /// Whether the tree changed in this cycle: a component became active or latent, or a machine took a transition.
-    pub fn changed(&self) -> bool {
-        self.moved || !self.started.is_empty() || !self.stopped.is_empty()
+    /// Returns whether the tree changed in this cycle: a component became active or latent, or a transition was taken.
+    pub(crate) fn changed(&self) -> bool {
+        self.has_transition || !self.started.is_empty() || !self.stopped.is_empty()
     }
 }
 
@@ -52,11 +55,11 @@ impl Probe for Meter {
     fn cycle_begin(&mut self, _now: Instant) {
         self.started.clear();
         self.stopped.clear();
-        self.moved = false;
+        self.has_transition = false;
     }
 
     fn start(&mut self, component: ComponentId) {
-        self.work[component.index()].starts += 1;
+        self.activity[component.index()].starts += 1;
         self.started.push(component);
     }
 
@@ -65,13 +68,13 @@ impl Probe for Meter {
     }
 
     fn skip(&mut self, component: ComponentId) {
-        self.work[component.index()].active += 1;
+        self.activity[component.index()].active += 1;
     }
 
     fn run(&mut self, component: ComponentId) {
-        let work = &mut self.work[component.index()];
-        work.active += 1;
-        work.runs += 1;
+        let activity = &mut self.activity[component.index()];
+        activity.active += 1;
+        activity.runs += 1;
     }
 
     fn begin(&mut self, _component: ComponentId) {
@@ -79,10 +82,12 @@ impl Probe for Meter {
     }
 
     fn end(&mut self, component: ComponentId) {
-        self.work[component.index()].time += self.began.elapsed();
+        self.activity[component.index()].time += self.began.elapsed();
     }
 
     fn transition(&mut self, _component: ComponentId, _from: usize, _to: usize) {
-        self.moved = true;
+        self.has_transition = true;
     }
 }
+
+impl Observer<Forward> for Meter {}

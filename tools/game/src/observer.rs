@@ -1,87 +1,96 @@
-//! Who looks on while a game is played.
+//! Observers of a game.
 
 use std::time::Duration;
 
+use bica_console::Failure;
 use bica_sim::referee::TimedEvent;
 use bica_sim::{Picture, Referee, SpectatorCamera};
 
-use super::scene::Scene;
-use bica_console::Failure;
+use crate::scene::Scene;
 
-/// A picture of the world from outside that an observer asks for.
+/// View of the world from outside, for a picture.
 #[derive(Clone, Copy, Debug)]
 pub struct View {
-    /// Where it is taken from.
-    pub from: SpectatorCamera,
-    /// Pixels.
+    /// The camera.
+    pub camera: SpectatorCamera,
+    /// Width of the picture, px.
     pub width: usize,
-    /// Pixels.
+    /// Height of the picture, px.
     pub height: usize,
 }
 
-/// Someone who looks on. An error ends the game.
-pub trait Observer {
+/// Observer of a game: of the tree, the referee and the world from outside. An error ends the game.
+///
+/// `()` observes nothing, a pair `(A, B)` is two observers, and an `Option` may be none.
+pub trait GameObserver {
     /// The tree changed in this cycle.
-    fn changed(&mut self, _scene: &Scene<'_>) -> Result<(), Failure> {
+    ///
+    /// # Errors
+    /// If the game has to end.
+    fn tree_changed(&mut self, _scene: &Scene<'_>) -> Result<(), Failure> {
         Ok(())
     }
 
-    /// Where it looks from now, if it does.
-    fn looks_from(&mut self, _now: Duration, _referee: &Referee) -> Option<View> {
+    /// Returns the view that it needs a picture of in this cycle.
+    fn view(&mut self, _now: Duration, _referee: &Referee) -> Option<View> {
         None
     }
 
-    /// What it sees from there.
-    fn watched(&mut self, _scene: &Scene<'_>, _picture: &Picture) -> Result<(), Failure> {
+    /// The requested picture was rendered.
+    ///
+    /// # Errors
+    /// If the game has to end.
+    fn rendered(&mut self, _scene: &Scene<'_>, _picture: &Picture) -> Result<(), Failure> {
         Ok(())
     }
 
-    /// The referee reports something.
-    fn happened(&mut self, _happened: &TimedEvent) -> Result<(), Failure> {
+    /// The referee reported an event.
+    ///
+    /// # Errors
+    /// If the game has to end.
+    fn event(&mut self, _event: &TimedEvent) -> Result<(), Failure> {
         Ok(())
     }
 }
 
-/// Nobody.
-impl Observer for () {}
+impl GameObserver for () {}
 
-/// Someone, or nobody.
-impl<A: Observer> Observer for Option<A> {
-    fn changed(&mut self, scene: &Scene<'_>) -> Result<(), Failure> {
-        self.as_mut().map_or(Ok(()), |one| one.changed(scene))
+impl<O: GameObserver> GameObserver for Option<O> {
+    fn tree_changed(&mut self, scene: &Scene<'_>) -> Result<(), Failure> {
+        self.as_mut().map_or(Ok(()), |observer| observer.tree_changed(scene))
     }
 
-    fn looks_from(&mut self, now: Duration, referee: &Referee) -> Option<View> {
-        self.as_mut().and_then(|one| one.looks_from(now, referee))
+    fn view(&mut self, now: Duration, referee: &Referee) -> Option<View> {
+        self.as_mut().and_then(|observer| observer.view(now, referee))
     }
 
-    fn watched(&mut self, scene: &Scene<'_>, picture: &Picture) -> Result<(), Failure> {
-        self.as_mut().map_or(Ok(()), |one| one.watched(scene, picture))
+    fn rendered(&mut self, scene: &Scene<'_>, picture: &Picture) -> Result<(), Failure> {
+        self.as_mut().map_or(Ok(()), |observer| observer.rendered(scene, picture))
     }
 
-    fn happened(&mut self, happened: &TimedEvent) -> Result<(), Failure> {
-        self.as_mut().map_or(Ok(()), |one| one.happened(happened))
+    fn event(&mut self, event: &TimedEvent) -> Result<(), Failure> {
+        self.as_mut().map_or(Ok(()), |observer| observer.event(event))
     }
 }
 
-/// Two at once, of whom at most one looks from outside.
-impl<A: Observer, B: Observer> Observer for (A, B) {
-    fn changed(&mut self, scene: &Scene<'_>) -> Result<(), Failure> {
-        self.0.changed(scene)?;
-        self.1.changed(scene)
+/// Two observers, of which at most one needs pictures.
+impl<A: GameObserver, B: GameObserver> GameObserver for (A, B) {
+    fn tree_changed(&mut self, scene: &Scene<'_>) -> Result<(), Failure> {
+        self.0.tree_changed(scene)?;
+        self.1.tree_changed(scene)
     }
 
-    fn looks_from(&mut self, now: Duration, referee: &Referee) -> Option<View> {
-        self.0.looks_from(now, referee).or_else(|| self.1.looks_from(now, referee))
+    fn view(&mut self, now: Duration, referee: &Referee) -> Option<View> {
+        self.0.view(now, referee).or_else(|| self.1.view(now, referee))
     }
 
-    fn watched(&mut self, scene: &Scene<'_>, picture: &Picture) -> Result<(), Failure> {
-        self.0.watched(scene, picture)?;
-        self.1.watched(scene, picture)
+    fn rendered(&mut self, scene: &Scene<'_>, picture: &Picture) -> Result<(), Failure> {
+        self.0.rendered(scene, picture)?;
+        self.1.rendered(scene, picture)
     }
 
-    fn happened(&mut self, happened: &TimedEvent) -> Result<(), Failure> {
-        self.0.happened(happened)?;
-        self.1.happened(happened)
+    fn event(&mut self, event: &TimedEvent) -> Result<(), Failure> {
+        self.0.event(event)?;
+        self.1.event(event)
     }
 }

@@ -1,4 +1,4 @@
-//! A look at a game in progress: what the forward sees and believes, what is true, how the tree stands.
+//! State of a game after a cycle: detections and estimates of the forward, the true state, the tree.
 
 use bica::graph::Graph;
 use bica::{ComponentId, Tree};
@@ -9,39 +9,44 @@ use bica_player::perception::{BallDetector, FieldBoundary, GoalDetector, Odometr
 use bica_sim::Referee;
 use glam::Vec2;
 
-use super::meter::Meter;
-use bica_drawing::polar::Sight;
-use bica_drawing::scene::{Beliefs, Marks, TreeNow, Truth};
+use crate::meter::Meter;
+use bica_drawing::polar::Polar;
+use bica_drawing::scene::{Estimates, GroundTruth, Marks, TreeState};
 
-/// The static description of the forward's tree.
+/// Static description of the forward's tree.
 pub static GRAPH: Graph = Forward::GRAPH;
 
-/// A game after a cycle.
+/// State of a game after a cycle.
 pub struct Scene<'a> {
+    /// Seed of the game.
     pub seed: u64,
-    /// Time in the world when the forward thought, s.
+    /// Simulated time of the cycle, s.
     pub t: f64,
+    /// The forward.
     pub robot: &'a Forward,
+    /// The referee.
     pub referee: &'a Referee,
-    pub meter: &'a Meter,
-    /// Where the robot truly was when odometry began.
+    pub(crate) meter: &'a Meter,
+    /// True pose at the start of odometry.
     pub start: Pose2,
-    /// The way of the ball so far.
-    pub trail: &'a [Vec2],
+    /// Path of the ball so far.
+    pub ball_path: &'a [Vec2],
 }
 
 impl Scene<'_> {
-    /// How the tree stands.
-    pub fn tree(&self) -> TreeNow {
+    /// Returns the state of the tree.
+    #[must_use]
+    pub fn tree(&self) -> TreeState {
         let each = || (0..GRAPH.nodes.len()).map(ComponentId::new);
-        TreeNow {
+        TreeState {
             graph: &GRAPH,
             active: each().map(|id| self.robot.is_active(id)).collect(),
             states: each().map(|id| self.robot.state(id)).collect(),
         }
     }
 
-    /// What is recognised in the newest image, by the detectors that are active.
+    /// Returns the detections in the newest image, of the active detectors.
+    #[must_use]
     pub fn marks(&self) -> Marks {
         let ball = self.robot.get::<BallDetector>().seen().filter(|_| self.is_active::<BallDetector>());
         let net = self.robot.get::<GoalDetector>().seen().filter(|_| self.is_active::<GoalDetector>());
@@ -55,35 +60,39 @@ impl Scene<'_> {
         }
     }
 
-    /// What the forward believes.
-    pub fn beliefs(&self) -> Beliefs {
-        Beliefs {
+    /// Returns the estimates of the forward.
+    #[must_use]
+    pub fn estimates(&self) -> Estimates {
+        Estimates {
             robot: self.start * self.robot.get::<Odometry>().pose(),
             ball: self.robot.get::<BallDetector>().position(),
             goal: self.robot.get::<GoalDetector>().position(),
         }
     }
 
-    /// Where the forward believes ball and goal to be.
-    pub fn sights(&self) -> (Option<Sight>, Option<Sight>) {
-        let (beliefs, marks) = (self.beliefs(), self.marks());
-        let ball = beliefs.ball.map(|at| Sight::new(at, marks.ball.is_some()));
-        let goal = beliefs.goal.map(|at| Sight::new(at, !marks.goals.is_empty()));
+    /// Returns the estimated positions of ball and goal relative to the robot.
+    #[must_use]
+    pub fn positions(&self) -> (Option<Polar>, Option<Polar>) {
+        let (estimates, marks) = (self.estimates(), self.marks());
+        let ball = estimates.ball.map(|at| Polar::new(at, marks.ball.is_some()));
+        let goal = estimates.goal.map(|at| Polar::new(at, !marks.goals.is_empty()));
         (ball, goal)
     }
 
-    /// What is true.
-    pub fn truth(&self) -> Truth {
-        Truth {
+    /// Returns the true state.
+    #[must_use]
+    pub fn truth(&self) -> GroundTruth {
+        GroundTruth {
             attacks: self.referee.attacks(),
             robot: self.referee.robot(),
             ball: self.referee.ball(),
             others: self.referee.others().to_vec(),
-            trail: self.trail.to_vec(),
+            trail: self.ball_path.to_vec(),
         }
     }
 
-    /// The newest image's pixels and size.
+    /// Returns the newest image, if there is one.
+    #[must_use]
     pub fn image(&self) -> Option<bica_motion::robot::Image<'_>> {
         Some(self.robot.get::<CameraInput>().image()).filter(|image| image.width > 0)
     }

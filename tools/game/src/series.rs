@@ -1,103 +1,75 @@
-//! Many games on all cores.
+//! A series of games on several threads.
 
-use std::num::NonZero;
 use std::path::Path;
-use std::sync::atomic::{AtomicU64, Ordering};
-use std::sync::mpsc::{self, Receiver, Sender};
-use std::thread;
-use std::time::Instant as Clock;
+use std::sync::atomic::{AtomicU32, Ordering};
+use std::time::Instant;
 
-use super::album::Album;
-use super::game_loop::{Rules, play};
-use super::series_summary::{self, Series};
-use super::summary::{GameResult, Record};
-use bica_console::Console;
-use bica_console::Progress;
-use bica_console::{Failure, Outcome};
-use bica_console::{STACK, interrupt};
+use bica_console::{Batch, Console, Failure, Outcome, interrupt};
+use indicatif::{ProgressBar, ProgressStyle};
 
-/// How many games, and on how many threads.
-pub struct Plan {
-    games: u64,
-    threads: usize,
-    /// Games with a goal that make the series a success.
-    wanted: usize,
+use crate::album::Album;
+use crate::game::{Rules, play};
+use crate::series_summary::{self, SeriesSummary};
+use crate::summary::{GameResult, GameSummary};
+
+/// Size of a series.
+#[derive(Clone, Copy, Debug)]
+pub struct SeriesOptions {
+    /// Number of games.
+    pub games: u32,
+    /// Number of threads; by default one for each core.
+    pub threads: Option<u32>,
+    /// Number of games with a goal that makes the series a success; by default all.
+    pub at_least: Option<u32>,
 }
 
-impl Plan {
-    /// One thread for each core, and every game won, if nothing else is said.
-    pub fn new(games: u32, threads: Option<u32>, wanted: Option<u32>) -> Self {
-        let cores = thread::available_parallelism().map_or(1, NonZero::get);
-        let threads = threads.map_or(cores, |threads| threads as usize);
-        Self { games: games.into(), threads: threads.min(games as usize), wanted: wanted.unwrap_or(games) as usize }
-    }
-}
-
-/// Plays them, sums them up.
-pub fn run(rules: &Rules, console: Console, pictures: Option<&Path>, plan: &Plan) -> Result<Outcome, Failure> {
-    let began = Clock::now();
-    let records = play_all(rules, pictures, plan)?;
-    let real_s = began.elapsed().as_secs_f64();
-    let series = Series::new(rules.seed, plan.games, records, plan.threads, real_s);
-    series_summary::tell(console, &series)?;
+/// Plays a series and prints its summary. Each game has a folder of pictures on request.
+///
+/// # Errors
+/// As [`play`], or if the output cannot be written.
+pub fn play_series(
+    rules: &Rules,
+    console: Console,
+    pictures: Option<&Path>,
+    options: &SeriesOptions,
+) -> Result<Outcome, Failure> {
+    let began = Instant::now();
+    let batch = Batch::new(rules.seed, options.games, options.threads);
+    let games = play_all(rules, pictures, &batch)?;
+    let series = SeriesSummary::new(&batch, games, began.elapsed().as_secs_f64());
+    series_summary::print(console, &series)?;
     console.print_json(&series)?;
+    let wanted = options.at_least.unwrap_or(options.games) as usize;
     Ok(if interrupt::requested() {
         Outcome::Interrupted
-    } else if series.goals() >= plan.wanted {
+    } else if series.goals() >= wanted {
         Outcome::Success
     } else {
         Outcome::Unsuccessful
     })
 }
 
-/// The games that were played to their end, in the order of their seeds.
-fn play_all(rules: &Rules, pictures: Option<&Path>, plan: &Plan) -> Result<Vec<Record>, Failure> {
-    let (next, (sender, receiver)) = (AtomicU64::new(0), mpsc::channel());
-    thread::scope(|scope| {
-        for _ in 0..plan.threads {
-            let (next, sender) = (&next, sender.clone());
-            thread::Builder::new()
-                .stack_size(STACK)
-                .spawn_scoped(scope, move || work(rules, pictures, plan.games, next, &sender))
-                .map_err(|error| Failure::new(format!("cannot start a thread: {error}"), "try fewer --threads"))?;
-        }
-        drop(sender);
-        collect(receiver, plan.games)
-    })
+/// Returns the games that were played to their end, in the order of their seeds.
+fn play_all(rules: &Rules, pictures: Option<&Path>, batch: &Batch) -> Result<Vec<GameSummary>, Failure> {
+    let (bar, goals) = (progress_bar(batch.runs), AtomicU32::new(0));
+    let games = batch.run(|seed| {
+        let album = pictures.map(|folder| Album::new(&folder.join(format!("seed-{seed}")))).transpose();
+        let game = album.and_then(|mut album| play(&Rules { seed, ..*rules }, &mut album))?;
+        let won = u32::from(game.result == GameResult::Goal);
+        bar.set_message(format!("{} goals", goals.fetch_add(won, Ordering::Relaxed) + won));
+        bar.inc(1);
+        Ok(game)
+    });
+    bar.finish_and_clear();
+    Ok(games?.into_iter().filter(|game| game.result != GameResult::Interrupted).collect())
 }
 
-/// Plays the next game that nobody plays, until there is none, nobody waits for it, or Ctrl-C.
-fn work(
-    rules: &Rules,
-    pictures: Option<&Path>,
-    games: u64,
-    next: &AtomicU64,
-    sender: &Sender<Result<Record, Failure>>,
-) {
-    loop {
-        let game = next.fetch_add(1, Ordering::Relaxed);
-        if game >= games || interrupt::requested() {
-            return;
-        }
-        let rules = Rules { seed: rules.seed.wrapping_add(game), ..*rules };
-        let album = pictures.map(|folder| Album::new(&folder.join(format!("seed-{}", rules.seed)))).transpose();
-        let record = album.and_then(|mut album| play(&rules, &mut album));
-        if sender.send(record).is_err() {
-            return;
-        }
+/// A bar on stderr; hidden where that is no terminal.
+fn progress_bar(games: u32) -> ProgressBar {
+    let style = ProgressStyle::with_template("[{bar:30}] {pos}/{len} games, {msg}, {eta} left");
+    let bar = ProgressBar::new(games.into());
+    if let Ok(style) = style {
+        bar.set_style(style.progress_chars("#."));
     }
-}
-
-fn collect(receiver: Receiver<Result<Record, Failure>>, games: u64) -> Result<Vec<Record>, Failure> {
-    let mut progress = Progress::new(games);
-    let mut records = Vec::new();
-    for record in receiver {
-        let record = record?;
-        if record.result != GameResult::Interrupted {
-            progress.step(record.result == GameResult::Goal);
-            records.push(record);
-        }
-    }
-    records.sort_by_key(|record| record.seed);
-    Ok(records)
+    bar
 }

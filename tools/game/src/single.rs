@@ -1,48 +1,55 @@
-//! One game, told as it goes.
+//! One game, with its story.
 
 use std::path::Path;
 
+use bica_console::{Console, Failure, Outcome};
 use serde::Serialize;
 
-use super::album::Album;
-use super::game_loop::{Rules, play};
-use super::story::{Change, Story};
-use super::summary::{GameResult, Record};
-use super::summary_text;
+use crate::album::Album;
 use crate::film::Film;
-use bica_console::Console;
-use bica_console::{Failure, Outcome};
+use crate::game::{Rules, play};
+use crate::story::{Story, TreeChange};
+use crate::summary::{GameResult, GameSummary};
+use crate::summary_text;
 
-/// A game for machines.
+/// JSON of a game.
 #[derive(Serialize)]
-struct Told<'a> {
+struct GameReport<'a> {
     schema: &'static str,
     #[serde(flatten)]
-    record: &'a Record,
-    story: &'a [Change],
+    summary: &'a GameSummary,
+    story: &'a [TreeChange],
 }
 
-/// Plays it, sums it up.
-pub fn run(rules: &Rules, console: Console, pictures: Option<&Path>, film: Option<&Path>) -> Result<Outcome, Failure> {
+/// Plays a game, prints story and summary, and writes pictures and a film on request.
+///
+/// # Errors
+/// As [`play`], or if the output cannot be written.
+pub fn play_one(
+    rules: &Rules,
+    console: Console,
+    pictures: Option<&Path>,
+    film: Option<&Path>,
+) -> Result<Outcome, Failure> {
     let album = pictures.map(Album::new).transpose()?;
-    let filming = film.map(Film::new).transpose()?;
+    let recorder = film.map(Film::new).transpose()?;
     let story = Story::new(console);
-    story.begin()?;
-    let mut observer = (story, (album, filming));
-    let record = play(rules, &mut observer)?;
-    let (story, (album, filming)) = observer;
-    summary_text::tell(console, &record)?;
+    story.print_header()?;
+    let mut observers = (story, (album, recorder));
+    let summary = play(rules, &mut observers)?;
+    let (story, (album, recorder)) = observers;
+    summary_text::print(console, &summary)?;
     if let Some((album, folder)) = album.zip(pictures) {
         console.print("")?;
-        console.print_row("pictures", &format!("{} in {}", album.count, folder.display()))?;
+        console.print_row("pictures", &format!("{} in {}", album.count(), folder.display()))?;
     }
-    if let Some((filming, path)) = filming.zip(film) {
-        let count = filming.end()?;
+    if let Some((recorder, path)) = recorder.zip(film) {
+        let count = recorder.finish()?;
         console.print("")?;
         console.print_row("film", &format!("{count} pictures in {}", path.display()))?;
     }
-    console.print_json(&Told { schema: "bica-player/game/1", record: &record, story: &story.changes })?;
-    Ok(match record.result {
+    console.print_json(&GameReport { schema: "bica-player/game/1", summary: &summary, story: &story.changes })?;
+    Ok(match summary.result {
         GameResult::Goal => Outcome::Success,
         GameResult::NoGoal => Outcome::Unsuccessful,
         GameResult::Interrupted => Outcome::Interrupted,

@@ -1,4 +1,4 @@
-//! What is left of a game when it is over.
+//! Summary of a game.
 
 use std::time::Duration;
 
@@ -7,99 +7,126 @@ use bica_sim::Referee;
 use bica_sim::referee::Event;
 use serde::Serialize;
 
-use super::event::Told;
-use super::fingerprint::Fingerprint;
-use super::firmware::Figures;
-use super::game_loop::Rules;
-use super::latency::{Latencies, Latency};
-use super::meter::{Meter, Work};
-use super::scene::GRAPH;
+use crate::event::EventRecord;
+use crate::fingerprint::Fingerprint;
+use crate::firmware::FirmwareSummary;
+use crate::game::Rules;
+use crate::latency::{Latencies, LatencySummary};
+use crate::meter::{Activity, Meter};
+use crate::scene::GRAPH;
 
-/// How a game ended.
+/// Result of a game.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum GameResult {
+    /// The robot scored.
     Goal,
+    /// The time was over.
     NoGoal,
+    /// Ctrl-C.
     Interrupted,
 }
 
-/// A game. All but `wall` is the same whenever the same game is played.
+/// Summary of a game. All but `wall` is reproducible.
 #[derive(Clone, Debug, Serialize)]
-pub struct Record {
+pub struct GameSummary {
+    /// Seed.
     pub seed: u64,
+    /// Result.
     pub result: GameResult,
-    /// When the goal was made, s.
+    /// Time of the goal, s.
     pub goal_s: Option<f64>,
+    /// Number of own goals.
     pub own_goals: usize,
+    /// Number of falls.
     pub falls: usize,
+    /// Number of kicks.
     pub kicks: usize,
-    /// Why the robot stopped for good, if it did.
+    /// Fault that stopped the robot.
     pub fault: Option<String>,
-    /// How long the game was in the world, s.
+    /// Duration in simulated time, s.
     pub simulated_s: f64,
+    /// Number of control cycles.
     pub cycles: u64,
-    /// How often the tree changed.
+    /// Number of cycles that changed the tree.
     pub tree_changes: u64,
+    /// Fingerprint over commands and ball positions.
     pub fingerprint: String,
-    pub events: Vec<Told>,
-    pub components: Vec<Component>,
-    /// What the microcontroller spent, if one thought.
+    /// Events of the referee.
+    pub events: Vec<EventRecord>,
+    /// Activity of each component.
+    pub components: Vec<ComponentActivity>,
+    /// Instructions of the firmware, if it controlled the robot.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub firmware: Option<Figures>,
+    pub firmware: Option<FirmwareSummary>,
+    /// Values that depend on the computer.
     pub wall: Wall,
     #[serde(skip)]
-    pub latencies: Latencies,
+    pub(crate) latencies: Latencies,
 }
 
-/// What a component did.
+/// Activity of a component.
 #[derive(Clone, Debug, Serialize)]
-pub struct Component {
+pub struct ComponentActivity {
+    /// Name.
     pub name: &'static str,
+    /// Number of runs.
     pub runs: u64,
-    /// How long it was active, s.
+    /// Time in which it was active, s.
     pub active_s: f64,
-    /// Times that it became active; each brings one run at once.
+    /// Number of activations; each brings one run at once.
     pub activations: u64,
+    /// Declared rate, Hz.
     pub declared_hz: f64,
-    /// Runs per second in which it was active; none if it never was.
+    /// Runs per second of its active time; none if it was never active.
     pub reached_hz: Option<f64>,
 }
 
-/// What depends on the computer.
+/// Values that depend on the computer.
 #[derive(Clone, Debug, Serialize)]
 pub struct Wall {
-    /// How long the game took, s.
+    /// Duration by the clock, s.
     pub real_s: f64,
-    /// Sense, think and act of one cycle, ms.
-    pub latency_ms: Latency,
-    pub components: Vec<Cost>,
+    /// Latency of a cycle, ms.
+    pub latency_ms: LatencySummary,
+    /// Cost of each component.
+    pub components: Vec<ComponentCost>,
 }
 
-/// What a component cost.
+/// Cost of a component.
 #[derive(Clone, Debug, Serialize)]
-pub struct Cost {
+pub struct ComponentCost {
+    /// Name.
     pub name: &'static str,
+    /// Total time, ms.
     pub total_ms: f64,
+    /// Mean time of a run, µs.
     pub mean_us: f64,
+    /// Declared budget of a run, µs.
     pub budget_us: Option<f32>,
-    /// Its part of the time of all components, 0 to 1.
+    /// Share of the time of all components, 0 to 1.
     pub share: f64,
 }
 
-/// What happened in a game, counted by whoever played it.
-pub struct Tally {
-    pub cycles: u64,
-    pub tree_changes: u64,
-    pub fingerprint: Fingerprint,
-    pub latencies: Latencies,
-    pub meter: Meter,
+/// Measurements of a game.
+pub(crate) struct Measurements {
+    pub(crate) cycles: u64,
+    pub(crate) tree_changes: u64,
+    pub(crate) fingerprint: Fingerprint,
+    pub(crate) latencies: Latencies,
+    pub(crate) meter: Meter,
 }
 
-impl Record {
-    /// Sums a game up.
-    pub fn new(rules: &Rules, referee: &Referee, played: Duration, tally: Tally, real: Duration) -> Self {
-        let goal = referee.events().iter().find(|happened| happened.event == Event::Goal);
+impl GameSummary {
+    /// The summary of a game that took `played` in simulated time and `real` by the clock.
+    pub(crate) fn new(
+        rules: &Rules,
+        referee: &Referee,
+        played: Duration,
+        measured: Measurements,
+        real: Duration,
+    ) -> Self {
+        let goal = referee.events().iter().find(|event| event.event == Event::Goal);
         Self {
             seed: rules.seed,
             result: match goal {
@@ -107,57 +134,57 @@ impl Record {
                 None if played >= rules.limit => GameResult::NoGoal,
                 None => GameResult::Interrupted,
             },
-            goal_s: goal.map(|happened| happened.at.as_secs_f64()),
+            goal_s: goal.map(|event| event.at.as_secs_f64()),
             own_goals: referee.own_goals(),
             falls: referee.falls(),
             kicks: referee.count(|event| matches!(event, Event::Kick { .. })),
             fault: None,
             simulated_s: played.as_secs_f64(),
-            cycles: tally.cycles,
-            tree_changes: tally.tree_changes,
-            fingerprint: tally.fingerprint.to_string(),
-            events: referee.events().iter().map(Told::from).collect(),
-            components: components(&GRAPH, &tally.meter),
+            cycles: measured.cycles,
+            tree_changes: measured.tree_changes,
+            fingerprint: measured.fingerprint.to_string(),
+            events: referee.events().iter().map(EventRecord::from).collect(),
+            components: activities(&GRAPH, &measured.meter),
             firmware: None,
             wall: Wall {
                 real_s: real.as_secs_f64(),
-                latency_ms: tally.latencies.sum_up(),
-                components: costs(&GRAPH, &tally.meter),
+                latency_ms: measured.latencies.summarize(),
+                components: costs(&GRAPH, &measured.meter),
             },
-            latencies: tally.latencies,
+            latencies: measured.latencies,
         }
     }
 }
 
-/// What each component did, by the probe.
-fn components(graph: &Graph, meter: &Meter) -> Vec<Component> {
+/// Returns the activity of each component.
+fn activities(graph: &Graph, meter: &Meter) -> Vec<ComponentActivity> {
     let cycle = 1.0 / f64::from(graph.cycle_hz);
-    let describe = |(node, work): (&Node, &Work)| {
-        let active_s = work.active as f64 * cycle;
-        Component {
+    let describe = |(node, activity): (&Node, &Activity)| {
+        let active_s = activity.active as f64 * cycle;
+        ComponentActivity {
             name: node.name,
-            runs: work.runs,
+            runs: activity.runs,
             active_s,
-            activations: work.starts,
+            activations: activity.starts,
             declared_hz: f64::from(node.hz.unwrap_or(graph.cycle_hz)),
-            reached_hz: (work.active > 0).then(|| work.runs as f64 / active_s),
+            reached_hz: (activity.active > 0).then(|| activity.runs as f64 / active_s),
         }
     };
-    graph.nodes.iter().zip(&meter.work).map(describe).collect()
+    graph.nodes.iter().zip(&meter.activity).map(describe).collect()
 }
 
-/// What each component cost, by the probe.
-fn costs(graph: &Graph, meter: &Meter) -> Vec<Cost> {
-    let all: f64 = meter.work.iter().map(|work| work.time.as_secs_f64()).sum();
-    let describe = |(node, work): (&Node, &Work)| {
-        let time = work.time.as_secs_f64();
-        Cost {
+/// Returns the cost of each component.
+fn costs(graph: &Graph, meter: &Meter) -> Vec<ComponentCost> {
+    let all: f64 = meter.activity.iter().map(|activity| activity.time.as_secs_f64()).sum();
+    let describe = |(node, activity): (&Node, &Activity)| {
+        let time = activity.time.as_secs_f64();
+        ComponentCost {
             name: node.name,
             total_ms: 1e3 * time,
-            mean_us: 1e6 * time / work.runs.max(1) as f64,
+            mean_us: 1e6 * time / activity.runs.max(1) as f64,
             budget_us: node.budget_us,
             share: if all > 0.0 { time / all } else { 0.0 },
         }
     };
-    graph.nodes.iter().zip(&meter.work).map(describe).collect()
+    graph.nodes.iter().zip(&meter.activity).map(describe).collect()
 }

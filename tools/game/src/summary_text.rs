@@ -1,75 +1,76 @@
-//! The summary of a game, for people.
+//! Summary of a game, as text.
 
-use super::summary::{GameResult, Record};
-use bica_console::Failure;
-use bica_console::{Console, Style};
+use bica_console::{Console, Failure, Style};
 
-/// Tells how the game was.
-pub fn tell(console: Console, record: &Record) -> Result<(), Failure> {
+use crate::latency::LatencySummary;
+use crate::summary::{GameResult, GameSummary};
+
+/// Prints the summary.
+pub(crate) fn print(console: Console, summary: &GameSummary) -> Result<(), Failure> {
     console.print("")?;
-    let (style, words) = match (record.result, record.goal_s) {
+    let (style, text) = match (summary.result, summary.goal_s) {
         (GameResult::Goal, Some(t)) => (Style::Good, format!("goal after {t:.2} s")),
         (GameResult::Interrupted, _) => (Style::Bad, "stopped before the end".to_owned()),
         _ => (Style::Bad, "no goal".to_owned()),
     };
-    console.print_row("result", &console.styled(style, &words))?;
-    if let Some(fault) = &record.fault {
+    console.print_row("result", &console.styled(style, &text))?;
+    if let Some(fault) = &summary.fault {
         console.print_row("fault", &console.styled(Style::Bad, &format!("the robot sat down: {fault}")))?;
     }
-    console.print_row("game", &game(record))?;
-    console.print_row("time", &time(record))?;
-    if let Some(figures) = &record.firmware {
-        return figures.tell(console);
+    console.print_row("game", &game(summary))?;
+    console.print_row("time", &time(summary))?;
+    if let Some(firmware) = &summary.firmware {
+        return firmware.print(console);
     }
-    console.print_row("latency", &latency(&record.wall.latency_ms))?;
+    console.print_row("latency", &latency(&summary.wall.latency_ms))?;
     console.print("")?;
-    components(console, record)
+    components(console, summary)
 }
 
-fn game(record: &Record) -> String {
+fn game(summary: &GameSummary) -> String {
     format!(
-        "seed {}, falls: {}, kicks: {}, changes of the tree: {}, fingerprint {}",
-        record.seed, record.falls, record.kicks, record.tree_changes, record.fingerprint
+        "seed {}, falls: {}, kicks: {}, tree changes: {}, fingerprint {}",
+        summary.seed, summary.falls, summary.kicks, summary.tree_changes, summary.fingerprint
     )
 }
 
-fn time(record: &Record) -> String {
-    let (simulated, real) = (record.simulated_s, record.wall.real_s);
+fn time(summary: &GameSummary) -> String {
+    let (simulated, real) = (summary.simulated_s, summary.wall.real_s);
     let times = simulated / real.max(1e-9);
-    format!("{simulated:.2} s in the world, {real:.2} s by the clock ({times:.0} times real), {} cycles", record.cycles)
+    format!("{simulated:.2} s simulated in {real:.2} s ({times:.0} times real time), {} cycles", summary.cycles)
 }
 
-/// Percentiles beside the bound.
-pub fn latency(latency: &super::latency::Latency) -> String {
-    let super::latency::Latency { p50, p99, max, over_bound, bound } = latency;
+/// Returns the percentiles of latency and their bound.
+pub(crate) fn latency(latency: &LatencySummary) -> String {
+    let LatencySummary { p50, p99, max, over_bound, bound } = latency;
     format!(
-        "sense-think-act p50 {p50:.3}  p99 {p99:.3}  max {max:.3} ms of {bound:.0} ms; over it: {over_bound} cycles"
+        "sense-think-act p50 {p50:.3}  p99 {p99:.3}  max {max:.3} ms (bound {bound:.0} ms, exceeded in {over_bound} cycles)"
     )
 }
 
-/// Runs, rates and costs of each component, the costliest first.
-fn components(console: Console, record: &Record) -> Result<(), Failure> {
-    let heading = format!(
+/// Prints runs, rates and costs of each component, the most expensive first.
+fn components(console: Console, summary: &GameSummary) -> Result<(), Failure> {
+    let header = format!(
         "{:<14} {:>7} {:>9} {:>7} {:>9} {:>9} {:>9} {:>9} {:>7}",
         "component", "runs", "active", "starts", "reached", "declared", "per run", "total", "share"
     );
-    console.print(&console.styled(Style::Strong, &heading))?;
-    let mut both: Vec<_> = record.components.iter().zip(&record.wall.components).collect();
+    console.print(&console.styled(Style::Strong, &header))?;
+    let mut both: Vec<_> = summary.components.iter().zip(&summary.wall.components).collect();
     both.sort_by(|a, b| b.1.total_ms.total_cmp(&a.1.total_ms));
-    for (work, cost) in both {
-        let reached = work.reached_hz.map_or_else(|| "-".to_owned(), |hz| format!("{hz:.1} Hz"));
+    for (activity, cost) in both {
+        let reached = activity.reached_hz.map_or_else(|| "-".to_owned(), |hz| format!("{hz:.1} Hz"));
         let line = format!(
             "{:<14} {:>7} {:>7.2} s {:>7} {reached:>9} {:>6.0} Hz {:>6.2} µs {:>6.1} ms {:>5.1} %",
-            work.name,
-            work.runs,
-            work.active_s,
-            work.activations,
-            work.declared_hz,
+            activity.name,
+            activity.runs,
+            activity.active_s,
+            activity.activations,
+            activity.declared_hz,
             cost.mean_us,
             cost.total_ms,
             100.0 * cost.share
         );
-        console.print(&if work.runs == 0 { console.styled(Style::Faint, &line) } else { line })?;
+        console.print(&if activity.runs == 0 { console.styled(Style::Faint, &line) } else { line })?;
     }
     Ok(())
 }

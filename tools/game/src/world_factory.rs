@@ -1,25 +1,26 @@
-//! The world that a game is played in.
+//! Worlds for games.
 
 use bica_motion::profile::Profile;
 use bica_sim::SpectatorView;
 use bica_sim::kinematic::KinematicWorld;
 use bica_sim::setup::Setup;
 
-use super::game_loop::Rules;
+use crate::game::Rules;
 use bica_console::Failure;
 
-/// The kinds of worlds.
+/// Kind of a world.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum WorldKind {
-    /// The built-in one.
+    /// The built-in kinematic world.
     BuiltIn,
-    /// `MuJoCo`.
+    /// `MuJoCo`, with rigid-body dynamics.
     #[cfg(feature = "mujoco")]
     Mujoco,
 }
 
 impl WorldKind {
-    /// How a robot moves there.
+    /// Returns the motion profile of the robot in this world.
+    #[must_use]
     pub const fn profile(self) -> &'static Profile {
         match self {
             Self::BuiltIn => &Profile::BUILT_IN,
@@ -29,13 +30,13 @@ impl WorldKind {
     }
 }
 
-/// A world in which a game is about to start.
-pub fn open(rules: &Rules) -> Result<Box<dyn SpectatorView>, Failure> {
+/// Makes a world at the start of a game.
+pub(crate) fn open(rules: &Rules) -> Result<Box<dyn SpectatorView>, Failure> {
     let setup = Setup { seed: rules.seed, frame: rules.size, robots: rules.robots, ..Setup::default() };
     match rules.world {
         WorldKind::BuiltIn => {
             let world = KinematicWorld::new(&setup).map_err(|error| {
-                Failure::new(format!("no such game can be set up: {error}"), "try another --robots")
+                Failure::new(format!("the game cannot be set up: {error}"), "try another number of --robots")
             })?;
             Ok(Box::new(world))
         }
@@ -51,7 +52,7 @@ fn mujoco(setup: &Setup) -> Result<Box<dyn SpectatorView>, Failure> {
         Error::Camera(what) => {
             Failure::new(format!("MuJoCo cannot draw: {what}"), "`cargo xtask mujoco` installs what that needs")
         }
-        _ => Failure::new(format!("no such game can be set up: {error}"), "try another --robots"),
+        _ => Failure::new(format!("the game cannot be set up: {error}"), "try another number of --robots"),
     })?;
     Ok(Box::new(world))
 }

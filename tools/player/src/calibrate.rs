@@ -1,12 +1,12 @@
-//! `player calibrate`: colour classes learned from labelled images.
+//! `player calibrate`: colour classes fitted to labelled images.
 
 use bica_console::{Console, Failure, Outcome};
 use bica_evaluation::calibrate;
 
 use crate::cli::Calibrate;
 
-/// Learns a profile, and writes it.
+/// Fits a profile and writes it.
 pub(crate) fn run(args: &Calibrate) -> Result<Outcome, Failure> {
     let Calibrate { folder, rectangles, labels, base, out, json } = args.clone();
-    calibrate::run(&calibrate::Calibrate { folder, rectangles, labels, base, out }, Console::new(json))
+    calibrate::run(&calibrate::CalibrationOptions { folder, rectangles, labels, base, out }, Console::new(json))
 }

@@ -193,7 +193,7 @@ pub(crate) enum Format {
 
 /// What is looked at, and with which eyes.
 #[derive(Clone, Debug, Args)]
-pub(crate) struct Looking {
+pub(crate) struct DetectionArgs {
     /// The folder; its images (PNG, JPEG, raw `NAME_WxH.yuyv`) are looked at in the order of their names
     #[arg(value_name = "DIR")]
     pub(crate) folder: PathBuf,
@@ -214,24 +214,24 @@ pub(crate) struct Looking {
     pub(crate) json: bool,
 }
 
-impl Looking {
+impl DetectionArgs {
     /// What the library takes.
-    pub(crate) fn options(&self) -> detection::Looking {
+    pub(crate) fn options(&self) -> detection::DetectionOptions {
         let Self { folder, profile, poses, pictures, .. } = self.clone();
-        detection::Looking { folder, profile, poses, radius: 1e-3 * self.ball, pictures }
+        detection::DetectionOptions { folder, profile, poses, radius: 1e-3 * self.ball, pictures }
     }
 }
 
 #[derive(Clone, Debug, Args)]
 pub(crate) struct Watch {
     #[command(flatten)]
-    pub(crate) looking: Looking,
+    pub(crate) detection: DetectionArgs,
 }
 
 #[derive(Clone, Debug, Args)]
 pub(crate) struct See {
     #[command(flatten)]
-    pub(crate) looking: Looking,
+    pub(crate) detection: DetectionArgs,
     /// Compare with labels, and print how much was right
     #[arg(long, value_name = "CSV")]
     pub(crate) score: Option<PathBuf>,

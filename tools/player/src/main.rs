@@ -12,7 +12,7 @@ mod watch;
 use std::process::ExitCode;
 use std::thread;
 
-use bica_console::{Failure, STACK, interrupt};
+use bica_console::{Failure, STACK_BYTES, interrupt};
 use clap::Parser;
 
 use cli::{Cli, Command};
@@ -31,9 +31,9 @@ fn main() -> ExitCode {
         #[cfg(feature = "mujoco")]
         Some(Command::Trial(args)) => trial::run(&args),
     };
-    match thread::Builder::new().stack_size(STACK).spawn(work).map(thread::JoinHandle::join) {
+    match thread::Builder::new().stack_size(STACK_BYTES).spawn(work).map(thread::JoinHandle::join) {
         Ok(Ok(outcome)) => outcome.map_or_else(ExitCode::from, ExitCode::from),
-        // The panic has spoken for itself.
+        // The panic has printed its message.
         Ok(Err(_)) => ExitCode::from(101),
         Err(error) => Failure::new(format!("cannot start a thread: {error}"), "is there memory left?").into(),
     }

@@ -1,15 +1,16 @@
-//! `player play`: one game, or many.
+//! `player play`: one game or a series.
 
 use std::time::Duration;
 
 use bica_console::{Console, Failure, Outcome};
-use bica_game::{Image, Plan, Rules, WorldKind, run_one, run_series};
+use bica_game::{FirmwareImage, Rules, SeriesOptions, WorldKind, play_one, play_series};
 
 use crate::cli::{Play, World};
 
-/// Plays what the command line asks for.
+/// Plays as the command line requests.
 pub(crate) fn run(args: &Play) -> Result<Outcome, Failure> {
-    let firmware = (args.world == World::Firmware).then(|| Image::new(args.image.clone(), args.size)).transpose()?;
+    let firmware =
+        (args.world == World::Firmware).then(|| FirmwareImage::new(args.image.clone(), args.size)).transpose()?;
     let rules = Rules {
         world: world(args.world)?,
         seed: args.seed,
@@ -21,13 +22,16 @@ pub(crate) fn run(args: &Play) -> Result<Outcome, Failure> {
     };
     let (console, pictures) = (Console::new(args.json), args.pictures.as_deref());
     match args.games {
-        None => run_one(&rules, console, pictures, args.film.as_deref()),
-        Some(games) => run_series(&rules, console, pictures, &Plan::new(games, args.threads, args.at_least)),
+        None => play_one(&rules, console, pictures, args.film.as_deref()),
+        Some(games) => {
+            let options = SeriesOptions { games, threads: args.threads, at_least: args.at_least };
+            play_series(&rules, console, pictures, &options)
+        }
     }
 }
 
-/// The world that is asked for; the microcontroller plays in the built-in one.
-#[cfg_attr(feature = "mujoco", expect(clippy::unnecessary_wraps, reason = "what is not built in is refused"))]
+/// Returns the requested world; firmware plays in the built-in one.
+#[cfg_attr(feature = "mujoco", expect(clippy::unnecessary_wraps, reason = "without MuJoCo it is refused"))]
 fn world(world: World) -> Result<WorldKind, Failure> {
     match world {
         World::BuiltIn | World::Firmware => Ok(WorldKind::BuiltIn),
@@ -35,9 +39,9 @@ fn world(world: World) -> Result<WorldKind, Failure> {
         World::Mujoco => Ok(WorldKind::Mujoco),
         #[cfg(not(feature = "mujoco"))]
         World::Mujoco => {
-            let mend = "install its library with `cargo xtask mujoco`, then \
+            let help = "install its library with `cargo xtask mujoco`, then \
                         `cargo run --release --features mujoco -- play --world mujoco`";
-            Err(Failure::new("this program was built without MuJoCo", mend))
+            Err(Failure::new("this program was built without MuJoCo", help))
         }
     }
 }

@@ -1,23 +1,23 @@
-//! `player see`: one line for each recorded image, and how much of it was right.
+//! `player see`: detections of each recorded image on a line, and their score.
 
 use bica_console::{Console, Failure, Outcome, Style};
 use bica_evaluation::camera_poses::Pose;
-use bica_evaluation::detection::{self, Folder, Line, Listener, Sighting};
+use bica_evaluation::detection::{self, DetectionObserver, Detections, Folder, JsonLine};
 use bica_evaluation::labels::Labels;
 use bica_evaluation::scoring::Score;
 
 use crate::cli::See;
 
-/// Looks at every image of the folder, and tells what is seen.
+/// Runs the detectors on every image of the folder.
 pub(crate) fn run(args: &See) -> Result<Outcome, Failure> {
-    let looking = args.looking.options();
-    let labels = args.score.as_ref().map(|path| Labels::read(path, &looking.folder)).transpose()?;
-    let mut folder = Folder::open(&looking)?;
-    let score = labels.map(|labels| Score::new(labels, looking.radius));
-    let mut lines = Lines { console: Console::new(args.looking.json), score };
-    let outcome = folder.look(&mut lines)?;
+    let options = args.detection.options();
+    let labels = args.score.as_ref().map(|path| Labels::read(path, &options.folder)).transpose()?;
+    let mut folder = Folder::open(&options)?;
+    let score = labels.map(|labels| Score::new(labels, options.radius));
+    let mut lines = Lines { console: Console::new(args.detection.json), score };
+    let outcome = folder.detect(&mut lines)?;
     if let Some(score) = &mut lines.score {
-        score.tell(lines.console)?;
+        score.print(lines.console)?;
     }
     Ok(outcome)
 }
@@ -28,15 +28,15 @@ struct Lines {
     score: Option<Score>,
 }
 
-impl Listener for Lines {
-    fn saw(&mut self, sighting: Sighting, pose: Option<&Pose>) -> Result<(), Failure> {
+impl DetectionObserver for Lines {
+    fn detected(&mut self, detections: Detections, pose: Option<&Pose>) -> Result<(), Failure> {
         if let Some(score) = &mut self.score {
-            score.count(&sighting, pose);
+            score.count(&detections, pose);
         }
         if self.console.is_json() {
-            self.console.print_json_line(&Line::new(&sighting))
+            self.console.print_json_line(&JsonLine::new(&detections))
         } else {
-            self.console.print(&detection::line(&sighting))
+            self.console.print(&detection::table_row(&detections))
         }
     }
 

@@ -1,4 +1,4 @@
-//! `player trial`: the body in `MuJoCo`.
+//! `player trial`: trials of the body in `MuJoCo`.
 
 use bica_console::{Console, Failure, Outcome};
 use bica_evaluation::trial;
@@ -6,11 +6,11 @@ use bica_sim::mujoco::Physics;
 
 use crate::cli::Trial;
 
-/// Tries what is named.
+/// Runs the named trials.
 pub(crate) fn run(args: &Trial) -> Result<Outcome, Failure> {
     let kinds = args.names.iter().map(|name| name.0).collect();
     let &Trial { runs, seed, threads, .. } = args;
-    trial::run(&trial::Trial { kinds, runs, seed, threads, physics: physics(args) }, Console::new(args.json))
+    trial::run(&trial::TrialOptions { kinds, runs, seed, threads, physics: physics(args) }, Console::new(args.json))
 }
 
 fn physics(args: &Trial) -> Physics {

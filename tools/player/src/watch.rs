@@ -5,13 +5,13 @@ use bica_evaluation::detection::{Folder, Report};
 
 use crate::cli::Watch;
 
-/// Looks at every image of the folder, and tells what is seen.
+/// Runs the detectors on every image of the folder and prints a summary.
 pub(crate) fn run(args: &Watch) -> Result<Outcome, Failure> {
-    let looking = args.looking.options();
-    let mut folder = Folder::open(&looking)?;
-    let mut report = Report::new(Console::new(args.looking.json), &looking.folder, folder.has_poses());
+    let options = args.detection.options();
+    let mut folder = Folder::open(&options)?;
+    let mut report = Report::new(Console::new(args.detection.json), &options.folder, folder.has_poses());
     report.begin()?;
-    let outcome = folder.look(&mut report)?;
+    let outcome = folder.detect(&mut report)?;
     report.end()?;
     Ok(outcome)
 }

@@ -1,8 +1,9 @@
 //! A call of one of the component's functions, with what its signature asks for.
 
 use proc_macro2::{Ident, TokenStream};
-use quote::{ToTokens, format_ident, quote};
+use quote::{ToTokens, format_ident, quote, quote_spanned};
 
+use crate::expand::quoting::{at, placed};
 use crate::language::component::model::{Argument, Function};
 
 /// A block that borrows and calls; its value is what the function returns.
@@ -10,10 +11,13 @@ pub(super) fn expand(p: &TokenStream, function: &Function) -> TokenStream {
     let name = &function.name;
     let set = borrow_set(p, function);
     let borrowed = nested(children(function).map(|(place, ..)| binding(place).into_token_stream()).collect());
-    let timed = function.arguments.iter().any(|argument| matches!(argument, Argument::Time));
+    let timed = function.arguments.iter().any(|argument| matches!(argument, Argument::Time(_)));
     let time = timed.then(|| quote!(let time = cycle.time::<Self>();));
     let given = function.arguments.iter().enumerate().map(|(place, argument)| match argument {
-        Argument::Time => quote!(&time),
+        Argument::Time(kind) => {
+            let p = placed(p, at(kind));
+            quote_spanned!(at(kind) => <#kind as #p::CycleTime>::of(&time))
+        }
         _ => binding(place).to_token_stream(),
     });
     quote! {{
@@ -24,7 +28,7 @@ pub(super) fn expand(p: &TokenStream, function: &Function) -> TokenStream {
 }
 
 /// The type of what is borrowed together.
-pub(super) fn borrow_set(p: &TokenStream, function: &Function) -> TokenStream {
+fn borrow_set(p: &TokenStream, function: &Function) -> TokenStream {
     nested(children(function).map(|(_, kind, child)| quote!(#p::#kind<#child>)).collect())
 }
 
@@ -41,7 +45,7 @@ fn nested(mut parts: Vec<TokenStream>) -> TokenStream {
 /// The arguments that are borrowed: their places, how, and of which type.
 fn children(function: &Function) -> impl DoubleEndedIterator<Item = (usize, TokenStream, TokenStream)> {
     function.arguments.iter().enumerate().filter_map(|(place, argument)| match argument {
-        Argument::Time => None,
+        Argument::Time(_) => None,
         Argument::Read(child) => Some((place, quote!(Read), child.to_token_stream())),
         Argument::Write(child) => Some((place, quote!(Write), child.to_token_stream())),
         Argument::Rate(child) => Some((place, quote!(WriteRate), child.to_token_stream())),

@@ -6,12 +6,13 @@ use syn::{GenericParam, Generics, Type, parse_quote};
 
 use super::runtime;
 use crate::expand::quoting::option;
-use crate::language::component::model::{Behaviour, Component, Machine, Place};
+use crate::language::component::model::{Behaviour, Component, Machine, MachineState};
+use crate::language::text;
 
 pub(super) fn expand(component: &Component, behaviour: &Behaviour) -> TokenStream {
     let p = runtime(component);
-    let own = &component.item.self_ty;
-    let generics = owned(&component.item.generics);
+    let own = component.own();
+    let generics = owned(&component.block.header.generics);
     let (parameters, _, bounds) = generics.split_for_impl();
     let name = name(own);
     let doc = &component.doc;
@@ -43,9 +44,10 @@ pub(super) fn owned(generics: &Generics) -> Generics {
     generics
 }
 
-fn name(own: &Type) -> String {
+/// The type's name, without its path.
+pub(super) fn name(own: &Type) -> String {
     match own {
-        Type::Path(path) => path.path.segments.last().map(|segment| segment.ident.to_string()).unwrap_or_default(),
+        Type::Path(path) => path.path.segments.last().map(|segment| text::name(&segment.ident)).unwrap_or_default(),
         _ => String::new(),
     }
 }
@@ -56,15 +58,15 @@ fn states(component: &Component, behaviour: &Behaviour) -> TokenStream {
         return quote!(const STATES: &'static [#p::State] = &[];);
     };
     let initial = machine.initial;
-    let states = machine.states.iter().enumerate().map(|(index, place)| state(&p, machine, index, place));
+    let states = machine.states.iter().enumerate().map(|(index, one)| state(&p, machine, index, one));
     quote! {
         const STATES: &'static [#p::State] = &[#(#states),*];
         const INITIAL: usize = #initial;
     }
 }
 
-fn state(p: &TokenStream, machine: &Machine, index: usize, place: &Place) -> TokenStream {
-    let name = place.body.name.to_string();
-    let (doc, last, initial) = (&place.body.doc, place.last, machine.initial == index);
+fn state(p: &TokenStream, machine: &Machine, index: usize, state: &MachineState) -> TokenStream {
+    let name = text::name(&state.body.name);
+    let (doc, last, initial) = (&state.body.doc, state.last, machine.initial == index);
     quote!(#p::State { name: #name, doc: #p::doc(#doc), initial: #initial, last: #last })
 }

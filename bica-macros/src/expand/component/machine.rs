@@ -6,14 +6,14 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::{call, wired};
-use crate::language::component::links::Links;
-use crate::language::component::model::{Function, Machine, Way};
+use super::call;
+use super::visits::Visits;
+use crate::language::component::model::{Edge, Function, Machine};
 
-pub(super) fn expand(p: &TokenStream, machine: &Machine) -> TokenStream {
+pub(super) fn expand(p: &TokenStream, machine: &Machine, visits: &Visits) -> TokenStream {
     let last = machine.states.len() - 1;
     let arms = (0..=last).map(|state| {
-        let round = round(p, machine, state);
+        let round = round(p, machine, state, visits);
         if state == last { quote!(_ => #round) } else { quote!(#state => #round) }
     });
     quote! {
@@ -26,17 +26,15 @@ pub(super) fn expand(p: &TokenStream, machine: &Machine) -> TokenStream {
     }
 }
 
-fn round(p: &TokenStream, machine: &Machine, state: usize) -> TokenStream {
-    let place = &machine.states[state];
-    let links = Links::of_state(machine, state);
-    let before = wired::visits(p, &links.requirements);
-    let after = wired::visits(p, &links.modulations);
-    let entries = calls(p, &place.entries);
-    let entering = (!place.entries.is_empty()).then(|| quote!(if machine.entering { #entries }));
-    let body = call::expand(p, &place.body);
-    let exits = calls(p, &place.exits);
-    let ways: Vec<_> = machine.ways_from(state).map(|way| leave(p, way, &exits)).collect();
-    let leaving = (!ways.is_empty()).then(|| quote!(if !machine.moved { #(#ways)* }));
+fn round(p: &TokenStream, machine: &Machine, index: usize, visits: &Visits) -> TokenStream {
+    let state = &machine.states[index];
+    let (before, after) = (visits.before(index), visits.after(index));
+    let entries = calls(p, &state.entries);
+    let entering = (!state.entries.is_empty()).then(|| quote!(if machine.entering { #entries }));
+    let body = call::expand(p, &state.body);
+    let exits = calls(p, &state.exits);
+    let transitions: Vec<_> = machine.edges_from(index).map(|edge| leave(p, edge, &exits)).collect();
+    let leaving = (!transitions.is_empty()).then(|| quote!(if !machine.moved { #(#transitions)* }));
     quote! {{
         #before
         if visit.due {
@@ -56,10 +54,10 @@ fn calls(p: &TokenStream, functions: &[Function]) -> TokenStream {
     quote!(#(#calls)*)
 }
 
-fn leave(p: &TokenStream, way: &Way, exits: &TokenStream) -> TokenStream {
-    let (from, to) = (way.from, way.to);
-    let condition = call::expand(p, &way.condition);
-    let timer = way.after_ms.map(|ms| quote!(cycle.has_been_in_state::<Self>(#ms) &&));
+fn leave(p: &TokenStream, edge: &Edge, exits: &TokenStream) -> TokenStream {
+    let (from, to) = (edge.from, edge.to);
+    let condition = call::expand(p, &edge.condition);
+    let timer = edge.after_ms.map(|ms| quote!(cycle.has_been_in_state::<Self>(#ms) &&));
     quote! {
         if #timer #condition {
             #exits

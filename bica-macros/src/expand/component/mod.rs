@@ -4,39 +4,56 @@ mod call;
 mod description;
 mod hooks;
 mod machine;
+mod member;
 mod node;
 mod step;
-mod wired;
+mod stub;
+mod visits;
 
 use proc_macro2::TokenStream;
-use quote::quote;
+use quote::{quote, quote_spanned};
+use syn::{FnArg, Path};
 
+use crate::expand::quoting::at;
+use crate::language::component::block::Function;
 use crate::language::component::model::{Behaviour, Component};
-use crate::language::report::Report;
+
+pub(crate) use stub::{misplaced, stub};
 
 /// The impl block as written and what makes a component of it.
 pub(crate) fn expand(component: &Component, behaviour: &Behaviour) -> TokenStream {
-    let item = &component.item;
+    let block = &component.block;
     let description = description::expand(component, behaviour);
-    let wired = wired::expand(component, behaviour);
-    quote!(#item #description #wired)
+    let member = member::expand(component, behaviour);
+    let no_step = (component.step.is_none() && is_whole(component)).then(|| no_step(component));
+    quote!(#block #description #member #no_step)
 }
 
-/// The impl block as written, the mistakes, and a component that does nothing, so that trees that list it hold.
-///
-/// A type that borrows can be no component at all: another message about that would only repeat ours.
-pub(crate) fn stand_in(component: &Component, report: &Report) -> TokenStream {
-    let errors = report.to_compile_errors();
-    if component.item.generics.lifetimes().next().is_some() {
-        let item = &component.item;
-        return quote!(#item #errors);
+/// Whether the block is the one that makes the component, rather than one of helpers with an attribute too much: it has
+/// a constructor, or functions that the tree calls.
+fn is_whole(component: &Component) -> bool {
+    let constructs = |function: &Function| !matches!(function.signature.inputs.first(), Some(FnArg::Receiver(_)));
+    component.functions().next().is_some() || component.block.functions().any(constructs)
+}
+
+/// A constant that collides with a function `step` in another impl block, which no tree would ever call.
+fn no_step(component: &Component) -> TokenStream {
+    let own = component.own();
+    let (parameters, _, bounds) = component.block.header.generics.split_for_impl();
+    quote_spanned! {at(own) =>
+        #[doc(hidden)]
+        #[allow(dead_code, non_upper_case_globals, reason = "its name is taken, it has no value")]
+        impl #parameters #own #bounds {
+            const step: () = ();
+        }
     }
-    let nothing = expand(component, &Behaviour::Unclear);
-    quote!(#nothing #errors)
 }
 
 /// The path to what generated code uses.
 fn runtime(component: &Component) -> TokenStream {
-    let krate = &component.options.krate;
+    private(&component.options.krate)
+}
+
+fn private(krate: &Path) -> TokenStream {
     quote!(#krate::__private)
 }

@@ -1,26 +1,25 @@
-//! `NODE`: the component in a tree, as tools see it.
+//! `NODE`: the component in a tree, as tools read it.
 
 use proc_macro2::TokenStream;
 use quote::{quote, quote_spanned};
 use syn::Type;
 
-use super::{call, runtime};
+use super::runtime;
+use super::visits::Visits;
 use crate::expand::quoting::{at, option, placed};
-use crate::language::component::links::Links;
-use crate::language::component::model::{Behaviour, Component, Way};
+use crate::language::component::model::{Argument, Behaviour, Component, Edge, Function};
+use crate::language::text;
 
-pub(super) fn expand(component: &Component, behaviour: &Behaviour) -> TokenStream {
+pub(super) fn expand(component: &Component, behaviour: &Behaviour, visits: &Visits) -> TokenStream {
     let p = runtime(component);
-    let (links, transitions): (Vec<_>, Vec<_>) = match behaviour {
-        Behaviour::Step(step) => (links(&p, &Links::of(step.iter()), None), Vec::new()),
-        Behaviour::Machine(machine) => (
-            (0..machine.states.len()).flat_map(|at| links(&p, &Links::of_state(machine, at), Some(at))).collect(),
-            machine.ways.iter().map(|way| transition(&p, way)).collect(),
-        ),
-        Behaviour::Unclear => (links(&p, &Links::of(component.functions()), None), Vec::new()),
+    let transitions: Vec<_> = match behaviour {
+        Behaviour::Step(_) => Vec::new(),
+        Behaviour::Machine(machine) => machine.edges.iter().map(|edge| transition(&p, edge)).collect(),
     };
-    let distinct = distinct(component, behaviour);
+    let distinct: TokenStream = component.functions().map(|function| distinct(component, function)).collect();
+    let (written, count) = (visits.written(), visits.len());
     quote! {
+        const WRITTEN: &'static [#p::WrittenLink] = #written;
         const NODE: #p::Node = {
             #distinct
             #p::Node {
@@ -29,7 +28,9 @@ pub(super) fn expand(component: &Component, behaviour: &Behaviour) -> TokenStrea
                 hz: <Self as #p::Component>::HZ,
                 budget_us: <Self as #p::Component>::BUDGET_US,
                 resume: <Self as #p::Component>::RESUME,
-                links: &[#(#links),*],
+                links: const {
+                    &#p::DistinctLinks::<#count>::of(<Self as #p::MemberOf<__T>>::WRITTEN, <__T as #p::Has<Self>>::INDEX)
+                }.as_slice(),
                 states: <Self as #p::Component>::STATES,
                 transitions: &[#(#transitions),*],
             }
@@ -37,30 +38,32 @@ pub(super) fn expand(component: &Component, behaviour: &Behaviour) -> TokenStrea
     }
 }
 
-/// Two names of one type are two links to one component: the macro sees names, the constant sees types.
-fn distinct(component: &Component, behaviour: &Behaviour) -> TokenStream {
-    if matches!(behaviour, Behaviour::Unclear) {
+/// Two paths to one type in a signature are two links to one component: the macro reads paths, the constant types.
+fn distinct(component: &Component, function: &Function) -> TokenStream {
+    let p = runtime(component);
+    let links: Vec<_> = function.arguments.iter().filter_map(link).collect();
+    if links.len() < 2 {
         return TokenStream::new();
     }
-    let borrowing = component.functions().filter(|function| !function.arguments.is_empty());
-    let each = borrowing.map(|function| {
-        let p = placed(&runtime(component), at(&function.name));
-        let set = call::borrow_set(&p, function);
-        quote_spanned!(at(&function.name) => #p::assert_distinct::<__T, (#p::Write<Self>, #set)>();)
+    let targets = links.iter().map(|(rate, child)| quote!((<__T as #p::Has<#child>>::INDEX, #rate)));
+    let each = links.iter().enumerate().skip(1).map(|(index, (_, child))| {
+        let (p, name) = (placed(&p, at(child)), text::written(child));
+        quote_spanned!(at(child) => #p::assert_single_link(targets, #index, #name);)
     });
-    quote!(#(#each)*)
+    quote!({ let targets = &[#(#targets),*]; #(#each)* })
 }
 
-fn links(p: &TokenStream, links: &Links, state: Option<usize>) -> Vec<TokenStream> {
-    let state = option(state.as_ref());
-    let link = |to: &Type, kind: TokenStream| quote!(#p::Link { to: <__T as #p::Has<#to>>::INDEX, kind: #p::LinkKind::#kind, state: #state });
-    let requirements = links.requirements.iter().map(|to| link(to, quote!(Requirement)));
-    let modulations = links.modulations.iter().map(|to| link(to, quote!(Modulation)));
-    requirements.chain(modulations).collect()
+/// Whether an argument borrows a rate, and of which component.
+fn link(argument: &Argument) -> Option<(bool, &Type)> {
+    match argument {
+        Argument::Read(child) | Argument::Write(child) => Some((false, child)),
+        Argument::Rate(child) => Some((true, child)),
+        Argument::OwnRate | Argument::Time(_) => None,
+    }
 }
 
-fn transition(p: &TokenStream, way: &Way) -> TokenStream {
-    let name = way.condition.name.to_string();
-    let (doc, from, to, after_ms) = (&way.condition.doc, way.from, way.to, option(way.after_ms.as_ref()));
+fn transition(p: &TokenStream, edge: &Edge) -> TokenStream {
+    let name = text::name(&edge.condition.name);
+    let (doc, from, to, after_ms) = (&edge.condition.doc, edge.from, edge.to, option(edge.after_ms.as_ref()));
     quote!(#p::Transition { name: #name, doc: #p::doc(#doc), from: #from, to: #to, after_ms: #after_ms })
 }

@@ -3,14 +3,12 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::{call, wired};
-use crate::language::component::links::Links;
+use super::call;
+use super::visits::Visits;
 use crate::language::component::model::Function;
 
-pub(super) fn expand(p: &TokenStream, step: Option<&Function>) -> TokenStream {
-    let links = Links::of(step.into_iter());
-    let before = wired::visits(p, &links.requirements);
-    let after = wired::visits(p, &links.modulations);
+pub(super) fn expand(p: &TokenStream, step: Option<&Function>, visits: &Visits) -> TokenStream {
+    let (before, after) = (visits.before(0), visits.after(0));
     let call = step.map(|step| call::expand(p, step));
     quote! {
         #before

@@ -8,9 +8,10 @@ use crate::expand::quoting::{at, option, placed};
 use crate::language::text;
 use crate::language::tree::model::Tree;
 
-pub(super) fn expand(tree: &Tree, sound: bool) -> TokenStream {
+pub(super) fn expand(tree: &Tree) -> TokenStream {
     let p = runtime(tree);
-    let (name, root, cycle_hz) = (&tree.name, tree.root, tree.cycle_hz);
+    let (name, root, cycle_hz) = (&tree.name, &tree.root, tree.cycle_hz);
+    let root = quote_spanned!(at(root) => <Self as #p::Has<#root>>::INDEX);
     let label = name.to_string();
     let doc = text::doc(&tree.attributes);
     let budget_ms = option(tree.budget_ms.as_ref());
@@ -18,10 +19,7 @@ pub(super) fn expand(tree: &Tree, sound: bool) -> TokenStream {
         let (kind, label) = (&entry.kind, text::written(&entry.kind));
         quote!(#p::node::<#name, #kind>(#label))
     });
-    let check = sound.then(|| {
-        let p = placed(&p, at(name));
-        quote_spanned!(at(name) => const _: () = #p::check(&<#name as #p::Tree>::GRAPH);)
-    });
+    let check = check(tree, &p);
     quote! {
         #[automatically_derived]
         impl #p::Tree for #name {
@@ -37,4 +35,13 @@ pub(super) fn expand(tree: &Tree, sound: bool) -> TokenStream {
 
         #check
     }
+}
+
+/// The rules for the tree as a whole, unless a component has mistakes of its own.
+fn check(tree: &Tree, p: &TokenStream) -> TokenStream {
+    let name = &tree.name;
+    let kinds = tree.components.iter().map(|entry| &entry.kind);
+    let stubs = quote!(#(#p::is_stub::<#name, #kinds>()),*);
+    let p = placed(p, at(name));
+    quote_spanned!(at(name) => const _: () = #p::check_complete(&<#name as #p::Tree>::GRAPH, &[#stubs]);)
 }

@@ -1,10 +1,10 @@
-//! `impl Has`: where each component is.
+//! `impl Has`: the place of each component.
 
 use proc_macro2::TokenStream;
 use quote::{quote, quote_spanned};
 
 use super::{fields, runtime};
-use crate::expand::quoting::at;
+use crate::expand::quoting::{at, placed};
 use crate::language::tree::model::Tree;
 
 pub(super) fn expand(tree: &Tree) -> TokenStream {
@@ -12,12 +12,13 @@ pub(super) fn expand(tree: &Tree) -> TokenStream {
     let name = &tree.name;
     let each = tree.components.iter().zip(fields(tree)).enumerate().map(|(index, (entry, field))| {
         let kind = &entry.kind;
-        let member = quote_spanned!(at(kind) => type Member = #kind;);
-        quote! {
+        let p = placed(&p, at(kind));
+        let listed = listed(&p, name, index, kind);
+        quote_spanned! {at(kind) =>
             #[doc(hidden)]
             #[automatically_derived]
             impl #p::Has<#kind> for #name {
-                #member
+                type Member = #kind;
                 const INDEX: usize = #index;
 
                 #[inline]
@@ -27,7 +28,21 @@ pub(super) fn expand(tree: &Tree) -> TokenStream {
 
                 #p::visit_functions!(#kind);
             }
+
+            #listed
         }
     });
     quote!(#(#each)*)
+}
+
+/// A component less visible than its tree: the compiler refuses it as an associated type, and points at the list.
+fn listed(p: &TokenStream, name: &proc_macro2::Ident, index: usize, kind: &syn::Type) -> TokenStream {
+    let p = placed(p, at(kind));
+    quote_spanned! {at(kind) =>
+        #[doc(hidden)]
+        #[automatically_derived]
+        impl #p::Lists<#index> for #name {
+            type Component = #kind;
+        }
+    }
 }

@@ -1,16 +1,18 @@
 //! `impl Layout`: how the engine gets at the components.
 
 use proc_macro2::TokenStream;
-use quote::quote;
+use quote::{quote, quote_spanned};
 
 use super::{fields, runtime, slots};
+use crate::expand::quoting::at;
 use crate::language::tree::model::Tree;
 
 pub(super) fn expand(tree: &Tree) -> TokenStream {
     let p = runtime(tree);
     let (name, slots, fields, cycle_hz) = (&tree.name, slots(tree), fields(tree), tree.cycle_hz);
     let count = tree.components.len();
-    let root = &tree.components[tree.root].kind;
+    let root = &tree.root;
+    let root = quote_spanned!(at(root) => <Self as #p::Has<#root>>::visit);
     let kinds: Vec<_> = tree.components.iter().map(|entry| &entry.kind).collect();
     let places: Vec<usize> = (0..count).collect();
     quote! {
@@ -33,7 +35,7 @@ pub(super) fn expand(tree: &Tree) -> TokenStream {
 
             #[inline]
             fn visit_root<__P: #p::Probe>(cycle: &mut #p::Cycle<'_, Self, __P>) {
-                <Self as #p::Has<#root>>::visit(cycle);
+                #root(cycle);
             }
 
             fn visit<__P: #p::Probe>(cycle: &mut #p::Cycle<'_, Self, __P>, index: usize) {

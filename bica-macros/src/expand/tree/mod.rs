@@ -5,18 +5,21 @@ mod has;
 mod layout;
 mod owner;
 mod slots;
+mod stub;
 
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 use crate::language::tree::model::Tree;
 
-/// Everything of a tree; the rules for the tree as a whole are checked if its text has no mistake.
-pub(crate) fn expand(tree: &Tree, sound: bool) -> TokenStream {
+pub(crate) use stub::stub;
+
+/// Everything of a tree.
+pub(crate) fn expand(tree: &Tree) -> TokenStream {
     let owner = owner::expand(tree);
     let slots = slots::expand(tree);
     let layout = layout::expand(tree);
-    let graph = graph::expand(tree, sound);
+    let graph = graph::expand(tree);
     let has = has::expand(tree);
     quote!(#owner #slots #layout #graph #has)
 }

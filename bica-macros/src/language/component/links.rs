@@ -1,59 +1,78 @@
-//! The links of a component, or of one of its states.
+//! The links of a component, or of one of its states, as its signatures write them.
 
 use syn::Type;
 
 use super::model::{Argument, Function, Machine};
 use crate::language::text;
 
-/// The children that are visited before and after.
+/// The kind of a link, from the argument.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Kind {
+    /// `&C`
+    Read,
+    /// `&mut C`
+    Write,
+    /// `&mut Rate<C>`
+    Rate,
+}
+
+/// The children of functions that run together, each type once as far as its text says.
+///
+/// Two texts can name one type. Only the compiler can tell; generated code then drops the link that counts less.
 #[derive(Default)]
 pub(crate) struct Links {
-    pub(crate) requirements: Vec<Type>,
-    pub(crate) modulations: Vec<Type>,
+    list: Vec<(Kind, Type)>,
+    /// Whether two of the links may turn out to be one: within one function that is a mistake, and reported as such.
+    pub(crate) may_coincide: bool,
 }
 
 impl Links {
-    /// The links of functions that run together. What one of them modulates is visited after all of them, also if
+    /// The links of functions that run together. A child that one of them writes is visited after all of them, also if
     /// another reads it.
     pub(crate) fn of<'a>(functions: impl Iterator<Item = &'a Function> + Clone) -> Self {
         let mut links = Self::default();
-        let arguments = functions.flat_map(|function| &function.arguments);
-        for argument in arguments.clone() {
+        let arguments = || functions.clone().flat_map(|function| &function.arguments);
+        for argument in arguments() {
             if let Argument::Write(child) = argument {
-                add(&mut links.modulations, &[], child);
+                links.add(Kind::Write, child);
             }
         }
-        for argument in arguments.clone() {
+        for argument in arguments() {
             if let Argument::Read(child) = argument {
-                add(&mut links.requirements, &links.modulations, child);
+                links.add(Kind::Read, child);
             }
         }
-        for argument in arguments {
+        for argument in arguments() {
             if let Argument::Rate(child) = argument {
-                add(&mut links.modulations, &links.requirements, child);
+                links.add(Kind::Rate, child);
             }
         }
+        let linking = functions.filter(|function| !function.arguments.is_empty()).count();
+        let rates = links.list.iter().any(|(kind, _)| *kind == Kind::Rate);
+        links.may_coincide = links.list.len() > 1 && (linking > 1 || rates);
+        // Requirements come first, as they are visited first.
+        links.list.sort_by_key(|(kind, _)| *kind != Kind::Read);
         links
     }
 
     /// The links of a state: of its body, of its hooks, and of the transitions that leave it.
-    pub(crate) fn of_state(machine: &Machine, state: usize) -> Self {
-        let place = &machine.states[state];
-        let hooks = place.entries.iter().chain(&place.exits);
-        let conditions = machine.ways_from(state).map(|way| &way.condition);
-        Self::of([&place.body].into_iter().chain(hooks).chain(conditions).collect::<Vec<_>>().into_iter())
+    pub(crate) fn of_state(machine: &Machine, index: usize) -> Self {
+        let state = &machine.states[index];
+        let hooks = state.entries.iter().chain(&state.exits);
+        let conditions = machine.edges_from(index).map(|edge| &edge.condition);
+        Self::of([&state.body].into_iter().chain(hooks).chain(conditions).collect::<Vec<_>>().into_iter())
     }
 
-    /// All children.
-    pub(crate) fn children(&self) -> impl Iterator<Item = &Type> {
-        self.requirements.iter().chain(&self.modulations)
+    /// All links, those that read first.
+    pub(crate) fn iter(&self) -> impl Iterator<Item = &(Kind, Type)> {
+        self.list.iter()
     }
-}
 
-/// Adds a child unless it is there or in the other list.
-fn add(list: &mut Vec<Type>, other: &[Type], child: &Type) {
-    let name = text::written(child);
-    if !list.iter().chain(other).any(|known| text::written(known) == name) {
-        list.push(child.clone());
+    /// Adds a child unless it is there.
+    fn add(&mut self, kind: Kind, child: &Type) {
+        let name = text::written(child);
+        if !self.list.iter().any(|(_, known)| text::written(known) == name) {
+            self.list.push((kind, child.clone()));
+        }
     }
 }

@@ -2,9 +2,11 @@
 
 mod arguments;
 mod attributes;
+pub(crate) mod block;
 pub(crate) mod check;
 pub(crate) mod links;
 pub(crate) mod model;
+mod near_miss;
 mod options;
 pub(crate) mod parse;
 mod resolve;

@@ -1,12 +1,14 @@
 //! What was written, and what it means.
 
 use proc_macro2::Ident;
-use syn::{Attribute, ItemImpl, Path, Type};
+use syn::{Attribute, Path, Type};
 
-/// An impl block with `#[component]`, its functions sorted by what they are for.
+use super::block::Block;
+
+/// An impl block with `#[component]`, its functions sorted by their roles.
 pub(crate) struct Component {
     /// The impl block without our attributes.
-    pub(crate) item: ItemImpl,
+    pub(crate) block: Block,
     pub(crate) options: Options,
     pub(crate) doc: String,
     pub(crate) step: Option<Function>,
@@ -16,22 +18,27 @@ pub(crate) struct Component {
     pub(crate) exits: Vec<Hook>,
     pub(crate) starts: Vec<Function>,
     pub(crate) stops: Vec<Function>,
-    /// An attribute of a function could not be read, so that what seems to be missing may be there.
-    pub(crate) gaps: bool,
+    /// Whether an attribute or a function could not be read. What seems to be missing may then be there.
+    pub(crate) incomplete: bool,
 }
 
 impl Component {
-    /// All functions that the tree calls; one with several transitions comes once for each.
+    /// All functions that the tree calls; one with several transitions occurs once for each.
     pub(crate) fn functions(&self) -> impl Iterator<Item = &Function> + Clone {
         let states = self.states.iter().map(|state| &state.function);
         let transitions = self.transitions.iter().map(|transition| &transition.function);
         let hooks = self.entries.iter().chain(&self.exits).map(|hook| &hook.function);
-        let edges = self.starts.iter().chain(&self.stops);
-        self.step.iter().chain(states).chain(transitions).chain(hooks).chain(edges)
+        let activity = self.starts.iter().chain(&self.stops);
+        self.step.iter().chain(states).chain(transitions).chain(hooks).chain(activity)
+    }
+
+    /// The type whose impl block this is.
+    pub(crate) fn own(&self) -> &Type {
+        &self.block.header.self_ty
     }
 }
 
-/// What stands in the parentheses of `#[component(...)]`.
+/// The options in the parentheses of `#[component(...)]`.
 pub(crate) struct Options {
     pub(crate) hz: Option<f32>,
     pub(crate) budget_us: Option<f32>,
@@ -48,15 +55,15 @@ pub(crate) struct Function {
     pub(crate) arguments: Vec<Argument>,
 }
 
-/// What a function is given beside `self`.
+/// An argument beside `self`.
 #[derive(Clone)]
 pub(crate) enum Argument {
     /// `&C`
     Read(Type),
     /// `&mut C`
     Write(Type),
-    /// `&Time`
-    Time,
+    /// `&Time`, by any path
+    Time(Type),
     /// `&mut Rate<C>`
     Rate(Type),
     /// `&mut Rate<Self>`
@@ -74,14 +81,14 @@ pub(crate) struct State {
 /// `#[transition]`
 pub(crate) struct Transition {
     pub(crate) function: Function,
-    pub(crate) from: From,
+    pub(crate) from: Sources,
     pub(crate) to: Ident,
     pub(crate) after_ms: Option<u32>,
     pub(crate) attribute: Attribute,
 }
 
 /// The states that a transition leaves.
-pub(crate) enum From {
+pub(crate) enum Sources {
     /// All but the one that it enters.
     Any,
     These(Vec<Ident>),
@@ -91,35 +98,34 @@ pub(crate) enum From {
 pub(crate) struct Hook {
     pub(crate) function: Function,
     pub(crate) states: Vec<Ident>,
+    pub(crate) attribute: Attribute,
 }
 
-/// What a component does when it runs, names resolved.
+/// What a component does when it runs, with all names resolved.
 pub(crate) enum Behaviour {
-    /// Its step; a component without one only holds what others read and write.
+    /// Its step; a component without one holds what others read and write.
     Step(Option<Function>),
     Machine(Machine),
-    /// Mistakes leave it open; only its links are known, more or less.
-    Unclear,
 }
 
-/// A state machine; states are known by their place in the list.
+/// A state machine; a state is identified by its index.
 pub(crate) struct Machine {
     pub(crate) initial: usize,
-    pub(crate) states: Vec<Place>,
+    pub(crate) states: Vec<MachineState>,
     /// In the order in which they are tried.
-    pub(crate) ways: Vec<Way>,
+    pub(crate) edges: Vec<Edge>,
 }
 
-/// A state with what belongs to it.
-pub(crate) struct Place {
+/// A state with its hooks.
+pub(crate) struct MachineState {
     pub(crate) body: Function,
     pub(crate) last: bool,
     pub(crate) entries: Vec<Function>,
     pub(crate) exits: Vec<Function>,
 }
 
-/// A transition between two states.
-pub(crate) struct Way {
+/// A transition from one state to one other.
+pub(crate) struct Edge {
     pub(crate) condition: Function,
     pub(crate) from: usize,
     pub(crate) to: usize,
@@ -128,7 +134,7 @@ pub(crate) struct Way {
 
 impl Machine {
     /// The transitions that leave a state, in the order in which they are tried.
-    pub(crate) fn ways_from(&self, state: usize) -> impl Iterator<Item = &Way> {
-        self.ways.iter().filter(move |way| way.from == state)
+    pub(crate) fn edges_from(&self, state: usize) -> impl Iterator<Item = &Edge> {
+        self.edges.iter().filter(move |edge| edge.from == state)
     }
 }

@@ -4,49 +4,47 @@ use super::model::{Draft, Entry, Tree};
 use crate::language::report::Report;
 use crate::language::{text, wording};
 
-/// The tree, or `None` if there is too little to generate one.
-pub(crate) fn check(draft: Draft, report: &mut Report) -> Option<Tree> {
-    let Draft { attributes, visibility, name, root, cycle_hz, budget_ms, components, krate } = draft;
-    // Behind an error of the parser nothing is missing: it was not read.
+/// The tree, or `None` with mistakes reported.
+pub(crate) fn check(draft: &Draft, report: &mut Report) -> Option<Tree> {
+    let components = draft.components.as_ref().map(|entries| distinct(entries, report));
+    // After an error of the parser nothing is missing: it was not read.
     if report.is_empty() {
         let gaps = [
-            (root.is_none(), "root", "Name"),
-            (cycle_hz.is_none(), "cycle_hz", "100"),
+            (draft.root.is_none(), "root", "Name"),
+            (draft.cycle_hz.is_none(), "cycle_hz", "100"),
             (components.is_none(), "components", "[Name]"),
         ];
         for (_, key, example) in gaps.into_iter().filter(|(missing, ..)| *missing) {
-            report.add(&name, wording::missing(key, example));
+            report.add(&draft.name, wording::missing(key, example));
+        }
+        if components.as_ref().is_some_and(Vec::is_empty) {
+            report.add(&draft.name, wording::EMPTY_TREE);
         }
     }
-    let components = distinct(components?, report);
-    if components.is_empty() {
-        report.add(&name, wording::EMPTY_TREE);
+    if !report.is_empty() {
         return None;
     }
-    let root = match &root {
-        Some(root) => place(root, &components).unwrap_or_else(|| {
-            report.add(root, wording::root_not_listed(&text::written(root)));
-            0
-        }),
-        None => 0,
-    };
-    let cycle_hz = cycle_hz.unwrap_or(f32::MAX);
-    Some(Tree { attributes, visibility, name, root, cycle_hz, budget_ms, components, krate })
+    Some(Tree {
+        attributes: draft.attributes.clone(),
+        visibility: draft.visibility.clone(),
+        name: draft.name.clone(),
+        root: draft.root.clone()?,
+        cycle_hz: draft.cycle_hz?,
+        budget_ms: draft.budget_ms,
+        components: components?,
+        krate: draft.krate.clone(),
+    })
 }
 
-fn place(kind: &syn::Type, components: &[Entry]) -> Option<usize> {
-    let name = text::written(kind);
-    components.iter().position(|entry| text::written(&entry.kind) == name)
-}
-
-/// Each component once.
-fn distinct(components: Vec<Entry>, report: &mut Report) -> Vec<Entry> {
+/// Each component once. Two paths to one type are left to the compiler.
+fn distinct(components: &[Entry], report: &mut Report) -> Vec<Entry> {
     let mut distinct: Vec<Entry> = Vec::new();
     for entry in components {
-        if place(&entry.kind, &distinct).is_some() {
-            report.add(&entry.kind, wording::listed_twice(&text::written(&entry.kind)));
+        let name = text::written(&entry.kind);
+        if distinct.iter().any(|known| text::written(&known.kind) == name) {
+            report.add(&entry.kind, wording::listed_twice(&name));
         } else {
-            distinct.push(entry);
+            distinct.push(entry.clone());
         }
     }
     distinct

@@ -1,61 +1,112 @@
 //! `root: ..., cycle_hz: ..., budget_ms: ..., components: [...]`
 
-use proc_macro2::Ident;
+use proc_macro2::{Ident, TokenTree};
 use syn::ext::IdentExt;
 use syn::parse::ParseStream;
-use syn::punctuated::Punctuated;
-use syn::{Path, Token, bracketed};
+use syn::{Expr, Path, Token, Type, bracketed, token};
 
 use super::model::{Draft, Entry};
 use crate::language::report::Report;
 use crate::language::{number, text, wording};
 
-const KEYS: [&str; 5] = ["root", "cycle_hz", "budget_ms", "components", "crate"];
+/// The fields that a user may be told of; `crate` is for the crates of the framework.
+const KEYS: [&str; 4] = ["root", "cycle_hz", "budget_ms", "components"];
+const KNOWN: &str = "`root`, `cycle_hz`, `budget_ms` and `components`";
 
-/// Reads the fields of a tree.
+/// Names that a user may try, and the field that was meant.
+const SYNONYMS: [(&str, &str); 8] = [
+    ("hz", "cycle_hz"),
+    ("rate", "cycle_hz"),
+    ("frequency", "cycle_hz"),
+    ("budget", "budget_ms"),
+    ("budget_us", "budget_ms"),
+    ("nodes", "components"),
+    ("children", "components"),
+    ("list", "components"),
+];
+
+/// Reads the fields of a tree; goes on behind one that is wrong.
 pub(super) fn parse(input: ParseStream, draft: &mut Draft, report: &mut Report) -> syn::Result<()> {
     let mut seen: Vec<Ident> = Vec::new();
     while !input.is_empty() {
-        let key = input.call(Ident::parse_any)?;
-        if seen.contains(&key) {
-            report.add(&key, wording::TWICE);
-        }
-        input.parse::<Token![:]>()?;
-        field(input, &key, draft, report)?;
-        seen.push(key);
-        if !input.is_empty() {
-            input.parse::<Token![,]>()?;
+        let read = one(input, &mut seen, draft, report).and_then(|()| comma(input));
+        if let Err(error) = read {
+            report.push(error);
+            skip(input)?;
         }
     }
     Ok(())
 }
 
-fn field(input: ParseStream, key: &Ident, draft: &mut Draft, report: &mut Report) -> syn::Result<()> {
-    match key.to_string().as_str() {
-        "root" => draft.root = Some(input.parse()?),
-        // A rate that is no number is one mistake; that the tree then has no rate is not another.
-        "cycle_hz" => draft.cycle_hz = number::positive(&input.parse()?, "cycle_hz", report).or(Some(f32::MAX)),
-        "budget_ms" => draft.budget_ms = number::positive(&input.parse()?, "budget_ms", report),
-        "components" => {
-            let content;
-            bracketed!(content in input);
-            let entries = Punctuated::<Entry, Token![,]>::parse_terminated(&content)?;
-            draft.components = Some(entries.into_iter().collect());
-        }
-        "crate" => draft.krate = input.call(Path::parse_mod_style)?,
-        other => {
-            let nearest = text::nearest(other, KEYS.into_iter());
-            let known = "`root`, `cycle_hz`, `budget_ms` and `components`";
-            return Err(syn::Error::new(key.span(), wording::unknown_key(other, nearest, known)));
+fn comma(input: ParseStream) -> syn::Result<()> {
+    if input.is_empty() {
+        return Ok(());
+    }
+    input.parse::<Token![,]>().map(|_| ()).map_err(|found| syn::Error::new(found.span(), wording::COMMA))
+}
+
+/// Goes on before the next name of a field.
+fn skip(input: ParseStream) -> syn::Result<()> {
+    while !input.is_empty() && !at_a_field(input) {
+        input.parse::<TokenTree>()?;
+    }
+    Ok(())
+}
+
+fn at_a_field(input: ParseStream) -> bool {
+    let separated = (input.peek2(Token![:]) && !input.peek2(Token![::])) || input.peek2(Token![=]);
+    input.peek(syn::Ident) && separated
+}
+
+fn one(input: ParseStream, seen: &mut Vec<Ident>, draft: &mut Draft, report: &mut Report) -> syn::Result<()> {
+    let key = input.call(Ident::parse_any).map_err(|found| syn::Error::new(found.span(), wording::FIELD_NAME))?;
+    let name = key.to_string();
+    if seen.contains(&key) {
+        report.add(&key, wording::TWICE);
+    }
+    if name != "crate" && !KEYS.contains(&name.as_str()) {
+        return Err(unknown(&key, &name));
+    }
+    seen.push(key);
+    input.parse::<Token![:]>().map_err(|found| syn::Error::new(found.span(), wording::colon(&name)))?;
+    match name.as_str() {
+        "root" => draft.root = Some(component(input)?),
+        "cycle_hz" => draft.cycle_hz = number::positive(&value(input, &name)?, &name, report),
+        "budget_ms" => draft.budget_ms = number::positive(&value(input, &name)?, &name, report),
+        "components" => components(input, draft, report)?,
+        _ => draft.krate = input.call(Path::parse_mod_style)?,
+    }
+    Ok(())
+}
+
+fn value(input: ParseStream, key: &str) -> syn::Result<Expr> {
+    input.parse().map_err(|found: syn::Error| syn::Error::new(found.span(), wording::no_number(key)))
+}
+
+fn component(input: ParseStream) -> syn::Result<Type> {
+    input.parse().map_err(|found: syn::Error| syn::Error::new(found.span(), wording::COMPONENT_TYPE))
+}
+
+fn components(input: ParseStream, draft: &mut Draft, report: &mut Report) -> syn::Result<()> {
+    if !input.peek(token::Bracket) {
+        return Err(input.error(wording::COMPONENT_LIST));
+    }
+    let content;
+    bracketed!(content in input);
+    let entries = draft.components.insert(Vec::new());
+    while !content.is_empty() {
+        let kind = component(&content)?;
+        let value = if content.parse::<Option<Token![=]>>()?.is_some() { Some(content.parse()?) } else { None };
+        entries.push(Entry { kind, value });
+        if let Err(error) = comma(&content) {
+            report.push(error);
         }
     }
     Ok(())
 }
 
-impl syn::parse::Parse for Entry {
-    fn parse(input: ParseStream) -> syn::Result<Self> {
-        let kind = input.parse()?;
-        let value = if input.parse::<Option<Token![=]>>()?.is_some() { Some(input.parse()?) } else { None };
-        Ok(Self { kind, value })
-    }
+fn unknown(key: &Ident, written: &str) -> syn::Error {
+    let synonym = SYNONYMS.iter().find(|(other, _)| *other == written).map(|(_, field)| *field);
+    let nearest = synonym.or_else(|| text::nearest(written, KEYS.into_iter()));
+    syn::Error::new(key.span(), wording::unknown_key(written, nearest, KNOWN))
 }

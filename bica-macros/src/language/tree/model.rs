@@ -1,4 +1,4 @@
-//! What a tree says.
+//! The content of a tree.
 
 use proc_macro2::Ident;
 use syn::{Attribute, Expr, Path, Type, Visibility};
@@ -16,13 +16,13 @@ pub(crate) struct Draft {
     pub(crate) krate: Path,
 }
 
-/// A tree that can be generated.
+/// A tree without mistakes in its text.
 pub(crate) struct Tree {
     pub(crate) attributes: Vec<Attribute>,
     pub(crate) visibility: Visibility,
     pub(crate) name: Ident,
-    /// The root's place in `components`.
-    pub(crate) root: usize,
+    /// The root as written, which may be another path to a type of the list.
+    pub(crate) root: Type,
     pub(crate) cycle_hz: f32,
     pub(crate) budget_ms: Option<f32>,
     pub(crate) components: Vec<Entry>,
@@ -33,6 +33,6 @@ pub(crate) struct Tree {
 #[derive(Clone)]
 pub(crate) struct Entry {
     pub(crate) kind: Type,
-    /// What makes it, if not `new()`.
+    /// The initial value, if not `new()`.
     pub(crate) value: Option<Expr>,
 }

@@ -1,24 +1,26 @@
-//! What a component is, by its links.
+//! Kinds of components, by their links.
 
 use bica::graph::{Graph, LinkKind};
 
-/// What a component is.
+/// Kind of a component.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
-    /// Has states.
+    /// A state machine.
     Machine,
-    /// Writes others; or is the root.
+    /// Modulates other components, or is the root.
     Controller,
-    /// Writes no other.
+    /// Modulates no other component.
     Perception,
-    /// Is written and activates nothing.
+    /// Is modulated and activates nothing.
     Actuation,
 }
 
 impl Kind {
+    /// All kinds, in the order of a legend.
     pub const ALL: [Self; 4] = [Self::Machine, Self::Controller, Self::Perception, Self::Actuation];
 
-    /// The kind of the component with this index.
+    /// Returns the kind of the component with this index.
+    #[must_use]
     pub fn of(graph: &Graph, index: usize) -> Self {
         let node = &graph.nodes[index];
         let is_modulation = |kind: LinkKind| kind == LinkKind::Modulation;
@@ -35,7 +37,9 @@ impl Kind {
         }
     }
 
-    pub fn name(self) -> &'static str {
+    /// The name in a legend.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
         match self {
             Self::Machine => "state machine",
             Self::Controller => "controller",
@@ -44,8 +48,9 @@ impl Kind {
         }
     }
 
-    /// Fill and border.
-    pub fn colours(self) -> (&'static str, &'static str) {
+    /// Colours of fill and border, `#rrggbb`.
+    #[must_use]
+    pub const fn colours(self) -> (&'static str, &'static str) {
         match self {
             Self::Machine => ("#fde3b0", "#d4860b"),
             Self::Controller => ("#cfe3ff", "#3b7dd8"),

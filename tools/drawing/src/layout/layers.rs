@@ -1,43 +1,53 @@
-//! Which box is in which row and where in it: rows by the longest way from the root, sorted so that few lines cross.
+//! Layers of a drawing: the layer of a component by its longest path from the root, the order in a layer by the
+//! barycentre heuristic.
 
 use std::collections::BTreeMap;
 
 use bica::check::{CAPACITY, ranks};
 use bica::graph::{Graph, LinkKind};
 
-/// How often the rows are sorted by their neighbours.
+/// Number of sorting passes over the layers.
 const SWEEPS: usize = 24;
 
-/// What has a place in a row.
+/// Node of the layered graph.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Item {
-    /// A component.
+    /// The component with this index.
     Component(usize),
-    /// Where the lines to a component further below pass.
-    Passage,
+    /// A dummy node: a link passes through this layer to a lower one.
+    Dummy,
 }
 
-/// A stretch of one or more links between neighbouring rows, with indices of items.
+/// Part of one or more links between neighbouring layers, from item to item.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Segment {
+    /// Index of the item in the upper layer.
     pub upper: usize,
+    /// Index of the item in the lower layer.
     pub lower: usize,
-    /// Whether the link leads up, which only happens in a cycle.
+    /// Whether the link leads to the upper item, which only happens in a cycle.
     pub upward: bool,
+    /// Kind of the links.
     pub kind: LinkKind,
 }
 
-/// The rows of a drawing.
+/// Layers of a drawing.
 #[derive(Debug)]
 pub struct Layers {
-    /// The components in the order of the tree, and behind them the passages.
+    /// The components in the order of the tree, then the dummy nodes.
     pub items: Vec<Item>,
+    /// All segments, sorted, without duplicates.
     pub segments: Vec<Segment>,
-    /// The items of each row from left to right.
+    /// The items of each layer, from left to right.
     pub rows: Vec<Vec<usize>>,
 }
 
 impl Layers {
+    /// Layers of a graph.
+    ///
+    /// # Panics
+    /// If the graph has more than [`CAPACITY`] components.
+    #[must_use]
     pub fn new(graph: &Graph) -> Self {
         let depths = depths(graph);
         let count = depths.iter().max().map_or(0, |depth| depth + 1);
@@ -52,9 +62,9 @@ impl Layers {
         layers
     }
 
-    /// Leads all links down from row to row. Links of one kind to one component share their passages.
+    /// Splits all links into segments. Links of one kind to one component share their dummy nodes.
     fn connect(&mut self, graph: &Graph, depths: &[usize]) {
-        let mut passages = BTreeMap::new();
+        let mut dummies = BTreeMap::new();
         for (from, node) in graph.nodes.iter().enumerate() {
             for link in node.links.iter().filter(|link| link.to != from) {
                 let upward = depths[link.to] < depths[from];
@@ -62,8 +72,8 @@ impl Layers {
                 let mut upper = top;
                 for row in depths[top] + 1..depths[bottom] {
                     let key = (bottom, row, link.kind == LinkKind::Modulation, upward.then_some(top));
-                    let lower = *passages.entry(key).or_insert_with(|| {
-                        self.items.push(Item::Passage);
+                    let lower = *dummies.entry(key).or_insert_with(|| {
+                        self.items.push(Item::Dummy);
                         self.rows[row].push(self.items.len() - 1);
                         self.items.len() - 1
                     });
@@ -77,7 +87,8 @@ impl Layers {
         self.segments.dedup();
     }
 
-    /// Sorts each row by where its neighbours in the rows above and below are, and keeps the best that was seen.
+    /// Sorts the layers by the mean position of their neighbours above and below, in turn, and keeps the order with the
+    /// fewest crossings.
     fn sort(&mut self) {
         let mut best = (self.crossings(), self.rows.clone());
         for sweep in 0..SWEEPS {
@@ -106,13 +117,13 @@ impl Layers {
         self.rows[row] = sorted.into_iter().map(|(_, item)| item).collect();
     }
 
-    /// The items above, or below, with a line to this one.
+    /// Returns the items above (`upper`) or below that a segment connects to this one.
     pub fn neighbours(&self, item: usize, upper: bool) -> impl Iterator<Item = usize> {
         let ends = self.segments.iter().map(move |s| if upper { (s.lower, s.upper) } else { (s.upper, s.lower) });
         ends.filter(move |&(this, _)| this == item).map(|(_, other)| other)
     }
 
-    /// Where each item is in its row, from 0 to 1.
+    /// Position of each item in its layer, 0 to 1.
     fn places(&self) -> Vec<f64> {
         let mut places = vec![0.0; self.items.len()];
         for row in &self.rows {
@@ -123,7 +134,7 @@ impl Layers {
         places
     }
 
-    /// How many pairs of lines cross.
+    /// Number of pairs of segments that cross.
     fn crossings(&self) -> usize {
         let places = self.places();
         let mut row_of = vec![0; self.items.len()];
@@ -137,7 +148,7 @@ impl Layers {
     }
 }
 
-/// The row of each component: below all its activators, and at the bottom if it activates nothing. Links that close a
+/// Layer of each component: below all its activators, and the lowest one if it activates nothing. Links that close a
 /// cycle lead up.
 fn depths(graph: &Graph) -> Vec<usize> {
     let ranks: [usize; CAPACITY] = ranks(graph.nodes);

@@ -1,6 +1,12 @@
-//! The layout of an activation tree: which component is where, and which way its links take.
+//! Layered layout of an activation tree (after Sugiyama): layers, crossing reduction, coordinates, and the route of each
+//! link.
 
-pub mod kind;
-pub mod layers;
-pub mod place;
-pub mod routes;
+mod kind;
+mod layers;
+mod placement;
+mod routes;
+
+pub use kind::Kind;
+pub use layers::{Item, Layers, Segment};
+pub use placement::{BOX_HEIGHT, BOX_WIDTH, Placement};
+pub use routes::routes;

@@ -1,10 +1,11 @@
-//! Which stretches of the drawing belong to a link.
+//! Route of each link through the layers.
 
 use bica::graph::Graph;
 
-use crate::layout::layers::{Item, Layers, Segment};
+use super::{Item, Layers, Segment};
 
-/// For each component and each of its links the stretches on the way, as indices of [`Layers::segments`].
+/// Returns, for each component and each of its links, the segments of its route as indices of [`Layers::segments`].
+#[must_use]
 pub fn routes(graph: &Graph, layers: &Layers) -> Vec<Vec<Vec<usize>>> {
     let of_node = |from: usize| {
         let links = graph.nodes[from].links.iter();
@@ -12,8 +13,9 @@ pub fn routes(graph: &Graph, layers: &Layers) -> Vec<Vec<Vec<usize>>> {
             .map(|link| {
                 let leaves = |segment: &Segment| segment.upper == from && segment.kind == link.kind;
                 let starts = (0..layers.segments.len()).filter(|&index| leaves(&layers.segments[index]));
-                let mut ways = starts.map(|start| follow(layers, start));
-                ways.find(|way| way.last().is_some_and(|&end| layers.segments[end].lower == link.to))
+                let mut routes = starts.map(|start| follow(layers, start));
+                routes
+                    .find(|route| route.last().is_some_and(|&end| layers.segments[end].lower == link.to))
                     .unwrap_or_default()
             })
             .collect()
@@ -21,16 +23,16 @@ pub fn routes(graph: &Graph, layers: &Layers) -> Vec<Vec<Vec<usize>>> {
     (0..graph.nodes.len()).map(of_node).collect()
 }
 
-/// A stretch and those below it, to the component at which they end.
+/// Returns a segment and those that continue it down to a component.
 fn follow(layers: &Layers, start: usize) -> Vec<usize> {
-    let mut way = vec![start];
+    let mut route = vec![start];
     let mut end = layers.segments[start].lower;
-    while layers.items[end] == Item::Passage {
+    while layers.items[end] == Item::Dummy {
         let Some(next) = layers.segments.iter().position(|segment| segment.upper == end) else { break };
-        way.push(next);
+        route.push(next);
         end = layers.segments[next].lower;
     }
-    way
+    route
 }
 
 #[cfg(test)]
@@ -45,7 +47,7 @@ mod tests {
         Node { name, doc: "", hz: None, budget_us: None, resume: false, links, states, transitions }
     }
 
-    /// `Top` reads and writes `Low`, past `Middle`.
+    /// `Top` reads and modulates `Low`, past `Middle`.
     const BOTH: Graph = {
         const READ: LinkKind = LinkKind::Requirement;
         const WRITE: LinkKind = LinkKind::Modulation;
@@ -61,7 +63,7 @@ mod tests {
     };
 
     #[test]
-    fn every_link_has_a_way_from_its_owner_down_to_its_end() {
+    fn routes_lead_from_the_owner_of_a_link_to_its_target() {
         for graph in [&Forward::GRAPH, &BOTH] {
             let layers = Layers::new(graph);
             for (from, (node, ways)) in graph.nodes.iter().zip(routes(graph, &layers)).enumerate() {

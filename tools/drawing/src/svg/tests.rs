@@ -1,16 +1,14 @@
-//! The picture of random graphs: complete, nothing on top of another, nothing outside.
+//! Drawings of random graphs: complete, without overlaps, inside their bounds.
 
 use bica::graph::{Graph, Link, LinkKind, Node, State};
 
 use super::svg;
-use crate::layout::kind::Kind;
-use crate::layout::layers::{Item, Layers};
-use crate::layout::place::{BOX_HEIGHT, BOX_WIDTH, Places};
+use crate::layout::{BOX_HEIGHT, BOX_WIDTH, Item, Kind, Layers, Placement};
 
-/// Numbers that look random: a linear congruential generator (Knuth's MMIX).
-struct Dice(u64);
+/// Linear congruential generator (Knuth's MMIX).
+struct Rng(u64);
 
-impl Dice {
+impl Rng {
     fn below(&mut self, end: usize) -> usize {
         self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (self.0 >> 33) as usize % end
@@ -26,16 +24,16 @@ fn graph(nodes: Vec<Node>) -> Graph {
     Graph { name: "Tree", doc: "", cycle_hz: 100.0, budget_ms: None, root: 0, nodes: nodes.leak() }
 }
 
-/// A graph with or without cycles.
+/// Returns a random graph, with or without cycles.
 fn random(seed: u64, cyclic: bool) -> Graph {
-    let mut dice = Dice(seed);
-    let count = 1 + dice.below(20);
+    let mut rng = Rng(seed);
+    let count = 1 + rng.below(20);
     let nodes = (0..count).map(|from| {
         let first = if cyclic { 0 } else { from + 1 };
-        let links = if first < count { dice.below(5) } else { 0 };
+        let links = if first < count { rng.below(5) } else { 0 };
         let mut link = || Link {
-            to: first + dice.below(count - first),
-            kind: if dice.below(2) == 0 { LinkKind::Requirement } else { LinkKind::Modulation },
+            to: first + rng.below(count - first),
+            kind: if rng.below(2) == 0 { LinkKind::Requirement } else { LinkKind::Modulation },
             state: None,
         };
         node("A<B> & \"C\"", (0..links).map(|_| link()).collect(), &[])
@@ -44,15 +42,15 @@ fn random(seed: u64, cyclic: bool) -> Graph {
 }
 
 #[test]
-fn boxes_keep_apart_and_inside() {
+fn boxes_do_not_overlap_and_lie_inside_the_drawing() {
     for seed in 0..200 {
         let layers = Layers::new(&random(seed, seed % 2 == 0));
-        let places = Places::new(&layers);
-        let boxes: Vec<_> = (0..layers.items.len()).map(|item| (places.of(item), layers.items[item])).collect();
+        let placement = Placement::new(&layers);
+        let boxes: Vec<_> = (0..layers.items.len()).map(|item| (placement.of(item), layers.items[item])).collect();
         for (index, &((x, y), item)) in boxes.iter().enumerate() {
-            let half = if item == Item::Passage { 0.0 } else { BOX_WIDTH / 2.0 };
-            assert!(x - half > 0.0 && x + half < places.width, "seed {seed}");
-            assert!(y > 0.0 && y + BOX_HEIGHT < places.height, "seed {seed}");
+            let half = if item == Item::Dummy { 0.0 } else { BOX_WIDTH / 2.0 };
+            assert!(x - half > 0.0 && x + half < placement.width, "seed {seed}");
+            assert!(y > 0.0 && y + BOX_HEIGHT < placement.height, "seed {seed}");
             for &((other, row), _) in &boxes[index + 1..] {
                 assert!((y - row).abs() > BOX_HEIGHT || (x - other).abs() > half, "seed {seed}");
             }
@@ -61,7 +59,7 @@ fn boxes_keep_apart_and_inside() {
 }
 
 #[test]
-fn every_link_leads_from_its_activator_to_its_end() {
+fn segments_lead_from_the_owner_of_each_link_to_its_target() {
     for seed in 0..200 {
         let graph = random(seed, seed % 2 == 0);
         let layers = Layers::new(&graph);
@@ -75,7 +73,7 @@ fn every_link_leads_from_its_activator_to_its_end() {
                             if segment.lower == to {
                                 return true;
                             }
-                            if layers.items[segment.lower] == Item::Passage {
+                            if layers.items[segment.lower] == Item::Dummy {
                                 reached.push(segment.lower);
                             }
                         }
@@ -89,7 +87,7 @@ fn every_link_leads_from_its_activator_to_its_end() {
 }
 
 #[test]
-fn drawing_is_complete_and_escaped() {
+fn a_drawing_names_every_component_and_escapes_text() {
     for seed in 0..100 {
         let graph = random(seed, seed % 2 == 0);
         let drawn = svg(&graph);
@@ -102,7 +100,7 @@ fn drawing_is_complete_and_escaped() {
 }
 
 #[test]
-fn kinds_follow_from_links() {
+fn the_kind_of_a_component_follows_from_its_links() {
     let link = |to, kind| Link { to, kind, state: None };
     let (read, write) = (LinkKind::Requirement, LinkKind::Modulation);
     let states = &[State { name: "only", doc: "", initial: true, last: true }];

@@ -1,54 +1,53 @@
-//! Thresholds from samples: one bound after the other is put where F3 is best.
+//! Thresholds from samples by coordinate ascent: each bound in turn moves to the best F3 score.
 //!
-//! F3 is a mean of precision and recall in which recall weighs nine times as much: what looks like a class but is none
-//! the detectors reject by its shape, what is left out they cannot find again. Where a bound may be anywhere in a range
-//! it is put in the middle between the class and the others; and where no others are near, a margin away from the class,
-//! as other images have other light.
+//! F3 weighs recall nine times as much as precision: detectors reject false pixels by the shape of their region, but cannot
+//! recover missed ones. Where a range of bounds has the same score, the bound lies in its middle; where no other class is
+//! near, it keeps a margin for other light.
 
 use bica_vision::colour::{Colour, Filter};
 use bica_vision::frame::Pixel;
 
-/// Bounds are moved in turn, at most this often.
+/// Largest number of passes over the bounds.
 const ROUNDS: usize = 12;
-/// F3 that is not worth a narrower margin.
-const SAME: f64 = 0.0005;
-/// How much more recall weighs than precision.
-const RECALL: f64 = 9.0;
-/// The part of a class that may be outside of the first bounds at each end.
-const OUTSIDE: f64 = 0.01;
+/// Difference of F3 that counts as equal.
+const SAME_SCORE: f64 = 0.0005;
+/// Weight of recall relative to precision.
+const RECALL_WEIGHT: f64 = 9.0;
+/// Share of a class outside the initial bounds at each end.
+const INITIAL_OUTSIDE: f64 = 0.01;
 
-/// A sample of one class or of none, with what bounds are on.
+/// Sample in the coordinates of the bounds.
 #[derive(Clone, Copy, Debug)]
-pub struct Point {
-    /// hue (degrees from the class's middle), saturation (percent), luma, chroma.
+pub(super) struct Point {
+    /// Hue (degrees from the mean of the class), saturation (percent), luma, chroma.
     values: [f32; 4],
-    /// Weight, if it is of the class.
+    /// Weight if the sample is of the class, else 0.
     good: f64,
-    /// Weight, if it is not.
+    /// Weight if the sample is of another class, else 0.
     bad: f64,
 }
 
-/// A class's own way to look at pixels: hue counts from its middle.
+/// Coordinates of a class: hue is relative to its mean.
 #[derive(Clone, Copy, Debug)]
-pub struct Axes {
+pub(super) struct Axes {
     middle: f32,
 }
 
-/// A side of one quantity.
+/// One side of the range of a quantity.
 #[derive(Clone, Copy, Debug)]
 struct Bound {
-    /// Which of the values.
+    /// Index of the quantity.
     value: usize,
-    /// Whether it is the most that passes, not the least.
+    /// Whether this is the upper bound.
     is_upper: bool,
-    /// How far it may be from the class, by where that ends.
+    /// Largest distance from the class, by the end of the class.
     margin: fn(i32) -> i32,
 }
 
-/// What each value can be; a saturation of 400 % is as good as any above.
+/// Range of each quantity; saturation is clipped at 400 %.
 const LIMITS: [(i32, i32); 4] = [(-89, 89), (0, 400), (0, 255), (0, 181)];
 
-/// Hue, then the others. Exposure changes luma, and with it chroma, most.
+/// Bounds of a coloured class. The margins of luma and chroma are wide because they vary with exposure.
 const BOUNDS: [Bound; 6] = [
     Bound { value: 0, is_upper: false, margin: |_| 10 },
     Bound { value: 0, is_upper: true, margin: |_| 10 },
@@ -58,26 +57,26 @@ const BOUNDS: [Bound; 6] = [
     Bound { value: 2, is_upper: true, margin: |edge| edge / 3 },
 ];
 
-/// White has no hue: grey is what it is.
+/// Bounds of white: low saturation, high luma.
 const BOUNDS_OF_WHITE: [Bound; 2] = [
     Bound { value: 1, is_upper: true, margin: |edge| edge / 3 },
     Bound { value: 2, is_upper: false, margin: |edge| edge / 3 },
 ];
 
-/// Thresholds as ranges of the values.
+/// Thresholds as ranges of the quantities.
 type Box4 = [(i32, i32); 4];
 
 impl Axes {
-    /// By the mean chroma of a class.
-    pub fn of(class: impl Iterator<Item = (Pixel, f32)>) -> Self {
+    /// Coordinates by the mean chroma of the samples of a class.
+    pub(super) fn of(class: impl Iterator<Item = (Pixel, f32)>) -> Self {
         let mean = class.fold((0.0, 0.0), |(b, r), (pixel, weight)| {
             (b + weight * (f32::from(pixel.cb) - 128.0), r + weight * (f32::from(pixel.cr) - 128.0))
         });
         Self { middle: mean.1.atan2(mean.0).to_degrees().round() }
     }
 
-    /// A sample as the bounds see it.
-    pub fn point(self, pixel: Pixel, weight: f32, is_of_class: bool) -> Point {
+    /// Converts a sample.
+    pub(super) fn point(self, pixel: Pixel, weight: f32, is_of_class: bool) -> Point {
         let (b, r) = (f32::from(pixel.cb) - 128.0, f32::from(pixel.cr) - 128.0);
         let chroma = b.hypot(r);
         let hue = (r.atan2(b).to_degrees() - self.middle + 540.0).rem_euclid(360.0) - 180.0;
@@ -88,8 +87,8 @@ impl Axes {
     }
 }
 
-/// The best thresholds for the points of a class against the others; none without a point of the class.
-pub fn fit(class: Colour, axes: Axes, points: &[Point]) -> Option<Filter> {
+/// Returns the best thresholds of a class; none without a point of the class.
+pub(super) fn fit(class: Colour, axes: Axes, points: &[Point]) -> Option<Filter> {
     let bounds: &[Bound] = if class == Colour::White { &BOUNDS_OF_WHITE } else { &BOUNDS };
     let first = start(bounds, points)?;
     let mut ranges = first;
@@ -105,7 +104,7 @@ pub fn fit(class: Colour, axes: Axes, points: &[Point]) -> Option<Filter> {
     Some(filter(class, axes, &ranges))
 }
 
-/// Around nearly all points of the class.
+/// Initial ranges: around nearly all points of the class.
 fn start(bounds: &[Bound], points: &[Point]) -> Option<Box4> {
     let total: f64 = points.iter().map(|point| point.good).sum();
     let mut ranges = LIMITS;
@@ -119,7 +118,7 @@ fn start(bounds: &[Bound], points: &[Point]) -> Option<Box4> {
         let mut outside = 0.0;
         let inner = values.iter().find(|(_, weight)| {
             outside += weight;
-            outside > OUTSIDE * total
+            outside > INITIAL_OUTSIDE * total
         });
         bound.set(&mut ranges, bound.round(inner?.0));
     }
@@ -127,7 +126,7 @@ fn start(bounds: &[Bound], points: &[Point]) -> Option<Box4> {
 }
 
 impl Bound {
-    /// The tightest whole bound that a value passes.
+    /// Tightest whole bound that accepts a value.
     fn round(self, value: f32) -> i32 {
         if self.is_upper { value.ceil() as i32 } else { value.floor() as i32 }
     }
@@ -141,12 +140,12 @@ impl Bound {
         *(if self.is_upper { &mut side.1 } else { &mut side.0 }) = to;
     }
 
-    /// Puts it in the middle of where F3 is as good as anywhere, the other bounds left where they are.
+    /// Moves the bound to the middle of the range with the best F3, with the other bounds fixed.
     fn improve(self, ranges: &mut Box4, first: &Box4, points: &[Point]) {
         let (low, high) = LIMITS[self.value];
         let mut open = *ranges;
         self.set(&mut open, if self.is_upper { high } else { low });
-        // Counted by how tight the bound must be to keep a point out, so that a sum tells what passes each bound.
+        // Weights by the tightness that rejects a point: a suffix sum gives what each bound accepts.
         let tightness = |at: i32| (if self.is_upper { high - at } else { at - low }) as usize;
         let mut passing = vec![(0.0, 0.0); (high - low) as usize + 1];
         let mut missed = 0.0;
@@ -166,14 +165,14 @@ impl Bound {
             .rev()
             .map(|(more_good, more_bad)| {
                 (good, bad) = (good + more_good, bad + more_bad);
-                (1.0 + RECALL) * good / (RECALL * total + good + bad).max(1e-9)
+                (1.0 + RECALL_WEIGHT) * good / (RECALL_WEIGHT * total + good + bad).max(1e-9)
             })
             .collect();
         scores.reverse();
         let edge = self.get(first);
         let loosest = tightness(edge).saturating_sub((self.margin)(edge) as usize);
         let best = scores[loosest..].iter().copied().fold(0.0, f64::max);
-        let is_best = |place: &usize| scores[*place] >= best - SAME;
+        let is_best = |place: &usize| scores[*place] >= best - SAME_SCORE;
         let Some(from) = (loosest..scores.len()).find(is_best) else { return };
         let to = (from..scores.len()).take_while(is_best).last().unwrap_or(from);
         let place = if from == loosest { from } else { usize::midpoint(from, to) } as i32;

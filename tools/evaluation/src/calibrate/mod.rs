@@ -1,6 +1,6 @@
-//! `player calibrate`: colour classes learned from labelled images.
+//! Colour calibration: thresholds of the classes, fitted to labelled images.
 
-mod blocks;
+mod cross_validation;
 mod fit;
 mod rectangles;
 mod report;
@@ -11,60 +11,63 @@ use std::path::{Path, PathBuf};
 use bica_vision::colour::{Colour, Filter, Filters};
 use bica_vision::frame::Frame;
 
-use crate::frame_io::{self, Recorded};
+use crate::frame_io::{self, RecordedFrame};
 use crate::labels::{Labels, own_folder};
 use crate::profile;
 use bica_console::{Console, Failure, Outcome, interrupt};
-use blocks::{Learned, guarded, learn};
+use cross_validation::{FittedClass, fit_class, with_raised_saturation};
 use rectangles::Rectangle;
 use report::Report;
 use samples::{Sample, Samples};
 
-/// What was learned of each class, in the order of decision.
-type Lessons = [(Colour, Option<Learned>); 5];
+/// Fitted classes, in the order of decision; none without a sample.
+type FittedClasses = [(Colour, Option<FittedClass>); 5];
 
-/// What to learn from, and where the profile goes.
+/// Inputs and output of a calibration.
 #[derive(Clone, Debug)]
-pub struct Calibrate {
-    /// The folder with the images.
+pub struct CalibrationOptions {
+    /// Folder with the images.
     pub folder: PathBuf,
     /// Files with rectangles of one class each.
     pub rectangles: Vec<PathBuf>,
-    /// A file with labelled balls and goals.
+    /// File with labelled balls and goals.
     pub labels: Option<PathBuf>,
-    /// The profile, by name or file, that classes without labels are taken from.
+    /// Profile, by name or file, whose classes are kept where there are no labels.
     pub base: String,
-    /// The file that the profile is written to.
+    /// File to write the profile to.
     pub out: Option<PathBuf>,
 }
 
-/// Learns a profile from the images of a folder, tells how good it is, and writes it.
-pub fn run(args: &Calibrate, console: Console) -> Result<Outcome, Failure> {
+/// Fits a profile to the images of a folder, prints its cross-validated quality, and writes it.
+///
+/// # Errors
+/// If an input cannot be read, there are no labels, or the profile cannot be written.
+pub fn run(args: &CalibrationOptions, console: Console) -> Result<Outcome, Failure> {
     let base = profile::load(&args.base)?;
-    let mut teachers = Teachers::read(args)?;
-    let samples = teachers.teach(&args.folder)?;
+    let mut data = TrainingData::read(args)?;
+    let samples = data.collect_samples(&args.folder)?;
     if interrupt::requested() {
         return Ok(Outcome::Interrupted);
     }
-    let samples = samples.weighed();
-    let lessons = base.in_order().map(|(class, _)| (class, learn(class, &samples)));
-    let filters = put_together(&base, &lessons, &samples);
-    let report = Report::new(args, &teachers, &lessons);
+    let samples = samples.weighted();
+    let classes = base.in_order().map(|(class, _)| (class, fit_class(class, &samples)));
+    let filters = merge(&base, &classes, &samples);
+    let report = Report::new(args, &data, &classes);
     if let Some(path) = &args.out {
         let text = profile::write(&filters, &report.notes());
-        let mend = "name a file in a folder that can be written to, with --out";
-        std::fs::write(path, text).map_err(|error| Failure::of_path("write the profile", path, &error, mend))?;
+        let help = "name a file in a folder that can be written to, with --out";
+        std::fs::write(path, text).map_err(|error| Failure::of_path("write the profile", path, &error, help))?;
     }
-    report.tell(console)?;
-    Ok(if lessons.iter().any(|(_, learned)| learned.is_some()) { Outcome::Success } else { Outcome::Unsuccessful })
+    report.print(console)?;
+    Ok(if classes.iter().any(|(_, fitted)| fitted.is_some()) { Outcome::Success } else { Outcome::Unsuccessful })
 }
 
-fn put_together(base: &Filters, lessons: &Lessons, samples: &[Sample]) -> Filters {
-    let learned = |class| lessons.iter().find(|(of, _)| *of == class).and_then(|(_, learned)| learned.as_ref());
+fn merge(base: &Filters, classes: &FittedClasses, samples: &[Sample]) -> Filters {
+    let fitted = |class| classes.iter().find(|(of, _)| *of == class).and_then(|(_, fitted)| fitted.as_ref());
     let filter = |class, base: Filter| {
-        // White is all that is grey: walls, robots, and what else stands around.
-        let kept = || if class == Colour::White { base } else { guarded(class, &base, samples) };
-        learned(class).map_or_else(kept, |learned| learned.filter)
+        // Walls and robots are grey too, so a raised saturation would reject nothing.
+        let kept = || if class == Colour::White { base } else { with_raised_saturation(class, &base, samples) };
+        fitted(class).map_or_else(kept, |fitted| fitted.filter)
     };
     Filters {
         orange: filter(Colour::Orange, base.orange),
@@ -75,8 +78,8 @@ fn put_together(base: &Filters, lessons: &Lessons, samples: &[Sample]) -> Filter
     }
 }
 
-/// Labels and rectangles, and how many of them were of use.
-struct Teachers {
+/// Labels and rectangles, and how many of them apply to images of the folder.
+struct TrainingData {
     rectangles: Vec<Rectangle>,
     labels: Option<Labels>,
     images: usize,
@@ -84,11 +87,11 @@ struct Teachers {
     used_labels: usize,
 }
 
-impl Teachers {
-    fn read(args: &Calibrate) -> Result<Self, Failure> {
+impl TrainingData {
+    fn read(args: &CalibrationOptions) -> Result<Self, Failure> {
         if args.rectangles.is_empty() && args.labels.is_none() {
-            let mend = "name a CSV file with --rectangles or --labels";
-            return Err(Failure::new("there is nothing to learn from", mend));
+            let help = "name a CSV file with --rectangles or --labels";
+            return Err(Failure::new("there are no labels", help));
         }
         let mut rectangles = Vec::new();
         for path in &args.rectangles {
@@ -102,8 +105,8 @@ impl Teachers {
         Ok(Self { rectangles, labels, images: 0, used_rectangles: 0, used_labels: 0 })
     }
 
-    /// Gathers what is known of the pixels of a folder.
-    fn teach(&mut self, folder: &Path) -> Result<Samples, Failure> {
+    /// Collects the samples of a folder.
+    fn collect_samples(&mut self, folder: &Path) -> Result<Samples, Failure> {
         let mut samples = Samples::default();
         for (image, path) in frame_io::list(folder)?.into_iter().enumerate() {
             let name = path.file_name().unwrap_or_default().to_string_lossy();
@@ -114,8 +117,8 @@ impl Teachers {
                 continue;
             }
             let wrong =
-                |why: &str| Failure::of_path("learn from", &path, &why, "mend the image, or take its labels away");
-            let recorded = Recorded::read(&path).map_err(|why| wrong(&why))?;
+                |why: &str| Failure::of_path("learn from", &path, &why, "help the image, or take its labels away");
+            let recorded = RecordedFrame::read(&path).map_err(|why| wrong(&why))?;
             let frame = Frame::from_image(&recorded.image()).map_err(|why| wrong(&why.to_string()))?;
             for rectangle in &own {
                 samples.add_rectangle(image, &frame, rectangle);

@@ -1,16 +1,16 @@
-//! What was learned, for people, for machines and for the profile.
+//! Result of a calibration, as text, as JSON and as comments of the profile.
 
 use serde::Serialize;
 
-use super::blocks::Learned;
-use super::{Calibrate, Lessons, Teachers};
+use super::cross_validation::FittedClass;
+use super::{CalibrationOptions, FittedClasses, TrainingData};
 use crate::profile::{CLASSES, Notes};
 use bica_console::Failure;
 use bica_console::{Console, Style};
 
-/// What was learned.
+/// Result of a calibration.
 #[derive(Debug, Serialize)]
-pub struct Report<'a> {
+pub(super) struct Report<'a> {
     schema: &'static str,
     images: usize,
     rectangles: usize,
@@ -23,28 +23,36 @@ pub struct Report<'a> {
 #[derive(Debug, Serialize)]
 struct Class<'a> {
     class: &'static str,
-    learned: Option<&'a Learned>,
+    learned: Option<&'a FittedClass>,
 }
 
 impl<'a> Report<'a> {
-    pub fn new(args: &'a Calibrate, teachers: &Teachers, lessons: &'a Lessons) -> Self {
-        let classes = CLASSES.into_iter().zip(lessons);
+    pub(super) fn new(args: &'a CalibrationOptions, data: &TrainingData, classes: &'a FittedClasses) -> Self {
+        let classes = CLASSES.into_iter().zip(classes);
         Self {
             schema: "bica-player/calibrate/1",
-            images: teachers.images,
-            rectangles: teachers.used_rectangles,
-            labelled_images: teachers.used_labels,
+            images: data.images,
+            rectangles: data.used_rectangles,
+            labelled_images: data.used_labels,
             base: &args.base,
             classes: classes.map(|(class, (_, learned))| Class { class, learned: learned.as_ref() }).collect(),
             profile: args.out.as_ref().map(|path| path.display().to_string()),
         }
     }
 
-    /// For the profile.
-    pub fn notes(&self) -> Notes {
+    /// Returns the comments of the profile.
+    pub(super) fn notes(&self) -> Notes {
         let mut notes = Notes { top: vec![self.sources()], ..Notes::default() };
         for (lines, class) in notes.classes.iter_mut().zip(&self.classes) {
-            lines.push(class.learned.map_or_else(|| format!("No labels: as in the profile `{}`, but more saturated than what is known to be something else.", self.base), figures));
+            lines.push(class.learned.map_or_else(
+                || {
+                    format!(
+                        "No labels: as in the profile `{}`, with the least saturation above that of other classes.",
+                        self.base
+                    )
+                },
+                figures,
+            ));
         }
         notes
     }
@@ -56,14 +64,15 @@ impl<'a> Report<'a> {
         )
     }
 
-    /// Prints it.
-    pub fn tell(&self, console: Console) -> Result<(), Failure> {
+    /// Prints the result.
+    pub(super) fn print(&self, console: Console) -> Result<(), Failure> {
         console.print(&self.sources())?;
-        console.print(
-            &console.styled(Style::Faint, "precision and recall of pixels; each rectangle, each ball counts alike"),
-        )?;
+        console.print(&console.styled(
+            Style::Faint,
+            "precision and recall of pixels; each rectangle and each ball has the same weight",
+        ))?;
         for Class { class, learned } in &self.classes {
-            let words = learned.map_or_else(|| format!("not learned, as in `{}`", self.base), figures);
+            let words = learned.map_or_else(|| format!("no labels, as in `{}`", self.base), figures);
             console.print_row(class, &words)?;
         }
         if let Some(profile) = &self.profile {
@@ -73,8 +82,8 @@ impl<'a> Report<'a> {
     }
 }
 
-fn figures(learned: &Learned) -> String {
-    let Learned { images, blocks, precision, recall, .. } = learned;
+fn figures(learned: &FittedClass) -> String {
+    let FittedClass { images, blocks, precision, recall, .. } = learned;
     let how = match blocks {
         1 => "one image, not cross-validated".to_owned(),
         _ => format!("{images} images, cross-validated in {blocks} blocks of neighbours"),

@@ -1,4 +1,4 @@
-//! The colours that the eyes know.
+//! Colour classification.
 
 use std::fs;
 use std::path::Path;
@@ -8,17 +8,20 @@ use bica_vision::table::{CompactTable, FULL_BYTES};
 use crate::profile;
 use bica_console::Failure;
 
-/// Colour classes, compiled.
+/// Colour table.
 #[derive(Debug)]
-pub enum Palette {
-    /// From thresholds.
+pub enum ColourTable {
+    /// Table compiled from thresholds.
     Compact(Box<CompactTable>),
-    /// A table of another team.
+    /// Full table, as other teams write it.
     Full(Box<[u8; FULL_BYTES]>),
 }
 
-impl Palette {
-    /// A profile by its name or from a file (TOML), or a table from a file that ends in `.bin`.
+impl ColourTable {
+    /// Loads a profile by its name or from a file (TOML), or a table from a file that ends in `.bin`.
+    ///
+    /// # Errors
+    /// If the file cannot be read or is malformed.
     pub fn load(name: &str) -> Result<Self, Failure> {
         if Path::new(name).extension().is_some_and(|ending| ending.eq_ignore_ascii_case("bin")) {
             return table(Path::new(name));
@@ -27,13 +30,13 @@ impl Palette {
     }
 }
 
-fn table(path: &Path) -> Result<Palette, Failure> {
-    let mend =
+fn table(path: &Path) -> Result<ColourTable, Failure> {
+    let help =
         "a table has 64×64×64 bytes, index [Y>>2][Cb>>2][Cr>>2]: 0 none, 1 orange, 2 yellow, 3 blue, 4 white, 5 green";
-    let bytes = fs::read(path).map_err(|error| Failure::of_path("read the table", path, &error, mend))?;
+    let bytes = fs::read(path).map_err(|error| Failure::of_path("read the table", path, &error, help))?;
     let found = bytes.len();
     let cells = bytes.into_boxed_slice().try_into().map_err(|_| {
-        Failure::new(format!("`{}` is no colour table: {found} bytes, not {FULL_BYTES}", path.display()), mend)
+        Failure::new(format!("`{}` is not a colour table: {found} bytes, not {FULL_BYTES}", path.display()), help)
     })?;
-    Ok(Palette::Full(cells))
+    Ok(ColourTable::Full(cells))
 }

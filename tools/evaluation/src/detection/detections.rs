@@ -1,4 +1,4 @@
-//! What the eyes see in one image.
+//! Detections in one image.
 
 use std::f32::consts::TAU;
 use std::time::Instant;
@@ -9,152 +9,176 @@ use bica_vision::centre_circle::CentreCircle;
 use bica_vision::crossings;
 use bica_vision::frame::Frame;
 use bica_vision::own_body::OwnBody;
-use bica_vision::pipeline::{self, Detections};
+use bica_vision::pipeline;
 use bica_vision::projection::Camera;
 use bica_vision::robots::{self, Team};
 use bica_vision::table::FullTable;
 use glam::Vec2;
 use serde::Serialize;
 
-use super::colour_table::Palette;
+use super::colour_table::ColourTable;
 use crate::camera_poses::Pose;
 use bica_drawing::scene::Marks;
 
-/// The camera that a NAO of 2009 looks through: files of poses are theirs.
-const SEES: CameraId = CameraId::Bottom;
+/// Camera of the recordings with poses, a NAO of 2009; its image shows parts of the body.
+const CAMERA: CameraId = CameraId::Bottom;
 
-/// The detectors, with the colours and the ball that they look for.
-pub struct Eyes {
-    palette: Palette,
+/// All detectors, with the colours and the ball size.
+#[derive(Debug)]
+pub struct Detectors {
+    colours: ColourTable,
     /// Radius of the ball, m.
     radius: f32,
     detectors: pipeline::Pipeline<512, 512>,
 }
 
-/// An image for machines. Pixels: x right, y down, centre of the first pixel (0, 0).
+/// Detections in an image. Pixels: x right, y down, the centre of the first pixel is (0, 0).
 #[derive(Clone, Debug, Serialize)]
-pub struct Sighting {
+pub struct Detections {
+    /// Name of the image.
     pub file: String,
-    pub pose: Trust,
+    /// What is known of the camera pose.
+    pub pose: PoseTrust,
+    /// The ball.
     pub ball: Option<Ball>,
+    /// Goals.
     pub goals: Vec<Goal>,
-    /// The corners of the line, from the left.
+    /// Corners of the field boundary, from the left.
+    #[serde(rename = "field_end")]
     pub field_boundary: Vec<[f32; 2]>,
-    /// White lines: one end, the other end.
+    /// White lines: `[x0, y0, x1, y1]` from end to end.
     pub lines: Vec<[f32; 4]>,
+    /// Other robots.
     pub robots: Vec<Robot>,
-    /// Where lines cross; none without a trusted pose.
+    /// Crossings of lines; none without a trusted pose.
     pub crossings: Vec<Crossing>,
-    /// The middle of the centre circle, m ahead and to the left; none without a trusted pose.
+    /// Centre of the centre circle, m ahead and to the left; none without a trusted pose.
     pub circle: Option<[f32; 2]>,
-    /// Time that the detectors took, ms.
+    /// Time of the detectors, ms.
     pub wall_ms: f64,
-    /// The camera, if its pose is trusted.
+    /// Camera, if its pose is trusted.
     #[serde(skip)]
     pub camera: Option<Camera>,
+    /// The same detections for a picture.
     #[serde(skip)]
     pub marks: Marks,
 }
 
-/// What is known of the camera.
+/// Camera pose of an image.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
-pub enum Trust {
-    /// Distances can be had.
+pub enum PoseTrust {
+    /// There is a pose, and distances may be computed with it.
     Trusted,
-    /// There is a pose, but not one to rely on.
+    /// There is a pose, but distances may not be computed with it.
     Untrusted,
-    /// There is no pose for this image.
+    /// There is no pose.
     Missing,
 }
 
-/// A ball for machines.
+/// Detected ball, px.
 #[derive(Clone, Debug, Serialize)]
 pub struct Ball {
+    /// Centre.
     pub x: f32,
+    /// Centre.
     pub y: f32,
+    /// Radius.
     pub radius: f32,
+    /// Confidence, 0 to 1.
     pub confidence: f32,
-    /// Where it lies, m ahead and to the left; none without a trusted pose.
+    /// Position, m ahead and to the left; none without a trusted pose.
     pub ground: Option<[f32; 2]>,
 }
 
-/// A goal for machines.
+/// Detected goal with its bounding box, px.
 #[derive(Clone, Debug, Serialize)]
 pub struct Goal {
+    /// `yellow` or `blue`.
     pub colour: &'static str,
+    /// Left edge.
     pub x0: f32,
+    /// Upper edge.
     pub y0: f32,
+    /// Right edge.
     pub x1: f32,
+    /// Lower edge.
     pub y1: f32,
+    /// Whether both posts were found.
     pub complete: bool,
-    /// Where its middle is, m ahead and to the left; none without a trusted pose.
+    /// Position of its centre, m ahead and to the left; none without a trusted pose.
     pub ground: Option<[f32; 2]>,
 }
 
-/// Another robot for machines.
+/// Detected robot with its bounding box, px.
 #[derive(Clone, Debug, Serialize)]
 pub struct Robot {
     x0: f32,
     y0: f32,
     x1: f32,
     y1: f32,
-    /// Its colour, if that shows.
+    /// Colour of its team, if visible.
     team: Option<&'static str>,
-    /// Where it stands, m ahead and to the left; none without a trusted pose.
+    /// Position, m ahead and to the left; none without a trusted pose.
     ground: Option<[f32; 2]>,
 }
 
-/// A crossing of lines for machines.
+/// Detected crossing of lines, px.
 #[derive(Clone, Debug, Serialize)]
 pub struct Crossing {
     kind: &'static str,
     x: f32,
     y: f32,
-    /// Where it is, m ahead and to the left.
+    /// Position, m ahead and to the left.
     ground: [f32; 2],
 }
 
-impl Eyes {
-    /// Opens them for a ball of `radius` metres.
-    pub fn new(palette: Palette, radius: f32) -> Self {
-        Self { palette, radius, detectors: pipeline::Pipeline::new(radius) }
+impl Detectors {
+    /// Detectors for a ball of `radius` metres.
+    #[must_use]
+    pub fn new(colours: ColourTable, radius: f32) -> Self {
+        Self { colours, radius, detectors: pipeline::Pipeline::new(radius) }
     }
 
-    /// Looks at an image; says why if it is none for these eyes.
-    pub fn look(&mut self, file: &str, image: &Image<'_>, pose: Option<&Pose>) -> Result<Sighting, String> {
+    /// Runs the detectors on an image.
+    ///
+    /// # Errors
+    /// If the image has a size that the detectors cannot process.
+    pub fn detect(&mut self, file: &str, image: &Image<'_>, pose: Option<&Pose>) -> Result<Detections, String> {
         let frame = Frame::from_image(image).map_err(|error| error.to_string())?;
         let trusted = pose.filter(|pose| pose.trusted);
         let camera = trusted.map(|pose| pose.camera(frame.width().into(), frame.height().into()));
         let camera = camera.as_ref();
         let began = Instant::now();
-        let own = camera.map_or(OwnBody::NONE, |camera| OwnBody::standing(camera, SEES));
-        let seen = match &self.palette {
-            Palette::Compact(table) => self.detectors.detect_with_body(&frame, &**table, camera, &own),
-            Palette::Full(cells) => self.detectors.detect_with_body(&frame, &FullTable::from(&**cells), camera, &own),
+        let own = camera.map_or(OwnBody::NONE, |camera| OwnBody::standing(camera, CAMERA));
+        let seen = match &self.colours {
+            ColourTable::Compact(table) => self.detectors.detect_with_body(&frame, &**table, camera, &own),
+            ColourTable::Full(cells) => {
+                self.detectors.detect_with_body(&frame, &FullTable::from(&**cells), camera, &own)
+            }
         };
         let wall_ms = 1e3 * began.elapsed().as_secs_f64();
-        let mut sighting = self.tell(file, pose, camera, seen, wall_ms);
-        sighting.marks.own = own;
-        Ok(sighting)
+        let mut detections = self.collect(file, pose, camera, seen, wall_ms);
+        detections.marks.own = own;
+        Ok(detections)
     }
 
-    fn tell(
+    fn collect(
         &self,
         file: &str,
         pose: Option<&Pose>,
         camera: Option<&Camera>,
-        seen: Detections,
+        seen: pipeline::Detections,
         wall_ms: f64,
-    ) -> Sighting {
-        let Detections { end, ball, goals, lines, robots, markings } = seen;
+    ) -> Detections {
+        let pipeline::Detections { end, ball, goals, lines, robots, markings } = seen;
         let goals: Vec<_> = [goals.yellow, goals.blue].into_iter().flatten().collect();
-        Sighting {
+        Detections {
             file: file.to_owned(),
             pose: match pose {
-                None => Trust::Missing,
-                Some(pose) if pose.trusted => Trust::Trusted,
-                Some(_) => Trust::Untrusted,
+                None => PoseTrust::Missing,
+                Some(pose) if pose.trusted => PoseTrust::Trusted,
+                Some(_) => PoseTrust::Untrusted,
             },
             ball: ball.map(|ball| Ball::new(&ball, camera, self.radius)),
             goals: goals.iter().map(|goal| Goal::new(goal, camera)).collect(),
@@ -197,7 +221,7 @@ impl Crossing {
     }
 }
 
-/// Points on a circle in the image, px, one after the other.
+/// Points on the circle in the image, px, in order.
 fn outline(circle: &CentreCircle, camera: &Camera) -> Vec<Vec2> {
     let points = (0..=72_u8)
         .map(|step| circle.centre + FIELD.centre_circle_radius() * Vec2::from_angle(f32::from(step) * TAU / 72.0));

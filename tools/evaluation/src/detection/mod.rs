@@ -1,99 +1,118 @@
-//! From files to what is seen in them.
+//! Detection in the images of a folder.
 
 mod annotation;
 mod colour_table;
 mod detections;
-mod line;
+mod json_line;
 mod report;
 
 use std::path::{Path, PathBuf};
 
 use crate::camera_poses::{Pose, Poses};
-use crate::frame_io::{Recorded, list};
+use crate::frame_io::{RecordedFrame, list};
 use bica_console::{Failure, Outcome, interrupt, make_folder};
-pub use colour_table::Palette;
-pub use detections::{Ball, Crossing, Eyes, Goal, Robot, Sighting, Trust};
-pub use line::Line;
-pub use report::{Report, line};
+pub use colour_table::ColourTable;
+pub use detections::{Ball, Crossing, Detections, Detectors, Goal, PoseTrust, Robot};
+pub use json_line::JsonLine;
+pub use report::{Report, table_row};
 
-/// What is looked at, and with which eyes.
+/// Images, and what the detectors use.
 #[derive(Clone, Debug)]
-pub struct Looking {
-    /// The folder with the images.
+pub struct DetectionOptions {
+    /// Folder with the images.
     pub folder: PathBuf,
-    /// The colours: a profile by its name or from a file (TOML), or a table from a file (.bin).
+    /// Colours: name of a profile, or file of a profile (TOML) or of a table (.bin).
     pub profile: String,
-    /// A file with camera poses.
+    /// File with camera poses; by default `DIR_pose.csv` beside the folder DIR.
     pub poses: Option<PathBuf>,
     /// Radius of the ball, m.
     pub radius: f32,
-    /// The folder for images with what was recognised drawn in.
+    /// Folder for the images with detections drawn in.
     pub pictures: Option<PathBuf>,
 }
 
-/// Who is told what is seen.
-pub trait Listener {
-    /// Something was seen; `pose` is the camera's if the file of poses has it.
-    fn saw(&mut self, sighting: Sighting, pose: Option<&Pose>) -> Result<(), Failure>;
-    /// A file could not be looked at.
+/// Receiver of the detections of each image. An error ends the run.
+pub trait DetectionObserver {
+    /// Receives the detections in an image; `pose` is that of the camera, if known.
+    ///
+    /// # Errors
+    /// If the run has to end.
+    fn detected(&mut self, detections: Detections, pose: Option<&Pose>) -> Result<(), Failure>;
+    /// Receives the name of a file that could not be read, and the reason.
+    ///
+    /// # Errors
+    /// If the run has to end.
     fn skipped(&mut self, file: &str, why: String) -> Result<(), Failure>;
 }
 
-/// A folder, opened to be looked at.
+/// Folder of images with the detectors for it.
+#[derive(Debug)]
 pub struct Folder {
     files: Vec<PathBuf>,
     poses: Option<Poses>,
-    eyes: Eyes,
+    detectors: Detectors,
     pictures: Option<PathBuf>,
 }
 
 impl Folder {
-    /// Reads all but the images.
-    pub fn open(args: &Looking) -> Result<Self, Failure> {
-        let palette = Palette::load(&args.profile)?;
+    /// Opens a folder: reads colours and poses, lists the images.
+    ///
+    /// # Errors
+    /// If a file cannot be read or there are no images.
+    pub fn open(args: &DetectionOptions) -> Result<Self, Failure> {
+        let colours = ColourTable::load(&args.profile)?;
         let files = list(&args.folder)?;
         let poses = poses_path(args).map(|path| Poses::read(&path)).transpose()?;
         args.pictures.as_deref().map_or(Ok(()), make_folder)?;
-        Ok(Self { files, poses, eyes: Eyes::new(palette, args.radius), pictures: args.pictures.clone() })
+        Ok(Self { files, poses, detectors: Detectors::new(colours, args.radius), pictures: args.pictures.clone() })
     }
 
     /// Whether there are camera poses.
+    #[must_use]
     pub const fn has_poses(&self) -> bool {
         self.poses.is_some()
     }
 
-    /// Looks at every image, in the order of their names.
-    pub fn look(&mut self, listener: &mut impl Listener) -> Result<Outcome, Failure> {
-        let mut ending = Outcome::Unsuccessful;
+    /// Runs the detectors on every image, in the order of their names.
+    ///
+    /// # Errors
+    /// An error of `observer`, or a picture that cannot be written.
+    pub fn detect(&mut self, observer: &mut impl DetectionObserver) -> Result<Outcome, Failure> {
+        let mut outcome = Outcome::Unsuccessful;
         for file in std::mem::take(&mut self.files) {
             if interrupt::requested() {
                 return Ok(Outcome::Interrupted);
             }
             let name = file.file_name().unwrap_or_default().to_string_lossy();
             let pose = self.poses.as_ref().and_then(|poses| poses.get(&name));
-            match look(&mut self.eyes, &file, &name, pose) {
-                Ok((recorded, sighting)) => {
+            match detect(&mut self.detectors, &file, &name, pose) {
+                Ok((recorded, detections)) => {
                     if let Some(folder) = &self.pictures {
-                        annotation::write(folder, &recorded, &sighting)?;
+                        annotation::write(folder, &recorded, &detections)?;
                     }
-                    ending = Outcome::Success;
-                    listener.saw(sighting, pose)?;
+                    outcome = Outcome::Success;
+                    observer.detected(detections, pose)?;
                 }
-                Err(why) => listener.skipped(&name, why)?,
+                Err(why) => observer.skipped(&name, why)?,
             }
         }
-        Ok(ending)
+        Ok(outcome)
     }
 }
 
-fn look(eyes: &mut Eyes, file: &Path, name: &str, pose: Option<&Pose>) -> Result<(Recorded, Sighting), String> {
-    let recorded = Recorded::read(file)?;
-    let sighting = eyes.look(name, &recorded.image(), pose)?;
-    Ok((recorded, sighting))
+fn detect(
+    detectors: &mut Detectors,
+    file: &Path,
+    name: &str,
+    pose: Option<&Pose>,
+) -> Result<(RecordedFrame, Detections), String> {
+    let recorded = RecordedFrame::read(file)?;
+    let detections = detectors.detect(name, &recorded.image(), pose)?;
+    Ok((recorded, detections))
 }
 
-/// The file that was named, or the one beside the folder if there is one.
-fn poses_path(args: &Looking) -> Option<PathBuf> {
+/// The given file of poses, or the one beside the folder if it exists.
+fn poses_path(args: &DetectionOptions) -> Option<PathBuf> {
     let beside = || {
         let folder = args.folder.canonicalize().ok()?;
         let file = format!("{}_pose.csv", folder.file_name()?.to_string_lossy());

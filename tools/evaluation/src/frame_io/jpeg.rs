@@ -11,7 +11,7 @@ use zune_jpeg::zune_core::options::DecoderOptions;
 use bica_drawing::png::Picture;
 
 /// Reads a picture; grey becomes RGB.
-pub fn read(path: &Path) -> Result<Picture, String> {
+pub(super) fn read(path: &Path) -> Result<Picture, String> {
     let bytes = fs::read(path).map_err(|error| format!("cannot be read: {error}"))?;
     let options = DecoderOptions::default().jpeg_set_out_colorspace(ColorSpace::RGB).set_strict_mode(true);
     let mut decoder = JpegDecoder::new_with_options(ZCursor::new(bytes), options);

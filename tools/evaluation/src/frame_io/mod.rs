@@ -1,4 +1,4 @@
-//! Images of a folder as the camera gave them.
+//! Recorded images: files of a folder, as YUYV frames.
 
 mod jpeg;
 mod raw;
@@ -11,20 +11,25 @@ use bica_motion::robot::{CameraId, Image};
 use bica_console::Failure;
 use bica_drawing::png::{self, Picture};
 
-/// The images of a folder in the order of their names.
+/// Lists the images of a folder in the order of their names.
+///
+/// # Errors
+/// If the folder cannot be read or holds no image.
 pub fn list(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
-    let mend = "name a folder with PNG, JPEG or raw images (NAME_WxH.yuyv)";
-    let entries = fs::read_dir(folder).map_err(|error| Failure::of_path("look into", folder, &error, mend))?;
+    let help = "name a folder with PNG, JPEG or raw images (NAME_WxH.yuyv)";
+    let entries = fs::read_dir(folder).map_err(|error| Failure::of_path("read the folder", folder, &error, help))?;
     let is_image = |path: &PathBuf| Format::of(path).is_some();
     let mut files: Vec<PathBuf> = entries.filter_map(|entry| Some(entry.ok()?.path())).filter(is_image).collect();
     if files.is_empty() {
-        return Err(Failure::new(format!("there is no image in `{}`", folder.display()), mend));
+        return Err(Failure::new(format!("there is no image in `{}`", folder.display()), help));
     }
     files.sort();
     Ok(files)
 }
 
-/// What poses and labels call an image: its name without the ending and, of a raw one, without the size.
+/// Returns the name of an image in files of poses and labels: without folder and extension and, for a raw image, without
+/// the size.
+#[must_use]
 pub fn stem(name: &str) -> &str {
     let name = name.rsplit('/').next().unwrap_or(name);
     let (stem, ending) = name.rsplit_once('.').unwrap_or((name, ""));
@@ -50,16 +55,19 @@ impl Format {
     }
 }
 
-/// An image as a camera gives it.
+/// Recorded image.
 #[derive(Debug)]
-pub struct Recorded {
-    pub width: u16,
-    pub height: u16,
-    pub yuyv: Vec<u8>,
+pub struct RecordedFrame {
+    width: u16,
+    height: u16,
+    yuyv: Vec<u8>,
 }
 
-impl Recorded {
-    /// Reads a file; what it is its ending tells.
+impl RecordedFrame {
+    /// Reads a file, in the format of its extension.
+    ///
+    /// # Errors
+    /// If the file cannot be read, as a text that follows "skipped,".
     pub fn read(path: &Path) -> Result<Self, String> {
         let picture = match Format::of(path) {
             Some(Format::Raw) => return raw::read(path),
@@ -72,13 +80,14 @@ impl Recorded {
         Ok(Self { width, height, yuyv: yuyv(&picture) })
     }
 
-    /// The image.
+    /// Returns the image as sensor input.
+    #[must_use]
     pub fn image(&self) -> Image<'_> {
         Image { camera: CameraId::Top, width: self.width, height: self.height, yuyv: &self.yuyv }
     }
 }
 
-/// Full-range BT.601, two pixels with the mean of their colours; a last odd column is left out.
+/// Converts to full-range BT.601; two pixels share their mean chroma, and an odd last column is dropped.
 fn yuyv(picture: &Picture) -> Vec<u8> {
     let rows = picture.rgb.chunks_exact(picture.width.max(1));
     rows.flat_map(|row| row.as_chunks::<2>().0)
@@ -100,7 +109,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn colours_come_back_as_the_camera_gave_them() {
+    fn rgb_of_a_yuyv_colour_converts_back_to_it() {
         let (y, cb, cr) = (120.0_f32, 90.0_f32, 170.0_f32);
         let (b, r) = (cb - 128.0, cr - 128.0);
         let rgb = [y + 1.402 * r, y - 0.344_136 * b - 0.714_136 * r, y + 1.772 * b].map(|v| v.round() as u8);
@@ -111,7 +120,7 @@ mod tests {
     }
 
     #[test]
-    fn an_image_is_called_as_its_labels_call_it() {
+    fn the_stem_has_no_folder_extension_or_size() {
         let names = ["a/008.png", "008_640x240.yuyv", "008.jpeg", "hall_2.png", "a.b.png", "x"];
         assert_eq!(names.map(stem), ["008", "008", "008", "hall_2", "a.b", "x"]);
     }

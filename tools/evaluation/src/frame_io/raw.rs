@@ -1,26 +1,26 @@
-//! Raw images as a camera's driver gives them: `NAME_WxH.yuyv`, bytes Y0 Cb Y1 Cr.
+//! Raw images as a camera driver delivers them: `NAME_WxH.yuyv`, bytes Y0 Cb Y1 Cr.
 //!
-//! A robot that reads every second row only, to read faster, keeps images at least twice as wide as high. They are
-//! reduced to square pixels: each pair becomes one, so that 640×240 is looked at as 320×240.
+//! Some robots read only every second row. Their images are at least twice as wide as high and are reduced to square
+//! pixels: each pair of columns becomes one, so 640×240 is processed as 320×240.
 
 use std::fs;
 use std::path::Path;
 
-use super::Recorded;
+use super::RecordedFrame;
 
 /// Reads a file.
-pub fn read(path: &Path) -> Result<Recorded, String> {
-    let (width, height) = size(path).ok_or("its size is not in its name: NAME_WxH.yuyv")?;
+pub(super) fn read(path: &Path) -> Result<RecordedFrame, String> {
+    let (width, height) = size(path).ok_or("its name does not give its size: NAME_WxH.yuyv")?;
     let bytes = fs::read(path).map_err(|error| format!("cannot be read: {error}"))?;
     let expected = 2 * usize::from(width) * usize::from(height);
     if bytes.len() != expected || !width.is_multiple_of(2) {
         return Err(format!("{width}×{height} pixels are {expected} bytes, found {}", bytes.len()));
     }
     if width < 2 * height {
-        return Ok(Recorded { width, height, yuyv: bytes });
+        return Ok(RecordedFrame { width, height, yuyv: bytes });
     }
     let rows = bytes.chunks_exact(2 * usize::from(width));
-    Ok(Recorded { width: width / 4 * 2, height, yuyv: rows.flat_map(square).collect() })
+    Ok(RecordedFrame { width: width / 4 * 2, height, yuyv: rows.flat_map(square).collect() })
 }
 
 fn size(path: &Path) -> Option<(u16, u16)> {
@@ -28,7 +28,7 @@ fn size(path: &Path) -> Option<(u16, u16)> {
     Some((width.parse().ok().filter(|width| *width > 0)?, height.parse().ok()?))
 }
 
-/// A row of half the width; a last odd pair is left out.
+/// Row of half the width; an odd last pair is dropped.
 fn square(row: &[u8]) -> impl Iterator<Item = u8> {
     row.as_chunks::<8>().0.iter().flat_map(|&[a0, ab, a1, ar, b0, bb, b1, br]| {
         [u8::midpoint(a0, a1), u8::midpoint(ab, bb), u8::midpoint(b0, b1), u8::midpoint(ar, br)]
@@ -40,12 +40,12 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_second_row_makes_half_the_columns() {
+    fn square_pixels_average_pairs_of_columns() {
         assert!(square(&[10, 50, 20, 90, 30, 70, 50, 100, 1, 2, 3, 4]).eq([15, 60, 40, 95]));
     }
 
     #[test]
-    fn the_size_is_in_the_name() {
+    fn the_size_is_parsed_from_the_name() {
         assert_eq!(size(Path::new("a/b_1_640x240.yuyv")), Some((640, 240)));
         for name in ["640x240.yuyv", "a_640.yuyv", "a_0x240.yuyv", "a_640x-2.yuyv", "a_99999x2.yuyv"] {
             assert_eq!(size(Path::new(name)), None, "{name}");

@@ -1,4 +1,4 @@
-//! Colour profiles as text: thresholds of each class in a small TOML file.
+//! Colour profiles: thresholds of each class in a TOML file.
 
 mod parse;
 mod write;
@@ -12,22 +12,25 @@ use bica_vision::profile::{BUILT_IN, DARWIN_2013, NAO_2009};
 use bica_console::Failure;
 pub use write::{Notes, write};
 
-/// The classes by their names, the one that decides first comes first.
+/// Names of the classes, in the order of decision.
 pub const CLASSES: [&str; 5] = ["orange", "yellow", "blue", "green", "white"];
 
-/// The profiles that the program knows by name.
+/// Built-in profiles by name.
 const NAMED: [(&str, Filters); 3] = [("built-in", BUILT_IN), ("nao2009", NAO_2009), ("darwin2013", DARWIN_2013)];
 
-/// A profile by its name, or from a file.
+/// Loads a built-in profile by its name, or a file.
+///
+/// # Errors
+/// If there is no such file or profile, or the file is malformed.
 pub fn load(name: &str) -> Result<Filters, Failure> {
     let known = NAMED.iter().find(|(known, _)| *known == name);
     if let Some((_, filters)) = known {
         return Ok(*filters);
     }
     let path = Path::new(name);
-    let mend = "name a TOML file, or one of built-in, nao2009 and darwin2013";
-    let text = fs::read_to_string(path).map_err(|error| Failure::of_path("read the profile", path, &error, mend))?;
-    parse::parse(&text).map_err(|wrong| Failure::new(format!("`{name}`, {}", wrong.what), wrong.mend))
+    let help = "name a TOML file, or one of built-in, nao2009 and darwin2013";
+    let text = fs::read_to_string(path).map_err(|error| Failure::of_path("read the profile", path, &error, help))?;
+    parse::parse(&text).map_err(|wrong| Failure::new(format!("`{name}`, {}", wrong.what), wrong.help))
 }
 
 #[cfg(test)]
@@ -37,7 +40,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_profile_comes_back_from_its_text() {
+    fn a_written_profile_is_parsed_back_unchanged() {
         for (name, filters) in NAMED {
             let text = write(&filters, &Notes::default());
             let back = parse::parse(&text).unwrap_or_else(|wrong| panic!("{name}: {}", wrong.what));
@@ -47,7 +50,7 @@ mod tests {
     }
 
     #[test]
-    fn the_files_are_what_the_robot_has() {
+    fn the_files_of_profiles_equal_the_built_in_ones() {
         let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../profiles/");
         for (name, filters) in NAMED {
             let file = load(&format!("{folder}{name}.toml")).expect(name);
@@ -56,7 +59,7 @@ mod tests {
     }
 
     #[test]
-    fn every_threshold_comes_back() {
+    fn every_threshold_is_written_and_parsed() {
         for from in (0..360).step_by(7) {
             let wide = 1 + from % 179;
             let filter = Filter::ANY.hue(from, from + wide).saturation(from as u16, 1000).luma(3, 250).chroma(181);

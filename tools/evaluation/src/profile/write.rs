@@ -1,10 +1,10 @@
-//! From thresholds to text.
+//! Writer of profiles.
 
 use std::fmt::Write as _;
 
 use bica_vision::colour::{Colour, Filter, Filters};
 
-/// The end of saturation: no bound.
+/// Upper bound of saturation that accepts every value.
 const UNBOUND: u16 = u16::MAX;
 
 const HEADING: &str = "\
@@ -20,16 +20,17 @@ const HEADING: &str = "\
 # A line that is not there bounds nothing.
 ";
 
-/// What is said beside the thresholds.
+/// Comments of a profile.
 #[derive(Clone, Debug, Default)]
 pub struct Notes {
     /// Lines at the top.
     pub top: Vec<String>,
-    /// Lines over each class, in the order of decision.
+    /// Lines above each class, in the order of decision.
     pub classes: [Vec<String>; 5],
 }
 
-/// The text of a profile: the same for the same thresholds and notes.
+/// Returns the text of a profile.
+#[must_use]
 pub fn write(filters: &Filters, notes: &Notes) -> String {
     let mut text = String::new();
     comment(&mut text, &notes.top);

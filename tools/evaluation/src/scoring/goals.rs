@@ -1,34 +1,34 @@
-//! Seen goals against labelled ones.
+//! Detected goals compared with labelled ones.
 
 use glam::Vec2;
 use serde::Serialize;
 
 use super::tally::Share;
-use crate::detection::{Goal, Sighting};
+use crate::detection::{Detections, Goal};
 use crate::labels;
 
-/// The least overlap with which a box is that of a complete goal: intersection over union.
-const OVERLAP: f32 = 0.6;
+/// Least intersection over union of a correct bounding box.
+const MIN_OVERLAP: f32 = 0.6;
 
-/// How many goals were right.
+/// Figures of goals.
 #[derive(Debug, Default, Serialize)]
-pub struct Goals {
-    /// Complete ones with a box that overlaps.
-    pub complete: Share,
-    /// Partial ones of which something was seen.
-    pub partial: Share,
-    /// Frames without a goal in which none was seen.
-    pub without: Share,
-    /// Complete goals that were missed, or whose box is wrong.
-    pub missed: Vec<String>,
-    /// Partial goals that were missed.
-    pub missed_partial: Vec<String>,
-    /// Frames with a goal that is not there, or not of that colour.
-    pub wrong: Vec<String>,
+pub(super) struct Goals {
+    /// Complete goals: those with an overlapping box.
+    pub(super) complete: Share,
+    /// Partial goals: those of which a part was detected.
+    pub(super) partial: Share,
+    /// Images without a goal: those without a detection.
+    pub(super) without: Share,
+    /// Images whose complete goal was missed or has a wrong box.
+    pub(super) missed: Vec<String>,
+    /// Images whose partial goal was missed.
+    pub(super) missed_partial: Vec<String>,
+    /// Images with a detected goal that is absent or of the other colour.
+    pub(super) wrong: Vec<String>,
 }
 
 impl Goals {
-    pub fn count(&mut self, seen: &Sighting, label: Option<&labels::Goal>) {
+    pub(super) fn count(&mut self, seen: &Detections, label: Option<&labels::Goal>) {
         let Some(label) = label else {
             self.without.count(seen.goals.is_empty());
             return self.note_wrong(seen, !seen.goals.is_empty());
@@ -37,7 +37,7 @@ impl Goals {
         self.note_wrong(seen, seen.goals.iter().any(|goal| goal.colour != label.colour));
         let share = own.map_or(0.0, |goal| overlap(goal, label));
         let (list, missed, good) = if label.complete {
-            (&mut self.complete, &mut self.missed, share >= OVERLAP)
+            (&mut self.complete, &mut self.missed, share >= MIN_OVERLAP)
         } else {
             (&mut self.partial, &mut self.missed_partial, own.is_some())
         };
@@ -45,7 +45,7 @@ impl Goals {
         missed.extend((!good).then(|| format!("{} ({share:.2})", seen.file)));
     }
 
-    fn note_wrong(&mut self, seen: &Sighting, wrong: bool) {
+    fn note_wrong(&mut self, seen: &Detections, wrong: bool) {
         self.wrong.extend(wrong.then(|| seen.file.clone()));
     }
 }

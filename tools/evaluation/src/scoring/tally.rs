@@ -1,18 +1,18 @@
-//! Counts and errors, summed up.
+//! Counts and percentiles.
 
 use serde::Serialize;
 
 use bica_console::statistics::percentile;
 
-/// How many of how many.
+/// Number of correct cases among all cases.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
-pub struct Share {
-    pub of: usize,
-    pub good: usize,
+pub(super) struct Share {
+    pub(super) of: usize,
+    pub(super) good: usize,
 }
 
 impl Share {
-    pub fn count(&mut self, good: bool) {
+    pub(super) fn count(&mut self, good: bool) {
         self.of += 1;
         self.good += usize::from(good);
     }
@@ -26,34 +26,34 @@ impl std::fmt::Display for Share {
     }
 }
 
-/// Sizes of errors.
+/// Errors of measurements.
 #[derive(Clone, Debug, Default)]
-pub struct Errors(Vec<f64>);
+pub(super) struct Errors(Vec<f64>);
 
-/// Percentiles; none without any error to speak of.
+/// Percentiles of errors; none without measurements.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
-pub struct Spread {
+pub(super) struct Percentiles {
     pub p50: Option<f64>,
     pub p95: Option<f64>,
-    pub max: Option<f64>,
+    pub(super) max: Option<f64>,
 }
 
 impl Errors {
-    pub fn note(&mut self, error: f32) {
+    pub(super) fn note(&mut self, error: f32) {
         self.0.push(error.into());
     }
 
-    pub fn spread(&self) -> Spread {
+    pub(super) fn spread(&self) -> Percentiles {
         let mut sorted = self.0.clone();
         sorted.sort_by(f64::total_cmp);
         let at = |part| percentile(&sorted, part);
-        Spread { p50: at(0.5), p95: at(0.95), max: at(1.0) }
+        Percentiles { p50: at(0.5), p95: at(0.95), max: at(1.0) }
     }
 }
 
-impl Spread {
-    /// In words, each number times a factor and with a unit.
-    pub fn words(self, factor: f64, unit: &str) -> String {
+impl Percentiles {
+    /// Text of the percentiles, each multiplied by a factor and with a unit.
+    pub(super) fn text(self, factor: f64, unit: &str) -> String {
         let number =
             |value: Option<f64>| value.map_or_else(|| "-".to_owned(), |value| format!("{:.2}", factor * value));
         format!("median {}, 95 % {}, worst {} {unit}", number(self.p50), number(self.p95), number(self.max))

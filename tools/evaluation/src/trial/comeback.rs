@@ -1,44 +1,45 @@
-//! A game in which the forward is knocked over: it has to get up, find its way again, and score.
+//! Games in which the forward is pushed over: it has to get up, localize itself again, and score.
 
 use bica_sim::setup::Setup;
 use glam::Vec2;
 
-use super::bench::Bench;
 use super::fall_subject::FallSubject;
-use super::get_up::THROW;
+use super::get_up::{GREATEST_PUSH, LEAST_PUSH};
 use super::rng::Rng;
+use super::series::Series;
 use super::table::{Row, median};
 use bica_console::Failure;
 
-/// When it is knocked over, s after the start.
-const WHEN: (f32, f32) = (5.0, 15.0);
-/// Time to score from then, s.
-const TIME: f32 = 180.0;
+/// Earliest and latest time of the push, s after the start.
+const EARLIEST_PUSH: f32 = 5.0;
+const LATEST_PUSH: f32 = 15.0;
+/// Time to score after the push, s.
+const TIME_LIMIT: f32 = 180.0;
 
-/// One game for each seed, with cameras, from a start by chance.
-pub fn rows(bench: &Bench) -> Result<Vec<Row>, Failure> {
-    let games = bench.each(|seed| play(bench, seed))?;
+/// One game for each seed, with cameras, from a random start.
+pub(super) fn rows(series: &Series) -> Result<Vec<Row>, Failure> {
+    let games = series.each(|seed| play(series, seed))?;
     let goals: Vec<f32> = games.iter().flatten().copied().collect();
     Ok(vec![Row {
-        name: "knocked over, scores".into(),
+        name: "pushed over, scores".into(),
         runs: games.len(),
         good: goals.len(),
-        needed: bench.needed(18),
+        needed: series.needed(18),
         figures: format!("median {:.0} s after the fall", median(goals)),
         figures_hold: true,
     }])
 }
 
-/// From the fall to the next goal, s.
-fn play(bench: &Bench, seed: u64) -> Result<Option<f32>, Failure> {
-    let mut subject = FallSubject::in_game(&Setup { seed, ..Setup::default() }, &bench.physics, true)?;
+/// Returns the time from the fall to the next goal, s.
+fn play(series: &Series, seed: u64) -> Result<Option<f32>, Failure> {
+    let mut subject = FallSubject::in_game(&Setup { seed, ..Setup::default() }, &series.physics, true)?;
     let mut rng = Rng::new(seed);
-    subject.live(rng.between(WHEN.0, WHEN.1))?;
-    let way = Vec2::from_angle(rng.between(0.0, core::f32::consts::TAU));
-    subject.push(rng.between(THROW.0, THROW.1) * way);
-    for _ in 0..TIME as u32 {
-        subject.live(1.0)?;
-        if let Some(time) = subject.scored() {
+    subject.run(rng.between(EARLIEST_PUSH, LATEST_PUSH))?;
+    let direction = Vec2::from_angle(rng.between(0.0, core::f32::consts::TAU));
+    subject.push(rng.between(LEAST_PUSH, GREATEST_PUSH) * direction);
+    for _ in 0..TIME_LIMIT as u32 {
+        subject.run(1.0)?;
+        if let Some(time) = subject.time_to_goal() {
             return Ok(Some(time));
         }
     }

@@ -1,4 +1,4 @@
-//! Falls: seen before the ground is hit, taken softly, and over soon; and none seen where there is none.
+//! Falls: detected before the impact, with relaxed joints, and recovered from; and no detection without a fall.
 
 use bica_motion::fall::{FallDetector, FallState};
 use bica_motion::kick::{Kick, KickMotion};
@@ -8,33 +8,34 @@ use bica_motion::walk::{Feedback, Velocity};
 use bica_sim::{CYCLE_SECONDS, World};
 use glam::Vec2;
 
-use super::bench::Bench;
 use super::fall_subject::FallSubject;
-use super::get_up::{THROW, TIME};
+use super::get_up::{GREATEST_PUSH, LEAST_PUSH, TIME_LIMIT};
 use super::rng::Rng;
+use super::series::Series;
 use super::table::{Row, median};
 use super::walker::{Walker, cycles};
 use bica_console::Failure;
 
-/// The push comes while it stands, turns or walks, between these times, s.
-const WHEN: (f32, f32) = (1.0, 6.0);
-/// Walks as the rng say, s each, until someone believes to fall.
+/// Earliest and latest time of the push, s: the robot stands, turns or walks then.
+const EARLIEST_PUSH: f32 = 1.0;
+const LATEST_PUSH: f32 = 6.0;
+/// Number of random walks without a push, and the duration of each, s.
 const WALKS: usize = 10;
 const WALK: f32 = 2.0;
 
-/// Pushes from eight sides, and walks and kicks without any.
-pub fn rows(bench: &Bench) -> Result<Vec<Row>, Failure> {
+/// Pushes to eight sides, then walks and kicks without a push.
+pub(super) fn rows(series: &Series) -> Result<Vec<Row>, Failure> {
     let names =
         ["the front", "front left", "the left", "back left", "the back", "back right", "the right", "front right"];
     let pushes = names.into_iter().enumerate().map(|(eighth, name)| {
-        let way = Vec2::from_angle(eighth as f32 * core::f32::consts::FRAC_PI_4);
-        push(bench, name, way)
+        let direction = Vec2::from_angle(eighth as f32 * core::f32::consts::FRAC_PI_4);
+        push(series, name, direction)
     });
-    pushes.chain([calm(bench)]).collect()
+    pushes.chain([calm(series)]).collect()
 }
 
-fn push(bench: &Bench, name: &str, way: Vec2) -> Result<Row, Failure> {
-    let falls = bench.each(|seed| fall(bench, seed, way))?;
+fn push(series: &Series, name: &str, direction: Vec2) -> Result<Row, Failure> {
+    let falls = series.each(|seed| fall(series, seed, direction))?;
     let ahead: Vec<f32> = falls.iter().filter_map(|fall| fall.ahead).collect();
     let least = ahead.iter().copied().fold(f32::INFINITY, f32::min);
     let (soft, up) = (count(&falls, |fall| fall.soft), count(&falls, |fall| fall.recovered));
@@ -42,9 +43,9 @@ fn push(bench: &Bench, name: &str, way: Vec2) -> Result<Row, Failure> {
         name: format!("to {name}"),
         runs: falls.len(),
         good: count(&falls, |fall| fall.ahead.is_some_and(|ahead| ahead > 0.0) && fall.soft && fall.recovered),
-        needed: bench.needed(19),
+        needed: series.needed(19),
         figures: format!(
-            "seen {:.0} ms (least {:.0}) before the ground is hit, soft {soft}, plays on {up}",
+            "detected {:.0} ms (least {:.0}) before the impact, relaxed {soft}, plays on {up}",
             1000.0 * median(ahead),
             1000.0 * least
         ),
@@ -57,33 +58,33 @@ fn count(falls: &[Fall], which: impl Fn(&Fall) -> bool) -> usize {
 }
 
 struct Fall {
-    /// From feeling the fall to hitting the ground, s.
+    /// Time from the detection to the impact, s.
     ahead: Option<f32>,
-    /// Whether the legs had let go by then.
+    /// Whether the legs were relaxed at the impact.
     soft: bool,
-    /// Whether it got up in time and went on.
+    /// Whether the robot stood up in time and went on.
     recovered: bool,
 }
 
-fn fall(bench: &Bench, seed: u64, way: Vec2) -> Result<Fall, Failure> {
-    let (mut subject, mut rng) = (FallSubject::new(bench, seed)?, Rng::new(seed));
-    subject.live(rng.between(WHEN.0, WHEN.1))?;
-    subject.push(rng.between(THROW.0, THROW.1) * way);
-    subject.live(TIME + 2.0)?;
+fn fall(series: &Series, seed: u64, direction: Vec2) -> Result<Fall, Failure> {
+    let (mut subject, mut rng) = (FallSubject::new(series, seed)?, Rng::new(seed));
+    subject.run(rng.between(EARLIEST_PUSH, LATEST_PUSH))?;
+    subject.push(rng.between(LEAST_PUSH, GREATEST_PUSH) * direction);
+    subject.run(TIME_LIMIT + 2.0)?;
     Ok(Fall {
-        ahead: subject.felt.zip(subject.hit).map(|(felt, (hit, _))| hit - felt),
-        soft: subject.hit.is_some_and(|(_, soft)| soft),
-        recovered: subject.lay().is_some_and(|time| time <= TIME) && subject.plays(),
+        ahead: subject.fall_detected.zip(subject.impact).map(|(detected, impact)| impact.at - detected),
+        soft: subject.impact.is_some_and(|impact| impact.relaxed),
+        recovered: subject.time_down().is_some_and(|time| time <= TIME_LIMIT) && subject.is_playing(),
     })
 }
 
-/// Whoever walks, turns, stops and kicks and does not fall must not believe to.
-fn calm(bench: &Bench) -> Result<Row, Failure> {
-    let runs = bench.each(|seed| Ok(!walk(bench, seed)? && !kick(bench, seed)?))?;
+/// No fall may be detected while the robot walks, turns, stops and kicks without falling.
+fn calm(series: &Series) -> Result<Row, Failure> {
+    let runs = series.each(|seed| Ok(!walk(series, seed)? && !kick(series, seed)?))?;
     let good = runs.iter().filter(|calm| **calm).count();
-    let figures = format!("{:.0} s of walking and six kicks each, nothing felt", WALKS as f32 * WALK);
+    let figures = format!("{:.0} s of walking and six kicks each, no fall detected", WALKS as f32 * WALK);
     Ok(Row {
-        name: "no fall, none felt".into(),
+        name: "no fall, none detected".into(),
         runs: runs.len(),
         good,
         needed: runs.len(),
@@ -92,14 +93,14 @@ fn calm(bench: &Bench) -> Result<Row, Failure> {
     })
 }
 
-/// Whether a fall is felt where none is.
+/// Returns whether a fall is detected where there is none.
 fn mistaken(balance: &mut FallDetector, walker: &mut Walker) -> bool {
     let felt = balance.step(&walker.world.sensors().inertial, CYCLE_SECONDS);
     felt != FallState::Upright && !walker.fell()
 }
 
-fn walk(bench: &Bench, seed: u64) -> Result<bool, Failure> {
-    let mut walker = Walker::new(seed, Pose2::ORIGIN, &bench.physics)?;
+fn walk(series: &Series, seed: u64) -> Result<bool, Failure> {
+    let mut walker = Walker::new(seed, Pose2::ORIGIN, &series.physics)?;
     let (mut rng, mut balance) = (Rng::new(seed), FallDetector::new());
     for _ in 0..WALKS {
         let velocity =
@@ -114,8 +115,8 @@ fn walk(bench: &Bench, seed: u64) -> Result<bool, Failure> {
     Ok(false)
 }
 
-fn kick(bench: &Bench, seed: u64) -> Result<bool, Failure> {
-    let mut walker = Walker::new(seed, Pose2::ORIGIN, &bench.physics)?;
+fn kick(series: &Series, seed: u64) -> Result<bool, Failure> {
+    let mut walker = Walker::new(seed, Pose2::ORIGIN, &series.physics)?;
     let mut balance = FallDetector::new();
     for kick in Kick::ALL {
         let mut motion = KickMotion::new(kick, &Profile::NAO);

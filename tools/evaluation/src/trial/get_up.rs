@@ -1,30 +1,31 @@
-//! Getting up: the forward is thrown over, and has to be on its feet again.
+//! Getting up: the forward is pushed over and has to stand again.
 
 use glam::Vec2;
 
-use super::bench::Bench;
 use super::fall_subject::FallSubject;
 use super::rng::Rng;
+use super::series::Series;
 use super::table::{Row, median};
 use bica_console::Failure;
 
 /// Time to get up, s.
-pub const TIME: f32 = 15.0;
-/// How fast the torso is thrown over, m/s.
-pub const THROW: (f32, f32) = (2.0, 2.6);
+pub(super) const TIME_LIMIT: f32 = 15.0;
+/// Least and greatest velocity that a push adds to the torso, m/s.
+pub(super) const LEAST_PUSH: f32 = 2.0;
+pub(super) const GREATEST_PUSH: f32 = 2.6;
 
-/// From the front, from the back, and from both sides.
-pub fn rows(bench: &Bench) -> Result<Vec<Row>, Failure> {
+/// Falls to the front, the back and both sides.
+pub(super) fn rows(series: &Series) -> Result<Vec<Row>, Failure> {
     let falls = [("front", Vec2::X), ("back", Vec2::NEG_X), ("left", Vec2::Y), ("right", Vec2::NEG_Y)];
-    let row = |(name, way)| {
-        let times = bench.each(|seed| throw(bench, seed, way))?;
+    let row = |(name, direction)| {
+        let times = series.each(|seed| push_over(series, seed, direction))?;
         let up: Vec<f32> = times.iter().flatten().copied().collect();
         let slowest = up.iter().copied().fold(0.0, f32::max);
         Ok(Row {
             name: format!("from the {name}"),
             runs: times.len(),
             good: up.len(),
-            needed: bench.needed(19),
+            needed: series.needed(19),
             figures: format!("median {:.1} s, slowest {slowest:.1} s", median(up)),
             figures_hold: true,
         })
@@ -32,11 +33,11 @@ pub fn rows(bench: &Bench) -> Result<Vec<Row>, Failure> {
     falls.into_iter().map(row).collect()
 }
 
-/// How long it took to be on its feet for good, s; none if it took too long, or if it did not even fall.
-fn throw(bench: &Bench, seed: u64, way: Vec2) -> Result<Option<f32>, Failure> {
-    let mut subject = FallSubject::new(bench, seed)?;
-    subject.live(1.0)?;
-    subject.push(Rng::new(seed).between(THROW.0, THROW.1) * way);
-    subject.live(TIME + 1.0)?;
-    Ok(subject.lay().filter(|time| *time <= TIME))
+/// Returns the time until the robot stood for good, s; none if it took too long or the robot did not fall.
+fn push_over(series: &Series, seed: u64, direction: Vec2) -> Result<Option<f32>, Failure> {
+    let mut subject = FallSubject::new(series, seed)?;
+    subject.run(1.0)?;
+    subject.push(Rng::new(seed).between(LEAST_PUSH, GREATEST_PUSH) * direction);
+    subject.run(TIME_LIMIT + 1.0)?;
+    Ok(subject.time_down().filter(|time| *time <= TIME_LIMIT))
 }

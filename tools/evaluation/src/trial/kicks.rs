@@ -1,4 +1,4 @@
-//! Kicks: how far the ball goes, where to, and whether the robot stands afterwards.
+//! Kicks: distance and direction of the ball, and whether the robot stands afterwards.
 
 use bica_motion::kick::{Kick, KickKind, KickMotion};
 use bica_motion::pose::{Pose2, wrap};
@@ -8,74 +8,74 @@ use bica_motion::walk::{Feedback, Velocity, in_walk_kick_foot};
 use bica_sim::{CYCLE_SECONDS, World};
 use glam::Vec2;
 
-use super::bench::Bench;
 use super::rng::Rng;
+use super::series::Series;
 use super::table::{Row, median};
 use super::walker::Walker;
 use bica_console::Failure;
 
-/// The ball lies within this of where it should, m.
-const BESIDE: f32 = 0.01;
-/// The least that a ball must go that was kicked in the walk, m.
-const DRIBBLED: f32 = 0.5;
-/// The most that the median direction may be off, degrees.
-const OFF: f32 = 15.0;
+/// Largest error of the ball position along each axis, m.
+const BALL_ERROR: f32 = 0.01;
+/// Least distance of a ball kicked in the walk, m.
+const LEAST_DRIBBLE: f32 = 0.5;
+/// Largest error of the median direction, degrees.
+const MAX_DIRECTION_ERROR: f32 = 15.0;
 
-/// All six kicks.
-pub fn rows(bench: &Bench) -> Result<Vec<Row>, Failure> {
-    let fixed = Kick::ALL.iter().map(|kick| row(bench, *kick));
-    let in_walk = Side::BOTH.iter().map(|foot| dribble_row(bench, *foot));
+/// All six kicks, then the in-walk kicks.
+pub(super) fn rows(series: &Series) -> Result<Vec<Row>, Failure> {
+    let fixed = Kick::ALL.iter().map(|kick| row(series, *kick));
+    let in_walk = Side::BOTH.iter().map(|foot| dribble_row(series, *foot));
     fixed.chain(in_walk).collect()
 }
 
-fn dribble_row(bench: &Bench, foot: Side) -> Result<Row, Failure> {
-    let runs = bench.each(|seed| dribble(bench, seed, foot))?;
-    let name = format!("dribble, {} foot", word(foot));
-    Ok(sum_up(bench, name, &runs, DRIBBLED))
+fn dribble_row(series: &Series, foot: Side) -> Result<Row, Failure> {
+    let runs = series.each(|seed| dribble(series, seed, foot))?;
+    let name = format!("dribble, {} foot", name(foot));
+    Ok(summarize(series, name, &runs, LEAST_DRIBBLE))
 }
 
-fn row(bench: &Bench, kick: Kick) -> Result<Row, Failure> {
-    let runs = bench.each(|seed| play(bench, seed, kick))?;
+fn row(series: &Series, kick: Kick) -> Result<Row, Failure> {
+    let runs = series.each(|seed| play(series, seed, kick))?;
     let (kind, least) = match kick.kind {
         KickKind::Front => ("front", 2.0),
         KickKind::Diagonal => ("diagonal", 1.2),
         KickKind::Lateral => ("lateral", 1.0),
     };
-    let name = format!("{kind}, {} foot", word(kick.foot));
-    Ok(sum_up(bench, name, &runs, least))
+    let name = format!("{kind}, {} foot", name(kick.foot));
+    Ok(summarize(series, name, &runs, least))
 }
 
-const fn word(foot: Side) -> &'static str {
+const fn name(foot: Side) -> &'static str {
     match foot {
         Side::Left => "left",
         Side::Right => "right",
     }
 }
 
-fn sum_up(bench: &Bench, name: String, runs: &[Played], least: f32) -> Row {
+fn summarize(series: &Series, name: String, runs: &[KickResult], least: f32) -> Row {
     let way = median(runs.iter().map(|run| run.way).collect());
     let off = median(runs.iter().map(|run| run.off).collect());
     Row {
         name,
         runs: runs.len(),
         good: runs.iter().filter(|run| run.stands).count(),
-        needed: bench.needed(19),
-        figures: format!("median way {way:.2} m of {least:.1} m, median off by {off:.0} degrees"),
-        figures_hold: way >= least && off <= OFF,
+        needed: series.needed(19),
+        figures: format!("median distance {way:.2} m (at least {least:.1} m), median direction error {off:.0} degrees"),
+        figures_hold: way >= least && off <= MAX_DIRECTION_ERROR,
     }
 }
 
-struct Played {
+struct KickResult {
     way: f32,
     /// Degrees.
     off: f32,
     stands: bool,
 }
 
-fn play(bench: &Bench, seed: u64, kick: Kick) -> Result<Played, Failure> {
-    let mut walker = Walker::new(seed, Pose2::new(-1.0, 0.0, 0.0), &bench.physics)?;
+fn play(series: &Series, seed: u64, kick: Kick) -> Result<KickResult, Failure> {
+    let mut walker = Walker::new(seed, Pose2::new(-1.0, 0.0, 0.0), &series.physics)?;
     let mut rng = Rng::new(seed);
-    let mut beside = || rng.between(-BESIDE, BESIDE);
+    let mut beside = || rng.between(-BALL_ERROR, BALL_ERROR);
     let start = ground(&mut walker);
     let ball = start.place(kick.ball(&Profile::NAO.kicks) + Vec2::new(beside(), beside()));
     walker.world.place_ball(ball);
@@ -91,17 +91,17 @@ fn play(bench: &Bench, seed: u64, kick: Kick) -> Result<Played, Failure> {
     }
     let way = walker.world.referee().ball() - ball;
     let off = wrap(way.to_angle() - start.heading - kick.direction()).abs().to_degrees();
-    Ok(Played { way: way.length(), off, stands })
+    Ok(KickResult { way: way.length(), off, stands })
 }
 
-/// Walks to a ball that lies before a foot, through it, and on.
-fn dribble(bench: &Bench, seed: u64, foot: Side) -> Result<Played, Failure> {
-    let mut walker = Walker::new(seed, Pose2::new(-1.0, 0.0, 0.0), &bench.physics)?;
+/// Walks to a ball in front of a foot, kicks it in the walk, and walks on.
+fn dribble(series: &Series, seed: u64, foot: Side) -> Result<KickResult, Failure> {
+    let mut walker = Walker::new(seed, Pose2::new(-1.0, 0.0, 0.0), &series.physics)?;
     let mut rng = Rng::new(seed);
     let start = ground(&mut walker);
     let half = Profile::NAO.gait.half_spacing;
-    // Where in a step the ball comes within reach is by chance.
-    let ball = start.place(Vec2::new(rng.between(0.5, 0.6), foot.sign() * half + rng.between(-BESIDE, BESIDE)));
+    // The phase of the step in which the ball comes within reach is random.
+    let ball = start.place(Vec2::new(rng.between(0.5, 0.6), foot.sign() * half + rng.between(-BALL_ERROR, BALL_ERROR)));
     walker.world.place_ball(ball);
     let ahead = Velocity::new(0.15, 0.0, 0.0);
     for _ in 0..800 {
@@ -117,10 +117,10 @@ fn dribble(bench: &Bench, seed: u64, foot: Side) -> Result<Played, Failure> {
     walker.go(Velocity::ZERO, 7.0);
     let way = walker.world.referee().ball() - ball;
     let off = wrap(way.to_angle() - start.heading).abs().to_degrees();
-    Ok(Played { way: way.length(), off, stands: !walker.fell() })
+    Ok(KickResult { way: way.length(), off, stands: !walker.fell() })
 }
 
-/// The ground between the feet.
+/// Returns the pose of the ground between the feet.
 fn ground(walker: &mut Walker) -> Pose2 {
     let hips = walker.pose();
     let from_ground = bica_motion::kinematics::ground_from_robot(Side::Left, &walker.world.sensors().angles);

@@ -1,32 +1,32 @@
-//! What can be tried.
+//! Kinds of trials.
 
-/// What can be tried.
+/// Kind of a trial.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// Velocities.
     Walk,
-    /// Commands by chance.
+    /// Random commands.
     Commands,
     /// Pushes while walking.
     Pushes,
-    /// Bodies and floors that differ.
+    /// Other bodies and floors.
     Bodies,
-    /// Odometry against the truth.
+    /// Error of odometry.
     Odometry,
     /// All six kicks.
     Kicks,
-    /// Falls by pushes.
+    /// Falls after pushes.
     Falls,
-    /// Getting up.
+    /// Getting up from all sides.
     GetUp,
-    /// Getting up where there is little room.
+    /// Getting up beside obstacles.
     Obstacles,
     /// Games with a fall.
     Comeback,
 }
 
 impl Kind {
-    /// All of them.
+    /// All kinds.
     pub const ALL: &[Self] = &[
         Self::Walk,
         Self::Commands,
@@ -40,30 +40,30 @@ impl Kind {
         Self::Comeback,
     ];
 
-    /// The name as it is typed.
+    /// Returns the name on the command line.
     #[must_use]
     pub const fn name(self) -> &'static str {
-        self.words().0
+        self.texts().0
     }
 
-    /// What is tried, in a line.
+    /// Returns a description in one line.
     #[must_use]
     pub const fn about(self) -> &'static str {
-        self.words().1
+        self.texts().1
     }
 
-    const fn words(self) -> (&'static str, &'static str) {
+    const fn texts(self) -> (&'static str, &'static str) {
         match self {
-            Self::Walk => ("walk", "Velocities, each by itself and mixed"),
-            Self::Commands => ("commands", "Commands by chance for a minute"),
-            Self::Pushes => ("pushes", "Pushes from all sides"),
-            Self::Bodies => ("bodies", "Commands by chance with other friction, gains, torques and dead time"),
-            Self::Odometry => ("odometry", "Odometry after three metres"),
-            Self::Kicks => ("kicks", "All six kicks"),
-            Self::Falls => ("falls", "Falls by pushes from eight sides: seen ahead, taken softly, got over"),
-            Self::GetUp => ("get-up", "Getting up after being thrown over"),
+            Self::Walk => ("walk", "Single and combined velocities: mean velocity and falls"),
+            Self::Commands => ("commands", "Random velocity commands for one minute: falls"),
+            Self::Pushes => ("pushes", "Pushes from random directions while walking: falls"),
+            Self::Bodies => ("bodies", "Random commands with other friction, gains, torques and dead time: falls"),
+            Self::Odometry => ("odometry", "Error of odometry after three metres"),
+            Self::Kicks => ("kicks", "All six kicks and the in-walk kicks: distance and direction of the ball"),
+            Self::Falls => ("falls", "Falls to eight sides: detected before the impact, joints relaxed, recovered"),
+            Self::GetUp => ("get-up", "Getting up after a fall to each side"),
             Self::Obstacles => ("obstacles", "Getting up beside a goal post, in the goal, beside the goalkeeper"),
-            Self::Comeback => ("comeback", "Games in which it is knocked over, and still has to score"),
+            Self::Comeback => ("comeback", "Games in which the robot is pushed over and still has to score"),
         }
     }
 }

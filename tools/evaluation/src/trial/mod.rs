@@ -1,6 +1,6 @@
-//! Trials of the body in MuJoCo: walking, pushes, odometry, kicks, falls, getting up, also beside obstacles; each a table of what was reached.
+//! Trials of the body in MuJoCo: walking, pushes, odometry, kicks, falls, getting up. Each trial is a table of results with
+//! the numbers that are required.
 
-mod bench;
 mod comeback;
 mod fall_subject;
 mod falls;
@@ -10,51 +10,55 @@ mod kind;
 mod obstacles;
 mod odometry;
 mod rng;
+mod series;
 mod table;
 mod walker;
 mod walking;
 
 use bica_sim::mujoco::Physics;
 
-use bench::Bench;
 use bica_console::{Console, Failure, Outcome, interrupt};
 pub use kind::Kind;
+use series::Series;
 use table::Table;
 
-/// What to try, how often, and in which physics.
+/// Which trials, how often, in which physics.
 #[derive(Clone, Debug)]
-pub struct Trial {
-    /// What to try; everything if there is none.
+pub struct TrialOptions {
+    /// Trials; all if the list is empty.
     pub kinds: Vec<Kind>,
-    /// How many seeds.
+    /// Number of seeds.
     pub runs: u32,
     /// The first seed.
     pub seed: u64,
-    /// How many at once; one for each core if it is not said.
+    /// Number of threads; by default one for each core.
     pub threads: Option<u32>,
-    /// The world's physics.
+    /// Physics of the world.
     pub physics: Physics,
 }
 
-/// `player trial`: tries what is named, tells what was reached.
-pub fn run(args: &Trial, console: Console) -> Result<Outcome, Failure> {
-    let bench = Bench::new(args);
+/// Runs trials and prints their tables.
+///
+/// # Errors
+/// If the physics are out of range or the output cannot be written.
+pub fn run(args: &TrialOptions, console: Console) -> Result<Outcome, Failure> {
+    let series = Series::new(args);
     let mut tables = Vec::new();
     for &kind in if args.kinds.is_empty() { Kind::ALL } else { &args.kinds } {
-        let table = Table { trial: kind.name(), rows: of(kind)(&bench)? };
-        table.tell(console)?;
+        let table = Table { trial: kind.name(), rows: trial(kind)(&series)? };
+        table.print(console)?;
         tables.push(table);
         if interrupt::requested() {
             return Ok(Outcome::Interrupted);
         }
     }
-    console.print_json(&table::Told { schema: "bica-player/trial/1", runs: bench.runs, tables: &tables })?;
+    console.print_json(&table::TrialReport { schema: "bica-player/trial/1", runs: series.runs(), tables: &tables })?;
     Ok(if tables.iter().all(Table::holds) { Outcome::Success } else { Outcome::Unsuccessful })
 }
 
-type Try = fn(&Bench) -> Result<Vec<table::Row>, Failure>;
+type Trial = fn(&Series) -> Result<Vec<table::Row>, Failure>;
 
-const fn of(kind: Kind) -> Try {
+const fn trial(kind: Kind) -> Trial {
     match kind {
         Kind::Walk => walking::velocities,
         Kind::Commands => walking::commands,

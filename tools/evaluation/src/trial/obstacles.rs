@@ -1,4 +1,4 @@
-//! Getting up where there is little room: beside a goal post, in the goal beside its net, beside the goalkeeper.
+//! Getting up beside obstacles: a goal post, the net of the goal, the goalkeeper.
 
 use std::f32::consts::{FRAC_PI_2, PI};
 
@@ -9,122 +9,126 @@ use bica_sim::mujoco::MujocoWorld;
 use bica_sim::setup::{Setup, Start};
 use glam::Vec2;
 
-use super::bench::Bench;
 use super::fall_subject::FallSubject;
-use super::get_up::THROW;
+use super::get_up::{GREATEST_PUSH, LEAST_PUSH};
 use super::rng::Rng;
+use super::series::Series;
 use super::table::{Row, median};
 use bica_console::Failure;
 
-/// From the middle of the robot to what it is beside, m: to a post or a net; to the middle of the goalkeeper.
-const NEAR: (f32, f32) = (0.2, 0.5);
-const NEAR_KEEPER: (f32, f32) = (0.3, 0.5);
-/// It is thrown this often at most: what it leans against may hold it.
-const THROWS: usize = 5;
-/// Time to be on its feet for good, s; who then stands for [`STANDS`] does.
-const TIME: f32 = 45.0;
-const STANDS: f32 = 3.0;
+/// Range of a distance from the centre of the robot, m: least and greatest.
+type Range = (f32, f32);
+/// Distance to a post or a net.
+const POST_DISTANCE: Range = (0.2, 0.5);
+/// Distance to the centre of the goalkeeper.
+const KEEPER_DISTANCE: Range = (0.3, 0.5);
+/// Largest number of pushes: an obstacle may hold the robot up.
+const MAX_PUSHES: usize = 5;
+/// Time to stand for good, s.
+const TIME_LIMIT: f32 = 45.0;
+/// Time of standing that counts as "for good", s.
+const STANDING_TIME: f32 = 3.0;
 
-/// Where it is before it is thrown over, where the goalkeeper stands there.
+/// Random pose of the robot before the push; the vector is the position of the goalkeeper.
 type Place = fn(&mut Rng, Vec2) -> Pose2;
 
-/// Thrown over to any side, at three kinds of places.
-pub fn rows(bench: &Bench) -> Result<Vec<Row>, Failure> {
+/// Pushes to any side, beside three kinds of obstacles.
+pub(super) fn rows(series: &Series) -> Result<Vec<Row>, Failure> {
     let places: [(&str, Place); 3] =
         [("beside a post", at_post), ("in the goal", in_goal), ("beside the goalkeeper", at_keeper)];
-    places.into_iter().map(|(name, place)| row(bench, name, place)).collect()
+    places.into_iter().map(|(name, place)| row(series, name, place)).collect()
 }
 
-fn row(bench: &Bench, name: &str, place: Place) -> Result<Row, Failure> {
-    let runs = bench.each(|seed| Ok((seed, throw(bench, seed, place)?)))?;
-    let up: Vec<Rising> = runs.iter().filter_map(|(_, rising)| *rising).collect();
-    let times: Vec<f32> = up.iter().map(|rising| rising.time).collect();
-    let tries: Vec<f32> = up.iter().map(|rising| f32::from(rising.tries)).collect();
+fn row(series: &Series, name: &str, place: Place) -> Result<Row, Failure> {
+    let runs = series.each(|seed| Ok((seed, push_over(series, seed, place)?)))?;
+    let up: Vec<GetUp> = runs.iter().filter_map(|(_, get_up)| *get_up).collect();
+    let times: Vec<f32> = up.iter().map(|get_up| get_up.time).collect();
+    let attempts: Vec<f32> = up.iter().map(|get_up| f32::from(get_up.attempts)).collect();
     let most = |values: &[f32]| values.iter().copied().fold(0.0, f32::max);
-    let (slowest, many) = (most(&times), most(&tries));
-    let failed = runs.iter().filter(|(_, rising)| rising.is_none()).map(|(seed, _)| format!(" {seed}"));
+    let (slowest, many) = (most(&times), most(&attempts));
+    let failed = runs.iter().filter(|(_, get_up)| get_up.is_none()).map(|(seed, _)| format!(" {seed}"));
     let failed: String = failed.collect();
-    let failed = if failed.is_empty() { failed } else { format!("; not with seed{failed}") };
-    let (time, usual) = (median(times), median(tries));
-    let figures = format!("median {time:.1} s, slowest {slowest:.1} s; tries: median {usual}, most {many}{failed}");
+    let failed = if failed.is_empty() { failed } else { format!("; failed with seed{failed}") };
+    let (time, usual) = (median(times), median(attempts));
+    let figures = format!("median {time:.1} s, slowest {slowest:.1} s; attempts: median {usual}, most {many}{failed}");
     Ok(Row {
         name: name.into(),
         runs: runs.len(),
         good: up.len(),
-        needed: bench.needed(19),
+        needed: series.needed(19),
         figures,
         figures_hold: true,
     })
 }
 
-/// A way back to the feet.
+/// A successful get-up.
 #[derive(Clone, Copy)]
-struct Rising {
-    /// From the fall until it stood for good, s.
+struct GetUp {
+    /// Time from the fall until the robot stood for good, s.
     time: f32,
-    tries: u8,
+    attempts: u8,
 }
 
-/// None if it does not come to its feet for good in time, or cannot be thrown over.
-fn throw(bench: &Bench, seed: u64, place: Place) -> Result<Option<Rising>, Failure> {
+/// Returns none if the robot does not stand for good in time, or cannot be pushed over.
+fn push_over(series: &Series, seed: u64, place: Place) -> Result<Option<GetUp>, Failure> {
     let mut rng = Rng::new(seed);
     let setup = Setup { seed, ..Setup::default() };
-    let robot = place(&mut rng, keeper(&setup, bench)?);
+    let robot = place(&mut rng, keeper(&setup, series)?);
     let start = Some(Start { robot, ball: Vec2::new(-2.8, 1.8) });
-    let mut subject = FallSubject::in_game(&Setup { start, ..setup }, &bench.physics, false)?;
-    subject.live(1.0)?;
-    for _ in 0..THROWS {
-        subject.push(rng.between(THROW.0, THROW.1) * Vec2::from_angle(rng.between(-PI, PI)));
-        subject.live(1.0)?;
-        if subject.stood().is_some() {
+    let mut subject = FallSubject::in_game(&Setup { start, ..setup }, &series.physics, false)?;
+    subject.run(1.0)?;
+    for _ in 0..MAX_PUSHES {
+        subject.push(rng.between(LEAST_PUSH, GREATEST_PUSH) * Vec2::from_angle(rng.between(-PI, PI)));
+        subject.run(1.0)?;
+        if subject.recovery().is_some() {
             break;
         }
     }
-    while subject.stood().is_some_and(|stood| stood.after <= TIME && stood.since < STANDS) {
-        subject.live(0.5)?;
+    while subject.recovery().is_some_and(|stood| stood.after <= TIME_LIMIT && stood.since < STANDING_TIME) {
+        subject.run(0.5)?;
     }
-    let good = subject.stood().filter(|stood| stood.after <= TIME);
-    Ok(good.map(|stood| Rising { time: stood.after, tries: subject.tries }))
+    let good = subject.recovery().filter(|stood| stood.after <= TIME_LIMIT);
+    Ok(good.map(|stood| GetUp { time: stood.after, attempts: subject.attempts }))
 }
 
-fn keeper(setup: &Setup, bench: &Bench) -> Result<Vec2, Failure> {
-    let world = MujocoWorld::new(setup, &bench.physics)
+fn keeper(setup: &Setup, series: &Series) -> Result<Vec2, Failure> {
+    let world = MujocoWorld::new(setup, &series.physics)
         .map_err(|error| Failure::new(error.to_string(), "try another value"))?;
     Ok(world.referee().others().first().map_or(Vec2::ZERO, |keeper| keeper.position))
 }
 
-/// Before or beside a post.
+/// A pose in front of or beside a post.
 fn at_post(rng: &mut Rng, _: Vec2) -> Pose2 {
-    let at = FIELD.goal_post() + outward(rng, NEAR);
+    let at = FIELD.goal_post() + outward(rng, POST_DISTANCE);
     either(at, rng)
 }
 
-/// Between the posts, beside the net.
+/// A pose between the posts, beside the net.
 fn in_goal(rng: &mut Rng, _: Vec2) -> Pose2 {
     let at = Vec2::new(
-        rng.between(FIELD.goal_post().x, FIELD.goal_back() - NEAR.0),
-        FIELD.goal_post().y - rng.between(NEAR.0, NEAR.1),
+        rng.between(FIELD.goal_post().x, FIELD.goal_back() - POST_DISTANCE.0),
+        FIELD.goal_post().y - rng.between(POST_DISTANCE.0, POST_DISTANCE.1),
     );
     either(at, rng)
 }
 
-/// On any side of the goalkeeper but behind it, where the goal is, and not in a post.
+/// A pose on any side of the goalkeeper except behind it, where the goal is, and not in a post.
 fn at_keeper(rng: &mut Rng, keeper: Vec2) -> Pose2 {
     loop {
-        let pose = Pose2 { position: keeper + outward(rng, NEAR_KEEPER), heading: rng.between(-PI, PI) };
+        let pose = Pose2 { position: keeper + outward(rng, KEEPER_DISTANCE), heading: rng.between(-PI, PI) };
         let at = Vec2::new(pose.position.x, pose.position.y.abs());
-        if at.distance(FIELD.goal_post()) > NEAR.0 {
+        if at.distance(FIELD.goal_post()) > POST_DISTANCE.0 {
             return pose;
         }
     }
 }
 
-/// So far from something, and not nearer to the goal than that.
-fn outward(rng: &mut Rng, near: (f32, f32)) -> Vec2 {
-    rng.between(near.0, near.1) * Vec2::from_angle(rng.between(FRAC_PI_2, 3.0 * FRAC_PI_2))
+/// A random offset away from the goal, with a length in this range.
+fn outward(rng: &mut Rng, distance: Range) -> Vec2 {
+    rng.between(distance.0, distance.1) * Vec2::from_angle(rng.between(FRAC_PI_2, 3.0 * FRAC_PI_2))
 }
 
-/// There or at the other side of the goal, with any heading.
+/// This position or its mirror image at the other post, with a random heading.
 fn either(at: Vec2, rng: &mut Rng) -> Pose2 {
     let position = if rng.between(-1.0, 1.0) < 0.0 { Vec2::new(at.x, -at.y) } else { at };
     Pose2 { position, heading: rng.between(-PI, PI) }

@@ -1,38 +1,42 @@
-//! What was reached, for people and machines.
+//! Results of trials.
 
 use serde::Serialize;
 
 use bica_console::Failure;
 use bica_console::{Console, Style};
 
-/// One thing that was tried, with every seed.
+/// One case of a trial, with all seeds.
 #[derive(Clone, Debug, Serialize)]
-pub struct Row {
-    pub name: String,
-    pub runs: usize,
-    /// Runs that went well.
-    pub good: usize,
-    /// Runs that have to.
-    pub needed: usize,
-    /// What else was measured: in words, with units.
-    pub figures: String,
-    /// Whether the figures are as they have to be.
-    pub figures_hold: bool,
+pub(super) struct Row {
+    /// Name of the case.
+    pub(super) name: String,
+    /// Number of runs.
+    pub(super) runs: usize,
+    /// Number of runs that succeeded.
+    pub(super) good: usize,
+    /// Number of runs that must succeed.
+    pub(super) needed: usize,
+    /// Other measurements, as text with units.
+    pub(super) figures: String,
+    /// Whether the other measurements are as required.
+    pub(super) figures_hold: bool,
 }
 
-/// One trial.
+/// Results of one trial.
 #[derive(Clone, Debug, Serialize)]
-pub struct Table {
-    pub trial: &'static str,
-    pub rows: Vec<Row>,
+pub(super) struct Table {
+    /// Name of the trial.
+    pub(super) trial: &'static str,
+    /// One row for each case.
+    pub(super) rows: Vec<Row>,
 }
 
-/// Trials for machines.
+/// Results of all trials.
 #[derive(Serialize)]
-pub struct Told<'a> {
-    pub schema: &'static str,
-    pub runs: u64,
-    pub tables: &'a [Table],
+pub(super) struct TrialReport<'a> {
+    pub(super) schema: &'static str,
+    pub(super) runs: u32,
+    pub(super) tables: &'a [Table],
 }
 
 impl Row {
@@ -42,13 +46,13 @@ impl Row {
 }
 
 impl Table {
-    /// Whether everything is as it has to be.
-    pub fn holds(&self) -> bool {
+    /// Returns whether all rows are as required.
+    pub(super) fn holds(&self) -> bool {
         self.rows.iter().all(Row::holds)
     }
 
-    /// Tells people.
-    pub fn tell(&self, console: Console) -> Result<(), Failure> {
+    /// Prints the table.
+    pub(super) fn print(&self, console: Console) -> Result<(), Failure> {
         let heading = format!("{:<26} {:>9} {:>7}  figures", self.trial, "good", "needed");
         console.print(&console.styled(Style::Strong, &heading))?;
         for row in &self.rows {
@@ -60,13 +64,13 @@ impl Table {
     }
 }
 
-/// The value in the middle; 0 of none.
-pub fn median(mut values: Vec<f32>) -> f32 {
+/// Returns the median (the upper one of an even number); 0 of no values.
+pub(super) fn median(mut values: Vec<f32>) -> f32 {
     values.sort_by(f32::total_cmp);
     values.get(values.len() / 2).copied().unwrap_or(0.0)
 }
 
-/// The mean; 0 of none.
-pub fn mean(values: &[f32]) -> f32 {
+/// Returns the mean; 0 of no values.
+pub(super) fn mean(values: &[f32]) -> f32 {
     values.iter().sum::<f32>() / values.len().max(1) as f32
 }

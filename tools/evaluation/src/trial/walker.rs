@@ -1,4 +1,4 @@
-//! A body that moves as it is told, without a mind.
+//! A robot without behaviours: gait and odometry only.
 
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::limbs::Limbs;
@@ -17,9 +17,9 @@ use glam::Vec2;
 
 use bica_console::Failure;
 
-/// A robot alone on the field, and its gait.
-pub struct Walker {
-    pub world: MujocoWorld,
+/// A robot alone on the field, with a gait and odometry.
+pub(super) struct Walker {
+    pub(super) world: MujocoWorld,
     gait: Walk,
     odometry: Odometry,
     /// Joint targets of the last cycle, rad.
@@ -27,8 +27,8 @@ pub struct Walker {
 }
 
 impl Walker {
-    /// Stands there; the ball lies in a corner.
-    pub fn new(seed: u64, robot: Pose2, physics: &Physics) -> Result<Self, Failure> {
+    /// A standing robot; the ball lies in a corner.
+    pub(super) fn new(seed: u64, robot: Pose2, physics: &Physics) -> Result<Self, Failure> {
         let start = Some(Start { robot, ball: Vec2::new(-2.8, 1.8) });
         let setup = Setup { seed, goalkeeper: false, start, ..Setup::default() };
         let world =
@@ -39,8 +39,8 @@ impl Walker {
         Ok(walker)
     }
 
-    /// Walks with a velocity for some seconds, unless it falls.
-    pub fn go(&mut self, velocity: Velocity, seconds: f32) {
+    /// Walks with a velocity for some seconds, until a fall.
+    pub(super) fn go(&mut self, velocity: Velocity, seconds: f32) {
         for _ in 0..cycles(seconds) {
             if self.fell() {
                 return;
@@ -49,13 +49,13 @@ impl Walker {
         }
     }
 
-    /// Lets a foot swing through the ball in its next step.
-    pub const fn kick(&mut self, foot: Side) {
+    /// Requests an in-walk kick with a foot.
+    pub(super) const fn kick(&mut self, foot: Side) {
         self.gait.request_kick(foot);
     }
 
-    /// Walks for a control cycle.
-    pub fn cycle(&mut self, velocity: Velocity) {
+    /// Walks for one control cycle.
+    pub(super) fn cycle(&mut self, velocity: Velocity) {
         let sensors = self.world.sensors();
         let limbs = self.gait.step(velocity, &Feedback::from(&sensors), CYCLE_SECONDS);
         let moved = MotionInput {
@@ -68,8 +68,8 @@ impl Walker {
         self.act(&limbs);
     }
 
-    /// Moves the limbs for a control cycle.
-    pub fn act(&mut self, limbs: &Limbs) {
+    /// Moves the limbs for one control cycle.
+    pub(super) fn act(&mut self, limbs: &Limbs) {
         let mut stiffness = Stiffness::Walk.joints();
         for joint in [Joint::HeadYaw, Joint::HeadPitch] {
             stiffness[joint] = 0.7;
@@ -79,30 +79,30 @@ impl Walker {
         self.world.act(&Command { targets: self.commanded, stiffness, lights, camera });
     }
 
-    /// When it fell first, s.
-    pub fn fall(&self) -> Option<f32> {
+    /// Returns the time of the first fall, s.
+    pub(super) fn fall(&self) -> Option<f32> {
         let mut events = self.world.referee().events().iter();
         let fall = events.find(|happened| matches!(happened.event, Event::Fall(_)));
         fall.map(|fall| fall.at.as_secs_f32())
     }
 
-    /// Whether it ever fell.
-    pub fn fell(&self) -> bool {
+    /// Returns whether the robot fell.
+    pub(super) fn fell(&self) -> bool {
         self.fall().is_some()
     }
 
-    /// Where it is.
-    pub fn pose(&self) -> Pose2 {
+    /// Returns the true pose.
+    pub(super) fn pose(&self) -> Pose2 {
         self.world.referee().robot()
     }
 
-    /// Where its odometry believes it to be, from where it was when that began.
-    pub const fn believed(&self) -> Pose2 {
+    /// Returns the pose by odometry, from the start.
+    pub(super) const fn odometry_pose(&self) -> Pose2 {
         self.odometry.pose()
     }
 }
 
-/// Control cycles in a time, s.
-pub fn cycles(seconds: f32) -> usize {
+/// Returns the number of control cycles in a time, s.
+pub(super) fn cycles(seconds: f32) -> usize {
     (seconds / CYCLE_SECONDS).round() as usize
 }

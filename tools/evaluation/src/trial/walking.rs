@@ -1,4 +1,4 @@
-//! Walking: velocities, changing commands, pushes, and bodies and floors that differ.
+//! Walking: velocities, random commands, pushes, and other bodies and floors.
 
 use std::f32::consts::{PI, TAU};
 
@@ -7,26 +7,28 @@ use bica_motion::walk::Velocity;
 use bica_sim::mujoco::Physics;
 use glam::Vec2;
 
-use super::bench::Bench;
 use super::rng::Rng;
+use super::series::Series;
 use super::table::{Row, mean};
 use super::walker::{Walker, cycles};
 use bica_console::Failure;
 
-/// Time to come to a velocity before it is measured, s.
+/// Time of acceleration before the measurement, s.
 const START: f32 = 2.0;
-/// How long a velocity is measured, s.
-const MEASURED: f32 = 10.0;
-/// How far from what was asked for a velocity may be: a share of it.
-const OFF: f32 = 0.15;
-/// A part of a velocity that was not asked for may reach this, m/s or rad/s.
-const DRIFT: (f32, f32) = (0.03, 0.1);
-/// From command to command, and from push to push, s.
-const EVERY: f32 = 2.0;
+/// Duration of the measurement, s.
+const MEASUREMENT: f32 = 10.0;
+/// Largest relative error of a velocity.
+const MAX_ERROR: f32 = 0.15;
+/// Largest velocity along an axis without a command, m/s.
+const MAX_DRIFT: f32 = 0.03;
+/// Largest turn without a command, rad/s.
+const MAX_TURN_DRIFT: f32 = 0.1;
+/// Time between two commands or pushes, s.
+const INTERVAL: f32 = 2.0;
 
-/// Every velocity by itself and mixed.
-pub fn velocities(bench: &Bench) -> Result<Vec<Row>, Failure> {
-    let asked = [
+/// Single and combined velocities.
+pub(super) fn velocities(series: &Series) -> Result<Vec<Row>, Failure> {
+    let commanded = [
         ("forward 0.2 m/s", Velocity::new(0.2, 0.0, 0.0)),
         ("backward 0.1 m/s", Velocity::new(-0.1, 0.0, 0.0)),
         ("left 0.1 m/s", Velocity::new(0.0, 0.1, 0.0)),
@@ -39,33 +41,33 @@ pub fn velocities(bench: &Bench) -> Result<Vec<Row>, Failure> {
         ("all three", Velocity::new(0.1, 0.03, 0.2)),
     ];
     let mut rows = Vec::new();
-    for (name, velocity) in asked {
-        rows.push(velocity_row(bench, name, velocity, true)?);
+    for (name, velocity) in commanded {
+        rows.push(velocity_row(series, name, velocity, true)?);
     }
-    rows.push(velocity_row(bench, "forward 0.3 m/s", Velocity::new(0.3, 0.0, 0.0), false)?);
+    rows.push(velocity_row(series, "forward 0.3 m/s", Velocity::new(0.3, 0.0, 0.0), false)?);
     Ok(rows)
 }
 
-fn velocity_row(bench: &Bench, name: &str, asked: Velocity, exact: bool) -> Result<Row, Failure> {
-    let way = Vec2::new(asked.forward, asked.left);
-    let start = if asked.turn == 0.0 { -0.5 * (START + MEASURED) * way } else { Vec2::ZERO };
+fn velocity_row(series: &Series, name: &str, commanded: Velocity, exact: bool) -> Result<Row, Failure> {
+    let way = Vec2::new(commanded.forward, commanded.left);
+    let start = if commanded.turn == 0.0 { -0.5 * (START + MEASUREMENT) * way } else { Vec2::ZERO };
     let start = Pose2 { position: start, heading: 0.0 };
-    let reached = bench.each(|seed| {
-        let mut walker = Walker::new(seed, start, &bench.physics)?;
-        walker.go(asked, START);
+    let reached = series.each(|seed| {
+        let mut walker = Walker::new(seed, start, &series.physics)?;
+        walker.go(commanded, START);
         let mut sum = Pose2::ORIGIN;
-        for _ in 0..cycles(MEASURED) {
+        for _ in 0..cycles(MEASUREMENT) {
             let before = walker.pose();
-            walker.cycle(asked);
+            walker.cycle(commanded);
             let step = before.inverse() * walker.pose();
             sum.position += step.position;
             sum.heading += step.heading;
         }
         let mean = Velocity::new(sum.position.x, sum.position.y, sum.heading);
-        Ok((!walker.fell()).then(|| scaled(mean, 1.0 / MEASURED)))
+        Ok((!walker.fell()).then(|| scaled(mean, 1.0 / MEASUREMENT)))
     })?;
     let stood: Vec<Velocity> = reached.iter().flatten().copied().collect();
-    let good = stood.iter().filter(|reached| !exact || near(**reached, asked)).count();
+    let good = stood.iter().filter(|reached| !exact || near(**reached, commanded)).count();
     let of = |part: fn(&Velocity) -> f32| mean(&stood.iter().map(part).collect::<Vec<_>>());
     let (forward, left, turn) = (of(|v| v.forward), of(|v| v.left), of(|v| v.turn));
     let falls = reached.len() - stood.len();
@@ -73,7 +75,7 @@ fn velocity_row(bench: &Bench, name: &str, asked: Velocity, exact: bool) -> Resu
         name: name.to_owned(),
         runs: reached.len(),
         good,
-        needed: bench.needed(if exact { 20 } else { 18 }),
+        needed: series.needed(if exact { 20 } else { 18 }),
         figures: format!("mean {forward:+.3} {left:+.3} m/s {turn:+.3} rad/s, falls {falls}"),
         figures_hold: true,
     })
@@ -83,23 +85,23 @@ fn scaled(velocity: Velocity, by: f32) -> Velocity {
     Velocity::new(by * velocity.forward, by * velocity.left, by * velocity.turn)
 }
 
-fn near(reached: Velocity, asked: Velocity) -> bool {
-    let near = |reached: f32, asked: f32, drift: f32| {
-        (reached - asked).abs() <= if asked == 0.0 { drift } else { OFF * asked.abs() }
+fn near(reached: Velocity, commanded: Velocity) -> bool {
+    let near = |reached: f32, commanded: f32, drift: f32| {
+        (reached - commanded).abs() <= if commanded == 0.0 { drift } else { MAX_ERROR * commanded.abs() }
     };
-    near(reached.forward, asked.forward, DRIFT.0)
-        && near(reached.left, asked.left, DRIFT.0)
-        && near(reached.turn, asked.turn, DRIFT.1)
+    near(reached.forward, commanded.forward, MAX_DRIFT)
+        && near(reached.left, commanded.left, MAX_DRIFT)
+        && near(reached.turn, commanded.turn, MAX_TURN_DRIFT)
 }
 
-/// Commands by chance, changed every two seconds for a minute.
-pub fn commands(bench: &Bench) -> Result<Vec<Row>, Failure> {
-    Ok(vec![commands_row(bench, "commands by chance, 60 s", &bench.physics, 19)?])
+/// Random commands, changed every two seconds for a minute.
+pub(super) fn commands(series: &Series) -> Result<Vec<Row>, Failure> {
+    Ok(vec![commands_row(series, "random commands, 60 s", &series.physics, 19)?])
 }
 
-/// Commands by chance with bodies and floors that differ.
-pub fn bodies(bench: &Bench) -> Result<Vec<Row>, Failure> {
-    let physics = bench.physics;
+/// Random commands with other bodies and floors.
+pub(super) fn bodies(series: &Series) -> Result<Vec<Row>, Failure> {
+    let physics = series.physics;
     let bodies = [
         ("friction 0.5", Physics { friction: 0.5, ..physics }),
         ("friction 1.2", Physics { friction: 1.2, ..physics }),
@@ -108,22 +110,22 @@ pub fn bodies(bench: &Bench) -> Result<Vec<Row>, Failure> {
         ("torque limit 3 Nm", Physics { torque_limit: 3.0, ..physics }),
         ("dead time 40 ms", Physics { dead_time: 0.04, ..physics }),
     ];
-    bodies.iter().map(|(name, physics)| commands_row(bench, name, physics, 18)).collect()
+    bodies.iter().map(|(name, physics)| commands_row(series, name, physics, 18)).collect()
 }
 
-fn commands_row(bench: &Bench, name: &str, physics: &Physics, wanted: u64) -> Result<Row, Failure> {
-    let runs = bench.each(|seed| {
+fn commands_row(series: &Series, name: &str, physics: &Physics, wanted: u32) -> Result<Row, Failure> {
+    let runs = series.each(|seed| {
         let mut rng = Rng::new(seed);
         let mut walker = Walker::new(seed, Pose2::new(0.0, 0.0, rng.between(-PI, PI)), physics)?;
         for _ in 0..30 {
-            walker.go(inward(&mut rng, walker.pose()), EVERY);
+            walker.go(inward(&mut rng, walker.pose()), INTERVAL);
         }
         Ok(walker.fall())
     })?;
-    Ok(fall_row(name, &runs, bench.needed(wanted)))
+    Ok(fall_row(name, &runs, series.needed(wanted)))
 }
 
-/// A command by chance: one of some that leads farthest to the middle, once the robot is far from there.
+/// A random command; far from the centre of the field, the one of eight that leads nearest to it.
 fn inward(rng: &mut Rng, pose: Pose2) -> Velocity {
     let mut any = || {
         let forward = rng.between(-0.1, 0.2);
@@ -135,28 +137,28 @@ fn inward(rng: &mut Rng, pose: Pose2) -> Velocity {
         return first;
     }
     let left_over = |velocity: &Velocity| {
-        let turned = Pose2 { heading: pose.heading + 0.5 * EVERY * velocity.turn, ..pose };
-        turned.place(EVERY * Vec2::new(velocity.forward, velocity.left)).length()
+        let turned = Pose2 { heading: pose.heading + 0.5 * INTERVAL * velocity.turn, ..pose };
+        turned.place(INTERVAL * Vec2::new(velocity.forward, velocity.left)).length()
     };
     others.into_iter().chain([first]).min_by(|a, b| left_over(a).total_cmp(&left_over(b))).unwrap_or(first)
 }
 
-/// Pushes from sides by chance, every two seconds for twenty, while walking.
-pub fn pushes(bench: &Bench) -> Result<Vec<Row>, Failure> {
+/// Pushes from random directions, every two seconds for twenty seconds, while walking.
+pub(super) fn pushes(series: &Series) -> Result<Vec<Row>, Failure> {
     let row = |(name, speed, wanted)| {
-        let runs = bench.each(|seed| {
+        let runs = series.each(|seed| {
             let mut rng = Rng::new(seed);
-            let mut walker = Walker::new(seed, Pose2::new(-1.0, 0.0, 0.0), &bench.physics)?;
+            let mut walker = Walker::new(seed, Pose2::new(-1.0, 0.0, 0.0), &series.physics)?;
             for _ in 0..10 {
-                walker.go(Velocity::new(0.1, 0.0, 0.0), EVERY);
+                walker.go(Velocity::new(0.1, 0.0, 0.0), INTERVAL);
                 walker.world.push(speed * Vec2::from_angle(rng.between(0.0, TAU)));
             }
-            walker.go(Velocity::new(0.1, 0.0, 0.0), EVERY);
+            walker.go(Velocity::new(0.1, 0.0, 0.0), INTERVAL);
             Ok(walker.fall())
         })?;
-        Ok(fall_row(name, &runs, bench.needed(wanted)))
+        Ok(fall_row(name, &runs, series.needed(wanted)))
     };
-    // The last one is not asked for; it tells how far it is from falling.
+    // The second case has no requirement; it shows the distance from the limit.
     [("pushes of 0.4 m/s, 20 s", 0.4, 19), ("pushes of 0.6 m/s, 20 s", 0.6, 0)].into_iter().map(row).collect()
 }
 

@@ -1,4 +1,4 @@
-//! The robot finds out where on the field it is, by looking around.
+//! Self-localization by looking around.
 
 #[path = "../support/lookout.rs"]
 mod lookout;
@@ -6,14 +6,14 @@ mod lookout;
 use lookout::{Lookout, print};
 
 #[test]
-fn it_knows_where_it_is_after_ten_seconds() {
+fn the_robot_is_localized_after_ten_seconds() {
     let outcomes: Vec<_> = (0..15).map(|seed| Lookout::new(seed, 0).look_around(10.0)).collect();
     print(&outcomes);
-    assert!(outcomes.iter().filter(|outcome| outcome.is_found()).count() >= 14);
+    assert!(outcomes.iter().filter(|outcome| outcome.is_correct()).count() >= 14);
 }
 
 #[test]
-fn others_on_the_field_and_being_carried_off_do_not_lose_it() {
+fn localization_recovers_from_kidnapping_among_other_robots() {
     let mut outcomes = Vec::new();
     for seed in 100..105 {
         let mut lookout = Lookout::new(seed, 4);
@@ -22,5 +22,5 @@ fn others_on_the_field_and_being_carried_off_do_not_lose_it() {
         outcomes.push(lookout.look_around(10.0));
     }
     print(&outcomes);
-    assert!(outcomes.iter().filter(|outcome| outcome.is_found()).count() >= 9);
+    assert!(outcomes.iter().filter(|outcome| outcome.is_correct()).count() >= 9);
 }

@@ -1,9 +1,10 @@
-//! A robot that stands anywhere on the field and looks around to find out where.
+//! A robot at a random pose that looks around to localize itself.
 
 use bica::prelude::*;
-use bica::runner::Robot;
+use bica::runner::Runner;
 use bica_motion::kinematics;
 use bica_motion::pose::{Pose2, wrap};
+use bica_motion::robot::{Command, Sensors};
 use bica_motion::side::Side;
 use bica_player::Forward;
 use bica_player::behaviour::{LookAround, Player};
@@ -15,40 +16,61 @@ use bica_sim::setup::{Setup, Start};
 use bica_vision::localization::Estimate;
 use glam::Vec2;
 
-/// What counts as found, m and rad.
-const FOUND: (f32, f32) = (0.25, 0.174_533);
+/// Largest position error of a correct estimate, m.
+const MAX_POSITION_ERROR: f32 = 0.25;
+/// Largest heading error of a correct estimate, rad (10 degrees).
+const MAX_HEADING_ERROR: f32 = 0.174_533;
+
+/// World that can be replaced while the clock goes on.
+struct Stage {
+    world: KinematicWorld,
+    cycle: u64,
+}
+
+impl bica::runner::World<Forward> for Stage {
+    fn now(&self) -> Instant {
+        Instant::from_millis(10 * (self.cycle + 1))
+    }
+
+    fn sensors(&mut self) -> Sensors<'_> {
+        bica_sim::World::sensors(&mut self.world)
+    }
+
+    fn act(&mut self, command: &Command) {
+        bica_sim::World::act(&mut self.world, command);
+        self.cycle += 1;
+    }
+}
 
 /// A robot and its world.
 pub(crate) struct Lookout {
-    world: KinematicWorld,
-    robot: Box<Forward>,
+    runner: Runner<Box<Forward>, Stage>,
     seed: u64,
-    clock: u64,
 }
 
-/// What came of a look around.
+/// Result of looking around.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Outcome {
-    /// The game.
+    /// Seed of the game.
     pub(crate) seed: u64,
-    /// Where the robot was.
+    /// True pose.
     pub(crate) truth: Pose2,
-    /// What it believed.
+    /// Estimate of the robot.
     pub(crate) estimate: Option<Estimate>,
-    /// When it was right for the last time from then on, s.
+    /// Time from which on the estimate was always correct, s.
     pub(crate) since: Option<f32>,
 }
 
 impl Outcome {
-    /// How far off the belief was, m and rad.
+    /// Returns the error of the estimate, m and rad.
     pub(crate) fn error(&self) -> (f32, f32) {
         error(self.estimate.map(|estimate| estimate.pose), self.truth)
     }
 
-    /// Whether it was near enough.
-    pub(crate) fn is_found(&self) -> bool {
-        let (off, askew) = self.error();
-        off <= FOUND.0 && askew <= FOUND.1
+    /// Returns whether the estimate is correct.
+    pub(crate) fn is_correct(&self) -> bool {
+        let (position, heading) = self.error();
+        position <= MAX_POSITION_ERROR && heading <= MAX_HEADING_ERROR
     }
 }
 
@@ -69,72 +91,64 @@ fn setup(seed: u64, robots: usize) -> Setup {
 }
 
 impl Lookout {
-    /// A robot at a pose that the seed decides, with as many others on the field.
+    /// A robot at a pose drawn from the seed, with this number of others on the field.
     pub(crate) fn new(seed: u64, robots: usize) -> Self {
         let world = KinematicWorld::new(&setup(seed, robots)).expect("a start on the carpet");
         let mut robot = Box::new(Forward::new());
         robot.hold::<Player>(Hold::Latent);
         robot.hold::<LookAround>(Hold::Active);
         robot.hold::<Body>(Hold::Active);
-        let mut lookout = Self { world, robot, seed, clock: 0 };
-        lookout.tell_colour();
-        lookout
+        robot.get_mut::<GoalDetector>().attack(world.referee().attacks());
+        Self { runner: Runner::new(robot, Stage { world, cycle: 0 }), seed }
     }
 
-    /// Carries the robot to where another seed puts it, without a word.
+    /// Moves the robot to the pose of another seed without notice.
     pub(crate) fn kidnap(&mut self, seed: u64, robots: usize) {
-        let mine = self.world.referee().attacks();
+        let mine = self.runner.world().world.referee().attacks();
         let others = (seed..).map(|seed| KinematicWorld::new(&setup(seed, robots)).expect("a start on the carpet"));
-        self.world = others.into_iter().find(|world| world.referee().attacks() == mine).expect("half of all");
+        let world = others.into_iter().find(|world| world.referee().attacks() == mine).expect("half of all");
+        self.runner.world_mut().world = world;
     }
 
-    fn tell_colour(&mut self) {
-        self.robot.get_mut::<GoalDetector>().attack(self.world.referee().attacks());
-    }
-
-    /// The ground between the feet, as the referee knows it.
+    /// Returns the true pose of the ground between the feet.
     fn truth(&mut self) -> Pose2 {
-        let hips = kinematics::ground_from_robot(Side::Left, &self.world.sensors().angles).translation;
-        self.world.referee().robot() * Pose2::new(-hips.x, -hips.y, 0.0)
+        let hips =
+            kinematics::ground_from_robot(Side::Left, &self.runner.world_mut().world.sensors().angles).translation;
+        self.runner.world().world.referee().robot() * Pose2::new(-hips.x, -hips.y, 0.0)
     }
 
-    /// What the robot believes.
+    /// Returns the estimate of the robot.
     fn estimate(&self) -> Option<Estimate> {
-        self.robot.get::<Localization>().estimate()
+        self.runner.robot().get::<Localization>().estimate()
     }
 
-    /// Looks around for so many seconds.
+    /// Looks around for some seconds.
     pub(crate) fn look_around(&mut self, seconds: f32) -> Outcome {
         let mut since = None;
         for cycle in 0..(100.0 * seconds) as u64 {
-            let sensed = self.robot.sense(&self.world.sensors());
-            sensed.expect("the eye is large enough");
-            self.clock += 10;
-            self.robot.tick(Instant::from_millis(self.clock));
-            let command = self.robot.act();
-            self.world.act(&command);
+            self.runner.cycle().expect("the camera input holds the image");
             let outcome = Outcome { seed: self.seed, truth: self.truth(), estimate: self.estimate(), since };
-            since = if outcome.is_found() { since.or(Some(0.01 * cycle as f32)) } else { None };
+            since = if outcome.is_correct() { since.or(Some(0.01 * cycle as f32)) } else { None };
         }
         Outcome { seed: self.seed, truth: self.truth(), estimate: self.estimate(), since }
     }
 }
 
-/// Prints the misses and the figures.
+/// Prints the failures and the statistics.
 pub(crate) fn print(outcomes: &[Outcome]) {
-    for miss in outcomes.iter().filter(|outcome| !outcome.is_found()) {
-        println!("seed {}: at {:?}, believed {:?}", miss.seed, miss.truth, miss.estimate);
+    for miss in outcomes.iter().filter(|outcome| !outcome.is_correct()) {
+        println!("seed {}: at {:?}, estimated {:?}", miss.seed, miss.truth, miss.estimate);
     }
-    let found: Vec<_> = outcomes.iter().filter(|outcome| outcome.is_found()).collect();
+    let found: Vec<_> = outcomes.iter().filter(|outcome| outcome.is_correct()).collect();
     let at = |mut values: Vec<f32>, part: usize| {
         values.sort_by(f32::total_cmp);
         values.get((values.len().max(1) - 1) * part / 100).copied().unwrap_or(f32::NAN)
     };
-    println!("found {} of {}", found.len(), outcomes.len());
+    println!("correct: {} of {}", found.len(), outcomes.len());
     let all: [(&str, Vec<f32>); 3] = [
-        ("m off", outcomes.iter().map(|outcome| outcome.error().0).collect()),
-        ("° off", outcomes.iter().map(|outcome| outcome.error().1.to_degrees()).collect()),
-        ("s until found for good", outcomes.iter().filter_map(|outcome| outcome.since).collect()),
+        ("position error, m", outcomes.iter().map(|outcome| outcome.error().0).collect()),
+        ("heading error, degrees", outcomes.iter().map(|outcome| outcome.error().1.to_degrees()).collect()),
+        ("time until correct for good, s", outcomes.iter().filter_map(|outcome| outcome.since).collect()),
     ];
     for (name, values) in all {
         println!("{name}: median {:.3}, 90 % {:.3}", at(values.clone(), 50), at(values, 90));

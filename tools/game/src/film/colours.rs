@@ -1,9 +1,9 @@
-//! The colours of a film: at most 255, chosen for fields, robots and goals.
+//! Palette of a film: at most 255 colours, for fields, robots and goals.
 
 use bica_drawing::canvas::Rgb;
 use bica_drawing::palette as ink;
 
-/// What is on a field, evenly lit, 0 to 1.
+/// Colours of a field in even light, 0 to 1.
 const FIELD: [[f32; 3]; 9] = [
     [0.17, 0.38, 0.20],
     [0.15, 0.42, 0.20],
@@ -15,27 +15,29 @@ const FIELD: [[f32; 3]; 9] = [
     [0.27, 0.28, 0.33],
     [0.45, 0.33, 0.22],
 ];
-/// Greys as cameras of different white balance see them.
+/// Greys under different white balances.
 const GREYS: [[f32; 3]; 3] = [[0.78, 0.78, 0.78], [0.80, 0.78, 0.73], [0.74, 0.77, 0.82]];
-/// Shades of each colour, and of each grey.
-const SHADES: (usize, usize) = (15, 30);
-/// What is drawn on pictures.
+/// Number of shades of each colour.
+const COLOUR_SHADES: usize = 15;
+/// Number of shades of each grey.
+const GREY_SHADES: usize = 30;
+/// Colours of drawings.
 const INKS: [Rgb; 9] =
-    [ink::PAPER, ink::TEXT, ink::FAINT, ink::GHOST, ink::WHITE, ink::YELLOW, ink::BLUE, ink::BELIEF, ink::BALL];
-/// Bits of each channel that choose the colour.
+    [ink::PAPER, ink::TEXT, ink::FAINT, ink::GHOST, ink::WHITE, ink::YELLOW, ink::BLUE, ink::ESTIMATE, ink::BALL];
+/// Number of bits of each channel in the table of nearest colours.
 const BITS: u32 = 5;
 
-/// Finds the nearest of a film's colours.
-pub struct Colours {
+/// Palette with a table of nearest colours.
+pub(super) struct Colours {
     /// The colours.
-    pub all: Vec<Rgb>,
+    pub(super) all: Vec<Rgb>,
     nearest: Vec<u8>,
 }
 
 impl Colours {
-    pub fn new() -> Self {
+    pub(super) fn new() -> Self {
         let mut all = INKS.to_vec();
-        for (bases, shades) in [(&FIELD[..], SHADES.0), (&GREYS[..], SHADES.1)] {
+        for (bases, shades) in [(&FIELD[..], COLOUR_SHADES), (&GREYS[..], GREY_SHADES)] {
             let scale = |shade: usize| 0.25 + 1.1 * (shade as f32 + 0.5) / shades as f32;
             all.extend(bases.iter().flat_map(|base| {
                 (0..shades).map(move |shade| base.map(|part| (255.0 * part * scale(shade)).min(255.0) as u8))
@@ -56,8 +58,8 @@ impl Colours {
         Self { all, nearest }
     }
 
-    /// The place of the colour nearest to one.
-    pub fn index(&self, [red, green, blue]: Rgb) -> u8 {
+    /// Returns the index of the nearest colour.
+    pub(super) fn index(&self, [red, green, blue]: Rgb) -> u8 {
         let part = |value: u8| usize::from(value >> (8 - BITS));
         self.nearest[(part(red) << (2 * BITS)) | (part(green) << BITS) | part(blue)]
     }
@@ -68,13 +70,13 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_byte_names_every_colour_and_one_more() {
+    fn the_palette_leaves_an_index_for_transparency_and_holds_common_colours() {
         let colours = Colours::new();
         assert!(colours.all.len() < 256, "{}", colours.all.len());
         for colour in [[43, 97, 51], [219, 107, 43], [199, 178, 25], [190, 190, 190]] {
             let found = colours.all[usize::from(colours.index(colour))];
-            let off = found.iter().zip(colour).map(|(a, b)| a.abs_diff(b)).max();
-            assert!(off <= Some(12), "{colour:?} became {found:?}");
+            let same = found.iter().zip(colour).all(|(a, b)| a.abs_diff(b) <= 12);
+            assert!(same, "{colour:?} became {found:?}");
         }
     }
 }

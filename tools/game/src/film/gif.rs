@@ -1,4 +1,4 @@
-//! An animated GIF, picture by picture; only what changed is written.
+//! Animated GIF; only the changed part of each picture is written.
 
 use std::borrow::Cow;
 use std::fs::File;
@@ -7,34 +7,35 @@ use std::path::{Path, PathBuf};
 
 use gif::{DisposalMethod, Encoder, EncodingError, Frame, Repeat};
 
-use super::OUTSIDE;
+use super::OUTSIDE_WIDTH;
 use super::colours::Colours;
 use bica_console::Failure;
 use bica_drawing::canvas::{Canvas, Rgb};
 
-/// Time of a picture, hundredths of a second.
-pub const TIME: u16 = 7;
-/// What lets the picture before show through.
+/// Duration of a picture, hundredths of a second.
+pub(crate) const PICTURE_TIME: u16 = 7;
+/// Index of the transparent colour.
 const CLEAR: u8 = 255;
 
-/// A colour whose channels are all within this is as good: from outside, and in the robot's own view, whose noise needs no
-/// writing.
-const AS_GOOD: (u8, u8) = (5, 20);
+/// Largest difference of a channel for which a pixel keeps its colour, in the view from outside.
+const TOLERANCE_OUTSIDE: u8 = 5;
+/// The same in the camera image, whose noise is not worth writing.
+const TOLERANCE_CAMERA: u8 = 20;
 
-/// A GIF that is being written.
-pub struct Gif {
+/// GIF that is being written.
+pub(super) struct Gif {
     path: PathBuf,
     encoder: Encoder<BufWriter<File>>,
     colours: Colours,
     width: usize,
-    /// The picture before.
+    /// Colours of the previous picture.
     before: Vec<u8>,
     count: usize,
 }
 
 impl Gif {
-    /// An empty one.
-    pub fn new(path: &Path, width: usize, height: usize) -> Result<Self, Failure> {
+    /// A file without pictures.
+    pub(super) fn new(path: &Path, width: usize, height: usize) -> Result<Self, Failure> {
         let colours = Colours::new();
         let mut palette: Vec<u8> = colours.all.iter().flatten().copied().collect();
         palette.resize(256 * 3, 0);
@@ -47,29 +48,30 @@ impl Gif {
         Ok(Self { path: path.to_owned(), encoder, colours, width, before: Vec::new(), count: 0 })
     }
 
-    /// Adds a picture that stays for the time of `times` pictures.
-    pub fn add(&mut self, canvas: &Canvas, times: u16) -> Result<(), Failure> {
+    /// Adds a picture that is shown for the time of `times` pictures.
+    pub(super) fn add(&mut self, canvas: &Canvas, times: u16) -> Result<(), Failure> {
         let pixels = canvas.bytes().as_chunks::<3>().0;
         let now: Vec<u8> = pixels.iter().enumerate().map(|(at, rgb)| self.colour(at, *rgb)).collect();
-        let frame = self.change(&now, times * TIME);
+        let frame = self.change(&now, times * PICTURE_TIME);
         self.encoder.write_frame(&frame).map_err(|error| failed(&self.path, &error))?;
         self.before = now;
         self.count += 1;
         Ok(())
     }
 
-    /// The colour of a pixel: that of the picture before, if that is as good.
+    /// Returns the colour of a pixel: that of the previous picture within the tolerance.
     fn colour(&self, at: usize, rgb: Rgb) -> u8 {
         let before = self.before.get(at).copied();
-        let as_good = if at % self.width < OUTSIDE.0 { AS_GOOD.0 } else { AS_GOOD.1 };
+        let outside = at % self.width < OUTSIDE_WIDTH;
+        let tolerance = if outside { TOLERANCE_OUTSIDE } else { TOLERANCE_CAMERA };
         let near = |index: &u8| {
             let shown = self.colours.all[usize::from(*index)];
-            shown.iter().zip(rgb).all(|(shown, wanted)| shown.abs_diff(wanted) <= as_good)
+            shown.iter().zip(rgb).all(|(shown, wanted)| shown.abs_diff(wanted) <= tolerance)
         };
         before.filter(near).unwrap_or_else(|| self.colours.index(rgb))
     }
 
-    /// The least rectangle that holds all that changed, clear where nothing did.
+    /// Returns the bounding box of all changes, transparent where nothing changed.
     fn change(&self, now: &[u8], delay: u16) -> Frame<'static> {
         let same = |at: usize| self.before.get(at) == Some(&now[at]);
         let (mut left, mut right, mut top, mut bottom) = (self.width, 0, usize::MAX, 0);
@@ -81,7 +83,7 @@ impl Gif {
             (left, right, top, bottom) = (0, 0, 0, 0);
         }
         let rows = (top..=bottom).flat_map(|y| (left..=right).map(move |x| (x, y)));
-        // Going on with the colour beside it packs better than letting the picture before show through.
+        // Runs of one colour are smaller than changes between colour and transparency.
         let changed = rows.map(|(x, y)| y * self.width + x).scan(CLEAR, |beside, at| {
             *beside = if same(at) && *beside != now[at] { CLEAR } else { now[at] };
             Some(*beside)
@@ -99,8 +101,8 @@ impl Gif {
         }
     }
 
-    /// Closes the file. Says how many pictures there are.
-    pub fn end(self) -> Result<usize, Failure> {
+    /// Closes the file and returns the number of pictures.
+    pub(super) fn finish(self) -> Result<usize, Failure> {
         let file = self
             .encoder
             .into_inner()

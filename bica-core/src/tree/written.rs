@@ -1,0 +1,126 @@
+//! Links as signatures write them.
+//!
+//! Two signatures can write one component by two paths. A macro cannot tell; the indices in a tree can.
+
+use crate::check::Text;
+use crate::graph::{Link, LinkKind};
+
+/// One link as an argument writes it.
+#[derive(Clone, Copy)]
+pub struct WrittenLink {
+    /// Index of the component in the tree.
+    pub to: usize,
+    /// The argument.
+    pub kind: WrittenKind,
+    /// Index of the state whose functions have the argument; `None` without states.
+    pub state: Option<usize>,
+}
+
+/// The argument that writes a link.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum WrittenKind {
+    /// `&C`
+    Read,
+    /// `&mut C`
+    Write,
+    /// `&mut Rate<C>`
+    Rate,
+}
+
+impl WrittenKind {
+    /// Of links to one component the one with the lowest rank counts: what is written is visited after, also if it is
+    /// read, and a rate adds nothing to another link.
+    const fn rank(self) -> u8 {
+        match self {
+            Self::Write => 0,
+            Self::Read => 1,
+            Self::Rate => 2,
+        }
+    }
+}
+
+/// Whether the link at `index` of the component `own` is one of the graph, and not another path to the same child, nor
+/// the rate of the component itself.
+#[must_use]
+pub const fn counts(links: &[WrittenLink], index: usize, own: usize) -> bool {
+    let link = links[index];
+    if link.to == own && matches!(link.kind, WrittenKind::Rate) {
+        return false;
+    }
+    let mut at = 0;
+    while at < links.len() {
+        let other = links[at];
+        let first = other.kind.rank() < link.kind.rank() || (other.kind.rank() == link.kind.rank() && at < index);
+        if first && other.to == link.to && is_same_state(other.state, link.state) {
+            return false;
+        }
+        at += 1;
+    }
+    true
+}
+
+const fn is_same_state(a: Option<usize>, b: Option<usize>) -> bool {
+    match (a, b) {
+        (Some(a), Some(b)) => a == b,
+        (None, None) => true,
+        _ => false,
+    }
+}
+
+/// The links of a node: at most `N`, each component once for each state.
+pub struct DistinctLinks<const N: usize> {
+    links: [Link; N],
+    len: usize,
+}
+
+impl<const N: usize> DistinctLinks<N> {
+    /// The links of the component `own` that count, in the order in which they are written.
+    #[must_use]
+    pub const fn of(written: &[WrittenLink], own: usize) -> Self {
+        let mut distinct = Self { links: [Link { to: 0, kind: LinkKind::Requirement, state: None }; N], len: 0 };
+        let mut index = 0;
+        while index < written.len() {
+            if counts(written, index, own) {
+                distinct.links[distinct.len] = link(written[index]);
+                distinct.len += 1;
+            }
+            index += 1;
+        }
+        distinct
+    }
+
+    /// The links.
+    #[must_use]
+    pub const fn as_slice(&self) -> &[Link] {
+        self.links.split_at(self.len).0
+    }
+}
+
+const fn link(written: WrittenLink) -> Link {
+    let kind = match written.kind {
+        WrittenKind::Read => LinkKind::Requirement,
+        WrittenKind::Write | WrittenKind::Rate => LinkKind::Modulation,
+    };
+    Link { to: written.to, kind, state: written.state }
+}
+
+/// Stops the compiler if an earlier argument of the signature borrows what the one at `index` borrows.
+///
+/// Each target is the index of a component, and whether its rate is borrowed. `name` is the path in the argument.
+///
+/// # Panics
+/// If it does.
+#[track_caller]
+pub const fn assert_single_link(targets: &[(usize, bool)], index: usize, name: &str) {
+    let mut earlier = 0;
+    while earlier < index {
+        if targets[earlier].0 == targets[index].0 && targets[earlier].1 == targets[index].1 {
+            let mut text = Text::<256>::new();
+            text.push("two links to one component in one signature: an earlier argument is `");
+            text.push(name);
+            text.push("` by another path; keep one, `&mut` can also read");
+            panic!("{}", text.as_str());
+        }
+        earlier += 1;
+    }
+}

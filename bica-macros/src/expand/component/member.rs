@@ -1,0 +1,64 @@
+//! `impl MemberOf`: the component as a part of any tree that holds its children.
+
+use std::collections::BTreeSet;
+
+use proc_macro2::TokenStream;
+use quote::quote;
+use syn::{Type, WherePredicate, parse_quote, parse_quote_spanned};
+
+use super::visits::Visits;
+use super::{description, hooks, machine, node, runtime, step};
+use crate::expand::quoting::{at, placed};
+use crate::language::component::model::{Argument, Behaviour, Component};
+use crate::language::text;
+
+pub(super) fn expand(component: &Component, behaviour: &Behaviour) -> TokenStream {
+    let p = runtime(component);
+    let own = component.own();
+    let visits = Visits::of(&p, behaviour);
+    let mut generics = description::owned(&component.block.header.generics);
+    generics.params.push(parse_quote!(__T));
+    let bounds = generics.make_where_clause();
+    bounds.predicates.push(parse_quote!(__T: #p::Has<#own>));
+    for child in children(&visits) {
+        bounds.predicates.push(holds(&p, child));
+    }
+    let (parameters, _, bounds) = generics.split_for_impl();
+    let timed = timed(component);
+    let node = node::expand(component, behaviour, &visits);
+    let pass = match behaviour {
+        Behaviour::Step(function) => step::expand(&p, function.as_ref(), &visits),
+        Behaviour::Machine(machine) => machine::expand(&p, machine, &visits),
+    };
+    let hooks = hooks::expand(component);
+    quote! {
+        #[automatically_derived]
+        impl #parameters #p::MemberOf<__T> for #own #bounds {
+            #node
+            const TIMED: bool = #timed;
+
+            #[inline]
+            fn pass<__P: #p::Probe>(cycle: &mut #p::Cycle<'_, __T, __P>, visit: #p::Visit) {
+                #pass
+            }
+
+            #hooks
+        }
+    }
+}
+
+/// `__T: Has<child>`, with the child's place in a signature for the compiler to point at.
+fn holds(p: &TokenStream, child: &Type) -> WherePredicate {
+    let p = placed(p, at(child));
+    parse_quote_spanned!(at(child) => __T: #p::Has<#child>)
+}
+
+fn timed(component: &Component) -> bool {
+    component.functions().flat_map(|function| &function.arguments).any(|argument| matches!(argument, Argument::Time(_)))
+}
+
+/// All children, each text once.
+fn children(visits: &Visits) -> impl Iterator<Item = &Type> {
+    let mut seen = BTreeSet::new();
+    visits.children().filter(move |child| seen.insert(text::written(child)))
+}

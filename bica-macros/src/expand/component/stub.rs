@@ -1,0 +1,75 @@
+//! The code of an item with mistakes: a component that does nothing, so that one mistake gives one message.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+use syn::{GenericParam, Generics, Path, Type, parse_quote};
+
+use super::{description, private};
+use crate::language::component::model::Component;
+use crate::language::report::Report;
+
+/// The impl block as written, the mistakes, and a component that does nothing.
+pub(crate) fn stub(component: &Component, report: &Report) -> TokenStream {
+    let (block, errors) = (&component.block, report.to_compile_errors());
+    let nothing = nothing(&component.options.krate, &component.block.header.generics, component.own());
+    quote!(#block #nothing #errors)
+}
+
+/// An item that is no impl block of a type, the mistakes, and a component that does nothing for the type that was meant.
+pub(crate) fn misplaced(item: &TokenStream, of: Option<&(Generics, Type)>, report: &Report) -> TokenStream {
+    let errors = report.to_compile_errors();
+    let nothing = of.map(|(generics, own)| nothing(&parse_quote!(::bica), generics, own));
+    quote!(#item #nothing #errors)
+}
+
+/// A component that trees accept and do not check.
+///
+/// A type that borrows can be no component: another message about that would only repeat ours.
+fn nothing(krate: &Path, generics: &Generics, own: &Type) -> Option<TokenStream> {
+    if generics.params.iter().any(|parameter| matches!(parameter, GenericParam::Lifetime(_))) {
+        return None;
+    }
+    let p = private(krate);
+    let name = description::name(own);
+    let time = (name == "Time")
+        .then(|| quote!(impl #p::CycleTime for #own { fn of(_: &#p::Time) -> &Self { ::core::unreachable!() } }));
+    let generics = description::owned(generics);
+    let mut member = generics.clone();
+    member.params.push(parse_quote!(__T: #p::Has<#own>));
+    let (parameters, _, bounds) = generics.split_for_impl();
+    let (member_parameters, _, _) = member.split_for_impl();
+    Some(quote! {
+        #time
+
+        #[automatically_derived]
+        impl #parameters #p::Component for #own #bounds {
+            const NAME: &'static str = #name;
+            const DOC: &'static str = "";
+            const HZ: ::core::option::Option<f32> = ::core::option::Option::None;
+            const BUDGET_US: ::core::option::Option<f32> = ::core::option::Option::None;
+            const RESUME: bool = false;
+            const STATES: &'static [#p::State] = &[];
+            const IS_STUB: bool = true;
+        }
+
+        #[automatically_derived]
+        impl #member_parameters #p::MemberOf<__T> for #own #bounds {
+            const WRITTEN: &'static [#p::WrittenLink] = &[];
+            const NODE: #p::Node = #p::Node {
+                name: #name,
+                doc: "",
+                hz: ::core::option::Option::None,
+                budget_us: ::core::option::Option::None,
+                resume: false,
+                links: &[],
+                states: &[],
+                transitions: &[],
+            };
+            const TIMED: bool = false;
+
+            fn pass<__P: #p::Probe>(_: &mut #p::Cycle<'_, __T, __P>, _: #p::Visit) {
+                const { ::core::panic!("a component that could not be read cannot run") }
+            }
+        }
+    })
+}

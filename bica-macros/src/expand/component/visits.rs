@@ -1,0 +1,89 @@
+//! The visits of children, and the list of links that decides which of them take place.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+use syn::Type;
+
+use crate::expand::quoting::option;
+use crate::language::component::links::{Kind, Links};
+use crate::language::component::model::{Behaviour, Machine};
+
+/// The links of a component: one list for each state, or one for its step.
+pub(super) struct Visits {
+    runtime: TokenStream,
+    states: Vec<Links>,
+    machine: bool,
+}
+
+impl Visits {
+    pub(super) fn of(runtime: &TokenStream, behaviour: &Behaviour) -> Self {
+        let (states, machine) = match behaviour {
+            Behaviour::Step(step) => (vec![Links::of(step.iter())], false),
+            Behaviour::Machine(machine) => (of_states(machine), true),
+        };
+        Self { runtime: runtime.clone(), states, machine }
+    }
+
+    pub(super) fn children(&self) -> impl Iterator<Item = &Type> {
+        self.states.iter().flat_map(Links::iter).map(|(_, child)| child)
+    }
+
+    /// Number of links as written.
+    pub(super) fn len(&self) -> usize {
+        self.children().count()
+    }
+
+    /// The links as written, those of one state after those of the other.
+    pub(super) fn written(&self) -> TokenStream {
+        let p = &self.runtime;
+        let links = self.states.iter().enumerate().flat_map(|(index, links)| {
+            let state = option(self.machine.then_some(index).as_ref());
+            links.iter().map(move |(kind, child)| {
+                let kind = match kind {
+                    Kind::Read => quote!(Read),
+                    Kind::Write => quote!(Write),
+                    Kind::Rate => quote!(Rate),
+                };
+                quote! {
+                    #p::WrittenLink {
+                        to: <__T as #p::Has<#child>>::INDEX, kind: #p::WrittenKind::#kind, state: #state
+                    }
+                }
+            })
+        });
+        quote!(&[#(#links),*])
+    }
+
+    /// The visits before the component's own code in a state.
+    pub(super) fn before(&self, state: usize) -> TokenStream {
+        self.some(state, |kind| kind == Kind::Read)
+    }
+
+    /// The visits after it.
+    pub(super) fn after(&self, state: usize) -> TokenStream {
+        self.some(state, |kind| kind != Kind::Read)
+    }
+
+    fn some(&self, state: usize, wanted: impl Fn(Kind) -> bool) -> TokenStream {
+        let p = &self.runtime;
+        let first: usize = self.states[..state].iter().map(|links| links.iter().count()).sum();
+        let links = &self.states[state];
+        let visits = links.iter().enumerate().filter(|(_, (kind, _))| wanted(*kind)).map(|(place, (_, child))| {
+            let visit = quote!(<__T as #p::Has<#child>>::visit(cycle););
+            if !links.may_coincide {
+                return visit;
+            }
+            let index = first + place;
+            quote! {
+                if const { #p::counts(<Self as #p::MemberOf<__T>>::WRITTEN, #index, <__T as #p::Has<Self>>::INDEX) } {
+                    #visit
+                }
+            }
+        });
+        quote!(#(#visits)*)
+    }
+}
+
+fn of_states(machine: &Machine) -> Vec<Links> {
+    (0..machine.states.len()).map(|index| Links::of_state(machine, index)).collect()
+}

@@ -1,0 +1,169 @@
+//! Messages about `#[component]`.
+
+use super::shared::meant;
+
+// The item.
+pub(crate) const NO_IMPL: &str = "`#[component]` belongs on an impl block: `#[component] impl Name { ... }`";
+pub(crate) const TRAIT_IMPL: &str =
+    "`#[component]` belongs on the type's own impl block, not on that of a trait: write `impl Name { ... }`";
+pub(crate) const NOT_A_NAME: &str = "a component is a struct or an enum: write its name here";
+pub(crate) const LIFETIME: &str =
+    "a component cannot borrow, its tree owns it: store values, and read other components in `step`";
+
+pub(crate) fn reserved(name: &str) -> String {
+    let used =
+        if name == "Time" { "an argument `&Time` is the time of the cycle" } else { "`Rate<C>` is the rate of C" };
+    format!("a component cannot be called `{name}`, {used}: choose another name")
+}
+
+// The options.
+pub(crate) const OPTION_FORM: &str = "an option is written `hz = 30`, `budget_us = 40` or `resume`";
+pub(crate) const RESUME_VALUE: &str = "`resume` takes no value: write `resume` alone, followed by a comma or nothing";
+pub(crate) const RESUME_WITHOUT_STATES: &str =
+    "`resume` is for a state machine, and there is no `#[state]` here: remove it";
+
+// The attributes of functions.
+pub(crate) const STATE_WORDS: &str = "write `#[state]`, `#[state(initial)]` or `#[state(last)]`";
+pub(crate) const ARROW: &str = "which states does it leave and enter? Write `#[transition(from -> to)]`";
+pub(crate) const ONE_TARGET: &str = "a transition enters one state: write one `#[transition]` for each";
+pub(crate) const TIMER: &str = "after the arrow only `after_ms = 1500` can follow: remove this";
+pub(crate) const TWO_ROLES: &str =
+    "a function has one role, `state`, `transition`, `entry`, `exit`, `start` or `stop`: remove one";
+pub(crate) const PLACE_OF_A_ROLE: &str = "this attribute belongs on a function: move it there, or remove it";
+pub(crate) const STEP_ATTRIBUTE: &str = "the step has no attribute: name the function `step` and remove this";
+pub(crate) const CONDITIONAL: &str =
+    "the tree calls this function in every build: remove the condition, or put it on the component and on its tree";
+
+pub(crate) fn misspelt_attribute(found: &str, ours: &str) -> String {
+    format!("there is no attribute `{found}`: did you mean `#[{ours}]`?")
+}
+
+pub(crate) fn bare_attribute(role: &str) -> String {
+    format!("this attribute has no path: write `#[{role}]`")
+}
+
+pub(crate) fn no_arguments(role: &str) -> String {
+    let (when, hook) = if role == "start" { ("active", "entry") } else { ("latent", "exit") };
+    format!(
+        "`#[{role}]` takes no arguments, it runs when the component becomes {when}: remove them, or write \
+         `#[{hook}(state)]` for a hook of a state"
+    )
+}
+
+pub(crate) fn hook_states(role: &str) -> String {
+    format!("which states is this hook for? Write `#[{role}(state)]` or `#[{role}(one | other)]`")
+}
+
+// The machine.
+pub(crate) const STEP_AND_STATES: &str =
+    "a state machine has no `step`, it runs the function of its state: rename this function, or make it a `#[state]`";
+
+pub(crate) fn no_initial(first: &str) -> String {
+    format!(
+        "no state is initial: mark the one in which the machine starts, perhaps `{first}`, with `#[state(initial)]`"
+    )
+}
+
+pub(crate) fn unknown_state(found: &str, nearest: Option<&str>, known: &str) -> String {
+    format!("no state is called `{found}`: {}", meant(nearest, known))
+}
+
+pub(crate) fn two_initial(first: &str) -> String {
+    format!("state `{first}` is already initial, a machine starts in one: remove `initial` from one of the two")
+}
+
+pub(crate) fn unreachable(state: &str) -> String {
+    format!("state `{state}` cannot be reached: add a `#[transition(... -> {state})]`, or remove the state")
+}
+
+pub(crate) fn dead_end(state: &str) -> String {
+    format!("no transition leaves state `{state}`: add a `#[transition({state} -> ...)]`, or mark it `#[state(last)]`")
+}
+
+pub(crate) fn last_but_left(state: &str) -> String {
+    format!("state `{state}` is marked `last`, but this transition leaves it: remove one of the two")
+}
+
+pub(crate) fn without_states(role: &str) -> String {
+    format!("`#[{role}]` is for a state machine, and there is no `#[state]` here: add the states, or remove it")
+}
+
+pub(crate) fn not_called_step(name: &str) -> String {
+    format!("no tree calls `{name}`: rename it to `step`, or give it a name that is less like it")
+}
+
+// Signatures.
+pub(crate) const ASYNC: &str = "a function that the tree calls runs to its end without waiting: remove `async`";
+pub(crate) const UNSAFE: &str = "the tree calls this function and cannot keep an unsafe contract: remove `unsafe`";
+pub(crate) const GENERIC: &str =
+    "a tree cannot choose this parameter: name concrete types, or move the parameter to the impl block";
+pub(crate) const LIFETIMES: &str =
+    "a link is borrowed for this call only: remove the lifetimes here and in the arguments";
+
+pub(crate) fn lifetime(name: &str) -> String {
+    format!("a link is borrowed for this call only: remove `{name}`")
+}
+
+pub(crate) fn receiver(function: &str, receiver: &str) -> String {
+    format!("the tree keeps the component, `{function}` borrows it: its first argument must be `{receiver}`")
+}
+
+pub(crate) fn returns_nothing(function: &str) -> String {
+    format!("`{function}` must return nothing: store the result in a field, which other components can read")
+}
+
+pub(crate) fn returns_bool(function: &str) -> String {
+    format!("transition `{function}` must return `bool`: whether it is taken")
+}
+
+// Arguments.
+pub(crate) const CONDITIONAL_ARGUMENT: &str =
+    "the tree passes this argument in every build: remove the condition, or put it on the component and on its tree";
+pub(crate) const HOOK_LINKS: &str =
+    "a `start` or `stop` hook has no links: remove this argument, or use it in `step`, in a state or in an entry hook";
+pub(crate) const OWN_LINK: &str = "a component cannot activate itself: remove this argument and use `self`";
+pub(crate) const TRANSITION_WRITES: &str =
+    "a transition only reads: write `&`, and change things in an `#[entry]` or `#[exit]` hook";
+pub(crate) const RATE_IN_CONDITION: &str =
+    "a transition cannot modulate a rate: move this argument to a state, or to an `#[entry]` or `#[exit]` hook";
+pub(crate) const RATE_OF_WHAT: &str = "the rate of which component? Write `&mut Rate<Child>`";
+
+pub(crate) fn time(written: &str) -> String {
+    format!("the time can only be read: write `&{written}`")
+}
+
+pub(crate) fn rate(of: &str) -> String {
+    format!("a rate is modulated, not read: write `&mut Rate<{of}>`")
+}
+
+pub(crate) fn owned(written: &str) -> String {
+    format!("a component is borrowed: write `&{written}` to read it or `&mut {written}` to modulate it")
+}
+
+pub(crate) fn owned_condition(written: &str) -> String {
+    format!("a component is borrowed: write `&{written}`")
+}
+
+pub(crate) fn owned_time(written: &str) -> String {
+    format!("the time is borrowed: write `&{written}`")
+}
+
+pub(crate) fn owned_rate(written: &str) -> String {
+    format!("a rate is borrowed to be modulated: write `&mut {written}`")
+}
+
+pub(crate) fn value(written: &str) -> String {
+    format!("`{written}` is no component: keep the value in a field of `self`, or in the component that provides it")
+}
+
+pub(crate) fn option(written: &str) -> String {
+    format!("`{written}` is no link, a child is always there: write `&Name` to read it, `&mut Name` to modulate it")
+}
+
+pub(crate) fn no_component(written: &str) -> String {
+    format!("`{written}` is no link to a component: write `&Name` to read one, `&mut Name` to modulate one")
+}
+
+pub(crate) fn two_links(written: &str) -> String {
+    format!("two links to `{written}` in one signature: keep one; `&mut` can also read")
+}

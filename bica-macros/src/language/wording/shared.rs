@@ -1,0 +1,50 @@
+//! Messages of both macros: names, numbers.
+
+pub(crate) const TWICE: &str = "this is written twice: remove one";
+pub(crate) const COMMA: &str = "a comma is missing before this";
+
+pub(crate) fn unknown_key(found: &str, nearest: Option<&str>, known: &str) -> String {
+    format!("there is no `{found}` here: {}", meant(nearest, known))
+}
+
+/// The end of a message about an unknown name.
+pub(super) fn meant(nearest: Option<&str>, known: &str) -> String {
+    nearest.map_or_else(|| format!("there is {known}"), |nearest| format!("did you mean `{nearest}`?"))
+}
+
+pub(crate) fn not_positive(key: &str) -> String {
+    format!("`{key}` must be above zero")
+}
+
+pub(crate) fn too_large(key: &str) -> String {
+    format!("`{key}` must be finite: this number is too large for `f32`")
+}
+
+pub(crate) fn no_number(key: &str) -> String {
+    let example = match key {
+        "hz" => "hz = 30",
+        "budget_us" => "budget_us = 40",
+        "cycle_hz" => "cycle_hz: 100",
+        "budget_ms" => "budget_ms: 10",
+        _ => return format!("`{key}` needs a number literal"),
+    };
+    format!("`{key}` needs a number literal: `{example}`")
+}
+
+pub(crate) fn unit_behind(key: &str, unit: &str, converted: Option<&str>) -> String {
+    let of = match key.rsplit('_').next() {
+        Some("us") => "microseconds",
+        Some("ms") => "milliseconds",
+        _ => "hertz",
+    };
+    let remedy = converted.map_or_else(|| format!("remove `{unit}`"), |number| format!("write `{number}`"));
+    format!("the unit is in the name, `{key}` is in {of}: {remedy}")
+}
+
+pub(crate) fn not_whole(key: &str) -> String {
+    format!("`{key}` needs a whole number of milliseconds: `{key} = 1500`")
+}
+
+pub(crate) fn too_long(key: &str) -> String {
+    format!("`{key}` is at most {}, which is 49 days", u32::MAX)
+}

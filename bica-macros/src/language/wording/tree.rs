@@ -1,0 +1,29 @@
+//! Messages about `activation_tree!`.
+
+pub(crate) const TREE_FORM: &str = "write `pub struct Name { root: ..., cycle_hz: ..., components: [...] }`";
+pub(crate) const TREE_GENERIC: &str = "a tree has no parameters, it lists concrete components: remove this";
+pub(crate) const TREE_CONDITION: &str = "put the condition on the macro: `#[cfg(...)] activation_tree! { ... }`";
+pub(crate) const TREE_FIELDS: &str = "the fields of a tree stand in braces: `struct Name { root: ..., ... }`";
+pub(crate) const EMPTY_TREE: &str = "a tree lists at least its root: `components: [Name]`";
+pub(crate) const COMPONENT_LIST: &str = "the components are a list in brackets: `components: [One, Other]`";
+pub(crate) const COMPONENT_TYPE: &str = "a component is listed by its type: write its name here";
+pub(crate) const FIELD_NAME: &str = "a field of a tree is `root`, `cycle_hz`, `budget_ms` or `components`";
+
+pub(crate) fn derived(name: &str) -> String {
+    match name {
+        "Default" => "a tree implements `Default` already: remove this".to_owned(),
+        _ => format!("a tree cannot derive `{name}`, it owns running components: remove this"),
+    }
+}
+
+pub(crate) fn colon(key: &str) -> String {
+    format!("a colon stands behind the name of a field: `{key}: ...`")
+}
+
+pub(crate) fn missing(key: &str, example: &str) -> String {
+    format!("the tree has no `{key}`: add `{key}: {example}`")
+}
+
+pub(crate) fn listed_twice(component: &str) -> String {
+    format!("`{component}` is listed twice, but a tree has one instance of a component: remove one")
+}

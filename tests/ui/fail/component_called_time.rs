@@ -1,0 +1,34 @@
+
+use bica::{Instant, Tree, activation_tree, component};
+
+struct Time;
+
+#[component]
+impl Time {
+    const fn new() -> Self {
+        Self
+    }
+}
+
+struct Player;
+
+#[component]
+impl Player {
+    const fn new() -> Self {
+        Self
+    }
+
+    fn step(&mut self, time: &Time) {}
+}
+
+activation_tree! {
+    struct Forward {
+        root: Player,
+        cycle_hz: 100,
+        components: [Player, Time],
+    }
+}
+
+fn main() {
+    Forward::new().tick(Instant::from_ticks(0));
+}

@@ -1,0 +1,6 @@
+use bica::prelude::*;
+
+#[component]
+fn step() {}
+
+fn main() {}

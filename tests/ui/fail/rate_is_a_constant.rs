@@ -1,0 +1,26 @@
+use bica::prelude::*;
+
+const RATE: f32 = 30.0;
+
+struct Player;
+
+#[component(hz = RATE)]
+impl Player {
+    const fn new() -> Self {
+        Self
+    }
+
+    fn step(&mut self) {}
+}
+
+activation_tree! {
+    struct Forward {
+        root: Player,
+        cycle_hz: 100,
+        components: [Player],
+    }
+}
+
+fn main() {
+    Forward::new().tick(Instant::from_ticks(0));
+}

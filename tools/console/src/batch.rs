@@ -1,0 +1,78 @@
+//! The same run with many seeds, on several threads.
+
+use std::num::NonZero;
+use std::thread;
+
+use rayon::prelude::*;
+
+use crate::{Failure, interrupt};
+
+/// Stack of a thread that runs a forward, bytes: the tree holds a whole image and is built on the stack before it moves to
+/// the heap.
+pub const STACK_BYTES: usize = 32 << 20;
+
+/// Runs with consecutive seeds.
+#[derive(Clone, Copy, Debug)]
+pub struct Batch {
+    /// The first seed; after the last `u64` comes 0.
+    pub first_seed: u64,
+    /// Number of seeds.
+    pub runs: u32,
+    /// Number of threads.
+    pub threads: usize,
+}
+
+impl Batch {
+    /// A batch on `threads` threads, by default one for each core, and never more threads than runs.
+    #[must_use]
+    pub fn new(first_seed: u64, runs: u32, threads: Option<u32>) -> Self {
+        let cores = thread::available_parallelism().map_or(1, NonZero::get);
+        let threads = threads.map_or(cores, |threads| threads as usize).min(runs as usize);
+        Self { first_seed, runs, threads }
+    }
+
+    /// Returns the result of each seed, in the order of the seeds. After Ctrl-C no further run is started, so results may
+    /// be missing.
+    ///
+    /// # Errors
+    /// The error of a run, or that no thread can be started.
+    pub fn run<T: Send>(&self, job: impl Fn(u64) -> Result<T, Failure> + Sync) -> Result<Vec<T>, Failure> {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(self.threads).stack_size(STACK_BYTES).build();
+        let pool =
+            pool.map_err(|error| Failure::new(format!("cannot start a thread: {error}"), "try fewer --threads"))?;
+        // Runs differ in length: each is a unit of its own for the scheduler.
+        let runs = || (0..self.runs).into_par_iter().with_max_len(1).filter(|_| !interrupt::requested());
+        pool.install(|| runs().map(|run| job(self.first_seed.wrapping_add(run.into()))).collect())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn results_come_in_the_order_of_seeds_on_any_number_of_threads() {
+        for threads in [1, 2, 7, 40] {
+            let batch = Batch::new(u64::MAX, 20, Some(threads));
+            let seeds = batch.run(Ok).expect("no run fails");
+            assert_eq!(seeds[0], u64::MAX);
+            assert!(seeds[1..].iter().copied().eq(0..19), "{seeds:?}");
+        }
+    }
+
+    #[test]
+    fn an_error_of_a_run_is_the_error_of_the_batch() {
+        let run = |seed| if seed == 3 { Err(Failure::new("seed 3", "")) } else { Ok(seed) };
+        let result = Batch::new(0, 8, Some(2)).run(run);
+        assert!(matches!(result, Err(Failure::Error { what, .. }) if what == "seed 3"));
+    }
+
+    #[test]
+    fn a_run_has_room_for_a_large_tree_on_its_stack() {
+        let deep = |_| {
+            let room = [1_u8; 16 << 20];
+            Ok(std::hint::black_box(&room).iter().map(|&byte| usize::from(byte)).sum::<usize>())
+        };
+        assert_eq!(Batch::new(0, 1, None).run(deep).expect("no run fails"), [16 << 20]);
+    }
+}

@@ -1,0 +1,58 @@
+//! Errors of a command, with a remedy.
+
+use std::fmt;
+use std::io::{self, Write};
+use std::path::Path;
+use std::process::ExitCode;
+
+/// Reason why a command cannot go on.
+#[derive(Debug)]
+pub enum Failure {
+    /// Wrong arguments, files or surroundings: exit code 2.
+    Error {
+        /// What was found.
+        what: String,
+        /// How to mend it.
+        help: String,
+    },
+    /// The reader of stdout has closed it: exit code 141, without a message.
+    BrokenPipe,
+}
+
+impl Failure {
+    /// An error with its remedy.
+    #[must_use]
+    pub fn new(what: impl Into<String>, help: impl Into<String>) -> Self {
+        Self::Error { what: what.into(), help: help.into() }
+    }
+
+    /// An error of reading or writing a file or folder; `action` is a verb, as "write".
+    #[must_use]
+    pub fn of_path(action: &str, path: &Path, error: &dyn fmt::Display, help: &str) -> Self {
+        Self::new(format!("cannot {action} `{}`: {error}", path.display()), help)
+    }
+}
+
+/// An error of stdout.
+impl From<io::Error> for Failure {
+    fn from(error: io::Error) -> Self {
+        match error.kind() {
+            io::ErrorKind::BrokenPipe => Self::BrokenPipe,
+            _ => Self::new(format!("cannot write the output: {error}"), "is the disk full?"),
+        }
+    }
+}
+
+impl From<Failure> for ExitCode {
+    fn from(failure: Failure) -> Self {
+        match failure {
+            Failure::Error { what, help } => {
+                // If stderr is closed too, the exit code is all that is left.
+                let _ = write!(io::stderr(), "error: {what}\n  help: {help}\n");
+                Self::from(2)
+            }
+            // The code that a shell reports for a program ended by SIGPIPE.
+            Failure::BrokenPipe => Self::from(141),
+        }
+    }
+}

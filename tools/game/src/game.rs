@@ -1,0 +1,177 @@
+//! One game: the forward in a world, cycle by cycle, until a goal or the end of the time.
+
+use std::thread;
+use std::time::{Duration, Instant};
+
+use bica::Tree;
+use bica::runner::Runner;
+use bica_console::{Failure, interrupt};
+use bica_motion::pose::Pose2;
+use bica_player::Forward;
+use bica_player::input::{HealthMonitor, RobotProfile};
+use bica_player::perception::GoalDetector;
+use bica_sim::SpectatorView;
+use bica_sim::setup::Frame;
+use glam::Vec2;
+
+use crate::fingerprint::Fingerprint;
+use crate::firmware::{FirmwareCheck, FirmwareImage};
+use crate::latency::Stopwatch;
+use crate::meter::Meter;
+use crate::observer::GameObserver;
+use crate::scene::{GRAPH, Scene};
+use crate::summary::{GameSummary, Measurements};
+use crate::world_factory::{self, WorldKind};
+
+/// Least distance between two points of the ball's path, m.
+const PATH_STEP: f32 = 0.03;
+
+/// Parameters of a game.
+#[derive(Clone, Copy, Debug)]
+pub struct Rules {
+    /// The world.
+    pub world: WorldKind,
+    /// Seed of start, light and noise.
+    pub seed: u64,
+    /// Size of the camera images.
+    pub size: Frame,
+    /// Number of robots besides the forward and the goalkeeper.
+    pub robots: usize,
+    /// Longest duration of a game, in simulated time.
+    pub limit: Duration,
+    /// Whether simulated time follows the clock.
+    pub realtime: bool,
+    /// Firmware that controls the robot in place of this program.
+    pub firmware: Option<FirmwareImage>,
+}
+
+/// Plays until a goal, the end of the time, or Ctrl-C.
+///
+/// # Errors
+/// If the world or the firmware cannot be started, an observer fails, or the firmware deviates from this program.
+pub fn play(rules: &Rules, observer: &mut impl GameObserver) -> Result<GameSummary, Failure> {
+    let mut game = Game::new(rules)?;
+    let began = Instant::now();
+    while !game.is_over(rules) && !interrupt::requested() {
+        game.cycle()?;
+        game.report(observer)?;
+        if rules.realtime {
+            thread::sleep(game.now().saturating_sub(began.elapsed()));
+        }
+    }
+    Ok(game.summarize(rules, began.elapsed()))
+}
+
+/// Observers of the loop: the firmware first, so that the stopwatch does not measure it.
+type LoopObservers = (FirmwareCheck, (Meter, Stopwatch));
+
+struct Game {
+    runner: Runner<Box<Forward>, Box<dyn SpectatorView>, (), LoopObservers>,
+    cycles: u64,
+    tree_changes: u64,
+    fingerprint: Fingerprint,
+    /// Time of the last cycle.
+    cycle_time: Duration,
+    start: Pose2,
+    ball_path: Vec<Vec2>,
+    /// Number of events that the observer has received.
+    reported_events: usize,
+    seed: u64,
+}
+
+impl Game {
+    fn new(rules: &Rules) -> Result<Self, Failure> {
+        let world = world_factory::open(rules)?;
+        let mut robot = Box::new(Forward::new());
+        let (attacks, start, ball) = (world.referee().attacks(), world.referee().robot(), world.referee().ball());
+        robot.get_mut::<RobotProfile>().set(rules.world.profile());
+        robot.get_mut::<GoalDetector>().attack(attacks);
+        let firmware = rules.firmware.map(|image| image.start(attacks)).transpose()?;
+        let observers = (FirmwareCheck::new(firmware), (Meter::new(&GRAPH), Stopwatch::default()));
+        Ok(Self {
+            runner: Runner::new(robot, world).with_observer(observers),
+            cycles: 0,
+            tree_changes: 0,
+            fingerprint: Fingerprint::new(),
+            cycle_time: Duration::ZERO,
+            start,
+            ball_path: vec![ball],
+            reported_events: 0,
+            seed: rules.seed,
+        })
+    }
+
+    fn now(&self) -> Duration {
+        self.runner.world().now()
+    }
+
+    fn meter(&self) -> &Meter {
+        &self.runner.observer().1.0
+    }
+
+    fn is_over(&self, rules: &Rules) -> bool {
+        self.runner.world().referee().goals() > 0 || self.now() >= rules.limit
+    }
+
+    fn cycle(&mut self) -> Result<(), Failure> {
+        self.cycle_time = self.now();
+        let command =
+            self.runner.cycle().map_err(|error| Failure::new(error.to_string(), "choose a smaller --size"))?;
+        self.runner.observer_mut().0.result()?;
+        let ball = self.runner.world().referee().ball();
+        self.fingerprint.add(&command, ball);
+        self.cycles += 1;
+        self.tree_changes += u64::from(self.meter().changed());
+        if self.ball_path.last().is_none_or(|last| last.distance(ball) > PATH_STEP) {
+            self.ball_path.push(ball);
+        }
+        Ok(())
+    }
+
+    fn scene(&self) -> Scene<'_> {
+        Scene {
+            seed: self.seed,
+            t: self.cycle_time.as_secs_f64(),
+            robot: self.runner.robot(),
+            referee: self.runner.world().referee(),
+            meter: self.meter(),
+            start: self.start,
+            ball_path: &self.ball_path,
+        }
+    }
+
+    fn report(&mut self, observer: &mut impl GameObserver) -> Result<(), Failure> {
+        if let Some(view) = observer.view(self.now(), self.runner.world().referee()) {
+            let picture = self.runner.world_mut().render_from(&view.camera, view.width, view.height);
+            let picture = picture.map_err(|error| {
+                Failure::new(error.to_string(), "`cargo xtask mujoco` installs what MuJoCo needs to draw")
+            })?;
+            observer.rendered(&self.scene(), &picture)?;
+        }
+        if self.meter().changed() {
+            observer.tree_changed(&self.scene())?;
+        }
+        let referee = self.runner.world().referee();
+        for event in &referee.events()[self.reported_events..] {
+            observer.event(event)?;
+        }
+        self.reported_events = referee.events().len();
+        Ok(())
+    }
+
+    fn summarize(self, rules: &Rules, real: Duration) -> GameSummary {
+        let (robot, world, (), (firmware, (meter, stopwatch))) = self.runner.into_parts();
+        let measurements = Measurements {
+            cycles: self.cycles,
+            tree_changes: self.tree_changes,
+            fingerprint: self.fingerprint,
+            latencies: stopwatch.latencies,
+            meter,
+        };
+        GameSummary {
+            fault: robot.get::<HealthMonitor>().fault().map(|fault| fault.to_string()),
+            firmware: firmware.summarize(),
+            ..GameSummary::new(rules, world.referee(), world.now(), measurements, real)
+        }
+    }
+}
