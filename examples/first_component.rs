@@ -1,10 +1,10 @@
-//! A component, the two components that it needs, and the tree that holds them.
+//! A component, the two components that it needs, and their tree.
 //!
 //! `cargo run --example first_component`
 
 use bica::prelude::*;
 
-/// Sees where the ball is. What comes from outside is written into it before a tick.
+/// Position of the ball in the image. The program writes its input before a tick.
 struct BallDetector {
     image: f32,
     offset: f32,
@@ -22,7 +22,7 @@ impl BallDetector {
     }
 }
 
-/// Turns the head. What goes out is read from it after a tick.
+/// Pan angle of the head. The program reads its output after a tick.
 struct Head {
     pan: f32,
 }

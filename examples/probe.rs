@@ -1,4 +1,4 @@
-//! Watching a tree: how often each component runs and how long it takes, without a line of that in the components.
+//! Observing a tree: number of runs and run time of each component, without code for that in the components.
 //!
 //! `cargo run --release --example probe`
 

@@ -1,10 +1,10 @@
-//! Two components activate the same child: it is one instance, runs once in a cycle, and is latent when nobody needs it.
+//! Two components activate the same child: it is one instance, runs once in a cycle, and is latent if none needs it.
 //!
 //! `cargo run --example shared_child`
 
 use bica::prelude::*;
 
-/// Counts the frames that it took.
+/// Counts the frames that it has taken.
 struct Camera {
     frames: u32,
 }
@@ -34,7 +34,7 @@ impl Goal {
     fn step(&mut self, camera: &Camera) {}
 }
 
-/// Needs the ball always, and the goal every second second.
+/// Needs the ball in every cycle, and the goal every other second.
 struct Striker;
 
 #[component]

@@ -5,7 +5,7 @@
 use bica::prelude::*;
 
 struct Ball {
-    /// In metres, if it is seen.
+    /// Distance in metres; `None` if the ball is not visible.
     distance: Option<f32>,
 }
 
@@ -25,11 +25,11 @@ struct Player {
 
 #[component(hz = 10)]
 impl Player {
-    /// Stands and looks around.
+    /// Stands still and looks around.
     #[state(initial)]
     fn look(&mut self) {}
 
-    /// Only in this state are the legs needed, so only here are they active.
+    /// The only state that needs the legs: they are active only here.
     #[state]
     fn walk(&mut self, legs: &mut Legs, ball: &Ball) {
         legs.speed = ball.distance.unwrap_or(0.0).min(0.2);

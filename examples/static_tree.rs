@@ -1,11 +1,11 @@
-//! A tree in a `static`, as firmware has it: made by the compiler, no heap, no start-up code, taken once.
+//! A tree in a `static`, as in firmware: initialised at compile time, without heap, and taken once.
 //!
 //! `cargo run --example static_tree`
 
 use bica::prelude::*;
 use static_cell::ConstStaticCell;
 
-/// Blinks the light in the chest.
+/// Blinking light in the chest.
 struct Light {
     on: bool,
 }
@@ -21,7 +21,7 @@ impl Light {
     }
 }
 
-/// Has the light blink faster the longer it is active.
+/// Raises the blink rate with the time since it became active.
 struct Alarm;
 
 #[component(hz = 1)]
@@ -43,7 +43,7 @@ activation_tree! {
     }
 }
 
-/// The robot. A cell that can be taken once makes it the only one.
+/// The only robot: the cell can be taken once.
 static ROBOT: ConstStaticCell<Robot> = ConstStaticCell::new(Robot::new());
 
 fn main() {

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use crate::report::Report;
-use crate::verdict::Row;
+use bica_benches::budget::verdict::Row;
 
 const WIDTH: f64 = 860.0;
 const LINE: f64 = 20.0;

@@ -7,7 +7,7 @@
 use serde_json::{Value, json};
 
 use crate::report::Report;
-use crate::verdict::Row;
+use bica_benches::budget::verdict::Row;
 
 /// All of a report.
 pub(crate) fn of(report: &Report) -> Value {

@@ -7,26 +7,18 @@
 //! did in between. A declared budget must hold for the slowest run of all, so counted. What was ever measured, with all
 //! that came in between, is printed too, and decides nothing.
 
-#[path = "../../tests/forward/game.rs"]
-mod game;
-#[path = "../support/recording.rs"]
-mod recording;
-
 mod bars;
 mod json;
-mod lanes;
 mod options;
 mod play;
 mod report;
 mod smaller;
-mod spread;
 mod table;
-mod verdict;
 
 use std::process::ExitCode;
 
+use bica_benches::budget::lanes::Lanes;
 use clap::Parser;
-use lanes::Lanes;
 use options::Options;
 use report::Report;
 

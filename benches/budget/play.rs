@@ -2,20 +2,21 @@
 
 use std::time::{Duration, Instant as Clock};
 
-use bica::runner::Robot;
-use bica::{Stopwatch, Tree};
+use bica::runner::{Cycle as Completed, Observer, Runner, World};
+use bica::{Instant, Probe, Stopwatch, Tree};
+use bica_benches::budget::lanes::{ACT, CHAIN, Cycle, LANES, Lanes, SEEING, SENSE};
+use bica_benches::game::new_game;
+use bica_motion::robot::{Command, Sensors};
 use bica_player::Forward;
-use bica_sim::World;
+use bica_sim::World as SimulatedWorld;
+use bica_sim::kinematic::KinematicWorld;
 use bica_sim::setup::{Frame, Setup};
-
-use crate::game::Game;
-use crate::lanes::{ACT, CHAIN, Cycle, LANES, Lanes, SEEING, SENSE};
 
 /// A game that is played to its goal.
 struct Fixture {
     seed: u64,
     robots: usize,
-    /// When the inertial unit is made to tell of a fall, of which these games have none else.
+    /// When the inertial unit reports a fall; without it no game has one.
     fall: Option<Duration>,
 }
 
@@ -26,11 +27,11 @@ const GAMES: [Fixture; 4] = [
     Fixture { seed: 66, robots: 2, fall: None },
     Fixture { seed: 3, robots: 0, fall: Some(Duration::from_secs(6)) },
 ];
-/// How long it tells of the fall.
+/// Duration of the reported fall.
 const FALL: Duration = Duration::from_secs(2);
-/// What it tells then: the torso lies on its front, rad.
+/// The reported torso pitch, rad: on its front.
 const PITCH: f32 = 1.5;
-/// The longest game, in the world.
+/// Longest game, in the time of the world.
 const LIMIT: Duration = Duration::from_mins(1);
 
 /// Plays all the games as often as asked.
@@ -48,10 +49,20 @@ pub(crate) fn all(frame: Frame, repeats: usize, lanes: &mut Lanes) -> Result<(),
 }
 
 fn play(fixture: &Fixture, frame: Frame, lanes: &mut Lanes) -> Result<(), String> {
-    let mut game = Game::new(&Setup { seed: fixture.seed, robots: fixture.robots, frame, ..Setup::default() });
-    while game.world.referee().goals() == 0 && game.world.now() < LIMIT {
-        let falls = fixture.fall.is_some_and(|at| (at..at + FALL).contains(&game.world.now()));
-        let cycle = cycle(&mut game, falls)?;
+    let game = new_game(&Setup { seed: fixture.seed, robots: fixture.robots, frame, ..Setup::default() });
+    let (robot, world, ..) = game.into_parts();
+    let began = Clock::now();
+    let watch: Stopwatch<_, { Forward::COUNT }> = Stopwatch::new(|| began.elapsed().as_nanos() as u64);
+    let world = WithFall { world, fall: fixture.fall };
+    let mut game = Runner::new(robot, world).with_observer((Phases::default(), watch));
+    while game.world().world.referee().goals() == 0 && SimulatedWorld::now(&game.world().world) < LIMIT {
+        game.observer_mut().1.reset();
+        game.cycle().map_err(|error| error.to_string())?;
+        let (phases, watch) = game.observer();
+        let mut cycle = phases.cycle;
+        for (time, spent) in cycle.iter_mut().zip(watch.spent()) {
+            *time = (spent.runs > 0).then_some(spent.total as u32);
+        }
         lanes.note(&cycle).map_err(|lane| {
             let name = Forward::GRAPH.nodes.get(lane).map_or("sensing", |node| node.name);
             format!("game {} was not the same again: {name} ran in one and not in the other", fixture.seed)
@@ -60,31 +71,70 @@ fn play(fixture: &Fixture, frame: Frame, lanes: &mut Lanes) -> Result<(), String
     Ok(())
 }
 
-fn cycle(game: &mut Game, falls: bool) -> Result<Cycle, String> {
-    let now = game.now();
-    let mut sensors = game.world.sensors();
-    if falls {
-        sensors.inertial.pitch = PITCH;
-    }
-    let sees = sensors.image.is_some();
-    let began = Clock::now();
-    let mut watch: Stopwatch<_, { Forward::COUNT }> = Stopwatch::new(|| began.elapsed().as_nanos() as u64);
-    game.robot.sense(&sensors).map_err(|error| error.to_string())?;
-    let sensed = Clock::now();
-    game.robot.tick_with(now, &mut watch);
-    let thought = Clock::now();
-    let command = game.robot.act();
-    let acted = Clock::now();
-    game.world.act(&command);
+/// The built-in world, whose inertial unit reports a fall that does not happen.
+struct WithFall {
+    world: KinematicWorld,
+    fall: Option<Duration>,
+}
 
-    let mut cycle = [None; LANES];
-    for (time, spent) in cycle.iter_mut().zip(watch.spent()) {
-        *time = (spent.runs > 0).then_some(spent.total as u32);
+impl World<Forward> for WithFall {
+    fn now(&self) -> Instant {
+        World::<Forward>::now(&self.world)
     }
-    let ns = |time: Duration| Some(time.as_nanos() as u32);
-    cycle[SENSE] = ns(sensed - began);
-    cycle[ACT] = ns(acted - thought);
-    cycle[CHAIN] = ns(acted - began);
-    cycle[SEEING] = cycle[CHAIN].filter(|_| sees);
-    Ok(cycle)
+
+    fn sensors(&mut self) -> Sensors<'_> {
+        let falls = self.fall.is_some_and(|at| (at..at + FALL).contains(&SimulatedWorld::now(&self.world)));
+        let mut sensors = World::<Forward>::sensors(&mut self.world);
+        if falls {
+            sensors.inertial.pitch = PITCH;
+        }
+        sensors
+    }
+
+    fn act(&mut self, command: &Command) {
+        World::<Forward>::act(&mut self.world, command);
+    }
+}
+
+/// Measures the phases of a cycle.
+struct Phases {
+    /// The lanes that are no component.
+    cycle: Cycle,
+    began: Clock,
+    thought: Clock,
+    sees: bool,
+}
+
+impl Default for Phases {
+    fn default() -> Self {
+        Self { cycle: [None; LANES], began: Clock::now(), thought: Clock::now(), sees: false }
+    }
+}
+
+const fn nanoseconds(time: Duration) -> u32 {
+    time.as_nanos() as u32
+}
+
+impl Probe for Phases {
+    fn cycle_end(&mut self) {
+        self.thought = Clock::now();
+    }
+}
+
+impl Observer<Forward> for Phases {
+    fn sensing(&mut self, _now: Instant, sensors: &Sensors<'_>) {
+        self.sees = sensors.image.is_some();
+        self.began = Clock::now();
+    }
+
+    fn sensed(&mut self) {
+        self.cycle[SENSE] = Some(nanoseconds(self.began.elapsed()));
+    }
+
+    fn acted(&mut self, _cycle: &Completed<'_, Forward>) {
+        let now = Clock::now();
+        self.cycle[ACT] = Some(nanoseconds(now - self.thought));
+        self.cycle[CHAIN] = Some(nanoseconds(now - self.began));
+        self.cycle[SEEING] = self.cycle[CHAIN].filter(|_| self.sees);
+    }
 }

@@ -4,11 +4,11 @@ use bica::Tree;
 use bica::check::{longest_chain, steps};
 use bica_player::Forward;
 
-use crate::lanes::{ACT, CHAIN, Lanes, SEEING, SENSE};
 use crate::options::Options;
 use crate::smaller::Machine;
-use crate::spread::Spread;
-use crate::verdict::{Row, broken, idle, late};
+use bica_benches::budget::lanes::{ACT, CHAIN, Lanes, SEEING, SENSE};
+use bica_benches::budget::spread::Spread;
+use bica_benches::budget::verdict::{Row, broken, idle, late};
 
 /// All that a report says. µs where nothing else is said.
 pub(crate) struct Report {

@@ -8,10 +8,10 @@ use std::path::Path;
 use std::time::Instant as Clock;
 
 use bica::prelude::*;
-use bica::runner::Robot;
+use bica::runner::Runner;
 use bica_sim::setup::Frame;
 
-use crate::recording::{CYCLES, Recording, WARM};
+use bica_benches::recording::{CYCLES, Recording, WARM};
 
 const COUNTED_HERE: &str = "benches/instructions.txt";
 const COUNTED_ON_CORTEX: &str = "firmware/figures.txt";
@@ -71,16 +71,17 @@ fn per_second(frame: Frame) -> Result<f64, String> {
 }
 
 fn least_time(frame: Frame) -> Result<f64, String> {
-    let (recording, mut robot) = Recording::of_game(frame, WARM, CYCLES);
+    let (recording, robot) = Recording::of_game(frame, WARM, CYCLES);
+    let mut runner = Runner::new(robot, ());
     let mut least = f64::INFINITY;
-    let mut now = 1000;
+    let mut cycle = 1000;
     for _ in 0..REPEATS {
         let began = Clock::now();
         for sensors in recording.sensors() {
-            robot.sense(&sensors).map_err(|error| error.to_string())?;
-            robot.tick(Instant::from_millis(10 * now));
-            std::hint::black_box(robot.act());
-            now += 1;
+            let now = Instant::from_millis(10 * cycle);
+            runner.sense(now, &sensors).map_err(|error| error.to_string())?;
+            std::hint::black_box(runner.think(now));
+            cycle += 1;
         }
         least = least.min(began.elapsed().as_secs_f64());
     }

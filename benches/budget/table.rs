@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use crate::report::{Estimate, Report};
-use crate::verdict::Row;
+use bica_benches::budget::verdict::Row;
 
 /// All of a report.
 pub(crate) fn of(report: &Report) -> String {

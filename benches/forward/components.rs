@@ -7,7 +7,7 @@ use bica_player::Forward;
 use bica_sim::setup::Frame;
 use criterion::{BenchmarkId, Criterion};
 
-use crate::alone::Alone;
+use bica_benches::alone::Alone;
 
 pub(crate) fn bench(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("component");

@@ -2,14 +2,14 @@
 
 use std::hint::black_box;
 
-use bica::runner::Robot;
-use bica::{Instant, Tree};
+use bica::Instant;
+use bica::runner::Runner;
 use bica_motion::robot::{CameraId, Sensors};
 use bica_sim::setup::Frame;
 use criterion::{BenchmarkId, Criterion, Throughput};
 
-use crate::recorded;
-use crate::recording::{CYCLES, Picture, Recording, WARM};
+use bica_benches::frames::recorded;
+use bica_benches::recording::{CYCLES, Picture, Recording, WARM};
 
 pub(crate) fn bench(criterion: &mut Criterion) {
     let real = recorded::folder();
@@ -17,13 +17,14 @@ pub(crate) fn bench(criterion: &mut Criterion) {
     for frame in [Frame::Small, Frame::Medium, Frame::Large] {
         let (width, height) = frame.size();
         let size = format!("{width}x{height}");
-        let (recording, mut robot) = Recording::of_game(frame, WARM, CYCLES);
+        let (recording, robot) = Recording::of_game(frame, WARM, CYCLES);
+        let mut runner = Runner::new(robot, ());
         let mut cycle = 1000;
         let mut think = |sensors: &Sensors<'_>| {
-            robot.sense(sensors).expect("the eye is large enough");
-            robot.tick(Instant::from_millis(10 * cycle));
+            let now = Instant::from_millis(10 * cycle);
+            runner.sense(now, sensors).expect("the image fits");
             cycle += 1;
-            black_box(robot.act())
+            black_box(runner.think(now))
         };
         group.throughput(Throughput::Elements(CYCLES as u64));
         group.bench_function(BenchmarkId::new("a game", &size), |bencher| {
@@ -47,6 +48,6 @@ pub(crate) fn bench(criterion: &mut Criterion) {
 }
 
 /// A real frame as if the robot's own upper camera had taken it.
-fn picture(shot: &crate::shot::Shot) -> Picture {
+fn picture(shot: &bica_benches::frames::Shot) -> Picture {
     Picture { camera: CameraId::Top, width: shot.width, height: shot.height, yuyv: shot.yuyv.clone() }
 }

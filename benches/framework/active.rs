@@ -4,9 +4,9 @@ use bica::Tree;
 use criterion::Criterion;
 
 use crate::ticks::ticks;
-use crate::trees::latent::{TenOfHundred, TenOfTen};
-use crate::trees::shared::Diamond;
-use crate::trees::switch::{Root, Switch};
+use bica_benches::trees::latent::{TenOfHundred, TenOfTen};
+use bica_benches::trees::shared::Diamond;
+use bica_benches::trees::switch::{Root, Switch};
 
 pub(crate) fn bench(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("active");

@@ -6,8 +6,8 @@ use bica::Tree;
 use criterion::{Criterion, Throughput};
 
 use crate::ticks::ticks;
-use crate::trees::chain::{Hundred, Rarely, Ten};
-use crate::trees::wide::WideHundred;
+use bica_benches::trees::chain::{Hundred, Rarely, Ten};
+use bica_benches::trees::wide::WideHundred;
 
 pub(crate) fn bench(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("chain");

@@ -5,7 +5,7 @@ use std::hint::black_box;
 use bica::{Instant, Tree};
 use criterion::Criterion;
 
-use crate::trees::machine::{ByHand, Machine, Ring};
+use bica_benches::trees::machine::{ByHand, Machine, Ring};
 
 pub(crate) fn bench(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("machine of five states");

@@ -9,8 +9,6 @@ mod chain;
 mod machine;
 mod minima;
 mod ticks;
-#[path = "../trees/mod.rs"]
-mod trees;
 
 use criterion::Criterion;
 

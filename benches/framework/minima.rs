@@ -5,9 +5,9 @@ use std::time::Instant as Clock;
 
 use bica::{Instant, Tree};
 
-use crate::trees::chain::{Hundred, Ten};
-use crate::trees::latent::{TenOfHundred, TenOfTen};
-use crate::trees::wide::{WideHundred, WideTen};
+use bica_benches::trees::chain::{Hundred, Ten};
+use bica_benches::trees::latent::{TenOfHundred, TenOfTen};
+use bica_benches::trees::wide::{WideHundred, WideTen};
 
 /// How often each tree is measured, in turn, and for how many cycles.
 const ROUNDS: usize = 500;

@@ -4,14 +4,15 @@ use std::hint::black_box;
 
 use bica_motion::joints::Joints;
 use bica_motion::kinematics::{YawFrom, ankle, centre_of_mass, legs_angles};
+use bica_motion::model::{Nao, RobotModel};
 use bica_motion::robot::FootPressure;
 use bica_motion::side::Side;
-use bica_motion::walk::{Feedback, Parameters, Velocity, Walk};
+use bica_motion::walk::{Feedback, Velocity, Walk};
 use gungraun::prelude::*;
 
 /// Some pose, rad.
 fn pose() -> Joints {
-    let mut walk = Walk::new(&Parameters::NAO);
+    let mut walk = Walk::<Nao>::new(&Nao::DYNAMIC_PROFILE.gait);
     strides(&mut walk, 30);
     walk.step(FORWARD, &on_both_feet(), 0.01).joints()
 }
@@ -33,24 +34,24 @@ fn strides(walk: &mut Walk, cycles: usize) {
 #[library_benchmark]
 #[bench::pose(pose())]
 fn forward_kinematics(angles: Joints) {
-    black_box(ankle(Side::Left, black_box(&angles)));
+    black_box(ankle::<Nao>(Side::Left, black_box(&angles)));
 }
 
 #[library_benchmark]
 #[bench::pose(pose())]
 fn balance(angles: Joints) {
-    black_box(centre_of_mass(black_box(&angles)));
+    black_box(centre_of_mass::<Nao>(black_box(&angles)));
 }
 
 #[library_benchmark]
-#[bench::pose([ankle(Side::Left, &pose()), ankle(Side::Right, &pose())])]
+#[bench::pose([ankle::<Nao>(Side::Left, &pose()), ankle::<Nao>(Side::Right, &pose())])]
 fn inverse_kinematics(ankles: [glam::Affine3A; 2]) {
     let [left, right] = black_box(&ankles);
-    black_box(legs_angles(left, right, YawFrom::Mean));
+    black_box(legs_angles::<Nao>(left, right, YawFrom::Mean));
 }
 
 #[library_benchmark]
-#[bench::second(Walk::new(&Parameters::NAO))]
+#[bench::second(Walk::<Nao>::new(&Nao::DYNAMIC_PROFILE.gait))]
 fn walk(mut walk: Walk) {
     strides(&mut walk, 100);
 }

@@ -5,10 +5,10 @@ use bica_vision::pipeline::Pipeline;
 use bica_vision::profile::BUILT_IN_TABLE;
 use gungraun::prelude::*;
 
-use crate::rendered;
-use crate::shot::{Album, Shot};
 use crate::slow::dawdle;
-use crate::worst::{self, COLOURS, PATTERNS};
+use bica_benches::frames::rendered;
+use bica_benches::frames::worst::{self, COLOURS, PATTERNS};
+use bica_benches::frames::{Album, Shot};
 
 const SIZE: (u16, u16) = (320, 240);
 const WORLDS: u64 = 2;

@@ -3,7 +3,7 @@
 use std::hint::black_box;
 
 use bica::prelude::*;
-use bica::runner::Robot;
+use bica::runner::Runner;
 use bica_player::Forward;
 use bica_player::behaviour::{
     Dribble, FaceBall, Fixmove, FollowBall, GoRound, LookAround, Player, SafetyGuard, SearchBall, SearchNet,
@@ -18,8 +18,8 @@ use bica_player::perception::{
 use bica_sim::setup::Frame;
 use gungraun::prelude::*;
 
-use crate::alone::Alone;
-use crate::recording::{CYCLES, Recording, WARM};
+use bica_benches::alone::Alone;
+use bica_benches::recording::{CYCLES, Recording, WARM};
 
 /// The component, with a new image before it.
 fn alone<C: 'static>() -> Alone
@@ -95,13 +95,14 @@ fn recording(frame: Frame) -> (Recording, Box<Forward>) {
 #[bench::at_160x120(recording(Frame::Small))]
 #[bench::at_320x240(recording(Frame::Medium))]
 #[bench::at_640x480(recording(Frame::Large))]
-fn forward((recording, mut robot): (Recording, Box<Forward>)) -> (Recording, Box<Forward>) {
+fn forward((recording, robot): (Recording, Box<Forward>)) -> (Recording, Box<Forward>) {
+    let mut runner = Runner::new(robot, ());
     for (cycle, sensors) in recording.sensors().enumerate() {
-        robot.sense(&sensors).expect("the eye is large enough");
-        robot.tick(Instant::from_millis(10_000 + 10 * cycle as u64));
-        black_box(robot.act());
+        let now = Instant::from_millis(10_000 + 10 * cycle as u64);
+        runner.sense(now, &sensors).expect("the image fits");
+        black_box(runner.think(now));
     }
-    (recording, robot)
+    (recording, runner.into_parts().0)
 }
 
 library_benchmark_group!(name = whole_loop, benchmarks = [forward]);

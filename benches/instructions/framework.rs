@@ -6,12 +6,12 @@ use bica::prelude::*;
 use gungraun::prelude::*;
 
 use crate::slow::dawdle;
-use crate::trees::chain::{Hundred, Rarely, Ten};
-use crate::trees::latent::{TenOfHundred, TenOfTen};
-use crate::trees::machine::{ByHand, Machine, Ring};
-use crate::trees::shared::Diamond;
-use crate::trees::switch::{Root, Switch};
-use crate::trees::wide::{WideHundred, WideTen};
+use bica_benches::trees::chain::{Hundred, Rarely, Ten};
+use bica_benches::trees::latent::{TenOfHundred, TenOfTen};
+use bica_benches::trees::machine::{ByHand, Machine, Ring};
+use bica_benches::trees::shared::Diamond;
+use bica_benches::trees::switch::{Root, Switch};
+use bica_benches::trees::wide::{WideHundred, WideTen};
 
 const CYCLES: u64 = 100;
 

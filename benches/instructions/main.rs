@@ -4,27 +4,11 @@
 //! that nothing depends on the computer either, the C library is told to use none of its copies of a function that are
 //! made for some processor.
 
-#[path = "../support/alone.rs"]
-mod alone;
 mod body;
 mod eyes;
 mod forward;
 mod framework;
-#[path = "../../tests/forward/game.rs"]
-mod game;
-#[path = "../support/recording.rs"]
-mod recording;
-#[path = "../vision/rendered.rs"]
-mod rendered;
-#[path = "../vision/shot.rs"]
-#[expect(dead_code, reason = "benchmarks of time name frames and sizes")]
-mod shot;
 mod slow;
-#[path = "../trees/mod.rs"]
-mod trees;
-#[path = "../vision/worst.rs"]
-#[expect(dead_code, reason = "benchmarks of time look at all of these frames")]
-mod worst;
 
 use gungraun::prelude::*;
 

@@ -2,8 +2,8 @@
 
 use std::time::Instant;
 
-use crate::shot::Album;
 use crate::stages::{Desk, Given, MEMCPY, STAGES, Stage};
+use bica_benches::frames::Album;
 
 /// Rounds over all frames.
 const ROUNDS: usize = 15;

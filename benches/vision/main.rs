@@ -6,16 +6,12 @@
 
 mod figures;
 mod peer;
-mod recorded;
-mod rendered;
-mod shot;
 mod stages;
-mod worst;
 
 use criterion::Criterion;
 
-use crate::shot::{Album, SIZES};
 use crate::stages::{Desk, Given, STAGES};
+use bica_benches::frames::{Album, SIZES, recorded, rendered, worst};
 
 /// Games that frames are rendered of.
 const WORLDS: u64 = 12;

@@ -4,8 +4,8 @@ use std::fs;
 use std::path::Path;
 
 use crate::figures;
-use crate::shot::Album;
 use crate::stages::{EVERYTHING, MEMCPY, STAGES};
+use bica_benches::frames::Album;
 
 /// Writes the frames of an album into a file `WIDTHxHEIGHT.yuyv`, one after the other.
 pub(crate) fn export(album: &Album, folder: &Path) {

@@ -15,7 +15,7 @@ use bica_vision::robots;
 use bica_vision::segment::{Area, Runs};
 use bica_vision::table::CompactTable;
 
-use crate::shot::Shot;
+use bica_benches::frames::Shot;
 
 /// Runs of all classes that are kept.
 const RUNS: usize = 8192;

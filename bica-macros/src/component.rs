@@ -12,7 +12,7 @@ pub(crate) fn run(options: TokenStream, item: &TokenStream) -> TokenStream {
     let mut report = Report::default();
     let component = match parse(options, item, &mut report) {
         Parsed::Component(component) => component,
-        Parsed::Misplaced { item, of } => return expand::misplaced(&item, of.as_ref(), &report),
+        Parsed::Misplaced { item, of } => return expand::misplaced(&item, of.as_deref(), &report),
     };
     match check::check(&component, &mut report) {
         Some(behaviour) if report.is_empty() => expand::expand(&component, &behaviour),

@@ -1,10 +1,16 @@
 //! The macros of BICA: `#[component]` and `activation_tree!`.
 //!
-//! Each is a pipeline: parse (tokens to a model of what was written) → check (rules that one item can break) → expand
-//! (code). The stages collect mistakes in a report, so that all of an item are seen at once; whatever they find, the
-//! item itself is still emitted, and a stand-in for what was to be generated, so that one mistake gives one message.
-//! What only the whole program knows (a missing component, an activation cycle, a budget) is left to rustc and to the
-//! constant function `bica_core::check::check`.
+//! Each is a pipeline: parse (from tokens to a model) → check (rules within one item) → expand (to code). The first two
+//! and the wording of every message are in `language`, which a tool can reuse; `expand` has one file for each thing that
+//! is generated.
+//!
+//! The stages collect mistakes in a report, so that all of an item are reported at once. An item with mistakes is still
+//! emitted, with a stub in place of the generated code, so that one mistake gives one message. Function bodies are not
+//! read: a syntax error in one is the compiler's to report.
+//!
+//! Rules that concern the whole program (a missing component, an activation cycle, a budget, two paths to one type) are
+//! left to the compiler: to traits with messages of their own and to constant functions such as
+//! `bica_core::check::check`.
 
 mod component;
 mod expand;

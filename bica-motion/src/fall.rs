@@ -1,10 +1,13 @@
-//! Falling: how to see it come, and how to know what one lies on.
+//! Fall detection from the inertial unit.
+
+use core::marker::PhantomData;
 
 use glam::Vec3;
 
+use crate::model::{Nao, RobotModel};
 use crate::robot::Inertial;
 
-/// Where a robot falls or lies.
+/// Side to which a robot falls, or on which it lies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Direction {
     /// On its face.
@@ -18,10 +21,10 @@ pub enum Direction {
 }
 
 impl Direction {
-    /// All four.
+    /// All four directions.
     pub const ALL: [Self; 4] = [Self::Front, Self::Back, Self::Left, Self::Right];
 
-    /// What an accelerometer measures when the robot lies so, m/s².
+    /// Reading of the accelerometer when the robot lies on this side, m/s², torso frame.
     #[must_use]
     pub const fn gravity(self) -> Vec3 {
         match self {
@@ -33,68 +36,86 @@ impl Direction {
     }
 }
 
-/// Whether the robot is on its feet.
+/// State of the balance. It says nothing about faults of the body: see [`Health`](crate::health::Health).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum FallState {
-    /// It is.
+    /// On its feet.
     #[default]
     Upright,
-    /// It falls, and nothing can be done any more but to fall well.
+    /// Falling; the fall cannot be prevented.
     Falling(Direction),
-    /// It lies.
+    /// Lying.
     Fallen(Direction),
 }
 
-/// The torso's pitch within which a robot does not fall, rad: backward, forward. Source: HULKs 2025.
-const PITCH: (f32, f32) = (-0.4, 0.6);
-/// The torso's roll within which it does not fall, to both sides, rad: our choice; the steepest lean of the walk is 0.2.
-const ROLL: f32 = 0.5;
-/// Within this tilt a robot that had fallen is upright again, rad.
-const UPRIGHT: f32 = 0.3;
-/// It has to stay there this long, s.
-const UPRIGHT_TIME: f32 = 0.3;
-/// Share of a new angle in the smoothed one, per cycle. Source: HULKs 2025.
-const NEW_ANGLE: f32 = 0.9;
-/// Share of a new acceleration in the smoothed one, per cycle.
-const NEW_ACCELERATION: f32 = 0.1;
-/// So near to lying's acceleration a robot lies, m/s². Source: HULKs 2025.
-const LYING: f32 = 7.0;
-/// A fall is over after this time in any case, s. Source: HULKs 2025.
-const LONGEST_FALL: f32 = 1.0;
+impl FallState {
+    /// Whether the robot is on its feet.
+    #[must_use]
+    pub const fn is_upright(self) -> bool {
+        matches!(self, Self::Upright)
+    }
+}
 
-/// Watches the inertial unit.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct FallDetector {
+/// Maximum tilt of a robot that has got up, rad.
+const RISEN_TILT: f32 = 0.3;
+/// Minimum time within [`RISEN_TILT`] after which a fallen robot counts as upright, s.
+const RISEN_TIME: f32 = 0.3;
+/// Weight of a new angle in the low-pass filter, per cycle. Source: HULKs 2025.
+const ANGLE_WEIGHT: f32 = 0.9;
+/// Weight of a new acceleration in the low-pass filter, per cycle.
+const ACCELERATION_WEIGHT: f32 = 0.1;
+/// Maximum difference from the acceleration of a lying robot, m/s². Source: HULKs 2025.
+const LYING_TOLERANCE: f32 = 7.0;
+/// Time after which a falling robot counts as fallen in any case, s. Source: HULKs 2025.
+const MAX_FALL_TIME: f32 = 1.0;
+
+/// Detector of falls, with the angle limits of [`RobotModel::FALL_LIMITS`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FallDetector<M = Nao> {
     roll: f32,
     pitch: f32,
     acceleration: Vec3,
     state: FallState,
-    /// How long it falls, or is upright again, s.
+    /// Time in the state `Falling`, or within the tilt of a robot that has got up, s.
     time: f32,
+    model: PhantomData<M>,
 }
 
-impl FallDetector {
-    /// A detector that believes the robot upright.
+impl<M: RobotModel> Default for FallDetector<M> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl<M: RobotModel> FallDetector<M> {
+    /// A detector in the state [`Upright`](FallState::Upright).
     #[must_use]
     pub const fn new() -> Self {
-        Self { roll: 0.0, pitch: 0.0, acceleration: Vec3::ZERO, state: FallState::Upright, time: 0.0 }
+        Self {
+            roll: 0.0,
+            pitch: 0.0,
+            acceleration: Vec3::ZERO,
+            state: FallState::Upright,
+            time: 0.0,
+            model: PhantomData,
+        }
     }
 
-    /// What it believes.
+    /// Current state.
     #[must_use]
     pub const fn state(&self) -> FallState {
         self.state
     }
 
-    /// One cycle of `dt` seconds. A reading that is no number is skipped.
+    /// Processes one reading after `dt` seconds. A reading with NaN or infinite values is skipped.
     pub fn step(&mut self, inertial: &Inertial, dt: f32) -> FallState {
         let finite = inertial.acceleration.is_finite() && inertial.roll.is_finite() && inertial.pitch.is_finite();
         if !finite || !dt.is_finite() {
             return self.state;
         }
-        self.roll += NEW_ANGLE * (inertial.roll - self.roll);
-        self.pitch += NEW_ANGLE * (inertial.pitch - self.pitch);
-        self.acceleration += NEW_ACCELERATION * (inertial.acceleration - self.acceleration);
+        self.roll += ANGLE_WEIGHT * (inertial.roll - self.roll);
+        self.pitch += ANGLE_WEIGHT * (inertial.pitch - self.pitch);
+        self.acceleration += ACCELERATION_WEIGHT * (inertial.acceleration - self.acceleration);
         self.time += dt.max(0.0);
         let next = self.next();
         if next != self.state {
@@ -106,39 +127,39 @@ impl FallDetector {
 
     fn next(&mut self) -> FallState {
         match self.state {
-            FallState::Upright => self.tilt().map_or(self.state, FallState::Falling),
-            FallState::Falling(direction) => match (self.lies_on(), self.tilt()) {
-                (Some(lies), _) => FallState::Fallen(lies),
+            FallState::Upright => self.excess_tilt().map_or(self.state, FallState::Falling),
+            FallState::Falling(direction) => match (self.lying_side(), self.excess_tilt()) {
+                (Some(side), _) => FallState::Fallen(side),
                 (None, None) => FallState::Upright,
-                (None, Some(_)) if self.time >= LONGEST_FALL => FallState::Fallen(direction),
+                (None, Some(_)) if self.time >= MAX_FALL_TIME => FallState::Fallen(direction),
                 (None, Some(_)) => self.state,
             },
             FallState::Fallen(direction) => {
-                if self.roll.abs() > UPRIGHT || self.pitch.abs() > UPRIGHT {
+                if self.roll.abs() > RISEN_TILT || self.pitch.abs() > RISEN_TILT {
                     self.time = 0.0;
                 }
-                if self.time >= UPRIGHT_TIME {
+                if self.time >= RISEN_TIME {
                     FallState::Upright
                 } else {
-                    FallState::Fallen(self.lies_on().unwrap_or(direction))
+                    FallState::Fallen(self.lying_side().unwrap_or(direction))
                 }
             }
         }
     }
 
-    /// Which way it is tilted too far, if any.
-    fn tilt(&self) -> Option<Direction> {
+    /// Direction in which the torso is tilted beyond the limits, if any.
+    fn excess_tilt(&self) -> Option<Direction> {
         match (self.pitch, self.roll) {
-            (pitch, _) if pitch > PITCH.1 => Some(Direction::Front),
-            (pitch, _) if pitch < PITCH.0 => Some(Direction::Back),
-            (_, roll) if roll > ROLL => Some(Direction::Right),
-            (_, roll) if roll < -ROLL => Some(Direction::Left),
+            (pitch, _) if pitch > M::FALL_LIMITS.forward_pitch => Some(Direction::Front),
+            (pitch, _) if pitch < M::FALL_LIMITS.backward_pitch => Some(Direction::Back),
+            (_, roll) if roll > M::FALL_LIMITS.roll => Some(Direction::Right),
+            (_, roll) if roll < -M::FALL_LIMITS.roll => Some(Direction::Left),
             _ => None,
         }
     }
 
-    /// What it lies on, by the direction of gravity.
-    fn lies_on(&self) -> Option<Direction> {
-        Direction::ALL.into_iter().find(|direction| (self.acceleration - direction.gravity()).length() < LYING)
+    /// Side on which the robot lies according to the accelerometer, if any.
+    fn lying_side(&self) -> Option<Direction> {
+        Direction::ALL.into_iter().find(|side| (self.acceleration - side.gravity()).length() < LYING_TOLERANCE)
     }
 }

@@ -1,17 +1,17 @@
-//! The 25 joints of a NAO H25: names and order.
+//! Joints of a humanoid robot, and one value for each.
 //!
-//! Order and names are those of the robot's own interface (`LoLA`, NAO V6). Angles are radians, hands are 0 (closed)
-//! to 1 (open).
+//! Order and names are those of the NAO V6's own interface (`LoLA`). A robot with fewer joints lists those that it has in
+//! [`RobotModel::JOINTS`](crate::model::RobotModel::JOINTS). Angles are in radians; hands range from 0 (closed) to 1 (open).
 
 use core::ops::{Index, IndexMut};
 
-/// How many joints a NAO has, both hands included.
+/// Number of joints in the vocabulary, both hands included.
 pub const JOINTS: usize = 25;
 
-/// A joint, in the order of the robot's interface.
+/// A joint of a humanoid.
 ///
 /// `LHipYawPitch` is the one motor that both legs share; there is no right one.
-#[expect(missing_docs, reason = "the names are the robot's own and say all")]
+#[expect(missing_docs, reason = "the names are those of the robot's interface and need no explanation")]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 #[repr(u8)]
 pub enum Joint {
@@ -72,7 +72,7 @@ impl Joint {
         Self::RHand,
     ];
 
-    /// The joint's place in the robot's order, 0 to 24.
+    /// Position of the joint in [`ALL`](Self::ALL), 0 to 24.
     #[must_use]
     pub const fn index(self) -> usize {
         self as usize

@@ -1,26 +1,26 @@
-//! Fixed movements: lists of postures, played smoothly.
+//! Motions through a list of key postures.
 
 use crate::easing::{mix, smooth};
 use crate::joints::Joints;
 
-/// A posture to reach.
+/// A key posture, and how to reach it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Keyframe {
-    /// How long the way there takes, s, more than 0.
+    /// Duration of the motion to the posture, s, positive.
     pub seconds: f32,
-    /// Angles, rad.
+    /// Joint angles at the end, rad.
     pub posture: Joints,
-    /// Stiffness of all joints on the way, 0 to 1.
+    /// Stiffness of all joints during the motion, 0 to 1.
     pub stiffness: f32,
 }
 
-/// How long a list of keyframes lasts, s.
+/// Duration of a list of keyframes, s.
 #[must_use]
 pub fn duration(frames: &[Keyframe]) -> f32 {
     frames.iter().map(|frame| frame.seconds).sum()
 }
 
-/// A movement under way. From each posture to the next the joints go from rest to rest, all in the same time.
+/// Playback of keyframes. Between two postures all joints move from rest to rest in the same time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Motion {
     frames: &'static [Keyframe],
@@ -30,13 +30,13 @@ pub struct Motion {
 }
 
 impl Motion {
-    /// No movement: done at once.
+    /// An empty motion, which is done at once.
     #[must_use]
     pub const fn none() -> Self {
         Self { frames: &[], from: Joints([0.0; 25]), index: 0, time: 0.0 }
     }
 
-    /// A movement through `frames` that begins with the joints at `from` (targets or measured angles, rad).
+    /// A motion through `frames` that begins with the joints at `from` (commanded or measured angles, rad).
     #[must_use]
     pub const fn new(frames: &'static [Keyframe], from: Joints) -> Self {
         Self { frames, from, index: 0, time: 0.0 }
@@ -48,14 +48,14 @@ impl Motion {
         self.index >= self.frames.len()
     }
 
-    /// The keyframe that it is on the way to, counted from 0; the number of frames when done.
+    /// Index of the keyframe that is being approached; the number of keyframes when done.
     #[must_use]
     pub const fn index(&self) -> usize {
         self.index
     }
 
-    /// `dt` seconds later: the targets and the stiffness of all joints. When done, the last posture, again and again;
-    /// `None` only if there are no frames at all.
+    /// Advances by `dt` seconds; returns target angles (rad) and stiffness of all joints. When done, the last posture;
+    /// `None` only if there are no keyframes.
     pub fn step(&mut self, dt: f32) -> Option<(Joints, f32)> {
         if dt > 0.0 {
             self.time += dt;

@@ -1,28 +1,30 @@
-//! A NAO's body: joints, kinematics, head, walk, kicks, odometry, falls.
+//! Motion of a humanoid robot: joints, kinematics, head, walk, kicks, get-up, odometry, fall detection, health.
 //!
-//! Plain algorithms without a framework, `no_std` and without `alloc`. Metres, radians, seconds, newtons; x forward,
-//! y left, z up. The *robot* frame has its origin midway between the hip joints; the *ground* frame lies on the ground
-//! between the feet (see [`kinematics::ground_from_robot`]).
+//! Plain algorithms without a framework, `no_std` and without `alloc`. They take the robot as a type parameter, see
+//! [`model`]; the default is the NAO. Metres, radians, seconds, newtons; x forward, y left, z up. The *robot* frame has its
+//! origin midway between the hip joints; the *ground* frame lies on the ground between the feet (see
+//! [`kinematics::ground_from_robot`]).
 //!
 //! ```
-//! use bica_motion::{joints::Joint, walk::{Feedback, Parameters, Phase, Velocity, Walk}, robot::FootPressure};
+//! use bica_motion::joints::Joint;
+//! use bica_motion::model::{Nao, RobotModel};
+//! use bica_motion::robot::FootPressure;
+//! use bica_motion::walk::{Feedback, Phase, Velocity, Walk};
 //!
-//! let on_both_feet = FootPressure { front_left: 26.0, ..FootPressure::default() };
-//! let body = Feedback { left_foot: on_both_feet, right_foot: on_both_feet, ..Feedback::default() };
-//! let mut walk = Walk::new(&Parameters::BUILT_IN);
-//! let stand = walk.step(Velocity::ZERO, &body, 0.01).joints();
+//! let foot = FootPressure { front_left: 26.0, ..FootPressure::default() };
+//! let feedback = Feedback { left_foot: foot, right_foot: foot, ..Feedback::default() };
+//! let mut walk = Walk::<Nao>::new(&Nao::KINEMATIC_PROFILE.gait);
+//! let stand = walk.step(Velocity::ZERO, &feedback, 0.01).joints();
 //! for _ in 0..100 {
-//!     let targets = walk.step(Velocity::new(0.2, 0.0, 0.0), &body, 0.01).joints();
-//!     assert!(targets.within_limits());
+//!     let targets = walk.step(Velocity::new(0.2, 0.0, 0.0), &feedback, 0.01).joints();
+//!     assert!(targets.within_limits::<Nao>());
 //! }
 //! assert_eq!(walk.phase(), Phase::Walking);
 //! assert!(stand[Joint::LKneePitch] > 0.0);
 //! ```
 #![no_std]
 
-pub mod actuator;
 pub mod bounds;
-pub mod dimensions;
 mod easing;
 pub mod fall;
 pub mod feet;
@@ -34,14 +36,13 @@ pub mod keyframes;
 pub mod kick;
 pub mod kinematics;
 pub mod limbs;
-pub mod limits;
-pub mod masses;
-mod motor_load;
+mod limits;
+pub mod model;
 pub mod odometry;
 pub mod pose;
-pub mod profile;
 pub mod robot;
+pub mod segment;
 pub mod side;
-pub mod speed;
-pub mod stand;
+pub mod stiffness;
+pub mod velocity;
 pub mod walk;

@@ -1,10 +1,45 @@
-//! What arms and legs do while the head goes its own way.
+//! Angles of legs and arms, without the head.
 
-use crate::joints::Joints;
-use crate::kinematics::LegAngles;
+use crate::joints::{Joint, Joints};
 use crate::side::Side;
 
-/// The angles of one arm, rad, and its hand.
+/// Angles of one leg, rad.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct LegAngles {
+    /// The joint that both legs share; negative turns the toes out.
+    pub hip_yaw_pitch: f32,
+    /// Positive swings the leg to the left.
+    pub hip_roll: f32,
+    /// Negative swings the leg forward.
+    pub hip_pitch: f32,
+    /// Positive bends the knee.
+    pub knee_pitch: f32,
+    /// Positive presses the toes down.
+    pub ankle_pitch: f32,
+    /// Positive presses the foot's right edge down.
+    pub ankle_roll: f32,
+}
+
+impl LegAngles {
+    /// Writes the six angles to a side's joints; the yaw-pitch goes to the joint that both sides share.
+    pub fn write(&self, side: Side, angles: &mut Joints) {
+        let values =
+            [self.hip_yaw_pitch, self.hip_roll, self.hip_pitch, self.knee_pitch, self.ankle_pitch, self.ankle_roll];
+        for (joint, value) in side.leg().into_iter().zip(values) {
+            angles[joint] = value;
+        }
+    }
+
+    /// Reads a side's six angles.
+    #[must_use]
+    pub fn read(side: Side, angles: &Joints) -> Self {
+        let [hip_yaw_pitch, hip_roll, hip_pitch, knee_pitch, ankle_pitch, ankle_roll] =
+            side.leg().map(|joint: Joint| angles[joint]);
+        Self { hip_yaw_pitch, hip_roll, hip_pitch, knee_pitch, ankle_pitch, ankle_roll }
+    }
+}
+
+/// Angles of one arm, rad, and its hand.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ArmAngles {
     /// 0 forward, π/2 down.
@@ -31,8 +66,7 @@ impl ArmAngles {
         }
     }
 
-    /// An arm that hangs down, a little off the body: `pitch` rad from hanging straight, positive swings it back;
-    /// `out` rad off the body.
+    /// A hanging arm: `pitch` rad from straight down, positive to the back; `out` rad away from the body.
     #[must_use]
     pub fn hanging(side: Side, pitch: f32, out: f32) -> Self {
         Self {
@@ -44,7 +78,7 @@ impl ArmAngles {
     }
 }
 
-/// Targets for both legs and both arms, left first.
+/// Target angles of both legs and both arms, left first.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Limbs {
     /// Legs; both have the same hip yaw-pitch.
@@ -54,7 +88,7 @@ pub struct Limbs {
 }
 
 impl Limbs {
-    /// Writes all but the head's joints.
+    /// Writes all joints except those of the head.
     pub fn write(&self, angles: &mut Joints) {
         for side in Side::BOTH {
             self.legs[side.index()].write(side, angles);
@@ -62,7 +96,7 @@ impl Limbs {
         }
     }
 
-    /// These targets with the head straight ahead.
+    /// All joints, with the head straight ahead.
     #[must_use]
     pub fn joints(&self) -> Joints {
         let mut angles = Joints::all(0.0);

@@ -1,15 +1,14 @@
-//! Poses and motions in the plane of the ground.
+//! Poses in the plane of the ground.
 
 use core::ops::Mul;
 
 use glam::Vec2;
 use libm::{cosf, sinf};
 
-/// A pose on the ground, or the motion from one pose to another: metres and radians, x forward, y left, angles
-/// counter-clockwise.
+/// A pose on the ground, or the motion between two poses: m and rad, x forward, y left, angles counter-clockwise.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Pose2 {
-    /// Where, m.
+    /// Position, m.
     pub position: Vec2,
     /// Heading, rad.
     pub heading: f32,
@@ -19,49 +18,49 @@ impl Pose2 {
     /// The origin, heading along x.
     pub const ORIGIN: Self = Self::new(0.0, 0.0, 0.0);
 
-    /// A pose from its coordinates.
+    /// A pose from x, y (m) and heading (rad).
     #[must_use]
     pub const fn new(x: f32, y: f32, heading: f32) -> Self {
         Self { position: Vec2::new(x, y), heading }
     }
 
-    /// A point given in this pose's own frame, in the frame that the pose is given in.
+    /// Maps a point from this pose's frame to the outer frame, in which the pose is given.
     #[must_use]
     pub fn place(&self, point: Vec2) -> Vec2 {
         self.position + rotate(point, self.heading)
     }
 
-    /// A point of the outer frame, as seen from this pose. Undoes [`place`](Self::place).
+    /// Maps a point from the outer frame to this pose's frame. The inverse of [`place`](Self::place).
     #[must_use]
     pub fn locate(&self, point: Vec2) -> Vec2 {
         rotate(point - self.position, -self.heading)
     }
 
-    /// The pose that undoes this one: `a * a.inverse()` is the origin.
+    /// Inverse pose: `a * a.inverse()` is the origin.
     #[must_use]
     pub fn inverse(&self) -> Self {
         Self { position: rotate(-self.position, -self.heading), heading: -self.heading }
     }
 }
 
-/// First the left pose, then the right one seen from there.
+/// Composition: the right pose is given in the frame of the left one.
 impl Mul for Pose2 {
     type Output = Self;
 
-    #[expect(clippy::suspicious_arithmetic_impl, reason = "chaining poses adds their headings")]
+    #[expect(clippy::suspicious_arithmetic_impl, reason = "composition of poses adds their headings")]
     fn mul(self, inner: Self) -> Self {
         Self { position: self.place(inner.position), heading: wrap(self.heading + inner.heading) }
     }
 }
 
-/// A vector turned counter-clockwise by `angle` rad.
+/// Rotates a vector counter-clockwise by `angle` rad.
 #[must_use]
 pub fn rotate(v: Vec2, angle: f32) -> Vec2 {
     let (s, c) = (sinf(angle), cosf(angle));
     Vec2::new(c * v.x - s * v.y, s * v.x + c * v.y)
 }
 
-/// An angle brought into −π..π, rad. Not finite in, not finite out.
+/// Wraps an angle to −π..π, rad. The result for a non-finite angle is not finite.
 #[must_use]
 pub fn wrap(angle: f32) -> f32 {
     use core::f32::consts::{PI, TAU};

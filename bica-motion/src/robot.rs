@@ -1,26 +1,26 @@
-//! Robot in, robot out: what any NAO gives in a cycle and what it takes.
+//! Interface between a robot and its controller: sensors and commands of one control cycle.
 //!
-//! The built-in world, a physics engine, a recording, a firmware link and a real NAO all speak these two types.
-//! Nothing else of a world reaches a player.
+//! A simulated world, a recording, a firmware link and a real robot all use these two types. A controller receives nothing
+//! else from its world.
 
 use glam::Vec3;
 
 use crate::joints::Joints;
 
-/// One of the two cameras in the head. The robot sends the images of one at a time; [`Command::camera`] chooses.
+/// One of the two cameras in the head. The robot sends images of one camera at a time; [`Command::camera`] selects it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum CameraId {
-    /// In the forehead, looks to the horizon.
+    /// In the forehead, directed to the horizon.
     #[default]
     Top,
-    /// In the mouth, looks 39.7° down, to the feet.
+    /// In the mouth, directed to the ground before the feet.
     Bottom,
 }
 
-/// A camera image as the camera made it, borrowed from whoever holds its memory.
+/// Raw camera image, borrowed from the owner of its memory.
 #[derive(Clone, Copy, Debug)]
 pub struct Image<'a> {
-    /// The camera that took it.
+    /// Source of the image.
     pub camera: CameraId,
     /// Width in pixels; even.
     pub width: u16,
@@ -30,7 +30,7 @@ pub struct Image<'a> {
     pub yuyv: &'a [u8],
 }
 
-/// What the inertial unit in the torso measures. Torso frame: x forward, y left, z up.
+/// Readings of the inertial unit in the torso. Torso frame: x forward, y left, z up.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Inertial {
     /// Angular velocity, rad/s.
@@ -43,7 +43,7 @@ pub struct Inertial {
     pub pitch: f32,
 }
 
-/// Forces on the four pressure sensors of one sole, newtons, 0 when the foot is in the air.
+/// Forces on the four pressure sensors of one sole, N; 0 when the foot is in the air.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct FootPressure {
     /// Under the toes, left side.
@@ -57,14 +57,14 @@ pub struct FootPressure {
 }
 
 impl FootPressure {
-    /// The whole force on the sole, newtons.
+    /// Total force on the sole, N.
     #[must_use]
     pub fn total(&self) -> f32 {
         self.front_left + self.front_right + self.rear_left + self.rear_right
     }
 }
 
-/// Buttons and bumpers, true while pressed.
+/// Buttons and bumpers; true while pressed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Buttons {
     /// The button in the chest.
@@ -75,16 +75,16 @@ pub struct Buttons {
     pub right_bumper: bool,
 }
 
-/// Everything that a robot tells in one cycle.
+/// Sensor readings of one control cycle.
 #[derive(Clone, Copy, Debug)]
 pub struct Sensors<'a> {
     /// Measured joint angles, rad.
     pub angles: Joints<f32>,
-    /// How hot the joints' motors are, °C; NaN where a robot cannot tell. A NAO V6 tells whole degrees of all.
+    /// Temperatures of the joints' motors, °C; NaN where unknown. A NAO V6 reports whole degrees for all joints.
     pub temperatures: Joints<f32>,
-    /// What the joints' motors draw, A, 0 or more; NaN where a robot cannot tell.
+    /// Currents of the joints' motors, A, 0 or more; NaN where unknown.
     pub currents: Joints<f32>,
-    /// The inertial unit.
+    /// Inertial unit.
     pub inertial: Inertial,
     /// Pressure under the left sole.
     pub left_foot: FootPressure,
@@ -92,34 +92,34 @@ pub struct Sensors<'a> {
     pub right_foot: FootPressure,
     /// Buttons and bumpers.
     pub buttons: Buttons,
-    /// The image, in the cycles in which a new one came.
+    /// New image; `None` in cycles without one.
     pub image: Option<Image<'a>>,
 }
 
-/// An RGB light, each part 0 to 1.
+/// RGB light; red, green and blue are 0 to 1.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Light(pub f32, pub f32, pub f32);
 
-/// The lights that a player may set.
+/// Lights that a controller may set.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Lights {
-    /// In the chest button.
+    /// Chest button.
     pub chest: Light,
-    /// All lights of the left eye.
+    /// Left eye, all lights.
     pub left_eye: Light,
-    /// All lights of the right eye.
+    /// Right eye, all lights.
     pub right_eye: Light,
 }
 
-/// Everything that a robot is told in one cycle.
+/// Command of one control cycle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Command {
-    /// Wanted joint angles, rad.
+    /// Target joint angles, rad.
     pub targets: Joints<f32>,
-    /// How hard each joint holds its target, 0 (limp) to 1.
+    /// Stiffness of each joint, 0 (limp) to 1.
     pub stiffness: Joints<f32>,
     /// Lights.
     pub lights: Lights,
-    /// The camera whose images are wanted.
+    /// Camera whose images are requested.
     pub camera: CameraId,
 }

@@ -1,4 +1,4 @@
-//! Left and right: the sides of the body and the joints on them.
+//! Sides of the body, and mirror images of postures.
 
 use crate::joints::{Joint, Joints};
 
@@ -15,7 +15,7 @@ impl Side {
     /// Both sides, left first.
     pub const BOTH: [Self; 2] = [Self::Left, Self::Right];
 
-    /// The side across.
+    /// The opposite side.
     #[must_use]
     pub const fn other(self) -> Self {
         match self {
@@ -24,7 +24,7 @@ impl Side {
         }
     }
 
-    /// The sign of y on this side: +1 left, −1 right.
+    /// Sign of y on this side: +1 left, −1 right.
     #[must_use]
     pub const fn sign(self) -> f32 {
         match self {
@@ -33,14 +33,14 @@ impl Side {
         }
     }
 
-    /// 0 for left, 1 for right.
+    /// Index of the side: 0 left, 1 right.
     #[must_use]
     pub const fn index(self) -> usize {
         self as usize
     }
 
-    /// The joints of this side's leg from the hip down: hip yaw-pitch (the shared motor), hip roll, hip pitch, knee
-    /// pitch, ankle pitch, ankle roll.
+    /// Joints of this side's leg from the hip down: hip yaw-pitch (shared by both legs), hip roll, hip pitch, knee pitch,
+    /// ankle pitch, ankle roll.
     #[must_use]
     pub const fn leg(self) -> [Joint; 6] {
         use Joint::{
@@ -53,8 +53,8 @@ impl Side {
         }
     }
 
-    /// The joints of this side's arm from the shoulder out: shoulder pitch, shoulder roll, elbow yaw, elbow roll,
-    /// wrist yaw, hand.
+    /// Joints of this side's arm from the shoulder out: shoulder pitch, shoulder roll, elbow yaw, elbow roll, wrist yaw,
+    /// hand.
     #[must_use]
     pub const fn arm(self) -> [Joint; 6] {
         use Joint::{
@@ -69,7 +69,7 @@ impl Side {
 }
 
 impl Joint {
-    /// The joint across the body's plane of symmetry; head joints and the shared hip yaw-pitch are their own.
+    /// Mirror image of the joint; head joints and the shared hip yaw-pitch are their own mirror images.
     #[must_use]
     pub fn mirrored(self) -> Self {
         for side in Side::BOTH {
@@ -84,10 +84,10 @@ impl Joint {
         self
     }
 
-    /// Whether the joint turns about an axis in the plane of symmetry, so that its angle changes sign in the mirror:
-    /// rolls and yaws do, pitches, the shared hip yaw-pitch and the hands do not.
+    /// Whether the mirror image of the joint has the opposite angle: true for rolls and yaws, false for pitches, the shared
+    /// hip yaw-pitch and the hands.
     #[must_use]
-    pub const fn flips(self) -> bool {
+    pub const fn changes_sign_mirrored(self) -> bool {
         use Joint::{
             HeadYaw, LAnkleRoll, LElbowRoll, LElbowYaw, LHipRoll, LShoulderRoll, LWristYaw, RAnkleRoll, RElbowRoll,
             RElbowYaw, RHipRoll, RShoulderRoll, RWristYaw,
@@ -112,13 +112,13 @@ impl Joint {
 }
 
 impl Joints<f32> {
-    /// The same posture seen in a mirror: left and right swapped.
+    /// Mirror image of the posture: left and right exchanged.
     #[must_use]
     pub fn mirrored(&self) -> Self {
         let mut mirrored = *self;
         for joint in Joint::ALL {
             let angle = self[joint];
-            mirrored[joint.mirrored()] = if joint.flips() { -angle } else { angle };
+            mirrored[joint.mirrored()] = if joint.changes_sign_mirrored() { -angle } else { angle };
         }
         mirrored
     }

@@ -1,6 +1,6 @@
 //! Watching the loop.
 
-use bica_core::{Instant, Probe};
+use bica_core::{Instant, Probe, Stopwatch};
 
 use crate::request::Request;
 use crate::robot::Robot;
@@ -13,7 +13,7 @@ use crate::schedule::Overrun;
 /// the probe from `cycle_begin` to `cycle_end`, [`acted`](Self::acted). An observer with a clock reads it in these calls.
 /// Methods that are not written cost nothing. `()` observes nothing; a pair `(A, B)` is two observers.
 #[expect(unused_variables, reason = "the names of the arguments are documentation")]
-pub trait Observer<R: Robot + ?Sized>: Probe {
+pub trait Observer<R: Robot>: Probe {
     /// A request was applied, before the cycle at `now`.
     #[inline]
     fn requested(&mut self, now: Instant, request: &Request) {}
@@ -37,7 +37,7 @@ pub trait Observer<R: Robot + ?Sized>: Probe {
 
 /// The result of one cycle.
 #[derive(Debug)]
-pub struct Cycle<'a, R: Robot + ?Sized> {
+pub struct Cycle<'a, R: Robot> {
     /// The instant that the tree was given.
     pub now: Instant,
     /// The tree after the tick: its states and active components.
@@ -46,7 +46,10 @@ pub struct Cycle<'a, R: Robot + ?Sized> {
     pub command: &'a R::Command,
 }
 
-impl<R: Robot + ?Sized> Observer<R> for () {}
+impl<R: Robot> Observer<R> for () {}
+
+/// Measures the components; of the rest of the loop it sees nothing.
+impl<R: Robot, C: FnMut() -> u64, const N: usize> Observer<R> for Stopwatch<C, N> {}
 
 /// Writes each call as a call on these observers.
 macro_rules! forward {
@@ -78,10 +81,10 @@ macro_rules! forward {
     };
 }
 
-impl<R: Robot + ?Sized, O: Observer<R>> Observer<R> for &mut O {
+impl<R: Robot, O: Observer<R>> Observer<R> for &mut O {
     forward!(self => (**self));
 }
 
-impl<R: Robot + ?Sized, A: Observer<R>, B: Observer<R>> Observer<R> for (A, B) {
+impl<R: Robot, A: Observer<R>, B: Observer<R>> Observer<R> for (A, B) {
     forward!(self => self.0, self.1);
 }

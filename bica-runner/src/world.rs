@@ -7,7 +7,7 @@ use crate::robot::Robot;
 /// What a robot program controls (the plant of control engineering): a real body, a simulation, or recorded values.
 ///
 /// The trait can be used as `dyn World<R>`.
-pub trait World<R: Robot + ?Sized> {
+pub trait World<R: Robot> {
     /// The time of this cycle on the world's own clock, which never runs backwards.
     fn now(&self) -> Instant;
 
@@ -34,11 +34,11 @@ macro_rules! forward_to_target {
     };
 }
 
-impl<R: Robot + ?Sized, W: World<R> + ?Sized> World<R> for &mut W {
+impl<R: Robot, W: World<R> + ?Sized> World<R> for &mut W {
     forward_to_target!();
 }
 
 #[cfg(feature = "std")]
-impl<R: Robot + ?Sized, W: World<R> + ?Sized> World<R> for std::boxed::Box<W> {
+impl<R: Robot, W: World<R> + ?Sized> World<R> for std::boxed::Box<W> {
     forward_to_target!();
 }

@@ -43,7 +43,7 @@
 //! let mut goals = GoalFinder::<1024>::new();
 //!
 //! let frame = Frame::new(320, 240, &bytes).expect("a frame");
-//! let camera = Camera::of_nao(CameraId::Top, &angles, Side::Left, 320, 240);
+//! let camera = Camera::of::<Nao>(CameraId::Top, &angles, Side::Left, 320, 240);
 //! let end = FieldBoundary::find_with(&frame, &table, Some(&camera));
 //! let ball = balls.find(&frame, &table, &end, Some(&camera));
 //! let ball_on_ground = ball.and_then(|ball| ball.ground(&camera, FIELD.ball_radius()));

@@ -1,17 +1,14 @@
 //! The robot's own body in the image.
 //!
-//! Chest, shoulders, arms, legs and feet are capsules (what is within a radius of a line), as thick as a NAO's. A pixel
+//! Chest, shoulders, arms, legs and feet are capsules (what is within a radius of a line), see [`RobotModel::BODY_SHAPE`]. A pixel
 //! shows the body if its ray meets one of them: exact for things close to the camera and at the image's edge, where
 //! outlines drawn as circles are not. Cost: 1 µs for the capsules of an image, 0.1 µs for a pixel.
 
-use bica_motion::dimensions::{
-    BOTTOM_CAMERA, BOTTOM_CAMERA_TILT, FOOT_HEIGHT, HIP, NECK, THIGH, TIBIA, TOP_CAMERA, TOP_CAMERA_TILT, UPPER_ARM,
-};
 use bica_motion::joints::Joints;
 use bica_motion::kinematics;
+use bica_motion::model::{CameraMount, Capsule as Shape, RobotModel};
 use bica_motion::robot::CameraId;
 use bica_motion::side::Side;
-use bica_motion::stand::STAND;
 use glam::{Affine3A, Vec2, Vec3};
 use heapless::Vec;
 
@@ -42,66 +39,64 @@ impl OwnBody {
     /// A NAO's body as its camera `id` sees it at these joint angles, rad. Only the pixels' directions are taken from
     /// `camera`: the body hangs on the camera, whatever the ground does.
     #[must_use]
-    pub fn of_nao(camera: &Camera, id: CameraId, angles: &Joints) -> Self {
-        Self::seen_from(kinematics::camera(id, angles), camera.intrinsics(), angles)
+    pub fn of<M: RobotModel>(camera: &Camera, id: CameraId, angles: &Joints) -> Self {
+        Self::seen_from::<M>(kinematics::camera::<M>(id, angles), camera.intrinsics(), angles)
     }
 
-    /// As [`of_nao`](Self::of_nao) where only the camera's pose over the ground is known: a NAO that stands upright
+    /// As [`of`](Self::of) where only the camera's pose over the ground is known: a NAO that stands upright
     /// over the origin, facing along x, with its arms hanging.
     #[must_use]
-    pub fn standing(camera: &Camera, id: CameraId) -> Self {
-        let (place, tilt) = match id {
-            CameraId::Top => (TOP_CAMERA, TOP_CAMERA_TILT),
-            CameraId::Bottom => (BOTTOM_CAMERA, BOTTOM_CAMERA_TILT),
-        };
+    pub fn standing<M: RobotModel>(camera: &Camera, id: CameraId) -> Self {
+        let CameraMount { position, tilt, .. } = M::DIMENSIONS.camera(id);
         let turn = Affine3A { translation: glam::Vec3A::ZERO, ..camera.pose() };
         let head = turn * Affine3A::from_rotation_y(-tilt);
-        let at = NECK + head.transform_vector3(place);
+        let at = M::DIMENSIONS.neck + head.transform_vector3(position);
         let hips = Vec3::from(camera.pose().translation) - at;
-        let mut angles = STAND;
+        let mut angles = M::STAND;
         for side in Side::BOTH {
-            let ankle = Vec3::new(0.0, side.sign() * HIP.y, FOOT_HEIGHT) - hips;
-            kinematics::leg_angles_at(side, &Affine3A::from_translation(ankle), 0.0).write(side, &mut angles);
+            let ankle = Vec3::new(0.0, side.sign() * M::DIMENSIONS.hip.y, M::DIMENSIONS.foot_height) - hips;
+            M::leg_angles_at(side, &Affine3A::from_translation(ankle), 0.0).write(side, &mut angles);
         }
-        Self::seen_from(Affine3A { translation: at.into(), ..turn }, camera.intrinsics(), &angles)
+        Self::seen_from::<M>(Affine3A { translation: at.into(), ..turn }, camera.intrinsics(), &angles)
     }
 
-    fn seen_from(camera: Affine3A, intrinsics: Intrinsics, angles: &Joints) -> Self {
+    fn seen_from<M: RobotModel>(camera: Affine3A, intrinsics: Intrinsics, angles: &Joints) -> Self {
         let mut body = Self { parts: Vec::new(), intrinsics };
         let turn = camera.matrix3.transpose();
         let camera = Affine3A { matrix3: turn, translation: turn * -camera.translation };
-        body.add(&camera, [[0.0, 0.0, 0.05], [0.002, 0.0, 0.14]], 0.052);
-        body.add(&camera, [[0.002, 0.045, 0.13], [0.002, -0.045, 0.13]], 0.052);
+        let [trunk, chest] = &M::BODY_SHAPE.torso;
+        body.add(&camera, Side::Left, trunk);
+        body.add(&camera, Side::Left, chest);
         for side in Side::BOTH {
-            body.add_arm(&camera, side, angles);
-            body.add_leg(&camera, side, angles);
+            body.add_arm::<M>(&camera, side, angles);
+            body.add_leg::<M>(&camera, side, angles);
         }
         body
     }
 
     #[inline(never)]
-    fn add_arm(&mut self, camera: &Affine3A, side: Side, angles: &Joints) {
-        let [_, biceps, _, forearm, _] = kinematics::arm(side, angles);
-        let elbow = [UPPER_ARM.x, side.sign() * UPPER_ARM.y, 0.0];
-        self.add(&(*camera * biceps), [[0.0; 3], [0.02, 0.0, 0.0]], 0.042);
-        self.add(&(*camera * biceps), [[0.02, 0.0, 0.0], elbow], 0.034);
-        self.add(&(*camera * forearm), [[0.0; 3], [0.11, 0.0, 0.0]], 0.032);
+    fn add_arm<M: RobotModel>(&mut self, camera: &Affine3A, side: Side, angles: &Joints) {
+        let [_, biceps, _, forearm, _] = kinematics::arm::<M>(side, angles);
+        let shape = M::BODY_SHAPE;
+        self.add(&(*camera * biceps), side, &shape.biceps[0]);
+        self.add(&(*camera * biceps), side, &shape.biceps[1]);
+        self.add(&(*camera * forearm), side, &shape.forearm);
     }
 
     #[inline(never)]
-    fn add_leg(&mut self, camera: &Affine3A, side: Side, angles: &Joints) {
-        let [_, _, thigh, tibia, _, foot] = kinematics::leg(side, angles);
-        let y = |inner: f32| side.sign() * (0.0065 + inner);
-        let low = 0.025 - FOOT_HEIGHT;
-        self.add(&(*camera * thigh), [[0.0; 3], [0.0, 0.0, -THIGH]], 0.048);
-        self.add(&(*camera * tibia), [[0.0; 3], [0.0, 0.0, -TIBIA]], 0.042);
-        for inner in [-0.018, 0.018] {
-            self.add(&(*camera * foot), [[-0.03, y(inner), low], [0.072, y(inner), low]], 0.028);
-        }
+    fn add_leg<M: RobotModel>(&mut self, camera: &Affine3A, side: Side, angles: &Joints) {
+        let [_, _, thigh, tibia, _, foot] = kinematics::leg::<M>(side, angles);
+        let shape = M::BODY_SHAPE;
+        self.add(&(*camera * thigh), side, &shape.thigh);
+        self.add(&(*camera * tibia), side, &shape.tibia);
+        self.add(&(*camera * foot), side, &shape.foot[0]);
+        self.add(&(*camera * foot), side, &shape.foot[1]);
     }
 
-    fn add(&mut self, pose: &Affine3A, ends: [[f32; 3]; 2], radius: f32) {
-        let [from, to] = ends.map(|end| pose.transform_point3(end.into()));
+    fn add(&mut self, pose: &Affine3A, side: Side, shape: &Shape) {
+        let [from, to] =
+            [shape.from, shape.to].map(|[x, y, z]| pose.transform_point3(Vec3::new(x, side.sign() * y, z)));
+        let radius = shape.radius;
         // There is room for all.
         let _ = self.parts.push(Capsule { from, along: to - from, radius });
     }

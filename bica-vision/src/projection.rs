@@ -8,6 +8,7 @@
 
 use bica_motion::joints::Joints;
 use bica_motion::kinematics;
+use bica_motion::model::{Nao, RobotModel};
 use bica_motion::robot::CameraId;
 use bica_motion::side::Side;
 use glam::{Affine3A, Vec2, Vec3};
@@ -23,12 +24,17 @@ pub struct Intrinsics {
 }
 
 impl Intrinsics {
-    /// Either camera of a NAO V6 at an image size: focal lengths 618.66 and 617.16 at 640 × 480 (working values of
-    /// B-Human 2023 and HULKs 2025), optical centre in the middle.
+    /// Intrinsics of a robot's camera at an image size in pixels, with the optical centre in the middle of the image.
+    #[must_use]
+    pub fn of<M: RobotModel>(camera: CameraId, width: u16, height: u16) -> Self {
+        let size = Vec2::new(f32::from(width), f32::from(height));
+        Self { focal: M::DIMENSIONS.camera(camera).focal * size, centre: 0.5 * size }
+    }
+
+    /// Intrinsics of either camera of a NAO V6 at an image size in pixels.
     #[must_use]
     pub fn nao_v6(width: u16, height: u16) -> Self {
-        let size = Vec2::new(f32::from(width), f32::from(height));
-        Self { focal: Vec2::new(618.66 / 640.0, 617.16 / 480.0) * size, centre: 0.5 * size }
+        Self::of::<Nao>(CameraId::Top, width, height)
     }
 }
 
@@ -50,11 +56,11 @@ impl Camera {
         Self { pose, inverse, intrinsics }
     }
 
-    /// A camera of a NAO V6 from the joint angles, standing on the sole of the `support` side; image size in pixels.
+    /// A camera of a robot from the joint angles, standing on the sole of the `support` side; image size in pixels.
     #[must_use]
-    pub fn of_nao(id: CameraId, angles: &Joints, support: Side, width: u16, height: u16) -> Self {
-        let pose = kinematics::ground_from_robot(support, angles) * kinematics::camera(id, angles);
-        Self::new(pose, Intrinsics::nao_v6(width, height))
+    pub fn of<M: RobotModel>(id: CameraId, angles: &Joints, support: Side, width: u16, height: u16) -> Self {
+        let pose = kinematics::ground_from_robot::<M>(support, angles) * kinematics::camera::<M>(id, angles);
+        Self::new(pose, Intrinsics::of::<M>(id, width, height))
     }
 
     /// Its pose in the ground frame.

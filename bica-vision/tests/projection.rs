@@ -2,6 +2,7 @@
 
 use bica_motion::joints::Joints;
 use bica_motion::kinematics;
+use bica_motion::model::Nao;
 use bica_motion::robot::CameraId;
 use bica_vision::projection::{Camera, Intrinsics};
 use glam::{Affine3A, EulerRot, Quat, Vec2, Vec3};
@@ -10,7 +11,7 @@ use proptest::prelude::*;
 /// The robot frame at hip height 0.230 m over the ground, all joints zero: the case of the test vectors.
 fn standing(id: CameraId, width: u16, height: u16) -> Camera {
     let hips = Affine3A::from_translation(Vec3::new(0.0, 0.0, 0.230));
-    Camera::new(hips * kinematics::camera(id, &Joints::all(0.0)), Intrinsics::nao_v6(width, height))
+    Camera::new(hips * kinematics::camera::<Nao>(id, &Joints::all(0.0)), Intrinsics::nao_v6(width, height))
 }
 
 /// Pixel at 640 × 480 and where it meets the ground, m, for both cameras.

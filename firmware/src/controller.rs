@@ -2,8 +2,9 @@
 
 use bica::runner::Runner;
 use bica::{ComponentId, Instant, Tree};
+use bica_motion::model::{Nao, RobotModel};
 use bica_motion::robot;
-use bica_motion::stand::{STAND, Stiffness};
+use bica_motion::stiffness::Stiffness;
 use bica_player::Forward;
 use bica_player::input::IMAGE_BYTES;
 use bica_player::perception::{BallDetector, GoalDetector};
@@ -201,8 +202,8 @@ impl<B: Board> Controller<B> {
 /// Command of the safe stop: the robot stands, with the stiffness declared for that.
 fn stand() -> robot::Command {
     robot::Command {
-        targets: STAND,
-        stiffness: Stiffness::Stand.joints(),
+        targets: Nao::STAND,
+        stiffness: Stiffness::Stand.joints::<Nao>(),
         lights: robot::Lights::default(),
         camera: robot::CameraId::default(),
     }

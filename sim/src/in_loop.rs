@@ -13,7 +13,7 @@ macro_rules! controlled {
         $(
             impl<R> bica_runner::World<R> for $world
             where
-                R: Robot<Command = Command> + ?Sized,
+                R: Robot<Command = Command>,
                 for<'a> R: Robot<Sensors<'a> = Sensors<'a>>,
             {
                 fn now(&self) -> bica_core::Instant {

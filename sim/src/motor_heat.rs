@@ -1,7 +1,7 @@
 //! Thermal model of the motors.
 
-use bica_motion::actuator::{Actuator, actuator};
 use bica_motion::joints::{JOINTS, Joint, Joints};
+use bica_motion::model::{Actuator, Nao, RobotModel};
 
 use crate::world::CYCLE_SECONDS;
 
@@ -61,9 +61,9 @@ impl MotorHeat {
 /// The loss is the data sheet's, except for the shoulder pitch: its data sheet states 2.6 mNm, an eighth of the stall torque,
 /// which is a loss of 0.4 W. The other motors of the arm, which are not larger, bear 3 W, so their loss is used.
 fn continuous_current(joint: Joint) -> f32 {
-    let motor = actuator(joint);
+    let motor = Nao::ACTUATORS[joint];
     let rating = match joint {
-        Joint::LShoulderPitch | Joint::RShoulderPitch => actuator(Joint::LShoulderRoll),
+        Joint::LShoulderPitch | Joint::RShoulderPitch => Nao::ACTUATORS[Joint::LShoulderRoll],
         _ => motor,
     };
     libm::sqrtf(copper_loss(&rating) / motor.resistance())
@@ -77,12 +77,11 @@ fn copper_loss(motor: &Actuator) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use bica_motion::actuator::CONTINUOUS_CURRENT;
 
     #[test]
     fn one_minute_at_high_load_heats_all_motors_of_an_arm_alike() {
         let mut heat = MotorHeat::new();
-        let loaded = Joints(Joint::ALL.map(|joint| actuator(joint).current(1.3)));
+        let loaded = Joints(Joint::ALL.map(|joint| Nao::ACTUATORS[joint].current(1.3)));
         for _ in 0..6000 {
             heat.step(loaded);
         }
@@ -101,9 +100,9 @@ mod tests {
             }
             heat.temperatures()[Joint::LKneePitch]
         };
-        let after_ten = minutes(&mut heat, 10, CONTINUOUS_CURRENT);
+        let after_ten = minutes(&mut heat, 10, *Nao::CONTINUOUS_CURRENTS);
         assert!((60.0..65.0).contains(&after_ten), "{after_ten}");
-        let settled = minutes(&mut heat, 60, CONTINUOUS_CURRENT);
+        let settled = minutes(&mut heat, 60, *Nao::CONTINUOUS_CURRENTS);
         assert!((83.0..=85.0).contains(&settled), "{settled}");
         let rested = minutes(&mut heat, 10, Joints::all(0.0));
         assert!((45.0..50.0).contains(&rested), "{rested}");

@@ -1,14 +1,15 @@
-//! What is not needed is latent: the active components are those that the states reach, in every cycle of a game.
+//! The active components are those that the states reach, in every cycle of a game.
 
 use bica::graph::{Graph, LinkKind};
 use bica::prelude::*;
+use bica::runner::Observer;
 use bica_player::Forward;
 use bica_sim::setup::Setup;
 use proptest::prelude::*;
 
-use crate::game::Game;
+use crate::game::new_game;
 
-/// The transition that each machine took in this cycle.
+/// The transitions of this cycle: machine and state that it left.
 #[derive(Default)]
 struct Taken(Vec<(usize, usize)>);
 
@@ -22,8 +23,10 @@ impl Probe for Taken {
     }
 }
 
-/// The components that the states reach from the root. A machine that changed its state has read what the old one
-/// requires before it changed.
+impl Observer<Forward> for Taken {}
+
+/// The components that the states reach from the root. A machine that took a transition has also visited what the old state
+/// requires.
 fn reached(graph: &Graph, state: impl Fn(usize) -> Option<usize>, taken: &[(usize, usize)]) -> Vec<bool> {
     let mut reached = vec![false; graph.nodes.len()];
     let mut open = vec![graph.root];
@@ -47,14 +50,13 @@ proptest! {
     #![proptest_config(ProptestConfig { cases: 8, ..ProptestConfig::default() })]
 
     #[test]
-    fn active_is_what_the_states_reach(seed: u64, robots in 0_usize..4) {
-        let mut game = Game::new(&Setup { seed, robots, ..Setup::default() });
-        let mut taken = Taken::default();
+    fn active_components_are_those_that_the_states_reach(seed: u64, robots in 0_usize..4) {
+        let mut game = new_game(&Setup { seed, robots, ..Setup::default() }).with_observer(Taken::default());
         for cycle in 0..2500 {
-            game.cycle(&mut taken);
-            let wanted = reached(&Forward::GRAPH, |index| game.robot.state(ComponentId::new(index)), &taken.0);
+            game.cycle().expect("the image fits");
+            let wanted = reached(&Forward::GRAPH, |index| game.robot().state(ComponentId::new(index)), &game.observer().0);
             for (index, node) in Forward::GRAPH.nodes.iter().enumerate() {
-                let active = game.robot.is_active(ComponentId::new(index));
+                let active = game.robot().is_active(ComponentId::new(index));
                 prop_assert_eq!(active, wanted[index], "{} in cycle {}", node.name, cycle);
             }
         }

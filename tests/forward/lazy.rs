@@ -1,12 +1,13 @@
-//! What is not activated is not computed.
+//! Latent components do not run.
 
 use bica::prelude::*;
+use bica::runner::Observer;
 use bica_player::Forward;
 use bica_player::behaviour::{FaceBall, Player};
 use bica_player::perception::{BallDetector, FieldLines, GoalDetector, Localization};
 use bica_sim::setup::Setup;
 
-use crate::game::Game;
+use crate::game::new_game;
 
 #[derive(Default)]
 struct Ran(Vec<ComponentId>);
@@ -19,19 +20,21 @@ impl Probe for Ran {
     }
 }
 
+impl Observer<Forward> for Ran {}
+
+/// The components that run in 300 cycles in which only this one is held active.
 fn ran_with(active: ComponentId) -> Ran {
-    let mut game = Game::new(&Setup { seed: 3, ..Setup::default() });
-    game.robot.hold::<Player>(Hold::Latent);
-    game.robot.hold_at(active, Hold::Active);
-    let mut ran = Ran::default();
+    let mut game = new_game(&Setup { seed: 3, ..Setup::default() }).with_observer(Ran::default());
+    game.robot_mut().hold::<Player>(Hold::Latent);
+    game.robot_mut().hold_at(active, Hold::Active);
     for _ in 0..300 {
-        game.cycle(&mut ran);
+        game.cycle().expect("the image fits");
     }
-    ran
+    game.into_parts().3
 }
 
 #[test]
-fn facing_the_ball_runs_no_goal_code() {
+fn face_ball_runs_the_ball_detector_and_nothing_for_goals_or_lines() {
     let ran = ran_with(Forward::id::<FaceBall>());
     let names: Vec<_> = ran.0.iter().map(|id| Forward::GRAPH.nodes[id.index()].name).collect();
     assert!(ran.0.contains(&Forward::id::<FaceBall>()), "FaceBall did not run: {names:?}");
@@ -43,7 +46,7 @@ fn facing_the_ball_runs_no_goal_code() {
 }
 
 #[test]
-fn who_wants_to_know_the_place_gets_goals_and_lines() {
+fn localization_runs_the_detectors_of_goals_and_lines_but_not_of_the_ball() {
     let ran = ran_with(Forward::id::<Localization>());
     for id in [Forward::id::<FieldLines>(), Forward::id::<GoalDetector>()] {
         assert!(ran.0.contains(&id), "{} did not run", Forward::GRAPH.nodes[id.index()].name);

@@ -1,27 +1,25 @@
-//! A tick never allocates.
+//! A cycle of the forward never allocates.
 
-use bica::prelude::*;
-use bica::runner::Robot;
-use bica_sim::World;
+use bica::runner::{Runner, World};
+use bica_player::Forward;
 use bica_sim::setup::Setup;
 
-use crate::game::Game;
+use crate::game::new_game;
 
 #[test]
-fn a_whole_game_of_ticks_allocates_nothing() {
-    let mut game = Game::new(&Setup { seed: 1, robots: 2, ..Setup::default() });
+fn no_cycle_of_a_game_allocates() {
+    let (robot, mut world, ..) = new_game(&Setup { seed: 1, robots: 2, ..Setup::default() }).into_parts();
+    let mut runner = Runner::new(robot, ());
     for cycle in 0..6000 {
-        let now = game.now();
-        let sensors = game.world.sensors();
-        let robot = &mut game.robot;
+        let now = World::<Forward>::now(&world);
+        let sensors = World::<Forward>::sensors(&mut world);
         let mut command = None;
         let counted = allocation_counter::measure(|| {
-            if robot.sense(&sensors).is_ok() {
-                robot.tick(now);
-                command = Some(robot.act());
+            if runner.sense(now, &sensors).is_ok() {
+                command = Some(runner.think(now));
             }
         });
         assert_eq!(counted.count_total, 0, "in cycle {cycle}");
-        game.world.act(&command.expect("the eye is large enough"));
+        World::<Forward>::act(&mut world, &command.expect("the image fits"));
     }
 }

@@ -1,55 +1,83 @@
 //! The chest button takes the robot out of the game and lets it in again.
 
 use bica::prelude::*;
-use bica::runner::Robot;
+use bica::runner::World;
+use bica::runner::harness::{Harness, InWorld};
 use bica_motion::robot::{Command, Light, Sensors};
 use bica_player::Forward;
 use bica_player::behaviour::Player;
-use bica_sim::World;
+use bica_sim::Referee;
+use bica_sim::World as SimulatedWorld;
+use bica_sim::kinematic::KinematicWorld;
 use bica_sim::setup::Setup;
 
-use crate::game::Game;
+use crate::game::new_game;
 
-/// Plays for some cycles with the chest button up or down.
-fn play(game: &mut Game, cycles: u32, chest: bool) -> Command {
-    let mut last = None;
-    for _ in 0..cycles {
-        let now = game.now();
-        let mut buttons = game.world.sensors().buttons;
-        buttons.chest = chest;
-        game.robot.sense(&Sensors { buttons, ..game.world.sensors() }).expect("the eye is large enough");
-        game.robot.tick(now);
-        let command = game.robot.act();
-        game.world.act(&command);
-        last = Some(command);
-    }
-    last.expect("at least a cycle")
+/// The built-in world with a hand on the chest button.
+struct WithButton {
+    world: KinematicWorld,
+    pressed: bool,
+    /// The last command.
+    command: Option<Command>,
 }
 
-fn state(robot: &Forward) -> &'static str {
-    let id = Forward::id::<Player>();
-    let state = robot.state(id).expect("a machine");
-    Forward::GRAPH.nodes[id.index()].states[state].name
+impl World<Forward> for WithButton {
+    fn now(&self) -> Instant {
+        World::<Forward>::now(&self.world)
+    }
+
+    fn sensors(&mut self) -> Sensors<'_> {
+        let mut sensors = World::<Forward>::sensors(&mut self.world);
+        sensors.buttons.chest = self.pressed;
+        sensors
+    }
+
+    fn act(&mut self, command: &Command) {
+        World::<Forward>::act(&mut self.world, command);
+        self.command = Some(*command);
+    }
+}
+
+type Test = Harness<Forward, InWorld<WithButton>>;
+
+fn start() -> Test {
+    let (robot, world, ..) = new_game(&Setup { seed: 6, goalkeeper: false, ..Setup::default() }).into_parts();
+    Harness::of_box(robot).in_world(WithButton { world, pressed: false, command: None })
+}
+
+/// Presses the button for 0.3 s.
+fn press(test: &mut Test) {
+    test.world_mut().pressed = true;
+    test.cycles(30);
+    test.world_mut().pressed = false;
+}
+
+fn command(test: &Test) -> Command {
+    test.world().command.expect("at least one cycle")
+}
+
+fn referee(test: &Test) -> &Referee {
+    test.world().world.referee()
 }
 
 #[test]
-fn a_press_of_the_chest_button_stops_the_robot_on_its_feet_and_the_next_lets_it_play() {
+fn one_press_of_the_chest_button_stops_the_robot_on_its_feet_and_the_next_one_lets_it_play() {
     // Sent off while it looks, walks, and is at the ball.
     for after in [50, 400, 900, 1100, 1300, 1500, 1700] {
-        let mut game = Game::new(&Setup { seed: 6, goalkeeper: false, ..Setup::default() });
-        play(&mut game, after, false);
-        play(&mut game, 30, true);
-        let out = play(&mut game, 700, false);
-        assert_eq!(state(&game.robot), "penalized", "after {after}");
+        let mut test = start();
+        test.cycles(after);
+        press(&mut test);
+        test.reaches::<Player>("penalized", Duration::from_secs(7));
+        test.run_for(Duration::from_secs(7));
+        let (out, place) = (command(&test), referee(&test).robot().position);
         assert_eq!(out.lights.chest, Light(1.0, 0.0, 0.0));
-        let before = game.world.referee().robot();
-        let still = play(&mut game, 200, false);
-        assert_eq!(still.targets, out.targets, "after {after}");
-        assert!(game.world.referee().robot().position.distance(before.position) < 1e-3, "after {after}");
-        assert_eq!(game.world.referee().falls(), 0, "after {after}");
-        play(&mut game, 30, true);
-        let back = play(&mut game, 20, false);
-        assert_ne!(state(&game.robot), "penalized", "after {after}");
-        assert_eq!(back.lights.chest, Light(0.0, 1.0, 0.0));
+        test.stays::<Player>("penalized", Duration::from_secs(2));
+        assert_eq!(command(&test).targets, out.targets, "after {after}");
+        assert!(referee(&test).robot().position.distance(place) < 1e-3, "after {after}");
+        assert_eq!(referee(&test).falls(), 0, "after {after}");
+        press(&mut test);
+        test.cycles(20);
+        assert!(test.state::<Player>().is_some_and(|state| state != "penalized"), "after {after}");
+        assert_eq!(command(&test).lights.chest, Light(0.0, 1.0, 0.0));
     }
 }

@@ -1,68 +1,68 @@
-//! A motor that gets too hot sits the robot down safely until it has cooled; a game heats none.
+//! A hot motor makes the robot sit down until it has cooled; games overheat none.
 
 use bica_motion::health::Fault;
 use bica_motion::joints::{Joint, Joints};
-use bica_motion::stand::{SIT, SIT_STIFFNESS};
+use bica_motion::model::{Nao, RobotModel};
 use bica_player::Forward;
 use bica_player::behaviour::SafetyGuard;
 use bica_player::input::HealthMonitor;
-use bica_sim::World;
+use bica_sim::World as _;
 use bica_sim::setup::Setup;
 
-use crate::game::Game;
+use crate::game::{Game, new_game};
 use bica::prelude::*;
 
-/// Plays for some cycles; whether every joint was held as firmly as it should.
+/// Runs some cycles. Whether the stiffness of no joint was reduced.
 fn play(game: &mut Game, cycles: u32) -> bool {
     (0..cycles).fold(true, |firm, _| {
-        game.cycle(&mut ());
+        game.cycle().expect("the image fits");
         let all = Joints::all(1.0);
-        firm & (game.robot.get::<HealthMonitor>().derated(&all) == all)
+        firm & (game.robot().get::<HealthMonitor>().derated(&all) == all)
     })
 }
 
 #[test]
-fn a_hot_joint_is_held_less_firmly_then_the_robot_sits_down() {
+fn stiffness_of_a_hot_joint_is_reduced_before_the_robot_sits_down() {
     for (seed, joint) in [(3, Joint::LKneePitch), (4, Joint::RAnkleRoll), (5, Joint::HeadYaw)] {
-        let mut game = Game::new(&Setup { seed, ..Setup::default() });
+        let mut game = new_game(&Setup { seed, ..Setup::default() });
         assert!(play(&mut game, 700), "seed {seed}: a game strains nothing");
-        game.world.set_motor_temperature(joint, 73.5);
+        game.world_mut().set_motor_temperature(joint, 73.5);
         assert!(!play(&mut game, 100), "seed {seed}: warm, so softer");
-        assert_eq!(game.robot.get::<HealthMonitor>().fault(), None);
-        game.world.set_motor_temperature(joint, 78.0);
+        assert_eq!(game.robot().get::<HealthMonitor>().fault(), None);
+        game.world_mut().set_motor_temperature(joint, 78.0);
         play(&mut game, 600);
-        assert_eq!(game.robot.get::<HealthMonitor>().fault(), Some(Fault::Hot(joint)));
-        let last = game.cycle(&mut ());
-        assert!(last.stiffness.0.iter().all(|stiffness| *stiffness <= SIT_STIFFNESS), "seed {seed}");
-        let angles = game.world.sensors().angles;
-        let off = Joint::ALL.map(|joint| (angles[joint] - SIT[joint]).abs());
+        assert_eq!(game.robot().get::<HealthMonitor>().fault(), Some(Fault::Hot(joint)));
+        let last = game.cycle().expect("the image fits");
+        assert!(last.stiffness.0.iter().all(|stiffness| *stiffness <= Nao::SIT_STIFFNESS), "seed {seed}");
+        let angles = game.world_mut().sensors().angles;
+        let off = Joint::ALL.map(|joint| (angles[joint] - Nao::SIT[joint]).abs());
         assert!(off[7..18].iter().all(|off| *off < 0.02), "seed {seed}: {off:?}");
-        assert_eq!(game.world.referee().falls(), 0, "seed {seed}");
+        assert_eq!(game.world().referee().falls(), 0, "seed {seed}");
     }
 }
 
 #[test]
-fn who_sat_down_hot_stands_up_and_plays_on_when_it_has_cooled() {
-    let mut game = Game::new(&Setup { seed: 3, ..Setup::default() });
-    game.world.set_motor_temperature(Joint::LKneePitch, 78.0);
+fn robot_that_sat_down_hot_stands_up_and_scores_after_cooling() {
+    let mut game = new_game(&Setup { seed: 3, ..Setup::default() });
+    game.world_mut().set_motor_temperature(Joint::LKneePitch, 78.0);
     play(&mut game, 900);
-    game.world.set_motor_temperature(Joint::LKneePitch, 71.0);
+    game.world_mut().set_motor_temperature(Joint::LKneePitch, 71.0);
     play(&mut game, 100);
-    assert!(game.robot.get::<HealthMonitor>().fault().is_some());
-    assert!(game.robot.is_active(Forward::id::<SafetyGuard>()), "it sits");
-    game.world.set_motor_temperature(Joint::LKneePitch, 60.0);
+    assert!(game.robot().get::<HealthMonitor>().fault().is_some());
+    assert!(game.robot().is_active(Forward::id::<SafetyGuard>()), "it sits");
+    game.world_mut().set_motor_temperature(Joint::LKneePitch, 60.0);
     play(&mut game, 300);
-    assert_eq!(game.robot.get::<HealthMonitor>().fault(), None);
-    assert!(!game.robot.is_active(Forward::id::<SafetyGuard>()), "it plays");
+    assert_eq!(game.robot().get::<HealthMonitor>().fault(), None);
+    assert!(!game.robot().is_active(Forward::id::<SafetyGuard>()), "it plays");
     play(&mut game, 6000);
-    assert_eq!((game.world.referee().falls(), game.world.referee().goals()), (0, 1));
+    assert_eq!((game.world().referee().falls(), game.world().referee().goals()), (0, 1));
 }
 
 #[test]
-fn whole_games_strain_no_motor() {
+fn no_motor_is_overloaded_in_a_game() {
     for seed in 0..3 {
-        let mut game = Game::new(&Setup { seed, robots: 2, ..Setup::default() });
+        let mut game = new_game(&Setup { seed, robots: 2, ..Setup::default() });
         assert!(play(&mut game, 6000), "seed {seed}");
-        assert_eq!(game.robot.get::<HealthMonitor>().fault(), None, "seed {seed}");
+        assert_eq!(game.robot().get::<HealthMonitor>().fault(), None, "seed {seed}");
     }
 }

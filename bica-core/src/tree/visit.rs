@@ -33,7 +33,7 @@ macro_rules! __visit_functions {
                     if !visit.due {
                         cycle.skip::<$component>();
                     }
-                    <$component as $crate::__private::MemberOf<Self>>::pass(cycle, visit);
+                    $crate::__pass!($component, cycle, visit);
                     if visit.due {
                         cycle.end_run::<$component>();
                     }
@@ -48,7 +48,7 @@ macro_rules! __visit_functions {
             };
             if !outcome.is_closed() {
                 let visit = $crate::__private::Visit { due: true, entering: outcome.is_entering() };
-                <$component as $crate::__private::MemberOf<Self>>::pass(cycle, visit);
+                $crate::__pass!($component, cycle, visit);
                 cycle.end_run::<$component>();
             }
         }
@@ -64,8 +64,25 @@ macro_rules! __visit_functions {
             }
             cycle.skip::<$component>();
             let visit = $crate::__private::Visit { due: false, entering: false };
-            <$component as $crate::__private::MemberOf<Self>>::pass(cycle, visit);
+            $crate::__pass!($component, cycle, visit);
             $crate::__private::VisitOutcome::CLOSED
         }
     };
+}
+
+/// Calls `MemberOf::pass` of the component. The function in between knows of the component only that a tree holds it: if
+/// a child is not listed, the compiler reports that once, at the list, and not again for every call.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __pass {
+    ($component:ty, $cycle:ident, $visit:ident) => {{
+        #[inline(always)]
+        fn pass<__T: $crate::__private::Has<$component>, __P: $crate::__private::Probe>(
+            cycle: &mut $crate::__private::Cycle<'_, __T, __P>,
+            visit: $crate::__private::Visit,
+        ) {
+            <__T::Member as $crate::__private::MemberOf<__T>>::pass(cycle, visit);
+        }
+        pass::<Self, __P>($cycle, $visit);
+    }};
 }

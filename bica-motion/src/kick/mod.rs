@@ -1,45 +1,43 @@
-//! Six fixed kicks: ahead, to the front of the other side, and to the other side, with either foot.
+//! Six fixed kicks: ahead, diagonal and lateral, with either foot.
 //!
-//! A kick begins and ends in the stand of the walk and keeps the centre of mass over the standing foot at every moment.
-//! How it is done differs from world to world: [`Kicks`].
+//! A kick begins and ends in the stand of the walk and keeps the centre of mass over the support foot at every moment. The
+//! key poses differ from world to world: [`Kicks`].
 
-mod forces;
-mod frames;
 mod motion;
 mod pose;
-mod technique;
 
+pub use crate::model::Kicks;
 pub use motion::KickMotion;
-pub use technique::Kicks;
 
 use core::f32::consts::{FRAC_PI_2, FRAC_PI_4};
 
 use glam::Vec2;
 
+use crate::model::Technique;
 use crate::side::Side;
 
-/// Where a kick sends the ball.
+/// Direction of a kick.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum KickKind {
     /// Straight ahead.
     Front,
-    /// Ahead and to the side of the standing foot.
+    /// Ahead and to the side of the support foot, 45°.
     Diagonal,
-    /// To the side of the standing foot.
+    /// To the side of the support foot, 90°.
     Lateral,
 }
 
 /// One of the six kicks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Kick {
-    /// Where to.
+    /// Direction.
     pub kind: KickKind,
-    /// The foot that kicks; the other one stands.
+    /// Kicking foot; the other one is the support foot.
     pub foot: Side,
 }
 
 impl Kick {
-    /// All six.
+    /// All six kicks.
     pub const ALL: [Self; 6] = [
         Self { kind: KickKind::Front, foot: Side::Left },
         Self { kind: KickKind::Front, foot: Side::Right },
@@ -49,16 +47,16 @@ impl Kick {
         Self { kind: KickKind::Lateral, foot: Side::Right },
     ];
 
-    /// Where the ball's middle must be, m, in the frame of the ground between the feet of the stand before the kick.
+    /// Required position of the ball's centre, m, in the frame of the ground between the feet of the stand before the kick.
     ///
-    /// Within 15 mm of it the kick still works.
+    /// The tolerance is 15 mm.
     #[must_use]
     pub const fn ball(self, kicks: &Kicks) -> Vec2 {
-        let ball = kicks.of(self.kind).ball;
+        let ball = technique(kicks, self.kind).ball;
         Vec2::new(ball.x, self.foot.sign() * ball.y)
     }
 
-    /// The direction in which the ball flies, rad, positive to the left, in the same frame as [`ball`](Self::ball).
+    /// Direction of the ball after the kick, rad, positive to the left, in the frame of [`ball`](Self::ball).
     #[must_use]
     pub const fn direction(self) -> f32 {
         let aside = match self.kind {
@@ -67,5 +65,13 @@ impl Kick {
             KickKind::Lateral => FRAC_PI_2,
         };
         -self.foot.sign() * aside
+    }
+}
+
+const fn technique(kicks: &Kicks, kind: KickKind) -> &Technique {
+    match kind {
+        KickKind::Front => &kicks.front,
+        KickKind::Diagonal => &kicks.diagonal,
+        KickKind::Lateral => &kicks.lateral,
     }
 }

@@ -1,99 +1,101 @@
-//! A kick under way.
+//! Playback of a kick.
 
-use super::Kick;
-use super::pose::{Frame, KickPose};
-use super::technique::STRIKE;
+use core::marker::PhantomData;
+
+use super::{Kick, technique};
 use crate::easing::smooth;
-use crate::limbs::Limbs;
-use crate::profile::Profile;
+use crate::limbs::{LegAngles, Limbs};
+use crate::model::{KickFrame, KickPose, Nao, Profile, RobotModel, Technique};
 use crate::side::Side;
 use crate::walk::{Balance, Feedback};
 
-/// The way back to the stand after the last pose, s.
+/// Duration of the motion from the last pose to the stand, s.
 const END: f32 = 0.35;
-/// With the foot this high the other one carries everything, m.
+/// Height of the kicking foot from which the other foot bears all weight, m.
 const LIFTED: f32 = 0.015;
 
-/// A kick under way: [`step`](Self::step) it once per control cycle.
+/// A kick in progress: call [`step`](Self::step) once per control cycle.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct KickMotion {
+pub struct KickMotion<M = Nao> {
     kick: Kick,
     profile: &'static Profile,
     index: usize,
     time: f32,
     from: KickPose,
     balance: Balance,
+    model: PhantomData<M>,
 }
 
-impl KickMotion {
-    /// A kick that begins now; the robot stands as the [`stand`](crate::walk::Parameters::stand) of its gait.
+impl<M: RobotModel> KickMotion<M> {
+    /// A kick that begins now; the robot is in the [`stand`](crate::walk::Parameters::stand) of its gait.
     #[must_use]
     pub const fn new(kick: Kick, profile: &'static Profile) -> Self {
         let from = KickPose::stand(&profile.gait);
-        Self { kick, profile, index: 0, time: 0.0, from, balance: Balance::new() }
+        Self { kick, profile, index: 0, time: 0.0, from, balance: Balance::new(), model: PhantomData }
     }
 
-    /// Which kick it is.
+    /// The kick.
     #[must_use]
     pub const fn kick(&self) -> Kick {
         self.kick
     }
 
-    /// From stand to stand, s.
+    /// Duration from stand to stand, s.
     #[must_use]
     pub fn seconds(&self) -> f32 {
-        self.frames().iter().map(|frame| frame.0).sum::<f32>() + END
+        self.frames().iter().map(|frame| frame.duration).sum::<f32>() + END
     }
 
-    /// Whether it is over and the robot told to stand.
+    /// Whether the motion has ended; the targets are then those of the stand.
     #[must_use]
     pub const fn is_done(&self) -> bool {
         self.index > self.frames().len()
     }
 
-    /// Whether the foot strikes now: the ball moves from here on.
+    /// Whether the foot moves through the ball's position now.
     #[must_use]
     pub const fn strikes(&self) -> bool {
-        self.index == STRIKE
+        self.index == Technique::STRIKE
     }
 
-    /// `dt` seconds later: the targets for legs and arms; the stand when done.
-    pub fn step(&mut self, body: &Feedback, dt: f32) -> Limbs {
+    /// Advances by `dt` seconds; returns the targets of legs and arms; those of the stand when done.
+    pub fn step(&mut self, feedback: &Feedback, dt: f32) -> Limbs {
         let gait = &self.profile.gait;
-        self.balance.feel(body, gait);
+        self.balance.update::<M>(feedback, gait);
         if dt > 0.0 {
             self.time += dt;
         }
-        while let Some((seconds, pose)) = self.frame().filter(|frame| self.time >= frame.0) {
-            self.time -= seconds;
+        while let Some(KickFrame { duration, pose }) = self.frame().filter(|frame| self.time >= frame.duration) {
+            self.time -= duration;
             self.from = pose;
             self.index += 1;
         }
-        let stand = gait.stand();
-        let Some((seconds, to)) = self.frame() else { return stand };
-        let pose = self.from.mix(&to, smooth(self.time / seconds));
-        let mut legs = pose.legs(self.kick.foot, gait);
-        self.steady(&mut legs, smooth(pose.foot.z / LIFTED));
+        let stand = gait.stand::<M>();
+        let Some(KickFrame { duration, pose: to }) = self.frame() else { return stand };
+        let pose = self.from.mix(&to, smooth(self.time / duration));
+        let mut legs = pose.legs::<M>(self.kick.foot, gait);
+        self.stabilise(&mut legs, smooth(pose.foot.z / LIFTED));
         Limbs { legs, ..stand }
     }
 
-    /// Steadies the foot that carries this `share` of what it carries alone.
-    fn steady(&self, legs: &mut [crate::kinematics::LegAngles; 2], share: f32) {
-        let standing: Side = self.kick.foot.other();
+    /// Adds the balance of the support leg. `share`: share of its full load, 0 to 1.
+    fn stabilise(&self, legs: &mut [LegAngles; 2], share: f32) {
+        let support: Side = self.kick.foot.other();
         let [pitch, roll] = self.balance.standing(&self.profile.gait);
-        let leg = &mut legs[standing.index()];
+        let leg = &mut legs[support.index()];
         leg.ankle_pitch += pitch;
         leg.ankle_roll += roll;
-        leg.hip_roll += share * standing.sign() * self.profile.gait.kick_hip_roll_offset;
+        leg.hip_roll += share * support.sign() * self.profile.gait.kick_hip_roll_offset;
     }
 
-    const fn frames(&self) -> &'static [Frame] {
-        self.profile.kicks.of(self.kick.kind).frames
+    const fn frames(&self) -> &'static [KickFrame] {
+        technique(&self.profile.kicks, self.kick.kind).frames
     }
 
-    fn frame(&self) -> Option<Frame> {
+    fn frame(&self) -> Option<KickFrame> {
         let frames = self.frames();
-        let end = (self.index == frames.len()).then(|| (END, KickPose::stand(&self.profile.gait)));
+        let stand = || KickFrame { duration: END, pose: KickPose::stand(&self.profile.gait) };
+        let end = (self.index == frames.len()).then(stand);
         frames.get(self.index).copied().or(end)
     }
 }

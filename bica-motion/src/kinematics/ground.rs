@@ -1,23 +1,24 @@
-//! The body over the ground.
+//! Ground frame.
 //!
-//! The *ground* frame lies in the plane of the sole that carries the robot. Its origin is the point midway between both
-//! soles (the lifted one's seen from above), its x axis points along the mean heading of both feet, z is the normal of
-//! the plane. In stand it lies between the feet, facing as the robot does.
+//! The *ground* frame lies in the plane of the support sole. Its origin is midway between both soles (the lifted one
+//! projected to the plane), its x axis points along the mean heading of both feet, z is the normal of the plane. In stand it
+//! lies between the feet, facing as the robot does.
 
 use glam::{Affine3A, Mat3A, Vec3, Vec3A};
 use libm::{atan2f, cosf, sinf};
 
 use crate::joints::Joints;
 use crate::kinematics::sole;
+use crate::model::RobotModel;
 use crate::side::Side;
 
-/// The pose of the robot frame in the ground frame, with the `support` side's sole flat on the ground.
+/// Pose of the robot frame in the ground frame, with the sole of the `support` side flat on the ground.
 ///
-/// Its inverse takes points of the ground frame to the robot frame. Times [`camera`](super::camera) it is the pose of a
-/// camera over the ground.
+/// Its inverse maps points of the ground frame to the robot frame. Multiplied by [`camera`](super::camera) it is the pose of
+/// a camera over the ground.
 #[must_use]
-pub fn ground_from_robot(support: Side, angles: &Joints) -> Affine3A {
-    ground_from_soles(support, &sole(Side::Left, angles), &sole(Side::Right, angles))
+pub fn ground_from_robot<M: RobotModel>(support: Side, angles: &Joints) -> Affine3A {
+    ground_from_soles(support, &sole::<M>(Side::Left, angles), &sole::<M>(Side::Right, angles))
 }
 
 /// As [`ground_from_robot`], from the poses of both soles in the robot frame.

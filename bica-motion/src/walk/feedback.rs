@@ -1,4 +1,4 @@
-//! What the walk feels.
+//! Feedback of the walk.
 
 use glam::Vec3;
 
@@ -6,20 +6,20 @@ use crate::joints::{Joint, Joints};
 use crate::robot::{FootPressure, Inertial, Sensors};
 use crate::side::Side;
 
-/// What the walk feels.
+/// Measurements that walk and kicks use.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Feedback {
     /// Angular velocity of the torso, rad/s, torso frame.
     pub gyro: Vec3,
-    /// The torso's roll, rad; positive leans to the right.
+    /// Roll of the torso, rad; positive leans to the right.
     pub roll: f32,
-    /// The torso's pitch, rad; positive leans forward.
+    /// Pitch of the torso, rad; positive leans forward.
     pub pitch: f32,
     /// Pressure under the left sole.
     pub left_foot: FootPressure,
     /// Pressure under the right sole.
     pub right_foot: FootPressure,
-    /// Pitch of both knees as measured, left first, rad; none if nobody measured it.
+    /// Measured pitch of both knees, left first, rad; `None` if not measured.
     pub knees: Option<[f32; 2]>,
 }
 
@@ -30,7 +30,7 @@ impl From<&Sensors<'_>> for Feedback {
 }
 
 impl Feedback {
-    /// From the inertial unit, both feet and the joints' angles.
+    /// Feedback from the inertial unit, both feet and the measured joint angles.
     #[must_use]
     pub const fn new(
         inertial: &Inertial,
@@ -43,7 +43,7 @@ impl Feedback {
         Self { gyro, roll, pitch, left_foot: *left_foot, right_foot: *right_foot, knees: Some(knees) }
     }
 
-    /// The force on a foot, N.
+    /// Force on a foot, N.
     pub(super) fn force(&self, side: Side) -> f32 {
         match side {
             Side::Left => self.left_foot.total(),
@@ -51,7 +51,7 @@ impl Feedback {
         }
     }
 
-    /// The force on both feet, N.
+    /// Force on both feet, N.
     pub(super) fn weight(&self) -> f32 {
         self.left_foot.total() + self.right_foot.total()
     }

@@ -1,30 +1,28 @@
-//! Kicking without a halt: a step whose foot swings through the ball before it comes down as planned.
+//! In-walk kick: a step whose foot swings through the ball before it comes down as planned.
 //!
-//! The idea is that of the in-walk kicks of HULKs 2025 (`kick_steps`) and B-Human 2023; curve and figures are our own.
+//! Method: in-walk kicks of HULKs 2025 (`kick_steps`) and B-Human 2023. The curve and its parameters are our own.
 
 use glam::Vec2;
 
 use crate::easing::smooth;
+use crate::model::Parameters;
 use crate::side::Side;
 
-/// How far to either side of the ankle's line a foot still meets the ball well, m.
-const BESIDE: f32 = 0.025;
-/// From the hips to the nearest and the farthest ball that the next swing meets, m.
-const AHEAD: [f32; 2] = [0.13, 0.20];
-/// When the foot has swung farthest, as a share of its time in the air.
-const FARTHEST: f32 = 0.65;
+/// Phase of the swing at which the foot is farthest forward.
+const FARTHEST_PHASE: f32 = 0.65;
 
-/// The foot whose next step can kick a ball that lies at `ball`, m (frame: on the ground between the feet, x ahead), in a
-/// walk ahead.
+/// Foot whose next step can kick the ball in a forward walk, if any.
+///
+/// `ball`: position of the ball's centre, m, in the frame of the ground between the feet, x ahead.
 #[must_use]
-pub fn in_walk_kick_foot(ball: Vec2, half_spacing: f32) -> Option<Side> {
+pub fn in_walk_kick_foot(ball: Vec2, gait: &Parameters) -> Option<Side> {
     let side = if ball.y > 0.0 { Side::Left } else { Side::Right };
-    let [near, far] = AHEAD;
-    let meets = ball.x > near && ball.x < far && (ball.y.abs() - half_spacing).abs() < BESIDE;
+    let ahead = ball.x > gait.kick_min_distance && ball.x < gait.kick_max_distance;
+    let meets = ahead && (ball.y.abs() - gait.half_spacing).abs() < gait.kick_lateral_tolerance;
     meets.then_some(side)
 }
 
-/// How far through the ball the foot is at a share of its time in the air, 0 to 1.
-pub(super) fn through(air: f32) -> f32 {
-    smooth(air / FARTHEST) - smooth((air - FARTHEST) / (1.0 - FARTHEST))
+/// Forward displacement of the foot at a phase of its swing, relative to its maximum.
+pub(super) fn kick_displacement(phase: f32) -> f32 {
+    smooth(phase / FARTHEST_PHASE) - smooth((phase - FARTHEST_PHASE) / (1.0 - FARTHEST_PHASE))
 }

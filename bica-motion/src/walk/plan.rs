@@ -1,102 +1,102 @@
-//! A step, planned when it begins.
+//! Plan of a step.
 //!
-//! Everything is planned in the frame of the sole that carries, which does not move: the hips pass over it at constant
-//! speed, the other foot leaves the ground and comes down at rest. Both feet stand while the weight is between them.
+//! A step is planned when it begins, in the frame of the support sole, which does not move. The hips pass over it at
+//! constant speed; the swing foot leaves the ground and comes down at rest. Both feet stand while the weight is between them.
 
 use glam::Vec2;
 
 use crate::easing::{bump, glide, mix, smooth};
 use crate::feet::Foot;
+use crate::model::Parameters;
 use crate::pose::Pose2;
 use crate::side::Side;
-use crate::walk::in_walk_kick::through;
+use crate::velocity::Velocity;
+use crate::walk::in_walk_kick::kick_displacement;
 use crate::walk::pendulum::Pendulum;
-use crate::walk::sway::Shift;
-use crate::walk::{Parameters, Velocity};
+use crate::walk::sway::WeightShift;
 
-/// How long a foot that should stand already takes to come down, s.
+/// Time in which a foot that is still in the air at the beginning of its support comes down, s.
 const SETTLE: f32 = 0.06;
-/// Shares of its time in the air in which a foot only rises, and only comes down: it touches the ground at rest.
-const EDGES: [f32; 2] = [0.08, 0.08];
+/// Share of the swing at its beginning in which the foot moves only upwards.
+const RISE_SHARE: f32 = 0.08;
+/// Share of the swing at its end in which the foot moves only downwards, so that it touches the ground without sliding.
+const DESCENT_SHARE: f32 = 0.08;
 
-/// How far before the ankle the toes are that meet first, m.
-const TOES: f32 = 0.1;
-
-/// A step.
+/// A planned step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Plan {
-    /// The side that carries.
+    /// Support side.
     pub(super) support: Side,
-    /// s.
+    /// Duration, s.
     pub(super) duration: f32,
-    /// The hips' middle at both ends.
+    /// Middle of the hips at both ends, m.
     hips: [Vec2; 2],
-    /// The swinging foot at both ends.
+    /// Swing foot at both ends.
     swing: [Pose2; 2],
-    /// How high the swinging foot is lifted, m.
-    lift: f32,
-    /// How far the swinging foot swings through a ball before it comes down, m.
-    through: f32,
-    /// How high both soles are at the beginning (left first): not zero after a step that ended early, m.
-    before: [f32; 2],
-    /// The weight's way to the carrying foot and away from it.
-    shifts: [Shift; 2],
-    sway_to: f32,
-    /// The pendulum as which the body rocks, unless it is led.
+    /// Maximum height of the swing foot, m.
+    step_height: f32,
+    /// Forward displacement of the swing foot in an in-walk kick, m.
+    kick_swing: f32,
+    /// Height of both soles at the beginning, left first, m: not zero after a step that ended early.
+    initial_lift: [f32; 2],
+    /// Weight shift to the support foot at the beginning and away from it at the end.
+    shifts: [WeightShift; 2],
+    mid_step_hip_offset: f32,
+    /// Pendulum of the lateral motion; `None` in a quasi-static gait.
     pendulum: Option<Pendulum>,
-    /// How far the torso leans over the carrying foot, rad.
+    /// Lean of the torso over the support foot at mid-step, rad.
     lean: f32,
 }
 
-/// What a step is for.
+/// Purpose of a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Purpose {
-    /// From a stand: brings the weight over one foot and on, with both feet on the ground.
+    /// From a stand: shifts the weight to one foot and on, with both feet on the ground.
     Start,
     /// A step at this velocity.
     Go(Velocity),
-    /// The same, through a ball that lies before the foot.
+    /// A step at this velocity with an in-walk kick.
     Kick(Velocity),
-    /// To a stand: lets the weight come to rest between the feet.
+    /// To a stand: the weight comes to rest between the feet.
     Stop,
 }
 
 impl Plan {
-    /// The step that follows when the feet are where `feet` says (as in [`feet`](Self::feet)) and `support` carries.
+    /// Plans the step of support side `support` that begins with the feet at `feet` (as in [`feet`](Self::feet)).
     pub(super) fn new(support: Side, feet: &[Foot; 2], purpose: Purpose, gait: &Parameters) -> Self {
-        let (velocity, through) = match purpose {
+        let (velocity, kick_swing) = match purpose {
             Purpose::Go(velocity) => (velocity, 0.0),
             Purpose::Kick(velocity) => {
                 (velocity, (gait.kick_swing - 0.5 * velocity.forward.abs() * gait.step_duration).max(0.0))
             }
             Purpose::Start | Purpose::Stop => (Velocity::ZERO, 0.0),
         };
-        let usual = gait.step_duration + gait.lateral_duration_gain * velocity.left.abs();
-        let end = end(support.other(), &velocity, usual, gait);
-        let [carrying, swinging] = [support, support.other()].map(|side| feet[side.index()].pose);
-        let (hips, hips_after) = (carrying.inverse(), end[0].inverse());
-        let mut shifts = [carrying, end[0]].map(|foot| Shift::from(foot.position.y.abs(), gait));
+        let nominal = gait.step_duration + gait.lateral_duration_gain * velocity.left.abs();
+        let end = feet_at_end(support.other(), &velocity, nominal, gait);
+        let [supporting, swinging] = [support, support.other()].map(|side| feet[side.index()].pose);
+        let (hips, hips_after) = (supporting.inverse(), end[0].inverse());
+        let mut shifts = [supporting, end[0]].map(|foot| WeightShift::new(foot.position.y.abs(), gait));
         match purpose {
-            Purpose::Start => shifts[0] = Shift::gentle(usual),
-            Purpose::Stop => shifts[1] = Shift::gentle(usual),
+            Purpose::Start => shifts[0] = WeightShift::from_rest(nominal),
+            Purpose::Stop => shifts[1] = WeightShift::from_rest(nominal),
             Purpose::Go(_) | Purpose::Kick(_) => {}
         }
-        let longest = shifts[0].clear + shifts[1].clear + gait.min_swing_duration;
-        let duration = usual.max(longest);
-        let lift = if matches!(purpose, Purpose::Start | Purpose::Stop) { 0.0 } else { gait.step_height };
+        let needed = shifts[0].double_support + shifts[1].double_support + gait.min_swing_duration;
+        let duration = nominal.max(needed);
+        let step_height = if matches!(purpose, Purpose::Start | Purpose::Stop) { 0.0 } else { gait.step_height };
+        let widest = hips.position.y.abs().max(hips_after.position.y.abs());
         Self {
             support,
             duration,
             hips: [hips.position, hips_after.position],
             swing: [hips * swinging, hips_after * end[1]],
-            lift,
-            through,
-            before: feet.map(|foot| foot.lift),
+            step_height,
+            kick_swing,
+            initial_lift: feet.map(|foot| foot.lift),
             shifts,
-            sway_to: gait.mid_step_hip_offset,
+            mid_step_hip_offset: gait.mid_step_hip_offset,
             pendulum: Pendulum::new(gait, duration),
-            lean: gait.lean_gain
-                * (hips.position.y.abs().max(hips_after.position.y.abs()) - gait.half_spacing).max(0.0),
+            lean: gait.lean_gain * (widest - gait.half_spacing).max(0.0),
         }
     }
 
@@ -108,77 +108,81 @@ impl Plan {
     }
 
     /// Whether a foot leaves the ground.
-    pub(super) fn lifts(&self) -> bool {
-        self.lift > 0.0
+    pub(super) fn has_swing(&self) -> bool {
+        self.step_height > 0.0
     }
 
-    /// When the swinging foot leaves the ground, s after the beginning.
+    /// Time at which the swing foot leaves the ground, s after the beginning.
     pub(super) fn liftoff(&self) -> f32 {
-        self.shifts[0].clear
+        self.shifts[0].double_support
     }
 
-    /// How far the swinging foot is on its way, 0 to 1.
-    pub(super) fn progress(&self, time: f32) -> f32 {
-        let (from, to) = (self.liftoff(), self.duration - self.shifts[1].clear);
+    /// Progress of the swing foot's displacement by a capture step, 0 to 1.
+    pub(super) fn swing_progress(&self, time: f32) -> f32 {
+        let (from, to) = (self.liftoff(), self.duration - self.shifts[1].double_support);
         smooth((time - from) / (to - from))
     }
 
     /// Both feet, left first, `time` s after the beginning. Frame: under the hips, x as the torso faces.
     pub(super) fn feet(&self, time: f32) -> [Foot; 2] {
-        let (from, to) = (self.liftoff(), self.duration - self.shifts[1].clear);
-        let air = (time - from) / (to - from);
-        let done = glide((air - EDGES[0]) / (1.0 - EDGES[0] - EDGES[1]));
+        let (from, to) = (self.liftoff(), self.duration - self.shifts[1].double_support);
+        let phase = (time - from) / (to - from);
+        let done = glide((phase - RISE_SHARE) / (1.0 - RISE_SHARE - DESCENT_SHARE));
         let swing = Pose2 {
-            position: self.swing[0].position.lerp(self.swing[1].position, done) + Vec2::X * self.through * through(air),
+            position: self.swing[0].position.lerp(self.swing[1].position, done)
+                + Vec2::X * self.kick_swing * kick_displacement(phase),
             heading: mix(self.swing[0].heading, self.swing[1].heading, done),
         };
-        let down = 1.0 - smooth(time / SETTLE);
-        let [own, other] = [self.support, self.support.other()].map(|side| down * self.before[side.index()]);
+        let left = 1.0 - smooth(time / SETTLE);
+        let [own, other] = [self.support, self.support.other()].map(|side| left * self.initial_lift[side.index()]);
         let seen = self.hips(time, 0.5 * swing.heading).inverse();
-        let carrying = Foot { pose: seen, lift: own };
-        let swinging = Foot { pose: seen * swing, lift: other + self.lift * bump(air) };
+        let supporting = Foot { pose: seen, lift: own };
+        let swinging = Foot { pose: seen * swing, lift: other + self.step_height * bump(phase) };
         match self.support {
-            Side::Left => [carrying, swinging],
-            Side::Right => [swinging, carrying],
+            Side::Left => [supporting, swinging],
+            Side::Right => [swinging, supporting],
         }
     }
 
-    /// The hips in the frame of the carrying sole: on their way, and swayed toward it.
+    /// Hips in the frame of the support sole, swayed toward it.
     fn hips(&self, time: f32, heading: f32) -> Pose2 {
-        let part = (time / self.duration).clamp(0.0, 1.0);
-        let position = self.pendulum.map_or_else(|| self.led(part, time), |it| it.between(&self.hips, part));
+        let phase = (time / self.duration).clamp(0.0, 1.0);
+        let position =
+            self.pendulum.map_or_else(|| self.swayed_hips(phase, time), |pendulum| pendulum.between(&self.hips, phase));
         Pose2 { position, heading }
     }
 
-    fn led(&self, part: f32, time: f32) -> Vec2 {
-        let way = self.hips[0].lerp(self.hips[1], part);
-        way.with_y(mix(way.y, -self.support.sign() * self.sway_to, self.over(time)))
+    /// Position of the hips in a quasi-static gait, m.
+    fn swayed_hips(&self, phase: f32, time: f32) -> Vec2 {
+        let way = self.hips[0].lerp(self.hips[1], phase);
+        way.with_y(mix(way.y, -self.support.sign() * self.mid_step_hip_offset, self.support_share(time)))
     }
 
-    /// The torso's roll, rad.
+    /// Roll of the torso, rad.
     pub(super) fn roll(&self, time: f32) -> f32 {
-        -self.support.sign() * self.lean * self.over(time)
+        -self.support.sign() * self.lean * self.support_share(time)
     }
 
-    /// How far the weight is over the carrying foot, 0 to 1.
-    pub(super) fn over(&self, time: f32) -> f32 {
+    /// Share of the weight shift to the support foot, 0 to 1.
+    pub(super) fn support_share(&self, time: f32) -> f32 {
         self.shifts[0].at(time).min(self.shifts[1].at(self.duration - time))
     }
 }
 
-/// The carrying and the swinging foot at the end of a step of `duration` s, under the hips.
+/// Support and swing foot at the end of a step of `duration` s, in the frame under the hips.
 ///
-/// Feet share the way and the turn evenly. Sideways and in turning only the foot on the side of the motion moves away
-/// from the other; when the other one swings it comes beside again (its share of a turn may point the toes inwards).
-/// Sideways both ends are a little closer together than a stand, to have the most of a leg's reach.
-fn end(swing: Side, velocity: &Velocity, duration: f32, gait: &Parameters) -> [Pose2; 2] {
+/// Both feet have equal shares of the forward motion and of the turn. In lateral motion and in turning, only the foot on the
+/// side of the motion moves away from the other one; in the next step the other foot comes beside it (its share of a turn may
+/// point the toes inwards). In lateral motion both ends are closer together than in a stand, which uses the reach of the
+/// legs best.
+fn feet_at_end(swing: Side, velocity: &Velocity, duration: f32, gait: &Parameters) -> [Pose2; 2] {
     let side = swing.sign();
     let half_step = 0.5 * velocity.forward * duration;
     let spread = (side * velocity.left * duration).max(0.0);
     let turn = side * velocity.turn * duration;
-    let inside = (gait.toe_in_share * turn.abs()).min(gait.max_toe_in);
-    let toes_out = if turn > 0.0 { turn - inside } else { -inside };
-    let closer = (gait.lateral_foot_inset * velocity.left.abs() * duration - TOES * inside).max(0.0);
-    let beside = side * (gait.half_spacing - closer + spread);
+    let toe_in = (gait.toe_in_share * turn.abs()).min(gait.max_toe_in);
+    let toes_out = if turn > 0.0 { turn - toe_in } else { -toe_in };
+    let inset = (gait.lateral_foot_inset * velocity.left.abs() * duration - gait.toe_distance * toe_in).max(0.0);
+    let beside = side * (gait.half_spacing - inset + spread);
     [Pose2::new(-half_step, -beside, -side * toes_out), Pose2::new(half_step, beside, side * toes_out)]
 }

@@ -1,63 +1,62 @@
-//! Weak legs, and what makes up for them.
+//! Compensation of weak legs.
 //!
-//! A motor holds its joint like a spring: under load the joint stays behind its target, in a weak or worn leg farther
-//! than in a strong one. Then the hips sink toward the swinging foot, which clears the ground no more, and the robot
-//! stumbles over it. The knee tells best how weak a leg is: whatever the body does, its weight bends the knee that carries
-//! it. So each leg's knee is compared with its target while that leg alone carries.
+//! A motor with proportional control holds its joint like a spring: under load the joint lags behind its target, more in a
+//! weak or worn leg than in a strong one. The hips then sink toward the swing foot, which no longer clears the ground. The
+//! knee indicates the strength of a leg best, because the weight always bends the knee of the support leg. So the knee of
+//! each leg is compared with its target while that leg alone bears the weight.
 
 use crate::bounds::clamp;
-use crate::kinematics::LegAngles;
+use crate::limbs::LegAngles;
+use crate::model::{MAX_FEEDBACK_DELAY, Parameters, RobotModel};
 use crate::side::Side;
-use crate::walk::{Feedback, Parameters};
+use crate::walk::Feedback;
 
-/// From a target to its trace in what joints measure, cycles of 10 ms. Source: 36 ms, B-Human 2023.
-const LATE: usize = 4;
-/// Share of a new measurement in the smoothed one, per cycle with all weight on the leg: some steps count.
-const NEW: f32 = 0.02;
-/// A knee farther from its target than this is not under load but blocked, or its sensor is broken, rad.
-const FARTHEST: f32 = 0.4;
-/// The least force on a foot that carries all weight, N.
-const CARRIES: f32 = 30.0;
-/// The most that is made up for, rad: a knee bends so far at a third of its usual strength.
-const MOST: f32 = 0.1;
+/// Weight of a new measurement in the low-pass filter, per cycle of single support: a time constant of a few steps.
+const NEW_WEIGHT: f32 = 0.02;
+/// Maximum difference between measured and commanded knee angle, rad. With more, the knee is blocked or its sensor broken.
+const MAX_SAG: f32 = 0.4;
+/// Maximum sag that is compensated, rad: that of a knee at a third of its usual strength.
+const MAX_COMPENSATED_SAG: f32 = 0.1;
 
-/// How weak each leg is.
+/// Estimate of the sag of both knees.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct SagCompensation {
-    /// What both knees were told in the last cycles, left first, the oldest first, rad.
-    commanded: [[f32; 2]; LATE],
-    /// How much farther each knee bends under the body than it was told, smoothed, rad.
+    /// Commanded angles of both knees (left first) in the last cycles, the oldest first, rad.
+    commanded: [[f32; 2]; MAX_FEEDBACK_DELAY],
+    /// Low-pass filtered difference between measured and commanded angle of each knee, rad.
     sag: [f32; 2],
 }
 
 impl SagCompensation {
-    /// Legs as strong as the gait expects.
+    /// No sag.
     pub(super) const fn new() -> Self {
-        Self { commanded: [[0.0; 2]; LATE], sag: [0.0; 2] }
+        Self { commanded: [[0.0; 2]; MAX_FEEDBACK_DELAY], sag: [0.0; 2] }
     }
 
-    /// Compares the knee of the leg that is to carry with what it was told, if that leg alone does carry.
-    pub(super) fn measure(&mut self, carrying: Side, feedback: &Feedback, gait: &Parameters) {
-        let alone = feedback.force(carrying) >= CARRIES && feedback.force(carrying.other()) < gait.contact_force;
+    /// Compares the knee of the support leg with its delayed target, in single support only.
+    pub(super) fn measure<M: RobotModel>(&mut self, support: Side, feedback: &Feedback, gait: &Parameters) {
+        const { assert!(M::FEEDBACK_DELAY >= 1 && M::FEEDBACK_DELAY <= MAX_FEEDBACK_DELAY) }
+        let alone = feedback.force(support) >= M::SUPPORT_FORCE && feedback.force(support.other()) < gait.contact_force;
         let Some(knees) = feedback.knees.filter(|_| alone) else { return };
-        let side = carrying.index();
-        let bent = knees[side] - self.commanded[0][side];
-        // False for what is no number, too.
-        if bent.abs() < FARTHEST {
-            self.sag[side] += NEW * (bent - self.sag[side]);
+        let side = support.index();
+        let sag = knees[side] - self.commanded[MAX_FEEDBACK_DELAY - M::FEEDBACK_DELAY][side];
+        // The comparison is false for NaN.
+        if sag.abs() < MAX_SAG {
+            self.sag[side] += NEW_WEIGHT * (sag - self.sag[side]);
         }
     }
 
-    /// Strengthens the leg that carries this `share` of the body: its hip lifts the other side, its knee straightens.
-    pub(super) fn compensate(&self, leg: &mut LegAngles, carrying: Side, share: f32, gait: &Parameters) {
-        let weak = share * clamp(self.sag[carrying.index()] - gait.expected_knee_sag, 0.0, MOST);
-        leg.hip_roll += carrying.sign() * gait.sag_hip_gain * weak;
-        leg.knee_pitch -= gait.sag_knee_gain * weak;
+    /// Adds the compensation to the support leg, which bears this `share` of the weight: the hip lifts the other side, the
+    /// knee is extended.
+    pub(super) fn compensate(&self, leg: &mut LegAngles, support: Side, share: f32, gait: &Parameters) {
+        let sag = share * clamp(self.sag[support.index()] - gait.expected_knee_sag, 0.0, MAX_COMPENSATED_SAG);
+        leg.hip_roll += support.sign() * gait.sag_hip_gain * sag;
+        leg.knee_pitch -= gait.sag_knee_gain * sag;
     }
 
-    /// Remembers what the legs are told in this cycle.
+    /// Stores the knee angles commanded in this cycle.
     pub(super) fn record(&mut self, legs: &[LegAngles; 2]) {
         self.commanded.rotate_left(1);
-        self.commanded[LATE - 1] = [legs[0].knee_pitch, legs[1].knee_pitch];
+        self.commanded[MAX_FEEDBACK_DELAY - 1] = [legs[0].knee_pitch, legs[1].knee_pitch];
     }
 }

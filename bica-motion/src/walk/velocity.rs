@@ -1,41 +1,16 @@
-//! How fast to walk: what is asked for and what a gait can give.
+//! Velocity limits of a gait.
 
-use crate::bounds::clamp;
 use libm::{powf, sqrtf};
 
-use crate::walk::Parameters;
-
-/// A velocity over the ground, seen from the robot.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Velocity {
-    /// m/s.
-    pub forward: f32,
-    /// m/s; negative to the right.
-    pub left: f32,
-    /// rad/s, counter-clockwise.
-    pub turn: f32,
-}
+use crate::bounds::clamp;
+use crate::model::Parameters;
+use crate::velocity::Velocity;
 
 impl Velocity {
-    /// Standing.
-    pub const ZERO: Self = Self::new(0.0, 0.0, 0.0);
-
-    /// A velocity from its parts.
-    #[must_use]
-    pub const fn new(forward: f32, left: f32, turn: f32) -> Self {
-        Self { forward, left, turn }
-    }
-
-    /// Whether every part is zero.
-    #[must_use]
-    pub fn is_zero(&self) -> bool {
-        self.forward == 0.0 && self.left == 0.0 && self.turn == 0.0
-    }
-
-    /// The nearest velocity that a gait can walk: turning goes first, the way gives way.
+    /// Nearest velocity that a gait can walk. The turn has priority; the translation is reduced.
     ///
-    /// With each part as a share of its most, `(forward^1.5 + left^1.5)^(4/3) + turn^2 <= 1` (the walk volume of
-    /// B-Human 2023 and HULKs 2025). Parts that are no numbers count as zero.
+    /// With each component relative to its maximum, `(forward^1.5 + left^1.5)^(4/3) + turn^2 <= 1` (walk volume of
+    /// B-Human 2023 and HULKs 2025). NaN components count as zero.
     #[must_use]
     pub fn clamped(&self, gait: &Parameters) -> Self {
         let most_forward = if self.forward < 0.0 { gait.max_backward_speed } else { gait.max_velocity.forward };
@@ -48,7 +23,7 @@ impl Velocity {
         Self::new(scale * x * most_forward, scale * y * gait.max_velocity.left, turn * gait.max_velocity.turn)
     }
 
-    /// What to plan so that the body goes like this; standing stays standing.
+    /// Velocity to plan so that the body moves at this velocity; zero stays zero.
     pub(super) fn planned(&self, gait: &Parameters) -> Self {
         if self.is_zero() {
             return *self;
@@ -61,14 +36,14 @@ impl Velocity {
         }
     }
 
-    /// The next step's velocity on the way from this one to `wanted`; a part that changes its sign stops at zero first.
+    /// Velocity of the next step on the way to `wanted`. A component that changes its sign stops at zero first.
     #[must_use]
     pub fn toward(&self, wanted: &Self, gait: &Parameters) -> Self {
-        let part = |now, wanted, up, down| approach(now, wanted, up, down);
+        let (up, down) = (&gait.max_speed_up, &gait.max_slow_down);
         Self {
-            forward: part(self.forward, wanted.forward, gait.max_speed_up.forward, gait.max_slow_down.forward),
-            left: part(self.left, wanted.left, gait.max_speed_up.left, gait.max_slow_down.left),
-            turn: part(self.turn, wanted.turn, gait.max_speed_up.turn, gait.max_slow_down.turn),
+            forward: approach(self.forward, wanted.forward, up.forward, down.forward),
+            left: approach(self.left, wanted.left, up.left, down.left),
+            turn: approach(self.turn, wanted.turn, up.turn, down.turn),
         }
     }
 }

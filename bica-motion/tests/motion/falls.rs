@@ -5,16 +5,15 @@ use bica_motion::getup::{GetUp, HOLD, TUCK_KNEE_ANGLE, protection};
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::keyframes::{Keyframe, Motion};
 use bica_motion::kinematics::{Skeleton, ground_from_robot};
+use bica_motion::model::{Nao, RobotModel};
 use bica_motion::robot::Inertial;
 use bica_motion::side::Side;
-use bica_motion::speed::max_speed;
-use bica_motion::stand::{SIT, STAND, Stiffness, TO_SIT, TO_STAND};
-use bica_motion::walk::Parameters;
+use bica_motion::stiffness::Stiffness;
 use glam::{Quat, Vec3};
 
 use crate::world::{CYCLE, World};
 
-/// What the inertial unit says when the torso is turned by `tilt`.
+/// Reading of the inertial unit when the torso is rotated by `tilt`.
 fn tilted(tilt: Quat) -> Inertial {
     let up = tilt.inverse() * Vec3::Z;
     let (y, z, x) = (tilt * Vec3::Y, tilt * Vec3::Z, tilt * Vec3::X);
@@ -31,9 +30,9 @@ fn toward(direction: Direction, angle: f32) -> Quat {
 }
 
 #[test]
-fn a_fall_is_seen_in_every_direction_and_getting_up_too() {
+fn the_detector_reports_falling_fallen_and_upright_in_every_direction() {
     for direction in Direction::ALL {
-        let mut detector = FallDetector::new();
+        let mut detector = FallDetector::<Nao>::new();
         let mut seen = vec![detector.state()];
         let fall = (0..60).map(|i| 1.57 * (i as f32 / 60.0).powi(2));
         let rise = (0..50).map(|i| 1.57 * (1.0 - i as f32 / 50.0));
@@ -51,8 +50,8 @@ fn a_fall_is_seen_in_every_direction_and_getting_up_too() {
 }
 
 #[test]
-fn what_a_walk_does_is_no_fall() {
-    let mut detector = FallDetector::new();
+fn tilts_and_jolts_of_a_walk_are_no_fall() {
+    let mut detector = FallDetector::<Nao>::new();
     for i in 0..1000 {
         let (roll, pitch) = (0.2 * (0.2 * i as f32).sin(), 0.15 * (0.13 * i as f32).cos());
         let jolt = Vec3::new(0.0, 12.0 * (0.9 * i as f32).sin(), 5.0 * (1.3 * i as f32).cos());
@@ -63,8 +62,8 @@ fn what_a_walk_does_is_no_fall() {
 }
 
 #[test]
-fn lying_still_decides_even_if_gravity_is_odd() {
-    let mut detector = FallDetector::new();
+fn a_fall_ends_after_its_maximum_time_without_a_valid_acceleration() {
+    let mut detector = FallDetector::<Nao>::new();
     let strange = Inertial { pitch: 1.0, acceleration: Vec3::new(0.0, 0.0, 9.81), ..Inertial::default() };
     for _ in 0..130 {
         detector.step(&strange, CYCLE);
@@ -73,8 +72,8 @@ fn lying_still_decides_even_if_gravity_is_odd() {
 }
 
 #[test]
-fn who_lies_knows_it_soon_and_knows_on_what() {
-    let mut detector = FallDetector::new();
+fn the_lying_side_is_known_within_300_ms() {
+    let mut detector = FallDetector::<Nao>::new();
     for direction in [Direction::Front, Direction::Left, Direction::Back] {
         for _ in 0..30 {
             detector.step(&tilted(toward(direction, 1.5)), CYCLE);
@@ -84,8 +83,8 @@ fn who_lies_knows_it_soon_and_knows_on_what() {
 }
 
 #[test]
-fn readings_that_are_no_numbers_change_nothing() {
-    let mut detector = FallDetector::new();
+fn nan_readings_do_not_change_the_state() {
+    let mut detector = FallDetector::<Nao>::new();
     let nonsense = Inertial { pitch: f32::NAN, acceleration: Vec3::splat(f32::NAN), ..Inertial::default() };
     for _ in 0..100 {
         assert_eq!(detector.step(&nonsense, CYCLE), FallState::Upright);
@@ -93,7 +92,7 @@ fn readings_that_are_no_numbers_change_nothing() {
     assert_eq!(detector.step(&tilted(toward(Direction::Back, 0.6)), CYCLE), FallState::Falling(Direction::Back));
 }
 
-/// Plays a movement from a posture; gives all targets.
+/// Plays a motion from a posture; returns all targets.
 fn play(frames: &'static [Keyframe], from: Joints) -> Vec<Joints> {
     let mut motion = Motion::new(frames, from);
     let mut targets = Vec::new();
@@ -103,7 +102,7 @@ fn play(frames: &'static [Keyframe], from: Joints) -> Vec<Joints> {
     targets
 }
 
-/// Gets up from a posture, feeling `inertial` all the time; gives all targets.
+/// Plays a get-up with a constant inertial reading; returns all targets.
 fn get_up(mut movement: GetUp, inertial: &Inertial) -> Vec<Joints> {
     let mut targets = Vec::new();
     while !movement.is_done() {
@@ -114,15 +113,15 @@ fn get_up(mut movement: GetUp, inertial: &Inertial) -> Vec<Joints> {
 
 #[test]
 fn get_ups_keep_to_limits_and_speeds_and_end_in_the_stand() {
-    let crumpled = Joints::all(0.3).clamp_to_limits();
+    let crumpled = Joints::all(0.3).clamp_to_limits::<Nao>();
     let attempts =
         Direction::ALL.into_iter().flat_map(|direction| [0, 1, 3, 4, 255].map(|failures| (direction, failures)));
     for (direction, failures) in attempts {
-        for start in [SIT, crumpled, protection(direction).posture] {
-            let targets = get_up(GetUp::new(direction, failures, start), &Inertial::default());
+        for start in [Nao::SIT, crumpled, protection::<Nao>(direction).posture] {
+            let targets = get_up(GetUp::<Nao>::new(direction, failures, start), &Inertial::default());
             let seconds = targets.len() as f32 * CYCLE;
             assert!((4.0..=11.0).contains(&seconds), "{seconds} s");
-            assert_eq!(*targets.last().unwrap(), STAND);
+            assert_eq!(*targets.last().unwrap(), Nao::STAND);
             keeps_to_limits_and_speeds(&targets);
         }
     }
@@ -130,17 +129,17 @@ fn get_ups_keep_to_limits_and_speeds_and_end_in_the_stand() {
 
 fn keeps_to_limits_and_speeds(targets: &[Joints]) {
     for pair in targets.windows(2) {
-        assert!(pair[1].within_limits(), "{:?}", pair[1]);
+        assert!(pair[1].within_limits::<Nao>(), "{:?}", pair[1]);
         for joint in Joint::ALL {
             let speed = (pair[1][joint] - pair[0][joint]).abs() / CYCLE;
-            assert!(speed <= max_speed(joint) * 1.001, "{joint:?} at {speed} rad/s");
+            assert!(speed <= Nao::MAX_SPEEDS[joint] * 1.001, "{joint:?} at {speed} rad/s");
         }
     }
 }
 
 #[test]
-fn after_two_failures_it_turns_over_first_one_way_round_then_the_other() {
-    let turn = |lying, failures| get_up(GetUp::new(lying, failures, STAND), &tilted(toward(lying, 1.5)));
+fn every_third_attempt_turns_over_and_alternates_the_side() {
+    let turn = |lying, failures| get_up(GetUp::<Nao>::new(lying, failures, Nao::STAND), &tilted(toward(lying, 1.5)));
     for lying in [Direction::Front, Direction::Back] {
         let targets = turn(lying, 2);
         keeps_to_limits_and_speeds(&targets);
@@ -154,21 +153,21 @@ fn after_two_failures_it_turns_over_first_one_way_round_then_the_other() {
 }
 
 #[test]
-fn a_get_up_passes_the_phases_by_which_it_is_known() {
+fn a_get_up_passes_a_tuck_and_then_holds_the_stand() {
     for direction in Direction::ALL {
-        let targets = get_up(GetUp::new(direction, 0, Joints::all(0.0)), &Inertial::default());
+        let targets = get_up(GetUp::<Nao>::new(direction, 0, Joints::all(0.0)), &Inertial::default());
         let tucked = targets
             .iter()
             .position(|t| t[Joint::LKneePitch] > TUCK_KNEE_ANGLE && t[Joint::RKneePitch] > TUCK_KNEE_ANGLE);
-        let tucked = tucked.expect("it tucks");
-        let held = targets[tucked..].iter().rev().take_while(|&&t| t == STAND).count();
+        let tucked = tucked.expect("both knees pass the tuck angle");
+        let held = targets[tucked..].iter().rev().take_while(|&&t| t == Nao::STAND).count();
         assert!(held as f32 * CYCLE >= HOLD - 0.02, "{held} cycles");
     }
 }
 
 #[test]
-fn after_a_failure_it_is_tried_the_other_way_round() {
-    let way = |failures| get_up(GetUp::new(Direction::Back, failures, STAND), &Inertial::default());
+fn every_second_attempt_is_the_mirror_image() {
+    let way = |failures| get_up(GetUp::<Nao>::new(Direction::Back, failures, Nao::STAND), &Inertial::default());
     assert_eq!(way(4), way(0));
     assert_eq!(way(3), way(1));
     let mirrored: Vec<Joints> = way(0).iter().map(Joints::mirrored).collect();
@@ -178,26 +177,26 @@ fn after_a_failure_it_is_tried_the_other_way_round() {
 }
 
 #[test]
-fn whom_the_legs_roll_on_its_face_gets_up_from_there() {
+fn a_get_up_from_a_side_stops_when_the_robot_rolls_onto_its_face() {
     let lying = |direction| tilted(toward(direction, 1.5));
     for (rolled_on, seconds) in [(Direction::Back, 2.0..4.0), (Direction::Front, 0.5..1.5)] {
-        let targets = get_up(GetUp::new(Direction::Left, 0, STAND), &lying(rolled_on));
+        let targets = get_up(GetUp::<Nao>::new(Direction::Left, 0, Nao::STAND), &lying(rolled_on));
         assert!(seconds.contains(&(targets.len() as f32 * CYCLE)), "{rolled_on:?}: {} cycles", targets.len());
     }
 }
 
 #[test]
-fn who_does_not_sit_when_it_is_to_rise_stops() {
-    let whole = get_up(GetUp::new(Direction::Front, 0, STAND), &Inertial::default()).len();
-    let sits = get_up(GetUp::new(Direction::Front, 0, STAND), &tilted(toward(Direction::Front, 0.9))).len();
-    let lies = get_up(GetUp::new(Direction::Front, 0, STAND), &tilted(toward(Direction::Front, 1.2))).len();
+fn a_get_up_stops_if_the_robot_does_not_sit_at_the_start_of_the_rise() {
+    let whole = get_up(GetUp::<Nao>::new(Direction::Front, 0, Nao::STAND), &Inertial::default()).len();
+    let sits = get_up(GetUp::<Nao>::new(Direction::Front, 0, Nao::STAND), &tilted(toward(Direction::Front, 0.9))).len();
+    let lies = get_up(GetUp::<Nao>::new(Direction::Front, 0, Nao::STAND), &tilted(toward(Direction::Front, 1.2))).len();
     assert_eq!(sits, whole);
     assert!((whole - 450..whole - 350).contains(&lies), "{lies} of {whole} cycles");
 }
 
 #[test]
-fn who_had_risen_and_lies_again_stops() {
-    let mut movement = GetUp::new(Direction::Front, 0, Joints::all(0.0));
+fn a_get_up_stops_if_a_risen_robot_falls_again() {
+    let mut movement = GetUp::<Nao>::new(Direction::Front, 0, Joints::all(0.0));
     let lying = |direction| tilted(toward(direction, 1.5));
     for (inertial, cycles, over) in
         [(lying(Direction::Front), 100, false), (tilted(Quat::IDENTITY), 100, false), (lying(Direction::Back), 1, true)]
@@ -210,9 +209,9 @@ fn who_had_risen_and_lies_again_stops() {
 }
 
 #[test]
-fn sitting_down_and_standing_up_keeps_the_balance() {
-    let mut world = World::standing(STAND);
-    for frames in [&TO_SIT, &TO_STAND] {
+fn the_mass_stays_over_the_feet_in_sitting_down_and_standing_up() {
+    let mut world = World::<Nao>::standing(Nao::STAND);
+    for frames in [Nao::TO_SIT, Nao::TO_STAND] {
         for targets in play(frames, world.angles) {
             world.step(&targets);
             assert!(world.margin() > 0.02, "{}", world.margin());
@@ -227,28 +226,29 @@ fn sitting_down_and_standing_up_keeps_the_balance() {
 }
 
 #[test]
-fn the_stand_is_the_one_the_walk_knows() {
-    let gait = Parameters::BUILT_IN.stand().joints();
+fn the_stand_equals_that_of_the_quasi_static_gait() {
+    let gait = Nao::KINEMATIC_PROFILE.gait.stand::<Nao>().joints();
     for joint in Joint::ALL {
-        assert!((STAND[joint] - gait[joint]).abs() < 1e-5, "{joint:?}: {} {}", STAND[joint], gait[joint]);
+        assert!((Nao::STAND[joint] - gait[joint]).abs() < 1e-5, "{joint:?}: {} {}", Nao::STAND[joint], gait[joint]);
     }
-    let mass = ground_from_robot(Side::Left, &STAND).transform_point3(Skeleton::of(&STAND).centre_of_mass());
+    let mass = ground_from_robot::<Nao>(Side::Left, &Nao::STAND)
+        .transform_point3(Skeleton::<Nao>::of(&Nao::STAND).centre_of_mass());
     assert!((mass.x - 0.02).abs() < 0.01 && mass.y.abs() < 0.001, "over the middle of the feet: {mass}");
 }
 
 #[test]
-fn stiffness_is_a_share() {
+fn stiffness_is_between_zero_and_one_and_grows_from_fall_to_walk() {
     for profile in [Stiffness::Limp, Stiffness::Stand, Stiffness::Walk, Stiffness::Fall] {
-        assert!(profile.joints().0.iter().all(|value| (0.0..=1.0).contains(value)));
+        assert!(profile.joints::<Nao>().0.iter().all(|value| (0.0..=1.0).contains(value)));
     }
-    assert!(Stiffness::Limp.joints().0.iter().all(|&value| value == 0.0));
-    let legs = |profile: Stiffness| profile.joints()[Joint::LKneePitch];
+    assert!(Stiffness::Limp.joints::<Nao>().0.iter().all(|&value| value == 0.0));
+    let legs = |profile: Stiffness| profile.joints::<Nao>()[Joint::LKneePitch];
     assert!(legs(Stiffness::Fall) < legs(Stiffness::Stand) && legs(Stiffness::Stand) < legs(Stiffness::Walk));
 }
 
 #[test]
-fn no_movement_is_done_at_once() {
-    assert!(GetUp::none().is_done());
+fn an_empty_motion_is_done_at_once() {
+    assert!(GetUp::<Nao>::none().is_done());
     let mut none = Motion::none();
     assert!(none.is_done());
     assert_eq!(none.step(CYCLE), None);

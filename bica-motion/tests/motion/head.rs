@@ -1,17 +1,16 @@
-//! The head's range, speed and aim.
+//! Range, speed and aim of the head.
 
-use bica_motion::head::{HeadAngles, HeadMotion, look_at, look_at_over_ground, pitch_range};
+use bica_motion::head::{HeadAngles, look_at, look_at_over_ground, pitch_range};
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::kinematics::{self, ground_from_robot};
-use bica_motion::limits::limit;
+use bica_motion::model::{Nao, RobotModel};
 use bica_motion::robot::CameraId;
 use bica_motion::side::Side;
-use bica_motion::stand::STAND;
 use glam::Vec3;
 use proptest::prelude::*;
 
 #[test]
-fn pitch_depends_on_yaw_as_published() {
+fn the_pitch_range_at_each_yaw_is_the_published_one() {
     for (yaw, min, max) in [
         (0.0, -38.5, 29.5),
         (27.85, -38.5, 24.18),
@@ -23,7 +22,7 @@ fn pitch_depends_on_yaw_as_published() {
         // Halfway between two of them.
         (35.585, -34.95, 22.69),
     ] {
-        let range = pitch_range(f32::to_radians(yaw));
+        let range = pitch_range::<Nao>(f32::to_radians(yaw));
         let near = |found: f32, wanted: f32| (found.to_degrees() - wanted).abs() < 0.01;
         assert!(near(range.min, min) && near(range.max, max), "{yaw}°: {range:?}");
     }
@@ -37,64 +36,64 @@ proptest! {
     #![proptest_config(crate::cases(1000))]
 
     #[test]
-    fn clamped_angles_are_possible(yaw in -9.0_f32..9.0, pitch in -9.0_f32..9.0) {
-        let clamped = HeadAngles { yaw, pitch }.clamped();
-        prop_assert!(limit(Joint::HeadYaw).contains(clamped.yaw));
-        prop_assert!(limit(Joint::HeadPitch).contains(clamped.pitch));
-        prop_assert!(pitch_range(clamped.yaw).contains(clamped.pitch));
-        prop_assert_eq!(clamped.clamped(), clamped);
+    fn clamped_angles_are_within_the_limits(yaw in -9.0_f32..9.0, pitch in -9.0_f32..9.0) {
+        let clamped = HeadAngles { yaw, pitch }.clamped::<Nao>();
+        prop_assert!(Nao::LIMITS[Joint::HeadYaw].contains(clamped.yaw));
+        prop_assert!(Nao::LIMITS[Joint::HeadPitch].contains(clamped.pitch));
+        prop_assert!(pitch_range::<Nao>(clamped.yaw).contains(clamped.pitch));
+        prop_assert_eq!(clamped.clamped::<Nao>(), clamped);
     }
 
     #[test]
-    fn what_it_looks_at_is_in_the_middle_of_the_image(
+    fn look_at_brings_the_point_to_the_optical_axis(
         camera in any_camera(), far in 0.2_f32..6.0, bearing in -3.1_f32..3.1, height in -0.6_f32..0.6,
     ) {
         let point = Vec3::new(far * bearing.cos(), far * bearing.sin(), height);
         let mut angles = Joints::all(0.0);
-        look_at(camera, point).write(&mut angles);
-        let seen = kinematics::camera(camera, &angles).inverse().transform_point3(point);
+        look_at::<Nao>(camera, point).write(&mut angles);
+        let seen = kinematics::camera::<Nao>(camera, &angles).inverse().transform_point3(point);
         prop_assert!(seen.x > 0.0, "{seen} is behind the camera");
         prop_assert!(seen.y.abs() < 1e-5 * far.max(1.0) && seen.z.abs() < 1e-5 * far.max(1.0), "{seen}");
     }
 
     #[test]
-    fn over_the_ground_it_looks_at_the_same_point(x in 0.3_f32..3.0, y in -2.0_f32..2.0, left in any::<bool>()) {
+    fn look_at_over_ground_brings_the_point_to_the_optical_axis(x in 0.3_f32..3.0, y in -2.0_f32..2.0, left in any::<bool>()) {
         let support = if left { Side::Left } else { Side::Right };
         let point = Vec3::new(x, y, 0.0325);
-        let mut angles = STAND;
+        let mut angles = Nao::STAND;
         angles[Joint::LHipRoll] += 0.05;
-        look_at_over_ground(CameraId::Top, point, support, &angles).write(&mut angles);
-        let camera = ground_from_robot(support, &angles) * kinematics::camera(CameraId::Top, &angles);
+        look_at_over_ground::<Nao>(CameraId::Top, point, support, &angles).write(&mut angles);
+        let camera = ground_from_robot::<Nao>(support, &angles) * kinematics::camera::<Nao>(CameraId::Top, &angles);
         let seen = camera.inverse().transform_point3(point);
         prop_assert!(seen.x > 0.0 && seen.y.abs() < 1e-4 && seen.z.abs() < 1e-4, "{seen}");
     }
 
     #[test]
-    fn it_arrives_no_faster_than_it_may(
+    fn the_head_reaches_its_target_within_its_maximum_speeds(
         from in (-2.1_f32..2.1, -0.7_f32..0.6), to in (-3.0_f32..3.0, -1.0_f32..1.0),
     ) {
-        let mut now = HeadAngles { yaw: from.0, pitch: from.1 }.clamped();
+        let mut now = HeadAngles { yaw: from.0, pitch: from.1 }.clamped::<Nao>();
         let target = HeadAngles { yaw: to.0, pitch: to.1 };
-        let motion = HeadMotion::CALM;
+        let motion = Nao::HEAD_SPEED;
         for _ in 0..600 {
-            let next = motion.step(now, target, 0.01);
-            prop_assert!((next.yaw - now.yaw).abs() <= 0.01 * motion.yaw_speed + 1e-6);
-            let most = motion.pitch_speed + 0.5 * motion.yaw_speed;
+            let next = motion.step::<Nao>(now, target, 0.01);
+            prop_assert!((next.yaw - now.yaw).abs() <= 0.01 * motion.yaw + 1e-6);
+            let most = motion.pitch + 0.5 * motion.yaw;
             prop_assert!((next.pitch - now.pitch).abs() <= 0.01 * most + 1e-6);
-            prop_assert!(pitch_range(next.yaw).contains(next.pitch));
+            prop_assert!(pitch_range::<Nao>(next.yaw).contains(next.pitch));
             now = next;
         }
-        prop_assert_eq!(now, target.clamped());
+        prop_assert_eq!(now, target.clamped::<Nao>());
     }
 }
 
 #[test]
-fn nonsense_leaves_the_head_where_it_can_be() {
+fn the_head_stays_within_its_limits_for_nan_and_infinite_inputs() {
     for value in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
         let target = HeadAngles { yaw: value, pitch: value };
-        let next = HeadMotion::CALM.step(HeadAngles::AHEAD, target, 0.01);
-        assert!(next.yaw.is_finite() && pitch_range(next.yaw).contains(next.pitch), "{next:?}");
-        let next = HeadMotion::CALM.step(HeadAngles::AHEAD, HeadAngles { yaw: 1.0, pitch: 0.2 }, value);
-        assert!(next.yaw.is_finite() && pitch_range(next.yaw).contains(next.pitch), "{next:?}");
+        let next = Nao::HEAD_SPEED.step::<Nao>(HeadAngles::AHEAD, target, 0.01);
+        assert!(next.yaw.is_finite() && pitch_range::<Nao>(next.yaw).contains(next.pitch), "{next:?}");
+        let next = Nao::HEAD_SPEED.step::<Nao>(HeadAngles::AHEAD, HeadAngles { yaw: 1.0, pitch: 0.2 }, value);
+        assert!(next.yaw.is_finite() && pitch_range::<Nao>(next.yaw).contains(next.pitch), "{next:?}");
     }
 }

@@ -1,18 +1,13 @@
-//! Kinematics against published numbers, an independent f64 reference, and itself.
+//! Kinematics against published numbers and an independent f64 reference; inverse against forward kinematics.
 
-use std::f32::consts::{FRAC_PI_2, PI};
-
-use bica_motion::dimensions::FOOT_HEIGHT;
 use bica_motion::joints::{Joint, Joints};
-use bica_motion::kinematics::{
-    self, LegAngles, Segment, Skeleton, YawFrom, ground_from_robot, leg_angles, leg_angles_at, legs_angles,
-};
-use bica_motion::limits::limit;
-use bica_motion::masses::TOTAL_MASS;
+use bica_motion::kinematics::{self, LegAngles, Segment, Skeleton, YawFrom, ground_from_robot, legs_angles};
+use bica_motion::model::{Nao, RobotModel};
 use bica_motion::robot::CameraId;
 use bica_motion::side::Side;
 use glam::{Affine3A, Mat3A, Vec3};
 use proptest::prelude::*;
+use std::f32::consts::{FRAC_PI_2, PI};
 
 /// Poses by 4×4 matrices in f64, written down from the joint tables and not from the code under test.
 mod reference {
@@ -112,14 +107,14 @@ fn any_angles() -> impl Strategy<Value = Joints> {
     prop::array::uniform25(0.0_f32..=1.0).prop_map(|shares| {
         let mut angles = Joints::all(0.0);
         for joint in Joint::ALL {
-            let range = limit(joint);
+            let range = Nao::LIMITS[joint];
             angles[joint] = range.min + (range.max - range.min) * shares[joint.index()];
         }
         angles
     })
 }
 
-/// Any angles within the limits with knees that do not bend backwards: what the inverse can give back.
+/// Any angles within the limits with knees that do not bend backwards, which the inverse kinematics can return.
 fn any_bent_angles() -> impl Strategy<Value = Joints> {
     any_angles().prop_map(|mut angles| {
         for joint in [Joint::LKneePitch, Joint::RKneePitch] {
@@ -129,7 +124,7 @@ fn any_bent_angles() -> impl Strategy<Value = Joints> {
     })
 }
 
-/// How far a hip lies from its foot's roll axis, m: on the axis the yaw-pitch has no one value.
+/// Distance of a hip from the roll axis of its foot, m. On the axis the yaw-pitch is not unique.
 fn off_roll_axis(side: Side, foot: &Affine3A) -> f32 {
     let hip = foot.inverse().transform_point3(Vec3::new(0.0, side.sign() * 0.05, 0.0));
     hip.y.hypot(hip.z)
@@ -144,7 +139,7 @@ const STANDS: [[f32; 8]; 4] = [
 ];
 
 fn flat_foot(side: Side, x: f32, outward: f32) -> Affine3A {
-    let place = Vec3::new(x, side.sign() * 0.05, FOOT_HEIGHT - 0.230);
+    let place = Vec3::new(x, side.sign() * 0.05, Nao::DIMENSIONS.foot_height - 0.230);
     Affine3A::from_translation(place) * Affine3A::from_rotation_z(side.sign() * outward)
 }
 
@@ -170,14 +165,14 @@ fn assert_close(found: &LegAngles, wanted: &LegAngles, tolerance: f32) {
 }
 
 #[test]
-fn legs_stand_as_published() {
+fn inverse_kinematics_agree_with_the_published_stands() {
     for values in STANDS {
         let [left, right] = Side::BOTH.map(|side| flat_foot(side, values[0], values[1]));
         for (side, foot) in [(Side::Left, left), (Side::Right, right)] {
             let wanted = row(side, values);
-            assert_close(&leg_angles(side, &foot), &wanted, 1e-5);
-            assert_close(&leg_angles_at(side, &foot, values[2]), &wanted, 2e-5);
-            assert_close(&legs_angles(&left, &right, YawFrom::Mean)[side.index()], &wanted, 2e-5);
+            assert_close(&Nao::leg_angles(side, &foot), &wanted, 1e-5);
+            assert_close(&Nao::leg_angles_at(side, &foot, values[2]), &wanted, 2e-5);
+            assert_close(&legs_angles::<Nao>(&left, &right, YawFrom::Mean)[side.index()], &wanted, 2e-5);
         }
     }
 }
@@ -193,19 +188,19 @@ fn standing() -> Joints {
 }
 
 #[test]
-fn centre_of_mass_is_where_published() {
-    assert!((TOTAL_MASS - 5.359_43).abs() < 1e-5, "{TOTAL_MASS}");
+fn the_centre_of_mass_is_the_published_one() {
+    assert!((Nao::TOTAL_MASS - 5.359_43).abs() < 1e-5, "{}", Nao::TOTAL_MASS);
     for (angles, wanted) in [
         (Joints::all(0.0), Vec3::new(0.021_22, 0.000_18, 0.052_18)),
         (standing(), Vec3::new(0.003_86, 0.000_18, 0.035_38)),
     ] {
-        let found = kinematics::centre_of_mass(&angles);
+        let found = kinematics::centre_of_mass::<Nao>(&angles);
         assert!((found - wanted).abs().max_element() < 1e-5, "{found} is not {wanted}");
     }
 }
 
 #[test]
-fn cameras_stand_and_look_as_published() {
+fn camera_poses_are_the_published_ones() {
     // Height over the ground, then pixel and the ground point seen there, robot frame (B-Human and HULKs' intrinsics).
     let (f, centre) = ((618.66, 617.16), (320.0, 240.0));
     let table = [
@@ -217,7 +212,7 @@ fn cameras_stand_and_look_as_published() {
         (CameraId::Bottom, 0.459_24, (500.0, 400.0), (0.3815, -0.159)),
     ];
     for (id, height, pixel, wanted) in table {
-        let camera = kinematics::camera(id, &Joints::all(0.0));
+        let camera = kinematics::camera::<Nao>(id, &Joints::all(0.0));
         let above = camera.translation.z + 0.230;
         assert!((above - height).abs() < 1e-5, "{above} is not {height}");
         let ray = Vec3::new(1.0, -(pixel.0 - centre.0) / f.0, -(pixel.1 - centre.1) / f.1);
@@ -231,7 +226,7 @@ fn cameras_stand_and_look_as_published() {
 #[test]
 fn the_ground_lies_between_the_feet_in_stand() {
     for support in Side::BOTH {
-        let ground = ground_from_robot(support, &standing());
+        let ground = ground_from_robot::<Nao>(support, &standing());
         let wanted = Affine3A::from_translation(Vec3::new(0.012, 0.0, 0.230));
         assert!(distance(&ground, &wanted) < 2e-6, "{ground:?}");
     }
@@ -240,11 +235,11 @@ fn the_ground_lies_between_the_feet_in_stand() {
 #[test]
 fn out_of_reach_gives_the_straight_leg_in_its_direction() {
     let far = Affine3A::from_translation(Vec3::new(0.3, 0.05, -0.4));
-    let leg = leg_angles(Side::Left, &far);
+    let leg = Nao::leg_angles(Side::Left, &far);
     assert!(leg.knee_pitch.abs() < 1e-6);
     let mut angles = Joints::all(0.0);
     leg.write(Side::Left, &mut angles);
-    let reached = kinematics::ankle(Side::Left, &angles).translation - glam::Vec3A::new(0.0, 0.05, 0.0);
+    let reached = kinematics::ankle::<Nao>(Side::Left, &angles).translation - glam::Vec3A::new(0.0, 0.05, 0.0);
     assert!((reached.normalize() - glam::Vec3A::new(0.6, 0.0, -0.8)).length() < 1e-6, "{reached}");
 }
 
@@ -252,66 +247,66 @@ proptest! {
     #![proptest_config(crate::cases(1000))]
 
     #[test]
-    fn poses_agree_with_the_reference(angles in any_angles()) {
-        let skeleton = Skeleton::of(&angles);
+    fn forward_kinematics_agree_with_an_f64_reference(angles in any_angles()) {
+        let skeleton = Skeleton::<Nao>::of(&angles);
         for side in Side::BOTH {
             let foot = reference::foot(side, &angles);
-            prop_assert!(difference(&kinematics::ankle(side, &angles), foot) < 1e-6);
+            prop_assert!(difference(&kinematics::ankle::<Nao>(side, &angles), foot) < 1e-6);
             let sole = reference::multiply(foot, reference::shift(0.0, 0.0, -0.045_19));
-            prop_assert!(difference(&kinematics::sole(side, &angles), sole) < 1e-6);
+            prop_assert!(difference(&kinematics::sole::<Nao>(side, &angles), sole) < 1e-6);
             prop_assert!(difference(&skeleton.sole(side), sole) < 1e-6);
             prop_assert!(difference(&skeleton.pose(Segment::Hand(side)), reference::hand(side, &angles)) < 1e-6);
         }
         let top = reference::camera(&angles, 0.058_71, 0.063_64, 1.2);
         let bottom = reference::camera(&angles, 0.050_71, 0.017_74, 39.7);
-        prop_assert!(difference(&kinematics::camera(CameraId::Top, &angles), top) < 1e-6);
+        prop_assert!(difference(&kinematics::camera::<Nao>(CameraId::Top, &angles), top) < 1e-6);
         prop_assert!(difference(&skeleton.camera(CameraId::Bottom), bottom) < 1e-6);
     }
 
     #[test]
-    fn feet_come_where_they_were(angles in any_bent_angles()) {
+    fn inverse_kinematics_of_one_leg_invert_the_forward_kinematics(angles in any_bent_angles()) {
         for side in Side::BOTH {
-            let wanted = kinematics::ankle(side, &angles);
+            let wanted = kinematics::ankle::<Nao>(side, &angles);
             let mut found = Joints::all(0.0);
-            leg_angles(side, &wanted).write(side, &mut found);
-            let reached = kinematics::ankle(side, &found);
+            Nao::leg_angles(side, &wanted).write(side, &mut found);
+            let reached = kinematics::ankle::<Nao>(side, &found);
             prop_assert!(distance(&reached, &wanted) < 1e-5, "{} off", distance(&reached, &wanted));
         }
     }
 
     #[test]
-    fn both_feet_come_where_they_were(angles in any_bent_angles()) {
-        let [left, right] = Side::BOTH.map(|side| kinematics::ankle(side, &angles));
+    fn inverse_kinematics_of_both_legs_invert_the_forward_kinematics(angles in any_bent_angles()) {
+        let [left, right] = Side::BOTH.map(|side| kinematics::ankle::<Nao>(side, &angles));
         prop_assume!(off_roll_axis(Side::Left, &left) > 0.03 && off_roll_axis(Side::Right, &right) > 0.03);
         for yaw in [YawFrom::Mean, YawFrom::Leg(Side::Left), YawFrom::Leg(Side::Right)] {
             let mut found = Joints::all(0.0);
-            for (side, leg) in Side::BOTH.into_iter().zip(legs_angles(&left, &right, yaw)) {
+            for (side, leg) in Side::BOTH.into_iter().zip(legs_angles::<Nao>(&left, &right, yaw)) {
                 leg.write(side, &mut found);
             }
             for (side, wanted) in [(Side::Left, left), (Side::Right, right)] {
-                let reached = kinematics::ankle(side, &found);
+                let reached = kinematics::ankle::<Nao>(side, &found);
                 prop_assert!(distance(&reached, &wanted) < 1e-5, "{} off", distance(&reached, &wanted));
             }
         }
     }
 
     #[test]
-    fn a_foreign_yaw_pitch_costs_only_yaw(angles in any_bent_angles(), other in -1.1_f32..0.7) {
+    fn a_given_yaw_pitch_changes_only_the_yaw_of_the_foot(angles in any_bent_angles(), other in -1.1_f32..0.7) {
         for side in Side::BOTH {
-            let wanted = kinematics::ankle(side, &angles);
+            let wanted = kinematics::ankle::<Nao>(side, &angles);
             let mut found = Joints::all(0.0);
-            leg_angles_at(side, &wanted, other).write(side, &mut found);
-            let reached = kinematics::ankle(side, &found);
+            Nao::leg_angles_at(side, &wanted, other).write(side, &mut found);
+            let reached = kinematics::ankle::<Nao>(side, &found);
             prop_assert!((reached.translation - wanted.translation).length() < 1e-5);
             prop_assert!((reached.matrix3.z_axis - wanted.matrix3.z_axis).length() < 1e-5);
         }
     }
 
     #[test]
-    fn the_mirror_image_is_the_mirror_image(angles in any_angles()) {
+    fn a_mirrored_posture_has_mirrored_poses(angles in any_angles()) {
         let mirrored = angles.mirrored();
         prop_assert_eq!(mirrored.mirrored(), angles);
-        let (here, there) = (Skeleton::of(&angles), Skeleton::of(&mirrored));
+        let (here, there) = (Skeleton::<Nao>::of(&angles), Skeleton::<Nao>::of(&mirrored));
         for side in Side::BOTH {
             for (a, b) in [
                 (here.sole(side), there.sole(side.other())),
@@ -326,8 +321,8 @@ proptest! {
     #[test]
     fn the_support_sole_lies_flat_on_the_ground(angles in any_angles()) {
         for support in Side::BOTH {
-            let ground = ground_from_robot(support, &angles);
-            let [own, other] = [support, support.other()].map(|side| ground * kinematics::sole(side, &angles));
+            let ground = ground_from_robot::<Nao>(support, &angles);
+            let [own, other] = [support, support.other()].map(|side| ground * kinematics::sole::<Nao>(side, &angles));
             prop_assert!(own.translation.z.abs() < 1e-6);
             prop_assert!((own.matrix3.z_axis - glam::Vec3A::Z).length() < 1e-6);
             let middle = own.translation + other.translation;
@@ -340,12 +335,12 @@ proptest! {
 
     #[test]
     fn clamped_angles_keep_the_limits(wild in prop::array::uniform25(-10.0_f32..10.0)) {
-        let clamped = Joints(wild).clamp_to_limits();
-        prop_assert!(clamped.within_limits());
-        prop_assert_eq!(clamped.clamp_to_limits(), clamped);
+        let clamped = Joints(wild).clamp_to_limits::<Nao>();
+        prop_assert!(clamped.within_limits::<Nao>());
+        prop_assert_eq!(clamped.clamp_to_limits::<Nao>(), clamped);
         for joint in Joint::ALL {
             let (before, after) = (wild[joint.index()], clamped[joint]);
-            prop_assert!(!limit(joint).contains(before) || before.to_bits() == after.to_bits());
+            prop_assert!(!Nao::LIMITS[joint].contains(before) || before.to_bits() == after.to_bits());
         }
     }
 }

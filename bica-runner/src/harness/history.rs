@@ -57,7 +57,7 @@ impl Probe for History {
     }
 }
 
-impl<R: Robot + ?Sized> Observer<R> for History {}
+impl<R: Robot> Observer<R> for History {}
 
 /// The last transitions, one a line.
 impl fmt::Display for History {

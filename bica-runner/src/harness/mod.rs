@@ -42,8 +42,8 @@ mod history;
 mod stage;
 
 use std::boxed::Box;
+use std::format;
 use std::string::String;
-use std::{format, panic};
 
 use bica_core::{ComponentId, Duration, Has, Instant, Tree};
 
@@ -160,8 +160,8 @@ impl<T: Tree, S: Stage<T>> Harness<T, S> {
     where
         T: Has<C>,
     {
-        self.check_state::<C>(state);
-        let expectation = format!("`{}` in state `{state}`", self.name::<C>());
+        Self::check_state::<C>(state);
+        let expectation = format!("`{}` in state `{state}`", Self::name::<C>());
         self.until(&expectation, limit, |test| test.state::<C>() == Some(state))
     }
 
@@ -174,13 +174,13 @@ impl<T: Tree, S: Stage<T>> Harness<T, S> {
     where
         T: Has<C>,
     {
-        self.check_state::<C>(state);
+        Self::check_state::<C>(state);
         let (began, end) = (self.now(), self.now() + duration);
         while self.now() < end {
             self.cycle();
             if self.state::<C>() != Some(state) {
                 let stayed = seconds(self.now() - began);
-                self.fail(&format!("`{}` left state `{state}` within {stayed} s", self.name::<C>()));
+                self.fail(&format!("`{}` left state `{state}` within {stayed} s", Self::name::<C>()));
             }
         }
     }
@@ -205,7 +205,7 @@ impl<T: Tree, S: Stage<T>> Harness<T, S> {
         self.tree.is_active(T::id::<C>())
     }
 
-    fn name<C: 'static>(&self) -> &'static str
+    fn name<C: 'static>() -> &'static str
     where
         T: Has<C>,
     {
@@ -213,14 +213,14 @@ impl<T: Tree, S: Stage<T>> Harness<T, S> {
     }
 
     #[track_caller]
-    fn check_state<C: 'static>(&self, wanted: &str)
+    fn check_state<C: 'static>(wanted: &str)
     where
         T: Has<C>,
     {
         let states = T::GRAPH.nodes[T::id::<C>().index()].states;
         if !states.iter().any(|state| state.name == wanted) {
             let names = states.iter().map(|state| state.name).collect::<std::vec::Vec<_>>().join(", ");
-            panic!("`{}` has no state `{wanted}`; its states: {names}", self.name::<C>());
+            panic!("`{}` has no state `{wanted}`; its states: {names}", Self::name::<C>());
         }
     }
 
@@ -229,7 +229,9 @@ impl<T: Tree, S: Stage<T>> Harness<T, S> {
     fn fail(&self, expectation: &str) -> ! {
         let mut active = String::new();
         for id in self.tree.active() {
-            active += &format!("\n  {}{}", T::GRAPH.nodes[id.index()].name, self.in_state(id));
+            active.push_str("\n  ");
+            active.push_str(T::GRAPH.nodes[id.index()].name);
+            active.push_str(&self.in_state(id));
         }
         panic!(
             "expected: {expectation}\nat {} s, active:{active}\nlast transitions:\n{}",

@@ -1,5 +1,6 @@
 //! The robot's own body, in drawn worlds with known joints and in real frames with known cameras.
 
+use bica_motion::model::Nao;
 use std::ops::Range;
 
 use bica_field::{FIELD, GoalColour};
@@ -74,8 +75,8 @@ fn looks(seeds: Range<u64>, ball: impl Fn(u64) -> Vec2, mut look: impl FnMut(&Fr
             let sensors = world.sensors();
             let image = sensors.image.expect("waited for");
             let frame = Frame::from_image(&image).expect("a frame");
-            let camera = Camera::of_nao(image.camera, &sensors.angles, Side::Left, image.width, image.height);
-            look(&frame, &camera, &OwnBody::of_nao(&camera, image.camera, &sensors.angles));
+            let camera = Camera::of::<Nao>(image.camera, &sensors.angles, Side::Left, image.width, image.height);
+            look(&frame, &camera, &OwnBody::of::<Nao>(&camera, image.camera, &sensors.angles));
         }
     }
 }
@@ -149,7 +150,7 @@ fn the_body_of_a_real_robot_is_where_its_camera_says() {
     let (mut count, mut worst) = (Count::default(), (0.0_f32, String::new()));
     for (file, camera, _, _) in poses.iter().filter(|(_, _, _, trusted)| *trusted) {
         let Some(image) = labelled.iter().find(|image| &image.file == file) else { continue };
-        let own = OwnBody::standing(camera, CameraId::Bottom);
+        let own = OwnBody::standing::<Nao>(camera, CameraId::Bottom);
         let frame = image.frame();
         count.frame(&frame, &colours, &FieldBoundary::find_with(&frame, &colours, Some(camera)), &own);
         for ball in &image.balls {
@@ -169,11 +170,11 @@ fn the_body_of_a_real_robot_is_where_its_camera_says() {
 
 #[test]
 fn a_camera_that_is_no_number_sees_no_body() {
-    let camera = Camera::of_nao(CameraId::Top, &Joints::all(0.0), Side::Left, 320, 240);
+    let camera = Camera::of::<Nao>(CameraId::Top, &Joints::all(0.0), Side::Left, 320, 240);
     let nowhere = Camera::new(Affine3A::from_translation(Vec3::NAN), camera.intrinsics());
     let bodies = [
-        OwnBody::of_nao(&camera, CameraId::Bottom, &Joints::all(f32::NAN)),
-        OwnBody::standing(&nowhere, CameraId::Top),
+        OwnBody::of::<Nao>(&camera, CameraId::Bottom, &Joints::all(f32::NAN)),
+        OwnBody::standing::<Nao>(&nowhere, CameraId::Top),
         OwnBody::NONE,
     ];
     for body in bodies {

@@ -3,6 +3,7 @@
 use bica_field::{FIELD, GoalColour};
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::kinematics;
+use bica_motion::model::Nao;
 use bica_motion::pose::Pose2;
 use bica_motion::robot::{CameraId, Command, Lights};
 use bica_motion::side::Side;
@@ -50,7 +51,7 @@ struct Truth {
 impl Truth {
     fn of(world: &KinematicWorld, angles: &Joints) -> Self {
         let referee = world.referee();
-        let hips = kinematics::ground_from_robot(Side::Left, angles).translation;
+        let hips = kinematics::ground_from_robot::<Nao>(Side::Left, angles).translation;
         let (robot, hips) = (referee.robot(), Vec2::new(hips.x, hips.y));
         let local = |at: Vec2| robot.locate(at) + hips;
         let posts = |side: f32| POSTS.into_iter().map(Vec2::from).filter(|p| p.x * side > 0.0).map(local).collect();
@@ -90,7 +91,7 @@ impl Score {
         let sensors = world.sensors();
         let image = sensors.image.expect("waited for");
         let frame = Frame::from_image(&image).expect("a frame");
-        let camera = Camera::of_nao(image.camera, &sensors.angles, Side::Left, image.width, image.height);
+        let camera = Camera::of::<Nao>(image.camera, &sensors.angles, Side::Left, image.width, image.height);
         let end = FieldBoundary::find_with(&frame, &BUILT_IN_TABLE, Some(&camera));
         self.count_ball(&frame, &camera, &end, &truth, own_body_may_hide, name);
         let goals = GoalFinder::<1024>::new().find(&frame, &BUILT_IN_TABLE, &end, Some(&camera));

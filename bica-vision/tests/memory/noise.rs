@@ -1,7 +1,7 @@
 //! Random numbers of a seed, and sightings that are off by what a projection is off.
 
+use bica_motion::model::{Nao, RobotModel};
 use bica_motion::robot::CameraId;
-use bica_motion::stand::STAND;
 use bica_vision::projection::Camera;
 use bica_vision::uncertainty::{self, Covariance, Errors};
 use glam::Vec2;
@@ -44,7 +44,7 @@ impl Noise {
 
 /// What a sighting of a ball at a place is uncertain by, for a NAO that stands.
 pub(crate) fn spread(place: Vec2) -> Covariance {
-    let camera = Camera::of_nao(CameraId::Top, &STAND, bica_motion::side::Side::Left, 320, 240);
+    let camera = Camera::of::<Nao>(CameraId::Top, &Nao::STAND, bica_motion::side::Side::Left, 320, 240);
     let pixel = camera.pixel(place.extend(0.0325)).unwrap_or(Vec2::new(160.0, 239.0));
     let spread = uncertainty::of_ground(&camera, pixel, 0.0325, &Errors::NAO).expect("on the ground");
     spread + uncertainty::round(0.002)

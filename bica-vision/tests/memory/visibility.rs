@@ -2,10 +2,10 @@
 
 use bica_field::FIELD;
 use bica_motion::joints::{Joint, Joints};
+use bica_motion::model::{Nao, RobotModel};
 use bica_motion::pose::Pose2;
 use bica_motion::robot::CameraId;
 use bica_motion::side::Side;
-use bica_motion::stand::STAND;
 use bica_vision::memory::ball::BallMemory;
 use bica_vision::memory::visibility;
 use bica_vision::own_body::OwnBody;
@@ -18,11 +18,11 @@ const RADIUS: f32 = FIELD.ball_radius();
 
 /// A NAO that looks somewhere: camera, yaw and pitch.
 fn view(id: CameraId, yaw: f32, pitch: f32) -> (Camera, OwnBody) {
-    let mut angles: Joints = STAND;
+    let mut angles: Joints = Nao::STAND;
     angles[Joint::HeadYaw] = yaw;
     angles[Joint::HeadPitch] = pitch;
-    let camera = Camera::of_nao(id, &angles, Side::Left, 320, 240);
-    let body = OwnBody::of_nao(&camera, id, &angles);
+    let camera = Camera::of::<Nao>(id, &angles, Side::Left, 320, 240);
+    let body = OwnBody::of::<Nao>(&camera, id, &angles);
     (camera, body)
 }
 

@@ -6,8 +6,9 @@ use std::thread;
 
 use bica::{ComponentId, Tree};
 use bica_emulator::{Transport, Tx};
+use bica_motion::model::{Nao, RobotModel};
 use bica_motion::robot::{CameraId, Command, Lights};
-use bica_motion::stand::{STAND, Stiffness};
+use bica_motion::stiffness::Stiffness;
 use bica_player::Forward;
 use bica_player::perception::BallDetector;
 use bica_sim::World;
@@ -130,7 +131,7 @@ fn ball_detector() -> ComponentId {
 /// Returns what a standing robot senses in the first second of a game.
 fn samples() -> Result<Vec<Sample>, Box<dyn Error>> {
     let mut world = KinematicWorld::new(&Setup { frame: Frame::Small, ..Setup::default() })?;
-    let (targets, stiffness) = (STAND, Stiffness::Stand.joints());
+    let (targets, stiffness) = (Nao::STAND, Stiffness::Stand.joints::<Nao>());
     let stand = Command { targets, stiffness, lights: Lights::default(), camera: CameraId::Top };
     let mut samples = Vec::new();
     while samples.len() < 30 {

@@ -6,7 +6,8 @@ use std::path::Path;
 use bica::Tree;
 use bica_emulator::Transport;
 use bica_motion::joints::JOINTS;
-use bica_motion::stand::{STAND, Stiffness};
+use bica_motion::model::{Nao, RobotModel};
+use bica_motion::stiffness::Stiffness;
 use bica_player::Forward;
 use bica_player::motion::Head;
 use bica_wire::message::{ClockMode, Command, FaultInjection, GraphItem, ImageChunk, ImageInfo, LinkStats, Sensors};
@@ -110,7 +111,7 @@ fn silence(image: &Path, transport: Transport) -> Outcome {
         return Err(format!("safe stop {} µs after the first cycle", stop_us - start_us).into());
     }
     let stop = link.receive(command())?;
-    expect_eq(&(stop.targets, stop.stiffness), &(STAND.0, Stiffness::Stand.joints().0))?;
+    expect_eq(&(stop.targets, stop.stiffness), &(Nao::STAND.0, Stiffness::Stand.joints::<Nao>().0))?;
     link.send(&ToRobot::Sensors(standing(0)))?;
     while link.receive(telemetry(|telemetry| telemetry.safe_stop))? {}
     Ok(())

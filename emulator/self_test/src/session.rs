@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use bica_emulator::{Emulator, Transport};
 use bica_field::GoalColour;
 use bica_motion::joints::JOINTS;
-use bica_motion::stand::STAND;
+use bica_motion::model::{Nao, RobotModel};
 use bica_wire::message::{ClockMode, Command, Hello, Sensors, Telemetry};
 use bica_wire::{FromRobot, SCHEMA, ToRobot};
 
@@ -63,7 +63,7 @@ pub(crate) fn telemetry<T>(read: impl Fn(Telemetry<'_>) -> T) -> impl FnMut(From
 pub(crate) fn standing(time_us: u64) -> Sensors {
     let (inertial, feet) = ([0.0, 0.0, 0.0, 0.0, 0.0, 9.81, 0.0, 0.0], [6.5; 8]);
     let (temperatures, currents) = ([30.0; JOINTS], [0.2; JOINTS]);
-    Sensors { time_us, angles: STAND.0, temperatures, currents, inertial, feet, buttons: [false; 3], image: None }
+    Sensors { time_us, angles: Nao::STAND.0, temperatures, currents, inertial, feet, buttons: [false; 3], image: None }
 }
 
 /// Requires that a value equals the expected one.

@@ -47,11 +47,11 @@ impl Dribble {
             self.done = true;
             return;
         };
-        let half_spacing = profile.get().gait.half_spacing;
-        if let Some(foot) = in_walk_kick_foot(at, half_spacing) {
+        let gait = &profile.get().gait;
+        if let Some(foot) = in_walk_kick_foot(at, gait) {
             body.kick(foot);
         }
-        let aside = at.y - half_spacing.copysign(at.y);
+        let aside = at.y - gait.half_spacing.copysign(at.y);
         let to_goal = goal.position().map_or(at, |goal| goal - at);
         body.step_with(Velocity {
             forward: SPEED,

@@ -1,16 +1,17 @@
 //! The head.
 
 use bica::prelude::*;
-use bica_motion::dimensions;
-use bica_motion::head::{HeadAngles, HeadMotion};
+use bica_motion::head::HeadAngles;
+use bica_motion::model::{HeadSpeed, RobotModel};
 use bica_motion::robot::CameraId;
 use libm::fabsf;
 
+use crate::Model;
 use crate::input::RobotState;
 use crate::output::Motors;
 
 /// Speed limits: below the motors' 6.5 rad/s, so that images stay sharp.
-const SPEED: HeadMotion = HeadMotion { yaw_speed: 4.0, pitch_speed: 3.0 };
+const SPEED: HeadSpeed = HeadSpeed { yaw: 4.0, pitch: 3.0 };
 /// Largest error of the measured joints that counts as arrived, rad.
 const ARRIVED: f32 = 0.03;
 
@@ -31,7 +32,7 @@ impl Head {
     }
 
     fn step(&mut self, time: &Time, state: &RobotState, motors: &mut Motors) {
-        self.commanded = SPEED.step(self.commanded, self.target, time.dt());
+        self.commanded = SPEED.step::<Model>(self.commanded, self.target, time.dt());
         let measured = HeadAngles::read(state.angles());
         let near = |measured: f32, target: f32| fabsf(measured - target) < ARRIVED;
         self.arrived = near(measured.yaw, self.target.yaw) && near(measured.pitch, self.target.pitch);
@@ -42,7 +43,7 @@ impl Head {
     /// finite are ignored.
     pub fn look_at(&mut self, pan: f32, tilt: f32) {
         if pan.is_finite() && tilt.is_finite() {
-            let target = HeadAngles { yaw: pan, pitch: tilt }.clamped();
+            let target = HeadAngles { yaw: pan, pitch: tilt }.clamped::<Model>();
             self.arrived &= target == self.target;
             self.target = target;
         }
@@ -51,10 +52,7 @@ impl Head {
     /// Angle of a camera below the direction of the head, rad.
     #[must_use]
     pub const fn camera_tilt(camera: CameraId) -> f32 {
-        match camera {
-            CameraId::Top => dimensions::TOP_CAMERA_TILT,
-            CameraId::Bottom => dimensions::BOTTOM_CAMERA_TILT,
-        }
+        Model::DIMENSIONS.camera(camera).tilt
     }
 
     /// The commanded head pan, rad to the left.

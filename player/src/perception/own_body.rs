@@ -5,6 +5,7 @@ use bica_vision::own_body::OwnBody as Body;
 
 use super::CameraPose;
 use super::ego_motion::LastImage;
+use crate::Model;
 use crate::input::CameraInput;
 
 /// The part of the newest image that the robot's own chest, arms and legs cover. Detectors ignore it.
@@ -25,7 +26,8 @@ impl OwnBody {
     fn step(&mut self, input: &CameraInput, pose: &CameraPose) {
         if self.image.take_new(input) {
             let camera = pose.camera();
-            self.body = camera.map_or(Body::NONE, |camera| Body::of_nao(camera, input.image().camera, input.angles()));
+            self.body =
+                camera.map_or(Body::NONE, |camera| Body::of::<Model>(camera, input.image().camera, input.angles()));
         }
     }
 

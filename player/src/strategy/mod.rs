@@ -120,13 +120,14 @@ impl Plan {
 mod tests {
     use core::f32::consts::{FRAC_PI_2, PI};
 
+    use bica_motion::model::{Nao, RobotModel};
     use glam::Vec2;
 
     use super::obstacles::{Obstacle, Obstacles};
     use super::situation::Goal;
     use super::*;
 
-    const KICKS: Kicks = Kicks::NAO;
+    const KICKS: Kicks = Nao::DYNAMIC_PROFILE.kicks;
     const BALL: Vec2 = Vec2::new(0.3, 0.0);
 
     /// A situation with the two posts of a goal, given by its middle and heading, and robots at these positions, m.

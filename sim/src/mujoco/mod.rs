@@ -5,15 +5,17 @@
 //! Dead time of the motors, sensor delay and sensor noise are modelled here; [`Physics`] holds their parameters.
 //!
 //! ```no_run
-//! use bica_motion::{robot::{CameraId, Command, Lights}, stand::{STAND, Stiffness}};
+//! use bica_motion::model::{Nao, RobotModel};
+//! use bica_motion::robot::{CameraId, Command, Lights};
+//! use bica_motion::stiffness::Stiffness;
 //! use bica_sim::{World, setup::Setup, mujoco::{MujocoWorld, Physics}};
 //! use glam::Vec2;
 //!
 //! let physics = Physics { friction: 0.7, dead_time: 0.04, cameras: false, ..Physics::default() };
 //! let mut world = MujocoWorld::new(&Setup { seed: 7, ..Setup::default() }, &physics)?;
 //! let stand = Command {
-//!     targets: STAND,
-//!     stiffness: Stiffness::Stand.joints(),
+//!     targets: Nao::STAND,
+//!     stiffness: Stiffness::Stand.joints::<Nao>(),
 //!     lights: Lights::default(),
 //!     camera: CameraId::Top,
 //! };

@@ -2,9 +2,9 @@
 
 use std::collections::VecDeque;
 
-use bica_motion::actuator::actuator;
 use bica_motion::head::HeadAngles;
 use bica_motion::joints::{JOINTS, Joint, Joints};
+use bica_motion::model::{Nao, RobotModel};
 use bica_motion::robot::Command;
 
 use super::model::STEP;
@@ -45,8 +45,8 @@ impl Motors {
             let usable = targets.0[joint].is_finite() && stiffness.0[joint].is_finite();
             stiffness.0[joint] = if usable { stiffness.0[joint].clamp(0.0, 1.0) } else { 0.0 };
         }
-        targets = targets.clamp_to_limits();
-        HeadAngles::read(&targets).clamped().write(&mut targets);
+        targets = targets.clamp_to_limits::<Nao>();
+        HeadAngles::read(&targets).clamped::<Nao>().write(&mut targets);
         self.pending.push_back((self.delay, (targets, stiffness)));
     }
 
@@ -74,7 +74,7 @@ impl Motors {
 
 /// Returns the currents for these joint torques, A.
 pub(crate) fn currents(torques: &Joints) -> Joints {
-    Joints(core::array::from_fn(|i| actuator(Joint::ALL[i]).current(torques.0[i])))
+    Joints(core::array::from_fn(|i| Nao::ACTUATORS[Joint::ALL[i]].current(torques.0[i])))
 }
 
 /// Returns a motor's position gain at full stiffness, Nm/rad, and its torque limit, Nm.

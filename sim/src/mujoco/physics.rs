@@ -1,8 +1,8 @@
 //! Parameters of the physics, and faults for experiments.
 
 use bica_motion::joints::Joint;
+use bica_motion::model::{Nao, RobotModel};
 use bica_motion::side::Side;
-use bica_motion::speed::DEAD_TIME;
 
 use super::error::Error;
 
@@ -43,7 +43,7 @@ impl Default for Physics {
             friction: 1.0,
             leg_gain: 1.0,
             torque_limit: 5.0,
-            dead_time: DEAD_TIME,
+            dead_time: Nao::DEAD_TIME,
             sensor_delay: 0.006,
             noise: 1.0,
             cameras: true,

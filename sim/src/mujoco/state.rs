@@ -2,10 +2,10 @@
 
 use bica_motion::joints::{JOINTS, Joints};
 use bica_motion::kinematics::Skeleton;
+use bica_motion::model::{Nao, RobotModel};
 use bica_motion::pose::Pose2;
 use bica_motion::robot::FootPressure;
 use bica_motion::side::Side;
-use bica_motion::stand::STAND;
 use glam::{Affine3A, Quat, Vec2, Vec3};
 use mujoco_rs::prelude::{MjData, MjModel};
 
@@ -15,11 +15,11 @@ use crate::field::BALL_RADIUS;
 
 /// Sets the robot to its standing posture above a pose on the ground.
 pub(crate) fn stand(data: &mut MjData<Box<MjModel>>, torso: FreeJoint, joints: &[usize], at: Pose2) {
-    let sole = Skeleton::of(&STAND).sole(Side::Left);
+    let sole = Skeleton::<Nao>::of(&Nao::STAND).sole(Side::Left);
     let turn = Quat::from_rotation_z(at.heading);
     let numbers = [at.position.x, at.position.y, -sole.translation.z, turn.w, turn.x, turn.y, turn.z];
     write(&mut data.qpos_mut()[torso.position..], &numbers);
-    for (&place, angle) in joints.iter().zip(STAND.0) {
+    for (&place, angle) in joints.iter().zip(Nao::STAND.0) {
         data.qpos_mut()[place] = angle.into();
     }
 }

@@ -4,10 +4,10 @@ use core::time::Duration;
 
 use bica_motion::joints::{JOINTS, Joint, Joints};
 use bica_motion::kinematics::Skeleton;
+use bica_motion::model::{Nao, RobotModel};
 use bica_motion::pose::Pose2;
 use bica_motion::robot::{Buttons, CameraId, Command, Image, Sensors};
 use bica_motion::side::Side;
-use bica_motion::stand::STAND;
 use glam::{Affine3A, Quat, Vec2, Vec3};
 use mujoco_rs::prelude::{MjData, MjModel};
 
@@ -95,7 +95,7 @@ impl MujocoWorld {
             joints,
             feet,
             owners,
-            motors: Motors::holding(STAND, physics),
+            motors: Motors::holding(Nao::STAND, physics),
             heat: MotorHeat::new(),
             sensor_model,
             measurement,
@@ -189,13 +189,13 @@ impl MujocoWorld {
 
     /// Returns the poses of both cameras in the field frame.
     fn cameras(&self) -> [Affine3A; 2] {
-        let (robot, skeleton) = (self.robot(), Skeleton::of(&angles(&self.data, &self.joints)));
+        let (robot, skeleton) = (self.robot(), Skeleton::<Nao>::of(&angles(&self.data, &self.joints)));
         [CameraId::Top, CameraId::Bottom].map(|camera| robot * skeleton.camera(camera))
     }
 
     /// Moves the shadows under feet, torso and ball.
     fn place_shadows(&mut self) {
-        let (robot, skeleton) = (self.robot(), Skeleton::of(&angles(&self.data, &self.joints)));
+        let (robot, skeleton) = (self.robot(), Skeleton::<Nao>::of(&angles(&self.data, &self.joints)));
         let soles = Side::BOTH.map(|side| ground_pose(&(robot * skeleton.sole(side))));
         let middle = Vec2::new(0.0227, 0.0);
         let [left, right] = soles.map(|sole| Pose2 { position: sole.place(middle), ..sole });
@@ -304,7 +304,7 @@ impl SpectatorView for MujocoWorld {
             None => SpectatorRenderer::new(&self.setup, &self.layout, width, height)?,
         };
         let ball = pose(&self.data, self.ball).translation.into();
-        let skeleton = Skeleton::of(&angles(&self.data, &self.joints));
+        let skeleton = Skeleton::<Nao>::of(&angles(&self.data, &self.joints));
         let moving = Moving { robot: self.robot(), skeleton, ball };
         self.spectator.insert(renderer).render(&moving, camera)
     }

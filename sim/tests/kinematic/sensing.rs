@@ -1,7 +1,6 @@
-use bica_motion::masses::TOTAL_MASS;
+use bica_motion::model::{Nao, RobotModel};
 use bica_motion::pose::Pose2;
 use bica_motion::robot::{CameraId, Command};
-use bica_motion::stand::STAND;
 use bica_sim::World;
 use bica_sim::kinematic::KinematicWorld;
 use bica_sim::setup::{Frame, Setup};
@@ -11,9 +10,9 @@ use crate::support::{TOGETHER, alone, command, glide, swayed};
 use bica_motion::side::Side;
 
 #[test]
-fn images_come_thirty_times_a_second_from_the_camera_asked_for() {
+fn the_selected_camera_delivers_thirty_images_a_second() {
     for frame in [Frame::Small, Frame::Medium, Frame::Large] {
-        let mut world = KinematicWorld::new(&Setup { frame, ..Setup::default() }).expect("a good setup");
+        let mut world = KinematicWorld::new(&Setup { frame, ..Setup::default() }).expect("a valid setup");
         let (mut images, mut camera) = (0, CameraId::Top);
         for cycle in 0..200 {
             if let Some(image) = world.sensors().image {
@@ -23,20 +22,20 @@ fn images_come_thirty_times_a_second_from_the_camera_asked_for() {
                 assert_eq!(image.yuyv.len(), 2 * frame.size().0 * frame.size().1);
             }
             camera = if cycle < 100 { CameraId::Top } else { CameraId::Bottom };
-            world.act(&Command { camera, ..command(STAND) });
+            world.act(&Command { camera, ..command(Nao::STAND) });
         }
         assert_eq!(images, 60);
     }
 }
 
 #[test]
-fn a_standing_robot_feels_its_weight_and_upright() {
+fn a_standing_robot_measures_its_weight_and_gravity() {
     let mut world = alone(1, Pose2::new(-1.0, 0.5, 1.0), Vec2::ZERO);
     for _ in 0..100 {
-        world.act(&command(STAND));
+        world.act(&command(Nao::STAND));
         let sensors = world.sensors();
         let force = sensors.left_foot.total() + sensors.right_foot.total();
-        assert!((force - TOTAL_MASS * 9.81).abs() < 4.0, "{force}");
+        assert!((force - Nao::TOTAL_MASS * 9.81).abs() < 4.0, "{force}");
         assert!(sensors.inertial.roll.abs() < 0.02 && sensors.inertial.pitch.abs() < 0.02);
         assert!((sensors.inertial.acceleration.z - 9.81).abs() < 0.2);
         assert!(sensors.inertial.gyro.length() < 0.02);
@@ -45,13 +44,14 @@ fn a_standing_robot_feels_its_weight_and_upright() {
 }
 
 #[test]
-fn every_image_has_noise_of_its_own() {
+fn consecutive_images_differ_by_noise() {
     let mut world = alone(1, Pose2::ORIGIN, Vec2::new(1.0, 0.0));
     let mut images = Vec::new();
     for _ in 0..20 {
         images.extend(world.sensors().image.map(|image| image.yuyv.to_vec()));
-        world.act(&command(STAND));
+        world.act(&command(Nao::STAND));
     }
+    assert_eq!(images.len(), 6);
     for pair in images.windows(2) {
         let differences = pair[0].iter().zip(&pair[1]).map(|(a, b)| f64::from(a.abs_diff(*b)));
         let mean = differences.sum::<f64>() / pair[0].len() as f64;
@@ -60,12 +60,13 @@ fn every_image_has_noise_of_its_own() {
 }
 
 #[test]
-fn the_weight_goes_where_the_hips_sway() {
+fn the_pressure_moves_to_the_foot_under_the_hips() {
     let mut world = alone(1, Pose2::ORIGIN, Vec2::new(1.0, 1.0));
     glide(&mut world, TOGETHER, swayed(Side::Right), 60);
     glide(&mut world, swayed(Side::Right), swayed(Side::Right), 10);
     let sensors = world.sensors();
-    assert!(sensors.right_foot.total() > 5.0 * sensors.left_foot.total());
+    let (left, right) = (sensors.left_foot.total(), sensors.right_foot.total());
+    assert!(right > 5.0 * left && (left + right - Nao::TOTAL_MASS * 9.81).abs() < 4.0, "{left} {right}");
     let mut lifted = swayed(Side::Right);
     lifted[0].2 = 0.03;
     glide(&mut world, swayed(Side::Right), lifted, 30);

@@ -1,6 +1,6 @@
 //! Worlds for games.
 
-use bica_motion::profile::Profile;
+use bica_motion::model::{Nao, Profile, RobotModel};
 use bica_sim::SpectatorView;
 use bica_sim::kinematic::KinematicWorld;
 use bica_sim::setup::Setup;
@@ -23,9 +23,9 @@ impl WorldKind {
     #[must_use]
     pub const fn profile(self) -> &'static Profile {
         match self {
-            Self::BuiltIn => &Profile::BUILT_IN,
+            Self::BuiltIn => Nao::KINEMATIC_PROFILE,
             #[cfg(feature = "mujoco")]
-            Self::Mujoco => &Profile::NAO,
+            Self::Mujoco => Nao::DYNAMIC_PROFILE,
         }
     }
 }

@@ -39,7 +39,7 @@ fn world(world: World) -> Result<WorldKind, Failure> {
         World::Mujoco => Ok(WorldKind::Mujoco),
         #[cfg(not(feature = "mujoco"))]
         World::Mujoco => {
-            let help = "install its library with `cargo xtask mujoco`, then \
+            let help = "install its library with `cargo xtask mujoco`, then run \
                         `cargo run --release --features mujoco -- play --world mujoco`";
             Err(Failure::new("this program was built without MuJoCo", help))
         }

@@ -23,7 +23,7 @@ pub(crate) struct Block {
 
 /// An item of an impl block.
 pub(crate) enum Item {
-    Function(Function),
+    Function(Box<Function>),
     /// A constant, a type or a macro.
     Other {
         attributes: Vec<Attribute>,
@@ -51,14 +51,18 @@ impl Block {
         tokens.push(with_content(&braces, TokenStream::new()).into());
         let header = syn::parse2(tokens.into_iter().collect()).ok()?;
         let mut block = Self { header, items: Vec::new(), braces: braces.clone(), unreadable: false };
-        let read = (|input: ParseStream| Ok(items(input, &mut block))).parse2(braces.stream());
+        let reader = |input: ParseStream| {
+            items(input, &mut block);
+            Ok(())
+        };
+        let read = reader.parse2(braces.stream());
         block.unreadable |= read.is_err();
         Some(block)
     }
 
     /// The functions.
     pub(crate) fn functions(&self) -> impl Iterator<Item = &Function> {
-        self.items.iter().filter_map(|item| if let Item::Function(function) = item { Some(function) } else { None })
+        self.items.iter().filter_map(|item| if let Item::Function(function) = item { Some(&**function) } else { None })
     }
 }
 
@@ -84,7 +88,7 @@ fn item(input: ParseStream) -> syn::Result<Item> {
         let (visibility, default): (Visibility, Option<Token![default]>) = (input.parse()?, input.parse()?);
         let prefix = quote!(#visibility #default);
         let (signature, body) = (input.parse()?, input.parse()?);
-        return Ok(Item::Function(Function { attributes, prefix, signature, body }));
+        return Ok(Item::Function(Box::new(Function { attributes, prefix, signature, body })));
     }
     let other: ImplItem = input.parse()?;
     Ok(Item::Other { attributes, tokens: other.to_token_stream() })
@@ -141,7 +145,8 @@ impl ToTokens for Block {
 impl ToTokens for Item {
     fn to_tokens(&self, tokens: &mut TokenStream) {
         match self {
-            Self::Function(Function { attributes, prefix, signature, body }) => {
+            Self::Function(function) => {
+                let Function { attributes, prefix, signature, body } = &**function;
                 tokens.extend(quote!(#(#attributes)* #prefix #signature #body));
             }
             Self::Other { attributes, tokens: other } => tokens.extend(quote!(#(#attributes)* #other)),

@@ -17,7 +17,7 @@ pub(crate) enum Parsed {
     /// No impl block of a type. The item without our attributes, and the type that was meant to be a component.
     Misplaced {
         item: TokenStream,
-        of: Option<(Generics, Type)>,
+        of: Option<Box<(Generics, Type)>>,
     },
 }
 
@@ -67,7 +67,7 @@ fn without_roles(mut component: Component, at: TokenStream, problem: &str, repor
     report.add(at, problem);
     let of_a_trait = component.block.header.trait_.is_some();
     let meant = component_name(component.own()).is_some() && (!of_a_trait || component.functions().next().is_some());
-    let of = meant.then(|| (component.block.header.generics.clone(), component.own().clone()));
+    let of = meant.then(|| Box::new((component.block.header.generics.clone(), component.own().clone())));
     Parsed::Misplaced { item: component.block.to_token_stream(), of }
 }
 
@@ -86,7 +86,7 @@ fn no_block(item: &TokenStream, report: &mut Report) -> Parsed {
     let of = of.map(|(generics, name)| {
         let arguments = generics.split_for_impl().1;
         let own = parse_quote!(#name #arguments);
-        (generics, own)
+        Box::new((generics, own))
     });
     Parsed::Misplaced { item: item.clone(), of }
 }

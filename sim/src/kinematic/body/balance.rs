@@ -1,7 +1,6 @@
 //! Static balance: the centre of mass over the support polygon, and the distribution of the weight on the soles.
 
-use bica_motion::dimensions::{LEFT_PRESSURE, RIGHT_PRESSURE};
-use bica_motion::masses::TOTAL_MASS;
+use bica_motion::model::{Nao, RobotModel};
 use bica_motion::robot::FootPressure;
 use bica_motion::side::Side;
 use glam::{Affine3A, Vec2, Vec3};
@@ -60,14 +59,14 @@ impl Balance {
     }
 
     fn sole_pressure(&self, side: Side, share: f32) -> FootPressure {
-        let places = if side == Side::Left { &LEFT_PRESSURE } else { &RIGHT_PRESSURE };
+        let places = if side == Side::Left { &Nao::DIMENSIONS.left_pressure } else { &Nao::DIMENSIONS.right_pressure };
         let [front_left, front_right, rear_left, rear_right] = *places;
         let centre = self.soles[side.index()].inverse().transform_point3(self.mass.with_z(0.0)).truncate();
         let between = |value: f32, low: f32, high: f32| ((value - low) / (high - low)).clamp(0.0, 1.0);
         let front = between(centre.x, rear_left.x, front_left.x);
         let left = between(centre.y, front_right.y, front_left.y);
         let rear_share = between(centre.y, rear_right.y, rear_left.y);
-        let force = share * TOTAL_MASS * GRAVITY;
+        let force = share * Nao::TOTAL_MASS * GRAVITY;
         FootPressure {
             front_left: force * front * left,
             front_right: force * front * (1.0 - left),
@@ -115,7 +114,7 @@ mod tests {
         let offset = lifted.offset_outside_support().unwrap();
         assert!((offset - Vec2::new(0.0, -0.0112)).length() < 1e-5, "{offset}");
         assert_eq!(lifted.pressure()[1].total(), 0.0);
-        assert!((lifted.pressure()[0].total() - TOTAL_MASS * GRAVITY).abs() < 1e-3);
+        assert!((lifted.pressure()[0].total() - Nao::TOTAL_MASS * GRAVITY).abs() < 1e-3);
     }
 
     #[test]

@@ -28,9 +28,9 @@ const SITTING_HIP: f32 = 1.05;
 const SITTING_LEAN: f32 = 0.8;
 /// Bend of both knees that a robot must have passed before it can rise, rad.
 ///
-/// A robot rises through a squat that balances on its soles. Its hips start 0.08 to 0.11 m above the ground (lying), and arms and
-/// torso lift them by about 4 cm. The lowest balanced squat has its hips at 0.145 m with knees at 1.8 rad, at 0.18 m with
-/// knees at 1.2 rad, and at 0.126 m with knees at their stop of 2.1 rad: with straighter knees the robot does not reach it.
+/// A robot rises through a squat that balances on its soles. The lowest such squat has its hips 0.145 m above the ground with
+/// knees at 1.8 rad, 0.177 m with knees at 1.2 rad, and 0.126 m with knees at their stop of 2.1 rad. A lying robot has its
+/// hips at 0.08 to 0.11 m, and its arms lift them to about 0.15 m (our estimate): with straighter knees it cannot rise.
 const FOLDED_KNEE: f32 = 1.8;
 /// Minimum bend of the knees of a standing robot, rad: below, the legs are stretched.
 const STANDING_KNEE_MIN: f32 = 0.3;
@@ -164,25 +164,24 @@ fn between(from: &Affine3A, to: &Affine3A, part: f32) -> Affine3A {
 
 #[cfg(test)]
 mod tests {
-    use bica_motion::limits::limit;
-    use bica_motion::stand::STAND;
 
     use super::*;
+    use bica_motion::model::{Nao, RobotModel};
 
     /// Returns the lowest height of the robot frame above the soles, m, among postures with these knees that balance.
     fn lowest_balanced_squat(knee: f32) -> f32 {
         let grid = |joint: Joint| {
-            let range = limit(joint);
+            let range = Nao::LIMITS[joint];
             (0..60).map(move |i| range.min + (range.max - range.min) * i as f32 / 59.0)
         };
         let heights = grid(Joint::LHipPitch).flat_map(|hip| {
             grid(Joint::LAnklePitch).filter_map(move |ankle| {
-                let mut angles = STAND;
+                let mut angles = Nao::STAND;
                 for side in Side::BOTH {
                     let leg = side.leg();
                     (angles[leg[2]], angles[leg[3]], angles[leg[4]]) = (hip, knee, ankle);
                 }
-                let skeleton = Skeleton::of(&angles);
+                let skeleton = Skeleton::<Nao>::of(&angles);
                 let level = skeleton.sole(Side::Left).inverse();
                 let soles = Side::BOTH.map(|side| level * skeleton.sole(side));
                 let mass = level.transform_point3(skeleton.centre_of_mass());
@@ -205,11 +204,12 @@ mod tests {
     #[test]
     fn only_a_robot_that_folded_its_knees_can_rise() {
         for (bend, rises) in [(FOLDED_KNEE - 0.02, false), (FOLDED_KNEE + 0.02, true)] {
-            let mut folded = STAND;
+            let mut folded = Nao::STAND;
             (folded[Joint::LKneePitch], folded[Joint::RKneePitch]) = (bend, bend);
             let mut fallen = Fallen::new(Direction::Front, Affine3A::IDENTITY, 0.0);
-            let postures = core::iter::repeat_n(folded, 100).chain(core::iter::repeat_n(STAND, 400));
-            let stands = postures.filter(|angles| fallen.step(angles, &Skeleton::of(angles)).is_some()).count() > 0;
+            let postures = core::iter::repeat_n(folded, 100).chain(core::iter::repeat_n(Nao::STAND, 400));
+            let stands =
+                postures.filter(|angles| fallen.step(angles, &Skeleton::<Nao>::of(angles)).is_some()).count() > 0;
             assert_eq!(stands, rises, "knees at {bend} rad");
         }
     }

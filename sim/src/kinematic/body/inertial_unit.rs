@@ -1,6 +1,6 @@
 //! The inertial unit in the torso.
 
-use bica_motion::dimensions::INERTIAL_UNIT;
+use bica_motion::model::{Nao, RobotModel};
 use bica_motion::robot::Inertial;
 use glam::{Affine3A, Vec3, Vec3A};
 use libm::{asinf, atan2f};
@@ -29,7 +29,7 @@ impl InertialUnit {
 
     /// Measures at the end of a cycle in which the robot frame moved to this pose.
     pub(crate) fn step(&mut self, robot: &Affine3A, random: &mut Random) -> Inertial {
-        let place = |pose: &Affine3A| pose.transform_point3(INERTIAL_UNIT);
+        let place = |pose: &Affine3A| pose.transform_point3(Nao::DIMENSIONS.inertial_unit);
         let velocity = (place(robot) - place(&self.previous)) / CYCLE_SECONDS;
         let acceleration = ((velocity - self.velocity) / CYCLE_SECONDS).clamp_length_max(ACCELEROMETER_RANGE);
         self.acceleration += ACCELERATION_GAIN * (acceleration - self.acceleration);

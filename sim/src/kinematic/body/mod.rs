@@ -9,10 +9,10 @@ mod stance;
 use bica_motion::fall::Direction;
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::kinematics::Skeleton;
+use bica_motion::model::{Nao, RobotModel};
 use bica_motion::pose::{Pose2, rotate};
 use bica_motion::robot::{CameraId, Command, FootPressure, Inertial};
 use bica_motion::side::Side;
-use bica_motion::stand::STAND;
 use glam::{Affine3A, Vec2};
 
 use self::balance::Balance;
@@ -81,8 +81,8 @@ impl Measurement {
 impl Body {
     /// Returns a body that stands with its robot frame above `place`.
     pub(crate) fn standing(place: Pose2, seed: u64) -> Self {
-        let motors = Motors::holding(STAND);
-        let skeleton = Skeleton::of(motors.angles());
+        let motors = Motors::holding(Nao::STAND);
+        let skeleton = Skeleton::<Nao>::of(motors.angles());
         let stance = Stance::under(place, &skeleton);
         let robot = stance.robot(&skeleton);
         let slips = Random::new(seed, Stream::Slip);
@@ -106,7 +106,7 @@ impl Body {
     /// Advances by one control cycle without obstacles. Returns the event if the robot falls or gets up.
     pub(crate) fn step(&mut self, command: &Command) -> Option<Event> {
         self.motors.step(command);
-        self.skeleton = Skeleton::of(self.motors.angles());
+        self.skeleton = Skeleton::<Nao>::of(self.motors.angles());
         let event = match &mut self.state {
             State::Standing(stance, _) => {
                 let random = &mut self.slips;

@@ -1,17 +1,16 @@
 //! Motors: joints follow their targets after a dead time, at limited speed.
 
-use bica_motion::actuator::CONTINUOUS_CURRENT;
 use bica_motion::head::HeadAngles;
 use bica_motion::joints::{JOINTS, Joint, Joints};
+use bica_motion::model::{Nao, RobotModel};
 use bica_motion::robot::Command;
 use bica_motion::side::Side;
-use bica_motion::speed::{DEAD_TIME, max_speed};
 
 use crate::motor_heat::MotorHeat;
 use crate::world::CYCLE_SECONDS;
 
 /// Dead time from a command to the first motion, cycles.
-const DELAY: usize = (DEAD_TIME / CYCLE_SECONDS + 0.5) as usize;
+const DELAY: usize = (Nao::DEAD_TIME / CYCLE_SECONDS + 0.5) as usize;
 /// Minimum stiffness for full speed; below it the speed is proportional to the stiffness (our estimate).
 const FULL_SPEED_STIFFNESS: f32 = 0.2;
 
@@ -64,14 +63,14 @@ impl Motors {
         let due = core::mem::replace(&mut self.waiting[self.next], (command.targets, command.stiffness));
         self.next = (self.next + 1) % DELAY;
         let before = self.angles;
-        let moved = self.angles.moved_toward(&due.0, CYCLE_SECONDS).clamp_to_limits();
+        let moved = self.angles.moved_toward::<Nao>(&due.0, CYCLE_SECONDS).clamp_to_limits::<Nao>();
         for i in 0..JOINTS {
             let strength = (due.1.0[i] / FULL_SPEED_STIFFNESS).clamp(0.0, 1.0);
             if strength > 0.0 {
                 self.angles.0[i] += strength * (moved.0[i] - self.angles.0[i]);
             }
         }
-        HeadAngles::read(&self.angles).clamped().write(&mut self.angles);
+        HeadAngles::read(&self.angles).clamped::<Nao>().write(&mut self.angles);
         self.heat.step(currents(&before, &self.angles, &due.1));
     }
 }
@@ -81,9 +80,9 @@ fn currents(before: &Joints, after: &Joints, stiffness: &Joints) -> Joints {
     Joints(Joint::ALL.map(|joint| {
         let is_leg = Side::BOTH.iter().any(|side| side.leg().contains(&joint));
         let holding = if is_leg { LEG_HOLDING } else { OTHER_HOLDING };
-        let speed = (after[joint] - before[joint]).abs() / CYCLE_SECONDS / max_speed(joint);
+        let speed = (after[joint] - before[joint]).abs() / CYCLE_SECONDS / Nao::MAX_SPEEDS[joint];
         let stiffness = if stiffness[joint] > 0.0 { stiffness[joint].min(1.0) } else { 0.0 };
-        CONTINUOUS_CURRENT[joint] * (holding * stiffness + MOVING * speed)
+        Nao::CONTINUOUS_CURRENTS[joint] * (holding * stiffness + MOVING * speed)
     }))
 }
 
@@ -91,7 +90,6 @@ fn currents(before: &Joints, after: &Joints, stiffness: &Joints) -> Joints {
 mod tests {
     use super::*;
     use bica_motion::robot::{CameraId, Lights};
-    use bica_motion::speed::max_speed;
 
     fn command(target: f32, stiffness: f32) -> Command {
         let (targets, stiffness) = (Joints::all(target), Joints::all(stiffness));
@@ -107,13 +105,13 @@ mod tests {
         }
         motors.step(&command(0.9, 1.0));
         let moved = motors.angles()[Joint::LKneePitch] - 0.3;
-        assert!((moved - max_speed(Joint::LKneePitch) * 0.01).abs() < 1e-6);
+        assert!((moved - Nao::MAX_SPEEDS[Joint::LKneePitch] * 0.01).abs() < 1e-6);
     }
 
     #[test]
     fn a_joint_without_stiffness_or_with_an_invalid_target_does_not_move() {
         for wrong in [command(0.5, 0.0), command(f32::NAN, 1.0), command(0.5, f32::NAN), command(0.5, -1.0)] {
-            let held = Joints::all(0.0).clamp_to_limits();
+            let held = Joints::all(0.0).clamp_to_limits::<Nao>();
             let mut motors = Motors::holding(held);
             for _ in 0..10 {
                 motors.step(&wrong);
@@ -123,13 +121,41 @@ mod tests {
     }
 
     #[test]
+    fn speed_is_proportional_to_stiffness_up_to_a_fifth() {
+        for (stiffness, share) in [(0.1, 0.5), (0.2, 1.0), (1.0, 1.0)] {
+            let mut motors = Motors::holding(Joints::all(0.3));
+            for _ in 0..4 {
+                motors.step(&command(0.9, stiffness));
+            }
+            let moved = motors.angles()[Joint::LKneePitch] - 0.3;
+            let expected = share * Nao::MAX_SPEEDS[Joint::LKneePitch] * 0.01;
+            assert!((moved - expected).abs() < 1e-6, "stiffness {stiffness}: {moved}");
+        }
+    }
+
+    #[test]
+    fn holding_takes_a_fixed_share_of_the_continuous_current_and_moving_takes_more() {
+        let mut motors = Motors::holding(Joints::all(0.3).clamp_to_limits::<Nao>());
+        motors.step(&command(0.3, 1.0));
+        for (joint, share) in [(Joint::LKneePitch, 0.4), (Joint::RAnkleRoll, 0.4), (Joint::HeadYaw, 0.1)] {
+            let current = motors.heat().currents()[joint];
+            assert!((current - share * Nao::CONTINUOUS_CURRENTS[joint]).abs() < 1e-4, "{joint:?}: {current}");
+        }
+        for _ in 0..4 {
+            motors.step(&command(0.9, 1.0));
+        }
+        let current = motors.heat().currents()[Joint::LKneePitch];
+        assert!((current - Nao::CONTINUOUS_CURRENTS[Joint::LKneePitch]).abs() < 1e-3, "{current}");
+    }
+
+    #[test]
     fn joints_stop_at_their_limits() {
         let mut motors = Motors::holding(Joints::all(0.3));
         for _ in 0..300 {
             motors.step(&command(9.0, 1.0));
         }
-        assert!(motors.angles().within_limits());
+        assert!(motors.angles().within_limits::<Nao>());
         let head = HeadAngles::read(motors.angles());
-        assert_eq!(head, head.clamped());
+        assert_eq!(head, head.clamped::<Nao>());
     }
 }

@@ -106,17 +106,17 @@ impl Stance {
 mod tests {
     use super::*;
     use bica_motion::feet::{Foot, level_legs};
-    use bica_motion::stand::STAND;
+    use bica_motion::model::{Nao, RobotModel};
 
     /// Returns the body with level feet: x from the hips and lift, m, left first.
     fn body(feet: [(f32, f32); 2]) -> Skeleton {
         let foot = |(x, lift), y| Foot { pose: Pose2::new(x, y, 0.0), lift };
-        let mut angles = STAND;
-        let legs = level_legs(&[foot(feet[0], 0.05), foot(feet[1], -0.05)], 0.215, 0.0);
+        let mut angles = Nao::STAND;
+        let legs = level_legs::<Nao>(&[foot(feet[0], 0.05), foot(feet[1], -0.05)], 0.215, 0.0);
         for (side, leg) in Side::BOTH.into_iter().zip(legs) {
             leg.write(side, &mut angles);
         }
-        Skeleton::of(&angles)
+        Skeleton::<Nao>::of(&angles)
     }
 
     /// Takes steps of 4 cm with alternating feet, 20 cycles each; returns robot frame and support sole of each cycle.
@@ -158,19 +158,19 @@ mod tests {
 
     #[test]
     fn shifting_weight_on_both_feet_does_not_move_the_robot() {
-        let mut stance = Stance::under(Pose2::ORIGIN, &Skeleton::of(&STAND));
+        let mut stance = Stance::under(Pose2::ORIGIN, &Skeleton::<Nao>::of(&Nao::STAND));
         for cycle in 0..1_000 {
             let skeleton = body([(0.001 * (cycle % 7) as f32, 0.0004 * (cycle % 3) as f32), (0.0, 0.0)]);
             stance.step(&skeleton, || Pose2::new(1.0, 1.0, 1.0));
         }
         assert_eq!(stance.support(), Side::Left);
-        let robot = ground_pose(&stance.robot(&Skeleton::of(&STAND)));
+        let robot = ground_pose(&stance.robot(&Skeleton::<Nao>::of(&Nao::STAND)));
         assert!(robot.position.length() < 1e-5 && robot.heading.abs() < 1e-5, "{robot:?}");
     }
 
     #[test]
     fn a_slip_is_distributed_over_cycles_and_complete() {
-        let mut stance = Stance::under(Pose2::ORIGIN, &Skeleton::of(&STAND));
+        let mut stance = Stance::under(Pose2::ORIGIN, &Skeleton::<Nao>::of(&Nao::STAND));
         let right = body([(0.0, 0.01), (0.0, 0.0)]);
         let before = ground_pose(&stance.robot(&right));
         for cycle in 0..20 {

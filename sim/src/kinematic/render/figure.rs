@@ -1,7 +1,7 @@
 //! Solids and colours of robots.
 
-use bica_motion::dimensions::{FOOT_HEIGHT, THIGH, TIBIA, UPPER_ARM};
 use bica_motion::kinematics::{Segment, Skeleton};
+use bica_motion::model::{Nao, RobotModel};
 use bica_motion::side::Side;
 use glam::{Affine3A, Vec2, Vec3};
 
@@ -63,7 +63,7 @@ pub(crate) fn below_the_head(robot: &Affine3A, skeleton: &Skeleton, colours: Rob
 }
 
 fn arm(side: Side, part: impl Fn(Segment) -> Part, colours: RobotColours) -> [Solid; 4] {
-    let elbow = [UPPER_ARM.x, side.sign() * UPPER_ARM.y, 0.0];
+    let elbow = [Nao::DIMENSIONS.upper_arm.x, side.sign() * Nao::DIMENSIONS.upper_arm.y, 0.0];
     [
         part(Segment::Shoulder(side)).sphere([0.0, 0.0, 0.0], 0.036, colours.team),
         part(Segment::Biceps(side)).tube([[0.02, 0.0, 0.0], elbow], [0.028, 0.024], colours.shell),
@@ -76,12 +76,24 @@ fn leg(side: Side, part: impl Fn(Segment) -> Part, colours: RobotColours) -> [So
     let foot = part(Segment::Foot(side));
     let y = side.sign() * 0.0065;
     [
-        part(Segment::Thigh(side)).tube([[0.0, 0.0, 0.0], [0.0, 0.0, -THIGH]], [0.042, 0.034], colours.shell),
+        part(Segment::Thigh(side)).tube(
+            [[0.0, 0.0, 0.0], [0.0, 0.0, -Nao::DIMENSIONS.thigh]],
+            [0.042, 0.034],
+            colours.shell,
+        ),
         part(Segment::Tibia(side)).sphere([0.0, 0.0, 0.0], 0.033, colours.joint),
-        part(Segment::Tibia(side)).tube([[0.0, 0.0, -0.01], [0.0, 0.0, -TIBIA]], [0.036, 0.034], colours.shell),
+        part(Segment::Tibia(side)).tube(
+            [[0.0, 0.0, -0.01], [0.0, 0.0, -Nao::DIMENSIONS.tibia]],
+            [0.036, 0.034],
+            colours.shell,
+        ),
         part(Segment::Ankle(side)).sphere([0.0, 0.0, 0.0], 0.03, colours.joint),
-        foot.block([0.006, y, 0.018 - FOOT_HEIGHT], [0.058, 0.042, 0.018], colours.shell),
-        foot.tube([[0.058, y, -FOOT_HEIGHT], [0.058, y, 0.034 - FOOT_HEIGHT]], [0.042, 0.036], colours.team),
+        foot.block([0.006, y, 0.018 - Nao::DIMENSIONS.foot_height], [0.058, 0.042, 0.018], colours.shell),
+        foot.tube(
+            [[0.058, y, -Nao::DIMENSIONS.foot_height], [0.058, y, 0.034 - Nao::DIMENSIONS.foot_height]],
+            [0.042, 0.036],
+            colours.team,
+        ),
     ]
 }
 

@@ -11,7 +11,7 @@ mod lines;
 mod solid;
 
 use bica_motion::kinematics::Skeleton;
-use bica_motion::stand::STAND;
+use bica_motion::model::{Nao, RobotModel};
 use glam::{Affine3A, Vec2, Vec3};
 
 use self::figure::RobotColours;
@@ -195,7 +195,7 @@ impl Group {
     }
 
     fn of_robot(index: usize, other: &OtherRobot, colours: RobotColours) -> Self {
-        let skeleton = Skeleton::of(&STAND);
+        let skeleton = Skeleton::<Nao>::of(&Nao::STAND);
         let sole = skeleton.sole(bica_motion::side::Side::Left);
         let robot = level_pose(&other.pose) * Affine3A::from_translation(Vec3::new(0.0, 0.0, -sole.translation.z));
         let mut parts = figure::figure(&robot, &skeleton, colours);

@@ -2,8 +2,7 @@
 
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::kinematics::{Segment, Skeleton};
-use bica_motion::limits::limit;
-use bica_motion::masses::TOTAL_MASS;
+use bica_motion::model::{Nao, RobotModel};
 use bica_motion::robot::{CameraId, Command, Lights};
 use bica_motion::side::Side;
 use glam::{Vec3, Vec3A};
@@ -54,7 +53,7 @@ fn posed(model: Model, angles: &Joints) -> MjData<Box<MjModel>> {
 fn any_angles(random: &mut Random) -> Joints {
     let mut angles = Joints::all(0.0);
     for joint in Joint::ALL {
-        let range = limit(joint);
+        let range = Nao::LIMITS[joint];
         angles[joint] = random.between(range.min, range.max);
     }
     // Fingers have mass but are not part of the kinematics.
@@ -72,7 +71,7 @@ fn segments_and_cameras_have_the_poses_of_the_kinematics() {
     for _ in 0..30 {
         let (angles, model) = (any_angles(&mut random), model());
         let data = posed(model, &angles);
-        let skeleton = Skeleton::of(&angles);
+        let skeleton = Skeleton::<Nao>::of(&angles);
         for segment in Segment::ALL {
             let body = find(data.model(), MjtObjBase::mjOBJ_BODY, &name(segment)).unwrap();
             let (expected, turn) = (skeleton.pose(segment), &data.xmat()[body]);
@@ -99,8 +98,8 @@ fn mass_and_centre_of_mass_are_those_of_the_kinematics() {
         data.forward();
         let torso = find(data.model(), MjtObjBase::mjOBJ_BODY, "Torso").unwrap();
         let centre = Vec3::from(vector(&data.subtree_com()[torso]));
-        assert!(centre.distance(Skeleton::of(&angles).centre_of_mass()) < 2e-5, "{centre}");
-        assert!((data.model().body_subtreemass()[torso] as f32 - TOTAL_MASS).abs() < 1e-4);
+        assert!(centre.distance(Skeleton::<Nao>::of(&angles).centre_of_mass()) < 2e-5, "{centre}");
+        assert!((data.model().body_subtreemass()[torso] as f32 - Nao::TOTAL_MASS).abs() < 1e-4);
     }
 }
 
@@ -110,7 +109,7 @@ fn joint_ranges_are_those_of_the_robot_model() {
     for joint in Joint::ALL {
         let id = find(&model, MjtObjBase::mjOBJ_JOINT, &format!("{joint:?}")).unwrap();
         let [min, max] = model.jnt_range()[id].map(|end| end as f32);
-        let range = limit(joint);
+        let range = Nao::LIMITS[joint];
         assert!((min - range.min).abs() < 1e-4 && (max - range.max).abs() < 1e-4, "{joint:?}");
     }
 }
@@ -120,7 +119,7 @@ fn the_no_load_speed_of_joints_is_near_the_published_one() {
     let model = model().physics;
     let physics = Physics { dead_time: 0.0, ..Physics::default() };
     let end = |far: fn(Joint) -> f32| Joints(Joint::ALL.map(far));
-    let (least, most) = (end(|joint| limit(joint).min), end(|joint| limit(joint).max));
+    let (least, most) = (end(|joint| Nao::LIMITS[joint].min), end(|joint| Nao::LIMITS[joint].max));
     let mut motors = Motors::holding(least, &physics);
     let (stiffness, camera) = (Joints::all(1.0), CameraId::Top);
     motors.command(&Command { targets: most, stiffness, lights: Lights::default(), camera });

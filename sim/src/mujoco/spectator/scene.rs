@@ -3,8 +3,8 @@
 use std::fmt::Write;
 
 use bica_motion::kinematics::{Segment, Skeleton};
+use bica_motion::model::{Nao, RobotModel};
 use bica_motion::side::Side;
-use bica_motion::stand::STAND;
 use glam::{Affine3A, Quat};
 
 use super::{hall, shells};
@@ -91,7 +91,7 @@ fn lamps(xml: &mut String, light: &Light) {
 
 /// Writes a robot that stands still.
 fn standing(xml: &mut String, other: &OtherRobot) {
-    let skeleton = Skeleton::of(&STAND);
+    let skeleton = Skeleton::<Nao>::of(&Nao::STAND);
     let hips = other.pose.position.extend(-skeleton.sole(Side::Left).translation.z);
     let robot = Affine3A::from_rotation_translation(Quat::from_rotation_z(other.pose.heading), hips);
     for segment in Segment::ALL {
@@ -121,7 +121,7 @@ mod tests {
         let model = Box::new(MjModel::from_xml_string(&write(&setup, &layout)).unwrap());
         let mut data = MjData::new(model);
         assert_eq!(data.mocap_pos().len(), ROBOT + SEGMENTS);
-        let skeleton = Skeleton::of(&Joints::all(0.0));
+        let skeleton = Skeleton::<Nao>::of(&Joints::all(0.0));
         for segment in Segment::ALL {
             let at = skeleton.pose(segment).translation.to_array().map(f64::from);
             data.mocap_pos_mut()[ROBOT + segment.index()] = at;

@@ -60,7 +60,7 @@ impl<'a> Report<'a> {
     fn sources(&self) -> String {
         let Self { images, rectangles, labelled_images, .. } = self;
         format!(
-            "Learned by `player calibrate` from {images} images: {rectangles} rectangles, {labelled_images} with labels."
+            "Fitted by `player calibrate` from {images} images: {rectangles} rectangles, {labelled_images} with labels."
         )
     }
 

@@ -4,6 +4,7 @@ use std::f32::consts::TAU;
 use std::time::Instant;
 
 use bica_field::{CrossingKind, FIELD, GoalColour};
+use bica_motion::model::Nao;
 use bica_motion::robot::{CameraId, Image};
 use bica_vision::centre_circle::CentreCircle;
 use bica_vision::crossings;
@@ -150,7 +151,7 @@ impl Detectors {
         let camera = trusted.map(|pose| pose.camera(frame.width().into(), frame.height().into()));
         let camera = camera.as_ref();
         let began = Instant::now();
-        let own = camera.map_or(OwnBody::NONE, |camera| OwnBody::standing(camera, CAMERA));
+        let own = camera.map_or(OwnBody::NONE, |camera| OwnBody::standing::<Nao>(camera, CAMERA));
         let seen = match &self.colours {
             ColourTable::Compact(table) => self.detectors.detect_with_body(&frame, &**table, camera, &own),
             ColourTable::Full(cells) => {

@@ -4,8 +4,8 @@ use bica::Tree;
 use bica::runner::Runner;
 use bica_motion::fall::FallState;
 use bica_motion::joints::Joint;
+use bica_motion::model::{Nao, RobotModel};
 use bica_motion::pose::Pose2;
-use bica_motion::profile::Profile;
 use bica_player::Forward;
 use bica_player::behaviour::SafetyGuard;
 use bica_player::input::RobotProfile;
@@ -65,7 +65,7 @@ impl FallSubject {
         let world = MujocoWorld::new(setup, &Physics { cameras, ..*physics })
             .map_err(|error| Failure::new(error.to_string(), "try another value"))?;
         let mut robot = Box::new(Forward::new());
-        robot.get_mut::<RobotProfile>().set(&Profile::NAO);
+        robot.get_mut::<RobotProfile>().set(Nao::DYNAMIC_PROFILE);
         robot.get_mut::<GoalDetector>().attack(world.referee().attacks());
         Ok(Self { runner: Runner::new(robot, world), fall_detected: None, impact: None, attempts: 0, gets_up: false })
     }

@@ -2,8 +2,8 @@
 
 use bica_motion::fall::{FallDetector, FallState};
 use bica_motion::kick::{Kick, KickMotion};
+use bica_motion::model::{Nao, RobotModel};
 use bica_motion::pose::Pose2;
-use bica_motion::profile::Profile;
 use bica_motion::walk::{Feedback, Velocity};
 use bica_sim::{CYCLE_SECONDS, World};
 use glam::Vec2;
@@ -101,7 +101,7 @@ fn mistaken(balance: &mut FallDetector, walker: &mut Walker) -> bool {
 
 fn walk(series: &Series, seed: u64) -> Result<bool, Failure> {
     let mut walker = Walker::new(seed, Pose2::ORIGIN, &series.physics)?;
-    let (mut rng, mut balance) = (Rng::new(seed), FallDetector::new());
+    let (mut rng, mut balance) = (Rng::new(seed), FallDetector::<Nao>::new());
     for _ in 0..WALKS {
         let velocity =
             Velocity { forward: rng.between(-0.1, 0.25), left: rng.between(-0.1, 0.1), turn: rng.between(-0.8, 0.8) };
@@ -117,9 +117,9 @@ fn walk(series: &Series, seed: u64) -> Result<bool, Failure> {
 
 fn kick(series: &Series, seed: u64) -> Result<bool, Failure> {
     let mut walker = Walker::new(seed, Pose2::ORIGIN, &series.physics)?;
-    let mut balance = FallDetector::new();
+    let mut balance = FallDetector::<Nao>::new();
     for kick in Kick::ALL {
-        let mut motion = KickMotion::new(kick, &Profile::NAO);
+        let mut motion = KickMotion::<Nao>::new(kick, Nao::DYNAMIC_PROFILE);
         while !motion.is_done() {
             let limbs = motion.step(&Feedback::from(&walker.world.sensors()), CYCLE_SECONDS);
             walker.act(&limbs);

@@ -2,12 +2,12 @@
 
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::limbs::Limbs;
+use bica_motion::model::{Nao, RobotModel};
 use bica_motion::odometry::{MotionInput, Odometry};
 use bica_motion::pose::Pose2;
-use bica_motion::profile::Profile;
 use bica_motion::robot::{CameraId, Command, Lights};
 use bica_motion::side::Side;
-use bica_motion::stand::Stiffness;
+use bica_motion::stiffness::Stiffness;
 use bica_motion::walk::{Feedback, Velocity, Walk};
 use bica_sim::mujoco::{MujocoWorld, Physics};
 use bica_sim::referee::Event;
@@ -33,8 +33,9 @@ impl Walker {
         let setup = Setup { seed, goalkeeper: false, start, ..Setup::default() };
         let world =
             MujocoWorld::new(&setup, physics).map_err(|error| Failure::new(error.to_string(), "try another value"))?;
-        let (gait, odometry) = (Walk::new(&Profile::NAO.gait), Odometry::new(&Profile::NAO.odometry));
-        let mut walker = Self { world, gait, odometry, commanded: Profile::NAO.gait.stand().joints() };
+        let (gait, odometry) =
+            (Walk::<Nao>::new(&Nao::DYNAMIC_PROFILE.gait), Odometry::new(&Nao::DYNAMIC_PROFILE.odometry));
+        let mut walker = Self { world, gait, odometry, commanded: Nao::DYNAMIC_PROFILE.gait.stand::<Nao>().joints() };
         walker.go(Velocity::ZERO, 1.0);
         Ok(walker)
     }
@@ -70,7 +71,7 @@ impl Walker {
 
     /// Moves the limbs for one control cycle.
     pub(super) fn act(&mut self, limbs: &Limbs) {
-        let mut stiffness = Stiffness::Walk.joints();
+        let mut stiffness = Stiffness::Walk.joints::<Nao>();
         for joint in [Joint::HeadYaw, Joint::HeadPitch] {
             stiffness[joint] = 0.7;
         }

@@ -3,6 +3,7 @@
 use bica::prelude::*;
 use bica::runner::Runner;
 use bica_motion::kinematics;
+use bica_motion::model::Nao;
 use bica_motion::pose::{Pose2, wrap};
 use bica_motion::robot::{Command, Sensors};
 use bica_motion::side::Side;
@@ -112,8 +113,8 @@ impl Lookout {
 
     /// Returns the true pose of the ground between the feet.
     fn truth(&mut self) -> Pose2 {
-        let hips =
-            kinematics::ground_from_robot(Side::Left, &self.runner.world_mut().world.sensors().angles).translation;
+        let hips = kinematics::ground_from_robot::<Nao>(Side::Left, &self.runner.world_mut().world.sensors().angles)
+            .translation;
         self.runner.world().world.referee().robot() * Pose2::new(-hips.x, -hips.y, 0.0)
     }
 

@@ -1,6 +1,6 @@
-//! Wrong arguments: exit code 2, nothing on stdout, and a word on what is wrong and what would be right.
+//! Wrong arguments: exit code 2, nothing on stdout, and a message with the mistake and the remedy.
 
-use crate::run::{Folder, run};
+use crate::process::{Folder, run};
 
 fn refused(args: &[&str], words: &[&str]) {
     let ran = run(args);
@@ -12,7 +12,7 @@ fn refused(args: &[&str], words: &[&str]) {
 }
 
 #[test]
-fn a_wrong_argument_is_named_with_what_would_be_right() {
+fn errors_name_the_wrong_argument_and_the_valid_ones() {
     refused(&["kick"], &["kick", "Usage"]);
     refused(&["--sed", "1"], &["--sed", "--seed"]);
     refused(&["--seed", "one"], &["one", "--seed"]);
@@ -31,7 +31,7 @@ fn a_wrong_argument_is_named_with_what_would_be_right() {
 }
 
 #[test]
-fn a_place_where_no_picture_can_be_written_is_named() {
+fn errors_name_the_folder_that_cannot_be_written() {
     let folder = Folder::new("arguments");
     let file = folder.path().join("file");
     std::fs::write(&file, "").unwrap();
@@ -41,7 +41,7 @@ fn a_place_where_no_picture_can_be_written_is_named() {
 }
 
 #[test]
-fn help_teaches_by_examples_and_exit_codes() {
+fn help_has_examples_and_exit_codes() {
     for (args, word) in [
         (&["--help"][..], "player play --games 100"),
         (&["--help"], "Exit codes: 0 a goal"),

@@ -1,19 +1,18 @@
-//! Profiles learned from labelled images.
+//! Profiles fitted to labelled images.
 
 use std::fs;
 use std::path::Path;
 
-use crate::run::{Folder, run};
-use crate::scene::{self, ORANGE, RED};
-use crate::see::real;
+use crate::process::{Folder, run};
+use crate::test_image::{self, ORANGE, RED};
 
-/// Images with a ball each and something red, with the labels; gives the arguments to learn from them.
-fn hall(folder: &Folder) -> Vec<String> {
+/// Writes images with a ball and a red disc each, and their labels; returns the arguments of a calibration.
+fn training_data(folder: &Folder) -> Vec<String> {
     let mut labels = vec!["file,ball_x,ball_y,ball_radius,ball_flag,goal".to_owned()];
     let mut rectangles = vec!["file,x0,y0,x1,y1,class".to_owned()];
     for index in 0..6 {
         let (x, name) = (60 + 30 * index, format!("{index}.png"));
-        scene::png(&folder.path().join(&name), &scene::rgb(&[(x, 150, 14, ORANGE), (x, 200, 16, RED)]));
+        test_image::png(&folder.path().join(&name), &test_image::rgb(&[(x, 150, 14, ORANGE), (x, 200, 16, RED)]));
         labels.push(format!("{name},{x},150,14,full,"));
         rectangles.push(format!("{name},10,70,50,130,field\n{name},10,10,300,50,other"));
     }
@@ -25,16 +24,16 @@ fn hall(folder: &Folder) -> Vec<String> {
     arguments.chain([text("rectangles.csv"), "--out".to_owned()]).collect()
 }
 
-fn learn(arguments: &[String], out: &Path, more: &[&str]) -> crate::run::Ran {
+fn calibrate(arguments: &[String], out: &Path, more: &[&str]) -> crate::process::Ran {
     let arguments = arguments.iter().map(String::as_str);
     run(&arguments.chain([out.to_str().expect("UTF-8")]).chain(more.iter().copied()).collect::<Vec<_>>())
 }
 
 #[test]
-fn what_was_learned_is_told_and_sees_the_ball() {
+fn a_fitted_profile_detects_the_ball() {
     let folder = Folder::new("calibrate/hall");
-    let (arguments, out) = (hall(&folder), folder.path().join("hall.toml"));
-    let ran = learn(&arguments, &out, &["--json"]);
+    let (arguments, out) = (training_data(&folder), folder.path().join("hall.toml"));
+    let ran = calibrate(&arguments, &out, &["--json"]);
     assert_eq!(ran.code, Some(0), "{}", ran.stderr);
     let told = ran.json();
     let names: Vec<_> =
@@ -42,7 +41,8 @@ fn what_was_learned_is_told_and_sees_the_ball() {
     assert_eq!(names, ["orange", "yellow", "blue", "green", "white"].map(Some));
     let orange = &told["classes"][0]["learned"];
     assert_eq!((&orange["images"], &orange["blocks"]), (&6.into(), &5.into()));
-    assert!(orange["precision"].as_f64() >= Some(0.99) && orange["recall"].as_f64() >= Some(0.99), "{orange}");
+    let above = |key: &str| orange[key].as_f64().is_some_and(|share| share >= 0.99);
+    assert!(above("precision") && above("recall"), "{orange}");
     assert!(told["classes"][1]["learned"].is_null(), "there is no yellow in the labels");
     let text = fs::read_to_string(&out).expect("the profile");
     assert!(text.contains("[orange]\nhue = [") && text.contains("6 images, cross-validated in 5 blocks"), "{text}");
@@ -55,50 +55,50 @@ fn what_was_learned_is_told_and_sees_the_ball() {
 #[test]
 fn the_same_labels_give_the_same_profile() {
     let folder = Folder::new("calibrate/twice");
-    let arguments = hall(&folder);
+    let arguments = training_data(&folder);
     let profile = |name: &str| {
         let out = folder.path().join(name);
-        learn(&arguments, &out, &[]);
+        calibrate(&arguments, &out, &[]);
         fs::read(out).expect("the profile")
     };
     assert_eq!(profile("a.toml"), profile("b.toml"));
 }
 
 #[test]
-fn what_cannot_be_learned_from_is_refused_and_named() {
+fn errors_name_the_wrong_input() {
     let folder = Folder::new("calibrate/wrong");
-    let arguments = hall(&folder);
+    let arguments = training_data(&folder);
     let refused = |args: &[&str], words: &[&str]| {
         let ran = run(args);
         assert_eq!(ran.code, Some(2), "{}", ran.stdout);
         assert!(words.iter().all(|word| ran.stderr.contains(word)), "{}", ran.stderr);
     };
-    refused(&["calibrate", folder.text()], &["nothing to learn from", "--rectangles or --labels"]);
+    refused(&["calibrate", folder.text()], &["no labels", "--rectangles or --labels"]);
     let rectangles = &arguments[5];
     fs::write(rectangles, "file,x0,y0,x1,y1,class\n1.png,1,2,3,4,sky\n").expect("a file");
     let args = ["calibrate", folder.text(), "--rectangles", rectangles];
     refused(&args, &["rectangles.csv", "line 2", "`sky`", "goal_blue"]);
     fs::write(rectangles, "file,x0,y0,x1,y1,class\n1.png,1,2,30,40,field\n").expect("a file");
     fs::write(folder.path().join("1.png"), "no image").expect("a file");
-    refused(&args, &["1.png", "mend the image"]);
+    refused(&args, &["1.png", "repair the image"]);
 }
 
-/// The profiles in the repository are what these labels teach.
-#[test]
-fn the_profiles_of_real_robots_are_learned_again() {
-    let Some(images) = real() else { return };
-    let outer = Folder::new("calibrate/real");
-    let profiles = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../profiles");
-    for name in ["nao2009", "darwin2013"] {
-        let text = |path: std::path::PathBuf| path.to_str().expect("UTF-8").to_owned();
-        let out = outer.path().join(name);
-        let ours = text(profiles.join(format!("{name}_rectangles.csv")));
-        let (dir, labels) = (text(images.join(name)), text(images.join("labels.csv")));
-        let theirs = text(images.join("pixel_classes.csv"));
-        let sources = ["--rectangles", &theirs, "--rectangles", &ours, "--labels", &labels, "--out"];
-        let ran = run(&[&["calibrate", &dir], &sources[..], &[out.to_str().expect("UTF-8")]].concat());
-        println!("{name}:\n{}", ran.stdout);
-        let read = |path: &Path| fs::read_to_string(path).expect("a profile");
-        assert_eq!(read(&out), read(&profiles.join(format!("{name}.toml"))), "{name}");
+bica_test_data::images_test! {
+    fn profiles_in_the_repository_are_reproduced_from_the_images() {
+        let images = bica_test_data::images();
+        let outer = Folder::new("calibrate/real");
+        let profiles = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../profiles");
+        for name in ["nao2009", "darwin2013"] {
+            let text = |path: std::path::PathBuf| path.to_str().expect("UTF-8").to_owned();
+            let out = outer.path().join(name);
+            let ours = text(profiles.join(format!("{name}_rectangles.csv")));
+            let (dir, labels) = (text(images.join(name)), text(images.join("labels.csv")));
+            let theirs = text(images.join("pixel_classes.csv"));
+            let sources = ["--rectangles", &theirs, "--rectangles", &ours, "--labels", &labels, "--out"];
+            let ran = run(&[&["calibrate", &dir], &sources[..], &[out.to_str().expect("UTF-8")]].concat());
+            println!("{name}:\n{}", ran.stdout);
+            let read = |path: &Path| fs::read_to_string(path).expect("a profile");
+            assert_eq!(read(&out), read(&profiles.join(format!("{name}.toml"))), "{name}");
+        }
     }
 }

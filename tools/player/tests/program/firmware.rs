@@ -1,7 +1,7 @@
-//! Games in which an emulated microcontroller thinks.
+//! Games controlled by firmware on an emulated microcontroller.
 //!
-//! Those that need its image run if `BICA_IMAGE` names one, as `cargo xtask firmware` does when it has built it: an image
-//! of other sources than these would only prove that it is of others.
+//! Tests that need a firmware image run if `BICA_IMAGE` names one when they are built, as `cargo xtask firmware` does after
+//! building it from these sources.
 
 use std::env;
 use std::io::{BufRead, BufReader};
@@ -9,37 +9,37 @@ use std::process::{Command, Stdio};
 
 use serde_json::Value;
 
-use crate::run::{Ran, player, run, without_wall};
+use crate::process::{Ran, player, run, without_wall};
 
-/// The arguments of a game with the image, and what else is asked; none if there is no image.
-fn with_image<'a>(image: &'a mut String, more: &[&'a str]) -> Option<Vec<&'a str>> {
-    let Ok(named) = env::var("BICA_IMAGE") else {
-        eprintln!("skipped: BICA_IMAGE names no firmware image; `cargo xtask firmware` does");
-        return None;
-    };
-    *image = named;
-    Some([&["play", "--world", "firmware", "--image", image], more].concat())
+/// Returns the arguments of a game with the firmware image.
+fn with_image<'a>(image: &'a mut String, more: &[&'a str]) -> Vec<&'a str> {
+    *image = env::var("BICA_IMAGE").expect("the tests were built with a firmware image: set BICA_IMAGE again");
+    [&["play", "--world", "firmware", "--image", image], more].concat()
 }
 
-/// A game's words without those of the clock.
+/// Removes what depends on the computer.
 fn story(mut told: Value) -> Value {
     without_wall(&mut told);
     told
 }
 
 #[test]
-fn the_microcontroller_tells_the_same_story_and_counts_instructions() {
+#[cfg_attr(not(firmware_image), ignore = "needs a firmware image: run `cargo xtask firmware`")]
+fn firmware_plays_the_same_game_and_counts_instructions() {
     let mut image = String::new();
     let game = ["--seed", "3", "--seconds", "3", "--json"];
-    let Some(args) = with_image(&mut image, &game) else { return };
+    let args = with_image(&mut image, &game);
     let ran = run(&args);
     let mut told = story(ran.json());
-    let spent = told.as_object_mut().and_then(|told| told.remove("firmware")).expect("what it spent");
+    let spent = told.as_object_mut().and_then(|told| told.remove("firmware")).expect("instruction counts");
     let alone = run(&[&game[..], &["--size", "160x120"]].concat());
     assert_eq!(ran.code, alone.code);
     assert_eq!(told, story(alone.json()), "the same game, bit for bit");
     assert_eq!(spent["chain"]["runs"], told["cycles"]);
-    assert!(spent["chain"]["max"].as_u64() > Some(100_000), "a cycle with an image takes its time: {spent}");
+    assert!(
+        spent["chain"]["max"].as_u64().is_some_and(|max| max > 100_000),
+        "a cycle with an image takes more: {spent}"
+    );
     let runs = |list: &Value| -> Vec<Value> {
         list.as_array().unwrap().iter().map(|component| component["name"].clone()).collect()
     };
@@ -47,9 +47,10 @@ fn the_microcontroller_tells_the_same_story_and_counts_instructions() {
 }
 
 #[test]
-fn people_are_told_instructions_instead_of_microseconds() {
+#[cfg_attr(not(firmware_image), ignore = "needs a firmware image: run `cargo xtask firmware`")]
+fn the_summary_gives_instructions_instead_of_microseconds() {
     let mut image = String::new();
-    let Some(args) = with_image(&mut image, &["--seconds", "1"]) else { return };
+    let args = with_image(&mut image, &["--seconds", "1"]);
     let Ran { code, stdout, stderr } = run(&args);
     assert_eq!((code, stderr.as_str()), (Some(1), ""), "no goal in a second");
     for word in ["look_for_ball", "no goal", "sense-think-act median", "instructions", "BallDetector"] {
@@ -59,21 +60,23 @@ fn people_are_told_instructions_instead_of_microseconds() {
 }
 
 #[test]
-fn games_of_several_microcontrollers_at_once_are_those_of_one() {
+#[cfg_attr(not(firmware_image), ignore = "needs a firmware image: run `cargo xtask firmware`")]
+fn firmware_games_do_not_depend_on_the_number_of_threads() {
     let mut image = String::new();
     let games = ["--games", "3", "--seconds", "1", "--json", "--threads"];
-    let Some(args) = with_image(&mut image, &games) else { return };
+    let args = with_image(&mut image, &games);
     let told = |threads| story(run(&[&args[..], &[threads]].concat()).json());
     assert_eq!(told("1"), told("3"));
 }
 
 #[cfg(unix)]
 #[test]
-fn ctrl_c_ends_the_game_with_its_summary_though_the_emulator_hears_it_too() {
+#[cfg_attr(not(firmware_image), ignore = "needs a firmware image: run `cargo xtask firmware`")]
+fn ctrl_c_of_a_terminal_ends_a_firmware_game_with_its_summary() {
     use std::os::unix::process::CommandExt;
 
     let mut image = String::new();
-    let Some(args) = with_image(&mut image, &["--seed", "0"]) else { return };
+    let args = with_image(&mut image, &["--seed", "0"]);
     let mut program = player(&args);
     // A terminal gives Ctrl-C to the whole group of what it has started.
     let mut child = program.process_group(0).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
@@ -94,7 +97,7 @@ fn ctrl_c_ends_the_game_with_its_summary_though_the_emulator_hears_it_too() {
 }
 
 #[test]
-fn what_is_missing_is_said_and_how_to_get_it() {
+fn errors_name_what_is_missing_and_how_to_install_it() {
     let said = |program: &mut Command| {
         let ended = program.output().unwrap();
         (ended.status.code(), String::from_utf8(ended.stderr).unwrap())

@@ -1,6 +1,6 @@
-//! The tree in every format.
+//! The activation tree in every format.
 
-use crate::run::run;
+use crate::process::run;
 
 fn printed(args: &[&str]) -> String {
     let ran = run(&[&["graph"], args].concat());
@@ -9,7 +9,7 @@ fn printed(args: &[&str]) -> String {
 }
 
 #[test]
-fn every_format_is_what_it_says_and_names_every_component() {
+fn every_format_names_every_component() {
     let graph: serde_json::Value = serde_json::from_str(&printed(&["--json"])).unwrap();
     let nodes = graph["nodes"].as_array().unwrap();
     assert_eq!(graph["name"], "Forward");
@@ -27,9 +27,9 @@ fn every_format_is_what_it_says_and_names_every_component() {
 }
 
 #[test]
-fn the_picture_in_the_readme_is_this_tree() {
+fn the_picture_in_the_readme_shows_the_current_tree() {
     let kept = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/forward.svg");
     let kept = std::fs::read_to_string(kept).unwrap_or_default();
     let remedy = "draw it anew: cargo run --release -- graph --format svg > docs/forward.svg";
-    assert!(kept == printed(&["--format", "svg"]), "docs/forward.svg is another tree; {remedy}");
+    assert!(kept == printed(&["--format", "svg"]), "docs/forward.svg shows another tree; {remedy}");
 }

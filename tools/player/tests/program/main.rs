@@ -1,15 +1,15 @@
-//! The program `player`, run as people and scripts run it.
+//! The program `player`, started as a process.
 
 mod arguments;
 mod calibrate;
-mod ending;
+mod exit;
 mod firmware;
 mod games;
 mod graph;
 mod mujoco;
 mod pictures;
-mod run;
-mod scene;
+mod process;
 mod schema;
 mod see;
+mod test_image;
 mod watch;

@@ -1,9 +1,9 @@
-//! Games and trials where forces are real, and what is said where they cannot be had.
+//! Games and trials in MuJoCo, and the error without it.
 
 #[cfg(not(feature = "mujoco"))]
 #[test]
-fn a_program_without_mujoco_says_how_to_get_one_with_it() {
-    let ran = crate::run::run(&["play", "--world", "mujoco"]);
+fn without_mujoco_the_error_says_how_to_install_it() {
+    let ran = crate::process::run(&["play", "--world", "mujoco"]);
     assert_eq!((ran.code, ran.stdout.as_str()), (Some(2), ""));
     assert!(ran.stderr.contains("cargo xtask mujoco") && ran.stderr.contains("--features mujoco"), "{}", ran.stderr);
 }
@@ -14,8 +14,6 @@ mod with_mujoco {
     use bica::{Instant, Tree};
     use bica_motion::health::Fault;
     use bica_motion::joints::Joint;
-    use bica_motion::profile::Profile;
-    use bica_motion::stand::SIT_STIFFNESS;
     use bica_player::Forward;
     use bica_player::behaviour::SafetyGuard;
     use bica_player::input::{HealthMonitor, RobotProfile};
@@ -25,17 +23,17 @@ mod with_mujoco {
     use bica_sim::setup::Setup;
     use glam::Vec2;
 
-    use crate::run::{Folder, run, without_wall};
+    use crate::process::{Folder, run, without_wall};
 
     #[test]
-    fn a_game_is_told_as_in_every_world_and_the_same_each_time() {
+    fn equal_seeds_give_equal_games() {
         let folder = Folder::new("mujoco");
         let film = folder.path().join("game.gif");
         let game = ["play", "--world", "mujoco", "--seed", "7", "--robots", "2", "--seconds", "1", "--json"];
         let mut first = run(&game).json();
         let mut second = run(&[&game[..], &["--film", film.to_str().unwrap()]].concat()).json();
         assert_eq!(first["cycles"], 100);
-        assert!(first["components"][0]["runs"].as_u64() > Some(0));
+        assert!(first["components"][0]["runs"].as_u64().is_some_and(|runs| runs > 0));
         without_wall(&mut first);
         without_wall(&mut second);
         assert_eq!(first, second);
@@ -43,7 +41,7 @@ mod with_mujoco {
     }
 
     #[test]
-    fn many_games_are_the_same_on_any_number_of_threads() {
+    fn games_do_not_depend_on_the_number_of_threads() {
         let games = |threads| {
             let mut told =
                 run(&["play", "--world", "mujoco", "--games", "3", "--threads", threads, "--seconds", "0.5", "--json"])
@@ -58,7 +56,7 @@ mod with_mujoco {
     fn a_robot_with_a_hot_joint_stops_and_sits_down_without_a_fall() {
         let mut world = MujocoWorld::new(&Setup::default(), &Physics { cameras: false, ..Physics::default() }).unwrap();
         let mut robot = Box::new(Forward::new());
-        robot.get_mut::<RobotProfile>().set(&Profile::NAO);
+        robot.get_mut::<RobotProfile>().set(Nao::DYNAMIC_PROFILE);
         for cycle in 0..3000 {
             if cycle == 500 {
                 world.set_motor_temperature(Joint::LKneePitch, 78.0);
@@ -69,15 +67,15 @@ mod with_mujoco {
             assert_eq!(robot.get::<HealthMonitor>().fault().is_some(), cycle >= 599, "in cycle {cycle}");
         }
         assert_eq!(robot.get::<HealthMonitor>().fault(), Some(Fault::Hot(Joint::LKneePitch)));
-        assert!(robot.act().stiffness.0.iter().all(|stiffness| *stiffness <= SIT_STIFFNESS));
+        assert!(robot.act().stiffness.0.iter().all(|stiffness| *stiffness <= Nao::SIT_STIFFNESS));
         assert_eq!(world.referee().falls(), 0);
     }
 
     #[test]
-    fn who_falls_with_a_hot_joint_lies_limp_until_it_has_cooled_then_gets_up() {
+    fn a_fallen_robot_with_a_hot_joint_rests_until_it_has_cooled_and_gets_up() {
         let mut world = MujocoWorld::new(&Setup::default(), &Physics { cameras: false, ..Physics::default() }).unwrap();
         let mut robot = Box::new(Forward::new());
-        robot.get_mut::<RobotProfile>().set(&Profile::NAO);
+        robot.get_mut::<RobotProfile>().set(Nao::DYNAMIC_PROFILE);
         for cycle in 0..2600 {
             match cycle {
                 100 => world.push(Vec2::new(-2.3, 0.0)),
@@ -90,7 +88,7 @@ mod with_mujoco {
             world.act(&robot.act());
             if (1000..1500).contains(&cycle) {
                 assert!(
-                    robot.act().stiffness.0.iter().all(|stiffness| *stiffness <= SIT_STIFFNESS),
+                    robot.act().stiffness.0.iter().all(|stiffness| *stiffness <= Nao::SIT_STIFFNESS),
                     "in cycle {cycle}"
                 );
                 assert!(robot.get::<HealthMonitor>().fault().is_some());
@@ -101,10 +99,10 @@ mod with_mujoco {
     }
 
     #[test]
-    fn who_sat_down_hot_stands_up_without_a_fall_when_it_has_cooled() {
+    fn a_sitting_robot_stands_up_without_a_fall_when_the_joint_has_cooled() {
         let mut world = MujocoWorld::new(&Setup::default(), &Physics { cameras: false, ..Physics::default() }).unwrap();
         let mut robot = Box::new(Forward::new());
-        robot.get_mut::<RobotProfile>().set(&Profile::NAO);
+        robot.get_mut::<RobotProfile>().set(Nao::DYNAMIC_PROFILE);
         for cycle in 0..2500 {
             match cycle {
                 100 => world.set_motor_temperature(Joint::LKneePitch, 78.0),
@@ -121,11 +119,11 @@ mod with_mujoco {
     }
 
     #[test]
-    fn a_trial_prints_its_table_and_fails_if_it_does_not_hold() {
+    fn a_trial_fails_if_its_requirements_are_not_met() {
         let held = run(&["trial", "odometry", "--runs", "1", "--json"]);
         assert_eq!(held.code, Some(0), "{}", held.stderr);
         assert_eq!(held.json()["tables"][0]["trial"], "odometry");
-        // Such legs carry nobody.
+        // Legs of this torque cannot carry the robot.
         let weak = run(&["trial", "odometry", "--runs", "1", "--torque-limit", "0.5", "--json"]);
         assert_eq!(weak.code, Some(1), "{}", weak.stderr);
         let wrong = run(&["trial", "odometry", "--friction", "9"]);

@@ -1,26 +1,26 @@
-//! Pictures of games.
+//! Pictures and films of games.
 
 use std::fs::File;
 use std::io::BufReader;
 use std::path::Path;
 
-use crate::run::{Folder, run};
+use crate::process::{Folder, run};
 
 fn size(path: &Path) -> (u32, u32) {
     let mut reader = png::Decoder::new(BufReader::new(File::open(path).unwrap())).read_info().unwrap();
     let mut bytes = vec![0; reader.output_buffer_size().unwrap()];
     reader.next_frame(&mut bytes).unwrap();
     let colours: std::collections::HashSet<&[u8]> = bytes.chunks(3).collect();
-    assert!(colours.len() > 50, "{} shows next to nothing", path.display());
+    assert!(colours.len() > 50, "{} is nearly empty", path.display());
     (reader.info().width, reader.info().height)
 }
 
 #[test]
-fn every_change_of_the_tree_has_its_picture() {
+fn every_change_of_the_tree_has_a_picture() {
     let folder = Folder::new("pictures");
-    let told = run(&["--seconds", "2", "--json", "--pictures", folder.text()]).json();
+    let printed = run(&["--seconds", "2", "--json", "--pictures", folder.text()]).json();
     let names = folder.names();
-    assert_eq!(names.len() as u64, told["tree_changes"].as_u64().unwrap());
+    assert_eq!(names.len() as u64, printed["tree_changes"].as_u64().unwrap());
     assert_eq!(names[0], "0001_0000.00s_look_for_ball.png");
     for name in &names {
         assert_eq!(size(&folder.path().join(name)), (1340, 1046));
@@ -28,28 +28,28 @@ fn every_change_of_the_tree_has_its_picture() {
 }
 
 #[test]
-fn each_of_many_games_has_a_folder() {
+fn each_game_of_a_series_has_a_folder() {
     let folder = Folder::new("albums");
     run(&["--seed", "8", "--games", "2", "--seconds", "0.1", "--size", "160x120", "--pictures", folder.text()]);
     assert_eq!(folder.names(), ["seed-8", "seed-9"]);
     size(&folder.path().join("seed-8/0001_0000.00s_look_for_ball.png"));
 }
 
-/// Width, height, and delay in hundredths of a second, of the pictures of a film; the first fills it.
+/// Returns width (px), height (px) and duration (hundredths of a second) of the pictures of a film.
 fn film(path: &Path) -> Vec<(u16, u16, u16)> {
     let mut film = gif::Decoder::new(BufReader::new(File::open(path).unwrap())).unwrap();
     assert_eq!((film.width(), film.height()), (800, 360));
     let mut pictures = Vec::new();
     while let Some(picture) = film.read_next_frame().unwrap() {
         let colours: std::collections::HashSet<&u8> = picture.buffer.iter().collect();
-        assert!(!pictures.is_empty() || colours.len() > 30, "{} shows next to nothing", path.display());
+        assert!(!pictures.is_empty() || colours.len() > 30, "{} is nearly empty", path.display());
         pictures.push((picture.width, picture.height, picture.delay));
     }
     pictures
 }
 
 #[test]
-fn a_film_shows_fourteen_pictures_a_second_and_changes_nothing() {
+fn a_film_has_fourteen_pictures_per_second_and_does_not_change_the_game() {
     let folder = Folder::new("film");
     let path = folder.path().join("game.gif");
     let game = ["--seconds", "2", "--json", "--size", "160x120"];

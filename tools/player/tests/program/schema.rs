@@ -1,11 +1,11 @@
-//! The page that describes the JSON knows every field that the program prints.
+//! Documentation of the JSON fields.
 
 use std::collections::BTreeSet;
 use std::fs;
 
 use serde_json::Value;
 
-use crate::run::{Folder, run};
+use crate::process::{Folder, run};
 
 fn fields(value: &Value, found: &mut BTreeSet<String>) {
     match value {
@@ -19,7 +19,7 @@ fn fields(value: &Value, found: &mut BTreeSet<String>) {
 }
 
 #[test]
-fn every_field_is_described() {
+fn every_printed_field_is_documented() {
     let page = fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/json.md")).unwrap();
     let folder = Folder::new("schema");
     fs::write(folder.path().join("1.png"), "no image").unwrap();

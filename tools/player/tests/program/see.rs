@@ -1,12 +1,12 @@
-//! One line for each recorded image, and how much of it was right.
+//! Detections of recorded images on a line each, and their score.
 
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use serde_json::Value;
 
-use crate::run::{Folder, Ran, run};
-use crate::scene::{self, ORANGE, RED};
+use crate::process::{Folder, Ran, run};
+use crate::test_image::{self, ORANGE, RED};
 
 fn lines(ran: &Ran) -> Vec<Value> {
     ran.stdout.lines().map(|line| serde_json::from_str(line).expect("a line of JSON")).collect()
@@ -17,31 +17,28 @@ fn keys(value: &Value) -> Vec<&String> {
 }
 
 #[test]
-fn a_line_of_json_is_what_the_document_says() {
+fn json_lines_have_the_documented_fields() {
     let folder = Folder::new("see/lines");
-    scene::png(&folder.path().join("2.png"), &scene::rgb(&[(160, 150, 14, ORANGE)]));
-    scene::png(&folder.path().join("1.png"), &scene::rgb(&[]));
+    test_image::png(&folder.path().join("2.png"), &test_image::rgb(&[(160, 150, 14, ORANGE)]));
+    test_image::png(&folder.path().join("1.png"), &test_image::rgb(&[]));
     let ran = run(&["see", folder.text(), "--json"]);
     assert_eq!((ran.code, ran.stderr.as_str()), (Some(0), ""));
     let lines = lines(&ran);
     assert_eq!((&lines[0]["file"], &lines[1]["file"], lines.len()), (&"1.png".into(), &"2.png".into(), 2));
-    assert_eq!(
-        keys(&lines[1]),
-        ["ball", "circle", "crossings", "field_boundary", "file", "goals", "lines", "ms", "robots"]
-    );
+    assert_eq!(keys(&lines[1]), ["ball", "circle", "crossings", "field_end", "file", "goals", "lines", "ms", "robots"]);
     assert_eq!(keys(&lines[1]["ball"]), ["confidence", "ground", "radius", "x", "y"]);
     assert!(lines[0]["ball"].is_null() && lines[1]["ball"]["ground"].is_null());
-    assert!(lines.iter().all(|line| line["field_boundary"][0][1].as_f64().is_some_and(|row| (row - 60.0).abs() < 4.0)));
+    assert!(lines.iter().all(|line| line["field_end"][0][1].as_f64().is_some_and(|row| (row - 60.0).abs() < 4.0)));
 }
 
 #[test]
-fn every_format_shows_the_same() {
+fn all_image_formats_give_the_same_detections() {
     let folder = Folder::new("see/formats");
-    let (rgb, path) = (scene::rgb(&[(101, 150, 14, ORANGE)]), |name: &str| folder.path().join(name));
-    scene::png(&path("a.png"), &rgb);
-    scene::jpeg(&path("b.JPG"), &rgb);
-    scene::yuyv(&path("c_320x240.yuyv"), &rgb, false);
-    scene::yuyv(&path("d_640x240.yuyv"), &rgb, true);
+    let (rgb, path) = (test_image::rgb(&[(101, 150, 14, ORANGE)]), |name: &str| folder.path().join(name));
+    test_image::png(&path("a.png"), &rgb);
+    test_image::jpeg(&path("b.JPG"), &rgb);
+    test_image::yuyv(&path("c_320x240.yuyv"), &rgb, false);
+    test_image::yuyv(&path("d_640x240.yuyv"), &rgb, true);
     let ran = run(&["see", folder.text(), "--json", "--pictures", path("seen").to_str().expect("UTF-8")]);
     let lines = lines(&ran);
     assert_eq!((lines.len(), ran.stderr.as_str()), (4, ""));
@@ -54,10 +51,10 @@ fn every_format_shows_the_same() {
 }
 
 #[test]
-fn broken_images_are_skipped_and_named() {
+fn broken_images_are_skipped_with_their_names() {
     let folder = Folder::new("see/broken");
-    let (rgb, path) = (scene::rgb(&[]), |name: &str| folder.path().join(name));
-    scene::jpeg(&path("a.jpg"), &rgb);
+    let (rgb, path) = (test_image::rgb(&[]), |name: &str| folder.path().join(name));
+    test_image::jpeg(&path("a.jpg"), &rgb);
     let whole = fs::read(path("a.jpg")).expect("a file");
     fs::write(path("b.jpg"), &whole[..whole.len() / 2]).expect("a file");
     fs::write(path("c_640x240.yuyv"), [1, 2, 3]).expect("a file");
@@ -71,7 +68,7 @@ fn broken_images_are_skipped_and_named() {
 }
 
 #[test]
-fn the_score_counts_what_is_right_and_what_is_not() {
+fn the_score_counts_correct_and_wrong_detections() {
     let folder = Folder::new("see/score");
     for (name, discs) in [
         ("1.png", vec![(100, 150, 14, ORANGE)]),
@@ -79,7 +76,7 @@ fn the_score_counts_what_is_right_and_what_is_not() {
         ("3.png", vec![(100, 150, 14, ORANGE)]),
         ("4.png", vec![(100, 150, 14, RED)]),
     ] {
-        scene::png(&folder.path().join(name), &scene::rgb(&discs));
+        test_image::png(&folder.path().join(name), &test_image::rgb(&discs));
     }
     let labels = folder.path().join("labels.csv");
     let rows =
@@ -96,10 +93,10 @@ fn the_score_counts_what_is_right_and_what_is_not() {
 }
 
 #[test]
-fn a_profile_is_a_name_a_file_or_a_table() {
+fn profiles_are_loaded_by_name_or_from_files() {
     let folder = Folder::new("see/profile");
     let path = |name: &str| folder.path().join(name).to_str().expect("UTF-8").to_owned();
-    scene::png(&folder.path().join("1.png"), &scene::rgb(&[(100, 150, 14, ORANGE)]));
+    test_image::png(&folder.path().join("1.png"), &test_image::rgb(&[(100, 150, 14, ORANGE)]));
     fs::write(path("all.bin"), vec![0; 64 * 64 * 64]).expect("a file");
     fs::write(path("short.bin"), vec![0; 99]).expect("a file");
     let profile = "[orange]\nhue = [110, 150]\nchroma = 30\n[yellow]\nluma = [0, 0]\n[blue]\nluma = [0, 0]\n\
@@ -127,16 +124,6 @@ fn a_profile_is_a_name_a_file_or_a_table() {
     refused(&path("short.bin"), &["short.bin", "99 bytes", "64×64×64"]);
 }
 
-/// The images of real robots, which are not part of this repository; none, and a word about it, if they are not there.
-pub(crate) fn real() -> Option<PathBuf> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../shared/images");
-    if folder.is_dir() {
-        return Some(folder);
-    }
-    eprintln!("skipped: {} is not there", folder.display());
-    None
-}
-
 /// The score of a folder of real images.
 fn score(images: &Path, folder: &str) -> Value {
     let text = |path: PathBuf| path.to_str().expect("UTF-8").to_owned();
@@ -150,28 +137,30 @@ fn part(share: &Value) -> f64 {
     share["good"].as_f64().expect("a count") / share["of"].as_f64().expect("a count")
 }
 
-#[test]
-fn a_nao_of_2009_sees_what_is_there() {
-    let Some(images) = real() else { return };
-    let score = score(&images, "nao2009");
-    assert!(score["recall"]["of"] == 66 && part(&score["recall"]) >= 0.97, "{score}");
-    assert!(part(&score["precision"]) >= 0.99, "{score}");
-    assert!(score["centre_px"]["p50"].as_f64() <= Some(1.0) && part(&score["near"]) >= 0.95, "{score}");
-    let goals = &score["goals"];
-    assert!(part(&goals["complete"]) >= 0.9 && part(&goals["partial"]) >= 0.8, "{goals}");
-    assert_eq!((part(&goals["without"]), &goals["wrong"]), (1.0, &serde_json::json!([])));
-    assert!(score["same_distance"]["of"].as_u64() >= Some(50) && part(&score["same_distance"]) >= 0.95, "{score}");
-    assert!(score["distance"]["p50"].as_f64() <= Some(0.05), "{score}");
-    assert!(score["horizon_px"]["max"].as_f64() <= Some(2.0), "{score}");
+fn figure(value: &Value) -> f64 {
+    value.as_f64().unwrap_or_else(|| panic!("`{value}` is not a number"))
 }
 
-#[test]
-fn a_darwin_of_2013_sees_what_is_there() {
-    let Some(images) = real() else { return };
-    let score = score(&images, "darwin2013");
-    assert!(score["labelled"] == 8 && score["recall"]["of"] == 7, "{score}");
-    assert!(part(&score["recall"]) >= 0.93 && part(&score["precision"]) >= 0.95, "{score}");
-    let goals = &score["goals"];
-    assert!(part(&goals["complete"]) >= 0.9 && part(&goals["partial"]) >= 0.8, "{goals}");
-    assert_eq!(&goals["wrong"], &serde_json::json!([]));
+bica_test_data::images_test! {
+    fn detections_in_images_of_a_nao_of_2009_reach_their_scores() {
+        let score = score(bica_test_data::images(), "nao2009");
+        assert!(score["recall"]["of"] == 66 && part(&score["recall"]) >= 0.97, "{score}");
+        assert!(part(&score["precision"]) >= 0.99, "{score}");
+        assert!(figure(&score["centre_px"]["p50"]) <= 1.0 && part(&score["near"]) >= 0.95, "{score}");
+        let goals = &score["goals"];
+        assert!(part(&goals["complete"]) >= 0.9 && part(&goals["partial"]) >= 0.8, "{goals}");
+        assert_eq!((part(&goals["without"]), &goals["wrong"]), (1.0, &serde_json::json!([])));
+        assert!(figure(&score["same_distance"]["of"]) >= 50.0 && part(&score["same_distance"]) >= 0.95, "{score}");
+        assert!(figure(&score["distance"]["p50"]) <= 0.05, "{score}");
+        assert!(figure(&score["horizon_px"]["max"]) <= 2.0, "{score}");
+    }
+
+    fn detections_in_images_of_a_darwin_of_2013_reach_their_scores() {
+        let score = score(bica_test_data::images(), "darwin2013");
+        assert!(score["labelled"] == 8 && score["recall"]["of"] == 7, "{score}");
+        assert!(part(&score["recall"]) >= 0.93 && part(&score["precision"]) >= 0.95, "{score}");
+        let goals = &score["goals"];
+        assert!(part(&goals["complete"]) >= 0.9 && part(&goals["partial"]) >= 0.8, "{goals}");
+        assert_eq!(&goals["wrong"], &serde_json::json!([]));
+    }
 }

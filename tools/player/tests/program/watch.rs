@@ -1,9 +1,9 @@
-//! Recorded images, good and bad ones.
+//! Detection in recorded images, intact and broken ones.
 
 use std::fs;
 use std::path::Path;
 
-use crate::run::{Folder, run};
+use crate::process::{Folder, run};
 
 const HEADING: &str = "file,r00,r01,r02,r10,r11,r12,r20,r21,r22,tx_mm,ty_mm,tz_mm,trusted\n";
 /// Half a metre up, 30° down.
@@ -30,7 +30,7 @@ fn write(path: &Path, width: u32, height: u32, rgb: &[u8]) {
 }
 
 #[test]
-fn what_is_in_the_images_is_seen_and_placed_on_the_ground() {
+fn a_ball_is_detected_and_projected_to_the_ground() {
     let (folder, seen) = (Folder::new("watch/frames"), Folder::new("watch/seen"));
     for (name, x) in [("2.png", 160), ("1.png", 100)] {
         draw(&folder.path().join(name), x);
@@ -53,7 +53,7 @@ fn what_is_in_the_images_is_seen_and_placed_on_the_ground() {
 }
 
 #[test]
-fn poses_beside_the_folder_are_found() {
+fn poses_beside_the_folder_are_used_by_default() {
     let outer = Folder::new("beside");
     let frames = outer.path().join("lab");
     fs::create_dir(&frames).unwrap();
@@ -64,7 +64,7 @@ fn poses_beside_the_folder_are_found() {
 }
 
 #[test]
-fn what_cannot_be_looked_at_is_skipped_counted_and_named() {
+fn unreadable_files_are_skipped_counted_and_named() {
     let folder = Folder::new("broken");
     draw(&folder.path().join("a.png"), 160);
     let whole = fs::read(folder.path().join("a.png")).unwrap();
@@ -74,16 +74,16 @@ fn what_cannot_be_looked_at_is_skipped_counted_and_named() {
     fs::write(folder.path().join("e.txt"), "not looked at").unwrap();
     let ran = run(&["watch", folder.text()]);
     assert_eq!((ran.code, ran.stderr.as_str()), (Some(0), ""));
-    assert!(ran.stdout.contains("1 seen, 3 skipped"), "{}", ran.stdout);
+    assert!(ran.stdout.contains("1 read, 3 skipped"), "{}", ran.stdout);
     let told = run(&["watch", folder.text(), "--json"]).json();
     let skipped: Vec<_> = told["skipped"].as_array().unwrap().iter().map(|skip| skip["file"].as_str()).collect();
     assert_eq!(skipped, [Some("b.png"), Some("c.PNG"), Some("d.png")]);
     fs::remove_file(folder.path().join("a.png")).unwrap();
-    assert_eq!(run(&["watch", folder.text()]).code, Some(1), "nothing could be looked at");
+    assert_eq!(run(&["watch", folder.text()]).code, Some(1), "no image could be read");
 }
 
 #[test]
-fn a_wrong_folder_or_pose_file_is_an_error_that_names_it() {
+fn errors_name_the_wrong_folder_or_file() {
     let folder = Folder::new("empty");
     let text = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
     let refused = |args: &[&str], words: &[&str]| {
@@ -99,21 +99,18 @@ fn a_wrong_folder_or_pose_file_is_an_error_that_names_it() {
     refused(&[&text("1.png")], &["1.png", "help: name a folder"]);
     refused(&[folder.text(), "--poses", &text("none.csv")], &["none.csv", "--poses"]);
     fs::write(text("bad.csv"), format!("{HEADING}1.png,{POSE},1\n1.png,one\n")).unwrap();
-    refused(&[folder.text(), "--poses", &text("bad.csv")], &["bad.csv", "line 3", "`one` is no number"]);
+    refused(&[folder.text(), "--poses", &text("bad.csv")], &["bad.csv", "line 3", "`one` is not a number"]);
     refused(&[folder.text(), "--pictures", &text("bad.csv")], &["bad.csv", "--pictures"]);
 }
 
-/// The frames of a real robot, which are not part of this repository.
-#[test]
-fn the_ball_is_seen_in_real_frames() {
-    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../../shared/images/nao2009");
-    if !Path::new(folder).is_dir() {
-        eprintln!("skipped: {folder} is not there");
-        return;
+bica_test_data::images_test! {
+    fn balls_are_detected_in_images_of_a_real_robot() {
+        let folder = bica_test_data::images().join("nao2009");
+        let printed = run(&["watch", folder.to_str().expect("UTF-8"), "--json"]).json();
+        assert_eq!((&printed["summary"]["seen"], &printed["summary"]["skipped"]), (&103.into(), &0.into()));
+        assert!(printed["summary"]["balls"].as_u64().is_some_and(|balls| balls >= 60), "{}", printed["summary"]);
+        let first = &printed["frames"][0]["ball"];
+        let near = |key: &str, wanted: f64| first[key].as_f64().is_some_and(|found| (found - wanted).abs() < 2.0);
+        assert!(near("x", 171.2) && near("y", 148.7), "{first}");
     }
-    let told = run(&["watch", folder, "--json"]).json();
-    assert_eq!((&told["summary"]["seen"], &told["summary"]["skipped"]), (&103.into(), &0.into()));
-    assert!(told["summary"]["balls"].as_u64() >= Some(60), "{}", told["summary"]);
-    let first = &told["frames"][0]["ball"];
-    assert!((first["x"].as_f64().unwrap() - 171.2).abs() < 2.0 && (first["y"].as_f64().unwrap() - 148.7).abs() < 2.0);
 }

@@ -1,0 +1,55 @@
+//! Frames to look at, with the cameras that took them.
+
+pub mod recorded;
+pub mod rendered;
+pub mod worst;
+
+use bica_vision::frame::Frame;
+use bica_vision::projection::Camera;
+use bica_vision::table::CompactTable;
+
+/// The sizes that are measured, pixels.
+pub const SIZES: [(u16, u16); 3] = [(160, 120), (320, 240), (640, 480)];
+
+/// A frame with its camera's pose, if that is known.
+pub struct Shot {
+    /// Where it is from.
+    pub name: String,
+    /// Pixels.
+    pub width: u16,
+    /// Pixels.
+    pub height: u16,
+    /// YUYV 4:2:2.
+    pub yuyv: Vec<u8>,
+    /// The camera with its pose, if that is known.
+    pub camera: Option<Camera>,
+}
+
+impl Shot {
+    /// The frame.
+    ///
+    /// # Panics
+    /// If the size does not match the pixels.
+    #[must_use]
+    pub fn frame(&self) -> Frame<'_> {
+        Frame::new(self.width, self.height, &self.yuyv).expect("a frame")
+    }
+}
+
+/// Frames of one size that belong together, with their colours.
+pub struct Album {
+    /// Where the frames are from.
+    pub name: &'static str,
+    /// The colour classes.
+    pub table: CompactTable,
+    /// The frames.
+    pub shots: Vec<Shot>,
+}
+
+impl Album {
+    /// Width and height of its frames, pixels.
+    #[must_use]
+    pub fn size(&self) -> (u16, u16) {
+        self.shots.first().map_or((0, 0), |shot| (shot.width, shot.height))
+    }
+}

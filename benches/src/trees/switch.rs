@@ -1,0 +1,57 @@
+//! A machine that changes its state, and so what is active, in every cycle.
+
+use bica::prelude::*;
+
+macro_rules! leaf {
+    ($name:ident) => {
+        #[doc = "What one state activates."]
+        pub struct $name(u64);
+
+        #[component]
+        impl $name {
+            const fn new() -> Self {
+                Self(1)
+            }
+
+            fn step(&mut self) {
+                self.0 = self.0.wrapping_mul(31).wrapping_add(1);
+            }
+        }
+    };
+}
+leaf!(Left);
+leaf!(Right);
+
+/// The root.
+pub struct Root {
+    /// Whether it changes its state.
+    pub changes: bool,
+}
+
+#[component]
+impl Root {
+    const fn new() -> Self {
+        Self { changes: true }
+    }
+
+    #[state(initial)]
+    fn left(&mut self, _left: &mut Left) {}
+
+    #[state]
+    fn right(&mut self, _right: &mut Right) {}
+
+    #[transition(left -> right)]
+    fn to_right(&self) -> bool {
+        self.changes
+    }
+
+    #[transition(right -> left)]
+    fn to_left(&self) -> bool {
+        self.changes
+    }
+}
+
+activation_tree! {
+    /// In every cycle one component becomes active and one latent.
+    pub struct Switch { root: Root, cycle_hz: 1000, components: [Root, Left, Right] }
+}

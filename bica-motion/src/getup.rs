@@ -1,0 +1,188 @@
+//! Getting up.
+//!
+//! A get-up is a list of key postures ([`RobotModel::GET_UP`]), linearly interpolated and slowed down where a joint would
+//! exceed its maximum speed. From the front, the arms push the hips up and back over the spread feet until the robot sits.
+//! From the back, the robot swings its legs and sits up. From sitting, both ways are the same: the robot kneels on one leg,
+//! pushes with the opposite hand, pulls the other leg in and rises. Before it stands it passes a *tuck* with both knees bent
+//! beyond [`TUCK_KNEE_ANGLE`]. The last posture is [`RobotModel::STAND`], held for [`HOLD`] seconds.
+//!
+//! After two failed attempts the robot turns over before the next one, because an obstacle may block it.
+
+use core::marker::PhantomData;
+
+use crate::easing::mix;
+use crate::fall::Direction;
+use crate::joints::{Joint, Joints};
+use crate::keyframes::Keyframe;
+use crate::model::{GetUpFrame, Nao, RobotModel};
+use crate::robot::Inertial;
+
+/// Minimum angle of both knees in the tuck, rad.
+pub const TUCK_KNEE_ANGLE: f32 = 1.8;
+/// Duration of the stand at the end of the motion, s.
+pub const HOLD: f32 = 0.8;
+/// Duration of the motion from the last key posture to the stand, s.
+const STRETCH: f32 = 0.8;
+/// Stiffness on the way to the first key posture, which moves only limbs; then 1.
+const FIRST_STIFFNESS: f32 = 0.65;
+/// Stiffness of the stand at the end.
+const STAND_STIFFNESS: f32 = 0.8;
+/// Vertical component of the torso's axis (unit vector) above which the torso has risen.
+const RISEN_UPRIGHTNESS: f32 = 0.9;
+/// Vertical component of the torso's axis (unit vector) below which a risen robot has fallen again.
+const FALLEN_UPRIGHTNESS: f32 = 0.5;
+/// Pitch of the torso above which the robot lies on its face, rad.
+const FACE_DOWN_PITCH: f32 = 1.0;
+
+/// Sequence of key postures.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Sequence {
+    UpFromFront,
+    UpFromBack,
+    TurnFromFront,
+    TurnFromBack,
+}
+
+/// A get-up in progress.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GetUp<M = Nao> {
+    sequence: Sequence,
+    mirrored: bool,
+    from: Joints,
+    /// Index of the posture that is being approached.
+    index: usize,
+    /// Time since the posture before, s.
+    time: f32,
+    /// Duration of the motion from the posture before, s.
+    seconds: f32,
+    risen: bool,
+    failed: bool,
+    model: PhantomData<M>,
+}
+
+impl<M: RobotModel> GetUp<M> {
+    /// No get-up: done at once.
+    #[must_use]
+    pub const fn none() -> Self {
+        Self {
+            sequence: Sequence::UpFromBack,
+            mirrored: false,
+            from: Joints([0.0; 25]),
+            index: usize::MAX,
+            time: 0.0,
+            seconds: 0.0,
+            risen: false,
+            failed: true,
+            model: PhantomData,
+        }
+    }
+
+    /// A get-up of a robot that lies on side `lying` with its joints at `from` (measured angles, rad), after a number of
+    /// `failures`.
+    ///
+    /// From a side the way from the back is used: its leg motion rolls the body onto the back. If the body rolls onto its
+    /// face instead, the get-up stops at once. Every second attempt is mirrored. Every third attempt only turns the robot over,
+    /// away from a possible obstacle.
+    #[must_use]
+    pub fn new(lying: Direction, failures: u8, from: Joints) -> Self {
+        let sequence = match (lying, failures % 3 == 2) {
+            (Direction::Front, false) => Sequence::UpFromFront,
+            (Direction::Front, true) => Sequence::TurnFromFront,
+            (_, false) => Sequence::UpFromBack,
+            (_, true) => Sequence::TurnFromBack,
+        };
+        let mirrored = failures % 2 == 1;
+        let mut movement = Self { sequence, mirrored, from, index: 0, failed: false, ..Self::none() };
+        movement.seconds = movement.needed();
+        movement
+    }
+
+    /// Whether the motion has ended: after its last posture, or because the robot fell again.
+    #[must_use]
+    pub fn is_done(&self) -> bool {
+        let rise = match self.sequence {
+            Sequence::UpFromFront | Sequence::UpFromBack => M::GET_UP.rise.len() + 2,
+            Sequence::TurnFromFront | Sequence::TurnFromBack => 0,
+        };
+        self.failed || self.index >= self.first_frames().len() + rise
+    }
+
+    /// Advances by `dt` seconds; returns target angles (rad) and stiffness of all joints. When done, the last posture.
+    pub fn step(&mut self, inertial: &Inertial, dt: f32) -> (Joints, f32) {
+        self.check_progress(inertial);
+        if dt > 0.0 {
+            self.time += dt;
+        }
+        while !self.is_done() && self.time >= self.seconds {
+            self.time -= self.seconds;
+            self.from = self.goal().1;
+            self.index += 1;
+            self.seconds = self.needed();
+        }
+        if self.is_done() {
+            return (self.from, STAND_STIFFNESS);
+        }
+        let ((_, goal), share) = (self.goal(), self.time / self.seconds);
+        let mut targets = self.from;
+        for (target, goal) in targets.0.iter_mut().zip(goal.0) {
+            *target = mix(*target, goal, share);
+        }
+        (targets, self.stiffness())
+    }
+
+    /// Stops the motion if the robot has risen and lies again, does not sit at the start of the rise, or lies on its face
+    /// on the way from the back.
+    fn check_progress(&mut self, inertial: &Inertial) {
+        let uprightness = libm::cosf(inertial.pitch) * libm::cosf(inertial.roll);
+        self.risen |= uprightness > RISEN_UPRIGHTNESS || self.index > self.first_frames().len();
+        let on_face = self.sequence == Sequence::UpFromBack
+            && self.index >= M::GET_UP.rolled_onto_back
+            && inertial.pitch > FACE_DOWN_PITCH;
+        self.failed |= self.risen && uprightness < FALLEN_UPRIGHTNESS || on_face;
+    }
+
+    /// Key postures before the rise.
+    const fn first_frames(&self) -> &'static [GetUpFrame] {
+        match self.sequence {
+            Sequence::UpFromFront => M::GET_UP.sit_up_from_front,
+            Sequence::UpFromBack => M::GET_UP.sit_up_from_back,
+            Sequence::TurnFromFront => M::GET_UP.turn_from_front,
+            Sequence::TurnFromBack => M::GET_UP.turn_from_back,
+        }
+    }
+
+    /// The posture that is being approached, and the nominal duration of the motion to it, s.
+    fn goal(&self) -> (f32, Joints) {
+        let rise = self.index.wrapping_sub(self.first_frames().len());
+        let Some(frame) = self.first_frames().get(self.index).or_else(|| M::GET_UP.rise.get(rise)) else {
+            return (if rise == M::GET_UP.rise.len() { STRETCH } else { HOLD }, M::STAND);
+        };
+        let posture = frame.posture();
+        (frame.seconds(), if self.mirrored { posture.mirrored() } else { posture })
+    }
+
+    /// Duration of the motion to the next posture, s: nominal, or as long as the slowest joint needs.
+    fn needed(&self) -> f32 {
+        let (seconds, goal) = self.goal();
+        let turn = |joint: Joint| (goal[joint] - self.from[joint]).abs() / M::MAX_SPEEDS[joint];
+        Joint::ALL.into_iter().map(turn).fold(seconds, f32::max)
+    }
+
+    const fn stiffness(&self) -> f32 {
+        match self.index {
+            0 => FIRST_STIFFNESS,
+            index if index > self.first_frames().len() + M::GET_UP.rise.len() => STAND_STIFFNESS,
+            _ => 1.0,
+        }
+    }
+}
+
+/// Posture to take during a fall, see [`RobotModel::FALL_POSTURES`]. The stiffness of
+/// [`Stiffness::Fall`](crate::stiffness::Stiffness::Fall) applies.
+#[must_use]
+pub const fn protection<M: RobotModel>(falling: Direction) -> Keyframe {
+    match falling {
+        Direction::Front => M::FALL_POSTURES.front,
+        Direction::Back | Direction::Left | Direction::Right => M::FALL_POSTURES.other,
+    }
+}

@@ -1,0 +1,143 @@
+//! Health of the body: faults of joints, motors, inertial unit and feet.
+//!
+//! A fault says nothing about the balance: see [`FallState`](crate::fall::FallState).
+
+mod fault;
+mod motor_load;
+
+pub use fault::Fault;
+
+use core::marker::PhantomData;
+
+use self::motor_load::MotorLoad;
+use crate::joints::{Joint, Joints};
+use crate::model::{Nao, RobotModel};
+use crate::robot::{Inertial, Sensors};
+use crate::side::Side;
+
+/// Minimum stiffness at which a joint follows its target.
+pub const FOLLOWING_STIFFNESS: f32 = 0.6;
+/// Maximum roll and pitch of the torso at which feet and joints behave as in stand and walk, rad. Beyond, the robot falls or
+/// lies.
+pub const UPRIGHT_TILT: f32 = 0.4;
+/// Minimum deviation of a stuck joint from its target, rad: three times the lag in the fastest kick.
+const STUCK_DEVIATION: f32 = 0.7;
+/// Number of cycles of 10 ms after which a deviating joint is stuck.
+const STUCK_CYCLES: u16 = 100;
+/// Number of identical readings after which the inertial unit is broken: noise alone changes the last digits.
+const INERTIAL_CYCLES: u16 = 100;
+/// Number of cycles of 10 ms after which a foot without force is broken: no motion stands on one foot for so long.
+const SILENT_FOOT_CYCLES: u16 = 400;
+
+/// Whether feet and joints behave as in stand and walk, by the torso's angles (see [`UPRIGHT_TILT`]).
+#[must_use]
+pub const fn is_upright(inertial: &Inertial) -> bool {
+    inertial.roll.abs() < UPRIGHT_TILT && inertial.pitch.abs() < UPRIGHT_TILT
+}
+
+/// Monitor of joints, motors, inertial unit and feet.
+///
+/// A fault is permanent, except those by heat: they end when all temperatures are below the derating range and no coil
+/// exceeds its continuous load.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Health<M = Nao> {
+    fault: Option<Fault>,
+    inertial: Inertial,
+    same: u16,
+    silent: [u16; 2],
+    /// Joint with the largest deviation, and the number of cycles since it has been that joint.
+    stuck: (Joint, u16),
+    motor_load: MotorLoad,
+    model: PhantomData<M>,
+}
+
+impl<M: RobotModel> Default for Health<M> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl<M: RobotModel> Health<M> {
+    /// No fault.
+    #[must_use]
+    pub const fn new() -> Self {
+        const STILL: Inertial =
+            Inertial { gyro: glam::Vec3::ZERO, acceleration: glam::Vec3::ZERO, roll: 0.0, pitch: 0.0 };
+        Self {
+            fault: None,
+            inertial: STILL,
+            same: 0,
+            silent: [0; 2],
+            stuck: (Joint::HeadYaw, 0),
+            motor_load: MotorLoad::new(),
+            model: PhantomData,
+        }
+    }
+
+    /// Current fault, if any.
+    #[must_use]
+    pub const fn fault(&self) -> Option<Fault> {
+        match self.fault {
+            Some(fault) => Some(fault),
+            None => self.motor_load.fault(),
+        }
+    }
+
+    /// Stiffness after the derating of hot and loaded motors, see [`ThermalLimits`](crate::model::ThermalLimits).
+    #[must_use]
+    pub fn derated(&self, stiffness: &Joints) -> Joints {
+        self.motor_load.derated(stiffness)
+    }
+
+    /// Processes the sensors of one cycle with the targets (rad) and stiffness commanded in the last cycle.
+    pub fn step(&mut self, sensors: &Sensors<'_>, targets: &Joints, stiffness: &Joints) {
+        let inertial = self.check_inertial(&sensors.inertial);
+        let upright = is_upright(&sensors.inertial);
+        let found = if upright {
+            inertial.or_else(|| self.check_feet(sensors)).or_else(|| self.check_joints(sensors, targets, stiffness))
+        } else {
+            (self.silent, self.stuck.1) = ([0; 2], 0);
+            inertial
+        };
+        self.motor_load.step::<M>(sensors, upright);
+        self.fault = self.fault.or(found);
+    }
+
+    fn check_inertial(&mut self, now: &Inertial) -> Option<Fault> {
+        // A unit that never measured an acceleration may not exist in this world.
+        let exists = now.acceleration != glam::Vec3::ZERO;
+        self.same = if exists && *now == self.inertial { self.same.saturating_add(1) } else { 0 };
+        self.inertial = *now;
+        (self.same >= INERTIAL_CYCLES).then_some(Fault::Inertial)
+    }
+
+    fn check_feet(&mut self, sensors: &Sensors<'_>) -> Option<Fault> {
+        let forces = [sensors.left_foot.total(), sensors.right_foot.total()];
+        Side::BOTH.into_iter().find_map(|side| {
+            let silent = forces[side.index()] <= 0.0 && forces[side.other().index()] >= M::SUPPORT_FORCE;
+            let count = &mut self.silent[side.index()];
+            *count = if silent { count.saturating_add(1) } else { 0 };
+            (*count >= SILENT_FOOT_CYCLES).then_some(Fault::Foot(side))
+        })
+    }
+
+    fn check_joints(&mut self, sensors: &Sensors<'_>, targets: &Joints, stiffness: &Joints) -> Option<Fault> {
+        let deviation = |joint: Joint| (targets[joint] - sensors.angles[joint]).abs();
+        let watched =
+            M::JOINTS.iter().copied().filter(|&joint| follows(joint) && stiffness[joint] >= FOLLOWING_STIFFNESS);
+        let worst = watched
+            .max_by(|&a, &b| deviation(a).total_cmp(&deviation(b)))
+            .filter(|&joint| deviation(joint) > STUCK_DEVIATION);
+        self.stuck = match worst {
+            Some(joint) if joint == self.stuck.0 => (joint, self.stuck.1.saturating_add(1)),
+            Some(joint) => (joint, 1),
+            None => (self.stuck.0, 0),
+        };
+        (self.stuck.1 >= STUCK_CYCLES).then_some(Fault::Stuck(self.stuck.0))
+    }
+}
+
+/// Whether a joint must follow its target: legs and head. The arms are compliant and may rest on something.
+const fn follows(joint: Joint) -> bool {
+    matches!(joint.index(), 0 | 1 | 7..=17)
+}

@@ -1,0 +1,256 @@
+//! The robot: components, activation tree, inputs and outputs.
+//!
+//! Frames: x forward, y left. Metres, radians, seconds.
+
+use core::convert::Infallible;
+use core::f32::consts::{FRAC_PI_2, FRAC_PI_4, TAU};
+
+use bica::prelude::*;
+use bica::runner::Robot;
+
+/// Number of lidar rays. Ray i points to angle i · 2π / RAYS, counterclockwise from straight ahead.
+pub(crate) const RAYS: usize = 72;
+/// Distance between the wheels, m.
+pub(crate) const TRACK_WIDTH: f32 = 0.3;
+
+/// The sensor values of a cycle.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Sensors {
+    /// Distances of the lidar rays, m.
+    pub(crate) ranges: [f32; RAYS],
+    /// Distances that the left and the right wheel rolled since the cycle before, m.
+    pub(crate) rolled: [f32; 2],
+}
+
+/// The speeds of the left and the right wheel, m/s.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct WheelSpeeds(pub(crate) [f32; 2]);
+
+/// The newest scan.
+pub(crate) struct Lidar {
+    ranges: [f32; RAYS],
+}
+
+#[component]
+impl Lidar {
+    pub(crate) const fn new() -> Self {
+        Self { ranges: [f32::INFINITY; RAYS] }
+    }
+
+    /// The distance in a direction, m.
+    pub(crate) fn range(&self, angle: f32) -> f32 {
+        let ray = (angle.rem_euclid(TAU) / TAU * RAYS as f32).round() as usize;
+        self.ranges[ray % RAYS]
+    }
+}
+
+/// The pose, integrated from the wheels.
+pub(crate) struct Odometry {
+    position: [f32; 2],
+    heading: f32,
+    /// Length of the way, m.
+    driven: f32,
+}
+
+#[component]
+impl Odometry {
+    pub(crate) const fn new() -> Self {
+        Self { position: [0.0; 2], heading: 0.0, driven: 0.0 }
+    }
+
+    fn roll(&mut self, [left, right]: [f32; 2]) {
+        let forward = 0.5 * (left + right);
+        self.heading += (right - left) / TRACK_WIDTH;
+        self.position[0] += forward * self.heading.cos();
+        self.position[1] += forward * self.heading.sin();
+        self.driven += forward.abs();
+    }
+
+    fn distance_to(&self, [x, y]: [f32; 2]) -> f32 {
+        (self.position[0] - x).hypot(self.position[1] - y)
+    }
+}
+
+/// What the scan shows: free distance ahead, and the wall on the right.
+pub(crate) struct WallDetector {
+    /// Free distance ahead, m.
+    ahead: f32,
+    /// Distance of the wall on the right, m.
+    distance: f32,
+    /// Angle from the wall's direction to the robot's, rad; positive: it drives away from the wall.
+    angle: f32,
+}
+
+/// Two rays to one wall differ in length by less than this factor; a longer one passes the end of the wall.
+const SAME_WALL: f32 = 3.0;
+
+#[component(hz = 25, budget_us = 20)]
+impl WallDetector {
+    pub(crate) const fn new() -> Self {
+        Self { ahead: f32::INFINITY, distance: f32::INFINITY, angle: 0.0 }
+    }
+
+    fn step(&mut self, lidar: &Lidar) {
+        let cone = (-4..=4).map(|ray| lidar.range(ray as f32 * TAU / RAYS as f32));
+        self.ahead = cone.fold(f32::INFINITY, f32::min);
+        // The wall through the ends of two rays, 90° and 45° to the right.
+        let (beside, oblique) = (lidar.range(-FRAC_PI_2), lidar.range(-FRAC_PI_4));
+        let (sin, cos) = FRAC_PI_4.sin_cos();
+        let same_wall = oblique < SAME_WALL * beside;
+        self.angle = if same_wall { (oblique * cos - beside).atan2(oblique * sin) } else { 0.0 };
+        self.distance = beside * self.angle.cos();
+    }
+}
+
+/// The drive, with limited acceleration.
+pub(crate) struct Drive {
+    wanted: (f32, f32),
+    speeds: WheelSpeeds,
+}
+
+/// Largest acceleration of a wheel, m/s².
+const ACCELERATION: f32 = 1.5;
+
+#[component(budget_us = 5)]
+impl Drive {
+    pub(crate) const fn new() -> Self {
+        Self { wanted: (0.0, 0.0), speeds: WheelSpeeds([0.0; 2]) }
+    }
+
+    fn step(&mut self, time: &Time) {
+        let (forward, turn) = self.wanted;
+        let wanted = [forward - 0.5 * TRACK_WIDTH * turn, forward + 0.5 * TRACK_WIDTH * turn];
+        let change = ACCELERATION * time.dt();
+        for (speed, wanted) in self.speeds.0.iter_mut().zip(wanted) {
+            *speed += (wanted - *speed).clamp(-change, change);
+        }
+    }
+
+    /// Requests a speed, m/s, and a turning speed, rad/s, positive to the left.
+    fn request(&mut self, forward: f32, turn: f32) {
+        self.wanted = (forward, turn);
+    }
+}
+
+/// Speed, m/s.
+const SPEED: f32 = 0.4;
+/// Turning speed, rad/s.
+const TURN: f32 = 1.2;
+/// Distance to keep from the wall, m.
+const CLEARANCE: f32 = 0.4;
+/// Free distance ahead below which the robot stands before a corner, m.
+const CORNER: f32 = 0.55;
+/// Distance beyond which the wall on the right has ended, m.
+const WALL_END: f32 = 0.6;
+/// Distance up to which a wall is beside the robot after a corner, m.
+const BESIDE: f32 = 0.9;
+/// Radius of the way around the end of a wall, m.
+const END_RADIUS: f32 = 0.5;
+/// Distance from the beginning of the lap at which it is complete, m.
+const LAP_END: f32 = 0.25;
+/// Shortest lap, m.
+const MIN_LAP: f32 = 3.0;
+
+/// Drives once around the room with the wall on its right.
+pub(crate) struct Explorer {
+    /// Where the lap began, and the way driven until then, m.
+    lap: Option<([f32; 2], f32)>,
+    done: bool,
+}
+
+#[component(hz = 25, budget_us = 10)]
+impl Explorer {
+    pub(crate) const fn new() -> Self {
+        Self { lap: None, done: false }
+    }
+
+    /// Drives ahead until there is a wall.
+    #[state(initial)]
+    fn search_wall(&mut self, drive: &mut Drive) {
+        drive.request(SPEED, 0.0);
+    }
+
+    /// Keeps the distance from the wall.
+    #[state]
+    fn follow_wall(&mut self, wall: &WallDetector, odometry: &Odometry, drive: &mut Drive) {
+        self.lap.get_or_insert((odometry.position, odometry.driven));
+        let turn = 2.5 * (CLEARANCE - wall.distance) - 2.0 * wall.angle;
+        drive.request(SPEED, turn.clamp(-TURN, TURN));
+    }
+
+    /// Turns left in a corner.
+    #[state]
+    fn turn_left(&mut self, drive: &mut Drive) {
+        drive.request(0.0, TURN);
+    }
+
+    /// Drives around the end of a wall.
+    #[state]
+    fn round_end(&mut self, drive: &mut Drive) {
+        drive.request(SPEED, -SPEED / END_RADIUS);
+    }
+
+    /// The lap is complete.
+    #[state(last)]
+    fn arrive(&mut self, drive: &mut Drive) {
+        drive.request(0.0, 0.0);
+        self.done = true;
+    }
+
+    #[transition(follow_wall -> arrive)]
+    fn lap_complete(&self, odometry: &Odometry) -> bool {
+        self.lap
+            .is_some_and(|(begin, driven)| odometry.driven - driven > MIN_LAP && odometry.distance_to(begin) < LAP_END)
+    }
+
+    #[transition(search_wall | follow_wall | round_end -> turn_left)]
+    fn wall_ahead(&self, wall: &WallDetector) -> bool {
+        wall.ahead < CORNER
+    }
+
+    #[transition(turn_left -> follow_wall)]
+    fn wall_beside(&self, wall: &WallDetector) -> bool {
+        wall.ahead > 2.0 * CORNER && wall.distance < BESIDE && wall.angle > -0.2
+    }
+
+    #[transition(follow_wall -> round_end)]
+    fn wall_ended(&self, wall: &WallDetector) -> bool {
+        wall.distance > WALL_END
+    }
+
+    #[transition(round_end -> follow_wall, after_ms = 800)]
+    fn wall_found(&self, wall: &WallDetector) -> bool {
+        wall.distance < WALL_END && wall.angle.abs() < 0.6
+    }
+
+    /// Whether the lap is complete.
+    pub(crate) fn is_done(&self) -> bool {
+        self.done
+    }
+}
+
+activation_tree! {
+    /// A two-wheeled robot that follows walls.
+    pub(crate) struct WallFollower {
+        root: Explorer,
+        cycle_hz: 50,
+        budget_ms: 5,
+        components: [Explorer, WallDetector, Lidar, Odometry, Drive],
+    }
+}
+
+impl Robot for WallFollower {
+    type Sensors<'a> = Sensors;
+    type Command = WheelSpeeds;
+    type Error = Infallible;
+
+    fn sense(&mut self, sensors: &Sensors) -> Result<(), Infallible> {
+        self.get_mut::<Lidar>().ranges = sensors.ranges;
+        self.get_mut::<Odometry>().roll(sensors.rolled);
+        Ok(())
+    }
+
+    fn act(&mut self) -> WheelSpeeds {
+        self.get::<Drive>().speeds
+    }
+}

@@ -1,0 +1,18 @@
+//! Looks for the recorded images: sets `cfg(shared_images)` where they are.
+
+use std::env;
+use std::path::PathBuf;
+
+fn main() {
+    println!("cargo::rustc-check-cfg=cfg(shared_images)");
+    println!("cargo::rerun-if-env-changed=BICA_SHARED");
+    println!("cargo::rerun-if-changed=build.rs");
+    let beside = || PathBuf::from(env::var_os("CARGO_MANIFEST_DIR").unwrap_or_default()).join("../../../shared");
+    let images = env::var_os("BICA_SHARED").map_or_else(beside, PathBuf::from).join("images");
+    println!("cargo::rustc-env=BICA_IMAGES={}", images.display());
+    if images.is_dir() {
+        // A missing path is not watched: Cargo would build the tests anew each time.
+        println!("cargo::rerun-if-changed={}", images.join("labels.csv").display());
+        println!("cargo::rustc-cfg=shared_images");
+    }
+}

@@ -1,0 +1,46 @@
+//! Recorded images for tests.
+//!
+//! The images are not part of the repository. They lie in `../shared/images` beside it, or in `$BICA_SHARED/images`.
+//! Where they are missing, a test in [`images_test!`] is ignored, and the test harness counts and prints it:
+//!
+//! ```text
+//! test ball_is_found ... ignored, needs recorded images in ../shared/images or $BICA_SHARED/images
+//! ```
+//!
+//! ```
+//! bica_test_data::images_test! {
+//!     fn ball_is_found() {
+//!         let images = bica_test_data::images();
+//!         assert!(images.join("labels.csv").is_file());
+//!     }
+//! }
+//! ```
+//!
+//! Whether the images are there is decided when the tests are built. After adding them, set `BICA_SHARED` or run
+//! `cargo clean -p bica-test-data`.
+
+use std::path::Path;
+
+/// Folder of the recorded images, whether it exists or not.
+#[must_use]
+pub fn images() -> &'static Path {
+    Path::new(env!("BICA_IMAGES"))
+}
+
+/// A test that needs the recorded images. It is ignored, with the reason, where they are missing.
+#[cfg(shared_images)]
+#[macro_export]
+macro_rules! images_test {
+    ($($(#[$meta:meta])* fn $name:ident() $body:block)+) => {
+        $($(#[$meta])* #[test] fn $name() $body)+
+    };
+}
+
+/// A test that needs the recorded images. It is ignored, with the reason, where they are missing.
+#[cfg(not(shared_images))]
+#[macro_export]
+macro_rules! images_test {
+    ($($(#[$meta:meta])* fn $name:ident() $body:block)+) => {
+        $($(#[$meta])* #[test] #[ignore = "needs recorded images in ../shared/images or $BICA_SHARED/images"] fn $name() $body)+
+    };
+}
