@@ -56,7 +56,7 @@ activation_tree! {
     struct Robot {
         root: Striker,
         cycle_hz: 100,
-        // Made by `new()` unless the list says how.
+        // Each is `new()`, unless the list gives a value.
         components: [Striker = Striker, Ball = Ball, Goal = Goal, Camera],
     }
 }

@@ -31,7 +31,7 @@ impl Alarm {
     }
 
     fn step(&mut self, light: &mut Light, rate: &mut Rate<Light>, time: &Time) {
-        rate.set(0.5 + 0.5 * time.in_state_s());
+        rate.set(0.5 + 0.5 * time.in_state_s() as f32);
     }
 }
 

@@ -1,4 +1,4 @@
-//! Finds MuJoCo's library for the feature `mujoco`, and lets tests and examples find it when they run.
+//! Locates MuJoCo's library for the feature `mujoco` and sets the run-time search path of tests and examples.
 
 use std::env;
 use std::path::Path;
@@ -15,7 +15,7 @@ fn main() {
     if Path::new(&folder).join("libmujoco.so").is_file() {
         println!("cargo::rustc-link-arg=-Wl,-rpath,{folder}");
     } else {
-        println!("cargo::error=the feature `mujoco` needs MuJoCo's library, and `{folder}` does not hold it");
+        println!("cargo::error=the feature `mujoco` needs MuJoCo's library, which is not in `{folder}`");
         println!("cargo::error=`cargo xtask mujoco` installs it");
     }
 }

@@ -56,7 +56,7 @@ fn pattern(name: &str, first: &str, second: &str) -> Desk {
 #[bench::noise_of_bytes(worst(worst::noise_of_bytes(SIZE)))]
 fn eyes((mut eyes, album): Desk) -> Desk {
     for shot in album.shots.iter().cycle().take(FRAMES) {
-        eyes.look(&shot.frame(), &album.table, shot.camera.as_ref());
+        eyes.detect(&shot.frame(), &album.table, shot.camera.as_ref());
         if album.name == WORST {
             dawdle(DAWDLE);
         }

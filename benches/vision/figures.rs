@@ -1,23 +1,23 @@
-//! Figures that a shared machine cannot spoil: of every frame the fastest of several rounds.
+//! Times that are robust on a shared machine: the fastest of several rounds for each frame.
 
 use std::time::Instant;
 
 use crate::stages::{Desk, Given, MEMCPY, STAGES, Stage};
 use bica_benches::frames::Album;
 
-/// Rounds over all frames.
+/// Number of rounds over all frames.
 const ROUNDS: usize = 15;
 
-/// What a stage took in an album's frames, µs.
+/// Times of a stage over an album's frames, µs.
 pub(crate) struct Figure {
     pub(crate) stage: &'static str,
     pub(crate) mean: f64,
     pub(crate) most: f64,
-    /// The frame that took most.
+    /// Slowest frame.
     pub(crate) slowest: String,
 }
 
-/// Measures every stage in every frame.
+/// Measures each stage on each frame.
 pub(crate) fn measure(album: &Album, stages: &[Stage]) -> Vec<Figure> {
     let mut desk = Desk::new();
     let given: Vec<_> = album.shots.iter().map(|shot| Given::new(shot, &album.table)).collect();
@@ -39,7 +39,7 @@ pub(crate) fn measure(album: &Album, stages: &[Stage]) -> Vec<Figure> {
     stages.iter().zip(&least).map(figure).collect()
 }
 
-/// Prints every stage of albums of one size, beside one copy of the frame.
+/// Prints the times of each stage for albums of one size, and of a copy of the frame.
 pub(crate) fn print(albums: &[Album]) {
     let Some((width, height)) = albums.first().map(Album::size) else { return };
     println!("\n{width}×{height}, µs for a frame: mean over the frames and slowest frame, × one memcpy");
@@ -60,7 +60,7 @@ pub(crate) fn print(albums: &[Album]) {
     }
 }
 
-/// Prints the frames that take longest, stage by stage, beside what a frame takes otherwise.
+/// Prints the slowest frames of each stage and the ratio to typical frames.
 pub(crate) fn print_worst(worst: &Album, usual: &Album) {
     println!("\n{:16}{:>12}{:>12}{:>14}  worst of {} made-up frames", "", "mean", "worst", "×", worst.shots.len());
     let (worst, usual) = (measure(worst, &STAGES), measure(usual, &STAGES));

@@ -1,8 +1,8 @@
-//! What seeing costs, stage by stage, on rendered and on real frames.
+//! Costs of the vision stages on rendered and recorded frames.
 //!
-//! `cargo bench --bench vision` prints a table of minima, with a copy of the frame as the floor and made-up frames as
-//! the worst, then Criterion's figures; `cargo bench --bench vision -- table` the table alone; `cargo xtask opencv` what
-//! another library takes beside it. Compare figures of one run with each other, never with another machine's.
+//! `cargo bench --bench vision` prints a table of minimum times, with a copy of the frame as the lower bound and
+//! synthetic frames as the worst case, and then Criterion's results. `cargo bench --bench vision -- table` prints the
+//! table alone. `cargo xtask opencv` compares with OpenCV. Compare results of one run only, never of two machines.
 
 mod figures;
 mod peer;
@@ -13,7 +13,7 @@ use criterion::Criterion;
 use crate::stages::{Desk, Given, STAGES};
 use bica_benches::frames::{Album, SIZES, recorded, rendered, worst};
 
-/// Games that frames are rendered of.
+/// Seeds of the games whose frames are rendered.
 const WORLDS: u64 = 12;
 
 fn main() {
@@ -33,13 +33,13 @@ fn main() {
     }
 }
 
-/// Real frames with poses where there are some, else rendered ones.
+/// Recorded frames with poses if available, otherwise rendered ones.
 fn usual(size: (u16, u16)) -> Album {
     recorded::folder()
         .map_or_else(|| rendered::album(size, WORLDS), |folder| recorded::albums(folder, size).swap_remove(0))
 }
 
-/// Prints what every stage takes, for each size, and how much longer frames may take that are made to.
+/// Prints the time of each stage and frame size, and the ratio of the worst frames to typical ones.
 fn tables() -> Vec<Vec<Album>> {
     let real = recorded::folder();
     let of_size = |size| {
@@ -52,7 +52,7 @@ fn tables() -> Vec<Vec<Album>> {
     SIZES.map(of_size).into()
 }
 
-/// Every stage on the frames of an album, one after the other.
+/// Runs each stage on all frames of an album.
 fn bench(criterion: &mut Criterion, album: &Album) {
     let (width, height) = album.size();
     let given: Vec<_> = album.shots.iter().map(|shot| Given::new(shot, &album.table)).collect();

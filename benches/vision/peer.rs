@@ -1,4 +1,4 @@
-//! The same frames for another library, and what all detectors take on them.
+//! Frames for the comparison with OpenCV, and the time of all detectors on them.
 
 use std::fs;
 use std::path::Path;
@@ -7,7 +7,7 @@ use crate::figures;
 use crate::stages::{EVERYTHING, MEMCPY, STAGES};
 use bica_benches::frames::Album;
 
-/// Writes the frames of an album into a file `WIDTHxHEIGHT.yuyv`, one after the other.
+/// Writes the frames of an album to a file `WIDTHxHEIGHT.yuyv`, without separators.
 pub(crate) fn export(album: &Album, folder: &Path) {
     let (width, height) = album.size();
     let bytes: Vec<u8> = album.shots.iter().flat_map(|shot| shot.yuyv.iter().copied()).collect();
@@ -15,7 +15,7 @@ pub(crate) fn export(album: &Album, folder: &Path) {
     fs::write(folder.join(format!("{width}x{height}.yuyv")), bytes).expect("room for the frames");
 }
 
-/// Prints the size, what everything takes and what a copy of the frame takes: means over the frames, µs.
+/// Prints the size, the mean time of all detectors and that of a copy of the frame, µs.
 pub(crate) fn everything(album: &Album) {
     let (width, height) = album.size();
     let stages: Vec<_> = STAGES.into_iter().filter(|(stage, _)| [MEMCPY, EVERYTHING].contains(stage)).collect();

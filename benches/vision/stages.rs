@@ -1,4 +1,4 @@
-//! The stages of seeing, each on what the stages before it found.
+//! The vision stages, each on the results of the earlier stages.
 
 use std::hint::black_box;
 
@@ -17,20 +17,20 @@ use bica_vision::table::CompactTable;
 
 use bica_benches::frames::Shot;
 
-/// Runs of all classes that are kept.
+/// Maximum number of runs of all classes.
 const RUNS: usize = 8192;
 
-/// The memory of all stages, as a robot has it, and a place to copy a frame to.
+/// Working memory of all stages, and a buffer to copy a frame to.
 pub(crate) struct Desk {
     copy: Vec<u8>,
     runs: Runs<RUNS>,
     regions: Regions<RUNS, 64>,
     balls: BallFinder<512>,
     goals: GoalFinder<512>,
-    eyes: Pipeline<512, 512>,
+    pipeline: Pipeline<512, 512>,
 }
 
-/// A frame with what earlier stages found in it.
+/// Frame with the results of earlier stages.
 pub(crate) struct Given<'a> {
     pub(crate) shot: &'a Shot,
     pub(crate) table: &'a CompactTable,
@@ -46,15 +46,15 @@ impl<'a> Given<'a> {
     }
 }
 
-/// A stage: its name and what it does.
+/// Stage: name and function.
 pub(crate) type Stage = (&'static str, fn(&mut Desk, &Given<'_>));
 
-/// The floor that no stage that reads the whole frame can go below.
+/// Copy of the frame: a lower bound for stages that read the whole frame.
 pub(crate) const MEMCPY: &str = "memcpy";
 /// All detectors together.
 pub(crate) const EVERYTHING: &str = "everything";
 
-/// From the frame to all that is seen in it.
+/// All stages.
 pub(crate) const STAGES: [Stage; 11] = [
     (MEMCPY, |desk, given| {
         desk.copy.clear();
@@ -71,7 +71,7 @@ pub(crate) const STAGES: [Stage; 11] = [
         let all = Colour::ALL.into_iter().fold(ColourSet::EMPTY, |all, one| all | ColourSet::of(one));
         desk.runs.segment(&given.shot.frame(), given.table, all, Area::ALL.every(2));
     }),
-    // Of the runs that the stage before has left.
+    // Uses the runs of the previous stage.
     ("regions", |desk, _| desk.regions.connect(&desk.runs, 6)),
     ("end of field", |_, given| {
         black_box(FieldBoundary::find_with(&given.shot.frame(), given.table, given.shot.camera.as_ref()));
@@ -94,7 +94,7 @@ pub(crate) const STAGES: [Stage; 11] = [
         black_box(Markings::of(&given.shot.frame(), given.table, camera, &given.lines));
     }),
     (EVERYTHING, |desk, given| {
-        black_box(desk.eyes.look(&given.shot.frame(), given.table, given.shot.camera.as_ref()));
+        black_box(desk.pipeline.detect(&given.shot.frame(), given.table, given.shot.camera.as_ref()));
     }),
 ];
 
@@ -106,7 +106,7 @@ impl Desk {
             regions: Regions::new(),
             balls: BallFinder::new(ball::RADIUS_2009),
             goals: GoalFinder::new(),
-            eyes: Pipeline::new(ball::RADIUS_2009),
+            pipeline: Pipeline::new(ball::RADIUS_2009),
         })
     }
 }

@@ -1,8 +1,8 @@
-//! What must hold for a tree as a whole: no activation cycle, nothing unreachable, rates and budgets that can be kept.
+//! Rules for a tree as a whole: no activation cycle, no unreachable component, feasible rates and budgets.
 //!
-//! [`check`] is what `activation_tree!` calls in a constant: a tree that breaks a rule does not compile, and the panic's
-//! message is the compiler's. Everything here is ordinary code as well, for tools that have a [`Graph`] in hand:
-//! [`first`] gives the violation as data and [`message`] the words.
+//! `activation_tree!` calls [`check`] in a constant: a tree that breaks a rule does not compile, and the compiler reports
+//! the panic's message. Everything here is ordinary code as well, for tools that have a [`Graph`]:
+//! [`first_violation`] returns the violation as data and [`message`] its text.
 //!
 //! The indices of a graph (`root`, `to`, `from`, `state`) must lie inside their slices, as the macros write them; every
 //! function here panics on one that does not.
@@ -16,6 +16,7 @@ mod sum_message;
 mod text;
 mod violation;
 mod weight;
+mod wording;
 mod worst_case;
 
 pub use message::message;
@@ -29,13 +30,13 @@ pub use worst_case::{Choice, WorstCase, load, longest_chain, steps};
 
 use crate::graph::Graph;
 
-/// The most components that one tree, and the most states that one machine can be checked for.
+/// Largest number of components of a tree, and of states of a state machine.
 pub const CAPACITY: usize = 256;
 
-/// Stops the compiler, with the whole reason in words, if a rule is broken. The compiler points at the caller.
+/// Stops the compiler with a message if a rule is broken. The compiler points at the caller.
 ///
 /// # Panics
-/// With [`message`] of the [`first`] violation.
+/// With [`message`] of the [`first_violation`] violation.
 #[track_caller]
 pub const fn check(graph: &Graph) {
     if let Some(violation) = first_violation(graph) {

@@ -1,12 +1,12 @@
 //! The unit of behaviour.
 
-use embassy_time::{Duration, Instant};
+use embassy_time::{Duration, Instant, TICK_HZ};
 
 use crate::graph::State;
 
 /// The unit of behaviour: it perceives, acts, or decides between the two.
 ///
-/// `#[component]` on a type's impl block writes this. A program reads the constants; it never implements the trait by
+/// `#[component]` on a type's impl block implements this. A program reads the constants; it never implements the trait by
 /// hand.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is no component",
@@ -18,11 +18,11 @@ pub trait Component: Sized + 'static {
     const NAME: &'static str;
     /// The doc comment of the impl block, or else of the step.
     const DOC: &'static str;
-    /// Declared rate, runs per second; `None` runs in every cycle.
+    /// Declared rate, runs per second; `None` is a run in every cycle.
     const HZ: Option<f32>;
-    /// Declared time of one run, µs.
+    /// Declared longest time of one run, µs.
     const BUDGET_US: Option<f32>;
-    /// Whether a state machine goes on in the state that it was in when it became latent.
+    /// Whether a state machine continues in the state in which it became latent.
     const RESUME: bool;
     /// The states, in the order of the text; empty for a component that is no state machine.
     const STATES: &'static [State];
@@ -34,31 +34,33 @@ pub trait Component: Sized + 'static {
     const IS_STUB: bool = false;
 }
 
-/// What a component may know of time: ask for it with an argument `time: &Time`.
+/// The times of a component in this run: an argument `time: &Time` takes them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Time {
-    /// The instant that this cycle was given.
+    /// Instant of this cycle, as given to the tick.
     pub now: Instant,
-    /// Since the run before; zero in the first run after the component became active.
+    /// Time since the previous run, exact to a clock tick; zero in the first run after the component became active.
     pub since_run: Duration,
-    /// Since the machine entered its state; without states, since the component became active.
+    /// Time since the state machine entered its state, exact to a clock tick; without states, since the component became
+    /// active.
     pub in_state: Duration,
 }
 
 impl Time {
-    /// Seconds since the run before; zero in the first run after the component became active.
+    /// Returns [`since_run`](Self::since_run) in seconds, for control laws.
+    ///
+    /// The relative resolution is 2⁻²⁴: 10 ns for 0.1 s, 8 ms for a day.
     #[must_use]
     pub fn dt(&self) -> f32 {
-        seconds(self.since_run)
+        self.since_run.as_ticks() as f32 / TICK_HZ as f32
     }
 
-    /// Seconds in the state; without states, since the component became active.
+    /// Returns [`in_state`](Self::in_state) in seconds.
+    ///
+    /// It is an `f64` because a state may last: the resolution is 1 µs up to 272 years, where an `f32` resolves only 8 ms
+    /// after a day. A processor without double precision compares `in_state` with a [`Duration`] faster.
     #[must_use]
-    pub fn in_state_s(&self) -> f32 {
-        seconds(self.in_state)
+    pub fn in_state_s(&self) -> f64 {
+        self.in_state.as_ticks() as f64 / TICK_HZ as f64
     }
-}
-
-fn seconds(span: Duration) -> f32 {
-    span.as_ticks() as f32 / embassy_time::TICK_HZ as f32
 }

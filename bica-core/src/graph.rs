@@ -1,15 +1,15 @@
 //! The static description of a tree: what every tool reads and what the compiler checks.
 
-/// A tree of components, all that is known before it runs.
+/// Description of a tree of components: all that is known before it runs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Graph {
     /// The tree's name.
     pub name: &'static str,
     /// The tree's doc comment.
     pub doc: &'static str,
-    /// How often the tree is meant to be ticked, 1/s.
+    /// Nominal rate of ticks, 1/s.
     pub cycle_hz: f32,
-    /// How long one cycle may take, ms.
+    /// Longest time of one cycle, ms.
     pub budget_ms: Option<f32>,
     /// Index of the root in `nodes`.
     pub root: usize,
@@ -24,21 +24,22 @@ pub struct Node {
     pub name: &'static str,
     /// The component's doc comment.
     pub doc: &'static str,
-    /// Declared rate, runs per second; `None` runs in every cycle.
+    /// Declared rate, runs per second; `None` is a run in every cycle.
     pub hz: Option<f32>,
-    /// Declared time for one run, µs.
+    /// Declared longest time of one run, µs.
     pub budget_us: Option<f32>,
-    /// Whether a state machine goes on in the state that it was in when it became latent.
+    /// Whether a state machine continues in the state in which it became latent.
     pub resume: bool,
-    /// The components that this one activates.
+    /// Links to the components that this one activates, in the order of the text. Of each state the requirements are
+    /// visited in this order, and so are the modulations.
     pub links: &'static [Link],
     /// The states, empty for a component that is no state machine.
     pub states: &'static [State],
-    /// The transitions, in the order in which they are tried; one entry for each state that it leaves.
+    /// The transitions, in the order in which they are evaluated; one entry for each state that it leaves.
     pub transitions: &'static [Transition],
 }
 
-/// A component activates another.
+/// A link from a component to one that it activates.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Link {
     /// Index of the activated component in [`Graph::nodes`].
@@ -49,12 +50,12 @@ pub struct Link {
     pub state: Option<usize>,
 }
 
-/// What a component does with a child.
+/// How a component uses a child.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LinkKind {
-    /// Read: stepped before.
+    /// The child is read: it is visited before the component runs.
     Requirement,
-    /// Written: stepped after.
+    /// The child is written: it is visited after the component ran.
     Modulation,
 }
 
@@ -67,11 +68,11 @@ pub struct State {
     pub doc: &'static str,
     /// Whether the machine starts here.
     pub initial: bool,
-    /// Whether the state is meant to have no way out.
+    /// Whether the state is marked to have no transition out of it.
     pub last: bool,
 }
 
-/// A way from one state to another.
+/// A transition from one state to another.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Transition {
     /// The function's name.
@@ -82,6 +83,6 @@ pub struct Transition {
     pub from: usize,
     /// Index of the state that it enters.
     pub to: usize,
-    /// The least time in `from`, ms.
+    /// Shortest time in `from` before the transition is evaluated, ms.
     pub after_ms: Option<u32>,
 }

@@ -1,14 +1,14 @@
-//! Overruling the tree from outside.
+//! Holding components active or latent from outside.
 
-/// Who decides whether a component is active.
+/// What decides whether a component is active.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Hold {
-    /// The tree: it is active while an activator needs it.
+    /// The tree: the component is active while an active component links to it.
     #[default]
     Tree,
-    /// It is active, needed or not. One that the tree does not reach is visited after the root, activators first.
+    /// The hold: the component is active. If no active component links to it, it is visited after the root, activators first.
     Active,
-    /// It is latent, needed or not. A visit ends there: its children are not visited through it, and who reads it reads
-    /// what it last said.
+    /// The hold: the component is latent. A visit ends there: its children are not visited through it, and components that
+    /// read it read the values of its last run.
     Latent,
 }

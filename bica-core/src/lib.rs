@@ -27,21 +27,32 @@
 //!
 //! # How components run
 //!
-//! 1. A component is visited at most once in a cycle, however many activate it.
-//! 2. A visit first visits the required children, then, if it is due, runs the component, then visits the modulated
+//! 1. A component is visited at most once in a cycle, however many components link to it.
+//! 2. A visit first visits the required children, then runs the component if it is due, and then visits the modulated
 //!    children. A component that is not due passes the visit on all the same, so a child may run faster.
-//! 3. It is due at its rate, on a fixed grid that begins with its first run, and in every cycle without a rate. Late by
-//!    less than a period keeps the grid; later than that it runs once, at once, and the grid begins anew: never a burst,
-//!    never a run that is lost. A clock that is set back by more than a period also begins a new grid.
-//! 4. The [`Rate`] can be modulated by a parent and from outside, up to the declared one.
-//! 5. Active is what was visited in this cycle. What becomes active is started and due at once; what is active no more is
-//!    stopped at the end of the cycle, an activator before what it activated. What is latent costs nothing.
-//! 6. A state machine that was latent begins in its initial state, unless it is told to resume.
-//! 7. A machine tries its transitions before the function of its state, and takes at most one in a run; the new state's
-//!    required children are visited and its function runs in the same run. Timers go by the instant that the tree is
-//!    given; one that finds the clock set back to before the state was entered counts from there.
-//! 8. Any component can be held active or latent from outside: [`Hold`].
-//! 9. Overload, a clock that stands still or jumps, and rates that are no number never panic.
+//! 3. Siblings are visited in the order of the text: the required children in the order in which the signature names
+//!    them, and so the modulated ones. In a state the links of its function come first, then those of its entry hooks, its
+//!    exit hooks, and the transitions that leave it, each in the order of the text.
+//! 4. A component is due at its rate, on a fixed grid that begins with its first run, and in every cycle without a rate.
+//!    [`rate`] states exactly how early and late ticks are treated: no run is lost or added by jitter below half a cycle,
+//!    and a run that is later than a period starts the grid anew, never a burst.
+//! 5. A parent, and the owner of the tree, can set the [`Rate`] up to the declared one.
+//! 6. A component is active if it was visited in this cycle. One that becomes active is started and due at once; one that is
+//!    not visited any more is stopped at the end of the cycle, an activator before what it activated. A latent component
+//!    costs nothing.
+//! 7. A state machine that was latent begins in its initial state, unless it has the option `resume`.
+//! 8. A state machine evaluates its transitions before the function of its state, and takes at most one in a run. The
+//!    required children of the new state are visited and its function runs in the same run. Timers compare the instants that
+//!    the tree is given, exact to a clock tick. If the clock was set back to before the state was entered, the time in the
+//!    state counts from there.
+//! 9. Any component can be held active or latent from outside: [`Hold`].
+//! 10. Overload, a clock that stands still or jumps, and rates that are no number never panic.
+//! 11. After a tick that unwound, the next one stops everything that was active and starts anew: see [`Tree`].
+//!
+//! # Limits
+//!
+//! A tree has at most 256 components, a state machine at most 256 states, a signature at most 255 links
+//! ([`check::CAPACITY`]). What exceeds them is reported when the tree is compiled.
 #![no_std]
 
 pub mod check;

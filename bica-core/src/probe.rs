@@ -1,25 +1,25 @@
-//! Watching a tree at work, at no cost where nobody does.
+//! Observing a running tree, at no cost without an observer.
 
 use embassy_time::Instant;
 
 use crate::id::ComponentId;
 
-/// Sees what a tree does; every method does nothing unless written.
+/// Observer of a tree; every method does nothing unless implemented.
 ///
-/// A probe is a type parameter of [`Tree::tick_with`](crate::tree::Tree::tick_with), so what it does not look at costs
-/// nothing: with the probe `()` nothing remains in the program.
+/// A probe is a type parameter of [`Tree::tick_with`](crate::tree::Tree::tick_with), so an event that it ignores
+/// costs nothing: with the probe `()` nothing remains in the program.
 ///
-/// A run is one `run`, then one or more stretches of the component's own code, each between a `begin` and an `end`: its
-/// transitions, entry and exit hooks and body, but never its children. A probe with a clock reads it in both, or as a
-/// [`Stopwatch`](crate::stopwatch::Stopwatch) only once where one stretch follows another. Stretches never overlap. A run
-/// has two stretches when a transition is taken: the new state's children come in between.
+/// A run is one `run`, then one or more sections of the component's own code, each between a `begin` and an `end`: its
+/// transitions, entry and exit hooks and function, but never its children. A probe with a clock reads it in both, or as a
+/// [`Stopwatch`](crate::stopwatch::Stopwatch) only once where one section follows another. Sections never overlap. A run
+/// has two sections when a transition is taken: the new state's children are visited in between.
 #[expect(unused_variables, reason = "the names of the arguments are documentation")]
 pub trait Probe {
-    /// A cycle begins; `now` is what the tree was given.
+    /// A cycle begins; `now` is the instant given to the tick.
     #[inline]
     fn cycle_begin(&mut self, now: Instant) {}
 
-    /// The cycle has ended, hooks of components that became latent included.
+    /// The cycle has ended, including the hooks of components that became latent.
     #[inline]
     fn cycle_end(&mut self) {}
 
@@ -47,8 +47,8 @@ pub trait Probe {
     #[inline]
     fn end(&mut self, component: ComponentId) {}
 
-    /// The state machine goes from one state to another: indices in
-    /// [`Node::states`](crate::graph::Node::states). Seen after the exit hooks and before the entry hooks.
+    /// The state machine takes a transition from one state to another: indices in
+    /// [`Node::states`](crate::graph::Node::states). Called after the exit hooks and before the entry hooks.
     #[inline]
     fn transition(&mut self, component: ComponentId, from: usize, to: usize) {}
 }
@@ -77,7 +77,7 @@ macro_rules! forward {
     };
 }
 
-/// A probe that somebody else keeps.
+/// A borrowed probe.
 impl<P: Probe> Probe for &mut P {
     forward!(self => (**self));
 }

@@ -1,4 +1,4 @@
-//! How long each component takes.
+//! Measuring how long each component takes.
 
 use embassy_time::Instant;
 
@@ -8,13 +8,13 @@ use crate::probe::Probe;
 /// A probe that measures each of `N` components by a counter: a microcontroller's cycle counter, a processor's time
 /// stamp, the nanoseconds since the program began.
 ///
-/// `read` gives what the counter shows. It may wrap around, and it is kept in its own unit, so a read costs no
+/// `read` returns the value of the counter. The counter may wrap around. Times stay in its unit, so a read costs no
 /// conversion. `N` is [`Tree::COUNT`](crate::tree::Tree::COUNT); components beyond it are not measured.
 ///
 /// Where one component ends and the next begins the counter is read once for both: a chain of ten is measured with
 /// eleven reads. So a component is charged with its own code and with its visit by the framework (nanoseconds), never
-/// with a child, a hook of another component, or components that were not due. Another probe at work in the same tick
-/// is charged to the component that it looks at.
+/// with a child, a hook of another component, or components that were not due. The time of another probe in the same
+/// tick is charged to the component that it observes.
 ///
 /// ```
 /// use std::time;
@@ -50,43 +50,43 @@ use crate::probe::Probe;
 pub struct Stopwatch<R, const N: usize> {
     read: R,
     mark: u64,
-    /// Nothing of note has happened since the mark.
+    /// No other code ran since the mark was read.
     fresh: bool,
     spent: [Spent; N],
 }
 
-/// What a component has spent.
+/// Time that a component has spent.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Spent {
-    /// How often it ran.
+    /// Number of runs.
     pub runs: u64,
-    /// Ticks of the counter in all its runs.
+    /// Counter ticks in all its runs.
     pub total: u64,
-    /// Ticks of the counter in its last run.
+    /// Counter ticks in its last run.
     pub last: u64,
 }
 
 impl<R: FnMut() -> u64, const N: usize> Stopwatch<R, N> {
-    /// Has measured nothing yet.
+    /// Creates a stopwatch that has measured nothing yet.
     pub const fn new(read: R) -> Self {
         Self { read, mark: 0, fresh: false, spent: [Spent { runs: 0, total: 0, last: 0 }; N] }
     }
 }
 
 impl<R, const N: usize> Stopwatch<R, N> {
-    /// What each component has spent, in the order of the tree's list.
+    /// Returns the time of each component, in the order of the tree's list.
     #[must_use]
     pub const fn spent(&self) -> &[Spent; N] {
         &self.spent
     }
 
-    /// What one component has spent; `None` for one that is not measured.
+    /// Returns the time of one component; `None` for one that is not measured.
     #[must_use]
     pub fn of(&self, component: ComponentId) -> Option<Spent> {
         self.spent.get(component.index()).copied()
     }
 
-    /// Forgets what was measured.
+    /// Discards what was measured.
     pub const fn reset(&mut self) {
         self.spent = [Spent { runs: 0, total: 0, last: 0 }; N];
     }

@@ -54,7 +54,7 @@ fn messages(tokens: TokenStream) -> Vec<String> {
 }
 
 #[test]
-fn a_machine_is_its_block_two_impls_and_the_name_that_is_taken() {
+fn a_machine_expands_to_its_block_two_trait_impls_and_a_reserved_name() {
     let file = expanded(&machine());
     let traits = file.items.iter().map(|item| {
         let Item::Impl(block) = item else { panic!("only impl blocks") };
@@ -65,7 +65,7 @@ fn a_machine_is_its_block_two_impls_and_the_name_that_is_taken() {
 }
 
 #[test]
-fn our_attributes_are_gone_and_the_rest_is_as_written() {
+fn role_attributes_are_removed_and_all_else_is_kept() {
     let file = expanded(&quote! {
         impl Head {
             const LIMIT: f32 = 1.0;
@@ -82,7 +82,7 @@ fn our_attributes_are_gone_and_the_rest_is_as_written() {
 }
 
 #[test]
-fn what_runs_is_a_call_of_its_own_on_bare_metal_unless_its_author_says_otherwise() {
+fn functions_of_a_run_are_not_inlined_on_bare_metal_unless_the_user_asks_for_it() {
     let never = |block: &TokenStream| {
         let file = expanded(block);
         let Item::Impl(block) = &file.items[0] else { panic!("the block comes first") };
@@ -94,14 +94,14 @@ fn what_runs_is_a_call_of_its_own_on_bare_metal_unless_its_author_says_otherwise
 }
 
 #[test]
-fn generated_code_is_safe() {
+fn generated_code_contains_no_unsafe() {
     for code in [component::run(quote!(), &machine()), tree::run(forward())] {
         assert!(!words(code).contains(&"unsafe".to_owned()));
     }
 }
 
 #[test]
-fn a_mistake_leaves_the_block_and_a_component() {
+fn a_block_with_mistakes_is_kept_and_gets_a_stub() {
     let broken = quote!(impl Head { async fn step(&mut self, body: Body, neck: &mut Neck) {} });
     let code = component::run(quote!(hz = fast), &broken);
     assert_eq!(messages(code.clone()).len(), 3);
@@ -112,7 +112,7 @@ fn a_mistake_leaves_the_block_and_a_component() {
 }
 
 #[test]
-fn what_is_no_block_comes_back_as_it_was() {
+fn an_item_that_is_no_block_is_emitted_unchanged() {
     let item = quote!(
         fn head() {}
     );
@@ -122,13 +122,13 @@ fn what_is_no_block_comes_back_as_it_was() {
 }
 
 #[test]
-fn all_mistakes_of_a_tree_are_found_at_once() {
+fn all_mistakes_of_a_tree_are_reported_at_once() {
     let code = tree::run(quote!(struct Robot { rot: Head, cycle_hz: 0, budget_ms: -1, components: [Head, Head] }));
     assert_eq!(messages(code).len(), 4);
 }
 
 #[test]
-fn a_broken_tree_still_is_one() {
+fn a_tree_with_mistakes_gets_a_stub_and_no_check() {
     let code = tree::run(quote!(
         struct Robot {
             root: Head,
@@ -144,7 +144,7 @@ fn a_broken_tree_still_is_one() {
 }
 
 #[test]
-fn nothing_at_all_is_an_error_and_no_panic() {
+fn empty_input_is_an_error_and_no_panic() {
     for code in [
         component::run(quote!(), &quote!()),
         tree::run(quote!()),
@@ -157,7 +157,7 @@ fn nothing_at_all_is_an_error_and_no_panic() {
 }
 
 #[test]
-fn a_body_that_is_no_rust_reaches_the_compiler_without_a_message_of_ours() {
+fn a_syntax_error_in_a_body_is_passed_on_without_a_message() {
     let code = component::run(quote!(), &quote!(impl Head { fn step(&mut self, neck: &Neck) { let x = ; } }));
     assert!(messages(code.clone()).is_empty());
     let words = words(code);
@@ -166,7 +166,7 @@ fn a_body_that_is_no_rust_reaches_the_compiler_without_a_message_of_ours() {
 }
 
 #[test]
-fn a_signature_that_is_no_rust_makes_a_stub_without_a_message_of_ours() {
+fn a_syntax_error_in_a_signature_makes_a_stub_without_a_message() {
     let code = component::run(quote!(), &quote!(impl Head { #[state(initial)] fn up(&mut self, neck &Neck) {} }));
     assert!(messages(code.clone()).is_empty());
     let words = words(code);

@@ -1,6 +1,6 @@
-//! How well everything is seen: random poses in the built-in world, whose referee knows the truth.
+//! Recall, precision and accuracy of all detectors over random poses in the built-in world.
 //!
-//! `cargo run --release -p bica-vision --example survey` prints a table; with `-- --help` it says what else it does.
+//! `cargo run --release -p bica-vision --example survey` prints a table; `-- --help` lists the options.
 
 #[path = "../tests/support/picture.rs"]
 mod picture;
@@ -13,20 +13,20 @@ use std::process::ExitCode;
 use clap::Parser;
 use survey::{Look, Survey};
 
-/// Looks around from random poses in the built-in world, and prints how well everything is seen.
+/// Evaluates all detectors from random poses in the built-in world
 #[derive(Parser)]
 #[command(name = "survey")]
 struct Options {
-    /// From how many poses to look
+    /// Number of poses
     #[arg(long, value_name = "N", default_value_t = 2000, value_parser = clap::value_parser!(u32).range(1..))]
     poses: u32,
-    /// The number of the first pose
+    /// Number of the first pose
     #[arg(long, value_name = "N", default_value_t = 0)]
     first: u64,
-    /// Print too the numbers of the poses from which something of a name that holds this was missed or wrong
+    /// Also print the numbers of the poses with misses or false detections, for scores whose name contains this
     #[arg(long, value_name = "NAME")]
     amiss: Option<String>,
-    /// Write the image of the first pose instead (PNG), with all that is seen in it
+    /// Write the image of the first pose (PNG) with marked detections instead
     #[arg(long, value_name = "FILE", conflicts_with_all = ["poses", "amiss"])]
     picture: Option<PathBuf>,
 }

@@ -1,11 +1,12 @@
-//! The orange ball.
+//! Detection of the orange ball.
 //!
-//! Orange regions on the field or at its end are candidates. A circle is fitted to the edge points of each, so a ball
-//! may be cut by the edge of the image, by the robot's own feet or by another robot. Then the circle has to be round
-//! (its edge points agree), full (orange inside) and, if the camera's pose is known, as large as a ball there is.
+//! Candidates are connected regions of orange pixels on the field or at its boundary. A circle is fitted to the edge
+//! points of each candidate, so the image edge, the robot's own feet or another robot may occlude a part of the ball. A
+//! candidate is accepted if it is round (edge points agree with the circle), filled (orange inside) and, with a known
+//! camera pose, of the size of a ball at that position.
 //!
-//! Cost at 320 × 240: segmentation 30 µs for the whole frame, less if the end of the field is in sight; then 2 to 15 µs
-//! for each candidate by its size, of which there are at most [`CANDIDATES`].
+//! Cost at 320 × 240: 30 µs for the segmentation of the whole frame, less with a visible field boundary; then 2 to 15
+//! µs for each candidate, depending on its size. There are at most [`CANDIDATES`] candidates.
 
 use core::cell::Cell;
 
@@ -24,69 +25,69 @@ use crate::regions::{Region, Regions};
 use crate::segment::{Area, Runs};
 use crate::uncertainty::Errors;
 
-/// Orange regions that are looked at, the largest first.
+/// Maximum number of orange regions examined, the largest first.
 pub const CANDIDATES: usize = 8;
-/// Radius of the ball of 2009 in the frames of `nao2009`, m.
+/// Ball radius in the recorded frames `nao2009`, m.
 pub const RADIUS_2009: f32 = 0.043;
 
-/// Pixels that are looked at for the edges of all candidates together; recorded images need 10 548 at most.
-const LOOKS: u32 = 12_000;
-/// Less confidence than this is not reported, for a ball of any size.
+/// Pixel budget of the edge search over all candidates. Recorded images need 10 548 pixels at most.
+const PIXEL_BUDGET: u32 = 12_000;
+/// Minimum confidence of a reported ball of any size.
 const CONFIDENT: f32 = 0.4;
-/// And for one of up to 6 pixels' radius, as many things are when they are small or blurred; in between for up to 12.
+/// Minimum confidence at a radius up to 6 px, where many objects are small or blurred; interpolated up to 12 px.
 const CONFIDENT_IF_SMALL: f32 = 0.6;
-/// A region of which more than this part is on the robot's own body is not the ball.
-const OWN: f32 = 0.6;
+/// Maximum share of a candidate region that the robot's own body may cover.
+const MAX_OWN: f32 = 0.6;
 
-/// Pieces of a ball in each row on average.
+/// Maximum mean number of runs per row in a region of a ball.
 const PIECES: u16 = 3;
 
-/// A ball in the image.
+/// Ball in the image.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ball {
-    /// Its centre, pixels; may be outside the image.
+    /// Centre, px; may lie outside the image.
     pub centre: Vec2,
-    /// Its radius, pixels.
+    /// Radius, px.
     pub radius: f32,
-    /// From 0 to 1: how round and how orange it is.
+    /// Confidence, 0 to 1: product of roundness and fill.
     pub confidence: f32,
 }
 
 impl Ball {
-    /// Where the ball touches the ground, by the camera's pose, ground frame, m. `radius` is the ball's, m. None if
-    /// its centre is not below the horizon.
+    /// Position on the ground from the camera pose, ground frame, m. `radius` is the ball's radius, m. `None` if the
+    /// centre is not below the horizon.
     #[must_use]
     pub fn ground(&self, camera: &Camera, radius: f32) -> Option<Vec2> {
         camera.ground(self.centre, radius)
     }
 
-    /// As [`ground`](Self::ground), with how sure that is, and corrected by the ball's size where that is surer. None if
-    /// no ball on the ground is seen so.
+    /// Position on the ground with its covariance. The apparent size corrects the position where it is more certain
+    /// than the camera pose. `None` if the circle fits no ball on the ground.
     #[must_use]
     pub fn estimate(&self, camera: &Camera, radius: f32) -> Option<PositionEstimate> {
         ImageCircle { centre: self.centre, radius: self.radius }.ball(camera, radius, &Errors::NAO)
     }
 }
 
-/// Finds the ball; holds the memory for it: 12 bytes for each of `N` runs.
+/// Ball detector with memory for `N` runs, 12 bytes each.
 ///
-/// `N` = 512 is plenty for a ball in a hall: only orange makes runs, from the end of the field downwards.
+/// `N` = 512 is enough in a hall: only orange pixels below the field boundary make runs.
 #[derive(Clone, Debug)]
 pub struct BallFinder<const N: usize> {
     runs: Runs<N>,
     regions: Regions<N, CANDIDATES>,
     radius: f32,
-    passed_over: u32,
+    skipped: u32,
 }
 
 impl<const N: usize> BallFinder<N> {
-    /// For balls of a radius, m.
+    /// Creates a detector for balls of a radius in metres.
     #[must_use]
     pub const fn new(radius: f32) -> Self {
-        Self { runs: Runs::new(), regions: Regions::new(), radius, passed_over: 0 }
+        Self { runs: Runs::new(), regions: Regions::new(), radius, skipped: 0 }
     }
 
-    /// Finds the ball in a frame. Only orange is asked for. With `camera`, balls of impossible size are refused.
+    /// Finds the ball in a frame. Segments orange only. With `camera`, balls of a wrong size are rejected.
     pub fn find(
         &mut self,
         frame: &Frame<'_>,
@@ -97,7 +98,7 @@ impl<const N: usize> BallFinder<N> {
         self.find_with_body(frame, colours, field_boundary, camera, &OwnBody::NONE)
     }
 
-    /// As [`find`](Self::find); what is orange on the robot's own body is no ball.
+    /// Finds the ball as [`find`](Self::find) does, and ignores orange pixels on the robot's own body.
     pub fn find_with_body(
         &mut self,
         frame: &Frame<'_>,
@@ -107,24 +108,24 @@ impl<const N: usize> BallFinder<N> {
         own: &OwnBody,
     ) -> Option<Ball> {
         let area = Area::below((field_boundary.top().unwrap_or(0.0) - 8.0).max(0.0) as u16);
-        // Every second row is enough to notice a ball of three pixels' radius; its edge is measured on all of them.
+        // A ball of 3 px radius spans enough of every second row. The edge search reads all rows.
         self.runs.segment(frame, colours, ColourSet::of(Colour::Orange), area.every(2));
         self.regions.connect(&self.runs, 6);
         let camera = camera.map(|camera| (camera, self.radius));
-        let look = Look::new(frame, colours, field_boundary, camera, own);
-        let ball = look.best(self.regions.as_slice());
-        self.passed_over = look.passed_over.get();
+        let search = CandidateSearch::new(frame, colours, field_boundary, camera, own);
+        let ball = search.best(self.regions.as_slice());
+        self.skipped = search.skipped.get();
         ball
     }
 
-    /// How many runs and regions of the last frame found no place or no time.
+    /// Number of runs and regions of the last frame that exceeded the capacity or the pixel budget.
     #[must_use]
     pub const fn dropped(&self) -> u32 {
-        self.runs.dropped() + self.regions.dropped() + self.passed_over
+        self.runs.dropped() + self.regions.dropped() + self.skipped
     }
 }
 
-/// The best ball among regions; others than orange ones are passed over. `camera` comes with the ball's radius, m.
+/// Returns the best ball among regions. Skips regions of other classes. `camera` comes with the ball's radius, m.
 #[must_use]
 pub fn best(
     frame: &Frame<'_>,
@@ -136,7 +137,7 @@ pub fn best(
     best_with_body(frame, colours, regions, field_boundary, camera, &OwnBody::NONE)
 }
 
-/// As [`best`]; what is orange on the robot's own body is no ball.
+/// Returns the best ball as [`best`] does, and ignores regions on the robot's own body.
 #[must_use]
 pub fn best_with_body(
     frame: &Frame<'_>,
@@ -146,7 +147,7 @@ pub fn best_with_body(
     camera: Option<(&Camera, f32)>,
     own: &OwnBody,
 ) -> Option<Ball> {
-    Look::new(frame, colours, field_boundary, camera, own).best(regions)
+    CandidateSearch::new(frame, colours, field_boundary, camera, own).best(regions)
 }
 
 fn needed_confidence(radius: f32) -> f32 {
@@ -154,12 +155,12 @@ fn needed_confidence(radius: f32) -> f32 {
     CONFIDENT + small * (CONFIDENT_IF_SMALL - CONFIDENT)
 }
 
-/// Whether a region has more pieces in a row than a ball has, with a highlight in it and something before it.
+/// Whether a region has more runs per row than a ball with a highlight and an occlusion.
 fn is_frayed(region: &Region) -> bool {
     region.runs > PIECES * region.height()
 }
 
-/// The chroma of one ball: its shaded and its bright parts, which a class may leave out, have the same direction.
+/// Mean chroma of one ball. Shaded and bright parts, which the colour class may miss, have the same hue.
 #[derive(Clone, Copy)]
 struct Shade {
     b: i32,
@@ -171,7 +172,7 @@ impl Shade {
         Self { b: i32::from(pixel.cb) - 128, r: i32::from(pixel.cr) - 128 }
     }
 
-    /// Within 6° of the same direction and at least 0.6 times as strong.
+    /// Whether the hue is within 6° and the chroma at least 0.6 times as strong.
     fn is_like(self, pixel: Pixel) -> bool {
         let other = Self::of(pixel);
         let (along, across) = (self.b * other.b + self.r * other.r, self.b * other.r - self.r * other.b);
@@ -180,18 +181,18 @@ impl Shade {
     }
 }
 
-struct Look<'a, C> {
+struct CandidateSearch<'a, C> {
     frame: &'a Frame<'a>,
     colours: &'a C,
     field_boundary: &'a FieldBoundary,
     camera: Option<(&'a Camera, f32)>,
     own: &'a OwnBody,
-    /// What is left of [`LOOKS`], and how many regions came when nothing was.
+    /// Rest of the pixel budget [`PIXEL_BUDGET`], and the number of regions skipped without budget.
     left: Cell<u32>,
-    passed_over: Cell<u32>,
+    skipped: Cell<u32>,
 }
 
-impl<'a, C: Classify> Look<'a, C> {
+impl<'a, C: Classify> CandidateSearch<'a, C> {
     const fn new(
         frame: &'a Frame<'a>,
         colours: &'a C,
@@ -199,26 +200,26 @@ impl<'a, C: Classify> Look<'a, C> {
         camera: Option<(&'a Camera, f32)>,
         own: &'a OwnBody,
     ) -> Self {
-        Self { frame, colours, field_boundary, camera, own, left: Cell::new(LOOKS), passed_over: Cell::new(0) }
+        Self { frame, colours, field_boundary, camera, own, left: Cell::new(PIXEL_BUDGET), skipped: Cell::new(0) }
     }
 
-    /// The best ball among regions, of which the first ones are looked at first.
+    /// Returns the best ball among regions. Examines them in their order.
     fn best(&self, regions: &[Region]) -> Option<Ball> {
         let balls = regions.iter().filter(|r| r.colour == Colour::Orange).filter_map(|region| self.examine(region));
-        // A far ball is as good as a near one, but a small patch is more often no ball.
+        // A far ball is as good as a near one, but a small region is more often a false positive.
         let worth = |ball: &Ball| ball.confidence * (ball.radius / (ball.radius + 2.0));
         balls.max_by(|a, b| worth(a).total_cmp(&worth(b)))
     }
 
     fn examine(&self, region: &Region) -> Option<Ball> {
         if self.left.get() == 0 {
-            self.passed_over.set(self.passed_over.get() + 1);
+            self.skipped.set(self.skipped.get() + 1);
             return None;
         }
         let shade = if is_frayed(region) { None } else { self.shade(region) }?;
         let (Circle { centre, radius }, roundness) = self.circle(region, shade)?;
         let confidence = roundness * self.fullness(centre, radius, shade);
-        let fits = self.shows_enough(centre, radius) && self.is_on_field(centre, radius);
+        let fits = self.is_sufficiently_visible(centre, radius) && self.is_on_field(centre, radius);
         let fits = fits && self.is_of_size(centre, radius) && !self.is_own(region);
         (confidence >= needed_confidence(radius) && fits).then_some(Ball { centre, radius, confidence })
     }
@@ -227,7 +228,7 @@ impl<'a, C: Classify> Look<'a, C> {
         shade.is_like(pixel) || self.colours.classify(pixel) == Colour::Orange
     }
 
-    /// The mean chroma of the orange pixels on a grid over the region's box.
+    /// Mean chroma of the orange pixels on a grid over the region's bounding box.
     fn shade(&self, region: &Region) -> Option<Shade> {
         let (mut sum, mut count) = (Shade { b: 0, r: 0 }, 0);
         for v in 0..9 {
@@ -244,17 +245,17 @@ impl<'a, C: Classify> Look<'a, C> {
         (count > 0).then(|| Shade { b: sum.b / count, r: sum.r / count })
     }
 
-    /// The circle through the region's edge, and which part of the edge agrees.
+    /// Circle through the region's edge, and the share of edge points that agree with it.
     fn circle(&self, region: &Region, shade: Shade) -> Option<(Circle, f32)> {
         let size = f32::from(region.width().max(region.height()));
         let middle = Vec2::from(region.centroid);
         let edges = edges::around(self.frame, |pixel| self.is_orange(pixel, shade), middle, size);
-        self.left.set(self.left.get().saturating_sub(edges.looks));
+        self.left.set(self.left.get().saturating_sub(edges.reads));
         let tolerance = |radius: f32| (0.06 * radius).max(1.0);
         let circle = Circle::fit(&edges.points, tolerance)?;
         let near = tolerance(circle.radius);
         let agree = circle.support(&edges.points, near);
-        // An edge inside the circle may be that of what hides the ball.
+        // An edge point inside the circle may belong to an occluding object.
         let hidden = edges.points.iter().filter(|point| circle.distance(**point) < -near).count();
         let ended = (RAYS - edges.clipped) as f32;
         let compact = size <= 2.6 * circle.radius + 3.0;
@@ -262,7 +263,7 @@ impl<'a, C: Classify> Look<'a, C> {
         plausible.then_some((circle, (agree as f32 + 0.5 * hidden as f32) / ended))
     }
 
-    /// The orange part of the circle, as far as it is in the image.
+    /// Share of orange pixels in the circle, of those within the image.
     fn fullness(&self, centre: Vec2, radius: f32, shade: Shade) -> f32 {
         let (mut orange, mut seen) = (0, 0);
         for v in -4..=4_i8 {
@@ -279,18 +280,19 @@ impl<'a, C: Classify> Look<'a, C> {
         orange as f32 / seen.max(1) as f32
     }
 
-    /// Its centre is in the image, or it is large: the circle through a sliver of a small one is a guess.
-    fn shows_enough(&self, centre: Vec2, radius: f32) -> bool {
+    /// Whether the centre is in the image or the ball is large: a circle through a sliver of a small ball is
+    /// unreliable.
+    fn is_sufficiently_visible(&self, centre: Vec2, radius: f32) -> bool {
         let size = Vec2::new(f32::from(self.frame.width()), f32::from(self.frame.height()));
         let outside = (-centre).max(centre - size + Vec2::ONE).max_element();
         outside <= 0.2 * radius || radius > size.x / 20.0
     }
 
-    /// Most of it is below the end of the field. A large one hides the field, so of it the lowest point is enough, and
-    /// without any field only such a one counts.
+    /// Whether most of the ball is below the field boundary. For a large ball, which may cover the field, the lowest
+    /// point is enough. Without a boundary only a large ball is accepted.
     fn is_on_field(&self, centre: Vec2, radius: f32) -> bool {
         let width = f32::from(self.frame.width());
-        // At the edge of the image the ball itself hides the end of the field: there the rows beside it count.
+        // At the image edge the ball itself covers the field boundary: use the rows beside it.
         let ends = [-1.4, 0.0, 1.4].map(|side| self.field_boundary.row_at(centre.x + side * radius));
         match ends.into_iter().flatten().reduce(f32::min) {
             Some(end) if radius > width / 16.0 => centre.y + 1.05 * radius >= end,
@@ -299,12 +301,12 @@ impl<'a, C: Classify> Look<'a, C> {
         }
     }
 
-    /// Whether most of what is orange is the robot itself.
+    /// Whether the robot's own body covers most of the region.
     fn is_own(&self, region: &Region) -> bool {
-        self.own.share(Vec2::from(region.centroid), 0.4 * f32::from(region.width().min(region.height()))) > OWN
+        self.own.share(Vec2::from(region.centroid), 0.4 * f32::from(region.width().min(region.height()))) > MAX_OWN
     }
 
-    /// As large as a ball on the ground is there.
+    /// Whether the circle has the size of a ball on the ground at that position.
     fn is_of_size(&self, centre: Vec2, radius: f32) -> bool {
         let Some((camera, metres)) = self.camera else { return true };
         ImageCircle { centre, radius }.ball(camera, metres, &Errors::NAO).is_some()

@@ -1,7 +1,9 @@
-//! Upright bars: runs of one colour that follow each other from row to row with the same width.
+//! Upright bars: vertically connected runs of one colour with nearly constant width.
 //!
-//! Followed from the bottom: a post ends where it meets its crossbar, which is wider. A post that a line, a shadow or a
-//! robot's arm crosses, or that stands before something of its colour, goes on behind. Cost: one pass over the runs, each against at most [`BARS`] bars; 20 ns for each run.
+//! Bars grow from the bottom of the image upwards, because a post ends at its crossbar, which is wider. A bar continues
+//! behind a crossing line, a shadow, a robot's arm or a wider run of its own colour.
+//!
+//! Cost: one pass over the runs, 20 ns for each; each run is compared with at most [`BARS`] bars.
 
 use glam::Vec2;
 use heapless::Vec;
@@ -9,24 +11,24 @@ use heapless::Vec;
 use crate::colour::Colour;
 use crate::segment::{Run, Runs};
 
-/// Bars in a frame; when there are more, those of the fewest rows are dropped.
+/// Maximum number of bars in a frame. Of more, those with the fewest rows are dropped.
 pub const BARS: usize = 24;
 
-/// Rows without a run that a bar survives, in scanned rows.
+/// Maximum gap within a bar, in scanned rows.
 const GAP: u16 = 3;
 
-/// An upright bar.
+/// Upright bar.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bar {
-    /// The class.
+    /// Colour class.
     pub colour: Colour,
-    /// The middle of its highest run, pixels.
+    /// Middle of the highest run, px.
     pub top: Vec2,
-    /// Its lowest row, and the middle of its four lowest runs, pixels.
+    /// Lowest row, with the mean x of the four lowest runs, px.
     pub bottom: Vec2,
-    /// Its mean width, pixels.
+    /// Mean width, px.
     pub width: f32,
-    /// In how many scanned rows it was seen.
+    /// Number of scanned rows with a run.
     pub rows: u16,
     last: Run,
 }
@@ -37,20 +39,20 @@ impl Bar {
         Self { colour: run.colour, top: middle, bottom: middle, width: f32::from(run.width()), rows: 1, last: run }
     }
 
-    /// Height in pixels from the first to the last row.
+    /// Height from the first to the last row, px.
     #[must_use]
     pub fn height(&self) -> f32 {
         self.bottom.y - self.top.y + 1.0
     }
 
-    /// Where it is or would be in a row, by the line from its top to its bottom.
+    /// Column of the bar in a row, px, on the line from its top to its bottom.
     #[must_use]
     pub fn x_at(&self, row: f32) -> f32 {
         let part = (row - self.top.y) / (self.bottom.y - self.top.y).max(1.0);
         self.top.x + part * (self.bottom.x - self.top.x)
     }
 
-    /// Whether a run comes next, however wide.
+    /// Whether a run overlaps the bar in one of the next rows, whatever its width.
     fn meets(&self, run: Run, step: u16) -> bool {
         run.colour == self.colour
             && run.row < self.last.row
@@ -58,7 +60,7 @@ impl Bar {
             && run.overlaps(self.last)
     }
 
-    /// Whether a run that it meets is its next one.
+    /// Whether an overlapping run has the bar's width.
     fn continues_in(&self, run: Run) -> bool {
         let width = f32::from(run.width());
         let alike = width <= 1.4 * self.width + 2.0 && width >= 0.6 * self.width - 3.0;
@@ -66,7 +68,7 @@ impl Bar {
         alike && straight
     }
 
-    /// How far the middle of a run is from where the bar would be in its row, pixels.
+    /// Distance of a run's middle from the extrapolated bar in that row, px.
     fn aside(&self, run: Run) -> f32 {
         (middle(run).x - self.x_at(f32::from(run.row))).abs()
     }
@@ -75,19 +77,19 @@ impl Bar {
         self.aside(run) + (f32::from(run.width()) - self.width).abs()
     }
 
-    /// Whether a run goes over all of the bar's width.
+    /// Whether a run covers the whole width of the bar.
     const fn is_covered_by(&self, run: Run) -> bool {
         run.start <= self.last.start + 2 && run.end + 2 >= self.last.end
     }
 
-    /// The bar is hidden in the row of a run; it may go on above.
+    /// Marks the bar as occluded in the row of a run. It may continue above.
     fn pass_behind(&mut self, run: Run) {
         self.last.row = run.row;
     }
 
     fn grow(&mut self, run: Run) {
         if self.rows < 4 {
-            // The lowest row is often a part of the foot only.
+            // The lowest row often shows only a part of the foot.
             self.bottom.x += (middle(run).x - self.bottom.x) / f32::from(self.rows + 1);
         }
         self.top = middle(run);
@@ -97,7 +99,7 @@ impl Bar {
     }
 }
 
-/// Gathers the bars of all classes among the runs.
+/// Collects the bars of all classes among the runs.
 #[must_use]
 pub fn gather<const N: usize>(runs: &Runs<N>) -> Vec<Bar, BARS> {
     let mut bars: Vec<Bar, BARS> = Vec::new();
@@ -121,7 +123,7 @@ pub fn gather<const N: usize>(runs: &Runs<N>) -> Vec<Bar, BARS> {
     bars
 }
 
-/// Starts a bar; in a full list in the place of the one with the fewest rows that has ended.
+/// Starts a bar. In a full list it replaces the finished bar with the fewest rows.
 fn start(bars: &mut Vec<Bar, BARS>, run: Run, step: u16) {
     let Err(bar) = bars.push(Bar::new(run)) else { return };
     let ended = bars.iter_mut().filter(|other| other.last.row - run.row > GAP * step || other.rows == 1);

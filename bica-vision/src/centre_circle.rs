@@ -1,8 +1,10 @@
-//! The centre circle, among lines on the ground.
+//! Detection of the centre circle among lines on the ground.
 //!
-//! In the image the circle comes as short straight pieces. Any two say where the middle is, 0.6 m from both; the place on
-//! which most of them agree is the circle's if there is paint all around it. A line through the middle is the halfway line.
-//! Cost: each pair of pieces with each piece, and 40 places for each guess: 10 µs for ten pieces.
+//! In the image the circle appears as short straight segments. Two of them give two hypotheses for its centre. The
+//! hypothesis with the most support is refined by least squares and accepted if the image shows a line all around it. A
+//! line through the centre is the halfway line.
+//!
+//! Cost: each pair of segments against each segment, and 40 samples for each hypothesis: 10 µs for ten segments.
 
 use core::f32::consts::TAU;
 
@@ -12,53 +14,63 @@ use heapless::Vec;
 
 use crate::colour::Classify;
 use crate::frame::Frame;
+use crate::line_probe::{Ground, Surface};
 use crate::lines::Line;
-use crate::paint::{Ground, Shown};
 use crate::projection::Camera;
 
-/// How near pieces must be to the circle, m, at a place and for each metre of the way there.
-const NEAR: (f32, f32) = (0.04, 0.06);
-/// Pieces shorter or longer than this say nothing of the circle, m.
+/// Tolerated distance of a segment from the circle at the robot, m.
+const TOLERANCE: f32 = 0.04;
+/// Growth of the tolerance per metre of distance.
+const TOLERANCE_PER_METRE: f32 = 0.06;
+/// Minimum length of a segment used, m.
 const SHORTEST: f32 = 0.08;
+/// Maximum length of a segment used, m.
 const LONGEST: f32 = 2.0;
-/// Pieces that are looked at.
+/// Maximum number of segments used.
 const PIECES: usize = 16;
-/// Steps of the fit, and how much it clings to where it is.
+/// Number of Gauss–Newton steps.
 const STEPS: usize = 4;
+/// Damping of a step, relative to the trace of the normal matrix.
 const DAMPING: f32 = 0.02;
-/// The pieces must agree along at least this part of the circle, m along it.
+/// Minimum total length of the segments on the circle, m.
 const LEAST: f32 = 0.5;
-/// Places that are tried, and how far they are apart, m.
-const GUESSES: usize = 4;
+/// Maximum number of hypotheses.
+const HYPOTHESES: usize = 4;
+/// Minimum distance between hypotheses, m.
 const NEW: f32 = 0.2;
-/// Places on the circle that are looked up, and how many must be painted: at least, and of those that are not hidden.
-const PLACES: usize = 40;
-const PAINTED: (usize, f32) = (10, 0.75);
-/// The halfway line passes the middle this near, m, and is at least so long.
-const HALFWAY: (f32, f32) = (0.12, 0.7);
+/// Number of samples on the circle.
+const SAMPLES: usize = 40;
+/// Minimum number of samples on a line.
+const ON_LINE: usize = 10;
+/// Minimum share of samples on a line, of those not hidden.
+const ON_LINE_SHARE: f32 = 0.75;
+/// Maximum distance of the halfway line from the centre, m.
+const HALFWAY_DISTANCE: f32 = 0.12;
+/// Minimum length of the halfway line, m.
+const HALFWAY_LENGTH: f32 = 0.7;
 
-/// The centre circle, on the ground.
+/// Centre circle on the ground.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CentreCircle {
-    /// Its middle, m, in the frame of the lines it was found among.
+    /// Centre, m, in the frame of the lines.
     pub centre: Vec2,
-    /// The direction of the halfway line, length 1, either way; none if that line is not seen.
+    /// Direction of the halfway line, unit vector of either sign; `None` if that line is not visible.
     pub halfway: Option<Vec2>,
 }
 
-/// Finds the circle by lines on the ground, m in the camera's ground frame.
+/// Finds the circle among lines on the ground, m, camera's ground frame.
 #[must_use]
 pub fn find(frame: &Frame<'_>, colours: &impl Classify, camera: &Camera, lines: &[Line]) -> Option<CentreCircle> {
     let ground = Ground { frame, colours, camera };
-    let centre = centres(lines).into_iter().find(|centre| is_painted(&ground, *centre))?;
+    let centre = centres(lines).into_iter().find(|centre| is_on_line(&ground, *centre))?;
     Some(CentreCircle { centre, halfway: halfway(lines, centre) })
 }
 
-/// Where the middle may be, the place that most pieces agree on first.
-fn centres(lines: &[Line]) -> Vec<Vec2, GUESSES> {
+/// Hypotheses for the centre, the one with the most support first.
+fn centres(lines: &[Line]) -> Vec<Vec2, HYPOTHESES> {
     let is_piece = |line: &&Line| (SHORTEST..=LONGEST).contains(&line.length());
     let pieces: Vec<Line, PIECES> = lines.iter().filter(is_piece).take(PIECES).copied().collect();
-    let mut centres: Vec<Vec2, GUESSES> = Vec::new();
+    let mut centres: Vec<Vec2, HYPOTHESES> = Vec::new();
     while !centres.is_full() {
         let is_new = |centre: &Vec2| centres.iter().all(|other| other.distance(*centre) > NEW);
         let Some(best) = best(&pieces, is_new) else { break };
@@ -68,7 +80,7 @@ fn centres(lines: &[Line]) -> Vec<Vec2, GUESSES> {
     centres
 }
 
-/// The place that most pieces agree on.
+/// Hypothesis with the most support.
 fn best(pieces: &[Line], is_wanted: impl Fn(&Vec2) -> bool) -> Option<Vec2> {
     let pairs =
         pieces.iter().enumerate().flat_map(|(i, a)| pieces[i + 1..].iter().map(move |b| (middle(a), middle(b))));
@@ -79,24 +91,24 @@ fn best(pieces: &[Line], is_wanted: impl Fn(&Vec2) -> bool) -> Option<Vec2> {
     (most >= LEAST).then_some(best)
 }
 
-/// Whether most of a circle is on the carpet, as far as it is in sight.
-fn is_painted(ground: &Ground<'_, impl Classify>, centre: Vec2) -> bool {
-    let turn = Vec2::from_angle(TAU / PLACES as f32);
-    let ways = core::iter::successors(Some(Vec2::X), |way| Some(way.rotate(turn))).take(PLACES);
-    let shown = ways.filter_map(|way| ground.shows(centre + FIELD.centre_circle_radius() * way, way));
+/// Whether the image shows a line along most of the visible part of the circle.
+fn is_on_line(ground: &Ground<'_, impl Classify>, centre: Vec2) -> bool {
+    let turn = Vec2::from_angle(TAU / SAMPLES as f32);
+    let ways = core::iter::successors(Some(Vec2::X), |way| Some(way.rotate(turn))).take(SAMPLES);
+    let shown = ways.filter_map(|way| ground.surface(centre + FIELD.centre_circle_radius() * way, way));
     let (mut lines, mut all) = (0, 0);
     for shown in shown {
-        lines += usize::from(shown == Shown::Line);
-        all += usize::from(shown != Shown::Other);
+        lines += usize::from(shown == Surface::Line);
+        all += usize::from(shown != Surface::Other);
     }
-    lines >= PAINTED.0 && lines as f32 >= PAINTED.1 * all as f32
+    lines >= ON_LINE && lines as f32 >= ON_LINE_SHARE * all as f32
 }
 
 fn middle(piece: &Line) -> Vec2 {
     piece.from.midpoint(piece.to)
 }
 
-/// The middles of the two circles of a radius through two points, if there are any.
+/// Centres of the two circles of a radius through two points, if there are any.
 fn middles(a: Vec2, b: Vec2, radius: f32) -> [Option<Vec2>; 2] {
     let half = 0.5 * (b - a);
     let height = libm::sqrtf(radius * radius - half.length_squared());
@@ -106,13 +118,14 @@ fn middles(a: Vec2, b: Vec2, radius: f32) -> [Option<Vec2>; 2] {
 
 fn fits(piece: &Line, centre: Vec2) -> bool {
     let near = |point: Vec2| {
-        libm::fabsf(point.distance(centre) - FIELD.centre_circle_radius()) <= NEAR.0 + NEAR.1 * point.length()
+        libm::fabsf(point.distance(centre) - FIELD.centre_circle_radius())
+            <= TOLERANCE + TOLERANCE_PER_METRE * point.length()
     };
     near(piece.from) && near(piece.to) && near(middle(piece))
 }
 
-/// The middle that fits the pieces better than this one: a step by least squares. A straight piece through points of an arc
-/// is as far from the middle as they are on average, by Simpson's rule.
+/// Returns the refined centre after one Gauss–Newton step. The mean distance of a chord's points from the centre
+/// follows from Simpson's rule.
 fn nearer(pieces: &[Line], centre: Vec2) -> Vec2 {
     let (mut normal, mut right) = (Mat2::ZERO, Vec2::ZERO);
     for piece in pieces.iter().filter(|piece| fits(piece, centre)) {
@@ -123,11 +136,11 @@ fn nearer(pieces: &[Line], centre: Vec2) -> Vec2 {
             .sum::<f32>()
             / 6.0;
         let outward = (middle(piece) - centre).normalize_or_zero();
-        let weight = piece.length() / (NEAR.0 + NEAR.1 * middle(piece).length());
+        let weight = piece.length() / (TOLERANCE + TOLERANCE_PER_METRE * middle(piece).length());
         normal += weight * Mat2::from_cols(outward * outward.x, outward * outward.y);
         right += weight * off * outward;
     }
-    // Pieces on one side only leave the other direction open.
+    // Segments on one side only do not constrain the other direction.
     let slack = DAMPING * (normal.x_axis.x + normal.y_axis.y);
     centre + (normal + Mat2::from_diagonal(Vec2::splat(slack))).inverse() * right
 }
@@ -135,7 +148,7 @@ fn nearer(pieces: &[Line], centre: Vec2) -> Vec2 {
 fn halfway(lines: &[Line], centre: Vec2) -> Option<Vec2> {
     let through = |line: &&Line| {
         let along = (line.to - line.from).normalize_or_zero();
-        line.length() >= HALFWAY.1 && libm::fabsf(along.perp_dot(centre - line.from)) <= HALFWAY.0
+        line.length() >= HALFWAY_LENGTH && libm::fabsf(along.perp_dot(centre - line.from)) <= HALFWAY_DISTANCE
     };
     let longest = lines.iter().filter(through).max_by(|a, b| a.length().total_cmp(&b.length()))?;
     (longest.to - longest.from).try_normalize()
@@ -153,7 +166,7 @@ mod tests {
     extern crate std;
 
     #[test]
-    fn pieces_of_half_a_circle_agree_on_its_middle() {
+    fn segments_of_half_a_circle_give_its_centre() {
         let centre = Vec2::new(1.5, -0.4);
         let mut lines = arc(centre, FIELD.centre_circle_radius(), 3, 11);
         lines.push(Line { from: centre - Vec2::new(0.9, 0.9), to: centre + Vec2::new(0.2, 0.2) });
@@ -164,7 +177,7 @@ mod tests {
     }
 
     #[test]
-    fn no_pieces_no_middle() {
+    fn degenerate_segments_give_no_centre() {
         let nothing = [Line { from: Vec2::X, to: Vec2::X }, Line { from: Vec2::NAN, to: Vec2::X }];
         assert!(centres(&nothing).is_empty());
     }

@@ -1,21 +1,22 @@
-//! Circles through edge points, some of which are wrong.
+//! Robust circle fit to edge points with outliers.
 //!
-//! Circles through triples of points vote; the winner is fitted to those who agree by least squares of the distances
-//! (Gauss–Newton). Cost: up to n² + 10 n distances, 2 µs for 32 points.
+//! Circles through triples of points are hypotheses, as in RANSAC but over a fixed set of triples. The hypothesis with
+//! the most inliers is refined by least squares (Gauss–Newton) on its inliers. Cost: up to n² + 10 n distances, 2 µs
+//! for 32 points.
 
 use glam::{Mat3, Vec2, Vec3};
 
-/// A circle in the image, pixels.
+/// Circle in the image, px.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Circle {
-    /// Its centre.
+    /// Centre.
     pub centre: Vec2,
-    /// Its radius.
+    /// Radius.
     pub radius: f32,
 }
 
 impl Circle {
-    /// The circle through three points; none if they are on a line.
+    /// Circle through three points; `None` if they are collinear.
     #[must_use]
     pub fn through(a: Vec2, b: Vec2, c: Vec2) -> Option<Self> {
         let (ab, ac) = (b - a, c - a);
@@ -26,13 +27,13 @@ impl Circle {
         (circle.centre.is_finite() && circle.radius.is_finite()).then_some(circle)
     }
 
-    /// How far a point is from the line, pixels; negative inside.
+    /// Signed distance of a point from the circle, px; negative inside.
     #[must_use]
     pub fn distance(&self, point: Vec2) -> f32 {
         (point - self.centre).length() - self.radius
     }
 
-    /// How many points are within `tolerance` of the line.
+    /// Number of points within `tolerance` of the circle.
     #[must_use]
     pub fn support(&self, points: &[Vec2], tolerance: f32) -> usize {
         let (low, high) = ((self.radius - tolerance).max(0.0), self.radius + tolerance);
@@ -40,8 +41,9 @@ impl Circle {
         points.iter().filter(|point| squares.contains(&point.distance_squared(self.centre))).count()
     }
 
-    /// The circle that most points are close to; a point within `tolerance(radius)` pixels is close. Points that
-    /// follow each other around the circle make the best triples. None for fewer than three points, or on a line.
+    /// Fits a circle to the largest set of inliers. A point within `tolerance(radius)` px is an inlier. The points
+    /// should be ordered around the circle, which makes the triples well conditioned. `None` for fewer than three
+    /// points or collinear ones.
     #[must_use]
     pub fn fit(points: &[Vec2], tolerance: impl Fn(f32) -> f32) -> Option<Self> {
         let n = points.len();
@@ -52,7 +54,7 @@ impl Circle {
         Some(if vote(&refined) >= vote(&best) { refined } else { best })
     }
 
-    /// One Gauss–Newton step on the distances of the close points. Stays if they don't decide.
+    /// One Gauss–Newton step on the inliers. Returns the same circle if they do not determine it.
     fn refine(self, points: &[Vec2], tolerance: &impl Fn(f32) -> f32) -> Self {
         let limit = 1.5 * tolerance(self.radius);
         let (mut normal, mut right) = (Mat3::ZERO, Vec3::ZERO);

@@ -1,6 +1,6 @@
-//! Colour classes, and what decides on them: thresholds here, tables in [`table`](crate::table).
+//! Colour classes and their classifiers: thresholds here, lookup tables in [`table`](crate::table).
 //!
-//! Cost on a desktop core: about 6 ns for a pixel by [`Filters`], 1 ns by a table.
+//! Cost on a desktop core: about 6 ns per pixel with [`Filters`], 1 ns with a table.
 
 use core::ops::BitOr;
 
@@ -9,27 +9,27 @@ use bica_field::GoalColour;
 use crate::chroma::ChromaBox;
 use crate::frame::Pixel;
 
-/// What a pixel's colour can mean on a field of 2009.
+/// Colour class of a pixel on a field of 2009.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[repr(u8)]
 pub enum Colour {
-    /// Nothing of interest.
+    /// Any other colour.
     #[default]
     None,
-    /// The ball.
+    /// Ball.
     Orange,
-    /// A goal.
+    /// Yellow goal.
     Yellow,
-    /// The other goal.
+    /// Sky-blue goal.
     Blue,
     /// Lines, robots, walls.
     White,
-    /// The carpet.
+    /// Carpet.
     Green,
 }
 
 impl Colour {
-    /// The class of a goal's paint.
+    /// Class of a goal's paint.
     #[must_use]
     pub const fn of_goal(colour: GoalColour) -> Self {
         match colour {
@@ -38,10 +38,10 @@ impl Colour {
         }
     }
 
-    /// Every class but [`Colour::None`], in order.
+    /// All classes except [`Colour::None`], in order.
     pub const ALL: [Self; 5] = [Self::Orange, Self::Yellow, Self::Blue, Self::White, Self::Green];
 
-    /// The class with a number, 0 none, 1 orange, 2 yellow, 3 blue, 4 white, 5 green; none for any other number.
+    /// Class of a number: 0 none, 1 orange, 2 yellow, 3 blue, 4 white, 5 green; [`Colour::None`] for any other number.
     #[inline]
     #[must_use]
     pub const fn from_index(index: u8) -> Self {
@@ -56,21 +56,21 @@ impl Colour {
     }
 }
 
-/// A set of colour classes.
+/// Set of colour classes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ColourSet(u8);
 
 impl ColourSet {
-    /// No class.
+    /// Empty set.
     pub const EMPTY: Self = Self(0);
 
-    /// The set of one class; the empty one for [`Colour::None`].
+    /// Set of one class; empty for [`Colour::None`].
     #[must_use]
     pub const fn of(colour: Colour) -> Self {
         Self((1 << colour as u8) & !1)
     }
 
-    /// Whether the class is in the set. [`Colour::None`] never is.
+    /// Whether the set contains the class. It never contains [`Colour::None`].
     #[inline(always)]
     #[must_use]
     pub const fn has(self, colour: Colour) -> bool {
@@ -94,26 +94,26 @@ impl BitOr for Colour {
     }
 }
 
-/// Decides on the class of a pixel. Total: any pixel has an answer.
+/// Pixel classifier. It has an answer for each pixel.
 pub trait Classify {
-    /// The class of a pixel.
+    /// Returns the class of a pixel.
     fn classify(&self, pixel: Pixel) -> Colour;
 
-    /// A box of chroma outside of which no pixel is of the class; the smaller, the more is passed over unseen.
+    /// Bounding box of the chroma of a class. A smaller box lets [`Runs`](crate::segment::Runs) skip more pixels.
     fn chroma(&self, _: Colour) -> ChromaBox {
         ChromaBox::ALL
     }
 }
 
-/// The thresholds of one class, on quantities that stay when a camera changes its exposure.
+/// Thresholds of one class, on quantities that are invariant to exposure.
 ///
-/// The chroma vector (Cb − 128, Cr − 128) and luma grow alike with exposure, so its direction (hue) and its length
-/// over luma (saturation) do not change.
+/// The chroma vector (Cb − 128, Cr − 128) and luma scale alike with exposure. So its direction (hue) and its length
+/// relative to luma (saturation) stay.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Filter {
-    /// The first direction of the chroma vector that belongs, scaled by 1024.
+    /// First accepted direction of the chroma vector, scaled by 1024.
     from: (i16, i16),
-    /// The last direction that belongs.
+    /// Last accepted direction.
     to: (i16, i16),
     saturation: (u16, u16),
     luma: (u8, u8),
@@ -121,13 +121,13 @@ pub struct Filter {
 }
 
 impl Filter {
-    /// Accepts every colour.
+    /// Filter that accepts every colour.
     pub const ANY: Self =
         Self { from: (0, 0), to: (0, 0), saturation: (0, u16::MAX), luma: (0, 255), chroma_squared: 0 };
 
-    /// Only hues from `from` counter-clockwise to `to`, degrees, at most 180 apart; 0 is along Cb, 90 along Cr.
+    /// Accepts hues from `from` counter-clockwise to `to` only, degrees, at most 180 apart; 0 is along Cb, 90 along Cr.
     ///
-    /// A ball of 2009 is at 120–150, a yellow goal at 160–185, carpet at 200–285, a sky-blue goal at 290–345, red at
+    /// A ball of 2009 has hue 120–150, a yellow goal 160–185, carpet 200–285, a sky-blue goal 290–345, red plastic
     /// 90–118.
     #[must_use]
     pub const fn hue(mut self, from: i16, to: i16) -> Self {
@@ -136,28 +136,28 @@ impl Filter {
         self
     }
 
-    /// Only if the chroma vector's length is from `min` to `max` percent of luma.
+    /// Accepts saturations (length of the chroma vector over luma) from `min` to `max` percent only.
     #[must_use]
     pub const fn saturation(mut self, min: u16, max: u16) -> Self {
         self.saturation = (min, max);
         self
     }
 
-    /// Only from `min` to `max` luma.
+    /// Accepts luma from `min` to `max` only.
     #[must_use]
     pub const fn luma(mut self, min: u8, max: u8) -> Self {
         self.luma = (min, max);
         self
     }
 
-    /// Only if the chroma vector is at least this long: below a few counts hue is noise.
+    /// Accepts chroma vectors of at least this length only: below a few counts hue is noise.
     #[must_use]
     pub const fn chroma(mut self, min: u8) -> Self {
         self.chroma_squared = min as i32 * min as i32;
         self
     }
 
-    /// The hues that pass as [`hue`](Self::hue) takes them, the first from 0 to 359; none if all do.
+    /// Accepted hues as given to [`hue`](Self::hue), the first in 0..360; `None` if all are accepted.
     #[must_use]
     pub fn hue_range(&self) -> Option<(i16, i16)> {
         let degrees = |(b, r): (i16, i16)| libm::roundf(libm::atan2f(r.into(), b.into()).to_degrees()) as i16;
@@ -165,34 +165,34 @@ impl Filter {
         (self.from != (0, 0)).then(|| (from, from + (degrees(self.to) - from).rem_euclid(360)))
     }
 
-    /// The saturations that pass, percent.
+    /// Accepted saturations, percent.
     #[must_use]
     pub const fn saturation_range(&self) -> (u16, u16) {
         self.saturation
     }
 
-    /// The luma that passes if hue and saturation do.
+    /// Accepted luma, apart from hue and saturation.
     #[must_use]
     pub const fn luma_bounds(&self) -> (u8, u8) {
         self.luma
     }
 
-    /// How long the chroma vector has to be.
+    /// Minimum length of the chroma vector.
     #[must_use]
     pub const fn least_chroma(&self) -> u8 {
         self.chroma_squared.isqrt() as u8
     }
 
-    /// Whether the pixel passes.
+    /// Whether the filter accepts the pixel.
     #[must_use]
     pub const fn accepts(&self, pixel: Pixel) -> bool {
         let (low, high) = self.luma_range(pixel.cb, pixel.cr);
         low <= pixel.y && pixel.y <= high
     }
 
-    /// The lowest and the highest luma with which a chroma passes; the lowest is above the highest if none does.
+    /// Lowest and highest luma at which the filter accepts a chroma; the lowest is above the highest if it never does.
     ///
-    /// Saturation is a bound on luma once chroma is known, so thresholds need to be looked at only once per chroma.
+    /// For a given chroma, saturation is a bound on luma. So thresholds are evaluated once per chroma.
     #[must_use]
     pub const fn luma_range(&self, cb: u8, cr: u8) -> (u8, u8) {
         let (b, r) = (cb as i32 - 128, cr as i32 - 128);
@@ -217,7 +217,7 @@ const fn smaller(a: u8, b: u8) -> u8 {
     if a < b { a } else { b }
 }
 
-/// The unit vector of an angle in degrees, scaled by 1024. The polynomials err by less than one part in 1024.
+/// Unit vector of an angle in degrees, scaled by 1024. The polynomials err by less than 1/1024.
 const fn direction(degrees: i16) -> (i16, i16) {
     let within = degrees.rem_euclid(360);
     let (quarter, rest) = (within / 90, within % 90);
@@ -234,25 +234,25 @@ const fn direction(degrees: i16) -> (i16, i16) {
     }
 }
 
-/// A colour filter for every class: the thresholds that the paper tunes by hand.
+/// One colour filter per class: the thresholds that the paper tunes by hand.
 ///
-/// The classes are tried in the order orange, yellow, blue, green, white; the first that accepts has the pixel.
+/// The classes are tried in the order orange, yellow, blue, green, white. The first filter that accepts decides.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Filters {
-    /// The ball.
+    /// Ball.
     pub orange: Filter,
-    /// A goal.
+    /// Yellow goal.
     pub yellow: Filter,
-    /// The other goal.
+    /// Sky-blue goal.
     pub blue: Filter,
     /// Lines, robots, walls.
     pub white: Filter,
-    /// The carpet.
+    /// Carpet.
     pub green: Filter,
 }
 
 impl Filters {
-    /// The filters with their classes, the one that decides first comes first.
+    /// Filters with their classes, in the order of decision.
     #[must_use]
     pub const fn in_order(&self) -> [(Colour, &Filter); 5] {
         [
@@ -280,7 +280,7 @@ mod tests {
     use proptest::prelude::*;
 
     #[test]
-    fn a_direction_is_the_unit_vector_of_its_angle() {
+    fn direction_is_the_unit_vector_of_its_angle() {
         for degrees in -720..=720_i16 {
             let (c, s) = direction(degrees);
             let angle = f64::from(degrees).to_radians();
@@ -290,7 +290,7 @@ mod tests {
     }
 
     #[test]
-    fn a_set_has_what_was_put_in() {
+    fn set_contains_exactly_its_members() {
         let set = Colour::Orange | Colour::Green;
         for colour in Colour::ALL {
             assert_eq!(set.has(colour), matches!(colour, Colour::Orange | Colour::Green));
@@ -302,9 +302,9 @@ mod tests {
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(4000))]
 
-        /// Against hue and saturation as one writes them down, away from the very threshold.
+        /// Compares with floating-point hue and saturation, except close to a threshold.
         #[test]
-        fn a_filter_is_a_range_of_hue_saturation_and_luma(
+        fn filter_equals_floating_point_hue_saturation_and_luma(
             (y, cb, cr) in any::<(u8, u8, u8)>(), from in -180_i16..360, wide in 1_i16..180,
             (least, span) in (0_u16..100, 0_u16..200), (dark, light) in any::<(u8, u8)>(), chroma in 0_u8..60,
         ) {
@@ -323,7 +323,7 @@ mod tests {
         }
 
         #[test]
-        fn a_filter_tells_its_thresholds(
+        fn filter_returns_its_thresholds(
             from in 0_i16..360, wide in 1_i16..180, saturation in any::<(u16, u16)>(), luma in any::<(u8, u8)>(),
             chroma in any::<u8>(),
         ) {
@@ -335,7 +335,7 @@ mod tests {
         }
 
         #[test]
-        fn exposure_does_not_change_a_hue(cb in 100_u8..156, cr in 100_u8..156, from in 0_i16..360) {
+        fn hue_and_saturation_are_invariant_to_exposure(cb in 100_u8..156, cr in 100_u8..156, from in 0_i16..360) {
             let doubled = |c: u8| (2 * i16::from(c) - 128) as u8;
             let filter = Filter::ANY.hue(from, from + 60).saturation(10, 90);
             let (dim, bright) = (Pixel::new(60, cb, cr), Pixel::new(120, doubled(cb), doubled(cr)));

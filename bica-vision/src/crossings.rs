@@ -1,9 +1,10 @@
-//! Where lines meet: corners (L), junctions (T) and crosses (X).
+//! Detection of line crossings: corners (L), junctions (T) and crosses (X).
 //!
-//! Lines that would meet at a right angle on the ground, and the centre circle with the halfway line, say where one may be.
-//! Which of its four arms are there is then looked up in the image, since lines are seen with gaps and a robot or the
-//! image's edge may hide an arm: unless all four are known to be there or not, there is no telling what it is.
-//! Cost: every pair of lines once and 16 places for each candidate, 5 µs.
+//! Candidates are the intersections of lines that are perpendicular on the ground, and of the centre circle with the
+//! halfway line. The image decides which of the four arms of a candidate exist, because detected lines have gaps and a
+//! robot or the image edge may hide an arm. A crossing is reported only if all four arms are known to exist or not to.
+//!
+//! Cost: each pair of lines once and 16 samples for each candidate, 5 µs.
 
 use core::f32::consts::{FRAC_PI_2, PI};
 
@@ -16,42 +17,42 @@ use libm::{atan2f, fabsf};
 use crate::centre_circle::CentreCircle;
 use crate::colour::Classify;
 use crate::frame::Frame;
+use crate::line_probe::{Ground, Surface};
 use crate::lines::Line;
-use crate::paint::{Ground, Shown};
 use crate::projection::Camera;
 
-/// Crossings in a frame; more are dropped.
+/// Maximum number of crossings in a frame; more are dropped.
 pub const CROSSINGS: usize = 12;
 
-/// The crossings of a frame.
+/// Crossings of a frame.
 pub type Crossings = Vec<Crossing, CROSSINGS>;
 
-/// Crossings farther away than this are not looked for, m.
+/// Maximum distance of a crossing, m.
 const FARTHEST: f32 = 3.5;
-/// The sine of how far from a right angle lines may meet on the ground: the error of short and far ones.
+/// Maximum sine of the deviation from a right angle on the ground; short and far lines err most.
 const SKEW: f32 = 0.35;
-/// How far beyond its end a line may meet another, m.
+/// Maximum gap between the end of a line and the intersection, m.
 const REACH: f32 = 0.3;
-/// Where on an arm it is looked for, m from the crossing.
+/// Distances of the samples on an arm from the crossing, m.
 const ALONG: [f32; 4] = [0.09, 0.13, 0.17, 0.21];
-/// Arms of a cross on the circle that are seen at least: the round ones often are not.
+/// Minimum number of visible arms of a cross on the circle: its round arms often fail the test.
 const CROSS_ARMS: usize = 2;
-/// Crossings that are nearer to each other are one, m.
+/// Crossings closer than this are merged, m.
 const SAME: f32 = 0.25;
 
-/// A crossing of two lines.
+/// Crossing of two lines in the image.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Crossing {
-    /// How the lines meet.
+    /// Shape.
     pub kind: CrossingKind,
-    /// Where, px.
+    /// Position in the image, px.
     pub at: Vec2,
-    /// PositionEstimate and heading on the ground, m and rad in the camera's ground frame. The heading goes along an arm: that of an
-    /// L which has the other one at its left, the stem of a T, any arm of an X.
+    /// Position, m, and heading, rad, in the camera's ground frame. The heading follows one arm: of an L the arm whose
+    /// left neighbour exists, of a T the stem, of an X any arm.
     pub ground: Pose2,
 }
 
-/// The crossings among lines on the ground, m, and of the circle with the halfway line if it was found.
+/// Finds the crossings among lines on the ground, m, and those of the circle with the halfway line.
 #[must_use]
 pub fn find(
     frame: &Frame<'_>,
@@ -60,28 +61,28 @@ pub fn find(
     lines: &[Line],
     circle: Option<&CentreCircle>,
 ) -> Crossings {
-    let look = Look { ground: Ground { frame, colours, camera } };
+    let search = CrossingSearch { ground: Ground { frame, colours, camera } };
     let pairs = lines.iter().enumerate().flat_map(|(i, a)| lines[i + 1..].iter().map(move |b| (a, b)));
     let is_near = |place: &Pose2| place.position.length() <= FARTHEST;
     let on_circle = circle.into_iter().flat_map(on_circle).filter(is_near);
-    let mut found: Crossings = on_circle.filter_map(|place| look.cross(place)).collect();
+    let mut found: Crossings = on_circle.filter_map(|place| search.cross(place)).collect();
     for place in pairs.filter_map(|(a, b)| meeting(a, b)).filter(is_near) {
         let is_new = found.iter().all(|other| other.ground.position.distance(place.position) > SAME);
         if is_new && !found.is_full() {
-            found.extend(look.crossing(place));
+            found.extend(search.crossing(place));
         }
     }
     found
 }
 
-/// Where the halfway line crosses the circle.
+/// Intersections of the halfway line with the circle.
 fn on_circle(circle: &CentreCircle) -> impl Iterator<Item = Pose2> + use<> {
     let centre = circle.centre;
     let ways = circle.halfway.into_iter().flat_map(|way| [way, -way]);
     ways.map(move |way| Pose2 { position: centre + FIELD.centre_circle_radius() * way, heading: atan2f(way.y, way.x) })
 }
 
-/// Where two lines on the ground would meet at about a right angle, heading along the longer one.
+/// Intersection of two nearly perpendicular lines on the ground, with the heading of the longer one.
 fn meeting(a: &Line, b: &Line) -> Option<Pose2> {
     let (long, short) = if a.length() >= b.length() { (a, b) } else { (b, a) };
     let along = (long.to - long.from).try_normalize()?;
@@ -97,19 +98,19 @@ fn meeting(a: &Line, b: &Line) -> Option<Pose2> {
     meets.then(|| Pose2 { position, heading: atan2f(along.y, along.x) })
 }
 
-struct Look<'a, C> {
+struct CrossingSearch<'a, C> {
     ground: Ground<'a, C>,
 }
 
-impl<C: Classify> Look<'_, C> {
-    /// A cross, where one is known to be if its place is in sight.
+impl<C: Classify> CrossingSearch<'_, C> {
+    /// X crossing at a position known from the circle, if it is in view.
     fn cross(&self, ground: Pose2) -> Option<Crossing> {
         let arms = (0..4_u8).filter(|quarters| self.has_arm(ground, f32::from(*quarters) * FRAC_PI_2) == Some(true));
         let at = self.ground.camera.pixel(ground.position.extend(0.0))?;
         (arms.count() >= CROSS_ARMS).then_some(Crossing { kind: CrossingKind::X, at, ground })
     }
 
-    /// The crossing at a place, by which of its arms are there.
+    /// Crossing at a position, classified by its arms.
     fn crossing(&self, place: Pose2) -> Option<Crossing> {
         let mut arms = [false; 4];
         for (arm, quarters) in arms.iter_mut().zip(0_u8..) {
@@ -131,18 +132,18 @@ impl<C: Classify> Look<'_, C> {
         Some(Crossing { kind, at, ground: Pose2 { heading: wrap(place.heading + turn), ..place } })
     }
 
-    /// Whether a line goes from a place into a direction; none if that is hidden or beside the image.
+    /// Whether a line leaves a position in a direction; `None` if that is hidden or outside the image.
     fn has_arm(&self, place: Pose2, direction: f32) -> Option<bool> {
         let way = Vec2::from_angle(place.heading + direction);
         let (mut lines, mut greens) = (0, 0);
         for along in ALONG {
-            match self.ground.shows(place.position + along * way, way.perp()) {
-                Some(Shown::Line) => lines += 1,
-                Some(Shown::Carpet) => greens += 1,
-                Some(Shown::Other) | None => {}
+            match self.ground.surface(place.position + along * way, way.perp()) {
+                Some(Surface::Line) => lines += 1,
+                Some(Surface::Carpet) => greens += 1,
+                Some(Surface::Other) | None => {}
             }
         }
-        // At the image's edge little carpet is enough to know that the line does not go on.
+        // At the image edge a few samples of carpet are enough to see that the line ends.
         (lines >= 2 || lines == 0 && greens > 0).then_some(lines > greens)
     }
 }

@@ -1,34 +1,34 @@
-//! Where a blob ends: edge points on rays from its middle.
+//! Edge points of a blob on rays from its middle.
 //!
-//! A ray is followed as long as pixels belong to the blob, small gaps (a highlight) included; then the place where
-//! the redness Cr − Cb falls through the middle between inside and outside is the edge. Large blobs are followed in
-//! strides, so that none costs more than one of `FINE` pixels does. Cost: 4 ns for each pixel that is looked at on
-//! [`RAYS`] rays, 2 µs for a blob of 20 pixels, 8 µs for one that fills the image.
+//! A ray continues while pixels belong to the blob, across small gaps such as a highlight. The edge is where the
+//! redness Cr − Cb crosses the mean of its values inside and outside, with subpixel accuracy. Rays of large blobs are
+//! sampled with a stride, so no blob costs more than one of `FINE` pixels. Cost: 4 ns for each pixel read on [`RAYS`]
+//! rays, 2 µs for a blob of 20 px, 8 µs for one that fills the image.
 
 use glam::Vec2;
 use heapless::Vec;
 
 use crate::frame::{Frame, Pixel};
 
-/// Rays from the middle of a blob.
+/// Number of rays.
 pub const RAYS: usize = 32;
 
-/// The width of the largest blob that is followed pixel by pixel.
+/// Width of the largest blob sampled at every pixel, px.
 const FINE: f32 = 64.0;
-/// The part of a ray that may be holes, beside one large gap; noise has more.
+/// Maximum share of a ray in holes, apart from one large gap; noise has more.
 const HOLES: f32 = 0.25;
 
-/// What the rays found.
+/// Result of the edge search.
 #[derive(Clone, Debug, Default)]
 pub struct Edges {
-    /// Edge points, counter-clockwise in the image as the rays are, pixels.
+    /// Edge points, counter-clockwise in the image, px.
     pub points: Vec<Vec2, RAYS>,
-    /// Rays that left the image inside the blob.
+    /// Number of rays that left the image inside the blob.
     pub clipped: usize,
-    /// Rays that ended where the colour changes its name but hardly its value.
+    /// Number of rays that ended at a change of class with nearly no change of colour.
     pub faint: usize,
-    /// Pixels that were looked at on the way to the ends of the rays.
-    pub looks: u32,
+    /// Number of pixels read on all rays.
+    pub reads: u32,
 }
 
 enum End {
@@ -37,18 +37,18 @@ enum End {
     Faint,
 }
 
-/// Follows the rays around `centre` through the pixels that `belong`, up to twice the blob's `size` in pixels, which is
-/// about its width.
+/// Follows rays from `centre` through pixels that `belong` to the blob, up to twice the blob's `size`, its approximate
+/// width in px.
 #[must_use]
 pub fn around(frame: &Frame<'_>, belongs: impl Fn(Pixel) -> bool, centre: Vec2, size: f32) -> Edges {
     let mut edges = Edges::default();
-    // Turning by a constant needs no sine in the loop.
+    // Rotation by a constant angle avoids a sine in the loop.
     let turn = Vec2::new(0.980_785_25, 0.195_090_32);
     let mut along = Vec2::X;
     for _ in 0..RAYS {
         let ray = Ray { frame, centre, along, reach: 2.0 + size / 16.0, stride: 1.0 + (size / FINE) as u8 as f32 };
-        let (end, looks) = ray.end(&belongs, 2.0 + size / 8.0, 2.0 * size);
-        edges.looks += looks;
+        let (end, reads) = ray.end(&belongs, 2.0 + size / 8.0, 2.0 * size);
+        edges.reads += reads;
         match end {
             End::At(point) => edges.points.extend([point]),
             End::Image => edges.clipped += 1,
@@ -63,9 +63,9 @@ struct Ray<'a> {
     frame: &'a Frame<'a>,
     centre: Vec2,
     along: Vec2,
-    /// How far from the edge its two sides are compared, pixels.
+    /// Distance from the edge to the two compared samples, px.
     reach: f32,
-    /// From one pixel that is looked at to the next, pixels.
+    /// Distance between samples, px.
     stride: f32,
 }
 
@@ -78,11 +78,11 @@ impl Ray<'_> {
         self.pixel(distance).map(|p| f32::from(p.cr) - f32::from(p.cb))
     }
 
-    /// Where the blob ends, and how many pixels were looked at.
+    /// End of the blob on the ray, and the number of pixels read.
     fn end(&self, belongs: &impl Fn(Pixel) -> bool, gap: f32, farthest: f32) -> (End, u32) {
-        let (mut last, mut at, mut beside, mut looks) = (0.0, 0.0, 0.0, 0);
+        let (mut last, mut at, mut beside, mut reads) = (0.0, 0.0, 0.0, 0);
         while at <= farthest.min(last) + gap && beside <= gap + HOLES * at {
-            (at, looks) = (at + self.stride, looks + 1);
+            (at, reads) = (at + self.stride, reads + 1);
             let Some(pixel) = self.pixel(at) else { break };
             if belongs(pixel) {
                 last = at;
@@ -91,12 +91,12 @@ impl Ray<'_> {
             }
         }
         if self.pixel(last + self.stride + 1.0).is_none() {
-            return (End::Image, looks);
+            return (End::Image, reads);
         }
-        (self.crossing(last).map_or(End::Faint, |distance| End::At(self.centre + self.along * distance)), looks)
+        (self.crossing(last).map_or(End::Faint, |distance| End::At(self.centre + self.along * distance)), reads)
     }
 
-    /// Where the redness falls through the middle of its values before and after the coarse edge.
+    /// Position where the redness crosses the mean of its values on both sides of the coarse edge.
     fn crossing(&self, coarse: f32) -> Option<f32> {
         let mut distance = (coarse - self.reach).max(0.0);
         let inside = self.redness(distance)?;

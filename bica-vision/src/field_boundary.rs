@@ -1,9 +1,9 @@
-//! The end of the field in the image: the top of the green, column by column, then one convex line.
+//! Field boundary in the image (the paper's "end of field"): the top of the green in each column, then a convex line.
 //!
-//! In each scanned column the stretch that is greenest, lines included, gives a point: where the carpet ends. Nothing
-//! above the horizon is carpet, if the camera's pose is known. Goals, robots and the ball stand in it and pull points
-//! down, green things in the hall pull them up. The end is the convex line of one to three straight sides that most
-//! points agree on.
+//! In each scanned column the greenest stretch, lines included, gives a point: the edge of the carpet. With a known
+//! camera pose nothing above the horizon is carpet. Goals, robots and the ball occlude the edge and move points down;
+//! green objects in the hall move them up. The boundary is the convex line of one to three straight sides with the most
+//! inliers.
 //!
 //! Cost: [`COLUMNS`] columns × half the rows, about 2 ns each, and up to 200 lines × 40 points for each side: 16 µs at
 //! 320 × 240.
@@ -17,33 +17,34 @@ use crate::colour::{Classify, Colour};
 use crate::frame::Frame;
 use crate::projection::Camera;
 
-/// Scanned columns in a frame.
+/// Number of scanned columns.
 pub const COLUMNS: usize = 40;
 
-/// A column needs this much more green than other colours, as a part of the scanned rows, to count.
+/// Minimum excess of green over other colours in a column, as a share of the scanned rows.
 const ENOUGH_GREEN: f32 = 0.03;
-/// A gap that ends the carpet, as a part of the frame's height.
+/// Length of a gap that ends the carpet, as a share of the frame height.
 const GAP: f32 = 0.025;
-/// An error of the camera's pitch that the horizon forgives, rad.
+/// Tolerated error of the camera's pitch, rad.
 const PITCH_ERROR: f32 = 0.035;
 
-/// The line at which the field ends, from the left edge of the image to the right one.
+/// Field boundary from the left to the right image edge.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct FieldBoundary {
     corners: Vec<Vec2, COLUMNS>,
 }
 
 impl FieldBoundary {
-    /// No field in sight.
+    /// No field in view.
     pub const NONE: Self = Self { corners: Vec::new() };
 
-    /// Finds the end of the field by green and white alone; no other class is asked for.
+    /// Finds the field boundary from green and white pixels alone.
     #[must_use]
     pub fn find(frame: &Frame<'_>, colours: &impl Classify) -> Self {
         Self::find_with(frame, colours, None)
     }
 
-    /// As [`find`](Self::find). With `camera`, nothing above the horizon counts, give or take 2° of pitch.
+    /// Finds the field boundary as [`find`](Self::find) does. With `camera`, ignores rows more than 2° above the
+    /// horizon.
     #[must_use]
     pub fn find_with(frame: &Frame<'_>, colours: &impl Classify, camera: Option<&Camera>) -> Self {
         let points = column_tops(frame, colours, camera);
@@ -51,25 +52,25 @@ impl FieldBoundary {
         Self { corners: hull::over(&points, (0.0, width - 1.0), height) }
     }
 
-    /// The corners of the line in pixels, from the left; empty if no field is in sight.
+    /// Corners, px, from the left; empty if no field is in view.
     #[must_use]
     pub fn corners(&self) -> &[Vec2] {
         &self.corners
     }
 
-    /// The row at which the field ends in a column. None if no field is in sight.
+    /// Row of the boundary in a column. `None` if no field is in view.
     #[must_use]
     pub fn row_at(&self, x: f32) -> Option<f32> {
         hull::line_at(&self.corners, x)
     }
 
-    /// The highest row of the line: nothing of the field is above it. None if no field is in sight.
+    /// Highest row of the boundary; the field is below it. `None` if no field is in view.
     #[must_use]
     pub fn top(&self) -> Option<f32> {
         self.corners.iter().map(|corner| corner.y).reduce(f32::min)
     }
 
-    /// Whether a point is on the field, or at most `margin` pixels above its end. Never if no field is in sight.
+    /// Whether a point is on the field, or at most `margin` px above the boundary. False if no field is in view.
     #[must_use]
     pub fn is_below(&self, x: f32, y: f32, margin: f32) -> bool {
         self.row_at(x).is_some_and(|end| y >= end - margin)
@@ -86,8 +87,8 @@ fn column_tops(frame: &Frame<'_>, colours: &impl Classify, camera: Option<&Camer
     columns.filter_map(|x| Some(Vec2::new(x, column_top(frame, colours, x as u16, highest(x))?))).collect()
 }
 
-/// The top of the stretch of a column with the most green over the rest: the largest sum of +1 and −1. A gap of other
-/// colours than white ends a stretch if it is longer than [`GAP`].
+/// Top of the stretch of a column with the most green: the maximum prefix sum of +1 (green) and −1 (other). A gap of
+/// other colours than white longer than [`GAP`] ends a stretch.
 fn column_top(frame: &Frame<'_>, colours: &impl Classify, x: u16, highest: u16) -> Option<f32> {
     let longest = (GAP * f32::from(frame.height() / 2)) as u16;
     let (mut best, mut best_row, mut sum, mut gap) = (0, 0, 0, 0);

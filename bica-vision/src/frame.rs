@@ -1,30 +1,30 @@
-//! A camera frame, looked at in place: YUYV 4:2:2, two pixels in four bytes.
+//! Camera frame, borrowed without copying: YUYV 4:2:2, two pixels in four bytes.
 //!
-//! Pixel coordinates: `x` to the right, `y` down, the centre of the first pixel is (0, 0). Nothing is copied; access
-//! to a pixel is a bounds check and a load.
+//! Pixel coordinates: `x` to the right, `y` down, the centre of the first pixel is (0, 0). Access to a pixel is a
+//! bounds check and a load.
 
 use bica_motion::robot::Image;
 use glam::Vec2;
 
-/// The smallest width and height of a frame, pixels.
+/// Minimum width and height of a frame, px.
 pub const MIN_SIDE: u16 = 16;
-/// The largest width of a frame, pixels.
+/// Maximum width of a frame, px.
 pub const MAX_WIDTH: u16 = 1280;
-/// The largest height of a frame, pixels.
+/// Maximum height of a frame, px.
 pub const MAX_HEIGHT: u16 = 960;
 
-/// Why bytes are not a frame.
+/// Reason why bytes are not a frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FrameError {
-    /// Two pixels share their colour, so a row has an even number of them.
+    /// Two pixels share their chroma, so the width must be even.
     OddWidth(u16),
     /// Width or height is outside [`MIN_SIDE`] … [`MAX_WIDTH`] × [`MAX_HEIGHT`].
     Size(u16, u16),
     /// The number of bytes is not two per pixel.
     Length {
-        /// Bytes that a frame of this size has.
+        /// Number of bytes of a frame of this size.
         expected: usize,
-        /// Bytes that were given.
+        /// Number of bytes given.
         found: usize,
     },
 }
@@ -44,32 +44,32 @@ impl core::fmt::Display for FrameError {
 
 impl core::error::Error for FrameError {}
 
-/// The colour of one pixel, full-range BT.601.
+/// Colour of one pixel, full-range BT.601.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Pixel {
     /// Luma, 0 (black) to 255 (white).
     pub y: u8,
-    /// Blue minus luma, 128 is grey.
+    /// Blue-difference chroma; 128 is grey.
     pub cb: u8,
-    /// Red minus luma, 128 is grey.
+    /// Red-difference chroma; 128 is grey.
     pub cr: u8,
 }
 
 impl Pixel {
-    /// A pixel from its three values.
+    /// Creates a pixel from its components.
     #[must_use]
     pub const fn new(y: u8, cb: u8, cr: u8) -> Self {
         Self { y, cb, cr }
     }
 }
 
-/// Two neighbouring pixels, which share their chroma: the bytes `Y0 Cb Y1 Cr`.
+/// Pair of neighbouring pixels with shared chroma: the bytes `Y0 Cb Y1 Cr`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(transparent)]
 pub struct Pair(pub [u8; 4]);
 
 impl Pair {
-    /// Both pixels as one, with the mean luma (rounded down).
+    /// Mean pixel of the pair; luma is rounded down.
     #[inline(always)]
     #[must_use]
     pub const fn mean(self) -> Pixel {
@@ -78,26 +78,26 @@ impl Pair {
     }
 }
 
-/// The luma of pixels in a row or a column.
+/// Luma of the pixels of a row or a column.
 #[derive(Clone, Copy, Debug)]
 pub struct Lumas<'a> {
     bytes: &'a [u8],
-    /// Bytes from one pixel to the next.
+    /// Distance between pixels, bytes.
     step: usize,
 }
 
 impl Lumas<'_> {
-    /// Of nothing.
+    /// No pixels.
     pub const NONE: Self = Self { bytes: &[], step: 1 };
 
-    /// The luma of the pixel with a number; 0 beyond the frame.
+    /// Luma of the pixel with an index; 0 beyond the frame.
     #[inline(always)]
     #[must_use]
     pub fn get(&self, at: u16) -> u8 {
         self.bytes.get(usize::from(at) * self.step).copied().unwrap_or_default()
     }
 
-    /// The luma of eight pixels of a row from a place on; none of a column, or if there are fewer.
+    /// Luma of eight consecutive pixels of a row; `None` for a column or near the end of a row.
     #[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
     #[inline(always)]
     pub(crate) fn eight(&self, from: u16) -> Option<[u16; 8]> {
@@ -108,7 +108,7 @@ impl Lumas<'_> {
     }
 }
 
-/// A frame of [`MIN_SIDE`] to [`MAX_WIDTH`] × [`MAX_HEIGHT`] pixels, borrowed.
+/// Borrowed frame of [`MIN_SIDE`] to [`MAX_WIDTH`] × [`MAX_HEIGHT`] px.
 #[derive(Clone, Copy, Debug)]
 pub struct Frame<'a> {
     pairs: &'a [[u8; 4]],
@@ -117,7 +117,7 @@ pub struct Frame<'a> {
 }
 
 impl<'a> Frame<'a> {
-    /// Looks at `yuyv` as a frame of `width` × `height` pixels.
+    /// Borrows `yuyv` as a frame of `width` × `height` pixels.
     ///
     /// # Errors
     /// If the size is out of range, the width odd or the number of bytes not `2 * width * height`.
@@ -135,7 +135,7 @@ impl<'a> Frame<'a> {
         Ok(Self { pairs: yuyv.as_chunks().0, width, height })
     }
 
-    /// Looks at a robot's image.
+    /// Borrows a robot's camera image as a frame.
     ///
     /// # Errors
     /// As [`new`](Self::new).
@@ -143,19 +143,19 @@ impl<'a> Frame<'a> {
         Self::new(image.width, image.height, image.yuyv)
     }
 
-    /// Width in pixels.
+    /// Width, px.
     #[must_use]
     pub const fn width(&self) -> u16 {
         self.width
     }
 
-    /// Height in pixels.
+    /// Height, px.
     #[must_use]
     pub const fn height(&self) -> u16 {
         self.height
     }
 
-    /// The pixel pairs of a row from the left; empty for a row below the frame.
+    /// Pixel pairs of a row from the left; empty for a row outside the frame.
     #[inline]
     #[must_use]
     pub fn row(&self, y: u16) -> &'a [[u8; 4]] {
@@ -164,14 +164,14 @@ impl<'a> Frame<'a> {
         self.pairs.get(start..start + pairs).unwrap_or(&[])
     }
 
-    /// The luma of a row from the left; of nothing for a row below the frame.
+    /// Luma of a row from the left; empty for a row outside the frame.
     #[inline]
     #[must_use]
     pub fn luma_row(&self, y: u16) -> Lumas<'a> {
         Lumas { bytes: self.row(y).as_flattened(), step: 2 }
     }
 
-    /// The luma of a column from the top; of nothing for a column beside the frame.
+    /// Luma of a column from the top; empty for a column outside the frame.
     #[inline]
     #[must_use]
     pub fn luma_column(&self, x: u16) -> Lumas<'a> {
@@ -179,7 +179,7 @@ impl<'a> Frame<'a> {
         Lumas { bytes: self.pairs.as_flattened().get(first..).unwrap_or(&[]), step: 2 * usize::from(self.width) }
     }
 
-    /// The pixel at (x, y), none outside the frame.
+    /// Pixel at (x, y); `None` outside the frame.
     #[inline]
     #[must_use]
     pub fn pixel(&self, x: i32, y: i32) -> Option<Pixel> {
@@ -190,11 +190,11 @@ impl<'a> Frame<'a> {
         Some(Pixel { y: if x % 2 == 0 { y0 } else { y1 }, cb, cr })
     }
 
-    /// The pixel whose middle is nearest to a place, none outside the frame.
+    /// Pixel nearest to a point; `None` outside the frame.
     #[inline]
     #[must_use]
     pub fn nearest(&self, at: Vec2) -> Option<Pixel> {
-        // Of what is not negative, truncation is the floor, and costs less.
+        // For non-negative values truncation equals the floor and costs less.
         let at = at + 0.5;
         if at.x >= 0.0 && at.y >= 0.0 { self.pixel(at.x as i32, at.y as i32) } else { None }
     }
@@ -205,7 +205,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_pixel_is_found_where_its_bytes_are() {
+    fn pixel_has_the_values_of_its_bytes() {
         let mut bytes = [0; 2 * 16 * 16];
         bytes[2 * (16 * 5 + 6)..][..4].copy_from_slice(&[10, 20, 30, 40]);
         let frame = Frame::new(16, 16, &bytes).unwrap();
@@ -231,7 +231,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_not_a_frame_is_refused() {
+    fn invalid_sizes_and_lengths_are_rejected() {
         let bytes = [0; 2 * 32 * 16];
         assert_eq!(Frame::new(17, 16, &bytes).unwrap_err(), FrameError::OddWidth(17));
         assert_eq!(Frame::new(0, 16, &bytes).unwrap_err(), FrameError::Size(0, 16));

@@ -1,7 +1,7 @@
-//! The free part of a goal: where no keeper stands between the posts.
+//! Free part of a goal, between the posts and beside the goalkeeper.
 //!
-//! Along the goal line, a hand's breadth over the ground, free places show carpet behind them and a robot's feet do not.
-//! Cost: 3 pixels for each of 32 places.
+//! Samples a few centimetres above the goal line show carpet where the line is free, and a robot's feet where it is
+//! not. Cost: 3 pixels for each of 32 samples.
 
 use glam::Vec2;
 
@@ -9,35 +9,36 @@ use crate::colour::{Classify, Colour};
 use crate::frame::Frame;
 use crate::projection::Camera;
 
-/// Places that are looked at between the posts.
+/// Number of samples between the posts.
 const PLACES: usize = 32;
-/// Heights over the goal line that are looked at, m.
+/// Heights of the samples above the goal line, m.
 const HEIGHTS: [f32; 3] = [0.03, 0.05, 0.07];
 
-/// A stretch of the goal line, from 0 at the left post to 1 at the right one.
+/// Section of the goal line; 0 is the left post, 1 the right one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gap {
-    /// Its left end.
+    /// Left end.
     pub from: f32,
-    /// Its right end.
+    /// Right end.
     pub to: f32,
 }
 
 impl Gap {
-    /// Its middle.
+    /// Middle.
     #[must_use]
     pub const fn middle(&self) -> f32 {
         0.5 * (self.from + self.to)
     }
 
-    /// Which part of the goal line it is.
+    /// Width, as a share of the goal line.
     #[must_use]
     pub const fn width(&self) -> f32 {
         self.to - self.from
     }
 }
 
-/// The widest gap between two posts that stand at `left` and `right`, ground frame, m. None if nothing is free or seen.
+/// Finds the widest free section between posts at `left` and `right`, ground frame, m. `None` if none is free or
+/// visible.
 #[must_use]
 pub fn widest(frame: &Frame<'_>, colours: &impl Classify, camera: &Camera, left: Vec2, right: Vec2) -> Option<Gap> {
     let free = |place: usize| is_free(frame, colours, camera, left.lerp(right, share(place)));
@@ -60,7 +61,7 @@ fn share(place: usize) -> f32 {
     (place as f32 + 0.5) / PLACES as f32
 }
 
-/// Whether most of what is seen just over a point of the goal line is carpet.
+/// Whether most visible samples above a point of the goal line show carpet.
 fn is_free(frame: &Frame<'_>, colours: &impl Classify, camera: &Camera, point: Vec2) -> bool {
     let green = |height: &&f32| {
         let pixel = camera.pixel(point.extend(**height)).and_then(|at| frame.pixel(at.x as i32, at.y as i32));
@@ -89,7 +90,7 @@ mod tests {
         }
     }
 
-    /// A bright image, dark in the columns that show the goal line, 2 m ahead, from `from` to `to` (m, to the left).
+    /// Bright image, dark in the columns of the goal line, 2 m ahead, from `from` to `to` (m, to the left).
     fn gap_with_keeper(from: f32, to: f32) -> Option<Gap> {
         let pose = Affine3A::from_rotation_translation(Quat::from_rotation_y(0.2), Vec3::new(0.0, 0.0, 0.5));
         let camera = Camera::new(pose, Intrinsics::nao_v6(320, 240));
@@ -103,7 +104,7 @@ mod tests {
     }
 
     #[test]
-    fn the_wider_side_of_the_keeper_is_found() {
+    fn wider_side_of_the_goalkeeper_is_found() {
         let gap = gap_with_keeper(0.1, 0.4).expect("there is room on both sides");
         assert!((gap.from - 0.43).abs() < 0.05 && (gap.to - 1.0).abs() < 0.05, "{gap:?}");
         let gap = gap_with_keeper(-0.4, -0.1).expect("there is room on both sides");
@@ -111,7 +112,7 @@ mod tests {
     }
 
     #[test]
-    fn a_full_goal_has_no_gap() {
+    fn blocked_goal_has_no_gap() {
         assert_eq!(gap_with_keeper(-0.8, 0.8), None);
     }
 }

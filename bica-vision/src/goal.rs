@@ -1,7 +1,8 @@
-//! The goals: a yellow and a sky-blue one, each of two posts and a crossbar.
+//! Detection of the yellow and the sky-blue goal, each of two posts and a crossbar.
 //!
-//! Posts are upright bars that stand on the field and rise above its end. The crossbar at the top tells the left from
-//! the right post when only one is seen. Cost at 320 × 240: segmentation 30 µs on every second row, then 5 µs.
+//! Posts are upright bars that stand on the field and rise above its boundary. The crossbar tells the left from the
+//! right post when only one post is in view. Cost at 320 × 240: 30 µs for the segmentation of every second row, then 5
+//! µs.
 
 mod posts;
 
@@ -16,40 +17,40 @@ use crate::frame::Frame;
 use crate::projection::Camera;
 use crate::segment::{Area, Runs};
 
-/// Which post of a goal, seen from the field.
+/// Side of a post in its goal, seen from the field.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PostSide {
-    /// The left one.
+    /// Left post.
     Left,
-    /// The right one.
+    /// Right post.
     Right,
-    /// One of the two.
+    /// Left or right post.
     Unknown,
 }
 
-/// A goal post in the image.
+/// Goal post in the image.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Post {
-    /// Which post it is.
+    /// Side in its goal.
     pub side: PostSide,
-    /// The middle of its foot, pixels.
+    /// Middle of the foot, px.
     pub base: Vec2,
-    /// The middle of its top, pixels.
+    /// Middle of the top, px.
     pub top: Vec2,
-    /// Its width, pixels.
+    /// Width, px.
     pub width: f32,
-    /// Whether its foot is in the image.
+    /// Whether the foot is in the image.
     pub has_base: bool,
-    /// Whether its top is in the image.
+    /// Whether the top is in the image.
     pub has_top: bool,
 }
 
 impl Post {
-    /// Where it stands, ground frame, m: by its foot, or by its width if the foot is not in the image.
+    /// Position, ground frame, m: from the foot, or from the width if the foot is not in the image.
     #[must_use]
     pub fn ground(&self, camera: &Camera) -> Option<Vec2> {
         if self.has_base {
-            // The foot is seen where the post's front meets the ground, half its width before its middle.
+            // The image shows the foot at the front of the post, one radius before its axis.
             let front = camera.ground(self.base, 0.0)?;
             let eye = Vec3::from(camera.pose().translation).truncate();
             return Some(front + FIELD.post_radius() * (front - eye).normalize_or_zero());
@@ -59,37 +60,37 @@ impl Post {
     }
 }
 
-/// What is seen of one goal.
+/// Visible part of one goal.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Goal {
     /// Colour.
     pub colour: GoalColour,
-    /// The post, or the left one of two.
+    /// The only visible post, or the left one of two.
     pub first: Post,
-    /// The right post of two.
+    /// Right post of two.
     pub second: Option<Post>,
-    /// The top left corner of the box around posts and crossbar, pixels.
+    /// Top left corner of the bounding box of posts and crossbar, px.
     pub min: Vec2,
-    /// The bottom right corner, pixels.
+    /// Bottom right corner of the bounding box, px.
     pub max: Vec2,
 }
 
 impl Goal {
-    /// Whether both posts are seen from top to base.
+    /// Whether both posts are visible from top to foot.
     #[must_use]
     pub fn is_complete(&self) -> bool {
         let whole = |post: &Post| post.has_base && post.has_top;
         whole(&self.first) && self.second.as_ref().is_some_and(whole)
     }
 
-    /// The pixel in the middle of what is seen of the goal: between two posts, or where one stands.
+    /// Midpoint between two posts, or the foot of a single post, px.
     #[must_use]
     pub fn middle(&self) -> Vec2 {
         self.second.map_or(self.first.base, |second| 0.5 * (self.first.base + second.base))
     }
 
-    /// Where the middle of the goal is, ground frame, m: between its posts; of one post with a known side 0.7 m
-    /// beside it, at a right angle to the way there; else the post itself.
+    /// Position of the goal's centre, ground frame, m: between its posts; for a single post of a known side, half a
+    /// goal width beside it, perpendicular to the line of sight; otherwise the post itself.
     #[must_use]
     pub fn ground(&self, camera: &Camera) -> Option<Vec2> {
         let first = self.first.ground(camera)?;
@@ -105,30 +106,30 @@ impl Goal {
     }
 }
 
-/// The goals of a frame.
+/// Goals of a frame.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Goals {
-    /// The yellow goal.
+    /// Yellow goal.
     pub yellow: Option<Goal>,
-    /// The sky-blue goal.
+    /// Sky-blue goal.
     pub blue: Option<Goal>,
 }
 
-/// Finds goals; holds the memory for it: 8 bytes for each of `N` runs. `N` = 512 is plenty.
+/// Goal detector with memory for `N` runs, 8 bytes each. `N` = 512 is enough.
 #[derive(Clone, Debug)]
 pub struct GoalFinder<const N: usize> {
     runs: Runs<N>,
 }
 
 impl<const N: usize> GoalFinder<N> {
-    /// A finder.
+    /// Creates a detector.
     #[must_use]
     pub const fn new() -> Self {
         Self { runs: Runs::new() }
     }
 
-    /// Finds the goals of a frame. Only yellow and blue are asked for. With `camera`, bars that end below the horizon
-    /// or are too thin or thick for their place are refused.
+    /// Finds the goals of a frame. Segments yellow and blue only. With `camera`, bars that end below the horizon or
+    /// have a wrong width for their position are rejected.
     pub fn find(
         &mut self,
         frame: &Frame<'_>,
@@ -141,7 +142,7 @@ impl<const N: usize> GoalFinder<N> {
         among(frame, &self.runs, field_boundary, camera)
     }
 
-    /// How many runs of the last frame found no place.
+    /// Number of runs of the last frame that exceeded the capacity.
     #[must_use]
     pub const fn dropped(&self) -> u32 {
         self.runs.dropped()
@@ -154,7 +155,7 @@ impl<const N: usize> Default for GoalFinder<N> {
     }
 }
 
-/// The goals among runs that were segmented with yellow and blue.
+/// Finds the goals among runs segmented with yellow and blue.
 #[must_use]
 pub fn among<const N: usize>(
     frame: &Frame<'_>,
@@ -163,11 +164,11 @@ pub fn among<const N: usize>(
     camera: Option<&Camera>,
 ) -> Goals {
     let bars = bars::gather(runs);
-    let look = PostSearch {
+    let search = PostSearch {
         size: Vec2::new(f32::from(frame.width()), f32::from(frame.height())),
         runs,
         field_boundary,
         camera,
     };
-    Goals { yellow: look.goal(GoalColour::Yellow, &bars), blue: look.goal(GoalColour::SkyBlue, &bars) }
+    Goals { yellow: search.goal(GoalColour::Yellow, &bars), blue: search.goal(GoalColour::SkyBlue, &bars) }
 }

@@ -1,9 +1,9 @@
-//! Hypotheses in the world, validated by projecting them back into the image.
+//! Hypothesis tests against the camera model.
 //!
-//! A circle in the image could be a ball that lies on the ground: then its place follows from the pixel and the camera's
-//! pose, and from the place how large it is in the image. If it is not seen that large, within what pose and pixels may
-//! be off, it is no ball. If it is, its size tells something of its place too. Likewise a post's foot tells where its
-//! top would be seen. Cost: 0.1 µs.
+//! A circle in the image may be a ball on the ground. Pixel and camera pose give its position, and the position gives
+//! its expected size in the image. If the measured size differs by more than the errors of pose and pixels allow, the
+//! hypothesis is rejected. If it is accepted, the size improves the position. Likewise the foot of a post predicts the
+//! position of its top. Cost: 0.1 µs.
 
 use glam::{Vec2, Vec3};
 use libm::sqrtf;
@@ -12,40 +12,42 @@ use crate::memory::PositionEstimate;
 use crate::projection::Camera;
 use crate::uncertainty::{self, Covariance, Errors, round, square};
 
-/// How far off a hypothesis may be, in deviations.
+/// Maximum deviation of an accepted hypothesis, in standard deviations.
 const DEVIATIONS: f32 = 3.0;
-/// How far off a fitted radius is, as a part of it and in pixels: balls are partly hidden, blurred and shaded.
-const RADIUS_ERROR: (f32, f32) = (0.1, 0.5);
-/// The part of its height by which a post may seem to end elsewhere, beside the errors: crossbar, shade and blur.
+/// Standard deviation of a fitted radius, as a share of it: balls are partly hidden, blurred and shaded.
+const RADIUS_ERROR: f32 = 0.1;
+/// Constant part of this standard deviation, px.
+const RADIUS_ERROR_PIXELS: f32 = 0.5;
+/// Tolerance on a post's height beyond the errors, as a share of it: crossbar, shade and blur.
 const HEIGHT_ERROR: f32 = 0.2;
 
-/// A circle in the image: centre and radius, pixels.
+/// Circle in the image.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ImageCircle {
-    /// Where.
+    /// Centre, px.
     pub centre: Vec2,
-    /// How large.
+    /// Radius, px.
     pub radius: f32,
 }
 
 impl ImageCircle {
-    /// How far off its radius may be, pixels.
+    /// Standard deviation of the radius, px.
     fn error(self) -> f32 {
-        let (part, pixels) = RADIUS_ERROR;
+        let (part, pixels) = (RADIUS_ERROR, RADIUS_ERROR_PIXELS);
         sqrtf(part * part * self.radius * self.radius + pixels * pixels)
     }
 
-    /// How much larger it is than a ball of `radius` metres that lies on the ground there, in deviations; smaller if
-    /// negative. Above the horizon the ball has a negative size. None if a number fails, or the camera is not above
-    /// the ball.
+    /// Difference between the radius and that of a ball of `radius` metres on the ground at this pixel, in standard
+    /// deviations; positive if the circle is larger. Above the horizon the expected radius is negative. `None` without
+    /// a finite result, or if the camera is not above the ball.
     #[must_use]
     pub fn size_error(self, camera: &Camera, radius: f32, errors: &Errors) -> Option<f32> {
         let ray = camera.ray(self.centre);
         let above = camera.pose().translation.z - radius;
         let (stretch, focal) = (ray.length(), camera.intrinsics().focal);
-        // Off the axis a sphere looks larger, and longer away from the centre.
+        // Off the optical axis a sphere appears larger, and elongated away from the image centre.
         let focal = 0.5 * (focal.x + focal.y) * stretch * sqrtf(stretch);
-        // Its distance is above / down, so its size is linear in how far down it is seen, even past the horizon.
+        // The distance is above / down, so the size is linear in the downward component, even past the horizon.
         let for_down = focal * radius / above;
         let expected = for_down * -ray.z / stretch;
         let lean = for_down * ray.truncate().length() / stretch * (errors.lean + errors.pixels / focal);
@@ -55,8 +57,8 @@ impl ImageCircle {
         (above > 0.0 && off.is_finite()).then_some(off)
     }
 
-    /// Where a ball of `radius` metres that is seen so touches the ground, m, and how sure that is: by the pixel, and
-    /// where that is little sure by the size. None if no ball on the ground is seen so.
+    /// Ground position of a ball of `radius` metres, m, with its covariance: from the pixel and, where that is
+    /// uncertain, from the size. `None` if the circle fits no ball on the ground.
     #[must_use]
     pub fn ball(self, camera: &Camera, radius: f32, errors: &Errors) -> Option<PositionEstimate> {
         self.size_error(camera, radius, errors).filter(|off| off.abs() <= DEVIATIONS)?;
@@ -76,7 +78,7 @@ impl ImageCircle {
     }
 }
 
-/// The place that two tell together.
+/// Fused estimate of two independent ones.
 fn both(first: &PositionEstimate, second: &PositionEstimate) -> Option<PositionEstimate> {
     let weight = (first.covariance + second.covariance).try_inverse()?;
     let gain: Covariance = first.covariance * weight;
@@ -87,11 +89,11 @@ fn both(first: &PositionEstimate, second: &PositionEstimate) -> Option<PositionE
     position.is_finite().then_some(PositionEstimate { position, covariance })
 }
 
-/// Whether what stands at a pixel, `height` metres high, ends at another one, within the errors.
+/// Whether an object at a foot pixel, `height` metres high, ends at a top pixel, within the errors.
 #[must_use]
 pub fn is_as_high(camera: &Camera, foot: Vec2, top: Vec2, height: f32, errors: &Errors) -> bool {
     let slack = DEVIATIONS * (errors.lean * camera.intrinsics().focal.y + errors.pixels);
-    // A camera that leans sees both ends higher or lower.
+    // An error of the camera's pitch moves both ends up or down.
     let expected = |lean: f32| {
         let place = camera.ground(foot + Vec2::new(0.0, lean), 0.0)?;
         camera.pixel(place.extend(height)).map(|pixel| foot.y - (pixel.y - lean))

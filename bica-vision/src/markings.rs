@@ -1,4 +1,4 @@
-//! All that is painted on the carpet: lines, their crossings, the centre circle.
+//! Field markings: lines, their crossings, and the centre circle.
 
 use crate::centre_circle::{self, CentreCircle};
 use crate::colour::Classify;
@@ -7,22 +7,23 @@ use crate::frame::Frame;
 use crate::lines::{self, Line, Lines};
 use crate::projection::Camera;
 
-/// What is painted on the carpet, as far as it is seen: m, in the camera's ground frame.
+/// Visible field markings: m, camera's ground frame.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Markings {
-    /// Straight pieces of lines, up to [`lines::FARTHEST`] away.
+    /// Straight line segments, up to [`lines::FARTHEST`] away.
     pub lines: Lines,
-    /// Where they cross.
+    /// Line crossings.
     pub crossings: Crossings,
-    /// The centre circle.
+    /// Centre circle.
     pub circle: Option<CentreCircle>,
 }
 
 impl Markings {
-    /// None.
+    /// No markings.
     pub const NONE: Self = Self { lines: Lines::new(), crossings: Crossings::new(), circle: None };
 
-    /// What the lines of an image, px, are on the ground. Cost: 8 µs, up to 50 µs where there are many.
+    /// Projects the lines of an image, px, to the ground and finds the other markings. Cost: 8 µs, up to 50 µs with
+    /// many lines.
     #[must_use]
     pub fn of(frame: &Frame<'_>, colours: &impl Classify, camera: &Camera, lines: &[Line]) -> Self {
         let lines = lines::on_ground(lines, camera, lines::FARTHEST);

@@ -1,8 +1,9 @@
 //! The robot's own body in the image.
 //!
-//! Chest, shoulders, arms, legs and feet are capsules (what is within a radius of a line), see [`RobotModel::BODY_SHAPE`]. A pixel
-//! shows the body if its ray meets one of them: exact for things close to the camera and at the image's edge, where
-//! outlines drawn as circles are not. Cost: 1 µs for the capsules of an image, 0.1 µs for a pixel.
+//! Chest, shoulders, arms, legs and feet are capsules: line segments with a radius, see [`RobotModel::BODY_SHAPE`]. A pixel shows the body if its ray
+//! meets a capsule. This is exact for parts close to the camera and at the image edge, where projected circles are not.
+//!
+//! Cost: 1 µs for the capsules of an image, 0.1 µs for a pixel.
 
 use bica_motion::joints::Joints;
 use bica_motion::kinematics;
@@ -14,17 +15,17 @@ use heapless::Vec;
 
 use crate::projection::{Camera, Intrinsics};
 
-/// Capsules of a body: two of the trunk, seven on each side.
+/// Maximum number of capsules: two of the trunk, seven on each side.
 const PARTS: usize = 16;
 
-/// What the robot's own body covers in an image.
+/// Parts of the image that the robot's own body covers.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OwnBody {
     parts: Vec<Capsule, PARTS>,
     intrinsics: Intrinsics,
 }
 
-/// What is within `radius` of the line between two points; camera frame, m.
+/// Points within `radius` of a line segment; camera frame, m.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Capsule {
     from: Vec3,
@@ -36,15 +37,15 @@ impl OwnBody {
     /// No body: covers nothing.
     pub const NONE: Self = Self { parts: Vec::new(), intrinsics: Intrinsics { focal: Vec2::ONE, centre: Vec2::ZERO } };
 
-    /// A NAO's body as its camera `id` sees it at these joint angles, rad. Only the pixels' directions are taken from
-    /// `camera`: the body hangs on the camera, whatever the ground does.
+    /// Body of a robot as its camera `id` sees it at these joint angles, rad. Only the intrinsics of `camera` are used:
+    /// the body is fixed to the camera, not to the ground.
     #[must_use]
     pub fn of<M: RobotModel>(camera: &Camera, id: CameraId, angles: &Joints) -> Self {
         Self::seen_from::<M>(kinematics::camera::<M>(id, angles), camera.intrinsics(), angles)
     }
 
-    /// As [`of`](Self::of) where only the camera's pose over the ground is known: a NAO that stands upright
-    /// over the origin, facing along x, with its arms hanging.
+    /// Body without known joint angles: the robot stands upright over the origin, faces along x and lets its
+    /// arms hang. The pose of `camera` gives the view.
     #[must_use]
     pub fn standing<M: RobotModel>(camera: &Camera, id: CameraId) -> Self {
         let CameraMount { position, tilt, .. } = M::DIMENSIONS.camera(id);
@@ -97,17 +98,17 @@ impl OwnBody {
         let [from, to] =
             [shape.from, shape.to].map(|[x, y, z]| pose.transform_point3(Vec3::new(x, side.sign() * y, z)));
         let radius = shape.radius;
-        // There is room for all.
+        // The capacity is enough for all parts.
         let _ = self.parts.push(Capsule { from, along: to - from, radius });
     }
 
-    /// Whether a pixel shows the body. It does not where the pose is no number.
+    /// Whether a pixel shows the body. False for a pose that is not finite.
     #[must_use]
     pub fn covers(&self, pixel: Vec2) -> bool {
         self.touches(pixel, 0.0)
     }
 
-    /// Whether a circle in the image, its centre and radius in pixels, meets the body, a little more or less.
+    /// Whether a circle in the image, centre and radius in px, touches the body, approximately.
     #[must_use]
     pub fn touches(&self, centre: Vec2, radius: f32) -> bool {
         let Intrinsics { focal, centre: middle } = self.intrinsics;
@@ -117,7 +118,7 @@ impl OwnBody {
         self.parts.iter().any(|part| part.is_near(ray, margin))
     }
 
-    /// The part of a circle in the image that shows the body, 0 to 1, by 25 of its points.
+    /// Share of a circle in the image that shows the body, 0 to 1, estimated from 25 points.
     #[must_use]
     pub fn share(&self, centre: Vec2, radius: f32) -> f32 {
         let mut hits = 0_u8;
@@ -136,8 +137,8 @@ impl OwnBody {
 }
 
 impl Capsule {
-    /// Whether the ray from the camera along the unit vector `ray` comes within the radius, and `margin` times the
-    /// distance more.
+    /// Whether the ray from the camera along the unit vector `ray` comes within the radius plus `margin` times the
+    /// distance.
     fn is_near(&self, ray: Vec3, margin: f32) -> bool {
         let across = |v: Vec3| v - v.dot(ray) * ray;
         let (from, along) = (across(self.from), across(self.along));

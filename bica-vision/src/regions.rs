@@ -1,4 +1,4 @@
-//! Connected regions of runs, by union-find.
+//! Connected components of runs, with union-find.
 //!
 //! Cost: five passes over the runs, about 10 ns for each run, whatever their shape.
 
@@ -7,35 +7,35 @@ use heapless::Vec;
 use crate::colour::Colour;
 use crate::segment::{Run, Runs};
 
-/// A connected region of one class.
+/// Connected region of one class.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Region {
-    /// The class.
+    /// Colour class.
     pub colour: Colour,
-    /// The first column.
+    /// First column.
     pub x0: u16,
-    /// The first scanned row.
+    /// First scanned row.
     pub y0: u16,
     /// One past the last column.
     pub x1: u16,
     /// One past the last scanned row.
     pub y1: u16,
-    /// Pixels in the scanned rows, times the distance of these rows.
+    /// Area, px: pixels in the scanned rows times the row step.
     pub area: u32,
-    /// The mean of its pixels, (x, y).
+    /// Centroid (x, y), px.
     pub centroid: (f32, f32),
-    /// The runs that it is made of.
+    /// Number of runs.
     pub runs: u16,
 }
 
 impl Region {
-    /// Width of the box around it, pixels.
+    /// Width of the bounding box, px.
     #[must_use]
     pub const fn width(&self) -> u16 {
         self.x1 - self.x0
     }
 
-    /// Height of the box around it, pixels.
+    /// Height of the bounding box, px.
     #[must_use]
     pub const fn height(&self) -> u16 {
         self.y1 - self.y0
@@ -44,18 +44,17 @@ impl Region {
 
 #[derive(Clone, Copy, Debug)]
 struct Label {
-    /// An earlier run of the same region, or the run itself.
+    /// Index of an earlier run of the same region, or of the run itself.
     parent: u16,
-    /// At the root: first the pixels of the region (no more than fit), then its place in the list.
+    /// At the root: first the area (saturating), then the index of the region.
     value: u16,
 }
 
 const NOWHERE: u16 = u16::MAX;
 
-/// The largest regions of a frame, at most `M`, of at most `N` runs.
+/// Largest regions of a frame: at most `M` regions of at most `N` runs.
 ///
-/// `N` must be that of the [`Runs`] and below 65 535. When there are more regions, the smallest ones are dropped and
-/// counted.
+/// `N` must be that of the [`Runs`] and below 65 535. Of more regions, the smallest are dropped and counted.
 #[derive(Clone, Debug)]
 pub struct Regions<const N: usize, const M: usize> {
     labels: Vec<Label, N>,
@@ -67,27 +66,27 @@ pub struct Regions<const N: usize, const M: usize> {
 impl<const N: usize, const M: usize> Regions<N, M> {
     const FITS: () = assert!(N < NOWHERE as usize && M < NOWHERE as usize, "labels are 16 bits wide");
 
-    /// No regions.
+    /// Creates an empty list.
     #[must_use]
     pub const fn new() -> Self {
         let () = Self::FITS;
         Self { labels: Vec::new(), list: Vec::new(), roots: Vec::new(), dropped: 0 }
     }
 
-    /// The regions, the largest first.
+    /// Regions, the largest first.
     #[must_use]
     pub fn as_slice(&self) -> &[Region] {
         &self.list
     }
 
-    /// How many regions of the last frame found no place.
+    /// Number of regions of the last frame that exceeded the capacity.
     #[must_use]
     pub const fn dropped(&self) -> u32 {
         self.dropped
     }
 
-    /// Connects runs of one class that touch in neighbouring scanned rows (also at a corner). Regions below
-    /// `min_area` pixels are left out and not counted as dropped.
+    /// Connects runs of one class that touch in neighbouring scanned rows (8-connectivity). Regions below `min_area` px
+    /// are discarded and do not count as dropped.
     pub fn connect(&mut self, runs: &Runs<N>, min_area: u16) {
         self.labels.clear();
         self.list.clear();
@@ -128,17 +127,17 @@ impl<const N: usize, const M: usize> Regions<N, M> {
             if parent == at {
                 return at;
             }
-            // Halving the path keeps later searches short.
+            // Path halving keeps later searches short.
             let grandparent = self.labels[usize::from(parent)].parent;
             self.labels[usize::from(at)].parent = grandparent;
             at = grandparent;
         }
     }
 
-    /// Points every run at its root and gathers the pixels there.
+    /// Points each run at its root and sums the pixels there.
     fn weigh(&mut self, runs: &Runs<N>) {
         for (index, run) in runs.as_slice().iter().enumerate() {
-            // A parent comes before its children, so it points at the root already.
+            // A parent has a lower index than its children, so it points at the root already.
             let root = self.labels[usize::from(self.labels[index].parent)].parent;
             self.labels[index].parent = root;
             let value = &mut self.labels[usize::from(root)].value;
@@ -187,7 +186,7 @@ impl<const N: usize, const M: usize> Regions<N, M> {
             let area = region.area.max(1) as f32;
             region.centroid = (region.centroid.0 / area, region.centroid.1 / area);
         }
-        // They are few: this needs less of a small processor's memory than a sort for many.
+        // For few regions insertion sort needs less memory and code on a microcontroller.
         for end in 1..self.list.len() {
             let mut at = end;
             while at > 0 && self.list[at - 1].area < self.list[at].area {
@@ -204,7 +203,7 @@ impl<const N: usize, const M: usize> Default for Regions<N, M> {
     }
 }
 
-/// Whether a run of a row above ends before the run below begins, or is in a row too far up to touch.
+/// Whether a run of an upper row ends before the lower run begins, or is too far up to touch it.
 const fn is_left(above: Run, below: Run) -> bool {
     above.row < below.row && above.end < below.start
 }

@@ -1,8 +1,9 @@
-//! Other robots: what stands on the carpet and is no ball, no line and no goal.
+//! Detection of other robots: obstacles on the carpet that are not ball, line or goal.
 //!
-//! Columns are scanned from below. Where green ends, something begins; if it goes up as far as a robot would at that
-//! place, it stands there. Columns that are no farther apart than a robot's arms make a robot, the lowest of their feet is
-//! where it touches the ground. The colour of its waistband and its other parts tells the team.
+//! Columns are scanned upwards from the bottom of the image. Where green ends, an obstacle begins; it is a robot if it
+//! is as high as a robot at that position. Neighbouring columns within a robot's width form one robot; the lowest of
+//! their feet is its position. The colour of the waistband and other parts gives the team.
+//!
 //! Cost at 320 × 240: 40 columns of 120 pixels and the box of each robot, 20 µs; 42 µs at 640 × 480.
 
 use glam::Vec2;
@@ -13,79 +14,84 @@ use crate::field_boundary::FieldBoundary;
 use crate::frame::{Frame, Pair, Pixel};
 use crate::projection::Camera;
 
-/// Robots in a frame; when there are more, the smallest are dropped.
+/// Maximum number of robots in a frame. Of more, the smallest are dropped.
 pub const ROBOTS: usize = 8;
 
-/// The robots of a frame.
+/// Robots of a frame.
 pub type Robots = Vec<Robot, ROBOTS>;
 
-/// Scanned columns.
+/// Number of scanned columns.
 const COLUMNS: usize = 40;
-/// How high a robot goes up without a stretch of green, m: to its shoulders.
+/// Minimum height of a robot without a gap of green, m: its shoulders.
 const LEAST_HEIGHT: f32 = 0.35;
-/// The same as a part of the frame's height, if the camera's pose is not known.
+/// Minimum height without a known camera pose, as a share of the frame height.
 const LEAST_PART: f32 = 0.15;
-/// How high a robot is at most, m, and how wide.
+/// Maximum height of a robot, m.
 const TALL: f32 = 0.6;
-const WIDE: (f32, f32) = (0.08, 0.9);
-/// What is broader than this are two robots side by side, m: a NAO is 0.3 m from arm to arm.
+/// Minimum width of a robot, m.
+const NARROWEST: f32 = 0.08;
+/// Maximum width of a robot, m.
+const WIDEST: f32 = 0.9;
+/// Maximum width of one robot, m; anything wider is two robots side by side. A NAO is 0.3 m from arm to arm.
 const BROAD: f32 = 0.38;
-/// Between the columns of one robot there is less than this, m: the room between arm and leg.
+/// Maximum gap between columns of one robot, m: the space between arm and leg.
 const APART: f32 = 0.18;
-/// If the pose is not known, feet of neighbouring columns are no further apart than this part of the frame's height.
+/// Maximum vertical distance of the feet in neighbouring columns without a known pose, as a share of the frame height.
 const STEP: f32 = 0.12;
-/// A foot must be this far below the end of the field, as a part of the frame's height.
+/// Minimum distance of a foot below the field boundary, as a share of the frame height.
 const MARGIN: f32 = 0.025;
-/// Green that ends a robot, as a part of the least height: shoes and shadows have some.
+/// Length of green that ends a robot, as a share of its minimum height: shoes and shadows contain some green.
 const GREEN: f32 = 0.03;
-/// The most of a goal's or the ball's colour and the least white in a column.
-const SHARES: (f32, f32) = (0.3, 0.15);
-/// The part of a robot's box that shows its team's colour.
+/// Maximum share of goal and ball colours in a column of a robot.
+const MAX_WRONG: f32 = 0.3;
+/// Minimum share of white in a column of a robot.
+const MIN_WHITE: f32 = 0.15;
+/// Minimum share of a robot's box with the team colour.
 const TEAM: f32 = 0.01;
-/// A white thing with this part of a goal's colour is its net, unless it shows a team.
+/// A white obstacle with at least this share of a goal colour is a net, unless it shows a team colour.
 const GOAL: f32 = 0.02;
 
-/// Red plastic: 2009's red team. Its shade is at hue 95–121 in real frames, 100–106 in the built-in world.
+/// Red plastic of the red team: hue 95–121 in recorded frames, 100–106 in the built-in world.
 const RED: Filter = Filter::ANY.hue(85, 118).saturation(30, 400).chroma(24);
-/// Blue plastic, darker and more violet than the sky-blue goal.
+/// Blue plastic of the blue team, darker and more violet than the sky-blue goal.
 const BLUE: Filter = Filter::ANY.hue(334, 359).saturation(30, 400).chroma(16);
 
-/// A team of 2009, by its colour.
+/// Team of 2009, named by its colour.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Team {
-    /// Defends the yellow goal.
+    /// Team that defends the yellow goal.
     Red,
-    /// Defends the sky-blue goal.
+    /// Team that defends the sky-blue goal.
     Blue,
 }
 
 /// Another robot in the image.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Robot {
-    /// The top left corner of its box, px.
+    /// Top left corner of the bounding box, px.
     pub min: Vec2,
-    /// The bottom right corner, px: the row where it touches the ground.
+    /// Bottom right corner, px, in the row where the robot touches the ground.
     pub max: Vec2,
-    /// Its team, if that shows.
+    /// Team, if its colour is visible.
     pub team: Option<Team>,
-    /// Whether its feet are in the image.
+    /// Whether the feet are in the image.
     pub has_base: bool,
 }
 
 impl Robot {
-    /// Where it touches the ground, px: the middle of its lower edge.
+    /// Middle of the lower edge, px: where the robot touches the ground.
     #[must_use]
     pub fn base(&self) -> Vec2 {
         Vec2::new(0.5 * (self.min.x + self.max.x), self.max.y)
     }
 
-    /// The near edge of its feet, ground frame, m. None if that is not on the ground or not in the image.
+    /// Near edge of the feet, ground frame, m. `None` if it is not on the ground or not in the image.
     #[must_use]
     pub fn ground(&self, camera: &Camera) -> Option<Vec2> {
         camera.ground(self.base(), 0.0).filter(|_| self.has_base)
     }
 
-    /// Whether a pixel is in its box.
+    /// Whether a pixel is in the bounding box.
     #[must_use]
     pub fn covers(&self, pixel: Vec2) -> bool {
         pixel.cmpge(self.min).all() && pixel.cmple(self.max).all()
@@ -97,8 +103,10 @@ impl Robot {
     }
 }
 
-/// Finds the robots that stand below the end of the field. With `camera` a robot is what reaches nearly to the horizon
-/// from where it stands, is as wide as one, and shows a team's colour; without it, what is high in the image and no net.
+/// Finds the robots below the field boundary.
+///
+/// With `camera`, a robot must reach nearly to the horizon, have a robot's width and show a team colour. Without it, a
+/// robot is any high obstacle that is not a net.
 #[must_use]
 pub fn find(
     frame: &Frame<'_>,
@@ -123,7 +131,7 @@ pub fn find(
     robots
 }
 
-/// Columns of one robot: their box, and how many of them the image's lower edge cuts and does not cut.
+/// Columns of one robot: bounding box, and numbers of columns cut and not cut by the lower image edge.
 struct Group {
     min: Vec2,
     max: Vec2,
@@ -139,7 +147,7 @@ impl Group {
     }
 }
 
-/// What stands in a column: its highest row, its lowest one, and whether that is the image's edge.
+/// Obstacle in a column: highest row, lowest row, and whether the lowest row is at the image edge.
 struct Foot {
     top: f32,
     row: f32,
@@ -154,7 +162,7 @@ struct Scan<'a, C> {
 }
 
 impl<C: Classify> Scan<'_, C> {
-    /// What stands in a column.
+    /// Lowest obstacle of a column.
     fn foot(&self, x: f32) -> Option<Foot> {
         let end = self.field_boundary.row_at(x)? + MARGIN * f32::from(self.frame.height());
         let bottom = self.frame.height() - 1;
@@ -171,7 +179,7 @@ impl<C: Classify> Scan<'_, C> {
                         (is_ground, stand) = (true, None);
                     }
                 }
-                // The end of the field is no foot.
+                // The field boundary itself is not an obstacle.
                 None if f32::from(row) < end => return None,
                 None if class == Colour::Green => is_ground = true,
                 None if is_ground => {
@@ -190,12 +198,12 @@ impl<C: Classify> Scan<'_, C> {
         let Some(camera) = self.camera else { return Some(LEAST_PART * f32::from(self.frame.height())) };
         let place = camera.ground(pixel, 0.0)?;
         let top = camera.pixel(place.extend(LEAST_HEIGHT))?;
-        // A robot that is cut by the upper edge of the image needs no more than there is.
+        // A robot cut by the upper image edge needs to reach that edge only.
         Some((pixel.y - top.y).min(0.8 * pixel.y).max(6.0))
     }
 
-    /// Whether a column that ends at a pixel is of the robot at its left: arms have their lower ends above the feet, so
-    /// what is not too wide for one robot is one.
+    /// Whether a column that ends at a pixel belongs to the robot at its left. Arms end above the feet, so a column
+    /// belongs if the result is not too wide for one robot.
     fn belongs(&self, robot: &Group, end: Vec2) -> bool {
         let Some(camera) = self.camera else {
             return (end.y - robot.max.y).abs() <= STEP * f32::from(self.frame.height());
@@ -215,7 +223,7 @@ impl<C: Classify> Scan<'_, C> {
         }
     }
 
-    /// The robot with its full height and its team, if it is as wide as one. What is cut all along may be the own body.
+    /// Robot with full height and team, if it has a robot's width. A robot cut in all columns may be the own body.
     fn measured(&self, group: &Group) -> Option<Robot> {
         if group.whole == 0 {
             return None;
@@ -225,7 +233,7 @@ impl<C: Classify> Scan<'_, C> {
             let [left, right] = [robot.min.x, robot.max.x].map(|x| camera.ground(Vec2::new(x, robot.max.y), 0.0));
             let (left, right) = (left?, right?);
             let width = left.distance(right);
-            if !(WIDE.0..=WIDE.1).contains(&width) {
+            if !(NARROWEST..=WIDEST).contains(&width) {
                 return None;
             }
             let top = camera.pixel(left.midpoint(right).extend(TALL))?;
@@ -241,7 +249,7 @@ impl<C: Classify> Scan<'_, C> {
         (red.max(blue) >= TEAM || stands_alone).then_some(robot)
     }
 
-    /// Whether a goal's colour is seen in the robot's place.
+    /// Whether the box shows a goal colour.
     fn is_net(&self, robot: &Robot) -> bool {
         let (mut goal, mut all) = (0_u32, 0_u32);
         for row in (robot.min.y as u16..=robot.max.y as u16).step_by(2) {
@@ -253,14 +261,14 @@ impl<C: Classify> Scan<'_, C> {
         goal as f32 > GOAL * all as f32
     }
 
-    /// The pixel pairs of a row between the robot's sides.
+    /// Pixels of a row within the robot's box.
     fn pixels(&self, robot: &Robot, row: u16) -> impl Iterator<Item = Pixel> + use<'_, C> {
         let pairs = self.frame.row(row).get(robot.min.x as usize / 2..).unwrap_or(&[]);
         let width = ((robot.max.x - robot.min.x) as usize / 2).max(1);
         pairs.iter().take(width).map(|pair| Pair(*pair).mean())
     }
 
-    /// Which part of a robot's place shows each team's colour.
+    /// Shares of the robot's box with each team colour.
     fn team_colours(&self, robot: &Robot) -> [f32; 2] {
         let (mut red, mut blue, mut all) = (0_u32, 0_u32, 0_u32);
         for row in (robot.min.y as u16..=robot.max.y as u16).step_by(2) {
@@ -274,7 +282,7 @@ impl<C: Classify> Scan<'_, C> {
     }
 }
 
-/// Something that stands on the carpet in one column.
+/// Obstacle in one column during the scan.
 struct Stand {
     base: f32,
     top: f32,
@@ -290,7 +298,7 @@ impl Stand {
         stand
     }
 
-    /// Adds the class of the next two rows; whether it is known to be a robot now.
+    /// Adds the class of the next two rows. Returns whether the obstacle is a robot for certain.
     fn add(&mut self, class: Colour, row: f32) -> bool {
         let [all, wrong, white] = &mut self.counts;
         *all += 2.0;
@@ -301,11 +309,11 @@ impl Stand {
             Colour::None => {}
         }
         self.top = row;
-        let shares = *wrong <= SHARES.0 * *all && *white >= SHARES.1 * *all;
+        let shares = *wrong <= MAX_WRONG * *all && *white >= MIN_WHITE * *all;
         self.base - row >= self.least && shares && !self.is_over()
     }
 
-    /// Whether green goes on behind it.
+    /// Whether green continues behind the obstacle.
     fn is_over(&self) -> bool {
         self.green > (GREEN * self.least).max(2.0)
     }

@@ -1,8 +1,8 @@
-//! Run-length segmentation: each scanned row becomes runs of one colour class, on pixel pairs.
+//! Run-length encoding: each scanned row becomes runs of one colour class, on pixel pairs.
 //!
-//! Only the classes asked for make runs, so a caller who wants the ball pays for the ball: for each pair one table
-//! lookup and a compare, about 1.5 ns, and about 5 ns more for each run. 320 × 240 on every row: 60 µs; [`Area`] thins
-//! the rows or leaves out those above the field.
+//! Only the wanted classes make runs, so a caller pays only for the objects it searches: about 1.5 ns for each pair (a
+//! table lookup and a compare), and 5 ns for each run. 320 × 240 on every row: 60 µs. [`Area`] restricts the region of
+//! interest and thins the rows.
 
 use heapless::Vec;
 
@@ -10,41 +10,41 @@ use crate::chroma::{self, BLOCK, Sieve};
 use crate::colour::{Classify, Colour, ColourSet};
 use crate::frame::{Frame, MAX_HEIGHT, Pair};
 
-/// A stretch of pixels of one class in one row.
+/// Run of pixels of one class in one row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Run {
-    /// The row.
+    /// Row.
     pub row: u16,
-    /// The first pixel; even.
+    /// First column; even.
     pub start: u16,
-    /// One past the last pixel; even.
+    /// One past the last column; even.
     pub end: u16,
-    /// The class.
+    /// Colour class.
     pub colour: Colour,
 }
 
 impl Run {
-    /// Width in pixels, at least 2.
+    /// Width, px; at least 2.
     #[must_use]
     pub const fn width(self) -> u16 {
         self.end - self.start
     }
 
-    /// Whether two runs have a column in common.
+    /// Whether two runs share a column.
     #[must_use]
     pub const fn overlaps(self, other: Self) -> bool {
         self.start < other.end && other.start < self.end
     }
 }
 
-/// The rows that are looked at.
+/// Region of interest: the scanned rows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Area {
-    /// The first row.
+    /// First row.
     pub first: u16,
-    /// One past the last row; rows below the frame are no harm.
+    /// One past the last row; may exceed the frame.
     pub end: u16,
-    /// From one scanned row to the next; 0 counts as 1.
+    /// Distance between scanned rows; 0 counts as 1.
     pub step: u16,
 }
 
@@ -52,7 +52,7 @@ impl Area {
     /// Every row of any frame.
     pub const ALL: Self = Self { first: 0, end: u16::MAX, step: 1 };
 
-    /// From a row to the bottom of the frame.
+    /// Rows from `first` to the bottom of the frame.
     #[must_use]
     pub const fn below(first: u16) -> Self {
         Self { first, ..Self::ALL }
@@ -62,22 +62,22 @@ impl Area {
         self.step.clamp(1, MAX_HEIGHT)
     }
 
-    /// The rows of a frame that are in it.
+    /// The rows within a frame.
     fn rows(self, frame: &Frame<'_>) -> impl Iterator<Item = u16> + use<> {
         (self.first..self.end.min(frame.height())).step_by(usize::from(self.step()))
     }
 
-    /// The same rows, thinned to every `step`th.
+    /// Same rows, thinned to every `step`th.
     #[must_use]
     pub const fn every(self, step: u16) -> Self {
         Self { step, ..self }
     }
 }
 
-/// The runs of a frame from the top left, at most `N`.
+/// Runs of a frame in row-major order, at most `N`.
 ///
-/// When there are more, the narrowest ones are dropped and counted, so that noise goes first; of a row with more than
-/// `N` / 24 of them (and 20), the rest is not looked at and counts as one.
+/// Of more runs, the narrowest are dropped and counted, so noise is dropped first. A row with more than `N` / 24 runs
+/// (and more than 20) is noise: its rest is skipped and counts as one dropped run.
 #[derive(Clone, Debug)]
 pub struct Runs<const N: usize> {
     list: Vec<Run, N>,
@@ -87,35 +87,35 @@ pub struct Runs<const N: usize> {
 }
 
 impl<const N: usize> Runs<N> {
-    /// So many runs are noise and no things, and each comes as a surprise to the processor: the rest of such a row is left
-    /// out. Recorded images have 15 at most of rare colours.
+    /// Maximum number of runs in a row. Each run risks a branch misprediction; skip the rest of the row. Recorded
+    /// images have at most 15 runs of rare colours in a row.
     const IN_A_ROW: usize = if N < 24 * 20 { 20 } else { N / 24 };
 
-    /// No runs.
+    /// Creates an empty list.
     #[must_use]
     pub const fn new() -> Self {
         Self { list: Vec::new(), step: 1, narrowest: 2, dropped: 0 }
     }
 
-    /// The runs, by row and then from the left.
+    /// Runs, ordered by row and column.
     #[must_use]
     pub fn as_slice(&self) -> &[Run] {
         &self.list
     }
 
-    /// Distance of the scanned rows.
+    /// Distance between scanned rows.
     #[must_use]
     pub const fn step(&self) -> u16 {
         self.step
     }
 
-    /// How many runs of the last frame found no place.
+    /// Number of runs of the last frame that exceeded the capacity.
     #[must_use]
     pub const fn dropped(&self) -> u32 {
         self.dropped
     }
 
-    /// Finds the runs of the `wanted` classes in an area of a frame; forgets those of the frame before.
+    /// Segments an area of a frame into runs of the `wanted` classes. Replaces the previous runs.
     pub fn segment(&mut self, frame: &Frame<'_>, colours: &impl Classify, wanted: ColourSet, area: Area) {
         self.clear(area);
         let seek = Seek::new(colours, wanted);
@@ -125,7 +125,7 @@ impl<const N: usize> Runs<N> {
         }
     }
 
-    /// Forgets all runs; those to come are of rows as far apart as those of `area`.
+    /// Removes all runs and takes the row step of `area`.
     fn clear(&mut self, area: Area) {
         self.list.clear();
         (self.step, self.narrowest, self.dropped) = (area.step(), 2, 0);
@@ -140,7 +140,7 @@ impl<const N: usize> Runs<N> {
         }
     }
 
-    /// Drops the narrowest runs, and from now on all that are as narrow.
+    /// Drops the narrowest runs, and from now on all runs of that width.
     fn make_room(&mut self) {
         let before = self.list.len();
         self.narrowest += 2;
@@ -150,7 +150,7 @@ impl<const N: usize> Runs<N> {
     }
 }
 
-/// Classes that are looked for in rows.
+/// Search for the wanted classes in rows.
 struct Seek<'a, C> {
     colours: &'a C,
     wanted: ColourSet,
@@ -163,7 +163,7 @@ impl<'a, C: Classify> Seek<'a, C> {
         Self { colours, wanted, sieve: Sieve::new(boxes) }
     }
 
-    /// Hands on the runs of a row, from the left, until there are about `most`; whether that was the whole row.
+    /// Emits the runs of a row from the left, up to about `most`. Returns whether the row is complete.
     #[inline]
     fn row(&self, frame: &Frame<'_>, row: u16, most: usize, mut found: impl FnMut(Run)) -> bool {
         let mut open = Open { row, start: 0, colour: Colour::None, count: 0 };
@@ -191,15 +191,15 @@ impl<'a, C: Classify> Seek<'a, C> {
         true
     }
 
-    /// The class of a pair if it is wanted. Without a branch: the borders between other classes are many and come as a
-    /// surprise.
+    /// Class of a pair if it is wanted. Branch-free: borders between unwanted classes are frequent and would be
+    /// mispredicted.
     #[inline(always)]
     fn class(&self, pair: [u8; 4]) -> Colour {
         let class = self.colours.classify(Pair(pair).mean());
         if self.wanted.has(class) { class } else { Colour::None }
     }
 
-    /// The classes of a block, four bits for each pair, the first one lowest.
+    /// Classes of a block, four bits for each pair, the first pair in the lowest bits.
     #[inline(always)]
     fn classes(&self, block: &[[u8; 4]; BLOCK]) -> u64 {
         let place = |(at, pair): (usize, &[u8; 4])| (self.class(*pair) as u64) << (4 * at);
@@ -207,17 +207,17 @@ impl<'a, C: Classify> Seek<'a, C> {
     }
 }
 
-/// The run that a row is in.
+/// Run in progress.
 struct Open {
     row: u16,
     start: u16,
     colour: Colour,
-    /// How many runs of the row have ended.
+    /// Number of finished runs of the row.
     count: usize,
 }
 
 impl Open {
-    /// A pixel of a class comes next; a run of another class ends before it.
+    /// Processes the next pixel; a run of another class ends before it.
     #[inline(always)]
     fn meet(&mut self, class: Colour, x: u16, found: &mut impl FnMut(Run)) {
         if class != self.colour {
@@ -229,7 +229,7 @@ impl Open {
         }
     }
 
-    /// The pixels of a block come next. Only where the class changes something is to be done.
+    /// Processes the next block. Only changes of class need work.
     #[inline(always)]
     fn meet_all(&mut self, classes: u64, first: u16, found: &mut impl FnMut(Run)) {
         let mut changes = classes ^ (classes << 4 | self.colour as u64);

@@ -1,35 +1,35 @@
-//! Colour classes by table: one load per pixel pair, whatever the classes look like.
+//! Colour classes by lookup table: one load per pixel pair, whatever the shape of the classes.
 //!
 //! | table | cells | memory | where |
 //! |---|---|---|---|
-//! | [`FullTable`] | 64 × 64 × 64 (Y, Cb, Cr) | 256 KiB borrowed | a host, tables of other teams |
+//! | [`FullTable`] | 64 × 64 × 64 (Y, Cb, Cr) | 256 KiB borrowed | hosts, tables of other teams |
 //! | [`CompactTable`] | 16 × 64 × 64, half a byte each | 32 KiB | a constant in flash, or a host's cache |
 //!
-//! Luma is coarser than chroma in the compact one because the classes depend on it only slowly.
+//! The compact table has a coarser luma axis than chroma axes, because the classes depend less on luma.
 
 use crate::chroma::ChromaBox;
 use crate::colour::{Classify, Colour, Filters};
 use crate::frame::Pixel;
 
-/// Bytes of a [`FullTable`].
+/// Size of a [`FullTable`], bytes.
 pub const FULL_BYTES: usize = 64 * 64 * 64;
-/// Bytes of a [`CompactTable`].
+/// Size of a [`CompactTable`], bytes.
 pub const COMPACT_BYTES: usize = 16 * 64 * 64 / 2;
 
-/// A table with one byte per cell, index `[Y >> 2][Cb >> 2][Cr >> 2]`, numbers as [`Colour::from_index`].
+/// Lookup table with one byte per cell, index `[Y >> 2][Cb >> 2][Cr >> 2]`, numbers as in [`Colour::from_index`].
 ///
-/// The format of B-Human's colour tables of 2009 as they are kept with the reference images.
+/// This is the format of B-Human's colour tables of 2009 among the recorded images.
 #[derive(Clone, Copy, Debug)]
 pub struct FullTable<'a>(&'a [u8; FULL_BYTES]);
 
 impl<'a> FullTable<'a> {
-    /// Looks at bytes as a table; none unless there are [`FULL_BYTES`]. Unknown numbers mean [`Colour::None`].
+    /// Borrows bytes as a table; `None` unless there are [`FULL_BYTES`]. Unknown numbers mean [`Colour::None`].
     #[must_use]
     pub fn new(bytes: &'a [u8]) -> Option<Self> {
         bytes.try_into().ok().map(Self)
     }
 
-    /// Compiles thresholds into the caller's memory, each cell by the colour in its middle. About 10 ms.
+    /// Compiles thresholds into the caller's memory, each cell by the colour at its centre. Takes about 10 ms.
     pub fn compile(filters: &Filters, cells: &'a mut [u8; FULL_BYTES]) -> Self {
         for (index, cell) in cells.iter_mut().enumerate() {
             let middle = |shift: usize| (((index >> shift) & 63) << 2) as u8 + 2;
@@ -53,16 +53,16 @@ impl Classify for FullTable<'_> {
     }
 }
 
-/// A table with half a byte per cell, index `[Y >> 4][Cb >> 2][Cr >> 2]`.
+/// Lookup table with half a byte per cell, index `[Y >> 4][Cb >> 2][Cr >> 2]`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct CompactTable {
     cells: [u8; COMPACT_BYTES],
-    /// Where each class has cells, by its number.
+    /// Bounding box of each class's cells, by class number.
     boxes: [ChromaBox; 6],
 }
 
 impl CompactTable {
-    /// Compiles thresholds, each cell by the colour in its middle. About 2 ms at run time; also usable in constants.
+    /// Compiles thresholds, each cell by the colour at its centre. Takes about 2 ms at run time; usable in constants.
     #[must_use]
     #[expect(clippy::large_stack_arrays, reason = "in a constant there is no stack; elsewhere it is the result's own")]
     pub const fn compile(filters: &Filters) -> Self {
@@ -73,7 +73,7 @@ impl CompactTable {
             let mut rank = 5;
             while rank > 0 {
                 rank -= 1;
-                // The class that decides first is painted last.
+                // The class that decides first is written last.
                 let (colour, filter) = filters.in_order()[rank];
                 let (low, high) = filter.luma_range(middle(chroma / 64), middle(chroma % 64));
                 if low <= high {
@@ -88,12 +88,12 @@ impl CompactTable {
     }
 }
 
-/// The chroma in the middle of a cell.
+/// Chroma at the centre of a cell.
 const fn middle(cell: usize) -> u8 {
     (cell << 2) as u8 + 2
 }
 
-/// Gives a class to the cells of one chroma whose middle luma is from `low` to `high`.
+/// Writes a class to the cells of one chroma with centre luma from `low` to `high`.
 const fn paint(cells: &mut [u8; COMPACT_BYTES], chroma: usize, colour: Colour, low: u8, high: u8) {
     let mut y = (low as usize + 7) >> 4;
     while (y << 4) + 8 <= high as usize {
@@ -132,7 +132,7 @@ mod tests {
     }
 
     #[test]
-    fn a_compiled_table_decides_as_its_thresholds_in_the_middle_of_each_cell() {
+    fn compiled_table_equals_its_thresholds_at_cell_centres() {
         for filters in [BUILT_IN, NAO_2009, DARWIN_2013] {
             let (compact, mut cells) = (CompactTable::compile(&filters), full_cells());
             let full = FullTable::compile(&filters, &mut cells);
@@ -147,7 +147,7 @@ mod tests {
     }
 
     #[test]
-    fn every_pixel_is_in_the_box_of_its_class() {
+    fn pixels_are_inside_the_bounding_box_of_their_class() {
         for filters in [BUILT_IN, NAO_2009, DARWIN_2013] {
             let table = CompactTable::compile(&filters);
             let corner = |cell: u8, size: u8, end: u8| size * cell + end * (size - 1);
@@ -162,7 +162,7 @@ mod tests {
     }
 
     #[test]
-    fn only_the_right_number_of_bytes_is_a_table() {
+    fn table_of_a_wrong_size_is_rejected() {
         assert!(FullTable::new(&vec![0; FULL_BYTES - 1]).is_none());
         assert!(FullTable::new(&vec![0; FULL_BYTES + 1]).is_none());
         assert!(FullTable::new(&vec![0; FULL_BYTES]).is_some());
@@ -170,7 +170,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn a_full_table_is_read_by_its_published_index((y, cb, cr) in any::<(u8, u8, u8)>(), class in any::<u8>()) {
+        fn full_table_uses_the_published_index((y, cb, cr) in any::<(u8, u8, u8)>(), class in any::<u8>()) {
             let mut cells = full_cells();
             cells[((y as usize / 4 * 64) + cb as usize / 4) * 64 + cr as usize / 4] = class;
             let table = FullTable::new(&cells[..]).expect("its own length");

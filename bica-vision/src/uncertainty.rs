@@ -1,8 +1,8 @@
-//! How far off a place on the ground may be: the errors of the camera's pose and of the pixel, in metres.
+//! Uncertainty of ground positions: propagation of camera pose and pixel errors to the ground.
 //!
-//! A pixel's ray meets the plane of height z in p = eye + (z − eye.z) / ray.z · ray. Each error moves p by its size times
-//! a derivative; errors that know nothing of each other add up as squares. That is the first order: good while the
-//! deviation is small against the distance, too small close to the horizon. Cost: 20 ns.
+//! A pixel's ray meets the plane of height z in p = eye + (z − eye.z) / ray.z · ray. Each error moves p by its size
+//! times a derivative; independent errors add as squares. This first-order propagation is accurate while the deviation
+//! is small against the distance, and underestimates the error close to the horizon. Cost: 20 ns.
 
 use glam::{Vec2, Vec3};
 use libm::{hypotf, sqrtf};
@@ -10,31 +10,32 @@ use nalgebra::{Matrix2, Vector2};
 
 use crate::projection::Camera;
 
-/// The covariance of a place on the ground, m²: x forward, y left.
+/// Covariance of a ground position, m²: x forward, y left.
 pub type Covariance = Matrix2<f32>;
 
-/// Standard deviations of what a projection to the ground rests on.
+/// Standard deviations of the inputs of a ground projection.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Errors {
-    /// Of the camera's pitch and roll, each, rad.
+    /// Camera pitch and roll, each, rad.
     pub lean: f32,
-    /// Of its direction from above, rad.
+    /// Camera heading, rad.
     pub pan: f32,
-    /// Of its height over the ground, m.
+    /// Camera height, m.
     pub height: f32,
-    /// Of a point in the image, each way, pixels.
+    /// Pixel position, each coordinate, px.
     pub pixels: f32,
 }
 
 impl Errors {
-    /// A NAO that stands or walks. In the frames of `nao2009` distances by projection and by the ball's size differ by
-    /// 3.7 % in the median at about a metre, as by a lean of 0.015 rad; the rest is our estimate.
+    /// Errors of a standing or walking NAO. In the frames of `nao2009` distances from projection and from the ball's
+    /// size differ by 3.7 % in the median at about one metre, which a pitch error of 0.015 rad explains. The other
+    /// values are estimates.
     pub const NAO: Self = Self { lean: 0.015, pan: 0.015, height: 0.008, pixels: 1.0 };
 }
 
-/// The covariance of [`Camera::ground`]: what `pixel` sees in the plane `z` metres above the ground.
+/// Covariance of [`Camera::ground`] for a `pixel` in the plane `z` metres above the ground, m².
 ///
-/// None where that is none, and so close to the horizon that a number fails.
+/// `None` without a projection, and so close to the horizon that the result is not finite.
 #[must_use]
 pub fn of_ground(camera: &Camera, pixel: Vec2, z: f32, errors: &Errors) -> Option<Covariance> {
     camera.ground(pixel, z)?;
@@ -57,20 +58,20 @@ pub fn of_ground(camera: &Camera, pixel: Vec2, z: f32, errors: &Errors) -> Optio
     sum.iter().all(|value| value.is_finite()).then_some(sum)
 }
 
-/// The covariance of a deviation along one direction, m.
+/// Covariance of a deviation along one direction, given as a vector in m.
 #[must_use]
 pub fn square(deviation: Vec2) -> Covariance {
     let deviation = Vector2::new(deviation.x, deviation.y);
     deviation * deviation.transpose()
 }
 
-/// The same deviation in every direction, m.
+/// Isotropic covariance of a deviation, m.
 #[must_use]
 pub fn round(deviation: f32) -> Covariance {
     Covariance::from_diagonal_element(deviation * deviation)
 }
 
-/// The largest standard deviation over all directions, m.
+/// Largest standard deviation over all directions, m.
 #[must_use]
 pub fn largest(covariance: &Covariance) -> f32 {
     let mean = 0.5 * covariance.trace();

@@ -1,4 +1,4 @@
-//! Hypotheses against what a camera with errors would see of balls, posts, and of what is neither.
+//! Hypothesis tests of balls, posts and other objects, seen by a camera with pose errors.
 
 use bica_field::FIELD;
 use bica_vision::hypothesis::{self, ImageCircle};
@@ -15,7 +15,7 @@ fn camera(yaw: f32, pitch: f32, height: f32) -> Camera {
     Camera::new(pose, Intrinsics::nao_v6(320, 240))
 }
 
-/// A camera that looks at a place on the ground, up to so many metres away, a little beside it.
+/// Camera that looks approximately at a ground position up to `farthest` metres away, with that position.
 fn view(far: f32) -> impl Strategy<Value = (Camera, Vec2)> {
     let parts = (0.3_f32..far, -0.8_f32..0.8, -0.2_f32..0.2, -0.2_f32..0.2, 0.42_f32..0.52);
     parts.prop_map(|(distance, way, yaw, pitch, height)| {
@@ -29,7 +29,7 @@ fn circle(camera: &Camera, at: Vec3, radius: f32) -> Option<ImageCircle> {
     Some(ImageCircle { centre: camera.pixel(at)?, radius: camera.sphere_radius(at, radius)? })
 }
 
-/// The camera as a robot that leans a little more would believe it to be.
+/// Assumed camera of a robot with an unknown lean.
 fn leaning(camera: &Camera, lean: Vec2) -> Camera {
     let turn = Affine3A::from_quat(Quat::from_scaled_axis(lean.extend(0.0)));
     let mut pose = camera.pose();
@@ -41,7 +41,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(1000))]
 
     #[test]
-    fn a_ball_fits_and_is_where_it_is((camera, place) in view(3.0)) {
+    fn ball_on_the_ground_is_accepted_at_its_position((camera, place) in view(3.0)) {
         let seen = circle(&camera, place.extend(RADIUS), RADIUS).expect("in front");
         let off = seen.size_error(&camera, RADIUS, &Errors::NAO).expect("a number");
         prop_assert!(off.abs() < 0.6, "{off} deviations");
@@ -50,7 +50,7 @@ proptest! {
     }
 
     #[test]
-    fn a_ball_seen_by_a_robot_that_leans_fits_and_is_as_sure_as_said(
+    fn ball_is_accepted_within_its_covariance_under_pitch_errors(
         (camera, place) in view(3.0), x in -0.03_f32..0.03, y in -0.03_f32..0.03, part in -0.2_f32..0.2,
     ) {
         let believed = leaning(&camera, Vec2::new(x, y));
@@ -67,15 +67,15 @@ proptest! {
     }
 
     #[test]
-    fn what_is_larger_or_smaller_than_a_ball_does_not_fit((camera, place) in view(1.2), is_large in any::<bool>()) {
+    fn circle_much_larger_or_smaller_than_a_ball_is_rejected((camera, place) in view(1.2), is_large in any::<bool>()) {
         let radius = if is_large { 2.5 * RADIUS } else { 0.4 * RADIUS };
         let seen = circle(&camera, place.extend(RADIUS), radius).expect("in front");
         prop_assert!(seen.ball(&camera, RADIUS, &Errors::NAO).is_none());
     }
 
     #[test]
-    fn a_ball_in_the_air_does_not_fit((camera, place) in view(1.5), height in 0.35_f32..0.6) {
-        // Just under the camera it may be behind the image.
+    fn ball_in_the_air_is_rejected((camera, place) in view(1.5), height in 0.35_f32..0.6) {
+        // Right below the camera it may be behind the image plane.
         let seen = circle(&camera, place.extend(height), RADIUS);
         prop_assume!(seen.is_some());
         let seen = seen.expect("in front");
@@ -83,7 +83,7 @@ proptest! {
     }
 
     #[test]
-    fn posts_fit_and_what_is_half_or_twice_as_high_does_not(
+    fn post_is_accepted_and_half_or_double_height_is_rejected(
         (camera, place) in view(3.0), x in -0.03_f32..0.03, y in -0.03_f32..0.03,
     ) {
         prop_assume!(place.length() > 1.0);
@@ -102,7 +102,7 @@ proptest! {
     }
 
     #[test]
-    fn no_pose_makes_a_place_that_is_no_number(
+    fn positions_are_finite_for_any_pose(
         parts in prop::array::uniform12(prop_oneof![
             Just(f32::NAN), Just(f32::INFINITY), Just(0.0_f32), Just(f32::MAX), -2.0_f32..2.0,
         ]),

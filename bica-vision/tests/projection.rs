@@ -1,4 +1,4 @@
-//! Pixels to the ground and back, against published vectors and against itself.
+//! Projection to the ground and back, against published values and against itself.
 
 use bica_motion::joints::Joints;
 use bica_motion::kinematics;
@@ -8,13 +8,13 @@ use bica_vision::projection::{Camera, Intrinsics};
 use glam::{Affine3A, EulerRot, Quat, Vec2, Vec3};
 use proptest::prelude::*;
 
-/// The robot frame at hip height 0.230 m over the ground, all joints zero: the case of the test vectors.
+/// Camera with the hips 0.230 m above the ground and all joints at zero, as in the published values.
 fn standing(id: CameraId, width: u16, height: u16) -> Camera {
     let hips = Affine3A::from_translation(Vec3::new(0.0, 0.0, 0.230));
     Camera::new(hips * kinematics::camera::<Nao>(id, &Joints::all(0.0)), Intrinsics::nao_v6(width, height))
 }
 
-/// Pixel at 640 × 480 and where it meets the ground, m, for both cameras.
+/// Published values: camera, pixel at 640 × 480, and its ground point, m.
 const VECTORS: [(CameraId, [f32; 2], [f32; 2]); 6] = [
     (CameraId::Top, [320.0, 240.0], [24.174, 0.0]),
     (CameraId::Top, [320.0, 479.0], [1.286, 0.0]),
@@ -25,18 +25,18 @@ const VECTORS: [(CameraId, [f32; 2], [f32; 2]); 6] = [
 ];
 
 #[test]
-fn the_cameras_are_as_high_as_published() {
+fn camera_heights_equal_the_published_ones() {
     assert!((standing(CameraId::Top, 640, 480).pose().translation.z - 0.505_14).abs() < 1e-5);
     assert!((standing(CameraId::Bottom, 640, 480).pose().translation.z - 0.459_24).abs() < 1e-5);
 }
 
 #[test]
-fn pixels_meet_the_ground_where_published() {
+fn ground_points_of_pixels_equal_the_published_ones() {
     for (id, pixel, expected) in VECTORS {
         for scale in [1, 2, 4] {
             let camera = standing(id, 640 / scale, 480 / scale);
             let found = camera.ground(Vec2::from(pixel) / f32::from(scale), 0.0).expect("below the horizon");
-            // Half a unit of the last published digit; the first row is 24 m away.
+            // Half a unit of the last published digit; the point of the first row is 24 m away.
             let error = (found - Vec2::from(expected)).abs().max_element();
             assert!(error <= 0.000_55, "{id:?} {pixel:?} at 1/{scale}: {found} is {error} off");
         }
@@ -67,10 +67,10 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(1000))]
 
     #[test]
-    fn a_point_on_the_ground_is_seen_where_it_was_looked_for((camera, pixel) in camera_and_pixel(), z in 0.0_f32..0.15) {
+    fn projection_to_the_ground_and_back_returns_the_pixel((camera, pixel) in camera_and_pixel(), z in 0.0_f32..0.15) {
         if let Some(point) = camera.ground(pixel, z) {
             let back = camera.pixel(point.extend(z));
-            // Far points are many metres for each pixel: f32 keeps 24 bits of them.
+            // At a distance one pixel covers many metres, beyond the precision of f32.
             if point.length() < 50.0 {
                 prop_assert!(back.is_some_and(|back| (back - pixel).length() < 0.05), "{back:?} for {pixel}");
             }
@@ -80,7 +80,7 @@ proptest! {
     }
 
     #[test]
-    fn the_horizon_parts_sky_from_ground((camera, pixel) in camera_and_pixel()) {
+    fn pixels_below_the_horizon_and_only_those_meet_the_ground((camera, pixel) in camera_and_pixel()) {
         let row = camera.horizon(pixel.x).expect("cameras here are upright");
         prop_assume!((row - pixel.y).abs() > 0.01);
         prop_assert_eq!(camera.ground(pixel, 0.0).is_some(), pixel.y > row);
@@ -89,7 +89,7 @@ proptest! {
     }
 
     #[test]
-    fn a_ball_is_as_far_as_its_size_says((camera, pixel) in camera_and_pixel(), radius in 0.03_f32..0.05) {
+    fn distance_from_size_equals_distance_from_position((camera, pixel) in camera_and_pixel(), radius in 0.03_f32..0.05) {
         if let Some(place) = camera.ground(pixel, radius).filter(|place| place.length() < 6.0) {
             let place = place.extend(radius);
             let distance = (place - Vec3::from(camera.pose().translation)).length();
@@ -101,7 +101,7 @@ proptest! {
     }
 
     #[test]
-    fn turning_by_the_offset_centres_a_pixel((camera, pixel) in camera_and_pixel()) {
+    fn turning_the_camera_by_the_offset_centres_the_pixel((camera, pixel) in camera_and_pixel()) {
         let middle = camera.intrinsics().centre;
         let offset = camera.offset(pixel);
         prop_assert_eq!(offset.x > 0.0, pixel.x < middle.x);
@@ -112,7 +112,7 @@ proptest! {
     }
 
     #[test]
-    fn no_pose_makes_a_projection_that_is_no_number(
+    fn projections_are_finite_for_any_pose(
         parts in prop::array::uniform12(prop_oneof![
             Just(f32::NAN), Just(f32::INFINITY), Just(0.0_f32), Just(f32::MAX), -2.0_f32..2.0,
         ]),

@@ -1,21 +1,22 @@
-//! Everything is seen from random poses in the built-in world, whose referee knows the truth.
+//! Recall, precision and accuracy of all detectors from random poses in the built-in world.
 //!
-//! The figures of many more poses: `cargo run --release -p bica-vision --example survey`.
+//! Scores over many more poses: `cargo run --release -p bica-vision --example survey`.
 
 #[path = "support/survey/mod.rs"]
 mod survey;
 
 use survey::{Score, Survey};
 
-/// How many poses: enough to notice a detector that went wrong.
+/// Number of poses: enough to notice a broken detector.
 const POSES: usize = 300;
 
-/// How often something is due at least, the least recall and precision, and the largest error: the median and that of 95
-/// in 100. A little worse than what is reached: a change that means no harm may lose one or two.
+/// Minimum number of due objects, minimum recall and precision, maximum median and 95 % error.
+///
+/// Slightly looser than the present scores, so that a harmless change may lose one or two objects.
 struct Bounds(usize, f32, f32, f32, f32);
 
-/// What is amiss, in words.
-fn amiss(score: &Score, Bounds(due, recall, precision, median, most): &Bounds) -> Option<String> {
+/// Description of a violated bound.
+fn violation(score: &Score, Bounds(due, recall, precision, median, most): &Bounds) -> Option<String> {
     let is_right = score.recall() >= *recall && score.precision() >= *precision;
     let is_near = score.error_at(50) <= *median && score.error_at(95) <= *most;
     let words = || format!("{score}\nmissed {:?}\nwrong {:?}", score.missed, score.wrong);
@@ -23,7 +24,7 @@ fn amiss(score: &Score, Bounds(due, recall, precision, median, most): &Bounds) -
 }
 
 #[test]
-fn what_there_is_is_seen_where_it_is() {
+fn detectors_reach_their_recall_precision_and_accuracy() {
     let survey = Survey::of(0, POSES);
     println!("{survey}");
     let Survey { ball, posts, lines, crossings, circle, robots, field_boundary, .. } = &survey;
@@ -36,6 +37,6 @@ fn what_there_is_is_seen_where_it_is() {
         (robots, Bounds(40, 0.93, 0.925, 2.0, 8.0)),
         (field_boundary, Bounds(2000, 0.98, 0.98, 0.85, 1.5)),
     ];
-    let amiss: Vec<_> = bounds.iter().filter_map(|(score, bounds)| amiss(score, bounds)).collect();
-    assert!(amiss.is_empty(), "{}", amiss.join("\n"));
+    let violations: Vec<_> = bounds.iter().filter_map(|(score, bounds)| violation(score, bounds)).collect();
+    assert!(violations.is_empty(), "{}", violations.join("\n"));
 }

@@ -1,11 +1,11 @@
-//! The uncertainty of places on the ground, against drawn errors and against finite differences.
+//! Uncertainty of ground positions, against sampled errors and finite differences.
 
 use bica_vision::projection::{Camera, Intrinsics};
 use bica_vision::uncertainty::{self, Covariance, Errors};
 use glam::{Affine3A, EulerRot, Quat, Vec2, Vec3};
 use proptest::prelude::*;
 
-/// A head's camera somewhere over the ground, and a pixel that sees ground up to 2.5 m away.
+/// Camera at head height, and a pixel of the ground up to 2.5 m away.
 fn any_view() -> impl Strategy<Value = (Camera, Vec2)> {
     let angles = (-2.0_f32..2.0, 0.1_f32..1.1, -0.15_f32..0.15);
     let view = (angles, 0.4_f32..0.55, 0.0_f32..320.0, 0.0_f32..240.0);
@@ -19,7 +19,7 @@ fn any_view() -> impl Strategy<Value = (Camera, Vec2)> {
     })
 }
 
-/// The camera with its pose off by a turn about the axes of the ground, rad, and by a height, m.
+/// Camera with a pose error: a rotation about the ground axes, rad, and a height, m.
 fn disturbed(camera: &Camera, turn: Vec3, height: f32) -> Camera {
     let turn = Affine3A::from_quat(Quat::from_scaled_axis(turn));
     let mut pose = camera.pose();
@@ -28,16 +28,16 @@ fn disturbed(camera: &Camera, turn: Vec3, height: f32) -> Camera {
     Camera::new(pose, camera.intrinsics())
 }
 
-/// A number from −1 to 1 for each dimension and index, evenly spread (additive recurrence of the generalised golden
+/// Low-discrepancy number in −1..1 for each dimension and index (additive recurrence of the generalised golden
 /// ratio for six dimensions, Roberts 2018).
 fn even(index: u32, dimension: i32) -> f64 {
     const RATIO: f64 = 1.091_084_908_187_068_7;
     2.0 * (0.5 + f64::from(index + 1) * RATIO.powi(-dimension - 1)).fract() - 1.0
 }
 
-/// The covariance of the places that `draws` drawn errors lead to.
+/// Sample covariance of the ground position under `draws` random errors.
 fn drawn(camera: &Camera, pixel: Vec2, z: f32, errors: &Errors, draws: u32) -> Option<Covariance> {
-    // A uniform number of deviation 1.
+    // Uniform with standard deviation 1.
     let number = |index, dimension| (3.0_f64.sqrt() * even(index, dimension)) as f32;
     let middle = camera.ground(pixel, z)?;
     let (mut mean, mut sum) = (Vec2::ZERO, Covariance::zeros());
@@ -56,7 +56,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(200))]
 
     #[test]
-    fn small_errors_spread_places_as_computed((camera, pixel) in any_view(), z in 0.0_f32..0.04) {
+    fn covariance_equals_that_of_sampled_small_errors((camera, pixel) in any_view(), z in 0.0_f32..0.04) {
         let errors = Errors { lean: 0.004, pan: 0.01, height: 0.005, pixels: 0.5 };
         let computed = uncertainty::of_ground(&camera, pixel, z, &errors).expect("ground");
         let drawn = drawn(&camera, pixel, z, &errors, 4000).expect("ground");
@@ -65,7 +65,7 @@ proptest! {
     }
 
     #[test]
-    fn the_errors_of_a_robot_are_not_understated((camera, pixel) in any_view()) {
+    fn standard_deviation_equals_that_of_sampled_errors_of_a_robot((camera, pixel) in any_view()) {
         let errors = Errors::NAO;
         let computed = uncertainty::largest(&uncertainty::of_ground(&camera, pixel, 0.0, &errors).expect("ground"));
         let drawn = uncertainty::largest(&drawn(&camera, pixel, 0.0, &errors, 2000).expect("ground"));
@@ -73,7 +73,7 @@ proptest! {
     }
 
     #[test]
-    fn each_error_alone_moves_the_place_as_differences_say((camera, pixel) in any_view(), which in 0_usize..5) {
+    fn each_error_alone_equals_its_finite_difference((camera, pixel) in any_view(), which in 0_usize..5) {
         let none = Errors { lean: 0.0, pan: 0.0, height: 0.0, pixels: 0.0 };
         let small = 1e-3;
         let (errors, shifts): (Errors, Vec<(Vec3, f32, Vec2)>) = match which {
@@ -98,7 +98,7 @@ proptest! {
     }
 
     #[test]
-    fn the_largest_deviation_is_that_of_no_direction_less(
+    fn largest_deviation_bounds_the_deviation_in_each_direction(
         x in -1.0_f32..1.0, y in -1.0_f32..1.0, u in -1.0_f32..1.0, v in -1.0_f32..1.0, angle in -3.0_f32..3.0,
     ) {
         let covariance = uncertainty::square(Vec2::new(x, y)) + uncertainty::square(Vec2::new(u, v));
@@ -112,7 +112,7 @@ proptest! {
 }
 
 #[test]
-fn a_place_at_the_horizon_has_no_covariance_that_is_no_number() {
+fn covariance_near_the_horizon_is_finite_or_none() {
     let camera = Camera::new(Affine3A::from_translation(Vec3::new(0.0, 0.0, 0.5)), Intrinsics::nao_v6(320, 240));
     let horizon = camera.horizon(160.0).expect("upright");
     for below in [-10.0, -1e-3, 0.0, 1e-6, 1e-4, 1e-2, 1.0, f32::NAN, f32::INFINITY] {

@@ -3,7 +3,7 @@
 //! The microcontroller runs the activation tree. The world is on the other end of a serial link with the messages of
 //! `bica-wire`. There is no heap: an image that allocates does not link.
 //!
-//! A board package implements [`Board`], calls [`paint_stack`] and [`run`] in its `main`, and [`handle_panic`] in its
+//! A board package implements [`Board`], calls [`init`] in its `main` and [`run`] in its task, and [`handle_panic`] in its
 //! panic handler. `docs/firmware-port.md` describes a port step by step.
 #![no_std]
 
@@ -11,6 +11,7 @@ mod board;
 mod controller;
 mod crash_log;
 mod faults;
+mod init;
 mod link;
 mod meter;
 mod panic;
@@ -18,6 +19,6 @@ mod run;
 mod stack;
 
 pub use board::Board;
+pub use init::{Robot, init};
 pub use panic::handle_panic;
 pub use run::run;
-pub use stack::paint as paint_stack;

@@ -13,9 +13,9 @@ use static_cell::ConstStaticCell;
 use crate::board::Board;
 use crate::controller::Controller;
 use crate::crash_log::{self, CrashLog};
+use crate::init::Robot;
 use crate::link::MessageTx;
 
-static ROBOT: ConstStaticCell<Forward> = ConstStaticCell::new(Forward::new());
 static CAMERA_BUFFER: ConstStaticCell<[u8; IMAGE_BYTES]> = ConstStaticCell::new([0; IMAGE_BYTES]);
 static IMAGE: ConstStaticCell<ImageBuffer<IMAGE_BYTES>> = ConstStaticCell::new(ImageBuffer::new());
 static DECODER: ConstStaticCell<Decoder<MAX_PACKET>> = ConstStaticCell::new(Decoder::new());
@@ -31,8 +31,8 @@ const RX_BYTES: usize = 256;
 ///
 /// # Panics
 /// If it is called twice.
-pub async fn run<B: Board>(mut rx: B::Rx, tx: B::Tx) -> ! {
-    let (decoder, robot) = (DECODER.take(), ROBOT.take());
+pub async fn run<B: Board>(Robot(robot): Robot, mut rx: B::Rx, tx: B::Tx) -> ! {
+    let decoder = DECODER.take();
     robot.get_mut::<CameraInput>().set_buffer(CAMERA_BUFFER.take());
     let mut tx = MessageTx::new(tx, PACKET.take());
     let mut controller = Controller::<B>::new(robot, IMAGE.take(), read_crash_log());

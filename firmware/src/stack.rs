@@ -15,9 +15,9 @@ unsafe extern "C" {
     static mut __euninit: u32;
 }
 
-/// Fills the unused part of the stack with a pattern. Called once, at the start of `main`.
+/// Fills the unused part of the stack with a pattern.
 #[inline(never)]
-pub fn paint() {
+pub(crate) fn paint() {
     let stack_pointer: u32;
     // SAFETY: reads a register.
     unsafe { asm!("mov {}, sp", out(reg) stack_pointer, options(nomem, nostack)) };

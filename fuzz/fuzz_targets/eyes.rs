@@ -1,6 +1,6 @@
-//! Frames of any content and size, cameras with any pose: the whole way from pixels to a place on the field.
+//! Fuzzing of vision and localization with frames of any content and size and cameras of any pose.
 //!
-//! Nothing may panic, all numbers that come out are finite, and the same frame is seen the same again.
+//! Nothing may panic, all results are finite, and the same frame gives the same detections again.
 #![no_main]
 
 use bica_field::{FIELD, GoalColour};
@@ -15,7 +15,7 @@ use glam::{Affine3A, Quat, Vec2, Vec3};
 use libfuzzer_sys::arbitrary::{self, Arbitrary};
 use libfuzzer_sys::fuzz_target;
 
-/// What lies in a frame.
+/// Content of a frame.
 #[derive(Arbitrary, Debug)]
 enum Content {
     Flat([u8; 4]),
@@ -26,13 +26,13 @@ enum Content {
     Bytes,
 }
 
-/// Where the camera is.
+/// Pose of the camera.
 #[derive(Arbitrary, Debug)]
 enum Pose {
     Unknown,
-    /// Any twelve numbers, not a number among them.
+    /// Any twelve numbers, NaN included.
     Numbers([f32; 12]),
-    /// Turned in any way, upside down too: roll, pitch, yaw and height in steps.
+    /// Any rotation, upside down included: roll, pitch, yaw and height in steps.
     Turned([i8; 4]),
 }
 
@@ -45,7 +45,7 @@ struct Input {
     pairs: Vec<[u8; 4]>,
 }
 
-/// Colours of each class of the built-in world, and of none.
+/// One colour of each class of the built-in world, and one of no class.
 const COLOURS: [[u8; 4]; 6] = [
     [130, 88, 130, 177],
     [140, 78, 140, 143],
@@ -56,7 +56,7 @@ const COLOURS: [[u8; 4]; 6] = [
 ];
 
 impl Input {
-    /// Small ones more often: they are quicker.
+    /// Size of the frame, with more small than large ones, because they are faster.
     fn size(&self) -> (u16, u16) {
         let side = |part: u8, most: u16| {
             let part = u32::from(part);
@@ -103,9 +103,9 @@ impl Input {
     }
 }
 
-/// Every number in what is seen.
+/// All numbers in the detections.
 fn numbers(seen: &Detections, camera: Option<&Camera>) -> Vec<f32> {
-    let mut points: Vec<Vec2> = seen.end.corners().to_vec();
+    let mut points: Vec<Vec2> = seen.boundary.corners().to_vec();
     points.extend(seen.ball.iter().flat_map(|ball| [ball.centre, Vec2::new(ball.radius, ball.confidence)]));
     points.extend([seen.goals.yellow, seen.goals.blue].iter().flatten().flat_map(|goal| [goal.min, goal.max]));
     points.extend(seen.robots.iter().flat_map(|robot| [robot.min, robot.max]));
@@ -121,10 +121,10 @@ fn numbers(seen: &Detections, camera: Option<&Camera>) -> Vec<f32> {
     points.iter().flat_map(Vec2::to_array).collect()
 }
 
-fn look(frame: &Frame<'_>, colours: &impl Classify, camera: Option<&Camera>) -> Detections {
-    let mut eyes = Box::new(Pipeline::<512, 1024>::new(FIELD.ball_radius()));
-    let (seen, again) = (eyes.look(frame, colours, camera), eyes.look(frame, colours, camera));
-    assert_eq!(numbers(&seen, camera), numbers(&again, camera), "the same frame is seen otherwise");
+fn detect(frame: &Frame<'_>, colours: &impl Classify, camera: Option<&Camera>) -> Detections {
+    let mut pipeline = Box::new(Pipeline::<512, 1024>::new(FIELD.ball_radius()));
+    let (seen, again) = (pipeline.detect(frame, colours, camera), pipeline.detect(frame, colours, camera));
+    assert_eq!(numbers(&seen, camera), numbers(&again, camera), "the same frame gives other detections");
     seen
 }
 
@@ -133,9 +133,9 @@ fuzz_target!(|input: Input| {
     let (bytes, camera) = (input.yuyv(size), input.camera(size));
     let frame = Frame::new(size.0, size.1, &bytes).expect("a size within the bounds");
     let seen = if input.by_thresholds {
-        look(&frame, &BUILT_IN, camera.as_ref())
+        detect(&frame, &BUILT_IN, camera.as_ref())
     } else {
-        look(&frame, &BUILT_IN_TABLE, camera.as_ref())
+        detect(&frame, &BUILT_IN_TABLE, camera.as_ref())
     };
     assert!(numbers(&seen, camera.as_ref()).iter().all(|number| number.is_finite()), "{seen:?}");
     let Some(camera) = camera else { return };

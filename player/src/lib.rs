@@ -24,3 +24,7 @@ pub mod perception;
 pub mod strategy;
 
 pub use forward::Forward;
+
+/// Model of the robot that the forward controls. Every component takes limits, lengths and motions from it, so another robot
+/// needs another type in this line only.
+pub type Model = bica_motion::model::Nao;

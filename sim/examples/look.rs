@@ -1,7 +1,7 @@
-//! Writes what the robot sees from several places, one PNG each, to the folder given.
+//! Writes camera images from several poses as PNG files to a folder.
 //!
-//! `cargo run -p bica-sim --release --example look -- DIR`, and with `--features mujoco` and `mujoco` after the folder the
-//! same in MuJoCo.
+//! `cargo run -p bica-sim --release --example look -- DIR` uses the kinematic simulator. With `--features mujoco` and the argument
+//! `mujoco` after the folder it uses MuJoCo.
 
 use std::error::Error;
 use std::fs::{self, File};
@@ -17,7 +17,7 @@ use bica_sim::kinematic::KinematicWorld;
 use bica_sim::setup::{Frame, Setup, Start};
 use glam::Vec2;
 
-/// A place to look from.
+/// Parameters of an image.
 struct Shot {
     name: &'static str,
     seed: u64,
@@ -25,11 +25,11 @@ struct Shot {
     ball: Vec2,
     camera: CameraId,
     frame: Frame,
-    /// The head's joints, rad.
+    /// Yaw and pitch of the head, rad.
     head: (f32, f32),
-    /// Cycles to hold the pose before looking.
+    /// Cycles for which the posture is held before the image.
     cycles: u32,
-    /// Whether the legs give way.
+    /// Whether the legs have no stiffness.
     limp: bool,
 }
 
@@ -80,9 +80,9 @@ fn shots() -> Vec<Shot> {
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let folder = std::env::args().nth(1).ok_or("the folder to write to is missing")?;
+    let folder = std::env::args().nth(1).ok_or("missing argument: the output folder")?;
     fs::create_dir_all(&folder)?;
-    let world = if std::env::args().nth(2).is_some_and(|word| word == "mujoco") { mujoco } else { built_in };
+    let world = if std::env::args().nth(2).is_some_and(|word| word == "mujoco") { mujoco } else { kinematic };
     for shot in shots() {
         let path = Path::new(&folder).join(shot.name).with_extension("png");
         take(&shot, world, &path)?;
@@ -93,7 +93,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 
 type AnyWorld = Result<Box<dyn World>, Box<dyn Error>>;
 
-fn built_in(setup: &Setup) -> AnyWorld {
+fn kinematic(setup: &Setup) -> AnyWorld {
     Ok(Box::new(KinematicWorld::new(setup)?))
 }
 
@@ -104,7 +104,7 @@ fn mujoco(setup: &Setup) -> AnyWorld {
 
 #[cfg(not(feature = "mujoco"))]
 fn mujoco(_: &Setup) -> AnyWorld {
-    Err("build this with --features mujoco; `cargo xtask mujoco` installs what that needs".into())
+    Err("this needs a build with --features mujoco; `cargo xtask mujoco` installs the library".into())
 }
 
 fn take(shot: &Shot, world: fn(&Setup) -> AnyWorld, path: &Path) -> Result<(), Box<dyn Error>> {
@@ -139,7 +139,7 @@ fn write_png(path: &Path, image: &Image<'_>) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// BT.601, full range.
+/// Converts a pixel to red, green and blue (BT.601, full range).
 fn rgb(y: u8, cb: u8, cr: u8) -> [u8; 3] {
     let (y, cb, cr) = (f32::from(y), f32::from(cb) - 128.0, f32::from(cr) - 128.0);
     [y + 1.402 * cr, y - 0.344_136 * cb - 0.714_136 * cr, y + 1.772 * cb].map(|part| part.clamp(0.0, 255.0) as u8)

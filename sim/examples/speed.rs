@@ -1,4 +1,4 @@
-//! How many times faster than real time the built-in world runs on one core, every image drawn.
+//! Measures the speed of the kinematic simulator on one core relative to real time, with all images rendered.
 //!
 //! `cargo run -p bica-sim --release --example speed`
 
@@ -29,7 +29,7 @@ fn main() -> Result<(), SetupError> {
     Ok(())
 }
 
-/// The real time of a run in which the head looks around, s.
+/// Returns the elapsed time of a run with a moving head, s.
 fn run(setup: &Setup, camera: CameraId) -> Result<f64, SetupError> {
     let mut world = KinematicWorld::new(setup)?;
     let mut targets = world.sensors().angles;

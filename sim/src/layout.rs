@@ -15,11 +15,11 @@ use bica_field::GoalColour;
 pub(crate) struct Layout {
     /// Start positions of robot and ball.
     pub(crate) start: Start,
-    /// The colour of the goal at positive x.
+    /// Colour of the goal at positive x.
     pub(crate) attacks: GoalColour,
     /// Deceleration of the ball by rolling resistance, m/s².
     pub(crate) rolling_deceleration: f32,
-    /// OtherRobot robots; the goalkeeper first if there is one.
+    /// Other robots; the goalkeeper first if there is one.
     pub(crate) others: Vec<OtherRobot>,
 }
 

@@ -8,11 +8,10 @@
 //! |---|---|---|
 //! | robot | joint angles and foot contact, no forces | rigid bodies, friction, torque limits |
 //! | dependencies | none | feature `mujoco` and MuJoCo's library |
-//! | speed | many times real time | near real time |
-//! | determinism | same seed, same result on every machine | same seed, same result on one machine |
+//! | speed | many times real time | slower |
 //!
-//! Both share everything else: [`setup`], start positions, field objects, camera model, sensor noise, motor temperatures,
-//! rules and [`referee`].
+//! Equal seeds and commands give equal results, bit for bit. Both share everything else: [`setup`], start positions, field
+//! objects, camera model, sensor noise, motor temperatures, rules and [`referee`].
 //!
 //! ```
 //! use bica_motion::{joints::Joints, robot::{CameraId, Command, Lights}};

@@ -1,4 +1,4 @@
-//! Frames to look at, with the cameras that took them.
+//! Frames with their cameras.
 
 pub mod recorded;
 pub mod rendered;
@@ -8,10 +8,10 @@ use bica_vision::frame::Frame;
 use bica_vision::projection::Camera;
 use bica_vision::table::CompactTable;
 
-/// The sizes that are measured, pixels.
+/// Measured frame sizes, px.
 pub const SIZES: [(u16, u16); 3] = [(160, 120), (320, 240), (640, 480)];
 
-/// A frame with its camera's pose, if that is known.
+/// Frame with its camera pose, if known.
 pub struct Shot {
     /// Where it is from.
     pub name: String,
@@ -36,7 +36,7 @@ impl Shot {
     }
 }
 
-/// Frames of one size that belong together, with their colours.
+/// Set of frames of one size, with their colour table.
 pub struct Album {
     /// Where the frames are from.
     pub name: &'static str,
@@ -47,7 +47,7 @@ pub struct Album {
 }
 
 impl Album {
-    /// Width and height of its frames, pixels.
+    /// Width and height of the frames, px.
     #[must_use]
     pub fn size(&self) -> (u16, u16) {
         self.shots.first().map_or((0, 0), |shot| (shot.width, shot.height))

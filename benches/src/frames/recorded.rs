@@ -1,4 +1,4 @@
-//! Real frames, where they are kept beside the repository.
+//! Recorded frames, if they are available beside the repository.
 
 use std::fs::{self, File};
 use std::io::BufReader;
@@ -12,7 +12,7 @@ use glam::{Affine3A, Mat3, Vec2, Vec3};
 
 use super::{Album, Shot};
 
-/// The folder of images; none, and a word about it the first time, if it is not there.
+/// Folder of the images; `None`, with one message, if it is missing.
 pub fn folder() -> Option<&'static Path> {
     static FOLDER: LazyLock<Option<PathBuf>> = LazyLock::new(|| {
         let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../shared/images");
@@ -25,7 +25,7 @@ pub fn folder() -> Option<&'static Path> {
     FOLDER.as_deref()
 }
 
-/// The frames of two robots, brought to a size: the cameras gave 320×240.
+/// Recorded frames of two robots, scaled from 320×240.
 #[must_use]
 pub fn albums(folder: &Path, size: (u16, u16)) -> Vec<Album> {
     let poses = poses(folder);
@@ -47,7 +47,7 @@ fn files(folder: &Path) -> Vec<PathBuf> {
     files
 }
 
-/// The poses of the cameras of `nao2009`, by file.
+/// Camera poses of `nao2009`, by file.
 fn poses(folder: &Path) -> Vec<(String, Affine3A)> {
     let text = fs::read_to_string(folder.join("nao2009_pose.csv")).expect("nao2009_pose.csv");
     let pose = |line: &str| {
@@ -59,7 +59,7 @@ fn poses(folder: &Path) -> Vec<(String, Affine3A)> {
     text.lines().skip(1).map(pose).collect()
 }
 
-/// A picture of 320×240 pixels as the bytes of a camera of another size: pixels are doubled or halved.
+/// Scales an image of 320×240 px to another size by doubling or halving pixels.
 fn shot(name: String, rgb: &[[u8; 3]], (width, height): (u16, u16), pose: Option<Affine3A>) -> Shot {
     let at = |x: u16, y: u16| {
         let (x, y) = (u32::from(x) * 320 / u32::from(width), u32::from(y) * 240 / u32::from(height));
@@ -83,7 +83,7 @@ fn read(path: &Path) -> Vec<[u8; 3]> {
     rgb.as_chunks::<3>().0.to_vec()
 }
 
-/// Full-range BT.601, the chroma of two pixels averaged.
+/// YUYV of two pixels: full-range BT.601, mean chroma.
 fn pair(left: [u8; 3], right: [u8; 3]) -> [u8; 4] {
     let ycc = |rgb: [u8; 3]| {
         let [r, g, b] = rgb.map(f32::from);

@@ -15,7 +15,7 @@ use super::{Album, Shot};
 /// Yaw and pitch of the head, rad.
 const LOOKS: [(f32, f32); 2] = [(-0.5, 0.0), (0.4, 0.2)];
 
-/// Two frames of a size from each of several games, with four other robots and a goalkeeper.
+/// Two frames from each of several games with four other robots and a goalkeeper.
 ///
 /// # Panics
 /// If the world has no camera of that size.
@@ -32,7 +32,7 @@ fn shots(setup: &Setup) -> Vec<Shot> {
     LOOKS.map(|look| shot(&mut world, &mut targets, look, setup.seed)).into()
 }
 
-/// Turns the head and waits until it rests and a frame is there.
+/// Turns the head and waits until it rests and a frame is available.
 fn shot(world: &mut KinematicWorld, targets: &mut Joints, (yaw, pitch): (f32, f32), seed: u64) -> Shot {
     targets[Joint::HeadYaw] = yaw;
     targets[Joint::HeadPitch] = pitch;

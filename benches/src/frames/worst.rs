@@ -1,4 +1,4 @@
-//! Frames that make a stage work hard: no sound camera sends them, a broken one may.
+//! Worst-case frames, as a defective camera may send them.
 
 use bica_motion::joints::Joints;
 use bica_motion::model::Nao;
@@ -10,7 +10,7 @@ use rand_pcg::{Pcg32, rand_core::Rng};
 
 use super::{Album, Shot};
 
-/// A colour of each class of the built-in world, and one of none: Y, Cb, Cr.
+/// One colour of each class of the built-in world, and one of no class: Y, Cb, Cr.
 pub const COLOURS: [(&str, [u8; 3]); 6] = [
     ("orange", [130, 88, 177]),
     ("yellow", [140, 78, 143]),
@@ -21,10 +21,10 @@ pub const COLOURS: [(&str, [u8; 3]); 6] = [
 ];
 const GREEN: usize = 4;
 
-/// What lies where, from the place of a pixel pair: the number of one of two colours, or of any.
+/// Pattern: colour index of a pixel pair from its position.
 pub type Pattern = fn(u16, u16, &mut Pcg32) -> usize;
 
-/// Patterns by name.
+/// Patterns with their names.
 pub const PATTERNS: [(&str, Pattern); 9] = [
     ("flat", |_, _, _| 0),
     ("checker of pairs", |x, y, _| usize::from(x + y) % 2),
@@ -37,7 +37,7 @@ pub const PATTERNS: [(&str, Pattern); 9] = [
     ("noise", |_, _, random| random.next_u32() as usize >> 8 & 1),
 ];
 
-/// Every pattern in every two colours, with and without carpet under it; noise of all colours and of all bytes.
+/// Frames of each pattern in each pair of colours, with and without carpet below, and frames of noise.
 pub fn album(size: (u16, u16)) -> Album {
     let mut shots = Vec::new();
     for (first, second) in (0..6).flat_map(|first| (0..6).map(move |second| (first, second))) {
@@ -49,7 +49,7 @@ pub fn album(size: (u16, u16)) -> Album {
     Album { name: "worst", table: BUILT_IN_TABLE.clone(), shots }
 }
 
-/// A pattern in two colours, over so many eighths of carpet.
+/// Frame of a pattern in two colours, with carpet in the given number of eighths.
 pub fn made_up(size: (u16, u16), (name, pattern): (&str, Pattern), [first, second]: [usize; 2], carpet: u16) -> Shot {
     let name = format!("{name}: {}, {}; carpet {carpet}/8", COLOURS[first].0, COLOURS[second].0);
     shot(name, size, |x, y, random| {
@@ -59,13 +59,13 @@ pub fn made_up(size: (u16, u16), (name, pattern): (&str, Pattern), [first, secon
     })
 }
 
-/// Noise of all colours.
+/// Frame of noise of all colours.
 #[must_use]
 pub fn noise_of_colours(size: (u16, u16)) -> Shot {
     shot("noise of all colours".to_owned(), size, |_, _, random| COLOURS[random.next_u32() as usize % 6].1)
 }
 
-/// Noise of all bytes.
+/// Frame of random bytes.
 #[must_use]
 pub fn noise_of_bytes(size: (u16, u16)) -> Shot {
     shot("noise of bytes".to_owned(), size, |_, _, random| {

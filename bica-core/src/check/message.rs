@@ -1,16 +1,14 @@
-//! The words for each violation: what was found, what is required, the remedy.
+//! The message for each violation: what was found, what is required, the remedy.
 
 use super::sum_message::{over_budget, overload};
-use super::{CAPACITY, Number, Path, Text, Violation};
+use super::wording::{Message, push_given, words};
+use super::{CAPACITY, Number, Path, Violation};
 use crate::graph::{Graph, Node};
 
-/// How many bytes a message may have.
-const LENGTH: usize = 4096;
-
-/// What a violation of a tree means, in one line.
+/// Returns the message for a violation, in one line.
 #[must_use]
-pub const fn message(graph: &Graph, violation: &Violation) -> Text<LENGTH> {
-    let mut text = Text::new();
+pub const fn message(graph: &Graph, violation: &Violation) -> Message {
+    let mut text = Message::new();
     match violation {
         Violation::TooManyComponents(count) => too_many(&mut text, graph, *count),
         Violation::TooManyStates(index) => too_many_states(&mut text, &graph.nodes[*index]),
@@ -23,8 +21,6 @@ pub const fn message(graph: &Graph, violation: &Violation) -> Text<LENGTH> {
     }
     text
 }
-
-pub(super) type Message = Text<LENGTH>;
 
 const fn too_many(text: &mut Message, graph: &Graph, count: usize) {
     words(text, &["tree `", graph.name, "` lists "]);
@@ -67,12 +63,6 @@ const fn bad_number(text: &mut Message, graph: &Graph, figure: Number) {
     }
 }
 
-pub(super) const fn push_given(text: &mut Message, figure: Option<f32>) {
-    if let Some(figure) = figure {
-        text.push_number(figure as f64);
-    }
-}
-
 const fn cycle(text: &mut Message, graph: &Graph, path: &Path) {
     text.push("activation cycle: ");
     let mut place = 0;
@@ -108,13 +98,4 @@ const fn too_fast(text: &mut Message, graph: &Graph, index: usize) {
     words(text, &[", faster than tree `", graph.name, "`, which is ticked with cycle_hz = "]);
     text.push_number(graph.cycle_hz as f64);
     text.push("; lower the component's hz or raise the tree's cycle_hz");
-}
-
-/// Adds pieces of text.
-pub(super) const fn words(text: &mut Message, pieces: &[&str]) {
-    let mut piece = 0;
-    while piece < pieces.len() {
-        text.push(pieces[piece]);
-        piece += 1;
-    }
 }

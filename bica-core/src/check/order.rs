@@ -1,10 +1,10 @@
-//! Cycles, and the order of what has none.
+//! Activation cycles, and the topological order.
 
 use super::{CAPACITY, Path, Set};
 use crate::graph::Node;
 
-/// The rank of each node in a topological order: a permutation in which every activator comes before what it activates,
-/// and the order of the list decides where nothing else does. Entries behind the last node are `N`.
+/// Returns the rank of each node in a topological order: a permutation in which every activator comes before what it activates,
+/// and nodes without an order between them keep that of the list. Entries behind the last node are `N`.
 ///
 /// With an activation cycle the nodes on it and behind it come last.
 ///
@@ -28,7 +28,7 @@ pub const fn ranks<const N: usize>(nodes: &[Node]) -> [usize; N] {
     ranks
 }
 
-/// How many links end at each node.
+/// Returns the number of links that end at each node.
 ///
 /// # Panics
 /// If `nodes` has more than `N` entries.
@@ -64,7 +64,7 @@ const fn next_free<const N: usize>(len: usize, ranks: &[usize; N], activators: &
     waiting
 }
 
-/// A way from a component over its links back to itself, with that component at both ends; `None` if there is none.
+/// Returns a path from a component over links back to itself, with that component at both ends; `None` if there is none.
 ///
 /// The path starts at the one of its components that is listed first.
 ///
@@ -88,7 +88,7 @@ pub const fn cycle(nodes: &[Node]) -> Option<Path> {
     Some(closed(nodes, &ended, start))
 }
 
-/// The nodes from which every way ends.
+/// The nodes from which every path ends.
 const fn ended(nodes: &[Node]) -> Set {
     let mut ended = Set::EMPTY;
     let mut changed = true;
@@ -107,7 +107,7 @@ const fn ended(nodes: &[Node]) -> Set {
     ended
 }
 
-/// Where the first link of `node` leads from which ways go on forever, or `CAPACITY` if none does.
+/// The target of the first link of `node` from which a path does not end, or `CAPACITY` if there is none.
 const fn onward(nodes: &[Node], ended: &Set, node: usize) -> usize {
     let mut link = 0;
     while link < nodes[node].links.len() {

@@ -1,9 +1,9 @@
-//! What can become active at all: components from the root, states from the initial one.
+//! Reachability: of components from the root, of states from the initial one.
 
 use super::{Path, Set};
 use crate::graph::{Graph, LinkKind, Node};
 
-/// The components that some sequence of states can activate.
+/// Returns the components that some sequence of states can activate.
 ///
 /// # Panics
 /// If there are more than [`CAPACITY`](super::CAPACITY) nodes.
@@ -27,7 +27,7 @@ pub const fn reachable(graph: &Graph) -> Set {
     reached
 }
 
-/// The components that nothing can ever activate, in the order of the list.
+/// Returns the components that no component reachable from the root can activate, in the order of the list.
 ///
 /// # Panics
 /// If there are more than [`CAPACITY`](super::CAPACITY) nodes.
@@ -45,7 +45,7 @@ pub const fn unreachable(graph: &Graph) -> Path {
     path
 }
 
-/// What a component can activate, whatever its state.
+/// Returns what a component can activate in any of its states.
 pub(super) const fn all_links(node: &Node) -> Set {
     let states = states_reached(node);
     let mut to = Set::EMPTY;
@@ -63,7 +63,7 @@ pub(super) const fn all_links(node: &Node) -> Set {
     to
 }
 
-/// What a component activates through the links of one state, or those that always hold.
+/// Returns what a component activates through the links of one state, or those that always hold.
 pub(super) const fn links_in(node: &Node, state: Option<usize>, requirements_only: bool) -> Set {
     let mut to = Set::EMPTY;
     let mut link = 0;
@@ -82,7 +82,7 @@ pub(super) const fn links_in(node: &Node, state: Option<usize>, requirements_onl
     to
 }
 
-/// The states that a machine can be in, by index in [`Node::states`].
+/// Returns the states that a machine can reach, by index in [`Node::states`].
 ///
 /// # Panics
 /// If there are more than [`CAPACITY`](super::CAPACITY) states.
@@ -98,9 +98,9 @@ pub const fn states_reached(node: &Node) -> Set {
     }
     let mut transition = 0;
     while transition < node.transitions.len() {
-        let way = &node.transitions[transition];
-        if reached.contains(way.from) && !reached.contains(way.to) {
-            reached = reached.with(way.to);
+        let edge = &node.transitions[transition];
+        if reached.contains(edge.from) && !reached.contains(edge.to) {
+            reached = reached.with(edge.to);
             transition = 0;
         } else {
             transition += 1;

@@ -1,15 +1,15 @@
-//! The words for a sum that is too large: each share, and the situation.
+//! The message for a sum that is too large: each share, and the states of the machines.
 
-use super::message::{Message, push_given, words};
 use super::weight::Weight;
+use super::wording::{Message, push_given, words};
 use super::worst_case::order;
 use super::{CAPACITY, Choice, WorstCase};
 use crate::graph::{Graph, Node};
 
-/// How many of the largest shares of the load are listed.
+/// Number of shares of the load that are listed, the largest ones.
 const LARGEST: usize = 8;
 
-/// Of how many machines it is said what they do.
+/// Number of machines whose states are listed.
 const SITUATION: usize = 8;
 
 pub(super) const fn over_budget(text: &mut Message, graph: &Graph, chain: &WorstCase) {
@@ -77,7 +77,7 @@ struct Shares<'a> {
 }
 
 impl Shares<'_> {
-    /// Adds the share of a component, unless it is none.
+    /// Adds the share of a component, unless it is zero.
     const fn push(&mut self, index: usize, weight: f64) {
         if weight > 0.0 {
             words(self.text, &[if self.listed == 0 { "" } else { " + " }, self.graph.nodes[index].name, " "]);
@@ -88,7 +88,7 @@ impl Shares<'_> {
     }
 }
 
-/// In which states the worst happens, for the first machines at least.
+/// Adds the states of the worst case, for the first machines.
 const fn situation(text: &mut Message, graph: &Graph, worst: &WorstCase) {
     let mut named = 0;
     let mut index = 0;
@@ -106,15 +106,18 @@ const fn situation(text: &mut Message, graph: &Graph, worst: &WorstCase) {
     }
 }
 
-/// What a machine does.
+/// Adds what a machine does.
 const fn doing(text: &mut Message, node: &Node, choice: Choice) {
     words(text, &["`", node.name, "`"]);
     match choice {
         Choice::None => {}
         Choice::State(state) => words(text, &[" is in `", node.states[state].name, "`"]),
-        Choice::Transition(way) => {
-            let way = &node.transitions[way];
-            words(text, &[" goes from `", node.states[way.from].name, "` to `", node.states[way.to].name, "`"]);
+        Choice::Transition(transition) => {
+            let transition = &node.transitions[transition];
+            words(
+                text,
+                &[" goes from `", node.states[transition.from].name, "` to `", node.states[transition.to].name, "`"],
+            );
         }
         Choice::Any => text.push(" is in any state"),
     }

@@ -1,4 +1,4 @@
-//! Text written by const functions.
+//! Text that const functions can write.
 
 /// Text of at most `N` bytes; what does not fit is cut off at a whole character.
 #[derive(Clone, Copy, Debug)]

@@ -11,15 +11,15 @@ pub enum Violation {
     TooManyComponents(usize),
     /// A component, by index, with more states than [`CAPACITY`].
     TooManyStates(usize),
-    /// A rate or a budget that is none.
+    /// A rate or a budget that is not a valid number.
     BadNumber(Number),
-    /// Components that activate each other round; see [`cycle`].
+    /// Components that activate each other in a cycle; see [`cycle`].
     Cycle(Path),
     /// Components that nothing can ever activate; see [`unreachable()`].
     Unreachable(Path),
-    /// A component, by index, that is to run more often than the tree.
+    /// A component, by index, that declares a higher rate than the tree.
     TooFast(usize),
-    /// What can run in one cycle takes longer than the tree's budget; see [`longest_chain`].
+    /// The components that can run in one cycle take longer than the tree's budget; see [`longest_chain`].
     OverBudget(WorstCase),
     /// The active components need more than a whole processor; see [`load`].
     Overload(WorstCase),
@@ -38,7 +38,7 @@ pub enum Number {
     BudgetUs(usize),
 }
 
-/// The first broken rule of a tree; `None` if all is well.
+/// Returns the first broken rule of a tree; `None` if it breaks none.
 #[must_use]
 pub const fn first_violation(graph: &Graph) -> Option<Violation> {
     if graph.nodes.len() > CAPACITY {

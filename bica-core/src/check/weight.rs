@@ -1,4 +1,4 @@
-//! What a component weighs: the time of one run, or its share of a processor.
+//! Weight of a component: the time of one run, or its share of a processor.
 
 use super::CAPACITY;
 use crate::graph::{Graph, Node};
@@ -19,7 +19,7 @@ pub(super) const fn hz(graph: &Graph, node: &Node) -> f64 {
     }
 }
 
-/// Which sum is sought.
+/// The sum that is searched.
 #[derive(Clone, Copy)]
 pub(super) enum Weight {
     Time,

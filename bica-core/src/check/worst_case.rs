@@ -1,4 +1,4 @@
-//! The worst that the states of a tree can combine to.
+//! Search for the combination of states with the largest sum.
 //!
 //! A tick is one call chain, so what can run in one cycle is the set of components that it visits, each once. Which they
 //! are depends on the machines among them: in one cycle a machine is in one state, with its links, or takes one
@@ -16,8 +16,8 @@ use super::weight::Weight;
 use super::{CAPACITY, Set, ranks};
 use crate::graph::{Graph, Node};
 
-/// How many branches the checks search before they settle for an upper bound: as many as keep the compiler's work to some
-/// tenths of a second, 2400 for a tree of twenty components.
+/// Returns how many branches the checks search before they take an upper bound: so many that the compiler needs some
+/// tenths of a second; 2400 for a tree of twenty components.
 #[must_use]
 pub const fn steps(graph: &Graph) -> usize {
     50_000 / (graph.nodes.len() + 1)
@@ -32,7 +32,7 @@ pub enum Choice {
     State(usize),
     /// Takes a transition, by index in [`Node::transitions`].
     Transition(usize),
-    /// Anything: not decided within the limit.
+    /// Not decided within the limit: any of its states and transitions.
     Any,
 }
 
@@ -49,7 +49,7 @@ pub struct WorstCase {
     pub exact: bool,
 }
 
-/// The longest time that one cycle can take by the declared budgets, in µs: the set of components that can run in one
+/// Returns the longest time that one cycle can take by the declared budgets, in µs: the set of components that can run in one
 /// cycle with the largest sum of budgets. A component without a budget counts nothing.
 ///
 /// With an activation cycle in the graph the result has no meaning.
@@ -61,7 +61,7 @@ pub const fn longest_chain(graph: &Graph, steps: usize) -> WorstCase {
     Search::new(graph, Weight::Time, steps).run()
 }
 
-/// The largest share of a processor that the tree can need while its machines stay in their states: Σ budget × rate of
+/// Returns the largest share of a processor that the tree can need while its machines stay in their states: Σ budget × rate of
 /// the active components, 1 being all of it. A component without a rate runs in every cycle; one without a budget counts
 /// nothing.
 ///
@@ -185,17 +185,17 @@ impl<'g> Search<'g> {
     /// Transitions come first: they include the state that they enter.
     const fn option(&self, index: usize, mut next: usize) -> (Choice, Set, usize) {
         let node = &self.graph.nodes[index];
-        let ways = if self.transitions { node.transitions.len() } else { 0 };
-        while next < ways {
-            let way = &node.transitions[next];
-            if self.states[index].contains(way.from) {
-                let read = links_in(node, Some(way.from), true);
-                return (Choice::Transition(next), read.union(links_in(node, Some(way.to), false)), next + 1);
+        let transitions = if self.transitions { node.transitions.len() } else { 0 };
+        while next < transitions {
+            let transition = &node.transitions[next];
+            if self.states[index].contains(transition.from) {
+                let read = links_in(node, Some(transition.from), true);
+                return (Choice::Transition(next), read.union(links_in(node, Some(transition.to), false)), next + 1);
             }
             next += 1;
         }
-        while next - ways < node.states.len() {
-            let state = next - ways;
+        while next - transitions < node.states.len() {
+            let state = next - transitions;
             if self.states[index].contains(state) {
                 return (Choice::State(state), links_in(node, Some(state), false), next + 1);
             }
@@ -231,7 +231,7 @@ impl<'g> Search<'g> {
         (active, sum)
     }
 
-    /// Takes the upper bound of a branch for its worst.
+    /// Takes the upper bound of a branch as its sum.
     const fn give_up(&mut self, mut place: usize, active: Set, sum: f64) {
         self.best = WorstCase { sum, active, choices: self.choices, exact: false };
         while place < self.graph.nodes.len() {

@@ -31,6 +31,7 @@ impl Tolerance {
 /// The last grid point of a component.
 ///
 /// Differences between instants are taken modulo 2⁶⁴ ticks, so a clock may wrap around.
+#[derive(PartialEq)]
 pub(crate) struct Grid {
     /// The last grid point minus the time that a run may be early, in clock ticks.
     origin: Cell<u64>,
@@ -41,6 +42,11 @@ pub(crate) struct Grid {
 impl Grid {
     pub(crate) const fn new() -> Self {
         Self { origin: Cell::new(0), fraction: Cell::new(0) }
+    }
+
+    pub(crate) fn copy_from(&self, other: &Self) {
+        self.origin.set(other.origin.get());
+        self.fraction.set(other.fraction.get());
     }
 
     /// Starts a grid at `now`.

@@ -49,10 +49,10 @@ pub(super) fn machine(node: &Node, f: &mut Formatter<'_>) -> Result {
             writeln!(f, "  start [shape=point];\n  start -> s{index};")?;
         }
     }
-    for way in node.transitions {
-        let label = transition(way);
-        let tooltip = quoted(&way.doc);
-        writeln!(f, "  s{} -> s{} [label={}, tooltip={tooltip}];", way.from, way.to, quoted(&label))?;
+    for edge in node.transitions {
+        let label = transition(edge);
+        let tooltip = quoted(&edge.doc);
+        writeln!(f, "  s{} -> s{} [label={}, tooltip={tooltip}];", edge.from, edge.to, quoted(&label))?;
     }
     f.write_str("}\n")
 }

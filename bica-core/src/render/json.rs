@@ -39,9 +39,9 @@ fn state(f: &mut Formatter<'_>, state: &State) -> Result {
     write!(f, "\"initial\": {}, \"last\": {}}}", state.initial, state.last)
 }
 
-fn transition(f: &mut Formatter<'_>, way: &Transition) -> Result {
-    write!(f, "{{\"name\": {}, \"doc\": {}, ", quoted(way.name), quoted(way.doc))?;
-    write!(f, "\"from\": {}, \"to\": {}, \"after_ms\": {}}}", way.from, way.to, or_null(way.after_ms))
+fn transition(f: &mut Formatter<'_>, edge: &Transition) -> Result {
+    write!(f, "{{\"name\": {}, \"doc\": {}, ", quoted(edge.name), quoted(edge.doc))?;
+    write!(f, "\"from\": {}, \"to\": {}, \"after_ms\": {}}}", edge.from, edge.to, or_null(edge.after_ms))
 }
 
 fn list<T>(f: &mut Formatter<'_>, items: &[T], item: fn(&mut Formatter<'_>, &T) -> Result) -> Result {

@@ -27,10 +27,10 @@ pub(super) fn states(arrow: Arrow<'_>) -> impl Display {
 }
 
 /// A transition's name and timer: `ball_lost, after 1500 ms`.
-pub(super) fn transition(way: &Transition) -> impl Display {
+pub(super) fn transition(edge: &Transition) -> impl Display {
     from_fn(|f| {
-        f.write_str(way.name)?;
-        way.after_ms.map_or(Ok(()), |after| write!(f, ", after {after} ms"))
+        f.write_str(edge.name)?;
+        edge.after_ms.map_or(Ok(()), |after| write!(f, ", after {after} ms"))
     })
 }
 

@@ -46,9 +46,9 @@ pub(super) fn machine(node: &Node, f: &mut Formatter<'_>) -> Result {
             writeln!(f, "  s{index} --> [*]")?;
         }
     }
-    for way in node.transitions {
-        let label = transition(way);
-        writeln!(f, "  s{} --> s{}: {}", way.from, way.to, escaped(&label))?;
+    for edge in node.transitions {
+        let label = transition(edge);
+        writeln!(f, "  s{} --> s{}: {}", edge.from, edge.to, escaped(&label))?;
     }
     Ok(())
 }

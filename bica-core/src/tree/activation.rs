@@ -27,6 +27,7 @@ const INTERRUPTED: u8 = 5;
 /// It is a byte for each component and not a bit, so that the processor can write those of two components
 /// independently. A component that is not visited any more loses its parity at the end of the cycle, so the parity of an
 /// old cycle is never taken for that of a new one.
+#[derive(PartialEq)]
 pub(crate) struct Activation {
     value: Cell<u8>,
     hold: Cell<Hold>,
@@ -94,6 +95,11 @@ impl Activation {
     /// Returns, between two cycles, whether the component was visited in the last one.
     pub(crate) fn is_active(&self, last: Parity) -> bool {
         self.was_visited(last) || matches!(self.value.get(), LEAVING | INTERRUPTED)
+    }
+
+    pub(crate) fn copy_from(&self, other: &Self) {
+        self.value.set(other.value.get());
+        self.hold.set(other.hold.get());
     }
 
     pub(crate) fn held(&self) -> Hold {

@@ -31,7 +31,7 @@ impl Policy {
     }
 }
 
-/// Times, in ticks of the clock, state and activation of one component.
+/// Times, in clock ticks, state and activation of one component.
 pub struct ComponentState {
     grid: Grid,
     /// Instant of the last run.
@@ -116,6 +116,20 @@ impl ComponentState {
     pub(crate) fn enter(&self, state: usize, now: Instant) {
         self.state.set(state as u16);
         self.entered.set(now.as_ticks());
+    }
+
+    /// Takes over what is stored of a component of another tree.
+    pub(crate) fn copy_from(&self, other: &Self) {
+        self.grid.copy_from(&other.grid);
+        self.ran.set(other.ran.get());
+        self.entered.set(other.entered.get());
+        self.state.set(other.state.get());
+        self.activation.copy_from(&other.activation);
+    }
+
+    /// Whether all that decides about visits and runs is the same.
+    pub(crate) fn behaves_as(&self, other: &Self) -> bool {
+        self.grid == other.grid && self.state == other.state && self.activation == other.activation
     }
 
     /// Returns the index of the state of an active state machine.

@@ -13,6 +13,7 @@ use crate::rate::Period;
 const RECHECKED: u8 = 2;
 
 /// The time and the parity of a cycle, and whether the active set may differ from that of the previous cycle.
+#[derive(PartialEq)]
 pub(crate) struct CycleState {
     now: Cell<u64>,
     parity: Cell<Parity>,
@@ -77,6 +78,14 @@ impl CycleState {
             recheck: Cell::new(0),
             interrupted: Cell::new(false),
         }
+    }
+
+    pub(crate) fn copy_from(&self, other: &Self) {
+        self.now.set(other.now.get());
+        self.parity.set(other.parity.get());
+        self.previous.set(other.previous.get());
+        self.recheck.set(other.recheck.get());
+        self.interrupted.set(other.interrupted.get());
     }
 
     /// Begins a cycle.

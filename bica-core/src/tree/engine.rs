@@ -61,6 +61,33 @@ impl<T: Layout> Engine<T> {
         self.component_state(component).is_some_and(|state| state.activation().is_active(last))
     }
 
+    /// Takes over what the engine of another tree stores from cycle to cycle, without the components and their rates.
+    ///
+    /// For tests that explore the sequences of ticks as a tree.
+    pub fn copy_state_from(&mut self, other: &Self) {
+        self.store.cycle_state().copy_from(other.store.cycle_state());
+        for index in order::<T>().map(ComponentId::new) {
+            if let (Some(state), Some(other)) = (self.component_state(index), other.component_state(index)) {
+                state.copy_from(other);
+            }
+        }
+        self.held_active = other.held_active;
+    }
+
+    /// Whether all that decides about visits and runs is the same as in another tree.
+    ///
+    /// Times in states and since runs are left out: the engine reads them only for timers and `&Time`.
+    #[must_use]
+    pub fn behaves_as(&self, other: &Self) -> bool {
+        let same = |index| match (self.component_state(index), other.component_state(index)) {
+            (Some(state), Some(other)) => state.behaves_as(other),
+            _ => false,
+        };
+        self.store.cycle_state() == other.store.cycle_state()
+            && self.held_active == other.held_active
+            && order::<T>().map(ComponentId::new).all(same)
+    }
+
     fn component_state(&self, component: ComponentId) -> Option<&ComponentState> {
         T::component_state(self.store.slots(), component.index())
     }

@@ -5,11 +5,14 @@
 //! itself (`recursion_limit`, 128): a long chain of components would exceed that. As functions of the generated
 //! implementations each component has its own.
 
-/// The functions of `Has<$component>` that visit the component.
+/// The functions of `Has<$component>` that visit the component; `$pass` is the macro that calls `MemberOf::pass`.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __visit_functions {
     ($component:ty) => {
+        $crate::__visit_functions!($component, __pass);
+    };
+    ($component:ty, $pass:ident) => {
         #[inline]
         fn visit<__P: $crate::__private::Probe>(cycle: &mut $crate::__private::Cycle<'_, Self, __P>) {
             if !const { $crate::__private::is_shared::<Self, $component>() } {
@@ -33,7 +36,7 @@ macro_rules! __visit_functions {
                     if !visit.due {
                         cycle.skip::<$component>();
                     }
-                    $crate::__pass!($component, cycle, visit);
+                    $crate::$pass!($component, cycle, visit);
                     if visit.due {
                         cycle.end_run::<$component>();
                     }
@@ -48,7 +51,7 @@ macro_rules! __visit_functions {
             };
             if !outcome.is_closed() {
                 let visit = $crate::__private::Visit { due: true, entering: outcome.is_entering() };
-                $crate::__pass!($component, cycle, visit);
+                $crate::$pass!($component, cycle, visit);
                 cycle.end_run::<$component>();
             }
         }
@@ -64,7 +67,7 @@ macro_rules! __visit_functions {
             }
             cycle.skip::<$component>();
             let visit = $crate::__private::Visit { due: false, entering: false };
-            $crate::__pass!($component, cycle, visit);
+            $crate::$pass!($component, cycle, visit);
             $crate::__private::VisitOutcome::CLOSED
         }
     };
@@ -85,4 +88,13 @@ macro_rules! __pass {
         }
         pass::<Self, __P>($cycle, $visit);
     }};
+}
+
+/// As `__pass`, for a component that names parameters of the impl block; a function in between could not name them.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __pass_of_generic {
+    ($component:ty, $cycle:ident, $visit:ident) => {
+        <$component as $crate::__private::MemberOf<Self>>::pass($cycle, $visit)
+    };
 }

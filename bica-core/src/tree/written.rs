@@ -1,6 +1,7 @@
 //! Links as signatures write them.
 //!
-//! Two signatures can write one component by two paths. A macro cannot tell; the indices in a tree can.
+//! Two signatures can name one component by two paths. A macro reads only the paths, so it cannot recognise that; the
+//! indices in a tree are equal.
 
 use crate::check::Text;
 use crate::graph::{Link, LinkKind};

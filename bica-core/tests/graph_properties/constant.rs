@@ -24,7 +24,7 @@ fn constants_say_what_calls_say() {
 }
 
 const STATES: [State; 3] = [State { initial: true, ..state("a") }, state("b"), state("c")];
-const WAYS: [Transition; 3] = [way(0, 1), way(1, 2), way(2, 0)];
+const TRANSITIONS: [Transition; 3] = [way(0, 1), way(1, 2), way(2, 0)];
 
 /// In each of three states each component activates another of the next three.
 static LINKS: [[Link; 3]; CAPACITY] = {
@@ -42,7 +42,8 @@ static MACHINES: [Node; CAPACITY] = {
     let mut index = 0;
     while index < CAPACITY - 3 {
         let budget_us = Some(1.0 + (index * 7 % 13) as f32);
-        nodes[index] = Node { links: &LINKS[index], states: &STATES, transitions: &WAYS, budget_us, ..node("Machine") };
+        nodes[index] =
+            Node { links: &LINKS[index], states: &STATES, transitions: &TRANSITIONS, budget_us, ..node("Machine") };
         index += 1;
     }
     nodes

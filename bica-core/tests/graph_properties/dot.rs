@@ -119,7 +119,7 @@ fn check_machine(node: &Node) {
         .map(|(index, a)| (a["label"].replace('\n', " "), starts.contains(&index), a.contains_key("peripheries")));
     assert_eq!(boxes.collect::<Vec<_>>(), drawn::states(node));
     let ways = of_edges(&statements).map(|(from, to, a)| (from, to, a["label"].replace('\n', " ")));
-    assert_eq!(ways.collect::<Vec<_>>(), drawn::ways(node));
+    assert_eq!(ways.collect::<Vec<_>>(), drawn::transitions(node));
 }
 
 proptest! {

@@ -1,4 +1,4 @@
-//! What the drawings of a graph are to show, said once for all languages.
+//! What the drawings of a graph have to show, in all languages.
 
 use std::collections::BTreeSet;
 
@@ -37,7 +37,7 @@ fn when(graph: &Graph, from: usize, like: &bica_core::graph::Link) -> String {
 }
 
 /// The transitions of a machine: from, to, label. In their order, since several may look the same.
-pub(crate) fn ways(node: &Node) -> Vec<(usize, usize, String)> {
+pub(crate) fn transitions(node: &Node) -> Vec<(usize, usize, String)> {
     let after =
         |way: &bica_core::graph::Transition| way.after_ms.map_or(String::new(), |ms| format!(", after {ms} ms"));
     node.transitions.iter().map(|way| (way.from, way.to, shown(way.name) + &after(way))).collect()

@@ -39,7 +39,7 @@ pub(crate) fn any_graph(most: usize) -> impl Strategy<Value = Graph> {
         .prop_map(|(drafts, root)| graph(&drafts, root.index(drafts.len()), |_, to| Some(to.index(drafts.len()))))
 }
 
-/// Graphs of up to `most` components without a cycle, in an order of the list that says nothing.
+/// Graphs of up to `most` components without a cycle, listed in a random order.
 pub(crate) fn acyclic_graph(most: usize) -> impl Strategy<Value = Graph> {
     prop::collection::vec(draft(), 1..=most)
         .prop_flat_map(|drafts| {

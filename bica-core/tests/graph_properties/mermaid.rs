@@ -75,7 +75,7 @@ fn check_machine(node: &Node) {
         let index = |word: &str| word[1..].parse().expect("an index");
         (index(from), index(to), plain(label))
     });
-    assert_eq!(ways.collect::<Vec<_>>(), drawn::ways(node));
+    assert_eq!(ways.collect::<Vec<_>>(), drawn::transitions(node));
 }
 
 proptest! {

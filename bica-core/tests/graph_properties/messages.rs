@@ -6,7 +6,7 @@ use bica_core::graph::{Graph, Node, State};
 use crate::build::{graph, in_state, node, state, to, way};
 
 #[track_caller]
-fn says(graph: Graph, words: &str) {
+fn reports(graph: Graph, words: &str) {
     let violation = first_violation(&graph).expect("a rule is broken");
     assert_eq!(message(&graph, &violation).as_str(), words);
     let panic = std::panic::catch_unwind(|| check(&graph)).expect_err("the check panics");
@@ -21,23 +21,23 @@ fn cycle_starts_with_the_first_listed() {
         Node { links: &[to(3)], ..node("Walk") },
         Node { links: &[to(1)], ..node("Head") },
     ];
-    says(graph(&NODES), "activation cycle: FaceBall -> Head -> FaceBall");
+    reports(graph(&NODES), "activation cycle: FaceBall -> Head -> FaceBall");
 }
 
 #[test]
 fn cycle_of_one() {
     const NODES: [Node; 1] = [Node { links: &[to(0)], ..node("Player") }];
-    says(graph(&NODES), "activation cycle: Player -> Player");
+    reports(graph(&NODES), "activation cycle: Player -> Player");
 }
 
 #[test]
 fn unreachable() {
-    says(
+    reports(
         graph(const { &[node("Player"), node("Head")] }),
         "component `Head` of tree `Forward` can never be activated: no component reachable from the root `Player` \
          links to it; link it or remove it from the list",
     );
-    says(
+    reports(
         graph(const { &[node("Player"), node("Head"), node("Body")] }),
         "components `Head`, `Body` of tree `Forward` can never be activated: no component reachable from the root \
          `Player` links to them; link them or remove them from the list",
@@ -51,11 +51,11 @@ fn figures() {
     for (hz, written) in [(0.0, "0"), (-2.5, "-2.5"), (f32::NAN, "NaN"), (f32::INFINITY, "inf")] {
         let cycle =
             format!("tree `Forward` has cycle_hz = {written}{none}write how often per second the tree is ticked");
-        says(Graph { cycle_hz: hz, ..fine }, &cycle);
+        reports(Graph { cycle_hz: hz, ..fine }, &cycle);
         let nodes = Box::leak(Box::new([Node { hz: Some(hz), ..node("Player") }]));
         let rate =
             format!("component `Player` has hz = {written}{none}give one, or leave it out to run in every cycle");
-        says(graph(nodes), &rate);
+        reports(graph(nodes), &rate);
     }
     for (budget, written) in [(-0.125, "-0.125"), (f32::NAN, "NaN"), (f32::NEG_INFINITY, "-inf")] {
         let nodes = Box::leak(Box::new([Node { budget_us: Some(budget), ..node("Player") }]));
@@ -63,9 +63,9 @@ fn figures() {
             "component `Player` has budget_us = {written}: a budget is a finite number, not below 0; give one, or leave \
              it out to count nothing"
         );
-        says(graph(nodes), &share);
+        reports(graph(nodes), &share);
     }
-    says(
+    reports(
         Graph { budget_ms: Some(0.0), ..fine },
         "tree `Forward` has budget_ms = 0: a cycle's budget is a finite number above 0; give it, or leave it out for \
          no limit",
@@ -74,7 +74,7 @@ fn figures() {
 
 #[test]
 fn too_fast() {
-    says(
+    reports(
         graph(const { &[Node { hz: Some(100.5), ..node("Player") }] }),
         "component `Player` has hz = 100.5, faster than tree `Forward`, which is ticked with cycle_hz = 100; lower the \
          component's hz or raise the tree's cycle_hz",
@@ -97,7 +97,7 @@ fn over_budget() {
         Node { budget_us: Some(214_970.5), hz: Some(1.0), links: &[to(3)], ..node("FollowBall") },
         node("Body"),
     ];
-    says(
+    reports(
         Graph { budget_ms: Some(200.0), ..graph(&NODES) },
         "one cycle of tree `Forward` can take too long: Player 20 µs + FollowBall 214970.5 µs = 214.9905 ms > \
          budget_ms = 200, while `Player` goes from `look` to `walk`; lower budgets, or let fewer components run in one \
@@ -112,7 +112,7 @@ fn overload() {
         Node { budget_us: Some(1e6), hz: Some(1.5), ..node("Head") },
         Node { budget_us: Some(9e3), ..node("FollowBall") },
     ];
-    says(
+    reports(
         graph(&NODES),
         "tree `Forward` needs more than one processor: Head 150 % + Player 0.2 % = 150.2 % > 100 % (budget × hz), while \
          `Player` is in `look`; lower budgets or rates",
@@ -122,10 +122,10 @@ fn overload() {
 #[test]
 fn too_many() {
     let nodes = Box::leak(vec![node("Player"); 257].into_boxed_slice());
-    says(graph(nodes), "tree `Forward` lists 257 components, and a tree can be checked for 256 at most; merge some");
+    reports(graph(nodes), "tree `Forward` lists 257 components, and a tree can be checked for 256 at most; merge some");
     let states = Box::leak(vec![state("wait"); 300].into_boxed_slice());
     let nodes = Box::leak(Box::new([Node { states, ..node("Player") }]));
-    says(
+    reports(
         graph(nodes),
         "component `Player` has 300 states, and a machine can be checked for 256 at most; make a component of some",
     );

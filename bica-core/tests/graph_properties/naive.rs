@@ -7,7 +7,7 @@ use bica_core::graph::{Graph, LinkKind, Node};
 use petgraph::graph::{DiGraph, NodeIndex};
 use petgraph::visit::Dfs;
 
-/// All links, as the library wants them.
+/// All links, in the form that the graph library takes.
 pub(crate) fn library(nodes: &[Node]) -> DiGraph<(), ()> {
     of_edges(
         nodes.len(),

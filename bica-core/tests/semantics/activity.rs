@@ -2,7 +2,7 @@
 
 use super::*;
 
-/// Writes its hooks down, for components know nothing of the probe.
+/// Counts the calls of its hooks, which a probe does not see.
 macro_rules! hooked {
     ($name:ident, $rate:literal, $($step:item)?) => {
         #[derive(Default)]
@@ -134,7 +134,7 @@ fn a_component_that_the_tree_does_not_list_is_never_active() {
 }
 
 #[test]
-fn a_monitor_sees_each_component_as_it_is() {
+fn the_status_of_each_component_is_current() {
     let mut tree = Lamp::new();
     let [child, switch] = [Lamp::id::<Child>(), Lamp::id::<Switch>()];
     let latent = Status { active: false, held: Hold::Tree, state: None, since: None, hz: Some(1.0) };

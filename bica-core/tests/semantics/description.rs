@@ -1,4 +1,4 @@
-//! What a tree says of itself.
+//! The description of a tree.
 
 use bica_core::graph::{LinkKind, Node, Transition};
 
@@ -93,6 +93,6 @@ fn transitions_are_listed_as_they_are_tried() {
 
 #[test]
 fn generic_components_are_listed_as_written() {
-    let names: Vec<_> = super::loans::Cells::GRAPH.nodes.iter().map(|node| node.name).collect();
+    let names: Vec<_> = super::borrows::Cells::GRAPH.nodes.iter().map(|node| node.name).collect();
     assert_eq!(names, ["Sum<1>", "Cell<0>", "Cell<1>", "Cell<2>", "Cell<3>"]);
 }

@@ -1,4 +1,4 @@
-//! Overruling the tree from outside.
+//! Holding components active or latent.
 
 use super::activity::{Child, Lamp, Parent, Switch};
 use super::*;
@@ -42,7 +42,7 @@ fn a_latent_root_stops_the_tree() {
 }
 
 #[test]
-fn the_last_hold_counts() {
+fn the_last_hold_applies() {
     let mut tree = Lamp::new();
     tree.hold::<Child>(Hold::Latent);
     tree.hold::<Child>(Hold::Active);

@@ -27,7 +27,7 @@ impl Search {
     }
 }
 
-/// Writes down what is called.
+/// Records the calls of its functions.
 pub(crate) struct Player {
     pub(crate) calls: Vec<&'static str>,
 }
@@ -94,7 +94,7 @@ activation_tree! {
     }
 }
 
-/// Activates the machines that a test wants, by hold.
+/// Activates both machines; tests hold what they do not need latent.
 pub(crate) struct Coach;
 
 #[component(crate = bica_core)]
@@ -106,7 +106,7 @@ impl Coach {
     fn step(&mut self, player: &mut Player, resumer: &mut Resumer) {}
 }
 
-/// Two states, one after the other, and no way back.
+/// Two states, one after the other, without a transition back.
 pub(crate) struct Resumer;
 
 #[component(resume, crate = bica_core)]
@@ -177,7 +177,7 @@ fn the_children_change_with_the_state() {
 }
 
 #[test]
-fn what_a_state_modulates_runs_after_it_also_if_a_transition_reads_it() {
+fn a_modulated_child_runs_after_the_state_also_if_a_transition_reads_it() {
     let mut tree = Team::new();
     tree.hold::<Resumer>(Hold::Latent);
     tree.get_mut::<Ball>().near = true;
@@ -241,9 +241,9 @@ fn a_timer_tolerates_a_clock_that_is_set_back() {
 }
 
 #[test]
-fn its_own_code_is_two_stretches_around_the_new_children() {
-    struct Stretches(Vec<&'static str>);
-    impl Probe for Stretches {
+fn a_transition_splits_the_own_code_in_two_sections_around_the_new_children() {
+    struct Sections(Vec<&'static str>);
+    impl Probe for Sections {
         fn begin(&mut self, component: bica_core::ComponentId) {
             self.0.push(Team::GRAPH.nodes[component.index()].name);
         }
@@ -256,8 +256,26 @@ fn its_own_code_is_two_stretches_around_the_new_children() {
     tree.hold::<Resumer>(Hold::Latent);
     tree.get_mut::<Ball>().near = true;
     tree.tick(at(0));
-    let mut stretches = Stretches(Vec::new());
+    let mut stretches = Sections(Vec::new());
     tree.tick_with(at(400), &mut stretches);
     let expected = ["Coach", "end", "Player", "end", "Ball", "end", "Player", "end"];
     assert_eq!(stretches.0, expected);
+}
+
+#[test]
+fn a_state_is_known_by_its_name() {
+    let mut tree = Team::new();
+    assert_eq!(tree.state_name::<Player>(), None, "never active");
+    tree.tick(at(0));
+    assert_eq!(tree.state_name::<Player>(), Some("look"));
+    tree.get_mut::<Ball>().near = true;
+    tree.tick(at(10));
+    assert_eq!(tree.state_name::<Player>(), Some("walk"));
+    assert_eq!(tree.state_name_at(Team::id::<Player>()), Some("walk"));
+    tree.hold::<Coach>(Hold::Latent);
+    tree.tick(at(20));
+    assert!(!tree.is_active(Team::id::<Player>()));
+    assert_eq!(tree.state_name::<Player>(), Some("walk"), "the state in which it became latent");
+    assert_eq!(tree.state_name::<Coach>(), None, "no states");
+    assert_eq!(tree.state_name_at(bica_core::ComponentId::new(99)), None);
 }

@@ -1,17 +1,20 @@
 //! Each rule of the runtime by an example that shows it.
 
 mod activity;
+mod borrows;
 mod description;
 mod hold;
+mod jitter;
 mod large;
-mod loans;
 mod machine;
 mod order;
 mod paths;
 mod rate;
+mod requests;
 mod settled;
 mod stopwatch;
 mod time;
+mod unwinding;
 mod watch;
 
 use bica_core::{Duration, Hold, Instant, Probe, Rate, Status, Time, Tree};

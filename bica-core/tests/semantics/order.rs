@@ -1,4 +1,4 @@
-//! Once per cycle; what is required before, what is modulated after.
+//! Order of visits: each component once per cycle, required children before and modulated ones after.
 
 use super::*;
 
@@ -52,11 +52,78 @@ fn a_component_with_several_activators_runs_once() {
 }
 
 #[test]
-fn what_was_read_is_of_this_cycle_and_what_was_written_is_used_in_it() {
+fn values_read_are_of_this_cycle_and_values_written_are_used_in_it() {
     let mut tree = Chain::new();
     tree.get_mut::<Sensor>().truth = 7;
     tree.tick(at(0));
     assert_eq!(tree.get::<Motor>().moved_to, 14);
+}
+
+links! {
+    Parent(&Third, &mut Sixth, &First, &mut Fourth, &Second, &mut Fifth);
+    First();
+    Second();
+    Third();
+    Fourth();
+    Fifth();
+    Sixth();
+}
+
+activation_tree! {
+    pub(crate) struct Siblings {
+        root: Parent,
+        cycle_hz: 100,
+        components: [First, Second, Third, Fourth, Fifth, Sixth, Parent],
+        crate: bica_core,
+    }
+}
+
+#[test]
+fn siblings_are_visited_in_the_order_of_the_signature() {
+    let expected = ["Third", "First", "Second", "Parent", "Sixth", "Fourth", "Fifth"];
+    assert_eq!(runs(&mut Siblings::new(), 0), expected);
+}
+
+/// Links of a state: of its function, then of its entry hooks, its exit hooks, and the transitions that leave it.
+pub(crate) struct Chooser;
+
+#[component(crate = bica_core)]
+impl Chooser {
+    const fn new() -> Self {
+        Self
+    }
+
+    #[transition(here -> there)]
+    fn leaves(&self, _: &Fourth, _: &Sixth) -> bool {
+        false
+    }
+
+    #[exit(here)]
+    fn left(&mut self, _: &Third, _: &mut Second) {}
+
+    #[entry(here)]
+    fn entered(&mut self, _: &Fifth) {}
+
+    #[state(initial)]
+    fn here(&mut self, _: &mut First, _: &Sixth) {}
+
+    #[state(last)]
+    fn there(&mut self) {}
+}
+
+activation_tree! {
+    pub(crate) struct Choosing {
+        root: Chooser,
+        cycle_hz: 100,
+        components: [First, Second, Third, Fourth, Fifth, Sixth, Chooser],
+        crate: bica_core,
+    }
+}
+
+#[test]
+fn siblings_of_a_state_follow_its_function_its_hooks_and_its_transitions() {
+    let expected = ["Sixth", "Fifth", "Third", "Fourth", "Chooser", "First", "Second"];
+    assert_eq!(runs(&mut Choosing::new(), 0), expected);
 }
 
 pub(crate) struct Sensor {

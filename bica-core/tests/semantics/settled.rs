@@ -1,5 +1,5 @@
-//! Whatever machines and holds do: active is exactly what was visited in the last cycle, and each start and each stop is
-//! told once.
+//! Whatever machines and holds do: the active components are exactly those visited in the last cycle, and each start and
+//! each stop is reported once.
 
 use std::collections::BTreeSet;
 
@@ -26,7 +26,7 @@ macro_rules! leaf {
 }
 leaf! { Often; Seldom hz = 3; Shared; Deep hz = 10; }
 
-/// A machine that goes on to the next of its three states when told.
+/// A machine that enters the next of its three states while `goes` is set.
 macro_rules! machine {
     ($name:ident, [$($option:ident)?], ($($a:ty),*) ($($b:ty),*) ($($c:ty),*)) => {
         pub(crate) struct $name {
@@ -78,7 +78,7 @@ activation_tree! {
     }
 }
 
-/// Who was visited, became active and became latent in a cycle; twice is a mistake.
+/// The components that were visited, started and stopped in a cycle; none may be twice.
 #[derive(Default)]
 struct Seen {
     visited: BTreeSet<ComponentId>,

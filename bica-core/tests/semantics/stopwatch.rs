@@ -1,4 +1,4 @@
-//! What a stopwatch charges to whom, by a counter that the components' own code moves.
+//! The time that a stopwatch charges to each component, by a counter that the components' own code advances.
 
 use std::cell::Cell;
 
@@ -80,7 +80,7 @@ fn watched(cycles: u64) -> (Bench, Stopwatch<fn() -> u64, 4>) {
 }
 
 #[test]
-fn each_is_charged_with_its_own_code_and_no_hook() {
+fn a_component_is_charged_with_its_own_code_and_no_hook() {
     let (_, watch) = watched(5);
     let spent = |runs, last| Spent { runs, total: runs * last, last };
     assert_eq!(*watch.spent(), [spent(5, 1), spent(5, 20), spent(5, 300), spent(1, 4000)]);
@@ -89,7 +89,7 @@ fn each_is_charged_with_its_own_code_and_no_hook() {
 }
 
 #[test]
-fn one_read_serves_the_end_of_one_and_the_beginning_of_the_next() {
+fn adjacent_sections_share_one_read() {
     let (mut bench, mut watch) = watched(1);
     bench.hold::<Rare>(Hold::Latent);
     bench.tick_with(at(10), &mut watch);
@@ -107,7 +107,7 @@ fn a_counter_may_wrap_around() {
 }
 
 #[test]
-fn what_was_measured_can_be_forgotten() {
+fn a_reset_discards_what_was_measured() {
     let (mut bench, mut watch) = watched(3);
     watch.reset();
     assert_eq!(*watch.spent(), [Spent::default(); 4]);
@@ -116,7 +116,7 @@ fn what_was_measured_can_be_forgotten() {
 }
 
 #[test]
-fn what_it_does_not_measure_it_ignores() {
+fn components_beyond_its_size_are_not_measured() {
     let mut watch = Stopwatch::<_, 2>::new(read);
     Bench::new().tick_with(at(0), &mut watch);
     assert_eq!(watch.spent().map(|spent| spent.total), [1, 20]);
@@ -161,7 +161,7 @@ activation_tree! {
 }
 
 #[test]
-fn both_stretches_of_a_run_count() {
+fn both_sections_of_a_run_count() {
     let (mut tree, mut watch) = (Moving::new(), Stopwatch::<_, 2>::new(read));
     tree.tick_with(at(0), &mut watch);
     tree.tick_with(at(10), &mut watch);

@@ -1,4 +1,4 @@
-//! A probe that writes down what it sees.
+//! A probe that records the events.
 
 use bica_core::{ComponentId, Graph, Instant, Probe, Tree};
 
@@ -42,14 +42,14 @@ impl Probe for Watch {
     }
 }
 
-/// What happens in one cycle at that millisecond.
+/// Returns the events of one cycle at that millisecond.
 pub(crate) fn cycle<T: Tree>(tree: &mut T, ms: u64) -> Vec<String> {
     let mut watch = Watch::of::<T>();
     tree.tick_with(at(ms), &mut watch);
     watch.lines
 }
 
-/// The same, but only who ran, in order.
+/// Returns the names of the components that run in one cycle at that millisecond, in order.
 pub(crate) fn runs<T: Tree>(tree: &mut T, ms: u64) -> Vec<String> {
     cycle(tree, ms).iter().filter_map(|line| line.strip_prefix("run ").map(str::to_owned)).collect()
 }

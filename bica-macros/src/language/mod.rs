@@ -8,4 +8,5 @@ pub(crate) mod number;
 pub(crate) mod report;
 pub(crate) mod text;
 pub(crate) mod tree;
+pub(crate) mod types;
 pub(crate) mod wording;

@@ -1,4 +1,4 @@
-//! A step through the ball.
+//! In-walk kicks.
 
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::model::{Nao, RobotModel};
@@ -10,10 +10,10 @@ use crate::world::{CYCLE, World};
 
 const GAIT: &Parameters = &Nao::KINEMATIC_PROFILE.gait;
 
-/// A walk ahead in which a foot is asked to kick after a second: the farthest that each sole is before the hips, m, before
-/// and after, and the steps that were kicks.
+/// A forward walk with a kick request after 1.5 s: maximum forward position of each sole relative to the hips, m, before and
+/// after the request, and the number of kick steps.
 fn walk_and_kick(speed: f32, foot: Side) -> ([[f32; 2]; 2], u32) {
-    let (mut walk, mut world) = (Walk::<Nao>::new(GAIT), World::standing(GAIT.stand::<Nao>().joints()));
+    let (mut walk, mut world) = (Walk::<Nao>::new(GAIT), World::<Nao>::standing(GAIT.stand::<Nao>().joints()));
     let (mut farthest, mut kicks, mut before) = ([[0.0_f32; 2]; 2], 0, GAIT.stand::<Nao>().joints());
     for cycle in 0..400 {
         if cycle == 150 {
@@ -44,7 +44,7 @@ fn check_speeds(before: &Joints, after: &Joints) {
 }
 
 #[test]
-fn one_step_of_the_foot_asked_for_swings_through_and_the_walk_goes_on() {
+fn an_in_walk_kick_extends_one_swing_of_the_requested_foot_only() {
     for speed in [0.08, 0.15, 0.2] {
         for foot in Side::BOTH {
             let ([before, after], kicks) = walk_and_kick(speed, foot);
@@ -57,8 +57,8 @@ fn one_step_of_the_foot_asked_for_swings_through_and_the_walk_goes_on() {
 }
 
 #[test]
-fn a_stand_kicks_nothing_but_the_next_walk_does() {
-    let (mut walk, mut world) = (Walk::<Nao>::new(GAIT), World::standing(GAIT.stand::<Nao>().joints()));
+fn a_kick_request_in_stand_changes_no_target() {
+    let (mut walk, mut world) = (Walk::<Nao>::new(GAIT), World::<Nao>::standing(GAIT.stand::<Nao>().joints()));
     walk.request_kick(Side::Left);
     for _ in 0..100 {
         let targets = walk.step(Velocity::ZERO, &world.body(), CYCLE);
@@ -68,7 +68,7 @@ fn a_stand_kicks_nothing_but_the_next_walk_does() {
 }
 
 #[test]
-fn a_ball_before_a_foot_is_in_its_reach_and_no_other_is() {
+fn only_a_ball_in_front_of_a_foot_is_in_reach_of_an_in_walk_kick() {
     assert_eq!(in_walk_kick_foot(Vec2::new(0.18, 0.055), GAIT), Some(Side::Left));
     assert_eq!(in_walk_kick_foot(Vec2::new(0.18, -0.045), GAIT), Some(Side::Right));
     for out in [(0.18, 0.0), (0.18, 0.09), (0.05, 0.05), (0.3, -0.05), (f32::NAN, 0.05), (0.18, f32::NAN)] {

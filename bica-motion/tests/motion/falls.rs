@@ -13,7 +13,7 @@ use glam::{Quat, Vec3};
 
 use crate::world::{CYCLE, World};
 
-/// What the inertial unit says when the torso is turned by `tilt`.
+/// Reading of the inertial unit when the torso is rotated by `tilt`.
 fn tilted(tilt: Quat) -> Inertial {
     let up = tilt.inverse() * Vec3::Z;
     let (y, z, x) = (tilt * Vec3::Y, tilt * Vec3::Z, tilt * Vec3::X);
@@ -30,7 +30,7 @@ fn toward(direction: Direction, angle: f32) -> Quat {
 }
 
 #[test]
-fn a_fall_is_seen_in_every_direction_and_getting_up_too() {
+fn the_detector_reports_falling_fallen_and_upright_in_every_direction() {
     for direction in Direction::ALL {
         let mut detector = FallDetector::<Nao>::new();
         let mut seen = vec![detector.state()];
@@ -50,7 +50,7 @@ fn a_fall_is_seen_in_every_direction_and_getting_up_too() {
 }
 
 #[test]
-fn what_a_walk_does_is_no_fall() {
+fn tilts_and_jolts_of_a_walk_are_no_fall() {
     let mut detector = FallDetector::<Nao>::new();
     for i in 0..1000 {
         let (roll, pitch) = (0.2 * (0.2 * i as f32).sin(), 0.15 * (0.13 * i as f32).cos());
@@ -62,7 +62,7 @@ fn what_a_walk_does_is_no_fall() {
 }
 
 #[test]
-fn lying_still_decides_even_if_gravity_is_odd() {
+fn a_fall_ends_after_its_maximum_time_without_a_valid_acceleration() {
     let mut detector = FallDetector::<Nao>::new();
     let strange = Inertial { pitch: 1.0, acceleration: Vec3::new(0.0, 0.0, 9.81), ..Inertial::default() };
     for _ in 0..130 {
@@ -72,7 +72,7 @@ fn lying_still_decides_even_if_gravity_is_odd() {
 }
 
 #[test]
-fn who_lies_knows_it_soon_and_knows_on_what() {
+fn the_lying_side_is_known_within_300_ms() {
     let mut detector = FallDetector::<Nao>::new();
     for direction in [Direction::Front, Direction::Left, Direction::Back] {
         for _ in 0..30 {
@@ -83,7 +83,7 @@ fn who_lies_knows_it_soon_and_knows_on_what() {
 }
 
 #[test]
-fn readings_that_are_no_numbers_change_nothing() {
+fn nan_readings_do_not_change_the_state() {
     let mut detector = FallDetector::<Nao>::new();
     let nonsense = Inertial { pitch: f32::NAN, acceleration: Vec3::splat(f32::NAN), ..Inertial::default() };
     for _ in 0..100 {
@@ -92,7 +92,7 @@ fn readings_that_are_no_numbers_change_nothing() {
     assert_eq!(detector.step(&tilted(toward(Direction::Back, 0.6)), CYCLE), FallState::Falling(Direction::Back));
 }
 
-/// Plays a movement from a posture; gives all targets.
+/// Plays a motion from a posture; returns all targets.
 fn play(frames: &'static [Keyframe], from: Joints) -> Vec<Joints> {
     let mut motion = Motion::new(frames, from);
     let mut targets = Vec::new();
@@ -102,7 +102,7 @@ fn play(frames: &'static [Keyframe], from: Joints) -> Vec<Joints> {
     targets
 }
 
-/// Gets up from a posture, feeling `inertial` all the time; gives all targets.
+/// Plays a get-up with a constant inertial reading; returns all targets.
 fn get_up(mut movement: GetUp, inertial: &Inertial) -> Vec<Joints> {
     let mut targets = Vec::new();
     while !movement.is_done() {
@@ -138,7 +138,7 @@ fn keeps_to_limits_and_speeds(targets: &[Joints]) {
 }
 
 #[test]
-fn after_two_failures_it_turns_over_first_one_way_round_then_the_other() {
+fn every_third_attempt_turns_over_and_alternates_the_side() {
     let turn = |lying, failures| get_up(GetUp::<Nao>::new(lying, failures, Nao::STAND), &tilted(toward(lying, 1.5)));
     for lying in [Direction::Front, Direction::Back] {
         let targets = turn(lying, 2);
@@ -153,20 +153,20 @@ fn after_two_failures_it_turns_over_first_one_way_round_then_the_other() {
 }
 
 #[test]
-fn a_get_up_passes_the_phases_by_which_it_is_known() {
+fn a_get_up_passes_a_tuck_and_then_holds_the_stand() {
     for direction in Direction::ALL {
         let targets = get_up(GetUp::<Nao>::new(direction, 0, Joints::all(0.0)), &Inertial::default());
         let tucked = targets
             .iter()
             .position(|t| t[Joint::LKneePitch] > TUCK_KNEE_ANGLE && t[Joint::RKneePitch] > TUCK_KNEE_ANGLE);
-        let tucked = tucked.expect("it tucks");
+        let tucked = tucked.expect("both knees pass the tuck angle");
         let held = targets[tucked..].iter().rev().take_while(|&&t| t == Nao::STAND).count();
         assert!(held as f32 * CYCLE >= HOLD - 0.02, "{held} cycles");
     }
 }
 
 #[test]
-fn after_a_failure_it_is_tried_the_other_way_round() {
+fn every_second_attempt_is_the_mirror_image() {
     let way = |failures| get_up(GetUp::<Nao>::new(Direction::Back, failures, Nao::STAND), &Inertial::default());
     assert_eq!(way(4), way(0));
     assert_eq!(way(3), way(1));
@@ -177,7 +177,7 @@ fn after_a_failure_it_is_tried_the_other_way_round() {
 }
 
 #[test]
-fn whom_the_legs_roll_on_its_face_gets_up_from_there() {
+fn a_get_up_from_a_side_stops_when_the_robot_rolls_onto_its_face() {
     let lying = |direction| tilted(toward(direction, 1.5));
     for (rolled_on, seconds) in [(Direction::Back, 2.0..4.0), (Direction::Front, 0.5..1.5)] {
         let targets = get_up(GetUp::<Nao>::new(Direction::Left, 0, Nao::STAND), &lying(rolled_on));
@@ -186,7 +186,7 @@ fn whom_the_legs_roll_on_its_face_gets_up_from_there() {
 }
 
 #[test]
-fn who_does_not_sit_when_it_is_to_rise_stops() {
+fn a_get_up_stops_if_the_robot_does_not_sit_at_the_start_of_the_rise() {
     let whole = get_up(GetUp::<Nao>::new(Direction::Front, 0, Nao::STAND), &Inertial::default()).len();
     let sits = get_up(GetUp::<Nao>::new(Direction::Front, 0, Nao::STAND), &tilted(toward(Direction::Front, 0.9))).len();
     let lies = get_up(GetUp::<Nao>::new(Direction::Front, 0, Nao::STAND), &tilted(toward(Direction::Front, 1.2))).len();
@@ -195,7 +195,7 @@ fn who_does_not_sit_when_it_is_to_rise_stops() {
 }
 
 #[test]
-fn who_had_risen_and_lies_again_stops() {
+fn a_get_up_stops_if_a_risen_robot_falls_again() {
     let mut movement = GetUp::<Nao>::new(Direction::Front, 0, Joints::all(0.0));
     let lying = |direction| tilted(toward(direction, 1.5));
     for (inertial, cycles, over) in
@@ -209,8 +209,8 @@ fn who_had_risen_and_lies_again_stops() {
 }
 
 #[test]
-fn sitting_down_and_standing_up_keeps_the_balance() {
-    let mut world = World::standing(Nao::STAND);
+fn the_mass_stays_over_the_feet_in_sitting_down_and_standing_up() {
+    let mut world = World::<Nao>::standing(Nao::STAND);
     for frames in [Nao::TO_SIT, Nao::TO_STAND] {
         for targets in play(frames, world.angles) {
             world.step(&targets);
@@ -226,7 +226,7 @@ fn sitting_down_and_standing_up_keeps_the_balance() {
 }
 
 #[test]
-fn the_stand_is_the_one_the_walk_knows() {
+fn the_stand_equals_that_of_the_quasi_static_gait() {
     let gait = Nao::KINEMATIC_PROFILE.gait.stand::<Nao>().joints();
     for joint in Joint::ALL {
         assert!((Nao::STAND[joint] - gait[joint]).abs() < 1e-5, "{joint:?}: {} {}", Nao::STAND[joint], gait[joint]);
@@ -237,7 +237,7 @@ fn the_stand_is_the_one_the_walk_knows() {
 }
 
 #[test]
-fn stiffness_is_a_share() {
+fn stiffness_is_between_zero_and_one_and_grows_from_fall_to_walk() {
     for profile in [Stiffness::Limp, Stiffness::Stand, Stiffness::Walk, Stiffness::Fall] {
         assert!(profile.joints::<Nao>().0.iter().all(|value| (0.0..=1.0).contains(value)));
     }
@@ -247,7 +247,7 @@ fn stiffness_is_a_share() {
 }
 
 #[test]
-fn no_movement_is_done_at_once() {
+fn an_empty_motion_is_done_at_once() {
     assert!(GetUp::<Nao>::none().is_done());
     let mut none = Motion::none();
     assert!(none.is_done());

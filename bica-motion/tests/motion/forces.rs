@@ -1,4 +1,4 @@
-//! What the profile for real forces adds to walk and kicks. Whether it stands is tried in `MuJoCo`: `player trial`.
+//! The dynamic profile of walk and kicks. Its stability is tested in `MuJoCo`: `player trial`.
 
 use std::collections::VecDeque;
 
@@ -19,12 +19,12 @@ fn force(newtons: f32) -> FootPressure {
     FootPressure { front_left: newtons, ..FootPressure::default() }
 }
 
-/// Stands on both feet alike.
+/// Equal force on both feet.
 fn level() -> Feedback {
     Feedback { left_foot: force(26.0), right_foot: force(26.0), ..Feedback::default() }
 }
 
-/// Walks for a while, feeling this when `side` carries.
+/// Walks for some cycles with the given feedback for each support side.
 fn walked(request: Velocity, cycles: usize, feedback: impl Fn(Side) -> Feedback) -> (Walk, Joints) {
     let mut walk = Walk::<Nao>::new(&NAO.gait);
     let mut targets = NAO.gait.stand::<Nao>().joints();
@@ -36,14 +36,14 @@ fn walked(request: Velocity, cycles: usize, feedback: impl Fn(Side) -> Feedback)
     (walk, targets)
 }
 
-/// How far the feet are apart, seen from the left one, m.
+/// Position of the right sole in the frame of the left one, m.
 fn apart(targets: &Joints) -> Vec3 {
     let [left, right] = Side::BOTH.map(|side| kinematics::sole::<Nao>(side, targets));
     (left.inverse() * right).translation.into()
 }
 
 #[test]
-fn no_joint_is_told_to_pass_its_limit() {
+fn targets_of_the_dynamic_gait_are_within_the_limits() {
     for request in [
         Velocity::new(0.3, 0.0, 0.0),
         Velocity::new(-0.15, 0.0, 0.0),
@@ -58,7 +58,7 @@ fn no_joint_is_told_to_pass_its_limit() {
 }
 
 #[test]
-fn a_body_that_topples_aside_is_caught_by_a_wider_step() {
+fn lateral_tilt_widens_the_step_up_to_the_maximum_capture_step() {
     let widest = |rolled: f32| {
         let toppling = |side: Side| Feedback { roll: rolled * side.sign(), ..level() };
         let counts = 100..160;
@@ -70,7 +70,7 @@ fn a_body_that_topples_aside_is_caught_by_a_wider_step() {
 }
 
 #[test]
-fn a_step_that_catches_the_body_is_a_mode_of_its_own() {
+fn a_large_capture_step_is_a_phase_of_its_own() {
     let phases = |rolled: f32| {
         let mut walk = Walk::<Nao>::new(&NAO.gait);
         let phases = (0..300).map(|_| {
@@ -84,11 +84,11 @@ fn a_step_that_catches_the_body_is_a_mode_of_its_own() {
     let toppling = phases(0.4);
     assert!(toppling.contains(&Phase::Capturing));
     let walks_again = |pair: &[Phase]| pair == [Phase::Capturing, Phase::Walking];
-    assert!(toppling.windows(2).any(walks_again), "a step later it walks again");
+    assert!(toppling.windows(2).any(walks_again), "the phase returns to walking");
 }
 
 #[test]
-fn time_passes_slower_while_the_body_hangs_out_over_the_foot_that_carries() {
+fn outward_tilt_over_the_support_foot_slows_the_gait_phase() {
     let steps = |rolled: f32| {
         let mut walk = Walk::<Nao>::new(&NAO.gait);
         let (mut steps, mut before) = (0, None);
@@ -106,7 +106,7 @@ fn time_passes_slower_while_the_body_hangs_out_over_the_foot_that_carries() {
 }
 
 #[test]
-fn a_body_that_falls_forward_in_stand_presses_its_toes_down() {
+fn forward_pitch_rate_in_stand_presses_the_toes_down() {
     let mut walk = Walk::<Nao>::new(&NAO.gait);
     let stand = NAO.gait.stand::<Nao>();
     let mut limbs = stand;
@@ -119,7 +119,7 @@ fn a_body_that_falls_forward_in_stand_presses_its_toes_down() {
 }
 
 #[test]
-fn wild_readings_move_no_joint_beyond_reason() {
+fn targets_stay_finite_for_any_feedback() {
     for wild in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 1e30] {
         let feedback = Feedback { gyro: Vec3::splat(wild), roll: wild, pitch: wild, knees: Some([wild; 2]), ..level() };
         let mut walk = Walk::<Nao>::new(&NAO.gait);
@@ -131,7 +131,7 @@ fn wild_readings_move_no_joint_beyond_reason() {
 }
 
 #[test]
-fn kicks_keep_to_the_limits_and_come_back_to_the_stand() {
+fn dynamic_kicks_exceed_no_limit_by_50_mrad_and_return_to_the_stand() {
     for kick in Kick::ALL {
         let mut motion = KickMotion::<Nao>::new(kick, NAO);
         assert!(motion.seconds() < 2.5, "{kick:?}: {} s", motion.seconds());
@@ -147,40 +147,39 @@ fn kicks_keep_to_the_limits_and_come_back_to_the_stand() {
     }
 }
 
-/// The targets in the middle of a step of the left leg's, of a robot whose knees bend `sag` rad farther than they are told
-/// when they carry.
-fn carried(sag: f32) -> [LegAngles; 2] {
+/// Targets of both legs at the end of their support, when the knee of the support leg sags by `sag` rad.
+fn at_support_end(sag: f32) -> [LegAngles; 2] {
     let mut walk = Walk::<Nao>::new(&NAO.gait);
-    let mut told = VecDeque::from(vec![NAO.gait.stand::<Nao>().joints(); 4]);
+    let mut commanded = VecDeque::from(vec![NAO.gait.stand::<Nao>().joints(); 4]);
     let mut carried = [LegAngles::default(); 2];
     for cycle in 0..1000 {
-        let carrying = walk.support();
-        let knees = [Joint::LKneePitch, Joint::RKneePitch].map(|knee| told[0][knee] + sag);
-        let body = carrying.map_or_else(level, |side| Feedback { knees: Some(knees), ..alone(side) });
+        let support = walk.support();
+        let knees = [Joint::LKneePitch, Joint::RKneePitch].map(|knee| commanded[0][knee] + sag);
+        let body = support.map_or_else(level, |side| Feedback { knees: Some(knees), ..alone(side) });
         let limbs = walk.step(Velocity::new(0.1, 0.0, 0.0), &body, CYCLE);
-        if carrying != walk.support() && cycle > 800 {
-            // The step that has just begun is the other leg's: what the last cycle told was this one's.
-            if let Some(side) = carrying {
-                carried[side.index()] = LegAngles::read(side, &told[3]);
+        if support != walk.support() && cycle > 800 {
+            // The next step has just begun: the last recorded command belongs to the support of `side`.
+            if let Some(side) = support {
+                carried[side.index()] = LegAngles::read(side, &commanded[3]);
             }
         }
-        told.pop_front();
-        told.push_back(limbs.joints());
+        commanded.pop_front();
+        commanded.push_back(limbs.joints());
     }
     carried
 }
 
-/// Stands on one foot.
+/// All force on one foot.
 fn alone(side: Side) -> Feedback {
     let [left_foot, right_foot] = Side::BOTH.map(|foot| force(if foot == side { 52.0 } else { 0.0 }));
     Feedback { left_foot, right_foot, ..Feedback::default() }
 }
 
 #[test]
-fn a_weak_leg_is_told_to_lift_and_stretch_more() {
+fn unexpected_knee_sag_adds_hip_roll_and_knee_extension() {
     let [strong, usual, weak] =
-        [0.0, NAO.gait.expected_knee_sag - 0.005, NAO.gait.expected_knee_sag + 0.05].map(carried);
-    assert_eq!(strong, usual, "what the gait expects needs nothing");
+        [0.0, NAO.gait.expected_knee_sag - 0.005, NAO.gait.expected_knee_sag + 0.05].map(at_support_end);
+    assert_eq!(strong, usual, "an expected sag is not compensated");
     for side in Side::BOTH {
         let (strong, weak) = (strong[side.index()], weak[side.index()]);
         let lifted = side.sign() * (weak.hip_roll - strong.hip_roll);
@@ -191,9 +190,9 @@ fn a_weak_leg_is_told_to_lift_and_stretch_more() {
 }
 
 #[test]
-fn a_knee_that_measures_nonsense_is_not_a_weak_one() {
-    let strong = carried(0.0);
+fn implausible_knee_angles_are_not_compensated() {
+    let strong = at_support_end(0.0);
     for wrong in [f32::NAN, f32::INFINITY, 1.0, -1.0] {
-        assert_eq!(carried(wrong), strong, "{wrong}");
+        assert_eq!(at_support_end(wrong), strong, "{wrong}");
     }
 }

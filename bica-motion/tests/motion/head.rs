@@ -1,4 +1,4 @@
-//! The head's range, speed and aim.
+//! Range, speed and aim of the head.
 
 use bica_motion::head::{HeadAngles, look_at, look_at_over_ground, pitch_range};
 use bica_motion::joints::{Joint, Joints};
@@ -10,7 +10,7 @@ use glam::Vec3;
 use proptest::prelude::*;
 
 #[test]
-fn pitch_depends_on_yaw_as_published() {
+fn the_pitch_range_at_each_yaw_is_the_published_one() {
     for (yaw, min, max) in [
         (0.0, -38.5, 29.5),
         (27.85, -38.5, 24.18),
@@ -36,7 +36,7 @@ proptest! {
     #![proptest_config(crate::cases(1000))]
 
     #[test]
-    fn clamped_angles_are_possible(yaw in -9.0_f32..9.0, pitch in -9.0_f32..9.0) {
+    fn clamped_angles_are_within_the_limits(yaw in -9.0_f32..9.0, pitch in -9.0_f32..9.0) {
         let clamped = HeadAngles { yaw, pitch }.clamped::<Nao>();
         prop_assert!(Nao::LIMITS[Joint::HeadYaw].contains(clamped.yaw));
         prop_assert!(Nao::LIMITS[Joint::HeadPitch].contains(clamped.pitch));
@@ -45,7 +45,7 @@ proptest! {
     }
 
     #[test]
-    fn what_it_looks_at_is_in_the_middle_of_the_image(
+    fn look_at_brings_the_point_to_the_optical_axis(
         camera in any_camera(), far in 0.2_f32..6.0, bearing in -3.1_f32..3.1, height in -0.6_f32..0.6,
     ) {
         let point = Vec3::new(far * bearing.cos(), far * bearing.sin(), height);
@@ -57,7 +57,7 @@ proptest! {
     }
 
     #[test]
-    fn over_the_ground_it_looks_at_the_same_point(x in 0.3_f32..3.0, y in -2.0_f32..2.0, left in any::<bool>()) {
+    fn look_at_over_ground_brings_the_point_to_the_optical_axis(x in 0.3_f32..3.0, y in -2.0_f32..2.0, left in any::<bool>()) {
         let support = if left { Side::Left } else { Side::Right };
         let point = Vec3::new(x, y, 0.0325);
         let mut angles = Nao::STAND;
@@ -69,7 +69,7 @@ proptest! {
     }
 
     #[test]
-    fn it_arrives_no_faster_than_it_may(
+    fn the_head_reaches_its_target_within_its_maximum_speeds(
         from in (-2.1_f32..2.1, -0.7_f32..0.6), to in (-3.0_f32..3.0, -1.0_f32..1.0),
     ) {
         let mut now = HeadAngles { yaw: from.0, pitch: from.1 }.clamped::<Nao>();
@@ -88,7 +88,7 @@ proptest! {
 }
 
 #[test]
-fn nonsense_leaves_the_head_where_it_can_be() {
+fn the_head_stays_within_its_limits_for_nan_and_infinite_inputs() {
     for value in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
         let target = HeadAngles { yaw: value, pitch: value };
         let next = Nao::HEAD_SPEED.step::<Nao>(HeadAngles::AHEAD, target, 0.01);

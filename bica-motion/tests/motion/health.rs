@@ -1,4 +1,4 @@
-//! A body that fails in parts.
+//! Faults of the body.
 
 use bica_motion::health::{Fault, Health};
 use bica_motion::joints::{Joint, Joints};
@@ -8,7 +8,7 @@ use bica_motion::side::Side;
 use bica_motion::stiffness::Stiffness;
 use glam::Vec3;
 
-/// What a standing robot senses in a cycle; its inertial unit is noisy.
+/// Sensors of a standing robot in a cycle, with noise of the inertial unit.
 fn standing(cycle: u32) -> Sensors<'static> {
     let foot = FootPressure { front_left: 26.0, ..FootPressure::default() };
     let noise = 1e-3 * (cycle % 7) as f32;
@@ -24,7 +24,7 @@ fn standing(cycle: u32) -> Sensors<'static> {
     }
 }
 
-/// What is found in `cycles` when each one's sensors are changed so, and after how many.
+/// First fault in `cycles` with changed sensors, and the cycle in which it is reported.
 fn found(cycles: u32, targets: &Joints, change: impl Fn(&mut Sensors<'_>)) -> Option<(Fault, u32)> {
     let mut health = Health::<Nao>::new();
     let stiffness = Stiffness::Walk.joints::<Nao>();
@@ -37,42 +37,46 @@ fn found(cycles: u32, targets: &Joints, change: impl Fn(&mut Sensors<'_>)) -> Op
 }
 
 #[test]
-fn a_sound_body_has_no_fault() {
+fn a_standing_robot_with_valid_sensors_has_no_fault() {
     assert_eq!(found(2000, &Nao::STAND, |_| ()), None);
 }
 
 #[test]
-fn a_joint_that_does_not_follow_is_found_within_two_seconds() {
+fn a_stuck_leg_joint_is_a_fault_within_two_seconds() {
     let mut targets = Nao::STAND;
     targets[Joint::RKneePitch] += 0.9;
-    let (fault, cycle) = found(2000, &targets, |_| ()).expect("it is found");
+    let (fault, cycle) = found(2000, &targets, |_| ()).expect("a fault is reported");
     assert_eq!(fault, Fault::Stuck(Joint::RKneePitch));
     assert!((90..200).contains(&cycle), "{cycle}");
     targets[Joint::RKneePitch] = Nao::STAND[Joint::RKneePitch] + 0.3;
-    assert_eq!(found(2000, &targets, |_| ()), None, "motors give way a little");
+    assert_eq!(found(2000, &targets, |_| ()), None, "a small deviation is no fault");
     let mut arms = Nao::STAND;
     arms[Joint::LShoulderPitch] -= 1.0;
-    assert_eq!(found(2000, &arms, |_| ()), None, "arms are soft");
+    assert_eq!(found(2000, &arms, |_| ()), None, "arms are compliant");
 }
 
 #[test]
-fn a_silent_inertial_unit_is_found() {
-    let (fault, _) = found(2000, &Nao::STAND, |sensors| sensors.inertial.gyro = Vec3::ZERO).expect("it is found");
+fn a_repeated_inertial_reading_is_a_fault_after_one_second() {
+    let (fault, cycle) =
+        found(2000, &Nao::STAND, |sensors| sensors.inertial.gyro = Vec3::ZERO).expect("a fault is reported");
     assert_eq!(fault, Fault::Inertial);
+    assert!((99..=101).contains(&cycle), "{cycle}");
 }
 
 #[test]
-fn a_silent_foot_is_found_but_a_lifted_robot_is_none() {
+fn one_silent_foot_is_a_fault_after_four_seconds_but_two_are_not() {
     for side in Side::BOTH {
         let silent = found(2000, &Nao::STAND, |sensors| {
-            let carries = FootPressure { front_left: 52.0, ..FootPressure::default() };
-            (sensors.left_foot, sensors.right_foot) = (carries, carries);
+            let loaded = FootPressure { front_left: 52.0, ..FootPressure::default() };
+            (sensors.left_foot, sensors.right_foot) = (loaded, loaded);
             match side {
                 Side::Left => sensors.left_foot = FootPressure::default(),
                 Side::Right => sensors.right_foot = FootPressure::default(),
             }
         });
-        assert_eq!(silent.map(|(fault, _)| fault), Some(Fault::Foot(side)));
+        let (fault, cycle) = silent.expect("a fault is reported");
+        assert_eq!(fault, Fault::Foot(side));
+        assert!((399..=401).contains(&cycle), "{cycle}");
     }
     let lifted = found(2000, &Nao::STAND, |sensors| {
         (sensors.left_foot, sensors.right_foot) = (FootPressure::default(), FootPressure::default());
@@ -81,14 +85,14 @@ fn a_silent_foot_is_found_but_a_lifted_robot_is_none() {
 }
 
 #[test]
-fn who_lies_down_is_not_blamed() {
+fn joints_are_not_checked_while_the_robot_lies() {
     let mut targets = Nao::STAND;
     targets[Joint::RKneePitch] += 0.9;
     assert_eq!(found(2000, &targets, |sensors| sensors.inertial.pitch = 1.5), None);
 }
 
 #[test]
-fn a_fault_stays_and_says_what_it_is() {
+fn a_sensor_fault_is_permanent() {
     let mut health = Health::<Nao>::new();
     for cycle in 0..300 {
         let sensors = Sensors { inertial: standing(0).inertial, ..standing(cycle) };
@@ -101,7 +105,7 @@ fn a_fault_stays_and_says_what_it_is() {
     assert_eq!(Fault::Stuck(Joint::LHipRoll).to_string(), "LHipRoll does not follow its target");
 }
 
-/// What is found when the knee's motor is that hot (°C) and draws that much (A) for so many cycles.
+/// First fault in `cycles` with the left knee's motor at a temperature (°C) and a current (A).
 fn strained(cycles: u32, temperature: f32, current: f32) -> Option<(Fault, u32)> {
     found(cycles, &Nao::STAND, |sensors| {
         sensors.temperatures[Joint::LKneePitch] = temperature;
@@ -110,8 +114,8 @@ fn strained(cycles: u32, temperature: f32, current: f32) -> Option<(Fault, u32)>
 }
 
 #[test]
-fn a_hot_joint_is_a_fault_before_the_robot_itself_weakens_it() {
-    let (fault, cycle) = strained(2000, 75.0, 0.5).expect("it is found");
+fn a_motor_at_75_degrees_is_a_fault_after_one_second() {
+    let (fault, cycle) = strained(2000, 75.0, 0.5).expect("a fault is reported");
     assert_eq!(fault, Fault::Hot(Joint::LKneePitch));
     assert!((90..110).contains(&cycle), "{cycle}");
     assert_eq!(strained(2000, 74.0, 0.5), None);
@@ -119,7 +123,7 @@ fn a_hot_joint_is_a_fault_before_the_robot_itself_weakens_it() {
 }
 
 #[test]
-fn what_was_too_hot_may_move_again_when_everything_has_cooled() {
+fn thermal_faults_end_when_all_motors_have_cooled() {
     let hot = |temperature| move |sensors: &mut Sensors<'_>| sensors.temperatures[Joint::LKneePitch] = temperature;
     let pushing = |sensors: &mut Sensors<'_>| sensors.currents[Joint::LKneePitch] = 2.0;
     let lying = |sensors: &mut Sensors<'_>| sensors.inertial.pitch = 1.2;
@@ -134,19 +138,19 @@ fn what_was_too_hot_may_move_again_when_everything_has_cooled() {
     };
     let (too_hot, overloaded) = (Some(Fault::Hot(Joint::LKneePitch)), Some(Fault::Overloaded(Joint::LKneePitch)));
     assert_eq!(live(&hot(75.0), 200), too_hot);
-    assert_eq!(live(&hot(70.0), 2000), too_hot, "not yet");
+    assert_eq!(live(&hot(70.0), 2000), too_hot, "still above the limit");
     assert_eq!(live(&hot(69.0), 1), None);
     assert_eq!(live(&pushing, 900), overloaded);
-    assert_eq!(live(&|_| (), 900), overloaded, "not yet");
+    assert_eq!(live(&|_| (), 900), overloaded, "still above the limit");
     assert_eq!(live(&|_| (), 1500), None);
     assert_eq!(live(&pushing, 900), overloaded);
-    assert_eq!(live(&lying, 1), None, "who lies pushes nothing");
+    assert_eq!(live(&lying, 1), None, "a lying robot has no load");
     assert!(Fault::Hot(Joint::LKneePitch).is_temporary() && Fault::Overloaded(Joint::LKneePitch).is_temporary());
     assert!(!Fault::Inertial.is_temporary() && !Fault::Stuck(Joint::LKneePitch).is_temporary());
 }
 
 #[test]
-fn one_wrong_temperature_is_none() {
+fn interrupted_high_temperatures_are_no_fault() {
     let mut health = Health::<Nao>::new();
     for cycle in 0..1000 {
         let mut sensors = standing(cycle);
@@ -157,12 +161,12 @@ fn one_wrong_temperature_is_none() {
 }
 
 #[test]
-fn a_motor_that_pushes_for_seconds_is_found_and_one_that_does_so_briefly_is_not() {
-    let (fault, cycle) = strained(2000, 40.0, 2.0).expect("it is found");
+fn an_overload_of_seconds_is_a_fault_and_a_short_one_is_not() {
+    let (fault, cycle) = strained(2000, 40.0, 2.0).expect("a fault is reported");
     assert_eq!(fault, Fault::Overloaded(Joint::LKneePitch));
     assert!((500..900).contains(&cycle), "{cycle}");
     assert_eq!(strained(300, 40.0, 2.0), None);
-    assert_eq!(strained(20_000, 40.0, 1.2), None, "as much as a walk needs");
+    assert_eq!(strained(20_000, 40.0, 1.2), None, "the current of a walk");
     let getting_up = found(2000, &Nao::STAND, |sensors| {
         (sensors.inertial.pitch, sensors.currents[Joint::LKneePitch]) = (1.2, 2.0);
     });
@@ -170,7 +174,7 @@ fn a_motor_that_pushes_for_seconds_is_found_and_one_that_does_so_briefly_is_not(
 }
 
 #[test]
-fn a_robot_that_cannot_tell_temperatures_and_currents_is_sound() {
+fn unknown_temperatures_and_currents_are_no_fault() {
     for odd in [f32::NAN, f32::NEG_INFINITY, f32::MIN_POSITIVE, -0.0] {
         let unknown = found(2000, &Nao::STAND, |sensors| {
             (sensors.temperatures, sensors.currents) = (Joints::all(odd), Joints::all(f32::NAN));
@@ -185,7 +189,7 @@ fn a_robot_that_cannot_tell_temperatures_and_currents_is_sound() {
 }
 
 #[test]
-fn hot_and_loaded_joints_are_held_less_firmly_the_more_so_the_worse_it_is() {
+fn stiffness_falls_with_temperature_and_load() {
     let left = |temperature: f32, current: f32, cycles: u32| {
         let mut health = Health::<Nao>::new();
         for cycle in 0..cycles {

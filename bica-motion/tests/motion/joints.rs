@@ -1,10 +1,10 @@
-//! Ranges and speeds of the joints, against the published tables.
+//! Ranges and speeds of the joints against the published tables.
 
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::model::{Nao, RobotModel};
 use proptest::prelude::*;
 
-/// In the robot's order: least and most, degrees (hands: share); no-load speed and the model's speed, rad/s.
+/// In the order of the joints: minimum and maximum, degrees (hands: 0 to 1); no-load speed and URDF speed, rad/s.
 const TABLE: [(f32, f32, f32, f32); 25] = [
     (-119.5, 119.5, 7.46, 8.268),
     (-38.5, 29.5, 6.47, 7.194),
@@ -49,7 +49,7 @@ proptest! {
     #![proptest_config(crate::cases(1000))]
 
     #[test]
-    fn joints_go_to_their_targets_no_faster_than_they_can(
+    fn joints_move_to_their_targets_within_their_maximum_speeds(
         from in prop::array::uniform25(-2.0_f32..2.0), to in prop::array::uniform25(-2.0_f32..2.0), dt in 0.001_f32..0.1,
     ) {
         let (from, to) = (Joints(from), Joints(to));
@@ -63,7 +63,7 @@ proptest! {
 }
 
 #[test]
-fn nonsense_moves_no_joint() {
+fn nan_and_negative_inputs_move_no_joint() {
     let from = Joints::all(0.1);
     assert_eq!(from.moved_toward::<Nao>(&Joints::all(f32::NAN), 0.01), from);
     assert_eq!(from.moved_toward::<Nao>(&Joints::all(1.0), f32::NAN), from);

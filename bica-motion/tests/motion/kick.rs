@@ -12,14 +12,14 @@ use crate::world::{CYCLE, World, gap, outline};
 
 const BALL_RADIUS: f32 = 0.0325;
 
-/// From stand to stand, s.
+/// Duration from stand to stand, s.
 fn seconds(kick: Kick) -> f32 {
     KickMotion::<Nao>::new(kick, Nao::KINEMATIC_PROFILE).seconds()
 }
 
-/// Plays a kick to its end and a bit further; calls `each` after every cycle.
+/// Plays a kick to its end and 10 cycles more; calls `each` after every cycle.
 fn play(kick: Kick, mut each: impl FnMut(&World, &KickMotion, &Joints)) -> World {
-    let mut world = World::standing(Nao::STAND);
+    let mut world = World::<Nao>::standing(Nao::STAND);
     let mut motion = KickMotion::<Nao>::new(kick, Nao::KINEMATIC_PROFILE);
     for _ in 0..(seconds(kick) / CYCLE) as usize + 10 {
         let targets = motion.step(&world.body(), CYCLE).joints();
@@ -34,12 +34,15 @@ fn play(kick: Kick, mut each: impl FnMut(&World, &KickMotion, &Joints)) -> World
 fn a_kick_keeps_balance_limits_and_speeds_and_returns_to_the_stand() {
     for kick in Kick::ALL {
         assert!(seconds(kick) <= 2.5, "{}", seconds(kick));
-        let start = World::standing(Nao::STAND);
+        let start = World::<Nao>::standing(Nao::STAND);
         let stands = start.sole(kick.foot.other());
         let mut last = Nao::STAND;
         let end = play(kick, |world, _, targets| {
             assert!(world.margin() > 0.012, "{kick:?}: the mass is {} mm inside", 1e3 * world.margin());
-            assert!(gap([&world.sole(Side::Left), &world.sole(Side::Right)]) > 0.005, "{kick:?}: the feet touch");
+            assert!(
+                gap::<Nao>([&world.sole(Side::Left), &world.sole(Side::Right)]) > 0.005,
+                "{kick:?}: the feet touch"
+            );
             assert!(world.sole(kick.foot.other()).abs_diff_eq(stands, 1e-3), "{kick:?}: the standing foot moves");
             assert!(targets.within_limits::<Nao>(), "{kick:?}: {targets:?}");
             for joint in Joint::ALL {
@@ -54,7 +57,7 @@ fn a_kick_keeps_balance_limits_and_speeds_and_returns_to_the_stand() {
 }
 
 #[test]
-fn the_right_foot_kicks_as_the_left_one_does_in_a_mirror() {
+fn kicks_with_the_right_foot_mirror_those_with_the_left_foot() {
     for pair in Kick::ALL.chunks(2) {
         assert_eq!(pair[0].kind, pair[1].kind);
         let [mut left, mut right] = [pair[0], pair[1]].map(|kick| KickMotion::<Nao>::new(kick, Nao::KINEMATIC_PROFILE));
@@ -75,25 +78,25 @@ fn the_right_foot_kicks_as_the_left_one_does_in_a_mirror() {
     }
 }
 
-/// How the foot meets a ball.
+/// Contact of the foot with a ball.
 struct Hit {
-    /// While the kick said that it strikes.
+    /// Whether it happens in the strike phase.
     in_strike: bool,
-    /// Of the place on the foot's edge that meets the ball, m/s, ground frame.
+    /// Velocity of the contact point on the foot, m/s, ground frame.
     velocity: Vec2,
-    /// From there to the ball's middle.
+    /// Unit vector from the contact point to the ball's centre.
     normal: Vec2,
 }
 
 impl Hit {
-    /// Where a hard ball flies: along the normal, and dragged along a little by the foot.
+    /// Velocity of a hard ball after the contact: along the normal, with some friction.
     fn flight(&self) -> Vec2 {
         let away = self.velocity.dot(self.normal) * self.normal;
         1.5 * away + 0.1 * (self.velocity - away)
     }
 }
 
-/// The place on a closed line that is nearest to a point: its index and share.
+/// Nearest point of a closed polygon: edge index, position on the edge (0 to 1), and the point.
 fn nearest(line: &[Vec2], point: Vec2) -> (usize, f32, Vec2) {
     let places = line.iter().zip(line.iter().cycle().skip(1)).enumerate().map(|(i, (&a, &b))| {
         let t = ((point - a).dot(b - a) / (b - a).length_squared()).clamp(0.0, 1.0);
@@ -102,14 +105,14 @@ fn nearest(line: &[Vec2], point: Vec2) -> (usize, f32, Vec2) {
     places.min_by(|a, b| a.2.distance(point).total_cmp(&b.2.distance(point))).expect("a line has points")
 }
 
-/// The first meeting of the kicking foot with a ball at `ball`, in the frame of the ground between the feet.
+/// First contact of the kicking foot with a ball at `ball`, in the frame of the ground between the feet.
 fn hit(kick: Kick, ball: Vec2) -> Option<Hit> {
-    let start = World::standing(Nao::STAND).ground();
+    let start = World::<Nao>::standing(Nao::STAND).ground();
     let seen = |world: &World| -> Vec<Vec2> {
-        let corners = outline(kick.foot, &world.sole(kick.foot));
+        let corners = outline::<Nao>(kick.foot, &world.sole(kick.foot));
         corners.into_iter().map(|corner| start.locate(corner.truncate())).collect()
     };
-    let mut before = seen(&World::standing(Nao::STAND));
+    let mut before = seen(&World::<Nao>::standing(Nao::STAND));
     let mut found: Option<Hit> = None;
     play(kick, |world, motion, _| {
         let now = seen(world);
@@ -133,37 +136,38 @@ fn off(direction: Vec2, kick: Kick) -> f32 {
 }
 
 #[test]
-fn the_foot_meets_the_ball_fast_and_in_the_direction_promised() {
+fn the_foot_hits_the_ball_at_the_specified_speed_and_direction() {
     for kick in Kick::ALL {
-        let hit = hit(kick, kick.ball(&Nao::KINEMATIC_PROFILE.kicks)).expect("it meets the ball");
+        let hit = hit(kick, kick.ball(&Nao::KINEMATIC_PROFILE.kicks)).expect("the foot meets the ball");
         assert!(hit.in_strike);
         assert!(off(hit.velocity, kick) < 10.0, "{kick:?}: {}° off", off(hit.velocity, kick));
         assert!(off(hit.flight(), kick) < 5.0, "{kick:?}: the ball flies {}° off", off(hit.flight(), kick));
         let least = if kick.kind == KickKind::Front { 1.1 } else { 0.9 };
-        assert!(hit.velocity.length() >= least, "{kick:?}: {} m/s", hit.velocity.length());
+        assert!((least..2.0).contains(&hit.velocity.length()), "{kick:?}: {} m/s", hit.velocity.length());
     }
 }
 
 #[test]
-fn a_ball_up_to_15_mm_off_its_place_is_kicked_too() {
+fn a_ball_up_to_15_mm_off_its_position_is_kicked_within_20_degrees() {
     for kick in Kick::ALL {
         for (x, y) in [(1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0), (0.7, 0.7), (-0.7, 0.7), (0.7, -0.7)] {
             let ball = kick.ball(&Nao::KINEMATIC_PROFILE.kicks) + 0.015 * Vec2::new(x, y);
-            let hit = hit(kick, ball).expect("it meets the ball");
+            let hit = hit(kick, ball).expect("the foot meets the ball");
             assert!(hit.in_strike, "{kick:?}: touched too early at {x}, {y}");
             assert!(off(hit.flight(), kick) < 20.0, "{kick:?} at {x}, {y}: {}° off", off(hit.flight(), kick));
-            assert!(hit.flight().length() > 0.8, "{kick:?} at {x}, {y}: {} m/s", hit.flight().length());
+            assert!((0.8..3.0).contains(&hit.flight().length()), "{kick:?} at {x}, {y}: {} m/s", hit.flight().length());
         }
     }
 }
 
 #[test]
-fn a_ball_in_place_is_clear_of_the_standing_feet_and_in_the_way_of_nothing_else() {
-    let world = World::standing(Nao::STAND);
+fn a_ball_in_position_is_at_least_15_mm_from_both_feet() {
+    let world = World::<Nao>::standing(Nao::STAND);
     for kick in Kick::ALL {
         let ball = world.ground().place(kick.ball(&Nao::KINEMATIC_PROFILE.kicks));
         for side in Side::BOTH {
-            let feet: Vec<Vec2> = outline(side, &world.sole(side)).iter().map(|corner| corner.truncate()).collect();
+            let feet: Vec<Vec2> =
+                outline::<Nao>(side, &world.sole(side)).iter().map(|corner| corner.truncate()).collect();
             let room = nearest(&feet, ball).2.distance(ball) - BALL_RADIUS;
             assert!(room > 0.015, "{kick:?}: {} mm from the {side:?} foot", 1e3 * room);
         }
@@ -171,7 +175,7 @@ fn a_ball_in_place_is_clear_of_the_standing_feet_and_in_the_way_of_nothing_else(
 }
 
 #[test]
-fn strange_cycle_times_do_no_harm() {
+fn targets_stay_finite_for_any_cycle_time() {
     for dt in [f32::NAN, f32::NEG_INFINITY, -1.0, 0.0] {
         let mut motion = KickMotion::<Nao>::new(Kick::ALL[0], Nao::KINEMATIC_PROFILE);
         let first = motion.step(&Feedback::default(), dt).joints();

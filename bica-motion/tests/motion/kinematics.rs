@@ -1,4 +1,4 @@
-//! Kinematics against published numbers, an independent f64 reference, and itself.
+//! Kinematics against published numbers and an independent f64 reference; inverse against forward kinematics.
 
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::kinematics::{self, LegAngles, Segment, Skeleton, YawFrom, ground_from_robot, legs_angles};
@@ -114,7 +114,7 @@ fn any_angles() -> impl Strategy<Value = Joints> {
     })
 }
 
-/// Any angles within the limits with knees that do not bend backwards: what the inverse can give back.
+/// Any angles within the limits with knees that do not bend backwards, which the inverse kinematics can return.
 fn any_bent_angles() -> impl Strategy<Value = Joints> {
     any_angles().prop_map(|mut angles| {
         for joint in [Joint::LKneePitch, Joint::RKneePitch] {
@@ -124,7 +124,7 @@ fn any_bent_angles() -> impl Strategy<Value = Joints> {
     })
 }
 
-/// How far a hip lies from its foot's roll axis, m: on the axis the yaw-pitch has no one value.
+/// Distance of a hip from the roll axis of its foot, m. On the axis the yaw-pitch is not unique.
 fn off_roll_axis(side: Side, foot: &Affine3A) -> f32 {
     let hip = foot.inverse().transform_point3(Vec3::new(0.0, side.sign() * 0.05, 0.0));
     hip.y.hypot(hip.z)
@@ -165,7 +165,7 @@ fn assert_close(found: &LegAngles, wanted: &LegAngles, tolerance: f32) {
 }
 
 #[test]
-fn legs_stand_as_published() {
+fn inverse_kinematics_agree_with_the_published_stands() {
     for values in STANDS {
         let [left, right] = Side::BOTH.map(|side| flat_foot(side, values[0], values[1]));
         for (side, foot) in [(Side::Left, left), (Side::Right, right)] {
@@ -188,7 +188,7 @@ fn standing() -> Joints {
 }
 
 #[test]
-fn centre_of_mass_is_where_published() {
+fn the_centre_of_mass_is_the_published_one() {
     assert!((Nao::TOTAL_MASS - 5.359_43).abs() < 1e-5, "{}", Nao::TOTAL_MASS);
     for (angles, wanted) in [
         (Joints::all(0.0), Vec3::new(0.021_22, 0.000_18, 0.052_18)),
@@ -200,7 +200,7 @@ fn centre_of_mass_is_where_published() {
 }
 
 #[test]
-fn cameras_stand_and_look_as_published() {
+fn camera_poses_are_the_published_ones() {
     // Height over the ground, then pixel and the ground point seen there, robot frame (B-Human and HULKs' intrinsics).
     let (f, centre) = ((618.66, 617.16), (320.0, 240.0));
     let table = [
@@ -247,7 +247,7 @@ proptest! {
     #![proptest_config(crate::cases(1000))]
 
     #[test]
-    fn poses_agree_with_the_reference(angles in any_angles()) {
+    fn forward_kinematics_agree_with_an_f64_reference(angles in any_angles()) {
         let skeleton = Skeleton::<Nao>::of(&angles);
         for side in Side::BOTH {
             let foot = reference::foot(side, &angles);
@@ -264,7 +264,7 @@ proptest! {
     }
 
     #[test]
-    fn feet_come_where_they_were(angles in any_bent_angles()) {
+    fn inverse_kinematics_of_one_leg_invert_the_forward_kinematics(angles in any_bent_angles()) {
         for side in Side::BOTH {
             let wanted = kinematics::ankle::<Nao>(side, &angles);
             let mut found = Joints::all(0.0);
@@ -275,7 +275,7 @@ proptest! {
     }
 
     #[test]
-    fn both_feet_come_where_they_were(angles in any_bent_angles()) {
+    fn inverse_kinematics_of_both_legs_invert_the_forward_kinematics(angles in any_bent_angles()) {
         let [left, right] = Side::BOTH.map(|side| kinematics::ankle::<Nao>(side, &angles));
         prop_assume!(off_roll_axis(Side::Left, &left) > 0.03 && off_roll_axis(Side::Right, &right) > 0.03);
         for yaw in [YawFrom::Mean, YawFrom::Leg(Side::Left), YawFrom::Leg(Side::Right)] {
@@ -291,7 +291,7 @@ proptest! {
     }
 
     #[test]
-    fn a_foreign_yaw_pitch_costs_only_yaw(angles in any_bent_angles(), other in -1.1_f32..0.7) {
+    fn a_given_yaw_pitch_changes_only_the_yaw_of_the_foot(angles in any_bent_angles(), other in -1.1_f32..0.7) {
         for side in Side::BOTH {
             let wanted = kinematics::ankle::<Nao>(side, &angles);
             let mut found = Joints::all(0.0);
@@ -303,7 +303,7 @@ proptest! {
     }
 
     #[test]
-    fn the_mirror_image_is_the_mirror_image(angles in any_angles()) {
+    fn a_mirrored_posture_has_mirrored_poses(angles in any_angles()) {
         let mirrored = angles.mirrored();
         prop_assert_eq!(mirrored.mirrored(), angles);
         let (here, there) = (Skeleton::<Nao>::of(&angles), Skeleton::<Nao>::of(&mirrored));

@@ -1,4 +1,4 @@
-//! What the body can do, checked against references and in a quasi-static world.
+//! Tests of the algorithms against references and in a quasi-static world.
 
 mod dribble;
 mod falls;
@@ -8,13 +8,16 @@ mod health;
 mod joints;
 mod kick;
 mod kinematics;
+mod model;
+mod nao;
 mod odometry;
+mod tall;
 mod walk;
 mod world;
 
 use proptest::prelude::ProptestConfig;
 
-/// This many random cases.
+/// Configuration with a number of random cases.
 fn cases(cases: u32) -> ProptestConfig {
     ProptestConfig { cases, failure_persistence: None, ..ProptestConfig::default() }
 }

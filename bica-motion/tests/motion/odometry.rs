@@ -1,4 +1,4 @@
-//! Odometry against the true way in the quasi-static world.
+//! Odometry against the true motion in the quasi-static world.
 
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::model::{Nao, RobotModel};
@@ -14,26 +14,26 @@ proptest! {
     #![proptest_config(crate::cases(50))]
 
     #[test]
-    fn it_knows_the_way(requests in prop::collection::vec(prop::array::uniform3(-1.0_f32..1.0), 1..6), is_told: bool) {
+    fn the_drift_is_below_three_percent_of_the_path(requests in prop::collection::vec(prop::array::uniform3(-1.0_f32..1.0), 1..6), with_commands: bool) {
         let mut walk = Walk::<Nao>::new(&Nao::KINEMATIC_PROFILE.gait);
-        let mut world = World::standing(Nao::KINEMATIC_PROFILE.gait.stand::<Nao>().joints());
+        let mut world = World::<Nao>::standing(Nao::KINEMATIC_PROFILE.gait.stand::<Nao>().joints());
         let mut odometry = Odometry::<Nao>::new(&Calibration::EXACT);
         let start = world.ground();
         let (mut way, mut commanded) = (0.0, None);
         for request in requests {
             for _ in 0..150 {
                 let body = world.body();
-                odometry.step(&MotionInput { commanded: commanded.as_ref(), ..felt(&world.angles, [&body.left_foot, &body.right_foot]) });
+                odometry.step(&MotionInput { commanded: commanded.as_ref(), ..measured(&world.angles, [&body.left_foot, &body.right_foot]) });
                 let request = Velocity::new(0.25 * request[0], 0.12 * request[1], 1.2 * request[2]);
                 let before = world.ground();
                 let targets = walk.step(request, &body, CYCLE).joints();
-                commanded = is_told.then_some(targets);
+                commanded = with_commands.then_some(targets);
                 world.step(&targets);
                 way += (start.inverse() * world.ground()).position.distance((start.inverse() * before).position);
             }
         }
         let body = world.body();
-        odometry.step(&felt(&world.angles, [&body.left_foot, &body.right_foot]));
+        odometry.step(&measured(&world.angles, [&body.left_foot, &body.right_foot]));
         let (true_pose, found) = (start.inverse() * world.ground(), odometry.pose());
         let off = true_pose.position.distance(found.position);
         prop_assert!(off < 0.02 + 0.03 * way, "{off} m off after {way} m");
@@ -42,8 +42,8 @@ proptest! {
     }
 }
 
-/// What legs and feet feedback, and nothing else.
-fn felt<'a>(angles: &'a Joints, feet: [&'a FootPressure; 2]) -> MotionInput<'a> {
+/// Input with measured angles and foot forces only.
+fn measured<'a>(angles: &'a Joints, feet: [&'a FootPressure; 2]) -> MotionInput<'a> {
     MotionInput { commanded: None, angles, feet, gyro_turn: None }
 }
 
@@ -52,27 +52,27 @@ fn ground(force: f32) -> FootPressure {
 }
 
 #[test]
-fn nobody_moves_in_the_air_or_by_nonsense() {
+fn lifted_feet_and_invalid_inputs_give_no_motion() {
     let mut odometry = Odometry::<Nao>::new(&Calibration::EXACT);
     let mut angles = Nao::STAND;
     for i in 0..10 {
         angles.0[9] += 0.05;
-        let motion = odometry.step(&felt(&angles, [&ground(0.0); 2]));
+        let motion = odometry.step(&measured(&angles, [&ground(0.0); 2]));
         assert_eq!(motion, Pose2::ORIGIN, "{i}");
         assert_eq!(odometry.support(), None);
     }
     let feet = [&ground(30.0), &ground(20.0)];
-    odometry.step(&felt(&Joints::all(f32::NAN), feet));
+    odometry.step(&measured(&Joints::all(f32::NAN), feet));
     let nowhere = [&ground(30.0), &ground(f32::NAN)];
-    odometry.step(&MotionInput { gyro_turn: Some(f32::NAN), ..felt(&Nao::STAND, nowhere) });
-    odometry.step(&MotionInput { gyro_turn: Some(f32::INFINITY), ..felt(&Nao::STAND, feet) });
-    odometry.step(&MotionInput { commanded: Some(&Joints::all(f32::NAN)), ..felt(&Nao::STAND, feet) });
+    odometry.step(&MotionInput { gyro_turn: Some(f32::NAN), ..measured(&Nao::STAND, nowhere) });
+    odometry.step(&MotionInput { gyro_turn: Some(f32::INFINITY), ..measured(&Nao::STAND, feet) });
+    odometry.step(&MotionInput { commanded: Some(&Joints::all(f32::NAN)), ..measured(&Nao::STAND, feet) });
     assert_eq!(odometry.pose(), Pose2::ORIGIN);
-    odometry.step(&MotionInput { gyro_turn: Some(0.05), ..felt(&Nao::STAND, feet) });
-    assert_eq!(odometry.pose(), Pose2::new(0.0, 0.0, 0.05), "the gyroscope knows better how far it gyro_turn");
+    odometry.step(&MotionInput { gyro_turn: Some(0.05), ..measured(&Nao::STAND, feet) });
+    assert_eq!(odometry.pose(), Pose2::new(0.0, 0.0, 0.05), "the turn is that of the gyroscope");
 }
 
-/// The `cycle`th of some cycles in which the hips go forward over the left foot; the right one is lifted.
+/// Posture in a cycle of a motion in which the hips move forward over the left foot; the right one is lifted.
 fn leaning(cycle: usize) -> Joints {
     let mut angles = Nao::STAND;
     angles[Joint::RKneePitch] += 0.3;
@@ -84,37 +84,37 @@ fn leaning(cycle: usize) -> Joints {
     angles
 }
 
-/// How far the ground frame goes forward in 20 cycles, after as many at rest.
+/// Forward displacement of the ground frame in 20 cycles of motion, after 20 cycles at rest, m.
 fn way(commanded: impl Fn(usize) -> Option<Joints>, is: impl Fn(usize) -> Joints, feet: [f32; 2]) -> f32 {
     let mut odometry = Odometry::<Nao>::new(&Calibration::EXACT);
     let feet = feet.map(ground);
     for cycle in 0..50 {
         let moving = |late: usize| cycle.clamp(20 + late, 40 + late) - 20 - late;
         let (commanded, angles) = (commanded(moving(0)), is(moving(3)));
-        odometry.step(&MotionInput { commanded: commanded.as_ref(), ..felt(&angles, feet.each_ref()) });
+        odometry.step(&MotionInput { commanded: commanded.as_ref(), ..measured(&angles, feet.each_ref()) });
     }
     odometry.pose().position.x
 }
 
 #[test]
-fn each_source_counts_where_it_is_to_be_trusted() {
-    let (commanded, untold, still) = (|cycle| Some(leaning(cycle)), |_| None, |_| Some(leaning(0)));
+fn measured_angles_gain_weight_with_the_difference_of_the_foot_forces() {
+    let (commanded, no_command, still) = (|cycle| Some(leaning(cycle)), |_| None, |_| Some(leaning(0)));
     let left = [50.0, 2.0];
     let full = way(commanded, leaning, left);
     assert!(full > 0.01, "{full} m");
     let near = |way: f32, share: f32| (way - share * full).abs() < 0.02 * full;
-    let legs_alone = way(untold, leaning, left);
-    assert!(near(legs_alone, 1.0), "legs alone go {legs_alone} of {full} m");
+    let legs_alone = way(no_command, leaning, left);
+    assert!(near(legs_alone, 1.0), "measured angles only: {legs_alone} of {full} m");
     let firmly = way(still, leaning, left);
-    assert!(near(firmly, 1.0), "a foot that stands firmly believes the legs: {firmly} of {full} m");
+    assert!(near(firmly, 1.0), "all weight on one foot: {firmly} of {full} m");
     let between = way(still, leaning, [26.1, 25.9]);
-    assert!(near(between, 0.0), "between the feet it believes what was commanded: {between} of {full} m");
+    assert!(near(between, 0.0), "equal weight on both feet: {between} of {full} m");
     let half = way(still, leaning, [32.5, 19.5]);
-    assert!(near(half, 0.5), "and in between both: {half} of {full} m");
+    assert!(near(half, 0.5), "a quarter of the weight apart: {half} of {full} m");
 }
 
 #[test]
-fn what_was_told_stands_in_for_broken_sensors() {
+fn commanded_angles_replace_invalid_or_stale_measurements() {
     let commanded = |cycle| Some(leaning(cycle));
     let left = [50.0, 2.0];
     let full = way(commanded, leaning, left);
@@ -130,14 +130,14 @@ fn what_was_told_stands_in_for_broken_sensors() {
 }
 
 #[test]
-fn a_gyroscope_that_says_nothing_leaves_the_turn_to_the_legs() {
+fn a_zero_gyroscope_turn_is_replaced_by_that_of_the_legs() {
     let gyro_turn = |gyroscope: Option<f32>| {
         let mut odometry = Odometry::<Nao>::new(&Calibration::EXACT);
         let feet = [&ground(50.0), &ground(2.0)];
         for cycle in 0..20 {
             let mut angles = Nao::STAND;
             angles[Joint::LHipYawPitch] = -0.01 * cycle as f32;
-            odometry.step(&MotionInput { gyro_turn: gyroscope, ..felt(&angles, feet) });
+            odometry.step(&MotionInput { gyro_turn: gyroscope, ..measured(&angles, feet) });
         }
         odometry.pose().heading
     };

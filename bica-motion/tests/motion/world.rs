@@ -1,5 +1,5 @@
-//! A quasi-static world for tests: joints follow late and no faster than they can, the lower sole carries and stays
-//! where it is, the torso follows from the joints.
+//! A quasi-static world for tests: joints follow their targets with dead time and limited speed, the lower sole is fixed to
+//! the ground, and the pose of the torso follows from the joint angles.
 
 use bica_motion::joints::Joints;
 use bica_motion::kinematics::Skeleton;
@@ -10,29 +10,31 @@ use bica_motion::side::Side;
 use bica_motion::walk::Feedback;
 use glam::{Affine3A, Quat, Vec2, Vec3};
 use std::collections::VecDeque;
+use std::marker::PhantomData;
 
 pub(crate) const CYCLE: f32 = 0.01;
-/// How much lower the other sole must be to carry, m.
+/// Height difference at which the other sole becomes the support, m.
 const HYSTERESIS: f32 = 0.001;
-/// Up to this height a sole has contact, m.
+/// Maximum height of a sole with contact, m.
 const CONTACT: f32 = 0.002;
 
-pub(crate) struct World {
+pub(crate) struct World<M = Nao> {
     pub(crate) angles: Joints,
     waiting: VecDeque<Joints>,
     pub(crate) support: Side,
-    /// The carrying sole on the ground.
+    /// Pose of the support sole on the ground.
     anchor: Affine3A,
     pub(crate) robot: Affine3A,
     /// rad/s, torso frame.
     pub(crate) gyro: Vec3,
-    /// Joints that wanted to move faster than they could, in cycles.
+    /// Number of cycles in which a joint could not follow its target.
     pub(crate) late: usize,
+    model: PhantomData<M>,
 }
 
-impl World {
+impl<M: RobotModel> World<M> {
     pub(crate) fn standing(angles: Joints) -> Self {
-        let sole = Skeleton::<Nao>::of(&angles).sole(Side::Left);
+        let sole = Skeleton::<M>::of(&angles).sole(Side::Left);
         let anchor = flat(&Affine3A::from_translation(sole.translation.into()));
         let mut world = Self {
             angles,
@@ -42,20 +44,21 @@ impl World {
             robot: Affine3A::IDENTITY,
             gyro: Vec3::ZERO,
             late: 0,
+            model: PhantomData,
         };
         world.robot = world.anchor * world.skeleton().sole(Side::Left).inverse();
         world
     }
 
-    pub(crate) fn skeleton(&self) -> Skeleton {
-        Skeleton::<Nao>::of(&self.angles)
+    pub(crate) fn skeleton(&self) -> Skeleton<M> {
+        Skeleton::<M>::of(&self.angles)
     }
 
     /// One cycle.
     pub(crate) fn step(&mut self, targets: &Joints) {
         self.waiting.push_back(*targets);
-        let due = self.waiting.pop_front().expect("three commands are on their way");
-        let moved = self.angles.moved_toward::<Nao>(&due, CYCLE).clamp_to_limits::<Nao>();
+        let due = self.waiting.pop_front().expect("three commands are pending");
+        let moved = self.angles.moved_toward::<M>(&due, CYCLE).clamp_to_limits::<M>();
         self.late += usize::from(moved.0.iter().zip(due.0).any(|(a, b)| (a - b).abs() > 1e-6));
         self.angles = moved;
         let skeleton = self.skeleton();
@@ -79,7 +82,7 @@ impl World {
         side == self.support || self.sole(side).translation.z < CONTACT
     }
 
-    /// The torso's pose seen from above.
+    /// Pose of the torso projected to the ground.
     pub(crate) fn pose(&self) -> Pose2 {
         seen_from_above(&self.robot)
     }
@@ -104,7 +107,7 @@ impl World {
         Feedback { gyro: self.gyro, left_foot: all(left), right_foot: all(right), ..Feedback::default() }
     }
 
-    /// N, left first: by where the mass is between the ankles, less what does not touch.
+    /// Forces on both feet, left first, N: by the position of the mass between the ankles and the contact of the soles.
     pub(crate) fn forces(&self) -> [f32; 2] {
         let [left, right] = Side::BOTH.map(|side| self.sole(side).translation.truncate());
         let across = right - left;
@@ -114,7 +117,7 @@ impl World {
             if side == self.support { 1.0 } else { (1.0 - height / CONTACT).clamp(0.0, 1.0) }
         };
         let (left, right) = (touch(Side::Left) * (1.0 - to_right), touch(Side::Right) * to_right);
-        let weight = Nao::TOTAL_MASS * 9.81;
+        let weight = M::TOTAL_MASS * 9.81;
         match (left + right, self.support) {
             (0.0, Side::Left) => [weight, 0.0],
             (0.0, Side::Right) => [0.0, weight],
@@ -122,30 +125,30 @@ impl World {
         }
     }
 
-    /// The centre of mass seen from above.
+    /// Centre of mass projected to the ground.
     pub(crate) fn mass(&self) -> Vec2 {
         self.robot.transform_point3(self.skeleton().centre_of_mass()).truncate()
     }
 
-    /// How far inside the soles that touch the centre of mass is, m; negative outside.
+    /// Distance of the centre of mass from the edge of the support polygon, m; negative outside.
     pub(crate) fn margin(&self) -> f32 {
         let mut corners = Vec::new();
         for side in Side::BOTH.into_iter().filter(|&side| self.touches(side)) {
-            corners.extend(outline(side, &self.sole(side)).into_iter().map(Vec3::truncate));
+            corners.extend(outline::<M>(side, &self.sole(side)).into_iter().map(Vec3::truncate));
         }
         inside(&corners, self.mass())
     }
 }
 
-pub(crate) fn outline(side: Side, sole: &Affine3A) -> Vec<Vec3> {
-    Nao::DIMENSIONS.sole_outline.iter().map(|p| sole.transform_point3(Vec3::new(p.x, side.sign() * p.y, 0.0))).collect()
+pub(crate) fn outline<M: RobotModel>(side: Side, sole: &Affine3A) -> Vec<Vec3> {
+    M::DIMENSIONS.sole_outline.iter().map(|p| sole.transform_point3(Vec3::new(p.x, side.sign() * p.y, 0.0))).collect()
 }
 
-/// How far apart both soles are at least, seen from above, m; not positive when they overlap.
-pub(crate) fn gap(soles: [&Affine3A; 2]) -> f32 {
+/// Distance of both soles in the ground plane, m; not positive if they overlap.
+pub(crate) fn gap<M: RobotModel>(soles: [&Affine3A; 2]) -> f32 {
     let [left, right] = [(Side::Left, soles[0]), (Side::Right, soles[1])]
-        .map(|(side, sole)| outline(side, sole).into_iter().map(Vec3::truncate).collect::<Vec<_>>());
-    // Convex shapes are apart by the widest of all gaps along the normals of their edges (or, at corners, more).
+        .map(|(side, sole)| outline::<M>(side, sole).into_iter().map(Vec3::truncate).collect::<Vec<_>>());
+    // Separating axes: the distance of convex polygons is at least the largest gap along the normals of their edges.
     let mut widest = f32::NEG_INFINITY;
     for (shape, other) in [(&left, &right), (&right, &left)] {
         for (a, b) in shape.iter().zip(shape.iter().cycle().skip(1)) {
@@ -160,7 +163,7 @@ pub(crate) fn gap(soles: [&Affine3A; 2]) -> f32 {
     widest
 }
 
-/// The least distance to a line through two corners that has all others on one side.
+/// Minimum distance to the edges of the convex hull.
 fn inside(corners: &[Vec2], point: Vec2) -> f32 {
     let mut least = f32::INFINITY;
     for &a in corners {

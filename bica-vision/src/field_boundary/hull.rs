@@ -1,22 +1,21 @@
-//! The convex line over points some of which are wrong.
+//! Convex line through points with outliers.
 //!
-//! At most three straight sides of the carpet are in sight. Each is a line through two of the points that many others
-//! are close to; points above it speak against it, points under it don't, as obstacles stand there or the next side
-//! begins.
+//! At most three straight sides of the carpet are in view. Each is a line through two points with many inliers. Points
+//! above the line count against it; points below do not, because of obstacles and the next side.
 
 use glam::Vec2;
 use heapless::Vec;
 
 use super::COLUMNS;
 
-/// A point within this part of the frame's height belongs to the line.
+/// Inlier distance, as a share of the frame height.
 const CLOSE: f32 = 0.015;
-/// A side has at least so many points.
+/// Minimum score of a side.
 const ENOUGH: i32 = 4;
-/// The sides of the carpet that a camera may see at once.
+/// Maximum number of carpet sides in view.
 const SIDES: usize = 3;
 
-/// The line over points ordered by x, from the first column to the last of `ends`; none without points.
+/// Convex line over points ordered by x, from the first to the last column of `ends`; empty without points.
 pub(super) fn over(points: &[Vec2], ends: (f32, f32), frame_height: f32) -> Vec<Vec2, COLUMNS> {
     let close = CLOSE * frame_height;
     let sides = sides(points, close);
@@ -26,7 +25,7 @@ pub(super) fn over(points: &[Vec2], ends: (f32, f32), frame_height: f32) -> Vec<
     hull
 }
 
-/// The row of the line in a column, level beyond its ends.
+/// Row of the line in a column; constant beyond its ends.
 pub(super) fn line_at(corners: &[Vec2], x: f32) -> Option<f32> {
     let (first, last) = (corners.first()?, corners.last()?);
     if x <= first.x {
@@ -37,7 +36,7 @@ pub(super) fn line_at(corners: &[Vec2], x: f32) -> Option<f32> {
     Some(Side::through(corners[after - 1], corners[after]).row(x))
 }
 
-/// A straight line.
+/// Straight line.
 #[derive(Clone, Copy)]
 struct Side {
     start: Vec2,
@@ -45,7 +44,7 @@ struct Side {
 }
 
 impl Side {
-    /// Through two points with different x.
+    /// Line through two points with different x.
     fn through(a: Vec2, b: Vec2) -> Self {
         Self { start: a, slope: (b.y - a.y) / (b.x - a.x) }
     }
@@ -54,12 +53,12 @@ impl Side {
         self.start.y + self.slope * (x - self.start.x)
     }
 
-    /// How far a point is under the line, rows; negative above it.
+    /// Distance of a point below the line, rows; negative above it.
     fn misses(self, point: Vec2) -> f32 {
         point.y - self.row(point.x)
     }
 
-    /// How many points are close to the line, less those that are above it.
+    /// Number of inliers minus the number of points above the line.
     fn score(self, points: &[Vec2], close: f32) -> i32 {
         let vote = |point: &Vec2| {
             let miss = self.misses(*point);
@@ -69,7 +68,7 @@ impl Side {
     }
 }
 
-/// The sides of the carpet, the one with the most points first.
+/// Sides of the carpet, the one with the most inliers first.
 fn sides(points: &[Vec2], close: f32) -> Vec<Side, SIDES> {
     let mut left: Vec<Vec2, COLUMNS> = points.iter().copied().collect();
     let mut taken: Vec<Vec2, COLUMNS> = Vec::new();
@@ -77,7 +76,7 @@ fn sides(points: &[Vec2], close: f32) -> Vec<Side, SIDES> {
     while !sides.is_full() {
         let pairs = (0..left.len()).step_by(2).flat_map(|i| (i + 1..left.len()).step_by(2).map(move |j| (i, j)));
         let lines = pairs.map(|(i, j)| Side::through(left[i], left[j]));
-        // Carpet is convex: what belongs to one side is not above another.
+        // The carpet is convex: no inlier of one side is above another side.
         let score = |side: &Side| side.score(&left, close) + side.score(&taken, close).min(0);
         let Some((score, best)) = lines.map(|side| (score(&side), side)).max_by_key(|(score, _)| *score) else { break };
         if score < ENOUGH {
@@ -90,7 +89,7 @@ fn sides(points: &[Vec2], close: f32) -> Vec<Side, SIDES> {
     sides
 }
 
-/// The upper convex hull of points ordered by x.
+/// Upper convex hull of points ordered by x.
 fn upper_hull<'a>(points: impl Iterator<Item = &'a Vec2>) -> Vec<Vec2, COLUMNS> {
     let mut hull: Vec<Vec2, COLUMNS> = Vec::new();
     for point in points {
@@ -104,7 +103,7 @@ fn upper_hull<'a>(points: impl Iterator<Item = &'a Vec2>) -> Vec<Vec2, COLUMNS> 
     hull
 }
 
-/// Draws the sides out to the columns of `ends`, where obstacles hid the field.
+/// Extends the sides to the columns of `ends`, where obstacles hide the field.
 fn extend(hull: &mut Vec<Vec2, COLUMNS>, sides: &[Side], ends: (f32, f32)) {
     let row = |x: f32| sides.iter().map(|side| side.row(x)).reduce(f32::max);
     for (x, place) in [(ends.0, 0), (ends.1, hull.len() + 1)] {

@@ -1,4 +1,4 @@
-//! From bars to goals: which bars are posts, which posts are a goal.
+//! Selection of posts among bars, and of goals among posts.
 
 use core::ops::RangeInclusive;
 
@@ -15,10 +15,10 @@ use crate::projection::Camera;
 use crate::segment::{Run, Runs};
 use crate::uncertainty::Errors;
 
-/// An error of the camera's pitch that checks of the geometry forgive, rad.
+/// Tolerated error of the camera's pitch, rad.
 const PITCH_ERROR: f32 = 0.04;
 
-/// What a frame has to say about its bars.
+/// Inputs of the search in one frame.
 pub(super) struct PostSearch<'a, const N: usize> {
     pub(super) size: Vec2,
     pub(super) runs: &'a Runs<N>,
@@ -56,7 +56,7 @@ impl<const N: usize> PostSearch<'_, N> {
         row > self.size.y - 1.0 - 2.0 * f32::from(self.runs.step())
     }
 
-    /// Its foot is on the field and its top above the end of it.
+    /// Whether the foot is on the field and the top above the field boundary.
     fn stands_on_field(&self, bar: &Bar) -> bool {
         let Some(end) = self.field_boundary.row_at(bar.bottom.x) else {
             return self.is_at_bottom(bar.bottom.y) && self.is_at_top(bar.top.y);
@@ -66,7 +66,8 @@ impl<const N: usize> PostSearch<'_, N> {
         bar.bottom.y >= end - margin && rises
     }
 
-    /// It reaches the horizon, as it is higher than the robot, and is as thick as a post there.
+    /// Whether the bar reaches the horizon, as a post is higher than the camera, and has a post's width at its
+    /// position.
     fn fits_camera(&self, bar: &Bar) -> bool {
         let Some(camera) = self.camera else { return true };
         let slack = PITCH_ERROR * camera.intrinsics().focal.y;
@@ -91,7 +92,7 @@ impl<const N: usize> PostSearch<'_, N> {
         }
     }
 
-    /// The runs of a crossbar that may start at the top of a bar.
+    /// Runs of a crossbar that may start at the top of a bar.
     fn crossing(&self, bar: &Bar) -> impl Iterator<Item = &Run> {
         let rows = bar.top.y - 0.15 * bar.height() - 3.0..=bar.top.y + 0.1 * bar.height();
         let (x, half, colour) = (bar.top.x, 0.5 * bar.width + 2.0, bar.colour);
@@ -99,7 +100,7 @@ impl<const N: usize> PostSearch<'_, N> {
         self.between(&rows).iter().filter(move |run| run.colour == colour).filter(close)
     }
 
-    /// The runs of some rows.
+    /// Runs of a range of rows.
     fn between(&self, rows: &RangeInclusive<f32>) -> &[Run] {
         let runs = self.runs.as_slice();
         let first = runs.partition_point(|run| f32::from(run.row) < *rows.start());
@@ -121,7 +122,7 @@ impl<const N: usize> PostSearch<'_, N> {
         }
     }
 
-    /// The box around the posts and what hangs on to their tops.
+    /// Bounding box of the posts and of the crossbar runs connected to their tops.
     fn bounds(&self, colour: Colour, first: Post, second: Option<Post>) -> (Vec2, Vec2) {
         let (mut min, mut max) = (Vec2::MAX, Vec2::MIN);
         for post in [Some(first), second].into_iter().flatten() {
@@ -147,7 +148,7 @@ fn area(post: &Post) -> f32 {
     (post.base.y - post.top.y) * post.width
 }
 
-/// Whether a post at the bar's foot would be as thick as the bar, give or take an error in the camera's pitch.
+/// Whether the bar has the width of a post at its foot's position, within the error of the camera's pitch.
 fn is_of_width(camera: &Camera, bar: &Bar, slack: f32) -> bool {
     let expected = |dy: f32| {
         let place = camera.ground(bar.bottom + Vec2::new(0.0, dy), 0.0)?;
@@ -158,7 +159,7 @@ fn is_of_width(camera: &Camera, bar: &Bar, slack: f32) -> bool {
     (0.6 * thinnest - 2.0..=1.6 * thickest + 4.0).contains(&bar.width)
 }
 
-/// The two posts, left and right, that make the largest plausible goal.
+/// Pair of posts, left and right, of the largest plausible goal.
 fn best_pair(posts: &[Post]) -> Option<(Post, Post)> {
     let pairs = posts.iter().flat_map(|a| posts.iter().map(move |b| (*a, *b)));
     pairs.filter(|(a, b)| is_goal(a, b)).max_by(|p, q| (area(&p.0) + area(&p.1)).total_cmp(&(area(&q.0) + area(&q.1))))

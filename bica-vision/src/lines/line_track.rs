@@ -1,21 +1,23 @@
-//! Points on stripes, strung together from scan to scan as long as they go straight on.
+//! Tracks of ridges that continue straight from scan to scan.
 
 use glam::Vec2;
 use heapless::Vec;
 
 use super::ridge::Ridge;
-use super::{Axes, Stripe};
+use super::stripe::{Axes, Stripe};
 
-/// Strings that are followed at a time.
+/// Maximum number of open tracks.
 pub(super) const OPEN: usize = 24;
-/// A line with fewer points is none.
+/// Minimum number of points of a line.
 const ENOUGH: u16 = 4;
-/// The steepest line against its scans; another one is found by the scans of the other way.
+/// Maximum slope against the scan normal; steeper lines are found by the scans of the other direction.
 const STEEPEST: f32 = 1.2;
-/// How far a point may be from where a strand goes on: in the beginning, and when its direction is known, px.
-const MISS: (f32, f32) = (1.6, 1.0);
+/// Maximum distance of a point from a short track, whose direction is uncertain, px.
+const NEW_DISTANCE: f32 = 1.6;
+/// Maximum distance of a point from a track, px.
+const DISTANCE: f32 = 1.0;
 
-/// Points that go straight on from scan to scan, with the sums for a least squares fit.
+/// Points that continue straight from scan to scan, with the sums of a least-squares fit.
 #[derive(Clone, Copy)]
 pub(super) struct LineTrack {
     first: Vec2,
@@ -33,14 +35,14 @@ impl LineTrack {
         Self { first, last: first, slope: 0.0, count: 1, sums: [0.0; 4], width: ridge.width, rise: ridge.rise }
     }
 
-    /// How far a stripe is from where the strand goes on; none if it is not the next one.
-    fn miss(&self, across: f32, ridge: Ridge, pitch: f32) -> Option<f32> {
+    /// Distance of a ridge from the extrapolated track; `None` if the ridge does not continue it.
+    fn distance(&self, across: f32, ridge: Ridge, pitch: f32) -> Option<f32> {
         let ahead = across - self.last.x;
         let miss = (ridge.at - self.last.y - self.slope * ahead).abs();
         let allowed = match self.count {
             1 => STEEPEST * ahead + 0.5,
-            2..=4 => MISS.0,
-            _ => MISS.1,
+            2..=4 => NEW_DISTANCE,
+            _ => DISTANCE,
         };
         let alike = ridge.width <= 1.6 * self.width + 2.0 && self.width <= 1.6 * ridge.width + 2.0;
         (alike && ahead > 0.0 && ahead < 2.5 * pitch && miss <= allowed).then_some(miss)
@@ -59,14 +61,14 @@ impl LineTrack {
         self.rise += part * (ridge.rise - self.rise);
     }
 
-    /// Slope and offset of the fitted line, from the first point on.
+    /// Slope and offset of the fitted line, relative to the first point.
     fn fitted(&self) -> (f32, f32) {
         let (n, [x, y, xx, xy]) = (f32::from(self.count), self.sums);
         let slope = (n * xy - x * y) / (n * xx - x * x).max(1e-3);
         (slope, (y - slope * x) / n)
     }
 
-    /// The fitted stripe, if it is long enough and not too steep.
+    /// Fitted line segment, if it has enough points and is not too steep.
     pub(super) fn stripe(&self, axes: Axes) -> Option<Stripe> {
         let (slope, offset) = self.fitted();
         let at = |across: f32| axes.pixel(across, self.first.y + offset + slope * (across - self.first.x));
@@ -76,23 +78,23 @@ impl LineTrack {
     }
 }
 
-/// Adds a stripe to the strand that it continues best, or starts one.
-pub(super) fn string(open: &mut Vec<LineTrack, OPEN>, across: f32, ridge: Ridge, pitch: f32) {
-    let fitting = open.iter_mut().filter_map(|strand| Some((strand.miss(across, ridge, pitch)?, strand)));
+/// Appends a ridge to the track that it continues best, or starts a track.
+pub(super) fn append(open: &mut Vec<LineTrack, OPEN>, across: f32, ridge: Ridge, pitch: f32) {
+    let fitting = open.iter_mut().filter_map(|track| Some((track.distance(across, ridge, pitch)?, track)));
     match fitting.min_by(|a, b| a.0.total_cmp(&b.0)) {
-        Some((_, strand)) => strand.add(across, ridge),
-        // When all places are taken, a strand is long: a new point is worth less.
+        Some((_, track)) => track.add(across, ridge),
+        // A full list contains long tracks, which are worth more than a new point.
         None => open.extend([LineTrack::new(across, ridge)].into_iter().take(OPEN - open.len())),
     }
 }
 
-/// Ends the strands that were not continued since `before` and hands over their stripes.
-pub(super) fn close(open: &mut Vec<LineTrack, OPEN>, axes: Axes, before: f32, mut hand: impl FnMut(Stripe)) {
-    open.retain(|strand| {
-        let goes_on = strand.last.x >= before;
-        if !goes_on {
-            strand.stripe(axes).into_iter().for_each(&mut hand);
+/// Closes the tracks without a point since `before` and emits their segments.
+pub(super) fn close(open: &mut Vec<LineTrack, OPEN>, axes: Axes, before: f32, mut emit: impl FnMut(Stripe)) {
+    open.retain(|track| {
+        let is_open = track.last.x >= before;
+        if !is_open {
+            track.stripe(axes).into_iter().for_each(&mut emit);
         }
-        goes_on
+        is_open
     });
 }

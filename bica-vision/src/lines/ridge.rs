@@ -1,79 +1,80 @@
-//! Bright stripes between green in one scan of pixels.
+//! Bright ridges between green pixels in one scan.
 //!
-//! A stripe begins where luma rises from what it was on the carpet and ends where it falls through the middle again: so a
-//! line that is thinner than a pixel is found too, though no pixel of it is white. Classes are asked for at its two sides
-//! and in its middle only.
+//! A ridge begins where luma rises above the carpet and ends where it falls below the mid-level again. So a line
+//! thinner than a pixel is found too, although none of its pixels is white. The colour class is read only at both sides
+//! and in the middle.
 
 use heapless::Vec;
 
-use super::Axes;
-use super::edge_scan::{LANES, Walk};
+use super::edge_scan::{LANES, ParallelScan};
+use super::stripe::Axes;
 use crate::colour::{Classify, Colour};
 use crate::frame::{Frame, Lumas, Pixel};
 
-/// Stripes of one scan, and rises of luma that are looked into. Where there are more, it is not lines that it sees, and
-/// the rest of it is left out. Recorded images have 6 and 17 at most.
+/// Maximum number of ridges in one scan. Recorded images have at most 6; more is noise, and the rest of the scan is
+/// skipped.
 pub(super) const RIDGES: usize = 8;
+/// Maximum number of rising edges followed in one scan. Recorded images have at most 17; more is noise.
 const RISES: u8 = 24;
-/// A stripe of the carpet's own colour is none unless it is so much brighter: tufts are not.
+/// Minimum contrast of a ridge with the carpet's own colour class, which rejects tufts.
 const THIN_RISE: i32 = 30;
 
-/// The stripes of one scan, along it.
+/// Ridges of one scan, in order.
 pub(super) type Ridges = Vec<Ridge, RIDGES>;
 
-/// A stripe across a scan.
+/// Cross-section of a line in a scan.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Ridge {
-    /// Its middle on the scan, px.
+    /// Middle, position on the scan, px.
     pub(super) at: f32,
-    /// How wide it is along the scan, px.
+    /// Width along the scan, px.
     pub(super) width: f32,
-    /// How much brighter than the carpet it is, of 255.
+    /// Contrast to the carpet's luma, 0 to 255.
     pub(super) rise: f32,
 }
 
-/// A row or a column of a frame.
+/// Row or column of a frame.
 pub(super) struct Scan<'a, C> {
     pub(super) frame: &'a Frame<'a>,
     pub(super) colours: &'a C,
     pub(super) axes: Axes,
-    /// Which row or column.
+    /// Index of the row or column.
     pub(super) across: u16,
-    /// The widest stripe, px.
+    /// Maximum width of a ridge, px.
     pub(super) widest: u16,
 }
 
-/// A stripe that has begun.
+/// Ridge in progress.
 struct Open {
     start: u16,
     base: i32,
     peak: i32,
 }
 
-/// The stripes between `first` and `end` (not included) of each of some scans that lie side by side.
-pub(super) fn side_by_side<C: Classify>(scans: &[(Scan<'_, C>, u16)], end: u16) -> [Ridges; LANES] {
+/// Ridges between `first` and `end` (excluded) of neighbouring scans.
+pub(super) fn in_parallel<C: Classify>(scans: &[(Scan<'_, C>, u16)], end: u16) -> [Ridges; LANES] {
     let mut found = [const { Ridges::new() }; LANES];
     let mut left = [RISES; LANES];
-    let mut walk = Walk::new(scans.iter().map(|(scan, first)| (scan.lumas(), *first)));
-    while let Some(mut rise) = walk.next_rise(end) {
+    let mut parallel = ParallelScan::new(scans.iter().map(|(scan, first)| (scan.lumas(), *first)));
+    while let Some(mut rise) = parallel.next_rise(end) {
         while rise.lanes != 0 {
             let lane = rise.lanes.trailing_zeros() as usize;
             rise.lanes &= rise.lanes - 1;
             let Some((scan, _)) = scans.get(lane) else { continue };
-            let (ground, luma) = walk.on_carpet(lane, rise.at);
+            let (ground, luma) = parallel.carpet_and_luma(lane, rise.at);
             let ridge = Open { start: rise.at, base: ground, peak: luma };
             let (next, base) = scan.climb(ridge, end, &mut found[lane]);
             left[lane] -= 1;
             let is_noise = left[lane] == 0 || found[lane].is_full();
-            walk.go_on(lane, if is_noise { end } else { next }, base);
+            parallel.resume(lane, if is_noise { end } else { next }, base);
         }
     }
     found
 }
 
 impl<C: Classify> Scan<'_, C> {
-    /// Follows a stripe to where it falls again and notes it if it is one; where the carpet goes on, and with what new
-    /// luma if the old one is of no use.
+    /// Follows a ridge to its falling edge and adds it if it is part of a line. Returns the position where the scan
+    /// continues, and a new carpet luma if the old one is unusable.
     fn climb(&self, mut ridge: Open, end: u16, found: &mut Ridges) -> (u16, Option<i32>) {
         let lumas = self.lumas();
         for at in ridge.start + 1..end {
@@ -109,7 +110,7 @@ impl<C: Classify> Scan<'_, C> {
         self.pixel(at).map_or(0, |pixel| pixel.y.into())
     }
 
-    /// The stripe that ended before a place, if it is one of white on green.
+    /// Measures a ridge that ended before `end`, if it is white between green.
     fn measured(&self, ridge: &Open, end: u16) -> Option<Ridge> {
         let middle = f32::midpoint(ridge.base as f32, ridge.peak as f32);
         let first = (ridge.start..end).find(|at| self.luma(*at) as f32 >= middle)?;

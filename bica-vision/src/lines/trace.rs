@@ -1,21 +1,23 @@
-//! A stripe followed to its ends, pixel by pixel.
+//! Extension of a line segment to its ends, pixel by pixel.
 
 use glam::Vec2;
 
-use super::Stripe;
+use super::stripe::Stripe;
 use crate::frame::Frame;
 use crate::projection::Camera;
 
-/// How far a stripe is followed beyond each end of what scans found, px at 320 × 240.
+/// Maximum extension beyond each end, px at 320 × 240.
 const FARTHEST: f32 = 60.0;
-/// The part of a stripe's rise by which it is brighter than its sides.
+/// Minimum contrast on the extension, as a share of the segment's contrast.
 const RISE_PART: f32 = 0.35;
-/// Pixels without the stripe after which it has ended.
+/// Number of pixels without contrast after which the line has ended.
 const GAP: f32 = 2.0;
-/// How wide a line looks on the ground, m, with a pixel more or less: what is wider is a robot's limb.
-const WIDTH: (f32, f32) = (0.02, 0.085);
+/// Minimum width of a line on the ground, m, measured with one pixel more.
+const NARROWEST: f32 = 0.02;
+/// Maximum width of a line on the ground, m, measured with one pixel less; anything wider is a robot's limb.
+const WIDEST: f32 = 0.085;
 
-/// The stripe with its true ends.
+/// Returns the segment extended to the ends of the line.
 pub(super) fn to_the_ends(stripe: Stripe, frame: &Frame<'_>) -> Stripe {
     let Some(along) = (stripe.to - stripe.from).try_normalize() else { return stripe };
     let trace = Trace { frame, stripe, aside: (0.7 * stripe.width + 1.5) * along.perp() };
@@ -24,7 +26,7 @@ pub(super) fn to_the_ends(stripe: Stripe, frame: &Frame<'_>) -> Stripe {
     Stripe { from: trace.end(stripe.from, -scale * along), to, ..stripe }
 }
 
-/// Whether a stripe is as wide as a line would be on the ground.
+/// Whether a segment has a line's width on the ground.
 pub(super) fn is_of_width(stripe: &Stripe, camera: &Camera) -> bool {
     let Some(along) = (stripe.to - stripe.from).try_normalize() else { return false };
     let width = |middle: Vec2, pixels: f32| {
@@ -37,13 +39,13 @@ pub(super) fn is_of_width(stripe: &Stripe, camera: &Camera) -> bool {
     let middle = stripe.from.midpoint(stripe.to);
     let least = width(middle, stripe.width - 1.0);
     let most = width(middle, stripe.width + 1.0);
-    least.is_some_and(|least| least <= WIDTH.1) && most.is_none_or(|most| most >= WIDTH.0)
+    least.is_some_and(|least| least <= WIDEST) && most.is_none_or(|most| most >= NARROWEST)
 }
 
 struct Trace<'a> {
     frame: &'a Frame<'a>,
     stripe: Stripe,
-    /// From the middle of the stripe to beyond its edge, px.
+    /// Vector from the middle of the line to beyond its edge, px.
     aside: Vec2,
 }
 
@@ -52,7 +54,7 @@ impl Trace<'_> {
         self.frame.nearest(at).map(|pixel| f32::from(pixel.y))
     }
 
-    /// The last place from `start` on at which the stripe is seen. It goes on behind one that crosses it.
+    /// Last position from `start` on with contrast. Continues behind a crossing line.
     fn end(&self, start: Vec2, step: Vec2) -> Vec2 {
         let (mut end, mut dark, mut bright) = (start, 0.0, 0.0);
         for count in 1..FARTHEST as u8 {

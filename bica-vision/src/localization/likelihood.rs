@@ -1,4 +1,4 @@
-//! How well a pose explains what is seen.
+//! Observation likelihood of a pose.
 
 use core::f32::consts::{FRAC_PI_2, FRAC_PI_4};
 
@@ -10,26 +10,32 @@ use libm::{atan2f, powf};
 use super::{PostSighting, Sightings, map};
 use crate::goal::PostSide;
 
-/// How high the camera is, m: what turns an error of its pitch into one of distance.
+/// Height of the camera, m: relates errors of its pitch to errors of distance.
 const EYE: f32 = 0.48;
-/// Deviations of directions: to the side and downwards, rad.
-const ASKEW: (f32, f32) = (0.04, 0.012);
-/// Deviation of what is at the feet, m.
+/// Standard deviation of a horizontal direction, rad.
+const AZIMUTH_ERROR: f32 = 0.04;
+/// Standard deviation of a direction below the horizon, rad.
+const ELEVATION_ERROR: f32 = 0.012;
+/// Standard deviation of a position at the robot's feet, m.
 const CLOSE: f32 = 0.04;
-/// Deviation of a distance that a post's width tells, doublings.
+/// Standard deviation of a distance derived from a post's width, in octaves.
 const BY_WIDTH: f32 = 0.4;
-/// Deviation of a crossing's heading, rad.
+/// Standard deviation of a crossing's heading, rad.
 const TURNED: f32 = 0.15;
-/// What is left of the likelihood if a point, a crossing or circle, or a post is nowhere near: it was none.
-const FLOOR: (f32, f32, f32) = (0.1, 0.2, 0.05);
-/// All points of an image count as much as so many that knew nothing of each other.
+/// Outlier floor of the likelihood of a line point.
+const POINT_FLOOR: f32 = 0.1;
+/// Outlier floor of the likelihood of a crossing or circle.
+const CROSSING_FLOOR: f32 = 0.2;
+/// Outlier floor of the likelihood of a post.
+const POST_FLOOR: f32 = 0.05;
+/// Number of independent observations that all line points of an image are worth.
 const INDEPENDENT: f32 = 6.0;
-/// A point counts at most as this part of one: its neighbours on a short line say the same.
+/// Maximum weight of one line point: neighbouring points on a short line are not independent.
 const ALONE: f32 = 0.3;
-/// Images follow each other so closely that they say nearly the same: each counts as this part of one.
+/// Exponent that flattens the likelihood, because consecutive images are not independent.
 const TEMPER: f32 = 0.5;
 
-/// The likelihood of all sightings, not normalized, above 0 and at most 1.
+/// Likelihood of all sightings, not normalized, above 0 and at most 1.
 pub(super) fn of(pose: &Pose2, sightings: &Sightings) -> f32 {
     let points: f32 = sightings.points.iter().map(|point| of_point(pose, *point)).product();
     let share = (INDEPENDENT / sightings.points.len().max(1) as f32).min(ALONE);
@@ -37,32 +43,32 @@ pub(super) fn of(pose: &Pose2, sightings: &Sightings) -> f32 {
     let posts: f32 = sightings.posts.iter().map(|post| of_post(pose, post)).product();
     let circle = sightings.circle.map_or(1.0, |circle| {
         let off = pose.place(circle.centre).length() / deviation(circle.centre);
-        FLOOR.1 + (1.0 - FLOOR.1) * falling(off * off)
+        CROSSING_FLOOR + (1.0 - CROSSING_FLOOR) * cauchy(off * off)
     });
     powf(powf(points, share) * crossings * posts * circle, TEMPER)
 }
 
-/// How many sightings the likelihood is of, at least 1.
+/// Effective number of sightings in the likelihood, at least 1.
 pub(super) fn count(sightings: &Sightings) -> f32 {
     let points = INDEPENDENT.min(ALONE * sightings.points.len() as f32);
     let others = sightings.crossings.len() + sightings.posts.len() + usize::from(sightings.circle.is_some());
     (TEMPER * (points + others as f32)).max(1.0)
 }
 
-/// 1 at 0 and flat beyond: Cauchy's bell is kind to outliers.
-fn falling(square: f32) -> f32 {
+/// Cauchy kernel: 1 at 0, with a heavy tail that is robust to outliers.
+fn cauchy(square: f32) -> f32 {
     1.0 / (1.0 + square)
 }
 
-/// The deviation of a place on the ground, m.
+/// Standard deviation of a ground position, m.
 fn deviation(place: Vec2) -> f32 {
     let way = place.length();
-    CLOSE + ASKEW.1 * (way * way + EYE * EYE) / EYE
+    CLOSE + ELEVATION_ERROR * (way * way + EYE * EYE) / EYE
 }
 
 fn of_point(pose: &Pose2, point: Vec2) -> f32 {
     let off = FIELD.line_distance(pose.place(point)) / deviation(point);
-    FLOOR.0 + (1.0 - FLOOR.0) * falling(off * off)
+    POINT_FLOOR + (1.0 - POINT_FLOOR) * cauchy(off * off)
 }
 
 fn of_crossing(pose: &Pose2, kind: CrossingKind, seen: &Pose2) -> f32 {
@@ -72,12 +78,12 @@ fn of_crossing(pose: &Pose2, kind: CrossingKind, seen: &Pose2) -> f32 {
         let off = known.position.distance(place) / deviation;
         let turned = wrap(heading - known.heading);
         let turned = if kind == CrossingKind::X { quarter(turned) } else { turned } / TURNED;
-        falling(off * off + turned * turned)
+        cauchy(off * off + turned * turned)
     });
-    FLOOR.1 + (1.0 - FLOOR.1) * best.fold(0.0, f32::max)
+    CROSSING_FLOOR + (1.0 - CROSSING_FLOOR) * best.fold(0.0, f32::max)
 }
 
-/// An angle up to quarter turns, −π/4 to π/4.
+/// Angle modulo a quarter turn, −π/4 to π/4.
 fn quarter(angle: f32) -> f32 {
     let folded = angle - FRAC_PI_2 * libm::floorf(angle / FRAC_PI_2);
     if folded > FRAC_PI_4 { folded - FRAC_PI_2 } else { folded }
@@ -90,17 +96,17 @@ fn of_post(pose: &Pose2, post: &PostSighting) -> f32 {
         PostSide::Right => right,
         PostSide::Unknown => left.max(right),
     };
-    FLOOR.2 + (1.0 - FLOOR.2) * best
+    POST_FLOOR + (1.0 - POST_FLOOR) * best
 }
 
-/// How well a post of the field is where one is seen: by its direction and by how far below the horizon its foot is.
+/// Fit of a known post to a seen one: by its direction, and by the angle of its foot below the horizon.
 fn fit(pose: &Pose2, known: Vec2, post: &PostSighting) -> f32 {
     let (expected, seen) = (pose.locate(known), post.at);
-    let aside = wrap(atan2f(seen.y, seen.x) - atan2f(expected.y, expected.x)) / ASKEW.0;
+    let aside = wrap(atan2f(seen.y, seen.x) - atan2f(expected.y, expected.x)) / AZIMUTH_ERROR;
     let away = if post.has_base {
-        (atan2f(EYE, seen.length()) - atan2f(EYE, expected.length())) / ASKEW.1
+        (atan2f(EYE, seen.length()) - atan2f(EYE, expected.length())) / ELEVATION_ERROR
     } else {
         libm::log2f(seen.length() / expected.length()) / BY_WIDTH
     };
-    falling(aside * aside + away * away)
+    cauchy(aside * aside + away * away)
 }

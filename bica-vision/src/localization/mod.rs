@@ -1,14 +1,14 @@
-//! Where on the field the robot is, from lines, their crossings, the centre circle and goal posts.
+//! Self-localization on the field, from lines, their crossings, the centre circle and goal posts.
 //!
-//! A particle filter: augmented Monte Carlo localization (Thrun, Burgard, Fox 2005, "Probabilistic Robotics", table 8.3)
-//! with the likelihood field of table 6.3 for points on lines and low variance resampling (table 4.4). New particles
-//! are not drawn from the whole field but from what is seen (sensor resetting: Lenser, Veloso 2000, "Sensor Resetting
-//! Localization for Poorly Modelled Mobile Robots"): a goal tells the pose, a crossing leaves some, a single post a ring.
-//! So a robot that was carried off finds itself again. Lines look the same from the mirrored pose; the goals' colours
-//! do not.
+//! A particle filter: augmented Monte Carlo localization (Thrun, Burgard, Fox 2005, "Probabilistic Robotics", table
+//! 8.3) with the likelihood field of table 6.3 for points on lines, and low-variance resampling (table 4.4). New
+//! particles are drawn from the observation instead of the whole field (sensor resetting: Lenser, Veloso 2000, "Sensor
+//! Resetting Localization for Poorly Modelled Mobile Robots"): a goal determines the pose, a crossing leaves a few
+//! poses, a single post a circle. So a robot recovers after it was moved by hand. Lines look the same from the pose
+//! turned by 180°; the goals' colours resolve this symmetry.
 //!
-//! Random numbers are the filter's own: the same sightings give the same poses, bit for bit. Whatever is seen, poses are
-//! numbers and on the carpet. Cost with 200 particles: 40 µs for a motion, 0.5 ms for the sightings of an image.
+//! The filter has its own random numbers: equal sightings give equal poses, bit for bit. For any input, poses are
+//! finite and on the carpet. Cost with 200 particles: 40 µs for a motion, 0.5 ms for the sightings of an image.
 
 mod likelihood;
 pub mod map;
@@ -27,52 +27,66 @@ use crate::centre_circle::CentreCircle;
 use crate::crossings::CROSSINGS;
 use crate::goal::PostSide;
 
-/// Points on lines that are used of one image.
+/// Maximum number of line points used from one image.
 pub const POINTS: usize = 24;
-/// Posts of both goals.
+/// Maximum number of posts, of both goals.
 pub const POSTS: usize = 4;
 
-/// Deviation of what a motion is believed to be: part of the way, part of the turn, rad for each m, m for each rad.
-const MOTION_NOISE: (f32, f32, f32, f32) = (0.15, 0.1, 0.1, 0.03);
-/// What every particle is moved by at random when it is drawn again, m and rad: they must not become one.
-const ROUGHNESS: (f32, f32) = (0.012, 0.008);
-/// How fast the two means of the fit follow: slowly, fast (table 8.3).
-const FOLLOW: (f32, f32) = (0.02, 0.15);
-/// New particles of each image, as a part of all: always, and while the pose is not sure.
-const NEW: (f32, f32) = (0.03, 0.15);
-/// Particles nearer than this belong together, m and rad.
-const CLUSTER: (f32, f32) = (0.4, 0.4);
-/// A pose is sure if so large a part of the particles is near it.
+/// Standard deviation of a walked distance, per metre.
+const WAY_NOISE: f32 = 0.15;
+/// Standard deviation of a turn, per radian.
+const TURN_NOISE: f32 = 0.1;
+/// Standard deviation of the heading after walking, rad/m.
+const TURN_NOISE_OF_WAY: f32 = 0.1;
+/// Standard deviation of the position after turning, m/rad.
+const WAY_NOISE_OF_TURN: f32 = 0.03;
+/// Standard deviation of the noise on positions at resampling, m, which keeps particles distinct.
+const ROUGHNESS: f32 = 0.012;
+/// Standard deviation of the noise on headings at resampling, rad.
+const HEADING_ROUGHNESS: f32 = 0.008;
+/// Smoothing factor of the slow mean of the likelihood (table 8.3).
+const SLOW: f32 = 0.02;
+/// Smoothing factor of the fast mean of the likelihood.
+const FAST: f32 = 0.15;
+/// Minimum share of new particles per image.
+const NEW: f32 = 0.03;
+/// Minimum share of new particles per image while the pose is not sure.
+const NEW_IF_UNSURE: f32 = 0.15;
+/// Radius of a cluster, m.
+const CLUSTER: f32 = 0.4;
+/// Maximum difference of headings within a cluster, rad.
+const CLUSTER_HEADING: f32 = 0.4;
+/// Minimum share of particles near a pose that counts as sure.
 const SURE: f32 = 0.6;
 
-/// A goal post that is seen.
+/// Observed goal post.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PostSighting {
-    /// Where it stands, m, in the ground frame.
+    /// Position, ground frame, m.
     pub at: Vec2,
-    /// Which one of its goal.
+    /// Side in its goal.
     pub side: PostSide,
-    /// Whether it is of the goal at positive x.
+    /// Whether it belongs to the goal at positive x.
     pub attacked: bool,
-    /// Whether its foot is seen; else its width alone tells the distance.
+    /// Whether the foot is in the image; otherwise the distance comes from the width alone.
     pub has_base: bool,
 }
 
-/// What is seen of the field in one image: m and rad in the robot's ground frame.
+/// Field features observed in one image: m and rad in the robot's ground frame.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Sightings {
-    /// Points on lines, spread evenly.
+    /// Evenly distributed points on lines.
     pub points: Vec<Vec2, POINTS>,
-    /// Crossings of lines, with headings as of [`Crossing::ground`](crate::crossings::Crossing::ground).
+    /// Line crossings, with headings as in [`Crossing::ground`](crate::crossings::Crossing::ground).
     pub crossings: Vec<(CrossingKind, Pose2), CROSSINGS>,
-    /// The centre circle.
+    /// Centre circle.
     pub circle: Option<CentreCircle>,
     /// Goal posts.
     pub posts: Vec<PostSighting, POSTS>,
 }
 
 impl Sightings {
-    /// Leaves out what is no number.
+    /// Removes sightings that are not finite.
     fn clean(&mut self) {
         self.points.retain(|point| point.is_finite());
         self.crossings.retain(|(_, pose)| pose.position.is_finite() && pose.heading.is_finite());
@@ -86,26 +100,26 @@ impl Sightings {
     }
 }
 
-/// The belief in a pose.
+/// Estimated pose.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Estimate {
-    /// The robot's ground frame in the field frame.
+    /// Robot's ground frame in the field frame.
     pub pose: Pose2,
-    /// The part of all particles that is near it, 0 to 1.
+    /// Share of particles near the pose, 0 to 1.
     pub belief: f32,
-    /// Their standard deviation, m.
+    /// Standard deviation of their positions, m.
     pub spread: f32,
 }
 
 impl Estimate {
-    /// Whether most particles agree on it.
+    /// Whether most particles agree on the pose.
     #[must_use]
     pub fn is_sure(&self) -> bool {
         self.belief >= SURE
     }
 }
 
-/// The filter, with `N` particles of 12 bytes, kept twice; 200 are enough.
+/// Particle filter with `N` particles of 12 bytes, stored twice; 200 are enough.
 #[derive(Clone, Debug)]
 pub struct Localizer<const N: usize> {
     particles: [Pose2; N],
@@ -116,7 +130,7 @@ pub struct Localizer<const N: usize> {
 }
 
 impl<const N: usize> Localizer<N> {
-    /// Knows nothing. Draws its random numbers from `seed`.
+    /// Creates a filter without knowledge of the pose. `seed` starts its random numbers.
     #[must_use]
     pub const fn new(seed: u64) -> Self {
         Self {
@@ -128,26 +142,26 @@ impl<const N: usize> Localizer<N> {
         }
     }
 
-    /// The pose that most is said for; none before the first sighting.
+    /// Pose with the most particles; `None` before the first sighting.
     #[must_use]
     pub const fn estimate(&self) -> Option<Estimate> {
         self.estimate
     }
 
-    /// All poses that are thought possible, field frame.
+    /// All particles, field frame.
     #[must_use]
     pub const fn particles(&self) -> &[Pose2; N] {
         &self.particles
     }
 
-    /// The robot moved: its new ground frame, seen from the old one. What is no number is no motion.
+    /// Applies odometry: the robot's new ground frame in the old one. A motion that is not finite is ignored.
     pub fn advance(&mut self, motion: Pose2) {
         if !(motion.position.is_finite() && motion.heading.is_finite()) || motion == Pose2::ORIGIN {
             return;
         }
         let (way, turn) = (motion.position.length(), fabsf(motion.heading));
-        let aside = MOTION_NOISE.0 * way + MOTION_NOISE.3 * turn;
-        let askew = MOTION_NOISE.1 * turn + MOTION_NOISE.2 * way;
+        let aside = WAY_NOISE * way + WAY_NOISE_OF_TURN * turn;
+        let askew = TURN_NOISE * turn + TURN_NOISE_OF_WAY * way;
         for particle in &mut self.particles {
             let wrong = Vec2::new(self.random.normal(), self.random.normal()) * aside;
             let motion =
@@ -159,7 +173,8 @@ impl<const N: usize> Localizer<N> {
         }
     }
 
-    /// Takes in what an image shows. What is no number is left out; nothing seen changes nothing.
+    /// Updates the filter with an image's sightings. Values that are not finite are ignored; no sightings change
+    /// nothing.
     pub fn see(&mut self, mut sightings: Sightings) {
         sightings.clean();
         if sightings.is_empty() {
@@ -177,19 +192,19 @@ impl<const N: usize> Localizer<N> {
             *weight = likelihood::of(particle, &sightings);
             fit += *weight / N as f32;
         }
-        // Of one sighting, so that images with many and with few can be compared.
+        // Per sighting, so that images with many and with few sightings are comparable.
         let fit = libm::powf(fit, 1.0 / likelihood::count(&sightings));
         self.resample(&weights, &sightings, fit);
         self.estimate = self.gather();
     }
 
-    /// The part of the particles to draw anew: more if the fit is worse than it used to be.
+    /// Share of particles to replace: larger if the likelihood is below its long-term mean.
     fn new_part(&mut self, fit: f32) -> f32 {
         let follow = |mean: f32, rate: f32| if mean > 0.0 { mean + rate * (fit - mean) } else { fit };
-        self.fit = (follow(self.fit.0, FOLLOW.0), follow(self.fit.1, FOLLOW.1));
+        self.fit = (follow(self.fit.0, SLOW), follow(self.fit.1, FAST));
         let worse = if self.fit.0 > 0.0 { 1.0 - self.fit.1 / self.fit.0 } else { 0.0 };
         let is_sure = self.estimate.is_some_and(|estimate| estimate.is_sure());
-        worse.clamp(0.0, 0.5).max(if is_sure { NEW.0 } else { NEW.1 })
+        worse.clamp(0.0, 0.5).max(if is_sure { NEW } else { NEW_IF_UNSURE })
     }
 
     fn resample(&mut self, weights: &[f32; N], sightings: &Sightings, fit: f32) {
@@ -208,13 +223,13 @@ impl<const N: usize> Localizer<N> {
                 passed += weights[index];
             }
             place += stride;
-            let rough = Vec2::new(random.normal(), random.normal()) * ROUGHNESS.0;
-            let heading = old[index].heading + ROUGHNESS.1 * random.normal();
+            let rough = Vec2::new(random.normal(), random.normal()) * ROUGHNESS;
+            let heading = old[index].heading + HEADING_ROUGHNESS * random.normal();
             *particle = on_carpet(Pose2 { position: old[index].position + rough, heading });
         }
     }
 
-    /// The best of the clusters around some of the particles, the last estimate's first.
+    /// Best cluster around some of the particles, the last estimate's first.
     fn gather(&self) -> Option<Estimate> {
         let step = (N / 16).max(1);
         let last = self.estimate.iter().map(|estimate| estimate.pose);
@@ -227,7 +242,7 @@ impl<const N: usize> Localizer<N> {
         let (mut count, mut sum, mut turn, mut squares) = (0.0, Vec2::ZERO, 0.0, 0.0);
         for particle in &self.particles {
             let (off, askew) = (particle.position - seed.position, wrap(particle.heading - seed.heading));
-            if off.length_squared() < CLUSTER.0 * CLUSTER.0 && fabsf(askew) < CLUSTER.1 {
+            if off.length_squared() < CLUSTER * CLUSTER && fabsf(askew) < CLUSTER_HEADING {
                 count += 1.0;
                 sum += off;
                 turn += askew;
@@ -240,7 +255,7 @@ impl<const N: usize> Localizer<N> {
         (count > 0.0).then_some(Estimate { pose, belief: count / N as f32, spread })
     }
 
-    /// Forgets where it is.
+    /// Restarts without knowledge of the pose.
     pub const fn forget(&mut self) {
         self.scattered = false;
         self.estimate = None;
@@ -248,7 +263,7 @@ impl<const N: usize> Localizer<N> {
     }
 }
 
-/// The nearest pose on the carpet; the origin for what is no number.
+/// Nearest pose on the carpet; the origin for a pose that is not finite.
 fn on_carpet(pose: Pose2) -> Pose2 {
     if !(pose.position.is_finite() && pose.heading.is_finite()) {
         return Pose2::ORIGIN;
@@ -256,7 +271,7 @@ fn on_carpet(pose: Pose2) -> Pose2 {
     Pose2 { position: pose.position.clamp(-FIELD.carpet_corner(), FIELD.carpet_corner()), heading: wrap(pose.heading) }
 }
 
-/// The pose of a robot that sees `seen`, a pose of its own frame, where the field has `known`.
+/// Pose of a robot that sees a field feature `known` at `seen`, a pose of its own frame.
 fn pose_of(known: Pose2, seen: Pose2) -> Pose2 {
     let heading = wrap(known.heading - seen.heading);
     Pose2 { position: known.position - rotate(seen.position, heading), heading }

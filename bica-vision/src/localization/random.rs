@@ -1,6 +1,6 @@
-//! Random numbers that are the same in every run.
+//! Reproducible random numbers.
 
-/// The generator PCG-XSH-RR 64/32 (O'Neill 2014, "PCG: A Family of Simple Fast Space-Efficient Statistically Good
+/// Generator PCG-XSH-RR 64/32 (O'Neill 2014, "PCG: A Family of Simple Fast Space-Efficient Statistically Good
 /// Algorithms for Random Number Generation").
 #[derive(Clone, Debug)]
 pub(super) struct Random {
@@ -22,22 +22,22 @@ impl Random {
         mixed.rotate_right((old >> 59) as u32)
     }
 
-    /// Evenly from 0 up to, not including, 1.
+    /// Uniform in [0, 1).
     pub(super) fn unit(&mut self) -> f32 {
         (self.bits() >> 8) as f32 / (1_u32 << 24) as f32
     }
 
-    /// Evenly from −`most` to `most`.
+    /// Uniform in −`most` to `most`.
     pub(super) fn within(&mut self, most: f32) -> f32 {
         most * (2.0 * self.unit() - 1.0)
     }
 
-    /// A whole number below `count`; 0 if that is 0.
+    /// Uniform integer below `count`; 0 if `count` is 0.
     pub(super) fn below(&mut self, count: usize) -> usize {
         ((self.unit() * count as f32) as usize).min(count.saturating_sub(1))
     }
 
-    /// About normal with a standard deviation of 1: the sum of four even numbers, never beyond 3.5.
+    /// Approximately standard normal: the sum of four uniform numbers, within ±3.5.
     pub(super) fn normal(&mut self) -> f32 {
         let sum: f32 = (0..4).map(|_| self.unit() - 0.5).sum();
         sum * 1.732_050_8
@@ -49,7 +49,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn numbers_are_spread_as_promised() {
+    fn distributions_have_the_stated_moments() {
         let mut random = Random::new(7);
         let (mut sum, mut squares, mut even) = (0.0, 0.0, [0_u32; 10]);
         for _ in 0..20_000 {

@@ -1,4 +1,4 @@
-//! Poses that what is seen speaks for.
+//! Sensor resetting: poses drawn from the observation.
 
 use core::f32::consts::{FRAC_PI_2, PI};
 
@@ -11,17 +11,21 @@ use super::random::Random;
 use super::{PostSighting, Sightings, map, pose_of};
 use crate::goal::PostSide;
 
-/// How far guesses are spread, m at a place and for each metre to what is seen, and rad.
-const SPREAD: (f32, f32, f32) = (0.03, 0.03, 0.03);
-/// Two posts are a goal if their distance is right within this, m for each m that they are away.
+/// Standard deviation of a drawn position close to the observed object, m.
+const SPREAD: f32 = 0.03;
+/// Growth of this standard deviation per metre of distance.
+const SPREAD_PER_METRE: f32 = 0.03;
+/// Standard deviation of a drawn heading, rad.
+const HEADING_SPREAD: f32 = 0.03;
+/// Tolerance on the distance between two posts of a goal, m for each metre of their distance.
 const WIDTH_ERROR: f32 = 0.15;
 
-/// Any pose within the lines.
+/// Uniformly distributed pose within the field lines.
 pub(super) fn anywhere(random: &mut Random) -> Pose2 {
     Pose2::new(random.within(FIELD.field_corner().x), random.within(FIELD.field_corner().y), random.within(PI))
 }
 
-/// A pose from which one of the sightings would look like this; of what tells most, mostly.
+/// Pose from which one of the sightings would look as observed; prefers the most informative ones.
 pub(super) fn from(sightings: &Sightings, random: &mut Random) -> Pose2 {
     let crossings = &sightings.crossings;
     let from_lines = crossings.len() + usize::from(sightings.circle.is_some());
@@ -43,14 +47,14 @@ pub(super) fn from(sightings: &Sightings, random: &mut Random) -> Pose2 {
 }
 
 fn spread(pose: Pose2, way: f32, random: &mut Random) -> Pose2 {
-    let off = Vec2::new(random.normal(), random.normal()) * (SPREAD.0 + SPREAD.1 * way);
-    Pose2 { position: pose.position + off, heading: pose.heading + SPREAD.2 * random.normal() }
+    let off = Vec2::new(random.normal(), random.normal()) * (SPREAD + SPREAD_PER_METRE * way);
+    Pose2 { position: pose.position + off, heading: pose.heading + HEADING_SPREAD * random.normal() }
 }
 
-/// A pose and how far away what it was made from is.
-type Guess = Option<(Pose2, f32)>;
+/// Pose, and the distance of the object that it was derived from.
+type Drawn = Option<(Pose2, f32)>;
 
-fn from_posts(sightings: &Sightings, random: &mut Random) -> Guess {
+fn from_posts(sightings: &Sightings, random: &mut Random) -> Drawn {
     let posts = &sightings.posts;
     let post = posts.get(random.below(posts.len()))?;
     let (left, right) = match post.side {
@@ -82,13 +86,13 @@ fn partner<'a>(posts: &'a [PostSighting], post: &PostSighting, side: PostSide) -
     })
 }
 
-/// The middle of two posts, heading from the right one to the left.
+/// Midpoint of two posts, with the heading from the right to the left one.
 fn between(left: Vec2, right: Vec2) -> Pose2 {
     let across = left - right;
     Pose2 { position: 0.5 * (left + right), heading: atan2f(across.y, across.x) }
 }
 
-fn from_circle(sightings: &Sightings, random: &mut Random) -> Guess {
+fn from_circle(sightings: &Sightings, random: &mut Random) -> Drawn {
     let circle = sightings.circle?;
     let seen_heading = circle.halfway.map_or_else(|| random.within(PI), |way| atan2f(way.y, way.x));
     let known = Pose2::new(0.0, 0.0, if random.unit() < 0.5 { FRAC_PI_2 } else { -FRAC_PI_2 });

@@ -1,4 +1,4 @@
-//! From what detectors find in an image to sightings.
+//! Sightings from the detections of an image.
 
 use bica_field::GoalColour;
 use glam::Vec2;
@@ -11,7 +11,7 @@ use crate::lines::Line;
 use crate::markings::Markings;
 use crate::projection::Camera;
 
-/// A crossing's heading is known up to this distance, m.
+/// Maximum distance of a crossing with a reliable heading, m.
 const CROSSING_FARTHEST: f32 = 3.0;
 
 impl Sightings {
@@ -42,7 +42,7 @@ fn posts_of(goal: &Goal) -> impl Iterator<Item = Post> + use<> {
     [Some(goal.first), goal.second].into_iter().flatten()
 }
 
-/// Points on lines at even distances.
+/// Points on lines at equal distances.
 fn spread(lines: &[Line]) -> Vec<Vec2, POINTS> {
     let length: f32 = lines.iter().map(Line::length).sum();
     let pitch = (length / POINTS as f32).max(0.1);

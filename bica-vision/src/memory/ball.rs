@@ -1,8 +1,9 @@
-//! The remembered ball: it rests or it rolls, and both are believed as far as the sightings fit.
+//! Memory of the ball, which rests or rolls.
 //!
-//! Two Kalman filters, one of a resting ball (a place) and one of a rolling one (place and velocity, braked by the
-//! carpet), run side by side. A resting ball may be kicked, a rolling one may stop; so at each step each filter takes
-//! some of the other in (interacting multiple models, Blom and Bar-Shalom 1988). Sightings weigh them by likelihood.
+//! An interacting multiple model filter (IMM, Blom and Bar-Shalom 1988) of two Kalman filters: one for a resting ball
+//! (position) and one for a rolling ball (position and velocity, with rolling friction). At each step each filter takes
+//! over a share of the other for the probability of a kick or a stop. Sightings weight them by likelihood.
+//!
 //! Cost: 0.4 µs for each motion, 0.2 µs for each sighting.
 
 use bica_motion::pose::Pose2;
@@ -15,20 +16,24 @@ use super::rolling::Rolling;
 use super::{LASTING, sound};
 use crate::uncertainty::Covariance;
 
-/// As for what stands, but a resting ball must differ from a slow one: sightings weigh a quarter or more.
+/// Factor on the covariance before each update; lower than for static objects, to tell a resting from a slow ball.
 const FADE: f32 = 4.0 / 3.0;
-/// How often a resting ball begins to roll, 1/s.
+/// Rate at which a resting ball starts to roll, 1/s.
 const STARTS: f32 = 0.05;
-/// How often a rolling ball stops, 1/s: one that is fast, at something; and one that is known to be slow.
-const STOPS: (f32, f32) = (0.2, 4.0);
-/// Slower than this is slow, m/s, if it is known this well, m/s.
-const SLOW: (f32, f32) = (0.06, 0.3);
-/// How much a ball that is seen for the first time is believed to roll.
+/// Rate at which a fast ball stops, at an obstacle, 1/s.
+const STOPS: f32 = 0.2;
+/// Rate at which a slow ball stops, 1/s.
+const SLOW_STOPS: f32 = 4.0;
+/// Maximum speed of a slow ball, m/s.
+const SLOW: f32 = 0.06;
+/// Maximum standard deviation of the velocity of a slow ball, m/s.
+const SLOW_DEVIATION: f32 = 0.3;
+/// Initial probability that the ball rolls.
 const AT_FIRST: f32 = 0.2;
-/// Neither way is believed less than this.
+/// Minimum probability of each model.
 const LEAST: f32 = 1e-3;
 
-/// Where the ball is and where it rolls, in the ground frame of the robot as it stands now: m, x forward, y left.
+/// Remembered ball in the robot's present ground frame: m, x forward, y left.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BallMemory {
     ball: Option<Ball>,
@@ -39,15 +44,15 @@ pub struct BallMemory {
 struct Ball {
     resting: PositionEstimate,
     rolling: Rolling,
-    /// How much it is believed to roll.
+    /// Probability that the ball rolls.
     rolls: f32,
-    /// The covariance of what sightings have in common.
+    /// Covariance of the errors that sightings have in common.
     lasting: Covariance,
 }
 
 impl BallMemory {
-    /// No ball remembered yet. Confidence will halve in `half_life` seconds without a sighting; not positive or not a
-    /// number: at once.
+    /// Creates an empty memory. Without sightings the confidence halves every `half_life` seconds; at once if
+    /// `half_life` is not positive or NaN.
     #[must_use]
     pub const fn new(half_life: f32) -> Self {
         Self { ball: None, belief: Belief::new(half_life) }
@@ -57,45 +62,45 @@ impl BallMemory {
         self.ball.as_ref().filter(|_| self.belief.is_held())
     }
 
-    /// Where the ball is and how sure that is, if it is not forgotten.
+    /// Position with covariance, over both models, unless forgotten.
     #[must_use]
     pub fn estimate(&self) -> Option<PositionEstimate> {
         self.ball().map(Ball::estimate)
     }
 
-    /// Where the ball is if it does what it more likely does, rest or roll; if it is not forgotten.
+    /// Position with covariance of the more probable model, unless forgotten.
     #[must_use]
     pub fn likeliest(&self) -> Option<PositionEstimate> {
         self.ball()
             .map(|ball| if ball.rolls > 0.5 { ball.rolling.estimate() } else { ball.resting }.with(&ball.lasting))
     }
 
-    /// Where the ball is, if it is not forgotten.
+    /// Position, m, unless forgotten.
     #[must_use]
     pub fn position(&self) -> Option<Vec2> {
         self.estimate().map(|place| place.position)
     }
 
-    /// How much the ball is believed to roll, 0 to 1; 0 if it is forgotten.
+    /// Probability that the ball rolls, 0 to 1; 0 if it is forgotten.
     #[must_use]
     pub fn rolls(&self) -> f32 {
         self.ball().map_or(0.0, |ball| ball.rolls)
     }
 
-    /// Whether the ball more likely rolls than rests.
+    /// Whether rolling is the more probable model.
     #[must_use]
     pub fn is_rolling(&self) -> bool {
         self.rolls() > 0.5
     }
 
-    /// Its velocity over the ground, m/s in the robot's ground frame: that of a rolling ball, zero of a resting one.
+    /// Velocity over the ground, m/s, in the robot's ground frame; zero for a resting ball.
     #[must_use]
     pub fn velocity(&self) -> Vec2 {
         self.ball().filter(|_| self.is_rolling()).map_or(Vec2::ZERO, |ball| ball.rolling.velocity())
     }
 
-    /// Where the ball will be in so many seconds if nothing stops it, and how sure that is. A time that is not positive
-    /// counts as now. After 5 s every ball rests.
+    /// Predicted position in `seconds` if nothing stops the ball, with covariance. A time that is not positive counts
+    /// as zero. After 5 s every ball rests.
     #[must_use]
     pub fn predict(&self, seconds: f32) -> Option<PositionEstimate> {
         let mut ball = *self.ball()?;
@@ -103,13 +108,13 @@ impl BallMemory {
         Some(ball.estimate())
     }
 
-    /// How much the ball's place is believed, 0 to 1.
+    /// Confidence in the position, 0 to 1.
     #[must_use]
     pub const fn confidence(&self) -> f32 {
         self.belief.confidence()
     }
 
-    /// Seconds since it was last seen. None if it is forgotten.
+    /// Time since the last sighting, s. `None` if the ball is forgotten.
     #[must_use]
     pub fn age(&self) -> Option<f32> {
         self.ball().map(|_| self.belief.age())
@@ -121,9 +126,10 @@ impl BallMemory {
         self.belief.forget();
     }
 
-    /// Takes in a sighting: m in the robot's ground frame, its covariance, and a confidence of 0 to 1. If neither a
-    /// resting nor a rolling ball would be there, the filter starts anew. What is not a number, or a covariance that is
-    /// none, is not seen.
+    /// Processes a sighting: position in the robot's ground frame, m, its covariance, and a confidence of 0 to 1.
+    ///
+    /// A sighting outside the gates of both models restarts the filter. A sighting that is not finite or has no
+    /// positive definite covariance is ignored.
     #[inline(never)]
     pub fn see(&mut self, position: Vec2, covariance: &Covariance, confidence: f32) {
         let Some(seen) = PositionEstimate::seen(position, covariance).filter(|_| Belief::counts(confidence)) else {
@@ -134,13 +140,13 @@ impl BallMemory {
         self.ball = Some(again.unwrap_or_else(|| Ball::new(&seen)));
     }
 
-    /// It should have been seen and was not ([`visibility::is_in_view`](super::visibility::is_in_view)): believed a quarter less.
+    /// Notes that the ball was not seen although in view: reduces the confidence by a quarter.
     pub fn miss(&mut self) {
         self.belief.miss();
     }
 
-    /// The robot moved by `motion` (its new pose, seen from its old one) and `seconds` went by. A motion that is not
-    /// a number counts as none, a time that is not positive as no time.
+    /// Applies the robot's `motion` (new pose in the old one's frame) and `seconds` of time. A motion that is not
+    /// finite counts as none, a time that is not positive as zero.
     #[inline(never)]
     pub fn advance(&mut self, motion: Pose2, seconds: f32) {
         let (motion, seconds) = sound(motion, seconds);
@@ -178,9 +184,9 @@ impl Ball {
         self.lasting = turned(motion, &self.lasting);
     }
 
-    /// In this time a resting ball may have been kicked, and a rolling one may have stopped.
+    /// Mixes the models for kicks and stops during this time.
     fn change(&mut self, seconds: f32) {
-        let stopping = if self.rolling.is_slow(SLOW) { STOPS.1 } else { STOPS.0 };
+        let stopping = if self.rolling.is_slow(SLOW, SLOW_DEVIATION) { SLOW_STOPS } else { STOPS };
         let within = |rate: f32| 1.0 - expf(-rate * seconds);
         let kicked = (1.0 - self.rolls) * within(STARTS);
         let stopped = self.rolls * within(stopping);

@@ -1,19 +1,19 @@
-//! How much a remembered thing is believed.
+//! Confidence in a remembered object.
 
 use bica_motion::pose::Pose2;
 use libm::{exp2f, fabsf};
 
-/// Below this confidence a thing is forgotten.
+/// Confidence below which an object is forgotten.
 const FORGOTTEN: f32 = 0.02;
-/// The way that halves the confidence in a place, m: odometry is off by a tenth or so.
+/// Walked distance that halves the confidence, m; odometry drifts by about a tenth.
 const HALVING_WAY: f32 = 3.0;
-/// The turn that halves it, rad.
+/// Turn that halves the confidence, rad.
 const HALVING_TURN: f32 = 6.0;
-/// What is left of the confidence after an image that should have shown the thing and did not: one image may be
-/// blurred, a third of a second of them is not.
+/// Factor on the confidence after an image that should show the object and does not. One image may be blurred, a third
+/// of a second of images is not.
 const MISSED: f32 = 0.75;
 
-/// Confidence, 0 to 1, and the seconds since the last sighting. Always numbers.
+/// Confidence, 0 to 1, and time since the last sighting, s; both finite.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Belief {
     confidence: f32,
@@ -42,12 +42,12 @@ impl Belief {
         self.age
     }
 
-    /// Whether a sighting with this confidence says anything.
+    /// Whether a sighting with this confidence is used.
     pub(super) fn counts(confidence: f32) -> bool {
         confidence >= FORGOTTEN
     }
 
-    /// Seen again, or something else seen instead.
+    /// Processes a sighting of the same object (`again`) or of another one.
     pub(super) fn see(&mut self, confidence: f32, again: bool) {
         let before = if again { self.confidence } else { 0.0 };
         self.confidence = confidence.clamp(0.0, 1.0).max(before);
@@ -58,7 +58,7 @@ impl Belief {
         self.confidence *= MISSED;
     }
 
-    /// Time goes by and the robot moves; both finite.
+    /// Applies motion and time, both finite.
     pub(super) fn advance(&mut self, motion: Pose2, seconds: f32) {
         let by_time = if self.half_life > 0.0 { seconds / self.half_life } else { f32::INFINITY };
         let lives = by_time + motion.position.length() / HALVING_WAY + fabsf(motion.heading) / HALVING_TURN;

@@ -1,9 +1,10 @@
-//! Perceptual memory: where a stimulus is while nobody looks at it.
+//! Perceptual memory: Kalman filters for objects that are out of view.
 //!
-//! A remembered place moves against the robot's own motion (odometry), is surer the more often it is seen, and is
-//! believed less and less sure with time and with the way walked. [`Memory`] is for what stands, [`ball::BallMemory`]
-//! for what may roll, [`multi_target::MultiTargetMemory`] for things that look alike. [`sight`] tells what should be visible, so that what is not there is forgotten.
-//! What they hold is always a number. Cost: 50 ns for each motion or sighting of a `Memory`.
+//! Odometry moves each remembered position in the robot's frame. Sightings reduce its covariance; time and walked
+//! distance increase it and reduce the confidence. [`Memory`] is for static objects, [`ball::BallMemory`] for the ball,
+//! [`multi_target::MultiTargetMemory`] for several objects of one kind. [`visibility`] computes whether an object
+//! should be in view, so a missing object is forgotten. All results are finite. Cost: 50 ns for each motion or sighting
+//! of a `Memory`.
 
 pub mod ball;
 mod belief;
@@ -20,14 +21,14 @@ pub use self::position_estimate::PositionEstimate;
 use self::position_estimate::{GATE, turned};
 use crate::uncertainty::Covariance;
 
-/// By how much the covariance grows before a sighting is weighed: this keeps the weight of a sighting at a half or more,
-/// for what the filter does not know of (a fading memory, Sorenson and Sacks 1971).
+/// Factor on the covariance before each update (fading-memory filter, Sorenson and Sacks 1971). It keeps the gain at
+/// 0.5 or more, which covers unmodelled changes.
 const FADE: f32 = 2.0;
-/// The part of a sighting's covariance that the next sightings share, as errors of the camera's pose last for many images:
-/// it does not average out.
+/// Share of a sighting's covariance that consecutive sightings have in common: errors of the camera pose persist over
+/// many images and do not average out.
 const LASTING: f32 = 0.25;
 
-/// A remembered place on the ground, in the ground frame of the robot as it stands now: m, x forward, y left.
+/// Remembered position of a static object, in the robot's present ground frame: m, x forward, y left.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Memory {
     known: Option<Known>,
@@ -36,21 +37,21 @@ pub struct Memory {
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Known {
-    /// As far as sightings differ from each other.
+    /// Estimate from the independent part of the errors.
     place: PositionEstimate,
-    /// The covariance of what they have in common.
+    /// Covariance of the errors that sightings have in common.
     lasting: Covariance,
 }
 
 impl Memory {
-    /// Nothing remembered yet. Confidence will halve in `half_life` seconds without a sighting; not positive or not a
-    /// number: at once.
+    /// Creates an empty memory. Without sightings the confidence halves every `half_life` seconds; at once if
+    /// `half_life` is not positive or NaN.
     #[must_use]
     pub const fn new(half_life: f32) -> Self {
         Self { known: None, belief: Belief::new(half_life) }
     }
 
-    /// The place and how sure it is, if it is not forgotten.
+    /// Position with covariance, unless forgotten.
     #[must_use]
     pub fn estimate(&self) -> Option<PositionEstimate> {
         self.known().map(|known| known.place.with(&known.lasting))
@@ -60,41 +61,42 @@ impl Memory {
         self.known.as_ref().filter(|_| self.belief.is_held())
     }
 
-    /// The place, if it is not forgotten.
+    /// Position, m, unless forgotten.
     #[must_use]
     pub fn position(&self) -> Option<Vec2> {
         self.estimate().map(|place| place.position)
     }
 
-    /// How much the place is believed, 0 to 1.
+    /// Confidence in the position, 0 to 1.
     #[must_use]
     pub const fn confidence(&self) -> f32 {
         self.belief.confidence()
     }
 
-    /// Seconds since it was last seen. None if nothing is remembered.
+    /// Time since the last sighting, s. `None` if nothing is remembered.
     #[must_use]
     pub fn age(&self) -> Option<f32> {
         self.known().map(|_| self.belief.age())
     }
 
-    /// Forgets the place.
+    /// Forgets the object.
     pub const fn forget(&mut self) {
         self.known = None;
         self.belief.forget();
     }
 
-    /// How many squared deviations a sighting is off the remembered place; none if nothing is remembered, or the
-    /// sighting is no number.
+    /// Squared Mahalanobis distance of a sighting from the remembered position; `None` if nothing is remembered or the
+    /// sighting is not finite.
     #[must_use]
     pub fn distance(&self, position: Vec2, covariance: &Covariance) -> Option<f32> {
         let fit = self.estimate()?.fit(&PositionEstimate::seen(position, covariance)?)?;
         Some(fit.distance)
     }
 
-    /// Takes in a sighting: m in the robot's ground frame, its covariance, and a confidence of 0 to 1. Close to the
-    /// remembered place, as deviations go, both are weighed by their covariances, else the new one stands. What is not
-    /// a number, or a covariance that is none, is not seen.
+    /// Processes a sighting: position in the robot's ground frame, m, its covariance, and a confidence of 0 to 1.
+    ///
+    /// A sighting within the gate updates the estimate, any other replaces it. A sighting that is not finite or has no
+    /// positive definite covariance is ignored.
     pub fn see(&mut self, position: Vec2, covariance: &Covariance, confidence: f32) {
         let Some(seen) = PositionEstimate::seen(position, covariance).filter(|_| Belief::counts(confidence)) else {
             return;
@@ -106,13 +108,14 @@ impl Memory {
         self.known = Some(Known { place: again.unwrap_or(seen), lasting: seen.covariance * LASTING });
     }
 
-    /// It should have been seen and was not ([`visibility::is_in_view`]): believed a quarter less.
+    /// Notes that the object was not seen although in view ([`visibility::is_in_view`]): reduces the confidence by a
+    /// quarter.
     pub fn miss(&mut self) {
         self.belief.miss();
     }
 
-    /// The robot moved by `motion` (its new pose, seen from its old one) and `seconds` went by. A motion that is not
-    /// a number counts as none, a time that is not positive as no time.
+    /// Applies the robot's `motion` (new pose in the old one's frame) and `seconds` of time. A motion that is not
+    /// finite counts as none, a time that is not positive as zero.
     pub fn advance(&mut self, motion: Pose2, seconds: f32) {
         let (motion, seconds) = sound(motion, seconds);
         self.belief.advance(motion, seconds);
@@ -126,7 +129,7 @@ impl Memory {
     }
 }
 
-/// A motion and a time that are numbers.
+/// Motion and time with invalid values replaced.
 fn sound(motion: Pose2, seconds: f32) -> (Pose2, f32) {
     let is_finite = motion.position.is_finite() && motion.heading.is_finite();
     (if is_finite { motion } else { Pose2::ORIGIN }, if seconds > 0.0 { seconds } else { 0.0 })

@@ -1,4 +1,4 @@
-//! Several things of a kind, such as other robots, which look all alike.
+//! Memory of several objects of one kind, such as other robots.
 
 use bica_motion::pose::Pose2;
 use glam::Vec2;
@@ -7,25 +7,25 @@ use super::position_estimate::GATE;
 use super::{Memory, PositionEstimate};
 use crate::uncertainty::Covariance;
 
-/// Remembers up to `N` things of a kind; when there are more, the least believed is forgotten.
+/// Memory of up to `N` indistinguishable objects. Of more, the one with the lowest confidence is forgotten.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MultiTargetMemory<const N: usize> {
     memories: [Memory; N],
 }
 
 impl<const N: usize> MultiTargetMemory<N> {
-    /// Nothing remembered yet; half-lives as in [`Memory::new`].
+    /// Creates an empty memory; `half_life` as in [`Memory::new`].
     #[must_use]
     pub const fn new(half_life: f32) -> Self {
         Self { memories: [Memory::new(half_life); N] }
     }
 
-    /// The places, in no order.
+    /// Estimates of all objects, in no order.
     pub fn places(&self) -> impl Iterator<Item = PositionEstimate> + '_ {
         self.memories.iter().filter_map(Memory::estimate)
     }
 
-    /// Takes in a sighting as [`Memory::see`]: of the nearest remembered thing, as deviations go, or of a new one.
+    /// Processes a sighting as [`Memory::see`] does: of the nearest object by Mahalanobis distance, or of a new one.
     pub fn see(&mut self, position: Vec2, covariance: &Covariance, confidence: f32) {
         let distance = |memory: &Memory| memory.distance(position, covariance).unwrap_or(f32::INFINITY);
         let nearest = self.memories.iter_mut().min_by(|a, b| distance(a).total_cmp(&distance(b)));
@@ -39,8 +39,8 @@ impl<const N: usize> MultiTargetMemory<N> {
         }
     }
 
-    /// What was not seen in this image and should have been, by `shows` of its place, is believed a quarter less. After
-    /// the image's sightings were taken in, and before time goes on.
+    /// Reduces the confidence of each object that was not seen in this image and should be visible according to
+    /// `shows`. Call it after the image's sightings and before the next [`advance`](Self::advance).
     pub fn miss(&mut self, shows: impl Fn(&PositionEstimate) -> bool) {
         for memory in &mut self.memories {
             let unseen = memory.age().is_some_and(|age| age > 0.0);
@@ -50,7 +50,7 @@ impl<const N: usize> MultiTargetMemory<N> {
         }
     }
 
-    /// The robot moved and time went by: as [`Memory::advance`].
+    /// Applies motion and time as [`Memory::advance`] does.
     pub fn advance(&mut self, motion: Pose2, seconds: f32) {
         for memory in &mut self.memories {
             memory.advance(motion, seconds);

@@ -1,4 +1,4 @@
-//! A ball that rolls: place and velocity, braked by the carpet.
+//! Kalman filter of a rolling ball: position and velocity, with rolling friction.
 
 use bica_motion::pose::{Pose2, rotate};
 use glam::Vec2;
@@ -7,26 +7,28 @@ use nalgebra::{Matrix2, Matrix2x4, Matrix4, Vector4};
 use super::position_estimate::{Fit, PositionEstimate, drift, turn_of};
 use crate::uncertainty::{Covariance, largest, round, square};
 
-/// How carpet brakes a ball, m/s². Source: B-Human 2023 `ballSpecification.cfg`.
+/// Deceleration of a ball on carpet, m/s². Source: B-Human 2023 `ballSpecification.cfg`.
 const BRAKING: f32 = 0.3;
-/// How fast a ball may be that has just been kicked, any way, as a deviation, m/s.
+/// Standard deviation of the velocity of a ball just kicked, in each direction, m/s.
 const KICKED: f32 = 1.0;
-/// What bumps of the carpet and another braking do to the velocity in a second, m/s.
+/// Process noise of the velocity from bumps and varying friction, m/s after 1 s.
 const BUMPS: f32 = 0.2;
-/// The longest step in which the motion counts as straight, s, and how many of them are computed at most.
-const STEP: (f32, usize) = (0.1, 50);
+/// Maximum duration of a prediction step, s, within which the motion is linearized.
+const STEP: f32 = 0.1;
+/// Maximum number of prediction steps.
+const STEPS: usize = 50;
 
-/// A Kalman filter of place and velocity.
+/// Kalman filter of position and velocity.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Rolling {
     position: Vec2,
     velocity: Vec2,
-    /// Of x, y, and both velocities.
+    /// Covariance of (x, y, vx, vy).
     covariance: Matrix4<f32>,
 }
 
 impl Rolling {
-    /// A ball at a place that was kicked just now: nobody knows where to.
+    /// Ball just kicked from a position, with unknown velocity.
     pub(super) fn kicked(place: &PositionEstimate) -> Self {
         let mut covariance = Matrix4::zeros();
         covariance.fixed_view_mut::<2, 2>(0, 0).copy_from(&place.covariance);
@@ -38,7 +40,7 @@ impl Rolling {
         PositionEstimate { position: self.position, covariance: self.block(0) }
     }
 
-    /// m/s.
+    /// Velocity, m/s.
     pub(super) const fn velocity(&self) -> Vec2 {
         self.velocity
     }
@@ -48,16 +50,16 @@ impl Rolling {
         self.estimate().is_sound() && fast.is_sound() && self.covariance.iter().all(|value| value.is_finite())
     }
 
-    /// Whether it is slower than `most.0` m/s, with a deviation of less than `most.1`.
-    pub(super) fn is_slow(&self, most: (f32, f32)) -> bool {
-        self.velocity.length() < most.0 && largest(&self.block(2)) < most.1
+    /// Whether it is slower than `speed` with a standard deviation below `deviation`, m/s.
+    pub(super) fn is_slow(&self, speed: f32, deviation: f32) -> bool {
+        self.velocity.length() < speed && largest(&self.block(2)) < deviation
     }
 
     fn block(&self, at: usize) -> Covariance {
         self.covariance.fixed_view::<2, 2>(at, at).into()
     }
 
-    /// This ball, or with `share` of the weight one that was kicked at a place.
+    /// Mixes in a ball kicked from a position, with weight `share`.
     pub(super) fn mix_in_kicked(&mut self, place: &PositionEstimate, share: f32) {
         let other = Self::kicked(place);
         let (off, faster) = (other.position - self.position, other.velocity - self.velocity);
@@ -69,7 +71,7 @@ impl Rolling {
             + apart * apart.transpose() * (share * (1.0 - share));
     }
 
-    /// As seen after the robot's `motion`.
+    /// Applies the robot's `motion`.
     pub(super) fn advance(&mut self, motion: Pose2) {
         let added = drift(motion, self.position);
         let turn = turn_of(motion);
@@ -87,12 +89,12 @@ impl Rolling {
         block += covariance;
     }
 
-    /// Rolls on for so many seconds.
+    /// Predicts the motion over some seconds.
     pub(super) fn roll(&mut self, seconds: f32) {
-        let (mut left, (longest, most)) = (seconds, STEP);
-        for _ in 0..most {
-            let step = left.min(longest);
-            self.roll_a_bit(step);
+        let mut left = seconds;
+        for _ in 0..STEPS {
+            let step = left.min(STEP);
+            self.roll_step(step);
             left -= step;
             if left <= 0.0 {
                 break;
@@ -100,17 +102,18 @@ impl Rolling {
         }
     }
 
-    fn roll_a_bit(&mut self, seconds: f32) {
+    fn roll_step(&mut self, seconds: f32) {
         let speed = self.velocity.length();
         let moving = seconds.min(speed / BRAKING);
         let stops = speed <= BRAKING * seconds;
         let ahead = self.velocity.normalize_or_zero();
-        // What a change of the velocity does: ahead it lasts, aside it turns the way and shrinks with the speed.
+        // Derivatives with respect to the velocity: ahead they persist, sideways they turn the path and shrink with the
+        // speed.
         let share = if stops { 1.0 } else { 1.0 - BRAKING * moving / speed };
         let straight = square(ahead);
         let aside = Matrix2::identity() - straight;
         let (way, faster) = if stops {
-            // A ball of unknown velocity: it may move on at any.
+            // The velocity is unknown: the ball may continue at any.
             (Matrix2::from_diagonal_element(seconds), Matrix2::identity())
         } else {
             (straight * moving + aside * (0.5 * (1.0 + share) * moving), straight + aside * share)
@@ -124,12 +127,12 @@ impl Rolling {
         self.velocity = if stops { Vec2::ZERO } else { self.velocity * share };
     }
 
-    /// How well a sighting fits.
+    /// Fit of a sighting.
     pub(super) fn fit(&self, seen: &PositionEstimate) -> Option<Fit> {
         self.estimate().fit(seen)
     }
 
-    /// Corrects place and velocity by a sighting that fits so.
+    /// Updates position and velocity with the fit of a sighting.
     pub(super) fn correct(&mut self, fit: &Fit) {
         let above: Matrix2x4<f32> = self.covariance.fixed_rows::<2>(0).into();
         let gain = above.transpose() * fit.inverse;

@@ -1,4 +1,4 @@
-//! What should be visible.
+//! Prediction of visibility.
 
 use glam::{Vec2, Vec3};
 
@@ -7,14 +7,14 @@ use crate::own_body::OwnBody;
 use crate::projection::Camera;
 use crate::uncertainty;
 
-/// How many deviations from its place a thing may be.
+/// Radius of the tested confidence region, in standard deviations.
 const DEVIATIONS: f32 = 2.0;
 
-/// Whether an image of `size` pixels shows what is at a place, wherever it may be as far as that is known: a ball or
-/// another thing of `radius` metres with its middle as high over the ground.
+/// Whether an image of `size` px shows an object anywhere in the confidence region of its position. The object is a
+/// ball, or another object of `radius` metres with its centre at that height.
 ///
-/// Not if it may be outside the image, behind the robot's own body, or farther from the camera than `far` metres.
-/// What stands before it is not known here.
+/// False if the object may be outside the image, behind the robot's own body, or farther than `far` metres from the
+/// camera. Occlusion by other objects is not considered.
 #[must_use]
 pub fn is_in_view(camera: &Camera, size: Vec2, own: &OwnBody, place: &PositionEstimate, radius: f32, far: f32) -> bool {
     let spread = DEVIATIONS * uncertainty::largest(&place.covariance);

@@ -1,4 +1,4 @@
-//! Whatever is seen: no panic, no pose that is none.
+//! Localization and field markings with arbitrary input: no panic, finite results.
 
 use std::f32::consts::PI;
 
@@ -67,7 +67,7 @@ fn camera() -> impl Strategy<Value = Camera> {
     prop_oneof![sound, any].prop_map(|pose| Camera::new(pose, Intrinsics::nao_v6(160, 120)))
 }
 
-/// Noise, stripes or rectangles of the field's colours.
+/// Image of noise or of rectangles in the field's colours.
 fn picture() -> impl Strategy<Value = Vec<u8>> {
     const COLOURS: [[u8; 4]; 5] =
         [[70, 113, 110, 70], [190, 126, 127, 190], [125, 85, 165, 125], [170, 60, 140, 170], [95, 150, 95, 95]];
@@ -92,7 +92,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(300))]
 
     #[test]
-    fn poses_are_numbers_on_the_carpet(steps in prop::collection::vec((pose(), sightings()), 1..12), seed: u64) {
+    fn poses_are_finite_and_on_the_carpet_for_any_sightings(steps in prop::collection::vec((pose(), sightings()), 1..12), seed: u64) {
         let mut localizer = Localizer::<60>::new(seed);
         for (motion, sightings) in steps {
             localizer.advance(motion);
@@ -108,7 +108,7 @@ proptest! {
     }
 
     #[test]
-    fn the_same_sightings_give_the_same_poses(steps in prop::collection::vec((pose(), sightings()), 1..6)) {
+    fn equal_sightings_give_equal_poses_bit_for_bit(steps in prop::collection::vec((pose(), sightings()), 1..6)) {
         let (mut one, mut other) = (Localizer::<60>::new(1), Localizer::<60>::new(1));
         for (motion, sightings) in steps {
             for localizer in [&mut one, &mut other] {
@@ -123,7 +123,7 @@ proptest! {
     }
 
     #[test]
-    fn any_picture_from_any_camera_is_looked_at(bytes in picture(), camera in camera()) {
+    fn detections_in_any_image_are_finite_and_in_range(bytes in picture(), camera in camera()) {
         let frame = Frame::new(160, 120, &bytes).expect("a frame");
         let end = FieldBoundary::find(&frame, &BUILT_IN_TABLE);
         let found = lines::find(&frame, &BUILT_IN_TABLE, &end, Some(&camera));
@@ -142,7 +142,7 @@ proptest! {
     }
 
     #[test]
-    fn any_lines_cross_or_do_not(
+    fn crossings_of_arbitrary_lines_are_finite(
         bytes in picture(),
         camera in camera(),
         ends in prop::collection::vec((place(), place()), 0..24),

@@ -1,4 +1,4 @@
-//! Frames drawn by hand.
+//! Synthetic frames.
 
 use bica_vision::frame::{Frame, Pixel};
 use glam::Vec2;
@@ -11,7 +11,7 @@ pub(crate) const RED: Pixel = Pixel::new(90, 108, 182);
 pub(crate) const YELLOW: Pixel = Pixel::new(140, 52, 142);
 pub(crate) const BLUE: Pixel = Pixel::new(95, 150, 106);
 
-/// An image whose shapes have smooth edges, with a little noise that depends on the place alone.
+/// Image of shapes with anti-aliased edges and a little position-dependent noise.
 #[derive(Clone)]
 pub(crate) struct Canvas {
     width: u16,
@@ -20,7 +20,7 @@ pub(crate) struct Canvas {
 }
 
 impl Canvas {
-    /// A wall above the row `end`, carpet below it.
+    /// Image with a wall above the row `end` and carpet below it.
     pub(crate) fn field(width: u16, height: u16, end: f32) -> Self {
         let pixels = vec![parts(CARPET); usize::from(width) * usize::from(height)];
         let mut canvas = Self { width, height, pixels };
@@ -28,7 +28,7 @@ impl Canvas {
         canvas
     }
 
-    /// Paints where `inside` is positive; it says how many pixels inside the edge a point is.
+    /// Paints the points with a positive `inside`, the signed distance to the edge, px.
     pub(crate) fn paint(&mut self, colour: Pixel, inside: impl Fn(Vec2) -> f32) {
         let width = usize::from(self.width);
         for (index, pixel) in self.pixels.iter_mut().enumerate() {
@@ -44,7 +44,7 @@ impl Canvas {
         self.paint(colour, |at| radius - at.distance(centre));
     }
 
-    /// A straight bar between two points.
+    /// Paints a straight bar between two points.
     pub(crate) fn bar(&mut self, colour: Pixel, from: Vec2, to: Vec2, width: f32) {
         let along = to - from;
         self.paint(colour, |at| {
@@ -55,7 +55,7 @@ impl Canvas {
         });
     }
 
-    /// The bytes of the frame; two pixels share the mean of their chroma.
+    /// Bytes of the frame; each pair has the mean chroma of its pixels.
     pub(crate) fn yuyv(&self) -> Vec<u8> {
         let byte = |value: f32, index: usize| {
             let noise = (index * 7919 % 7) as f32 - 3.0;
@@ -68,8 +68,8 @@ impl Canvas {
         self.pixels.as_chunks::<2>().0.iter().enumerate().flat_map(pair).collect()
     }
 
-    /// Does something with the frame.
-    pub(crate) fn look<T>(&self, with: impl FnOnce(&Frame<'_>) -> T) -> T {
+    /// Calls a function with the frame.
+    pub(crate) fn with_frame<T>(&self, with: impl FnOnce(&Frame<'_>) -> T) -> T {
         with(&Frame::new(self.width, self.height, &self.yuyv()).expect("a frame"))
     }
 }

@@ -1,4 +1,4 @@
-//! Detectors on drawn frames, where the truth is known to a part of a pixel.
+//! Detectors on synthetic frames, with subpixel ground truth.
 
 use std::cell::Cell;
 
@@ -17,27 +17,27 @@ use proptest::prelude::*;
 use crate::canvas::{BLUE, CARPET, Canvas, LINE, ORANGE, RED, WALL, YELLOW};
 
 fn ball_in(canvas: &Canvas, camera: Option<&Camera>) -> Option<Ball> {
-    canvas.look(|frame| {
+    canvas.with_frame(|frame| {
         let end = FieldBoundary::find(frame, &BUILT_IN_TABLE);
         BallFinder::<512>::new(FIELD.ball_radius()).find(frame, &BUILT_IN_TABLE, &end, camera)
     })
 }
 
 fn goal_in(canvas: &Canvas, colour: Colour) -> Option<Goal> {
-    canvas.look(|frame| {
+    canvas.with_frame(|frame| {
         let end = FieldBoundary::find(frame, &BUILT_IN_TABLE);
         let goals = GoalFinder::<1024>::new().find(frame, &BUILT_IN_TABLE, &end, None);
         if colour == Colour::Blue { goals.blue } else { goals.yellow }
     })
 }
 
-/// A camera at 0.5 m, looking down by `pitch` rad.
+/// Camera at a height of 0.5 m, pitched down by `pitch` rad.
 fn camera(pitch: f32) -> Camera {
     let pose = Affine3A::from_translation(Vec3::new(0.0, 0.0, 0.5)) * Affine3A::from_rotation_y(pitch);
     Camera::new(pose, Intrinsics::nao_v6(320, 240))
 }
 
-/// A goal with its left post's foot at `left`; sizes in pixels.
+/// Draws a goal with the foot of its left post at `left`; sizes in px.
 fn draw_goal(canvas: &mut Canvas, colour: Pixel, left: Vec2, span: f32, height: f32, width: f32) {
     let (up, across) = (Vec2::new(0.0, -height), Vec2::new(span, 0.0));
     canvas.bar(colour, left, left + up, width);
@@ -54,7 +54,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(64))]
 
     #[test]
-    fn a_whole_ball_is_found_to_a_pixel(x in 0.1_f32..0.9, y in 0.3_f32..0.9, radius in 3.0_f32..60.0) {
+    fn whole_ball_is_found_within_a_pixel(x in 0.1_f32..0.9, y in 0.3_f32..0.9, radius in 3.0_f32..60.0) {
         let mut canvas = Canvas::field(320, 240, 40.0);
         let centre = Vec2::new(radius + x * (319.0 - 2.0 * radius), (40.0 + y * 199.0).min(238.0 - radius));
         canvas.bar(LINE, Vec2::new(0.0, 150.0), Vec2::new(320.0, 120.0), 12.0);
@@ -66,7 +66,7 @@ proptest! {
     }
 
     #[test]
-    fn a_ball_cut_by_the_edge_is_found(x in 0.0_f32..319.0, y in 60.0_f32..239.0, radius in 8.0_f32..130.0) {
+    fn ball_cut_by_the_image_edge_is_found(x in 0.0_f32..319.0, y in 60.0_f32..239.0, radius in 8.0_f32..130.0) {
         let mut canvas = Canvas::field(320, 240, 20.0);
         let centre = Vec2::new(x, y);
         canvas.disc(ORANGE, centre, radius);
@@ -77,7 +77,7 @@ proptest! {
     }
 
     #[test]
-    fn a_ball_behind_a_foot_is_found(x in 60.0_f32..260.0, radius in 12.0_f32..50.0, hidden in 0.0_f32..0.35) {
+    fn ball_behind_a_foot_is_found(x in 60.0_f32..260.0, radius in 12.0_f32..50.0, hidden in 0.0_f32..0.35) {
         let mut canvas = Canvas::field(320, 240, 20.0);
         let centre = Vec2::new(x, 150.0);
         canvas.disc(ORANGE, centre, radius);
@@ -89,7 +89,7 @@ proptest! {
     }
 
     #[test]
-    fn what_is_not_round_or_not_orange_is_no_ball(x in 40.0_f32..280.0, radius in 10.0_f32..60.0) {
+    fn shapes_that_are_not_round_or_not_orange_are_rejected(x in 40.0_f32..280.0, radius in 10.0_f32..60.0) {
         let centre = Vec2::new(x, 140.0);
         let mut bar = Canvas::field(320, 240, 40.0);
         bar.bar(ORANGE, centre - Vec2::new(0.0, radius), centre + Vec2::new(0.0, radius), 0.4 * radius);
@@ -104,14 +104,14 @@ proptest! {
     }
 
     #[test]
-    fn a_ball_in_the_hall_is_not_on_the_field(x in 20.0_f32..300.0, radius in 4.0_f32..20.0) {
+    fn ball_beyond_the_field_boundary_is_rejected(x in 20.0_f32..300.0, radius in 4.0_f32..20.0) {
         let mut canvas = Canvas::field(320, 240, 90.0);
         canvas.disc(ORANGE, Vec2::new(x, 84.0 - radius), radius);
         prop_assert_eq!(ball_in(&canvas, None), None);
     }
 
     #[test]
-    fn a_ball_has_the_size_of_its_place(distance in 0.4_f32..3.0, side in -0.3_f32..0.3, factor in 0.3_f32..3.0) {
+    fn ball_of_a_wrong_size_for_its_position_is_rejected(distance in 0.4_f32..3.0, side in -0.3_f32..0.3, factor in 0.3_f32..3.0) {
         let camera = camera(0.3);
         let place = Vec3::new(distance, side * distance, FIELD.ball_radius());
         let (Some(centre), Some(radius)) = (camera.pixel(place), camera.sphere_radius(place, FIELD.ball_radius())) else {
@@ -130,15 +130,15 @@ proptest! {
     }
 
     #[test]
-    fn the_field_ends_where_it_is_drawn(left in 30.0_f32..120.0, right in 30.0_f32..120.0, robot in 0.0_f32..300.0) {
+    fn field_boundary_is_found_where_it_is_drawn(left in 30.0_f32..120.0, right in 30.0_f32..120.0, robot in 0.0_f32..300.0) {
         let mut canvas = Canvas::field(320, 240, 0.0);
         let end = |x: f32| left + (right - left) * x / 319.0;
         canvas.paint(WALL, |at| end(at.x) - at.y);
-        // A robot that stands in it, and something green in the hall.
+        // A robot on the boundary, and a green object in the hall.
         canvas.bar(LINE, Vec2::new(robot, 20.0), Vec2::new(robot + 5.0, 190.0), 40.0);
         canvas.bar(CARPET, Vec2::new(200.0, 2.0), Vec2::new(230.0, 2.0), 10.0);
         canvas.bar(LINE, Vec2::new(0.0, 150.0), Vec2::new(320.0, 170.0), 14.0);
-        let found = canvas.look(|frame| FieldBoundary::find(frame, &BUILT_IN_TABLE));
+        let found = canvas.with_frame(|frame| FieldBoundary::find(frame, &BUILT_IN_TABLE));
         for x in (10..310).step_by(10).map(|x| x as f32).filter(|x| (x - robot).abs() > 40.0) {
             let row = found.row_at(x).expect("a field");
             prop_assert!((row - end(x)).abs() <= 5.0, "{row} for {} at {x}: {:?}", end(x), found.corners());
@@ -146,7 +146,7 @@ proptest! {
     }
 
     #[test]
-    fn a_green_wall_and_a_robot_at_the_edge_are_not_the_end_of_the_field(
+    fn green_wall_and_robot_at_the_edge_do_not_move_the_field_boundary(
         end in 150.0_f32..190.0,
         slope in -0.1_f32..0.1,
         x in 60.0_f32..230.0,
@@ -161,7 +161,7 @@ proptest! {
         canvas.bar(CARPET, foot, foot - Vec2::new(0.0, height), 50.0);
         let edge = if left { 12.0 } else { 308.0 };
         canvas.bar(LINE, Vec2::new(edge, 20.0), Vec2::new(edge, 230.0), 30.0);
-        let found = canvas.look(|frame| FieldBoundary::find(frame, &BUILT_IN_TABLE));
+        let found = canvas.with_frame(|frame| FieldBoundary::find(frame, &BUILT_IN_TABLE));
         for x in [0.0, 40.0, 80.0, 120.0, 160.0, 200.0, 240.0, 280.0, 319.0] {
             let row = found.row_at(x).expect("a field");
             prop_assert!((row - end(x)).abs() <= 5.0, "{row} for {} at {x}: {:?}", end(x), found.corners());
@@ -169,18 +169,18 @@ proptest! {
     }
 
     #[test]
-    fn a_long_green_wall_is_not_carpet(end in 110.0_f32..160.0, height in 20.0_f32..60.0, apart in 12.0_f32..30.0) {
+    fn long_green_wall_is_not_carpet(end in 110.0_f32..160.0, height in 20.0_f32..60.0, apart in 12.0_f32..30.0) {
         let mut canvas = Canvas::field(320, 240, 0.0);
-        // Not white: white between greens is a line.
+        // The gap is not white: white between green is a line.
         canvas.paint(Pixel::new(90, 124, 136), |at| end - at.y);
         canvas.bar(CARPET, Vec2::new(160.0, end - apart), Vec2::new(160.0, end - apart - height), 250.0);
-        let found = canvas.look(|frame| FieldBoundary::find(frame, &BUILT_IN_TABLE));
+        let found = canvas.with_frame(|frame| FieldBoundary::find(frame, &BUILT_IN_TABLE));
         let row = found.row_at(160.0).expect("a field");
         prop_assert!((row - end).abs() <= 3.0, "{row} for {end}: {:?}", found.corners());
     }
 
     #[test]
-    fn a_goal_seen_from_its_side_has_upright_posts(near in 70.0_f32..90.0, far in 30.0_f32..40.0, apart in 50.0_f32..100.0) {
+    fn goal_seen_from_the_side_has_upright_posts(near in 70.0_f32..90.0, far in 30.0_f32..40.0, apart in 50.0_f32..100.0) {
         let mut canvas = Canvas::field(320, 240, 100.0);
         let (left, right) = (Vec2::new(110.0, 140.0), Vec2::new(110.0 + apart, 115.0));
         let (left_top, right_top) = (left - Vec2::new(0.0, near), right - Vec2::new(0.0, far));
@@ -197,7 +197,7 @@ proptest! {
     }
 
     #[test]
-    fn a_post_before_something_of_its_colour_is_found(foot in 115.0_f32..140.0, height in 70.0_f32..100.0, size in 18.0_f32..40.0) {
+    fn post_in_front_of_its_own_colour_is_found(foot in 115.0_f32..140.0, height in 70.0_f32..100.0, size in 18.0_f32..40.0) {
         let mut canvas = Canvas::field(320, 240, 100.0);
         let left = Vec2::new(120.0, foot);
         draw_goal(&mut canvas, YELLOW, left, 140.0, height, 10.0);
@@ -209,7 +209,7 @@ proptest! {
     }
 
     #[test]
-    fn posts_whose_crossbars_lead_apart_are_no_goal(foot in 115.0_f32..140.0, width in 8.0_f32..12.0) {
+    fn posts_with_diverging_crossbars_are_not_paired(foot in 115.0_f32..140.0, width in 8.0_f32..12.0) {
         let mut canvas = Canvas::field(320, 240, 100.0);
         draw_goal(&mut canvas, BLUE, Vec2::new(-40.0, foot), 140.0, 80.0, width);
         draw_goal(&mut canvas, BLUE, Vec2::new(220.0, foot), 140.0, 80.0, width);
@@ -218,7 +218,7 @@ proptest! {
     }
 
     #[test]
-    fn a_goal_is_found_with_both_posts(
+    fn goal_is_found_with_both_posts(
         x in 30.0_f32..120.0, foot in 110.0_f32..140.0, height in 60.0_f32..100.0, width in 6.0_f32..16.0, blue: bool,
     ) {
         let mut canvas = Canvas::field(320, 240, 100.0);
@@ -235,7 +235,7 @@ proptest! {
     }
 
     #[test]
-    fn the_crossbar_tells_which_post_is_seen(foot in 110.0_f32..140.0, height in 60.0_f32..100.0, width in 6.0_f32..14.0) {
+    fn crossbar_determines_the_side_of_a_single_post(foot in 110.0_f32..140.0, height in 60.0_f32..100.0, width in 6.0_f32..14.0) {
         for (x, side) in [(290.0, PostSide::Left), (30.0 - 1.6 * height, PostSide::Right)] {
             let mut canvas = Canvas::field(320, 240, 100.0);
             draw_goal(&mut canvas, BLUE, Vec2::new(x, foot), 1.6 * height, height, width);
@@ -245,7 +245,7 @@ proptest! {
     }
 
     #[test]
-    fn a_blue_thing_that_ends_on_the_field_or_in_the_hall_is_no_goal(x in 20.0_f32..300.0, height in 20.0_f32..60.0) {
+    fn blue_object_within_the_field_or_beyond_its_boundary_is_rejected(x in 20.0_f32..300.0, height in 20.0_f32..60.0) {
         let mut canvas = Canvas::field(320, 240, 100.0);
         canvas.bar(BLUE, Vec2::new(x, 190.0), Vec2::new(x, 190.0 - height), 10.0);
         canvas.bar(BLUE, Vec2::new(320.0 - x, 85.0), Vec2::new(320.0 - x, 85.0 - height), 10.0);
@@ -253,11 +253,11 @@ proptest! {
     }
 
     #[test]
-    fn a_line_is_found_where_it_is_drawn(
+    fn line_is_found_where_it_is_drawn(
         x in 110.0_f32..210.0,
         y in 120.0_f32..160.0,
         length in 100.0_f32..150.0,
-        // Neither is the angle near 45°, where columns and rows share a line.
+        // The angle is not near 45° either, where columns and rows share a line.
         angle in prop_oneof![-0.65_f32..0.65, 0.95_f32..2.2],
         width in 4.0_f32..10.0,
     ) {
@@ -265,7 +265,7 @@ proptest! {
         let (from, to) = (Vec2::new(x, y) - half, Vec2::new(x, y) + half);
         let mut canvas = Canvas::field(320, 240, 30.0);
         canvas.bar(LINE, from, to, width);
-        let lines = canvas.look(|frame| lines::find(frame, &BUILT_IN_TABLE, &FieldBoundary::find(frame, &BUILT_IN_TABLE), None));
+        let lines = canvas.with_frame(|frame| lines::find(frame, &BUILT_IN_TABLE, &FieldBoundary::find(frame, &BUILT_IN_TABLE), None));
         let length: f32 = lines.iter().map(lines::Line::length).sum();
         prop_assert!(length > 0.7 * from.distance(to) && length < 1.2 * from.distance(to), "{lines:?}");
         let normal = (to - from).perp().normalize();
@@ -274,7 +274,7 @@ proptest! {
     }
 }
 
-/// Counts what is looked at, and by how many classes it could be told apart.
+/// Classifier that counts its calls, and the classes of its chroma boxes.
 struct Counting(Cell<usize>);
 
 impl Classify for Counting {
@@ -285,17 +285,17 @@ impl Classify for Counting {
 }
 
 #[test]
-fn a_ball_costs_its_part_of_the_frame_and_a_goal_nothing() {
+fn ball_detection_classifies_a_part_of_the_frame_and_no_goal_colour() {
     let mut canvas = Canvas::field(320, 240, 120.0);
     canvas.disc(ORANGE, Vec2::new(100.0, 180.0), 12.0);
     draw_goal(&mut canvas, BLUE, Vec2::new(80.0, 130.0), 150.0, 90.0, 10.0);
     let colours = Counting(Cell::new(0));
-    canvas.look(|frame| {
+    canvas.with_frame(|frame| {
         let end = FieldBoundary::find(frame, &colours);
-        assert!(colours.0.get() <= 40 * 120, "the end of the field takes 40 columns, every second row");
+        assert!(colours.0.get() <= 40 * 120, "the field boundary reads 40 columns, every second row");
         colours.0.set(0);
         assert!(BallFinder::<512>::new(FIELD.ball_radius()).find(frame, &colours, &end, None).is_some());
-        // The rows below the end of the field, and the rays and samples of one candidate.
+        // The rows below the field boundary, and the rays and samples of one candidate.
         assert!(colours.0.get() <= 160 * 130 + 32 * 30 + 81, "{} pixels for the ball", colours.0.get());
     });
 }

@@ -1,4 +1,4 @@
-//! Drawn frames, real frames and nonsense frames through the whole pipeline.
+//! The whole pipeline on synthetic, rendered, recorded and arbitrary frames.
 
 mod canvas;
 mod detectors;

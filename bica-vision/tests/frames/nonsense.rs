@@ -1,4 +1,4 @@
-//! Any bytes, any size, any pose: an answer, and one made of numbers.
+//! Detectors with arbitrary bytes, sizes and poses: no panic, finite results.
 
 use bica_field::FIELD;
 use bica_vision::ball::BallFinder;
@@ -55,7 +55,7 @@ fn all_answers(frame: &Frame<'_>, colours: &impl Classify, camera: Option<&Camer
     let end = FieldBoundary::find_with(frame, colours, camera);
     let mut numbers: Vec<f32> = end.corners().iter().flat_map(|corner| [corner.x, corner.y]).collect();
     numbers.extend(lines::find(frame, colours, &end, None).iter().flat_map(|l| [l.from.x, l.from.y, l.to.x, l.to.y]));
-    let seen = Pipeline::<64, 64>::new(FIELD.ball_radius()).look(frame, colours, camera);
+    let seen = Pipeline::<64, 64>::new(FIELD.ball_radius()).detect(frame, colours, camera);
     numbers.extend(seen.robots.iter().flat_map(|robot| [robot.min.x, robot.min.y, robot.max.x, robot.max.y]));
     numbers.extend(seen.markings.crossings.iter().flat_map(|crossing| [crossing.at.x, crossing.at.y]));
     numbers.extend(seen.markings.circle.iter().flat_map(|circle| [circle.centre.x, circle.centre.y]));
@@ -77,13 +77,13 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(300))]
 
     #[test]
-    fn any_frame_and_pose_have_an_answer((width, height, bytes) in frame(), pose in pose(), with_camera: bool) {
+    fn any_frame_and_pose_give_finite_and_repeatable_detections((width, height, bytes) in frame(), pose in pose(), with_camera: bool) {
         let frame = Frame::new(width, height, &bytes).unwrap();
         let camera = Camera::new(pose, Intrinsics::nao_v6(width, height));
         let camera = Some(&camera).filter(|_| with_camera);
         let numbers = all_answers(&frame, &BUILT_IN_TABLE, camera);
         prop_assert!(numbers.iter().all(|number| number.is_finite()), "{numbers:?}");
-        prop_assert_eq!(numbers, all_answers(&frame, &BUILT_IN_TABLE, camera), "the same frame, another answer");
+        prop_assert_eq!(numbers, all_answers(&frame, &BUILT_IN_TABLE, camera), "the same frame gives another result");
         all_answers(&frame, &BUILT_IN, camera);
     }
 }

@@ -1,4 +1,4 @@
-//! The robot's own body, in drawn worlds with known joints and in real frames with known cameras.
+//! Outline of the robot's own body, in rendered frames with known joints and in recorded frames with known poses.
 
 use bica_motion::model::Nao;
 use std::ops::Range;
@@ -23,10 +23,10 @@ use glam::{Affine3A, Vec2, Vec3};
 
 use crate::shelf;
 
-/// Red plastic, real and built in.
+/// Red plastic, in recorded and in rendered frames.
 const RED: Filter = Filter::ANY.hue(85, 118).saturation(30, 400).chroma(24);
 
-/// What was counted over all frames, pixels.
+/// Counts over all frames, px.
 #[derive(Debug, Default)]
 struct Count {
     red: usize,
@@ -36,7 +36,7 @@ struct Count {
 }
 
 impl Count {
-    /// Only what is below the end of the field: the hall has red things too.
+    /// Counts pixels below the field boundary only: the hall has red objects too.
     fn frame(&mut self, frame: &Frame<'_>, colours: &impl Classify, end: &FieldBoundary, own: &OwnBody) {
         for y in 0..frame.height() {
             for x in (0..frame.width()).step_by(2) {
@@ -59,7 +59,7 @@ impl Count {
     }
 }
 
-/// Looks of a robot of the red team, alone with the ball: frame, camera, body.
+/// Calls a function with views of a robot of the red team, alone with the ball: frame, camera, body outline.
 fn looks(seeds: Range<u64>, ball: impl Fn(u64) -> Vec2, mut look: impl FnMut(&Frame<'_>, &Camera, &OwnBody)) {
     for seed in seeds {
         let robot = Pose2::new(0.0, 0.0, 0.1 * seed as f32);
@@ -92,7 +92,7 @@ fn wait(world: &mut KinematicWorld, targets: &mut Joints, yaw: f32, pitch: f32) 
 }
 
 #[test]
-fn the_body_of_a_drawn_robot_is_where_its_joints_say() {
+fn body_outline_from_joint_angles_covers_the_rendered_body() {
     let colours = CompactTable::compile(&BUILT_IN);
     let mut count = Count::default();
     looks(
@@ -103,15 +103,19 @@ fn the_body_of_a_drawn_robot_is_where_its_joints_say() {
         },
     );
     let [red, green] = count.shares();
-    println!("drawn: {:.1} % of the red is covered, {:.1} % of what is covered is green", 100.0 * red, 100.0 * green);
+    println!(
+        "rendered: {:.1} % of the red is covered, {:.1} % of what is covered is green",
+        100.0 * red,
+        100.0 * green
+    );
     assert!(count.red > 5000, "{count:?}");
-    // The drawn robot is slimmer than a real one, by a centimetre at the shoulders and arms.
+    // The rendered robot is slimmer than the outline, by a centimetre at the shoulders and arms.
     assert!(red > 0.97 && green < 0.4, "{count:?}");
 }
 
-/// With colours so badly tuned that red is orange, the robot's own shoulders and toes look like balls.
+/// With a profile that classifies red as orange, the robot's own shoulders and toes look like balls.
 #[test]
-fn own_red_parts_are_no_balls_and_no_ball_is_lost() {
+fn body_outline_removes_false_balls_and_keeps_true_ones() {
     let colours = CompactTable::compile(&Filters { orange: BUILT_IN.orange.hue(85, 146), ..BUILT_IN });
     let (mut alone, mut beside) = (0, 0);
     looks(
@@ -120,7 +124,7 @@ fn own_red_parts_are_no_balls_and_no_ball_is_lost() {
         |frame, camera, own| {
             let mut finder = BallFinder::<512>::new(FIELD.ball_radius());
             let end = FieldBoundary::find_with(frame, &colours, Some(camera));
-            // A robot that knows no pose cannot tell by the size.
+            // Without a camera pose the size cannot reject them.
             alone += usize::from(finder.find(frame, &colours, &end, None).is_some());
             beside += usize::from(finder.find_with_body(frame, &colours, &end, None, own).is_some());
         },
@@ -142,34 +146,34 @@ fn own_red_parts_are_no_balls_and_no_ball_is_lost() {
     assert!(balls >= 20 && lost == 0, "{balls} {lost}");
 }
 
-#[test]
-fn the_body_of_a_real_robot_is_where_its_camera_says() {
-    let Some(images) = shelf::images() else { return };
-    let colours = CompactTable::compile(&NAO_2009);
-    let (poses, labelled) = (shelf::poses(&images), shelf::labelled(&images, "nao2009"));
-    let (mut count, mut worst) = (Count::default(), (0.0_f32, String::new()));
-    for (file, camera, _, _) in poses.iter().filter(|(_, _, _, trusted)| *trusted) {
-        let Some(image) = labelled.iter().find(|image| &image.file == file) else { continue };
-        let own = OwnBody::standing::<Nao>(camera, CameraId::Bottom);
-        let frame = image.frame();
-        count.frame(&frame, &colours, &FieldBoundary::find_with(&frame, &colours, Some(camera)), &own);
-        for ball in &image.balls {
-            let share = own.share(ball.centre, 0.8 * ball.radius);
-            if share > worst.0 {
-                worst = (share, file.clone());
+bica_test_data::images_test! {
+    fn body_outline_from_the_camera_pose_covers_the_recorded_body() {
+        let colours = CompactTable::compile(&NAO_2009);
+        let (poses, labelled) = (shelf::poses(), shelf::labelled("nao2009"));
+        let (mut count, mut worst) = (Count::default(), (0.0_f32, String::new()));
+        for (file, camera, _, _) in poses.iter().filter(|(_, _, _, trusted)| *trusted) {
+            let Some(image) = labelled.iter().find(|image| &image.file == file) else { continue };
+            let own = OwnBody::standing::<Nao>(camera, CameraId::Bottom);
+            let frame = image.frame();
+            count.frame(&frame, &colours, &FieldBoundary::find_with(&frame, &colours, Some(camera)), &own);
+            for ball in &image.balls {
+                let share = own.share(ball.centre, 0.8 * ball.radius);
+                if share > worst.0 {
+                    worst = (share, file.clone());
+                }
             }
         }
+        let [red, green] = count.shares();
+        println!("recorded: {:.1} % of the red is covered, {:.1} % of what is covered is green", 100.0 * red, 100.0 * green);
+        println!("most of a ball that is covered: {:.2} {}", worst.0, worst.1);
+        assert!(count.red > 5000, "{count:?}");
+        assert!(red > 0.85 && green < 0.2, "{count:?}");
+        assert!(worst.0 < 0.1, "{worst:?}");
     }
-    let [red, green] = count.shares();
-    println!("real: {:.1} % of the red is covered, {:.1} % of what is covered is green", 100.0 * red, 100.0 * green);
-    println!("most of a ball that is covered: {:.2} {}", worst.0, worst.1);
-    assert!(count.red > 5000, "{count:?}");
-    assert!(red > 0.85 && green < 0.2, "{count:?}");
-    assert!(worst.0 < 0.1, "{worst:?}");
 }
 
 #[test]
-fn a_camera_that_is_no_number_sees_no_body() {
+fn body_outline_is_empty_for_a_pose_that_is_not_finite() {
     let camera = Camera::of::<Nao>(CameraId::Top, &Joints::all(0.0), Side::Left, 320, 240);
     let nowhere = Camera::new(Affine3A::from_translation(Vec3::NAN), camera.intrinsics());
     let bodies = [

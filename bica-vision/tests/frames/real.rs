@@ -1,7 +1,8 @@
-//! What is seen on real frames, as a table, with bounds that hold today.
+//! Detection in recorded frames: a table of scores, with bounds.
 
 use std::fs;
 
+use bica_test_data::{images, images_test};
 use bica_vision::ball::{Ball, BallFinder, RADIUS_2009};
 use bica_vision::colour::{Classify, Colour, Filters};
 use bica_vision::field_boundary::FieldBoundary;
@@ -12,7 +13,7 @@ use bica_vision::table::{CompactTable, FullTable};
 
 use crate::shelf::{self, BallLabel, GoalLabel, Labelled};
 
-/// What was counted over a folder.
+/// Counts over a folder.
 #[derive(Debug, Default)]
 struct Score {
     full: usize,
@@ -107,94 +108,86 @@ fn score(images: &[Labelled], filters: &Filters) -> Score {
     score
 }
 
-#[test]
-fn a_nao_of_2009_sees_balls_and_goals() {
-    let Some(images) = shelf::images() else { return };
-    let mut score = score(&shelf::labelled(&images, "nao2009"), &NAO_2009);
-    score.print("nao2009");
-    assert!(score.full >= 60 && score.complete >= 15 && score.partial >= 15, "labels are missing");
-    assert!(score.recall() >= 0.98 && score.precision() >= 0.99);
-    assert!(score.centre_errors[score.centre_errors.len() / 2] <= 0.5, "median error of the centre");
-    assert!(score.centre_errors[score.centre_errors.len() * 95 / 100] <= 1.3, "error of the centre, 95 %");
-    assert_eq!((score.complete_found, score.partial_found), (score.complete, score.partial));
-    assert_eq!(score.false_goals, Vec::<String>::new());
-}
-
-#[test]
-fn a_darwin_of_2013_sees_balls_and_goals() {
-    let Some(images) = shelf::images() else { return };
-    let mut score = score(&shelf::labelled(&images, "darwin2013"), &DARWIN_2013);
-    score.print("darwin2013");
-    assert!(score.full >= 7, "labels are missing");
-    assert!(score.recall() >= 0.99 && score.precision() >= 0.99);
-    assert!(score.complete_found >= 1 && score.partial_found >= 3);
-    assert_eq!(score.false_goals, Vec::<String>::new());
-}
-
-#[test]
-fn poses_and_sizes_agree_on_the_distance_of_the_ball() {
-    let Some(images) = shelf::images() else { return };
-    let (table, mut finder) = (CompactTable::compile(&NAO_2009), BallFinder::<512>::new(RADIUS_2009));
-    let labelled = shelf::labelled(&images, "nao2009");
-    let (mut ratios, mut full) = (Vec::new(), 0);
-    for (file, camera, horizon, trusted) in shelf::poses(&images) {
-        // The file's 159.5 is the middle of the image, which is 160 to the focal lengths.
-        let row = camera.horizon(160.0).expect("the robot stands");
-        assert!((row - horizon).abs() < 0.05 + 2e-4 * horizon.abs(), "{file}: horizon at {row}, not {horizon}");
-        let image = labelled.iter().find(|image| image.file == file).filter(|_| trusted);
-        let Some(image) = image.filter(|image| image.balls.iter().any(|ball| ball.flag == "full")) else { continue };
-        full += 1;
-        let frame = image.frame();
-        let ball = finder.find(&frame, &table, &FieldBoundary::find(&frame, &table), Some(&camera));
-        let Some(ball) = ball else { continue };
-        let by_pose = camera.ground(ball.centre, RADIUS_2009).expect("below the horizon").extend(RADIUS_2009);
-        let by_pose = by_pose.distance(camera.pose().translation.into());
-        let by_size = camera.distance_by_radius(ball.centre, ball.radius, RADIUS_2009).expect("a radius");
-        ratios.push((by_pose / by_size - 1.0).abs());
+images_test! {
+    fn balls_and_goals_are_found_in_frames_of_a_nao_of_2009() {
+        let mut score = score(&shelf::labelled("nao2009"), &NAO_2009);
+        score.print("nao2009");
+        assert!(score.full >= 60 && score.complete >= 15 && score.partial >= 15, "labels are missing");
+        assert!(score.recall() >= 0.98 && score.precision() >= 0.99);
+        assert!(score.centre_errors[score.centre_errors.len() / 2] <= 0.5, "median error of the centre");
+        assert!(score.centre_errors[score.centre_errors.len() * 95 / 100] <= 1.3, "error of the centre, 95 %");
+        assert_eq!((score.complete_found, score.partial_found), (score.complete, score.partial));
+        assert_eq!(score.false_goals, Vec::<String>::new());
     }
-    ratios.sort_by(f32::total_cmp);
-    let (median, most) = (ratios[ratios.len() / 2], ratios[ratios.len() * 95 / 100]);
-    println!("distance by pose against size: {} of {full} balls, median {median:.3}, 95 % {most:.3}", ratios.len());
-    assert!(ratios.len() == full && median <= 0.05 && most <= 0.12);
-}
 
-#[test]
-fn another_teams_table_is_read_and_agrees_on_the_ball() {
-    let Some(images) = shelf::images() else { return };
-    let bytes = fs::read(images.join("luts/bhuman2009_y64_cb64_cr64.bin")).expect("the table");
-    let (theirs, ours) = (FullTable::new(&bytes).expect("its size"), CompactTable::compile(&NAO_2009));
-    let (mut both, mut only_theirs, mut found) = (0_u32, 0_u32, 0);
-    let labelled = shelf::labelled(&images, "nao2009");
-    let full: Vec<_> = labelled.iter().filter(|image| image.balls.iter().any(|ball| ball.flag == "full")).collect();
-    for image in &full {
-        let frame = image.frame();
-        for pixel in (0..frame.height()).flat_map(|row| frame.row(row)).map(|pair| Pair(*pair).mean()) {
-            if theirs.classify(pixel) == Colour::Orange {
-                let agreed = u32::from(ours.classify(pixel) == Colour::Orange);
-                (both, only_theirs) = (both + agreed, only_theirs + 1 - agreed);
-            }
+    fn balls_and_goals_are_found_in_frames_of_a_darwin_of_2013() {
+        let mut score = score(&shelf::labelled("darwin2013"), &DARWIN_2013);
+        score.print("darwin2013");
+        assert!(score.full >= 7, "labels are missing");
+        assert!(score.recall() >= 0.99 && score.precision() >= 0.99);
+        assert!(score.complete_found >= 1 && score.partial_found >= 3);
+        assert_eq!(score.false_goals, Vec::<String>::new());
+    }
+
+    fn ball_distances_from_pose_and_from_size_agree() {
+        let (table, mut finder) = (CompactTable::compile(&NAO_2009), BallFinder::<512>::new(RADIUS_2009));
+        let labelled = shelf::labelled("nao2009");
+        let (mut ratios, mut full) = (Vec::new(), 0);
+        for (file, camera, horizon, trusted) in shelf::poses() {
+            // Column 159.5 of the file is the image centre, 160 in the intrinsics.
+            let row = camera.horizon(160.0).expect("the robot stands");
+            assert!((row - horizon).abs() < 0.05 + 2e-4 * horizon.abs(), "{file}: horizon at {row}, not {horizon}");
+            let image = labelled.iter().find(|image| image.file == file).filter(|_| trusted);
+            let Some(image) = image.filter(|image| image.balls.iter().any(|ball| ball.flag == "full")) else { continue };
+            full += 1;
+            let frame = image.frame();
+            let ball = finder.find(&frame, &table, &FieldBoundary::find(&frame, &table), Some(&camera));
+            let Some(ball) = ball else { continue };
+            let by_pose = camera.ground(ball.centre, RADIUS_2009).expect("below the horizon").extend(RADIUS_2009);
+            let by_pose = by_pose.distance(camera.pose().translation.into());
+            let by_size = camera.distance_by_radius(ball.centre, ball.radius, RADIUS_2009).expect("a radius");
+            ratios.push((by_pose / by_size - 1.0).abs());
         }
-        let end = FieldBoundary::find(&frame, &theirs);
-        let ball = BallFinder::<1024>::new(RADIUS_2009).find(&frame, &theirs, &end, None);
-        found += usize::from(ball.is_some_and(|ball| image.balls.iter().any(|label| is_hit(&ball, label))));
+        ratios.sort_by(f32::total_cmp);
+        let (median, most) = (ratios[ratios.len() / 2], ratios[ratios.len() * 95 / 100]);
+        println!("distance by pose against size: {} of {full} balls, median {median:.3}, 95 % {most:.3}", ratios.len());
+        assert!(ratios.len() == full && median <= 0.05 && most <= 0.12);
     }
-    println!("their orange is ours: {both}, is not: {only_theirs}; balls by their table {found}/{}", full.len());
-    assert!(both >= 10 * only_theirs && found * 100 >= full.len() * 98);
-}
 
-#[test]
-fn the_cameras_own_bytes_are_read_without_a_detour() {
-    let Some(images) = shelf::images() else { return };
-    let table = CompactTable::compile(&NAO_2009);
-    for (file, has_ball) in [("008", true), ("030", false), ("044", true), ("117", true)] {
-        // The robot kept every second row of 640 × 480, so what is round is twice as wide: skip every second pair.
-        let bytes = fs::read(images.join(format!("yuyv/{file}_640x240.yuyv"))).expect("a frame");
-        let half: Vec<u8> =
-            bytes.as_chunks::<4>().0.iter().flat_map(|[y0, cb, y1, cr]| [u8::midpoint(*y0, *y1), *cb, *cr]).collect();
-        let half: Vec<u8> =
-            half.as_chunks::<6>().0.iter().flat_map(|[a, cb, cr, b, _, _]| [*a, *cb, *b, *cr]).collect();
-        let frame = Frame::new(320, 240, &half).expect("a frame");
-        let end = FieldBoundary::find(&frame, &table);
-        assert_eq!(BallFinder::<512>::new(RADIUS_2009).find(&frame, &table, &end, None).is_some(), has_ball, "{file}");
+    fn colour_table_of_another_team_agrees_on_the_ball() {
+        let bytes = fs::read(images().join("luts/bhuman2009_y64_cb64_cr64.bin")).expect("the table");
+        let (theirs, ours) = (FullTable::new(&bytes).expect("its size"), CompactTable::compile(&NAO_2009));
+        let (mut both, mut only_theirs, mut found) = (0_u32, 0_u32, 0);
+        let labelled = shelf::labelled("nao2009");
+        let full: Vec<_> = labelled.iter().filter(|image| image.balls.iter().any(|ball| ball.flag == "full")).collect();
+        for image in &full {
+            let frame = image.frame();
+            for pixel in (0..frame.height()).flat_map(|row| frame.row(row)).map(|pair| Pair(*pair).mean()) {
+                if theirs.classify(pixel) == Colour::Orange {
+                    let agreed = u32::from(ours.classify(pixel) == Colour::Orange);
+                    (both, only_theirs) = (both + agreed, only_theirs + 1 - agreed);
+                }
+            }
+            let end = FieldBoundary::find(&frame, &theirs);
+            let ball = BallFinder::<1024>::new(RADIUS_2009).find(&frame, &theirs, &end, None);
+            found += usize::from(ball.is_some_and(|ball| image.balls.iter().any(|label| is_hit(&ball, label))));
+        }
+        println!("their orange is ours: {both}, is not: {only_theirs}; balls by their table {found}/{}", full.len());
+        assert!(both >= 10 * only_theirs && found * 100 >= full.len() * 98);
+    }
+
+    fn raw_yuyv_frames_of_the_camera_are_read_directly() {
+        let table = CompactTable::compile(&NAO_2009);
+        for (file, has_ball) in [("008", true), ("030", false), ("044", true), ("117", true)] {
+            // The robot stored every second row of 640 × 480, so circles are twice as wide: skip every second pair.
+            let bytes = fs::read(images().join(format!("yuyv/{file}_640x240.yuyv"))).expect("a frame");
+            let half: Vec<u8> =
+                bytes.as_chunks::<4>().0.iter().flat_map(|[y0, cb, y1, cr]| [u8::midpoint(*y0, *y1), *cb, *cr]).collect();
+            let half: Vec<u8> =
+                half.as_chunks::<6>().0.iter().flat_map(|[a, cb, cr, b, _, _]| [*a, *cb, *b, *cr]).collect();
+            let frame = Frame::new(320, 240, &half).expect("a frame");
+            let end = FieldBoundary::find(&frame, &table);
+            assert_eq!(BallFinder::<512>::new(RADIUS_2009).find(&frame, &table, &end, None).is_some(), has_ball, "{file}");
+        }
     }
 }

@@ -1,25 +1,17 @@
-//! The real frames that are kept beside the repository, where they are.
+//! Recorded frames and their labels.
 
-use std::fs::{self, File};
+use std::fs::File;
 use std::io::BufReader;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use bica_field::GoalColour;
+use bica_test_data::images;
 use bica_vision::frame::Frame;
 use bica_vision::projection::{Camera, Intrinsics};
+use csv::StringRecord;
 use glam::{Affine3A, Mat3, Vec2, Vec3};
 
-/// The folder of images; none, and a word about it, if it is not there.
-pub(crate) fn images() -> Option<PathBuf> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../shared/images");
-    if folder.is_dir() {
-        return Some(folder);
-    }
-    println!("skipped: no real frames at {}", folder.display());
-    None
-}
-
-/// A labelled ball.
+/// Labelled ball.
 #[derive(Clone, Debug)]
 pub(crate) struct BallLabel {
     pub(crate) centre: Vec2,
@@ -28,7 +20,7 @@ pub(crate) struct BallLabel {
     pub(crate) flag: String,
 }
 
-/// A labelled goal.
+/// Labelled goal.
 #[derive(Clone, Debug)]
 pub(crate) struct GoalLabel {
     pub(crate) min: Vec2,
@@ -37,7 +29,7 @@ pub(crate) struct GoalLabel {
     pub(crate) complete: bool,
 }
 
-/// A labelled frame.
+/// Labelled frame.
 pub(crate) struct Labelled {
     pub(crate) file: String,
     pub(crate) balls: Vec<BallLabel>,
@@ -52,22 +44,30 @@ impl Labelled {
     }
 }
 
-/// The labelled frames of a folder.
-pub(crate) fn labelled(images: &Path, folder: &str) -> Vec<Labelled> {
-    let text = fs::read_to_string(images.join("labels.csv")).expect("labels.csv");
-    let lines = text.lines().filter(|line| line.starts_with(folder) && !line.contains("unlabelled"));
-    lines.map(|line| read(images, line)).collect()
+/// Labelled frames of a folder.
+pub(crate) fn labelled(folder: &str) -> Vec<Labelled> {
+    let records = records("labels.csv");
+    records
+        .iter()
+        .filter(|row| row[0].starts_with(folder) && !row.iter().any(|field| field.contains("unlabelled")))
+        .map(read)
+        .collect()
 }
 
-fn read(images: &Path, line: &str) -> Labelled {
-    let fields: Vec<&str> = line.split(',').collect();
-    let one = [fields[1], fields[2], fields[3], "orange", fields[4]].join(":");
-    let list = if fields[4].contains(':') { fields[4] } else { &one };
-    let (width, height, yuyv) = yuyv(&images.join(fields[0]));
+/// Rows of a CSV file of the recorded images, without the header.
+fn records(file: &str) -> Vec<StringRecord> {
+    let mut reader = csv::Reader::from_path(images().join(file)).expect("the file opens");
+    reader.records().map(|row| row.expect("as many fields as the header")).collect()
+}
+
+fn read(row: &StringRecord) -> Labelled {
+    let one = [&row[1], &row[2], &row[3], "orange", &row[4]].join(":");
+    let list = if row[4].contains(':') { &row[4] } else { &one };
+    let (width, height, yuyv) = yuyv(&images().join(&row[0]));
     Labelled {
-        file: fields[0].to_owned(),
+        file: row[0].to_owned(),
         balls: list.split(';').filter_map(ball).collect(),
-        goal: goal(fields[5]),
+        goal: goal(&row[5]),
         size: (width, height),
         yuyv,
     }
@@ -95,7 +95,7 @@ fn goal(text: &str) -> Option<GoalLabel> {
     })
 }
 
-/// A PNG as the camera's bytes: full-range BT.601, chroma of two pixels averaged.
+/// Decodes a PNG to YUYV: full-range BT.601, with the mean chroma of two pixels.
 fn yuyv(path: &Path) -> (u16, u16, Vec<u8>) {
     let decoder = png::Decoder::new(BufReader::new(File::open(path).expect("an image")));
     let mut reader = decoder.read_info().expect("a PNG");
@@ -116,16 +116,14 @@ fn pair([r0, g0, b0, r1, g1, b1]: [u8; 6]) -> [u8; 4] {
     [y0, 0.5 * (cb0 + cb1), y1, 0.5 * (cr0 + cr1)].map(|value| value.round().clamp(0.0, 255.0) as u8)
 }
 
-/// The poses of the cameras of `nao2009`: file, camera, row of the horizon at x = 159.5, whether to trust it.
-pub(crate) fn poses(images: &Path) -> Vec<(String, Camera, f32, bool)> {
-    let text = fs::read_to_string(images.join("nao2009_pose.csv")).expect("nao2009_pose.csv");
-    let pose = |line: &str| {
-        let fields: Vec<&str> = line.split(',').collect();
-        let n: Vec<f32> = fields[2..15].iter().map(|field| field.parse().expect("a number")).collect();
+/// Camera poses of `nao2009`: file, camera, row of the horizon at x = 159.5, and whether the pose is trusted.
+pub(crate) fn poses() -> Vec<(String, Camera, f32, bool)> {
+    let pose = |row: &StringRecord| {
+        let n: Vec<f32> = (2..15).map(|field| row[field].parse().expect("a number")).collect();
         let turn = Mat3::from_cols_array(&[n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8]]).transpose();
         let pose = Affine3A::from_mat3_translation(turn, Vec3::new(n[9], n[10], n[11]) / 1000.0);
         let intrinsics = Intrinsics { focal: Vec2::splat(385.54), centre: Vec2::new(160.0, 120.0) };
-        (fields[0].to_owned(), Camera::new(pose, intrinsics), n[12], fields[15] == "1")
+        (row[0].to_owned(), Camera::new(pose, intrinsics), n[12], &row[15] == "1")
     };
-    text.lines().skip(1).map(pose).collect()
+    records("nao2009_pose.csv").iter().map(pose).collect()
 }

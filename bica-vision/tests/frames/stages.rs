@@ -1,4 +1,4 @@
-//! Segmentation and regions against the obvious way.
+//! Segmentation and connected components against simple reference implementations.
 
 use std::collections::BTreeMap;
 
@@ -8,7 +8,7 @@ use bica_vision::regions::Regions;
 use bica_vision::segment::{Area, Run, Runs};
 use proptest::prelude::*;
 
-/// Classes by luma alone, so that a test draws classes directly.
+/// Classifier by luma alone, so that a test draws classes directly.
 pub(crate) struct ByLuma;
 
 impl Classify for ByLuma {
@@ -20,7 +20,7 @@ impl Classify for ByLuma {
 const WIDTH: u16 = 32;
 const HEIGHT: u16 = 20;
 
-/// A frame of classes, one for each pixel pair, in runs so that regions have some size.
+/// Frame of classes, one for each pixel pair, in runs so that regions have some size.
 fn classes() -> impl Strategy<Value = Vec<u8>> {
     let pairs = usize::from(WIDTH / 2 * HEIGHT);
     let stretch = (0_u8..6, 1_usize..6);
@@ -38,12 +38,12 @@ fn wanted() -> impl Strategy<Value = ColourSet> {
         .prop_map(|set| set.into_iter().fold(ColourSet::EMPTY, |all, one| all | ColourSet::of(Colour::ALL[one])))
 }
 
-/// Each wanted pixel pair: (row, first pixel, class).
+/// Wanted pixel pairs: (row, first pixel, class).
 fn pairs_of(runs: &[Run]) -> Vec<(u16, u16, Colour)> {
     runs.iter().flat_map(|run| (run.start..run.end).step_by(2).map(|x| (run.row, x, run.colour))).collect()
 }
 
-/// Flood fill over pixel pairs, 8-neighbours, in the scanned rows: for each region (class, pairs).
+/// Reference: 8-connected flood fill over pixel pairs in the scanned rows; (class, pairs) of each region.
 fn flood(pairs: &[(u16, u16, Colour)], step: u16) -> Vec<(Colour, Vec<(u16, u16)>)> {
     let mut left: BTreeMap<(u16, u16), Colour> = pairs.iter().map(|(row, x, class)| ((*row, *x), *class)).collect();
     let mut found = Vec::new();
@@ -71,7 +71,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(500))]
 
     #[test]
-    fn runs_are_the_wanted_pairs_and_no_others(
+    fn runs_are_exactly_the_wanted_pairs(
         classes in classes(), wanted in wanted(), first in 0_u16..HEIGHT, end in 0_u16..2 * HEIGHT, step in 0_u16..4,
     ) {
         let bytes = bytes(&classes);
@@ -90,13 +90,13 @@ proptest! {
         prop_assert_eq!(pairs_of(runs.as_slice()), expected);
         for pair in runs.as_slice().windows(2) {
             let apart = pair[0].row < pair[1].row || pair[0].end < pair[1].start || pair[0].colour != pair[1].colour;
-            prop_assert!(apart, "runs that touch are one: {pair:?}");
+            prop_assert!(apart, "touching runs are not merged: {pair:?}");
         }
         prop_assert_eq!(runs.dropped(), 0);
     }
 
     #[test]
-    fn a_full_list_keeps_the_widest_runs_and_counts_the_others(classes in classes(), wanted in wanted()) {
+    fn full_list_keeps_the_widest_runs_and_counts_the_dropped(classes in classes(), wanted in wanted()) {
         let bytes = bytes(&classes);
         let frame = Frame::new(WIDTH, HEIGHT, &bytes).unwrap();
         let (mut few, mut all) = (Runs::<40>::new(), Runs::<1024>::new());
@@ -111,12 +111,12 @@ proptest! {
             prop_assert_eq!(kept, all.as_slice());
         } else if let Some(narrowest) = narrowest {
             let wider = all.as_slice().iter().filter(|run| run.width() > narrowest);
-            prop_assert!(wider.count() <= kept.len() || kept.len() == 40, "wide ones were dropped before narrow ones");
+            prop_assert!(wider.count() <= kept.len() || kept.len() == 40, "wide runs were dropped before narrow ones");
         }
     }
 
     #[test]
-    fn regions_are_those_of_a_flood_fill(classes in classes(), wanted in wanted(), step in 1_u16..4) {
+    fn regions_equal_those_of_a_flood_fill(classes in classes(), wanted in wanted(), step in 1_u16..4) {
         let bytes = bytes(&classes);
         let frame = Frame::new(WIDTH, HEIGHT, &bytes).unwrap();
         let mut runs = Runs::<1024>::new();
@@ -143,7 +143,7 @@ proptest! {
     }
 
     #[test]
-    fn a_full_list_keeps_the_largest_regions(classes in classes(), min_area in 0_u16..20) {
+    fn full_list_keeps_the_largest_regions(classes in classes(), min_area in 0_u16..20) {
         let bytes = bytes(&classes);
         let frame = Frame::new(WIDTH, HEIGHT, &bytes).unwrap();
         let mut runs = Runs::<1024>::new();
@@ -164,13 +164,13 @@ proptest! {
     }
 }
 
-/// A row of noise: a run in every second pair.
+/// Row of noise: a run in every second pair.
 fn noisy_row(pairs: usize) -> Vec<u8> {
     (0..pairs).map(|pair| (pair % 2) as u8).collect()
 }
 
 #[test]
-fn of_a_row_with_more_runs_than_things_make_the_rest_is_left_out_and_counted() {
+fn rest_of_a_noisy_row_is_skipped_and_counted() {
     let quiet = [[0; 40], [1; 40], [0; 40]].concat();
     let rows = [&quiet[..], &noisy_row(120), &quiet].concat();
     let bytes = bytes(&rows.repeat(6));
@@ -183,7 +183,7 @@ fn of_a_row_with_more_runs_than_things_make_the_rest_is_left_out_and_counted() {
 }
 
 #[test]
-fn the_largest_region_comes_first() {
+fn regions_are_sorted_by_area() {
     let classes: Vec<u8> = [1_usize, 5, 2, 7, 3].iter().flat_map(|n| [vec![1; *n], vec![0; 16 - n]].concat()).collect();
     let rows: Vec<u8> = classes.chunks(16).flat_map(|row| [row, &[0; 16]].concat()).cycle().take(16 * 20).collect();
     let bytes = bytes(&rows);

@@ -1,4 +1,4 @@
-//! Frames of the built-in world, where the referee knows the truth.
+//! Detection in frames of the built-in world, against the ground truth of its referee.
 
 use bica_field::{FIELD, GoalColour};
 use bica_motion::joints::{Joint, Joints};
@@ -24,7 +24,7 @@ const WORLDS: u64 = 100;
 const LOOKS: usize = 6;
 const POSTS: [(f32, f32); 4] = [(3.05, 0.7), (3.05, -0.7), (-3.05, -0.7), (-3.05, 0.7)];
 
-/// What was counted over all worlds.
+/// Counts over all worlds.
 #[derive(Debug, Default)]
 struct Score {
     balls: usize,
@@ -38,7 +38,7 @@ struct Score {
     end_errors: Vec<f32>,
 }
 
-/// The truth, in the robot's ground frame.
+/// Ground truth in the robot's ground frame, m.
 struct Truth {
     robot: Pose2,
     hips: Vec2,
@@ -66,7 +66,7 @@ impl Truth {
         }
     }
 
-    /// Whether another robot may stand before a place.
+    /// Whether another robot may occlude a position.
     fn is_hidden(&self, place: Vec2) -> bool {
         let along = place.normalize();
         self.others.iter().any(|other| {
@@ -86,10 +86,10 @@ fn is_inside(pixel: Vec2, margin: f32) -> bool {
 }
 
 impl Score {
-    fn look(&mut self, world: &mut KinematicWorld, name: &str, own_body_may_hide: bool) {
+    fn observe(&mut self, world: &mut KinematicWorld, name: &str, own_body_may_hide: bool) {
         let truth = Truth::of(world, &world.clone().sensors().angles);
         let sensors = world.sensors();
-        let image = sensors.image.expect("waited for");
+        let image = sensors.image.expect("an image after the wait");
         let frame = Frame::from_image(&image).expect("a frame");
         let camera = Camera::of::<Nao>(image.camera, &sensors.angles, Side::Left, image.width, image.height);
         let end = FieldBoundary::find_with(&frame, &BUILT_IN_TABLE, Some(&camera));
@@ -148,7 +148,7 @@ impl Score {
         self.wrong_posts.extend(wrong.map(|post| format!("{name}: {post:?}")));
     }
 
-    /// The row of the end of the field against that where the first ray meets carpet.
+    /// Compares the row of the field boundary with the first row whose ray meets carpet.
     fn count_end(&mut self, end: &FieldBoundary, truth: &Truth, camera: &Camera) {
         for x in (20..320_u16).step_by(40).map(f32::from) {
             let on_carpet = |y: &u16| {
@@ -172,14 +172,14 @@ impl Score {
         for (name, errors) in [
             ("ball, part of its distance", &mut self.ground_errors),
             ("post, part of its distance", &mut self.post_errors),
-            ("end of the field, rows", &mut self.end_errors),
+            ("field boundary, rows", &mut self.end_errors),
         ] {
             println!("error of {name}: median {:.4}, 95 % {:.4}", at(errors, 50), at(errors, 95));
         }
     }
 }
 
-/// Turns the head and waits until it rests and a frame is there.
+/// Turns the head and waits until it rests and a frame is available.
 fn turn_head(world: &mut KinematicWorld, targets: &mut Joints, yaw: f32, pitch: f32, camera: CameraId) {
     targets[Joint::HeadYaw] = yaw;
     targets[Joint::HeadPitch] = pitch;
@@ -192,7 +192,7 @@ fn turn_head(world: &mut KinematicWorld, targets: &mut Joints, yaw: f32, pitch: 
     }
 }
 
-/// The same numbers in every run.
+/// Number from a deterministic sequence.
 fn draw(random: &mut TestRunner, range: std::ops::Range<f32>) -> f32 {
     range.new_tree(random).expect("a number").current()
 }
@@ -209,7 +209,7 @@ fn start(random: &mut TestRunner) -> Start {
 }
 
 #[test]
-fn the_built_in_world_is_seen_as_it_is() {
+fn objects_of_the_built_in_world_are_detected_at_their_positions() {
     let mut score = Score::default();
     let mut random = TestRunner::deterministic();
     for seed in 0..WORLDS {
@@ -220,13 +220,18 @@ fn the_built_in_world_is_seen_as_it_is() {
             let yaw = draw(&mut random, -1.2..1.2);
             let camera = if look % 3 == 2 { CameraId::Bottom } else { CameraId::Top };
             turn_head(&mut world, &mut targets, yaw, draw(&mut random, -0.2..0.35), camera);
-            // Turned to the side the bottom camera looks at the robot's own shoulder.
+            // Turned to the side, the bottom camera sees the robot's own shoulder.
             let own_body_may_hide = camera == CameraId::Bottom && yaw.abs() > 0.6;
-            score.look(&mut world, &format!("seed {seed} look {look}"), own_body_may_hide);
+            score.observe(&mut world, &format!("seed {seed} look {look}"), own_body_may_hide);
         }
     }
     score.print();
-    assert!(score.balls >= 50 && score.posts >= 60, "too little to see: {} balls, {} posts", score.balls, score.posts);
+    assert!(
+        score.balls >= 50 && score.posts >= 60,
+        "too few objects in view: {} balls, {} posts",
+        score.balls,
+        score.posts
+    );
     assert!(score.found * 100 >= score.balls * 98 && score.wrong.is_empty());
     assert!(score.posts_found * 100 >= score.posts * 90 && score.wrong_posts.len() * 50 <= score.posts);
     assert!(score.ground_errors[score.ground_errors.len() / 2] <= 0.01);

@@ -1,4 +1,4 @@
-//! Balls that rest and roll, seen with noise by a robot that walks.
+//! Resting and rolling balls, observed with noise by a walking robot.
 
 use bica_motion::pose::{Pose2, rotate};
 use bica_vision::memory::ball::BallMemory;
@@ -10,13 +10,13 @@ use crate::noise::{Noise, spread};
 
 const STEP: f32 = 1.0 / 30.0;
 
-/// A ball and a robot on a field.
+/// Simulated ball and robot on a field.
 struct Scene {
     ball: Vec2,
     velocity: Vec2,
     braking: f32,
     robot: Pose2,
-    /// What is constant in the errors of sightings for some time, in deviations.
+    /// Slowly varying part of the errors of sightings, in standard deviations.
     bias: Vec2,
     noise: Noise,
     memory: BallMemory,
@@ -31,7 +31,7 @@ impl Scene {
         Self { ball, velocity: Vec2::ZERO, braking, robot: Pose2::ORIGIN, bias: Vec2::ZERO, noise, memory }
     }
 
-    /// Where the ball is, seen from the robot.
+    /// True position of the ball in the robot's frame, m.
     fn local(&self) -> Vec2 {
         self.robot.locate(self.ball)
     }
@@ -48,7 +48,7 @@ impl Scene {
         self.velocity = left * self.velocity.normalize_or_zero();
     }
 
-    /// One image; the robot walks at `speed` m/s. `lasting` of the noise stays the same for a while.
+    /// Simulates one image; the robot walks at `speed` m/s. `lasting` is the share of slowly varying noise.
     fn step(&mut self, speed: f32, lasting: f32) {
         self.roll();
         let motion = Pose2::new(speed * STEP, 0.0, 0.1 * speed * STEP);
@@ -60,7 +60,7 @@ impl Scene {
             return;
         }
         let (at, new) = (self.local(), Vec2::new(self.noise.normal(), self.noise.normal()));
-        // Lasts a third of a second.
+        // Constant for a third of a second.
         self.bias = 0.9 * self.bias + (1.0 - 0.81_f32).sqrt() * new;
         let spread = spread(at);
         let root = spread.cholesky().expect("a covariance").l();
@@ -69,7 +69,7 @@ impl Scene {
         self.memory.see(at + off, &spread, 0.8);
     }
 
-    /// How many squared deviations the truth is off the estimate.
+    /// Squared Mahalanobis distance of the truth from the estimate.
     fn off(&self) -> f32 {
         let place = self.memory.estimate().expect("just seen");
         let off = self.local() - place.position;
@@ -91,7 +91,7 @@ fn median(mut values: Vec<f32>) -> f32 {
     values[values.len() / 2]
 }
 
-/// Squared deviations over many games: of a ball that rests first and is kicked after 2 s.
+/// Squared Mahalanobis distances over many runs with a ball that is kicked after 2 s.
 fn consistency(speed: f32, lasting: f32) -> (Vec<f32>, Vec<f32>) {
     let (mut resting, mut rolling) = (vec![], vec![]);
     for seed in 0..200 {
@@ -112,7 +112,7 @@ fn consistency(speed: f32, lasting: f32) -> (Vec<f32>, Vec<f32>) {
 }
 
 #[test]
-fn the_covariance_tells_how_far_off_the_ball_is() {
+fn covariance_matches_the_error_of_the_ball() {
     for (speed, lasting) in [(0.0, 0.0), (0.2, 0.0), (0.0, 0.5), (0.2, 0.5)] {
         for (name, values) in ["resting", "rolling"].into_iter().zip(<[_; 2]>::from(consistency(speed, lasting))) {
             let (mean, inside) = (mean(&values), share(&values, |value| value < 5.99));
@@ -126,7 +126,7 @@ fn the_covariance_tells_how_far_off_the_ball_is() {
 }
 
 #[test]
-fn rolling_balls_are_told_from_resting_ones() {
+fn rolling_and_resting_balls_are_distinguished() {
     for speed in [0.0, 0.2] {
         let (mut resting, mut rolling, mut stopped) = (vec![], vec![], vec![]);
         for seed in 1000..1200 {
@@ -140,7 +140,7 @@ fn rolling_balls_are_told_from_resting_ones() {
                 still = if scene.velocity == Vec2::ZERO { still + 1 } else { 0 };
                 match step {
                     15..45 => resting.push(scene.memory.rolls()),
-                    // Half a second after the kick, while the ball is fast enough to tell within some images.
+                    // From 0.5 s after the kick on, while the ball is fast enough to be classified within some images.
                     60.. if scene.velocity.length() > 0.3 && scene.local().length() < 2.5 => {
                         rolling.push(scene.memory.rolls());
                     }
@@ -161,7 +161,7 @@ fn rolling_balls_are_told_from_resting_ones() {
 }
 
 #[test]
-fn a_rolling_ball_is_found_where_it_was_predicted() {
+fn prediction_of_a_rolling_ball_matches_its_motion() {
     let (mut predicted, mut stayed, mut inside, mut speeds) = (vec![], vec![], vec![], vec![]);
     for seed in 2000..2200 {
         let mut scene = Scene::new(seed);
@@ -188,7 +188,7 @@ fn a_rolling_ball_is_found_where_it_was_predicted() {
 }
 
 #[test]
-fn an_unseen_ball_rolls_on_and_comes_to_rest() {
+fn unseen_rolling_ball_decelerates_and_stops() {
     let mut scene = Scene::new(7);
     scene.ball = Vec2::new(0.3, 0.0);
     (0..10).for_each(|_| scene.step(0.0, 0.0));
@@ -207,9 +207,9 @@ fn an_unseen_ball_rolls_on_and_comes_to_rest() {
     assert!(ends[0].distance(ends[1]) < 0.01, "{ends:?}");
 }
 
-/// A robot that looks away just when it saw the ball a little beside its place.
+/// The robot looks away just after an outlier.
 #[test]
-fn one_wild_sighting_makes_no_rolling_ball() {
+fn single_outlier_does_not_make_the_ball_roll() {
     for (seed, way) in [(11, Vec2::X), (12, Vec2::Y), (13, Vec2::NEG_X), (14, Vec2::ONE)] {
         let mut scene = Scene::new(seed);
         scene.ball = Vec2::new(0.33, 0.02);
@@ -224,7 +224,7 @@ fn one_wild_sighting_makes_no_rolling_ball() {
 }
 
 #[test]
-fn a_ball_that_was_put_elsewhere_is_there() {
+fn moved_ball_is_remembered_at_its_new_position() {
     let mut scene = Scene::new(3);
     (0..30).for_each(|_| scene.step(0.0, 0.0));
     scene.ball = Vec2::new(1.0, -1.5);
@@ -251,7 +251,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(1000))]
 
     #[test]
-    fn nothing_makes_it_remember_what_is_no_number(
+    fn memory_is_finite_for_any_input(
         half_life in number(),
         steps in prop::collection::vec((prop::array::uniform4(number()), prop::array::uniform3(number()), any::<bool>()), 0..40),
     ) {
@@ -268,7 +268,7 @@ proptest! {
     }
 
     #[test]
-    fn the_robot_s_motion_moves_the_ball_and_its_velocity(
+    fn robot_motion_transforms_position_and_velocity(
         motions in prop::collection::vec((-0.05_f32..0.05, -0.05_f32..0.05, -0.2_f32..0.2), 1..20), seed in 0_u64..50,
     ) {
         let mut scene = Scene::new(seed);

@@ -1,4 +1,4 @@
-//! Perceptual memory: things that stand, balls that rest and roll, and what should be visible.
+//! Perceptual memory: static objects, resting and rolling balls, and predicted visibility.
 
 mod ball;
 mod multi_target;

@@ -1,4 +1,4 @@
-//! Several things of a kind.
+//! Memory of several objects of one kind.
 
 use bica_motion::pose::Pose2;
 use bica_vision::memory::multi_target::MultiTargetMemory;
@@ -12,7 +12,7 @@ fn places<const N: usize>(things: &MultiTargetMemory<N>) -> Vec<Vec2> {
 }
 
 #[test]
-fn each_sighting_is_of_the_nearest_thing_or_of_a_new_one() {
+fn sighting_updates_the_nearest_object_or_adds_one() {
     let mut robots = MultiTargetMemory::<3>::new(10.0);
     let truth = [Vec2::new(0.5, 0.3), Vec2::new(1.0, -0.4), Vec2::new(1.8, 0.5)];
     for turn in 0..20 {
@@ -33,7 +33,7 @@ fn each_sighting_is_of_the_nearest_thing_or_of_a_new_one() {
 }
 
 #[test]
-fn when_there_are_too_many_the_least_believed_is_forgotten() {
+fn full_memory_replaces_the_object_of_least_confidence() {
     let mut robots = MultiTargetMemory::<2>::new(1.0);
     robots.see(Vec2::new(1.0, 0.0), &round(0.05), 0.8);
     robots.advance(Pose2::ORIGIN, 1.0);
@@ -46,7 +46,7 @@ fn when_there_are_too_many_the_least_believed_is_forgotten() {
 }
 
 #[test]
-fn what_should_be_seen_and_is_not_is_forgotten_alone() {
+fn only_the_missing_object_in_view_is_forgotten() {
     let mut robots = MultiTargetMemory::<4>::new(100.0);
     let (there, gone) = (Vec2::new(1.0, 0.5), Vec2::new(1.0, -0.5));
     robots.see(gone, &round(0.05), 0.8);

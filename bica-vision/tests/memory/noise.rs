@@ -1,4 +1,4 @@
-//! Random numbers of a seed, and sightings that are off by what a projection is off.
+//! Reproducible random numbers, and sightings with the errors of a projection.
 
 use bica_motion::model::{Nao, RobotModel};
 use bica_motion::robot::CameraId;
@@ -6,7 +6,7 @@ use bica_vision::projection::Camera;
 use bica_vision::uncertainty::{self, Covariance, Errors};
 use glam::Vec2;
 
-/// Random numbers (xorshift*, Vigna 2016).
+/// Random number generator (xorshift*, Vigna 2016).
 #[derive(Clone, Debug)]
 pub(crate) struct Noise(u64);
 
@@ -17,7 +17,7 @@ impl Noise {
         noise
     }
 
-    /// From 0 to 1.
+    /// Uniform in [0, 1).
     pub(crate) fn unit(&mut self) -> f32 {
         self.0 ^= self.0 >> 12;
         self.0 ^= self.0 << 25;
@@ -29,12 +29,12 @@ impl Noise {
         low + (high - low) * self.unit()
     }
 
-    /// Mean 0, deviation 1.
+    /// Standard normal.
     pub(crate) fn normal(&mut self) -> f32 {
         (-2.0 * (1.0 - self.unit()).ln()).sqrt() * (core::f32::consts::TAU * self.unit()).cos()
     }
 
-    /// Off by what a covariance says.
+    /// Random vector with a covariance.
     pub(crate) fn off_by(&mut self, covariance: &Covariance) -> Vec2 {
         let root = covariance.cholesky().expect("a covariance").l();
         let off = root * nalgebra::Vector2::new(self.normal(), self.normal());
@@ -42,7 +42,7 @@ impl Noise {
     }
 }
 
-/// What a sighting of a ball at a place is uncertain by, for a NAO that stands.
+/// Covariance of a ball sighting at a position, for a standing NAO.
 pub(crate) fn spread(place: Vec2) -> Covariance {
     let camera = Camera::of::<Nao>(CameraId::Top, &Nao::STAND, bica_motion::side::Side::Left, 320, 240);
     let pixel = camera.pixel(place.extend(0.0325)).unwrap_or(Vec2::new(160.0, 239.0));

@@ -1,4 +1,4 @@
-//! What stands.
+//! Memory of a static object.
 
 use bica_motion::pose::Pose2;
 use bica_vision::memory::Memory;
@@ -24,7 +24,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(1000))]
 
     #[test]
-    fn a_place_stays_where_it_is_while_the_robot_moves(
+    fn remembered_position_is_fixed_in_the_world_while_the_robot_moves(
         x in -3.0_f32..3.0, y in -3.0_f32..3.0, motions in prop::collection::vec(motion(), 0..20),
     ) {
         let mut memory = Memory::new(60.0);
@@ -34,7 +34,7 @@ proptest! {
             robot = robot * *motion;
             memory.advance(*motion, 0.01);
             let spread = largest(&memory.estimate().expect("remembered").covariance);
-            prop_assert!(spread >= before, "surer by walking");
+            prop_assert!(spread >= before, "walking reduced the covariance");
             before = spread;
         }
         let place = robot.place(memory.position().expect("remembered"));
@@ -43,7 +43,7 @@ proptest! {
     }
 
     #[test]
-    fn belief_halves_in_a_half_life(half_life in 0.5_f32..20.0, steps in 1_u16..400) {
+    fn confidence_halves_in_a_half_life(half_life in 0.5_f32..20.0, steps in 1_u16..400) {
         let mut memory = Memory::new(half_life);
         memory.see(Vec2::X, &sharp(), 1.0);
         for _ in 0..steps {
@@ -53,7 +53,7 @@ proptest! {
     }
 
     #[test]
-    fn nothing_makes_it_remember_what_is_no_number(
+    fn memory_is_finite_for_any_input(
         half_life in number(),
         spread in prop::array::uniform4(number()),
         steps in prop::collection::vec((number(), number(), number(), number(), any::<bool>()), 0..40),
@@ -72,7 +72,7 @@ proptest! {
 }
 
 #[test]
-fn sightings_of_one_place_are_averaged_and_a_far_one_replaces() {
+fn near_sightings_are_averaged_and_a_far_one_replaces() {
     let mut memory = Memory::new(5.0);
     let spread = uncertainty::round(0.05);
     for turn in 0..100 {
@@ -89,9 +89,9 @@ fn sightings_of_one_place_are_averaged_and_a_far_one_replaces() {
     assert_eq!((memory.position(), memory.age()), (None, None));
 }
 
-/// Walks in a circle with an odometry that is off, sees the place now and then, and compares.
+/// The robot walks in a circle with noisy odometry and sees the object now and then.
 #[test]
-fn the_covariance_tells_how_far_off_the_place_is() {
+fn covariance_matches_the_error_of_the_position() {
     let (mut sum, mut count, mut inside) = (0.0, 0.0, 0.0);
     for seed in 0..200 {
         let mut noise = Noise::new(seed);
@@ -100,7 +100,7 @@ fn the_covariance_tells_how_far_off_the_place_is() {
         for step in 0..300 {
             let truth = Pose2::new(0.006, 0.0, noise.between(-0.03, 0.03));
             robot = robot * truth;
-            // As far off as the memory takes odometry to be.
+            // With the odometry noise that the memory assumes.
             let way = 0.08 * truth.position.length().sqrt();
             let turn = 0.05 * truth.heading.abs().sqrt() * noise.normal();
             let felt = Pose2::new(
@@ -122,14 +122,14 @@ fn the_covariance_tells_how_far_off_the_place_is() {
         }
     }
     let (mean, inside) = (sum / count, inside / count);
-    println!("squared deviations off: mean {mean:.2} (2 expected), within 95 %: {inside:.3}");
+    println!("squared Mahalanobis distance: mean {mean:.2} (2 expected), within 95 %: {inside:.3}");
     assert!((1.2..2.6).contains(&mean), "{mean}");
     assert!(inside > 0.92, "{inside}");
 }
 
-/// Odometry is off by a tenth or so, and more by turns.
+/// Odometry drifts by about a tenth of the distance, and more in turns.
 #[test]
-fn belief_halves_on_the_way_and_in_a_turn() {
+fn confidence_halves_over_distance_and_turn() {
     for (way, turn) in [(0.1, 0.0), (0.0, 0.2), (0.0, -0.2)] {
         let mut memory = Memory::new(f32::MAX);
         memory.see(Vec2::X, &sharp(), 1.0);

@@ -1,4 +1,4 @@
-//! What should be visible is believed less when it is not seen; what is out of sight is not.
+//! An object in view that is not detected loses confidence; an object out of view does not.
 
 use bica_field::FIELD;
 use bica_motion::joints::{Joint, Joints};
@@ -16,7 +16,7 @@ use glam::Vec2;
 const SIZE: Vec2 = Vec2::new(320.0, 240.0);
 const RADIUS: f32 = FIELD.ball_radius();
 
-/// A NAO that looks somewhere: camera, yaw and pitch.
+/// View of a NAO: camera, yaw and pitch.
 fn view(id: CameraId, yaw: f32, pitch: f32) -> (Camera, OwnBody) {
     let mut angles: Joints = Nao::STAND;
     angles[Joint::HeadYaw] = yaw;
@@ -26,7 +26,7 @@ fn view(id: CameraId, yaw: f32, pitch: f32) -> (Camera, OwnBody) {
     (camera, body)
 }
 
-/// Looks for a second to where a ball was seen at a place, and does not see it.
+/// Looks for one second at the position of a remembered ball without a detection.
 fn belief_after_looking(at: Vec2, (camera, body): &(Camera, OwnBody)) -> f32 {
     let mut ball = BallMemory::new(10.0);
     for _ in 0..10 {
@@ -43,7 +43,7 @@ fn belief_after_looking(at: Vec2, (camera, body): &(Camera, OwnBody)) -> f32 {
 }
 
 #[test]
-fn a_ball_that_is_looked_for_in_vain_is_forgotten_and_one_out_of_sight_is_not() {
+fn missing_ball_is_forgotten_in_view_and_kept_out_of_view() {
     let ahead = view(CameraId::Top, 0.0, 0.2);
     let unseen = 0.9 * 0.5_f32.powf(0.1);
     assert!(belief_after_looking(Vec2::new(1.0, 0.0), &ahead) < 0.02);
@@ -57,14 +57,14 @@ fn a_ball_that_is_looked_for_in_vain_is_forgotten_and_one_out_of_sight_is_not() 
 }
 
 #[test]
-fn a_ball_between_the_feet_may_be_hidden_by_the_body() {
+fn ball_behind_the_own_body_is_not_in_view() {
     let down = view(CameraId::Bottom, 0.0, 0.4);
     assert!(belief_after_looking(Vec2::new(0.2, 0.0), &down) < 0.02);
     assert!(belief_after_looking(Vec2::new(0.06, 0.05), &down) > 0.8);
 }
 
 #[test]
-fn a_ball_that_may_be_elsewhere_is_not_missed() {
+fn ball_of_uncertain_position_is_not_in_view() {
     let (camera, body) = view(CameraId::Top, 0.0, 0.2);
     let mut ball = BallMemory::new(10.0);
     ball.see(Vec2::new(1.0, 0.0), &uncertainty::round(0.02), 0.9);

@@ -1,4 +1,4 @@
-//! An image with what was seen in it, as a PNG.
+//! PNG image with marked detections.
 
 use std::fs::File;
 use std::io::{self, BufWriter};
@@ -14,7 +14,7 @@ use glam::Vec2;
 use crate::survey::Look;
 use crate::survey::detect;
 
-/// Picture pixels for one of the image's.
+/// Scale of the picture.
 const TIMES: usize = 3;
 
 type Rgb = [u8; 3];
@@ -24,7 +24,7 @@ struct Picture {
     pixels: Vec<Rgb>,
 }
 
-/// Writes the image of a look with the marks of all that is seen in it.
+/// Writes the image of a view with marks of all detections.
 pub(crate) fn write(path: &Path, look: &Look) -> io::Result<()> {
     let (camera, seen) = detect::see(look);
     let mut world = look.world.clone();
@@ -49,7 +49,7 @@ impl Picture {
     }
 
     fn mark(&mut self, seen: &Detections, camera: &Camera) {
-        self.path(seen.end.corners(), [255, 255, 255]);
+        self.path(seen.boundary.corners(), [255, 255, 255]);
         for line in &seen.markings.lines {
             let ends = [line.from, line.to].map(|end| camera.pixel(end.extend(0.0)));
             if let [Some(from), Some(to)] = ends {

@@ -5,8 +5,9 @@ use bica_motion::fall::{Direction, FallState};
 use bica_motion::getup::{self, GetUp};
 use bica_motion::health::Fault;
 use bica_motion::keyframes::{Keyframe, Motion};
-use bica_motion::model::{Nao, RobotModel};
+use bica_motion::model::RobotModel;
 
+use crate::Model;
 use crate::input::{HealthMonitor, RobotState};
 use crate::motion::Body;
 use crate::output::Motors;
@@ -16,7 +17,7 @@ use crate::perception::FallDetector;
 /// a failed attempt with another movement. A robot with a fault stops and sits down: for good, or until hot motors have cooled.
 #[derive(Debug)]
 pub struct SafetyGuard {
-    get_up: GetUp,
+    get_up: GetUp<Model>,
     /// Sitting down, or standing up from the sitting posture.
     sit_or_rise: Motion,
     brace: Keyframe,
@@ -33,7 +34,7 @@ impl SafetyGuard {
         Self {
             get_up: GetUp::none(),
             sit_or_rise: Motion::none(),
-            brace: getup::protection::<Nao>(Direction::Front),
+            brace: getup::protection::<Model>(Direction::Front),
             attempts: 0,
             stands: false,
         }
@@ -43,7 +44,7 @@ impl SafetyGuard {
     #[state(initial)]
     fn brace(&mut self, falls: &FallDetector, motors: &mut Motors) {
         if let FallState::Falling(direction) = falls.state() {
-            self.brace = getup::protection::<Nao>(direction);
+            self.brace = getup::protection::<Model>(direction);
         }
         motors.set_all(&self.brace.posture, self.brace.stiffness);
     }
@@ -71,7 +72,7 @@ impl SafetyGuard {
     #[state]
     fn sit(&mut self, time: &Time, motors: &mut Motors) {
         let moving = self.sit_or_rise.step(time.dt()).filter(|_| !self.sit_or_rise.is_done());
-        let (posture, stiffness) = moving.unwrap_or((Nao::SIT, Nao::SIT_STIFFNESS));
+        let (posture, stiffness) = moving.unwrap_or((Model::SIT, Model::SIT_STIFFNESS));
         motors.set_all(&posture, stiffness);
     }
 
@@ -178,12 +179,12 @@ impl SafetyGuard {
 
     #[entry(sit)]
     fn begin_sit(&mut self, state: &RobotState) {
-        self.sit_or_rise = Motion::new(&Nao::TO_SIT, *state.angles());
+        self.sit_or_rise = Motion::new(Model::TO_SIT, *state.angles());
     }
 
     #[entry(rise)]
     fn begin_rise(&mut self, state: &RobotState) {
-        self.sit_or_rise = Motion::new(&Nao::TO_STAND, *state.angles());
+        self.sit_or_rise = Motion::new(Model::TO_STAND, *state.angles());
     }
 
     #[stop]

@@ -6,6 +6,7 @@ use bica_motion::joints::Joints;
 use bica_motion::robot::Sensors;
 
 use super::RobotState;
+use crate::Model;
 use crate::output::JointCommand;
 
 /// Longest time from a fault until motion ends if the feet are never both on the ground, s: a kick is over by then.
@@ -14,7 +15,7 @@ const GRACE_TIME: f32 = 3.0;
 /// Faults of joints, motors and sensors, and how much the stiffness of hot motors is reduced.
 #[derive(Clone, Copy, Debug)]
 pub struct HealthMonitor {
-    health: Health,
+    health: Health<Model>,
     /// Time until a fault ends motion, s; 0 or less: it does.
     grace: f32,
 }

@@ -1,7 +1,9 @@
 //! The parameters of this body.
 
 use bica::prelude::*;
-use bica_motion::model::{Nao, Profile, RobotModel};
+use bica_motion::model::{Profile, RobotModel};
+
+use crate::Model;
 
 /// Gait, kicks and odometry calibration of the body that the forward controls.
 #[derive(Clone, Copy, Debug)]
@@ -14,7 +16,7 @@ impl RobotProfile {
     /// The profile of the built-in world.
     #[must_use]
     pub const fn new() -> Self {
-        Self { profile: Nao::KINEMATIC_PROFILE }
+        Self { profile: Model::KINEMATIC_PROFILE }
     }
 
     /// Sets the profile of another body.

@@ -1,6 +1,7 @@
 //! The state of joints, inertial unit and feet.
 
 use bica::prelude::*;
+use bica_motion::health::{FOLLOWING_STIFFNESS, is_upright};
 use bica_motion::joints::{JOINTS, Joint, Joints};
 use bica_motion::robot::{FootPressure, Inertial, Sensors};
 use bica_motion::side::Side;
@@ -8,10 +9,6 @@ use bica_motion::walk::Feedback;
 
 use crate::output::JointCommand;
 
-/// Legs follow their targets from this stiffness on, 0 to 1.
-const FIRM: f32 = 0.6;
-/// Largest roll or pitch of an upright torso, rad.
-const UPRIGHT: f32 = 0.4;
 /// Force on a foot that touches the ground, N.
 const TOUCH: f32 = 10.0;
 
@@ -58,13 +55,13 @@ impl RobotState {
         }
         self.commanded = commanded.targets;
         let stiffness = &commanded.stiffness;
-        self.firm = stiffness[Joint::LKneePitch].min(stiffness[Joint::RKneePitch]) >= FIRM;
+        self.firm = stiffness[Joint::LKneePitch].min(stiffness[Joint::RKneePitch]) >= FOLLOWING_STIFFNESS;
     }
 
     /// Joint targets of the previous cycle, rad; `None` while the torso is not upright or the legs are too soft to follow.
     #[must_use]
     pub fn commanded(&self) -> Option<&Joints<f32>> {
-        let upright = self.inertial.roll.abs() < UPRIGHT && self.inertial.pitch.abs() < UPRIGHT;
+        let upright = is_upright(&self.inertial);
         (self.firm && upright).then_some(&self.commanded)
     }
 

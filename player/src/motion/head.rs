@@ -2,10 +2,11 @@
 
 use bica::prelude::*;
 use bica_motion::head::HeadAngles;
-use bica_motion::model::{HeadSpeed, Nao, RobotModel};
+use bica_motion::model::{HeadSpeed, RobotModel};
 use bica_motion::robot::CameraId;
 use libm::fabsf;
 
+use crate::Model;
 use crate::input::RobotState;
 use crate::output::Motors;
 
@@ -31,7 +32,7 @@ impl Head {
     }
 
     fn step(&mut self, time: &Time, state: &RobotState, motors: &mut Motors) {
-        self.commanded = SPEED.step::<Nao>(self.commanded, self.target, time.dt());
+        self.commanded = SPEED.step::<Model>(self.commanded, self.target, time.dt());
         let measured = HeadAngles::read(state.angles());
         let near = |measured: f32, target: f32| fabsf(measured - target) < ARRIVED;
         self.arrived = near(measured.yaw, self.target.yaw) && near(measured.pitch, self.target.pitch);
@@ -42,7 +43,7 @@ impl Head {
     /// finite are ignored.
     pub fn look_at(&mut self, pan: f32, tilt: f32) {
         if pan.is_finite() && tilt.is_finite() {
-            let target = HeadAngles { yaw: pan, pitch: tilt }.clamped::<Nao>();
+            let target = HeadAngles { yaw: pan, pitch: tilt }.clamped::<Model>();
             self.arrived &= target == self.target;
             self.target = target;
         }
@@ -51,7 +52,7 @@ impl Head {
     /// Angle of a camera below the direction of the head, rad.
     #[must_use]
     pub const fn camera_tilt(camera: CameraId) -> f32 {
-        Nao::DIMENSIONS.camera(camera).tilt
+        Model::DIMENSIONS.camera(camera).tilt
     }
 
     /// The commanded head pan, rad to the left.

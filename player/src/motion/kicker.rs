@@ -3,6 +3,7 @@
 use bica::prelude::*;
 use bica_motion::kick::{Kick, KickMotion};
 
+use crate::Model;
 use crate::input::{RobotProfile, RobotState};
 use crate::output::Motors;
 
@@ -10,7 +11,7 @@ use crate::output::Motors;
 #[derive(Debug)]
 pub struct Kicker {
     kick: Option<Kick>,
-    motion: Option<KickMotion>,
+    motion: Option<KickMotion<Model>>,
 }
 
 #[component(budget_us = 15)]

@@ -1,17 +1,18 @@
 //! Walking.
 
 use bica::prelude::*;
-use bica_motion::model::{Nao, RobotModel};
+use bica_motion::model::RobotModel;
 use bica_motion::side::Side;
 use bica_motion::walk::{Phase, Velocity, Walk as Gait};
 
+use crate::Model;
 use crate::input::{RobotProfile, RobotState};
 use crate::output::Motors;
 
 /// Walks with the requested velocity; brings the feet together and stands when it is zero.
 #[derive(Debug)]
 pub struct Walk {
-    gait: Gait,
+    gait: Gait<Model>,
     request: Velocity,
 }
 
@@ -20,7 +21,7 @@ impl Walk {
     /// Standing.
     #[must_use]
     pub const fn new() -> Self {
-        Self { gait: Gait::new(&Nao::KINEMATIC_PROFILE.gait), request: Velocity::ZERO }
+        Self { gait: Gait::new(&Model::KINEMATIC_PROFILE.gait), request: Velocity::ZERO }
     }
 
     /// Every other motion ends in the stand.

@@ -3,8 +3,9 @@
 use bica::prelude::*;
 use bica_motion::joints::{JOINTS, Joint, Joints};
 use bica_motion::limbs::Limbs;
-use bica_motion::model::Nao;
 use bica_motion::stiffness::Stiffness;
+
+use crate::Model;
 
 /// Stiffness of the head joints, 0 to 1 (B-Human 2023).
 const HEAD_STIFFNESS: f32 = 0.7;
@@ -45,7 +46,7 @@ impl Motors {
 
     /// Sets the targets of arms and legs, rad, with the stiffness for walking.
     pub fn set_limbs(&mut self, limbs: &Limbs) {
-        let (targets, stiffness) = (limbs.joints(), Stiffness::Walk.joints::<Nao>());
+        let (targets, stiffness) = (limbs.joints(), Stiffness::Walk.joints::<Model>());
         for joint in Joint::ALL {
             if !matches!(joint, Joint::HeadYaw | Joint::HeadPitch) {
                 self.set(joint, targets[joint], stiffness[joint]);
@@ -75,7 +76,7 @@ impl Motors {
 
     /// Forms the command from the targets, within the joint limits, and the stiffness that is to be commanded, 0 to 1.
     pub fn command(&mut self, stiffness: Joints) -> &JointCommand {
-        self.commanded = JointCommand { targets: self.targets.clamp_to_limits::<Nao>(), stiffness };
+        self.commanded = JointCommand { targets: self.targets.clamp_to_limits::<Model>(), stiffness };
         &self.commanded
     }
 

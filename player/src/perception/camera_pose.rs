@@ -1,10 +1,10 @@
 //! The pose of the camera.
 
 use bica::prelude::*;
-use bica_motion::model::Nao;
 use bica_vision::projection::Camera;
 
 use super::ego_motion::LastImage;
+use crate::Model;
 use crate::input::{CameraInput, RobotState};
 
 /// Rotation between two images above which they may be blurred, rad.
@@ -30,7 +30,7 @@ impl CameraPose {
     fn step(&mut self, input: &CameraInput, state: &RobotState) {
         if self.image.take_new(input) {
             let image = input.image();
-            let camera = Camera::of::<Nao>(image.camera, input.angles(), state.support(), image.width, image.height);
+            let camera = Camera::of::<Model>(image.camera, input.angles(), state.support(), image.width, image.height);
             let [before, now] = [self.camera.unwrap_or(camera), camera].map(|camera| camera.pose().matrix3.x_axis);
             self.turned = now.distance(before);
             self.camera = Some(camera);

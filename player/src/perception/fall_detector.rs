@@ -3,12 +3,13 @@
 use bica::prelude::*;
 use bica_motion::fall::{FallDetector as Detector, FallState};
 
+use crate::Model;
 use crate::input::RobotState;
 
 /// Detects a fall while it happens, and the side on which the robot lies.
 #[derive(Debug)]
 pub struct FallDetector {
-    detector: Detector,
+    detector: Detector<Model>,
 }
 
 #[component(budget_us = 2)]

@@ -4,13 +4,14 @@ use bica::prelude::*;
 use bica_motion::odometry::{Calibration, MotionInput, Odometry as Estimator};
 use bica_motion::pose::Pose2;
 
+use crate::Model;
 use crate::input::{RobotProfile, RobotState};
 
 /// The robot's pose relative to where it started: displacement from the support leg, commanded and measured, and rotation
 /// from the gyroscope.
 #[derive(Debug)]
 pub struct Odometry {
-    estimator: Estimator,
+    estimator: Estimator<Model>,
 }
 
 #[component(budget_us = 10)]

@@ -1,11 +1,11 @@
 //! The robot's own body in the image.
 
 use bica::prelude::*;
-use bica_motion::model::Nao;
 use bica_vision::own_body::OwnBody as Body;
 
 use super::CameraPose;
 use super::ego_motion::LastImage;
+use crate::Model;
 use crate::input::CameraInput;
 
 /// The part of the newest image that the robot's own chest, arms and legs cover. Detectors ignore it.
@@ -27,7 +27,7 @@ impl OwnBody {
         if self.image.take_new(input) {
             let camera = pose.camera();
             self.body =
-                camera.map_or(Body::NONE, |camera| Body::of::<Nao>(camera, input.image().camera, input.angles()));
+                camera.map_or(Body::NONE, |camera| Body::of::<Model>(camera, input.image().camera, input.angles()));
         }
     }
 

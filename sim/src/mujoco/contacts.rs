@@ -42,8 +42,8 @@ impl GeomOwners {
         let owner = |geom: usize| {
             let name = model.id_to_name(MjtObjBase::mjOBJ_GEOM, geom).unwrap_or_default();
             match (name, model.geom_contype()[geom]) {
-                ("LSole" | "LShoe", _) => Owner::Foot(Side::Left),
-                ("RSole" | "RShoe", _) => Owner::Foot(Side::Right),
+                ("LSole" | "LFootShell", _) => Owner::Foot(Side::Left),
+                ("RSole" | "RFootShell", _) => Owner::Foot(Side::Right),
                 (_, 4) => Owner::Floor,
                 (_, 8) => Owner::Obstacle,
                 (_, 16) => Owner::Ball,

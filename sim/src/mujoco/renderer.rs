@@ -38,3 +38,9 @@ impl Drop for Renderer {
         self.0 = None;
     }
 }
+
+/// Formats a renderer error with its cause.
+pub(crate) fn describe(error: &RendererError) -> String {
+    let cause = core::error::Error::source(error).map_or_else(String::new, |cause| format!(" ({cause})"));
+    format!("{error}{cause}")
+}

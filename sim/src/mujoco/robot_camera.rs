@@ -6,7 +6,7 @@ use mujoco_rs::prelude::{MjData, MjModel, MjtObjBase, MjvCamera};
 
 use super::error::Error;
 use super::model::find;
-use super::renderer::Renderer;
+use super::renderer::{Renderer, describe};
 use crate::camera::canvas::Canvas;
 use crate::camera::image_sensor::ImageSensor;
 use crate::camera::palette::{Palette, Rgb};
@@ -71,12 +71,6 @@ impl RobotCamera {
     pub(crate) fn image(&self) -> (u16, u16, &[u8]) {
         (self.canvas.width as u16, self.canvas.height as u16, &self.image)
     }
-}
-
-/// Formats a renderer error with its cause.
-pub(crate) fn describe(error: &mujoco_rs::renderer::RendererError) -> String {
-    let cause = core::error::Error::source(error).map_or_else(String::new, |cause| format!(" ({cause})"));
-    format!("{error}{cause}")
 }
 
 /// Lookup table from rendered colours to those of the camera with its exposure and white balance.

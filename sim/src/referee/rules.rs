@@ -91,3 +91,71 @@ fn free_place(at: Vec2, referee: &Referee) -> Vec2 {
     let around = (0..8).map(|eighth| at - rotate(at.normalize_or(Vec2::X), eighth as f32 * 0.785) * 2.0 * CLEARANCE);
     core::iter::once(at).chain(around).find(free).unwrap_or(at)
 }
+
+#[cfg(test)]
+mod tests {
+    use bica_field::GoalColour;
+    use bica_motion::pose::Pose2;
+
+    use super::*;
+
+    const fn ms(time: u64) -> Duration {
+        Duration::from_millis(time)
+    }
+
+    fn referee() -> Referee {
+        Referee::new(GoalColour::Yellow, Pose2::new(-2.0, 0.0, 0.0), Vec2::ZERO, Vec::new())
+    }
+
+    fn events(referee: &Referee) -> Vec<(u64, Event)> {
+        referee.events().iter().map(|timed| (timed.at.as_millis() as u64, timed.event)).collect()
+    }
+
+    #[test]
+    fn contacts_closer_than_half_a_second_are_one_touch() {
+        for (second, touches) in [(490, 1), (510, 2)] {
+            let (mut rules, mut referee) = (Rules::default(), referee());
+            rules.record_touch(ms(0), Some(Side::Left), 0.0, &mut referee);
+            rules.record_touch(ms(second), Some(Side::Left), 0.0, &mut referee);
+            assert_eq!(events(&referee).len(), touches, "second contact after {second} ms");
+        }
+    }
+
+    #[test]
+    fn a_ball_that_leaves_the_foot_fast_was_kicked_once() {
+        for (speed, delay, kicks) in [(0.6, 10, 1), (0.4, 10, 0), (0.6, 20, 0)] {
+            let (mut rules, mut referee) = (Rules::default(), referee());
+            rules.record_touch(ms(0), Some(Side::Right), speed, &mut referee);
+            rules.record_touch(ms(delay), None, speed, &mut referee);
+            rules.record_touch(ms(delay), None, speed, &mut referee);
+            let kick = Event::Kick { foot: Side::Right, speed };
+            assert_eq!(referee.count(|event| *event == kick), kicks, "{speed} m/s after {delay} ms");
+        }
+    }
+
+    #[test]
+    fn a_ball_returns_one_second_after_an_out_and_three_seconds_after_a_goal() {
+        let cases = [
+            (Vec2::new(3.2, 0.0), Event::Goal, 3_000, Vec2::ZERO),
+            (Vec2::new(-3.2, 0.0), Event::OwnGoal, 3_000, Vec2::ZERO),
+            (Vec2::new(0.5, 2.1), Event::BallOut, 1_000, Vec2::new(0.5, 1.6)),
+        ];
+        for (ball, event, pause, place) in cases {
+            let (mut rules, mut referee) = (Rules::default(), referee());
+            assert_eq!(rules.apply(ms(0), ball, &mut referee), None);
+            assert_eq!(rules.apply(ms(pause - 10), ball, &mut referee), None);
+            assert_eq!(rules.apply(ms(pause), ball, &mut referee), Some(place));
+            assert_eq!(events(&referee), [(0, event), (pause, Event::BallPlaced { at: place })]);
+        }
+    }
+
+    #[test]
+    fn a_ball_returns_beside_a_robot_that_stands_on_its_place() {
+        let (mut rules, mut referee) = (Rules::default(), referee());
+        let place = Vec2::new(0.5, 1.6);
+        referee.set_robot(Pose2 { position: place, heading: 0.0 }, crate::referee::Posture::Upright);
+        let _ = rules.apply(ms(0), Vec2::new(0.5, 2.1), &mut referee);
+        let at = rules.apply(ms(1_000), Vec2::new(0.5, 2.1), &mut referee).unwrap();
+        assert!((at.distance(place) - 0.6).abs() < 1e-5 && at.length() < place.length(), "{at}");
+    }
+}

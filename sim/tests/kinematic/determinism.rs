@@ -9,13 +9,13 @@ use bica_sim::setup::Setup;
 
 use crate::support::command;
 
-/// Everything that a game of wild motions gave, as one list of bytes and words.
-fn game(seed: u64, look_every: u32) -> (Vec<u8>, Vec<u32>, String) {
-    let mut world = KinematicWorld::new(&Setup { seed, robots: 2, ..Setup::default() }).expect("a good setup");
+/// Runs a game with large motions. Returns all image bytes, all measurements and the final ground truth.
+fn game(seed: u64, read_every: u32) -> (Vec<u8>, Vec<u32>, String) {
+    let mut world = KinematicWorld::new(&Setup { seed, robots: 2, ..Setup::default() }).expect("a valid setup");
     let mut images = Vec::new();
     let mut words = Vec::new();
     for cycle in 0..400_u32 {
-        if cycle % look_every == 0 {
+        if cycle % read_every == 0 {
             let sensors = world.sensors();
             images.extend(sensors.image.iter().flat_map(|image| image.yuyv));
             words.extend(sensors.angles.0.map(f32::to_bits));
@@ -31,39 +31,42 @@ fn game(seed: u64, look_every: u32) -> (Vec<u8>, Vec<u32>, String) {
 }
 
 #[test]
-fn the_same_seed_and_commands_give_the_same_game_in_every_thread() {
+fn equal_seeds_and_commands_give_equal_games_in_every_thread() {
     let first = game(11, 1);
     assert_eq!(first.0.len(), 120 * 320 * 240 * 2);
     let threads: Vec<_> = (0..2).map(|_| thread::spawn(|| game(11, 1))).collect();
     for thread in threads {
-        assert!(thread.join().expect("the game ends") == first);
+        assert!(thread.join().expect("a game without panic") == first);
     }
 }
 
 #[test]
-fn other_seeds_give_other_games() {
+fn different_seeds_give_different_games() {
     assert!(game(11, 1) != game(12, 1));
 }
 
 #[test]
-fn looking_changes_nothing() {
+fn reading_sensors_does_not_change_the_world() {
     let (_, words, truth) = game(11, 1);
     let (_, fewer_words, same_truth) = game(11, 10);
     assert_eq!(truth, same_truth);
-    let per_look = words.len() / 400;
-    let looked: Vec<u32> = words.chunks(per_look).step_by(10).flatten().copied().collect();
-    assert_eq!(looked, fewer_words);
+    let per_read = words.len() / 400;
+    let every_tenth: Vec<u32> = words.chunks(per_read).step_by(10).flatten().copied().collect();
+    assert_eq!(every_tenth, fewer_words);
 }
 
 #[test]
-fn sensors_say_the_same_twice_in_a_cycle() {
-    let mut world = KinematicWorld::new(&Setup::default()).expect("a good setup");
+fn repeated_reads_in_a_cycle_return_equal_measurements() {
+    let mut world = KinematicWorld::new(&Setup::default()).expect("a valid setup");
+    let mut images = 0;
     for _ in 0..10 {
         let first = world.sensors();
         let (inertial, image) = (first.inertial, first.image.map(|image| image.yuyv.to_vec()));
+        images += u32::from(image.is_some());
         let second = world.sensors();
         assert_eq!(second.inertial, inertial);
         assert_eq!(second.image.map(|image| image.yuyv.to_vec()), image);
         world.act(&command(Nao::STAND));
     }
+    assert_eq!(images, 3);
 }

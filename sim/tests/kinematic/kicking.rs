@@ -11,7 +11,7 @@ use glam::Vec2;
 
 use crate::support::{TOGETHER, alone, command, glide, swayed};
 
-/// Stands on one foot, swings the other one back and then forward at full speed.
+/// Stands on one foot, swings the other one back and then forward by 0.16 m in 0.12 s.
 fn kick(world: &mut KinematicWorld, foot: Side) {
     let swung = |x: f32, lift: f32| {
         let mut feet = swayed(foot.other());
@@ -33,14 +33,15 @@ fn stand(world: &mut KinematicWorld, seconds: u32) {
 }
 
 #[test]
-fn a_kicked_ball_goes_where_the_foot_swung_and_into_the_goal() {
+fn a_kicked_ball_leaves_in_the_direction_of_the_swing_and_scores() {
     for foot in Side::BOTH {
         let robot = Pose2::new(1.6, 0.0, 0.0);
         let ball = robot.place(Vec2::new(0.17, 0.055 * foot.sign()));
         let mut world = alone(4, robot, ball);
         kick(&mut world, foot);
         let speed = world.referee().ball_velocity();
-        assert!(speed.x > 1.0 && speed.y.abs() < 0.35 * speed.x, "{foot:?}: {speed}");
+        // The foot has a mean speed of 1.3 m/s and accelerates; with its restitution of 0.5 the ball leaves 1.5 times as fast.
+        assert!((2.0..3.2).contains(&speed.x) && speed.y.abs() < 0.1 * speed.x, "{foot:?}: {speed}");
         assert_eq!(world.referee().count(|event| *event == Event::Touch { foot }), 1);
         assert_eq!(world.referee().count(|event| matches!(event, Event::Kick { foot: by, .. } if *by == foot)), 1);
         stand(&mut world, 2);
@@ -53,22 +54,23 @@ fn a_kicked_ball_goes_where_the_foot_swung_and_into_the_goal() {
 }
 
 #[test]
-fn a_ball_kicked_over_the_side_line_comes_back() {
+fn a_ball_kicked_over_the_side_line_returns_after_a_second_on_the_throw_in_line() {
     let robot = Pose2::new(0.5, 1.5, core::f32::consts::FRAC_PI_2);
     let mut world = alone(4, robot, robot.place(Vec2::new(0.17, 0.055)));
     kick(&mut world, Side::Left);
     stand(&mut world, 3);
     assert_eq!(world.referee().outs(), 1);
     let events = world.referee().events();
-    let out = events.iter().find(|happened| happened.event == Event::BallOut).expect("the ball was out");
-    let placed = events.iter().find(|happened| matches!(happened.event, Event::BallPlaced { .. })).expect("it is back");
+    let out = events.iter().find(|happened| happened.event == Event::BallOut).expect("a ball out");
+    let placed =
+        events.iter().find(|happened| matches!(happened.event, Event::BallPlaced { .. })).expect("a return into play");
     assert_eq!(placed.at, out.at + Duration::from_secs(1));
     let ball = world.referee().ball();
-    assert!(ball.y.abs() < 2.0 && ball.distance(robot.position) > 0.2, "{ball}");
+    assert!((ball.y - 1.6).abs() < 0.7 && ball.distance(robot.position) > 0.2, "{ball}");
 }
 
 #[test]
-fn a_ball_that_nobody_touches_lies_still() {
+fn an_untouched_ball_does_not_move() {
     let mut world = alone(4, Pose2::ORIGIN, Vec2::new(1.0, 0.5));
     stand(&mut world, 3);
     assert_eq!(world.referee().ball(), Vec2::new(1.0, 0.5));
@@ -76,7 +78,7 @@ fn a_ball_that_nobody_touches_lies_still() {
 }
 
 #[test]
-fn a_ball_before_a_walking_foot_is_kicked_on_without_a_halt() {
+fn a_kick_while_walking_moves_the_ball_straight_ahead() {
     for foot in Side::BOTH {
         let half = Nao::KINEMATIC_PROFILE.gait.half_spacing;
         let robot = Pose2::new(-1.5, 0.0, 0.0);
@@ -94,8 +96,8 @@ fn a_ball_before_a_walking_foot_is_kicked_on_without_a_halt() {
             let targets = walk.step(ahead, &Feedback::from(&world.sensors()), CYCLE_SECONDS).joints();
             world.act(&command(targets));
         }
-        let way = world.referee().ball() - ball;
-        assert!(way.x > 0.7 && way.y.abs() < 0.25 * way.x, "{foot:?}: {way}");
+        let moved = world.referee().ball() - ball;
+        assert!((1.5..4.0).contains(&moved.x) && moved.y.abs() < 0.1 * moved.x, "{foot:?}: {moved}");
         assert_eq!(world.referee().falls(), 0);
     }
 }

@@ -1,5 +1,5 @@
-//! The built-in world, seen from outside.
-#![expect(clippy::float_cmp, reason = "what must be exact is compared exactly")]
+//! Tests of the kinematic simulator through its public interface.
+#![expect(clippy::float_cmp, reason = "values that must be exact are compared exactly")]
 
 mod determinism;
 mod falling;

@@ -16,7 +16,7 @@ const BALL_RADIUS: f32 = 0.0325;
 const SIZE: Vec2 = Vec2::new(320.0, 240.0);
 const FOCAL: Vec2 = Vec2::new(618.66 / 2.0, 617.16 / 2.0);
 
-/// A camera as the player would know it: from the joints, standing on the left foot.
+/// Returns the pose of a camera from joint angles, standing on the left foot.
 fn camera_pose(id: CameraId, robot: Pose2, angles: &Joints) -> Affine3A {
     let from_ground = ground_from_robot::<Nao>(Side::Left, angles);
     let under_hips = Pose2::new(from_ground.translation.x, from_ground.translation.y, 0.0);
@@ -25,18 +25,18 @@ fn camera_pose(id: CameraId, robot: Pose2, angles: &Joints) -> Affine3A {
     field * from_ground * camera::<Nao>(id, angles)
 }
 
-/// A point of the camera frame in the image.
+/// Projects a point in the camera frame to the image.
 fn pixel(seen: Vec3) -> Vec2 {
     SIZE / 2.0 - FOCAL * Vec2::new(seen.y, seen.z) / seen.x
 }
 
-/// Chroma of a pixel.
+/// Returns blue and red chroma of a pixel.
 fn chroma(yuyv: &[u8], u: usize, v: usize) -> (i32, i32) {
     let pair = &yuyv[(v * 320 + u / 2 * 2) * 2..][..4];
     (pair[1].into(), pair[3].into())
 }
 
-/// Looks somewhere, waits until the head is still and gives the image with the true angles.
+/// Turns the head, waits until it is still, and returns the next image with the true joint angles.
 fn look(world: &mut KinematicWorld, id: CameraId, yaw: f32, pitch: f32) -> (Vec<u8>, Joints) {
     let mut targets = Nao::STAND;
     (targets[Joint::HeadYaw], targets[Joint::HeadPitch]) = (yaw, pitch);
@@ -51,7 +51,7 @@ fn look(world: &mut KinematicWorld, id: CameraId, yaw: f32, pitch: f32) -> (Vec<
     }
 }
 
-/// Centroid and area of what is redder than all but a ball is, near a place in the image.
+/// Returns centroid and area of the pixels near a point that are as red as only a ball is.
 fn orange(yuyv: &[u8], near: Vec2, within: f32) -> (Vec2, f32) {
     let (mut sum, mut weight) = (Vec2::ZERO, 0.0);
     for v in 0..240 {
@@ -69,7 +69,7 @@ fn orange(yuyv: &[u8], near: Vec2, within: f32) -> (Vec2, f32) {
 }
 
 #[test]
-fn the_ball_is_drawn_where_the_camera_model_puts_it() {
+fn image_and_segmentation_mask_show_the_ball_at_its_projection() {
     let mut random = Pcg32::new(7, 7);
     let mut any = |low: f32, high: f32| low + (high - low) * (random.next_u32() >> 8) as f32 / 16_777_216.0;
     let mut seen = 0;
@@ -83,7 +83,7 @@ fn the_ball_is_drawn_where_the_camera_model_puts_it() {
         let (image, angles) = look(&mut world, id, yaw, pitch);
         let centre = camera_pose(id, robot, &angles).inverse().transform_point3(ball.extend(BALL_RADIUS));
         let radius = FOCAL.x * BALL_RADIUS / centre.x;
-        // A sphere's outline is an ellipse, a little farther out than the sphere's middle.
+        // The outline of a sphere is an ellipse whose centre lies farther out than the projected centre of the sphere.
         let stretch = centre.x * centre.x / (centre.x * centre.x - BALL_RADIUS * BALL_RADIUS);
         let expected = SIZE / 2.0 + (pixel(centre) - SIZE / 2.0) * stretch;
         let room = Vec2::splat(radius + 6.0);
@@ -95,10 +95,10 @@ fn the_ball_is_drawn_where_the_camera_model_puts_it() {
         assert!(found.distance(expected) < 1.0, "round {round}: {found}, expected {expected}, radius {radius}");
         let disc = core::f32::consts::PI * radius * radius;
         assert!((0.6..1.6).contains(&(area / disc)), "round {round}: {area} of {disc}");
-        let things = world.segmentation_mask();
-        let shown = things.iter().filter(|thing| **thing == PixelLabel::Ball).count() as f32;
+        let labels = world.segmentation_mask();
+        let shown = labels.iter().filter(|label| **label == PixelLabel::Ball).count() as f32;
         assert!((0.8..1.6).contains(&(shown / disc)), "round {round}: {shown} pixels of {disc}");
-        assert_eq!(things[expected.y as usize * 320 + expected.x as usize], PixelLabel::Ball, "round {round}");
+        assert_eq!(labels[expected.y as usize * 320 + expected.x as usize], PixelLabel::Ball, "round {round}");
     }
     assert!(seen > 20, "{seen}");
 }

@@ -1,4 +1,4 @@
-//! A robot moved by hand: foot places instead of a gait.
+//! A scripted robot: foot positions instead of a gait.
 
 use bica_motion::feet::{Foot, level_legs};
 use bica_motion::joints::Joints;
@@ -11,23 +11,23 @@ use bica_sim::kinematic::KinematicWorld;
 use bica_sim::setup::{Setup, Start};
 use glam::Vec2;
 
-/// The hips' height over the ground, m.
+/// Height of the hips above the ground, m.
 pub(crate) const HIPS: f32 = 0.215;
-/// How far the hips sway over the carrying foot, m.
+/// Lateral offset of the hips over the support foot, m.
 pub(crate) const SWAY: f32 = 0.045;
 
-/// A world without other robots in which the robot stands at a place.
+/// Returns a world without other robots in which the robot stands at a pose.
 pub(crate) fn alone(seed: u64, robot: Pose2, ball: Vec2) -> KinematicWorld {
     let start = Some(Start { robot, ball });
-    KinematicWorld::new(&Setup { seed, goalkeeper: false, start, ..Setup::default() }).expect("a good setup")
+    KinematicWorld::new(&Setup { seed, goalkeeper: false, start, ..Setup::default() }).expect("a valid setup")
 }
 
-/// Firm joints, top camera.
+/// Returns a command with full stiffness and the top camera.
 pub(crate) fn command(targets: Joints) -> Command {
     Command { targets, stiffness: Joints::all(1.0), lights: Lights::default(), camera: CameraId::Top }
 }
 
-/// The posture with the feet there, under an upright torso. Left first: forward and left of the hips, and lift, m.
+/// Returns the posture with an upright torso and these feet, left first: x, y relative to the hips, and lift, m.
 pub(crate) fn posture(feet: [(f32, f32, f32); 2]) -> Joints {
     let feet = feet.map(|(x, y, lift)| Foot { pose: Pose2::new(x, y, 0.0), lift });
     let mut posture = Nao::STAND;
@@ -37,7 +37,7 @@ pub(crate) fn posture(feet: [(f32, f32, f32); 2]) -> Joints {
     posture
 }
 
-/// Moves both feet evenly from one place to another in a number of cycles.
+/// Moves both feet linearly between two positions in a number of cycles.
 pub(crate) fn glide(world: &mut KinematicWorld, from: [(f32, f32, f32); 2], to: [(f32, f32, f32); 2], cycles: u32) {
     for cycle in 1..=cycles {
         let part = cycle as f32 / cycles as f32;
@@ -47,10 +47,10 @@ pub(crate) fn glide(world: &mut KinematicWorld, from: [(f32, f32, f32); 2], to: 
     }
 }
 
-/// Feet beside each other, the hips between them.
+/// Feet side by side, the hips between them.
 pub(crate) const TOGETHER: [(f32, f32, f32); 2] = [(-0.012, 0.05, 0.0), (-0.012, -0.05, 0.0)];
 
-/// Feet beside each other, the hips swayed over a side's foot.
+/// Returns feet side by side with the hips above one of them.
 pub(crate) fn swayed(side: Side) -> [(f32, f32, f32); 2] {
     TOGETHER.map(|(x, y, lift)| (x, y - side.sign() * SWAY, lift))
 }

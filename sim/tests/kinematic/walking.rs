@@ -10,7 +10,7 @@ use glam::Vec2;
 
 use crate::support::{SWAY, alone, command, glide};
 
-/// One slow step: the hips go over the carrying foot, the other one is lifted, set down ahead, and the hips follow.
+/// Takes one slow step: lifts the swing foot, sets it down ahead and shifts the hips over it.
 fn step(world: &mut KinematicWorld, swing: Side, behind: f32, ahead: f32) {
     let feet = |swing_x: f32, lift: f32, support_x: f32| {
         let mut feet = [(support_x, 0.05 + swing.sign() * SWAY, 0.0), (support_x, -0.05 + swing.sign() * SWAY, 0.0)];
@@ -30,7 +30,7 @@ fn step(world: &mut KinematicWorld, swing: Side, behind: f32, ahead: f32) {
 }
 
 #[test]
-fn feet_set_by_hand_carry_the_robot_as_far_as_they_step() {
+fn scripted_steps_move_the_robot_by_their_length() {
     let mut world = alone(3, Pose2::new(-2.0, 0.0, 0.0), Vec2::new(2.0, 1.5));
     let start = [(0.0, 0.05, 0.0), (0.0, -0.05, 0.0)];
     let over_right = start.map(|(x, y, lift)| (x, y + SWAY, lift));
@@ -40,30 +40,33 @@ fn feet_set_by_hand_carry_the_robot_as_far_as_they_step() {
         let behind = if index == 0 { 0.0 } else { -0.04 };
         step(&mut world, if index % 2 == 0 { Side::Left } else { Side::Right }, behind, 0.04);
     }
-    let way = world.referee().robot().position - before;
+    let moved = world.referee().robot().position - before;
     assert_eq!(world.referee().falls(), 0);
-    assert!((way.x - 0.4).abs() < 0.04, "{way}");
-    assert!(way.y.abs() < 0.06, "{way}");
+    assert!((moved.x - 0.4).abs() < 0.04, "{moved}");
+    assert!(moved.y.abs() < 0.06, "{moved}");
 }
 
 #[test]
-fn the_walk_goes_where_it_is_told() {
-    for (velocity, least) in [
-        (Velocity::new(0.1, 0.0, 0.0), Pose2::new(0.5, 0.0, 0.0)),
-        (Velocity::new(-0.1, 0.0, 0.0), Pose2::new(-0.4, 0.0, 0.0)),
-        (Velocity::new(0.0, 0.08, 0.0), Pose2::new(0.0, 0.3, 0.0)),
-        (Velocity::new(0.0, 0.0, 0.25), Pose2::new(0.0, 0.0, 1.5)),
+fn the_walk_covers_the_commanded_distance_and_no_other() {
+    // The gait loses up to 8 % of the distance while it starts and slips by some centimetres.
+    let tolerance = Pose2::new(0.08, 0.08, 0.1);
+    for velocity in [
+        Velocity::new(0.1, 0.0, 0.0),
+        Velocity::new(-0.1, 0.0, 0.0),
+        Velocity::new(0.0, 0.08, 0.0),
+        Velocity::new(0.0, 0.0, 0.25),
     ] {
-        let way = walk(&mut alone(5, Pose2::ORIGIN, Vec2::new(2.0, 1.5)), velocity, 1_000, |_| ());
-        let along = |of: f32, least: f32| least == 0.0 || of / least >= 1.0;
-        assert!(along(way.position.x, least.position.x), "{velocity:?}: {way:?}");
-        assert!(along(way.position.y, least.position.y), "{velocity:?}: {way:?}");
-        assert!(along(way.heading, least.heading), "{velocity:?}: {way:?}");
+        let moved = walk(&mut alone(5, Pose2::ORIGIN, Vec2::new(2.0, 1.5)), velocity, 1_000, |_| ());
+        let expected = [10.0 * velocity.forward, 10.0 * velocity.left, 10.0 * velocity.turn];
+        let off = [moved.position.x - expected[0], moved.position.y - expected[1], moved.heading - expected[2]];
+        assert!(off[0].abs() < tolerance.position.x, "{velocity:?}: {moved:?}");
+        assert!(off[1].abs() < tolerance.position.y, "{velocity:?}: {moved:?}");
+        assert!(off[2].abs() < tolerance.heading, "{velocity:?}: {moved:?}");
     }
 }
 
 #[test]
-fn nothing_passes_through_a_goal_post() {
+fn a_robot_that_walks_against_a_goal_post_stops_there_and_its_bumper_is_pressed() {
     let mut world = alone(5, Pose2::new(2.5, 0.7, 0.0), Vec2::new(0.0, 1.5));
     let mut nearest = f32::INFINITY;
     let mut pressed = false;
@@ -76,7 +79,7 @@ fn nothing_passes_through_a_goal_post() {
     assert!(pressed && world.referee().count(|event| *event == Event::Collision) > 0);
 }
 
-/// Walks, watched in every cycle, and tells how far it came, seen from where it was.
+/// Walks for some cycles and calls `watch` after each. Returns the final pose relative to the first.
 fn walk(
     world: &mut KinematicWorld,
     velocity: Velocity,

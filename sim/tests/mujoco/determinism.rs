@@ -1,4 +1,4 @@
-//! The same seed is the same story, bit for bit.
+//! Equal seeds give equal measurements, bit for bit.
 
 use bica_motion::joints::Joint;
 use bica_motion::model::{Nao, RobotModel};
@@ -8,10 +8,10 @@ use glam::Vec2;
 
 use crate::support::{blind, command, world};
 
-/// Everything that the body told.
-fn story(seed: u64) -> Vec<u32> {
+/// Runs a world with motions and a push. Returns all measurements of the body.
+fn measurements(seed: u64) -> Vec<u32> {
     let mut world = world(&Setup { seed, robots: 2, ..Setup::default() }, &blind());
-    let mut told = Vec::new();
+    let mut words = Vec::new();
     for cycle in 0..300 {
         let mut targets = Nao::STAND;
         targets[Joint::LHipPitch] -= 0.3 * (cycle as f32 * 0.2).sin();
@@ -22,13 +22,13 @@ fn story(seed: u64) -> Vec<u32> {
         let sensors = world.sensors();
         let feet = [sensors.left_foot.total(), sensors.right_foot.total()];
         let inertial = sensors.inertial.gyro.to_array().into_iter().chain(sensors.inertial.acceleration.to_array());
-        told.extend(sensors.angles.0.into_iter().chain(feet).chain(inertial).map(f32::to_bits));
+        words.extend(sensors.angles.0.into_iter().chain(feet).chain(inertial).map(f32::to_bits));
     }
-    told
+    words
 }
 
 #[test]
-fn the_same_seed_is_the_same_story() {
-    assert!(story(3) == story(3));
-    assert!(story(3) != story(4));
+fn the_same_seed_is_the_same_measurements() {
+    assert!(measurements(3) == measurements(3));
+    assert!(measurements(3) != measurements(4));
 }

@@ -1,10 +1,22 @@
-//! The world with real forces against what is known of robot, ball and field.
-#![cfg(feature = "mujoco")]
+//! Tests of the dynamic simulator against known properties of robot, ball and field.
 
+#[cfg(feature = "mujoco")]
 mod ball;
+#[cfg(feature = "mujoco")]
 mod determinism;
+#[cfg(feature = "mujoco")]
 mod rising;
+#[cfg(feature = "mujoco")]
 mod seeing;
+#[cfg(feature = "mujoco")]
 mod sensing;
+#[cfg(feature = "mujoco")]
 mod standing;
+#[cfg(feature = "mujoco")]
 mod support;
+
+/// Stands for the tests of this target in a build without the simulator, so that a report counts them as skipped.
+#[cfg(not(feature = "mujoco"))]
+#[test]
+#[ignore = "needs the feature `mujoco`; `cargo xtask mujoco` installs its library"]
+fn the_dynamic_simulator() {}

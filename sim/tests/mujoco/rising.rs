@@ -1,4 +1,4 @@
-//! Falling with open eyes, and getting up again.
+//! Detection of falls, protection, and getting up.
 
 use bica_motion::fall::{Direction, FallDetector, FallState};
 use bica_motion::getup::{GetUp, protection};
@@ -10,25 +10,26 @@ use glam::Vec2;
 
 use crate::support::{alone, blind, command, stand};
 
-/// Pushes the robot over, which feels that before it hits the ground, draws its limbs in, and knows what it lies on.
+/// Pushes the robot over. Checks that the fall is detected before the impact, commands the protective posture, and returns the
+/// detected side on which the robot lies.
 fn fall(world: &mut MujocoWorld, push: Vec2) -> Direction {
     stand(world, 50);
     world.push(push);
-    let (mut balance, mut felt, mut hit) = (FallDetector::new(), false, false);
+    let (mut detector, mut detected, mut hit) = (FallDetector::<Nao>::new(), false, false);
     for _ in 0..300 {
         hit |= world.body_touches_floor();
-        match balance.step(&world.sensors().inertial, CYCLE_SECONDS) {
+        match detector.step(&world.sensors().inertial, CYCLE_SECONDS) {
             FallState::Upright => stand(world, 1),
             FallState::Falling(direction) => {
-                assert!(felt || !hit, "{push}: it hit the ground before it felt the fall");
-                felt = true;
+                assert!(detected || !hit, "{push}: impact before detection");
+                detected = true;
                 let brace = protection::<Nao>(direction);
                 world.act(&command(brace.posture, brace.stiffness));
             }
             FallState::Fallen(direction) => return direction,
         }
     }
-    panic!("{push}: it does not fall");
+    panic!("{push}: no fall");
 }
 
 fn get_up(world: &mut MujocoWorld, lying: Direction, failures: u8) {
@@ -40,7 +41,7 @@ fn get_up(world: &mut MujocoWorld, lying: Direction, failures: u8) {
 }
 
 #[test]
-fn it_gets_up_from_face_and_back_either_way_round() {
+fn a_robot_gets_up_from_front_and_back_with_either_motion() {
     for (push, lying) in [(Vec2::new(2.3, 0.0), Direction::Front), (Vec2::new(-2.3, 0.0), Direction::Back)] {
         for failures in [0, 1] {
             let mut world = alone(failures.into(), &blind());
@@ -52,7 +53,7 @@ fn it_gets_up_from_face_and_back_either_way_round() {
 }
 
 #[test]
-fn it_gets_up_from_a_side() {
+fn a_robot_gets_up_from_its_side() {
     for side in [1.0, -1.0] {
         let mut world = alone(1, &blind());
         let lying = fall(&mut world, Vec2::new(0.0, 2.3 * side));
@@ -65,7 +66,7 @@ fn it_gets_up_from_a_side() {
 }
 
 #[test]
-fn from_face_and_back_it_turns_over_either_way_round_if_it_lets_go_then() {
+fn a_robot_without_stiffness_after_a_motion_rolls_over() {
     for (push, lying, turned) in [(2.3, Direction::Front, Direction::Back), (-2.3, Direction::Back, Direction::Front)] {
         for failures in [2, 5] {
             let mut world = alone(3, &blind());
@@ -74,8 +75,8 @@ fn from_face_and_back_it_turns_over_either_way_round_if_it_lets_go_then() {
             for _ in 0..50 {
                 world.act(&command(Nao::STAND, 0.0));
             }
-            let felt = world.sensors().inertial.acceleration;
-            assert!((felt - turned.gravity()).length() < 7.0, "{lying:?}, {failures}: {felt}");
+            let acceleration = world.sensors().inertial.acceleration;
+            assert!((acceleration - turned.gravity()).length() < 7.0, "{lying:?}, {failures}: {acceleration}");
         }
     }
 }

@@ -1,4 +1,4 @@
-//! Images against the camera model that the eyes use: bica-vision's.
+//! Images against the camera model of bica-vision.
 
 use bica_motion::joints::Joint;
 use bica_motion::model::{Nao, RobotModel};
@@ -15,16 +15,16 @@ use crate::support::{command, world};
 
 const BALL_RADIUS: f32 = 0.0325;
 
-/// An image and the camera that took it, over the ground between the feet.
+/// An image with its camera relative to the ground frame.
 struct Look {
     yuyv: Vec<u8>,
     camera: Camera,
-    /// The ground between the feet, field frame.
+    /// Ground frame (between the feet) in the field frame.
     ground: Pose2,
 }
 
 impl Look {
-    /// Stands there, looks somewhere, and waits until the head is still.
+    /// Stands, turns the head, waits until it is still, and takes an image.
     fn new(seed: u64, start: Start, id: CameraId, (yaw, pitch): (f32, f32)) -> Self {
         let setup = Setup { seed, goalkeeper: false, start: Some(start), ..Setup::default() };
         let mut world = world(&setup, &Physics { noise: 0.0, sensor_delay: 0.0, ..Physics::default() });
@@ -54,18 +54,18 @@ impl Look {
         }
     }
 
-    /// Where a point of the field is in the image.
+    /// Projects a point in the field frame to the image.
     fn pixel(&self, point: Vec3) -> Option<Vec2> {
         self.camera.pixel(self.ground.locate(point.truncate()).extend(point.z))
     }
 
-    /// Luma, blue and red chroma at a pixel.
+    /// Returns luma, blue and red chroma of a pixel.
     fn colour(&self, u: usize, v: usize) -> [i32; 3] {
         let pair = &self.yuyv[(v * 320 + u / 2 * 2) * 2..][..4];
         [pair[2 * (u % 2)], pair[1], pair[3]].map(i32::from)
     }
 
-    /// Centroid of what is orange.
+    /// Returns the centroid of the orange pixels; `None` if there are at most 8.
     fn orange(&self) -> Option<Vec2> {
         let mut sum = Vec3::ZERO;
         for (u, v) in (0..240).flat_map(|v| (0..320).map(move |u| (u, v))) {
@@ -93,7 +93,7 @@ fn looks(ball_distance: (f32, f32), id: CameraId) -> Vec<(Look, Vec2)> {
 }
 
 #[test]
-fn the_ball_is_where_the_projection_puts_it() {
+fn the_ball_is_drawn_at_its_projection() {
     let (mut offsets, mut worst) = (Vec::new(), 0.0_f32);
     for (id, distance) in [(CameraId::Top, (0.9, 2.0)), (CameraId::Bottom, (0.35, 0.7))] {
         for (look, ball) in looks(distance, id) {
@@ -113,14 +113,14 @@ fn the_ball_is_where_the_projection_puts_it() {
 }
 
 #[test]
-fn lines_are_white_and_the_carpet_beside_them_is_green() {
+fn pixels_on_a_line_are_bright_and_pixels_beside_it_dark() {
     let mut seen = 0;
     for i in 0..6 {
         let robot = Pose2::new(-1.3, 0.5 * i as f32 - 1.3, 0.1 * i as f32 - 0.25);
         let start = Start { robot, ball: Vec2::new(-2.5, 1.8) };
         let look = Look::new(i, start, CameraId::Top, (0.0, 0.1 + 0.02 * i as f32));
         for y in -38..=38 {
-            // The line across the middle of the field, and what is 20 cm off it.
+            // On the halfway line, and 20 cm beside it.
             for (x, white) in [(0.0, true), (0.2, false), (-0.2, false)] {
                 let point = Vec3::new(x, 0.05 * y as f32, 0.0);
                 let free = (0.25..0.5).contains(&point.y.abs()) || (0.75..1.8).contains(&point.y.abs());
@@ -138,8 +138,8 @@ fn lines_are_white_and_the_carpet_beside_them_is_green() {
 }
 
 #[test]
-fn taking_images_changes_nothing_else() {
-    let told = |cameras| {
+fn rendering_images_does_not_change_the_physics() {
+    let angles = |cameras| {
         let mut world = world(&Setup { seed: 5, ..Setup::default() }, &Physics { cameras, ..Physics::default() });
         let mut angles = Vec::new();
         for cycle in 0..100 {
@@ -151,11 +151,11 @@ fn taking_images_changes_nothing_else() {
         }
         angles
     };
-    assert!(told(true) == told(false));
+    assert!(angles(true) == angles(false));
 }
 
 #[test]
-fn the_same_seed_gives_the_same_images() {
+fn equal_seeds_give_equal_images() {
     let image = |seed| {
         let mut world = world(&Setup { seed, ..Setup::default() }, &Physics::default());
         for _ in 0..10 {
@@ -168,16 +168,16 @@ fn the_same_seed_gives_the_same_images() {
 }
 
 #[test]
-fn filming_changes_nothing_and_shows_robot_and_ball() {
-    let onlooker = SpectatorCamera { eye: Vec3::new(-0.2, -1.5, 0.8), target: Vec3::new(0.2, 0.0, 0.2) };
+fn the_spectator_view_shows_robot_and_ball_and_does_not_change_the_physics() {
+    let spectator = SpectatorCamera { eye: Vec3::new(-0.2, -1.5, 0.8), target: Vec3::new(0.2, 0.0, 0.2) };
     let start = Some(Start { robot: Pose2::ORIGIN, ball: Vec2::new(0.4, 0.1) });
     let setup = Setup { seed: 5, start, ..Setup::default() };
-    let told = |films: bool| {
+    let angles = |films: bool| {
         let mut world = world(&setup, &Physics { cameras: false, ..Physics::default() });
         let mut angles = Vec::new();
         for cycle in 0..50 {
             if films && cycle % 10 == 0 {
-                let Picture { rgb, .. } = world.render_from(&onlooker, 240, 180).unwrap();
+                let Picture { rgb, .. } = world.render_from(&spectator, 240, 180).unwrap();
                 let count = |like: fn(&[u8; 3]) -> bool| rgb.iter().filter(|rgb| like(rgb)).count();
                 assert!(count(|rgb| rgb[0] > 170 && rgb[2] < 90 && rgb[1] < 150) > 20, "no ball");
                 assert!(count(|rgb| rgb.iter().all(|part| *part > 150)) > 500, "no robot");
@@ -187,5 +187,5 @@ fn filming_changes_nothing_and_shows_robot_and_ball() {
         }
         angles
     };
-    assert!(told(true) == told(false));
+    assert!(angles(true) == angles(false));
 }

@@ -1,4 +1,4 @@
-//! Standing, being pushed, falling.
+//! Standing, pushes and falls.
 
 use bica_motion::fall::Direction;
 use bica_motion::model::{Nao, RobotModel};
@@ -10,7 +10,7 @@ use glam::Vec2;
 use crate::support::{alone, blind, command, stand};
 
 #[test]
-fn a_robot_that_stands_stays_where_it_is() {
+fn a_standing_robot_does_not_drift() {
     let mut world = alone(1, &blind());
     stand(&mut world, 1_000);
     let robot = world.referee().robot();
@@ -19,7 +19,7 @@ fn a_robot_that_stands_stays_where_it_is() {
 }
 
 #[test]
-fn a_robot_falls_to_where_it_is_pushed() {
+fn a_robot_falls_in_the_direction_of_a_push() {
     for (push, fall) in [
         (Vec2::new(2.5, 0.0), Direction::Front),
         (Vec2::new(-2.5, 0.0), Direction::Back),
@@ -36,7 +36,7 @@ fn a_robot_falls_to_where_it_is_pushed() {
 }
 
 #[test]
-fn limp_legs_carry_nothing() {
+fn legs_without_stiffness_do_not_carry_the_robot() {
     let mut world = alone(1, &blind());
     for _ in 0..300 {
         world.act(&command(Nao::STAND, 0.0));
@@ -46,7 +46,7 @@ fn limp_legs_carry_nothing() {
 }
 
 #[test]
-fn a_slippery_floor_lets_the_soles_slide() {
+fn a_push_displaces_the_robot_further_on_a_slippery_floor() {
     let slide = |friction| {
         let mut world = alone(1, &Physics { friction, ..blind() });
         stand(&mut world, 50);

@@ -1,4 +1,4 @@
-//! A world and a robot in it that does as it is told.
+//! Worlds and commands for the tests.
 
 use bica_motion::joints::Joints;
 use bica_motion::model::{Nao, RobotModel};
@@ -9,12 +9,12 @@ use bica_sim::mujoco::{MujocoWorld, Physics};
 use bica_sim::setup::{Setup, Start};
 use glam::Vec2;
 
-/// Physics without cameras.
+/// Returns the default physics without cameras.
 pub(crate) fn blind() -> Physics {
     Physics { cameras: false, ..Physics::default() }
 }
 
-/// A robot alone in the middle, the ball out of its way.
+/// Returns a world with the robot alone at the centre mark and the ball aside.
 pub(crate) fn alone(seed: u64, physics: &Physics) -> MujocoWorld {
     let start = Some(Start { robot: Pose2::ORIGIN, ball: Vec2::new(1.0, 1.5) });
     world(&Setup { seed, goalkeeper: false, start, ..Setup::default() }, physics)
@@ -29,7 +29,7 @@ pub(crate) fn command(targets: Joints, stiffness: f32) -> Command {
     Command { targets, stiffness: Joints::all(stiffness), lights: Lights::default(), camera }
 }
 
-/// Stands for some cycles.
+/// Commands the standing posture for some cycles.
 pub(crate) fn stand(world: &mut MujocoWorld, cycles: u32) {
     for _ in 0..cycles {
         world.act(&command(Nao::STAND, 1.0));

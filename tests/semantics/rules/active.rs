@@ -1,5 +1,5 @@
-//! Rule 5, active: visited in this cycle. Who becomes active starts and is due at once; who is not visited any more
-//! stops at the end of the cycle, activators first; who is latent costs nothing.
+//! Rule 5, active: visited in this cycle. A component that becomes active starts and is due at once; one that is not
+//! visited any more stops at the end of the cycle, activators first.
 
 use proptest::prelude::*;
 

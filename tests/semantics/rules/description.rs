@@ -1,4 +1,4 @@
-//! What the model interprets is what the text says: the `GRAPH` of two trees by hand, and the order of lists.
+//! The `GRAPH` that the model interprets agrees with the text: two trees written out by hand, and the order of lists.
 
 use bica::ComponentId;
 use bica::Tree;
@@ -91,7 +91,7 @@ fn transitions_are_in_the_order_of_the_text() {
 }
 
 #[test]
-fn numbers_are_places_in_the_list() {
+fn indices_are_positions_in_the_list() {
     for (index, node) in Timers::GRAPH.nodes.iter().enumerate() {
         assert_eq!(Timers::new().unit(index).read().0, node.name);
         assert!(!Timers::new().is_active(ComponentId::new(index)));

@@ -60,7 +60,7 @@ fn asked_in_order<T: Rig>(cycle: &Cycle, index: usize) -> Result<(), TestCaseErr
     Ok(())
 }
 
-/// There is a way between the states whose time had come, and the children of the new state are active.
+/// A transition between the states exists whose timer has expired, and the children of the new state are active.
 fn is_allowed<T: Rig>(
     cycle: &Cycle,
     index: usize,

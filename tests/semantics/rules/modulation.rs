@@ -57,7 +57,7 @@ proptest! {
     }
 
     #[test]
-    fn a_parent_s_word_is_heeded(hz in prop::sample::select(&[0.0, 3.0, 17.5, 50.0, 80.0, f32::NAN][..])) {
+    fn a_parent_sets_the_rate_of_its_child(hz in prop::sample::select(&[0.0, 3.0, 17.5, 50.0, 80.0, f32::NAN][..])) {
         let boss = Modulated::id::<Boss>().index();
         let mut tree = Modulated::new();
         tree.unit(boss).asks = Some(hz);
@@ -68,7 +68,7 @@ proptest! {
         let wanted = if hz.is_nan() { 50.0 } else { hz.min(50.0) };
         prop_assert!((ran as f32 - wanted / 2.0).abs() <= 2.0);
         prop_assert_eq!(tree.rate::<Worker>().hz(), Some(wanted));
-        prop_assert_eq!(tree.rate::<Eye>().hz(), Some(60.0), "only the one that is meant");
+        prop_assert_eq!(tree.rate::<Eye>().hz(), Some(60.0), "no other rate changes");
     }
 }
 

@@ -1,4 +1,4 @@
-//! Rule 3, rate: a fixed grid, N ± 1 runs in N periods, late runs once and at once, and the visit goes on when no run is
+//! Rule 3, rate: a fixed grid, N ± 1 runs in N periods, late runs once and at once, and the visit is passed on when no run is
 //! due.
 
 use bica::Tree;
@@ -29,7 +29,7 @@ fn rate<T: Rig>(cycles: &[Cycle]) -> Result<(), TestCaseError> {
             }
         }
         for cycle in cycles.iter().filter(|cycle| is_skipped(cycle)) {
-            prop_assert!(cycle.links::<T>(index).all(|link| cycle.visit(link.to).is_some()), "the visit goes on");
+            prop_assert!(cycle.links::<T>(index).all(|link| cycle.visit(link.to).is_some()), "the visit is passed on");
         }
     }
     Ok(())
@@ -63,11 +63,13 @@ fn no_run_is_discarded(cycles: &[Cycle], index: usize, period: u64) -> Result<()
     Ok(())
 }
 
-/// Runs that were missed are not made up for.
+/// Runs that were missed are not made up for: each serves a grid point of its own, in a window that is a period and at
+/// most a cycle long.
 pub(crate) fn no_burst(period: u64, runs: &[u64]) -> Result<(), TestCaseError> {
+    const CYCLE: u64 = 10_000;
     for (place, first) in runs.iter().enumerate() {
         for (between, last) in runs[place + 1..].iter().enumerate() {
-            prop_assert!(last - first > between as u64 * period || between == 0);
+            prop_assert!(last - first + CYCLE > between as u64 * period || between == 0);
         }
     }
     Ok(())
@@ -83,7 +85,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(1000))]
 
     #[test]
-    fn n_runs_in_n_periods_give_or_take_one(script in fast()) {
+    fn n_periods_have_n_runs_within_one(script in fast()) {
         let cycles = play::<Fan>(&script)?;
         for (index, node) in Fan::GRAPH.nodes.iter().enumerate() {
             let Some(period) = node.hz.map(period) else { continue };

@@ -21,7 +21,11 @@ fn restart<T: Rig>(cycles: &[Cycle]) -> Result<(), TestCaseError> {
                 prop_assert_eq!(begins, goes_on.unwrap_or(initial));
                 prop_assert_eq!(has_entry::<T>(cycle, index, begins), goes_on.is_none());
             } else {
-                prop_assert_eq!(begins, last.unwrap_or_default(), "what is latent or goes on keeps its state");
+                prop_assert_eq!(
+                    begins,
+                    last.unwrap_or_default(),
+                    "a component that is latent or stays active keeps its state"
+                );
             }
             last = cycle.states[index].map(|_| cycle.states[index]);
         }

@@ -41,7 +41,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(1000))]
 
     #[test]
-    fn the_same_again(script in scripts(ALL)) {
+    fn equal_inputs_give_equal_outputs(script in scripts(ALL)) {
         prop_assert_eq!(play::<Timers>(&script)?, play::<Timers>(&script)?);
         prop_assert_eq!(play::<Modulated>(&script)?, play::<Modulated>(&script)?);
     }

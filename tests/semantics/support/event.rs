@@ -1,14 +1,14 @@
-//! What happens in a tree, in one list for the probe and for the components.
+//! The events of a tree, in one list for the probe and for the components.
 
 use std::cell::RefCell;
 
 use bica::prelude::*;
 
-/// A component as it was read: its name and what it said.
+/// A component as it was read: its name and its value.
 pub(crate) type Read = (&'static str, u64);
 
-/// The time as a component was told, in ticks: now, since the run before, in the state.
-pub(crate) type Told = (u64, u64, u64);
+/// The times that a component was given, in clock ticks: now, since its last run, in its state.
+pub(crate) type Times = (u64, u64, u64);
 
 /// Something that happened. Numbers are indices of components and states, names are those of the text.
 #[derive(Clone, Debug, PartialEq)]
@@ -26,7 +26,7 @@ pub(crate) enum Event {
     Started(&'static str),
     /// The stop hook of a component.
     Stopped(&'static str),
-    /// A transition was asked whether it is to be taken.
+    /// A transition was evaluated.
     Asked {
         by: &'static str,
         transition: &'static str,
@@ -43,7 +43,7 @@ pub(crate) enum Event {
     Body {
         of: &'static str,
         state: &'static str,
-        time: Told,
+        time: Times,
         reads: Vec<Read>,
         writes: Vec<&'static str>,
     },
@@ -58,17 +58,17 @@ thread_local! {
     static EVENTS: RefCell<Vec<Event>> = const { RefCell::new(Vec::new()) };
 }
 
-/// Writes an event down.
+/// Records an event.
 pub(crate) fn note(event: Event) {
     EVENTS.with_borrow_mut(|events| events.push(event));
 }
 
-/// Takes what was written down since the last time.
+/// Takes the events recorded since the last call.
 pub(crate) fn taken() -> Vec<Event> {
     EVENTS.take()
 }
 
-/// Writes down all that a probe sees.
+/// Records all events of a probe.
 pub(crate) struct Recorder;
 
 impl Probe for Recorder {

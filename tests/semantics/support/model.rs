@@ -1,19 +1,22 @@
-//! What a tree has to do, by the rules: an interpreter of its `GRAPH`, with plain vectors and no thought of speed.
+//! Reference model: an interpreter of a `GRAPH` that follows the rules, written for clarity and not for speed.
 
 use std::vec::IntoIter;
 
 use bica::graph::{Graph, Link, LinkKind, Transition};
 use bica::prelude::*;
 
-use super::event::{Event, Read, Told};
+use super::event::{Event, Read, Times};
 use super::rig::Hook;
 use super::unit::{bit, mixed};
 
 /// The ticks of the clock in a second.
 const SECOND: f64 = 1e6;
 
-/// A period longer than any clock runs.
-const NEVER: f64 = 1e30;
+/// Ticks of the clock from which a period is rest.
+const REST: f64 = 4_611_686_018_427_387_904.0;
+
+/// The unit of [`Memory::grid`] is 2⁻³² ticks of the clock.
+const FRACTION_BITS: u32 = 32;
 
 /// What the rules make a tree remember of a component, and what the test components themselves do.
 #[derive(Clone, Debug, Default)]
@@ -22,8 +25,8 @@ pub(crate) struct Memory {
     visited: bool,
     pub(crate) state: Option<usize>,
     pub(crate) hz: Option<f32>,
-    /// The last point of the grid on which it runs.
-    grid: u64,
+    /// The last point of the grid on which it runs, in fractions of a tick.
+    grid: i128,
     /// The last run since it became active.
     ran: u64,
     /// When the state was entered; without states, when it became active.
@@ -46,7 +49,7 @@ pub(crate) struct Model {
     events: IntoIter<Event>,
 }
 
-/// What differs.
+/// The first difference between tree and model.
 pub(crate) type Differs = Result<(), String>;
 
 impl Model {
@@ -55,14 +58,18 @@ impl Model {
         Self { graph, hooks, components, now: 0, events: Vec::new().into_iter() }
     }
 
-    /// Rule 4: the rate is modulable within the declared maximum.
+    /// Rule 4: a rate can be set between rest and the declared rate.
     pub(crate) fn set_rate(&mut self, index: usize, hz: f32) {
         let declared = self.graph.nodes[index].hz;
-        let too_fast = declared.is_some_and(|most| hz > most);
-        self.components[index].hz = if hz.is_nan() || too_fast { declared } else { Some(hz) };
+        self.components[index].hz = match declared {
+            _ if hz.is_nan() => declared,
+            _ if hz.is_sign_negative() => Some(0.0),
+            Some(most) if most < hz => declared,
+            _ => Some(hz),
+        };
     }
 
-    /// One cycle: compares what happened with what has to.
+    /// Runs one cycle and compares what happened with what the rules require.
     pub(crate) fn tick(&mut self, now: u64, events: Vec<Event>) -> Differs {
         (self.now, self.events) = (now, events.into_iter());
         self.expect(&Event::CycleBegin(now))?;
@@ -83,7 +90,7 @@ impl Model {
             memory.active = std::mem::take(&mut memory.visited);
         }
         self.expect(&Event::CycleEnd)?;
-        self.events.next().map_or(Ok(()), |event| Err(format!("{event:?}, and nothing is to come any more")))
+        self.events.next().map_or(Ok(()), |event| Err(format!("{event:?}, after the expected end")))
     }
 
     /// Rules 1, 2, 5 and 8.
@@ -105,12 +112,13 @@ impl Model {
         self.visit_children(index, LinkKind::Modulation)
     }
 
-    /// Rules 5 and 6. Says whether the entry hooks of the initial state are to come.
+    /// Rules 5 and 6. Returns whether the entry hooks of the initial state follow.
     fn start(&mut self, index: usize) -> Result<bool, String> {
         let node = &self.graph.nodes[index];
         let goes_on = node.resume && self.components[index].state.is_some();
         let memory = &mut self.components[index];
-        (memory.grid, memory.ran, memory.started) = (self.now, self.now, true);
+        memory.grid = i128::from(self.now) << FRACTION_BITS;
+        (memory.ran, memory.started) = (self.now, true);
         if !goes_on {
             memory.entered = self.now;
             memory.state = node.states.iter().position(|state| state.initial);
@@ -120,22 +128,33 @@ impl Model {
         Ok(!goes_on)
     }
 
-    /// Rule 3. What runs in every cycle leaves the grid alone. A clock that was set back by more than a period behind the grid starts the grid anew as well.
+    /// Rule 3. What runs in every cycle leaves the grid alone.
+    ///
+    /// Comparisons are in whole ticks, and differences of instants go the shorter way round the clock.
     fn is_due(&mut self, index: usize) -> bool {
+        let cycle = SECOND / f64::from(self.graph.cycle_hz);
+        let share = self.graph.nodes[index].hz.map_or(1.0, |hz| hz / self.graph.cycle_hz);
+        let (early, late) = if share > 0.5 { (cycle / 2.0, cycle / 2.0) } else { (cycle / 4.0, 0.0) };
+        let (early, late) = (early as i128, late as i128);
         let memory = &mut self.components[index];
         let period = match memory.hz {
             None => return true,
             Some(hz) if hz <= 0.0 => return false,
-            Some(hz) => (SECOND / f64::from(hz)).min(NEVER) as i128,
+            Some(hz) => SECOND / f64::from(hz),
         };
-        if period == 0 {
-            return true;
+        if period < 1.0 || period >= REST {
+            return period < 1.0;
         }
-        let late = i128::from(self.now) - i128::from(memory.grid) - period;
-        if (-2 * period..0).contains(&late) {
+        let whole = period as i128;
+        let since = i128::from(self.now.wrapping_sub((memory.grid >> FRACTION_BITS) as u64).cast_signed());
+        if (-whole..whole - early).contains(&since) {
             return false;
         }
-        memory.grid = if (0..period).contains(&late) { memory.grid + period as u64 } else { self.now };
+        if (whole - early..2 * whole + late).contains(&since) {
+            memory.grid += (period * (1_u64 << FRACTION_BITS) as f64) as i128;
+        } else {
+            memory.grid = i128::from(self.now) << FRACTION_BITS;
+        }
         true
     }
 
@@ -214,7 +233,7 @@ impl Model {
             match self.next()? {
                 Event::Rated { of, hz } => self.set_rate(self.named(of), f32::from_bits(hz)),
                 Event::Body { of, state, time, reads, writes } if of == node.name && state == current => {
-                    self.told(index, time)?;
+                    self.times(index, time)?;
                     self.read(&reads)?;
                     let memory = &mut self.components[index];
                     memory.value = mixed(memory.value, std::mem::take(&mut memory.received) + 1);
@@ -233,15 +252,15 @@ impl Model {
         self.now - memory.entered
     }
 
-    fn told(&mut self, index: usize, time: Told) -> Differs {
+    fn times(&mut self, index: usize, time: Times) -> Differs {
         let wanted = (self.now, self.now.saturating_sub(self.components[index].ran), self.in_state(index));
         if time == wanted { Ok(()) } else { Err(format!("time is {time:?} instead of {wanted:?}")) }
     }
 
-    /// What is read is what was last said.
+    /// What is read is the value of the last run.
     fn read(&self, reads: &[Read]) -> Differs {
         let wrong = reads.iter().find(|(name, value)| self.components[self.named(name)].value != *value);
-        wrong.map_or(Ok(()), |read| Err(format!("{read:?} is read, and not what was said last")))
+        wrong.map_or(Ok(()), |read| Err(format!("{read:?} is read, and not the value of the last run")))
     }
 
     fn write(&mut self, index: usize, writes: &[&'static str]) {

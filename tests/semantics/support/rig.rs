@@ -4,7 +4,7 @@ use bica::prelude::*;
 
 use super::unit::Unit;
 
-/// An entry or exit hook, which a `GRAPH` does not tell of.
+/// An entry or exit hook; a `GRAPH` does not list them.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Hook {
     pub(crate) of: &'static str,

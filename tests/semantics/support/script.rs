@@ -1,10 +1,10 @@
-//! What is done to a tree from outside, at random.
+//! Random scripts: what is done to a tree from outside.
 
 use bica::prelude::*;
 use proptest::prelude::*;
 use proptest::sample::Index;
 
-/// How the clock goes on.
+/// How the clock advances.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Clock {
     /// So many ticks later.

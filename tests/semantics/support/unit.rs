@@ -2,7 +2,7 @@
 
 use bica::prelude::*;
 
-use super::event::{Event, Read, Told, note};
+use super::event::{Event, Read, Times, note};
 
 /// A value that depends on all that went into it and on the order.
 pub(crate) fn mixed(into: u64, more: u64) -> u64 {
@@ -14,10 +14,10 @@ pub(crate) fn bit(transition: &str) -> u32 {
     1 << (transition.bytes().map(u32::from).sum::<u32>() % 32)
 }
 
-/// The inside of a test component: it says something new in each run, which depends on what was written to it.
+/// State of a test component: its value changes in each run, and depends on what was written to it.
 pub(crate) struct Unit {
     name: &'static str,
-    /// What it says.
+    /// Its output.
     pub(crate) value: u64,
     /// What was written to it since its last run.
     pub(crate) received: u64,
@@ -32,7 +32,7 @@ impl Unit {
         Self { name, value: 0, received: 0, flags: 0, asks: None }
     }
 
-    /// What a reader learns.
+    /// What a reader sees.
     pub(crate) fn read(&self) -> Read {
         (self.name, self.value)
     }
@@ -45,7 +45,7 @@ impl Unit {
         note(Event::Stopped(self.name));
     }
 
-    /// One run: says something new and writes it to others.
+    /// One run: computes a new value and writes it to others.
     pub(crate) fn body<const R: usize, const W: usize>(
         &mut self,
         state: &'static str,
@@ -55,7 +55,7 @@ impl Unit {
     ) {
         self.value = mixed(self.value, self.received + 1);
         self.received = 0;
-        let time: Told = (time.now.as_ticks(), time.since_run.as_ticks(), time.in_state.as_ticks());
+        let time: Times = (time.now.as_ticks(), time.since_run.as_ticks(), time.in_state.as_ticks());
         let writes = self.write(writes);
         note(Event::Body { of: self.name, state, time, reads: reads.into(), writes });
     }
@@ -94,7 +94,7 @@ impl Unit {
     }
 }
 
-/// A test component: its name, its attributes, its functions. It writes its hooks down.
+/// A test component: its name, its attributes, its functions. It records its hooks.
 macro_rules! unit {
     ($name:ident($($attributes:tt)*) { $($functions:tt)* }) => {
         pub(crate) struct $name {

@@ -1,4 +1,4 @@
-//! Ten levels, each with ways to the two below.
+//! Ten levels, each with links to the two below.
 
 use bica::prelude::*;
 

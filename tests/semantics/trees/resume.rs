@@ -1,4 +1,4 @@
-//! Two machines that become latent together: one goes on where it was, the other starts again.
+//! Two machines that become latent together: one resumes its state, the other starts in its initial state.
 
 use bica::prelude::*;
 

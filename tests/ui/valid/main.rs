@@ -1,5 +1,6 @@
-//! Unusual forms that are valid. Each file compiles and does what it says.
+//! Unusual forms that are valid: they compile and behave like the usual ones.
 
+mod limits;
 mod names;
 mod numbers;
 mod places;

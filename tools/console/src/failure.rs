@@ -12,7 +12,7 @@ pub enum Failure {
     Error {
         /// What was found.
         what: String,
-        /// How to mend it.
+        /// Remedy.
         help: String,
     },
     /// The reader of stdout has closed it: exit code 141, without a message.

@@ -8,12 +8,12 @@ use std::collections::HashMap;
 use std::fs;
 use std::path::Path;
 
+use bica_console::Failure;
 use bica_vision::projection::{Camera, Intrinsics};
 use glam::{Affine3A, Mat3, Vec2, Vec3};
 
 use crate::frame_io::stem;
 use crate::table::{Row, Table};
-use bica_console::Failure;
 
 /// Focal length of the camera of a NAO of 2009 divided by the width of its image (B-Human 2009).
 const FOCAL_PER_WIDTH: f32 = 385.54 / 320.0;

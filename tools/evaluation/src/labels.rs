@@ -7,11 +7,11 @@
 use std::fs;
 use std::path::Path;
 
+use bica_console::Failure;
 use glam::Vec2;
 
 use crate::frame_io::stem;
 use crate::table::Table;
-use bica_console::Failure;
 
 const HELP: &str = "the columns are file, ball_x, ball_y, ball_radius, ball_flag and goal";
 

@@ -73,7 +73,7 @@ mod tests {
 
     #[test]
     fn cells_are_found_by_column_and_rows_know_their_line() {
-        let table = Table::parse("name, note\n\na , \"x, y\"\r\n\n\nb\n").expect("a table");
+        let table = Table::parse("name, note\n\na ,\"x, y\"\r\n\n\nb\n").expect("a table");
         let note = table.column("note").expect("a column");
         let found: Vec<_> = table.rows().iter().map(|row| (row.line, row.cell(0), row.cell(note), row.len())).collect();
         assert_eq!(found, [(3, "a", "x, y", 2), (6, "b", "", 1)]);

@@ -1,11 +1,10 @@
 //! Events of the referee, as JSON and as text.
 
+use bica_console::Style;
 use bica_motion::fall::Direction;
 use bica_motion::side::Side;
 use bica_sim::referee::{Event, TimedEvent};
 use serde::Serialize;
-
-use bica_console::Style;
 
 /// Event of a game, for JSON.
 #[derive(Clone, Debug, PartialEq, Serialize)]

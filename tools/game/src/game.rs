@@ -11,39 +11,20 @@ use bica_player::Forward;
 use bica_player::input::{HealthMonitor, RobotProfile};
 use bica_player::perception::GoalDetector;
 use bica_sim::SpectatorView;
-use bica_sim::setup::Frame;
 use glam::Vec2;
 
 use crate::fingerprint::Fingerprint;
-use crate::firmware::{FirmwareCheck, FirmwareImage};
+use crate::firmware::FirmwareCheck;
 use crate::latency::Stopwatch;
 use crate::meter::Meter;
 use crate::observer::GameObserver;
+use crate::rules::Rules;
 use crate::scene::{GRAPH, Scene};
 use crate::summary::{GameSummary, Measurements};
-use crate::world_factory::{self, WorldKind};
+use crate::world_factory;
 
 /// Least distance between two points of the ball's path, m.
 const PATH_STEP: f32 = 0.03;
-
-/// Parameters of a game.
-#[derive(Clone, Copy, Debug)]
-pub struct Rules {
-    /// The world.
-    pub world: WorldKind,
-    /// Seed of start, light and noise.
-    pub seed: u64,
-    /// Size of the camera images.
-    pub size: Frame,
-    /// Number of robots besides the forward and the goalkeeper.
-    pub robots: usize,
-    /// Longest duration of a game, in simulated time.
-    pub limit: Duration,
-    /// Whether simulated time follows the clock.
-    pub realtime: bool,
-    /// Firmware that controls the robot in place of this program.
-    pub firmware: Option<FirmwareImage>,
-}
 
 /// Plays until a goal, the end of the time, or Ctrl-C.
 ///

@@ -2,6 +2,8 @@
 
 use bica::graph::Graph;
 use bica::{ComponentId, Tree};
+use bica_drawing::polar::Polar;
+use bica_drawing::scene::{Estimates, GroundTruth, Marks, TreeState};
 use bica_motion::pose::Pose2;
 use bica_player::Forward;
 use bica_player::input::CameraInput;
@@ -10,8 +12,6 @@ use bica_sim::Referee;
 use glam::Vec2;
 
 use crate::meter::Meter;
-use bica_drawing::polar::Polar;
-use bica_drawing::scene::{Estimates, GroundTruth, Marks, TreeState};
 
 /// Static description of the forward's tree.
 pub static GRAPH: Graph = Forward::GRAPH;

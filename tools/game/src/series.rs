@@ -8,7 +8,8 @@ use bica_console::{Batch, Console, Failure, Outcome, interrupt};
 use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::album::Album;
-use crate::game::{Rules, play};
+use crate::game::play;
+use crate::rules::Rules;
 use crate::series_summary::{self, SeriesSummary};
 use crate::summary::{GameResult, GameSummary};
 

@@ -7,7 +7,8 @@ use serde::Serialize;
 
 use crate::album::Album;
 use crate::film::Film;
-use crate::game::{Rules, play};
+use crate::game::play;
+use crate::rules::Rules;
 use crate::story::{Story, TreeChange};
 use crate::summary::{GameResult, GameSummary};
 use crate::summary_text;

@@ -10,9 +10,9 @@ use serde::Serialize;
 use crate::event::EventRecord;
 use crate::fingerprint::Fingerprint;
 use crate::firmware::FirmwareSummary;
-use crate::game::Rules;
 use crate::latency::{Latencies, LatencySummary};
 use crate::meter::{Activity, Meter};
+use crate::rules::Rules;
 use crate::scene::GRAPH;
 
 /// Result of a game.

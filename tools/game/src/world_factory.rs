@@ -1,34 +1,11 @@
 //! Worlds for games.
 
-use bica_motion::model::{Nao, Profile, RobotModel};
+use bica_console::Failure;
 use bica_sim::SpectatorView;
 use bica_sim::kinematic::KinematicWorld;
 use bica_sim::setup::Setup;
 
-use crate::game::Rules;
-use bica_console::Failure;
-
-/// Kind of a world.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum WorldKind {
-    /// The built-in kinematic world.
-    BuiltIn,
-    /// `MuJoCo`, with rigid-body dynamics.
-    #[cfg(feature = "mujoco")]
-    Mujoco,
-}
-
-impl WorldKind {
-    /// Returns the motion profile of the robot in this world.
-    #[must_use]
-    pub const fn profile(self) -> &'static Profile {
-        match self {
-            Self::BuiltIn => Nao::KINEMATIC_PROFILE,
-            #[cfg(feature = "mujoco")]
-            Self::Mujoco => Nao::DYNAMIC_PROFILE,
-        }
-    }
-}
+use crate::rules::{Rules, WorldKind};
 
 /// Makes a world at the start of a game.
 pub(crate) fn open(rules: &Rules) -> Result<Box<dyn SpectatorView>, Failure> {

@@ -9,6 +9,7 @@ use syn::{
 use super::model::Argument;
 use super::signature::Form;
 use crate::language::report::Report;
+use crate::language::types::plain;
 use crate::language::{text, wording};
 
 /// Types of the language and of its library that can be no components.
@@ -144,17 +145,6 @@ fn no_value(path: &TypePath) -> String {
 fn no_component(kind: &Type, report: &mut Report) -> Option<Argument> {
     report.add(kind, wording::no_component(&text::written(kind)));
     None
-}
-
-/// The type without parentheses and without the invisible brackets that a `macro_rules` macro puts around it.
-pub(crate) fn plain(mut kind: &Type) -> &Type {
-    loop {
-        kind = match kind {
-            Type::Group(group) => &group.elem,
-            Type::Paren(paren) => &paren.elem,
-            other => return other,
-        }
-    }
 }
 
 fn time(reference: &TypeReference, report: &mut Report) -> Option<Argument> {

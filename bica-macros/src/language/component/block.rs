@@ -17,7 +17,7 @@ pub(crate) struct Block {
     pub(crate) header: ItemImpl,
     pub(crate) items: Vec<Item>,
     braces: Group,
-    /// Something in it is no Rust; the compiler has said so.
+    /// Whether something in it is no Rust; the compiler has reported that.
     pub(crate) unreadable: bool,
 }
 

@@ -16,9 +16,9 @@ pub(crate) enum Kind {
     Rate,
 }
 
-/// The children of functions that run together, each type once as far as its text says.
+/// The children of functions that run together, each type once if it is written alike.
 ///
-/// Two texts can name one type. Only the compiler can tell; generated code then drops the link that counts less.
+/// Two paths can name one type. Only the compiler can decide that; generated code then drops the link of lower rank.
 #[derive(Default)]
 pub(crate) struct Links {
     list: Vec<(Kind, Type)>,

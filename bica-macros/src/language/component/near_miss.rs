@@ -2,10 +2,10 @@
 
 use syn::{FnArg, ReturnType, Signature, Type};
 
-use super::arguments::plain;
 use super::block::Function;
 use super::model::Component;
 use crate::language::report::Report;
+use crate::language::types::plain;
 use crate::language::{text, wording};
 
 /// Words of their own, spelt much like `step`.

@@ -9,7 +9,7 @@ use super::model::Options;
 use crate::language::report::Report;
 use crate::language::{number, text, wording};
 
-/// The options that a user may be told of; `crate` is for the crates of the framework.
+/// The options that messages name; `crate` is for the crates of the framework.
 const KEYS: [&str; 3] = ["hz", "budget_us", "resume"];
 const KNOWN: &str = "`hz`, `budget_us` and `resume`";
 

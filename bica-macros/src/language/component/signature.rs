@@ -7,6 +7,7 @@ use syn::{FnArg, GenericParam, Lifetime, Receiver, ReceiverKind, ReturnType, Saf
 use super::arguments;
 use super::model::Argument;
 use crate::language::report::Report;
+use crate::language::types::plain;
 use crate::language::{text, wording};
 
 /// The form that the role of a function asks for.
@@ -81,7 +82,7 @@ fn receiver(signature: &Signature, own: &Type, form: Form, report: &mut Report) 
 fn taken(receiver: &Receiver, own: &Type) -> Taken {
     let mutable = match &receiver.kind {
         ReceiverKind::Reference(_, _, mutable) => mutable.is_some(),
-        ReceiverKind::Typed(_, kind) => match arguments::plain(kind) {
+        ReceiverKind::Typed(_, kind) => match plain(kind) {
             Type::Reference(reference) if arguments::is_own(&reference.elem, own) => reference.mutability.is_some(),
             _ => return Taken::Otherwise,
         },
@@ -93,7 +94,7 @@ fn taken(receiver: &Receiver, own: &Type) -> Taken {
 fn lifetime(receiver: &Receiver) -> Option<&Lifetime> {
     match &receiver.kind {
         ReceiverKind::Reference(_, lifetime, _) => lifetime.as_ref(),
-        ReceiverKind::Typed(_, kind) => match arguments::plain(kind) {
+        ReceiverKind::Typed(_, kind) => match plain(kind) {
             Type::Reference(reference) => reference.lifetime.as_ref(),
             _ => None,
         },
@@ -104,7 +105,7 @@ fn lifetime(receiver: &Receiver) -> Option<&Lifetime> {
 fn output(signature: &Signature, form: Form, report: &mut Report) {
     let name = text::name(&signature.ident);
     match (&signature.output, form) {
-        (ReturnType::Type(_, kind), Form::Condition) if text::written(arguments::plain(kind)) == "bool" => {}
+        (ReturnType::Type(_, kind), Form::Condition) if text::written(plain(kind)) == "bool" => {}
         (ReturnType::Type(_, kind), Form::Condition) => report.add(kind, wording::returns_bool(&name)),
         (ReturnType::Default, Form::Condition) => report.add(&signature.ident, wording::returns_bool(&name)),
         (ReturnType::Type(_, kind), _) if text::written(kind) != "()" => {

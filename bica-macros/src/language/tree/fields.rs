@@ -7,9 +7,10 @@ use syn::{Expr, Path, Token, Type, bracketed, token};
 
 use super::model::{Draft, Entry};
 use crate::language::report::Report;
+use crate::language::types::plain;
 use crate::language::{number, text, wording};
 
-/// The fields that a user may be told of; `crate` is for the crates of the framework.
+/// The fields that messages name; `crate` is for the crates of the framework.
 const KEYS: [&str; 4] = ["root", "cycle_hz", "budget_ms", "components"];
 const KNOWN: &str = "`root`, `cycle_hz`, `budget_ms` and `components`";
 
@@ -28,8 +29,17 @@ const SYNONYMS: [(&str, &str); 8] = [
 /// Reads the fields of a tree; goes on behind one that is wrong.
 pub(super) fn parse(input: ParseStream, draft: &mut Draft, report: &mut Report) -> syn::Result<()> {
     let mut seen: Vec<Ident> = Vec::new();
+    let mut semicolons = false;
     while !input.is_empty() {
-        let read = one(input, &mut seen, draft, report).and_then(|()| comma(input));
+        let mut read = one(input, &mut seen, draft, report);
+        if read.is_ok() && input.peek(Token![;]) {
+            let semicolon: Token![;] = input.parse()?;
+            if !std::mem::replace(&mut semicolons, true) {
+                report.add(semicolon, wording::SEMICOLON);
+            }
+            continue;
+        }
+        read = read.and_then(|()| comma(input));
         if let Err(error) = read {
             report.push(error);
             skip(input)?;
@@ -84,9 +94,21 @@ fn value(input: ParseStream, key: &str) -> syn::Result<Expr> {
 }
 
 fn component(input: ParseStream) -> syn::Result<Type> {
-    input.parse().map_err(|found: syn::Error| syn::Error::new(found.span(), wording::COMPONENT_TYPE))
+    if input.peek(Token![,]) {
+        return Err(input.error(wording::EXTRA_COMMA));
+    }
+    let kind: Type =
+        input.parse().map_err(|found: syn::Error| syn::Error::new(found.span(), wording::COMPONENT_TYPE))?;
+    if !matches!(plain(&kind), Type::Path(_)) {
+        return Err(syn::Error::new_spanned(&kind, wording::COMPONENT_TYPE));
+    }
+    if input.peek(token::Paren) || input.peek(token::Brace) {
+        return Err(syn::Error::new_spanned(&kind, wording::COMPONENT_VALUE));
+    }
+    Ok(kind)
 }
 
+/// Reads the list; goes on behind an entry that is wrong.
 fn components(input: ParseStream, draft: &mut Draft, report: &mut Report) -> syn::Result<()> {
     if !input.peek(token::Bracket) {
         return Err(input.error(wording::COMPONENT_LIST));
@@ -95,14 +117,24 @@ fn components(input: ParseStream, draft: &mut Draft, report: &mut Report) -> syn
     bracketed!(content in input);
     let entries = draft.components.insert(Vec::new());
     while !content.is_empty() {
-        let kind = component(&content)?;
-        let value = if content.parse::<Option<Token![=]>>()?.is_some() { Some(content.parse()?) } else { None };
-        entries.push(Entry { kind, value });
-        if let Err(error) = comma(&content) {
-            report.push(error);
+        match entry(&content) {
+            Ok(entry) => entries.push(entry),
+            Err(error) => {
+                report.push(error);
+                while !content.is_empty() && content.parse::<Option<Token![,]>>()?.is_none() {
+                    content.parse::<TokenTree>()?;
+                }
+            }
         }
     }
     Ok(())
+}
+
+fn entry(input: ParseStream) -> syn::Result<Entry> {
+    let kind = component(input)?;
+    let value = if input.parse::<Option<Token![=]>>()?.is_some() { Some(input.parse()?) } else { None };
+    comma(input)?;
+    Ok(Entry { kind, value })
 }
 
 fn unknown(key: &Ident, written: &str) -> syn::Error {

@@ -6,7 +6,10 @@ pub(crate) const TREE_CONDITION: &str = "put the condition on the macro: `#[cfg(
 pub(crate) const TREE_FIELDS: &str = "the fields of a tree stand in braces: `struct Name { root: ..., ... }`";
 pub(crate) const EMPTY_TREE: &str = "a tree lists at least its root: `components: [Name]`";
 pub(crate) const COMPONENT_LIST: &str = "the components are a list in brackets: `components: [One, Other]`";
-pub(crate) const COMPONENT_TYPE: &str = "a component is listed by its type: write its name here";
+pub(crate) const COMPONENT_TYPE: &str = "a component is listed by its type, which the tree owns: write its name here";
+pub(crate) const COMPONENT_VALUE: &str =
+    "a component is listed by its type: write its name here; in `components` a value can follow, `Name = Name::new()`";
+pub(crate) const SEMICOLON: &str = "the fields of a tree end with a comma: write `,` in place of each `;`";
 pub(crate) const FIELD_NAME: &str = "a field of a tree is `root`, `cycle_hz`, `budget_ms` or `components`";
 
 pub(crate) fn derived(name: &str) -> String {

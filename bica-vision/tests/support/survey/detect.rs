@@ -1,4 +1,4 @@
-//! What the eyes see from a pose.
+//! Detections from a view.
 
 use bica_field::FIELD;
 use bica_motion::model::Nao;
@@ -11,13 +11,13 @@ use bica_vision::projection::Camera;
 
 use super::look::Look;
 
-/// The camera as the robot knows it, and what is seen.
+/// Camera from the joint angles, and the detections.
 pub(crate) fn see(look: &Look) -> (Camera, Detections) {
     let mut world = look.world.clone();
     let sensors = world.sensors();
     let image = sensors.image.expect("there is a new one");
     let frame = Frame::from_image(&image).expect("a frame");
     let camera = Camera::of::<Nao>(image.camera, &sensors.angles, Side::Left, image.width, image.height);
-    let seen = Pipeline::<512, 1024>::new(FIELD.ball_radius()).look(&frame, &BUILT_IN_TABLE, Some(&camera));
+    let seen = Pipeline::<512, 1024>::new(FIELD.ball_radius()).detect(&frame, &BUILT_IN_TABLE, Some(&camera));
     (camera, seen)
 }

@@ -1,4 +1,4 @@
-//! What is on the ground: lines, their crossings, the circle, the end of the field.
+//! Scores of field markings and the field boundary.
 
 use std::f32::consts::TAU;
 
@@ -14,20 +14,26 @@ use super::FAR;
 use super::score::Score;
 use super::truth::{SIZE, Truth};
 
-/// Lines are counted in pieces of this length, m.
+/// Length of the pieces in which lines are counted, m.
 const PIECE: f32 = 0.1;
-/// A piece of line is found if one is seen this near, px; a line is right this near, m.
-const LINE_NEAR: (f32, f32) = (3.0, 0.1);
-/// A crossing is right within this distance, m, and angle, rad; its arms must be seen this far, m.
-const CROSSING_NEAR: (f32, f32) = (0.2, 0.3);
+/// Maximum distance of a detected line from a true piece, px.
+const LINE_NEAR_PIXELS: f32 = 3.0;
+/// Maximum distance of a detected piece from a true line, m.
+const LINE_NEAR: f32 = 0.1;
+/// Maximum distance of a detected crossing from a true one, m.
+const CROSSING_NEAR: f32 = 0.2;
+/// Maximum difference of their headings, rad.
+const CROSSING_TURN: f32 = 0.3;
+/// Length of the arms that must be visible for a crossing to be due, m.
 const ARM: f32 = 0.2;
-/// The part of the circle that must be seen for it to be due, and how near its middle must be found, m.
+/// Visible share of the circle from which on it is due.
 const CIRCLE_PART: f32 = 0.3;
+/// Maximum distance of the detected centre from the true one, m.
 const CIRCLE_NEAR: f32 = 0.2;
-/// How many rows the end of the field may be off.
+/// Maximum error of the field boundary, rows.
 const END_NEAR: f32 = 3.0;
 
-/// The straight lines of the field, half of them; the others are on the other side.
+/// Straight lines of one half of the field.
 const LINES: [(Vec2, Vec2); 7] = {
     let (c, p) = (FIELD.field_corner(), FIELD.penalty_area_corner());
     [
@@ -41,7 +47,7 @@ const LINES: [(Vec2, Vec2); 7] = {
     ]
 };
 
-/// The middles of all pieces of lines, field frame.
+/// Midpoints of all pieces of lines, field frame, m.
 fn pieces() -> impl Iterator<Item = Vec2> {
     let straight = LINES.into_iter().flat_map(|(from, to)| {
         let count = (from.distance(to) / PIECE).round() as usize;
@@ -52,20 +58,20 @@ fn pieces() -> impl Iterator<Item = Vec2> {
     straight.chain(round).flat_map(|at| [at, -at])
 }
 
-/// Whether a place of the ground is seen, some pixels within the image.
+/// Whether a ground point is visible, some pixels within the image.
 fn is_seen(place: Vec2, truth: &Truth) -> bool {
     let inside = |at: Vec2| at.min(Vec2::new(SIZE.0 as f32, SIZE.1 as f32) - at).min_element() > 4.0;
     truth.shows(place.extend(0.0), PixelLabel::Background) && truth.pixel(place.extend(0.0)).is_some_and(inside)
 }
 
-/// Pieces of lines are due, and pieces of what is seen are right or wrong.
+/// Scores visible pieces of true lines (recall) and pieces of detected lines (precision).
 pub(super) fn lines(score: &mut Score, seen: &Detections, truth: &Truth) {
     let pixels =
         |line: &Line| Some((truth.camera.pixel(line.from.extend(0.0))?, truth.camera.pixel(line.to.extend(0.0))?));
     let found: Vec<(Vec2, Vec2)> = seen.markings.lines.iter().filter_map(pixels).collect();
     for piece in pieces().filter(|piece| truth.distance(*piece) <= FAR && is_seen(*piece, truth)) {
         let at = truth.pixel(piece.extend(0.0));
-        score.due(at.is_some_and(|at| found.iter().any(|(from, to)| distance(at, *from, *to) <= LINE_NEAR.0)));
+        score.due(at.is_some_and(|at| found.iter().any(|(from, to)| distance(at, *from, *to) <= LINE_NEAR_PIXELS)));
     }
     for line in &seen.markings.lines {
         let count = (line.length() / PIECE).ceil();
@@ -73,14 +79,14 @@ pub(super) fn lines(score: &mut Score, seen: &Detections, truth: &Truth) {
             let place = line.from.lerp(line.to, (index as f32 + 0.5) / count);
             if place.length() <= FAR {
                 let off = line_distance(truth.pose.place(place));
-                score.seen(off <= LINE_NEAR.1);
+                score.seen(off <= LINE_NEAR);
                 score.error(100.0 * off);
             }
         }
     }
 }
 
-/// How far a place is from the nearest painted line, m.
+/// Distance of a point from the nearest true line, m.
 fn line_distance(place: Vec2) -> f32 {
     let straight = LINES.iter().flat_map(|(from, to)| [(*from, *to), (-*from, -*to)]);
     let nearest = straight.map(|(from, to)| distance(place, from, to)).fold(f32::INFINITY, f32::min);
@@ -94,13 +100,13 @@ fn distance(at: Vec2, from: Vec2, to: Vec2) -> f32 {
     at.distance(from + share * along)
 }
 
-/// Due if its arms are seen. Right if kind, place and heading are.
+/// Scores crossings: due if the arms are visible, right if kind, position and heading agree.
 pub(super) fn crossings(score: &mut Score, seen: &Detections, truth: &Truth) {
     let found = seen.markings.crossings.iter().map(|crossing| (crossing.kind, truth.pose * crossing.ground));
     let found: Vec<(CrossingKind, Pose2)> = found.collect();
     let near = |a: &Pose2, b: &Pose2, quarters: f32| {
         let turn = wrap(quarters * (a.heading - b.heading)).abs();
-        a.position.distance(b.position) < CROSSING_NEAR.0 && turn < quarters * CROSSING_NEAR.1
+        a.position.distance(b.position) < CROSSING_NEAR && turn < quarters * CROSSING_TURN
     };
     let quarters = |kind: CrossingKind| if kind == CrossingKind::X { 4.0 } else { 1.0 };
     for (kind, pose) in found.iter().filter(|(_, pose)| truth.distance(pose.position) <= FAR) {
@@ -127,7 +133,7 @@ fn shows_arms(kind: CrossingKind, known: &Pose2, truth: &Truth) -> bool {
     arms.iter().all(shown)
 }
 
-/// Due if a part of its line is seen.
+/// Scores the centre circle: due if a part of its line is visible.
 pub(super) fn circle(score: &mut Score, seen: &Detections, truth: &Truth) {
     let off = seen.markings.circle.map(|circle| truth.pose.place(circle.centre).length());
     let hit = off.filter(|off| *off < CIRCLE_NEAR);
@@ -142,7 +148,7 @@ pub(super) fn circle(score: &mut Score, seen: &Detections, truth: &Truth) {
     }
 }
 
-/// The row of the end in a column against the first row in which there is carpet; goals and robots stand before it.
+/// Scores the boundary row in some columns against the first row with carpet.
 pub(super) fn end(score: &mut Score, seen: &Detections, truth: &Truth) {
     for x in (20..SIZE.0 as u16).step_by(40).map(f32::from) {
         let on_carpet = |y: &u16| {
@@ -150,7 +156,7 @@ pub(super) fn end(score: &mut Score, seen: &Detections, truth: &Truth) {
             ground.is_some_and(|ground| truth.is_carpet(ground))
         };
         let Some(row) = (0..200).find(on_carpet).map(f32::from) else { continue };
-        let off = seen.end.row_at(x).map(|found| (found - row).abs());
+        let off = seen.boundary.row_at(x).map(|found| (found - row).abs());
         let hit = off.filter(|off| *off <= END_NEAR);
         score.due(hit.is_some());
         if let Some(off) = off {

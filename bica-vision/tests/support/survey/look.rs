@@ -1,4 +1,4 @@
-//! Random poses to look from.
+//! Random views.
 
 use std::f32::consts::PI;
 
@@ -12,19 +12,19 @@ use glam::Vec2;
 use rand_pcg::Pcg32;
 use rand_pcg::rand_core::Rng;
 
-/// Cycles until the head rests.
+/// Number of cycles until the head rests.
 const REST: u32 = 70;
 
-/// A robot that looks somewhere, with a new image.
+/// World with a robot that looks in a random direction and has a new image.
 pub(crate) struct Look {
-    /// Decides everything.
+    /// Seed of the view.
     pub(crate) number: u64,
     pub(crate) world: KinematicWorld,
 }
 
-struct Dice(Pcg32);
+struct Rng32(Pcg32);
 
-impl Dice {
+impl Rng32 {
     fn between(&mut self, low: f32, high: f32) -> f32 {
         low + (high - low) * (self.0.next_u32() >> 8) as f32 / (1_u32 << 24) as f32
     }
@@ -42,15 +42,15 @@ impl Dice {
 }
 
 impl Look {
-    /// The look of that number: anywhere on the field, a keeper and four more robots around, the ball at 0.2 to 3.5 m, the
-    /// head turned anywhere, every third time with the camera at the chin. None if something would stand in a goal.
+    /// View of a number: a random pose on the field with a goalkeeper and four more robots, the ball at 0.2 to 3.5 m,
+    /// and a random head direction; every third view is from the bottom camera. `None` if an object would be in a goal.
     pub(crate) fn new(number: u64) -> Option<Self> {
-        let mut dice = Dice(Pcg32::new(number, 2009));
-        let setup = Setup { seed: number, robots: 4, start: Some(dice.start()), ..Setup::default() };
+        let mut rng = Rng32(Pcg32::new(number, 2009));
+        let setup = Setup { seed: number, robots: 4, start: Some(rng.start()), ..Setup::default() };
         let mut world = KinematicWorld::new(&setup).ok()?;
         let mut targets = world.sensors().angles;
-        targets[Joint::HeadYaw] = dice.between(-1.2, 1.2);
-        targets[Joint::HeadPitch] = dice.between(-0.2, 0.4);
+        targets[Joint::HeadYaw] = rng.between(-1.2, 1.2);
+        targets[Joint::HeadPitch] = rng.between(-0.2, 0.4);
         let camera = if number.is_multiple_of(3) { CameraId::Bottom } else { CameraId::Top };
         let command = Command { targets, stiffness: Joints::all(1.0), lights: Lights::default(), camera };
         (0..REST).for_each(|_| world.act(&command));

@@ -1,4 +1,4 @@
-//! How well everything is seen: random poses in the built-in world, whose referee knows the truth.
+//! Recall, precision and accuracy of all detectors over random poses in the built-in world.
 
 pub(crate) mod detect;
 mod field;
@@ -13,10 +13,10 @@ pub(crate) use look::Look;
 pub(crate) use score::Score;
 use truth::Truth;
 
-/// What is farther away than this is not asked for, m.
+/// Maximum distance of due objects, m.
 pub(crate) const FAR: f32 = 3.0;
 
-/// The scores of all that is looked for.
+/// Scores of all detectors.
 pub(crate) struct Survey {
     pub(crate) poses: usize,
     pub(crate) ball: Score,
@@ -29,7 +29,7 @@ pub(crate) struct Survey {
 }
 
 impl Survey {
-    /// Looks around from as many random poses, from the one of number `first` on.
+    /// Evaluates `poses` random views, starting with number `first`.
     pub(crate) fn of(first: u64, poses: usize) -> Self {
         let mut survey = Self {
             poses: 0,
@@ -39,7 +39,7 @@ impl Survey {
             crossings: Score::new("crossings", "cm off"),
             circle: Score::new("centre circle", "cm off"),
             robots: Score::new("other robots", "cm off"),
-            field_boundary: Score::new("end of the field", "rows off"),
+            field_boundary: Score::new("field boundary", "rows off"),
         };
         for look in (first..).filter_map(Look::new).take(poses) {
             survey.add(look);
@@ -60,7 +60,7 @@ impl Survey {
         self.field_boundary.note(look.number, |score| field::end(score, &seen, &truth));
     }
 
-    /// All scores.
+    /// Scores in the order of the table.
     pub(crate) fn scores(&self) -> [&Score; 7] {
         [&self.ball, &self.posts, &self.lines, &self.crossings, &self.circle, &self.robots, &self.field_boundary]
     }

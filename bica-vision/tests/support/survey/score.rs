@@ -1,8 +1,8 @@
-//! A line of the table.
+//! Score of one detector.
 
 use std::fmt;
 
-/// How often something was found and was right, and how far off it was.
+/// Recall, precision and errors of one detector.
 pub(crate) struct Score {
     pub(crate) name: &'static str,
     unit: &'static str,
@@ -11,7 +11,7 @@ pub(crate) struct Score {
     seen: usize,
     right: usize,
     errors: Vec<f32>,
-    /// The numbers of the poses from which something was missed, and from which something was wrong.
+    /// Numbers of the poses with missed objects, and of those with false detections.
     pub(crate) missed: Vec<u64>,
     pub(crate) wrong: Vec<u64>,
 }
@@ -31,7 +31,7 @@ impl Score {
         }
     }
 
-    /// Counts what `look` tells, and notes the pose if something is amiss.
+    /// Lets `look` add to the score, and notes the pose of each miss and false detection.
     pub(crate) fn note(&mut self, pose: u64, look: impl FnOnce(&mut Self)) {
         let (missed, wrong) = (self.due - self.found, self.seen - self.right);
         look(self);
@@ -39,34 +39,34 @@ impl Score {
         self.wrong.extend((self.seen - self.right > wrong).then_some(pose));
     }
 
-    /// Something had to be seen.
+    /// Adds a due object.
     pub(crate) fn due(&mut self, is_found: bool) {
         self.due += 1;
         self.found += usize::from(is_found);
     }
 
-    /// Something was seen.
+    /// Adds a detection.
     pub(crate) fn seen(&mut self, is_right: bool) {
         self.seen += 1;
         self.right += usize::from(is_right);
     }
 
-    /// How far off it was, if it was found.
+    /// Adds the error of a detection, if there is one.
     pub(crate) fn error(&mut self, off: impl Into<Option<f32>>) {
         self.errors.extend(off.into());
     }
 
-    /// The part of what had to be seen that was found.
+    /// Recall: share of due objects that were detected.
     pub(crate) fn recall(&self) -> f32 {
         self.found as f32 / self.due as f32
     }
 
-    /// The part of what was seen that is there.
+    /// Precision: share of detections that are right.
     pub(crate) fn precision(&self) -> f32 {
         self.right as f32 / self.seen as f32
     }
 
-    /// The error that so many of a hundred are not above.
+    /// Percentile of the errors.
     pub(crate) fn error_at(&self, percent: usize) -> f32 {
         let mut errors = self.errors.clone();
         errors.sort_by(f32::total_cmp);

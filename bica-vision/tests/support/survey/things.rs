@@ -1,4 +1,4 @@
-//! What stands or lies on the field: ball, goal posts, other robots.
+//! Scores of ball, goal posts and other robots.
 
 use std::f32::consts::PI;
 
@@ -13,7 +13,7 @@ use super::FAR;
 use super::score::Score;
 use super::truth::{SIZE, Truth};
 
-/// The least part of a ball that must be seen of it to be due.
+/// Visible share of a ball from which on it is due.
 const BALL_PART: f32 = 0.5;
 /// The least part of a post, and how high it is at least, px.
 const POST_PART: f32 = 0.5;
@@ -24,7 +24,7 @@ const ROBOT_ERROR: f32 = 0.35;
 /// The least part of a robot's box that shows one, of 100.
 const ROBOT_PART: usize = 20;
 
-/// Due if half of it is seen. Its ground error is a part of its distance.
+/// Scores the ball: due if half of it is visible. The error is relative to its distance.
 pub(super) fn ball(score: &mut Score, seen: &Detections, truth: &Truth) {
     let place = truth.pose.locate(truth.ball);
     let at = truth.camera.pixel(place.extend(FIELD.ball_radius()));
@@ -46,7 +46,8 @@ pub(super) fn ball(score: &mut Score, seen: &Detections, truth: &Truth) {
     }
 }
 
-/// Due anywhere on the field if half of it is seen. The ground error of those with a foot is a part of the distance.
+/// Scores posts: due at any distance if half of it is visible. The error, of those with a foot, is relative to the
+/// distance.
 pub(super) fn posts(score: &mut Score, seen: &Detections, truth: &Truth) {
     let goals = [(true, seen.goals.yellow), (false, seen.goals.blue)];
     for (yellow, goal) in goals {
@@ -73,7 +74,7 @@ fn posts_of(goal: &Goal) -> impl Iterator<Item = Post> + use<> {
     [Some(goal.first), goal.second].into_iter().flatten()
 }
 
-/// Whether a post is seen in the column in which one stands.
+/// Whether a detected post is in the column of a true one.
 fn is_at(post: &Post, known: Vec2, truth: &Truth) -> bool {
     let ends = truth.pixel(known.extend(0.0)).zip(truth.pixel(known.extend(FIELD.goal_height())));
     ends.is_some_and(|(foot, top)| {
@@ -90,7 +91,7 @@ fn is_post_due(known: Vec2, truth: &Truth) -> bool {
     shown.len() as f32 >= POST_PART * 19.0 && high >= POST_LEAST
 }
 
-/// Due if both of its legs are seen down to the ground. A robot is 0.1 m nearer than its middle.
+/// Scores robots: due if both legs are visible down to the ground. The near edge is 0.1 m closer than the centre.
 pub(super) fn robots(score: &mut Score, seen: &Detections, truth: &Truth) {
     for robot in &seen.robots {
         score.seen(is_robot(robot, truth));
@@ -109,7 +110,7 @@ pub(super) fn robots(score: &mut Score, seen: &Detections, truth: &Truth) {
     }
 }
 
-/// Whether a good part of a box shows another robot, and its base is there, if it is in sight and near.
+/// Whether enough of a box shows another robot whose base agrees, if it is visible and near.
 fn is_robot(robot: &Robot, truth: &Truth) -> bool {
     let at = |u: f32, v: f32| truth.thing(robot.min + Vec2::new(u, v) * (robot.max - robot.min));
     let grid = (0..100_u8).map(|i| (0.05 + 0.1 * f32::from(i % 10), 0.05 + 0.1 * f32::from(i / 10)));

@@ -1,4 +1,4 @@
-//! What is really in an image.
+//! Ground truth of an image.
 
 use bica_field::{FIELD, GoalColour};
 use bica_motion::kinematics;
@@ -12,12 +12,12 @@ use glam::{Vec2, Vec3};
 
 use super::look::Look;
 
-/// The image's width and height, px.
+/// Width and height of the image, px.
 pub(super) const SIZE: (usize, usize) = (320, 240);
 
-/// What the referee knows of one image.
+/// Ground truth of one image, from the referee.
 pub(super) struct Truth {
-    /// The ground between the feet in the field frame.
+    /// Ground frame in the field frame.
     pub(super) pose: Pose2,
     pub(super) camera: Camera,
     /// Field frame.
@@ -45,34 +45,34 @@ impl Truth {
         }
     }
 
-    /// The distance of a place of the field, m.
+    /// Distance of a field point from the robot, m.
     pub(super) fn distance(&self, place: Vec2) -> f32 {
         self.pose.locate(place).length()
     }
 
-    /// The pixel at which a point of the field frame would be seen if nothing hid it; within the image or not.
+    /// Pixel of a point of the field frame, without occlusion; may be outside the image.
     pub(super) fn pixel(&self, point: Vec3) -> Option<Vec2> {
         self.camera.pixel(self.pose.locate(point.truncate()).extend(point.z))
     }
 
-    /// What a pixel shows; none beside the image.
+    /// Label of a pixel; `None` outside the image.
     pub(super) fn thing(&self, pixel: Vec2) -> Option<PixelLabel> {
         let (x, y) = ((pixel.x + 0.5).floor(), (pixel.y + 0.5).floor());
         let is_inside = x >= 0.0 && y >= 0.0 && x < SIZE.0 as f32 && y < SIZE.1 as f32;
         is_inside.then(|| self.things[y as usize * SIZE.0 + x as usize])
     }
 
-    /// Whether a point of the field frame is seen and shows that thing.
+    /// Whether a point of the field frame is visible with a label.
     pub(super) fn shows(&self, point: Vec3, thing: PixelLabel) -> bool {
         self.pixel(point).is_some_and(|pixel| self.thing(pixel) == Some(thing))
     }
 
-    /// How many pixels show a thing.
+    /// Number of pixels with a label.
     pub(super) fn area(&self, thing: PixelLabel) -> usize {
         self.things.iter().filter(|shown| **shown == thing).count()
     }
 
-    /// Whether there is carpet at a place of the ground frame.
+    /// Whether a point of the ground frame is on the carpet.
     pub(super) fn is_carpet(&self, ground: Vec2) -> bool {
         let place = self.pose.place(ground).abs();
         place.x < FIELD.carpet_corner().x && place.y < FIELD.carpet_corner().y

@@ -11,7 +11,7 @@ mod uart;
 
 use core::panic::PanicInfo;
 
-use bica_firmware::Board;
+use bica_firmware::{Board, Robot};
 use embassy_executor::Spawner;
 
 use board::An500;
@@ -20,15 +20,15 @@ use transport::{Rx, Tx};
 /// Starts the board, then the robot's task.
 #[embassy_executor::main]
 async fn main(spawner: Spawner) {
-    bica_firmware::paint_stack();
+    let forward = bica_firmware::init();
     let (rx, tx) = An500::start().link();
-    spawner.spawn(robot(rx, tx).expect("spawned once"));
+    spawner.spawn(robot(forward, rx, tx).expect("spawned once"));
 }
 
 /// The robot's task.
 #[embassy_executor::task]
-async fn robot(rx: Rx, tx: Tx) {
-    bica_firmware::run::<An500>(rx, tx).await
+async fn robot(forward: Robot, rx: Rx, tx: Tx) {
+    bica_firmware::run::<An500>(forward, rx, tx).await
 }
 
 #[panic_handler]

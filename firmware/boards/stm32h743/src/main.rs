@@ -8,7 +8,7 @@ mod board;
 
 use core::panic::PanicInfo;
 
-use bica_firmware::Board;
+use bica_firmware::{Board, Robot};
 use defmt_rtt as _;
 use embassy_executor::Spawner;
 use embassy_stm32::usart::{BufferedUartRx, BufferedUartTx};
@@ -18,15 +18,15 @@ use board::Stm32h743;
 /// Starts the board, then the robot's task.
 #[embassy_executor::main]
 async fn main(spawner: Spawner) {
-    bica_firmware::paint_stack();
+    let forward = bica_firmware::init();
     let (rx, tx) = Stm32h743::start().link();
-    spawner.spawn(robot(rx, tx).expect("spawned once"));
+    spawner.spawn(robot(forward, rx, tx).expect("spawned once"));
 }
 
 /// The robot's task.
 #[embassy_executor::task]
-async fn robot(rx: BufferedUartRx<'static>, tx: BufferedUartTx<'static>) {
-    bica_firmware::run::<Stm32h743>(rx, tx).await
+async fn robot(forward: Robot, rx: BufferedUartRx<'static>, tx: BufferedUartTx<'static>) {
+    bica_firmware::run::<Stm32h743>(forward, rx, tx).await
 }
 
 #[panic_handler]

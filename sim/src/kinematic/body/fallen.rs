@@ -28,9 +28,9 @@ const SITTING_HIP: f32 = 1.05;
 const SITTING_LEAN: f32 = 0.8;
 /// Bend of both knees that a robot must have passed before it can rise, rad.
 ///
-/// A robot rises through a squat that balances on its soles. Its hips start 0.08 to 0.11 m above the ground (lying), and arms and
-/// torso lift them by about 4 cm. The lowest balanced squat has its hips at 0.145 m with knees at 1.8 rad, at 0.18 m with
-/// knees at 1.2 rad, and at 0.126 m with knees at their stop of 2.1 rad: with straighter knees the robot does not reach it.
+/// A robot rises through a squat that balances on its soles. The lowest such squat has its hips 0.145 m above the ground with
+/// knees at 1.8 rad, 0.177 m with knees at 1.2 rad, and 0.126 m with knees at their stop of 2.1 rad. A lying robot has its
+/// hips at 0.08 to 0.11 m, and its arms lift them to about 0.15 m (our estimate): with straighter knees it cannot rise.
 const FOLDED_KNEE: f32 = 1.8;
 /// Minimum bend of the knees of a standing robot, rad: below, the legs are stretched.
 const STANDING_KNEE_MIN: f32 = 0.3;

@@ -121,6 +121,34 @@ mod tests {
     }
 
     #[test]
+    fn speed_is_proportional_to_stiffness_up_to_a_fifth() {
+        for (stiffness, share) in [(0.1, 0.5), (0.2, 1.0), (1.0, 1.0)] {
+            let mut motors = Motors::holding(Joints::all(0.3));
+            for _ in 0..4 {
+                motors.step(&command(0.9, stiffness));
+            }
+            let moved = motors.angles()[Joint::LKneePitch] - 0.3;
+            let expected = share * Nao::MAX_SPEEDS[Joint::LKneePitch] * 0.01;
+            assert!((moved - expected).abs() < 1e-6, "stiffness {stiffness}: {moved}");
+        }
+    }
+
+    #[test]
+    fn holding_takes_a_fixed_share_of_the_continuous_current_and_moving_takes_more() {
+        let mut motors = Motors::holding(Joints::all(0.3).clamp_to_limits::<Nao>());
+        motors.step(&command(0.3, 1.0));
+        for (joint, share) in [(Joint::LKneePitch, 0.4), (Joint::RAnkleRoll, 0.4), (Joint::HeadYaw, 0.1)] {
+            let current = motors.heat().currents()[joint];
+            assert!((current - share * Nao::CONTINUOUS_CURRENTS[joint]).abs() < 1e-4, "{joint:?}: {current}");
+        }
+        for _ in 0..4 {
+            motors.step(&command(0.9, 1.0));
+        }
+        let current = motors.heat().currents()[Joint::LKneePitch];
+        assert!((current - Nao::CONTINUOUS_CURRENTS[Joint::LKneePitch]).abs() < 1e-3, "{current}");
+    }
+
+    #[test]
     fn joints_stop_at_their_limits() {
         let mut motors = Motors::holding(Joints::all(0.3));
         for _ in 0..300 {

@@ -104,7 +104,7 @@ impl Model {
         for name in ["Top", "Bottom"] {
             let camera = find(&self.physics, MjtObjBase::mjOBJ_CAMERA, name)?;
             self.physics.cam_sensorsize_mut()[camera] = [width, height];
-            self.physics.cam_intrinsic_mut()[camera] = [FOCAL.0 * width, FOCAL.1 * height, -0.5, -0.5];
+            self.physics.cam_intrinsic_mut()[camera] = [FOCAL.x * width, FOCAL.y * height, -0.5, -0.5];
         }
         Ok(())
     }

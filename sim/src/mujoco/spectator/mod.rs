@@ -11,8 +11,7 @@ use glam::{Affine3A, Vec3};
 use mujoco_rs::prelude::{MjData, MjModel, MjvCamera};
 use mujoco_rs::renderer::RendererError;
 
-use super::renderer::Renderer;
-use super::robot_camera::describe;
+use super::renderer::{Renderer, describe};
 use super::state::write;
 use crate::layout::Layout;
 use crate::setup::Setup;

@@ -8,13 +8,13 @@ mod samples;
 
 use std::path::{Path, PathBuf};
 
+use bica_console::{Console, Failure, Outcome, interrupt};
 use bica_vision::colour::{Colour, Filter, Filters};
 use bica_vision::frame::Frame;
 
 use crate::frame_io::{self, RecordedFrame};
 use crate::labels::{Labels, own_folder};
 use crate::profile;
-use bica_console::{Console, Failure, Outcome, interrupt};
 use cross_validation::{FittedClass, fit_class, with_raised_saturation};
 use rectangles::Rectangle;
 use report::Report;
@@ -116,8 +116,7 @@ impl TrainingData {
             if interrupt::requested() || (own.is_empty() && label.is_none()) {
                 continue;
             }
-            let wrong =
-                |why: &str| Failure::of_path("learn from", &path, &why, "help the image, or take its labels away");
+            let wrong = |why: &str| Failure::of_path("use", &path, &why, "repair the image, or remove its labels");
             let recorded = RecordedFrame::read(&path).map_err(|why| wrong(&why))?;
             let frame = Frame::from_image(&recorded.image()).map_err(|why| wrong(&why.to_string()))?;
             for rectangle in &own {

@@ -5,10 +5,10 @@
 use std::fs;
 use std::path::Path;
 
+use bica_console::Failure;
 use bica_vision::colour::Colour;
 
 use crate::table::Table;
-use bica_console::Failure;
 
 /// Classes by their names in such files.
 const CLASSES: [(&str, Colour); 6] = [

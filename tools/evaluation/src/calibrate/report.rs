@@ -1,12 +1,11 @@
 //! Result of a calibration, as text, as JSON and as comments of the profile.
 
+use bica_console::{Console, Failure, Style};
 use serde::Serialize;
 
 use super::cross_validation::FittedClass;
 use super::{CalibrationOptions, FittedClasses, TrainingData};
 use crate::profile::{CLASSES, Notes};
-use bica_console::Failure;
-use bica_console::{Console, Style};
 
 /// Result of a calibration.
 #[derive(Debug, Serialize)]

@@ -2,10 +2,6 @@
 
 use std::path::Path;
 
-use glam::Vec2;
-
-use super::detections::{Detections, PoseTrust};
-use crate::frame_io::RecordedFrame;
 use bica_console::Failure;
 use bica_drawing::camera;
 use bica_drawing::canvas::Canvas;
@@ -13,6 +9,10 @@ use bica_drawing::palette::{FAINT, PAPER, TEXT};
 use bica_drawing::png;
 use bica_drawing::polar::Polar;
 use bica_drawing::text::Font;
+use glam::Vec2;
+
+use super::detections::{Detections, PoseTrust};
+use crate::frame_io::RecordedFrame;
 
 /// Width of the image, px.
 const WIDTH: usize = 640;

@@ -3,10 +3,10 @@
 use std::fs;
 use std::path::Path;
 
+use bica_console::Failure;
 use bica_vision::table::{CompactTable, FULL_BYTES};
 
 use crate::profile;
-use bica_console::Failure;
 
 /// Colour table.
 #[derive(Debug)]

@@ -3,6 +3,7 @@
 use std::f32::consts::TAU;
 use std::time::Instant;
 
+use bica_drawing::scene::Marks;
 use bica_field::{CrossingKind, FIELD, GoalColour};
 use bica_motion::model::Nao;
 use bica_motion::robot::{CameraId, Image};
@@ -19,7 +20,6 @@ use serde::Serialize;
 
 use super::colour_table::ColourTable;
 use crate::camera_poses::Pose;
-use bica_drawing::scene::Marks;
 
 /// Camera of the recordings with poses, a NAO of 2009; its image shows parts of the body.
 const CAMERA: CameraId = CameraId::Bottom;
@@ -172,7 +172,7 @@ impl Detectors {
         seen: pipeline::Detections,
         wall_ms: f64,
     ) -> Detections {
-        let pipeline::Detections { end, ball, goals, lines, robots, markings } = seen;
+        let pipeline::Detections { boundary: end, ball, goals, lines, robots, markings } = seen;
         let goals: Vec<_> = [goals.yellow, goals.blue].into_iter().flatten().collect();
         Detections {
             file: file.to_owned(),

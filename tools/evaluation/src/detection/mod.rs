@@ -8,9 +8,11 @@ mod report;
 
 use std::path::{Path, PathBuf};
 
+use bica_console::{Failure, Outcome, interrupt, make_folder};
+
 use crate::camera_poses::{Pose, Poses};
 use crate::frame_io::{RecordedFrame, list};
-use bica_console::{Failure, Outcome, interrupt, make_folder};
+
 pub use colour_table::ColourTable;
 pub use detections::{Ball, Crossing, Detections, Detectors, Goal, PoseTrust, Robot};
 pub use json_line::JsonLine;

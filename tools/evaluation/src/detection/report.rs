@@ -2,15 +2,14 @@
 
 use std::path::Path;
 
+use bica_console::statistics::percentile;
+use bica_console::{Console, Failure, Style};
+use bica_drawing::polar::Polar;
 use glam::Vec2;
 use serde::Serialize;
 
 use super::{DetectionObserver, Detections, Goal, PoseTrust};
 use crate::camera_poses::Pose;
-use bica_console::Failure;
-use bica_console::statistics::percentile;
-use bica_console::{Console, Style};
-use bica_drawing::polar::Polar;
 
 /// Detections of a folder; prints each image as it comes.
 #[derive(Debug, Serialize)]

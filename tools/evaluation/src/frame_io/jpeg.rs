@@ -3,12 +3,11 @@
 use std::fs;
 use std::path::Path;
 
+use bica_drawing::png::Picture;
 use zune_jpeg::JpegDecoder;
 use zune_jpeg::zune_core::bytestream::ZCursor;
 use zune_jpeg::zune_core::colorspace::ColorSpace;
 use zune_jpeg::zune_core::options::DecoderOptions;
-
-use bica_drawing::png::Picture;
 
 /// Reads a picture; grey becomes RGB.
 pub(super) fn read(path: &Path) -> Result<Picture, String> {

@@ -6,10 +6,9 @@ mod raw;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use bica_motion::robot::{CameraId, Image};
-
 use bica_console::Failure;
 use bica_drawing::png::{self, Picture};
+use bica_motion::robot::{CameraId, Image};
 
 /// Lists the images of a folder in the order of their names.
 ///

@@ -6,10 +6,10 @@ mod write;
 use std::fs;
 use std::path::Path;
 
+use bica_console::Failure;
 use bica_vision::colour::Filters;
 use bica_vision::profile::{BUILT_IN, DARWIN_2013, NAO_2009};
 
-use bica_console::Failure;
 pub use write::{Notes, write};
 
 /// Names of the classes, in the order of decision.

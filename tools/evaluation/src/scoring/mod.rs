@@ -3,6 +3,7 @@
 mod goals;
 mod tally;
 
+use bica_console::{Console, Failure};
 use bica_vision::projection::Camera;
 use glam::Vec2;
 use serde::Serialize;
@@ -10,7 +11,6 @@ use serde::Serialize;
 use crate::camera_poses::Pose;
 use crate::detection::{Ball, Detections};
 use crate::labels::{self, Label, Labels};
-use bica_console::{Console, Failure};
 use goals::Goals;
 use tally::{Errors, Percentiles, Share};
 

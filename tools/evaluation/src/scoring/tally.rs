@@ -1,8 +1,7 @@
 //! Counts and percentiles.
 
-use serde::Serialize;
-
 use bica_console::statistics::percentile;
+use serde::Serialize;
 
 /// Number of correct cases among all cases.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]

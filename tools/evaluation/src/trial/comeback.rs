@@ -1,5 +1,6 @@
 //! Games in which the forward is pushed over: it has to get up, localize itself again, and score.
 
+use bica_console::Failure;
 use bica_sim::setup::Setup;
 use glam::Vec2;
 
@@ -8,7 +9,6 @@ use super::get_up::{GREATEST_PUSH, LEAST_PUSH};
 use super::rng::Rng;
 use super::series::Series;
 use super::table::{Row, median};
-use bica_console::Failure;
 
 /// Earliest and latest time of the push, s after the start.
 const EARLIEST_PUSH: f32 = 5.0;

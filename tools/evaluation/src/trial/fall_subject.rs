@@ -2,6 +2,7 @@
 
 use bica::Tree;
 use bica::runner::Runner;
+use bica_console::Failure;
 use bica_motion::fall::FallState;
 use bica_motion::joints::Joint;
 use bica_motion::model::{Nao, RobotModel};
@@ -18,7 +19,6 @@ use glam::Vec2;
 
 use super::series::Series;
 use super::walker::cycles;
-use bica_console::Failure;
 
 /// Largest stiffness of relaxed legs.
 const RELAXED: f32 = 0.35;

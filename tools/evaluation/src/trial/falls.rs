@@ -1,5 +1,6 @@
 //! Falls: detected before the impact, with relaxed joints, and recovered from; and no detection without a fall.
 
+use bica_console::Failure;
 use bica_motion::fall::{FallDetector, FallState};
 use bica_motion::kick::{Kick, KickMotion};
 use bica_motion::model::{Nao, RobotModel};
@@ -14,7 +15,6 @@ use super::rng::Rng;
 use super::series::Series;
 use super::table::{Row, median};
 use super::walker::{Walker, cycles};
-use bica_console::Failure;
 
 /// Earliest and latest time of the push, s: the robot stands, turns or walks then.
 const EARLIEST_PUSH: f32 = 1.0;
@@ -95,8 +95,8 @@ fn calm(series: &Series) -> Result<Row, Failure> {
 
 /// Returns whether a fall is detected where there is none.
 fn mistaken(balance: &mut FallDetector, walker: &mut Walker) -> bool {
-    let felt = balance.step(&walker.world.sensors().inertial, CYCLE_SECONDS);
-    felt != FallState::Upright && !walker.fell()
+    let state = balance.step(&walker.world.sensors().inertial, CYCLE_SECONDS);
+    state != FallState::Upright && !walker.fell()
 }
 
 fn walk(series: &Series, seed: u64) -> Result<bool, Failure> {

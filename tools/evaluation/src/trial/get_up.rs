@@ -1,12 +1,12 @@
 //! Getting up: the forward is pushed over and has to stand again.
 
+use bica_console::Failure;
 use glam::Vec2;
 
 use super::fall_subject::FallSubject;
 use super::rng::Rng;
 use super::series::Series;
 use super::table::{Row, median};
-use bica_console::Failure;
 
 /// Time to get up, s.
 pub(super) const TIME_LIMIT: f32 = 15.0;

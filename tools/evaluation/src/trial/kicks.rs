@@ -1,5 +1,6 @@
 //! Kicks: distance and direction of the ball, and whether the robot stands afterwards.
 
+use bica_console::Failure;
 use bica_motion::kick::{Kick, KickKind, KickMotion};
 use bica_motion::model::{Nao, RobotModel};
 use bica_motion::pose::{Pose2, wrap};
@@ -12,7 +13,6 @@ use super::rng::Rng;
 use super::series::Series;
 use super::table::{Row, median};
 use super::walker::Walker;
-use bica_console::Failure;
 
 /// Largest error of the ball position along each axis, m.
 const BALL_ERROR: f32 = 0.01;

@@ -15,12 +15,13 @@ mod table;
 mod walker;
 mod walking;
 
+use bica_console::{Console, Failure, Outcome, interrupt};
 use bica_sim::mujoco::Physics;
 
-use bica_console::{Console, Failure, Outcome, interrupt};
-pub use kind::Kind;
 use series::Series;
 use table::Table;
+
+pub use kind::Kind;
 
 /// Which trials, how often, in which physics.
 #[derive(Clone, Debug)]

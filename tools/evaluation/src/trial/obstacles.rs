@@ -2,6 +2,7 @@
 
 use std::f32::consts::{FRAC_PI_2, PI};
 
+use bica_console::Failure;
 use bica_field::FIELD;
 use bica_motion::pose::Pose2;
 use bica_sim::World;
@@ -14,7 +15,6 @@ use super::get_up::{GREATEST_PUSH, LEAST_PUSH};
 use super::rng::Rng;
 use super::series::Series;
 use super::table::{Row, median};
-use bica_console::Failure;
 
 /// Range of a distance from the centre of the robot, m: least and greatest.
 type Range = (f32, f32);

@@ -2,6 +2,7 @@
 
 use std::f32::consts::PI;
 
+use bica_console::Failure;
 use bica_motion::pose::{Pose2, wrap};
 use bica_motion::walk::Velocity;
 
@@ -9,7 +10,6 @@ use super::rng::Rng;
 use super::series::Series;
 use super::table::{Row, median};
 use super::walker::{Walker, cycles};
-use bica_console::Failure;
 
 /// Length of the path, m.
 const PATH_LENGTH: f32 = 3.0;

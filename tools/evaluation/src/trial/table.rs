@@ -1,9 +1,7 @@
 //! Results of trials.
 
+use bica_console::{Console, Failure, Style};
 use serde::Serialize;
-
-use bica_console::Failure;
-use bica_console::{Console, Style};
 
 /// One case of a trial, with all seeds.
 #[derive(Clone, Debug, Serialize)]

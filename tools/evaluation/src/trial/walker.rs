@@ -1,5 +1,6 @@
 //! A robot without behaviours: gait and odometry only.
 
+use bica_console::Failure;
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::limbs::Limbs;
 use bica_motion::model::{Nao, RobotModel};
@@ -14,8 +15,6 @@ use bica_sim::referee::Event;
 use bica_sim::setup::{Setup, Start};
 use bica_sim::{CYCLE_SECONDS, World};
 use glam::Vec2;
-
-use bica_console::Failure;
 
 /// A robot alone on the field, with a gait and odometry.
 pub(super) struct Walker {

@@ -2,6 +2,7 @@
 
 use std::f32::consts::{PI, TAU};
 
+use bica_console::Failure;
 use bica_motion::pose::Pose2;
 use bica_motion::walk::Velocity;
 use bica_sim::mujoco::Physics;
@@ -11,7 +12,6 @@ use super::rng::Rng;
 use super::series::Series;
 use super::table::{Row, mean};
 use super::walker::{Walker, cycles};
-use bica_console::Failure;
 
 /// Time of acceleration before the measurement, s.
 const START: f32 = 2.0;

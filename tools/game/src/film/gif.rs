@@ -5,12 +5,12 @@ use std::fs::File;
 use std::io::BufWriter;
 use std::path::{Path, PathBuf};
 
+use bica_console::Failure;
+use bica_drawing::canvas::{Canvas, Rgb};
 use gif::{DisposalMethod, Encoder, EncodingError, Frame, Repeat};
 
 use super::OUTSIDE_WIDTH;
 use super::colours::Colours;
-use bica_console::Failure;
-use bica_drawing::canvas::{Canvas, Rgb};
 
 /// Duration of a picture, hundredths of a second.
 pub(crate) const PICTURE_TIME: u16 = 7;

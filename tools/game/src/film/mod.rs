@@ -7,18 +7,18 @@ mod gif;
 use std::path::Path;
 use std::time::Duration;
 
-use bica_motion::robot::Image;
-use bica_sim::{Picture, Referee};
-use glam::Vec2;
-
-use crate::observer::{GameObserver, View};
-use crate::scene::Scene;
 use bica_console::Failure;
 use bica_drawing::camera;
 use bica_drawing::canvas::Canvas;
 use bica_drawing::palette::{FAINT, PAPER, TEXT};
 use bica_drawing::polar::describe;
 use bica_drawing::text::Font;
+use bica_motion::robot::Image;
+use bica_sim::{Picture, Referee};
+use glam::Vec2;
+
+use crate::observer::{GameObserver, View};
+use crate::scene::Scene;
 use camera_operator::CameraOperator;
 use gif::{Gif, PICTURE_TIME};
 

@@ -35,15 +35,15 @@ fn a_fitted_profile_detects_the_ball() {
     let (arguments, out) = (training_data(&folder), folder.path().join("hall.toml"));
     let ran = calibrate(&arguments, &out, &["--json"]);
     assert_eq!(ran.code, Some(0), "{}", ran.stderr);
-    let told = ran.json();
+    let printed = ran.json();
     let names: Vec<_> =
-        told["classes"].as_array().expect("a list").iter().map(|class| class["class"].as_str()).collect();
+        printed["classes"].as_array().expect("a list").iter().map(|class| class["class"].as_str()).collect();
     assert_eq!(names, ["orange", "yellow", "blue", "green", "white"].map(Some));
-    let orange = &told["classes"][0]["learned"];
+    let orange = &printed["classes"][0]["learned"];
     assert_eq!((&orange["images"], &orange["blocks"]), (&6.into(), &5.into()));
     let above = |key: &str| orange[key].as_f64().is_some_and(|share| share >= 0.99);
     assert!(above("precision") && above("recall"), "{orange}");
-    assert!(told["classes"][1]["learned"].is_null(), "there is no yellow in the labels");
+    assert!(printed["classes"][1]["learned"].is_null(), "there is no yellow in the labels");
     let text = fs::read_to_string(&out).expect("the profile");
     assert!(text.contains("[orange]\nhue = [") && text.contains("6 images, cross-validated in 5 blocks"), "{text}");
     let labels = folder.path().join("labels.csv");

@@ -18,9 +18,9 @@ fn with_image<'a>(image: &'a mut String, more: &[&'a str]) -> Vec<&'a str> {
 }
 
 /// Removes what depends on the computer.
-fn story(mut told: Value) -> Value {
-    without_wall(&mut told);
-    told
+fn story(mut printed: Value) -> Value {
+    without_wall(&mut printed);
+    printed
 }
 
 #[test]
@@ -30,12 +30,12 @@ fn firmware_plays_the_same_game_and_counts_instructions() {
     let game = ["--seed", "3", "--seconds", "3", "--json"];
     let args = with_image(&mut image, &game);
     let ran = run(&args);
-    let mut told = story(ran.json());
-    let spent = told.as_object_mut().and_then(|told| told.remove("firmware")).expect("instruction counts");
+    let mut printed = story(ran.json());
+    let spent = printed.as_object_mut().and_then(|printed| printed.remove("firmware")).expect("instruction counts");
     let alone = run(&[&game[..], &["--size", "160x120"]].concat());
     assert_eq!(ran.code, alone.code);
-    assert_eq!(told, story(alone.json()), "the same game, bit for bit");
-    assert_eq!(spent["chain"]["runs"], told["cycles"]);
+    assert_eq!(printed, story(alone.json()), "the same game, bit for bit");
+    assert_eq!(spent["chain"]["runs"], printed["cycles"]);
     assert!(
         spent["chain"]["max"].as_u64().is_some_and(|max| max > 100_000),
         "a cycle with an image takes more: {spent}"
@@ -43,7 +43,7 @@ fn firmware_plays_the_same_game_and_counts_instructions() {
     let runs = |list: &Value| -> Vec<Value> {
         list.as_array().unwrap().iter().map(|component| component["name"].clone()).collect()
     };
-    assert_eq!(runs(&spent["components"]), runs(&told["components"]));
+    assert_eq!(runs(&spent["components"]), runs(&printed["components"]));
 }
 
 #[test]
@@ -65,8 +65,8 @@ fn firmware_games_do_not_depend_on_the_number_of_threads() {
     let mut image = String::new();
     let games = ["--games", "3", "--seconds", "1", "--json", "--threads"];
     let args = with_image(&mut image, &games);
-    let told = |threads| story(run(&[&args[..], &[threads]].concat()).json());
-    assert_eq!(told("1"), told("3"));
+    let printed = |threads| story(run(&[&args[..], &[threads]].concat()).json());
+    assert_eq!(printed("1"), printed("3"));
 }
 
 #[cfg(unix)]

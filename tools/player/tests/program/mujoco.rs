@@ -43,11 +43,11 @@ mod with_mujoco {
     #[test]
     fn games_do_not_depend_on_the_number_of_threads() {
         let games = |threads| {
-            let mut told =
+            let mut printed =
                 run(&["play", "--world", "mujoco", "--games", "3", "--threads", threads, "--seconds", "0.5", "--json"])
                     .json();
-            without_wall(&mut told);
-            told
+            without_wall(&mut printed);
+            printed
         };
         assert_eq!(games("1"), games("3"));
     }

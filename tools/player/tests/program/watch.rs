@@ -39,13 +39,13 @@ fn a_ball_is_detected_and_projected_to_the_ground() {
     fs::write(&poses, format!("{HEADING}frames/2.png,{POSE},1\n")).unwrap();
     let ran = run(&["watch", folder.text(), "--poses", poses.to_str().unwrap(), "--pictures", seen.text(), "--json"]);
     assert_eq!(ran.code, Some(0), "{}", ran.stderr);
-    let told = ran.json();
-    let (first, second) = (&told["frames"][0], &told["frames"][1]);
+    let printed = ran.json();
+    let (first, second) = (&printed["frames"][0], &printed["frames"][1]);
     assert_eq!((&first["file"], &second["file"]), (&"1.png".into(), &"2.png".into()));
     assert_eq!((&first["pose"], &second["pose"]), (&"missing".into(), &"trusted".into()));
     assert!((first["ball"]["x"].as_f64().unwrap() - 100.0).abs() < 2.0, "{first}");
     assert!((second["ball"]["radius"].as_f64().unwrap() - 20.0).abs() < 2.0, "{second}");
-    assert!(first["ball"]["ground"].is_null() && told["summary"]["poses_missing"][0] == "1.png");
+    assert!(first["ball"]["ground"].is_null() && printed["summary"]["poses_missing"][0] == "1.png");
     // The ray to the ball's centre goes down 30° and atan(30 / 385.54); it ends 43 mm above the ground.
     let ahead = 0.457 / (30_f64.to_radians() + (30.0_f64 / 385.54).atan()).tan();
     assert!((second["ball"]["ground"][0].as_f64().unwrap() - ahead).abs() < 0.03, "{second}");
@@ -59,8 +59,8 @@ fn poses_beside_the_folder_are_used_by_default() {
     fs::create_dir(&frames).unwrap();
     draw(&frames.join("1.png"), 160);
     fs::write(outer.path().join("lab_pose.csv"), format!("{HEADING}lab/1.png,{POSE},1\n")).unwrap();
-    let told = run(&["watch", frames.to_str().unwrap(), "--json"]).json();
-    assert_eq!(told["frames"][0]["pose"], "trusted");
+    let printed = run(&["watch", frames.to_str().unwrap(), "--json"]).json();
+    assert_eq!(printed["frames"][0]["pose"], "trusted");
 }
 
 #[test]
@@ -75,8 +75,8 @@ fn unreadable_files_are_skipped_counted_and_named() {
     let ran = run(&["watch", folder.text()]);
     assert_eq!((ran.code, ran.stderr.as_str()), (Some(0), ""));
     assert!(ran.stdout.contains("1 read, 3 skipped"), "{}", ran.stdout);
-    let told = run(&["watch", folder.text(), "--json"]).json();
-    let skipped: Vec<_> = told["skipped"].as_array().unwrap().iter().map(|skip| skip["file"].as_str()).collect();
+    let printed = run(&["watch", folder.text(), "--json"]).json();
+    let skipped: Vec<_> = printed["skipped"].as_array().unwrap().iter().map(|skip| skip["file"].as_str()).collect();
     assert_eq!(skipped, [Some("b.png"), Some("c.PNG"), Some("d.png")]);
     fs::remove_file(folder.path().join("a.png")).unwrap();
     assert_eq!(run(&["watch", folder.text()]).code, Some(1), "no image could be read");

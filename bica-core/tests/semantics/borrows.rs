@@ -1,4 +1,4 @@
-//! Several components lent at once.
+//! Borrowing several components at once.
 
 use super::*;
 
@@ -74,7 +74,7 @@ fn a_tree_is_a_value() {
 }
 
 #[test]
-fn a_panic_in_a_step_leaves_a_tree_that_can_be_used() {
+fn a_panic_in_a_probe_leaves_a_tree_that_can_be_used() {
     struct Stop;
     impl Probe for Stop {
         fn end(&mut self, _: bica_core::ComponentId) {

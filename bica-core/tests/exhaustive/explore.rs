@@ -1,0 +1,168 @@
+//! All sequences of cycles of one tree, on the framework and on the model.
+
+use bica_core::{ComponentId, Hold, Instant, Probe, Tree};
+
+use crate::model::{Event, Model};
+use crate::shape::{COMPONENTS, Shape};
+use crate::tree::Any;
+
+/// Cycles of the longest sequences.
+const CYCLES: u64 = 6;
+
+/// What is explored of a tree.
+#[derive(Clone, Copy)]
+pub(crate) struct Scope {
+    /// Before each cycle any component may be held active, held latent or released.
+    pub(crate) holds: bool,
+}
+
+/// A tree that a test makes and feeds.
+pub(crate) trait Subject: Tree {
+    fn of(shape: Shape) -> Self;
+    fn answer(&mut self, answers: [u8; COMPONENTS]);
+}
+
+macro_rules! subject {
+    ($($flag:ident)*) => {
+        impl<$(const $flag: bool),*> Subject for Any<$($flag),*> {
+            fn of(shape: Shape) -> Self {
+                Self::new(shape)
+            }
+
+            fn answer(&mut self, answers: [u8; COMPONENTS]) {
+                Any::answer(self, answers);
+            }
+        }
+    };
+}
+subject!(R0 S0 R1 S1 R2 S2 R3 S3);
+
+/// Picks the type of a tree by flags known at run time.
+macro_rules! with_flags {
+    ($shape:expr, $scope:expr; [$($done:tt)*]) => {
+        explore::<Any<$($done)*>>($shape, $scope)
+    };
+    ($shape:expr, $scope:expr; [$($done:tt)*] $flag:expr $(, $rest:expr)*) => {
+        if $flag {
+            with_flags!($shape, $scope; [$($done)* true,] $($rest),*)
+        } else {
+            with_flags!($shape, $scope; [$($done)* false,] $($rest),*)
+        }
+    };
+}
+
+/// Explores a tree; returns the number of cycles that were compared.
+pub(crate) fn sequences(shape: &Shape, scope: Scope) -> u64 {
+    let rated = |index: usize| shape.rates[index].is_declared();
+    with_flags!(shape, scope; [] rated(0), false, rated(1), shape.is_shared(1), rated(2), shape.is_shared(2), rated(3), shape.is_shared(3))
+}
+
+/// What happens before a cycle.
+#[derive(Clone, Copy, Debug)]
+struct Step {
+    hold: Option<(usize, Hold)>,
+    answers: [u8; COMPONENTS],
+}
+
+/// Goes through the sequences level by level. Two sequences that lead to the same state, of the model and of the engine,
+/// have the same continuations, and only one of them is continued.
+fn explore<T: Subject>(shape: &Shape, scope: Scope) -> u64 {
+    let mut level = vec![(T::of(*shape), Model::new())];
+    let (mut compared, mut expected, mut seen) = (0, Vec::new(), Recorder::default());
+    for cycle in 0..CYCLES {
+        let mut next: Vec<(T, Model)> = Vec::new();
+        for (tree, model) in &level {
+            for step in steps(shape, model, scope) {
+                let mut model = *model;
+                if let Some((index, hold)) = step.hold {
+                    model.components[index].hold = hold;
+                }
+                model.tick(shape, &step.answers, &mut expected);
+                if is_redundant(shape, &step, &expected) {
+                    continue;
+                }
+                let mut tree = continued(tree, shape, &step);
+                seen.0.clear();
+                tree.tick_with(Instant::from_millis(10 * cycle), &mut seen);
+                compared += 1;
+                compare(&tree, &model, &seen.0, &expected, (shape, &step, cycle));
+                if !next.iter().any(|(other, known)| *known == model && other.engine().behaves_as(tree.engine())) {
+                    next.push((tree, model));
+                }
+            }
+        }
+        level = next;
+    }
+    compared
+}
+
+/// A tree that goes on from the state of another, with what happens before the cycle.
+fn continued<T: Subject>(from: &T, shape: &Shape, step: &Step) -> T {
+    let mut tree = T::of(*shape);
+    tree.engine_mut().copy_state_from(from.engine());
+    if let Some((index, hold)) = step.hold {
+        tree.hold_at(ComponentId::new(index), hold);
+    }
+    tree.answer(step.answers);
+    tree
+}
+
+/// All that may happen before a cycle.
+fn steps(shape: &Shape, model: &Model, scope: Scope) -> Vec<Step> {
+    let mut holds = vec![None];
+    for index in (0..shape.len).filter(|_| scope.holds) {
+        let other = |hold: &Hold| *hold != model.components[index].hold;
+        let changes = [Hold::Tree, Hold::Active, Hold::Latent].into_iter().filter(other);
+        holds.extend(changes.map(|hold| Some((index, hold))));
+    }
+    let count: usize = shape.states.iter().product();
+    let answers = (0..count).map(|mut code| {
+        shape.states.map(|states| {
+            let answer = code % states;
+            code /= states;
+            answer as u8
+        })
+    });
+    answers.flat_map(|answers| holds.iter().map(move |&hold| Step { hold, answers })).collect()
+}
+
+/// Whether a machine that did not run was given another answer than 0: the same was explored with the answer 0.
+fn is_redundant(shape: &Shape, step: &Step, events: &[Event]) -> bool {
+    (0..shape.len).any(|index| step.answers[index] != 0 && !events.contains(&Event::Run(index)))
+}
+
+/// Compares what happened and what the tree reports.
+fn compare<T: Tree>(tree: &T, model: &Model, seen: &[Event], expected: &[Event], case: (&Shape, &Step, u64)) {
+    assert_eq!(seen, expected, "{case:#?}\nbefore: {model:#?}");
+    for (index, memory) in model.components.iter().enumerate() {
+        let status = tree.status(ComponentId::new(index)).expect("a component of the tree");
+        let wanted = (memory.active, memory.hold, memory.state);
+        assert_eq!((status.active, status.held, status.state), wanted, "{index}: {case:#?}");
+    }
+}
+
+/// Records what a probe sees.
+#[derive(Default)]
+struct Recorder(Vec<Event>);
+
+impl Probe for Recorder {
+    fn start(&mut self, component: ComponentId) {
+        self.0.push(Event::Start(component.index()));
+    }
+
+    fn stop(&mut self, component: ComponentId) {
+        self.0.push(Event::Stop(component.index()));
+    }
+
+    fn skip(&mut self, component: ComponentId) {
+        self.0.push(Event::Skip(component.index()));
+    }
+
+    fn run(&mut self, component: ComponentId) {
+        self.0.push(Event::Run(component.index()));
+    }
+
+    fn transition(&mut self, component: ComponentId, from: usize, to: usize) {
+        self.0.push(Event::Transition(component.index(), from, to));
+    }
+}

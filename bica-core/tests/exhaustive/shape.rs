@@ -1,0 +1,126 @@
+//! The shape of a tree, and the enumeration of all shapes.
+
+/// Components of the largest tree.
+pub(crate) const COMPONENTS: usize = 4;
+
+/// States of the largest machine.
+pub(crate) const STATES: usize = 3;
+
+/// The link of a component, in one of its states, to another.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Link {
+    None,
+    Requirement,
+    Modulation,
+}
+
+const LINKS: [Link; 3] = [Link::None, Link::Requirement, Link::Modulation];
+
+/// How often a component runs.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Rate {
+    /// In every cycle; the component declares no rate.
+    Every,
+    /// In every second cycle; the component declares that.
+    Half,
+    /// In every third cycle; the component declares half and is set to a third of the cycle rate.
+    Third,
+}
+
+pub(crate) const RATES: [Rate; 3] = [Rate::Every, Rate::Half, Rate::Third];
+
+impl Rate {
+    pub(crate) fn is_declared(self) -> bool {
+        self != Self::Every
+    }
+
+    /// The rate that is set before the first tick.
+    pub(crate) fn requested(self) -> Option<f32> {
+        (self == Self::Third).then_some(100.0 / 3.0)
+    }
+
+    /// Cycles from one run to the next.
+    pub(crate) fn cycles(self) -> u8 {
+        match self {
+            Self::Every => 1,
+            Self::Half => 2,
+            Self::Third => 3,
+        }
+    }
+}
+
+/// The links of a component in one state, by the index of the other component.
+pub(crate) type Row = [Link; COMPONENTS];
+
+/// The shape of a tree. Component 0 is the root; links lead from lower to higher indices.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Shape {
+    /// Number of components.
+    pub(crate) len: usize,
+    /// Number of states of each component.
+    pub(crate) states: [usize; COMPONENTS],
+    /// The links of each component in each state.
+    pub(crate) links: [[Row; STATES]; COMPONENTS],
+    pub(crate) rates: [Rate; COMPONENTS],
+}
+
+const NO_LINKS: Row = [Link::None; COMPONENTS];
+
+impl Shape {
+    /// Whether several links end at a component, as the framework counts them.
+    pub(crate) fn is_shared(&self, index: usize) -> bool {
+        let rows = (0..index).flat_map(|from| &self.links[from][..self.states[from]]);
+        rows.filter(|row| row[index] != Link::None).count() > 1
+    }
+
+    /// Whether a chain of links leads from the root to each component.
+    fn is_reachable(&self) -> bool {
+        let mut reached = [true, false, false, false];
+        for from in 0..self.len {
+            for row in &self.links[from][..self.states[from]] {
+                for to in from + 1..self.len {
+                    reached[to] |= reached[from] && row[to] != Link::None;
+                }
+            }
+        }
+        reached[..self.len].iter().all(|&reached| reached)
+    }
+}
+
+/// Calls `each` with every shape of `len` components with these numbers of states that can be reached from the root, up
+/// to the order of the states behind the initial one; all components run in every cycle.
+pub(crate) fn shapes(len: usize, states: [usize; COMPONENTS], each: &mut impl FnMut(Shape)) {
+    let shape = Shape { len, states, links: [[NO_LINKS; STATES]; COMPONENTS], rates: [Rate::Every; COMPONENTS] };
+    fill(shape, 0, 0, each);
+}
+
+/// Fills the rows from that of `state` of `component` on.
+fn fill(shape: Shape, component: usize, state: usize, each: &mut impl FnMut(Shape)) {
+    if component == shape.len {
+        if shape.is_reachable() {
+            each(shape);
+        }
+        return;
+    }
+    if state == shape.states[component] {
+        return fill(shape, component + 1, 0, each);
+    }
+    let places = shape.len - component - 1;
+    for code in 0..3_usize.pow(places as u32) {
+        // States behind the initial one can be exchanged: only rows in order are taken.
+        if state == 2 && code < encoded(&shape, component, 1) {
+            continue;
+        }
+        let mut shape = shape;
+        for place in 0..places {
+            shape.links[component][state][component + 1 + place] = LINKS[code / 3_usize.pow(place as u32) % 3];
+        }
+        fill(shape, component, state + 1, each);
+    }
+}
+
+/// The code of a row: the inverse of the one in `fill`.
+fn encoded(shape: &Shape, component: usize, state: usize) -> usize {
+    let row = &shape.links[component][state][component + 1..shape.len];
+    row.iter().rev().fold(0, |code, link| 3 * code + LINKS.iter().position(|other| other == link).unwrap_or_default())
+}

@@ -1,0 +1,216 @@
+//! No run is lost or added: the guarantee of [`bica_core::rate`], with clocks that jitter, are coarse, or run for years.
+
+use proptest::prelude::*;
+
+use super::*;
+
+/// Makes a component that counts its runs, and a tree of it that is ticked 100 times per second.
+macro_rules! counter {
+    ($($component:ident $tree:ident $(hz = $hz:literal)?;)*) => {$(
+        pub(crate) struct $component {
+            runs: u64,
+        }
+
+        #[component($(hz = $hz,)? crate = bica_core)]
+        impl $component {
+            const fn new() -> Self {
+                Self { runs: 0 }
+            }
+
+            fn step(&mut self) {
+                self.runs += 1;
+            }
+        }
+
+        activation_tree! {
+            pub(crate) struct $tree { root: $component, cycle_hz: 100, components: [$component], crate: bica_core }
+        }
+    )*};
+}
+counter! {
+    Always AlwaysTree;
+    Hundred HundredTree hz = 100;
+    NinetyNine NinetyNineTree hz = 99;
+    SixtyOne SixtyOneTree hz = 61.7;
+    Fifty FiftyTree hz = 50;
+    Thirty ThirtyTree hz = 30;
+    Odd OddTree hz = 33.3;
+    Slow SlowTree hz = 0.7;
+}
+
+/// Ticks of the clock in a cycle, in a second and in a year.
+const CYCLE: u64 = 10_000;
+const SECOND: u64 = 1_000_000;
+const YEAR: u64 = 365 * 24 * 3600 * SECOND;
+
+/// Ticks a new tree at these instants; the runs of its root after each tick.
+macro_rules! runs_of {
+    ($component:ident in $tree:ident at $instants:expr) => {{
+        let mut tree = $tree::new();
+        $instants
+            .into_iter()
+            .map(|ticks: u64| {
+                tree.tick(Instant::from_ticks(ticks));
+                tree.get::<$component>().runs
+            })
+            .collect::<Vec<u64>>()
+    }};
+}
+
+/// The instant of tick `n`, deterministic noise of at most `spread` ticks to either side.
+fn jittered(start: u64, spread: u64) -> impl Fn(u64) -> u64 {
+    move |n| {
+        let noise = n.wrapping_add(start).wrapping_mul(0x9e37_79b9_7f4a_7c15).rotate_left(29) >> 20;
+        start + CYCLE * n + noise % (2 * spread + 1) - spread
+    }
+}
+
+/// Whether the number of runs is the number of periods in the time since the first tick, ± 1, after each tick.
+fn keeps(hz: f64, instants: &[u64], runs: &[u64]) -> Result<(), TestCaseError> {
+    for (&now, &runs) in instants.iter().zip(runs) {
+        let periods = (now - instants[0]) as f64 / SECOND as f64 * hz;
+        // The first run is at the beginning of the first period.
+        let missing = periods + 1.0 - runs as f64;
+        prop_assert!((-1.0..2.0).contains(&missing), "{runs} runs in {periods} periods");
+    }
+    Ok(())
+}
+
+#[test]
+fn every_second_tick_one_microsecond_early_loses_no_run() {
+    let instants = (0..10_000).map(|n| CYCLE * n - n % 2);
+    assert_eq!(runs_of!(Hundred in HundredTree at instants).last(), Some(&10_000));
+}
+
+#[test]
+fn a_clock_of_whole_milliseconds_loses_no_run() {
+    let instants = (0..10_000).map(|n: u64| (CYCLE * n + 700 * (n % 2) + 400) / 1000 * 1000);
+    assert_eq!(runs_of!(Hundred in HundredTree at instants).last(), Some(&10_000));
+}
+
+#[test]
+fn small_jitter_loses_no_run_near_the_cycle_rate() {
+    let instants: Vec<u64> = (0..10_000).map(jittered(SECOND, 10)).collect();
+    assert_eq!(runs_of!(Hundred in HundredTree at instants).last(), Some(&10_000));
+    let instants: Vec<u64> = (0..=10_000).map(jittered(SECOND, 100)).collect();
+    let runs = runs_of!(NinetyNine in NinetyNineTree at instants.iter().copied());
+    assert!((9900..=9901).contains(&runs[10_000]), "{} runs", runs[10_000]);
+}
+
+#[test]
+fn an_hour_at_30_hz_has_108_000_runs() {
+    let runs = runs_of!(Thirty in ThirtyTree at (0..360_000).map(|n| CYCLE * n));
+    assert!((107_999..=108_001).contains(&runs[359_999]), "{} runs", runs[359_999]);
+}
+
+pub(crate) struct Fast {
+    runs: u64,
+}
+
+#[component(hz = 1500, crate = bica_core)]
+impl Fast {
+    const fn new() -> Self {
+        Self { runs: 0 }
+    }
+
+    fn step(&mut self) {
+        self.runs += 1;
+    }
+}
+
+activation_tree! {
+    pub(crate) struct FastTree { root: Fast, cycle_hz: 2000, components: [Fast], crate: bica_core }
+}
+
+#[test]
+fn a_minute_at_1500_hz_has_90_000_runs() {
+    let runs = runs_of!(Fast in FastTree at (0..120_000).map(|n| 500 * n));
+    assert!((89_999..=90_001).contains(&runs[119_999]), "{} runs", runs[119_999]);
+}
+
+#[test]
+fn ten_days_at_30_hz_after_a_century_of_uptime_have_25_920_000_runs() {
+    let mut tree = ThirtyTree::new();
+    for n in 0..86_400_000 {
+        tree.tick(Instant::from_ticks(100 * YEAR + CYCLE * n));
+    }
+    let runs = tree.get::<Thirty>().runs;
+    assert!((25_919_999..=25_920_001).contains(&runs), "{runs} runs");
+}
+
+#[test]
+fn a_year_shifts_no_grid_point_by_a_quarter_of_a_cycle() {
+    let mut tree = SlowTree::new();
+    let period = SECOND as f64 / f64::from(0.7_f32);
+    let points = (YEAR as f64 / period) as u64;
+    for k in 0..points {
+        // Late by less than a period, but not before the window of the grid point begins.
+        tree.tick(Instant::from_ticks((k as f64 * period) as u64 - u64::from(k > 0) * (CYCLE / 4 - 2)));
+        assert_eq!(tree.get::<Slow>().runs, k + 1);
+        if k > 0 {
+            continue;
+        }
+        tree.tick(Instant::from_ticks(period as u64 - CYCLE / 4 - 2));
+        assert_eq!(tree.get::<Slow>().runs, 1, "not before the window");
+    }
+    let next = points as f64 * period;
+    tree.tick(Instant::from_ticks(next as u64 - CYCLE / 4 - 2));
+    assert_eq!(tree.get::<Slow>().runs, points, "not before the window");
+    tree.tick(Instant::from_ticks(next as u64 - CYCLE / 4 + 2));
+    assert_eq!(tree.get::<Slow>().runs, points + 1);
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(200))]
+
+    #[test]
+    fn ticks_within_half_a_cycle_of_their_schedule_lose_and_add_no_run(
+        noise in prop::collection::vec(-4_999..=4_999_i64, 500..2000),
+        start in 0..YEAR,
+    ) {
+        let mut instants: Vec<u64> = (1..).zip(&noise).map(|(n, &noise)| (start + CYCLE * n).saturating_add_signed(noise)).collect();
+        instants.sort_unstable();
+        keeps(100.0, &instants, &runs_of!(Hundred in HundredTree at instants.iter().copied()))?;
+        keeps(99.0, &instants, &runs_of!(NinetyNine in NinetyNineTree at instants.iter().copied()))?;
+        keeps(f64::from(61.7_f32), &instants, &runs_of!(SixtyOne in SixtyOneTree at instants.iter().copied()))?;
+        keeps(50.0, &instants, &runs_of!(Fifty in FiftyTree at instants.iter().copied()))?;
+        keeps(f64::from(33.3_f32), &instants, &runs_of!(Odd in OddTree at instants.iter().copied()))?;
+        keeps(30.0, &instants, &runs_of!(Thirty in ThirtyTree at instants.iter().copied()))?;
+        keeps(f64::from(0.7_f32), &instants, &runs_of!(Slow in SlowTree at instants.iter().copied()))?;
+    }
+
+    #[test]
+    fn ticks_within_half_a_cycle_of_the_first_one_s_schedule_all_run_at_the_cycle_rate(
+        noise in prop::collection::vec(-4_999..=4_999_i64, 500..2000),
+    ) {
+        let instants = (1..).zip(&noise).map(|(n, &noise)| (CYCLE * n).saturating_add_signed(noise));
+        let runs = runs_of!(Hundred in HundredTree at [0].into_iter().chain(instants));
+        prop_assert_eq!(runs.last(), Some(&(noise.len() as u64 + 1)));
+    }
+
+    #[test]
+    fn a_coarse_clock_loses_and_adds_no_run(grain in 1..5_000_u64, phase in 0..10_000_u64) {
+        let instants: Vec<u64> = (0..2000).map(|n| (phase + CYCLE * n) / grain * grain).collect();
+        keeps(100.0, &instants, &runs_of!(Hundred in HundredTree at instants.iter().copied()))?;
+        keeps(99.0, &instants, &runs_of!(NinetyNine in NinetyNineTree at instants.iter().copied()))?;
+        keeps(30.0, &instants, &runs_of!(Thirty in ThirtyTree at instants.iter().copied()))?;
+    }
+
+    #[test]
+    fn modulated_rates_lose_and_add_no_run(
+        hz in 0.05_f32..100.0,
+        noise in prop::collection::vec(-4_999..=4_999_i64, 500..2000),
+        start in 0..100 * YEAR,
+    ) {
+        let mut instants: Vec<u64> = (1..).zip(&noise).map(|(n, &noise)| (start + CYCLE * n).saturating_add_signed(noise)).collect();
+        instants.sort_unstable();
+        let mut tree = AlwaysTree::new();
+        tree.rate_mut::<Always>().set(hz);
+        let mut runs = Vec::new();
+        for &now in &instants {
+            tree.tick(Instant::from_ticks(now));
+            runs.push(tree.get::<Always>().runs);
+        }
+        keeps(f64::from(hz), &instants, &runs)?;
+    }
+}

@@ -1,0 +1,272 @@
+//! A tick that unwinds: what was active is stopped at the beginning of the next one, and then all starts anew.
+
+use std::cell::Cell;
+use std::collections::BTreeSet;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::Once;
+
+use bica_core::ComponentId;
+use proptest::prelude::*;
+
+use super::*;
+
+thread_local! {
+    /// Calls of user code that are left before one panics.
+    static FUSE: Cell<u32> = const { Cell::new(u32::MAX) };
+}
+
+thread_local! {
+    /// The first rule that was broken: a panic would be caught like those of the test.
+    static BROKEN: Cell<Option<&'static str>> = const { Cell::new(None) };
+}
+
+/// Records a broken rule.
+fn require(holds: bool, rule: &'static str) {
+    if !holds {
+        BROKEN.set(BROKEN.get().or(Some(rule)));
+    }
+}
+
+/// Message of the panics that the tests cause.
+const EXPECTED: &str = "a panic caused by the test";
+
+/// Stands in all user code of the test tree: panics when the fuse has burnt down.
+fn code() {
+    let left = FUSE.get();
+    FUSE.set(left.wrapping_sub(1));
+    assert!(left != 0, "{EXPECTED}");
+}
+
+/// A component that counts the calls of its hooks and notes whether it ran without being started.
+macro_rules! fragile {
+    ($name:ident($($option:tt)*) { $($functions:tt)* }) => {
+        pub(crate) struct $name {
+            started: i32,
+            stopped: i32,
+        }
+
+        #[component($($option)* crate = bica_core)]
+        impl $name {
+            const fn new() -> Self {
+                Self { started: 0, stopped: 0 }
+            }
+
+            #[start]
+            fn woke(&mut self) {
+                require(self.started == self.stopped, "started twice");
+                self.started += 1;
+                code();
+            }
+
+            #[stop]
+            fn slept(&mut self) {
+                self.stopped += 1;
+                require(self.started == self.stopped, "stopped without a start");
+                code();
+            }
+
+            $($functions)*
+        }
+    };
+}
+
+fragile!(Leaf(hz = 50,) {
+    fn step(&mut self) {
+        require(self.started == self.stopped + 1, "runs without a start");
+        code();
+    }
+});
+
+fragile!(Shared() {
+    fn step(&mut self, _: &mut Leaf) {
+        require(self.started == self.stopped + 1, "runs without a start");
+        code();
+    }
+});
+
+/// A machine that changes its state in each run.
+macro_rules! mover {
+    ($name:ident($($option:tt)*), $first:ty, $second:ty) => {
+        fragile!($name($($option)*) {
+            #[state(initial)]
+            fn first(&mut self, _: $first) {
+                code();
+            }
+
+            #[state]
+            fn second(&mut self, _: $second) {
+                code();
+            }
+
+            #[transition(first -> second)]
+            fn on(&self) -> bool {
+                require(self.started == self.stopped + 1, "runs without a start");
+                code();
+                true
+            }
+
+            #[transition(second -> first)]
+            fn back(&self) -> bool {
+                require(self.started == self.stopped + 1, "runs without a start");
+                code();
+                true
+            }
+
+            #[entry(first | second)]
+            fn enter(&mut self) {
+                code();
+            }
+
+            #[exit(second)]
+            fn leave(&mut self) {
+                code();
+            }
+        });
+    };
+}
+mover!(Left(), &mut Leaf, &Shared);
+mover!(Right(resume,), &Shared, &mut Leaf);
+mover!(Root(hz = 100,), &Left, &mut Right);
+
+activation_tree! {
+    pub(crate) struct Fragile {
+        root: Root,
+        cycle_hz: 100,
+        components: [Leaf, Root, Right, Shared, Left],
+        crate: bica_core,
+    }
+}
+
+/// The components that were started and not stopped.
+fn open(tree: &Fragile) -> BTreeSet<ComponentId> {
+    let each = [
+        (Fragile::id::<Leaf>(), tree.get::<Leaf>().started - tree.get::<Leaf>().stopped),
+        (Fragile::id::<Root>(), tree.get::<Root>().started - tree.get::<Root>().stopped),
+        (Fragile::id::<Right>(), tree.get::<Right>().started - tree.get::<Right>().stopped),
+        (Fragile::id::<Shared>(), tree.get::<Shared>().started - tree.get::<Shared>().stopped),
+        (Fragile::id::<Left>(), tree.get::<Left>().started - tree.get::<Left>().stopped),
+    ];
+    each.into_iter().filter(|(_, open)| *open == 1).map(|(id, _)| id).collect()
+}
+
+/// Ticks a tree whose fuse may burn down; returns whether the tick unwound.
+fn unwinds(tree: &mut Fragile, ms: u64, fuse: u32) -> bool {
+    FUSE.set(fuse);
+    let ticked = catch_unwind(AssertUnwindSafe(|| tree.tick(at(ms))));
+    FUSE.set(u32::MAX);
+    ticked.is_err()
+}
+
+/// Runs a test without printing the panics that it causes, and fails if a rule was broken.
+fn without_messages(test: impl FnOnce()) {
+    static SILENCE: Once = Once::new();
+    SILENCE.call_once(|| {
+        let hook = std::panic::take_hook();
+        std::panic::set_hook(Box::new(move |info| {
+            if !info.payload_as_str().is_some_and(|text| text.contains(EXPECTED)) {
+                hook(info);
+            }
+        }));
+    });
+    test();
+    assert_eq!(BROKEN.take(), None);
+}
+
+/// The components in the order in which they stop.
+const FROM_ABOVE: [&str; 5] = ["Root", "Right", "Left", "Shared", "Leaf"];
+
+#[test]
+fn after_unwinding_everything_stops_activators_first_and_starts_anew() {
+    without_messages(|| {
+        let mut tree = Fragile::new();
+        tree.tick(at(0));
+        tree.tick(at(10));
+        assert_eq!(open(&tree), tree.active().collect());
+        assert!(unwinds(&mut tree, 20, 3));
+        let active: Vec<_> = tree.active().map(|id| Fragile::GRAPH.nodes[id.index()].name).collect();
+        let expected: Vec<_> =
+            FROM_ABOVE.iter().filter(|name| active.contains(name)).map(|name| format!("stop {name}")).collect();
+        assert!(expected.len() > 2);
+        let lines = cycle(&mut tree, 30);
+        assert_eq!(lines[..expected.len()], expected);
+        assert_eq!(lines[expected.len()], "start Root");
+        let rest = &lines[expected.len()..];
+        assert!(rest.iter().all(|line| !line.starts_with("skip") && !line.starts_with("stop")), "{rest:?}");
+        assert_eq!(open(&tree), tree.active().collect());
+    });
+}
+
+#[test]
+fn holds_made_after_unwinding_hold_and_the_component_is_still_stopped() {
+    without_messages(|| {
+        let mut tree = Fragile::new();
+        tree.tick(at(0));
+        assert!(unwinds(&mut tree, 10, 0));
+        assert_eq!(open(&tree), tree.active().collect());
+        tree.hold::<Root>(Hold::Latent);
+        assert!(tree.is_active(Fragile::id::<Root>()), "it stops in the next tick");
+        let lines = cycle(&mut tree, 20);
+        assert!(lines.iter().all(|line| line.starts_with("stop")), "{lines:?}");
+        assert_eq!(tree.active().count(), 0);
+        tree.hold::<Root>(Hold::Tree);
+        assert_eq!(cycle(&mut tree, 30)[0], "start Root");
+    });
+}
+
+#[test]
+fn a_machine_that_resumes_begins_in_its_initial_state_after_unwinding() {
+    without_messages(|| {
+        let mut tree = Fragile::new();
+        tree.hold::<Right>(Hold::Active);
+        tree.tick(at(0));
+        tree.tick(at(10));
+        assert!(unwinds(&mut tree, 20, 0));
+        FUSE.set(u32::MAX);
+        struct First(Option<(usize, usize)>);
+        impl Probe for First {
+            fn transition(&mut self, component: ComponentId, from: usize, to: usize) {
+                if component == Fragile::id::<Right>() {
+                    self.0 = Some((from, to));
+                }
+            }
+        }
+        let mut first = First(None);
+        tree.tick_with(at(30), &mut first);
+        assert_eq!(first.0, Some((0, 1)));
+    });
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(2000))]
+
+    /// The hooks and steps themselves assert that nothing is started or stopped twice and that nothing runs without a
+    /// start.
+    #[test]
+    fn starts_and_stops_are_pairs_wherever_ticks_unwind(
+        ticks in prop::collection::vec((0..40_u32, 0..30_u64, prop::option::weighted(0.2, (0..5_usize, 0..3_usize))), 1..30),
+    ) {
+        without_messages(|| {
+            let mut tree = Fragile::new();
+            let mut now = 0;
+            for (fuse, ms, hold) in ticks {
+                now += ms;
+                if let Some((index, how)) = hold {
+                    tree.hold_at(ComponentId::new(index), [Hold::Tree, Hold::Active, Hold::Latent][how]);
+                }
+                let unwound = unwinds(&mut tree, now, fuse);
+                let active: BTreeSet<_> = tree.active().collect();
+                if unwound {
+                    assert!(open(&tree).is_subset(&active), "{:?} {active:?}", open(&tree));
+                } else {
+                    assert_eq!(open(&tree), active);
+                }
+            }
+            let mut now = now + 10;
+            for _ in 0..3 {
+                now += 10;
+                assert!(!unwinds(&mut tree, now, u32::MAX));
+                assert_eq!(open(&tree), tree.active().collect());
+            }
+        });
+    }
+}

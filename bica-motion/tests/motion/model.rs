@@ -1,0 +1,242 @@
+//! The algorithms with a second robot model, and the tables of the NAO.
+
+use bica_motion::fall::{FallDetector, FallState};
+use bica_motion::head::{HeadAngles, look_at, pitch_range};
+use bica_motion::health::{Fault, Health};
+use bica_motion::joints::{Joint, Joints};
+use bica_motion::kick::{Kick, KickMotion};
+use bica_motion::kinematics::{self, Skeleton, YawFrom, legs_angles};
+use bica_motion::model::{Nao, RobotModel};
+use bica_motion::odometry::{MotionInput, Odometry};
+use bica_motion::robot::{Buttons, CameraId, FootPressure, Inertial, Sensors};
+use bica_motion::side::Side;
+use bica_motion::walk::{Phase, Velocity, Walk};
+use glam::{Affine3A, Vec2, Vec3};
+use proptest::prelude::*;
+
+use crate::tall::Tall;
+use crate::world::{CYCLE, World, gap};
+
+fn any_angles() -> impl Strategy<Value = Joints> {
+    prop::array::uniform25(0.0_f32..=1.0).prop_map(|shares| {
+        Joints(std::array::from_fn(|i| {
+            let range = Tall::LIMITS.0[i];
+            range.min + (range.max - range.min) * shares[i]
+        }))
+    })
+}
+
+/// The ankle of the tall model, from its own lengths, with elementary rotations in f64.
+fn reference_ankle(side: Side, angles: &Joints) -> [f64; 3] {
+    let [yaw_pitch, hip_roll, hip_pitch, knee, ..] = side.leg().map(|joint| f64::from(angles[joint]));
+    let sign = f64::from(side.sign());
+    let about_y = |[x, y, z]: [f64; 3], a: f64| [a.cos() * x + a.sin() * z, y, -a.sin() * x + a.cos() * z];
+    let about_x = |[x, y, z]: [f64; 3], a: f64| [x, a.cos() * y - a.sin() * z, a.sin() * y + a.cos() * z];
+    let about_z = |[x, y, z]: [f64; 3], a: f64| [a.cos() * x - a.sin() * y, a.sin() * x + a.cos() * y, z];
+    let tilt = sign * std::f64::consts::FRAC_PI_4;
+    let [x, y, z] = about_y([0.0, 0.0, -0.14], knee);
+    let p = about_x(about_y([x, y, z - 0.17], hip_pitch), hip_roll);
+    let [x, y, z] = about_x(about_z(about_x(p, -tilt), -sign * yaw_pitch), tilt);
+    [x, y + sign * 0.075, z]
+}
+
+fn distance(a: &Affine3A, b: &Affine3A) -> f32 {
+    let turn = (a.matrix3 - b.matrix3).to_cols_array().into_iter().fold(0.0_f32, |most, v| most.max(v.abs()));
+    (a.translation - b.translation).length().max(turn)
+}
+
+proptest! {
+    #![proptest_config(crate::cases(1000))]
+
+    #[test]
+    fn forward_kinematics_use_the_lengths_of_the_model(angles in any_angles()) {
+        for side in Side::BOTH {
+            let found = kinematics::ankle::<Tall>(side, &angles).translation.to_array();
+            let wanted = reference_ankle(side, &angles);
+            for (found, wanted) in found.into_iter().zip(wanted) {
+                prop_assert!((f64::from(found) - wanted).abs() < 1e-6, "{side:?}: {found} is not {wanted}");
+            }
+        }
+    }
+
+    #[test]
+    fn inverse_kinematics_invert_the_forward_kinematics_of_the_model(angles in any_angles()) {
+        let [left, right] = Side::BOTH.map(|side| kinematics::ankle::<Tall>(side, &angles));
+        for (side, wanted) in [(Side::Left, &left), (Side::Right, &right)] {
+            let mut found = Joints::all(0.0);
+            Tall::leg_angles(side, wanted).write(side, &mut found);
+            let off = distance(&kinematics::ankle::<Tall>(side, &found), wanted);
+            prop_assert!(off < 2e-5, "{off} off");
+        }
+        let shared = angles[Joint::LHipYawPitch];
+        let legs = legs_angles::<Tall>(&left, &right, YawFrom::Angle(shared));
+        for (leg, side) in legs.iter().zip(Side::BOTH) {
+            let mut found = Joints::all(0.0);
+            leg.write(side, &mut found);
+            let wanted = if side == Side::Left { &left } else { &right };
+            let off = distance(&kinematics::ankle::<Tall>(side, &found), wanted);
+            prop_assert!(off < 2e-5, "{off} off");
+        }
+    }
+
+    #[test]
+    fn clamping_uses_the_limits_of_the_model(wild in prop::array::uniform25(-10.0_f32..10.0)) {
+        let clamped = Joints(wild).clamp_to_limits::<Tall>();
+        for (i, (&wild, clamped)) in wild.iter().zip(clamped.0).enumerate() {
+            let range = Tall::LIMITS.0[i];
+            prop_assert_eq!(clamped.to_bits(), wild.clamp(range.min, range.max).to_bits());
+        }
+    }
+}
+
+#[test]
+fn total_mass_and_continuous_currents_follow_from_the_tables() {
+    assert!((Tall::TOTAL_MASS - 20.5).abs() < 1e-4, "{}", Tall::TOTAL_MASS);
+    // 0.08 Nm at 24 V / 600 rad/s = 0.04 Nm/A.
+    assert!((Tall::CONTINUOUS_CURRENTS[Joint::LKneePitch] - 2.0).abs() < 1e-6);
+}
+
+#[test]
+fn the_second_model_stands_as_its_gait_plans() {
+    let planned = Tall::KINEMATIC_PROFILE.gait.stand::<Tall>().joints();
+    for joint in Joint::ALL {
+        assert!(
+            (Tall::STAND[joint] - planned[joint]).abs() < 1e-5,
+            "{joint:?}: {} is not {}",
+            Tall::STAND[joint],
+            planned[joint]
+        );
+    }
+    assert!(Tall::STAND.within_limits_of(Tall::JOINTS));
+    let world = World::<Tall>::standing(Tall::STAND);
+    assert!((world.robot.translation.z - 0.3225).abs() < 1e-5, "{}", world.robot.translation.z);
+    assert!(world.margin() > 0.03, "the mass is {} m inside the soles", world.margin());
+}
+
+trait WithinLimits {
+    fn within_limits_of(&self, joints: &[Joint]) -> bool;
+}
+
+impl WithinLimits for Joints {
+    fn within_limits_of(&self, joints: &[Joint]) -> bool {
+        joints.iter().all(|&joint| Tall::LIMITS[joint].contains(self[joint]))
+    }
+}
+
+#[test]
+fn the_second_model_walks_as_requested_within_its_limits() {
+    let gait = &Tall::KINEMATIC_PROFILE.gait;
+    for (forward, left, turn) in
+        [(0.25, 0.0, 0.0), (-0.15, 0.0, 0.0), (0.0, 0.1, 0.0), (0.0, -0.1, 0.0), (0.0, 0.0, 0.8), (0.15, 0.05, -0.3)]
+    {
+        let request = Velocity::new(forward, left, turn);
+        let (mut walk, mut world) = (Walk::<Tall>::new(gait), World::<Tall>::standing(Tall::STAND));
+        let mut odometry = Odometry::<Tall>::new(&Tall::KINEMATIC_PROFILE.odometry);
+        let mut last = Tall::STAND;
+        let (mut start, mut begin) = (world.ground(), odometry.pose());
+        for cycle in 0..1200 {
+            let feedback = world.body();
+            let feet = [&feedback.left_foot, &feedback.right_foot];
+            odometry.step(&MotionInput { commanded: None, angles: &world.angles, feet, gyro_turn: None });
+            if cycle == 200 {
+                (start, begin) = (world.ground(), odometry.pose());
+            }
+            let targets = walk.step(request, &feedback, CYCLE).joints();
+            assert!(targets.within_limits_of(Tall::JOINTS), "{request:?}: {targets:?}");
+            for joint in Tall::JOINTS.iter().copied() {
+                let speed = (targets[joint] - last[joint]).abs() / CYCLE;
+                assert!(speed <= 1.25 * Tall::MAX_SPEEDS[joint], "{request:?}: {joint:?} at {speed} rad/s");
+            }
+            last = targets;
+            world.step(&targets);
+            assert!(world.margin() > 0.005, "{request:?}: the mass is {} m inside the soles", world.margin());
+            assert!(gap::<Tall>([&world.sole(Side::Left), &world.sole(Side::Right)]) > 0.002, "the feet touch");
+        }
+        assert_eq!(walk.phase(), Phase::Walking);
+        let moved = start.inverse() * world.ground();
+        let believed = begin.inverse() * odometry.pose();
+        if turn == 0.0 {
+            let wanted = 10.0 * Vec2::new(forward, left);
+            assert!(moved.position.distance(wanted) < 0.1 * wanted.length(), "{request:?}: {moved:?}");
+        }
+        assert!(moved.position.distance(believed.position) < 0.15, "{request:?}: {moved:?}, not {believed:?}");
+    }
+}
+
+#[test]
+fn the_second_model_kicks_and_returns_to_its_stand() {
+    for foot in Side::BOTH {
+        let kick = Kick { foot, ..Kick::ALL[0] };
+        let mut motion = KickMotion::<Tall>::new(kick, Tall::KINEMATIC_PROFILE);
+        let mut world = World::<Tall>::standing(Tall::STAND);
+        let mut farthest = 0.0_f32;
+        while !motion.is_done() {
+            let targets = motion.step(&world.body(), CYCLE).joints();
+            assert!(targets.within_limits_of(Tall::JOINTS), "{targets:?}");
+            world.step(&targets);
+            assert!(world.margin() > 0.005, "the mass is {} m inside the soles", world.margin());
+            farthest = farthest.max(world.sole(foot).translation.x);
+        }
+        assert!((0.15..0.2).contains(&farthest), "the foot swings to {farthest} m");
+        for joint in Tall::JOINTS.iter().copied() {
+            assert!((world.angles[joint] - Tall::STAND[joint]).abs() < 0.02, "{joint:?}");
+        }
+    }
+}
+
+#[test]
+fn the_head_uses_the_limits_and_cameras_of_the_model() {
+    let near = |found: f32, wanted: f32| (found.to_degrees() - wanted).abs() < 1e-3;
+    assert!(near(pitch_range::<Tall>(0.0).max, 40.0) && near(pitch_range::<Tall>(f32::to_radians(45.0)).max, 30.0));
+    let clamped = HeadAngles { yaw: 3.0, pitch: 1.0 }.clamped::<Tall>();
+    assert!(near(clamped.yaw, 90.0) && near(clamped.pitch, 20.0), "{clamped:?}");
+    let point = Vec3::new(1.0, 0.0, -0.3);
+    for camera in [CameraId::Top, CameraId::Bottom] {
+        let mut angles = Joints::all(0.0);
+        look_at::<Tall>(camera, point).write(&mut angles);
+        let seen = Skeleton::<Tall>::of(&angles).camera(camera).inverse().transform_point3(point);
+        assert!(seen.x > 0.0 && seen.y.abs() < 1e-5, "{seen}");
+    }
+}
+
+#[test]
+fn a_tilt_between_the_fall_limits_of_two_models_is_a_fall_of_one() {
+    let inertial = Inertial { pitch: 0.5, acceleration: Vec3::new(0.0, 0.0, 9.81), ..Inertial::default() };
+    let (mut nao, mut tall) = (FallDetector::<Nao>::new(), FallDetector::<Tall>::new());
+    for _ in 0..10 {
+        nao.step(&inertial, CYCLE);
+        tall.step(&inertial, CYCLE);
+    }
+    assert!(nao.state().is_upright());
+    assert!(matches!(tall.state(), FallState::Falling(_)), "{:?}", tall.state());
+}
+
+/// The fault after 300 cycles in stand with a knee at this temperature, °C.
+fn fault<M: RobotModel>(temperature: f32) -> Option<Fault> {
+    let mut health = Health::<M>::new();
+    let foot = FootPressure { front_left: 100.0, ..FootPressure::default() };
+    let mut temperatures = Joints::all(40.0);
+    temperatures[Joint::LKneePitch] = temperature;
+    for cycle in 0..300_u16 {
+        let inertial = Inertial { gyro: Vec3::splat(f32::from(cycle)), acceleration: Vec3::Z, ..Inertial::default() };
+        let sensors = Sensors {
+            angles: M::STAND,
+            temperatures,
+            currents: Joints::all(0.1),
+            inertial,
+            left_foot: foot,
+            right_foot: foot,
+            buttons: Buttons::default(),
+            image: None,
+        };
+        health.step(&sensors, &M::STAND, &Joints::all(1.0));
+    }
+    health.fault()
+}
+
+#[test]
+fn health_uses_the_thermal_limits_of_the_model() {
+    assert_eq!(fault::<Nao>(76.0), Some(Fault::Hot(Joint::LKneePitch)));
+    assert_eq!(fault::<Tall>(76.0), None);
+    assert_eq!(fault::<Tall>(91.0), Some(Fault::Hot(Joint::LKneePitch)));
+}
