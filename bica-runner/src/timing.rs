@@ -90,10 +90,10 @@ mod tests {
     }
 
     #[test]
-    fn the_longest_possible_duration_is_counted_in_the_last_class() {
+    fn a_duration_beyond_the_classes_is_counted_in_the_last_one() {
         let mut timing = Timing::new();
-        timing.add(Duration::MAX);
+        timing.add(Duration::from_secs(1 << 40));
         assert_eq!(timing.classes[CLASSES - 1], 1);
-        assert_eq!(timing.max().as_micros(), u64::MAX);
+        assert_eq!(timing.max().as_secs(), 1 << 40);
     }
 }

@@ -249,5 +249,5 @@ impl<T: Tree, S: Stage<T>> Harness<T, S> {
 }
 
 fn seconds(duration: Duration) -> f64 {
-    duration.as_micros() as f64 * 1e-6
+    duration.as_micros() as f64 / 1e6
 }

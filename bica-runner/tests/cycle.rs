@@ -1,0 +1,163 @@
+//! The order of a cycle, and what an observer sees of it.
+
+use bica_core::{ComponentId, Hold, Instant, Probe, Tree};
+use bica_macros::{activation_tree, component};
+use bica_runner::{Cycle, Observer, Request, Requests, Robot, Runner, World};
+
+struct Input(i32);
+
+#[component(crate = bica_core)]
+impl Input {
+    const fn new() -> Self {
+        Self(0)
+    }
+}
+
+struct Double(i32);
+
+#[component(crate = bica_core)]
+impl Double {
+    const fn new() -> Self {
+        Self(0)
+    }
+
+    fn step(&mut self, input: &Input) {
+        self.0 = 2 * input.0;
+    }
+}
+
+activation_tree! {
+    struct Doubler { root: Double, cycle_hz: 100, components: [Double, Input], crate: bica_core }
+}
+
+/// Negative values are refused.
+#[derive(Debug, PartialEq)]
+struct Negative(i32);
+
+impl Robot for Doubler {
+    type Sensors<'a> = &'a i32;
+    type Command = i32;
+    type Error = Negative;
+
+    fn sense(&mut self, sensors: &&i32) -> Result<(), Negative> {
+        if **sensors < 0 {
+            return Err(Negative(**sensors));
+        }
+        self.get_mut::<Input>().0 = **sensors;
+        Ok(())
+    }
+
+    fn act(&mut self) -> i32 {
+        self.get::<Double>().0
+    }
+}
+
+/// Gives these values, one a cycle, and keeps the commands.
+struct Script {
+    values: Vec<i32>,
+    commands: Vec<i32>,
+}
+
+impl World<Doubler> for Script {
+    fn now(&self) -> Instant {
+        Instant::from_millis(10 * self.commands.len() as u64)
+    }
+
+    fn sensors(&mut self) -> &i32 {
+        &self.values[self.commands.len()]
+    }
+
+    fn act(&mut self, command: &i32) {
+        self.commands.push(*command);
+    }
+}
+
+fn script(values: &[i32]) -> Script {
+    Script { values: values.to_vec(), commands: Vec::new() }
+}
+
+/// Writes down what it sees.
+#[derive(Default)]
+struct Log(Vec<String>);
+
+impl Probe for Log {
+    fn cycle_begin(&mut self, now: Instant) {
+        self.0.push(format!("tick at {} ms", now.as_millis()));
+    }
+
+    fn run(&mut self, component: ComponentId) {
+        self.0.push(format!("run {}", Doubler::GRAPH.nodes[component.index()].name));
+    }
+
+    fn cycle_end(&mut self) {
+        self.0.push("end of tick".to_owned());
+    }
+}
+
+impl Observer<Doubler> for Log {
+    fn requested(&mut self, _now: Instant, request: &Request) {
+        self.0.push(format!("{request:?}"));
+    }
+
+    fn sensing(&mut self, _now: Instant, sensors: &&i32) {
+        self.0.push(format!("sensing {sensors}"));
+    }
+
+    fn sensed(&mut self) {
+        self.0.push("sensed".to_owned());
+    }
+
+    fn acted(&mut self, cycle: &Cycle<'_, Doubler>) {
+        assert_eq!(cycle.robot.get::<Double>().0, *cycle.command);
+        self.0.push(format!("command {} at {} ms", cycle.command, cycle.now.as_millis()));
+    }
+}
+
+/// One request before the second cycle.
+struct HoldSecond(Option<Request>);
+
+impl Requests for HoldSecond {
+    fn next(&mut self, now: Instant) -> Option<Request> {
+        self.0.take_if(|_| now >= Instant::from_millis(10))
+    }
+}
+
+#[test]
+fn a_cycle_is_requests_sense_tick_act_and_the_observer_sees_each() {
+    let hold = Request::Hold { component: Doubler::id::<Double>(), hold: Hold::Latent };
+    let runner = Runner::new(Box::new(Doubler::new()), script(&[3, 4]));
+    let mut runner = runner.with_requests(HoldSecond(Some(hold))).with_observer(Log::default());
+    assert_eq!(runner.cycle(), Ok(6));
+    assert_eq!(runner.cycle(), Ok(6), "held latent, the root keeps its last value");
+    assert_eq!(runner.world().commands, [6, 6]);
+    let hold = format!("{hold:?}");
+    let first = ["sensing 3", "sensed", "tick at 0 ms", "run Input", "run Double", "end of tick", "command 6 at 0 ms"];
+    let second = [&hold, "sensing 4", "sensed", "tick at 10 ms", "end of tick", "command 6 at 10 ms"];
+    let seen: Vec<&str> = runner.observer().0.iter().map(String::as_str).filter(|line| *line != "run Input").collect();
+    let first = first.into_iter().filter(|line| *line != "run Input");
+    assert_eq!(seen, first.chain(second).collect::<Vec<_>>());
+}
+
+#[test]
+fn refused_sensor_values_end_the_cycle_before_the_tick() {
+    let mut runner = Runner::new(Box::new(Doubler::new()), script(&[1, -7])).with_observer(Log::default());
+    assert_eq!(runner.cycle(), Ok(2));
+    let before = runner.observer().0.len();
+    assert_eq!(runner.cycle(), Err(Negative(-7)));
+    assert_eq!(runner.observer().0[before..], ["sensing -7", "sensed"]);
+    assert_eq!(runner.world().commands, [2]);
+}
+
+#[test]
+fn values_that_come_as_messages_give_the_same_commands_as_a_world() {
+    let values = [5, 2, 9, 0];
+    let mut runner = Runner::new(Box::new(Doubler::new()), ());
+    let commands = values.map(|value| {
+        runner.sense(Instant::MIN, &&value).expect("not negative");
+        runner.think(Instant::MIN)
+    });
+    let mut closed = Runner::new(Box::new(Doubler::new()), script(&values));
+    values.iter().for_each(|_| assert!(closed.cycle().is_ok()));
+    assert_eq!(commands.as_slice(), closed.world().commands);
+    assert_eq!(commands, [10, 4, 18, 0]);
+}
