@@ -85,12 +85,7 @@ impl<B: Board> Controller<B> {
     }
 
     /// Handles a message. `link` are the packet counts before it.
-    pub(crate) async fn receive(
-        &mut self,
-        message: &ToRobot<'_>,
-        link: LinkStats,
-        tx: &mut MessageTx<impl Write>,
-    ) {
+    pub(crate) async fn receive(&mut self, message: &ToRobot<'_>, link: LinkStats, tx: &mut MessageTx<impl Write>) {
         self.last_message = Instant::now();
         match message {
             ToRobot::Hello(hello) => self.start_game(hello, tx).await,
