@@ -1,4 +1,4 @@
-//! CameraSelector control: the ball in the middle of the image.
+//! Control of head and camera selection: keeps the ball in the middle of the image.
 
 use bica::prelude::*;
 use bica_motion::robot::CameraId;
