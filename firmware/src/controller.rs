@@ -2,12 +2,12 @@
 
 use bica::runner::Runner;
 use bica::{ComponentId, Instant, Tree};
-use bica_motion::model::{Nao, RobotModel};
+use bica_motion::model::RobotModel;
 use bica_motion::robot;
 use bica_motion::stiffness::Stiffness;
-use bica_player::Forward;
 use bica_player::input::IMAGE_BYTES;
 use bica_player::perception::{BallDetector, GoalDetector};
+use bica_player::{Forward, Model};
 use bica_wire::message::{ClockMode, Command, Hello, Identity, LinkStats, Sensors, Telemetry};
 use bica_wire::{FromRobot, ImageBuffer, SCHEMA, ToRobot, describe};
 use embassy_time::Duration;
@@ -85,12 +85,7 @@ impl<B: Board> Controller<B> {
     }
 
     /// Handles a message. `link` are the packet counts before it.
-    pub(crate) async fn receive(
-        &mut self,
-        message: &ToRobot<'_>,
-        link: LinkStats,
-        tx: &mut MessageTx<impl Write>,
-    ) {
+    pub(crate) async fn receive(&mut self, message: &ToRobot<'_>, link: LinkStats, tx: &mut MessageTx<impl Write>) {
         self.last_message = Instant::now();
         match message {
             ToRobot::Hello(hello) => self.start_game(hello, tx).await,
@@ -202,8 +197,8 @@ impl<B: Board> Controller<B> {
 /// Command of the safe stop: the robot stands, with the stiffness declared for that.
 fn stand() -> robot::Command {
     robot::Command {
-        targets: Nao::STAND,
-        stiffness: Stiffness::Stand.joints::<Nao>(),
+        targets: Model::STAND,
+        stiffness: Stiffness::Stand.joints::<Model>(),
         lights: robot::Lights::default(),
         camera: robot::CameraId::default(),
     }

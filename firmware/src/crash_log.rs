@@ -53,8 +53,7 @@ pub(crate) fn write(message: impl core::fmt::Display) {
     let bytes = writer.0.as_bytes();
     let mut text = [0; MAX_LENGTH];
     text[..bytes.len()].copy_from_slice(bytes);
-    let mut record =
-        Record { magic: MAGIC, restarts: read().restarts + 1, length: bytes.len() as u32, text, crc: 0 };
+    let mut record = Record { magic: MAGIC, restarts: read().restarts + 1, length: bytes.len() as u32, text, crc: 0 };
     record.crc = crc(&record);
     // SAFETY: as in `read`.
     unsafe { addr_of_mut!(RECORD).write_volatile(MaybeUninit::new(record)) };

@@ -85,7 +85,8 @@ fn masses_are_those_published_and_mirrored() {
 fn lengths_are_those_published() {
     let it = Nao::DIMENSIONS;
     let lengths = [it.hip.y, it.thigh, it.tibia, it.foot_height, it.neck.z, it.shoulder.y, it.shoulder.z];
-    assert_eq!(lengths, [0.05, 0.1, 0.1029, 0.045_19, 0.2115, 0.098, 0.185]);
+    let published = [0.05_f32, 0.1, 0.1029, 0.045_19, 0.2115, 0.098, 0.185];
+    assert_eq!(lengths.map(f32::to_bits), published.map(f32::to_bits));
     assert!((it.leg_length() - 0.248_09).abs() < 1e-6);
     assert_eq!(it.top_camera.position, Vec3::new(0.058_71, 0.0, 0.063_64));
     assert_eq!(it.bottom_camera.position, Vec3::new(0.050_71, 0.0, 0.017_74));

@@ -103,11 +103,11 @@ fn chunks_of_every_length_are_received() {
     let content = [255; 1024];
     for bytes in (0..=content.len()).map(|length| &content[..length]) {
         let message = ToRobot::ImageChunk(ImageChunk { image_id: u32::MAX, offset: 1, bytes });
-        let mut heard = Vec::new();
+        let mut equal = Vec::new();
         decode(&mut Decoder::new(), &packets(std::slice::from_ref(&message)).concat(), |got, _| {
-            heard.push(got.as_ref() == Some(&message));
+            equal.push(got.as_ref() == Some(&message));
         });
-        assert_eq!(heard, [true], "{} bytes", bytes.len());
+        assert_eq!(equal, [true], "{} bytes", bytes.len());
     }
 }
 

@@ -68,6 +68,7 @@ mod tests {
     }
 
     #[test]
+    #[expect(clippy::large_stack_arrays, reason = "the stack of a run is under test")]
     fn a_run_has_room_for_a_large_tree_on_its_stack() {
         let deep = |_| {
             let room = [1_u8; 16 << 20];

@@ -64,7 +64,7 @@ impl Row {
 fn line_of(text: &str, byte: usize) -> usize {
     let rest = text.get(byte..).unwrap_or("");
     let blank = rest.len() - rest.trim_start_matches(['\r', '\n']).len();
-    1 + text.as_bytes()[..byte + blank].iter().filter(|byte| **byte == b'\n').count()
+    1 + text.get(..byte + blank).map_or(0, |before| before.matches('\n').count())
 }
 
 #[cfg(test)]

@@ -1,5 +1,5 @@
 //! Outer shells of a NAO: lofts and primitive shapes per segment, in the segment's frame, for the left side; the right side is the
-//! mirror image. Modelled after photographs of the robots of 2009, around the lengths of `bica_motion::dimensions`.
+//! mirror image. Modelled after photographs of the robots of 2009, around the lengths of the robot model.
 
 use core::f32::consts::FRAC_PI_2;
 use std::fmt::Write;

@@ -30,7 +30,7 @@ pub struct Detectors {
     colours: ColourTable,
     /// Radius of the ball, m.
     radius: f32,
-    detectors: pipeline::Pipeline<512, 512>,
+    pipeline: pipeline::Pipeline<512, 512>,
 }
 
 /// Detections in an image. Pixels: x right, y down, the centre of the first pixel is (0, 0).
@@ -138,7 +138,7 @@ impl Detectors {
     /// Detectors for a ball of `radius` metres.
     #[must_use]
     pub fn new(colours: ColourTable, radius: f32) -> Self {
-        Self { colours, radius, detectors: pipeline::Pipeline::new(radius) }
+        Self { colours, radius, pipeline: pipeline::Pipeline::new(radius) }
     }
 
     /// Runs the detectors on an image.
@@ -153,9 +153,9 @@ impl Detectors {
         let began = Instant::now();
         let own = camera.map_or(OwnBody::NONE, |camera| OwnBody::standing::<Nao>(camera, CAMERA));
         let seen = match &self.colours {
-            ColourTable::Compact(table) => self.detectors.detect_with_body(&frame, &**table, camera, &own),
+            ColourTable::Compact(table) => self.pipeline.detect_with_body(&frame, &**table, camera, &own),
             ColourTable::Full(cells) => {
-                self.detectors.detect_with_body(&frame, &FullTable::from(&**cells), camera, &own)
+                self.pipeline.detect_with_body(&frame, &FullTable::from(&**cells), camera, &own)
             }
         };
         let wall_ms = 1e3 * began.elapsed().as_secs_f64();

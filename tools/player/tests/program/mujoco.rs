@@ -14,6 +14,7 @@ mod with_mujoco {
     use bica::{Instant, Tree};
     use bica_motion::health::Fault;
     use bica_motion::joints::Joint;
+    use bica_motion::model::{Nao, RobotModel};
     use bica_player::Forward;
     use bica_player::behaviour::SafetyGuard;
     use bica_player::input::{HealthMonitor, RobotProfile};
