@@ -157,7 +157,9 @@ fn values_that_come_as_messages_give_the_same_commands_as_a_world() {
         runner.think(Instant::MIN)
     });
     let mut closed = Runner::new(Box::new(Doubler::new()), script(&values));
-    values.iter().for_each(|_| assert!(closed.cycle().is_ok()));
+    for _ in values {
+        assert!(closed.cycle().is_ok());
+    }
     assert_eq!(commands.as_slice(), closed.world().commands);
     assert_eq!(commands, [10, 4, 18, 0]);
 }

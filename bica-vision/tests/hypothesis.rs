@@ -90,7 +90,7 @@ proptest! {
         let ends = |height: f32| camera.pixel(place.extend(0.0)).zip(camera.pixel(place.extend(height)));
         let believed = leaning(&camera, Vec2::new(x, y));
         let fits = |believed: &Camera, height: f32| {
-            let Some((foot, top)) = ends(height) else { return height == FIELD.goal_height() };
+            let Some((foot, top)) = ends(height) else { return height.to_bits() == FIELD.goal_height().to_bits() };
             hypothesis::is_as_high(believed, foot, top, FIELD.goal_height(), &Errors::NAO)
         };
         prop_assert!(fits(&camera, FIELD.goal_height()));

@@ -77,7 +77,7 @@ fn explore<T: Subject>(shape: &Shape, scope: Scope) -> u64 {
                 if let Some((index, hold)) = step.hold {
                     model.components[index].hold = hold;
                 }
-                model.tick(shape, &step.answers, &mut expected);
+                model.tick(shape, step.answers, &mut expected);
                 if is_redundant(shape, &step, &expected) {
                     continue;
                 }

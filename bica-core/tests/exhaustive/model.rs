@@ -47,12 +47,12 @@ impl Model {
     }
 
     /// One cycle, in which each machine that runs goes to the state of its answer.
-    pub(crate) fn tick(&mut self, shape: &Shape, answers: &[u8; COMPONENTS], events: &mut Vec<Event>) {
+    pub(crate) fn tick(&mut self, shape: &Shape, answers: [u8; COMPONENTS], events: &mut Vec<Event>) {
         events.clear();
         for memory in &mut self.components {
             memory.since += 1;
         }
-        Cycle { shape, model: self, answers, events }.run();
+        Cycle { shape, model: self, answers: &answers, events }.run();
     }
 }
 

@@ -213,6 +213,16 @@ fn holds_made_after_unwinding_hold_and_the_component_is_still_stopped() {
     });
 }
 
+/// The last transition of `Right`.
+struct LastTransition(Option<(usize, usize)>);
+impl Probe for LastTransition {
+    fn transition(&mut self, component: ComponentId, from: usize, to: usize) {
+        if component == Fragile::id::<Right>() {
+            self.0 = Some((from, to));
+        }
+    }
+}
+
 #[test]
 fn a_machine_that_resumes_begins_in_its_initial_state_after_unwinding() {
     without_messages(|| {
@@ -222,17 +232,9 @@ fn a_machine_that_resumes_begins_in_its_initial_state_after_unwinding() {
         tree.tick(at(10));
         assert!(unwinds(&mut tree, 20, 0));
         FUSE.set(u32::MAX);
-        struct First(Option<(usize, usize)>);
-        impl Probe for First {
-            fn transition(&mut self, component: ComponentId, from: usize, to: usize) {
-                if component == Fragile::id::<Right>() {
-                    self.0 = Some((from, to));
-                }
-            }
-        }
-        let mut first = First(None);
-        tree.tick_with(at(30), &mut first);
-        assert_eq!(first.0, Some((0, 1)));
+        let mut last = LastTransition(None);
+        tree.tick_with(at(30), &mut last);
+        assert_eq!(last.0, Some((0, 1)));
     });
 }
 

@@ -63,7 +63,7 @@ proptest! {
         for (byte, flip) in packets[which][..length].iter_mut().skip(place).zip(burst) {
             *byte ^= flip;
         }
-        let zeros = packets[which][..length].iter().filter(|byte| **byte == 0).count() as u32;
+        let zeros: u32 = packets[which][..length].iter().map(|byte| u32::from(*byte == 0)).sum();
         let mut intact = messages.clone();
         intact.remove(which);
         let (mut decoder, mut received) = (Decoder::new(), 0);

@@ -142,7 +142,7 @@ impl Model {
             Some(hz) if hz <= 0.0 => return false,
             Some(hz) => SECOND / f64::from(hz),
         };
-        if period < 1.0 || period >= REST {
+        if !(1.0..REST).contains(&period) {
             return period < 1.0;
         }
         let whole = period as i128;

@@ -1,5 +1,13 @@
 //! Unusual forms that are valid: they compile and behave like the usual ones.
 
+#![expect(
+    clippy::float_cmp,
+    clippy::large_stack_arrays,
+    clippy::needless_arbitrary_self_type,
+    clippy::unused_self,
+    reason = "unusual on purpose"
+)]
+
 mod limits;
 mod names;
 mod numbers;
