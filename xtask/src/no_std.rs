@@ -5,7 +5,8 @@ use crate::install::packages;
 use crate::process::{run, works};
 
 const TARGET: &str = "thumbv7em-none-eabihf";
-const CRATES: [&str; 6] = ["bica-core", "bica-motion", "bica-vision", "bica-wire", "bica", "bica-player"];
+const CRATES: [&str; 8] =
+    ["bica-core", "bica-runner", "bica-field", "bica-motion", "bica-vision", "bica-wire", "bica", "bica-player"];
 const DEBIAN: [&str; 4] = ["rustc-web", "cargo-web", "rust-web-src", "lld"];
 
 /// Builds every crate that runs on a robot for a Cortex-M, then links the firmware image without an allocator, which fails
