@@ -1,6 +1,6 @@
 //! The budget report: what every component of the forward takes in fixed games, beside what it declares.
 //!
-//! `cargo bench --bench budget`, and `cargo bench --bench budget -- --help`.
+//! `cargo bench -p bica-benches --bench budget`, and `cargo bench -p bica-benches --bench budget -- --help`.
 //!
 //! The games are deterministic, so every run of a component does the same work whenever the game is played again. Each
 //! game is played several times, and of every run the least time counts: what the work takes, without what the machine

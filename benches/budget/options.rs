@@ -12,7 +12,7 @@ const SMALLER: &str = "For a smaller robot, whose whole chain must be within the
 /// Plays fixed games, measures every component's time per run, and prints the chain from sensing to acting beside the
 /// declared budgets and the tree's deadline. Fails if a declared budget or the deadline is exceeded.
 #[derive(Debug, Parser)]
-#[command(name = "budget", bin_name = "cargo bench --bench budget --")]
+#[command(name = "budget", bin_name = "cargo bench -p bica-benches --bench budget --")]
 pub(crate) struct Options {
     /// Size of the images: 160x120, 320x240 or 640x480
     #[arg(long = "size", value_name = "WxH", default_value = "640x480", value_parser = size)]

@@ -1,7 +1,7 @@
 //! What the framework itself costs: visits, runs, machines, each beside the same work written by hand.
 //!
-//! `cargo bench --bench framework` prints least times of small and large trees beside each other, then Criterion's
-//! figures; `cargo bench --bench framework -- table` the least times alone. Compare figures of one run with each other,
+//! `cargo bench -p bica-benches --bench framework` prints least times of small and large trees beside each other, then Criterion's
+//! figures; `cargo bench -p bica-benches --bench framework -- table` the least times alone. Compare figures of one run with each other,
 //! never with another machine's.
 
 mod active;

@@ -1,7 +1,7 @@
 //! Costs of the vision stages on rendered and recorded frames.
 //!
-//! `cargo bench --bench vision` prints a table of minimum times, with a copy of the frame as the lower bound and
-//! synthetic frames as the worst case, and then Criterion's results. `cargo bench --bench vision -- table` prints the
+//! `cargo bench -p bica-benches --bench vision` prints a table of minimum times, with a copy of the frame as the lower bound and
+//! synthetic frames as the worst case, and then Criterion's results. `cargo bench -p bica-benches --bench vision -- table` prints the
 //! table alone. `cargo xtask opencv` compares with OpenCV. Compare results of one run only, never of two machines.
 
 mod figures;

@@ -168,7 +168,7 @@ mod tests {
             "cargo run --release -- play --game 3",
             "cargo run --release -- plai",
             "cargo run --release --features jumoco -- play",
-            "cargo bench --bench frame",
+            "cargo bench -p bica-benches --bench frame",
             "cargo run --example nothing",
             "cargo run -p bica-none",
             "cargo buidl",

@@ -21,8 +21,8 @@ pub(crate) fn compare() -> Result<(), String> {
     let text = |path: PathBuf| path.to_string_lossy().into_owned();
     let (python, frames) = (python(&text(folder.join("venv")))?, text(folder.join("frames")));
     // The first build takes minutes, so its progress is shown.
-    run("cargo", &["bench", "--bench", "vision", "--", "export", &frames], &[])?;
-    let ours = ["cargo", "bench", "--quiet", "--bench", "vision", "--"];
+    run("cargo", &["bench", "-p", "bica-benches", "--bench", "vision", "--", "export", &frames], &[])?;
+    let ours = ["cargo", "bench", "--quiet", "-p", "bica-benches", "--bench", "vision", "--"];
     let mut table = Table::new();
     for _ in 0..TURNS {
         note(&mut table, 0, &on_one_core(&[&ours[..], &["everything"]].concat())?);
