@@ -1,23 +1,44 @@
 //! Everything that CI checks, in its order: what fails most often and fastest comes first.
 
+use std::time::Instant;
+
 use crate::cli::{Budget, Firmware};
 use crate::process::run;
 use crate::{deny, firmware, instructions, miri, mujoco, no_std, peers, publish};
 
+type Step = (&'static str, fn() -> Result<(), String>);
+
+const STEPS: [Step; 13] = [
+    ("format", || run("cargo", &["fmt", "--all", "--check"], &[])),
+    ("lints", || run("cargo", &["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"], &[])),
+    ("docs", || run("cargo", &["doc", "--workspace", "--no-deps"], &[("RUSTDOCFLAGS", "-D warnings")])),
+    ("tests", || run("cargo", &["test", "--workspace"], &[])),
+    ("publish", publish::check),
+    ("deny", deny::check),
+    ("peers", peers::check),
+    ("games", || run("cargo", &["run", "--release", "--", "play", "--games", "20", "--at-least", "19"], &[])),
+    ("miri", miri::check_if_installable),
+    ("budget", || instructions::check(&Budget::default())),
+    ("mujoco", mujoco::check),
+    ("no_std", no_std::check),
+    ("firmware", || firmware::check(&Firmware::default())),
+];
+
+/// Runs all steps, and prints what each of them took.
+///
 /// # Errors
 /// The first check that fails.
 pub(crate) fn check() -> Result<(), String> {
-    run("cargo", &["fmt", "--all", "--check"], &[])?;
-    run("cargo", &["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"], &[])?;
-    run("cargo", &["doc", "--workspace", "--no-deps"], &[("RUSTDOCFLAGS", "-D warnings")])?;
-    run("cargo", &["test", "--workspace"], &[])?;
-    publish::check()?;
-    deny::check()?;
-    peers::check()?;
-    run("cargo", &["run", "--release", "--", "play", "--games", "20", "--at-least", "19"], &[])?;
-    miri::check_if_installable()?;
-    instructions::check(&Budget::default())?;
-    mujoco::check()?;
-    no_std::check()?;
-    firmware::check(&Firmware::default())
+    let mut times = Vec::new();
+    let result = STEPS.into_iter().try_for_each(|(name, step)| {
+        let began = Instant::now();
+        let result = step();
+        times.push((name, began.elapsed().as_secs()));
+        result.map_err(|error| format!("step `{name}`: {error}"))
+    });
+    eprintln!("xtask: wall-clock time of each step");
+    for (name, seconds) in times {
+        eprintln!("{name:10} {:3} min {:2} s", seconds / 60, seconds % 60);
+    }
+    result
 }
