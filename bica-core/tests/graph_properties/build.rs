@@ -4,12 +4,12 @@ use bica_core::graph::{Graph, Link, LinkKind, Node, State, Transition};
 
 /// A tree of these components, with the first for its root.
 pub(crate) const fn graph(nodes: &'static [Node]) -> Graph {
-    Graph { name: "Forward", doc: "", cycle_hz: 100.0, budget_ms: None, root: 0, nodes }
+    Graph { name: "Forward", doc: "", cycle_hz: 100.0, budget_ms: None, tunable: false, root: 0, nodes }
 }
 
 /// A component that declares nothing.
 pub(crate) const fn node(name: &'static str) -> Node {
-    Node { name, doc: "", hz: None, budget_us: None, resume: false, links: &[], states: &[], transitions: &[] }
+    Node::new(name)
 }
 
 /// A state that is neither the first nor the last.

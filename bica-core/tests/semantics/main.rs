@@ -1,6 +1,7 @@
 //! Each rule of the runtime by an example that shows it.
 
 mod activity;
+mod batches;
 mod borrows;
 mod description;
 mod hold;
@@ -8,6 +9,7 @@ mod jitter;
 mod large;
 mod machine;
 mod order;
+mod params;
 mod paths;
 mod rate;
 mod requests;
