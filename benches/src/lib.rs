@@ -1,6 +1,6 @@
-//! What several benchmarks share: trees, frames, recorded games, and the judgement of the budget report.
+//! Shared parts of the benchmarks: trees, frames, recorded games, and the judgement of the budget report.
 
-pub mod alone;
+pub mod isolated;
 pub mod budget;
 pub mod frames;
 pub mod game;

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::hardest::{EYES, USUAL};
+use super::hardest::{VISION, USUAL};
 use super::{gate, hardest, promise};
 
 /// Suffix of the benchmarks of trees. All are slower on purpose, except the hand-written one for comparison.
@@ -14,7 +14,7 @@ const BY_HAND: &str = "machine_by_hand.cycles";
 /// # Errors
 /// Each gate that did not fail, or committed counts that cannot be read.
 pub(crate) fn judge(counted: &BTreeMap<String, u64>, committed: &str, compiler: &str) -> Result<String, String> {
-    let frames = || counted.keys().filter(|name| name.starts_with(EYES) && *name != USUAL);
+    let frames = || counted.keys().filter(|name| name.starts_with(VISION) && *name != USUAL);
     let trees = counted.keys().filter(|name| name.ends_with(TREES) && *name != BY_HAND);
     let hard = hardest::wrong(counted);
     let (Ok(promises) | Err(promises)) = promise::judge(counted);
@@ -45,7 +45,7 @@ mod tests {
         "a_hundred.cycles",
         "chain_of_a_hundred.cycles",
         "chain_of_ten.cycles",
-        "eyes.noise",
+        "vision.noise",
         USUAL,
         "ten.cycles",
         "ten_of_a_hundred.cycles",
@@ -67,14 +67,14 @@ mod tests {
     fn the_test_passes_if_every_gate_fails() {
         assert!(
             judged(&slow())
-                .is_ok_and(|report| report.contains("eyes.noise: 10.0 ×") && report.contains("FAIL  ten active"))
+                .is_ok_and(|report| report.contains("vision.noise: 10.0 ×") && report.contains("FAIL  ten active"))
         );
     }
 
     #[test]
     fn a_gate_that_passes_is_reported() {
         for (name, count, gate) in [
-            ("eyes.noise", 4000, "eyes.noise: not above the bound"),
+            ("vision.noise", 4000, "vision.noise: not above the bound"),
             ("ten_of_a_hundred.cycles", 10_000, "pass  ten active"),
             ("chain_of_a_hundred.cycles", 100_000, "pass  a chain"),
             ("ten.cycles", 1010, "ten.cycles: not reported as changed"),
