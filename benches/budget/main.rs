@@ -11,8 +11,8 @@ mod bars;
 mod json;
 mod options;
 mod play;
-mod report;
 mod processor;
+mod report;
 mod table;
 
 use std::process::ExitCode;

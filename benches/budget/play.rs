@@ -4,7 +4,7 @@ use std::time::{Duration, Instant as Clock};
 
 use bica::runner::{Cycle as Completed, Observer, Runner, World};
 use bica::{Instant, Probe, Stopwatch, Tree};
-use bica_benches::budget::measurements::{ACT, CHAIN, Cycle, CHANNELS, Measurements, SEEING, SENSE};
+use bica_benches::budget::measurements::{ACT, CHAIN, CHANNELS, Cycle, Measurements, SEEING, SENSE};
 use bica_benches::game::new_game;
 use bica_motion::robot::{Command, Sensors};
 use bica_player::Forward;

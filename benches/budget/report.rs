@@ -6,9 +6,9 @@ use bica_player::Forward;
 
 use crate::options::Options;
 use crate::processor::Basis;
+use bica_benches::budget::limits::{Row, never_ran, over_budget, over_limit};
 use bica_benches::budget::measurements::{ACT, CHAIN, Measurements, SEEING, SENSE};
 use bica_benches::budget::quantiles::Quantiles;
-use bica_benches::budget::limits::{Row, over_budget, never_ran, over_limit};
 
 /// Content of a report; times in µs.
 pub(crate) struct Report {
@@ -54,8 +54,12 @@ impl Report {
             ever: measurements.maximum(channel),
             budget,
         };
-        let mut rows: Vec<Row> =
-            graph.nodes.iter().enumerate().map(|(channel, node)| row(node.name, channel, budget(node.budget_us))).collect();
+        let mut rows: Vec<Row> = graph
+            .nodes
+            .iter()
+            .enumerate()
+            .map(|(channel, node)| row(node.name, channel, budget(node.budget_us)))
+            .collect();
         rows.sort_by(|a, b| slowest(b).total_cmp(&slowest(a)));
         let declared = longest_chain(graph, steps(graph)).sum;
         let mut report = Self {
@@ -83,7 +87,8 @@ impl Report {
         findings.extend(loop_ms.and_then(|ms| over_limit("the slowest of 100 chains", chain.p99, ms * 1e3)));
         let smaller = self.smaller.as_ref().and_then(|estimate| estimate.rows.first());
         findings.extend(
-            smaller.and_then(|(_, _, max)| over_limit("the slowest chain on the slower processor", *max, self.deadline)),
+            smaller
+                .and_then(|(_, _, max)| over_limit("the slowest chain on the slower processor", *max, self.deadline)),
         );
         findings
     }

@@ -35,13 +35,16 @@ pub(crate) fn bench(criterion: &mut Criterion) {
             let images: Vec<_> = frame_set.samples.iter().map(image).collect();
             let still = Sensors { image: None, ..recording.sensors().next().expect("a cycle") };
             group.throughput(Throughput::Elements(images.len() as u64));
-            group.bench_function(BenchmarkId::new(format!("{}, each cycle an image", frame_set.name), &size), |bencher| {
-                bencher.iter(|| {
-                    for image in &images {
-                        think(&Sensors { image: Some(image.image()), ..still });
-                    }
-                });
-            });
+            group.bench_function(
+                BenchmarkId::new(format!("{}, each cycle an image", frame_set.name), &size),
+                |bencher| {
+                    bencher.iter(|| {
+                        for image in &images {
+                            think(&Sensors { image: Some(image.image()), ..still });
+                        }
+                    });
+                },
+            );
         }
     }
     group.finish();

@@ -5,17 +5,17 @@
 //! a processor.
 
 mod body;
-mod vision;
 mod forward;
 mod framework;
 mod slow;
+mod vision;
 
 use gungraun::prelude::*;
 
 use body::motion;
-use vision::frames;
 use forward::{components, whole_loop};
 use framework::trees as framework_trees;
+use vision::frames;
 
 /// Without these features glibc uses its baseline functions for x86-64.
 const PLAIN: &str =

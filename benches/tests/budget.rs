@@ -1,8 +1,8 @@
 //! Judgement of the budget report on constructed times.
 
-use bica_benches::budget::measurements::{ACT, CHAIN, Cycle, CHANNELS, Measurements, SEEING, SENSE};
+use bica_benches::budget::limits::{Row, never_ran, over_budget, over_limit};
+use bica_benches::budget::measurements::{ACT, CHAIN, CHANNELS, Cycle, Measurements, SEEING, SENSE};
 use bica_benches::budget::quantiles::Quantiles;
-use bica_benches::budget::limits::{Row, over_budget, never_ran, over_limit};
 
 /// Measurements in which channel 0 takes these times, ns: one list for each repetition, one entry for each cycle.
 fn measured(repetitions: &[&[u32]]) -> Result<Measurements, usize> {
@@ -20,7 +20,13 @@ fn measured(repetitions: &[&[u32]]) -> Result<Measurements, usize> {
 
 fn row(measurements: &Measurements, budget: f64) -> Row {
     let times = measurements.minima(0);
-    Row { name: "Ball", runs: times.len(), time: Quantiles::of(times), ever: measurements.maximum(0), budget: Some(budget) }
+    Row {
+        name: "Ball",
+        runs: times.len(),
+        time: Quantiles::of(times),
+        ever: measurements.maximum(0),
+        budget: Some(budget),
+    }
 }
 
 #[test]

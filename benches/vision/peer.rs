@@ -19,7 +19,8 @@ pub(crate) fn export(frame_set: &FrameSet, folder: &Path) {
 pub(crate) fn everything(frame_set: &FrameSet) {
     let (width, height) = frame_set.size();
     let stages: Vec<_> = STAGES.into_iter().filter(|(stage, _)| [MEMCPY, EVERYTHING].contains(stage)).collect();
-    let means = figures::measure(frame_set, &stages).iter().map(|figure| format!("{:.1}", figure.mean)).collect::<Vec<_>>();
+    let means =
+        figures::measure(frame_set, &stages).iter().map(|figure| format!("{:.1}", figure.mean)).collect::<Vec<_>>();
     let [floor, all] = &means[..] else { return };
     println!("{width}x{height} {all} {floor} {} {}", frame_set.name, frame_set.samples.len());
 }

@@ -40,9 +40,9 @@ pub fn over_budget(rows: &[Row]) -> impl Iterator<Item = String> {
 
 /// Returns a message for each component that never ran, whose budget is therefore not checked.
 pub fn never_ran(rows: &[Row]) -> impl Iterator<Item = String> {
-    rows.iter()
-        .filter(|row| row.time.is_none())
-        .map(|row| format!("{} ran in none of the games: its budget is not checked; add a game in which it runs", row.name))
+    rows.iter().filter(|row| row.time.is_none()).map(|row| {
+        format!("{} ran in none of the games: its budget is not checked; add a game in which it runs", row.name)
+    })
 }
 
 /// Returns a message if a time exceeds its limit; both in µs.

@@ -19,7 +19,10 @@ pub fn folder() -> Option<&'static Path> {
         if folder.is_dir() {
             return Some(folder);
         }
-        eprintln!("recorded frames are skipped: no folder {}; set BICA_SHARED to the folder of images/", folder.display());
+        eprintln!(
+            "recorded frames are skipped: no folder {}; set BICA_SHARED to the folder of images/",
+            folder.display()
+        );
         None
     });
     *FOLDER

@@ -23,7 +23,11 @@ const LOOKS: [(f32, f32); 2] = [(-0.5, 0.0), (0.4, 0.2)];
 pub fn frame_set((width, height): (u16, u16), worlds: u64) -> FrameSet {
     let frame = Frame::of_size(width.into(), height.into()).expect("a size of the world's camera");
     let setups = (0..worlds).map(|seed| Setup { seed, frame, robots: 4, ..Setup::default() });
-    FrameSet { name: "rendered", table: BUILT_IN_TABLE.clone(), samples: setups.flat_map(|setup| samples(&setup)).collect() }
+    FrameSet {
+        name: "rendered",
+        table: BUILT_IN_TABLE.clone(),
+        samples: setups.flat_map(|setup| samples(&setup)).collect(),
+    }
 }
 
 fn samples(setup: &Setup) -> Vec<Sample> {

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::hardest::{VISION, USUAL};
+use super::hardest::{USUAL, VISION};
 use super::{gate, hardest, promise};
 
 /// Suffix of the benchmarks of trees. All are slower on purpose, except the hand-written one for comparison.
