@@ -1,20 +1,21 @@
-//! Upper bound on the cost of the costliest frame, relative to a typical one.
+//! Upper bound on the cost of the slowest frame, relative to a typical one.
 
 use std::collections::BTreeMap;
 
-/// Prefix of the benchmarks of one frame each: typical rendered frames, and frames designed to cost most.
+/// Prefix of the benchmarks of single frames: typical rendered frames and synthetic worst-case frames.
 pub(super) const VISION: &str = "vision.";
 pub(super) const USUAL: &str = "vision.usual";
 /// Largest accepted ratio of a frame's instructions to those of a typical frame.
-const MOST: f64 = 5.0;
+const MAX_RATIO: f64 = 5.0;
 
-/// One message for each frame that takes too many instructions.
+/// Returns a message for each frame that takes too many instructions.
 pub(crate) fn wrong(counted: &BTreeMap<String, u64>) -> Vec<String> {
     let Some(usual) = counted.get(USUAL) else { return vec![format!("{USUAL}: not counted")] };
     let times = |count: u64| count as f64 / *usual as f64;
     let frames = counted.iter().filter(|(name, _)| name.starts_with(VISION));
-    let hard = frames.map(|(name, count)| (name, times(*count))).filter(|(_, times)| *times > MOST);
-    hard.map(|(name, times)| format!("{name}: {times:.1} × a typical frame, at most {MOST} × is allowed")).collect()
+    let hard = frames.map(|(name, count)| (name, times(*count))).filter(|(_, times)| *times > MAX_RATIO);
+    hard.map(|(name, times)| format!("{name}: {times:.1} × a typical frame, at most {MAX_RATIO} × is allowed"))
+        .collect()
 }
 
 #[cfg(test)]
