@@ -16,7 +16,7 @@ use rand_pcg::rand_core::Rng;
 const REST: u32 = 70;
 
 /// World with a robot that looks in a random direction and has a new image.
-pub(crate) struct Look {
+pub(crate) struct View {
     /// Seed of the view.
     pub(crate) number: u64,
     pub(crate) world: KinematicWorld,
@@ -41,7 +41,7 @@ impl Rng32 {
     }
 }
 
-impl Look {
+impl View {
     /// View of a number: a random pose on the field with a goalkeeper and four more robots, the ball at 0.2 to 3.5 m,
     /// and a random head direction; every third view is from the bottom camera. `None` if an object would be in a goal.
     pub(crate) fn new(number: u64) -> Option<Self> {

@@ -1,46 +1,46 @@
-//! One way to do one work, whose type is forgotten.
+//! A design and a workload, with the subject's type erased.
 
 use std::hint::black_box;
 use std::time::Instant;
 
-use peers::report::figures::{Way, Work};
+use peers::report::figures::{Design, Workload};
 use peers::subject::{CYCLE_US, Subject};
 
-/// One way to do one work.
-pub struct Trial {
-    /// The way.
-    pub way: Way,
-    /// The work.
-    pub work: Work,
+/// Design and workload that are measured together.
+pub struct Case {
+    /// The design.
+    pub design: Design,
+    /// The workload.
+    pub workload: Workload,
     runner: Box<dyn Runner>,
 }
 
-impl Trial {
-    /// That way to do that work, at rest.
-    pub fn new(way: Way, work: Work, subject: impl Subject + 'static) -> Self {
-        Self { way, work, runner: Box::new(Running { subject, now: 0 }) }
+impl Case {
+    /// Creates a case from its subject.
+    pub fn new(design: Design, workload: Workload, subject: impl Subject + 'static) -> Self {
+        Self { design, workload, runner: Box::new(Running { subject, now: 0 }) }
     }
 
-    /// Does so many cycles.
+    /// Runs `cycles` cycles.
     pub fn run(&mut self, cycles: u64) {
         self.runner.run(cycles);
     }
 
-    /// What one of so many cycles takes, ns.
+    /// Measures the mean time of a cycle over `cycles` cycles, ns.
     pub fn time(&mut self, cycles: u64) -> f64 {
         let began = Instant::now();
         self.runner.run(cycles);
         began.elapsed().as_nanos() as f64 / cycles as f64
     }
 
-    /// What the work came to; ask right after a run.
+    /// Result of the workload; valid only directly after a run.
     #[must_use]
     pub fn result(&self) -> u64 {
         self.runner.result()
     }
 }
 
-/// The loop around the cycles is made for each subject, so that nothing stands between the two.
+/// Loop over cycles, compiled for each subject, so that only the batch is a dynamic call.
 trait Runner {
     fn run(&mut self, cycles: u64);
     fn result(&self) -> u64;

@@ -1,16 +1,17 @@
-//! Latent components: ten active ones alone, and the same among ninety that are not needed now.
+//! Latent components: ten active ones alone, and the same with ninety latent ones.
 
-/// Nine components that need nothing.
+/// Nine components without requirements.
 macro_rules! leaves {
     ($($name:ident)*) => {
         $(links!($name);)*
     };
 }
 
-/// The root, a machine that needs nine now; its second state is never entered, and what that needs is latent.
+/// Root: a state machine whose first state requires nine components. Its second state is never entered, so what that
+/// requires is latent.
 macro_rules! root {
     ($later:ident) => {
-        #[doc = "The root of a tree."]
+        #[doc = "Root of the tree."]
         pub struct Root(u64);
 
         #[component]
@@ -45,7 +46,7 @@ macro_rules! root {
 mod ten {
     use bica::prelude::*;
 
-    use crate::ours::{links, tree};
+    use crate::framework::{links, tree};
     use crate::part::mix;
 
     root!(A);
@@ -59,7 +60,7 @@ mod ten {
 mod hundred {
     use bica::prelude::*;
 
-    use crate::ours::{links, tree};
+    use crate::framework::{links, tree};
     use crate::part::mix;
 
     root!(L10);

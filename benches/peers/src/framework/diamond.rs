@@ -1,13 +1,13 @@
-//! The diamond: one component is required by two.
+//! Diamond: one component is required by two.
 
 use bica::prelude::*;
 
-use crate::ours::tree;
+use crate::framework::tree;
 use crate::part::mix;
 
 macro_rules! corner {
     ($name:ident, $step:item) => {
-        #[doc = "A corner of the diamond."]
+        #[doc = "Corner of the diamond."]
         pub struct $name(u64);
 
         #[component]
@@ -47,6 +47,6 @@ corner!(
 );
 
 tree! {
-    /// Four components, one of them needed by two.
+    /// Four components; one of them is required by two.
     Diamond: Top Left Right Bottom
 }

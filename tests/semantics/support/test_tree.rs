@@ -1,4 +1,4 @@
-//! A test tree from outside, by index.
+//! Test tree that is controlled by component indices.
 
 use bica::prelude::*;
 
@@ -13,9 +13,9 @@ pub(crate) struct Hook {
     pub(crate) name: &'static str,
 }
 
-/// A tree whose components are test components.
-pub(crate) trait Rig: Tree + Default {
-    /// All hooks, in the order of the text.
+/// Tree of test components.
+pub(crate) trait TestTree: Tree + Default {
+    /// All hooks, in source order.
     const HOOKS: &'static [Hook];
 
     fn unit(&mut self, index: usize) -> &mut Unit;
@@ -23,15 +23,15 @@ pub(crate) trait Rig: Tree + Default {
     fn reset_rate(&mut self, index: usize);
 }
 
-/// Makes a tree a rig: its components in the order of its list, and its hooks.
-macro_rules! rig {
+/// Implements [`TestTree`] for a tree: its components in the order of its list, and its hooks.
+macro_rules! test_tree {
     ($tree:ty: [$($component:ty),* $(,)?] $(, entry: [$($of:ident.$state:ident: $entry:ident),*])? $(, exit: [$($eof:ident.$estate:ident: $exit:ident),*])?) => {
-        impl crate::support::rig::Rig for $tree {
-            const HOOKS: &'static [crate::support::rig::Hook] = &[
-                $($(crate::support::rig::Hook {
+        impl crate::support::test_tree::TestTree for $tree {
+            const HOOKS: &'static [crate::support::test_tree::Hook] = &[
+                $($(crate::support::test_tree::Hook {
                     of: stringify!($of), state: stringify!($state), entry: true, name: stringify!($entry),
                 },)*)?
-                $($(crate::support::rig::Hook {
+                $($(crate::support::test_tree::Hook {
                     of: stringify!($eof), state: stringify!($estate), entry: false, name: stringify!($exit),
                 },)*)?
             ];
@@ -40,7 +40,7 @@ macro_rules! rig {
                 $(if index == <$tree>::id::<$component>().index() {
                     return &mut self.get_mut::<$component>().unit;
                 })*
-                panic!("no component {index}")
+                panic!("no component has index {index}")
             }
 
             fn set_rate(&mut self, index: usize, hz: f32) {
@@ -57,4 +57,4 @@ macro_rules! rig {
         }
     };
 }
-pub(crate) use rig;
+pub(crate) use test_tree;

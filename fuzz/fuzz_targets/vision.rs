@@ -1,6 +1,6 @@
-//! Fuzzing of vision and localization with frames of any content and size and cameras of any pose.
+//! Fuzzing of vision and localization with arbitrary frames and camera poses.
 //!
-//! Nothing may panic, all results are finite, and the same frame gives the same detections again.
+//! No input causes a panic, all results are finite, and the same frame gives the same detections again.
 #![no_main]
 
 use bica_field::{FIELD, GoalColour};
@@ -30,9 +30,9 @@ enum Content {
 #[derive(Arbitrary, Debug)]
 enum Pose {
     Unknown,
-    /// Any twelve numbers, NaN included.
+    /// Twelve arbitrary numbers, possibly NaN.
     Numbers([f32; 12]),
-    /// Any rotation, upside down included: roll, pitch, yaw and height in steps.
+    /// Arbitrary rotation, possibly upside down: roll, pitch, yaw and height in steps.
     Turned([i8; 4]),
 }
 
@@ -45,7 +45,7 @@ struct Input {
     pairs: Vec<[u8; 4]>,
 }
 
-/// One colour of each class of the built-in world, and one of no class.
+/// One colour of each class of the kinematic world, and one of no class.
 const COLOURS: [[u8; 4]; 6] = [
     [130, 88, 130, 177],
     [140, 78, 140, 143],
@@ -56,11 +56,11 @@ const COLOURS: [[u8; 4]; 6] = [
 ];
 
 impl Input {
-    /// Size of the frame, with more small than large ones, because they are faster.
+    /// Size of the frame, small ones more often than large ones, because they take less time.
     fn size(&self) -> (u16, u16) {
-        let side = |part: u8, most: u16| {
+        let side = |part: u8, max: u16| {
             let part = u32::from(part);
-            MIN_SIDE + (u32::from(most - MIN_SIDE) * part * part / (255 * 255)) as u16
+            MIN_SIDE + (u32::from(max - MIN_SIDE) * part * part / (255 * 255)) as u16
         };
         (side(self.size.0, MAX_WIDTH) & !1, side(self.size.1, MAX_HEIGHT))
     }
@@ -103,7 +103,7 @@ impl Input {
     }
 }
 
-/// All numbers in the detections.
+/// Returns all numbers in the detections.
 fn numbers(seen: &Detections, camera: Option<&Camera>) -> Vec<f32> {
     let mut points: Vec<Vec2> = seen.boundary.corners().to_vec();
     points.extend(seen.ball.iter().flat_map(|ball| [ball.centre, Vec2::new(ball.radius, ball.confidence)]));
@@ -124,7 +124,7 @@ fn numbers(seen: &Detections, camera: Option<&Camera>) -> Vec<f32> {
 fn detect(frame: &Frame<'_>, colours: &impl Classify, camera: Option<&Camera>) -> Detections {
     let mut pipeline = Box::new(Pipeline::<512, 1024>::new(FIELD.ball_radius()));
     let (seen, again) = (pipeline.detect(frame, colours, camera), pipeline.detect(frame, colours, camera));
-    assert_eq!(numbers(&seen, camera), numbers(&again, camera), "the same frame gives other detections");
+    assert_eq!(numbers(&seen, camera), numbers(&again, camera), "a second run on the same frame gives different detections");
     seen
 }
 

@@ -15,13 +15,13 @@ use super::truth::{SIZE, Truth};
 
 /// Visible share of a ball from which on it is due.
 const BALL_PART: f32 = 0.5;
-/// The least part of a post, and how high it is at least, px.
+/// Minimum visible share of a post, and its minimum height, px.
 const POST_PART: f32 = 0.5;
 const POST_LEAST: f32 = 16.0;
-/// Distances in which other robots are due, m, and how near they must be found.
+/// Maximum distance of due robots, and maximum distance of a detection from the true position, m.
 const ROBOTS_NEAR: f32 = 0.5;
 const ROBOT_ERROR: f32 = 0.35;
-/// The least part of a robot's box that shows one, of 100.
+/// Minimum share of a robot's box that shows a robot, percent.
 const ROBOT_PART: usize = 20;
 
 /// Scores the ball: due if half of it is visible. The error is relative to its distance.
@@ -110,7 +110,7 @@ pub(super) fn robots(score: &mut Score, seen: &Detections, truth: &Truth) {
     }
 }
 
-/// Whether enough of a box shows another robot whose base agrees, if it is visible and near.
+/// Whether enough of a box shows another robot, whose base agrees if it is visible and near.
 fn is_robot(robot: &Robot, truth: &Truth) -> bool {
     let at = |u: f32, v: f32| truth.thing(robot.min + Vec2::new(u, v) * (robot.max - robot.min));
     let grid = (0..100_u8).map(|i| (0.05 + 0.1 * f32::from(i % 10), 0.05 + 0.1 * f32::from(i / 10)));

@@ -1,39 +1,40 @@
-//! The eyes: what frames cost, and what those cost that are made to.
+//! Vision: instructions for typical frames and for worst-case frames.
 
 use bica_field::FIELD;
 use bica_vision::pipeline::Pipeline;
 use bica_vision::profile::BUILT_IN_TABLE;
 use gungraun::prelude::*;
 
-use crate::slow::dawdle;
+use crate::slow::slow_down;
 use bica_benches::frames::rendered;
 use bica_benches::frames::worst::{self, COLOURS, PATTERNS};
-use bica_benches::frames::{Album, Shot};
+use bica_benches::frames::{FrameSet, Sample};
 
 const SIZE: (u16, u16) = (320, 240);
 const WORLDS: u64 = 2;
-/// As many looks at a made-up frame as at rendered ones, so that counts can be compared.
+/// Number of frames processed: the same for rendered and for synthetic sets, so that counts can be compared.
 const FRAMES: usize = 2 * WORLDS as usize;
-/// The name of albums of frames that are made up, and how they dawdle if slowness is asked for.
+/// Name of the sets of synthetic frames.
 const WORST: &str = "worst";
-const DAWDLE: usize = 1000;
+/// Size passed to [`slow_down`] after each synthetic frame.
+const SLOW_DOWN: usize = 1000;
 
-type Desk = (Box<Pipeline<512, 512>>, Album);
+type Buffers = (Box<Pipeline<512, 512>>, FrameSet);
 
-fn desk(album: Album) -> Desk {
-    (Box::new(Pipeline::new(FIELD.ball_radius())), album)
+fn buffers(frame_set: FrameSet) -> Buffers {
+    (Box::new(Pipeline::new(FIELD.ball_radius())), frame_set)
 }
 
-fn usual() -> Desk {
-    desk(rendered::album(SIZE, WORLDS))
+fn usual() -> Buffers {
+    buffers(rendered::frame_set(SIZE, WORLDS))
 }
 
-fn worst(shot: Shot) -> Desk {
-    desk(Album { name: WORST, table: BUILT_IN_TABLE.clone(), shots: vec![shot] })
+fn worst(sample: Sample) -> Buffers {
+    buffers(FrameSet { name: WORST, table: BUILT_IN_TABLE.clone(), samples: vec![sample] })
 }
 
-/// A pattern in two colours, all by name.
-fn pattern(name: &str, first: &str, second: &str) -> Desk {
+/// Frame of a pattern in two colours, all input by name.
+fn pattern(name: &str, first: &str, second: &str) -> Buffers {
     let pattern = PATTERNS.into_iter().find(|(other, _)| *other == name).expect("a pattern");
     let place = |name| COLOURS.iter().position(|(colour, _)| *colour == name).expect("a colour");
     worst(worst::made_up(SIZE, pattern, [first, second].map(place), 0))
@@ -54,14 +55,14 @@ fn pattern(name: &str, first: &str, second: &str) -> Desk {
 #[bench::white_and_green_blocks(pattern("blocks of 8 pairs", "white", "green"))]
 #[bench::noise_of_colours(worst(worst::noise_of_colours(SIZE)))]
 #[bench::noise_of_bytes(worst(worst::noise_of_bytes(SIZE)))]
-fn eyes((mut eyes, album): Desk) -> Desk {
-    for shot in album.shots.iter().cycle().take(FRAMES) {
-        eyes.detect(&shot.frame(), &album.table, shot.camera.as_ref());
-        if album.name == WORST {
-            dawdle(DAWDLE);
+fn vision((mut pipeline, frame_set): Buffers) -> Buffers {
+    for sample in frame_set.samples.iter().cycle().take(FRAMES) {
+        pipeline.detect(&sample.frame(), &frame_set.table, sample.camera.as_ref());
+        if frame_set.name == WORST {
+            slow_down(SLOW_DOWN);
         }
     }
-    (eyes, album)
+    (pipeline, frame_set)
 }
 
-library_benchmark_group!(name = frames, benchmarks = [eyes]);
+library_benchmark_group!(name = frames, benchmarks = [vision]);

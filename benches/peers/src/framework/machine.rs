@@ -2,8 +2,8 @@
 
 use bica::prelude::*;
 
+use crate::framework::WorkloadTree;
 use crate::machine::{input, work};
-use crate::ours::Answer;
 
 /// Five states in a ring.
 pub struct Ring {
@@ -69,7 +69,7 @@ impl Ring {
 }
 
 activation_tree! {
-    /// One machine.
+    /// Tree with one state machine.
     pub struct Machine {
         root: Ring,
         cycle_hz: 100,
@@ -77,16 +77,16 @@ activation_tree! {
     }
 }
 
-impl Answer for Machine {
-    fn at_rest() -> Self {
+impl WorkloadTree for Machine {
+    fn create() -> Self {
         Self::new()
     }
 
-    fn answer(&self) -> u64 {
+    fn result(&self) -> u64 {
         self.get::<Ring>().number
     }
 
-    fn sense(&mut self, now: u64) {
+    fn set_input(&mut self, now: u64) {
         self.get_mut::<Ring>().input = input(now);
     }
 }

@@ -1,4 +1,4 @@
-//! With the framework.
+//! Trees of BICA.
 
 mod chain;
 mod diamond;
@@ -18,43 +18,43 @@ pub use latent::{Active, Latent};
 pub use machine::Machine;
 pub use wide::{Tree10, Tree100};
 
-/// A tree that does some of the work.
-pub trait Answer: Tree {
-    /// A new one, at rest.
-    fn at_rest() -> Self;
+/// Tree that computes a workload.
+pub trait WorkloadTree: Tree {
+    /// Creates the tree.
+    fn create() -> Self;
 
-    /// What the work came to.
-    fn answer(&self) -> u64;
+    /// Result of the workload.
+    fn result(&self) -> u64;
 
-    /// What comes from outside before a cycle.
-    fn sense(&mut self, _now: u64) {}
+    /// Writes the external input before a cycle.
+    fn set_input(&mut self, _now: u64) {}
 }
 
-/// A tree, watched by a probe: `()` is none.
-pub struct Ours<T, P> {
+/// Tree with a probe; `()` is no probe.
+pub struct BicaSubject<T, P> {
     tree: T,
     probe: P,
 }
 
-impl<T: Answer, P: Probe> Ours<T, P> {
-    /// At rest.
+impl<T: WorkloadTree, P: Probe> BicaSubject<T, P> {
+    /// Creates the tree.
     pub fn new(probe: P) -> Self {
-        Self { tree: T::at_rest(), probe }
+        Self { tree: T::create(), probe }
     }
 }
 
-impl<T: Answer, P: Probe> Subject for Ours<T, P> {
+impl<T: WorkloadTree, P: Probe> Subject for BicaSubject<T, P> {
     fn cycle(&mut self, now: u64) {
-        self.tree.sense(now);
+        self.tree.set_input(now);
         self.tree.tick_with(Instant::from_micros(now), &mut self.probe);
     }
 
     fn result(&self) -> u64 {
-        self.tree.answer()
+        self.tree.result()
     }
 }
 
-/// A tree of the first component, whose number is the answer.
+/// Tree whose root is the first component; the root's number is the result.
 macro_rules! tree {
     ($(#[$doc:meta])* $tree:ident: $root:ident $($rest:ident)*) => {
         activation_tree! {
@@ -66,18 +66,18 @@ macro_rules! tree {
             }
         }
 
-        impl crate::ours::Answer for $tree {
-            fn at_rest() -> Self {
+        impl crate::framework::WorkloadTree for $tree {
+            fn create() -> Self {
                 Self::new()
             }
 
-            fn answer(&self) -> u64 {
+            fn result(&self) -> u64 {
                 self.get::<$root>().0
             }
         }
     };
 }
-/// One component for each name, each of which requires the next.
+/// Components of a chain: each requires the next.
 macro_rules! links {
     ($name:ident $next:ident $($rest:ident)*) => {
         links!(@ $name, fn step(&mut self, next: &$next) { self.0 = mix(0, [next.0]); });
@@ -87,7 +87,7 @@ macro_rules! links {
         links!(@ $name, fn step(&mut self) { self.0 = mix(0, [self.0]); });
     };
     (@ $name:ident, $step:item) => {
-        #[doc = "A link of a chain."]
+        #[doc = "Component of a chain."]
         pub struct $name(u64);
 
         #[component]

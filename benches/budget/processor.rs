@@ -1,7 +1,7 @@
-//! What the same work would take on a smaller robot.
+//! Estimate of the same work on a slower processor.
 //!
-//! Time is instructions / (clock × instructions per cycle). The instructions are counted, never guessed; that a robot's
-//! own processor needs as many is the estimate. Two counts, of two instruction sets, say how far it can be trusted.
+//! Time is instructions / (clock × instructions per clock cycle). The instructions are counted. The assumption is that
+//! the target processor needs as many; the counts of two instruction sets show how accurate this is.
 
 use std::fs;
 use std::path::Path;
@@ -15,65 +15,65 @@ use bica_benches::recording::{CYCLES, Recording, WARM};
 
 const COUNTED_HERE: &str = "benches/instructions.txt";
 const COUNTED_ON_CORTEX: &str = "firmware/figures.txt";
-/// How often the recording is played to learn this machine's speed.
+/// Number of repetitions of the recording from which the speed of this machine is measured.
 const REPEATS: usize = 20;
 
-/// Where the instructions are from.
+/// Source of the instruction counts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Source {
     Host,
     Firmware,
 }
 
-/// A robot that is asked about.
+/// Processor for which times are estimated.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Smaller {
+pub(crate) struct Processor {
     pub(crate) mhz: f64,
     pub(crate) ipc: f64,
     pub(crate) source: Source,
 }
 
-/// How to come from what is known to what a smaller robot takes.
-pub(crate) enum Machine {
-    /// From times of this machine, which executes this many instructions in a second.
-    Host { asked: Smaller, per_second: f64 },
-    /// From the instructions of each component on a Cortex-M: name, median, max.
-    Firmware { asked: Smaller, counted: Vec<(String, f64, f64)> },
+/// Data from which the times on another processor follow.
+pub(crate) enum Basis {
+    /// Times of this machine and its instruction rate, 1/s.
+    Host { processor: Processor, per_second: f64 },
+    /// Instructions of each component on a Cortex-M: name, median, maximum.
+    Firmware { processor: Processor, counted: Vec<(String, f64, f64)> },
 }
 
-impl Smaller {
-    /// Learns what the estimate needs.
+impl Processor {
+    /// Measures or reads the data for the estimate.
     ///
     /// # Errors
-    /// What could not be read.
-    pub(crate) fn machine(self, frame: Frame) -> Result<Machine, String> {
+    /// If a file of counts cannot be read.
+    pub(crate) fn basis(self, frame: Frame) -> Result<Basis, String> {
         match self.source {
-            Source::Host => Ok(Machine::Host { asked: self, per_second: per_second(frame)? }),
-            Source::Firmware => Ok(Machine::Firmware { asked: self, counted: counted_on_cortex()? }),
+            Source::Host => Ok(Basis::Host { processor: self, per_second: per_second(frame)? }),
+            Source::Firmware => Ok(Basis::Firmware { processor: self, counted: counted_on_cortex()? }),
         }
     }
 
-    /// Instructions in one µs.
+    /// Instructions per µs.
     pub(crate) fn per_us(&self) -> f64 {
         self.mhz * self.ipc
     }
 }
 
-/// Instructions of the forward's loop that this machine executes in a second: as many as valgrind counts in a recording,
-/// by the time that the same recording takes.
+/// Measures the instruction rate of this machine in the forward's loop, 1/s: valgrind's count for a recording divided
+/// by the minimum time of that recording.
 fn per_second(frame: Frame) -> Result<f64, String> {
     let (width, height) = frame.size();
     let name = format!("forward.at_{width}x{height}");
     let text = read(COUNTED_HERE)?;
     let count = text.lines().find_map(|line| line.strip_prefix(&name)?.trim().parse::<f64>().ok());
-    let count = count.ok_or_else(|| format!("{COUNTED_HERE} has no `{name}`: cargo xtask budget --bless"))?;
-    Ok(count / least_time(frame)?)
+    let count = count.ok_or_else(|| format!("{COUNTED_HERE} has no `{name}`; run `cargo xtask budget --bless`"))?;
+    Ok(count / minimum_time(frame)?)
 }
 
-fn least_time(frame: Frame) -> Result<f64, String> {
+fn minimum_time(frame: Frame) -> Result<f64, String> {
     let (recording, robot) = Recording::of_game(frame, WARM, CYCLES);
     let mut runner = Runner::new(robot, ());
-    let mut least = f64::INFINITY;
+    let mut minimum = f64::INFINITY;
     let mut cycle = 1000;
     for _ in 0..REPEATS {
         let began = Clock::now();
@@ -83,9 +83,9 @@ fn least_time(frame: Frame) -> Result<f64, String> {
             std::hint::black_box(runner.think(now));
             cycle += 1;
         }
-        least = least.min(began.elapsed().as_secs_f64());
+        minimum = minimum.min(began.elapsed().as_secs_f64());
     }
-    Ok(least)
+    Ok(minimum)
 }
 
 fn counted_on_cortex() -> Result<Vec<(String, f64, f64)>, String> {
@@ -94,7 +94,7 @@ fn counted_on_cortex() -> Result<Vec<(String, f64, f64)>, String> {
 }
 
 fn figures(line: &str) -> Result<(String, f64, f64), String> {
-    let wrong = || format!("{COUNTED_ON_CORTEX}: `{line}` is no name with two numbers");
+    let wrong = || format!("{COUNTED_ON_CORTEX}: `{line}` is not a name with two numbers");
     let [name, median, max] = line.split(' ').collect::<Vec<_>>()[..] else { return Err(wrong()) };
     let number = |word: &str| word.parse().map_err(|_| wrong());
     Ok((name.to_owned(), number(median)?, number(max)?))

@@ -1,8 +1,8 @@
 //! Quantiles.
 
-/// Median, 99th percentile and maximum of some figures.
+/// Median, 99th percentile and maximum of a set of figures.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Spread {
+pub struct Quantiles {
     /// Median.
     pub p50: f64,
     /// 99th percentile.
@@ -11,8 +11,8 @@ pub struct Spread {
     pub max: f64,
 }
 
-impl Spread {
-    /// By nearest rank; `None` without figures.
+impl Quantiles {
+    /// Computes the quantiles by nearest rank; `None` without figures.
     #[must_use]
     pub fn of(mut figures: Vec<f64>) -> Option<Self> {
         figures.sort_unstable_by(f64::total_cmp);
@@ -20,7 +20,7 @@ impl Spread {
         Some(Self { p50: rank(0.5)?, p99: rank(0.99)?, max: rank(1.0)? })
     }
 
-    /// All of it times a factor.
+    /// Multiplies all quantiles by a factor.
     #[must_use]
     pub fn times(self, factor: f64) -> Self {
         Self { p50: self.p50 * factor, p99: self.p99 * factor, max: self.max * factor }

@@ -8,18 +8,18 @@ use bica_sim::setup::Frame;
 
 use crate::recording::Recording;
 
-/// A forward in the middle of a game in which all components but one are held latent: the inputs of that one do not change,
-/// and each tick is one run of it.
-pub struct Alone {
+/// Forward in the middle of a game in which all components but one are held latent. The inputs of that component do not
+/// change, and each tick is one run of it.
+pub struct IsolatedComponent {
     robot: Box<Forward>,
     recording: Recording,
-    sees: bool,
+    needs_image: bool,
     now: Instant,
     period: Duration,
 }
 
-impl Alone {
-    /// The component with this identifier, with images of this size.
+impl IsolatedComponent {
+    /// Isolates the component with this identifier; images have this size.
     #[must_use]
     pub fn new(component: ComponentId, frame: Frame) -> Self {
         let (recording, mut robot) = Recording::of_game(frame, 55, 5);
@@ -33,29 +33,29 @@ impl Alone {
         let mut alone = Self {
             robot,
             recording,
-            sees: node.links.iter().any(|link| link.to == input),
+            needs_image: node.links.iter().any(|link| link.to == input),
             now: Instant::from_secs(10),
             period: Duration::from_micros((1e6 / f64::from(hz)).ceil() as u64),
         };
-        // The first runs after the start of a component differ from later ones.
+        // The first runs after a start differ from later ones.
         for _ in 0..3 {
-            alone.look();
+            alone.load_image();
             alone.run();
         }
         alone
     }
 
-    /// Whether the component reads images, and needs a new one for every run.
+    /// Whether the component reads images; it then needs a new one for every run.
     #[must_use]
-    pub const fn sees(&self) -> bool {
-        self.sees
+    pub const fn needs_image(&self) -> bool {
+        self.needs_image
     }
 
-    /// Brings a new image.
+    /// Loads a new image.
     ///
     /// # Panics
-    /// If the image does not fit.
-    pub fn look(&mut self) {
+    /// If the size of the image is not accepted.
+    pub fn load_image(&mut self) {
         for sensors in self.recording.sensors().filter(|sensors| sensors.image.is_some()) {
             self.robot.sense(&sensors).expect("the image fits");
         }

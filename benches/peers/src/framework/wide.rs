@@ -1,6 +1,6 @@
-//! Trees of ten and of a hundred components, as wide as trees are.
+//! Trees of ten and of a hundred components, wide rather than deep.
 
-/// `Activator: what it needs`, several times; who is needed and is no activator needs nothing.
+/// Lists of `activator: its requirements`; a component that is required but is not an activator requires nothing.
 macro_rules! branches {
     ($($name:ident: $($leaf:ident)*;)*) => {
         $(
@@ -12,7 +12,7 @@ macro_rules! branches {
         branches!(@ $name, fn step(&mut self $(, $need: &$need)*) { self.own = mix(0, [$($need.own),*]); });
     };
     (@ $name:ident, $step:item) => {
-        #[doc = "A component of a tree."]
+        #[doc = "Component of a tree."]
         pub struct $name {
             own: u64,
         }
@@ -29,12 +29,12 @@ macro_rules! branches {
 mod ten {
     use bica::prelude::*;
 
-    use crate::ours::Answer;
+    use crate::framework::WorkloadTree;
     use crate::part::mix;
 
     branches! { Root: A B C D E F G H I; }
     activation_tree! {
-        /// Ten components: one that needs nine.
+        /// Ten components: one requires nine.
         pub struct Tree10 {
             root: Root,
             cycle_hz: 100,
@@ -42,12 +42,12 @@ mod ten {
         }
     }
 
-    impl Answer for Tree10 {
-        fn at_rest() -> Self {
+    impl WorkloadTree for Tree10 {
+        fn create() -> Self {
             Self::new()
         }
 
-        fn answer(&self) -> u64 {
+        fn result(&self) -> u64 {
             self.get::<Root>().own
         }
     }
@@ -57,7 +57,7 @@ mod ten {
 mod hundred {
     use bica::prelude::*;
 
-    use crate::ours::Answer;
+    use crate::framework::WorkloadTree;
     use crate::part::mix;
 
     branches! {
@@ -75,7 +75,7 @@ mod hundred {
     }
     branches!(+ Root: A B C D E F G H I J K);
     activation_tree! {
-        /// A hundred components: one that needs eleven, each of which needs eight.
+        /// Hundred components: one requires eleven, each of which requires eight.
         pub struct Tree100 {
             root: Root,
             cycle_hz: 100,
@@ -89,12 +89,12 @@ mod hundred {
         }
     }
 
-    impl Answer for Tree100 {
-        fn at_rest() -> Self {
+    impl WorkloadTree for Tree100 {
+        fn create() -> Self {
             Self::new()
         }
 
-        fn answer(&self) -> u64 {
+        fn result(&self) -> u64 {
             self.get::<Root>().own
         }
     }
