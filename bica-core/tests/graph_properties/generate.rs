@@ -6,7 +6,7 @@ use proptest::prelude::*;
 
 use crate::build;
 
-/// A component before it is known how many there are.
+/// Component before the number of components is known.
 #[derive(Clone, Debug)]
 struct Draft {
     budget_us: Option<u32>,
@@ -34,15 +34,15 @@ fn draft() -> impl Strategy<Value = Draft> {
         })
 }
 
-/// Graphs of up to `most` components with links in all directions.
-pub(crate) fn any_graph(most: usize) -> impl Strategy<Value = Graph> {
-    (prop::collection::vec(draft(), 1..=most), any::<prop::sample::Index>())
+/// Graphs of up to `max` components with links in all directions.
+pub(crate) fn any_graph(max: usize) -> impl Strategy<Value = Graph> {
+    (prop::collection::vec(draft(), 1..=max), any::<prop::sample::Index>())
         .prop_map(|(drafts, root)| graph(&drafts, root.index(drafts.len()), |_, to| Some(to.index(drafts.len()))))
 }
 
-/// Graphs of up to `most` components without a cycle, listed in a random order.
-pub(crate) fn acyclic_graph(most: usize) -> impl Strategy<Value = Graph> {
-    prop::collection::vec(draft(), 1..=most)
+/// Graphs of up to `max` components without a cycle, listed in a random order.
+pub(crate) fn acyclic_graph(max: usize) -> impl Strategy<Value = Graph> {
+    prop::collection::vec(draft(), 1..=max)
         .prop_flat_map(|drafts| {
             let places: Vec<usize> = (0..drafts.len()).collect();
             (Just(drafts), Just(places).prop_shuffle())
@@ -69,7 +69,7 @@ fn node(draft: &Draft, to: impl Fn(&prop::sample::Index) -> Option<usize>) -> No
         Some(Link { to: to(end)?, kind, state: of.as_ref().and_then(state) })
     });
     let states = (0..draft.states).map(|index| State { initial: index == 0, ..build::state("state") });
-    let ways = draft.transitions.iter().filter_map(|(from, to)| Some(build::way(state(from)?, state(to)?)));
+    let ways = draft.transitions.iter().filter_map(|(from, to)| Some(build::transition(state(from)?, state(to)?)));
     Node {
         budget_us: draft.budget_us.map(|budget| budget as f32),
         hz: draft.hz.map(|hz| hz as f32),
@@ -80,26 +80,26 @@ fn node(draft: &Draft, to: impl Fn(&prop::sample::Index) -> Option<usize>) -> No
     }
 }
 
-/// Text that breaks careless writers.
-fn nasty() -> impl Strategy<Value = &'static str> {
+/// Text that needs escaping.
+fn special_text() -> impl Strategy<Value = &'static str> {
     prop_oneof!["(?s).{0,8}", "[\"\\\\&#<>;:|`{}\n\r\t\0 -]{0,6}", "[a-z_]{1,9}"].prop_map(|text| &*text.leak())
 }
 
-/// A machine whose names and docs hold every character below U+0300.
+/// Machine whose names and docs contain every character below U+0300.
 pub(crate) fn every_character() -> Graph {
     let text = &*(0..0x300_u32).filter_map(char::from_u32).collect::<String>().leak();
     let node = Node {
         doc: text,
         links: &[Link { to: 1, kind: LinkKind::Requirement, state: Some(0) }],
         states: vec![State { doc: text, initial: true, ..build::state(text) }, build::state("other")].leak(),
-        transitions: vec![Transition { name: text, doc: text, ..build::way(0, 1) }].leak(),
+        transitions: vec![Transition { name: text, doc: text, ..build::transition(0, 1) }].leak(),
         ..build::node(text)
     };
     Graph { name: text, doc: text, ..build::graph(vec![node, build::node("Other")].leak()) }
 }
 
-/// Groups of parameters of every kind whose texts and numbers are whatever they can be.
-fn nasty_groups() -> impl Strategy<Value = &'static [ParamGroup]> {
+/// Groups of parameters of every kind with arbitrary texts and numbers.
+fn special_groups() -> impl Strategy<Value = &'static [ParamGroup]> {
     let number = any::<f32>;
     let f32s = (number(), number(), prop::option::of(number()), number())
         .prop_map(|(min, max, step, value)| (Kind::F32 { min, max, step }, Value::F32(value)));
@@ -108,27 +108,25 @@ fn nasty_groups() -> impl Strategy<Value = &'static [ParamGroup]> {
     let u32s = any::<(u32, u32, Option<u32>, u32)>()
         .prop_map(|(min, max, step, value)| (Kind::U32 { min, max, step }, Value::U32(value)));
     let bools = any::<bool>().prop_map(|value| (Kind::Bool, Value::Bool(value)));
-    let choices = (prop::collection::vec((nasty(), nasty()), 0..3), 0..3_u32).prop_map(|(variants, value)| {
-        let variants = variants.into_iter().map(|(name, doc)| Variant { name, doc }).collect::<Vec<_>>().leak();
-        (Kind::Choice { variants }, Value::Choice(value))
-    });
+    let choices =
+        (prop::collection::vec((special_text(), special_text()), 0..3), 0..3_u32).prop_map(|(variants, value)| {
+            let variants = variants.into_iter().map(|(name, doc)| Variant { name, doc }).collect::<Vec<_>>().leak();
+            (Kind::Choice { variants }, Value::Choice(value))
+        });
     let kind = prop_oneof![f32s, i32s, u32s, bools, choices];
-    let param = (nasty(), nasty(), prop::option::of(nasty()), kind)
+    let param = (special_text(), special_text(), prop::option::of(special_text()), kind)
         .prop_map(|(name, doc, unit, (kind, default))| Param { name, doc, unit, kind, default });
-    let group = (nasty(), nasty(), prop::collection::vec(param, 0..3)).prop_map(|(name, doc, params)| ParamGroup {
-        name,
-        doc,
-        params: params.leak(),
-    });
+    let group = (special_text(), special_text(), prop::collection::vec(param, 0..3))
+        .prop_map(|(name, doc, params)| ParamGroup { name, doc, params: params.leak() });
     prop::collection::vec(group, 0..3).prop_map(|groups| &*groups.leak())
 }
 
-/// Graphs whose names, docs and numbers are whatever they can be.
-pub(crate) fn nasty_graph(most: usize) -> impl Strategy<Value = Graph> {
-    let texts = prop::collection::vec(nasty(), 16);
+/// Graphs with arbitrary names, docs and numbers.
+pub(crate) fn special_graph(max: usize) -> impl Strategy<Value = Graph> {
+    let texts = prop::collection::vec(special_text(), 16);
     let figures = prop::collection::vec(any::<f32>(), 8);
-    let groups = prop::collection::vec(nasty_groups(), most);
-    (any_graph(most), texts, figures, any::<u32>(), groups).prop_map(|(graph, texts, figures, after_ms, groups)| {
+    let groups = prop::collection::vec(special_groups(), max);
+    (any_graph(max), texts, figures, any::<u32>(), groups).prop_map(|(graph, texts, figures, after_ms, groups)| {
         let mut text = texts.into_iter().cycle();
         let mut text = move || text.next().unwrap_or_default();
         let mut figure = figures.into_iter().cycle();
@@ -143,9 +141,9 @@ pub(crate) fn nasty_graph(most: usize) -> impl Strategy<Value = Graph> {
                 (state.name, state.doc, state.last) = (text(), text(), text().is_empty());
             }
             let mut ways = node.transitions.to_vec();
-            for way in &mut ways {
-                (way.name, way.doc) = (text(), text());
-                way.after_ms = (!text().is_empty()).then_some(after_ms);
+            for transition in &mut ways {
+                (transition.name, transition.doc) = (text(), text());
+                transition.after_ms = (!text().is_empty()).then_some(after_ms);
             }
             (node.states, node.transitions) = (states.leak(), ways.leak());
         }
