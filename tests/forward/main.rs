@@ -6,4 +6,5 @@ mod lazy;
 mod no_heap;
 mod out;
 mod replay;
+mod search;
 mod strained;
