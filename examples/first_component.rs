@@ -1,4 +1,4 @@
-//! A component, the two components that it needs, and their tree.
+//! A component, the two components that it requires or modulates, and their tree.
 //!
 //! `cargo run --example first_component`
 

@@ -1,4 +1,4 @@
-//! Observing a tree: number of runs and run time of each component, without code for that in the components.
+//! Observing a tree: number of runs and run time of each component, without additional code in the components.
 //!
 //! `cargo run --release --example probe`
 

@@ -1,10 +1,10 @@
-//! Two components activate the same child: it is one instance, runs once in a cycle, and is latent if none needs it.
+//! Two components activate the same child. It is one instance, runs once in a cycle, and is latent if neither needs it.
 //!
 //! `cargo run --example shared_child`
 
 use bica::prelude::*;
 
-/// Counts the frames that it has taken.
+/// Counter of the frames taken.
 struct Camera {
     frames: u32,
 }
@@ -34,7 +34,7 @@ impl Goal {
     fn step(&mut self, camera: &Camera) {}
 }
 
-/// Needs the ball in every cycle, and the goal every other second.
+/// Requires the ball in every cycle, and the goal in every other second.
 struct Striker;
 
 #[component]
@@ -56,7 +56,7 @@ activation_tree! {
     struct Robot {
         root: Striker,
         cycle_hz: 100,
-        // Each is `new()`, unless the list gives a value.
+        // Each component is `new()`, unless the list gives a value.
         components: [Striker = Striker, Ball = Ball, Goal = Goal, Camera],
     }
 }

@@ -43,7 +43,7 @@ activation_tree! {
     }
 }
 
-/// The only robot: the cell can be taken once.
+/// The only robot; the cell can be taken once.
 static ROBOT: ConstStaticCell<Robot> = ConstStaticCell::new(Robot::new());
 
 fn main() {

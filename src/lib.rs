@@ -1,8 +1,8 @@
 //! Behaviour components for robots, with an activation graph that the compiler checks.
 //!
 //! A **component** is the unit of behaviour: it perceives, acts, or decides between the two. It is stepped iteratively, at
-//! its own rate. It activates the components that it needs by naming them in the signature of its step; what nobody needs
-//! is latent and costs nothing. The components that are active now are the **activation tree**: it has one root, and it
+//! its own rate. It activates the components that it needs by naming them in the signature of its step. The
+//! others are latent and cost nothing. The components that are active now are the **activation tree**: it has one root, and it
 //! changes all the time.
 //!
 //! ```
@@ -44,7 +44,7 @@
 //! assert_eq!(robot.get::<Head>().pan, 0.4);      // act
 //! ```
 //!
-//! # Where to look
+//! # Overview
 //!
 //! - [`component`](macro@component): links, rates, budgets, state machines.
 //! - [`activation_tree!`]: a robot's components, and what the compiler checks of them.

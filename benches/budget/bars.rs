@@ -1,20 +1,20 @@
-//! The report as bars, for the README.
+//! Bar chart of the report, for the documentation.
 
 use std::fmt::Write;
 
 use crate::report::Report;
-use bica_benches::budget::verdict::Row;
+use bica_benches::budget::limits::Row;
 
 const WIDTH: f64 = 860.0;
 const LINE: f64 = 20.0;
-/// Where the bars begin and end.
+/// Left and right end of the bars, px.
 const LEFT: f64 = 130.0;
 const RIGHT: f64 = 700.0;
-/// The axis, powers of ten of a µs: 10 ns to 1 s.
+/// First and last decade of the logarithmic axis, as powers of ten of 1 µs: 10 ns to 1 s.
 const DECADES: (i32, i32) = (-2, 6);
 const TOP: f64 = 62.0;
 
-/// Draws a report: for each component its median, its slowest run and what it declares, on a logarithmic axis.
+/// Draws the median, the slowest run and the declared budget of each component on a logarithmic time axis.
 pub(crate) fn draw(report: &Report) -> String {
     let rows: Vec<&Row> = std::iter::once(&report.chain).chain(&report.rows).filter(|row| row.time.is_some()).collect();
     let bottom = TOP + LINE * rows.len() as f64;
@@ -29,7 +29,7 @@ pub(crate) fn draw(report: &Report) -> String {
     for (place, row) in rows.iter().enumerate() {
         bar(&mut svg, row, TOP + LINE * place as f64);
     }
-    let x = along(report.deadline);
+    let x = axis_x(report.deadline);
     let _ = writeln!(svg, "<path d=\"M{x:.1} {TOP}V{bottom}\" stroke=\"#c0392b\" stroke-width=\"2\"/>");
     svg.push_str("</svg>\n");
     svg
@@ -65,7 +65,7 @@ fn axis(svg: &mut String, bottom: f64) {
             svg,
             "<path d=\"M{x:.1} {TOP}V{bottom}\" stroke=\"#dddddd\"/>\
              <text x=\"{x:.1}\" y=\"{y:.0}\" text-anchor=\"middle\" fill=\"#555555\">{label}</text>",
-            x = along(us),
+            x = axis_x(us),
             y = TOP - 9.0
         );
     }
@@ -78,7 +78,7 @@ fn bar(svg: &mut String, row: &Row, y: f64) {
         writeln!(svg, "<text x=\"{:.0}\" y=\"{:.0}\" text-anchor=\"end\">{}</text>", LEFT - 8.0, y + 14.0, row.name);
     let over = row.budget.is_some_and(|budget| time.max > budget);
     for (us, colour) in [(time.max, if over { "#c0392b" } else { "#8fc79f" }), (time.p50, "#2e6f40")] {
-        let long = along(us) - LEFT;
+        let long = axis_x(us) - LEFT;
         let _ =
             writeln!(svg, "<rect x=\"{LEFT}\" y=\"{top}\" width=\"{long:.1}\" height=\"{high}\" fill=\"{colour}\"/>");
     }
@@ -88,7 +88,7 @@ fn bar(svg: &mut String, row: &Row, y: f64) {
             "<rect x=\"{LEFT}\" y=\"{:.0}\" width=\"{:.1}\" height=\"{:.0}\" fill=\"none\" stroke=\"#555555\"/>\n\
              <text x=\"{:.0}\" y=\"{:.0}\">{} of {budget} µs</text>",
             top - 2.0,
-            along(budget) - LEFT,
+            axis_x(budget) - LEFT,
             high + 4.0,
             RIGHT + 12.0,
             y + 14.0,
@@ -97,8 +97,8 @@ fn bar(svg: &mut String, row: &Row, y: f64) {
     }
 }
 
-/// Where a time is on the axis.
-fn along(us: f64) -> f64 {
+/// Position of a time on the axis, px.
+fn axis_x(us: f64) -> f64 {
     let (from, to) = (f64::from(DECADES.0), f64::from(DECADES.1));
     LEFT + (RIGHT - LEFT) * ((us.log10() - from) / (to - from)).clamp(0.0, 1.0)
 }

@@ -1,15 +1,16 @@
-//! The report for machines.
+//! The report as JSON.
 //!
-//! A row is `name`, `runs`, `p50_us`, `p99_us`, `max_us` (of every run the least time; `null` if it never ran), `ever_us`
-//! (the longest time ever measured), `declared_us` and `headroom` (the part of it that the slowest run leaves), `null`
-//! where nothing is declared. `findings` says in words what does not hold, and is empty if the command succeeds.
+//! A row is `name`, `runs`, `p50_us`, `p99_us`, `max_us`, `ever_us`, `declared_us` and `headroom`. The first three
+//! times are over the minimum time of each run (`null` if the component never ran). `ever_us` is the maximum over all
+//! repetitions. `headroom` is the share of the declared budget that the slowest run leaves free. The last two are
+//! `null` where no budget is declared. `findings` lists what exceeds its limit; it is empty if the command succeeds.
 
 use serde_json::{Value, json};
 
 use crate::report::Report;
-use bica_benches::budget::verdict::Row;
+use bica_benches::budget::limits::Row;
 
-/// All of a report.
+/// Converts a report.
 pub(crate) fn of(report: &Report) -> Value {
     json!({
         "schema": "bica-budget/1",
@@ -41,7 +42,7 @@ fn row(row: &Row) -> Value {
         "p50_us": row.time.map(|time| time.p50),
         "p99_us": row.time.map(|time| time.p99),
         "max_us": row.time.map(|time| time.max),
-        "ever_us": row.most,
+        "ever_us": row.ever,
         "declared_us": row.budget,
         "headroom": row.headroom(),
     })

@@ -4,7 +4,7 @@ use std::time::{Duration, Instant as Clock};
 
 use bica::runner::{Cycle as Completed, Observer, Runner, World};
 use bica::{Instant, Probe, Stopwatch, Tree};
-use bica_benches::budget::lanes::{ACT, CHAIN, Cycle, LANES, Lanes, SEEING, SENSE};
+use bica_benches::budget::measurements::{ACT, CHAIN, CHANNELS, Cycle, Measurements, SEEING, SENSE};
 use bica_benches::game::new_game;
 use bica_motion::robot::{Command, Sensors};
 use bica_player::Forward;
@@ -12,15 +12,15 @@ use bica_sim::World as SimulatedWorld;
 use bica_sim::kinematic::KinematicWorld;
 use bica_sim::setup::{Frame, Setup};
 
-/// A game that is played to its goal.
+/// Game that is played until a goal.
 struct Fixture {
     seed: u64,
     robots: usize,
-    /// When the inertial unit reports a fall; without it no game has one.
+    /// Time at which the inertial unit reports a fall; the robot does not fall by itself in these games.
     fall: Option<Duration>,
 }
 
-/// Together they make every component run.
+/// Games in which, together, every component runs.
 const GAMES: [Fixture; 4] = [
     Fixture { seed: 0, robots: 2, fall: None },
     Fixture { seed: 28, robots: 2, fall: None },
@@ -29,26 +29,26 @@ const GAMES: [Fixture; 4] = [
 ];
 /// Duration of the reported fall.
 const FALL: Duration = Duration::from_secs(2);
-/// The reported torso pitch, rad: on its front.
+/// Reported torso pitch of a robot that lies on its front, rad.
 const PITCH: f32 = 1.5;
-/// Longest game, in the time of the world.
+/// Maximum duration of a game in simulated time.
 const LIMIT: Duration = Duration::from_mins(1);
 
-/// Plays all the games as often as asked.
+/// Plays all games `repeats` times and records their times.
 ///
 /// # Errors
-/// If a game was not the same when it was played again.
-pub(crate) fn all(frame: Frame, repeats: usize, lanes: &mut Lanes) -> Result<(), String> {
+/// If a repetition of a game differs from the first one.
+pub(crate) fn all(frame: Frame, repeats: usize, measurements: &mut Measurements) -> Result<(), String> {
     for _ in 0..repeats {
-        lanes.rewind();
+        measurements.begin_repetition();
         for game in &GAMES {
-            play(game, frame, lanes)?;
+            play(game, frame, measurements)?;
         }
     }
     Ok(())
 }
 
-fn play(fixture: &Fixture, frame: Frame, lanes: &mut Lanes) -> Result<(), String> {
+fn play(fixture: &Fixture, frame: Frame, measurements: &mut Measurements) -> Result<(), String> {
     let game = new_game(&Setup { seed: fixture.seed, robots: fixture.robots, frame, ..Setup::default() });
     let (robot, world, ..) = game.into_parts();
     let began = Clock::now();
@@ -63,15 +63,15 @@ fn play(fixture: &Fixture, frame: Frame, lanes: &mut Lanes) -> Result<(), String
         for (time, spent) in cycle.iter_mut().zip(watch.spent()) {
             *time = (spent.runs > 0).then_some(spent.total as u32);
         }
-        lanes.note(&cycle).map_err(|lane| {
-            let name = Forward::GRAPH.nodes.get(lane).map_or("sensing", |node| node.name);
-            format!("game {} was not the same again: {name} ran in one and not in the other", fixture.seed)
+        measurements.record(&cycle).map_err(|channel| {
+            let name = Forward::GRAPH.nodes.get(channel).map_or("sensing", |node| node.name);
+            format!("game {} is not deterministic: {name} ran in one repetition and not in another", fixture.seed)
         })?;
     }
     Ok(())
 }
 
-/// The built-in world, whose inertial unit reports a fall that does not happen.
+/// The kinematic world with an inertial unit that reports a fall at a input time.
 struct WithFall {
     world: KinematicWorld,
     fall: Option<Duration>,
@@ -98,16 +98,16 @@ impl World<Forward> for WithFall {
 
 /// Measures the phases of a cycle.
 struct Phases {
-    /// The lanes that are no component.
+    /// Times of the channels that are not components.
     cycle: Cycle,
     began: Clock,
-    thought: Clock,
-    sees: bool,
+    tick_end: Clock,
+    has_image: bool,
 }
 
 impl Default for Phases {
     fn default() -> Self {
-        Self { cycle: [None; LANES], began: Clock::now(), thought: Clock::now(), sees: false }
+        Self { cycle: [None; CHANNELS], began: Clock::now(), tick_end: Clock::now(), has_image: false }
     }
 }
 
@@ -117,13 +117,13 @@ const fn nanoseconds(time: Duration) -> u32 {
 
 impl Probe for Phases {
     fn cycle_end(&mut self) {
-        self.thought = Clock::now();
+        self.tick_end = Clock::now();
     }
 }
 
 impl Observer<Forward> for Phases {
     fn sensing(&mut self, _now: Instant, sensors: &Sensors<'_>) {
-        self.sees = sensors.image.is_some();
+        self.has_image = sensors.image.is_some();
         self.began = Clock::now();
     }
 
@@ -133,8 +133,8 @@ impl Observer<Forward> for Phases {
 
     fn acted(&mut self, _cycle: &Completed<'_, Forward>) {
         let now = Clock::now();
-        self.cycle[ACT] = Some(nanoseconds(now - self.thought));
+        self.cycle[ACT] = Some(nanoseconds(now - self.tick_end));
         self.cycle[CHAIN] = Some(nanoseconds(now - self.began));
-        self.cycle[SEEING] = self.cycle[CHAIN].filter(|_| self.sees);
+        self.cycle[SEEING] = self.cycle[CHAIN].filter(|_| self.has_image);
     }
 }

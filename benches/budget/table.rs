@@ -1,17 +1,17 @@
-//! The report for people.
+//! The report as a table.
 
 use std::fmt::Write;
 
 use crate::report::{Estimate, Report};
-use bica_benches::budget::verdict::Row;
+use bica_benches::budget::limits::Row;
 
-/// All of a report.
+/// Formats a report.
 pub(crate) fn of(report: &Report) -> String {
     let (width, height) = report.size;
     let mut text = format!(
-        "{} cycles of fixed games, images of {width}x{height}, each game played {} times; µs for one run, of every run the\n\
-         least that was measured. A budget must hold for the slowest run (max); `ever` is the longest time ever measured,\n\
-         with what the machine did in between.\n\n{:<16}{:>7}{:>10}{:>10}{:>10}{:>10}{:>10}{:>10}\n",
+        "{} cycles of fixed games, images of {width}x{height}, {} repetitions; µs for one run, the minimum over the\n\
+         repetitions. A budget must hold for the slowest run (max). `ever` is the maximum over all repetitions, with\n\
+         interruptions.\n\n{:<16}{:>7}{:>10}{:>10}{:>10}{:>10}{:>10}{:>10}\n",
         report.cycles, report.repeats, "", "runs", "p50", "p99", "max", "ever", "declared", "headroom"
     );
     line(&mut text, &report.sense);
@@ -40,7 +40,7 @@ pub(crate) fn of(report: &Report) -> String {
 fn line(text: &mut String, row: &Row) {
     let _ = write!(text, "{:<16}{:>7}", row.name, row.runs);
     if let Some(time) = row.time {
-        let _ = write!(text, "{:>10.2}{:>10.2}{:>10.2}{:>10.2}", time.p50, time.p99, time.max, row.most);
+        let _ = write!(text, "{:>10.2}{:>10.2}{:>10.2}{:>10.2}", time.p50, time.p99, time.max, row.ever);
     }
     if let Some(budget) = row.budget {
         let _ = write!(text, "{budget:>10}");
@@ -54,7 +54,7 @@ fn line(text: &mut String, row: &Row) {
 fn smaller(text: &mut String, estimate: &Estimate, deadline: f64) {
     let _ = writeln!(
         text,
-        "\non {} MHz with {} instructions per cycle, ms for one run\n\n{:<16}{:>10}{:>10}",
+        "\non {} MHz with {} instructions per clock cycle, ms for one run\n\n{:<16}{:>10}{:>10}",
         estimate.clock_mhz, estimate.ipc, "", "p50", "max"
     );
     for (name, median, max) in &estimate.rows {

@@ -11,11 +11,11 @@ use criterion::Criterion;
 
 pub(crate) fn bench(criterion: &mut Criterion) {
     let force = FootPressure { front_left: 26.0, ..FootPressure::default() };
-    let feels = Feedback { left_foot: force, right_foot: force, ..Feedback::default() };
+    let feedback = Feedback { left_foot: force, right_foot: force, ..Feedback::default() };
     let velocity = Velocity::new(0.2, 0.02, 0.1);
     let mut walk = Walk::<Nao>::new(&Nao::DYNAMIC_PROFILE.gait);
-    let mut stride = move || walk.step(black_box(velocity), &feels, 0.01);
-    let angles = (0..30).map(|_| stride().joints()).last().expect("thirty steps");
+    let mut step = move || walk.step(black_box(velocity), &feedback, 0.01);
+    let angles = (0..30).map(|_| step().joints()).last().expect("thirty steps");
     let [left, right] = [Side::Left, Side::Right].map(|side| ankle::<Nao>(side, &angles));
 
     let mut group = criterion.benchmark_group("body");
@@ -26,6 +26,6 @@ pub(crate) fn bench(criterion: &mut Criterion) {
     group.bench_function("both legs from their feet", |bencher| {
         bencher.iter(|| legs_angles::<Nao>(black_box(&left), black_box(&right), YawFrom::Mean));
     });
-    group.bench_function("a cycle of the walk", |bencher| bencher.iter(&mut stride));
+    group.bench_function("a cycle of the walk", |bencher| bencher.iter(&mut step));
     group.finish();
 }

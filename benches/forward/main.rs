@@ -1,7 +1,8 @@
-//! What the forward costs: its body's algorithms, each of its components alone, and its whole loop.
+//! Cost of the forward: algorithms of its body, each component alone, and the whole loop.
 //!
-//! `cargo bench -p bica-benches --bench forward`. Compare figures of one run with each other, never with another machine's. What it takes
-//! in games, beside what it declares, tells `cargo bench -p bica-benches --bench budget`.
+//! `cargo bench -p bica-benches --bench forward`. Figures of one run may be compared with each other, never with
+//! figures of another machine. `cargo bench -p bica-benches --bench budget` compares the times in games with the
+//! declared budgets.
 
 mod body;
 mod components;

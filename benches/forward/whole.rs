@@ -1,4 +1,4 @@
-//! The whole loop, from sensing to acting, without the world: on what was sensed in a game, and on real frames.
+//! The whole loop from sensing to acting without the world, on recorded sensor values of a game and on real frames.
 
 use std::hint::black_box;
 
@@ -9,7 +9,7 @@ use bica_sim::setup::Frame;
 use criterion::{BenchmarkId, Criterion, Throughput};
 
 use bica_benches::frames::recorded;
-use bica_benches::recording::{CYCLES, Picture, Recording, WARM};
+use bica_benches::recording::{CYCLES, OwnedImage, Recording, WARM};
 
 pub(crate) fn bench(criterion: &mut Criterion) {
     let real = recorded::folder();
@@ -31,23 +31,26 @@ pub(crate) fn bench(criterion: &mut Criterion) {
             bencher.iter(|| recording.sensors().for_each(|sensors| _ = think(&sensors)));
         });
         let Some(folder) = real else { continue };
-        for album in recorded::albums(folder, (width as u16, height as u16)) {
-            let pictures: Vec<_> = album.shots.iter().map(picture).collect();
+        for frame_set in recorded::frame_sets(folder, (width as u16, height as u16)) {
+            let images: Vec<_> = frame_set.samples.iter().map(image).collect();
             let still = Sensors { image: None, ..recording.sensors().next().expect("a cycle") };
-            group.throughput(Throughput::Elements(pictures.len() as u64));
-            group.bench_function(BenchmarkId::new(format!("{}, each cycle an image", album.name), &size), |bencher| {
-                bencher.iter(|| {
-                    for picture in &pictures {
-                        think(&Sensors { image: Some(picture.image()), ..still });
-                    }
-                });
-            });
+            group.throughput(Throughput::Elements(images.len() as u64));
+            group.bench_function(
+                BenchmarkId::new(format!("{}, each cycle an image", frame_set.name), &size),
+                |bencher| {
+                    bencher.iter(|| {
+                        for image in &images {
+                            think(&Sensors { image: Some(image.image()), ..still });
+                        }
+                    });
+                },
+            );
         }
     }
     group.finish();
 }
 
-/// A real frame as if the robot's own upper camera had taken it.
-fn picture(shot: &bica_benches::frames::Shot) -> Picture {
-    Picture { camera: CameraId::Top, width: shot.width, height: shot.height, yuyv: shot.yuyv.clone() }
+/// Real frame, presented as an image of the robot's upper camera.
+fn image(sample: &bica_benches::frames::Sample) -> OwnedImage {
+    OwnedImage { camera: CameraId::Top, width: sample.width, height: sample.height, yuyv: sample.yuyv.clone() }
 }

@@ -1,4 +1,4 @@
-//! What being active, or shared, or about to change costs.
+//! Cost of active, shared and changing components.
 
 use bica::Tree;
 use criterion::Criterion;

@@ -1,4 +1,4 @@
-//! Chains, beside the same work as plain functions on plain values.
+//! Chains of components, compared with the same work as plain functions on plain values.
 
 use std::hint::black_box;
 
@@ -13,7 +13,7 @@ pub(crate) fn bench(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("chain");
     group.throughput(Throughput::Elements(10));
     group.bench_function("ten, all due", |bencher| ticks(bencher, &mut Ten::new()));
-    // Not one millisecond from one cycle to the next: a component that runs every thousand seconds is not due.
+    // Time advances by 1 µs in each cycle, so a component that runs every 1000 s is not due.
     let mut tree = Rarely::new();
     let mut now = 0;
     group.bench_function("ten, none due", |bencher| {

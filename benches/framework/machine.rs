@@ -1,4 +1,4 @@
-//! One step of a machine of five states, beside the same as a `match`.
+//! One step of a state machine with five states, compared with the same machine as a `match`.
 
 use std::hint::black_box;
 

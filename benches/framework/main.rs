@@ -1,8 +1,8 @@
-//! What the framework itself costs: visits, runs, machines, each beside the same work written by hand.
+//! Cost of the framework: visits, runs and state machines, each compared with the same work written by hand.
 //!
-//! `cargo bench -p bica-benches --bench framework` prints least times of small and large trees beside each other, then Criterion's
-//! figures; `cargo bench -p bica-benches --bench framework -- table` the least times alone. Compare figures of one run with each other,
-//! never with another machine's.
+//! `cargo bench -p bica-benches --bench framework` prints the minimum times of small and large trees, then Criterion's
+//! figures. `cargo bench -p bica-benches --bench framework -- table` prints the minimum times alone. Figures of one run
+//! may be compared with each other, never with figures of another machine.
 
 mod active;
 mod chain;

@@ -1,4 +1,5 @@
-//! The least time of a cycle, which other programs on the machine hardly touch; and whether the cost is linear.
+//! Minimum time of a cycle, which other programs on the machine hardly affect, and its growth with the number of
+//! components.
 
 use std::hint::black_box;
 use std::time::Instant as Clock;
@@ -9,23 +10,24 @@ use bica_benches::trees::chain::{Hundred, Ten};
 use bica_benches::trees::latent::{TenOfHundred, TenOfTen};
 use bica_benches::trees::wide::{WideHundred, WideTen};
 
-/// How often each tree is measured, in turn, and for how many cycles.
+/// Number of measurements of each tree; the trees alternate.
 const ROUNDS: usize = 500;
+/// Number of cycles of a measurement.
 const CYCLES: u64 = 1000;
 
-/// A tree, and the least time of its cycle, ns.
+/// Tree with the minimum time of its cycle, ns.
 struct Measured {
     name: &'static str,
     components: usize,
     tick: Box<dyn FnMut(Instant)>,
-    least: f64,
+    minimum: f64,
 }
 
 fn measured<T: Tree>(name: &'static str, components: usize, mut tree: T) -> Measured {
-    Measured { name, components, tick: Box::new(move |now| black_box(&mut tree).tick(now)), least: f64::INFINITY }
+    Measured { name, components, tick: Box::new(move |now| black_box(&mut tree).tick(now)), minimum: f64::INFINITY }
 }
 
-/// Measures and prints.
+/// Measures all trees and prints the table.
 pub(crate) fn print() {
     let mut trees = [
         measured("ten in a chain", 10, Ten::new()),
@@ -43,15 +45,15 @@ pub(crate) fn print() {
                 now += 1;
                 (tree.tick)(Instant::from_millis(now));
             }
-            tree.least = tree.least.min(began.elapsed().as_nanos() as f64 / CYCLES as f64);
+            tree.minimum = tree.minimum.min(began.elapsed().as_nanos() as f64 / CYCLES as f64);
         }
     }
-    println!("least time, ns{:>26}{:>16}{:>12}", "a cycle", "a component", "ratio");
+    println!("minimum time, ns{:>24}{:>16}{:>12}", "a cycle", "a component", "ratio");
     for pair in trees.chunks(2) {
-        let each = |tree: &Measured| tree.least / tree.components as f64;
+        let each = |tree: &Measured| tree.minimum / tree.components as f64;
         let first = pair.first().map_or(f64::NAN, each);
         for tree in pair {
-            println!("{:<26}{:>14.1}{:>16.2}{:>12.2}", tree.name, tree.least, each(tree), each(tree) / first);
+            println!("{:<26}{:>14.1}{:>16.2}{:>12.2}", tree.name, tree.minimum, each(tree), each(tree) / first);
         }
     }
 }

@@ -10,10 +10,10 @@ use bica_motion::side::Side;
 use bica_motion::walk::{Feedback, Velocity, Walk};
 use gungraun::prelude::*;
 
-/// Some pose, rad.
+/// Joint angles of a pose in the walk, rad.
 fn pose() -> Joints {
     let mut walk = Walk::<Nao>::new(&Nao::DYNAMIC_PROFILE.gait);
-    strides(&mut walk, 30);
+    step_repeatedly(&mut walk, 30);
     walk.step(FORWARD, &on_both_feet(), 0.01).joints()
 }
 
@@ -24,7 +24,7 @@ fn on_both_feet() -> Feedback {
     Feedback { left_foot: force, right_foot: force, ..Feedback::default() }
 }
 
-fn strides(walk: &mut Walk, cycles: usize) {
+fn step_repeatedly(walk: &mut Walk, cycles: usize) {
     let body = on_both_feet();
     for _ in 0..cycles {
         black_box(walk.step(black_box(FORWARD), &body, 0.01));
@@ -53,7 +53,7 @@ fn inverse_kinematics(ankles: [glam::Affine3A; 2]) {
 #[library_benchmark]
 #[bench::second(Walk::<Nao>::new(&Nao::DYNAMIC_PROFILE.gait))]
 fn walk(mut walk: Walk) {
-    strides(&mut walk, 100);
+    step_repeatedly(&mut walk, 100);
 }
 
 library_benchmark_group!(name = motion, benchmarks = [forward_kinematics, balance, inverse_kinematics, walk]);

@@ -1,4 +1,4 @@
-//! The forward: one run of each component, and its whole loop.
+//! The forward: one run of each component, and the whole loop.
 
 use std::hint::black_box;
 
@@ -18,17 +18,17 @@ use bica_player::perception::{
 use bica_sim::setup::Frame;
 use gungraun::prelude::*;
 
-use bica_benches::alone::Alone;
+use bica_benches::isolated::IsolatedComponent;
 use bica_benches::recording::{CYCLES, Recording, WARM};
 
-/// The component, with a new image before it.
-fn alone<C: 'static>() -> Alone
+/// Isolates a component and loads a new image for it.
+fn alone<C: 'static>() -> IsolatedComponent
 where
     Forward: Has<C>,
 {
-    let mut alone = Alone::new(Forward::id::<C>(), Frame::Medium);
-    if alone.sees() {
-        alone.look();
+    let mut alone = IsolatedComponent::new(Forward::id::<C>(), Frame::Medium);
+    if alone.needs_image() {
+        alone.load_image();
     }
     alone
 }
@@ -37,12 +37,12 @@ macro_rules! components {
     ($($name:ident: $kind:ty),* $(,)?) => {
         #[library_benchmark]
         $(#[bench::$name(alone::<$kind>())])*
-        fn component(mut component: Alone) -> Alone {
+        fn component(mut component: IsolatedComponent) -> IsolatedComponent {
             component.run();
             component
         }
 
-        const _: () = assert!([$(stringify!($name)),*].len() == Forward::COUNT, "a component is missing here");
+        const _: () = assert!([$(stringify!($name)),*].len() == Forward::COUNT, "the list lacks a component");
     };
 }
 
@@ -85,12 +85,12 @@ components! {
 
 library_benchmark_group!(name = components, benchmarks = [component]);
 
-/// A forward, and what it is about to sense.
+/// Recorded sensor values, and the forward that processes them.
 fn recording(frame: Frame) -> (Recording, Box<Forward>) {
     Recording::of_game(frame, WARM, CYCLES)
 }
 
-// As in the budget report, which times it.
+// Same loop as in the budget report, which measures its time.
 #[library_benchmark]
 #[bench::at_160x120(recording(Frame::Small))]
 #[bench::at_320x240(recording(Frame::Medium))]

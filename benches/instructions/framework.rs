@@ -1,11 +1,11 @@
-//! The framework: a hundred cycles of each tree.
+//! The framework: 100 cycles of each tree.
 
 use std::hint::black_box;
 
 use bica::prelude::*;
 use gungraun::prelude::*;
 
-use crate::slow::dawdle;
+use crate::slow::slow_down;
 use bica_benches::trees::chain::{Hundred, Rarely, Ten};
 use bica_benches::trees::latent::{TenOfHundred, TenOfTen};
 use bica_benches::trees::machine::{ByHand, Machine, Ring};
@@ -15,7 +15,7 @@ use bica_benches::trees::wide::{WideHundred, WideTen};
 
 const CYCLES: u64 = 100;
 
-/// A tree that is at work already.
+/// Ticks a new tree for 100 cycles, so that its components are active.
 fn warm<T: Tree>(mut tree: T) -> T {
     ticks(&mut tree, 0, |_, _| {});
     tree
@@ -25,7 +25,7 @@ fn ticks<T: Tree>(tree: &mut T, from: u64, mut before: impl FnMut(&mut T, u64)) 
     for now in from..from + CYCLES {
         before(tree, now);
         black_box(&mut *tree).tick(Instant::from_millis(now));
-        dawdle(T::COUNT);
+        slow_down(T::COUNT);
     }
 }
 
@@ -35,7 +35,7 @@ fn still() -> Switch {
     warm(tree)
 }
 
-/// One benchmark for each tree: what a benchmark calls must be a function that is not generic.
+/// One benchmark function for each tree, because gungraun does not accept generic functions.
 macro_rules! trees {
     ($($name:ident: $kind:ty = $tree:expr),* $(,)?) => {
         $(

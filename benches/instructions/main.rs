@@ -1,23 +1,23 @@
-//! Instructions of what CI gates, counted by valgrind.
+//! Instruction counts that CI checks, taken by valgrind.
 //!
-//! `cargo xtask budget` counts, and compares with `benches/instructions.txt`. Nothing here depends on the time, and so
-//! that nothing depends on the computer either, the C library is told to use none of its copies of a function that are
-//! made for some processor.
+//! `cargo xtask budget` counts and compares with `benches/instructions.txt`. Counts do not depend on time. To make them
+//! independent of the computer too, `GLIBC_TUNABLES` disables the variants of C library functions that are specific to
+//! a processor.
 
 mod body;
-mod eyes;
 mod forward;
 mod framework;
 mod slow;
+mod vision;
 
 use gungraun::prelude::*;
 
 use body::motion;
-use eyes::frames;
 use forward::{components, whole_loop};
 use framework::trees as framework_trees;
+use vision::frames;
 
-/// Without them glibc takes what is written for any x86-64.
+/// Without these features glibc uses its baseline functions for x86-64.
 const PLAIN: &str =
     "glibc.cpu.hwcaps=-AVX2,-AVX512F,-AVX512VL,-ERMS,-FSRM,-AVX_Fast_Unaligned_Load,-BMI2,-SSE4_2,-SSSE3";
 

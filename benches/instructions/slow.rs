@@ -1,16 +1,16 @@
-//! What is counted made slower on purpose, to see every gate fail.
+//! Artificial slowdown, which shows that each check of the instruction counts can fail.
 
 use std::hint::black_box;
 
-/// `cargo xtask budget --slow` asks for it when this is compiled: what is counted otherwise holds no trace of it.
+/// Whether `cargo xtask budget --slow` compiles this program; otherwise no instruction of the slowdown is compiled in.
 const SLOW: bool = option_env!("BICA_SLOW").is_some();
 
-/// Dawdles, if that is asked for, more than in proportion to `size`.
+/// Executes additional instructions, quadratic in `size`, if the slowdown is compiled in.
 #[inline(always)]
-pub(crate) fn dawdle(size: usize) {
+pub(crate) fn slow_down(size: usize) {
     if SLOW {
-        for turn in 0..4 * size * size {
-            black_box(turn);
+        for iteration in 0..4 * size * size {
+            black_box(iteration);
         }
     }
 }

@@ -1,4 +1,4 @@
-//! A forward in the built-in world.
+//! The forward in the kinematic world.
 
 use bica::Tree;
 use bica::runner::Runner;

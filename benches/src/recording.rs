@@ -11,39 +11,39 @@ use glam::Vec2;
 
 use crate::game::new_game;
 
-/// Cycles before a recording, in which the forward finds the ball and begins to walk.
+/// Number of cycles before a recording, in which the forward finds the ball and begins to walk.
 pub const WARM: usize = 90;
-/// Cycles of a recording; 18 bring an image.
+/// Number of cycles of a recording; 18 of them have an image.
 pub const CYCLES: usize = 60;
 
-/// The sensor values of some cycles.
-pub struct Recording(Vec<Moment>);
+/// Sensor values of consecutive cycles.
+pub struct Recording(Vec<RecordedCycle>);
 
-struct Moment {
-    /// Without the image.
+struct RecordedCycle {
+    /// Sensor values without the image.
     sensors: Sensors<'static>,
-    picture: Option<Picture>,
+    image: Option<OwnedImage>,
 }
 
-/// An image with its own memory.
-pub struct Picture {
-    /// The camera that took it.
+/// Image with its own memory.
+pub struct OwnedImage {
+    /// Camera that took the image.
     pub camera: CameraId,
-    /// Pixels.
+    /// Width, px.
     pub width: u16,
-    /// Pixels.
+    /// Height, px.
     pub height: u16,
-    /// YUYV 4:2:2.
+    /// Pixels, YUYV 4:2:2.
     pub yuyv: Vec<u8>,
 }
 
 impl Recording {
-    /// Records `cycles` of a game after the first `before`, in which the robot walks towards a ball in front of a goal with other
-    /// robots beside it. Returns the recording and the forward after the game. Localization is held active, so that all
-    /// detectors run.
+    /// Records `cycles` cycles of a game after the first `before`. The robot walks towards a ball in front of a goal,
+    /// with other robots beside it. Localization is held active, so all detectors run. Returns the recording and the
+    /// forward after the game.
     ///
     /// # Panics
-    /// If an image does not fit.
+    /// If the size of an image is not accepted.
     #[must_use]
     pub fn of_game(frame: Frame, before: usize, cycles: usize) -> (Self, Box<Forward>) {
         let start = Start { robot: Pose2::new(0.6, 0.2, 0.0), ball: Vec2::new(1.8, 0.1) };
@@ -52,31 +52,31 @@ impl Recording {
         for _ in 0..before {
             game.cycle().expect("the image fits");
         }
-        let mut moments = Vec::with_capacity(cycles);
+        let mut recorded = Vec::with_capacity(cycles);
         for _ in 0..cycles {
-            moments.push(Moment::of(&World::<Forward>::sensors(game.world_mut())));
+            recorded.push(RecordedCycle::of(&World::<Forward>::sensors(game.world_mut())));
             game.cycle().expect("the image fits");
         }
-        (Self(moments), game.into_parts().0)
+        (Self(recorded), game.into_parts().0)
     }
 
-    /// The sensor values, cycle by cycle.
+    /// Returns the sensor values, cycle by cycle.
     pub fn sensors(&self) -> impl Iterator<Item = Sensors<'_>> {
-        self.0.iter().map(Moment::sensors)
+        self.0.iter().map(RecordedCycle::sensors)
     }
 }
 
-impl Picture {
-    /// The image.
+impl OwnedImage {
+    /// Borrows the image.
     #[must_use]
     pub fn image(&self) -> Image<'_> {
         Image { camera: self.camera, width: self.width, height: self.height, yuyv: &self.yuyv }
     }
 }
 
-impl Moment {
+impl RecordedCycle {
     fn of(sensors: &Sensors<'_>) -> Self {
-        let picture = sensors.image.map(|image| Picture {
+        let image = sensors.image.map(|image| OwnedImage {
             camera: image.camera,
             width: image.width,
             height: image.height,
@@ -84,10 +84,10 @@ impl Moment {
         });
         let Sensors { angles, temperatures, currents, inertial, left_foot, right_foot, buttons, image: _ } = *sensors;
         let sensors = Sensors { angles, temperatures, currents, inertial, left_foot, right_foot, buttons, image: None };
-        Self { sensors, picture }
+        Self { sensors, image }
     }
 
     fn sensors(&self) -> Sensors<'_> {
-        Sensors { image: self.picture.as_ref().map(Picture::image), ..self.sensors }
+        Sensors { image: self.image.as_ref().map(OwnedImage::image), ..self.sensors }
     }
 }

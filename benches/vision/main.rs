@@ -1,8 +1,9 @@
-//! Costs of the vision stages on rendered and recorded frames.
+//! Cost of the vision stages on rendered and recorded frames.
 //!
-//! `cargo bench -p bica-benches --bench vision` prints a table of minimum times, with a copy of the frame as the lower bound and
-//! synthetic frames as the worst case, and then Criterion's results. `cargo bench -p bica-benches --bench vision -- table` prints the
-//! table alone. `cargo xtask opencv` compares with OpenCV. Compare results of one run only, never of two machines.
+//! `cargo bench -p bica-benches --bench vision` prints a table of minimum times, then Criterion's results. A copy of
+//! the frame is the lower bound, synthetic frames are the worst case. `cargo bench -p bica-benches --bench vision --
+//! table` prints the table alone. `cargo xtask opencv` compares with OpenCV. Compare results of one run only, never of
+//! two machines.
 
 mod figures;
 mod peer;
@@ -10,8 +11,8 @@ mod stages;
 
 use criterion::Criterion;
 
-use crate::stages::{Desk, Given, STAGES};
-use bica_benches::frames::{Album, SIZES, recorded, rendered, worst};
+use crate::stages::{Buffers, Input, STAGES};
+use bica_benches::frames::{FrameSet, SIZES, recorded, rendered, worst};
 
 /// Seeds of the games whose frames are rendered.
 const WORLDS: u64 = 12;
@@ -27,43 +28,43 @@ fn main() {
         ["everything", ..] => SIZES.map(|size| peer::everything(&usual(size))).into_iter().collect(),
         _ => {
             let mut criterion = Criterion::default().configure_from_args();
-            tables().iter().flatten().for_each(|album| bench(&mut criterion, album));
+            tables().iter().flatten().for_each(|frame_set| bench(&mut criterion, frame_set));
             criterion.final_summary();
         }
     }
 }
 
-/// Recorded frames with poses if available, otherwise rendered ones.
-fn usual(size: (u16, u16)) -> Album {
+/// Recorded frames with camera poses if available, otherwise rendered ones.
+fn usual(size: (u16, u16)) -> FrameSet {
     recorded::folder()
-        .map_or_else(|| rendered::album(size, WORLDS), |folder| recorded::albums(folder, size).swap_remove(0))
+        .map_or_else(|| rendered::frame_set(size, WORLDS), |folder| recorded::frame_sets(folder, size).swap_remove(0))
 }
 
-/// Prints the time of each stage and frame size, and the ratio of the worst frames to typical ones.
-fn tables() -> Vec<Vec<Album>> {
+/// Prints the time of each stage for each frame size, and the ratio of the worst frames to typical ones.
+fn tables() -> Vec<Vec<FrameSet>> {
     let real = recorded::folder();
     let of_size = |size| {
-        let real = real.iter().flat_map(|folder| recorded::albums(folder, size));
-        let albums: Vec<Album> = std::iter::once(rendered::album(size, WORLDS)).chain(real).collect();
-        figures::print(&albums);
-        figures::print_worst(&worst::album(size), albums.get(1).unwrap_or(&albums[0]));
-        albums
+        let real = real.iter().flat_map(|folder| recorded::frame_sets(folder, size));
+        let frame_sets: Vec<FrameSet> = std::iter::once(rendered::frame_set(size, WORLDS)).chain(real).collect();
+        figures::print(&frame_sets);
+        figures::print_worst(&worst::frame_set(size), frame_sets.get(1).unwrap_or(&frame_sets[0]));
+        frame_sets
     };
     SIZES.map(of_size).into()
 }
 
-/// Runs each stage on all frames of an album.
-fn bench(criterion: &mut Criterion, album: &Album) {
-    let (width, height) = album.size();
-    let given: Vec<_> = album.shots.iter().map(|shot| Given::new(shot, &album.table)).collect();
-    let mut desk = Desk::new();
-    let mut group = criterion.benchmark_group(format!("{} {width}×{height}", album.name));
+/// Measures each stage on all frames of a set.
+fn bench(criterion: &mut Criterion, frame_set: &FrameSet) {
+    let (width, height) = frame_set.size();
+    let input: Vec<_> = frame_set.samples.iter().map(|sample| Input::new(sample, &frame_set.table)).collect();
+    let mut buffers = Buffers::new();
+    let mut group = criterion.benchmark_group(format!("{} {width}×{height}", frame_set.name));
     for (name, stage) in STAGES {
-        let mut frames = given.iter().cycle();
+        let mut frames = input.iter().cycle();
         group.bench_function(name, |bencher| {
             bencher.iter(|| {
-                if let Some(given) = frames.next() {
-                    stage(&mut desk, given);
+                if let Some(input) = frames.next() {
+                    stage(&mut buffers, input);
                 }
             });
         });

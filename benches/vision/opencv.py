@@ -1,14 +1,14 @@
-"""The colour part alone by OpenCV: YUYV to HSV, a mask for each of five classes, their connected components.
+"""Colour segmentation by OpenCV: YUYV to HSV, a mask for each of five classes, connected components of each mask.
 
-python3 opencv.py FOLDER [--threads]: looks at the frames WIDTHxHEIGHT.yuyv of the folder, one after the other in each file, and
-prints for each size the mean over the frames of the fastest of several rounds, µs, twice: with connectedComponents and
-with connectedComponentsWithStats, which also measures them. One thread, or as many as OpenCV takes by itself; results go to
-memory that is there already.
+python3 opencv.py FOLDER [--threads]: processes the files WIDTHxHEIGHT.yuyv of the folder, each a sequence of frames. Prints for
+each size the mean over the frames of the minimum time of several rounds, µs: first with connectedComponents, then with
+connectedComponentsWithStats, which also measures the components. Uses one thread, or with --threads as many as OpenCV chooses.
+All results are written to memory that is already allocated.
 """
 
 import signal
 
-# Ctrl-C ends it without a trace of where it was, also while what follows is read.
+# Ctrl-C ends the program without a traceback, also during the imports below.
 signal.signal(signal.SIGINT, signal.SIG_DFL)
 
 import pathlib
@@ -19,7 +19,7 @@ import cv2
 import numpy as np
 
 ROUNDS = 5
-# Every so many frames of the folder are looked at: neighbours are much alike.
+# Interval of the frames that are processed; consecutive frames are similar.
 STEP = 4
 # Hue 0 to 180, saturation, value: orange, yellow, blue, white, green.
 CLASSES = [
@@ -31,14 +31,14 @@ CLASSES = [
 ]
 
 
-class Desk:
+class Buffers:
     def __init__(self, width, height):
         self.bgr = np.empty((height, width, 3), np.uint8)
         self.hsv = np.empty((height, width, 3), np.uint8)
         self.mask = np.empty((height, width), np.uint8)
         self.labels = np.empty((height, width), np.int32)
 
-    def look(self, frame, components):
+    def segment(self, frame, components):
         cv2.cvtColor(frame, cv2.COLOR_YUV2BGR_YUYV, self.bgr)
         cv2.cvtColor(self.bgr, cv2.COLOR_BGR2HSV, self.hsv)
         for low, high in CLASSES:
@@ -54,14 +54,14 @@ def with_stats(mask, labels):
     cv2.connectedComponentsWithStats(mask, labels, connectivity=8, ltype=cv2.CV_32S)
 
 
-def mean_of_minima(desk, frames, components):
-    least = [float("inf")] * len(frames)
+def mean_of_minima(buffers, frames, components):
+    minima = [float("inf")] * len(frames)
     for _ in range(ROUNDS):
         for at, frame in enumerate(frames):
             began = time.perf_counter_ns()
-            desk.look(frame, components)
-            least[at] = min(least[at], time.perf_counter_ns() - began)
-    return sum(least) / len(least) / 1e3
+            buffers.segment(frame, components)
+            minima[at] = min(minima[at], time.perf_counter_ns() - began)
+    return sum(minima) / len(minima) / 1e3
 
 
 def main():
@@ -69,8 +69,8 @@ def main():
     for path in sorted(pathlib.Path(sys.argv[1]).glob("*.yuyv"), key=lambda path: path.stat().st_size):
         width, height = map(int, path.stem.split("x"))
         frames = np.fromfile(path, np.uint8).reshape(-1, height, width, 2)[::STEP]
-        desk = Desk(width, height)
-        figures = [mean_of_minima(desk, frames, components) for components in (plain, with_stats)]
+        buffers = Buffers(width, height)
+        figures = [mean_of_minima(buffers, frames, components) for components in (plain, with_stats)]
         print(path.stem, *(f"{figure:.1f}" for figure in figures))
     print("version", cv2.__version__, file=sys.stderr)
 

@@ -1,4 +1,4 @@
-//! The vision stages, each on the results of the earlier stages.
+//! The vision stages, each on the results of earlier stages.
 
 use std::hint::black_box;
 
@@ -15,13 +15,13 @@ use bica_vision::robots;
 use bica_vision::segment::{Area, Runs};
 use bica_vision::table::CompactTable;
 
-use bica_benches::frames::Shot;
+use bica_benches::frames::Sample;
 
 /// Maximum number of runs of all classes.
 const RUNS: usize = 8192;
 
-/// Working memory of all stages, and a buffer to copy a frame to.
-pub(crate) struct Desk {
+/// Buffers of all stages, and a buffer to copy a frame to.
+pub(crate) struct Buffers {
     copy: Vec<u8>,
     runs: Runs<RUNS>,
     regions: Regions<RUNS, 64>,
@@ -31,23 +31,23 @@ pub(crate) struct Desk {
 }
 
 /// Frame with the results of earlier stages.
-pub(crate) struct Given<'a> {
-    pub(crate) shot: &'a Shot,
+pub(crate) struct Input<'a> {
+    pub(crate) sample: &'a Sample,
     pub(crate) table: &'a CompactTable,
     end: FieldBoundary,
     lines: Lines,
 }
 
-impl<'a> Given<'a> {
-    pub(crate) fn new(shot: &'a Shot, table: &'a CompactTable) -> Self {
-        let end = FieldBoundary::find_with(&shot.frame(), table, shot.camera.as_ref());
-        let lines = lines::find(&shot.frame(), table, &end, shot.camera.as_ref());
-        Self { shot, table, end, lines }
+impl<'a> Input<'a> {
+    pub(crate) fn new(sample: &'a Sample, table: &'a CompactTable) -> Self {
+        let end = FieldBoundary::find_with(&sample.frame(), table, sample.camera.as_ref());
+        let lines = lines::find(&sample.frame(), table, &end, sample.camera.as_ref());
+        Self { sample, table, end, lines }
     }
 }
 
 /// Stage: name and function.
-pub(crate) type Stage = (&'static str, fn(&mut Desk, &Given<'_>));
+pub(crate) type Stage = (&'static str, fn(&mut Buffers, &Input<'_>));
 
 /// Copy of the frame: a lower bound for stages that read the whole frame.
 pub(crate) const MEMCPY: &str = "memcpy";
@@ -56,49 +56,49 @@ pub(crate) const EVERYTHING: &str = "everything";
 
 /// All stages.
 pub(crate) const STAGES: [Stage; 11] = [
-    (MEMCPY, |desk, given| {
-        desk.copy.clear();
-        desk.copy.extend_from_slice(black_box(&given.shot.yuyv));
-        black_box(&desk.copy);
+    (MEMCPY, |buffers, input| {
+        buffers.copy.clear();
+        buffers.copy.extend_from_slice(black_box(&input.sample.yuyv));
+        black_box(&buffers.copy);
     }),
-    ("colour", |_, given| {
-        let frame = given.shot.frame();
+    ("colour", |_, input| {
+        let frame = input.sample.frame();
         let pairs = (0..frame.height()).flat_map(|row| frame.row(row));
-        let green = pairs.filter(|pair| given.table.classify(Pair(**pair).mean()) == Colour::Green);
+        let green = pairs.filter(|pair| input.table.classify(Pair(**pair).mean()) == Colour::Green);
         black_box(green.count());
     }),
-    ("runs", |desk, given| {
+    ("runs", |buffers, input| {
         let all = Colour::ALL.into_iter().fold(ColourSet::EMPTY, |all, one| all | ColourSet::of(one));
-        desk.runs.segment(&given.shot.frame(), given.table, all, Area::ALL.every(2));
+        buffers.runs.segment(&input.sample.frame(), input.table, all, Area::ALL.every(2));
     }),
     // Uses the runs of the previous stage.
-    ("regions", |desk, _| desk.regions.connect(&desk.runs, 6)),
-    ("end of field", |_, given| {
-        black_box(FieldBoundary::find_with(&given.shot.frame(), given.table, given.shot.camera.as_ref()));
+    ("regions", |buffers, _| buffers.regions.connect(&buffers.runs, 6)),
+    ("field boundary", |_, input| {
+        black_box(FieldBoundary::find_with(&input.sample.frame(), input.table, input.sample.camera.as_ref()));
     }),
-    ("ball", |desk, given| {
-        black_box(desk.balls.find(&given.shot.frame(), given.table, &given.end, given.shot.camera.as_ref()));
+    ("ball", |buffers, input| {
+        black_box(buffers.balls.find(&input.sample.frame(), input.table, &input.end, input.sample.camera.as_ref()));
     }),
-    ("goals", |desk, given| {
-        black_box(desk.goals.find(&given.shot.frame(), given.table, &given.end, given.shot.camera.as_ref()));
+    ("goals", |buffers, input| {
+        black_box(buffers.goals.find(&input.sample.frame(), input.table, &input.end, input.sample.camera.as_ref()));
     }),
-    ("robots", |_, given| {
-        let Some(camera) = &given.shot.camera else { return };
-        black_box(robots::find(&given.shot.frame(), given.table, &given.end, Some(camera)));
+    ("robots", |_, input| {
+        let Some(camera) = &input.sample.camera else { return };
+        black_box(robots::find(&input.sample.frame(), input.table, &input.end, Some(camera)));
     }),
-    ("lines", |_, given| {
-        black_box(lines::find(&given.shot.frame(), given.table, &given.end, given.shot.camera.as_ref()));
+    ("lines", |_, input| {
+        black_box(lines::find(&input.sample.frame(), input.table, &input.end, input.sample.camera.as_ref()));
     }),
-    ("markings", |_, given| {
-        let Some(camera) = &given.shot.camera else { return };
-        black_box(Markings::of(&given.shot.frame(), given.table, camera, &given.lines));
+    ("markings", |_, input| {
+        let Some(camera) = &input.sample.camera else { return };
+        black_box(Markings::of(&input.sample.frame(), input.table, camera, &input.lines));
     }),
-    (EVERYTHING, |desk, given| {
-        black_box(desk.pipeline.detect(&given.shot.frame(), given.table, given.shot.camera.as_ref()));
+    (EVERYTHING, |buffers, input| {
+        black_box(buffers.pipeline.detect(&input.sample.frame(), input.table, input.sample.camera.as_ref()));
     }),
 ];
 
-impl Desk {
+impl Buffers {
     pub(crate) fn new() -> Box<Self> {
         Box::new(Self {
             copy: Vec::new(),

@@ -1,4 +1,4 @@
-//! Where lines meet.
+//! Crossings of field lines.
 
 use core::f32::consts::{FRAC_PI_2, PI};
 
@@ -9,9 +9,9 @@ use crate::FieldDimensions;
 /// Shape of a crossing of two lines.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CrossingKind {
-    /// Two lines end in each other: a corner.
+    /// Both lines end at the crossing: a corner.
     L,
-    /// One line ends in the other.
+    /// One line ends at the other.
     T,
     /// Neither line ends.
     X,

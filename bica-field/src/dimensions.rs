@@ -1,4 +1,4 @@
-//! The lengths of a field.
+//! Lengths of a field.
 
 use glam::Vec2;
 
@@ -74,12 +74,12 @@ pub const SPL_2009: FieldDimensions = FieldDimensions {
     ball_diameter_mm: 65,
 };
 
-/// The field that this workspace is built for: vision, simulation, player and tools.
+/// Field for which this workspace is built: vision, simulation, player and tools.
 ///
-/// Another field needs another value here.
+/// Programs for another field change this value.
 pub const FIELD: FieldDimensions = SPL_2009;
 
-/// Metres of a length in millimetres. The division rounds once, to the nearest `f32`.
+/// Converts a length from millimetres to metres. The division rounds once, to the nearest `f32`.
 const fn metres(millimetres: u16) -> f32 {
     millimetres as f32 / 1000.0
 }

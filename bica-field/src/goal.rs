@@ -1,4 +1,4 @@
-//! The colours of the goals.
+//! Colours of the goals.
 
 use core::fmt;
 
@@ -16,7 +16,7 @@ pub enum GoalColour {
 }
 
 impl GoalColour {
-    /// The colour of the other goal.
+    /// Returns the colour of the other goal.
     #[must_use]
     pub const fn other(self) -> Self {
         match self {

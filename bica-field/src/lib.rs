@@ -1,7 +1,7 @@
 //! Dimensions and markings of a robot soccer field.
 //!
-//! [`FieldDimensions`] holds the lengths that the rules state, in millimetres. Its methods give the points and lengths
-//! that programs need, in metres. All methods are `const`: a program that uses a constant field pays nothing for them.
+//! [`FieldDimensions`] contains the lengths of the rules, in millimetres. Its methods return the points and lengths
+//! that programs need, in metres. All methods are `const`, so a constant field has no cost at run time.
 //!
 //! *Field frame*: origin at the centre mark, x towards the attacked goal, y to the left, z up. The field is symmetric to
 //! both axes, so a point in the quarter of positive coordinates stands for four.
@@ -17,7 +17,7 @@
 //! assert_eq!(left - right, Vec2::new(0.0, SPL_2009.goal_width()));
 //! assert_eq!(GoalColour::Yellow.other(), GoalColour::SkyBlue);
 //!
-//! // Another field is another value.
+//! // Another field.
 //! const PRACTICE: FieldDimensions = FieldDimensions { field_length_mm: 4500, ..SPL_2009 };
 //! assert_eq!(PRACTICE.field_corner().x, 2.25);
 //! ```

@@ -28,7 +28,7 @@ impl FieldDimensions {
     }
 }
 
-/// As `f32::clamp`, without its panic: the message would bring the formatting of floats into firmware.
+/// Like `f32::clamp`, but without its panic, whose message would link the formatting of floats into firmware.
 const fn within(value: f32, low: f32, high: f32) -> f32 {
     if value < low {
         low

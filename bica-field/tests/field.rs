@@ -1,4 +1,4 @@
-//! The field of 2009 against the figures of its rules.
+//! Comparison of the field of 2009 with the figures of its rules.
 
 #![expect(clippy::float_cmp, reason = "derived lengths must be the nearest floats")]
 

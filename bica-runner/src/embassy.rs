@@ -13,9 +13,9 @@ use crate::schedule::{RunError, Schedule};
 use crate::world::World;
 
 impl Schedule {
-    /// Waits for the next deadline and returns it. Can be cancelled, so it can stand beside a link in a `select`.
+    /// Waits for the next deadline and returns it. Can be cancelled, so it can be combined with a link in a `select`.
     ///
-    /// A loop of its own calls [`begin`](Self::begin) and [`end`](Self::end) around what it does then.
+    /// A loop that uses this function calls [`begin`](Self::begin) and [`end`](Self::end) around each cycle.
     pub async fn wait(&mut self) -> Instant {
         let due = self.deadline(Instant::now());
         Timer::at(due).await;

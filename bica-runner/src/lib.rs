@@ -7,9 +7,9 @@
 //! 1. apply the [requests](Requests) of operators and tools,
 //! 2. write the sensor values into the tree ([`Robot::sense`]),
 //! 3. tick the tree,
-//! 4. read the command ([`Robot::act`]) and hand it to the world,
+//! 4. read the command ([`Robot::act`]) and pass it to the world,
 //!
-//! and an [`Observer`] sees each of these steps.
+//! An [`Observer`] receives each of these steps.
 //!
 //! ```
 //! use bica_core::{Instant, Tree};
@@ -76,10 +76,10 @@
 //!
 //! | the world | the loop |
 //! |---|---|
-//! | a simulation, as fast as it goes | [`Runner::cycle`] in a `while` |
-//! | a real robot with an operating system, or a simulation at real speed | `Runner::run` (feature `std`) |
+//! | a simulation at maximum speed | [`Runner::cycle`] in a `while` |
+//! | a real robot with an operating system, or a simulation in real time | `Runner::run` (feature `std`) |
 //! | a microcontroller with embassy | `Runner::run_async` (feature `embassy`) |
-//! | sensor values that come as messages | [`Runner::sense`] and [`Runner::think`] |
+//! | sensor values received as messages | [`Runner::sense`] and [`Runner::think`] |
 //! | a test | the module `harness` (feature `std`) |
 //!
 //! Without features the crate needs neither an operating system nor a heap. All types are static: a runner without

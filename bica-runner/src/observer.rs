@@ -1,4 +1,4 @@
-//! Watching the loop.
+//! Observers of the loop.
 
 use bica_core::{Instant, Probe, Stopwatch};
 
@@ -6,52 +6,53 @@ use crate::request::Request;
 use crate::robot::Robot;
 use crate::schedule::Overrun;
 
-/// Sees every input and output of a loop: a recorder, a monitor, a meter.
+/// Receives every input and output of a loop, for example for a recording, a monitor or a measurement.
 ///
-/// An observer is a [`Probe`] too, so it also sees what happens inside the tick. In one cycle the calls come in this
-/// order: [`requested`](Self::requested) for each request, [`sensing`](Self::sensing), [`sensed`](Self::sensed), those of
-/// the probe from `cycle_begin` to `cycle_end`, [`acted`](Self::acted). An observer with a clock reads it in these calls.
-/// Methods that are not written cost nothing. `()` observes nothing; a pair `(A, B)` is two observers.
+/// An observer is a [`Probe`] too, so it also receives the events within the tick. The calls of one cycle have this
+/// order: [`requested`](Self::requested) for each request, [`sensing`](Self::sensing), [`sensed`](Self::sensed), those
+/// of the probe from `cycle_begin` to `cycle_end`, [`acted`](Self::acted). An observer that measures time reads its
+/// clock in these calls. Methods with their default implementation cost nothing. `()` observes nothing; a pair `(A, B)`
+/// is two observers.
 #[expect(unused_variables, reason = "the names of the arguments are documentation")]
 pub trait Observer<R: Robot>: Probe {
-    /// A request was applied, before the cycle at `now`.
+    /// Called after a request was applied, before the cycle at `now`.
     #[inline]
     fn requested(&mut self, now: Instant, request: &Request) {}
 
-    /// These sensor values are about to be written into the tree.
+    /// Called before these sensor values are written into the tree.
     #[inline]
     fn sensing(&mut self, now: Instant, sensors: &R::Sensors<'_>) {}
 
-    /// The sensor values were written, or refused.
+    /// Called after the sensor values were written or rejected.
     #[inline]
     fn sensed(&mut self) {}
 
-    /// The cycle is complete; its command goes to the world next.
+    /// Called at the end of the cycle, before the command is passed to the world.
     #[inline]
     fn acted(&mut self, cycle: &Cycle<'_, R>) {}
 
-    /// A real-time loop was still busy when its next cycle was due.
+    /// Called when a cycle of a real-time loop ended after the next one was due.
     #[inline]
     fn overrun(&mut self, overrun: &Overrun) {}
 }
 
-/// The result of one cycle.
+/// Result of one cycle.
 #[derive(Debug)]
 pub struct Cycle<'a, R: Robot> {
-    /// The instant that the tree was given.
+    /// Instant of the tick.
     pub now: Instant,
-    /// The tree after the tick: its states and active components.
+    /// Tree after the tick: its states and active components.
     pub robot: &'a R,
-    /// The command.
+    /// Command.
     pub command: &'a R::Command,
 }
 
 impl<R: Robot> Observer<R> for () {}
 
-/// Measures the components; of the rest of the loop it sees nothing.
+/// Measures the components; it does not use the other calls of the loop.
 impl<R: Robot, C: FnMut() -> u64, const N: usize> Observer<R> for Stopwatch<C, N> {}
 
-/// Writes each call as a call on these observers.
+/// Implements each method by a call of the same method of these observers.
 macro_rules! forward {
     ($self:ident => $($observer:expr),+) => {
         #[inline]

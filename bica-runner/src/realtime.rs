@@ -15,18 +15,18 @@ use crate::runner::Runner;
 use crate::schedule::{RunError, Schedule};
 use crate::world::World;
 
-/// The monotonic clock of the operating system, from zero when it is made.
+/// Monotonic clock of the operating system; it starts at zero when it is created.
 #[derive(Clone, Copy, Debug)]
 pub struct Clock(time::Instant);
 
 impl Clock {
-    /// A clock that begins now.
+    /// Creates a clock that starts now.
     #[must_use]
     pub fn start() -> Self {
         Self(time::Instant::now())
     }
 
-    /// Time since the clock began, as the instant that trees take.
+    /// Time since the start of the clock, as the instant of a tick.
     #[must_use]
     pub fn now(&self) -> Instant {
         Instant::from_micros(self.0.elapsed().as_micros() as u64)
@@ -39,21 +39,21 @@ impl Clock {
     }
 }
 
-/// A flag that ends loops; clones share it.
+/// Flag that ends loops; clones share it.
 #[derive(Clone, Debug, Default)]
 pub struct Stop(Arc<AtomicBool>);
 
 impl Stop {
-    /// A flag that is not raised.
+    /// Creates a flag that is not raised.
     #[must_use]
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// A flag that the first Ctrl-C raises.
+    /// Creates a flag that the first Ctrl-C raises.
     ///
     /// # Errors
-    /// If the process has a handler already, or the operating system refuses one.
+    /// If the process already has a handler, or the operating system rejects one.
     #[cfg(feature = "ctrlc")]
     pub fn on_ctrl_c() -> Result<Self, ctrlc::Error> {
         let stop = Self::new();
@@ -81,10 +81,10 @@ where
     Q: Requests,
     O: Observer<T::Target>,
 {
-    /// Runs cycles at the rate of `schedule` until `goes_on` is false or `stop` is raised.
+    /// Runs cycles at the rate of `schedule` until `continues` is false or `stop` is raised.
     ///
-    /// Each cycle sleeps until its absolute deadline on a monotonic clock. `schedule` holds the statistics afterwards, and
-    /// can be handed in again to go on.
+    /// Each cycle waits until its absolute deadline on a monotonic clock. Afterwards `schedule` contains the
+    /// statistics; a later call can continue with it.
     ///
     /// # Errors
     /// [`RunError::Sense`]; [`RunError::Overrun`] if the schedule's policy is to abort.
@@ -92,11 +92,11 @@ where
         &mut self,
         schedule: &mut Schedule,
         stop: &Stop,
-        mut goes_on: impl FnMut(&mut Self) -> bool,
+        mut continues: impl FnMut(&mut Self) -> bool,
     ) -> Result<(), RunError<<T::Target as Robot>::Error>> {
         let clock = Clock::start();
         schedule.restart();
-        while !stop.is_stopped() && goes_on(self) {
+        while !stop.is_stopped() && continues(self) {
             clock.sleep_until(schedule.deadline(clock.now()));
             schedule.begin(clock.now());
             self.cycle().map_err(RunError::Sense)?;

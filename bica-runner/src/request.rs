@@ -1,25 +1,25 @@
-//! What operators and tools ask of a running robot.
+//! Requests of operators and tools to a running robot.
 
 use bica_core::{ComponentId, Hold, Instant, Tree};
 
-/// A change of the tree from outside, applied between two cycles.
+/// Change of the tree from outside, applied between two cycles.
 ///
-/// All changes but the sensor values enter by this type, so a recording of requests and sensor values is complete.
+/// All changes except the sensor values are requests, so a recording of requests and sensor values is complete.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Request {
     /// Holds a component active or latent, or releases it.
     Hold {
-        /// The component.
+        /// Component.
         component: ComponentId,
-        /// How it is held from the next tick on.
+        /// Hold from the next tick on.
         hold: Hold,
     },
-    /// Modulates the rate of a component.
+    /// Changes the rate of a component.
     Rate {
-        /// The component.
+        /// Component.
         component: ComponentId,
-        /// Runs per second, up to the declared rate.
+        /// Runs per second, limited to the declared rate.
         hz: f32,
     },
 }
@@ -33,13 +33,13 @@ impl Request {
     }
 }
 
-/// A source of requests: a link to an operator, a script, a recording.
+/// Source of requests: a link to an operator, a script, a recording.
 pub trait Requests {
-    /// The next request to apply before the cycle at `now`; `None` if there is none left for this cycle.
+    /// Returns the next request to apply before the cycle at `now`; `None` if there is no further one for this cycle.
     fn next(&mut self, now: Instant) -> Option<Request>;
 }
 
-/// No requests.
+/// Provides no requests.
 impl Requests for () {
     #[inline]
     fn next(&mut self, _now: Instant) -> Option<Request> {
@@ -54,7 +54,7 @@ impl<Q: Requests + ?Sized> Requests for &mut Q {
     }
 }
 
-/// A queue, emptied before the next cycle.
+/// Queue of requests; all are applied before the next cycle.
 #[cfg(feature = "std")]
 impl Requests for std::collections::VecDeque<Request> {
     fn next(&mut self, _now: Instant) -> Option<Request> {

@@ -1,24 +1,24 @@
-//! The tree with its inputs and outputs.
+//! Tree with its inputs and outputs.
 
 use bica_core::Tree;
 
-/// An activation tree that can control a robot: how sensor values enter it and how the command leaves it.
+/// Activation tree that can control a robot: defines the input of sensor values and the output of the command.
 ///
 /// Implement it for the type that `activation_tree!` declares.
 pub trait Robot: Tree {
-    /// The sensor values of one cycle; `'a` is the life of what they borrow, as the pixels of an image.
+    /// Sensor values of one cycle; `'a` is the lifetime of borrowed data, such as the pixels of an image.
     type Sensors<'a>;
-    /// What the actuators shall do for one cycle.
+    /// Command of all actuators for one cycle.
     type Command;
-    /// The reason why sensor values are refused; `core::convert::Infallible` if they never are.
+    /// Reason for which sensor values are rejected; `core::convert::Infallible` if they are always accepted.
     type Error;
 
     /// Writes the sensor values of this cycle into the input components.
     ///
     /// # Errors
-    /// If the tree cannot take the values. What it keeps then is the implementation's choice.
+    /// If the tree cannot accept the values. The implementation decides which values it keeps in this case.
     fn sense(&mut self, sensors: &Self::Sensors<'_>) -> Result<(), Self::Error>;
 
-    /// Reads the command from the output components. Components that need the previous command keep it here.
+    /// Reads the command from the output components. A robot whose components need the previous command stores it here.
     fn act(&mut self) -> Self::Command;
 }

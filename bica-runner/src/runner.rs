@@ -9,10 +9,10 @@ use crate::request::{Request, Requests};
 use crate::robot::Robot;
 use crate::world::World;
 
-/// A robot, the world that it controls, the requests to it and its observer.
+/// Robot with the world that it controls, its source of requests and its observer.
 ///
-/// `T` points to the tree: `Box<Tree>`, `&mut Tree`, `&'static mut Tree`. `W` is the [`World`], or `()` where sensor values
-/// come as messages.
+/// `T` points to the tree: `Box<Tree>`, `&mut Tree`, `&'static mut Tree`. `W` is the [`World`], or `()` if sensor
+/// values are received as messages.
 #[derive(Debug)]
 pub struct Runner<T, W = (), Q = (), O = ()> {
     robot: T,
@@ -22,49 +22,49 @@ pub struct Runner<T, W = (), Q = (), O = ()> {
 }
 
 impl<T, W> Runner<T, W> {
-    /// A runner without requests and observer.
+    /// Creates a runner without requests and observer.
     pub const fn new(robot: T, world: W) -> Self {
         Self { robot, world, requests: (), observer: () }
     }
 }
 
 impl<T, W, Q, O> Runner<T, W, Q, O> {
-    /// The same runner with this source of requests.
+    /// Sets the source of requests.
     pub fn with_requests<N: Requests>(self, requests: N) -> Runner<T, W, N, O> {
         Runner { robot: self.robot, world: self.world, requests, observer: self.observer }
     }
 
-    /// The same runner with this observer.
+    /// Sets the observer.
     pub fn with_observer<N>(self, observer: N) -> Runner<T, W, Q, N> {
         Runner { robot: self.robot, world: self.world, requests: self.requests, observer }
     }
 
-    /// The world.
+    /// Returns the world.
     pub const fn world(&self) -> &W {
         &self.world
     }
 
-    /// The world, to be changed between two cycles.
+    /// Returns the world for changes between two cycles.
     pub const fn world_mut(&mut self) -> &mut W {
         &mut self.world
     }
 
-    /// The observer.
+    /// Returns the observer.
     pub const fn observer(&self) -> &O {
         &self.observer
     }
 
-    /// The observer, to be read out and reset.
+    /// Returns the observer for reading and resetting.
     pub const fn observer_mut(&mut self) -> &mut O {
         &mut self.observer
     }
 
-    /// The source of requests.
+    /// Returns the source of requests.
     pub const fn requests_mut(&mut self) -> &mut Q {
         &mut self.requests
     }
 
-    /// The parts: robot, world, requests, observer.
+    /// Returns the parts: robot, world, requests, observer.
     pub fn into_parts(self) -> (T, W, Q, O) {
         (self.robot, self.world, self.requests, self.observer)
     }
@@ -75,27 +75,28 @@ where
     T: DerefMut<Target: Robot>,
     O: Observer<T::Target>,
 {
-    /// The tree.
+    /// Returns the tree.
     pub fn robot(&self) -> &T::Target {
         &self.robot
     }
 
-    /// The tree, to set it up before the first cycle. Later changes are [requests](Self::request), which observers see.
+    /// Returns the tree for changes before the first cycle. Later changes are [requests](Self::request), which
+    /// observers receive.
     pub fn robot_mut(&mut self) -> &mut T::Target {
         &mut self.robot
     }
 
-    /// Applies one request, between two cycles.
+    /// Applies one request between two cycles.
     #[inline]
     pub fn request(&mut self, now: Instant, request: Request) {
         request.apply(&mut *self.robot);
         self.observer.requested(now, &request);
     }
 
-    /// Writes sensor values into the tree: the first half of a cycle, for values that come as messages.
+    /// Writes sensor values into the tree: the first half of a cycle, for values that are received as messages.
     ///
     /// # Errors
-    /// If the robot refuses the values.
+    /// If the robot rejects the values.
     #[inline]
     pub fn sense(
         &mut self,
@@ -122,10 +123,10 @@ where
     Q: Requests,
     O: Observer<T::Target>,
 {
-    /// One cycle: requests, sense, think, act. Returns the command that the world was given.
+    /// Runs one cycle: requests, sense, think, act. Returns the command that was passed to the world.
     ///
     /// # Errors
-    /// If the robot refuses the sensor values. Then the tree is not ticked and the world does not go on.
+    /// If the robot rejects the sensor values. Then the tree is not ticked and the world does not advance.
     #[inline]
     pub fn cycle(&mut self) -> Result<<T::Target as Robot>::Command, <T::Target as Robot>::Error> {
         let now = self.world.now();

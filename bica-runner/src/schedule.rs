@@ -1,4 +1,4 @@
-//! When the cycles of a real-time loop are due.
+//! Deadlines of the cycles of a real-time loop.
 
 use core::fmt;
 
@@ -6,55 +6,55 @@ use bica_core::{Duration, Instant};
 
 use crate::timing::Timing;
 
-/// The deadlines of a loop with a fixed rate, and what became of them.
+/// Deadlines of a loop with a fixed rate, with statistics.
 ///
-/// Deadline number n is `start + n / rate`, computed anew from n, so the grid does not drift. Rates are kept in
+/// Deadline number n is `start + n / rate`, computed from n each time, so the grid does not drift. Rates are stored in
 /// millihertz. The loop calls [`begin`](Self::begin) and [`end`](Self::end) around each cycle and waits for
 /// [`deadline`](Self::deadline) in between.
 #[derive(Clone, Copy, Debug)]
 pub struct Schedule {
     millihertz: u64,
     policy: OverrunPolicy,
-    /// When the grid began; `None` before the first cycle.
+    /// Start of the grid; `None` before the first cycle.
     start: Option<Instant>,
     /// Number of the next deadline.
     number: u64,
     begun: Instant,
-    /// The delays from each deadline to the beginning of its cycle.
+    /// Delays from each deadline to the beginning of its cycle.
     pub jitter: Timing,
-    /// The execution times of the cycles.
+    /// Execution times of the cycles.
     pub execution: Timing,
-    /// Number of cycles that were not over when the next one was due.
+    /// Number of cycles that ended after the next one was due.
     pub overruns: u64,
     /// Number of deadlines without a cycle of their own.
     pub skipped: u64,
 }
 
-/// What a loop does after a cycle that took too long.
+/// Reaction of a loop to a cycle that took too long.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum OverrunPolicy {
-    /// Begins the next cycle at once and keeps the grid; deadlines that lie a period or more back are skipped.
+    /// Begins the next cycle at once and keeps the grid; deadlines that are at least one period old are skipped.
     #[default]
     Skip,
-    /// Begins the next cycle at once, and a new grid with it.
+    /// Begins the next cycle and a new grid at once.
     Shift,
     /// Ends the loop with [`RunError::Overrun`].
     Abort,
 }
 
-/// A cycle that was not over when the next one was due.
+/// Cycle that ended after the next one was due.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Overrun {
-    /// How long after that deadline it ended.
+    /// Time from that deadline to the end of the cycle.
     pub late: Duration,
-    /// Deadlines that are skipped because of it.
+    /// Number of deadlines skipped because of it.
     pub skipped: u64,
 }
 
-/// The reason why a real-time loop ended.
+/// Reason for which a real-time loop ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RunError<E> {
-    /// The robot refused the sensor values.
+    /// The robot rejected the sensor values.
     Sense(E),
     /// A cycle took too long, under [`OverrunPolicy::Abort`].
     Overrun(Overrun),
@@ -63,7 +63,7 @@ pub enum RunError<E> {
 impl<E: fmt::Display> fmt::Display for RunError<E> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Sense(error) => write!(f, "the robot refused the sensor values: {error}"),
+            Self::Sense(error) => write!(f, "the robot rejected the sensor values: {error}"),
             Self::Overrun(overrun) => {
                 write!(f, "a cycle ended {} µs after the next one was due", overrun.late.as_micros())
             }
@@ -74,8 +74,8 @@ impl<E: fmt::Display> fmt::Display for RunError<E> {
 impl<E: fmt::Debug + fmt::Display> core::error::Error for RunError<E> {}
 
 impl Schedule {
-    /// A schedule of `hz` cycles per second, from 0.001 to 1,000,000; a rate beyond these bounds is brought to the nearer
-    /// one. It begins with the first deadline that is asked for.
+    /// Creates a schedule of `hz` cycles per second, limited to 0.001 to 1,000,000. The grid begins with the first call
+    /// of [`deadline`](Self::deadline).
     #[must_use]
     pub const fn new(hz: f32, policy: OverrunPolicy) -> Self {
         let millihertz = (hz.clamp(0.001, 1e6) as f64 * 1000.0 + 0.5) as u64;
@@ -92,33 +92,33 @@ impl Schedule {
         }
     }
 
-    /// Begins a new grid at the next deadline that is asked for; the statistics go on.
+    /// Begins a new grid at the next call of [`deadline`](Self::deadline); the statistics are kept.
     pub const fn restart(&mut self) {
         (self.start, self.number) = (None, 0);
     }
 
-    /// When the next cycle is due. The first one is due at `now`.
+    /// Returns the next deadline. The first one is `now`.
     pub fn deadline(&mut self, now: Instant) -> Instant {
         let start = *self.start.get_or_insert(now);
         self.at(start, self.number)
     }
 
-    /// Deadline `number` of the grid from `start`.
+    /// Deadline `number` of the grid that begins at `start`.
     fn at(&self, start: Instant, number: u64) -> Instant {
         let us = u128::from(number) * 1_000_000_000 / u128::from(self.millihertz);
         start.saturating_add(Duration::from_micros(us as u64))
     }
 
-    /// A cycle begins.
+    /// Records the beginning of a cycle.
     pub fn begin(&mut self, now: Instant) {
         let due = self.deadline(now);
         self.jitter.add(now.saturating_duration_since(due));
         self.begun = now;
     }
 
-    /// The cycle has ended: chooses the next deadline.
+    /// Records the end of a cycle and selects the next deadline.
     ///
-    /// Returns the overrun if that deadline has passed already.
+    /// Returns the overrun if that deadline has already passed.
     pub fn end(&mut self, now: Instant) -> Option<Overrun> {
         self.execution.add(now.saturating_duration_since(self.begun));
         self.number += 1;
@@ -128,7 +128,7 @@ impl Schedule {
             return None;
         }
         let late = now.saturating_duration_since(due);
-        // The last deadline that has passed, from the elapsed time; rounding may leave it one too early.
+        // Number of the last deadline that has passed, from the elapsed time; rounding may make it too small by one.
         let elapsed = u128::from(now.saturating_duration_since(start).as_micros());
         let mut last = (elapsed * u128::from(self.millihertz) / 1_000_000_000) as u64;
         if self.at(start, last + 1) <= now {
@@ -151,7 +151,7 @@ impl Schedule {
     }
 }
 
-/// One line: cycles, overruns, jitter, execution time.
+/// Formats one line: cycles, overruns, jitter, execution time.
 impl fmt::Display for Schedule {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(

@@ -2,21 +2,21 @@
 
 use bica_core::Duration;
 
-/// Upper bounds of the classes of durations are powers of two, µs.
+/// Number of classes of durations; their upper bounds are powers of two, µs.
 const CLASSES: usize = 32;
 
-/// Number, mean, extremes and quantiles of durations, in constant memory.
+/// Number, mean, maximum and quantiles of durations, in constant memory.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Timing {
     count: u64,
     sum_us: u64,
     max_us: u64,
-    /// How many lie in each class: class `n` holds durations below 2ⁿ µs that no lower class holds.
+    /// Number of durations in each class: class `n` contains durations below 2ⁿ µs that are in no lower class.
     classes: [u64; CLASSES],
 }
 
 impl Timing {
-    /// No durations.
+    /// Creates statistics without durations.
     #[must_use]
     pub const fn new() -> Self {
         Self { count: 0, sum_us: 0, max_us: 0, classes: [0; CLASSES] }
@@ -49,21 +49,21 @@ impl Timing {
         })
     }
 
-    /// Longest duration.
+    /// Maximum duration.
     #[must_use]
     pub const fn max(&self) -> Duration {
         Duration::from_micros(self.max_us)
     }
 
-    /// An upper bound of the durations below which a share (0 to 1) of all lie: at most twice the true quantile and never
-    /// above the longest duration.
+    /// Returns an upper bound of the quantile `share` (0 to 1): at most twice the true quantile and never above the
+    /// maximum.
     #[must_use]
     pub fn quantile(&self, share: f32) -> Duration {
-        let wanted = share * self.count as f32;
+        let rank = share * self.count as f32;
         let mut seen = 0;
         for (class, count) in self.classes.iter().enumerate() {
             seen += count;
-            if seen as f32 >= wanted {
+            if seen as f32 >= rank {
                 return Duration::from_micros(((1 << class) - 1).min(self.max_us));
             }
         }

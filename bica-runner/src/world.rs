@@ -1,20 +1,21 @@
-//! The controlled side of the loop.
+//! The controlled system.
 
 use bica_core::Instant;
 
 use crate::robot::Robot;
 
-/// What a robot program controls (the plant of control engineering): a real body, a simulation, or recorded values.
+/// System that a robot program controls (the plant of control engineering): a real body, a simulation, or recorded
+/// values.
 ///
 /// The trait can be used as `dyn World<R>`.
 pub trait World<R: Robot> {
-    /// The time of this cycle on the world's own clock, which never runs backwards.
+    /// Time of this cycle on the clock of the world, which never runs backwards.
     fn now(&self) -> Instant;
 
-    /// The sensor values of this cycle.
+    /// Sensor values of this cycle.
     fn sensors(&mut self) -> R::Sensors<'_>;
 
-    /// Applies a command for one cycle. A simulation advances by that cycle.
+    /// Applies a command for one cycle. A simulation advances by one cycle.
     fn act(&mut self, command: &R::Command);
 }
 

@@ -1,4 +1,4 @@
-//! The order of a cycle, and what an observer sees of it.
+//! Order of a cycle, and calls of an observer.
 
 use bica_core::{ComponentId, Hold, Instant, Probe, Tree};
 use bica_macros::{activation_tree, component};
@@ -30,7 +30,7 @@ activation_tree! {
     struct Doubler { root: Double, cycle_hz: 100, components: [Double, Input], crate: bica_core }
 }
 
-/// Negative values are refused.
+/// Robot that rejects negative values.
 #[derive(Debug, PartialEq)]
 struct Negative(i32);
 
@@ -52,7 +52,7 @@ impl Robot for Doubler {
     }
 }
 
-/// Gives these values, one a cycle, and keeps the commands.
+/// World that provides one value per cycle and stores the commands.
 struct Script {
     values: Vec<i32>,
     commands: Vec<i32>,
@@ -76,7 +76,7 @@ fn script(values: &[i32]) -> Script {
     Script { values: values.to_vec(), commands: Vec::new() }
 }
 
-/// Writes down what it sees.
+/// Observer that records its calls.
 #[derive(Default)]
 struct Log(Vec<String>);
 
@@ -113,7 +113,7 @@ impl Observer<Doubler> for Log {
     }
 }
 
-/// One request before the second cycle.
+/// Source with one request before the second cycle.
 struct HoldSecond(Option<Request>);
 
 impl Requests for HoldSecond {
@@ -123,7 +123,7 @@ impl Requests for HoldSecond {
 }
 
 #[test]
-fn a_cycle_is_requests_sense_tick_act_and_the_observer_sees_each() {
+fn a_cycle_is_requests_sense_tick_act_and_each_calls_the_observer() {
     let hold = Request::Hold { component: Doubler::id::<Double>(), hold: Hold::Latent };
     let runner = Runner::new(Box::new(Doubler::new()), script(&[3, 4]));
     let mut runner = runner.with_requests(HoldSecond(Some(hold))).with_observer(Log::default());
@@ -139,7 +139,7 @@ fn a_cycle_is_requests_sense_tick_act_and_the_observer_sees_each() {
 }
 
 #[test]
-fn refused_sensor_values_end_the_cycle_before_the_tick() {
+fn rejected_sensor_values_end_the_cycle_before_the_tick() {
     let mut runner = Runner::new(Box::new(Doubler::new()), script(&[1, -7])).with_observer(Log::default());
     assert_eq!(runner.cycle(), Ok(2));
     let before = runner.observer().0.len();
@@ -149,7 +149,7 @@ fn refused_sensor_values_end_the_cycle_before_the_tick() {
 }
 
 #[test]
-fn values_that_come_as_messages_give_the_same_commands_as_a_world() {
+fn values_received_as_messages_give_the_same_commands_as_a_world() {
     let values = [5, 2, 9, 0];
     let mut runner = Runner::new(Box::new(Doubler::new()), ());
     let commands = values.map(|value| {

@@ -1,4 +1,4 @@
-//! The real-time loops, on the clock of this computer. Bounds that hold on a busy computer are asserted, no more.
+//! Real-time loops on the clock of this computer. Only bounds that hold on a busy computer are asserted.
 #![cfg(all(feature = "std", feature = "embassy"))]
 
 use std::thread;
@@ -22,7 +22,7 @@ activation_tree! {
     struct Sloth { root: Idle, cycle_hz: 100, components: [Idle], crate: bica_core }
 }
 
-/// Refuses sensor values that are true.
+/// Robot that rejects the sensor value `true`.
 impl Robot for Sloth {
     type Sensors<'a> = bool;
     type Command = ();
@@ -35,7 +35,7 @@ impl Robot for Sloth {
     fn act(&mut self) {}
 }
 
-/// A world that takes its time in one cycle.
+/// World with one slow cycle.
 struct Slow {
     cycle: u64,
     slow: Option<u64>,
@@ -101,7 +101,7 @@ fn a_raised_stop_flag_ends_the_loop_after_the_cycle() {
 }
 
 #[test]
-fn the_policy_abort_and_refused_sensor_values_end_the_loop() {
+fn the_policy_abort_and_rejected_sensor_values_end_the_loop() {
     let (mut slow, mut schedule) = (runner(Some(2), None), Schedule::new(100.0, OverrunPolicy::Abort));
     let ran = slow.run(&mut schedule, &Stop::new(), |_| true);
     assert!(matches!(ran, Err(RunError::Overrun(_))), "{ran:?}");

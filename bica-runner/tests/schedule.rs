@@ -7,7 +7,7 @@ fn at(us: u64) -> Instant {
     Instant::from_micros(us)
 }
 
-/// Runs a cycle at its deadline that takes so long; the deadline and the overrun.
+/// Runs a cycle at its deadline with this execution time; returns the deadline and the overrun.
 fn cycle(schedule: &mut Schedule, now: &mut u64, us: u64) -> (u64, Option<Overrun>) {
     let due = schedule.deadline(at(*now)).as_micros();
     *now = due.max(*now);
@@ -25,9 +25,9 @@ fn deadlines_do_not_drift_at_a_rate_that_divides_no_microsecond() {
 }
 
 #[test]
-fn a_late_cycle_is_followed_at_once_and_whole_periods_are_skipped() {
+fn a_late_cycle_is_followed_at_once_by_the_next_and_whole_periods_are_skipped() {
     let (mut schedule, mut now) = (Schedule::new(100.0, OverrunPolicy::Skip), 0);
-    assert_eq!(cycle(&mut schedule, &mut now, 10_000), (0, None), "it ends as the next one is due");
+    assert_eq!(cycle(&mut schedule, &mut now, 10_000), (0, None), "the cycle ends when the next one is due");
     let late = |us, skipped| Some(Overrun { late: Duration::from_micros(us), skipped });
     assert_eq!(cycle(&mut schedule, &mut now, 12_000), (10_000, late(2000, 0)));
     assert_eq!(cycle(&mut schedule, &mut now, 33_000), (20_000, late(25_000, 2)));
@@ -46,7 +46,7 @@ fn the_policy_shift_begins_a_new_grid_after_an_overrun() {
 }
 
 #[test]
-fn a_rate_out_of_bounds_is_brought_to_the_nearer_bound() {
+fn a_rate_out_of_bounds_is_limited_to_the_nearer_bound() {
     for (hz, period) in [(0.0, 1_000_000_000), (-3.0, 1_000_000_000), (1e9, 1), (f32::INFINITY, 1)] {
         let mut schedule = Schedule::new(hz, OverrunPolicy::Skip);
         let mut now = 0;

@@ -11,7 +11,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::Parser;
-use survey::{Look, Survey};
+use survey::{Survey, View};
 
 /// Evaluates all detectors from random poses in the built-in world
 #[derive(Parser)]
@@ -45,18 +45,19 @@ fn main() -> ExitCode {
 fn done(options: &Options) -> Result<(), String> {
     if let Some(file) = &options.picture {
         let number = options.first;
-        let look = Look::new(number)
-            .ok_or_else(|| format!("pose {number} has something in a goal and is left out; take another --first"))?;
-        return picture::write(file, &look).map_err(|error| format!("cannot write {}: {error}", file.display()));
+        let view = View::new(number).ok_or_else(|| {
+            format!("pose {number} has an object inside a goal and is left out; choose another --first")
+        })?;
+        return picture::write(file, &view).map_err(|error| format!("cannot write {}: {error}", file.display()));
     }
     let survey = Survey::of(options.first, options.poses as usize);
     print!("{survey}");
-    let Some(asked) = &options.amiss else { return Ok(()) };
+    let Some(name) = &options.amiss else { return Ok(()) };
     let scores = survey.scores();
-    let found: Vec<_> = scores.iter().filter(|score| score.name.contains(asked.as_str())).collect();
+    let found: Vec<_> = scores.iter().filter(|score| score.name.contains(name.as_str())).collect();
     if found.is_empty() {
         let names = scores.map(|score| score.name).join(", ");
-        return Err(format!("nothing is called `{asked}`; there are {names}"));
+        return Err(format!("no score is called `{name}`; the scores are {names}"));
     }
     for score in found {
         println!("{}: missed {:?}\nwrong {:?}", score.name, score.missed, score.wrong);

@@ -81,11 +81,11 @@ fn centres(lines: &[Line]) -> Vec<Vec2, HYPOTHESES> {
 }
 
 /// Hypothesis with the most support.
-fn best(pieces: &[Line], is_wanted: impl Fn(&Vec2) -> bool) -> Option<Vec2> {
+fn best(pieces: &[Line], matches: impl Fn(&Vec2) -> bool) -> Option<Vec2> {
     let pairs =
         pieces.iter().enumerate().flat_map(|(i, a)| pieces[i + 1..].iter().map(move |b| (middle(a), middle(b))));
     let guesses =
-        pairs.flat_map(|(a, b)| middles(a, b, FIELD.centre_circle_radius()).into_iter().flatten()).filter(is_wanted);
+        pairs.flat_map(|(a, b)| middles(a, b, FIELD.centre_circle_radius()).into_iter().flatten()).filter(matches);
     let length = |centre: Vec2| pieces.iter().filter(|piece| fits(piece, centre)).map(Line::length).sum::<f32>();
     let (most, best) = guesses.map(|at| (length(at), at)).max_by(|a, b| a.0.total_cmp(&b.0))?;
     (most >= LEAST).then_some(best)

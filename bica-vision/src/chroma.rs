@@ -1,6 +1,6 @@
 //! Bounding boxes of chroma: early rejection of sixteen pixel pairs at a time while searching for rare colours.
 //!
-//! If no wanted class has a colour within the bounding box of the pairs' chroma, none of the pixels needs a table
+//! If no selected class has a colour within the bounding box of the pairs' chroma, none of the pixels needs a table
 //! lookup. Cost: 2 ns for `BLOCK` pairs with 16-byte SIMD, against 23 ns for their classification. Without SIMD it
 //! would cost more than it saves and is compiled out.
 
@@ -48,7 +48,7 @@ impl Sieve {
         Self(boxes.map(wide_box::WideBox::from).collect())
     }
 
-    /// Whether the chroma of all pairs is outside all boxes. May return false for a block without wanted pixels.
+    /// Whether the chroma of all pairs is outside all boxes. May return false for a block without selected pixels.
     #[inline(always)]
     pub(crate) fn holds_back(&self, pairs: &[[u8; 4]; BLOCK]) -> bool {
         wide_box::are_beyond(&self.0, pairs)
@@ -90,8 +90,8 @@ mod wide_box {
         let mut fours = fours.iter().map(|four| u8x16::new(*four));
         let first = fours.next().unwrap_or_default();
         let (low, high) = fours.fold((first, first), |(low, high), four| (low.min(four), high.max(four)));
-        !boxes.iter().any(|wanted| {
-            let lanes = (high.simd_ge(wanted.low) & low.simd_le(wanted.high)).to_bitmask();
+        !boxes.iter().any(|selected| {
+            let lanes = (high.simd_ge(selected.low) & low.simd_le(selected.high)).to_bitmask();
             // A pair is inside if its four bytes are.
             let halves = lanes & lanes >> 1;
             halves & halves >> 2 & 0x1111 != 0
@@ -144,15 +144,15 @@ mod tests {
         fn filter_never_skips_a_wanted_pair(
             pairs in any::<[[u8; 4]; BLOCK]>(), boxes in prop::collection::vec(chroma_box(), 0..5),
         ) {
-            let wanted = pairs.iter().any(|[_, cb, _, cr]| boxes.iter().any(|wanted| wanted.has([*cb, *cr])));
-            prop_assert!(!wanted || !Sieve::new(boxes.into_iter()).holds_back(&pairs));
+            let selected = pairs.iter().any(|[_, cb, _, cr]| boxes.iter().any(|selected| selected.has([*cb, *cr])));
+            prop_assert!(!selected || !Sieve::new(boxes.into_iter()).holds_back(&pairs));
         }
 
         #[test]
         #[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
-        fn one_colour_is_held_back_if_it_is_in_no_box(pair in any::<[u8; 4]>(), wanted in chroma_box()) {
-            let sieve = Sieve::new([wanted].into_iter());
-            prop_assert_eq!(sieve.holds_back(&[pair; BLOCK]), !wanted.has([pair[1], pair[3]]));
+        fn one_colour_is_held_back_if_it_is_in_no_box(pair in any::<[u8; 4]>(), selected in chroma_box()) {
+            let sieve = Sieve::new([selected].into_iter());
+            prop_assert_eq!(sieve.holds_back(&[pair; BLOCK]), !selected.has([pair[1], pair[3]]));
         }
     }
 }

@@ -94,7 +94,7 @@ impl BitOr for Colour {
     }
 }
 
-/// Pixel classifier. It has an answer for each pixel.
+/// Pixel classifier. It classifies every pixel.
 pub trait Classify {
     /// Returns the class of a pixel.
     fn classify(&self, pixel: Pixel) -> Colour;

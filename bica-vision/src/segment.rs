@@ -1,6 +1,6 @@
 //! Run-length encoding: each scanned row becomes runs of one colour class, on pixel pairs.
 //!
-//! Only the wanted classes make runs, so a caller pays only for the objects it searches: about 1.5 ns for each pair (a
+//! Runs are emitted only for the selected classes, so the cost depends on the objects that are searched: about 1.5 ns for each pair (a
 //! table lookup and a compare), and 5 ns for each run. 320 × 240 on every row: 60 µs. [`Area`] restricts the region of
 //! interest and thins the rows.
 
@@ -115,10 +115,10 @@ impl<const N: usize> Runs<N> {
         self.dropped
     }
 
-    /// Segments an area of a frame into runs of the `wanted` classes. Replaces the previous runs.
-    pub fn segment(&mut self, frame: &Frame<'_>, colours: &impl Classify, wanted: ColourSet, area: Area) {
+    /// Segments an area of a frame into runs of the `selected` classes. Replaces the previous runs.
+    pub fn segment(&mut self, frame: &Frame<'_>, colours: &impl Classify, selected: ColourSet, area: Area) {
         self.clear(area);
-        let seek = Seek::new(colours, wanted);
+        let seek = Seek::new(colours, selected);
         for row in area.rows(frame) {
             let is_whole = seek.row(frame, row, Self::IN_A_ROW, |run| self.push(run));
             self.dropped += u32::from(!is_whole);
@@ -150,17 +150,17 @@ impl<const N: usize> Runs<N> {
     }
 }
 
-/// Search for the wanted classes in rows.
+/// Search for the selected classes in rows.
 struct Seek<'a, C> {
     colours: &'a C,
-    wanted: ColourSet,
+    selected: ColourSet,
     sieve: Sieve,
 }
 
 impl<'a, C: Classify> Seek<'a, C> {
-    fn new(colours: &'a C, wanted: ColourSet) -> Self {
-        let boxes = Colour::ALL.into_iter().filter(|colour| wanted.has(*colour)).map(|colour| colours.chroma(colour));
-        Self { colours, wanted, sieve: Sieve::new(boxes) }
+    fn new(colours: &'a C, selected: ColourSet) -> Self {
+        let boxes = Colour::ALL.into_iter().filter(|colour| selected.has(*colour)).map(|colour| colours.chroma(colour));
+        Self { colours, selected, sieve: Sieve::new(boxes) }
     }
 
     /// Emits the runs of a row from the left, up to about `most`. Returns whether the row is complete.
@@ -191,12 +191,12 @@ impl<'a, C: Classify> Seek<'a, C> {
         true
     }
 
-    /// Class of a pair if it is wanted. Branch-free: borders between unwanted classes are frequent and would be
+    /// Class of a pair if it is selected. Branch-free: borders between other classes are frequent and would be
     /// mispredicted.
     #[inline(always)]
     fn class(&self, pair: [u8; 4]) -> Colour {
         let class = self.colours.classify(Pair(pair).mean());
-        if self.wanted.has(class) { class } else { Colour::None }
+        if self.selected.has(class) { class } else { Colour::None }
     }
 
     /// Classes of a block, four bits for each pair, the first pair in the lowest bits.

@@ -1,12 +1,12 @@
 //! A two-wheeled robot with a lidar drives once around a room along its walls.
 //!
-//! `cargo run --example wall_follower` simulates it as fast as possible and prints the track.
-//! `cargo run --example wall_follower -- --realtime` runs the same robot in real time at 50 Hz, and prints how punctual the
-//! loop was; Ctrl-C ends it.
+//! `cargo run --example wall_follower` simulates it as fast as possible and prints the track. `cargo run --example
+//! wall_follower -- --realtime` runs the same robot in real time at 50 Hz, and prints the statistics of the loop;
+//! Ctrl-C ends it.
 //!
 //! - `robot.rs`: the components, the activation tree, its sensors and its command.
 //! - `room.rs`: the simulated world.
-//! - `tests.rs`: tests that advance time and ask for states by name.
+//! - `tests.rs`: tests that advance time and check states by name.
 
 mod robot;
 mod room;
@@ -20,7 +20,7 @@ use bica::runner::{Cycle, Observer, OverrunPolicy, Runner, Schedule};
 use robot::{Explorer, WallFollower};
 use room::Room;
 
-/// Longest drive, s.
+/// Maximum duration of the drive, s.
 const LIMIT: u64 = 300;
 
 /// Prints the transitions of the root.

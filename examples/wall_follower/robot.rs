@@ -13,16 +13,16 @@ pub(crate) const RAYS: usize = 72;
 /// Distance between the wheels, m.
 pub(crate) const TRACK_WIDTH: f32 = 0.3;
 
-/// The sensor values of a cycle.
+/// Sensor values of a cycle.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Sensors {
     /// Distances of the lidar rays, m.
     pub(crate) ranges: [f32; RAYS],
-    /// Distances that the left and the right wheel rolled since the cycle before, m.
+    /// Distances that the left and the right wheel rolled since the previous cycle, m.
     pub(crate) rolled: [f32; 2],
 }
 
-/// The speeds of the left and the right wheel, m/s.
+/// Speeds of the left and the right wheel, m/s.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct WheelSpeeds(pub(crate) [f32; 2]);
 
@@ -44,11 +44,11 @@ impl Lidar {
     }
 }
 
-/// The pose, integrated from the wheels.
+/// Pose, integrated from the wheels.
 pub(crate) struct Odometry {
     position: [f32; 2],
     heading: f32,
-    /// Length of the way, m.
+    /// Length of the path, m.
     driven: f32,
 }
 
@@ -71,11 +71,11 @@ impl Odometry {
     }
 }
 
-/// What the scan shows: free distance ahead, and the wall on the right.
+/// Result of a scan: free distance ahead, and the wall on the right.
 pub(crate) struct WallDetector {
     /// Free distance ahead, m.
     ahead: f32,
-    /// Distance of the wall on the right, m.
+    /// Distance to the wall on the right, m.
     distance: f32,
     /// Angle from the wall's direction to the robot's, rad; positive: it drives away from the wall.
     angle: f32,
@@ -108,7 +108,7 @@ pub(crate) struct Drive {
     speeds: WheelSpeeds,
 }
 
-/// Largest acceleration of a wheel, m/s².
+/// Maximum acceleration of a wheel, m/s².
 const ACCELERATION: f32 = 1.5;
 
 #[component(budget_us = 5)]
@@ -136,24 +136,24 @@ impl Drive {
 const SPEED: f32 = 0.4;
 /// Turning speed, rad/s.
 const TURN: f32 = 1.2;
-/// Distance to keep from the wall, m.
+/// Distance from the wall during following, m.
 const CLEARANCE: f32 = 0.4;
-/// Free distance ahead below which the robot stands before a corner, m.
+/// Free distance ahead below which the robot stops and turns, m.
 const CORNER: f32 = 0.55;
-/// Distance beyond which the wall on the right has ended, m.
+/// Distance to the right above which the wall has ended, m.
 const WALL_END: f32 = 0.6;
-/// Distance up to which a wall is beside the robot after a corner, m.
+/// Maximum distance of a wall beside the robot after a corner, m.
 const BESIDE: f32 = 0.9;
-/// Radius of the way around the end of a wall, m.
+/// Radius of the path around the end of a wall, m.
 const END_RADIUS: f32 = 0.5;
 /// Distance from the beginning of the lap at which it is complete, m.
 const LAP_END: f32 = 0.25;
-/// Shortest lap, m.
+/// Minimum length of a lap, m.
 const MIN_LAP: f32 = 3.0;
 
 /// Drives once around the room with the wall on its right.
 pub(crate) struct Explorer {
-    /// Where the lap began, and the way driven until then, m.
+    /// Pose at the beginning of the lap, and length of the path until then, m.
     lap: Option<([f32; 2], f32)>,
     done: bool,
 }

@@ -12,7 +12,7 @@ const SQUARE: f32 = 0.25;
 /// Length of a cycle, s.
 const CYCLE: f32 = 0.02;
 
-/// `#` is wall, `>` the robot's start, which looks to the right.
+/// `#` is a wall, `>` is the start of the robot, which faces to the right.
 const MAP: [&str; 18] = [
     "################################",
     "#                              #",
@@ -40,11 +40,11 @@ pub(crate) struct Room {
     heading: f32,
     rolled: [f32; 2],
     cycle: u64,
-    /// Where the robot was.
+    /// Positions of the robot so far, m.
     track: Vec<[f32; 2]>,
 }
 
-/// Whether there is wall at a place, m: x to the right, y up.
+/// Whether there is a wall at a position, m: x to the right, y up.
 fn is_wall([x, y]: [f32; 2]) -> bool {
     let (column, row) = ((x / SQUARE) as usize, MAP.len() as isize - 1 - (y / SQUARE) as isize);
     let row = usize::try_from(row).ok().and_then(|row| MAP.get(row));
@@ -55,7 +55,7 @@ fn ahead([x, y]: [f32; 2], angle: f32, distance: f32) -> [f32; 2] {
     [x + distance * angle.cos(), y + distance * angle.sin()]
 }
 
-/// The length of a ray to the next wall, in steps of 5 cm and then of 1 mm, m.
+/// Length of a ray to the next wall, in steps of 5 cm and then of 1 mm, m.
 fn cast(from: [f32; 2], angle: f32) -> f32 {
     let hits = |millimetres: u16| is_wall(ahead(from, angle, 1e-3 * f32::from(millimetres)));
     let coarse = (0..20_000).step_by(50).find(|millimetres| hits(*millimetres)).unwrap_or(20_000);
@@ -70,13 +70,13 @@ impl Room {
         Self { position, heading: 0.0, rolled: [0.0; 2], cycle: 0, track: vec![position] }
     }
 
-    /// Whether the robot ever touched a wall, with a body of 0.17 m around its middle.
+    /// Whether the robot, with a radius of 0.17 m, ever touched a wall.
     #[cfg(test)]
     pub(crate) fn collided(&self) -> bool {
         self.track.iter().any(|place| (0..16).any(|i| is_wall(ahead(*place, f32::from(i as u8) * 0.393, 0.17))))
     }
 
-    /// Moves the robot to another place in the room, m.
+    /// Moves the robot to another position in the room, m.
     #[cfg(test)]
     pub(crate) fn put(&mut self, position: [f32; 2], heading: f32) {
         (self.position, self.heading) = (position, heading);

@@ -1,4 +1,4 @@
-//! What the wall follower does, by the names of its states.
+//! Tests of the wall follower by the names of its states.
 
 use bica::prelude::*;
 use bica::runner::harness::{Harness, InWorld};
@@ -11,7 +11,7 @@ fn start() -> Harness<WallFollower, InWorld<Room>> {
 }
 
 #[test]
-fn it_searches_a_wall_turns_to_it_and_follows_it() {
+fn the_robot_searches_a_wall_turns_to_it_and_follows_it() {
     let mut test = start();
     test.stays::<Explorer>("search_wall", Duration::from_secs(2));
     test.reaches::<Explorer>("turn_left", Duration::from_secs(10));
@@ -19,14 +19,14 @@ fn it_searches_a_wall_turns_to_it_and_follows_it() {
 }
 
 #[test]
-fn it_drives_around_the_end_of_a_wall() {
+fn the_robot_drives_around_the_end_of_a_wall() {
     let mut test = start();
     test.reaches::<Explorer>("round_end", Duration::from_secs(60));
     test.reaches::<Explorer>("follow_wall", Duration::from_secs(5));
 }
 
 #[test]
-fn it_completes_a_lap_without_touching_a_wall_and_stops() {
+fn the_robot_completes_a_lap_without_touching_a_wall_and_stops() {
     let mut test = start();
     test.reaches::<Explorer>("arrive", Duration::from_secs(200));
     test.run_for(Duration::from_secs(1));
@@ -37,7 +37,7 @@ fn it_completes_a_lap_without_touching_a_wall_and_stops() {
 }
 
 #[test]
-fn a_wall_that_ends_is_left_for_the_way_around_its_end() {
+fn at_the_end_of_a_wall_following_changes_to_rounding() {
     let mut test = start();
     test.reaches::<Explorer>("follow_wall", Duration::from_secs(20));
     test.world_mut().put([3.0, 3.0], 0.0);

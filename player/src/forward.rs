@@ -16,7 +16,7 @@ use crate::perception::{
 };
 
 activation_tree! {
-    /// The forward of RoboCup 2009: finds the ball, walks to it, looks for the goal, lines up and kicks.
+    /// The forward of RoboCup 2009: finds the ball, walks to it, finds the goal, lines up and kicks.
     pub struct Forward {
         root: Player,
         cycle_hz: 100,
@@ -41,7 +41,7 @@ const RED: Light = Light(1.0, 0.0, 0.0);
 impl Robot for Forward {
     type Sensors<'a> = Sensors<'a>;
     type Command = Command;
-    /// The image does not fit into [`CameraInput`]. The other values are taken and the last image stays.
+    /// The image does not fit into [`CameraInput`]. The other values are accepted and the previous image is kept.
     type Error = FrameTooLarge;
 
     fn sense(&mut self, sensors: &Sensors<'_>) -> Result<(), FrameTooLarge> {

@@ -1,4 +1,4 @@
-//! Looks for the recorded images: sets `cfg(shared_images)` where they are.
+//! Searches the recorded images and sets `cfg(shared_images)` if they exist.
 
 use std::env;
 use std::path::PathBuf;
@@ -11,7 +11,7 @@ fn main() {
     let images = env::var_os("BICA_SHARED").map_or_else(beside, PathBuf::from).join("images");
     println!("cargo::rustc-env=BICA_IMAGES={}", images.display());
     if images.is_dir() {
-        // A missing path is not watched: Cargo would build the tests anew each time.
+        // A missing path is not watched, because Cargo would rebuild the tests each time.
         println!("cargo::rerun-if-changed={}", images.join("labels.csv").display());
         println!("cargo::rustc-cfg=shared_images");
     }

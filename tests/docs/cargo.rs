@@ -1,4 +1,4 @@
-//! What `cargo` knows of the workspace.
+//! Packages, targets and features of the workspace, from `cargo metadata`.
 
 use std::process::Command;
 

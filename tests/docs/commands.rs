@@ -1,4 +1,4 @@
-//! Commands of a page: those of `console` blocks, and `cargo …` and `player …` in the running text.
+//! Commands of a page: those in `console` blocks, and `cargo …` and `player …` in the running text.
 
 use bica_player_program::cli::Cli as Player;
 use clap::Parser;
@@ -7,11 +7,11 @@ use xtask::cli::Cli as Xtask;
 
 use crate::cargo::Workspace;
 
-/// A command as a page shows it.
+/// Command on a page.
 pub(crate) struct Shown {
     pub(crate) line: usize,
     pub(crate) text: String,
-    /// In the running text a command may lack required arguments, and `N` stands for any number.
+    /// Whether the command is in the running text, where it may lack required arguments and `N` stands for any number.
     is_mentioned: bool,
 }
 
@@ -23,7 +23,7 @@ const ELSEWHERE: [&str; 2] = ["add", "new"];
 const FLAGS: [&str; 9] =
     ["--dry-run", "--help", "--no-deps", "--open", "--quiet", "--release", "--timings", "--workspace", "--all-targets"];
 
-/// The commands of a Markdown text.
+/// Returns the commands of a Markdown text.
 pub(crate) fn of(text: &str) -> Vec<Shown> {
     let (mut shown, mut block, mut prose) = (Vec::new(), None, String::new());
     for (index, line) in text.lines().enumerate() {
@@ -45,7 +45,7 @@ fn without_comment(command: &str) -> String {
     command.split("  #").next().unwrap_or(command).trim().to_owned()
 }
 
-/// Code in the running text that starts a program of ours.
+/// Returns the code in the running text that starts a program of this repository.
 fn mentioned(prose: &str) -> Vec<Shown> {
     let mut line = 1;
     let pieces = prose.split('`').enumerate().filter_map(|(index, piece)| {
@@ -59,7 +59,7 @@ fn mentioned(prose: &str) -> Vec<Shown> {
 }
 
 /// # Errors
-/// Why the program that the command starts would refuse it.
+/// The reason for which the program would refuse the command.
 pub(crate) fn check(command: &Shown, workspace: &Workspace) -> Result<(), String> {
     let text = if command.is_mentioned { command.text.replace(" N", " 1") } else { command.text.clone() };
     match start(&text, workspace) {
@@ -69,10 +69,10 @@ pub(crate) fn check(command: &Shown, workspace: &Workspace) -> Result<(), String
     }
 }
 
-/// Why a program would refuse its arguments.
+/// Reason for which a program would refuse its arguments.
 struct Refusal {
     reason: String,
-    /// Only required arguments are missing.
+    /// Whether the arguments only lack required ones.
     is_incomplete: bool,
 }
 
@@ -124,7 +124,7 @@ fn cargo(subcommand: &str, words: &[&str], workspace: &Workspace) -> Result<(), 
                 workspace.has(&kind[2..], value()?)
             }
             "--profile" => ["dev", "release", "bench", "dist"].contains(&value()?),
-            // A filter of test names.
+            // An argument without a dash filters tests by name.
             name if subcommand == "test" && !name.starts_with('-') => true,
             flag => FLAGS.contains(&flag),
         };

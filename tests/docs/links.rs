@@ -5,12 +5,12 @@ use std::path::Path;
 
 use crate::pages::Page;
 
-/// The targets of the links and pictures of a Markdown text: `[text](target)`.
+/// Returns the targets of the links and pictures of a Markdown text: `[text](target)`.
 pub(crate) fn of(text: &str) -> impl Iterator<Item = &str> {
     text.split("](").skip(1).filter_map(|rest| rest.split_once(')').map(|(target, _)| target))
 }
 
-/// One message for each relative link of a page that leads nowhere.
+/// Returns a message for each relative link of a page without a target.
 pub(crate) fn broken(page: &Page) -> Vec<String> {
     of(&page.text)
         .filter(|target| !target.contains("://"))
@@ -31,7 +31,7 @@ fn check(page: &Page, target: &str) -> Result<(), String> {
     if found { Ok(()) } else { Err("no such heading".to_owned()) }
 }
 
-/// The anchor of a heading, as GitHub makes it: lower case, spaces as hyphens, without punctuation.
+/// Anchor of a heading on GitHub: lower case, spaces as hyphens, without punctuation.
 fn slug(heading: &str) -> String {
     let text = heading.trim_start_matches('#').trim().to_lowercase();
     let kept = text.chars().filter(|c| c.is_alphanumeric() || " -_".contains(*c));

@@ -1,4 +1,4 @@
-//! Tests of the documentation: every relative link leads somewhere, and every command is one that the programs accept.
+//! Tests of the documentation: every relative link has a target, and every command is accepted by its program.
 
 mod cargo;
 mod commands;

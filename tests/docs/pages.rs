@@ -3,19 +3,19 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Folders without pages of ours: version control, what is built, and what a package manager puts there.
+/// Folders without pages of this repository: version control, build output, packages.
 const SKIPPED: [&str; 3] = [".git", "target", "node_modules"];
 
-/// A Markdown file of the repository.
+/// Markdown file of the repository.
 pub(crate) struct Page {
     pub(crate) path: PathBuf,
-    /// The path relative to the repository.
+    /// Path relative to the repository.
     pub(crate) name: String,
     pub(crate) text: String,
 }
 
 impl Page {
-    /// All Markdown files of the repository, in the order of their names.
+    /// Reads all Markdown files of the repository, sorted by name.
     pub(crate) fn all() -> Vec<Self> {
         let mut paths = Vec::new();
         collect(&root(), &mut paths);
@@ -30,7 +30,7 @@ impl Page {
     }
 }
 
-/// The folder of the repository.
+/// Folder of the repository.
 pub(crate) fn root() -> PathBuf {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2).expect("the package is two folders deep");
     folder.to_path_buf()

@@ -1,4 +1,4 @@
-//! Games of the forward in the built-in world.
+//! Games of the forward in the kinematic world.
 
 use bica::prelude::*;
 use bica::runner::Runner;
@@ -8,7 +8,7 @@ use bica_sim::World;
 use bica_sim::kinematic::KinematicWorld;
 use bica_sim::setup::Setup;
 
-/// A game.
+/// Game of the forward.
 pub(crate) type Game = Runner<Box<Forward>, KinematicWorld>;
 
 /// Starts a game.

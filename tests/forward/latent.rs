@@ -1,4 +1,4 @@
-//! The active components are those that the states reach, in every cycle of a game.
+//! In every cycle of a game the active components are those that the states reach.
 
 use bica::graph::{Graph, LinkKind};
 use bica::prelude::*;
@@ -9,7 +9,7 @@ use proptest::prelude::*;
 
 use crate::game::new_game;
 
-/// The transitions of this cycle: machine and state that it left.
+/// Transitions of the current cycle: machine, and state that it left.
 #[derive(Default)]
 struct Taken(Vec<(usize, usize)>);
 
@@ -25,8 +25,8 @@ impl Probe for Taken {
 
 impl Observer<Forward> for Taken {}
 
-/// The components that the states reach from the root. A machine that took a transition has also visited what the old state
-/// requires.
+/// Components that the states reach from the root. A machine that took a transition has also visited the requirements
+/// of the old state.
 fn reached(graph: &Graph, state: impl Fn(usize) -> Option<usize>, taken: &[(usize, usize)]) -> Vec<bool> {
     let mut reached = vec![false; graph.nodes.len()];
     let mut open = vec![graph.root];
@@ -54,10 +54,10 @@ proptest! {
         let mut game = new_game(&Setup { seed, robots, ..Setup::default() }).with_observer(Taken::default());
         for cycle in 0..2500 {
             game.cycle().expect("the image fits");
-            let wanted = reached(&Forward::GRAPH, |index| game.robot().state(ComponentId::new(index)), &game.observer().0);
+            let expected = reached(&Forward::GRAPH, |index| game.robot().state(ComponentId::new(index)), &game.observer().0);
             for (index, node) in Forward::GRAPH.nodes.iter().enumerate() {
                 let active = game.robot().is_active(ComponentId::new(index));
-                prop_assert_eq!(active, wanted[index], "{} in cycle {}", node.name, cycle);
+                prop_assert_eq!(active, expected[index], "{} in cycle {}", node.name, cycle);
             }
         }
     }

@@ -22,7 +22,7 @@ impl Probe for Ran {
 
 impl Observer<Forward> for Ran {}
 
-/// The components that run in 300 cycles in which only this one is held active.
+/// Runs 300 cycles in which only this component is held active, and returns the components that ran.
 fn ran_with(active: ComponentId) -> Ran {
     let mut game = new_game(&Setup { seed: 3, ..Setup::default() }).with_observer(Ran::default());
     game.robot_mut().hold::<Player>(Hold::Latent);
@@ -34,14 +34,14 @@ fn ran_with(active: ComponentId) -> Ran {
 }
 
 #[test]
-fn face_ball_runs_the_ball_detector_and_nothing_for_goals_or_lines() {
+fn face_ball_runs_the_ball_detector_but_no_detector_of_goals_or_lines() {
     let ran = ran_with(Forward::id::<FaceBall>());
     let names: Vec<_> = ran.0.iter().map(|id| Forward::GRAPH.nodes[id.index()].name).collect();
     assert!(ran.0.contains(&Forward::id::<FaceBall>()), "FaceBall did not run: {names:?}");
-    assert!(ran.0.contains(&Forward::id::<BallDetector>()), "the ball was not looked for: {names:?}");
-    assert!(!ran.0.contains(&Forward::id::<GoalDetector>()), "goal code ran: {names:?}");
+    assert!(ran.0.contains(&Forward::id::<BallDetector>()), "the ball detector did not run: {names:?}");
+    assert!(!ran.0.contains(&Forward::id::<GoalDetector>()), "the goal detector ran: {names:?}");
     for id in [Forward::id::<FieldLines>(), Forward::id::<Localization>()] {
-        assert!(!ran.0.contains(&id), "code for the place on the field ran: {names:?}");
+        assert!(!ran.0.contains(&id), "a component of localization ran: {names:?}");
     }
 }
 
@@ -51,5 +51,5 @@ fn localization_runs_the_detectors_of_goals_and_lines_but_not_of_the_ball() {
     for id in [Forward::id::<FieldLines>(), Forward::id::<GoalDetector>()] {
         assert!(ran.0.contains(&id), "{} did not run", Forward::GRAPH.nodes[id.index()].name);
     }
-    assert!(!ran.0.contains(&Forward::id::<BallDetector>()), "the ball was looked for");
+    assert!(!ran.0.contains(&Forward::id::<BallDetector>()), "the ball detector ran");
 }

@@ -1,4 +1,4 @@
-//! What must hold of the forward as a whole, over games in the built-in world.
+//! Properties of the whole forward in games in the kinematic world.
 
 mod game;
 mod latent;

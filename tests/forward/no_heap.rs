@@ -1,4 +1,4 @@
-//! A cycle of the forward never allocates.
+//! A cycle of the forward does not allocate memory.
 
 use bica::runner::{Runner, World};
 use bica_player::Forward;

@@ -1,4 +1,4 @@
-//! The chest button takes the robot out of the game and lets it in again.
+//! The chest button takes the robot out of the game and back into it.
 
 use bica::prelude::*;
 use bica::runner::World;
@@ -13,7 +13,7 @@ use bica_sim::setup::Setup;
 
 use crate::game::new_game;
 
-/// The built-in world with a hand on the chest button.
+/// The kinematic world with a hand on the chest button.
 struct WithButton {
     world: KinematicWorld,
     pressed: bool,
@@ -61,8 +61,8 @@ fn referee(test: &Test) -> &Referee {
 }
 
 #[test]
-fn one_press_of_the_chest_button_stops_the_robot_on_its_feet_and_the_next_one_lets_it_play() {
-    // Sent off while it looks, walks, and is at the ball.
+fn one_press_of_the_chest_button_stops_the_standing_robot_and_the_next_press_continues_the_game() {
+    // The button is pressed while the robot searches, walks, and is at the ball.
     for after in [50, 400, 900, 1100, 1300, 1500, 1700] {
         let mut test = start();
         test.cycles(after);

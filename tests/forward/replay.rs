@@ -1,4 +1,4 @@
-//! The same inputs give the same outputs, bit for bit.
+//! Equal inputs give equal outputs, bit for bit.
 
 use bica_sim::World as _;
 use bica_sim::setup::Setup;

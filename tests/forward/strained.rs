@@ -1,4 +1,4 @@
-//! A hot motor makes the robot sit down until it has cooled; games overheat none.
+//! A robot with a hot motor sits down until the motor has cooled; games do not overheat a motor.
 
 use bica_motion::health::Fault;
 use bica_motion::joints::{Joint, Joints};
@@ -12,7 +12,7 @@ use bica_sim::setup::Setup;
 use crate::game::{Game, new_game};
 use bica::prelude::*;
 
-/// Runs some cycles. Whether the stiffness of no joint was reduced.
+/// Runs some cycles, and returns whether no joint's stiffness was reduced.
 fn play(game: &mut Game, cycles: u32) -> bool {
     (0..cycles).fold(true, |firm, _| {
         game.cycle().expect("the image fits");
@@ -25,9 +25,9 @@ fn play(game: &mut Game, cycles: u32) -> bool {
 fn stiffness_of_a_hot_joint_is_reduced_before_the_robot_sits_down() {
     for (seed, joint) in [(3, Joint::LKneePitch), (4, Joint::RAnkleRoll), (5, Joint::HeadYaw)] {
         let mut game = new_game(&Setup { seed, ..Setup::default() });
-        assert!(play(&mut game, 700), "seed {seed}: a game strains nothing");
+        assert!(play(&mut game, 700), "seed {seed}: no motor is overloaded in a game");
         game.world_mut().set_motor_temperature(joint, 73.5);
-        assert!(!play(&mut game, 100), "seed {seed}: warm, so softer");
+        assert!(!play(&mut game, 100), "seed {seed}: the stiffness of a warm joint is reduced");
         assert_eq!(game.robot().get::<HealthMonitor>().fault(), None);
         game.world_mut().set_motor_temperature(joint, 78.0);
         play(&mut game, 600);
@@ -49,11 +49,11 @@ fn robot_that_sat_down_hot_stands_up_and_scores_after_cooling() {
     game.world_mut().set_motor_temperature(Joint::LKneePitch, 71.0);
     play(&mut game, 100);
     assert!(game.robot().get::<HealthMonitor>().fault().is_some());
-    assert!(game.robot().is_active(Forward::id::<SafetyGuard>()), "it sits");
+    assert!(game.robot().is_active(Forward::id::<SafetyGuard>()), "the robot sits");
     game.world_mut().set_motor_temperature(Joint::LKneePitch, 60.0);
     play(&mut game, 300);
     assert_eq!(game.robot().get::<HealthMonitor>().fault(), None);
-    assert!(!game.robot().is_active(Forward::id::<SafetyGuard>()), "it plays");
+    assert!(!game.robot().is_active(Forward::id::<SafetyGuard>()), "the robot plays");
     play(&mut game, 6000);
     assert_eq!((game.world().referee().falls(), game.world().referee().goals()), (0, 1));
 }

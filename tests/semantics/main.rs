@@ -1,9 +1,9 @@
-//! The semantics of activation trees: what a tree does, event by event, against a model that interprets its `GRAPH`.
+//! Semantics of activation trees: the events of a tree, compared with a model that interprets its `GRAPH`.
 //!
-//! The components of the test trees record what happens to them, and a probe records the events of the framework. A random
-//! script ticks the tree, sets flags that transitions ask for, changes rates and holds. The model was written from the
-//! rules alone and predicts the next event at each point. Each rule has a file with scripts that stress it and with
-//! properties that the events must have, checked without the model.
+//! The components of the test trees record their calls, and a probe records the events of the framework. A random
+//! script ticks the tree, sets flags that transitions read, changes rates and sets holds. The model is written from the
+//! rules alone and predicts each event. Each rule has a file with scripts that stress it, and with properties of the
+//! events that are checked without the model.
 
 mod rules;
 mod support;

@@ -1,4 +1,4 @@
-//! Compile times: a changed component, and a clean build of the facade.
+//! Compile times: after a change of one component, and of a clean build of the facade.
 
 use std::fs;
 use std::path::PathBuf;
@@ -7,28 +7,28 @@ use std::time::Duration;
 use crate::process::{root, run};
 use crate::processor_time::{Spent, measure};
 
-/// The build directory of the clean build.
+/// Build directory of the clean build.
 const CLEAN: &str = "target/buildtime";
-/// Longest time of a clean release build of the facade, on two idle processors.
+/// Limit of a clean release build of the facade, on two idle processors.
 const FACADE: Duration = Duration::from_mins(1);
-/// Longest time from a changed component to the end of its test.
+/// Limit of the time from a changed component to the end of its test.
 const CHANGE: Duration = Duration::from_secs(5);
-/// The component that is changed.
+/// Component that is changed.
 const COMPONENT: &str = "player/src/behaviour/face_ball.rs";
-/// The text in it before which a statement is inserted.
-const PLACE: &str = "head.look_at(";
-/// The test of that component.
+/// Text in that file before which a statement is inserted.
+const INSERTION_POINT: &str = "head.look_at(";
+/// Test of that component.
 const TEST: [&str; 7] = ["test", "--quiet", "--package", "bica-tests", "--test", "forward", "facing_the_ball"];
-/// Number of changes; the shortest time counts.
+/// Number of changes; the minimum time counts.
 const CHANGES: u32 = 5;
 
-/// Measures both, and compares them with their limits, or with `limit` for both if it is given.
+/// Measures both, and compares them with their limits, or with `limit` for both if given.
 ///
 /// # Errors
-/// What does not build, or what takes longer than its limit.
+/// If a build fails, or takes longer than its limit.
 pub(crate) fn check(limit: Option<Duration>) -> Result<(), String> {
     // Ctrl-C stops the compiler; this program continues for a moment, to restore the changed file.
-    ctrlc::set_handler(|| {}).map_err(|error| format!("cannot listen to Ctrl-C: {error}"))?;
+    ctrlc::set_handler(|| {}).map_err(|error| format!("cannot install a Ctrl-C handler: {error}"))?;
     let rebuilt = (1..=CHANGES).map(after_change).collect::<Result<Vec<_>, _>>()?;
     let changed = rebuilt.into_iter().min_by_key(|spent| spent.wall).ok_or("nothing was changed")?;
     let (change, clean) = (limit.unwrap_or(CHANGE), limit.unwrap_or(FACADE));
@@ -41,7 +41,8 @@ pub(crate) fn check(limit: Option<Duration>) -> Result<(), String> {
     if broken.is_empty() { Ok(()) } else { Err(broken.join("; ")) }
 }
 
-/// A message if the work took too long. Other programs on the machine lengthen the wall-clock time and hardly the processor
+/// Returns a message if the work took too long. Other programs on the machine lengthen the wall-clock time, but hardly
+/// the processor time, so the shorter of the two is compared with the limit.
 /// time, so the shorter of the two is compared with the limit.
 fn judge(what: &str, spent: Spent, limit: Duration) -> Option<String> {
     let (took, limit) = (spent.wall.min(spent.busy).as_secs_f64(), limit.as_secs_f64());
@@ -64,14 +65,14 @@ fn facade() -> Result<Spent, String> {
     measure(|| run("cargo", &build, &[]))
 }
 
-/// Changes the component and runs its test; the test was up to date before.
+/// Changes the component and runs its test, which was up to date before.
 fn after_change(number: u32) -> Result<Spent, String> {
     run("cargo", &TEST, &[])?;
     let _changed = Changed::new(number)?;
     measure(|| run("cargo", &TEST, &[]))
 }
 
-/// A changed source file; restored when this is dropped.
+/// Changed source file; restored on drop.
 struct Changed {
     file: PathBuf,
     before: String,
@@ -81,10 +82,10 @@ impl Changed {
     fn new(number: u32) -> Result<Self, String> {
         let file = root().join(COMPONENT);
         let before = fs::read_to_string(&file).map_err(|error| format!("cannot read {COMPONENT}: {error}"))?;
-        let code = format!("core::hint::black_box({number});\n        {PLACE}");
-        let after = before.replacen(PLACE, &code, 1);
+        let code = format!("core::hint::black_box({number});\n        {INSERTION_POINT}");
+        let after = before.replacen(INSERTION_POINT, &code, 1);
         if after == before {
-            return Err(format!("{COMPONENT} has no `{PLACE}` to change"));
+            return Err(format!("{COMPONENT} has no `{INSERTION_POINT}` to change"));
         }
         fs::write(&file, after).map_err(|error| format!("cannot write {COMPONENT}: {error}"))?;
         Ok(Self { file, before })

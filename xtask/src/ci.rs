@@ -1,4 +1,4 @@
-//! Everything that CI checks, in its order: what fails most often and fastest comes first.
+//! All checks of CI, in its order: checks that are fast and fail often come first.
 
 use std::time::Instant;
 
@@ -24,10 +24,10 @@ const STEPS: [Step; 13] = [
     ("firmware", || firmware::check(&Firmware::default())),
 ];
 
-/// Runs all steps, and prints what each of them took.
+/// Runs all steps and prints the time of each.
 ///
 /// # Errors
-/// The first check that fails.
+/// If a check fails; later steps do not run.
 pub(crate) fn check() -> Result<(), String> {
     let mut times = Vec::new();
     let result = STEPS.into_iter().try_for_each(|(name, step)| {

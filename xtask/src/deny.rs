@@ -3,15 +3,15 @@
 use crate::install::folder;
 use crate::process::{run, works};
 
-/// The version that `deny.toml` is written for.
+/// Version for which `deny.toml` is written.
 const VERSION: &str = "0.20.2";
-/// Every workspace of the repository: each has a lock file of its own.
+/// All workspaces of the repository; each has its own lock file.
 const MANIFESTS: [&str; 4] = ["Cargo.toml", "firmware/Cargo.toml", "fuzz/Cargo.toml", "benches/peers/Cargo.toml"];
 
-/// Checks all workspaces of the repository; advisories only where their database can be fetched.
+/// Checks all workspaces of the repository; advisories only if their database can be fetched.
 ///
 /// # Errors
-/// What could not be installed, or a dependency that breaks a rule.
+/// If the tool cannot be installed, or a dependency violates a rule.
 pub(crate) fn check() -> Result<(), String> {
     let tool = install()?;
     for manifest in MANIFESTS {
@@ -24,13 +24,13 @@ pub(crate) fn check() -> Result<(), String> {
     Ok(())
 }
 
-/// The path of cargo-deny; builds it first if it is missing.
+/// Returns the path of cargo-deny; builds it first if it is missing.
 fn install() -> Result<String, String> {
     let folder = folder("cargo-deny");
     let path = folder.join("bin/cargo-deny").to_string_lossy().into_owned();
     if !works(&path, &["--version"]) {
         eprintln!("xtask: building cargo-deny {VERSION}, once; this takes some minutes");
-        // A debug build: it checks a lock file in a second either way.
+        // A debug build is sufficient: checking a lock file takes a second.
         let install = ["install", "--quiet", "--locked", "--debug", "cargo-deny", "--version", VERSION];
         run("cargo", &[&install[..], &["--root", &folder.to_string_lossy()]].concat(), &[])?;
     }

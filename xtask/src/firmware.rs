@@ -14,7 +14,7 @@ const FIGURES: &str = "firmware/figures.txt";
 /// Installs the target and QEMU, builds the image and tests it, or performs the selected option instead.
 ///
 /// # Errors
-/// What could not be installed or built, or a check that fails.
+/// If an installation, a build or a check fails.
 pub(crate) fn check(options: &Firmware) -> Result<(), String> {
     let rust = Toolchain::get()?;
     build(&rust)?;
@@ -44,7 +44,7 @@ fn self_test(more: &[&str]) -> Result<(), String> {
     run("cargo", &[&test[..], more].concat(), &[])
 }
 
-/// The program's tests that need an image, then ten games.
+/// Runs the program's tests that need an image, then ten games.
 fn play() -> Result<(), String> {
     let image = root().join(IMAGE);
     let image = image.to_str().ok_or("the path of the workspace is not UTF-8")?;
@@ -57,14 +57,14 @@ fn play() -> Result<(), String> {
     run("cargo", &[&["run", "--quiet", "--release", "--"], &games[..]].concat(), &[])
 }
 
-/// Ten minutes of damaged packets for the decoder, then ten for the running image.
+/// Sends damaged packets for ten minutes to the decoder, then for ten minutes to the running image.
 fn fuzz() -> Result<(), String> {
     self_test(&["--fuzz", "600"])
 }
 
 /// Checks that the image for QEMU contains the injected faults, and the image for a robot does not.
 fn check_fault_injection() -> Result<(), String> {
-    /// A part of the message of an injected panic.
+    /// Part of the message of an injected panic.
     const MARK: &[u8] = b"injected: ";
     for (image, expected) in [(IMAGE, true), (ROBOT_IMAGE, false)] {
         let bytes = fs::read(root().join(image)).map_err(|error| format!("{image}: {error}"))?;
@@ -78,12 +78,12 @@ fn check_fault_injection() -> Result<(), String> {
 /// Builds the image.
 ///
 /// # Errors
-/// What did not build.
+/// If the build fails.
 pub(crate) fn build(rust: &Toolchain) -> Result<(), String> {
     build_for(rust, "an500")
 }
 
-/// Builds the image of a board. Each board is built alone: Cargo would unify the features of both.
+/// Builds the image of a board. Each board is built alone, because Cargo would unify the features of both.
 fn build_for(rust: &Toolchain, board: &str) -> Result<(), String> {
     let manifest = format!("firmware/boards/{board}/Cargo.toml");
     let options = ["--config", "firmware/.cargo/config.toml", "--target-dir", "firmware/target"];

@@ -1,18 +1,18 @@
-//! Fuzzing of the code that reads bytes from outside, with cargo-fuzz in a workspace of its own.
+//! Fuzzing of the code that decodes external bytes, with cargo-fuzz in its own workspace.
 
 use std::path::{Path, PathBuf};
 
 use crate::install::folder;
 use crate::process::{run, works};
 
-const TARGETS: [&str; 2] = ["eyes", "wire"];
-/// Longest time of one input, 10 s; a summary at the end instead of a line for each new input.
+const TARGETS: [&str; 2] = ["vision", "wire"];
+/// Time limit of one input, 10 s; a summary at the end instead of a line for each new input.
 const OPTIONS: [&str; 3] = ["-timeout=10", "-verbosity=0", "-print_final_stats=1"];
 
 /// Installs cargo-fuzz into target/, and runs each target for `seconds`, at least 1 (0 would mean no limit).
 ///
 /// # Errors
-/// What could not be installed or built, or a target that found a failing input.
+/// If an installation or a build fails, or a target finds a failing input.
 pub(crate) fn check(seconds: u32) -> Result<(), String> {
     let tool = tool()?;
     let limit = format!("-max_total_time={seconds}");
@@ -27,7 +27,7 @@ pub(crate) fn check(seconds: u32) -> Result<(), String> {
     Ok(())
 }
 
-/// What to do after a failure.
+/// Instructions for the reproduction of a failure.
 fn advice(target: &str, tool: &Path) -> String {
     let folder = tool.parent().unwrap_or(tool).display();
     format!(
@@ -36,7 +36,7 @@ fn advice(target: &str, tool: &Path) -> String {
     )
 }
 
-/// The path of cargo-fuzz; builds it first if it is missing.
+/// Returns the path of cargo-fuzz; builds it first if it is missing.
 fn tool() -> Result<PathBuf, String> {
     let folder = folder("cargo-fuzz");
     let path = folder.join("bin/cargo-fuzz");

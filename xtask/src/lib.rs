@@ -1,6 +1,6 @@
 //! The development tasks of the workspace, and their command line.
 //!
-//! A library beside the program, so that a test can parse every `cargo xtask` command that the documentation shows.
+//! The tasks are a library, so that a test can parse every `cargo xtask` command in the documentation.
 
 mod buildtime;
 mod ci;
@@ -26,7 +26,7 @@ use clap::{CommandFactory, Parser};
 
 use cli::{Cli, Task};
 
-/// Runs the task that the command line names; without one prints the list of tasks.
+/// Runs the task of the command line; without a task prints the list of tasks.
 #[must_use]
 pub fn run() -> ExitCode {
     let Some(task) = Cli::parse().task else {

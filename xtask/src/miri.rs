@@ -2,11 +2,12 @@
 
 use crate::process::{run, works};
 
-/// A nightly compiler that includes Miri; some do not.
+/// Nightly compiler for which Miri is available.
 const NIGHTLY: &str = "nightly-2026-05-20";
 const PARTS: [&str; 4] = ["--component", "miri", "--component", "rust-src"];
 const TEST: [&str; 8] = ["cargo", "miri", "test", "--quiet", "--package", "bica-core", "--test", "semantics"];
-/// Tests of arithmetic over millions of cycles, which take hours in Miri and use memory in no other way than the rest.
+/// Arithmetic tests over millions of cycles, which take hours in Miri and do not use memory differently from the
+/// others.
 const TOO_LONG: [&str; 5] = ["--", "--skip", "jitter::", "--skip", "large::any_component_can_be_held"];
 /// Miri is about a thousand times slower than native code, so property tests run one case. proptest reads files of earlier
 /// failures, which Miri forbids by default.
@@ -15,16 +16,16 @@ const VARIABLES: [(&str, &str); 2] = [("PROPTEST_CASES", "1"), ("MIRIFLAGS", "-Z
 /// Installs Miri and runs the tests of the framework's semantics.
 ///
 /// # Errors
-/// What could not be installed, a test that fails, or undefined behaviour.
+/// If the installation or a test fails, or Miri detects undefined behaviour.
 pub(crate) fn check() -> Result<(), String> {
     install()?;
     test()
 }
 
-/// The same where Miri can be installed; elsewhere prints that it is skipped.
+/// Does the same if Miri can be installed; otherwise prints that the check is skipped.
 ///
 /// # Errors
-/// A test that fails, or undefined behaviour.
+/// If a test fails, or Miri detects undefined behaviour.
 pub(crate) fn check_if_installable() -> Result<(), String> {
     if let Err(error) = install() {
         eprintln!("xtask: SKIPPED: Miri cannot be installed here: {error}");

@@ -7,20 +7,20 @@ use std::path::Path;
 use crate::install::packages;
 use crate::process::{root, run, works};
 
-/// The folder in which builds with the feature `mujoco` find the library (named in `.cargo/config.toml`).
+/// Folder in which builds with the feature `mujoco` find the library (set in `.cargo/config.toml`).
 const FOLDER: &str = "target/mujoco";
-/// The version that the used `mujoco-rs` requires.
+/// Version that `mujoco-rs` requires.
 const VERSION: &str = "3.17.0";
-/// Debian's packages of EGL and of Mesa's software renderer.
+/// Debian packages of EGL and of Mesa's software renderer.
 const RENDERER: [&str; 2] = ["libegl1", "libgl1-mesa-dri"];
 
-/// Installs the library in [`FOLDER`], taken from the Python package that its authors publish, and [`RENDERER`].
+/// Installs the library in [`FOLDER`], from the Python package that its authors publish, and [`RENDERER`].
 ///
 /// # Errors
-/// What could not be installed.
+/// If an installation fails.
 pub(crate) fn install() -> Result<(), String> {
     if OS != "linux" {
-        return Err(format!("MuJoCo's library is fetched for Linux, and this is {OS}"));
+        return Err(format!("MuJoCo's library can be installed on Linux only; this system is {OS}"));
     }
     let folder = root().join(FOLDER);
     let library = format!("libmujoco.so.{VERSION}");
@@ -40,13 +40,13 @@ pub(crate) fn install() -> Result<(), String> {
         .map_err(|error| format!("{error}\n  help: MuJoCo's library is installed; only the renderer is missing"))
 }
 
-/// The trials of CI, with fewer runs than `player trial` has by default.
+/// Trials in CI, with fewer runs than the default of `player trial`.
 const TRIALS: [&str; 9] = ["walk", "commands", "pushes", "bodies", "odometry", "kicks", "falls", "get-up", "obstacles"];
 
-/// Checks in MuJoCo, where it can be installed: lints, tests, trials of the body, some games.
+/// Checks in MuJoCo, if it can be installed: lints, tests, trials of the body, some games.
 ///
 /// # Errors
-/// The first check that fails.
+/// If a check fails; later ones do not run.
 pub(crate) fn check() -> Result<(), String> {
     if let Err(error) = install() {
         eprintln!("xtask: SKIPPED: MuJoCo cannot be installed here: {error}");
@@ -81,7 +81,7 @@ fn fetch(folder: &Path, library: &str) -> Result<(), String> {
     let get = ["-m", "pip", "download", "--quiet", "--no-deps", "--dest", &place, &package];
     run("python3", &[&get[..], &chosen].concat(), &[])?;
     let packed = fs::read_dir(&wheel).map_err(message)?.flatten().map(|entry| entry.path());
-    let packed = packed.max().ok_or("pip got no package")?;
+    let packed = packed.max().ok_or("pip downloaded no package")?;
     run("python3", &["-m", "zipfile", "-e", &packed.to_string_lossy(), &place], &[])?;
     fs::rename(wheel.join("mujoco").join(library), folder.join(library)).map_err(message)?;
     fs::remove_dir_all(wheel).map_err(message)?;

@@ -1,4 +1,4 @@
-//! How long a newcomer waits: the README's two commands in a fresh clone, and what takes the time.
+//! Waiting time of a newcomer: the README's two commands in a fresh clone, and their slowest parts.
 
 mod tests_by_time;
 mod timings;
@@ -11,21 +11,21 @@ use crate::cli::Newcomer;
 use crate::process::{root, run, run_in};
 use crate::processor_time::{self, Spent};
 
-/// The folder of the fresh clone; emptied before each measurement.
+/// Folder of the fresh clone; emptied before each measurement.
 const CLONE: &str = "target/newcomer";
-/// Longest time from the command to the end of the first game, on two idle processors.
+/// Limit of the time from the command to the end of the first game, on two idle processors.
 const FIRST_GAME: Duration = Duration::from_secs(75);
-/// Longest time of the first `cargo test --workspace`.
+/// Limit of the first `cargo test --workspace`.
 const FIRST_TEST: Duration = Duration::from_mins(5);
-/// Longest time of the second one, when everything is built.
+/// Limit of the second `cargo test --workspace`, when everything is built.
 const TEST: Duration = Duration::from_mins(1);
-/// How many lines of each list are printed.
+/// Number of lines of each list.
 const LINES: usize = 12;
 
-/// Measures and prints both commands, and what takes the time of each.
+/// Measures and prints both commands and their slowest parts.
 ///
 /// # Errors
-/// What could not be cloned, built or tested; or, with the option `--judge`, a time above its limit.
+/// If cloning, building or a test fails; with the option `--judge` also if a time is above its limit.
 pub(crate) fn measure(options: &Newcomer) -> Result<(), String> {
     let clone = fresh_clone()?;
     let cargo = |arguments: &[&str]| run_in(&clone, "cargo", arguments);

@@ -9,10 +9,10 @@ const CRATES: [&str; 8] =
     ["bica-core", "bica-runner", "bica-field", "bica-motion", "bica-vision", "bica-wire", "bica", "bica-player"];
 const DEBIAN: [&str; 4] = ["rustc-web", "cargo-web", "rust-web-src", "lld"];
 
-/// Builds every crate that runs on a robot for a Cortex-M, then links the firmware image without an allocator, which fails
-/// as soon as anything in it needs `alloc`.
+/// Builds every crate that runs on a robot for a Cortex-M, then links the firmware image without an allocator; linking
+/// fails if any part needs `alloc`.
 ///
-/// # Errors
+/// If an installation or a build fails.
 /// What could not be installed or built.
 pub(crate) fn check() -> Result<(), String> {
     let rust = Toolchain::get()?;
@@ -22,19 +22,19 @@ pub(crate) fn check() -> Result<(), String> {
     firmware::build(&rust)
 }
 
-/// A toolchain that builds for the microcontroller.
+/// Toolchain that builds for the microcontroller.
 pub(crate) enum Toolchain {
-    /// The installed toolchain, with a precompiled `core` for the target.
+    /// Installed toolchain, with a precompiled `core` for the target.
     Rustup,
     /// Debian's toolchain, which builds `core` from source.
     Debian,
 }
 
 impl Toolchain {
-    /// The first of the two that is installed or can be installed.
+    /// Returns the first of the two that is installed or can be installed.
     ///
     /// # Errors
-    /// What could not be installed.
+    /// If neither can be installed.
     pub(crate) fn get() -> Result<Self, String> {
         if works("rustup", &["target", "add", TARGET]) {
             return Ok(Self::Rustup);
@@ -49,7 +49,7 @@ impl Toolchain {
     /// Builds for the microcontroller.
     ///
     /// # Errors
-    /// What did not build.
+    /// If the build fails.
     pub(crate) fn build(&self, arguments: &[&str]) -> Result<(), String> {
         let common = ["build", "--quiet", "--target", TARGET];
         match self {

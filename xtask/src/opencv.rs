@@ -1,4 +1,4 @@
-//! Speed of the vision and of `OpenCV`, on the same frames and the same core.
+//! Speed of BICA's vision and of `OpenCV`, on the same frames and the same core.
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -10,12 +10,12 @@ const PACKAGE: &str = "opencv-python-headless";
 /// Number of turns of each side. They alternate, so that other load on the machine affects both.
 const TURNS: usize = 3;
 /// Required ratio of OpenCV's time to the vision's.
-const LEAST: f64 = 10.0;
+const MIN_RATIO: f64 = 10.0;
 
 /// Installs `OpenCV` into a virtual environment, measures both sides in turn on one core, and prints a table of minima.
 ///
 /// # Errors
-/// What could not be installed or measured, or that the ratio is below the required one.
+/// If an installation or a measurement fails, or the ratio is below the required one.
 pub(crate) fn compare() -> Result<(), String> {
     let folder = folder("opencv");
     let text = |path: PathBuf| path.to_string_lossy().into_owned();
@@ -33,7 +33,7 @@ pub(crate) fn compare() -> Result<(), String> {
     print(&table)
 }
 
-/// The path of a Python interpreter with `OpenCV`; installs it first if it is missing.
+/// Returns the path of a Python interpreter with `OpenCV`; installs it first if it is missing.
 fn python(venv: &str) -> Result<String, String> {
     let python = format!("{venv}/bin/python");
     if !works(&python, &["-c", "import cv2"]) {
@@ -52,19 +52,19 @@ fn on_one_core(words: &[&str]) -> Result<String, String> {
     output(words[0], &words[1..], &[])
 }
 
-/// By frame size: the whole vision, a copy of the frame, `OpenCV` without and with component statistics on one thread, and
-/// both with `OpenCV`'s default number of threads, µs.
+/// Times by frame size, µs: the whole vision, a copy of the frame, `OpenCV` without and with component statistics on
+/// one thread, and both with `OpenCV`'s default number of threads.
 type Table = BTreeMap<(u32, u32), [f64; 6]>;
 
-/// Keeps the minimum of each figure. A line holds a frame size and two figures.
+/// Keeps the minimum of each figure. A line contains a frame size and two figures.
 fn note(table: &mut Table, column: usize, text: &str) {
     for line in text.lines() {
         let words: Vec<&str> = line.split(' ').collect();
         let size = words[0].split_once('x').and_then(|(w, h)| Some((w.parse().ok()?, h.parse().ok()?)));
         let Some(size) = size else { continue };
         let row = table.entry(size).or_insert([f64::INFINITY; 6]);
-        for (least, word) in row[column..column + 2].iter_mut().zip(&words[1..]) {
-            *least = least.min(word.parse().unwrap_or(f64::INFINITY));
+        for (ratio, word) in row[column..column + 2].iter_mut().zip(&words[1..]) {
+            *ratio = ratio.min(word.parse().unwrap_or(f64::INFINITY));
         }
     }
 }
@@ -85,15 +85,15 @@ fn print(table: &Table) -> Result<(), String> {
         }
         println!();
     }
-    // The vision computes area, bounding box and centroid of each region, so components with statistics are the same work.
-    let least = table.values().map(|[ours, _, _, stats, ..]| stats / ours).fold(f64::INFINITY, f64::min);
-    if least.is_finite() && least >= LEAST {
+    // The vision computes area, bounding box and centroid of each region, so the statistics are needed for equal work.
+    let ratio = table.values().map(|[ours, _, _, stats, ..]| stats / ours).fold(f64::INFINITY, f64::min);
+    if ratio.is_finite() && ratio >= MIN_RATIO {
         println!(
-            "OpenCV with statistics takes at least {least:.1} times as long as the vision; {LEAST} times is required"
+            "OpenCV with statistics takes at ratio {ratio:.1} times as long as the vision; {MIN_RATIO} times is required"
         );
         return Ok(());
     }
     Err(format!(
-        "OpenCV with statistics takes {least:.1} times as long as the vision; {LEAST} times or more is required"
+        "OpenCV with statistics takes {ratio:.1} times as long as the vision; {MIN_RATIO} times or more is required"
     ))
 }

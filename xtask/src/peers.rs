@@ -1,15 +1,15 @@
-//! Speed of BICA and its peers, in a workspace of its own: BICA needs none of the peers' dependencies.
+//! Comparison of BICA with other designs, in its own workspace, so that BICA does not need their dependencies.
 
 use crate::cli::Peers;
 use crate::process::run;
 
-const PLACE: [&str; 3] = ["--manifest-path", "benches/peers/Cargo.toml", "--locked"];
+const MANIFEST: [&str; 3] = ["--manifest-path", "benches/peers/Cargo.toml", "--locked"];
 const TARGET: [&str; 2] = ["--target-dir", "target/peers"];
 
-/// Builds all, measures time, instructions, allocations and program size, and checks the promises.
+/// Builds everything, measures times, allocations and program sizes, and checks the claims.
 ///
 /// # Errors
-/// What could not be built, or a promise that does not hold.
+/// If a build fails, or a claim does not hold.
 pub(crate) fn measure(selected: &Peers) -> Result<(), String> {
     // The first build takes minutes, so its progress is shown.
     cargo("build", &["--release", "--workspace"])?;
@@ -19,12 +19,12 @@ pub(crate) fn measure(selected: &Peers) -> Result<(), String> {
     cargo("run", &[&program[..], &options].concat())
 }
 
-/// Checks that all designs but copper-rs compute the same results, and that the judgement of times is right.
+/// Checks that all designs but copper-rs compute the same results, and that the claims are judged correctly.
 ///
 /// # Errors
-/// What failed.
+/// If a check fails.
 pub(crate) fn check() -> Result<(), String> {
-    run("cargo", &["fmt", "--all", "--check", PLACE[0], PLACE[1]], &[])?;
+    run("cargo", &["fmt", "--all", "--check", MANIFEST[0], MANIFEST[1]], &[])?;
     cargo(
         "clippy",
         &["--quiet", "--package", "peers", "--package", "peers-size", "--all-targets", "--", "-D", "warnings"],
@@ -33,5 +33,5 @@ pub(crate) fn check() -> Result<(), String> {
 }
 
 fn cargo(what: &str, more: &[&str]) -> Result<(), String> {
-    run("cargo", &[&[what], &PLACE[..], &TARGET, more].concat(), &[])
+    run("cargo", &[&[what], &MANIFEST[..], &TARGET, more].concat(), &[])
 }

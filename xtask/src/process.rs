@@ -1,25 +1,25 @@
-//! Other programs: how they are run.
+//! Execution of other programs.
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
-/// The workspace's folder.
+/// Folder of the workspace.
 pub(crate) fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).parent().map_or_else(|| ".".into(), Path::to_path_buf)
 }
 
-/// Runs a program in the workspace's folder, and prints its command line first.
+/// Prints the command line of a program, and runs it in the workspace's folder.
 ///
 /// # Errors
-/// The command line, if the program cannot be started or fails.
+/// If the program cannot be started or fails; the message contains the command line.
 pub(crate) fn run(program: &str, arguments: &[&str], variables: &[(&str, &str)]) -> Result<(), String> {
     status(Command::new(program).args(arguments).envs(variables.iter().copied()).current_dir(root()))
 }
 
-/// Runs a program in another folder, with the build directory of that folder, and prints its command line first.
+/// Prints the command line of a program, and runs it in another folder, with the build directory of that folder.
 ///
 /// # Errors
-/// The command line, if the program cannot be started or fails.
+/// If the program cannot be started or fails; the message contains the command line.
 pub(crate) fn run_in(folder: &Path, program: &str, arguments: &[&str]) -> Result<(), String> {
     status(Command::new(program).args(arguments).env_remove("CARGO_TARGET_DIR").current_dir(folder))
 }
@@ -43,10 +43,10 @@ pub(crate) fn works(program: &str, arguments: &[&str]) -> bool {
         .is_ok_and(|status| status.success())
 }
 
-/// Runs a program in the workspace's folder, prints its command line first, and returns its standard output.
+/// Prints the command line of a program, runs it in the workspace's folder, and returns its standard output.
 ///
 /// # Errors
-/// The command line, if the program cannot be started, fails, or prints something that is not UTF-8.
+/// If the program cannot be started, fails, or prints text that is not UTF-8; the message contains the command line.
 pub(crate) fn output(program: &str, arguments: &[&str], variables: &[(&str, &str)]) -> Result<String, String> {
     let line = format!("{program} {}", arguments.join(" "));
     eprintln!("xtask: {line}");

@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 
 use crate::process::output;
 
-/// The time that a piece of work took.
+/// Times of a measured piece of work.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Spent {
     /// Wall-clock time.
@@ -17,18 +17,19 @@ pub(crate) struct Spent {
 /// Measures work that runs other programs and waits for them.
 ///
 /// # Errors
-/// The error of the work; or that processor times cannot be read, as on other systems than Linux.
+/// If the work fails, or processor times cannot be read, as on systems other than Linux.
 pub(crate) fn measure(work: impl FnOnce() -> Result<(), String>) -> Result<Spent, String> {
     let (began, before) = (Instant::now(), busy()?);
     work()?;
     Ok(Spent { wall: began.elapsed(), busy: busy()?.saturating_sub(before) })
 }
 
-/// Processor time of all programs that this one started and that have ended, including those that they started.
+/// Returns the processor time of all programs that this one started and that have ended, including their children.
 fn busy() -> Result<Duration, String> {
-    let wrong = || "cannot read processor times: /proc/self/stat is not as on Linux".to_owned();
+    let wrong = || "cannot read processor times: /proc/self/stat does not have Linux's format".to_owned();
     let text = fs::read_to_string("/proc/self/stat").map_err(|_| wrong())?;
-    // The name comes second, in brackets, and may contain anything; user and system time of children are 16th and 17th.
+    // The name is the second field, in brackets, and may contain any character. User and system time of children are
+    // the 16th and 17th fields.
     let (_, rest) = text.rsplit_once(')').ok_or_else(wrong)?;
     let fields: Vec<&str> = rest.split_whitespace().skip(13).take(2).collect();
     let [user, system] = fields[..] else { return Err(wrong()) };

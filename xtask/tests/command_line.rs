@@ -1,8 +1,8 @@
-//! What the program prints without performing a task.
+//! Output of the program without a task.
 
 use std::process::Command;
 
-/// The exit code, and the text of both streams.
+/// Exit code, and the text of both streams.
 struct Output {
     code: Option<i32>,
     stdout: String,

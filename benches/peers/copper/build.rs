@@ -1,4 +1,4 @@
-//! What Copper's macros want to know.
+//! Sets the environment variable that Copper's macros read.
 
 fn main() {
     cu29_build::setup();

@@ -1,12 +1,12 @@
-//! `Box<dyn Component>` in a list, sorted so that each comes after what it needs: the usual late binding.
+//! `Box<dyn Component>` in a list sorted by dependency: the usual late binding.
 
-use crate::part::{self, MOST, Part, mix};
+use crate::part::{self, MAX_INPUTS, Part, mix};
 use crate::subject::{CYCLE_US, Subject};
 use crate::timer::Timer;
 
-/// What the list holds.
+/// Component of the list.
 trait Component {
-    /// Makes its number of those of the others; `own` is its last.
+    /// Computes the component's number from the numbers of all; `own` is its previous one.
     fn step(&mut self, own: u64, numbers: &[u64]) -> u64;
 }
 
@@ -32,7 +32,7 @@ impl<const N: usize> Component for Mix<N> {
 }
 
 /// # Panics
-/// If the part needs more than [`MOST`] others.
+/// If the part has more than [`MAX_INPUTS`] inputs.
 fn component(part: &Part) -> Box<dyn Component> {
     fn mixing<const N: usize>(part: &Part) -> Box<dyn Component> {
         Box::new(Mix::<N> { salt: part.salt, needs: core::array::from_fn(|at| part.needs[at]) })
@@ -43,7 +43,7 @@ fn component(part: &Part) -> Box<dyn Component> {
         2 => mixing::<2>(part),
         3 => mixing::<3>(part),
         6 => mixing::<6>(part),
-        count => panic!("no component here needs {count} others; the most is {MOST}"),
+        count => panic!("a component with {count} inputs is not supported; the maximum is {MAX_INPUTS}"),
     }
 }
 
@@ -53,7 +53,7 @@ struct Entry {
     next: u64,
 }
 
-/// A list of components.
+/// List of components.
 pub struct Boxed<T> {
     entries: Vec<Entry>,
     numbers: Vec<u64>,
@@ -61,7 +61,7 @@ pub struct Boxed<T> {
 }
 
 impl<T: Timer> Boxed<T> {
-    /// At rest, with `timer` around each component.
+    /// Creates the components, with `timer` around each.
     #[must_use]
     pub fn new(parts: &[Part], timer: T) -> Self {
         let entry = |part: &Part| Entry { component: component(part), every: part.every, next: 0 };

@@ -1,55 +1,55 @@
-//! A blackboard with call-backs: values under names in a hash map, and for each name those who want to hear of it.
+//! Blackboard with callbacks: a hash map of named values, and the subscribers of each name.
 //!
-//! So messages passed in the first design of the paper that this project follows. Whoever publishes a value calls all who
-//! listen; what else they need they look up by name.
+//! Messages were passed like this in the first design of the paper that this project follows. Publishing a value calls
+//! its subscribers; a subscriber reads its other inputs by name.
 
 use std::cell::{Cell, RefCell};
 use std::collections::HashMap;
 
-use crate::part::{MOST, OUTPUTS, Part, mix};
+use crate::part::{MAX_INPUTS, OUTPUTS, Part, mix};
 use crate::subject::{CYCLE_US, Subject};
 
-/// What can be written on the blackboard.
+/// Value on the blackboard.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Value {
-    /// A whole number.
+    /// Unsigned integer.
     Whole(u64),
-    /// A real number.
+    /// Real number.
     Real(f64),
-    /// A text.
+    /// Text.
     Text(String),
-    /// Several values.
+    /// List of values.
     List(Vec<Value>),
 }
 
 impl Value {
-    /// A whole number, or 0 for what is none.
+    /// Returns the integer, or 0 for another kind of value.
     #[must_use]
     pub fn whole(&self) -> u64 {
         if let Self::Whole(number) = self { *number } else { 0 }
     }
 }
 
-type Listener = Box<dyn Fn(&Blackboard, &Value)>;
+type Callback = Box<dyn Fn(&Blackboard, &Value)>;
 
-/// Values under names, and who listens to them.
+/// Named values and their subscribers.
 #[derive(Default)]
 struct Blackboard {
     values: RefCell<HashMap<String, Value>>,
-    listeners: HashMap<String, Vec<Listener>>,
+    callbacks: HashMap<String, Vec<Callback>>,
 }
 
 impl Blackboard {
-    fn listen(&mut self, name: &str, listener: Listener) {
-        self.listeners.entry(name.to_owned()).or_default().push(listener);
+    fn subscribe(&mut self, name: &str, callback: Callback) {
+        self.callbacks.entry(name.to_owned()).or_default().push(callback);
     }
 
     fn publish(&self, name: &str, value: &Value) {
         if let Some(place) = self.values.borrow_mut().get_mut(name) {
             place.clone_from(value);
         }
-        for listener in self.listeners.get(name).into_iter().flatten() {
-            listener(self, value);
+        for callback in self.callbacks.get(name).into_iter().flatten() {
+            callback(self, value);
         }
     }
 
@@ -58,7 +58,7 @@ impl Blackboard {
     }
 }
 
-/// What a component on the blackboard remembers.
+/// Component on the blackboard.
 struct Member<const N: usize> {
     name: &'static str,
     salt: u64,
@@ -73,14 +73,14 @@ impl<const N: usize> Member<N> {
         Self { name: part.name, salt: part.salt, needs, every: part.every, next: Cell::new(0) }
     }
 
-    /// On its last need: that comes with the message.
-    fn on_need(&self, board: &Blackboard, last: &Value) {
+    /// Runs when the last input is published; the message contains that input.
+    fn on_input(&self, board: &Blackboard, last: &Value) {
         let numbers: [u64; N] =
             core::array::from_fn(|at| if at + 1 == N { last.whole() } else { board.read(self.needs[at]) });
         board.publish(self.name, &Value::Whole(mix(self.salt, numbers)));
     }
 
-    /// On the beat of the cycles: it reads all that it needs.
+    /// Runs at the start of a cycle, and reads all inputs.
     fn on_cycle(&self, board: &Blackboard, cycle: u64) {
         if cycle >= self.next.get() {
             self.next.set(cycle + self.every);
@@ -91,13 +91,13 @@ impl<const N: usize> Member<N> {
 
 const CYCLE: &str = "cycle";
 
-fn join<const N: usize>(board: &mut Blackboard, part: &Part, parts: &[Part], by_need: bool) {
+fn add<const N: usize>(board: &mut Blackboard, part: &Part, parts: &[Part], by_input: bool) {
     let member = Member::<N>::new(part, parts);
-    let (name, listener): (_, Listener) = match part.needs.last() {
-        Some(&need) if by_need => (parts[need].name, Box::new(move |board, last| member.on_need(board, last))),
+    let (name, callback): (_, Callback) = match part.needs.last() {
+        Some(&need) if by_input => (parts[need].name, Box::new(move |board, last| member.on_input(board, last))),
         _ => (CYCLE, Box::new(move |board, cycle| member.on_cycle(board, cycle.whole()))),
     };
-    board.listen(name, listener);
+    board.subscribe(name, callback);
 }
 
 /// Components around a blackboard.
@@ -107,30 +107,31 @@ pub struct Callbacks {
 }
 
 impl Callbacks {
-    /// At rest. If all components run in every cycle, each listens to the last that it needs; else to the cycle's beat.
+    /// Creates the components. If all run in every cycle, each subscribes to its last input, otherwise to the cycle
+    /// event.
     ///
     /// # Panics
-    /// If a part needs more than [`MOST`] others.
+    /// If a part has more than [`MAX_INPUTS`] inputs.
     #[must_use]
     pub fn new(parts: &[Part]) -> Self {
         let mut board = Blackboard::default();
-        let by_need = parts.iter().all(|part| part.every == 1);
+        let by_input = parts.iter().all(|part| part.every == 1);
         let names = parts.iter().map(|part| part.name).chain([CYCLE]);
         board.values = RefCell::new(names.map(|name| (name.to_owned(), Value::Whole(1))).collect());
         for part in parts {
             match part.needs.len() {
-                0 | 1 => join::<1>(&mut board, part, parts, by_need),
-                2 => join::<2>(&mut board, part, parts, by_need),
-                3 => join::<3>(&mut board, part, parts, by_need),
-                6 => join::<6>(&mut board, part, parts, by_need),
-                count => panic!("no component here needs {count} others; the most is {MOST}"),
+                0 | 1 => add::<1>(&mut board, part, parts, by_input),
+                2 => add::<2>(&mut board, part, parts, by_input),
+                3 => add::<3>(&mut board, part, parts, by_input),
+                6 => add::<6>(&mut board, part, parts, by_input),
+                count => panic!("a component with {count} inputs is not supported; the maximum is {MAX_INPUTS}"),
             }
         }
         Self { board, outputs: outputs(parts) }
     }
 }
 
-/// The names of the numbers that make the result.
+/// Names of the values that form the result.
 pub(crate) fn outputs(parts: &[Part]) -> Vec<&'static str> {
     let all = if parts.len() == 25 { &OUTPUTS[..] } else { &[parts.len() - 1] };
     all.iter().map(|&output| parts[output].name).collect()

@@ -1,14 +1,15 @@
-//! A blackboard with channels: each component has a mailbox, and what it says goes to the blackboard by mail.
+//! Blackboard with channels: each component has an input queue, and publishes through the queue of the blackboard.
 //!
-//! The blackboard keeps the last value under each name in a hash map and forwards it to those who subscribed. All run in
-//! one thread, in the best order, so that no message waits and no thread is woken: less than this it cannot cost.
+//! The blackboard keeps the last value of each name in a hash map and forwards it to the subscribers. All components
+//! run in one thread, in the best order, so no message waits and no thread is woken. This is the lower bound of the
+//! cost of such a design.
 
 use std::collections::HashMap;
 use std::rc::Rc;
 use std::sync::mpsc::{Receiver, Sender, channel};
 
 use crate::callbacks::{Value, outputs};
-use crate::part::{MOST, Part, mix};
+use crate::part::{MAX_INPUTS, Part, mix};
 use crate::subject::{CYCLE_US, Subject};
 
 struct Message {
@@ -27,12 +28,12 @@ struct Topic {
 }
 
 impl Blackboard {
-    /// Keeps and forwards what has come.
+    /// Stores and forwards the messages in the queue.
     fn deliver(&mut self) {
         while let Ok(Message { name, value }) = self.inbox.try_recv() {
             if let Some(topic) = self.topics.get_mut(&name) {
                 for subscriber in &topic.subscribers {
-                    // A subscriber that has gone misses nothing.
+                    // A subscriber that was dropped needs no message.
                     _ = subscriber.send(Message { name: name.clone(), value: value.clone() });
                 }
                 topic.value = value;
@@ -48,7 +49,7 @@ struct Member {
     next: u64,
     inbox: Receiver<Message>,
     outbox: Sender<Message>,
-    /// What it needs, and what that said last.
+    /// Names and last values of the inputs.
     needs: Vec<(Rc<str>, u64)>,
 }
 
@@ -62,13 +63,13 @@ impl Member {
         if cycle >= self.next {
             self.next = cycle + self.every;
             let number = self.needs.iter().fold(self.salt, |sum, &(_, need)| mix(sum, [need]));
-            // The blackboard lives as long as its members.
+            // The blackboard lives as long as its components.
             _ = self.outbox.send(Message { name: self.name.clone(), value: Value::Whole(number) });
         }
     }
 }
 
-/// Components around a blackboard that is reached by mail.
+/// Components around a blackboard with queues.
 pub struct Channels {
     board: Blackboard,
     members: Vec<Member>,
@@ -76,10 +77,10 @@ pub struct Channels {
 }
 
 impl Channels {
-    /// At rest. A component subscribes to what it needs; one that needs nothing to what it says itself.
+    /// Creates the components. Each subscribes to its inputs; one without inputs subscribes to its own value.
     ///
     /// # Panics
-    /// If a part needs more than [`MOST`] others.
+    /// If a part has more than [`MAX_INPUTS`] inputs.
     #[must_use]
     pub fn new(parts: &[Part]) -> Self {
         let (outbox, inbox) = channel();
@@ -88,7 +89,7 @@ impl Channels {
         let mut board = Blackboard { inbox, topics: names.iter().map(topic).collect() };
         let mut members = Vec::new();
         for (at, part) in parts.iter().enumerate() {
-            assert!(part.needs.len() <= MOST, "`{}` needs more than {MOST} others", part.name);
+            assert!(part.needs.len() <= MAX_INPUTS, "`{}` has more than {MAX_INPUTS} inputs", part.name);
             let needs = if part.needs.is_empty() { vec![at] } else { part.needs.to_vec() };
             let (post, inbox) = channel();
             for &need in &needs {

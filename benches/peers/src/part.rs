@@ -1,25 +1,25 @@
-//! The work: graphs of parts, each of which makes a number of the numbers of others.
+//! The workloads: graphs of parts, each of which computes a number from the numbers of its inputs.
 //!
-//! A part that needs no other goes on from its own number. All begin at 1. The parts of a graph are in an order in which
-//! each comes after those that it needs.
+//! A part without inputs uses its own previous number. All numbers begin at 1. Each part comes after its inputs in the
+//! list.
 
-/// One component's part of the work.
+/// Part of a workload; one component in each design.
 #[derive(Clone, Copy, Debug)]
 pub struct Part {
-    /// Its name.
+    /// Name.
     pub name: &'static str,
-    /// It runs once in so many cycles, in the first and from there on.
+    /// Period in cycles; the part runs in the first cycle.
     pub every: u64,
-    /// What its number starts from, so that no two parts do the same.
+    /// Initial value of the mixture, different for each part.
     pub salt: u64,
-    /// The parts that it needs, by their place in the graph; at most [`MOST`].
+    /// Inputs, by their index in the graph; at most [`MAX_INPUTS`].
     pub needs: &'static [usize],
 }
 
-/// Most parts that one part needs.
-pub const MOST: usize = 6;
+/// Maximum number of inputs of a part.
+pub const MAX_INPUTS: usize = 6;
 
-/// Sensor to motor through a diamond: the two in the middle need the same.
+/// Diamond from sensor to motor: two parts in the middle have the same input.
 pub const DIAMOND: [Part; 4] = [
     Part { name: "bottom", every: 1, salt: 0, needs: &[] },
     Part { name: "left", every: 1, salt: 1, needs: &[0] },
@@ -27,7 +27,7 @@ pub const DIAMOND: [Part; 4] = [
     Part { name: "top", every: 1, salt: 3, needs: &[1, 2] },
 ];
 
-/// As in the tree of a soccer forward, at rates of 100, 50, 20, 10 and 5 Hz.
+/// Graph like the tree of a soccer forward, at rates of 100, 50, 20, 10 and 5 Hz.
 pub const FORWARD: [Part; 25] = [
     Part { name: "camera", every: 5, salt: 0, needs: &[] },
     Part { name: "joints", every: 1, salt: 1, needs: &[] },
@@ -39,11 +39,11 @@ pub const FORWARD: [Part; 25] = [
     Part { name: "ball", every: 5, salt: 7, needs: &[6, 5] },
     Part { name: "net", every: 5, salt: 8, needs: &[6, 5] },
     Part { name: "lines", every: 10, salt: 9, needs: &[6, 5] },
-    Part { name: "field_end", every: 10, salt: 10, needs: &[6] },
+    Part { name: "field_boundary", every: 10, salt: 10, needs: &[6] },
     Part { name: "odometry", every: 1, salt: 11, needs: &[5, 3] },
     Part { name: "ball_memory", every: 2, salt: 12, needs: &[7, 11] },
     Part { name: "net_memory", every: 5, salt: 13, needs: &[8, 11] },
-    Part { name: "place", every: 10, salt: 14, needs: &[9, 11] },
+    Part { name: "localization", every: 10, salt: 14, needs: &[9, 11] },
     Part { name: "fall", every: 2, salt: 15, needs: &[2, 3] },
     Part { name: "player", every: 10, salt: 16, needs: &[12, 13, 14, 10, 15, 4] },
     Part { name: "search", every: 5, salt: 17, needs: &[16, 12] },
@@ -56,7 +56,7 @@ pub const FORWARD: [Part; 25] = [
     Part { name: "lights", every: 20, salt: 24, needs: &[16] },
 ];
 
-/// The parts of [`FORWARD`] whose numbers go out: head, legs, arms, lights.
+/// Output parts of [`FORWARD`]: head, legs, arms, lights.
 pub const OUTPUTS: [usize; 4] = [19, 22, 23, 24];
 
 const NAMES: [&str; 100] = {
@@ -82,7 +82,7 @@ const BEFORE: [usize; 100] = {
     before
 };
 
-/// A chain of `N` ≤ 100 parts, each of which needs the one before.
+/// Chain of `N` ≤ 100 parts, each of which has the previous one as its input.
 #[must_use]
 pub fn chain<const N: usize>() -> [Part; N] {
     core::array::from_fn(|at| Part {
@@ -93,14 +93,14 @@ pub fn chain<const N: usize>() -> [Part; N] {
     })
 }
 
-/// The number of a part that needs these numbers.
+/// Computes the number of a part from its inputs.
 #[inline]
 #[must_use]
 pub fn mix<const N: usize>(salt: u64, needs: [u64; N]) -> u64 {
     needs.into_iter().fold(salt, |sum, need| sum.wrapping_add(need).wrapping_mul(31).wrapping_add(1))
 }
 
-/// The number of a graph: its last part's, or of several outputs a mixture.
+/// Result of a graph: the number of the last part, or a mixture of several outputs.
 #[must_use]
 pub fn result(numbers: &[u64]) -> u64 {
     if numbers.len() == FORWARD.len() {

@@ -1,6 +1,7 @@
-//! By hand: one function for each component, called one after the other. What a framework adds is on top of this.
+//! Functions written by hand, one for each component, called in sequence. The cost of a framework is the difference to
+//! them.
 //!
-//! The functions are not inlined: else the compiler would make one multiplication of a whole chain.
+//! The functions are not inlined; otherwise the compiler folds a whole chain into one multiplication.
 
 use crate::part::{self, mix};
 use crate::subject::{CYCLE_US, Subject};
@@ -11,14 +12,14 @@ fn step<const N: usize>(numbers: &mut [u64], to: usize, salt: u64, needs: [usize
     numbers[to] = mix(salt, needs.map(|need| numbers[need]));
 }
 
-/// A chain of `N`.
+/// Chain of `N`.
 pub struct Chain<T, const N: usize> {
     numbers: [u64; N],
     timer: T,
 }
 
 impl<T: Timer, const N: usize> Chain<T, N> {
-    /// At rest, with `timer` around each component.
+    /// Creates the chain, with `timer` around each component.
     pub const fn new(timer: T) -> Self {
         Self { numbers: [1; N], timer }
     }
@@ -44,7 +45,7 @@ pub struct Diamond<T> {
 }
 
 impl<T: Timer> Diamond<T> {
-    /// At rest, with `timer` around each component.
+    /// Creates the diamond, with `timer` around each component.
     pub const fn new(timer: T) -> Self {
         Self { numbers: [1; 4], timer }
     }
@@ -71,13 +72,13 @@ pub struct Forward<T> {
 }
 
 impl<T: Timer> Forward<T> {
-    /// At rest, with `timer` around each component.
+    /// Creates the graph, with `timer` around each component.
     pub const fn new(timer: T) -> Self {
         Self { numbers: [1; 25], timer }
     }
 }
 
-/// `numbers, timer, cycle: place every [needs]; …`
+/// Steps of a cycle: `numbers, timer, cycle: index every [needs]; …`.
 macro_rules! steps {
     ($numbers:ident, $timer:expr, $cycle:ident: $($to:literal $every:literal [$($need:literal),*];)*) => {
         $(if $every == 1 || $cycle.is_multiple_of($every) {

@@ -1,18 +1,18 @@
-//! What is measured.
+//! Subjects of the measurement.
 
-/// Microseconds between two cycles: a hundred cycles a second.
+/// Period of the cycles, µs: 100 cycles per second.
 pub const CYCLE_US: u64 = 10_000;
 
-/// Some work done some way.
+/// Implementation of a workload.
 pub trait Subject {
-    /// One cycle at `now`, µs since the first, a multiple of [`CYCLE_US`].
+    /// Runs one cycle at `now`, µs since the first one, a multiple of [`CYCLE_US`].
     fn cycle(&mut self, now: u64);
 
-    /// What the work came to; the same for all who do the same work.
+    /// Result of the workload, equal for all designs.
     fn result(&self) -> u64;
 }
 
-/// The results after each of the first `cycles` cycles.
+/// Results after each of the first `cycles` cycles.
 pub fn results(subject: &mut impl Subject, cycles: u64) -> Vec<u64> {
     let after = |cycle| {
         subject.cycle(cycle * CYCLE_US);
@@ -21,7 +21,7 @@ pub fn results(subject: &mut impl Subject, cycles: u64) -> Vec<u64> {
     (0..cycles).map(after).collect()
 }
 
-/// A whole program around a subject, to see how large it gets.
+/// Complete program around a subject, for the measurement of its size.
 pub fn show(mut subject: impl Subject) {
     for cycle in 0..1000 {
         subject.cycle(cycle * CYCLE_US);

@@ -1,12 +1,12 @@
-//! Timestamps around each component, for those who bring no timing of their own.
+//! Timestamps around each component, for designs without timing of their own.
 
-/// What is done around a component's own code.
+/// Measurement around the code of a component.
 pub trait Timer {
-    /// Does the work of component `part`.
+    /// Runs the code of component `part`.
     fn time<T>(&mut self, part: usize, work: impl FnOnce() -> T) -> T;
 }
 
-/// Nothing.
+/// No measurement.
 impl Timer for () {
     #[inline]
     fn time<T>(&mut self, _part: usize, work: impl FnOnce() -> T) -> T {
@@ -14,14 +14,14 @@ impl Timer for () {
     }
 }
 
-/// Reads a counter before and after, and adds up the difference for each of `N` components.
+/// Reads a counter before and after each of `N` components and adds up the differences.
 pub struct Pairs<R, const N: usize> {
     read: R,
     spent: [u64; N],
 }
 
 impl<R, const N: usize> Pairs<R, N> {
-    /// Has measured nothing yet.
+    /// Creates a timer without measurements.
     pub const fn new(read: R) -> Self {
         Self { read, spent: [0; N] }
     }

@@ -1,92 +1,92 @@
-//! The gate: it passes what was promised and nothing less.
+//! The check of the claims accepts figures at the limits and rejects worse ones.
 
 use peers::report::claim::judge;
-use peers::report::figures::{Figures, Way, Work};
+use peers::report::figures::{Design, Figures, Workload};
 use peers::report::table;
 
-/// Figures that keep every promise, just.
-fn kept() -> Figures {
+/// Figures at the limits of all claims.
+fn at_the_limits() -> Figures {
     let mut figures = Figures::default();
-    let ten = Work::Chain10;
-    for (way, work, ns) in [
-        (Way::Bica, ten, 15.0),
-        (Way::BicaTimed, ten, 60.0),
-        (Way::Copper, ten, 120.0),
-        (Way::Callbacks, ten, 300.0),
-        (Way::Channels, ten, 300.0),
-        (Way::Bica, Work::Tree10, 11.0),
-        (Way::Bica, Work::Tree100, 126.4),
-        (Way::Bica, Work::Active, 10.0),
-        (Way::Bica, Work::Latent, 10.95),
+    let ten = Workload::Chain10;
+    for (design, workload, ns) in [
+        (Design::Bica, ten, 15.0),
+        (Design::BicaTimed, ten, 60.0),
+        (Design::Copper, ten, 120.0),
+        (Design::Callbacks, ten, 300.0),
+        (Design::Channels, ten, 300.0),
+        (Design::Bica, Workload::Tree10, 11.0),
+        (Design::Bica, Workload::Tree100, 126.4),
+        (Design::Bica, Workload::Active, 10.0),
+        (Design::Bica, Workload::Latent, 10.95),
     ] {
-        figures.note(way, work, ns);
+        figures.record(design, workload, ns);
     }
-    figures.heap.insert((Way::Bica, ten), 0.0);
+    figures.heap.insert((Design::Bica, ten), 0.0);
     figures
 }
 
-/// The promises that are broken, by their place.
-fn broken(figures: &Figures) -> Vec<usize> {
+/// Indices of the claims that do not hold.
+fn violated(figures: &Figures) -> Vec<usize> {
     judge(figures).iter().enumerate().filter(|(_, verdict)| !verdict.holds).map(|(place, _)| place).collect()
 }
 
 #[test]
-fn what_is_kept_passes() {
-    assert_eq!(broken(&kept()), []);
+fn figures_at_the_limits_pass() {
+    assert_eq!(violated(&at_the_limits()), []);
 }
 
 #[test]
-fn each_promise_is_broken_when_ours_is_slower() {
-    let slower = |way, work, by: f64| {
-        let mut figures = kept();
-        if let Some(ns) = figures.times.get_mut(&(way, work)) {
+fn a_slower_bica_violates_each_claim() {
+    let slower = |design, workload, by: f64| {
+        let mut figures = at_the_limits();
+        if let Some(ns) = figures.times.get_mut(&(design, workload)) {
             *ns *= by;
         }
-        broken(&figures)
+        violated(&figures)
     };
-    assert_eq!(slower(Way::Bica, Work::Chain10, 1.01), [0, 2, 3]);
-    assert_eq!(slower(Way::BicaTimed, Work::Chain10, 1.01), [1]);
-    assert_eq!(slower(Way::Bica, Work::Tree100, 1.01), [4]);
-    assert_eq!(slower(Way::Bica, Work::Latent, 1.01), [5]);
-    assert_eq!(slower(Way::Bica, Work::Latent, 0.5), []);
+    assert_eq!(slower(Design::Bica, Workload::Chain10, 1.01), [0, 2, 3]);
+    assert_eq!(slower(Design::BicaTimed, Workload::Chain10, 1.01), [1]);
+    assert_eq!(slower(Design::Bica, Workload::Tree100, 1.01), [4]);
+    assert_eq!(slower(Design::Bica, Workload::Latent, 1.01), [5]);
+    assert_eq!(slower(Design::Bica, Workload::Latent, 0.5), []);
 }
 
 #[test]
-fn cost_that_shrinks_with_the_number_is_not_linear_either() {
-    let mut figures = kept();
-    figures.note(Way::Bica, Work::Tree100, 93.0);
-    assert_eq!(broken(&figures), [4]);
+fn a_cost_that_shrinks_with_the_number_is_not_linear() {
+    let mut figures = at_the_limits();
+    figures.record(Design::Bica, Workload::Tree100, 93.0);
+    assert_eq!(violated(&figures), [4]);
 }
 
 #[test]
-fn one_allocation_breaks_a_promise() {
-    let mut figures = kept();
-    figures.heap.insert((Way::Bica, Work::Forward), 0.001);
-    assert_eq!(broken(&figures), [6]);
+fn one_allocation_violates_the_claim() {
+    let mut figures = at_the_limits();
+    figures.heap.insert((Design::Bica, Workload::Forward), 0.001);
+    assert_eq!(violated(&figures), [6]);
 }
 
 #[test]
-fn what_was_not_measured_is_not_kept() {
-    assert_eq!(broken(&Figures::default()), [0, 1, 2, 3, 4, 5, 6]);
+fn a_claim_without_a_measurement_does_not_hold() {
+    assert_eq!(violated(&Figures::default()), [0, 1, 2, 3, 4, 5, 6]);
 }
 
 #[test]
-fn the_least_time_counts() {
-    let mut figures = kept();
-    figures.note(Way::Bica, Work::Chain10, 99.0);
-    assert_eq!(broken(&figures), []);
+fn the_minimum_time_counts() {
+    let mut figures = at_the_limits();
+    figures.record(Design::Bica, Workload::Chain10, 99.0);
+    assert_eq!(violated(&figures), []);
 }
 
 #[test]
-fn the_table_shows_ratios_and_leaves_out_what_there_is_not() {
-    let text = table::times(&kept());
+fn the_table_shows_ratios_and_omits_empty_rows_and_columns() {
+    let text = table::times(&at_the_limits());
     assert!(text.contains("| copper-rs (always timed)    |  120 (8.0 x) |"), "{text}");
     assert!(!text.contains("statig") && !text.contains("diamond"), "{text}");
 }
 
 #[test]
-fn names_are_read_back() {
-    assert!(Way::ALL.iter().all(|way| way.name().parse() == Ok(*way)));
-    assert!(Work::ALL.iter().all(|work| work.name().parse() == Ok(*work)));
-    assert!("cooper".parse::<Way>().is_err());
+fn names_can_be_parsed() {
+    assert!(Design::ALL.iter().all(|design| design.name().parse() == Ok(*design)));
+    assert!(Workload::ALL.iter().all(|workload| workload.name().parse() == Ok(*workload)));
+    assert!("cooper".parse::<Design>().is_err());
 }

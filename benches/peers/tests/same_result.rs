@@ -1,10 +1,10 @@
-//! All who do the same work come to the same result.
+//! All designs compute the same results.
 
 use peers::boxed::Boxed;
 use peers::callbacks::Callbacks;
 use peers::channels::Channels;
+use peers::framework::{self, BicaSubject};
 use peers::machine::{ByHand, Smlang, Statig};
-use peers::ours::{self, Ours};
 use peers::part::{DIAMOND, FORWARD, Part, chain};
 use peers::plain;
 use peers::subject::{Subject, results};
@@ -13,12 +13,12 @@ use peers::timer::Pairs;
 /// Several times the longest period.
 const CYCLES: u64 = 200;
 
-/// Compares what two subjects come to, cycle by cycle.
+/// Compares the results of two subjects, cycle by cycle.
 fn same<A: Subject, B: Subject>(left: impl Fn() -> A, right: impl Fn() -> B) {
     assert_eq!(results(&mut left(), CYCLES), results(&mut right(), CYCLES));
 }
 
-/// Compares the late-bound ways with what was written by hand.
+/// Compares the late-bound designs with the one written by hand.
 fn late<S: Subject>(parts: &[Part], plain: impl Fn() -> S) {
     same(&plain, || Boxed::new(parts, ()));
     same(&plain, || Boxed::new(parts, Pairs::<_, 100>::new(|| 0)));
@@ -27,36 +27,36 @@ fn late<S: Subject>(parts: &[Part], plain: impl Fn() -> S) {
 }
 
 #[test]
-fn of_chains() {
+fn chains_agree() {
     late(&chain::<3>(), || plain::Chain::<_, 3>::new(()));
     late(&chain::<10>(), || plain::Chain::<_, 10>::new(()));
     late(&chain::<100>(), || plain::Chain::<_, 100>::new(()));
-    same(|| plain::Chain::<_, 3>::new(()), || Ours::<ours::Chain3, _>::new(()));
-    same(|| plain::Chain::<_, 10>::new(()), || Ours::<ours::Chain10, _>::new(()));
-    same(|| plain::Chain::<_, 100>::new(()), || Ours::<ours::Chain100, _>::new(()));
+    same(|| plain::Chain::<_, 3>::new(()), || BicaSubject::<framework::Chain3, _>::new(()));
+    same(|| plain::Chain::<_, 10>::new(()), || BicaSubject::<framework::Chain10, _>::new(()));
+    same(|| plain::Chain::<_, 100>::new(()), || BicaSubject::<framework::Chain100, _>::new(()));
 }
 
 #[test]
-fn of_ten_among_latent_ones() {
-    same(|| Ours::<ours::Active, _>::new(()), || Ours::<ours::Latent, _>::new(()));
-    same(|| Ours::<ours::Active, _>::new(()), || Ours::<ours::Tree10, _>::new(()));
+fn ten_components_agree_with_and_without_latent_ones() {
+    same(|| BicaSubject::<framework::Active, _>::new(()), || BicaSubject::<framework::Latent, _>::new(()));
+    same(|| BicaSubject::<framework::Active, _>::new(()), || BicaSubject::<framework::Tree10, _>::new(()));
 }
 
 #[test]
-fn of_the_diamond() {
+fn diamonds_agree() {
     late(&DIAMOND, || plain::Diamond::new(()));
-    same(|| plain::Diamond::new(()), || Ours::<ours::Diamond, _>::new(()));
+    same(|| plain::Diamond::new(()), || BicaSubject::<framework::Diamond, _>::new(()));
 }
 
 #[test]
-fn of_the_forward() {
+fn forwards_agree() {
     late(&FORWARD, || plain::Forward::new(()));
-    same(|| plain::Forward::new(()), || Ours::<ours::Forward, _>::new(()));
+    same(|| plain::Forward::new(()), || BicaSubject::<framework::Forward, _>::new(()));
 }
 
 #[test]
-fn of_the_machine() {
-    same(|| ByHand::new(()), || Ours::<ours::Machine, _>::new(()));
+fn machines_agree() {
+    same(|| ByHand::new(()), || BicaSubject::<framework::Machine, _>::new(()));
     same(|| ByHand::new(()), Statig::new);
     same(|| ByHand::new(()), Smlang::new);
 }

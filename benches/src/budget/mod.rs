@@ -1,5 +1,5 @@
-//! The judgement of the budget report.
+//! Measured times and their comparison with the declared budgets.
 
-pub mod lanes;
-pub mod spread;
-pub mod verdict;
+pub mod limits;
+pub mod measurements;
+pub mod quantiles;

@@ -1,4 +1,4 @@
-//! Frames with their cameras.
+//! Frames with their camera poses.
 
 pub mod recorded;
 pub mod rendered;
@@ -12,8 +12,8 @@ use bica_vision::table::CompactTable;
 pub const SIZES: [(u16, u16); 3] = [(160, 120), (320, 240), (640, 480)];
 
 /// Frame with its camera pose, if known.
-pub struct Shot {
-    /// Where it is from.
+pub struct Sample {
+    /// Origin: file or game.
     pub name: String,
     /// Pixels.
     pub width: u16,
@@ -21,12 +21,12 @@ pub struct Shot {
     pub height: u16,
     /// YUYV 4:2:2.
     pub yuyv: Vec<u8>,
-    /// The camera with its pose, if that is known.
+    /// Camera with its pose, if known.
     pub camera: Option<Camera>,
 }
 
-impl Shot {
-    /// The frame.
+impl Sample {
+    /// Borrows the pixels as a frame.
     ///
     /// # Panics
     /// If the size does not match the pixels.
@@ -37,19 +37,19 @@ impl Shot {
 }
 
 /// Set of frames of one size, with their colour table.
-pub struct Album {
-    /// Where the frames are from.
+pub struct FrameSet {
+    /// Origin of the frames.
     pub name: &'static str,
-    /// The colour classes.
+    /// Table of the colour classes.
     pub table: CompactTable,
     /// The frames.
-    pub shots: Vec<Shot>,
+    pub samples: Vec<Sample>,
 }
 
-impl Album {
+impl FrameSet {
     /// Width and height of the frames, px.
     #[must_use]
     pub fn size(&self) -> (u16, u16) {
-        self.shots.first().map_or((0, 0), |shot| (shot.width, shot.height))
+        self.samples.first().map_or((0, 0), |sample| (sample.width, sample.height))
     }
 }

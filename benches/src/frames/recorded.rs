@@ -10,34 +10,37 @@ use bica_vision::projection::{Camera, Intrinsics};
 use bica_vision::table::CompactTable;
 use glam::{Affine3A, Mat3, Vec2, Vec3};
 
-use super::{Album, Shot};
+use super::{FrameSet, Sample};
 
-/// Folder of the images; `None`, with one message, if it is missing.
+/// Returns the folder of the images; `None`, after one message, if it is missing.
 pub fn folder() -> Option<&'static Path> {
-    static FOLDER: LazyLock<Option<PathBuf>> = LazyLock::new(|| {
-        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../shared/images");
+    static FOLDER: LazyLock<Option<&'static Path>> = LazyLock::new(|| {
+        let folder = bica_test_data::images();
         if folder.is_dir() {
             return Some(folder);
         }
-        eprintln!("real frames are skipped: there are none at {}", folder.display());
+        eprintln!(
+            "recorded frames are skipped: no folder {}; set BICA_SHARED to the folder of images/",
+            folder.display()
+        );
         None
     });
-    FOLDER.as_deref()
+    *FOLDER
 }
 
-/// Recorded frames of two robots, scaled from 320×240.
+/// Loads the recorded frames of two robots, scaled from 320×240 px.
 #[must_use]
-pub fn albums(folder: &Path, size: (u16, u16)) -> Vec<Album> {
+pub fn frame_sets(folder: &Path, size: (u16, u16)) -> Vec<FrameSet> {
     let poses = poses(folder);
-    let album = |(name, filters)| {
-        let shots = files(&folder.join(name)).into_iter().map(|file| {
+    let frame_set = |(name, filters)| {
+        let samples = files(&folder.join(name)).into_iter().map(|file| {
             let key = format!("{name}/{}", file.file_name().unwrap_or_default().to_string_lossy());
             let pose = poses.iter().find(|(file, _)| *file == key).map(|(_, pose)| *pose);
-            shot(key, &read(&file), size, pose)
+            sample(key, &read(&file), size, pose)
         });
-        Album { name, table: CompactTable::compile(filters), shots: shots.collect() }
+        FrameSet { name, table: CompactTable::compile(filters), samples: samples.collect() }
     };
-    [("nao2009", &NAO_2009), ("darwin2013", &DARWIN_2013)].map(album).into()
+    [("nao2009", &NAO_2009), ("darwin2013", &DARWIN_2013)].map(frame_set).into()
 }
 
 fn files(folder: &Path) -> Vec<PathBuf> {
@@ -60,7 +63,7 @@ fn poses(folder: &Path) -> Vec<(String, Affine3A)> {
 }
 
 /// Scales an image of 320×240 px to another size by doubling or halving pixels.
-fn shot(name: String, rgb: &[[u8; 3]], (width, height): (u16, u16), pose: Option<Affine3A>) -> Shot {
+fn sample(name: String, rgb: &[[u8; 3]], (width, height): (u16, u16), pose: Option<Affine3A>) -> Sample {
     let at = |x: u16, y: u16| {
         let (x, y) = (u32::from(x) * 320 / u32::from(width), u32::from(y) * 240 / u32::from(height));
         rgb[(320 * y + x) as usize]
@@ -71,7 +74,7 @@ fn shot(name: String, rgb: &[[u8; 3]], (width, height): (u16, u16), pose: Option
         focal: Vec2::splat(385.54 / 320.0 * f32::from(width)),
         centre: 0.5 * Vec2::new(f32::from(width), f32::from(height)),
     };
-    Shot { name, width, height, yuyv, camera: pose.map(|pose| Camera::new(pose, intrinsics)) }
+    Sample { name, width, height, yuyv, camera: pose.map(|pose| Camera::new(pose, intrinsics)) }
 }
 
 fn read(path: &Path) -> Vec<[u8; 3]> {
@@ -83,7 +86,7 @@ fn read(path: &Path) -> Vec<[u8; 3]> {
     rgb.as_chunks::<3>().0.to_vec()
 }
 
-/// YUYV of two pixels: full-range BT.601, mean chroma.
+/// Converts two pixels to YUYV: full-range BT.601, mean chroma.
 fn pair(left: [u8; 3], right: [u8; 3]) -> [u8; 4] {
     let ycc = |rgb: [u8; 3]| {
         let [r, g, b] = rgb.map(f32::from);

@@ -1,4 +1,4 @@
-//! Frames of the built-in world.
+//! Frames of the kinematic world.
 
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::model::Nao;
@@ -10,30 +10,34 @@ use bica_sim::setup::{Frame, Setup};
 use bica_vision::profile::BUILT_IN_TABLE;
 use bica_vision::projection::Camera;
 
-use super::{Album, Shot};
+use super::{FrameSet, Sample};
 
-/// Yaw and pitch of the head, rad.
+/// Yaw and pitch of the head in each frame, rad.
 const LOOKS: [(f32, f32); 2] = [(-0.5, 0.0), (0.4, 0.2)];
 
-/// Two frames from each of several games with four other robots and a goalkeeper.
+/// Renders two frames in each of several games with four other robots and a goalkeeper.
 ///
 /// # Panics
 /// If the world has no camera of that size.
 #[must_use]
-pub fn album((width, height): (u16, u16), worlds: u64) -> Album {
+pub fn frame_set((width, height): (u16, u16), worlds: u64) -> FrameSet {
     let frame = Frame::of_size(width.into(), height.into()).expect("a size of the world's camera");
     let setups = (0..worlds).map(|seed| Setup { seed, frame, robots: 4, ..Setup::default() });
-    Album { name: "rendered", table: BUILT_IN_TABLE.clone(), shots: setups.flat_map(|setup| shots(&setup)).collect() }
+    FrameSet {
+        name: "rendered",
+        table: BUILT_IN_TABLE.clone(),
+        samples: setups.flat_map(|setup| samples(&setup)).collect(),
+    }
 }
 
-fn shots(setup: &Setup) -> Vec<Shot> {
+fn samples(setup: &Setup) -> Vec<Sample> {
     let mut world = KinematicWorld::new(setup).expect("a sound setup");
     let mut targets = world.sensors().angles;
-    LOOKS.map(|look| shot(&mut world, &mut targets, look, setup.seed)).into()
+    LOOKS.map(|look| sample(&mut world, &mut targets, look, setup.seed)).into()
 }
 
 /// Turns the head and waits until it rests and a frame is available.
-fn shot(world: &mut KinematicWorld, targets: &mut Joints, (yaw, pitch): (f32, f32), seed: u64) -> Shot {
+fn sample(world: &mut KinematicWorld, targets: &mut Joints, (yaw, pitch): (f32, f32), seed: u64) -> Sample {
     targets[Joint::HeadYaw] = yaw;
     targets[Joint::HeadPitch] = pitch;
     let stiffness = Joints::all(1.0);
@@ -48,5 +52,5 @@ fn shot(world: &mut KinematicWorld, targets: &mut Joints, (yaw, pitch): (f32, f3
     let image = sensors.image.expect("waited for");
     let camera = Camera::of::<Nao>(image.camera, &sensors.angles, Side::Left, image.width, image.height);
     let name = format!("game {seed}, head at {yaw} {pitch}");
-    Shot { name, width: image.width, height: image.height, yuyv: image.yuyv.to_vec(), camera: Some(camera) }
+    Sample { name, width: image.width, height: image.height, yuyv: image.yuyv.to_vec(), camera: Some(camera) }
 }

@@ -1,4 +1,4 @@
-//! Worst-case frames, as a defective camera may send them.
+//! Synthetic worst-case frames, as a defective camera may send them.
 
 use bica_motion::joints::Joints;
 use bica_motion::model::Nao;
@@ -8,9 +8,9 @@ use bica_vision::profile::BUILT_IN_TABLE;
 use bica_vision::projection::Camera;
 use rand_pcg::{Pcg32, rand_core::Rng};
 
-use super::{Album, Shot};
+use super::{FrameSet, Sample};
 
-/// One colour of each class of the built-in world, and one of no class: Y, Cb, Cr.
+/// One colour of each class of the kinematic world, and one of no class: Y, Cb, Cr.
 pub const COLOURS: [(&str, [u8; 3]); 6] = [
     ("orange", [130, 88, 177]),
     ("yellow", [140, 78, 143]),
@@ -37,44 +37,44 @@ pub const PATTERNS: [(&str, Pattern); 9] = [
     ("noise", |_, _, random| random.next_u32() as usize >> 8 & 1),
 ];
 
-/// Frames of each pattern in each pair of colours, with and without carpet below, and frames of noise.
-pub fn album(size: (u16, u16)) -> Album {
-    let mut shots = Vec::new();
+/// Renders each pattern in each pair of colours, with and without carpet below, and frames of noise.
+pub fn frame_set(size: (u16, u16)) -> FrameSet {
+    let mut samples = Vec::new();
     for (first, second) in (0..6).flat_map(|first| (0..6).map(move |second| (first, second))) {
         for (name, pattern) in PATTERNS.iter().filter(|_| first != second) {
-            shots.extend([0, 3, 6].map(|carpet| made_up(size, (name, *pattern), [first, second], carpet)));
+            samples.extend([0, 3, 6].map(|carpet| made_up(size, (name, *pattern), [first, second], carpet)));
         }
     }
-    shots.extend([noise_of_colours(size), noise_of_bytes(size)]);
-    Album { name: "worst", table: BUILT_IN_TABLE.clone(), shots }
+    samples.extend([noise_of_colours(size), noise_of_bytes(size)]);
+    FrameSet { name: "worst", table: BUILT_IN_TABLE.clone(), samples }
 }
 
-/// Frame of a pattern in two colours, with carpet in the given number of eighths.
-pub fn made_up(size: (u16, u16), (name, pattern): (&str, Pattern), [first, second]: [usize; 2], carpet: u16) -> Shot {
+/// Renders a pattern in two colours; `carpet` is the covered share of the height, in eighths.
+pub fn made_up(size: (u16, u16), (name, pattern): (&str, Pattern), [first, second]: [usize; 2], carpet: u16) -> Sample {
     let name = format!("{name}: {}, {}; carpet {carpet}/8", COLOURS[first].0, COLOURS[second].0);
-    shot(name, size, |x, y, random| {
+    sample(name, size, |x, y, random| {
         let on_carpet = y >= size.1 - size.1 / 8 * carpet;
         let pick = if on_carpet { GREEN } else { [first, second][pattern(x, y, random)] };
         COLOURS[pick].1
     })
 }
 
-/// Frame of noise of all colours.
+/// Renders noise of all colours.
 #[must_use]
-pub fn noise_of_colours(size: (u16, u16)) -> Shot {
-    shot("noise of all colours".to_owned(), size, |_, _, random| COLOURS[random.next_u32() as usize % 6].1)
+pub fn noise_of_colours(size: (u16, u16)) -> Sample {
+    sample("noise of all colours".to_owned(), size, |_, _, random| COLOURS[random.next_u32() as usize % 6].1)
 }
 
-/// Frame of random bytes.
+/// Renders random bytes.
 #[must_use]
-pub fn noise_of_bytes(size: (u16, u16)) -> Shot {
-    shot("noise of bytes".to_owned(), size, |_, _, random| {
+pub fn noise_of_bytes(size: (u16, u16)) -> Sample {
+    sample("noise of bytes".to_owned(), size, |_, _, random| {
         let [a, b, c, _] = random.next_u32().to_le_bytes();
         [a, b, c]
     })
 }
 
-fn shot(name: String, (width, height): (u16, u16), colour: impl Fn(u16, u16, &mut Pcg32) -> [u8; 3]) -> Shot {
+fn sample(name: String, (width, height): (u16, u16), colour: impl Fn(u16, u16, &mut Pcg32) -> [u8; 3]) -> Sample {
     let mut random = Pcg32::new(7, 7);
     let pairs = (0..height).flat_map(|y| (0..width / 2).map(move |x| (x, y)));
     let yuyv = pairs.flat_map(|(x, y)| {
@@ -83,5 +83,5 @@ fn shot(name: String, (width, height): (u16, u16), colour: impl Fn(u16, u16, &mu
     });
     let yuyv = yuyv.collect();
     let camera = Camera::of::<Nao>(CameraId::Top, &Joints::all(0.0), Side::Left, width, height);
-    Shot { name, width, height, yuyv, camera: Some(camera) }
+    Sample { name, width, height, yuyv, camera: Some(camera) }
 }

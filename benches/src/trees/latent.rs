@@ -1,93 +1,66 @@
-//! Ten active components, alone and among ninety that are latent.
+//! Ten active components, alone and with ninety latent ones.
 //!
-//! The root is a machine that stays in a state with a chain of nine; in the larger tree another state has a chain of
-//! ninety.
+//! The root is a state machine that stays in its first state, which has a chain of nine components. In the larger tree the
+//! second state has a chain of ninety.
 
-mod alone {
-    use bica::prelude::*;
-    nine!(links!(every:));
+/// Root with an active chain, and a latent chain if one is named.
+macro_rules! root {
+    ($($latent:ident)?) => {
+        /// State machine that stays in its first state.
+        pub struct Root;
 
-    /// The root.
-    pub struct Root;
+        #[component]
+        impl Root {
+            #[state(initial)]
+            fn first(&mut self, _chain: &A1) {}
 
-    #[component]
-    impl Root {
-        #[state(initial)]
-        fn few(&mut self, _chain: &A1) {}
+            #[state]
+            fn second(&mut self $(, _chain: &$latent)?) {}
 
-        #[state]
-        fn none(&mut self) {}
-
-        #[transition(few -> none)]
-        fn to_none(&self) -> bool {
-            std::hint::black_box(false)
-        }
-
-        #[transition(none -> few)]
-        fn to_few(&self) -> bool {
-            true
-        }
-    }
-
-    macro_rules! tree {
-        ($($name:ident)*) => {
-            activation_tree! {
-                /// Ten components, all active.
-                pub struct TenOfTen {
-                    root: Root,
-                    cycle_hz: 1000,
-                    components: [Root = Root, $($name),*],
-                }
+            #[transition(first -> second)]
+            fn to_second(&self) -> bool {
+                std::hint::black_box(false)
             }
-        };
-    }
-    nine!(tree!());
+
+            #[transition(second -> first)]
+            fn to_first(&self) -> bool {
+                true
+            }
+        }
+    };
 }
 
-mod among {
+macro_rules! tree {
+    ($doc:literal $tree:ident $($name:ident)*) => {
+        activation_tree! {
+            #[doc = $doc]
+            pub struct $tree {
+                root: Root,
+                cycle_hz: 1000,
+                components: [Root = Root, $($name),*],
+            }
+        }
+    };
+}
+
+mod ten {
+    use bica::prelude::*;
+    nine!(links!(every:));
+    root!();
+    nine!(tree!("Ten components, all active." TenOfTen));
+}
+
+mod hundred {
     use bica::prelude::*;
     nine!(links!(every:));
     ninety!(links!(every:));
+    root!(B0);
 
-    /// The root.
-    pub struct Root;
-
-    #[component]
-    impl Root {
-        #[state(initial)]
-        fn few(&mut self, _chain: &A1) {}
-
-        #[state]
-        fn many(&mut self, _chain: &B0) {}
-
-        #[transition(few -> many)]
-        fn to_many(&self) -> bool {
-            std::hint::black_box(false)
-        }
-
-        #[transition(many -> few)]
-        fn to_few(&self) -> bool {
-            true
-        }
-    }
-
-    macro_rules! tree {
-        ($($name:ident)*) => {
-            activation_tree! {
-                /// A hundred components, ten of them active.
-                pub struct TenOfHundred {
-                    root: Root,
-                    cycle_hz: 1000,
-                    components: [Root = Root, $($name),*],
-                }
-            }
-        };
-    }
     macro_rules! rest {
-        ($($names:ident)*) => { ninety!(tree!($($names)*)); };
+        ($($names:ident)*) => { ninety!(tree!("Hundred components, ten of them active." TenOfHundred $($names)*)); };
     }
     nine!(rest!());
 }
 
-pub use alone::TenOfTen;
-pub use among::TenOfHundred;
+pub use hundred::TenOfHundred;
+pub use ten::TenOfTen;

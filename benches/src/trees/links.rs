@@ -1,6 +1,6 @@
-//! Macros that write many components.
+//! Macros that generate many components.
 
-/// The components of a chain, the first requiring the second and so on.
+/// Components of a chain: each requires the next.
 macro_rules! links {
     ($rate:tt: $name:ident $next:ident $($rest:ident)*) => {
         links!(@component $rate $name, fn step(&mut self, next: &$next) { self.0 = next.0.wrapping_mul(31).wrapping_add(1); });
@@ -31,7 +31,7 @@ macro_rules! links {
     };
 }
 
-/// A tree that is nothing but a chain.
+/// Tree that consists of a chain only.
 macro_rules! chain {
     ($tree:ident, $rate:tt: $first:ident $($rest:ident)*) => {
         links!($rate: $first $($rest)*);
@@ -42,7 +42,7 @@ macro_rules! chain {
     };
 }
 
-/// Names for nine components, then for ninety more.
+/// Passes the names of nine components to a macro; `ninety!` passes ninety other names.
 macro_rules! nine {
     ($then:ident!($($before:tt)*) $($after:tt)*) => {
         $then! { $($before)* A1 A2 A3 A4 A5 A6 A7 A8 A9 $($after)* }

@@ -1,10 +1,10 @@
-//! One step of a machine of five states with state code, conditions and timers, beside the same as a `match`.
+//! State machine with five states, state code, conditions and timers, and the same machine as a `match`.
 
 use bica::prelude::*;
 
-/// Five states in a ring; two are left by a timer.
+/// Five states in a ring; two of them are left by a timer.
 pub struct Ring {
-    /// What the transitions read.
+    /// Value that the transitions read.
     pub input: u32,
     work: u64,
 }
@@ -67,7 +67,7 @@ impl Ring {
 }
 
 activation_tree! {
-    /// One machine.
+    /// Tree with one state machine.
     pub struct Machine {
         root: Ring,
         cycle_hz: 1000,
@@ -88,20 +88,20 @@ enum State {
 pub struct ByHand {
     state: State,
     entered: u64,
-    /// What the transitions read.
+    /// Value that the transitions read.
     pub input: u32,
     work: u64,
 }
 
 impl ByHand {
-    /// In the first state.
+    /// Machine in its first state.
     #[must_use]
-    #[expect(clippy::new_without_default, reason = "as components are made")]
+    #[expect(clippy::new_without_default, reason = "components have a `new` without a `Default` too")]
     pub const fn new() -> Self {
         Self { state: State::A, entered: 0, input: 0, work: 1 }
     }
 
-    /// One step at `now`, µs.
+    /// Runs one step at `now`, µs.
     #[inline(never)]
     pub fn step(&mut self, now: u64) {
         let next = match self.state {

@@ -1,4 +1,4 @@
-//! Trees that do next to nothing: what is measured on them is the framework.
+//! Trees of components with minimal work, so that the cost of the framework dominates.
 
 #[macro_use]
 mod links;

@@ -1,4 +1,4 @@
-//! A child that two activate: a diamond.
+//! Diamond: one child with two activators.
 
 use bica::prelude::*;
 
@@ -23,6 +23,6 @@ component!(Right, shared: Shared);
 component!(Root, left: Left, right: Right);
 
 activation_tree! {
-    /// Two components want the same child, which runs once.
+    /// Two components require the same child, which runs once in a cycle.
     pub struct Diamond { root: Root, cycle_hz: 1000, components: [Root, Left, Right, Shared] }
 }

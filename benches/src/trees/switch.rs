@@ -1,10 +1,10 @@
-//! A machine that changes its state, and so what is active, in every cycle.
+//! State machine that changes its state, and with it the active set, in every cycle.
 
 use bica::prelude::*;
 
 macro_rules! leaf {
     ($name:ident) => {
-        #[doc = "What one state activates."]
+        #[doc = "Child of one state."]
         pub struct $name(u64);
 
         #[component]
@@ -22,9 +22,9 @@ macro_rules! leaf {
 leaf!(Left);
 leaf!(Right);
 
-/// The root.
+/// State machine with one child for each state.
 pub struct Root {
-    /// Whether it changes its state.
+    /// Whether the state changes in every cycle.
     pub changes: bool,
 }
 
@@ -52,6 +52,6 @@ impl Root {
 }
 
 activation_tree! {
-    /// In every cycle one component becomes active and one latent.
+    /// In every cycle one component becomes active and another one latent.
     pub struct Switch { root: Root, cycle_hz: 1000, components: [Root, Left, Right] }
 }

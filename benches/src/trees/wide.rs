@@ -1,10 +1,10 @@
-//! A root with chains: one of nine components, and nine more of ten.
+//! Root with several chains: one chain of nine components, or nine more chains of ten.
 
 mod one {
     use bica::prelude::*;
     nine!(links!(every:));
 
-    /// The root.
+    /// Root of one chain.
     pub struct Root(u64);
 
     #[component]
@@ -42,7 +42,7 @@ mod ten {
     links!(every: I0 I1 I2 I3 I4 I5 I6 I7 I8 I9);
     links!(every: J0 J1 J2 J3 J4 J5 J6 J7 J8 J9);
 
-    /// The root.
+    /// Root of ten chains.
     pub struct Root(u64);
 
     #[component]
@@ -59,7 +59,7 @@ mod ten {
     macro_rules! tree {
         ($($name:ident)*) => {
             activation_tree! {
-                /// A hundred components.
+                /// Hundred components.
                 pub struct WideHundred { root: Root, cycle_hz: 1000, components: [Root, $($name),*] }
             }
         };

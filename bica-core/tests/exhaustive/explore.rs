@@ -1,4 +1,4 @@
-//! All sequences of cycles of one tree, on the framework and on the model.
+//! All sequences of cycles of one tree, in the framework and in the model.
 
 use bica_core::{ComponentId, Hold, Instant, Probe, Tree};
 
@@ -6,17 +6,17 @@ use crate::model::{Event, Model};
 use crate::shape::{COMPONENTS, Shape};
 use crate::tree::Any;
 
-/// Cycles of the longest sequences.
+/// Number of cycles of a sequence.
 const CYCLES: u64 = 6;
 
-/// What is explored of a tree.
+/// Requests that are explored in addition to transitions.
 #[derive(Clone, Copy)]
 pub(crate) struct Scope {
-    /// Before each cycle any component may be held active, held latent or released.
+    /// Whether before each cycle any component may be held active, held latent or released.
     pub(crate) holds: bool,
 }
 
-/// A tree that a test makes and feeds.
+/// Tree that a test creates and controls.
 pub(crate) trait Subject: Tree {
     fn of(shape: Shape) -> Self;
     fn answer(&mut self, answers: [u8; COMPONENTS]);
@@ -37,7 +37,7 @@ macro_rules! subject {
 }
 subject!(R0 S0 R1 S1 R2 S2 R3 S3);
 
-/// Picks the type of a tree by flags known at run time.
+/// Selects the type of a tree by flags known at run time.
 macro_rules! with_flags {
     ($shape:expr, $scope:expr; [$($done:tt)*]) => {
         explore::<Any<$($done)*>>($shape, $scope)
@@ -51,21 +51,21 @@ macro_rules! with_flags {
     };
 }
 
-/// Explores a tree; returns the number of cycles that were compared.
+/// Explores a tree; returns the number of compared cycles.
 pub(crate) fn sequences(shape: &Shape, scope: Scope) -> u64 {
     let rated = |index: usize| shape.rates[index].is_declared();
     with_flags!(shape, scope; [] rated(0), false, rated(1), shape.is_shared(1), rated(2), shape.is_shared(2), rated(3), shape.is_shared(3))
 }
 
-/// What happens before a cycle.
+/// Requests and transitions of one cycle.
 #[derive(Clone, Copy, Debug)]
 struct Step {
     hold: Option<(usize, Hold)>,
     answers: [u8; COMPONENTS],
 }
 
-/// Goes through the sequences level by level. Two sequences that lead to the same state, of the model and of the engine,
-/// have the same continuations, and only one of them is continued.
+/// Explores the sequences level by level. Two sequences that lead to the same state of the model and of the engine have
+/// the same continuations, so only one of them is continued.
 fn explore<T: Subject>(shape: &Shape, scope: Scope) -> u64 {
     let mut level = vec![(T::of(*shape), Model::new())];
     let (mut compared, mut expected, mut seen) = (0, Vec::new(), Recorder::default());
@@ -81,7 +81,7 @@ fn explore<T: Subject>(shape: &Shape, scope: Scope) -> u64 {
                 if is_redundant(shape, &step, &expected) {
                     continue;
                 }
-                let mut tree = continued(tree, shape, &step);
+                let mut tree = continuation(tree, shape, &step);
                 seen.0.clear();
                 tree.tick_with(Instant::from_millis(10 * cycle), &mut seen);
                 compared += 1;
@@ -96,8 +96,8 @@ fn explore<T: Subject>(shape: &Shape, scope: Scope) -> u64 {
     compared
 }
 
-/// A tree that goes on from the state of another, with what happens before the cycle.
-fn continued<T: Subject>(from: &T, shape: &Shape, step: &Step) -> T {
+/// Creates a tree with the state of another one, and applies the requests before the cycle.
+fn continuation<T: Subject>(from: &T, shape: &Shape, step: &Step) -> T {
     let mut tree = T::of(*shape);
     tree.engine_mut().copy_state_from(from.engine());
     if let Some((index, hold)) = step.hold {
@@ -107,7 +107,7 @@ fn continued<T: Subject>(from: &T, shape: &Shape, step: &Step) -> T {
     tree
 }
 
-/// All that may happen before a cycle.
+/// Returns all requests and transitions that are possible in the next cycle.
 fn steps(shape: &Shape, model: &Model, scope: Scope) -> Vec<Step> {
     let mut holds = vec![None];
     for index in (0..shape.len).filter(|_| scope.holds) {
@@ -126,22 +126,22 @@ fn steps(shape: &Shape, model: &Model, scope: Scope) -> Vec<Step> {
     answers.flat_map(|answers| holds.iter().map(move |&hold| Step { hold, answers })).collect()
 }
 
-/// Whether a machine that did not run was given another answer than 0: the same was explored with the answer 0.
+/// Whether a machine that did not run had another next state than 0: the case with next state 0 is explored too.
 fn is_redundant(shape: &Shape, step: &Step, events: &[Event]) -> bool {
     (0..shape.len).any(|index| step.answers[index] != 0 && !events.contains(&Event::Run(index)))
 }
 
-/// Compares what happened and what the tree reports.
+/// Compares the events and the reported status with the model.
 fn compare<T: Tree>(tree: &T, model: &Model, seen: &[Event], expected: &[Event], case: (&Shape, &Step, u64)) {
     assert_eq!(seen, expected, "{case:#?}\nbefore: {model:#?}");
     for (index, memory) in model.components.iter().enumerate() {
         let status = tree.status(ComponentId::new(index)).expect("a component of the tree");
-        let wanted = (memory.active, memory.hold, memory.state);
-        assert_eq!((status.active, status.held, status.state), wanted, "{index}: {case:#?}");
+        let expected = (memory.active, memory.hold, memory.state);
+        assert_eq!((status.active, status.held, status.state), expected, "{index}: {case:#?}");
     }
 }
 
-/// Records what a probe sees.
+/// Records the events that a probe receives.
 #[derive(Default)]
 struct Recorder(Vec<Event>);
 

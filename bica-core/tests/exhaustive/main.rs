@@ -1,28 +1,28 @@
-//! Every small tree through every short sequence of cycles, against a model.
+//! Comparison of every small tree in every short sequence of cycles with a model.
 //!
 //! A **tree** has up to four components. Component 0 is the root, and links lead from lower to higher indices; every
-//! directed acyclic graph with one root can be numbered so. A component is a state machine with one to three states. Each
-//! state has a link to each later component or none, and a link is a requirement or a modulation. A component runs in
+//! directed acyclic graph with one root can be numbered like this. A component is a state machine with one to three
+//! states. Each state has at most one link to each later component, a requirement or a modulation. A component runs in
 //! every cycle, in every second or in every third.
 //!
-//! A **sequence** has six cycles of 10 ms. Before each cycle every machine is given the state that it is to be in after
-//! its run, and one component may be held active, held latent or released.
+//! A **sequence** has six cycles of 10 ms. Before each cycle every machine gets the state that it has after its run
+//! (its *next state*), and one component may be held active, held latent or released.
 //!
-//! What is left out is covered by what is explored:
+//! Cases that are left out are covered by explored ones:
 //!
-//! - *Transitions that a machine does not have.* Every state has a transition to every other. A machine without one of them
-//!   behaves as one whose transition is never taken.
-//! - *Several transitions that could be taken.* The first in the text is taken, and the engine learns only of that one.
-//! - *Components without states.* They behave as machines with one state.
-//! - *The order of the states behind the initial one*, which can be exchanged.
-//! - *Answers of machines that do not run.* Nobody asks them.
+//! - *Machines without some transition.* Every state has a transition to every other one. A machine without one of them
+//! behaves like a machine whose transition is never taken.
+//! - *Several transitions whose conditions hold.* The first in the text is taken, and the engine receives only that
+//! one.
+//! - *Components without states.* They behave like machines with one state.
+//! - *The order of the states after the initial one*, which can be exchanged.
+//! - *Next states of machines that do not run.* They are not read.
 //! - *Sequences that lead to the same state of the model and of the engine.* Their continuations are the same.
 //!
-//! The product of all this is too large to be explored. Each test explores one part of it completely, and states the part
-//! as a [`Family`]: how many components, how many states they have together, whether all rates, and whether holds. A
-//! machine of two states counts as one additional state, one of three as two. The tests print how many trees and cycles
-//! they compared. Those that are ignored take minutes. Larger machines with rates, timers and values are left to the
-//! random trees.
+//! The product of all cases is too large. Each test explores one part of it completely. A [`Family`] describes the
+//! part: number of components, their total number of states, all rates or none, with or without holds. A machine of two
+//! states counts as one additional state, one of three as two. The tests print the number of compared trees and cycles.
+//! Those that are ignored take minutes. Random trees test larger machines with rates, timers and values.
 
 mod explore;
 mod model;
@@ -34,18 +34,18 @@ use std::io::Write;
 use explore::{Scope, sequences};
 use shape::{COMPONENTS, RATES, Rate, STATES, Shape, shapes};
 
-/// Which trees and sequences are explored.
+/// Set of trees and sequences that are explored.
 struct Family {
     name: &'static str,
     components: usize,
-    /// Largest number of additional states of all machines together.
+    /// Largest total number of additional states of the machines.
     additional_states: usize,
-    /// All rates, or every component in every cycle.
+    /// Whether all rates are explored; otherwise every component runs in every cycle.
     rates: bool,
     holds: bool,
 }
 
-/// All numbers of states of the components of a family.
+/// Returns all numbers of states of the components of a family.
 fn state_counts(family: &Family) -> impl Iterator<Item = [usize; COMPONENTS]> {
     let (len, most) = (family.components, family.additional_states);
     let all = (0..STATES.pow(len as u32)).map(move |mut code| {
@@ -59,7 +59,7 @@ fn state_counts(family: &Family) -> impl Iterator<Item = [usize; COMPONENTS]> {
     all.filter(move |states| states.iter().sum::<usize>() - COMPONENTS <= most)
 }
 
-/// All rates of the components of a family.
+/// Returns all rates of the components of a family.
 fn rates(family: &Family) -> Vec<[Rate; COMPONENTS]> {
     let count = if family.rates { RATES.len().pow(family.components as u32) } else { 1 };
     let each = (0..count).map(|mut code| {
@@ -73,8 +73,8 @@ fn rates(family: &Family) -> Vec<[Rate; COMPONENTS]> {
     each.collect()
 }
 
-/// Explores a family and prints how much that was, also if the test harness captures the output.
-fn explored(family: &Family) -> (u64, u64) {
+/// Explores a family and prints the numbers of trees and cycles, even if the test harness captures the output.
+fn explore(family: &Family) -> (u64, u64) {
     let (mut trees, mut cycles) = (0, 0);
     let rates = rates(family);
     for states in state_counts(family) {
@@ -94,13 +94,13 @@ fn explored(family: &Family) -> (u64, u64) {
 fn up_to_three_components_with_all_rates() {
     for components in 1..=3 {
         let name = ["", "1 component", "2 components", "3 components"][components];
-        explored(&Family { name, components, additional_states: 2, rates: true, holds: false });
+        explore(&Family { name, components, additional_states: 2, rates: true, holds: false });
     }
 }
 
 #[test]
 fn three_components_with_three_machines() {
-    explored(&Family {
+    explore(&Family {
         name: "3 components, up to 6 states",
         components: 3,
         additional_states: 3,
@@ -114,13 +114,13 @@ fn up_to_three_components_with_holds() {
     for components in 1..=3 {
         let name = ["", "1 component held", "2 components held", "3 components held"][components];
         let additional_states = [0, 2, 1, 0][components];
-        explored(&Family { name, components, additional_states, rates: components < 3, holds: true });
+        explore(&Family { name, components, additional_states, rates: components < 3, holds: true });
     }
 }
 
 #[test]
 fn four_components_with_all_rates() {
-    explored(&Family {
+    explore(&Family {
         name: "4 components without machines",
         components: 4,
         additional_states: 0,
@@ -131,7 +131,7 @@ fn four_components_with_all_rates() {
 
 #[test]
 fn four_components_with_a_machine() {
-    explored(&Family {
+    explore(&Family {
         name: "4 components, up to 5 states",
         components: 4,
         additional_states: 1,
@@ -143,7 +143,7 @@ fn four_components_with_a_machine() {
 #[test]
 #[ignore = "takes minutes"]
 fn three_components_with_all_states() {
-    explored(&Family {
+    explore(&Family {
         name: "3 components, up to 9 states",
         components: 3,
         additional_states: 6,
@@ -155,7 +155,7 @@ fn three_components_with_all_states() {
 #[test]
 #[ignore = "takes minutes"]
 fn four_components_with_two_machines() {
-    explored(&Family {
+    explore(&Family {
         name: "4 components, up to 6 states",
         components: 4,
         additional_states: 2,

@@ -1,10 +1,10 @@
-//! What a tree of a [`Shape`] has to do, by the rules of the crate's documentation alone.
+//! Model of a tree of a [`Shape`], written from the rules in the documentation of the crate.
 
 use bica_core::Hold;
 
 use crate::shape::{COMPONENTS, Link, Shape};
 
-/// Something that a probe sees.
+/// Event that a probe receives.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Event {
     Start(usize),
@@ -14,19 +14,19 @@ pub(crate) enum Event {
     Transition(usize, usize, usize),
 }
 
-/// What the rules make a tree remember of a component.
+/// Stored data of a component in the model.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Memory {
     pub(crate) active: bool,
     visited: bool,
-    /// The state of the machine; `None` if it was never active.
+    /// Index of the current state; `None` if the component was never active.
     pub(crate) state: Option<usize>,
     /// Cycles since the last grid point.
     since: u8,
     pub(crate) hold: Hold,
 }
 
-/// The model of a tree.
+/// Model of a tree.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Model {
     pub(crate) components: [Memory; COMPONENTS],
@@ -46,7 +46,7 @@ impl Model {
         Self { components: [memory; COMPONENTS] }
     }
 
-    /// One cycle, in which each machine that runs goes to the state of its answer.
+    /// Runs one cycle, in which each machine that runs enters its next state.
     pub(crate) fn tick(&mut self, shape: &Shape, answers: [u8; COMPONENTS], events: &mut Vec<Event>) {
         events.clear();
         for memory in &mut self.components {

@@ -1,12 +1,12 @@
 //! The shape of a tree, and the enumeration of all shapes.
 
-/// Components of the largest tree.
+/// Number of components of the largest tree.
 pub(crate) const COMPONENTS: usize = 4;
 
-/// States of the largest machine.
+/// Number of states of the largest machine.
 pub(crate) const STATES: usize = 3;
 
-/// The link of a component, in one of its states, to another.
+/// Link of a component, in one of its states, to another component.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Link {
     None,
@@ -16,14 +16,14 @@ pub(crate) enum Link {
 
 const LINKS: [Link; 3] = [Link::None, Link::Requirement, Link::Modulation];
 
-/// How often a component runs.
+/// Rate of a component.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Rate {
-    /// In every cycle; the component declares no rate.
+    /// Every cycle; the component declares no rate.
     Every,
-    /// In every second cycle; the component declares that.
+    /// Every second cycle, as declared.
     Half,
-    /// In every third cycle; the component declares half and is set to a third of the cycle rate.
+    /// Every third cycle; the component declares half of the cycle rate and is set to a third.
     Third,
 }
 
@@ -34,12 +34,12 @@ impl Rate {
         self != Self::Every
     }
 
-    /// The rate that is set before the first tick.
+    /// Returns the rate that is set before the first tick.
     pub(crate) fn requested(self) -> Option<f32> {
         (self == Self::Third).then_some(100.0 / 3.0)
     }
 
-    /// Cycles from one run to the next.
+    /// Returns the number of cycles from one run to the next.
     pub(crate) fn cycles(self) -> u8 {
         match self {
             Self::Every => 1,
@@ -49,17 +49,17 @@ impl Rate {
     }
 }
 
-/// The links of a component in one state, by the index of the other component.
+/// Links of a component in one state, by the index of the other component.
 pub(crate) type Row = [Link; COMPONENTS];
 
-/// The shape of a tree. Component 0 is the root; links lead from lower to higher indices.
+/// Shape of a tree. Component 0 is the root; links lead from lower to higher indices.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Shape {
     /// Number of components.
     pub(crate) len: usize,
     /// Number of states of each component.
     pub(crate) states: [usize; COMPONENTS],
-    /// The links of each component in each state.
+    /// Links of each component in each state.
     pub(crate) links: [[Row; STATES]; COMPONENTS],
     pub(crate) rates: [Rate; COMPONENTS],
 }
@@ -67,7 +67,7 @@ pub(crate) struct Shape {
 const NO_LINKS: Row = [Link::None; COMPONENTS];
 
 impl Shape {
-    /// Whether several links end at a component, as the framework counts them.
+    /// Whether several links lead to a component, as the framework counts them.
     pub(crate) fn is_shared(&self, index: usize) -> bool {
         let rows = (0..index).flat_map(|from| &self.links[from][..self.states[from]]);
         rows.filter(|row| row[index] != Link::None).count() > 1
@@ -87,14 +87,15 @@ impl Shape {
     }
 }
 
-/// Calls `each` with every shape of `len` components with these numbers of states that can be reached from the root, up
-/// to the order of the states behind the initial one; all components run in every cycle.
+/// Calls `each` for every shape of `len` components with these numbers of states in which all components are reachable
+/// from the root. Shapes that differ only in the order of the states after the initial one are passed once. All
+/// components run in every cycle.
 pub(crate) fn shapes(len: usize, states: [usize; COMPONENTS], each: &mut impl FnMut(Shape)) {
     let shape = Shape { len, states, links: [[NO_LINKS; STATES]; COMPONENTS], rates: [Rate::Every; COMPONENTS] };
     fill(shape, 0, 0, each);
 }
 
-/// Fills the rows from that of `state` of `component` on.
+/// Fills the rows, beginning with `state` of `component`.
 fn fill(shape: Shape, component: usize, state: usize, each: &mut impl FnMut(Shape)) {
     if component == shape.len {
         if shape.is_reachable() {
@@ -107,7 +108,7 @@ fn fill(shape: Shape, component: usize, state: usize, each: &mut impl FnMut(Shap
     }
     let places = shape.len - component - 1;
     for code in 0..3_usize.pow(places as u32) {
-        // States behind the initial one can be exchanged: only rows in order are taken.
+        // States after the initial one can be exchanged, so only sorted rows are used.
         if state == 2 && code < encoded(&shape, component, 1) {
             continue;
         }
@@ -119,7 +120,7 @@ fn fill(shape: Shape, component: usize, state: usize, each: &mut impl FnMut(Shap
     }
 }
 
-/// The code of a row: the inverse of the one in `fill`.
+/// Returns the code of a row: the inverse of the decoding in `fill`.
 fn encoded(shape: &Shape, component: usize, state: usize) -> usize {
     let row = &shape.links[component][state][component + 1..shape.len];
     row.iter().rev().fold(0, |code, link| 3 * code + LINKS.iter().position(|other| other == link).unwrap_or_default())

@@ -1,8 +1,8 @@
-//! A tree whose shape is data: the engine of the framework, with components that interpret a [`Shape`].
+//! Tree whose shape is data: the engine of the framework, with components that interpret a [`Shape`].
 //!
-//! What `#[component]` generates is replaced by a loop over the rows of a shape; all else is the framework's own: visits,
-//! rates, holds, starts and stops. What the engine knows of a component at compile time is a parameter of the types:
-//! whether it declares a rate (`R`), and whether several links end at it (`S`).
+//! A loop over the rows of a shape replaces the code that `#[component]` generates. Visits, rates, holds, starts and
+//! stops are those of the framework. Facts that the engine knows at compile time are type parameters: whether a
+//! component declares a rate (`R`), and whether several links lead to it (`S`).
 
 use bica_core::__private::{
     Cycle, Engine, Has, Layout, Link as GraphLink, MemberOf, Node as GraphNode, Probe, Slot, State, Visit,
@@ -12,11 +12,11 @@ use bica_core::{Component, Graph, Tree};
 
 use crate::shape::{COMPONENTS, Link, Shape};
 
-/// Component `I`, which declares a rate if `R`.
+/// Component `I`; it declares a rate if `R`.
 #[derive(Clone, Copy)]
 pub(crate) struct Node<const I: usize, const R: bool> {
     shape: Shape,
-    /// For each component the state that it is to enter in this cycle.
+    /// State of each machine after its run in this cycle.
     answers: [u8; COMPONENTS],
 }
 
@@ -76,12 +76,12 @@ fn visit_all<T: Layout, P: Probe>(cycle: &mut Cycle<'_, T, P>, row: [Link; COMPO
 
 macro_rules! tree {
     ($($index:literal $field:ident $rated:ident $shared:ident;)*) => {
-        /// The slots of a tree.
+        /// Slots of a tree.
         pub(crate) struct Slots<$(const $rated: bool),*> {
             $($field: Slot<Node<$index, $rated>>,)*
         }
 
-        /// A tree of the components; each is rated or not, and shared or not.
+        /// Tree of the components; each is rated or not, and shared or not.
         pub(crate) struct Any<$(const $rated: bool, const $shared: bool),*> {
             pub(crate) engine: Engine<Self>,
         }

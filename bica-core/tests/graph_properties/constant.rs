@@ -1,9 +1,9 @@
-//! The checks in constants, as the macros use them.
+//! Evaluation of the checks in constants, as in generated code.
 
 use bica_core::check::{CAPACITY, check, cycle, first_violation, longest_chain, ranks, steps};
 use bica_core::graph::{Graph, Link, Node, State, Transition};
 
-use crate::build::{graph, in_state, node, state, to, way};
+use crate::build::{graph, in_state, node, state, to, transition};
 
 static NODES: [Node; 3] = [
     Node { links: &[to(1)], ..node("Look") },
@@ -18,15 +18,15 @@ const _: () = check(&GRAPH);
 const _: () = assert!(cycle(&[Node { links: &[to(0)], ..node("Player") }]).is_some());
 
 #[test]
-fn constants_say_what_calls_say() {
+fn constants_equal_the_results_of_calls() {
     assert_eq!(RANKS, [0, 1, 2]);
     assert_eq!(CHAIN_US, 42);
 }
 
 const STATES: [State; 3] = [State { initial: true, ..state("a") }, state("b"), state("c")];
-const TRANSITIONS: [Transition; 3] = [way(0, 1), way(1, 2), way(2, 0)];
+const TRANSITIONS: [Transition; 3] = [transition(0, 1), transition(1, 2), transition(2, 0)];
 
-/// In each of three states each component activates another of the next three.
+/// In each of three states each component activates another one of the next three.
 static LINKS: [[Link; 3]; CAPACITY] = {
     let mut links = [[in_state(0, 0); 3]; CAPACITY];
     let mut index = 0;
@@ -49,12 +49,12 @@ static MACHINES: [Node; CAPACITY] = {
     nodes
 };
 
-/// As large as can be checked and with more to search than the limit allows.
+/// Largest tree that can be checked; it needs more search steps than the limit.
 const LARGEST: Graph = Graph { budget_ms: Some(1e6), ..graph(&MACHINES) };
 const _: () = check(&LARGEST);
 
 #[test]
-fn largest_tree_is_within_the_compiler_s_patience() {
+fn the_largest_tree_is_checked_within_the_compiler_s_limits() {
     assert!(first_violation(&LARGEST).is_none());
     assert!(!longest_chain(&LARGEST, steps(&LARGEST)).exact);
 }

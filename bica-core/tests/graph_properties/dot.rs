@@ -1,4 +1,4 @@
-//! The DOT of a graph and of its machines, read by the rules of Graphviz's lexer.
+//! DOT of a graph and of its machines, parsed by the rules of Graphviz's lexer.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -6,14 +6,14 @@ use bica_core::graph::{Graph, Node};
 use proptest::prelude::*;
 
 use crate::drawn;
-use crate::generate::{every_character, nasty_graph};
+use crate::generate::{every_character, special_graph};
 
 type Attributes = BTreeMap<String, String>;
 
-/// A statement: the words before the brackets, and what is in them.
+/// Statement: the words before the brackets, and the attributes in them.
 type Statement = (Vec<String>, Attributes);
 
-/// Words of the language; a string is unescaped as for a label and keeps the quote at its start.
+/// Returns the words of the language; a string is unescaped like a label and keeps its opening quote.
 fn words(text: &str) -> Vec<String> {
     let mut words = Vec::new();
     let mut rest = text.trim_start();
@@ -21,7 +21,7 @@ fn words(text: &str) -> Vec<String> {
         let end = match first {
             '"' => string(rest),
             '[' | ']' | '{' | '}' | '=' | ';' | ',' => 1,
-            _ => rest.find(|c: char| c.is_whitespace() || "[]{}=;,\"".contains(c)).expect("a statement ends"),
+            _ => rest.find(|c: char| c.is_whitespace() || "[]{}=;,\"".contains(c)).expect("a statement has an end"),
         };
         words.push(if first == '"' { label(&rest[..end - 1]) } else { rest[..end].into() });
         rest = rest[end..].trim_start();
@@ -29,11 +29,11 @@ fn words(text: &str) -> Vec<String> {
     words
 }
 
-/// How long the string is that starts here. A backslash takes the next character along.
+/// Returns the length of the string that starts here. A backslash also consumes the next character.
 fn string(text: &str) -> usize {
     let mut bytes = text.bytes().enumerate().skip(1);
     loop {
-        match bytes.next().expect("a string ends") {
+        match bytes.next().expect("a string has an end") {
             (_, b'\\') => drop(bytes.next()),
             (end, b'"') => return end + 1,
             _ => {}
@@ -46,7 +46,7 @@ fn label(text: &str) -> String {
     let mut characters = text.chars();
     while let Some(character) = characters.next() {
         label.push(match character {
-            '\\' => match characters.next().expect("an escape is whole") {
+            '\\' => match characters.next().expect("an escape sequence is complete") {
                 'n' => '\n',
                 plain @ ('\\' | '"') => plain,
                 other => panic!("unknown escape {other:?}"),
@@ -94,10 +94,10 @@ fn check_tree(graph: &Graph) {
     let statements = statements(&graph.dot().to_string());
     let boxes = of_boxes(&statements, "n");
     let labels: Vec<_> = boxes.iter().map(|attributes| attributes["label"].clone()).collect();
-    let wanted = drawn::names(graph).into_iter().zip(graph.nodes);
-    let wanted: Vec<_> = wanted.map(|(name, node)| name + "\n" + &drawn::figures(node)).collect();
+    let expected = drawn::names(graph).into_iter().zip(graph.nodes);
+    let expected: Vec<_> = expected.map(|(name, node)| name + "\n" + &drawn::figures(node)).collect();
     let unbroken = |labels: Vec<String>| labels.into_iter().map(|label| label.replace('\n', " ")).collect::<Vec<_>>();
-    assert_eq!(unbroken(labels), unbroken(wanted));
+    assert_eq!(unbroken(labels), unbroken(expected));
     for (index, attributes) in boxes.iter().enumerate() {
         assert_eq!(attributes.contains_key("penwidth"), index == graph.root);
         assert_eq!(attributes.contains_key("peripheries"), !graph.nodes[index].states.is_empty());
@@ -126,7 +126,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(2000))]
 
     #[test]
-    fn dot_shows_the_graph(graph in nasty_graph(6)) {
+    fn dot_shows_the_graph(graph in special_graph(6)) {
         check_tree(&graph);
         graph.nodes.iter().for_each(check_machine);
     }

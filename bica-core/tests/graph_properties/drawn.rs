@@ -1,15 +1,15 @@
-//! What the drawings of a graph have to show, in all languages.
+//! Content that drawings of a graph must show, in all formats.
 
 use std::collections::BTreeSet;
 
 use bica_core::graph::{Graph, LinkKind, Node};
 
-/// Text as a picture can show it.
+/// Text as a drawing can show it.
 fn shown(text: &str) -> String {
     text.replace(|character: char| character.is_control(), " ")
 }
 
-/// An arrow: from, to, whether it is dashed, its label.
+/// Arrow: from, to, whether it is dashed, label.
 pub(crate) type Arrow = (usize, usize, bool, String);
 
 pub(crate) fn figures(node: &Node) -> String {
@@ -36,14 +36,18 @@ fn when(graph: &Graph, from: usize, like: &bica_core::graph::Link) -> String {
     shown(&states.into_iter().flatten().map(|state| node.states[state].name).collect::<Vec<_>>().join(", "))
 }
 
-/// The transitions of a machine: from, to, label. In their order, since several may look the same.
+/// Transitions of a machine: from, to, label. In order, because several may look the same.
 pub(crate) fn transitions(node: &Node) -> Vec<(usize, usize, String)> {
-    let after =
-        |way: &bica_core::graph::Transition| way.after_ms.map_or(String::new(), |ms| format!(", after {ms} ms"));
-    node.transitions.iter().map(|way| (way.from, way.to, shown(way.name) + &after(way))).collect()
+    let after = |transition: &bica_core::graph::Transition| {
+        transition.after_ms.map_or(String::new(), |ms| format!(", after {ms} ms"))
+    };
+    node.transitions
+        .iter()
+        .map(|transition| (transition.from, transition.to, shown(transition.name) + &after(transition)))
+        .collect()
 }
 
-/// The states of a machine: name, whether it starts there, whether it is meant to stay.
+/// States of a machine: name, whether it is initial, whether it is terminal.
 pub(crate) fn states(node: &Node) -> Vec<(String, bool, bool)> {
     node.states.iter().map(|state| (shown(state.name), state.initial, state.last)).collect()
 }

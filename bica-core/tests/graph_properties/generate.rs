@@ -5,7 +5,7 @@ use proptest::prelude::*;
 
 use crate::build;
 
-/// A component before it is known how many there are.
+/// Component before the number of components is known.
 #[derive(Clone, Debug)]
 struct Draft {
     budget_us: Option<u32>,
@@ -33,15 +33,15 @@ fn draft() -> impl Strategy<Value = Draft> {
         })
 }
 
-/// Graphs of up to `most` components with links in all directions.
-pub(crate) fn any_graph(most: usize) -> impl Strategy<Value = Graph> {
-    (prop::collection::vec(draft(), 1..=most), any::<prop::sample::Index>())
+/// Graphs of up to `max` components with links in all directions.
+pub(crate) fn any_graph(max: usize) -> impl Strategy<Value = Graph> {
+    (prop::collection::vec(draft(), 1..=max), any::<prop::sample::Index>())
         .prop_map(|(drafts, root)| graph(&drafts, root.index(drafts.len()), |_, to| Some(to.index(drafts.len()))))
 }
 
-/// Graphs of up to `most` components without a cycle, listed in a random order.
-pub(crate) fn acyclic_graph(most: usize) -> impl Strategy<Value = Graph> {
-    prop::collection::vec(draft(), 1..=most)
+/// Graphs of up to `max` components without a cycle, listed in a random order.
+pub(crate) fn acyclic_graph(max: usize) -> impl Strategy<Value = Graph> {
+    prop::collection::vec(draft(), 1..=max)
         .prop_flat_map(|drafts| {
             let places: Vec<usize> = (0..drafts.len()).collect();
             (Just(drafts), Just(places).prop_shuffle())
@@ -68,7 +68,7 @@ fn node(draft: &Draft, to: impl Fn(&prop::sample::Index) -> Option<usize>) -> No
         Some(Link { to: to(end)?, kind, state: of.as_ref().and_then(state) })
     });
     let states = (0..draft.states).map(|index| State { initial: index == 0, ..build::state("state") });
-    let ways = draft.transitions.iter().filter_map(|(from, to)| Some(build::way(state(from)?, state(to)?)));
+    let ways = draft.transitions.iter().filter_map(|(from, to)| Some(build::transition(state(from)?, state(to)?)));
     Node {
         budget_us: draft.budget_us.map(|budget| budget as f32),
         hz: draft.hz.map(|hz| hz as f32),
@@ -79,29 +79,29 @@ fn node(draft: &Draft, to: impl Fn(&prop::sample::Index) -> Option<usize>) -> No
     }
 }
 
-/// Text that breaks careless writers.
-fn nasty() -> impl Strategy<Value = &'static str> {
+/// Text that needs escaping.
+fn special_text() -> impl Strategy<Value = &'static str> {
     prop_oneof!["(?s).{0,8}", "[\"\\\\&#<>;:|`{}\n\r\t\0 -]{0,6}", "[a-z_]{1,9}"].prop_map(|text| &*text.leak())
 }
 
-/// A machine whose names and docs hold every character below U+0300.
+/// Machine whose names and docs contain every character below U+0300.
 pub(crate) fn every_character() -> Graph {
     let text = &*(0..0x300_u32).filter_map(char::from_u32).collect::<String>().leak();
     let node = Node {
         doc: text,
         links: &[Link { to: 1, kind: LinkKind::Requirement, state: Some(0) }],
         states: vec![State { doc: text, initial: true, ..build::state(text) }, build::state("other")].leak(),
-        transitions: vec![Transition { name: text, doc: text, ..build::way(0, 1) }].leak(),
+        transitions: vec![Transition { name: text, doc: text, ..build::transition(0, 1) }].leak(),
         ..build::node(text)
     };
     Graph { name: text, doc: text, ..build::graph(vec![node, build::node("Other")].leak()) }
 }
 
-/// Graphs whose names, docs and numbers are whatever they can be.
-pub(crate) fn nasty_graph(most: usize) -> impl Strategy<Value = Graph> {
-    let texts = prop::collection::vec(nasty(), 16);
+/// Graphs with arbitrary names, docs and numbers.
+pub(crate) fn special_graph(max: usize) -> impl Strategy<Value = Graph> {
+    let texts = prop::collection::vec(special_text(), 16);
     let figures = prop::collection::vec(any::<f32>(), 8);
-    (any_graph(most), texts, figures, any::<u32>()).prop_map(|(graph, texts, figures, after_ms)| {
+    (any_graph(max), texts, figures, any::<u32>()).prop_map(|(graph, texts, figures, after_ms)| {
         let mut text = texts.into_iter().cycle();
         let mut text = move || text.next().unwrap_or_default();
         let mut figure = figures.into_iter().cycle();
@@ -115,9 +115,9 @@ pub(crate) fn nasty_graph(most: usize) -> impl Strategy<Value = Graph> {
                 (state.name, state.doc, state.last) = (text(), text(), text().is_empty());
             }
             let mut ways = node.transitions.to_vec();
-            for way in &mut ways {
-                (way.name, way.doc) = (text(), text());
-                way.after_ms = (!text().is_empty()).then_some(after_ms);
+            for transition in &mut ways {
+                (transition.name, transition.doc) = (text(), text());
+                transition.after_ms = (!text().is_empty()).then_some(after_ms);
             }
             (node.states, node.transitions) = (states.leak(), ways.leak());
         }

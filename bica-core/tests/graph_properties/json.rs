@@ -1,12 +1,12 @@
-//! The JSON of a graph, read by another implementation.
+//! JSON of a graph, parsed by another implementation.
 
 use bica_core::graph::{Graph, Link, LinkKind, Node, State, Transition};
 use proptest::prelude::*;
 use serde_json::{Value, json};
 
-use crate::generate::{every_character, nasty_graph};
+use crate::generate::{every_character, special_graph};
 
-/// JSON has no number for infinity and NaN; `f64` holds any `f32`.
+/// JSON cannot represent infinity and NaN; `f64` contains any `f32`.
 fn figure(written: &Value, figure: Option<f32>) -> bool {
     match figure.filter(|figure| figure.is_finite()) {
         None => written.is_null(),
@@ -23,8 +23,8 @@ fn state(state: &State) -> Value {
     json!({ "name": state.name, "doc": state.doc, "initial": state.initial, "last": state.last })
 }
 
-fn transition(way: &Transition) -> Value {
-    json!({ "name": way.name, "doc": way.doc, "from": way.from, "to": way.to, "after_ms": way.after_ms })
+fn transition(transition: &Transition) -> Value {
+    json!({ "name": transition.name, "doc": transition.doc, "from": transition.from, "to": transition.to, "after_ms": transition.after_ms })
 }
 
 fn node_is(written: &Value, node: &Node) -> bool {
@@ -57,7 +57,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(2000))]
 
     #[test]
-    fn json_holds_every_field(graph in nasty_graph(6), cycle_hz: f32) {
+    fn json_contains_every_field(graph in special_graph(6), cycle_hz: f32) {
         let graph = Graph { cycle_hz, ..graph };
         let written: Value = serde_json::from_str(&graph.json().to_string()).expect("valid JSON");
         prop_assert!(graph_is(&written, &graph), "{:#}", written);

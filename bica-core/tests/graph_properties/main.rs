@@ -1,4 +1,4 @@
-//! The checks and the drawings of graphs: against a graph library, brute force and parsers, on random graphs.
+//! Checks and drawings of random graphs, compared with a graph library, brute force and parsers.
 
 mod build;
 mod constant;

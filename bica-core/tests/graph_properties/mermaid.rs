@@ -1,4 +1,4 @@
-//! The Mermaid of a graph and of its machines, read line by line.
+//! Mermaid of a graph and of its machines, parsed line by line.
 
 use std::collections::BTreeSet;
 
@@ -6,15 +6,15 @@ use bica_core::graph::{Graph, Node};
 use proptest::prelude::*;
 
 use crate::drawn;
-use crate::generate::{every_character, nasty_graph};
+use crate::generate::{every_character, special_graph};
 
-/// Text without entities; panics on a character that should have been one.
+/// Resolves entities; panics on a character that should be escaped.
 fn plain(text: &str) -> String {
     let mut plain = String::new();
     let mut rest = text;
     while let Some((before, entity)) = rest.split_once('#') {
         plain.push_str(before);
-        let (code, after) = entity.split_once(';').expect("an entity ends");
+        let (code, after) = entity.split_once(';').expect("an entity has an end");
         plain.push(code.parse::<u32>().ok().and_then(char::from_u32).expect("an entity is a character"));
         rest = after;
     }
@@ -24,7 +24,7 @@ fn plain(text: &str) -> String {
     plain
 }
 
-/// `n0 -.-> n1`, with `|"label"|` behind the line if there is a label.
+/// Parses `n0 -.-> n1`, with `|"label"|` after the arrow if there is a label.
 fn arrow(line: &str) -> Option<drawn::Arrow> {
     let (from, rest) = line.trim().split_once(' ')?;
     let (style, rest) = rest.split_once("->")?;
@@ -36,7 +36,7 @@ fn arrow(line: &str) -> Option<drawn::Arrow> {
     Some((index(from)?, index(to)?, style == "-.", plain(label)))
 }
 
-/// `n0("name<br/>figures")`, or with `[[` and `]]` for a machine.
+/// Parses `n0("name<br/>figures")`, or with `[[` and `]]` for a machine.
 fn component(line: &str) -> Option<(String, String, bool)> {
     let machine = line.contains("[[\"");
     let (_, text) = line.split_once(if machine { "[[\"" } else { "(\"" })?;
@@ -49,9 +49,9 @@ fn check_tree(graph: &Graph) {
     let mut lines = text.lines();
     assert_eq!(lines.next(), Some("flowchart TD"));
     let components = lines.by_ref().take(graph.nodes.len()).map(|line| component(line).expect(line));
-    let wanted = graph.nodes.iter().zip(drawn::names(graph));
-    let wanted = wanted.map(|(node, name)| (name, drawn::figures(node), !node.states.is_empty()));
-    assert_eq!(components.collect::<Vec<_>>(), wanted.collect::<Vec<_>>());
+    let expected = graph.nodes.iter().zip(drawn::names(graph));
+    let expected = expected.map(|(node, name)| (name, drawn::figures(node), !node.states.is_empty()));
+    assert_eq!(components.collect::<Vec<_>>(), expected.collect::<Vec<_>>());
     let arrows = lines.by_ref().take(drawn::arrows(graph).len()).map(|line| arrow(line).expect(line));
     assert_eq!(arrows.collect::<BTreeSet<_>>(), drawn::arrows(graph));
     assert_eq!(lines.next(), Some(&*format!("  style n{} stroke-width:3px", graph.root)));
@@ -64,7 +64,7 @@ fn check_machine(node: &Node) {
     assert_eq!(lines.next(), Some("stateDiagram-v2"));
     for (index, (name, initial, last)) in drawn::states(node).into_iter().enumerate() {
         let line = lines.next().expect("a line for each state").strip_prefix("  state \"").expect("a state");
-        let (text, end) = line.split_once('"').expect("a name ends");
+        let (text, end) = line.split_once('"').expect("a name has an end");
         assert_eq!((plain(text), end), (name, &*format!(" as s{index}")));
         assert_eq!(lines.next_if(|line| *line == format!("  [*] --> s{index}")).is_some(), initial);
         assert_eq!(lines.next_if(|line| *line == format!("  s{index} --> [*]")).is_some(), last);
@@ -82,7 +82,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(2000))]
 
     #[test]
-    fn mermaid_shows_the_graph(graph in nasty_graph(6)) {
+    fn mermaid_shows_the_graph(graph in special_graph(6)) {
         check_tree(&graph);
         graph.nodes.iter().for_each(check_machine);
     }

@@ -1,13 +1,13 @@
-//! The words for each broken rule.
+//! Message of each violation.
 
 use bica_core::check::{check, first_violation, message};
 use bica_core::graph::{Graph, Node, State};
 
-use crate::build::{graph, in_state, node, state, to, way};
+use crate::build::{graph, in_state, node, state, to, transition};
 
 #[track_caller]
 fn reports(graph: Graph, words: &str) {
-    let violation = first_violation(&graph).expect("a rule is broken");
+    let violation = first_violation(&graph).expect("a violation");
     assert_eq!(message(&graph, &violation).as_str(), words);
     let panic = std::panic::catch_unwind(|| check(&graph)).expect_err("the check panics");
     assert_eq!(panic.downcast_ref::<String>().expect("with a message"), words);
@@ -47,14 +47,14 @@ fn unreachable() {
 #[test]
 fn figures() {
     let fine = graph(const { &[node("Player")] });
-    let none = ": a rate is a finite number above 0; ";
+    let rate_rule = ": a rate is a finite number above 0; ";
     for (hz, written) in [(0.0, "0"), (-2.5, "-2.5"), (f32::NAN, "NaN"), (f32::INFINITY, "inf")] {
         let cycle =
-            format!("tree `Forward` has cycle_hz = {written}{none}write how often per second the tree is ticked");
+            format!("tree `Forward` has cycle_hz = {written}{rate_rule}write how often per second the tree is ticked");
         reports(Graph { cycle_hz: hz, ..fine }, &cycle);
         let nodes = Box::leak(Box::new([Node { hz: Some(hz), ..node("Player") }]));
         let rate =
-            format!("component `Player` has hz = {written}{none}give one, or leave it out to run in every cycle");
+            format!("component `Player` has hz = {written}{rate_rule}give one, or leave it out to run in every cycle");
         reports(graph(nodes), &rate);
     }
     for (budget, written) in [(-0.125, "-0.125"), (f32::NAN, "NaN"), (f32::NEG_INFINITY, "-inf")] {
@@ -84,7 +84,7 @@ fn too_fast() {
 const PLAYER: Node = Node {
     links: &[in_state(2, 1), in_state(1, 0)],
     states: &[State { initial: true, ..state("look") }, state("walk")],
-    transitions: &[way(0, 1)],
+    transitions: &[transition(0, 1)],
     budget_us: Some(20.0),
     ..node("Player")
 };

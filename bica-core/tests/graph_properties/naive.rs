@@ -1,4 +1,4 @@
-//! What the checks are to find, by a graph library and by trying everything.
+//! Expected results of the checks, from a graph library and from brute force.
 
 use std::collections::BTreeSet;
 
@@ -7,7 +7,7 @@ use bica_core::graph::{Graph, LinkKind, Node};
 use petgraph::graph::{DiGraph, NodeIndex};
 use petgraph::visit::Dfs;
 
-/// All links, in the form that the graph library takes.
+/// Converts all links to the graph library's form.
 pub(crate) fn library(nodes: &[Node]) -> DiGraph<(), ()> {
     of_edges(
         nodes.len(),
@@ -24,20 +24,20 @@ fn of_edges(len: usize, edges: impl Iterator<Item = (usize, usize)>) -> DiGraph<
     graph
 }
 
-/// What can be reached in a graph of the library.
+/// Components that can be reached in a graph of the library.
 pub(crate) fn from_start(graph: &DiGraph<(), ()>, start: usize) -> BTreeSet<usize> {
     let mut search = Dfs::new(graph, NodeIndex::new(start));
     std::iter::from_fn(|| search.next(graph)).map(NodeIndex::index).collect()
 }
 
-/// The states that a machine can be in.
+/// States that a machine can enter.
 pub(crate) fn states(node: &Node) -> BTreeSet<usize> {
-    let graph = of_edges(node.states.len(), node.transitions.iter().map(|way| (way.from, way.to)));
+    let graph = of_edges(node.states.len(), node.transitions.iter().map(|transition| (transition.from, transition.to)));
     let initial = (0..node.states.len()).filter(|&state| node.states[state].initial);
     initial.flat_map(|state| from_start(&graph, state)).collect()
 }
 
-/// The components that can become active.
+/// Components that can become active.
 pub(crate) fn reachable(graph: &Graph) -> BTreeSet<usize> {
     let edges = graph.nodes.iter().enumerate().flat_map(|(from, node)| {
         let states = states(node);
@@ -46,10 +46,11 @@ pub(crate) fn reachable(graph: &Graph) -> BTreeSet<usize> {
     from_start(&of_edges(graph.nodes.len(), edges), graph.root)
 }
 
-/// What a component can do in a cycle.
+/// Behaviours of a component in one cycle.
 pub(crate) fn choices(node: &Node, transitions: bool) -> Vec<Choice> {
     let possible = states(node);
-    let ways = (0..node.transitions.len()).filter(|&way| transitions && possible.contains(&node.transitions[way].from));
+    let ways = (0..node.transitions.len())
+        .filter(|&transition| transitions && possible.contains(&node.transitions[transition].from));
     let mut choices: Vec<_> = ways.map(Choice::Transition).chain(possible.iter().copied().map(Choice::State)).collect();
     if choices.is_empty() {
         choices.push(Choice::None);
@@ -57,7 +58,7 @@ pub(crate) fn choices(node: &Node, transitions: bool) -> Vec<Choice> {
     choices
 }
 
-/// What is active when every component does its choice.
+/// Active components if every component has its given behaviour.
 pub(crate) fn active(graph: &Graph, choices: &[Choice]) -> BTreeSet<usize> {
     let edges = graph.nodes.iter().enumerate().flat_map(|(from, node)| {
         let choice = choices[from];
@@ -65,9 +66,9 @@ pub(crate) fn active(graph: &Graph, choices: &[Choice]) -> BTreeSet<usize> {
             (None, _) | (Some(_), Choice::Any) => true,
             (Some(_), Choice::None) => false,
             (Some(of), Choice::State(state)) => of == state,
-            (Some(of), Choice::Transition(way)) => {
-                let way = &node.transitions[way];
-                of == way.to || of == way.from && link.kind == LinkKind::Requirement
+            (Some(of), Choice::Transition(transition)) => {
+                let transition = &node.transitions[transition];
+                of == transition.to || of == transition.from && link.kind == LinkKind::Requirement
             }
         };
         node.links.iter().filter(holds).map(move |l| (from, l.to))
@@ -75,7 +76,7 @@ pub(crate) fn active(graph: &Graph, choices: &[Choice]) -> BTreeSet<usize> {
     from_start(&of_edges(graph.nodes.len(), edges), graph.root)
 }
 
-/// The largest sum of weights over all combinations of what each component can do.
+/// Largest sum of weights over all combinations of behaviours.
 pub(crate) fn worst(graph: &Graph, weights: &[f64], transitions: bool) -> f64 {
     let choices: Vec<_> = graph.nodes.iter().map(|node| choices(node, transitions)).collect();
     let combinations = choices.iter().map(Vec::len).product();

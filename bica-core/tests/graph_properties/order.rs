@@ -1,4 +1,4 @@
-//! Cycles, ranks and reach against the graph library.
+//! Cycles, ranks and reachability, compared with the graph library.
 
 use std::collections::BTreeSet;
 
@@ -24,7 +24,7 @@ proptest! {
             }
             let round: BTreeSet<_> = path.iter().copied().collect();
             prop_assert!(path.len() > 1);
-            prop_assert_eq!(path.len(), round.len() + 1, "each once, but for the ends");
+            prop_assert_eq!(path.len(), round.len() + 1, "each component once, except for the first");
             prop_assert_eq!(path.first(), path.last());
             prop_assert_eq!(path.first(), round.first());
         }
@@ -47,7 +47,7 @@ proptest! {
     }
 
     #[test]
-    fn ranks_bear_cycles(graph in any_graph(12)) {
+    fn ranks_of_cyclic_graphs_are_a_permutation(graph in any_graph(12)) {
         let ranks: [usize; 12] = ranks(graph.nodes);
         prop_assert!(is_permutation(&ranks, graph.nodes.len()));
         let behind = on_or_behind_cycles(graph.nodes);
@@ -58,7 +58,7 @@ proptest! {
     }
 
     #[test]
-    fn reach_is_the_library_s(graph in any_graph(12)) {
+    fn reachability_equals_that_of_the_library(graph in any_graph(12)) {
         let reached = naive::reachable(&graph);
         for node in 0..graph.nodes.len() {
             prop_assert_eq!(reachable(&graph).contains(node), reached.contains(&node));
@@ -72,7 +72,7 @@ proptest! {
     }
 
     #[test]
-    fn cycles_are_reported_before_what_they_hide(graph in any_graph(12)) {
+    fn cycles_are_reported_before_their_consequences(graph in any_graph(12)) {
         let cyclic = is_cyclic_directed(&naive::library(graph.nodes));
         let whole = naive::reachable(&graph).len() == graph.nodes.len();
         match first_violation(&graph) {

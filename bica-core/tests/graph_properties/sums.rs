@@ -1,4 +1,4 @@
-//! The longest chain and the load against all combinations of states.
+//! Longest chain and load, compared with all combinations of states.
 
 use std::collections::BTreeSet;
 
@@ -9,8 +9,8 @@ use proptest::prelude::*;
 use crate::generate::acyclic_graph;
 use crate::naive;
 
-/// More than the search can need for the graphs here.
-const ENOUGH: usize = 1_000_000;
+/// Number of steps that is sufficient for the graphs here.
+const STEPS: usize = 1_000_000;
 
 fn budgets(graph: &Graph) -> Vec<f64> {
     graph.nodes.iter().map(|node| f64::from(node.budget_us.unwrap_or(0.0))).collect()
@@ -29,7 +29,7 @@ fn close(a: f64, b: f64) -> bool {
     (a - b).abs() <= 1e-12 * a.abs().max(b.abs())
 }
 
-/// Whether the components reported are those that the choices reported activate, and sum up to the sum reported.
+/// Whether the reported components are those that the reported choices activate, and their sum is the reported one.
 fn is_consistent(graph: &Graph, worst: &WorstCase, weights: &[f64]) -> bool {
     let active = naive::active(graph, &worst.choices[..graph.nodes.len()]);
     let silent = |node: usize| active.contains(&node) || worst.choices[node] == Choice::None;
@@ -42,16 +42,16 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(1500))]
 
     #[test]
-    fn longest_chain_is_the_worst_of_all(graph in acyclic_graph(5)) {
-        let found = longest_chain(&graph, ENOUGH);
+    fn longest_chain_is_the_maximum_over_all_combinations(graph in acyclic_graph(5)) {
+        let found = longest_chain(&graph, STEPS);
         prop_assert!(found.exact);
         prop_assert!(close(found.sum, naive::worst(&graph, &budgets(&graph), true)));
         prop_assert!(is_consistent(&graph, &found, &budgets(&graph)));
     }
 
     #[test]
-    fn load_is_the_worst_of_all(graph in acyclic_graph(5)) {
-        let found = load(&graph, ENOUGH);
+    fn load_is_the_maximum_over_all_combinations(graph in acyclic_graph(5)) {
+        let found = load(&graph, STEPS);
         prop_assert!(found.exact);
         prop_assert!(close(found.sum, naive::worst(&graph, &loads(&graph), false)));
         prop_assert!(is_consistent(&graph, &found, &loads(&graph)));
@@ -72,7 +72,7 @@ proptest! {
     }
 
     #[test]
-    fn sums_are_held_against_what_is_declared(graph in acyclic_graph(5), budget_us in 1..20_000_u32) {
+    fn sums_are_compared_with_the_declared_limits(graph in acyclic_graph(5), budget_us in 1..20_000_u32) {
         let graph = Graph { budget_ms: Some(budget_us as f32 / 1e3), ..graph };
         let time = naive::worst(&graph, &budgets(&graph), true);
         let share = naive::worst(&graph, &loads(&graph), false);

@@ -1,4 +1,4 @@
-//! Text written by const functions against the formatting of the standard library.
+//! Text written by const functions, compared with the formatting of the standard library.
 
 use bica_core::check::Text;
 use proptest::prelude::*;
@@ -13,7 +13,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(2000))]
 
     #[test]
-    fn text_is_cut_at_characters(pieces in prop::collection::vec(".{0,12}", 0..6)) {
+    fn text_is_truncated_at_character_boundaries(pieces in prop::collection::vec(".{0,12}", 0..6)) {
         let mut text = Text::<40>::new();
         let mut whole = String::new();
         for piece in &pieces {
@@ -28,7 +28,7 @@ proptest! {
     }
 
     #[test]
-    fn whole_numbers(value: u64) {
+    fn integers_are_formatted_as_by_the_library(value: u64) {
         let mut text = Text::<64>::new();
         text.push_whole(value);
         prop_assert_eq!(text.as_str(), value.to_string());
@@ -49,7 +49,7 @@ proptest! {
 }
 
 #[test]
-fn numbers_at_the_rim() {
+fn limits_of_the_number_types_are_formatted() {
     for (value, written) in
         [(0.0, "0"), (1e17, "100000000000000000"), (1e18, "inf"), (f64::NAN, "NaN"), (1e-20, "0"), (0.999_999_96, "1")]
     {

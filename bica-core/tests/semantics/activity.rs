@@ -1,8 +1,8 @@
-//! Active and latent; the hooks.
+//! Active and latent components, and their hooks.
 
 use super::*;
 
-/// Counts the calls of its hooks, which a probe does not see.
+/// Counts the calls of its hooks, which a probe does not report.
 macro_rules! hooked {
     ($name:ident, $rate:literal, $($step:item)?) => {
         #[derive(Default)]
@@ -21,12 +21,12 @@ macro_rules! hooked {
             $($step)?
 
             #[start]
-            fn woke(&mut self) {
+            fn on_start(&mut self) {
                 self.started += 1;
             }
 
             #[stop]
-            fn slept(&mut self) {
+            fn on_stop(&mut self) {
                 self.stopped += 1;
             }
         }
@@ -85,7 +85,7 @@ activation_tree! {
 }
 
 #[test]
-fn latent_until_needed_then_started_and_run_at_once() {
+fn a_component_is_latent_until_activated_and_then_starts_and_runs_in_the_same_cycle() {
     let mut tree = Lamp::new();
     assert_eq!(cycle(&mut tree, 0), ["start Switch", "run Switch"]);
     assert_eq!(tree.active().collect::<Vec<_>>(), [Lamp::id::<Switch>()]);
@@ -96,7 +96,7 @@ fn latent_until_needed_then_started_and_run_at_once() {
 }
 
 #[test]
-fn stopped_at_the_end_of_the_cycle_activators_first() {
+fn components_stop_at_the_end_of_the_cycle_activators_first() {
     let mut tree = Lamp::new();
     tree.get_mut::<Switch>().on = true;
     tree.tick(at(0));
@@ -107,7 +107,7 @@ fn stopped_at_the_end_of_the_cycle_activators_first() {
 }
 
 #[test]
-fn started_again_it_is_due_at_once() {
+fn a_restarted_component_is_due_at_once() {
     let mut tree = Lamp::new();
     for (ms, on) in [(0, true), (10, false), (20, true), (30, true)] {
         tree.get_mut::<Switch>().on = on;
@@ -117,7 +117,7 @@ fn started_again_it_is_due_at_once() {
     assert_eq!(
         (child.started, child.stopped, child.ran),
         (2, 1, 2),
-        "at 1 Hz only an activation brings the second run"
+        "at 1 Hz only an activation causes the second run"
     );
 }
 

@@ -52,7 +52,7 @@ activation_tree! {
 }
 
 #[test]
-fn each_argument_is_its_own_component() {
+fn each_argument_borrows_its_own_component() {
     let mut tree = Cells::new();
     tree.tick(at(0));
     assert_eq!(tree.get::<Sum<1>>().all, [1, 2, 20, 3]);
@@ -63,7 +63,7 @@ fn each_argument_is_its_own_component() {
 }
 
 #[test]
-fn a_tree_is_a_value() {
+fn a_tree_can_be_moved_and_cloned() {
     let mut tree = Box::new(Cells::new());
     tree.tick(at(0));
     let mut moved = *tree;

@@ -56,7 +56,7 @@ fn comments_rates_and_budgets_are_in_the_graph() {
     let [block, step] = graph.nodes else { panic!("two components") };
     assert_eq!((block.doc, block.hz, block.budget_us), ("The doc of the block.", Some(2.5), Some(40.0)));
     assert_eq!((step.doc, step.hz, step.budget_us), ("The doc of the step,\non two lines.", None, None));
-    assert_eq!(step.links.len(), 1, "the rate of a child is no second link");
+    assert_eq!(step.links.len(), 1, "the rate of a child is not a second link");
     assert_eq!((step.links[0].to, step.links[0].kind), (0, LinkKind::Requirement));
     assert_eq!(graph.root, 1);
 }
@@ -73,7 +73,7 @@ fn links_belong_to_states() {
 }
 
 #[test]
-fn transitions_are_listed_as_they_are_tried() {
+fn transitions_are_listed_in_the_order_of_evaluation() {
     let ways: Vec<_> =
         node("Player").transitions.iter().map(|way| (way.name, way.from, way.to, way.after_ms)).collect();
     let expected = [

@@ -4,7 +4,7 @@ use super::activity::{Child, Lamp, Parent, Switch};
 use super::*;
 
 #[test]
-fn held_active_it_is_visited_after_the_root_activators_first() {
+fn components_held_active_are_visited_after_the_root_activators_first() {
     let mut tree = Lamp::new();
     tree.hold::<Child>(Hold::Active);
     tree.hold::<Parent>(Hold::Active);
@@ -18,7 +18,7 @@ fn held_active_it_is_visited_after_the_root_activators_first() {
 }
 
 #[test]
-fn held_latent_the_visit_ends_there() {
+fn a_component_held_latent_is_not_visited() {
     let mut tree = Lamp::new();
     tree.get_mut::<Switch>().on = true;
     tree.tick(at(0));

@@ -1,10 +1,11 @@
-//! No run is lost or added: the guarantee of [`bica_core::rate`], with clocks that jitter, are coarse, or run for years.
+//! No run is lost or added: the bounds stated in [`bica_core::rate`], with clocks that jitter, are coarse, or run for
+//! years.
 
 use proptest::prelude::*;
 
 use super::*;
 
-/// Makes a component that counts its runs, and a tree of it that is ticked 100 times per second.
+/// Generates a component that counts its runs, and a tree of it that is ticked 100 times per second.
 macro_rules! counter {
     ($($component:ident $tree:ident $(hz = $hz:literal)?;)*) => {$(
         pub(crate) struct $component {
@@ -38,12 +39,12 @@ counter! {
     Slow SlowTree hz = 0.7;
 }
 
-/// Ticks of the clock in a cycle, in a second and in a year.
+/// Durations in ticks of the clock (µs).
 const CYCLE: u64 = 10_000;
 const SECOND: u64 = 1_000_000;
 const YEAR: u64 = 365 * 24 * 3600 * SECOND;
 
-/// Ticks a new tree at these instants; the runs of its root after each tick.
+/// Ticks a new tree at these instants; returns the runs of its root after each tick.
 macro_rules! runs_of {
     ($component:ident in $tree:ident at $instants:expr) => {{
         let mut tree = $tree::new();
@@ -57,7 +58,7 @@ macro_rules! runs_of {
     }};
 }
 
-/// The instant of tick `n`, deterministic noise of at most `spread` ticks to either side.
+/// Returns the instant of tick `n`, with deterministic noise of at most `spread` ticks to either side.
 fn jittered(start: u64, spread: u64) -> impl Fn(u64) -> u64 {
     move |n| {
         let noise = n.wrapping_add(start).wrapping_mul(0x9e37_79b9_7f4a_7c15).rotate_left(29) >> 20;
@@ -65,8 +66,8 @@ fn jittered(start: u64, spread: u64) -> impl Fn(u64) -> u64 {
     }
 }
 
-/// Whether the number of runs is the number of periods in the time since the first tick, ± 1, after each tick.
-fn keeps(hz: f64, instants: &[u64], runs: &[u64]) -> Result<(), TestCaseError> {
+/// Checks after each tick that the number of runs is the number of periods since the first tick, ± 1.
+fn check_runs(hz: f64, instants: &[u64], runs: &[u64]) -> Result<(), TestCaseError> {
     for (&now, &runs) in instants.iter().zip(runs) {
         let periods = (now - instants[0]) as f64 / SECOND as f64 * hz;
         // The first run is at the beginning of the first period.
@@ -139,7 +140,7 @@ fn ten_days_at_30_hz_after_a_century_of_uptime_have_25_920_000_runs() {
 }
 
 #[test]
-fn a_year_shifts_no_grid_point_by_a_quarter_of_a_cycle() {
+fn grid_points_shift_by_less_than_a_quarter_of_a_cycle_in_a_year() {
     let mut tree = SlowTree::new();
     let period = SECOND as f64 / f64::from(0.7_f32);
     let points = (YEAR as f64 / period) as u64;
@@ -151,11 +152,11 @@ fn a_year_shifts_no_grid_point_by_a_quarter_of_a_cycle() {
             continue;
         }
         tree.tick(Instant::from_ticks(period as u64 - CYCLE / 4 - 2));
-        assert_eq!(tree.get::<Slow>().runs, 1, "not before the window");
+        assert_eq!(tree.get::<Slow>().runs, 1, "no run before the window");
     }
     let next = points as f64 * period;
     tree.tick(Instant::from_ticks(next as u64 - CYCLE / 4 - 2));
-    assert_eq!(tree.get::<Slow>().runs, points, "not before the window");
+    assert_eq!(tree.get::<Slow>().runs, points, "no run before the window");
     tree.tick(Instant::from_ticks(next as u64 - CYCLE / 4 + 2));
     assert_eq!(tree.get::<Slow>().runs, points + 1);
 }
@@ -170,13 +171,13 @@ proptest! {
     ) {
         let mut instants: Vec<u64> = (1..).zip(&noise).map(|(n, &noise)| (start + CYCLE * n).saturating_add_signed(noise)).collect();
         instants.sort_unstable();
-        keeps(100.0, &instants, &runs_of!(Hundred in HundredTree at instants.iter().copied()))?;
-        keeps(99.0, &instants, &runs_of!(NinetyNine in NinetyNineTree at instants.iter().copied()))?;
-        keeps(f64::from(61.7_f32), &instants, &runs_of!(SixtyOne in SixtyOneTree at instants.iter().copied()))?;
-        keeps(50.0, &instants, &runs_of!(Fifty in FiftyTree at instants.iter().copied()))?;
-        keeps(f64::from(33.3_f32), &instants, &runs_of!(Odd in OddTree at instants.iter().copied()))?;
-        keeps(30.0, &instants, &runs_of!(Thirty in ThirtyTree at instants.iter().copied()))?;
-        keeps(f64::from(0.7_f32), &instants, &runs_of!(Slow in SlowTree at instants.iter().copied()))?;
+        check_runs(100.0, &instants, &runs_of!(Hundred in HundredTree at instants.iter().copied()))?;
+        check_runs(99.0, &instants, &runs_of!(NinetyNine in NinetyNineTree at instants.iter().copied()))?;
+        check_runs(f64::from(61.7_f32), &instants, &runs_of!(SixtyOne in SixtyOneTree at instants.iter().copied()))?;
+        check_runs(50.0, &instants, &runs_of!(Fifty in FiftyTree at instants.iter().copied()))?;
+        check_runs(f64::from(33.3_f32), &instants, &runs_of!(Odd in OddTree at instants.iter().copied()))?;
+        check_runs(30.0, &instants, &runs_of!(Thirty in ThirtyTree at instants.iter().copied()))?;
+        check_runs(f64::from(0.7_f32), &instants, &runs_of!(Slow in SlowTree at instants.iter().copied()))?;
     }
 
     #[test]
@@ -191,9 +192,9 @@ proptest! {
     #[test]
     fn a_coarse_clock_loses_and_adds_no_run(grain in 1..5_000_u64, phase in 0..10_000_u64) {
         let instants: Vec<u64> = (0..2000).map(|n| (phase + CYCLE * n) / grain * grain).collect();
-        keeps(100.0, &instants, &runs_of!(Hundred in HundredTree at instants.iter().copied()))?;
-        keeps(99.0, &instants, &runs_of!(NinetyNine in NinetyNineTree at instants.iter().copied()))?;
-        keeps(30.0, &instants, &runs_of!(Thirty in ThirtyTree at instants.iter().copied()))?;
+        check_runs(100.0, &instants, &runs_of!(Hundred in HundredTree at instants.iter().copied()))?;
+        check_runs(99.0, &instants, &runs_of!(NinetyNine in NinetyNineTree at instants.iter().copied()))?;
+        check_runs(30.0, &instants, &runs_of!(Thirty in ThirtyTree at instants.iter().copied()))?;
     }
 
     #[test]
@@ -211,6 +212,6 @@ proptest! {
             tree.tick(Instant::from_ticks(now));
             runs.push(tree.get::<Always>().runs);
         }
-        keeps(f64::from(hz), &instants, &runs)?;
+        check_runs(f64::from(hz), &instants, &runs)?;
     }
 }

@@ -1,4 +1,4 @@
-//! A tree of more components than a word has bits.
+//! Tree with more components than a machine word has bits.
 
 use super::*;
 
@@ -17,7 +17,7 @@ impl<const N: usize> Leaf<N> {
     }
 }
 
-/// A branch for each ten leaves, and a tree of all.
+/// Generates a branch for each ten leaves, and a tree of all.
 macro_rules! branches {
     ($($branch:ident: $($leaf:literal)*;)*) => {
         $(

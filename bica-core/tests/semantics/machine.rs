@@ -94,7 +94,7 @@ activation_tree! {
     }
 }
 
-/// Activates both machines; tests hold what they do not need latent.
+/// Activates both machines; tests hold the other one latent.
 pub(crate) struct Coach;
 
 #[component(crate = bica_core)]
@@ -106,7 +106,7 @@ impl Coach {
     fn step(&mut self, player: &mut Player, resumer: &mut Resumer) {}
 }
 
-/// Two states, one after the other, without a transition back.
+/// Two states in sequence, without a transition back.
 pub(crate) struct Resumer;
 
 #[component(resume, crate = bica_core)]
@@ -139,7 +139,7 @@ fn state<T: Tree>(tree: &T, name: &str) -> Option<&'static str> {
 }
 
 #[test]
-fn it_begins_in_the_initial_state_with_its_entry_hook() {
+fn a_machine_begins_in_its_initial_state_with_the_entry_hook() {
     let mut tree = Team::new();
     assert_eq!(state(&tree, "Player"), None);
     assert_eq!(player(&mut tree, 0), ["enter", "look"]);
@@ -159,14 +159,14 @@ fn a_transition_loses_no_cycle() {
 }
 
 #[test]
-fn it_may_leave_its_initial_state_in_its_first_run_but_enters_it_first() {
+fn a_machine_enters_its_initial_state_before_it_may_leave_it_in_the_first_run() {
     let mut tree = Team::new();
     tree.get_mut::<Ball>().near = true;
     assert_eq!(player(&mut tree, 0), ["enter", "leave look", "enter", "walk"]);
 }
 
 #[test]
-fn the_children_change_with_the_state() {
+fn the_active_children_change_with_the_state() {
     let mut tree = Team::new();
     tree.hold::<Resumer>(Hold::Latent);
     let expected = ["start Coach", "run Coach", "start Player", "start Ball", "run Ball", "run Player", "start Search"];
@@ -177,7 +177,7 @@ fn the_children_change_with_the_state() {
 }
 
 #[test]
-fn a_modulated_child_runs_after_the_state_also_if_a_transition_reads_it() {
+fn a_modulated_child_that_a_transition_reads_still_runs_after_the_state() {
     let mut tree = Team::new();
     tree.hold::<Resumer>(Hold::Latent);
     tree.get_mut::<Ball>().near = true;
@@ -190,7 +190,7 @@ fn a_modulated_child_runs_after_the_state_also_if_a_transition_reads_it() {
 }
 
 #[test]
-fn a_timer_with_a_condition_needs_both() {
+fn a_transition_with_a_timer_and_a_condition_needs_both() {
     let mut tree = Team::new();
     tree.get_mut::<Ball>().near = true;
     tree.tick(at(0));
@@ -213,7 +213,7 @@ fn the_first_transition_in_the_text_is_taken_and_only_one() {
 }
 
 #[test]
-fn a_machine_that_was_latent_begins_again_unless_it_resumes() {
+fn a_machine_that_was_latent_restarts_unless_it_resumes() {
     let mut tree = Team::new();
     tree.get_mut::<Ball>().near = true;
     tree.tick(at(0));
@@ -241,7 +241,7 @@ fn a_timer_tolerates_a_clock_that_is_set_back() {
 }
 
 #[test]
-fn a_transition_splits_the_own_code_in_two_sections_around_the_new_children() {
+fn a_run_with_a_transition_has_two_sections_around_the_new_children() {
     struct Sections(Vec<&'static str>);
     impl Probe for Sections {
         fn begin(&mut self, component: bica_core::ComponentId) {
@@ -263,7 +263,7 @@ fn a_transition_splits_the_own_code_in_two_sections_around_the_new_children() {
 }
 
 #[test]
-fn a_state_is_known_by_its_name() {
+fn the_name_of_the_current_state_is_reported() {
     let mut tree = Team::new();
     assert_eq!(tree.state_name::<Player>(), None, "never active");
     tree.tick(at(0));

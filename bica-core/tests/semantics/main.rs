@@ -1,4 +1,4 @@
-//! Each rule of the runtime by an example that shows it.
+//! Examples of each rule of the runtime.
 
 mod activity;
 mod borrows;

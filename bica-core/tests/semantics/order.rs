@@ -2,7 +2,7 @@
 
 use super::*;
 
-/// Makes components that do nothing but link.
+/// Generates components that only have links.
 macro_rules! links {
     ($($name:ident($($link:ty),*);)*) => {$(
         pub(crate) struct $name;
@@ -52,7 +52,7 @@ fn a_component_with_several_activators_runs_once() {
 }
 
 #[test]
-fn values_read_are_of_this_cycle_and_values_written_are_used_in_it() {
+fn read_values_are_of_this_cycle_and_written_values_are_used_in_it() {
     let mut tree = Chain::new();
     tree.get_mut::<Sensor>().truth = 7;
     tree.tick(at(0));
@@ -84,7 +84,7 @@ fn siblings_are_visited_in_the_order_of_the_signature() {
     assert_eq!(runs(&mut Siblings::new(), 0), expected);
 }
 
-/// Links of a state: of its function, then of its entry hooks, its exit hooks, and the transitions that leave it.
+/// Links of a state: those of its function, its entry hooks, its exit hooks, and the transitions that leave it.
 pub(crate) struct Chooser;
 
 #[component(crate = bica_core)]

@@ -1,10 +1,10 @@
-//! Components are one by their types, whatever paths name them.
+//! A component is identified by its type, whatever path names it.
 
 use bica_core::graph::{Link, LinkKind};
 
 use super::*;
 
-/// Makes components that do nothing.
+/// Generates components without behaviour.
 macro_rules! leaves {
     ($($name:ident),*) => {$(
         pub(crate) struct $name;
@@ -22,7 +22,7 @@ macro_rules! leaves {
 
 leaves!(Hand, Eye, Ear);
 
-/// The component `Eye` by another name.
+/// Alias of the component `Eye`.
 type Camera = Eye;
 
 pub(crate) struct Player;
@@ -66,12 +66,12 @@ activation_tree! {
 }
 
 #[test]
-fn a_child_that_is_written_by_one_path_and_read_by_another_runs_after_its_activator() {
+fn a_child_written_by_one_path_and_read_by_another_runs_after_its_activator() {
     assert_eq!(runs(&mut ByPaths::new(), 0), ["Camera", "super::paths::Player", "Hand"]);
 }
 
 #[test]
-fn a_child_that_is_read_by_one_path_and_whose_rate_is_set_by_another_runs_before_its_activator() {
+fn a_child_read_by_one_path_whose_rate_is_set_by_another_runs_before_its_activator() {
     let mut tree = ByPaths::new();
     tree.tick(at(0));
     tree.tick(at(100));

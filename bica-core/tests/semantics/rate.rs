@@ -1,4 +1,4 @@
-//! Rates: the grid, lateness, a clock that jumps, modulation.
+//! Rates: the grid, late ticks, jumps of the clock, rates changed at run time.
 
 use super::*;
 
@@ -39,8 +39,8 @@ activation_tree! {
     }
 }
 
-/// At which of these milliseconds `name` runs.
-fn moments(tree: &mut Rates, name: &str, ms: impl IntoIterator<Item = u64>) -> Vec<u64> {
+/// Returns the milliseconds at which `name` runs.
+fn run_times(tree: &mut Rates, name: &str, ms: impl IntoIterator<Item = u64>) -> Vec<u64> {
     ms.into_iter().filter(|&ms| runs(tree, ms).iter().any(|run| run == name)).collect()
 }
 
@@ -48,45 +48,45 @@ fn moments(tree: &mut Rates, name: &str, ms: impl IntoIterator<Item = u64>) -> V
 fn a_component_runs_at_its_own_rate_and_a_child_may_be_faster() {
     let mut tree = Rates::new();
     tree.get_mut::<Slow>().asks = 50.0;
-    assert_eq!(moments(&mut tree, "Slow", (0..400).step_by(10)), [0, 100, 200, 300]);
+    assert_eq!(run_times(&mut tree, "Slow", (0..400).step_by(10)), [0, 100, 200, 300]);
     let mut tree = Rates::new();
     tree.get_mut::<Slow>().asks = 50.0;
-    assert_eq!(moments(&mut tree, "Fast", (0..100).step_by(10)), [0, 20, 40, 60, 80]);
+    assert_eq!(run_times(&mut tree, "Fast", (0..100).step_by(10)), [0, 20, 40, 60, 80]);
     let mut tree = Rates::new();
-    assert_eq!(moments(&mut tree, "Always", (0..50).step_by(10)), [0, 10, 20, 30, 40]);
+    assert_eq!(run_times(&mut tree, "Always", (0..50).step_by(10)), [0, 10, 20, 30, 40]);
 }
 
 #[test]
-fn late_by_less_than_a_period_keeps_the_grid() {
-    assert_eq!(moments(&mut Rates::new(), "Slow", [0, 170, 197, 198, 297, 298]), [0, 170, 198, 298]);
+fn a_tick_late_by_less_than_a_period_keeps_the_grid() {
+    assert_eq!(run_times(&mut Rates::new(), "Slow", [0, 170, 197, 198, 297, 298]), [0, 170, 198, 298]);
 }
 
 #[test]
-fn later_than_that_runs_once_and_starts_a_new_grid() {
-    assert_eq!(moments(&mut Rates::new(), "Slow", [0, 750, 751, 847, 848, 950]), [0, 750, 848, 950]);
-    assert_eq!(moments(&mut Rates::new(), "Slow", [0, 200, 297, 298]), [0, 200, 298]);
+fn a_tick_late_by_more_than_a_period_runs_once_and_starts_a_new_grid() {
+    assert_eq!(run_times(&mut Rates::new(), "Slow", [0, 750, 751, 847, 848, 950]), [0, 750, 848, 950]);
+    assert_eq!(run_times(&mut Rates::new(), "Slow", [0, 200, 297, 298]), [0, 200, 298]);
 }
 
 #[test]
 fn a_clock_set_back_by_more_than_a_period_starts_a_new_grid() {
-    assert_eq!(moments(&mut Rates::new(), "Slow", [1000, 899, 950, 999, 1000]), [1000, 899, 999]);
-    assert_eq!(moments(&mut Rates::new(), "Slow", [1000, 900, 1097, 1098]), [1000, 1098]);
+    assert_eq!(run_times(&mut Rates::new(), "Slow", [1000, 899, 950, 999, 1000]), [1000, 899, 999]);
+    assert_eq!(run_times(&mut Rates::new(), "Slow", [1000, 900, 1097, 1098]), [1000, 1098]);
 }
 
 #[test]
-fn a_clock_that_stands_still_runs_only_what_has_no_rate() {
-    assert_eq!(moments(&mut Rates::new(), "Slow", [5, 5, 5]), [5]);
-    assert_eq!(moments(&mut Rates::new(), "Always", [5, 5, 5]), [5, 5, 5]);
+fn while_the_clock_stands_still_only_components_without_a_rate_run() {
+    assert_eq!(run_times(&mut Rates::new(), "Slow", [5, 5, 5]), [5]);
+    assert_eq!(run_times(&mut Rates::new(), "Always", [5, 5, 5]), [5, 5, 5]);
 }
 
 #[test]
 fn a_parent_modulates_the_rate() {
     let mut tree = Rates::new();
-    assert_eq!(moments(&mut tree, "Fast", (0..200).step_by(10)), [0, 50, 100, 150]);
+    assert_eq!(run_times(&mut tree, "Fast", (0..200).step_by(10)), [0, 50, 100, 150]);
     assert_eq!(tree.rate::<Fast>().hz(), Some(20.0));
     tree.get_mut::<Slow>().asks = 1000.0;
     tree.tick(at(200));
-    assert_eq!(tree.rate::<Fast>().hz(), Some(50.0), "no more than declared");
+    assert_eq!(tree.rate::<Fast>().hz(), Some(50.0), "limited to the declared rate");
 }
 
 #[test]
@@ -94,40 +94,40 @@ fn the_rate_is_modulated_from_outside() {
     let mut tree = Rates::new();
     tree.rate_mut::<Slow>().set(1.0);
     tree.rate_mut::<Always>().set(10.0);
-    assert_eq!(moments(&mut tree, "Slow", (0..2000).step_by(10)), [0, 1000]);
-    assert_eq!(moments(&mut tree, "Always", (2000..2200).step_by(10)), [2000, 2100]);
+    assert_eq!(run_times(&mut tree, "Slow", (0..2000).step_by(10)), [0, 1000]);
+    assert_eq!(run_times(&mut tree, "Always", (2000..2200).step_by(10)), [2000, 2100]);
     tree.rate_mut::<Always>().reset();
-    assert_eq!(moments(&mut tree, "Always", [2200, 2201, 2202]), [2200, 2201, 2202]);
+    assert_eq!(run_times(&mut tree, "Always", [2200, 2201, 2202]), [2200, 2201, 2202]);
 }
 
 #[test]
-fn a_faster_rate_holds_at_once() {
+fn a_faster_rate_applies_at_once() {
     let mut tree = Rates::new();
     tree.rate_mut::<Slow>().set(1.0);
     tree.tick(at(0));
     tree.rate_mut::<Slow>().reset();
-    assert_eq!(moments(&mut tree, "Slow", [50, 97, 98]), [98]);
+    assert_eq!(run_times(&mut tree, "Slow", [50, 97, 98]), [98]);
 }
 
 #[test]
-fn at_rest_a_component_is_active_but_does_not_run() {
+fn a_component_with_rate_0_is_active_but_does_not_run() {
     let mut tree = Rates::new();
     tree.rate_mut::<Slow>().set(0.0);
-    assert_eq!(moments(&mut tree, "Slow", [0, 100, 1_000_000]), [0], "the run that the activation brings");
+    assert_eq!(run_times(&mut tree, "Slow", [0, 100, 1_000_000]), [0], "the run caused by the activation");
     assert!(tree.is_active(Rates::id::<Slow>()));
-    assert_eq!(moments(&mut tree, "Always", [1_000_001]), [1_000_001]);
+    assert_eq!(run_times(&mut tree, "Always", [1_000_001]), [1_000_001]);
     let mut tree = Rates::new();
     tree.rate_mut::<Slow>().set(0.0);
     tree.tick(Instant::from_ticks(0));
     let mut watch = super::watch::Watch::of::<Rates>();
     tree.tick_with(Instant::from_ticks(u64::MAX), &mut watch);
-    assert!(watch.lines.contains(&"skip Slow".to_owned()), "not even at the end of time");
+    assert!(watch.lines.contains(&"skip Slow".to_owned()), "not even at the largest instant");
     tree.rate_mut::<Slow>().set(-3.0);
     assert_eq!(tree.rate::<Slow>().hz(), Some(0.0));
 }
 
 #[test]
-fn a_rate_that_is_no_number_is_the_declared_one() {
+fn a_rate_of_nan_is_the_declared_rate() {
     let mut tree = Rates::new();
     tree.rate_mut::<Slow>().set(1.0);
     tree.rate_mut::<Slow>().set(f32::NAN);
@@ -139,19 +139,19 @@ fn a_rate_that_is_no_number_is_the_declared_one() {
 }
 
 #[test]
-fn the_end_of_time_is_no_panic() {
+fn the_largest_instant_does_not_panic() {
     let mut tree = Rates::new();
     for ticks in [u64::MAX, 0, u64::MAX - 1, 1, u64::MAX] {
         tree.tick(Instant::from_ticks(ticks));
     }
 }
 
-pub(crate) struct Tired {
+pub(crate) struct SelfSlowing {
     runs: u32,
 }
 
 #[component(hz = 10, crate = bica_core)]
-impl Tired {
+impl SelfSlowing {
     fn step(&mut self, rate: &mut Rate<Self>) {
         self.runs += 1;
         rate.set(10.0 / self.runs as f32);
@@ -160,9 +160,9 @@ impl Tired {
 
 activation_tree! {
     pub(crate) struct Slower {
-        root: Tired,
+        root: SelfSlowing,
         cycle_hz: 100,
-        components: [Tired = Tired { runs: 0 }],
+        components: [SelfSlowing = SelfSlowing { runs: 0 }],
         crate: bica_core,
     }
 }
@@ -170,6 +170,6 @@ activation_tree! {
 #[test]
 fn a_component_modulates_its_own_rate() {
     let mut tree = Slower::new();
-    let moments: Vec<_> = (0..1500).step_by(10).filter(|&ms| !runs(&mut tree, ms).is_empty()).collect();
-    assert_eq!(moments, [0, 100, 300, 600, 1000]);
+    let run_times: Vec<_> = (0..1500).step_by(10).filter(|&ms| !runs(&mut tree, ms).is_empty()).collect();
+    assert_eq!(run_times, [0, 100, 300, 600, 1000]);
 }

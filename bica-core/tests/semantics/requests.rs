@@ -1,4 +1,4 @@
-//! What each request of a rate gives, for every class of bit patterns.
+//! Rate after a request, for every class of bit patterns.
 
 use proptest::prelude::*;
 
@@ -28,54 +28,54 @@ activation_tree! {
     pub(crate) struct Requests { root: Declared, cycle_hz: 100, components: [Declared, Free], crate: bica_core }
 }
 
-/// What a request gives.
+/// Resulting rate.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Given {
+enum Expected {
     /// The declared rate.
     Declared,
     /// Zero, without a sign.
-    Rest,
-    /// The declared rate if there is one, and else what was requested.
+    Zero,
+    /// The declared rate if there is one, otherwise the requested one.
     AtMostDeclared,
-    /// What was requested.
+    /// The requested rate.
     Requested,
 }
 
-/// The bits of 50.0.
+/// Bits of 50.0.
 const FIFTY: u32 = 0x4248_0000;
 
-/// The first and last bit pattern of each class, in the order of the patterns; together they are all patterns.
-const CLASSES: [(&str, u32, u32, Given); 10] = [
-    ("0", 0x0000_0000, 0x0000_0000, Given::Rest),
-    ("subnormal", 0x0000_0001, 0x007f_ffff, Given::Requested),
-    ("normal, up to the declared rate", 0x0080_0000, FIFTY, Given::Requested),
-    ("above the declared rate", FIFTY + 1, 0x7f7f_ffff, Given::AtMostDeclared),
-    ("infinite", 0x7f80_0000, 0x7f80_0000, Given::AtMostDeclared),
-    ("NaN", 0x7f80_0001, 0x7fff_ffff, Given::Declared),
-    ("-0", 0x8000_0000, 0x8000_0000, Given::Rest),
-    ("negative", 0x8000_0001, 0xff7f_ffff, Given::Rest),
-    ("negative infinite", 0xff80_0000, 0xff80_0000, Given::Rest),
-    ("NaN with a sign", 0xff80_0001, 0xffff_ffff, Given::Declared),
+/// First and last bit pattern of each class, in ascending order. Together the classes contain all patterns.
+const CLASSES: [(&str, u32, u32, Expected); 10] = [
+    ("0", 0x0000_0000, 0x0000_0000, Expected::Zero),
+    ("subnormal", 0x0000_0001, 0x007f_ffff, Expected::Requested),
+    ("normal, up to the declared rate", 0x0080_0000, FIFTY, Expected::Requested),
+    ("above the declared rate", FIFTY + 1, 0x7f7f_ffff, Expected::AtMostDeclared),
+    ("infinite", 0x7f80_0000, 0x7f80_0000, Expected::AtMostDeclared),
+    ("NaN", 0x7f80_0001, 0x7fff_ffff, Expected::Declared),
+    ("-0", 0x8000_0000, 0x8000_0000, Expected::Zero),
+    ("negative", 0x8000_0001, 0xff7f_ffff, Expected::Zero),
+    ("negative infinite", 0xff80_0000, 0xff80_0000, Expected::Zero),
+    ("NaN with a sign", 0xff80_0001, 0xffff_ffff, Expected::Declared),
 ];
 
-/// Bits of the rate of a component after a request; `None` is every cycle.
+/// Bits of the rate of a component after a request; `None` means every cycle.
 fn bits(hz: Option<f32>) -> Option<u32> {
     hz.map(f32::to_bits)
 }
 
-fn check(name: &str, request: u32, given: Given) -> Result<(), TestCaseError> {
+fn check(name: &str, request: u32, expected: Expected) -> Result<(), TestCaseError> {
     let mut tree = Requests::new();
-    // What held before makes no difference.
+    // The previous rate has no effect.
     for before in [50.0, 0.0, 7.5] {
         tree.rate_mut::<Declared>().set(before);
         tree.rate_mut::<Free>().set(before);
         tree.rate_mut::<Declared>().set(f32::from_bits(request));
         tree.rate_mut::<Free>().set(f32::from_bits(request));
-        let (declared, free) = match given {
-            Given::Declared => (Some(FIFTY), None),
-            Given::Rest => (Some(0), Some(0)),
-            Given::AtMostDeclared => (Some(FIFTY), Some(request)),
-            Given::Requested => (Some(request), Some(request)),
+        let (declared, free) = match expected {
+            Expected::Declared => (Some(FIFTY), None),
+            Expected::Zero => (Some(0), Some(0)),
+            Expected::AtMostDeclared => (Some(FIFTY), Some(request)),
+            Expected::Requested => (Some(request), Some(request)),
         };
         prop_assert_eq!(bits(tree.rate::<Declared>().hz()), declared, "{}: {:#010x}", name, request);
         prop_assert_eq!(bits(tree.rate::<Free>().hz()), free, "{}: {:#010x}", name, request);
@@ -84,7 +84,7 @@ fn check(name: &str, request: u32, given: Given) -> Result<(), TestCaseError> {
 }
 
 #[test]
-fn the_classes_are_all_bit_patterns() {
+fn the_classes_contain_all_bit_patterns() {
     for pair in CLASSES.windows(2) {
         assert_eq!(pair[0].2 + 1, pair[1].1);
     }
@@ -92,16 +92,16 @@ fn the_classes_are_all_bit_patterns() {
 }
 
 #[test]
-fn each_class_gives_what_is_documented_at_its_ends() {
-    for (name, first, last, given) in CLASSES {
+fn the_bounds_of_each_class_give_the_documented_rate() {
+    for (name, first, last, expected) in CLASSES {
         for request in [first, last] {
-            check(name, request, given).unwrap();
+            check(name, request, expected).unwrap();
         }
     }
 }
 
 #[test]
-fn a_request_at_rest_never_runs() {
+fn a_component_with_a_requested_rate_of_0_never_runs() {
     for request in [0x0000_0000, 0x8000_0000, 0x0000_0001, 0x007f_ffff, 0xff80_0000, 0x8000_0001, 0xbf80_0000] {
         let mut tree = Requests::new();
         tree.tick(at(0));
@@ -126,9 +126,9 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(20_000))]
 
     #[test]
-    fn each_class_gives_what_is_documented(class in 0..CLASSES.len(), which: u32) {
-        let (name, first, last, given) = CLASSES[class];
+    fn each_class_gives_the_documented_rate(class in 0..CLASSES.len(), which: u32) {
+        let (name, first, last, expected) = CLASSES[class];
         let request = first + (u64::from(which) % (u64::from(last - first) + 1)) as u32;
-        check(name, request, given)?;
+        check(name, request, expected)?;
     }
 }

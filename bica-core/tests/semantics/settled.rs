@@ -1,4 +1,4 @@
-//! Whatever machines and holds do: the active components are exactly those visited in the last cycle, and each start and
+//! For random machines and holds, the active components are exactly those visited in the last cycle, and each start and
 //! each stop is reported once.
 
 use std::collections::BTreeSet;
@@ -26,7 +26,7 @@ macro_rules! leaf {
 }
 leaf! { Often; Seldom hz = 3; Shared; Deep hz = 10; }
 
-/// A machine that enters the next of its three states while `goes` is set.
+/// Machine that enters the next of its three states while `goes` is set.
 macro_rules! machine {
     ($name:ident, [$($option:ident)?], ($($a:ty),*) ($($b:ty),*) ($($c:ty),*)) => {
         pub(crate) struct $name {
@@ -78,7 +78,7 @@ activation_tree! {
     }
 }
 
-/// The components that were visited, started and stopped in a cycle; none may be twice.
+/// Components visited, started and stopped in a cycle; none may be reported twice.
 #[derive(Default)]
 struct Seen {
     visited: BTreeSet<ComponentId>,
@@ -104,7 +104,7 @@ impl Probe for Seen {
     }
 }
 
-/// What happens before a cycle: its length, ms; which machines are to go on; and perhaps a hold of a component.
+/// Inputs before a cycle: its length, ms; the machines that change their state; and an optional hold of a component.
 type Event = (u64, [bool; 3], Option<(usize, u8)>);
 
 fn events() -> impl Strategy<Value = Vec<Event>> {
@@ -115,7 +115,7 @@ fn events() -> impl Strategy<Value = Vec<Event>> {
 
 proptest! {
     #[test]
-    fn active_is_what_was_visited(events in events()) {
+    fn the_active_components_are_those_visited(events in events()) {
         let mut tree = Restless::new();
         let (mut now, mut before) = (0, BTreeSet::new());
         for (ms, [top, middle, inner], hold) in events {

@@ -1,4 +1,4 @@
-//! The time that a stopwatch charges to each component, by a counter that the components' own code advances.
+//! Time that a stopwatch records for each component, with a counter that the components advance.
 
 use std::cell::Cell;
 
@@ -6,9 +6,9 @@ use super::*;
 use bica_core::stopwatch::{Spent, Stopwatch};
 
 thread_local! {
-    /// What the counter shows.
+    /// Value of the counter.
     static TICKS: Cell<u64> = const { Cell::new(0) };
-    /// How often it was read.
+    /// Number of reads of the counter.
     static READS: Cell<u32> = const { Cell::new(0) };
 }
 
@@ -21,14 +21,14 @@ fn read() -> u64 {
     TICKS.get()
 }
 
-/// How often the counter is read meanwhile.
+/// Returns the number of reads of the counter during a cycle.
 fn reads(cycle: impl FnOnce()) -> u32 {
     READS.set(0);
     cycle();
     READS.get()
 }
 
-/// A component that takes so many ticks, and its children.
+/// Component that takes the given number of ticks, and its children.
 macro_rules! worker {
     ($name:ident: $ticks:literal $(, $hz:literal Hz)?; $($child:ident)*) => {
         pub(crate) struct $name;
@@ -44,12 +44,12 @@ macro_rules! worker {
             }
 
             #[start]
-            fn woke(&mut self) {
+            fn on_start(&mut self) {
                 work(1000);
             }
 
             #[stop]
-            fn slept(&mut self) {
+            fn on_stop(&mut self) {
                 work(1000);
             }
         }
@@ -80,7 +80,7 @@ fn watched(cycles: u64) -> (Bench, Stopwatch<fn() -> u64, 4>) {
 }
 
 #[test]
-fn a_component_is_charged_with_its_own_code_and_no_hook() {
+fn the_time_of_a_component_contains_its_own_code_without_hooks() {
     let (_, watch) = watched(5);
     let spent = |runs, last| Spent { runs, total: runs * last, last };
     assert_eq!(*watch.spent(), [spent(5, 1), spent(5, 20), spent(5, 300), spent(1, 4000)]);
@@ -89,7 +89,7 @@ fn a_component_is_charged_with_its_own_code_and_no_hook() {
 }
 
 #[test]
-fn adjacent_sections_share_one_read() {
+fn adjacent_sections_share_one_read_of_the_counter() {
     let (mut bench, mut watch) = watched(1);
     bench.hold::<Rare>(Hold::Latent);
     bench.tick_with(at(10), &mut watch);

@@ -1,4 +1,4 @@
-//! The times that a component takes.
+//! Times that a component receives.
 
 use super::*;
 
@@ -47,7 +47,7 @@ fn the_time_since_the_last_run_is_zero_in_the_first() {
 }
 
 #[test]
-fn a_clock_set_back_gives_no_time_and_counts_anew() {
+fn after_a_clock_is_set_back_the_elapsed_time_is_0_and_counts_from_there() {
     let mut tree = Clockwork::new();
     tree.tick(at(5000));
     assert_eq!(seen(&mut tree, 1000).0.since_run, Duration::from_ticks(0));
@@ -55,12 +55,12 @@ fn a_clock_set_back_gives_no_time_and_counts_anew() {
 }
 
 /// Two states that follow each other by timers, and the time in each run.
-pub(crate) struct Patient {
+pub(crate) struct TwoStates {
     times: Vec<Time>,
 }
 
 #[component(crate = bica_core)]
-impl Patient {
+impl TwoStates {
     const fn new() -> Self {
         Self { times: Vec::new() }
     }
@@ -82,16 +82,16 @@ impl Patient {
 }
 
 activation_tree! {
-    pub(crate) struct Waiting { root: Patient, cycle_hz: 100, components: [Patient], crate: bica_core }
+    pub(crate) struct Waiting { root: TwoStates, cycle_hz: 100, components: [TwoStates], crate: bica_core }
 }
 
 const YEAR: u64 = 365 * 24 * 3600 * 1_000_000;
 
-/// The time in the state in a cycle at that instant, in clock ticks, and whether the machine waits still.
+/// Returns the time in the state at that instant, in clock ticks, and whether the machine is still waiting.
 fn in_state(tree: &mut Waiting, ticks: u64) -> (u64, bool) {
     tree.tick(Instant::from_ticks(ticks));
-    let time = tree.get_mut::<Patient>().times.pop().unwrap();
-    (time.in_state.as_ticks(), tree.state_name::<Patient>() == Some("waits"))
+    let time = tree.get_mut::<TwoStates>().times.pop().unwrap();
+    (time.in_state.as_ticks(), tree.state_name::<TwoStates>() == Some("waits"))
 }
 
 #[test]

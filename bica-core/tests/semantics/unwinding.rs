@@ -1,4 +1,5 @@
-//! A tick that unwinds: what was active is stopped at the beginning of the next one, and then all starts anew.
+//! Ticks that unwind. At the beginning of the next tick everything that was active is stopped; then all components
+//! start anew.
 
 use std::cell::Cell;
 use std::collections::BTreeSet;
@@ -11,33 +12,33 @@ use proptest::prelude::*;
 use super::*;
 
 thread_local! {
-    /// Calls of user code that are left before one panics.
-    static FUSE: Cell<u32> = const { Cell::new(u32::MAX) };
+    /// Number of calls of user code before one panics.
+    static COUNTDOWN: Cell<u32> = const { Cell::new(u32::MAX) };
 }
 
 thread_local! {
-    /// The first rule that was broken: a panic would be caught like those of the test.
-    static BROKEN: Cell<Option<&'static str>> = const { Cell::new(None) };
+    /// First violated rule. A panic would be caught like those that the test causes.
+    static VIOLATED: Cell<Option<&'static str>> = const { Cell::new(None) };
 }
 
-/// Records a broken rule.
+/// Records a violated rule.
 fn require(holds: bool, rule: &'static str) {
     if !holds {
-        BROKEN.set(BROKEN.get().or(Some(rule)));
+        VIOLATED.set(VIOLATED.get().or(Some(rule)));
     }
 }
 
 /// Message of the panics that the tests cause.
 const EXPECTED: &str = "a panic caused by the test";
 
-/// Stands in all user code of the test tree: panics when the fuse has burnt down.
-fn code() {
-    let left = FUSE.get();
-    FUSE.set(left.wrapping_sub(1));
+/// Called by all user code of the test tree; panics when the countdown ends.
+fn user_code() {
+    let left = COUNTDOWN.get();
+    COUNTDOWN.set(left.wrapping_sub(1));
     assert!(left != 0, "{EXPECTED}");
 }
 
-/// A component that counts the calls of its hooks and notes whether it ran without being started.
+/// Component that counts the calls of its hooks and checks that it runs only when started.
 macro_rules! fragile {
     ($name:ident($($option:tt)*) { $($functions:tt)* }) => {
         pub(crate) struct $name {
@@ -52,17 +53,17 @@ macro_rules! fragile {
             }
 
             #[start]
-            fn woke(&mut self) {
+            fn on_start(&mut self) {
                 require(self.started == self.stopped, "started twice");
                 self.started += 1;
-                code();
+                user_code();
             }
 
             #[stop]
-            fn slept(&mut self) {
+            fn on_stop(&mut self) {
                 self.stopped += 1;
                 require(self.started == self.stopped, "stopped without a start");
-                code();
+                user_code();
             }
 
             $($functions)*
@@ -73,53 +74,53 @@ macro_rules! fragile {
 fragile!(Leaf(hz = 50,) {
     fn step(&mut self) {
         require(self.started == self.stopped + 1, "runs without a start");
-        code();
+        user_code();
     }
 });
 
 fragile!(Shared() {
     fn step(&mut self, _: &mut Leaf) {
         require(self.started == self.stopped + 1, "runs without a start");
-        code();
+        user_code();
     }
 });
 
-/// A machine that changes its state in each run.
+/// Machine that changes its state in each run.
 macro_rules! mover {
     ($name:ident($($option:tt)*), $first:ty, $second:ty) => {
         fragile!($name($($option)*) {
             #[state(initial)]
             fn first(&mut self, _: $first) {
-                code();
+                user_code();
             }
 
             #[state]
             fn second(&mut self, _: $second) {
-                code();
+                user_code();
             }
 
             #[transition(first -> second)]
             fn on(&self) -> bool {
                 require(self.started == self.stopped + 1, "runs without a start");
-                code();
+                user_code();
                 true
             }
 
             #[transition(second -> first)]
             fn back(&self) -> bool {
                 require(self.started == self.stopped + 1, "runs without a start");
-                code();
+                user_code();
                 true
             }
 
             #[entry(first | second)]
             fn enter(&mut self) {
-                code();
+                user_code();
             }
 
             #[exit(second)]
             fn leave(&mut self) {
-                code();
+                user_code();
             }
         });
     };
@@ -137,7 +138,7 @@ activation_tree! {
     }
 }
 
-/// The components that were started and not stopped.
+/// Returns the components that were started and not stopped.
 fn open(tree: &Fragile) -> BTreeSet<ComponentId> {
     let each = [
         (Fragile::id::<Leaf>(), tree.get::<Leaf>().started - tree.get::<Leaf>().stopped),
@@ -149,16 +150,16 @@ fn open(tree: &Fragile) -> BTreeSet<ComponentId> {
     each.into_iter().filter(|(_, open)| *open == 1).map(|(id, _)| id).collect()
 }
 
-/// Ticks a tree whose fuse may burn down; returns whether the tick unwound.
-fn unwinds(tree: &mut Fragile, ms: u64, fuse: u32) -> bool {
-    FUSE.set(fuse);
+/// Ticks a tree in which a call of user code may panic; returns whether the tick unwound.
+fn unwinds(tree: &mut Fragile, ms: u64, countdown: u32) -> bool {
+    COUNTDOWN.set(countdown);
     let ticked = catch_unwind(AssertUnwindSafe(|| tree.tick(at(ms))));
-    FUSE.set(u32::MAX);
+    COUNTDOWN.set(u32::MAX);
     ticked.is_err()
 }
 
-/// Runs a test without printing the panics that it causes, and fails if a rule was broken.
-fn without_messages(test: impl FnOnce()) {
+/// Runs a test without printing the panics that it causes, and fails if a rule was violated.
+fn without_panic_messages(test: impl FnOnce()) {
     static SILENCE: Once = Once::new();
     SILENCE.call_once(|| {
         let hook = std::panic::take_hook();
@@ -169,15 +170,15 @@ fn without_messages(test: impl FnOnce()) {
         }));
     });
     test();
-    assert_eq!(BROKEN.take(), None);
+    assert_eq!(VIOLATED.take(), None);
 }
 
-/// The components in the order in which they stop.
-const FROM_ABOVE: [&str; 5] = ["Root", "Right", "Left", "Shared", "Leaf"];
+/// Components in the order in which they stop.
+const STOP_ORDER: [&str; 5] = ["Root", "Right", "Left", "Shared", "Leaf"];
 
 #[test]
 fn after_unwinding_everything_stops_activators_first_and_starts_anew() {
-    without_messages(|| {
+    without_panic_messages(|| {
         let mut tree = Fragile::new();
         tree.tick(at(0));
         tree.tick(at(10));
@@ -185,7 +186,7 @@ fn after_unwinding_everything_stops_activators_first_and_starts_anew() {
         assert!(unwinds(&mut tree, 20, 3));
         let active: Vec<_> = tree.active().map(|id| Fragile::GRAPH.nodes[id.index()].name).collect();
         let expected: Vec<_> =
-            FROM_ABOVE.iter().filter(|name| active.contains(name)).map(|name| format!("stop {name}")).collect();
+            STOP_ORDER.iter().filter(|name| active.contains(name)).map(|name| format!("stop {name}")).collect();
         assert!(expected.len() > 2);
         let lines = cycle(&mut tree, 30);
         assert_eq!(lines[..expected.len()], expected);
@@ -198,7 +199,7 @@ fn after_unwinding_everything_stops_activators_first_and_starts_anew() {
 
 #[test]
 fn holds_made_after_unwinding_hold_and_the_component_is_still_stopped() {
-    without_messages(|| {
+    without_panic_messages(|| {
         let mut tree = Fragile::new();
         tree.tick(at(0));
         assert!(unwinds(&mut tree, 10, 0));
@@ -213,7 +214,7 @@ fn holds_made_after_unwinding_hold_and_the_component_is_still_stopped() {
     });
 }
 
-/// The last transition of `Right`.
+/// Records the last transition of `Right`.
 struct LastTransition(Option<(usize, usize)>);
 impl Probe for LastTransition {
     fn transition(&mut self, component: ComponentId, from: usize, to: usize) {
@@ -225,13 +226,13 @@ impl Probe for LastTransition {
 
 #[test]
 fn a_machine_that_resumes_begins_in_its_initial_state_after_unwinding() {
-    without_messages(|| {
+    without_panic_messages(|| {
         let mut tree = Fragile::new();
         tree.hold::<Right>(Hold::Active);
         tree.tick(at(0));
         tree.tick(at(10));
         assert!(unwinds(&mut tree, 20, 0));
-        FUSE.set(u32::MAX);
+        COUNTDOWN.set(u32::MAX);
         let mut last = LastTransition(None);
         tree.tick_with(at(30), &mut last);
         assert_eq!(last.0, Some((0, 1)));
@@ -241,21 +242,21 @@ fn a_machine_that_resumes_begins_in_its_initial_state_after_unwinding() {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(2000))]
 
-    /// The hooks and steps themselves assert that nothing is started or stopped twice and that nothing runs without a
+    /// The hooks and steps themselves check that nothing is started or stopped twice, and that nothing runs without a
     /// start.
     #[test]
     fn starts_and_stops_are_pairs_wherever_ticks_unwind(
         ticks in prop::collection::vec((0..40_u32, 0..30_u64, prop::option::weighted(0.2, (0..5_usize, 0..3_usize))), 1..30),
     ) {
-        without_messages(|| {
+        without_panic_messages(|| {
             let mut tree = Fragile::new();
             let mut now = 0;
-            for (fuse, ms, hold) in ticks {
+            for (countdown, ms, hold) in ticks {
                 now += ms;
                 if let Some((index, how)) = hold {
                     tree.hold_at(ComponentId::new(index), [Hold::Tree, Hold::Active, Hold::Latent][how]);
                 }
-                let unwound = unwinds(&mut tree, now, fuse);
+                let unwound = unwinds(&mut tree, now, countdown);
                 let active: BTreeSet<_> = tree.active().collect();
                 if unwound {
                     assert!(open(&tree).is_subset(&active), "{:?} {active:?}", open(&tree));

@@ -1,4 +1,4 @@
-//! A probe that records the events.
+//! Probe that records the events.
 
 use bica_core::{ComponentId, Graph, Instant, Probe, Tree};
 
@@ -13,26 +13,26 @@ impl Watch {
         Self { graph: T::GRAPH, lines: Vec::new() }
     }
 
-    fn note(&mut self, event: &str, component: ComponentId) {
+    fn record(&mut self, event: &str, component: ComponentId) {
         self.lines.push(format!("{event} {}", self.graph.nodes[component.index()].name));
     }
 }
 
 impl Probe for Watch {
     fn start(&mut self, component: ComponentId) {
-        self.note("start", component);
+        self.record("start", component);
     }
 
     fn stop(&mut self, component: ComponentId) {
-        self.note("stop", component);
+        self.record("stop", component);
     }
 
     fn skip(&mut self, component: ComponentId) {
-        self.note("skip", component);
+        self.record("skip", component);
     }
 
     fn run(&mut self, component: ComponentId) {
-        self.note("run", component);
+        self.record("run", component);
     }
 
     fn transition(&mut self, component: ComponentId, from: usize, to: usize) {
@@ -42,14 +42,14 @@ impl Probe for Watch {
     }
 }
 
-/// Returns the events of one cycle at that millisecond.
+/// Returns the events of one cycle at this time, ms.
 pub(crate) fn cycle<T: Tree>(tree: &mut T, ms: u64) -> Vec<String> {
     let mut watch = Watch::of::<T>();
     tree.tick_with(at(ms), &mut watch);
     watch.lines
 }
 
-/// Returns the names of the components that run in one cycle at that millisecond, in order.
+/// Returns the names of the components that run in one cycle at this time, in order; ms.
 pub(crate) fn runs<T: Tree>(tree: &mut T, ms: u64) -> Vec<String> {
     cycle(tree, ms).iter().filter_map(|line| line.strip_prefix("run ").map(str::to_owned)).collect()
 }

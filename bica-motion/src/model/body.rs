@@ -1,4 +1,4 @@
-//! Outer shape of the body, for what its own cameras see of it.
+//! Outer shape of the body, for the detection of the robot's own body in its camera images.
 
 /// All points within a radius of a line segment.
 #[derive(Clone, Copy, Debug, PartialEq)]

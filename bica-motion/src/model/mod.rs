@@ -1,4 +1,4 @@
-//! Robot model: what the algorithms of this crate need to know about a humanoid, as data of a type.
+//! Robot model: the properties of a humanoid that the algorithms of this crate need, as constants of a type.
 //!
 //! A robot is a zero-sized type that implements [`RobotModel`], for example [`Nao`]. The algorithms take it as a type
 //! parameter and read its associated constants, so a compiled program contains only the numbers of its robot.
@@ -13,7 +13,7 @@
 //!   [`leg_angles_at`](RobotModel::leg_angles_at). Two separate hip yaw joints are not covered.
 //! - A head with yaw below pitch, and at most two cameras in it.
 //! - Arms with shoulder pitch, shoulder roll, elbow yaw, elbow roll and wrist yaw. Missing arm joints are left out of
-//!   [`JOINTS`](RobotModel::JOINTS); their angles are computed and nobody moves them.
+//!   [`JOINTS`](RobotModel::JOINTS); their angles are computed but not used.
 //! - Four pressure sensors in each sole, and an inertial unit that estimates roll and pitch.
 //! - A control cycle near 10 ms: filter gains are given for it.
 

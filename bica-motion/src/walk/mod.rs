@@ -1,6 +1,6 @@
 //! Omnidirectional walk.
 //!
-//! Method: Walk2014 (Hengst 2014). Steps are planned in closed form from the wanted velocity, foot pressure detects the
+//! Method: Walk2014 (Hengst 2014). Steps are planned in closed form from the requested velocity, foot pressure detects the
 //! change of the support foot, and a proportional term on the gyroscope stabilises the ankles. Two things differ in the
 //! quasi-static gait, which keeps the centre of mass over the feet: the hips sway from foot to foot in double support
 //! ([`Parameters::mid_step_hip_offset`]), and the swing foot comes down at rest relative to the ground instead of the body.
@@ -140,10 +140,10 @@ impl<M: RobotModel> Walk<M> {
     /// stand are always the same. Without ground contact the walk stops. The targets are finite for any input.
     pub fn step(&mut self, request: Velocity, feedback: &Feedback, dt: f32) -> Limbs {
         let lifted = feedback.weight() < self.gait.contact_force;
-        let wanted = if lifted { Velocity::ZERO } else { request.clamped(self.gait).planned(self.gait) };
+        let requested = if lifted { Velocity::ZERO } else { request.clamped(self.gait).planned(self.gait) };
         self.balance.update::<M>(feedback, self.gait);
         self.advance_time(dt, feedback);
-        self.advance_step(&wanted, feedback);
+        self.advance_step(&requested, feedback);
         let Some(plan) = self.plan else { return self.stand() };
         self.sag_compensation.measure::<M>(plan.support, feedback, self.gait);
         self.update_capture_step(&plan, dt);
@@ -181,9 +181,9 @@ impl<M: RobotModel> Walk<M> {
 
     /// Moves the next footprint toward the capture point, at most at the gait's maximum speed.
     fn update_capture_step(&mut self, plan: &Plan, dt: f32) {
-        let wanted = self.gait.capture_step(self.capture_error(plan)) * Vec2::new(1.0, plan.support.other().sign());
+        let requested = self.gait.capture_step(self.capture_error(plan)) * Vec2::new(1.0, plan.support.other().sign());
         let most = Vec2::splat(self.gait.max_capture_speed * valid(dt));
-        self.capture_step += (wanted - self.capture_step).clamp(-most, most);
+        self.capture_step += (requested - self.capture_step).clamp(-most, most);
         if self.phase == Phase::Walking && self.capture_step.length() > self.gait.reported_capture_step {
             self.phase = Phase::Capturing;
         }
@@ -210,10 +210,10 @@ impl<M: RobotModel> Walk<M> {
     }
 
     /// Begins the next step if the current one has ended.
-    fn advance_step(&mut self, wanted: &Velocity, feedback: &Feedback) {
+    fn advance_step(&mut self, requested: &Velocity, feedback: &Feedback) {
         let Some(plan) = self.plan else {
-            if !wanted.is_zero() {
-                self.begin(first_support(wanted), &self.gait.together(), Phase::Starting, Purpose::Start);
+            if !requested.is_zero() {
+                self.begin(first_support(requested), &self.gait.together(), Phase::Starting, Purpose::Start);
             }
             return;
         };
@@ -222,7 +222,7 @@ impl<M: RobotModel> Walk<M> {
         }
         let feet = self.feet(&plan);
         let rest = (self.time - plan.duration).clamp(0.0, MAX_CYCLE_TIME);
-        self.velocity = self.velocity.toward(wanted, self.gait);
+        self.velocity = self.velocity.toward(requested, self.gait);
         let still = self.velocity.is_zero() && plan.ends_together(self.gait);
         match self.phase {
             Phase::Stopping => self.reset(),
@@ -261,8 +261,8 @@ fn valid(dt: f32) -> f32 {
     if dt > 0.0 { dt.min(MAX_CYCLE_TIME) } else { 0.0 }
 }
 
-/// First support foot, chosen so that the other foot can move in the wanted direction at once.
-fn first_support(wanted: &Velocity) -> Side {
+/// First support foot, chosen so that the other foot can move in the requested direction at once.
+fn first_support(requested: &Velocity) -> Side {
     // The first step only shifts the weight: its support foot is the first to swing.
-    if wanted.left > 0.0 || (wanted.left == 0.0 && wanted.turn > 0.0) { Side::Left } else { Side::Right }
+    if requested.left > 0.0 || (requested.left == 0.0 && requested.turn > 0.0) { Side::Left } else { Side::Right }
 }

@@ -36,20 +36,20 @@ impl Velocity {
         }
     }
 
-    /// Velocity of the next step on the way to `wanted`. A component that changes its sign stops at zero first.
+    /// Velocity of the next step on the way to `requested`. A component that changes its sign stops at zero first.
     #[must_use]
-    pub fn toward(&self, wanted: &Self, gait: &Parameters) -> Self {
+    pub fn toward(&self, requested: &Self, gait: &Parameters) -> Self {
         let (up, down) = (&gait.max_speed_up, &gait.max_slow_down);
         Self {
-            forward: approach(self.forward, wanted.forward, up.forward, down.forward),
-            left: approach(self.left, wanted.left, up.left, down.left),
-            turn: approach(self.turn, wanted.turn, up.turn, down.turn),
+            forward: approach(self.forward, requested.forward, up.forward, down.forward),
+            left: approach(self.left, requested.left, up.left, down.left),
+            turn: approach(self.turn, requested.turn, up.turn, down.turn),
         }
     }
 }
 
-fn approach(now: f32, wanted: f32, up: f32, down: f32) -> f32 {
-    let goal = if now * wanted < 0.0 { 0.0 } else { wanted };
+fn approach(now: f32, requested: f32, up: f32, down: f32) -> f32 {
+    let goal = if now * requested < 0.0 { 0.0 } else { requested };
     let most = if goal.abs() > now.abs() { up } else { down };
     now + clamp(goal - now, -most, most)
 }

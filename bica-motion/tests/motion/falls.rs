@@ -43,9 +43,9 @@ fn the_detector_reports_falling_fallen_and_upright_in_every_direction() {
                 seen.push(state);
             }
         }
-        let wanted =
+        let expected =
             [FallState::Upright, FallState::Falling(direction), FallState::Fallen(direction), FallState::Upright];
-        assert_eq!(seen, wanted);
+        assert_eq!(seen, expected);
     }
 }
 
@@ -85,9 +85,9 @@ fn the_lying_side_is_known_within_300_ms() {
 #[test]
 fn nan_readings_do_not_change_the_state() {
     let mut detector = FallDetector::<Nao>::new();
-    let nonsense = Inertial { pitch: f32::NAN, acceleration: Vec3::splat(f32::NAN), ..Inertial::default() };
+    let invalid = Inertial { pitch: f32::NAN, acceleration: Vec3::splat(f32::NAN), ..Inertial::default() };
     for _ in 0..100 {
-        assert_eq!(detector.step(&nonsense, CYCLE), FallState::Upright);
+        assert_eq!(detector.step(&invalid, CYCLE), FallState::Upright);
     }
     assert_eq!(detector.step(&tilted(toward(Direction::Back, 0.6)), CYCLE), FallState::Falling(Direction::Back));
 }

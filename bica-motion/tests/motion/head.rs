@@ -23,7 +23,7 @@ fn the_pitch_range_at_each_yaw_is_the_published_one() {
         (35.585, -34.95, 22.69),
     ] {
         let range = pitch_range::<Nao>(f32::to_radians(yaw));
-        let near = |found: f32, wanted: f32| (found.to_degrees() - wanted).abs() < 0.01;
+        let near = |found: f32, expected: f32| (found.to_degrees() - expected).abs() < 0.01;
         assert!(near(range.min, min) && near(range.max, max), "{yaw}°: {range:?}");
     }
 }

@@ -158,9 +158,9 @@ fn array(leg: &LegAngles) -> [f32; 6] {
     [leg.hip_yaw_pitch, leg.hip_roll, leg.hip_pitch, leg.knee_pitch, leg.ankle_pitch, leg.ankle_roll]
 }
 
-fn assert_close(found: &LegAngles, wanted: &LegAngles, tolerance: f32) {
-    for (a, b) in array(found).into_iter().zip(array(wanted)) {
-        assert!((a - b).abs() < tolerance, "{found:?} is not {wanted:?}");
+fn assert_close(found: &LegAngles, expected: &LegAngles, tolerance: f32) {
+    for (a, b) in array(found).into_iter().zip(array(expected)) {
+        assert!((a - b).abs() < tolerance, "{found:?} is not {expected:?}");
     }
 }
 
@@ -169,10 +169,10 @@ fn inverse_kinematics_agree_with_the_published_stands() {
     for values in STANDS {
         let [left, right] = Side::BOTH.map(|side| flat_foot(side, values[0], values[1]));
         for (side, foot) in [(Side::Left, left), (Side::Right, right)] {
-            let wanted = row(side, values);
-            assert_close(&Nao::leg_angles(side, &foot), &wanted, 1e-5);
-            assert_close(&Nao::leg_angles_at(side, &foot, values[2]), &wanted, 2e-5);
-            assert_close(&legs_angles::<Nao>(&left, &right, YawFrom::Mean)[side.index()], &wanted, 2e-5);
+            let expected = row(side, values);
+            assert_close(&Nao::leg_angles(side, &foot), &expected, 1e-5);
+            assert_close(&Nao::leg_angles_at(side, &foot, values[2]), &expected, 2e-5);
+            assert_close(&legs_angles::<Nao>(&left, &right, YawFrom::Mean)[side.index()], &expected, 2e-5);
         }
     }
 }
@@ -190,12 +190,12 @@ fn standing() -> Joints {
 #[test]
 fn the_centre_of_mass_is_the_published_one() {
     assert!((Nao::TOTAL_MASS - 5.359_43).abs() < 1e-5, "{}", Nao::TOTAL_MASS);
-    for (angles, wanted) in [
+    for (angles, expected) in [
         (Joints::all(0.0), Vec3::new(0.021_22, 0.000_18, 0.052_18)),
         (standing(), Vec3::new(0.003_86, 0.000_18, 0.035_38)),
     ] {
         let found = kinematics::centre_of_mass::<Nao>(&angles);
-        assert!((found - wanted).abs().max_element() < 1e-5, "{found} is not {wanted}");
+        assert!((found - expected).abs().max_element() < 1e-5, "{found} is not {expected}");
     }
 }
 
@@ -211,15 +211,15 @@ fn camera_poses_are_the_published_ones() {
         (CameraId::Bottom, 0.459_24, (320.0, 479.0), (0.307, 0.0)),
         (CameraId::Bottom, 0.459_24, (500.0, 400.0), (0.3815, -0.159)),
     ];
-    for (id, height, pixel, wanted) in table {
+    for (id, height, pixel, expected) in table {
         let camera = kinematics::camera::<Nao>(id, &Joints::all(0.0));
         let above = camera.translation.z + 0.230;
         assert!((above - height).abs() < 1e-5, "{above} is not {height}");
         let ray = Vec3::new(1.0, -(pixel.0 - centre.0) / f.0, -(pixel.1 - centre.1) / f.1);
         let ray = camera.transform_vector3(ray);
         let hit = Vec3::from(camera.translation) - ray * (above / ray.z);
-        let near = 1e-3 * f32::max(wanted.0, 1.0);
-        assert!((hit.x - wanted.0).abs() < near && (hit.y - wanted.1).abs() < near, "{hit} is not {wanted:?}");
+        let near = 1e-3 * f32::max(expected.0, 1.0);
+        assert!((hit.x - expected.0).abs() < near && (hit.y - expected.1).abs() < near, "{hit} is not {expected:?}");
     }
 }
 
@@ -227,8 +227,8 @@ fn camera_poses_are_the_published_ones() {
 fn the_ground_lies_between_the_feet_in_stand() {
     for support in Side::BOTH {
         let ground = ground_from_robot::<Nao>(support, &standing());
-        let wanted = Affine3A::from_translation(Vec3::new(0.012, 0.0, 0.230));
-        assert!(distance(&ground, &wanted) < 2e-6, "{ground:?}");
+        let expected = Affine3A::from_translation(Vec3::new(0.012, 0.0, 0.230));
+        assert!(distance(&ground, &expected) < 2e-6, "{ground:?}");
     }
 }
 
@@ -266,11 +266,11 @@ proptest! {
     #[test]
     fn inverse_kinematics_of_one_leg_invert_the_forward_kinematics(angles in any_bent_angles()) {
         for side in Side::BOTH {
-            let wanted = kinematics::ankle::<Nao>(side, &angles);
+            let expected = kinematics::ankle::<Nao>(side, &angles);
             let mut found = Joints::all(0.0);
-            Nao::leg_angles(side, &wanted).write(side, &mut found);
+            Nao::leg_angles(side, &expected).write(side, &mut found);
             let reached = kinematics::ankle::<Nao>(side, &found);
-            prop_assert!(distance(&reached, &wanted) < 1e-5, "{} off", distance(&reached, &wanted));
+            prop_assert!(distance(&reached, &expected) < 1e-5, "{} off", distance(&reached, &expected));
         }
     }
 
@@ -283,9 +283,9 @@ proptest! {
             for (side, leg) in Side::BOTH.into_iter().zip(legs_angles::<Nao>(&left, &right, yaw)) {
                 leg.write(side, &mut found);
             }
-            for (side, wanted) in [(Side::Left, left), (Side::Right, right)] {
+            for (side, expected) in [(Side::Left, left), (Side::Right, right)] {
                 let reached = kinematics::ankle::<Nao>(side, &found);
-                prop_assert!(distance(&reached, &wanted) < 1e-5, "{} off", distance(&reached, &wanted));
+                prop_assert!(distance(&reached, &expected) < 1e-5, "{} off", distance(&reached, &expected));
             }
         }
     }
@@ -293,12 +293,12 @@ proptest! {
     #[test]
     fn a_given_yaw_pitch_changes_only_the_yaw_of_the_foot(angles in any_bent_angles(), other in -1.1_f32..0.7) {
         for side in Side::BOTH {
-            let wanted = kinematics::ankle::<Nao>(side, &angles);
+            let expected = kinematics::ankle::<Nao>(side, &angles);
             let mut found = Joints::all(0.0);
-            Nao::leg_angles_at(side, &wanted, other).write(side, &mut found);
+            Nao::leg_angles_at(side, &expected, other).write(side, &mut found);
             let reached = kinematics::ankle::<Nao>(side, &found);
-            prop_assert!((reached.translation - wanted.translation).length() < 1e-5);
-            prop_assert!((reached.matrix3.z_axis - wanted.matrix3.z_axis).length() < 1e-5);
+            prop_assert!((reached.translation - expected.translation).length() < 1e-5);
+            prop_assert!((reached.matrix3.z_axis - expected.matrix3.z_axis).length() < 1e-5);
         }
     }
 

@@ -52,9 +52,9 @@ proptest! {
     fn forward_kinematics_use_the_lengths_of_the_model(angles in any_angles()) {
         for side in Side::BOTH {
             let found = kinematics::ankle::<Tall>(side, &angles).translation.to_array();
-            let wanted = reference_ankle(side, &angles);
-            for (found, wanted) in found.into_iter().zip(wanted) {
-                prop_assert!((f64::from(found) - wanted).abs() < 1e-6, "{side:?}: {found} is not {wanted}");
+            let expected = reference_ankle(side, &angles);
+            for (found, expected) in found.into_iter().zip(expected) {
+                prop_assert!((f64::from(found) - expected).abs() < 1e-6, "{side:?}: {found} is not {expected}");
             }
         }
     }
@@ -62,10 +62,10 @@ proptest! {
     #[test]
     fn inverse_kinematics_invert_the_forward_kinematics_of_the_model(angles in any_angles()) {
         let [left, right] = Side::BOTH.map(|side| kinematics::ankle::<Tall>(side, &angles));
-        for (side, wanted) in [(Side::Left, &left), (Side::Right, &right)] {
+        for (side, expected) in [(Side::Left, &left), (Side::Right, &right)] {
             let mut found = Joints::all(0.0);
-            Tall::leg_angles(side, wanted).write(side, &mut found);
-            let off = distance(&kinematics::ankle::<Tall>(side, &found), wanted);
+            Tall::leg_angles(side, expected).write(side, &mut found);
+            let off = distance(&kinematics::ankle::<Tall>(side, &found), expected);
             prop_assert!(off < 2e-5, "{off} off");
         }
         let shared = angles[Joint::LHipYawPitch];
@@ -73,8 +73,8 @@ proptest! {
         for (leg, side) in legs.iter().zip(Side::BOTH) {
             let mut found = Joints::all(0.0);
             leg.write(side, &mut found);
-            let wanted = if side == Side::Left { &left } else { &right };
-            let off = distance(&kinematics::ankle::<Tall>(side, &found), wanted);
+            let expected = if side == Side::Left { &left } else { &right };
+            let off = distance(&kinematics::ankle::<Tall>(side, &found), expected);
             prop_assert!(off < 2e-5, "{off} off");
         }
     }
@@ -156,8 +156,8 @@ fn the_second_model_walks_as_requested_within_its_limits() {
         let moved = start.inverse() * world.ground();
         let believed = begin.inverse() * odometry.pose();
         if turn == 0.0 {
-            let wanted = 10.0 * Vec2::new(forward, left);
-            assert!(moved.position.distance(wanted) < 0.1 * wanted.length(), "{request:?}: {moved:?}");
+            let expected = 10.0 * Vec2::new(forward, left);
+            assert!(moved.position.distance(expected) < 0.1 * expected.length(), "{request:?}: {moved:?}");
         }
         assert!(moved.position.distance(believed.position) < 0.15, "{request:?}: {moved:?}, not {believed:?}");
     }
@@ -186,7 +186,7 @@ fn the_second_model_kicks_and_returns_to_its_stand() {
 
 #[test]
 fn the_head_uses_the_limits_and_cameras_of_the_model() {
-    let near = |found: f32, wanted: f32| (found.to_degrees() - wanted).abs() < 1e-3;
+    let near = |found: f32, expected: f32| (found.to_degrees() - expected).abs() < 1e-3;
     assert!(near(pitch_range::<Tall>(0.0).max, 40.0) && near(pitch_range::<Tall>(f32::to_radians(45.0)).max, 30.0));
     let clamped = HeadAngles { yaw: 3.0, pitch: 1.0 }.clamped::<Tall>();
     assert!(near(clamped.yaw, 90.0) && near(clamped.pitch, 20.0), "{clamped:?}");

@@ -61,7 +61,7 @@ fn the_walk_reaches_the_requested_velocity_within_ten_percent() {
         let (mut walk, mut world) = start();
         measure(&mut walk, &mut world, request, 200);
         let reached = measure(&mut walk, &mut world, request, 1000);
-        let near = |reached: f32, wanted: f32, small: f32| (reached - wanted).abs() <= 0.1 * wanted.abs() + small;
+        let near = |reached: f32, expected: f32, small: f32| (reached - expected).abs() <= 0.1 * expected.abs() + small;
         let good =
             near(reached.forward, forward, 0.005) && near(reached.left, left, 0.005) && near(reached.turn, turn, 0.02);
         assert!(good, "{request:?} became {reached:?}");
@@ -71,7 +71,7 @@ fn the_walk_reaches_the_requested_velocity_within_ten_percent() {
 #[test]
 fn the_maximum_velocities_are_those_of_the_gait() {
     let most = |forward, left, turn| Velocity::new(forward, left, turn).clamped(NAO);
-    let near = |found: f32, wanted: f32| assert!((found - wanted).abs() < 1e-4, "{found} is not {wanted}");
+    let near = |found: f32, expected: f32| assert!((found - expected).abs() < 1e-4, "{found} is not {expected}");
     near(most(9.0, 0.0, 0.0).forward, 0.26);
     near(most(-9.0, 0.0, 0.0).forward, -0.15);
     near(most(0.0, 9.0, 0.0).left, 0.12);
@@ -302,24 +302,24 @@ proptest! {
 
     #[test]
     fn velocity_changes_by_steps_and_through_zero(
-        now in prop::array::uniform3(-1.0_f32..1.0), wanted in prop::array::uniform3(-1.0_f32..1.0),
+        now in prop::array::uniform3(-1.0_f32..1.0), expected in prop::array::uniform3(-1.0_f32..1.0),
     ) {
         let scale = |v: [f32; 3]| Velocity::new(0.25 * v[0], 0.12 * v[1], 1.2 * v[2]);
-        let (now, wanted) = (scale(now), scale(wanted));
-        let next = now.toward(&wanted, NAO);
+        let (now, expected) = (scale(now), scale(expected));
+        let next = now.toward(&expected, NAO);
         let parts = |v: &Velocity| [v.forward, v.left, v.turn];
         for i in 0..3 {
-            let (now, wanted, next) = (parts(&now)[i], parts(&wanted)[i], parts(&next)[i]);
+            let (now, expected, next) = (parts(&now)[i], parts(&expected)[i], parts(&next)[i]);
             let (up, down) = (parts(&NAO.max_speed_up)[i], parts(&NAO.max_slow_down)[i]);
             prop_assert!(next.abs() - now.abs() <= up + 1e-6 && now.abs() - next.abs() <= down + 1e-6);
             prop_assert!(now * next >= 0.0, "a sign changes only at zero");
-            prop_assert!((wanted - next).abs() <= (wanted - now).abs() + 1e-6);
+            prop_assert!((expected - next).abs() <= (expected - now).abs() + 1e-6);
         }
         let mut velocity = now;
         for _ in 0..20 {
-            velocity = velocity.toward(&wanted, NAO);
+            velocity = velocity.toward(&expected, NAO);
         }
-        prop_assert_eq!(velocity, wanted);
+        prop_assert_eq!(velocity, expected);
     }
 }
 

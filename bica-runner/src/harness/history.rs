@@ -1,4 +1,4 @@
-//! The transitions of a test.
+//! Transitions during a test.
 
 use core::fmt;
 use std::vec::Vec;
@@ -9,19 +9,19 @@ use bica_core::{ComponentId, Instant, Probe};
 use crate::observer::Observer;
 use crate::robot::Robot;
 
-/// How many transitions a message shows.
+/// Number of transitions in a message.
 const SHOWN: usize = 20;
 
-/// A transition that was taken.
+/// Transition of a state machine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Transition {
-    /// When.
+    /// Instant of the cycle.
     pub at: Instant,
-    /// Whose.
+    /// Name of the state machine.
     pub component: &'static str,
-    /// The state that was left.
+    /// Name of the state that was left.
     pub from: &'static str,
-    /// The state that was entered.
+    /// Name of the state that was entered.
     pub to: &'static str,
 }
 
@@ -38,7 +38,7 @@ impl History {
         Self { graph, now: Instant::MIN, transitions: Vec::new() }
     }
 
-    /// The transitions.
+    /// Returns the transitions.
     #[must_use]
     pub fn transitions(&self) -> &[Transition] {
         &self.transitions
@@ -59,7 +59,7 @@ impl Probe for History {
 
 impl<R: Robot> Observer<R> for History {}
 
-/// The last transitions, one a line.
+/// Formats the last transitions, one per line.
 impl fmt::Display for History {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let hidden = self.transitions.len().saturating_sub(SHOWN);

@@ -1,4 +1,4 @@
-//! A test harness: advances a robot in time and asks for its states by name.
+//! Test harness: advances a robot in time and checks its states by name.
 //!
 //! ```
 //! # use bica_core::Tree;
@@ -53,7 +53,7 @@ pub use stage::{InWorld, Stage, Ticks};
 use crate::robot::Robot;
 use crate::world::World;
 
-/// A tree under test, the stage on which it runs, and the history of its transitions.
+/// Tree under test, with its environment and the history of its transitions.
 #[derive(Debug)]
 pub struct Harness<T, S = Ticks> {
     tree: Box<T>,
@@ -62,19 +62,20 @@ pub struct Harness<T, S = Ticks> {
 }
 
 impl<T: Tree> Harness<T> {
-    /// A tree that is ticked at its `cycle_hz`. The test writes the input components and reads the output components.
+    /// Creates a harness for a tree that is ticked at its `cycle_hz`. The test writes the input components and reads
+    /// the output components.
     #[must_use]
     pub fn new(tree: T) -> Self {
         Self::of_box(Box::new(tree))
     }
 
-    /// As [`new`](Self::new), for a tree that is too large for the stack.
+    /// Creates a harness like [`new`](Self::new), for a tree that is too large for the stack.
     #[must_use]
     pub const fn of_box(tree: Box<T>) -> Self {
         Self { tree, stage: Ticks::new(T::GRAPH.cycle_hz), history: History::new(T::GRAPH) }
     }
 
-    /// The same robot in control of a world, which gives the sensor values and the time.
+    /// Replaces the environment by a world that provides the sensor values and the time.
     pub fn in_world<W: World<T>>(self, world: W) -> Harness<T, InWorld<W>>
     where
         T: Robot,
@@ -84,34 +85,34 @@ impl<T: Tree> Harness<T> {
 }
 
 impl<T: Robot, W: World<T>> Harness<T, InWorld<W>> {
-    /// The world.
+    /// Returns the world.
     pub const fn world(&self) -> &W {
         &self.stage.0
     }
 
-    /// The world, to be changed.
+    /// Returns the world for changes.
     pub const fn world_mut(&mut self) -> &mut W {
         &mut self.stage.0
     }
 }
 
 impl<T: Tree, S: Stage<T>> Harness<T, S> {
-    /// The tree.
+    /// Returns the tree.
     pub const fn tree(&self) -> &T {
         &self.tree
     }
 
-    /// The tree, to write inputs, hold components and set rates.
+    /// Returns the tree, to write inputs, hold components and set rates.
     pub const fn tree_mut(&mut self) -> &mut T {
         &mut self.tree
     }
 
-    /// The transitions so far.
+    /// Returns the transitions so far.
     pub const fn history(&self) -> &History {
         &self.history
     }
 
-    /// The instant of the next cycle.
+    /// Instant of the next cycle.
     #[must_use]
     pub fn now(&self) -> Instant {
         self.stage.now()
@@ -122,7 +123,7 @@ impl<T: Tree, S: Stage<T>> Harness<T, S> {
         self.stage.cycle(&mut self.tree, &mut self.history);
     }
 
-    /// Runs so many cycles.
+    /// Runs `count` cycles.
     pub fn cycles(&mut self, count: usize) {
         (0..count).for_each(|_| self.cycle());
     }
@@ -135,7 +136,7 @@ impl<T: Tree, S: Stage<T>> Harness<T, S> {
         }
     }
 
-    /// Runs until `condition` holds, at most for `limit`. Returns the time that it took.
+    /// Runs until `condition` holds, at most for `limit`. Returns the elapsed time.
     ///
     /// # Panics
     /// If the condition does not hold within the limit; the message contains `expectation`.
@@ -151,7 +152,7 @@ impl<T: Tree, S: Stage<T>> Harness<T, S> {
         self.now() - began
     }
 
-    /// Runs until state machine `C` is active in a state, at most for `limit`. Returns the time that it took.
+    /// Runs until state machine `C` is active in a state, at most for `limit`. Returns the elapsed time.
     ///
     /// # Panics
     /// If the state is not reached, or `C` has no such state.
@@ -165,7 +166,7 @@ impl<T: Tree, S: Stage<T>> Harness<T, S> {
         self.until(&expectation, limit, |test| test.state::<C>() == Some(state))
     }
 
-    /// Runs for `duration`, in which state machine `C` must stay active in a state.
+    /// Runs for `duration` and checks that state machine `C` stays active in a state.
     ///
     /// # Panics
     /// If it is in another state before or after any cycle, or `C` has no such state.
@@ -185,7 +186,7 @@ impl<T: Tree, S: Stage<T>> Harness<T, S> {
         }
     }
 
-    /// The name of the state of state machine `C`; `None` while it is latent.
+    /// Name of the current state of state machine `C`; `None` while it is latent.
     #[must_use]
     pub fn state<C: 'static>(&self) -> Option<&'static str>
     where
@@ -213,18 +214,18 @@ impl<T: Tree, S: Stage<T>> Harness<T, S> {
     }
 
     #[track_caller]
-    fn check_state<C: 'static>(wanted: &str)
+    fn check_state<C: 'static>(state: &str)
     where
         T: Has<C>,
     {
         let states = T::GRAPH.nodes[T::id::<C>().index()].states;
-        if !states.iter().any(|state| state.name == wanted) {
+        if !states.iter().any(|known| known.name == state) {
             let names = states.iter().map(|state| state.name).collect::<std::vec::Vec<_>>().join(", ");
-            panic!("`{}` has no state `{wanted}`; its states: {names}", Self::name::<C>());
+            panic!("`{}` has no state `{state}`; its states: {names}", Self::name::<C>());
         }
     }
 
-    /// Fails the test with what was expected, the state of all active machines, and the last transitions.
+    /// Fails the test with the expectation, the states of all active machines, and the last transitions.
     #[track_caller]
     fn fail(&self, expectation: &str) -> ! {
         let mut active = String::new();

@@ -1,4 +1,4 @@
-//! How a test advances.
+//! Environment of a tree under test.
 
 use core::fmt::Debug;
 
@@ -9,7 +9,7 @@ use crate::robot::Robot;
 use crate::runner::Runner;
 use crate::world::World;
 
-/// What surrounds a tree under test.
+/// Environment that provides the time and, for a world, the sensor values.
 pub trait Stage<T> {
     /// The instant of the next cycle.
     fn now(&self) -> Instant;
@@ -18,7 +18,7 @@ pub trait Stage<T> {
     fn cycle(&mut self, tree: &mut T, history: &mut History);
 }
 
-/// Ticks on a regular grid, with nothing around the tree.
+/// Ticks on a regular grid without a world.
 #[derive(Clone, Copy, Debug)]
 pub struct Ticks {
     hz: f64,
@@ -54,7 +54,7 @@ impl<T: Robot<Error: Debug>, W: World<T>> Stage<T> for InWorld<W> {
     fn cycle(&mut self, tree: &mut T, history: &mut History) {
         let taken = Runner::new(tree, &mut self.0).with_observer(history).cycle();
         if let Err(error) = taken {
-            panic!("the robot refused the sensor values: {error:?}");
+            panic!("the robot rejected the sensor values: {error:?}");
         }
     }
 }

@@ -28,7 +28,7 @@ const POINT_FLOOR: f32 = 0.1;
 const CROSSING_FLOOR: f32 = 0.2;
 /// Outlier floor of the likelihood of a post.
 const POST_FLOOR: f32 = 0.05;
-/// Number of independent observations that all line points of an image are worth.
+/// Effective number of independent observations of all line points of an image.
 const INDEPENDENT: f32 = 6.0;
 /// Maximum weight of one line point: neighbouring points on a short line are not independent.
 const ALONE: f32 = 0.3;

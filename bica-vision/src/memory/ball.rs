@@ -16,7 +16,7 @@ use super::rolling::Rolling;
 use super::{LASTING, sound};
 use crate::uncertainty::Covariance;
 
-/// Factor on the covariance before each update; lower than for static objects, to tell a resting from a slow ball.
+/// Factor on the covariance before each update; lower than for static objects, to distinguish a resting from a slow ball.
 const FADE: f32 = 4.0 / 3.0;
 /// Rate at which a resting ball starts to roll, 1/s.
 const STARTS: f32 = 0.05;

@@ -1,3 +1,3 @@
-//! What stands and lies on the field: lines, crossings, the circle, robots, and the place of the robot that sees them.
+//! Lines, crossings, the circle, robots on the field, and the pose of the robot that sees them.
 
-mod nonsense;
+mod arbitrary_input;

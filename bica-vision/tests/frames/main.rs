@@ -1,10 +1,10 @@
 //! The whole pipeline on synthetic, rendered, recorded and arbitrary frames.
 
+mod arbitrary_input;
 mod canvas;
 mod detectors;
-mod nonsense;
 mod own_body;
 mod real;
-mod shelf;
+mod recorded;
 mod stages;
 mod world;

@@ -21,7 +21,7 @@ use bica_vision::projection::Camera;
 use bica_vision::table::CompactTable;
 use glam::{Affine3A, Vec2, Vec3};
 
-use crate::shelf;
+use crate::recorded;
 
 /// Red plastic, in recorded and in rendered frames.
 const RED: Filter = Filter::ANY.hue(85, 118).saturation(30, 400).chroma(24);
@@ -129,7 +129,7 @@ fn body_outline_removes_false_balls_and_keeps_true_ones() {
             beside += usize::from(finder.find_with_body(frame, &colours, &end, None, own).is_some());
         },
     );
-    println!("own parts taken for balls: {alone} without the body, {beside} with it");
+    println!("body parts detected as balls: {alone} without the body, {beside} with it");
     assert!(alone >= 5 && beside * 10 <= alone, "{alone} {beside}");
 
     let colours = CompactTable::compile(&BUILT_IN);
@@ -149,7 +149,7 @@ fn body_outline_removes_false_balls_and_keeps_true_ones() {
 bica_test_data::images_test! {
     fn body_outline_from_the_camera_pose_covers_the_recorded_body() {
         let colours = CompactTable::compile(&NAO_2009);
-        let (poses, labelled) = (shelf::poses(), shelf::labelled("nao2009"));
+        let (poses, labelled) = (recorded::poses(), recorded::labelled("nao2009"));
         let (mut count, mut worst) = (Count::default(), (0.0_f32, String::new()));
         for (file, camera, _, _) in poses.iter().filter(|(_, _, _, trusted)| *trusted) {
             let Some(image) = labelled.iter().find(|image| &image.file == file) else { continue };
@@ -165,7 +165,7 @@ bica_test_data::images_test! {
         }
         let [red, green] = count.shares();
         println!("recorded: {:.1} % of the red is covered, {:.1} % of what is covered is green", 100.0 * red, 100.0 * green);
-        println!("most of a ball that is covered: {:.2} {}", worst.0, worst.1);
+        println!("maximum covered share of a ball: {:.2} {}", worst.0, worst.1);
         assert!(count.red > 5000, "{count:?}");
         assert!(red > 0.85 && green < 0.2, "{count:?}");
         assert!(worst.0 < 0.1, "{worst:?}");

@@ -11,7 +11,7 @@ use bica_vision::goal::{Goal, GoalFinder};
 use bica_vision::profile::{DARWIN_2013, NAO_2009};
 use bica_vision::table::{CompactTable, FullTable};
 
-use crate::shelf::{self, BallLabel, GoalLabel, Labelled};
+use crate::recorded::{self, BallLabel, GoalLabel, Labelled};
 
 /// Counts over a folder.
 #[derive(Debug, Default)]
@@ -78,7 +78,7 @@ impl Score {
             (errors.get(errors.len() / 2).copied(), errors.get(errors.len() * 95 / 100).copied())
         };
         println!("{folder}: full balls found {}/{}", self.full_found, self.full);
-        println!("  balls right {} wrong {:?}", self.right, self.wrong);
+        println!("  balls correct {} wrong {:?}", self.right, self.wrong);
         println!("  centre error p50, p95 px {:?}", worst(&mut self.centre_errors));
         println!("  radius error p50, p95 px {:?}", worst(&mut self.radius_errors));
         println!("  goals: complete {}/{}", self.complete_found, self.complete);
@@ -110,7 +110,7 @@ fn score(images: &[Labelled], filters: &Filters) -> Score {
 
 images_test! {
     fn balls_and_goals_are_found_in_frames_of_a_nao_of_2009() {
-        let mut score = score(&shelf::labelled("nao2009"), &NAO_2009);
+        let mut score = score(&recorded::labelled("nao2009"), &NAO_2009);
         score.print("nao2009");
         assert!(score.full >= 60 && score.complete >= 15 && score.partial >= 15, "labels are missing");
         assert!(score.recall() >= 0.98 && score.precision() >= 0.99);
@@ -121,7 +121,7 @@ images_test! {
     }
 
     fn balls_and_goals_are_found_in_frames_of_a_darwin_of_2013() {
-        let mut score = score(&shelf::labelled("darwin2013"), &DARWIN_2013);
+        let mut score = score(&recorded::labelled("darwin2013"), &DARWIN_2013);
         score.print("darwin2013");
         assert!(score.full >= 7, "labels are missing");
         assert!(score.recall() >= 0.99 && score.precision() >= 0.99);
@@ -131,9 +131,9 @@ images_test! {
 
     fn ball_distances_from_pose_and_from_size_agree() {
         let (table, mut finder) = (CompactTable::compile(&NAO_2009), BallFinder::<512>::new(RADIUS_2009));
-        let labelled = shelf::labelled("nao2009");
+        let labelled = recorded::labelled("nao2009");
         let (mut ratios, mut full) = (Vec::new(), 0);
-        for (file, camera, horizon, trusted) in shelf::poses() {
+        for (file, camera, horizon, trusted) in recorded::poses() {
             // Column 159.5 of the file is the image centre, 160 in the intrinsics.
             let row = camera.horizon(160.0).expect("the robot stands");
             assert!((row - horizon).abs() < 0.05 + 2e-4 * horizon.abs(), "{file}: horizon at {row}, not {horizon}");
@@ -158,7 +158,7 @@ images_test! {
         let bytes = fs::read(images().join("luts/bhuman2009_y64_cb64_cr64.bin")).expect("the table");
         let (theirs, ours) = (FullTable::new(&bytes).expect("its size"), CompactTable::compile(&NAO_2009));
         let (mut both, mut only_theirs, mut found) = (0_u32, 0_u32, 0);
-        let labelled = shelf::labelled("nao2009");
+        let labelled = recorded::labelled("nao2009");
         let full: Vec<_> = labelled.iter().filter(|image| image.balls.iter().any(|ball| ball.flag == "full")).collect();
         for image in &full {
             let frame = image.frame();
@@ -172,7 +172,7 @@ images_test! {
             let ball = BallFinder::<1024>::new(RADIUS_2009).find(&frame, &theirs, &end, None);
             found += usize::from(ball.is_some_and(|ball| image.balls.iter().any(|label| is_hit(&ball, label))));
         }
-        println!("their orange is ours: {both}, is not: {only_theirs}; balls by their table {found}/{}", full.len());
+        println!("orange in both tables: {both}, only in the other table: {only_theirs}; balls by the other table {found}/{}", full.len());
         assert!(both >= 10 * only_theirs && found * 100 >= full.len() * 98);
     }
 

@@ -33,12 +33,12 @@ fn bytes(classes: &[u8]) -> Vec<u8> {
     classes.iter().flat_map(|class| [*class, 128, *class, 128]).collect()
 }
 
-fn wanted() -> impl Strategy<Value = ColourSet> {
+fn selected() -> impl Strategy<Value = ColourSet> {
     prop::collection::vec(0_usize..5, 0..5)
         .prop_map(|set| set.into_iter().fold(ColourSet::EMPTY, |all, one| all | ColourSet::of(Colour::ALL[one])))
 }
 
-/// Wanted pixel pairs: (row, first pixel, class).
+/// Pixel pairs of the selected classes: (row, first pixel, class).
 fn pairs_of(runs: &[Run]) -> Vec<(u16, u16, Colour)> {
     runs.iter().flat_map(|run| (run.start..run.end).step_by(2).map(|x| (run.row, x, run.colour))).collect()
 }
@@ -72,17 +72,17 @@ proptest! {
 
     #[test]
     fn runs_are_exactly_the_wanted_pairs(
-        classes in classes(), wanted in wanted(), first in 0_u16..HEIGHT, end in 0_u16..2 * HEIGHT, step in 0_u16..4,
+        classes in classes(), selected in selected(), first in 0_u16..HEIGHT, end in 0_u16..2 * HEIGHT, step in 0_u16..4,
     ) {
         let bytes = bytes(&classes);
         let frame = Frame::new(WIDTH, HEIGHT, &bytes).unwrap();
         let mut runs = Runs::<1024>::new();
-        runs.segment(&frame, &ByLuma, wanted, Area { first, end, step });
+        runs.segment(&frame, &ByLuma, selected, Area { first, end, step });
         let mut expected = Vec::new();
         for row in (first..end.min(HEIGHT)).step_by(usize::from(step.max(1))) {
             for (pair, x) in frame.row(row).iter().zip((0..).step_by(2)) {
                 let class = ByLuma.classify(Pair(*pair).mean());
-                if wanted.has(class) {
+                if selected.has(class) {
                     expected.push((row, x, class));
                 }
             }
@@ -96,12 +96,12 @@ proptest! {
     }
 
     #[test]
-    fn full_list_keeps_the_widest_runs_and_counts_the_dropped(classes in classes(), wanted in wanted()) {
+    fn full_list_keeps_the_widest_runs_and_counts_the_dropped(classes in classes(), selected in selected()) {
         let bytes = bytes(&classes);
         let frame = Frame::new(WIDTH, HEIGHT, &bytes).unwrap();
         let (mut few, mut all) = (Runs::<40>::new(), Runs::<1024>::new());
-        few.segment(&frame, &ByLuma, wanted, Area::ALL);
-        all.segment(&frame, &ByLuma, wanted, Area::ALL);
+        few.segment(&frame, &ByLuma, selected, Area::ALL);
+        all.segment(&frame, &ByLuma, selected, Area::ALL);
         let kept = few.as_slice();
         prop_assert_eq!(kept.len() + few.dropped() as usize, all.as_slice().len());
         prop_assert!(kept.iter().all(|run| all.as_slice().contains(run)));
@@ -116,11 +116,11 @@ proptest! {
     }
 
     #[test]
-    fn regions_equal_those_of_a_flood_fill(classes in classes(), wanted in wanted(), step in 1_u16..4) {
+    fn regions_equal_those_of_a_flood_fill(classes in classes(), selected in selected(), step in 1_u16..4) {
         let bytes = bytes(&classes);
         let frame = Frame::new(WIDTH, HEIGHT, &bytes).unwrap();
         let mut runs = Runs::<1024>::new();
-        runs.segment(&frame, &ByLuma, wanted, Area::ALL.every(step));
+        runs.segment(&frame, &ByLuma, selected, Area::ALL.every(step));
         let mut regions = Regions::<1024, 512>::new();
         regions.connect(&runs, 0);
         let mut found: Vec<_> = regions.as_slice().iter().map(|r| {

@@ -170,8 +170,8 @@ impl Score {
         println!("balls {}/{}, wrong {:?}", self.found, self.balls, self.wrong);
         println!("posts {}/{}, wrong {:?}", self.posts_found, self.posts, self.wrong_posts);
         for (name, errors) in [
-            ("ball, part of its distance", &mut self.ground_errors),
-            ("post, part of its distance", &mut self.post_errors),
+            ("ball, relative to its distance", &mut self.ground_errors),
+            ("post, relative to its distance", &mut self.post_errors),
             ("field boundary, rows", &mut self.end_errors),
         ] {
             println!("error of {name}: median {:.4}, 95 % {:.4}", at(errors, 50), at(errors, 95));

@@ -11,7 +11,7 @@ use bica_vision::pipeline::Detections;
 use bica_vision::projection::Camera;
 use glam::Vec2;
 
-use crate::survey::Look;
+use crate::survey::View;
 use crate::survey::detect;
 
 /// Scale of the picture.
@@ -25,9 +25,9 @@ struct Picture {
 }
 
 /// Writes the image of a view with marks of all detections.
-pub(crate) fn write(path: &Path, look: &Look) -> io::Result<()> {
-    let (camera, seen) = detect::see(look);
-    let mut world = look.world.clone();
+pub(crate) fn write(path: &Path, view: &View) -> io::Result<()> {
+    let (camera, seen) = detect::see(view);
+    let mut world = view.world.clone();
     let mut picture = Picture::of(&world.sensors().image.expect("there is a new one"));
     picture.mark(&seen, &camera);
     let height = picture.pixels.len() / picture.width;

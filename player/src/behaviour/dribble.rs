@@ -1,4 +1,4 @@
-//! Kicking the ball on while walking.
+//! Kicks in walking.
 
 use bica::prelude::*;
 use bica_motion::walk::{Velocity, in_walk_kick_foot};
@@ -10,9 +10,9 @@ use crate::perception::{BallDetector, GoalDetector};
 
 /// Forward speed, m/s.
 const SPEED: f32 = 0.15;
-/// Gain that brings a foot before the ball, 1/s.
+/// Gain of the lateral alignment of a foot with the ball, 1/s.
 const ASIDE_GAIN: f32 = 1.0;
-/// Gain that turns the body to the goal, 1/s.
+/// Gain of the turn to the goal, 1/s.
 const TURN_GAIN: f32 = 0.8;
 /// Largest sideways speed, m/s.
 const MAX_ASIDE: f32 = 0.05;
@@ -23,7 +23,7 @@ const FAR: f32 = 0.7;
 /// Forward distance below which the ball was missed, m.
 const MISSED: f32 = 0.08;
 
-/// Walks through the ball towards the goal: brings a foot before the ball, which swings through it in a step.
+/// Walks through the ball towards the goal: aligns a foot with the ball, which swings through it in a step.
 #[derive(Debug)]
 pub struct Dribble {
     done: bool,
@@ -31,7 +31,7 @@ pub struct Dribble {
 
 #[component(hz = 30, budget_us = 5)]
 impl Dribble {
-    /// Not done.
+    /// Creates the component with no kick done.
     #[must_use]
     pub const fn new() -> Self {
         Self { done: false }
@@ -60,7 +60,7 @@ impl Dribble {
         });
     }
 
-    /// Whether the ball is no longer before the feet: kicked on, or missed.
+    /// Whether the ball is no longer in front of the feet: kicked, or missed.
     #[must_use]
     pub const fn done(&self) -> bool {
         self.done

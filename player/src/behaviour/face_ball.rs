@@ -8,9 +8,9 @@ use crate::motion::Head;
 use crate::output::CameraSelector;
 use crate::perception::{BallDetector, Bearing};
 
-/// Angle below the horizon from which the bottom camera is selected, rad.
+/// Minimum angle below the horizon for the bottom camera, rad.
 const NEAR: f32 = 0.5;
-/// Angle below the horizon up to which the top camera is selected, rad.
+/// Maximum angle below the horizon for the top camera, rad.
 const FAR: f32 = 0.36;
 /// Share of the error that the head corrects in a run.
 const GAIN: f32 = 0.7;
@@ -26,7 +26,7 @@ pub struct FaceBall {
 
 #[component(hz = 30, budget_us = 5)]
 impl FaceBall {
-    /// Not centred.
+    /// Creates the component with the ball not centred.
     #[must_use]
     pub const fn new() -> Self {
         Self { centred: false }

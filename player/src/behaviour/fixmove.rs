@@ -41,7 +41,7 @@ pub struct Fixmove {
 
 #[component(hz = 30, budget_us = 10)]
 impl Fixmove {
-    /// No kick requested.
+    /// Creates the component without a requested kick.
     #[must_use]
     pub const fn new() -> Self {
         Self { strike: None, settled: 0, far: false, failed: false, done: false }
@@ -52,7 +52,7 @@ impl Fixmove {
         *self = Self::new();
     }
 
-    /// Steps to where the kick hits the ball.
+    /// Steps to the pose in which the kick hits the ball.
     #[state(initial)]
     fn align(&mut self, profile: &RobotProfile, ball: &BallDetector, odometry: &Odometry, body: &mut Body) {
         let (Some(strike), Some(at)) = (self.strike, ball.position()) else { return body.stand() };
@@ -82,14 +82,14 @@ impl Fixmove {
         }
     }
 
-    /// Steps back for another attempt from another place.
+    /// Steps back for another attempt from another position.
     #[state]
     fn retreat(&mut self, body: &mut Body) {
         self.failed = true;
         body.step_with(Velocity { forward: -MAX_SPEED, left: 0.0, turn: 0.0 });
     }
 
-    /// The kick is over.
+    /// State after the kick.
     #[state(last)]
     fn over(&mut self, body: &mut Body) {
         self.done = true;
@@ -101,7 +101,7 @@ impl Fixmove {
         self.settled >= SETTLED
     }
 
-    /// An obstacle keeps the robot from lining up, as another robot or a goal post.
+    /// Whether an obstacle, such as another robot or a goal post, prevents the alignment.
     #[transition(align -> retreat, after_ms = 6000)]
     fn blocked(&self) -> bool {
         true
@@ -134,7 +134,7 @@ impl Fixmove {
         self.strike.filter(|_| self.failed).map(|strike| strike.kick)
     }
 
-    /// Whether the kick was played to its end, or given up.
+    /// Whether the kick was played to its end or given up.
     #[must_use]
     pub const fn done(&self) -> bool {
         self.done

@@ -31,34 +31,34 @@ const REACHED_TILT: f32 = 0.28;
 /// Head pan below which the ball can be reached, rad.
 const REACHED_PAN: f32 = 0.6;
 
-/// The approach counts as stalled if the distance does not shrink by this much, m, ...
+/// Minimum decrease of the distance within [`PROGRESS_TIME`] without which the approach counts as stalled, m.
 const PROGRESS_DISTANCE: f32 = 0.1;
-/// ... in this time, s.
+/// Time in which the distance must decrease, s.
 const PROGRESS_TIME: f32 = 5.0;
-/// A ball that is farther away than before by this, m, rolls: the approach begins anew.
+/// Increase of the distance at which the ball is considered rolling and the approach begins anew, m.
 const ROLLED_DISTANCE: f32 = 0.4;
 /// Sidestepping speed, m/s.
 const ASIDE_SPEED: f32 = 0.1;
 /// Duration of sidestepping, s.
 const ASIDE_TIME: f32 = 4.0;
 
-/// Walks to the ball in the direction in which the head looks while it faces the ball. A stalled approach steps to one side,
-/// and to the other side when it stalls again.
+/// Walks to the ball in the direction of the head, which faces the ball. A stalled approach sidesteps, alternately to
+/// both sides.
 #[derive(Debug)]
 pub struct FollowBall {
     turning: bool,
     reached: bool,
     /// Least distance to the ball, m.
     nearest: f32,
-    /// Time since `nearest` was reached, s.
+    /// Time since the distance `nearest` was reached, s.
     stalled_time: f32,
-    /// Side to step to: 1 left, −1 right.
+    /// Side of the next sidestep: 1 left, −1 right.
     side: f32,
 }
 
 #[component(hz = 20, budget_us = 5)]
 impl FollowBall {
-    /// The ball is not reached.
+    /// Creates the component with the ball not reached.
     #[must_use]
     pub const fn new() -> Self {
         Self { turning: false, reached: false, nearest: f32::INFINITY, stalled_time: 0.0, side: 1.0 }
@@ -89,7 +89,7 @@ impl FollowBall {
         }
     }
 
-    /// Whether the distance to the ball has not shrunk for long, `seconds` after the last call.
+    /// Whether the approach is stalled, `seconds` after the last call.
     fn is_stalled(&mut self, ball: Option<Vec2>, seconds: f32) -> bool {
         self.stalled_time += seconds;
         let distance = ball.map_or(self.nearest, Vec2::length);
@@ -101,7 +101,8 @@ impl FollowBall {
         self.stalled_time > PROGRESS_TIME
     }
 
-    /// Whether the ball lies before the feet: centred in the bottom camera, with the head far down and not far to a side.
+    /// Whether the ball is in front of the feet: centred in the bottom camera, with the head far down and nearly
+    /// straight.
     #[must_use]
     pub const fn reached(&self) -> bool {
         self.reached
@@ -114,7 +115,8 @@ mod tests {
 
     const PERIOD: f32 = 0.05;
 
-    /// For each run of some seconds whether the approach is stalled, with the distance to the ball as a function of time.
+    /// Simulates runs over some seconds, with the distance to the ball as a function of time, and returns for each
+    /// whether the approach is stalled.
     fn runs(follow: &mut FollowBall, seconds: f32, distance: impl Fn(f32) -> f32) -> impl Iterator<Item = bool> {
         let times = (0..(seconds / PERIOD) as u16).map(|run| f32::from(run) * PERIOD);
         times.map(move |time| follow.is_stalled(Some(Vec2::X * distance(time)), PERIOD))
@@ -135,6 +137,6 @@ mod tests {
         assert_eq!(runs(&mut follow, 1.0, |_| 1.0).last(), Some(false), "sidestepping ends");
         assert_eq!(runs(&mut follow, PROGRESS_TIME, |_| 1.0).last(), Some(true));
         assert_eq!((side, follow.side), (1.0, -1.0));
-        assert!(!follow.is_stalled(Some(Vec2::X * 0.8), PERIOD), "progress ends the stall at once");
+        assert!(!follow.is_stalled(Some(Vec2::X * 0.8), PERIOD), "a shorter distance ends the stall at once");
     }
 }

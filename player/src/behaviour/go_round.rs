@@ -12,11 +12,11 @@ use crate::perception::{BallDetector, Odometry};
 const RADIUS: f32 = 0.24;
 /// Sideways speed, m/s.
 const SPEED: f32 = 0.11;
-/// Gain that keeps the distance, 1/s.
+/// Gain of the distance control, 1/s.
 const DISTANCE_GAIN: f32 = 1.0;
-/// Gain that turns the body to the ball, 1/s.
+/// Gain of the turn to the ball, 1/s.
 const TURN_GAIN: f32 = 1.2;
-/// Remaining angle that counts as done, rad.
+/// Maximum remaining angle of a completed turn, rad.
 const DONE: f32 = 0.1;
 
 /// Steps sideways around the ball, facing it, until the body has turned by an angle.
@@ -32,7 +32,7 @@ pub struct GoRound {
 
 #[component(hz = 20, budget_us = 5)]
 impl GoRound {
-    /// No angle requested.
+    /// Creates the component without a requested angle.
     #[must_use]
     pub const fn new() -> Self {
         Self { angle: 0.0, remaining: 0.0, last: None }

@@ -1,4 +1,4 @@
-//! Looking around with the head.
+//! Scan with the head.
 
 use bica::prelude::*;
 use bica_motion::robot::CameraId;
@@ -7,11 +7,11 @@ use crate::motion::Head;
 use crate::output::CameraSelector;
 use crate::perception::Localization;
 
-/// Head pans in their order, rad. Neighbouring images overlap by a third.
+/// Head pans in sequence, rad. Neighbouring images overlap by a third.
 const PANS: [f32; 7] = [0.0, 0.6, 1.2, 1.9, -0.6, -1.2, -1.9];
 /// Head tilt, rad.
 const TILT: f32 = -0.05;
-/// Time that the head rests in each direction, s.
+/// Duration of the stop in each direction, s.
 const REST_TIME: f32 = 0.15;
 
 /// Moves the head along the horizon from one side to the other, repeatedly, while the robot localizes itself.
@@ -20,7 +20,7 @@ pub struct LookAround {
     /// Index in [`PANS`].
     glance: usize,
     glances: u32,
-    /// Time at rest, s.
+    /// Duration of the current stop so far, s.
     rested: f32,
     /// First side: 1 left, −1 right.
     side: f32,
@@ -28,7 +28,7 @@ pub struct LookAround {
 
 #[component(hz = 50, budget_us = 5)]
 impl LookAround {
-    /// Left side first.
+    /// Creates the component with the left side first.
     #[must_use]
     pub const fn new() -> Self {
         Self { glance: 0, glances: 0, rested: 0.0, side: 1.0 }
@@ -57,13 +57,13 @@ impl LookAround {
         self.side = 1.0_f32.copysign(y);
     }
 
-    /// Number of directions looked at since the component became active.
+    /// Number of completed directions since the component became active.
     #[must_use]
     pub const fn glances(&self) -> u32 {
         self.glances
     }
 
-    /// Whether every direction was looked at since the component became active.
+    /// Whether every direction is completed since the component became active.
     #[must_use]
     pub const fn is_complete(&self) -> bool {
         self.glances as usize >= PANS.len()

@@ -1,4 +1,4 @@
-//! The root: a forward that finds the ball, walks to it, looks for the goal and kicks.
+//! The root: a forward that finds the ball, walks to it, finds the goal and kicks.
 
 use core::cell::Cell;
 
@@ -14,10 +14,10 @@ use crate::strategy::{Plan, Situation, can_dribble, plan};
 /// The forward of RoboCup 2009.
 #[derive(Debug)]
 pub struct Player {
-    /// What to do with the ball; headings in the frame of the odometry.
+    /// Plan at the ball; headings in the frame of the odometry.
     plan: Plan,
-    /// The plan that a transition of this run has made, relative to the body. A transition decides by it, and the exit hook
-    /// keeps it; transitions only read the component, hence the cell.
+    /// Plan made by a transition of this run, relative to the body. The transition uses it as its condition, and the
+    /// exit hook stores it. Transitions only borrow the component immutably, hence the cell.
     decision: Cell<Option<Plan>>,
     /// The last kick, if it was given up because the robot could not line up.
     last_failed_kick: Option<Kick>,
@@ -25,7 +25,7 @@ pub struct Player {
 
 #[component(hz = 20, budget_us = 20)]
 impl Player {
-    /// Without a plan.
+    /// Creates the component without a plan.
     #[must_use]
     pub const fn new() -> Self {
         Self { plan: Plan::GoRound(0.0), decision: Cell::new(None), last_failed_kick: None }
@@ -65,7 +65,7 @@ impl Player {
     #[state]
     fn dribble(&mut self, _dribble: &mut Dribble, _face: &mut FaceBall) {}
 
-    /// Out of the game: stands.
+    /// Stands while the robot is out of the game.
     #[state]
     fn penalized(&mut self, body: &mut Body) {
         body.stand();
@@ -81,7 +81,7 @@ impl Player {
         falls.is_down()
     }
 
-    /// A fault ends what is under way.
+    /// Whether a fault ends the current motion.
     #[transition(* -> fallen)]
     fn has_fault(&self, health: &HealthMonitor) -> bool {
         health.must_stop()
@@ -112,7 +112,7 @@ impl Player {
         ball.is_lost()
     }
 
-    /// The head faced the goal before; the delay lets it find the ball again.
+    /// The head faced the goal before, so the ball detector needs some time.
     #[transition(go_round | kick -> look_for_ball, after_ms = 1500)]
     fn ball_lost_again(&self, ball: &BallDetector) -> bool {
         ball.is_lost()
@@ -138,7 +138,7 @@ impl Player {
         search.is_complete() && ball.position().is_none()
     }
 
-    /// The search is complete, and a kick is possible with little turning.
+    /// Whether the search is complete and a kick with a small turn is possible.
     #[transition(search_net -> kick)]
     fn goal_in_reach(
         &self,
@@ -178,7 +178,7 @@ impl Player {
         fixmove.done()
     }
 
-    /// Keeps the plan that the transition has made.
+    /// Stores the plan that the transition made.
     #[exit(search_net)]
     fn keep_plan(&mut self, odometry: &Odometry) {
         if let Some(plan) = self.decision.take() {

@@ -13,12 +13,13 @@ use crate::motion::Body;
 use crate::output::Motors;
 use crate::perception::FallDetector;
 
-/// Controls the body after a fall or a fault. A falling robot braces and then gets up, from the front or from the back; after
-/// a failed attempt with another movement. A robot with a fault stops and sits down: for good, or until hot motors have cooled.
+/// Controls the body after a fall or a fault. A falling robot takes a protective posture and then gets up, from the
+/// front or from the back; after a failed attempt with another movement. A robot with a fault stops and sits down:
+/// permanently, or until hot motors have cooled.
 #[derive(Debug)]
 pub struct SafetyGuard {
     get_up: GetUp<Model>,
-    /// Sitting down, or standing up from the sitting posture.
+    /// Motion to the sitting posture, or from it to the stand.
     sit_or_rise: Motion,
     brace: Keyframe,
     /// Number of get-up movements since the fall.
@@ -28,7 +29,7 @@ pub struct SafetyGuard {
 
 #[component(budget_us = 10)]
 impl SafetyGuard {
-    /// Nothing to do.
+    /// Creates the component without a motion.
     #[must_use]
     pub const fn new() -> Self {
         Self {
@@ -40,7 +41,7 @@ impl SafetyGuard {
         }
     }
 
-    /// In the air: limbs in, joints soft.
+    /// During the fall: limbs drawn in, low stiffness.
     #[state(initial)]
     fn brace(&mut self, falls: &FallDetector, motors: &mut Motors) {
         if let FallState::Falling(direction) = falls.state() {
@@ -56,19 +57,19 @@ impl SafetyGuard {
         motors.set_all(&posture, stiffness);
     }
 
-    /// On the ground after a failed attempt, or hot: limp, so that limbs come free and motors cool.
+    /// On the ground after a failed attempt, or hot: no stiffness, so that limbs come free and motors cool.
     #[state]
     fn rest(&mut self, _falls: &FallDetector, state: &RobotState, motors: &mut Motors) {
         motors.set_all(state.angles(), 0.0);
     }
 
-    /// On its feet with a fault: ends the step, both feet on the ground.
+    /// With a fault, still standing: ends the step with both feet on the ground.
     #[state]
     fn halt(&mut self, body: &mut Body) {
         body.stand();
     }
 
-    /// With a fault: sits down and stays there, almost limp.
+    /// With a fault: sits down and stays there with low stiffness.
     #[state]
     fn sit(&mut self, time: &Time, motors: &mut Motors) {
         let moving = self.sit_or_rise.step(time.dt()).filter(|_| !self.sit_or_rise.is_done());
@@ -84,7 +85,7 @@ impl SafetyGuard {
         }
     }
 
-    /// On its feet.
+    /// Standing, without a fault.
     #[state(last)]
     fn stand(&mut self) {
         self.stands = true;
@@ -100,7 +101,7 @@ impl SafetyGuard {
         health.fault().is_some() && !falls.is_down()
     }
 
-    /// Getting up heats the motors, but takes little time: it is finished first.
+    /// Getting up heats the motors but takes little time, so it is completed first.
     #[transition(get_up -> halt)]
     fn is_up_but_hot(&self, health: &HealthMonitor, falls: &FallDetector) -> bool {
         self.get_up.is_done() && health.fault().is_some_and(Fault::is_temporary) && !falls.is_down()
@@ -116,13 +117,13 @@ impl SafetyGuard {
         body.is_still()
     }
 
-    /// A fault may make a stand impossible.
+    /// A fault may make standing impossible.
     #[transition(halt -> sit, after_ms = 3000)]
     fn cannot_halt(&self) -> bool {
         true
     }
 
-    /// The robot lies, with no fault or only a temporary one.
+    /// Whether the robot lies, with no fault or only a temporary one.
     #[transition(sit -> rest)]
     fn lies_while_sitting(&self, health: &HealthMonitor, falls: &FallDetector) -> bool {
         health.fault().is_none_or(Fault::is_temporary) && falls.is_down()
@@ -133,7 +134,7 @@ impl SafetyGuard {
         health.fault().is_none()
     }
 
-    /// It was a stumble.
+    /// Whether the robot did not fall after all.
     #[transition(brace -> stand, after_ms = 500)]
     fn never_fell(&self, falls: &FallDetector) -> bool {
         !falls.is_down()
@@ -154,7 +155,7 @@ impl SafetyGuard {
         matches!(falls.state(), FallState::Fallen(_))
     }
 
-    /// The next attempt begins from where the robot lies then.
+    /// The next attempt begins with the side on which the robot lies then.
     #[transition(get_up -> rest)]
     fn failed(&self) -> bool {
         self.get_up.is_done()

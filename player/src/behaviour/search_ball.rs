@@ -10,9 +10,9 @@ use crate::output::CameraSelector;
 use crate::perception::{BallDetector, CameraPose, FieldBoundary, Odometry, RobotDetector};
 use crate::strategy::free_path;
 
-/// Camera, head pan (rad) and head tilt (rad) in their order.
+/// Camera, head pan (rad) and head tilt (rad) in sequence.
 ///
-/// Three overlapping bands: the feet, up to 2 m, and the far field; ahead, then left, then right.
+/// Three overlapping bands: the feet, up to 2 m, and the far field; each ahead, then left, then right.
 const GLANCES: [(CameraId, f32, f32); 13] = [
     (CameraId::Bottom, 0.0, -0.1),
     (CameraId::Bottom, 0.0, 0.35),
@@ -28,11 +28,11 @@ const GLANCES: [(CameraId, f32, f32); 13] = [
     (CameraId::Bottom, -1.7, -0.1),
     (CameraId::Top, -1.7, 0.0),
 ];
-/// Time that the head rests in each direction, s: two images and the motors' dead time.
+/// Duration of the stop in each direction, s: two images and the motors' dead time.
 const REST_TIME: f32 = 0.12;
 /// Duration of the search at the remembered position, s: the head motion and some images.
 const RECALL_TIME: f32 = 1.0;
-/// Confidence below which the remembered position is not searched, 0 to 1.
+/// Minimum confidence in the remembered position for a search there, 0 to 1.
 const MIN_CONFIDENCE: f32 = 0.1;
 /// Turning speed of the body after a scan without result, rad/s.
 const TURN_SPEED: f32 = 0.8;
@@ -49,15 +49,15 @@ const WALK_SPEED: f32 = 0.2;
 /// Distance to another place, m.
 const WALK_DISTANCE: f32 = 1.0;
 
-/// Searches the ball: at its remembered position, then around with the head, then with turns of the body, then in the same
-/// way at another place, from which other robots hide less or something else.
+/// Searches the ball: at its remembered position, then with the head, then with turns of the body. After a full turn without
+/// result it searches at another place, where other robots hide another part of the field.
 #[derive(Debug)]
 pub struct SearchBall {
     /// Index in [`GLANCES`].
     glance: usize,
-    /// Time at rest, s.
+    /// Duration of the current stop so far, s.
     rested: f32,
-    /// Time at the remembered position, s.
+    /// Duration of the search at the remembered position so far, s.
     recalled: f32,
     /// Number of turns at this place.
     turns: u8,
@@ -71,7 +71,7 @@ pub struct SearchBall {
 
 #[component(hz = 50, budget_us = 5)]
 impl SearchBall {
-    /// Nothing searched.
+    /// Creates the component at the beginning of a search.
     #[must_use]
     pub const fn new() -> Self {
         Self { glance: 0, rested: 0.0, recalled: 0.0, turns: 0, path: 0.0, left: Pose2::ORIGIN, walked: 0.0 }
@@ -82,14 +82,14 @@ impl SearchBall {
         *self = Self::new();
     }
 
-    /// Looks at the remembered position of the ball.
+    /// Directs the head to the remembered position of the ball.
     #[state(initial)]
     fn recall(&mut self, time: &Time, body: &mut Body, _face: &mut FaceBall) {
         body.stand();
         self.recalled += time.dt();
     }
 
-    /// The ball is not there, or its position is not known.
+    /// Whether the ball is not at the remembered position, or none is remembered.
     #[transition(recall -> scan)]
     fn not_found(&self, ball: &BallDetector) -> bool {
         self.recalled > RECALL_TIME || ball.memory().confidence() < MIN_CONFIDENCE
@@ -118,7 +118,7 @@ impl SearchBall {
         }
     }
 
-    /// Turns the body to where the head cannot look.
+    /// Turns the body to directions that the head cannot reach.
     #[state]
     fn turn_around(&mut self, _ball: &BallDetector, head: &mut Head, selector: &mut CameraSelector, body: &mut Body) {
         selector.select(CameraId::Top);

@@ -5,7 +5,7 @@ use bica::prelude::*;
 use super::LookAround;
 use crate::perception::GoalDetector;
 
-/// Looks around for the attacked goal (the paper's "net") until it was seen or every direction was looked at.
+/// Searches the attacked goal (the paper's "net") with the head until it was seen or every direction was searched.
 #[derive(Debug)]
 pub struct SearchNet {
     began: bool,
@@ -15,7 +15,7 @@ pub struct SearchNet {
 
 #[component(hz = 50, budget_us = 5)]
 impl SearchNet {
-    /// Not begun.
+    /// Creates the component at the beginning of a search.
     #[must_use]
     pub const fn new() -> Self {
         Self { began: false, glances: 0, complete: false }
@@ -26,7 +26,7 @@ impl SearchNet {
         *self = Self::new();
     }
 
-    /// Begins on the side of the remembered goal.
+    /// Begins the search on the side of the remembered goal.
     fn step(&mut self, goal: &mut GoalDetector, look: &mut LookAround) {
         if !self.began {
             self.began = true;
@@ -38,7 +38,7 @@ impl SearchNet {
         }
     }
 
-    /// Whether the search is over: both posts were seen at once, or every direction was looked at.
+    /// Whether the search is over: both posts were seen at once, or every direction was searched.
     #[must_use]
     pub const fn is_complete(&self) -> bool {
         self.complete

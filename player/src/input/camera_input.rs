@@ -9,8 +9,8 @@ use bica_motion::robot::{CameraId, Image};
 /// Bytes of the largest image: 640×480 pixels in YUYV 4:2:2, 160×120 with the feature `small-frames`.
 pub const IMAGE_BYTES: usize = if cfg!(feature = "small-frames") { 160 * 120 * 2 } else { 640 * 480 * 2 };
 
-/// Memory of the pixels. With the feature `small-frames` it is borrowed ([`CameraInput::set_buffer`]): in the tree it would
-/// also take room in flash, since the tree's initial value is stored there.
+/// Memory of the pixels. With the feature `small-frames` it is borrowed ([`CameraInput::set_buffer`]): in the tree it
+/// would also occupy flash, because the tree's initial value is stored there.
 #[cfg(feature = "small-frames")]
 type Buffer = &'static mut [u8];
 #[cfg(not(feature = "small-frames"))]
@@ -26,10 +26,10 @@ pub struct CameraInput {
     yuyv: Buffer,
 }
 
-/// An image is larger than the buffer; the one before it was kept.
+/// Error: the image is larger than the buffer; the previous image was kept.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct FrameTooLarge {
-    /// Size of the refused image, bytes.
+    /// Size of the rejected image, bytes.
     pub bytes: usize,
 }
 
@@ -43,11 +43,11 @@ impl core::error::Error for FrameTooLarge {}
 
 #[component(budget_us = 1)]
 impl CameraInput {
-    /// No image yet.
+    /// Creates the component without an image.
     #[must_use]
     #[cfg_attr(
         not(feature = "small-frames"),
-        expect(clippy::large_stack_arrays, reason = "const: trees are built in a static or a box")
+        expect(clippy::large_stack_arrays, reason = "const: trees are created in a static or a box")
     )]
     pub const fn new() -> Self {
         Self {
@@ -72,7 +72,7 @@ impl CameraInput {
     /// Copies a new image and the joint angles (rad) at which it was taken.
     ///
     /// # Errors
-    /// [`FrameTooLarge`] if it does not fit; the last image stays.
+    /// [`FrameTooLarge`] if it does not fit; the previous image is kept.
     pub fn receive(&mut self, image: &Image<'_>, angles: &Joints<f32>) -> Result<(), FrameTooLarge> {
         let bytes = image.yuyv.len();
         let buffer = self.yuyv.get_mut(..bytes).ok_or(FrameTooLarge { bytes })?;

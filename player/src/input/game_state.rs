@@ -11,7 +11,7 @@ pub struct GameState {
 
 #[component(budget_us = 1)]
 impl GameState {
-    /// In the game, button released.
+    /// Creates the component in the game, with the button released.
     #[must_use]
     pub const fn new() -> Self {
         Self { pressed: false, playing: true }

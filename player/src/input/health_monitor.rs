@@ -9,20 +9,20 @@ use super::RobotState;
 use crate::Model;
 use crate::output::JointCommand;
 
-/// Longest time from a fault until motion ends if the feet are never both on the ground, s: a kick is over by then.
+/// Maximum time from a fault to the end of the motion if the feet are never both on the ground, s. A kick takes less.
 const GRACE_TIME: f32 = 3.0;
 
-/// Faults of joints, motors and sensors, and how much the stiffness of hot motors is reduced.
+/// Faults of joints, motors and sensors, and the reduction of the stiffness of hot motors.
 #[derive(Clone, Copy, Debug)]
 pub struct HealthMonitor {
     health: Health<Model>,
-    /// Time until a fault ends motion, s; 0 or less: it does.
+    /// Remaining time until a fault ends the motion, s; 0 or less: it ends the motion.
     grace: f32,
 }
 
 #[component(budget_us = 2)]
 impl HealthMonitor {
-    /// No fault.
+    /// Creates the component without a fault.
     #[must_use]
     pub const fn new() -> Self {
         Self { health: Health::new(), grace: GRACE_TIME }
@@ -47,13 +47,13 @@ impl HealthMonitor {
         self.health.fault()
     }
 
-    /// Whether a fault ends what is under way: both feet have touched the ground since, or 3 s have passed.
+    /// Whether a fault ends the current motion: both feet have touched the ground since, or 3 s have passed.
     #[must_use]
     pub fn must_stop(&self) -> bool {
         self.grace <= 0.0
     }
 
-    /// The stiffness to command in place of `stiffness` (both 0 to 1): less for joints whose motors are hot or heavily
+    /// Stiffness to command instead of `stiffness` (both 0 to 1): less for joints whose motors are hot or heavily
     /// loaded ([`Health::derated`]).
     #[must_use]
     pub fn derated(&self, stiffness: &Joints) -> Joints {

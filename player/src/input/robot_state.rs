@@ -25,7 +25,7 @@ pub struct RobotState {
 
 #[component(budget_us = 1)]
 impl RobotState {
-    /// Before the first measurement: everything zero.
+    /// Creates the component before the first measurement, with all values zero.
     #[must_use]
     pub const fn new() -> Self {
         const NONE: FootPressure = FootPressure { front_left: 0.0, front_right: 0.0, rear_left: 0.0, rear_right: 0.0 };
@@ -38,8 +38,8 @@ impl RobotState {
         }
     }
 
-    /// Takes the measurements of this cycle and the command of the previous one. Instead of a measurement that is not
-    /// finite the last finite one is kept.
+    /// Processes the measurements of this cycle and the command of the previous one. A measurement that is not finite
+    /// is replaced by the last finite one.
     pub fn measure(&mut self, sensors: &Sensors<'_>, commanded: &JointCommand) {
         for (kept, new) in self.angles.0.iter_mut().zip(sensors.angles.0) {
             if new.is_finite() {

@@ -6,9 +6,9 @@ use bica_motion::walk::Velocity;
 
 use super::{GoStraight, Turn, Walk};
 
-/// Stands, goes straight, turns on the spot or steps in any direction, as its activators request.
+/// Stands, walks straight, turns on the spot or steps in any direction, as its activators request.
 ///
-/// Each of them is a state with its own child, so only the one in use is active.
+/// Each kind of walking is a state with its own child, so only the one in use is active.
 #[derive(Debug)]
 pub struct Body {
     request: Request,
@@ -26,13 +26,13 @@ enum Request {
 
 #[component(hz = 50, budget_us = 5)]
 impl Body {
-    /// Standing.
+    /// Creates the component in the stand.
     #[must_use]
     pub const fn new() -> Self {
         Self { request: Request::Stand, kick: None, still: false }
     }
 
-    /// Comes to a stand, feet together.
+    /// Stops and stands with the feet together.
     #[state(initial)]
     fn standing(&mut self, walk: &mut Walk) {
         walk.request(Velocity::ZERO);
@@ -122,7 +122,7 @@ impl Body {
         self.request = Request::Step(velocity);
     }
 
-    /// Requests that a foot swings through the ball in its next step; only while stepping.
+    /// Requests that a foot swings through the ball in its next step; only in the state that steps in any direction.
     pub const fn kick(&mut self, foot: Side) {
         self.kick = Some(foot);
     }

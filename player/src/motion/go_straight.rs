@@ -8,15 +8,15 @@ use super::Walk;
 /// Walks forward and steers.
 #[derive(Debug)]
 pub struct GoStraight {
-    /// m/s
+    /// Forward speed, m/s.
     forward: f32,
-    /// rad/s
+    /// Turning speed, rad/s.
     turn: f32,
 }
 
 #[component(hz = 50, budget_us = 2)]
 impl GoStraight {
-    /// Speed zero.
+    /// Creates the component with speed zero.
     #[must_use]
     pub const fn new() -> Self {
         Self { forward: 0.0, turn: 0.0 }

@@ -10,9 +10,9 @@ use crate::Model;
 use crate::input::RobotState;
 use crate::output::Motors;
 
-/// Speed limits: below the motors' 6.5 rad/s, so that images stay sharp.
+/// Speed limits: below the motors' 6.5 rad/s, so that images are not blurred.
 const SPEED: HeadSpeed = HeadSpeed { yaw: 4.0, pitch: 3.0 };
-/// Largest error of the measured joints that counts as arrived, rad.
+/// Maximum error of the measured joints at the target, rad.
 const ARRIVED: f32 = 0.03;
 
 /// Pan and tilt of the head, with limited speed and within the limits of the shell.
@@ -25,7 +25,7 @@ pub struct Head {
 
 #[component(budget_us = 3)]
 impl Head {
-    /// Straight ahead.
+    /// Creates the component with the head straight ahead.
     #[must_use]
     pub const fn new() -> Self {
         Self { target: HeadAngles::AHEAD, commanded: HeadAngles::AHEAD, arrived: false }

@@ -7,7 +7,7 @@ use crate::Model;
 use crate::input::{RobotProfile, RobotState};
 use crate::output::Motors;
 
-/// Plays a kick, from stand to stand.
+/// Plays a kick that begins and ends in the stand.
 #[derive(Debug)]
 pub struct Kicker {
     kick: Option<Kick>,
@@ -16,7 +16,7 @@ pub struct Kicker {
 
 #[component(budget_us = 15)]
 impl Kicker {
-    /// No kick.
+    /// Creates the component without a kick.
     #[must_use]
     pub const fn new() -> Self {
         Self { kick: None, motion: None }

@@ -8,13 +8,13 @@ use super::Walk;
 /// Turns on the spot.
 #[derive(Debug)]
 pub struct Turn {
-    /// rad/s
+    /// Turning speed, rad/s.
     speed: f32,
 }
 
 #[component(hz = 50, budget_us = 2)]
 impl Turn {
-    /// Speed zero.
+    /// Creates the component with speed zero.
     #[must_use]
     pub const fn new() -> Self {
         Self { speed: 0.0 }

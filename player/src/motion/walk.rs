@@ -9,7 +9,7 @@ use crate::Model;
 use crate::input::{RobotProfile, RobotState};
 use crate::output::Motors;
 
-/// Walks with the requested velocity; brings the feet together and stands when it is zero.
+/// Walks with the requested velocity; at zero velocity it brings the feet together and stands.
 #[derive(Debug)]
 pub struct Walk {
     gait: Gait<Model>,
@@ -18,13 +18,13 @@ pub struct Walk {
 
 #[component(budget_us = 20)]
 impl Walk {
-    /// Standing.
+    /// Creates the component in the stand.
     #[must_use]
     pub const fn new() -> Self {
         Self { gait: Gait::new(&Model::KINEMATIC_PROFILE.gait), request: Velocity::ZERO }
     }
 
-    /// Every other motion ends in the stand.
+    /// Every other motion ends in the stand, so the walk may be reset.
     #[start]
     fn begin(&mut self) {
         self.gait.reset();

@@ -11,7 +11,7 @@ pub struct CameraSelector {
 
 #[component(budget_us = 1)]
 impl CameraSelector {
-    /// The top camera.
+    /// Creates the component with the top camera selected.
     #[must_use]
     pub const fn new() -> Self {
         Self { camera: CameraId::Top }

@@ -31,7 +31,7 @@ pub struct Motors {
 
 #[component(budget_us = 1)]
 impl Motors {
-    /// All joints limp until the first targets are written.
+    /// Creates the component with all joints without stiffness until the first targets are written.
     #[must_use]
     pub const fn new() -> Self {
         const ZERO: Joints = Joints([0.0; JOINTS]);
@@ -74,7 +74,7 @@ impl Motors {
         &self.stiffness
     }
 
-    /// Forms the command from the targets, within the joint limits, and the stiffness that is to be commanded, 0 to 1.
+    /// Computes the command from the targets, within the joint limits, and this stiffness, 0 to 1.
     pub fn command(&mut self, stiffness: Joints) -> &JointCommand {
         self.commanded = JointCommand { targets: self.targets.clamp_to_limits::<Model>(), stiffness };
         &self.commanded

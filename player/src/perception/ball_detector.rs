@@ -33,20 +33,20 @@ pub struct BallDetector {
     ego_motion: EgoMotion,
 }
 
-/// A ball in an image.
+/// Ball in an image.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BallSighting {
     /// Centre and radius, px.
     pub ball: Ball,
-    /// The bearing of its centre.
+    /// Bearing of its centre.
     pub bearing: Bearing,
-    /// The camera that took the image.
+    /// Camera that took the image.
     pub camera: CameraId,
 }
 
 #[component(hz = 30, budget_us = 700)]
 impl BallDetector {
-    /// No ball.
+    /// Creates the component without a ball.
     #[must_use]
     pub const fn new() -> Self {
         Self {
@@ -130,20 +130,20 @@ impl BallDetector {
         self.unseen_ms >= LOST
     }
 
-    /// The bearing of the ball in the newest image, else of its remembered position.
+    /// Bearing of the ball in the newest image, otherwise of its remembered position.
     #[must_use]
     pub fn bearing(&self) -> Option<Bearing> {
         let remembered = || self.position().map(|at| Bearing::of_ground(at, FIELD.ball_radius()));
         self.seen.map(|seen| seen.bearing).or_else(remembered)
     }
 
-    /// The most likely position of the ball now, lying or rolling, m, in the ground frame between the feet.
+    /// Most probable position of the ball now, resting or rolling, m, in the ground frame between the feet.
     #[must_use]
     pub fn position(&self) -> Option<Vec2> {
         self.estimate().map(|place| place.position)
     }
 
-    /// The same with its covariance, m².
+    /// The same position with its covariance, m².
     #[must_use]
     pub fn estimate(&self) -> Option<PositionEstimate> {
         self.memory.likeliest()

@@ -1,4 +1,4 @@
-//! Bearings from the head.
+//! Bearings relative to the head.
 
 use glam::{Vec2, Vec3};
 use libm::{atan2f, hypotf};
@@ -6,7 +6,7 @@ use libm::{atan2f, hypotf};
 /// Height of the cameras over the ground in a walking robot, m.
 const CAMERA_HEIGHT: f32 = 0.48;
 
-/// A direction from the head, relative to an upright torso.
+/// Direction from the head, relative to an upright torso.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bearing {
     /// Angle to the left, rad.
@@ -22,7 +22,7 @@ impl Bearing {
         Self { pan: atan2f(direction.y, direction.x), down: atan2f(-direction.z, hypotf(direction.x, direction.y)) }
     }
 
-    /// The bearing of a point `height` m above a place on the ground, m.
+    /// The bearing of a point at height `height`, m, above a position on the ground, m.
     #[must_use]
     pub fn of_ground(place: Vec2, height: f32) -> Self {
         Self::of(place.extend(height - CAMERA_HEIGHT))

@@ -14,14 +14,14 @@ const BLURRED: f32 = 0.05;
 #[derive(Debug)]
 pub struct CameraPose {
     camera: Option<Camera>,
-    /// Rotation since the image before, rad.
+    /// Rotation since the previous image, rad.
     turned: f32,
     image: LastImage,
 }
 
 #[component(budget_us = 5)]
 impl CameraPose {
-    /// Unknown before the first image.
+    /// Creates the component with an unknown pose.
     #[must_use]
     pub const fn new() -> Self {
         Self { camera: None, turned: 0.0, image: LastImage::new() }
@@ -37,7 +37,7 @@ impl CameraPose {
         }
     }
 
-    /// Whether the camera rotated so little since the image before that the newest one is sharp.
+    /// Whether the rotation since the previous image is so small that the newest image is sharp.
     #[must_use]
     pub fn is_steady(&self) -> bool {
         self.turned < BLURRED

@@ -1,4 +1,4 @@
-//! What the perception components share: new images, and the robot's motion between them.
+//! Shared by the perception components: detection of new images, and the robot's motion between them.
 
 use bica_motion::pose::Pose2;
 
@@ -10,12 +10,12 @@ use crate::input::CameraInput;
 pub(super) struct LastImage(u32);
 
 impl LastImage {
-    /// No image yet.
+    /// Creates a value without an image.
     pub(super) const fn new() -> Self {
         Self(0)
     }
 
-    /// Whether there is an image that the component has not processed; from then on it counts as processed.
+    /// Whether there is an image that the component has not processed yet; it then counts as processed.
     pub(super) const fn take_new(&mut self, input: &CameraInput) -> bool {
         let is_new = self.0 != input.count();
         self.0 = input.count();
@@ -23,7 +23,7 @@ impl LastImage {
     }
 }
 
-/// The robot's motion between two runs of a component that remembers places relative to the robot.
+/// Motion of the robot between two runs of a component that remembers positions relative to the robot.
 #[derive(Debug)]
 pub(super) struct EgoMotion {
     /// The robot's pose at the last run, in the frame of the odometry.
@@ -32,14 +32,14 @@ pub(super) struct EgoMotion {
 }
 
 impl EgoMotion {
-    /// Before the first run: at the origin of the odometry.
+    /// Creates a value at the origin of the odometry, for the first run.
     pub(super) const fn new() -> Self {
         Self { pose: Pose2::ORIGIN, image: LastImage::new() }
     }
 
-    /// Begins a run: moves what the component remembers along with the robot, and returns whether there is a new image.
+    /// Begins a run: applies the robot's motion to the remembered positions, and returns whether there is a new image.
     ///
-    /// `remembered` gets the robot's new pose in the frame of its pose at the last run.
+    /// `remembered` is called with the robot's new pose in the frame of its pose at the last run.
     pub(super) fn begin_run(
         &mut self,
         odometry: &Odometry,

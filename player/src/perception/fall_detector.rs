@@ -6,7 +6,7 @@ use bica_motion::fall::{FallDetector as Detector, FallState};
 use crate::Model;
 use crate::input::RobotState;
 
-/// Detects a fall while it happens, and the side on which the robot lies.
+/// Detects a fall before its end, and the side on which the robot lies.
 #[derive(Debug)]
 pub struct FallDetector {
     detector: Detector<Model>,
@@ -14,7 +14,7 @@ pub struct FallDetector {
 
 #[component(budget_us = 2)]
 impl FallDetector {
-    /// Upright.
+    /// Creates the component with an upright robot.
     #[must_use]
     pub const fn new() -> Self {
         Self { detector: Detector::new() }
@@ -24,7 +24,7 @@ impl FallDetector {
         self.detector.step(state.inertial(), time.dt());
     }
 
-    /// Whether the robot is upright, falls or lies, and to which side.
+    /// The state of the balance: upright, falling or fallen, with the side.
     #[must_use]
     pub const fn state(&self) -> FallState {
         self.detector.state()

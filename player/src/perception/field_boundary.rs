@@ -16,7 +16,7 @@ pub struct FieldBoundary {
 
 #[component(hz = 30, budget_us = 300)]
 impl FieldBoundary {
-    /// No boundary before the first image.
+    /// Creates the component without a boundary.
     #[must_use]
     pub const fn new() -> Self {
         Self { line: Line::NONE, image: LastImage::new() }

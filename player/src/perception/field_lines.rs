@@ -10,7 +10,7 @@ use super::ego_motion::LastImage;
 use super::{CameraPose, FieldBoundary, OwnBody, RobotDetector};
 use crate::input::{CameraInput, Colours};
 
-/// The field lines in the newest image, their crossings and the centre circle. White pixels on robots, this one included,
+/// Field lines in the newest image, their crossings and the centre circle. White pixels on robots, including this one,
 /// are excluded.
 #[derive(Debug)]
 pub struct FieldLines {
@@ -20,7 +20,7 @@ pub struct FieldLines {
 
 #[component(hz = 30, budget_us = 300)]
 impl FieldLines {
-    /// No markings before the first image.
+    /// Creates the component without markings.
     #[must_use]
     pub const fn new() -> Self {
         Self { markings: Markings::NONE, image: LastImage::new() }

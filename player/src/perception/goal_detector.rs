@@ -19,9 +19,9 @@ use crate::input::{CameraInput, Colours};
 const HALF_LIFE: f32 = 20.0;
 /// Largest relative error of the distance between two posts of one goal.
 const WIDTH_ERROR: f32 = 0.3;
-/// Width of the narrowest gap to aim at, relative to the goal.
+/// Minimum width of a gap to aim at, relative to the goal.
 const ROOM: f32 = 0.25;
-/// Largest correction of the remembered goal by a single post, m; a farther post belongs to something else.
+/// Maximum correction of the remembered goal by a single post, m; a farther post belongs to another object.
 const SAME: f32 = 0.6;
 /// Distance up to which a goal in view is always detected, m.
 const VISIBLE: f32 = 4.0;
@@ -38,9 +38,9 @@ pub struct GoalDetector {
     seen: Option<Goal>,
     /// Both posts were seen at once since the last restart of the search.
     complete: bool,
-    /// A part was seen since the last restart of the search.
+    /// Whether a part of the goal was seen since the last restart of the search.
     found: bool,
-    /// From the right post to the left one, length 1, in the frame of the odometry.
+    /// Unit vector from the right post to the left one, in the frame of the odometry.
     across: Vec2,
     gap: Option<f32>,
     memory: Memory,
@@ -49,7 +49,7 @@ pub struct GoalDetector {
 
 #[component(hz = 30, budget_us = 500)]
 impl GoalDetector {
-    /// Attacks the yellow goal.
+    /// Creates the component with the yellow goal attacked.
     #[must_use]
     pub const fn new() -> Self {
         Self {
@@ -97,7 +97,7 @@ impl GoalDetector {
         frame.map_or(Goals::default(), |frame| self.finder.find(&frame, colours, end.line(), pose.camera()))
     }
 
-    /// Updates the remembered goal: two posts give its position; one post corrects it, or gives a first estimate.
+    /// Updates the remembered goal: two posts determine its position; one post corrects it, or gives a first estimate.
     fn remember(&mut self, goal: &Goal, camera: &Camera) {
         let Some(first) = goal.first.ground(camera) else { return };
         if let Some(second) = goal.second.and_then(|post| post.ground(camera)) {
@@ -113,7 +113,7 @@ impl GoalDetector {
                 self.found = true;
                 self.memory.see(middle, &Self::spread(goal, camera), 0.3);
             } else if goal.first.has_base {
-                // A post stands where the remembered goal has none.
+                // Whether a post is where the remembered goal has none.
                 self.memory.miss();
             }
         } else if let Some(middle) = goal.ground(camera) {
@@ -143,7 +143,7 @@ impl GoalDetector {
         spread.map_or(uncertainty::round(UNSURE), |spread| spread * if goal.second.is_some() { 0.5 } else { 1.0 })
     }
 
-    /// Measures the gap beside the keeper; possible only if both posts are in view.
+    /// Measures the gap beside the keeper, if both posts are in view.
     fn measure_gap(&mut self, goal: &Goal, camera: &Camera, input: &CameraInput, colours: &Colours) {
         let place = |post: Post| post.ground(camera).filter(|_| post.has_base);
         let posts = place(goal.first).zip(goal.second.and_then(place));
@@ -168,7 +168,7 @@ impl GoalDetector {
         self.attacked
     }
 
-    /// Restarts the search: from now on only new sightings count as found; the remembered position stays.
+    /// Restarts the search: only later sightings count as found; the remembered position is kept.
     pub const fn restart_search(&mut self) {
         (self.complete, self.found) = (false, false);
     }
@@ -203,8 +203,8 @@ impl GoalDetector {
         rotate(self.across, -self.ego_motion.heading())
     }
 
-    /// The middle of the widest gap, m to the left of the middle of the goal; `None` if both posts were never in view at
-    /// once.
+    /// The middle of the widest gap, m to the left of the middle of the goal; `None` if both posts were never in view
+    /// at the same time.
     #[must_use]
     pub const fn gap(&self) -> Option<f32> {
         self.gap
@@ -216,7 +216,7 @@ impl GoalDetector {
         self.memory.position()
     }
 
-    /// The same with its covariance, m².
+    /// The same position with its covariance, m².
     #[must_use]
     pub fn estimate(&self) -> Option<PositionEstimate> {
         self.memory.estimate()

@@ -25,7 +25,7 @@ pub struct Localization {
 
 #[component(hz = 30, budget_us = 1000)]
 impl Localization {
-    /// Unknown pose.
+    /// Creates the component with an unknown pose.
     #[must_use]
     pub const fn new() -> Self {
         Self { localizer: Localizer::new(SEED), ego_motion: EgoMotion::new() }
@@ -44,7 +44,7 @@ impl Localization {
         self.localizer.see(Sightings::of(lines.markings(), goals.goals(), goals.attacked(), camera));
     }
 
-    /// The most likely pose, certain or not; `None` before the first sighting.
+    /// The most probable pose, reliable or not; `None` before the first sighting.
     #[must_use]
     pub const fn estimate(&self) -> Option<Estimate> {
         self.localizer.estimate()

@@ -7,8 +7,8 @@ use bica_motion::pose::Pose2;
 use crate::Model;
 use crate::input::{RobotProfile, RobotState};
 
-/// The robot's pose relative to where it started: displacement from the support leg, commanded and measured, and rotation
-/// from the gyroscope.
+/// The robot's pose relative to its start: displacement from the support leg, commanded and measured, and rotation from
+/// the gyroscope.
 #[derive(Debug)]
 pub struct Odometry {
     estimator: Estimator<Model>,
@@ -16,7 +16,7 @@ pub struct Odometry {
 
 #[component(budget_us = 10)]
 impl Odometry {
-    /// At the origin.
+    /// Creates the component at the origin.
     #[must_use]
     pub const fn new() -> Self {
         Self { estimator: Estimator::new(&Calibration::EXACT) }

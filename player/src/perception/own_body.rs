@@ -8,7 +8,7 @@ use super::ego_motion::LastImage;
 use crate::Model;
 use crate::input::CameraInput;
 
-/// The part of the newest image that the robot's own chest, arms and legs cover. Detectors ignore it.
+/// Part of the newest image that the robot's own chest, arms and legs cover. Detectors ignore it.
 #[derive(Debug)]
 pub struct OwnBody {
     body: Body,
@@ -17,7 +17,7 @@ pub struct OwnBody {
 
 #[component(budget_us = 10)]
 impl OwnBody {
-    /// Nothing is covered before the first image.
+    /// Creates the component with nothing covered.
     #[must_use]
     pub const fn new() -> Self {
         Self { body: Body::NONE, image: LastImage::new() }

@@ -13,7 +13,7 @@ use super::ego_motion::EgoMotion;
 use super::{CameraPose, FieldBoundary, Odometry, OwnBody};
 use crate::input::{CameraInput, Colours};
 
-/// Number of robots that are remembered.
+/// Maximum number of remembered robots.
 const REMEMBERED: usize = 4;
 /// Half-life of the confidence in a robot that is not seen, s.
 const HALF_LIFE: f32 = 4.0;
@@ -34,7 +34,7 @@ pub struct RobotDetector {
 
 #[component(hz = 30, budget_us = 300)]
 impl RobotDetector {
-    /// No robots.
+    /// Creates the component without robots.
     #[must_use]
     pub const fn new() -> Self {
         Self { robots: Robots::new(), memory: MultiTargetMemory::new(HALF_LIFE), ego_motion: EgoMotion::new() }

@@ -5,20 +5,20 @@ use glam::Vec2;
 
 use super::situation::Goal;
 
-/// Offset of the target from the middle of the goal while the gap is unknown, m: the keeper stands in the middle.
+/// Offset of the target from the middle of the goal while the gap is unknown, m: the keeper is in the middle.
 const BESIDE: f32 = 0.38;
 /// Number of further targets on each side of the middle of the goal.
 const OTHERS: i8 = 4;
 /// Distance of the outermost target from the middle of the goal, as a share of the distance to the post.
 const OUTERMOST: f32 = 0.75;
-/// Cost per metre beside the best target, rad/m.
+/// Cost per metre of distance from the best target, rad/m.
 const OFFSET_COST: f32 = 1.0;
-/// Distance of the targets before the goal from the goal line, m.
+/// Distance from the goal line of the targets in front of the goal, m.
 const BEFORE: f32 = 1.2;
-/// Targets before the goal: offset along the goal line, m, and cost, rad.
+/// Targets in front of the goal: offset along the goal line, m, and cost, rad.
 const BEFORE_GOAL: [(f32, f32); 3] = [(0.0, 0.0), (0.6, 0.4), (-0.6, 0.4)];
 
-/// A target of a kick.
+/// Target of a kick.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Aim {
     /// Position in the ground frame, m.
@@ -38,7 +38,7 @@ pub(super) fn scoring(goal: &Goal) -> [Aim; 2 + 2 * OTHERS as usize + 1] {
     })
 }
 
-/// Targets before the goal, for a ball that has no free way into it.
+/// Targets in front of the goal, for a ball without a free path into it.
 pub(super) fn open(goal: &Goal) -> [Aim; 3] {
     BEFORE_GOAL.map(|(aside, cost)| Aim { at: goal.middle + aside * goal.across + BEFORE * goal.across.perp(), cost })
 }

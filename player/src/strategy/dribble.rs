@@ -1,10 +1,10 @@
-//! When to kick the ball on while walking.
+//! Condition for a kick in walking.
 
 use libm::{atan2f, fabsf};
 
 use crate::perception::{BallDetector, GoalDetector};
 
-/// Distance from ball to goal beyond which a kick past the keeper is unlikely, m.
+/// Distance from ball to goal above which a kick past the keeper is unlikely to score, m.
 const LONG: f32 = 2.2;
 /// Least forward distance of the ball, m.
 const MIN_AHEAD: f32 = 0.25;
@@ -15,7 +15,7 @@ const MAX_ASIDE: f32 = 0.12;
 /// Largest angle between straight ahead and the direction from ball to goal, rad.
 const MAX_ANGLE: f32 = 0.5;
 
-/// Whether to kick the ball on while walking: it lies straight ahead, and the goal far behind it.
+/// Whether to kick in walking: the ball is straight ahead, and the goal far behind it.
 #[must_use]
 pub fn can_dribble(ball: &BallDetector, goal: &GoalDetector) -> bool {
     let Some((ball, goal)) = ball.position().zip(goal.position()).filter(|_| ball.is_confirmed()) else { return false };

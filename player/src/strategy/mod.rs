@@ -18,7 +18,7 @@ use libm::{atan2f, fabsf};
 
 use aim::Aim;
 
-/// What to do with the ball.
+/// Next action at the ball.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Plan {
     /// Kick it.
@@ -27,7 +27,7 @@ pub enum Plan {
     GoRound(f32),
 }
 
-/// A kick and the heading to play it in.
+/// Kick with the heading in which to play it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Strike {
     /// The kick.
@@ -36,22 +36,22 @@ pub struct Strike {
     pub heading: f32,
 }
 
-/// Largest turn of an alignment, rad; a larger one needs a path around the ball.
+/// Maximum turn of an alignment, rad; a larger one needs a path around the ball.
 const MAX_ALIGNMENT: f32 = 0.6;
-/// Turn around the ball if no goal was seen, rad: it is behind the robot.
+/// Turn around the ball if no goal was seen, rad: the goal is assumed behind the robot.
 const UNKNOWN_GOAL_TURN: f32 = 2.5;
 /// Cost of a path around the ball, rad: above that of every kick without one.
 const CIRCLING_COST: f32 = 10.0;
-/// Weight of a kick's cost once circling is needed.
+/// Weight of the cost of a kick in addition to a path around the ball.
 const CIRCLING_WEIGHT: f32 = 4.0;
-/// Cost of a kick that was given up just before, rad.
+/// Additional cost of the last failed kick, rad.
 const REPETITION_COST: f32 = 1.0;
 
-/// Plans what to do with the ball: the kick with the least turning whose path and standing place are free. Headings are
-/// relative to the body. `last_failed_kick` is planned again only if every other kick costs much more.
+/// Plans the next action at the ball: the kick with the smallest turn whose path and standing position are free.
+/// Headings are relative to the body. `last_failed_kick` is repeated only if every other kick costs much more.
 ///
-/// An unknown goal is assumed behind the robot. If no free path leads from the ball into the goal, as beside a post, the ball is
-/// kicked before the goal.
+/// An unknown goal is assumed behind the robot. If no free path leads from the ball into the goal, for example beside a
+/// post, the ball is kicked in front of the goal.
 #[must_use]
 #[inline(never)]
 pub fn plan(situation: &Situation, kicks: &Kicks, last_failed_kick: Option<Kick>) -> Plan {
@@ -63,7 +63,7 @@ pub fn plan(situation: &Situation, kicks: &Kicks, last_failed_kick: Option<Kick>
         .unwrap_or(Plan::GoRound(UNKNOWN_GOAL_TURN))
 }
 
-/// The cheapest kick that needs little turning; else the path around the ball to the cheapest one.
+/// The cheapest kick that needs a small turn; otherwise the path around the ball to the cheapest one.
 #[inline(never)]
 fn choose(situation: &Situation, aims: &[Aim], kicks: &Kicks, last_failed_kick: Option<Kick>) -> Option<Plan> {
     let mut best = (f32::INFINITY, None);
@@ -78,7 +78,8 @@ fn choose(situation: &Situation, aims: &[Aim], kicks: &Kicks, last_failed_kick: 
     best.1
 }
 
-/// The plan for a kick and its effort, rad of turning; `None` if the effort is not below `limit`, or an obstacle prevents it.
+/// Plan for a kick and its cost, rad of turning; `None` if the cost is not below `limit`, or an obstacle prevents the
+/// kick.
 fn weigh(situation: &Situation, aim: &Aim, kick: Kick, kicks: &Kicks, again: f32, limit: f32) -> Option<(f32, Plan)> {
     let path = aim.at - situation.ball;
     let turn = wrap(atan2f(path.y, path.x) - kick.direction());
@@ -186,19 +187,19 @@ mod tests {
             let off = keeper - BALL;
             assert!(off.dot(way) < 0.0 || off.perp_dot(way).abs() > 0.15, "{way}");
             let at_line = BALL + way * (0.2 / way.x);
-            assert!(way.x > 0.0 && at_line.y.abs() < 0.65, "it goes into the goal: {at_line}");
+            assert!(way.x > 0.0 && at_line.y.abs() < 0.65, "the path ends in the goal: {at_line}");
         }
     }
 
     #[test]
     fn a_ball_beside_a_post_is_kicked_before_the_goal() {
         let beside = situation(BALL, Vec2::new(0.32, 0.88), 0.0, Some(0.0), &[]);
-        let Plan::GoRound(angle) = plan(&beside, &KICKS, None) else { panic!("it is too far to turn") };
+        let Plan::GoRound(angle) = plan(&beside, &KICKS, None) else { panic!("the turn is too large") };
         let turned = rotate(BALL, -angle);
         let after = situation(turned, rotate(Vec2::new(0.32, 0.88), -angle), -angle, Some(0.0), &[]);
         let (_, stand, way) = kick(&after);
         let way = rotate(way, angle);
-        assert!(way.x < -0.3 && way.y > 0.3, "back into the field, towards the goal's middle: {way}");
+        assert!(way.x < -0.3 && way.y > 0.3, "into the field, towards the middle of the goal: {way}");
         assert!(after.obstacles.allow_stand(stand));
     }
 

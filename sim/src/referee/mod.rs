@@ -127,8 +127,8 @@ impl Referee {
         self.count(|event| *event == Event::BallOut)
     }
 
-    /// Number of events for which `wanted` returns true.
-    pub fn count(&self, wanted: impl Fn(&Event) -> bool) -> usize {
-        self.events.iter().filter(|timed| wanted(&timed.event)).count()
+    /// Number of events for which `matches` returns true.
+    pub fn count(&self, matches: impl Fn(&Event) -> bool) -> usize {
+        self.events.iter().filter(|timed| matches(&timed.event)).count()
     }
 }

@@ -37,7 +37,7 @@ fn chroma(yuyv: &[u8], u: usize, v: usize) -> (i32, i32) {
 }
 
 /// Turns the head, waits until it is still, and returns the next image with the true joint angles.
-fn look(world: &mut KinematicWorld, id: CameraId, yaw: f32, pitch: f32) -> (Vec<u8>, Joints) {
+fn image_at(world: &mut KinematicWorld, id: CameraId, yaw: f32, pitch: f32) -> (Vec<u8>, Joints) {
     let mut targets = Nao::STAND;
     (targets[Joint::HeadYaw], targets[Joint::HeadPitch]) = (yaw, pitch);
     for _ in 0..60 {
@@ -80,7 +80,7 @@ fn image_and_segmentation_mask_show_the_ball_at_its_projection() {
         let distance = if id == CameraId::Top { any(0.9, 2.2) } else { any(0.35, 0.8) };
         let ball = robot.place(rotate(Vec2::new(distance, 0.0), yaw + any(-0.3, 0.3)));
         let mut world = alone(round, robot, ball);
-        let (image, angles) = look(&mut world, id, yaw, pitch);
+        let (image, angles) = image_at(&mut world, id, yaw, pitch);
         let centre = camera_pose(id, robot, &angles).inverse().transform_point3(ball.extend(BALL_RADIUS));
         let radius = FOCAL.x * BALL_RADIUS / centre.x;
         // The outline of a sphere is an ellipse whose centre lies farther out than the projected centre of the sphere.

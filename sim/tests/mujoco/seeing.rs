@@ -16,14 +16,14 @@ use crate::support::{command, world};
 const BALL_RADIUS: f32 = 0.0325;
 
 /// An image with its camera relative to the ground frame.
-struct Look {
+struct View {
     yuyv: Vec<u8>,
     camera: Camera,
     /// Ground frame (between the feet) in the field frame.
     ground: Pose2,
 }
 
-impl Look {
+impl View {
     /// Stands, turns the head, waits until it is still, and takes an image.
     fn new(seed: u64, start: Start, id: CameraId, (yaw, pitch): (f32, f32)) -> Self {
         let setup = Setup { seed, goalkeeper: false, start: Some(start), ..Setup::default() };
@@ -77,7 +77,7 @@ impl Look {
     }
 }
 
-fn looks(ball_distance: (f32, f32), id: CameraId) -> Vec<(Look, Vec2)> {
+fn views(ball_distance: (f32, f32), id: CameraId) -> Vec<(View, Vec2)> {
     let part = |i: u64, salt: u64| ((i * 37 + salt * 59) % 101) as f32 / 100.0;
     let between = |(low, high): (f32, f32), part: f32| low + (high - low) * part;
     (0..16)
@@ -87,7 +87,7 @@ fn looks(ball_distance: (f32, f32), id: CameraId) -> Vec<(Look, Vec2)> {
             let (yaw, pitch) = (between((-0.7, 0.7), part(i, 4)), between((-0.1, 0.2), part(i, 5)));
             let aside = yaw + between((-0.25, 0.25), part(i, 6));
             let ball = robot.place(rotate(Vec2::new(between(ball_distance, part(i, 7)), 0.0), aside));
-            (Look::new(i, Start { robot, ball }, id, (yaw, pitch)), ball)
+            (View::new(i, Start { robot, ball }, id, (yaw, pitch)), ball)
         })
         .collect()
 }
@@ -96,13 +96,13 @@ fn looks(ball_distance: (f32, f32), id: CameraId) -> Vec<(Look, Vec2)> {
 fn the_ball_is_drawn_at_its_projection() {
     let (mut offsets, mut worst) = (Vec::new(), 0.0_f32);
     for (id, distance) in [(CameraId::Top, (0.9, 2.0)), (CameraId::Bottom, (0.35, 0.7))] {
-        for (look, ball) in looks(distance, id) {
-            let Some(expected) = look.pixel(ball.extend(BALL_RADIUS)) else { continue };
+        for (view, ball) in views(distance, id) {
+            let Some(expected) = view.pixel(ball.extend(BALL_RADIUS)) else { continue };
             let room = Vec2::splat(40.0);
             if expected.clamp(room, Vec2::new(320.0, 240.0) - room) != expected {
                 continue;
             }
-            let found = look.orange().unwrap();
+            let found = view.orange().unwrap();
             worst = worst.max(found.distance(expected));
             offsets.push(found - expected);
         }
@@ -118,17 +118,17 @@ fn pixels_on_a_line_are_bright_and_pixels_beside_it_dark() {
     for i in 0..6 {
         let robot = Pose2::new(-1.3, 0.5 * i as f32 - 1.3, 0.1 * i as f32 - 0.25);
         let start = Start { robot, ball: Vec2::new(-2.5, 1.8) };
-        let look = Look::new(i, start, CameraId::Top, (0.0, 0.1 + 0.02 * i as f32));
+        let view = View::new(i, start, CameraId::Top, (0.0, 0.1 + 0.02 * i as f32));
         for y in -38..=38 {
             // On the halfway line, and 20 cm beside it.
             for (x, white) in [(0.0, true), (0.2, false), (-0.2, false)] {
                 let point = Vec3::new(x, 0.05 * y as f32, 0.0);
                 let free = (0.25..0.5).contains(&point.y.abs()) || (0.75..1.8).contains(&point.y.abs());
-                let Some(at) = look.pixel(point).filter(|_| free) else { continue };
+                let Some(at) = view.pixel(point).filter(|_| free) else { continue };
                 if at.clamp(Vec2::splat(5.0), Vec2::new(314.0, 234.0)) != at {
                     continue;
                 }
-                let [luma, ..] = look.colour(at.x.round() as usize, at.y.round() as usize);
+                let [luma, ..] = view.colour(at.x.round() as usize, at.y.round() as usize);
                 seen += 1;
                 assert_eq!(luma > 130, white, "{point}: {luma}");
             }

@@ -1,7 +1,7 @@
 //! Recorded images for tests.
 //!
-//! The images are not part of the repository. They lie in `../shared/images` beside it, or in `$BICA_SHARED/images`.
-//! Where they are missing, a test in [`images_test!`] is ignored, and the test harness counts and prints it:
+//! The images are not part of the repository. They are in `../shared/images` beside it, or in `$BICA_SHARED/images`. If
+//! they are missing, a test in [`images_test!`] is ignored, and the test harness counts and prints it:
 //!
 //! ```text
 //! test ball_is_found ... ignored, needs recorded images in ../shared/images or $BICA_SHARED/images
@@ -16,18 +16,18 @@
 //! }
 //! ```
 //!
-//! Whether the images are there is decided when the tests are built. After adding them, set `BICA_SHARED` or run
-//! `cargo clean -p bica-test-data`.
+//! The build of the tests decides whether the images exist. After adding them, set `BICA_SHARED` or run `cargo clean -p
+//! bica-test-data`.
 
 use std::path::Path;
 
-/// Folder of the recorded images, whether it exists or not.
+/// Folder of the recorded images; it may not exist.
 #[must_use]
 pub fn images() -> &'static Path {
     Path::new(env!("BICA_IMAGES"))
 }
 
-/// A test that needs the recorded images. It is ignored, with the reason, where they are missing.
+/// Test that needs the recorded images. It is ignored, with the reason, if they are missing.
 #[cfg(shared_images)]
 #[macro_export]
 macro_rules! images_test {
@@ -36,7 +36,7 @@ macro_rules! images_test {
     };
 }
 
-/// A test that needs the recorded images. It is ignored, with the reason, where they are missing.
+/// Test that needs the recorded images. It is ignored, with the reason, if they are missing.
 #[cfg(not(shared_images))]
 #[macro_export]
 macro_rules! images_test {

@@ -1,17 +1,17 @@
-//! Rule 5, active: visited in this cycle. A component that becomes active starts and is due at once; one that is not
-//! visited any more stops at the end of the cycle, activators first.
+//! Rule 5, active: a component is active in a cycle if it is visited in it. A component that becomes active starts and
+//! is due at once. One that is no longer visited stops at the end of the cycle, activators first.
 
 use proptest::prelude::*;
 
 use crate::support::event::Event;
 use crate::support::play::Cycle;
-use crate::support::rig::Rig;
 use crate::support::script::Stress;
+use crate::support::test_tree::TestTree;
 use crate::trees::on_trees;
 
 on_trees!(active(Stress { flags: 8, rates: 2, ..Stress::default() }));
 
-fn active<T: Rig>(cycles: &[Cycle]) -> Result<(), TestCaseError> {
+fn active<T: TestTree>(cycles: &[Cycle]) -> Result<(), TestCaseError> {
     let mut before = Vec::new();
     for cycle in cycles {
         prop_assert_eq!(&cycle.active, &reached::<T>(cycle, vec![T::GRAPH.root]));
@@ -21,14 +21,14 @@ fn active<T: Rig>(cycles: &[Cycle]) -> Result<(), TestCaseError> {
             stops::<T>(cycle, index, was && !is)?;
             prop_assert_eq!(cycle.visit(index).is_some(), is);
         }
-        stops_from_above::<T>(cycle)?;
+        stops_activators_first::<T>(cycle)?;
         before.clone_from(&cycle.active);
     }
     Ok(())
 }
 
-/// What is reached from some components over the links that hold.
-pub(crate) fn reached<T: Rig>(cycle: &Cycle, from: Vec<usize>) -> Vec<usize> {
+/// Returns the components reached from others over the links that hold in the cycle.
+pub(crate) fn reached<T: TestTree>(cycle: &Cycle, from: Vec<usize>) -> Vec<usize> {
     let mut reached = Vec::new();
     let mut open = from;
     while let Some(index) = open.pop() {
@@ -41,7 +41,7 @@ pub(crate) fn reached<T: Rig>(cycle: &Cycle, from: Vec<usize>) -> Vec<usize> {
     reached
 }
 
-fn starts<T: Rig>(cycle: &Cycle, index: usize, started: bool) -> Result<(), TestCaseError> {
+fn starts<T: TestTree>(cycle: &Cycle, index: usize, started: bool) -> Result<(), TestCaseError> {
     let name = T::GRAPH.nodes[index].name;
     prop_assert_eq!(cycle.has(&Event::Start(index)), started);
     prop_assert_eq!(cycle.has(&Event::Started(name)), started);
@@ -52,15 +52,15 @@ fn starts<T: Rig>(cycle: &Cycle, index: usize, started: bool) -> Result<(), Test
     Ok(())
 }
 
-fn stops<T: Rig>(cycle: &Cycle, index: usize, stopped: bool) -> Result<(), TestCaseError> {
+fn stops<T: TestTree>(cycle: &Cycle, index: usize, stopped: bool) -> Result<(), TestCaseError> {
     let name = T::GRAPH.nodes[index].name;
     prop_assert_eq!(cycle.has(&Event::Stop(index)), stopped);
     prop_assert_eq!(cycle.has(&Event::Stopped(name)), stopped);
     Ok(())
 }
 
-/// All stops come behind all else, and an activator's before those of what it can activate.
-fn stops_from_above<T: Rig>(cycle: &Cycle) -> Result<(), TestCaseError> {
+/// Checks that all stops come last, and an activator's stop before those of the components that it can activate.
+fn stops_activators_first<T: TestTree>(cycle: &Cycle) -> Result<(), TestCaseError> {
     let is_stop = |event: &Event| matches!(event, Event::Stop(_) | Event::Stopped(_));
     let first = cycle.events.iter().position(is_stop).unwrap_or(cycle.events.len() - 1);
     prop_assert!(cycle.events[first..cycle.events.len() - 1].iter().all(is_stop));

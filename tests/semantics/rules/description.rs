@@ -1,17 +1,17 @@
-//! The `GRAPH` that the model interprets agrees with the text: two trees written out by hand, and the order of lists.
+//! The `GRAPH` that the model interprets agrees with the source: two graphs written by hand, and the order of lists.
 
 use bica::ComponentId;
 use bica::Tree;
 use bica::graph::{Graph, LinkKind, Node};
 
-use crate::support::rig::Rig;
+use crate::support::test_tree::TestTree;
 use crate::trees::chain::Chain;
 use crate::trees::modulated::Modulated;
 use crate::trees::resume::Resume;
 use crate::trees::swap::Swap;
 use crate::trees::timers::Timers;
 
-/// The links of a component: end, kind and state by name, sorted.
+/// Links of a component: end, kind and state by name, sorted.
 fn links(graph: Graph, of: &str) -> Vec<(&'static str, &'static str, &'static str)> {
     let node = node(graph, of);
     let kind = |kind: LinkKind| if kind == LinkKind::Requirement { "reads" } else { "writes" };
@@ -21,7 +21,7 @@ fn links(graph: Graph, of: &str) -> Vec<(&'static str, &'static str, &'static st
     links
 }
 
-fn ways(graph: Graph, of: &str) -> Vec<(&'static str, &'static str, &'static str, Option<u32>)> {
+fn transitions(graph: Graph, of: &str) -> Vec<(&'static str, &'static str, &'static str, Option<u32>)> {
     let node = node(graph, of);
     let name = |state: usize| node.states[state].name;
     node.transitions.iter().map(|way| (way.name, name(way.from), name(way.to), way.after_ms)).collect()
@@ -32,7 +32,7 @@ fn node(graph: Graph, of: &str) -> &'static Node {
 }
 
 #[test]
-fn links_are_those_of_the_signatures() {
+fn the_links_are_those_of_the_signatures() {
     assert_eq!(links(Chain::GRAPH, "Middle"), [("", "writes", "Lower")]);
     assert_eq!(links(Chain::GRAPH, "Lower"), [("", "reads", "Sensor")]);
     let swap = [
@@ -54,7 +54,7 @@ fn links_are_those_of_the_signatures() {
 }
 
 #[test]
-fn hooks_and_transitions_link_in_their_states() {
+fn hooks_and_transitions_have_links_in_their_states() {
     let clockwork = [
         ("done", "writes", "Lamp"),
         ("fallen", "reads", "Eye"),
@@ -68,7 +68,7 @@ fn hooks_and_transitions_link_in_their_states() {
 }
 
 #[test]
-fn transitions_are_in_the_order_of_the_text() {
+fn transitions_are_in_source_order() {
     let chooser = [
         ("go_left", "rest", "left", None),
         ("go_right", "rest", "right", None),
@@ -77,7 +77,7 @@ fn transitions_are_in_the_order_of_the_text() {
         ("stop", "left", "rest", None),
         ("stop", "right", "rest", None),
     ];
-    assert_eq!(ways(Swap::GRAPH, "Chooser"), chooser);
+    assert_eq!(transitions(Swap::GRAPH, "Chooser"), chooser);
     let clockwork = [
         ("falls", "wait", "fallen", None),
         ("falls", "work", "fallen", None),
@@ -87,11 +87,11 @@ fn transitions_are_in_the_order_of_the_text() {
         ("finish", "work", "done", None),
         ("up", "fallen", "wait", Some(1)),
     ];
-    assert_eq!(ways(Timers::GRAPH, "Clockwork"), clockwork);
+    assert_eq!(transitions(Timers::GRAPH, "Clockwork"), clockwork);
 }
 
 #[test]
-fn indices_are_positions_in_the_list() {
+fn indices_are_positions_in_the_component_list() {
     for (index, node) in Timers::GRAPH.nodes.iter().enumerate() {
         assert_eq!(Timers::new().unit(index).read().0, node.name);
         assert!(!Timers::new().is_active(ComponentId::new(index)));
@@ -100,7 +100,7 @@ fn indices_are_positions_in_the_list() {
 }
 
 #[test]
-fn attributes_are_what_is_written() {
+fn attributes_are_as_declared() {
     let resuming = Resume::GRAPH.nodes.iter().filter(|node| node.resume).map(|node| node.name);
     assert_eq!(resuming.collect::<Vec<_>>(), ["Keeps"]);
     assert_eq!(node(Resume::GRAPH, "Keeps").states.iter().map(|s| s.initial).collect::<Vec<_>>(), [false, true, false]);

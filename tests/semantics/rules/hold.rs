@@ -1,4 +1,4 @@
-//! Rule 8, hold: from outside any component can be forced active, forced latent, or left to the tree.
+//! Rule 8, hold: any component can be forced active, forced latent, or left to the tree from outside.
 
 use bica::Hold;
 use proptest::prelude::*;
@@ -6,13 +6,13 @@ use proptest::prelude::*;
 use super::active::reached;
 use crate::support::event::Event;
 use crate::support::play::Cycle;
-use crate::support::rig::Rig;
 use crate::support::script::Stress;
+use crate::support::test_tree::TestTree;
 use crate::trees::on_trees;
 
 on_trees!(hold(Stress { flags: 4, rates: 1, holds: 8, jumps: false }));
 
-fn hold<T: Rig>(cycles: &[Cycle]) -> Result<(), TestCaseError> {
+fn hold<T: TestTree>(cycles: &[Cycle]) -> Result<(), TestCaseError> {
     for cycle in cycles {
         let forced = (0..T::COUNT).filter(|&index| cycle.holds[index] == Hold::Active);
         let roots = forced.chain([T::GRAPH.root]).collect();

@@ -1,4 +1,4 @@
-//! One file per rule.
+//! One file for each rule.
 
 mod active;
 mod description;

@@ -4,13 +4,13 @@ use proptest::prelude::*;
 
 use crate::support::event::Event;
 use crate::support::play::Cycle;
-use crate::support::rig::Rig;
 use crate::support::script::Stress;
+use crate::support::test_tree::TestTree;
 use crate::trees::on_trees;
 
 on_trees!(once(Stress { flags: 6, rates: 2, holds: 2, jumps: true }));
 
-fn once<T: Rig>(cycles: &[Cycle]) -> Result<(), TestCaseError> {
+fn once<T: TestTree>(cycles: &[Cycle]) -> Result<(), TestCaseError> {
     for cycle in cycles {
         for index in 0..T::COUNT {
             let count = |event: &Event| cycle.events.iter().filter(|other| *other == event).count();

@@ -1,24 +1,24 @@
-//! Rule 3, rate: a fixed grid, N ± 1 runs in N periods, late runs once and at once, and the visit is passed on when no run is
-//! due.
+//! Rule 3, rate: a fixed grid, N ± 1 runs in N periods, a late run once and at once. A visit without a run still visits
+//! the children.
 
 use bica::Tree;
 use proptest::prelude::*;
 
 use crate::support::event::Event;
 use crate::support::play::{Cycle, play};
-use crate::support::rig::Rig;
 use crate::support::script::{Clock, Script, Stress, Tick};
+use crate::support::test_tree::TestTree;
 use crate::trees::fan::Fan;
 use crate::trees::on_trees;
 
 on_trees!(rate(Stress { flags: 4, ..Stress::default() }));
 
-/// Ticks of a declared period.
+/// Declared period, clock ticks.
 pub(crate) fn period(hz: f32) -> u64 {
     (1e6 / f64::from(hz)) as u64
 }
 
-fn rate<T: Rig>(cycles: &[Cycle]) -> Result<(), TestCaseError> {
+fn rate<T: TestTree>(cycles: &[Cycle]) -> Result<(), TestCaseError> {
     for (index, node) in T::GRAPH.nodes.iter().enumerate() {
         let is_skipped = |cycle: &Cycle| cycle.has(&Event::Skip(index));
         match node.hz.map(period) {
@@ -29,13 +29,16 @@ fn rate<T: Rig>(cycles: &[Cycle]) -> Result<(), TestCaseError> {
             }
         }
         for cycle in cycles.iter().filter(|cycle| is_skipped(cycle)) {
-            prop_assert!(cycle.links::<T>(index).all(|link| cycle.visit(link.to).is_some()), "the visit is passed on");
+            prop_assert!(
+                cycle.links::<T>(index).all(|link| cycle.visit(link.to).is_some()),
+                "the children are visited"
+            );
         }
     }
     Ok(())
 }
 
-/// When a component ran, for each time that it was active.
+/// Instants of the runs, for each time span in which the component was active.
 fn activations(cycles: &[Cycle], index: usize) -> Vec<Vec<u64>> {
     let mut activations: Vec<Vec<u64>> = Vec::new();
     for cycle in cycles {
@@ -43,13 +46,13 @@ fn activations(cycles: &[Cycle], index: usize) -> Vec<Vec<u64>> {
             activations.push(Vec::new());
         }
         if cycle.has(&Event::Run(index)) {
-            activations.last_mut().expect("a start before each run").push(cycle.now);
+            activations.last_mut().expect("a run follows a start").push(cycle.now);
         }
     }
     activations
 }
 
-/// A period after its last run a component that is visited runs.
+/// Checks that a visited component runs if a period has passed since its last run.
 fn no_run_is_discarded(cycles: &[Cycle], index: usize, period: u64) -> Result<(), TestCaseError> {
     let mut last = None;
     for cycle in cycles {
@@ -63,8 +66,8 @@ fn no_run_is_discarded(cycles: &[Cycle], index: usize, period: u64) -> Result<()
     Ok(())
 }
 
-/// Runs that were missed are not made up for: each serves a grid point of its own, in a window that is a period and at
-/// most a cycle long.
+/// Checks that missed runs are not made up for: each run belongs to its own grid point, in a window that is a period
+/// and at most a cycle long.
 pub(crate) fn no_burst(period: u64, runs: &[u64]) -> Result<(), TestCaseError> {
     const CYCLE: u64 = 10_000;
     for (place, first) in runs.iter().enumerate() {
@@ -77,7 +80,7 @@ pub(crate) fn no_burst(period: u64, runs: &[u64]) -> Result<(), TestCaseError> {
 
 /// Cycles that are fast enough for all rates.
 fn fast() -> impl Strategy<Value = Script> {
-    let tick = (1..9_000_u64).prop_map(|ticks| Tick { acts: Vec::new(), clock: Clock::Later(ticks) });
+    let tick = (1..9_000_u64).prop_map(|ticks| Tick { actions: Vec::new(), clock: Clock::Later(ticks) });
     prop::collection::vec(tick, 2..400)
 }
 
@@ -85,7 +88,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(1000))]
 
     #[test]
-    fn n_periods_have_n_runs_within_one(script in fast()) {
+    fn n_periods_have_n_plus_or_minus_one_runs(script in fast()) {
         let cycles = play::<Fan>(&script)?;
         for (index, node) in Fan::GRAPH.nodes.iter().enumerate() {
             let Some(period) = node.hz.map(period) else { continue };

@@ -4,13 +4,13 @@ use proptest::prelude::*;
 
 use crate::support::event::Event;
 use crate::support::play::Cycle;
-use crate::support::rig::{Hook, Rig};
 use crate::support::script::Stress;
+use crate::support::test_tree::{Hook, TestTree};
 use crate::trees::on_trees;
 
 on_trees!(restart(Stress { flags: 9, holds: 1, ..Stress::default() }));
 
-fn restart<T: Rig>(cycles: &[Cycle]) -> Result<(), TestCaseError> {
+fn restart<T: TestTree>(cycles: &[Cycle]) -> Result<(), TestCaseError> {
     for (index, node) in T::GRAPH.nodes.iter().enumerate() {
         let initial = node.states.iter().position(|state| state.initial);
         let mut last = None;
@@ -33,8 +33,8 @@ fn restart<T: Rig>(cycles: &[Cycle]) -> Result<(), TestCaseError> {
     Ok(())
 }
 
-/// Whether an entry hook of the state was called before the machine left it; without entry hooks, whether it would be.
-fn has_entry<T: Rig>(cycle: &Cycle, index: usize, state: Option<usize>) -> bool {
+/// Whether an entry hook of the state was called before the machine left it; true if the state has no entry hooks.
+fn has_entry<T: TestTree>(cycle: &Cycle, index: usize, state: Option<usize>) -> bool {
     let node = &T::GRAPH.nodes[index];
     let is_entry =
         |hook: &&Hook| hook.of == node.name && hook.entry && state.is_some_and(|at| hook.state == node.states[at].name);

@@ -1,16 +1,16 @@
-//! The events of a tree, in one list for the probe and for the components.
+//! Events of a tree, in one list for the probe and for the components.
 
 use std::cell::RefCell;
 
 use bica::prelude::*;
 
-/// A component as it was read: its name and its value.
+/// Component that was read: name and value.
 pub(crate) type Read = (&'static str, u64);
 
-/// The times that a component was given, in clock ticks: now, since its last run, in its state.
+/// Times passed to a component, clock ticks: now, since its last run, in its state.
 pub(crate) type Times = (u64, u64, u64);
 
-/// Something that happened. Numbers are indices of components and states, names are those of the text.
+/// Event. Numbers are indices of components and states, names are those in the source.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Event {
     CycleBegin(u64),
@@ -22,24 +22,24 @@ pub(crate) enum Event {
     Begin(usize),
     End(usize),
     Transition(usize, usize, usize),
-    /// The start hook of a component.
+    /// Call of the start hook of a component.
     Started(&'static str),
-    /// The stop hook of a component.
+    /// Call of the stop hook of a component.
     Stopped(&'static str),
-    /// A transition was evaluated.
-    Asked {
+    /// Evaluation of a transition.
+    Evaluated {
         by: &'static str,
         transition: &'static str,
         reads: Vec<Read>,
     },
-    /// An entry or exit hook.
+    /// Call of an entry or exit hook.
     Hook {
         of: &'static str,
         hook: &'static str,
         reads: Vec<Read>,
         writes: Vec<&'static str>,
     },
-    /// The code of a step or of a state.
+    /// Run of the code of a step or of a state.
     Body {
         of: &'static str,
         state: &'static str,
@@ -47,8 +47,8 @@ pub(crate) enum Event {
         reads: Vec<Read>,
         writes: Vec<&'static str>,
     },
-    /// A component set the rate of another, in bits: NaN is to be equal to itself.
-    Rated {
+    /// Rate that a component set for another one, as bits, so that NaN equals itself.
+    RateSet {
         of: &'static str,
         hz: u32,
     },
@@ -59,12 +59,12 @@ thread_local! {
 }
 
 /// Records an event.
-pub(crate) fn note(event: Event) {
+pub(crate) fn record(event: Event) {
     EVENTS.with_borrow_mut(|events| events.push(event));
 }
 
-/// Takes the events recorded since the last call.
-pub(crate) fn taken() -> Vec<Event> {
+/// Returns the events recorded since the last call.
+pub(crate) fn take_events() -> Vec<Event> {
     EVENTS.take()
 }
 
@@ -73,38 +73,38 @@ pub(crate) struct Recorder;
 
 impl Probe for Recorder {
     fn cycle_begin(&mut self, now: Instant) {
-        note(Event::CycleBegin(now.as_ticks()));
+        record(Event::CycleBegin(now.as_ticks()));
     }
 
     fn cycle_end(&mut self) {
-        note(Event::CycleEnd);
+        record(Event::CycleEnd);
     }
 
     fn start(&mut self, component: ComponentId) {
-        note(Event::Start(component.index()));
+        record(Event::Start(component.index()));
     }
 
     fn stop(&mut self, component: ComponentId) {
-        note(Event::Stop(component.index()));
+        record(Event::Stop(component.index()));
     }
 
     fn skip(&mut self, component: ComponentId) {
-        note(Event::Skip(component.index()));
+        record(Event::Skip(component.index()));
     }
 
     fn run(&mut self, component: ComponentId) {
-        note(Event::Run(component.index()));
+        record(Event::Run(component.index()));
     }
 
     fn begin(&mut self, component: ComponentId) {
-        note(Event::Begin(component.index()));
+        record(Event::Begin(component.index()));
     }
 
     fn end(&mut self, component: ComponentId) {
-        note(Event::End(component.index()));
+        record(Event::End(component.index()));
     }
 
     fn transition(&mut self, component: ComponentId, from: usize, to: usize) {
-        note(Event::Transition(component.index(), from, to));
+        record(Event::Transition(component.index(), from, to));
     }
 }

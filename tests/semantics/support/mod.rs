@@ -1,8 +1,8 @@
-//! What all rules share.
+//! Shared parts of the tests of all rules.
 
 pub(crate) mod event;
 pub(crate) mod model;
 pub(crate) mod play;
-pub(crate) mod rig;
 pub(crate) mod script;
+pub(crate) mod test_tree;
 pub(crate) mod unit;

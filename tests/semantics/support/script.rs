@@ -1,72 +1,72 @@
-//! Random scripts: what is done to a tree from outside.
+//! Random scripts: inputs of a tree from outside.
 
 use bica::prelude::*;
 use proptest::prelude::*;
 use proptest::sample::Index;
 
-/// How the clock advances.
+/// Change of the clock before a tick.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Clock {
-    /// So many ticks later.
+    /// Advances by this number of ticks.
     Later(u64),
-    /// So many ticks earlier.
+    /// Goes back by this number of ticks.
     Earlier(u64),
-    /// To this tick.
+    /// Jumps to this tick.
     At(u64),
 }
 
-/// What a script may do besides ticking.
+/// Action of a script before a tick.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum Act {
+pub(crate) enum Action {
     /// Sets the flags of a component.
     Flags(u32),
     /// Sets the rate of a component, by its type.
     Rate(f32),
-    /// Sets the rate of a component, by its place in the list.
+    /// Sets the rate of a component, by its index.
     RateAt(f32),
-    /// Gives a component back its declared rate.
+    /// Resets the rate of a component to the declared one.
     Reset,
-    /// Lets a component set the rate of its child in its next run.
-    Ask(f32),
+    /// Makes a component set the rate of its child in its next run.
+    SetChildRate(f32),
     /// Holds a component.
     Hold(Hold),
 }
 
-/// One cycle: what is done before, to which components, and when it is.
+/// One cycle: the actions before it with the indices of their components, and the clock.
 #[derive(Clone, Debug)]
 pub(crate) struct Tick {
-    pub(crate) acts: Vec<(Index, Act)>,
+    pub(crate) actions: Vec<(Index, Action)>,
     pub(crate) clock: Clock,
 }
 
 pub(crate) type Script = Vec<Tick>;
 
-/// What a script stresses: how likely each act is, against the others.
+/// Relative frequencies of the actions of a script.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Stress {
     pub(crate) flags: u32,
     pub(crate) rates: u32,
     pub(crate) holds: u32,
-    /// Whether the clock jumps, also back.
+    /// Whether the clock jumps, also backwards.
     pub(crate) jumps: bool,
 }
 
-/// Scripts of up to four dozen cycles.
+/// Scripts of up to 48 cycles.
 pub(crate) fn scripts(stress: Stress) -> impl Strategy<Value = Script> {
-    let acts = prop::collection::vec((any::<Index>(), act(stress)), 0..4);
-    let tick = (acts, clock(stress.jumps)).prop_map(|(acts, clock)| Tick { acts, clock });
+    let actions = prop::collection::vec((any::<Index>(), action(stress)), 0..4);
+    let tick = (actions, clock(stress.jumps)).prop_map(|(actions, clock)| Tick { actions, clock });
     prop::collection::vec(tick, 1..48)
 }
 
-fn act(stress: Stress) -> BoxedStrategy<Act> {
+fn action(stress: Stress) -> BoxedStrategy<Action> {
     prop_oneof![
-        1 => Just(Act::Flags(0)),
-        stress.flags => (any::<u32>(), any::<u32>()).prop_map(|(a, b)| Act::Flags(a & b)),
-        stress.rates => rate().prop_map(Act::Rate),
-        stress.rates => rate().prop_map(Act::RateAt),
-        stress.rates => Just(Act::Reset),
-        stress.rates => rate().prop_map(Act::Ask),
-        stress.holds => hold().prop_map(Act::Hold),
+        1 => Just(Action::Flags(0)),
+        stress.flags => (any::<u32>(), any::<u32>()).prop_map(|(a, b)| Action::Flags(a & b)),
+        stress.rates => rate().prop_map(Action::Rate),
+        stress.rates => rate().prop_map(Action::RateAt),
+        stress.rates => Just(Action::Reset),
+        stress.rates => rate().prop_map(Action::SetChildRate),
+        stress.holds => hold().prop_map(Action::Hold),
     ]
     .boxed()
 }
@@ -77,7 +77,7 @@ fn hold() -> impl Strategy<Value = Hold> {
 
 const ODD: [f32; 9] = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 0.0, -0.0, -1.0, f32::MIN_POSITIVE, 1e-30, 1e30];
 
-/// Rates around those declared, and what is none.
+/// Rates around the declared ones, and invalid ones.
 fn rate() -> impl Strategy<Value = f32> {
     prop_oneof![3 => 0.5_f32..120.0, 1 => prop::sample::select(&ODD[..])]
 }

@@ -1,8 +1,8 @@
-//! One activates the next; children run slower and faster than their parents.
+//! Chain of components; children run slower and faster than their parents.
 
 use bica::prelude::*;
 
-use crate::support::rig::rig;
+use crate::support::test_tree::test_tree;
 use crate::support::unit::unit;
 
 unit!(Top() {
@@ -30,7 +30,7 @@ unit!(Sensor(hz = 30) {
 });
 
 activation_tree! {
-    /// A chain.
+    /// Chain of components.
     pub(crate) struct Chain {
         root: Top,
         cycle_hz: 100,
@@ -38,4 +38,4 @@ activation_tree! {
     }
 }
 
-rig!(Chain: [Sensor, Top, Lower, Middle]);
+test_tree!(Chain: [Sensor, Top, Lower, Middle]);

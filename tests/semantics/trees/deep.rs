@@ -1,8 +1,8 @@
-//! Ten levels, each with links to the two below.
+//! Ten levels, each with links to the next two.
 
 use bica::prelude::*;
 
-use crate::support::rig::rig;
+use crate::support::test_tree::test_tree;
 use crate::support::unit::unit;
 
 macro_rules! level {
@@ -45,4 +45,4 @@ activation_tree! {
     }
 }
 
-rig!(Deep: [Level9, Level7, Level8, Level6, Level5, Level0, Level4, Level3, Level1, Level2]);
+test_tree!(Deep: [Level9, Level7, Level8, Level6, Level5, Level0, Level4, Level3, Level1, Level2]);

@@ -2,7 +2,7 @@
 
 use bica::prelude::*;
 
-use crate::support::rig::rig;
+use crate::support::test_tree::test_tree;
 use crate::support::unit::unit;
 
 unit!(Root(hz = 40) {
@@ -42,7 +42,7 @@ unit!(Eye(hz = 30) {
 });
 
 activation_tree! {
-    /// A child of three.
+    /// Child with three activators.
     pub(crate) struct Diamond {
         root: Root,
         cycle_hz: 100,
@@ -50,4 +50,4 @@ activation_tree! {
     }
 }
 
-rig!(Diamond: [Root, Right, Left, Far, Shared, Eye]);
+test_tree!(Diamond: [Root, Right, Left, Far, Shared, Eye]);

@@ -1,8 +1,8 @@
-//! Many children of one.
+//! Component with many children.
 
 use bica::prelude::*;
 
-use crate::support::rig::rig;
+use crate::support::test_tree::test_tree;
 use crate::support::unit::unit;
 
 unit!(Hub(hz = 25) {
@@ -29,7 +29,7 @@ leaf!(Fourth(hz = 5));
 leaf!(Fifth());
 
 activation_tree! {
-    /// A fan.
+    /// Component with five children.
     pub(crate) struct Fan {
         root: Hub,
         cycle_hz: 100,
@@ -37,4 +37,4 @@ activation_tree! {
     }
 }
 
-rig!(Fan: [Second, Hub, First, Fifth, Third, Fourth]);
+test_tree!(Fan: [Second, Hub, First, Fifth, Third, Fourth]);

@@ -2,7 +2,7 @@
 
 use bica::prelude::*;
 
-use crate::support::rig::rig;
+use crate::support::test_tree::test_tree;
 use crate::support::unit::{Unit, unit};
 
 unit!(Root() {
@@ -43,7 +43,7 @@ impl<const N: usize> Filter<N> {
 
     #[transition(open -> shut)]
     fn shuts(&self, lens: &Lens<N>) -> bool {
-        self.unit.asked("shuts", [lens.unit.read()])
+        self.unit.evaluate("shuts", [lens.unit.read()])
     }
 
     #[transition(shut -> open, after_ms = 200)]
@@ -84,7 +84,7 @@ impl<const N: usize> Lens<N> {
 }
 
 activation_tree! {
-    /// Frames of several sizes.
+    /// Generic components with several parameters.
     pub(crate) struct Generic {
         root: Root,
         cycle_hz: 100,
@@ -92,4 +92,4 @@ activation_tree! {
     }
 }
 
-rig!(Generic: [Root, Filter<3>, Lens<5>, Lens<7>, Lens<3>, Filter<5>]);
+test_tree!(Generic: [Root, Filter<3>, Lens<5>, Lens<7>, Lens<3>, Filter<5>]);

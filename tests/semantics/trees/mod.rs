@@ -1,4 +1,4 @@
-//! Trees of every shape.
+//! Test trees.
 
 pub(crate) mod chain;
 pub(crate) mod deep;
@@ -10,7 +10,7 @@ pub(crate) mod resume;
 pub(crate) mod swap;
 pub(crate) mod timers;
 
-/// Writes a test for each tree that a rule is stressed on.
+/// Generates a test of a rule for each tree.
 macro_rules! on_trees {
     ($rule:ident($stress:expr): $($name:ident $tree:ty),* $(,)?) => {
         proptest::proptest! {

@@ -2,7 +2,7 @@
 
 use bica::prelude::*;
 
-use crate::support::rig::rig;
+use crate::support::test_tree::test_tree;
 use crate::support::unit::unit;
 
 unit!(Boss(hz = 40) {
@@ -27,12 +27,12 @@ unit!(Worker(hz = 50) {
 
     #[transition(calm -> alert)]
     fn wake(&self) -> bool {
-        self.unit.asked("wake", [])
+        self.unit.evaluate("wake", [])
     }
 
     #[transition(alert -> calm)]
     fn doze(&self) -> bool {
-        self.unit.asked("doze", [])
+        self.unit.evaluate("doze", [])
     }
 
     #[entry(alert)]
@@ -54,7 +54,7 @@ unit!(Hand() {
 });
 
 activation_tree! {
-    /// Rates change.
+    /// Rates set by parents.
     pub(crate) struct Modulated {
         root: Boss,
         cycle_hz: 100,
@@ -62,4 +62,4 @@ activation_tree! {
     }
 }
 
-rig!(Modulated: [Boss, Worker, Eye, Hand], entry: [Worker.alert: shout]);
+test_tree!(Modulated: [Boss, Worker, Eye, Hand], entry: [Worker.alert: shout]);

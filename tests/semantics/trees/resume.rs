@@ -2,13 +2,13 @@
 
 use bica::prelude::*;
 
-use crate::support::rig::rig;
+use crate::support::test_tree::test_tree;
 use crate::support::unit::unit;
 
 unit!(Switch() {
     #[state(initial)]
-    fn on(&mut self, time: &Time, keeps: &mut Keeps, forgets: &mut Forgets) {
-        self.unit.body("on", time, [], [&mut keeps.unit, &mut forgets.unit]);
+    fn on(&mut self, time: &Time, resuming: &mut Resuming, restarting: &mut Restarting) {
+        self.unit.body("on", time, [], [&mut resuming.unit, &mut restarting.unit]);
     }
 
     #[state]
@@ -18,12 +18,12 @@ unit!(Switch() {
 
     #[transition(on -> off)]
     fn put_off(&self) -> bool {
-        self.unit.asked("put_off", [])
+        self.unit.evaluate("put_off", [])
     }
 
     #[transition(off -> on)]
     fn put_on(&self) -> bool {
-        self.unit.asked("put_on", [])
+        self.unit.evaluate("put_on", [])
     }
 });
 
@@ -47,7 +47,7 @@ macro_rules! walker {
 
             #[transition(first -> second)]
             fn begin(&self) -> bool {
-                self.unit.asked("begin", [])
+                self.unit.evaluate("begin", [])
             }
 
             #[transition(second -> third, after_ms = 300)]
@@ -57,7 +57,7 @@ macro_rules! walker {
 
             #[transition(third -> first)]
             fn again(&self) -> bool {
-                self.unit.asked("again", [])
+                self.unit.evaluate("again", [])
             }
 
             #[entry(first)]
@@ -79,22 +79,22 @@ macro_rules! walker {
     };
 }
 
-walker!(Keeps(resume, hz = 40) on KeepsLeaf);
-walker!(Forgets(hz = 40) on ForgetsLeaf);
+walker!(Resuming(resume, hz = 40) on ResumingLeaf);
+walker!(Restarting(hz = 40) on RestartingLeaf);
 
 activation_tree! {
-    /// One remembers.
+    /// One machine resumes its state, the other one restarts.
     pub(crate) struct Resume {
         root: Switch,
         cycle_hz: 100,
-        components: [Switch, Keeps, KeepsLeaf, Forgets, ForgetsLeaf],
+        components: [Switch, Resuming, ResumingLeaf, Restarting, RestartingLeaf],
     }
 }
 
-rig!(
-    Resume: [Switch, Keeps, KeepsLeaf, Forgets, ForgetsLeaf],
+test_tree!(
+    Resume: [Switch, Resuming, ResumingLeaf, Restarting, RestartingLeaf],
     entry: [
-        Keeps.first: enter_first, Keeps.second: enter, Keeps.third: enter,
-        Forgets.first: enter_first, Forgets.second: enter, Forgets.third: enter
+        Resuming.first: enter_first, Resuming.second: enter, Resuming.third: enter,
+        Restarting.first: enter_first, Restarting.second: enter, Restarting.third: enter
     ]
 );

@@ -1,8 +1,8 @@
-//! A machine that swaps its children, with a machine among them.
+//! Machine that exchanges its children; one child is a machine too.
 
 use bica::prelude::*;
 
-use crate::support::rig::rig;
+use crate::support::test_tree::test_tree;
 use crate::support::unit::unit;
 
 unit!(Chooser(hz = 50) {
@@ -23,22 +23,22 @@ unit!(Chooser(hz = 50) {
 
     #[transition(rest -> left)]
     fn go_left(&self, sensor: &Sensor) -> bool {
-        self.unit.asked("go_left", [sensor.unit.read()])
+        self.unit.evaluate("go_left", [sensor.unit.read()])
     }
 
     #[transition(rest | left -> right)]
     fn go_right(&self, left: &Left) -> bool {
-        self.unit.asked("go_right", [left.unit.read()])
+        self.unit.evaluate("go_right", [left.unit.read()])
     }
 
     #[transition(right -> left)]
     fn back(&self, both: &Both, sensor: &Sensor) -> bool {
-        self.unit.asked("back", [both.unit.read(), sensor.unit.read()])
+        self.unit.evaluate("back", [both.unit.read(), sensor.unit.read()])
     }
 
     #[transition(* -> rest)]
     fn stop(&self) -> bool {
-        self.unit.asked("stop", [])
+        self.unit.evaluate("stop", [])
     }
 });
 
@@ -55,12 +55,12 @@ unit!(Left() {
 
     #[transition(idle -> busy)]
     fn work(&self, motor: &Motor) -> bool {
-        self.unit.asked("work", [motor.unit.read()])
+        self.unit.evaluate("work", [motor.unit.read()])
     }
 
     #[transition(busy -> idle)]
     fn pause(&self, motor: &Motor) -> bool {
-        self.unit.asked("pause", [motor.unit.read()])
+        self.unit.evaluate("pause", [motor.unit.read()])
     }
 });
 
@@ -89,7 +89,7 @@ unit!(Sensor(hz = 60) {
 });
 
 activation_tree! {
-    /// Children come and go.
+    /// Children that become active and latent.
     pub(crate) struct Swap {
         root: Chooser,
         cycle_hz: 100,
@@ -97,4 +97,4 @@ activation_tree! {
     }
 }
 
-rig!(Swap: [Chooser, Both, Motor, Left, Sensor, Right]);
+test_tree!(Swap: [Chooser, Both, Motor, Left, Sensor, Right]);

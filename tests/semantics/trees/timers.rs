@@ -2,7 +2,7 @@
 
 use bica::prelude::*;
 
-use crate::support::rig::rig;
+use crate::support::test_tree::test_tree;
 use crate::support::unit::unit;
 
 unit!(Owner() {
@@ -34,7 +34,7 @@ unit!(Clockwork(hz = 50) {
 
     #[transition(wait | work -> fallen)]
     fn falls(&self, sensor: &Sensor) -> bool {
-        self.unit.asked("falls", [sensor.unit.read()])
+        self.unit.evaluate("falls", [sensor.unit.read()])
     }
 
     #[transition(wait -> work, after_ms = 100)]
@@ -44,7 +44,7 @@ unit!(Clockwork(hz = 50) {
 
     #[transition(work -> wait, after_ms = 250)]
     fn pause(&self, motor: &Motor) -> bool {
-        self.unit.asked("pause", [motor.unit.read()])
+        self.unit.evaluate("pause", [motor.unit.read()])
     }
 
     #[transition(work -> wait, after_ms = 900)]
@@ -54,12 +54,12 @@ unit!(Clockwork(hz = 50) {
 
     #[transition(work -> done)]
     fn finish(&self) -> bool {
-        self.unit.asked("finish", [])
+        self.unit.evaluate("finish", [])
     }
 
     #[transition(fallen -> wait, after_ms = 1)]
     fn up(&self) -> bool {
-        self.unit.asked("up", [])
+        self.unit.evaluate("up", [])
     }
 
     #[entry(work | done)]
@@ -104,7 +104,7 @@ leaf!(Lamp(hz = 5));
 leaf!(Eye());
 
 activation_tree! {
-    /// Time goes by.
+    /// Timers, hooks, and transitions from several states.
     pub(crate) struct Timers {
         root: Owner,
         cycle_hz: 100,
@@ -112,7 +112,7 @@ activation_tree! {
     }
 }
 
-rig!(
+test_tree!(
     Timers: [Owner, Clockwork, Sensor, Motor, Lamp, Eye],
     entry: [Clockwork.work: light, Clockwork.done: light, Clockwork.wait: breathe, Clockwork.work: beep],
     exit: [Clockwork.work: dim, Clockwork.wait: look, Clockwork.fallen: look]

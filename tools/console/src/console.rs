@@ -66,7 +66,7 @@ impl Console {
     /// Prints a line for people.
     ///
     /// # Errors
-    /// If stdout cannot be written. A closed stderr is ignored: the JSON on stdout is still wanted.
+    /// If stdout cannot be written. A closed stderr is ignored: the JSON on stdout is still needed.
     pub fn print(self, line: &str) -> Result<(), Failure> {
         if self.json {
             let _ = writeln!(anstream::stderr().lock(), "{line}");

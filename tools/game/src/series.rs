@@ -40,10 +40,10 @@ pub fn play_series(
     let series = SeriesSummary::new(&batch, games, began.elapsed().as_secs_f64());
     series_summary::print(console, &series)?;
     console.print_json(&series)?;
-    let wanted = options.at_least.unwrap_or(options.games) as usize;
+    let required = options.at_least.unwrap_or(options.games) as usize;
     Ok(if interrupt::requested() {
         Outcome::Interrupted
-    } else if series.goals() >= wanted {
+    } else if series.goals() >= required {
         Outcome::Success
     } else {
         Outcome::Unsuccessful

@@ -5,11 +5,11 @@ use std::time::Duration;
 use clap::{Args, Parser, Subcommand};
 
 const AFTER: &str = "\
-A task installs what it needs beyond Rust, and says so. `cargo xtask help TASK` describes one task.
+A task that needs more than Rust installs it and prints what it installs. `cargo xtask help TASK` describes one task.
 
 Exit codes: 0 success, 1 a check or an installation failed, 2 wrong arguments.";
 
-/// The command line of `cargo xtask`.
+/// Command line of `cargo xtask`.
 #[derive(Debug, Parser)]
 #[command(
     name = "xtask",
@@ -69,10 +69,10 @@ pub(crate) enum Task {
     ///
     /// First installs a nightly compiler with Miri (with rustup).
     Miri,
-    /// Compare the speed of BICA with its peers
+    /// Compare the speed of BICA with other frameworks and designs
     ///
-    /// Times copper-rs, statig, smlang and other designs beside BICA at the same work, and fails if a promise about speed
-    /// does not hold.
+    /// Measures BICA, copper-rs, statig, smlang and other designs on the same workloads, and fails if a claim about
+    /// speed does not hold.
     Peers(Peers),
     /// Check that the crates can be published
     ///
@@ -112,14 +112,14 @@ pub(crate) struct Budget {
     /// Accept the new counts
     #[arg(long)]
     pub(crate) bless: bool,
-    /// Count trees and frames that are slow on purpose: fails unless every gate fails
+    /// Count with an artificial slowdown; fails unless every check fails
     #[arg(long)]
     pub(crate) slow: bool,
 }
 
 #[derive(Debug, Args)]
 pub(crate) struct Buildtime {
-    /// Limit of both times, s, instead of the usual ones: to see the check fail
+    /// Limit of both times, s, instead of the usual ones; a small value shows that the check can fail
     #[arg(long, value_name = "SECONDS", value_parser = seconds)]
     pub(crate) limit: Option<Duration>,
 }
@@ -141,10 +141,10 @@ pub(crate) struct Fuzz {
 #[derive(Debug, Args)]
 #[group(multiple = false)]
 pub(crate) struct Peers {
-    /// A quick look: one process, few rounds; too few to judge
+    /// Short preview: one process, few rounds; too few for reliable verdicts
     #[arg(long)]
     pub(crate) quick: bool,
-    /// A quick look at BICA made slower on purpose: every promise about time must fail
+    /// Short preview with an artificial slowdown of BICA; every claim about time must fail
     #[arg(long)]
     pub(crate) slow: bool,
 }

@@ -1,4 +1,4 @@
-//! The parser's answers. The words are only parsed here: a wrong word that was accepted must not start a task.
+//! Tests of the parser. Command lines are only parsed, so a wrong one that is accepted starts no task.
 
 use clap::CommandFactory;
 
@@ -8,7 +8,7 @@ fn parse(words: &str) -> Result<Cli, clap::Error> {
     Cli::try_parse_from(["xtask"].into_iter().chain(words.split_whitespace()))
 }
 
-/// The words are refused, and the message contains all of these parts.
+/// Asserts that a command line is refused with a message that contains all of these parts.
 fn assert_refused(words: &str, parts: &[&str]) {
     let error = parse(words).expect_err(words);
     assert_eq!(error.exit_code(), 2, "{words}");

@@ -6,13 +6,14 @@ use serde_json::Value;
 
 use crate::process::{output, run};
 
-/// At compile time: makes the benchmarks slow on purpose.
+/// Environment variable that compiles the artificial slowdown into the benchmarks.
 const SLOW: (&str, &str) = ("BICA_SLOW", "1");
 
-/// Runs the benchmarks under valgrind, optionally made slower on purpose, and returns the instructions of each by name.
+/// Runs the benchmarks under valgrind, optionally with the artificial slowdown, and returns the instructions of each by
+/// name.
 ///
 /// # Errors
-/// What does not build or run, or output of an unknown form.
+/// If a benchmark does not build or run, or the output has an unknown formatat.
 pub(crate) fn count(runner: &str, slow: bool) -> Result<BTreeMap<String, u64>, String> {
     let bench = ["bench", "--package", "bica-benches", "--bench", "instructions"];
     let variables = [("GUNGRAUN_RUNNER", runner), SLOW];
@@ -24,9 +25,9 @@ pub(crate) fn count(runner: &str, slow: bool) -> Result<BTreeMap<String, u64>, S
     out.lines().map(read).collect()
 }
 
-/// One benchmark's name and count.
+/// Parses the name and the count of a benchmark.
 fn read(line: &str) -> Result<(String, u64), String> {
-    let unknown = |error| format!("output of gungraun-runner has an unknown form, {error}: {line:.100}");
+    let unknown = |error| format!("output of gungraun-runner has an unknown format, {error}: {line:.100}");
     let json: Value = serde_json::from_str(line).map_err(|error| unknown(error.to_string()))?;
     let word = |name: &str| json[name].as_str().map(str::to_owned).ok_or_else(|| unknown(format!("no `{name}`")));
     let count = json.pointer("/profiles/0/data/total/metrics/Ir/values/new").and_then(Value::as_u64);
@@ -34,10 +35,10 @@ fn read(line: &str) -> Result<(String, u64), String> {
     Ok((name, count.ok_or_else(|| unknown("no count of instructions".to_owned()))?))
 }
 
-/// The compiler version and the target processor, on which the counts depend.
+/// Returns the compiler version and the target processor, on which the counts depend.
 ///
 /// # Errors
-/// If there is none.
+/// If the compiler cannot be run.
 pub(crate) fn compiler() -> Result<String, String> {
     let out = output("rustc", &["--version"], &[])?;
     let version = out.split_whitespace().take(2).collect::<Vec<_>>().join(" ");

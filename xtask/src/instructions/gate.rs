@@ -5,7 +5,7 @@ use std::fmt::Write;
 
 /// Largest accepted relative change of a count.
 const TOLERANCE: f64 = 0.02;
-/// Largest accepted absolute change: smaller ones are the compiler's choice.
+/// Largest accepted absolute change; smaller changes come from code generation.
 const GRAIN: u64 = 4;
 
 const HEADING: &str = "# Instructions, counted by valgrind. `cargo xtask budget --bless` writes this file.\n";
@@ -13,13 +13,13 @@ const COMPILER: &str = "# Compiler: ";
 
 /// Result of a comparison.
 pub(crate) struct Report {
-    /// All counts with their change.
+    /// All counts with their changes.
     pub(crate) table: String,
-    /// One message for each count that changed, is new, or is missing.
+    /// Message for each count that changed, is new, or is missing.
     pub(crate) wrong: Vec<String>,
 }
 
-/// The content of the file with these counts.
+/// Formats counts as the content of the file.
 pub(crate) fn text(counted: &BTreeMap<String, u64>, compiler: &str) -> String {
     let mut text = format!("{HEADING}{COMPILER}{compiler}\n");
     for (name, count) in counted {
@@ -31,7 +31,7 @@ pub(crate) fn text(counted: &BTreeMap<String, u64>, compiler: &str) -> String {
 /// Compares counts with those of a file.
 ///
 /// # Errors
-/// A line of the file that is not a name and a count.
+/// If a line of the file is not a name and a count.
 pub(crate) fn compare(text: &str, counted: &BTreeMap<String, u64>, compiler: &str) -> Result<Report, String> {
     let known = read(text)?;
     let (mut table, mut wrong) = (String::new(), Vec::new());

@@ -1,20 +1,21 @@
-//! Upper bound on the cost of the costliest frame, relative to a typical one.
+//! Upper bound on the cost of the slowest frame, relative to a typical one.
 
 use std::collections::BTreeMap;
 
-/// Prefix of the benchmarks of one frame each: typical rendered frames, and frames designed to cost most.
-pub(super) const EYES: &str = "eyes.";
-pub(super) const USUAL: &str = "eyes.usual";
+/// Prefix of the benchmarks of single frames: typical rendered frames and synthetic worst-case frames.
+pub(super) const VISION: &str = "vision.";
+pub(super) const USUAL: &str = "vision.usual";
 /// Largest accepted ratio of a frame's instructions to those of a typical frame.
-const MOST: f64 = 5.0;
+const MAX_RATIO: f64 = 5.0;
 
-/// One message for each frame that takes too many instructions.
+/// Returns a message for each frame that takes too many instructions.
 pub(crate) fn wrong(counted: &BTreeMap<String, u64>) -> Vec<String> {
     let Some(usual) = counted.get(USUAL) else { return vec![format!("{USUAL}: not counted")] };
     let times = |count: u64| count as f64 / *usual as f64;
-    let eyes = counted.iter().filter(|(name, _)| name.starts_with(EYES));
-    let hard = eyes.map(|(name, count)| (name, times(*count))).filter(|(_, times)| *times > MOST);
-    hard.map(|(name, times)| format!("{name}: {times:.1} × a typical frame, at most {MOST} × is allowed")).collect()
+    let frames = counted.iter().filter(|(name, _)| name.starts_with(VISION));
+    let hard = frames.map(|(name, count)| (name, times(*count))).filter(|(_, times)| *times > MAX_RATIO);
+    hard.map(|(name, times)| format!("{name}: {times:.1} × a typical frame, at most {MAX_RATIO} × is allowed"))
+        .collect()
 }
 
 #[cfg(test)]
@@ -27,12 +28,12 @@ mod tests {
 
     #[test]
     fn a_frame_above_five_times_the_typical_one_is_reported() {
-        let wrong = wrong(&counts(&[("component.eye", 999), ("eyes.noise", 51), ("eyes.flat", 50), (USUAL, 10)]));
-        assert_eq!(wrong, ["eyes.noise: 5.1 × a typical frame, at most 5 × is allowed"]);
+        let wrong = wrong(&counts(&[("component.eye", 999), ("vision.noise", 51), ("vision.flat", 50), (USUAL, 10)]));
+        assert_eq!(wrong, ["vision.noise: 5.1 × a typical frame, at most 5 × is allowed"]);
     }
 
     #[test]
     fn a_missing_typical_frame_is_reported() {
-        assert_eq!(wrong(&counts(&[("eyes.noise", 1)])).len(), 1);
+        assert_eq!(wrong(&counts(&[("vision.noise", 1)])).len(), 1);
     }
 }

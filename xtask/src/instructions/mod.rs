@@ -1,10 +1,10 @@
-//! The gate on speed: instruction counts of the benchmarks in `benches/instructions`. They depend neither on a clock nor on
-//! other programs on the machine.
+//! Check of speed: instruction counts of the benchmarks in `benches/instructions`. They depend neither on a clock nor
+//! on other programs on the machine.
 
+mod claims;
 mod count;
 mod gate;
 mod hardest;
-mod promise;
 mod slow;
 
 use std::fs;
@@ -14,14 +14,14 @@ use crate::install::packages;
 use crate::process::{root, run, works};
 
 const FIGURES: &str = "benches/instructions.txt";
-/// The version of Gungraun that the benchmarks are built with; its runner must be the same.
+/// Version of Gungraun with which the benchmarks are built; its runner must have the same.
 const VERSION: &str = "0.20.0";
 const TOOLS: &str = "target/tools";
 
 /// Counts, and compares with the committed figures or accepts the new ones.
 ///
 /// # Errors
-/// What could not be installed, built or counted, or a count that changed.
+/// If an installation or a build fails, or a count changed.
 pub(crate) fn check(options: &Budget) -> Result<(), String> {
     let runner = install()?;
     let counted = count::count(&runner, options.slow)?;
@@ -33,19 +33,19 @@ pub(crate) fn check(options: &Budget) -> Result<(), String> {
     if !hard.is_empty() {
         return Err(format!("frames above the bound:\n  {}", hard.join("\n  ")));
     }
-    let promises = promise::judge(&counted);
+    let found_claims = claims::judge(&counted);
     if options.bless {
-        promises?;
+        found_claims?;
         return fs::write(root().join(FIGURES), gate::text(&counted, &rust))
             .map_err(|error| format!("cannot write {FIGURES}: {error}"));
     }
     let report = gate::compare(&committed()?, &counted, &rust)?;
     println!("{}", report.table);
     if report.wrong.is_empty() {
-        println!("{}", promises?);
+        println!("{}", found_claims?);
         return Ok(());
     }
-    let (Ok(found) | Err(found)) = promises;
+    let (Ok(found) | Err(found)) = found_claims;
     println!("{found}");
     let wrong = report.wrong.join("\n  ");
     Err(format!(
@@ -66,7 +66,7 @@ fn install() -> Result<String, String> {
     let runner = root().join(&folder).join("bin/gungraun-runner");
     if !runner.is_file() {
         eprintln!("xtask: building gungraun-runner {VERSION}, once; this takes about two minutes");
-        // A debug build: optimising would take longer than it saves.
+        // A debug build, because optimising takes longer than it saves.
         let install = ["install", "--quiet", "--locked", "--debug", "gungraun-runner", "--version", VERSION];
         run("cargo", &[&install[..], &["--root", &folder]].concat(), &[])?;
     }

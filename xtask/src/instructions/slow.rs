@@ -1,37 +1,37 @@
-//! Test of the gates themselves: with benchmarks made slower on purpose, each gate must fail.
+//! Test of the checks themselves: with an artificial slowdown each check must fail.
 
 use std::collections::BTreeMap;
 
-use super::hardest::{EYES, USUAL};
-use super::{gate, hardest, promise};
+use super::hardest::{USUAL, VISION};
+use super::{claims, gate, hardest};
 
-/// Suffix of the benchmarks of trees. All are slower on purpose, except the hand-written one for comparison.
+/// Suffix of the benchmarks of trees. All contain the slowdown, except the hand-written one for comparison.
 const TREES: &str = ".cycles";
 const BY_HAND: &str = "machine_by_hand.cycles";
 
-/// Reports of the gates for counts that are too high on purpose.
+/// Reports of the checks for counts with the slowdown.
 ///
 /// # Errors
-/// Each gate that did not fail, or committed counts that cannot be read.
+/// If a check did not fail, or the committed counts cannot be read.
 pub(crate) fn judge(counted: &BTreeMap<String, u64>, committed: &str, compiler: &str) -> Result<String, String> {
-    let frames = || counted.keys().filter(|name| name.starts_with(EYES) && *name != USUAL);
+    let frames = || counted.keys().filter(|name| name.starts_with(VISION) && *name != USUAL);
     let trees = counted.keys().filter(|name| name.ends_with(TREES) && *name != BY_HAND);
     let hard = hardest::wrong(counted);
-    let (Ok(promises) | Err(promises)) = promise::judge(counted);
+    let (Ok(found_claims) | Err(found_claims)) = claims::judge(counted);
     let changed = gate::compare(committed, counted, compiler)?.wrong;
     let missed: Vec<String> = [
         unreported(frames(), &hard, "not above the bound"),
         unreported(frames().chain(trees), &changed, "not reported as changed"),
-        promises.lines().filter(|line| line.starts_with(promise::KEPT)).map(str::to_owned).collect(),
+        found_claims.lines().filter(|line| line.starts_with(claims::PASS)).map(str::to_owned).collect(),
     ]
     .concat();
     if !missed.is_empty() {
-        return Err(format!("slower on purpose, but accepted:\n  {}", missed.join("\n  ")));
+        return Err(format!("slowed down, but accepted:\n  {}", missed.join("\n  ")));
     }
-    Ok(format!("{}\n{promises}\n{}\nEvery gate fails, as it should.", hard.join("\n"), changed.join("\n")))
+    Ok(format!("{}\n{found_claims}\n{}\nEvery check fails, as expected.", hard.join("\n"), changed.join("\n")))
 }
 
-/// The names that no line reports.
+/// Returns the names that no line reports.
 fn unreported<'a>(names: impl Iterator<Item = &'a String>, lines: &[String], what: &str) -> Vec<String> {
     let is_reported = |name: &str| lines.iter().any(|line| line.split(':').next() == Some(name));
     names.filter(|name| !is_reported(name)).map(|name| format!("{name}: {what}")).collect()
@@ -45,7 +45,7 @@ mod tests {
         "a_hundred.cycles",
         "chain_of_a_hundred.cycles",
         "chain_of_ten.cycles",
-        "eyes.noise",
+        "vision.noise",
         USUAL,
         "ten.cycles",
         "ten_of_a_hundred.cycles",
@@ -57,24 +57,24 @@ mod tests {
         judge(slow, &gate::text(&committed, "rustc 1"), "rustc 1")
     }
 
-    /// Counts ten times too high, a hundred times for benchmarks of a hundred components.
+    /// Counts ten times too high; a hundred times for benchmarks of a hundred components.
     fn slow() -> BTreeMap<String, u64> {
         let slow = NAMES.map(|name| (name.to_owned(), if name.contains("hundred") { 1_000_000 } else { 10_000 }));
         slow.into_iter().chain([(USUAL.to_owned(), 1000)]).collect()
     }
 
     #[test]
-    fn the_test_passes_if_every_gate_fails() {
+    fn the_test_passes_if_every_check_fails() {
         assert!(
             judged(&slow())
-                .is_ok_and(|report| report.contains("eyes.noise: 10.0 ×") && report.contains("FAIL  ten active"))
+                .is_ok_and(|report| report.contains("vision.noise: 10.0 ×") && report.contains("FAIL  ten active"))
         );
     }
 
     #[test]
-    fn a_gate_that_passes_is_reported() {
+    fn a_check_that_passes_is_reported() {
         for (name, count, gate) in [
-            ("eyes.noise", 4000, "eyes.noise: not above the bound"),
+            ("vision.noise", 4000, "vision.noise: not above the bound"),
             ("ten_of_a_hundred.cycles", 10_000, "pass  ten active"),
             ("chain_of_a_hundred.cycles", 100_000, "pass  a chain"),
             ("ten.cycles", 1010, "ten.cycles: not reported as changed"),

@@ -1,14 +1,14 @@
-//! The time of each test program, from what `cargo test` prints.
+//! Times of the test programs, from the output of `cargo test`.
 
 use std::fmt::Write;
 use std::fs::{self, File};
 use std::path::Path;
 use std::process::Command;
 
-/// Runs all tests of the workspace in a folder; what they print goes to a file.
+/// Runs all tests of the workspace in a folder and writes their output to a file.
 ///
 /// # Errors
-/// If they cannot be run, or one fails.
+/// If the tests cannot be run, or one fails.
 pub(super) fn run(folder: &Path, log: &Path) -> Result<(), String> {
     eprintln!("xtask: cargo test --workspace, into {}", log.display());
     let create = |error| format!("cannot write {}: {error}", log.display());
@@ -25,7 +25,7 @@ pub(super) fn run(folder: &Path, log: &Path) -> Result<(), String> {
     if status.success() { Ok(()) } else { Err(format!("a test failed; see {}", log.display())) }
 }
 
-/// The slowest test programs of a log, one a line.
+/// Lists the slowest test programs of a log, one per line.
 ///
 /// # Errors
 /// If the log cannot be read, or names no test program.
@@ -43,7 +43,7 @@ pub(super) fn table(log: &Path, lines: usize) -> Result<String, String> {
     Ok(table)
 }
 
-/// Time and name of each test program: a line names it, and a later line says when it had finished.
+/// Time and name of each test program: a line names it, and a later line contains its time.
 fn programs(text: &str) -> Vec<(f64, &str)> {
     let mut name = None;
     let mut rows = Vec::new();

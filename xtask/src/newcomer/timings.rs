@@ -1,4 +1,4 @@
-//! What took the time of a build, from the report that `cargo --timings` writes.
+//! Slowest parts of a build, from the report that `cargo --timings` writes.
 
 use std::fmt::Write;
 use std::fs;
@@ -8,17 +8,17 @@ use serde_json::Value;
 
 const REPORT: &str = "target/cargo-timings/cargo-timing.html";
 
-/// The slowest compilations of the last build in a folder, one a line.
+/// Lists the slowest compilations of the last build in a folder, one per line.
 ///
 /// # Errors
-/// If there is no report, or it has another form than expected.
+/// If there is no report, or its format is unknown.
 pub(super) fn table(folder: &Path, lines: usize) -> Result<String, String> {
     let text = fs::read_to_string(folder.join(REPORT)).map_err(|error| format!("cannot read {REPORT}: {error}"))?;
     slowest(&text, lines)
 }
 
 fn slowest(report: &str, lines: usize) -> Result<String, String> {
-    let unknown = || format!("{REPORT} has another form than expected");
+    let unknown = || format!("{REPORT} has an unknown format");
     let (_, data) = report.split_once("const UNIT_DATA = ").ok_or_else(unknown)?;
     let (data, _) = data.split_once(";\n").ok_or_else(unknown)?;
     let units: Vec<Value> = serde_json::from_str(data).map_err(|_| unknown())?;
@@ -51,7 +51,7 @@ mod tests {
     }
 
     #[test]
-    fn a_report_of_another_form_is_an_error() {
+    fn a_report_of_an_unknown_format_is_an_error() {
         assert!(slowest("", 3).is_err());
         assert!(slowest("const UNIT_DATA = [{\"name\": \"libm\"}];\n", 3).is_err());
     }

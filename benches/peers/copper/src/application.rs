@@ -6,7 +6,7 @@ use peers::subject::Subject;
 
 use crate::task::results;
 
-/// An application that was started, as something to be measured.
+/// Started application as a benchmark subject.
 macro_rules! application {
     ($(#[$doc:meta])* $name:ident, $config:literal, $outputs:literal) => {
         mod $name {
@@ -28,7 +28,7 @@ macro_rules! application {
             impl super::Subject for Copper {
                 fn cycle(&mut self, _now: u64) {
                     if let Err(error) = self.0.run_one_iteration() {
-                        panic!("no task here returns an error, yet Copper says: {error}");
+                        panic!("no task here returns an error, but Copper reports: {error}");
                     }
                 }
 
@@ -39,10 +39,10 @@ macro_rules! application {
         }
 
         $(#[$doc])*
-        ///
-        /// Read its result right after a cycle: all applications leave theirs in the same place.
+        /// The result is valid only directly after a cycle, because all applications write theirs to the same place.
         ///
         /// # Errors
+        /// If Copper rejects the application.
         /// What Copper has against it.
         pub fn $name(clock: RobotClock) -> CuResult<impl Subject> {
             $name::Copper::start(clock)
@@ -71,7 +71,7 @@ application! {
     forward, "config/forward.ron", 4
 }
 
-/// One output as it is; several mixed.
+/// Result of one output, or a mixture of several.
 fn result<const N: usize>() -> u64 {
     let outputs = results::<N>();
     if let [one] = outputs[..] { one } else { mix(0, outputs) }

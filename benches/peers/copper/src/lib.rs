@@ -1,7 +1,8 @@
-//! The same work with copper-rs: an application for each graph, described in `config/`.
+//! The same workloads with copper-rs: one application for each graph, described in `config/`.
 //!
-//! As its documents and benchmarks do: release build, default features, a graph in RON, `run_one_iteration` on the
-//! started application. Its log of messages and task states is off, which is the fastest that it goes.
+//! The set-up follows its documents and benchmarks: release build, default features, a graph in RON,
+//! `run_one_iteration` on the started application. The log of messages and task states is off, which is its fastest
+//! setting.
 mod application;
 mod task;
 

@@ -1,20 +1,20 @@
-//! The tasks. Copper runs every task in every iteration; one that has a lower rate counts iterations itself and says its
-//! last number again.
+//! The tasks. Copper runs every task in every iteration. A task with a lower rate counts the iterations itself and
+//! repeats its last number in between.
 
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use cu29::prelude::*;
 use peers::part::mix;
 
-/// What the sinks of the last application that ran were given.
+/// Inputs of the sinks in the last application that ran.
 static RESULTS: [AtomicU64; 4] = [const { AtomicU64::new(0) }; 4];
 
 pub(crate) fn results<const N: usize>() -> [u64; N] {
-    core::array::from_fn(|place| RESULTS[place].load(Ordering::Relaxed))
+    core::array::from_fn(|output| RESULTS[output].load(Ordering::Relaxed))
 }
 
-fn put(place: usize, number: u64) {
-    RESULTS[place].store(number, Ordering::Relaxed);
+fn put(output: usize, number: u64) {
+    RESULTS[output].store(number, Ordering::Relaxed);
 }
 
 fn read(message: &CuMsg<u64>) -> u64 {
@@ -26,7 +26,7 @@ fn number(config: Option<&ComponentConfig>, key: &str) -> CuResult<u64> {
     number.ok_or_else(|| format!("the task's configuration has no number `{key}`").into())
 }
 
-/// The first of a chain: goes on from its own number.
+/// First task of a chain: computes its number from its previous one.
 #[derive(Reflect)]
 pub struct Start {
     number: u64,
@@ -49,7 +49,7 @@ impl CuSrcTask for Start {
     }
 }
 
-/// One of a chain.
+/// Middle task of a chain.
 #[derive(Reflect)]
 pub struct Link;
 
@@ -75,7 +75,7 @@ impl CuTask for Link {
     }
 }
 
-/// The last of a chain.
+/// Last task of a chain.
 #[derive(Reflect)]
 pub struct End;
 
@@ -95,21 +95,21 @@ impl CuSinkTask for End {
     }
 }
 
-/// When a task is due, and what it said last.
+/// Period of a task, and its last number.
 #[derive(Reflect)]
-struct Pace {
+struct Schedule {
     every: u64,
     wait: u64,
     salt: u64,
     last: u64,
 }
 
-impl Pace {
+impl Schedule {
     fn new(config: Option<&ComponentConfig>) -> CuResult<Self> {
         Ok(Self { every: number(config, "every")?, wait: 0, salt: number(config, "salt")?, last: 1 })
     }
 
-    /// Its number in this iteration.
+    /// Returns the number for this iteration.
     fn step<const N: usize>(&mut self, needs: impl FnOnce(u64) -> [u64; N]) -> u64 {
         if self.wait == 0 {
             self.wait = self.every;
@@ -120,9 +120,9 @@ impl Pace {
     }
 }
 
-/// A task that needs nothing.
+/// Task without inputs.
 #[derive(Reflect)]
-pub struct Source(Pace);
+pub struct Source(Schedule);
 
 impl Freezable for Source {}
 
@@ -131,7 +131,7 @@ impl CuSrcTask for Source {
     type Resources<'r> = ();
 
     fn new(config: Option<&ComponentConfig>, _resources: Self::Resources<'_>) -> CuResult<Self> {
-        Pace::new(config).map(Self)
+        Schedule::new(config).map(Self)
     }
 
     fn process(&mut self, _context: &CuContext, output: &mut Self::Output<'_>) -> CuResult<()> {
@@ -140,12 +140,12 @@ impl CuSrcTask for Source {
     }
 }
 
-/// A task that makes one number of several: `Name: its inputs; their names and places`.
+/// Generates a task that computes a number from several: `Name: its inputs; their names and indices`.
 macro_rules! mix {
     ($name:ident: $inputs:ty; $($need:ident)*) => {
-        #[doc = "A task that makes one number of several."]
+        #[doc = "Task that computes a number from several numbers."]
         #[derive(Reflect)]
-        pub struct $name(Pace);
+        pub struct $name(Schedule);
 
         impl Freezable for $name {}
 
@@ -155,7 +155,7 @@ macro_rules! mix {
             type Resources<'r> = ();
 
             fn new(config: Option<&ComponentConfig>, _resources: Self::Resources<'_>) -> CuResult<Self> {
-                Pace::new(config).map(Self)
+                Schedule::new(config).map(Self)
             }
 
             fn process(&mut self, _: &CuContext, input: &Self::Input<'_>, output: &mut Self::Output<'_>) -> CuResult<()> {
@@ -171,9 +171,9 @@ mix!(Mix2: input_msg!('m, u64, u64); a b);
 mix!(Mix3: input_msg!('m, u64, u64, u64); a b c);
 mix!(Mix6: input_msg!('m, u64, u64, u64, u64, u64, u64); a b c d e f);
 
-/// A task that makes one number of another.
+/// Task that computes a number from one number.
 #[derive(Reflect)]
-pub struct Mix1(Pace);
+pub struct Mix1(Schedule);
 
 impl Freezable for Mix1 {}
 
@@ -183,7 +183,7 @@ impl CuTask for Mix1 {
     type Resources<'r> = ();
 
     fn new(config: Option<&ComponentConfig>, _resources: Self::Resources<'_>) -> CuResult<Self> {
-        Pace::new(config).map(Self)
+        Schedule::new(config).map(Self)
     }
 
     fn process(
@@ -197,11 +197,11 @@ impl CuTask for Mix1 {
     }
 }
 
-/// A sink that needs one number.
+/// Sink with one input.
 #[derive(Reflect)]
 pub struct Output1 {
-    pace: Pace,
-    place: usize,
+    pace: Schedule,
+    output: usize,
 }
 
 impl Freezable for Output1 {}
@@ -211,20 +211,20 @@ impl CuSinkTask for Output1 {
     type Resources<'r> = ();
 
     fn new(config: Option<&ComponentConfig>, _resources: Self::Resources<'_>) -> CuResult<Self> {
-        Ok(Self { pace: Pace::new(config)?, place: number(config, "place")? as usize })
+        Ok(Self { pace: Schedule::new(config)?, output: number(config, "output")? as usize })
     }
 
     fn process(&mut self, _context: &CuContext, input: &Self::Input<'_>) -> CuResult<()> {
-        put(self.place, self.pace.step(|_| [read(input)]));
+        put(self.output, self.pace.step(|_| [read(input)]));
         Ok(())
     }
 }
 
-/// A sink that needs two numbers.
+/// Sink with two inputs.
 #[derive(Reflect)]
 pub struct Output2 {
-    pace: Pace,
-    place: usize,
+    pace: Schedule,
+    output: usize,
 }
 
 impl Freezable for Output2 {}
@@ -234,11 +234,11 @@ impl CuSinkTask for Output2 {
     type Resources<'r> = ();
 
     fn new(config: Option<&ComponentConfig>, _resources: Self::Resources<'_>) -> CuResult<Self> {
-        Ok(Self { pace: Pace::new(config)?, place: number(config, "place")? as usize })
+        Ok(Self { pace: Schedule::new(config)?, output: number(config, "output")? as usize })
     }
 
     fn process(&mut self, _context: &CuContext, (a, b): &Self::Input<'_>) -> CuResult<()> {
-        put(self.place, self.pace.step(|_| [read(a), read(b)]));
+        put(self.output, self.pace.step(|_| [read(a), read(b)]));
         Ok(())
     }
 }

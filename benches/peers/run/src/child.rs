@@ -1,70 +1,70 @@
-//! One process that times: all in turn, round after round, pinned to one core.
+//! A process that measures times: all cases in turn, for several rounds, pinned to one core.
 
 use std::collections::BTreeMap;
 
 use peers::part::mix;
-use peers::report::figures::Work;
+use peers::report::figures::Workload;
+use peers_run::case::Case;
 use peers_run::cases;
-use peers_run::trial::Trial;
 
-/// Makes a process one of these; the number of rounds follows.
+/// Option of a process that measures times; the number of rounds follows it.
 pub(crate) const OPTION: &str = "--rounds";
 
-/// How long a batch of cycles takes, ns: short, so that some fall between two interruptions.
+/// Duration of a batch of cycles, ns. It is short, so that some batches are not interrupted.
 const BATCH_NS: f64 = 40_000.0;
-/// Cycles whose results are compared.
+/// Number of cycles whose results are compared.
 const COMPARED: u64 = 1000;
 
-/// Times all in so many rounds and prints a line `way<tab>work<tab>ns` for each.
+/// Measures all cases for `rounds` rounds and prints a line `design<tab>workload<tab>ns` for each.
 ///
 /// # Errors
-/// If two come to different results.
+/// If two designs compute different results.
 pub(crate) fn run(rounds: usize, slow: bool) -> Result<(), String> {
     pin();
-    let mut trials = cases::all(slow)?;
-    compare(&mut trials)?;
-    let batches: Vec<u64> = trials.iter_mut().map(|trial| (BATCH_NS / least(trial)).clamp(1.0, 1e6) as u64).collect();
-    let mut times = vec![f64::MAX; trials.len()];
+    let mut cases = cases::all(slow)?;
+    compare(&mut cases)?;
+    let batches: Vec<u64> = cases.iter_mut().map(|case| (BATCH_NS / rough_time(case)).clamp(1.0, 1e6) as u64).collect();
+    let mut times = vec![f64::MAX; cases.len()];
     for round in 0..rounds {
-        for turn in 0..trials.len() {
-            let at = (round + turn) % trials.len();
-            times[at] = times[at].min(trials[at].time(batches[at]));
+        for offset in 0..cases.len() {
+            let at = (round + offset) % cases.len();
+            times[at] = times[at].min(cases[at].time(batches[at]));
         }
     }
-    for (trial, ns) in trials.iter().zip(times) {
-        println!("{}\t{}\t{ns}", trial.way.name(), trial.work.name());
+    for (case, ns) in cases.iter().zip(times) {
+        println!("{}\t{}\t{ns}", case.design.name(), case.workload.name());
     }
     Ok(())
 }
 
-/// A rough time of a cycle, ns.
-fn least(trial: &mut Trial) -> f64 {
-    (0..20).map(|_| trial.time(10)).fold(f64::MAX, f64::min).max(1.0)
+/// Estimates the time of a cycle, ns.
+fn rough_time(case: &mut Case) -> f64 {
+    (0..20).map(|_| case.time(10)).fold(f64::MAX, f64::min).max(1.0)
 }
 
-/// All who do the same work come to the same results, cycle by cycle.
-fn compare(trials: &mut [Trial]) -> Result<(), String> {
-    let mut results = BTreeMap::<Work, (&str, u64)>::new();
-    for trial in trials {
-        let name = trial.way.name();
+/// Checks that all designs compute the same results for a workload, cycle by cycle.
+fn compare(cases: &mut [Case]) -> Result<(), String> {
+    let mut results = BTreeMap::<Workload, (&str, u64)>::new();
+    for case in cases {
+        let name = case.design.name();
         let result = (0..COMPARED).fold(0, |sum, _| {
-            trial.run(1);
-            mix(sum, [trial.result()])
+            case.run(1);
+            mix(sum, [case.result()])
         });
-        let &mut (other, expected) = results.entry(trial.work).or_insert((name, result));
+        let &mut (other, expected) = results.entry(case.workload).or_insert((name, result));
         if result != expected {
-            return Err(format!("{}: {name} comes to {result}, {other} to {expected}", trial.work.name()));
+            return Err(format!("{}: {name} computes {result}, {other} computes {expected}", case.workload.name()));
         }
     }
     Ok(())
 }
 
-/// Stays on the core where it is now allowed last: interrupts prefer the first.
+/// Pins the thread to the last core that it may use, because interrupts are usually handled by the first.
 fn pin() {
     let pinned = core_affinity::get_core_ids()
         .and_then(|cores| cores.last().copied())
         .is_some_and(core_affinity::set_for_current);
     if !pinned {
-        eprintln!("peers: this system does not let a thread stay on one core; expect more noise");
+        eprintln!("peers: this system cannot pin a thread to one core; times will vary more");
     }
 }

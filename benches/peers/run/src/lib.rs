@@ -1,5 +1,5 @@
-//! All ways to do all works, ready to be measured.
+//! All cases, ready to be measured.
 
+pub mod case;
 pub mod cases;
 pub mod slow;
-pub mod trial;

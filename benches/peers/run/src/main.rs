@@ -1,4 +1,5 @@
-//! Times who does the same work, beside each other, and judges what was promised. `peers --help` says how.
+//! Compares BICA with other designs on the same workloads and checks the performance claims. `peers --help` lists the
+//! options.
 
 mod child;
 mod parent;
@@ -6,12 +7,12 @@ mod parent;
 use std::process::ExitCode;
 
 const HELP: &str = "\
-Times the same work in BICA and its peers, counts heap allocations, weighs programs, and judges what was promised.
+Measures the same workloads in BICA and other designs: time, heap allocations, program size. Checks the performance claims.
 
-  --quick   a look: one process, few rounds; too few to judge by
-  --slow    a look at BICA made slower on purpose: every promise about time must break
+  --quick   one process, few rounds: a preview, too short for reliable verdicts
+  --slow    like --quick, with an artificial slowdown of BICA: every claim about time must fail
 
-Ends with 1 if a promise is broken, with 2 if it could not be judged.
+Exit status: 1 if a claim does not hold, 2 if the measurement failed.
 ";
 
 fn main() -> ExitCode {

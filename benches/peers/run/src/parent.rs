@@ -1,43 +1,43 @@
-//! The command: several processes that time, one that counts, programs that are weighed; then tables and verdicts.
+//! The command: runs the measuring processes, compares program sizes, and prints tables and verdicts.
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::{env, fs};
 
 use peers::report::claim::{deep, judge};
-use peers::report::figures::{Figures, Way, Work};
+use peers::report::figures::{Design, Figures, Workload};
 use peers::report::table;
 
 use crate::child;
 
-/// How it is run.
+/// Options of the command.
 pub(crate) struct Options {
-    /// A look.
+    /// Short measurement.
     pub(crate) quick: bool,
-    /// Ours slower than it is.
+    /// Artificial slowdown of BICA.
     pub(crate) slow: bool,
 }
 
-/// The programs that are weighed.
-const PROGRAMS: [(&str, Way, Work); 10] = [
-    ("size-bica", Way::Bica, Work::Chain10),
-    ("size-bica-machine", Way::Bica, Work::Machine),
-    ("size-copper", Way::Copper, Work::Chain10),
-    ("size-by-hand", Way::ByHand, Work::Chain10),
-    ("size-by-hand-machine", Way::ByHand, Work::Machine),
-    ("size-boxed", Way::Boxed, Work::Chain10),
-    ("size-callbacks", Way::Callbacks, Work::Chain10),
-    ("size-channels", Way::Channels, Work::Chain10),
-    ("size-statig", Way::Statig, Work::Machine),
-    ("size-smlang", Way::Smlang, Work::Machine),
+/// Programs whose sizes are compared.
+const PROGRAMS: [(&str, Design, Workload); 10] = [
+    ("size-bica", Design::Bica, Workload::Chain10),
+    ("size-bica-machine", Design::Bica, Workload::Machine),
+    ("size-copper", Design::Copper, Workload::Chain10),
+    ("size-by-hand", Design::ByHand, Workload::Chain10),
+    ("size-by-hand-machine", Design::ByHand, Workload::Machine),
+    ("size-boxed", Design::Boxed, Workload::Chain10),
+    ("size-callbacks", Design::Callbacks, Workload::Chain10),
+    ("size-channels", Design::Channels, Workload::Chain10),
+    ("size-statig", Design::Statig, Workload::Machine),
+    ("size-smlang", Design::Smlang, Workload::Machine),
 ];
 
 const NOTES: &str = include_str!("../notes.md");
 
-/// Measures, prints, judges: whether all promises hold.
+/// Measures, prints, and returns whether all claims hold.
 ///
 /// # Errors
-/// What could not be measured.
+/// If a measurement fails.
 pub(crate) fn run(options: &Options) -> Result<bool, String> {
     let (processes, rounds) = if options.quick || options.slow { (1, 100) } else { (5, 1500) };
     let mut figures = Figures::default();
@@ -46,15 +46,18 @@ pub(crate) fn run(options: &Options) -> Result<bool, String> {
         eprintln!("peers: timing, process {process} of {processes}, {rounds} rounds");
         let mut arguments = vec![child::OPTION.to_owned(), rounds.to_string()];
         arguments.extend(options.slow.then(|| "--slow".to_owned()));
-        for (way, work, ns) in programs.lines("peers", &arguments)? {
-            figures.note(way, work, ns);
+        for (design, workload, ns) in programs.lines("peers", &arguments)? {
+            figures.record(design, workload, ns);
         }
     }
-    figures.heap =
-        programs.lines("peers-heap", &[])?.into_iter().map(|(way, work, count)| ((way, work), count)).collect();
+    figures.heap = programs
+        .lines("peers-heap", &[])?
+        .into_iter()
+        .map(|(design, workload, count)| ((design, workload), count))
+        .collect();
     let empty = programs.size("size-empty")?;
-    for (program, way, work) in PROGRAMS {
-        figures.sizes.insert((way, work), programs.size(program)?.saturating_sub(empty));
+    for (program, design, workload) in PROGRAMS {
+        figures.sizes.insert((design, workload), programs.size(program)?.saturating_sub(empty));
     }
     let verdicts = judge(&figures);
     for table in [table::times(&figures), table::growth(&figures), table::heap(&figures), table::sizes(&figures)] {
@@ -67,12 +70,12 @@ pub(crate) fn run(options: &Options) -> Result<bool, String> {
     Ok(verdicts.iter().all(|verdict| verdict.holds))
 }
 
-/// The programs that were built together with this one.
+/// Folder of the programs that were built together with this one.
 struct Programs(PathBuf);
 
 impl Programs {
     fn beside_this() -> Result<Self, String> {
-        let own = env::current_exe().map_err(|error| format!("cannot tell where this program is: {error}"))?;
+        let own = env::current_exe().map_err(|error| format!("cannot find the path of this program: {error}"))?;
         Ok(Self(own.parent().unwrap_or(Path::new(".")).to_owned()))
     }
 
@@ -87,8 +90,8 @@ impl Programs {
         Ok(data.len())
     }
 
-    /// The lines that a program prints: a way, a work and a number, between tabs.
-    fn lines(&self, program: &str, arguments: &[String]) -> Result<Vec<(Way, Work, f64)>, String> {
+    /// Runs a program and reads the lines that it prints: design, workload and number, separated by tabs.
+    fn lines(&self, program: &str, arguments: &[String]) -> Result<Vec<(Design, Workload, f64)>, String> {
         let path = self.path(program);
         let output = Command::new(&path).args(arguments).stderr(Stdio::inherit()).output();
         let output = output.map_err(|error| format!("{}: {error}; build the whole workspace", path.display()))?;
@@ -99,9 +102,9 @@ impl Programs {
     }
 }
 
-fn parse(line: &str) -> Result<(Way, Work, f64), String> {
+fn parse(line: &str) -> Result<(Design, Workload, f64), String> {
     let mut fields = line.split('\t');
-    let mut field = || fields.next().ok_or_else(|| format!("`{line}` is no way, work and number"));
-    let (way, work, number) = (field()?, field()?, field()?);
-    Ok((way.parse()?, work.parse()?, number.parse().map_err(|error| format!("`{line}`: {error}"))?))
+    let mut field = || fields.next().ok_or_else(|| format!("`{line}` is not a design, a workload and a number"));
+    let (design, workload, number) = (field()?, field()?, field()?);
+    Ok((design.parse()?, workload.parse()?, number.parse().map_err(|error| format!("`{line}`: {error}"))?))
 }

@@ -1,16 +1,16 @@
-//! Ours made slower on purpose, to see every gate fail.
+//! Artificial slowdown of BICA, which shows that each check of a claim can fail.
 
 use std::hint::black_box;
 
 use bica::Probe;
 
-/// A probe that dawdles at the end of every cycle, more than in proportion to the `N` components of the tree.
-pub struct Dawdle<const N: u32>;
+/// Probe that takes time at the end of every cycle, quadratic in the number `N` of components.
+pub struct SlowProbe<const N: u32>;
 
-impl<const N: u32> Probe for Dawdle<N> {
+impl<const N: u32> Probe for SlowProbe<N> {
     fn cycle_end(&mut self) {
-        for turn in 0..N * N * 4 {
-            black_box(turn);
+        for iteration in 0..N * N * 4 {
+            black_box(iteration);
         }
     }
 }

@@ -22,7 +22,7 @@ pub struct ByHand<T> {
 }
 
 impl<T: Timer> ByHand<T> {
-    /// At rest, with `timer` around a step.
+    /// Creates the machine, with `timer` around each step.
     pub const fn new(timer: T) -> Self {
         Self { state: State::A, entered: 0, number: 1, timer }
     }

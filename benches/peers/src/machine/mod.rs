@@ -1,6 +1,7 @@
-//! A machine of five states in a ring, each with code of its own; three are left on a condition, two on a timer.
+//! A machine of five states in a ring, each with its own code. Three states are left on a condition, two by a timer.
 //!
-//! In every step the way out of the state is tried, and then the code of the state runs: the new one's, if it was left.
+//! A step first tries the transition out of the current state. Then it runs the code of the state, which is the new one
+//! after a transition.
 
 mod by_hand;
 mod smlang;
@@ -12,22 +13,22 @@ pub use statig::Statig;
 
 use crate::subject::CYCLE_US;
 
-/// How long state B lasts, ms.
+/// Duration of state B, ms.
 pub const B_MS: u32 = 50;
-/// How long state D lasts, ms.
+/// Duration of state D, ms.
 pub const D_MS: u32 = 30;
 
 const B_US: u64 = B_MS as u64 * 1000;
 const D_US: u64 = D_MS as u64 * 1000;
 
-/// What the machine sees at `now`, µs.
+/// Input of the machine at `now`, µs.
 #[inline]
 #[must_use]
 pub const fn input(now: u64) -> u32 {
     (now / CYCLE_US) as u32
 }
 
-/// What the code of a state does to the number, by the state's place in the ring.
+/// Applies the code of a state, given by its index in the ring, to the number.
 #[inline]
 #[must_use]
 pub const fn work<const STATE: usize>(number: u64) -> u64 {

@@ -99,10 +99,10 @@ impl Ring {
 pub struct Statig(InitializedStateMachine<Ring>);
 
 impl Statig {
-    /// At rest.
+    /// Creates the machine.
     #[must_use]
     pub fn new() -> Self {
-        // The entry action of the first state runs here: it makes 1 of 0.
+        // The entry action of the first state runs here; it changes the number from 0 to 1.
         Self(Ring::default().uninitialized_state_machine().init())
     }
 }

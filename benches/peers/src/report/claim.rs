@@ -1,61 +1,67 @@
-//! What is promised, and whether it holds.
+//! Performance claims and their verification.
 
-use super::figures::{Figures, Way, Work};
+use super::figures::{Design, Figures, Workload};
 
-/// A promise, judged.
+/// Verdict on a claim.
 #[derive(Clone, Debug)]
 pub struct Verdict {
-    /// What is promised.
+    /// The claim.
     pub claim: String,
-    /// What was found, as text.
+    /// Measured value, as text.
     pub found: String,
-    /// Whether it holds.
+    /// Whether the claim holds.
     pub holds: bool,
 }
 
-/// Judges all that is promised. What was not measured does not hold.
+/// Checks all claims. A claim about something that was not measured does not hold.
 #[must_use]
 pub fn judge(figures: &Figures) -> Vec<Verdict> {
-    let ten = |way| (way, Work::Chain10);
+    let ten = |design| (design, Workload::Chain10);
     vec![
-        at_least(figures, 8.0, ten(Way::Copper), ten(Way::Bica)),
-        at_least(figures, 2.0, ten(Way::Copper), ten(Way::BicaTimed)),
-        at_least(figures, 20.0, ten(Way::Callbacks), ten(Way::Bica)),
-        at_least(figures, 20.0, ten(Way::Channels), ten(Way::Bica)),
+        at_least(figures, 8.0, ten(Design::Copper), ten(Design::Bica)),
+        at_least(figures, 2.0, ten(Design::Copper), ten(Design::BicaTimed)),
+        at_least(figures, 20.0, ten(Design::Callbacks), ten(Design::Bica)),
+        at_least(figures, 20.0, ten(Design::Channels), ten(Design::Bica)),
         linear(figures),
         latent(figures),
         no_heap(figures),
     ]
 }
 
-fn at_least(figures: &Figures, times: f64, more: (Way, Work), less: (Way, Work)) -> Verdict {
+fn at_least(figures: &Figures, times: f64, more: (Design, Workload), less: (Design, Workload)) -> Verdict {
     let ratio = figures.ratio(more, less);
     Verdict {
-        claim: format!("{}: {} takes at least {times} x as long as {}", more.1.name(), more.0.name(), less.0.name()),
+        claim: format!(
+            "{}: {} takes at least {times} times as long as {}",
+            more.1.name(),
+            more.0.name(),
+            less.0.name()
+        ),
         found: shown(ratio, |ratio| format!("{ratio:.1} x")),
         holds: ratio.is_some_and(|ratio| ratio >= times),
     }
 }
 
-/// From 10 to 100 components the cost of one changes by 15 % at most, in trees as they are: wide rather than deep.
+/// The cost of one component changes by at most 15 % from 10 to 100 components, in wide trees as robots have them.
 fn linear(figures: &Figures) -> Verdict {
-    let ratio = figures.ratio((Way::Bica, Work::Tree100), (Way::Bica, Work::Tree10)).map(|ratio| ratio / 10.0);
-    within(ratio, 0.15, "BICA: in a tree of 100 a component costs what it does in a tree of 10")
+    let ratio =
+        figures.ratio((Design::Bica, Workload::Tree100), (Design::Bica, Workload::Tree10)).map(|ratio| ratio / 10.0);
+    within(ratio, 0.15, "BICA: a component costs the same in a tree of 100 and in a tree of 10")
 }
 
-/// Ninety latent components change the cost of ten active ones by 10 % at most.
+/// Ninety latent components increase the cost of ten active ones by at most 10 %.
 fn latent(figures: &Figures) -> Verdict {
-    let ratio = figures.ratio((Way::Bica, Work::Latent), (Way::Bica, Work::Active));
-    // Less is no promise broken: trees of other components are laid out otherwise.
+    let ratio = figures.ratio((Design::Bica, Workload::Latent), (Design::Bica, Workload::Active));
+    // A lower cost does not violate the claim: the memory layout of the two trees differs.
     let ratio = ratio.map(|ratio| ratio.max(1.0));
-    within(ratio, 0.10, "BICA: 10 active components among 90 latent ones cost what 10 do alone")
+    within(ratio, 0.10, "BICA: 10 active components cost the same with and without 90 latent ones")
 }
 
-/// What a component costs at the bottom of a deep chain; no promise, for no robot has one.
+/// Cost of a component in a deep chain; no claim, because robots have no such chain.
 #[must_use]
 pub fn deep(figures: &Figures) -> Option<String> {
-    let time = |work| figures.times.get(&(Way::Bica, work)).copied();
-    let (ten, hundred) = (time(Work::Chain10)? / 10.0, time(Work::Chain100)? / 100.0);
+    let time = |workload| figures.times.get(&(Design::Bica, workload)).copied();
+    let (ten, hundred) = (time(Workload::Chain10)? / 10.0, time(Workload::Chain100)? / 100.0);
     Some(format!("BICA: a component takes {ten:.1} ns in a chain of 10 and {hundred:.1} ns in a chain of 100"))
 }
 
@@ -69,11 +75,11 @@ fn within(ratio: Option<f64>, tolerance: f64, claim: &str) -> Verdict {
 }
 
 fn no_heap(figures: &Figures) -> Verdict {
-    let ours: Vec<f64> =
-        figures.heap.iter().filter(|((way, _), _)| *way == Way::Bica).map(|(_, &count)| count).collect();
-    let most = ours.iter().copied().reduce(f64::max);
+    let bica: Vec<f64> =
+        figures.heap.iter().filter(|((design, _), _)| *design == Design::Bica).map(|(_, &count)| count).collect();
+    let most = bica.iter().copied().reduce(f64::max);
     Verdict {
-        claim: "BICA: no heap allocation in any of the works".to_owned(),
+        claim: "BICA: no heap allocation in any workload".to_owned(),
         found: shown(most, |most| format!("{most} per cycle")),
         holds: most == Some(0.0),
     }

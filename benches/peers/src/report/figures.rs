@@ -1,9 +1,9 @@
-//! What was measured.
+//! Measured figures.
 
 use std::collections::BTreeMap;
 use std::str::FromStr;
 
-/// Makes an enum whose values have names, for a table and for the pipe between two processes.
+/// Generates an enum whose values have names, for tables and for the pipe between two processes.
 macro_rules! named {
     ($(#[$doc:meta])* $name:ident { $($(#[$each:meta])* $value:ident = $text:literal,)* }) => {
         $(#[$doc])*
@@ -13,10 +13,10 @@ macro_rules! named {
         }
 
         impl $name {
-            /// All, in the order of the table.
+            /// All values, in the order of the table.
             pub const ALL: &'static [Self] = &[$(Self::$value),*];
 
-            /// What the table calls it.
+            /// Name in tables.
             #[must_use]
             pub const fn name(self) -> &'static str {
                 match self {
@@ -30,45 +30,45 @@ macro_rules! named {
 
             fn from_str(text: &str) -> Result<Self, String> {
                 let found = Self::ALL.iter().find(|value| value.name() == text);
-                found.copied().ok_or_else(|| format!("`{text}` is none of {:?}", Self::ALL))
+                found.copied().ok_or_else(|| format!("`{text}` is not one of {:?}", Self::ALL))
             }
         }
     };
 }
 
 named! {
-    /// A way to do the work.
-    Way {
-        /// With the framework.
+    /// Implementation of a workload.
+    Design {
+        /// Activation tree of BICA.
         Bica = "BICA",
-        /// With the framework, each component's time taken by a `Stopwatch`.
+        /// BICA with a `Stopwatch` that measures each component.
         BicaTimed = "BICA, timed",
-        /// With copper-rs.
+        /// copper-rs.
         Copper = "copper-rs (always timed)",
-        /// With copper-rs and a clock that a test would move by hand.
+        /// copper-rs with its mock clock for tests.
         CopperMocked = "copper-rs, clock mocked",
-        /// As functions, or a `match`.
+        /// Functions or a `match`, written by hand.
         ByHand = "by hand",
-        /// The same with two timestamps for each component.
+        /// Written by hand, with two timestamps for each component.
         ByHandTimed = "by hand, timed",
-        /// As `Box<dyn Component>`.
+        /// `Box<dyn Component>` in a list.
         Boxed = "Box<dyn Component>",
-        /// The same with two timestamps for each component.
+        /// The list with two timestamps for each component.
         BoxedTimed = "Box<dyn Component>, timed",
-        /// A blackboard with call-backs.
-        Callbacks = "blackboard, call-backs",
-        /// A blackboard with channels.
+        /// Blackboard with callbacks.
+        Callbacks = "blackboard, callbacks",
+        /// Blackboard with channels.
         Channels = "blackboard, channels",
-        /// With statig.
+        /// statig.
         Statig = "statig",
-        /// With smlang.
+        /// smlang.
         Smlang = "smlang",
     }
 }
 
 named! {
-    /// Some work.
-    Work {
+    /// Workload.
+    Workload {
         /// A chain of three.
         Chain3 = "chain of 3",
         /// A chain of ten.
@@ -81,9 +81,9 @@ named! {
         Machine = "machine of 5",
         /// The tree of the forward.
         Forward = "tree of 25",
-        /// Ten components: one that needs nine.
+        /// Ten components: one requires nine.
         Tree10 = "10 in a tree",
-        /// A hundred components: one that needs eleven, each of which needs eight.
+        /// Hundred components: one requires eleven, each of which requires eight.
         Tree100 = "100 in a tree",
         /// Ten components, all active.
         Active = "10 of 10 active",
@@ -92,27 +92,27 @@ named! {
     }
 }
 
-/// The figures of a run.
+/// Figures of a run.
 #[derive(Clone, Debug, Default)]
 pub struct Figures {
-    /// Least time of a cycle, ns.
-    pub times: BTreeMap<(Way, Work), f64>,
-    /// Heap allocations in a cycle.
-    pub heap: BTreeMap<(Way, Work), f64>,
-    /// What a program with the work is larger than an empty one, bytes.
-    pub sizes: BTreeMap<(Way, Work), u64>,
+    /// Minimum time of a cycle, ns.
+    pub times: BTreeMap<(Design, Workload), f64>,
+    /// Heap allocations per cycle.
+    pub heap: BTreeMap<(Design, Workload), f64>,
+    /// Size of a program with the workload minus that of an empty one, bytes.
+    pub sizes: BTreeMap<(Design, Workload), u64>,
 }
 
 impl Figures {
-    /// Notes a time; the least counts.
-    pub fn note(&mut self, way: Way, work: Work, ns: f64) {
-        let least = self.times.entry((way, work)).or_insert(ns);
-        *least = least.min(ns);
+    /// Records a time; the minimum is kept.
+    pub fn record(&mut self, design: Design, workload: Workload, ns: f64) {
+        let minimum = self.times.entry((design, workload)).or_insert(ns);
+        *minimum = minimum.min(ns);
     }
 
-    /// How many times as long the first takes as the second; `None` if either was not measured.
+    /// Ratio of the times of two cases; `None` if one was not measured.
     #[must_use]
-    pub fn ratio(&self, more: (Way, Work), less: (Way, Work)) -> Option<f64> {
+    pub fn ratio(&self, more: (Design, Workload), less: (Design, Workload)) -> Option<f64> {
         Some(self.times.get(&more)? / self.times.get(&less)?)
     }
 }

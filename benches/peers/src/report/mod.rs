@@ -1,4 +1,4 @@
-//! What was measured, as a table, and what was promised of it.
+//! Tables of the measurements, and the claims about them.
 
 pub mod claim;
 pub mod figures;

@@ -1,49 +1,54 @@
-//! The table, in Markdown.
+//! Tables in Markdown.
 
 use std::collections::BTreeMap;
 
 use super::claim::Verdict;
-use super::figures::{Figures, Way, Work};
+use super::figures::{Design, Figures, Workload};
 
-/// The works that all ways are asked for.
-const WORKS: [Work; 6] = [Work::Chain3, Work::Chain10, Work::Chain100, Work::Diamond, Work::Machine, Work::Forward];
+/// Workloads of all designs.
+const WORKLOADS: [Workload; 6] =
+    [Workload::Chain3, Workload::Chain10, Workload::Chain100, Workload::Diamond, Workload::Machine, Workload::Forward];
 
-/// The works that show what more components cost; ours alone does them.
-const GROWING: [Work; 4] = [Work::Tree10, Work::Tree100, Work::Active, Work::Latent];
+/// Workloads that show the growth of the cost with the number of components; only BICA runs them.
+const GROWING: [Workload; 4] = [Workload::Tree10, Workload::Tree100, Workload::Active, Workload::Latent];
 
-/// Least times of a cycle and, in brackets, how many times ours.
+/// Minimum times of a cycle and, in brackets, the ratio to BICA's time.
 #[must_use]
 pub fn times(figures: &Figures) -> String {
-    let cell = |way, work| {
-        let ns = figures.times.get(&(way, work))?;
-        let ratio = figures.ratio((way, work), (Way::Bica, work));
-        let ratio = ratio.filter(|_| way != Way::Bica).map_or_else(String::new, |ratio| format!(" ({ratio:.1} x)"));
+    let cell = |design, workload| {
+        let ns = figures.times.get(&(design, workload))?;
+        let ratio = figures.ratio((design, workload), (Design::Bica, workload));
+        let ratio =
+            ratio.filter(|_| design != Design::Bica).map_or_else(String::new, |ratio| format!(" ({ratio:.1} x)"));
         Some(format!("{}{ratio}", short(*ns)))
     };
     table("ns per cycle (times BICA's)", cell)
 }
 
-/// What ours takes with more components, active or latent: nanoseconds of a cycle.
+/// Times of a cycle of BICA for growing trees, ns.
 #[must_use]
 pub fn growth(figures: &Figures) -> String {
-    let cell = |way, work| figures.times.get(&(way, work)).map(|&ns| short(ns));
+    let cell = |design, workload| figures.times.get(&(design, workload)).map(|&ns| short(ns));
     table_of("ns per cycle, as trees grow", &GROWING, cell)
 }
 
-/// Heap allocations of a cycle.
+/// Heap allocations per cycle.
 #[must_use]
 pub fn heap(figures: &Figures) -> String {
-    table("heap allocations per cycle", |way, work| figures.heap.get(&(way, work)).map(|&count| short(count)))
+    table("heap allocations per cycle", |design, workload| {
+        figures.heap.get(&(design, workload)).map(|&count| short(count))
+    })
 }
 
-/// What a program grows by.
+/// Program sizes.
 #[must_use]
 pub fn sizes(figures: &Figures) -> String {
-    let cell = |way, work| figures.sizes.get(&(way, work)).map(|&bytes| format!("{:.1}", bytes as f64 / 1024.0));
+    let cell =
+        |design, workload| figures.sizes.get(&(design, workload)).map(|&bytes| format!("{:.1}", bytes as f64 / 1024.0));
     table("KiB of program over an empty one", cell)
 }
 
-/// What was promised, and whether it holds.
+/// Claims and whether they hold.
 #[must_use]
 pub fn verdicts(verdicts: &[Verdict]) -> String {
     let line = |verdict: &Verdict| {
@@ -53,27 +58,28 @@ pub fn verdicts(verdicts: &[Verdict]) -> String {
     verdicts.iter().map(line).collect()
 }
 
-/// A row for each way and a column for each of the works that all are asked for, as far as there is anything.
-fn table(title: &str, cell: impl Fn(Way, Work) -> Option<String>) -> String {
-    table_of(title, &WORKS, cell)
+/// Table with a row for each design and a column for each workload; rows and columns without figures are left out.
+fn table(title: &str, cell: impl Fn(Design, Workload) -> Option<String>) -> String {
+    table_of(title, &WORKLOADS, cell)
 }
 
-fn table_of(title: &str, works: &[Work], cell: impl Fn(Way, Work) -> Option<String>) -> String {
+fn table_of(title: &str, workloads: &[Workload], cell: impl Fn(Design, Workload) -> Option<String>) -> String {
     let mut cells = BTreeMap::new();
-    for &way in Way::ALL {
-        for &work in works {
-            if let Some(text) = cell(way, work) {
-                cells.insert((way, work), text);
+    for &design in Design::ALL {
+        for &workload in workloads {
+            if let Some(text) = cell(design, workload) {
+                cells.insert((design, workload), text);
             }
         }
     }
-    let works: Vec<Work> = works.iter().copied().filter(|work| cells.keys().any(|(_, with)| with == work)).collect();
-    let ways = Way::ALL.iter().filter(|way| cells.keys().any(|(with, _)| with == *way));
+    let workloads: Vec<Workload> =
+        workloads.iter().copied().filter(|workload| cells.keys().any(|(_, with)| with == workload)).collect();
+    let ways = Design::ALL.iter().filter(|design| cells.keys().any(|(with, _)| with == *design));
     let mut rows = vec![vec![title.to_owned()]];
-    rows[0].extend(works.iter().map(|work| work.name().to_owned()));
-    for &way in ways {
-        let cell = |work: &Work| cells.get(&(way, *work)).cloned().unwrap_or_default();
-        rows.push([way.name().to_owned()].into_iter().chain(works.iter().map(cell)).collect());
+    rows[0].extend(workloads.iter().map(|workload| workload.name().to_owned()));
+    for &design in ways {
+        let cell = |workload: &Workload| cells.get(&(design, *workload)).cloned().unwrap_or_default();
+        rows.push([design.name().to_owned()].into_iter().chain(workloads.iter().map(cell)).collect());
     }
     markdown(&rows)
 }
@@ -95,7 +101,7 @@ fn dashes(width: usize, right: bool) -> String {
     if right { format!("{}:", "-".repeat(width - 1)) } else { "-".repeat(width) }
 }
 
-/// Two or three figures.
+/// Formats a number with two or three significant digits.
 fn short(figure: f64) -> String {
     match figure {
         0.0 => "0".to_owned(),

@@ -5,7 +5,7 @@ use glam::Vec2;
 use super::{gait, kick_dynamic, kick_kinematic};
 use crate::model::{Calibration, Kicks, Profile, Technique};
 
-/// Motions for a world without dynamics. The kicks ask no joint for more than its maximum speed.
+/// Motions for a world without dynamics. In the kicks no joint exceeds its maximum speed.
 pub(super) const KINEMATIC: Profile = Profile {
     gait: gait::KINEMATIC,
     kicks: Kicks {
@@ -19,7 +19,7 @@ pub(super) const KINEMATIC: Profile = Profile {
 /// Motions for a world with dynamics.
 ///
 /// The odometry scale for commanded displacements was measured in trials in `MuJoCo`. It is above 1 because the gait plans
-/// less than it is asked for ([`Parameters::velocity_scale`](crate::model::Parameters::velocity_scale)).
+/// less than requested ([`Parameters::velocity_scale`](crate::model::Parameters::velocity_scale)).
 pub(super) const DYNAMIC: Profile = Profile {
     gait: gait::DYNAMIC,
     kicks: Kicks {

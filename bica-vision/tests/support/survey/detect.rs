@@ -9,11 +9,11 @@ use bica_vision::pipeline::{Detections, Pipeline};
 use bica_vision::profile::BUILT_IN_TABLE;
 use bica_vision::projection::Camera;
 
-use super::look::Look;
+use super::view::View;
 
 /// Camera from the joint angles, and the detections.
-pub(crate) fn see(look: &Look) -> (Camera, Detections) {
-    let mut world = look.world.clone();
+pub(crate) fn see(view: &View) -> (Camera, Detections) {
+    let mut world = view.world.clone();
     let sensors = world.sensors();
     let image = sensors.image.expect("there is a new one");
     let frame = Frame::from_image(&image).expect("a frame");

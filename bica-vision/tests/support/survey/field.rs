@@ -26,7 +26,7 @@ const CROSSING_NEAR: f32 = 0.2;
 const CROSSING_TURN: f32 = 0.3;
 /// Length of the arms that must be visible for a crossing to be due, m.
 const ARM: f32 = 0.2;
-/// Visible share of the circle from which on it is due.
+/// Minimum visible share of the circle for it to be due.
 const CIRCLE_PART: f32 = 0.3;
 /// Maximum distance of the detected centre from the true one, m.
 const CIRCLE_NEAR: f32 = 0.2;

@@ -2,16 +2,16 @@
 
 pub(crate) mod detect;
 mod field;
-mod look;
+mod objects;
 mod score;
-mod things;
 mod truth;
+mod view;
 
 use std::fmt;
 
-pub(crate) use look::Look;
 pub(crate) use score::Score;
 use truth::Truth;
+pub(crate) use view::View;
 
 /// Maximum distance of due objects, m.
 pub(crate) const FAR: f32 = 3.0;
@@ -41,23 +41,23 @@ impl Survey {
             robots: Score::new("other robots", "cm off"),
             field_boundary: Score::new("field boundary", "rows off"),
         };
-        for look in (first..).filter_map(Look::new).take(poses) {
-            survey.add(look);
+        for view in (first..).filter_map(View::new).take(poses) {
+            survey.add(view);
         }
         survey
     }
 
-    fn add(&mut self, mut look: Look) {
-        let truth = Truth::of(&mut look);
-        let (_, seen) = detect::see(&look);
+    fn add(&mut self, mut view: View) {
+        let truth = Truth::of(&mut view);
+        let (_, seen) = detect::see(&view);
         self.poses += 1;
-        self.ball.note(look.number, |score| things::ball(score, &seen, &truth));
-        self.posts.note(look.number, |score| things::posts(score, &seen, &truth));
-        self.robots.note(look.number, |score| things::robots(score, &seen, &truth));
-        self.lines.note(look.number, |score| field::lines(score, &seen, &truth));
-        self.crossings.note(look.number, |score| field::crossings(score, &seen, &truth));
-        self.circle.note(look.number, |score| field::circle(score, &seen, &truth));
-        self.field_boundary.note(look.number, |score| field::end(score, &seen, &truth));
+        self.ball.note(view.number, |score| objects::ball(score, &seen, &truth));
+        self.posts.note(view.number, |score| objects::posts(score, &seen, &truth));
+        self.robots.note(view.number, |score| objects::robots(score, &seen, &truth));
+        self.lines.note(view.number, |score| field::lines(score, &seen, &truth));
+        self.crossings.note(view.number, |score| field::crossings(score, &seen, &truth));
+        self.circle.note(view.number, |score| field::circle(score, &seen, &truth));
+        self.field_boundary.note(view.number, |score| field::end(score, &seen, &truth));
     }
 
     /// Scores in the order of the table.
@@ -68,11 +68,11 @@ impl Survey {
 
 impl fmt::Display for Survey {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        writeln!(f, "{} poses, 320×240; what is within {FAR} m and not hidden is due", self.poses)?;
+        writeln!(f, "{} poses, 320×240; visible objects within {FAR} m are due", self.poses)?;
         writeln!(
             f,
             "{:17}{:>15}{:>9}{:>15}{:>11}   error",
-            "", "found of due", "recall", "right of seen", "precision"
+            "", "found / due", "recall", "correct / found", "precision"
         )?;
         self.scores().into_iter().try_for_each(|score| writeln!(f, "{score}"))
     }

@@ -31,10 +31,10 @@ impl Score {
         }
     }
 
-    /// Lets `look` add to the score, and notes the pose of each miss and false detection.
-    pub(crate) fn note(&mut self, pose: u64, look: impl FnOnce(&mut Self)) {
+    /// Lets `view` add to the score, and notes the pose of each miss and false detection.
+    pub(crate) fn note(&mut self, pose: u64, view: impl FnOnce(&mut Self)) {
         let (missed, wrong) = (self.due - self.found, self.seen - self.right);
-        look(self);
+        view(self);
         self.missed.extend((self.due - self.found > missed).then_some(pose));
         self.wrong.extend((self.seen - self.right > wrong).then_some(pose));
     }

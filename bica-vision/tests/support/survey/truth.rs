@@ -10,7 +10,7 @@ use bica_sim::World;
 use bica_vision::projection::Camera;
 use glam::{Vec2, Vec3};
 
-use super::look::Look;
+use super::view::View;
 
 /// Width and height of the image, px.
 pub(super) const SIZE: (usize, usize) = (320, 240);
@@ -28,13 +28,13 @@ pub(super) struct Truth {
 }
 
 impl Truth {
-    pub(super) fn of(look: &mut Look) -> Self {
-        let things = look.world.segmentation_mask();
-        let sensors = look.world.sensors();
+    pub(super) fn of(view: &mut View) -> Self {
+        let things = view.world.segmentation_mask();
+        let sensors = view.world.sensors();
         let image = sensors.image.expect("there is a new one");
         let camera = Camera::of::<Nao>(image.camera, &sensors.angles, Side::Left, image.width, image.height);
         let hips = kinematics::ground_from_robot::<Nao>(Side::Left, &sensors.angles).translation;
-        let referee = look.world.referee();
+        let referee = view.world.referee();
         Self {
             pose: referee.robot() * Pose2::new(-hips.x, -hips.y, 0.0),
             camera,

@@ -122,7 +122,7 @@ impl DetectionObserver for Report {
 
 impl Summary {
     fn new(frames: &[Detections], skipped: usize) -> Self {
-        let count = |wanted: &dyn Fn(&Detections) -> bool| frames.iter().filter(|frame| wanted(frame)).count();
+        let count = |matches: &dyn Fn(&Detections) -> bool| frames.iter().filter(|frame| matches(frame)).count();
         let goals = |complete| frames.iter().flat_map(|frame| &frame.goals).filter(|g| g.complete == complete).count();
         let missing = frames.iter().filter(|frame| frame.pose == PoseTrust::Missing);
         Self {

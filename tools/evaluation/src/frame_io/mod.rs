@@ -113,8 +113,8 @@ mod tests {
         let (b, r) = (cb - 128.0, cr - 128.0);
         let rgb = [y + 1.402 * r, y - 0.344_136 * b - 0.714_136 * r, y + 1.772 * b].map(|v| v.round() as u8);
         let back = yuyv(&Picture { width: 2, height: 1, rgb: vec![rgb; 2] });
-        for (value, wanted) in back.iter().zip([120_u8, 90, 120, 170]) {
-            assert!(value.abs_diff(wanted) <= 1, "{back:?}");
+        for (value, expected) in back.iter().zip([120_u8, 90, 120, 170]) {
+            assert!(value.abs_diff(expected) <= 1, "{back:?}");
         }
     }
 

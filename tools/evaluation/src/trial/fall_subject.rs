@@ -102,8 +102,8 @@ impl FallSubject {
 
     /// Returns the time from the fall to the get-up by the referee, s.
     pub(super) fn time_down(&self) -> Option<f32> {
-        let when = |wanted: fn(&Event) -> bool| {
-            let happened = self.runner.world().referee().events().iter().find(|happened| wanted(&happened.event));
+        let when = |matches: fn(&Event) -> bool| {
+            let happened = self.runner.world().referee().events().iter().find(|happened| matches(&happened.event));
             happened.map(|happened| happened.at.as_secs_f32())
         };
         let fell = when(|event| matches!(event, Event::Fall(_)));

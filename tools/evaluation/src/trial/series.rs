@@ -21,9 +21,9 @@ impl Series {
         self.batch.runs
     }
 
-    /// Number of runs that must succeed, where `wanted` of 20 must.
-    pub(super) const fn needed(&self, wanted: u32) -> usize {
-        (self.batch.runs as u64 * wanted as u64).div_ceil(20) as usize
+    /// Number of runs that must succeed, if `of_20` of 20 runs must succeed.
+    pub(super) const fn needed(&self, of_20: u32) -> usize {
+        (self.batch.runs as u64 * of_20 as u64).div_ceil(20) as usize
     }
 
     /// Returns the result of each seed, in the order of the seeds; fewer after Ctrl-C.

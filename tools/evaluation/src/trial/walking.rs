@@ -113,7 +113,7 @@ pub(super) fn bodies(series: &Series) -> Result<Vec<Row>, Failure> {
     bodies.iter().map(|(name, physics)| commands_row(series, name, physics, 18)).collect()
 }
 
-fn commands_row(series: &Series, name: &str, physics: &Physics, wanted: u32) -> Result<Row, Failure> {
+fn commands_row(series: &Series, name: &str, physics: &Physics, required: u32) -> Result<Row, Failure> {
     let runs = series.each(|seed| {
         let mut rng = Rng::new(seed);
         let mut walker = Walker::new(seed, Pose2::new(0.0, 0.0, rng.between(-PI, PI)), physics)?;
@@ -122,7 +122,7 @@ fn commands_row(series: &Series, name: &str, physics: &Physics, wanted: u32) -> 
         }
         Ok(walker.fall())
     })?;
-    Ok(fall_row(name, &runs, series.needed(wanted)))
+    Ok(fall_row(name, &runs, series.needed(required)))
 }
 
 /// A random command; far from the centre of the field, the one of eight that leads nearest to it.
@@ -145,7 +145,7 @@ fn inward(rng: &mut Rng, pose: Pose2) -> Velocity {
 
 /// Pushes from random directions, every two seconds for twenty seconds, while walking.
 pub(super) fn pushes(series: &Series) -> Result<Vec<Row>, Failure> {
-    let row = |(name, speed, wanted)| {
+    let row = |(name, speed, required)| {
         let runs = series.each(|seed| {
             let mut rng = Rng::new(seed);
             let mut walker = Walker::new(seed, Pose2::new(-1.0, 0.0, 0.0), &series.physics)?;
@@ -156,7 +156,7 @@ pub(super) fn pushes(series: &Series) -> Result<Vec<Row>, Failure> {
             walker.go(Velocity::new(0.1, 0.0, 0.0), INTERVAL);
             Ok(walker.fall())
         })?;
-        Ok(fall_row(name, &runs, series.needed(wanted)))
+        Ok(fall_row(name, &runs, series.needed(required)))
     };
     // The second case has no requirement; it shows the distance from the limit.
     [("pushes of 0.4 m/s, 20 s", 0.4, 19), ("pushes of 0.6 m/s, 20 s", 0.6, 0)].into_iter().map(row).collect()

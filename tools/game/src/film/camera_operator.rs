@@ -48,13 +48,13 @@ impl CameraOperator {
     pub(super) fn follow(&mut self, referee: &Referee, dt: f32) -> SpectatorCamera {
         let others: Vec<Vec2> = referee.others().iter().map(|other| other.position).collect();
         let subjects = Subjects { robot: referee.robot().position, ball: referee.ball(), others };
-        let wanted = self.choose(&subjects);
-        let (now, next) = self.now.unwrap_or((wanted, wanted));
-        let off = now[0].distance(wanted[0]).max(now[1].distance(wanted[1]));
+        let best = self.choose(&subjects);
+        let (now, next) = self.now.unwrap_or((best, best));
+        let off = now[0].distance(best[0]).max(now[1].distance(best[1]));
         self.moves = off > if self.moves { STOP_DISTANCE } else { START_DISTANCE };
         let share = (dt / SMOOTHING_TIME).min(1.0);
         let towards = |from: [Vec2; 2], to: [Vec2; 2]| [from[0].lerp(to[0], share), from[1].lerp(to[1], share)];
-        let next = if self.moves { towards(next, wanted) } else { next };
+        let next = if self.moves { towards(next, best) } else { next };
         let now = towards(now, next);
         self.now = Some((now, next));
         SpectatorCamera { eye: now[0].extend(CAMERA_HEIGHT), target: now[1].extend(TARGET_HEIGHT) }

@@ -46,9 +46,9 @@ impl Colours {
         let middle = |cell: usize, channel: u32| (((cell >> (BITS * channel)) & 31) * 8 + 4) as i32;
         let nearest = (0..1_usize << (3 * BITS))
             .map(|cell| {
-                let wanted = [2, 1, 0].map(|channel| middle(cell, channel));
+                let exact = [2, 1, 0].map(|channel| middle(cell, channel));
                 let off = |colour: &Rgb| {
-                    let part = |i: usize, weight: i32| weight * (i32::from(colour[i]) - wanted[i]).pow(2);
+                    let part = |i: usize, weight: i32| weight * (i32::from(colour[i]) - exact[i]).pow(2);
                     part(0, 3) + part(1, 6) + part(2, 2)
                 };
                 let best = all.iter().enumerate().min_by_key(|(_, colour)| off(colour));

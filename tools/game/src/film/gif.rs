@@ -66,7 +66,7 @@ impl Gif {
         let tolerance = if outside { TOLERANCE_OUTSIDE } else { TOLERANCE_CAMERA };
         let near = |index: &u8| {
             let shown = self.colours.all[usize::from(*index)];
-            shown.iter().zip(rgb).all(|(shown, wanted)| shown.abs_diff(wanted) <= tolerance)
+            shown.iter().zip(rgb).all(|(shown, exact)| shown.abs_diff(exact) <= tolerance)
         };
         before.filter(near).unwrap_or_else(|| self.colours.index(rgb))
     }

@@ -44,7 +44,7 @@ fn all_image_formats_give_the_same_detections() {
     assert_eq!((lines.len(), ran.stderr.as_str()), (4, ""));
     for line in lines {
         let near =
-            |key: &str, wanted: f64| line["ball"][key].as_f64().is_some_and(|found| (found - wanted).abs() < 1.0);
+            |key: &str, expected: f64| line["ball"][key].as_f64().is_some_and(|found| (found - expected).abs() < 1.0);
         assert!(near("x", 101.0) && near("y", 150.0) && near("radius", 14.0), "{line}");
     }
     assert!(path("seen/d_640x240.png").is_file());

@@ -110,7 +110,7 @@ bica_test_data::images_test! {
         assert_eq!((&printed["summary"]["seen"], &printed["summary"]["skipped"]), (&103.into(), &0.into()));
         assert!(printed["summary"]["balls"].as_u64().is_some_and(|balls| balls >= 60), "{}", printed["summary"]);
         let first = &printed["frames"][0]["ball"];
-        let near = |key: &str, wanted: f64| first[key].as_f64().is_some_and(|found| (found - wanted).abs() < 2.0);
+        let near = |key: &str, expected: f64| first[key].as_f64().is_some_and(|found| (found - expected).abs() < 2.0);
         assert!(near("x", 171.2) && near("y", 148.7), "{first}");
     }
 }

@@ -1,18 +1,18 @@
-//! Counts heap allocations: a line `way<tab>work<tab>allocations per cycle` for each.
+//! Counts heap allocations; prints a line `design<tab>workload<tab>allocations per cycle` for each case.
 
 use allocation_counter::measure;
 use peers_run::cases;
 
-/// Before counting, so that what grows once has grown.
+/// Cycles before the count, so that containers have reached their final capacity.
 const WARM: u64 = 1000;
-/// Counted.
+/// Cycles during the count.
 const CYCLES: u64 = 10_000;
 
 fn main() -> Result<(), String> {
-    for mut trial in cases::all(false)? {
-        trial.run(WARM);
-        let counted = measure(|| trial.run(CYCLES));
-        println!("{}\t{}\t{}", trial.way.name(), trial.work.name(), counted.count_total as f64 / CYCLES as f64);
+    for mut case in cases::all(false)? {
+        case.run(WARM);
+        let counted = measure(|| case.run(CYCLES));
+        println!("{}\t{}\t{}", case.design.name(), case.workload.name(), counted.count_total as f64 / CYCLES as f64);
     }
     Ok(())
 }

@@ -1,4 +1,4 @@
-//! A program with a chain of ten, with copper-rs.
+//! Program with a chain of ten tasks, with copper-rs.
 
 use peers::subject::show;
 use peers_copper::{RobotClock, chain_10};

@@ -1,8 +1,8 @@
-//! A program with a machine of five states, with the framework.
+//! Program with a machine of five states, with BICA.
 
-use peers::ours::{Machine, Ours};
+use peers::framework::{BicaSubject, Machine};
 use peers::subject::show;
 
 fn main() {
-    show(Ours::<Machine, _>::new(()));
+    show(BicaSubject::<Machine, _>::new(()));
 }

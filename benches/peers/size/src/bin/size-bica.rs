@@ -1,8 +1,8 @@
-//! A program with a chain of ten, with the framework.
+//! Program with a chain of ten, with BICA.
 
-use peers::ours::{Chain10, Ours};
+use peers::framework::{BicaSubject, Chain10};
 use peers::subject::show;
 
 fn main() {
-    show(Ours::<Chain10, _>::new(()));
+    show(BicaSubject::<Chain10, _>::new(()));
 }

@@ -1,4 +1,4 @@
-//! A program with a chain of ten, as `Box<dyn Component>`.
+//! Program with a chain of ten, as `Box<dyn Component>`.
 
 use peers::boxed::Boxed;
 use peers::part::chain;

@@ -1,4 +1,4 @@
-//! A program with a machine of five states, by hand.
+//! Program with a machine of five states, written by hand.
 
 use peers::machine::ByHand;
 use peers::subject::show;

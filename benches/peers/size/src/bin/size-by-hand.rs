@@ -1,4 +1,4 @@
-//! A program with a chain of ten, by hand.
+//! Program with a chain of ten, written by hand.
 
 use peers::plain::Chain;
 use peers::subject::show;

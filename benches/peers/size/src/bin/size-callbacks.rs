@@ -1,4 +1,4 @@
-//! A program with a chain of ten, over a blackboard with call-backs.
+//! Program with a chain of ten, over a blackboard with callbacks.
 
 use peers::callbacks::Callbacks;
 use peers::part::chain;

@@ -1,4 +1,4 @@
-//! A program with a chain of ten, over a blackboard with channels.
+//! Program with a chain of ten, over a blackboard with channels.
 
 use peers::channels::Channels;
 use peers::part::chain;

@@ -1,4 +1,4 @@
-//! A program that does nothing but print a number.
+//! Program that only prints a number.
 
 use std::hint::black_box;
 

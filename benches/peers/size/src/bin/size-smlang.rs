@@ -1,4 +1,4 @@
-//! A program with a machine of five states, with smlang.
+//! Program with a machine of five states, with smlang.
 
 use peers::machine::Smlang;
 use peers::subject::show;

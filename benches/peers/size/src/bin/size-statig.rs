@@ -1,4 +1,4 @@
-//! A program with a machine of five states, with statig.
+//! Program with a machine of five states, with statig.
 
 use peers::machine::Statig;
 use peers::subject::show;
