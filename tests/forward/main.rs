@@ -3,7 +3,8 @@
 mod game;
 mod latent;
 mod lazy;
+mod motor_load;
 mod no_heap;
 mod out;
 mod replay;
-mod strained;
+mod search;

@@ -64,10 +64,7 @@ impl PositionEstimate {
     pub(super) fn corrected(&self, fit: &Fit) -> Self {
         let gain = self.covariance * fit.inverse;
         let covariance = self.covariance - gain * self.covariance;
-        Self {
-            position: self.position + gain * fit.off,
-            covariance: 0.5 * (covariance + covariance.transpose()),
-        }
+        Self { position: self.position + gain * fit.off, covariance: 0.5 * (covariance + covariance.transpose()) }
     }
 
     /// Mixture of two estimates; `share` is the weight of the other.

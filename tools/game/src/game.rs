@@ -18,6 +18,7 @@ use crate::firmware::FirmwareCheck;
 use crate::latency::Stopwatch;
 use crate::meter::Meter;
 use crate::observer::GameObserver;
+use crate::recording::{GameRecorder, RecordOptions, RecordingSummary};
 use crate::rules::Rules;
 use crate::scene::{GRAPH, Scene};
 use crate::summary::{GameSummary, Measurements};
@@ -31,7 +32,19 @@ const PATH_STEP: f32 = 0.03;
 /// # Errors
 /// If the world or the firmware cannot be started, an observer fails, or the firmware deviates from this program.
 pub fn play(rules: &Rules, observer: &mut impl GameObserver) -> Result<GameSummary, Failure> {
-    let mut game = Game::new(rules)?;
+    play_recorded(rules, observer, None).map(|(summary, _)| summary)
+}
+
+/// Plays as [`play`] and records the game on request. A recording that ends early does not end the game.
+///
+/// # Errors
+/// As [`play`], or if the file cannot be made.
+pub fn play_recorded(
+    rules: &Rules,
+    observer: &mut impl GameObserver,
+    record: Option<RecordOptions<'_>>,
+) -> Result<(GameSummary, Option<RecordingSummary>), Failure> {
+    let mut game = Game::new(rules, record)?;
     let began = Instant::now();
     while !game.is_over(rules) && !interrupt::requested() {
         game.cycle()?;
@@ -43,11 +56,12 @@ pub fn play(rules: &Rules, observer: &mut impl GameObserver) -> Result<GameSumma
     Ok(game.summarize(rules, began.elapsed()))
 }
 
-/// Observers of the loop: the firmware first, so that the stopwatch does not measure it.
-type LoopObservers = (FirmwareCheck, (Meter, Stopwatch));
+/// Observers of the loop. The stopwatch measures neither the firmware, which comes first, nor the end of a cycle in the recorder,
+/// which comes last.
+type LoopObservers<'a> = (FirmwareCheck, ((Meter, Stopwatch), GameRecorder<'a>));
 
-struct Game {
-    runner: Runner<Box<Forward>, Box<dyn SpectatorView>, (), LoopObservers>,
+struct Game<'a> {
+    runner: Runner<Box<Forward>, Box<dyn SpectatorView>, (), LoopObservers<'a>>,
     cycles: u64,
     tree_changes: u64,
     fingerprint: Fingerprint,
@@ -60,15 +74,16 @@ struct Game {
     seed: u64,
 }
 
-impl Game {
-    fn new(rules: &Rules) -> Result<Self, Failure> {
+impl<'a> Game<'a> {
+    fn new(rules: &Rules, record: Option<RecordOptions<'a>>) -> Result<Self, Failure> {
         let world = world_factory::open(rules)?;
         let mut robot = Box::new(Forward::new());
         let (attacks, start, ball) = (world.referee().attacks(), world.referee().robot(), world.referee().ball());
         robot.get_mut::<RobotProfile>().set(rules.world.profile());
         robot.get_mut::<GoalDetector>().attack(attacks);
         let firmware = rules.firmware.map(|image| image.start(attacks)).transpose()?;
-        let observers = (FirmwareCheck::new(firmware), (Meter::new(&GRAPH), Stopwatch::default()));
+        let recorder = GameRecorder::new(record, rules, attacks)?;
+        let observers = (FirmwareCheck::new(firmware), ((Meter::new(&GRAPH), Stopwatch::default()), recorder));
         Ok(Self {
             runner: Runner::new(robot, world).with_observer(observers),
             cycles: 0,
@@ -87,7 +102,7 @@ impl Game {
     }
 
     fn meter(&self) -> &Meter {
-        &self.runner.observer().1.0
+        &self.runner.observer().1.0.0
     }
 
     fn is_over(&self, rules: &Rules) -> bool {
@@ -102,6 +117,8 @@ impl Game {
         let ball = self.runner.world().referee().ball();
         self.fingerprint.add(&command, ball);
         self.cycles += 1;
+        let ((meter, _), recorder) = &mut self.runner.observer_mut().1;
+        recorder.costs(meter);
         self.tree_changes += u64::from(self.meter().changed());
         if self.ball_path.last().is_none_or(|last| last.distance(ball) > PATH_STEP) {
             self.ball_path.push(ball);
@@ -134,14 +151,15 @@ impl Game {
         }
         let referee = self.runner.world().referee();
         for event in &referee.events()[self.reported_events..] {
+            self.runner.observer().1.1.event(event);
             observer.event(event)?;
         }
         self.reported_events = referee.events().len();
         Ok(())
     }
 
-    fn summarize(self, rules: &Rules, real: Duration) -> GameSummary {
-        let (robot, world, (), (firmware, (meter, stopwatch))) = self.runner.into_parts();
+    fn summarize(self, rules: &Rules, real: Duration) -> (GameSummary, Option<RecordingSummary>) {
+        let (robot, world, (), (firmware, ((meter, stopwatch), recorder))) = self.runner.into_parts();
         let measurements = Measurements {
             cycles: self.cycles,
             tree_changes: self.tree_changes,
@@ -149,10 +167,12 @@ impl Game {
             latencies: stopwatch.latencies,
             meter,
         };
-        GameSummary {
+        let summary = GameSummary {
             fault: robot.get::<HealthMonitor>().fault().map(|fault| fault.to_string()),
             firmware: firmware.summarize(),
             ..GameSummary::new(rules, world.referee(), world.now(), measurements, real)
-        }
+        };
+        let recording = recorder.finish(&format!("fingerprint {}", summary.fingerprint), summary.fault.as_deref());
+        (summary, recording)
     }
 }

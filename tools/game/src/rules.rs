@@ -27,6 +27,16 @@ impl WorldKind {
             Self::Mujoco => Nao::DYNAMIC_PROFILE,
         }
     }
+
+    /// Returns the name of that profile.
+    #[must_use]
+    pub const fn profile_name(self) -> &'static str {
+        match self {
+            Self::BuiltIn => "kinematic",
+            #[cfg(feature = "mujoco")]
+            Self::Mujoco => "dynamic",
+        }
+    }
 }
 
 /// Parameters of a game.

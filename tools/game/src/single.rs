@@ -7,7 +7,8 @@ use serde::Serialize;
 
 use crate::album::Album;
 use crate::film::Film;
-use crate::game::play;
+use crate::game::play_recorded;
+use crate::recording::{RecordOptions, RecordingSummary};
 use crate::rules::Rules;
 use crate::story::{Story, TreeChange};
 use crate::summary::{GameResult, GameSummary};
@@ -19,25 +20,28 @@ struct GameReport<'a> {
     schema: &'static str,
     #[serde(flatten)]
     summary: &'a GameSummary,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    recording: Option<&'a RecordingSummary>,
     story: &'a [TreeChange],
 }
 
-/// Plays a game, prints story and summary, and writes pictures and a film on request.
+/// Plays a game, prints story and summary, and writes pictures, a film and a recording on request.
 ///
 /// # Errors
-/// As [`play`], or if the output cannot be written.
+/// As [`play_recorded`], or if the output cannot be written.
 pub fn play_one(
     rules: &Rules,
     console: Console,
     pictures: Option<&Path>,
     film: Option<&Path>,
+    record: Option<RecordOptions<'_>>,
 ) -> Result<Outcome, Failure> {
     let album = pictures.map(Album::new).transpose()?;
     let recorder = film.map(Film::new).transpose()?;
     let story = Story::new(console);
     story.print_header()?;
     let mut observers = (story, (album, recorder));
-    let summary = play(rules, &mut observers)?;
+    let (summary, recording) = play_recorded(rules, &mut observers, record)?;
     let (story, (album, recorder)) = observers;
     summary_text::print(console, &summary)?;
     if let Some((album, folder)) = album.zip(pictures) {
@@ -49,7 +53,13 @@ pub fn play_one(
         console.print("")?;
         console.print_row("film", &format!("{count} pictures in {}", path.display()))?;
     }
-    console.print_json(&GameReport { schema: "bica-player/game/1", summary: &summary, story: &story.changes })?;
+    if let Some(recording) = &recording {
+        console.print("")?;
+        console.print_row("recording", &recording.describe())?;
+    }
+    let recording = recording.as_ref();
+    let report = GameReport { schema: "bica-player/game/1", summary: &summary, recording, story: &story.changes };
+    console.print_json(&report)?;
     Ok(match summary.result {
         GameResult::Goal => Outcome::Success,
         GameResult::NoGoal => Outcome::Unsuccessful,

@@ -6,6 +6,8 @@ mod calibrate;
 pub mod cli;
 mod graph;
 mod play;
+mod record;
+mod replay;
 mod see;
 mod trial;
 mod watch;
@@ -28,6 +30,8 @@ pub fn run() -> ExitCode {
         Some(Command::Play(args)) => play::run(&args),
         Some(Command::Graph(args)) => graph::run(&args),
         Some(Command::Watch(args)) => watch::run(&args),
+        Some(Command::Record(args)) => record::run(&args),
+        Some(Command::Replay(args)) => replay::run(&args),
         Some(Command::See(args)) => see::run(&args),
         Some(Command::Calibrate(args)) => calibrate::run(&args),
         Some(Command::Trial(args)) => trial::run(&args),

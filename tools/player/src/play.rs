@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use bica_console::{Console, Failure, Outcome};
-use bica_game::{FirmwareImage, Rules, SeriesOptions, WorldKind, play_one, play_series};
+use bica_game::{FirmwareImage, RecordOptions, Rules, SeriesOptions, WorldKind, play_one, play_series};
 
 use crate::cli::{Play, World};
 
@@ -22,7 +22,11 @@ pub(crate) fn run(args: &Play) -> Result<Outcome, Failure> {
     };
     let (console, pictures) = (Console::new(args.json), args.pictures.as_deref());
     match args.games {
-        None => play_one(&rules, console, pictures, args.film.as_deref()),
+        None => {
+            let images = args.images.into();
+            let record = args.record.as_deref().map(|path| RecordOptions { path, images, force: args.force });
+            play_one(&rules, console, pictures, args.film.as_deref(), record)
+        }
         Some(games) => {
             let options = SeriesOptions { games, threads: args.threads, at_least: args.at_least };
             play_series(&rules, console, pictures, &options)

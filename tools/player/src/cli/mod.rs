@@ -1,5 +1,7 @@
 //! The command line.
 
+mod recording;
+
 use std::path::PathBuf;
 
 use bica_evaluation::detection;
@@ -7,6 +9,8 @@ use bica_evaluation::trial_kind::Kind;
 use bica_sim::setup::{Frame, MAX_ROBOTS};
 use clap::builder::PossibleValue;
 use clap::{Args, Parser, Subcommand, ValueEnum};
+
+pub(crate) use recording::{Images, InfoArgs, Record, RecordAction, Recover, Replay, Trim};
 
 const AFTER: &str = "\
 Examples:
@@ -17,10 +21,12 @@ Examples:
   player --film game.gif                the same game as a film
   player play --games 100               a series of games on all cores, with a summary
   player graph --format svg > tree.svg  a drawing of the activation tree
+  player --record run.mcap              the same game, recorded
+  player replay run.mcap                the code again on what was recorded, compared bit for bit
   player watch frames --pictures out    detections in recorded images, with a summary
   player see frames --json              the same as one line of JSON for each image
 
-Exit codes: 0 a goal (or the command is done), 1 no goal (or no image could be read),
+Exit codes: 0 a goal (or the command is done), 1 no goal (or no image could be read, or a replay differs),
 2 wrong arguments or files, 130 stopped by Ctrl-C, 141 the reader of the output is gone.
 Without a terminal, or if NO_COLOR is set, the output has no colours.";
 
@@ -56,6 +62,10 @@ pub(crate) enum Command {
     Watch(Watch),
     /// Detect in a folder of images; print one line for each image, and a score against labels
     See(See),
+    /// Print what a recording contains; mend, cut or export it
+    Record(Record),
+    /// Run the code again on a recording and compare, bit for bit; or compare two recordings
+    Replay(Replay),
     /// Fit the thresholds of the colour classes to labelled images and write them as a profile
     Calibrate(Calibrate),
 }
@@ -90,6 +100,15 @@ pub(crate) struct Play {
     /// Write a film (animated GIF): the world from outside and the robot's camera image
     #[arg(long, value_name = "FILE", conflicts_with = "games")]
     pub(crate) film: Option<PathBuf>,
+    /// Record the game to an MCAP file, for `player replay` and `player record`
+    #[arg(long, value_name = "FILE", conflicts_with = "games")]
+    pub(crate) record: Option<PathBuf>,
+    /// What the recording stores of each cycle
+    #[arg(long, value_name = "WHICH", default_value = "all", requires = "record")]
+    pub(crate) images: Images,
+    /// Replace the file of --record if it exists
+    #[arg(long, requires = "record")]
+    pub(crate) force: bool,
     /// Play a series of N games with consecutive seeds from --seed on, and print a summary
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     pub(crate) games: Option<u32>,
@@ -186,7 +205,7 @@ pub(crate) enum Format {
     Json,
 }
 
-/// Images, and what the detectors use.
+/// Images and parameters of the detectors.
 #[derive(Clone, Debug, Args)]
 pub(crate) struct DetectionArgs {
     /// Folder with images (PNG, JPEG, raw `NAME_WxH.yuyv`), processed in the order of their names

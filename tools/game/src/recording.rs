@@ -1,0 +1,189 @@
+//! Recording of a game.
+
+use std::fs::OpenOptions;
+use std::path::Path;
+
+use bica::Probe;
+use bica::runner::{Cycle, Observer, Request};
+use bica_console::Failure;
+use bica_field::GoalColour;
+use bica_motion::robot::Sensors;
+use bica_player::Forward;
+use bica_recording::{
+    Backpressure, ComponentCosts, Costs, Header, ImagePolicy, LogLine, RecordedRules, Recorder, RecorderOptions,
+    RefereeEvent, Report, RobotInfo,
+};
+use bica_sim::referee::TimedEvent;
+use serde::Serialize;
+
+use crate::event::EventRecord;
+use crate::meter::Meter;
+use crate::rules::{Rules, WorldKind};
+use crate::scene::GRAPH;
+
+/// Number of cycles between two records of the components' costs.
+const COSTS_EVERY: u64 = 100;
+
+/// Where and how a game is recorded.
+#[derive(Clone, Copy, Debug)]
+pub struct RecordOptions<'a> {
+    /// The file.
+    pub path: &'a Path,
+    /// What is stored of each cycle.
+    pub images: ImagePolicy,
+    /// Whether an existing file is replaced.
+    pub force: bool,
+}
+
+/// Summary of a recording, for JSON.
+#[derive(Clone, Debug, Serialize)]
+pub struct RecordingSummary {
+    /// The file.
+    pub file: String,
+    /// Number of recorded cycles.
+    pub recorded_cycles: u64,
+    /// Number of images that were dropped because the disk was slow.
+    pub dropped_images: u64,
+    /// Why the recording ended before the game.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub reason: Option<String>,
+    /// Length of the file, bytes; it depends on the speed of the computer.
+    pub wall_bytes: u64,
+}
+
+impl RecordingSummary {
+    fn new(path: &Path, report: Report) -> Self {
+        let Report { cycles, bytes, dropped_images, reason } = report;
+        let file = path.display().to_string();
+        Self { file, recorded_cycles: cycles, dropped_images, reason, wall_bytes: bytes }
+    }
+
+    /// Returns a line for people.
+    pub(crate) fn describe(&self) -> String {
+        let Self { file, recorded_cycles, dropped_images, reason, wall_bytes } = self;
+        let size = *wall_bytes as f64 * 1e-6;
+        let dropped = match dropped_images {
+            0 => String::new(),
+            count => format!("; {count} images dropped, the disk was too slow"),
+        };
+        let ended = reason.as_ref().map_or_else(String::new, |reason| format!("; it ended before the game: {reason}"));
+        format!("{recorded_cycles} cycles, {size:.2} MB in {file}{dropped}{ended}")
+    }
+}
+
+/// Observer that records a game, if that is requested.
+pub(crate) struct GameRecorder<'a> {
+    recorder: Option<(Recorder, &'a Path)>,
+    /// Runs and time of each component at the last record of costs.
+    costs: Vec<ComponentCosts>,
+    cycles: u64,
+}
+
+impl<'a> GameRecorder<'a> {
+    /// Makes the file and writes its header.
+    pub(crate) fn new(options: Option<RecordOptions<'a>>, rules: &Rules, attacks: GoalColour) -> Result<Self, Failure> {
+        let open = |options: RecordOptions<'a>| open(&options, rules, attacks).map(|recorder| (recorder, options.path));
+        let recorder = options.map(open).transpose()?;
+        Ok(Self { recorder, costs: vec![ComponentCosts::default(); GRAPH.nodes.len()], cycles: 0 })
+    }
+
+    /// Records an event of the referee.
+    pub(crate) fn event(&self, event: &TimedEvent) {
+        if let Some((recorder, _)) = &self.recorder {
+            let EventRecord { event: kind, detail, .. } = EventRecord::from(event);
+            recorder.event(RefereeEvent { at_ns: event.at.as_nanos() as u64, kind: kind.to_owned(), detail });
+        }
+    }
+
+    /// Records the costs of the components once a second.
+    pub(crate) fn costs(&mut self, meter: &Meter) {
+        let Some((recorder, _)) = &self.recorder else { return };
+        self.cycles += 1;
+        if !self.cycles.is_multiple_of(COSTS_EVERY) {
+            return;
+        }
+        let total = meter.activity.iter().map(|activity| (activity.runs as u32, activity.time.as_nanos() as u64));
+        let since = |((runs, ns), last): ((u32, u64), &mut ComponentCosts)| {
+            let since = ComponentCosts { runs: runs.wrapping_sub(last.runs), ns: ns - last.ns };
+            *last = ComponentCosts { runs, ns };
+            since
+        };
+        recorder.costs(Costs { components: total.zip(&mut self.costs).map(since).collect() });
+    }
+
+    /// Closes the file.
+    pub(crate) fn finish(self, result: &str, fault: Option<&str>) -> Option<RecordingSummary> {
+        let (recorder, path) = self.recorder?;
+        if let Some(fault) = fault {
+            recorder.log(LogLine { level: 4, text: format!("fault: {fault}") });
+        }
+        Some(RecordingSummary::new(path, recorder.finish(result)))
+    }
+}
+
+fn open(options: &RecordOptions<'_>, rules: &Rules, attacks: GoalColour) -> Result<Recorder, Failure> {
+    let RecordOptions { path, images, force } = *options;
+    let help = if path.exists() && !force {
+        "--force replaces an existing file"
+    } else {
+        "name a file that can be made, or written to, with --record"
+    };
+    let file = OpenOptions::new().write(true).create(true).truncate(true).create_new(!force).open(path);
+    let file = file.map_err(|error| Failure::of_path("write", path, &error, help))?;
+    let header = header(rules, attacks, images);
+    // Without a clock nothing has to be lost.
+    let backpressure = if rules.realtime { Backpressure::Drop } else { Backpressure::Wait };
+    let on_end = |reason: &str| eprintln!("warning: the recording ended, the game goes on: {reason}");
+    Recorder::start(file, &header, RecorderOptions { backpressure, ..RecorderOptions::default() }, on_end)
+        .map_err(|error| Failure::of_path("write", path, &error, "is the disk full?"))
+}
+
+/// Returns the header of a game's recording.
+fn header(rules: &Rules, attacks: GoalColour, images: ImagePolicy) -> Header {
+    let world = match rules.world {
+        _ if rules.firmware.is_some() => "firmware",
+        WorldKind::BuiltIn => "built-in",
+        #[cfg(feature = "mujoco")]
+        WorldKind::Mujoco => "mujoco",
+    };
+    let (width, height) = rules.size.size();
+    let recorded = RecordedRules {
+        world: world.to_owned(),
+        seed: rules.seed,
+        size: [width, height],
+        robots: rules.robots,
+        seconds: rules.limit.as_secs_f64(),
+    };
+    let robot = RobotInfo {
+        model: "nao".to_owned(),
+        profile: rules.world.profile_name().to_owned(),
+        attacks: match attacks {
+            GoalColour::Yellow => "yellow",
+            GoalColour::SkyBlue => "sky-blue",
+        }
+        .to_owned(),
+    };
+    Header::new(&GRAPH, robot, Some(recorded), images)
+}
+
+impl Probe for GameRecorder<'_> {}
+
+impl Observer<Forward> for GameRecorder<'_> {
+    fn requested(&mut self, now: bica::Instant, request: &Request) {
+        if let Some((recorder, _)) = &mut self.recorder {
+            Observer::<Forward>::requested(recorder, now, request);
+        }
+    }
+
+    fn sensing(&mut self, now: bica::Instant, sensors: &Sensors<'_>) {
+        if let Some((recorder, _)) = &mut self.recorder {
+            Observer::<Forward>::sensing(recorder, now, sensors);
+        }
+    }
+
+    fn acted(&mut self, cycle: &Cycle<'_, Forward>) {
+        if let Some((recorder, _)) = &mut self.recorder {
+            recorder.acted(cycle);
+        }
+    }
+}

@@ -1,0 +1,156 @@
+//! `player record`: what a recording contains; mended, cut and exported files.
+
+use std::fs::{self, File, OpenOptions};
+use std::io::{BufReader, BufWriter, Write};
+use std::path::Path;
+
+use bica_console::{Console, Failure, Outcome, Style};
+use bica_recording::repair::{self, Copied};
+use bica_recording::{Error, Info, export};
+use serde::Serialize;
+
+use crate::cli::{InfoArgs, Record, RecordAction, Recover, Trim};
+
+/// Runs the subcommand.
+pub(crate) fn run(args: &Record) -> Result<Outcome, Failure> {
+    match &args.action {
+        RecordAction::Info(args) => info(args),
+        RecordAction::Recover(args) => write(args, "recovered", |source, target| repair::recover(source, target)),
+        RecordAction::Trim(Trim { files, from, until }) => {
+            let nanoseconds = |seconds: f64| (seconds * 1e9) as u64;
+            let until = until.map_or(u64::MAX, nanoseconds);
+            let from = nanoseconds(*from);
+            if until < from {
+                return Err(Failure::new("--until is before --from", "give a later time with --until"));
+            }
+            write(files, "trimmed", |source, target| repair::trim(source, target, from, until))
+        }
+        RecordAction::Export(args) => write(args, "exported", |source, target| export::export(source, target)),
+    }
+}
+
+#[derive(Serialize)]
+struct InfoReport<'a> {
+    schema: &'static str,
+    file: String,
+    #[serde(flatten)]
+    info: &'a Info,
+}
+
+fn info(args: &InfoArgs) -> Result<Outcome, Failure> {
+    let console = Console::new(args.json);
+    let info = Info::read(open(&args.file)?).map_err(|error| failure(&args.file, &error))?;
+    print(console, &info)?;
+    let file = args.file.display().to_string();
+    console.print_json(&InfoReport { schema: "bica-player/recording/1", file, info: &info })?;
+    Ok(Outcome::Success)
+}
+
+fn print(console: Console, info: &Info) -> Result<(), Failure> {
+    let header = &info.header;
+    let program = &header.program;
+    let dirty = if program.git_dirty { ", with changes" } else { "" };
+    let commit = if program.git_hash.is_empty() { "unknown commit" } else { &program.git_hash };
+    console.print_row("program", &format!("{} at {commit}{dirty}, for {}", program.version, program.target))?;
+    let tree = &header.tree;
+    let count = tree.components.len();
+    console
+        .print_row("tree", &format!("{}, {count} components, {} Hz, hash {}", tree.name, tree.cycle_hz, tree.hash))?;
+    let robot = &header.robot;
+    console.print_row("robot", &format!("{}, profile {}, attacks {}", robot.model, robot.profile, robot.attacks))?;
+    if let Some(rules) = &header.rules {
+        let ([width, height], robots) = (rules.size, rules.robots);
+        let text = format!("{}, seed {}, images {width}x{height}, robots {robots}", rules.world, rules.seed);
+        console.print_row("world", &text)?;
+    }
+    for parameter in &header.parameters {
+        console.print_row("parameter", &format!("{}.{}={}", parameter.component, parameter.name, parameter.value))?;
+    }
+    let (bytes, chunks) = (info.bytes as f64 * 1e-6, info.chunks);
+    console.print_row(
+        "length",
+        &format!("{:.2} s, {} cycles, {bytes:.2} MB, {chunks} chunks", info.seconds, info.cycles),
+    )?;
+    console.print_row("fingerprint", &info.fingerprint)?;
+    match (&info.ending, &info.damage) {
+        (_, Some(damage)) => console.print_row("file", &console.styled(Style::Bad, damage))?,
+        (Some(ending), None) => {
+            let dropped = match ending.dropped_images {
+                0 => String::new(),
+                count => format!(", {count} images dropped"),
+            };
+            let reason = if ending.reason.is_empty() { "complete" } else { &ending.reason };
+            console.print_row("file", &format!("{reason}{dropped}"))?;
+        }
+        (None, None) => console.print_row("file", "complete, without an ending")?,
+    }
+    console.print("")?;
+    console.print(&console.styled(Style::Strong, &format!("{:<12} {:>10} {:>12}", "channel", "messages", "bytes")))?;
+    for channel in &info.channels {
+        console.print(&format!("{:<12} {:>10} {:>12}", channel.topic, channel.messages, channel.bytes))?;
+    }
+    let lines = info.events.iter().map(|event| (event.t, format!("{} {}", event.event, event.detail)));
+    let requests = info.requests.iter().map(|request| (request.t, format!("request: {}", request.request)));
+    let mut lines: Vec<_> = lines.chain(requests).collect();
+    lines.sort_by(|one, two| one.0.total_cmp(&two.0));
+    for (index, (t, text)) in lines.iter().enumerate() {
+        if index == 0 {
+            console.print("")?;
+        }
+        console.print(&format!("{t:>8.2}  {}", text.trim_end()))?;
+    }
+    Ok(())
+}
+
+#[derive(Serialize)]
+struct Written<'a> {
+    schema: &'static str,
+    file: String,
+    cycles: u64,
+    bytes: u64,
+    chunks: u64,
+    damages: &'a [String],
+}
+
+/// Writes a new file from a recording.
+fn write(
+    args: &Recover,
+    done: &str,
+    copy: impl FnOnce(BufReader<File>, &mut BufWriter<File>) -> Result<Copied, Error>,
+) -> Result<Outcome, Failure> {
+    let source = open(&args.file)?;
+    let same = fs::canonicalize(&args.file).ok().zip(fs::canonicalize(&args.out).ok());
+    if same.is_some_and(|(file, out)| file == out) {
+        return Err(Failure::new("FILE and OUT are the same file", "name another OUT"));
+    }
+    let console = Console::new(args.json);
+    let help = if args.out.exists() && !args.force {
+        "--force replaces an existing file"
+    } else {
+        "name a file that can be written"
+    };
+    let target = OpenOptions::new().write(true).create(true).truncate(true).create_new(!args.force).open(&args.out);
+    let target = target.map_err(|error| Failure::of_path("write", &args.out, &error, help))?;
+    let mut target = BufWriter::with_capacity(1 << 16, target);
+    let copied = copy(source, &mut target).map_err(|error| failure(&args.file, &error))?;
+    target.flush().map_err(|error| Failure::of_path("write", &args.out, &error, "is the disk full?"))?;
+    let text = format!("{} cycles, {:.2} MB in {}", copied.cycles, copied.bytes as f64 * 1e-6, args.out.display());
+    console.print_row(done, &text)?;
+    for damage in &copied.damage {
+        console.print_row("lost", &console.styled(Style::Bad, damage))?;
+    }
+    let Copied { cycles, bytes, chunks, damage } = &copied;
+    let file = args.out.display().to_string();
+    let schema = "bica-player/written/1";
+    console.print_json(&Written { schema, file, cycles: *cycles, bytes: *bytes, chunks: *chunks, damages: damage })?;
+    Ok(Outcome::Success)
+}
+
+fn open(path: &Path) -> Result<BufReader<File>, Failure> {
+    let file = File::open(path).map_err(|error| failure(path, &Error::Io(error)))?;
+    Ok(BufReader::with_capacity(1 << 16, file))
+}
+
+fn failure(path: &Path, error: &Error) -> Failure {
+    Failure::of_path("read", path, error, error.help())
+}

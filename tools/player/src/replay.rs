@@ -1,0 +1,90 @@
+//! `player replay`: the code again, on a recording.
+
+use bica_console::{Console, Failure, Outcome, Style, interrupt};
+use bica_game::{ReplayOptions, Replayed, replay};
+use serde::Serialize;
+
+use crate::cli::Replay;
+
+/// Number of decisions that are printed.
+const SHOWN: usize = 20;
+
+#[derive(Serialize)]
+struct Report<'a> {
+    schema: &'static str,
+    #[serde(flatten)]
+    replayed: &'a Replayed,
+}
+
+/// Replays as the command line requests.
+pub(crate) fn run(args: &Replay) -> Result<Outcome, Failure> {
+    let console = Console::new(args.json);
+    let until = args.until.unwrap_or(f64::INFINITY);
+    if until < args.from {
+        return Err(Failure::new("--until is before --from", "give a later time with --until"));
+    }
+    let options = ReplayOptions { path: &args.file, from: args.from, until, against: args.against.as_deref() };
+    let replayed = replay(&options)?;
+    print(console, &replayed)?;
+    console.print_json(&Report { schema: "bica-player/replay/1", replayed: &replayed })?;
+    Ok(if interrupt::requested() {
+        Outcome::Interrupted
+    } else if replayed.equal && replayed.damage.is_none() {
+        Outcome::Success
+    } else {
+        Outcome::Unsuccessful
+    })
+}
+
+fn print(console: Console, replayed: &Replayed) -> Result<(), Failure> {
+    let Replayed { source, equal, cycles, seconds, .. } = replayed;
+    let source = match *source {
+        "stored" => "the code on the stored sensor values and images",
+        "rules" => "the code in the world, made again from the rules",
+        _ => "the other recording",
+    };
+    console.print_row("compared", &format!("{cycles} cycles up to {seconds:.2} s with {source}"))?;
+    let (style, text) = match equal {
+        true => (Style::Good, "equal, bit for bit"),
+        false => (Style::Bad, "different"),
+    };
+    console.print_row("result", &console.styled(style, text))?;
+    if let Some(damage) = &replayed.damage {
+        console.print_row("file", &console.styled(Style::Bad, damage))?;
+    }
+    let Some(first) = &replayed.first_difference else { return Ok(()) };
+    let field = first.component.as_ref().map_or_else(|| first.field.clone(), |name| format!("{name}, {}", first.field));
+    console.print_row("first", &format!("cycle {} at {:.2} s: {field}", first.cycle, first.t))?;
+    console.print_row("recorded", &first.recorded)?;
+    console.print_row("repeated", &first.repeated)?;
+    if *equal || replayed.source == "recording" {
+    } else if replayed.same_build {
+        console.print_row(
+            "cause",
+            "the same build recorded it: the file is damaged, or something in the code is not reproducible",
+        )?;
+    } else {
+        console.print_row("cause", "another build recorded it: its code or its tools may differ")?;
+    }
+    decisions(console, replayed)
+}
+
+fn decisions(console: Console, replayed: &Replayed) -> Result<(), Failure> {
+    let total = replayed.total_decisions;
+    if total == 0 {
+        return console.print_row("decisions", "all are the same");
+    }
+    console.print("")?;
+    let header = format!("{:>8}  {:>6}  {:<16} {:<28} {}", "time, s", "image", "component", "recorded", "repeated");
+    console.print(&console.styled(Style::Strong, &header))?;
+    for decision in replayed.decisions.iter().take(SHOWN) {
+        let image = decision.image.map_or_else(|| "-".to_owned(), |image| image.to_string());
+        let t = decision.t_ms as f64 * 1e-3;
+        let (component, recorded, repeated) = (&decision.component, &decision.recorded, &decision.repeated);
+        console.print(&format!("{t:>8.2}  {image:>6}  {component:<16} {recorded:<28} {repeated}"))?;
+    }
+    if total > SHOWN as u64 {
+        console.print(&format!("… {} more decisions differ; --json lists the first 1000", total - SHOWN as u64))?;
+    }
+    Ok(())
+}

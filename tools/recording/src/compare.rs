@@ -1,0 +1,285 @@
+//! Comparison of a recorded run with a repeated one.
+
+use bica_motion::joints::Joint;
+use bica_wire::message::{Command, ImageInfo, Sensors};
+use serde::Serialize;
+
+use crate::header::TreeInfo;
+use crate::message::RequestRecord;
+use crate::recording::RecordedCycle;
+
+/// Most decisions that are listed.
+const MAX_DECISIONS: usize = 1000;
+
+/// The first difference between two runs.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Difference {
+    /// Number of the cycle.
+    pub cycle: u64,
+    /// Time of the cycle, s.
+    pub t: f64,
+    /// Component whose activation or state differs; none for other fields.
+    pub component: Option<String>,
+    /// Field that differs.
+    pub field: String,
+    /// Value in the recording.
+    pub recorded: String,
+    /// Value in the repeated run.
+    pub repeated: String,
+}
+
+/// A decision that two runs take differently.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Decision {
+    /// Number of the first cycle in which it differs.
+    pub cycle: u64,
+    /// Time of that cycle, ms.
+    pub t_ms: u64,
+    /// Number of the newest image at that time; none before the first, or if images are not stored.
+    pub image: Option<u32>,
+    /// Component.
+    pub component: String,
+    /// Activation and state in the recording.
+    pub recorded: String,
+    /// Activation and state in the repeated run.
+    pub repeated: String,
+}
+
+/// Comparison of two runs, cycle by cycle.
+#[derive(Clone, Debug)]
+pub struct Comparison {
+    tree: TreeInfo,
+    /// Number of compared cycles.
+    pub cycles: u64,
+    /// The first difference.
+    pub first: Option<Difference>,
+    /// The first decisions that differ.
+    pub decisions: Vec<Decision>,
+    /// Number of all decisions that differ.
+    pub total_decisions: u64,
+    /// Whether each component differed in the last cycle.
+    differed: Vec<bool>,
+    last_image: Option<u32>,
+}
+
+impl Comparison {
+    /// A comparison of runs of a tree.
+    #[must_use]
+    pub fn new(tree: TreeInfo) -> Self {
+        let differed = vec![false; tree.components.len()];
+        Self { tree, cycles: 0, first: None, decisions: Vec::new(), total_decisions: 0, differed, last_image: None }
+    }
+
+    /// Compares a cycle.
+    pub fn add(&mut self, recorded: &RecordedCycle, repeated: &RecordedCycle) {
+        self.cycles += 1;
+        let image = recorded.sensors.and_then(|sensors| sensors.image).map(|image| image.id);
+        self.last_image = image.or(self.last_image);
+        if self.first.is_none() {
+            self.first = self.difference(recorded, repeated);
+        }
+        self.decisions(recorded, repeated);
+    }
+
+    /// Adds that one of the runs has no more cycles.
+    pub fn end(&mut self, cycle: u64, t: f64, recorded_goes_on: bool) {
+        let side = |goes_on| if goes_on { "a cycle" } else { "the end" }.to_owned();
+        let (recorded, repeated) = (side(recorded_goes_on), side(!recorded_goes_on));
+        let difference = Difference { cycle, t, component: None, field: "cycle".to_owned(), recorded, repeated };
+        self.first.get_or_insert(difference);
+    }
+
+    /// Returns whether all compared cycles were equal.
+    #[must_use]
+    pub const fn is_equal(&self) -> bool {
+        self.first.is_none()
+    }
+
+    fn seconds(&self, cycle: &RecordedCycle) -> f64 {
+        cycle.tick.instant as f64 / self.tree.tick_hz.max(1) as f64
+    }
+
+    fn difference(&self, recorded: &RecordedCycle, repeated: &RecordedCycle) -> Option<Difference> {
+        let found = self.find(recorded, repeated);
+        found.map(|Found { component, field, values: (one, two) }| Difference {
+            cycle: repeated.tick.cycle,
+            t: self.seconds(repeated),
+            component,
+            field,
+            recorded: one,
+            repeated: two,
+        })
+    }
+
+    /// Returns the first field that differs: inputs first, then decisions, then the command, digests last of each.
+    fn find(&self, recorded: &RecordedCycle, repeated: &RecordedCycle) -> Option<Found> {
+        let (a, b) = (&recorded.tick, &repeated.tick);
+        let describe = |requests: &[RequestRecord]| {
+            requests.iter().map(|request| request.describe(&self.tree)).collect::<Vec<_>>().join(", ")
+        };
+        number("tick.cycle", a.cycle, b.cycle)
+            .or_else(|| number("tick.instant", a.instant, b.instant))
+            .or_else(|| {
+                let same = encoded(&recorded.requests) == encoded(&repeated.requests);
+                (!same).then(|| Found::new("requests", (describe(&recorded.requests), describe(&repeated.requests))))
+            })
+            .or_else(|| sensor_difference(recorded.sensors.as_ref()?, repeated.sensors.as_ref()?))
+            .or_else(|| digest("sensors", a.sensors, b.sensors))
+            .or_else(|| digest("image", a.image, b.image))
+            .or_else(|| self.tree_field(recorded, repeated))
+            .or_else(|| digest("tree", a.tree, b.tree))
+            .or_else(|| {
+                let (one, two) = recorded.command.as_ref().zip(repeated.command.as_ref())?;
+                let field = command_field(one, two).map(Found::from);
+                field.or_else(|| number("command.time_us", one.time_us, two.time_us))
+            })
+            .or_else(|| digest("command", a.command, b.command))
+            .or_else(|| {
+                let values = (format!("{:016x}", a.fingerprint), format!("{:016x}", b.fingerprint));
+                (a.fingerprint != b.fingerprint).then(|| Found::new("fingerprint", values))
+            })
+    }
+
+    fn tree_field(&self, recorded: &RecordedCycle, repeated: &RecordedCycle) -> Option<Found> {
+        let component = (0..self.tree.components.len()).find(|&index| differs(index, recorded, repeated))?;
+        let is_active = recorded.tree.is_active(component) != repeated.tree.is_active(component);
+        let field = if is_active { "active" } else { "state" }.to_owned();
+        let values = (self.decision(component, recorded), self.decision(component, repeated));
+        Some(Found { component: Some(self.tree.components[component].name.clone()), field, values })
+    }
+
+    /// Returns activation and state of a component, as text.
+    fn decision(&self, component: usize, cycle: &RecordedCycle) -> String {
+        let active = if cycle.tree.is_active(component) { "active" } else { "latent" };
+        let state = self.tree.state(component, cycle.tree.state(component));
+        state.map_or_else(|| active.to_owned(), |state| format!("{active}, {state}"))
+    }
+
+    fn decisions(&mut self, recorded: &RecordedCycle, repeated: &RecordedCycle) {
+        for component in 0..self.tree.components.len() {
+            let differs = differs(component, recorded, repeated);
+            if differs && !self.differed[component] {
+                self.total_decisions += 1;
+                if self.decisions.len() < MAX_DECISIONS {
+                    self.decisions.push(Decision {
+                        cycle: repeated.tick.cycle,
+                        t_ms: repeated.tick.instant.saturating_mul(1000) / self.tree.tick_hz.max(1),
+                        image: self.last_image,
+                        component: self.tree.components[component].name.clone(),
+                        recorded: self.decision(component, recorded),
+                        repeated: self.decision(component, repeated),
+                    });
+                }
+            }
+            self.differed[component] = differs;
+        }
+    }
+}
+
+fn differs(component: usize, recorded: &RecordedCycle, repeated: &RecordedCycle) -> bool {
+    let of = |cycle: &RecordedCycle| (cycle.tree.is_active(component), cycle.tree.states.get(component).copied());
+    of(recorded) != of(repeated)
+}
+
+struct Found {
+    component: Option<String>,
+    field: String,
+    values: (String, String),
+}
+
+impl Found {
+    fn new(field: &str, values: (String, String)) -> Self {
+        Self { component: None, field: field.to_owned(), values }
+    }
+}
+
+impl From<(String, f32, f32)> for Found {
+    fn from((field, one, two): (String, f32, f32)) -> Self {
+        let text = |value: f32| format!("{value:?} ({:08x})", value.to_bits());
+        Self { component: None, field, values: (text(one), text(two)) }
+    }
+}
+
+/// Returns the first difference of sensor values, their time and the kind of their image.
+fn sensor_difference(one: &Sensors, two: &Sensors) -> Option<Found> {
+    let image = |sensors: &Sensors| {
+        sensors.image.map(|ImageInfo { bottom_camera, width, height, .. }| (bottom_camera, width, height))
+    };
+    let images = (image(one), image(two));
+    number("sensors.time_us", one.time_us, two.time_us).or_else(|| sensor_field(one, two).map(Found::from)).or_else(
+        || {
+            (images.0 != images.1)
+                .then(|| Found::new("sensors.image", (format!("{:?}", images.0), format!("{:?}", images.1))))
+        },
+    )
+}
+
+fn number(field: &str, one: u64, two: u64) -> Option<Found> {
+    (one != two).then(|| Found::new(field, (one.to_string(), two.to_string())))
+}
+
+fn digest(field: &str, one: u32, two: u32) -> Option<Found> {
+    (one != two).then(|| Found::new(field, (format!("digest {one:08x}"), format!("digest {two:08x}"))))
+}
+
+fn encoded(requests: &[RequestRecord]) -> Vec<u8> {
+    postcard::to_stdvec(requests).unwrap_or_default()
+}
+
+/// Returns the first field of two commands whose bits differ, and both values.
+#[must_use]
+pub fn command_field(one: &Command, two: &Command) -> Option<(String, f32, f32)> {
+    let joint = |field: &'static str| move |index: usize| format!("command.{field}[{:?}]", Joint::ALL[index]);
+    let light = |index: usize| {
+        let (place, colour) = (["chest", "left_eye", "right_eye"][index / 3], ["red", "green", "blue"][index % 3]);
+        format!("command.lights.{place}.{colour}")
+    };
+    let flag = |value: bool| f32::from(u8::from(value));
+    first(&one.targets, &two.targets, joint("targets"))
+        .or_else(|| first(&one.stiffness, &two.stiffness, joint("stiffness")))
+        .or_else(|| first(&one.lights, &two.lights, light))
+        .or_else(|| {
+            first(&[flag(one.bottom_camera)], &[flag(two.bottom_camera)], |_| "command.bottom_camera".to_owned())
+        })
+}
+
+/// Returns the first field of two sets of sensor values whose bits differ, and both values; images are not compared.
+#[must_use]
+pub fn sensor_field(one: &Sensors, two: &Sensors) -> Option<(String, f32, f32)> {
+    let joint = |field: &'static str| move |index: usize| format!("sensors.{field}[{:?}]", Joint::ALL[index]);
+    let item = |field: &'static str| move |index: usize| format!("sensors.{field}[{index}]");
+    let buttons = |sensors: &Sensors| sensors.buttons.map(|pressed| f32::from(u8::from(pressed)));
+    first(&one.angles, &two.angles, joint("angles"))
+        .or_else(|| first(&one.temperatures, &two.temperatures, joint("temperatures")))
+        .or_else(|| first(&one.currents, &two.currents, joint("currents")))
+        .or_else(|| first(&one.inertial, &two.inertial, item("inertial")))
+        .or_else(|| first(&one.feet, &two.feet, item("feet")))
+        .or_else(|| first(&buttons(one), &buttons(two), item("buttons")))
+}
+
+fn first(one: &[f32], two: &[f32], name: impl Fn(usize) -> String) -> Option<(String, f32, f32)> {
+    let index = one.iter().zip(two).position(|(one, two)| one.to_bits() != two.to_bits())?;
+    Some((name(index), one[index], two[index]))
+}
+
+impl RequestRecord {
+    /// Returns the request as text.
+    #[must_use]
+    pub fn describe(&self, tree: &TreeInfo) -> String {
+        let name = |component: &u16| {
+            let known = tree.components.get(usize::from(*component));
+            known.map_or_else(|| format!("component {component}"), |component| component.name.clone())
+        };
+        match self {
+            Self::Hold { component, hold: 0 } => format!("release {}", name(component)),
+            Self::Hold { component, hold: 1 } => format!("hold {} active", name(component)),
+            Self::Hold { component, .. } => format!("hold {} latent", name(component)),
+            Self::Rate { component, hz } => format!("rate of {} {hz} Hz", name(component)),
+            Self::Set { values } => {
+                let one = |(component, name, value): &(String, String, String)| format!("{component}.{name}={value}");
+                format!("set {}", values.iter().map(one).collect::<Vec<_>>().join(" "))
+            }
+            Self::Unknown { text } => text.clone(),
+        }
+    }
+}

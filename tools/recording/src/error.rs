@@ -1,0 +1,77 @@
+//! Errors of reading and writing recordings.
+
+use std::fmt;
+use std::io;
+
+/// Reason why a file cannot be read or written.
+#[derive(Debug)]
+pub enum Error {
+    /// The operating system refused an operation.
+    Io(io::Error),
+    /// The file does not begin as an MCAP file.
+    NotMcap,
+    /// The file is an MCAP file without the metadata of a recording.
+    NotARecording,
+    /// The recording has another format than this program.
+    Format(u32),
+    /// The bytes at a position contradict the format.
+    Damaged {
+        /// Position in the file, bytes.
+        at: u64,
+        /// What is wrong there.
+        what: String,
+    },
+    /// A chunk is compressed with a method that this program does not have.
+    Compression(String),
+    /// The file ends within a record; everything before it is intact.
+    CutOff {
+        /// Length of the intact part, bytes.
+        at: u64,
+    },
+}
+
+impl Error {
+    pub(crate) fn damaged(at: u64, what: impl Into<String>) -> Self {
+        Self::Damaged { at, what: what.into() }
+    }
+
+    /// Returns the remedy.
+    #[must_use]
+    pub const fn help(&self) -> &'static str {
+        match self {
+            Self::Io(_) => "is the file there, and may it be read?",
+            Self::NotMcap | Self::NotARecording => "name a file that `player play --record FILE` wrote",
+            Self::Format(_) => "use the version of this program that wrote it; `player record info FILE` names it",
+            Self::Compression(_) => "recordings of this program are compressed with lz4",
+            Self::Damaged { .. } | Self::CutOff { .. } => {
+                "`player record recover FILE OUT` writes the intact chunks to a new file"
+            }
+        }
+    }
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Io(error) => error.fmt(out),
+            Self::NotMcap => out.write_str("this is no MCAP file"),
+            Self::NotARecording => {
+                out.write_str("this MCAP file is no recording of a robot: it has no metadata `bica`")
+            }
+            Self::Format(format) => {
+                write!(out, "the recording has format {format}; this program reads format {}", crate::header::FORMAT)
+            }
+            Self::Damaged { at, what } => write!(out, "the file is damaged at byte {at}: {what}"),
+            Self::Compression(name) => write!(out, "a chunk is compressed with `{name}`"),
+            Self::CutOff { at } => write!(out, "the file is cut off after byte {at}"),
+        }
+    }
+}
+
+impl std::error::Error for Error {}
+
+impl From<io::Error> for Error {
+    fn from(error: io::Error) -> Self {
+        Self::Io(error)
+    }
+}

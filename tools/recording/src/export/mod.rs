@@ -1,0 +1,287 @@
+//! Export for viewers: an MCAP file whose messages are Protocol Buffers in the schemas of Foxglove, which Foxglove,
+//! Lichtblick and Rerun show without knowledge of this program.
+
+mod protobuf;
+
+use std::collections::BTreeMap;
+use std::io::{Read, Write};
+
+use bica_motion::joints::{JOINTS, Joint};
+
+use crate::error::Error;
+use crate::header::TreeInfo;
+use crate::mcap::{ChannelRecord, Compression, SchemaRecord, Writer};
+use crate::message::{Costs, TreeRecord};
+use crate::recording::{OwnedImage, RecordedCycle, Recording};
+use crate::repair::Copied;
+use protobuf::{Field, Kind, Protobuf, descriptor_set};
+
+/// Names of the inertial readings, in the order of the sensor values.
+const INERTIAL: [&str; 8] =
+    ["gyro_x", "gyro_y", "gyro_z", "acceleration_x", "acceleration_y", "acceleration_z", "roll", "pitch"];
+/// Names of the pressure sensors, in the order of the sensor values.
+const FEET: [&str; 8] = [
+    "left_front_left",
+    "left_front_right",
+    "left_rear_left",
+    "left_rear_right",
+    "right_front_left",
+    "right_front_right",
+    "right_rear_left",
+    "right_rear_right",
+];
+
+/// Topic of an export.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Topic {
+    Camera,
+    Log,
+    Angles,
+    Temperatures,
+    Currents,
+    Inertial,
+    Feet,
+    Targets,
+    Stiffness,
+    Tree,
+    Costs,
+}
+
+impl Topic {
+    const ALL: [Self; 11] = [
+        Self::Camera,
+        Self::Log,
+        Self::Angles,
+        Self::Temperatures,
+        Self::Currents,
+        Self::Inertial,
+        Self::Feet,
+        Self::Targets,
+        Self::Stiffness,
+        Self::Tree,
+        Self::Costs,
+    ];
+
+    /// Returns topic and name of the schema.
+    const fn names(self) -> (&'static str, &'static str) {
+        match self {
+            Self::Camera => ("/camera", "foxglove.RawImage"),
+            Self::Log => ("/log", "foxglove.Log"),
+            Self::Angles => ("/sensors/angles", "bica.Joints"),
+            Self::Temperatures => ("/sensors/temperatures", "bica.Joints"),
+            Self::Currents => ("/sensors/currents", "bica.Joints"),
+            Self::Inertial => ("/sensors/inertial", "bica.Inertial"),
+            Self::Feet => ("/sensors/feet", "bica.Feet"),
+            Self::Targets => ("/command/targets", "bica.Joints"),
+            Self::Stiffness => ("/command/stiffness", "bica.Joints"),
+            Self::Tree => ("/tree", "bica.Tree"),
+            Self::Costs => ("/costs", "bica.Costs"),
+        }
+    }
+
+    const fn id(self) -> u16 {
+        self as u16 + 1
+    }
+
+    /// Returns the fields of the messages.
+    fn fields(self, tree: &TreeInfo) -> Vec<Field> {
+        let numbered = |names: Vec<String>, kind| {
+            names.into_iter().zip(1..).map(|(name, number)| Field { name, number, kind }).collect()
+        };
+        let fixed = |fields: &[(&str, u32, Kind)]| {
+            fields.iter().map(|&(name, number, kind)| Field { name: name.to_owned(), number, kind }).collect()
+        };
+        let texts = |names: &[&str]| names.iter().map(|&name| name.to_owned()).collect();
+        let components = || tree.components.iter().map(|component| identifier(&component.name)).collect();
+        match self {
+            Self::Camera => fixed(&[
+                ("timestamp", 1, Kind::Timestamp),
+                ("width", 2, Kind::Fixed32),
+                ("height", 3, Kind::Fixed32),
+                ("encoding", 4, Kind::Text),
+                ("step", 5, Kind::Fixed32),
+                ("data", 6, Kind::Bytes),
+                ("frame_id", 7, Kind::Text),
+            ]),
+            Self::Log => fixed(&[
+                ("timestamp", 1, Kind::Timestamp),
+                ("level", 2, Kind::LogLevel),
+                ("message", 3, Kind::Text),
+                ("name", 4, Kind::Text),
+                ("file", 5, Kind::Text),
+                ("line", 6, Kind::Fixed32),
+            ]),
+            Self::Angles | Self::Temperatures | Self::Currents | Self::Targets | Self::Stiffness => {
+                numbered(Joint::ALL.iter().map(|joint| format!("{joint:?}")).collect(), Kind::Float)
+            }
+            Self::Inertial => numbered(texts(&INERTIAL), Kind::Float),
+            Self::Feet => numbered(texts(&FEET), Kind::Float),
+            Self::Tree => numbered(components(), Kind::Int32),
+            Self::Costs => numbered(components(), Kind::Float),
+        }
+    }
+}
+
+/// Returns a name that Protocol Buffers accept: generic components have brackets in theirs.
+fn identifier(name: &str) -> String {
+    name.chars().map(|letter| if letter.is_ascii_alphanumeric() { letter } else { '_' }).collect()
+}
+
+/// Writes a recording in standard schemas: camera images (`foxglove.RawImage`), events, requests, decisions and log lines
+/// (`foxglove.Log`), and one message with named numbers for sensor values, commands, tree and costs. A cut or damaged file
+/// is exported up to there.
+///
+/// # Errors
+/// If the source is no recording or the target cannot be written.
+pub fn export(source: impl Read, target: impl Write) -> Result<Copied, Error> {
+    let mut recording = Recording::new(source)?;
+    let tree = recording.header().tree.clone();
+    let mut export = Export { writer: begin(target, &tree)?, tree, last: TreeRecord::default(), time: 0 };
+    let mut copied = Copied::default();
+    loop {
+        match recording.next_cycle() {
+            Ok(Some(cycle)) => {
+                export.time = recording.header().nanoseconds(cycle.tick.instant);
+                export.cycle(&cycle)?;
+                copied.cycles += 1;
+            }
+            Ok(None) => break,
+            Err(error @ (Error::CutOff { .. } | Error::Damaged { .. })) => {
+                copied.damage.push(error.to_string());
+                break;
+            }
+            Err(error) => return Err(error),
+        }
+    }
+    export.writer.close()?;
+    Ok(Copied { bytes: export.writer.length(), ..copied })
+}
+
+fn begin<W: Write>(target: W, tree: &TreeInfo) -> Result<Writer<W>, Error> {
+    let mut schemas = BTreeMap::new();
+    for topic in Topic::ALL {
+        let (_, name) = topic.names();
+        let id = schemas.len() as u16 + 1;
+        schemas.entry(name).or_insert_with(|| SchemaRecord {
+            id,
+            name: name.to_owned(),
+            encoding: "protobuf".to_owned(),
+            data: descriptor_set(name, &topic.fields(tree)),
+        });
+    }
+    let channel = |topic: Topic| {
+        let (name, schema) = topic.names();
+        let encoding = "protobuf".to_owned();
+        ChannelRecord { id: topic.id(), schema: schemas[schema].id, topic: name.to_owned(), encoding }
+    };
+    let channels = Topic::ALL.map(channel).to_vec();
+    let mut schemas: Vec<_> = schemas.into_values().collect();
+    schemas.sort_by_key(|schema| schema.id);
+    Ok(Writer::new(target, "", schemas, channels)?)
+}
+
+/// Size of a chunk, bytes.
+const CHUNK_BYTES: usize = 4 << 20;
+
+struct Export<W> {
+    writer: Writer<W>,
+    tree: TreeInfo,
+    last: TreeRecord,
+    /// Time of the cycle, ns.
+    time: u64,
+}
+
+impl<W: Write> Export<W> {
+    fn cycle(&mut self, cycle: &RecordedCycle) -> Result<(), Error> {
+        for request in &cycle.requests {
+            let text = request.describe(&self.tree);
+            self.log(2, "operator", &text);
+        }
+        if let Some(image) = &cycle.image {
+            self.image(image);
+        }
+        if let Some(sensors) = &cycle.sensors {
+            self.numbers(Topic::Angles, &sensors.angles);
+            self.numbers(Topic::Temperatures, &sensors.temperatures);
+            self.numbers(Topic::Currents, &sensors.currents);
+            self.numbers(Topic::Inertial, &sensors.inertial);
+            self.numbers(Topic::Feet, &sensors.feet);
+        }
+        if let Some(command) = &cycle.command {
+            self.numbers::<JOINTS>(Topic::Targets, &command.targets);
+            self.numbers::<JOINTS>(Topic::Stiffness, &command.stiffness);
+        }
+        if cycle.tree != self.last {
+            self.tree(&cycle.tree);
+            self.last.clone_from(&cycle.tree);
+        }
+        for event in &cycle.events {
+            self.log(2, "referee", format!("{} {}", event.kind, event.detail).trim_end());
+        }
+        for line in &cycle.log {
+            self.log(line.level, "program", &line.text);
+        }
+        if let Some(costs) = &cycle.costs {
+            self.costs(costs);
+        }
+        if self.writer.pending() >= CHUNK_BYTES {
+            self.writer.flush()?;
+        }
+        Ok(())
+    }
+
+    fn message(&mut self, topic: Topic, message: &Protobuf) {
+        let compression = if topic == Topic::Camera { Compression::None } else { Compression::Lz4 };
+        self.writer.message(compression, topic.id(), self.time, |out| out.extend_from_slice(&message.0));
+    }
+
+    fn numbers<const N: usize>(&mut self, topic: Topic, values: &[f32; N]) {
+        let mut message = Protobuf::default();
+        for (value, number) in values.iter().zip(1..) {
+            message.float(number, *value);
+        }
+        self.message(topic, &message);
+    }
+
+    fn image(&mut self, image: &OwnedImage) {
+        let frame = if image.bottom_camera { "bottom_camera" } else { "top_camera" };
+        let mut message = Protobuf::default();
+        message.timestamp(1, self.time).fixed32(2, image.width.into()).fixed32(3, image.height.into());
+        message.text(4, "yuyv").fixed32(5, 2 * u32::from(image.width)).bytes(6, &image.yuyv).text(7, frame);
+        self.message(Topic::Camera, &message);
+    }
+
+    fn log(&mut self, level: u8, name: &str, text: &str) {
+        let mut message = Protobuf::default();
+        message.timestamp(1, self.time).int(2, level.into()).text(3, text).text(4, name);
+        self.message(Topic::Log, &message);
+    }
+
+    /// Writes the state of each component, 0 without a state machine, -1 for a latent one; and each change as text.
+    fn tree(&mut self, tree: &TreeRecord) {
+        let mut message = Protobuf::default();
+        for index in 0..self.tree.components.len() {
+            let value = if tree.is_active(index) { tree.state(index).unwrap_or(0) as i64 } else { -1 };
+            message.int(index as u32 + 1, value);
+            let before = (self.last.is_active(index), self.last.state(index));
+            if before == (tree.is_active(index), tree.state(index)) {
+                continue;
+            }
+            let component = self.tree.components[index].name.clone();
+            let state = self.tree.state(index, tree.state(index)).unwrap_or("active");
+            let text =
+                if tree.is_active(index) { format!("{component}: {state}") } else { format!("{component}: latent") };
+            self.log(2, &component, &text);
+        }
+        self.message(Topic::Tree, &message);
+    }
+
+    /// Writes the time of each component, µs.
+    fn costs(&mut self, costs: &Costs) {
+        let mut message = Protobuf::default();
+        for (component, number) in costs.components.iter().zip(1..) {
+            message.float(number, component.ns as f32 * 1e-3);
+        }
+        self.message(Topic::Costs, &message);
+    }
+}

@@ -1,0 +1,247 @@
+//! The first and the last record of a recording.
+
+use std::collections::BTreeMap;
+use std::env;
+use std::fs::File;
+use std::io::{self, Read};
+
+use bica::graph::Graph;
+use serde::{Deserialize, Serialize};
+
+use crate::error::Error;
+use crate::tree_hash::tree_hash;
+
+/// Version of the format of recordings.
+pub(crate) const FORMAT: u32 = 1;
+/// Name of the metadata record with the header.
+pub(crate) const HEADER_NAME: &str = "bica";
+/// Name of the metadata record with the ending.
+pub(crate) const ENDING_NAME: &str = "bica.ending";
+/// Key of the JSON text in a metadata record.
+const KEY: &str = "json";
+
+/// What a replay needs to know before the first cycle.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Header {
+    /// Version of the format.
+    pub format: u32,
+    /// The program that wrote the recording.
+    pub program: Program,
+    /// The activation tree.
+    pub tree: TreeInfo,
+    /// The robot.
+    pub robot: RobotInfo,
+    /// Rules of a simulated game; none for a real robot.
+    pub rules: Option<RecordedRules>,
+    /// Parameters that differ from the source's defaults at the start.
+    pub parameters: Vec<Parameter>,
+    /// Whether sensor values, commands and images are stored.
+    pub images: ImagePolicy,
+}
+
+/// The program that wrote a recording.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Program {
+    /// Version of the package.
+    pub version: String,
+    /// Commit of the sources; empty if unknown.
+    pub git_hash: String,
+    /// Whether the sources differed from the commit.
+    pub git_dirty: bool,
+    /// Target triple.
+    pub target: String,
+    /// CRC-32 of the executable file, hexadecimal; empty if it cannot be read.
+    pub executable: String,
+}
+
+/// The activation tree of a recording.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct TreeInfo {
+    /// Name.
+    pub name: String,
+    /// [`tree_hash`], hexadecimal.
+    pub hash: String,
+    /// Nominal rate of cycles, 1/s.
+    pub cycle_hz: f32,
+    /// Ticks of an instant in a second.
+    pub tick_hz: u64,
+    /// Components and their states, in the order of the tree.
+    pub components: Vec<ComponentInfo>,
+}
+
+/// A component of a recorded tree.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct ComponentInfo {
+    /// Name.
+    pub name: String,
+    /// Names of its states; empty without a state machine.
+    pub states: Vec<String>,
+}
+
+/// The robot of a recording.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct RobotInfo {
+    /// Robot model.
+    pub model: String,
+    /// Motion profile.
+    pub profile: String,
+    /// Colour of the attacked goal.
+    pub attacks: String,
+}
+
+/// Rules of a simulated game.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct RecordedRules {
+    /// World: `built-in`, `mujoco` or `firmware`.
+    pub world: String,
+    /// Seed.
+    pub seed: u64,
+    /// Width and height of the camera images, px.
+    pub size: [usize; 2],
+    /// Number of robots besides the forward and the goalkeeper.
+    pub robots: usize,
+    /// Longest duration, simulated seconds.
+    pub seconds: f64,
+}
+
+/// A parameter of a component.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Parameter {
+    /// Name of the component.
+    pub component: String,
+    /// Name of the parameter.
+    pub name: String,
+    /// Value, as text.
+    pub value: String,
+}
+
+/// What a recording stores of each cycle.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum ImagePolicy {
+    /// Sensor values, images and commands.
+    All,
+    /// Digests only: the world is re-created from the rules.
+    None,
+}
+
+/// The last record of a recording that was closed.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Ending {
+    /// Number of recorded cycles.
+    pub cycles: u64,
+    /// Number of images that were dropped because the disk was slow.
+    pub dropped_images: u64,
+    /// Why the recording ended before the run; empty if it did not.
+    pub reason: String,
+    /// Result of the run, as text; empty if unknown.
+    pub result: String,
+}
+
+impl Program {
+    /// This program.
+    #[must_use]
+    pub fn current() -> Self {
+        Self {
+            version: env!("CARGO_PKG_VERSION").to_owned(),
+            git_hash: env!("BICA_GIT_HASH").to_owned(),
+            git_dirty: env!("BICA_GIT_DIRTY") == "true",
+            target: env!("BICA_TARGET").to_owned(),
+            executable: executable().unwrap_or_default(),
+        }
+    }
+
+    /// Returns whether another program is the same build, so that its results must be equal.
+    #[must_use]
+    pub fn is_same_build(&self, other: &Self) -> bool {
+        let same_file = !self.executable.is_empty() && self.executable == other.executable;
+        let same_commit = !self.git_hash.is_empty() && self.git_hash == other.git_hash;
+        same_file || (same_commit && !self.git_dirty && !other.git_dirty)
+    }
+}
+
+/// Returns the CRC-32 of the running executable.
+fn executable() -> io::Result<String> {
+    let mut file = File::open(env::current_exe()?)?;
+    let (mut hash, mut buffer) = (crc32fast::Hasher::new(), vec![0; 1 << 18]);
+    loop {
+        match file.read(&mut buffer)? {
+            0 => return Ok(format!("{:08x}", hash.finalize())),
+            count => hash.update(&buffer[..count]),
+        }
+    }
+}
+
+impl TreeInfo {
+    /// The description of a tree.
+    #[must_use]
+    pub fn new(graph: &Graph) -> Self {
+        let component = |node: &bica::graph::Node| ComponentInfo {
+            name: node.name.to_owned(),
+            states: node.states.iter().map(|state| state.name.to_owned()).collect(),
+        };
+        Self {
+            name: graph.name.to_owned(),
+            hash: format!("{:016x}", tree_hash(graph)),
+            cycle_hz: graph.cycle_hz,
+            tick_hz: bica::Duration::from_secs(1).as_ticks(),
+            components: graph.nodes.iter().map(component).collect(),
+        }
+    }
+
+    /// Returns the name of a state of a component.
+    #[must_use]
+    pub fn state(&self, component: usize, state: Option<usize>) -> Option<&str> {
+        self.components.get(component)?.states.get(state?).map(String::as_str)
+    }
+}
+
+impl Header {
+    /// The header of a run of this program that starts now.
+    #[must_use]
+    pub fn new(graph: &Graph, robot: RobotInfo, rules: Option<RecordedRules>, images: ImagePolicy) -> Self {
+        Self {
+            format: FORMAT,
+            program: Program::current(),
+            tree: TreeInfo::new(graph),
+            robot,
+            rules,
+            parameters: Vec::new(),
+            images,
+        }
+    }
+
+    /// Returns the time of an instant, ns since the start of the run's clock.
+    #[must_use]
+    pub fn nanoseconds(&self, ticks: u64) -> u64 {
+        (u128::from(ticks) * 1_000_000_000 / u128::from(self.tree.tick_hz.max(1))) as u64
+    }
+}
+
+/// Returns the fields of a metadata record.
+pub(crate) fn to_metadata(value: &impl Serialize) -> Result<BTreeMap<String, String>, Error> {
+    let text = serde_json::to_string(value).map_err(io::Error::from)?;
+    Ok(BTreeMap::from([(KEY.to_owned(), text)]))
+}
+
+/// Returns the value of a metadata record at a position.
+pub(crate) fn from_metadata<T: for<'a> Deserialize<'a>>(
+    fields: &BTreeMap<String, String>,
+    at: u64,
+) -> Result<T, Error> {
+    let text = fields.get(KEY).ok_or_else(|| Error::damaged(at, "the metadata have no field `json`"))?;
+    serde_json::from_str(text).map_err(|error| Error::damaged(at, format!("the metadata cannot be read: {error}")))
+}
+
+/// Returns the header of a metadata record.
+pub(crate) fn header_of(fields: &BTreeMap<String, String>, at: u64) -> Result<Header, Error> {
+    #[derive(Deserialize)]
+    struct Format {
+        format: u32,
+    }
+    let Format { format } = from_metadata(fields, at)?;
+    if format != FORMAT {
+        return Err(Error::Format(format));
+    }
+    from_metadata(fields, at)
+}

@@ -1,0 +1,39 @@
+//! Recordings of a robot's runs as MCAP files.
+//!
+//! A run is an ordered log of events: what entered the tree (sensor values, images, requests, instants), what came out of it
+//! (commands, active components, states), and what people want to read (events of the referee, log lines, costs). The
+//! page `docs/recordings.md` describes the file for other programs.
+//!
+//! - [`Recorder`] is an observer of a [`Runner`](bica::runner::Runner). It copies the values of each cycle into a bounded
+//!   queue; a thread of its own writes them.
+//! - [`Recording`] reads a file cycle by cycle, also one that was cut off.
+//! - [`Comparison`] finds the first difference between a recorded and a repeated run.
+//! - [`repair`] mends and cuts files, [`export`] writes standard schemas for viewers.
+//!
+//! Reading checks every length before it reserves memory, so a damaged file ends in an error.
+
+mod compare;
+mod digest;
+mod error;
+pub mod export;
+mod header;
+pub mod image_codec;
+mod info;
+pub mod mcap;
+mod message;
+mod recorder;
+mod recording;
+pub mod repair;
+mod tree_hash;
+
+pub use compare::{Comparison, Decision, Difference, command_field, sensor_field};
+pub use digest::{RunningFingerprint, command_digest, image_digest, sensors_digest};
+pub use error::Error;
+pub use header::{Ending, Header, ImagePolicy, Parameter, Program, RecordedRules, RobotInfo, TreeInfo};
+pub use info::{ChannelInfo, Info};
+pub use message::{
+    Channel, CommandRecord, ComponentCosts, Costs, ImageRecord, LogLine, RefereeEvent, RequestRecord, Tick, TreeRecord,
+};
+pub use recorder::{Backpressure, Recorder, RecorderOptions, Report, Sink, tree_record};
+pub use recording::{OwnedImage, RecordedCycle, Recording};
+pub use tree_hash::tree_hash;

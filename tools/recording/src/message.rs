@@ -1,0 +1,226 @@
+//! Channels of a recording and their messages.
+
+use bica_wire::message::{Command, Sensors};
+use postcard_schema::Schema;
+use postcard_schema::schema::NamedType;
+use serde::{Deserialize, Serialize};
+
+/// Channel of a recording.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Channel {
+    /// [`RequestRecord`]: a request was applied before the cycle.
+    Requests,
+    /// [`ImageRecord`]: a camera image.
+    Images,
+    /// [`Sensors`]: the sensor values of the cycle.
+    Sensors,
+    /// [`CommandRecord`]: the command of the cycle.
+    Command,
+    /// [`TreeRecord`]: active components and states, if they changed in the cycle.
+    Tree,
+    /// [`Tick`]: instant and digests of the cycle; its last message.
+    Tick,
+    /// [`RefereeEvent`]: an event on the field.
+    Events,
+    /// [`LogLine`]: a line of text.
+    Log,
+    /// [`Costs`]: time of the components.
+    Costs,
+}
+
+impl Channel {
+    /// All channels, in the order of their numbers from 1 on.
+    pub const ALL: [Self; 9] = [
+        Self::Requests,
+        Self::Images,
+        Self::Sensors,
+        Self::Command,
+        Self::Tree,
+        Self::Tick,
+        Self::Events,
+        Self::Log,
+        Self::Costs,
+    ];
+
+    /// Returns the number of the channel and of its schema in the file.
+    #[must_use]
+    pub const fn id(self) -> u16 {
+        self as u16 + 1
+    }
+
+    /// Returns the channel of a number.
+    #[must_use]
+    pub fn of_id(id: u16) -> Option<Self> {
+        Self::ALL.get(usize::from(id).checked_sub(1)?).copied()
+    }
+
+    /// Returns the topic.
+    #[must_use]
+    pub const fn topic(self) -> &'static str {
+        match self {
+            Self::Requests => "requests",
+            Self::Images => "images",
+            Self::Sensors => "sensors",
+            Self::Command => "command",
+            Self::Tree => "tree",
+            Self::Tick => "tick",
+            Self::Events => "events",
+            Self::Log => "log",
+            Self::Costs => "costs",
+        }
+    }
+
+    /// Returns the schema of the messages.
+    #[must_use]
+    pub const fn schema(self) -> &'static NamedType {
+        match self {
+            Self::Requests => RequestRecord::SCHEMA,
+            Self::Images => ImageRecord::SCHEMA,
+            Self::Sensors => Sensors::SCHEMA,
+            Self::Command => CommandRecord::SCHEMA,
+            Self::Tree => TreeRecord::SCHEMA,
+            Self::Tick => Tick::SCHEMA,
+            Self::Events => RefereeEvent::SCHEMA,
+            Self::Log => LogLine::SCHEMA,
+            Self::Costs => Costs::SCHEMA,
+        }
+    }
+}
+
+/// A request to the running tree.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, Schema)]
+pub enum RequestRecord {
+    /// A component is held active, held latent, or released.
+    Hold {
+        /// Index of the component.
+        component: u16,
+        /// 0: released, 1: active, 2: latent.
+        hold: u8,
+    },
+    /// The rate of a component is modulated.
+    Rate {
+        /// Index of the component.
+        component: u16,
+        /// Runs per second.
+        hz: f32,
+    },
+    /// Parameters are set. Reserved: trees have no parameters yet.
+    Set {
+        /// Component, name and value of each.
+        values: Vec<(String, String, String)>,
+    },
+    /// A request that this version of the recorder does not know. Such a run cannot be replayed.
+    Unknown {
+        /// The request, as text.
+        text: String,
+    },
+}
+
+/// A camera image.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, Schema)]
+pub struct ImageRecord {
+    /// Number of the image, as in the sensor values.
+    pub id: u32,
+    /// Whether the bottom camera took it.
+    pub bottom_camera: bool,
+    /// Width, px; even.
+    pub width: u16,
+    /// Height, px.
+    pub height: u16,
+    /// The pixels, coded by [`crate::image_codec`].
+    pub coded: Vec<u8>,
+}
+
+/// The command of a cycle.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, Schema)]
+pub struct CommandRecord {
+    /// The command.
+    pub command: Command,
+}
+
+/// Active components and states after a cycle.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize, Schema)]
+pub struct TreeRecord {
+    /// One bit for each component, from the lowest bit of the first byte on: whether it is active.
+    pub active: Vec<u8>,
+    /// One byte for each component: the index of its state, 255 without a state machine.
+    pub states: Vec<u8>,
+}
+
+/// Instant and digests of a cycle.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, Schema)]
+pub struct Tick {
+    /// Number of the cycle, from 0.
+    pub cycle: u64,
+    /// Instant that the tree was given, ticks.
+    pub instant: u64,
+    /// CRC-32 of the message `sensors` without its image.
+    pub sensors: u32,
+    /// CRC-32 of the pixels of the image; 0 without an image.
+    pub image: u32,
+    /// CRC-32 of the message `command`.
+    pub command: u32,
+    /// CRC-32 of active components and states.
+    pub tree: u32,
+    /// FNV-1a hash (64 bits) of the requests and of all fields above of all cycles up to this one.
+    pub fingerprint: u64,
+}
+
+/// An event on the field.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, Schema)]
+pub struct RefereeEvent {
+    /// Time since the start of the run, ns.
+    pub at_ns: u64,
+    /// Kind, as `goal` or `kick`.
+    pub kind: String,
+    /// Details, as text.
+    pub detail: String,
+}
+
+/// A line of text.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, Schema)]
+pub struct LogLine {
+    /// 2: information, 3: warning, 4: error.
+    pub level: u8,
+    /// The text.
+    pub text: String,
+}
+
+/// Time of the components since the last message of this kind.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, Schema)]
+pub struct Costs {
+    /// One entry for each component.
+    pub components: Vec<ComponentCosts>,
+}
+
+/// Time of one component.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, Schema)]
+pub struct ComponentCosts {
+    /// Number of runs.
+    pub runs: u32,
+    /// Time in its own code, ns.
+    pub ns: u64,
+}
+
+impl TreeRecord {
+    /// Returns whether a component is active.
+    #[must_use]
+    pub fn is_active(&self, component: usize) -> bool {
+        self.active.get(component / 8).is_some_and(|byte| byte >> (component % 8) & 1 == 1)
+    }
+
+    /// Returns the index of a component's state.
+    #[must_use]
+    pub fn state(&self, component: usize) -> Option<usize> {
+        self.states.get(component).filter(|state| **state != u8::MAX).map(|state| usize::from(*state))
+    }
+
+    /// Returns the CRC-32 of the contents.
+    #[must_use]
+    pub fn digest(&self) -> u32 {
+        let mut hash = crc32fast::Hasher::new();
+        hash.update(&self.active);
+        hash.update(&self.states);
+        hash.finalize()
+    }
+}

@@ -1,0 +1,241 @@
+//! Recording beside a running loop.
+
+mod queue;
+mod sink;
+mod thread;
+
+use std::io;
+use std::sync::Arc;
+use std::thread::JoinHandle;
+
+use bica::runner::{Cycle, Observer, Request, Robot};
+use bica::{ComponentId, Hold, Instant, Probe, Tree};
+use bica_motion::robot::{self, CameraId};
+use bica_wire::message::{Command, Sensors};
+
+use crate::digest::image_digest;
+use crate::header::{Header, ImagePolicy};
+use crate::message::{Costs, LogLine, RefereeEvent, RequestRecord, TreeRecord};
+use queue::{CycleValues, Entry, ImageValues, Queue};
+pub use sink::Sink;
+pub(crate) use thread::{begin, compression};
+
+/// What a recorder does when its queue is full because the disk is slow.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Backpressure {
+    /// The loop waits: for simulations without a clock.
+    Wait,
+    /// The loop goes on. An image is dropped and counted; if even the values of a cycle find no room, the recording ends.
+    Drop,
+}
+
+/// Options of a recorder.
+#[derive(Clone, Copy, Debug)]
+pub struct RecorderOptions {
+    /// What happens when the queue is full.
+    pub backpressure: Backpressure,
+    /// Number of cycles that the queue holds; at 100 Hz 6000 are a minute and 5 MB.
+    pub cycles: usize,
+    /// Number of images that the queue holds.
+    pub images: usize,
+    /// Size of a chunk, bytes before compression. Chunks are written earlier if time has passed.
+    pub chunk_bytes: usize,
+}
+
+impl Default for RecorderOptions {
+    fn default() -> Self {
+        Self { backpressure: Backpressure::Drop, cycles: 6000, images: 32, chunk_bytes: 1 << 20 }
+    }
+}
+
+/// Result of a recording.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Report {
+    /// Number of cycles in the file.
+    pub cycles: u64,
+    /// Length of the file, bytes.
+    pub bytes: u64,
+    /// Number of images that were dropped because the disk was slow.
+    pub dropped_images: u64,
+    /// Why the recording ended before the run; none if it did not.
+    pub reason: Option<String>,
+}
+
+/// Observer of a loop that records it.
+///
+/// The loop copies the values of a cycle into a queue and never waits for the disk, unless [`Backpressure::Wait`] says so. A
+/// thread of its own codes and writes them, at least every 0.3 s, and asks the operating system every 0.5 s to bring
+/// them to the disk. If writing fails, the recording ends, the file keeps what is complete, and the loop goes on.
+#[derive(Debug)]
+pub struct Recorder {
+    queue: Arc<Queue>,
+    thread: Option<JoinHandle<Report>>,
+    stores_values: bool,
+    last_tree: TreeRecord,
+    next_image: u32,
+    requests: Vec<RequestRecord>,
+    sensing: Option<(Sensors, ImageValues)>,
+}
+
+impl Recorder {
+    /// Writes the header to `sink` and starts the thread. `on_end` is called there with the reason if the recording ends
+    /// before the run.
+    ///
+    /// # Errors
+    /// If the header cannot be written or no thread can be started.
+    pub fn start(
+        sink: impl Sink + 'static,
+        header: &Header,
+        options: RecorderOptions,
+        on_end: impl Fn(&str) + Send + 'static,
+    ) -> io::Result<Self> {
+        let queue = Arc::new(Queue::new(options));
+        let writing = thread::Writing::new(sink, header, options.chunk_bytes)?;
+        let shared = Arc::clone(&queue);
+        let work = move || writing.run(&shared, &on_end);
+        let thread = std::thread::Builder::new().name("recorder".to_owned()).spawn(work)?;
+        Ok(Self {
+            queue,
+            thread: Some(thread),
+            stores_values: header.images == ImagePolicy::All,
+            last_tree: TreeRecord::default(),
+            next_image: 0,
+            requests: Vec::new(),
+            sensing: None,
+        })
+    }
+
+    /// Records an event of the referee.
+    pub fn event(&self, event: RefereeEvent) {
+        self.queue.push(Entry::Event(event));
+    }
+
+    /// Records a line of text.
+    pub fn log(&self, line: LogLine) {
+        self.queue.push(Entry::Log(line));
+    }
+
+    /// Records the time of the components since the last call.
+    pub fn costs(&self, costs: Costs) {
+        self.queue.push(Entry::Costs(costs));
+    }
+
+    /// Writes what is queued and closes the file. `result` is the result of the run, as text.
+    #[must_use]
+    pub fn finish(mut self, result: &str) -> Report {
+        self.close(result)
+    }
+
+    fn close(&mut self, result: &str) -> Report {
+        self.queue.close(result);
+        let report = self.thread.take().map(JoinHandle::join);
+        let failed = || Report { reason: Some("the thread of the recorder failed".to_owned()), ..Report::default() };
+        report.map_or_else(Report::default, |report| report.unwrap_or_else(|_| failed()))
+    }
+
+    fn image(&self, image: &robot::Image<'_>) -> ImageValues {
+        let robot::Image { camera, width, height, yuyv } = *image;
+        let bottom = camera == CameraId::Bottom;
+        let digest = || ImageValues::Digest(image_digest(bottom, width, height, yuyv));
+        if !self.stores_values {
+            return digest();
+        }
+        let Some(mut pixels) = self.queue.take_buffer() else { return digest() };
+        pixels.clear();
+        pixels.extend_from_slice(yuyv);
+        ImageValues::Pixels(pixels)
+    }
+}
+
+impl Drop for Recorder {
+    fn drop(&mut self) {
+        if self.thread.is_some() {
+            self.close("");
+        }
+    }
+}
+
+impl Probe for Recorder {}
+
+impl<R> Observer<R> for Recorder
+where
+    R: for<'a> Robot<Sensors<'a> = robot::Sensors<'a>> + Robot<Command = robot::Command>,
+{
+    fn requested(&mut self, _now: Instant, request: &Request) {
+        self.requests.push(RequestRecord::from(request));
+    }
+
+    fn sensing(&mut self, now: Instant, sensors: &robot::Sensors<'_>) {
+        if self.queue.has_ended() {
+            return;
+        }
+        if let Some((_, image)) = self.sensing.take() {
+            // The robot refused the values of the last cycle.
+            self.queue.give_back(image);
+        }
+        let image = sensors.image.as_ref().map_or(ImageValues::None, |image| self.image(image));
+        self.next_image = self.next_image.wrapping_add(u32::from(sensors.image.is_some()));
+        self.sensing = Some((Sensors::new(now.as_micros(), sensors, self.next_image), image));
+    }
+
+    fn acted(&mut self, cycle: &Cycle<'_, R>) {
+        let Some((sensors, image)) = self.sensing.take() else { return };
+        let tree = tree_record(cycle.robot);
+        let changed = tree != self.last_tree;
+        if changed {
+            self.last_tree.clone_from(&tree);
+        }
+        self.queue.push(Entry::Cycle(CycleValues {
+            instant: cycle.now.as_ticks(),
+            requests: std::mem::take(&mut self.requests),
+            sensors,
+            image,
+            command: Command::new(cycle.now.as_micros(), cycle.command),
+            tree: changed.then_some(tree),
+        }));
+    }
+}
+
+/// Returns active components and states of a tree.
+#[must_use]
+pub fn tree_record<T: Tree>(tree: &T) -> TreeRecord {
+    let mut record = TreeRecord { active: vec![0; T::COUNT.div_ceil(8)], states: Vec::with_capacity(T::COUNT) };
+    for index in 0..T::COUNT {
+        let id = ComponentId::new(index);
+        record.active[index / 8] |= u8::from(tree.is_active(id)) << (index % 8);
+        record.states.push(tree.state(id).map_or(u8::MAX, |state| state as u8));
+    }
+    record
+}
+
+impl From<&Request> for RequestRecord {
+    fn from(request: &Request) -> Self {
+        match *request {
+            Request::Hold { component, hold } => {
+                let hold = match hold {
+                    Hold::Tree => 0,
+                    Hold::Active => 1,
+                    Hold::Latent => 2,
+                };
+                Self::Hold { component: component.index() as u16, hold }
+            }
+            Request::Rate { component, hz } => Self::Rate { component: component.index() as u16, hz },
+            _ => Self::Unknown { text: format!("{request:?}") },
+        }
+    }
+}
+
+impl RequestRecord {
+    /// Returns the request for a tree; none if this program does not know it.
+    #[must_use]
+    pub fn to_request(&self) -> Option<Request> {
+        match *self {
+            Self::Hold { component, hold } => {
+                let hold = [Hold::Tree, Hold::Active, Hold::Latent].get(usize::from(hold)).copied()?;
+                Some(Request::Hold { component: ComponentId::new(component.into()), hold })
+            }
+            Self::Rate { component, hz } => Some(Request::Rate { component: ComponentId::new(component.into()), hz }),
+            Self::Set { .. } | Self::Unknown { .. } => None,
+        }
+    }
+}

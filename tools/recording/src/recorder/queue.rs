@@ -1,0 +1,204 @@
+//! The bounded queue between the loop and the thread that writes.
+
+use std::collections::VecDeque;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
+use std::time::Duration;
+
+use bica_wire::message::{Command, Sensors};
+
+use super::{Backpressure, RecorderOptions};
+use crate::message::{Costs, LogLine, RefereeEvent, RequestRecord, TreeRecord};
+
+/// Time after which the thread looks into the queue without being woken.
+const POLL: Duration = Duration::from_millis(50);
+/// Number of entries after which the thread is woken: waking it in each cycle would cost the loop time.
+const WAKE_AFTER: usize = 64;
+/// Entries for people beside each cycle that the queue holds.
+const EXTRA_ENTRIES: usize = 1000;
+
+/// The values of a cycle.
+#[derive(Debug)]
+pub(super) struct CycleValues {
+    pub(super) instant: u64,
+    pub(super) requests: Vec<RequestRecord>,
+    pub(super) sensors: Sensors,
+    pub(super) image: ImageValues,
+    pub(super) command: Command,
+    /// Active components and states, if they changed.
+    pub(super) tree: Option<TreeRecord>,
+}
+
+/// The image of a cycle.
+#[derive(Debug)]
+pub(super) enum ImageValues {
+    /// There is none.
+    None,
+    /// Its pixels.
+    Pixels(Vec<u8>),
+    /// Its digest; its pixels are not stored.
+    Digest(u32),
+}
+
+/// An entry of the queue.
+#[expect(
+    clippy::large_enum_variant,
+    reason = "nearly all entries are cycles, and a box would be an allocation in each"
+)]
+#[derive(Debug)]
+pub(super) enum Entry {
+    Cycle(CycleValues),
+    Event(RefereeEvent),
+    Log(LogLine),
+    Costs(Costs),
+}
+
+#[derive(Debug)]
+struct State {
+    entries: VecDeque<Entry>,
+    /// Entries taken by the thread and not yet written.
+    taken: usize,
+    /// Buffers for images that are free.
+    buffers: Vec<Vec<u8>>,
+    dropped_images: u64,
+    closing: Option<String>,
+    /// The queue was full.
+    overflow: bool,
+}
+
+/// The queue.
+#[derive(Debug)]
+pub(super) struct Queue {
+    state: Mutex<State>,
+    wake: Condvar,
+    room: Condvar,
+    ended: AtomicBool,
+    options: RecorderOptions,
+}
+
+/// What the thread takes out of the queue.
+pub(super) struct Batch {
+    pub(super) entries: VecDeque<Entry>,
+    /// Result of the run, once it is over.
+    pub(super) closing: Option<String>,
+    pub(super) dropped_images: u64,
+    pub(super) overflow: bool,
+}
+
+impl Queue {
+    pub(super) fn new(options: RecorderOptions) -> Self {
+        let state = State {
+            entries: VecDeque::with_capacity(options.cycles.min(1000)),
+            taken: 0,
+            buffers: vec![Vec::new(); options.images],
+            dropped_images: 0,
+            closing: None,
+            overflow: false,
+        };
+        Self {
+            state: Mutex::new(state),
+            wake: Condvar::new(),
+            room: Condvar::new(),
+            ended: AtomicBool::new(false),
+            options,
+        }
+    }
+
+    fn lock(&self) -> MutexGuard<'_, State> {
+        // No code panics while it holds the lock.
+        self.state.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    pub(super) fn has_ended(&self) -> bool {
+        self.ended.load(Ordering::Relaxed)
+    }
+
+    /// Adds an entry. Without room, entries for people are left out, and a cycle waits or ends the recording.
+    pub(super) fn push(&self, entry: Entry) {
+        let mut state = self.lock();
+        let is_cycle = matches!(entry, Entry::Cycle(_));
+        let limit = self.options.cycles + if is_cycle { 0 } else { EXTRA_ENTRIES };
+        while state.entries.len() + state.taken >= limit {
+            if self.has_ended() || !is_cycle {
+                return;
+            }
+            if self.options.backpressure == Backpressure::Drop {
+                state.overflow = true;
+                self.ended.store(true, Ordering::Relaxed);
+                self.wake.notify_one();
+                return;
+            }
+            self.wake.notify_one();
+            state = self.room.wait_timeout(state, POLL).unwrap_or_else(PoisonError::into_inner).0;
+        }
+        if self.has_ended() {
+            return;
+        }
+        state.entries.push_back(entry);
+        if state.entries.len().is_multiple_of(WAKE_AFTER) {
+            self.wake.notify_one();
+        }
+    }
+
+    /// Returns a buffer for an image; none if the image has to be dropped.
+    pub(super) fn take_buffer(&self) -> Option<Vec<u8>> {
+        let mut state = self.lock();
+        loop {
+            if let Some(buffer) = state.buffers.pop() {
+                if state.buffers.len() < self.options.images / 2 {
+                    self.wake.notify_one();
+                }
+                return Some(buffer);
+            }
+            if self.has_ended() {
+                return None;
+            }
+            if self.options.backpressure == Backpressure::Drop {
+                state.dropped_images += 1;
+                return None;
+            }
+            self.wake.notify_one();
+            state = self.room.wait_timeout(state, POLL).unwrap_or_else(PoisonError::into_inner).0;
+        }
+    }
+
+    /// Gives the buffer of an image back.
+    pub(super) fn give_back(&self, image: ImageValues) {
+        if let ImageValues::Pixels(buffer) = image {
+            self.lock().buffers.push(buffer);
+            self.room.notify_one();
+        }
+    }
+
+    /// Ends the run.
+    pub(super) fn close(&self, result: &str) {
+        self.lock().closing = Some(result.to_owned());
+        self.wake.notify_one();
+    }
+
+    /// Waits a short time for entries and takes all of them; those of the last call count as written.
+    pub(super) fn take(&self) -> Batch {
+        let mut state = self.lock();
+        state.taken = 0;
+        self.room.notify_one();
+        if state.entries.is_empty() && state.closing.is_none() && !state.overflow {
+            state = self.wake.wait_timeout(state, POLL).unwrap_or_else(PoisonError::into_inner).0;
+        }
+        state.taken = state.entries.len();
+        Batch {
+            entries: std::mem::take(&mut state.entries),
+            closing: state.closing.clone(),
+            dropped_images: state.dropped_images,
+            overflow: state.overflow,
+        }
+    }
+
+    /// Ends the recording: nothing is taken in any more.
+    pub(super) fn end(&self) {
+        self.ended.store(true, Ordering::Relaxed);
+        let mut state = self.lock();
+        state.entries = VecDeque::new();
+        state.taken = 0;
+        self.room.notify_all();
+    }
+}

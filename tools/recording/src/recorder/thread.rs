@@ -1,0 +1,241 @@
+//! The thread that codes and writes.
+
+use std::io;
+use std::time::{Duration, Instant};
+
+use serde::Serialize;
+
+use super::queue::{CycleValues, Entry, ImageValues, Queue};
+use super::{Report, Sink};
+use crate::digest::{RunningFingerprint, command_digest, image_digest, sensors_digest};
+use crate::error::Error;
+use crate::header::{ENDING_NAME, Ending, HEADER_NAME, Header, ImagePolicy, to_metadata};
+use crate::image_codec::ImageCoder;
+use crate::mcap::{ChannelRecord, Compression, SchemaRecord, Writer};
+use crate::message::{Channel, CommandRecord, ImageRecord, Tick};
+
+/// Longest time that values wait in memory.
+const FLUSH_AFTER: Duration = Duration::from_millis(300);
+/// Longest time after which the operating system is asked to bring everything to the disk.
+const SYNC_AFTER: Duration = Duration::from_millis(500);
+
+/// A file that is being written.
+pub(super) struct Writing<S> {
+    writer: Writer<S>,
+    header: Header,
+    cycle: u64,
+    /// Number of cycles in the file.
+    written_cycles: u64,
+    tree_digest: u32,
+    /// Time of the last cycle, ns.
+    last_time: u64,
+    fingerprint: RunningFingerprint,
+    coder: ImageCoder,
+    chunk_bytes: usize,
+    flushed: Instant,
+    synced: Instant,
+}
+
+/// Returns schemas and channels of a recording.
+pub(crate) fn channels() -> (Vec<SchemaRecord>, Vec<ChannelRecord>) {
+    let schema = |channel: Channel| SchemaRecord {
+        id: channel.id(),
+        name: format!("bica.{}", channel.schema().name),
+        encoding: "postcard-schema".to_owned(),
+        data: serde_json::to_vec(channel.schema()).unwrap_or_default(),
+    };
+    let channel = |channel: Channel| ChannelRecord {
+        id: channel.id(),
+        schema: channel.id(),
+        topic: channel.topic().to_owned(),
+        encoding: "postcard".to_owned(),
+    };
+    (Channel::ALL.map(schema).to_vec(), Channel::ALL.map(channel).to_vec())
+}
+
+/// Begins a file with a header.
+pub(crate) fn begin<W: io::Write>(target: W, header: &Header) -> io::Result<Writer<W>> {
+    let (schemas, channels) = channels();
+    let mut writer = Writer::new(target, "bica", schemas, channels)?;
+    writer.metadata(HEADER_NAME, &to_metadata(header).map_err(io_error)?)?;
+    Ok(writer)
+}
+
+fn io_error(error: Error) -> io::Error {
+    match error {
+        Error::Io(error) => error,
+        other => io::Error::other(other),
+    }
+}
+
+/// Returns the chunk in which the messages of a channel are stored: coded images cannot be compressed further.
+pub(crate) const fn compression(channel: Channel) -> Compression {
+    if matches!(channel, Channel::Images) { Compression::None } else { Compression::Lz4 }
+}
+
+impl<S: Sink> Writing<S> {
+    pub(super) fn new(sink: S, header: &Header, chunk_bytes: usize) -> io::Result<Self> {
+        Ok(Self {
+            writer: begin(sink, header)?,
+            header: header.clone(),
+            cycle: 0,
+            written_cycles: 0,
+            tree_digest: 0,
+            last_time: 0,
+            fingerprint: RunningFingerprint::default(),
+            coder: ImageCoder::default(),
+            chunk_bytes,
+            flushed: Instant::now(),
+            synced: Instant::now(),
+        })
+    }
+
+    /// Writes until the run is over or writing fails.
+    pub(super) fn run(mut self, queue: &Queue, on_end: &dyn Fn(&str)) -> Report {
+        let mut dropped_images;
+        let (reason, result) = loop {
+            let batch = queue.take();
+            dropped_images = batch.dropped_images;
+            if let Err(error) = batch.entries.into_iter().try_for_each(|entry| self.entry(entry, queue)) {
+                break (Some(format!("cannot write: {error}")), String::new());
+            }
+            if batch.overflow {
+                let slow = || "the disk is too slow: the queue of cycles is full".to_owned();
+                break (
+                    Some(self.flush().map_or_else(|error| format!("cannot write: {error}"), |()| slow())),
+                    String::new(),
+                );
+            }
+            if let Some(result) = batch.closing {
+                break (None, result);
+            }
+            if let Err(error) = self.write_if_due() {
+                break (Some(format!("cannot write: {error}")), String::new());
+            }
+        };
+        let reason = self.finish(reason, result, dropped_images);
+        if let Some(reason) = &reason {
+            queue.end();
+            on_end(reason);
+        }
+        Report { cycles: self.written_cycles, bytes: self.writer.length(), dropped_images, reason }
+    }
+
+    /// Closes the file; returns why the recording ended early. A file that cannot be closed keeps its complete chunks.
+    fn finish(&mut self, reason: Option<String>, result: String, dropped_images: u64) -> Option<String> {
+        let mut failed = reason;
+        if failed.is_none() {
+            failed = self.flush().err().map(|error| format!("cannot write: {error}"));
+        }
+        if failed.is_some() {
+            self.writer.discard();
+            // What an incomplete write left behind would make the rest unreadable.
+            let length = self.writer.length();
+            let _ = self.writer.target_mut().truncate(length);
+        }
+        let reason = failed.clone().unwrap_or_default();
+        let ending = Ending { cycles: self.written_cycles, dropped_images, reason, result };
+        let closed = to_metadata(&ending)
+            .map_err(io_error)
+            .and_then(|fields| self.writer.metadata(ENDING_NAME, &fields))
+            .and_then(|()| self.writer.close())
+            .and_then(|()| self.writer.target_mut().sync());
+        if let Err(error) = closed {
+            let length = self.writer.length();
+            let _ = self.writer.target_mut().truncate(length);
+            failed = failed.or_else(|| Some(format!("cannot write the end of the file: {error}")));
+        }
+        failed
+    }
+
+    fn write_if_due(&mut self) -> io::Result<()> {
+        if self.flushed.elapsed() >= FLUSH_AFTER {
+            self.flush()?;
+        }
+        if self.synced.elapsed() >= SYNC_AFTER {
+            self.writer.target_mut().sync()?;
+            self.synced = Instant::now();
+        }
+        Ok(())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.writer.flush()?;
+        self.written_cycles = self.cycle;
+        self.flushed = Instant::now();
+        Ok(())
+    }
+
+    fn entry(&mut self, entry: Entry, queue: &Queue) -> io::Result<()> {
+        match entry {
+            Entry::Cycle(values) => self.cycle(values, queue),
+            Entry::Event(event) => self.message(Channel::Events, event.at_ns, &event),
+            Entry::Log(line) => self.message(Channel::Log, self.last_time, &line),
+            Entry::Costs(costs) => self.message(Channel::Costs, self.last_time, &costs),
+        }
+        if self.writer.pending() >= self.chunk_bytes {
+            self.flush()?;
+        }
+        self.write_if_due()
+    }
+
+    fn cycle(&mut self, values: CycleValues, queue: &Queue) {
+        let CycleValues { instant, requests, sensors, image, command, tree } = values;
+        let time = self.header.nanoseconds(instant);
+        self.last_time = time;
+        for request in &requests {
+            self.fingerprint.add_request(request);
+            self.message(Channel::Requests, time, request);
+        }
+        let stored = sensors.image.zip(match &image {
+            ImageValues::Pixels(pixels) => Some(pixels),
+            _ => None,
+        });
+        let digest = stored.map(|(info, pixels)| {
+            let (width, height) = (info.width, info.height);
+            let mut coded = Vec::with_capacity(pixels.len() / 2);
+            if self.coder.encode(pixels, width.into(), height.into(), &mut coded).is_ok() {
+                let record = ImageRecord { id: info.id, bottom_camera: info.bottom_camera, width, height, coded };
+                self.message(Channel::Images, time, &record);
+            }
+            image_digest(info.bottom_camera, width, height, pixels)
+        });
+        let image_digest = match &image {
+            ImageValues::Digest(digest) => *digest,
+            _ => digest.unwrap_or(0),
+        };
+        queue.give_back(image);
+        if self.header.images == ImagePolicy::All {
+            self.message(Channel::Sensors, time, &sensors);
+            self.message(Channel::Command, time, &CommandRecord { command });
+        }
+        if let Some(tree) = &tree {
+            self.tree_digest = tree.digest();
+            self.message(Channel::Tree, time, tree);
+        }
+        let mut tick = Tick {
+            cycle: self.cycle,
+            instant,
+            sensors: sensors_digest(&sensors),
+            image: image_digest,
+            command: command_digest(&command),
+            tree: self.tree_digest,
+            fingerprint: 0,
+        };
+        tick.fingerprint = self.fingerprint.add_tick(&tick);
+        self.message(Channel::Tick, time, &tick);
+        self.cycle += 1;
+    }
+
+    fn message(&mut self, channel: Channel, time: u64, value: &impl Serialize) {
+        self.writer.message(compression(channel), channel.id(), time, |out| encode(out, value));
+    }
+}
+
+/// Appends a value in postcard.
+pub(crate) fn encode(out: &mut Vec<u8>, value: &impl Serialize) {
+    // Writing into a vector does not fail, and no message has a type that postcard refuses.
+    if let Ok(bytes) = postcard::to_extend(value, std::mem::take(out)) {
+        *out = bytes;
+    }
+}

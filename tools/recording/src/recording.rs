@@ -1,0 +1,193 @@
+//! Reading of a recording, cycle by cycle.
+
+use std::collections::BTreeMap;
+use std::fs::File;
+use std::io::{BufReader, Read};
+use std::path::Path;
+
+use bica_wire::message::{Command, Sensors};
+use serde::Deserialize;
+
+use crate::digest::image_digest;
+use crate::error::Error;
+use crate::header::{ENDING_NAME, Ending, HEADER_NAME, Header, from_metadata, header_of};
+use crate::image_codec::ImageCoder;
+use crate::mcap::{Item, Message, Reader};
+use crate::message::{
+    Channel, CommandRecord, Costs, ImageRecord, LogLine, RefereeEvent, RequestRecord, Tick, TreeRecord,
+};
+
+/// Most images that wait for their cycle.
+const MAX_WAITING_IMAGES: usize = 64;
+
+/// Everything that is recorded of a cycle.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct RecordedCycle {
+    /// Instant and digests.
+    pub tick: Tick,
+    /// Requests that were applied before it.
+    pub requests: Vec<RequestRecord>,
+    /// Sensor values, if they are stored.
+    pub sensors: Option<Sensors>,
+    /// Image, if there was one and it is stored.
+    pub image: Option<OwnedImage>,
+    /// Command, if it is stored.
+    pub command: Option<Command>,
+    /// Active components and states.
+    pub tree: TreeRecord,
+    /// Events since the last cycle.
+    pub events: Vec<RefereeEvent>,
+    /// Lines of text since the last cycle.
+    pub log: Vec<LogLine>,
+    /// Time of the components.
+    pub costs: Option<Costs>,
+}
+
+/// An image in memory of its own.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct OwnedImage {
+    /// Whether the bottom camera took it.
+    pub bottom_camera: bool,
+    /// Width, px.
+    pub width: u16,
+    /// Height, px.
+    pub height: u16,
+    /// YUYV 4:2:2.
+    pub yuyv: Vec<u8>,
+}
+
+impl OwnedImage {
+    /// Returns its digest, as in [`Tick::image`].
+    #[must_use]
+    pub fn digest(&self) -> u32 {
+        image_digest(self.bottom_camera, self.width, self.height, &self.yuyv)
+    }
+}
+
+/// Recording that is being read.
+#[derive(Debug)]
+pub struct Recording<R> {
+    reader: Reader<R>,
+    header: Header,
+    channels: BTreeMap<u16, Channel>,
+    images: BTreeMap<u32, ImageRecord>,
+    coder: ImageCoder,
+    next: RecordedCycle,
+    ending: Option<Ending>,
+}
+
+impl Recording<BufReader<File>> {
+    /// Opens a file and reads its header.
+    ///
+    /// # Errors
+    /// If the file cannot be read or is no recording.
+    pub fn open(path: &Path) -> Result<Self, Error> {
+        Self::new(BufReader::with_capacity(1 << 16, File::open(path)?))
+    }
+}
+
+impl<R: Read> Recording<R> {
+    /// Reads the header.
+    ///
+    /// # Errors
+    /// If the source cannot be read or is no recording.
+    pub fn new(source: R) -> Result<Self, Error> {
+        let mut reader = Reader::new(source)?;
+        let mut channels = BTreeMap::new();
+        let header = loop {
+            match reader.next_item()? {
+                Item::Metadata(at, name, fields) if name == HEADER_NAME => break header_of(&fields, at)?,
+                Item::Channel(channel) => {
+                    let known = Channel::ALL.into_iter().find(|known| known.topic() == channel.topic);
+                    channels.extend(known.map(|known| (channel.id, known)));
+                }
+                Item::Schema(_) | Item::Metadata(..) => {}
+                Item::Chunk { .. } | Item::Message(_) | Item::End => return Err(Error::NotARecording),
+            }
+        };
+        let (images, coder, next) = (BTreeMap::new(), ImageCoder::default(), RecordedCycle::default());
+        Ok(Self { reader, header, channels, images, coder, next, ending: None })
+    }
+
+    /// Returns the header.
+    pub const fn header(&self) -> &Header {
+        &self.header
+    }
+
+    /// Returns the ending, once it has been read: the last record of a file that was closed.
+    pub const fn ending(&self) -> Option<&Ending> {
+        self.ending.as_ref()
+    }
+
+    /// Returns the number of bytes read so far.
+    pub const fn position(&self) -> u64 {
+        self.reader.position()
+    }
+
+    /// Returns the next cycle; none at the end of a file that was closed.
+    ///
+    /// # Errors
+    /// As [`Reader::next_item`]; [`Error::Damaged`] if a message cannot be read.
+    pub fn next_cycle(&mut self) -> Result<Option<RecordedCycle>, Error> {
+        loop {
+            match self.reader.next_item()? {
+                Item::Message(message) if self.message(&message)? => {
+                    let next = RecordedCycle { tree: self.next.tree.clone(), ..RecordedCycle::default() };
+                    return Ok(Some(std::mem::replace(&mut self.next, next)));
+                }
+                Item::Metadata(at, name, fields) if name == ENDING_NAME => {
+                    self.ending = Some(from_metadata(&fields, at)?);
+                }
+                Item::End => return Ok(None),
+                _ => {}
+            }
+        }
+    }
+
+    /// Takes a message in; returns whether the cycle is complete.
+    fn message(&mut self, message: &Message) -> Result<bool, Error> {
+        let Some(channel) = self.channels.get(&message.channel) else { return Ok(false) };
+        let next = &mut self.next;
+        match channel {
+            Channel::Requests => next.requests.push(decode(message)?),
+            Channel::Sensors => next.sensors = Some(decode(message)?),
+            Channel::Command => next.command = Some(decode::<CommandRecord>(message)?.command),
+            Channel::Tree => next.tree = decode(message)?,
+            Channel::Events => next.events.push(decode(message)?),
+            Channel::Log => next.log.push(decode(message)?),
+            Channel::Costs => next.costs = Some(decode(message)?),
+            Channel::Images => {
+                let image: ImageRecord = decode(message)?;
+                self.images.insert(image.id, image);
+                if self.images.len() > MAX_WAITING_IMAGES {
+                    self.images.pop_first();
+                }
+            }
+            Channel::Tick => {
+                next.tick = decode(message)?;
+                let id = next.sensors.and_then(|sensors| sensors.image).map(|image| image.id);
+                if let Some(coded) = id.and_then(|id| self.images.remove(&id)) {
+                    self.next.image = Some(self.decode_image(&coded, message.chunk_at)?);
+                }
+                return Ok(true);
+            }
+        }
+        Ok(false)
+    }
+
+    fn decode_image(&mut self, coded: &ImageRecord, at: u64) -> Result<OwnedImage, Error> {
+        let ImageRecord { bottom_camera, width, height, .. } = *coded;
+        let mut yuyv = Vec::new();
+        let decoded = self.coder.decode(&coded.coded, width.into(), height.into(), &mut yuyv);
+        decoded.map_err(|_| Error::damaged(at, format!("image {} cannot be decoded", coded.id)))?;
+        Ok(OwnedImage { bottom_camera, width, height, yuyv })
+    }
+}
+
+/// Returns the value of a message.
+pub(crate) fn decode<'a, T: Deserialize<'a>>(message: &'a Message) -> Result<T, Error> {
+    let read = postcard::from_bytes(&message.data);
+    read.map_err(|error| {
+        Error::damaged(message.chunk_at, format!("a message of channel {} cannot be read: {error}", message.channel))
+    })
+}

@@ -1,0 +1,147 @@
+//! Cut, damaged and hostile files.
+
+use bica_recording::repair::recover;
+use bica_recording::{Info, Recording};
+use proptest::prelude::*;
+
+use crate::support::{cycles, recorded};
+
+/// Memory that reading a file may take beside its own length, bytes.
+const MEMORY: u64 = 4 << 20;
+
+/// Returns the positions behind each chunk, and the number of complete cycles up to there.
+fn chunk_ends(file: &[u8]) -> Vec<(usize, u64)> {
+    use bica_recording::mcap::{Item, Reader};
+    let mut reader = Reader::new(file).expect("MCAP");
+    let (mut ends, mut count) = (Vec::new(), 0);
+    loop {
+        match reader.next_item().expect("intact") {
+            Item::Chunk { at, length, .. } => ends.push(((at + length) as usize, count)),
+            // Channel 6 is `tick`.
+            Item::Message(message) if message.channel == 6 => {
+                count += 1;
+                if let Some(end) = ends.last_mut() {
+                    end.1 = count;
+                }
+            }
+            Item::End => return ends,
+            _ => {}
+        }
+    }
+}
+
+#[test]
+fn a_file_cut_at_any_byte_recovers_all_complete_chunks_and_opens() {
+    let file = recorded(15);
+    let ends = chunk_ends(&file);
+    assert!(ends.len() > 3 && file.len() < 40_000, "{} chunks, {} bytes", ends.len(), file.len());
+    let all = cycles(&file[..]).0;
+    let first = Recording::new(&file[..]).expect("a header").position() as usize;
+    for length in 0..file.len() {
+        let mut target = Vec::new();
+        let copied = recover(&file[..length], &mut target);
+        if length < first {
+            assert!(copied.is_err(), "{length}");
+            continue;
+        }
+        let expected = ends.iter().rev().find(|(end, _)| *end <= length).map_or(0, |(_, count)| *count);
+        let copied = copied.unwrap_or_else(|error| panic!("{length}: {error}"));
+        assert_eq!((copied.cycles, copied.damage.len()), (expected, 1), "{length}");
+        let (found, error) = cycles(&target[..]);
+        assert_eq!((found.len() as u64, error), (expected, None), "{length}");
+        assert!(found.iter().zip(&all).all(|(one, two)| one.tick == two.tick), "{length}");
+        if length % 16 == 0 {
+            assert!(Info::read(&file[..length]).expect("a header").damage.is_some(), "{length}");
+        }
+    }
+    let whole = recover(&file[..], &mut Vec::new()).expect("a recording");
+    assert_eq!((whole.cycles, whole.damage.len()), (15, 0));
+}
+
+#[test]
+fn a_chunk_with_a_wrong_checksum_is_skipped() {
+    let mut file = recorded(60);
+    let (end, _) = chunk_ends(&file)[2];
+    file[end - 40] ^= 1;
+    let (found, error) = cycles(&file[..]);
+    assert!(found.len() < 60 && error.expect("an error").contains("damaged"));
+    let mut target = Vec::new();
+    let copied = recover(&file[..], &mut target).expect("a header");
+    assert_eq!(copied.damage.len(), 1, "{:?}", copied.damage);
+    let (found, error) = cycles(&target[..]);
+    assert_eq!((found.len() as u64, error), (copied.cycles, None));
+    assert_eq!(found.last().expect("cycles").tick.cycle, 59, "the chunks behind it are kept");
+}
+
+/// Reads a file in every way; returns the most memory that it took, bytes.
+fn read(file: &[u8]) -> u64 {
+    let measured = allocation_counter::measure(|| {
+        let _ = Info::read(file);
+        if let Ok(mut recording) = Recording::new(file) {
+            while let Ok(Some(_)) = recording.next_cycle() {}
+        }
+        let _ = recover(file, &mut std::io::sink());
+    });
+    measured.bytes_max
+}
+
+/// Returns a file with one chunk.
+fn with_chunk(uncompressed: u64, compression: &str, stored: &[u8]) -> Vec<u8> {
+    let mut chunk = vec![0; 16];
+    chunk.extend(uncompressed.to_le_bytes());
+    chunk.extend([0; 4]);
+    chunk.extend((compression.len() as u32).to_le_bytes());
+    chunk.extend(compression.as_bytes());
+    chunk.extend((stored.len() as u64).to_le_bytes());
+    chunk.extend(stored);
+    let file = recorded(1);
+    let first = Recording::new(&file[..]).expect("a header").position() as usize;
+    let mut file = file[..first].to_vec();
+    file.push(6);
+    file.extend((chunk.len() as u64).to_le_bytes());
+    file.extend(chunk);
+    file
+}
+
+#[test]
+fn decompression_bombs_and_impossible_lengths_end_in_an_error_with_bounded_memory() {
+    use lz4_flex::frame::FrameEncoder;
+    let mut bomb = FrameEncoder::new(Vec::new());
+    std::io::copy(&mut std::io::Read::take(std::io::repeat(0), 1 << 30), &mut bomb).expect("memory");
+    let bomb = bomb.finish().expect("memory");
+    let files = [
+        (with_chunk(1 << 20, "lz4", &bomb), "another length"),
+        (with_chunk(u64::MAX, "lz4", &bomb), "a chunk of"),
+        (with_chunk(1 << 40, "", &[0; 100]), "a chunk of"),
+        (with_chunk(100, "", &[255; 100]), "too long"),
+        (with_chunk(100, "zstd", &[0; 100]), "zstd"),
+        (with_chunk(100, "lz4", &[7; 100]), "decompressed"),
+    ];
+    for (file, words) in files {
+        let error = cycles(&file[..]).1.expect("an error");
+        assert!(error.contains(words), "{error} lacks {words}");
+        let memory = read(&file);
+        assert!(memory < 3 * file.len() as u64 + 2 * MEMORY, "{memory} bytes of memory for {words}");
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(200))]
+
+    #[test]
+    fn garbage_never_panics_and_takes_little_memory(garbage in proptest::collection::vec(any::<u8>(), 0..4000)) {
+        let file = [&b"\x89MCAP0\r\n"[..], &garbage].concat();
+        prop_assert!(read(&file) < MEMORY);
+        prop_assert!(read(&garbage) < MEMORY);
+        prop_assert!(Recording::new(&garbage[..]).is_err());
+    }
+
+    #[test]
+    fn a_damaged_byte_never_panics_and_takes_little_memory(at in any::<prop::sample::Index>(), value in any::<u8>()) {
+        static FILE: std::sync::LazyLock<Vec<u8>> = std::sync::LazyLock::new(|| recorded(24));
+        let mut file = FILE.clone();
+        let at = at.index(file.len());
+        file[at] = value;
+        prop_assert!(read(&file) < MEMORY);
+    }
+}

@@ -1,0 +1,86 @@
+//! Full and slow disks.
+
+use std::time::Duration;
+
+use bica_recording::{Backpressure, ImagePolicy, Recorder, RecorderOptions, Recording};
+
+use crate::support::{Disk, cycles, header, record, recorded, small_chunks};
+
+#[test]
+fn a_full_disk_ends_the_recording_and_leaves_a_readable_file() {
+    let whole = recorded(60).len();
+    let mut lengths = Vec::new();
+    for capacity in (0..whole).step_by(97) {
+        let disk = Disk { capacity: Some(capacity), ..Disk::default() };
+        let Some(report) = record(&disk, ImagePolicy::All, 60, small_chunks()) else {
+            assert!(Recorder::start(disk, &header(ImagePolicy::All), small_chunks(), |_| {}).is_err());
+            continue;
+        };
+        let file = disk.contents();
+        assert!(report.reason.expect("the disk is full").contains("write"), "{capacity}");
+        assert_eq!((report.bytes, file.len() <= capacity), (file.len() as u64, true), "{capacity}");
+        let (found, error) = cycles(&file[..]);
+        assert_eq!(found.len() as u64, report.cycles, "{capacity}");
+        assert!(error.is_none_or(|error| error.contains("cut off")), "{capacity}");
+        lengths.push(found.len());
+    }
+    assert!(lengths.is_sorted() && lengths.len() > 50, "{lengths:?}");
+    assert!(lengths[0] == 0 && lengths[lengths.len() - 1] > 50, "{lengths:?}");
+}
+
+#[test]
+fn a_full_disk_is_reported_at_once_and_named_in_the_file_if_there_is_room() {
+    let (sender, receiver) = std::sync::mpsc::channel();
+    let disk = Disk { capacity: Some(recorded(1).len() + 300), ..Disk::default() };
+    let on_end = move |reason: &str| sender.send(reason.to_owned()).expect("somebody listens");
+    let recorder = Recorder::start(disk.clone(), &header(ImagePolicy::All), small_chunks(), on_end).expect("room");
+    drop(recorder);
+    assert!(receiver.try_recv().is_err(), "an empty recording fits");
+    let mut recording = Recording::new(&disk.contents()[..]).map(|mut recording| {
+        let end = recording.next_cycle();
+        (matches!(end, Ok(None)), recording.ending().cloned())
+    });
+    let (is_closed, ending) = recording.as_mut().expect("a recording");
+    assert!(*is_closed && ending.as_ref().is_some_and(|ending| ending.reason.is_empty()));
+}
+
+#[test]
+fn a_slow_disk_loses_images_and_no_values() {
+    let disk = Disk { delay: Duration::from_millis(20), ..Disk::default() };
+    let options = RecorderOptions { images: 2, ..small_chunks() };
+    let report = record(&disk, ImagePolicy::All, 300, options).expect("there is room");
+    assert_eq!((report.cycles, &report.reason), (300, &None));
+    let (found, error) = cycles(&disk.contents()[..]);
+    assert_eq!((found.len(), error), (300, None));
+    assert!(found.iter().all(|cycle| cycle.sensors.is_some() && cycle.command.is_some()));
+    let missing = found.iter().filter(|cycle| cycle.sensors.unwrap().image.is_some() && cycle.image.is_none());
+    assert_eq!(missing.count() as u64, report.dropped_images);
+    assert!((1..100).contains(&report.dropped_images), "{}", report.dropped_images);
+    assert!(found.iter().all(|cycle| (cycle.tick.image != 0) == cycle.sensors.unwrap().image.is_some()));
+}
+
+#[test]
+fn a_queue_without_room_for_values_ends_the_recording() {
+    let disk = Disk { delay: Duration::from_millis(100), ..Disk::default() };
+    let options = RecorderOptions { cycles: 20, ..small_chunks() };
+    let report = record(&disk, ImagePolicy::All, 2000, options).expect("there is room");
+    assert!(report.reason.expect("too slow").contains("too slow"));
+    let (found, error) = cycles(&disk.contents()[..]);
+    assert_eq!((found.len() as u64, error), (report.cycles, None));
+    assert!((1..2000).contains(&report.cycles), "{}", report.cycles);
+    assert!(
+        found.iter().zip(0..).all(|(cycle, number)| cycle.tick.cycle == number),
+        "no cycle is missing before the end"
+    );
+}
+
+#[test]
+fn a_simulation_waits_for_a_slow_disk_and_loses_nothing() {
+    let disk = Disk { delay: Duration::from_millis(2), ..Disk::default() };
+    let backpressure = Backpressure::Wait;
+    let options = RecorderOptions { cycles: 10, images: 2, backpressure, ..small_chunks() };
+    let report = record(&disk, ImagePolicy::All, 300, options).expect("there is room");
+    assert_eq!((report.cycles, report.dropped_images, report.reason), (300, 0, None));
+    let (found, _) = cycles(&disk.contents()[..]);
+    assert_eq!(found.iter().filter(|cycle| cycle.image.is_some()).count(), 100);
+}

@@ -1,0 +1,6 @@
+//! Recordings of a small robot: what is written is read again, and no file does harm.
+
+mod damage;
+mod disk;
+mod support;
+mod values;

@@ -1,0 +1,134 @@
+//! What is written is read again.
+
+use bica_recording::repair::trim;
+use bica_recording::{
+    Comparison, ImagePolicy, Info, RecorderOptions, Recording, RequestRecord, export::export, sensor_field,
+};
+use bica_wire::message::Sensors as SensorsMessage;
+
+use crate::support::{Disk, SIZE, cycles, header, pixels, record, recorded, sensors};
+
+#[test]
+fn every_value_is_restored_bit_for_bit() {
+    let (cycles, error) = cycles(&recorded(60)[..]);
+    assert_eq!((cycles.len(), error), (60, None));
+    for (number, cycle) in cycles.iter().enumerate() {
+        let number = number as u64;
+        assert_eq!((cycle.tick.cycle, cycle.tick.instant), (number, 10_000 * number));
+        let yuyv = pixels(number);
+        let expected = SensorsMessage::new(10_000 * number, &sensors(number, &yuyv), 0);
+        assert_eq!(sensor_field(&cycle.sensors.expect("stored"), &expected), None);
+        assert_eq!(cycle.image.is_some(), number.is_multiple_of(3));
+        if let Some(image) = &cycle.image {
+            assert_eq!((image.width, image.height, image.bottom_camera), (SIZE.0, SIZE.1, false));
+            assert!(image.yuyv == yuyv);
+            assert_eq!(image.digest(), cycle.tick.image);
+        }
+        let command = cycle.command.expect("stored");
+        assert!(command.stiffness.iter().all(|value| value.is_nan()) && command.bottom_camera);
+    }
+    assert_eq!(cycles[7].requests[0], RequestRecord::Hold { component: 1, hold: 1 });
+    assert!(matches!(cycles[7].requests[1], RequestRecord::Rate { component: 1, hz } if hz.is_nan()));
+    let event = cycles.iter().position(|cycle| !cycle.events.is_empty());
+    assert_eq!(event, Some(10), "an event belongs to the cycle after it");
+    let states: Vec<_> = cycles.iter().map(|cycle| cycle.tree.state(0)).collect();
+    assert!(states.contains(&Some(0)) && states.contains(&Some(1)));
+    assert!(cycles.iter().all(|cycle| cycle.tree.is_active(0)));
+    assert!(!cycles[0].tree.is_active(1) && cycles[8].tree.is_active(1));
+}
+
+#[test]
+fn without_images_digests_and_decisions_are_the_same() {
+    let disk = Disk::default();
+    record(&disk, ImagePolicy::None, 60, RecorderOptions::default()).expect("there is room");
+    let small = disk.contents();
+    let (all, empty) = (recorded(60), recorded(0).len());
+    assert!(small.len() - empty < (all.len() - empty) / 4, "{} of {} beside {empty}", small.len(), all.len());
+    let (one, two) = (cycles(&all[..]).0, cycles(&small[..]).0);
+    let mut comparison = Comparison::new(header(ImagePolicy::None).tree);
+    for (one, two) in one.iter().zip(&two) {
+        assert_eq!(one.tick, two.tick);
+        comparison.add(one, two);
+    }
+    assert_eq!((comparison.cycles, comparison.first), (60, None));
+}
+
+#[test]
+fn every_changed_value_is_a_difference_of_its_field() {
+    let cycles = cycles(&recorded(12)[..]).0;
+    let differs = |change: &dyn Fn(&mut bica_recording::RecordedCycle)| {
+        let mut comparison = Comparison::new(header(ImagePolicy::All).tree);
+        for (number, cycle) in cycles.iter().enumerate() {
+            let mut other = cycle.clone();
+            if number == 9 {
+                change(&mut other);
+            }
+            comparison.add(&other, cycle);
+        }
+        let first = comparison.first.expect("a difference");
+        assert_eq!(first.cycle, 9);
+        (first.component, first.field)
+    };
+    let field = |change: &dyn Fn(&mut bica_recording::RecordedCycle)| differs(change).1;
+    assert_eq!(field(&|cycle| cycle.tick.instant ^= 1), "tick.instant");
+    assert_eq!(field(&|cycle| cycle.tick.cycle ^= 1), "tick.cycle");
+    assert_eq!(field(&|cycle| cycle.tick.fingerprint ^= 1), "fingerprint");
+    assert_eq!(field(&|cycle| cycle.tick.image ^= 1), "image");
+    assert_eq!(field(&|cycle| cycle.requests.push(RequestRecord::Rate { component: 0, hz: 1.0 })), "requests");
+    assert_eq!(field(&|cycle| cycle.command.as_mut().unwrap().targets[1] = 0.5), "command.targets[HeadPitch]");
+    assert_eq!(field(&|cycle| cycle.command.as_mut().unwrap().lights[4] = 1.0), "command.lights.left_eye.green");
+    assert_eq!(field(&|cycle| cycle.command.as_mut().unwrap().bottom_camera ^= true), "command.bottom_camera");
+    assert_eq!(field(&|cycle| cycle.sensors.as_mut().unwrap().currents[0] = 0.0), "sensors.currents[HeadYaw]");
+    assert_eq!(field(&|cycle| cycle.sensors.as_mut().unwrap().time_us ^= 1), "sensors.time_us");
+    assert_eq!(field(&|cycle| cycle.sensors.as_mut().unwrap().image.as_mut().unwrap().width ^= 2), "sensors.image");
+    let active = differs(&|cycle| cycle.tree.active[0] ^= 1);
+    assert_eq!(active, (Some("Blinker".to_owned()), "active".to_owned()));
+    let state = differs(&|cycle| cycle.tree.states[0] ^= 1);
+    assert_eq!(state, (Some("Blinker".to_owned()), "state".to_owned()));
+}
+
+#[test]
+fn a_trimmed_file_has_the_cycles_of_its_span_and_their_tree() {
+    let source = recorded(60);
+    let mut target = Vec::new();
+    let copied = trim(&source[..], &mut target, 200_000_000, 299_999_999).expect("a recording");
+    assert_eq!((copied.cycles, copied.damage.len()), (10, 0));
+    let (all, (part, error)) = (cycles(&source[..]).0, cycles(&target[..]));
+    assert_eq!(error, None);
+    assert_eq!(part.len(), 10);
+    for (one, two) in part.iter().zip(&all[20..]) {
+        assert_eq!((one.tick, &one.tree, &one.image), (two.tick, &two.tree, &two.image));
+    }
+}
+
+#[test]
+fn the_contents_are_counted() {
+    let info = Info::read(&recorded(60)[..]).expect("a recording");
+    assert_eq!((info.cycles, info.damage, info.events.len(), info.requests.len()), (60, None, 1, 2));
+    assert!((info.seconds - 0.59).abs() < 1e-9 && info.chunks > 4);
+    assert_eq!(info.requests[0].request, "hold Counter active");
+    let ending = info.ending.expect("closed");
+    assert_eq!((ending.cycles, ending.result.as_str(), ending.reason.as_str()), (60, "lit", ""));
+    let count =
+        |topic: &str| info.channels.iter().find(|channel| channel.topic == topic).map(|channel| channel.messages);
+    assert_eq!((count("images"), count("tick"), count("events")), (Some(20), Some(60), Some(1)));
+}
+
+#[test]
+fn an_export_is_no_recording_but_complete() {
+    let mut target = Vec::new();
+    let exported = export(&recorded(60)[..], &mut target).expect("a recording");
+    assert_eq!((exported.cycles, exported.bytes), (60, target.len() as u64));
+    let error = Recording::new(&target[..]).expect_err("no header").to_string();
+    assert!(error.contains("no metadata `bica`"), "{error}");
+    let mut reader = bica_recording::mcap::Reader::new(&target[..]).expect("MCAP");
+    let mut images = 0;
+    loop {
+        match reader.next_item().expect("intact") {
+            bica_recording::mcap::Item::Message(message) => images += u32::from(message.channel == 1),
+            bica_recording::mcap::Item::End => break,
+            _ => {}
+        }
+    }
+    assert_eq!(images, 20);
+}
