@@ -49,7 +49,7 @@
 //! - [`component`](macro@component): links, rates, budgets, state machines.
 //! - [`activation_tree!`]: a robot's components, and what the compiler checks of them.
 //! - [`Tree`]: ticking, reading and writing components, their rates, holding them active or latent.
-//! - [`Probe`]: watching a tree at work; [`Stopwatch`]: how long each component takes.
+//! - [`Probe`]: observing a tree; [`Stopwatch`]: how long each component takes.
 //! - [`Graph`]: a tree's static description, for drawings and tools.
 //! - [The crate underneath](bica_core): the rules by which components run.
 //! - The examples of this package: `first_component`, `shared_child`, `state_machine`, `probe`, `static_tree`.

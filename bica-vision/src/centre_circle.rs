@@ -84,10 +84,10 @@ fn centres(lines: &[Line]) -> Vec<Vec2, HYPOTHESES> {
 fn best(pieces: &[Line], matches: impl Fn(&Vec2) -> bool) -> Option<Vec2> {
     let pairs =
         pieces.iter().enumerate().flat_map(|(i, a)| pieces[i + 1..].iter().map(move |b| (middle(a), middle(b))));
-    let guesses =
+    let hypotheses =
         pairs.flat_map(|(a, b)| middles(a, b, FIELD.centre_circle_radius()).into_iter().flatten()).filter(matches);
     let length = |centre: Vec2| pieces.iter().filter(|piece| fits(piece, centre)).map(Line::length).sum::<f32>();
-    let (most, best) = guesses.map(|at| (length(at), at)).max_by(|a, b| a.0.total_cmp(&b.0))?;
+    let (most, best) = hypotheses.map(|at| (length(at), at)).max_by(|a, b| a.0.total_cmp(&b.0))?;
     (most >= LEAST).then_some(best)
 }
 
@@ -171,14 +171,14 @@ mod tests {
         let mut lines = arc(centre, FIELD.centre_circle_radius(), 3, 11);
         lines.push(Line { from: centre - Vec2::new(0.9, 0.9), to: centre + Vec2::new(0.2, 0.2) });
         lines.push(Line { from: Vec2::new(0.5, 2.0), to: Vec2::new(3.0, 2.2) });
-        let guesses = centres(&lines);
-        assert!(guesses.first().is_some_and(|guess| guess.distance(centre) < 0.03), "{guesses:?}");
-        assert!(halfway(&lines, guesses[0]).is_some_and(|way| way.perp_dot(Vec2::ONE).abs() < 0.01));
+        let hypotheses = centres(&lines);
+        assert!(hypotheses.first().is_some_and(|hypothesis| hypothesis.distance(centre) < 0.03), "{hypotheses:?}");
+        assert!(halfway(&lines, hypotheses[0]).is_some_and(|way| way.perp_dot(Vec2::ONE).abs() < 0.01));
     }
 
     #[test]
     fn degenerate_segments_give_no_centre() {
-        let nothing = [Line { from: Vec2::X, to: Vec2::X }, Line { from: Vec2::NAN, to: Vec2::X }];
-        assert!(centres(&nothing).is_empty());
+        let degenerate = [Line { from: Vec2::X, to: Vec2::X }, Line { from: Vec2::NAN, to: Vec2::X }];
+        assert!(centres(&degenerate).is_empty());
     }
 }

@@ -3,7 +3,7 @@
 mod game;
 mod latent;
 mod lazy;
+mod motor_load;
 mod no_heap;
 mod out;
 mod replay;
-mod strained;

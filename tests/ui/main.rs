@@ -1,7 +1,6 @@
-//! The compiler's messages: one file in `fail` for each mistake, named after it, with the message that a user reads.
+//! Messages of the compiler: one file in `fail` for each mistake, named after it, with the expected message.
 //!
-//! `TRYBUILD=overwrite cargo test -p bica-ui-tests --test ui` writes the messages anew; read them before they are
-//! committed.
+//! `TRYBUILD=overwrite cargo test -p bica-ui-tests --test ui` replaces the expected messages; review them before a commit.
 
 #[test]
 fn each_mistake_has_its_message() {

@@ -22,13 +22,13 @@ pub(crate) fn compare() -> Result<(), String> {
     let (python, frames) = (python(&text(folder.join("venv")))?, text(folder.join("frames")));
     // The first build takes minutes, so its progress is shown.
     run("cargo", &["bench", "-p", "bica-benches", "--bench", "vision", "--", "export", &frames], &[])?;
-    let ours = ["cargo", "bench", "--quiet", "-p", "bica-benches", "--bench", "vision", "--"];
+    let vision = ["cargo", "bench", "--quiet", "-p", "bica-benches", "--bench", "vision", "--"];
     let mut table = Table::new();
     for _ in 0..TURNS {
-        note(&mut table, 0, &on_one_core(&[&ours[..], &["everything"]].concat())?);
-        let theirs = [python.as_str(), "benches/vision/opencv.py", &frames];
-        note(&mut table, 2, &on_one_core(&theirs)?);
-        note(&mut table, 4, &output(theirs[0], &[&theirs[1..], &["--threads"]].concat(), &[])?);
+        note(&mut table, 0, &on_one_core(&[&vision[..], &["everything"]].concat())?);
+        let opencv = [python.as_str(), "benches/vision/opencv.py", &frames];
+        note(&mut table, 2, &on_one_core(&opencv)?);
+        note(&mut table, 4, &output(opencv[0], &[&opencv[1..], &["--threads"]].concat(), &[])?);
     }
     print(&table)
 }
@@ -78,15 +78,15 @@ fn print(table: &Table) -> Result<(), String> {
         "{:12}{:>12}{:>12}{:>20}{:>20}{:>20}{:>20}",
         "", heads[0], heads[1], heads[2], heads[3], heads[4], heads[5]
     );
-    for ((width, height), [ours, floor, plain, stats, plain_threads, stats_threads]) in table {
-        print!("{:12}{floor:12.1}{ours:12.1}", format!("{width}×{height}"));
-        for theirs in [stats, stats_threads, plain, plain_threads] {
-            print!("{:>20}", format!("{theirs:.0} = {:.1} ×", theirs / ours));
+    for ((width, height), [vision, floor, plain, stats, plain_threads, stats_threads]) in table {
+        print!("{:12}{floor:12.1}{vision:12.1}", format!("{width}×{height}"));
+        for opencv in [stats, stats_threads, plain, plain_threads] {
+            print!("{:>20}", format!("{opencv:.0} = {:.1} ×", opencv / vision));
         }
         println!();
     }
     // The vision computes area, bounding box and centroid of each region, so the statistics are needed for equal work.
-    let ratio = table.values().map(|[ours, _, _, stats, ..]| stats / ours).fold(f64::INFINITY, f64::min);
+    let ratio = table.values().map(|[vision, _, _, stats, ..]| stats / vision).fold(f64::INFINITY, f64::min);
     if ratio.is_finite() && ratio >= MIN_RATIO {
         println!(
             "OpenCV with statistics takes at ratio {ratio:.1} times as long as the vision; {MIN_RATIO} times is required"

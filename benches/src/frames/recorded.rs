@@ -13,6 +13,7 @@ use glam::{Affine3A, Mat3, Vec2, Vec3};
 use super::{FrameSet, Sample};
 
 /// Returns the folder of the images; `None`, after one message, if it is missing.
+#[must_use]
 pub fn folder() -> Option<&'static Path> {
     static FOLDER: LazyLock<Option<&'static Path>> = LazyLock::new(|| {
         let folder = bica_test_data::images();

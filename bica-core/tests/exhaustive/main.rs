@@ -11,9 +11,9 @@
 //! Cases that are left out are covered by explored ones:
 //!
 //! - *Machines without some transition.* Every state has a transition to every other one. A machine without one of them
-//! behaves like a machine whose transition is never taken.
+//!   behaves like a machine whose transition is never taken.
 //! - *Several transitions whose conditions hold.* The first in the text is taken, and the engine receives only that
-//! one.
+//!   one.
 //! - *Components without states.* They behave like machines with one state.
 //! - *The order of the states after the initial one*, which can be exchanged.
 //! - *Next states of machines that do not run.* They are not read.

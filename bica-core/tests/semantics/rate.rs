@@ -3,17 +3,17 @@
 use super::*;
 
 pub(crate) struct Slow {
-    asks: f32,
+    child_hz: f32,
 }
 
 #[component(hz = 10, crate = bica_core)]
 impl Slow {
     const fn new() -> Self {
-        Self { asks: 20.0 }
+        Self { child_hz: 20.0 }
     }
 
     fn step(&mut self, rate: &mut Rate<Fast>) {
-        rate.set(self.asks);
+        rate.set(self.child_hz);
     }
 }
 
@@ -47,10 +47,10 @@ fn run_times(tree: &mut Rates, name: &str, ms: impl IntoIterator<Item = u64>) ->
 #[test]
 fn a_component_runs_at_its_own_rate_and_a_child_may_be_faster() {
     let mut tree = Rates::new();
-    tree.get_mut::<Slow>().asks = 50.0;
+    tree.get_mut::<Slow>().child_hz = 50.0;
     assert_eq!(run_times(&mut tree, "Slow", (0..400).step_by(10)), [0, 100, 200, 300]);
     let mut tree = Rates::new();
-    tree.get_mut::<Slow>().asks = 50.0;
+    tree.get_mut::<Slow>().child_hz = 50.0;
     assert_eq!(run_times(&mut tree, "Fast", (0..100).step_by(10)), [0, 20, 40, 60, 80]);
     let mut tree = Rates::new();
     assert_eq!(run_times(&mut tree, "Always", (0..50).step_by(10)), [0, 10, 20, 30, 40]);
@@ -84,7 +84,7 @@ fn a_parent_modulates_the_rate() {
     let mut tree = Rates::new();
     assert_eq!(run_times(&mut tree, "Fast", (0..200).step_by(10)), [0, 50, 100, 150]);
     assert_eq!(tree.rate::<Fast>().hz(), Some(20.0));
-    tree.get_mut::<Slow>().asks = 1000.0;
+    tree.get_mut::<Slow>().child_hz = 1000.0;
     tree.tick(at(200));
     assert_eq!(tree.rate::<Fast>().hz(), Some(50.0), "limited to the declared rate");
 }

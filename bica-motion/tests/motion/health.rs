@@ -106,7 +106,7 @@ fn a_sensor_fault_is_permanent() {
 }
 
 /// First fault in `cycles` with the left knee's motor at a temperature (°C) and a current (A).
-fn strained(cycles: u32, temperature: f32, current: f32) -> Option<(Fault, u32)> {
+fn overloaded(cycles: u32, temperature: f32, current: f32) -> Option<(Fault, u32)> {
     found(cycles, &Nao::STAND, |sensors| {
         sensors.temperatures[Joint::LKneePitch] = temperature;
         sensors.currents[Joint::LKneePitch] = current;
@@ -115,10 +115,10 @@ fn strained(cycles: u32, temperature: f32, current: f32) -> Option<(Fault, u32)>
 
 #[test]
 fn a_motor_at_75_degrees_is_a_fault_after_one_second() {
-    let (fault, cycle) = strained(2000, 75.0, 0.5).expect("a fault is reported");
+    let (fault, cycle) = overloaded(2000, 75.0, 0.5).expect("a fault is reported");
     assert_eq!(fault, Fault::Hot(Joint::LKneePitch));
     assert!((90..110).contains(&cycle), "{cycle}");
-    assert_eq!(strained(2000, 74.0, 0.5), None);
+    assert_eq!(overloaded(2000, 74.0, 0.5), None);
     assert_eq!(fault.to_string(), "LKneePitch is too hot");
 }
 
@@ -162,11 +162,11 @@ fn interrupted_high_temperatures_are_no_fault() {
 
 #[test]
 fn an_overload_of_seconds_is_a_fault_and_a_short_one_is_not() {
-    let (fault, cycle) = strained(2000, 40.0, 2.0).expect("a fault is reported");
+    let (fault, cycle) = overloaded(2000, 40.0, 2.0).expect("a fault is reported");
     assert_eq!(fault, Fault::Overloaded(Joint::LKneePitch));
     assert!((500..900).contains(&cycle), "{cycle}");
-    assert_eq!(strained(300, 40.0, 2.0), None);
-    assert_eq!(strained(20_000, 40.0, 1.2), None, "the current of a walk");
+    assert_eq!(overloaded(300, 40.0, 2.0), None);
+    assert_eq!(overloaded(20_000, 40.0, 1.2), None, "the current of a walk");
     let getting_up = found(2000, &Nao::STAND, |sensors| {
         (sensors.inertial.pitch, sensors.currents[Joint::LKneePitch]) = (1.2, 2.0);
     });

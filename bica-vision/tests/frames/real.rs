@@ -156,24 +156,27 @@ images_test! {
 
     fn colour_table_of_another_team_agrees_on_the_ball() {
         let bytes = fs::read(images().join("luts/bhuman2009_y64_cb64_cr64.bin")).expect("the table");
-        let (theirs, ours) = (FullTable::new(&bytes).expect("its size"), CompactTable::compile(&NAO_2009));
-        let (mut both, mut only_theirs, mut found) = (0_u32, 0_u32, 0);
+        let (other, own) = (FullTable::new(&bytes).expect("its size"), CompactTable::compile(&NAO_2009));
+        let (mut both, mut only_other, mut found) = (0_u32, 0_u32, 0);
         let labelled = recorded::labelled("nao2009");
         let full: Vec<_> = labelled.iter().filter(|image| image.balls.iter().any(|ball| ball.flag == "full")).collect();
         for image in &full {
             let frame = image.frame();
             for pixel in (0..frame.height()).flat_map(|row| frame.row(row)).map(|pair| Pair(*pair).mean()) {
-                if theirs.classify(pixel) == Colour::Orange {
-                    let agreed = u32::from(ours.classify(pixel) == Colour::Orange);
-                    (both, only_theirs) = (both + agreed, only_theirs + 1 - agreed);
+                if other.classify(pixel) == Colour::Orange {
+                    let agreed = u32::from(own.classify(pixel) == Colour::Orange);
+                    (both, only_other) = (both + agreed, only_other + 1 - agreed);
                 }
             }
-            let end = FieldBoundary::find(&frame, &theirs);
-            let ball = BallFinder::<1024>::new(RADIUS_2009).find(&frame, &theirs, &end, None);
+            let end = FieldBoundary::find(&frame, &other);
+            let ball = BallFinder::<1024>::new(RADIUS_2009).find(&frame, &other, &end, None);
             found += usize::from(ball.is_some_and(|ball| image.balls.iter().any(|label| is_hit(&ball, label))));
         }
-        println!("orange in both tables: {both}, only in the other table: {only_theirs}; balls by the other table {found}/{}", full.len());
-        assert!(both >= 10 * only_theirs && found * 100 >= full.len() * 98);
+        println!(
+            "orange in both tables: {both}, only in the other table: {only_other}; balls by the other table {found}/{}",
+            full.len()
+        );
+        assert!(both >= 10 * only_other && found * 100 >= full.len() * 98);
     }
 
     fn raw_yuyv_frames_of_the_camera_are_read_directly() {

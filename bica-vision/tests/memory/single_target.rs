@@ -103,12 +103,12 @@ fn covariance_matches_the_error_of_the_position() {
             // With the odometry noise that the memory assumes.
             let way = 0.08 * truth.position.length().sqrt();
             let turn = 0.05 * truth.heading.abs().sqrt() * noise.normal();
-            let felt = Pose2::new(
+            let measured = Pose2::new(
                 truth.position.x + way * noise.normal(),
                 truth.position.y + way * noise.normal(),
                 truth.heading + turn,
             );
-            memory.advance(felt, 0.033);
+            memory.advance(measured, 0.033);
             let at = robot.locate(landmark);
             if step % 100 < 10 && (0.3..3.0).contains(&at.length()) && at.x > 0.0 {
                 let spread = spread(at);

@@ -1,4 +1,4 @@
-//! The start of a game, and who the robot is.
+//! Start of a game, and identity of the robot.
 
 use bica_field::GoalColour;
 use postcard_schema::Schema;

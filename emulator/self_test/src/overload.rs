@@ -128,7 +128,7 @@ fn ball_detector() -> ComponentId {
     Forward::id::<BallDetector>()
 }
 
-/// Returns what a standing robot senses in the first second of a game.
+/// Returns the sensor values of a standing robot in the first second of a game.
 fn samples() -> Result<Vec<Sample>, Box<dyn Error>> {
     let mut world = KinematicWorld::new(&Setup { frame: Frame::Small, ..Setup::default() })?;
     let (targets, stiffness) = (Nao::STAND, Stiffness::Stand.joints::<Nao>());

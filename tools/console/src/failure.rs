@@ -5,10 +5,10 @@ use std::io::{self, Write};
 use std::path::Path;
 use std::process::ExitCode;
 
-/// Reason why a command cannot go on.
+/// Reason for which a command cannot continue.
 #[derive(Debug)]
 pub enum Failure {
-    /// Wrong arguments, files or surroundings: exit code 2.
+    /// Wrong arguments, files or environment: exit code 2.
     Error {
         /// What was found.
         what: String,

@@ -91,7 +91,7 @@ impl Canvas {
         }
     }
 
-    /// Blends ink into one pixel, of which the share `cover` (0 to 1) lies inside the shape.
+    /// Blends ink into one pixel; `cover`: share of the pixel inside the shape, 0 to 1.
     pub fn blend(&mut self, x: i32, y: i32, ink: Ink, cover: f32) {
         let inside = (0..self.width as i32).contains(&x) && (0..self.height as i32).contains(&y);
         let part = ink.alpha * cover;

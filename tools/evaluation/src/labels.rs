@@ -118,13 +118,13 @@ fn numbers<const N: usize>(parts: &[&str]) -> Option<[f32; N]> {
 
 fn ball(text: &str) -> Result<Ball, String> {
     let parts: Vec<&str> = text.split(':').collect();
-    let [x, y, radius] = numbers(&parts).filter(|_| parts.len() == 5).ok_or(format!("`{text}` is no ball"))?;
+    let [x, y, radius] = numbers(&parts).filter(|_| parts.len() == 5).ok_or(format!("`{text}` is not a ball"))?;
     Ok(Ball { centre: Vec2::new(x, y), radius, orange: parts[3] == "orange", full: parts[4] == "full" })
 }
 
 fn goal(text: &str) -> Result<Goal, String> {
     let parts: Vec<&str> = text.split(':').collect();
-    let [x0, y0, x1, y1] = numbers(&parts).filter(|_| parts.len() == 6).ok_or(format!("`{text}` is no goal"))?;
+    let [x0, y0, x1, y1] = numbers(&parts).filter(|_| parts.len() == 6).ok_or(format!("`{text}` is not a goal"))?;
     let (min, max) = (Vec2::new(x0, y0), Vec2::new(x1, y1));
     Ok(Goal { min, max, colour: parts[4].to_owned(), complete: parts[5] == "complete" })
 }
@@ -160,8 +160,8 @@ mod tests {
     #[test]
     fn malformed_labels_are_refused_with_their_line() {
         let wrong = |rows: &str| parse(&format!("{HEADER}{rows}")).expect_err(rows);
-        assert_eq!(wrong("1.png,1,2,x,full,,"), "line 2: `1:2:x:orange:full` is no ball");
-        assert_eq!(wrong("\n1.png,none,,,,1:2:3:blue,"), "line 3: `1:2:3:blue` is no goal");
+        assert_eq!(wrong("1.png,1,2,x,full,,"), "line 2: `1:2:x:orange:full` is not a ball");
+        assert_eq!(wrong("\n1.png,none,,,,1:2:3:blue,"), "line 3: `1:2:3:blue` is not a goal");
         assert_eq!(parse("file,ball_x\n").expect_err("columns"), "there is no column `ball_y`");
     }
 }

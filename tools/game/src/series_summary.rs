@@ -13,7 +13,7 @@ use crate::summary_text::latency;
 pub(crate) struct SeriesSummary {
     schema: &'static str,
     first_seed: u64,
-    asked: u64,
+    requested: u64,
     summary: Totals,
     games: Vec<GameSummary>,
     wall: Wall,
@@ -57,7 +57,7 @@ impl SeriesSummary {
         Self {
             schema: "bica-player/games/1",
             first_seed: batch.first_seed,
-            asked: batch.runs.into(),
+            requested: batch.runs.into(),
             summary: Totals::new(&games),
             games,
             wall: Wall { threads: batch.threads, real_s, latency_ms: all.summarize() },
@@ -95,8 +95,8 @@ pub(crate) fn print(console: Console, series: &SeriesSummary) -> Result<(), Fail
     let SeriesSummary { summary: totals, wall, .. } = series;
     let percent = 100.0 * totals.goals as f64 / totals.played.max(1) as f64;
     let style = if totals.goals == totals.played { Style::Good } else { Style::Plain };
-    let seeds = format!("seeds {} to {}", series.first_seed, series.first_seed.wrapping_add(series.asked - 1));
-    let missing = match series.asked - totals.played as u64 {
+    let seeds = format!("seeds {} to {}", series.first_seed, series.first_seed.wrapping_add(series.requested - 1));
+    let missing = match series.requested - totals.played as u64 {
         0 => String::new(),
         missing => format!(", {missing} not played to the end"),
     };

@@ -13,7 +13,7 @@ pub(super) const PASS: &str = "pass";
 
 /// Claim: `large` costs `times` as much as `small`, within `tolerance`.
 struct Claim {
-    claim: &'static str,
+    text: &'static str,
     small: &'static str,
     large: &'static str,
     times: f64,
@@ -22,21 +22,21 @@ struct Claim {
 
 const CLAIMS: [Claim; 3] = [
     Claim {
-        claim: "a hundred components in ten chains cost ten times ten",
+        text: "a hundred components in ten chains cost ten times ten",
         small: "ten.cycles",
         large: "a_hundred.cycles",
         times: 10.0,
         tolerance: LINEAR,
     },
     Claim {
-        claim: "a chain of a hundred components costs ten times a chain of ten",
+        text: "a chain of a hundred components costs ten times a chain of ten",
         small: "chain_of_ten.cycles",
         large: "chain_of_a_hundred.cycles",
         times: 10.0,
         tolerance: LINEAR,
     },
     Claim {
-        claim: "ten active components among ninety latent ones cost what they do alone",
+        text: "ten active components among ninety latent ones cost what they do alone",
         small: "ten_of_ten.cycles",
         large: "ten_of_a_hundred.cycles",
         times: 1.0,
@@ -55,15 +55,15 @@ pub(crate) fn judge(counted: &BTreeMap<String, u64>) -> Result<String, String> {
 }
 
 fn line(claim: &Claim, counted: &BTreeMap<String, u64>) -> (bool, String) {
-    let Claim { claim, small, large, times, tolerance } = claim;
+    let Claim { text, small, large, times, tolerance } = claim;
     let limit = 100.0 * tolerance;
     let (Some(&less), Some(&more)) = (counted.get(*small), counted.get(*large)) else {
-        return (false, format!("FAIL  {claim}: `{small}` or `{large}` was not counted"));
+        return (false, format!("FAIL  {text}: `{small}` or `{large}` was not counted"));
     };
     let off = more as f64 / (times * less as f64) - 1.0;
     let holds = off.abs() <= *tolerance;
     let word = if holds { PASS } else { "FAIL" };
-    (holds, format!("{word}  {claim}, ±{limit:.0} % of instructions: {:+.1} %", 100.0 * off))
+    (holds, format!("{word}  {text}, ±{limit:.0} % of instructions: {:+.1} %", 100.0 * off))
 }
 
 #[cfg(test)]

@@ -11,7 +11,7 @@ pub enum Kind {
     Controller,
     /// Modulates no other component.
     Perception,
-    /// Is modulated and activates nothing.
+    /// Modulated; without links to other components.
     Actuation,
 }
 

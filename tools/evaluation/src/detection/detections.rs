@@ -38,7 +38,7 @@ pub struct Detectors {
 pub struct Detections {
     /// Name of the image.
     pub file: String,
-    /// What is known of the camera pose.
+    /// Availability of the camera pose.
     pub pose: PoseTrust,
     /// The ball.
     pub ball: Option<Ball>,

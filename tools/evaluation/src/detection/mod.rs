@@ -18,7 +18,7 @@ pub use detections::{Ball, Crossing, Detections, Detectors, Goal, PoseTrust, Rob
 pub use json_line::JsonLine;
 pub use report::{Report, table_row};
 
-/// Images, and what the detectors use.
+/// Images and parameters of the detectors.
 #[derive(Clone, Debug)]
 pub struct DetectionOptions {
     /// Folder with the images.

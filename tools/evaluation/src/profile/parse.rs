@@ -104,7 +104,7 @@ impl Reader<'_> {
             number.and_then(|number| T::try_from(number).ok()).filter(|number| *number <= most && number.is_positive());
         fits.ok_or_else(|| {
             let found = &self.text[value.span()];
-            let help = format!("a whole number from 0 to {most} is needed");
+            let help = format!("write a whole number from 0 to {most}");
             self.wrong(&value.span(), Some(key), &format!("`{found}` is out of range"), &help)
         })
     }

@@ -129,7 +129,7 @@ impl FallSubject {
         Some(goal.at.saturating_sub(fell.at).as_secs_f32())
     }
 
-    /// Returns whether the robot has gone on with the game.
+    /// Returns whether the robot has continued the game.
     pub(super) fn is_playing(&self) -> bool {
         !self.runner.robot().is_active(Forward::id::<SafetyGuard>())
     }

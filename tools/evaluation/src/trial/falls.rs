@@ -1,4 +1,4 @@
-//! Falls: detected before the impact, with relaxed joints, and recovered from; and no detection without a fall.
+//! Falls: detected before the impact, with relaxed joints, and followed by a recovery; no detection without a fall.
 
 use bica_console::Failure;
 use bica_motion::fall::{FallDetector, FallState};
@@ -16,7 +16,7 @@ use super::series::Series;
 use super::table::{Row, median};
 use super::walker::{Walker, cycles};
 
-/// Earliest and latest time of the push, s: the robot stands, turns or walks then.
+/// Earliest and latest time of the push, s; at that time the robot stands, turns or walks.
 const EARLIEST_PUSH: f32 = 1.0;
 const LATEST_PUSH: f32 = 6.0;
 /// Number of random walks without a push, and the duration of each, s.
@@ -31,23 +31,25 @@ pub(super) fn rows(series: &Series) -> Result<Vec<Row>, Failure> {
         let direction = Vec2::from_angle(eighth as f32 * core::f32::consts::FRAC_PI_4);
         push(series, name, direction)
     });
-    pushes.chain([calm(series)]).collect()
+    pushes.chain([without_falls(series)]).collect()
 }
 
 fn push(series: &Series, name: &str, direction: Vec2) -> Result<Row, Failure> {
     let falls = series.each(|seed| fall(series, seed, direction))?;
-    let ahead: Vec<f32> = falls.iter().filter_map(|fall| fall.ahead).collect();
-    let least = ahead.iter().copied().fold(f32::INFINITY, f32::min);
-    let (soft, up) = (count(&falls, |fall| fall.soft), count(&falls, |fall| fall.recovered));
+    let lead_time: Vec<f32> = falls.iter().filter_map(|fall| fall.lead_time).collect();
+    let min = lead_time.iter().copied().fold(f32::INFINITY, f32::min);
+    let (relaxed, up) = (count(&falls, |fall| fall.relaxed), count(&falls, |fall| fall.recovered));
     Ok(Row {
         name: format!("to {name}"),
         runs: falls.len(),
-        good: count(&falls, |fall| fall.ahead.is_some_and(|ahead| ahead > 0.0) && fall.soft && fall.recovered),
+        good: count(&falls, |fall| {
+            fall.lead_time.is_some_and(|lead_time| lead_time > 0.0) && fall.relaxed && fall.recovered
+        }),
         needed: series.needed(19),
         figures: format!(
-            "detected {:.0} ms (least {:.0}) before the impact, relaxed {soft}, plays on {up}",
-            1000.0 * median(ahead),
-            1000.0 * least
+            "detected {:.0} ms (minimum {:.0}) before the impact, relaxed {relaxed}, recovered {up}",
+            1000.0 * median(lead_time),
+            1000.0 * min
         ),
         figures_hold: true,
     })
@@ -59,10 +61,10 @@ fn count(falls: &[Fall], which: impl Fn(&Fall) -> bool) -> usize {
 
 struct Fall {
     /// Time from the detection to the impact, s.
-    ahead: Option<f32>,
+    lead_time: Option<f32>,
     /// Whether the legs were relaxed at the impact.
-    soft: bool,
-    /// Whether the robot stood up in time and went on.
+    relaxed: bool,
+    /// Whether the robot stood up in time and continued the game.
     recovered: bool,
 }
 
@@ -72,16 +74,16 @@ fn fall(series: &Series, seed: u64, direction: Vec2) -> Result<Fall, Failure> {
     subject.push(rng.between(LEAST_PUSH, GREATEST_PUSH) * direction);
     subject.run(TIME_LIMIT + 2.0)?;
     Ok(Fall {
-        ahead: subject.fall_detected.zip(subject.impact).map(|(detected, impact)| impact.at - detected),
-        soft: subject.impact.is_some_and(|impact| impact.relaxed),
+        lead_time: subject.fall_detected.zip(subject.impact).map(|(detected, impact)| impact.at - detected),
+        relaxed: subject.impact.is_some_and(|impact| impact.relaxed),
         recovered: subject.time_down().is_some_and(|time| time <= TIME_LIMIT) && subject.is_playing(),
     })
 }
 
-/// No fall may be detected while the robot walks, turns, stops and kicks without falling.
-fn calm(series: &Series) -> Result<Row, Failure> {
+/// Walks, turns, stops and kicks without falling; no fall may be detected.
+fn without_falls(series: &Series) -> Result<Row, Failure> {
     let runs = series.each(|seed| Ok(!walk(series, seed)? && !kick(series, seed)?))?;
-    let good = runs.iter().filter(|calm| **calm).count();
+    let good = runs.iter().filter(|without_falls| **without_falls).count();
     let figures = format!("{:.0} s of walking and six kicks each, no fall detected", WALKS as f32 * WALK);
     Ok(Row {
         name: "no fall, none detected".into(),
@@ -93,8 +95,8 @@ fn calm(series: &Series) -> Result<Row, Failure> {
     })
 }
 
-/// Returns whether a fall is detected where there is none.
-fn mistaken(balance: &mut FallDetector, walker: &mut Walker) -> bool {
+/// Returns whether a fall is detected although the robot has not fallen.
+fn is_false_detection(balance: &mut FallDetector, walker: &mut Walker) -> bool {
     let state = balance.step(&walker.world.sensors().inertial, CYCLE_SECONDS);
     state != FallState::Upright && !walker.fell()
 }
@@ -107,7 +109,7 @@ fn walk(series: &Series, seed: u64) -> Result<bool, Failure> {
             Velocity { forward: rng.between(-0.1, 0.25), left: rng.between(-0.1, 0.1), turn: rng.between(-0.8, 0.8) };
         for _ in 0..cycles(WALK) {
             walker.cycle(velocity);
-            if mistaken(&mut balance, &mut walker) {
+            if is_false_detection(&mut balance, &mut walker) {
                 return Ok(true);
             }
         }
@@ -123,7 +125,7 @@ fn kick(series: &Series, seed: u64) -> Result<bool, Failure> {
         while !motion.is_done() {
             let limbs = motion.step(&Feedback::from(&walker.world.sensors()), CYCLE_SECONDS);
             walker.act(&limbs);
-            if mistaken(&mut balance, &mut walker) {
+            if is_false_detection(&mut balance, &mut walker) {
                 return Ok(true);
             }
         }

@@ -22,7 +22,7 @@ use table::Table;
 
 use crate::trial_kind::Kind;
 
-/// Which trials, how often, in which physics.
+/// Selection of trials, number of runs, and physics.
 #[derive(Clone, Debug)]
 pub struct TrialOptions {
     /// Trials; all if the list is empty.

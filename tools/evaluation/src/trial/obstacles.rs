@@ -22,7 +22,7 @@ type Range = (f32, f32);
 const POST_DISTANCE: Range = (0.2, 0.5);
 /// Distance to the centre of the goalkeeper.
 const KEEPER_DISTANCE: Range = (0.3, 0.5);
-/// Largest number of pushes: an obstacle may hold the robot up.
+/// Maximum number of pushes: an obstacle may keep the robot from falling.
 const MAX_PUSHES: usize = 5;
 /// Time to stand for good, s.
 const TIME_LIMIT: f32 = 45.0;

@@ -205,7 +205,7 @@ pub(crate) enum Format {
     Json,
 }
 
-/// Images, and what the detectors use.
+/// Images and parameters of the detectors.
 #[derive(Clone, Debug, Args)]
 pub(crate) struct DetectionArgs {
     /// Folder with images (PNG, JPEG, raw `NAME_WxH.yuyv`), processed in the order of their names

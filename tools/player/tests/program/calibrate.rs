@@ -91,10 +91,10 @@ bica_test_data::images_test! {
         for name in ["nao2009", "darwin2013"] {
             let text = |path: std::path::PathBuf| path.to_str().expect("UTF-8").to_owned();
             let out = outer.path().join(name);
-            let ours = text(profiles.join(format!("{name}_rectangles.csv")));
+            let own = text(profiles.join(format!("{name}_rectangles.csv")));
             let (dir, labels) = (text(images.join(name)), text(images.join("labels.csv")));
-            let theirs = text(images.join("pixel_classes.csv"));
-            let sources = ["--rectangles", &theirs, "--rectangles", &ours, "--labels", &labels, "--out"];
+            let other = text(images.join("pixel_classes.csv"));
+            let sources = ["--rectangles", &other, "--rectangles", &own, "--labels", &labels, "--out"];
             let ran = run(&[&["calibrate", &dir], &sources[..], &[out.to_str().expect("UTF-8")]].concat());
             println!("{name}:\n{}", ran.stdout);
             let read = |path: &Path| fs::read_to_string(path).expect("a profile");

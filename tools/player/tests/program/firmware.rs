@@ -98,12 +98,12 @@ fn ctrl_c_of_a_terminal_ends_a_firmware_game_with_its_summary() {
 
 #[test]
 fn errors_name_what_is_missing_and_how_to_install_it() {
-    let said = |program: &mut Command| {
+    let output = |program: &mut Command| {
         let ended = program.output().unwrap();
         (ended.status.code(), String::from_utf8(ended.stderr).unwrap())
     };
     let play = ["play", "--world", "firmware", "--image"];
-    let (code, error) = said(&mut player(&[&play[..], &["no/such/image"]].concat()));
+    let (code, error) = output(&mut player(&[&play[..], &["no/such/image"]].concat()));
     assert_eq!(code, Some(2), "{error}");
     assert!(error.contains("no/such/image") && error.contains("cargo xtask firmware"), "{error}");
 
@@ -112,7 +112,7 @@ fn errors_name_what_is_missing_and_how_to_install_it() {
     assert_eq!(no_program.status.code(), Some(2), "{error}");
     assert!(error.contains("qemu-system-arm") && error.contains("cargo xtask firmware"), "{error}");
 
-    let (code, error) = said(&mut player(&[&play[..], &["Cargo.toml", "--size", "320x240"]].concat()));
+    let (code, error) = output(&mut player(&[&play[..], &["Cargo.toml", "--size", "320x240"]].concat()));
     assert_eq!(code, Some(2), "{error}");
     assert!(error.contains("160x120") && error.contains("--size"), "{error}");
 }

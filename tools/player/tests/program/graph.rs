@@ -27,9 +27,9 @@ fn every_format_names_every_component() {
 }
 
 #[test]
-fn the_picture_in_the_readme_shows_the_current_tree() {
+fn the_drawing_in_the_documentation_shows_the_current_tree() {
     let kept = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/forward.svg");
     let kept = std::fs::read_to_string(kept).unwrap_or_default();
     let remedy = "draw it anew: cargo run --release -- graph --format svg > docs/forward.svg";
-    assert!(kept == printed(&["--format", "svg"]), "docs/forward.svg shows another tree; {remedy}");
+    assert!(kept == printed(&["--format", "svg"]), "docs/forward.svg does not show the current tree; {remedy}");
 }

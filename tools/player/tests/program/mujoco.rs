@@ -2,7 +2,7 @@
 
 #[cfg(not(feature = "mujoco"))]
 #[test]
-fn without_mujoco_the_error_says_how_to_install_it() {
+fn without_mujoco_the_error_describes_its_installation() {
     let ran = crate::process::run(&["play", "--world", "mujoco"]);
     assert_eq!((ran.code, ran.stdout.as_str()), (Some(2), ""));
     assert!(ran.stderr.contains("cargo xtask mujoco") && ran.stderr.contains("--features mujoco"), "{}", ran.stderr);
@@ -73,7 +73,7 @@ mod with_mujoco {
     }
 
     #[test]
-    fn a_fallen_robot_with_a_hot_joint_rests_until_it_has_cooled_and_gets_up() {
+    fn a_fallen_robot_with_a_hot_joint_lies_until_it_has_cooled_and_gets_up() {
         let mut world = MujocoWorld::new(&Setup::default(), &Physics { cameras: false, ..Physics::default() }).unwrap();
         let mut robot = Box::new(Forward::new());
         robot.get_mut::<RobotProfile>().set(Nao::DYNAMIC_PROFILE);

@@ -85,7 +85,7 @@ fn the_score_counts_correct_and_wrong_detections() {
     let score = ["see", folder.text(), "--json", "--score", labels.to_str().expect("UTF-8")];
     let ran = run(&score);
     let score = &lines(&ran)[4]["score"];
-    // Found in 1; seen elsewhere in 2; seen in 3, where nobody labelled one; the red one in 4 is none.
+    // Image 1: correct. Image 2: wrong position. Image 3: not labelled. Image 4: a red ball, not that of the game.
     let share = |of: i32, good: i32| serde_json::json!({"of": of, "good": good});
     assert_eq!((&score["recall"], &score["precision"]), (&share(2, 1), &share(3, 1)), "{score}");
     assert_eq!((&score["missed"], &score["goals"]["complete"]), (&serde_json::json!(["2.png"]), &share(1, 0)));

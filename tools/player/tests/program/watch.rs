@@ -6,7 +6,7 @@ use std::path::Path;
 use crate::process::{Folder, run};
 
 const HEADING: &str = "file,r00,r01,r02,r10,r11,r12,r20,r21,r22,tx_mm,ty_mm,tz_mm,trusted\n";
-/// Half a metre up, 30° down.
+/// Camera pose: 0.5 m high, pitched down by 30°.
 const POSE: &str = "0.8660254,0,0.5,0,1,0,-0.5,0,0.8660254,0,0,500";
 
 /// A carpet up to row 60, a grey hall above it, an orange ball at (x, 150), as large as one of 43 mm is there.
