@@ -51,8 +51,9 @@
 //! - [`Tree`]: ticking, reading and writing components, their rates, holding them active or latent.
 //! - [`Probe`]: observing a tree; [`Stopwatch`]: how long each component takes.
 //! - [`Graph`]: a tree's static description, for drawings and tools.
+//! - [`Params`](derive@Params): values that are adjusted while the robot runs.
 //! - [The crate underneath](bica_core): the rules by which components run.
-//! - The examples of this package: `first_component`, `shared_child`, `state_machine`, `probe`, `static_tree`.
+//! - The examples of this package: `first_component`, `shared_child`, `state_machine`, `probe`, `parameters`, `static_tree`.
 //!
 //! This crate needs no operating system, no heap and no `unsafe` of its users.
 #![no_std]
@@ -60,14 +61,16 @@
 #[doc(hidden)]
 pub use bica_core::__private;
 pub use bica_core::*;
-pub use bica_macros::{activation_tree, component};
+pub use bica_macros::{ParamEnum, Params, activation_tree, component};
 #[doc(inline)]
 pub use bica_runner as runner;
 
 /// Everything that a file of components needs.
 pub mod prelude {
-    pub use bica_core::{Component, ComponentId, Duration, Has, Hold, Instant, Probe, Rate, Time, Tree};
-    pub use bica_macros::{activation_tree, component};
+    pub use bica_core::{
+        Component, ComponentId, Duration, Has, Hold, Instant, ParamEnum, Params, Probe, Rate, Time, Tree, Tuned,
+    };
+    pub use bica_macros::{ParamEnum, Params, activation_tree, component};
 }
 
 #[cfg(doctest)]

@@ -3,6 +3,7 @@
 use embassy_time::{Duration, Instant, TICK_HZ};
 
 use crate::graph::State;
+use crate::params::{ParamGroup, Value};
 
 /// The unit of behaviour: it perceives, acts, or decides between the two.
 ///
@@ -26,12 +27,37 @@ pub trait Component: Sized + 'static {
     const RESUME: bool;
     /// The states, in the order of the text; empty for a component that is no state machine.
     const STATES: &'static [State];
+    /// All parameters, which the functions take as `&Tuned<P>`: `()`, a [`Tuned`](crate::Tuned), or pairs of these.
+    type Params: 'static;
+    /// Description of the parameters, one group for each struct.
+    const PARAMS: &'static [ParamGroup] = &[];
+    /// The default values of the parameters.
+    const DEFAULT_PARAMS: Self::Params;
+    /// The same as a reference, which an untunable tree hands out.
+    #[doc(hidden)]
+    const CONSTANT_PARAMS: &'static Self::Params;
     /// Index in [`STATES`](Self::STATES) of the state in which the machine starts.
     #[doc(hidden)]
     const INITIAL: usize = 0;
     /// Whether the component stands in for one with mistakes, which are reported already.
     #[doc(hidden)]
     const IS_STUB: bool = false;
+
+    /// Reads a parameter by its index, counted through the groups.
+    #[doc(hidden)]
+    fn param(_params: &Self::Params, _index: usize) -> Option<Value> {
+        None
+    }
+
+    /// Writes a parameter; does nothing if the value is of another kind or the index too large.
+    #[doc(hidden)]
+    fn put_param(_params: &mut Self::Params, _index: usize, _value: Value) {}
+
+    /// Checks the rules of all structs of parameters.
+    #[doc(hidden)]
+    fn check_params(_params: &Self::Params) -> Result<(), &'static str> {
+        Ok(())
+    }
 }
 
 /// The times of a component in this run: an argument `time: &Time` takes them.

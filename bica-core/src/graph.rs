@@ -1,5 +1,11 @@
 //! The static description of a tree: what every tool reads and what the compiler checks.
 
+mod hash;
+
+pub use hash::hash;
+
+use crate::params::ParamGroup;
+
 /// Description of a tree of components: all that is known before it runs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Graph {
@@ -11,6 +17,8 @@ pub struct Graph {
     pub cycle_hz: f32,
     /// Longest time of one cycle, ms.
     pub budget_ms: Option<f32>,
+    /// Whether the parameters of the components can be changed at run time.
+    pub tunable: bool,
     /// Index of the root in `nodes`.
     pub root: usize,
     /// The components, in the order in which the tree lists them.
@@ -37,6 +45,37 @@ pub struct Node {
     pub states: &'static [State],
     /// The transitions, in the order in which they are evaluated; one entry for each state that it leaves.
     pub transitions: &'static [Transition],
+    /// The parameters, one group for each struct. A [`Setting`](crate::Setting) counts them through all groups.
+    pub params: &'static [ParamGroup],
+}
+
+impl Node {
+    /// A component that declares nothing.
+    #[must_use]
+    pub const fn new(name: &'static str) -> Self {
+        Self {
+            name,
+            doc: "",
+            hz: None,
+            budget_us: None,
+            resume: false,
+            links: &[],
+            states: &[],
+            transitions: &[],
+            params: &[],
+        }
+    }
+
+    /// Number of parameters in all groups.
+    #[must_use]
+    pub const fn param_count(&self) -> usize {
+        let (mut count, mut group) = (0, 0);
+        while group < self.params.len() {
+            count += self.params[group].params.len();
+            group += 1;
+        }
+        count
+    }
 }
 
 /// A link from a component to one that it activates.

@@ -4,6 +4,10 @@ pub use crate::__visit_functions as visit_functions;
 pub use crate::check::{activators, check, ranks};
 pub use crate::component::{Component, Time};
 pub use crate::graph::{Graph, Link, LinkKind, Node, State, Transition};
+pub use crate::params::{
+    Kind, Param, ParamEnum, ParamGroup, Params, Tuned, Value, Variant, assert_default, assert_distinct_names,
+    assert_range, assert_rule, assert_step, natural_default, variant,
+};
 pub use crate::probe::Probe;
 pub use crate::rate::Rate;
 pub use crate::tree::borrow::{Read, Slot, Write, WriteRate};
@@ -12,7 +16,7 @@ pub use crate::tree::cycle::{Cycle, Visit, is_shared, visits_at_rate};
 pub use crate::tree::cycle_state::VisitOutcome;
 pub use crate::tree::engine::Engine;
 pub use crate::tree::written::{DistinctLinks, WrittenKind, WrittenLink, assert_single_link, counts};
-pub use crate::tree::{Has, Layout, MemberOf, Tree};
+pub use crate::tree::{Has, Layout, Member, MemberOf, ParamsOf, Tree};
 
 /// Returns a doc comment; nothing with the feature `terse`.
 #[must_use]

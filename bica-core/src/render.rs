@@ -11,19 +11,26 @@
 //! control characters, which no picture can show, become spaces.
 //!
 //! # JSON
-//! One object with the fields of [`Graph`]; in it arrays of objects with the fields of [`Node`],
-//! [`Link`](crate::graph::Link), [`State`](crate::graph::State) and [`Transition`](crate::graph::Transition), all of them,
-//! under their names in Rust. Indices and numbers are numbers, `None` is `null`, and so is a number that JSON has no way
-//! to write (infinite, NaN). `kind` is `"requirement"` or `"modulation"`.
+//! One object with the fields of [`Graph`], and `hash`: [`hash`](crate::graph::hash) as 16 hexadecimal digits. In it arrays
+//! of objects with the fields of [`Node`], [`Link`](crate::graph::Link), [`State`](crate::graph::State),
+//! [`Transition`](crate::graph::Transition) and [`ParamGroup`](crate::params::ParamGroup), all of them, under their names in
+//! Rust. Indices and numbers are numbers, `None` is `null`, and so is a number that JSON has no way to write (infinite,
+//! NaN). `kind` of a link is `"requirement"` or `"modulation"`.
+//!
+//! A parameter has `name`, `doc`, `unit`, `kind` ([`Kind::name`](crate::params::Kind::name)), for numbers `min`, `max` and
+//! `step`, for a choice `variants` (`name`, `doc`), and `default`: a number, `true` or `false`, or the name of a variant.
 //!
 //! ```json
-//! {"name": "Forward", "doc": "", "cycle_hz": 100, "budget_ms": 200, "root": 0, "nodes": [
+//! {"name": "Forward", "doc": "", "cycle_hz": 100, "budget_ms": 200, "tunable": true,
+//!  "hash": "6b1e0f5a2c9d4788", "root": 0, "nodes": [
 //!   {"name": "Player", "doc": "", "hz": 10, "budget_us": 20, "resume": false,
 //!    "links": [{"to": 1, "kind": "modulation", "state": 0}],
 //!    "states": [{"name": "look_for_ball", "doc": "", "initial": true, "last": false}],
-//!    "transitions": [{"name": "again", "doc": "", "from": 0, "to": 0, "after_ms": 1500}]},
+//!    "transitions": [{"name": "again", "doc": "", "from": 0, "to": 0, "after_ms": 1500}],
+//!    "params": [{"name": "Patience", "doc": "", "params": [
+//!      {"name": "pause", "doc": "", "unit": "s", "kind": "f32", "min": 0, "max": 5, "step": null, "default": 0.5}]}]},
 //!   {"name": "SearchBall", "doc": "", "hz": null, "budget_us": null, "resume": false,
-//!    "links": [], "states": [], "transitions": []}
+//!    "links": [], "states": [], "transitions": [], "params": []}
 //! ]}
 //! ```
 

@@ -5,11 +5,13 @@
 use embassy_time::Instant;
 
 use crate::component::Component;
-use crate::graph::Graph;
+use crate::graph::{self, Graph};
 use crate::hold::Hold;
 use crate::id::ComponentId;
+use crate::params::{Setting, Value};
 use crate::probe::Probe;
 use crate::rate::Rate;
+use crate::refusal::Refusal;
 
 mod activation;
 pub(crate) mod borrow;
@@ -18,10 +20,11 @@ pub(crate) mod cycle;
 pub(crate) mod cycle_state;
 pub(crate) mod engine;
 mod layout;
+pub(crate) mod tuning;
 mod visit;
 pub(crate) mod written;
 
-pub use layout::{Has, Layout, MemberOf};
+pub use layout::{Has, Layout, Member, MemberOf, ParamsOf};
 
 /// A tree of components, made by `activation_tree!`.
 ///
@@ -38,11 +41,15 @@ pub use layout::{Has, Layout, MemberOf};
 ///   started, and every state machine begins in its initial state, also one that resumes.
 ///
 /// So a component for which `start` was called is stopped once, and no component continues without `start`, whatever the
-/// tick had done before. Values of components, rates and holds stay as they are. If a `#[stop]` hook panics, its component
+/// tick had done before. Values of components, parameters, rates and holds stay as they are. If a `#[stop]` hook panics, its component
 /// counts as stopped. Ticks that do not unwind do not pay for this.
 pub trait Tree: Layout {
     /// All that is known of the tree before it runs.
     const GRAPH: Graph;
+    /// Hash of [`GRAPH`](Tree::GRAPH) without the doc comments: see [`graph::hash`].
+    ///
+    /// Two programs whose trees have one hash mean the same by every index: of a component, a state, a parameter.
+    const HASH: u64 = graph::hash(&Self::GRAPH);
     /// Number of components in the tree.
     const COUNT: usize = Self::GRAPH.nodes.len();
 
@@ -109,6 +116,40 @@ pub trait Tree: Layout {
         Self: Has<C>,
     {
         self.hold_at(Self::id::<C>(), hold);
+    }
+
+    /// Reads all parameters of component `C`: a [`Tuned<P>`](crate::Tuned), or pairs of these if its functions take several.
+    fn params<C: 'static>(&self) -> &ParamsOf<Self, C>
+    where
+        Self: Has<C>,
+    {
+        self.engine().store.params()
+    }
+
+    /// Replaces all parameters of component `C`, from the next cycle on.
+    ///
+    /// # Errors
+    /// If the tree is not tunable, a value is not finite or out of range, or a rule is broken; then nothing changes.
+    fn set_params_of<C: 'static>(&mut self, values: ParamsOf<Self, C>) -> Result<(), Refusal>
+    where
+        Self: Has<C>,
+    {
+        tuning::set_all::<Self, C>(self, values)
+    }
+
+    /// Reads a parameter by its index, counted through the component's [groups](crate::graph::Node::params); `None` if
+    /// there is none.
+    fn get_param(&self, component: ComponentId, index: usize) -> Option<Value> {
+        tuning::get(self, component, index)
+    }
+
+    /// Applies a batch of settings, from the next cycle on: all of them or, if one is refused, none.
+    ///
+    /// # Errors
+    /// The first setting that is refused: the tree is not tunable, the parameter does not exist or is set twice, the value
+    /// is of another kind, not finite or out of range; or the resulting values of a component break a rule.
+    fn set_params(&mut self, batch: &[Setting]) -> Result<(), Refusal> {
+        tuning::set(self, batch)
     }
 
     /// As [`hold`](Tree::hold), by identifier; does nothing for a component that the tree does not list.

@@ -1,4 +1,4 @@
-//! The macros of BICA: `#[component]` and `activation_tree!`.
+//! The macros of BICA: `#[component]`, `activation_tree!`, `#[derive(Params)]` and `#[derive(ParamEnum)]`.
 //!
 //! Each is a pipeline: parse (from tokens to a model) → check (rules within one item) → expand (to code). The first two
 //! and the wording of every message are in `language`, which a tool can reuse; `expand` has one file for each thing that
@@ -15,6 +15,7 @@
 mod component;
 mod expand;
 mod language;
+mod params;
 #[cfg(test)]
 mod tests;
 mod tree;
@@ -31,6 +32,18 @@ pub fn component(options: TokenStream, item: TokenStream) -> TokenStream {
 #[proc_macro]
 pub fn activation_tree(input: TokenStream) -> TokenStream {
     tree::run(input.into()).into()
+}
+
+#[doc = include_str!("../doc/params.md")]
+#[proc_macro_derive(Params, attributes(params, param))]
+pub fn params(item: TokenStream) -> TokenStream {
+    params::params(item.into()).into()
+}
+
+#[doc = include_str!("../doc/param_enum.md")]
+#[proc_macro_derive(ParamEnum, attributes(params))]
+pub fn param_enum(item: TokenStream) -> TokenStream {
+    params::choice(item.into()).into()
 }
 
 #[cfg(doctest)]

@@ -7,3 +7,4 @@ mod motor_load;
 mod no_heap;
 mod out;
 mod replay;
+mod search;

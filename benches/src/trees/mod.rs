@@ -8,4 +8,5 @@ pub mod latent;
 pub mod machine;
 pub mod shared;
 pub mod switch;
+pub mod tuned;
 pub mod wide;

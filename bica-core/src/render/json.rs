@@ -3,12 +3,15 @@
 use core::fmt::{Display, Formatter, Result, Write, from_fn};
 
 use super::label::Escaped;
+use crate::graph::hash;
 use crate::graph::{Graph, Link, LinkKind, Node, State, Transition};
+use crate::params::{Kind, Param, ParamGroup, Value, Variant};
 
 pub(super) fn tree(graph: &Graph, f: &mut Formatter<'_>) -> Result {
     write!(f, "{{\"name\": {}, \"doc\": {}, ", quoted(graph.name), quoted(graph.doc))?;
     write!(f, "\"cycle_hz\": {}, ", figure(Some(graph.cycle_hz)))?;
     write!(f, "\"budget_ms\": {}, ", figure(graph.budget_ms))?;
+    write!(f, "\"tunable\": {}, \"hash\": \"{:016x}\", ", graph.tunable, hash(graph))?;
     write!(f, "\"root\": {}, \"nodes\": ", graph.root)?;
     list(f, graph.nodes, component)?;
     f.write_str("}\n")
@@ -23,7 +26,49 @@ fn component(f: &mut Formatter<'_>, node: &Node) -> Result {
     list(f, node.states, state)?;
     f.write_str(", \"transitions\": ")?;
     list(f, node.transitions, transition)?;
+    f.write_str(", \"params\": ")?;
+    list(f, node.params, group)?;
     f.write_str("}")
+}
+
+fn group(f: &mut Formatter<'_>, group: &ParamGroup) -> Result {
+    write!(f, "{{\"name\": {}, \"doc\": {}, \"params\": ", quoted(group.name), quoted(group.doc))?;
+    list(f, group.params, param)?;
+    f.write_str("}")
+}
+
+fn param(f: &mut Formatter<'_>, param: &Param) -> Result {
+    write!(f, "{{\"name\": {}, \"doc\": {}, ", quoted(param.name), quoted(param.doc))?;
+    write!(f, "\"unit\": {}, \"kind\": \"{}\", ", or_null(param.unit.map(quoted)), param.kind.name())?;
+    match param.kind {
+        Kind::F32 { min, max, step } => {
+            write!(f, "\"min\": {}, \"max\": {}, \"step\": {}, ", figure(Some(min)), figure(Some(max)), figure(step))?;
+        }
+        Kind::I32 { min, max, step } => write!(f, "\"min\": {min}, \"max\": {max}, \"step\": {}, ", or_null(step))?,
+        Kind::U32 { min, max, step } => write!(f, "\"min\": {min}, \"max\": {max}, \"step\": {}, ", or_null(step))?,
+        Kind::Bool => {}
+        Kind::Choice { variants } => {
+            f.write_str("\"variants\": ")?;
+            list(f, variants, variant)?;
+            f.write_str(", ")?;
+        }
+    }
+    write!(f, "\"default\": {}}}", default(param))
+}
+
+fn variant(f: &mut Formatter<'_>, variant: &Variant) -> Result {
+    write!(f, "{{\"name\": {}, \"doc\": {}}}", quoted(variant.name), quoted(variant.doc))
+}
+
+/// A number, a word, or the name of a variant.
+fn default(param: &Param) -> impl Display {
+    from_fn(move |f| match (param.default, param.kind) {
+        (Value::F32(number), _) => figure(Some(number)).fmt(f),
+        (Value::Choice(index), Kind::Choice { variants }) => {
+            or_null(variants.get(index as usize).map(|variant| quoted(variant.name))).fmt(f)
+        }
+        (value, _) => value.fmt(f),
+    })
 }
 
 fn link(f: &mut Formatter<'_>, link: &Link) -> Result {

@@ -15,7 +15,7 @@
 //!
 //! - Every [`BorrowSet`] lists its accesses, and `borrow` asserts at compile time that no two are to one place. One type
 //!   has one index in a tree, because a type implements `Has` once for a tree. So different indices are different types,
-//!   hence different slots: a `&Slot<A>` and a `&Slot<B>` cannot overlap unless one lies inside the other's component,
+//!   hence different slots: a `&Slot<A, _>` and a `&Slot<B, _>` cannot overlap unless one lies inside the other's component,
 //!   which only a borrow could reach.
 //! - `Has` is implemented by generated code without `unsafe`, so it is not trusted: [`slot_in`] asserts that the slot
 //!   lies inside the store. For a field that is a comparison of constants and leaves no code.
@@ -30,22 +30,42 @@ use core::ptr;
 
 use super::component_state::ComponentState;
 use super::cycle_state::CycleState;
-use super::layout::{Has, Layout};
+use super::layout::{Has, Layout, ParamsOf};
 use crate::component::Component;
 use crate::rate::Rate;
 
-/// One component of a tree, its rate and its state.
-pub struct Slot<C> {
+/// One component of a tree, its rate, its state, and its parameters if the tree is tunable.
+pub struct Slot<C, S = ()> {
     state: ComponentState,
     rate: UnsafeCell<Rate<C>>,
     value: UnsafeCell<C>,
+    /// In no `UnsafeCell`: a cycle only reads it.
+    params: S,
 }
 
 impl<C: 'static> Slot<C> {
     /// Holds `value` in tree `T`, at its declared rate and never active yet.
     pub const fn new<T: Has<C>>(value: C) -> Self {
+        Self::with::<T>(value, ())
+    }
+}
+
+impl<C: 'static, S> Slot<C, S> {
+    /// The same with parameters, which can be changed.
+    pub const fn with<T: Has<C>>(value: C, params: S) -> Self {
         let rate = Rate::at(<T::Member as Component>::HZ);
-        Self { state: ComponentState::new(), rate: UnsafeCell::new(rate), value: UnsafeCell::new(value) }
+        Self { state: ComponentState::new(), rate: UnsafeCell::new(rate), value: UnsafeCell::new(value), params }
+    }
+
+    /// The parameters.
+    #[inline]
+    pub const fn params(&self) -> &S {
+        &self.params
+    }
+
+    /// The parameters, between two cycles.
+    pub const fn params_mut(&mut self) -> &mut S {
+        &mut self.params
     }
 
     /// State of the component; it lies in no `UnsafeCell` and is never borrowed mutably.
@@ -56,10 +76,10 @@ impl<C: 'static> Slot<C> {
 
 /// Returns the slot of `C`, which lies inside `slots`; otherwise panics.
 #[inline]
-fn slot_in<T: Has<C>, C: 'static>(slots: &T::Slots) -> &Slot<C> {
+fn slot_in<T: Has<C>, C: 'static>(slots: &T::Slots) -> &Slot<C, T::Stored> {
     let slot = T::slot(slots);
     let offset = ptr::from_ref(slot).addr().wrapping_sub(ptr::from_ref(slots).addr());
-    let is_inside = offset.saturating_add(size_of::<Slot<C>>()) <= size_of::<T::Slots>();
+    let is_inside = offset.saturating_add(size_of::<Slot<C, T::Stored>>()) <= size_of::<T::Slots>();
     assert!(is_inside, "`Has::slot` returned a slot outside this tree's store");
     slot
 }
@@ -108,8 +128,8 @@ impl<T: Layout> Store<T> {
         T: Has<C>,
     {
         let value = slot_in::<T, C>(&self.slots).value.get();
-        // SAFETY: the slot is inside this store. Only `get_mut`, `rate_mut` and `ExclusiveStore::borrow` make exclusive
-        // references to what is in it. All three need an exclusive borrow of the store, so none of their references can
+        // SAFETY: the slot is inside this store. Only `get_mut`, `rate_mut`, `params_mut` and `ExclusiveStore::borrow` make
+        // exclusive references to what is in it. All of them need an exclusive borrow of the store, so none of their references can
         // exist while `self` is borrowed.
         unsafe { &*value }
     }
@@ -144,6 +164,23 @@ impl<T: Layout> Store<T> {
         unsafe { &mut *rate }
     }
 
+    /// Reads the parameters of a component.
+    #[inline]
+    pub(crate) fn params<C: 'static>(&self) -> &ParamsOf<T, C>
+    where
+        T: Has<C>,
+    {
+        T::params(&self.slots)
+    }
+
+    /// Writes the parameters of a component; `None` if they are constants.
+    pub(crate) fn params_mut<C: 'static>(&mut self) -> Option<&mut ParamsOf<T, C>>
+    where
+        T: Has<C>,
+    {
+        T::params_mut(&mut self.slots)
+    }
+
     /// Borrows the store for one cycle.
     pub(crate) const fn open(&mut self) -> ExclusiveStore<'_, T> {
         ExclusiveStore { store: self, exclusive: PhantomData }
@@ -175,6 +212,15 @@ impl<'t, T: Layout> ExclusiveStore<'t, T> {
         T: Has<C>,
     {
         T::slot(&self.store.slots).state()
+    }
+
+    /// Parameters of `C`.
+    #[inline]
+    pub(crate) fn tuned<C: 'static>(&self) -> &'t ParamsOf<T, C>
+    where
+        T: Has<C>,
+    {
+        self.store.params::<C>()
     }
 
     /// Borrows the components of `L`.

@@ -21,11 +21,28 @@ pub trait Has<C: 'static>: Layout {
     #[doc(hidden)]
     type Member: MemberOf<Self>;
 
+    /// What the slot stores of the component's parameters: all of them, or `()`.
+    #[doc(hidden)]
+    type Stored: 'static;
+
     /// Index of the component in the tree's list.
     const INDEX: usize;
 
     #[doc(hidden)]
-    fn slot(slots: &Self::Slots) -> &Slot<C>;
+    fn slot(slots: &Self::Slots) -> &Slot<C, Self::Stored>;
+    /// The parameters; a tree that is not tunable has constants.
+    #[doc(hidden)]
+    #[inline]
+    fn params(slots: &Self::Slots) -> &ParamsOf<Self, C> {
+        let _ = slots;
+        <Self::Member as Component>::CONSTANT_PARAMS
+    }
+    /// The parameters of a tunable tree.
+    #[doc(hidden)]
+    fn params_mut(slots: &mut Self::Slots) -> Option<&mut ParamsOf<Self, C>> {
+        let _ = slots;
+        None
+    }
 
     /// Visits the component unless it was visited in this cycle or is held latent.
     #[doc(hidden)]
@@ -40,6 +57,20 @@ pub trait Has<C: 'static>: Layout {
     /// its visit ends here.
     #[doc(hidden)]
     fn visit_unusual<P: Probe>(cycle: &mut Cycle<'_, Self, P>) -> VisitOutcome;
+}
+
+/// The parameters of component `C` of tree `T`.
+pub type ParamsOf<T, C> = <<T as Has<C>>::Member as Component>::Params;
+
+/// What is done with one component of tree `T` that is known only by its index.
+pub trait Member<T: Layout> {
+    /// The result.
+    type Output;
+
+    /// Does it with component `C`.
+    fn visit<C: 'static>(self) -> Self::Output
+    where
+        T: Has<C>;
 }
 
 /// A component as a member of tree `T`; `#[component]` implements it for every tree that holds the component's children.
@@ -95,6 +126,9 @@ pub trait Layout: Sized + 'static {
     fn stop<P: Probe>(cycle: &mut Cycle<'_, Self, P>, index: usize);
     #[doc(hidden)]
     fn component_state(slots: &Self::Slots, index: usize) -> Option<&ComponentState>;
+    /// Does something with the component at `index`; `None` if the tree lists fewer.
+    #[doc(hidden)]
+    fn member<M: Member<Self>>(index: usize, action: M) -> Option<M::Output>;
     #[doc(hidden)]
     fn hz(&self, index: usize) -> Option<f32>;
     #[doc(hidden)]

@@ -5,8 +5,7 @@
 //! component declares a rate (`R`), and whether several links lead to it (`S`).
 
 use bica_core::__private::{
-    Cycle, Engine, Has, Layout, Link as GraphLink, MemberOf, Node as GraphNode, Probe, Slot, State, Visit,
-    visit_functions,
+    Cycle, Engine, Has, Layout, Member, MemberOf, Node as GraphNode, Probe, Slot, State, Visit, visit_functions,
 };
 use bica_core::{Component, Graph, Tree};
 
@@ -30,21 +29,15 @@ impl<const I: usize, const R: bool> Component for Node<I, R> {
     const HZ: Option<f32> = if R { Some(50.0) } else { None };
     const BUDGET_US: Option<f32> = None;
     const RESUME: bool = false;
+    type Params = ();
+    const DEFAULT_PARAMS: () = ();
+    const CONSTANT_PARAMS: &'static () = &();
     const STATES: &'static [State] = &[state("first", true), state("second", false), state("third", false)];
 }
 
 impl<const I: usize, const R: bool, T: Has<Self>> MemberOf<T> for Node<I, R> {
     const WRITTEN: &'static [bica_core::__private::WrittenLink] = &[];
-    const NODE: GraphNode = GraphNode {
-        name: "Node",
-        doc: "",
-        hz: Self::HZ,
-        budget_us: None,
-        resume: false,
-        links: &[] as &[GraphLink],
-        states: Self::STATES,
-        transitions: &[],
-    };
+    const NODE: GraphNode = GraphNode { hz: Self::HZ, states: Self::STATES, ..GraphNode::new("Node") };
     const TIMED: bool = false;
 
     fn pass<P: Probe>(cycle: &mut Cycle<'_, T, P>, visit: Visit) {
@@ -110,6 +103,7 @@ macro_rules! tree {
                 doc: "",
                 cycle_hz: 100.0,
                 budget_ms: None,
+                tunable: false,
                 root: 0,
                 nodes: &[$(<Node<$index, $rated> as MemberOf<Self>>::NODE),*],
             };
@@ -154,6 +148,13 @@ macro_rules! tree {
                 }
             }
 
+            fn member<M: Member<Self>>(index: usize, action: M) -> Option<M::Output> {
+                match index {
+                    $($index => Some(action.visit::<Node<$index, $rated>>()),)*
+                    _ => None,
+                }
+            }
+
             fn hz(&self, index: usize) -> Option<f32> {
                 match index {
                     $($index => self.rate::<Node<$index, $rated>>().hz(),)*
@@ -177,6 +178,7 @@ macro_rules! members {
             Has<Node<$index, $own>> for Any<R0, S0, R1, S1, R2, S2, R3, S3>
         {
             type Member = Node<$index, $own>;
+            type Stored = ();
             const INDEX: usize = $index;
 
             fn slot(slots: &Self::Slots) -> &Slot<Node<$index, $own>> {

@@ -4,12 +4,12 @@ use bica_core::graph::{Graph, Link, LinkKind, Node, State, Transition};
 
 /// Tree of these components; the first one is the root.
 pub(crate) const fn graph(nodes: &'static [Node]) -> Graph {
-    Graph { name: "Forward", doc: "", cycle_hz: 100.0, budget_ms: None, root: 0, nodes }
+    Graph { name: "Forward", doc: "", cycle_hz: 100.0, budget_ms: None, tunable: false, root: 0, nodes }
 }
 
 /// Component without declarations.
 pub(crate) const fn node(name: &'static str) -> Node {
-    Node { name, doc: "", hz: None, budget_us: None, resume: false, links: &[], states: &[], transitions: &[] }
+    Node::new(name)
 }
 
 /// State that is neither initial nor terminal.

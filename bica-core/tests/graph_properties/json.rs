@@ -1,6 +1,7 @@
 //! JSON of a graph, parsed by another implementation.
 
-use bica_core::graph::{Graph, Link, LinkKind, Node, State, Transition};
+use bica_core::graph::{Graph, Link, LinkKind, Node, State, Transition, hash};
+use bica_core::params::{self, Kind, Param, ParamGroup};
 use proptest::prelude::*;
 use serde_json::{Value, json};
 
@@ -27,9 +28,51 @@ fn transition(transition: &Transition) -> Value {
     json!({ "name": transition.name, "doc": transition.doc, "from": transition.from, "to": transition.to, "after_ms": transition.after_ms })
 }
 
+fn list_is<T>(written: &Value, entries: &[T], is: impl Fn(&Value, &T) -> bool) -> bool {
+    written.as_array().is_some_and(|written| {
+        written.len() == entries.len() && written.iter().zip(entries).all(|(written, entry)| is(written, entry))
+    })
+}
+
+fn group_is(written: &Value, group: &ParamGroup) -> bool {
+    written.as_object().is_some_and(|fields| fields.len() == 3)
+        && written["name"] == group.name
+        && written["doc"] == group.doc
+        && list_is(&written["params"], group.params, param_is)
+}
+
+fn param_is(written: &Value, param: &Param) -> bool {
+    let (min, max, step, default) = (&written["min"], &written["max"], &written["step"], &written["default"]);
+    let (count, same) = match (param.kind, param.default) {
+        (Kind::F32 { min: low, max: high, step: by }, params::Value::F32(value)) => {
+            (8, figure(min, Some(low)) && figure(max, Some(high)) && figure(step, by) && figure(default, Some(value)))
+        }
+        (Kind::I32 { min: low, max: high, step: by }, params::Value::I32(value)) => {
+            (8, *min == low && *max == high && *step == json!(by) && *default == value)
+        }
+        (Kind::U32 { min: low, max: high, step: by }, params::Value::U32(value)) => {
+            (8, *min == low && *max == high && *step == json!(by) && *default == value)
+        }
+        (Kind::Bool, params::Value::Bool(value)) => (5, *default == value),
+        (Kind::Choice { variants }, params::Value::Choice(index)) => {
+            let all: Vec<_> = variants.iter().map(|one| json!({ "name": one.name, "doc": one.doc })).collect();
+            let name = variants.get(index as usize).map(|one| one.name);
+            (6, written["variants"] == json!(all) && *default == json!(name))
+        }
+        _ => return false,
+    };
+    written.as_object().is_some_and(|fields| fields.len() == count)
+        && same
+        && written["name"] == param.name
+        && written["doc"] == param.doc
+        && written["unit"] == json!(param.unit)
+        && written["kind"] == param.kind.name()
+}
+
 fn node_is(written: &Value, node: &Node) -> bool {
     let list = |entries: Vec<Value>| Value::Array(entries);
-    written.as_object().is_some_and(|fields| fields.len() == 8)
+    written.as_object().is_some_and(|fields| fields.len() == 9)
+        && list_is(&written["params"], node.params, group_is)
         && written["name"] == node.name
         && written["doc"] == node.doc
         && written["resume"] == node.resume
@@ -41,7 +84,9 @@ fn node_is(written: &Value, node: &Node) -> bool {
 }
 
 fn graph_is(written: &Value, graph: &Graph) -> bool {
-    written.as_object().is_some_and(|fields| fields.len() == 6)
+    written.as_object().is_some_and(|fields| fields.len() == 8)
+        && written["tunable"] == graph.tunable
+        && written["hash"] == format!("{:016x}", hash(graph))
         && written["name"] == graph.name
         && written["doc"] == graph.doc
         && written["root"] == graph.root

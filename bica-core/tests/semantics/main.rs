@@ -1,6 +1,7 @@
 //! Examples of each rule of the runtime.
 
 mod activity;
+mod batches;
 mod borrows;
 mod description;
 mod hold;
@@ -8,6 +9,7 @@ mod jitter;
 mod large;
 mod machine;
 mod order;
+mod params;
 mod paths;
 mod rate;
 mod requests;

@@ -13,27 +13,16 @@ static GRAPH: Graph = Graph {
     doc: "",
     cycle_hz: 100.0,
     budget_ms: None,
+    tunable: false,
     root: 1,
     nodes: &[
+        Node { budget_us: Some(5.0), ..Node::new("Eye") },
         Node {
-            name: "Eye",
-            doc: "",
-            hz: None,
-            budget_us: Some(5.0),
-            resume: false,
-            links: &[],
-            states: &[],
-            transitions: &[],
-        },
-        Node {
-            name: "Head",
-            doc: "",
             hz: Some(30.0),
-            budget_us: None,
-            resume: false,
             links: &[Link { to: 0, kind: LinkKind::Requirement, state: Some(1) }],
             states: &[state("rest", true), state("look", false)],
             transitions: &[Transition { name: "wakes", doc: "", from: 0, to: 1, after_ms: None }],
+            ..Node::new("Head")
         },
     ],
 };

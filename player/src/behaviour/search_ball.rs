@@ -1,12 +1,14 @@
 //! The search for the ball.
 
 use bica::prelude::*;
+use bica_motion::pose::Pose2;
 use bica_motion::robot::CameraId;
 
 use super::FaceBall;
 use crate::motion::{Body, Head};
 use crate::output::CameraSelector;
-use crate::perception::BallDetector;
+use crate::perception::{BallDetector, CameraPose, FieldBoundary, Odometry, RobotDetector};
+use crate::strategy::free_path;
 
 /// Camera, head pan (rad) and head tilt (rad) in sequence.
 ///
@@ -34,8 +36,21 @@ const RECALL_TIME: f32 = 1.0;
 const MIN_CONFIDENCE: f32 = 0.1;
 /// Turning speed of the body after a scan without result, rad/s.
 const TURN_SPEED: f32 = 0.8;
+/// Number of turns, of [`TURN_SPEED`] times 2.6 s each, in a full circle.
+const TURNS: u8 = 3;
+/// Free path ahead with which the robot begins to walk to another place, m.
+const MIN_PATH: f32 = 1.25;
+/// Free path ahead with which it ends its walk, m.
+const BLOCKED_PATH: f32 = 0.8;
+/// Head tilt with which the top camera shows the ground from 0.8 m to the horizon, rad.
+const PATH_TILT: f32 = 0.25;
+/// Walking speed to another place, m/s.
+const WALK_SPEED: f32 = 0.2;
+/// Distance to another place, m.
+const WALK_DISTANCE: f32 = 1.0;
 
-/// Searches the ball: at its remembered position, then with the head, then with turns of the body.
+/// Searches the ball: at its remembered position, then with the head, then with turns of the body. After a full turn without
+/// result it searches at another place, where other robots hide another part of the field.
 #[derive(Debug)]
 pub struct SearchBall {
     /// Index in [`GLANCES`].
@@ -44,6 +59,14 @@ pub struct SearchBall {
     rested: f32,
     /// Duration of the search at the remembered position so far, s.
     recalled: f32,
+    /// Number of turns at this place.
+    turns: u8,
+    /// Free path ahead, m, in the last run.
+    path: f32,
+    /// Pose in the frame of the odometry at the beginning of the walk to another place.
+    left: Pose2,
+    /// Walked distance from there, m.
+    walked: f32,
 }
 
 #[component(hz = 50, budget_us = 5)]
@@ -51,7 +74,7 @@ impl SearchBall {
     /// Creates the component at the beginning of a search.
     #[must_use]
     pub const fn new() -> Self {
-        Self { glance: 0, rested: 0.0, recalled: 0.0 }
+        Self { glance: 0, rested: 0.0, recalled: 0.0, turns: 0, path: 0.0, left: Pose2::ORIGIN, walked: 0.0 }
     }
 
     #[start]
@@ -104,6 +127,52 @@ impl SearchBall {
         self.glance = 0;
     }
 
+    /// Turns on the spot until the path ahead is free.
+    #[state]
+    fn find_path(
+        &mut self,
+        _ball: &BallDetector,
+        boundary: &FieldBoundary,
+        camera: &CameraPose,
+        robots: &RobotDetector,
+        odometry: &Odometry,
+        head: &mut Head,
+        selector: &mut CameraSelector,
+        body: &mut Body,
+    ) {
+        selector.select(CameraId::Top);
+        head.look_at(0.0, PATH_TILT);
+        body.turn(TURN_SPEED);
+        self.path = path_ahead(boundary, camera, robots);
+        (self.left, self.walked) = (odometry.pose(), 0.0);
+    }
+
+    /// Walks to another place.
+    #[state]
+    fn walk_on(
+        &mut self,
+        _ball: &BallDetector,
+        boundary: &FieldBoundary,
+        camera: &CameraPose,
+        robots: &RobotDetector,
+        odometry: &Odometry,
+        head: &mut Head,
+        selector: &mut CameraSelector,
+        body: &mut Body,
+    ) {
+        selector.select(CameraId::Top);
+        head.look_at(0.0, PATH_TILT);
+        body.go(WALK_SPEED, 0.0);
+        self.path = path_ahead(boundary, camera, robots);
+        self.walked = odometry.pose().position.distance(self.left.position);
+        (self.glance, self.turns) = (0, 0);
+    }
+
+    #[transition(scan -> find_path)]
+    fn circle_complete(&self) -> bool {
+        self.scan_complete() && self.turns >= TURNS
+    }
+
     #[transition(scan -> turn_around)]
     fn scan_complete(&self) -> bool {
         self.glance >= GLANCES.len()
@@ -113,4 +182,31 @@ impl SearchBall {
     fn turned(&self) -> bool {
         true
     }
+
+    #[exit(turn_around)]
+    fn count_turn(&mut self) {
+        self.turns += 1;
+    }
+
+    /// The head looks ahead again after this time.
+    #[transition(find_path -> walk_on, after_ms = 500)]
+    fn path_found(&self) -> bool {
+        self.path >= MIN_PATH
+    }
+
+    /// No path is free in a full circle: the others may have moved after another one.
+    #[transition(find_path -> scan, after_ms = 8000)]
+    fn surrounded(&self) -> bool {
+        true
+    }
+
+    #[transition(walk_on -> scan)]
+    fn arrived(&self) -> bool {
+        self.walked >= WALK_DISTANCE || self.path < BLOCKED_PATH
+    }
+}
+
+fn path_ahead(boundary: &FieldBoundary, camera: &CameraPose, robots: &RobotDetector) -> f32 {
+    let robots = robots.places().map(|place| place.position);
+    camera.camera().map_or(0.0, |camera| free_path(boundary.line(), camera, robots))
 }

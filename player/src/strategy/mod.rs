@@ -4,10 +4,12 @@
 
 mod aim;
 mod dribble;
+mod free_path;
 mod obstacles;
 mod situation;
 
 pub use dribble::can_dribble;
+pub(crate) use free_path::free_path;
 pub use situation::Situation;
 
 use bica_motion::kick::{Kick, KickKind, Kicks};

@@ -65,17 +65,9 @@ mod tests {
 
     use super::tree_hash;
 
-    const NODE: Node = Node {
-        name: "A",
-        doc: "",
-        hz: None,
-        budget_us: None,
-        resume: false,
-        links: &[],
-        states: &[],
-        transitions: &[],
-    };
-    const GRAPH: Graph = Graph { name: "T", doc: "", cycle_hz: 100.0, budget_ms: None, root: 0, nodes: &[NODE] };
+    const NODE: Node = Node::new("A");
+    const GRAPH: Graph =
+        Graph { name: "T", doc: "", cycle_hz: 100.0, budget_ms: None, tunable: false, root: 0, nodes: &[NODE] };
     const STATE: State = State { name: "s", doc: "", initial: true, last: false };
     const LATE: Transition = Transition { name: "t", doc: "", from: 0, to: 0, after_ms: Some(1) };
 

@@ -3,28 +3,38 @@
 use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, format_ident, quote, quote_spanned};
 
+use super::tuning::Tuning;
 use crate::expand::quoting::{at, placed};
 use crate::language::component::model::{Argument, Function};
 
 /// A block that borrows and calls; its value is what the function returns.
-pub(super) fn expand(p: &TokenStream, function: &Function) -> TokenStream {
+pub(super) fn expand(p: &TokenStream, function: &Function, tuning: &Tuning) -> TokenStream {
     let name = &function.name;
     let set = borrow_set(p, function);
     let borrowed = nested(children(function).map(|(place, ..)| binding(place).into_token_stream()).collect());
     let timed = function.arguments.iter().any(|argument| matches!(argument, Argument::Time(_)));
     let time = timed.then(|| quote!(let time = cycle.time::<Self>();));
+    let tuned = tuned(function);
     let given = function.arguments.iter().enumerate().map(|(place, argument)| match argument {
         Argument::Time(kind) => {
             let p = placed(p, at(kind));
             quote_spanned!(at(kind) => <#kind as #p::CycleTime>::of(&time))
         }
+        Argument::Tuned(kind) => tuning.argument(kind),
         _ => binding(place).to_token_stream(),
     });
     quote! {{
         #time
+        #tuned
         let (this, #borrowed) = cycle.borrow::<Self, #set>();
         Self::#name(this #(, #given)*)
     }}
+}
+
+/// Fetches the parameters, if the function takes any.
+pub(super) fn tuned(function: &Function) -> Option<TokenStream> {
+    let takes = function.arguments.iter().any(|argument| matches!(argument, Argument::Tuned(_)));
+    takes.then(|| quote!(let tuned = cycle.tuned::<Self>();))
 }
 
 /// The type of what is borrowed together.
@@ -33,7 +43,7 @@ fn borrow_set(p: &TokenStream, function: &Function) -> TokenStream {
 }
 
 /// Pairs of pairs around the parts, as flat as possible: the compiler limits how deep types may nest.
-fn nested(mut parts: Vec<TokenStream>) -> TokenStream {
+pub(super) fn nested(mut parts: Vec<TokenStream>) -> TokenStream {
     if parts.len() < 2 {
         return parts.pop().unwrap_or_else(|| quote!(()));
     }
@@ -45,7 +55,7 @@ fn nested(mut parts: Vec<TokenStream>) -> TokenStream {
 /// The arguments that are borrowed: their places, how, and of which type.
 fn children(function: &Function) -> impl DoubleEndedIterator<Item = (usize, TokenStream, TokenStream)> {
     function.arguments.iter().enumerate().filter_map(|(place, argument)| match argument {
-        Argument::Time(_) => None,
+        Argument::Time(_) | Argument::Tuned(_) => None,
         Argument::Read(child) => Some((place, quote!(Read), child.to_token_stream())),
         Argument::Write(child) => Some((place, quote!(Write), child.to_token_stream())),
         Argument::Rate(child) => Some((place, quote!(WriteRate), child.to_token_stream())),

@@ -5,6 +5,7 @@ use quote::quote;
 use syn::{GenericParam, Generics, Type, parse_quote};
 
 use super::runtime;
+use super::tuning::Tuning;
 use crate::expand::quoting::option;
 use crate::language::component::model::{Behaviour, Component, Machine, MachineState};
 use crate::language::text;
@@ -20,6 +21,7 @@ pub(super) fn expand(component: &Component, behaviour: &Behaviour) -> TokenStrea
     let budget_us = option(component.options.budget_us.as_ref());
     let resume = component.options.resume.is_some();
     let states = states(component, behaviour);
+    let tuning = Tuning::of(component).items(component);
     quote! {
         #[automatically_derived]
         impl #parameters #p::Component for #own #bounds {
@@ -29,6 +31,7 @@ pub(super) fn expand(component: &Component, behaviour: &Behaviour) -> TokenStrea
             const BUDGET_US: ::core::option::Option<f32> = #budget_us;
             const RESUME: bool = #resume;
             #states
+            #tuning
         }
     }
 }

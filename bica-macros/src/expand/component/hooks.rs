@@ -3,23 +3,23 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::runtime;
+use super::tuning::Tuning;
+use super::{call, runtime};
 use crate::language::component::model::{Component, Function};
 
-pub(super) fn expand(component: &Component) -> TokenStream {
+pub(super) fn expand(component: &Component, tuning: &Tuning) -> TokenStream {
     let p = runtime(component);
-    let start = hook(&p, &quote!(start), &component.starts);
-    let stop = hook(&p, &quote!(stop), &component.stops);
+    let start = hook(&p, &quote!(start), &component.starts, tuning);
+    let stop = hook(&p, &quote!(stop), &component.stops, tuning);
     quote!(#start #stop)
 }
 
-fn hook(p: &TokenStream, name: &TokenStream, functions: &[Function]) -> Option<TokenStream> {
-    let calls = functions.iter().map(|function| &function.name);
+fn hook(p: &TokenStream, name: &TokenStream, functions: &[Function], tuning: &Tuning) -> Option<TokenStream> {
+    let calls = functions.iter().map(|function| call::expand(p, function, tuning));
     (!functions.is_empty()).then(|| {
         quote! {
             fn #name<__P: #p::Probe>(cycle: &mut #p::Cycle<'_, __T, __P>) {
-                let (this, ()) = cycle.borrow::<Self, ()>();
-                #(Self::#calls(this);)*
+                #(#calls)*
             }
         }
     })

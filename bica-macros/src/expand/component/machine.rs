@@ -7,13 +7,14 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::call;
+use super::tuning::Tuning;
 use super::visits::Visits;
 use crate::language::component::model::{Edge, Function, Machine};
 
-pub(super) fn expand(p: &TokenStream, machine: &Machine, visits: &Visits) -> TokenStream {
+pub(super) fn expand(p: &TokenStream, machine: &Machine, visits: &Visits, tuning: &Tuning) -> TokenStream {
     let last = machine.states.len() - 1;
     let arms = (0..=last).map(|state| {
-        let round = round(p, machine, state, visits);
+        let round = round(p, machine, state, visits, tuning);
         if state == last { quote!(_ => #round) } else { quote!(#state => #round) }
     });
     quote! {
@@ -26,14 +27,14 @@ pub(super) fn expand(p: &TokenStream, machine: &Machine, visits: &Visits) -> Tok
     }
 }
 
-fn round(p: &TokenStream, machine: &Machine, index: usize, visits: &Visits) -> TokenStream {
+fn round(p: &TokenStream, machine: &Machine, index: usize, visits: &Visits, tuning: &Tuning) -> TokenStream {
     let state = &machine.states[index];
     let (before, after) = (visits.before(index), visits.after(index));
-    let entries = calls(p, &state.entries);
+    let entries = calls(p, &state.entries, tuning);
     let entering = (!state.entries.is_empty()).then(|| quote!(if machine.entering { #entries }));
-    let body = call::expand(p, &state.body);
-    let exits = calls(p, &state.exits);
-    let transitions: Vec<_> = machine.edges_from(index).map(|edge| leave(p, edge, &exits)).collect();
+    let body = call::expand(p, &state.body, tuning);
+    let exits = calls(p, &state.exits, tuning);
+    let transitions: Vec<_> = machine.edges_from(index).map(|edge| leave(p, edge, &exits, tuning)).collect();
     let leaving = (!transitions.is_empty()).then(|| quote!(if !machine.moved { #(#transitions)* }));
     quote! {{
         #before
@@ -49,14 +50,14 @@ fn round(p: &TokenStream, machine: &Machine, index: usize, visits: &Visits) -> T
     }}
 }
 
-fn calls(p: &TokenStream, functions: &[Function]) -> TokenStream {
-    let calls = functions.iter().map(|function| call::expand(p, function));
+fn calls(p: &TokenStream, functions: &[Function], tuning: &Tuning) -> TokenStream {
+    let calls = functions.iter().map(|function| call::expand(p, function, tuning));
     quote!(#(#calls)*)
 }
 
-fn leave(p: &TokenStream, edge: &Edge, exits: &TokenStream) -> TokenStream {
+fn leave(p: &TokenStream, edge: &Edge, exits: &TokenStream, tuning: &Tuning) -> TokenStream {
     let (from, to) = (edge.from, edge.to);
-    let condition = call::expand(p, &edge.condition);
+    let condition = call::expand(p, &edge.condition, tuning);
     let timer = edge.after_ms.map(|ms| quote!(cycle.has_been_in_state::<Self>(#ms) &&));
     quote! {
         if #timer #condition {

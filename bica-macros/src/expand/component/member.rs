@@ -6,6 +6,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 use syn::{Type, WherePredicate, parse_quote, parse_quote_spanned};
 
+use super::tuning::Tuning;
 use super::visits::Visits;
 use super::{description, hooks, machine, node, runtime, step};
 use crate::expand::quoting::{at, placed};
@@ -16,10 +17,16 @@ pub(super) fn expand(component: &Component, behaviour: &Behaviour) -> TokenStrea
     let p = runtime(component);
     let own = component.own();
     let visits = Visits::of(&p, behaviour);
+    let tuning = Tuning::of(component);
     let mut generics = description::owned(&component.block.header.generics);
     generics.params.push(parse_quote!(__T));
     let bounds = generics.make_where_clause();
-    bounds.predicates.push(parse_quote!(__T: #p::Has<#own>));
+    // Only parameters need that the tree's member is the component itself: a tree with mistakes has another.
+    bounds.predicates.push(if tuning.is_empty() {
+        parse_quote!(__T: #p::Has<#own>)
+    } else {
+        parse_quote!(__T: #p::Has<#own, Member = #own>)
+    });
     for child in children(&visits) {
         bounds.predicates.push(holds(&p, child));
     }
@@ -27,10 +34,10 @@ pub(super) fn expand(component: &Component, behaviour: &Behaviour) -> TokenStrea
     let timed = timed(component);
     let node = node::expand(component, behaviour, &visits);
     let pass = match behaviour {
-        Behaviour::Step(function) => step::expand(&p, function.as_ref(), &visits),
-        Behaviour::Machine(machine) => machine::expand(&p, machine, &visits),
+        Behaviour::Step(function) => step::expand(&p, function.as_ref(), &visits, &tuning),
+        Behaviour::Machine(machine) => machine::expand(&p, machine, &visits, &tuning),
     };
-    let hooks = hooks::expand(component);
+    let hooks = hooks::expand(component, &tuning);
     quote! {
         #[automatically_derived]
         impl #parameters #p::MemberOf<__T> for #own #bounds {

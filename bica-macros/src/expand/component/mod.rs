@@ -8,6 +8,7 @@ mod member;
 mod node;
 mod step;
 mod stub;
+mod tuning;
 mod visits;
 
 use proc_macro2::TokenStream;

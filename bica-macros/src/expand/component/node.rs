@@ -33,6 +33,7 @@ pub(super) fn expand(component: &Component, behaviour: &Behaviour, visits: &Visi
                 }.as_slice(),
                 states: <Self as #p::Component>::STATES,
                 transitions: &[#(#transitions),*],
+                params: <Self as #p::Component>::PARAMS,
             }
         };
     }
@@ -58,7 +59,7 @@ fn link(argument: &Argument) -> Option<(bool, &Type)> {
     match argument {
         Argument::Read(child) | Argument::Write(child) => Some((false, child)),
         Argument::Rate(child) => Some((true, child)),
-        Argument::OwnRate | Argument::Time(_) => None,
+        Argument::OwnRate | Argument::Time(_) | Argument::Tuned(_) => None,
     }
 }
 

@@ -4,12 +4,13 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::call;
+use super::tuning::Tuning;
 use super::visits::Visits;
 use crate::language::component::model::Function;
 
-pub(super) fn expand(p: &TokenStream, step: Option<&Function>, visits: &Visits) -> TokenStream {
+pub(super) fn expand(p: &TokenStream, step: Option<&Function>, visits: &Visits, tuning: &Tuning) -> TokenStream {
     let (before, after) = (visits.before(0), visits.after(0));
-    let call = step.map(|step| call::expand(p, step));
+    let call = step.map(|step| call::expand(p, step, tuning));
     quote! {
         #before
         if visit.due {

@@ -50,21 +50,15 @@ fn nothing(krate: &Path, generics: &Generics, own: &Type) -> Option<TokenStream>
             const RESUME: bool = false;
             const STATES: &'static [#p::State] = &[];
             const IS_STUB: bool = true;
+            type Params = ();
+            const DEFAULT_PARAMS: () = ();
+            const CONSTANT_PARAMS: &'static () = &();
         }
 
         #[automatically_derived]
         impl #member_parameters #p::MemberOf<__T> for #own #bounds {
             const WRITTEN: &'static [#p::WrittenLink] = &[];
-            const NODE: #p::Node = #p::Node {
-                name: #name,
-                doc: "",
-                hz: ::core::option::Option::None,
-                budget_us: ::core::option::Option::None,
-                resume: false,
-                links: &[],
-                states: &[],
-                transitions: &[],
-            };
+            const NODE: #p::Node = #p::Node::new(#name);
             const TIMED: bool = false;
 
             fn pass<__P: #p::Probe>(_: &mut #p::Cycle<'_, __T, __P>, _: #p::Visit) {

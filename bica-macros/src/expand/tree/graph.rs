@@ -20,6 +20,7 @@ pub(super) fn expand(tree: &Tree) -> TokenStream {
         quote!(#p::node::<#name, #kind>(#label))
     });
     let check = check(tree, &p);
+    let tunable = tree.tunable;
     quote! {
         #[automatically_derived]
         impl #p::Tree for #name {
@@ -28,6 +29,7 @@ pub(super) fn expand(tree: &Tree) -> TokenStream {
                 doc: #p::doc(#doc),
                 cycle_hz: #cycle_hz,
                 budget_ms: #budget_ms,
+                tunable: #tunable,
                 root: #root,
                 nodes: &[#(#nodes),*],
             };

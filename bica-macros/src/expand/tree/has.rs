@@ -3,7 +3,7 @@
 use proc_macro2::TokenStream;
 use quote::{quote, quote_spanned};
 
-use super::{fields, runtime};
+use super::{fields, runtime, stored};
 use crate::expand::quoting::{at, placed};
 use crate::language::tree::model::Tree;
 
@@ -13,18 +13,22 @@ pub(super) fn expand(tree: &Tree) -> TokenStream {
     let each = tree.components.iter().zip(fields(tree)).enumerate().map(|(index, (entry, field))| {
         let kind = &entry.kind;
         let p = placed(&p, at(kind));
-        let listed = listed(&p, name, index, kind);
+        let (listed, stored) = (listed(&p, name, index, kind), stored(tree, kind));
+        let params = tree.tunable.then(|| params(&p, kind, &field));
         quote_spanned! {at(kind) =>
             #[doc(hidden)]
             #[automatically_derived]
             impl #p::Has<#kind> for #name {
                 type Member = #kind;
+                type Stored = #stored;
                 const INDEX: usize = #index;
 
                 #[inline]
-                fn slot(slots: &Self::Slots) -> &#p::Slot<#kind> {
+                fn slot(slots: &Self::Slots) -> &#p::Slot<#kind, Self::Stored> {
                     &slots.#field
                 }
+
+                #params
 
                 #p::visit_functions!(#kind);
             }
@@ -33,6 +37,20 @@ pub(super) fn expand(tree: &Tree) -> TokenStream {
         }
     });
     quote!(#(#each)*)
+}
+
+/// The parameters of a tunable tree.
+fn params(p: &TokenStream, kind: &syn::Type, field: &proc_macro2::Ident) -> TokenStream {
+    quote_spanned! {at(kind) =>
+        #[inline]
+        fn params(slots: &Self::Slots) -> &#p::ParamsOf<Self, #kind> {
+            slots.#field.params()
+        }
+
+        fn params_mut(slots: &mut Self::Slots) -> ::core::option::Option<&mut #p::ParamsOf<Self, #kind>> {
+            ::core::option::Option::Some(slots.#field.params_mut())
+        }
+    }
 }
 
 /// A component less visible than its tree: the compiler refuses it as an associated type, and points at the list.

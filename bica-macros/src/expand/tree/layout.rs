@@ -59,6 +59,13 @@ pub(super) fn expand(tree: &Tree) -> TokenStream {
                 }
             }
 
+            fn member<__M: #p::Member<Self>>(index: usize, action: __M) -> ::core::option::Option<__M::Output> {
+                match index {
+                    #(#places => ::core::option::Option::Some(<__M as #p::Member<Self>>::visit::<#kinds>(action)),)*
+                    _ => ::core::option::Option::None,
+                }
+            }
+
             fn hz(&self, index: usize) -> ::core::option::Option<f32> {
                 match index {
                     #(#places => #p::hz::<Self, #kinds>(self),)*

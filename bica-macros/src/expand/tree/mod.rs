@@ -8,8 +8,10 @@ mod slots;
 mod stub;
 
 use proc_macro2::{Ident, TokenStream};
-use quote::{format_ident, quote};
+use quote::{format_ident, quote, quote_spanned};
+use syn::Type;
 
+use crate::expand::quoting::{at, placed};
 use crate::language::tree::model::Tree;
 
 pub(crate) use stub::stub;
@@ -28,6 +30,12 @@ pub(crate) fn expand(tree: &Tree) -> TokenStream {
 fn runtime(tree: &Tree) -> TokenStream {
     let krate = &tree.krate;
     quote!(#krate::__private)
+}
+
+/// What the slot of a component stores of its parameters.
+fn stored(tree: &Tree, kind: &Type) -> TokenStream {
+    let p = placed(&runtime(tree), at(kind));
+    if tree.tunable { quote_spanned!(at(kind) => <#kind as #p::Component>::Params) } else { quote!(()) }
 }
 
 /// The struct of the slots.

@@ -4,7 +4,7 @@ use proc_macro2::TokenStream;
 use quote::{quote, quote_spanned};
 
 use super::{fields, runtime, slots};
-use crate::expand::quoting::at;
+use crate::expand::quoting::{at, placed};
 use crate::language::tree::model::Tree;
 
 pub(super) fn expand(tree: &Tree) -> TokenStream {
@@ -12,7 +12,15 @@ pub(super) fn expand(tree: &Tree) -> TokenStream {
     let (attributes, visibility, name, slots) = (&tree.attributes, &tree.visibility, &tree.name, slots(tree));
     let values = tree.components.iter().map(|entry| {
         let kind = &entry.kind;
-        entry.value.as_ref().map_or_else(|| quote_spanned!(at(kind) => <#kind>::new()), |value| quote!(#value))
+        let new = || quote_spanned!(at(kind) => <#kind>::new());
+        let value = entry.value.as_ref().map_or_else(new, |value| quote!(#value));
+        if tree.tunable {
+            let placed = placed(&p, at(kind));
+            let params = quote_spanned!(at(kind) => <#kind as #placed::Component>::DEFAULT_PARAMS);
+            quote!(#p::Slot::with::<#name>(#value, #params))
+        } else {
+            quote!(#p::Slot::new::<#name>(#value))
+        }
     });
     let fields = fields(tree);
     quote! {
@@ -25,7 +33,7 @@ pub(super) fn expand(tree: &Tree) -> TokenStream {
             /// The tree at rest: every component new, none active yet.
             #[must_use]
             #visibility const fn new() -> Self {
-                Self { engine: #p::Engine::new(#slots { #(#fields: #p::Slot::new::<#name>(#values)),* }) }
+                Self { engine: #p::Engine::new(#slots { #(#fields: #values),* }) }
             }
         }
 

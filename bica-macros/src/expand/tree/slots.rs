@@ -3,17 +3,20 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::{fields, runtime, slots};
+use super::{fields, runtime, slots, stored};
 use crate::language::tree::model::Tree;
 
 pub(super) fn expand(tree: &Tree) -> TokenStream {
     let p = runtime(tree);
     let (visibility, slots, fields) = (&tree.visibility, slots(tree), fields(tree));
-    let kinds = tree.components.iter().map(|entry| &entry.kind);
+    let kinds = tree.components.iter().map(|entry| {
+        let (kind, stored) = (&entry.kind, stored(tree, &entry.kind));
+        quote!(#p::Slot<#kind, #stored>)
+    });
     quote! {
         #[doc(hidden)]
         #visibility struct #slots {
-            #(#fields: #p::Slot<#kinds>),*
+            #(#fields: #kinds),*
         }
     }
 }

@@ -46,7 +46,7 @@ fn traits(draft: &Draft, p: &TokenStream) -> TokenStream {
 
         impl #p::Tree for #name {
             const GRAPH: #p::Graph =
-                #p::Graph { name: "", doc: "", cycle_hz: 1.0, budget_ms: ::core::option::Option::None, root: 0, nodes: &[] };
+                #p::Graph { name: "", doc: "", cycle_hz: 1.0, budget_ms: ::core::option::Option::None, tunable: false, root: 0, nodes: &[] };
         }
 
         /// Any component.
@@ -59,6 +59,9 @@ fn traits(draft: &Draft, p: &TokenStream) -> TokenStream {
             const BUDGET_US: ::core::option::Option<f32> = ::core::option::Option::None;
             const RESUME: bool = false;
             const STATES: &'static [#p::State] = &[];
+            type Params = ();
+            const DEFAULT_PARAMS: () = ();
+            const CONSTANT_PARAMS: &'static () = &();
         }
 
         impl #p::MemberOf<#name> for Any {
@@ -70,6 +73,7 @@ fn traits(draft: &Draft, p: &TokenStream) -> TokenStream {
 
         impl<__C: 'static> #p::Has<__C> for #name {
             type Member = Any;
+            type Stored = ();
             const INDEX: usize = 0;
             fn slot(_: &Self::Slots) -> &#p::Slot<__C> {
                 ::core::unreachable!()
@@ -102,6 +106,9 @@ fn layout(draft: &Draft, p: &TokenStream) -> TokenStream {
             fn visit<__P: #p::Probe>(_: &mut #p::Cycle<'_, Self, __P>, _: usize) {}
             fn stop<__P: #p::Probe>(_: &mut #p::Cycle<'_, Self, __P>, _: usize) {}
             fn component_state(_: &Self::Slots, _: usize) -> ::core::option::Option<&#p::ComponentState> {
+                ::core::option::Option::None
+            }
+            fn member<__M: #p::Member<Self>>(_: usize, _: __M) -> ::core::option::Option<__M::Output> {
                 ::core::option::Option::None
             }
             fn hz(&self, _: usize) -> ::core::option::Option<f32> {

@@ -1,4 +1,4 @@
-//! Arguments: links, the time, rates.
+//! Arguments: links, the time, rates, parameters.
 
 use quote::ToTokens;
 use syn::{
@@ -48,7 +48,7 @@ pub(crate) fn read(signature: &Signature, own: &Type, form: Form, report: &mut R
     for input in &signature.inputs {
         let FnArg::Typed(input) = input else { continue };
         unconditional(&input.attrs, report);
-        if form == Form::Plain {
+        if form == Form::Plain && !is_tuned(&input.ty) {
             report.add(input, wording::HOOK_LINKS);
             continue;
         }
@@ -71,6 +71,7 @@ fn key(argument: &Argument) -> String {
         Argument::Rate(child) => format!("Rate<{}>", text::written(child)),
         Argument::OwnRate => "Rate<Self>".to_owned(),
         Argument::Time(_) => "Time".to_owned(),
+        Argument::Tuned(kind) => format!("Tuned<{}>", text::written(kind)),
     }
 }
 
@@ -110,6 +111,7 @@ fn argument(kind: &Type, own: &Type, form: Form, signature: &Signature, report: 
     match segment.ident.to_string().as_str() {
         "Time" => time(reference, report),
         "Rate" => rate(reference, segment, own, form, report),
+        "Tuned" => tuned(reference, segment, report),
         _ => link(reference, own, form, report),
     }
 }
@@ -120,6 +122,7 @@ fn owned(path: &TypePath, form: Form, report: &mut Report) -> Option<Argument> {
     let problem = match path.path.segments.last()?.ident.to_string().as_str() {
         "Time" => wording::owned_time(&written),
         "Rate" => wording::owned_rate(&written),
+        "Tuned" => wording::owned_tuned(&written),
         _ if is_value(path) => no_value(path),
         _ if form == Form::Condition => wording::owned_condition(&written),
         _ => wording::owned(&written),
@@ -155,6 +158,36 @@ fn time(reference: &TypeReference, report: &mut Report) -> Option<Argument> {
     Some(Argument::Time(plain(&reference.elem).clone()))
 }
 
+/// Whether the type is called `Tuned`, borrowed or not.
+fn is_tuned(kind: &Type) -> bool {
+    match plain(kind) {
+        Type::Reference(reference) => is_tuned(&reference.elem),
+        Type::Path(path) => path.path.segments.last().is_some_and(|last| last.ident == "Tuned"),
+        _ => false,
+    }
+}
+
+fn tuned(reference: &TypeReference, segment: &PathSegment, report: &mut Report) -> Option<Argument> {
+    let Some(of) = only_type(segment) else {
+        report.add(segment, wording::TUNED_OF_WHAT);
+        return None;
+    };
+    if reference.mutability.is_some() {
+        report.add(reference, wording::tuned(&text::written(&reference.elem)));
+        return None;
+    }
+    Some(Argument::Tuned(plain(of).clone()))
+}
+
+/// The type in angle brackets.
+fn only_type(segment: &PathSegment) -> Option<&Type> {
+    let PathArguments::AngleBracketed(list) = &segment.arguments else { return None };
+    match list.args.first() {
+        Some(GenericArgument::Type(of)) => Some(of),
+        _ => None,
+    }
+}
+
 fn rate(
     reference: &TypeReference,
     segment: &PathSegment,
@@ -162,11 +195,7 @@ fn rate(
     form: Form,
     report: &mut Report,
 ) -> Option<Argument> {
-    let PathArguments::AngleBracketed(list) = &segment.arguments else {
-        report.add(segment, wording::RATE_OF_WHAT);
-        return None;
-    };
-    let Some(GenericArgument::Type(of)) = list.args.first() else {
+    let Some(of) = only_type(segment) else {
         report.add(segment, wording::RATE_OF_WHAT);
         return None;
     };
@@ -197,14 +226,14 @@ fn link(reference: &TypeReference, own: &Type, form: Form, report: &mut Report) 
     }
 }
 
-/// Completes a `Rate` without a component, which is reported, so that the compiler does not report it again.
+/// Completes a `Rate` or `Tuned` without a type, which is reported, so that the compiler does not report it again.
 pub(crate) fn complete_rates(signature: &mut Signature) {
     for input in &mut signature.inputs {
         let FnArg::Typed(input) = input else { continue };
         let Type::Reference(reference) = &mut *input.ty else { continue };
         let Type::Path(path) = &mut *reference.elem else { continue };
         if let Some(last) = path.path.segments.last_mut()
-            && last.ident == "Rate"
+            && (last.ident == "Rate" || last.ident == "Tuned")
             && last.arguments.is_none()
         {
             last.arguments = PathArguments::AngleBracketed(parse_quote!(<Self>));

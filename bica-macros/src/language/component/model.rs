@@ -68,6 +68,8 @@ pub(crate) enum Argument {
     Rate(Type),
     /// `&mut Rate<Self>`
     OwnRate,
+    /// `&Tuned<P>`: the struct `P`
+    Tuned(Type),
 }
 
 /// `#[state]`

@@ -31,6 +31,7 @@ pub(crate) fn check(draft: &Draft, report: &mut Report) -> Option<Tree> {
         root: draft.root.clone()?,
         cycle_hz: draft.cycle_hz?,
         budget_ms: draft.budget_ms,
+        tunable: draft.tunable,
         components: components?,
         krate: draft.krate.clone(),
     })

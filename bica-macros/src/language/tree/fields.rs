@@ -1,4 +1,4 @@
-//! `root: ..., cycle_hz: ..., budget_ms: ..., components: [...]`
+//! `root: ..., cycle_hz: ..., budget_ms: ..., tunable, components: [...]`
 
 use proc_macro2::{Ident, TokenTree};
 use syn::ext::IdentExt;
@@ -11,11 +11,11 @@ use crate::language::types::plain;
 use crate::language::{number, text, wording};
 
 /// The fields that messages name; `crate` is for the crates of the framework.
-const KEYS: [&str; 4] = ["root", "cycle_hz", "budget_ms", "components"];
-const KNOWN: &str = "`root`, `cycle_hz`, `budget_ms` and `components`";
+const KEYS: [&str; 5] = ["root", "cycle_hz", "budget_ms", "tunable", "components"];
+const KNOWN: &str = "`root`, `cycle_hz`, `budget_ms`, `tunable` and `components`";
 
 /// Names that a user may try, and the field that was meant.
-const SYNONYMS: [(&str, &str); 8] = [
+const SYNONYMS: [(&str, &str); 11] = [
     ("hz", "cycle_hz"),
     ("rate", "cycle_hz"),
     ("frequency", "cycle_hz"),
@@ -24,6 +24,9 @@ const SYNONYMS: [(&str, &str); 8] = [
     ("nodes", "components"),
     ("children", "components"),
     ("list", "components"),
+    ("tuned", "tunable"),
+    ("tuneable", "tunable"),
+    ("adjustable", "tunable"),
 ];
 
 /// Reads the fields of a tree; goes on behind one that is wrong.
@@ -78,6 +81,11 @@ fn one(input: ParseStream, seen: &mut Vec<Ident>, draft: &mut Draft, report: &mu
         return Err(unknown(&key, &name));
     }
     seen.push(key);
+    if name == "tunable" {
+        draft.tunable = true;
+        let ends = input.is_empty() || input.peek(Token![,]) || input.peek(Token![;]);
+        return if ends { Ok(()) } else { Err(input.error(wording::TUNABLE_VALUE)) };
+    }
     input.parse::<Token![:]>().map_err(|found| syn::Error::new(found.span(), wording::colon(&name)))?;
     match name.as_str() {
         "root" => draft.root = Some(component(input)?),

@@ -11,6 +11,8 @@ pub(crate) struct Draft {
     pub(crate) root: Option<Type>,
     pub(crate) cycle_hz: Option<f32>,
     pub(crate) budget_ms: Option<f32>,
+    /// The word `tunable` stands among the fields.
+    pub(crate) tunable: bool,
     pub(crate) components: Option<Vec<Entry>>,
     /// The crate that generated code uses.
     pub(crate) krate: Path,
@@ -25,6 +27,8 @@ pub(crate) struct Tree {
     pub(crate) root: Type,
     pub(crate) cycle_hz: f32,
     pub(crate) budget_ms: Option<f32>,
+    /// The word `tunable` stands among the fields.
+    pub(crate) tunable: bool,
     pub(crate) components: Vec<Entry>,
     pub(crate) krate: Path,
 }

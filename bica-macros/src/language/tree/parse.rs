@@ -45,7 +45,17 @@ fn head(input: ParseStream, report: &mut Report) -> syn::Result<Draft> {
         report.add(&generics, wording::TREE_GENERIC);
     }
     let krate = parse_quote!(::bica);
-    Ok(Draft { attributes, visibility, name, root: None, cycle_hz: None, budget_ms: None, components: None, krate })
+    Ok(Draft {
+        attributes,
+        visibility,
+        name,
+        root: None,
+        cycle_hz: None,
+        budget_ms: None,
+        tunable: false,
+        components: None,
+        krate,
+    })
 }
 
 /// Whether a tree can have the attribute; if not, reports it.

@@ -11,8 +11,11 @@ pub(crate) const LIFETIME: &str =
     "a component cannot borrow, its tree owns it: store values, and read other components in `step`";
 
 pub(crate) fn reserved(name: &str) -> String {
-    let used =
-        if name == "Time" { "an argument `&Time` is the time of the cycle" } else { "`Rate<C>` is the rate of C" };
+    let used = match name {
+        "Time" => "an argument `&Time` is the time of the cycle",
+        "Rate" => "`Rate<C>` is the rate of C",
+        _ => "`Tuned<P>` is a struct of parameters",
+    };
     format!("a component cannot be called `{name}`, {used}: choose another name")
 }
 

@@ -43,8 +43,7 @@ mod tests {
     use bica_player::Forward;
 
     const fn node(name: &'static str, links: &'static [Link]) -> Node {
-        let (states, transitions) = (&[], &[]);
-        Node { name, doc: "", hz: None, budget_us: None, resume: false, links, states, transitions }
+        Node { links, ..Node::new(name) }
     }
 
     /// `Top` reads and modulates `Low`, past `Middle`.
@@ -59,7 +58,7 @@ mod tests {
             node("Middle", &[link(2, WRITE, 0)]),
             node("Low", &[]),
         ];
-        Graph { name: "Both", doc: "", cycle_hz: 100.0, budget_ms: None, root: 0, nodes }
+        Graph { name: "Both", doc: "", cycle_hz: 100.0, budget_ms: None, tunable: false, root: 0, nodes }
     };
 
     #[test]

@@ -17,11 +17,11 @@ impl Rng {
 
 fn node(name: &'static str, links: Vec<Link>, states: &'static [State]) -> Node {
     let links = links.leak();
-    Node { name, doc: "<&\">\u{1}", hz: None, budget_us: None, resume: false, links, states, transitions: &[] }
+    Node { doc: "<&\">\u{1}", links, states, ..Node::new(name) }
 }
 
 fn graph(nodes: Vec<Node>) -> Graph {
-    Graph { name: "Tree", doc: "", cycle_hz: 100.0, budget_ms: None, root: 0, nodes: nodes.leak() }
+    Graph { name: "Tree", doc: "", cycle_hz: 100.0, budget_ms: None, tunable: false, root: 0, nodes: nodes.leak() }
 }
 
 /// Returns a random graph, with or without cycles.

@@ -1,0 +1,180 @@
+//! A hash over the description of a tree.
+
+use super::{Graph, LinkKind, Node};
+use crate::params::{Kind, Param, Value};
+
+/// Hash of a tree's description, FNV-1a with 64 bits: names, rates, budgets, links, states, transitions and parameters
+/// with their kinds, ranges, units and defaults.
+///
+/// Doc comments and `tunable` are left out: they change no meaning of an index, and a microcontroller may lack both.
+#[must_use]
+pub const fn hash(graph: &Graph) -> u64 {
+    let mut hash = Fnv::new().text(graph.name).f32(Some(graph.cycle_hz)).f32(graph.budget_ms).number(graph.root as u64);
+    hash = hash.number(graph.nodes.len() as u64);
+    let mut index = 0;
+    while index < graph.nodes.len() {
+        hash = node(hash, &graph.nodes[index]);
+        index += 1;
+    }
+    hash.0
+}
+
+const fn node(hash: Fnv, node: &Node) -> Fnv {
+    let hash = hash.text(node.name).f32(node.hz).f32(node.budget_us).number(node.resume as u64);
+    params(machine(links(hash, node), node), node)
+}
+
+const fn links(mut hash: Fnv, node: &Node) -> Fnv {
+    hash = hash.number(node.links.len() as u64);
+    let mut index = 0;
+    while index < node.links.len() {
+        let link = node.links[index];
+        let state = match link.state {
+            Some(state) => state as u64 + 1,
+            None => 0,
+        };
+        hash = hash.number(link.to as u64).number(matches!(link.kind, LinkKind::Modulation) as u64).number(state);
+        index += 1;
+    }
+    hash
+}
+
+const fn machine(mut hash: Fnv, node: &Node) -> Fnv {
+    hash = hash.number(node.states.len() as u64);
+    let mut index = 0;
+    while index < node.states.len() {
+        let state = node.states[index];
+        hash = hash.text(state.name).number(state.initial as u64).number(state.last as u64);
+        index += 1;
+    }
+    hash = hash.number(node.transitions.len() as u64);
+    index = 0;
+    while index < node.transitions.len() {
+        let edge = node.transitions[index];
+        let after = match edge.after_ms {
+            Some(ms) => ms as u64 + 1,
+            None => 0,
+        };
+        hash = hash.text(edge.name).number(edge.from as u64).number(edge.to as u64).number(after);
+        index += 1;
+    }
+    hash
+}
+
+const fn params(mut hash: Fnv, node: &Node) -> Fnv {
+    hash = hash.number(node.params.len() as u64);
+    let mut group = 0;
+    while group < node.params.len() {
+        hash = list(hash.text(node.params[group].name), node.params[group].params);
+        group += 1;
+    }
+    hash
+}
+
+const fn list(mut hash: Fnv, params: &[Param]) -> Fnv {
+    hash = hash.number(params.len() as u64);
+    let mut index = 0;
+    while index < params.len() {
+        hash = param(hash, &params[index]);
+        index += 1;
+    }
+    hash
+}
+
+const fn param(hash: Fnv, param: &Param) -> Fnv {
+    let hash = match param.unit {
+        Some(unit) => hash.number(1).text(unit),
+        None => hash.number(0),
+    };
+    value(kind(hash.text(param.name), &param.kind), param.default)
+}
+
+const fn kind(hash: Fnv, kind: &Kind) -> Fnv {
+    let hash = hash.text(kind.name());
+    match *kind {
+        Kind::F32 { min, max, step } => hash.f32(Some(min)).f32(Some(max)).f32(step),
+        Kind::I32 { min, max, step } => {
+            let step = match step {
+                Some(step) => Some(Value::I32(step)),
+                None => None,
+            };
+            option(value(value(hash, Value::I32(min)), Value::I32(max)), step)
+        }
+        Kind::U32 { min, max, step } => {
+            let step = match step {
+                Some(step) => Some(Value::U32(step)),
+                None => None,
+            };
+            option(value(value(hash, Value::U32(min)), Value::U32(max)), step)
+        }
+        Kind::Bool => hash,
+        Kind::Choice { variants } => {
+            let (mut hash, mut index) = (hash.number(variants.len() as u64), 0);
+            while index < variants.len() {
+                hash = hash.text(variants[index].name);
+                index += 1;
+            }
+            hash
+        }
+    }
+}
+
+const fn option(hash: Fnv, of: Option<Value>) -> Fnv {
+    match of {
+        Some(of) => value(hash.number(1), of),
+        None => hash.number(0),
+    }
+}
+
+const fn value(hash: Fnv, value: Value) -> Fnv {
+    hash.number(match value {
+        Value::F32(number) => number.to_bits() as u64,
+        Value::I32(number) => number as u64,
+        Value::U32(number) | Value::Choice(number) => number as u64,
+        Value::Bool(on) => on as u64,
+    })
+}
+
+/// FNV-1a.
+#[derive(Clone, Copy)]
+struct Fnv(u64);
+
+impl Fnv {
+    const fn new() -> Self {
+        Self(0xcbf2_9ce4_8422_2325)
+    }
+
+    const fn byte(self, byte: u8) -> Self {
+        Self((self.0 ^ byte as u64).wrapping_mul(0x0000_0100_0000_01b3))
+    }
+
+    /// A number, its least significant byte first.
+    const fn number(mut self, number: u64) -> Self {
+        let bytes = number.to_le_bytes();
+        let mut index = 0;
+        while index < bytes.len() {
+            self = self.byte(bytes[index]);
+            index += 1;
+        }
+        self
+    }
+
+    /// A text and its length, so that the border between two texts counts.
+    const fn text(self, text: &str) -> Self {
+        let bytes = text.as_bytes();
+        let (mut hash, mut index) = (self.number(bytes.len() as u64), 0);
+        while index < bytes.len() {
+            hash = hash.byte(bytes[index]);
+            index += 1;
+        }
+        hash
+    }
+
+    /// The bits of a number, and whether there is one.
+    const fn f32(self, number: Option<f32>) -> Self {
+        match number {
+            Some(number) => self.number(1).number(number.to_bits() as u64),
+            None => self.number(0),
+        }
+    }
+}

@@ -1,0 +1,74 @@
+//! Information: results of a component that a person or a tool may look at.
+//!
+//! `#[info]` on a getter in the impl block of a component lists it in the graph. The getter is called only when somebody
+//! asks, by [`Tree::read_info`](crate::Tree::read_info).
+//!
+//! The type of the value must implement `serde::Serialize` and `postcard_schema::Schema` if the feature `info` of this crate
+//! is enabled. Without it information is described but its values cannot be taken out, and nothing is required.
+//!
+#![cfg_attr(feature = "info", doc = "```")]
+#![cfg_attr(not(feature = "info"), doc = "```ignore")]
+//! use bica_core::info::{InfoSink, Information};
+//! use bica_core::{Instant, Tree};
+//! use bica_macros::{activation_tree, component};
+//!
+//! pub struct Ball { distance: f32 }
+//!
+//! #[component(crate = bica_core)]
+//! impl Ball {
+//!     pub const fn new() -> Self { Self { distance: 1.25 } }
+//!
+//!     /// Distance to the ball.
+//!     #[info(unit = "m")]
+//!     pub fn distance(&self) -> f32 { self.distance }
+//! }
+//!
+//! activation_tree! { pub struct Robot { root: Ball, cycle_hz: 100, components: [Ball], crate: bica_core } }
+//!
+//! /// Takes values as postcard bytes.
+//! struct Bytes([u8; 16], usize);
+//!
+//! impl InfoSink for Bytes {
+//!     fn take<V: Information>(&mut self, value: &V) {
+//!         self.1 = postcard::to_slice(value, &mut self.0).map_or(0, |bytes| bytes.len());
+//!     }
+//! }
+//!
+//! let robot = Robot::new();
+//! let mut bytes = Bytes([0; 16], 0);
+//! assert!(robot.read_info(Robot::id::<Ball>(), 0, &mut bytes));
+//! assert_eq!(&bytes.0[..bytes.1], 1.25_f32.to_le_bytes());
+//! ```
+
+/// Description of an information.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Info {
+    /// The getter's name.
+    pub name: &'static str,
+    /// The getter's doc comment.
+    pub doc: &'static str,
+    /// The unit, such as `"m"`; `None` for what has none.
+    pub unit: Option<&'static str>,
+    /// The type of the value, as the getter writes it.
+    pub ty: &'static str,
+}
+
+/// A type that information can have: `serde::Serialize` and `postcard_schema::Schema`.
+#[cfg(feature = "info")]
+pub trait Information: serde::Serialize + postcard_schema::Schema {}
+
+#[cfg(feature = "info")]
+impl<V: serde::Serialize + postcard_schema::Schema + ?Sized> Information for V {}
+
+/// A type that information can have: any, as the feature `info` is not enabled.
+#[cfg(not(feature = "info"))]
+pub trait Information {}
+
+#[cfg(not(feature = "info"))]
+impl<V: ?Sized> Information for V {}
+
+/// Takes the value of an information.
+pub trait InfoSink {
+    /// Takes the value. Its schema is `V::SCHEMA` of `postcard_schema::Schema`.
+    fn take<V: Information>(&mut self, value: &V);
+}

@@ -1,0 +1,42 @@
+//! Modulations: methods of a component that an operator may call as an activator does.
+//!
+//! ```
+//! use bica_core::{Instant, Tree, Value};
+//! use bica_macros::{activation_tree, component};
+//!
+//! pub struct Turn { speed: f32 }
+//!
+//! #[component(crate = bica_core)]
+//! impl Turn {
+//!     pub const fn new() -> Self { Self { speed: 0.0 } }
+//!
+//!     /// Turns on the spot, to the left if positive.
+//!     #[modulation]
+//!     pub fn turn(&mut self, #[range(-1.0..=1.0)] #[unit("rad/s")] speed: f32) { self.speed = speed; }
+//! }
+//!
+//! activation_tree! { pub struct Robot { root: Turn, cycle_hz: 100, components: [Turn], crate: bica_core } }
+//!
+//! let mut robot = Robot::new();
+//! let turn = Robot::id::<Turn>();
+//! robot.modulate(turn, 0, &[Value::F32(0.5)])?;
+//! assert_eq!(robot.get::<Turn>().speed, 0.5);
+//!
+//! let refusal = robot.modulate(turn, 0, &[Value::F32(2.0)]).unwrap_err();
+//! assert_eq!(refusal.to_string(), "`Turn.speed`: 2 is outside -1..=1");
+//! # Ok::<(), bica_core::Refusal>(())
+//! ```
+
+use crate::params::Param;
+
+/// Description of a modulation.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Modulation {
+    /// The method's name.
+    pub name: &'static str,
+    /// The method's doc comment.
+    pub doc: &'static str,
+    /// The arguments. One that declares no default has the number of its range that is nearest to zero, `false`, or the
+    /// first variant.
+    pub arguments: &'static [Param],
+}

@@ -1,0 +1,359 @@
+//! Parameters of components, in tunable trees and in others.
+
+use bica_core::params::{Kind, Setting, Value};
+use bica_core::refusal::{Reason, Refusal};
+use bica_core::{Component, ComponentId, Hold, Instant, Rate, Time, Tree, Tuned, graph};
+use bica_macros::{ParamEnum, Params, activation_tree, component};
+
+/// Foot of a kick.
+#[derive(Clone, Copy, Debug, PartialEq, ParamEnum)]
+#[params(crate = bica_core)]
+pub(crate) enum Foot {
+    /// The left one.
+    Left,
+    Right,
+}
+
+/// How to kick.
+#[derive(Clone, Debug, PartialEq, Params)]
+#[params(crate = bica_core, check = Self::is_ordered)]
+pub(crate) struct Kicking {
+    /// Swing back.
+    #[param(default = -0.5, range = -1.0..=1.0, unit = "rad", step = 0.01)]
+    back: f32,
+    /// Swing forward.
+    #[param(default = LEAST, range = LEAST..=i32::MAX, step = 2)]
+    forward: i32,
+    /// Number of kicks.
+    #[param(default = 3, range = 1..=5)]
+    kicks: u32,
+    /// Whether to turn.
+    #[param(default = true)]
+    turns: bool,
+    /// The foot.
+    #[param(default = Foot::Right)]
+    foot: Foot,
+}
+
+const LEAST: i32 = -7;
+
+impl Kicking {
+    const fn is_ordered(&self) -> Result<(), &'static str> {
+        if self.forward >= 0 && self.kicks == 5 { Err("five kicks are only for backward swings") } else { Ok(()) }
+    }
+}
+
+/// How to wait.
+#[derive(Params)]
+#[params(crate = bica_core)]
+pub(crate) struct Waiting {
+    /// Runs to wait.
+    #[param(default = 2, range = 0..=9)]
+    runs: u32,
+}
+
+/// Steps, reads both structs.
+pub(crate) struct Kicker {
+    seen: Vec<(f32, u32)>,
+}
+
+#[component(crate = bica_core)]
+impl Kicker {
+    const fn new() -> Self {
+        Self { seen: Vec::new() }
+    }
+
+    fn step(&mut self, tuned: &Tuned<Kicking>, machine: &mut Machine, waiting: &Tuned<Waiting>, time: &Time) {
+        assert!(time.dt() < 1.0);
+        self.seen.push((tuned.back, waiting.runs));
+    }
+
+    #[start]
+    fn reset(&mut self) {
+        *self = Self::new();
+    }
+}
+
+/// Reads parameters in every kind of function.
+pub(crate) struct Machine {
+    log: Vec<(&'static str, u32)>,
+}
+
+#[component(crate = bica_core)]
+impl Machine {
+    const fn new() -> Self {
+        Self { log: Vec::new() }
+    }
+
+    #[state(initial)]
+    fn wait(&mut self, rate: &mut Rate<Self>, tuned: &Tuned<self::Waiting>) {
+        self.log.push(("wait", tuned.runs));
+        rate.reset();
+    }
+
+    #[state]
+    fn go(&mut self, tuned: &Tuned<self::Waiting>) {
+        self.log.push(("go", tuned.runs));
+    }
+
+    #[transition(wait -> go)]
+    fn waited(&self, tuned: &Tuned<self::Waiting>) -> bool {
+        self.log.iter().filter(|(what, _)| *what == "wait").count() as u32 >= tuned.runs
+    }
+
+    #[transition(go -> wait)]
+    fn never(&self) -> bool {
+        false
+    }
+
+    #[entry(go)]
+    fn entered(&mut self, tuned: &Tuned<self::Waiting>) {
+        self.log.push(("entry", tuned.runs));
+    }
+
+    #[exit(wait)]
+    fn left(&mut self, tuned: &Tuned<self::Waiting>) {
+        self.log.push(("exit", tuned.runs));
+    }
+
+    #[start]
+    fn started(&mut self, tuned: &Tuned<self::Waiting>) {
+        self.log.push(("start", tuned.runs));
+    }
+
+    #[stop]
+    fn stopped(&mut self, tuned: &Tuned<self::Waiting>) {
+        self.log.push(("stop", tuned.runs));
+    }
+}
+
+activation_tree! {
+    /// With stored values.
+    pub(crate) struct Adjusted { root: Kicker, cycle_hz: 100, tunable, components: [Kicker, Machine], crate: bica_core }
+}
+
+mod constant {
+    use super::{Kicker, Machine};
+
+    bica_macros::activation_tree! {
+        pub(crate) struct Adjusted { root: Kicker, cycle_hz: 100, components: [Kicker, Machine], crate: bica_core }
+    }
+}
+
+fn kicker() -> ComponentId {
+    Adjusted::id::<Kicker>()
+}
+
+fn machine() -> ComponentId {
+    Adjusted::id::<Machine>()
+}
+
+fn refusal(tree: &mut Adjusted, component: ComponentId, index: u16, value: Value) -> Refusal {
+    tree.set_params(&[Setting::new(component, index, value)]).expect_err("refused")
+}
+
+#[test]
+fn every_function_gets_the_values_of_its_own_component() {
+    let mut tree = Adjusted::new();
+    tree.set_params(&[Setting::new(machine(), 0, Value::U32(1)), Setting::new(kicker(), 5, Value::U32(7))]).unwrap();
+    tree.tick(Instant::from_millis(0));
+    tree.tick(Instant::from_millis(10));
+    tree.hold::<Machine>(Hold::Latent);
+    tree.tick(Instant::from_millis(20));
+    let log = [("start", 1), ("wait", 1), ("exit", 1), ("entry", 1), ("go", 1), ("stop", 1)];
+    assert_eq!(tree.get::<Machine>().log, log);
+    assert_eq!(tree.get::<Kicker>().seen, [(-0.5, 7); 3]);
+}
+
+#[test]
+fn values_survive_a_component_that_resets_itself() {
+    let mut tree = Adjusted::new();
+    tree.set_params(&[Setting::new(kicker(), 0, Value::F32(0.25))]).unwrap();
+    tree.hold::<Kicker>(Hold::Latent);
+    tree.tick(Instant::from_millis(0));
+    tree.hold::<Kicker>(Hold::Tree);
+    tree.tick(Instant::from_millis(10));
+    assert_eq!(tree.get::<Kicker>().seen, [(0.25, 2)]);
+}
+
+#[test]
+fn parameters_are_counted_through_all_structs_of_a_component() {
+    let tree = Adjusted::new();
+    let values = [Value::F32(-0.5), Value::I32(-7), Value::U32(3), Value::Bool(true), Value::Choice(1), Value::U32(2)];
+    for (index, value) in values.into_iter().enumerate() {
+        assert_eq!(tree.get_param(kicker(), index), Some(value));
+    }
+    assert_eq!(tree.get_param(kicker(), 6), None);
+    assert_eq!(tree.get_param(ComponentId::new(2), 0), None);
+}
+
+#[test]
+fn each_reason_of_a_refusal_names_the_parameter() {
+    let mut tree = Adjusted::new();
+    for (component, index, value, text) in [
+        (kicker(), 0, Value::F32(1.5), "`Kicker.back`: 1.5 is outside -1..=1"),
+        (kicker(), 0, Value::F32(f32::NAN), "`Kicker.back`: the value is not finite"),
+        (kicker(), 0, Value::F32(f32::INFINITY), "`Kicker.back`: the value is not finite"),
+        (kicker(), 0, Value::I32(0), "`Kicker.back`: the value is of kind i32, but f32 is required"),
+        (kicker(), 1, Value::I32(-8), "`Kicker.forward`: -8 is outside -7..=2147483647"),
+        (kicker(), 2, Value::U32(0), "`Kicker.kicks`: 0 is outside 1..=5"),
+        (kicker(), 2, Value::U32(6), "`Kicker.kicks`: 6 is outside 1..=5"),
+        (kicker(), 3, Value::U32(1), "`Kicker.turns`: the value is of kind u32, but bool is required"),
+        (kicker(), 4, Value::Choice(2), "`Kicker.foot`: no such variant, there are 2"),
+        (kicker(), 6, Value::U32(1), "`Kicker`: no such parameter, the component has 6"),
+        (ComponentId::new(2), 0, Value::U32(1), "entry 0: the tree has no such component"),
+    ] {
+        assert_eq!(refusal(&mut tree, component, index, value).to_string(), text);
+    }
+}
+
+#[test]
+fn a_refused_batch_changes_nothing() {
+    let mut tree = Adjusted::new();
+    let good = Setting::new(machine(), 0, Value::U32(9));
+    for (bad, reason) in [
+        (
+            Setting::new(kicker(), 2, Value::U32(6)),
+            Reason::OutOfRange { value: Value::U32(6), min: Value::U32(1), max: Value::U32(5) },
+        ),
+        (Setting::new(machine(), 0, Value::U32(8)), Reason::Twice),
+    ] {
+        let refusal = tree.set_params(&[good, bad]).unwrap_err();
+        assert_eq!((refusal.entry, refusal.reason), (1, reason));
+        assert_eq!(tree.get_param(machine(), 0), Some(Value::U32(2)));
+    }
+    let pair = [Setting::new(kicker(), 1, Value::I32(0)), good, Setting::new(kicker(), 2, Value::U32(5))];
+    let refusal = tree.set_params(&pair).unwrap_err();
+    assert_eq!(refusal.reason, Reason::Rule("five kicks are only for backward swings"));
+    assert_eq!(tree.params::<Kicker>().0, Tuned::<Kicking>::DEFAULT);
+    assert_eq!(tree.get_param(machine(), 0), Some(Value::U32(2)));
+}
+
+#[test]
+fn a_rule_judges_the_result_of_a_batch_and_not_its_steps() {
+    let mut tree = Adjusted::new();
+    tree.set_params(&[Setting::new(kicker(), 2, Value::U32(5))]).unwrap();
+    assert!(tree.set_params(&[Setting::new(kicker(), 1, Value::I32(4))]).is_err());
+    let both = [Setting::new(kicker(), 1, Value::I32(4)), Setting::new(kicker(), 2, Value::U32(4))];
+    tree.set_params(&both).unwrap();
+    assert_eq!(tree.params::<Kicker>().0.forward, 4);
+}
+
+#[test]
+fn all_values_of_a_component_are_replaced_at_once_or_not() {
+    let mut tree = Adjusted::new();
+    let kicking = Kicking { back: 0.75, foot: Foot::Left, ..Kicking::default() };
+    tree.set_params_of::<Kicker>((Tuned::new(kicking.clone()), Tuned::new(Waiting { runs: 5 }))).unwrap();
+    assert_eq!((&*tree.params::<Kicker>().0, tree.params::<Kicker>().1.runs), (&kicking, 5));
+    let wrong = [
+        (Kicking { back: f32::NAN, ..Kicking::default() }, Reason::NotFinite),
+        (
+            Kicking { forward: 1, kicks: 5, ..Kicking::default() },
+            Reason::Rule("five kicks are only for backward swings"),
+        ),
+    ];
+    for (values, reason) in wrong {
+        let set = tree.set_params_of::<Kicker>((Tuned::new(values), Tuned::DEFAULT));
+        assert_eq!(set.unwrap_err().reason, reason);
+        assert_eq!(tree.params::<Kicker>().1.runs, 5);
+    }
+}
+
+#[test]
+fn an_untunable_tree_stores_nothing_and_refuses() {
+    let mut tree = constant::Adjusted::new();
+    assert!(size_of::<constant::Adjusted>() < size_of::<Adjusted>());
+    assert_eq!(tree.get_param(kicker(), 4), Some(Value::Choice(1)));
+    let refusal = tree.set_params(&[Setting::new(kicker(), 0, Value::F32(0.0))]).unwrap_err();
+    assert_eq!(refusal.to_string(), "`Kicker.back`: the tree is not `tunable`, its parameters are constants");
+    let refusal = tree.set_params_of::<Machine>(Tuned::DEFAULT).unwrap_err();
+    assert_eq!(refusal.reason, Reason::NotTunable);
+    tree.tick(Instant::from_millis(0));
+    assert_eq!(tree.get::<Kicker>().seen, [(-0.5, 2)]);
+}
+
+/// As large as the tree without parameters would be.
+#[test]
+fn an_untunable_slot_has_no_room_for_parameters() {
+    use bica_core::__private::Slot;
+    let machines = size_of::<Slot<Kicker>>() + size_of::<Slot<Machine>>();
+    let values = size_of::<Kicking>() + 2 * size_of::<Waiting>();
+    assert!(size_of::<Adjusted>() - size_of::<constant::Adjusted>() >= values);
+    assert!(size_of::<constant::Adjusted>() <= machines + 64, "slots, and what a tree stores once");
+}
+
+#[test]
+fn descriptions_hold_what_the_structs_declare() {
+    let node = Adjusted::GRAPH.nodes[0];
+    let names: Vec<_> = node.params.iter().map(|group| (group.name, group.doc, group.params.len())).collect();
+    assert_eq!(names, [("Kicking", "How to kick.", 5), ("Waiting", "How to wait.", 1)]);
+    let back = node.params[0].params[0];
+    assert_eq!((back.name, back.doc, back.unit, back.default), ("back", "Swing back.", Some("rad"), Value::F32(-0.5)));
+    assert_eq!(back.kind, Kind::F32 { min: -1.0, max: 1.0, step: Some(0.01) });
+    let Kind::Choice { variants } = node.params[0].params[4].kind else { panic!("an enum") };
+    assert_eq!(variants.map_names(), ["Left", "Right"]);
+    assert_eq!((node.param_count(), <Machine as Component>::PARAMS.len()), (6, 1));
+}
+
+trait MapNames {
+    fn map_names(&self) -> Vec<&'static str>;
+}
+
+impl MapNames for [bica_core::params::Variant] {
+    fn map_names(&self) -> Vec<&'static str> {
+        self.iter().map(|variant| variant.name).collect()
+    }
+}
+
+#[test]
+fn the_hash_depends_on_what_an_index_means_and_on_nothing_else() {
+    let graph = Adjusted::GRAPH;
+    assert_eq!(Adjusted::HASH, graph::hash(&graph));
+    assert_eq!(Adjusted::HASH, constant::Adjusted::HASH, "docs and `tunable` do not count");
+    let nodes = graph.nodes;
+    let changed = |change: &dyn Fn(&mut graph::Node)| {
+        let mut nodes = nodes.to_vec();
+        change(&mut nodes[0]);
+        graph::hash(&graph::Graph { nodes: nodes.leak(), ..graph })
+    };
+    assert_eq!(changed(&|node| node.doc = "other"), Adjusted::HASH);
+    for (index, hash) in [
+        changed(&|node| node.name = "Other"),
+        changed(&|node| node.hz = Some(1.0)),
+        changed(&|node| node.resume = true),
+        changed(&|node| node.links = &[]),
+        changed(&|node| node.params = &[]),
+        changed(&|node| node.params = node.params[..1].to_vec().leak()),
+        changed(&|node| {
+            let mut groups = node.params.to_vec();
+            let mut params = groups[0].params.to_vec();
+            params[0].default = Value::F32(-0.25);
+            groups[0].params = params.leak();
+            node.params = groups.leak();
+        }),
+        changed(&|node| {
+            let mut groups = node.params.to_vec();
+            let mut params = groups[0].params.to_vec();
+            params[0].kind = Kind::F32 { min: -1.0, max: 2.0, step: Some(0.01) };
+            groups[0].params = params.leak();
+            node.params = groups.leak();
+        }),
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        assert_ne!(hash, Adjusted::HASH, "change {index}");
+    }
+}
+
+#[test]
+fn a_step_can_be_called_without_a_tree() {
+    let (mut kicker, mut machine) = (Kicker::new(), Machine::new());
+    let time = Time {
+        now: Instant::from_ticks(0),
+        since_run: bica_core::Duration::from_ticks(0),
+        in_state: bica_core::Duration::from_ticks(0),
+    };
+    kicker.step(&Tuned::DEFAULT, &mut machine, &Tuned::new(Waiting { runs: 4 }), &time);
+    assert_eq!(kicker.seen, [(-0.5, 4)]);
+}

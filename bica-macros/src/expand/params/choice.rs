@@ -1,0 +1,57 @@
+//! `impl ParamEnum`.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use crate::language::params::model::Choice;
+use crate::language::report::Report;
+use crate::language::text;
+
+/// The trait of an enum that is a parameter.
+pub(crate) fn choice(choice: &Choice) -> TokenStream {
+    let (krate, name) = (&choice.krate, &choice.name);
+    let p = quote!(#krate::__private);
+    let variants: Vec<_> = choice.variants.iter().map(|(variant, _)| variant).collect();
+    let labels = choice.variants.iter().map(|(variant, _)| text::name(variant));
+    let docs = choice.variants.iter().map(|(_, doc)| doc);
+    let indices: Vec<u32> = (0..).take(variants.len()).collect();
+    quote! {
+        #[automatically_derived]
+        impl #p::ParamEnum for #name {
+            const VARIANTS: &'static [#p::Variant] = &[#(#p::Variant { name: #labels, doc: #p::doc(#docs) }),*];
+
+            fn index(self) -> u32 {
+                match self {
+                    #(Self::#variants => #indices,)*
+                }
+            }
+
+            fn at(index: u32) -> ::core::option::Option<Self> {
+                match index {
+                    #(#indices => ::core::option::Option::Some(Self::#variants),)*
+                    _ => ::core::option::Option::None,
+                }
+            }
+        }
+    }
+}
+
+/// The mistakes, and an enum without choices.
+pub(crate) fn choice_stub(choice: &Choice, report: &Report) -> TokenStream {
+    let (name, krate, errors) = (&choice.name, &choice.krate, report.to_compile_errors());
+    let p = quote!(#krate::__private);
+    quote! {
+        #[automatically_derived]
+        impl #p::ParamEnum for #name {
+            const VARIANTS: &'static [#p::Variant] = &[];
+            fn index(self) -> u32 {
+                0
+            }
+            fn at(_: u32) -> ::core::option::Option<Self> {
+                ::core::option::Option::None
+            }
+        }
+
+        #errors
+    }
+}

@@ -1,0 +1,121 @@
+//! The description of one parameter, and the checks of its declaration.
+
+use proc_macro2::{Ident, TokenStream};
+use quote::{ToTokens, format_ident, quote, quote_spanned};
+
+use crate::expand::quoting::{at, option, placed};
+use crate::language::params::field::variant;
+use crate::language::params::model::{Field, Kind, Number, NumberKind};
+use crate::language::text;
+
+/// `Param { ... }`; `default` is the default value in Rust, if there is one.
+pub(crate) fn param(p: &TokenStream, field: &Field, default: Option<&TokenStream>) -> TokenStream {
+    let (name, doc, unit) = (text::name(&field.name), &field.doc, option(field.unit.as_ref()));
+    let (kind, default) = (kind(p, field), value(p, field, default));
+    quote! {{
+        let kind = #kind;
+        #p::Param { name: #name, doc: #p::doc(#doc), unit: #unit, kind, default: #default }
+    }}
+}
+
+fn kind(p: &TokenStream, field: &Field) -> TokenStream {
+    match &field.kind {
+        Kind::Number(number) => {
+            let Number { of, min, max, step } = &**number;
+            let (variant, step) = (of.variant(), option(step.as_ref()));
+            quote!(#p::Kind::#variant { min: #min, max: #max, step: #step })
+        }
+        Kind::Bool => quote!(#p::Kind::Bool),
+        Kind::Choice => {
+            let variants = variants(p, field);
+            quote!(#p::Kind::Choice { variants: #variants })
+        }
+    }
+}
+
+/// `<Mode as ParamEnum>::VARIANTS`
+fn variants(p: &TokenStream, field: &Field) -> TokenStream {
+    let (ty, p) = (&field.ty, placed(p, at(&field.ty)));
+    quote_spanned!(at(ty) => <#ty as #p::ParamEnum>::VARIANTS)
+}
+
+/// The default as a `Value`.
+fn value(p: &TokenStream, field: &Field, default: Option<&TokenStream>) -> TokenStream {
+    match (&field.kind, default, &field.default) {
+        (Kind::Number(number), Some(default), _) => {
+            let variant = number.of.variant();
+            quote!(#p::Value::#variant(#default))
+        }
+        (Kind::Bool, Some(default), _) => quote!(#p::Value::Bool(#default)),
+        (Kind::Choice, Some(_), Some(written)) => {
+            let (name, variants, p) =
+                (variant(written).unwrap_or_default(), variants(p, field), placed(p, at(written)));
+            quote_spanned!(at(written) => #p::Value::Choice(#p::variant(#variants, #name)))
+        }
+        _ => quote!(#p::natural_default(&kind)),
+    }
+}
+
+/// The constant assertions of a parameter; `described` is the constant that holds its description.
+pub(crate) fn assertions(p: &TokenStream, field: &Field, described: &TokenStream) -> TokenStream {
+    let assert = |name: &str, place: &dyn ToTokens| {
+        let place = at(&place.to_token_stream());
+        let (p, name, described) = (placed(p, place), Ident::new(name, place), placed(described, place));
+        quote_spanned!(place => const _: () = #p::#name(&#described);)
+    };
+    let default = field.default.as_ref().map(|default| assert("assert_default", default));
+    let Kind::Number(number) = &field.kind else { return quote!(#default) };
+    let Number { min, max, step, .. } = &**number;
+    let range = assert("assert_range", &quote!(#min..=#max));
+    let step = step.as_ref().map(|step| assert("assert_step", step));
+    quote!(#range #default #step)
+}
+
+/// The field as a `Value`.
+pub(crate) fn to_value(p: &TokenStream, field: &Field, read: &TokenStream) -> TokenStream {
+    match &field.kind {
+        Kind::Number(number) => {
+            let variant = number.of.variant();
+            quote!(#p::Value::#variant(#read))
+        }
+        Kind::Bool => quote!(#p::Value::Bool(#read)),
+        Kind::Choice => {
+            let ty = &field.ty;
+            let p = placed(p, at(ty));
+            quote_spanned!(at(ty) => #p::Value::Choice(<#ty as #p::ParamEnum>::index(#read)))
+        }
+    }
+}
+
+/// A `Value` as an `Option` of the field's type.
+pub(crate) fn from_value(p: &TokenStream, field: &Field, value: &TokenStream) -> TokenStream {
+    let (variant, is): (Ident, TokenStream) = match &field.kind {
+        Kind::Number(number) => (number.of.variant(), quote!(::core::option::Option::Some(value))),
+        Kind::Bool => (format_ident!("Bool"), quote!(::core::option::Option::Some(value))),
+        Kind::Choice => {
+            let ty = &field.ty;
+            let placed = placed(p, at(ty));
+            (format_ident!("Choice"), quote_spanned!(at(ty) => <#ty as #placed::ParamEnum>::at(value)))
+        }
+    };
+    quote! {
+        match #value {
+            #p::Value::#variant(value) => #is,
+            _ => ::core::option::Option::None,
+        }
+    }
+}
+
+impl NumberKind {
+    /// The variant of `Kind` and of `Value`.
+    fn variant(self) -> Ident {
+        format_ident!(
+            "{}",
+            match self {
+                Self::F32 => "F32",
+                Self::I32 => "I32",
+                Self::U32 => "U32",
+            }
+        )
+    }
+}

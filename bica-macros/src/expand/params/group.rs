@@ -1,0 +1,127 @@
+//! `impl Params`.
+
+use proc_macro2::TokenStream;
+use quote::{quote, quote_spanned};
+
+use super::describe;
+use crate::expand::quoting::{at, placed};
+use crate::language::params::model::Params;
+use crate::language::report::Report;
+use crate::language::text;
+
+/// The traits of a struct of parameters, and the assertions about it.
+pub(crate) fn params(params: &Params) -> TokenStream {
+    let krate = &params.krate;
+    let p = quote!(#krate::__private);
+    let (name, label, doc) = (&params.name, params.name.to_string(), &params.doc);
+    let names: Vec<_> = params.fields.iter().map(|field| &field.name).collect();
+    let defaults = params.fields.iter().map(|field| &field.default);
+    let places = 0..params.fields.len();
+    let descriptions = params.fields.iter().map(|field| {
+        let name = &field.name;
+        describe::param(&p, field, Some(&quote!(<Self as #p::Params>::DEFAULT.#name)))
+    });
+    let assertions =
+        params.fields.iter().enumerate().map(|(place, field)| {
+            describe::assertions(&p, field, &quote!(<#name as #p::Params>::GROUP.params[#place]))
+        });
+    let reads = params.fields.iter().map(|field| {
+        let name = &field.name;
+        describe::to_value(&p, field, &quote!(self.#name))
+    });
+    let writes = params.fields.iter().enumerate().map(|(place, field)| {
+        let (name, value) = (&field.name, describe::from_value(&p, field, &quote!(value)));
+        quote!(#place => if let ::core::option::Option::Some(value) = #value { self.#name = value; },)
+    });
+    let check = params.check.as_ref().map(|check| {
+        quote_spanned! {at(check) =>
+            fn check(&self) -> ::core::result::Result<(), &'static str> {
+                #check(self)
+            }
+        }
+    });
+    let rule = rule(params, &p);
+    quote! {
+        #[automatically_derived]
+        impl #p::Params for #name {
+            const DEFAULT: Self = Self { #(#names: #defaults),* };
+            const GROUP: #p::ParamGroup =
+                #p::ParamGroup { name: #label, doc: #p::doc(#doc), params: &[#(#descriptions),*] };
+
+            fn get(&self, index: usize) -> ::core::option::Option<#p::Value> {
+                match index {
+                    #(#places => ::core::option::Option::Some(#reads),)*
+                    _ => ::core::option::Option::None,
+                }
+            }
+
+            fn put(&mut self, index: usize, value: #p::Value) {
+                match index {
+                    #(#writes)*
+                    _ => {}
+                }
+            }
+
+            #check
+        }
+
+        #[automatically_derived]
+        impl ::core::default::Default for #name {
+            fn default() -> Self {
+                <Self as #p::Params>::DEFAULT
+            }
+        }
+
+        #(#assertions)*
+        #rule
+    }
+}
+
+/// The defaults meet the rule between several values.
+fn rule(params: &Params, p: &TokenStream) -> Option<TokenStream> {
+    let (name, check) = (&params.name, params.check.as_ref()?);
+    let p = placed(p, at(check));
+    Some(quote_spanned! {at(check) =>
+        impl #name {
+            #[doc(hidden)]
+            const __CHECKED: () = #p::assert_rule(#check(&<Self as #p::Params>::DEFAULT));
+        }
+        const _: () = #name::__CHECKED;
+    })
+}
+
+/// The mistakes, and a struct without parameters, so that one mistake gives one message.
+pub(crate) fn stub(params: &Params, report: &Report) -> TokenStream {
+    let (name, krate, errors) = (&params.name, &params.krate, report.to_compile_errors());
+    let p = quote!(#krate::__private);
+    let Some(default) = any_values(params).filter(|_| !params.generic) else { return errors };
+    quote! {
+        #[automatically_derived]
+        impl #p::Params for #name {
+            const DEFAULT: Self = #default;
+            const GROUP: #p::ParamGroup = #p::ParamGroup { name: "", doc: "", params: &[] };
+            fn get(&self, _: usize) -> ::core::option::Option<#p::Value> {
+                ::core::option::Option::None
+            }
+            fn put(&mut self, _: usize, _: #p::Value) {}
+        }
+
+        #errors
+    }
+}
+
+/// Values for the fields of a struct with mistakes; `None` if there is a type of which no value is known.
+fn any_values(params: &Params) -> Option<TokenStream> {
+    let values = params.written.iter().map(|(name, kind, default)| {
+        let value = match (default, text::written(kind).as_str()) {
+            (Some(default), _) => quote!(#default),
+            (None, "f32" | "f64") => quote!(0.0),
+            (None, "bool") => quote!(false),
+            (None, "i8" | "i16" | "i32" | "i64" | "isize" | "u8" | "u16" | "u32" | "u64" | "usize") => quote!(0),
+            _ => return None,
+        };
+        Some(quote!(#name: #value))
+    });
+    let values = values.collect::<Option<Vec<_>>>()?;
+    params.is_struct.then(|| quote!(Self { #(#values),* }))
+}

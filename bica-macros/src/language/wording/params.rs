@@ -1,0 +1,87 @@
+//! Messages about parameters.
+
+// The struct.
+pub(crate) const PARAMS_STRUCT: &str =
+    "parameters are the named fields of a struct: write `struct Name { ... }` with at least one field";
+pub(crate) const PARAMS_GENERIC: &str = "parameters have concrete types: remove this";
+pub(crate) const CHECK_FORM: &str = "which function checks the values? Write `check = Self::name`, a `const fn`";
+
+pub(crate) fn params_doc(name: &str) -> String {
+    format!("`{name}` has no doc comment: say above it what these parameters adjust, `/// ...`")
+}
+
+pub(crate) fn param_doc(name: &str) -> String {
+    format!("parameter `{name}` has no doc comment: say above it what it means, `/// ...`")
+}
+
+// The fields.
+pub(crate) const PARAM_FORM: &str =
+    "a parameter is described by `#[param(default = 0.5, range = 0.0..=1.0)]`, and by `unit` and `step` if it has them";
+pub(crate) const RANGE_FORM: &str = "a range has two ends that belong to it: write `a..=b`";
+pub(crate) const UNIT_FORM: &str = "a unit is a text such as \"m/s\"; leave it out for a pure number";
+
+pub(crate) fn no_param(name: &str, kind: &str) -> String {
+    let example = match kind {
+        "bool" => "default = false",
+        "i32" | "u32" => "default = 5, range = 0..=10",
+        "f32" => "default = 0.5, range = 0.0..=1.0",
+        _ => "default = ...",
+    };
+    format!("field `{name}` is no parameter yet: add `#[param({example})]`")
+}
+
+pub(crate) fn no_default(name: &str) -> String {
+    format!("parameter `{name}` has no default: add `default = ...` to its `#[param(...)]`")
+}
+
+pub(crate) fn no_range(name: &str, kind: &str) -> String {
+    let example = if kind == "f32" { "0.0..=1.0" } else { "0..=10" };
+    format!("`{name}` is a number without a range: add one such as `{example}`")
+}
+
+pub(crate) fn param_value(key: &str) -> String {
+    let example = match key {
+        "default" => "default = 0.5",
+        "range" => "range = 0.0..=1.0",
+        "unit" => "unit = \"m/s\"",
+        _ => "step = 0.01",
+    };
+    format!("`{key}` needs a value: `{example}`")
+}
+
+pub(crate) fn no_kind(written: &str, instead: Option<&str>) -> String {
+    match instead {
+        Some(instead) => format!("`{written}` is no kind of parameter: write `{instead}`"),
+        None => format!(
+            "`{written}` is no kind of parameter: take `f32`, `i32`, `u32`, `bool` or an enum with \
+             `#[derive(ParamEnum)]`"
+        ),
+    }
+}
+
+pub(crate) fn for_numbers(key: &str, kind: &str) -> String {
+    format!("`{key}` is for numbers, and `{kind}` is none: remove `{key}`")
+}
+
+pub(crate) fn choice_default(kind: &str) -> String {
+    format!("the default of an enum is one of its variants: write `default = {kind}::Variant`")
+}
+
+// Enums.
+pub(crate) const CHOICE_ENUM: &str =
+    "the choices of a parameter are the variants of an enum: write `enum Name { ... }`";
+
+pub(crate) fn variant_fields(name: &str) -> String {
+    format!("variant `{name}` has fields, but a choice is only a name: remove them")
+}
+
+// The argument.
+pub(crate) const TUNED_OF_WHAT: &str = "which parameters? Write `&Tuned<Name>`, the struct with `#[derive(Params)]`";
+
+pub(crate) fn tuned(written: &str) -> String {
+    format!("parameters are only read, an operator sets them: write `&{written}`")
+}
+
+pub(crate) fn owned_tuned(written: &str) -> String {
+    format!("parameters are borrowed: write `&{written}`")
+}

@@ -1,0 +1,12 @@
+use bica::prelude::*;
+
+/// How to follow.
+#[derive(Params)]
+pub struct Following {
+    #[param(default = 0.5, range = 0.0..=1.0)]
+    gain: f32,
+}
+
+fn main() {
+    let _ = Tuned::<Following>::DEFAULT;
+}

@@ -1,0 +1,11 @@
+use bica::prelude::*;
+
+/// How to follow.
+#[derive(Params)]
+pub struct Following<const N: usize> {
+    /// Gain.
+    #[param(default = 0.5, range = 0.0..=1.0)]
+    gain: f32,
+}
+
+fn main() {}
