@@ -102,8 +102,11 @@ fn indices_are_positions_in_the_component_list() {
 #[test]
 fn attributes_are_as_declared() {
     let resuming = Resume::GRAPH.nodes.iter().filter(|node| node.resume).map(|node| node.name);
-    assert_eq!(resuming.collect::<Vec<_>>(), ["Keeps"]);
-    assert_eq!(node(Resume::GRAPH, "Keeps").states.iter().map(|s| s.initial).collect::<Vec<_>>(), [false, true, false]);
+    assert_eq!(resuming.collect::<Vec<_>>(), ["Resuming"]);
+    assert_eq!(
+        node(Resume::GRAPH, "Resuming").states.iter().map(|s| s.initial).collect::<Vec<_>>(),
+        [false, true, false]
+    );
     assert_eq!(node(Chain::GRAPH, "Middle").hz, Some(20.0));
     assert_eq!(node(Chain::GRAPH, "Top").hz, None);
     let last = node(Timers::GRAPH, "Clockwork").states.iter().filter(|state| state.last).map(|state| state.name);

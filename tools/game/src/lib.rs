@@ -28,7 +28,7 @@ pub use firmware::{FirmwareImage, FirmwareSummary, InstructionCount};
 pub use game::{play, play_recorded};
 pub use latency::LatencySummary;
 pub use observer::{GameObserver, View};
-pub use recording::{RecordOptions, RecordingSummary};
+pub use recording::{RecordOptions, RecordingSummary, recording_header};
 pub use replay::{ReplayOptions, Replayed, replay};
 pub use rules::{Rules, WorldKind};
 pub use scene::{GRAPH, Scene};

@@ -130,7 +130,7 @@ fn open(options: &RecordOptions<'_>, rules: &Rules, attacks: GoalColour) -> Resu
     };
     let file = OpenOptions::new().write(true).create(true).truncate(true).create_new(!force).open(path);
     let file = file.map_err(|error| Failure::of_path("write", path, &error, help))?;
-    let header = header(rules, attacks, images);
+    let header = recording_header(rules, attacks, images);
     // Without a clock nothing has to be lost.
     let backpressure = if rules.realtime { Backpressure::Drop } else { Backpressure::Wait };
     let on_end = |reason: &str| eprintln!("warning: the recording ended, the game goes on: {reason}");
@@ -139,7 +139,8 @@ fn open(options: &RecordOptions<'_>, rules: &Rules, attacks: GoalColour) -> Resu
 }
 
 /// Returns the header of a game's recording.
-fn header(rules: &Rules, attacks: GoalColour, images: ImagePolicy) -> Header {
+#[must_use]
+pub fn recording_header(rules: &Rules, attacks: GoalColour, images: ImagePolicy) -> Header {
     let world = match rules.world {
         _ if rules.firmware.is_some() => "firmware",
         WorldKind::BuiltIn => "built-in",

@@ -119,6 +119,11 @@ impl<R: Read> Recording<R> {
         self.ending.as_ref()
     }
 
+    /// Returns what was recorded after the last complete cycle: events of that cycle, as a goal that ended the game.
+    pub const fn rest(&self) -> &RecordedCycle {
+        &self.next
+    }
+
     /// Returns the number of bytes read so far.
     pub const fn position(&self) -> u64 {
         self.reader.position()

@@ -9,6 +9,7 @@ mod graph;
 mod mujoco;
 mod pictures;
 mod process;
+mod recordings;
 mod schema;
 mod see;
 mod test_image;

@@ -24,11 +24,18 @@ fn every_printed_field_is_documented() {
     let folder = Folder::new("schema");
     fs::write(folder.path().join("1.png"), "no image").unwrap();
     let mut printed = BTreeSet::new();
+    let file = folder.path().join("run.mcap");
+    let file = file.to_str().expect("UTF-8");
+    let copy = format!("{file}.copy");
     for args in [
         &["--seconds", "1.5"][..],
         &["play", "--games", "1", "--seconds", "0.1"],
         &["graph"],
         &["watch", folder.text()],
+        &["--seconds", "0.5", "--record", file],
+        &["record", "info", file],
+        &["record", "recover", file, &copy],
+        &["replay", file],
     ] {
         fields(&run(&[args, &["--json"]].concat()).json(), &mut printed);
     }

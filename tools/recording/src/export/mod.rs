@@ -153,6 +153,7 @@ pub fn export(source: impl Read, target: impl Write) -> Result<Copied, Error> {
             Err(error) => return Err(error),
         }
     }
+    export.words(recording.rest());
     export.writer.close()?;
     Ok(Copied { bytes: export.writer.length(), ..copied })
 }
@@ -215,6 +216,15 @@ impl<W: Write> Export<W> {
             self.tree(&cycle.tree);
             self.last.clone_from(&cycle.tree);
         }
+        self.words(cycle);
+        if self.writer.pending() >= CHUNK_BYTES {
+            self.writer.flush()?;
+        }
+        Ok(())
+    }
+
+    /// Writes what a recording holds for people.
+    fn words(&mut self, cycle: &RecordedCycle) {
         for event in &cycle.events {
             self.log(2, "referee", format!("{} {}", event.kind, event.detail).trim_end());
         }
@@ -224,10 +234,6 @@ impl<W: Write> Export<W> {
         if let Some(costs) = &cycle.costs {
             self.costs(costs);
         }
-        if self.writer.pending() >= CHUNK_BYTES {
-            self.writer.flush()?;
-        }
-        Ok(())
     }
 
     fn message(&mut self, topic: Topic, message: &Protobuf) {

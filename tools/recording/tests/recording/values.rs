@@ -115,6 +115,27 @@ fn the_contents_are_counted() {
 }
 
 #[test]
+fn an_event_of_the_last_cycle_is_kept() {
+    let file = recorded(10);
+    let mut recording = Recording::new(&file[..]).expect("a header");
+    while recording.next_cycle().expect("intact").is_some() {}
+    assert_eq!(recording.rest().events.len(), 1);
+    let mut target = Vec::new();
+    export(&file[..], &mut target).expect("a recording");
+    let mut reader = bica_recording::mcap::Reader::new(&target[..]).expect("MCAP");
+    let is_goal = |data: &[u8]| data.windows(4).any(|bytes| bytes == b"goal");
+    let mut goals = 0;
+    loop {
+        match reader.next_item().expect("intact") {
+            bica_recording::mcap::Item::Message(message) => goals += u32::from(is_goal(&message.data)),
+            bica_recording::mcap::Item::End => break,
+            _ => {}
+        }
+    }
+    assert_eq!(goals, 1);
+}
+
+#[test]
 fn an_export_is_no_recording_but_complete() {
     let mut target = Vec::new();
     let exported = export(&recorded(60)[..], &mut target).expect("a recording");

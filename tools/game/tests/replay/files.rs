@@ -1,0 +1,100 @@
+//! Recordings in files of a test.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::thread;
+use std::time::Duration;
+
+use bica_console::STACK_BYTES;
+use bica_game::{RecordOptions, ReplayOptions, Replayed, Rules, WorldKind, play_recorded, replay};
+use bica_recording::ImagePolicy;
+use bica_recording::mcap::{Compression, Item, Reader, Writer};
+use bica_recording::{Channel, Error};
+use bica_sim::setup::Frame;
+
+/// File that is removed at the end of a test.
+pub(crate) struct Temporary(pub(crate) PathBuf);
+
+impl Temporary {
+    pub(crate) fn new(name: &str) -> Self {
+        Self(Path::new(env!("CARGO_TARGET_TMPDIR")).join(name))
+    }
+}
+
+impl Drop for Temporary {
+    fn drop(&mut self) {
+        let _ = fs::remove_file(&self.0);
+    }
+}
+
+/// Runs with a stack for the forward's tree.
+pub(crate) fn with_stack<T: Send>(work: impl FnOnce() -> T + Send) -> T {
+    thread::scope(|scope| {
+        let builder = thread::Builder::new().stack_size(STACK_BYTES);
+        builder.spawn_scoped(scope, work).expect("a thread").join().expect("the test's own panic")
+    })
+}
+
+/// Returns rules with small images.
+pub(crate) fn rules(seed: u64, seconds: f32) -> Rules {
+    Rules {
+        world: WorldKind::BuiltIn,
+        seed,
+        size: Frame::Small,
+        robots: 0,
+        limit: Duration::from_secs_f32(seconds),
+        realtime: false,
+        firmware: None,
+    }
+}
+
+/// Plays and records a game.
+pub(crate) fn record(path: &Path, rules: &Rules, images: ImagePolicy) {
+    let options = RecordOptions { path, images, force: true };
+    let (summary, recording) = play_recorded(rules, &mut (), Some(options)).expect("a game");
+    let recording = recording.expect("requested");
+    assert_eq!((recording.recorded_cycles, recording.dropped_images, recording.reason), (summary.cycles, 0, None));
+}
+
+/// Replays a file from start to end.
+pub(crate) fn replay_all(path: &Path) -> Replayed {
+    replay(&ReplayOptions { path, from: 0.0, until: f64::INFINITY, against: None }).expect("a recording")
+}
+
+/// Writes a recording again with other contents of some messages and metadata.
+pub(crate) fn rewrite(
+    file: &[u8],
+    mut message: impl FnMut(Channel, &mut Vec<u8>),
+    mut header: impl FnMut(&mut String),
+) -> Vec<u8> {
+    let mut reader = Reader::new(file).expect("MCAP");
+    let (mut schemas, mut channels, mut start) = (Vec::new(), Vec::new(), None);
+    while start.is_none() {
+        match reader.next_item().expect("intact") {
+            Item::Schema(schema) => schemas.push(schema),
+            Item::Channel(channel) => channels.push(channel),
+            Item::Metadata(_, name, fields) => start = Some((name, fields)),
+            _ => panic!("messages before the header"),
+        }
+    }
+    let (name, mut fields) = start.expect("found");
+    fields.values_mut().for_each(&mut header);
+    let mut target = Vec::new();
+    let mut writer = Writer::new(&mut target, "bica", schemas, channels).expect("memory");
+    writer.metadata(&name, &fields).expect("memory");
+    loop {
+        match reader.next_item().expect("intact") {
+            Item::Message(mut found) => {
+                let channel = Channel::of_id(found.channel).expect("a channel of ours");
+                message(channel, &mut found.data);
+                let kind = if channel == Channel::Images { Compression::None } else { Compression::Lz4 };
+                writer.message(kind, found.channel, found.time, |out| out.extend_from_slice(&found.data));
+            }
+            Item::Chunk { .. } => writer.flush().expect("memory"),
+            Item::End => break,
+            _ => {}
+        }
+    }
+    writer.finish().map_err(Error::Io).expect("memory");
+    target
+}

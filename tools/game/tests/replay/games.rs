@@ -1,0 +1,100 @@
+//! Games of the built-in world.
+
+use std::fs;
+
+use bica_console::Failure;
+use bica_game::{ReplayOptions, Rules, replay};
+use bica_recording::ImagePolicy;
+
+use crate::files::{Temporary, record, replay_all, rewrite, rules, with_stack};
+
+fn replays_bit_for_bit(seeds: std::ops::Range<u64>, seconds: f32) {
+    for seed in seeds {
+        for (images, source) in [(ImagePolicy::All, "stored"), (ImagePolicy::None, "rules")] {
+            let file = Temporary::new(&format!("game-{seed}-{source}-{seconds}.mcap"));
+            let rules = Rules { robots: (seed % 5) as usize, ..rules(seed, seconds) };
+            let replayed = with_stack(|| {
+                record(&file.0, &rules, images);
+                replay_all(&file.0)
+            });
+            assert!(replayed.equal, "seed {seed}: {:?}", replayed.first_difference);
+            assert_eq!((replayed.source, replayed.damage.as_deref()), (source, None));
+            assert!(
+                replayed.cycles as f32 > 90.0 * seconds.min(5.0)
+                    && replayed.same_build
+                    && replayed.decisions.is_empty()
+            );
+        }
+    }
+}
+
+#[test]
+fn games_replay_bit_for_bit_from_stored_values_and_from_rules() {
+    replays_bit_for_bit(10..13, 2.0);
+}
+
+#[test]
+#[ignore = "plays 100 whole games: cargo test --release -p bica-game --test replay -- --ignored"]
+fn a_hundred_whole_games_replay_bit_for_bit() {
+    replays_bit_for_bit(0..100, 60.0);
+}
+
+#[test]
+fn a_span_is_compared_and_other_recordings_are() {
+    let (one, two) = (Temporary::new("span-one.mcap"), Temporary::new("span-two.mcap"));
+    with_stack(|| {
+        record(&one.0, &rules(20, 1.0), ImagePolicy::All);
+        record(&two.0, &rules(20, 2.0), ImagePolicy::None);
+        let span = ReplayOptions { path: &one.0, from: 0.5, until: 0.6, against: None };
+        assert_eq!(replay(&span).expect("a recording").cycles, 11);
+        let against = ReplayOptions { path: &one.0, from: 0.0, until: f64::INFINITY, against: Some(&two.0) };
+        let replayed = replay(&against).expect("two recordings");
+        let first = replayed.first_difference.expect("one is longer");
+        assert_eq!((replayed.cycles, first.cycle, first.field.as_str()), (100, 100, "cycle"));
+        assert_eq!((first.recorded.as_str(), first.repeated.as_str()), ("the end", "a cycle"));
+        assert!(replay(&ReplayOptions { until: 0.9, ..against }).expect("two recordings").equal);
+    });
+}
+
+#[test]
+fn a_recording_of_another_tree_or_without_its_start_is_refused() {
+    let file = Temporary::new("refused.mcap");
+    let refused = |bytes: &[u8]| {
+        fs::write(&file.0, bytes).expect("room");
+        let options = ReplayOptions { path: &file.0, from: 0.0, until: f64::INFINITY, against: None };
+        match with_stack(|| replay(&options)).expect_err("refused") {
+            Failure::Error { what, .. } => what,
+            Failure::BrokenPipe => panic!("no pipe is involved"),
+        }
+    };
+    let bytes = with_stack(|| {
+        record(&file.0, &rules(3, 0.5), ImagePolicy::All);
+        fs::read(&file.0).expect("recorded")
+    });
+    let same = |_: bica_recording::Channel, _: &mut Vec<u8>| {};
+    let other_tree = rewrite(&bytes, same, |text| *text = text.replace("\"hash\":\"", "\"hash\":\"f"));
+    assert!(refused(&other_tree).contains("another activation tree"));
+    let renamed = |text: &mut String| {
+        *text = text.replace("\"hash\":\"", "\"hash\":\"f").replace("\"SearchBall\"", "\"SeekBall\"");
+    };
+    let message = refused(&rewrite(&bytes, same, renamed));
+    assert!(message.contains("SeekBall") && message.contains("SearchBall"), "{message}");
+    let newer = rewrite(&bytes, same, |text| *text = text.replace("\"format\":1", "\"format\":2"));
+    assert!(refused(&newer).contains("format 2"));
+    let mut part = Vec::new();
+    bica_recording::repair::trim(&bytes[..], &mut part, 100_000_000, u64::MAX).expect("a recording");
+    assert!(refused(&part).contains("begins with cycle 10"));
+}
+
+#[test]
+fn a_cut_recording_is_compared_up_to_its_cut() {
+    let file = Temporary::new("cut.mcap");
+    with_stack(|| {
+        record(&file.0, &rules(4, 8.0), ImagePolicy::All);
+        let bytes = fs::read(&file.0).expect("recorded");
+        fs::write(&file.0, &bytes[..2 * bytes.len() / 3]).expect("room");
+        let replayed = replay_all(&file.0);
+        assert!(replayed.equal && replayed.damage.expect("cut").contains("cut off"));
+        assert!((100..800).contains(&replayed.cycles), "{}", replayed.cycles);
+    });
+}

@@ -1,0 +1,7 @@
+//! Replays of games: equal bit for bit, and every change is found.
+
+mod files;
+mod flips;
+mod games;
+mod repository;
+mod requests;
