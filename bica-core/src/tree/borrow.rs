@@ -29,10 +29,11 @@ use core::marker::PhantomData;
 use core::ptr;
 
 use super::component_state::ComponentState;
+use super::cycle::visits_at_rate;
 use super::cycle_state::CycleState;
 use super::layout::{Has, Layout};
 use crate::component::Component;
-use crate::rate::Rate;
+use crate::rate::{Period, Rate};
 
 /// One component of a tree, its rate and its state.
 pub struct Slot<C> {
@@ -51,6 +52,15 @@ impl<C: 'static> Slot<C> {
     /// State of the component; it lies in no `UnsafeCell` and is never borrowed mutably.
     pub const fn state(&self) -> &ComponentState {
         &self.state
+    }
+
+    /// The rate, which is about to be written.
+    #[inline]
+    fn written_rate<T: Has<C>>(&self) -> *mut Rate<C> {
+        if !const { visits_at_rate::<T, C>() } {
+            self.state.activation().read_period();
+        }
+        self.rate.get()
     }
 }
 
@@ -125,6 +135,7 @@ impl<T: Layout> Store<T> {
     }
 
     /// Reads the rate of a component.
+    #[inline]
     pub(crate) fn rate<C: 'static>(&self) -> &Rate<C>
     where
         T: Has<C>,
@@ -139,7 +150,7 @@ impl<T: Layout> Store<T> {
     where
         T: Has<C>,
     {
-        let rate = slot_in::<T, C>(&self.slots).rate.get();
+        let rate = slot_in::<T, C>(&self.slots).written_rate::<T>();
         // SAFETY: as in `get_mut`.
         unsafe { &mut *rate }
     }
@@ -175,6 +186,15 @@ impl<'t, T: Layout> ExclusiveStore<'t, T> {
         T: Has<C>,
     {
         T::slot(&self.store.slots).state()
+    }
+
+    /// The time between two runs of `C`.
+    #[inline]
+    pub(crate) fn period<C: 'static>(&self) -> &Period
+    where
+        T: Has<C>,
+    {
+        self.store.rate::<C>().period()
     }
 
     /// Borrows the components of `L`.
@@ -284,7 +304,7 @@ impl<T: Has<C>, C: 'static> BorrowSet<T> for WriteRate<C> {
 
     #[inline]
     unsafe fn borrow(slots: &T::Slots) -> &mut Rate<C> {
-        let rate = slot_in::<T, C>(slots).rate.get();
+        let rate = slot_in::<T, C>(slots).written_rate::<T>();
         // SAFETY: as for `Read`; a component and its rate are two cells.
         unsafe { &mut *rate }
     }
