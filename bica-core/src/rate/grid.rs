@@ -31,39 +31,32 @@ impl Tolerance {
 /// The last grid point of a component.
 ///
 /// Differences between instants are taken modulo 2⁶⁴ ticks, so a clock may wrap around.
-#[derive(PartialEq)]
-pub(crate) struct Grid {
+#[derive(Clone, Copy, PartialEq)]
+pub(crate) struct Grid<'a> {
     /// The last grid point minus the time that a run may be early, in clock ticks.
-    origin: Cell<u64>,
+    pub(crate) origin: &'a Cell<u64>,
     /// Fraction of the grid point, in units of 2⁻³² ticks.
-    fraction: Cell<u32>,
+    pub(crate) fraction: &'a Cell<u32>,
 }
 
-impl Grid {
-    pub(crate) const fn new() -> Self {
-        Self { origin: Cell::new(0), fraction: Cell::new(0) }
-    }
-
-    pub(crate) fn copy_from(&self, other: &Self) {
-        self.origin.set(other.origin.get());
-        self.fraction.set(other.fraction.get());
-    }
-
+impl Grid<'_> {
     /// Starts a grid at `now`.
     #[inline]
-    pub(crate) fn start(&self, now: u64, tolerance: Tolerance) {
+    pub(crate) fn start(self, now: u64, tolerance: Tolerance) {
         self.origin.set(now.wrapping_sub(tolerance.early));
         self.fraction.set(0);
     }
 
     /// Returns whether a run is due, and if so moves the grid on.
     #[inline]
-    pub(crate) fn is_due(&self, now: u64, period: &Period, tolerance: Tolerance) -> bool {
+    pub(crate) fn is_due(self, now: u64, period: &Period, tolerance: Tolerance) -> bool {
         let elapsed = now.wrapping_sub(self.origin.get());
         if elapsed < period.whole() {
             return false;
         }
-        if elapsed - period.whole() < period.whole().wrapping_add(tolerance.slack) && !period.is_rest() {
+        // A rest is above here only if the elapsed time is the largest number, which is below no limit. The limit of any
+        // other period does not wrap around.
+        if elapsed < period.whole().wrapping_mul(2).wrapping_add(tolerance.slack) {
             let (fraction, carry) = self.fraction.get().overflowing_add(period.fraction());
             self.fraction.set(fraction);
             self.origin.set(self.origin.get().wrapping_add(period.whole()).wrapping_add(u64::from(carry)));
@@ -75,7 +68,7 @@ impl Grid {
     /// Returns whether a run is due at an instant before or after the window, and if so starts a new grid there.
     #[cold]
     #[inline(never)]
-    fn is_due_outside(&self, now: u64, period: &Period, tolerance: Tolerance) -> bool {
+    fn is_due_outside(self, now: u64, period: &Period, tolerance: Tolerance) -> bool {
         if period.is_every_cycle() {
             return true;
         }

@@ -11,6 +11,12 @@ pub(crate) struct Parity(u8);
 impl Parity {
     pub(crate) const EVEN: Self = Self(0);
     pub(crate) const ODD: Self = Self(1);
+
+    /// The parity of the next cycle, and of the previous one.
+    #[inline]
+    pub(crate) const fn other(self) -> Self {
+        Self(self.0 ^ 1)
+    }
 }
 
 /// Not active. This and the following values stand in place of a parity.
@@ -21,6 +27,12 @@ const HELD_LATENT: u8 = 3;
 const LEAVING: u8 = 4;
 /// Active when a tick unwound: it stops at the beginning of the next tick.
 const INTERRUPTED: u8 = 5;
+
+/// Added to a parity: the next visit reads the component's period.
+///
+/// A component that declares no rate runs in every cycle as long as nothing borrows its rate. So its visit compares one
+/// byte and reads no period. A visit that makes a component active reads the period in any case.
+const READS_PERIOD: u8 = 8;
 
 /// Activation of one component: the parity of the last cycle that visited it while it is active, or why it is not.
 ///
@@ -38,22 +50,40 @@ impl Activation {
         Self { value: Cell::new(LATENT), hold: Cell::new(Hold::Tree) }
     }
 
-    /// Whether the component was active in the previous cycle, which had that parity, and is not visited yet in this one.
+    /// Records a visit if the component was active in the previous cycle, which had that parity, is not visited yet in
+    /// this one, and need not read the period; returns whether it did.
     #[inline]
-    pub(crate) fn is_awaited(&self, previous: Parity) -> bool {
-        self.value.get() == previous.0
+    pub(crate) fn visits_as_before(&self, previous: Parity) -> bool {
+        let usual = self.value.get() == previous.0;
+        if usual {
+            self.value.set(previous.other().0);
+        }
+        usual
     }
 
     /// Whether the component was visited in the cycle of that parity, this one or the last one.
     #[inline]
-    pub(crate) fn was_visited(&self, parity: Parity) -> bool {
+    fn was_visited(&self, parity: Parity) -> bool {
+        self.value.get() & !READS_PERIOD == parity.0
+    }
+
+    /// Whether the component is latent and not held so.
+    #[inline]
+    pub(crate) fn is_latent(&self) -> bool {
+        self.value.get() == LATENT
+    }
+
+    /// Whether the component was visited in this cycle and its next visit need not read the period. It is faster than
+    /// [`is_closed`](Self::is_closed), and never true if that is false.
+    #[inline]
+    pub(crate) fn is_visited_as_before(&self, parity: Parity) -> bool {
         self.value.get() == parity.0
     }
 
     /// Whether a visit ends here: the component was visited in this cycle, or it is held latent.
     #[inline]
     pub(crate) fn is_closed(&self, parity: Parity) -> bool {
-        self.was_visited(parity) || matches!(self.value.get(), HELD_LATENT | LEAVING)
+        self.hold.get() == Hold::Latent || self.was_visited(parity)
     }
 
     /// Records a visit.
@@ -62,14 +92,32 @@ impl Activation {
         self.value.set(parity.0);
     }
 
+    /// Makes the next visit read the period, which may change.
+    #[inline]
+    pub(crate) fn read_period(&self) {
+        let value = self.value.get();
+        if value <= Parity::ODD.0 {
+            self.value.set(value | READS_PERIOD);
+        }
+    }
+
     /// Makes a component latent that was active in the previous cycle and was not visited in this one; returns whether
     /// it did.
-    pub(crate) fn end_unless_visited(&self, previous: Parity) -> bool {
-        let ends = self.value.get() == LEAVING || self.is_awaited(previous);
-        if ends {
-            self.end();
+    #[inline]
+    pub(crate) fn end_unless_visited(&self, previous: Parity, parity: Parity) -> bool {
+        let value = self.value.get();
+        // Most components are one or the other.
+        if value == LATENT || value == parity.0 {
+            return false;
         }
-        ends
+        if value == previous.0 || value == previous.0 | READS_PERIOD {
+            self.value.set(LATENT);
+            return true;
+        }
+        if value == LEAVING {
+            self.value.set(HELD_LATENT);
+        }
+        value == LEAVING
     }
 
     /// Records that a tick unwound while the component was active, if it was.
@@ -83,13 +131,9 @@ impl Activation {
     pub(crate) fn end_if_interrupted(&self) -> bool {
         let ends = self.value.get() == INTERRUPTED;
         if ends {
-            self.end();
+            self.value.set(if self.hold.get() == Hold::Latent { HELD_LATENT } else { LATENT });
         }
         ends
-    }
-
-    fn end(&self) {
-        self.value.set(if self.hold.get() == Hold::Latent { HELD_LATENT } else { LATENT });
     }
 
     /// Returns, between two cycles, whether the component was visited in the last one.
@@ -112,7 +156,9 @@ impl Activation {
             (_, true) if self.value.get() == INTERRUPTED => INTERRUPTED,
             (Hold::Latent, true) => LEAVING,
             (Hold::Latent, false) => HELD_LATENT,
-            (_, true) => last.0,
+            // A hold does not change whether the next visit reads the period.
+            (_, true) if self.was_visited(last) => self.value.get(),
+            (_, true) => last.0 | READS_PERIOD,
             (_, false) => LATENT,
         };
         self.value.set(after);

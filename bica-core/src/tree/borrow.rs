@@ -29,10 +29,11 @@ use core::marker::PhantomData;
 use core::ptr;
 
 use super::component_state::ComponentState;
+use super::cycle::visits_at_rate;
 use super::cycle_state::CycleState;
 use super::layout::{Has, Layout, ParamsOf};
 use crate::component::Component;
-use crate::rate::Rate;
+use crate::rate::{Period, Rate};
 
 /// One component of a tree, its rate, its state, and its parameters if the tree is tunable.
 pub struct Slot<C, S = ()> {
@@ -71,6 +72,15 @@ impl<C: 'static, S> Slot<C, S> {
     /// State of the component; it lies in no `UnsafeCell` and is never borrowed mutably.
     pub const fn state(&self) -> &ComponentState {
         &self.state
+    }
+
+    /// The rate, which is about to be written.
+    #[inline]
+    fn written_rate<T: Has<C>>(&self) -> *mut Rate<C> {
+        if !const { visits_at_rate::<T, C>() } {
+            self.state.activation().read_period();
+        }
+        self.rate.get()
     }
 }
 
@@ -145,6 +155,7 @@ impl<T: Layout> Store<T> {
     }
 
     /// Reads the rate of a component.
+    #[inline]
     pub(crate) fn rate<C: 'static>(&self) -> &Rate<C>
     where
         T: Has<C>,
@@ -159,7 +170,7 @@ impl<T: Layout> Store<T> {
     where
         T: Has<C>,
     {
-        let rate = slot_in::<T, C>(&self.slots).rate.get();
+        let rate = slot_in::<T, C>(&self.slots).written_rate::<T>();
         // SAFETY: as in `get_mut`.
         unsafe { &mut *rate }
     }
@@ -221,6 +232,15 @@ impl<'t, T: Layout> ExclusiveStore<'t, T> {
         T: Has<C>,
     {
         self.store.params::<C>()
+    }
+
+    /// The time between two runs of `C`.
+    #[inline]
+    pub(crate) fn period<C: 'static>(&self) -> &Period
+    where
+        T: Has<C>,
+    {
+        self.store.rate::<C>().period()
     }
 
     /// Borrows the components of `L`.
@@ -330,7 +350,7 @@ impl<T: Has<C>, C: 'static> BorrowSet<T> for WriteRate<C> {
 
     #[inline]
     unsafe fn borrow(slots: &T::Slots) -> &mut Rate<C> {
-        let rate = slot_in::<T, C>(slots).rate.get();
+        let rate = slot_in::<T, C>(slots).written_rate::<T>();
         // SAFETY: as for `Read`; a component and its rate are two cells.
         unsafe { &mut *rate }
     }

@@ -33,11 +33,14 @@ impl Policy {
 
 /// Times, in clock ticks, state and activation of one component.
 pub struct ComponentState {
-    grid: Grid,
+    /// Whole ticks of the grid.
+    origin: Cell<u64>,
     /// Instant of the last run.
     ran: Cell<u64>,
     /// Instant at which the state was entered.
     entered: Cell<u64>,
+    /// Fraction of a tick of the grid; it lies here and not in a struct with the whole ticks, which would need padding.
+    fraction: Cell<u32>,
     state: Cell<u16>,
     activation: Activation,
 }
@@ -45,9 +48,10 @@ pub struct ComponentState {
 impl ComponentState {
     pub(crate) const fn new() -> Self {
         Self {
-            grid: Grid::new(),
+            origin: Cell::new(0),
             ran: Cell::new(0),
             entered: Cell::new(0),
+            fraction: Cell::new(0),
             state: Cell::new(NEVER),
             activation: Activation::new(),
         }
@@ -58,11 +62,16 @@ impl ComponentState {
         &self.activation
     }
 
+    #[inline]
+    const fn grid(&self) -> Grid<'_> {
+        Grid { origin: &self.origin, fraction: &self.fraction }
+    }
+
     /// Starts the grid at `now`, and enters the initial state unless the component resumes one; returns whether it
     /// entered.
     #[inline]
     pub(crate) fn start(&self, now: u64, policy: &Policy) -> bool {
-        self.grid.start(now, policy.tolerance);
+        self.grid().start(now, policy.tolerance);
         self.ran.set(now);
         let entering = !policy.resume || self.state().is_none();
         if entering {
@@ -80,7 +89,7 @@ impl ComponentState {
     /// Returns whether a run is due, and if so moves the grid on.
     #[inline]
     pub(crate) fn is_due(&self, now: u64, period: &Period, tolerance: Tolerance) -> bool {
-        self.grid.is_due(now, period, tolerance)
+        self.grid().is_due(now, period, tolerance)
     }
 
     /// Records a run.
@@ -120,7 +129,8 @@ impl ComponentState {
 
     /// Takes over what is stored of a component of another tree.
     pub(crate) fn copy_from(&self, other: &Self) {
-        self.grid.copy_from(&other.grid);
+        self.origin.set(other.origin.get());
+        self.fraction.set(other.fraction.get());
         self.ran.set(other.ran.get());
         self.entered.set(other.entered.get());
         self.state.set(other.state.get());
@@ -129,7 +139,7 @@ impl ComponentState {
 
     /// Whether all that decides about visits and runs is the same.
     pub(crate) fn behaves_as(&self, other: &Self) -> bool {
-        self.grid == other.grid && self.state == other.state && self.activation == other.activation
+        self.grid() == other.grid() && self.state == other.state && self.activation == other.activation
     }
 
     /// Returns the index of the state of an active state machine.

@@ -2,7 +2,7 @@
 
 use embassy_time::{Duration, Instant};
 
-use super::borrow::{BorrowSet, ExclusiveStore, Write, WriteRate};
+use super::borrow::{BorrowSet, ExclusiveStore, Write};
 use super::component_state::Policy;
 use super::cycle_state::VisitOutcome;
 use super::engine;
@@ -10,7 +10,7 @@ use super::layout::{Has, Layout, MemberOf};
 use crate::component::{Component, Time};
 use crate::id::ComponentId;
 use crate::probe::Probe;
-use crate::rate::{Period, Tolerance};
+use crate::rate::Tolerance;
 
 /// A cycle of tree `T` in progress, watched by `P`.
 ///
@@ -49,14 +49,15 @@ impl<T: Layout, P> Drop for Cycle<'_, T, P> {
 }
 
 impl<T: Layout, P: Probe> Cycle<'_, T, P> {
-    /// Whether `C` was visited in this cycle.
+    /// Whether a visit of `C` is known to end here: it was visited in this cycle. If it is given a rate that it does not
+    /// declare, only the visit itself finds that out.
     #[inline]
     #[must_use]
     pub fn was_visited<C: 'static>(&self) -> bool
     where
         T: Has<C>,
     {
-        self.store.component_state::<C>().activation().was_visited(self.store.cycle_state().parity())
+        self.store.component_state::<C>().activation().is_visited_as_before(self.store.cycle_state().parity())
     }
 
     /// Begins the visit of `C`, which declares a rate. Almost always it was active before, and then only its period is
@@ -68,12 +69,10 @@ impl<T: Layout, P: Probe> Cycle<'_, T, P> {
         T: Has<C>,
     {
         let (cycle_state, state) = (self.store.cycle_state(), self.store.component_state::<C>());
-        if !state.activation().is_awaited(cycle_state.previous()) {
+        if !state.activation().visits_as_before(cycle_state.previous()) {
             return self.visit_any::<C>();
         }
-        let period = self.period::<C>();
-        state.activation().visit(cycle_state.parity());
-        if state.is_due(cycle_state.now().as_ticks(), period, const { tolerance::<T, C>() }) {
+        if state.is_due(cycle_state.now().as_ticks(), self.store.period::<C>(), const { tolerance::<T, C>() }) {
             VisitOutcome::DUE
         } else {
             VisitOutcome::WAITING
@@ -88,13 +87,8 @@ impl<T: Layout, P: Probe> Cycle<'_, T, P> {
     where
         T: Has<C>,
     {
-        let (cycle_state, state) = (self.store.cycle_state(), self.store.component_state::<C>());
-        let period = self.period::<C>();
-        let usual = state.activation().is_awaited(cycle_state.previous()) && period.is_every_cycle();
-        if usual {
-            state.activation().visit(cycle_state.parity());
-        }
-        usual
+        let previous = self.store.cycle_state().previous();
+        self.store.component_state::<C>().activation().visits_as_before(previous)
     }
 
     /// Begins the visit of `C` in all cases; it starts if it was latent.
@@ -105,11 +99,12 @@ impl<T: Layout, P: Probe> Cycle<'_, T, P> {
         T: Has<C>,
     {
         let cycle_state = self.store.cycle_state();
-        if cfg!(panic = "unwind") && cycle_state.takes_interruption() {
+        // An unwound tick leaves no component awaited, so the next tick begins with this visit of the root.
+        if cfg!(panic = "unwind") && const { is_root::<T, C>() } && cycle_state.is_interrupted() {
             engine::stop_interrupted(self);
         }
         let state = self.store.component_state::<C>();
-        let outcome = cycle_state.visit(state, self.period::<C>(), const { &policy::<T, C>() });
+        let outcome = cycle_state.visit(state, self.store.period::<C>(), const { &policy::<T, C>() });
         if outcome.is_started() {
             self.probe.start(id::<T, C>());
             T::Member::start(self);
@@ -117,12 +112,18 @@ impl<T: Layout, P: Probe> Cycle<'_, T, P> {
         outcome
     }
 
+    /// Whether `C`, which declares no rate and is visited, was given one. Then the next visit reads its period too.
     #[inline]
-    fn period<C: 'static>(&mut self) -> &Period
+    #[must_use]
+    pub fn is_given_rate<C: 'static>(&self) -> bool
     where
         T: Has<C>,
     {
-        self.store.borrow::<WriteRate<C>>().period()
+        let is_given = !self.store.period::<C>().is_every_cycle();
+        if is_given {
+            self.store.component_state::<C>().activation().read_period();
+        }
+        is_given
     }
 
     /// `C` is visited and not due.
@@ -273,6 +274,11 @@ const fn policy<T: Has<C>, C: 'static>() -> Policy {
 #[must_use]
 pub const fn visits_at_rate<T: Has<C>, C: 'static>() -> bool {
     <T::Member as Component>::HZ.is_some() || cfg!(target_os = "none")
+}
+
+/// Whether no link ends at `C`. Each other component has one, because it can be reached from the root.
+const fn is_root<T: Has<C>, C: 'static>() -> bool {
+    T::ACTIVATORS[T::INDEX] == 0
 }
 
 /// Whether several links end at `C`.

@@ -6,11 +6,14 @@ use embassy_time::Instant;
 
 use super::activation::Parity;
 use super::component_state::{ComponentState, Policy};
+use crate::hold::Hold;
 use crate::rate::Period;
 
 /// Number of cycles after a transition or hold change in which the active set is rechecked. It is two because in the
 /// first one the requirements of the state that was left are still active.
 const RECHECKED: u8 = 2;
+/// In place of 0, or added to the number: components are held active.
+const HELD_ACTIVE: u8 = 1 << 7;
 
 /// The time and the parity of a cycle, and whether the active set may differ from that of the previous cycle.
 #[derive(PartialEq)]
@@ -19,10 +22,13 @@ pub(crate) struct CycleState {
     parity: Cell<Parity>,
     /// Parity of the previous cycle, and of the next one.
     previous: Cell<Parity>,
-    /// Number of cycles in which the active set is still to be rechecked.
-    recheck: Cell<u8>,
+    /// Number of cycles in which the active set is still to be rechecked. With [`HELD_ACTIVE`] it is not 0 as long as
+    /// components are held active.
+    unsettled: Cell<u8>,
     /// Whether the last tick unwound.
     interrupted: Cell<bool>,
+    /// Number of components that are held active.
+    held_active: Cell<u16>,
 }
 
 /// Outcome of a visit, as bits: asking for one of them takes one instruction.
@@ -75,8 +81,9 @@ impl CycleState {
             now: Cell::new(0),
             parity: Cell::new(Parity::EVEN),
             previous: Cell::new(Parity::ODD),
-            recheck: Cell::new(0),
+            unsettled: Cell::new(0),
             interrupted: Cell::new(false),
+            held_active: Cell::new(0),
         }
     }
 
@@ -84,8 +91,9 @@ impl CycleState {
         self.now.set(other.now.get());
         self.parity.set(other.parity.get());
         self.previous.set(other.previous.get());
-        self.recheck.set(other.recheck.get());
+        self.unsettled.set(other.unsettled.get());
         self.interrupted.set(other.interrupted.get());
+        self.held_active.set(other.held_active.get());
     }
 
     /// Begins a cycle.
@@ -113,18 +121,37 @@ impl CycleState {
     /// Records that the active set may change.
     #[inline]
     pub(crate) fn request_recheck(&self) {
-        self.recheck.set(RECHECKED);
+        self.unsettled.set(RECHECKED);
     }
 
-    /// Returns whether the active set may have changed in this cycle. If no machine changed its state and no hold
-    /// changed, the same components are visited as in the previous cycle.
+    /// Records how a component is held, which the active set depends on.
+    pub(crate) fn hold(&self, before: Hold, hold: Hold) {
+        let is_active = |hold| u16::from(hold == Hold::Active);
+        self.held_active.set(self.held_active.get() + is_active(hold) - is_active(before));
+        self.request_recheck();
+    }
+
+    /// Number of components that are held active.
+    pub(crate) fn held_active(&self) -> u16 {
+        self.held_active.get()
+    }
+
+    /// Whether nothing is left to do after the visit of the root: no component is held active, no machine changed its
+    /// state, and no hold changed. Then the same components are visited as in the previous cycle.
     #[inline]
+    pub(crate) fn is_settled(&self) -> bool {
+        self.unsettled.get() == 0
+    }
+
+    /// Returns whether the active set may have changed in this cycle, which is not settled.
     pub(crate) fn takes_recheck(&self) -> bool {
-        let left = self.recheck.get();
-        if left > 0 {
-            self.recheck.set(left - 1);
+        let unsettled = self.unsettled.get();
+        if unsettled == HELD_ACTIVE {
+            return false;
         }
-        left > 0
+        let held_active = if self.held_active.get() > 0 { HELD_ACTIVE } else { 0 };
+        self.unsettled.set((unsettled & !HELD_ACTIVE).wrapping_sub(1) | held_active);
+        true
     }
 
     /// Records that the tick unwinds.
@@ -132,9 +159,15 @@ impl CycleState {
         self.interrupted.set(true);
     }
 
-    /// Returns whether the last tick unwound, once.
-    pub(crate) fn takes_interruption(&self) -> bool {
-        self.interrupted.replace(false)
+    /// Whether the last tick unwound.
+    #[inline]
+    pub(crate) fn is_interrupted(&self) -> bool {
+        self.interrupted.get()
+    }
+
+    /// Records that what was active when the last tick unwound is stopped.
+    pub(crate) fn recover(&self) {
+        self.interrupted.set(false);
     }
 
     /// Returns the outcome of a visit in all cases; a component that was latent starts.
@@ -142,16 +175,14 @@ impl CycleState {
     #[inline(never)]
     pub(crate) fn visit(&self, state: &ComponentState, period: &Period, policy: &Policy) -> VisitOutcome {
         let (parity, activation, now) = (self.parity(), state.activation(), self.now.get());
+        if activation.is_latent() {
+            activation.visit(parity);
+            return if state.start(now, policy) { VisitOutcome::ENTERED } else { VisitOutcome::RESUMED };
+        }
         if activation.is_closed(parity) {
             return VisitOutcome::CLOSED;
         }
-        let goes_on = activation.is_awaited(self.previous());
         activation.visit(parity);
-        match goes_on {
-            true if state.is_due(now, period, policy.tolerance) => VisitOutcome::DUE,
-            true => VisitOutcome::WAITING,
-            false if state.start(now, policy) => VisitOutcome::ENTERED,
-            false => VisitOutcome::RESUMED,
-        }
+        if state.is_due(now, period, policy.tolerance) { VisitOutcome::DUE } else { VisitOutcome::WAITING }
     }
 }

@@ -15,14 +15,12 @@ use crate::probe::Probe;
 /// The components of a tree and what is stored of them from cycle to cycle.
 pub struct Engine<T: Layout> {
     pub(crate) store: Store<T>,
-    /// Number of components that are held active.
-    held_active: usize,
 }
 
 impl<T: Layout> Engine<T> {
     /// Takes the components; none is active yet.
     pub const fn new(slots: T::Slots) -> Self {
-        Self { store: Store::new(slots), held_active: 0 }
+        Self { store: Store::new(slots) }
     }
 
     /// Runs one cycle.
@@ -32,11 +30,8 @@ impl<T: Layout> Engine<T> {
         self.store.cycle_state().begin(now);
         let mut cycle = Cycle { store: self.store.open(), probe };
         T::visit_root(&mut cycle);
-        if self.held_active > 0 {
-            visit_held_active(&mut cycle, self.held_active);
-        }
-        if cycle.store.cycle_state().takes_recheck() {
-            stop_unvisited(&mut cycle);
+        if !cycle.store.cycle_state().is_settled() {
+            settle(&mut cycle);
         }
         cycle.probe.cycle_end();
         // Dropping a cycle marks the tree as interrupted.
@@ -46,10 +41,8 @@ impl<T: Layout> Engine<T> {
     pub(crate) fn hold(&mut self, component: ComponentId, hold: Hold) {
         let cycle_state = self.store.cycle_state();
         let Some(activation) = self.component_state(component).map(ComponentState::activation) else { return };
-        let before = activation.held();
+        cycle_state.hold(activation.held(), hold);
         activation.hold(hold, cycle_state.parity());
-        cycle_state.request_recheck();
-        self.held_active = self.held_active + usize::from(hold == Hold::Active) - usize::from(before == Hold::Active);
     }
 
     pub(crate) fn held(&self, component: ComponentId) -> Hold {
@@ -71,7 +64,6 @@ impl<T: Layout> Engine<T> {
                 state.copy_from(other);
             }
         }
-        self.held_active = other.held_active;
     }
 
     /// Whether all that decides about visits and runs is the same as in another tree.
@@ -83,9 +75,7 @@ impl<T: Layout> Engine<T> {
             (Some(state), Some(other)) => state.behaves_as(other),
             _ => false,
         };
-        self.store.cycle_state() == other.store.cycle_state()
-            && self.held_active == other.held_active
-            && order::<T>().map(ComponentId::new).all(same)
+        self.store.cycle_state() == other.store.cycle_state() && order::<T>().map(ComponentId::new).all(same)
     }
 
     fn component_state(&self, component: ComponentId) -> Option<&ComponentState> {
@@ -98,9 +88,22 @@ fn order<T: Layout>() -> impl Iterator<Item = usize> {
     T::ORDER.iter().map(|&index| usize::from(index))
 }
 
+/// Visits what is held active, and stops what is not active any more.
+#[inline]
+fn settle<T: Layout, P: Probe>(cycle: &mut Cycle<'_, T, P>) {
+    let held_active = cycle.store.cycle_state().held_active();
+    if held_active > 0 {
+        visit_held_active(cycle, held_active);
+    }
+    if cycle.store.cycle_state().takes_recheck() {
+        stop_unvisited(cycle);
+    }
+}
+
 /// Visits the components that are held active and were not reached; `held` is their number.
 #[cold]
-fn visit_held_active<T: Layout, P: Probe>(cycle: &mut Cycle<'_, T, P>, mut held: usize) {
+#[inline(never)]
+fn visit_held_active<T: Layout, P: Probe>(cycle: &mut Cycle<'_, T, P>, mut held: u16) {
     for index in order::<T>() {
         if cycle.store.state_at(index).is_some_and(|state| state.activation().held() == Hold::Active) {
             T::visit(cycle, index);
@@ -114,10 +117,11 @@ fn visit_held_active<T: Layout, P: Probe>(cycle: &mut Cycle<'_, T, P>, mut held:
 
 /// Stops the components that were active in the previous cycle and were not visited in this one, activators first.
 #[cold]
+#[inline(never)]
 fn stop_unvisited<T: Layout, P: Probe>(cycle: &mut Cycle<'_, T, P>) {
-    let previous = cycle.store.cycle_state().previous();
+    let (previous, parity) = (cycle.store.cycle_state().previous(), cycle.store.cycle_state().parity());
     for index in order::<T>() {
-        if cycle.store.state_at(index).is_some_and(|state| state.activation().end_unless_visited(previous)) {
+        if cycle.store.state_at(index).is_some_and(|state| state.activation().end_unless_visited(previous, parity)) {
             T::stop(cycle, index);
         }
     }
@@ -132,7 +136,9 @@ pub(super) fn interrupt<T: Layout, P>(cycle: &Cycle<'_, T, P>) {
 
 /// Stops what was active when the last tick unwound, activators first, and discards its history.
 #[cold]
+#[inline(never)]
 pub(super) fn stop_interrupted<T: Layout, P: Probe>(cycle: &mut Cycle<'_, T, P>) {
+    cycle.store.cycle_state().recover();
     for index in order::<T>() {
         if let Some(state) = cycle.store.state_at(index)
             && state.activation().end_if_interrupted()

@@ -62,7 +62,7 @@ macro_rules! __visit_functions {
             cycle: &mut $crate::__private::Cycle<'_, Self, __P>,
         ) -> $crate::__private::VisitOutcome {
             let outcome = cycle.visit_any::<$component>();
-            if outcome.is_due() || outcome.is_closed() {
+            if !cycle.is_given_rate::<$component>() || outcome.is_due() || outcome.is_closed() {
                 return outcome;
             }
             cycle.skip::<$component>();

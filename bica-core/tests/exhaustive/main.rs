@@ -3,7 +3,7 @@
 //! A **tree** has up to four components. Component 0 is the root, and links lead from lower to higher indices; every
 //! directed acyclic graph with one root can be numbered like this. A component is a state machine with one to three
 //! states. Each state has at most one link to each later component, a requirement or a modulation. A component runs in
-//! every cycle, in every second or in every third.
+//! every cycle, in every second or in every third; up to three components also in every second without declaring it.
 //!
 //! A **sequence** has six cycles of 10 ms. Before each cycle every machine gets the state that it has after its run
 //! (its *next state*), and one component may be held active, held latent or released.
@@ -32,7 +32,7 @@ mod tree;
 use std::io::Write;
 
 use explore::{Scope, sequences};
-use shape::{COMPONENTS, RATES, Rate, STATES, Shape, shapes};
+use shape::{COMPONENTS, RATES, RATES_AS_DECLARED, Rate, STATES, Shape, shapes};
 
 /// Set of trees and sequences that are explored.
 struct Family {
@@ -40,7 +40,8 @@ struct Family {
     components: usize,
     /// Largest total number of additional states of the machines.
     additional_states: usize,
-    /// Whether all rates are explored; otherwise every component runs in every cycle.
+    /// Whether all rates are explored; otherwise every component runs in every cycle. Of four components none has a rate
+    /// that it does not declare.
     rates: bool,
     holds: bool,
 }
@@ -61,12 +62,14 @@ fn state_counts(family: &Family) -> impl Iterator<Item = [usize; COMPONENTS]> {
 
 /// Returns all rates of the components of a family.
 fn rates(family: &Family) -> Vec<[Rate; COMPONENTS]> {
-    let count = if family.rates { RATES.len().pow(family.components as u32) } else { 1 };
-    let each = (0..count).map(|mut code| {
+    // Four components would take three times as long with the last one.
+    let kinds = if family.components < COMPONENTS { &RATES[..] } else { &RATES[..RATES_AS_DECLARED] };
+    let count = if family.rates { kinds.len().pow(family.components as u32) } else { 1 };
+    let each = (0..count).map(move |mut code| {
         let mut rates = [Rate::Every; COMPONENTS];
         for rate in &mut rates[..family.components] {
-            *rate = RATES[code % RATES.len()];
-            code /= RATES.len();
+            *rate = kinds[code % kinds.len()];
+            code /= kinds.len();
         }
         rates
     });

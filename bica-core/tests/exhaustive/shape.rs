@@ -25,25 +25,34 @@ pub(crate) enum Rate {
     Half,
     /// Every third cycle; the component declares half of the cycle rate and is set to a third.
     Third,
+    /// In every second cycle; the component declares no rate and is set to half the cycle rate.
+    HalfUndeclared,
 }
 
-pub(crate) const RATES: [Rate; 3] = [Rate::Every, Rate::Half, Rate::Third];
+pub(crate) const RATES: [Rate; 4] = [Rate::Every, Rate::Half, Rate::Third, Rate::HalfUndeclared];
+
+/// Number of the first [`RATES`] in which a component that declares no rate is given none.
+pub(crate) const RATES_AS_DECLARED: usize = 3;
 
 impl Rate {
     pub(crate) fn is_declared(self) -> bool {
-        self != Self::Every
+        matches!(self, Self::Half | Self::Third)
     }
 
     /// Returns the rate that is set before the first tick.
     pub(crate) fn requested(self) -> Option<f32> {
-        (self == Self::Third).then_some(100.0 / 3.0)
+        match self {
+            Self::Third => Some(100.0 / 3.0),
+            Self::HalfUndeclared => Some(50.0),
+            Self::Every | Self::Half => None,
+        }
     }
 
     /// Returns the number of cycles from one run to the next.
     pub(crate) fn cycles(self) -> u8 {
         match self {
             Self::Every => 1,
-            Self::Half => 2,
+            Self::Half | Self::HalfUndeclared => 2,
             Self::Third => 3,
         }
     }

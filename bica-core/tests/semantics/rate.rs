@@ -173,3 +173,67 @@ fn a_component_modulates_its_own_rate() {
     let run_times: Vec<_> = (0..1500).step_by(10).filter(|&ms| !runs(&mut tree, ms).is_empty()).collect();
     assert_eq!(run_times, [0, 100, 300, 600, 1000]);
 }
+
+pub(crate) struct Setter {
+    asks: Option<f32>,
+}
+
+#[component(crate = bica_core)]
+impl Setter {
+    const fn new() -> Self {
+        Self { asks: None }
+    }
+
+    fn step(&mut self, rate: &mut Rate<Undeclared>) {
+        if let Some(hz) = self.asks {
+            rate.set(hz);
+        }
+    }
+}
+
+pub(crate) struct Undeclared;
+
+#[component(crate = bica_core)]
+impl Undeclared {}
+
+activation_tree! {
+    pub(crate) struct Given {
+        root: Setter,
+        cycle_hz: 100,
+        components: [Setter, Undeclared = Undeclared],
+        crate: bica_core,
+    }
+}
+
+#[test]
+fn a_parent_gives_a_rate_to_a_component_that_declares_none() {
+    let mut tree = Given::new();
+    let mut moments = |asks, ms: std::ops::Range<u64>| -> Vec<u64> {
+        tree.get_mut::<Setter>().asks = asks;
+        ms.step_by(10).filter(|&ms| runs(&mut tree, ms).iter().any(|run| run == "Undeclared")).collect()
+    };
+    assert_eq!(moments(None, 0..40), [0, 10, 20, 30]);
+    assert_eq!(moments(Some(25.0), 40..200), [40, 80, 120, 160], "multiples of the period since the activation");
+    assert_eq!(moments(None, 200..300), [200, 240, 280], "the rate holds until it is set again");
+    assert_eq!(moments(Some(f32::NAN), 300..340), [300, 310, 320, 330]);
+}
+
+#[test]
+fn a_given_rate_holds_whatever_the_component_is_held() {
+    let mut tree = Rates::new();
+    let always = Rates::id::<Always>();
+    tree.rate_mut::<Always>().set(25.0);
+    assert_eq!(moments(&mut tree, "Always", (0..100).step_by(10)), [0, 40, 80]);
+    tree.hold_at(always, Hold::Active);
+    assert_eq!(moments(&mut tree, "Always", (100..200).step_by(10)), [120, 160]);
+    tree.hold_at(always, Hold::Tree);
+    assert_eq!(moments(&mut tree, "Always", (200..300).step_by(10)), [200, 240, 280]);
+    // It does not become latent in between.
+    tree.hold_at(always, Hold::Latent);
+    tree.hold_at(always, Hold::Tree);
+    assert_eq!(moments(&mut tree, "Always", (300..400).step_by(10)), [320, 360]);
+    tree.hold_at(always, Hold::Latent);
+    assert_eq!(moments(&mut tree, "Always", (400..450).step_by(10)), [0_u64; 0]);
+    tree.hold_at(always, Hold::Tree);
+    assert_eq!(moments(&mut tree, "Always", (450..550).step_by(10)), [450, 490, 530], "a new grid");
+}
