@@ -3,6 +3,8 @@
 use embassy_time::{Duration, Instant, TICK_HZ};
 
 use crate::graph::State;
+use crate::info::Info;
+use crate::modulation::Modulation;
 use crate::params::{ParamGroup, Value};
 
 /// The unit of behaviour: it perceives, acts, or decides between the two.
@@ -31,6 +33,10 @@ pub trait Component: Sized + 'static {
     type Params: 'static;
     /// Description of the parameters, one group for each struct.
     const PARAMS: &'static [ParamGroup] = &[];
+    /// The information: getters with `#[info]`.
+    const INFO: &'static [Info] = &[];
+    /// The modulations that an operator may call: methods with `#[modulation]`.
+    const MODULATIONS: &'static [Modulation] = &[];
     /// The default values of the parameters.
     const DEFAULT_PARAMS: Self::Params;
     /// The same as a reference, which an untunable tree hands out.

@@ -4,6 +4,8 @@ mod hash;
 
 pub use hash::hash;
 
+use crate::info::Info;
+use crate::modulation::Modulation;
 use crate::params::ParamGroup;
 
 /// Description of a tree of components: all that is known before it runs.
@@ -47,6 +49,10 @@ pub struct Node {
     pub transitions: &'static [Transition],
     /// The parameters, one group for each struct. A [`Setting`](crate::Setting) counts them through all groups.
     pub params: &'static [ParamGroup],
+    /// The information: what an operator may look at.
+    pub info: &'static [Info],
+    /// The modulations: what an operator may call.
+    pub modulations: &'static [Modulation],
 }
 
 impl Node {
@@ -63,6 +69,8 @@ impl Node {
             states: &[],
             transitions: &[],
             params: &[],
+            info: &[],
+            modulations: &[],
         }
     }
 

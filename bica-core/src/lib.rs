@@ -60,6 +60,8 @@ pub mod component;
 pub mod graph;
 pub mod hold;
 pub mod id;
+pub mod info;
+pub mod modulation;
 pub mod params;
 pub mod probe;
 pub mod rate;

@@ -4,6 +4,8 @@ pub use crate::__visit_functions as visit_functions;
 pub use crate::check::{activators, check, ranks};
 pub use crate::component::{Component, Time};
 pub use crate::graph::{Graph, Link, LinkKind, Node, State, Transition};
+pub use crate::info::{Info, InfoSink};
+pub use crate::modulation::Modulation;
 pub use crate::params::{
     Kind, Param, ParamEnum, ParamGroup, Params, Tuned, Value, Variant, assert_default, assert_distinct_names,
     assert_range, assert_rule, assert_step, natural_default, variant,
@@ -35,6 +37,16 @@ pub const fn check_complete(graph: &Graph, stubs: &[bool]) {
         index += 1;
     }
     check(graph);
+}
+
+/// Reads component `C`.
+pub fn component<T: Has<C>, C: 'static>(tree: &T) -> &C {
+    tree.engine().store.get()
+}
+
+/// Writes component `C`.
+pub fn component_mut<T: Has<C>, C: 'static>(tree: &mut T) -> &mut C {
+    tree.engine_mut().store.get_mut()
 }
 
 /// Whether `C` stands in for a component with mistakes.

@@ -17,6 +17,8 @@
 //! Rust. Indices and numbers are numbers, `None` is `null`, and so is a number that JSON has no way to write (infinite,
 //! NaN). `kind` of a link is `"requirement"` or `"modulation"`.
 //!
+//! An information has `name`, `doc`, `unit` and `type`; a modulation `name`, `doc` and `arguments`, described as parameters.
+//!
 //! A parameter has `name`, `doc`, `unit`, `kind` ([`Kind::name`](crate::params::Kind::name)), for numbers `min`, `max` and
 //! `step`, for a choice `variants` (`name`, `doc`), and `default`: a number, `true` or `false`, or the name of a variant.
 //!
@@ -28,9 +30,10 @@
 //!    "states": [{"name": "look_for_ball", "doc": "", "initial": true, "last": false}],
 //!    "transitions": [{"name": "again", "doc": "", "from": 0, "to": 0, "after_ms": 1500}],
 //!    "params": [{"name": "Patience", "doc": "", "params": [
-//!      {"name": "pause", "doc": "", "unit": "s", "kind": "f32", "min": 0, "max": 5, "step": null, "default": 0.5}]}]},
+//!      {"name": "pause", "doc": "", "unit": "s", "kind": "f32", "min": 0, "max": 5, "step": null, "default": 0.5}]}],
+//!    "info": [], "modulations": []},
 //!   {"name": "SearchBall", "doc": "", "hz": null, "budget_us": null, "resume": false,
-//!    "links": [], "states": [], "transitions": [], "params": []}
+//!    "links": [], "states": [], "transitions": [], "params": [], "info": [], "modulations": []}
 //! ]}
 //! ```
 

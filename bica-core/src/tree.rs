@@ -8,6 +8,7 @@ use crate::component::Component;
 use crate::graph::{self, Graph};
 use crate::hold::Hold;
 use crate::id::ComponentId;
+use crate::info::InfoSink;
 use crate::params::{Setting, Value};
 use crate::probe::Probe;
 use crate::rate::Rate;
@@ -20,6 +21,7 @@ pub(crate) mod cycle;
 pub(crate) mod cycle_state;
 pub(crate) mod engine;
 mod layout;
+mod operate;
 pub(crate) mod tuning;
 mod visit;
 pub(crate) mod written;
@@ -150,6 +152,22 @@ pub trait Tree: Layout {
     /// is of another kind, not finite or out of range; or the resulting values of a component break a rule.
     fn set_params(&mut self, batch: &[Setting]) -> Result<(), Refusal> {
         tuning::set(self, batch)
+    }
+
+    /// Hands the information at `index` of [`Node::info`](crate::graph::Node::info) to `sink`; returns whether there is
+    /// one. The getter is called only now.
+    fn read_info<S: InfoSink>(&self, component: ComponentId, index: usize, sink: &mut S) -> bool {
+        operate::read(self, component, index, sink)
+    }
+
+    /// Calls the modulation at `index` of [`Node::modulations`](crate::graph::Node::modulations), as an activator would
+    /// before the next cycle.
+    ///
+    /// # Errors
+    /// If there is no such modulation, or an argument is missing, of another kind, not finite or out of range; then
+    /// nothing is called. The entry of the refusal is the index of the argument.
+    fn modulate(&mut self, component: ComponentId, index: usize, arguments: &[Value]) -> Result<(), Refusal> {
+        operate::modulate(self, component, index, arguments)
     }
 
     /// As [`hold`](Tree::hold), by identifier; does nothing for a component that the tree does not list.

@@ -10,7 +10,7 @@ use libm::sqrtf;
 
 use crate::memory::PositionEstimate;
 use crate::projection::Camera;
-use crate::uncertainty::{self, Covariance, Errors, round, square};
+use crate::uncertainty::{self, Covariance, Errors, inverse, round, square};
 
 /// Maximum deviation of an accepted hypothesis, in standard deviations.
 const DEVIATIONS: f32 = 3.0;
@@ -80,11 +80,9 @@ impl ImageCircle {
 
 /// Fused estimate of two independent ones.
 fn both(first: &PositionEstimate, second: &PositionEstimate) -> Option<PositionEstimate> {
-    let weight = (first.covariance + second.covariance).try_inverse()?;
+    let weight = inverse(&(first.covariance + second.covariance))?;
     let gain: Covariance = first.covariance * weight;
-    let off = second.position - first.position;
-    let step = gain * nalgebra::Vector2::new(off.x, off.y);
-    let position = first.position + Vec2::new(step.x, step.y);
+    let position = first.position + gain * (second.position - first.position);
     let covariance = first.covariance - gain * first.covariance;
     position.is_finite().then_some(PositionEstimate { position, covariance })
 }

@@ -4,14 +4,13 @@
 //! times a derivative; independent errors add as squares. This first-order propagation is accurate while the deviation
 //! is small against the distance, and underestimates the error close to the horizon. Cost: 20 ns.
 
-use glam::{Vec2, Vec3};
+use glam::{Mat2, Vec2, Vec3};
 use libm::{hypotf, sqrtf};
-use nalgebra::{Matrix2, Vector2};
 
 use crate::projection::Camera;
 
 /// Covariance of a ground position, m²: x forward, y left.
-pub type Covariance = Matrix2<f32>;
+pub type Covariance = Mat2;
 
 /// Standard deviations of the inputs of a ground projection.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -55,26 +54,34 @@ pub fn of_ground(camera: &Camera, pixel: Vec2, z: f32, errors: &Errors) -> Optio
         errors.pixels / focal.y * by_pixel(Vec3::NEG_Z),
     ];
     let sum = moves.into_iter().map(square).sum::<Covariance>();
-    sum.iter().all(|value| value.is_finite()).then_some(sum)
+    sum.is_finite().then_some(sum)
 }
 
 /// Covariance of a deviation along one direction, given as a vector in m.
 #[must_use]
 pub fn square(deviation: Vec2) -> Covariance {
-    let deviation = Vector2::new(deviation.x, deviation.y);
-    deviation * deviation.transpose()
+    Covariance::from_cols(deviation * deviation.x, deviation * deviation.y)
 }
 
 /// Isotropic covariance of a deviation, m.
 #[must_use]
 pub fn round(deviation: f32) -> Covariance {
-    Covariance::from_diagonal_element(deviation * deviation)
+    Covariance::from_diagonal(Vec2::splat(deviation * deviation))
 }
 
 /// Largest standard deviation over all directions, m.
 #[must_use]
 pub fn largest(covariance: &Covariance) -> f32 {
-    let mean = 0.5 * covariance.trace();
-    let apart = hypotf(0.5 * (covariance.m11 - covariance.m22), covariance.m12);
+    let (xx, xy, yy) = (covariance.x_axis.x, covariance.y_axis.x, covariance.y_axis.y);
+    let mean = 0.5 * (xx + yy);
+    let apart = hypotf(0.5 * (xx - yy), xy);
     sqrtf((mean + apart).max(0.0))
+}
+
+/// Inverse of a covariance; `None` if its determinant is zero.
+pub(crate) fn inverse(covariance: &Covariance) -> Option<Covariance> {
+    let (x, y) = (covariance.x_axis, covariance.y_axis);
+    let determinant = covariance.determinant();
+    // Each entry is rounded once: glam multiplies by the rounded reciprocal.
+    (determinant != 0.0).then(|| Covariance::from_cols(Vec2::new(y.y, -x.y), Vec2::new(-y.x, x.x)) / determinant)
 }

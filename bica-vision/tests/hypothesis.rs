@@ -59,8 +59,7 @@ proptest! {
         let found = seen.ball(&believed, RADIUS, &Errors::NAO);
         let found = found.expect("two deviations of each are less than three of all");
         let off = found.position - place;
-        let off = nalgebra::Vector2::new(off.x, off.y);
-        let distance = (off.transpose() * found.covariance.try_inverse().expect("a covariance") * off).x;
+        let distance = off.dot(found.covariance.try_inverse().expect("a covariance") * off);
         prop_assert!(distance < 16.0, "{distance} squared deviations");
         let alone = bica_vision::uncertainty::of_ground(&believed, seen.centre, RADIUS, &Errors::NAO);
         prop_assert!(alone.is_none_or(|alone| largest(&found.covariance) <= largest(&alone) + 1e-4));

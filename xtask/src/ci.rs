@@ -16,13 +16,21 @@ const STEPS: [Step; 13] = [
     ("publish", publish::check),
     ("deny", deny::check),
     ("peers", peers::check),
-    ("games", || run("cargo", &["run", "--release", "--", "play", "--games", "20", "--at-least", "19"], &[])),
+    ("games", games),
     ("miri", miri::check_if_installable),
     ("budget", || instructions::check(&Budget::default())),
     ("mujoco", mujoco::check),
     ("no_std", no_std::check),
     ("firmware", || firmware::check(&Firmware::default())),
 ];
+
+/// Plays games in the built-in world. The program has the feature `mujoco` where that can be installed: the step `mujoco` needs
+/// it too, and so it is built once.
+fn games() -> Result<(), String> {
+    let feature: &[&str] = if mujoco::install().is_ok() { &["--features", "mujoco"] } else { &[] };
+    let play = ["--", "play", "--games", "20", "--at-least", "19"];
+    run("cargo", &[&["run", "--release"], feature, &play].concat(), &[])
+}
 
 /// Runs all steps and prints the time of each.
 ///

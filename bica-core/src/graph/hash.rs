@@ -3,8 +3,8 @@
 use super::{Graph, LinkKind, Node};
 use crate::params::{Kind, Param, Value};
 
-/// Hash of a tree's description, FNV-1a with 64 bits: names, rates, budgets, links, states, transitions and parameters
-/// with their kinds, ranges, units and defaults.
+/// Hash of a tree's description, FNV-1a with 64 bits: names, rates, budgets, links, states, transitions, information,
+/// modulations, and parameters with their kinds, ranges, units and defaults.
 ///
 /// Doc comments and `tunable` are left out: they change no meaning of an index, and a microcontroller may lack both.
 #[must_use]
@@ -21,7 +21,7 @@ pub const fn hash(graph: &Graph) -> u64 {
 
 const fn node(hash: Fnv, node: &Node) -> Fnv {
     let hash = hash.text(node.name).f32(node.hz).f32(node.budget_us).number(node.resume as u64);
-    params(machine(links(hash, node), node), node)
+    operator(params(machine(links(hash, node), node), node), node)
 }
 
 const fn links(mut hash: Fnv, node: &Node) -> Fnv {
@@ -71,6 +71,30 @@ const fn params(mut hash: Fnv, node: &Node) -> Fnv {
     hash
 }
 
+const fn operator(mut hash: Fnv, node: &Node) -> Fnv {
+    hash = hash.number(node.info.len() as u64);
+    let mut index = 0;
+    while index < node.info.len() {
+        let info = node.info[index];
+        hash = unit(hash.text(info.name).text(info.ty), info.unit);
+        index += 1;
+    }
+    hash = hash.number(node.modulations.len() as u64);
+    index = 0;
+    while index < node.modulations.len() {
+        hash = list(hash.text(node.modulations[index].name), node.modulations[index].arguments);
+        index += 1;
+    }
+    hash
+}
+
+const fn unit(hash: Fnv, unit: Option<&str>) -> Fnv {
+    match unit {
+        Some(unit) => hash.number(1).text(unit),
+        None => hash.number(0),
+    }
+}
+
 const fn list(mut hash: Fnv, params: &[Param]) -> Fnv {
     hash = hash.number(params.len() as u64);
     let mut index = 0;
@@ -82,10 +106,7 @@ const fn list(mut hash: Fnv, params: &[Param]) -> Fnv {
 }
 
 const fn param(hash: Fnv, param: &Param) -> Fnv {
-    let hash = match param.unit {
-        Some(unit) => hash.number(1).text(unit),
-        None => hash.number(0),
-    };
+    let hash = unit(hash, param.unit);
     value(kind(hash.text(param.name), &param.kind), param.default)
 }
 

@@ -5,6 +5,8 @@ use core::fmt::{Display, Formatter, Result, Write, from_fn};
 use super::label::Escaped;
 use crate::graph::hash;
 use crate::graph::{Graph, Link, LinkKind, Node, State, Transition};
+use crate::info::Info;
+use crate::modulation::Modulation;
 use crate::params::{Kind, Param, ParamGroup, Value, Variant};
 
 pub(super) fn tree(graph: &Graph, f: &mut Formatter<'_>) -> Result {
@@ -28,6 +30,21 @@ fn component(f: &mut Formatter<'_>, node: &Node) -> Result {
     list(f, node.transitions, transition)?;
     f.write_str(", \"params\": ")?;
     list(f, node.params, group)?;
+    f.write_str(", \"info\": ")?;
+    list(f, node.info, info)?;
+    f.write_str(", \"modulations\": ")?;
+    list(f, node.modulations, modulation)?;
+    f.write_str("}")
+}
+
+fn info(f: &mut Formatter<'_>, info: &Info) -> Result {
+    write!(f, "{{\"name\": {}, \"doc\": {}, ", quoted(info.name), quoted(info.doc))?;
+    write!(f, "\"unit\": {}, \"type\": {}}}", or_null(info.unit.map(quoted)), quoted(info.ty))
+}
+
+fn modulation(f: &mut Formatter<'_>, modulation: &Modulation) -> Result {
+    write!(f, "{{\"name\": {}, \"doc\": {}, \"arguments\": ", quoted(modulation.name), quoted(modulation.doc))?;
+    list(f, modulation.arguments, param)?;
     f.write_str("}")
 }
 

@@ -8,6 +8,8 @@ use super::engine::Engine;
 use super::written::WrittenLink;
 use crate::component::Component;
 use crate::graph::Node;
+use crate::info::InfoSink;
+use crate::params::Value;
 use crate::probe::Probe;
 
 /// Tree `Self` holds component `C`.
@@ -97,6 +99,14 @@ pub trait MemberOf<T: Layout>: Component {
     /// Calls the `#[stop]` hooks.
     #[inline]
     fn stop<P: Probe>(_: &mut Cycle<'_, T, P>) {}
+
+    /// Hands an information to a sink; returns whether there is one of that index.
+    fn read_info<S: InfoSink>(_tree: &T, _index: usize, _sink: &mut S) -> bool {
+        false
+    }
+
+    /// Calls a modulation with arguments that are valid.
+    fn modulate(_tree: &mut T, _index: usize, _arguments: &[Value]) {}
 }
 
 /// How a tree holds its components.

@@ -1,6 +1,8 @@
 //! Random graphs.
 
 use bica_core::graph::{Graph, Link, LinkKind, Node, State, Transition};
+use bica_core::info::Info;
+use bica_core::modulation::Modulation;
 use bica_core::params::{Kind, Param, ParamGroup, Value, Variant};
 use proptest::prelude::*;
 
@@ -133,6 +135,12 @@ pub(crate) fn special_graph(max: usize) -> impl Strategy<Value = Graph> {
         let mut nodes = graph.nodes.to_vec();
         for (node, groups) in nodes.iter_mut().zip(groups.into_iter().cycle()) {
             node.params = groups;
+            let info =
+                |group: &ParamGroup| Info { name: group.name, doc: group.doc, unit: Some(group.doc), ty: group.name };
+            node.info = groups.iter().map(info).collect::<Vec<_>>().leak();
+            let modulation =
+                |group: &ParamGroup| Modulation { name: group.doc, doc: group.name, arguments: group.params };
+            node.modulations = groups.iter().map(modulation).collect::<Vec<_>>().leak();
             (node.name, node.doc, node.resume) = (text(), text(), text().is_empty());
             node.hz = node.hz.and_then(|_| figure.next());
             node.budget_us = node.budget_us.and_then(|_| figure.next());

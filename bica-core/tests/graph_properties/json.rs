@@ -1,6 +1,8 @@
 //! JSON of a graph, parsed by another implementation.
 
 use bica_core::graph::{Graph, Link, LinkKind, Node, State, Transition, hash};
+use bica_core::info::Info;
+use bica_core::modulation::Modulation;
 use bica_core::params::{self, Kind, Param, ParamGroup};
 use proptest::prelude::*;
 use serde_json::{Value, json};
@@ -41,6 +43,17 @@ fn group_is(written: &Value, group: &ParamGroup) -> bool {
         && list_is(&written["params"], group.params, param_is)
 }
 
+fn info_is(written: &Value, info: &Info) -> bool {
+    *written == json!({ "name": info.name, "doc": info.doc, "unit": info.unit, "type": info.ty })
+}
+
+fn modulation_is(written: &Value, modulation: &Modulation) -> bool {
+    written.as_object().is_some_and(|fields| fields.len() == 3)
+        && written["name"] == modulation.name
+        && written["doc"] == modulation.doc
+        && list_is(&written["arguments"], modulation.arguments, param_is)
+}
+
 fn param_is(written: &Value, param: &Param) -> bool {
     let (min, max, step, default) = (&written["min"], &written["max"], &written["step"], &written["default"]);
     let (count, same) = match (param.kind, param.default) {
@@ -71,7 +84,9 @@ fn param_is(written: &Value, param: &Param) -> bool {
 
 fn node_is(written: &Value, node: &Node) -> bool {
     let list = |entries: Vec<Value>| Value::Array(entries);
-    written.as_object().is_some_and(|fields| fields.len() == 9)
+    written.as_object().is_some_and(|fields| fields.len() == 11)
+        && list_is(&written["info"], node.info, info_is)
+        && list_is(&written["modulations"], node.modulations, modulation_is)
         && list_is(&written["params"], node.params, group_is)
         && written["name"] == node.name
         && written["doc"] == node.doc

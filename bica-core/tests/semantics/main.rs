@@ -8,6 +8,7 @@ mod hold;
 mod jitter;
 mod large;
 mod machine;
+mod operator;
 mod order;
 mod params;
 mod paths;

@@ -1,11 +1,10 @@
 //! Position with covariance.
 
 use bica_motion::pose::{Pose2, rotate};
-use glam::Vec2;
+use glam::{Mat2, Vec2};
 use libm::{cosf, fabsf, logf, sinf};
-use nalgebra::{Matrix2, Vector2};
 
-use crate::uncertainty::{Covariance, round, square};
+use crate::uncertainty::{Covariance, inverse, round, square};
 
 /// Standard deviation of odometry after 1 m of walking, m. Errors of steps are independent, so it grows with the square
 /// root of the distance.
@@ -58,18 +57,14 @@ impl PositionEstimate {
 
     /// Fit of a sighting.
     pub(super) fn fit(&self, seen: &Self) -> Option<Fit> {
-        Fit::of(vector(seen.position - self.position), self.covariance + seen.covariance)
+        Fit::of(seen.position - self.position, self.covariance + seen.covariance)
     }
 
     /// Kalman update with the fit of a sighting.
     pub(super) fn corrected(&self, fit: &Fit) -> Self {
         let gain = self.covariance * fit.inverse;
-        let step = gain * fit.off;
         let covariance = self.covariance - gain * self.covariance;
-        Self {
-            position: self.position + Vec2::new(step.x, step.y),
-            covariance: 0.5 * (covariance + covariance.transpose()),
-        }
+        Self { position: self.position + gain * fit.off, covariance: 0.5 * (covariance + covariance.transpose()) }
     }
 
     /// Mixture of two estimates; `share` is the weight of the other.
@@ -87,18 +82,18 @@ impl PositionEstimate {
     pub(super) fn is_sound(&self) -> bool {
         let near = |value: f32, most: f32| fabsf(value) <= most;
         near(self.position.length(), FARTHEST)
-            && self.covariance.iter().all(|value| near(*value, FARTHEST * FARTHEST))
-            && self.covariance.m11 >= 0.0
-            && self.covariance.m22 >= 0.0
+            && self.covariance.to_cols_array().iter().all(|value| near(*value, FARTHEST * FARTHEST))
+            && self.covariance.x_axis.x >= 0.0
+            && self.covariance.y_axis.y >= 0.0
     }
 }
 
 /// Innovation of a sighting.
 pub(super) struct Fit {
     /// Innovation: seen minus expected position, m.
-    pub(super) off: Vector2<f32>,
+    pub(super) off: Vec2,
     /// Inverse covariance of the innovation.
-    pub(super) inverse: Matrix2<f32>,
+    pub(super) inverse: Mat2,
     /// Squared Mahalanobis distance.
     pub(super) distance: f32,
     /// Log-likelihood up to a constant, with a heavy tail for outliers.
@@ -106,10 +101,10 @@ pub(super) struct Fit {
 }
 
 impl Fit {
-    pub(super) fn of(off: Vector2<f32>, covariance: Covariance) -> Option<Self> {
+    pub(super) fn of(off: Vec2, covariance: Covariance) -> Option<Self> {
         let determinant = covariance.determinant();
-        let inverse = covariance.try_inverse()?;
-        let distance = (off.transpose() * inverse * off).x;
+        let inverse = inverse(&covariance)?;
+        let distance = (inverse.transpose() * off).dot(off);
         let size = logf(determinant);
         let (outliers, wider) = (OUTLIERS, OUTLIER_SPREAD);
         let outlier = logf(outliers) - 0.5 * (distance / (wider * wider) + size) - 2.0 * logf(wider);
@@ -118,14 +113,10 @@ impl Fit {
     }
 }
 
-pub(super) fn vector(point: Vec2) -> Vector2<f32> {
-    Vector2::new(point.x, point.y)
-}
-
 /// Matrix that rotates vectors into the frame after a motion.
-pub(super) fn turn_of(motion: Pose2) -> Matrix2<f32> {
+pub(super) fn turn_of(motion: Pose2) -> Mat2 {
     let (sin, cos) = (sinf(motion.heading), cosf(motion.heading));
-    Matrix2::new(cos, sin, -sin, cos)
+    Mat2::from_cols(Vec2::new(cos, -sin), Vec2::new(sin, cos))
 }
 
 /// Covariance in the frame after a motion.

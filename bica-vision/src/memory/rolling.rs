@@ -1,8 +1,7 @@
 //! Kalman filter of a rolling ball: position and velocity, with rolling friction.
 
 use bica_motion::pose::{Pose2, rotate};
-use glam::Vec2;
-use nalgebra::{Matrix2, Matrix2x4, Matrix4, Vector4};
+use glam::{Mat2, Mat4, Vec2, Vec4, Vec4Swizzles as _};
 
 use super::position_estimate::{Fit, PositionEstimate, drift, turn_of};
 use crate::uncertainty::{Covariance, largest, round, square};
@@ -24,20 +23,18 @@ pub(super) struct Rolling {
     position: Vec2,
     velocity: Vec2,
     /// Covariance of (x, y, vx, vy).
-    covariance: Matrix4<f32>,
+    covariance: Mat4,
 }
 
 impl Rolling {
     /// Ball just kicked from a position, with unknown velocity.
     pub(super) fn kicked(place: &PositionEstimate) -> Self {
-        let mut covariance = Matrix4::zeros();
-        covariance.fixed_view_mut::<2, 2>(0, 0).copy_from(&place.covariance);
-        covariance.fixed_view_mut::<2, 2>(2, 2).copy_from(&round(KICKED));
+        let covariance = blocks(place.covariance, Mat2::ZERO, round(KICKED));
         Self { position: place.position, velocity: Vec2::ZERO, covariance }
     }
 
     pub(super) fn estimate(&self) -> PositionEstimate {
-        PositionEstimate { position: self.position, covariance: self.block(0) }
+        PositionEstimate { position: self.position, covariance: self.of_position() }
     }
 
     /// Velocity, m/s.
@@ -46,47 +43,43 @@ impl Rolling {
     }
 
     pub(super) fn is_sound(&self) -> bool {
-        let fast = PositionEstimate { position: self.velocity, covariance: self.block(2) };
-        self.estimate().is_sound() && fast.is_sound() && self.covariance.iter().all(|value| value.is_finite())
+        let fast = PositionEstimate { position: self.velocity, covariance: self.of_velocity() };
+        self.estimate().is_sound() && fast.is_sound() && self.covariance.is_finite()
     }
 
     /// Whether it is slower than `speed` with a standard deviation below `deviation`, m/s.
     pub(super) fn is_slow(&self, speed: f32, deviation: f32) -> bool {
-        self.velocity.length() < speed && largest(&self.block(2)) < deviation
+        self.velocity.length() < speed && largest(&self.of_velocity()) < deviation
     }
 
-    fn block(&self, at: usize) -> Covariance {
-        self.covariance.fixed_view::<2, 2>(at, at).into()
+    fn of_position(&self) -> Covariance {
+        Covariance::from_cols(self.covariance.x_axis.xy(), self.covariance.y_axis.xy())
+    }
+
+    fn of_velocity(&self) -> Covariance {
+        Covariance::from_cols(self.covariance.z_axis.zw(), self.covariance.w_axis.zw())
     }
 
     /// Mixes in a ball kicked from a position, with weight `share`.
     pub(super) fn mix_in_kicked(&mut self, place: &PositionEstimate, share: f32) {
         let other = Self::kicked(place);
         let (off, faster) = (other.position - self.position, other.velocity - self.velocity);
-        let apart = Vector4::new(off.x, off.y, faster.x, faster.y);
+        let apart = Vec4::new(off.x, off.y, faster.x, faster.y);
         self.position += share * off;
         self.velocity += share * faster;
         self.covariance = self.covariance * (1.0 - share)
             + other.covariance * share
-            + apart * apart.transpose() * (share * (1.0 - share));
+            + product(apart, apart) * (share * (1.0 - share));
     }
 
     /// Applies the robot's `motion`.
     pub(super) fn advance(&mut self, motion: Pose2) {
         let added = drift(motion, self.position);
         let turn = turn_of(motion);
-        let mut both = Matrix4::zeros();
-        both.fixed_view_mut::<2, 2>(0, 0).copy_from(&turn);
-        both.fixed_view_mut::<2, 2>(2, 2).copy_from(&turn);
-        self.covariance = both * self.covariance * both.transpose();
-        self.add(0, &added);
+        let both = blocks(turn, Mat2::ZERO, turn);
+        self.covariance = both * self.covariance * both.transpose() + blocks(added, Mat2::ZERO, Mat2::ZERO);
         self.position = motion.locate(self.position);
         self.velocity = rotate(self.velocity, -motion.heading);
-    }
-
-    fn add(&mut self, at: usize, covariance: &Covariance) {
-        let mut block = self.covariance.fixed_view_mut::<2, 2>(at, at);
-        block += covariance;
     }
 
     /// Predicts the motion over some seconds.
@@ -111,18 +104,16 @@ impl Rolling {
         // speed.
         let share = if stops { 1.0 } else { 1.0 - BRAKING * moving / speed };
         let straight = square(ahead);
-        let aside = Matrix2::identity() - straight;
+        let aside = Mat2::IDENTITY - straight;
         let (way, faster) = if stops {
             // The velocity is unknown: the ball may continue at any.
-            (Matrix2::from_diagonal_element(seconds), Matrix2::identity())
+            (Mat2::from_diagonal(Vec2::splat(seconds)), Mat2::IDENTITY)
         } else {
             (straight * moving + aside * (0.5 * (1.0 + share) * moving), straight + aside * share)
         };
-        let mut moves = Matrix4::identity();
-        moves.fixed_view_mut::<2, 2>(0, 2).copy_from(&way);
-        moves.fixed_view_mut::<2, 2>(2, 2).copy_from(&faster);
-        self.covariance = moves * self.covariance * moves.transpose();
-        self.add(2, &(round(BUMPS) * seconds));
+        let moves = blocks(Mat2::IDENTITY, way, faster);
+        let bumps = blocks(Mat2::ZERO, Mat2::ZERO, round(BUMPS) * seconds);
+        self.covariance = moves * self.covariance * moves.transpose() + bumps;
         self.position += ahead * (speed - 0.5 * BRAKING * moving) * moving;
         self.velocity = if stops { Vec2::ZERO } else { self.velocity * share };
     }
@@ -134,12 +125,25 @@ impl Rolling {
 
     /// Updates position and velocity with the fit of a sighting.
     pub(super) fn correct(&mut self, fit: &Fit) {
-        let above: Matrix2x4<f32> = self.covariance.fixed_rows::<2>(0).into();
-        let gain = above.transpose() * fit.inverse;
-        let step = gain * fit.off;
-        self.position += Vec2::new(step.x, step.y);
-        self.velocity += Vec2::new(step.z, step.w);
-        let covariance = self.covariance - gain * above;
+        // The covariance of the state with the measured position, and the Kalman gain, both by columns.
+        let [x, y] = [self.covariance.row(0), self.covariance.row(1)];
+        let [by_x, by_y] = [fit.inverse.x_axis, fit.inverse.y_axis].map(|column| x * column.x + y * column.y);
+        let step = by_x * fit.off.x + by_y * fit.off.y;
+        self.position += step.xy();
+        self.velocity += step.zw();
+        let covariance = self.covariance - (product(by_x, x) + product(by_y, y));
         self.covariance = 0.5 * (covariance + covariance.transpose());
     }
+}
+
+/// Matrix of the blocks above left, above right and below right; zero below left.
+fn blocks(above: Mat2, aside: Mat2, below: Mat2) -> Mat4 {
+    let left = [above.x_axis, above.y_axis].map(|column| Vec4::from((column, Vec2::ZERO)));
+    let right = |above: Vec2, below: Vec2| Vec4::from((above, below));
+    Mat4::from_cols(left[0], left[1], right(aside.x_axis, below.x_axis), right(aside.y_axis, below.y_axis))
+}
+
+/// Product of a column and a row.
+fn product(column: Vec4, row: Vec4) -> Mat4 {
+    Mat4::from_cols(column * row.x, column * row.y, column * row.z, column * row.w)
 }

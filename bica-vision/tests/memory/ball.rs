@@ -6,7 +6,7 @@ use bica_vision::uncertainty::{Covariance, largest};
 use glam::Vec2;
 use proptest::prelude::*;
 
-use crate::noise::{Noise, spread};
+use crate::noise::{Noise, root, spread};
 
 const STEP: f32 = 1.0 / 30.0;
 
@@ -63,9 +63,7 @@ impl Scene {
         // Constant for a third of a second.
         self.bias = 0.9 * self.bias + (1.0 - 0.81_f32).sqrt() * new;
         let spread = spread(at);
-        let root = spread.cholesky().expect("a covariance").l();
-        let bias = root * nalgebra::Vector2::new(self.bias.x, self.bias.y);
-        let off = (1.0 - lasting).sqrt() * self.noise.off_by(&spread) + lasting.sqrt() * Vec2::new(bias.x, bias.y);
+        let off = (1.0 - lasting).sqrt() * self.noise.off_by(&spread) + lasting.sqrt() * (root(&spread) * self.bias);
         self.memory.see(at + off, &spread, 0.8);
     }
 
@@ -73,8 +71,7 @@ impl Scene {
     fn off(&self) -> f32 {
         let place = self.memory.estimate().expect("just seen");
         let off = self.local() - place.position;
-        let off = nalgebra::Vector2::new(off.x, off.y);
-        (off.transpose() * place.covariance.try_inverse().expect("a covariance") * off).x
+        off.dot(place.covariance.try_inverse().expect("a covariance") * off)
     }
 }
 
@@ -173,8 +170,7 @@ fn prediction_of_a_rolling_ball_matches_its_motion() {
         let last = scene.memory.position().expect("seen");
         (0..30).for_each(|_| scene.roll());
         let off = scene.local() - prediction.position;
-        let sure = nalgebra::Vector2::new(off.x, off.y);
-        inside.push((sure.transpose() * prediction.covariance.try_inverse().expect("a covariance") * sure).x);
+        inside.push(off.dot(prediction.covariance.try_inverse().expect("a covariance") * off));
         predicted.push(off.length());
         stayed.push(scene.local().distance(last));
     }
@@ -257,10 +253,10 @@ proptest! {
     ) {
         let mut memory = BallMemory::new(half_life);
         for ([a, b, c, d], [xx, xy, yy], see) in steps {
-            let covariance = Covariance::new(xx, xy, xy, yy);
+            let covariance = Covariance::from_cols_array(&[xx, xy, xy, yy]);
             if see { memory.see(Vec2::new(a, b), &covariance, c) } else { memory.advance(Pose2::new(a, b, c), d) }
             for place in [memory.estimate(), memory.predict(c)].into_iter().flatten() {
-                prop_assert!(place.position.is_finite() && place.covariance.iter().all(|value| value.is_finite()));
+                prop_assert!(place.position.is_finite() && place.covariance.is_finite());
             }
             prop_assert!((0.0..=1.0).contains(&memory.rolls()) && memory.velocity().is_finite());
             prop_assert!((0.0..=1.0).contains(&memory.confidence()) && memory.age().is_none_or(f32::is_finite));

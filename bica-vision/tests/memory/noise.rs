@@ -4,7 +4,7 @@ use bica_motion::model::{Nao, RobotModel};
 use bica_motion::robot::CameraId;
 use bica_vision::projection::Camera;
 use bica_vision::uncertainty::{self, Covariance, Errors};
-use glam::Vec2;
+use glam::{Mat2, Vec2};
 
 /// Random number generator (xorshift*, Vigna 2016).
 #[derive(Clone, Debug)]
@@ -36,10 +36,17 @@ impl Noise {
 
     /// Random vector with a covariance.
     pub(crate) fn off_by(&mut self, covariance: &Covariance) -> Vec2 {
-        let root = covariance.cholesky().expect("a covariance").l();
-        let off = root * nalgebra::Vector2::new(self.normal(), self.normal());
-        Vec2::new(off.x, off.y)
+        root(covariance) * Vec2::new(self.normal(), self.normal())
     }
+}
+
+/// Cholesky decomposition: the lower triangular matrix whose product with its transpose is the covariance.
+pub(crate) fn root(covariance: &Covariance) -> Mat2 {
+    let (xx, xy, yy) = (covariance.x_axis.x, covariance.x_axis.y, covariance.y_axis.y);
+    let below = xy / xx.sqrt();
+    let root = Mat2::from_cols(Vec2::new(xx.sqrt(), below), Vec2::new(0.0, (yy - below * below).sqrt()));
+    assert!(root.is_finite(), "no covariance: {covariance}");
+    root
 }
 
 /// Covariance of a ball sighting at a position, for a standing NAO.

@@ -60,10 +60,10 @@ proptest! {
     ) {
         let mut memory = Memory::new(half_life);
         for (a, b, c, d, see) in steps {
-            let covariance = Covariance::from_row_slice(&spread) * c;
+            let covariance = Covariance::from_cols_array(&spread) * c;
             if see { memory.see(Vec2::new(a, b), &covariance, d) } else { memory.advance(Pose2::new(a, b, c), d) }
             if let Some(place) = memory.estimate() {
-                prop_assert!(place.position.is_finite() && place.covariance.iter().all(|value| value.is_finite()));
+                prop_assert!(place.position.is_finite() && place.covariance.is_finite());
                 prop_assert!(memory.age().is_some_and(f32::is_finite));
             }
             prop_assert!((0.0..=1.0).contains(&memory.confidence()));
@@ -114,7 +114,7 @@ fn covariance_matches_the_error_of_the_position() {
                 let spread = spread(at);
                 memory.see(at + noise.off_by(&spread), &spread, 0.9);
             }
-            if let Some(distance) = memory.distance(at, &Covariance::zeros()) {
+            if let Some(distance) = memory.distance(at, &Covariance::ZERO) {
                 sum += distance;
                 count += 1.0;
                 inside += f32::from(u8::from(distance < 5.99));

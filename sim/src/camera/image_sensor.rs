@@ -114,10 +114,11 @@ fn taps(motion: Vec2) -> Vec<(isize, isize)> {
     (0..count).map(|i| (libm::roundf(offset(i).x) as isize, libm::roundf(offset(i).y) as isize)).collect()
 }
 
-/// Adds bytes to sums.
+/// Adds bytes to sums of at most [`MAX_TAPS`] bytes. Wrapping arithmetic, which cannot overflow here, is vectorized in builds
+/// with overflow checks too.
 fn add(sums: &mut [u16], bytes: &[u8]) {
     for (sum, byte) in sums.iter_mut().zip(bytes) {
-        *sum += *byte as u16;
+        *sum = sum.wrapping_add(*byte as u16);
     }
 }
 
@@ -129,10 +130,12 @@ fn pack(row: &[u8], out: &mut [u8]) {
     }
 }
 
-/// Applies vignetting and adds noise.
+/// Applies vignetting and adds noise. Wrapping arithmetic, which cannot overflow here because a brightness is at most 256, is
+/// vectorized in builds with overflow checks too.
 fn vignette_and_noise(noise: &[i8], vignette: &[u16], out: &mut [u8]) {
     for ((byte, noise), light) in out.iter_mut().zip(noise).zip(vignette) {
-        *byte = (((*byte as u16 * light) >> 8) as i16 + *noise as i16).clamp(0, 255) as u8;
+        let dimmed = (*byte as u16).wrapping_mul(*light) >> 8;
+        *byte = (dimmed as i16).wrapping_add(*noise as i16).clamp(0, 255) as u8;
     }
 }
 

@@ -4,8 +4,8 @@ use proc_macro2::TokenStream;
 use quote::quote;
 use syn::{GenericParam, Generics, Type, parse_quote};
 
-use super::runtime;
 use super::tuning::Tuning;
+use super::{operator, runtime};
 use crate::expand::quoting::option;
 use crate::language::component::model::{Behaviour, Component, Machine, MachineState};
 use crate::language::text;
@@ -22,6 +22,7 @@ pub(super) fn expand(component: &Component, behaviour: &Behaviour) -> TokenStrea
     let resume = component.options.resume.is_some();
     let states = states(component, behaviour);
     let tuning = Tuning::of(component).items(component);
+    let operator = operator::descriptions(component);
     quote! {
         #[automatically_derived]
         impl #parameters #p::Component for #own #bounds {
@@ -32,6 +33,7 @@ pub(super) fn expand(component: &Component, behaviour: &Behaviour) -> TokenStrea
             const RESUME: bool = #resume;
             #states
             #tuning
+            #operator
         }
     }
 }

@@ -8,7 +8,7 @@ use syn::{Type, WherePredicate, parse_quote, parse_quote_spanned};
 
 use super::tuning::Tuning;
 use super::visits::Visits;
-use super::{description, hooks, machine, node, runtime, step};
+use super::{description, hooks, machine, node, operator, runtime, step};
 use crate::expand::quoting::{at, placed};
 use crate::language::component::model::{Argument, Behaviour, Component};
 use crate::language::text;
@@ -38,6 +38,7 @@ pub(super) fn expand(component: &Component, behaviour: &Behaviour) -> TokenStrea
         Behaviour::Machine(machine) => machine::expand(&p, machine, &visits, &tuning),
     };
     let hooks = hooks::expand(component, &tuning);
+    let operator = operator::functions(component);
     quote! {
         #[automatically_derived]
         impl #parameters #p::MemberOf<__T> for #own #bounds {
@@ -50,6 +51,7 @@ pub(super) fn expand(component: &Component, behaviour: &Behaviour) -> TokenStrea
             }
 
             #hooks
+            #operator
         }
     }
 }

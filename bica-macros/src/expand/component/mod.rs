@@ -6,6 +6,7 @@ mod hooks;
 mod machine;
 mod member;
 mod node;
+mod operator;
 mod step;
 mod stub;
 mod tuning;

@@ -34,6 +34,8 @@ pub(super) fn expand(component: &Component, behaviour: &Behaviour, visits: &Visi
                 states: <Self as #p::Component>::STATES,
                 transitions: &[#(#transitions),*],
                 params: <Self as #p::Component>::PARAMS,
+                info: <Self as #p::Component>::INFO,
+                modulations: <Self as #p::Component>::MODULATIONS,
             }
         };
     }

@@ -1,6 +1,6 @@
 //! The description of one parameter, and the checks of its declaration.
 
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, format_ident, quote, quote_spanned};
 
 use crate::expand::quoting::{at, option, placed};
@@ -58,17 +58,25 @@ fn value(p: &TokenStream, field: &Field, default: Option<&TokenStream>) -> Token
 
 /// The constant assertions of a parameter; `described` is the constant that holds its description.
 pub(crate) fn assertions(p: &TokenStream, field: &Field, described: &TokenStream) -> TokenStream {
-    let assert = |name: &str, place: &dyn ToTokens| {
+    let each = checks(p, field, described);
+    each.into_iter().map(|(place, check)| quote_spanned!(place => const _: () = #check;)).collect()
+}
+
+/// The calls that check a declaration, and the place of what each checks.
+pub(crate) fn checks(p: &TokenStream, field: &Field, described: &TokenStream) -> Vec<(Span, TokenStream)> {
+    let check = |name: &str, place: &dyn ToTokens| {
         let place = at(&place.to_token_stream());
         let (p, name, described) = (placed(p, place), Ident::new(name, place), placed(described, place));
-        quote_spanned!(place => const _: () = #p::#name(&#described);)
+        (place, quote_spanned!(place => #p::#name(&#described)))
     };
-    let default = field.default.as_ref().map(|default| assert("assert_default", default));
-    let Kind::Number(number) = &field.kind else { return quote!(#default) };
-    let Number { min, max, step, .. } = &**number;
-    let range = assert("assert_range", &quote!(#min..=#max));
-    let step = step.as_ref().map(|step| assert("assert_step", step));
-    quote!(#range #default #step)
+    let mut checks = Vec::new();
+    if let Kind::Number(number) = &field.kind {
+        let Number { min, max, step, .. } = &**number;
+        checks.push(check("assert_range", &quote!(#min..=#max)));
+        checks.extend(step.as_ref().map(|step| check("assert_step", step)));
+    }
+    checks.extend(field.default.as_ref().map(|default| check("assert_default", default)));
+    checks
 }
 
 /// The field as a `Value`.

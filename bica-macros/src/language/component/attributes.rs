@@ -10,10 +10,10 @@ use super::model::Sources;
 use crate::language::{number, text, wording};
 
 /// The attributes that assign a function its role.
-pub(crate) const ROLES: [&str; 6] = ["state", "transition", "entry", "exit", "start", "stop"];
+pub(crate) const ROLES: [&str; 8] = ["state", "transition", "entry", "exit", "start", "stop", "info", "modulation"];
 
 /// Names from other frameworks for our attributes.
-const SYNONYMS: [(&str, &str); 9] = [
+const SYNONYMS: [(&str, &str); 11] = [
     ("enter", "entry"),
     ("on_entry", "entry"),
     ("on_enter", "entry"),
@@ -21,6 +21,8 @@ const SYNONYMS: [(&str, &str); 9] = [
     ("on_start", "start"),
     ("on_stop", "stop"),
     ("guard", "transition"),
+    ("information", "info"),
+    ("modulate", "modulation"),
     ("initial", "state(initial)"),
     ("last", "state(last)"),
 ];

@@ -7,6 +7,7 @@ pub(crate) mod check;
 pub(crate) mod links;
 pub(crate) mod model;
 mod near_miss;
+mod operator;
 mod options;
 pub(crate) mod parse;
 mod resolve;

@@ -4,6 +4,7 @@ use proc_macro2::Ident;
 use syn::{Attribute, Path, Type};
 
 use super::block::Block;
+use crate::language::params::model::Field;
 
 /// An impl block with `#[component]`, its functions sorted by their roles.
 pub(crate) struct Component {
@@ -18,6 +19,8 @@ pub(crate) struct Component {
     pub(crate) exits: Vec<Hook>,
     pub(crate) starts: Vec<Function>,
     pub(crate) stops: Vec<Function>,
+    pub(crate) infos: Vec<Info>,
+    pub(crate) modulations: Vec<Modulation>,
     /// Whether an attribute or a function could not be read. What seems to be missing may then be there.
     pub(crate) incomplete: bool,
 }
@@ -36,6 +39,21 @@ impl Component {
     pub(crate) fn own(&self) -> &Type {
         &self.block.header.self_ty
     }
+}
+
+/// A getter with `#[info]`.
+pub(crate) struct Info {
+    pub(crate) name: Ident,
+    pub(crate) doc: String,
+    pub(crate) unit: Option<String>,
+    pub(crate) ty: Type,
+}
+
+/// A method with `#[modulation]`.
+pub(crate) struct Modulation {
+    pub(crate) name: Ident,
+    pub(crate) doc: String,
+    pub(crate) arguments: Vec<Field>,
 }
 
 /// The options in the parentheses of `#[component(...)]`.

@@ -7,7 +7,7 @@ use syn::{Attribute, Generics, Item as AnyItem, Type, parse_quote};
 use super::block::{self, Block, Item};
 use super::model::{Component, Function, Hook, State, Transition};
 use super::signature::{self, Form};
-use super::{arguments, attributes, options};
+use super::{arguments, attributes, operator, options};
 use crate::language::report::Report;
 use crate::language::{text, wording};
 
@@ -47,6 +47,8 @@ pub(crate) fn parse(options: TokenStream, item: &TokenStream, report: &mut Repor
         exits: Vec::new(),
         starts: Vec::new(),
         stops: Vec::new(),
+        infos: Vec::new(),
+        modulations: Vec::new(),
         incomplete: false,
     };
     if let Some((at, problem)) = misplaced {
@@ -155,6 +157,14 @@ fn sort(component: &mut Component, function: &mut block::Function, roles: Vec<At
             let function = called(component, function, Form::Plain, report);
             let hooks = if role == "start" { &mut component.starts } else { &mut component.stops };
             hooks.push(function);
+        }
+        Some("info") => {
+            let info = operator::info(function, first, component.own(), report);
+            component.infos.extend(info);
+        }
+        Some("modulation") => {
+            let own = component.own().clone();
+            component.modulations.extend(operator::modulation(function, first, &own, report));
         }
         _ => hook(component, function, first, report),
     }

@@ -23,16 +23,39 @@ pub(crate) enum Form {
 
 /// Reads the arguments and reports what a function of that form may not have.
 pub(crate) fn read(signature: &Signature, own: &Type, form: Form, report: &mut Report) -> Vec<Argument> {
+    no_modifiers(signature, report);
+    generics(signature, report);
+    receiver(signature, own, form, report);
+    output(signature, form, report);
+    arguments::read(signature, own, form, report)
+}
+
+/// Reports what a function that an operator calls may not have; `wanted` is how it takes the component.
+pub(crate) fn read_operator(signature: &Signature, own: &Type, wanted: &str, report: &mut Report) {
+    no_modifiers(signature, report);
+    generics(signature, report);
+    let as_wanted = match signature.inputs.first() {
+        Some(FnArg::Receiver(receiver)) => {
+            taken(receiver, own) == if wanted == "&self" { Taken::Shared } else { Taken::Exclusive }
+        }
+        _ => false,
+    };
+    if !as_wanted {
+        let name = text::name(&signature.ident);
+        match signature.inputs.first() {
+            Some(FnArg::Receiver(receiver)) => report.add(receiver, wording::receiver(&name, wanted)),
+            _ => report.add(&signature.ident, wording::receiver(&name, wanted)),
+        }
+    }
+}
+
+fn no_modifiers(signature: &Signature, report: &mut Report) {
     if let Some(token) = &signature.asyncness {
         report.add(token, wording::ASYNC);
     }
     if let Safety::Unsafe(token) = &signature.safety {
         report.add(token, wording::UNSAFE);
     }
-    generics(signature, report);
-    receiver(signature, own, form, report);
-    output(signature, form, report);
-    arguments::read(signature, own, form, report)
 }
 
 fn generics(signature: &Signature, report: &mut Report) {

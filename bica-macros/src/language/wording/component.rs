@@ -30,8 +30,7 @@ pub(crate) const STATE_WORDS: &str = "write `#[state]`, `#[state(initial)]` or `
 pub(crate) const ARROW: &str = "which states does it leave and enter? Write `#[transition(from -> to)]`";
 pub(crate) const ONE_TARGET: &str = "a transition enters one state: write one `#[transition]` for each";
 pub(crate) const TIMER: &str = "after the arrow only `after_ms = 1500` can follow: remove this";
-pub(crate) const TWO_ROLES: &str =
-    "a function has one role, `state`, `transition`, `entry`, `exit`, `start` or `stop`: remove one";
+pub(crate) const TWO_ROLES: &str = "a function has one role, `state`, `transition`, `entry`, `exit`, `start`, `stop`, `info` or `modulation`: remove one";
 pub(crate) const PLACE_OF_A_ROLE: &str = "this attribute belongs on a function: move it there, or remove it";
 pub(crate) const STEP_ATTRIBUTE: &str = "the step has no attribute: name the function `step` and remove this";
 pub(crate) const CONDITIONAL: &str =
@@ -55,6 +54,31 @@ pub(crate) fn no_arguments(role: &str) -> String {
 
 pub(crate) fn hook_states(role: &str) -> String {
     format!("which states is this hook for? Write `#[{role}(state)]` or `#[{role}(one | other)]`")
+}
+
+// What an operator may look at and call.
+pub(crate) const INFO_FORM: &str = "write `#[info]` or `#[info(unit = \"m\")]`";
+pub(crate) const INFO_ARGUMENTS: &str = "information is read without arguments: remove this";
+pub(crate) const MODULATION_FORM: &str =
+    "`#[modulation]` takes nothing: describe the arguments, each by `#[range(a..=b)]` and `#[unit(\"...\")]` before it";
+pub(crate) const ARGUMENT_NAME: &str = "tools show the name of this argument: write a name here";
+
+pub(crate) fn info_value(name: &str) -> String {
+    format!("`{name}` returns nothing to look at: add `-> Type`")
+}
+
+pub(crate) fn operator_doc(role: &str, name: &str) -> String {
+    format!("`{name}` has `#[{role}]` and no doc comment: say above it what an operator sees, `/// ...`")
+}
+
+pub(crate) fn argument_form(key: &str) -> String {
+    let example = match key {
+        "range" => "#[range(0.0..=1.0)]",
+        "unit" => "#[unit(\"m/s\")]",
+        "step" => "#[step(0.01)]",
+        _ => "#[default(0.5)]",
+    };
+    format!("`{key}` of an argument stands in parentheses: write `{example}`")
 }
 
 // The machine.

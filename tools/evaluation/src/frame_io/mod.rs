@@ -89,12 +89,11 @@ impl RecordedFrame {
 /// Converts to full-range BT.601; two pixels share their mean chroma, and an odd last column is dropped.
 fn yuyv(picture: &Picture) -> Vec<u8> {
     let rows = picture.rgb.chunks_exact(picture.width.max(1));
-    rows.flat_map(|row| row.as_chunks::<2>().0)
-        .flat_map(|&[left, right]| {
-            let (a, b) = (ycc(left), ycc(right));
-            [a[0], 0.5 * (a[1] + b[1]), b[0], 0.5 * (a[2] + b[2])].map(|value| value.round() as u8)
-        })
-        .collect()
+    let pairs = rows.flat_map(|row| row.as_chunks::<2>().0).map(|&[left, right]| {
+        let (a, b) = (ycc(left), ycc(right));
+        [a[0], 0.5 * (a[1] + b[1]), b[0], 0.5 * (a[2] + b[2])].map(|value| value.round() as u8)
+    });
+    pairs.collect::<Vec<_>>().into_flattened()
 }
 
 fn ycc(rgb: [u8; 3]) -> [f32; 3] {

@@ -1,0 +1,171 @@
+//! What an operator may look at and call.
+
+use bica_core::info::{Info, InfoSink, Information};
+use bica_core::params::{Kind, Value};
+use bica_core::refusal::Reason;
+use bica_core::{ComponentId, Instant, Tree};
+use bica_macros::{ParamEnum, activation_tree, component};
+
+/// Foot of a kick.
+#[derive(Clone, Copy, Debug, PartialEq, ParamEnum)]
+#[params(crate = bica_core)]
+pub(crate) enum Foot {
+    Left,
+    Right,
+}
+
+pub(crate) struct Kicker {
+    log: Vec<(f32, u32, bool, Foot)>,
+    asked: core::cell::Cell<u32>,
+}
+
+#[component(crate = bica_core)]
+impl Kicker {
+    const fn new() -> Self {
+        Self { log: Vec::new(), asked: core::cell::Cell::new(0) }
+    }
+
+    fn step(&mut self, other: &mut Other) {
+        other.called = 0;
+    }
+
+    /// Number of kicks.
+    #[info]
+    fn kicks(&self) -> usize {
+        self.asked.set(self.asked.get() + 1);
+        self.log.len()
+    }
+
+    /// Strength of the last kick.
+    #[info(unit = "N")]
+    fn strength(&self) -> Option<f32> {
+        self.log.last().map(|last| last.0)
+    }
+
+    /// Kicks.
+    #[modulation]
+    fn kick(
+        &mut self,
+        /// How hard.
+        #[range(2.0..=9.0)]
+        #[unit("N")]
+        #[step(0.5)]
+        strength: f32,
+        #[range(0..=3)]
+        #[default(1)]
+        times: u32,
+        turns: bool,
+        #[default(Foot::Right)] foot: Foot,
+    ) {
+        self.log.push((strength, times, turns, foot));
+    }
+
+    /// Forgets all kicks.
+    #[modulation]
+    fn forget(&mut self) {
+        self.log.clear();
+    }
+}
+
+pub(crate) struct Other {
+    called: i32,
+}
+
+#[component(crate = bica_core)]
+impl Other {
+    const fn new() -> Self {
+        Self { called: 0 }
+    }
+
+    /// Sets a number.
+    #[modulation]
+    fn call(&mut self, #[range(-5..=-2)] number: i32) {
+        self.called = number;
+    }
+}
+
+activation_tree! {
+    pub(crate) struct Robot { root: Kicker, cycle_hz: 100, components: [Kicker, Other], crate: bica_core }
+}
+
+fn kicker() -> ComponentId {
+    Robot::id::<Kicker>()
+}
+
+const GOOD: [Value; 4] = [Value::F32(4.0), Value::U32(2), Value::Bool(true), Value::Choice(0)];
+
+#[test]
+fn a_modulation_is_called_with_its_arguments() {
+    let mut robot = Robot::new();
+    robot.modulate(kicker(), 0, &GOOD).unwrap();
+    robot.modulate(Robot::id::<Other>(), 0, &[Value::I32(-3)]).unwrap();
+    assert_eq!(robot.get::<Kicker>().log, [(4.0, 2, true, Foot::Left)]);
+    assert_eq!(robot.get::<Other>().called, -3);
+    robot.tick(Instant::from_ticks(0));
+    assert_eq!(robot.get::<Other>().called, 0);
+    robot.modulate(kicker(), 1, &[]).unwrap();
+    assert_eq!(robot.get::<Kicker>().log, []);
+}
+
+#[test]
+fn a_modulation_with_a_wrong_argument_is_not_called() {
+    let mut robot = Robot::new();
+    let with = |place: usize, value| {
+        let mut values = GOOD;
+        values[place] = value;
+        values
+    };
+    for (component, index, values, text) in [
+        (kicker(), 0, &with(0, Value::F32(1.0))[..], "`Kicker.strength`: 1 is outside 2..=9"),
+        (kicker(), 0, &with(0, Value::F32(f32::NAN)), "`Kicker.strength`: the value is not finite"),
+        (kicker(), 0, &with(1, Value::U32(4)), "`Kicker.times`: 4 is outside 0..=3"),
+        (kicker(), 0, &with(2, Value::U32(1)), "`Kicker.turns`: the value is of kind u32, but bool is required"),
+        (kicker(), 0, &with(3, Value::Choice(2)), "`Kicker.foot`: no such variant, there are 2"),
+        (kicker(), 0, &GOOD[..3], "`Kicker.kick`: 3 arguments, but it takes 4"),
+        (kicker(), 1, &GOOD[..1], "`Kicker.forget`: 1 arguments, but it takes 0"),
+        (kicker(), 2, &[], "`Kicker`: no such modulation, the component has 2"),
+        (ComponentId::new(2), 0, &[], "entry 0: the tree has no such component"),
+    ] {
+        assert_eq!(robot.modulate(component, index, values).unwrap_err().to_string(), text);
+    }
+    assert_eq!(robot.get::<Kicker>().log, []);
+    let refusal = robot.modulate(kicker(), 0, &with(3, Value::Choice(9))).unwrap_err();
+    assert_eq!((refusal.entry, refusal.reason), (3, Reason::UnknownVariant { count: 2 }));
+}
+
+#[test]
+fn descriptions_hold_what_the_functions_declare() {
+    let node = Robot::GRAPH.nodes[0];
+    let kicks = Info { name: "kicks", doc: "Number of kicks.", unit: None, ty: "usize" };
+    let strength = Info { name: "strength", doc: "Strength of the last kick.", unit: Some("N"), ty: "Option<f32>" };
+    assert_eq!(node.info, [kicks, strength]);
+    let [kick, forget] = node.modulations else { panic!("two modulations") };
+    assert_eq!((kick.name, kick.doc, forget.name, forget.arguments.len()), ("kick", "Kicks.", "forget", 0));
+    let [strength, times, turns, foot] = kick.arguments else { panic!("four arguments") };
+    assert_eq!((strength.name, strength.doc, strength.unit), ("strength", "How hard.", Some("N")));
+    assert_eq!(strength.kind, Kind::F32 { min: 2.0, max: 9.0, step: Some(0.5) });
+    let defaults = [strength, times, turns, foot].map(|argument| argument.default);
+    assert_eq!(defaults, [Value::F32(2.0), Value::U32(1), Value::Bool(false), Value::Choice(1)]);
+    assert_eq!(Robot::GRAPH.nodes[1].modulations[0].arguments[0].default, Value::I32(-2), "nearest to zero");
+}
+
+/// Counts the values.
+struct Count(usize);
+
+impl InfoSink for Count {
+    fn take<V: Information>(&mut self, _: &V) {
+        self.0 += 1;
+    }
+}
+
+#[test]
+fn a_getter_is_called_only_when_it_is_read() {
+    let mut robot = Robot::new();
+    let mut count = Count(0);
+    robot.tick(Instant::from_ticks(0));
+    assert_eq!(robot.get::<Kicker>().asked.get(), 0);
+    assert!(robot.read_info(kicker(), 0, &mut count) && robot.read_info(kicker(), 1, &mut count));
+    assert!(!robot.read_info(kicker(), 2, &mut count) && !robot.read_info(Robot::id::<Other>(), 0, &mut count));
+    assert!(!robot.read_info(ComponentId::new(2), 0, &mut count));
+    assert_eq!((count.0, robot.get::<Kicker>().asked.get()), (2, 1));
+}

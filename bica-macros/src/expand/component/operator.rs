@@ -1,0 +1,103 @@
+//! What an operator may look at and call: `#[info]` and `#[modulation]`.
+
+use proc_macro2::{Ident, TokenStream};
+use quote::{format_ident, quote, quote_spanned};
+
+use super::runtime;
+use crate::expand::params::describe;
+use crate::expand::quoting::{at, option, placed};
+use crate::language::component::model::{Component, Info, Modulation};
+use crate::language::text;
+
+/// The descriptions, for `impl Component`.
+pub(super) fn descriptions(component: &Component) -> TokenStream {
+    let p = runtime(component);
+    let infos = component.infos.iter().map(|info| {
+        let (name, doc, unit, ty) =
+            (text::name(&info.name), &info.doc, option(info.unit.as_ref()), text::written(&info.ty));
+        quote!(#p::Info { name: #name, doc: #p::doc(#doc), unit: #unit, ty: #ty })
+    });
+    let infos = (!component.infos.is_empty()).then(|| quote!(const INFO: &'static [#p::Info] = &[#(#infos),*];));
+    let modulations = (!component.modulations.is_empty()).then(|| modulations(&p, &component.modulations));
+    quote!(#infos #modulations)
+}
+
+fn modulations(p: &TokenStream, all: &[Modulation]) -> TokenStream {
+    let each = all.iter().map(|modulation| {
+        let (name, doc) = (text::name(&modulation.name), &modulation.doc);
+        let arguments = modulation.arguments.iter().map(|field| {
+            let default = field.default.as_ref().map(|default| quote!(#default));
+            describe::param(p, field, default.as_ref())
+        });
+        quote!(#p::Modulation { name: #name, doc: #p::doc(#doc), arguments: &[#(#arguments),*] })
+    });
+    let checks = all.iter().enumerate().flat_map(|(index, modulation)| {
+        modulation.arguments.iter().enumerate().flat_map(move |(place, field)| {
+            describe::checks(p, field, &quote!(list[#index].arguments[#place])).into_iter().map(|(_, check)| check)
+        })
+    });
+    quote! {
+        const MODULATIONS: &'static [#p::Modulation] = {
+            let list: &'static [#p::Modulation] = const { &[#(#each),*] };
+            #(#checks;)*
+            list
+        };
+    }
+}
+
+/// The functions of `impl MemberOf`.
+pub(super) fn functions(component: &Component) -> TokenStream {
+    let p = runtime(component);
+    let read = (!component.infos.is_empty()).then(|| read(&p, &component.infos));
+    let call = (!component.modulations.is_empty()).then(|| call(&p, &component.modulations));
+    quote!(#read #call)
+}
+
+fn read(p: &TokenStream, infos: &[Info]) -> TokenStream {
+    let arms = infos.iter().enumerate().map(|(index, info)| {
+        let (name, place) = (&info.name, at(&info.ty));
+        let p = placed(p, place);
+        let take = quote_spanned!(place => #p::InfoSink::take(sink, &value));
+        quote!(#index => { let value = this.#name(); #take; })
+    });
+    quote! {
+        fn read_info<__S: #p::InfoSink>(tree: &__T, index: usize, sink: &mut __S) -> bool {
+            let this = #p::component::<__T, Self>(tree);
+            match index {
+                #(#arms)*
+                _ => return false,
+            }
+            true
+        }
+    }
+}
+
+fn call(p: &TokenStream, modulations: &[Modulation]) -> TokenStream {
+    let arms = modulations.iter().enumerate().map(|(index, modulation)| {
+        let name = &modulation.name;
+        let names: Vec<Ident> = (0..modulation.arguments.len()).map(|place| format_ident!("a{place}")).collect();
+        let values = modulation
+            .arguments
+            .iter()
+            .zip(&names)
+            .map(|(field, name)| describe::from_value(p, field, &quote!(*#name)));
+        quote! {
+            (#index, [#(#names),*]) => {
+                #(
+                    let #names = #values;
+                    let ::core::option::Option::Some(#names) = #names else { return };
+                )*
+                this.#name(#(#names),*);
+            }
+        }
+    });
+    quote! {
+        fn modulate(tree: &mut __T, index: usize, arguments: &[#p::Value]) {
+            let this = #p::component_mut::<__T, Self>(tree);
+            match (index, arguments) {
+                #(#arms)*
+                _ => {}
+            }
+        }
+    }
+}
