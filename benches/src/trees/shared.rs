@@ -4,7 +4,7 @@ use bica::prelude::*;
 
 macro_rules! component {
     ($name:ident $(, $child:ident: $kind:ident)*) => {
-        #[doc = "A corner of the diamond."]
+        #[doc = "Corner of the diamond."]
         pub struct $name(u64);
 
         #[component]

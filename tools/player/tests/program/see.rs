@@ -119,7 +119,7 @@ fn profiles_are_loaded_by_name_or_from_files() {
     refused("nao2010", &["nao2010", "help: name a TOML file", "darwin2013"]);
     refused(
         &path("bad.toml"),
-        &["bad.toml", "line 3", "`orange.chroma`", "`300`", "help: a whole number from 0 to 255"],
+        &["bad.toml", "line 3", "`orange.chroma`", "`300`", "help: write a whole number from 0 to 255"],
     );
     refused(&path("short.bin"), &["short.bin", "99 bytes", "64×64×64"]);
 }
