@@ -223,17 +223,17 @@ fn a_given_rate_holds_whatever_the_component_is_held() {
     let mut tree = Rates::new();
     let always = Rates::id::<Always>();
     tree.rate_mut::<Always>().set(25.0);
-    assert_eq!(moments(&mut tree, "Always", (0..100).step_by(10)), [0, 40, 80]);
+    assert_eq!(run_times(&mut tree, "Always", (0..100).step_by(10)), [0, 40, 80]);
     tree.hold_at(always, Hold::Active);
-    assert_eq!(moments(&mut tree, "Always", (100..200).step_by(10)), [120, 160]);
+    assert_eq!(run_times(&mut tree, "Always", (100..200).step_by(10)), [120, 160]);
     tree.hold_at(always, Hold::Tree);
-    assert_eq!(moments(&mut tree, "Always", (200..300).step_by(10)), [200, 240, 280]);
+    assert_eq!(run_times(&mut tree, "Always", (200..300).step_by(10)), [200, 240, 280]);
     // It does not become latent in between.
     tree.hold_at(always, Hold::Latent);
     tree.hold_at(always, Hold::Tree);
-    assert_eq!(moments(&mut tree, "Always", (300..400).step_by(10)), [320, 360]);
+    assert_eq!(run_times(&mut tree, "Always", (300..400).step_by(10)), [320, 360]);
     tree.hold_at(always, Hold::Latent);
-    assert_eq!(moments(&mut tree, "Always", (400..450).step_by(10)), [0_u64; 0]);
+    assert_eq!(run_times(&mut tree, "Always", (400..450).step_by(10)), [0_u64; 0]);
     tree.hold_at(always, Hold::Tree);
-    assert_eq!(moments(&mut tree, "Always", (450..550).step_by(10)), [450, 490, 530], "a new grid");
+    assert_eq!(run_times(&mut tree, "Always", (450..550).step_by(10)), [450, 490, 530], "a new grid");
 }
