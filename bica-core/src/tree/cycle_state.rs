@@ -146,12 +146,13 @@ impl CycleState {
     /// Returns whether the active set may have changed in this cycle, which is not settled.
     pub(crate) fn takes_recheck(&self) -> bool {
         let unsettled = self.unsettled.get();
-        if unsettled == HELD_ACTIVE {
-            return false;
+        if self.held_active.get() == 0 {
+            self.unsettled.set(unsettled.wrapping_sub(1));
+            return true;
         }
-        let held_active = if self.held_active.get() > 0 { HELD_ACTIVE } else { 0 };
-        self.unsettled.set((unsettled & !HELD_ACTIVE).wrapping_sub(1) | held_active);
-        true
+        let rechecks = unsettled & !HELD_ACTIVE;
+        self.unsettled.set(HELD_ACTIVE | rechecks.saturating_sub(1));
+        rechecks > 0
     }
 
     /// Records that the tick unwinds.
