@@ -6,9 +6,10 @@ use crate::process::{run, works};
 const NIGHTLY: &str = "nightly-2026-05-20";
 const PARTS: [&str; 4] = ["--component", "miri", "--component", "rust-src"];
 const TEST: [&str; 8] = ["cargo", "miri", "test", "--quiet", "--package", "bica-core", "--test", "semantics"];
-/// Arithmetic tests over millions of cycles, which take hours in Miri and do not use memory differently from the
+/// Tests over millions of cycles or thousands of random values, which take hours in Miri and do not use memory differently from the
 /// others.
-const TOO_LONG: [&str; 5] = ["--", "--skip", "jitter::", "--skip", "large::any_component_can_be_held"];
+const TOO_LONG: [&str; 7] =
+    ["--", "--skip", "jitter::", "--skip", "large::any_component_can_be_held", "--skip", "batches::about_half"];
 /// Miri is about a thousand times slower than native code, so property tests run one case. proptest reads files of earlier
 /// failures, which Miri forbids by default.
 const VARIABLES: [(&str, &str); 2] = [("PROPTEST_CASES", "1"), ("MIRIFLAGS", "-Zmiri-disable-isolation")];
