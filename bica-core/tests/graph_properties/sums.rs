@@ -6,6 +6,7 @@ use bica_core::check::{Choice, Violation, WorstCase, first_violation, load, long
 use bica_core::graph::{Graph, Node};
 use proptest::prelude::*;
 
+use crate::build;
 use crate::generate::acyclic_graph;
 use crate::naive;
 
@@ -36,6 +37,21 @@ fn is_consistent(graph: &Graph, worst: &WorstCase, weights: &[f64]) -> bool {
     members(worst) == active
         && close(active.iter().map(|&node| weights[node]).sum(), worst.sum)
         && (0..graph.nodes.len()).all(silent)
+}
+
+#[test]
+fn a_chain_of_exactly_the_declared_budget_is_within_it_and_one_of_a_microsecond_more_is_not() {
+    for budget_us in 1..=20_000_u32 {
+        let of = |budget_us: u32| {
+            let node = Node { budget_us: Some(budget_us as f32), ..build::node("Only") };
+            Graph { nodes: vec![node].leak(), budget_ms: None, cycle_hz: 1.0, ..build::graph(&[]) }
+        };
+        let budget_ms = Some(budget_us as f32 / 1e3);
+        let exact = first_violation(&Graph { budget_ms, ..of(budget_us) });
+        assert!(exact.is_none(), "{budget_us} µs: {exact:?}");
+        let over = first_violation(&Graph { budget_ms, ..of(budget_us + 1) });
+        assert!(matches!(over, Some(Violation::OverBudget(_))), "{budget_us} µs: {over:?}");
+    }
 }
 
 proptest! {
