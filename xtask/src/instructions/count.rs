@@ -13,7 +13,7 @@ const SLOW: (&str, &str) = ("BICA_SLOW", "1");
 /// name.
 ///
 /// # Errors
-/// If a benchmark does not build or run, or the output has an unknown format at.
+/// If a benchmark does not build or run, or the output has an unknown format.
 pub(crate) fn count(runner: &str, slow: bool) -> Result<BTreeMap<String, u64>, String> {
     let bench = ["bench", "--package", "bica-benches", "--bench", "instructions"];
     let variables = [("GUNGRAUN_RUNNER", runner), SLOW];
