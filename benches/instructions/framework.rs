@@ -11,6 +11,7 @@ use bica_benches::trees::latent::{TenOfHundred, TenOfTen};
 use bica_benches::trees::machine::{ByHand, Machine, Ring};
 use bica_benches::trees::shared::Diamond;
 use bica_benches::trees::switch::{Root, Switch};
+use bica_benches::trees::tuned::{Constants, TunedOff, TunedOn};
 use bica_benches::trees::wide::{WideHundred, WideTen};
 
 const CYCLES: u64 = 100;
@@ -60,6 +61,9 @@ trees! {
     shared: Diamond = warm(Diamond::new()),
     switch: Switch = warm(Switch::new()),
     no_switch: Switch = still(),
+    constants: Constants = warm(Constants::new()),
+    tuned_off: TunedOff = warm(TunedOff::new()),
+    tuned_on: TunedOn = warm(TunedOn::new()),
 }
 
 #[library_benchmark]
@@ -93,6 +97,9 @@ library_benchmark_group!(
         shared,
         switch,
         no_switch,
+        constants,
+        tuned_off,
+        tuned_on,
         machine,
         machine_by_hand
     ]
