@@ -9,6 +9,7 @@ use crate::robot::Inertial;
 
 /// Side to which a robot falls, or on which it lies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "info", derive(serde::Serialize, postcard_schema::Schema))]
 pub enum Direction {
     /// On its face.
     Front,
@@ -38,6 +39,7 @@ impl Direction {
 
 /// State of the balance. It says nothing about faults of the body: see [`Health`](crate::health::Health).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "info", derive(serde::Serialize, postcard_schema::Schema))]
 pub enum FallState {
     /// On its feet.
     #[default]

@@ -17,6 +17,7 @@
 
 pub mod behaviour;
 mod forward;
+pub mod info;
 pub mod input;
 pub mod motion;
 pub mod output;

@@ -8,6 +8,7 @@ const CAMERA_HEIGHT: f32 = 0.48;
 
 /// Direction from the head, relative to an upright torso.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "info", derive(serde::Serialize, postcard_schema::Schema))]
 pub struct Bearing {
     /// Angle to the left, rad.
     pub pan: f32,
