@@ -19,6 +19,7 @@ mod single;
 mod story;
 mod summary;
 mod summary_text;
+mod tuning;
 mod world_factory;
 
 pub use album::Album;
@@ -28,6 +29,7 @@ pub use firmware::{FirmwareImage, FirmwareSummary, InstructionCount};
 pub use game::{play, play_recorded};
 pub use latency::LatencySummary;
 pub use observer::{GameObserver, View};
+pub use tuning::settings;
 pub use recording::{RecordOptions, RecordingSummary, recording_header};
 pub use replay::{ReplayOptions, Replayed, replay};
 pub use rules::{Rules, WorldKind};

@@ -91,6 +91,13 @@ impl Layers {
         })
     }
 
+    /// Removes the values for which `keep` is false; their parameters have the defaults again.
+    pub fn retain(&mut self, keep: impl Fn(&Value<'_>) -> bool) {
+        let kept: Vec<_> = self.all().filter(|value| keep(value)).map(|Value { place, .. }| place).collect();
+        let is_kept = |key: &(usize, u16)| kept.iter().any(|place| (place.component.index(), place.index) == *key);
+        self.values.retain(|key, _| is_kept(key));
+    }
+
     /// The values as one batch for [`Tree::set_params`].
     #[must_use]
     pub fn settings(&self) -> Vec<Setting> {
