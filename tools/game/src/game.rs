@@ -3,8 +3,8 @@
 use std::thread;
 use std::time::{Duration, Instant};
 
-use bica::{Refusal, Tree};
 use bica::runner::Runner;
+use bica::{Refusal, Tree};
 use bica_console::{Failure, interrupt};
 use bica_motion::pose::Pose2;
 use bica_player::input::{HealthMonitor, RobotProfile};

@@ -10,8 +10,8 @@ use bica_field::GoalColour;
 use bica_motion::robot::Sensors;
 use bica_player::tunable::Forward;
 use bica_recording::{
-    Backpressure, ComponentCosts, Costs, Header, ImagePolicy, LogLine, Parameter, RecordedRules, Recorder, RecorderOptions,
-    RefereeEvent, Report, RobotInfo,
+    Backpressure, ComponentCosts, Costs, Header, ImagePolicy, LogLine, Parameter, RecordedRules, Recorder,
+    RecorderOptions, RefereeEvent, Report, RobotInfo,
 };
 use bica_sim::referee::TimedEvent;
 use serde::Serialize;

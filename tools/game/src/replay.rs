@@ -15,8 +15,9 @@ use bica_player::input::RobotProfile;
 use bica_player::perception::GoalDetector;
 use bica_player::tunable::Forward;
 use bica_recording::{
-    Comparison, Decision, Difference, Error, Header, ImagePolicy, OwnedImage, Parameter, Program, RecordedCycle, RecordedRules,
-    Recording, RequestRecord, RunningFingerprint, TreeInfo, command_digest, image_digest, sensors_digest, tree_record,
+    Comparison, Decision, Difference, Error, Header, ImagePolicy, OwnedImage, Parameter, Program, RecordedCycle,
+    RecordedRules, Recording, RequestRecord, RunningFingerprint, TreeInfo, command_digest, image_digest,
+    sensors_digest, tree_record,
 };
 use bica_sim::SpectatorView;
 use bica_sim::setup::Frame;
@@ -325,7 +326,16 @@ fn rules_of(rules: &RecordedRules) -> Result<Rules, Failure> {
         || Failure::new(format!("the recording has images of {width}x{height}"), "known are 160x120, 320x240, 640x480");
     let limit = Duration::try_from_secs_f64(rules.seconds).unwrap_or(Duration::MAX);
     let size = Frame::of_size(width, height).ok_or_else(unknown)?;
-    Ok(Rules { world, seed: rules.seed, size, robots: rules.robots, limit, realtime: false, firmware: None, settings: &[] })
+    Ok(Rules {
+        world,
+        seed: rules.seed,
+        size,
+        robots: rules.robots,
+        limit,
+        realtime: false,
+        firmware: None,
+        settings: &[],
+    })
 }
 
 /// World of a replay.

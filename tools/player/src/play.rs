@@ -3,9 +3,9 @@
 use std::time::Duration;
 
 use bica::Setting;
-use clap::ValueEnum;
 use bica_console::{Console, Failure, Outcome};
 use bica_game::{FirmwareImage, RecordOptions, Rules, SeriesOptions, WorldKind, play_one, play_series};
+use clap::ValueEnum;
 
 use crate::cli::{Play, World};
 use crate::tuning::layers;

@@ -23,7 +23,8 @@ pub(crate) fn run(args: &Replay) -> Result<Outcome, Failure> {
     if until < args.from {
         return Err(Failure::new("--until is before --from", "give a later time with --until"));
     }
-    let options = ReplayOptions { path: &args.file, from: args.from, until, against: args.against.as_deref(), set: &args.set };
+    let options =
+        ReplayOptions { path: &args.file, from: args.from, until, against: args.against.as_deref(), set: &args.set };
     let replayed = replay(&options)?;
     print(console, &replayed)?;
     console.print_json(&Report { schema: "bica-player/replay/1", replayed: &replayed })?;

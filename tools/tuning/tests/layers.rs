@@ -233,7 +233,8 @@ fn an_existing_file_is_replaced_on_request_only_and_nothing_else_is_left() {
 fn a_file_that_cannot_be_read_or_written_is_named() {
     let folder = Folder::new("missing");
     let path = folder.0.join("no/nao.toml");
-    for (result, action) in [(Layers::new(&GRAPH).read(&path), "read"), (write(&Layers::new(&GRAPH), &path, false), "write")]
+    for (result, action) in
+        [(Layers::new(&GRAPH).read(&path), "read"), (write(&Layers::new(&GRAPH), &path, false), "write")]
     {
         let Err(Failure::Error { what, .. }) = result else { panic!("there is no such folder") };
         assert!(what.starts_with(&format!("cannot {action} `{}`: ", path.display())), "{what}");

@@ -11,8 +11,8 @@ use bica_sim::setup::{Frame, MAX_ROBOTS};
 use clap::builder::PossibleValue;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
-pub(crate) use tuning::{Params, ParamsFormat, TuningArgs};
 pub(crate) use recording::{Images, InfoArgs, Record, RecordAction, Recover, Replay, Trim};
+pub(crate) use tuning::{Params, ParamsFormat, TuningArgs};
 
 const AFTER: &str = "\
 Examples:
