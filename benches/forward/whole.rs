@@ -10,6 +10,7 @@ use criterion::{BenchmarkId, Criterion, Throughput};
 
 use bica_benches::frames::recorded;
 use bica_benches::recording::{CYCLES, OwnedImage, Recording, WARM};
+use bica_player::Forward;
 
 pub(crate) fn bench(criterion: &mut Criterion) {
     let real = recorded::folder();
