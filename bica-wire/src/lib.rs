@@ -1,4 +1,4 @@
-//! Messages and packets between a robot and its host over a serial line.
+//! Messages and packets between a robot, its host and its monitors over a byte stream: a serial line or TCP.
 //!
 //! A *message* ([`ToRobot`], [`FromRobot`]) is data in postcard's format. A *packet* is a sequence number, a message and
 //! a CRC-32, encoded with COBS (consistent overhead byte stuffing), so that it contains no zero byte, and terminated by a
@@ -26,6 +26,10 @@
 //! The robot sends first: its [`message::Identity`] carries [`SCHEMA`], a hash of all message types. Two programs
 //! understand each other if and only if their hashes are equal. On request the robot sends the graph of its tree
 //! ([`describe()`]), so a monitor needs no code generated from the robot's sources.
+//!
+//! Two kinds of programs send to a robot. The *host* is the body or the world: [`message::Hello`], sensor values, images. A
+//! *monitor* attaches without changing anything, watches, and requests changes while it owns the lease. The page
+//! `docs/link.md` describes its protocol.
 #![no_std]
 
 mod convert;
@@ -38,6 +42,7 @@ mod image;
 pub mod message;
 mod packet;
 mod schema;
+mod text;
 
 pub use convert::InvalidCommand;
 pub use crc::crc32;
@@ -48,6 +53,7 @@ pub use image::{CHUNK_BYTES, ImageBuffer, chunks};
 pub use message::{FromRobot, ToRobot};
 pub use packet::MAX_PACKET;
 pub use schema::SCHEMA;
+pub use text::truncate;
 
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]

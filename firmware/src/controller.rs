@@ -8,7 +8,10 @@ use bica_motion::stiffness::Stiffness;
 use bica_player::input::IMAGE_BYTES;
 use bica_player::perception::{BallDetector, GoalDetector};
 use bica_player::{Forward, Model};
-use bica_wire::message::{ClockMode, Command, Hello, Identity, LinkStats, Sensors, Telemetry};
+use bica_wire::message::{
+    Answer, AnswerResult, Attached, ClockMode, Command, Hello, Identity, LeaseState, LinkStats, RefusalCode, Request, Sensors,
+    Telemetry,
+};
 use bica_wire::{FromRobot, ImageBuffer, SCHEMA, ToRobot, describe};
 use embassy_time::Duration;
 use embedded_io_async::Write;
@@ -19,7 +22,7 @@ use crate::link::MessageTx;
 use crate::meter::Meter;
 use crate::stack;
 
-/// Silence of the host after which the robot stops safely: the latency budget of the tree.
+/// Silence of the body after which the robot stops safely: the latency budget of the tree.
 const SILENCE: Duration = Duration::from_millis(200);
 
 /// The robot's controller on board `B`.
@@ -31,7 +34,7 @@ pub(crate) struct Controller<B> {
     clock_mode: Option<ClockMode>,
     /// Sensor values taken in since the last cycle.
     sensed: Option<Sensed>,
-    /// Time of the last message.
+    /// Time of the last message from the body: a monitor's message must not keep the robot from its safe stop.
     last_message: Instant,
     late_cycles: u32,
     safe_stop: bool,
@@ -86,7 +89,9 @@ impl<B: Board> Controller<B> {
 
     /// Handles a message. `link` are the packet counts before it.
     pub(crate) async fn receive(&mut self, message: &ToRobot<'_>, link: LinkStats, tx: &mut MessageTx<impl Write>) {
-        self.last_message = Instant::now();
+        if message.is_from_body() {
+            self.last_message = Instant::now();
+        }
         match message {
             ToRobot::Hello(hello) => self.start_game(hello, tx).await,
             ToRobot::Describe => {
@@ -96,6 +101,20 @@ impl<B: Board> Controller<B> {
             }
             ToRobot::StackUsage => tx.send(&FromRobot::StackUsage(stack::usage())).await,
             ToRobot::FaultInjection(fault) => self.runner.observer_mut().inject(*fault),
+            ToRobot::Attach => {
+                tx.send(&FromRobot::Attached(Attached {
+                    schema: SCHEMA,
+                    tree_hash: Forward::HASH,
+                    name: Forward::GRAPH.name,
+                    realtime: self.clock_mode == Some(ClockMode::FreeRunning),
+                    silence_ms: 0,
+                }))
+                .await;
+            }
+            ToRobot::Request(request) => tx.send(&refusal(request)).await,
+            ToRobot::Lease(_) => tx.send(&FromRobot::Lease(LeaseState::default())).await,
+            // This program answers a monitor's description only.
+            ToRobot::Watch(_) | ToRobot::WatchInfo(_) | ToRobot::ReadParams => {}
             ToRobot::ImageChunk(chunk) => self.image.add(chunk),
             ToRobot::Sensors(sensors) => {
                 B::align_counter();
@@ -192,6 +211,13 @@ impl<B: Board> Controller<B> {
         };
         tx.send(&FromRobot::Telemetry(telemetry)).await;
     }
+}
+
+/// Returns the answer to a request: nothing can be changed from outside.
+fn refusal(request: &Request) -> FromRobot<'static> {
+    let code = RefusalCode::Unsupported;
+    let result = AnswerResult::Refused { code, entry: 0, text: code.text() };
+    FromRobot::Answer(Answer { number: request.number, cycle: 0, arrived: 0, result })
 }
 
 /// Command of the safe stop: the robot stands, with the stiffness declared for that.

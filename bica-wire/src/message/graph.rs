@@ -3,13 +3,35 @@
 use postcard_schema::Schema;
 use serde::{Deserialize, Serialize};
 
+use super::{ParamKind, Value};
+
 /// One item of the graph of a tree. All numbers are indices into lists, as in [`bica_core::graph`].
+///
+/// A [`Doc`](Self::Doc) belongs to the last item before it that is no `Doc`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, Schema)]
 pub enum GraphItem<'a> {
+    /// The tree; the first item.
+    Tree {
+        /// Name.
+        name: &'a str,
+        /// Nominal rate of ticks, Hz.
+        cycle_hz: f32,
+        /// Longest time of one cycle, ms.
+        budget_ms: Option<f32>,
+        /// Whether parameters can be changed at run time.
+        tunable: bool,
+        /// Number of components.
+        components: u16,
+    },
+    /// A part of a doc comment. Several in succession are one text.
+    Doc {
+        /// The text.
+        text: &'a str,
+    },
     /// A component.
     Component {
         /// Index in the tree's list; components are sent in this order.
-        index: u8,
+        index: u16,
         /// Name.
         name: &'a str,
         /// Declared rate, Hz; none: every cycle.
@@ -18,43 +40,105 @@ pub enum GraphItem<'a> {
         budget_us: Option<f32>,
         /// Whether it is the root.
         root: bool,
+        /// Whether its state machine continues in the state in which it became latent.
+        resume: bool,
     },
     /// An activation link between two components.
     Link {
         /// Index of the activating component.
-        from: u8,
+        from: u16,
         /// Index of the activated component.
-        to: u8,
+        to: u16,
         /// True: modulation (stepped after `from`); false: requirement (stepped before `from`).
         modulation: bool,
         /// Index of the only state with this link; none: the link exists in every state.
-        state: Option<u8>,
+        state: Option<u16>,
     },
     /// A state of a component.
     State {
         /// Index of the component.
-        component: u8,
+        component: u16,
         /// Index in the component's list; states are sent in this order.
-        index: u8,
+        index: u16,
         /// Name.
         name: &'a str,
         /// Whether it is the initial state.
         initial: bool,
+        /// Whether no transition leaves it on purpose.
+        last: bool,
     },
     /// A transition between two states of a component.
     Transition {
         /// Index of the component.
-        component: u8,
+        component: u16,
         /// Index of the source state.
-        from: u8,
+        from: u16,
         /// Index of the target state.
-        to: u8,
+        to: u16,
         /// Name.
         name: &'a str,
+        /// Shortest time in the source state, ms.
+        after_ms: Option<u32>,
+    },
+    /// A parameter of a component.
+    Param {
+        /// Index of the component.
+        component: u16,
+        /// Index among the component's parameters; parameters are sent in this order.
+        index: u16,
+        /// Name of the struct that contains it.
+        group: &'a str,
+        /// Name.
+        name: &'a str,
+        /// Unit; none for a pure number.
+        unit: Option<&'a str>,
+        /// Kind and range.
+        kind: ParamKind,
+        /// Default value.
+        default: Value,
+    },
+    /// A variant of the last parameter or argument, whose kind is a choice; variants are sent in the order of their
+    /// indices.
+    Variant {
+        /// Name.
+        name: &'a str,
+    },
+    /// An information of a component.
+    Info {
+        /// Index of the component.
+        component: u16,
+        /// Index among the component's information.
+        index: u16,
+        /// Name.
+        name: &'a str,
+        /// Unit; none for a value without one.
+        unit: Option<&'a str>,
+        /// Type of the value, as in the source text.
+        type_name: &'a str,
+    },
+    /// A modulation of a component.
+    Modulation {
+        /// Index of the component.
+        component: u16,
+        /// Index among the component's modulations.
+        index: u16,
+        /// Name.
+        name: &'a str,
+    },
+    /// An argument of the last modulation.
+    Argument {
+        /// Name.
+        name: &'a str,
+        /// Unit; none for a pure number.
+        unit: Option<&'a str>,
+        /// Kind and range.
+        kind: ParamKind,
+        /// Default value.
+        default: Value,
     },
     /// The end of the graph.
     End {
         /// Number of items before this one.
-        items: u16,
+        items: u32,
     },
 }

@@ -6,8 +6,11 @@
 mod diagnostics;
 mod graph;
 mod image;
+mod monitor;
+mod operator;
 mod robot;
 mod session;
+mod value;
 
 use postcard_schema::Schema;
 use serde::{Deserialize, Serialize};
@@ -15,11 +18,19 @@ use serde::{Deserialize, Serialize};
 pub use diagnostics::{FaultInjection, LinkStats, StackUsage, Telemetry};
 pub use graph::GraphItem;
 pub use image::{ImageChunk, ImageInfo};
+pub use monitor::{
+    Attached, ComponentState, ComponentStates, CycleInfo, InfoSchema, InfoValue, LogLine, MAX_INFO_BYTES, MAX_STATES,
+    MAX_TEXT_BYTES, MAX_VALUES, ParamValues, SCHEMA_PART_BYTES, Watch, WatchInfo,
+};
+pub use operator::{
+    Answer, AnswerResult, Change, Hold, LeaseAction, LeaseState, MAX_ARGUMENTS, MAX_BATCH, RefusalCode, Request,
+    Setting,
+};
 pub use robot::{Command, Sensors};
 pub use session::{ClockMode, Hello, Identity};
+pub use value::{ParamKind, Value};
 
 /// A message from the host.
-#[expect(clippy::large_enum_variant, reason = "there is no heap to box the sensors in")]
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, Schema)]
 pub enum ToRobot<'a> {
     /// Starts a game: the tree starts from its initial state, and the robot answers with its identity.
@@ -35,9 +46,32 @@ pub enum ToRobot<'a> {
     FaultInjection(FaultInjection),
     /// Requests the stack usage.
     StackUsage,
+    /// Attaches a monitor. Changes nothing in the robot, unlike [`Hello`](Self::Hello); the robot answers with
+    /// [`FromRobot::Attached`] and the lease. Sent again, it shows that the monitor still exists.
+    Attach,
+    /// Sets how often snapshots are sent.
+    Watch(Watch),
+    /// Sets how often an information is sent.
+    WatchInfo(WatchInfo),
+    /// Requests the current values of all parameters.
+    ReadParams,
+    /// Acts on the lease.
+    Lease(LeaseAction),
+    /// Requests a change.
+    Request(Request),
+}
+
+impl ToRobot<'_> {
+    /// Whether the message comes from the body or the world that the robot controls. Only these show that the robot still
+    /// receives sensor values; a monitor's message must not keep it from its safe stop.
+    #[must_use]
+    pub const fn is_from_body(&self) -> bool {
+        matches!(self, Self::Hello(_) | Self::ImageChunk(_) | Self::Sensors(_))
+    }
 }
 
 /// A message from the robot.
+#[expect(clippy::large_enum_variant, reason = "there is no heap to box the states in")]
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, Schema)]
 pub enum FromRobot<'a> {
     /// The first message after a start, and the answer to [`ToRobot::Hello`].
@@ -53,4 +87,32 @@ pub enum FromRobot<'a> {
     Telemetry(Telemetry<'a>),
     /// The answer to [`ToRobot::StackUsage`].
     StackUsage(StackUsage),
+    /// The answer to [`ToRobot::Attach`].
+    #[serde(borrow)]
+    Attached(Attached<'a>),
+    /// The beginning of a snapshot.
+    Cycle(CycleInfo),
+    /// A part of a snapshot.
+    Components(ComponentStates),
+    /// A value of information.
+    #[serde(borrow)]
+    Info(InfoValue<'a>),
+    /// A part of the schema of an information.
+    #[serde(borrow)]
+    InfoSchema(InfoSchema<'a>),
+    /// Current values of parameters: the answer to [`ToRobot::ReadParams`], and sent to every monitor after a change.
+    Params(ParamValues),
+    /// The lease.
+    Lease(LeaseState),
+    /// The answer to [`ToRobot::Request`].
+    #[serde(borrow)]
+    Answer(Answer<'a>),
+    /// A line of the log.
+    #[serde(borrow)]
+    Log(LogLine<'a>),
+    /// The robot closes the connection.
+    Closing {
+        /// The reason, for people.
+        reason: &'a str,
+    },
 }

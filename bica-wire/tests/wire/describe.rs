@@ -1,27 +1,54 @@
 //! The description of a tree.
 
 use bica_core::graph::{Graph, Link, LinkKind, Node, State, Transition};
-use bica_wire::describe;
-use bica_wire::message::GraphItem;
+use bica_core::info::Info;
+use bica_core::modulation::Modulation;
+use bica_core::params::{self, Kind, Param, ParamGroup, Variant};
+use bica_wire::message::{GraphItem, ParamKind, Value};
+use bica_wire::{Encoder, FromRobot, MAX_PACKET, describe};
 
 const fn state(name: &'static str, initial: bool) -> State {
-    State { name, doc: "", initial, last: false }
+    State { name, doc: "", initial, last: !initial }
 }
+
+const GAIN: Param = Param {
+    name: "gain",
+    doc: "Part of the way.",
+    unit: Some("1/s"),
+    kind: Kind::F32 { min: 0.0, max: 1.0, step: Some(0.5) },
+    default: params::Value::F32(0.5),
+};
+
+const SIDE: Param = Param {
+    name: "side",
+    doc: "",
+    unit: None,
+    kind: Kind::Choice {
+        variants: &[Variant { name: "Left", doc: "" }, Variant { name: "Right", doc: "Of the robot." }],
+    },
+    default: params::Value::Choice(1),
+};
 
 static GRAPH: Graph = Graph {
     name: "Pair",
-    doc: "",
+    doc: "Two components.",
     cycle_hz: 100.0,
     budget_ms: None,
-    tunable: false,
+    tunable: true,
     root: 1,
     nodes: &[
-        Node { budget_us: Some(5.0), ..Node::new("Eye") },
+        Node {
+            budget_us: Some(5.0),
+            params: &[ParamGroup { name: "Seeing", doc: "", params: &[GAIN, SIDE] }],
+            info: &[Info { name: "at", doc: "", unit: Some("m"), ty: "Option < Vec2 >" }],
+            modulations: &[Modulation { name: "look", doc: "Looks.", arguments: &[GAIN] }],
+            ..Node::new("Eye")
+        },
         Node {
             hz: Some(30.0),
             links: &[Link { to: 0, kind: LinkKind::Requirement, state: Some(1) }],
             states: &[state("rest", true), state("look", false)],
-            transitions: &[Transition { name: "wakes", doc: "", from: 0, to: 1, after_ms: None }],
+            transitions: &[Transition { name: "wakes", doc: "", from: 0, to: 1, after_ms: Some(500) }],
             ..Node::new("Head")
         },
     ],
@@ -30,16 +57,52 @@ static GRAPH: Graph = Graph {
 #[test]
 fn every_part_of_the_graph_is_described_once_and_in_order() {
     let items: Vec<_> = describe(&GRAPH).collect();
-    assert_eq!(
-        items,
-        [
-            GraphItem::Component { index: 0, name: "Eye", hz: None, budget_us: Some(5.0), root: false },
-            GraphItem::Component { index: 1, name: "Head", hz: Some(30.0), budget_us: None, root: true },
-            GraphItem::Link { from: 1, to: 0, modulation: false, state: Some(1) },
-            GraphItem::State { component: 1, index: 0, name: "rest", initial: true },
-            GraphItem::State { component: 1, index: 1, name: "look", initial: false },
-            GraphItem::Transition { component: 1, from: 0, to: 1, name: "wakes" },
-            GraphItem::End { items: 6 },
-        ]
-    );
+    let doc = |text| GraphItem::Doc { text };
+    let (kind, default) = (ParamKind::F32 { min: 0.0, max: 1.0, step: Some(0.5) }, Value::F32(0.5));
+    let expected = [
+        GraphItem::Tree { name: "Pair", cycle_hz: 100.0, budget_ms: None, tunable: true, components: 2 },
+        doc("Two components."),
+        GraphItem::Component { index: 0, name: "Eye", hz: None, budget_us: Some(5.0), root: false, resume: false },
+        GraphItem::Component { index: 1, name: "Head", hz: Some(30.0), budget_us: None, root: true, resume: false },
+        GraphItem::Param { component: 0, index: 0, group: "Seeing", name: "gain", unit: Some("1/s"), kind, default },
+        doc("Part of the way."),
+        GraphItem::Param {
+            component: 0,
+            index: 1,
+            group: "Seeing",
+            name: "side",
+            unit: None,
+            kind: ParamKind::Choice { variants: 2 },
+            default: Value::Choice(1),
+        },
+        GraphItem::Variant { name: "Left" },
+        GraphItem::Variant { name: "Right" },
+        doc("Of the robot."),
+        GraphItem::Info { component: 0, index: 0, name: "at", unit: Some("m"), type_name: "Option < Vec2 >" },
+        GraphItem::Modulation { component: 0, index: 0, name: "look" },
+        doc("Looks."),
+        GraphItem::Argument { name: "gain", unit: Some("1/s"), kind, default },
+        doc("Part of the way."),
+        GraphItem::Link { from: 1, to: 0, modulation: false, state: Some(1) },
+        GraphItem::State { component: 1, index: 0, name: "rest", initial: true, last: false },
+        GraphItem::State { component: 1, index: 1, name: "look", initial: false, last: true },
+        GraphItem::Transition { component: 1, from: 0, to: 1, name: "wakes", after_ms: Some(500) },
+        GraphItem::End { items: 19 },
+    ];
+    assert_eq!(items, expected);
+}
+
+#[test]
+fn a_long_doc_comment_is_sent_in_parts_that_fit_into_packets() {
+    let doc: &'static str = Box::leak("ä€ long comment. ".repeat(300).into_boxed_str());
+    let graph: &'static Graph = Box::leak(Box::new(Graph { doc, ..GRAPH }));
+    let (mut encoder, mut text) = (Encoder::new(), String::new());
+    let items = describe(graph).skip(1);
+    for item in items.take_while(|item| matches!(item, GraphItem::Doc { .. })) {
+        encoder.encode(&FromRobot::GraphItem(item.clone()), &mut [0; MAX_PACKET]).expect("the packet fits");
+        if let GraphItem::Doc { text: part } = item {
+            text.push_str(part);
+        }
+    }
+    assert_eq!(text, doc);
 }

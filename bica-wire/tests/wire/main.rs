@@ -6,3 +6,4 @@ mod damage;
 mod describe;
 mod golden;
 mod images;
+mod monitor;

@@ -28,7 +28,7 @@ pub(crate) const ALL: [Scenario; 8] = [
     ("damaged, truncated and lost packets are counted and tolerated, serial port", Transport::Serial, damage),
     ("a panic switches all joints off; its message survives the restart", Transport::Pipe, panic),
     ("a panic switches all joints off; its message survives the restart, serial port", Transport::Serial, panic),
-    ("silence causes a safe stop, a message ends it, serial port", Transport::Serial, silence),
+    ("silence of the body causes a safe stop although a monitor sends, serial port", Transport::Serial, silence),
     ("a slow component delays cycles and drops none, while images arrive", Transport::PacedPipe, overload::overload),
 ];
 
@@ -36,19 +36,23 @@ fn describe(image: &Path, transport: Transport) -> Outcome {
     let mut robot = session::start(image, transport, ClockMode::Lockstep)?;
     let link = robot.link();
     link.send(&ToRobot::Describe)?;
-    let mut names = Vec::new();
-    let items = link.receive(|message| match message {
-        FromRobot::GraphItem(GraphItem::End { items }) => Some(items),
-        FromRobot::GraphItem(GraphItem::Component { name, .. }) => {
-            names.push(name.to_owned());
-            None
+    let (mut names, mut parts, mut received) = (Vec::new(), 0, 0);
+    let items = link.receive(|message| {
+        let FromRobot::GraphItem(item) = message else { return None };
+        match item {
+            GraphItem::End { items } => return Some(items),
+            GraphItem::Component { name, .. } => names.push(name.to_owned()),
+            GraphItem::Link { .. } | GraphItem::State { .. } | GraphItem::Transition { .. } => parts += 1,
+            _ => {}
         }
-        _ => None,
+        received += 1;
+        None
     })?;
     let nodes = Forward::GRAPH.nodes;
     expect_eq(&names, &nodes.iter().map(|node| node.name.to_owned()).collect())?;
-    let parts = nodes.iter().map(|node| 1 + node.links.len() + node.states.len() + node.transitions.len());
-    expect_eq(&usize::from(items), &parts.sum())
+    let expected = nodes.iter().map(|node| node.links.len() + node.states.len() + node.transitions.len());
+    expect_eq(&parts, &expected.sum())?;
+    expect_eq(&received, &items)
 }
 
 fn damage(image: &Path, transport: Transport) -> Outcome {
@@ -106,12 +110,20 @@ fn silence(image: &Path, transport: Transport) -> Outcome {
         if safe_stop {
             break time_us;
         }
+        link.send(&ToRobot::Attach)?;
     };
     if !SILENCE_US.contains(&(stop_us - start_us)) {
         return Err(format!("safe stop {} µs after the first cycle", stop_us - start_us).into());
     }
     let stop = link.receive(command())?;
     expect_eq(&(stop.targets, stop.stiffness), &(Nao::STAND.0, Stiffness::Stand.joints::<Nao>().0))?;
+    link.send(&ToRobot::Attach)?;
+    let attached = link.receive(|message| match message {
+        FromRobot::Attached(attached) => Some(attached.tree_hash),
+        _ => None,
+    })?;
+    expect_eq(&attached, &Forward::HASH)?;
+    expect_eq(&link.receive(telemetry(|telemetry| telemetry.safe_stop))?, &true)?;
     link.send(&ToRobot::Sensors(standing(0)))?;
     while link.receive(telemetry(|telemetry| telemetry.safe_stop))? {}
     Ok(())

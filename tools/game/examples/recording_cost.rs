@@ -16,8 +16,8 @@ use bica_console::statistics::percentile;
 use bica_field::GoalColour;
 use bica_game::{Rules, WorldKind, recording_header};
 use bica_motion::robot::{Image, Sensors};
-use bica_player::Forward;
 use bica_player::input::RobotProfile;
+use bica_player::tunable::Forward;
 use bica_recording::{ImagePolicy, Recorder, RecorderOptions};
 use bica_sim::World;
 use bica_sim::kinematic::KinematicWorld;
@@ -81,6 +81,7 @@ fn measure(world: &mut KinematicWorld, images: &[Vec<u8>], policy: ImagePolicy, 
         limit: Duration::MAX,
         realtime: true,
         firmware: None,
+        settings: &[],
     };
     let header = recording_header(&rules, GoalColour::Yellow, policy);
     let file = fs::File::create(path).expect("room");

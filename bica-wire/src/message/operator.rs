@@ -1,0 +1,193 @@
+//! Requests of an operator.
+
+use bica_core::hold;
+use heapless::Vec;
+use postcard_schema::Schema;
+use serde::{Deserialize, Serialize};
+
+use super::Value;
+
+/// Largest number of settings in one batch.
+pub const MAX_BATCH: usize = 32;
+/// Largest number of arguments of a modulation in a request.
+pub const MAX_ARGUMENTS: usize = 16;
+
+/// An action on the lease, which makes one monitor the operator. Only its owner may send requests.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, Schema)]
+pub enum LeaseAction {
+    /// Takes the lease if nobody owns it.
+    Acquire,
+    /// Takes the lease, also from its owner. Programs send this only when a person asks for it.
+    Take,
+    /// Keeps the lease with this number: the operator is not silent.
+    Keep {
+        /// Number of the lease.
+        lease: u32,
+    },
+    /// Gives the lease with this number back. What its owner requested ends, except parameters.
+    Return {
+        /// Number of the lease.
+        lease: u32,
+    },
+}
+
+/// The lease, sent to every monitor when it attaches and whenever the lease changes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, Schema)]
+pub struct LeaseState {
+    /// Number of the last lease that was granted.
+    pub lease: u32,
+    /// Whether somebody owns it.
+    pub owned: bool,
+    /// Whether the receiver of this message owns it.
+    pub yours: bool,
+}
+
+/// A request of the operator.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, Schema)]
+pub struct Request {
+    /// Number that the answer repeats.
+    pub number: u32,
+    /// Number of the operator's lease.
+    pub lease: u32,
+    /// Robot's time after which the request is refused, µs; `u64::MAX`: never.
+    pub expires_us: u64,
+    /// What is requested.
+    pub change: Change,
+}
+
+/// A change between two cycles.
+#[expect(clippy::large_enum_variant, reason = "there is no heap to box the values in")]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, Schema)]
+pub enum Change {
+    /// Holds a component active or latent, or releases it.
+    Hold {
+        /// Index of the component.
+        component: u16,
+        /// The hold.
+        hold: Hold,
+    },
+    /// Changes the rate of a component.
+    Rate {
+        /// Index of the component.
+        component: u16,
+        /// Runs per second; NaN: the declared rate; 0: rest.
+        hz: f32,
+    },
+    /// Sets parameters: all, or none if one is refused.
+    Params(Vec<Setting, MAX_BATCH>),
+    /// Calls a modulation.
+    Modulate {
+        /// Index of the component.
+        component: u16,
+        /// Index of the modulation.
+        modulation: u16,
+        /// The arguments.
+        arguments: Vec<Value, MAX_ARGUMENTS>,
+    },
+}
+
+/// A value for a parameter.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, Schema)]
+pub struct Setting {
+    /// Index of the component.
+    pub component: u16,
+    /// Index of the parameter.
+    pub index: u16,
+    /// The value.
+    pub value: Value,
+}
+
+/// What decides whether a component is active.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, Schema)]
+pub enum Hold {
+    /// The tree.
+    #[default]
+    Tree,
+    /// Held active.
+    Active,
+    /// Held latent.
+    Latent,
+}
+
+impl From<hold::Hold> for Hold {
+    fn from(hold: hold::Hold) -> Self {
+        match hold {
+            hold::Hold::Tree => Self::Tree,
+            hold::Hold::Active => Self::Active,
+            hold::Hold::Latent => Self::Latent,
+        }
+    }
+}
+
+impl From<Hold> for hold::Hold {
+    fn from(hold: Hold) -> Self {
+        match hold {
+            Hold::Tree => Self::Tree,
+            Hold::Active => Self::Active,
+            Hold::Latent => Self::Latent,
+        }
+    }
+}
+
+/// The answer to a [`Request`].
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, Schema)]
+pub struct Answer<'a> {
+    /// Number of the request.
+    pub number: u32,
+    /// Number of the first cycle that ran with the change, or of the next cycle if it was refused.
+    pub cycle: u64,
+    /// Number of the cycle that was next when the request arrived.
+    pub arrived: u64,
+    /// The result.
+    #[serde(borrow)]
+    pub result: AnswerResult<'a>,
+}
+
+/// The result of a [`Request`].
+#[expect(clippy::large_enum_variant, reason = "there is no heap to box the values in")]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, Schema)]
+pub enum AnswerResult<'a> {
+    /// The change is in force.
+    Done {
+        /// Effective values, read back from the tree: of the parameters in the order of the batch, or the rate in Hz.
+        values: Vec<Value, MAX_BATCH>,
+    },
+    /// Nothing changed.
+    Refused {
+        /// The reason, for programs.
+        code: RefusalCode,
+        /// Index of the setting or argument that is refused.
+        entry: u16,
+        /// The reason, for people; at most [`MAX_TEXT_BYTES`](super::MAX_TEXT_BYTES).
+        text: &'a str,
+    },
+}
+
+/// Reason for which a request is refused.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, Schema)]
+pub enum RefusalCode {
+    /// The request has the number of a lease that its sender does not own.
+    NoLease,
+    /// The request came after its expiry.
+    Expired,
+    /// Too many requests wait.
+    Busy,
+    /// The tree refused the change.
+    Tree,
+    /// The robot's program does not support this kind of request.
+    Unsupported,
+}
+
+impl RefusalCode {
+    /// Returns what was wrong and how to mend it.
+    #[must_use]
+    pub const fn text(self) -> &'static str {
+        match self {
+            Self::NoLease => "the sender does not own the lease, or sent the number of an older one: acquire it first",
+            Self::Expired => "the request came after its expiry: send it again",
+            Self::Busy => "too many requests wait: wait for answers before sending more",
+            Self::Tree => "the tree refused the change",
+            Self::Unsupported => "the robot's program does not support this kind of request",
+        }
+    }
+}
