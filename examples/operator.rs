@@ -23,7 +23,12 @@ impl Wheels {
 
     /// Sets the speed, positive ahead. An operator can call it as an activator does.
     #[modulation]
-    pub fn drive(&mut self, #[range(-0.5..=0.5)] #[unit("m/s")] speed: f32) {
+    pub fn drive(
+        &mut self,
+        #[range(-0.5..=0.5)]
+        #[unit("m/s")]
+        speed: f32,
+    ) {
         self.speed = speed;
     }
 
