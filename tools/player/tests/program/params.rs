@@ -29,7 +29,7 @@ fn gain(args: &[&str]) -> (String, Value) {
 }
 
 fn short_game(args: &[&str]) -> Ran {
-    run(&[&["--seed", "3", "--size", "160x120", "--seconds", "8", "--json"], args].concat())
+    run(&[&["--seed", "1", "--size", "160x120", "--seconds", "5", "--json"], args].concat())
 }
 
 #[test]
@@ -110,7 +110,7 @@ fn a_replay_uses_the_recorded_parameters_and_shows_what_others_would_have_decide
     let folder = Folder::new("tune-replay");
     let file = path(&folder, "run.mcap");
     let played = short_game(&["--set", "FaceBall.gain=0.5", "--record", &file]);
-    assert_eq!(played.json()["recording"]["recorded_cycles"], 800, "{}", played.stderr);
+    assert_eq!(played.json()["recording"]["recorded_cycles"], 500, "{}", played.stderr);
     let header = run(&["record", "info", &file, "--json"]).json()["header"].clone();
     let parameters = header["parameters"].as_array().expect("a list");
     let recorded = parameters.iter().find(|one| one["component"] == "FaceBall" && one["name"] == "gain");
