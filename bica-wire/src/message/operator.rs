@@ -170,8 +170,6 @@ pub enum RefusalCode {
     NoLease,
     /// The request came after its expiry.
     Expired,
-    /// Too many requests wait.
-    Busy,
     /// The tree refused the change.
     Tree,
     /// The robot's program does not support this kind of request.
@@ -185,7 +183,6 @@ impl RefusalCode {
         match self {
             Self::NoLease => "the sender does not own the lease, or sent the number of an older one: acquire it first",
             Self::Expired => "the request came after its expiry: send it again",
-            Self::Busy => "too many requests wait: wait for answers before sending more",
             Self::Tree => "the tree refused the change",
             Self::Unsupported => "the robot's program does not support this kind of request",
         }
