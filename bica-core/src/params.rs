@@ -61,8 +61,10 @@ use core::ops::Deref;
 
 mod declare;
 mod kind;
+mod text;
 
 pub use kind::{Kind, Value, Variant};
+pub use text::ValueText;
 
 #[doc(hidden)]
 pub use declare::{

@@ -48,7 +48,7 @@ pub use layout::{Has, Layout, Member, MemberOf, ParamsOf};
 pub trait Tree: Layout {
     /// All that is known of the tree before it runs.
     const GRAPH: Graph;
-    /// Hash of [`GRAPH`](Tree::GRAPH) without the doc comments: see [`graph::hash`].
+    /// Hash of [`GRAPH`](Tree::GRAPH): see [`graph::hash`].
     ///
     /// Two programs whose trees have one hash mean the same by every index: of a component, a state, a parameter.
     const HASH: u64 = graph::hash(&Self::GRAPH);

@@ -90,6 +90,8 @@
 extern crate std;
 
 mod observer;
+#[cfg(feature = "std")]
+mod queue;
 mod request;
 mod robot;
 mod runner;
@@ -105,6 +107,8 @@ pub mod harness;
 pub mod realtime;
 
 pub use observer::{Cycle, Observer};
+#[cfg(feature = "std")]
+pub use queue::{OwnedRequest, RequestQueue};
 pub use request::{Request, Requests};
 pub use robot::Robot;
 pub use runner::Runner;

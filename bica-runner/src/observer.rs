@@ -1,5 +1,6 @@
 //! Observers of the loop.
 
+use bica_core::refusal::Refusal;
 use bica_core::{Instant, Probe, Stopwatch};
 
 use crate::request::Request;
@@ -9,7 +10,7 @@ use crate::schedule::Overrun;
 /// Receives every input and output of a loop, for example for a recording, a monitor or a measurement.
 ///
 /// An observer is a [`Probe`] too, so it also receives the events within the tick. The calls of one cycle have this
-/// order: [`requested`](Self::requested) for each request, [`sensing`](Self::sensing), [`sensed`](Self::sensed), those
+/// order: [`requested`](Self::requested) or [`refused`](Self::refused) for each request, [`sensing`](Self::sensing), [`sensed`](Self::sensed), those
 /// of the probe from `cycle_begin` to `cycle_end`, [`acted`](Self::acted). An observer that measures time reads its
 /// clock in these calls. Methods with their default implementation cost nothing. `()` observes nothing; a pair `(A, B)`
 /// is two observers.
@@ -17,7 +18,11 @@ use crate::schedule::Overrun;
 pub trait Observer<R: Robot>: Probe {
     /// Called after a request was applied, before the cycle at `now`.
     #[inline]
-    fn requested(&mut self, now: Instant, request: &Request) {}
+    fn requested(&mut self, now: Instant, request: &Request<'_>) {}
+
+    /// Called after the tree refused a request, which changed nothing.
+    #[inline]
+    fn refused(&mut self, now: Instant, request: &Request<'_>, refusal: &Refusal) {}
 
     /// Called before these sensor values are written into the tree.
     #[inline]
@@ -56,8 +61,13 @@ impl<R: Robot, C: FnMut() -> u64, const N: usize> Observer<R> for Stopwatch<C, N
 macro_rules! forward {
     ($self:ident => $($observer:expr),+) => {
         #[inline]
-        fn requested(&mut $self, now: Instant, request: &Request) {
+        fn requested(&mut $self, now: Instant, request: &Request<'_>) {
             $($observer.requested(now, request);)+
+        }
+
+        #[inline]
+        fn refused(&mut $self, now: Instant, request: &Request<'_>, refusal: &Refusal) {
+            $($observer.refused(now, request, refusal);)+
         }
 
         #[inline]

@@ -1,5 +1,7 @@
 //! Requests of operators and tools to a running robot.
 
+use bica_core::params::{Setting, Value};
+use bica_core::refusal::{Reason, Refusal};
 use bica_core::{ComponentId, Hold, Instant, Tree};
 
 /// Change of the tree from outside, applied between two cycles.
@@ -7,7 +9,7 @@ use bica_core::{ComponentId, Hold, Instant, Tree};
 /// All changes except the sensor values are requests, so a recording of requests and sensor values is complete.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
-pub enum Request {
+pub enum Request<'a> {
     /// Holds a component active or latent, or releases it.
     Hold {
         /// Component.
@@ -19,45 +21,81 @@ pub enum Request {
     Rate {
         /// Component.
         component: ComponentId,
-        /// Runs per second, limited to the declared rate.
+        /// Runs per second; NaN is the declared rate, and so is a higher one.
         hz: f32,
+    },
+    /// Sets parameters, of any number of components: all of them or, if one is refused, none.
+    Params(&'a [Setting]),
+    /// Calls a modulation of a component.
+    Modulate {
+        /// Component.
+        component: ComponentId,
+        /// Index in [`Node::modulations`](bica_core::graph::Node::modulations).
+        index: usize,
+        /// One value for each argument.
+        arguments: &'a [Value],
     },
 }
 
-impl Request {
-    pub(crate) fn apply<T: Tree>(self, tree: &mut T) {
+impl Request<'_> {
+    /// Applies the request to a tree.
+    ///
+    /// # Errors
+    /// If the tree has no such component, parameter or modulation, or does not accept a value; then nothing changes.
+    pub fn apply<T: Tree>(self, tree: &mut T) -> Result<(), Refusal> {
         match self {
-            Self::Hold { component, hold } => tree.hold_at(component, hold),
-            Self::Rate { component, hz } => tree.set_rate_at(component, hz),
+            Self::Hold { component, hold } => {
+                listed::<T>(component)?;
+                tree.hold_at(component, hold);
+            }
+            Self::Rate { component, hz } => {
+                listed::<T>(component)?;
+                tree.set_rate_at(component, hz);
+            }
+            Self::Params(batch) => tree.set_params(batch)?,
+            Self::Modulate { component, index, arguments } => tree.modulate(component, index, arguments)?,
         }
+        Ok(())
     }
+}
+
+/// Checks that a tree lists a component.
+const fn listed<T: Tree>(component: ComponentId) -> Result<(), Refusal> {
+    if component.index() < T::COUNT {
+        return Ok(());
+    }
+    Err(Refusal { entry: 0, component: "", name: "", reason: Reason::UnknownComponent })
 }
 
 /// Source of requests: a link to an operator, a script, a recording.
 pub trait Requests {
     /// Returns the next request to apply before the cycle at `now`; `None` if there is no further one for this cycle.
-    fn next(&mut self, now: Instant) -> Option<Request>;
+    ///
+    /// The runner applies requests until it receives `None`, so a source limits their number in a cycle.
+    fn next(&mut self, now: Instant) -> Option<Request<'_>>;
+
+    /// Receives the result of the request that the last [`next`](Self::next) returned.
+    #[expect(unused_variables, reason = "the names of the arguments are documentation")]
+    #[inline]
+    fn answered(&mut self, now: Instant, result: Result<(), Refusal>) {}
 }
 
 /// Provides no requests.
 impl Requests for () {
     #[inline]
-    fn next(&mut self, _now: Instant) -> Option<Request> {
+    fn next(&mut self, _now: Instant) -> Option<Request<'_>> {
         None
     }
 }
 
 impl<Q: Requests + ?Sized> Requests for &mut Q {
     #[inline]
-    fn next(&mut self, now: Instant) -> Option<Request> {
+    fn next(&mut self, now: Instant) -> Option<Request<'_>> {
         (**self).next(now)
     }
-}
 
-/// Queue of requests; all are applied before the next cycle.
-#[cfg(feature = "std")]
-impl Requests for std::collections::VecDeque<Request> {
-    fn next(&mut self, _now: Instant) -> Option<Request> {
-        self.pop_front()
+    #[inline]
+    fn answered(&mut self, now: Instant, result: Result<(), Refusal>) {
+        (**self).answered(now, result);
     }
 }

@@ -2,6 +2,7 @@
 
 use core::ops::DerefMut;
 
+use bica_core::refusal::Refusal;
 use bica_core::{Instant, Tree};
 
 use crate::observer::{Cycle, Observer};
@@ -87,10 +88,12 @@ where
     }
 
     /// Applies one request between two cycles.
+    ///
+    /// # Errors
+    /// If the tree refuses the request; then nothing changes.
     #[inline]
-    pub fn request(&mut self, now: Instant, request: Request) {
-        request.apply(&mut *self.robot);
-        self.observer.requested(now, &request);
+    pub fn request(&mut self, now: Instant, request: Request<'_>) -> Result<(), Refusal> {
+        apply(&mut *self.robot, &mut self.observer, now, request)
     }
 
     /// Writes sensor values into the tree: the first half of a cycle, for values that are received as messages.
@@ -131,13 +134,29 @@ where
     pub fn cycle(&mut self) -> Result<<T::Target as Robot>::Command, <T::Target as Robot>::Error> {
         let now = self.world.now();
         while let Some(request) = self.requests.next(now) {
-            self.request(now, request);
+            let result = apply(&mut *self.robot, &mut self.observer, now, request);
+            self.requests.answered(now, result);
         }
         sense(&mut *self.robot, &mut self.observer, now, &self.world.sensors())?;
         let command = self.think(now);
         self.world.act(&command);
         Ok(command)
     }
+}
+
+#[inline]
+fn apply<R: Robot, O: Observer<R>>(
+    robot: &mut R,
+    observer: &mut O,
+    now: Instant,
+    request: Request<'_>,
+) -> Result<(), Refusal> {
+    let result = request.apply(robot);
+    match &result {
+        Ok(()) => observer.requested(now, &request),
+        Err(refusal) => observer.refused(now, &request, refusal),
+    }
+    result
 }
 
 #[inline]

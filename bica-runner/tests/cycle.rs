@@ -95,7 +95,7 @@ impl Probe for Log {
 }
 
 impl Observer<Doubler> for Log {
-    fn requested(&mut self, _now: Instant, request: &Request) {
+    fn requested(&mut self, _now: Instant, request: &Request<'_>) {
         self.0.push(format!("{request:?}"));
     }
 
@@ -114,10 +114,10 @@ impl Observer<Doubler> for Log {
 }
 
 /// Source with one request before the second cycle.
-struct HoldSecond(Option<Request>);
+struct HoldSecond(Option<Request<'static>>);
 
 impl Requests for HoldSecond {
-    fn next(&mut self, now: Instant) -> Option<Request> {
+    fn next(&mut self, now: Instant) -> Option<Request<'_>> {
         self.0.take_if(|_| now >= Instant::from_millis(10))
     }
 }

@@ -15,54 +15,74 @@ use crate::perception::{
     RobotDetector,
 };
 
-activation_tree! {
-    /// The forward of RoboCup 2009: finds the ball, walks to it, finds the goal, lines up and kicks.
-    pub struct Forward {
-        root: Player,
-        cycle_hz: 100,
-        budget_ms: 200,
-        components: [
-            Player,
-            SearchBall, FollowBall, SearchNet, LookAround, GoRound, Fixmove, Dribble, SafetyGuard, FaceBall,
-            Body, GoStraight, Turn, Walk, Kicker, Head,
-            Localization, BallDetector, GoalDetector, FieldLines, RobotDetector, FieldBoundary, OwnBody, CameraPose, Odometry,
-            FallDetector,
-            CameraInput, Colours, RobotState, HealthMonitor, GameState, RobotProfile,
-            Motors, CameraSelector,
-        ],
-    }
-}
-
 /// Chest light of a robot in the game (rules of RoboCup 2009).
 const GREEN: Light = Light(0.0, 1.0, 0.0);
 /// Chest light of a penalized robot.
 const RED: Light = Light(1.0, 0.0, 0.0);
 
-impl Robot for Forward {
-    type Sensors<'a> = Sensors<'a>;
-    type Command = Command;
-    /// The image does not fit into [`CameraInput`]. The other values are accepted and the previous image is kept.
-    type Error = FrameTooLarge;
-
-    fn sense(&mut self, sensors: &Sensors<'_>) -> Result<(), FrameTooLarge> {
-        let commanded = *self.get::<Motors>().commanded();
-        self.get_mut::<RobotState>().measure(sensors, &commanded);
-        self.get_mut::<HealthMonitor>().check(sensors, &commanded);
-        self.get_mut::<GameState>().set_button(sensors.buttons.chest);
-        let Some(image) = &sensors.image else { return Ok(()) };
-        let angles = *self.get::<RobotState>().angles();
-        self.get_mut::<CameraInput>().receive(image, &angles)
-    }
-
-    fn act(&mut self) -> Command {
-        let stiffness = self.get::<HealthMonitor>().derated(self.get::<Motors>().stiffness());
-        let commanded = *self.get_mut::<Motors>().command(stiffness);
-        let chest = if self.get::<GameState>().playing() { GREEN } else { RED };
-        Command {
-            targets: commanded.targets,
-            stiffness: commanded.stiffness,
-            lights: Lights { chest, ..Lights::default() },
-            camera: self.get::<CameraSelector>().selected(),
+/// Declares the tree of the forward; `options` are those of `activation_tree!` besides root, rates and components.
+macro_rules! forward {
+    ($(#[$attribute:meta])* $($option:ident,)?) => {
+        activation_tree! {
+            $(#[$attribute])*
+            pub struct Forward {
+                root: Player,
+                cycle_hz: 100,
+                budget_ms: 200,
+                $($option,)?
+                components: [
+                    Player,
+                    SearchBall, FollowBall, SearchNet, LookAround, GoRound, Fixmove, Dribble, SafetyGuard, FaceBall,
+                    Body, GoStraight, Turn, Walk, Kicker, Head,
+                    Localization, BallDetector, GoalDetector, FieldLines, RobotDetector, FieldBoundary, OwnBody, CameraPose, Odometry,
+                    FallDetector,
+                    CameraInput, Colours, RobotState, HealthMonitor, GameState, RobotProfile,
+                    Motors, CameraSelector,
+                ],
+            }
         }
+
+        impl Robot for Forward {
+            type Sensors<'a> = Sensors<'a>;
+            type Command = Command;
+            /// The image does not fit into [`CameraInput`]. The other values are accepted and the previous image is kept.
+            type Error = FrameTooLarge;
+
+            fn sense(&mut self, sensors: &Sensors<'_>) -> Result<(), FrameTooLarge> {
+                let commanded = *self.get::<Motors>().commanded();
+                self.get_mut::<RobotState>().measure(sensors, &commanded);
+                self.get_mut::<HealthMonitor>().check(sensors, &commanded);
+                self.get_mut::<GameState>().set_button(sensors.buttons.chest);
+                let Some(image) = &sensors.image else { return Ok(()) };
+                let angles = *self.get::<RobotState>().angles();
+                self.get_mut::<CameraInput>().receive(image, &angles)
+            }
+
+            fn act(&mut self) -> Command {
+                let stiffness = self.get::<HealthMonitor>().derated(self.get::<Motors>().stiffness());
+                let commanded = *self.get_mut::<Motors>().command(stiffness);
+                let chest = if self.get::<GameState>().playing() { GREEN } else { RED };
+                Command {
+                    targets: commanded.targets,
+                    stiffness: commanded.stiffness,
+                    lights: Lights { chest, ..Lights::default() },
+                    camera: self.get::<CameraSelector>().selected(),
+                }
+            }
+        }
+    };
+}
+
+forward! {
+    /// The forward of RoboCup 2009: finds the ball, walks to it, finds the goal, lines up and kicks.
+}
+
+/// The forward with parameters that can be changed while it runs: for programs that tune or monitor it.
+pub mod tunable {
+    use super::*;
+
+    forward! {
+        /// The forward of RoboCup 2009, `tunable`: the same components as [the other](super::Forward).
+        tunable,
     }
 }

@@ -24,7 +24,7 @@ pub mod output;
 pub mod perception;
 pub mod strategy;
 
-pub use forward::Forward;
+pub use forward::{Forward, tunable};
 
 /// Model of the robot that the forward controls. Every component takes limits, lengths and motions from it, so another robot
 /// needs another type in this line only.

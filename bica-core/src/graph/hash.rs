@@ -1,15 +1,16 @@
 //! A hash over the description of a tree.
 
 use super::{Graph, LinkKind, Node};
-use crate::params::{Kind, Param, Value};
+use crate::params::{Kind, Param};
 
-/// Hash of a tree's description, FNV-1a with 64 bits: names, rates, budgets, links, states, transitions, information,
-/// modulations, and parameters with their kinds, ranges, units and defaults.
+/// Hash of a tree's description, FNV-1a with 64 bits: names, rates, links, states, transitions, information, modulations, and
+/// parameters with their units and kinds.
 ///
-/// Doc comments and `tunable` are left out: they change no meaning of an index, and a microcontroller may lack both.
+/// What changes no meaning of an index is left out: doc comments, `tunable`, budgets, and defaults and ranges of parameters. So
+/// programs of one tree with other default values have one hash.
 #[must_use]
 pub const fn hash(graph: &Graph) -> u64 {
-    let mut hash = Fnv::new().text(graph.name).f32(Some(graph.cycle_hz)).f32(graph.budget_ms).number(graph.root as u64);
+    let mut hash = Fnv::new().text(graph.name).f32(Some(graph.cycle_hz)).number(graph.root as u64);
     hash = hash.number(graph.nodes.len() as u64);
     let mut index = 0;
     while index < graph.nodes.len() {
@@ -20,7 +21,7 @@ pub const fn hash(graph: &Graph) -> u64 {
 }
 
 const fn node(hash: Fnv, node: &Node) -> Fnv {
-    let hash = hash.text(node.name).f32(node.hz).f32(node.budget_us).number(node.resume as u64);
+    let hash = hash.text(node.name).f32(node.hz).number(node.resume as u64);
     operator(params(machine(links(hash, node), node), node), node)
 }
 
@@ -106,54 +107,20 @@ const fn list(mut hash: Fnv, params: &[Param]) -> Fnv {
 }
 
 const fn param(hash: Fnv, param: &Param) -> Fnv {
-    let hash = unit(hash, param.unit);
-    value(kind(hash.text(param.name), &param.kind), param.default)
+    kind(unit(hash.text(param.name), param.unit), &param.kind)
 }
 
 const fn kind(hash: Fnv, kind: &Kind) -> Fnv {
-    let hash = hash.text(kind.name());
-    match *kind {
-        Kind::F32 { min, max, step } => hash.f32(Some(min)).f32(Some(max)).f32(step),
-        Kind::I32 { min, max, step } => {
-            let step = match step {
-                Some(step) => Some(Value::I32(step)),
-                None => None,
-            };
-            option(value(value(hash, Value::I32(min)), Value::I32(max)), step)
-        }
-        Kind::U32 { min, max, step } => {
-            let step = match step {
-                Some(step) => Some(Value::U32(step)),
-                None => None,
-            };
-            option(value(value(hash, Value::U32(min)), Value::U32(max)), step)
-        }
-        Kind::Bool => hash,
-        Kind::Choice { variants } => {
-            let (mut hash, mut index) = (hash.number(variants.len() as u64), 0);
-            while index < variants.len() {
-                hash = hash.text(variants[index].name);
-                index += 1;
-            }
-            hash
+    let mut hash = hash.text(kind.name());
+    if let Kind::Choice { variants } = *kind {
+        let mut index = 0;
+        hash = hash.number(variants.len() as u64);
+        while index < variants.len() {
+            hash = hash.text(variants[index].name);
+            index += 1;
         }
     }
-}
-
-const fn option(hash: Fnv, of: Option<Value>) -> Fnv {
-    match of {
-        Some(of) => value(hash.number(1), of),
-        None => hash.number(0),
-    }
-}
-
-const fn value(hash: Fnv, value: Value) -> Fnv {
-    hash.number(match value {
-        Value::F32(number) => number.to_bits() as u64,
-        Value::I32(number) => number as u64,
-        Value::U32(number) | Value::Choice(number) => number as u64,
-        Value::Bool(on) => on as u64,
-    })
+    hash
 }
 
 /// FNV-1a.

@@ -16,6 +16,7 @@ mod rate;
 mod requests;
 mod settled;
 mod stopwatch;
+mod text;
 mod time;
 mod unwinding;
 mod watch;

@@ -1,6 +1,6 @@
 //! Parameters of components, in tunable trees and in others.
 
-use bica_core::params::{Kind, Setting, Value};
+use bica_core::params::{Kind, Param, Setting, Value};
 use bica_core::refusal::{Reason, Refusal};
 use bica_core::{Component, ComponentId, Hold, Instant, Rate, Time, Tree, Tuned, graph};
 use bica_macros::{ParamEnum, Params, activation_tree, component};
@@ -316,7 +316,26 @@ fn the_hash_depends_on_what_an_index_means_and_on_nothing_else() {
         change(&mut nodes[0]);
         graph::hash(&graph::Graph { nodes: nodes.leak(), ..graph })
     };
-    assert_eq!(changed(&|node| node.doc = "other"), Adjusted::HASH);
+    let param = |change: &dyn Fn(&mut Param)| {
+        let mut groups = nodes[0].params.to_vec();
+        let mut params = groups[0].params.to_vec();
+        change(&mut params[0]);
+        groups[0].params = params.leak();
+        let groups: &'static [_] = groups.leak();
+        move |node: &mut graph::Node| node.params = groups
+    };
+    for (index, hash) in [
+        changed(&|node| node.doc = "other"),
+        changed(&|node| node.budget_us = Some(1.0)),
+        changed(&param(&|param| param.doc = "other")),
+        changed(&param(&|param| param.default = Value::F32(-0.25))),
+        changed(&param(&|param| param.kind = Kind::F32 { min: -1.0, max: 2.0, step: None })),
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        assert_eq!(hash, Adjusted::HASH, "change {index} changes no meaning");
+    }
     for (index, hash) in [
         changed(&|node| node.name = "Other"),
         changed(&|node| node.hz = Some(1.0)),
@@ -324,20 +343,9 @@ fn the_hash_depends_on_what_an_index_means_and_on_nothing_else() {
         changed(&|node| node.links = &[]),
         changed(&|node| node.params = &[]),
         changed(&|node| node.params = node.params[..1].to_vec().leak()),
-        changed(&|node| {
-            let mut groups = node.params.to_vec();
-            let mut params = groups[0].params.to_vec();
-            params[0].default = Value::F32(-0.25);
-            groups[0].params = params.leak();
-            node.params = groups.leak();
-        }),
-        changed(&|node| {
-            let mut groups = node.params.to_vec();
-            let mut params = groups[0].params.to_vec();
-            params[0].kind = Kind::F32 { min: -1.0, max: 2.0, step: Some(0.01) };
-            groups[0].params = params.leak();
-            node.params = groups.leak();
-        }),
+        changed(&param(&|param| param.name = "other")),
+        changed(&param(&|param| param.unit = None)),
+        changed(&param(&|param| param.kind = Kind::Bool)),
     ]
     .into_iter()
     .enumerate()

@@ -12,7 +12,7 @@ use bica_console::{Console, Failure, Style};
 use bica_emulator::{Controller, CycleReport, Error, Transport, command_bits};
 use bica_field::GoalColour;
 use bica_motion::robot::Sensors;
-use bica_player::Forward;
+use bica_player::tunable::Forward;
 use bica_sim::setup::Frame;
 use serde::Serialize;
 

@@ -7,9 +7,9 @@ use bica::Tree;
 use bica::runner::Runner;
 use bica_console::{Failure, interrupt};
 use bica_motion::pose::Pose2;
-use bica_player::Forward;
 use bica_player::input::{HealthMonitor, RobotProfile};
 use bica_player::perception::GoalDetector;
+use bica_player::tunable::Forward;
 use bica_sim::SpectatorView;
 use glam::Vec2;
 

@@ -6,7 +6,7 @@ use bica::Probe;
 use bica::runner::{Cycle, Observer};
 use bica_console::statistics::percentile;
 use bica_motion::robot::Sensors;
-use bica_player::Forward;
+use bica_player::tunable::Forward;
 use serde::Serialize;
 
 /// Bound of the paper for one cycle, ms.

@@ -5,7 +5,7 @@ use std::time::{Duration, Instant as Clock};
 use bica::graph::Graph;
 use bica::runner::Observer;
 use bica::{ComponentId, Instant, Probe};
-use bica_player::Forward;
+use bica_player::tunable::Forward;
 
 /// Activity of a component in a game.
 #[derive(Clone, Copy, Debug, Default)]

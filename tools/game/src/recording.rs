@@ -3,12 +3,12 @@
 use std::fs::OpenOptions;
 use std::path::Path;
 
-use bica::Probe;
 use bica::runner::{Cycle, Observer, Request};
+use bica::{Probe, Refusal};
 use bica_console::Failure;
 use bica_field::GoalColour;
 use bica_motion::robot::Sensors;
-use bica_player::Forward;
+use bica_player::tunable::Forward;
 use bica_recording::{
     Backpressure, ComponentCosts, Costs, Header, ImagePolicy, LogLine, RecordedRules, Recorder, RecorderOptions,
     RefereeEvent, Report, RobotInfo,
@@ -170,9 +170,15 @@ pub fn recording_header(rules: &Rules, attacks: GoalColour, images: ImagePolicy)
 impl Probe for GameRecorder<'_> {}
 
 impl Observer<Forward> for GameRecorder<'_> {
-    fn requested(&mut self, now: bica::Instant, request: &Request) {
+    fn requested(&mut self, now: bica::Instant, request: &Request<'_>) {
         if let Some((recorder, _)) = &mut self.recorder {
             Observer::<Forward>::requested(recorder, now, request);
+        }
+    }
+
+    fn refused(&mut self, now: bica::Instant, request: &Request<'_>, refusal: &Refusal) {
+        if let Some((recorder, _)) = &mut self.recorder {
+            Observer::<Forward>::refused(recorder, now, request, refusal);
         }
     }
 

@@ -1,20 +1,19 @@
 //! Replay of a recording: the code runs again on what was recorded.
 
-use std::collections::VecDeque;
 use std::fs::File;
 use std::io::BufReader;
 use std::path::Path;
 use std::time::Duration;
 
-use bica::runner::{Cycle, Observer, Request, Robot, Runner, World};
+use bica::runner::{Cycle, Observer, OwnedRequest, RequestQueue, Robot, Runner, World};
 use bica::{Instant, Probe};
 use bica_console::{Failure, interrupt};
 use bica_field::GoalColour;
 use bica_motion::model::{Nao, Profile, RobotModel};
 use bica_motion::robot::{self, CameraId, Command};
-use bica_player::Forward;
 use bica_player::input::RobotProfile;
 use bica_player::perception::GoalDetector;
+use bica_player::tunable::Forward;
 use bica_recording::{
     Comparison, Decision, Difference, Error, Header, ImagePolicy, OwnedImage, Program, RecordedCycle, RecordedRules,
     Recording, RequestRecord, RunningFingerprint, TreeInfo, command_digest, image_digest, sensors_digest, tree_record,
@@ -193,7 +192,7 @@ impl Run for Other<'_> {
 
 /// The forward of this program.
 struct Repeated {
-    runner: Runner<Box<Forward>, ReplayWorld, VecDeque<Request>, Taken>,
+    runner: Runner<Box<Forward>, ReplayWorld, RequestQueue, Taken>,
     fingerprint: RunningFingerprint,
     cycle: u64,
 }
@@ -204,7 +203,7 @@ impl Repeated {
         let mut robot = Box::new(Forward::new());
         bica::Tree::get_mut::<RobotProfile>(&mut *robot).set(profile);
         bica::Tree::get_mut::<GoalDetector>(&mut *robot).attack(attacks);
-        let runner = Runner::new(robot, world).with_requests(VecDeque::new()).with_observer(Taken::default());
+        let runner = Runner::new(robot, world).with_requests(RequestQueue::new()).with_observer(Taken::default());
         Ok(Self { runner, fingerprint: RunningFingerprint::default(), cycle: 0 })
     }
 }
@@ -216,7 +215,7 @@ impl Run for Repeated {
             return Err(Failure::new(what, "a replay needs the start of the run: give the file that was trimmed"));
         }
         for request in &recorded.requests {
-            self.runner.requests_mut().push_back(request_of(request)?);
+            self.runner.requests_mut().push(request_of(request)?);
             self.fingerprint.add_request(request);
         }
         if let ReplayWorld::Stored(cycle) = self.runner.world_mut() {
@@ -236,7 +235,7 @@ impl Run for Repeated {
     }
 }
 
-fn request_of(request: &RequestRecord) -> Result<Request, Failure> {
+fn request_of(request: &RequestRecord) -> Result<OwnedRequest, Failure> {
     request.to_request().ok_or_else(|| {
         let what = format!("the recording has a request that this program does not know: {request:?}");
         Failure::new(what, "replay it with the program that recorded it")

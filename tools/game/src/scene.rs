@@ -5,9 +5,9 @@ use bica::{ComponentId, Tree};
 use bica_drawing::polar::Polar;
 use bica_drawing::scene::{Estimates, GroundTruth, Marks, TreeState};
 use bica_motion::pose::Pose2;
-use bica_player::Forward;
 use bica_player::input::CameraInput;
 use bica_player::perception::{BallDetector, FieldBoundary, GoalDetector, Odometry, OwnBody};
+use bica_player::tunable::Forward;
 use bica_sim::Referee;
 use glam::Vec2;
 

@@ -5,8 +5,8 @@ use bica_wire::message::{Command, ImageInfo, Sensors};
 use serde::Serialize;
 
 use crate::header::TreeInfo;
-use crate::message::RequestRecord;
 use crate::recording::RecordedCycle;
+use crate::request::RequestRecord;
 
 /// Most decisions that are listed.
 const MAX_DECISIONS: usize = 1000;
@@ -260,26 +260,4 @@ pub fn sensor_field(one: &Sensors, two: &Sensors) -> Option<(String, f32, f32)> 
 fn first(one: &[f32], two: &[f32], name: impl Fn(usize) -> String) -> Option<(String, f32, f32)> {
     let index = one.iter().zip(two).position(|(one, two)| one.to_bits() != two.to_bits())?;
     Some((name(index), one[index], two[index]))
-}
-
-impl RequestRecord {
-    /// Returns the request as text.
-    #[must_use]
-    pub fn describe(&self, tree: &TreeInfo) -> String {
-        let name = |component: &u16| {
-            let known = tree.components.get(usize::from(*component));
-            known.map_or_else(|| format!("component {component}"), |component| component.name.clone())
-        };
-        match self {
-            Self::Hold { component, hold: 0 } => format!("release {}", name(component)),
-            Self::Hold { component, hold: 1 } => format!("hold {} active", name(component)),
-            Self::Hold { component, .. } => format!("hold {} latent", name(component)),
-            Self::Rate { component, hz } => format!("rate of {} {hz} Hz", name(component)),
-            Self::Set { values } => {
-                let one = |(component, name, value): &(String, String, String)| format!("{component}.{name}={value}");
-                format!("set {}", values.iter().map(one).collect::<Vec<_>>().join(" "))
-            }
-            Self::Unknown { text } => text.clone(),
-        }
-    }
 }

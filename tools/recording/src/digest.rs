@@ -3,8 +3,8 @@
 use bica_wire::message::{Command, Sensors};
 use serde::Serialize;
 
-use crate::message::{RequestRecord, Tick};
-use crate::tree_hash::Fnv;
+use crate::message::Tick;
+use crate::request::RequestRecord;
 
 /// Returns the CRC-32 of sensor values without their image.
 #[must_use]
@@ -59,5 +59,21 @@ impl RunningFingerprint {
             self.0.bytes(&digest.to_le_bytes());
         }
         self.0.0
+    }
+}
+
+/// FNV-1a hash of 64 bits (parameters of G. Fowler, L. Noll and K.-P. Vo).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Fnv(u64);
+
+impl Fnv {
+    const fn new() -> Self {
+        Self(0xcbf2_9ce4_8422_2325)
+    }
+
+    fn bytes(&mut self, bytes: &[u8]) {
+        for &byte in bytes {
+            self.0 = (self.0 ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3);
+        }
     }
 }

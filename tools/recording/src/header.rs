@@ -5,11 +5,12 @@ use std::env;
 use std::fs::File;
 use std::io::{self, Read};
 
-use bica::graph::Graph;
+use bica::graph::{self, Graph, Node};
+use bica::params::{Kind, Param, find};
+use bica::{ComponentId, Tree};
 use serde::{Deserialize, Serialize};
 
 use crate::error::Error;
-use crate::tree_hash::tree_hash;
 
 /// Version of the format of recordings.
 pub(crate) const FORMAT: u32 = 1;
@@ -33,7 +34,7 @@ pub struct Header {
     pub robot: RobotInfo,
     /// Rules of a simulated game; none for a real robot.
     pub rules: Option<RecordedRules>,
-    /// Parameters that differ from the source's defaults at the start.
+    /// All parameters at the start.
     pub parameters: Vec<Parameter>,
     /// Whether sensor values, commands and images are stored.
     pub images: ImagePolicy,
@@ -59,7 +60,7 @@ pub struct Program {
 pub struct TreeInfo {
     /// Name.
     pub name: String,
-    /// [`tree_hash`], hexadecimal.
+    /// [`graph::hash`], hexadecimal.
     pub hash: String,
     /// Nominal rate of cycles, 1/s.
     pub cycle_hz: f32,
@@ -76,6 +77,20 @@ pub struct ComponentInfo {
     pub name: String,
     /// Names of its states; empty without a state machine.
     pub states: Vec<String>,
+    /// Its parameters.
+    pub parameters: Vec<ParameterInfo>,
+    /// Names of its modulations.
+    pub modulations: Vec<String>,
+}
+
+/// A parameter of a recorded tree.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct ParameterInfo {
+    /// Name.
+    pub name: String,
+    /// Names of the variants of an enum; empty for other kinds.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub variants: Vec<String>,
 }
 
 /// The robot of a recording.
@@ -172,20 +187,51 @@ fn executable() -> io::Result<String> {
     }
 }
 
+impl ComponentInfo {
+    fn new(node: &Node) -> Self {
+        Self {
+            name: node.name.to_owned(),
+            states: node.states.iter().map(|state| state.name.to_owned()).collect(),
+            parameters: node.params.iter().flat_map(|group| group.params).map(ParameterInfo::new).collect(),
+            modulations: node.modulations.iter().map(|modulation| modulation.name.to_owned()).collect(),
+        }
+    }
+}
+
+impl ParameterInfo {
+    fn new(param: &Param) -> Self {
+        let variants = match param.kind {
+            Kind::Choice { variants } => variants.iter().map(|variant| variant.name.to_owned()).collect(),
+            _ => Vec::new(),
+        };
+        Self { name: param.name.to_owned(), variants }
+    }
+}
+
+/// Returns all parameters of a tree with their current values.
+#[must_use]
+pub fn recorded_parameters<T: Tree>(tree: &T) -> Vec<Parameter> {
+    let of_component = |(component, node): (usize, &Node)| {
+        let parameter = move |index| {
+            let (param, value) = (find(node.params, index)?, tree.get_param(ComponentId::new(component), index)?);
+            let value = param.kind.text(value).to_string();
+            Some(Parameter { component: node.name.to_owned(), name: param.name.to_owned(), value })
+        };
+        (0..node.param_count()).filter_map(parameter).collect::<Vec<_>>()
+    };
+    T::GRAPH.nodes.iter().enumerate().flat_map(of_component).collect()
+}
+
 impl TreeInfo {
     /// The description of a tree.
     #[must_use]
     pub fn new(graph: &Graph) -> Self {
-        let component = |node: &bica::graph::Node| ComponentInfo {
-            name: node.name.to_owned(),
-            states: node.states.iter().map(|state| state.name.to_owned()).collect(),
-        };
         Self {
             name: graph.name.to_owned(),
-            hash: format!("{:016x}", tree_hash(graph)),
+            hash: format!("{:016x}", graph::hash(graph)),
             cycle_hz: graph.cycle_hz,
             tick_hz: bica::Duration::from_secs(1).as_ticks(),
-            components: graph.nodes.iter().map(component).collect(),
+            components: graph.nodes.iter().map(ComponentInfo::new).collect(),
         }
     }
 

@@ -8,8 +8,9 @@ use serde::Serialize;
 use crate::error::Error;
 use crate::header::{ENDING_NAME, Ending, HEADER_NAME, Header, from_metadata, header_of};
 use crate::mcap::{Item, Message, Reader};
-use crate::message::{Channel, RefereeEvent, RequestRecord, Tick};
+use crate::message::{Channel, RefereeEvent, Tick};
 use crate::recording::decode;
+use crate::request::RequestRecord;
 
 /// Contents of a recording.
 #[derive(Clone, Debug, Serialize)]

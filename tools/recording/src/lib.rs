@@ -24,16 +24,19 @@ mod message;
 mod recorder;
 mod recording;
 pub mod repair;
-mod tree_hash;
+mod request;
 
 pub use compare::{Comparison, Decision, Difference, command_field, sensor_field};
 pub use digest::{RunningFingerprint, command_digest, image_digest, sensors_digest};
 pub use error::Error;
-pub use header::{Ending, Header, ImagePolicy, Parameter, Program, RecordedRules, RobotInfo, TreeInfo};
+pub use header::{
+    ComponentInfo, Ending, Header, ImagePolicy, Parameter, ParameterInfo, Program, RecordedRules, RobotInfo, TreeInfo,
+    recorded_parameters,
+};
 pub use info::{ChannelInfo, Info};
 pub use message::{
-    Channel, CommandRecord, ComponentCosts, Costs, ImageRecord, LogLine, RefereeEvent, RequestRecord, Tick, TreeRecord,
+    Channel, CommandRecord, ComponentCosts, Costs, ImageRecord, LogLine, RefereeEvent, Tick, TreeRecord,
 };
 pub use recorder::{Backpressure, Recorder, RecorderOptions, Report, Sink, tree_record};
 pub use recording::{OwnedImage, RecordedCycle, Recording};
-pub use tree_hash::tree_hash;
+pub use request::{ParamValue, RequestRecord, SettingRecord};

@@ -5,6 +5,8 @@ use postcard_schema::Schema;
 use postcard_schema::schema::NamedType;
 use serde::{Deserialize, Serialize};
 
+use crate::request::RequestRecord;
+
 /// Channel of a recording.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Channel {
@@ -85,35 +87,6 @@ impl Channel {
             Self::Costs => Costs::SCHEMA,
         }
     }
-}
-
-/// A request to the running tree.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, Schema)]
-pub enum RequestRecord {
-    /// A component is held active, held latent, or released.
-    Hold {
-        /// Index of the component.
-        component: u16,
-        /// 0: released, 1: active, 2: latent.
-        hold: u8,
-    },
-    /// The rate of a component is modulated.
-    Rate {
-        /// Index of the component.
-        component: u16,
-        /// Runs per second.
-        hz: f32,
-    },
-    /// Parameters are set. Reserved: trees have no parameters yet.
-    Set {
-        /// Component, name and value of each.
-        values: Vec<(String, String, String)>,
-    },
-    /// A request that this version of the recorder does not know. Such a run cannot be replayed.
-    Unknown {
-        /// The request, as text.
-        text: String,
-    },
 }
 
 /// A camera image.

@@ -13,9 +13,8 @@ use crate::error::Error;
 use crate::header::{ENDING_NAME, Ending, HEADER_NAME, Header, from_metadata, header_of};
 use crate::image_codec::ImageCoder;
 use crate::mcap::{Item, Message, Reader};
-use crate::message::{
-    Channel, CommandRecord, Costs, ImageRecord, LogLine, RefereeEvent, RequestRecord, Tick, TreeRecord,
-};
+use crate::message::{Channel, CommandRecord, Costs, ImageRecord, LogLine, RefereeEvent, Tick, TreeRecord};
+use crate::request::RequestRecord;
 
 /// Most images that wait for their cycle.
 const MAX_WAITING_IMAGES: usize = 64;

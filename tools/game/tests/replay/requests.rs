@@ -1,14 +1,13 @@
 //! An operator who changes holds and rates at random times.
 
-use std::collections::VecDeque;
 use std::fs::File;
 
-use bica::runner::{Request, Runner};
+use bica::runner::{Request, RequestQueue, Runner};
 use bica::{ComponentId, Hold, Tree};
 use bica_game::{GRAPH, recording_header};
-use bica_player::Forward;
 use bica_player::input::RobotProfile;
 use bica_player::perception::GoalDetector;
+use bica_player::tunable::Forward;
 use bica_recording::{Backpressure, ImagePolicy, Info, Recorder, RecorderOptions};
 use bica_sim::World;
 use bica_sim::kinematic::KinematicWorld;
@@ -31,7 +30,7 @@ fn operated(file: &Temporary, images: ImagePolicy, rng: &mut Pcg64) -> usize {
     let options = RecorderOptions { backpressure: Backpressure::Wait, ..RecorderOptions::default() };
     let header = recording_header(&rules, attacks, images);
     let recorder = Recorder::start(target, &header, options, |_| {}).expect("room");
-    let mut runner = Runner::new(robot, world).with_requests(VecDeque::new()).with_observer(recorder);
+    let mut runner = Runner::new(robot, world).with_requests(RequestQueue::new()).with_observer(recorder);
     let mut count = 0;
     for _ in 0..200 {
         while rng.next_u32().is_multiple_of(8) {
@@ -41,7 +40,7 @@ fn operated(file: &Temporary, images: ImagePolicy, rng: &mut Pcg64) -> usize {
                 0 => Request::Hold { component, hold },
                 _ => Request::Rate { component, hz: f32::from_bits(rng.next_u32()) },
             };
-            runner.requests_mut().push_back(request);
+            runner.requests_mut().push(request);
             count += 1;
         }
         runner.cycle().expect("images fit");

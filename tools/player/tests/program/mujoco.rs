@@ -15,9 +15,9 @@ mod with_mujoco {
     use bica_motion::health::Fault;
     use bica_motion::joints::Joint;
     use bica_motion::model::{Nao, RobotModel};
-    use bica_player::Forward;
     use bica_player::behaviour::SafetyGuard;
     use bica_player::input::{HealthMonitor, RobotProfile};
+    use bica_player::tunable::Forward;
     use bica_sim::World;
     use bica_sim::mujoco::{MujocoWorld, Physics};
     use bica_sim::referee::Posture;

@@ -8,14 +8,16 @@ use std::io;
 use std::sync::Arc;
 use std::thread::JoinHandle;
 
+use bica::refusal::Refusal;
 use bica::runner::{Cycle, Observer, Request, Robot};
-use bica::{ComponentId, Hold, Instant, Probe, Tree};
+use bica::{ComponentId, Instant, Probe, Tree};
 use bica_motion::robot::{self, CameraId};
 use bica_wire::message::{Command, Sensors};
 
 use crate::digest::image_digest;
 use crate::header::{Header, ImagePolicy};
-use crate::message::{Costs, LogLine, RefereeEvent, RequestRecord, TreeRecord};
+use crate::message::{Costs, LogLine, RefereeEvent, TreeRecord};
+use crate::request::RequestRecord;
 use queue::{CycleValues, Entry, ImageValues, Queue};
 pub use sink::Sink;
 pub(crate) use thread::{begin, compression};
@@ -161,8 +163,12 @@ impl<R> Observer<R> for Recorder
 where
     R: for<'a> Robot<Sensors<'a> = robot::Sensors<'a>> + Robot<Command = robot::Command>,
 {
-    fn requested(&mut self, _now: Instant, request: &Request) {
+    fn requested(&mut self, _now: Instant, request: &Request<'_>) {
         self.requests.push(RequestRecord::from(request));
+    }
+
+    fn refused(&mut self, _now: Instant, _request: &Request<'_>, refusal: &Refusal) {
+        self.log(LogLine { level: 3, text: format!("request refused: {refusal}") });
     }
 
     fn sensing(&mut self, now: Instant, sensors: &robot::Sensors<'_>) {
@@ -206,36 +212,4 @@ pub fn tree_record<T: Tree>(tree: &T) -> TreeRecord {
         record.states.push(tree.state(id).map_or(u8::MAX, |state| state as u8));
     }
     record
-}
-
-impl From<&Request> for RequestRecord {
-    fn from(request: &Request) -> Self {
-        match *request {
-            Request::Hold { component, hold } => {
-                let hold = match hold {
-                    Hold::Tree => 0,
-                    Hold::Active => 1,
-                    Hold::Latent => 2,
-                };
-                Self::Hold { component: component.index() as u16, hold }
-            }
-            Request::Rate { component, hz } => Self::Rate { component: component.index() as u16, hz },
-            _ => Self::Unknown { text: format!("{request:?}") },
-        }
-    }
-}
-
-impl RequestRecord {
-    /// Returns the request for a tree; none if this program does not know it.
-    #[must_use]
-    pub fn to_request(&self) -> Option<Request> {
-        match *self {
-            Self::Hold { component, hold } => {
-                let hold = [Hold::Tree, Hold::Active, Hold::Latent].get(usize::from(hold)).copied()?;
-                Some(Request::Hold { component: ComponentId::new(component.into()), hold })
-            }
-            Self::Rate { component, hz } => Some(Request::Rate { component: ComponentId::new(component.into()), hz }),
-            Self::Set { .. } | Self::Unknown { .. } => None,
-        }
-    }
 }

@@ -8,7 +8,8 @@ use std::time::Duration;
 use bica_wire::message::{Command, Sensors};
 
 use super::{Backpressure, RecorderOptions};
-use crate::message::{Costs, LogLine, RefereeEvent, RequestRecord, TreeRecord};
+use crate::message::{Costs, LogLine, RefereeEvent, TreeRecord};
+use crate::request::RequestRecord;
 
 /// Time after which the thread looks into the queue without being woken.
 const POLL: Duration = Duration::from_millis(50);

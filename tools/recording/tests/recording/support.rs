@@ -165,8 +165,10 @@ pub(crate) fn record(disk: &Disk, images: ImagePolicy, cycles: u64, options: Rec
     for cycle in 0..cycles {
         let now = Instant::from_millis(10 * cycle);
         if cycle == 7 {
-            runner.request(now, Request::Hold { component: Lamp::id::<Counter>(), hold: Hold::Active });
-            runner.request(now, Request::Rate { component: Lamp::id::<Counter>(), hz: f32::NAN });
+            runner
+                .request(now, Request::Hold { component: Lamp::id::<Counter>(), hold: Hold::Active })
+                .expect("listed");
+            runner.request(now, Request::Rate { component: Lamp::id::<Counter>(), hz: f32::NAN }).expect("listed");
         }
         let yuyv = pixels(cycle);
         runner.sense(now, &sensors(cycle, &yuyv)).expect("never refused");

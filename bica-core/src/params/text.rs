@@ -1,0 +1,64 @@
+//! Values as text, for command lines and files.
+
+use core::fmt;
+
+use super::{Kind, Value};
+use crate::refusal::Reason;
+
+impl Kind {
+    /// Reads a value: a number, `true` or `false`, or the name of a variant.
+    ///
+    /// ```
+    /// use bica_core::Value;
+    /// use bica_core::params::Kind;
+    ///
+    /// let kind = Kind::F32 { min: 0.0, max: 1.0, step: None };
+    /// assert_eq!(kind.parse("0.5"), Ok(Value::F32(0.5)));
+    /// assert!(kind.parse("1.5").is_err());
+    /// ```
+    ///
+    /// # Errors
+    /// If the text is no value of this kind, or the value is not finite or out of range.
+    pub fn parse(&self, text: &str) -> Result<Value, Reason> {
+        let wrong = Reason::WrongKind { expected: self.name(), found: "text" };
+        let value = match self {
+            Self::F32 { .. } => Value::F32(text.parse().map_err(|_| wrong)?),
+            Self::I32 { .. } => Value::I32(text.parse().map_err(|_| wrong)?),
+            Self::U32 { .. } => Value::U32(text.parse().map_err(|_| wrong)?),
+            Self::Bool => Value::Bool(text.parse().map_err(|_| wrong)?),
+            Self::Choice { variants } => {
+                let index = variants.iter().position(|variant| variant.name == text);
+                Value::Choice(index.ok_or(Reason::UnknownVariant { count: variants.len() })? as u32)
+            }
+        };
+        self.accepts(value).map(|()| value)
+    }
+
+    /// Returns the text of a value, which [`parse`](Self::parse) reads as the same value.
+    ///
+    /// A number with a decimal point has one also if it is whole, and a variant is its name.
+    #[must_use]
+    pub const fn text(&self, value: Value) -> ValueText<'_> {
+        ValueText { kind: self, value }
+    }
+}
+
+/// A value that prints as text; see [`Kind::text`].
+#[derive(Clone, Copy, Debug)]
+pub struct ValueText<'a> {
+    kind: &'a Kind,
+    value: Value,
+}
+
+impl fmt::Display for ValueText<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match (self.kind, self.value) {
+            (Kind::Choice { variants }, Value::Choice(index)) if (index as usize) < variants.len() => {
+                f.pad(variants[index as usize].name)
+            }
+            // The shortest digits that give the same number, with a point.
+            (_, Value::F32(value)) => write!(f, "{value:?}"),
+            (_, value) => value.fmt(f),
+        }
+    }
+}

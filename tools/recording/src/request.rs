@@ -1,0 +1,203 @@
+//! Requests in a recording.
+
+use bica::params::{Setting, Value};
+use bica::runner::{OwnedRequest, Request};
+use bica::{ComponentId, Hold};
+use postcard_schema::Schema;
+use serde::{Deserialize, Serialize};
+
+use crate::header::TreeInfo;
+
+/// A request to the running tree.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, Schema)]
+pub enum RequestRecord {
+    /// A component is held active, held latent, or released.
+    Hold {
+        /// Index of the component.
+        component: u16,
+        /// 0: released, 1: active, 2: latent.
+        hold: u8,
+    },
+    /// The rate of a component is modulated.
+    Rate {
+        /// Index of the component.
+        component: u16,
+        /// Runs per second.
+        hz: f32,
+    },
+    /// Parameters are set.
+    Params {
+        /// All settings of the batch.
+        settings: Vec<SettingRecord>,
+    },
+    /// A modulation is called.
+    Modulate {
+        /// Index of the component.
+        component: u16,
+        /// Index of the modulation in the component.
+        index: u16,
+        /// One value for each argument.
+        arguments: Vec<ParamValue>,
+    },
+    /// A request that this version of the recorder does not know. Such a run cannot be replayed.
+    Unknown {
+        /// The request, as text.
+        text: String,
+    },
+}
+
+/// A parameter and its new value.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, Schema)]
+pub struct SettingRecord {
+    /// Index of the component.
+    pub component: u16,
+    /// Index of the parameter in the component.
+    pub index: u16,
+    /// The value.
+    pub value: ParamValue,
+}
+
+/// Value of a parameter or of an argument of a modulation.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, Schema)]
+pub enum ParamValue {
+    /// A number.
+    F32(f32),
+    /// A whole number.
+    I32(i32),
+    /// A whole number that is not negative.
+    U32(u32),
+    /// On or off.
+    Bool(bool),
+    /// Index of the variant of an enum.
+    Choice(u32),
+}
+
+impl ParamValue {
+    /// Returns the record of a value; none for a kind that this version does not know.
+    fn of(value: Value) -> Option<Self> {
+        Some(match value {
+            Value::F32(value) => Self::F32(value),
+            Value::I32(value) => Self::I32(value),
+            Value::U32(value) => Self::U32(value),
+            Value::Bool(value) => Self::Bool(value),
+            Value::Choice(value) => Self::Choice(value),
+            _ => return None,
+        })
+    }
+
+    fn value(self) -> Value {
+        match self {
+            Self::F32(value) => Value::F32(value),
+            Self::I32(value) => Value::I32(value),
+            Self::U32(value) => Value::U32(value),
+            Self::Bool(value) => Value::Bool(value),
+            Self::Choice(value) => Value::Choice(value),
+        }
+    }
+}
+
+impl From<&Request<'_>> for RequestRecord {
+    fn from(request: &Request<'_>) -> Self {
+        Self::of(request).unwrap_or_else(|| Self::Unknown { text: format!("{request:?}") })
+    }
+}
+
+impl RequestRecord {
+    fn of(request: &Request<'_>) -> Option<Self> {
+        let number = |component: ComponentId| component.index() as u16;
+        Some(match *request {
+            Request::Hold { component, hold } => {
+                let hold = match hold {
+                    Hold::Tree => 0,
+                    Hold::Active => 1,
+                    Hold::Latent => 2,
+                };
+                Self::Hold { component: number(component), hold }
+            }
+            Request::Rate { component, hz } => Self::Rate { component: number(component), hz },
+            Request::Params(batch) => Self::Params { settings: batch.iter().map(setting).collect::<Option<_>>()? },
+            Request::Modulate { component, index, arguments } => Self::Modulate {
+                component: number(component),
+                index: index as u16,
+                arguments: arguments.iter().map(|&value| ParamValue::of(value)).collect::<Option<_>>()?,
+            },
+            _ => return None,
+        })
+    }
+
+    /// Returns the request for a tree; none if this program does not know it.
+    #[must_use]
+    pub fn to_request(&self) -> Option<OwnedRequest> {
+        let component = |index: u16| ComponentId::new(index.into());
+        Some(match self {
+            Self::Hold { component: index, hold } => {
+                let hold = [Hold::Tree, Hold::Active, Hold::Latent].get(usize::from(*hold)).copied()?;
+                OwnedRequest::Hold { component: component(*index), hold }
+            }
+            Self::Rate { component: index, hz } => OwnedRequest::Rate { component: component(*index), hz: *hz },
+            Self::Params { settings } => OwnedRequest::Params(settings.iter().map(SettingRecord::setting).collect()),
+            Self::Modulate { component: owner, index, arguments } => OwnedRequest::Modulate {
+                component: component(*owner),
+                index: usize::from(*index),
+                arguments: arguments.iter().map(|value| value.value()).collect(),
+            },
+            Self::Unknown { .. } => return None,
+        })
+    }
+
+    /// Returns the request as text.
+    #[must_use]
+    pub fn describe(&self, tree: &TreeInfo) -> String {
+        let info = |component: &u16| tree.components.get(usize::from(*component));
+        let name = |component: &u16| {
+            info(component).map_or_else(|| format!("component {component}"), |component| component.name.clone())
+        };
+        match self {
+            Self::Hold { component, hold: 0 } => format!("release {}", name(component)),
+            Self::Hold { component, hold: 1 } => format!("hold {} active", name(component)),
+            Self::Hold { component, .. } => format!("hold {} latent", name(component)),
+            Self::Rate { component, hz } => format!("rate of {} {hz} Hz", name(component)),
+            Self::Params { settings } => {
+                let one = |setting: &SettingRecord| tree.describe_setting(setting);
+                format!("set {}", settings.iter().map(one).collect::<Vec<_>>().join(" "))
+            }
+            Self::Modulate { component, index, arguments } => {
+                let called = info(component).and_then(|component| component.modulations.get(usize::from(*index)));
+                let called = called.map_or_else(|| format!("modulation {index}"), Clone::clone);
+                let arguments: Vec<_> = arguments.iter().map(|value| value.value().to_string()).collect();
+                format!("modulate {}.{called}({})", name(component), arguments.join(", "))
+            }
+            Self::Unknown { text } => text.clone(),
+        }
+    }
+}
+
+fn setting(setting: &Setting) -> Option<SettingRecord> {
+    let Setting { component, index, value } = *setting;
+    Some(SettingRecord { component: component.index() as u16, index, value: ParamValue::of(value)? })
+}
+
+impl SettingRecord {
+    fn setting(&self) -> Setting {
+        let Self { component, index, value } = *self;
+        Setting::new(ComponentId::new(component.into()), index, value.value())
+    }
+}
+
+impl TreeInfo {
+    fn describe_setting(&self, setting: &SettingRecord) -> String {
+        let SettingRecord { component, index, value } = setting;
+        let owner = self.components.get(usize::from(*component));
+        let parameter = owner.and_then(|owner| owner.parameters.get(usize::from(*index)));
+        let value = match (value, parameter) {
+            (ParamValue::Choice(variant), Some(parameter)) if (*variant as usize) < parameter.variants.len() => {
+                parameter.variants[*variant as usize].clone()
+            }
+            _ => value.value().to_string(),
+        };
+        match (owner, parameter) {
+            (Some(owner), Some(parameter)) => format!("{}.{}={value}", owner.name, parameter.name),
+            _ => format!("parameter {index} of component {component}={value}"),
+        }
+    }
+}
