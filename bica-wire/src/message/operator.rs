@@ -34,12 +34,14 @@ pub enum LeaseAction {
 /// The lease, sent to every monitor when it attaches and whenever the lease changes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, Schema)]
 pub struct LeaseState {
-    /// Number of the last lease that was granted.
+    /// Number of the lease, for its owner; 0 for others.
     pub lease: u32,
     /// Whether somebody owns it.
     pub owned: bool,
     /// Whether the receiver of this message owns it.
     pub yours: bool,
+    /// The robot's time, µs; the expiry of requests is counted from it.
+    pub time_us: u64,
 }
 
 /// A request of the operator.

@@ -67,7 +67,8 @@ mod tests {
             assert_eq!(text.parse::<Address>().unwrap().to_string(), text);
         }
         assert_eq!("/dev/ttyS0".parse::<Address>().unwrap().to_string(), "/dev/ttyS0@115200");
-        for text in ["", "7400", ":7400", "localhost", "localhost:x", "localhost:70000", "/dev/ttyS0@fast", "/dev/x@0"] {
+        for text in ["", "7400", ":7400", "localhost", "localhost:x", "localhost:70000", "/dev/ttyS0@fast", "/dev/x@0"]
+        {
             assert!(text.parse::<Address>().is_err(), "{text}");
         }
     }

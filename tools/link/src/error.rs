@@ -66,17 +66,18 @@ impl Error {
     #[must_use]
     pub fn help(&self) -> String {
         match self {
-            Self::Address(_) => "give HOST:PORT, as 127.0.0.1:7400, or the path of a serial line, as /dev/ttyUSB0@921600",
+            Self::Address(_) => {
+                "give HOST:PORT, as 127.0.0.1:7400, or the path of a serial line, as /dev/ttyUSB0@921600"
+            }
             Self::NotLoopback(_) => "use 127.0.0.1 or [::1], or allow it with --listen-anywhere: there is no password",
             Self::Connect { .. } => "is a robot serving there? `player play --serve ADDR` does",
             Self::Disconnected(_) => "the robot's program ended, or the line is broken; run the command again",
             Self::Timeout(_) => "is the robot's program stopped, or does another program answer at this address?",
-            Self::Schema { .. } => "build the robot's program and this one from the same version",
             Self::OtherRobot { .. } => "attach again",
             Self::Lease => "wait until the operator gives it back, or take it with --take",
             Self::Refused { .. } => "`player link ADDR describe` prints names, kinds and ranges",
             Self::Unknown { help, .. } => help,
-            Self::Invalid(_) => "build the robot's program and this one from the same version",
+            Self::Schema { .. } | Self::Invalid(_) => "build the robot's program and this one from the same version",
         }
         .to_owned()
     }
@@ -93,7 +94,11 @@ impl fmt::Display for Error {
             Self::Disconnected(reason) => write!(f, "the link was cut: {reason}"),
             Self::Timeout(what) => write!(f, "the robot did not answer in time: {what}"),
             Self::Schema { robot } => {
-                write!(f, "the robot speaks another version of the protocol: {robot:#018x}, here {:#018x}", bica_wire::SCHEMA)
+                write!(
+                    f,
+                    "the robot speaks another version of the protocol: {robot:#018x}, here {:#018x}",
+                    bica_wire::SCHEMA
+                )
             }
             Self::OtherRobot { expected, found } => {
                 write!(f, "another program answers: tree `{found}`, before `{expected}`")

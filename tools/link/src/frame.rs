@@ -2,7 +2,7 @@
 
 use std::io;
 
-use bica_wire::{Decoder, Encoder, MAX_PACKET, Packet, TooLarge};
+use bica_wire::{Decoder, Encoder, FromMonitor, FromRobot, MAX_PACKET, Packet, ToMonitor, ToRobot, TooLarge};
 use serde::Serialize;
 
 use crate::stream::{Reading, Stream};
@@ -52,8 +52,29 @@ impl Packets {
         Self { encoder: Encoder::new(), packet: Box::new([0; MAX_PACKET]), bytes: Vec::new() }
     }
 
-    /// Appends a message.
-    pub(crate) fn push(&mut self, message: &impl Serialize) -> Result<(), TooLarge> {
+    /// Appends a message to a monitor.
+    pub(crate) fn push(&mut self, message: &ToMonitor<'_>) -> Result<(), TooLarge> {
+        let bytes = postcard::to_stdvec(message).map_err(|_| TooLarge)?;
+        self.push_robot(&FromRobot::Monitor(&bytes))
+    }
+
+    /// Appends a message of a robot.
+    pub(crate) fn push_robot(&mut self, message: &FromRobot<'_>) -> Result<(), TooLarge> {
+        self.encode(message)
+    }
+
+    /// Appends a message of a monitor.
+    pub(crate) fn push_monitor(&mut self, message: &FromMonitor) -> Result<(), TooLarge> {
+        let bytes = postcard::to_stdvec(message).map_err(|_| TooLarge)?;
+        self.encode(&ToRobot::Monitor(&bytes))
+    }
+
+    /// Appends the request for a description.
+    pub(crate) fn push_describe(&mut self) -> Result<(), TooLarge> {
+        self.encode(&ToRobot::Describe)
+    }
+
+    fn encode(&mut self, message: &impl Serialize) -> Result<(), TooLarge> {
         let packet = self.encoder.encode(message, &mut *self.packet)?;
         self.bytes.extend_from_slice(packet);
         Ok(())

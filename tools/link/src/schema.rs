@@ -43,9 +43,8 @@ impl Decoder<'_> {
             Type::Char => json!(self.take::<char>()?),
             Type::String => json!(self.take::<String>()?),
             Type::ByteArray => json!(self.take::<Vec<u8>>()?),
-            Type::Unit | Type::UnitStruct => Value::Null,
             Type::Option(inner) if self.take::<bool>()? => self.value(&inner.ty, depth)?,
-            Type::Option(_) => Value::Null,
+            Type::Option(_) | Type::Unit | Type::UnitStruct => Value::Null,
             Type::NewtypeStruct(inner) => self.value(&inner.ty, depth)?,
             Type::Seq(inner) => self.sequence(inner, depth)?,
             Type::Tuple(types) | Type::TupleStruct(types) => self.tuple(types, depth)?,
@@ -132,12 +131,7 @@ mod tests {
     fn seen() -> Seen {
         Seen {
             at: Some((0.5, f32::NAN)),
-            shapes: vec![
-                Shape::None,
-                Shape::Circle(2.0),
-                Shape::Box { width: 3, height: -4 },
-                Shape::Pair(true, 'ä'),
-            ],
+            shapes: vec![Shape::None, Shape::Circle(2.0), Shape::Box { width: 3, height: -4 }, Shape::Pair(true, 'ä')],
             text: "abc".to_owned(),
             count: u64::MAX,
         }
