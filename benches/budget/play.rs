@@ -49,7 +49,7 @@ pub(crate) fn all(frame: Frame, repeats: usize, measurements: &mut Measurements)
 }
 
 fn play(fixture: &Fixture, frame: Frame, measurements: &mut Measurements) -> Result<(), String> {
-    let game = new_game(&Setup { seed: fixture.seed, robots: fixture.robots, frame, ..Setup::default() });
+    let game = new_game::<Forward>(&Setup { seed: fixture.seed, robots: fixture.robots, frame, ..Setup::default() });
     let (robot, world, ..) = game.into_parts();
     let began = Clock::now();
     let watch: Stopwatch<_, { Forward::COUNT }> = Stopwatch::new(|| began.elapsed().as_nanos() as u64);

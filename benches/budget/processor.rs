@@ -12,6 +12,7 @@ use bica::runner::Runner;
 use bica_sim::setup::Frame;
 
 use bica_benches::recording::{CYCLES, Recording, WARM};
+use bica_player::Forward;
 
 const COUNTED_HERE: &str = "benches/instructions.txt";
 const COUNTED_ON_CORTEX: &str = "firmware/figures.txt";
@@ -71,7 +72,7 @@ fn per_second(frame: Frame) -> Result<f64, String> {
 }
 
 fn minimum_time(frame: Frame) -> Result<f64, String> {
-    let (recording, robot) = Recording::of_game(frame, WARM, CYCLES);
+    let (recording, robot) = Recording::of_game::<Forward>(frame, WARM, CYCLES);
     let mut runner = Runner::new(robot, ());
     let mut minimum = f64::INFINITY;
     let mut cycle = 1000;

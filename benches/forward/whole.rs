@@ -10,6 +10,7 @@ use criterion::{BenchmarkId, Criterion, Throughput};
 
 use bica_benches::frames::recorded;
 use bica_benches::recording::{CYCLES, OwnedImage, Recording, WARM};
+use bica_player::Forward;
 
 pub(crate) fn bench(criterion: &mut Criterion) {
     let real = recorded::folder();
@@ -17,7 +18,7 @@ pub(crate) fn bench(criterion: &mut Criterion) {
     for frame in [Frame::Small, Frame::Medium, Frame::Large] {
         let (width, height) = frame.size();
         let size = format!("{width}x{height}");
-        let (recording, robot) = Recording::of_game(frame, WARM, CYCLES);
+        let (recording, robot) = Recording::of_game::<Forward>(frame, WARM, CYCLES);
         let mut runner = Runner::new(robot, ());
         let mut cycle = 1000;
         let mut think = |sensors: &Sensors<'_>| {

@@ -4,7 +4,6 @@ use std::hint::black_box;
 
 use bica::prelude::*;
 use bica::runner::Runner;
-use bica_player::Forward;
 use bica_player::behaviour::{
     Dribble, FaceBall, Fixmove, FollowBall, GoRound, LookAround, Player, SafetyGuard, SearchBall, SearchNet,
 };
@@ -15,9 +14,11 @@ use bica_player::perception::{
     BallDetector, CameraPose, FallDetector, FieldBoundary, FieldLines, GoalDetector, Localization, Odometry, OwnBody,
     RobotDetector,
 };
+use bica_player::{Forward, tunable};
 use bica_sim::setup::Frame;
 use gungraun::prelude::*;
 
+use bica_benches::game::ForwardTree;
 use bica_benches::isolated::IsolatedComponent;
 use bica_benches::recording::{CYCLES, Recording, WARM};
 
@@ -86,7 +87,7 @@ components! {
 library_benchmark_group!(name = components, benchmarks = [component]);
 
 /// Recorded sensor values, and the forward that processes them.
-fn recording(frame: Frame) -> (Recording, Box<Forward>) {
+fn recording<T: ForwardTree>(frame: Frame) -> (Recording, Box<T>) {
     Recording::of_game(frame, WARM, CYCLES)
 }
 
@@ -96,6 +97,17 @@ fn recording(frame: Frame) -> (Recording, Box<Forward>) {
 #[bench::at_320x240(recording(Frame::Medium))]
 #[bench::at_640x480(recording(Frame::Large))]
 fn forward((recording, robot): (Recording, Box<Forward>)) -> (Recording, Box<Forward>) {
+    play(recording, robot)
+}
+
+#[library_benchmark]
+#[bench::at_160x120(recording(Frame::Small))]
+fn tunable_forward((recording, robot): (Recording, Box<tunable::Forward>)) -> (Recording, Box<tunable::Forward>) {
+    play(recording, robot)
+}
+
+#[inline]
+fn play<T: ForwardTree>(recording: Recording, robot: Box<T>) -> (Recording, Box<T>) {
     let mut runner = Runner::new(robot, ());
     for (cycle, sensors) in recording.sensors().enumerate() {
         let now = Instant::from_millis(10_000 + 10 * cycle as u64);
@@ -105,4 +117,4 @@ fn forward((recording, robot): (Recording, Box<Forward>)) -> (Recording, Box<For
     (recording, runner.into_parts().0)
 }
 
-library_benchmark_group!(name = whole_loop, benchmarks = [forward]);
+library_benchmark_group!(name = whole_loop, benchmarks = [forward, tunable_forward]);

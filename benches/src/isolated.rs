@@ -22,7 +22,7 @@ impl IsolatedComponent {
     /// Isolates the component with this identifier; images have this size.
     #[must_use]
     pub fn new(component: ComponentId, frame: Frame) -> Self {
-        let (recording, mut robot) = Recording::of_game(frame, 55, 5);
+        let (recording, mut robot) = Recording::of_game::<Forward>(frame, 55, 5);
         for other in (0..Forward::COUNT).map(ComponentId::new).filter(|other| *other != component) {
             robot.hold_at(other, Hold::Latent);
         }

@@ -1,15 +1,14 @@
 //! Recorded sensor values of a game.
 
+use bica::Hold;
 use bica::runner::World;
-use bica::{Hold, Tree};
 use bica_motion::pose::Pose2;
 use bica_motion::robot::{CameraId, Image, Sensors};
-use bica_player::Forward;
 use bica_player::perception::Localization;
 use bica_sim::setup::{Frame, Setup, Start};
 use glam::Vec2;
 
-use crate::game::new_game;
+use crate::game::{ForwardTree, new_game};
 
 /// Number of cycles before a recording, in which the forward finds the ball and begins to walk.
 pub const WARM: usize = 90;
@@ -45,16 +44,16 @@ impl Recording {
     /// # Panics
     /// If the size of an image is not accepted.
     #[must_use]
-    pub fn of_game(frame: Frame, before: usize, cycles: usize) -> (Self, Box<Forward>) {
+    pub fn of_game<T: ForwardTree>(frame: Frame, before: usize, cycles: usize) -> (Self, Box<T>) {
         let start = Start { robot: Pose2::new(0.6, 0.2, 0.0), ball: Vec2::new(1.8, 0.1) };
-        let mut game = new_game(&Setup { seed: 9, frame, robots: 2, start: Some(start), ..Setup::default() });
+        let mut game = new_game::<T>(&Setup { seed: 9, frame, robots: 2, start: Some(start), ..Setup::default() });
         game.robot_mut().hold::<Localization>(Hold::Active);
         for _ in 0..before {
             game.cycle().expect("the image fits");
         }
         let mut recorded = Vec::with_capacity(cycles);
         for _ in 0..cycles {
-            recorded.push(RecordedCycle::of(&World::<Forward>::sensors(game.world_mut())));
+            recorded.push(RecordedCycle::of(&World::<T>::sensors(game.world_mut())));
             game.cycle().expect("the image fits");
         }
         (Self(recorded), game.into_parts().0)

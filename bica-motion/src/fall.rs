@@ -4,7 +4,7 @@ use core::marker::PhantomData;
 
 use glam::Vec3;
 
-use crate::model::{Nao, RobotModel};
+use crate::model::{FallLimits, Nao, RobotModel};
 use crate::robot::Inertial;
 
 /// Side to which a robot falls, or on which it lies.
@@ -58,20 +58,35 @@ impl FallState {
     }
 }
 
-/// Maximum tilt of a robot that has got up, rad.
-const RISEN_TILT: f32 = 0.3;
-/// Minimum time within [`RISEN_TILT`] after which a fallen robot counts as upright, s.
-const RISEN_TIME: f32 = 0.3;
 /// Weight of a new angle in the low-pass filter, per cycle. Source: HULKs 2025.
 const ANGLE_WEIGHT: f32 = 0.9;
 /// Weight of a new acceleration in the low-pass filter, per cycle.
 const ACCELERATION_WEIGHT: f32 = 0.1;
-/// Maximum difference from the acceleration of a lying robot, m/s². Source: HULKs 2025.
-const LYING_TOLERANCE: f32 = 7.0;
-/// Time after which a falling robot counts as fallen in any case, s. Source: HULKs 2025.
-const MAX_FALL_TIME: f32 = 1.0;
 
-/// Detector of falls, with the angle limits of [`RobotModel::FALL_LIMITS`].
+/// Limits of the fall detector.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FallTuning {
+    /// Torso angles within which the robot does not fall.
+    pub limits: FallLimits,
+    /// Maximum tilt of a robot that has got up, rad.
+    pub risen_tilt: f32,
+    /// Minimum time within `risen_tilt` after which a fallen robot counts as upright, s.
+    pub risen_time: f32,
+    /// Maximum difference from the acceleration of a lying robot, m/s².
+    pub lying_tolerance: f32,
+    /// Time after which a falling robot counts as fallen in any case, s.
+    pub max_fall_time: f32,
+}
+
+impl FallTuning {
+    /// The default limits of a robot. Source of the lying tolerance and of the fall time: HULKs 2025.
+    #[must_use]
+    pub const fn of<M: RobotModel>() -> Self {
+        Self { limits: M::FALL_LIMITS, risen_tilt: 0.3, risen_time: 0.3, lying_tolerance: 7.0, max_fall_time: 1.0 }
+    }
+}
+
+/// Detector of falls.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FallDetector<M = Nao> {
     roll: f32,
@@ -80,6 +95,7 @@ pub struct FallDetector<M = Nao> {
     state: FallState,
     /// Time in the state `Falling`, or within the tilt of a robot that has got up, s.
     time: f32,
+    tuning: FallTuning,
     model: PhantomData<M>,
 }
 
@@ -90,7 +106,7 @@ impl<M: RobotModel> Default for FallDetector<M> {
 }
 
 impl<M: RobotModel> FallDetector<M> {
-    /// A detector in the state [`Upright`](FallState::Upright).
+    /// A detector in the state [`Upright`](FallState::Upright) with the default limits ([`FallTuning::of`]).
     #[must_use]
     pub const fn new() -> Self {
         Self {
@@ -99,8 +115,14 @@ impl<M: RobotModel> FallDetector<M> {
             acceleration: Vec3::ZERO,
             state: FallState::Upright,
             time: 0.0,
+            tuning: FallTuning::of::<M>(),
             model: PhantomData,
         }
+    }
+
+    /// Sets the limits to use from now on.
+    pub const fn set_tuning(&mut self, tuning: &FallTuning) {
+        self.tuning = *tuning;
     }
 
     /// Current state.
@@ -128,19 +150,20 @@ impl<M: RobotModel> FallDetector<M> {
     }
 
     fn next(&mut self) -> FallState {
+        let FallTuning { risen_tilt, risen_time, max_fall_time, .. } = self.tuning;
         match self.state {
             FallState::Upright => self.excess_tilt().map_or(self.state, FallState::Falling),
             FallState::Falling(direction) => match (self.lying_side(), self.excess_tilt()) {
                 (Some(side), _) => FallState::Fallen(side),
                 (None, None) => FallState::Upright,
-                (None, Some(_)) if self.time >= MAX_FALL_TIME => FallState::Fallen(direction),
+                (None, Some(_)) if self.time >= max_fall_time => FallState::Fallen(direction),
                 (None, Some(_)) => self.state,
             },
             FallState::Fallen(direction) => {
-                if self.roll.abs() > RISEN_TILT || self.pitch.abs() > RISEN_TILT {
+                if self.roll.abs() > risen_tilt || self.pitch.abs() > risen_tilt {
                     self.time = 0.0;
                 }
-                if self.time >= RISEN_TIME {
+                if self.time >= risen_time {
                     FallState::Upright
                 } else {
                     FallState::Fallen(self.lying_side().unwrap_or(direction))
@@ -151,17 +174,19 @@ impl<M: RobotModel> FallDetector<M> {
 
     /// Direction in which the torso is tilted beyond the limits, if any.
     fn excess_tilt(&self) -> Option<Direction> {
+        let limits = &self.tuning.limits;
         match (self.pitch, self.roll) {
-            (pitch, _) if pitch > M::FALL_LIMITS.forward_pitch => Some(Direction::Front),
-            (pitch, _) if pitch < M::FALL_LIMITS.backward_pitch => Some(Direction::Back),
-            (_, roll) if roll > M::FALL_LIMITS.roll => Some(Direction::Right),
-            (_, roll) if roll < -M::FALL_LIMITS.roll => Some(Direction::Left),
+            (pitch, _) if pitch > limits.forward_pitch => Some(Direction::Front),
+            (pitch, _) if pitch < limits.backward_pitch => Some(Direction::Back),
+            (_, roll) if roll > limits.roll => Some(Direction::Right),
+            (_, roll) if roll < -limits.roll => Some(Direction::Left),
             _ => None,
         }
     }
 
     /// Side on which the robot lies according to the accelerometer, if any.
     fn lying_side(&self) -> Option<Direction> {
-        Direction::ALL.into_iter().find(|side| (self.acceleration - side.gravity()).length() < LYING_TOLERANCE)
+        let tolerance = self.tuning.lying_tolerance;
+        Direction::ALL.into_iter().find(|side| (self.acceleration - side.gravity()).length() < tolerance)
     }
 }

@@ -107,6 +107,13 @@ impl<M: RobotModel> GetUp<M> {
         self.failed || self.index >= self.first_frames().len() + rise
     }
 
+    /// Index of the key posture that is being approached, counted from the beginning of the motion; `None` if there is no
+    /// get-up.
+    #[must_use]
+    pub fn index(&self) -> Option<usize> {
+        (self.index != usize::MAX).then_some(self.index)
+    }
+
     /// Advances by `dt` seconds; returns target angles (rad) and stiffness of all joints. When done, the last posture.
     pub fn step(&mut self, inertial: &Inertial, dt: f32) -> (Joints, f32) {
         self.check_progress(inertial);

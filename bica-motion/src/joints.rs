@@ -82,6 +82,7 @@ impl Joint {
 
 /// One value for every joint, indexed by [`Joint`].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "info", derive(serde::Serialize, postcard_schema::Schema))]
 pub struct Joints<T = f32>(pub [T; JOINTS]);
 
 impl<T: Copy> Joints<T> {

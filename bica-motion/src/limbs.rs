@@ -96,6 +96,13 @@ impl Limbs {
         }
     }
 
+    /// Leans the torso forward by `angle` rad over unchanged feet.
+    pub fn lean(&mut self, angle: f32) {
+        for leg in &mut self.legs {
+            leg.hip_pitch -= angle;
+        }
+    }
+
     /// All joints, with the head straight ahead.
     #[must_use]
     pub fn joints(&self) -> Joints {

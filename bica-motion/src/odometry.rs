@@ -16,14 +16,28 @@ pub use crate::model::Calibration;
 
 /// Minimum force on both feet together while the robot stands, N.
 const MIN_FORCE: f32 = 3.0;
-/// Difference of the forces on both feet, relative to their sum, from which the measured angles have full weight.
-const FULL_TRUST: f32 = 0.5;
 /// Maximum displacement per cycle, m: three times that of the fastest foot (0.6 m/s, HULKs 2025).
 const MAX_DISPLACEMENT: f32 = 0.02;
 /// Maximum turn per cycle, rad.
 const MAX_TURN: f32 = 0.1;
 /// Commanded displacement per cycle from which unchanged measured angles are considered stale, m.
 const STALE_DISPLACEMENT: f32 = 1e-4;
+
+/// Corrections of the odometry.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OdometryTuning {
+    /// Difference of the forces on both feet, relative to their sum, from which the measured angles have full weight; above 0.
+    pub full_trust: f32,
+    /// Factor on the displacement, for x and y.
+    pub distance_scale: Vec2,
+    /// Factor on the turn.
+    pub turn_scale: f32,
+}
+
+impl OdometryTuning {
+    /// No corrections.
+    pub const DEFAULT: Self = Self { full_trust: 0.5, distance_scale: Vec2::ONE, turn_scale: 1.0 };
+}
 
 /// Input of the odometry in one cycle.
 #[derive(Clone, Copy, Debug)]
@@ -91,11 +105,16 @@ impl<M: RobotModel> Odometry<M> {
     ///
     /// NaN and infinite inputs are ignored. Without any valid source the motion is zero.
     pub fn step(&mut self, input: &MotionInput<'_>) -> Pose2 {
+        self.step_tuned(input, &OdometryTuning::DEFAULT)
+    }
+
+    /// Processes one cycle as [`step`](Self::step) does, with corrections of the caller.
+    pub fn step_tuned(&mut self, input: &MotionInput<'_>, tuning: &OdometryTuning) -> Pose2 {
         let soles = Side::BOTH.map(|side| sole::<M>(side, input.angles));
         let before = self.soles.replace(soles);
         self.commanded.rotate_right(1);
         self.commanded[0] = input.commanded.map(|angles| Side::BOTH.map(|side| sole::<M>(side, angles)));
-        let (support, trust) = support(input.feet.map(FootPressure::total));
+        let (support, trust) = support(input.feet.map(FootPressure::total), tuning.full_trust);
         self.support = support;
         let delayed = self.commanded[M::FEEDBACK_DELAY].zip(self.commanded[M::FEEDBACK_DELAY - 1]);
         let commanded = delayed.and_then(|(before, now)| {
@@ -114,18 +133,20 @@ impl<M: RobotModel> Odometry<M> {
         if let Some(turn) = input.gyro_turn.filter(|turn| *turn != 0.0 && turn.abs() < MAX_TURN) {
             motion.heading = self.calibration.gyro_scale * turn;
         }
+        motion.position *= tuning.distance_scale;
+        motion.heading *= tuning.turn_scale;
         self.pose = self.pose * motion;
         motion
     }
 }
 
 /// The foot that bears more weight, if any, and the weight of its measured motion, 0 to 1.
-fn support([left, right]: [f32; 2]) -> (Option<Side>, f32) {
+fn support([left, right]: [f32; 2], full_trust: f32) -> (Option<Side>, f32) {
     let all = left + right;
     // The comparison is false for NaN.
     if all >= MIN_FORCE && all.is_finite() {
         let side = if left >= right { Side::Left } else { Side::Right };
-        (Some(side), ((left - right).abs() / (FULL_TRUST * all)).min(1.0))
+        (Some(side), ((left - right).abs() / (full_trust * all)).min(1.0))
     } else {
         (None, 0.0)
     }

@@ -2,6 +2,7 @@
 
 /// Velocity over the ground in the robot's frame.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "info", derive(serde::Serialize, postcard_schema::Schema))]
 pub struct Velocity {
     /// Forward speed, m/s; negative is backward.
     pub forward: f32,

@@ -1,4 +1,5 @@
 //! Requests: all kinds take one path, and a refused one changes nothing.
+#![cfg(feature = "std")]
 
 use bica_core::params::{Setting, Value};
 use bica_core::refusal::{Reason, Refusal};

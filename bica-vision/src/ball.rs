@@ -32,15 +32,32 @@ pub const RADIUS_2009: f32 = 0.043;
 
 /// Pixel budget of the edge search over all candidates. Recorded images need 10 548 pixels at most.
 const PIXEL_BUDGET: u32 = 12_000;
-/// Minimum confidence of a reported ball of any size.
-const CONFIDENT: f32 = 0.4;
-/// Minimum confidence at a radius up to 6 px, where many objects are small or blurred; interpolated up to 12 px.
-const CONFIDENT_IF_SMALL: f32 = 0.6;
-/// Maximum share of a candidate region that the robot's own body may cover.
-const MAX_OWN: f32 = 0.6;
-
 /// Maximum mean number of runs per row in a region of a ball.
 const PIECES: u16 = 3;
+
+/// Thresholds of the ball detector.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BallTuning {
+    /// Minimum confidence of a reported ball of any size, 0 to 1.
+    pub min_confidence: f32,
+    /// Minimum confidence at a radius up to 6 px, where many objects are small or blurred; interpolated up to 12 px.
+    pub min_confidence_if_small: f32,
+    /// Maximum share of a candidate region that the robot's own body may cover, 0 to 1.
+    pub max_own_share: f32,
+    /// Errors of the camera pose, for the test of the size.
+    pub errors: Errors,
+}
+
+impl BallTuning {
+    /// The default thresholds.
+    pub const DEFAULT: Self =
+        Self { min_confidence: 0.4, min_confidence_if_small: 0.6, max_own_share: 0.6, errors: Errors::NAO };
+
+    fn needed_confidence(&self, radius: f32) -> f32 {
+        let small = ((12.0 - radius) / 6.0).clamp(0.0, 1.0);
+        self.min_confidence + small * (self.min_confidence_if_small - self.min_confidence)
+    }
+}
 
 /// Ball in the image.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -62,10 +79,10 @@ impl Ball {
     }
 
     /// Position on the ground with its covariance. The apparent size corrects the position where it is more certain
-    /// than the camera pose. `None` if the circle fits no ball on the ground.
+    /// than the camera pose, whose errors are `errors`. `None` if the circle fits no ball on the ground.
     #[must_use]
-    pub fn estimate(&self, camera: &Camera, radius: f32) -> Option<PositionEstimate> {
-        ImageCircle { centre: self.centre, radius: self.radius }.ball(camera, radius, &Errors::NAO)
+    pub fn estimate(&self, camera: &Camera, radius: f32, errors: &Errors) -> Option<PositionEstimate> {
+        ImageCircle { centre: self.centre, radius: self.radius }.ball(camera, radius, errors)
     }
 }
 
@@ -107,12 +124,25 @@ impl<const N: usize> BallFinder<N> {
         camera: Option<&Camera>,
         own: &OwnBody,
     ) -> Option<Ball> {
+        self.find_tuned(frame, colours, field_boundary, camera, own, &BallTuning::DEFAULT)
+    }
+
+    /// Finds the ball as [`find_with_body`](Self::find_with_body) does, with thresholds of the caller.
+    pub fn find_tuned(
+        &mut self,
+        frame: &Frame<'_>,
+        colours: &impl Classify,
+        field_boundary: &FieldBoundary,
+        camera: Option<&Camera>,
+        own: &OwnBody,
+        tuning: &BallTuning,
+    ) -> Option<Ball> {
         let area = Area::below((field_boundary.top().unwrap_or(0.0) - 8.0).max(0.0) as u16);
         // A ball of 3 px radius spans enough of every second row. The edge search reads all rows.
         self.runs.segment(frame, colours, ColourSet::of(Colour::Orange), area.every(2));
         self.regions.connect(&self.runs, 6);
         let camera = camera.map(|camera| (camera, self.radius));
-        let search = CandidateSearch::new(frame, colours, field_boundary, camera, own);
+        let search = CandidateSearch::new(frame, colours, field_boundary, camera, own, tuning);
         let ball = search.best(self.regions.as_slice());
         self.skipped = search.skipped.get();
         ball
@@ -147,12 +177,7 @@ pub fn best_with_body(
     camera: Option<(&Camera, f32)>,
     own: &OwnBody,
 ) -> Option<Ball> {
-    CandidateSearch::new(frame, colours, field_boundary, camera, own).best(regions)
-}
-
-fn needed_confidence(radius: f32) -> f32 {
-    let small = ((12.0 - radius) / 6.0).clamp(0.0, 1.0);
-    CONFIDENT + small * (CONFIDENT_IF_SMALL - CONFIDENT)
+    CandidateSearch::new(frame, colours, field_boundary, camera, own, &BallTuning::DEFAULT).best(regions)
 }
 
 /// Whether a region has more runs per row than a ball with a highlight and an occlusion.
@@ -187,6 +212,7 @@ struct CandidateSearch<'a, C> {
     field_boundary: &'a FieldBoundary,
     camera: Option<(&'a Camera, f32)>,
     own: &'a OwnBody,
+    tuning: &'a BallTuning,
     /// Rest of the pixel budget [`PIXEL_BUDGET`], and the number of regions skipped without budget.
     left: Cell<u32>,
     skipped: Cell<u32>,
@@ -199,8 +225,10 @@ impl<'a, C: Classify> CandidateSearch<'a, C> {
         field_boundary: &'a FieldBoundary,
         camera: Option<(&'a Camera, f32)>,
         own: &'a OwnBody,
+        tuning: &'a BallTuning,
     ) -> Self {
-        Self { frame, colours, field_boundary, camera, own, left: Cell::new(PIXEL_BUDGET), skipped: Cell::new(0) }
+        let (left, skipped) = (Cell::new(PIXEL_BUDGET), Cell::new(0));
+        Self { frame, colours, field_boundary, camera, own, tuning, left, skipped }
     }
 
     /// Returns the best ball among regions. Examines them in their order.
@@ -221,7 +249,7 @@ impl<'a, C: Classify> CandidateSearch<'a, C> {
         let confidence = roundness * self.fullness(centre, radius, shade);
         let fits = self.is_sufficiently_visible(centre, radius) && self.is_on_field(centre, radius);
         let fits = fits && self.is_of_size(centre, radius) && !self.is_own(region);
-        (confidence >= needed_confidence(radius) && fits).then_some(Ball { centre, radius, confidence })
+        (confidence >= self.tuning.needed_confidence(radius) && fits).then_some(Ball { centre, radius, confidence })
     }
 
     fn is_orange(&self, pixel: Pixel, shade: Shade) -> bool {
@@ -303,12 +331,13 @@ impl<'a, C: Classify> CandidateSearch<'a, C> {
 
     /// Whether the robot's own body covers most of the region.
     fn is_own(&self, region: &Region) -> bool {
-        self.own.share(Vec2::from(region.centroid), 0.4 * f32::from(region.width().min(region.height()))) > MAX_OWN
+        let radius = 0.4 * f32::from(region.width().min(region.height()));
+        self.own.share(Vec2::from(region.centroid), radius) > self.tuning.max_own_share
     }
 
     /// Whether the circle has the size of a ball on the ground at that position.
     fn is_of_size(&self, centre: Vec2, radius: f32) -> bool {
         let Some((camera, metres)) = self.camera else { return true };
-        ImageCircle { centre, radius }.ball(camera, metres, &Errors::NAO).is_some()
+        ImageCircle { centre, radius }.ball(camera, metres, &self.tuning.errors).is_some()
     }
 }

@@ -16,6 +16,7 @@ use crate::colour::Classify;
 use crate::frame::Frame;
 use crate::line_probe::{Ground, Surface};
 use crate::lines::Line;
+use crate::markings::MarkingTuning;
 use crate::projection::Camera;
 
 /// Tolerated distance of a segment from the circle at the robot, m.
@@ -32,8 +33,6 @@ const PIECES: usize = 16;
 const STEPS: usize = 4;
 /// Damping of a step, relative to the trace of the normal matrix.
 const DAMPING: f32 = 0.02;
-/// Minimum total length of the segments on the circle, m.
-const LEAST: f32 = 0.5;
 /// Maximum number of hypotheses.
 const HYPOTHESES: usize = 4;
 /// Minimum distance between hypotheses, m.
@@ -42,8 +41,6 @@ const NEW: f32 = 0.2;
 const SAMPLES: usize = 40;
 /// Minimum number of samples on a line.
 const ON_LINE: usize = 10;
-/// Minimum share of samples on a line, of those not hidden.
-const ON_LINE_SHARE: f32 = 0.75;
 /// Maximum distance of the halfway line from the centre, m.
 const HALFWAY_DISTANCE: f32 = 0.12;
 /// Minimum length of the halfway line, m.
@@ -60,20 +57,27 @@ pub struct CentreCircle {
 
 /// Finds the circle among lines on the ground, m, camera's ground frame.
 #[must_use]
-pub fn find(frame: &Frame<'_>, colours: &impl Classify, camera: &Camera, lines: &[Line]) -> Option<CentreCircle> {
+pub fn find(
+    frame: &Frame<'_>,
+    colours: &impl Classify,
+    camera: &Camera,
+    lines: &[Line],
+    tuning: &MarkingTuning,
+) -> Option<CentreCircle> {
     let ground = Ground { frame, colours, camera };
-    let centre = centres(lines).into_iter().find(|centre| is_on_line(&ground, *centre))?;
+    let mut centres = centres(lines, tuning.min_circle_length).into_iter();
+    let centre = centres.find(|centre| is_on_line(&ground, *centre, tuning.min_circle_share))?;
     Some(CentreCircle { centre, halfway: halfway(lines, centre) })
 }
 
 /// Hypotheses for the centre, the one with the most support first.
-fn centres(lines: &[Line]) -> Vec<Vec2, HYPOTHESES> {
+fn centres(lines: &[Line], min_length: f32) -> Vec<Vec2, HYPOTHESES> {
     let is_piece = |line: &&Line| (SHORTEST..=LONGEST).contains(&line.length());
     let pieces: Vec<Line, PIECES> = lines.iter().filter(is_piece).take(PIECES).copied().collect();
     let mut centres: Vec<Vec2, HYPOTHESES> = Vec::new();
     while !centres.is_full() {
         let is_new = |centre: &Vec2| centres.iter().all(|other| other.distance(*centre) > NEW);
-        let Some(best) = best(&pieces, is_new) else { break };
+        let Some(best) = best(&pieces, min_length, is_new) else { break };
         let fitted = (0..STEPS).fold(best, |centre, _| nearer(&pieces, centre));
         let _ = centres.push(if fitted.distance(best) < NEW { fitted } else { best });
     }
@@ -81,18 +85,18 @@ fn centres(lines: &[Line]) -> Vec<Vec2, HYPOTHESES> {
 }
 
 /// Hypothesis with the most support.
-fn best(pieces: &[Line], matches: impl Fn(&Vec2) -> bool) -> Option<Vec2> {
+fn best(pieces: &[Line], min_length: f32, matches: impl Fn(&Vec2) -> bool) -> Option<Vec2> {
     let pairs =
         pieces.iter().enumerate().flat_map(|(i, a)| pieces[i + 1..].iter().map(move |b| (middle(a), middle(b))));
     let hypotheses =
         pairs.flat_map(|(a, b)| middles(a, b, FIELD.centre_circle_radius()).into_iter().flatten()).filter(matches);
     let length = |centre: Vec2| pieces.iter().filter(|piece| fits(piece, centre)).map(Line::length).sum::<f32>();
     let (most, best) = hypotheses.map(|at| (length(at), at)).max_by(|a, b| a.0.total_cmp(&b.0))?;
-    (most >= LEAST).then_some(best)
+    (most >= min_length).then_some(best)
 }
 
 /// Whether the image shows a line along most of the visible part of the circle.
-fn is_on_line(ground: &Ground<'_, impl Classify>, centre: Vec2) -> bool {
+fn is_on_line(ground: &Ground<'_, impl Classify>, centre: Vec2, min_share: f32) -> bool {
     let turn = Vec2::from_angle(TAU / SAMPLES as f32);
     let ways = core::iter::successors(Some(Vec2::X), |way| Some(way.rotate(turn))).take(SAMPLES);
     let shown = ways.filter_map(|way| ground.surface(centre + FIELD.centre_circle_radius() * way, way));
@@ -101,7 +105,7 @@ fn is_on_line(ground: &Ground<'_, impl Classify>, centre: Vec2) -> bool {
         lines += usize::from(shown == Surface::Line);
         all += usize::from(shown != Surface::Other);
     }
-    lines >= ON_LINE && lines as f32 >= ON_LINE_SHARE * all as f32
+    lines >= ON_LINE && lines as f32 >= min_share * all as f32
 }
 
 fn middle(piece: &Line) -> Vec2 {
@@ -171,7 +175,7 @@ mod tests {
         let mut lines = arc(centre, FIELD.centre_circle_radius(), 3, 11);
         lines.push(Line { from: centre - Vec2::new(0.9, 0.9), to: centre + Vec2::new(0.2, 0.2) });
         lines.push(Line { from: Vec2::new(0.5, 2.0), to: Vec2::new(3.0, 2.2) });
-        let hypotheses = centres(&lines);
+        let hypotheses = centres(&lines, MarkingTuning::DEFAULT.min_circle_length);
         assert!(hypotheses.first().is_some_and(|hypothesis| hypothesis.distance(centre) < 0.03), "{hypotheses:?}");
         assert!(halfway(&lines, hypotheses[0]).is_some_and(|way| way.perp_dot(Vec2::ONE).abs() < 0.01));
     }
@@ -179,6 +183,6 @@ mod tests {
     #[test]
     fn degenerate_segments_give_no_centre() {
         let degenerate = [Line { from: Vec2::X, to: Vec2::X }, Line { from: Vec2::NAN, to: Vec2::X }];
-        assert!(centres(&degenerate).is_empty());
+        assert!(centres(&degenerate, MarkingTuning::DEFAULT.min_circle_length).is_empty());
     }
 }

@@ -32,6 +32,12 @@ impl ChromaBox {
         }
     }
 
+    /// Smallest box that contains both boxes.
+    #[must_use]
+    pub const fn union(self, other: Self) -> Self {
+        self.with(other.low, other.high)
+    }
+
     /// Whether the box contains a chroma.
     #[must_use]
     pub const fn has(&self, [cb, cr]: [u8; 2]) -> bool {

@@ -125,6 +125,9 @@ impl Filter {
     pub const ANY: Self =
         Self { from: (0, 0), to: (0, 0), saturation: (0, u16::MAX), luma: (0, 255), chroma_squared: 0 };
 
+    /// Filter that accepts no colour.
+    pub const NOTHING: Self = Self::ANY.luma(1, 0);
+
     /// Accepts hues from `from` counter-clockwise to `to` only, degrees, at most 180 apart; 0 is along Cb, 90 along Cr.
     ///
     /// A ball of 2009 has hue 120–150, a yellow goal 160–185, carpet 200–285, a sky-blue goal 290–345, red plastic

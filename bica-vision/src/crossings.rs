@@ -27,8 +27,6 @@ pub const CROSSINGS: usize = 12;
 /// Crossings of a frame.
 pub type Crossings = Vec<Crossing, CROSSINGS>;
 
-/// Maximum distance of a crossing, m.
-const FARTHEST: f32 = 3.5;
 /// Maximum sine of the deviation from a right angle on the ground; short and far lines err most.
 const SKEW: f32 = 0.35;
 /// Maximum gap between the end of a line and the intersection, m.
@@ -52,7 +50,8 @@ pub struct Crossing {
     pub ground: Pose2,
 }
 
-/// Finds the crossings among lines on the ground, m, and those of the circle with the halfway line.
+/// Finds the crossings among lines on the ground, m, and those of the circle with the halfway line, up to `farthest` m
+/// away.
 #[must_use]
 pub fn find(
     frame: &Frame<'_>,
@@ -60,10 +59,11 @@ pub fn find(
     camera: &Camera,
     lines: &[Line],
     circle: Option<&CentreCircle>,
+    farthest: f32,
 ) -> Crossings {
     let search = CrossingSearch { ground: Ground { frame, colours, camera } };
     let pairs = lines.iter().enumerate().flat_map(|(i, a)| lines[i + 1..].iter().map(move |b| (a, b)));
-    let is_near = |place: &Pose2| place.position.length() <= FARTHEST;
+    let is_near = |place: &Pose2| place.position.length() <= farthest;
     let on_circle = circle.into_iter().flat_map(on_circle).filter(is_near);
     let mut found: Crossings = on_circle.filter_map(|place| search.cross(place)).collect();
     for place in pairs.filter_map(|(a, b)| meeting(a, b)).filter(is_near) {

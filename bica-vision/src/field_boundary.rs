@@ -20,12 +20,26 @@ use crate::projection::Camera;
 /// Number of scanned columns.
 pub const COLUMNS: usize = 40;
 
-/// Minimum excess of green over other colours in a column, as a share of the scanned rows.
-const ENOUGH_GREEN: f32 = 0.03;
-/// Length of a gap that ends the carpet, as a share of the frame height.
-const GAP: f32 = 0.025;
-/// Tolerated error of the camera's pitch, rad.
-const PITCH_ERROR: f32 = 0.035;
+/// Thresholds of the field boundary.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BoundaryTuning {
+    /// Minimum excess of green over other colours in a column, as a share of the scanned rows.
+    pub min_green: f32,
+    /// Length of a gap that ends the carpet, as a share of the frame height.
+    pub max_gap: f32,
+    /// Tolerated error of the camera's pitch, rad.
+    pub pitch_error: f32,
+    /// Maximum distance of an inlier from a side of the carpet, as a share of the frame height.
+    pub inlier_distance: f32,
+    /// Minimum score of a side of the carpet: number of inlying columns minus that of columns above it.
+    pub min_score: i32,
+}
+
+impl BoundaryTuning {
+    /// The default thresholds.
+    pub const DEFAULT: Self =
+        Self { min_green: 0.03, max_gap: 0.025, pitch_error: 0.035, inlier_distance: 0.015, min_score: 4 };
+}
 
 /// Field boundary from the left to the right image edge.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -47,9 +61,20 @@ impl FieldBoundary {
     /// horizon.
     #[must_use]
     pub fn find_with(frame: &Frame<'_>, colours: &impl Classify, camera: Option<&Camera>) -> Self {
-        let points = column_tops(frame, colours, camera);
+        Self::find_tuned(frame, colours, camera, &BoundaryTuning::DEFAULT)
+    }
+
+    /// Finds the field boundary as [`find_with`](Self::find_with) does, with thresholds of the caller.
+    #[must_use]
+    pub fn find_tuned(
+        frame: &Frame<'_>,
+        colours: &impl Classify,
+        camera: Option<&Camera>,
+        tuning: &BoundaryTuning,
+    ) -> Self {
+        let points = column_tops(frame, colours, camera, tuning);
         let (width, height) = (f32::from(frame.width()), f32::from(frame.height()));
-        Self { corners: hull::over(&points, (0.0, width - 1.0), height) }
+        Self { corners: hull::over(&points, (0.0, width - 1.0), tuning.inlier_distance * height, tuning.min_score) }
     }
 
     /// Corners, px, from the left; empty if no field is in view.
@@ -77,20 +102,31 @@ impl FieldBoundary {
     }
 }
 
-fn column_tops(frame: &Frame<'_>, colours: &impl Classify, camera: Option<&Camera>) -> Vec<Vec2, COLUMNS> {
+fn column_tops(
+    frame: &Frame<'_>,
+    colours: &impl Classify,
+    camera: Option<&Camera>,
+    tuning: &BoundaryTuning,
+) -> Vec<Vec2, COLUMNS> {
     let pitch = f32::from(frame.width()) / COLUMNS as f32;
     let columns = (0..COLUMNS).map(|column| (column as f32 + 0.5) * pitch);
     let highest = |x: f32| {
-        let row = camera.and_then(|camera| Some(camera.horizon(x)? - PITCH_ERROR * camera.intrinsics().focal.y));
+        let row = camera.and_then(|camera| Some(camera.horizon(x)? - tuning.pitch_error * camera.intrinsics().focal.y));
         row.map_or(0, |row| row.max(0.0) as u16)
     };
-    columns.filter_map(|x| Some(Vec2::new(x, column_top(frame, colours, x as u16, highest(x))?))).collect()
+    columns.filter_map(|x| Some(Vec2::new(x, column_top(frame, colours, x as u16, highest(x), tuning)?))).collect()
 }
 
 /// Top of the stretch of a column with the most green: the maximum prefix sum of +1 (green) and −1 (other). A gap of
-/// other colours than white longer than [`GAP`] ends a stretch.
-fn column_top(frame: &Frame<'_>, colours: &impl Classify, x: u16, highest: u16) -> Option<f32> {
-    let longest = (GAP * f32::from(frame.height() / 2)) as u16;
+/// other colours than white longer than `max_gap` ends a stretch.
+fn column_top(
+    frame: &Frame<'_>,
+    colours: &impl Classify,
+    x: u16,
+    highest: u16,
+    tuning: &BoundaryTuning,
+) -> Option<f32> {
+    let longest = (tuning.max_gap * f32::from(frame.height() / 2)) as u16;
     let (mut best, mut best_row, mut sum, mut gap) = (0, 0, 0, 0);
     for row in (highest..frame.height()).rev().step_by(2) {
         let class = frame.pixel(i32::from(x), i32::from(row)).map(|pixel| colours.classify(pixel));
@@ -104,6 +140,6 @@ fn column_top(frame: &Frame<'_>, colours: &impl Classify, x: u16, highest: u16) 
             (best, best_row) = (sum, row);
         }
     }
-    let enough = ENOUGH_GREEN * f32::from(frame.height() / 2);
+    let enough = tuning.min_green * f32::from(frame.height() / 2);
     (best as f32 >= enough).then_some(f32::from(best_row))
 }

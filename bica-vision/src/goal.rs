@@ -16,6 +16,33 @@ use crate::field_boundary::FieldBoundary;
 use crate::frame::Frame;
 use crate::projection::Camera;
 use crate::segment::{Area, Runs};
+use crate::uncertainty::Errors;
+
+/// Thresholds of the goal detector.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GoalTuning {
+    /// Minimum height of a post, as a share of the frame height.
+    pub min_post_height: f32,
+    /// Minimum width of a post, relative to the expected width at its position.
+    pub min_post_width: f32,
+    /// Maximum width of a post, relative to the expected width at its position.
+    pub max_post_width: f32,
+    /// Tolerated error of the camera's pitch, rad.
+    pub pitch_error: f32,
+    /// Errors of the camera pose, for the test of the height.
+    pub errors: Errors,
+}
+
+impl GoalTuning {
+    /// The default thresholds.
+    pub const DEFAULT: Self = Self {
+        min_post_height: 0.05,
+        min_post_width: 0.6,
+        max_post_width: 1.6,
+        pitch_error: 0.04,
+        errors: Errors::NAO,
+    };
+}
 
 /// Side of a post in its goal, seen from the field.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -137,9 +164,21 @@ impl<const N: usize> GoalFinder<N> {
         field_boundary: &FieldBoundary,
         camera: Option<&Camera>,
     ) -> Goals {
+        self.find_tuned(frame, colours, field_boundary, camera, &GoalTuning::DEFAULT)
+    }
+
+    /// Finds the goals as [`find`](Self::find) does, with thresholds of the caller.
+    pub fn find_tuned(
+        &mut self,
+        frame: &Frame<'_>,
+        colours: &impl Classify,
+        field_boundary: &FieldBoundary,
+        camera: Option<&Camera>,
+        tuning: &GoalTuning,
+    ) -> Goals {
         let step = if frame.height() > 320 { 4 } else { 2 };
         self.runs.segment(frame, colours, Colour::Yellow | Colour::Blue, Area::ALL.every(step));
-        among(frame, &self.runs, field_boundary, camera)
+        among_tuned(frame, &self.runs, field_boundary, camera, tuning)
     }
 
     /// Number of runs of the last frame that exceeded the capacity.
@@ -163,12 +202,23 @@ pub fn among<const N: usize>(
     field_boundary: &FieldBoundary,
     camera: Option<&Camera>,
 ) -> Goals {
+    among_tuned(frame, runs, field_boundary, camera, &GoalTuning::DEFAULT)
+}
+
+fn among_tuned<const N: usize>(
+    frame: &Frame<'_>,
+    runs: &Runs<N>,
+    field_boundary: &FieldBoundary,
+    camera: Option<&Camera>,
+    tuning: &GoalTuning,
+) -> Goals {
     let bars = bars::gather(runs);
     let search = PostSearch {
         size: Vec2::new(f32::from(frame.width()), f32::from(frame.height())),
         runs,
         field_boundary,
         camera,
+        tuning,
     };
     Goals { yellow: search.goal(GoalColour::Yellow, &bars), blue: search.goal(GoalColour::SkyBlue, &bars) }
 }

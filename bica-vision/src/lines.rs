@@ -28,9 +28,6 @@ use crate::projection::Camera;
 /// Lines of a frame.
 pub type Lines = Vec<Line, LINES>;
 
-/// Maximum distance of a line that is used for localization, m.
-pub const FARTHEST: f32 = 4.5;
-
 /// Distance between scans, as a share of the frame height: 4 px at 320 × 240.
 const PITCH: f32 = 1.0 / 60.0;
 /// Maximum width of a line, as a share of the frame height.
@@ -41,6 +38,24 @@ const APART: f32 = 1.5;
 const BETWEEN: f32 = 40.0;
 /// Number of steps in which a line is shortened until its end projects to the ground.
 const CUTS: u8 = 16;
+
+/// Thresholds of the line detector.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LineTuning {
+    /// Constant part of the minimum luma step from carpet to line, 0 to 255; a sixth of the carpet's luma is added.
+    pub min_rise: i16,
+    /// Minimum luma step of a line thinner than a pixel, whose pixels have the class of the carpet.
+    pub min_thin_rise: i32,
+    /// Minimum width of a line on the ground, m, measured with one pixel more.
+    pub min_width: f32,
+    /// Maximum width of a line on the ground, m, measured with one pixel less; anything wider is a robot's limb.
+    pub max_width: f32,
+}
+
+impl LineTuning {
+    /// The default thresholds.
+    pub const DEFAULT: Self = Self { min_rise: 12, min_thin_rise: 30, min_width: 0.02, max_width: 0.085 };
+}
 
 /// Straight segment of a white line: px in the image, m on the ground.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -68,13 +83,25 @@ pub fn find(
     field_boundary: &FieldBoundary,
     camera: Option<&Camera>,
 ) -> Lines {
+    find_tuned(frame, colours, field_boundary, camera, &LineTuning::DEFAULT)
+}
+
+/// Finds the line segments as [`find`] does, with thresholds of the caller.
+#[must_use]
+pub fn find_tuned(
+    frame: &Frame<'_>,
+    colours: &impl Classify,
+    field_boundary: &FieldBoundary,
+    camera: Option<&Camera>,
+    tuning: &LineTuning,
+) -> Lines {
     let mut stripes = Stripes::new();
     for axes in [Axes::Columns, Axes::Rows] {
-        scan(frame, colours, field_boundary, axes, &mut stripes);
+        scan(frame, colours, field_boundary, axes, tuning, &mut stripes);
     }
     let scale = f32::from(frame.height()) / 240.0;
     join(&mut stripes, scale * APART, scale * BETWEEN);
-    stripes.retain(|stripe| camera.is_none_or(|camera| trace::is_of_width(stripe, camera)));
+    stripes.retain(|stripe| camera.is_none_or(|camera| trace::is_of_width(stripe, camera, tuning)));
     stripes.iter_mut().for_each(|stripe| *stripe = trace::to_the_ends(*stripe, frame));
     join(&mut stripes, scale * APART, scale * BETWEEN);
     stripes.iter().map(|stripe| Line { from: stripe.from, to: stripe.to }).collect()
@@ -92,7 +119,14 @@ pub fn on_ground(lines: &[Line], camera: &Camera, farthest: f32) -> Vec<Line, LI
     clipped.filter(|line| line.from != line.to).collect()
 }
 
-fn scan(frame: &Frame<'_>, colours: &impl Classify, field_boundary: &FieldBoundary, axes: Axes, stripes: &mut Stripes) {
+fn scan(
+    frame: &Frame<'_>,
+    colours: &impl Classify,
+    field_boundary: &FieldBoundary,
+    axes: Axes,
+    tuning: &LineTuning,
+    stripes: &mut Stripes,
+) {
     let Some(top) = field_boundary.top() else { return };
     let (side, end) = match axes {
         Axes::Columns => (frame.width(), frame.height()),
@@ -108,7 +142,7 @@ fn scan(frame: &Frame<'_>, colours: &impl Classify, field_boundary: &FieldBounda
     let mut open: Vec<LineTrack, OPEN> = Vec::new();
     let mut scans = (pitch / 2..side)
         .step_by(pitch.into())
-        .map(|across| (Scan { frame, colours, axes, across, widest }, first(across)));
+        .map(|across| (Scan { frame, colours, axes, across, widest, tuning }, first(across)));
     loop {
         let together: Vec<_, LANES> = scans.by_ref().take(LANES).collect();
         if together.is_empty() {

@@ -13,7 +13,7 @@ use bica_motion::side::Side;
 use glam::{Affine3A, Vec2, Vec3};
 use heapless::Vec;
 
-use crate::projection::{Camera, Intrinsics};
+use crate::projection::{Camera, Intrinsics, Mounting};
 
 /// Maximum number of capsules: two of the trunk, seven on each side.
 const PARTS: usize = 16;
@@ -41,7 +41,32 @@ impl OwnBody {
     /// the body is fixed to the camera, not to the ground.
     #[must_use]
     pub fn of<M: RobotModel>(camera: &Camera, id: CameraId, angles: &Joints) -> Self {
-        Self::seen_from::<M>(kinematics::camera::<M>(id, angles), camera.intrinsics(), angles)
+        Self::of_mounted::<M>(camera, id, angles, &Mounting::EXACT)
+    }
+
+    /// Body as [`of`](Self::of), seen by a camera with a corrected mounting.
+    #[must_use]
+    pub fn of_mounted<M: RobotModel>(camera: &Camera, id: CameraId, angles: &Joints, mounting: &Mounting) -> Self {
+        let nominal = kinematics::camera::<M>(id, angles);
+        let pose = mounting.rotation().map_or(nominal, |rotation| nominal * rotation);
+        Self::seen_from::<M>(pose, camera.intrinsics(), angles)
+    }
+
+    /// The same body with all parts thicker by a margin, m.
+    #[must_use]
+    pub fn grown(mut self, margin: f32) -> Self {
+        if margin != 0.0 {
+            self.parts.iter_mut().for_each(|part| part.radius += margin);
+        }
+        self
+    }
+
+    /// Share of the image that shows the body, 0 to 1, estimated from 192 points.
+    #[must_use]
+    pub fn image_share(&self) -> f32 {
+        let cell = self.intrinsics.centre / Vec2::new(8.0, 6.0);
+        let points = (0..12_u8).flat_map(|v| (0..16_u8).map(move |u| Vec2::new(f32::from(u), f32::from(v)) + 0.5));
+        points.filter(|point| self.covers(*point * cell)).count() as f32 / 192.0
     }
 
     /// Body without known joint angles: the robot stands upright over the origin, faces along x and lets its

@@ -11,7 +11,7 @@ use bica_motion::kinematics;
 use bica_motion::model::{Nao, RobotModel};
 use bica_motion::robot::CameraId;
 use bica_motion::side::Side;
-use glam::{Affine3A, Vec2, Vec3};
+use glam::{Affine3A, Quat, Vec2, Vec3};
 use libm::{atan2f, sinf, sqrtf};
 
 /// Intrinsic parameters of a pinhole camera.
@@ -35,6 +35,32 @@ impl Intrinsics {
     #[must_use]
     pub fn nao_v6(width: u16, height: u16) -> Self {
         Self::of::<Nao>(CameraId::Top, width, height)
+    }
+}
+
+/// Correction of a camera's mounting in the head, and of its focal length.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Mounting {
+    /// Rotation about the optical axis, rad; positive if the camera leans to its right.
+    pub roll: f32,
+    /// Rotation downwards, rad.
+    pub tilt: f32,
+    /// Rotation to the left, rad.
+    pub pan: f32,
+    /// Factor on the focal length, above 0.
+    pub focal_scale: f32,
+}
+
+impl Mounting {
+    /// A camera as in its data sheet.
+    pub const EXACT: Self = Self { roll: 0.0, tilt: 0.0, pan: 0.0, focal_scale: 1.0 };
+
+    /// Rotation from the corrected to the nominal camera frame; `None` without a correction.
+    pub(crate) fn rotation(&self) -> Option<Affine3A> {
+        let Self { roll, tilt, pan, .. } = *self;
+        let is_turned = roll != 0.0 || tilt != 0.0 || pan != 0.0;
+        let turn = || Quat::from_rotation_z(pan) * Quat::from_rotation_y(tilt) * Quat::from_rotation_x(roll);
+        is_turned.then(|| Affine3A::from_quat(turn()))
     }
 }
 
@@ -62,6 +88,17 @@ impl Camera {
     pub fn of<M: RobotModel>(id: CameraId, angles: &Joints, support: Side, width: u16, height: u16) -> Self {
         let pose = kinematics::ground_from_robot::<M>(support, angles) * kinematics::camera::<M>(id, angles);
         Self::new(pose, Intrinsics::of::<M>(id, width, height))
+    }
+
+    /// The camera with its mounting corrected. Without a correction it is the same, bit for bit.
+    #[must_use]
+    pub fn corrected(self, mounting: &Mounting) -> Self {
+        let Intrinsics { focal, centre } = self.intrinsics;
+        let intrinsics = Intrinsics { focal: mounting.focal_scale * focal, centre };
+        match mounting.rotation() {
+            Some(rotation) => Self::new(self.pose * rotation, intrinsics),
+            None => Self { intrinsics, ..self },
+        }
     }
 
     /// Pose in the ground frame.

@@ -22,32 +22,10 @@ pub type Robots = Vec<Robot, ROBOTS>;
 
 /// Number of scanned columns.
 const COLUMNS: usize = 40;
-/// Minimum height of a robot without a gap of green, m: its shoulders.
-const LEAST_HEIGHT: f32 = 0.35;
 /// Minimum height without a known camera pose, as a share of the frame height.
 const LEAST_PART: f32 = 0.15;
-/// Maximum height of a robot, m.
-const TALL: f32 = 0.6;
-/// Minimum width of a robot, m.
-const NARROWEST: f32 = 0.08;
-/// Maximum width of a robot, m.
-const WIDEST: f32 = 0.9;
-/// Maximum width of one robot, m; anything wider is two robots side by side. A NAO is 0.3 m from arm to arm.
-const BROAD: f32 = 0.38;
-/// Maximum gap between columns of one robot, m: the space between arm and leg.
-const APART: f32 = 0.18;
 /// Maximum vertical distance of the feet in neighbouring columns without a known pose, as a share of the frame height.
 const STEP: f32 = 0.12;
-/// Minimum distance of a foot below the field boundary, as a share of the frame height.
-const MARGIN: f32 = 0.025;
-/// Length of green that ends a robot, as a share of its minimum height: shoes and shadows contain some green.
-const GREEN: f32 = 0.03;
-/// Maximum share of goal and ball colours in a column of a robot.
-const MAX_WRONG: f32 = 0.3;
-/// Minimum share of white in a column of a robot.
-const MIN_WHITE: f32 = 0.15;
-/// Minimum share of a robot's box with the team colour.
-const TEAM: f32 = 0.01;
 /// A white obstacle with at least this share of a goal colour is a net, unless it shows a team colour.
 const GOAL: f32 = 0.02;
 
@@ -55,6 +33,50 @@ const GOAL: f32 = 0.02;
 const RED: Filter = Filter::ANY.hue(85, 118).saturation(30, 400).chroma(24);
 /// Blue plastic of the blue team, darker and more violet than the sky-blue goal.
 const BLUE: Filter = Filter::ANY.hue(334, 359).saturation(30, 400).chroma(16);
+
+/// Thresholds of the robot detector.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RobotTuning {
+    /// Minimum height of a robot without a gap of green, m: its shoulders.
+    pub min_height: f32,
+    /// Maximum height of a robot, m.
+    pub max_height: f32,
+    /// Minimum width of a robot, m.
+    pub min_width: f32,
+    /// Maximum width of a robot, m.
+    pub max_width: f32,
+    /// Maximum width of one robot, m; anything wider is two robots side by side. A NAO is 0.3 m from arm to arm.
+    pub max_single_width: f32,
+    /// Maximum gap between columns of one robot, m: the space between arm and leg.
+    pub max_gap: f32,
+    /// Minimum distance of a foot below the field boundary, as a share of the frame height.
+    pub boundary_margin: f32,
+    /// Length of green that ends a robot, as a share of its minimum height: shoes and shadows contain some green.
+    pub max_green: f32,
+    /// Maximum share of goal and ball colours in a column of a robot.
+    pub max_other_colours: f32,
+    /// Minimum share of white in a column of a robot.
+    pub min_white: f32,
+    /// Minimum share of a robot's box with the team colour.
+    pub min_team_colour: f32,
+}
+
+impl RobotTuning {
+    /// The default thresholds.
+    pub const DEFAULT: Self = Self {
+        min_height: 0.35,
+        max_height: 0.6,
+        min_width: 0.08,
+        max_width: 0.9,
+        max_single_width: 0.38,
+        max_gap: 0.18,
+        boundary_margin: 0.025,
+        max_green: 0.03,
+        max_other_colours: 0.3,
+        min_white: 0.15,
+        min_team_colour: 0.01,
+    };
+}
 
 /// Team of 2009, named by its colour.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -114,7 +136,19 @@ pub fn find(
     field_boundary: &FieldBoundary,
     camera: Option<&Camera>,
 ) -> Robots {
-    let scan = Scan { frame, colours, field_boundary, camera };
+    find_tuned(frame, colours, field_boundary, camera, &RobotTuning::DEFAULT)
+}
+
+/// Finds the robots as [`find`] does, with thresholds of the caller.
+#[must_use]
+pub fn find_tuned(
+    frame: &Frame<'_>,
+    colours: &impl Classify,
+    field_boundary: &FieldBoundary,
+    camera: Option<&Camera>,
+    tuning: &RobotTuning,
+) -> Robots {
+    let scan = Scan { frame, colours, field_boundary, camera, tuning };
     let pitch = f32::from(frame.width()) / COLUMNS as f32;
     let (mut robots, mut open): (Robots, Option<Group>) = (Vec::new(), None);
     for column in 0..COLUMNS {
@@ -159,23 +193,24 @@ struct Scan<'a, C> {
     colours: &'a C,
     field_boundary: &'a FieldBoundary,
     camera: Option<&'a Camera>,
+    tuning: &'a RobotTuning,
 }
 
 impl<C: Classify> Scan<'_, C> {
     /// Lowest obstacle of a column.
     fn foot(&self, x: f32) -> Option<Foot> {
-        let end = self.field_boundary.row_at(x)? + MARGIN * f32::from(self.frame.height());
+        let end = self.field_boundary.row_at(x)? + self.tuning.boundary_margin * f32::from(self.frame.height());
         let bottom = self.frame.height() - 1;
         let (mut is_ground, mut stand): (bool, Option<Stand>) = (true, None);
         for row in (0..self.frame.height()).rev().step_by(2) {
             let class = self.colours.classify(self.frame.pixel(x as i32, i32::from(row))?);
             match &mut stand {
                 Some(open) => {
-                    if open.add(class, f32::from(row)) {
+                    if open.add(class, f32::from(row), self.tuning) {
                         let is_cut = open.base >= f32::from(bottom);
                         return Some(Foot { top: open.top, row: open.base, is_cut });
                     }
-                    if open.is_over() {
+                    if open.is_over(self.tuning) {
                         (is_ground, stand) = (true, None);
                     }
                 }
@@ -183,7 +218,7 @@ impl<C: Classify> Scan<'_, C> {
                 None if f32::from(row) < end => return None,
                 None if class == Colour::Green => is_ground = true,
                 None if is_ground => {
-                    stand = self.least_rows(x, row).map(|least| Stand::new(f32::from(row), least, class));
+                    stand = self.least_rows(x, row).map(|least| Stand::new(f32::from(row), least, class, self.tuning));
                     is_ground = stand.is_some();
                 }
                 None => {}
@@ -197,7 +232,7 @@ impl<C: Classify> Scan<'_, C> {
         let pixel = Vec2::new(x, f32::from(row));
         let Some(camera) = self.camera else { return Some(LEAST_PART * f32::from(self.frame.height())) };
         let place = camera.ground(pixel, 0.0)?;
-        let top = camera.pixel(place.extend(LEAST_HEIGHT))?;
+        let top = camera.pixel(place.extend(self.tuning.min_height))?;
         // A robot cut by the upper image edge needs to reach that edge only.
         Some((pixel.y - top.y).min(0.8 * pixel.y).max(6.0))
     }
@@ -211,7 +246,7 @@ impl<C: Classify> Scan<'_, C> {
         let row = end.y.max(robot.max.y);
         let [left, last, right] = [robot.min.x, robot.max.x, end.x].map(|x| camera.ground(Vec2::new(x, row), 0.0));
         let (Some(left), Some(last), Some(right)) = (left, last, right) else { return false };
-        left.distance(right) <= BROAD && last.distance(right) <= APART
+        left.distance(right) <= self.tuning.max_single_width && last.distance(right) <= self.tuning.max_gap
     }
 
     fn finish(&self, group: Option<Group>, robots: &mut Robots) {
@@ -233,20 +268,21 @@ impl<C: Classify> Scan<'_, C> {
             let [left, right] = [robot.min.x, robot.max.x].map(|x| camera.ground(Vec2::new(x, robot.max.y), 0.0));
             let (left, right) = (left?, right?);
             let width = left.distance(right);
-            if !(NARROWEST..=WIDEST).contains(&width) {
+            if !(self.tuning.min_width..=self.tuning.max_width).contains(&width) {
                 return None;
             }
-            let top = camera.pixel(left.midpoint(right).extend(TALL))?;
+            let top = camera.pixel(left.midpoint(right).extend(self.tuning.max_height))?;
             robot.min.y = robot.min.y.min(top.y.max(0.0));
         }
         let [red, blue] = self.team_colours(&robot);
-        robot.team = match (red >= TEAM, blue >= TEAM) {
+        let least = self.tuning.min_team_colour;
+        robot.team = match (red >= least, blue >= least) {
             (true, _) if red > 2.0 * blue => Some(Team::Red),
             (_, true) if blue > 2.0 * red => Some(Team::Blue),
             _ => None,
         };
         let stands_alone = self.camera.is_none() && !self.is_net(&robot);
-        (red.max(blue) >= TEAM || stands_alone).then_some(robot)
+        (red.max(blue) >= least || stands_alone).then_some(robot)
     }
 
     /// Whether the box shows a goal colour.
@@ -292,14 +328,14 @@ struct Stand {
 }
 
 impl Stand {
-    fn new(base: f32, least: f32, class: Colour) -> Self {
+    fn new(base: f32, least: f32, class: Colour, tuning: &RobotTuning) -> Self {
         let mut stand = Self { base, top: base, least, counts: [0.0; 3], green: 0.0 };
-        stand.add(class, base);
+        stand.add(class, base, tuning);
         stand
     }
 
     /// Adds the class of the next two rows. Returns whether the obstacle is a robot for certain.
-    fn add(&mut self, class: Colour, row: f32) -> bool {
+    fn add(&mut self, class: Colour, row: f32, tuning: &RobotTuning) -> bool {
         let [all, wrong, white] = &mut self.counts;
         *all += 2.0;
         match class {
@@ -309,12 +345,12 @@ impl Stand {
             Colour::None => {}
         }
         self.top = row;
-        let shares = *wrong <= MAX_WRONG * *all && *white >= MIN_WHITE * *all;
-        self.base - row >= self.least && shares && !self.is_over()
+        let shares = *wrong <= tuning.max_other_colours * *all && *white >= tuning.min_white * *all;
+        self.base - row >= self.least && shares && !self.is_over(tuning)
     }
 
     /// Whether green continues behind the obstacle.
-    fn is_over(&self) -> bool {
-        self.green > (GREEN * self.least).max(2.0)
+    fn is_over(&self, tuning: &RobotTuning) -> bool {
+        self.green > (tuning.max_green * self.least).max(2.0)
     }
 }

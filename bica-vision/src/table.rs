@@ -8,7 +8,7 @@
 //! The compact table has a coarser luma axis than chroma axes, because the classes depend less on luma.
 
 use crate::chroma::ChromaBox;
-use crate::colour::{Classify, Colour, Filters};
+use crate::colour::{Classify, Colour, Filter, Filters};
 use crate::frame::Pixel;
 
 /// Size of a [`FullTable`], bytes.
@@ -66,25 +66,119 @@ impl CompactTable {
     #[must_use]
     #[expect(clippy::large_stack_arrays, reason = "in a constant there is no stack; elsewhere it is the result's own")]
     pub const fn compile(filters: &Filters) -> Self {
-        let (mut cells, mut boxes) = ([0; COMPACT_BYTES], [ChromaBox::EMPTY; 6]);
-        boxes[Colour::None as usize] = ChromaBox::ALL;
+        let (mut cells, mut boxes) = ([0; COMPACT_BYTES], NO_BOXES);
         let mut chroma = 0;
         while chroma < 64 * 64 {
-            let mut rank = 5;
-            while rank > 0 {
-                rank -= 1;
-                // The class that decides first is written last.
-                let (colour, filter) = filters.in_order()[rank];
-                let (low, high) = filter.luma_range(middle(chroma / 64), middle(chroma % 64));
-                if low <= high {
-                    paint(&mut cells, chroma, colour, low, high);
-                    let first = [(chroma / 64 * 4) as u8, (chroma % 64 * 4) as u8];
-                    boxes[colour as usize] = boxes[colour as usize].with(first, [first[0] + 3, first[1] + 3]);
-                }
-            }
+            compile_chroma(&mut cells, &mut boxes, filters, chroma);
             chroma += 1;
         }
         Self { cells, boxes }
+    }
+}
+
+/// Bounding boxes of a table without any class.
+const NO_BOXES: [ChromaBox; 6] = {
+    let mut boxes = [ChromaBox::EMPTY; 6];
+    boxes[Colour::None as usize] = ChromaBox::ALL;
+    boxes
+};
+
+/// Compiles the cells of one chroma, which are empty before, and adds it to the boxes of its classes.
+const fn compile_chroma(cells: &mut [u8; COMPACT_BYTES], boxes: &mut [ChromaBox; 6], filters: &Filters, chroma: usize) {
+    let mut rank = 5;
+    while rank > 0 {
+        rank -= 1;
+        // The class that decides first is written last.
+        let (colour, filter) = filters.in_order()[rank];
+        let (low, high) = filter.luma_range(middle(chroma / 64), middle(chroma % 64));
+        if low <= high {
+            paint(cells, chroma, colour, low, high);
+            let first = [(chroma / 64 * 4) as u8, (chroma % 64 * 4) as u8];
+            boxes[colour as usize] = boxes[colour as usize].with(first, [first[0] + 3, first[1] + 3]);
+        }
+    }
+}
+
+/// Table that is compiled in parts, so that each takes a bounded time: 30 µs.
+///
+/// After [`PARTS`](Self::PARTS) parts it equals [`CompactTable::compile`]. Meanwhile a pixel has the class by the old or by
+/// the new thresholds.
+#[derive(Clone, Debug)]
+pub struct GradualTable {
+    table: CompactTable,
+    /// Bounding boxes of the parts that are compiled.
+    boxes: [ChromaBox; 6],
+    filters: Filters,
+    /// Next part, and number of parts left.
+    next: usize,
+    left: usize,
+}
+
+impl GradualTable {
+    /// Number of parts.
+    pub const PARTS: usize = 64;
+
+    /// Creates a table without any class, which is complete.
+    #[must_use]
+    #[expect(clippy::large_stack_arrays, reason = "const: it is created in a static or a box")]
+    pub const fn new() -> Self {
+        let filters = Filters {
+            orange: Filter::NOTHING,
+            yellow: Filter::NOTHING,
+            blue: Filter::NOTHING,
+            white: Filter::NOTHING,
+            green: Filter::NOTHING,
+        };
+        let table = CompactTable { cells: [0; COMPACT_BYTES], boxes: NO_BOXES };
+        Self { table, boxes: NO_BOXES, filters, next: 0, left: 0 }
+    }
+
+    /// Starts to compile thresholds.
+    pub const fn start(&mut self, filters: &Filters) {
+        self.filters = *filters;
+        self.boxes = NO_BOXES;
+        self.left = Self::PARTS;
+    }
+
+    /// Compiles the next part, if the table is not complete.
+    pub fn advance(&mut self) {
+        if self.left == 0 {
+            return;
+        }
+        let part = self.next * 64;
+        for luma in 0..16 {
+            self.table.cells[(luma << 12 | part) / 2..][..32].fill(0);
+        }
+        for chroma in part..part + 64 {
+            compile_chroma(&mut self.table.cells, &mut self.boxes, &self.filters, chroma);
+        }
+        (self.next, self.left) = ((self.next + 1) % Self::PARTS, self.left - 1);
+        if self.left == 0 {
+            self.table.boxes = self.boxes;
+        } else {
+            // Cells of the old thresholds are left.
+            for (whole, part) in self.table.boxes.iter_mut().zip(self.boxes) {
+                *whole = whole.union(part);
+            }
+        }
+    }
+
+    /// Number of parts that are not compiled yet.
+    #[must_use]
+    pub const fn left(&self) -> usize {
+        self.left
+    }
+
+    /// The table.
+    #[must_use]
+    pub const fn table(&self) -> &CompactTable {
+        &self.table
+    }
+}
+
+impl Default for GradualTable {
+    fn default() -> Self {
+        Self::new()
     }
 }
 
@@ -126,6 +220,58 @@ mod tests {
 
     use super::*;
     use crate::profile::{BUILT_IN, BUILT_IN_TABLE, DARWIN_2013, NAO_2009};
+
+    fn filters() -> impl Strategy<Value = Filters> {
+        let filter = (0..360_i16, 0..180_i16, 0..60_u16, 0..400_u16, 0..255_u8, 0..=255_u8, 0..60_u8);
+        let filter = filter.prop_map(|(from, width, least, more, low, high, chroma)| {
+            Filter::ANY.hue(from, from + width).saturation(least, least + more).luma(low.min(high), high).chroma(chroma)
+        });
+        prop::array::uniform5(filter).prop_map(|[orange, yellow, blue, white, green]| Filters {
+            orange,
+            yellow,
+            blue,
+            white,
+            green,
+        })
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(24))]
+
+        #[test]
+        fn table_compiled_in_parts_equals_the_one_compiled_at_once(
+            changes in prop::collection::vec((filters(), 0..=GradualTable::PARTS), 1..4),
+        ) {
+            let mut gradual = Box::new(GradualTable::new());
+            let mut last = None;
+            for (filters, parts) in &changes {
+                gradual.start(filters);
+                (0..*parts).for_each(|_| gradual.advance());
+                last = Some(filters);
+            }
+            while gradual.left() > 0 {
+                gradual.advance();
+            }
+            prop_assert!(*gradual.table() == CompactTable::compile(last.expect("at least one change")));
+        }
+
+        #[test]
+        fn pixels_are_inside_the_bounding_box_of_their_class_between_two_tables(
+            (before, after) in (filters(), filters()),
+            parts in 0..GradualTable::PARTS,
+        ) {
+            let mut gradual = Box::new(GradualTable::new());
+            for (filters, parts) in [(before, GradualTable::PARTS), (after, parts)] {
+                gradual.start(&filters);
+                (0..parts).for_each(|_| gradual.advance());
+            }
+            let table = gradual.table();
+            for (y, cb, cr) in (0..16).flat_map(|y| (0..64).flat_map(move |cb| (0..64).map(move |cr| (y, cb, cr)))) {
+                let pixel = Pixel::new(16 * y, 4 * cb, 4 * cr);
+                prop_assert!(table.chroma(table.classify(pixel)).has([pixel.cb, pixel.cr]), "{pixel:?}");
+            }
+        }
+    }
 
     fn full_cells() -> Box<[u8; FULL_BYTES]> {
         vec![0; FULL_BYTES].try_into().expect("its own length")

@@ -30,6 +30,13 @@ pub use forward::{Forward, tunable};
 /// needs another type in this line only.
 pub type Model = bica_motion::model::Nao;
 
+/// Time of a component that ran last so many milliseconds ago.
+#[cfg(test)]
+const fn test_time(since_run_ms: u64) -> bica::Time {
+    let since_run = bica::Duration::from_millis(since_run_ms);
+    bica::Time { now: bica::Instant::from_millis(since_run_ms), since_run, in_state: since_run }
+}
+
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;

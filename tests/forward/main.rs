@@ -1,5 +1,6 @@
 //! Properties of the whole forward in games in the kinematic world.
 
+mod by_hand;
 mod game;
 mod latent;
 mod lazy;
@@ -8,3 +9,4 @@ mod no_heap;
 mod out;
 mod replay;
 mod search;
+mod tuned;

@@ -2,13 +2,13 @@
 
 use std::time::Instant;
 
-use crate::cli::{Budget, Firmware};
+use crate::cli::{Budget, Firmware, Viewers};
 use crate::process::run;
-use crate::{deny, firmware, instructions, miri, mujoco, no_std, peers, publish};
+use crate::{deny, firmware, instructions, miri, mujoco, no_std, peers, publish, viewers};
 
 type Step = (&'static str, fn() -> Result<(), String>);
 
-const STEPS: [Step; 13] = [
+const STEPS: [Step; 14] = [
     ("format", || run("cargo", &["fmt", "--all", "--check"], &[])),
     ("lints", || run("cargo", &["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"], &[])),
     ("docs", || run("cargo", &["doc", "--workspace", "--no-deps"], &[("RUSTDOCFLAGS", "-D warnings")])),
@@ -17,6 +17,7 @@ const STEPS: [Step; 13] = [
     ("deny", deny::check),
     ("peers", peers::check),
     ("games", games),
+    ("viewers", || viewers::check(&Viewers::default(), features())),
     ("miri", miri::check_if_installable),
     ("budget", || instructions::check(&Budget::default())),
     ("mujoco", mujoco::check),
@@ -24,12 +25,15 @@ const STEPS: [Step; 13] = [
     ("firmware", || firmware::check(&Firmware::default())),
 ];
 
-/// Plays games in the built-in world. The program has the feature `mujoco` where that can be installed: the step `mujoco` needs
-/// it too, and so it is built once.
+/// Features of the program: `mujoco` where that can be installed. The step `mujoco` needs it too, and so the program is built once.
+fn features() -> &'static [&'static str] {
+    if mujoco::install().is_ok() { &["--features", "mujoco"] } else { &[] }
+}
+
+/// Plays games in the built-in world.
 fn games() -> Result<(), String> {
-    let feature: &[&str] = if mujoco::install().is_ok() { &["--features", "mujoco"] } else { &[] };
     let play = ["--", "play", "--games", "20", "--at-least", "19"];
-    run("cargo", &[&["run", "--release"], feature, &play].concat(), &[])
+    run("cargo", &[&["run", "--release"], features(), &play].concat(), &[])
 }
 
 /// Runs all steps and prints the time of each.

@@ -3,7 +3,7 @@
 use std::env;
 use std::path::PathBuf;
 
-use crate::process::{root, run};
+use crate::process::{root, run, works};
 
 /// Installs packages with `apt-get`; `words` may contain options of `apt-get install`.
 ///
@@ -26,4 +26,20 @@ pub(crate) fn packages(words: &[&str]) -> Result<(), String> {
 /// Path of a folder in the build directory.
 pub(crate) fn folder(name: &str) -> PathBuf {
     env::var_os("CARGO_TARGET_DIR").map_or_else(|| root().join("target"), PathBuf::from).join(name)
+}
+
+/// Returns the path of a Python interpreter in a virtual environment that has a module; installs its packages from `PyPI` first if
+/// it is missing.
+///
+/// # Errors
+/// If an installation fails.
+pub(crate) fn python(venv: &str, module: &str, pypi: &[&str]) -> Result<String, String> {
+    let python = format!("{venv}/bin/python");
+    let import = format!("import {module}");
+    if !works(&python, &["-c", &import]) {
+        run("python3", &["-m", "venv", venv], &[])
+            .map_err(|error| format!("{error}; Debian has it in the packages python3 and python3-venv"))?;
+        run(&python, &[&["-m", "pip", "install", "--quiet"], pypi].concat(), &[])?;
+    }
+    Ok(python)
 }

@@ -19,6 +19,7 @@ mod peers;
 mod process;
 mod processor_time;
 mod publish;
+mod viewers;
 
 use std::process::ExitCode;
 
@@ -55,6 +56,7 @@ fn perform(task: &Task) -> Result<(), String> {
         Task::Miri => miri::check(),
         Task::Peers(options) => peers::measure(options),
         Task::Publish => publish::check(),
+        Task::Viewers(options) => viewers::check(options, &[]),
         Task::Deny => deny::check(),
         Task::Ci => ci::check(),
     }

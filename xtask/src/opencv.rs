@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
-use crate::install::folder;
+use crate::install::{folder, python};
 use crate::process::{output, run, works};
 
 const PACKAGE: &str = "opencv-python-headless";
@@ -19,7 +19,7 @@ const MIN_RATIO: f64 = 10.0;
 pub(crate) fn compare() -> Result<(), String> {
     let folder = folder("opencv");
     let text = |path: PathBuf| path.to_string_lossy().into_owned();
-    let (python, frames) = (python(&text(folder.join("venv")))?, text(folder.join("frames")));
+    let (python, frames) = (python(&text(folder.join("venv")), "cv2", &[PACKAGE])?, text(folder.join("frames")));
     // The first build takes minutes, so its progress is shown.
     run("cargo", &["bench", "-p", "bica-benches", "--bench", "vision", "--", "export", &frames], &[])?;
     let vision = ["cargo", "bench", "--quiet", "-p", "bica-benches", "--bench", "vision", "--"];
@@ -31,17 +31,6 @@ pub(crate) fn compare() -> Result<(), String> {
         note(&mut table, 4, &output(opencv[0], &[&opencv[1..], &["--threads"]].concat(), &[])?);
     }
     print(&table)
-}
-
-/// Returns the path of a Python interpreter with `OpenCV`; installs it first if it is missing.
-fn python(venv: &str) -> Result<String, String> {
-    let python = format!("{venv}/bin/python");
-    if !works(&python, &["-c", "import cv2"]) {
-        run("python3", &["-m", "venv", venv], &[])
-            .map_err(|error| format!("{error}; Debian has it in the packages python3 and python3-venv"))?;
-        run(&python, &["-m", "pip", "install", "--quiet", PACKAGE], &[])?;
-    }
-    Ok(python)
 }
 
 fn on_one_core(words: &[&str]) -> Result<String, String> {

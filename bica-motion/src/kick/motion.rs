@@ -61,7 +61,7 @@ impl<M: RobotModel> KickMotion<M> {
     /// Advances by `dt` seconds; returns the targets of legs and arms; those of the stand when done.
     pub fn step(&mut self, feedback: &Feedback, dt: f32) -> Limbs {
         let gait = &self.profile.gait;
-        self.balance.update::<M>(feedback, gait);
+        self.balance.update::<M>(feedback, gait, 0.0);
         if dt > 0.0 {
             self.time += dt;
         }
@@ -81,7 +81,7 @@ impl<M: RobotModel> KickMotion<M> {
     /// Adds the balance of the support leg. `share`: share of its full load, 0 to 1.
     fn stabilise(&self, legs: &mut [LegAngles; 2], share: f32) {
         let support: Side = self.kick.foot.other();
-        let [pitch, roll] = self.balance.standing(&self.profile.gait);
+        let [pitch, roll] = self.balance.standing(&self.profile.gait, 1.0);
         let leg = &mut legs[support.index()];
         leg.ankle_pitch += pitch;
         leg.ankle_roll += roll;

@@ -39,30 +39,32 @@ impl Balance {
         Self { rates: Vec2::ZERO, capture_error: Vec2::ZERO }
     }
 
-    /// Processes the measurements of one cycle. NaN and infinite values count as zero.
-    pub(crate) fn update<M: RobotModel>(&mut self, feedback: &Feedback, gait: &Parameters) {
+    /// Processes the measurements of one cycle; `lean` is the lean of the torso, rad, in addition to that of the gait. NaN
+    /// and infinite values count as zero.
+    pub(crate) fn update<M: RobotModel>(&mut self, feedback: &Feedback, gait: &Parameters, lean: f32) {
         let sane = |x: f32, most: f32| if x.is_finite() { clamp(x, -most, most) } else { 0.0 };
         let rates = Vec2::new(sane(feedback.gyro.x, MAX_RATE), sane(feedback.gyro.y, MAX_RATE));
         self.rates += (1.0 - gait.gyro_smoothing) * (rates - self.rates);
         let height = gait.hip_height + M::DIMENSIONS.mass_over_hips;
         let frequency = sqrtf(GRAVITY / height);
-        let tilt = Vec2::new(sane(feedback.pitch, PI) - gait.torso_pitch, -sane(feedback.roll, PI));
+        let tilt = Vec2::new(sane(feedback.pitch, PI) - (gait.torso_pitch + lean), -sane(feedback.roll, PI));
         self.capture_error = height * (tilt + Vec2::new(rates.y, -rates.x) / frequency);
     }
 
-    /// Corrections of pitch and roll of the support ankle in walking, rad. A fall to the front presses the toes down.
-    pub(super) fn ankle(&self, gait: &Parameters) -> [f32; 2] {
+    /// Corrections of pitch and roll of the support ankle in walking, rad, with the gains scaled by `scale`. A fall to the
+    /// front presses the toes down.
+    pub(super) fn ankle(&self, gait: &Parameters, scale: f32) -> [f32; 2] {
         let most = MAX_ANKLE_CORRECTION;
-        let pitch = (gait.ankle_pitch_gain * self.rates.y).clamp(-most, most);
-        let roll = (gait.ankle_roll_gain * self.rates.x).clamp(-most, most);
+        let pitch = (scale * gait.ankle_pitch_gain * self.rates.y).clamp(-most, most);
+        let roll = (scale * gait.ankle_roll_gain * self.rates.x).clamp(-most, most);
         [pitch, roll]
     }
 
-    /// Corrections of pitch and roll of an ankle in stand or in a kick, rad.
-    pub(crate) fn standing(&self, gait: &Parameters) -> [f32; 2] {
+    /// Corrections of pitch and roll of an ankle in stand or in a kick, rad, with the gains scaled by `scale`.
+    pub(crate) fn standing(&self, gait: &Parameters, scale: f32) -> [f32; 2] {
         let most = MAX_ANKLE_CORRECTION;
-        let pitch = (gait.stand_ankle_gain.y * self.rates.y).clamp(-most, most);
-        let roll = (gait.stand_ankle_gain.x * self.rates.x).clamp(-most, most);
+        let pitch = (scale * gait.stand_ankle_gain.y * self.rates.y).clamp(-most, most);
+        let roll = (scale * gait.stand_ankle_gain.x * self.rates.x).clamp(-most, most);
         [pitch, roll]
     }
 

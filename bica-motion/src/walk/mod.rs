@@ -7,6 +7,7 @@
 //! A gait with a [pendulum](Parameters::pendulum_height) adds capture steps (Pratt et al. 2006) and a slowdown of the gait
 //! phase.
 
+mod adjustment;
 mod balance;
 mod feedback;
 mod in_walk_kick;
@@ -19,6 +20,7 @@ mod velocity;
 
 pub use crate::model::Parameters;
 pub use crate::velocity::Velocity;
+pub use adjustment::Adjustment;
 pub use feedback::Feedback;
 pub use in_walk_kick::in_walk_kick_foot;
 
@@ -39,6 +41,7 @@ const MAX_CYCLE_TIME: f32 = 0.03;
 
 /// Phase of the walk.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "info", derive(serde::Serialize, postcard_schema::Schema))]
 pub enum Phase {
     /// Feet together, no motion.
     Standing,
@@ -58,6 +61,7 @@ pub enum Phase {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Walk<M = Nao> {
     gait: &'static Parameters,
+    adjustment: Adjustment,
     phase: Phase,
     plan: Option<Plan>,
     /// Time since the step began, s.
@@ -81,6 +85,7 @@ impl<M: RobotModel> Walk<M> {
     pub const fn new(gait: &'static Parameters) -> Self {
         Self {
             gait,
+            adjustment: Adjustment::NONE,
             phase: Phase::Standing,
             plan: None,
             time: 0.0,
@@ -110,6 +115,11 @@ impl<M: RobotModel> Walk<M> {
         self.gait = gait;
     }
 
+    /// Sets the adjustment of the gait to use from now on. A step that has begun keeps its height.
+    pub const fn set_adjustment(&mut self, adjustment: Adjustment) {
+        self.adjustment = adjustment;
+    }
+
     /// Current phase. Another motion may begin only in the phase [`Standing`](Phase::Standing).
     #[must_use]
     pub const fn phase(&self) -> Phase {
@@ -129,9 +139,10 @@ impl<M: RobotModel> Walk<M> {
     }
 
     /// Returns to the phase [`Standing`](Phase::Standing) at once: after a fall, or after another motion that ended in the
-    /// stand. The estimate of the legs' strength is kept.
+    /// stand. The estimate of the legs' strength and the adjustment are kept.
     pub const fn reset(&mut self) {
-        *self = Self { sag_compensation: self.sag_compensation, ..Self::new(self.gait) };
+        let Self { adjustment, sag_compensation, .. } = *self;
+        *self = Self { adjustment, sag_compensation, ..Self::new(self.gait) };
     }
 
     /// Advances by one control cycle of `dt` seconds; returns the targets of legs and arms.
@@ -140,8 +151,9 @@ impl<M: RobotModel> Walk<M> {
     /// stand are always the same. Without ground contact the walk stops. The targets are finite for any input.
     pub fn step(&mut self, request: Velocity, feedback: &Feedback, dt: f32) -> Limbs {
         let lifted = feedback.weight() < self.gait.contact_force;
-        let requested = if lifted { Velocity::ZERO } else { request.clamped(self.gait).planned(self.gait) };
-        self.balance.update::<M>(feedback, self.gait);
+        let requested =
+            if lifted { Velocity::ZERO } else { self.adjustment.clamped(request, self.gait).planned(self.gait) };
+        self.balance.update::<M>(feedback, self.gait, self.adjustment.torso_lean);
         self.advance_time(dt, feedback);
         self.advance_step(&requested, feedback);
         let Some(plan) = self.plan else { return self.stand() };
@@ -150,24 +162,26 @@ impl<M: RobotModel> Walk<M> {
         let feet = self.feet(&plan);
         let mut limbs = self.gait.limbs::<M>(&feet, plan.roll(self.time));
         let supporting = &mut limbs.legs[plan.support.index()];
-        let [pitch, roll] = self.balance.ankle(self.gait);
+        let [pitch, roll] = self.balance.ankle(self.gait, self.adjustment.balance);
         supporting.ankle_pitch += pitch;
         supporting.ankle_roll += roll;
         let share = plan.support_share(self.time);
         supporting.hip_roll += plan.support.sign() * self.gait.hip_roll_offset * share;
         self.sag_compensation.compensate(supporting, plan.support, share, self.gait);
         self.sag_compensation.record(&limbs.legs);
+        limbs.lean(self.adjustment.torso_lean);
         limbs
     }
 
     /// Targets of the stand, with the balance of both ankles.
     fn stand(&self) -> Limbs {
         let mut limbs = self.gait.stand::<M>();
-        let [pitch, roll] = self.balance.standing(self.gait);
+        let [pitch, roll] = self.balance.standing(self.gait, self.adjustment.balance);
         for leg in &mut limbs.legs {
             leg.ankle_pitch += pitch;
             leg.ankle_roll += roll;
         }
+        limbs.lean(self.adjustment.torso_lean);
         limbs
     }
 
@@ -242,7 +256,7 @@ impl<M: RobotModel> Walk<M> {
 
     fn begin(&mut self, support: Side, feet: &[Foot; 2], phase: Phase, purpose: Purpose) {
         self.phase = phase;
-        self.plan = Some(Plan::new(support, feet, purpose, self.gait));
+        self.plan = Some(Plan::new(support, feet, purpose, self.gait, self.adjustment.step_height));
         self.time = 0.0;
         self.liftoff_delay = 0.0;
         self.capture_step = Vec2::ZERO;

@@ -63,7 +63,8 @@ pub(super) enum Purpose {
 
 impl Plan {
     /// Plans the step of support side `support` that begins with the feet at `feet` (as in [`feet`](Self::feet)).
-    pub(super) fn new(support: Side, feet: &[Foot; 2], purpose: Purpose, gait: &Parameters) -> Self {
+    /// `height_scale`: scale of the height of the swing foot.
+    pub(super) fn new(support: Side, feet: &[Foot; 2], purpose: Purpose, gait: &Parameters, height_scale: f32) -> Self {
         let (velocity, kick_swing) = match purpose {
             Purpose::Go(velocity) => (velocity, 0.0),
             Purpose::Kick(velocity) => {
@@ -83,7 +84,8 @@ impl Plan {
         }
         let needed = shifts[0].double_support + shifts[1].double_support + gait.min_swing_duration;
         let duration = nominal.max(needed);
-        let step_height = if matches!(purpose, Purpose::Start | Purpose::Stop) { 0.0 } else { gait.step_height };
+        let is_flat = matches!(purpose, Purpose::Start | Purpose::Stop);
+        let step_height = if is_flat { 0.0 } else { gait.step_height * height_scale };
         let widest = hips.position.y.abs().max(hips_after.position.y.abs());
         Self {
             support,

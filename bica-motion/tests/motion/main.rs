@@ -1,5 +1,6 @@
 //! Tests of the algorithms against references and in a quasi-static world.
 
+mod adjustment;
 mod dribble;
 mod falls;
 mod forces;

@@ -8,17 +8,13 @@ use heapless::Vec;
 
 use super::COLUMNS;
 
-/// Inlier distance, as a share of the frame height.
-const CLOSE: f32 = 0.015;
-/// Minimum score of a side.
-const ENOUGH: i32 = 4;
 /// Maximum number of carpet sides in view.
 const SIDES: usize = 3;
 
-/// Convex line over points ordered by x, from the first to the last column of `ends`; empty without points.
-pub(super) fn over(points: &[Vec2], ends: (f32, f32), frame_height: f32) -> Vec<Vec2, COLUMNS> {
-    let close = CLOSE * frame_height;
-    let sides = sides(points, close);
+/// Convex line over points ordered by x, from the first to the last column of `ends`; empty without points. Inliers of a
+/// side are at most `close` rows away; a side has at least the score `enough`.
+pub(super) fn over(points: &[Vec2], ends: (f32, f32), close: f32, enough: i32) -> Vec<Vec2, COLUMNS> {
+    let sides = sides(points, close, enough);
     let on_side = |point: &&Vec2| sides.is_empty() || sides.iter().any(|side| side.misses(**point).abs() <= close);
     let mut hull = upper_hull(points.iter().filter(on_side));
     extend(&mut hull, &sides, ends);
@@ -69,7 +65,7 @@ impl Side {
 }
 
 /// Sides of the carpet, the one with the most inliers first.
-fn sides(points: &[Vec2], close: f32) -> Vec<Side, SIDES> {
+fn sides(points: &[Vec2], close: f32, enough: i32) -> Vec<Side, SIDES> {
     let mut left: Vec<Vec2, COLUMNS> = points.iter().copied().collect();
     let mut taken: Vec<Vec2, COLUMNS> = Vec::new();
     let mut sides = Vec::new();
@@ -79,7 +75,7 @@ fn sides(points: &[Vec2], close: f32) -> Vec<Side, SIDES> {
         // The carpet is convex: no inlier of one side is above another side.
         let score = |side: &Side| side.score(&left, close) + side.score(&taken, close).min(0);
         let Some((score, best)) = lines.map(|side| (score(&side), side)).max_by_key(|(score, _)| *score) else { break };
-        if score < ENOUGH {
+        if score < enough {
             break;
         }
         taken.extend(left.iter().copied().filter(|point| best.misses(*point).abs() <= close));

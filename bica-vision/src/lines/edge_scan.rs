@@ -8,8 +8,6 @@ use crate::frame::Lumas;
 /// Number of scans that run in parallel.
 pub(super) const LANES: usize = if cfg!(any(target_arch = "x86_64", target_arch = "aarch64")) { 8 } else { 1 };
 
-/// Constant part of the minimum luma step, 0 to 255.
-const RISE: i16 = 12;
 /// The minimum luma step grows by the carpet's luma over this.
 const RISE_DIVISOR: i16 = 6;
 /// Shift of the low-pass filter for the carpet's luma: a time constant of four pixels.
@@ -32,12 +30,15 @@ pub(super) struct ParallelScan<'a> {
     /// First position to examine in each scan.
     from: [i16; LANES],
     at: u16,
+    /// Constant part of the minimum luma step, 0 to 255.
+    min_rise: i16,
 }
 
 impl<'a> ParallelScan<'a> {
-    /// Starts scans, each at its first position.
-    pub(super) fn new(scans: impl Iterator<Item = (Lumas<'a>, u16)>) -> Self {
-        let mut scan = Self { lumas: [Lumas::NONE; LANES], bases: [0; LANES], from: [i16::MAX; LANES], at: u16::MAX };
+    /// Starts scans, each at its first position. `min_rise` is the constant part of the minimum luma step, 0 to 255.
+    pub(super) fn new(scans: impl Iterator<Item = (Lumas<'a>, u16)>, min_rise: i16) -> Self {
+        let (lumas, bases, from) = ([Lumas::NONE; LANES], [0; LANES], [i16::MAX; LANES]);
+        let mut scan = Self { lumas, bases, from, at: u16::MAX, min_rise };
         for (lane, (lumas, first)) in scans.take(LANES).enumerate() {
             scan.lumas[lane] = lumas;
             scan.resume(lane, first, Some(i32::from(lumas.get(first))));
@@ -71,11 +72,12 @@ impl<'a> ParallelScan<'a> {
 mod lockstep {
     use wide::{i16x8, u16x8};
 
-    use super::{ParallelScan, RISE, RISE_DIVISOR, Rise, SMOOTH};
+    use super::{ParallelScan, RISE_DIVISOR, Rise, SMOOTH};
 
     #[inline]
     pub(super) fn next_rise(scan: &mut ParallelScan<'_>, end: u16) -> Option<Rise> {
-        let mut step = Step { bases: i16x8::new(scan.bases), from: i16x8::new(scan.from) };
+        let (bases, from) = (i16x8::new(scan.bases), i16x8::new(scan.from));
+        let mut step = Step { bases, from, min_rise: i16x8::splat(scan.min_rise) };
         let rise = step.go(scan, end);
         scan.bases = step.bases.to_array();
         rise
@@ -84,6 +86,7 @@ mod lockstep {
     struct Step {
         bases: i16x8,
         from: i16x8,
+        min_rise: i16x8,
     }
 
     impl Step {
@@ -114,7 +117,7 @@ mod lockstep {
         fn on(&mut self, here: i16x8, at: u16) -> u32 {
             let ground = self.bases >> i32::from(SMOOTH);
             let is_here = i16x8::splat(at as i16).simd_ge(self.from);
-            let above = (here - ground - i16x8::splat(RISE)) * i16x8::splat(RISE_DIVISOR);
+            let above = (here - ground - self.min_rise) * i16x8::splat(RISE_DIVISOR);
             let rises = above.simd_gt(ground) & is_here;
             self.bases += (here - ground) & is_here & !rises;
             rises.to_bitmask()
@@ -134,14 +137,14 @@ mod lockstep {
 
 #[cfg(not(any(target_arch = "x86_64", target_arch = "aarch64")))]
 mod lockstep {
-    use super::{ParallelScan, RISE, RISE_DIVISOR, Rise, SMOOTH};
+    use super::{ParallelScan, RISE_DIVISOR, Rise, SMOOTH};
 
     #[inline]
     pub(super) fn next_rise(scan: &mut ParallelScan<'_>, end: u16) -> Option<Rise> {
         let ([lumas], [base], [from]) = (scan.lumas, &mut scan.bases, scan.from);
         for at in scan.at.max(from as u16)..end {
             let (here, ground) = (i16::from(lumas.get(at)), *base >> SMOOTH);
-            if (here - ground - RISE) * RISE_DIVISOR > ground {
+            if (here - ground - scan.min_rise) * RISE_DIVISOR > ground {
                 return Some(Rise { at, lanes: 1 });
             }
             *base += here - ground;
@@ -164,11 +167,11 @@ mod tests {
     const END: u16 = 16;
 
     /// Reference: each rising edge of one row, pixel by pixel.
-    fn rises(lumas: Lumas<'_>, first: u16) -> Vec<u16> {
+    fn rises(lumas: Lumas<'_>, first: u16, min_rise: i32) -> Vec<u16> {
         let (mut found, mut base) = (Vec::new(), 4 * i32::from(lumas.get(first)));
         for at in first..END {
             let (here, ground) = (i32::from(lumas.get(at)), base >> 2);
-            if here > ground + 12 + ground / 6 {
+            if here > ground + min_rise + ground / 6 {
                 found.push(at);
             } else {
                 base += here - ground;
@@ -182,10 +185,11 @@ mod tests {
         fn parallel_scans_find_the_edges_of_single_scans(
             bytes in prop::collection::vec(prop_oneof![3 => 60_u8..90, 1 => any::<u8>()], 2 * 16 * 16),
             firsts in prop::collection::vec(0..=END, 1..=LANES),
+            min_rise in 1..40_i16,
         ) {
             let frame = Frame::new(16, 16, &bytes).unwrap();
             let rows = || firsts.iter().enumerate().map(|(row, first)| (frame.luma_row(row as u16), *first));
-            let (mut scan, mut found) = (ParallelScan::new(rows()), [const { Vec::new() }; LANES]);
+            let (mut scan, mut found) = (ParallelScan::new(rows(), min_rise), [const { Vec::new() }; LANES]);
             while let Some(Rise { at, lanes }) = scan.next_rise(END) {
                 for lane in (0..LANES).filter(|lane| lanes >> lane & 1 != 0) {
                     prop_assert_eq!(scan.carpet_and_luma(lane, at).1, i32::from(frame.luma_row(lane as u16).get(at)));
@@ -194,7 +198,7 @@ mod tests {
                 }
             }
             for ((lumas, first), found) in rows().zip(found) {
-                prop_assert_eq!(found, rises(lumas, first));
+                prop_assert_eq!(found, rises(lumas, first, min_rise.into()));
             }
         }
     }

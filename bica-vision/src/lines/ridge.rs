@@ -6,6 +6,7 @@
 
 use heapless::Vec;
 
+use super::LineTuning;
 use super::edge_scan::{LANES, ParallelScan};
 use super::stripe::Axes;
 use crate::colour::{Classify, Colour};
@@ -16,8 +17,6 @@ use crate::frame::{Frame, Lumas, Pixel};
 pub(super) const RIDGES: usize = 8;
 /// Maximum number of rising edges followed in one scan. Recorded images have at most 17; more is noise.
 const RISES: u8 = 24;
-/// Minimum contrast of a ridge with the carpet's own colour class, which rejects tufts.
-const THIN_RISE: i32 = 30;
 
 /// Ridges of one scan, in order.
 pub(super) type Ridges = Vec<Ridge, RIDGES>;
@@ -42,6 +41,7 @@ pub(super) struct Scan<'a, C> {
     pub(super) across: u16,
     /// Maximum width of a ridge, px.
     pub(super) widest: u16,
+    pub(super) tuning: &'a LineTuning,
 }
 
 /// Ridge in progress.
@@ -55,7 +55,8 @@ struct Open {
 pub(super) fn in_parallel<C: Classify>(scans: &[(Scan<'_, C>, u16)], end: u16) -> [Ridges; LANES] {
     let mut found = [const { Ridges::new() }; LANES];
     let mut left = [RISES; LANES];
-    let mut parallel = ParallelScan::new(scans.iter().map(|(scan, first)| (scan.lumas(), *first)));
+    let min_rise = scans.first().map_or(LineTuning::DEFAULT.min_rise, |(scan, _)| scan.tuning.min_rise);
+    let mut parallel = ParallelScan::new(scans.iter().map(|(scan, first)| (scan.lumas(), *first)), min_rise);
     while let Some(mut rise) = parallel.next_rise(end) {
         while rise.lanes != 0 {
             let lane = rise.lanes.trailing_zeros() as usize;
@@ -138,7 +139,7 @@ impl<C: Classify> Scan<'_, C> {
     fn is_white(&self, at: u16, rise: i32) -> bool {
         match self.class(at) {
             Colour::White | Colour::None => true,
-            Colour::Green => rise >= THIN_RISE,
+            Colour::Green => rise >= self.tuning.min_thin_rise,
             Colour::Orange | Colour::Yellow | Colour::Blue => false,
         }
     }

@@ -2,6 +2,7 @@
 
 use glam::Vec2;
 
+use super::LineTuning;
 use super::stripe::Stripe;
 use crate::frame::Frame;
 use crate::projection::Camera;
@@ -12,10 +13,6 @@ const FARTHEST: f32 = 60.0;
 const RISE_PART: f32 = 0.35;
 /// Number of pixels without contrast after which the line has ended.
 const GAP: f32 = 2.0;
-/// Minimum width of a line on the ground, m, measured with one pixel more.
-const NARROWEST: f32 = 0.02;
-/// Maximum width of a line on the ground, m, measured with one pixel less; anything wider is a robot's limb.
-const WIDEST: f32 = 0.085;
 
 /// Returns the segment extended to the ends of the line.
 pub(super) fn to_the_ends(stripe: Stripe, frame: &Frame<'_>) -> Stripe {
@@ -27,7 +24,7 @@ pub(super) fn to_the_ends(stripe: Stripe, frame: &Frame<'_>) -> Stripe {
 }
 
 /// Whether a segment has a line's width on the ground.
-pub(super) fn is_of_width(stripe: &Stripe, camera: &Camera) -> bool {
+pub(super) fn is_of_width(stripe: &Stripe, camera: &Camera, tuning: &LineTuning) -> bool {
     let Some(along) = (stripe.to - stripe.from).try_normalize() else { return false };
     let width = |middle: Vec2, pixels: f32| {
         let aside = 0.5 * pixels.max(0.0) * along.perp();
@@ -39,7 +36,7 @@ pub(super) fn is_of_width(stripe: &Stripe, camera: &Camera) -> bool {
     let middle = stripe.from.midpoint(stripe.to);
     let least = width(middle, stripe.width - 1.0);
     let most = width(middle, stripe.width + 1.0);
-    least.is_some_and(|least| least <= WIDEST) && most.is_none_or(|most| most >= NARROWEST)
+    least.is_some_and(|least| least <= tuning.max_width) && most.is_none_or(|most| most >= tuning.min_width)
 }
 
 struct Trace<'a> {

@@ -7,15 +7,11 @@ use bica_motion::pose::{Pose2, wrap};
 use glam::Vec2;
 use libm::{atan2f, powf};
 
-use super::{PostSighting, Sightings, map};
+use super::{LocalizerTuning, PostSighting, Sightings, map};
 use crate::goal::PostSide;
 
 /// Height of the camera, m: relates errors of its pitch to errors of distance.
 const EYE: f32 = 0.48;
-/// Standard deviation of a horizontal direction, rad.
-const AZIMUTH_ERROR: f32 = 0.04;
-/// Standard deviation of a direction below the horizon, rad.
-const ELEVATION_ERROR: f32 = 0.012;
 /// Standard deviation of a position at the robot's feet, m.
 const CLOSE: f32 = 0.04;
 /// Standard deviation of a distance derived from a post's width, in octaves.
@@ -32,27 +28,26 @@ const POST_FLOOR: f32 = 0.05;
 const INDEPENDENT: f32 = 6.0;
 /// Maximum weight of one line point: neighbouring points on a short line are not independent.
 const ALONE: f32 = 0.3;
-/// Exponent that flattens the likelihood, because consecutive images are not independent.
-const TEMPER: f32 = 0.5;
 
 /// Likelihood of all sightings, not normalized, above 0 and at most 1.
-pub(super) fn of(pose: &Pose2, sightings: &Sightings) -> f32 {
-    let points: f32 = sightings.points.iter().map(|point| of_point(pose, *point)).product();
+pub(super) fn of(pose: &Pose2, sightings: &Sightings, tuning: &LocalizerTuning) -> f32 {
+    let points: f32 = sightings.points.iter().map(|point| of_point(pose, *point, tuning)).product();
     let share = (INDEPENDENT / sightings.points.len().max(1) as f32).min(ALONE);
-    let crossings: f32 = sightings.crossings.iter().map(|(kind, seen)| of_crossing(pose, *kind, seen)).product();
-    let posts: f32 = sightings.posts.iter().map(|post| of_post(pose, post)).product();
+    let crossings: f32 =
+        sightings.crossings.iter().map(|(kind, seen)| of_crossing(pose, *kind, seen, tuning)).product();
+    let posts: f32 = sightings.posts.iter().map(|post| of_post(pose, post, tuning)).product();
     let circle = sightings.circle.map_or(1.0, |circle| {
-        let off = pose.place(circle.centre).length() / deviation(circle.centre);
+        let off = pose.place(circle.centre).length() / deviation(circle.centre, tuning);
         CROSSING_FLOOR + (1.0 - CROSSING_FLOOR) * cauchy(off * off)
     });
-    powf(powf(points, share) * crossings * posts * circle, TEMPER)
+    powf(powf(points, share) * crossings * posts * circle, tuning.temper)
 }
 
 /// Effective number of sightings in the likelihood, at least 1.
-pub(super) fn count(sightings: &Sightings) -> f32 {
+pub(super) fn count(sightings: &Sightings, temper: f32) -> f32 {
     let points = INDEPENDENT.min(ALONE * sightings.points.len() as f32);
     let others = sightings.crossings.len() + sightings.posts.len() + usize::from(sightings.circle.is_some());
-    (TEMPER * (points + others as f32)).max(1.0)
+    (temper * (points + others as f32)).max(1.0)
 }
 
 /// Cauchy kernel: 1 at 0, with a heavy tail that is robust to outliers.
@@ -61,19 +56,19 @@ fn cauchy(square: f32) -> f32 {
 }
 
 /// Standard deviation of a ground position, m.
-fn deviation(place: Vec2) -> f32 {
+fn deviation(place: Vec2, tuning: &LocalizerTuning) -> f32 {
     let way = place.length();
-    CLOSE + ELEVATION_ERROR * (way * way + EYE * EYE) / EYE
+    CLOSE + tuning.elevation_error * (way * way + EYE * EYE) / EYE
 }
 
-fn of_point(pose: &Pose2, point: Vec2) -> f32 {
-    let off = FIELD.line_distance(pose.place(point)) / deviation(point);
+fn of_point(pose: &Pose2, point: Vec2, tuning: &LocalizerTuning) -> f32 {
+    let off = FIELD.line_distance(pose.place(point)) / deviation(point, tuning);
     POINT_FLOOR + (1.0 - POINT_FLOOR) * cauchy(off * off)
 }
 
-fn of_crossing(pose: &Pose2, kind: CrossingKind, seen: &Pose2) -> f32 {
+fn of_crossing(pose: &Pose2, kind: CrossingKind, seen: &Pose2, tuning: &LocalizerTuning) -> f32 {
     let (place, heading) = (pose.place(seen.position), pose.heading + seen.heading);
-    let deviation = deviation(seen.position);
+    let deviation = deviation(seen.position, tuning);
     let best = map::crossings(kind).map(|known| {
         let off = known.position.distance(place) / deviation;
         let turned = wrap(heading - known.heading);
@@ -89,8 +84,8 @@ fn quarter(angle: f32) -> f32 {
     if folded > FRAC_PI_4 { folded - FRAC_PI_2 } else { folded }
 }
 
-fn of_post(pose: &Pose2, post: &PostSighting) -> f32 {
-    let [left, right] = FIELD.goal_posts(post.attacked).map(|known| fit(pose, known, post));
+fn of_post(pose: &Pose2, post: &PostSighting, tuning: &LocalizerTuning) -> f32 {
+    let [left, right] = FIELD.goal_posts(post.attacked).map(|known| fit(pose, known, post, tuning));
     let best = match post.side {
         PostSide::Left => left,
         PostSide::Right => right,
@@ -100,11 +95,11 @@ fn of_post(pose: &Pose2, post: &PostSighting) -> f32 {
 }
 
 /// Fit of a known post to a seen one: by its direction, and by the angle of its foot below the horizon.
-fn fit(pose: &Pose2, known: Vec2, post: &PostSighting) -> f32 {
+fn fit(pose: &Pose2, known: Vec2, post: &PostSighting, tuning: &LocalizerTuning) -> f32 {
     let (expected, seen) = (pose.locate(known), post.at);
-    let aside = wrap(atan2f(seen.y, seen.x) - atan2f(expected.y, expected.x)) / AZIMUTH_ERROR;
+    let aside = wrap(atan2f(seen.y, seen.x) - atan2f(expected.y, expected.x)) / tuning.azimuth_error;
     let away = if post.has_base {
-        (atan2f(EYE, seen.length()) - atan2f(EYE, expected.length())) / ELEVATION_ERROR
+        (atan2f(EYE, seen.length()) - atan2f(EYE, expected.length())) / tuning.elevation_error
     } else {
         libm::log2f(seen.length() / expected.length()) / BY_WIDTH
     };

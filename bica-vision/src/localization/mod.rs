@@ -15,6 +15,7 @@ pub mod map;
 mod random;
 mod sensor_resetting;
 mod sightings;
+mod tuning;
 
 use bica_field::{CrossingKind, FIELD};
 use bica_motion::pose::{Pose2, rotate, wrap};
@@ -23,6 +24,7 @@ use heapless::Vec;
 use libm::fabsf;
 
 use self::random::Random;
+pub use self::tuning::LocalizerTuning;
 use crate::centre_circle::CentreCircle;
 use crate::crossings::CROSSINGS;
 use crate::goal::PostSide;
@@ -32,14 +34,6 @@ pub const POINTS: usize = 24;
 /// Maximum number of posts, of both goals.
 pub const POSTS: usize = 4;
 
-/// Standard deviation of a walked distance, per metre.
-const WAY_NOISE: f32 = 0.15;
-/// Standard deviation of a turn, per radian.
-const TURN_NOISE: f32 = 0.1;
-/// Standard deviation of the heading after walking, rad/m.
-const TURN_NOISE_OF_WAY: f32 = 0.1;
-/// Standard deviation of the position after turning, m/rad.
-const WAY_NOISE_OF_TURN: f32 = 0.03;
 /// Standard deviation of the noise on positions at resampling, m, which keeps particles distinct.
 const ROUGHNESS: f32 = 0.012;
 /// Standard deviation of the noise on headings at resampling, rad.
@@ -48,16 +42,10 @@ const HEADING_ROUGHNESS: f32 = 0.008;
 const SLOW: f32 = 0.02;
 /// Smoothing factor of the fast mean of the likelihood.
 const FAST: f32 = 0.15;
-/// Minimum share of new particles per image.
-const NEW: f32 = 0.03;
-/// Minimum share of new particles per image while the pose is not sure.
-const NEW_IF_UNSURE: f32 = 0.15;
 /// Radius of a cluster, m.
 const CLUSTER: f32 = 0.4;
 /// Maximum difference of headings within a cluster, rad.
 const CLUSTER_HEADING: f32 = 0.4;
-/// Minimum share of particles near a pose that counts as sure.
-const SURE: f32 = 0.6;
 
 /// Observed goal post.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -109,13 +97,14 @@ pub struct Estimate {
     pub belief: f32,
     /// Standard deviation of their positions, m.
     pub spread: f32,
+    is_sure: bool,
 }
 
 impl Estimate {
-    /// Whether most particles agree on the pose.
+    /// Whether most particles agree on the pose: at least [`LocalizerTuning::sure_share`].
     #[must_use]
-    pub fn is_sure(&self) -> bool {
-        self.belief >= SURE
+    pub const fn is_sure(&self) -> bool {
+        self.is_sure
     }
 }
 
@@ -127,6 +116,7 @@ pub struct Localizer<const N: usize> {
     scattered: bool,
     fit: (f32, f32),
     estimate: Option<Estimate>,
+    tuning: LocalizerTuning,
 }
 
 impl<const N: usize> Localizer<N> {
@@ -139,7 +129,13 @@ impl<const N: usize> Localizer<N> {
             scattered: false,
             fit: (0.0, 0.0),
             estimate: None,
+            tuning: LocalizerTuning::DEFAULT,
         }
+    }
+
+    /// Sets the errors and shares to use from now on.
+    pub const fn set_tuning(&mut self, tuning: &LocalizerTuning) {
+        self.tuning = *tuning;
     }
 
     /// Pose with the most particles; `None` before the first sighting.
@@ -160,8 +156,9 @@ impl<const N: usize> Localizer<N> {
             return;
         }
         let (way, turn) = (motion.position.length(), fabsf(motion.heading));
-        let aside = WAY_NOISE * way + WAY_NOISE_OF_TURN * turn;
-        let askew = TURN_NOISE * turn + TURN_NOISE_OF_WAY * way;
+        let noise = &self.tuning;
+        let aside = noise.distance_noise * way + noise.distance_noise_of_turn * turn;
+        let askew = noise.turn_noise * turn + noise.turn_noise_of_distance * way;
         for particle in &mut self.particles {
             let wrong = Vec2::new(self.random.normal(), self.random.normal()) * aside;
             let motion =
@@ -189,11 +186,11 @@ impl<const N: usize> Localizer<N> {
         let mut weights = [0.0; N];
         let mut fit = 0.0;
         for (weight, particle) in weights.iter_mut().zip(&self.particles) {
-            *weight = likelihood::of(particle, &sightings);
+            *weight = likelihood::of(particle, &sightings, &self.tuning);
             fit += *weight / N as f32;
         }
         // Per sighting, so that images with many and with few sightings are comparable.
-        let fit = libm::powf(fit, 1.0 / likelihood::count(&sightings));
+        let fit = libm::powf(fit, 1.0 / likelihood::count(&sightings, self.tuning.temper));
         self.resample(&weights, &sightings, fit);
         self.estimate = self.gather();
     }
@@ -204,7 +201,7 @@ impl<const N: usize> Localizer<N> {
         self.fit = (follow(self.fit.0, SLOW), follow(self.fit.1, FAST));
         let worse = if self.fit.0 > 0.0 { 1.0 - self.fit.1 / self.fit.0 } else { 0.0 };
         let is_sure = self.estimate.is_some_and(|estimate| estimate.is_sure());
-        worse.clamp(0.0, 0.5).max(if is_sure { NEW } else { NEW_IF_UNSURE })
+        worse.clamp(0.0, 0.5).max(if is_sure { self.tuning.new_share } else { self.tuning.new_share_if_unsure })
     }
 
     fn resample(&mut self, weights: &[f32; N], sightings: &Sightings, fit: f32) {
@@ -252,7 +249,9 @@ impl<const N: usize> Localizer<N> {
         let (mean, turn) = (sum / count, turn / count);
         let pose = on_carpet(Pose2 { position: seed.position + mean, heading: seed.heading + turn });
         let spread = libm::sqrtf((squares / count - mean.length_squared()).max(0.0));
-        (count > 0.0).then_some(Estimate { pose, belief: count / N as f32, spread })
+        let belief = count / N as f32;
+        let is_sure = belief >= self.tuning.sure_share;
+        (count > 0.0).then_some(Estimate { pose, belief, spread, is_sure })
     }
 
     /// Restarts without knowledge of the pose.

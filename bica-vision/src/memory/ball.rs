@@ -13,15 +13,11 @@ use libm::expf;
 use super::belief::Belief;
 use super::position_estimate::{GATE, PositionEstimate, turned};
 use super::rolling::Rolling;
-use super::{LASTING, sound};
+use super::{BallMemoryTuning, LASTING, MemoryTuning, sound};
 use crate::uncertainty::Covariance;
 
 /// Factor on the covariance before each update; lower than for static objects, to distinguish a resting from a slow ball.
 const FADE: f32 = 4.0 / 3.0;
-/// Rate at which a resting ball starts to roll, 1/s.
-const STARTS: f32 = 0.05;
-/// Rate at which a fast ball stops, at an obstacle, 1/s.
-const STOPS: f32 = 0.2;
 /// Rate at which a slow ball stops, 1/s.
 const SLOW_STOPS: f32 = 4.0;
 /// Maximum speed of a slow ball, m/s.
@@ -38,6 +34,7 @@ const LEAST: f32 = 1e-3;
 pub struct BallMemory {
     ball: Option<Ball>,
     belief: Belief,
+    tuning: BallMemoryTuning,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -55,7 +52,15 @@ impl BallMemory {
     /// `half_life` is not positive or NaN.
     #[must_use]
     pub const fn new(half_life: f32) -> Self {
-        Self { ball: None, belief: Belief::new(half_life) }
+        let memory = MemoryTuning { half_life, ..MemoryTuning::DEFAULT };
+        let tuning = BallMemoryTuning { memory, ..BallMemoryTuning::DEFAULT };
+        Self { ball: None, belief: Belief::new(memory), tuning }
+    }
+
+    /// Sets the rates and errors to use from now on.
+    pub const fn set_tuning(&mut self, tuning: &BallMemoryTuning) {
+        self.belief.tuning = tuning.memory;
+        self.tuning = *tuning;
     }
 
     fn ball(&self) -> Option<&Ball> {
@@ -104,7 +109,7 @@ impl BallMemory {
     #[must_use]
     pub fn predict(&self, seconds: f32) -> Option<PositionEstimate> {
         let mut ball = *self.ball()?;
-        ball.rolling.roll(sound(Pose2::ORIGIN, seconds).1);
+        ball.rolling.roll(sound(Pose2::ORIGIN, seconds).1, self.tuning.deceleration);
         Some(ball.estimate())
     }
 
@@ -137,10 +142,11 @@ impl BallMemory {
         };
         let again = self.ball().copied().and_then(|ball| ball.corrected(&seen));
         self.belief.see(confidence, again.is_some());
-        self.ball = Some(again.unwrap_or_else(|| Ball::new(&seen)));
+        self.ball = Some(again.unwrap_or_else(|| Ball::new(&seen, &self.tuning)));
     }
 
-    /// Notes that the ball was not seen although in view: reduces the confidence by a quarter.
+    /// Notes that the ball was not seen although in view: reduces the confidence by
+    /// [`MemoryTuning::miss_factor`].
     pub fn miss(&mut self) {
         self.belief.miss();
     }
@@ -155,7 +161,7 @@ impl BallMemory {
             return self.forget();
         }
         if let Some(ball) = &mut self.ball {
-            ball.advance(motion, seconds);
+            ball.advance(motion, seconds, &self.tuning);
             if !ball.is_sound() {
                 self.forget();
             }
@@ -164,8 +170,13 @@ impl BallMemory {
 }
 
 impl Ball {
-    fn new(seen: &PositionEstimate) -> Self {
-        Self { resting: *seen, rolling: Rolling::kicked(seen), rolls: AT_FIRST, lasting: seen.covariance * LASTING }
+    fn new(seen: &PositionEstimate, tuning: &BallMemoryTuning) -> Self {
+        Self {
+            resting: *seen,
+            rolling: Rolling::kicked(seen, tuning),
+            rolls: AT_FIRST,
+            lasting: seen.covariance * LASTING,
+        }
     }
 
     fn estimate(&self) -> PositionEstimate {
@@ -176,24 +187,24 @@ impl Ball {
         self.resting.is_sound() && self.rolling.is_sound()
     }
 
-    fn advance(&mut self, motion: Pose2, seconds: f32) {
-        self.change(seconds);
-        self.rolling.roll(seconds);
-        self.rolling.advance(motion);
-        self.resting.advance(motion);
+    fn advance(&mut self, motion: Pose2, seconds: f32, tuning: &BallMemoryTuning) {
+        self.change(seconds, tuning);
+        self.rolling.roll(seconds, tuning.deceleration);
+        self.rolling.advance(motion, tuning);
+        self.resting.advance(motion, &tuning.memory);
         self.lasting = turned(motion, &self.lasting);
     }
 
     /// Mixes the models for kicks and stops during this time.
-    fn change(&mut self, seconds: f32) {
-        let stopping = if self.rolling.is_slow(SLOW, SLOW_DEVIATION) { SLOW_STOPS } else { STOPS };
+    fn change(&mut self, seconds: f32, tuning: &BallMemoryTuning) {
+        let stopping = if self.rolling.is_slow(SLOW, SLOW_DEVIATION) { SLOW_STOPS } else { tuning.stop_rate };
         let within = |rate: f32| 1.0 - expf(-rate * seconds);
-        let kicked = (1.0 - self.rolls) * within(STARTS);
+        let kicked = (1.0 - self.rolls) * within(tuning.kick_rate);
         let stopped = self.rolls * within(stopping);
         let rolls = (self.rolls + kicked - stopped).clamp(LEAST, 1.0 - LEAST);
         let before = self.resting;
         self.resting = before.mixed(&self.rolling.estimate(), (stopped / (1.0 - rolls)).clamp(0.0, 1.0));
-        self.rolling.mix_in_kicked(&before, (kicked / rolls).clamp(0.0, 1.0));
+        self.rolling.mix_in_kicked(&before, (kicked / rolls).clamp(0.0, 1.0), tuning);
         self.rolls = rolls;
     }
 

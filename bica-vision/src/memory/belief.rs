@@ -3,31 +3,26 @@
 use bica_motion::pose::Pose2;
 use libm::{exp2f, fabsf};
 
+use super::MemoryTuning;
+
 /// Confidence below which an object is forgotten.
 const FORGOTTEN: f32 = 0.02;
-/// Walked distance that halves the confidence, m; odometry drifts by about a tenth.
-const HALVING_WAY: f32 = 3.0;
-/// Turn that halves the confidence, rad.
-const HALVING_TURN: f32 = 6.0;
-/// Factor on the confidence after an image that should show the object and does not. One image may be blurred, a third
-/// of a second of images is not.
-const MISSED: f32 = 0.75;
 
 /// Confidence, 0 to 1, and time since the last sighting, s; both finite.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Belief {
     confidence: f32,
     age: f32,
-    half_life: f32,
+    pub(super) tuning: MemoryTuning,
 }
 
 impl Belief {
-    pub(super) const fn new(half_life: f32) -> Self {
-        Self { confidence: 0.0, age: 0.0, half_life }
+    pub(super) const fn new(tuning: MemoryTuning) -> Self {
+        Self { confidence: 0.0, age: 0.0, tuning }
     }
 
     pub(super) const fn forget(&mut self) {
-        *self = Self::new(self.half_life);
+        *self = Self::new(self.tuning);
     }
 
     pub(super) fn is_held(&self) -> bool {
@@ -55,13 +50,14 @@ impl Belief {
     }
 
     pub(super) fn miss(&mut self) {
-        self.confidence *= MISSED;
+        self.confidence *= self.tuning.miss_factor;
     }
 
     /// Applies motion and time, both finite.
     pub(super) fn advance(&mut self, motion: Pose2, seconds: f32) {
-        let by_time = if self.half_life > 0.0 { seconds / self.half_life } else { f32::INFINITY };
-        let lives = by_time + motion.position.length() / HALVING_WAY + fabsf(motion.heading) / HALVING_TURN;
+        let MemoryTuning { half_life, halving_distance, halving_turn, .. } = self.tuning;
+        let by_time = if half_life > 0.0 { seconds / half_life } else { f32::INFINITY };
+        let lives = by_time + motion.position.length() / halving_distance + fabsf(motion.heading) / halving_turn;
         self.confidence *= exp2f(-lives);
         self.age += seconds;
         if !(self.is_held() && self.age.is_finite()) {

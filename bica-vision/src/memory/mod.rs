@@ -11,6 +11,7 @@ mod belief;
 pub mod multi_target;
 mod position_estimate;
 mod rolling;
+mod tuning;
 pub mod visibility;
 
 use bica_motion::pose::Pose2;
@@ -19,6 +20,7 @@ use glam::Vec2;
 use self::belief::Belief;
 pub use self::position_estimate::PositionEstimate;
 use self::position_estimate::{GATE, turned};
+pub use self::tuning::{BallMemoryTuning, MemoryTuning};
 use crate::uncertainty::Covariance;
 
 /// Factor on the covariance before each update (fading-memory filter, Sorenson and Sacks 1971). It keeps the gain at
@@ -48,7 +50,12 @@ impl Memory {
     /// `half_life` is not positive or NaN.
     #[must_use]
     pub const fn new(half_life: f32) -> Self {
-        Self { known: None, belief: Belief::new(half_life) }
+        Self { known: None, belief: Belief::new(MemoryTuning { half_life, ..MemoryTuning::DEFAULT }) }
+    }
+
+    /// Sets the rates and errors to use from now on.
+    pub const fn set_tuning(&mut self, tuning: &MemoryTuning) {
+        self.belief.tuning = *tuning;
     }
 
     /// Position with covariance, unless forgotten.
@@ -108,8 +115,8 @@ impl Memory {
         self.known = Some(Known { place: again.unwrap_or(seen), lasting: seen.covariance * LASTING });
     }
 
-    /// Notes that the object was not seen although in view ([`visibility::is_in_view`]): reduces the confidence by a
-    /// quarter.
+    /// Notes that the object was not seen although in view ([`visibility::is_in_view`]): reduces the confidence by
+    /// [`MemoryTuning::miss_factor`].
     pub fn miss(&mut self) {
         self.belief.miss();
     }
@@ -120,7 +127,7 @@ impl Memory {
         let (motion, seconds) = sound(motion, seconds);
         self.belief.advance(motion, seconds);
         let Some(mut known) = self.known().copied() else { return self.forget() };
-        known.place.advance(motion);
+        known.place.advance(motion, &self.belief.tuning);
         known.lasting = turned(motion, &known.lasting);
         self.known = Some(known);
         if !known.place.is_sound() {

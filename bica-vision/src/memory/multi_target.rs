@@ -4,7 +4,7 @@ use bica_motion::pose::Pose2;
 use glam::Vec2;
 
 use super::position_estimate::GATE;
-use super::{Memory, PositionEstimate};
+use super::{Memory, MemoryTuning, PositionEstimate};
 use crate::uncertainty::Covariance;
 
 /// Memory of up to `N` indistinguishable objects. Of more, the one with the lowest confidence is forgotten.
@@ -18,6 +18,13 @@ impl<const N: usize> MultiTargetMemory<N> {
     #[must_use]
     pub const fn new(half_life: f32) -> Self {
         Self { memories: [Memory::new(half_life); N] }
+    }
+
+    /// Sets the rates and errors to use from now on.
+    pub fn set_tuning(&mut self, tuning: &MemoryTuning) {
+        for memory in &mut self.memories {
+            memory.set_tuning(tuning);
+        }
     }
 
     /// Estimates of all objects, in no order.

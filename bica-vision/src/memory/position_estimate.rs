@@ -4,13 +4,9 @@ use bica_motion::pose::{Pose2, rotate};
 use glam::{Mat2, Vec2};
 use libm::{cosf, fabsf, logf, sinf};
 
+use super::MemoryTuning;
 use crate::uncertainty::{Covariance, inverse, round, square};
 
-/// Standard deviation of odometry after 1 m of walking, m. Errors of steps are independent, so it grows with the square
-/// root of the distance.
-const WAY_ERROR: f32 = 0.08;
-/// Standard deviation of odometry after a turn of 1 rad, rad; likewise.
-const TURN_ERROR: f32 = 0.05;
 /// Gate: maximum squared Mahalanobis distance of a sighting of the same object; 99.9 % quantile of χ² with two degrees
 /// of freedom.
 pub(super) const GATE: f32 = 13.8;
@@ -40,8 +36,8 @@ impl PositionEstimate {
     }
 
     /// Applies the robot's `motion` with the error of odometry.
-    pub(super) fn advance(&mut self, motion: Pose2) {
-        self.covariance = turned(motion, &self.covariance) + drift(motion, self.position);
+    pub(super) fn advance(&mut self, motion: Pose2, tuning: &MemoryTuning) {
+        self.covariance = turned(motion, &self.covariance) + drift(motion, self.position, tuning);
         self.position = motion.locate(self.position);
     }
 
@@ -126,8 +122,8 @@ pub(super) fn turned(motion: Pose2, covariance: &Covariance) -> Covariance {
 }
 
 /// Covariance that odometry adds to an object at `position` before the motion.
-pub(super) fn drift(motion: Pose2, position: Vec2) -> Covariance {
-    let way = round(WAY_ERROR) * motion.position.length();
+pub(super) fn drift(motion: Pose2, position: Vec2, tuning: &MemoryTuning) -> Covariance {
+    let way = round(tuning.distance_error) * motion.position.length();
     let aside = rotate(position - motion.position, -motion.heading).perp();
-    way + square(TURN_ERROR * aside) * fabsf(motion.heading)
+    way + square(tuning.turn_error * aside) * fabsf(motion.heading)
 }

@@ -3,13 +3,10 @@
 use bica_motion::pose::{Pose2, rotate};
 use glam::{Mat2, Mat4, Vec2, Vec4, Vec4Swizzles as _};
 
+use super::BallMemoryTuning;
 use super::position_estimate::{Fit, PositionEstimate, drift, turn_of};
 use crate::uncertainty::{Covariance, largest, round, square};
 
-/// Deceleration of a ball on carpet, m/s². Source: B-Human 2023 `ballSpecification.cfg`.
-const BRAKING: f32 = 0.3;
-/// Standard deviation of the velocity of a ball just kicked, in each direction, m/s.
-const KICKED: f32 = 1.0;
 /// Process noise of the velocity from bumps and varying friction, m/s after 1 s.
 const BUMPS: f32 = 0.2;
 /// Maximum duration of a prediction step, s, within which the motion is linearized.
@@ -28,8 +25,8 @@ pub(super) struct Rolling {
 
 impl Rolling {
     /// Ball just kicked from a position, with unknown velocity.
-    pub(super) fn kicked(place: &PositionEstimate) -> Self {
-        let covariance = blocks(place.covariance, Mat2::ZERO, round(KICKED));
+    pub(super) fn kicked(place: &PositionEstimate, tuning: &BallMemoryTuning) -> Self {
+        let covariance = blocks(place.covariance, Mat2::ZERO, round(tuning.kick_speed));
         Self { position: place.position, velocity: Vec2::ZERO, covariance }
     }
 
@@ -61,8 +58,8 @@ impl Rolling {
     }
 
     /// Mixes in a ball kicked from a position, with weight `share`.
-    pub(super) fn mix_in_kicked(&mut self, place: &PositionEstimate, share: f32) {
-        let other = Self::kicked(place);
+    pub(super) fn mix_in_kicked(&mut self, place: &PositionEstimate, share: f32, tuning: &BallMemoryTuning) {
+        let other = Self::kicked(place, tuning);
         let (off, faster) = (other.position - self.position, other.velocity - self.velocity);
         let apart = Vec4::new(off.x, off.y, faster.x, faster.y);
         self.position += share * off;
@@ -73,8 +70,8 @@ impl Rolling {
     }
 
     /// Applies the robot's `motion`.
-    pub(super) fn advance(&mut self, motion: Pose2) {
-        let added = drift(motion, self.position);
+    pub(super) fn advance(&mut self, motion: Pose2, tuning: &BallMemoryTuning) {
+        let added = drift(motion, self.position, &tuning.memory);
         let turn = turn_of(motion);
         let both = blocks(turn, Mat2::ZERO, turn);
         self.covariance = both * self.covariance * both.transpose() + blocks(added, Mat2::ZERO, Mat2::ZERO);
@@ -82,12 +79,12 @@ impl Rolling {
         self.velocity = rotate(self.velocity, -motion.heading);
     }
 
-    /// Predicts the motion over some seconds.
-    pub(super) fn roll(&mut self, seconds: f32) {
+    /// Predicts the motion over some seconds with a deceleration, m/s².
+    pub(super) fn roll(&mut self, seconds: f32, deceleration: f32) {
         let mut left = seconds;
         for _ in 0..STEPS {
             let step = left.min(STEP);
-            self.roll_step(step);
+            self.roll_step(step, deceleration);
             left -= step;
             if left <= 0.0 {
                 break;
@@ -95,14 +92,14 @@ impl Rolling {
         }
     }
 
-    fn roll_step(&mut self, seconds: f32) {
+    fn roll_step(&mut self, seconds: f32, deceleration: f32) {
         let speed = self.velocity.length();
-        let moving = seconds.min(speed / BRAKING);
-        let stops = speed <= BRAKING * seconds;
+        let moving = seconds.min(speed / deceleration);
+        let stops = speed <= deceleration * seconds;
         let ahead = self.velocity.normalize_or_zero();
         // Derivatives with respect to the velocity: ahead they persist, sideways they turn the path and shrink with the
         // speed.
-        let share = if stops { 1.0 } else { 1.0 - BRAKING * moving / speed };
+        let share = if stops { 1.0 } else { 1.0 - deceleration * moving / speed };
         let straight = square(ahead);
         let aside = Mat2::IDENTITY - straight;
         let (way, faster) = if stops {
@@ -114,7 +111,7 @@ impl Rolling {
         let moves = blocks(Mat2::IDENTITY, way, faster);
         let bumps = blocks(Mat2::ZERO, Mat2::ZERO, round(BUMPS) * seconds);
         self.covariance = moves * self.covariance * moves.transpose() + bumps;
-        self.position += ahead * (speed - 0.5 * BRAKING * moving) * moving;
+        self.position += ahead * (speed - 0.5 * deceleration * moving) * moving;
         self.velocity = if stops { Vec2::ZERO } else { self.velocity * share };
     }
 

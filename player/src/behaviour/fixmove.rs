@@ -4,34 +4,22 @@ use bica::prelude::*;
 use bica_motion::kick::Kick;
 use bica_motion::pose::{rotate, wrap};
 use bica_motion::walk::Velocity;
-use libm::fabsf;
 
+use super::LineUp;
+use crate::info::Pose;
 use crate::input::RobotProfile;
-use crate::motion::{Body, Kicker};
+use crate::motion::{Body, KickChoice, Kicker, SideChoice};
 use crate::perception::{BallDetector, Odometry};
 use crate::strategy::Strike;
-
-/// Largest position error of the ball before a kick, forward and sideways each, m.
-const POSITION_TOLERANCE: f32 = 0.015;
-/// Largest heading error before a kick, rad.
-const HEADING_TOLERANCE: f32 = 0.08;
-/// Position gain, 1/s.
-const POSITION_GAIN: f32 = 1.5;
-/// Heading gain, 1/s.
-const HEADING_GAIN: f32 = 1.2;
-/// Largest correction speed, forward and sideways each, m/s.
-const MAX_SPEED: f32 = 0.08;
-/// Largest turning speed, rad/s.
-const MAX_TURN: f32 = 0.5;
-/// Distance of the ball beyond which it has to be approached again, m.
-const FAR: f32 = 0.5;
-/// Number of aligned runs at rest before the kick: time for some images of the ball.
-const SETTLED: u8 = 8;
 
 /// Lines the body up with the ball, sideways, forward and in heading, then plays one of the six kicks.
 #[derive(Debug)]
 pub struct Fixmove {
     strike: Option<Strike>,
+    /// Kick that an operator requested, and the turn before it, rad.
+    by_hand: Option<(Kick, f32)>,
+    /// Way to the pose in which the kick hits the ball, in the ground frame; `None` without a kick or a ball.
+    error: Option<Pose>,
     /// Number of aligned runs at rest.
     settled: u8,
     far: bool,
@@ -44,7 +32,7 @@ impl Fixmove {
     /// Creates the component without a requested kick.
     #[must_use]
     pub const fn new() -> Self {
-        Self { strike: None, settled: 0, far: false, failed: false, done: false }
+        Self { strike: None, by_hand: None, error: None, settled: 0, far: false, failed: false, done: false }
     }
 
     #[stop]
@@ -52,25 +40,39 @@ impl Fixmove {
         *self = Self::new();
     }
 
+    #[entry(align)]
+    fn begin(&mut self) {
+        *self = Self { strike: self.strike, by_hand: self.by_hand, ..Self::new() };
+    }
+
     /// Steps to the pose in which the kick hits the ball.
     #[state(initial)]
-    fn align(&mut self, profile: &RobotProfile, ball: &BallDetector, odometry: &Odometry, body: &mut Body) {
-        let (Some(strike), Some(at)) = (self.strike, ball.position()) else { return body.stand() };
-        self.far = at.length() > FAR;
+    fn align(
+        &mut self,
+        tuned: &Tuned<LineUp>,
+        profile: &RobotProfile,
+        ball: &BallDetector,
+        odometry: &Odometry,
+        body: &mut Body,
+    ) {
+        if let Some((kick, turn)) = self.by_hand.take() {
+            self.strike = Some(Strike { kick, heading: odometry.pose().heading + turn });
+        }
+        let (Some(strike), Some(at)) = (self.strike, ball.position()) else {
+            self.error = None;
+            return body.stand();
+        };
+        self.far = at.length() > tuned.far_distance;
         let turn = wrap(strike.heading - odometry.pose().heading);
-        let error = at - rotate(strike.kick.ball(&profile.get().kicks), turn);
-        let aligned = fabsf(error.x) < POSITION_TOLERANCE
-            && fabsf(error.y) < POSITION_TOLERANCE
-            && fabsf(turn) < HEADING_TOLERANCE;
+        let error = at - rotate(tuned.ball(strike.kick, &profile.get().kicks), turn);
+        let error = Pose { x: error.x, y: error.y, heading: turn };
+        self.error = Some(error);
+        let aligned = tuned.allows(&error);
         self.settled = if aligned && body.is_still() { self.settled.saturating_add(1) } else { 0 };
         if aligned {
             body.stand();
         } else {
-            body.step_with(Velocity {
-                forward: (POSITION_GAIN * error.x).clamp(-MAX_SPEED, MAX_SPEED),
-                left: (POSITION_GAIN * error.y).clamp(-MAX_SPEED, MAX_SPEED),
-                turn: (HEADING_GAIN * turn).clamp(-MAX_TURN, MAX_TURN),
-            });
+            body.step_with(tuned.velocity(&error));
         }
     }
 
@@ -84,21 +86,21 @@ impl Fixmove {
 
     /// Steps back for another attempt from another position.
     #[state]
-    fn retreat(&mut self, body: &mut Body) {
+    fn retreat(&mut self, tuned: &Tuned<LineUp>, body: &mut Body) {
         self.failed = true;
-        body.step_with(Velocity { forward: -MAX_SPEED, left: 0.0, turn: 0.0 });
+        body.step_with(Velocity { forward: -tuned.retreat_speed, left: 0.0, turn: 0.0 });
     }
 
     /// State after the kick.
-    #[state(last)]
+    #[state]
     fn over(&mut self, body: &mut Body) {
         self.done = true;
         body.stand();
     }
 
     #[transition(align -> strike)]
-    fn in_place(&self) -> bool {
-        self.settled >= SETTLED
+    fn in_place(&self, tuned: &Tuned<LineUp>) -> bool {
+        u32::from(self.settled) >= tuned.settled_runs
     }
 
     /// Whether an obstacle, such as another robot or a goal post, prevents the alignment.
@@ -117,24 +119,72 @@ impl Fixmove {
         kicker.done()
     }
 
+    /// Only an operator requests a kick after another one; an activator makes the component latent first.
+    #[transition(over -> align)]
+    fn requested_by_hand(&self) -> bool {
+        self.by_hand.is_some()
+    }
+
     /// Requests a kick; has no effect on one that is being played.
     pub const fn play(&mut self, strike: Strike) {
         self.strike = Some(strike);
     }
 
+    /// Lines up for a kick and plays it. During a kick it is the next one.
+    #[modulation]
+    pub fn kick(
+        &mut self,
+        /// Direction of the ball.
+        direction: KickChoice,
+        /// Kicking foot.
+        foot: SideChoice,
+        /// Turn of the body before the kick, positive to the left.
+        #[range(-3.1..=3.1)]
+        #[unit("rad")]
+        #[step(0.1)]
+        turn: f32,
+    ) {
+        self.by_hand = Some((direction.with(foot), turn));
+    }
+
+    /// The requested kick, with its heading in the frame of the odometry.
+    #[info(unit = "rad")]
+    #[must_use]
+    pub const fn requested(&self) -> Option<Strike> {
+        self.strike
+    }
+
+    /// Way from the body to the pose in which the kick hits the ball, forward and left, with the turn; `None` without a
+    /// requested kick or a ball.
+    #[info(unit = "m, rad")]
+    #[must_use]
+    pub const fn error(&self) -> Option<Pose> {
+        self.error
+    }
+
+    /// Number of aligned runs at rest.
+    #[info]
+    #[must_use]
+    pub const fn settled(&self) -> u8 {
+        self.settled
+    }
+
     /// Whether the ball is too far away to line up.
+    #[info]
     #[must_use]
     pub const fn out_of_reach(&self) -> bool {
         self.far
     }
 
     /// The kick that was given up because the robot could not line up.
+    #[info]
     #[must_use]
     pub fn failed_kick(&self) -> Option<Kick> {
         self.strike.filter(|_| self.failed).map(|strike| strike.kick)
     }
 
     /// Whether the kick was played to its end or given up.
+    #[info]
     #[must_use]
     pub const fn done(&self) -> bool {
         self.done
@@ -147,26 +197,63 @@ mod tests {
     use bica_motion::side::Side;
 
     use super::*;
+    use crate::motion::Request;
 
     const STRIKE: Strike = Strike { kick: Kick { kind: KickKind::Diagonal, foot: Side::Left }, heading: 0.0 };
+
+    fn align(fixmove: &mut Fixmove) {
+        let (ball, odometry) = (BallDetector::new(), Odometry::new());
+        fixmove.align(&Tuned::DEFAULT, &RobotProfile::new(), &ball, &odometry, &mut Body::new());
+    }
 
     #[test]
     fn a_retreat_reports_the_failed_kick_until_the_component_stops() {
         let mut fixmove = Fixmove::new();
         fixmove.play(STRIKE);
         assert_eq!(fixmove.failed_kick(), None);
-        fixmove.retreat(&mut Body::new());
+        fixmove.retreat(&Tuned::DEFAULT, &mut Body::new());
         assert_eq!(fixmove.failed_kick(), Some(STRIKE.kick));
         fixmove.reset();
         assert_eq!(fixmove.failed_kick(), None);
     }
 
     #[test]
+    fn a_retreat_has_the_tuned_speed() {
+        let (mut body, tuned) = (Body::new(), Tuned::new(LineUp { retreat_speed: 0.05, ..LineUp::DEFAULT }));
+        Fixmove::new().retreat(&tuned, &mut body);
+        assert_eq!(body.request(), Request::Step(Velocity { forward: -0.05, left: 0.0, turn: 0.0 }));
+    }
+
+    #[test]
     fn an_unknown_ball_position_allows_no_kick() {
         let mut fixmove = Fixmove::new();
         fixmove.play(STRIKE);
-        fixmove.settled = SETTLED - 1;
-        fixmove.align(&RobotProfile::new(), &BallDetector::new(), &Odometry::new(), &mut Body::new());
-        assert!(!fixmove.in_place() && !fixmove.out_of_reach());
+        fixmove.settled = LineUp::DEFAULT.settled_runs as u8 - 1;
+        align(&mut fixmove);
+        assert!(!fixmove.in_place(&Tuned::DEFAULT) && !fixmove.out_of_reach());
+        assert_eq!(fixmove.error(), None);
+    }
+
+    #[test]
+    fn the_kick_begins_after_the_tuned_number_of_runs() {
+        let fixmove = Fixmove { settled: 4, ..Fixmove::new() };
+        for (settled_runs, begins) in [(4, true), (5, false)] {
+            assert_eq!(fixmove.in_place(&Tuned::new(LineUp { settled_runs, ..LineUp::DEFAULT })), begins);
+        }
+    }
+
+    #[test]
+    fn a_kick_requested_by_hand_starts_anew_after_another_one() {
+        let mut fixmove = Fixmove::new();
+        fixmove.play(STRIKE);
+        fixmove.over(&mut Body::new());
+        assert!(fixmove.done() && !fixmove.requested_by_hand());
+        fixmove.kick(KickChoice::Front, SideChoice::Right, 0.5);
+        assert!(fixmove.requested_by_hand());
+        fixmove.begin();
+        align(&mut fixmove);
+        let expected = Strike { kick: Kick { kind: KickKind::Front, foot: Side::Right }, heading: 0.5 };
+        assert_eq!((fixmove.requested(), fixmove.done()), (Some(expected), false));
+        assert!(!fixmove.requested_by_hand(), "once");
     }
 }

@@ -10,37 +10,75 @@ use super::FaceBall;
 use crate::motion::{Body, Head};
 use crate::perception::BallDetector;
 
-/// Head pan above which the body turns on the spot, rad (35°).
-const TURN_PAN: f32 = 0.61;
-/// Head pan below which a turn on the spot ends, rad.
-const AHEAD_PAN: f32 = 0.25;
-/// Walking speed, m/s.
-const SPEED: f32 = 0.25;
-/// Walking speed near the ball, m/s.
-const NEAR_SPEED: f32 = 0.12;
-/// Steering gain: turning speed per head pan, 1/s.
-const STEERING_GAIN: f32 = 1.0;
-/// Slowest turn on the spot, rad/s.
-const MIN_TURN: f32 = 0.4;
-/// Fastest turn on the spot, rad/s.
-const MAX_TURN: f32 = 1.0;
-/// Head tilt from which a ball in the bottom camera is near, rad.
-const NEAR_TILT: f32 = -0.1;
-/// Head tilt from which a ball in the bottom camera is reached, rad.
-const REACHED_TILT: f32 = 0.28;
-/// Head pan below which the ball can be reached, rad.
-const REACHED_PAN: f32 = 0.6;
+/// How the robot walks to the ball.
+#[derive(Clone, Debug, PartialEq, Params)]
+#[params(check = Self::is_ordered)]
+pub struct Approach {
+    /// Walking speed.
+    #[param(default = 0.25, range = 0.05..=0.4, unit = "m/s", step = 0.01)]
+    pub speed: f32,
+    /// Walking speed near the ball.
+    #[param(default = 0.12, range = 0.02..=0.4, unit = "m/s", step = 0.01)]
+    pub near_speed: f32,
+    /// Head pan above which the body turns on the spot.
+    #[param(default = 0.61, range = 0.1..=1.5, unit = "rad", step = 0.01)]
+    pub turn_pan: f32,
+    /// Head pan below which a turn on the spot ends.
+    #[param(default = 0.25, range = 0.05..=1.0, unit = "rad", step = 0.01)]
+    pub ahead_pan: f32,
+    /// Turning speed per head pan while walking.
+    #[param(default = 1.0, range = 0.1..=3.0, unit = "1/s", step = 0.05)]
+    pub steering_gain: f32,
+    /// Slowest turn on the spot.
+    #[param(default = 0.4, range = 0.1..=1.5, unit = "rad/s", step = 0.05)]
+    pub min_turn: f32,
+    /// Fastest turn on the spot.
+    #[param(default = 1.0, range = 0.1..=1.5, unit = "rad/s", step = 0.05)]
+    pub max_turn: f32,
+    /// Head tilt, down, above which a ball in the bottom camera is near.
+    #[param(default = -0.1, range = -0.5..=0.5, unit = "rad", step = 0.01)]
+    pub near_tilt: f32,
+    /// Head tilt, down, above which a ball in the bottom camera is reached.
+    #[param(default = 0.28, range = -0.3..=0.5, unit = "rad", step = 0.01)]
+    pub reached_tilt: f32,
+    /// Head pan below which the ball can be reached.
+    #[param(default = 0.6, range = 0.1..=1.2, unit = "rad", step = 0.01)]
+    pub reached_pan: f32,
+}
 
-/// Minimum decrease of the distance within [`PROGRESS_TIME`] without which the approach counts as stalled, m.
-const PROGRESS_DISTANCE: f32 = 0.1;
-/// Time in which the distance must decrease, s.
-const PROGRESS_TIME: f32 = 5.0;
-/// Increase of the distance at which the ball is considered rolling and the approach begins anew, m.
-const ROLLED_DISTANCE: f32 = 0.4;
-/// Sidestepping speed, m/s.
-const ASIDE_SPEED: f32 = 0.1;
-/// Duration of sidestepping, s.
-const ASIDE_TIME: f32 = 4.0;
+impl Approach {
+    const fn is_ordered(&self) -> Result<(), &'static str> {
+        if self.ahead_pan > self.turn_pan {
+            Err("`ahead_pan` must not be above `turn_pan`")
+        } else if self.min_turn > self.max_turn {
+            Err("`min_turn` must not be above `max_turn`")
+        } else if self.near_tilt > self.reached_tilt {
+            Err("`near_tilt` must not be above `reached_tilt`")
+        } else {
+            Ok(())
+        }
+    }
+}
+
+/// When an approach counts as stalled, and how the robot sidesteps then.
+#[derive(Clone, Debug, PartialEq, Params)]
+pub struct Stall {
+    /// Decrease of the distance within `progress_time` without which the approach counts as stalled.
+    #[param(default = 0.1, range = 0.02..=0.5, unit = "m", step = 0.01)]
+    pub progress_distance: f32,
+    /// Time in which the distance must decrease.
+    #[param(default = 5.0, range = 1.0..=20.0, unit = "s", step = 0.5)]
+    pub progress_time: f32,
+    /// Increase of the distance at which the ball counts as rolling and the approach begins anew.
+    #[param(default = 0.4, range = 0.1..=2.0, unit = "m", step = 0.05)]
+    pub rolled_distance: f32,
+    /// Sidestepping speed.
+    #[param(default = 0.1, range = 0.02..=0.2, unit = "m/s", step = 0.01)]
+    pub aside_speed: f32,
+    /// Duration of sidestepping.
+    #[param(default = 4.0, range = 0.5..=10.0, unit = "s", step = 0.5)]
+    pub aside_time: f32,
+}
 
 /// Walks to the ball in the direction of the head, which faces the ball. A stalled approach sidesteps, alternately to
 /// both sides.
@@ -69,57 +107,94 @@ impl FollowBall {
         *self = Self { side: self.side, ..Self::new() };
     }
 
-    fn step(&mut self, time: &Time, ball: &BallDetector, head: &Head, face: &mut FaceBall, body: &mut Body) {
+    fn step(
+        &mut self,
+        tuned: &Tuned<Approach>,
+        stall: &Tuned<Stall>,
+        time: &Time,
+        ball: &BallDetector,
+        head: &Head,
+        face: &mut FaceBall,
+        body: &mut Body,
+    ) {
         let pan = head.pan();
         let tilt = ball.seen().filter(|seen| seen.camera == CameraId::Bottom).map(|_| head.tilt());
-        let near = tilt.is_some_and(|tilt| tilt > NEAR_TILT);
+        let near = tilt.is_some_and(|tilt| tilt > tuned.near_tilt);
         self.reached = ball.is_confirmed()
-            && tilt.is_some_and(|tilt| tilt > REACHED_TILT)
-            && fabsf(pan) < REACHED_PAN
+            && tilt.is_some_and(|tilt| tilt > tuned.reached_tilt)
+            && fabsf(pan) < tuned.reached_pan
             && face.centred();
-        self.turning = fabsf(pan) > if self.turning { AHEAD_PAN } else { TURN_PAN };
+        self.turning = fabsf(pan) > if self.turning { tuned.ahead_pan } else { tuned.turn_pan };
         if self.reached {
             body.stand();
-        } else if self.is_stalled(ball.position(), time.dt()) {
-            body.step_with(Velocity { forward: 0.0, left: self.side * ASIDE_SPEED, turn: STEERING_GAIN * pan });
+        } else if self.is_stalled(stall, ball.position(), time.dt()) {
+            let left = self.side * stall.aside_speed;
+            body.step_with(Velocity { forward: 0.0, left, turn: tuned.steering_gain * pan });
         } else if self.turning {
-            body.turn(fabsf(pan).clamp(MIN_TURN, MAX_TURN).copysign(pan));
+            body.turn(fabsf(pan).clamp(tuned.min_turn, tuned.max_turn).copysign(pan));
         } else {
-            body.go(if near { NEAR_SPEED } else { SPEED }, STEERING_GAIN * pan);
+            body.go(if near { tuned.near_speed } else { tuned.speed }, tuned.steering_gain * pan);
         }
     }
 
     /// Whether the approach is stalled, `seconds` after the last call.
-    fn is_stalled(&mut self, ball: Option<Vec2>, seconds: f32) -> bool {
+    fn is_stalled(&mut self, stall: &Stall, ball: Option<Vec2>, seconds: f32) -> bool {
         self.stalled_time += seconds;
         let distance = ball.map_or(self.nearest, Vec2::length);
-        if self.stalled_time > PROGRESS_TIME + ASIDE_TIME {
+        if self.stalled_time > stall.progress_time + stall.aside_time {
             (self.nearest, self.stalled_time, self.side) = (distance, 0.0, -self.side);
-        } else if distance < self.nearest - PROGRESS_DISTANCE || distance > self.nearest + ROLLED_DISTANCE {
+        } else if distance < self.nearest - stall.progress_distance || distance > self.nearest + stall.rolled_distance {
             (self.nearest, self.stalled_time) = (distance, 0.0);
         }
-        self.stalled_time > PROGRESS_TIME
+        self.stalled_time > stall.progress_time
     }
 
     /// Whether the ball is in front of the feet: centred in the bottom camera, with the head far down and nearly
     /// straight.
+    #[info]
     #[must_use]
     pub const fn reached(&self) -> bool {
         self.reached
+    }
+
+    /// Whether the direction of the ball asks for a turn on the spot.
+    #[info]
+    #[must_use]
+    pub const fn is_turning(&self) -> bool {
+        self.turning
+    }
+
+    /// Least distance to the ball since the approach began or the ball rolled away; `None` while it is unknown.
+    #[info(unit = "m")]
+    #[must_use]
+    pub fn nearest(&self) -> Option<f32> {
+        self.nearest.is_finite().then_some(self.nearest)
+    }
+
+    /// Time without progress: without a decrease of the least distance by `progress_distance`. The robot sidesteps while it
+    /// is above `progress_time`.
+    #[info(unit = "s")]
+    #[must_use]
+    pub const fn stalled_time(&self) -> f32 {
+        self.stalled_time
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::time;
     use super::*;
+    use crate::motion::Request;
 
     const PERIOD: f32 = 0.05;
+    /// Different from the defaults.
+    const STALL: Stall = Stall { progress_time: 3.0, aside_time: 2.0, ..Stall::DEFAULT };
 
     /// Simulates runs over some seconds, with the distance to the ball as a function of time, and returns for each
     /// whether the approach is stalled.
     fn runs(follow: &mut FollowBall, seconds: f32, distance: impl Fn(f32) -> f32) -> impl Iterator<Item = bool> {
         let times = (0..(seconds / PERIOD) as u16).map(|run| f32::from(run) * PERIOD);
-        times.map(move |time| follow.is_stalled(Some(Vec2::X * distance(time)), PERIOD))
+        times.map(move |time| follow.is_stalled(&STALL, Some(Vec2::X * distance(time)), PERIOD))
     }
 
     #[test]
@@ -131,12 +206,36 @@ mod tests {
     #[test]
     fn stalled_approach_sidesteps_alternately() {
         let mut follow = FollowBall::new();
-        assert!(!runs(&mut follow, PROGRESS_TIME - 0.2, |_| 1.0).any(|stalled| stalled));
-        assert_eq!(runs(&mut follow, ASIDE_TIME, |_| 1.0).last(), Some(true));
+        assert!(!runs(&mut follow, STALL.progress_time - 0.2, |_| 1.0).any(|stalled| stalled));
+        assert_eq!(runs(&mut follow, STALL.aside_time, |_| 1.0).last(), Some(true));
         let side = follow.side;
         assert_eq!(runs(&mut follow, 1.0, |_| 1.0).last(), Some(false), "sidestepping ends");
-        assert_eq!(runs(&mut follow, PROGRESS_TIME, |_| 1.0).last(), Some(true));
+        assert_eq!(runs(&mut follow, STALL.progress_time, |_| 1.0).last(), Some(true));
         assert_eq!((side, follow.side), (1.0, -1.0));
-        assert!(!follow.is_stalled(Some(Vec2::X * 0.8), PERIOD), "a shorter distance ends the stall at once");
+        assert!(!follow.is_stalled(&STALL, Some(Vec2::X * 0.8), PERIOD), "a shorter distance ends the stall at once");
+    }
+
+    #[test]
+    fn the_robot_walks_and_sidesteps_with_the_tuned_speeds() {
+        let tuned = Tuned::new(Approach { speed: 0.17, ..Approach::DEFAULT });
+        let stall = Tuned::new(Stall { progress_time: 1.0, aside_speed: 0.06, ..Stall::DEFAULT });
+        let (mut follow, ball, head) = (FollowBall::new(), BallDetector::new(), Head::new());
+        let (mut face, mut body) = (FaceBall::new(), Body::new());
+        follow.step(&tuned, &stall, &time(500), &ball, &head, &mut face, &mut body);
+        assert_eq!(body.request(), Request::Straight { forward: 0.17, turn: 0.0 });
+        follow.step(&tuned, &stall, &time(600), &ball, &head, &mut face, &mut body);
+        assert_eq!(body.request(), Request::Step(Velocity { forward: 0.0, left: 0.06, turn: 0.0 }));
+    }
+
+    #[test]
+    fn limits_in_the_wrong_order_are_refused() {
+        assert!(Approach::DEFAULT.check().is_ok());
+        for wrong in [
+            Approach { ahead_pan: 0.62, ..Approach::DEFAULT },
+            Approach { min_turn: 1.1, ..Approach::DEFAULT },
+            Approach { near_tilt: 0.3, ..Approach::DEFAULT },
+        ] {
+            assert!(wrong.check().is_err(), "{wrong:?}");
+        }
     }
 }

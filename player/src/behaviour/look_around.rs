@@ -7,17 +7,41 @@ use crate::motion::Head;
 use crate::output::CameraSelector;
 use crate::perception::Localization;
 
-/// Head pans in sequence, rad. Neighbouring images overlap by a third.
-const PANS: [f32; 7] = [0.0, 0.6, 1.2, 1.9, -0.6, -1.2, -1.9];
-/// Head tilt, rad.
-const TILT: f32 = -0.05;
-/// Duration of the stop in each direction, s.
-const REST_TIME: f32 = 0.15;
+/// Number of directions of a scan.
+const DIRECTIONS: usize = 7;
+
+/// Directions of a scan of the horizon. Neighbouring images should overlap.
+#[derive(Clone, Debug, PartialEq, Params)]
+pub struct Glancing {
+    /// Head pan of the directions nearest to straight ahead, to each side.
+    #[param(default = 0.6, range = 0.1..=2.0, unit = "rad", step = 0.05)]
+    pub inner_pan: f32,
+    /// Head pan of the directions between the inner and the outer ones.
+    #[param(default = 1.2, range = 0.1..=2.0, unit = "rad", step = 0.05)]
+    pub middle_pan: f32,
+    /// Head pan of the outermost directions.
+    #[param(default = 1.9, range = 0.1..=2.0, unit = "rad", step = 0.05)]
+    pub outer_pan: f32,
+    /// Head tilt, down.
+    #[param(default = -0.05, range = -0.5..=0.4, unit = "rad", step = 0.01)]
+    pub tilt: f32,
+    /// Duration of the stop in each direction.
+    #[param(default = 0.15, range = 0.0..=2.0, unit = "s", step = 0.01)]
+    pub rest_time: f32,
+}
+
+impl Glancing {
+    /// Head pans in sequence, rad.
+    const fn pans(&self) -> [f32; DIRECTIONS] {
+        let Self { inner_pan: inner, middle_pan: middle, outer_pan: outer, .. } = *self;
+        [0.0, inner, middle, outer, -inner, -middle, -outer]
+    }
+}
 
 /// Moves the head along the horizon from one side to the other, repeatedly, while the robot localizes itself.
 #[derive(Debug)]
 pub struct LookAround {
-    /// Index in [`PANS`].
+    /// Index in [`Glancing::pans`].
     glance: usize,
     glances: u32,
     /// Duration of the current stop so far, s.
@@ -39,15 +63,22 @@ impl LookAround {
         *self = Self { side: self.side, ..Self::new() };
     }
 
-    fn step(&mut self, time: &Time, _field: &Localization, head: &mut Head, camera: &mut CameraSelector) {
+    fn step(
+        &mut self,
+        tuned: &Tuned<Glancing>,
+        time: &Time,
+        _field: &Localization,
+        head: &mut Head,
+        camera: &mut CameraSelector,
+    ) {
         camera.select(CameraId::Top);
-        head.look_at(self.side * PANS[self.glance], TILT);
+        head.look_at(self.side * tuned.pans()[self.glance], tuned.tilt);
         if head.arrived() {
             self.rested += time.dt();
         }
-        if self.rested > REST_TIME {
+        if self.rested > tuned.rest_time {
             self.rested = 0.0;
-            self.glance = (self.glance + 1) % PANS.len();
+            self.glance = (self.glance + 1) % DIRECTIONS;
             self.glances += 1;
         }
     }
@@ -58,14 +89,43 @@ impl LookAround {
     }
 
     /// Number of completed directions since the component became active.
+    #[info]
     #[must_use]
     pub const fn glances(&self) -> u32 {
         self.glances
     }
 
+    /// The side on which a scan begins: 1 left, −1 right.
+    #[info]
+    #[must_use]
+    pub const fn first_side(&self) -> f32 {
+        self.side
+    }
+
     /// Whether every direction is completed since the component became active.
+    #[info]
     #[must_use]
     pub const fn is_complete(&self) -> bool {
-        self.glances as usize >= PANS.len()
+        self.glances as usize >= DIRECTIONS
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::time;
+    use super::*;
+
+    #[test]
+    fn the_head_takes_the_tuned_directions_on_the_first_side_first() {
+        let tuned = Tuned::new(Glancing { inner_pan: 0.5, tilt: 0.1, rest_time: 0.0, ..Glancing::DEFAULT });
+        let (mut look, mut head, mut camera) = (LookAround::new(), Head::new(), CameraSelector::new());
+        look.set_first_side(-1.0);
+        let mut run = |look: &mut LookAround| {
+            look.step(&tuned, &time(20), &Localization::new(), &mut head, &mut camera);
+            head.target()
+        };
+        assert_eq!((run(&mut look).yaw, run(&mut look).pitch), (0.0, 0.1));
+        look.glance = 1;
+        assert_eq!(run(&mut look).yaw.to_bits(), (-0.5_f32).to_bits());
     }
 }

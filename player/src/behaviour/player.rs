@@ -9,7 +9,7 @@ use super::{Dribble, FaceBall, Fixmove, FollowBall, GoRound, SafetyGuard, Search
 use crate::input::{GameState, HealthMonitor, RobotProfile, RobotState};
 use crate::motion::Body;
 use crate::perception::{BallDetector, FallDetector, GoalDetector, Localization, Odometry, RobotDetector};
-use crate::strategy::{Plan, Situation, can_dribble, plan};
+use crate::strategy::{Clearance, DribbleCondition, Plan, Planning, Situation, can_dribble, plan};
 
 /// The forward of RoboCup 2009.
 #[derive(Debug)]
@@ -119,8 +119,8 @@ impl Player {
     }
 
     #[transition(approach -> dribble)]
-    fn goal_far_ahead(&self, ball: &BallDetector, goal: &GoalDetector) -> bool {
-        can_dribble(ball, goal)
+    fn goal_far_ahead(&self, tuned: &Tuned<DribbleCondition>, ball: &BallDetector, goal: &GoalDetector) -> bool {
+        can_dribble(ball, goal, tuned)
     }
 
     #[transition(dribble -> approach)]
@@ -142,6 +142,8 @@ impl Player {
     #[transition(search_net -> kick)]
     fn goal_in_reach(
         &self,
+        tuned: &Tuned<Planning>,
+        clearance: &Tuned<Clearance>,
         search: &SearchNet,
         ball: &BallDetector,
         goal: &GoalDetector,
@@ -152,8 +154,9 @@ impl Player {
         if !search.is_complete() {
             return false;
         }
-        let plan = Situation::of(ball, goal, field, robots)
-            .map_or(Plan::GoRound(0.0), |situation| plan(&situation, &profile.get().kicks, self.last_failed_kick));
+        let (kicks, failed) = (&profile.get().kicks, self.last_failed_kick);
+        let plan = Situation::of(ball, goal, field, robots, clearance)
+            .map_or(Plan::GoRound(0.0), |situation| plan(&situation, kicks, failed, tuned, clearance));
         self.decision.set(Some(plan));
         matches!(plan, Plan::Kick(_))
     }
@@ -189,5 +192,19 @@ impl Player {
     #[exit(kick)]
     fn keep_failed_kick(&mut self, fixmove: &Fixmove) {
         self.last_failed_kick = fixmove.failed_kick();
+    }
+
+    /// The last plan at the ball: a kick with its heading in the frame of the odometry, or a turn around the ball.
+    #[info(unit = "rad")]
+    #[must_use]
+    pub const fn plan(&self) -> Plan {
+        self.plan
+    }
+
+    /// The last kick, if it was given up because the robot could not line up.
+    #[info]
+    #[must_use]
+    pub const fn last_failed_kick(&self) -> Option<Kick> {
+        self.last_failed_kick
     }
 }

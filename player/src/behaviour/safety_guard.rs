@@ -194,7 +194,30 @@ impl SafetyGuard {
         (self.get_up, self.sit_or_rise) = (GetUp::none(), Motion::none());
     }
 
+    /// Number of get-up movements since the fall.
+    #[info]
+    #[must_use]
+    pub const fn attempts(&self) -> u8 {
+        self.attempts
+    }
+
+    /// Index of the key posture that the last get-up movement approaches, from its beginning; `None` if there was none since
+    /// the component became active.
+    #[info]
+    #[must_use]
+    pub fn get_up_posture(&self) -> Option<u32> {
+        self.get_up.index().map(|index| index as u32)
+    }
+
+    /// Index of the key posture that the motion to or from the sitting posture approaches; their number when it is over.
+    #[info]
+    #[must_use]
+    pub const fn sit_or_rise_posture(&self) -> u32 {
+        self.sit_or_rise.index() as u32
+    }
+
     /// Whether the robot stands again.
+    #[info]
     #[must_use]
     pub const fn stands(&self) -> bool {
         self.stands

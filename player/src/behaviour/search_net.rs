@@ -39,8 +39,16 @@ impl SearchNet {
     }
 
     /// Whether the search is over: both posts were seen at once, or every direction was searched.
+    #[info]
     #[must_use]
     pub const fn is_complete(&self) -> bool {
         self.complete
+    }
+
+    /// Number of directions in which the goal was searched.
+    #[info]
+    #[must_use]
+    pub const fn glances(&self) -> u32 {
+        self.glances
     }
 }

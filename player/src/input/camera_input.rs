@@ -84,9 +84,22 @@ impl CameraInput {
     }
 
     /// Number of images so far; it identifies the newest one.
+    #[info]
     #[must_use]
     pub const fn count(&self) -> u32 {
         self.count
+    }
+
+    /// Camera that took the newest image.
+    #[info]
+    const fn camera(&self) -> CameraId {
+        self.camera
+    }
+
+    /// Width and height of the newest image.
+    #[info(unit = "px")]
+    const fn size(&self) -> (u16, u16) {
+        (self.width, self.height)
     }
 
     /// The joint angles when the image was taken, rad.

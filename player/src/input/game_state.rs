@@ -23,7 +23,15 @@ impl GameState {
         self.pressed = pressed;
     }
 
+    /// Whether the chest button is pressed.
+    #[info]
+    #[must_use]
+    pub const fn is_button_pressed(&self) -> bool {
+        self.pressed
+    }
+
     /// Whether the robot is in the game, not penalized.
+    #[info]
     #[must_use]
     pub const fn playing(&self) -> bool {
         self.playing

@@ -2,15 +2,20 @@
 
 use bica::prelude::*;
 use bica_motion::health::{Fault, Health};
-use bica_motion::joints::Joints;
+use bica_motion::joints::{JOINTS, Joint, Joints};
 use bica_motion::robot::Sensors;
 
 use super::RobotState;
 use crate::Model;
 use crate::output::JointCommand;
 
-/// Maximum time from a fault to the end of the motion if the feet are never both on the ground, s. A kick takes less.
-const GRACE_TIME: f32 = 3.0;
+/// Reaction to a fault.
+#[derive(Params)]
+pub struct FaultReaction {
+    /// Maximum time from a fault to the end of the motion if the feet are never both on the ground. A kick takes less.
+    #[param(default = 3.0, range = 0.0..=10.0, unit = "s", step = 0.1)]
+    grace_time: f32,
+}
 
 /// Faults of joints, motors and sensors, and the reduction of the stiffness of hot motors.
 #[derive(Clone, Copy, Debug)]
@@ -18,6 +23,7 @@ pub struct HealthMonitor {
     health: Health<Model>,
     /// Remaining time until a fault ends the motion, s; 0 or less: it ends the motion.
     grace: f32,
+    temperatures: Joints<f32>,
 }
 
 #[component(budget_us = 2)]
@@ -25,32 +31,59 @@ impl HealthMonitor {
     /// Creates the component without a fault.
     #[must_use]
     pub const fn new() -> Self {
-        Self { health: Health::new(), grace: GRACE_TIME }
+        Self {
+            health: Health::new(),
+            grace: FaultReaction::DEFAULT.grace_time,
+            temperatures: Joints([f32::NAN; JOINTS]),
+        }
     }
 
     /// Compares the measurements of this cycle with the command of the previous one.
     pub fn check(&mut self, sensors: &Sensors<'_>, commanded: &JointCommand) {
+        self.temperatures = sensors.temperatures;
         self.health.step(sensors, &commanded.targets, &commanded.stiffness);
     }
 
-    fn step(&mut self, time: &Time, state: &RobotState) {
+    fn step(&mut self, tuned: &Tuned<FaultReaction>, time: &Time, state: &RobotState) {
         self.grace = match self.fault() {
-            None => GRACE_TIME,
+            None => tuned.grace_time,
             Some(_) if state.grounded() => 0.0,
             Some(_) => self.grace - time.dt(),
         };
     }
 
     /// The fault, if there is one.
+    #[info]
     #[must_use]
     pub const fn fault(&self) -> Option<Fault> {
         self.health.fault()
     }
 
-    /// Whether a fault ends the current motion: both feet have touched the ground since, or 3 s have passed.
+    /// Whether a fault ends the current motion: both feet have touched the ground since, or the grace time has
+    /// passed.
+    #[info]
     #[must_use]
     pub fn must_stop(&self) -> bool {
         self.grace <= 0.0
+    }
+
+    /// Temperatures of the motors, in the order of [`Joint`]; NaN where unknown.
+    #[info(unit = "°C")]
+    const fn temperatures(&self) -> [f32; JOINTS] {
+        self.temperatures.0
+    }
+
+    /// Joint with the hottest motor, if a temperature is known.
+    #[info]
+    fn hottest_joint(&self) -> Option<Joint> {
+        let known = Joint::ALL.into_iter().filter(|joint| !self.temperatures[*joint].is_nan());
+        known.max_by(|a, b| self.temperatures[*a].total_cmp(&self.temperatures[*b]))
+    }
+
+    /// Share of its stiffness that each joint has left, in the order of [`Joint`], 0 to 1.
+    #[info]
+    fn stiffness_shares(&self) -> [f32; JOINTS] {
+        self.derated(&Joints([1.0; JOINTS])).0
     }
 
     /// Stiffness to command instead of `stiffness` (both 0 to 1): less for joints whose motors are hot or heavily
@@ -58,5 +91,53 @@ impl HealthMonitor {
     #[must_use]
     pub fn derated(&self, stiffness: &Joints) -> Joints {
         self.health.derated(stiffness)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use bica_motion::robot::{Buttons, FootPressure, Inertial};
+
+    use super::*;
+
+    /// Monitor of a body of which one motor is too hot, and whose feet are in the air.
+    fn hot(temperature: f32) -> HealthMonitor {
+        let mut monitor = HealthMonitor::new();
+        let mut sensors = Sensors {
+            angles: Joints([0.0; JOINTS]),
+            temperatures: Joints([30.0; JOINTS]),
+            currents: Joints([0.0; JOINTS]),
+            inertial: Inertial::default(),
+            left_foot: FootPressure::default(),
+            right_foot: FootPressure::default(),
+            buttons: Buttons::default(),
+            image: None,
+        };
+        sensors.temperatures[Joint::LKneePitch] = temperature;
+        let commanded = JointCommand { targets: Joints([0.0; JOINTS]), stiffness: Joints([1.0; JOINTS]) };
+        (0..200).for_each(|_| monitor.check(&sensors, &commanded));
+        monitor
+    }
+
+    fn step(monitor: &mut HealthMonitor, grace_time: f32) {
+        monitor.step(&Tuned::new(FaultReaction { grace_time }), &crate::test_time(10), &RobotState::new());
+    }
+
+    #[test]
+    fn a_shorter_grace_time_ends_the_motion_at_a_fault() {
+        for (grace_time, must_stop) in [(3.0, false), (0.0, true)] {
+            let mut monitor = hot(30.0);
+            step(&mut monitor, grace_time);
+            monitor.health = hot(150.0).health;
+            assert!(monitor.fault().is_some());
+            step(&mut monitor, grace_time);
+            assert_eq!(monitor.must_stop(), must_stop, "grace time {grace_time}");
+        }
+    }
+
+    #[test]
+    fn the_hottest_joint_is_published() {
+        assert_eq!(hot(60.0).hottest_joint(), Some(Joint::LKneePitch));
+        assert_eq!(HealthMonitor::new().hottest_joint(), None);
     }
 }

@@ -5,10 +5,32 @@ use bica_motion::model::{Profile, RobotModel};
 
 use crate::Model;
 
+/// Profile of a body.
+#[derive(Clone, Copy, Debug, ParamEnum, PartialEq, Eq)]
+#[cfg_attr(feature = "info", derive(serde::Serialize, postcard_schema::Schema))]
+pub enum BodyProfile {
+    /// The profile that the program has set.
+    Program,
+    /// Motions for a world without dynamics.
+    Kinematic,
+    /// Motions for a world with dynamics.
+    Dynamic,
+}
+
+/// Choice of the profile.
+#[derive(Params)]
+pub struct ProfileChoice {
+    /// Profile of the walk, the kicks and the odometry.
+    #[param(default = BodyProfile::Program)]
+    profile: BodyProfile,
+}
+
 /// Gait, kicks and odometry calibration of the body that the forward controls.
 #[derive(Clone, Copy, Debug)]
 pub struct RobotProfile {
-    profile: &'static Profile,
+    /// Set by the program.
+    set: &'static Profile,
+    used: &'static Profile,
 }
 
 #[component(budget_us = 1)]
@@ -16,17 +38,58 @@ impl RobotProfile {
     /// The profile of the built-in world.
     #[must_use]
     pub const fn new() -> Self {
-        Self { profile: Model::KINEMATIC_PROFILE }
+        Self { set: Model::KINEMATIC_PROFILE, used: Model::KINEMATIC_PROFILE }
     }
 
-    /// Sets the profile of another body.
+    fn step(&mut self, tuned: &Tuned<ProfileChoice>) {
+        self.used = match tuned.profile {
+            BodyProfile::Program => self.set,
+            BodyProfile::Kinematic => Model::KINEMATIC_PROFILE,
+            BodyProfile::Dynamic => Model::DYNAMIC_PROFILE,
+        };
+    }
+
+    /// Sets the profile of another body, for as long as the parameter `profile` is `Program`.
     pub const fn set(&mut self, profile: &'static Profile) {
-        self.profile = profile;
+        (self.set, self.used) = (profile, profile);
     }
 
     /// The profile.
     #[must_use]
     pub const fn get(&self) -> &'static Profile {
-        self.profile
+        self.used
+    }
+
+    /// The profile in use; `Program` if it is none of the others.
+    #[info]
+    fn used(&self) -> BodyProfile {
+        if self.used == Model::KINEMATIC_PROFILE {
+            BodyProfile::Kinematic
+        } else if self.used == Model::DYNAMIC_PROFILE {
+            BodyProfile::Dynamic
+        } else {
+            BodyProfile::Program
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_program_s_profile_is_used_unless_a_parameter_chooses_another() {
+        let mut profile = RobotProfile::new();
+        profile.set(Model::DYNAMIC_PROFILE);
+        for (choice, used) in [
+            (BodyProfile::Program, Model::DYNAMIC_PROFILE),
+            (BodyProfile::Kinematic, Model::KINEMATIC_PROFILE),
+            (BodyProfile::Program, Model::DYNAMIC_PROFILE),
+        ] {
+            profile.step(&Tuned::new(ProfileChoice { profile: choice }));
+            assert_eq!(profile.get(), used, "{choice:?}");
+        }
+        assert_eq!(profile.used(), BodyProfile::Dynamic);
+        assert_ne!(Model::DYNAMIC_PROFILE, Model::KINEMATIC_PROFILE);
     }
 }

@@ -9,8 +9,13 @@ use bica_motion::walk::Feedback;
 
 use crate::output::JointCommand;
 
-/// Force on a foot that touches the ground, N.
-const TOUCH: f32 = 10.0;
+/// Contact of the feet with the ground.
+#[derive(Params)]
+pub struct FootContact {
+    /// Minimum force on a foot that touches the ground.
+    #[param(default = 10.0, range = 0.0..=50.0, unit = "N", step = 0.5)]
+    touch_force: f32,
+}
 
 /// Joint angles, inertial unit and foot pressure of this cycle, and the joint targets of the previous one.
 #[derive(Clone, Copy, Debug)]
@@ -21,6 +26,8 @@ pub struct RobotState {
     firm: bool,
     inertial: Inertial,
     feet: [FootPressure; 2],
+    /// Minimum force on a foot that touches the ground, N.
+    touch_force: f32,
 }
 
 #[component(budget_us = 1)]
@@ -35,7 +42,12 @@ impl RobotState {
             firm: false,
             inertial: Inertial { gyro: glam::Vec3::ZERO, acceleration: glam::Vec3::ZERO, roll: 0.0, pitch: 0.0 },
             feet: [NONE; 2],
+            touch_force: FootContact::DEFAULT.touch_force,
         }
+    }
+
+    fn step(&mut self, tuned: &Tuned<FootContact>) {
+        self.touch_force = tuned.touch_force;
     }
 
     /// Processes the measurements of this cycle and the command of the previous one. A measurement that is not finite
@@ -89,16 +101,54 @@ impl RobotState {
         [&self.feet[0], &self.feet[1]]
     }
 
+    /// Joint angles, in the order of [`Joint`].
+    #[info(unit = "rad")]
+    const fn joint_angles(&self) -> [f32; JOINTS] {
+        self.angles.0
+    }
+
+    /// Roll of the torso, positive to the right.
+    #[info(unit = "rad")]
+    const fn roll(&self) -> f32 {
+        self.inertial.roll
+    }
+
+    /// Pitch of the torso, positive forward.
+    #[info(unit = "rad")]
+    const fn pitch(&self) -> f32 {
+        self.inertial.pitch
+    }
+
+    /// Turn rate by the gyroscope about the torso's x, y and z axes.
+    #[info(unit = "rad/s")]
+    const fn turn_rates(&self) -> [f32; 3] {
+        self.inertial.gyro.to_array()
+    }
+
+    /// Acceleration along the torso's x, y and z axes.
+    #[info(unit = "m/s²")]
+    const fn acceleration(&self) -> [f32; 3] {
+        self.inertial.acceleration.to_array()
+    }
+
+    /// Force on the left and on the right sole.
+    #[info(unit = "N")]
+    fn foot_forces(&self) -> [f32; 2] {
+        self.feet.map(|foot| foot.total())
+    }
+
     /// The foot that carries more of the weight.
+    #[info]
     #[must_use]
     pub fn support(&self) -> Side {
         if self.feet[1].total() > self.feet[0].total() { Side::Right } else { Side::Left }
     }
 
     /// Whether both feet touch the ground.
+    #[info]
     #[must_use]
     pub fn grounded(&self) -> bool {
-        self.feet[0].total().min(self.feet[1].total()) > TOUCH
+        self.feet[0].total().min(self.feet[1].total()) > self.touch_force
     }
 }
 
@@ -130,6 +180,17 @@ mod tests {
         state.measure(&sensors(f32::NAN, f32::INFINITY), &command(1.0));
         assert_eq!(state.angles(), &Joints([0.1; JOINTS]));
         assert_eq!(state.inertial().roll.to_bits(), 0.3_f32.to_bits());
+    }
+
+    #[test]
+    fn a_smaller_force_touches_the_ground_if_the_parameter_allows_it() {
+        let mut state = RobotState::new();
+        let foot = FootPressure { front_left: 5.0, ..FootPressure::default() };
+        state.measure(&Sensors { left_foot: foot, right_foot: foot, ..sensors(0.0, 0.0) }, &command(1.0));
+        for (touch_force, grounded) in [(10.0, false), (4.0, true), (6.0, false)] {
+            state.step(&Tuned::new(FootContact { touch_force }));
+            assert_eq!(state.grounded(), grounded, "{touch_force} N");
+        }
     }
 
     #[test]

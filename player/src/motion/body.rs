@@ -4,7 +4,7 @@ use bica::prelude::*;
 use bica_motion::side::Side;
 use bica_motion::walk::Velocity;
 
-use super::{GoStraight, Turn, Walk};
+use super::{GoStraight, SideChoice, Turn, Walk};
 
 /// Stands, walks straight, turns on the spot or steps in any direction, as its activators request.
 ///
@@ -16,11 +16,22 @@ pub struct Body {
     still: bool,
 }
 
+/// Requested kind of walking, with its speeds in m/s and rad/s, positive to the front and to the left.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Request {
+#[cfg_attr(feature = "info", derive(serde::Serialize, postcard_schema::Schema))]
+pub enum Request {
+    /// Stand with the feet together.
     Stand,
-    Straight { forward: f32, turn: f32 },
+    /// Walk forward and steer.
+    Straight {
+        /// Forward speed.
+        forward: f32,
+        /// Turning speed.
+        turn: f32,
+    },
+    /// Turn on the spot.
     Turn(f32),
+    /// Step in any direction.
     Step(Velocity),
 }
 
@@ -97,24 +108,77 @@ impl Body {
     }
 
     /// Whether the body stands with both feet together.
+    #[info]
     #[must_use]
     pub const fn is_still(&self) -> bool {
         self.still
     }
 
+    /// The requested kind of walking.
+    #[info(unit = "m/s, rad/s")]
+    #[must_use]
+    pub const fn request(&self) -> Request {
+        self.request
+    }
+
     /// Requests to stand.
+    #[modulation]
     pub const fn stand(&mut self) {
         self.request = Request::Stand;
     }
 
     /// Requests to walk forward at `forward` m/s while turning at `turn` rad/s, positive to the left.
-    pub const fn go(&mut self, forward: f32, turn: f32) {
+    #[modulation]
+    pub const fn go(
+        &mut self,
+        /// Forward speed; negative is backward.
+        #[range(-0.3..=0.4)]
+        #[unit("m/s")]
+        #[step(0.01)]
+        forward: f32,
+        /// Turning speed, positive to the left.
+        #[range(-1.5..=1.5)]
+        #[unit("rad/s")]
+        #[step(0.05)]
+        turn: f32,
+    ) {
         self.request = Request::Straight { forward, turn };
     }
 
     /// Requests to turn on the spot at `speed` rad/s, positive to the left.
-    pub const fn turn(&mut self, speed: f32) {
+    #[modulation]
+    pub const fn turn(
+        &mut self,
+        /// Turning speed, positive to the left.
+        #[range(-1.5..=1.5)]
+        #[unit("rad/s")]
+        #[step(0.05)]
+        speed: f32,
+    ) {
         self.request = Request::Turn(speed);
+    }
+
+    /// Requests steps in any direction.
+    #[modulation]
+    pub const fn walk(
+        &mut self,
+        /// Forward speed; negative is backward.
+        #[range(-0.3..=0.4)]
+        #[unit("m/s")]
+        #[step(0.01)]
+        forward: f32,
+        /// Speed to the left.
+        #[range(-0.25..=0.25)]
+        #[unit("m/s")]
+        #[step(0.01)]
+        left: f32,
+        /// Turning speed, positive to the left.
+        #[range(-1.5..=1.5)]
+        #[unit("rad/s")]
+        #[step(0.05)]
+        turn: f32,
+    ) {
+        self.step_with(Velocity { forward, left, turn });
     }
 
     /// Requests steps with `velocity`: forward, sideways and turning at once.
@@ -125,5 +189,15 @@ impl Body {
     /// Requests that a foot swings through the ball in its next step; only in the state that steps in any direction.
     pub const fn kick(&mut self, foot: Side) {
         self.kick = Some(foot);
+    }
+
+    /// Requests that a foot swings through the ball in its next step, or as soon as steps in any direction are requested.
+    #[modulation]
+    pub fn swing(
+        &mut self,
+        /// Kicking foot.
+        foot: SideChoice,
+    ) {
+        self.kick(foot.into());
     }
 }

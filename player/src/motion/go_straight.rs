@@ -22,13 +22,46 @@ impl GoStraight {
         Self { forward: 0.0, turn: 0.0 }
     }
 
+    #[stop]
+    fn reset(&mut self) {
+        *self = Self::new();
+    }
+
     fn step(&mut self, walk: &mut Walk) {
         walk.request(Velocity { forward: self.forward, left: 0.0, turn: self.turn });
     }
 
-    /// Sets the speed: `forward` m/s and `turn` rad/s, positive to the left.
-    pub const fn set_speed(&mut self, forward: f32, turn: f32) {
+    /// Sets the speed: `forward` m/s and `turn` rad/s, positive to the left. The speed holds until it is set again or the
+    /// component becomes latent.
+    #[modulation]
+    pub const fn set_speed(
+        &mut self,
+        /// Forward speed; negative is backward.
+        #[range(-0.3..=0.4)]
+        #[unit("m/s")]
+        #[step(0.01)]
+        forward: f32,
+        /// Turning speed, positive to the left.
+        #[range(-1.5..=1.5)]
+        #[unit("rad/s")]
+        #[step(0.05)]
+        turn: f32,
+    ) {
         self.forward = forward;
         self.turn = turn;
+    }
+
+    /// Requested forward speed.
+    #[info(unit = "m/s")]
+    #[must_use]
+    pub const fn forward(&self) -> f32 {
+        self.forward
+    }
+
+    /// Requested turning speed, positive to the left.
+    #[info(unit = "rad/s")]
+    #[must_use]
+    pub const fn turn(&self) -> f32 {
+        self.turn
     }
 }

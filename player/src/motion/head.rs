@@ -10,10 +10,22 @@ use crate::Model;
 use crate::input::RobotState;
 use crate::output::Motors;
 
-/// Speed limits: below the motors' 6.5 rad/s, so that images are not blurred.
-const SPEED: HeadSpeed = HeadSpeed { yaw: 4.0, pitch: 3.0 };
-/// Maximum error of the measured joints at the target, rad.
-const ARRIVED: f32 = 0.03;
+/// How the head moves.
+#[derive(Clone, Debug, PartialEq, Params)]
+pub struct HeadMotion {
+    /// Largest pan speed: below the motors' 6.5 rad/s, so that images are not blurred.
+    #[param(default = 4.0, range = 0.5..=6.5, unit = "rad/s", step = 0.1)]
+    pub pan_speed: f32,
+    /// Largest tilt speed: below the motors' 6.5 rad/s, so that images are not blurred.
+    #[param(default = 3.0, range = 0.5..=6.5, unit = "rad/s", step = 0.1)]
+    pub tilt_speed: f32,
+    /// Largest error of each measured joint at which the target counts as reached.
+    #[param(default = 0.03, range = 0.005..=0.2, unit = "rad", step = 0.005)]
+    pub arrival_tolerance: f32,
+    /// Stiffness of both joints, 0 (limp) to 1 (B-Human 2023).
+    #[param(default = 0.7, range = 0.1..=1.0, step = 0.05)]
+    pub stiffness: f32,
+}
 
 /// Pan and tilt of the head, with limited speed and within the limits of the shell.
 #[derive(Debug)]
@@ -31,17 +43,31 @@ impl Head {
         Self { target: HeadAngles::AHEAD, commanded: HeadAngles::AHEAD, arrived: false }
     }
 
-    fn step(&mut self, time: &Time, state: &RobotState, motors: &mut Motors) {
-        self.commanded = SPEED.step::<Model>(self.commanded, self.target, time.dt());
+    fn step(&mut self, tuned: &Tuned<HeadMotion>, time: &Time, state: &RobotState, motors: &mut Motors) {
+        let speed = HeadSpeed { yaw: tuned.pan_speed, pitch: tuned.tilt_speed };
+        self.commanded = speed.step::<Model>(self.commanded, self.target, time.dt());
         let measured = HeadAngles::read(state.angles());
-        let near = |measured: f32, target: f32| fabsf(measured - target) < ARRIVED;
+        let near = |measured: f32, target: f32| fabsf(measured - target) < tuned.arrival_tolerance;
         self.arrived = near(measured.yaw, self.target.yaw) && near(measured.pitch, self.target.pitch);
-        motors.set_head(self.commanded.yaw, self.commanded.pitch);
+        motors.set_head(self.commanded.yaw, self.commanded.pitch, tuned.stiffness);
     }
 
     /// Sets the direction: `pan` rad to the left, `tilt` rad down, limited to the range of the joints. Values that are not
     /// finite are ignored.
-    pub fn look_at(&mut self, pan: f32, tilt: f32) {
+    #[modulation]
+    pub fn look_at(
+        &mut self,
+        /// Angle to the left.
+        #[range(-2.1..=2.1)]
+        #[unit("rad")]
+        #[step(0.05)]
+        pan: f32,
+        /// Angle down.
+        #[range(-0.7..=0.55)]
+        #[unit("rad")]
+        #[step(0.05)]
+        tilt: f32,
+    ) {
         if pan.is_finite() && tilt.is_finite() {
             let target = HeadAngles { yaw: pan, pitch: tilt }.clamped::<Model>();
             self.arrived &= target == self.target;
@@ -56,18 +82,28 @@ impl Head {
     }
 
     /// The commanded head pan, rad to the left.
+    #[info(unit = "rad")]
     #[must_use]
     pub const fn pan(&self) -> f32 {
         self.commanded.yaw
     }
 
     /// The commanded head tilt, rad down.
+    #[info(unit = "rad")]
     #[must_use]
     pub const fn tilt(&self) -> f32 {
         self.commanded.pitch
     }
 
+    /// The requested direction within the limits of the joints.
+    #[info(unit = "rad")]
+    #[must_use]
+    pub const fn target(&self) -> HeadAngles {
+        self.target
+    }
+
     /// Whether the head has reached its target.
+    #[info]
     #[must_use]
     pub const fn arrived(&self) -> bool {
         self.arrived

@@ -20,12 +20,32 @@ impl Turn {
         Self { speed: 0.0 }
     }
 
+    #[stop]
+    fn reset(&mut self) {
+        *self = Self::new();
+    }
+
     fn step(&mut self, walk: &mut Walk) {
         walk.request(Velocity { forward: 0.0, left: 0.0, turn: self.speed });
     }
 
-    /// Sets the speed, rad/s, positive to the left.
-    pub const fn set_speed(&mut self, speed: f32) {
+    /// Sets the speed, rad/s, positive to the left. It holds until it is set again or the component becomes latent.
+    #[modulation]
+    pub const fn set_speed(
+        &mut self,
+        /// Turning speed, positive to the left.
+        #[range(-1.5..=1.5)]
+        #[unit("rad/s")]
+        #[step(0.05)]
+        speed: f32,
+    ) {
         self.speed = speed;
+    }
+
+    /// Requested turning speed, positive to the left.
+    #[info(unit = "rad/s")]
+    #[must_use]
+    pub const fn speed(&self) -> f32 {
+        self.speed
     }
 }

@@ -3,11 +3,60 @@
 use bica::prelude::*;
 use bica_motion::model::RobotModel;
 use bica_motion::side::Side;
-use bica_motion::walk::{Phase, Velocity, Walk as Gait};
+use bica_motion::walk::{Adjustment, Phase, Velocity, Walk as Gait};
 
 use crate::Model;
 use crate::input::{RobotProfile, RobotState};
 use crate::output::Motors;
+
+/// Adjustment of the gait of the robot's profile to a floor.
+#[derive(Clone, Debug, PartialEq, Params)]
+pub struct WalkTuning {
+    /// Scale of the largest speeds of the gait.
+    #[param(default = 1.0, range = 0.2..=1.3, step = 0.05)]
+    pub speed_limit_scale: f32,
+    /// Scale of the height of the swing foot. A soft floor needs more.
+    #[param(default = 1.0, range = 0.5..=2.0, step = 0.05)]
+    pub step_height_scale: f32,
+    /// Scale of the gains from the gyroscope to the ankles.
+    #[param(default = 1.0, range = 0.0..=2.0, step = 0.05)]
+    pub balance_scale: f32,
+    /// Additional forward lean of the torso, in stand and walk. `Kicker.torso_lean` should equal it.
+    #[param(default = 0.0, range = -0.1..=0.1, unit = "rad", step = 0.005)]
+    pub torso_lean: f32,
+    /// Forward speed that is added to every requested velocity except zero. It compensates drift.
+    #[param(default = 0.0, range = -0.05..=0.05, unit = "m/s", step = 0.002)]
+    pub forward_trim: f32,
+    /// Speed to the left that is added to every requested velocity except zero.
+    #[param(default = 0.0, range = -0.05..=0.05, unit = "m/s", step = 0.002)]
+    pub left_trim: f32,
+    /// Turning speed, positive to the left, that is added to every requested velocity except zero.
+    #[param(default = 0.0, range = -0.3..=0.3, unit = "rad/s", step = 0.01)]
+    pub turn_trim: f32,
+}
+
+impl WalkTuning {
+    const fn adjustment(&self) -> Adjustment {
+        Adjustment {
+            speed_limit: self.speed_limit_scale,
+            step_height: self.step_height_scale,
+            balance: self.balance_scale,
+            torso_lean: self.torso_lean,
+        }
+    }
+
+    /// The requested velocity with the trim.
+    fn trimmed(&self, request: Velocity) -> Velocity {
+        if request.is_zero() {
+            return request;
+        }
+        Velocity {
+            forward: request.forward + self.forward_trim,
+            left: request.left + self.left_trim,
+            turn: request.turn + self.turn_trim,
+        }
+    }
+}
 
 /// Walks with the requested velocity; at zero velocity it brings the feet together and stands.
 #[derive(Debug)]
@@ -31,10 +80,18 @@ impl Walk {
         self.request = Velocity::ZERO;
     }
 
-    fn step(&mut self, time: &Time, state: &RobotState, profile: &RobotProfile, motors: &mut Motors) {
+    fn step(
+        &mut self,
+        tuned: &Tuned<WalkTuning>,
+        time: &Time,
+        state: &RobotState,
+        profile: &RobotProfile,
+        motors: &mut Motors,
+    ) {
         self.gait.set_gait(&profile.get().gait);
+        self.gait.set_adjustment(tuned.adjustment());
         let feedback = state.feedback();
-        motors.set_limbs(&self.gait.step(self.request, &feedback, time.dt()));
+        motors.set_limbs(&self.gait.step(tuned.trimmed(self.request), &feedback, time.dt()));
     }
 
     /// Requests a velocity, in the frame of the robot.
@@ -47,7 +104,36 @@ impl Walk {
         self.gait.request_kick(foot);
     }
 
+    /// The requested velocity, in the frame of the robot.
+    #[info(unit = "m/s, rad/s")]
+    #[must_use]
+    pub const fn requested(&self) -> Velocity {
+        self.request
+    }
+
+    /// Velocity of the current step, within the limits of the gait; zero in stand.
+    #[info(unit = "m/s, rad/s")]
+    #[must_use]
+    pub const fn velocity(&self) -> Velocity {
+        self.gait.velocity()
+    }
+
+    /// Phase of the walk.
+    #[info]
+    #[must_use]
+    pub const fn phase(&self) -> Phase {
+        self.gait.phase()
+    }
+
+    /// Planned support foot; `None` in stand.
+    #[info]
+    #[must_use]
+    pub fn support(&self) -> Option<Side> {
+        self.gait.support()
+    }
+
     /// Whether both feet are together and still.
+    #[info]
     #[must_use]
     pub fn stands(&self) -> bool {
         self.gait.phase() == Phase::Standing

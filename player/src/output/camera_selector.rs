@@ -23,6 +23,7 @@ impl CameraSelector {
     }
 
     /// The selected camera.
+    #[info]
     #[must_use]
     pub const fn selected(&self) -> CameraId {
         self.camera

@@ -7,11 +7,9 @@ use bica_motion::stiffness::Stiffness;
 
 use crate::Model;
 
-/// Stiffness of the head joints, 0 to 1 (B-Human 2023).
-const HEAD_STIFFNESS: f32 = 0.7;
-
 /// Targets and stiffness of all joints.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "info", derive(serde::Serialize, postcard_schema::Schema))]
 pub struct JointCommand {
     /// Target angles, rad, within the joint limits.
     pub targets: Joints,
@@ -38,10 +36,10 @@ impl Motors {
         Self { targets: ZERO, stiffness: ZERO, commanded: JointCommand { targets: ZERO, stiffness: ZERO } }
     }
 
-    /// Sets the targets of the head, rad.
-    pub fn set_head(&mut self, pan: f32, tilt: f32) {
-        self.set(Joint::HeadYaw, pan, HEAD_STIFFNESS);
-        self.set(Joint::HeadPitch, tilt, HEAD_STIFFNESS);
+    /// Sets the targets of the head, rad, and the stiffness of both joints, 0 to 1.
+    pub fn set_head(&mut self, pan: f32, tilt: f32, stiffness: f32) {
+        self.set(Joint::HeadYaw, pan, stiffness);
+        self.set(Joint::HeadPitch, tilt, stiffness);
     }
 
     /// Sets the targets of arms and legs, rad, with the stiffness for walking.
@@ -68,7 +66,15 @@ impl Motors {
         }
     }
 
-    /// The requested stiffness, 0 to 1.
+    /// The requested targets, in the order of the joints.
+    #[info(unit = "rad")]
+    #[must_use]
+    pub const fn targets(&self) -> &Joints {
+        &self.targets
+    }
+
+    /// The requested stiffness, 0 to 1, in the order of the joints.
+    #[info]
     #[must_use]
     pub const fn stiffness(&self) -> &Joints {
         &self.stiffness
@@ -80,7 +86,9 @@ impl Motors {
         &self.commanded
     }
 
-    /// The command of the previous cycle; all zero before the first one.
+    /// The command of the previous cycle, within the joint limits and with the stiffness of hot motors reduced; all zero
+    /// before the first one.
+    #[info]
     #[must_use]
     pub const fn commanded(&self) -> &JointCommand {
         &self.commanded

@@ -1,5 +1,7 @@
 //! The ball.
 
+mod params;
+
 use bica::prelude::*;
 use bica_field::FIELD;
 use bica_motion::robot::CameraId;
@@ -7,28 +9,26 @@ use bica_vision::ball::{Ball, BallFinder};
 use bica_vision::frame::Frame;
 use bica_vision::memory::ball::BallMemory;
 use bica_vision::memory::{PositionEstimate, visibility};
+use bica_vision::uncertainty;
 use glam::Vec2;
 
 use super::ego_motion::EgoMotion;
 use super::{Bearing, CameraPose, FieldBoundary, Odometry, OwnBody};
+use crate::info::Point;
 use crate::input::{CameraInput, Colours};
 
-/// Consecutive sightings that confirm the ball.
-const SURE: u8 = 2;
-/// Time without a confirmed sighting after which the ball is lost, ms.
-const LOST: u64 = 2000;
-
-/// Half-life of the confidence in a ball that is not seen, s.
-const HALF_LIFE: f32 = 2.0;
-/// Distance up to which a ball in view is always detected, m.
-const VISIBLE: f32 = 2.5;
+pub use params::{BallDetection, BallTracking};
 
 /// Finds the ball in the image and remembers its position while it is not seen.
 pub struct BallDetector {
     finder: BallFinder<512>,
     seen: Option<BallSighting>,
-    in_row: u8,
+    in_row: u32,
+    /// Minimum of `in_row` that confirms the ball.
+    confirmations: u32,
     unseen_ms: u64,
+    /// Minimum of `unseen_ms` at which the ball is lost.
+    lost_after_ms: u64,
     memory: BallMemory,
     ego_motion: EgoMotion,
 }
@@ -53,14 +53,18 @@ impl BallDetector {
             finder: BallFinder::new(FIELD.ball_radius()),
             seen: None,
             in_row: 0,
-            unseen_ms: LOST,
-            memory: BallMemory::new(HALF_LIFE),
+            confirmations: BallDetection::DEFAULT.confirmations,
+            unseen_ms: BallDetection::DEFAULT.lost_after as u64,
+            lost_after_ms: BallDetection::DEFAULT.lost_after as u64,
+            memory: BallMemory::new(BallTracking::DEFAULT.half_life),
             ego_motion: EgoMotion::new(),
         }
     }
 
     fn step(
         &mut self,
+        detection: &Tuned<BallDetection>,
+        tracking: &Tuned<BallTracking>,
         time: &Time,
         input: &CameraInput,
         colours: &Colours,
@@ -69,20 +73,24 @@ impl BallDetector {
         own: &OwnBody,
         odometry: &Odometry,
     ) {
+        self.confirmations = detection.confirmations;
+        self.lost_after_ms = detection.lost_after.into();
+        self.memory.set_tuning(&tracking.tuning(odometry));
         self.unseen_ms = self.unseen_ms.saturating_add(time.since_run.as_millis());
         let advance = |motion| self.memory.advance(motion, time.dt());
         if self.ego_motion.begin_run(odometry, input, advance) {
-            self.seen = self.look(input, colours, end, pose, own);
+            self.seen = self.look(detection, input, colours, end, pose, own);
             self.in_row = if self.seen.is_some() { self.in_row.saturating_add(1) } else { 0 };
             match self.seen {
                 Some(seen) => self.remember(&seen, pose),
-                None => self.reduce_confidence(input, pose, own),
+                None => self.reduce_confidence(tracking, input, pose, own),
             }
         }
     }
 
     fn look(
         &mut self,
+        detection: &BallDetection,
         input: &CameraInput,
         colours: &Colours,
         end: &FieldBoundary,
@@ -91,23 +99,27 @@ impl BallDetector {
     ) -> Option<BallSighting> {
         let image = input.image();
         let (frame, camera) = (Frame::from_image(&image).ok()?, pose.camera()?);
-        let ball = self.finder.find_with_body(&frame, colours, end.line(), Some(camera), own.body())?;
+        let tuning = detection.tuning(*pose.errors());
+        let ball = self.finder.find_tuned(&frame, colours.table(), end.line(), Some(camera), own.body(), &tuning)?;
         Some(BallSighting { ball, bearing: Bearing::of(camera.ray(ball.centre)), camera: image.camera })
     }
 
     fn remember(&mut self, seen: &BallSighting, pose: &CameraPose) {
         let (true, Some(camera)) = (self.is_confirmed(), pose.camera()) else { return };
         self.unseen_ms = 0;
-        if let Some(PositionEstimate { position, covariance }) = seen.ball.estimate(camera, FIELD.ball_radius()) {
+        if let Some(PositionEstimate { position, covariance }) =
+            seen.ball.estimate(camera, FIELD.ball_radius(), pose.errors())
+        {
             self.memory.see(position, &covariance, seen.ball.confidence);
         }
     }
 
     /// Reduces the confidence in a remembered ball that a sharp image should show.
-    fn reduce_confidence(&mut self, input: &CameraInput, pose: &CameraPose, own: &OwnBody) {
+    fn reduce_confidence(&mut self, tracking: &BallTracking, input: &CameraInput, pose: &CameraPose, own: &OwnBody) {
         let Some((camera, place)) = pose.camera().zip(self.memory.likeliest()) else { return };
         let size = Vec2::new(input.image().width.into(), input.image().height.into());
-        if pose.is_steady() && visibility::is_in_view(camera, size, own.body(), &place, FIELD.ball_radius(), VISIBLE) {
+        let far = tracking.visible_distance;
+        if pose.is_steady() && visibility::is_in_view(camera, size, own.body(), &place, FIELD.ball_radius(), far) {
             self.memory.miss();
         }
     }
@@ -118,19 +130,46 @@ impl BallDetector {
         self.seen.as_ref()
     }
 
-    /// Whether the ball was in the last two images.
-    #[must_use]
-    pub const fn is_confirmed(&self) -> bool {
-        self.in_row >= SURE
+    /// Centre of the ball in the newest image.
+    #[info(unit = "px")]
+    fn centre_in_image(&self) -> Option<Point> {
+        self.seen.map(|seen| seen.ball.centre.into())
     }
 
-    /// Whether the last confirmed sighting is at least 2 s old.
+    /// Radius of the ball in the newest image.
+    #[info(unit = "px")]
+    fn radius_in_image(&self) -> Option<f32> {
+        self.seen.map(|seen| seen.ball.radius)
+    }
+
+    /// Confidence in the ball of the newest image, 0 to 1.
+    #[info]
+    fn sighting_confidence(&self) -> Option<f32> {
+        self.seen.map(|seen| seen.ball.confidence)
+    }
+
+    /// Whether the ball was in the last images: in two, unless a parameter says otherwise.
+    #[info]
+    #[must_use]
+    pub const fn is_confirmed(&self) -> bool {
+        self.in_row >= self.confirmations
+    }
+
+    /// Whether the last confirmed sighting is old: at least 2 s, unless a parameter says otherwise.
+    #[info]
     #[must_use]
     pub const fn is_lost(&self) -> bool {
-        self.unseen_ms >= LOST
+        self.unseen_ms >= self.lost_after_ms
+    }
+
+    /// Time since the last confirmed sighting.
+    #[info(unit = "ms")]
+    const fn unseen_time(&self) -> u64 {
+        self.unseen_ms
     }
 
     /// Bearing of the ball in the newest image, otherwise of its remembered position.
+    #[info(unit = "rad")]
     #[must_use]
     pub fn bearing(&self) -> Option<Bearing> {
         let remembered = || self.position().map(|at| Bearing::of_ground(at, FIELD.ball_radius()));
@@ -141,6 +180,36 @@ impl BallDetector {
     #[must_use]
     pub fn position(&self) -> Option<Vec2> {
         self.estimate().map(|place| place.position)
+    }
+
+    /// Most probable position of the ball now, in the ground frame between the feet: x forward, y left.
+    #[info(unit = "m")]
+    fn ball_position(&self) -> Option<Point> {
+        self.position().map(Point::from)
+    }
+
+    /// Largest standard deviation of the position.
+    #[info(unit = "m")]
+    fn position_error(&self) -> Option<f32> {
+        self.estimate().map(|place| uncertainty::largest(&place.covariance))
+    }
+
+    /// Velocity of the ball over the ground, in the same frame; zero for a resting ball.
+    #[info(unit = "m/s")]
+    fn ball_velocity(&self) -> Point {
+        self.memory.velocity().into()
+    }
+
+    /// Probability that the ball rolls, 0 to 1.
+    #[info]
+    fn rolling_probability(&self) -> f32 {
+        self.memory.rolls()
+    }
+
+    /// Confidence in the position, 0 to 1.
+    #[info]
+    const fn position_confidence(&self) -> f32 {
+        self.memory.confidence()
     }
 
     /// The same position with its covariance, m².

@@ -1,14 +1,18 @@
 //! The pose of the camera.
 
-use bica::prelude::*;
-use bica_vision::projection::Camera;
+mod params;
 
+use bica::prelude::*;
+use bica_vision::projection::{Camera, Mounting};
+use bica_vision::uncertainty::Errors;
+use glam::Vec3;
+
+use super::Bearing;
 use super::ego_motion::LastImage;
 use crate::Model;
 use crate::input::{CameraInput, RobotState};
 
-/// Rotation between two images above which they may be blurred, rad.
-const BLURRED: f32 = 0.05;
+pub use params::{CameraErrors, CameraMounting};
 
 /// The pose of the camera when it took the newest image, from the joint angles and the support foot.
 #[derive(Debug)]
@@ -16,6 +20,9 @@ pub struct CameraPose {
     camera: Option<Camera>,
     /// Rotation since the previous image, rad.
     turned: f32,
+    is_steady: bool,
+    mounting: Mounting,
+    errors: Errors,
     image: LastImage,
 }
 
@@ -24,28 +31,99 @@ impl CameraPose {
     /// Creates the component with an unknown pose.
     #[must_use]
     pub const fn new() -> Self {
-        Self { camera: None, turned: 0.0, image: LastImage::new() }
+        let (mounting, errors) = (Mounting::EXACT, Errors::NAO);
+        Self { camera: None, turned: 0.0, is_steady: true, mounting, errors, image: LastImage::new() }
     }
 
-    fn step(&mut self, input: &CameraInput, state: &RobotState) {
+    fn step(
+        &mut self,
+        mounting: &Tuned<CameraMounting>,
+        errors: &Tuned<CameraErrors>,
+        input: &CameraInput,
+        state: &RobotState,
+    ) {
         if self.image.take_new(input) {
             let image = input.image();
-            let camera = Camera::of::<Model>(image.camera, input.angles(), state.support(), image.width, image.height);
+            (self.mounting, self.errors) = (mounting.of(image.camera), errors.errors());
+            let camera = Camera::of::<Model>(image.camera, input.angles(), state.support(), image.width, image.height)
+                .corrected(&self.mounting);
             let [before, now] = [self.camera.unwrap_or(camera), camera].map(|camera| camera.pose().matrix3.x_axis);
             self.turned = now.distance(before);
+            self.is_steady = self.turned < errors.max_rotation;
             self.camera = Some(camera);
         }
     }
 
     /// Whether the rotation since the previous image is so small that the newest image is sharp.
+    #[info]
     #[must_use]
-    pub fn is_steady(&self) -> bool {
-        self.turned < BLURRED
+    pub const fn is_steady(&self) -> bool {
+        self.is_steady
+    }
+
+    /// Rotation of the camera between the last two images.
+    #[info(unit = "rad")]
+    const fn rotation(&self) -> f32 {
+        self.turned
+    }
+
+    /// Position of the camera in the ground frame between the feet: x forward, y left, z up.
+    #[info(unit = "m")]
+    fn camera_position(&self) -> Option<[f32; 3]> {
+        self.camera.map(|camera| Vec3::from(camera.pose().translation).to_array())
+    }
+
+    /// Direction of the optical axis.
+    #[info(unit = "rad")]
+    fn optical_axis(&self) -> Option<Bearing> {
+        self.camera.map(|camera| Bearing::of(camera.pose().matrix3.x_axis.into()))
+    }
+
+    /// Row of the horizon in the middle column of the image.
+    #[info(unit = "px")]
+    fn horizon(&self) -> Option<f32> {
+        self.camera.and_then(|camera| camera.horizon(camera.intrinsics().centre.x))
+    }
+
+    /// Standard deviations of the pose of the camera.
+    #[must_use]
+    pub const fn errors(&self) -> &Errors {
+        &self.errors
+    }
+
+    /// Correction of the mounting of the camera that took the newest image.
+    #[must_use]
+    pub const fn mounting(&self) -> &Mounting {
+        &self.mounting
     }
 
     /// The camera with its pose in the ground frame; `None` before the first image.
     #[must_use]
     pub const fn camera(&self) -> Option<&Camera> {
         self.camera.as_ref()
+    }
+}
+
+#[cfg(all(test, not(feature = "small-frames")))]
+mod tests {
+    extern crate std;
+
+    use bica_motion::joints::{JOINTS, Joints};
+    use bica_motion::robot::{CameraId, Image};
+
+    use super::*;
+
+    #[test]
+    fn a_tilted_mounting_tilts_the_optical_axis_of_its_camera_only() {
+        let axis = |camera: CameraId, top_tilt: f32| {
+            let (mut input, mut pose) = (std::boxed::Box::new(CameraInput::new()), CameraPose::new());
+            let image = Image { camera, width: 16, height: 12, yuyv: &[128; 2 * 16 * 12] };
+            input.receive(&image, &Joints([0.0; JOINTS])).expect("the image fits");
+            let mounting = CameraMounting { top_tilt, ..CameraMounting::DEFAULT };
+            pose.step(&Tuned::new(mounting), &Tuned::DEFAULT, &input, &RobotState::new());
+            pose.optical_axis().expect("an image").down
+        };
+        assert!((axis(CameraId::Top, 0.1) - axis(CameraId::Top, 0.0) - 0.1).abs() < 1e-5);
+        assert_eq!(axis(CameraId::Bottom, 0.1).to_bits(), axis(CameraId::Bottom, 0.0).to_bits());
     }
 }

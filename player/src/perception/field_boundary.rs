@@ -1,11 +1,41 @@
 //! The field boundary in the image.
 
 use bica::prelude::*;
-use bica_vision::field_boundary::FieldBoundary as Line;
+use bica_vision::field_boundary::{BoundaryTuning, FieldBoundary as Line};
 use bica_vision::frame::Frame;
 
 use super::ego_motion::LastImage;
+use crate::info::Point;
 use crate::input::{CameraInput, Colours};
+
+/// Detection of the field boundary.
+#[derive(Params)]
+pub struct BoundaryDetection {
+    /// Minimum excess of green over other colours in a column, as a share of its scanned pixels.
+    #[param(default = 0.03, range = 0.0..=0.5, step = 0.005)]
+    min_green: f32,
+    /// Length of a gap in the green that ends the carpet, as a share of the image height.
+    #[param(default = 0.025, range = 0.0..=0.5, step = 0.005)]
+    max_gap: f32,
+    /// Maximum distance of an inlier from a side of the carpet, as a share of the image height.
+    #[param(default = 0.015, range = 0.001..=0.1, step = 0.001)]
+    inlier_distance: f32,
+    /// Minimum score of a side of the carpet: number of inlying columns, of 40, minus that of columns above it.
+    #[param(default = 4, range = 1..=40)]
+    min_score: i32,
+}
+
+impl BoundaryDetection {
+    const fn tuning(&self) -> BoundaryTuning {
+        BoundaryTuning {
+            min_green: self.min_green,
+            max_gap: self.max_gap,
+            inlier_distance: self.inlier_distance,
+            min_score: self.min_score,
+            ..BoundaryTuning::DEFAULT
+        }
+    }
+}
 
 /// The field boundary in the newest image (the paper's "end of field"). Pixels above it do not show the field.
 #[derive(Debug)]
@@ -22,15 +52,45 @@ impl FieldBoundary {
         Self { line: Line::NONE, image: LastImage::new() }
     }
 
-    fn step(&mut self, input: &CameraInput, colours: &Colours) {
+    fn step(&mut self, tuned: &Tuned<BoundaryDetection>, input: &CameraInput, colours: &Colours) {
         if self.image.take_new(input) {
-            self.line = Frame::from_image(&input.image()).map_or(Line::NONE, |frame| Line::find(&frame, colours));
+            let find = |frame: Frame<'_>| Line::find_tuned(&frame, colours.table(), None, &tuned.tuning());
+            self.line = Frame::from_image(&input.image()).map_or(Line::NONE, find);
         }
+    }
+
+    /// Highest row of the boundary; `None` if no field is in view.
+    #[info(unit = "px")]
+    fn top(&self) -> Option<f32> {
+        self.line.top()
+    }
+
+    /// Leftmost and rightmost corner of the boundary.
+    #[info(unit = "px")]
+    fn ends(&self) -> [Option<Point>; 2] {
+        let corners = self.line.corners();
+        [corners.first(), corners.last()].map(|corner| corner.map(|corner| Point::from(*corner)))
+    }
+
+    /// Number of corners of the boundary; 0 if no field is in view.
+    #[info]
+    fn corner_count(&self) -> u32 {
+        self.line.corners().len() as u32
     }
 
     /// The boundary.
     #[must_use]
     pub const fn line(&self) -> &Line {
         &self.line
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn default_values_are_those_of_the_detector() {
+        assert_eq!(BoundaryDetection::DEFAULT.tuning(), BoundaryTuning::DEFAULT);
     }
 }

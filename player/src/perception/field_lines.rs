@@ -1,14 +1,19 @@
 //! The field markings.
 
+mod params;
+
 use bica::prelude::*;
 use bica_vision::frame::Frame;
-use bica_vision::lines;
+use bica_vision::lines::{self, Line};
 use bica_vision::markings::Markings;
 use glam::Vec2;
 
 use super::ego_motion::LastImage;
 use super::{CameraPose, FieldBoundary, OwnBody, RobotDetector};
+use crate::info::Point;
 use crate::input::{CameraInput, Colours};
+
+pub use params::{LineDetection, MarkingDetection};
 
 /// Field lines in the newest image, their crossings and the centre circle. White pixels on robots, including this one,
 /// are excluded.
@@ -28,6 +33,8 @@ impl FieldLines {
 
     fn step(
         &mut self,
+        line: &Tuned<LineDetection>,
+        marking: &Tuned<MarkingDetection>,
         input: &CameraInput,
         colours: &Colours,
         end: &FieldBoundary,
@@ -41,10 +48,34 @@ impl FieldLines {
         self.markings = Markings::NONE;
         let Ok(frame) = Frame::from_image(&input.image()) else { return };
         let Some(camera) = pose.camera() else { return };
-        let mut lines = lines::find(&frame, colours, end.line(), Some(camera));
+        let mut lines = lines::find_tuned(&frame, colours.table(), end.line(), Some(camera), &line.tuning());
         let on_robot = |at: Vec2| own.body().covers(at) || robots.covers(at);
         lines.retain(|line| !on_robot(line.from.midpoint(line.to)));
-        self.markings = Markings::of(&frame, colours, camera, &lines);
+        self.markings = Markings::of_tuned(&frame, colours.table(), camera, &lines, &marking.tuning());
+    }
+
+    /// Number of line segments.
+    #[info]
+    fn line_count(&self) -> u32 {
+        self.markings.lines.len() as u32
+    }
+
+    /// Total length of the line segments on the ground.
+    #[info(unit = "m")]
+    fn line_length(&self) -> f32 {
+        self.markings.lines.iter().map(Line::length).sum()
+    }
+
+    /// Number of crossings.
+    #[info]
+    fn crossing_count(&self) -> u32 {
+        self.markings.crossings.len() as u32
+    }
+
+    /// Centre of the centre circle, in the ground frame between the feet: x forward, y left.
+    #[info(unit = "m")]
+    fn circle_centre(&self) -> Option<Point> {
+        self.markings.circle.map(|circle| circle.centre.into())
     }
 
     /// The markings, m, in the ground frame between the feet.

@@ -1,5 +1,7 @@
 //! The attacked goal.
 
+mod params;
+
 use bica::prelude::*;
 use bica_field::{FIELD, GoalColour};
 use bica_motion::pose::rotate;
@@ -13,22 +15,13 @@ use glam::Vec2;
 
 use super::ego_motion::EgoMotion;
 use super::{CameraPose, FieldBoundary, Odometry, OwnBody};
+use crate::info::Point;
 use crate::input::{CameraInput, Colours};
 
-/// Half-life of the confidence in a goal that is not seen, s.
-const HALF_LIFE: f32 = 20.0;
-/// Largest relative error of the distance between two posts of one goal.
-const WIDTH_ERROR: f32 = 0.3;
-/// Minimum width of a gap to aim at, relative to the goal.
-const ROOM: f32 = 0.25;
-/// Maximum correction of the remembered goal by a single post, m; a farther post belongs to another object.
-const SAME: f32 = 0.6;
-/// Distance up to which a goal in view is always detected, m.
-const VISIBLE: f32 = 4.0;
+pub use params::{GoalDetection, GoalTracking};
+
 /// Standard deviation of the middle of the goal from one post of unknown side, m.
 const HALF_GOAL: f32 = 0.5 * FIELD.goal_width();
-/// Standard deviation of a goal whose post bases are not in view, m.
-const UNSURE: f32 = 0.5;
 
 /// Finds the attacked goal in the image (the paper's "net") and remembers its position.
 pub struct GoalDetector {
@@ -61,13 +54,15 @@ impl GoalDetector {
             found: false,
             across: Vec2::Y,
             gap: None,
-            memory: Memory::new(HALF_LIFE),
+            memory: Memory::new(GoalTracking::DEFAULT.half_life),
             ego_motion: EgoMotion::new(),
         }
     }
 
     fn step(
         &mut self,
+        detection: &Tuned<GoalDetection>,
+        tracking: &Tuned<GoalTracking>,
         time: &Time,
         input: &CameraInput,
         colours: &Colours,
@@ -76,42 +71,60 @@ impl GoalDetector {
         own: &OwnBody,
         odometry: &Odometry,
     ) {
+        self.memory.set_tuning(&tracking.tuning(odometry));
         let advance = |motion| self.memory.advance(motion, time.dt());
         if !self.ego_motion.begin_run(odometry, input, advance) {
             return;
         }
-        self.goals = self.look(input, colours, end, pose);
+        self.goals = self.look(detection, input, colours, end, pose);
         self.seen = if self.attacked == GoalColour::Yellow { self.goals.yellow } else { self.goals.blue };
         match (self.seen, pose.camera()) {
             (Some(goal), Some(camera)) => {
-                self.remember(&goal, camera);
-                self.measure_gap(&goal, camera, input, colours);
+                self.remember(detection, tracking, &goal, camera, pose.errors());
+                self.measure_gap(detection, &goal, camera, input, colours);
             }
-            (None, Some(camera)) if pose.is_steady() => self.reduce_confidence(input, camera, own),
+            (None, Some(camera)) if pose.is_steady() => self.reduce_confidence(tracking, input, camera, own),
             _ => {}
         }
     }
 
-    fn look(&mut self, input: &CameraInput, colours: &Colours, end: &FieldBoundary, pose: &CameraPose) -> Goals {
-        let frame = Frame::from_image(&input.image());
-        frame.map_or(Goals::default(), |frame| self.finder.find(&frame, colours, end.line(), pose.camera()))
+    fn look(
+        &mut self,
+        detection: &GoalDetection,
+        input: &CameraInput,
+        colours: &Colours,
+        end: &FieldBoundary,
+        pose: &CameraPose,
+    ) -> Goals {
+        let Ok(frame) = Frame::from_image(&input.image()) else { return Goals::default() };
+        let tuning = detection.tuning(*pose.errors());
+        self.finder.find_tuned(&frame, colours.table(), end.line(), pose.camera(), &tuning)
     }
 
     /// Updates the remembered goal: two posts determine its position; one post corrects it, or gives a first estimate.
-    fn remember(&mut self, goal: &Goal, camera: &Camera) {
+    fn remember(
+        &mut self,
+        detection: &GoalDetection,
+        tracking: &GoalTracking,
+        goal: &Goal,
+        camera: &Camera,
+        errors: &Errors,
+    ) {
+        let spread = || Self::spread(goal, camera, errors, tracking.baseless_error);
+        let (both, one) = (tracking.two_posts_confidence, tracking.one_post_confidence);
         let Some(first) = goal.first.ground(camera) else { return };
         if let Some(second) = goal.second.and_then(|post| post.ground(camera)) {
             let across = first - second;
-            if (across.length() - FIELD.goal_width()).abs() < WIDTH_ERROR * FIELD.goal_width() {
+            if (across.length() - FIELD.goal_width()).abs() < detection.max_width_error * FIELD.goal_width() {
                 self.across = rotate(across.normalize(), self.ego_motion.heading());
                 (self.complete, self.found) = (true, true);
-                self.memory.see(0.5 * (first + second), &Self::spread(goal, camera), 0.9);
+                self.memory.see(0.5 * (first + second), &spread(), both);
             }
         } else if let Some(known) = self.memory.position() {
             let middle = middle_by(first, goal.first.side, self.across(), known);
-            if middle.distance(known) < SAME {
+            if middle.distance(known) < tracking.max_correction {
                 self.found = true;
-                self.memory.see(middle, &Self::spread(goal, camera), 0.3);
+                self.memory.see(middle, &spread(), one);
             } else if goal.first.has_base {
                 // Whether a post is where the remembered goal has none.
                 self.memory.miss();
@@ -119,37 +132,45 @@ impl GoalDetector {
         } else if let Some(middle) = goal.ground(camera) {
             self.across = rotate(middle.normalize_or_zero().perp(), self.ego_motion.heading());
             self.found = true;
-            self.memory.see(middle, &(Self::spread(goal, camera) + uncertainty::round(HALF_GOAL)), 0.3);
+            self.memory.see(middle, &(spread() + uncertainty::round(HALF_GOAL)), one);
         }
     }
 
     /// Reduces the confidence in a remembered goal of which a sharp image should show both posts.
-    fn reduce_confidence(&mut self, input: &CameraInput, camera: &Camera, own: &OwnBody) {
+    fn reduce_confidence(&mut self, tracking: &GoalTracking, input: &CameraInput, camera: &Camera, own: &OwnBody) {
         let Some(place) = self.memory.estimate() else { return };
         let size = Vec2::new(input.image().width.into(), input.image().height.into());
         let half = 0.5 * FIELD.goal_width() * self.across();
         let posts = [half, -half].map(|aside| PositionEstimate { position: place.position + aside, ..place });
-        if posts.iter().all(|post| visibility::is_in_view(camera, size, own.body(), post, FIELD.post_radius(), VISIBLE))
-        {
+        let (radius, far) = (FIELD.post_radius(), tracking.visible_distance);
+        if posts.iter().all(|post| visibility::is_in_view(camera, size, own.body(), post, radius, far)) {
             self.memory.miss();
         }
     }
 
-    /// The covariance of the post bases on the ground, m².
-    fn spread(goal: &Goal, camera: &Camera) -> Covariance {
+    /// The covariance of the post bases on the ground, m²; that of the standard deviation `baseless`, m, if they are not in
+    /// view.
+    fn spread(goal: &Goal, camera: &Camera, errors: &Errors, baseless: f32) -> Covariance {
         let feet = [Some(goal.first), goal.second].into_iter().flatten();
         let spread =
-            feet.filter_map(|post| uncertainty::of_ground(camera, post.base, 0.0, &Errors::NAO)).reduce(|a, b| a + b);
-        spread.map_or(uncertainty::round(UNSURE), |spread| spread * if goal.second.is_some() { 0.5 } else { 1.0 })
+            feet.filter_map(|post| uncertainty::of_ground(camera, post.base, 0.0, errors)).reduce(|a, b| a + b);
+        spread.map_or(uncertainty::round(baseless), |spread| spread * if goal.second.is_some() { 0.5 } else { 1.0 })
     }
 
     /// Measures the gap beside the keeper, if both posts are in view.
-    fn measure_gap(&mut self, goal: &Goal, camera: &Camera, input: &CameraInput, colours: &Colours) {
+    fn measure_gap(
+        &mut self,
+        detection: &GoalDetection,
+        goal: &Goal,
+        camera: &Camera,
+        input: &CameraInput,
+        colours: &Colours,
+    ) {
         let place = |post: Post| post.ground(camera).filter(|_| post.has_base);
         let posts = place(goal.first).zip(goal.second.and_then(place));
         let (Some((left, right)), Ok(frame)) = (posts, Frame::from_image(&input.image())) else { return };
-        let gap = gap::widest(&frame, colours, camera, left, right);
-        if let Some(gap) = gap.filter(|gap| gap.width() > ROOM) {
+        let gap = gap::widest(&frame, colours.table(), camera, left, right);
+        if let Some(gap) = gap.filter(|gap| gap.width() > detection.min_gap) {
             self.gap = Some(FIELD.goal_width() * (0.5 - gap.middle()));
         }
     }
@@ -163,6 +184,7 @@ impl GoalDetector {
     }
 
     /// The colour of the attacked goal.
+    #[info]
     #[must_use]
     pub const fn attacked(&self) -> GoalColour {
         self.attacked
@@ -185,13 +207,28 @@ impl GoalDetector {
         self.seen.as_ref()
     }
 
+    /// Bases of the left or only post, and of the right post, of the attacked goal in the newest image.
+    #[info(unit = "px")]
+    fn post_bases_in_image(&self) -> [Option<Point>; 2] {
+        let posts = self.seen.map_or([None; 2], |goal| [Some(goal.first), goal.second]);
+        posts.map(|post| post.map(|post| post.base.into()))
+    }
+
+    /// Whether the newest image shows the yellow and the sky-blue goal.
+    #[info]
+    const fn seen_goals(&self) -> [bool; 2] {
+        [self.goals.yellow.is_some(), self.goals.blue.is_some()]
+    }
+
     /// Whether both posts were seen at once since the search was restarted.
+    #[info]
     #[must_use]
     pub const fn is_complete(&self) -> bool {
         self.complete
     }
 
     /// Whether a part of the remembered goal was seen since the search was restarted.
+    #[info]
     #[must_use]
     pub const fn is_found(&self) -> bool {
         self.found
@@ -205,6 +242,7 @@ impl GoalDetector {
 
     /// The middle of the widest gap, m to the left of the middle of the goal; `None` if both posts were never in view
     /// at the same time.
+    #[info(unit = "m")]
     #[must_use]
     pub const fn gap(&self) -> Option<f32> {
         self.gap
@@ -214,6 +252,30 @@ impl GoalDetector {
     #[must_use]
     pub fn position(&self) -> Option<Vec2> {
         self.memory.position()
+    }
+
+    /// Middle of the goal, in the ground frame between the feet: x forward, y left.
+    #[info(unit = "m")]
+    fn goal_position(&self) -> Option<Point> {
+        self.position().map(Point::from)
+    }
+
+    /// Largest standard deviation of the position.
+    #[info(unit = "m")]
+    fn position_error(&self) -> Option<f32> {
+        self.estimate().map(|place| uncertainty::largest(&place.covariance))
+    }
+
+    /// Confidence in the position, 0 to 1.
+    #[info]
+    const fn position_confidence(&self) -> f32 {
+        self.memory.confidence()
+    }
+
+    /// Unit vector along the goal line, from the right post to the left one, in the ground frame.
+    #[info]
+    fn goal_line(&self) -> Point {
+        self.across().into()
     }
 
     /// The same position with its covariance, m².

@@ -1,5 +1,7 @@
 //! Self-localization on the field.
 
+mod params;
+
 use bica::prelude::*;
 use bica_field::FIELD;
 use bica_motion::pose::Pose2;
@@ -8,7 +10,10 @@ use glam::Vec2;
 
 use super::ego_motion::EgoMotion;
 use super::{CameraPose, FieldLines, GoalDetector, Odometry};
+use crate::info::{Point, Pose};
 use crate::input::CameraInput;
+
+pub use params::{MotionNoise, SightingUse};
 
 /// Number of particles.
 const PARTICLES: usize = 200;
@@ -33,12 +38,15 @@ impl Localization {
 
     fn step(
         &mut self,
+        motion: &Tuned<MotionNoise>,
+        sightings: &Tuned<SightingUse>,
         input: &CameraInput,
         goals: &GoalDetector,
         lines: &FieldLines,
         pose: &CameraPose,
         odometry: &Odometry,
     ) {
+        self.localizer.set_tuning(&params::tuning(motion, sightings));
         let is_new = self.ego_motion.begin_run(odometry, input, |motion| self.localizer.advance(motion));
         let Some(camera) = pose.camera().filter(|_| is_new) else { return };
         self.localizer.see(Sightings::of(lines.markings(), goals.goals(), goals.attacked(), camera));
@@ -48,6 +56,36 @@ impl Localization {
     #[must_use]
     pub const fn estimate(&self) -> Option<Estimate> {
         self.localizer.estimate()
+    }
+
+    /// Most probable pose on the field, reliable or not: x towards the attacked goal, from the centre.
+    #[info]
+    fn robot_pose(&self) -> Option<Pose> {
+        self.estimate().map(|estimate| estimate.pose.into())
+    }
+
+    /// Whether most particles agree on the pose.
+    #[info]
+    fn is_sure(&self) -> bool {
+        self.pose().is_some()
+    }
+
+    /// Share of the particles near the pose, 0 to 1; 0 before the first sighting.
+    #[info]
+    fn agreement(&self) -> f32 {
+        self.estimate().map_or(0.0, |estimate| estimate.belief)
+    }
+
+    /// Standard deviation of the positions of the particles near the pose.
+    #[info(unit = "m")]
+    fn spread(&self) -> Option<f32> {
+        self.estimate().map(|estimate| estimate.spread)
+    }
+
+    /// Left and right post of the attacked goal by the pose, in the ground frame between the feet.
+    #[info(unit = "m")]
+    fn post_positions(&self) -> Option<[Point; 2]> {
+        self.posts().map(|posts| posts.map(Point::from))
     }
 
     /// The pose of the point on the ground between the feet in the field frame, x towards the attacked goal; `None` while it

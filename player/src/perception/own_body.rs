@@ -8,6 +8,14 @@ use super::ego_motion::LastImage;
 use crate::Model;
 use crate::input::CameraInput;
 
+/// Shape of the robot's own body.
+#[derive(Params)]
+pub struct OwnShape {
+    /// Thickness added to all parts of the body.
+    #[param(default = 0.0, range = -0.05..=0.1, unit = "m", step = 0.005)]
+    margin: f32,
+}
+
 /// Part of the newest image that the robot's own chest, arms and legs cover. Detectors ignore it.
 #[derive(Debug)]
 pub struct OwnBody {
@@ -23,12 +31,18 @@ impl OwnBody {
         Self { body: Body::NONE, image: LastImage::new() }
     }
 
-    fn step(&mut self, input: &CameraInput, pose: &CameraPose) {
+    fn step(&mut self, tuned: &Tuned<OwnShape>, input: &CameraInput, pose: &CameraPose) {
         if self.image.take_new(input) {
-            let camera = pose.camera();
-            self.body =
-                camera.map_or(Body::NONE, |camera| Body::of::<Model>(camera, input.image().camera, input.angles()));
+            let body =
+                |camera| Body::of_mounted::<Model>(camera, input.image().camera, input.angles(), pose.mounting());
+            self.body = pose.camera().map_or(Body::NONE, |camera| body(camera).grown(tuned.margin));
         }
+    }
+
+    /// Share of the image that shows the body, 0 to 1.
+    #[info]
+    fn image_share(&self) -> f32 {
+        self.body.image_share()
     }
 
     /// The body in the image.

@@ -1,28 +1,24 @@
 //! Other robots.
 
+mod params;
+
 use bica::prelude::*;
 use bica_vision::frame::Frame;
 use bica_vision::memory::multi_target::MultiTargetMemory;
 use bica_vision::memory::{PositionEstimate, visibility};
-use bica_vision::projection::Camera;
 use bica_vision::robots::{self, Robot, Robots};
-use bica_vision::uncertainty::{self, Errors};
+use bica_vision::uncertainty;
 use glam::Vec2;
 
 use super::ego_motion::EgoMotion;
 use super::{CameraPose, FieldBoundary, Odometry, OwnBody};
+use crate::info::Point;
 use crate::input::{CameraInput, Colours};
+
+pub use params::{RobotDetection, RobotTracking};
 
 /// Maximum number of remembered robots.
 const REMEMBERED: usize = 4;
-/// Half-life of the confidence in a robot that is not seen, s.
-const HALF_LIFE: f32 = 4.0;
-/// Confidence of a sighting, 0 to 1.
-const CONFIDENCE: f32 = 0.8;
-/// Standard deviation from the edge of a robot's feet to its middle, m.
-const WIDTH: f32 = 0.1;
-/// Distance up to which a robot in view is always detected, m.
-const VISIBLE: f32 = 2.0;
 
 /// The other robots in the newest image, and the remembered positions of those that are out of view.
 #[derive(Debug)]
@@ -37,11 +33,14 @@ impl RobotDetector {
     /// Creates the component without robots.
     #[must_use]
     pub const fn new() -> Self {
-        Self { robots: Robots::new(), memory: MultiTargetMemory::new(HALF_LIFE), ego_motion: EgoMotion::new() }
+        let memory = MultiTargetMemory::new(RobotTracking::DEFAULT.half_life);
+        Self { robots: Robots::new(), memory, ego_motion: EgoMotion::new() }
     }
 
     fn step(
         &mut self,
+        detection: &Tuned<RobotDetection>,
+        tracking: &Tuned<RobotTracking>,
         time: &Time,
         input: &CameraInput,
         colours: &Colours,
@@ -50,32 +49,46 @@ impl RobotDetector {
         own: &OwnBody,
         odometry: &Odometry,
     ) {
+        self.memory.set_tuning(&tracking.tuning(odometry));
         let advance = |motion| self.memory.advance(motion, time.dt());
         if !self.ego_motion.begin_run(odometry, input, advance) {
             return;
         }
         if let Ok(frame) = Frame::from_image(&input.image()) {
-            self.robots = robots::find(&frame, colours, end.line(), pose.camera());
+            self.robots = robots::find_tuned(&frame, colours.table(), end.line(), pose.camera(), &detection.tuning());
             self.robots.retain(|robot| !own.body().covers(robot.base()));
-            if let Some(camera) = pose.camera() {
-                self.remember(camera, own, Vec2::new(frame.width().into(), frame.height().into()));
-            }
+            self.remember(tracking, pose, own, Vec2::new(frame.width().into(), frame.height().into()));
         }
     }
 
-    fn remember(&mut self, camera: &Camera, own: &OwnBody, size: Vec2) {
+    fn remember(&mut self, tracking: &RobotTracking, pose: &CameraPose, own: &OwnBody, size: Vec2) {
+        let Some(camera) = pose.camera() else { return };
+        let (width, far) = (tracking.width_error, tracking.visible_distance);
         for robot in &self.robots {
-            let spread = uncertainty::of_ground(camera, robot.base(), 0.0, &Errors::NAO);
+            let spread = uncertainty::of_ground(camera, robot.base(), 0.0, pose.errors());
             if let Some((at, spread)) = robot.ground(camera).zip(spread) {
-                self.memory.see(at, &(spread + uncertainty::round(WIDTH)), CONFIDENCE);
+                self.memory.see(at, &(spread + uncertainty::round(width)), tracking.sighting_confidence);
             }
         }
-        self.memory.miss(|place| visibility::is_in_view(camera, size, own.body(), place, WIDTH, VISIBLE));
+        self.memory.miss(|place| visibility::is_in_view(camera, size, own.body(), place, width, far));
     }
 
     /// The remembered positions, m, in the ground frame between the feet.
     pub fn places(&self) -> impl Iterator<Item = PositionEstimate> + '_ {
         self.memory.places()
+    }
+
+    /// Positions of the remembered robots, in the ground frame between the feet: x forward, y left.
+    #[info(unit = "m")]
+    fn robot_positions(&self) -> [Option<Point>; REMEMBERED] {
+        let mut places = self.places().map(|place| Point::from(place.position));
+        core::array::from_fn(|_| places.next())
+    }
+
+    /// Number of robots in the newest image.
+    #[info]
+    fn robots_in_image(&self) -> u32 {
+        self.robots.len() as u32
     }
 
     /// The robots in the newest image, px.

@@ -1,31 +1,45 @@
 //! The free path ahead of the robot.
 
+use bica::prelude::*;
 use bica_vision::field_boundary::FieldBoundary;
 use bica_vision::projection::Camera;
 use glam::{Vec2, Vec3};
 use libm::fabsf;
 
-/// Half the width of the free strip, m: the shoulders and the sway of the walk.
-const HALF_WIDTH: f32 = 0.3;
 /// Distance between two tested points of the strip, m.
 const STEP: f32 = 0.25;
 /// Number of tested distances.
 const STEPS: u8 = 10;
-/// Radius of another robot, m.
-const ROBOT_RADIUS: f32 = 0.15;
+
+/// The strip ahead of the robot that has to be free.
+#[derive(Clone, Debug, PartialEq, Params)]
+pub struct Strip {
+    /// Half the width of the strip: the shoulders and the sway of the walk.
+    #[param(default = 0.3, range = 0.1..=1.0, unit = "m", step = 0.05)]
+    pub strip_half_width: f32,
+    /// Radius of another robot in the strip.
+    #[param(default = 0.15, range = 0.0..=0.5, unit = "m", step = 0.01)]
+    pub strip_robot_radius: f32,
+}
 
 /// Returns the distance, m, that the robot can walk straight ahead: up to the field boundary in the image and to the nearest of
 /// `robots`, positions in the ground frame between the feet, m. At most 2.5 m.
 ///
 /// Points beside, above or behind the image count as blocked, points below it as free: the feet hide them.
-pub(crate) fn free_path(boundary: &FieldBoundary, camera: &Camera, robots: impl Iterator<Item = Vec2>) -> f32 {
+pub(crate) fn free_path(
+    boundary: &FieldBoundary,
+    camera: &Camera,
+    robots: impl Iterator<Item = Vec2>,
+    strip: &Strip,
+) -> f32 {
+    let (half_width, radius) = (strip.strip_half_width, strip.strip_robot_radius);
     let distances = (1..=STEPS).map(|step| STEP * f32::from(step));
     let on_field = distances.take_while(|&distance| {
-        [-HALF_WIDTH, 0.0, HALF_WIDTH].into_iter().all(|y| is_on_field(boundary, camera, Vec3::new(distance, y, 0.0)))
+        [-half_width, 0.0, half_width].into_iter().all(|y| is_on_field(boundary, camera, Vec3::new(distance, y, 0.0)))
     });
     let field = on_field.last().unwrap_or(0.0);
-    let in_strip = robots.filter(|robot| robot.x > 0.0 && fabsf(robot.y) < HALF_WIDTH + ROBOT_RADIUS);
-    in_strip.map(|robot| (robot.x - ROBOT_RADIUS).max(0.0)).fold(field, f32::min)
+    let in_strip = robots.filter(|robot| robot.x > 0.0 && fabsf(robot.y) < half_width + radius);
+    in_strip.map(|robot| (robot.x - radius).max(0.0)).fold(field, f32::min)
 }
 
 fn is_on_field(boundary: &FieldBoundary, camera: &Camera, point: Vec3) -> bool {
@@ -74,7 +88,7 @@ mod tests {
     }
 
     fn path(distance: f32, robots: &[Vec2]) -> f32 {
-        free_path(&boundary(distance), &camera(), robots.iter().copied())
+        free_path(&boundary(distance), &camera(), robots.iter().copied(), &Strip::DEFAULT)
     }
 
     #[test]
@@ -88,7 +102,7 @@ mod tests {
 
     #[test]
     fn without_a_field_in_view_there_is_no_path() {
-        let free = free_path(&FieldBoundary::NONE, &camera(), core::iter::empty());
+        let free = free_path(&FieldBoundary::NONE, &camera(), core::iter::empty(), &Strip::DEFAULT);
         assert!(free <= 0.75, "{free} m: no more than the image does not show");
     }
 
@@ -96,5 +110,16 @@ mod tests {
     fn robots_in_the_strip_shorten_the_path_and_others_do_not() {
         assert!((path(6.0, &[Vec2::new(1.0, 0.2)]) - 0.85).abs() < 1e-6);
         assert!((path(6.0, &[Vec2::new(1.0, -0.6), Vec2::new(-0.5, 0.0), Vec2::new(0.6, 0.5)]) - 2.5).abs() < 1e-6);
+    }
+
+    #[test]
+    fn the_strip_has_the_tuned_width_and_robots_the_tuned_radius() {
+        let robots = [Vec2::new(1.0, 0.5)];
+        let path = |strip: &Strip| free_path(&boundary(6.0), &camera(), robots.into_iter(), strip);
+        assert!((path(&Strip::DEFAULT) - 2.5).abs() < 1e-6, "beside the strip");
+        for (strip_half_width, strip_robot_radius) in [(0.4, 0.15), (0.3, 0.25)] {
+            let free = path(&Strip { strip_half_width, strip_robot_radius });
+            assert!((free - (1.0 - strip_robot_radius)).abs() < 1e-6, "{free}");
+        }
     }
 }

@@ -6,13 +6,17 @@ mod aim;
 mod dribble;
 mod free_path;
 mod obstacles;
+mod planning;
 mod situation;
 
-pub use dribble::can_dribble;
+pub use dribble::{DribbleCondition, can_dribble};
+pub use free_path::Strip;
 pub(crate) use free_path::free_path;
+pub use obstacles::Clearance;
+pub use planning::Planning;
 pub use situation::Situation;
 
-use bica_motion::kick::{Kick, KickKind, Kicks};
+use bica_motion::kick::{Kick, Kicks};
 use bica_motion::pose::{rotate, wrap};
 use libm::{atan2f, fabsf};
 
@@ -20,6 +24,7 @@ use aim::Aim;
 
 /// Next action at the ball.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "info", derive(serde::Serialize, postcard_schema::Schema))]
 pub enum Plan {
     /// Kick it.
     Kick(Strike),
@@ -29,23 +34,13 @@ pub enum Plan {
 
 /// Kick with the heading in which to play it.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "info", derive(serde::Serialize, postcard_schema::Schema))]
 pub struct Strike {
     /// The kick.
     pub kick: Kick,
     /// Heading of the body during the kick, rad.
     pub heading: f32,
 }
-
-/// Maximum turn of an alignment, rad; a larger one needs a path around the ball.
-const MAX_ALIGNMENT: f32 = 0.6;
-/// Turn around the ball if no goal was seen, rad: the goal is assumed behind the robot.
-const UNKNOWN_GOAL_TURN: f32 = 2.5;
-/// Cost of a path around the ball, rad: above that of every kick without one.
-const CIRCLING_COST: f32 = 10.0;
-/// Weight of the cost of a kick in addition to a path around the ball.
-const CIRCLING_WEIGHT: f32 = 4.0;
-/// Additional cost of the last failed kick, rad.
-const REPETITION_COST: f32 = 1.0;
 
 /// Plans the next action at the ball: the kick with the smallest turn whose path and standing position are free.
 /// Headings are relative to the body. `last_failed_kick` is repeated only if every other kick costs much more.
@@ -54,57 +49,76 @@ const REPETITION_COST: f32 = 1.0;
 /// post, the ball is kicked in front of the goal.
 #[must_use]
 #[inline(never)]
-pub fn plan(situation: &Situation, kicks: &Kicks, last_failed_kick: Option<Kick>) -> Plan {
-    let Some(goal) = &situation.goal else { return Plan::GoRound(UNKNOWN_GOAL_TURN) };
-    let choice = |aims: &[Aim]| choose(situation, aims, kicks, last_failed_kick);
-    let possible = choice(&aim::scoring(goal)).or_else(|| choice(&aim::open(goal)));
+pub fn plan(
+    situation: &Situation,
+    kicks: &Kicks,
+    last_failed_kick: Option<Kick>,
+    planning: &Planning,
+    clearance: &Clearance,
+) -> Plan {
+    let go_round = Plan::GoRound(planning.unknown_goal_turn);
+    let Some(goal) = &situation.goal else { return go_round };
+    let task = Task { situation, kicks, planning, clearance };
+    let scoring = aim::scoring(goal, planning);
+    let choice = |aims: &[Aim]| task.choose(aims, last_failed_kick);
+    let possible = choice(&scoring).or_else(|| choice(&aim::open(goal, planning)));
     possible
-        .or_else(|| choose(&situation.without_obstacles(), &aim::scoring(goal), kicks, None))
-        .unwrap_or(Plan::GoRound(UNKNOWN_GOAL_TURN))
+        .or_else(|| Task { situation: &situation.without_obstacles(), ..task }.choose(&scoring, None))
+        .unwrap_or(go_round)
 }
 
-/// The cheapest kick that needs a small turn; otherwise the path around the ball to the cheapest one.
-#[inline(never)]
-fn choose(situation: &Situation, aims: &[Aim], kicks: &Kicks, last_failed_kick: Option<Kick>) -> Option<Plan> {
-    let mut best = (f32::INFINITY, None);
-    for aim in aims {
-        for kick in Kick::ALL {
-            let again = if last_failed_kick == Some(kick) { REPETITION_COST } else { 0.0 };
-            if let Some((effort, plan)) = weigh(situation, aim, kick, kicks, again, best.0) {
-                best = (effort, Some(plan));
+/// What a plan depends on.
+#[derive(Clone, Copy)]
+struct Task<'a> {
+    situation: &'a Situation,
+    kicks: &'a Kicks,
+    planning: &'a Planning,
+    clearance: &'a Clearance,
+}
+
+impl Task<'_> {
+    /// The cheapest kick that needs a small turn; otherwise the path around the ball to the cheapest one.
+    #[inline(never)]
+    fn choose(&self, aims: &[Aim], last_failed_kick: Option<Kick>) -> Option<Plan> {
+        let mut best = (f32::INFINITY, None);
+        for aim in aims {
+            for kick in Kick::ALL {
+                let again = if last_failed_kick == Some(kick) { self.planning.repetition_cost } else { 0.0 };
+                if let Some((effort, plan)) = self.weigh(aim, kick, again, best.0) {
+                    best = (effort, Some(plan));
+                }
             }
         }
+        best.1
     }
-    best.1
-}
 
-/// Plan for a kick and its cost, rad of turning; `None` if the cost is not below `limit`, or an obstacle prevents the
-/// kick.
-fn weigh(situation: &Situation, aim: &Aim, kick: Kick, kicks: &Kicks, again: f32, limit: f32) -> Option<(f32, Plan)> {
-    let path = aim.at - situation.ball;
-    let turn = wrap(atan2f(path.y, path.x) - kick.direction());
-    let cost = aim.cost + kick_cost(kick) + again;
-    let is_near = fabsf(turn) < MAX_ALIGNMENT;
-    let least = if is_near { fabsf(turn) + cost } else { CIRCLING_COST + fabsf(turn) + CIRCLING_WEIGHT * cost };
-    let stand = || situation.ball - rotate(kick.ball(kicks), turn);
-    let obstacles = &situation.obstacles;
-    if least >= limit || !obstacles.allow_kick(situation.ball, path) || !obstacles.allow_stand(stand()) {
-        return None;
-    }
-    if is_near {
-        return Some((least, Plan::Kick(Strike { kick, heading: turn })));
-    }
-    let round = situation.way_round(turn)?;
-    let effort = least - fabsf(turn) + fabsf(round);
-    (effort < limit).then_some((effort, Plan::GoRound(round)))
-}
-
-/// Cost of a kick in addition to the turning, rad: the front kick is the most reliable.
-const fn kick_cost(kick: Kick) -> f32 {
-    match kick.kind {
-        KickKind::Front => 0.0,
-        KickKind::Diagonal => 0.25,
-        KickKind::Lateral => 0.4,
+    /// Plan for a kick and its cost, rad of turning; `None` if the cost is not below `limit`, or an obstacle prevents the
+    /// kick.
+    fn weigh(&self, aim: &Aim, kick: Kick, again: f32, limit: f32) -> Option<(f32, Plan)> {
+        let Self { situation, kicks, planning, clearance } = *self;
+        let path = aim.at - situation.ball;
+        let turn = wrap(atan2f(path.y, path.x) - kick.direction());
+        let cost = aim.cost + planning.kick_cost(kick) + again;
+        let is_near = fabsf(turn) < planning.max_alignment;
+        let least = if is_near {
+            fabsf(turn) + cost
+        } else {
+            planning.circling_cost + fabsf(turn) + planning.circling_weight * cost
+        };
+        let stand = || situation.ball - rotate(kick.ball(kicks), turn);
+        let obstacles = &situation.obstacles;
+        if least >= limit
+            || !obstacles.allow_kick(situation.ball, path, clearance)
+            || !obstacles.allow_stand(stand(), clearance)
+        {
+            return None;
+        }
+        if is_near {
+            return Some((least, Plan::Kick(Strike { kick, heading: turn })));
+        }
+        let round = situation.way_round(turn, clearance)?;
+        let effort = least - fabsf(turn) + fabsf(round);
+        (effort < limit).then_some((effort, Plan::GoRound(round)))
     }
 }
 
@@ -123,6 +137,8 @@ impl Plan {
 mod tests {
     use core::f32::consts::{FRAC_PI_2, PI};
 
+    use bica::prelude::*;
+    use bica_motion::kick::KickKind;
     use bica_motion::model::{Nao, RobotModel};
     use glam::Vec2;
 
@@ -142,8 +158,14 @@ mod tests {
         Situation { ball, goal: Some(Goal { middle, across, gap }), obstacles }
     }
 
+    fn default_plan(situation: &Situation, kicks: &Kicks, last_failed_kick: Option<Kick>) -> Plan {
+        plan(situation, kicks, last_failed_kick, &Planning::DEFAULT, &Clearance::DEFAULT)
+    }
+
     fn kick(situation: &Situation) -> (Strike, Vec2, Vec2) {
-        let Plan::Kick(strike) = plan(situation, &KICKS, None) else { panic!("a kick was expected: {situation:?}") };
+        let Plan::Kick(strike) = default_plan(situation, &KICKS, None) else {
+            panic!("a kick was expected: {situation:?}")
+        };
         let stand = situation.ball - rotate(strike.kick.ball(&KICKS), strike.heading);
         (strike, stand, rotate(Vec2::X, strike.heading + strike.kick.direction()))
     }
@@ -173,9 +195,9 @@ mod tests {
     #[test]
     fn a_goal_behind_the_robot_or_unknown_needs_a_path_around_the_ball() {
         let behind = situation(BALL, Vec2::new(-2.0, 0.0), PI, Some(0.0), &[]);
-        assert!(matches!(plan(&behind, &KICKS, None), Plan::GoRound(angle) if angle.abs() > 3.0));
+        assert!(matches!(default_plan(&behind, &KICKS, None), Plan::GoRound(angle) if angle.abs() > 3.0));
         let unknown = Situation { goal: None, ..behind };
-        assert_eq!(plan(&unknown, &KICKS, None), Plan::GoRound(UNKNOWN_GOAL_TURN));
+        assert_eq!(default_plan(&unknown, &KICKS, None), Plan::GoRound(Planning::DEFAULT.unknown_goal_turn));
     }
 
     #[test]
@@ -194,20 +216,20 @@ mod tests {
     #[test]
     fn a_ball_beside_a_post_is_kicked_before_the_goal() {
         let beside = situation(BALL, Vec2::new(0.32, 0.88), 0.0, Some(0.0), &[]);
-        let Plan::GoRound(angle) = plan(&beside, &KICKS, None) else { panic!("the turn is too large") };
+        let Plan::GoRound(angle) = default_plan(&beside, &KICKS, None) else { panic!("the turn is too large") };
         let turned = rotate(BALL, -angle);
         let after = situation(turned, rotate(Vec2::new(0.32, 0.88), -angle), -angle, Some(0.0), &[]);
         let (_, stand, way) = kick(&after);
         let way = rotate(way, angle);
         assert!(way.x < -0.3 && way.y > 0.3, "into the field, towards the middle of the goal: {way}");
-        assert!(after.obstacles.allow_stand(stand));
+        assert!(after.obstacles.allow_stand(stand, &Clearance::DEFAULT));
     }
 
     #[test]
     fn a_failed_kick_is_not_repeated_if_another_one_is_possible() {
         let at_goal = situation(BALL, Vec2::new(0.8, 0.0), 0.0, Some(0.0), &[]);
         let (first, ..) = kick(&at_goal);
-        let Plan::Kick(second) = plan(&at_goal, &KICKS, Some(first.kick)) else { panic!("a kick") };
+        let Plan::Kick(second) = default_plan(&at_goal, &KICKS, Some(first.kick)) else { panic!("a kick") };
         assert_ne!(first.kick, second.kick);
     }
 
@@ -215,12 +237,14 @@ mod tests {
     fn the_path_around_the_ball_avoids_other_robots() {
         for side in [1.0, -1.0] {
             let goal = (Vec2::new(-2.0, 0.3 * side), PI);
-            let Plan::GoRound(short) = plan(&situation(BALL, goal.0, goal.1, Some(0.0), &[]), &KICKS, None) else {
+            let Plan::GoRound(short) = default_plan(&situation(BALL, goal.0, goal.1, Some(0.0), &[]), &KICKS, None)
+            else {
                 panic!("far")
             };
             // A turn to the left leads round the right side of the ball.
             let robot = BALL + Vec2::new(0.0, -0.3 * short.signum());
-            let Plan::GoRound(long) = plan(&situation(BALL, goal.0, goal.1, Some(0.0), &[robot]), &KICKS, None) else {
+            let Plan::GoRound(long) = default_plan(&situation(BALL, goal.0, goal.1, Some(0.0), &[robot]), &KICKS, None)
+            else {
                 panic!("far")
             };
             assert!(long * short < 0.0, "{short} {long}");
@@ -231,7 +255,29 @@ mod tests {
     fn a_surrounded_ball_is_played_as_if_there_were_no_robots() {
         let ring: [Vec2; 4] = core::array::from_fn(|i| BALL + 0.2 * Vec2::from_angle(i as f32 * FRAC_PI_2));
         let goal = Vec2::new(2.0, 0.0);
-        let free = plan(&situation(BALL, goal, 0.0, Some(0.0), &[]), &KICKS, None);
-        assert_eq!(plan(&situation(BALL, goal, 0.0, Some(0.0), &ring), &KICKS, None), free);
+        let free = default_plan(&situation(BALL, goal, 0.0, Some(0.0), &[]), &KICKS, None);
+        assert_eq!(default_plan(&situation(BALL, goal, 0.0, Some(0.0), &ring), &KICKS, None), free);
+    }
+
+    #[test]
+    fn costs_and_limits_of_the_planning_decide_between_kicks() {
+        let aside = situation(BALL, BALL + 2.0 * Vec2::from_angle(0.8), 0.8, Some(0.0), &[]);
+        let with = |planning: &Planning| plan(&aside, &KICKS, None, planning, &Clearance::DEFAULT);
+        let kind = |plan| if let Plan::Kick(strike) = plan { Some(strike.kick.kind) } else { None };
+        assert_eq!(kind(with(&Planning::DEFAULT)), Some(KickKind::Diagonal));
+        let front = Planning { diagonal_cost: 3.0, lateral_cost: 3.0, max_alignment: 1.0, ..Planning::DEFAULT };
+        assert_eq!(kind(with(&front)), Some(KickKind::Front));
+        let unknown = Situation { goal: None, ..aside.clone() };
+        let planning = Planning { unknown_goal_turn: -1.0, ..Planning::DEFAULT };
+        assert_eq!(plan(&unknown, &KICKS, None, &planning, &Clearance::DEFAULT), Plan::GoRound(-1.0));
+    }
+
+    #[test]
+    fn a_closer_clearance_blocks_a_kick_that_is_free_otherwise() {
+        let robot = BALL + Vec2::new(0.4, 0.25);
+        let ahead = situation(BALL, Vec2::new(2.3, 0.0), 0.0, Some(0.0), &[robot]);
+        let with = |clearance: &Clearance| plan(&ahead, &KICKS, None, &Planning::DEFAULT, clearance);
+        let free = with(&Clearance::DEFAULT);
+        assert_ne!(with(&Clearance { ball_path_radius: 0.2, ..Clearance::DEFAULT }), free);
     }
 }

@@ -7,15 +7,9 @@ use bica_motion::pose::rotate;
 use glam::Vec2;
 use libm::{ceilf, fabsf};
 
-use super::obstacles::{Obstacle, Obstacles};
+use super::obstacles::{Clearance, Obstacle, Obstacles};
 use crate::perception::{BallDetector, GoalDetector, Localization, RobotDetector};
 
-/// Radius of another robot, m: half of its width, less the compliance of its arms.
-const ROBOT_RADIUS: f32 = 0.12;
-/// Distance from the toes of a robot, which are detected, to its middle, m.
-const TOES: f32 = 0.08;
-/// Radius of the path around the ball, m.
-const ROUND_RADIUS: f32 = 0.24;
 /// Angle between the tested points of the path around the ball, rad.
 const ROUND_STEP: f32 = 0.3;
 
@@ -43,14 +37,21 @@ impl Situation {
     /// completely comes from the localization.
     #[must_use]
     #[inline(never)]
-    pub fn of(ball: &BallDetector, goal: &GoalDetector, field: &Localization, robots: &RobotDetector) -> Option<Self> {
+    pub fn of(
+        ball: &BallDetector,
+        goal: &GoalDetector,
+        field: &Localization,
+        robots: &RobotDetector,
+        clearance: &Clearance,
+    ) -> Option<Self> {
         let goal = Goal::of(goal, field);
         let mut obstacles = Obstacles::default();
         let half = |goal: Goal| 0.5 * FIELD.goal_width() * goal.across;
         let posts = goal.into_iter().flat_map(|goal| [goal.middle + half(goal), goal.middle - half(goal)]);
         let posts = posts.map(|at| Obstacle { at, radius: FIELD.post_radius() });
         let robots = robots.places().map(|place| place.position);
-        let robots = robots.map(|toes| Obstacle { at: toes + TOES * toes.normalize_or_zero(), radius: ROBOT_RADIUS });
+        let (toe_distance, radius) = (clearance.robot_toe_distance, clearance.robot_radius);
+        let robots = robots.map(|toes| Obstacle { at: toes + toe_distance * toes.normalize_or_zero(), radius });
         obstacles.0.extend(posts.chain(robots));
         Some(Self { ball: ball.position()?, goal, obstacles })
     }
@@ -62,17 +63,17 @@ impl Situation {
 
     /// The angle of the path around the ball after which the body has turned by `turn`, rad: the shorter way if it is free, else
     /// the longer one; `None` if both are blocked.
-    pub(super) fn way_round(&self, turn: f32) -> Option<f32> {
+    pub(super) fn way_round(&self, turn: f32, clearance: &Clearance) -> Option<f32> {
         let other = turn - TAU.copysign(turn);
-        [turn, other].into_iter().find(|&way| self.is_free(way))
+        [turn, other].into_iter().find(|&way| self.is_free(way, clearance))
     }
 
-    fn is_free(&self, turn: f32) -> bool {
-        let from = -ROUND_RADIUS * self.ball.normalize_or_zero();
+    fn is_free(&self, turn: f32, clearance: &Clearance) -> bool {
+        let from = -clearance.way_round_radius * self.ball.normalize_or_zero();
         let steps = ceilf(fabsf(turn) / ROUND_STEP) as u8;
         (1..=steps).all(|step| {
             let turned = rotate(from, turn * f32::from(step) / f32::from(steps));
-            self.obstacles.allow_stand(self.ball + turned)
+            self.obstacles.allow_stand(self.ball + turned, clearance)
         })
     }
 }
@@ -90,22 +91,35 @@ impl Goal {
 
 #[cfg(test)]
 mod tests {
+    use bica::prelude::*;
+
     use super::*;
 
     #[test]
     fn the_path_around_the_ball_is_the_shorter_free_one() {
         let ball = Vec2::new(0.3, 0.0);
         let with = |robots: &[Vec2]| {
-            let robots = robots.iter().map(|&at| Obstacle { at, radius: ROBOT_RADIUS });
+            let robots = robots.iter().map(|&at| Obstacle { at, radius: 0.12 });
             Situation { ball, goal: None, obstacles: Obstacles(robots.collect()) }
         };
+        let way = |robots: &[Vec2], turn| with(robots).way_round(turn, &Clearance::DEFAULT);
         let (right, left) = (ball - 0.3 * Vec2::Y, ball + 0.3 * Vec2::Y);
         // A turn to the left leads round the right side of the ball.
-        assert_eq!(with(&[]).way_round(3.0), Some(3.0));
-        assert_eq!(with(&[left]).way_round(3.0), Some(3.0));
-        assert_eq!(with(&[right]).way_round(3.0), Some(3.0 - TAU));
-        assert_eq!(with(&[right]).way_round(-3.0), Some(-3.0));
-        assert_eq!(with(&[left]).way_round(-3.0), Some(TAU - 3.0));
-        assert_eq!(with(&[left, right]).way_round(3.0), None);
+        assert_eq!(way(&[], 3.0), Some(3.0));
+        assert_eq!(way(&[left], 3.0), Some(3.0));
+        assert_eq!(way(&[right], 3.0), Some(3.0 - TAU));
+        assert_eq!(way(&[right], -3.0), Some(-3.0));
+        assert_eq!(way(&[left], -3.0), Some(TAU - 3.0));
+        assert_eq!(way(&[left, right], 3.0), None);
+    }
+
+    #[test]
+    fn the_path_around_the_ball_has_the_tuned_radius() {
+        let ball = Vec2::new(0.3, 0.0);
+        let robot = Obstacle { at: ball - 0.55 * Vec2::Y, radius: 0.12 };
+        let situation = Situation { ball, goal: None, obstacles: Obstacles([robot].into_iter().collect()) };
+        assert_eq!(situation.way_round(3.0, &Clearance::DEFAULT), Some(3.0));
+        let wide = Clearance { way_round_radius: 0.4, ..Clearance::DEFAULT };
+        assert_eq!(situation.way_round(3.0, &wide), Some(3.0 - TAU));
     }
 }

@@ -26,6 +26,15 @@ impl Failure {
         Self::Error { what: what.into(), help: help.into() }
     }
 
+    /// The same error, with the place where it was found in front.
+    #[must_use]
+    pub fn at(self, place: &str) -> Self {
+        match self {
+            Self::Error { what, help } => Self::new(format!("{place}: {what}"), help),
+            Self::BrokenPipe => self,
+        }
+    }
+
     /// An error of reading or writing a file or folder; `action` is a verb, as "write".
     #[must_use]
     pub fn of_path(action: &str, path: &Path, error: &dyn fmt::Display, help: &str) -> Self {

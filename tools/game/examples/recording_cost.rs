@@ -81,6 +81,7 @@ fn measure(world: &mut KinematicWorld, images: &[Vec<u8>], policy: ImagePolicy, 
         limit: Duration::MAX,
         realtime: true,
         firmware: None,
+        settings: &[],
     };
     let header = recording_header(&rules, GoalColour::Yellow, policy);
     let file = fs::File::create(path).expect("room");

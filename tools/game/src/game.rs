@@ -3,13 +3,14 @@
 use std::thread;
 use std::time::{Duration, Instant};
 
-use bica::Tree;
 use bica::runner::Runner;
+use bica::{Refusal, Tree};
 use bica_console::{Failure, interrupt};
 use bica_motion::pose::Pose2;
 use bica_player::input::{HealthMonitor, RobotProfile};
 use bica_player::perception::GoalDetector;
 use bica_player::tunable::Forward;
+use bica_recording::recorded_parameters;
 use bica_sim::SpectatorView;
 use glam::Vec2;
 
@@ -81,8 +82,10 @@ impl<'a> Game<'a> {
         let (attacks, start, ball) = (world.referee().attacks(), world.referee().robot(), world.referee().ball());
         robot.get_mut::<RobotProfile>().set(rules.world.profile());
         robot.get_mut::<GoalDetector>().attack(attacks);
+        let refused = |refusal: Refusal| Failure::new(refusal.to_string(), "check parameters with `player params`");
+        robot.set_params(rules.settings).map_err(refused)?;
         let firmware = rules.firmware.map(|image| image.start(attacks)).transpose()?;
-        let recorder = GameRecorder::new(record, rules, attacks)?;
+        let recorder = GameRecorder::new(record, rules, attacks, recorded_parameters(&*robot))?;
         let observers = (FirmwareCheck::new(firmware), ((Meter::new(&GRAPH), Stopwatch::default()), recorder));
         Ok(Self {
             runner: Runner::new(robot, world).with_observer(observers),

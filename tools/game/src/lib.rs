@@ -19,6 +19,7 @@ mod single;
 mod story;
 mod summary;
 mod summary_text;
+mod tuning;
 mod world_factory;
 
 pub use album::Album;
@@ -35,3 +36,4 @@ pub use scene::{GRAPH, Scene};
 pub use series::{SeriesOptions, play_series};
 pub use single::play_one;
 pub use summary::{ComponentActivity, ComponentCost, GameResult, GameSummary, Wall};
+pub use tuning::settings;

@@ -10,8 +10,8 @@ use bica_field::GoalColour;
 use bica_motion::robot::Sensors;
 use bica_player::tunable::Forward;
 use bica_recording::{
-    Backpressure, ComponentCosts, Costs, Header, ImagePolicy, LogLine, RecordedRules, Recorder, RecorderOptions,
-    RefereeEvent, Report, RobotInfo,
+    Backpressure, ComponentCosts, Costs, Header, ImagePolicy, LogLine, Parameter, RecordedRules, Recorder,
+    RecorderOptions, RefereeEvent, Report, RobotInfo,
 };
 use bica_sim::referee::TimedEvent;
 use serde::Serialize;
@@ -81,8 +81,16 @@ pub(crate) struct GameRecorder<'a> {
 
 impl<'a> GameRecorder<'a> {
     /// Makes the file and writes its header.
-    pub(crate) fn new(options: Option<RecordOptions<'a>>, rules: &Rules, attacks: GoalColour) -> Result<Self, Failure> {
-        let open = |options: RecordOptions<'a>| open(&options, rules, attacks).map(|recorder| (recorder, options.path));
+    pub(crate) fn new(
+        options: Option<RecordOptions<'a>>,
+        rules: &Rules,
+        attacks: GoalColour,
+        parameters: Vec<Parameter>,
+    ) -> Result<Self, Failure> {
+        let open = |options: RecordOptions<'a>| {
+            let header = Header { parameters, ..recording_header(rules, attacks, options.images) };
+            open(&options, &header, rules).map(|recorder| (recorder, options.path))
+        };
         let recorder = options.map(open).transpose()?;
         Ok(Self { recorder, costs: vec![ComponentCosts::default(); GRAPH.nodes.len()], cycles: 0 })
     }
@@ -121,8 +129,8 @@ impl<'a> GameRecorder<'a> {
     }
 }
 
-fn open(options: &RecordOptions<'_>, rules: &Rules, attacks: GoalColour) -> Result<Recorder, Failure> {
-    let RecordOptions { path, images, force } = *options;
+fn open(options: &RecordOptions<'_>, header: &Header, rules: &Rules) -> Result<Recorder, Failure> {
+    let RecordOptions { path, force, .. } = *options;
     let help = if path.exists() && !force {
         "--force replaces an existing file"
     } else {
@@ -130,15 +138,14 @@ fn open(options: &RecordOptions<'_>, rules: &Rules, attacks: GoalColour) -> Resu
     };
     let file = OpenOptions::new().write(true).create(true).truncate(true).create_new(!force).open(path);
     let file = file.map_err(|error| Failure::of_path("write", path, &error, help))?;
-    let header = recording_header(rules, attacks, images);
     // Without a clock nothing has to be lost.
     let backpressure = if rules.realtime { Backpressure::Drop } else { Backpressure::Wait };
     let on_end = |reason: &str| eprintln!("warning: the recording ended, the game goes on: {reason}");
-    Recorder::start(file, &header, RecorderOptions { backpressure, ..RecorderOptions::default() }, on_end)
+    Recorder::start(file, header, RecorderOptions { backpressure, ..RecorderOptions::default() }, on_end)
         .map_err(|error| Failure::of_path("write", path, &error, "is the disk full?"))
 }
 
-/// Returns the header of a game's recording.
+/// Returns the header of a game's recording, without parameters.
 #[must_use]
 pub fn recording_header(rules: &Rules, attacks: GoalColour, images: ImagePolicy) -> Header {
     let world = match rules.world {

@@ -15,16 +15,19 @@ use bica_player::input::RobotProfile;
 use bica_player::perception::GoalDetector;
 use bica_player::tunable::Forward;
 use bica_recording::{
-    Comparison, Decision, Difference, Error, Header, ImagePolicy, OwnedImage, Program, RecordedCycle, RecordedRules,
-    Recording, RequestRecord, RunningFingerprint, TreeInfo, command_digest, image_digest, sensors_digest, tree_record,
+    Comparison, Decision, Difference, Error, Header, ImagePolicy, OwnedImage, Parameter, Program, RecordedCycle,
+    RecordedRules, Recording, RequestRecord, RunningFingerprint, TreeInfo, command_digest, image_digest,
+    sensors_digest, tree_record,
 };
 use bica_sim::SpectatorView;
 use bica_sim::setup::Frame;
+use bica_tuning::Layers;
 use bica_wire::message::{Command as CommandMessage, Sensors as SensorsMessage};
 use indicatif::ProgressBar;
 use serde::Serialize;
 
 use crate::rules::{Rules, WorldKind};
+use crate::scene::GRAPH;
 use crate::world_factory;
 
 /// Number of bytes after which the progress bar moves.
@@ -41,6 +44,8 @@ pub struct ReplayOptions<'a> {
     pub until: f64,
     /// Recording to compare with, instead of running the code.
     pub against: Option<&'a Path>,
+    /// Parameters `Component.name=value` that are not those of the recording.
+    pub set: &'a [String],
 }
 
 /// Result of a replay.
@@ -52,6 +57,8 @@ pub struct Replayed {
     pub source: &'static str,
     /// Whether the same build wrote the recording.
     pub same_build: bool,
+    /// Parameters that are not those of the recording.
+    pub set: Vec<String>,
     /// Whether all compared cycles were equal, bit for bit.
     pub equal: bool,
     /// Number of compared cycles.
@@ -82,7 +89,7 @@ pub fn replay(options: &ReplayOptions<'_>) -> Result<Replayed, Failure> {
     } else {
         check_tree(&header)?;
         let source = if header.images == ImagePolicy::All { "stored" } else { "rules" };
-        (Box::new(Repeated::new(&header)?), source)
+        (Box::new(Repeated::new(&header, options.set)?), source)
     };
     let mut comparison = Comparison::new(header.tree.clone());
     let (seconds, damage) = compare(options, &mut recording, &mut *other, &mut comparison)?;
@@ -90,6 +97,7 @@ pub fn replay(options: &ReplayOptions<'_>) -> Result<Replayed, Failure> {
         file: options.path.display().to_string(),
         source,
         same_build: options.against.is_none() && Program::current().is_same_build(&header.program),
+        set: options.set.to_vec(),
         equal: comparison.is_equal(),
         cycles: comparison.cycles,
         seconds,
@@ -198,11 +206,12 @@ struct Repeated {
 }
 
 impl Repeated {
-    fn new(header: &Header) -> Result<Self, Failure> {
+    fn new(header: &Header, set: &[String]) -> Result<Self, Failure> {
         let (world, profile, attacks) = set_up(header)?;
         let mut robot = Box::new(Forward::new());
         bica::Tree::get_mut::<RobotProfile>(&mut *robot).set(profile);
         bica::Tree::get_mut::<GoalDetector>(&mut *robot).attack(attacks);
+        layers(header, set)?.apply(&mut *robot)?;
         let runner = Runner::new(robot, world).with_requests(RequestQueue::new()).with_observer(Taken::default());
         Ok(Self { runner, fingerprint: RunningFingerprint::default(), cycle: 0 })
     }
@@ -235,6 +244,18 @@ impl Run for Repeated {
     }
 }
 
+/// Returns the parameters of a recording, and over them the assignments of the command line.
+fn layers(header: &Header, set: &[String]) -> Result<Layers, Failure> {
+    let mut layers = Layers::new(&GRAPH);
+    for Parameter { component, name, value } in &header.parameters {
+        layers.assign(&format!("{component}.{name}={value}"), "the recording")?;
+    }
+    for assignment in set {
+        layers.assign(assignment, "--set")?;
+    }
+    Ok(layers)
+}
+
 fn request_of(request: &RequestRecord) -> Result<OwnedRequest, Failure> {
     request.to_request().ok_or_else(|| {
         let what = format!("the recording has a request that this program does not know: {request:?}");
@@ -244,7 +265,7 @@ fn request_of(request: &RequestRecord) -> Result<OwnedRequest, Failure> {
 
 /// Checks that the recording is of this program's tree.
 fn check_tree(header: &Header) -> Result<(), Failure> {
-    let own = TreeInfo::new(&crate::scene::GRAPH);
+    let own = TreeInfo::new(&GRAPH);
     if own.hash == header.tree.hash && own.tick_hz == header.tree.tick_hz {
         return Ok(());
     }
@@ -267,9 +288,6 @@ fn set_up(header: &Header) -> Result<(ReplayWorld, &'static Profile, GoalColour)
     let unknown = |what: &str| {
         Failure::new(format!("the recording has an unknown {what}"), "replay it with the program that recorded it")
     };
-    if !header.parameters.is_empty() {
-        return Err(unknown("set of parameters"));
-    }
     let profile = match header.robot.profile.as_str() {
         "kinematic" => Nao::KINEMATIC_PROFILE,
         "dynamic" => Nao::DYNAMIC_PROFILE,
@@ -308,7 +326,16 @@ fn rules_of(rules: &RecordedRules) -> Result<Rules, Failure> {
         || Failure::new(format!("the recording has images of {width}x{height}"), "known are 160x120, 320x240, 640x480");
     let limit = Duration::try_from_secs_f64(rules.seconds).unwrap_or(Duration::MAX);
     let size = Frame::of_size(width, height).ok_or_else(unknown)?;
-    Ok(Rules { world, seed: rules.seed, size, robots: rules.robots, limit, realtime: false, firmware: None })
+    Ok(Rules {
+        world,
+        seed: rules.seed,
+        size,
+        robots: rules.robots,
+        limit,
+        realtime: false,
+        firmware: None,
+        settings: &[],
+    })
 }
 
 /// World of a replay.

@@ -2,6 +2,7 @@
 
 use std::time::Duration;
 
+use bica::Setting;
 use bica_motion::model::{Nao, Profile, RobotModel};
 use bica_sim::setup::Frame;
 
@@ -56,4 +57,6 @@ pub struct Rules {
     pub realtime: bool,
     /// Firmware that controls the robot in place of this program.
     pub firmware: Option<FirmwareImage>,
+    /// Parameters that are not the defaults, from [`settings`](crate::settings).
+    pub settings: &'static [Setting],
 }

@@ -5,11 +5,13 @@
 mod calibrate;
 pub mod cli;
 mod graph;
+mod params;
 mod play;
 mod record;
 mod replay;
 mod see;
 mod trial;
+mod tuning;
 mod watch;
 
 use std::process::ExitCode;
@@ -32,6 +34,7 @@ pub fn run() -> ExitCode {
         Some(Command::Watch(args)) => watch::run(&args),
         Some(Command::Record(args)) => record::run(&args),
         Some(Command::Replay(args)) => replay::run(&args),
+        Some(Command::Params(args)) => params::run(&args),
         Some(Command::See(args)) => see::run(&args),
         Some(Command::Calibrate(args)) => calibrate::run(&args),
         Some(Command::Trial(args)) => trial::run(&args),

@@ -2,10 +2,13 @@
 
 use std::time::Duration;
 
+use bica::Setting;
 use bica_console::{Console, Failure, Outcome};
 use bica_game::{FirmwareImage, RecordOptions, Rules, SeriesOptions, WorldKind, play_one, play_series};
+use clap::ValueEnum;
 
 use crate::cli::{Play, World};
+use crate::tuning::layers;
 
 /// Plays as the command line requests.
 pub(crate) fn run(args: &Play) -> Result<Outcome, Failure> {
@@ -19,6 +22,7 @@ pub(crate) fn run(args: &Play) -> Result<Outcome, Failure> {
         limit: Duration::from_secs_f64(args.seconds),
         realtime: args.realtime,
         firmware,
+        settings: settings(args)?,
     };
     let (console, pictures) = (Console::new(args.json), args.pictures.as_deref());
     match args.games {
@@ -32,6 +36,17 @@ pub(crate) fn run(args: &Play) -> Result<Outcome, Failure> {
             play_series(&rules, console, pictures, &options)
         }
     }
+}
+
+/// Returns the parameters of the command line and of the tune files of the world.
+fn settings(args: &Play) -> Result<&'static [Setting], Failure> {
+    let kind = args.world.to_possible_value().map(|value| value.get_name().to_owned()).unwrap_or_default();
+    let settings = bica_game::settings(&layers(&kind, &args.tuning)?)?;
+    if args.world == World::Firmware && !settings.is_empty() {
+        let help = "leave out --set and tune files, or play in another world";
+        return Err(Failure::new("the parameters of a firmware image are constants", help));
+    }
+    Ok(settings)
 }
 
 /// Returns the requested world; firmware plays in the built-in one.

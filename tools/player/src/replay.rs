@@ -23,7 +23,8 @@ pub(crate) fn run(args: &Replay) -> Result<Outcome, Failure> {
     if until < args.from {
         return Err(Failure::new("--until is before --from", "give a later time with --until"));
     }
-    let options = ReplayOptions { path: &args.file, from: args.from, until, against: args.against.as_deref() };
+    let options =
+        ReplayOptions { path: &args.file, from: args.from, until, against: args.against.as_deref(), set: &args.set };
     let replayed = replay(&options)?;
     print(console, &replayed)?;
     console.print_json(&Report { schema: "bica-player/replay/1", replayed: &replayed })?;
@@ -58,6 +59,8 @@ fn print(console: Console, replayed: &Replayed) -> Result<(), Failure> {
     console.print_row("recorded", &first.recorded)?;
     console.print_row("repeated", &first.repeated)?;
     if *equal || replayed.source == "recording" {
+    } else if !replayed.set.is_empty() {
+        console.print_row("cause", &format!("other parameters: {}", replayed.set.join(", ")))?;
     } else if replayed.same_build {
         console.print_row(
             "cause",

@@ -78,13 +78,18 @@ pub(crate) enum Task {
     ///
     /// Runs `cargo publish --workspace --dry-run`: packages each public crate and builds it from its package.
     Publish,
+    /// Read a recording and its export with programs of others
+    ///
+    /// Records a short game, exports it, and reads both with MCAP's Python library, which checks all checksums. First installs it
+    /// into target/ (from PyPI; needs Python 3).
+    Viewers(Viewers),
     /// Check licences, sources and duplicates of all dependencies
     ///
     /// Runs cargo-deny with deny.toml on every workspace of the repository. First builds cargo-deny into target/.
     Deny,
     /// Check everything that CI checks, in the same order
     ///
-    /// Format, lints, docs, tests, packages, licences, twenty games, Miri, instructions, MuJoCo, no-std, firmware.
+    /// Format, lints, docs, tests, packages, licences, peers, twenty games, recordings, Miri, instructions, MuJoCo, no-std, firmware.
     Ci,
 }
 
@@ -129,6 +134,13 @@ pub(crate) struct Newcomer {
     /// Fail if a time is above its limit; only an otherwise idle machine can pass
     #[arg(long)]
     pub(crate) judge: bool,
+}
+
+#[derive(Debug, Default, Args)]
+pub(crate) struct Viewers {
+    /// Also convert the export with Rerun, which is installed into target/ (from PyPI, 800 MB)
+    #[arg(long)]
+    pub(crate) rerun: bool,
 }
 
 #[derive(Debug, Args)]

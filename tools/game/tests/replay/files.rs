@@ -45,6 +45,7 @@ pub(crate) fn rules(seed: u64, seconds: f32) -> Rules {
         limit: Duration::from_secs_f32(seconds),
         realtime: false,
         firmware: None,
+        settings: &[],
     }
 }
 
@@ -58,7 +59,7 @@ pub(crate) fn record(path: &Path, rules: &Rules, images: ImagePolicy) {
 
 /// Replays a file from start to end.
 pub(crate) fn replay_all(path: &Path) -> Replayed {
-    replay(&ReplayOptions { path, from: 0.0, until: f64::INFINITY, against: None }).expect("a recording")
+    replay(&ReplayOptions { path, from: 0.0, until: f64::INFINITY, against: None, set: &[] }).expect("a recording")
 }
 
 /// Writes a recording again with other contents of some messages and metadata.

@@ -45,9 +45,9 @@ fn a_span_is_compared_and_other_recordings_are() {
     with_stack(|| {
         record(&one.0, &rules(20, 1.0), ImagePolicy::All);
         record(&two.0, &rules(20, 2.0), ImagePolicy::None);
-        let span = ReplayOptions { path: &one.0, from: 0.5, until: 0.6, against: None };
+        let span = ReplayOptions { path: &one.0, from: 0.5, until: 0.6, against: None, set: &[] };
         assert_eq!(replay(&span).expect("a recording").cycles, 11);
-        let against = ReplayOptions { path: &one.0, from: 0.0, until: f64::INFINITY, against: Some(&two.0) };
+        let against = ReplayOptions { path: &one.0, from: 0.0, until: f64::INFINITY, against: Some(&two.0), set: &[] };
         let replayed = replay(&against).expect("two recordings");
         let first = replayed.first_difference.expect("one is longer");
         assert_eq!((replayed.cycles, first.cycle, first.field.as_str()), (100, 100, "cycle"));
@@ -61,7 +61,7 @@ fn a_recording_of_another_tree_or_without_its_start_is_refused() {
     let file = Temporary::new("refused.mcap");
     let refused = |bytes: &[u8]| {
         fs::write(&file.0, bytes).expect("room");
-        let options = ReplayOptions { path: &file.0, from: 0.0, until: f64::INFINITY, against: None };
+        let options = ReplayOptions { path: &file.0, from: 0.0, until: f64::INFINITY, against: None, set: &[] };
         match with_stack(|| replay(&options)).expect_err("refused") {
             Failure::Error { what, .. } => what,
             Failure::BrokenPipe => panic!("no pipe is involved"),

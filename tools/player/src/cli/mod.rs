@@ -1,6 +1,7 @@
 //! The command line.
 
 mod recording;
+mod tuning;
 
 use std::path::PathBuf;
 
@@ -11,6 +12,7 @@ use clap::builder::PossibleValue;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
 pub(crate) use recording::{Images, InfoArgs, Record, RecordAction, Recover, Replay, Trim};
+pub(crate) use tuning::{Params, ParamsFormat, TuningArgs};
 
 const AFTER: &str = "\
 Examples:
@@ -23,6 +25,8 @@ Examples:
   player graph --format svg > tree.svg  a drawing of the activation tree
   player --record run.mcap              the same game, recorded
   player replay run.mcap                the code again on what was recorded, compared bit for bit
+  player params FaceBall                the parameters of a component
+  player --set FaceBall.gain=0.9        the same game with another value of a parameter
   player watch frames --pictures out    detections in recorded images, with a summary
   player see frames --json              the same as one line of JSON for each image
 
@@ -66,6 +70,8 @@ pub(crate) enum Command {
     Record(Record),
     /// Run the code again on a recording and compare, bit for bit; or compare two recordings
     Replay(Replay),
+    /// List the parameters of the components and their values; write a tune file
+    Params(Params),
     /// Fit the thresholds of the colour classes to labelled images and write them as a profile
     Calibrate(Calibrate),
 }
@@ -118,6 +124,8 @@ pub(crate) struct Play {
     /// Number of games with a goal for exit code 0 [default: all]
     #[arg(long, value_name = "N", requires = "games")]
     pub(crate) at_least: Option<u32>,
+    #[command(flatten)]
+    pub(crate) tuning: TuningArgs,
     /// Print the results as JSON on stdout; all other output goes to stderr
     #[arg(long)]
     pub(crate) json: bool,

@@ -94,6 +94,9 @@ pub(crate) struct Replay {
     /// Compare with another recording instead of running the code
     #[arg(long, value_name = "FILE")]
     pub(crate) against: Option<PathBuf>,
+    /// Set a parameter to another value than the recorded one; may be repeated
+    #[arg(long, value_name = "COMPONENT.NAME=VALUE", conflicts_with = "against")]
+    pub(crate) set: Vec<String>,
     /// Print the result as JSON on stdout; all other output goes to stderr
     #[arg(long)]
     pub(crate) json: bool,

@@ -7,6 +7,7 @@ mod firmware;
 mod games;
 mod graph;
 mod mujoco;
+mod params;
 mod pictures;
 mod process;
 mod recordings;

@@ -1,0 +1,130 @@
+//! `player params`: the parameters with their values, and tune files.
+
+use bica::params::{Kind, Param};
+use bica_console::{Console, Failure, Outcome, Style};
+use bica_game::{GRAPH, settings};
+use bica_tuning::{Layers, Value, find_component, render, write};
+use serde::Serialize;
+
+use crate::cli::{Params, ParamsFormat};
+use crate::tuning::layers;
+
+/// Lists or writes parameters as the command line requests.
+pub(crate) fn run(args: &Params) -> Result<Outcome, Failure> {
+    let layers = layers(&args.kind, &args.tuning)?;
+    settings(&layers)?;
+    for component in &args.components {
+        find_component(&GRAPH, component)?;
+    }
+    if let Some(path) = &args.write {
+        write(&layers, path, args.force)?;
+        let count = layers.settings().len();
+        Console::new(false).print(&format!("{count} values in {}", path.display()))?;
+        return Ok(Outcome::Success);
+    }
+    let values: Vec<_> = layers.all().filter(|value| is_listed(args, value)).collect();
+    match if args.json { ParamsFormat::Json } else { args.format } {
+        ParamsFormat::Table => print_table(Console::new(false), &values)?,
+        ParamsFormat::Toml => Console::new(false).print(render(&only(args, &layers)).trim_end())?,
+        ParamsFormat::Json => {
+            let parameters = values.iter().map(ParameterRow::new).collect();
+            Console::new(true).print_json(&Report { schema: "bica-player/params/1", parameters })?;
+        }
+    }
+    Ok(Outcome::Success)
+}
+
+fn is_listed(args: &Params, value: &Value<'_>) -> bool {
+    let Value { place, value, .. } = value;
+    let named = args.components.is_empty() || args.components.iter().any(|name| name == place.node.name);
+    named && (!args.changed || *value != place.param.default)
+}
+
+/// Returns the layers without the components that are not listed.
+fn only(args: &Params, layers: &Layers) -> Layers {
+    let mut only = layers.clone();
+    only.retain(|value| is_listed(args, value));
+    only
+}
+
+fn print_table(console: Console, values: &[Value<'_>]) -> Result<(), Failure> {
+    let rows: Vec<_> = values.iter().map(row).collect();
+    let titles = ["parameter", "value", "default", "range", "unit"].map(str::to_owned);
+    let width = |column: usize| {
+        rows.iter().map(|row| &row.0).chain([&titles]).map(|row| row[column].chars().count()).max().unwrap_or_default()
+    };
+    let widths = [0, 1, 2, 3, 4].map(width);
+    let line = |cells: &[String; 5]| {
+        let cell = |(text, width): (&String, usize)| format!("{text:<width$}");
+        cells.iter().zip(widths).map(cell).collect::<Vec<_>>().join("  ")
+    };
+    console.print(&console.styled(Style::Strong, &format!("{}  description", line(&titles))))?;
+    for ((cells, changed, text), value) in rows.iter().zip(values) {
+        let style = if *changed { Style::New } else { Style::Plain };
+        let source = value.source.map(|source| format!(" ({source})")).unwrap_or_default();
+        console.print(&format!("{}  {text}{source}", console.styled(style, &line(cells))))?;
+    }
+    Ok(())
+}
+
+/// Returns the cells of a parameter, whether its value is not the default, and its description.
+fn row(value: &Value<'_>) -> ([String; 5], bool, String) {
+    let Value { place, value, .. } = value;
+    let param = place.param;
+    let text = |value| param.kind.text(value).to_string();
+    let cells = [
+        format!("{}.{}", place.node.name, param.name),
+        text(*value),
+        text(param.default),
+        range(param),
+        param.unit.unwrap_or_default().to_owned(),
+    ];
+    (cells, *value != param.default, param.doc.split_whitespace().collect::<Vec<_>>().join(" "))
+}
+
+fn range(param: &Param) -> String {
+    match param.kind {
+        Kind::F32 { min, max, .. } => format!("{min:?} to {max:?}"),
+        Kind::I32 { min, max, .. } => format!("{min} to {max}"),
+        Kind::U32 { min, max, .. } => format!("{min} to {max}"),
+        Kind::Choice { variants } => variants.iter().map(|variant| variant.name).collect::<Vec<_>>().join(", "),
+        _ => "true, false".to_owned(),
+    }
+}
+
+#[derive(Serialize)]
+struct Report<'a> {
+    schema: &'static str,
+    parameters: Vec<ParameterRow<'a>>,
+}
+
+#[derive(Serialize)]
+struct ParameterRow<'a> {
+    component: &'static str,
+    name: &'static str,
+    doc: &'static str,
+    unit: Option<&'static str>,
+    kind: &'static str,
+    range: String,
+    default: String,
+    value: String,
+    source: Option<&'a str>,
+}
+
+impl<'a> ParameterRow<'a> {
+    fn new(value: &Value<'a>) -> Self {
+        let Value { place, value, source } = *value;
+        let param = place.param;
+        Self {
+            component: place.node.name,
+            name: param.name,
+            doc: param.doc,
+            unit: param.unit,
+            kind: param.kind.name(),
+            range: range(param),
+            default: param.kind.text(param.default).to_string(),
+            value: param.kind.text(value).to_string(),
+            source,
+        }
+    }
+}

@@ -1,0 +1,127 @@
+//! Parameters on the command line and in tune files.
+
+use std::fs;
+
+use serde_json::Value;
+
+use crate::process::{Folder, Ran, run};
+
+fn path(folder: &Folder, name: &str) -> String {
+    folder.path().join(name).to_str().expect("UTF-8").to_owned()
+}
+
+fn fails(args: &[&str], words: &[&str]) {
+    let ran = run(args);
+    assert_eq!(ran.code, Some(2), "{args:?}: {}{}", ran.stdout, ran.stderr);
+    for word in words {
+        assert!(ran.stderr.contains(word), "{args:?} lacks `{word}`:\n{}", ran.stderr);
+    }
+}
+
+/// Returns the value and the source of `FaceBall.gain`.
+fn gain(args: &[&str]) -> (String, Value) {
+    let json = run(&[&["params", "FaceBall", "--json"], args].concat()).json();
+    assert_eq!(json["schema"], "bica-player/params/1");
+    let rows = json["parameters"].as_array().expect("a list");
+    assert!(rows.iter().all(|row| row["component"] == "FaceBall"));
+    let gain = rows.iter().find(|row| row["name"] == "gain").expect("a parameter");
+    (gain["value"].as_str().expect("a text").to_owned(), gain["source"].clone())
+}
+
+fn short_game(args: &[&str]) -> Ran {
+    run(&[&["--seed", "1", "--size", "160x120", "--seconds", "5", "--json"], args].concat())
+}
+
+#[test]
+fn parameters_are_listed_as_table_tune_file_and_json() {
+    let table = run(&["params", "FaceBall"]).stdout;
+    assert!(table.lines().any(|line| line.starts_with("FaceBall.gain") && line.contains("0.7")), "{table}");
+    assert!(!table.contains("FollowBall"), "{table}");
+    assert!(run(&["params"]).stdout.contains("FollowBall."));
+    let set = &["--set", "FaceBall.gain=0.9"];
+    let changed = run(&[&["params", "--changed"][..], set].concat()).stdout;
+    assert!(changed.lines().count() == 2 && changed.contains("0.9") && changed.contains("(--set)"), "{changed}");
+    let toml = run(&[&["params", "--format", "toml"][..], set].concat()).stdout;
+    assert!(toml.contains("[FaceBall]\n") && toml.contains("\ngain = 0.9 # default 0.7, "), "{toml}");
+    assert_eq!(gain(set), ("0.9".to_owned(), "--set".into()));
+    assert_eq!(gain(&[]), ("0.7".to_owned(), Value::Null));
+}
+
+#[test]
+fn a_tune_file_of_the_world_then_of_the_robot_then_the_command_line_decide() {
+    let folder = Folder::new("tune-layers");
+    fs::write(path(&folder, "built-in.toml"), "[FaceBall]\ngain = 0.5\n").unwrap();
+    fs::write(path(&folder, "rob.toml"), "[FaceBall]\ngain = 0.6\n").unwrap();
+    let tune = ["--tune", folder.text()];
+    let of_world = format!("{} line 2", path(&folder, "built-in.toml"));
+    assert_eq!(gain(&tune), ("0.5".to_owned(), of_world.into()));
+    let robot = [&tune[..], &["--robot", "rob"]].concat();
+    let of_robot = format!("{} line 2", path(&folder, "rob.toml"));
+    assert_eq!(gain(&robot), ("0.6".to_owned(), of_robot.into()));
+    assert_eq!(gain(&[&robot[..], &["--set", "FaceBall.gain=0.8"]].concat()).0, "0.8");
+    assert_eq!(gain(&[&tune[..], &["--kind", "other"]].concat()).0, "0.7", "the file of another kind is not read");
+    let fingerprint = |args: &[&str]| short_game(args).json()["fingerprint"].clone();
+    let (plain, tuned) = (fingerprint(&[]), fingerprint(&tune));
+    assert_ne!(plain, tuned);
+    assert_eq!(tuned, fingerprint(&["--set", "FaceBall.gain=0.5"]));
+    assert_eq!(plain, fingerprint(&["--set", "FaceBall.gain=0.7"]));
+    assert_eq!(plain, fingerprint(&["--tune", &path(&folder, "missing")]), "a folder without files changes nothing");
+}
+
+#[test]
+fn a_written_tune_file_gives_the_same_values() {
+    let folder = Folder::new("tune-write");
+    let file = path(&folder, "built-in.toml");
+    let set = ["--set", "FaceBall.gain=0.9", "--write", &file];
+    let written = run(&[&["params"][..], &set].concat());
+    assert_eq!(written.code, Some(0), "{}", written.stderr);
+    assert!(written.stdout.contains("1 value"), "{}", written.stdout);
+    assert_eq!(gain(&["--tune", folder.text()]).0, "0.9");
+    fails(&[&["params"][..], &set].concat(), &[&file, "exists", "--force"]);
+    assert_eq!(run(&[&["params", "--force"][..], &set].concat()).code, Some(0));
+}
+
+#[test]
+fn wrong_parameters_are_errors_of_every_command_that_takes_them() {
+    let folder = Folder::new("tune-errors");
+    let file = path(&folder, "built-in.toml");
+    fs::write(&file, "# comment\n[FaceBall]\ngian = 0.5\n").unwrap();
+    for command in [&["play", "--seconds", "0.1"][..], &["params"]] {
+        let with = |args: &[&str]| [command, args].concat().iter().map(|arg| (*arg).to_owned()).collect::<Vec<_>>();
+        let fails = |args: &[&str], words: &[&str]| {
+            let args = with(args);
+            fails(&args.iter().map(String::as_str).collect::<Vec<_>>(), words);
+        };
+        fails(&["--set", "FaceBall.gain"], &["no assignment", "Component.name=value"]);
+        fails(&["--set", "FaceBal.gain=0.5"], &["`FaceBal`", "did you mean `FaceBall`?"]);
+        fails(&["--set", "FaceBall.gian=0.5"], &["`gian`", "did you mean `gain`?"]);
+        fails(&["--set", "FaceBall.gain=x"], &["FaceBall.gain", "no f32", "write a number from"]);
+        fails(&["--set", "FaceBall.gain=7"], &["FaceBall.gain", "7 is outside"]);
+        fails(&["--tune", folder.text()], &[&format!("`{file}` line 3"), "did you mean `gain`?"]);
+        fails(&["--tune", folder.text(), "--robot", "rob"], &["help: "]);
+        fails(&["--robot", "rob"], &["rob.toml", "--write"]);
+    }
+    fails(&["params", "FaceBal"], &["did you mean `FaceBall`?"]);
+    fails(&["--world", "firmware", "--set", "FaceBall.gain=0.5"], &["help: "]);
+}
+
+#[test]
+fn a_replay_uses_the_recorded_parameters_and_shows_what_others_would_have_decided() {
+    let folder = Folder::new("tune-replay");
+    let file = path(&folder, "run.mcap");
+    let played = short_game(&["--set", "FaceBall.gain=0.5", "--record", &file]);
+    assert_eq!(played.json()["recording"]["recorded_cycles"], 500, "{}", played.stderr);
+    let header = run(&["record", "info", &file, "--json"]).json()["header"].clone();
+    let parameters = header["parameters"].as_array().expect("a list");
+    let recorded = parameters.iter().find(|one| one["component"] == "FaceBall" && one["name"] == "gain");
+    assert_eq!(recorded.expect("recorded")["value"], "0.5");
+    assert_eq!(run(&["replay", &file, "--json"]).json()["equal"], true);
+    let other = run(&["replay", &file, "--set", "FaceBall.gain=0.7", "--json"]);
+    assert_eq!(other.code, Some(1), "{}", other.stderr);
+    let json = other.json();
+    assert_eq!((&json["equal"], &json["set"][0]), (&false.into(), &"FaceBall.gain=0.7".into()));
+    assert!(json["first_difference"]["field"].as_str().is_some_and(|field| field.starts_with("command.")), "{json}");
+    assert!(other.stderr.contains("other parameters: FaceBall.gain=0.7"), "{}", other.stderr);
+    fails(&["replay", &file, "--set", "FaceBall.gian=0.7"], &["did you mean `gain`?"]);
+    fails(&["replay", &file, "--set", "FaceBall.gain=0.7", "--against", &file], &["--set", "--against"]);
+}
