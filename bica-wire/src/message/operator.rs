@@ -174,7 +174,7 @@ pub enum RefusalCode {
     Expired,
     /// The tree refused the change.
     Tree,
-    /// The robot's program does not support this kind of request.
+    /// The robot's program accepts no requests.
     Unsupported,
 }
 
@@ -186,7 +186,7 @@ impl RefusalCode {
             Self::NoLease => "the sender does not own the lease, or sent the number of an older one: acquire it first",
             Self::Expired => "the request came after its expiry: send it again",
             Self::Tree => "the tree refused the change",
-            Self::Unsupported => "the robot's program does not support this kind of request",
+            Self::Unsupported => "the robot's program accepts no requests, monitors may only watch",
         }
     }
 }

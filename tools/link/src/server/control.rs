@@ -27,6 +27,7 @@ pub(super) struct Applied {
 pub(super) struct Control {
     pub(super) hub: Arc<Hub>,
     realtime: bool,
+    watch_only: bool,
     began: Instant,
     pub(super) watchers: Vec<Watcher>,
     pub(super) lease: Lease,
@@ -44,6 +45,7 @@ impl Control {
         Self {
             hub,
             realtime: options.realtime,
+            watch_only: options.watch_only,
             began: Instant::now(),
             watchers: Vec::new(),
             lease: Lease::new(options.silence),
@@ -129,7 +131,7 @@ impl Control {
 
     fn act(&mut self, now: bica::Instant, connection: u64, action: LeaseAction) {
         let time = self.lease_time(now);
-        if self.lease.act(connection, action, time) {
+        if !self.watch_only && self.lease.act(connection, action, time) {
             self.announce_lease(now);
         } else if !matches!(action, LeaseAction::Keep { .. } if self.lease.state(connection, now).yours) {
             let lease = self.lease.state(connection, now);
@@ -141,7 +143,9 @@ impl Control {
     fn admit(&mut self, now: bica::Instant, from: &Connection, arrived: u64, request: Request) -> Option<Applied> {
         let Request { number, lease, expires_us, change } = request;
         let time = self.lease_time(now);
-        let code = if !self.lease.admits(from.id, lease, time) {
+        let code = if self.watch_only {
+            RefusalCode::Unsupported
+        } else if !self.lease.admits(from.id, lease, time) {
             RefusalCode::NoLease
         } else if now.as_micros() > expires_us {
             RefusalCode::Expired

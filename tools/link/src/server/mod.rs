@@ -44,11 +44,13 @@ pub struct ServerOptions {
     pub realtime: bool,
     /// Silence of the operator after which the lease ends.
     pub silence: Duration,
+    /// Whether all monitors may only watch: nobody gets the lease.
+    pub watch_only: bool,
 }
 
 impl Default for ServerOptions {
     fn default() -> Self {
-        Self { anywhere: false, realtime: true, silence: Duration::from_secs(3) }
+        Self { anywhere: false, realtime: true, silence: Duration::from_secs(3), watch_only: false }
     }
 }
 
