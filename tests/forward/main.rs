@@ -6,5 +6,6 @@ mod lazy;
 mod motor_load;
 mod no_heap;
 mod out;
+mod perception_parameters;
 mod replay;
 mod search;
