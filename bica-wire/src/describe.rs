@@ -1,11 +1,10 @@
 //! The graph of a tree as a sequence of messages.
 
 use bica_core::graph::{Graph, LinkKind, Node};
-use bica_core::modulation::Modulation;
-use bica_core::params::{Kind, Param};
+use bica_core::params::{self, Kind, Param, Variant};
 
 use crate::message::{GraphItem, ParamKind, Value};
-use crate::text::{parts, truncate};
+use crate::text::truncate;
 
 /// Largest size of a part of a doc comment, bytes.
 const DOC_BYTES: usize = 512;
@@ -13,105 +12,190 @@ const DOC_BYTES: usize = 512;
 const TYPE_BYTES: usize = 512;
 
 /// Describes a tree: the tree, its components, then for each component its links, states, transitions, parameters,
-/// information and modulations, then [`GraphItem::End`]. Doc comments follow what they document.
-pub fn describe(graph: &'static Graph) -> impl Iterator<Item = GraphItem<'static>> {
-    let nodes = || (0..=u16::MAX).zip(graph.nodes);
-    let tree = GraphItem::Tree {
-        name: graph.name,
-        cycle_hz: graph.cycle_hz,
-        budget_ms: graph.budget_ms,
-        tunable: graph.tunable,
-        components: graph.nodes.len() as u16,
-    };
-    let components = nodes().flat_map(|(index, node)| component(index, node, graph.root == usize::from(index)));
-    let items = documented(tree, graph.doc).chain(components);
-    let items = items.chain(nodes().flat_map(|(index, node)| contents(index, node)));
-    let end = GraphItem::End { items: items.clone().count() as u32 };
-    items.chain([end])
+/// information and modulations, then [`GraphItem::End`]. Doc comments follow what they document, variants and arguments what
+/// they belong to.
+pub fn describe(graph: &'static Graph) -> impl Iterator<Item = GraphItem<'static>> + Clone {
+    let items = Items { graph, list: List::Tree, node: 0, index: 0, doc: "", variants: &[], arguments: &[], count: 0 };
+    items.fuse()
 }
 
-type Item = GraphItem<'static>;
-
-/// An item and its doc comment in parts.
-fn documented(item: Item, doc: &'static str) -> impl Iterator<Item = Item> + Clone {
-    core::iter::once(item).chain(parts(doc, DOC_BYTES).map(|text| GraphItem::Doc { text }))
+/// Position in the description. It is a plain cursor, because a chain of iterators needs kilobytes of stack.
+#[derive(Clone)]
+struct Items {
+    graph: &'static Graph,
+    list: List,
+    /// Index of the component.
+    node: usize,
+    /// Index in the list.
+    index: usize,
+    /// Rest of the doc comment of the last item.
+    doc: &'static str,
+    /// Variants that follow the last item.
+    variants: &'static [Variant],
+    /// Arguments that follow the last item.
+    arguments: &'static [Param],
+    /// Number of items so far.
+    count: u32,
 }
 
-fn component(index: u16, node: &'static Node, root: bool) -> impl Iterator<Item = Item> + Clone {
-    let Node { name, hz, budget_us, resume, .. } = *node;
-    documented(GraphItem::Component { index, name, hz, budget_us, root, resume }, node.doc)
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum List {
+    Tree,
+    Components,
+    Links,
+    States,
+    Transitions,
+    Params,
+    Info,
+    Modulations,
+    End,
 }
 
-fn contents(component: u16, node: &'static Node) -> impl Iterator<Item = Item> + Clone {
-    let links = node.links.iter().map(move |link| GraphItem::Link {
-        from: component,
-        to: link.to as u16,
-        modulation: link.kind == LinkKind::Modulation,
-        state: link.state.map(|state| state as u16),
-    });
-    links
-        .chain(states(component, node))
-        .chain(transitions(component, node))
-        .chain(params(component, node))
-        .chain(information(component, node))
-        .chain(modulations(component, node))
+impl List {
+    /// The list after this one; of the next component after the last.
+    const fn next(self) -> Self {
+        match self {
+            Self::Tree => Self::Components,
+            Self::Components | Self::Modulations => Self::Links,
+            Self::Links => Self::States,
+            Self::States => Self::Transitions,
+            Self::Transitions => Self::Params,
+            Self::Params => Self::Info,
+            Self::Info => Self::Modulations,
+            Self::End => Self::End,
+        }
+    }
 }
 
-fn states(component: u16, node: &'static Node) -> impl Iterator<Item = Item> + Clone {
-    (0..=u16::MAX).zip(node.states).flat_map(move |(index, state)| {
-        let (name, initial, last) = (state.name, state.initial, state.last);
-        documented(GraphItem::State { component, index, name, initial, last }, state.doc)
-    })
+impl Iterator for Items {
+    type Item = GraphItem<'static>;
+
+    fn next(&mut self) -> Option<GraphItem<'static>> {
+        if let Some(item) = self.attachment().or_else(|| self.listed()) {
+            self.count += 1;
+            return Some(item);
+        }
+        let ends = self.list != List::End;
+        self.list = List::End;
+        ends.then_some(GraphItem::End { items: self.count })
+    }
 }
 
-fn transitions(component: u16, node: &'static Node) -> impl Iterator<Item = Item> + Clone {
-    node.transitions.iter().flat_map(move |transition| {
-        let (from, to) = (transition.from as u16, transition.to as u16);
-        let (name, after_ms) = (transition.name, transition.after_ms);
-        documented(GraphItem::Transition { component, from, to, name, after_ms }, transition.doc)
-    })
+impl Items {
+    /// Returns what still follows the last listed item.
+    fn attachment(&mut self) -> Option<GraphItem<'static>> {
+        if !self.doc.is_empty() {
+            let text = truncate(self.doc, DOC_BYTES);
+            self.doc = &self.doc[text.len()..];
+            return Some(GraphItem::Doc { text });
+        }
+        if let Some((variant, rest)) = self.variants.split_first() {
+            (self.variants, self.doc) = (rest, variant.doc);
+            return Some(GraphItem::Variant { name: variant.name });
+        }
+        let (argument, rest) = self.arguments.split_first()?;
+        self.arguments = rest;
+        let (kind, default) = self.begin_param(argument);
+        Some(GraphItem::Argument { name: argument.name, unit: argument.unit, kind, default })
+    }
+
+    /// Returns the next item of the lists; `None` at the end.
+    fn listed(&mut self) -> Option<GraphItem<'static>> {
+        while self.list != List::End {
+            if let Some(item) = self.in_list() {
+                self.index += 1;
+                return Some(item);
+            }
+            if self.list == List::Modulations {
+                self.node += 1;
+            }
+            (self.list, self.index) = (self.list.next(), 0);
+            if self.list == List::Links && self.node >= self.graph.nodes.len() {
+                return None;
+            }
+        }
+        None
+    }
+
+    /// Returns the item at the index in the list; `None` behind it.
+    fn in_list(&mut self) -> Option<GraphItem<'static>> {
+        let (index, component) = (self.index as u16, self.node as u16);
+        match self.list {
+            List::Tree => return (self.index == 0).then(|| self.tree()),
+            List::Components => {
+                let node = self.graph.nodes.get(self.index)?;
+                let Node { name, hz, budget_us, resume, .. } = *node;
+                self.doc = node.doc;
+                let root = self.graph.root == self.index;
+                return Some(GraphItem::Component { index, name, hz, budget_us, root, resume });
+            }
+            _ => {}
+        }
+        let node = self.graph.nodes.get(self.node)?;
+        Some(match self.list {
+            List::Links => {
+                let link = node.links.get(self.index)?;
+                GraphItem::Link {
+                    from: component,
+                    to: link.to as u16,
+                    modulation: link.kind == LinkKind::Modulation,
+                    state: link.state.map(|state| state as u16),
+                }
+            }
+            List::States => {
+                let state = node.states.get(self.index)?;
+                self.doc = state.doc;
+                GraphItem::State { component, index, name: state.name, initial: state.initial, last: state.last }
+            }
+            List::Transitions => {
+                let transition = node.transitions.get(self.index)?;
+                self.doc = transition.doc;
+                let (from, to) = (transition.from as u16, transition.to as u16);
+                let (name, after_ms) = (transition.name, transition.after_ms);
+                GraphItem::Transition { component, from, to, name, after_ms }
+            }
+            List::Params => {
+                let param = params::find(node.params, self.index)?;
+                let group = group(node, self.index)?;
+                let (kind, default) = self.begin_param(param);
+                GraphItem::Param { component, index, group, name: param.name, unit: param.unit, kind, default }
+            }
+            List::Info => {
+                let info = node.info.get(self.index)?;
+                self.doc = info.doc;
+                let type_name = truncate(info.ty, TYPE_BYTES);
+                GraphItem::Info { component, index, name: info.name, unit: info.unit, type_name }
+            }
+            List::Modulations => {
+                let modulation = node.modulations.get(self.index)?;
+                (self.doc, self.arguments) = (modulation.doc, modulation.arguments);
+                GraphItem::Modulation { component, index, name: modulation.name }
+            }
+            List::Tree | List::Components | List::End => return None,
+        })
+    }
+
+    fn tree(&mut self) -> GraphItem<'static> {
+        let Graph { name, doc, cycle_hz, budget_ms, tunable, nodes, .. } = *self.graph;
+        self.doc = doc;
+        GraphItem::Tree { name, cycle_hz, budget_ms, tunable, components: nodes.len() as u16 }
+    }
+
+    /// Prepares what follows a parameter or argument; returns its kind and default.
+    fn begin_param(&mut self, param: &Param) -> (ParamKind, Value) {
+        self.doc = param.doc;
+        if let Kind::Choice { variants } = param.kind {
+            self.variants = variants;
+        }
+        (ParamKind::of(&param.kind), Value::of(param.default).unwrap_or(Value::U32(0)))
+    }
 }
 
-fn params(component: u16, node: &'static Node) -> impl Iterator<Item = Item> + Clone {
-    let params = node.params.iter().flat_map(|group| group.params.iter().map(|param| (group.name, param)));
-    (0..=u16::MAX).zip(params).flat_map(move |(index, (group, param))| {
-        let Param { name, unit, .. } = *param;
-        let (kind, default) = kind_and_default(param);
-        documented(GraphItem::Param { component, index, group, name, unit, kind, default }, param.doc)
-            .chain(variants(param))
-    })
-}
-
-fn kind_and_default(param: &Param) -> (ParamKind, Value) {
-    (ParamKind::of(&param.kind), Value::of(param.default).unwrap_or(Value::U32(0)))
-}
-
-fn variants(param: &'static Param) -> impl Iterator<Item = Item> + Clone {
-    let variants = match param.kind {
-        Kind::Choice { variants } => variants,
-        _ => &[],
-    };
-    variants.iter().flat_map(|variant| documented(GraphItem::Variant { name: variant.name }, variant.doc))
-}
-
-fn information(component: u16, node: &'static Node) -> impl Iterator<Item = Item> + Clone {
-    (0..=u16::MAX).zip(node.info).flat_map(move |(index, info)| {
-        let (name, unit, type_name) = (info.name, info.unit, truncate(info.ty, TYPE_BYTES));
-        documented(GraphItem::Info { component, index, name, unit, type_name }, info.doc)
-    })
-}
-
-fn modulations(component: u16, node: &'static Node) -> impl Iterator<Item = Item> + Clone {
-    (0..=u16::MAX).zip(node.modulations).flat_map(move |(index, modulation)| {
-        let name = modulation.name;
-        documented(GraphItem::Modulation { component, index, name }, modulation.doc).chain(arguments(modulation))
-    })
-}
-
-fn arguments(modulation: &'static Modulation) -> impl Iterator<Item = Item> + Clone {
-    modulation.arguments.iter().flat_map(|argument| {
-        let Param { name, unit, .. } = *argument;
-        let (kind, default) = kind_and_default(argument);
-        documented(GraphItem::Argument { name, unit, kind, default }, argument.doc).chain(variants(argument))
+/// Name of the struct that contains the parameter at an index.
+fn group(node: &Node, index: usize) -> Option<&'static str> {
+    let mut before = 0;
+    node.params.iter().find_map(|group| {
+        before += group.params.len();
+        (index < before).then_some(group.name)
     })
 }

@@ -50,7 +50,7 @@ pub use decoder::{Decoder, Packet, UnknownMessage};
 pub use describe::describe;
 pub use encoder::{Encoder, TooLarge};
 pub use image::{CHUNK_BYTES, ImageBuffer, chunks};
-pub use message::{FromRobot, ToRobot};
+pub use message::{FromMonitor, FromRobot, ToMonitor, ToRobot};
 pub use packet::MAX_PACKET;
 pub use schema::SCHEMA;
 pub use text::truncate;

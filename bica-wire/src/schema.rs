@@ -2,13 +2,16 @@
 
 use postcard_schema::key::Key;
 
-use crate::message::{FromRobot, ToRobot};
+use crate::message::{FromMonitor, FromRobot, ToMonitor, ToRobot};
 
-/// Hash of the names, order and types of everything in [`ToRobot`] and [`FromRobot`] (FNV-1a by postcard-schema).
+/// Hash of the names, order and types of everything in [`ToRobot`], [`FromRobot`], [`FromMonitor`] and
+/// [`ToMonitor`] (FNV-1a by postcard-schema).
 ///
 /// Two programs understand each other if and only if this value is the same in both.
 pub const SCHEMA: u64 = {
     let to_robot = u64::from_le_bytes(Key::for_path::<ToRobot<'static>>("bica/1/to").to_bytes());
     let from_robot = u64::from_le_bytes(Key::for_path::<FromRobot<'static>>("bica/1/from").to_bytes());
-    to_robot ^ from_robot.rotate_left(1)
+    let from_monitor = u64::from_le_bytes(Key::for_path::<FromMonitor>("bica/1/from-monitor").to_bytes());
+    let to_monitor = u64::from_le_bytes(Key::for_path::<ToMonitor<'static>>("bica/1/to-monitor").to_bytes());
+    to_robot ^ from_robot.rotate_left(1) ^ from_monitor.rotate_left(2) ^ to_monitor.rotate_left(3)
 };

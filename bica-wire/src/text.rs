@@ -6,32 +6,18 @@ pub fn truncate(text: &str, max: usize) -> &str {
     text.split_at(text.floor_char_boundary(max)).0
 }
 
-/// Splits a text into parts of at most `max` bytes, at least 4, each of whole characters; none for an empty text.
-pub(crate) fn parts(text: &str, max: usize) -> impl Iterator<Item = &str> + Clone {
-    let mut rest = text;
-    core::iter::from_fn(move || {
-        let part = truncate(rest, max);
-        rest = &rest[part.len()..];
-        (!part.is_empty()).then_some(part)
-    })
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
-    fn parts_are_bounded_and_add_up_to_the_text() {
+    fn a_cut_text_is_the_longest_beginning_of_whole_characters() {
         let text = "aé€𝄞b€".repeat(9);
-        for max in 4..80 {
-            assert!(parts(&text, max).all(|part| (1..=max).contains(&part.len())), "{max}");
-            let mut rest = text.as_str();
-            for part in parts(&text, max) {
-                rest = rest.strip_prefix(part).expect("parts are consecutive");
-            }
-            assert_eq!(rest, "", "{max}");
+        for max in 0..=text.len() + 1 {
+            let cut = truncate(&text, max);
+            assert!(text.starts_with(cut) && cut.len() <= max, "{max}");
+            let longer = text[cut.len()..].chars().next().map(char::len_utf8);
+            assert!(longer.is_none_or(|next| cut.len() + next > max), "{max}");
         }
-        assert_eq!(parts("", 4).count(), 0);
-        assert_eq!(truncate("a€", 3), "a");
     }
 }

@@ -8,10 +8,7 @@ use bica_motion::stiffness::Stiffness;
 use bica_player::input::IMAGE_BYTES;
 use bica_player::perception::{BallDetector, GoalDetector};
 use bica_player::{Forward, Model};
-use bica_wire::message::{
-    Answer, AnswerResult, Attached, ClockMode, Command, Hello, Identity, LeaseState, LinkStats, RefusalCode, Request, Sensors,
-    Telemetry,
-};
+use bica_wire::message::{ClockMode, Command, Hello, Identity, LinkStats, Sensors, Telemetry};
 use bica_wire::{FromRobot, ImageBuffer, SCHEMA, ToRobot, describe};
 use embassy_time::Duration;
 use embedded_io_async::Write;
@@ -101,20 +98,8 @@ impl<B: Board> Controller<B> {
             }
             ToRobot::StackUsage => tx.send(&FromRobot::StackUsage(stack::usage())).await,
             ToRobot::FaultInjection(fault) => self.runner.observer_mut().inject(*fault),
-            ToRobot::Attach => {
-                tx.send(&FromRobot::Attached(Attached {
-                    schema: SCHEMA,
-                    tree_hash: Forward::HASH,
-                    name: Forward::GRAPH.name,
-                    realtime: self.clock_mode == Some(ClockMode::FreeRunning),
-                    silence_ms: 0,
-                }))
-                .await;
-            }
-            ToRobot::Request(request) => tx.send(&refusal(request)).await,
-            ToRobot::Lease(_) => tx.send(&FromRobot::Lease(LeaseState::default())).await,
-            // This program answers a monitor's description only.
-            ToRobot::Watch(_) | ToRobot::WatchInfo(_) | ToRobot::ReadParams => {}
+            // This program answers a description only.
+            ToRobot::Monitor(_) => {}
             ToRobot::ImageChunk(chunk) => self.image.add(chunk),
             ToRobot::Sensors(sensors) => {
                 B::align_counter();
@@ -211,13 +196,6 @@ impl<B: Board> Controller<B> {
         };
         tx.send(&FromRobot::Telemetry(telemetry)).await;
     }
-}
-
-/// Returns the answer to a request: nothing can be changed from outside.
-fn refusal(request: &Request) -> FromRobot<'static> {
-    let code = RefusalCode::Unsupported;
-    let result = AnswerResult::Refused { code, entry: 0, text: code.text() };
-    FromRobot::Answer(Answer { number: request.number, cycle: 0, arrived: 0, result })
 }
 
 /// Command of the safe stop: the robot stands, with the stiffness declared for that.

@@ -1,5 +1,6 @@
 //! Properties of the whole forward in games in the kinematic world.
 
+mod by_hand;
 mod game;
 mod latent;
 mod lazy;
@@ -9,3 +10,4 @@ mod out;
 mod perception_parameters;
 mod replay;
 mod search;
+mod tuned;

@@ -31,6 +31,7 @@ pub use session::{ClockMode, Hello, Identity};
 pub use value::{ParamKind, Value};
 
 /// A message from the host.
+#[expect(clippy::large_enum_variant, reason = "there is no heap to box the sensors in")]
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, Schema)]
 pub enum ToRobot<'a> {
     /// Starts a game: the tree starts from its initial state, and the robot answers with its identity.
@@ -46,19 +47,8 @@ pub enum ToRobot<'a> {
     FaultInjection(FaultInjection),
     /// Requests the stack usage.
     StackUsage,
-    /// Attaches a monitor. Changes nothing in the robot, unlike [`Hello`](Self::Hello); the robot answers with
-    /// [`FromRobot::Attached`] and the lease. Sent again, it shows that the monitor still exists.
-    Attach,
-    /// Sets how often snapshots are sent.
-    Watch(Watch),
-    /// Sets how often an information is sent.
-    WatchInfo(WatchInfo),
-    /// Requests the current values of all parameters.
-    ReadParams,
-    /// Acts on the lease.
-    Lease(LeaseAction),
-    /// Requests a change.
-    Request(Request),
+    /// A [`FromMonitor`] in postcard's format. A robot without monitors does not decode it.
+    Monitor(&'a [u8]),
 }
 
 impl ToRobot<'_> {
@@ -71,7 +61,6 @@ impl ToRobot<'_> {
 }
 
 /// A message from the robot.
-#[expect(clippy::large_enum_variant, reason = "there is no heap to box the states in")]
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, Schema)]
 pub enum FromRobot<'a> {
     /// The first message after a start, and the answer to [`ToRobot::Hello`].
@@ -87,7 +76,34 @@ pub enum FromRobot<'a> {
     Telemetry(Telemetry<'a>),
     /// The answer to [`ToRobot::StackUsage`].
     StackUsage(StackUsage),
-    /// The answer to [`ToRobot::Attach`].
+    /// A [`ToMonitor`] in postcard's format.
+    Monitor(&'a [u8]),
+}
+
+/// A message from a monitor. It never affects the game, except for [`Request`](Self::Request).
+#[expect(clippy::large_enum_variant, reason = "there is no heap to box the request in")]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, Schema)]
+pub enum FromMonitor {
+    /// Attaches. Changes nothing in the robot, unlike [`ToRobot::Hello`]; the robot answers with [`ToMonitor::Attached`] and
+    /// the lease. Sent again, it shows that the monitor still exists.
+    Attach,
+    /// Sets how often snapshots are sent.
+    Watch(Watch),
+    /// Sets how often an information is sent.
+    WatchInfo(WatchInfo),
+    /// Requests the current values of all parameters.
+    ReadParams,
+    /// Acts on the lease.
+    Lease(LeaseAction),
+    /// Requests a change.
+    Request(Request),
+}
+
+/// A message to a monitor.
+#[expect(clippy::large_enum_variant, reason = "there is no heap to box the states in")]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, Schema)]
+pub enum ToMonitor<'a> {
+    /// The answer to [`FromMonitor::Attach`].
     #[serde(borrow)]
     Attached(Attached<'a>),
     /// The beginning of a snapshot.
@@ -100,11 +116,11 @@ pub enum FromRobot<'a> {
     /// A part of the schema of an information.
     #[serde(borrow)]
     InfoSchema(InfoSchema<'a>),
-    /// Current values of parameters: the answer to [`ToRobot::ReadParams`], and sent to every monitor after a change.
+    /// Current values of parameters: the answer to [`FromMonitor::ReadParams`], and sent to every monitor after a change.
     Params(ParamValues),
     /// The lease.
     Lease(LeaseState),
-    /// The answer to [`ToRobot::Request`].
+    /// The answer to [`FromMonitor::Request`].
     #[serde(borrow)]
     Answer(Answer<'a>),
     /// A line of the log.

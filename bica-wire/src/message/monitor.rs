@@ -7,9 +7,9 @@ use serde::{Deserialize, Serialize};
 use super::{Hold, Value};
 
 /// Largest number of components in one [`ComponentStates`].
-pub const MAX_STATES: usize = 64;
+pub const MAX_STATES: usize = 32;
 /// Largest number of values in one [`ParamValues`].
-pub const MAX_VALUES: usize = 64;
+pub const MAX_VALUES: usize = 32;
 /// Largest size of a value of information in postcard's format, bytes. A larger one is not sent.
 pub const MAX_INFO_BYTES: usize = 1024;
 /// Largest size of a part of a schema, bytes.
@@ -17,7 +17,7 @@ pub const SCHEMA_PART_BYTES: usize = 1024;
 /// Largest size of the text of a [`LogLine`] and of a refusal, bytes. A longer one is cut.
 pub const MAX_TEXT_BYTES: usize = 512;
 
-/// The answer to [`ToRobot::Attach`](super::ToRobot::Attach): what the monitor is attached to.
+/// The answer to [`FromMonitor::Attach`](super::FromMonitor::Attach): what the monitor is attached to.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, Schema)]
 pub struct Attached<'a> {
     /// The robot's [`SCHEMA`](crate::SCHEMA).

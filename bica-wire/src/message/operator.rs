@@ -34,12 +34,14 @@ pub enum LeaseAction {
 /// The lease, sent to every monitor when it attaches and whenever the lease changes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, Schema)]
 pub struct LeaseState {
-    /// Number of the last lease that was granted.
+    /// Number of the lease, for its owner; 0 for others.
     pub lease: u32,
     /// Whether somebody owns it.
     pub owned: bool,
     /// Whether the receiver of this message owns it.
     pub yours: bool,
+    /// The robot's time, µs; the expiry of requests is counted from it.
+    pub time_us: u64,
 }
 
 /// A request of the operator.
@@ -170,11 +172,9 @@ pub enum RefusalCode {
     NoLease,
     /// The request came after its expiry.
     Expired,
-    /// Too many requests wait.
-    Busy,
     /// The tree refused the change.
     Tree,
-    /// The robot's program does not support this kind of request.
+    /// The robot's program accepts no requests.
     Unsupported,
 }
 
@@ -185,9 +185,8 @@ impl RefusalCode {
         match self {
             Self::NoLease => "the sender does not own the lease, or sent the number of an older one: acquire it first",
             Self::Expired => "the request came after its expiry: send it again",
-            Self::Busy => "too many requests wait: wait for answers before sending more",
             Self::Tree => "the tree refused the change",
-            Self::Unsupported => "the robot's program does not support this kind of request",
+            Self::Unsupported => "the robot's program accepts no requests, monitors may only watch",
         }
     }
 }

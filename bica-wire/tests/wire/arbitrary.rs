@@ -1,10 +1,7 @@
 //! Strategies for arbitrary messages, and encoding and decoding of sequences of them.
 
 use bica_field::GoalColour;
-use bica_wire::message::{
-    Change, ClockMode, FaultInjection, Hello, Hold, ImageChunk, ImageInfo, LeaseAction, MAX_ARGUMENTS, MAX_BATCH,
-    Request, Sensors, Setting, Value, Watch, WatchInfo,
-};
+use bica_wire::message::{ClockMode, FaultInjection, Hello, ImageChunk, ImageInfo, Sensors};
 use bica_wire::{Decoder, Encoder, FromRobot, MAX_PACKET, ToRobot};
 use proptest::prelude::*;
 
@@ -21,54 +18,8 @@ pub(crate) fn to_robot(bytes: &'static [u8]) -> BoxedStrategy<ToRobot<'static>> 
     let panic = any::<u8>().prop_map(|component| FaultInjection::Panic { component });
     let fault = prop_oneof![delay, panic].prop_map(ToRobot::FaultInjection);
     let sensors = sensors().prop_map(ToRobot::Sensors);
-    let empty =
-        prop::sample::select(vec![ToRobot::Describe, ToRobot::StackUsage, ToRobot::Attach, ToRobot::ReadParams]);
-    prop_oneof![empty, hello, chunk, fault, sensors, watches(), leases(), requests()].boxed()
-}
-
-fn watches() -> impl Strategy<Value = ToRobot<'static>> {
-    (any::<u16>(), prop::option::of((any::<u16>(), any::<u16>()))).prop_map(|(every, info)| match info {
-        None => ToRobot::Watch(Watch { every }),
-        Some((component, info)) => ToRobot::WatchInfo(WatchInfo { component, info, every }),
-    })
-}
-
-fn leases() -> impl Strategy<Value = ToRobot<'static>> {
-    (0..4_u8, any::<u32>()).prop_map(|(action, lease)| {
-        ToRobot::Lease(match action {
-            0 => LeaseAction::Acquire,
-            1 => LeaseAction::Take,
-            2 => LeaseAction::Keep { lease },
-            _ => LeaseAction::Return { lease },
-        })
-    })
-}
-
-fn requests() -> impl Strategy<Value = ToRobot<'static>> {
-    let value = prop_oneof![
-        (-1e9_f32..1e9).prop_map(Value::F32),
-        any::<i32>().prop_map(Value::I32),
-        any::<u32>().prop_map(Value::U32),
-        any::<bool>().prop_map(Value::Bool),
-        any::<u32>().prop_map(Value::Choice),
-    ];
-    let holds = prop::sample::select(vec![Hold::Tree, Hold::Active, Hold::Latent]);
-    let hold = (any::<u16>(), holds).prop_map(|(component, hold)| Change::Hold { component, hold });
-    let rate = (any::<u16>(), 0.0_f32..1e6).prop_map(|(component, hz)| Change::Rate { component, hz });
-    let setting = (any::<u16>(), any::<u16>(), value.clone()).prop_map(|(component, index, value)| Setting {
-        component,
-        index,
-        value,
-    });
-    let params =
-        prop::collection::vec(setting, 0..=MAX_BATCH).prop_map(|batch| Change::Params(batch.into_iter().collect()));
-    let arguments = prop::collection::vec(value, 0..=MAX_ARGUMENTS);
-    let modulate = (any::<u16>(), any::<u16>(), arguments).prop_map(|(component, modulation, arguments)| {
-        Change::Modulate { component, modulation, arguments: arguments.into_iter().collect() }
-    });
-    let change = prop_oneof![hold, rate, params, modulate];
-    (any::<u32>(), any::<u32>(), any::<u64>(), change)
-        .prop_map(|(number, lease, expires_us, change)| ToRobot::Request(Request { number, lease, expires_us, change }))
+    let empty = prop::sample::select(vec![ToRobot::Describe, ToRobot::StackUsage, ToRobot::Monitor(bytes)]);
+    prop_oneof![empty, hello, chunk, fault, sensors].boxed()
 }
 
 fn sensors() -> impl Strategy<Value = Sensors> {

@@ -8,7 +8,7 @@ use bica_wire::message::{ClockMode, FaultInjection, Hello, ImageChunk, StackUsag
 use bica_wire::{Encoder, FromRobot, MAX_PACKET, SCHEMA, ToRobot};
 
 /// Schema of these bytes.
-const GOLDEN_SCHEMA: u64 = 0xe3d8_6318_6b74_8f33;
+const GOLDEN_SCHEMA: u64 = 0x6835_0a32_0564_dc8e;
 
 fn bytes(message: &impl serde::Serialize) -> Vec<u8> {
     Encoder::new().encode(message, &mut [0; MAX_PACKET]).expect("the packet fits").to_vec()

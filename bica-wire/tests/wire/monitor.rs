@@ -4,15 +4,22 @@ use bica_field::GoalColour;
 use bica_wire::message::{
     Answer, AnswerResult, Change, ClockMode, ComponentState, ComponentStates, Hello, Hold, InfoSchema, InfoValue,
     LeaseAction, LogLine, MAX_ARGUMENTS, MAX_BATCH, MAX_INFO_BYTES, MAX_STATES, MAX_TEXT_BYTES, MAX_VALUES,
-    ParamValues, RefusalCode, Request, SCHEMA_PART_BYTES, Setting, Value, Watch,
+    ParamValues, RefusalCode, Request, SCHEMA_PART_BYTES, Setting, Value, Watch, WatchInfo,
 };
-use bica_wire::{Encoder, FromRobot, MAX_PACKET, ToRobot};
+use bica_wire::{Encoder, FromMonitor, FromRobot, MAX_PACKET, ToMonitor, ToRobot};
+use proptest::prelude::*;
 
 /// The value with the longest encoding.
 const VALUE: Value = Value::U32(u32::MAX);
 
-fn assert_fits(message: &impl serde::Serialize) {
-    Encoder::new().encode(message, &mut [0; MAX_PACKET]).expect("the packet fits");
+fn assert_to_fits(message: &ToMonitor<'_>) {
+    let bytes = postcard::to_stdvec(message).expect("serializable");
+    Encoder::new().encode(&FromRobot::Monitor(&bytes), &mut [0; MAX_PACKET]).expect("the packet fits");
+}
+
+fn assert_from_fits(message: &FromMonitor) {
+    let bytes = postcard::to_stdvec(message).expect("serializable");
+    Encoder::new().encode(&ToRobot::Monitor(&bytes), &mut [0; MAX_PACKET]).expect("the packet fits");
 }
 
 #[test]
@@ -20,51 +27,112 @@ fn the_largest_message_of_each_kind_fits_into_a_packet() {
     let (cycle, component, info) = (u64::MAX, u16::MAX, u16::MAX);
     let state = ComponentState { active: true, held: Hold::Latent, state: Some(u16::MAX), hz: Some(1.0) };
     let states = [state; MAX_STATES].into_iter().collect();
-    assert_fits(&FromRobot::Components(ComponentStates { cycle, first: u16::MAX, states }));
+    assert_to_fits(&ToMonitor::Components(ComponentStates { cycle, first: u16::MAX, states }));
     let values = [Some(VALUE); MAX_VALUES].into_iter().collect();
-    assert_fits(&FromRobot::Params(ParamValues { cycle, component, first: u16::MAX, values }));
+    assert_to_fits(&ToMonitor::Params(ParamValues { cycle, component, first: u16::MAX, values }));
     let bytes = [1; MAX_INFO_BYTES];
-    assert_fits(&FromRobot::Info(InfoValue { cycle, component, info, bytes: Some(&bytes) }));
+    assert_to_fits(&ToMonitor::Info(InfoValue { cycle, component, info, bytes: Some(&bytes) }));
     let bytes = [1; SCHEMA_PART_BYTES];
-    assert_fits(&FromRobot::InfoSchema(InfoSchema { component, info, last: true, bytes: &bytes }));
+    assert_to_fits(&ToMonitor::InfoSchema(InfoSchema { component, info, last: true, bytes: &bytes }));
     let text = "x".repeat(MAX_TEXT_BYTES);
-    assert_fits(&FromRobot::Log(LogLine { time_us: u64::MAX, level: 4, text: &text }));
+    assert_to_fits(&ToMonitor::Log(LogLine { time_us: u64::MAX, level: 4, text: &text }));
     let refused = AnswerResult::Refused { code: RefusalCode::Tree, entry: u16::MAX, text: &text };
     let done = AnswerResult::Done { values: [VALUE; MAX_BATCH].into_iter().collect() };
     for result in [refused, done] {
-        assert_fits(&FromRobot::Answer(Answer { number: u32::MAX, cycle, arrived: cycle, result }));
+        assert_to_fits(&ToMonitor::Answer(Answer { number: u32::MAX, cycle, arrived: cycle, result }));
     }
     let setting = Setting { component, index: u16::MAX, value: VALUE };
     let batch = Change::Params([setting; MAX_BATCH].into_iter().collect());
     let arguments = [VALUE; MAX_ARGUMENTS].into_iter().collect();
     let call = Change::Modulate { component, modulation: u16::MAX, arguments };
     for change in [batch, call] {
-        assert_fits(&ToRobot::Request(Request { number: u32::MAX, lease: u32::MAX, expires_us: u64::MAX, change }));
+        assert_from_fits(&FromMonitor::Request(Request {
+            number: u32::MAX,
+            lease: u32::MAX,
+            expires_us: u64::MAX,
+            change,
+        }));
     }
 }
 
 #[test]
 fn a_batch_that_is_longer_than_the_largest_is_no_message() {
-    // A request with 33 settings, written by hand: variant 11, number, lease, expiry, variant 2 of the change, length.
-    let mut bytes = vec![11, 1, 1, 1, 2, MAX_BATCH as u8 + 1];
+    // A request with 33 settings, written by hand: variant 5, number, lease, expiry, variant 2 of the change, length.
+    let mut bytes = vec![5, 1, 1, 1, 2, MAX_BATCH as u8 + 1];
     bytes.extend([0, 0, 3, 1].repeat(MAX_BATCH + 1));
-    assert!(postcard::from_bytes::<ToRobot<'_>>(&bytes).is_err());
+    assert!(postcard::from_bytes::<FromMonitor>(&bytes).is_err());
     bytes[5] -= 1;
     bytes.truncate(bytes.len() - 4);
-    assert!(matches!(postcard::from_bytes(&bytes), Ok(ToRobot::Request(Request { change: Change::Params(_), .. }))));
+    assert!(matches!(
+        postcard::from_bytes(&bytes),
+        Ok(FromMonitor::Request(Request { change: Change::Params(_), .. }))
+    ));
 }
 
 #[test]
 fn only_messages_of_the_body_show_that_sensor_values_arrive() {
     let hello = Hello { schema: 0, clock_mode: ClockMode::Lockstep, attacks: GoalColour::Yellow };
     assert!(ToRobot::Hello(hello).is_from_body());
-    let monitor = [
-        ToRobot::Attach,
-        ToRobot::Describe,
-        ToRobot::StackUsage,
-        ToRobot::ReadParams,
-        ToRobot::Watch(Watch { every: 1 }),
-        ToRobot::Lease(LeaseAction::Keep { lease: 1 }),
-    ];
+    let monitor = [ToRobot::Monitor(&[0]), ToRobot::Describe, ToRobot::StackUsage];
     assert!(!monitor.iter().any(ToRobot::is_from_body));
+}
+
+proptest! {
+    #[test]
+    fn a_message_of_a_monitor_survives_the_wire(message in prop_oneof![watches(), leases(), requests()]) {
+        let bytes = postcard::to_stdvec(&message).expect("serializable");
+        prop_assert_eq!(postcard::from_bytes(&bytes), Ok(message));
+    }
+
+    #[test]
+    fn arbitrary_bytes_are_a_message_or_none(bytes in prop::collection::vec(any::<u8>(), 0..1024)) {
+        let _ = postcard::from_bytes::<FromMonitor>(&bytes);
+        let _ = postcard::from_bytes::<ToMonitor<'_>>(&bytes);
+    }
+}
+
+fn watches() -> impl Strategy<Value = FromMonitor> {
+    (any::<u16>(), prop::option::of((any::<u16>(), any::<u16>()))).prop_map(|(every, info)| match info {
+        None => FromMonitor::Watch(Watch { every }),
+        Some((component, info)) => FromMonitor::WatchInfo(WatchInfo { component, info, every }),
+    })
+}
+
+fn leases() -> impl Strategy<Value = FromMonitor> {
+    (0..4_u8, any::<u32>()).prop_map(|(action, lease)| {
+        FromMonitor::Lease(match action {
+            0 => LeaseAction::Acquire,
+            1 => LeaseAction::Take,
+            2 => LeaseAction::Keep { lease },
+            _ => LeaseAction::Return { lease },
+        })
+    })
+}
+
+fn requests() -> impl Strategy<Value = FromMonitor> {
+    let value = prop_oneof![
+        (-1e9_f32..1e9).prop_map(Value::F32),
+        any::<i32>().prop_map(Value::I32),
+        any::<u32>().prop_map(Value::U32),
+        any::<bool>().prop_map(Value::Bool),
+        any::<u32>().prop_map(Value::Choice),
+    ];
+    let holds = prop::sample::select(vec![Hold::Tree, Hold::Active, Hold::Latent]);
+    let hold = (any::<u16>(), holds).prop_map(|(component, hold)| Change::Hold { component, hold });
+    let rate = (any::<u16>(), 0.0_f32..1e6).prop_map(|(component, hz)| Change::Rate { component, hz });
+    let setting = (any::<u16>(), any::<u16>(), value.clone()).prop_map(|(component, index, value)| Setting {
+        component,
+        index,
+        value,
+    });
+    let params =
+        prop::collection::vec(setting, 0..=MAX_BATCH).prop_map(|batch| Change::Params(batch.into_iter().collect()));
+    let arguments = prop::collection::vec(value, 0..=MAX_ARGUMENTS);
+    let modulate = (any::<u16>(), any::<u16>(), arguments).prop_map(|(component, modulation, arguments)| {
+        Change::Modulate { component, modulation, arguments: arguments.into_iter().collect() }
+    });
+    let change = prop_oneof![hold, rate, params, modulate];
+    (any::<u32>(), any::<u32>(), any::<u64>(), change).prop_map(|(number, lease, expires_us, change)| {
+        FromMonitor::Request(Request { number, lease, expires_us, change })
+    })
 }

@@ -110,19 +110,14 @@ fn silence(image: &Path, transport: Transport) -> Outcome {
         if safe_stop {
             break time_us;
         }
-        link.send(&ToRobot::Attach)?;
+        link.send(&ToRobot::Monitor(&[0]))?;
     };
     if !SILENCE_US.contains(&(stop_us - start_us)) {
         return Err(format!("safe stop {} µs after the first cycle", stop_us - start_us).into());
     }
     let stop = link.receive(command())?;
     expect_eq(&(stop.targets, stop.stiffness), &(Nao::STAND.0, Stiffness::Stand.joints::<Nao>().0))?;
-    link.send(&ToRobot::Attach)?;
-    let attached = link.receive(|message| match message {
-        FromRobot::Attached(attached) => Some(attached.tree_hash),
-        _ => None,
-    })?;
-    expect_eq(&attached, &Forward::HASH)?;
+    link.send(&ToRobot::Monitor(&[0]))?;
     expect_eq(&link.receive(telemetry(|telemetry| telemetry.safe_stop))?, &true)?;
     link.send(&ToRobot::Sensors(standing(0)))?;
     while link.receive(telemetry(|telemetry| telemetry.safe_stop))? {}

@@ -10,13 +10,13 @@ use bica_motion::pose::Pose2;
 use bica_player::input::{HealthMonitor, RobotProfile};
 use bica_player::perception::GoalDetector;
 use bica_player::tunable::Forward;
-use bica_recording::recorded_parameters;
 use bica_sim::SpectatorView;
 use glam::Vec2;
 
 use crate::fingerprint::Fingerprint;
 use crate::firmware::FirmwareCheck;
 use crate::latency::Stopwatch;
+use crate::link::{GameLink, LinkQueue, LinkView, ServeOptions};
 use crate::meter::Meter;
 use crate::observer::GameObserver;
 use crate::recording::{GameRecorder, RecordOptions, RecordingSummary};
@@ -33,19 +33,21 @@ const PATH_STEP: f32 = 0.03;
 /// # Errors
 /// If the world or the firmware cannot be started, an observer fails, or the firmware deviates from this program.
 pub fn play(rules: &Rules, observer: &mut impl GameObserver) -> Result<GameSummary, Failure> {
-    play_recorded(rules, observer, None).map(|(summary, _)| summary)
+    play_recorded(rules, observer, None, None).map(|(summary, _)| summary)
 }
 
-/// Plays as [`play`] and records the game on request. A recording that ends early does not end the game.
+/// Plays as [`play`], and on request records the game and serves it to monitors. A recording that ends early does not end the
+/// game.
 ///
 /// # Errors
-/// As [`play`], or if the file cannot be made.
+/// As [`play`], or if the file cannot be made or the server cannot start.
 pub fn play_recorded(
     rules: &Rules,
     observer: &mut impl GameObserver,
     record: Option<RecordOptions<'_>>,
+    serve: Option<ServeOptions<'_>>,
 ) -> Result<(GameSummary, Option<RecordingSummary>), Failure> {
-    let mut game = Game::new(rules, record)?;
+    let mut game = Game::new(rules, record, serve)?;
     let began = Instant::now();
     while !game.is_over(rules) && !interrupt::requested() {
         game.cycle()?;
@@ -57,12 +59,13 @@ pub fn play_recorded(
     Ok(game.summarize(rules, began.elapsed()))
 }
 
-/// Observers of the loop. The stopwatch measures neither the firmware, which comes first, nor the end of a cycle in the recorder,
-/// which comes last.
-type LoopObservers<'a> = (FirmwareCheck, ((Meter, Stopwatch), GameRecorder<'a>));
+/// Observers of the loop. The stopwatch measures neither the firmware, which comes first, nor the end of a cycle in the recorder
+/// and the link, which come last.
+type LoopObservers<'a> = (FirmwareCheck, ((Meter, Stopwatch), (GameRecorder<'a>, LinkView)));
 
 struct Game<'a> {
-    runner: Runner<Box<Forward>, Box<dyn SpectatorView>, (), LoopObservers<'a>>,
+    runner: Runner<Box<Forward>, Box<dyn SpectatorView>, LinkQueue, LoopObservers<'a>>,
+    link: GameLink,
     cycles: u64,
     tree_changes: u64,
     fingerprint: Fingerprint,
@@ -76,7 +79,7 @@ struct Game<'a> {
 }
 
 impl<'a> Game<'a> {
-    fn new(rules: &Rules, record: Option<RecordOptions<'a>>) -> Result<Self, Failure> {
+    fn new(rules: &Rules, record: Option<RecordOptions<'a>>, serve: Option<ServeOptions<'_>>) -> Result<Self, Failure> {
         let world = world_factory::open(rules)?;
         let mut robot = Box::new(Forward::new());
         let (attacks, start, ball) = (world.referee().attacks(), world.referee().robot(), world.referee().ball());
@@ -85,10 +88,13 @@ impl<'a> Game<'a> {
         let refused = |refusal: Refusal| Failure::new(refusal.to_string(), "check parameters with `player params`");
         robot.set_params(rules.settings).map_err(refused)?;
         let firmware = rules.firmware.map(|image| image.start(attacks)).transpose()?;
-        let recorder = GameRecorder::new(record, rules, attacks, recorded_parameters(&*robot))?;
-        let observers = (FirmwareCheck::new(firmware), ((Meter::new(&GRAPH), Stopwatch::default()), recorder));
+        let recorder = GameRecorder::new(record, rules, attacks, &robot)?;
+        let (link, requests, view) = GameLink::start(serve, rules)?;
+        let measured = (Meter::new(&GRAPH), Stopwatch::default());
+        let observers = (FirmwareCheck::new(firmware), (measured, (recorder, view)));
         Ok(Self {
-            runner: Runner::new(robot, world).with_observer(observers),
+            runner: Runner::new(robot, world).with_requests(requests).with_observer(observers),
+            link,
             cycles: 0,
             tree_changes: 0,
             fingerprint: Fingerprint::new(),
@@ -120,7 +126,7 @@ impl<'a> Game<'a> {
         let ball = self.runner.world().referee().ball();
         self.fingerprint.add(&command, ball);
         self.cycles += 1;
-        let ((meter, _), recorder) = &mut self.runner.observer_mut().1;
+        let ((meter, _), (recorder, _)) = &mut self.runner.observer_mut().1;
         recorder.costs(meter);
         self.tree_changes += u64::from(self.meter().changed());
         if self.ball_path.last().is_none_or(|last| last.distance(ball) > PATH_STEP) {
@@ -154,7 +160,8 @@ impl<'a> Game<'a> {
         }
         let referee = self.runner.world().referee();
         for event in &referee.events()[self.reported_events..] {
-            self.runner.observer().1.1.event(event);
+            self.runner.observer().1.1.0.event(event);
+            self.link.event(event);
             observer.event(event)?;
         }
         self.reported_events = referee.events().len();
@@ -162,7 +169,7 @@ impl<'a> Game<'a> {
     }
 
     fn summarize(self, rules: &Rules, real: Duration) -> (GameSummary, Option<RecordingSummary>) {
-        let (robot, world, (), (firmware, ((meter, stopwatch), recorder))) = self.runner.into_parts();
+        let (robot, world, _, (firmware, ((meter, stopwatch), (recorder, _)))) = self.runner.into_parts();
         let measurements = Measurements {
             cycles: self.cycles,
             tree_changes: self.tree_changes,

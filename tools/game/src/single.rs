@@ -8,6 +8,7 @@ use serde::Serialize;
 use crate::album::Album;
 use crate::film::Film;
 use crate::game::play_recorded;
+use crate::link::ServeOptions;
 use crate::recording::{RecordOptions, RecordingSummary};
 use crate::rules::Rules;
 use crate::story::{Story, TreeChange};
@@ -25,7 +26,7 @@ struct GameReport<'a> {
     story: &'a [TreeChange],
 }
 
-/// Plays a game, prints story and summary, and writes pictures, a film and a recording on request.
+/// Plays a game, prints story and summary; on request writes pictures, a film and a recording, and serves monitors.
 ///
 /// # Errors
 /// As [`play_recorded`], or if the output cannot be written.
@@ -35,13 +36,14 @@ pub fn play_one(
     pictures: Option<&Path>,
     film: Option<&Path>,
     record: Option<RecordOptions<'_>>,
+    serve: Option<ServeOptions<'_>>,
 ) -> Result<Outcome, Failure> {
     let album = pictures.map(Album::new).transpose()?;
     let recorder = film.map(Film::new).transpose()?;
     let story = Story::new(console);
     story.print_header()?;
     let mut observers = (story, (album, recorder));
-    let (summary, recording) = play_recorded(rules, &mut observers, record)?;
+    let (summary, recording) = play_recorded(rules, &mut observers, record, serve)?;
     let (story, (album, recorder)) = observers;
     summary_text::print(console, &summary)?;
     if let Some((album, folder)) = album.zip(pictures) {

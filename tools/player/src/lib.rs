@@ -5,6 +5,7 @@
 mod calibrate;
 pub mod cli;
 mod graph;
+mod link;
 mod params;
 mod play;
 mod record;
@@ -31,6 +32,7 @@ pub fn run() -> ExitCode {
         None => play::run(&cli.play),
         Some(Command::Play(args)) => play::run(&args),
         Some(Command::Graph(args)) => graph::run(&args),
+        Some(Command::Link(args)) => link::run(&args),
         Some(Command::Watch(args)) => watch::run(&args),
         Some(Command::Record(args)) => record::run(&args),
         Some(Command::Replay(args)) => replay::run(&args),

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use bica::Setting;
 use bica_console::{Console, Failure, Outcome};
-use bica_game::{FirmwareImage, RecordOptions, Rules, SeriesOptions, WorldKind, play_one, play_series};
+use bica_game::{FirmwareImage, RecordOptions, Rules, SeriesOptions, ServeOptions, WorldKind, play_one, play_series};
 use clap::ValueEnum;
 
 use crate::cli::{Play, World};
@@ -20,7 +20,7 @@ pub(crate) fn run(args: &Play) -> Result<Outcome, Failure> {
         size: args.size,
         robots: args.robots,
         limit: Duration::from_secs_f64(args.seconds),
-        realtime: args.realtime,
+        realtime: args.realtime || (args.link.serve.is_some() && !args.link.unpaced),
         firmware,
         settings: settings(args)?,
     };
@@ -29,7 +29,11 @@ pub(crate) fn run(args: &Play) -> Result<Outcome, Failure> {
         None => {
             let images = args.images.into();
             let record = args.record.as_deref().map(|path| RecordOptions { path, images, force: args.force });
-            play_one(&rules, console, pictures, args.film.as_deref(), record)
+            let started = |address: &str| console.print_row("link", &format!("monitors attach at {address}"));
+            let serve = args.link.serve.as_ref();
+            let serve =
+                serve.map(|address| ServeOptions { address, anywhere: args.link.listen_anywhere, started: &started });
+            play_one(&rules, console, pictures, args.film.as_deref(), record, serve)
         }
         Some(games) => {
             let options = SeriesOptions { games, threads: args.threads, at_least: args.at_least };

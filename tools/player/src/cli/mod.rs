@@ -1,5 +1,6 @@
 //! The command line.
 
+mod link;
 mod recording;
 mod tuning;
 
@@ -11,6 +12,7 @@ use bica_sim::setup::{Frame, MAX_ROBOTS};
 use clap::builder::PossibleValue;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
+pub(crate) use link::{HoldKind, Link, LinkAction, ServeArgs};
 pub(crate) use recording::{Images, InfoArgs, Record, RecordAction, Recover, Replay, Trim};
 pub(crate) use tuning::{Params, ParamsFormat, TuningArgs};
 
@@ -27,6 +29,8 @@ Examples:
   player replay run.mcap                the code again on what was recorded, compared bit for bit
   player params FaceBall                the parameters of a component
   player --set FaceBall.gain=0.9        the same game with another value of a parameter
+  player play --serve 127.0.0.1:7400    a game in real time that monitors can watch and operate
+  player link 127.0.0.1:7400 watch      its states, from another terminal
   player watch frames --pictures out    detections in recorded images, with a summary
   player see frames --json              the same as one line of JSON for each image
 
@@ -72,6 +76,8 @@ pub(crate) enum Command {
     Replay(Replay),
     /// List the parameters of the components and their values; write a tune file
     Params(Params),
+    /// Attach to a running robot: describe, watch, set, hold, rate, modulate, log
+    Link(Link),
     /// Fit the thresholds of the colour classes to labelled images and write them as a profile
     Calibrate(Calibrate),
 }
@@ -115,6 +121,8 @@ pub(crate) struct Play {
     /// Replace the file of --record if it exists
     #[arg(long, requires = "record")]
     pub(crate) force: bool,
+    #[command(flatten)]
+    pub(crate) link: ServeArgs,
     /// Play a series of N games with consecutive seeds from --seed on, and print a summary
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     pub(crate) games: Option<u32>,

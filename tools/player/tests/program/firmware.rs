@@ -9,7 +9,7 @@ use std::process::{Command, Stdio};
 
 use serde_json::Value;
 
-use crate::process::{Ran, player, run, without_wall};
+use crate::process::{Folder, Ran, player, run, without_wall};
 
 /// Returns the arguments of a game with the firmware image.
 fn with_image<'a>(image: &'a mut String, more: &[&'a str]) -> Vec<&'a str> {
@@ -44,6 +44,26 @@ fn firmware_plays_the_same_game_and_counts_instructions() {
         list.as_array().unwrap().iter().map(|component| component["name"].clone()).collect()
     };
     assert_eq!(runs(&spent["components"]), runs(&printed["components"]));
+}
+
+/// The microcontroller computed the commands; the host's code must compute them again from what was recorded.
+#[test]
+#[cfg_attr(not(firmware_image), ignore = "needs a firmware image: run `cargo xtask firmware`")]
+fn a_recorded_firmware_game_replays_on_the_host() {
+    let folder = Folder::new("recorded-firmware");
+    for (images, source) in [("all", "stored"), ("none", "rules")] {
+        let file = folder.path().join(format!("{images}.mcap"));
+        let file = file.to_str().expect("UTF-8");
+        let mut image = String::new();
+        let args = with_image(&mut image, &["--seed", "3", "--seconds", "2", "--record", file, "--images", images]);
+        let played = run(&args);
+        assert_eq!(played.code, Some(1), "no goal in two seconds: {}", played.stderr);
+        let info = run(&["record", "info", file, "--json"]).json();
+        assert_eq!(info["header"]["rules"]["world"], "firmware");
+        let replayed = run(&["replay", file, "--json"]).json();
+        assert_eq!((&replayed["equal"], &replayed["cycles"]), (&true.into(), &200.into()), "{replayed}");
+        assert_eq!(replayed["source"], source);
+    }
 }
 
 #[test]

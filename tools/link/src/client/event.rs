@@ -1,0 +1,75 @@
+//! What a client receives.
+
+use bica_wire::message::{ComponentState, CycleInfo, LeaseState, RefusalCode, Value};
+
+use crate::error::Error;
+
+/// What a client receives.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Event {
+    /// State of the tree after a cycle.
+    Snapshot(Snapshot),
+    /// A value of information.
+    Info {
+        /// Number of the cycle.
+        cycle: u64,
+        /// Index of the component.
+        component: usize,
+        /// Index of the information.
+        info: usize,
+        /// The value as JSON; none if it is too large for a packet or its schema is unknown.
+        value: Option<serde_json::Value>,
+    },
+    /// Parameters of a component changed; the new values are in the description.
+    Params {
+        /// Index of the component.
+        component: usize,
+    },
+    /// The lease.
+    Lease(LeaseState),
+    /// Answer to a request.
+    Answer(Answered),
+    /// Line of the robot's log.
+    Log {
+        /// Robot's time, µs.
+        time_us: u64,
+        /// 1 debug, 2 information, 3 warning, 4 error.
+        level: u8,
+        /// The text.
+        text: String,
+    },
+}
+
+/// State of a tree after a cycle.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Snapshot {
+    /// The cycle.
+    pub info: CycleInfo,
+    /// State of each component, in the order of the tree's list.
+    pub states: Vec<ComponentState>,
+}
+
+/// Answer to a request.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Answered {
+    /// Number of the request.
+    pub number: u32,
+    /// Number of the first cycle that ran with the change, or of the next cycle if it was refused.
+    pub cycle: u64,
+    /// Number of the cycle that was next when the request arrived.
+    pub arrived: u64,
+    /// Effective values of the parameters in the order of the batch, or the rate.
+    pub values: Vec<Value>,
+    /// Why the request was refused: reason, index of the setting or argument, text.
+    pub refused: Option<(RefusalCode, usize, String)>,
+}
+
+impl Answered {
+    /// Returns a refusal as an error.
+    pub(super) fn result(self) -> Result<Self, Error> {
+        match self.refused {
+            None => Ok(self),
+            Some((code, entry, text)) => Err(Error::Refused { code, entry, text }),
+        }
+    }
+}

@@ -1,0 +1,198 @@
+//! State of a client, from the messages that it received.
+
+use std::collections::{BTreeMap, VecDeque};
+use std::time::{Duration, Instant};
+
+use bica_wire::message::{
+    Answer, AnswerResult, ComponentStates, GraphItem, InfoSchema, InfoValue, LeaseState, LogLine, ParamValues,
+};
+use bica_wire::{FromRobot, ToMonitor};
+use postcard_schema::schema::owned::OwnedNamedType;
+
+use super::event::{Answered, Event, Snapshot};
+use crate::description::{Builder, Description, to_json};
+use crate::error::Error;
+use crate::schema::decode;
+
+/// Largest number of events that wait; the oldest are dropped.
+const MAX_EVENTS: usize = 4096;
+/// Largest size of a schema, bytes.
+const MAX_SCHEMA: usize = 1 << 14;
+
+/// What the client is attached to.
+pub(super) struct Attachment {
+    pub(super) schema: u64,
+    tree_hash: u64,
+    realtime: bool,
+}
+
+pub(super) struct Inbox {
+    pub(super) attached: Option<Attachment>,
+    pub(super) description: Description,
+    builder: Option<Builder>,
+    pub(super) lease: Option<LeaseState>,
+    pub(super) events: VecDeque<Event>,
+    pub(super) closing: Option<String>,
+    /// Robot's time, and when it was received.
+    time: Option<(Duration, Instant)>,
+    partial: Option<Snapshot>,
+    schema_parts: BTreeMap<(u16, u16), Vec<u8>>,
+    schemas: BTreeMap<(u16, u16), OwnedNamedType>,
+}
+
+impl Inbox {
+    pub(super) fn new() -> Self {
+        Self {
+            attached: None,
+            description: Description::default(),
+            builder: Some(Builder::new()),
+            lease: None,
+            events: VecDeque::new(),
+            closing: None,
+            time: None,
+            partial: None,
+            schema_parts: BTreeMap::new(),
+            schemas: BTreeMap::new(),
+        }
+    }
+
+    /// Whether the description is complete.
+    pub(super) const fn is_described(&self) -> bool {
+        self.builder.is_none()
+    }
+
+    /// Whether a value of each parameter was received.
+    pub(super) fn has_values(&self) -> bool {
+        self.description.components.iter().flat_map(|component| &component.params).all(|param| param.value.is_some())
+    }
+
+    /// Estimates the robot's time; none if it does not advance with the clock, or is not known.
+    pub(super) fn robot_time(&self) -> Option<Duration> {
+        let realtime = self.attached.as_ref().is_some_and(|attached| attached.realtime);
+        self.time.filter(|_| realtime).map(|(time, received)| time + received.elapsed())
+    }
+
+    /// Takes the answer to a request.
+    pub(super) fn take_answer(&mut self, number: u32) -> Option<Answered> {
+        let found =
+            self.events.iter().position(|event| matches!(event, Event::Answer(answer) if answer.number == number));
+        match self.events.remove(found?) {
+            Some(Event::Answer(answer)) => Some(answer),
+            _ => None,
+        }
+    }
+
+    /// Takes a message in.
+    pub(super) fn receive(&mut self, message: FromRobot<'_>) -> Result<(), Error> {
+        match message {
+            FromRobot::GraphItem(item) => self.describe(&item)?,
+            FromRobot::Monitor(bytes) => {
+                if let Ok(message) = postcard::from_bytes(bytes) {
+                    self.add(message);
+                }
+            }
+            FromRobot::Identity(_) | FromRobot::Command(_) | FromRobot::Telemetry(_) | FromRobot::StackUsage(_) => {}
+        }
+        Ok(())
+    }
+
+    fn add(&mut self, message: ToMonitor<'_>) {
+        match message {
+            ToMonitor::Attached(attached) => {
+                let (schema, tree_hash, realtime) = (attached.schema, attached.tree_hash, attached.realtime);
+                self.attached = Some(Attachment { schema, tree_hash, realtime });
+            }
+            ToMonitor::Cycle(info) => {
+                self.set_time(info.time_us);
+                self.partial = Some(Snapshot { info, states: Vec::new() });
+            }
+            ToMonitor::Components(states) => self.states(&states),
+            ToMonitor::Info(value) => self.info(&value),
+            ToMonitor::InfoSchema(part) => self.schema(&part),
+            ToMonitor::Params(values) => self.params(&values),
+            ToMonitor::Lease(lease) => {
+                self.set_time(lease.time_us);
+                self.lease = Some(lease);
+                self.push(Event::Lease(lease));
+            }
+            ToMonitor::Answer(answer) => self.push(Event::Answer(answered(answer))),
+            ToMonitor::Log(LogLine { time_us, level, text }) => {
+                self.push(Event::Log { time_us, level, text: text.to_owned() });
+            }
+            ToMonitor::Closing { reason } => self.closing = Some(reason.to_owned()),
+        }
+    }
+
+    fn set_time(&mut self, time_us: u64) {
+        self.time = Some((Duration::from_micros(time_us), Instant::now()));
+    }
+
+    fn push(&mut self, event: Event) {
+        if self.events.len() >= MAX_EVENTS {
+            self.events.pop_front();
+        }
+        self.events.push_back(event);
+    }
+
+    fn describe(&mut self, item: &GraphItem<'_>) -> Result<(), Error> {
+        let Some(builder) = &mut self.builder else { return Ok(()) };
+        if let Some(mut description) = builder.add(item)? {
+            description.hash = self.attached.as_ref().map_or_else(String::new, |at| format!("{:016x}", at.tree_hash));
+            (self.description, self.builder) = (description, None);
+        }
+        Ok(())
+    }
+
+    fn states(&mut self, part: &ComponentStates) {
+        let Some(snapshot) = &mut self.partial else { return };
+        if snapshot.info.cycle != part.cycle || snapshot.states.len() != usize::from(part.first) {
+            self.partial = None;
+            return;
+        }
+        snapshot.states.extend_from_slice(&part.states);
+        if snapshot.states.len() >= self.description.components.len()
+            && let Some(snapshot) = self.partial.take()
+        {
+            self.push(Event::Snapshot(snapshot));
+        }
+    }
+
+    fn info(&mut self, value: &InfoValue<'_>) {
+        let schema = self.schemas.get(&(value.component, value.info));
+        let decoded = schema.zip(value.bytes).and_then(|(schema, bytes)| decode(schema, bytes));
+        let (component, info) = (value.component.into(), value.info.into());
+        self.push(Event::Info { cycle: value.cycle, component, info, value: decoded });
+    }
+
+    fn schema(&mut self, part: &InfoSchema<'_>) {
+        let key = (part.component, part.info);
+        let bytes = self.schema_parts.entry(key).or_default();
+        if bytes.len() + part.bytes.len() <= MAX_SCHEMA {
+            bytes.extend_from_slice(part.bytes);
+        }
+        if part.last
+            && let Some(bytes) = self.schema_parts.remove(&key)
+            && let Ok(schema) = postcard::from_bytes(&bytes)
+        {
+            self.schemas.insert(key, schema);
+        }
+    }
+
+    fn params(&mut self, values: &ParamValues) {
+        let component = usize::from(values.component);
+        let Some(described) = self.description.components.get_mut(component) else { return };
+        for (param, value) in described.params.iter_mut().skip(values.first.into()).zip(&values.values) {
+            param.value = Some(value.map_or(serde_json::Value::Null, |value| to_json(value, &param.kind)));
+        }
+        self.push(Event::Params { component });
+    }
+}
+
+fn answered(answer: Answer<'_>) -> Answered {
+    let Answer { number, cycle, arrived, result } = answer;
+    let (values, refused) = match result {
+        AnswerResult::Done { values } => (values.iter().copied().collect(), None),
+        AnswerResult::Refused { code, entry, text } => (Vec::new(), Some((code, entry.into(), text.to_owned()))),
+    };
+    Answered { number, cycle, arrived, values, refused }
+}

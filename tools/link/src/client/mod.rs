@@ -1,0 +1,315 @@
+//! The monitor's end of the link.
+
+mod event;
+mod inbox;
+
+use std::collections::BTreeMap;
+use std::thread;
+use std::time::{Duration, Instant};
+
+use bica_wire::message::{Change, LeaseAction, LeaseState, Request, Watch, WatchInfo};
+use bica_wire::{FromMonitor, SCHEMA};
+
+use crate::address::Address;
+use crate::description::Description;
+use crate::error::Error;
+use crate::frame::{Packets, Receiver};
+use crate::stream::{Reading, Stream};
+use inbox::Inbox;
+
+pub use event::{Answered, Event, Snapshot};
+
+/// Time between two messages to the robot, if there is nothing else to send.
+const HEARTBEAT: Duration = Duration::from_millis(500);
+/// Time between two attempts to connect again.
+const RETRY: Duration = Duration::from_millis(100);
+
+/// How a client works.
+#[derive(Clone, Copy, Debug)]
+pub struct ClientOptions {
+    /// Longest wait for a connection or an answer.
+    pub timeout: Duration,
+    /// Time after which a request that has not reached the robot is refused; used where the robot's time advances with
+    /// the clock.
+    pub expiry: Duration,
+}
+
+impl Default for ClientOptions {
+    fn default() -> Self {
+        Self { timeout: Duration::from_secs(5), expiry: Duration::from_secs(1) }
+    }
+}
+
+/// A monitor of a robot.
+///
+/// Everything happens in the calls: a client that owns the lease and does not call [`poll`](Self::poll) for longer than the
+/// robot's limit of silence loses it.
+pub struct Client {
+    address: Address,
+    options: ClientOptions,
+    stream: Stream,
+    receiver: Receiver,
+    packets: Packets,
+    inbox: Inbox,
+    sent: Instant,
+    last_number: u32,
+    /// Watched snapshots and information, to watch them again after a reconnection.
+    every: u16,
+    info: BTreeMap<(u16, u16), u16>,
+}
+
+impl Client {
+    /// Connects to a robot, attaches, and receives the description with the current values of all parameters.
+    ///
+    /// # Errors
+    /// [`Error::Connect`], [`Error::Schema`], [`Error::Timeout`], [`Error::Disconnected`], [`Error::Invalid`].
+    pub fn connect(address: &Address, options: ClientOptions) -> Result<Self, Error> {
+        let stream = Stream::connect(address, options.timeout)?;
+        stream.set_write_timeout(options.timeout).map_err(|error| Error::connect(address, error))?;
+        let mut client = Self {
+            address: address.clone(),
+            options,
+            stream,
+            receiver: Receiver::new(),
+            packets: Packets::new(),
+            inbox: Inbox::new(),
+            sent: Instant::now(),
+            last_number: 0,
+            every: 0,
+            info: BTreeMap::new(),
+        };
+        client.attach()?;
+        Ok(client)
+    }
+
+    fn attach(&mut self) -> Result<(), Error> {
+        self.send(&FromMonitor::Attach)?;
+        self.wait("attaching", |inbox| inbox.attached.as_ref().map(|attached| attached.schema))
+            .and_then(|robot| if robot == SCHEMA { Ok(()) } else { Err(Error::Schema { robot }) })?;
+        self.packets.push_describe().map_err(|_| Error::Invalid("a packet is too small"))?;
+        self.flush()?;
+        self.wait("its description", |inbox| inbox.is_described().then_some(()))?;
+        self.send(&FromMonitor::ReadParams)?;
+        self.wait("the values of its parameters", |inbox| inbox.has_values().then_some(()))?;
+        self.wait("the state of the lease", |inbox| inbox.lease.map(|_| ()))
+    }
+
+    /// Connects again after [`Error::Disconnected`], within `limit`. Watches what was watched before, and continues the
+    /// lease if it has not ended. Requests that were not answered are not sent again.
+    ///
+    /// # Errors
+    /// As [`connect`](Self::connect), or [`Error::OtherRobot`].
+    pub fn reconnect(&mut self, limit: Duration) -> Result<(), Error> {
+        let until = Instant::now() + limit;
+        let mut next = loop {
+            match Self::connect(&self.address, self.options) {
+                Ok(next) => break next,
+                Err(Error::Connect { .. } | Error::Disconnected(_) | Error::Timeout(_)) if Instant::now() < until => {
+                    thread::sleep(RETRY);
+                }
+                Err(error) => return Err(error),
+            }
+        };
+        let (expected, found) = (self.description(), next.description());
+        if (&expected.name, &expected.hash) != (&found.name, &found.hash) {
+            return Err(Error::OtherRobot { expected: expected.name.clone(), found: found.name.clone() });
+        }
+        let lease = self.lease();
+        next.last_number = self.last_number;
+        next.watch(self.every)?;
+        for (&(component, info), &every) in &self.info {
+            next.watch_info(component.into(), info.into(), every)?;
+        }
+        if lease.yours {
+            next.inbox.lease = None;
+            next.send(&FromMonitor::Lease(LeaseAction::Keep { lease: lease.lease }))?;
+            next.wait("the state of the lease", |inbox| inbox.lease.map(|_| ()))?;
+        }
+        *self = next;
+        Ok(())
+    }
+
+    /// Returns the description. Values of parameters are those that the robot reported last.
+    #[must_use]
+    pub const fn description(&self) -> &Description {
+        &self.inbox.description
+    }
+
+    /// Returns the lease as the robot reported it last.
+    #[must_use]
+    pub fn lease(&self) -> LeaseState {
+        self.inbox.lease.unwrap_or_default()
+    }
+
+    /// Returns the number of damaged packets received.
+    #[must_use]
+    pub const fn damaged(&self) -> u32 {
+        self.receiver.damaged()
+    }
+
+    /// Watches the states of all components in every n-th cycle; 0 ends it.
+    ///
+    /// # Errors
+    /// [`Error::Disconnected`].
+    pub fn watch(&mut self, every: u16) -> Result<(), Error> {
+        self.every = every;
+        self.send(&FromMonitor::Watch(Watch { every }))
+    }
+
+    /// Watches an information in every n-th cycle; 0 ends it.
+    ///
+    /// # Errors
+    /// [`Error::Disconnected`].
+    pub fn watch_info(&mut self, component: usize, info: usize, every: u16) -> Result<(), Error> {
+        let (component, info) = (component as u16, info as u16);
+        if every == 0 {
+            self.info.remove(&(component, info));
+        } else {
+            self.info.insert((component, info), every);
+        }
+        self.send(&FromMonitor::WatchInfo(WatchInfo { component, info, every }))
+    }
+
+    /// Acquires the lease. `take` takes it also from its owner; only a person may decide that.
+    ///
+    /// # Errors
+    /// [`Error::Lease`] if somebody else owns it; [`Error::Timeout`], [`Error::Disconnected`].
+    pub fn acquire(&mut self, take: bool) -> Result<(), Error> {
+        self.inbox.lease = None;
+        self.send(&FromMonitor::Lease(if take { LeaseAction::Take } else { LeaseAction::Acquire }))?;
+        let lease = self.wait("the lease", |inbox| inbox.lease)?;
+        if lease.yours { Ok(()) } else { Err(Error::Lease) }
+    }
+
+    /// Gives the lease back and waits for the confirmation: then holds and rates have ended.
+    ///
+    /// # Errors
+    /// [`Error::Timeout`], [`Error::Disconnected`].
+    pub fn release(&mut self) -> Result<(), Error> {
+        let lease = self.lease();
+        if !lease.yours {
+            return Ok(());
+        }
+        self.send(&FromMonitor::Lease(LeaseAction::Return { lease: lease.lease }))?;
+        self.wait("the end of the lease", |inbox| inbox.lease.filter(|lease| !lease.yours).map(|_| ()))
+    }
+
+    /// Sends a request and returns its number; the answer follows as [`Event::Answer`].
+    ///
+    /// # Errors
+    /// [`Error::Disconnected`].
+    pub fn send_request(&mut self, change: Change) -> Result<u32, Error> {
+        let expires_us = self
+            .inbox
+            .robot_time()
+            .map_or(u64::MAX, |time| u64::try_from((time + self.options.expiry).as_micros()).unwrap_or(u64::MAX));
+        let lease = self.lease().lease;
+        self.send_request_with(change, lease, expires_us)
+    }
+
+    /// Sends a request with the number of a lease and an expiry in the robot's time, µs; returns its number.
+    ///
+    /// # Errors
+    /// [`Error::Disconnected`].
+    pub fn send_request_with(&mut self, change: Change, lease: u32, expires_us: u64) -> Result<u32, Error> {
+        self.last_number = self.last_number.wrapping_add(1);
+        let number = self.last_number;
+        self.send(&FromMonitor::Request(Request { number, lease, expires_us, change }))?;
+        Ok(number)
+    }
+
+    /// Sends a request and waits for its answer.
+    ///
+    /// # Errors
+    /// [`Error::Refused`], [`Error::Timeout`], [`Error::Disconnected`].
+    pub fn request(&mut self, change: Change) -> Result<Answered, Error> {
+        let number = self.send_request(change)?;
+        self.answer(number)
+    }
+
+    /// Waits for the answer to a request.
+    ///
+    /// # Errors
+    /// [`Error::Refused`], [`Error::Timeout`], [`Error::Disconnected`].
+    pub fn answer(&mut self, number: u32) -> Result<Answered, Error> {
+        let answer = self.wait("the answer to a request", |inbox| inbox.take_answer(number))?;
+        answer.result()
+    }
+
+    /// Waits for the next event; `None` after `timeout`.
+    ///
+    /// # Errors
+    /// [`Error::Disconnected`]; then [`reconnect`](Self::reconnect).
+    pub fn poll(&mut self, timeout: Duration) -> Result<Option<Event>, Error> {
+        let until = Instant::now() + timeout;
+        loop {
+            if let Some(event) = self.inbox.events.pop_front() {
+                return Ok(Some(event));
+            }
+            if !self.receive(until)? {
+                return Ok(None);
+            }
+        }
+    }
+
+    /// Receives until `found` returns a value. Events that come meanwhile stay for [`poll`](Self::poll).
+    fn wait<T>(&mut self, what: &'static str, mut found: impl FnMut(&mut Inbox) -> Option<T>) -> Result<T, Error> {
+        let until = Instant::now() + self.options.timeout;
+        loop {
+            if let Some(value) = found(&mut self.inbox) {
+                return Ok(value);
+            }
+            if !self.receive(until)? {
+                return Err(Error::Timeout(what));
+            }
+        }
+    }
+
+    /// Reads once, at most until an instant; returns whether there is time left.
+    fn receive(&mut self, until: Instant) -> Result<bool, Error> {
+        let left = until.saturating_duration_since(Instant::now());
+        if left.is_zero() {
+            return Ok(false);
+        }
+        self.heartbeat()?;
+        let cut = |error: std::io::Error| Error::Disconnected(error.to_string());
+        self.stream.set_read_timeout(left.min(HEARTBEAT)).map_err(cut)?;
+        let Self { inbox, receiver, stream, .. } = self;
+        let mut result = Ok(());
+        let reading = receiver.receive(stream, |packet| {
+            if let (Ok(()), Ok(message)) = (&result, packet.message()) {
+                result = inbox.receive(message);
+            }
+        });
+        result?;
+        match (reading.map_err(cut)?, inbox.closing.take()) {
+            (_, Some(reason)) => Err(Error::Disconnected(reason)),
+            (Reading::End, None) => Err(Error::Disconnected("the robot closed the connection".to_owned())),
+            (Reading::Bytes(_) | Reading::Nothing, None) => Ok(true),
+        }
+    }
+
+    /// Shows the robot that this monitor still exists.
+    fn heartbeat(&mut self) -> Result<(), Error> {
+        if self.sent.elapsed() < HEARTBEAT {
+            return Ok(());
+        }
+        let lease = self.lease();
+        if lease.yours {
+            self.send(&FromMonitor::Lease(LeaseAction::Keep { lease: lease.lease }))
+        } else {
+            self.send(&FromMonitor::Watch(Watch { every: self.every }))
+        }
+    }
+
+    fn send(&mut self, message: &FromMonitor) -> Result<(), Error> {
+        self.packets.push_monitor(message).map_err(|_| Error::Invalid("a request does not fit into a packet"))?;
+        self.flush()
+    }
+
+    fn flush(&mut self) -> Result<(), Error> {
+        let cut = |error: std::io::Error| Error::Disconnected(error.to_string());
+        self.sent = Instant::now();
+        self.packets.write(&mut self.stream).map_err(cut)
+    }
+}

@@ -1,0 +1,121 @@
+//! Errors.
+
+use std::fmt;
+use std::io;
+
+use bica_wire::message::RefusalCode;
+
+/// Reason for which an operation on a link failed.
+#[derive(Debug)]
+pub enum Error {
+    /// The text is no address.
+    Address(String),
+    /// The server listens on an address of this computer's network, and that was not allowed.
+    NotLoopback(String),
+    /// No connection could be made, or the server could not listen.
+    Connect {
+        /// The address.
+        address: String,
+        /// The reason.
+        error: io::Error,
+    },
+    /// The connection was cut.
+    Disconnected(String),
+    /// The robot did not answer in time.
+    Timeout(&'static str),
+    /// The robot's messages are those of another version of the protocol.
+    Schema {
+        /// The schema of the robot.
+        robot: u64,
+    },
+    /// After a reconnection another robot, or another program, answered.
+    OtherRobot {
+        /// Name of the tree that the client was attached to.
+        expected: String,
+        /// Name of the tree that answered.
+        found: String,
+    },
+    /// The lease is owned by somebody else.
+    Lease,
+    /// The robot refused a request.
+    Refused {
+        /// The reason, for programs.
+        code: RefusalCode,
+        /// Index of the setting or argument that is refused.
+        entry: usize,
+        /// The reason, for people.
+        text: String,
+    },
+    /// The tree has nothing of this name, or a value does not fit.
+    Unknown {
+        /// What is wrong.
+        what: String,
+        /// Remedy.
+        help: String,
+    },
+    /// The robot sent a description or schema that is not valid.
+    Invalid(&'static str),
+}
+
+impl Error {
+    pub(crate) fn connect(address: &impl fmt::Display, error: io::Error) -> Self {
+        Self::Connect { address: address.to_string(), error }
+    }
+
+    /// Returns a remedy.
+    #[must_use]
+    pub fn help(&self) -> String {
+        match self {
+            Self::Address(_) => {
+                "give HOST:PORT, as 127.0.0.1:7400, or the path of a serial line, as /dev/ttyUSB0@921600"
+            }
+            Self::NotLoopback(_) => "use 127.0.0.1 or [::1], or allow it with --listen-anywhere: there is no password",
+            Self::Connect { .. } => "is a robot serving there? `player play --serve ADDR` does",
+            Self::Disconnected(_) => "the robot's program ended, or the line is broken; run the command again",
+            Self::Timeout(_) => "is the robot's program stopped, or does another program answer at this address?",
+            Self::OtherRobot { .. } => "attach again",
+            Self::Lease => "wait until the operator gives it back, or take it with --take",
+            Self::Refused { .. } => "`player link ADDR describe` prints names, kinds and ranges",
+            Self::Unknown { help, .. } => help,
+            Self::Schema { .. } | Self::Invalid(_) => "build the robot's program and this one from the same version",
+        }
+        .to_owned()
+    }
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Address(text) => write!(f, "`{text}` is no address of a link"),
+            Self::NotLoopback(address) => {
+                write!(f, "{address} can be reached from other computers, and whoever reaches it controls the robot")
+            }
+            Self::Connect { address, error } => write!(f, "no link at {address}: {error}"),
+            Self::Disconnected(reason) => write!(f, "the link was cut: {reason}"),
+            Self::Timeout(what) => write!(f, "the robot did not answer in time: {what}"),
+            Self::Schema { robot } => {
+                write!(
+                    f,
+                    "the robot speaks another version of the protocol: {robot:#018x}, here {:#018x}",
+                    bica_wire::SCHEMA
+                )
+            }
+            Self::OtherRobot { expected, found } => {
+                write!(f, "another program answers: tree `{found}`, before `{expected}`")
+            }
+            Self::Lease => f.write_str("another operator owns the lease"),
+            Self::Refused { text, .. } => write!(f, "refused: {text}"),
+            Self::Unknown { what, .. } => f.write_str(what),
+            Self::Invalid(what) => write!(f, "the robot's description is not valid: {what}"),
+        }
+    }
+}
+
+impl std::error::Error for Error {
+    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
+        match self {
+            Self::Connect { error, .. } => Some(error),
+            _ => None,
+        }
+    }
+}

@@ -1,0 +1,39 @@
+//! The link between a running robot and its monitors.
+//!
+//! - [`LinkServer`] accepts monitors over TCP or a serial line. Its two halves stand in a
+//!   [`Runner`](bica::runner::Runner): [`LinkRequests`] is the source of requests, [`LinkObserver`] the observer. Neither
+//!   ever waits for a monitor or a thread.
+//! - [`Client`] attaches to a server, describes the tree, watches, requests changes, and connects again after a cut.
+//!
+//! The messages and packets are those of [`bica_wire`]; the page `docs/link.md` describes the protocol.
+//!
+//! # Rules
+//!
+//! - Attaching and watching change nothing. Information is read only while somebody watches it.
+//! - One monitor at a time is the operator: it owns the lease. It loses the lease by giving it back, by another one's
+//!   [`Take`](bica_wire::message::LeaseAction::Take), or by 3 s of silence. When a lease ends, the holds and rates that were
+//!   requested under it end; parameters stay.
+//! - A request is applied only if its connection is still open, its lease is the current one and it has not expired. What a
+//!   cut connection left in a queue is dropped.
+
+mod address;
+mod client;
+mod description;
+mod error;
+mod frame;
+mod schema;
+mod server;
+mod stream;
+
+pub use address::Address;
+pub use client::{Answered, Client, ClientOptions, Event, Snapshot};
+pub use description::{
+    Component, Description, Info, Kind, Link, Modulation, Param, State, Transition, Variant, number, to_json,
+};
+pub use error::Error;
+pub use schema::decode as decode_info;
+pub use server::{LinkObserver, LinkRequests, LinkServer, LinkStats, MAX_MONITORS, ServerOptions};
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -1,0 +1,186 @@
+//! One monitor: the thread that reads its messages and the thread that writes to it.
+
+use std::collections::VecDeque;
+use std::io;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::thread;
+use std::time::{Duration, Instant};
+
+use bica_wire::{FromMonitor, Packet, ToRobot};
+
+use super::hub::{Command, Hub, MAX_PENDING};
+use super::outbox::{Data, Message, Offered, Outbox};
+use crate::frame::{Packets, Receiver};
+use crate::stream::{Reading, Stream};
+
+/// Time between two checks whether the connection was closed.
+const POLL: Duration = Duration::from_millis(100);
+/// Longest time of one write. A monitor that reads nothing for so long is disconnected.
+const WRITE: Duration = Duration::from_secs(10);
+/// Silence after which a monitor is disconnected: its computer may have lost the network.
+const IDLE: Duration = Duration::from_secs(30);
+/// Number of bytes that are written together.
+const WRITE_BYTES: usize = 1 << 16;
+
+/// A monitor's connection.
+#[derive(Debug)]
+pub(super) struct Connection {
+    pub(super) id: u64,
+    /// Number of messages that wait for the loop.
+    pub(super) pending: AtomicUsize,
+    outbox: Outbox,
+    closed: AtomicBool,
+    stream: Stream,
+}
+
+impl Connection {
+    /// Adds a message to the lossless queue. For threads that may wait.
+    pub(super) fn push(&self, hub: &Hub, message: Message) {
+        if !self.outbox.push(message) {
+            self.overflow(hub);
+        }
+    }
+
+    /// Moves messages and data into the queues without waiting.
+    pub(super) fn offer(&self, hub: &Hub, messages: &mut VecDeque<Message>, data: &mut Vec<Data>) -> Offered {
+        let offered = self.outbox.offer(messages, data);
+        if offered == Offered::Overflow {
+            self.overflow(hub);
+        }
+        offered
+    }
+
+    pub(super) fn is_closed(&self) -> bool {
+        self.closed.load(Ordering::Relaxed)
+    }
+
+    pub(super) fn overflow(&self, hub: &Hub) {
+        if !self.closed.load(Ordering::Relaxed) {
+            hub.too_slow.fetch_add(1, Ordering::Relaxed);
+        }
+        self.close();
+    }
+
+    /// Closes the connection. Messages that wait are dropped, in both directions.
+    pub(super) fn close(&self) {
+        self.closed.store(true, Ordering::Relaxed);
+        self.outbox.close();
+        self.stream.shut_down();
+    }
+}
+
+/// Serves one monitor until the connection ends.
+pub(super) fn serve(hub: &Arc<Hub>, mut stream: Stream) -> io::Result<()> {
+    stream.set_read_timeout(POLL)?;
+    stream.set_write_timeout(WRITE)?;
+    let writer = stream.try_clone()?;
+    let connection = Arc::new(Connection {
+        id: hub.next_id(),
+        pending: AtomicUsize::new(0),
+        outbox: Outbox::default(),
+        closed: AtomicBool::new(false),
+        stream: stream.try_clone()?,
+    });
+    hub.list(&connection);
+    hub.deliver(&connection, Command::Open);
+    let written = Arc::clone(&connection);
+    let thread = thread::Builder::new().name("link writer".to_owned()).spawn(move || write(&written, writer))?;
+    read(hub, &connection, &mut stream);
+    connection.close();
+    // A panic of the writer has printed its message.
+    let _ = thread.join();
+    Ok(())
+}
+
+fn read(hub: &Hub, connection: &Arc<Connection>, stream: &mut Stream) {
+    let mut receiver = Receiver::new();
+    let mut heard = Instant::now();
+    let mut damaged = 0;
+    while !connection.is_closed() && !hub.stopped.load(Ordering::Relaxed) {
+        let mut served = true;
+        let reading = receiver.receive(stream, |packet| match decode(&packet) {
+            Some(message) if !connection.is_closed() => {
+                heard = Instant::now();
+                served &= handle(hub, connection, message);
+            }
+            Some(_) => {}
+            None => {
+                hub.unknown.fetch_add(1, Ordering::Relaxed);
+            }
+        });
+        hub.damaged.fetch_add(receiver.damaged().wrapping_sub(damaged), Ordering::Relaxed);
+        damaged = receiver.damaged();
+        let ended = matches!(reading, Ok(Reading::End) | Err(_));
+        if ended || !served || heard.elapsed() > IDLE {
+            return;
+        }
+    }
+}
+
+/// Message that a monitor may send.
+enum Incoming {
+    Describe,
+    Monitor(Box<FromMonitor>),
+}
+
+fn decode(packet: &Packet<'_>) -> Option<Incoming> {
+    match packet.message().ok()? {
+        ToRobot::Describe => Some(Incoming::Describe),
+        ToRobot::Monitor(bytes) => postcard::from_bytes(bytes).ok().map(|message| Incoming::Monitor(Box::new(message))),
+        _ => None,
+    }
+}
+
+/// Handles a message; returns whether the loop still runs.
+fn handle(hub: &Hub, connection: &Arc<Connection>, message: Incoming) -> bool {
+    let command = match message {
+        Incoming::Describe => {
+            connection.push(hub, Message::Describe(hub.graph));
+            return true;
+        }
+        Incoming::Monitor(message) => match *message {
+            FromMonitor::Attach => {
+                connection.push(hub, Message::Attached(hub.attached()));
+                Command::Attach
+            }
+            FromMonitor::Watch(watch) => Command::Watch(watch),
+            FromMonitor::WatchInfo(watch) => Command::WatchInfo(watch),
+            FromMonitor::ReadParams => Command::ReadParams,
+            FromMonitor::Lease(action) => Command::Lease(action),
+            FromMonitor::Request(request) => Command::Request(Box::new(request)),
+        },
+    };
+    // A monitor that sends faster than the loop handles is slowed down, and nobody else.
+    while connection.pending.load(Ordering::Relaxed) >= MAX_PENDING {
+        if connection.is_closed() || hub.stopped.load(Ordering::Relaxed) {
+            return true;
+        }
+        thread::sleep(Duration::from_millis(1));
+    }
+    connection.pending.fetch_add(1, Ordering::Relaxed);
+    hub.deliver(connection, command)
+}
+
+fn write(connection: &Connection, mut stream: Stream) {
+    let mut packets = Packets::new();
+    while let Some((messages, data)) = connection.outbox.take() {
+        let mut closing = false;
+        for message in messages {
+            closing |= matches!(message, Message::Closing(_));
+            // A message that does not fit into a packet is left out: the limits of the protocol exclude it.
+            let _ = message.encode(&mut packets);
+            if packets.len() > WRITE_BYTES && packets.write(&mut stream).is_err() {
+                connection.close();
+                return;
+            }
+        }
+        for data in data.values() {
+            let _ = data.encode(&mut packets);
+        }
+        if packets.write(&mut stream).is_err() || closing {
+            connection.close();
+            return;
+        }
+    }
+}

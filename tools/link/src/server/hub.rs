@@ -1,0 +1,160 @@
+//! What all threads of a server share.
+
+use std::sync::atomic::{AtomicBool, AtomicU32, AtomicU64, AtomicUsize, Ordering};
+use std::sync::mpsc::{Receiver, SyncSender, TrySendError, sync_channel};
+use std::sync::{Arc, Mutex, PoisonError, Weak};
+use std::thread;
+use std::time::{Duration, Instant};
+
+use bica::Graph;
+use bica_wire::SCHEMA;
+use bica_wire::message::{Attached, LeaseAction, Request, Watch, WatchInfo};
+
+use super::connection::Connection;
+use super::outbox::Message;
+use super::{MAX_MONITORS, ServerOptions};
+
+/// Largest number of messages of a connection that wait for the loop. A connection that sends more is not read meanwhile.
+pub(super) const MAX_PENDING: usize = 32;
+/// Messages of a connection to the loop that do not count: its beginning.
+const UNCOUNTED: usize = 1;
+
+/// Counts of a server.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct LinkStats {
+    /// Number of connections now.
+    pub monitors: usize,
+    /// Number of damaged packets, noise included.
+    pub damaged: u32,
+    /// Number of undamaged packets that contain no message of a monitor.
+    pub unknown: u32,
+    /// Number of connections closed because [`MAX_MONITORS`] were open.
+    pub rejected: u32,
+    /// Number of connections closed because the monitor did not read its messages.
+    pub too_slow: u32,
+}
+
+/// Message of a connection to the loop.
+pub(super) struct Inbound {
+    pub(super) from: Arc<Connection>,
+    /// Number of the cycle that was next when the message arrived.
+    pub(super) arrived: u64,
+    pub(super) command: Command,
+}
+
+pub(super) enum Command {
+    Open,
+    Attach,
+    Watch(Watch),
+    WatchInfo(WatchInfo),
+    ReadParams,
+    Lease(LeaseAction),
+    Request(Box<Request>),
+}
+
+#[derive(Debug)]
+pub(super) struct Hub {
+    pub(super) graph: &'static Graph,
+    tree_hash: u64,
+    options: ServerOptions,
+    inbox: SyncSender<Inbound>,
+    connections: Mutex<Vec<Weak<Connection>>>,
+    pub(super) open: AtomicUsize,
+    last_id: AtomicU64,
+    /// Number of the next cycle.
+    pub(super) next_cycle: AtomicU64,
+    /// Instant of the last cycle, µs.
+    pub(super) time_us: AtomicU64,
+    pub(super) stopped: AtomicBool,
+    pub(super) damaged: AtomicU32,
+    pub(super) unknown: AtomicU32,
+    pub(super) rejected: AtomicU32,
+    pub(super) too_slow: AtomicU32,
+}
+
+impl Hub {
+    pub(super) fn new(graph: &'static Graph, tree_hash: u64, options: &ServerOptions) -> (Self, Receiver<Inbound>) {
+        let (inbox, receiver) = sync_channel((MAX_PENDING + UNCOUNTED) * MAX_MONITORS);
+        let hub = Self {
+            graph,
+            tree_hash,
+            options: *options,
+            inbox,
+            connections: Mutex::default(),
+            open: AtomicUsize::new(0),
+            last_id: AtomicU64::new(0),
+            next_cycle: AtomicU64::new(0),
+            time_us: AtomicU64::new(0),
+            stopped: AtomicBool::new(false),
+            damaged: AtomicU32::new(0),
+            unknown: AtomicU32::new(0),
+            rejected: AtomicU32::new(0),
+            too_slow: AtomicU32::new(0),
+        };
+        (hub, receiver)
+    }
+
+    pub(super) fn attached(&self) -> Attached<'static> {
+        Attached {
+            schema: SCHEMA,
+            tree_hash: self.tree_hash,
+            name: self.graph.name,
+            realtime: self.options.realtime,
+            silence_ms: self.options.silence.as_millis() as u32,
+        }
+    }
+
+    /// Returns a number that no other connection of this server has.
+    pub(super) fn next_id(&self) -> u64 {
+        self.last_id.fetch_add(1, Ordering::Relaxed) + 1
+    }
+
+    /// Lists a connection for [`log`](Self::log) and [`end`](Self::end).
+    pub(super) fn list(&self, connection: &Arc<Connection>) {
+        let mut connections = self.connections.lock().unwrap_or_else(PoisonError::into_inner);
+        connections.retain(|connection| connection.strong_count() > 0);
+        connections.push(Arc::downgrade(connection));
+    }
+
+    /// Hands a message to the loop. Returns whether a loop will receive it.
+    pub(super) fn deliver(&self, from: &Arc<Connection>, command: Command) -> bool {
+        let arrived = self.next_cycle.load(Ordering::Relaxed);
+        // The queue has a place for every message that a connection may have waiting.
+        match self.inbox.try_send(Inbound { from: Arc::clone(from), arrived, command }) {
+            Ok(()) | Err(TrySendError::Full(_)) => true,
+            Err(TrySendError::Disconnected(_)) => false,
+        }
+    }
+
+    pub(super) fn log(&self, level: u8, text: &str) {
+        let time_us = self.time_us.load(Ordering::Relaxed);
+        let text: Arc<str> = text.into();
+        self.each(|connection| connection.push(self, Message::Log { time_us, level, text: Arc::clone(&text) }));
+    }
+
+    /// Tells every monitor that the server ends, and waits until they have received it.
+    pub(super) fn end(&self, reason: &'static str, longest: Duration) {
+        self.each(|connection| connection.push(self, Message::Closing(reason)));
+        let began = Instant::now();
+        while self.open.load(Ordering::Relaxed) > 0 && began.elapsed() < longest {
+            thread::sleep(Duration::from_millis(2));
+        }
+        self.each(Connection::close);
+    }
+
+    fn each(&self, action: impl Fn(&Connection)) {
+        let connections = self.connections.lock().unwrap_or_else(PoisonError::into_inner).clone();
+        connections.iter().filter_map(Weak::upgrade).for_each(|connection| action(&connection));
+    }
+
+    pub(super) fn stats(&self) -> LinkStats {
+        let count = |counter: &AtomicU32| counter.load(Ordering::Relaxed);
+        LinkStats {
+            monitors: self.open.load(Ordering::Relaxed),
+            damaged: count(&self.damaged),
+            unknown: count(&self.unknown),
+            rejected: count(&self.rejected),
+            too_slow: count(&self.too_slow),
+        }
+    }
+}

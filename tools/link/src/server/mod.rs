@@ -1,0 +1,113 @@
+//! The robot's end of the link.
+
+mod connection;
+mod control;
+mod hub;
+mod lease;
+mod listener;
+mod observer;
+mod outbox;
+mod requests;
+mod snapshot;
+mod watcher;
+
+use std::sync::atomic::Ordering;
+use std::sync::{Arc, Mutex};
+use std::thread::JoinHandle;
+use std::time::Duration;
+
+use bica::runner::Robot;
+
+use crate::address::Address;
+use crate::error::Error;
+use control::Control;
+use hub::Hub;
+
+pub use hub::LinkStats;
+pub use observer::LinkObserver;
+pub use requests::LinkRequests;
+
+/// Largest number of monitors at the same time.
+pub const MAX_MONITORS: usize = 32;
+
+/// Longest wait for the last messages when a server ends.
+const LAST_MESSAGES: Duration = Duration::from_millis(500);
+
+/// How a server works.
+#[derive(Clone, Copy, Debug)]
+pub struct ServerOptions {
+    /// Whether it may listen on an address that other computers reach. There is no password: whoever reaches the server
+    /// controls the robot.
+    pub anywhere: bool,
+    /// Whether the robot's time advances with the clock. Then the silence of an operator is measured in the robot's time,
+    /// else by the clock of this computer.
+    pub realtime: bool,
+    /// Silence of the operator after which the lease ends.
+    pub silence: Duration,
+    /// Whether all monitors may only watch: nobody gets the lease.
+    pub watch_only: bool,
+}
+
+impl Default for ServerOptions {
+    fn default() -> Self {
+        Self { anywhere: false, realtime: true, silence: Duration::from_secs(3), watch_only: false }
+    }
+}
+
+/// Server that accepts monitors of a running robot. Dropping it closes all connections.
+#[derive(Debug)]
+pub struct LinkServer {
+    hub: Arc<Hub>,
+    address: String,
+    listener: Option<JoinHandle<()>>,
+}
+
+impl LinkServer {
+    /// Starts a server for a robot. Returns it and its two halves in the loop, for
+    /// [`Runner::with_requests`](bica::runner::Runner::with_requests) and
+    /// [`Runner::with_observer`](bica::runner::Runner::with_observer).
+    ///
+    /// # Errors
+    /// [`Error::NotLoopback`], or [`Error::Connect`] if it cannot listen there.
+    pub fn start<R: Robot>(
+        address: &Address,
+        options: ServerOptions,
+    ) -> Result<(Self, LinkRequests, LinkObserver<R>), Error> {
+        let (hub, inbox) = Hub::new(const { &R::GRAPH }, R::HASH, &options);
+        let hub = Arc::new(hub);
+        let (address, listener) = listener::start(&hub, address, options.anywhere)?;
+        let control = Arc::new(Mutex::new(Control::new(Arc::clone(&hub), options)));
+        let requests = LinkRequests::new(inbox, Arc::clone(&control));
+        let observer = LinkObserver::new(control);
+        Ok((Self { hub, address, listener: Some(listener) }, requests, observer))
+    }
+
+    /// Returns the address, with the port that the operating system chose for port 0.
+    #[must_use]
+    pub fn address(&self) -> &str {
+        &self.address
+    }
+
+    /// Sends a line of the log to every monitor, with the time of the last cycle. `level` is 1 debug, 2 information,
+    /// 3 warning, 4 error.
+    pub fn log(&self, level: u8, text: &str) {
+        self.hub.log(level, text);
+    }
+
+    /// Returns the counts since the start.
+    #[must_use]
+    pub fn stats(&self) -> LinkStats {
+        self.hub.stats()
+    }
+}
+
+impl Drop for LinkServer {
+    fn drop(&mut self) {
+        self.hub.end("the run has ended", LAST_MESSAGES);
+        self.hub.stopped.store(true, Ordering::Relaxed);
+        if let Some(listener) = self.listener.take() {
+            // A panic of the listener has printed its message.
+            let _ = listener.join();
+        }
+    }
+}

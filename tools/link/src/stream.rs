@@ -1,0 +1,160 @@
+//! Byte streams: TCP connections and serial lines.
+
+use std::fs::File;
+use std::io::{self, ErrorKind, Read, Write};
+use std::net::{Shutdown, TcpStream};
+use std::path::Path;
+use std::time::Duration;
+
+use crate::address::{Address, resolve};
+use crate::error::Error;
+
+/// A byte stream in both directions.
+#[derive(Debug)]
+pub(crate) enum Stream {
+    Tcp(TcpStream),
+    Serial(File),
+}
+
+/// Result of reading.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Reading {
+    /// That many bytes, at least one.
+    Bytes(usize),
+    /// Nothing within the timeout.
+    Nothing,
+    /// The end of the stream.
+    End,
+}
+
+impl Stream {
+    /// Connects to a server.
+    pub(crate) fn connect(address: &Address, timeout: Duration) -> Result<Self, Error> {
+        let failed = |error| Error::connect(address, error);
+        match address {
+            Address::Serial { path, baud } => Self::open(path, *baud).map_err(failed),
+            Address::Tcp(host) => {
+                let mut last = io::Error::new(ErrorKind::NotFound, "the host has no address");
+                for socket in resolve(host)? {
+                    match TcpStream::connect_timeout(&socket, timeout) {
+                        Ok(stream) => return Self::tcp(stream).map_err(failed),
+                        Err(error) => last = error,
+                    }
+                }
+                Err(failed(last))
+            }
+        }
+    }
+
+    /// Wraps a TCP connection.
+    pub(crate) fn tcp(stream: TcpStream) -> io::Result<Self> {
+        // Small packets must not wait for more.
+        stream.set_nodelay(true)?;
+        stream.set_nonblocking(false)?;
+        Ok(Self::Tcp(stream))
+    }
+
+    /// Opens a serial line.
+    #[cfg(unix)]
+    pub(crate) fn open(path: &Path, baud: u32) -> io::Result<Self> {
+        use nix::fcntl::OFlag;
+        use nix::sys::termios::{self, SetArg, SpecialCharacterIndices};
+        use std::os::unix::fs::OpenOptionsExt;
+
+        let flags = OFlag::O_NOCTTY.bits();
+        let file = File::options().read(true).write(true).custom_flags(flags).open(path)?;
+        let mut settings = termios::tcgetattr(&file)?;
+        termios::cfmakeraw(&mut settings);
+        // A read returns after 0.1 s without a byte.
+        settings.control_chars[SpecialCharacterIndices::VMIN as usize] = 0;
+        settings.control_chars[SpecialCharacterIndices::VTIME as usize] = 1;
+        termios::cfsetspeed(&mut settings, baud_rate(baud)?)?;
+        termios::tcsetattr(&file, SetArg::TCSANOW, &settings)?;
+        Ok(Self::Serial(file))
+    }
+
+    /// Serial lines need the terminal settings of Unix.
+    #[cfg(not(unix))]
+    pub(crate) fn open(_path: &Path, _baud: u32) -> io::Result<Self> {
+        Err(io::Error::new(ErrorKind::Unsupported, "serial lines are supported on Unix only"))
+    }
+
+    /// Returns a second handle of the same stream.
+    pub(crate) fn try_clone(&self) -> io::Result<Self> {
+        match self {
+            Self::Tcp(stream) => stream.try_clone().map(Self::Tcp),
+            Self::Serial(file) => file.try_clone().map(Self::Serial),
+        }
+    }
+
+    /// Sets the longest time of a read; a serial line always has 0.1 s.
+    pub(crate) fn set_read_timeout(&self, timeout: Duration) -> io::Result<()> {
+        match self {
+            Self::Tcp(stream) => stream.set_read_timeout(Some(timeout.max(Duration::from_millis(1)))),
+            Self::Serial(_) => Ok(()),
+        }
+    }
+
+    /// Sets the longest time of a write.
+    pub(crate) fn set_write_timeout(&self, timeout: Duration) -> io::Result<()> {
+        match self {
+            Self::Tcp(stream) => stream.set_write_timeout(Some(timeout)),
+            Self::Serial(_) => Ok(()),
+        }
+    }
+
+    /// Reads once.
+    pub(crate) fn read(&mut self, buffer: &mut [u8]) -> io::Result<Reading> {
+        let read = match self {
+            Self::Tcp(stream) => stream.read(buffer),
+            Self::Serial(file) => file.read(buffer),
+        };
+        match read {
+            Ok(0) if matches!(self, Self::Serial(_)) => Ok(Reading::Nothing),
+            Ok(0) => Ok(Reading::End),
+            Ok(count) => Ok(Reading::Bytes(count)),
+            Err(error) => match error.kind() {
+                ErrorKind::WouldBlock | ErrorKind::TimedOut | ErrorKind::Interrupted => Ok(Reading::Nothing),
+                _ => Err(error),
+            },
+        }
+    }
+
+    /// Writes all bytes.
+    pub(crate) fn write_all(&mut self, bytes: &[u8]) -> io::Result<()> {
+        match self {
+            Self::Tcp(stream) => stream.write_all(bytes),
+            Self::Serial(file) => file.write_all(bytes),
+        }
+    }
+
+    /// Ends reads and writes of all handles, if the stream can do so.
+    pub(crate) fn shut_down(&self) {
+        if let Self::Tcp(stream) = self {
+            // It fails only if the other end has already closed the connection.
+            let _ = stream.shutdown(Shutdown::Both);
+        }
+    }
+}
+
+#[cfg(unix)]
+fn baud_rate(baud: u32) -> io::Result<nix::sys::termios::BaudRate> {
+    use nix::sys::termios::BaudRate;
+    Ok(match baud {
+        9600 => BaudRate::B9600,
+        19_200 => BaudRate::B19200,
+        38_400 => BaudRate::B38400,
+        57_600 => BaudRate::B57600,
+        115_200 => BaudRate::B115200,
+        230_400 => BaudRate::B230400,
+        #[cfg(target_os = "linux")]
+        460_800 => BaudRate::B460800,
+        #[cfg(target_os = "linux")]
+        921_600 => BaudRate::B921600,
+        #[cfg(target_os = "linux")]
+        2_000_000 => BaudRate::B2000000,
+        #[cfg(target_os = "linux")]
+        4_000_000 => BaudRate::B4000000,
+        _ => return Err(io::Error::new(ErrorKind::InvalidInput, "no standard baud rate, such as 115200 or 921600")),
+    })
+}

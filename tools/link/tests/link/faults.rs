@@ -1,0 +1,176 @@
+//! Monitors that misbehave, and lines that break.
+
+use std::io::{Read, Write};
+use std::net::{Shutdown, TcpListener, TcpStream};
+use std::sync::{Arc, Mutex};
+use std::thread;
+use std::time::Duration;
+
+use bica_field::GoalColour;
+use bica_link::{Client, ClientOptions, Error};
+use bica_wire::message::{Change, ClockMode, Hello, Hold, Setting, Value, Watch, WatchInfo};
+use bica_wire::{Encoder, FromMonitor, MAX_PACKET, SCHEMA, ToRobot};
+
+use crate::robot::CART;
+use crate::session::{Session, snapshot};
+
+/// A connection without a client.
+fn raw(session: &Session) -> TcpStream {
+    TcpStream::connect(session.server.address()).expect("the server listens")
+}
+
+fn packet(encoder: &mut Encoder, message: &ToRobot<'_>) -> Vec<u8> {
+    encoder.encode(message, &mut [0; MAX_PACKET]).expect("the packet fits").to_vec()
+}
+
+fn monitor_packet(encoder: &mut Encoder, message: &FromMonitor) -> Vec<u8> {
+    packet(encoder, &ToRobot::Monitor(&postcard::to_stdvec(message).expect("serializable")))
+}
+
+/// Checks that a monitor is still served.
+fn assert_served(session: &Session) {
+    let mut client = session.client();
+    client.watch(1).unwrap();
+    let first = snapshot(&mut client, "a snapshot", |_| true).info.cycle;
+    snapshot(&mut client, "a later snapshot", |snapshot| snapshot.info.cycle > first + 20);
+}
+
+#[test]
+fn a_monitor_that_never_reads_is_disconnected_and_disturbs_nobody() {
+    let session = Session::start();
+    let mut deaf = raw(&session);
+    let mut encoder = Encoder::new();
+    for message in [
+        FromMonitor::Attach,
+        FromMonitor::Watch(Watch { every: 1 }),
+        FromMonitor::WatchInfo(WatchInfo { component: 1, info: 0, every: 1 }),
+    ] {
+        deaf.write_all(&monitor_packet(&mut encoder, &message)).unwrap();
+    }
+    session.run(200);
+    assert_served(&session);
+    // Its lossless queue overflows: descriptions fill the buffers of the operating system first.
+    let ask = packet(&mut encoder, &ToRobot::Describe).repeat(100);
+    while session.server.stats().too_slow == 0 && deaf.write_all(&ask).is_ok() {}
+    session.until_stats("the monitor is disconnected", |stats| stats.too_slow == 1 && stats.monitors <= 1);
+    assert_served(&session);
+}
+
+#[test]
+fn a_storm_of_requests_is_limited_in_each_cycle() {
+    const STORM: usize = 5000;
+    let session = Session::start();
+    let mut operator = session.client();
+    operator.acquire(false).unwrap();
+    let mut watcher = session.client();
+    watcher.watch(1).unwrap();
+    let lease = operator.lease().lease;
+    for count in 0..STORM {
+        let value = Value::F32((count % 100) as f32 * 0.01);
+        let settings = [Setting { component: CART, index: 0, value }].into_iter().collect();
+        operator.send_request_with(Change::Params(settings), lease, u64::MAX).unwrap();
+        if count % 50 == 49 {
+            while operator.poll(Duration::from_millis(1)).unwrap().is_some() {}
+        }
+    }
+    let last = operator.send_request_with(Change::Hold { component: CART, hold: Hold::Tree }, lease, u64::MAX).unwrap();
+    operator.answer(last).unwrap();
+    assert_eq!(session.requests(), STORM + 1);
+    assert!(session.most_requests() <= 64, "{}", session.most_requests());
+    let now = session.cycles();
+    snapshot(&mut watcher, "a current snapshot", |snapshot| snapshot.info.cycle >= now);
+}
+
+#[test]
+fn garbage_and_messages_of_the_game_are_counted_and_skipped() {
+    let session = Session::start();
+    let mut link = raw(&session);
+    let mut state = 1_u64;
+    let noise: Vec<u8> = (0..1 << 18)
+        .map(|_| {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (state >> 56) as u8
+        })
+        .collect();
+    link.write_all(&noise).unwrap();
+    // A packet without an end, longer than any.
+    link.write_all(&vec![7; 1 << 16]).unwrap();
+    link.write_all(&[0]).unwrap();
+    let hello = Hello { schema: SCHEMA, clock_mode: ClockMode::Lockstep, attacks: GoalColour::Yellow };
+    link.write_all(&packet(&mut Encoder::new(), &ToRobot::Hello(hello))).unwrap();
+    session.until_stats("garbage is counted", |stats| stats.damaged > 500 && stats.unknown == 1);
+    // The same connection still works.
+    link.write_all(&monitor_packet(&mut Encoder::new(), &FromMonitor::Attach)).unwrap();
+    link.set_read_timeout(Some(Duration::from_mins(1))).unwrap();
+    link.read_exact(&mut [0; 16]).unwrap();
+    assert_served(&session);
+    assert_eq!(session.requests(), 0);
+}
+
+#[test]
+fn other_addresses_than_loopback_need_permission() {
+    let session = bica_link::LinkServer::start::<crate::robot::CartTree>(
+        &"0.0.0.0:0".parse().unwrap(),
+        bica_link::ServerOptions::default(),
+    );
+    assert!(matches!(session, Err(Error::NotLoopback(_))));
+    let options = bica_link::ServerOptions { anywhere: true, ..bica_link::ServerOptions::default() };
+    bica_link::LinkServer::start::<crate::robot::CartTree>(&"0.0.0.0:0".parse().unwrap(), options).unwrap();
+}
+
+/// Forwards connections to a server until it cuts them.
+struct Proxy {
+    address: String,
+    open: Arc<Mutex<Vec<TcpStream>>>,
+}
+
+impl Proxy {
+    fn start(to: String) -> Self {
+        let listener = TcpListener::bind("127.0.0.1:0").unwrap();
+        let address = listener.local_addr().unwrap().to_string();
+        let open = Arc::<Mutex<Vec<TcpStream>>>::default();
+        let opened = Arc::clone(&open);
+        thread::spawn(move || {
+            for client in listener.incoming() {
+                let (Ok(client), Ok(server)) = (client, TcpStream::connect(&to)) else { return };
+                for (from, to) in [(&client, &server), (&server, &client)] {
+                    let (mut from, mut to) = (from.try_clone().unwrap(), to.try_clone().unwrap());
+                    thread::spawn(move || std::io::copy(&mut from, &mut to));
+                }
+                opened.lock().unwrap().extend([client, server]);
+            }
+        });
+        Self { address, open }
+    }
+
+    fn cut(&self) {
+        for stream in self.open.lock().unwrap().drain(..) {
+            let _ = stream.shutdown(Shutdown::Both);
+        }
+    }
+}
+
+#[test]
+fn a_client_connects_again_and_continues_watching_and_its_lease() {
+    let session = Session::start();
+    let proxy = Proxy::start(session.server.address().to_owned());
+    let options = ClientOptions { timeout: Duration::from_mins(1), ..ClientOptions::default() };
+    let mut client = Client::connect(&proxy.address.parse().unwrap(), options).unwrap();
+    client.watch(1).unwrap();
+    client.acquire(false).unwrap();
+    client.request(Change::Hold { component: CART, hold: Hold::Latent }).unwrap();
+    let lease = client.lease().lease;
+    proxy.cut();
+    let error = loop {
+        if let Err(error) = client.poll(Duration::from_secs(10)) {
+            break error;
+        }
+    };
+    assert!(matches!(error, Error::Disconnected(_)), "{error}");
+    client.reconnect(Duration::from_mins(1)).unwrap();
+    assert_eq!((client.lease().yours, client.lease().lease), (true, lease));
+    let now = session.cycles();
+    let after = snapshot(&mut client, "a new snapshot", |snapshot| snapshot.info.cycle >= now);
+    assert_eq!(after.states[0].held, Hold::Latent);
+    client.request(Change::Hold { component: CART, hold: Hold::Tree }).unwrap();
+}

@@ -1,0 +1,171 @@
+//! Monitors that watch.
+
+use std::time::Duration;
+
+use bica::Tree;
+use bica::runner::Runner;
+use bica_link::{Error, Event, Kind, MAX_MONITORS};
+use bica_wire::message::{Change, Hold, Setting, Value};
+use serde_json::json;
+
+use crate::robot::{CART, CartTree, DRIVE};
+use crate::session::{CYCLE_US, Session, Wall, event, snapshot};
+
+#[test]
+fn the_description_has_everything_that_the_graph_has() {
+    let session = Session::start();
+    let client = session.client();
+    let description = client.description();
+    assert_eq!((description.name.as_str(), description.doc.as_str()), ("CartTree", "A cart."));
+    assert_eq!(description.hash, format!("{:016x}", CartTree::HASH));
+    assert!(description.tunable);
+    let names: Vec<_> = description.components.iter().map(|component| component.name.as_str()).collect();
+    assert_eq!(names, ["Cart", "Range", "Drive"]);
+    let cart = &description.components[0];
+    assert_eq!((cart.doc.as_str(), cart.root, cart.links.len()), ("Keeps the distance.", true, 3));
+    let states: Vec<_> = cart.states.iter().map(|state| (&*state.name, &*state.doc, state.initial)).collect();
+    assert_eq!(states, [("approach", "Approaches.", true), ("wait", "Waits.", false)]);
+    let near = &cart.transitions[0];
+    assert_eq!((&*near.name, near.from, near.to, near.after_ms), ("is_near", 0, 1, Some(100)));
+    let gain = &cart.params[0];
+    assert_eq!((&*gain.group, &*gain.name, gain.unit.as_deref()), ("Keeping", "gain", Some("1/s")));
+    assert_eq!(gain.kind, Kind::F32 { min: 0.0, max: 2.0, step: Some(0.05) });
+    assert_eq!((&gain.default, &gain.value), (&json!(0.5), &Some(json!(0.5))));
+    let side = &cart.params[3];
+    assert_eq!((&side.default, &side.value), (&json!("Left"), &Some(json!("Left"))));
+    let range = &description.components[1].info[0];
+    assert_eq!((&*range.name, range.unit.as_deref()), ("distance", Some("m")));
+    let drive = &description.components[2];
+    assert_eq!((drive.hz, &*drive.modulations[0].name), (Some(50.0), "drive"));
+    assert_eq!(drive.modulations[0].arguments[0].unit.as_deref(), Some("m/s"));
+}
+
+#[test]
+fn attaching_and_watching_change_no_command() {
+    const MONITORS: usize = 20;
+    let session = Session::start();
+    session.run(50);
+    let mut clients: Vec<_> = (0..MONITORS).map(|_| session.client()).collect();
+    for client in &mut clients {
+        client.watch(1).unwrap();
+        client.watch_info(1, 0, 1).unwrap();
+    }
+    for (index, client) in clients.iter_mut().enumerate() {
+        snapshot(client, &format!("monitor {index}"), |snapshot| snapshot.states.len() == 3);
+        event(client, "information", |event| matches!(event, Event::Info { .. }).then_some(()));
+    }
+    session.run(500);
+    drop(clients);
+    session.run(50);
+    let commands = session.finish();
+    let mut alone = Runner::new(Box::new(CartTree::new()), Wall::new());
+    let expected: Vec<_> = commands.iter().map(|_| alone.cycle().unwrap().to_bits()).collect();
+    assert!(expected.windows(2).any(|pair| pair[0] != pair[1]));
+    assert_eq!(commands, expected);
+}
+
+#[test]
+fn a_snapshot_has_the_cycle_its_instant_and_all_states() {
+    let session = Session::start();
+    let mut client = session.client();
+    client.watch(1).unwrap();
+    let first = snapshot(&mut client, "a snapshot", |_| true);
+    let later = snapshot(&mut client, "a later snapshot", |later| later.info.cycle > first.info.cycle + 100);
+    for snapshot in [first, later] {
+        assert_eq!(snapshot.info.time_us, snapshot.info.cycle * CYCLE_US);
+        assert_eq!(snapshot.info.sensed, snapshot.info.cycle + 1);
+        let [cart, range, drive] = &snapshot.states[..] else { panic!("{snapshot:?}") };
+        assert_eq!((cart.held, cart.hz, range.state), (Hold::Tree, None, None));
+        assert!(cart.active && cart.state.is_some_and(|state| state < 2));
+        assert_eq!(drive.hz, Some(50.0));
+    }
+}
+
+#[test]
+fn information_is_decoded_and_comes_in_every_nth_cycle() {
+    let session = Session::start();
+    let mut client = session.client();
+    client.watch_info(1, 0, 7).unwrap();
+    for _ in 0..10 {
+        let (cycle, value) = event(&mut client, "information", |event| match event {
+            Event::Info { cycle, component: 1, info: 0, value } => Some((cycle, value)),
+            _ => None,
+        });
+        let value = value.expect("a value");
+        let distance = value[0].as_f64().expect("a number");
+        assert!((distance * distance - value[1].as_f64().expect("a number")).abs() < 1e-4, "{value}");
+        assert!(cycle.is_multiple_of(7), "{cycle}");
+    }
+    client.watch_info(1, 0, 0).unwrap();
+    session.run(50);
+    while client.poll(Duration::from_millis(50)).unwrap().is_some() {}
+    session.run(50);
+    assert_eq!(client.poll(Duration::from_millis(50)).unwrap(), None);
+}
+
+#[test]
+fn every_monitor_receives_changed_parameters_and_log_lines() {
+    let session = Session::start();
+    let (mut operator, mut watcher) = (session.client(), session.client());
+    operator.acquire(false).unwrap();
+    let setting = Setting { component: CART, index: 0, value: Value::F32(0.75) };
+    operator.request(Change::Params([setting].into_iter().collect())).unwrap();
+    session.server.log(2, "the referee whistles");
+    let (mut changed, mut asked, mut whistled) = (false, false, false);
+    while !(changed && asked && whistled) {
+        event(&mut watcher, "values and lines of the log", |event| {
+            match event {
+                Event::Params { component: 0 } => changed = true,
+                Event::Log { text, level: 2, .. } if text == "operator: set Cart.gain=0.75" => asked = true,
+                Event::Log { text, level: 2, .. } if text == "the referee whistles" => whistled = true,
+                _ => return None,
+            }
+            Some(())
+        });
+    }
+    assert_eq!(watcher.description().components[0].params[0].value, Some(json!(0.75)));
+}
+
+#[test]
+fn one_monitor_too_many_is_told_so() {
+    let session = Session::start();
+    let clients: Vec<_> = (0..MAX_MONITORS).map(|_| session.client()).collect();
+    let address = session.server.address().parse().unwrap();
+    let error = bica_link::Client::connect(&address, bica_link::ClientOptions::default()).err().unwrap();
+    assert!(matches!(&error, Error::Disconnected(_)), "{error}");
+    assert_eq!(session.server.stats().rejected, 1);
+    drop(clients);
+    session.until_stats("connections end", |stats| stats.monitors == 0);
+    session.client();
+}
+
+#[test]
+fn the_end_of_the_run_is_told_to_monitors() {
+    let session = Session::start();
+    let mut client = session.client();
+    drop(session);
+    let error = loop {
+        match client.poll(Duration::from_secs(10)) {
+            Ok(_) => {}
+            Err(error) => break error,
+        }
+    };
+    assert!(matches!(&error, Error::Disconnected(reason) if reason == "the run has ended"), "{error}");
+}
+
+#[test]
+fn a_modulation_is_called_before_the_next_cycle() {
+    let session = Session::start();
+    let mut operator = session.client();
+    operator.acquire(false).unwrap();
+    operator.request(Change::Hold { component: CART, hold: Hold::Latent }).unwrap();
+    operator.request(Change::Hold { component: DRIVE, hold: Hold::Active }).unwrap();
+    let arguments = [Value::F32(-0.25)].into_iter().collect();
+    let answer = operator.request(Change::Modulate { component: DRIVE, modulation: 0, arguments }).unwrap();
+    session.run(20);
+    drop(operator);
+    let commands = session.finish();
+    let cycle = usize::try_from(answer.cycle).unwrap();
+    assert!(commands[cycle..cycle + 20].iter().all(|&command| command == (-0.25_f32).to_bits()));
+    assert_ne!(commands[cycle - 1], (-0.25_f32).to_bits());
+}

@@ -1,0 +1,205 @@
+//! A loop with a server, in a thread of its own.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
+use std::thread::{self, JoinHandle};
+use std::time::{Duration, Instant};
+
+use bica::Probe;
+use bica::runner::{Cycle, Observer, Request, Runner, World};
+use bica_link::{Client, ClientOptions, Event, LinkServer, LinkStats, ServerOptions, Snapshot};
+
+use crate::robot::CartTree;
+
+/// Longest wait of a test that fails.
+const LIMIT: Duration = Duration::from_mins(1);
+
+/// Robot's time of a cycle.
+pub(crate) const CYCLE_US: u64 = 10_000;
+
+/// Wall whose distance is a function of the cycle and of the commands.
+pub(crate) struct Wall {
+    pub(crate) cycle: u64,
+    distance: f32,
+}
+
+impl Wall {
+    pub(crate) const fn new() -> Self {
+        Self { cycle: 0, distance: 2.0 }
+    }
+}
+
+impl World<CartTree> for Wall {
+    fn now(&self) -> bica::Instant {
+        bica::Instant::from_micros(self.cycle * CYCLE_US)
+    }
+
+    fn sensors(&mut self) -> f32 {
+        self.distance
+    }
+
+    fn act(&mut self, command: &f32) {
+        self.distance -= 0.01 * command;
+        // The wall moves, so that commands never become constant.
+        if self.cycle.is_multiple_of(300) {
+            self.distance += 1.0;
+        }
+        self.cycle += 1;
+    }
+}
+
+/// What all threads of a session share.
+#[derive(Default)]
+pub(crate) struct Shared {
+    stop: AtomicBool,
+    paused: AtomicBool,
+    is_paused: AtomicBool,
+    cycles: AtomicU64,
+    /// Requests applied since the start, and the largest number before one cycle.
+    requests: AtomicUsize,
+    most_requests: AtomicUsize,
+}
+
+struct Counter {
+    shared: Arc<Shared>,
+    this_cycle: usize,
+}
+
+impl Probe for Counter {}
+
+impl Observer<CartTree> for Counter {
+    fn requested(&mut self, _now: bica::Instant, _request: &Request<'_>) {
+        self.this_cycle += 1;
+        self.shared.requests.fetch_add(1, Ordering::SeqCst);
+    }
+
+    fn acted(&mut self, _cycle: &Cycle<'_, CartTree>) {
+        self.shared.most_requests.fetch_max(self.this_cycle, Ordering::SeqCst);
+        self.this_cycle = 0;
+    }
+}
+
+/// A loop with a server.
+pub(crate) struct Session {
+    shared: Arc<Shared>,
+    pub(crate) server: LinkServer,
+    thread: Option<JoinHandle<Vec<u32>>>,
+}
+
+impl Session {
+    /// Starts a loop whose operator may be silent for long.
+    pub(crate) fn start() -> Self {
+        Self::start_with(&"127.0.0.1:0".parse().unwrap(), Duration::from_secs(1_000_000))
+    }
+
+    pub(crate) fn start_with(address: &bica_link::Address, silence: Duration) -> Self {
+        let options = ServerOptions { silence, ..ServerOptions::default() };
+        let (server, requests, observer) = LinkServer::start::<CartTree>(address, options).expect("the server starts");
+        let shared = Arc::<Shared>::default();
+        let counter = Counter { shared: Arc::clone(&shared), this_cycle: 0 };
+        let runner = Runner::new(Box::new(CartTree::new()), Wall::new());
+        let mut runner = runner.with_requests(requests).with_observer((counter, observer));
+        let in_loop = Arc::clone(&shared);
+        let thread = thread::spawn(move || {
+            let mut commands = Vec::new();
+            while !in_loop.stop.load(Ordering::SeqCst) {
+                if in_loop.paused.load(Ordering::SeqCst) {
+                    in_loop.is_paused.store(true, Ordering::SeqCst);
+                    thread::sleep(Duration::from_millis(1));
+                    continue;
+                }
+                in_loop.is_paused.store(false, Ordering::SeqCst);
+                commands.push(runner.cycle().expect("no sensor value is rejected").to_bits());
+                in_loop.cycles.fetch_add(1, Ordering::SeqCst);
+                thread::sleep(Duration::from_micros(500));
+            }
+            commands
+        });
+        Self { shared, server, thread: Some(thread) }
+    }
+
+    pub(crate) fn client(&self) -> Client {
+        let address = self.server.address().parse().unwrap();
+        // The robot's time here is faster than the clock, from which a client computes an expiry.
+        let options = ClientOptions { timeout: LIMIT, expiry: Duration::from_secs(1_000_000) };
+        Client::connect(&address, options).expect("a robot answers")
+    }
+
+    /// Number of cycles so far.
+    pub(crate) fn cycles(&self) -> u64 {
+        self.shared.cycles.load(Ordering::SeqCst)
+    }
+
+    /// Waits for some more cycles.
+    pub(crate) fn run(&self, cycles: u64) {
+        let end = self.cycles() + cycles;
+        self.until("the loop keeps going", || self.cycles() >= end);
+    }
+
+    pub(crate) fn requests(&self) -> usize {
+        self.shared.requests.load(Ordering::SeqCst)
+    }
+
+    pub(crate) fn most_requests(&self) -> usize {
+        self.shared.most_requests.load(Ordering::SeqCst)
+    }
+
+    /// Stops the loop between two cycles, or continues it.
+    pub(crate) fn pause(&self, paused: bool) {
+        self.shared.paused.store(paused, Ordering::SeqCst);
+        self.until("the loop pauses or continues", || self.shared.is_paused.load(Ordering::SeqCst) == paused);
+    }
+
+    /// Waits until the counts of the server meet a condition.
+    pub(crate) fn until_stats(&self, expected: &str, condition: impl Fn(&LinkStats) -> bool) {
+        self.until(expected, || condition(&self.server.stats()));
+    }
+
+    #[track_caller]
+    fn until(&self, expected: &str, condition: impl Fn() -> bool) {
+        let began = Instant::now();
+        while !condition() {
+            assert!(
+                began.elapsed() < LIMIT,
+                "{expected}: not yet at cycle {}, {:?}",
+                self.cycles(),
+                self.server.stats()
+            );
+            thread::sleep(Duration::from_millis(1));
+        }
+    }
+
+    /// Ends the loop and returns the bits of all commands.
+    pub(crate) fn finish(mut self) -> Vec<u32> {
+        self.shared.stop.store(true, Ordering::SeqCst);
+        self.thread.take().expect("it runs").join().expect("the loop does not panic")
+    }
+}
+
+impl Drop for Session {
+    fn drop(&mut self) {
+        self.shared.stop.store(true, Ordering::SeqCst);
+    }
+}
+
+/// Waits for an event.
+#[track_caller]
+pub(crate) fn event<T>(client: &mut Client, expected: &str, mut select: impl FnMut(Event) -> Option<T>) -> T {
+    let began = Instant::now();
+    while began.elapsed() < LIMIT {
+        let received = client.poll(Duration::from_millis(100)).expect("the link is not cut");
+        if let Some(found) = received.and_then(&mut select) {
+            return found;
+        }
+    }
+    panic!("{expected}: no such event");
+}
+
+/// Waits for a snapshot that meets a condition.
+#[track_caller]
+pub(crate) fn snapshot(client: &mut Client, expected: &str, condition: impl Fn(&Snapshot) -> bool) -> Snapshot {
+    event(client, expected, |event| match event {
+        Event::Snapshot(snapshot) if condition(&snapshot) => Some(snapshot),
+        _ => None,
+    })
+}

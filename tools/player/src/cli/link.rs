@@ -1,0 +1,113 @@
+//! Arguments of `player link`.
+
+use bica_link::Address;
+use clap::{Args, Subcommand, ValueEnum};
+
+use super::seconds;
+
+/// How a game is served to monitors.
+#[derive(Clone, Debug, Args)]
+pub(crate) struct ServeArgs {
+    /// Serve the game to monitors in real time, for `player link`: HOST:PORT (port 0: any), or a serial line as
+    /// /dev/ttyUSB0@921600
+    #[arg(long, value_name = "ADDR", conflicts_with = "games", value_parser = address)]
+    pub(crate) serve: Option<Address>,
+    /// Allow an address of --serve that other computers reach; there is no password, whoever reaches it controls the robot
+    #[arg(long, requires = "serve")]
+    pub(crate) listen_anywhere: bool,
+    /// With --serve, play as fast as possible instead of in real time
+    #[arg(long, requires = "serve", conflicts_with = "realtime")]
+    pub(crate) unpaced: bool,
+}
+
+#[derive(Clone, Debug, Args)]
+pub(crate) struct Link {
+    /// Address of the robot: HOST:PORT, or a serial line as /dev/ttyUSB0@921600
+    #[arg(value_name = "ADDR", value_parser = address)]
+    pub(crate) address: Address,
+    #[command(subcommand)]
+    pub(crate) action: LinkAction,
+    /// Print JSON on stdout, one value on each line; all other output goes to stderr
+    #[arg(long, global = true)]
+    pub(crate) json: bool,
+    /// Take the lease from another operator
+    #[arg(long, global = true)]
+    pub(crate) take: bool,
+}
+
+#[derive(Clone, Debug, Subcommand)]
+pub(crate) enum LinkAction {
+    /// Print components, parameters with their values, information and modulations
+    Describe {
+        /// Components to print [default: all]
+        #[arg(value_name = "COMPONENT")]
+        components: Vec<String>,
+    },
+    /// Print states and information while they change, until Ctrl-C
+    Watch {
+        /// Information to watch as well
+        #[arg(value_name = "COMPONENT.NAME")]
+        info: Vec<String>,
+        /// Watch every n-th cycle
+        #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..))]
+        every: u16,
+        /// End after N snapshots
+        #[arg(long, value_name = "N")]
+        count: Option<u64>,
+    },
+    /// Set parameters, all or none; they stay
+    Set {
+        /// New values
+        #[arg(value_name = "COMPONENT.NAME=VALUE", required = true)]
+        settings: Vec<String>,
+    },
+    /// Hold a component, until Ctrl-C
+    Hold {
+        /// Component
+        component: String,
+        /// How it is held
+        hold: HoldKind,
+        /// End after this time, s
+        #[arg(long, value_name = "S", value_parser = seconds)]
+        seconds: Option<f64>,
+    },
+    /// Change the rate of a component, until Ctrl-C
+    Rate {
+        /// Component
+        component: String,
+        /// Runs per second, at most the declared rate; 0: it rests
+        hz: f32,
+        /// End after this time, s
+        #[arg(long, value_name = "S", value_parser = seconds)]
+        seconds: Option<f64>,
+    },
+    /// Call a modulation of a component
+    Modulate {
+        /// Modulation
+        #[arg(value_name = "COMPONENT.NAME")]
+        modulation: String,
+        /// Its arguments, in order
+        #[arg(value_name = "VALUE", allow_hyphen_values = true)]
+        arguments: Vec<String>,
+    },
+    /// Print the robot's log: requests of operators and events of the game, until Ctrl-C
+    Log {
+        /// End after N lines
+        #[arg(long, value_name = "N")]
+        count: Option<u64>,
+    },
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum HoldKind {
+    /// Held active
+    Active,
+    /// Held latent
+    Latent,
+    /// Left to the tree
+    Tree,
+}
+
+fn address(text: &str) -> Result<Address, String> {
+    text.parse().map_err(|error: bica_link::Error| error.help())
+}
