@@ -10,7 +10,6 @@ use bica_motion::pose::Pose2;
 use bica_player::input::{HealthMonitor, RobotProfile};
 use bica_player::perception::GoalDetector;
 use bica_player::tunable::Forward;
-use bica_recording::recorded_parameters;
 use bica_sim::SpectatorView;
 use glam::Vec2;
 
@@ -89,7 +88,7 @@ impl<'a> Game<'a> {
         let refused = |refusal: Refusal| Failure::new(refusal.to_string(), "check parameters with `player params`");
         robot.set_params(rules.settings).map_err(refused)?;
         let firmware = rules.firmware.map(|image| image.start(attacks)).transpose()?;
-        let recorder = GameRecorder::new(record, rules, attacks, recorded_parameters(&*robot))?;
+        let recorder = GameRecorder::new(record, rules, attacks, &robot)?;
         let (link, requests, view) = GameLink::start(serve, rules)?;
         let measured = (Meter::new(&GRAPH), Stopwatch::default());
         let observers = (FirmwareCheck::new(firmware), (measured, (recorder, view)));

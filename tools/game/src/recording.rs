@@ -10,8 +10,8 @@ use bica_field::GoalColour;
 use bica_motion::robot::Sensors;
 use bica_player::tunable::Forward;
 use bica_recording::{
-    Backpressure, ComponentCosts, Costs, Header, ImagePolicy, LogLine, Parameter, RecordedRules, Recorder,
-    RecorderOptions, RefereeEvent, Report, RobotInfo,
+    Backpressure, ComponentCosts, Costs, Header, ImagePolicy, LogLine, RecordedRules, Recorder, RecorderOptions,
+    RefereeEvent, Report, RobotInfo,
 };
 use bica_sim::referee::TimedEvent;
 use serde::Serialize;
@@ -85,10 +85,10 @@ impl<'a> GameRecorder<'a> {
         options: Option<RecordOptions<'a>>,
         rules: &Rules,
         attacks: GoalColour,
-        parameters: Vec<Parameter>,
+        robot: &Forward,
     ) -> Result<Self, Failure> {
         let open = |options: RecordOptions<'a>| {
-            let header = Header { parameters, ..recording_header(rules, attacks, options.images) };
+            let header = recording_header(rules, attacks, options.images).of_tree(robot);
             open(&options, &header, rules).map(|recorder| (recorder, options.path))
         };
         let recorder = options.map(open).transpose()?;
@@ -145,7 +145,7 @@ fn open(options: &RecordOptions<'_>, header: &Header, rules: &Rules) -> Result<R
         .map_err(|error| Failure::of_path("write", path, &error, "is the disk full?"))
 }
 
-/// Returns the header of a game's recording, without parameters.
+/// Returns the header of a game's recording, without parameters and information.
 #[must_use]
 pub fn recording_header(rules: &Rules, attacks: GoalColour, images: ImagePolicy) -> Header {
     let world = match rules.world {

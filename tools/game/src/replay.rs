@@ -247,7 +247,7 @@ impl Run for Repeated {
 /// Returns the parameters of a recording, and over them the assignments of the command line.
 fn layers(header: &Header, set: &[String]) -> Result<Layers, Failure> {
     let mut layers = Layers::new(&GRAPH);
-    for Parameter { component, name, value } in &header.parameters {
+    for Parameter { component, name, value, .. } in &header.parameters {
         layers.assign(&format!("{component}.{name}={value}"), "the recording")?;
     }
     for assignment in set {

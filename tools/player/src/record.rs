@@ -63,7 +63,10 @@ fn print(console: Console, info: &Info) -> Result<(), Failure> {
         let text = format!("{}, seed {}, images {width}x{height}, robots {robots}", rules.world, rules.seed);
         console.print_row("world", &text)?;
     }
-    for parameter in &header.parameters {
+    let changed = header.parameters.iter().filter(|parameter| !parameter.is_default);
+    let (all, count) = (header.parameters.len(), changed.clone().count());
+    console.print_row("parameters", &format!("{all}, of which {count} are not the defaults"))?;
+    for parameter in changed {
         console.print_row("parameter", &format!("{}.{}={}", parameter.component, parameter.name, parameter.value))?;
     }
     let (bytes, chunks) = (info.bytes as f64 * 1e-6, info.chunks);

@@ -6,11 +6,14 @@ use std::fs::File;
 use std::io::{self, Read};
 
 use bica::graph::{self, Graph, Node};
+use bica::info::Info as Information;
 use bica::params::{Kind, Param, find};
 use bica::{ComponentId, Tree};
+use postcard_schema::schema::owned::OwnedNamedType;
 use serde::{Deserialize, Serialize};
 
 use crate::error::Error;
+use crate::information;
 
 /// Version of the format of recordings.
 pub(crate) const FORMAT: u32 = 1;
@@ -79,8 +82,21 @@ pub struct ComponentInfo {
     pub states: Vec<String>,
     /// Its parameters.
     pub parameters: Vec<ParameterInfo>,
+    /// Its information.
+    pub information: Vec<InformationInfo>,
     /// Names of its modulations.
     pub modulations: Vec<String>,
+}
+
+/// An information of a recorded tree.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct InformationInfo {
+    /// Name.
+    pub name: String,
+    /// Unit; none for what has none.
+    pub unit: Option<String>,
+    /// Schema of its values; none if the values are not recorded.
+    pub schema: Option<OwnedNamedType>,
 }
 
 /// A parameter of a recorded tree.
@@ -128,6 +144,8 @@ pub struct Parameter {
     pub name: String,
     /// Value, as text.
     pub value: String,
+    /// Whether the value is the default of the source.
+    pub is_default: bool,
 }
 
 /// What a recording stores of each cycle.
@@ -193,8 +211,15 @@ impl ComponentInfo {
             name: node.name.to_owned(),
             states: node.states.iter().map(|state| state.name.to_owned()).collect(),
             parameters: node.params.iter().flat_map(|group| group.params).map(ParameterInfo::new).collect(),
+            information: node.info.iter().map(InformationInfo::new).collect(),
             modulations: node.modulations.iter().map(|modulation| modulation.name.to_owned()).collect(),
         }
+    }
+}
+
+impl InformationInfo {
+    fn new(info: &Information) -> Self {
+        Self { name: info.name.to_owned(), unit: info.unit.map(str::to_owned), schema: None }
     }
 }
 
@@ -209,13 +234,12 @@ impl ParameterInfo {
 }
 
 /// Returns all parameters of a tree with their current values.
-#[must_use]
-pub fn recorded_parameters<T: Tree>(tree: &T) -> Vec<Parameter> {
+fn recorded_parameters<T: Tree>(tree: &T) -> Vec<Parameter> {
     let of_component = |(component, node): (usize, &Node)| {
         let parameter = move |index| {
             let (param, value) = (find(node.params, index)?, tree.get_param(ComponentId::new(component), index)?);
-            let value = param.kind.text(value).to_string();
-            Some(Parameter { component: node.name.to_owned(), name: param.name.to_owned(), value })
+            let (text, is_default) = (param.kind.text(value).to_string(), value == param.default);
+            Some(Parameter { component: node.name.to_owned(), name: param.name.to_owned(), value: text, is_default })
         };
         (0..node.param_count()).filter_map(parameter).collect::<Vec<_>>()
     };
@@ -255,6 +279,18 @@ impl Header {
             parameters: Vec::new(),
             images,
         }
+    }
+
+    /// Adds what only a tree knows: the values of its parameters, and the schemas of its information.
+    #[must_use]
+    pub fn of_tree<T: Tree>(mut self, tree: &T) -> Self {
+        self.parameters = recorded_parameters(tree);
+        for (component, info) in self.tree.components.iter_mut().enumerate() {
+            for (index, information) in info.information.iter_mut().enumerate() {
+                information.schema = information::schema(tree, ComponentId::new(component), index);
+            }
+        }
+        self
     }
 
     /// Returns the time of an instant, ns since the start of the run's clock.

@@ -19,6 +19,7 @@ pub mod export;
 mod header;
 pub mod image_codec;
 mod info;
+mod information;
 pub mod mcap;
 mod message;
 mod recorder;
@@ -30,13 +31,14 @@ pub use compare::{Comparison, Decision, Difference, command_field, sensor_field}
 pub use digest::{RunningFingerprint, command_digest, image_digest, sensors_digest};
 pub use error::Error;
 pub use header::{
-    ComponentInfo, Ending, Header, ImagePolicy, Parameter, ParameterInfo, Program, RecordedRules, RobotInfo, TreeInfo,
-    recorded_parameters,
+    ComponentInfo, Ending, Header, ImagePolicy, InformationInfo, Parameter, ParameterInfo, Program, RecordedRules,
+    RobotInfo, TreeInfo,
 };
 pub use info::{ChannelInfo, Info};
+pub use information::{InformationRecord, InformationValue};
 pub use message::{
     Channel, CommandRecord, ComponentCosts, Costs, ImageRecord, LogLine, RefereeEvent, Tick, TreeRecord,
 };
 pub use recorder::{Backpressure, Recorder, RecorderOptions, Report, Sink, tree_record};
 pub use recording::{OwnedImage, RecordedCycle, Recording};
-pub use request::{ParamValue, RequestRecord, SettingRecord};
+pub use request::{RequestRecord, SettingRecord};

@@ -5,6 +5,7 @@ use postcard_schema::Schema;
 use postcard_schema::schema::NamedType;
 use serde::{Deserialize, Serialize};
 
+use crate::information::InformationRecord;
 use crate::request::RequestRecord;
 
 /// Channel of a recording.
@@ -28,11 +29,13 @@ pub enum Channel {
     Log,
     /// [`Costs`]: time of the components.
     Costs,
+    /// [`InformationRecord`]: information of the active components.
+    Information,
 }
 
 impl Channel {
     /// All channels, in the order of their numbers from 1 on.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 10] = [
         Self::Requests,
         Self::Images,
         Self::Sensors,
@@ -42,6 +45,7 @@ impl Channel {
         Self::Events,
         Self::Log,
         Self::Costs,
+        Self::Information,
     ];
 
     /// Returns the number of the channel and of its schema in the file.
@@ -69,6 +73,7 @@ impl Channel {
             Self::Events => "events",
             Self::Log => "log",
             Self::Costs => "costs",
+            Self::Information => "information",
         }
     }
 
@@ -85,6 +90,7 @@ impl Channel {
             Self::Events => RefereeEvent::SCHEMA,
             Self::Log => LogLine::SCHEMA,
             Self::Costs => Costs::SCHEMA,
+            Self::Information => InformationRecord::SCHEMA,
         }
     }
 }

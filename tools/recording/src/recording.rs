@@ -12,6 +12,7 @@ use crate::digest::image_digest;
 use crate::error::Error;
 use crate::header::{ENDING_NAME, Ending, HEADER_NAME, Header, from_metadata, header_of};
 use crate::image_codec::ImageCoder;
+use crate::information::InformationRecord;
 use crate::mcap::{Item, Message, Reader};
 use crate::message::{Channel, CommandRecord, Costs, ImageRecord, LogLine, RefereeEvent, Tick, TreeRecord};
 use crate::request::RequestRecord;
@@ -40,6 +41,8 @@ pub struct RecordedCycle {
     pub log: Vec<LogLine>,
     /// Time of the components.
     pub costs: Option<Costs>,
+    /// Values of information, in some cycles.
+    pub information: Option<InformationRecord>,
 }
 
 /// An image in memory of its own.
@@ -160,6 +163,7 @@ impl<R: Read> Recording<R> {
             Channel::Events => next.events.push(decode(message)?),
             Channel::Log => next.log.push(decode(message)?),
             Channel::Costs => next.costs = Some(decode(message)?),
+            Channel::Information => next.information = Some(decode(message)?),
             Channel::Images => {
                 let image: ImageRecord = decode(message)?;
                 self.images.insert(image.id, image);

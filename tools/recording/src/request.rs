@@ -1,8 +1,9 @@
 //! Requests in a recording.
 
-use bica::params::{Setting, Value};
+use bica::params::{self, Setting};
 use bica::runner::{OwnedRequest, Request};
 use bica::{ComponentId, Hold};
+use bica_wire::message::Value;
 use postcard_schema::Schema;
 use serde::{Deserialize, Serialize};
 
@@ -37,7 +38,7 @@ pub enum RequestRecord {
         /// Index of the modulation in the component.
         index: u16,
         /// One value for each argument.
-        arguments: Vec<ParamValue>,
+        arguments: Vec<Value>,
     },
     /// A request that this version of the recorder does not know. Such a run cannot be replayed.
     Unknown {
@@ -54,46 +55,7 @@ pub struct SettingRecord {
     /// Index of the parameter in the component.
     pub index: u16,
     /// The value.
-    pub value: ParamValue,
-}
-
-/// Value of a parameter or of an argument of a modulation.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, Schema)]
-pub enum ParamValue {
-    /// A number.
-    F32(f32),
-    /// A whole number.
-    I32(i32),
-    /// A whole number that is not negative.
-    U32(u32),
-    /// On or off.
-    Bool(bool),
-    /// Index of the variant of an enum.
-    Choice(u32),
-}
-
-impl ParamValue {
-    /// Returns the record of a value; none for a kind that this version does not know.
-    fn of(value: Value) -> Option<Self> {
-        Some(match value {
-            Value::F32(value) => Self::F32(value),
-            Value::I32(value) => Self::I32(value),
-            Value::U32(value) => Self::U32(value),
-            Value::Bool(value) => Self::Bool(value),
-            Value::Choice(value) => Self::Choice(value),
-            _ => return None,
-        })
-    }
-
-    fn value(self) -> Value {
-        match self {
-            Self::F32(value) => Value::F32(value),
-            Self::I32(value) => Value::I32(value),
-            Self::U32(value) => Value::U32(value),
-            Self::Bool(value) => Value::Bool(value),
-            Self::Choice(value) => Value::Choice(value),
-        }
-    }
+    pub value: Value,
 }
 
 impl From<&Request<'_>> for RequestRecord {
@@ -119,7 +81,7 @@ impl RequestRecord {
             Request::Modulate { component, index, arguments } => Self::Modulate {
                 component: number(component),
                 index: index as u16,
-                arguments: arguments.iter().map(|&value| ParamValue::of(value)).collect::<Option<_>>()?,
+                arguments: arguments.iter().map(|&value| Value::of(value)).collect::<Option<_>>()?,
             },
             _ => return None,
         })
@@ -139,7 +101,7 @@ impl RequestRecord {
             Self::Modulate { component: owner, index, arguments } => OwnedRequest::Modulate {
                 component: component(*owner),
                 index: usize::from(*index),
-                arguments: arguments.iter().map(|value| value.value()).collect(),
+                arguments: arguments.iter().map(|value| params::Value::from(*value)).collect(),
             },
             Self::Unknown { .. } => return None,
         })
@@ -164,7 +126,7 @@ impl RequestRecord {
             Self::Modulate { component, index, arguments } => {
                 let called = info(component).and_then(|component| component.modulations.get(usize::from(*index)));
                 let called = called.map_or_else(|| format!("modulation {index}"), Clone::clone);
-                let arguments: Vec<_> = arguments.iter().map(|value| value.value().to_string()).collect();
+                let arguments: Vec<_> = arguments.iter().map(|value| params::Value::from(*value).to_string()).collect();
                 format!("modulate {}.{called}({})", name(component), arguments.join(", "))
             }
             Self::Unknown { text } => text.clone(),
@@ -174,13 +136,13 @@ impl RequestRecord {
 
 fn setting(setting: &Setting) -> Option<SettingRecord> {
     let Setting { component, index, value } = *setting;
-    Some(SettingRecord { component: component.index() as u16, index, value: ParamValue::of(value)? })
+    Some(SettingRecord { component: component.index() as u16, index, value: Value::of(value)? })
 }
 
 impl SettingRecord {
     fn setting(&self) -> Setting {
         let Self { component, index, value } = *self;
-        Setting::new(ComponentId::new(component.into()), index, value.value())
+        Setting::new(ComponentId::new(component.into()), index, value.into())
     }
 }
 
@@ -190,10 +152,10 @@ impl TreeInfo {
         let owner = self.components.get(usize::from(*component));
         let parameter = owner.and_then(|owner| owner.parameters.get(usize::from(*index)));
         let value = match (value, parameter) {
-            (ParamValue::Choice(variant), Some(parameter)) if (*variant as usize) < parameter.variants.len() => {
+            (Value::Choice(variant), Some(parameter)) if (*variant as usize) < parameter.variants.len() => {
                 parameter.variants[*variant as usize].clone()
             }
-            _ => value.value().to_string(),
+            _ => params::Value::from(*value).to_string(),
         };
         match (owner, parameter) {
             (Some(owner), Some(parameter)) => format!("{}.{}={value}", owner.name, parameter.name),

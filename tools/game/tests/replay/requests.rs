@@ -9,7 +9,7 @@ use bica_game::{GRAPH, recording_header};
 use bica_player::input::RobotProfile;
 use bica_player::perception::GoalDetector;
 use bica_player::tunable::Forward;
-use bica_recording::{Backpressure, Header, ImagePolicy, Info, Recorder, RecorderOptions, recorded_parameters};
+use bica_recording::{Backpressure, ImagePolicy, Info, Recorder, RecorderOptions};
 use bica_sim::World;
 use bica_sim::kinematic::KinematicWorld;
 use bica_sim::setup::Setup;
@@ -30,7 +30,7 @@ fn operated(file: &Temporary, images: ImagePolicy, rng: &mut Pcg64) -> usize {
     robot.get_mut::<GoalDetector>().attack(attacks);
     let target = File::create(&file.0).expect("room");
     let options = RecorderOptions { backpressure: Backpressure::Wait, ..RecorderOptions::default() };
-    let header = Header { parameters: recorded_parameters(&*robot), ..recording_header(&rules, attacks, images) };
+    let header = recording_header(&rules, attacks, images).of_tree(&*robot);
     let recorder = Recorder::start(target, &header, options, |_| {}).expect("room");
     let mut runner = Runner::new(robot, world).with_requests(RequestQueue::new()).with_observer(recorder);
     for _ in 0..200 {

@@ -11,7 +11,8 @@ fn fields(value: &Value, found: &mut BTreeSet<String>) {
     match value {
         Value::Object(object) => {
             found.extend(object.keys().cloned());
-            object.values().for_each(|value| fields(value, found));
+            // The fields of a type of postcard-schema are those of that crate.
+            object.iter().filter(|(name, _)| *name != "schema").for_each(|(_, value)| fields(value, found));
         }
         Value::Array(values) => values.iter().for_each(|value| fields(value, found)),
         _ => {}

@@ -16,6 +16,7 @@ use bica_wire::message::{Command, Sensors};
 
 use crate::digest::image_digest;
 use crate::header::{Header, ImagePolicy};
+use crate::information;
 use crate::message::{Costs, LogLine, RefereeEvent, TreeRecord};
 use crate::request::RequestRecord;
 use queue::{CycleValues, Entry, ImageValues, Queue};
@@ -42,11 +43,13 @@ pub struct RecorderOptions {
     pub images: usize,
     /// Size of a chunk, bytes before compression. Chunks are written earlier if time has passed.
     pub chunk_bytes: usize,
+    /// Number of cycles from one record of information to the next; 0: none.
+    pub information_every: u64,
 }
 
 impl Default for RecorderOptions {
     fn default() -> Self {
-        Self { backpressure: Backpressure::Drop, cycles: 6000, images: 32, chunk_bytes: 1 << 20 }
+        Self { backpressure: Backpressure::Drop, cycles: 6000, images: 32, chunk_bytes: 1 << 20, information_every: 10 }
     }
 }
 
@@ -74,6 +77,8 @@ pub struct Recorder {
     thread: Option<JoinHandle<Report>>,
     stores_values: bool,
     last_tree: TreeRecord,
+    cycles: u64,
+    information_every: u64,
     next_image: u32,
     requests: Vec<RequestRecord>,
     sensing: Option<(Sensors, ImageValues)>,
@@ -101,6 +106,8 @@ impl Recorder {
             thread: Some(thread),
             stores_values: header.images == ImagePolicy::All,
             last_tree: TreeRecord::default(),
+            cycles: 0,
+            information_every: options.information_every,
             next_image: 0,
             requests: Vec::new(),
             sensing: None,
@@ -187,6 +194,9 @@ where
     fn acted(&mut self, cycle: &Cycle<'_, R>) {
         let Some((sensors, image)) = self.sensing.take() else { return };
         let tree = tree_record(cycle.robot);
+        let due = self.information_every > 0 && self.cycles.is_multiple_of(self.information_every);
+        let information = due.then(|| information::read(cycle.robot));
+        self.cycles += 1;
         let changed = tree != self.last_tree;
         if changed {
             self.last_tree.clone_from(&tree);
@@ -197,6 +207,7 @@ where
             sensors,
             image,
             command: Command::new(cycle.now.as_micros(), cycle.command),
+            information,
             tree: changed.then_some(tree),
         }));
     }

@@ -8,6 +8,7 @@ use std::time::Duration;
 use bica_wire::message::{Command, Sensors};
 
 use super::{Backpressure, RecorderOptions};
+use crate::information::InformationRecord;
 use crate::message::{Costs, LogLine, RefereeEvent, TreeRecord};
 use crate::request::RequestRecord;
 
@@ -26,6 +27,8 @@ pub(super) struct CycleValues {
     pub(super) sensors: Sensors,
     pub(super) image: ImageValues,
     pub(super) command: Command,
+    /// Information, in some cycles.
+    pub(super) information: Option<InformationRecord>,
     /// Active components and states, if they changed.
     pub(super) tree: Option<TreeRecord>,
 }

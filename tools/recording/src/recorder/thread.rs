@@ -180,7 +180,7 @@ impl<S: Sink> Writing<S> {
     }
 
     fn cycle(&mut self, values: CycleValues, queue: &Queue) {
-        let CycleValues { instant, requests, sensors, image, command, tree } = values;
+        let CycleValues { instant, requests, sensors, image, command, information, tree } = values;
         let time = self.header.nanoseconds(instant);
         self.last_time = time;
         for request in &requests {
@@ -208,6 +208,9 @@ impl<S: Sink> Writing<S> {
         if self.header.images == ImagePolicy::All {
             self.message(Channel::Sensors, time, &sensors);
             self.message(Channel::Command, time, &CommandRecord { command });
+        }
+        if let Some(information) = &information {
+            self.message(Channel::Information, time, information);
         }
         if let Some(tree) = &tree {
             self.tree_digest = tree.digest();

@@ -26,6 +26,18 @@ impl Counter {
         Self { runs: 0 }
     }
 
+    /// Number of runs so far.
+    #[info]
+    fn runs(&self) -> u32 {
+        self.runs
+    }
+
+    /// Part of the day, and its number.
+    #[info(unit = "h")]
+    fn day(&self) -> (Option<bool>, f32) {
+        (Some(self.runs.is_multiple_of(2)), f32::NAN)
+    }
+
     fn step(&mut self) {
         self.runs += 1;
     }
@@ -154,7 +166,7 @@ impl Disk {
 pub(crate) fn header(images: ImagePolicy) -> Header {
     let text = str::to_owned;
     let robot = RobotInfo { model: text("lamp"), profile: text("none"), attacks: text("nothing") };
-    Header::new(&Lamp::GRAPH, robot, None, images)
+    Header::new(&Lamp::GRAPH, robot, None, images).of_tree(&Lamp::new())
 }
 
 /// Runs the robot for a number of cycles; `None` as header: the disk has no room for it.

@@ -5,6 +5,7 @@ use bica_recording::{
     Comparison, ImagePolicy, Info, RecorderOptions, Recording, RequestRecord, export::export, sensor_field,
 };
 use bica_wire::message::Sensors as SensorsMessage;
+use postcard_schema::Schema;
 
 use crate::support::{Disk, SIZE, cycles, header, pixels, record, recorded, sensors};
 
@@ -35,6 +36,30 @@ fn every_value_is_restored_bit_for_bit() {
     assert!(states.contains(&Some(0)) && states.contains(&Some(1)));
     assert!(cycles.iter().all(|cycle| cycle.tree.is_active(0)));
     assert!(!cycles[0].tree.is_active(1) && cycles[8].tree.is_active(1));
+}
+
+#[test]
+fn information_of_active_components_is_recorded_at_a_tenth_of_the_rate_with_its_schema() {
+    let (cycles, _) = cycles(&recorded(60)[..]);
+    let with: Vec<_> = cycles.iter().filter(|cycle| cycle.information.is_some()).collect();
+    assert_eq!(with.iter().map(|cycle| cycle.tick.cycle).collect::<Vec<_>>(), [0, 10, 20, 30, 40, 50]);
+    for cycle in with {
+        let values = &cycle.information.as_ref().expect("filtered").values;
+        if !cycle.tree.is_active(1) {
+            assert_eq!(values, &[]);
+            continue;
+        }
+        let [runs, day] = &values[..] else { panic!("{values:?}") };
+        assert_eq!(((runs.component, runs.index), (day.component, day.index)), ((1, 0), (1, 1)));
+        let command = cycle.command.expect("stored").targets[0];
+        assert_eq!(postcard::from_bytes::<u32>(&runs.value).expect("a number") as f32, command);
+        let (even, hour): (Option<bool>, f32) = postcard::from_bytes(&day.value).expect("a pair");
+        assert!(even == Some((command as u32).is_multiple_of(2)) && hour.is_nan());
+    }
+    let information = header(ImagePolicy::All).tree.components[1].information.clone();
+    assert_eq!((information[0].name.as_str(), information[1].unit.as_deref()), ("runs", Some("h")));
+    let schemas: Vec<_> = information.into_iter().map(|one| one.schema).collect();
+    assert_eq!(schemas, [Some(u32::SCHEMA.into()), Some(<(Option<bool>, f32)>::SCHEMA.into())]);
 }
 
 #[test]
