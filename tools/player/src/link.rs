@@ -236,7 +236,8 @@ impl Monitor {
                 if interrupt::requested() {
                     return Ok(if seconds.is_some() { Outcome::Interrupted } else { Outcome::Success });
                 }
-                if matches!(monitor.next()?, Some(Event::Lease(lease)) if !lease.yours) {
+                monitor.next()?;
+                if !monitor.client.lease().yours {
                     return Err(failure(&Error::Lease));
                 }
             }

@@ -6,6 +6,7 @@ mod exit;
 mod firmware;
 mod games;
 mod graph;
+mod link;
 mod mujoco;
 mod params;
 mod pictures;
