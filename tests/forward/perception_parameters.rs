@@ -90,7 +90,9 @@ impl Recording {
         }
         recording.turn();
         recording.overheat();
-        Direction::ALL.into_iter().for_each(|direction| recording.fall(direction));
+        for direction in Direction::ALL {
+            recording.fall(direction);
+        }
         recording
     }
 
