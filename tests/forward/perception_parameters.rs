@@ -4,6 +4,7 @@ use std::f32::consts::PI;
 use std::fmt::Debug;
 use std::hash::{DefaultHasher, Hash, Hasher};
 
+use bica::info::{InfoSink, Information};
 use bica::params::{Kind, Param, Setting, Value};
 use bica::prelude::*;
 use bica::runner::{Robot, Runner};
@@ -89,7 +90,9 @@ impl Recording {
         }
         recording.turn();
         recording.overheat();
-        Direction::ALL.into_iter().for_each(|direction| recording.fall(direction));
+        for direction in Direction::ALL {
+            recording.fall(direction);
+        }
         recording
     }
 
@@ -195,6 +198,50 @@ fn perceived(robot: &Forward, cycle: usize) -> u64 {
     hash.finish()
 }
 
+/// The components of perception and input.
+fn components() -> [ComponentId; 16] {
+    [
+        Forward::id::<BallDetector>(),
+        Forward::id::<GoalDetector>(),
+        Forward::id::<RobotDetector>(),
+        Forward::id::<FieldLines>(),
+        Forward::id::<FieldBoundary>(),
+        Forward::id::<Localization>(),
+        Forward::id::<CameraPose>(),
+        Forward::id::<OwnBody>(),
+        Forward::id::<Odometry>(),
+        Forward::id::<FallDetector>(),
+        Forward::id::<CameraInput>(),
+        Forward::id::<Colours>(),
+        Forward::id::<RobotState>(),
+        Forward::id::<HealthMonitor>(),
+        Forward::id::<RobotProfile>(),
+        Forward::id::<GameState>(),
+    ]
+}
+
+/// Counts values.
+struct Count(usize);
+
+impl InfoSink for Count {
+    fn take<V: Information>(&mut self, _: &V) {
+        self.0 += 1;
+    }
+}
+
+#[test]
+fn each_component_of_perception_and_input_publishes_information() {
+    let recording = Recording::new();
+    let mut robot = forward(recording.attacks);
+    assert_eq!(recording.run(&mut robot).count(), recording.cycles.len());
+    for component in components() {
+        let node = &Forward::GRAPH.nodes[component.index()];
+        let mut count = Count(0);
+        let is_read = (0..node.info.len()).all(|index| robot.read_info(component, index, &mut count));
+        assert!(is_read && count.0 == node.info.len() && count.0 > 0, "{}: {} values", node.name, count.0);
+    }
+}
+
 /// Values that may differ enough from the default to have an effect: both ends of the range, then nearer ones.
 fn candidates(param: &Param) -> Vec<Value> {
     let between = |min: f64, max: f64, default: f64| {
@@ -219,23 +266,6 @@ fn candidates(param: &Param) -> Vec<Value> {
 fn each_parameter_of_perception_and_input_changes_what_is_perceived() {
     let recording = Recording::new();
     let usual: Vec<u64> = recording.run(&mut forward(recording.attacks)).collect();
-    let components = [
-        Forward::id::<BallDetector>(),
-        Forward::id::<GoalDetector>(),
-        Forward::id::<RobotDetector>(),
-        Forward::id::<FieldLines>(),
-        Forward::id::<FieldBoundary>(),
-        Forward::id::<Localization>(),
-        Forward::id::<CameraPose>(),
-        Forward::id::<OwnBody>(),
-        Forward::id::<Odometry>(),
-        Forward::id::<FallDetector>(),
-        Forward::id::<CameraInput>(),
-        Forward::id::<Colours>(),
-        Forward::id::<RobotState>(),
-        Forward::id::<HealthMonitor>(),
-        Forward::id::<RobotProfile>(),
-    ];
     let has_effect = |component: ComponentId, index: usize, param: &Param| {
         candidates(param).into_iter().any(|value| {
             let mut robot = forward(recording.attacks);
@@ -252,7 +282,7 @@ fn each_parameter_of_perception_and_input_changes_what_is_perceived() {
     ];
     let mut without_effect = Vec::new();
     let mut count = 0;
-    for component in components {
+    for component in components() {
         let node = &Forward::GRAPH.nodes[component.index()];
         for (index, param) in node.params.iter().flat_map(|group| group.params).enumerate() {
             count += 1;
