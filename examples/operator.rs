@@ -10,7 +10,7 @@ use bica::prelude::*;
 use bica::runner::{OwnedRequest, RequestQueue, Robot, Runner, World};
 
 /// The wheels of a cart.
-pub struct Wheels {
+struct Wheels {
     speed: f32,
     driven: f32,
 }
@@ -23,7 +23,7 @@ impl Wheels {
 
     /// Sets the speed, positive ahead. An operator can call it as an activator does.
     #[modulation]
-    pub fn drive(
+    fn drive(
         &mut self,
         #[range(-0.5..=0.5)]
         #[unit("m/s")]
@@ -34,7 +34,7 @@ impl Wheels {
 
     /// Distance from the start.
     #[info(unit = "m")]
-    pub fn driven(&self) -> f32 {
+    fn driven(&self) -> f32 {
         self.driven
     }
 
@@ -44,7 +44,7 @@ impl Wheels {
 }
 
 /// Drives ahead for two metres.
-pub struct Errand;
+struct Errand;
 
 #[component(hz = 50)]
 impl Errand {

@@ -76,7 +76,10 @@ macro_rules! forward {
 forward!();
 
 /// The forward with parameters that can be changed while it runs: for programs that tune or monitor it.
-#[expect(clippy::wildcard_imports, reason = "the same components, sensor values and commands as the tree above")]
+#[cfg_attr(
+    not(test),
+    expect(clippy::wildcard_imports, reason = "the same components, sensor values and commands as the tree above")
+)]
 pub mod tunable {
     use super::*;
 

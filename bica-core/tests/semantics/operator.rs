@@ -31,9 +31,9 @@ impl Kicker {
 
     /// Number of kicks.
     #[info]
-    fn kicks(&self) -> usize {
+    fn kicks(&self) -> u32 {
         self.asked.set(self.asked.get() + 1);
-        self.log.len()
+        self.log.len() as u32
     }
 
     /// Strength of the last kick.
@@ -136,7 +136,7 @@ fn a_modulation_with_a_wrong_argument_is_not_called() {
 #[test]
 fn descriptions_hold_what_the_functions_declare() {
     let node = Robot::GRAPH.nodes[0];
-    let kicks = Info { name: "kicks", doc: "Number of kicks.", unit: None, ty: "usize" };
+    let kicks = Info { name: "kicks", doc: "Number of kicks.", unit: None, ty: "u32" };
     let strength = Info { name: "strength", doc: "Strength of the last kick.", unit: Some("N"), ty: "Option<f32>" };
     assert_eq!(node.info, [kicks, strength]);
     let [kick, forget] = node.modulations else { panic!("two modulations") };

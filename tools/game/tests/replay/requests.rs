@@ -55,7 +55,7 @@ fn random_request(rng: &mut Pcg64) -> OwnedRequest {
         1 => OwnedRequest::Rate { component, hz: f32::from_bits(rng.next_u32()) },
         2 => {
             let places: Vec<_> = Place::all(&GRAPH).collect();
-            let settings = (0..1 + rng.next_u32() % 3).map(|_| {
+            let settings = (0..=rng.next_u32() % 3).map(|_| {
                 let place = places[rng.next_u32() as usize % places.len()];
                 place.setting(random_value(&place.param.kind, rng))
             });

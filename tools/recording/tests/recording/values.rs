@@ -55,7 +55,7 @@ fn information_of_active_components_is_recorded_at_a_tenth_of_the_rate_with_its_
         let [runs, day] = &values[..] else { panic!("{values:?}") };
         assert_eq!(((runs.component, runs.index), (day.component, day.index)), ((1, 0), (1, 1)));
         let command = cycle.command.expect("stored").targets[0];
-        assert_eq!(postcard::from_bytes::<u32>(&runs.value).expect("a number") as f32, command);
+        assert_eq!(postcard::from_bytes::<u32>(&runs.value).expect("a number"), command as u32);
         let (even, hour): (Option<bool>, f32) = postcard::from_bytes(&day.value).expect("a pair");
         assert!(even == Some((command as u32).is_multiple_of(2)) && hour.is_nan());
     }
