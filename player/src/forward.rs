@@ -22,9 +22,9 @@ const RED: Light = Light(1.0, 0.0, 0.0);
 
 /// Declares the tree of the forward; `options` are those of `activation_tree!` besides root, rates and components.
 macro_rules! forward {
-    ($(#[$attribute:meta])* $($option:ident,)?) => {
+    ($($option:ident)?) => {
         activation_tree! {
-            $(#[$attribute])*
+            /// The forward of RoboCup 2009: finds the ball, walks to it, finds the goal, lines up and kicks.
             pub struct Forward {
                 root: Player,
                 cycle_hz: 100,
@@ -73,17 +73,12 @@ macro_rules! forward {
     };
 }
 
-forward! {
-    /// The forward of RoboCup 2009: finds the ball, walks to it, finds the goal, lines up and kicks.
-}
+forward!();
 
 /// The forward with parameters that can be changed while it runs: for programs that tune or monitor it.
 #[expect(clippy::wildcard_imports, reason = "the same components, sensor values and commands as the tree above")]
 pub mod tunable {
     use super::*;
 
-    forward! {
-        /// The forward of RoboCup 2009, `tunable`: the same components as [the other](super::Forward).
-        tunable,
-    }
+    forward!(tunable);
 }

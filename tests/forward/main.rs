@@ -7,6 +7,7 @@ mod lazy;
 mod motor_load;
 mod no_heap;
 mod out;
+mod perception_parameters;
 mod replay;
 mod search;
 mod tuned;

@@ -7,9 +7,10 @@ use crate::install::{folder, python};
 use crate::process::{output, run};
 
 /// Topics of a recording.
-const TOPICS: [&str; 7] = ["images", "sensors", "command", "tree", "tick", "log", "costs"];
+const TOPICS: [&str; 7] = ["images", "sensors", "command", "tree", "tick", "costs", "information"];
 /// Topics of an export.
-const EXPORTED: [&str; 5] = ["/camera", "/log", "/sensors/angles", "/command/targets", "/tree"];
+const EXPORTED: [&str; 6] =
+    ["/camera", "/log", "/sensors/angles", "/command/targets", "/tree", "/information/BallDetector/ball_position"];
 /// What Rerun makes of an export: entities with their kinds of data.
 const RERUN: [&str; 4] =
     ["/camera - data columns: [CoordinateFrame:frame Image:buffer", "TextLog:text", "bica.Joints", "/costs"];

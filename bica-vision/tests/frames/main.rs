@@ -7,4 +7,5 @@ mod own_body;
 mod real;
 mod recorded;
 mod stages;
+mod tuning;
 mod world;

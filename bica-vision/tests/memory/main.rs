@@ -4,4 +4,5 @@ mod ball;
 mod multi_target;
 mod noise;
 mod single_target;
+mod tuning;
 mod visibility;

@@ -23,6 +23,9 @@ pub use params::{GoalDetection, GoalTracking};
 /// Standard deviation of the middle of the goal from one post of unknown side, m.
 const HALF_GOAL: f32 = 0.5 * FIELD.goal_width();
 
+/// Standard deviation of a goal whose post bases are not on the ground, m.
+const UNSURE: f32 = 0.5;
+
 /// Finds the attacked goal in the image (the paper's "net") and remembers its position.
 pub struct GoalDetector {
     finder: GoalFinder<512>,
@@ -110,7 +113,7 @@ impl GoalDetector {
         camera: &Camera,
         errors: &Errors,
     ) {
-        let spread = || Self::spread(goal, camera, errors, tracking.baseless_error);
+        let spread = || Self::spread(goal, camera, errors);
         let (both, one) = (tracking.two_posts_confidence, tracking.one_post_confidence);
         let Some(first) = goal.first.ground(camera) else { return };
         if let Some(second) = goal.second.and_then(|post| post.ground(camera)) {
@@ -148,13 +151,12 @@ impl GoalDetector {
         }
     }
 
-    /// The covariance of the post bases on the ground, m²; that of the standard deviation `baseless`, m, if they are not in
-    /// view.
-    fn spread(goal: &Goal, camera: &Camera, errors: &Errors, baseless: f32) -> Covariance {
+    /// The covariance of the post bases on the ground, m².
+    fn spread(goal: &Goal, camera: &Camera, errors: &Errors) -> Covariance {
         let feet = [Some(goal.first), goal.second].into_iter().flatten();
         let spread =
             feet.filter_map(|post| uncertainty::of_ground(camera, post.base, 0.0, errors)).reduce(|a, b| a + b);
-        spread.map_or(uncertainty::round(baseless), |spread| spread * if goal.second.is_some() { 0.5 } else { 1.0 })
+        spread.map_or(uncertainty::round(UNSURE), |spread| spread * if goal.second.is_some() { 0.5 } else { 1.0 })
     }
 
     /// Measures the gap beside the keeper, if both posts are in view.

@@ -6,6 +6,8 @@ use postcard_schema::Schema;
 use postcard_schema::schema::owned::OwnedNamedType;
 use serde::{Deserialize, Serialize};
 
+use crate::recorder::encode;
+
 /// Size of a value in postcard's format above which it is not recorded, bytes.
 const MAX_VALUE_BYTES: usize = 1024;
 
@@ -27,31 +29,28 @@ pub struct InformationValue {
     pub value: Vec<u8>,
 }
 
-/// Takes a value as bytes.
-struct Bytes<'a>(&'a mut Vec<u8>);
+/// Appends a value in postcard's format, after its length.
+struct Append<'a>(&'a mut Vec<u8>);
 
-impl InfoSink for Bytes<'_> {
+impl InfoSink for Append<'_> {
     fn take<V: Information>(&mut self, value: &V) {
         let mut buffer = [0; MAX_VALUE_BYTES];
-        // A value that is larger than the buffer is left out.
-        if let Ok(bytes) = postcard::to_slice(value, &mut buffer) {
-            self.0.extend_from_slice(bytes);
-        }
+        let bytes: &[u8] = postcard::to_slice(value, &mut buffer).map_or(&[], |bytes| bytes);
+        encode(self.0, &bytes);
     }
 }
 
-/// Reads all information of the active components of a tree.
-pub(crate) fn read<T: Tree>(tree: &T) -> InformationRecord {
-    let mut values = Vec::new();
+/// Reads all information of the active components of a tree, and appends it as an [`InformationRecord`] in postcard's format:
+/// the loop pays for no other memory than that of the message.
+pub(crate) fn append<T: Tree>(tree: &T, out: &mut Vec<u8>) {
+    let count = |component: ComponentId| T::GRAPH.nodes[component.index()].info.len();
+    encode(out, &tree.active().map(count).sum::<usize>());
     for component in tree.active() {
-        for index in 0..T::GRAPH.nodes[component.index()].info.len() {
-            let mut value = Vec::new();
-            if tree.read_info(component, index, &mut Bytes(&mut value)) {
-                values.push(InformationValue { component: component.index() as u16, index: index as u16, value });
-            }
+        for index in 0..count(component) {
+            encode(out, &(component.index() as u16, index as u16));
+            tree.read_info(component, index, &mut Append(out));
         }
     }
-    InformationRecord { values }
 }
 
 /// Takes the schema of a value.

@@ -9,9 +9,8 @@ use crate::perception::Odometry;
 
 /// Detection of the ball in an image.
 #[derive(Params)]
-#[params(check = Self::is_ordered)]
 pub struct BallDetection {
-    /// Minimum confidence of a ball.
+    /// Minimum confidence of a ball with a radius of at least 12 px.
     #[param(default = 0.4, range = 0.0..=1.0, step = 0.01)]
     pub(super) min_confidence: f32,
     /// Minimum confidence of a ball with a radius up to 6 px; interpolated up to 12 px.
@@ -29,14 +28,6 @@ pub struct BallDetection {
 }
 
 impl BallDetection {
-    const fn is_ordered(&self) -> Result<(), &'static str> {
-        if self.min_confidence <= self.min_confidence_if_small {
-            Ok(())
-        } else {
-            Err("`min_confidence` must not be above `min_confidence_if_small`")
-        }
-    }
-
     pub(super) const fn tuning(&self, errors: Errors) -> BallTuning {
         BallTuning {
             min_confidence: self.min_confidence,
@@ -104,16 +95,17 @@ mod tests {
     use super::*;
 
     #[test]
+    fn values_are_passed_to_the_detector() {
+        let detection = BallDetection { max_own_share: 0.1, ..BallDetection::DEFAULT };
+        let tuning = BallTuning { max_own_share: 0.1, ..BallTuning::DEFAULT };
+        assert_eq!(detection.tuning(Errors::NAO), tuning);
+    }
+
+    #[test]
     fn default_values_are_those_of_the_detector() {
         assert_eq!(BallDetection::DEFAULT.tuning(Errors::NAO), BallTuning::DEFAULT);
         let memory = MemoryTuning { half_life: 2.0, ..MemoryTuning::DEFAULT };
         let tuning = BallTracking::DEFAULT.tuning(&Odometry::new());
         assert_eq!(tuning, BallMemoryTuning { memory, ..BallMemoryTuning::DEFAULT });
-    }
-
-    #[test]
-    fn a_small_ball_needs_at_least_the_confidence_of_any_ball() {
-        assert!(BallDetection { min_confidence: 0.61, ..BallDetection::DEFAULT }.is_ordered().is_err());
-        assert!(BallDetection { min_confidence: 0.6, ..BallDetection::DEFAULT }.is_ordered().is_ok());
     }
 }

@@ -72,9 +72,6 @@ pub struct GoalTracking {
     /// Maximum correction of the remembered goal by a single post; a farther post belongs to another object.
     #[param(default = 0.6, range = 0.0..=3.0, unit = "m", step = 0.05)]
     pub(super) max_correction: f32,
-    /// Standard deviation of a goal whose post bases are not in view.
-    #[param(default = 0.5, range = 0.05..=3.0, unit = "m", step = 0.05)]
-    pub(super) baseless_error: f32,
     /// Confidence in a goal of which both posts are seen.
     #[param(default = 0.9, range = 0.0..=1.0, step = 0.05)]
     pub(super) two_posts_confidence: f32,
@@ -99,6 +96,13 @@ impl GoalTracking {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn values_are_passed_to_the_detector() {
+        let detection = GoalDetection { max_post_width: 2.0, pitch_error: 0.1, ..GoalDetection::DEFAULT };
+        let tuning = GoalTuning { max_post_width: 2.0, pitch_error: 0.1, ..GoalTuning::DEFAULT };
+        assert_eq!(detection.tuning(Errors::NAO), tuning);
+    }
 
     #[test]
     fn default_values_are_those_of_the_detector() {

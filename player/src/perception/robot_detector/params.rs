@@ -17,13 +17,10 @@ pub struct RobotDetection {
     #[param(default = 0.6, range = 0.05..=1.5, unit = "m", step = 0.01)]
     pub(super) max_height: f32,
     /// Minimum width of a robot.
-    #[param(default = 0.08, range = 0.01..=1.0, unit = "m", step = 0.01)]
+    #[param(default = 0.08, range = 0.01..=0.9, unit = "m", step = 0.01)]
     pub(super) min_width: f32,
-    /// Maximum width of a robot, or of several side by side.
-    #[param(default = 0.9, range = 0.01..=2.0, unit = "m", step = 0.01)]
-    pub(super) max_width: f32,
     /// Maximum width of one robot; what is wider is two robots side by side.
-    #[param(default = 0.38, range = 0.05..=1.0, unit = "m", step = 0.01)]
+    #[param(default = 0.38, range = 0.05..=0.9, unit = "m", step = 0.01)]
     pub(super) max_single_width: f32,
     /// Maximum gap between columns of one robot: the space between arm and leg.
     #[param(default = 0.18, range = 0.01..=0.5, unit = "m", step = 0.01)]
@@ -51,8 +48,6 @@ impl RobotDetection {
             Err("`min_height` must not be above `max_height`")
         } else if self.min_width > self.max_single_width {
             Err("`min_width` must not be above `max_single_width`")
-        } else if self.max_single_width > self.max_width {
-            Err("`max_single_width` must not be above `max_width`")
         } else {
             Ok(())
         }
@@ -63,7 +58,6 @@ impl RobotDetection {
             min_height: self.min_height,
             max_height: self.max_height,
             min_width: self.min_width,
-            max_width: self.max_width,
             max_single_width: self.max_single_width,
             max_gap: self.max_gap,
             boundary_margin: self.boundary_margin,
@@ -71,6 +65,7 @@ impl RobotDetection {
             max_other_colours: self.max_other_colours,
             min_white: self.min_white,
             min_team_colour: self.min_team_colour,
+            ..RobotTuning::DEFAULT
         }
     }
 }
@@ -119,6 +114,12 @@ mod tests {
     use super::*;
 
     #[test]
+    fn values_are_passed_to_the_memory() {
+        let tracking = RobotTracking { miss_factor: 0.5, ..RobotTracking::DEFAULT };
+        assert_eq!(tracking.tuning(&Odometry::new()).miss_factor.to_bits(), 0.5_f32.to_bits());
+    }
+
+    #[test]
     fn default_values_are_those_of_the_detector() {
         assert_eq!(RobotDetection::DEFAULT.tuning(), RobotTuning::DEFAULT);
         let tuning = RobotTracking::DEFAULT.tuning(&Odometry::new());
@@ -130,7 +131,7 @@ mod tests {
         let robot = || RobotDetection::DEFAULT;
         assert!(RobotDetection { min_height: 0.61, ..robot() }.is_ordered().is_err());
         assert!(RobotDetection { min_width: 0.39, ..robot() }.is_ordered().is_err());
-        assert!(RobotDetection { max_width: 0.37, ..robot() }.is_ordered().is_err());
-        assert!(RobotDetection { max_width: 0.38, ..robot() }.is_ordered().is_ok());
+        assert!(RobotDetection { max_single_width: 0.07, ..robot() }.is_ordered().is_err());
+        assert!(RobotDetection { max_single_width: 0.08, ..robot() }.is_ordered().is_ok());
     }
 }

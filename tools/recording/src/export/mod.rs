@@ -1,6 +1,7 @@
-//! Export for viewers: an MCAP file whose messages are Protocol Buffers in the schemas of Foxglove, which Foxglove,
-//! Lichtblick and Rerun show without knowledge of this program.
+//! Export for viewers: an MCAP file whose messages are Protocol Buffers in the schemas of Foxglove, and JSON for information, which
+//! Foxglove, Lichtblick and Rerun show without knowledge of this program.
 
+mod information;
 mod protobuf;
 
 use std::collections::BTreeMap;
@@ -10,10 +11,12 @@ use bica_motion::joints::{JOINTS, Joint};
 
 use crate::error::Error;
 use crate::header::TreeInfo;
+use crate::information::InformationRecord;
 use crate::mcap::{ChannelRecord, Compression, SchemaRecord, Writer};
 use crate::message::{Costs, TreeRecord};
 use crate::recording::{OwnedImage, RecordedCycle, Recording};
 use crate::repair::Copied;
+use information::InformationTopic;
 use protobuf::{Field, Kind, Protobuf, descriptor_set};
 
 /// Names of the inertial readings, in the order of the sensor values.
@@ -128,7 +131,7 @@ fn identifier(name: &str) -> String {
 }
 
 /// Writes a recording in standard schemas: camera images (`foxglove.RawImage`), events, requests, decisions and log lines
-/// (`foxglove.Log`), and one message with named numbers for sensor values, commands, tree and costs. A cut or damaged file
+/// (`foxglove.Log`), one message with named numbers for sensor values, commands, tree and costs, and JSON for information. A cut or damaged file
 /// is exported up to there.
 ///
 /// # Errors
@@ -136,7 +139,9 @@ fn identifier(name: &str) -> String {
 pub fn export(source: impl Read, target: impl Write) -> Result<Copied, Error> {
     let mut recording = Recording::new(source)?;
     let tree = recording.header().tree.clone();
-    let mut export = Export { writer: begin(target, &tree)?, tree, last: TreeRecord::default(), time: 0 };
+    let topics = information::topics(&tree, Topic::ALL.len() as u16 + 1);
+    let mut export =
+        Export { writer: begin(target, &tree, &topics)?, tree, topics, last: TreeRecord::default(), time: 0 };
     let mut copied = Copied::default();
     loop {
         match recording.next_cycle() {
@@ -158,7 +163,7 @@ pub fn export(source: impl Read, target: impl Write) -> Result<Copied, Error> {
     Ok(Copied { bytes: export.writer.length(), ..copied })
 }
 
-fn begin<W: Write>(target: W, tree: &TreeInfo) -> Result<Writer<W>, Error> {
+fn begin<W: Write>(target: W, tree: &TreeInfo, topics: &[InformationTopic]) -> Result<Writer<W>, Error> {
     let mut schemas = BTreeMap::new();
     for topic in Topic::ALL {
         let (_, name) = topic.names();
@@ -175,9 +180,12 @@ fn begin<W: Write>(target: W, tree: &TreeInfo) -> Result<Writer<W>, Error> {
         let encoding = "protobuf".to_owned();
         ChannelRecord { id: topic.id(), schema: schemas[schema].id, topic: name.to_owned(), encoding }
     };
-    let channels = Topic::ALL.map(channel).to_vec();
+    let json = SchemaRecord { id: schemas.len() as u16 + 1, ..information::schema() };
+    let mut channels = Topic::ALL.map(channel).to_vec();
+    channels.extend(topics.iter().map(|topic| topic.channel(json.id)));
     let mut schemas: Vec<_> = schemas.into_values().collect();
     schemas.sort_by_key(|schema| schema.id);
+    schemas.push(json);
     Ok(Writer::new(target, "", schemas, channels)?)
 }
 
@@ -187,6 +195,7 @@ const CHUNK_BYTES: usize = 4 << 20;
 struct Export<W> {
     writer: Writer<W>,
     tree: TreeInfo,
+    topics: Vec<InformationTopic>,
     last: TreeRecord,
     /// Time of the cycle, ns.
     time: u64,
@@ -215,6 +224,9 @@ impl<W: Write> Export<W> {
         if cycle.tree != self.last {
             self.tree(&cycle.tree);
             self.last.clone_from(&cycle.tree);
+        }
+        if let Some(information) = &cycle.information {
+            self.information(information);
         }
         self.words(cycle);
         if self.writer.pending() >= CHUNK_BYTES {
@@ -247,6 +259,14 @@ impl<W: Write> Export<W> {
             message.float(number, *value);
         }
         self.message(topic, &message);
+    }
+
+    fn information(&mut self, information: &InformationRecord) {
+        for value in &information.values {
+            let topic = self.topics.iter().find(|topic| topic.is_of(value));
+            let Some((id, json)) = topic.and_then(|topic| Some((topic.id, topic.json(value)?))) else { continue };
+            self.writer.message(Compression::Lz4, id, self.time, |out| out.extend_from_slice(json.as_bytes()));
+        }
     }
 
     fn image(&mut self, image: &OwnedImage) {

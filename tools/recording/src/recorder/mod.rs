@@ -21,7 +21,7 @@ use crate::message::{Costs, LogLine, RefereeEvent, TreeRecord};
 use crate::request::RequestRecord;
 use queue::{CycleValues, Entry, ImageValues, Queue};
 pub use sink::Sink;
-pub(crate) use thread::{begin, compression};
+pub(crate) use thread::{begin, compression, encode};
 
 /// What a recorder does when its queue is full because the disk is slow.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -79,6 +79,8 @@ pub struct Recorder {
     last_tree: TreeRecord,
     cycles: u64,
     information_every: u64,
+    /// Size of the largest record of information so far.
+    information_bytes: usize,
     next_image: u32,
     requests: Vec<RequestRecord>,
     sensing: Option<(Sensors, ImageValues)>,
@@ -108,6 +110,7 @@ impl Recorder {
             last_tree: TreeRecord::default(),
             cycles: 0,
             information_every: options.information_every,
+            information_bytes: 0,
             next_image: 0,
             requests: Vec::new(),
             sensing: None,
@@ -195,7 +198,12 @@ where
         let Some((sensors, image)) = self.sensing.take() else { return };
         let tree = tree_record(cycle.robot);
         let due = self.information_every > 0 && self.cycles.is_multiple_of(self.information_every);
-        let information = due.then(|| information::read(cycle.robot));
+        let information = due.then(|| {
+            let mut bytes = Vec::with_capacity(self.information_bytes);
+            information::append(cycle.robot, &mut bytes);
+            self.information_bytes = self.information_bytes.max(bytes.len());
+            bytes
+        });
         self.cycles += 1;
         let changed = tree != self.last_tree;
         if changed {

@@ -8,7 +8,6 @@ use std::time::Duration;
 use bica_wire::message::{Command, Sensors};
 
 use super::{Backpressure, RecorderOptions};
-use crate::information::InformationRecord;
 use crate::message::{Costs, LogLine, RefereeEvent, TreeRecord};
 use crate::request::RequestRecord;
 
@@ -27,8 +26,8 @@ pub(super) struct CycleValues {
     pub(super) sensors: Sensors,
     pub(super) image: ImageValues,
     pub(super) command: Command,
-    /// Information, in some cycles.
-    pub(super) information: Option<InformationRecord>,
+    /// In some cycles an [`InformationRecord`](crate::InformationRecord) in postcard's format.
+    pub(super) information: Option<Vec<u8>>,
     /// Active components and states, if they changed.
     pub(super) tree: Option<TreeRecord>,
 }

@@ -210,7 +210,8 @@ impl<S: Sink> Writing<S> {
             self.message(Channel::Command, time, &CommandRecord { command });
         }
         if let Some(information) = &information {
-            self.message(Channel::Information, time, information);
+            let channel = Channel::Information;
+            self.writer.message(compression(channel), channel.id(), time, |out| out.extend_from_slice(information));
         }
         if let Some(tree) = &tree {
             self.tree_digest = tree.digest();

@@ -1,5 +1,8 @@
 //! What is written is read again.
 
+use std::collections::BTreeMap;
+
+use bica_recording::mcap::{Item, Reader};
 use bica_recording::repair::trim;
 use bica_recording::{
     Comparison, ImagePolicy, Info, RecorderOptions, Recording, RequestRecord, export::export, sensor_field,
@@ -60,6 +63,33 @@ fn information_of_active_components_is_recorded_at_a_tenth_of_the_rate_with_its_
     assert_eq!((information[0].name.as_str(), information[1].unit.as_deref()), ("runs", Some("h")));
     let schemas: Vec<_> = information.into_iter().map(|one| one.schema).collect();
     assert_eq!(schemas, [Some(u32::SCHEMA.into()), Some(<(Option<bool>, f32)>::SCHEMA.into())]);
+}
+
+#[test]
+fn an_export_has_information_as_json() {
+    let mut exported = Vec::new();
+    export(&recorded(60)[..], &mut exported).expect("memory");
+    let mut reader = Reader::new(&exported[..]).expect("MCAP");
+    let (mut topics, mut found) = (BTreeMap::new(), Vec::new());
+    loop {
+        match reader.next_item().expect("intact") {
+            Item::Channel(channel) if channel.encoding == "json" => {
+                topics.insert(channel.id, channel.topic);
+            }
+            Item::Message(message) if topics.contains_key(&message.channel) => {
+                let json: serde_json::Value = serde_json::from_slice(&message.data).expect("JSON");
+                found.push((topics[&message.channel].clone(), json));
+            }
+            Item::End => break,
+            _ => {}
+        }
+    }
+    assert_eq!(topics.into_values().collect::<Vec<_>>(), ["/information/Counter/runs", "/information/Counter/day"]);
+    let runs: Vec<_> = found.iter().filter(|one| one.0.ends_with("runs")).map(|one| one.1["value"].as_u64()).collect();
+    assert!(runs.len() > 2 && runs.is_sorted() && runs.iter().all(Option::is_some), "{runs:?}");
+    let days: Vec<_> = found.iter().filter(|one| one.0.ends_with("day")).map(|one| one.1["value"].clone()).collect();
+    assert_eq!(days.len(), runs.len());
+    assert!(days.iter().all(|day| day[0].is_boolean() && day[1].is_null()), "{days:?}");
 }
 
 #[test]

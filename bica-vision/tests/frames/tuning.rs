@@ -1,0 +1,161 @@
+//! Thresholds of the detectors change what is found.
+
+use bica_field::FIELD;
+use bica_motion::joints::Joint;
+use bica_motion::model::{Nao, RobotModel};
+use bica_motion::robot::CameraId;
+use bica_motion::side::Side;
+use bica_vision::ball::{BallFinder, BallTuning};
+use bica_vision::field_boundary::{BoundaryTuning, FieldBoundary};
+use bica_vision::goal::{GoalFinder, GoalTuning};
+use bica_vision::lines::{self, LineTuning};
+use bica_vision::own_body::OwnBody;
+use bica_vision::profile::BUILT_IN_TABLE;
+use bica_vision::projection::{Camera, Intrinsics, Mounting};
+use bica_vision::robots::{self, RobotTuning};
+use glam::{Affine3A, Vec2, Vec3};
+
+use crate::canvas::{CARPET, Canvas, LINE, ORANGE, RED, YELLOW};
+
+/// Camera at a height of 0.5 m, pitched down by `pitch` rad.
+fn camera(pitch: f32) -> Camera {
+    let pose = Affine3A::from_translation(Vec3::new(0.0, 0.0, 0.5)) * Affine3A::from_rotation_y(pitch);
+    Camera::new(pose, Intrinsics::nao_v6(320, 240))
+}
+
+/// Body of a standing robot that looks at its feet.
+fn own_body() -> OwnBody {
+    let mut angles = Nao::STAND;
+    angles[Joint::HeadPitch] = 0.5;
+    let camera = Camera::of::<Nao>(CameraId::Bottom, &angles, Side::Left, 320, 240);
+    OwnBody::of::<Nao>(&camera, CameraId::Bottom, &angles)
+}
+
+fn has_ball(canvas: &Canvas, own: &OwnBody, tuning: &BallTuning) -> bool {
+    canvas.with_frame(|frame| {
+        let end = FieldBoundary::find(frame, &BUILT_IN_TABLE);
+        BallFinder::<512>::new(FIELD.ball_radius())
+            .find_tuned(frame, &BUILT_IN_TABLE, &end, None, own, tuning)
+            .is_some()
+    })
+}
+
+#[test]
+fn a_half_hidden_ball_needs_a_low_threshold_of_confidence() {
+    for (radius, small) in [(30.0, false), (5.0, true)] {
+        let mut canvas = Canvas::field(320, 240, 40.0);
+        let centre = Vec2::new(160.0, 150.0);
+        canvas.disc(ORANGE, centre, radius);
+        canvas.paint(LINE, |at| at.y - centre.y - 0.5 * radius);
+        let confidence = |large: f32, little: f32| BallTuning {
+            min_confidence: large,
+            min_confidence_if_small: little,
+            ..BallTuning::DEFAULT
+        };
+        assert!(has_ball(&canvas, &OwnBody::NONE, &confidence(0.1, 0.1)), "radius {radius}");
+        assert_eq!(has_ball(&canvas, &OwnBody::NONE, &confidence(0.1, 0.99)), !small, "radius {radius}");
+        assert_eq!(has_ball(&canvas, &OwnBody::NONE, &confidence(0.99, 0.1)), small, "radius {radius}");
+    }
+}
+
+#[test]
+fn a_ball_that_the_own_body_covers_in_part_needs_a_high_threshold() {
+    let own = own_body();
+    let places = (40..280).step_by(4).flat_map(|x| (60..200).step_by(4).map(move |y| Vec2::new(x as f32, y as f32)));
+    // The detector tests the middle of the region, 0.4 of its size around its centroid.
+    let half = places
+        .into_iter()
+        .find(|place| (0.3..0.5).contains(&own.share(*place, 0.8 * 20.0)))
+        .expect("an edge of the body");
+    let mut canvas = Canvas::field(320, 240, 0.0);
+    canvas.disc(ORANGE, half, 20.0);
+    for (max_own_share, found) in [(0.6, true), (0.2, false)] {
+        let tuning = BallTuning { max_own_share, ..BallTuning::DEFAULT };
+        assert_eq!(has_ball(&canvas, &own, &tuning), found, "{max_own_share}");
+    }
+}
+
+#[test]
+fn a_thick_post_needs_a_high_threshold_of_width() {
+    let camera = camera(0.1);
+    let foot = Vec3::new(2.0, 0.0, 0.0);
+    let pixel = |at: Vec3| camera.pixel(at).expect("in front of the camera");
+    let width = 2.0 * camera.sphere_radius(foot, FIELD.post_radius()).expect("in front of the camera");
+    let mut canvas = Canvas::field(320, 240, pixel(Vec3::new(3.0, 0.0, 0.0)).y);
+    canvas.bar(YELLOW, pixel(foot), pixel(Vec3::new(2.0, 0.0, FIELD.goal_height())), 2.2 * width);
+    for (max_post_width, found) in [(1.6, false), (3.0, true)] {
+        let tuning = GoalTuning { max_post_width, ..GoalTuning::DEFAULT };
+        let goals = canvas.with_frame(|frame| {
+            let end = FieldBoundary::find(frame, &BUILT_IN_TABLE);
+            GoalFinder::<512>::new().find_tuned(frame, &BUILT_IN_TABLE, &end, Some(&camera), &tuning)
+        });
+        assert_eq!(goals.yellow.is_some(), found, "{max_post_width}: {width} px");
+    }
+}
+
+#[test]
+fn a_faint_line_needs_a_low_threshold_of_contrast() {
+    let mut canvas = Canvas::field(320, 240, 30.0);
+    let faint = bica_vision::frame::Pixel::new(CARPET.y + 50, 126, 129);
+    canvas.bar(faint, Vec2::new(60.0, 140.0), Vec2::new(260.0, 150.0), 6.0);
+    for (min_rise, found) in [(12, true), (60, false)] {
+        let tuning = LineTuning { min_rise, ..LineTuning::DEFAULT };
+        let lines = canvas.with_frame(|frame| {
+            let end = FieldBoundary::find(frame, &BUILT_IN_TABLE);
+            lines::find_tuned(frame, &BUILT_IN_TABLE, &end, None, &tuning)
+        });
+        assert_eq!(!lines.is_empty(), found, "{min_rise}: {lines:?}");
+    }
+}
+
+#[test]
+fn a_narrow_field_needs_a_low_threshold_of_green() {
+    let canvas = Canvas::field(320, 240, 228.0);
+    for (min_green, found) in [(0.03, true), (0.1, false)] {
+        let tuning = BoundaryTuning { min_green, ..BoundaryTuning::DEFAULT };
+        let end = canvas.with_frame(|frame| FieldBoundary::find_tuned(frame, &BUILT_IN_TABLE, None, &tuning));
+        assert_eq!(end.top().is_some(), found, "{min_green}");
+    }
+}
+
+#[test]
+fn a_low_robot_needs_a_low_threshold_of_height() {
+    let camera = camera(0.2);
+    let pixel = |at: Vec3| camera.pixel(at).expect("in front of the camera");
+    let mut canvas = Canvas::field(320, 240, 0.0);
+    let (foot, top) = (Vec3::new(1.5, 0.0, 0.0), Vec3::new(1.5, 0.0, 0.28));
+    canvas.bar(LINE, pixel(foot), pixel(top), 50.0);
+    canvas.bar(RED, pixel(foot.midpoint(top)), pixel(top), 12.0);
+    for (min_height, found) in [(0.35, false), (0.2, true)] {
+        let tuning = RobotTuning { min_height, ..RobotTuning::DEFAULT };
+        let robots = canvas.with_frame(|frame| {
+            let end = FieldBoundary::find(frame, &BUILT_IN_TABLE);
+            robots::find_tuned(frame, &BUILT_IN_TABLE, &end, Some(&camera), &tuning)
+        });
+        assert_eq!(!robots.is_empty(), found, "{min_height}");
+    }
+}
+
+#[test]
+fn a_corrected_mounting_turns_the_camera_and_scales_its_focal_length() {
+    let nominal = camera(0.2);
+    assert_eq!(nominal.corrected(&Mounting::EXACT), nominal);
+    let tilted = nominal.corrected(&Mounting { tilt: 0.1, ..Mounting::EXACT });
+    let expected = camera(0.3);
+    assert!(tilted.pose().abs_diff_eq(expected.pose(), 1e-6), "{tilted:?}");
+    let panned = nominal.corrected(&Mounting { pan: 0.1, ..Mounting::EXACT });
+    assert!(panned.pose().matrix3.x_axis.y > 0.05, "to the left: {panned:?}");
+    let long = nominal.corrected(&Mounting { focal_scale: 1.5, ..Mounting::EXACT });
+    assert_eq!(long.intrinsics().focal, 1.5 * nominal.intrinsics().focal);
+    assert_eq!(long.pose(), nominal.pose());
+}
+
+#[test]
+fn a_thicker_body_covers_more_of_the_image() {
+    let own = own_body();
+    let share = |margin: f32| own.clone().grown(margin).image_share();
+    assert_eq!(own.clone().grown(0.0), own);
+    assert!(share(0.0) > 0.02 && share(0.0) < 0.9, "{}", share(0.0));
+    assert!(share(0.05) > share(0.0) + 0.02 && share(-0.02) < share(0.0), "{} {}", share(0.05), share(-0.02));
+    assert_eq!(OwnBody::NONE.image_share().to_bits(), 0.0_f32.to_bits());
+}

@@ -1,0 +1,55 @@
+//! Information as JSON.
+
+use bica_link::decode_info;
+use postcard_schema::schema::owned::OwnedNamedType;
+use serde_json::json;
+
+use crate::header::TreeInfo;
+use crate::information::InformationValue;
+use crate::mcap::{ChannelRecord, SchemaRecord};
+
+/// Topic of an information.
+pub(super) struct InformationTopic {
+    /// Number of the channel.
+    pub(super) id: u16,
+    name: String,
+    component: u16,
+    index: u16,
+    schema: OwnedNamedType,
+}
+
+/// Returns the topics of all information whose values are recorded, numbered from `first` on.
+pub(super) fn topics(tree: &TreeInfo, first: u16) -> Vec<InformationTopic> {
+    let mut topics = Vec::new();
+    for (component, info) in (0..).zip(&tree.components) {
+        for (index, information) in (0..).zip(&info.information) {
+            let Some(schema) = information.schema.clone() else { continue };
+            let name = format!("/information/{}/{}", info.name, information.name);
+            topics.push(InformationTopic { id: first + topics.len() as u16, name, component, index, schema });
+        }
+    }
+    topics
+}
+
+/// The schema of all topics: any object. Its number is not set.
+pub(super) fn schema() -> SchemaRecord {
+    let data = json!({ "type": "object", "additionalProperties": true }).to_string().into_bytes();
+    SchemaRecord { id: 0, name: "bica.Information".to_owned(), encoding: "jsonschema".to_owned(), data }
+}
+
+impl InformationTopic {
+    pub(super) fn channel(&self, schema: u16) -> ChannelRecord {
+        ChannelRecord { id: self.id, schema, topic: self.name.clone(), encoding: "json".to_owned() }
+    }
+
+    pub(super) fn is_of(&self, value: &InformationValue) -> bool {
+        (self.component, self.index) == (value.component, value.index)
+    }
+
+    /// Returns a value as a JSON object; one that is no object is its field `value`. None for a value that was too large to be
+    /// recorded.
+    pub(super) fn json(&self, value: &InformationValue) -> Option<String> {
+        let value = decode_info(&self.schema, &value.value)?;
+        Some(if value.is_object() { value.to_string() } else { json!({ "value": value }).to_string() })
+    }
+}
