@@ -1,7 +1,7 @@
 //! Cost of monitors for the loop, and delay of requests.
 //!
-//! `cargo run --release -p bica-game --example link_cost -- [SECONDS]`: the forward at 100 Hz in real time, with no monitor, with one and
-//! with 20 that watch the states and all information of all components in each cycle, in one run. One more sets a
+//! `cargo run --release -p bica-game --example link_cost -- [SECONDS]`: the forward at 100 Hz in real time, with no monitor, with one that watches
+//! the states of all components in each cycle, with one and with 20 that watch all information too, in one run. One more sets a
 //! parameter ten times a second. The printed time is what the link's two halves take in a cycle.
 
 use std::sync::Arc;
@@ -31,12 +31,14 @@ fn main() {
 
 fn run() {
     let seconds = std::env::args().nth(1).and_then(|text| text.parse().ok()).unwrap_or(10_u64);
-    for monitors in [0, 1, 20] {
-        measure(monitors, seconds);
+    let cases: [(usize, Action, &str); 4] =
+        [(0, watch, ""), (1, states, " of states"), (1, watch, " of everything"), (20, watch, " of everything")];
+    for (monitors, action, of) in cases {
+        measure(monitors, action, of, seconds);
     }
 }
 
-fn measure(monitors: usize, seconds: u64) {
+fn measure(monitors: usize, action: Action, of: &str, seconds: u64) {
     let world = KinematicWorld::new(&Setup { frame: Frame::Small, ..Setup::default() }).expect("valid");
     let mut robot = Box::new(Forward::new());
     robot.get_mut::<RobotProfile>().set(WorldKind::BuiltIn.profile());
@@ -48,7 +50,7 @@ fn measure(monitors: usize, seconds: u64) {
         .with_requests(TimedRequests { inner: requests, spent: Duration::ZERO })
         .with_observer(TimedObserver { inner: observer, spent: Duration::ZERO });
     let stop = Arc::new(AtomicBool::new(false));
-    let watchers: Vec<_> = (0..monitors).map(|_| spawn(&address, &stop, watch)).collect();
+    let watchers: Vec<_> = (0..monitors).map(|_| spawn(&address, &stop, action)).collect();
     let operator = (monitors > 0).then(|| spawn(&address, &stop, operate));
     let (mut spent, began) = (Vec::new(), Clock::now());
     for cycle in 0..seconds as u32 * 100 {
@@ -70,7 +72,7 @@ fn measure(monitors: usize, seconds: u64) {
     let mean = spent.iter().sum::<f64>() / spent.len() as f64;
     let [p50, p99, max] = [0.5, 0.99, 1.0].map(|part| percentile(&spent, part).unwrap_or_default());
     println!(
-        "{monitors} monitors: mean {mean:.1} µs, p50 {p50:.1} µs, p99 {p99:.1} µs, max {max:.1} µs a cycle; {received} messages received"
+        "{monitors} monitors{of}: mean {mean:.1} µs, p50 {p50:.1} µs, p99 {p99:.1} µs, max {max:.1} µs a cycle; {received} messages received"
     );
     if let Some(most) = delays.iter().max() {
         println!(
@@ -90,13 +92,23 @@ fn spawn(address: &Address, stop: &Arc<AtomicBool>, action: Action) -> thread::J
     })
 }
 
-/// Watches everything; returns one entry for each event.
+/// Watches states; returns one entry for each event.
+fn states(client: &mut Client, stop: &AtomicBool) -> Vec<u64> {
+    client.watch(1).expect("connected");
+    receive(client, stop)
+}
+
+/// Watches states and information; returns one entry for each event.
 fn watch(client: &mut Client, stop: &AtomicBool) -> Vec<u64> {
     client.watch(1).expect("connected");
     let counts: Vec<_> = client.description().components.iter().map(|component| component.info.len()).collect();
     for (component, count) in counts.into_iter().enumerate() {
         (0..count).for_each(|info| client.watch_info(component, info, 1).expect("connected"));
     }
+    receive(client, stop)
+}
+
+fn receive(client: &mut Client, stop: &AtomicBool) -> Vec<u64> {
     let mut events = Vec::new();
     while !stop.load(Ordering::Relaxed) {
         events.extend(client.poll(Duration::from_millis(50)).expect("connected").map(|_| 0));
