@@ -4,8 +4,12 @@
 //! monitors were added; the bytes of the messages below did not.
 
 use bica_field::GoalColour;
-use bica_wire::message::{ClockMode, FaultInjection, Hello, ImageChunk, StackUsage};
-use bica_wire::{Encoder, FromRobot, MAX_PACKET, SCHEMA, ToRobot};
+use bica_wire::message::{
+    Answer, AnswerResult, Change, ClockMode, ComponentState, ComponentStates, CycleInfo, FaultInjection, Hello, Hold,
+    ImageChunk, InfoValue, LeaseAction, LeaseState, LogLine, RefusalCode, Request, Setting, StackUsage, Value, Watch,
+    WatchInfo,
+};
+use bica_wire::{Encoder, FromMonitor, FromRobot, MAX_PACKET, SCHEMA, ToMonitor, ToRobot};
 
 /// Schema of these bytes.
 const GOLDEN_SCHEMA: u64 = 0x6835_0a32_0564_dc8e;
@@ -39,4 +43,45 @@ fn packets_have_the_committed_bytes() {
         bytes(&FromRobot::StackUsage(StackUsage { max_used: 4096, size: 65536 })),
         [1, 1, 11, 4, 128, 32, 128, 128, 4, 1, 197, 188, 50, 0]
     );
+}
+
+/// The bytes as `docs/link.md` states them.
+#[test]
+fn messages_of_monitors_have_the_documented_bytes() {
+    let from = |message: &FromMonitor| postcard::to_stdvec(message).expect("serializable");
+    assert_eq!(from(&FromMonitor::Attach), [0]);
+    assert_eq!(from(&FromMonitor::Watch(Watch { every: 300 })), [1, 172, 2]);
+    assert_eq!(from(&FromMonitor::WatchInfo(WatchInfo { component: 1, info: 2, every: 3 })), [2, 1, 2, 3]);
+    assert_eq!(from(&FromMonitor::ReadParams), [3]);
+    assert_eq!(from(&FromMonitor::Lease(LeaseAction::Take)), [4, 1]);
+    assert_eq!(from(&FromMonitor::Lease(LeaseAction::Keep { lease: 128 })), [4, 2, 128, 1]);
+    let request = |change| from(&FromMonitor::Request(Request { number: 1, lease: 2, expires_us: 3, change }));
+    assert_eq!(request(Change::Hold { component: 4, hold: Hold::Latent }), [5, 1, 2, 3, 0, 4, 2]);
+    assert_eq!(request(Change::Rate { component: 4, hz: 1.0 }), [5, 1, 2, 3, 1, 4, 0, 0, 128, 63]);
+    let setting = Setting { component: 4, index: 5, value: Value::Bool(true) };
+    assert_eq!(request(Change::Params([setting].into_iter().collect())), [5, 1, 2, 3, 2, 1, 4, 5, 3, 1]);
+    let arguments = [Value::I32(-1), Value::Choice(6)].into_iter().collect();
+    let call = Change::Modulate { component: 4, modulation: 5, arguments };
+    assert_eq!(request(call), [5, 1, 2, 3, 3, 4, 5, 2, 1, 1, 4, 6]);
+
+    let to = |message: &ToMonitor<'_>| postcard::to_stdvec(message).expect("serializable");
+    let info = CycleInfo { cycle: 1, time_us: 2, sensed: 3, images: 4, overruns: 5 };
+    assert_eq!(to(&ToMonitor::Cycle(info)), [1, 1, 2, 3, 4, 5]);
+    let state = ComponentState { active: true, held: Hold::Active, state: Some(7), hz: None };
+    let states = [state].into_iter().collect();
+    let states = ComponentStates { cycle: 1, first: 2, states };
+    assert_eq!(to(&ToMonitor::Components(states)), [2, 1, 2, 1, 1, 1, 1, 7, 0]);
+    let info = InfoValue { cycle: 1, component: 2, info: 3, bytes: Some(&[9]) };
+    assert_eq!(to(&ToMonitor::Info(info)), [3, 1, 2, 3, 1, 1, 9]);
+    let lease = LeaseState { lease: 1, owned: true, yours: false, time_us: 2 };
+    assert_eq!(to(&ToMonitor::Lease(lease)), [6, 1, 1, 0, 2]);
+    let result = AnswerResult::Refused { code: RefusalCode::Tree, entry: 4, text: "a" };
+    assert_eq!(
+        to(&ToMonitor::Answer(Answer { number: 1, cycle: 2, arrived: 3, result })),
+        [7, 1, 2, 3, 1, 2, 4, 1, 97]
+    );
+    assert_eq!(to(&ToMonitor::Log(LogLine { time_us: 1, level: 2, text: "a" })), [8, 1, 2, 1, 97]);
+    assert_eq!(to(&ToMonitor::Closing { reason: "a" }), [9, 1, 97]);
+    assert_eq!(postcard::to_stdvec(&ToRobot::Monitor(&[0])), Ok(vec![6, 1, 0]));
+    assert_eq!(postcard::to_stdvec(&FromRobot::Monitor(&[0])), Ok(vec![5, 1, 0]));
 }

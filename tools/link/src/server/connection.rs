@@ -1,6 +1,6 @@
 //! One monitor: the thread that reads its messages and the thread that writes to it.
 
-use std::collections::VecDeque;
+use std::collections::{BTreeSet, VecDeque};
 use std::io;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
@@ -9,8 +9,9 @@ use std::time::{Duration, Instant};
 
 use bica_wire::{FromMonitor, Packet, ToRobot};
 
+use super::cycle_data::{self, Shown};
 use super::hub::{Command, Hub, MAX_PENDING};
-use super::outbox::{Data, Message, Offered, Outbox};
+use super::outbox::{Message, Offered, Outbox};
 use crate::frame::{Packets, Receiver};
 use crate::stream::{Reading, Stream};
 
@@ -43,8 +44,8 @@ impl Connection {
     }
 
     /// Moves messages and data into the queues without waiting.
-    pub(super) fn offer(&self, hub: &Hub, messages: &mut VecDeque<Message>, data: &mut Vec<Data>) -> Offered {
-        let offered = self.outbox.offer(messages, data);
+    pub(super) fn offer(&self, hub: &Hub, messages: &mut VecDeque<Message>, shown: &mut Option<Shown>) -> Offered {
+        let offered = self.outbox.offer(messages, shown);
         if offered == Offered::Overflow {
             self.overflow(hub);
         }
@@ -163,7 +164,7 @@ fn handle(hub: &Hub, connection: &Arc<Connection>, message: Incoming) -> bool {
 }
 
 fn write(connection: &Connection, mut stream: Stream) {
-    let mut packets = Packets::new();
+    let (mut packets, mut schemas) = (Packets::new(), BTreeSet::new());
     while let Some((messages, data)) = connection.outbox.take() {
         let mut closing = false;
         for message in messages {
@@ -175,9 +176,7 @@ fn write(connection: &Connection, mut stream: Stream) {
                 return;
             }
         }
-        for data in data.values() {
-            let _ = data.encode(&mut packets);
-        }
+        let _ = cycle_data::encode(&data, &mut schemas, &mut packets);
         if packets.write(&mut stream).is_err() || closing {
             connection.close();
             return;

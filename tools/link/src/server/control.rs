@@ -30,6 +30,8 @@ pub(super) struct Control {
     watch_only: bool,
     began: Instant,
     pub(super) watchers: Vec<Watcher>,
+    /// Information that at least one monitor watches in every n-th cycle, sorted.
+    pub(super) watched: Vec<((u16, u16), u16)>,
     pub(super) lease: Lease,
     pub(super) applied: Vec<Applied>,
     /// Components whose parameters every monitor gets at the end of the cycle.
@@ -48,6 +50,7 @@ impl Control {
             watch_only: options.watch_only,
             began: Instant::now(),
             watchers: Vec::new(),
+            watched: Vec::new(),
             lease: Lease::new(options.silence),
             applied: Vec::new(),
             changed: BTreeSet::new(),
@@ -70,6 +73,14 @@ impl Control {
         if let Some(watcher) = self.watcher(connection) {
             watcher.tell(message);
         }
+    }
+
+    /// Lists what is watched anew, after a monitor changed it or left.
+    pub(super) fn list_watched(&mut self) {
+        let all = self.watchers.iter().flat_map(|watcher| watcher.watched.iter());
+        self.watched = all.map(|(&key, &every)| (key, every)).collect();
+        self.watched.sort_unstable();
+        self.watched.dedup();
     }
 
     /// Sends the lease to every monitor.
@@ -119,6 +130,7 @@ impl Control {
                     let text = "a monitor cannot watch so much information".into();
                     self.tell(id, Message::Log { time_us: now.as_micros(), level: 3, text });
                 }
+                self.list_watched();
             }
             Command::ReadParams => {
                 self.readers.insert(id);

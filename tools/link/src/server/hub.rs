@@ -119,9 +119,14 @@ impl Hub {
     /// Hands a message to the loop. Returns whether a loop will receive it.
     pub(super) fn deliver(&self, from: &Arc<Connection>, command: Command) -> bool {
         let arrived = self.next_cycle.load(Ordering::Relaxed);
-        // The queue has a place for every message that a connection may have waiting.
         match self.inbox.try_send(Inbound { from: Arc::clone(from), arrived, command }) {
-            Ok(()) | Err(TrySendError::Full(_)) => true,
+            Ok(()) => true,
+            // The queue has a place for every message that open connections may have waiting: it is full of those of closed
+            // ones, while the loop stands still.
+            Err(TrySendError::Full(_)) => {
+                from.overflow(self);
+                true
+            }
             Err(TrySendError::Disconnected(_)) => false,
         }
     }

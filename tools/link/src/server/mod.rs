@@ -2,6 +2,7 @@
 
 mod connection;
 mod control;
+mod cycle_data;
 mod hub;
 mod lease;
 mod listener;

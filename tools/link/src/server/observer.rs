@@ -1,22 +1,19 @@
 //! The observer in the loop.
 
-use std::collections::BTreeMap;
 use std::marker::PhantomData;
 use std::sync::atomic::Ordering;
 use std::sync::{Arc, Mutex};
 
 use bica::graph::Node;
-use bica::info::{InfoSink, Information};
 use bica::runner::{Cycle, Observer, Overrun, Robot};
 use bica::{ComponentId, Instant, Probe, Tree};
-use bica_wire::message::{Change, MAX_INFO_BYTES, MAX_VALUES, ParamValues, Value};
-use postcard_schema::schema::NamedType;
+use bica_wire::message::{Change, MAX_VALUES, ParamValues, Value};
 
 use super::control::{Applied, Control};
-use super::outbox::{AnswerKind, Data, InfoReading, Message};
+use super::cycle_data::CycleData;
+use super::outbox::{AnswerKind, Message};
 use super::requests::lock;
 use super::snapshot::Snapshot;
-use super::watcher::Watcher;
 
 /// Observer in the loop: sends answers, snapshots and information. It never waits.
 pub struct LinkObserver<R: Robot> {
@@ -53,8 +50,7 @@ impl<R: Robot> Observer<R> for LinkObserver<R> {
         control.next.time_us = cycle.now.as_micros();
         control.answer(cycle.robot);
         control.send_params(cycle.robot);
-        control.send_snapshots(cycle.robot);
-        control.send_info(cycle.robot);
+        control.send_data(cycle.robot);
         control.finish();
     }
 
@@ -98,68 +94,36 @@ impl Control {
         }
     }
 
-    fn send_snapshots<T: Tree>(&mut self, tree: &T) {
+    /// Reads what is watched in this cycle, once for all monitors.
+    fn send_data<T: Tree>(&mut self, tree: &T) {
         let info = self.next;
-        let mut snapshot = None;
-        for watcher in self.watchers.iter_mut().filter(|watcher| watcher.is_due(info.cycle)) {
-            let snapshot = snapshot.get_or_insert_with(|| Arc::new(Snapshot::new(info, tree)));
-            watcher.show(Data::Snapshot(Arc::clone(snapshot)));
-        }
-    }
-
-    fn send_info<T: Tree>(&mut self, tree: &T) {
-        let cycle = self.next.cycle;
-        let mut readings = BTreeMap::new();
-        for watcher in &mut self.watchers {
-            let due = watcher.info.iter().filter(|&(_, &every)| cycle.is_multiple_of(every.into()));
-            let due: Vec<_> = due.map(|(&key, _)| key).collect();
-            for (component, info) in due {
-                let read = || read(tree, cycle, component, info);
-                if let Some((schema, reading)) = readings.entry((component, info)).or_insert_with(read) {
-                    show(watcher, schema, reading);
-                }
+        let has_snapshot = self.watchers.iter().any(|watcher| watcher.is_due(info.cycle));
+        let mut data = CycleData::new(info.cycle, has_snapshot.then(|| Snapshot::new(info, tree)));
+        let mut last = None;
+        for &(key, every) in &self.watched {
+            if last != Some(key) && info.cycle.is_multiple_of(every.into()) {
+                data.read(tree, key.0, key.1);
+                last = Some(key);
             }
         }
+        if data.is_empty() {
+            return;
+        }
+        let data = Arc::new(data);
+        self.watchers.iter_mut().for_each(|watcher| watcher.show(&data, info.cycle));
     }
 
     /// Hands everything over and prepares the next cycle.
     fn finish(&mut self) {
-        let hub = &self.hub;
-        self.watchers.iter_mut().for_each(|watcher| watcher.flush(hub));
-        self.watchers.retain(|watcher| !watcher.connection.is_closed());
+        let hub = Arc::clone(&self.hub);
+        self.watchers.iter_mut().for_each(|watcher| watcher.flush(&hub));
+        if self.watchers.iter().any(|watcher| watcher.connection.is_closed()) {
+            self.watchers.retain(|watcher| !watcher.connection.is_closed());
+            self.list_watched();
+        }
         hub.time_us.store(self.next.time_us, Ordering::Relaxed);
         self.next.cycle += 1;
         hub.next_cycle.store(self.next.cycle, Ordering::Relaxed);
-    }
-}
-
-type Reading = Option<(&'static NamedType, Arc<InfoReading>)>;
-
-fn show(watcher: &mut Watcher, schema: &'static NamedType, reading: &Arc<InfoReading>) {
-    let (component, info) = (reading.component, reading.info);
-    if watcher.needs_schema(component, info) {
-        watcher.tell(Message::Schema { component, info, schema });
-    }
-    watcher.show(Data::Info(Arc::clone(reading)));
-}
-
-fn read<T: Tree>(tree: &T, cycle: u64, component: u16, info: u16) -> Reading {
-    let mut sink = Bytes { schema: None, bytes: None };
-    tree.read_info(id(component), info.into(), &mut sink);
-    let bytes = sink.bytes.filter(|bytes| bytes.len() <= MAX_INFO_BYTES);
-    sink.schema.map(|schema| (schema, Arc::new(InfoReading { cycle, component, info, bytes })))
-}
-
-/// Takes a value in postcard's format.
-struct Bytes {
-    schema: Option<&'static NamedType>,
-    bytes: Option<Vec<u8>>,
-}
-
-impl InfoSink for Bytes {
-    fn take<V: Information>(&mut self, value: &V) {
-        self.schema = Some(V::SCHEMA);
-        self.bytes = postcard::to_stdvec(value).ok();
     }
 }
 

@@ -1,21 +1,22 @@
 //! Messages that wait for a monitor.
 
-use std::collections::{BTreeMap, VecDeque};
+use std::collections::VecDeque;
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError, TryLockError};
 
 use bica::Graph;
 use bica_wire::message::{
-    Answer, AnswerResult, Attached, InfoSchema, InfoValue, LeaseState, LogLine, MAX_TEXT_BYTES, ParamValues,
-    RefusalCode, SCHEMA_PART_BYTES, Value,
+    Answer, AnswerResult, Attached, LeaseState, LogLine, MAX_TEXT_BYTES, ParamValues, RefusalCode, Value,
 };
 use bica_wire::{FromRobot, ToMonitor, TooLarge, describe, truncate};
-use postcard_schema::schema::NamedType;
 
-use super::snapshot::Snapshot;
+use super::cycle_data::Shown;
 use crate::frame::Packets;
 
 /// Largest number of messages in the lossless queue. A monitor that leaves more unread is disconnected.
 pub(super) const MAX_STATE: usize = 256;
+
+/// Largest number of cycles whose data waits; the oldest is dropped.
+const MAX_DATA: usize = 8;
 
 /// Message of the lossless queue.
 #[derive(Debug)]
@@ -24,7 +25,6 @@ pub(super) enum Message {
     Describe(&'static Graph),
     Lease(LeaseState),
     Params(Vec<ParamValues>),
-    Schema { component: u16, info: u16, schema: &'static NamedType },
     Answer { number: u32, cycle: u64, arrived: u64, result: AnswerKind },
     Log { time_us: u64, level: u8, text: Arc<str> },
     Closing(&'static str),
@@ -37,34 +37,6 @@ pub(super) enum AnswerKind {
     Refused { code: RefusalCode, entry: u16, text: String },
 }
 
-/// A value of the latest-wins queue: a new one replaces an old one of the same key.
-#[derive(Debug)]
-pub(super) enum Data {
-    Snapshot(Arc<Snapshot>),
-    Info(Arc<InfoReading>),
-}
-
-/// A value of information.
-#[derive(Debug)]
-pub(super) struct InfoReading {
-    pub(super) cycle: u64,
-    pub(super) component: u16,
-    pub(super) info: u16,
-    pub(super) bytes: Option<Vec<u8>>,
-}
-
-impl Data {
-    fn key(&self) -> Option<(u16, u16)> {
-        match self {
-            Self::Snapshot(_) => None,
-            Self::Info(reading) => Some((reading.component, reading.info)),
-        }
-    }
-}
-
-/// The newest value of each key: a snapshot, or an information.
-type DataQueue = BTreeMap<Option<(u16, u16)>, Data>;
-
 /// The two queues of a monitor.
 #[derive(Debug, Default)]
 pub(super) struct Outbox {
@@ -75,7 +47,7 @@ pub(super) struct Outbox {
 #[derive(Debug, Default)]
 struct Queues {
     state: VecDeque<Message>,
-    data: DataQueue,
+    data: VecDeque<Shown>,
     closed: bool,
 }
 
@@ -104,7 +76,7 @@ impl Outbox {
     }
 
     /// Moves messages and data into the queues, unless another thread uses these. For the loop, which never waits.
-    pub(super) fn offer(&self, messages: &mut VecDeque<Message>, data: &mut Vec<Data>) -> Offered {
+    pub(super) fn offer(&self, messages: &mut VecDeque<Message>, shown: &mut Option<Shown>) -> Offered {
         let mut queues = match self.queues.try_lock() {
             Ok(queues) => queues,
             Err(TryLockError::Poisoned(poisoned)) => poisoned.into_inner(),
@@ -114,8 +86,11 @@ impl Outbox {
             return Offered::Overflow;
         }
         queues.state.append(messages);
-        for data in data.drain(..) {
-            queues.data.insert(data.key(), data);
+        if let Some(shown) = shown.take() {
+            if queues.data.len() == MAX_DATA {
+                queues.data.pop_front();
+            }
+            queues.data.push_back(shown);
         }
         drop(queues);
         self.filled.notify_one();
@@ -123,7 +98,7 @@ impl Outbox {
     }
 
     /// Waits for messages and takes all; `None` after [`close`](Self::close).
-    pub(super) fn take(&self) -> Option<(VecDeque<Message>, DataQueue)> {
+    pub(super) fn take(&self) -> Option<(VecDeque<Message>, VecDeque<Shown>)> {
         let queues = self.lock();
         let empty = |queues: &mut Queues| queues.state.is_empty() && queues.data.is_empty() && !queues.closed;
         let mut queues = self.filled.wait_while(queues, empty).unwrap_or_else(PoisonError::into_inner);
@@ -152,7 +127,6 @@ impl Message {
             }
             Self::Lease(lease) => packets.push(&ToMonitor::Lease(*lease)),
             Self::Params(parts) => parts.iter().try_for_each(|values| packets.push(&ToMonitor::Params(values.clone()))),
-            Self::Schema { component, info, schema } => push_schema(*component, *info, schema, packets),
             Self::Answer { number, cycle, arrived, result } => {
                 let result = match result {
                     AnswerKind::Done(values) => AnswerResult::Done { values: values.iter().copied().collect() },
@@ -170,27 +144,4 @@ impl Message {
             Self::Closing(reason) => packets.push(&ToMonitor::Closing { reason }),
         }
     }
-}
-
-impl Data {
-    /// Appends the packets of this value.
-    pub(super) fn encode(&self, packets: &mut Packets) -> Result<(), TooLarge> {
-        match self {
-            Self::Snapshot(snapshot) => snapshot.encode(packets),
-            Self::Info(reading) => {
-                let InfoReading { cycle, component, info, .. } = **reading;
-                packets.push(&ToMonitor::Info(InfoValue { cycle, component, info, bytes: reading.bytes.as_deref() }))
-            }
-        }
-    }
-}
-
-fn push_schema(component: u16, info: u16, schema: &NamedType, packets: &mut Packets) -> Result<(), TooLarge> {
-    let bytes = postcard::to_stdvec(schema).map_err(|_| TooLarge)?;
-    let parts = bytes.chunks(SCHEMA_PART_BYTES);
-    let last = parts.len() - 1;
-    for (index, bytes) in parts.enumerate() {
-        packets.push(&ToMonitor::InfoSchema(InfoSchema { component, info, last: index == last, bytes }))?;
-    }
-    Ok(())
 }

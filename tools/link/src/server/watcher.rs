@@ -1,13 +1,14 @@
 //! A monitor as the loop sees it.
 
-use std::collections::{BTreeMap, BTreeSet, VecDeque};
+use std::collections::VecDeque;
 use std::sync::Arc;
 
 use bica_wire::message::WatchInfo;
 
 use super::connection::Connection;
+use super::cycle_data::{CycleData, Shown, Watched};
 use super::hub::Hub;
-use super::outbox::{Data, MAX_STATE, Message, Offered};
+use super::outbox::{MAX_STATE, Message, Offered};
 
 /// Largest number of information that a monitor watches.
 const MAX_INFO: usize = 256;
@@ -18,31 +19,28 @@ pub(super) struct Watcher {
     pub(super) connection: Arc<Connection>,
     /// A snapshot in every n-th cycle; 0: none.
     pub(super) every: u16,
-    /// Watched information, with n for every n-th cycle.
-    pub(super) info: BTreeMap<(u16, u16), u16>,
-    /// Information whose schema was sent.
-    schemas: BTreeSet<(u16, u16)>,
-    /// Messages and data that could not be handed over without waiting.
+    pub(super) watched: Arc<Watched>,
+    /// Messages that could not be handed over without waiting.
     messages: VecDeque<Message>,
-    data: Vec<Data>,
+    shown: Option<Shown>,
 }
 
 impl Watcher {
     pub(super) fn new(connection: Arc<Connection>) -> Self {
-        let (info, schemas) = (BTreeMap::new(), BTreeSet::new());
-        Self { connection, every: 0, info, schemas, messages: VecDeque::new(), data: Vec::new() }
+        Self { connection, every: 0, watched: Arc::default(), messages: VecDeque::new(), shown: None }
     }
 
     /// Changes how often an information is sent; returns whether there was room.
     pub(super) fn watch(&mut self, WatchInfo { component, info, every }: WatchInfo) -> bool {
         let key = (component, info);
+        let watched = Arc::make_mut(&mut self.watched);
         if every == 0 {
-            self.info.remove(&key);
+            watched.remove(&key);
             return true;
         }
-        let room = self.info.len() < MAX_INFO || self.info.contains_key(&key);
+        let room = watched.len() < MAX_INFO || watched.contains_key(&key);
         if room {
-            self.info.insert(key, every);
+            watched.insert(key, every);
         }
         room
     }
@@ -52,29 +50,28 @@ impl Watcher {
         self.every > 0 && cycle.is_multiple_of(self.every as u64)
     }
 
-    /// Records that the schema of an information is sent; returns whether it was not before.
-    pub(super) fn needs_schema(&mut self, component: u16, info: u16) -> bool {
-        self.schemas.insert((component, info))
-    }
-
     /// Adds a message for the lossless queue.
     pub(super) fn tell(&mut self, message: Message) {
         self.messages.push_back(message);
     }
 
-    /// Adds data for the latest-wins queue.
-    pub(super) fn show(&mut self, data: Data) {
-        self.data.push(data);
+    /// Adds data of a cycle for the latest-wins queue, if this monitor watches anything.
+    pub(super) fn show(&mut self, data: &Arc<CycleData>, cycle: u64) {
+        let snapshot = self.is_due(cycle);
+        if snapshot || !self.watched.is_empty() {
+            let (data, watched) = (Arc::clone(data), Arc::clone(&self.watched));
+            self.shown = Some(Shown { data, snapshot, watched });
+        }
     }
 
     /// Hands messages and data over, without waiting.
     pub(super) fn flush(&mut self, hub: &Hub) {
-        if self.messages.is_empty() && self.data.is_empty() {
+        if self.messages.is_empty() && self.shown.is_none() {
             return;
         }
-        let offered = self.connection.offer(hub, &mut self.messages, &mut self.data);
+        let offered = self.connection.offer(hub, &mut self.messages, &mut self.shown);
         // Data of this cycle is replaced by that of the next one; messages are kept.
-        self.data.clear();
+        self.shown = None;
         if offered == Offered::Contended && self.messages.len() > MAX_STATE {
             self.connection.overflow(hub);
         }

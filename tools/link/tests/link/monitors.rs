@@ -85,6 +85,9 @@ fn a_snapshot_has_the_cycle_its_instant_and_all_states() {
 fn information_is_decoded_and_comes_in_every_nth_cycle() {
     let session = Session::start();
     let mut client = session.client();
+    // Another monitor watches the same in each cycle.
+    let mut other = session.client();
+    other.watch_info(1, 0, 1).unwrap();
     client.watch_info(1, 0, 7).unwrap();
     for _ in 0..10 {
         let (cycle, value) = event(&mut client, "information", |event| match event {
