@@ -15,6 +15,7 @@ use embedded_io_async::Write;
 
 use crate::board::Board;
 use crate::crash_log::CrashLog;
+use crate::graph::GRAPH;
 use crate::link::MessageTx;
 use crate::meter::Meter;
 use crate::stack;
@@ -92,7 +93,7 @@ impl<B: Board> Controller<B> {
         match message {
             ToRobot::Hello(hello) => self.start_game(hello, tx).await,
             ToRobot::Describe => {
-                for item in describe(&Forward::GRAPH) {
+                for item in describe(&GRAPH) {
                     tx.send(&FromRobot::GraphItem(item)).await;
                 }
             }

@@ -9,6 +9,7 @@ use bica_wire::message::FaultInjection;
 
 use crate::board::Board;
 use crate::faults::Faults;
+use crate::graph::GRAPH;
 
 /// An observer that measures with the counter of board `B`.
 pub(crate) struct Meter<B> {
@@ -37,11 +38,11 @@ impl<B: Board> Meter<B> {
 }
 
 fn name(component: ComponentId) -> &'static str {
-    Forward::GRAPH.nodes[component.index()].name
+    GRAPH.nodes[component.index()].name
 }
 
 fn state(component: ComponentId, state: usize) -> &'static str {
-    Forward::GRAPH.nodes[component.index()].states[state].name
+    GRAPH.nodes[component.index()].states[state].name
 }
 
 impl<B: Board> Probe for Meter<B> {
