@@ -17,6 +17,7 @@
 //!   cut connection left in a queue is dropped.
 
 mod address;
+mod builder;
 mod client;
 mod description;
 mod error;

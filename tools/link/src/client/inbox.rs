@@ -10,7 +10,8 @@ use bica_wire::{FromRobot, ToMonitor};
 use postcard_schema::schema::owned::OwnedNamedType;
 
 use super::event::{Answered, Event, Snapshot};
-use crate::description::{Builder, Description, to_json};
+use crate::builder::Builder;
+use crate::description::{Description, to_json};
 use crate::error::Error;
 use crate::schema::decode;
 

@@ -1,0 +1,179 @@
+//! Assembly of a description from items.
+
+use bica_wire::message::{GraphItem, ParamKind, Value};
+use serde_json::json;
+
+use crate::description::{
+    Component, Description, Info, Kind, Link, Modulation, Param, State, Transition, Variant, to_json,
+};
+use crate::error::Error;
+
+/// What the next doc comment belongs to.
+#[derive(Clone, Copy)]
+enum Last {
+    Tree,
+    Component(usize),
+    State(usize),
+    Transition(usize),
+    Param(usize),
+    ParamVariant(usize),
+    Info(usize),
+    Modulation(usize),
+    Argument(usize),
+    ArgumentVariant(usize),
+    Link,
+}
+
+/// Builds a description from items.
+pub(crate) struct Builder {
+    description: Description,
+    last: Last,
+    items: u32,
+}
+
+impl Builder {
+    pub(crate) fn new() -> Self {
+        Self { description: Description::default(), last: Last::Tree, items: 0 }
+    }
+
+    /// Adds an item; returns the description after the last one.
+    pub(crate) fn add(&mut self, item: &GraphItem<'_>) -> Result<Option<Description>, Error> {
+        if let GraphItem::End { items } = *item {
+            let complete = items == self.items;
+            let description = std::mem::take(&mut self.description);
+            *self = Self::new();
+            return if complete { Ok(Some(description)) } else { Err(Error::Invalid("items are missing")) };
+        }
+        self.items += 1;
+        self.put(item).ok_or(Error::Invalid("an item belongs to none before it"))?;
+        Ok(None)
+    }
+
+    fn at(&mut self, component: u16) -> Option<&mut Component> {
+        self.description.components.get_mut(usize::from(component))
+    }
+
+    fn put(&mut self, item: &GraphItem<'_>) -> Option<()> {
+        match *item {
+            GraphItem::End { .. } => {}
+            GraphItem::Doc { text } => self.doc()?.push_str(text),
+            GraphItem::Tree { name, cycle_hz, budget_ms, tunable, .. } => {
+                let name = name.to_owned();
+                self.description = Description { name, cycle_hz, budget_ms, tunable, ..Description::default() };
+                (self.last, self.items) = (Last::Tree, 1);
+            }
+            GraphItem::Component { name, hz, budget_us, root, resume, .. } => {
+                let name = name.to_owned();
+                self.last = Last::Component(self.description.components.len());
+                let component = Component { name, hz, budget_us, root, resume, ..Component::default() };
+                self.description.components.push(component);
+            }
+            GraphItem::Link { from, to, modulation, state } => {
+                let link = Link { to: to.into(), modulation, state: state.map(usize::from) };
+                self.at(from)?.links.push(link);
+                self.last = Last::Link;
+            }
+            GraphItem::State { component, name, initial, last, .. } => {
+                self.at(component)?.states.push(State { name: name.to_owned(), doc: String::new(), initial, last });
+                self.last = Last::State(component.into());
+            }
+            GraphItem::Transition { component, from, to, name, after_ms } => {
+                let (name, from, to) = (name.to_owned(), from.into(), to.into());
+                self.at(component)?.transitions.push(Transition { name, doc: String::new(), from, to, after_ms });
+                self.last = Last::Transition(component.into());
+            }
+            GraphItem::Param { component, group, name, unit, kind, default, .. } => {
+                self.at(component)?.params.push(param(group, name, unit, kind, default));
+                self.last = Last::Param(component.into());
+            }
+            GraphItem::Variant { name } => self.variant(name)?,
+            GraphItem::Info { component, name, unit, type_name, .. } => {
+                let (name, unit, type_name) = (name.to_owned(), unit.map(str::to_owned), type_name.to_owned());
+                self.at(component)?.info.push(Info { name, doc: String::new(), unit, type_name });
+                self.last = Last::Info(component.into());
+            }
+            GraphItem::Modulation { component, name, .. } => {
+                let (name, doc) = (name.to_owned(), String::new());
+                self.at(component)?.modulations.push(Modulation { name, doc, arguments: Vec::new() });
+                self.last = Last::Modulation(component.into());
+            }
+            GraphItem::Argument { name, unit, kind, default } => {
+                let (Last::Modulation(of) | Last::Argument(of) | Last::ArgumentVariant(of)) = self.last else {
+                    return None;
+                };
+                let arguments = &mut self.description.components.get_mut(of)?.modulations.last_mut()?.arguments;
+                arguments.push(param("", name, unit, kind, default));
+                self.last = Last::Argument(of);
+            }
+        }
+        Some(())
+    }
+
+    /// Adds a variant to the last parameter or argument. Its default was an index until its variant is known.
+    fn variant(&mut self, name: &str) -> Option<()> {
+        let (param, last) = match self.last {
+            Last::Param(of) | Last::ParamVariant(of) => {
+                (self.description.components.get_mut(of)?.params.last_mut()?, Last::ParamVariant(of))
+            }
+            Last::Argument(of) | Last::ArgumentVariant(of) => {
+                let modulation = self.description.components.get_mut(of)?.modulations.last_mut()?;
+                (modulation.arguments.last_mut()?, Last::ArgumentVariant(of))
+            }
+            _ => return None,
+        };
+        let Kind::Choice { variants } = &mut param.kind else { return None };
+        if param.default.as_u64() == Some(variants.len() as u64) {
+            param.default = json!(name);
+        }
+        variants.push(Variant { name: name.to_owned(), doc: String::new() });
+        self.last = last;
+        Some(())
+    }
+
+    fn doc(&mut self) -> Option<&mut String> {
+        let components = &mut self.description.components;
+        Some(match self.last {
+            Last::Tree => &mut self.description.doc,
+            Last::Component(of) => &mut components.get_mut(of)?.doc,
+            Last::State(of) => &mut components.get_mut(of)?.states.last_mut()?.doc,
+            Last::Transition(of) => &mut components.get_mut(of)?.transitions.last_mut()?.doc,
+            Last::Param(of) => &mut components.get_mut(of)?.params.last_mut()?.doc,
+            Last::ParamVariant(of) => last_variant(components.get_mut(of)?.params.last_mut()?)?,
+            Last::Info(of) => &mut components.get_mut(of)?.info.last_mut()?.doc,
+            Last::Modulation(of) => &mut components.get_mut(of)?.modulations.last_mut()?.doc,
+            Last::Argument(of) => &mut components.get_mut(of)?.modulations.last_mut()?.arguments.last_mut()?.doc,
+            Last::ArgumentVariant(of) => {
+                last_variant(components.get_mut(of)?.modulations.last_mut()?.arguments.last_mut()?)?
+            }
+            Last::Link => return None,
+        })
+    }
+}
+
+fn last_variant(param: &mut Param) -> Option<&mut String> {
+    match &mut param.kind {
+        Kind::Choice { variants } => Some(&mut variants.last_mut()?.doc),
+        _ => None,
+    }
+}
+
+fn param(group: &str, name: &str, unit: Option<&str>, kind: ParamKind, default: Value) -> Param {
+    let kind = match kind {
+        ParamKind::F32 { min, max, step } => Kind::F32 { min, max, step },
+        ParamKind::I32 { min, max, step } => Kind::I32 { min, max, step },
+        ParamKind::U32 { min, max, step } => Kind::U32 { min, max, step },
+        ParamKind::Bool => Kind::Bool,
+        ParamKind::Choice { .. } => Kind::Choice { variants: Vec::new() },
+        ParamKind::Unknown => Kind::Unknown,
+    };
+    let default = to_json(default, &kind);
+    Param {
+        group: group.to_owned(),
+        name: name.to_owned(),
+        doc: String::new(),
+        unit: unit.map(str::to_owned),
+        kind,
+        default,
+        value: None,
+    }
+}
