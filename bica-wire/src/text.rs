@@ -5,19 +5,3 @@
 pub fn truncate(text: &str, max: usize) -> &str {
     text.split_at(text.floor_char_boundary(max)).0
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_cut_text_is_the_longest_beginning_of_whole_characters() {
-        let text = "aé€𝄞b€".repeat(9);
-        for max in 0..=text.len() + 1 {
-            let cut = truncate(&text, max);
-            assert!(text.starts_with(cut) && cut.len() <= max, "{max}");
-            let longer = text[cut.len()..].chars().next().map(char::len_utf8);
-            assert!(longer.is_none_or(|next| cut.len() + next > max), "{max}");
-        }
-    }
-}

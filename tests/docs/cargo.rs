@@ -16,11 +16,7 @@ pub(crate) struct Workspace {
 impl Workspace {
     /// Reads the manifests of the workspace.
     pub(crate) fn read() -> Self {
-        let metadata = ["metadata", "--no-deps", "--offline", "--format-version", "1"];
-        let output = Command::new(env!("CARGO")).args(metadata).current_dir(root()).output().expect("cargo runs");
-        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-        let json: Value = serde_json::from_slice(&output.stdout).expect("cargo prints JSON");
-        let packages = json["packages"].as_array().expect("a list of packages");
+        let packages = packages();
         Self {
             packages: packages.iter().map(|package| text(&package["name"])).collect(),
             features: packages.iter().flat_map(|package| keys(&package["features"])).collect(),
@@ -36,6 +32,15 @@ impl Workspace {
     pub(crate) fn has(&self, kind: &str, name: &str) -> bool {
         self.targets.iter().any(|target| target.0 == kind && target.1 == name)
     }
+}
+
+/// Packages of the workspace, as `cargo metadata` describes them.
+pub(crate) fn packages() -> Vec<Value> {
+    let metadata = ["metadata", "--no-deps", "--offline", "--format-version", "1"];
+    let output = Command::new(env!("CARGO")).args(metadata).current_dir(root()).output().expect("cargo runs");
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let json: Value = serde_json::from_slice(&output.stdout).expect("cargo prints JSON");
+    list(&json["packages"])
 }
 
 fn named(target: &Value) -> Vec<(String, String)> {

@@ -1,9 +1,11 @@
 //! Tests of the documentation: every relative link has a target, and every command is accepted by its program.
+//! Test of the manifests: every test belongs to a test program.
 
 mod cargo;
 mod commands;
 mod links;
 mod pages;
+mod untested;
 
 use pages::Page;
 
@@ -30,4 +32,10 @@ fn every_command_is_accepted_by_the_program_that_it_starts() {
     }
     assert!(refused.is_empty(), "commands that do not work:\n{}", refused.join("\n"));
     assert!(checked > 40, "only {checked} commands were found: are the pages read?");
+}
+
+#[test]
+fn no_test_is_in_a_target_without_a_test_program() {
+    let files = untested::with_tests(&cargo::packages());
+    assert!(files.is_empty(), "tests that never run, as their manifest says `test = false`: {files:?}");
 }

@@ -4,7 +4,7 @@ use bica::graph::{Graph, LinkKind};
 use bica::prelude::*;
 use bica::runner::Observer;
 use bica_player::Forward;
-use bica_sim::setup::Setup;
+use bica_sim::setup::{Frame, Setup};
 use proptest::prelude::*;
 
 use crate::game::new_game;
@@ -51,7 +51,7 @@ proptest! {
 
     #[test]
     fn active_components_are_those_that_the_states_reach(seed: u64, robots in 0_usize..4) {
-        let mut game = new_game(&Setup { seed, robots, ..Setup::default() }).with_observer(Taken::default());
+        let mut game = new_game(&Setup { seed, frame: Frame::Small, robots, ..Setup::default() }).with_observer(Taken::default());
         for cycle in 0..2500 {
             game.cycle().expect("the image fits");
             let expected = reached(&Forward::GRAPH, |index| game.robot().state(ComponentId::new(index)), &game.observer().0);

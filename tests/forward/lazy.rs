@@ -5,7 +5,7 @@ use bica::runner::Observer;
 use bica_player::Forward;
 use bica_player::behaviour::{FaceBall, Player};
 use bica_player::perception::{BallDetector, FieldLines, GoalDetector, Localization};
-use bica_sim::setup::Setup;
+use bica_sim::setup::{Frame, Setup};
 
 use crate::game::new_game;
 
@@ -24,7 +24,7 @@ impl Observer<Forward> for Ran {}
 
 /// Runs 300 cycles in which only this component is held active, and returns the components that ran.
 fn ran_with(active: ComponentId) -> Ran {
-    let mut game = new_game(&Setup { seed: 3, ..Setup::default() }).with_observer(Ran::default());
+    let mut game = new_game(&Setup { seed: 3, frame: Frame::Small, ..Setup::default() }).with_observer(Ran::default());
     game.robot_mut().hold::<Player>(Hold::Latent);
     game.robot_mut().hold_at(active, Hold::Active);
     for _ in 0..300 {

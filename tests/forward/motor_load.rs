@@ -7,7 +7,7 @@ use bica_player::Forward;
 use bica_player::behaviour::SafetyGuard;
 use bica_player::input::HealthMonitor;
 use bica_sim::World as _;
-use bica_sim::setup::Setup;
+use bica_sim::setup::{Frame, Setup};
 
 use crate::game::{Game, new_game};
 use bica::prelude::*;
@@ -24,7 +24,7 @@ fn play(game: &mut Game, cycles: u32) -> bool {
 #[test]
 fn stiffness_of_a_hot_joint_is_reduced_before_the_robot_sits_down() {
     for (seed, joint) in [(3, Joint::LKneePitch), (4, Joint::RAnkleRoll), (5, Joint::HeadYaw)] {
-        let mut game = new_game(&Setup { seed, ..Setup::default() });
+        let mut game = new_game(&Setup { seed, frame: Frame::Small, ..Setup::default() });
         assert!(play(&mut game, 700), "seed {seed}: no motor is overloaded in a game");
         game.world_mut().set_motor_temperature(joint, 73.5);
         assert!(!play(&mut game, 100), "seed {seed}: the stiffness of a warm joint is reduced");
@@ -43,7 +43,7 @@ fn stiffness_of_a_hot_joint_is_reduced_before_the_robot_sits_down() {
 
 #[test]
 fn robot_that_sat_down_hot_stands_up_and_scores_after_cooling() {
-    let mut game = new_game(&Setup { seed: 3, ..Setup::default() });
+    let mut game = new_game(&Setup { seed: 3, frame: Frame::Small, ..Setup::default() });
     game.world_mut().set_motor_temperature(Joint::LKneePitch, 78.0);
     play(&mut game, 900);
     game.world_mut().set_motor_temperature(Joint::LKneePitch, 71.0);
@@ -61,7 +61,7 @@ fn robot_that_sat_down_hot_stands_up_and_scores_after_cooling() {
 #[test]
 fn no_motor_is_overloaded_in_a_game() {
     for seed in 0..3 {
-        let mut game = new_game(&Setup { seed, robots: 2, ..Setup::default() });
+        let mut game = new_game(&Setup { seed, frame: Frame::Small, robots: 2, ..Setup::default() });
         assert!(play(&mut game, 6000), "seed {seed}");
         assert_eq!(game.robot().get::<HealthMonitor>().fault(), None, "seed {seed}");
     }

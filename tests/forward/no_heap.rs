@@ -2,13 +2,14 @@
 
 use bica::runner::{Runner, World};
 use bica_player::Forward;
-use bica_sim::setup::Setup;
+use bica_sim::setup::{Frame, Setup};
 
 use crate::game::new_game;
 
 #[test]
 fn no_cycle_of_a_game_allocates() {
-    let (robot, mut world, ..) = new_game(&Setup { seed: 1, robots: 2, ..Setup::default() }).into_parts();
+    let (robot, mut world, ..) =
+        new_game(&Setup { seed: 1, frame: Frame::Small, robots: 2, ..Setup::default() }).into_parts();
     let mut runner = Runner::new(robot, ());
     for cycle in 0..6000 {
         let now = World::<Forward>::now(&world);

@@ -9,7 +9,7 @@ use bica_player::behaviour::Player;
 use bica_sim::Referee;
 use bica_sim::World as SimulatedWorld;
 use bica_sim::kinematic::KinematicWorld;
-use bica_sim::setup::Setup;
+use bica_sim::setup::{Frame, Setup};
 
 use crate::game::new_game;
 
@@ -41,7 +41,8 @@ impl World<Forward> for WithButton {
 type Test = Harness<Forward, InWorld<WithButton>>;
 
 fn start() -> Test {
-    let (robot, world, ..) = new_game(&Setup { seed: 6, goalkeeper: false, ..Setup::default() }).into_parts();
+    let (robot, world, ..) =
+        new_game(&Setup { seed: 6, frame: Frame::Small, goalkeeper: false, ..Setup::default() }).into_parts();
     Harness::of_box(robot).in_world(WithButton { world, pressed: false, command: None })
 }
 

@@ -263,7 +263,8 @@ fn candidates(param: &Param) -> Vec<Value> {
 }
 
 #[test]
-fn each_parameter_of_perception_and_input_changes_what_is_perceived() {
+#[ignore = "slow: `cargo xtask ci` runs it"]
+fn slow_each_parameter_of_perception_and_input_changes_what_is_perceived() {
     let recording = Recording::new();
     let usual: Vec<u64> = recording.run(&mut forward(recording.attacks)).collect();
     let has_effect = |component: ComponentId, index: usize, param: &Param| {

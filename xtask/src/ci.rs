@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use crate::cli::{Budget, Firmware, Viewers};
 use crate::process::run;
-use crate::{deny, firmware, instructions, miri, mujoco, no_std, peers, publish, viewers};
+use crate::{deny, firmware, instructions, miri, mujoco, no_std, peers, publish, slow_tests, viewers};
 
 type Step = (&'static str, fn() -> Result<(), String>);
 
@@ -12,7 +12,7 @@ const STEPS: [Step; 14] = [
     ("format", || run("cargo", &["fmt", "--all", "--check"], &[])),
     ("lints", || run("cargo", &["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"], &[])),
     ("docs", || run("cargo", &["doc", "--workspace", "--no-deps"], &[("RUSTDOCFLAGS", "-D warnings")])),
-    ("tests", || run("cargo", &["test", "--workspace"], &[])),
+    ("tests", tests),
     ("publish", publish::check),
     ("deny", deny::check),
     ("peers", peers::check),
@@ -24,6 +24,13 @@ const STEPS: [Step; 14] = [
     ("no_std", no_std::check),
     ("firmware", || firmware::check(&Firmware::default())),
 ];
+
+/// Runs all tests but those that need what a clone does not have, or an idle machine.
+fn tests() -> Result<(), String> {
+    // More random cases where a few hundred take seconds.
+    run("cargo", &["test", "--workspace"], &[("BICA_TEST_CASES", "1000")])?;
+    slow_tests::run()
+}
 
 /// Features of the program: `mujoco` where that can be installed. The step `mujoco` needs it too, and so the program is built once.
 fn features() -> &'static [&'static str] {

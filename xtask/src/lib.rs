@@ -19,6 +19,7 @@ mod peers;
 mod process;
 mod processor_time;
 mod publish;
+mod slow_tests;
 mod viewers;
 
 use std::process::ExitCode;

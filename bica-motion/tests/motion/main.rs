@@ -1,6 +1,7 @@
 //! Tests of the algorithms against references and in a quasi-static world.
 
 mod adjustment;
+mod bounds;
 mod dribble;
 mod falls;
 mod forces;

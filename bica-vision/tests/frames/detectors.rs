@@ -14,7 +14,7 @@ use bica_vision::projection::{Camera, Intrinsics};
 use glam::{Affine3A, Vec2, Vec3};
 use proptest::prelude::*;
 
-use crate::canvas::{BLUE, CARPET, Canvas, LINE, ORANGE, RED, WALL, YELLOW};
+use super::canvas::{BLUE, CARPET, Canvas, LINE, ORANGE, RED, WALL, YELLOW};
 
 fn ball_in(canvas: &Canvas, camera: Option<&Camera>) -> Option<Ball> {
     canvas.with_frame(|frame| {

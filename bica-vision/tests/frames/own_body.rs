@@ -21,7 +21,7 @@ use bica_vision::projection::Camera;
 use bica_vision::table::CompactTable;
 use glam::{Affine3A, Vec2, Vec3};
 
-use crate::recorded;
+use super::recorded;
 
 /// Red plastic, in recorded and in rendered frames.
 const RED: Filter = Filter::ANY.hue(85, 118).saturation(30, 400).chroma(24);

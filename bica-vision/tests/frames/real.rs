@@ -11,7 +11,7 @@ use bica_vision::goal::{Goal, GoalFinder};
 use bica_vision::profile::{DARWIN_2013, NAO_2009};
 use bica_vision::table::{CompactTable, FullTable};
 
-use crate::recorded::{self, BallLabel, GoalLabel, Labelled};
+use super::recorded::{self, BallLabel, GoalLabel, Labelled};
 
 /// Counts over a folder.
 #[derive(Debug, Default)]

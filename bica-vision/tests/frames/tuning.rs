@@ -15,7 +15,7 @@ use bica_vision::projection::{Camera, Intrinsics, Mounting};
 use bica_vision::robots::{self, RobotTuning};
 use glam::{Affine3A, Vec2, Vec3};
 
-use crate::canvas::{CARPET, Canvas, LINE, ORANGE, RED, YELLOW};
+use super::canvas::{CARPET, Canvas, LINE, ORANGE, RED, YELLOW};
 
 /// Camera at a height of 0.5 m, pitched down by `pitch` rad.
 fn camera(pitch: f32) -> Camera {

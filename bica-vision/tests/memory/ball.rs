@@ -6,7 +6,7 @@ use bica_vision::uncertainty::{Covariance, largest};
 use glam::Vec2;
 use proptest::prelude::*;
 
-use crate::noise::{Noise, root, spread};
+use super::noise::{Noise, root, spread};
 
 const STEP: f32 = 1.0 / 30.0;
 

@@ -6,7 +6,7 @@ use bica_vision::uncertainty::{self, Covariance, largest};
 use glam::Vec2;
 use proptest::prelude::*;
 
-use crate::noise::{Noise, spread};
+use super::noise::{Noise, spread};
 
 fn sharp() -> Covariance {
     uncertainty::round(0.01)

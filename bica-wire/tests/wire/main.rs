@@ -7,3 +7,4 @@ mod describe;
 mod golden;
 mod images;
 mod monitor;
+mod text;

@@ -46,7 +46,7 @@ fn runs(cycles: &[Cycle], id: ComponentId) -> usize {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(1000))]
+    #![proptest_config(ProptestConfig::with_cases(crate::trees::cases()))]
 
     #[test]
     fn the_rate_is_the_one_set_from_outside(hz in -5.0_f32..50.0, index: prop::sample::Index) {

@@ -85,7 +85,7 @@ fn fast() -> impl Strategy<Value = Script> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(1000))]
+    #![proptest_config(ProptestConfig::with_cases(crate::trees::cases()))]
 
     #[test]
     fn n_periods_have_n_plus_or_minus_one_runs(script in fast()) {

@@ -38,7 +38,7 @@ fn every_cycle_is_complete<T: TestTree>(cycles: &[Cycle]) -> Result<(), TestCase
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(1000))]
+    #![proptest_config(ProptestConfig::with_cases(crate::trees::cases()))]
 
     #[test]
     fn equal_inputs_give_equal_outputs(script in scripts(ALL)) {

@@ -10,19 +10,42 @@ pub(crate) mod resume;
 pub(crate) mod swap;
 pub(crate) mod timers;
 
+use proptest::prelude::*;
+use proptest::test_runner::TestRunner;
+
+use crate::support::script::{Script, Stress, scripts};
+
+/// Number of random scripts for each rule and tree: 250, or `BICA_TEST_CASES`, which is 1000 in CI.
+pub(crate) fn cases() -> u32 {
+    std::env::var("BICA_TEST_CASES").map_or(250, |cases| cases.parse().expect("BICA_TEST_CASES is a number"))
+}
+
+/// Checks a property of random scripts. One function for all rules and trees: each copy of the runner of proptest takes
+/// time to compile.
+///
+/// # Panics
+/// If the property does not hold; the message contains the smallest script that was found.
+#[track_caller]
+pub(crate) fn check(test: &'static str, stress: Stress, property: fn(&Script) -> Result<(), TestCaseError>) {
+    let config =
+        ProptestConfig { source_file: Some(file!()), test_name: Some(test), ..ProptestConfig::with_cases(cases()) };
+    let mut runner = TestRunner::new(config);
+    if let Err(error) = runner.run(&scripts(stress), |script| property(&script)) {
+        panic!("{error}\n{runner}");
+    }
+}
+
 /// Generates a test of a rule for each tree.
 macro_rules! on_trees {
     ($rule:ident($stress:expr): $($name:ident $tree:ty),* $(,)?) => {
-        proptest::proptest! {
-            #![proptest_config(proptest::prelude::ProptestConfig::with_cases(1000))]
-            $(
-                #[test]
-                fn $name(script in crate::support::script::scripts($stress)) {
-                    let cycles = crate::support::play::play::<$tree>(&script)?;
-                    $rule::<$tree>(&cycles)?;
-                }
-            )*
-        }
+        $(
+            #[test]
+            fn $name() {
+                crate::trees::check(concat!(module_path!(), "::", stringify!($name)), $stress, |script| {
+                    $rule::<$tree>(&crate::support::play::play::<$tree>(script)?)
+                });
+            }
+        )*
     };
     ($rule:ident($stress:expr)) => {
         crate::trees::on_trees!($rule($stress):

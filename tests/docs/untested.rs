@@ -1,0 +1,51 @@
+//! Targets that `cargo test` builds no test program for, because their manifest says `test = false`.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use serde_json::Value;
+
+/// Returns the source files of such targets that contain tests, which would never run.
+pub(crate) fn with_tests(packages: &[Value]) -> Vec<PathBuf> {
+    let files = packages.iter().flat_map(|package| {
+        let targets = package["targets"].as_array().expect("a list of targets");
+        let has_library = targets.iter().any(is_library);
+        let untested = targets.iter().filter(|target| target["test"] == false);
+        let untested = untested.filter(|target| is_library(target) || is(target, "bin"));
+        untested.flat_map(move |target| {
+            let root = PathBuf::from(target["src_path"].as_str().expect("a path"));
+            // The other files of a program with a library are the library's.
+            if has_library && is(target, "bin") { vec![root] } else { sources(root.parent().expect("a folder")) }
+        })
+    });
+    files.filter(|file| has_test(&fs::read_to_string(file).expect("a source file"))).collect()
+}
+
+fn is(target: &Value, kind: &str) -> bool {
+    target["kind"].as_array().expect("a list of kinds").iter().any(|name| name == kind)
+}
+
+fn is_library(target: &Value) -> bool {
+    is(target, "lib") || is(target, "proc-macro")
+}
+
+/// Returns the Rust files of a folder and those below it.
+fn sources(folder: &Path) -> Vec<PathBuf> {
+    let entries = fs::read_dir(folder).expect("a folder").map(|entry| entry.expect("an entry").path());
+    let (folders, files): (Vec<_>, Vec<_>) = entries.partition(|path| path.is_dir());
+    let files = files.into_iter().filter(|path| path.extension().is_some_and(|extension| extension == "rs"));
+    files.chain(folders.iter().flat_map(|folder| sources(folder))).collect()
+}
+
+/// Whether a source contains a test; text in macros, which expands elsewhere, does not begin a line with the attribute.
+fn has_test(source: &str) -> bool {
+    source.lines().map(str::trim_start).any(|line| line.starts_with("#[test]") || line.starts_with("#[cfg(test)]"))
+}
+
+#[test]
+fn a_test_and_a_test_module_are_found_in_a_source() {
+    assert!(
+        has_test("fn a() {}\n\n#[cfg(test)]\nmod tests;\n") && has_test("mod m {\n    #[test]\n    fn a() {}\n}\n")
+    );
+    assert!(!has_test("//! ```\n//! #[test]\n//! ```\n$($meta)* #[test] fn $name() $body\n"));
+}
