@@ -52,12 +52,24 @@ impl Colours {
         green: &Tuned<GreenLimits>,
         white: &Tuned<WhiteLimits>,
     ) {
-        let limits = ColourLimits { orange: **orange, yellow: **yellow, blue: **blue, green: **green, white: **white };
-        if limits == ColourLimits::DEFAULT {
+        let default = ColourLimits::DEFAULT;
+        // Compared one by one, so that nothing is left of the compilation in a tree that is not tunable.
+        if **orange == default.orange
+            && **yellow == default.yellow
+            && **blue == default.blue
+            && **green == default.green
+            && **white == default.white
+        {
             self.is_tuned = false;
-        } else {
-            self.compile(&limits);
+            return;
         }
+        self.compile(&ColourLimits {
+            orange: **orange,
+            yellow: **yellow,
+            blue: **blue,
+            green: **green,
+            white: **white,
+        });
     }
 
     /// Compiles the next part of the table of these limits.
