@@ -8,7 +8,7 @@ use crate::files::{replay_all, with_stack};
 const RECORDINGS: [(&str, u64, &str); 3] = [
     ("game.mcap", 2000, "--seed 7 --size 160x120 --images none"),
     ("crowd.mcap", 900, "--seed 5 --size 160x120 --robots 4 --seconds 10 --images none"),
-    ("images.mcap", 200, "--seed 3 --size 160x120 --seconds 5"),
+    ("images.mcap", 500, "--seed 3 --size 160x120 --seconds 5"),
 ];
 
 #[test]
