@@ -128,8 +128,9 @@ fn column_top(
 ) -> Option<f32> {
     let longest = (tuning.max_gap * f32::from(frame.height() / 2)) as u16;
     let (mut best, mut best_row, mut sum, mut gap) = (0, 0, 0, 0);
+    let column = frame.column(x);
     for row in (highest..frame.height()).rev().step_by(2) {
-        let class = frame.pixel(i32::from(x), i32::from(row)).map(|pixel| colours.classify(pixel));
+        let class = column.pixel(row).map(|pixel| colours.classify(pixel));
         if class == Some(Colour::Green) {
             (sum, gap) = (sum + 1, 0);
         } else {

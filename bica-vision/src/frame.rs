@@ -108,6 +108,27 @@ impl Lumas<'_> {
     }
 }
 
+/// Pixels of a column.
+#[derive(Clone, Copy, Debug)]
+pub struct Column<'a> {
+    /// Pairs from the column's first one on.
+    pairs: &'a [[u8; 4]],
+    /// Number of pairs in a row.
+    stride: usize,
+    /// Whether the pixels are the right ones of their pairs.
+    right: bool,
+}
+
+impl Column<'_> {
+    /// Pixel in a row; `None` beyond the frame.
+    #[inline(always)]
+    #[must_use]
+    pub fn pixel(&self, y: u16) -> Option<Pixel> {
+        let [left, cb, right, cr] = *self.pairs.get(usize::from(y) * self.stride)?;
+        Some(Pixel { y: if self.right { right } else { left }, cb, cr })
+    }
+}
+
 /// Borrowed frame of [`MIN_SIDE`] to [`MAX_WIDTH`] × [`MAX_HEIGHT`] px.
 #[derive(Clone, Copy, Debug)]
 pub struct Frame<'a> {
@@ -179,6 +200,15 @@ impl<'a> Frame<'a> {
         Lumas { bytes: self.pairs.as_flattened().get(first..).unwrap_or(&[]), step: 2 * usize::from(self.width) }
     }
 
+    /// Pixels of a column from the top; empty for a column outside the frame.
+    #[inline]
+    #[must_use]
+    pub fn column(&self, x: u16) -> Column<'a> {
+        let first = if x < self.width { usize::from(x / 2) } else { usize::MAX };
+        let pairs = self.pairs.get(first..).unwrap_or(&[]);
+        Column { pairs, stride: usize::from(self.width / 2), right: x % 2 == 1 }
+    }
+
     /// Pixel at (x, y); `None` outside the frame.
     #[inline]
     #[must_use]
@@ -213,6 +243,12 @@ mod tests {
         assert_eq!(frame.pixel(7, 5), Some(Pixel::new(30, 20, 40)));
         assert_eq!(Pair(frame.row(5)[3]).mean(), Pixel::new(20, 20, 40));
         assert_eq!(frame.pixel(8, 5), Some(Pixel::new(0, 0, 0)));
+        for (x, y) in [(6, 5), (7, 5), (8, 5), (0, 0), (15, 15)] {
+            assert_eq!(frame.column(x).pixel(y), frame.pixel(x.into(), y.into()));
+        }
+        for (x, y) in [(16, 0), (0, 16), (15, 16), (16, 15), (u16::MAX, 0), (0, u16::MAX)] {
+            assert_eq!(frame.column(x).pixel(y), None);
+        }
         for (x, y) in [(-1, 0), (0, -1), (16, 0), (0, 16), (i32::MIN, i32::MAX)] {
             assert_eq!(frame.pixel(x, y), None);
         }

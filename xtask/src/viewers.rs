@@ -15,7 +15,7 @@ const EXPORTED: [&str; 6] =
 const RERUN: [&str; 4] =
     ["/camera - data columns: [CoordinateFrame:frame Image:buffer", "TextLog:text", "bica.Joints", "/costs"];
 
-/// Records and exports a short game and reads both files. `features` are those with which the program is built.
+/// Records and exports a game and reads both files. `features` are those with which the program is built.
 ///
 /// # Errors
 /// If an installation fails or a file cannot be read.
@@ -25,7 +25,7 @@ pub(crate) fn check(options: &Viewers, features: &[&str]) -> Result<(), String> 
     let path = |name: &str| folder.join(name).to_string_lossy().into_owned();
     let (recording, export, venv) = (path("run.mcap"), path("view.mcap"), path("venv"));
     let program = [&["run", "--release", "--quiet"], features, &["--"]].concat();
-    let play = ["play", "--seed", "1", "--size", "160x120", "--seconds", "5", "--force", "--record", &recording];
+    let play = ["play", "--seed", "1", "--size", "160x120", "--force", "--record", &recording];
     output("cargo", &[&program[..], &play].concat(), &[])?;
     run("cargo", &[&program[..], &["record", "export", "--force", &recording, &export]].concat(), &[])?;
     let reader = python(&venv, "mcap", &["mcap"])?;
