@@ -1,25 +1,25 @@
 //! Replay of a recording: the code runs again on what was recorded.
 
+mod world;
+
 use std::fs::File;
 use std::io::BufReader;
 use std::path::Path;
 use std::time::Duration;
 
-use bica::runner::{Cycle, Observer, OwnedRequest, RequestQueue, Robot, Runner, World};
+use bica::runner::{Cycle, Observer, OwnedRequest, RequestQueue, Robot, Runner};
 use bica::{Instant, Probe};
 use bica_console::{Failure, interrupt};
 use bica_field::GoalColour;
 use bica_motion::model::{Nao, Profile, RobotModel};
-use bica_motion::robot::{self, CameraId, Command};
+use bica_motion::robot::{self, CameraId};
 use bica_player::input::RobotProfile;
 use bica_player::perception::GoalDetector;
 use bica_player::tunable::Forward;
 use bica_recording::{
-    Comparison, Decision, Difference, Error, Header, ImagePolicy, OwnedImage, Parameter, Program, RecordedCycle,
-    RecordedRules, Recording, RequestRecord, RunningFingerprint, TreeInfo, command_digest, image_digest,
-    sensors_digest, tree_record,
+    Comparison, Decision, Difference, Error, Header, ImagePolicy, Parameter, Program, RecordedCycle, RecordedRules,
+    Recording, RequestRecord, RunningFingerprint, TreeInfo, command_digest, image_digest, sensors_digest, tree_record,
 };
-use bica_sim::SpectatorView;
 use bica_sim::setup::Frame;
 use bica_tuning::Layers;
 use bica_wire::message::{Command as CommandMessage, Sensors as SensorsMessage};
@@ -29,6 +29,7 @@ use serde::Serialize;
 use crate::rules::{Rules, WorldKind};
 use crate::scene::GRAPH;
 use crate::world_factory;
+use world::ReplayWorld;
 
 /// Number of bytes after which the progress bar moves.
 const PROGRESS_STEP: u64 = 1 << 16;
@@ -336,61 +337,6 @@ fn rules_of(rules: &RecordedRules) -> Result<Rules, Failure> {
         firmware: None,
         settings: &[],
     })
-}
-
-/// World of a replay.
-enum ReplayWorld {
-    /// The stored sensor values of a cycle.
-    Stored(Box<RecordedCycle>),
-    /// The world, made again from the rules.
-    Simulated(Box<dyn SpectatorView>),
-}
-
-impl World<Forward> for ReplayWorld {
-    fn now(&self) -> Instant {
-        match self {
-            Self::Stored(cycle) => Instant::from_ticks(cycle.tick.instant),
-            Self::Simulated(world) => World::<Forward>::now(world),
-        }
-    }
-
-    fn sensors(&mut self) -> robot::Sensors<'_> {
-        match self {
-            Self::Stored(cycle) => {
-                let image = cycle.image.as_ref();
-                let sensors = cycle.sensors.as_ref().map(|sensors| sensors.to_sensors(None));
-                let sensors = sensors.unwrap_or_else(nothing_measured);
-                robot::Sensors { image: image.map(borrowed), ..sensors }
-            }
-            Self::Simulated(world) => World::<Forward>::sensors(world),
-        }
-    }
-
-    fn act(&mut self, command: &Command) {
-        if let Self::Simulated(world) = self {
-            World::<Forward>::act(world, command);
-        }
-    }
-}
-
-fn borrowed(image: &OwnedImage) -> robot::Image<'_> {
-    let camera = if image.bottom_camera { CameraId::Bottom } else { CameraId::Top };
-    robot::Image { camera, width: image.width, height: image.height, yuyv: &image.yuyv }
-}
-
-/// Sensor values of a damaged recording whose cycle has none.
-fn nothing_measured() -> robot::Sensors<'static> {
-    let nothing = SensorsMessage {
-        time_us: 0,
-        angles: [f32::NAN; bica_motion::joints::JOINTS],
-        temperatures: [f32::NAN; bica_motion::joints::JOINTS],
-        currents: [f32::NAN; bica_motion::joints::JOINTS],
-        inertial: [f32::NAN; 8],
-        feet: [f32::NAN; 8],
-        buttons: [false; 3],
-        image: None,
-    };
-    nothing.to_sensors(None)
 }
 
 /// Observer that keeps the cycle as it would have been recorded.
