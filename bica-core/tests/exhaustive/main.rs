@@ -144,7 +144,7 @@ fn four_components_with_a_machine() {
 }
 
 #[test]
-#[ignore = "takes minutes"]
+#[ignore = "takes minutes: cargo test --release -p bica-core --test exhaustive -- --ignored"]
 fn three_components_with_all_states() {
     explore(&Family {
         name: "3 components, up to 9 states",
@@ -156,7 +156,7 @@ fn three_components_with_all_states() {
 }
 
 #[test]
-#[ignore = "takes minutes"]
+#[ignore = "takes minutes: cargo test --release -p bica-core --test exhaustive -- --ignored"]
 fn four_components_with_two_machines() {
     explore(&Family {
         name: "4 components, up to 6 states",

@@ -1,9 +1,8 @@
 //! `player params`: the parameters with their values, and tune files.
 
-use bica::params::{Kind, Param};
 use bica_console::{Console, Failure, Outcome, Style};
 use bica_game::{GRAPH, settings};
-use bica_tuning::{Layers, Value, find_component, render, write};
+use bica_tuning::{Layers, Value, find_component, range, render, write};
 use serde::Serialize;
 
 use crate::cli::{Params, ParamsFormat};
@@ -76,20 +75,10 @@ fn row(value: &Value<'_>) -> ([String; 5], bool, String) {
         format!("{}.{}", place.node.name, param.name),
         text(*value),
         text(param.default),
-        range(param),
+        range(&param.kind),
         param.unit.unwrap_or_default().to_owned(),
     ];
     (cells, *value != param.default, param.doc.split_whitespace().collect::<Vec<_>>().join(" "))
-}
-
-fn range(param: &Param) -> String {
-    match param.kind {
-        Kind::F32 { min, max, .. } => format!("{min:?} to {max:?}"),
-        Kind::I32 { min, max, .. } => format!("{min} to {max}"),
-        Kind::U32 { min, max, .. } => format!("{min} to {max}"),
-        Kind::Choice { variants } => variants.iter().map(|variant| variant.name).collect::<Vec<_>>().join(", "),
-        _ => "true, false".to_owned(),
-    }
 }
 
 #[derive(Serialize)]
@@ -121,7 +110,7 @@ impl<'a> ParameterRow<'a> {
             doc: param.doc,
             unit: param.unit,
             kind: param.kind.name(),
-            range: range(param),
+            range: range(&param.kind),
             default: param.kind.text(param.default).to_string(),
             value: param.kind.text(value).to_string(),
             source,

@@ -11,7 +11,7 @@ use bica::{Setting, Tree};
 use bica_console::Failure;
 
 use crate::file;
-use crate::names::{Place, find};
+use crate::names::{Place, find, range};
 
 /// Values over the defaults of a tree; each layer replaces values of the ones before it.
 #[derive(Clone, Debug)]
@@ -125,14 +125,11 @@ impl Layers {
 pub(crate) fn value_failure(at: &str, place: &Place, reason: Reason) -> Failure {
     let (component, name) = (place.node.name, place.param.name);
     let unit = place.param.unit.map(|unit| format!(" {unit}")).unwrap_or_default();
+    let values = range(&place.param.kind);
     let help = match place.param.kind {
-        Kind::F32 { min, max, .. } => format!("write a number from {min:?} to {max:?}{unit}"),
-        Kind::I32 { min, max, .. } => format!("write a whole number from {min} to {max}{unit}"),
-        Kind::U32 { min, max, .. } => format!("write a whole number from {min} to {max}{unit}"),
-        Kind::Choice { variants } => {
-            let names: Vec<_> = variants.iter().map(|variant| variant.name).collect();
-            format!("write one of {}", names.join(", "))
-        }
+        Kind::F32 { .. } => format!("write a number from {values}{unit}"),
+        Kind::I32 { .. } | Kind::U32 { .. } => format!("write a whole number from {values}{unit}"),
+        Kind::Choice { .. } => format!("write one of {values}"),
         _ => "write true or false".to_owned(),
     };
     let what = match reason {

@@ -16,5 +16,5 @@ mod names;
 mod write;
 
 pub use layers::{Layers, Value};
-pub use names::{Place, find, find_component};
+pub use names::{Place, find, find_component, range};
 pub use write::{render, write};

@@ -1,7 +1,7 @@
 //! Names of components and parameters.
 
 use bica::graph::{Graph, Node};
-use bica::params::Param;
+use bica::params::{Kind, Param};
 use bica::{ComponentId, Setting};
 use bica_console::Failure;
 
@@ -39,6 +39,18 @@ impl Place {
     #[must_use]
     pub const fn setting(&self, value: bica::Value) -> Setting {
         Setting::new(self.component, self.index, value)
+    }
+}
+
+/// Returns the values of a kind as text: `0.0 to 1.0`, `true, false`, or the names of the variants.
+#[must_use]
+pub fn range(kind: &Kind) -> String {
+    match *kind {
+        Kind::F32 { min, max, .. } => format!("{min:?} to {max:?}"),
+        Kind::I32 { min, max, .. } => format!("{min} to {max}"),
+        Kind::U32 { min, max, .. } => format!("{min} to {max}"),
+        Kind::Choice { variants } => variants.iter().map(|variant| variant.name).collect::<Vec<_>>().join(", "),
+        _ => "true, false".to_owned(),
     }
 }
 

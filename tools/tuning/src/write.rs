@@ -9,6 +9,7 @@ use bica::params::{Kind, Param};
 use bica_console::Failure;
 
 use crate::layers::{Layers, Value};
+use crate::names::range;
 
 /// Returns the tune file of all values that differ from the defaults of the source: sections and lines sorted by name, with
 /// description, default and range as comments.
@@ -68,14 +69,10 @@ fn toml_value(param: &Param, value: bica::Value) -> String {
 fn describe(param: &Param) -> String {
     let unit = param.unit.map(|unit| format!(" {unit}")).unwrap_or_default();
     let default = param.kind.text(param.default);
+    let values = range(&param.kind);
     match param.kind {
-        Kind::F32 { min, max, .. } => format!("default {default}, {min:?} to {max:?}{unit}"),
-        Kind::I32 { min, max, .. } => format!("default {default}, {min} to {max}{unit}"),
-        Kind::U32 { min, max, .. } => format!("default {default}, {min} to {max}{unit}"),
-        Kind::Choice { variants } => {
-            let names: Vec<_> = variants.iter().map(|variant| variant.name).collect();
-            format!("default {default}, one of {}", names.join(", "))
-        }
-        _ => format!("default {default}"),
+        Kind::Choice { .. } => format!("default {default}, one of {values}"),
+        Kind::Bool => format!("default {default}"),
+        _ => format!("default {default}, {values}{unit}"),
     }
 }
