@@ -306,16 +306,5 @@ fn find<'a>(name: &str, what: &str, of: &str, names: impl Iterator<Item = &'a st
 
 /// Number of single-character edits between two names, ignoring case.
 fn distance(a: &str, b: &str) -> usize {
-    let (a, b) = (a.to_lowercase(), b.to_lowercase());
-    let mut row: Vec<usize> = (0..=b.chars().count()).collect();
-    for (i, left) in a.chars().enumerate() {
-        let mut diagonal = i;
-        row[0] = i + 1;
-        for (j, right) in b.chars().enumerate() {
-            let cost = diagonal + usize::from(left != right);
-            diagonal = row[j + 1];
-            row[j + 1] = cost.min(diagonal + 1).min(row[j] + 1);
-        }
-    }
-    row[b.chars().count()]
+    strsim::levenshtein(&a.to_lowercase(), &b.to_lowercase())
 }
