@@ -62,7 +62,11 @@ pub fn rotate(v: Vec2, angle: f32) -> Vec2 {
 
 /// Wraps an angle to −π..π, rad. The result for a non-finite angle is not finite.
 #[must_use]
-pub fn wrap(angle: f32) -> f32 {
+pub fn wrap(mut angle: f32) -> f32 {
     use core::f32::consts::{PI, TAU};
-    if (-PI..=PI).contains(&angle) { angle } else { angle - TAU * libm::roundf(angle / TAU) }
+    // One pass is enough for angles of a few turns. The error of a pass grows with the angle, by 2⁻²³ of it.
+    while libm::fabsf(angle) > PI {
+        angle -= TAU * libm::roundf(angle / TAU);
+    }
+    angle
 }

@@ -13,6 +13,7 @@ mod kinematics;
 mod model;
 mod nao;
 mod odometry;
+mod pose;
 mod tall;
 mod walk;
 mod world;
