@@ -90,9 +90,9 @@ fn one_page_operates_and_values_are_answered_as_they_are_in_force() {
     assert_eq!(gain, json!(0.9), "a page that comes later gets the values in force");
     assert_eq!(other.ask(Request::Acquire { session }).unwrap_err()["text"], "another page controls the robot");
     other.ask(Request::Take { session }).unwrap();
+    page.session(|session| session["control"] == "other_page");
     assert!(page.ask(set(json!(0.8))).is_err());
     assert_eq!(other.ask(set(json!(0.8))).unwrap()["values"], json!([0.8]));
-    page.session(|session| session["control"] == "other_page");
     drop(other);
     page.session(|session| session["control"] == "free");
 }
