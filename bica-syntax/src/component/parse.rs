@@ -8,21 +8,24 @@ use super::block::{self, Block, Item};
 use super::model::{Component, Function, Hook, State, Transition};
 use super::signature::{self, Form};
 use super::{arguments, attributes, operator, options};
-use crate::language::report::Report;
-use crate::language::{text, wording};
+use crate::report::Report;
+use crate::{text, wording};
 
 /// What an item with `#[component]` turned out to be.
-pub(crate) enum Parsed {
+pub enum Parsed {
+    /// An impl block of a type.
     Component(Box<Component>),
     /// No impl block of a type. The item without our attributes, and the type that was meant to be a component.
     Misplaced {
+        /// The item without our attributes.
         item: TokenStream,
+        /// The type that was meant to be a component.
         of: Option<Box<(Generics, Type)>>,
     },
 }
 
 /// Reads the item.
-pub(crate) fn parse(options: TokenStream, item: &TokenStream, report: &mut Report) -> Parsed {
+pub fn parse(options: TokenStream, item: &TokenStream, report: &mut Report) -> Parsed {
     let Some(block) = Block::read(item) else { return no_block(item, report) };
     let own = &block.header.self_ty;
     let name = component_name(own);

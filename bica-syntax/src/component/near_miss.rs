@@ -4,9 +4,9 @@ use syn::{FnArg, ReturnType, Signature, Type};
 
 use super::block::Function;
 use super::model::Component;
-use crate::language::report::Report;
-use crate::language::types::plain;
-use crate::language::{text, wording};
+use crate::report::Report;
+use crate::types::plain;
+use crate::{text, wording};
 
 /// Words of their own, spelt much like `step`.
 const WORDS: [&str; 5] = ["stop", "steps", "steep", "stem", "stew"];

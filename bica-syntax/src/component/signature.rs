@@ -6,9 +6,9 @@ use syn::{FnArg, GenericParam, Lifetime, Receiver, ReceiverKind, ReturnType, Saf
 
 use super::arguments;
 use super::model::Argument;
-use crate::language::report::Report;
-use crate::language::types::plain;
-use crate::language::{text, wording};
+use crate::report::Report;
+use crate::types::plain;
+use crate::{text, wording};
 
 /// The form that the role of a function asks for.
 #[derive(Clone, Copy, PartialEq, Eq)]

@@ -8,18 +8,18 @@ use syn::Error;
 
 /// Collects mistakes, each pinned to the tokens that are wrong.
 #[derive(Default)]
-pub(crate) struct Report {
+pub struct Report {
     errors: Option<Error>,
 }
 
 impl Report {
     /// Adds a mistake.
-    pub(crate) fn add(&mut self, at: impl ToTokens, message: impl Display) {
+    pub fn add(&mut self, at: impl ToTokens, message: impl Display) {
         self.push(Error::new_spanned(at, message));
     }
 
     /// Adds what a parser found.
-    pub(crate) fn push(&mut self, error: Error) {
+    pub fn push(&mut self, error: Error) {
         match &mut self.errors {
             Some(errors) => errors.combine(error),
             None => self.errors = Some(error),
@@ -27,16 +27,24 @@ impl Report {
     }
 
     /// The value, or `None` and its error among the mistakes.
-    pub(crate) fn take<T>(&mut self, result: syn::Result<T>) -> Option<T> {
+    pub fn take<T>(&mut self, result: syn::Result<T>) -> Option<T> {
         result.map_err(|error| self.push(error)).ok()
     }
 
-    pub(crate) fn is_empty(&self) -> bool {
+    /// Whether no mistake was found.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
         self.errors.is_none()
     }
 
+    /// The mistakes in the order in which they were found.
+    pub fn errors(&self) -> impl Iterator<Item = Error> {
+        self.errors.iter().flat_map(Clone::clone)
+    }
+
     /// The mistakes as calls of `compile_error!`.
-    pub(crate) fn to_compile_errors(&self) -> TokenStream {
+    #[must_use]
+    pub fn to_compile_errors(&self) -> TokenStream {
         self.errors.as_ref().map(Error::to_compile_error).unwrap_or_default()
     }
 }

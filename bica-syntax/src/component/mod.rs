@@ -2,13 +2,13 @@
 
 mod arguments;
 mod attributes;
-pub(crate) mod block;
-pub(crate) mod check;
-pub(crate) mod links;
-pub(crate) mod model;
+pub mod block;
+pub mod check;
+pub mod links;
+pub mod model;
 mod near_miss;
 mod operator;
 mod options;
-pub(crate) mod parse;
+pub mod parse;
 mod resolve;
 mod signature;

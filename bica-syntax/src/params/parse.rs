@@ -6,11 +6,11 @@ use syn::{Attribute, Data, DeriveInput, Expr, Fields, Member, Path, Token, Type,
 
 use super::field;
 use super::model::{Choice, Field, Params};
-use crate::language::report::Report;
-use crate::language::{text, wording};
+use crate::report::Report;
+use crate::{text, wording};
 
 /// Reads a struct with `#[derive(Params)]`. With mistakes the model has the fields that could be read.
-pub(crate) fn params(item: TokenStream, report: &mut Report) -> Option<Params> {
+pub fn params(item: TokenStream, report: &mut Report) -> Option<Params> {
     let input: DeriveInput = report.take(syn::parse2(item))?;
     let (krate, check) = options(&input.attrs, report);
     let doc = text::doc(&input.attrs);
@@ -96,7 +96,7 @@ fn options(attributes: &[Attribute], report: &mut Report) -> (Path, Option<Path>
 }
 
 /// Reads an enum with `#[derive(ParamEnum)]`.
-pub(crate) fn choice(item: TokenStream, report: &mut Report) -> Option<Choice> {
+pub fn choice(item: TokenStream, report: &mut Report) -> Option<Choice> {
     let input: DeriveInput = report.take(syn::parse2(item))?;
     let (krate, _) = options(&input.attrs, report);
     let mut choice = Choice { name: input.ident, variants: Vec::new(), krate };

@@ -6,9 +6,9 @@ use syn::parse::ParseStream;
 use syn::{Expr, Path, Token, Type, bracketed, token};
 
 use super::model::{Draft, Entry};
-use crate::language::report::Report;
-use crate::language::types::plain;
-use crate::language::{number, text, wording};
+use crate::report::Report;
+use crate::types::plain;
+use crate::{number, text, wording};
 
 /// The fields that messages name; `crate` is for the crates of the framework.
 const KEYS: [&str; 5] = ["root", "cycle_hz", "budget_ms", "tunable", "components"];

@@ -7,9 +7,9 @@ use syn::parse::ParseStream;
 use syn::{Attribute, Expr, ExprLit, ExprRange, Lit, Meta, RangeLimits, Token, Type};
 
 use super::model::{Field, Kind, Number, NumberKind};
-use crate::language::report::Report;
-use crate::language::types::plain;
-use crate::language::{text, wording};
+use crate::report::Report;
+use crate::types::plain;
+use crate::{text, wording};
 
 const KEYS: [&str; 4] = ["default", "range", "unit", "step"];
 const KNOWN: &str = "`default`, `range`, `unit` and `step`";
@@ -172,7 +172,8 @@ fn other_kind(last: &str, ty: &Type, keys: &Keys, report: &mut Report) -> Option
 }
 
 /// The last name of a path, which is that of a variant.
-pub(crate) fn variant(default: &Expr) -> Option<String> {
+#[must_use] 
+pub fn variant(default: &Expr) -> Option<String> {
     match default {
         Expr::Path(path) => path.path.segments.last().map(|segment| text::name(&segment.ident)),
         Expr::Group(group) => variant(&group.expr),

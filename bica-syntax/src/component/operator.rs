@@ -8,10 +8,10 @@ use syn::{Attribute, Expr, FnArg, Meta, Pat, PatType, ReturnType, Token, Type};
 use super::block::Function;
 use super::model::{Info, Modulation};
 use super::{arguments, signature};
-use crate::language::params::field::{self, Keys};
-use crate::language::params::model::Field;
-use crate::language::report::Report;
-use crate::language::{text, wording};
+use crate::params::field::{self, Keys};
+use crate::params::model::Field;
+use crate::report::Report;
+use crate::{text, wording};
 
 /// The attributes of an argument.
 const KEYS: [&str; 4] = ["range", "unit", "step", "default"];

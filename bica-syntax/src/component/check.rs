@@ -2,11 +2,11 @@
 
 use super::model::{Behaviour, Component, Machine};
 use super::{near_miss, resolve};
-use crate::language::report::Report;
-use crate::language::{text, wording};
+use crate::report::Report;
+use crate::{text, wording};
 
 /// The behaviour of the component; `None` if mistakes leave it open.
-pub(crate) fn check(component: &Component, report: &mut Report) -> Option<Behaviour> {
+pub fn check(component: &Component, report: &mut Report) -> Option<Behaviour> {
     if component.incomplete {
         return None;
     }

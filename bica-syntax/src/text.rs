@@ -6,7 +6,7 @@ use syn::ext::IdentExt;
 use syn::{Attribute, Expr, ExprLit, Lit, Meta};
 
 /// The tokens as one writes them: `Eye<320, 240>`.
-pub(crate) fn written(tokens: &impl ToTokens) -> String {
+pub fn written(tokens: &impl ToTokens) -> String {
     let mut text = tokens.to_token_stream().to_string();
     for (spaced, tight) in [
         (" :: ", "::"),
@@ -25,12 +25,14 @@ pub(crate) fn written(tokens: &impl ToTokens) -> String {
 }
 
 /// The name without the `r#` of a raw identifier.
-pub(crate) fn name(ident: &Ident) -> String {
+#[must_use] 
+pub fn name(ident: &Ident) -> String {
     ident.unraw().to_string()
 }
 
 /// The doc comment, lines trimmed and joined by line breaks.
-pub(crate) fn doc(attributes: &[Attribute]) -> String {
+#[must_use] 
+pub fn doc(attributes: &[Attribute]) -> String {
     let lines = attributes.iter().filter_map(|attribute| match &attribute.meta {
         Meta::NameValue(pair) if pair.path.is_ident("doc") => match &pair.value {
             Expr::Lit(ExprLit { lit: Lit::Str(line), .. }) => Some(line.value().trim().to_owned()),
@@ -42,7 +44,7 @@ pub(crate) fn doc(attributes: &[Attribute]) -> String {
 }
 
 /// The name nearest to `wrong`, if at most a third of its letters differ.
-pub(crate) fn nearest<'a>(wrong: &str, names: impl Iterator<Item = &'a str>) -> Option<&'a str> {
+pub fn nearest<'a>(wrong: &str, names: impl Iterator<Item = &'a str>) -> Option<&'a str> {
     names
         .map(|name| (distance(&wrong.to_lowercase(), &name.to_lowercase()), name))
         .filter(|(distance, name)| *distance <= (name.chars().count().max(wrong.chars().count()) / 3).max(1))
@@ -51,7 +53,8 @@ pub(crate) fn nearest<'a>(wrong: &str, names: impl Iterator<Item = &'a str>) -> 
 }
 
 /// Number of letters that must be changed, added, left out, or swapped with their neighbour (optimal string alignment).
-pub(crate) fn distance(a: &str, b: &str) -> usize {
+#[must_use] 
+pub fn distance(a: &str, b: &str) -> usize {
     let (a, b): (Vec<char>, Vec<char>) = (a.chars().collect(), b.chars().collect());
     let mut rows = vec![vec![0; b.len() + 1]; a.len() + 1];
     for i in 0..=a.len() {

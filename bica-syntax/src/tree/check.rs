@@ -1,11 +1,11 @@
 //! The rules that the text of a tree can break.
 
 use super::model::{Draft, Entry, Tree};
-use crate::language::report::Report;
-use crate::language::{text, wording};
+use crate::report::Report;
+use crate::{text, wording};
 
 /// The tree, or `None` with mistakes reported.
-pub(crate) fn check(draft: &Draft, report: &mut Report) -> Option<Tree> {
+pub fn check(draft: &Draft, report: &mut Report) -> Option<Tree> {
     let components = draft.components.as_ref().map(|entries| distinct(entries, report));
     // After an error of the parser nothing is missing: it was not read.
     if report.is_empty() {

@@ -3,11 +3,11 @@
 use syn::Type;
 
 use super::model::{Argument, Function, Machine};
-use crate::language::text;
+use crate::text;
 
 /// The kind of a link, from the argument.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Kind {
+pub enum Kind {
     /// `&C`
     Read,
     /// `&mut C`
@@ -20,16 +20,16 @@ pub(crate) enum Kind {
 ///
 /// Two paths can name one type. Only the compiler can decide that; generated code then drops the link of lower rank.
 #[derive(Default)]
-pub(crate) struct Links {
+pub struct Links {
     list: Vec<(Kind, Type)>,
     /// Whether two of the links may turn out to be one: within one function that is a mistake, and reported as such.
-    pub(crate) may_coincide: bool,
+    pub may_coincide: bool,
 }
 
 impl Links {
     /// The links of functions that run together. A child that one of them writes is visited after all of them, also if
     /// another reads it.
-    pub(crate) fn of<'a>(functions: impl Iterator<Item = &'a Function> + Clone) -> Self {
+    pub fn of<'a>(functions: impl Iterator<Item = &'a Function> + Clone) -> Self {
         let mut links = Self::default();
         let arguments = || functions.clone().flat_map(|function| &function.arguments);
         for argument in arguments() {
@@ -56,7 +56,8 @@ impl Links {
     }
 
     /// The links of a state: of its body, of its hooks, and of the transitions that leave it.
-    pub(crate) fn of_state(machine: &Machine, index: usize) -> Self {
+    #[must_use] 
+    pub fn of_state(machine: &Machine, index: usize) -> Self {
         let state = &machine.states[index];
         let hooks = state.entries.iter().chain(&state.exits);
         let conditions = machine.edges_from(index).map(|edge| &edge.condition);
@@ -64,7 +65,7 @@ impl Links {
     }
 
     /// All links, those that read first.
-    pub(crate) fn iter(&self) -> impl Iterator<Item = &(Kind, Type)> {
+    pub fn iter(&self) -> impl Iterator<Item = &(Kind, Type)> {
         self.list.iter()
     }
 

@@ -7,14 +7,14 @@ use syn::{Attribute, Generics, Meta, Path, Token, Visibility, braced, parse_quot
 
 use super::fields;
 use super::model::Draft;
-use crate::language::report::Report;
-use crate::language::{text, wording};
+use crate::report::Report;
+use crate::{text, wording};
 
 /// Traits that the standard library derives.
 const DERIVED: [&str; 9] = ["Clone", "Copy", "Debug", "Default", "Eq", "Hash", "Ord", "PartialEq", "PartialOrd"];
 
 /// Reads the tree; `None` if it has no name.
-pub(crate) fn parse(input: TokenStream, report: &mut Report) -> Option<Draft> {
+pub fn parse(input: TokenStream, report: &mut Report) -> Option<Draft> {
     let mut draft = None;
     let parser = |input: ParseStream| {
         let draft = draft.insert(head(input, report)?);

@@ -7,7 +7,7 @@ use syn::punctuated::Punctuated;
 use syn::{Attribute, Expr, Meta, Token};
 
 use super::model::Sources;
-use crate::language::{number, text, wording};
+use crate::{number, text, wording};
 
 /// The attributes that assign a function its role.
 pub(crate) const ROLES: [&str; 8] = ["state", "transition", "entry", "exit", "start", "stop", "info", "modulation"];

@@ -6,8 +6,8 @@ use syn::parse::{ParseStream, Parser};
 use syn::{Expr, Path, Token, parse_quote};
 
 use super::model::Options;
-use crate::language::report::Report;
-use crate::language::{number, text, wording};
+use crate::report::Report;
+use crate::{number, text, wording};
 
 /// The options that messages name; `crate` is for the crates of the framework.
 const KEYS: [&str; 3] = ["hz", "budget_us", "resume"];

@@ -8,9 +8,9 @@ use syn::{
 
 use super::model::Argument;
 use super::signature::Form;
-use crate::language::report::Report;
-use crate::language::types::plain;
-use crate::language::{text, wording};
+use crate::report::Report;
+use crate::types::plain;
+use crate::{text, wording};
 
 /// Types of the language and of its library that can be no components.
 const VALUES: [&str; 25] = [

@@ -12,37 +12,44 @@ use syn::{Abi, Attribute, ImplItem, ItemImpl, Signature, Token, Visibility};
 use super::attributes;
 
 /// An impl block.
-pub(crate) struct Block {
+pub struct Block {
     /// Attributes, generics, type; no items.
-    pub(crate) header: ItemImpl,
-    pub(crate) items: Vec<Item>,
+    pub header: ItemImpl,
+    /// Items in the order of the text.
+    pub items: Vec<Item>,
     braces: Group,
     /// Whether something in it is no Rust; the compiler has reported that.
-    pub(crate) unreadable: bool,
+    pub unreadable: bool,
 }
 
 /// An item of an impl block.
-pub(crate) enum Item {
+pub enum Item {
+    /// A function.
     Function(Box<Function>),
     /// A constant, a type or a macro.
     Other {
+        /// Attributes without ours.
         attributes: Vec<Attribute>,
+        /// The item without its attributes.
         tokens: TokenStream,
     },
 }
 
 /// A function with its body as written.
-pub(crate) struct Function {
-    pub(crate) attributes: Vec<Attribute>,
+pub struct Function {
+    /// Attributes without ours.
+    pub attributes: Vec<Attribute>,
     /// `pub`, `default`
     prefix: TokenStream,
-    pub(crate) signature: Signature,
+    /// Signature.
+    pub signature: Signature,
     body: TokenTree,
 }
 
 impl Block {
     /// Reads an impl block; `None` if the tokens are none.
-    pub(crate) fn read(item: &TokenStream) -> Option<Self> {
+    #[must_use] 
+    pub fn read(item: &TokenStream) -> Option<Self> {
         let mut tokens: Vec<TokenTree> = item.clone().into_iter().collect();
         let Some(TokenTree::Group(braces)) = tokens.pop() else { return None };
         if braces.delimiter() != Delimiter::Brace {
@@ -61,7 +68,7 @@ impl Block {
     }
 
     /// The functions.
-    pub(crate) fn functions(&self) -> impl Iterator<Item = &Function> {
+    pub fn functions(&self) -> impl Iterator<Item = &Function> {
         self.items.iter().filter_map(|item| if let Item::Function(function) = item { Some(&**function) } else { None })
     }
 }

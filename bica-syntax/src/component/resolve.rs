@@ -3,8 +3,8 @@
 use proc_macro2::Ident;
 
 use super::model::{Component, Edge, Function, Hook, Machine, MachineState, Sources, Transition};
-use crate::language::report::Report;
-use crate::language::{text, wording};
+use crate::report::Report;
+use crate::{text, wording};
 
 /// Resolves every name; `None` if one is unknown or the initial state is not clear.
 pub(crate) fn machine(component: &Component, report: &mut Report) -> Option<Machine> {
