@@ -25,13 +25,13 @@ pub fn written(tokens: &impl ToTokens) -> String {
 }
 
 /// The name without the `r#` of a raw identifier.
-#[must_use] 
+#[must_use]
 pub fn name(ident: &Ident) -> String {
     ident.unraw().to_string()
 }
 
 /// The doc comment, lines trimmed and joined by line breaks.
-#[must_use] 
+#[must_use]
 pub fn doc(attributes: &[Attribute]) -> String {
     let lines = attributes.iter().filter_map(|attribute| match &attribute.meta {
         Meta::NameValue(pair) if pair.path.is_ident("doc") => match &pair.value {
@@ -53,7 +53,7 @@ pub fn nearest<'a>(wrong: &str, names: impl Iterator<Item = &'a str>) -> Option<
 }
 
 /// Number of letters that must be changed, added, left out, or swapped with their neighbour (optimal string alignment).
-#[must_use] 
+#[must_use]
 pub fn distance(a: &str, b: &str) -> usize {
     let (a, b): (Vec<char>, Vec<char>) = (a.chars().collect(), b.chars().collect());
     let mut rows = vec![vec![0; b.len() + 1]; a.len() + 1];

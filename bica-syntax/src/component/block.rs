@@ -48,7 +48,7 @@ pub struct Function {
 
 impl Block {
     /// Reads an impl block; `None` if the tokens are none.
-    #[must_use] 
+    #[must_use]
     pub fn read(item: &TokenStream) -> Option<Self> {
         let mut tokens: Vec<TokenTree> = item.clone().into_iter().collect();
         let Some(TokenTree::Group(braces)) = tokens.pop() else { return None };

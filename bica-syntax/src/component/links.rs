@@ -56,7 +56,7 @@ impl Links {
     }
 
     /// The links of a state: of its body, of its hooks, and of the transitions that leave it.
-    #[must_use] 
+    #[must_use]
     pub fn of_state(machine: &Machine, index: usize) -> Self {
         let state = &machine.states[index];
         let hooks = state.entries.iter().chain(&state.exits);

@@ -47,7 +47,7 @@ impl Component {
     }
 
     /// The type whose impl block this is.
-    #[must_use] 
+    #[must_use]
     pub fn own(&self) -> &Type {
         &self.block.header.self_ty
     }

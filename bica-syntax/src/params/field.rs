@@ -172,7 +172,7 @@ fn other_kind(last: &str, ty: &Type, keys: &Keys, report: &mut Report) -> Option
 }
 
 /// The last name of a path, which is that of a variant.
-#[must_use] 
+#[must_use]
 pub fn variant(default: &Expr) -> Option<String> {
     match default {
         Expr::Path(path) => path.path.segments.last().map(|segment| text::name(&segment.ident)),
