@@ -47,6 +47,11 @@ pub trait Probe {
     #[inline]
     fn end(&mut self, component: ComponentId) {}
 
+    /// The condition of a transition was evaluated: its index in [`Node::transitions`](crate::graph::Node::transitions), and
+    /// whether it holds. Conditions behind a timer that has not run out, and those after one that holds, are not evaluated.
+    #[inline]
+    fn condition(&mut self, component: ComponentId, transition: usize, holds: bool) {}
+
     /// The state machine takes a transition from one state to another: indices in
     /// [`Node::states`](crate::graph::Node::states). Called after the exit hooks and before the entry hooks.
     #[inline]
@@ -66,6 +71,8 @@ macro_rules! forward {
         forward!(@ $self [$($probe),+] run(component: ComponentId) (component));
         forward!(@ $self [$($probe),+] begin(component: ComponentId) (component));
         forward!(@ $self [$($probe),+] end(component: ComponentId) (component));
+        forward!(@ $self [$($probe),+]
+            condition(component: ComponentId, transition: usize, holds: bool) (component, transition, holds));
         forward!(@ $self [$($probe),+]
             transition(component: ComponentId, from: usize, to: usize) (component, from, to));
     };

@@ -77,6 +77,18 @@ impl FieldBoundary {
         Self { corners: hull::over(&points, (0.0, width - 1.0), tuning.inlier_distance * height, tuning.min_score) }
     }
 
+    /// Scans the columns as [`find_tuned`](Self::find_tuned) does, for a view of how the boundary was found: x of each column, and
+    /// the row of the edge of the carpet; none where there is too little green.
+    pub fn scan(
+        frame: &Frame<'_>,
+        colours: &impl Classify,
+        tuning: &BoundaryTuning,
+    ) -> impl Iterator<Item = (f32, Option<f32>)> {
+        let pitch = f32::from(frame.width()) / COLUMNS as f32;
+        let columns = (0..COLUMNS).map(move |column| (column as f32 + 0.5) * pitch);
+        columns.map(move |x| (x, column_top(frame, colours, x as u16, 0, tuning)))
+    }
+
     /// Corners, px, from the left; empty if no field is in view.
     #[must_use]
     pub fn corners(&self) -> &[Vec2] {

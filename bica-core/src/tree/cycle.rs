@@ -241,6 +241,16 @@ impl<T: Layout, P: Probe> Cycle<'_, T, P> {
         self.store.component_state::<C>().in_state(self.now()) >= Duration::from_millis(ms as u64)
     }
 
+    /// The condition of a transition of the state machine `C` was evaluated. Returns whether it holds.
+    #[inline]
+    pub fn condition<C: 'static>(&mut self, transition: usize, holds: bool) -> bool
+    where
+        T: Has<C>,
+    {
+        self.probe.condition(id::<T, C>(), transition, holds);
+        holds
+    }
+
     /// The state machine `C` enters another state; its own code pauses until the children of that state were visited.
     pub fn transition<C: 'static>(&mut self, from: usize, to: usize) -> Machine
     where

@@ -21,6 +21,8 @@ pub(crate) enum Event {
     Run(usize),
     Begin(usize),
     End(usize),
+    /// Component, transition, and whether its condition holds.
+    Condition(usize, usize, bool),
     Transition(usize, usize, usize),
     /// Call of the start hook of a component.
     Started(&'static str),
@@ -102,6 +104,10 @@ impl Probe for Recorder {
 
     fn end(&mut self, component: ComponentId) {
         record(Event::End(component.index()));
+    }
+
+    fn condition(&mut self, component: ComponentId, transition: usize, holds: bool) {
+        record(Event::Condition(component.index(), transition, holds));
     }
 
     fn transition(&mut self, component: ComponentId, from: usize, to: usize) {

@@ -190,9 +190,15 @@ impl Model {
 
     /// Returns the first transition that is taken.
     fn transition(&mut self, index: usize, state: usize) -> Result<Option<Transition>, String> {
-        for &transition in self.graph.nodes[index].transitions.iter().filter(|transition| transition.from == state) {
+        let transitions = self.graph.nodes[index].transitions.iter().enumerate();
+        for (number, &transition) in transitions.filter(|(_, transition)| transition.from == state) {
             let stayed = transition.after_ms.is_none_or(|ms| self.in_state(index) >= u64::from(ms) * 1000);
-            if stayed && (transition.name.starts_with("timer") || self.evaluate(index, transition.name)?) {
+            if !stayed {
+                continue;
+            }
+            let holds = transition.name.starts_with("timer") || self.evaluate(index, transition.name)?;
+            self.expect(&Event::Condition(index, number, holds))?;
+            if holds {
                 return Ok(Some(transition));
             }
         }

@@ -29,6 +29,10 @@ pub(crate) struct Meter {
     pub(crate) started: Vec<ComponentId>,
     /// Components that became latent in this cycle.
     pub(crate) stopped: Vec<ComponentId>,
+    /// Of each transition of each component: whether its condition held when it was evaluated last in the present state, and
+    /// the instant since which it has had this value.
+    pub(crate) conditions: Vec<Vec<Option<(bool, Instant)>>>,
+    now: Instant,
     has_transition: bool,
     began: Clock,
 }
@@ -40,6 +44,8 @@ impl Meter {
             activity: vec![Activity::default(); graph.nodes.len()],
             started: Vec::new(),
             stopped: Vec::new(),
+            conditions: graph.nodes.iter().map(|node| vec![None; node.transitions.len()]).collect(),
+            now: Instant::MIN,
             has_transition: false,
             began: Clock::now(),
         }
@@ -52,7 +58,8 @@ impl Meter {
 }
 
 impl Probe for Meter {
-    fn cycle_begin(&mut self, _now: Instant) {
+    fn cycle_begin(&mut self, now: Instant) {
+        self.now = now;
         self.started.clear();
         self.stopped.clear();
         self.has_transition = false;
@@ -60,6 +67,7 @@ impl Probe for Meter {
 
     fn start(&mut self, component: ComponentId) {
         self.activity[component.index()].starts += 1;
+        self.conditions[component.index()].fill(None);
         self.started.push(component);
     }
 
@@ -85,7 +93,15 @@ impl Probe for Meter {
         self.activity[component.index()].time += self.began.elapsed();
     }
 
-    fn transition(&mut self, _component: ComponentId, _from: usize, _to: usize) {
+    fn condition(&mut self, component: ComponentId, transition: usize, holds: bool) {
+        let condition = &mut self.conditions[component.index()][transition];
+        if condition.is_none_or(|(last, _)| last != holds) {
+            *condition = Some((holds, self.now));
+        }
+    }
+
+    fn transition(&mut self, component: ComponentId, _from: usize, _to: usize) {
+        self.conditions[component.index()].fill(None);
         self.has_transition = true;
     }
 }

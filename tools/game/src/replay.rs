@@ -1,5 +1,6 @@
 //! Replay of a recording: the code runs again on what was recorded.
 
+mod rerun;
 mod world;
 
 use std::fs::File;
@@ -30,6 +31,8 @@ use crate::rules::{Rules, WorldKind};
 use crate::scene::GRAPH;
 use crate::world_factory;
 use world::ReplayWorld;
+
+pub use rerun::rerun;
 
 /// Number of bytes after which the progress bar moves.
 const PROGRESS_STEP: u64 = 1 << 16;

@@ -56,6 +56,13 @@ impl Scene<'_> {
         self.meter.activity.iter().map(|activity| (activity.runs, activity.time))
     }
 
+    /// Returns the condition of each transition of a component: whether it held when it was evaluated last in the present
+    /// state, and the time since which it has had this value, µs.
+    pub fn conditions(&self, component: usize) -> impl Iterator<Item = Option<(bool, u64)>> {
+        let all = self.meter.conditions.get(component).map_or(&[][..], Vec::as_slice);
+        all.iter().map(|condition| condition.map(|(holds, since)| (holds, since.as_micros())))
+    }
+
     /// Returns the number of the newest image, and the image, if there is one.
     #[must_use]
     pub fn numbered_image(&self) -> Option<(u32, bica_motion::robot::Image<'_>)> {

@@ -245,6 +245,20 @@ impl Param {
 }
 
 impl Description {
+    /// Describes a tree of this program, as a robot with this tree would.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] if the tree cannot be described.
+    pub fn of(graph: &'static bica::Graph) -> Result<Self, Error> {
+        let mut builder = crate::builder::Builder::new();
+        for item in bica_wire::describe(graph) {
+            if let Some(description) = builder.add(&item)? {
+                return Ok(Self { hash: format!("{:016x}", bica::graph::hash(graph)), ..description });
+            }
+        }
+        Err(Error::Invalid("the description has no end"))
+    }
+
     /// Finds a component by name.
     ///
     /// # Errors

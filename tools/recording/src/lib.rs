@@ -40,5 +40,5 @@ pub use message::{
     Channel, CommandRecord, ComponentCosts, Costs, ImageRecord, LogLine, RefereeEvent, Tick, TreeRecord,
 };
 pub use recorder::{Backpressure, Recorder, RecorderOptions, Report, Sink, tree_record};
-pub use recording::{OwnedImage, RecordedCycle, Recording};
+pub use recording::{ImagePlace, OwnedImage, RecordedCycle, Recording};
 pub use request::{RequestRecord, SettingRecord};

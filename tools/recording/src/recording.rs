@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::fs::File;
-use std::io::{BufReader, Read};
+use std::io::{BufReader, Read, Seek as _, SeekFrom};
 use std::path::Path;
 
 use bica_wire::message::{Command, Sensors};
@@ -72,7 +72,11 @@ pub struct Recording<R> {
     reader: Reader<R>,
     header: Header,
     channels: BTreeMap<u16, Channel>,
-    images: BTreeMap<u32, ImageRecord>,
+    /// Images that wait for their cycle, with the position of their chunk.
+    images: BTreeMap<u32, (ImageRecord, u64)>,
+    /// Whether images are decoded.
+    decodes: bool,
+    place: Option<ImagePlace>,
     coder: ImageCoder,
     next: RecordedCycle,
     ending: Option<Ending>,
@@ -108,7 +112,18 @@ impl<R: Read> Recording<R> {
             }
         };
         let (images, coder, next) = (BTreeMap::new(), ImageCoder::default(), RecordedCycle::default());
-        Ok(Self { reader, header, channels, images, coder, next, ending: None })
+        Ok(Self { reader, header, channels, images, decodes: true, place: None, coder, next, ending: None })
+    }
+
+    /// Leaves images in the file: cycles have only their [places](Self::image_place).
+    #[must_use]
+    pub fn without_images(self) -> Self {
+        Self { decodes: false, ..self }
+    }
+
+    /// Returns the place of the image of the last cycle, if it had one that is stored.
+    pub const fn image_place(&self) -> Option<ImagePlace> {
+        self.place
     }
 
     /// Returns the header.
@@ -166,7 +181,7 @@ impl<R: Read> Recording<R> {
             Channel::Information => next.information = Some(decode(message)?),
             Channel::Images => {
                 let image: ImageRecord = decode(message)?;
-                self.images.insert(image.id, image);
+                self.images.insert(image.id, (image, message.chunk_at));
                 if self.images.len() > MAX_WAITING_IMAGES {
                     self.images.pop_first();
                 }
@@ -174,21 +189,69 @@ impl<R: Read> Recording<R> {
             Channel::Tick => {
                 next.tick = decode(message)?;
                 let id = next.sensors.and_then(|sensors| sensors.image).map(|image| image.id);
-                if let Some(coded) = id.and_then(|id| self.images.remove(&id)) {
-                    self.next.image = Some(self.decode_image(&coded, message.chunk_at)?);
+                self.place = None;
+                if let Some((coded, chunk_at)) = id.and_then(|id| self.images.remove(&id)) {
+                    let ImageRecord { id, bottom_camera, width, height, .. } = coded;
+                    self.place = Some(ImagePlace { id, chunk_at, bottom_camera, width, height });
+                    if self.decodes {
+                        self.next.image = Some(decode_image(&mut self.coder, &coded, chunk_at)?);
+                    }
                 }
                 return Ok(true);
             }
         }
         Ok(false)
     }
+}
 
-    fn decode_image(&mut self, coded: &ImageRecord, at: u64) -> Result<OwnedImage, Error> {
-        let ImageRecord { bottom_camera, width, height, .. } = *coded;
-        let mut yuyv = Vec::new();
-        let decoded = self.coder.decode(&coded.coded, width.into(), height.into(), &mut yuyv);
-        decoded.map_err(|_| Error::damaged(at, format!("image {} cannot be decoded", coded.id)))?;
-        Ok(OwnedImage { bottom_camera, width, height, yuyv })
+fn decode_image(coder: &mut ImageCoder, coded: &ImageRecord, at: u64) -> Result<OwnedImage, Error> {
+    let ImageRecord { bottom_camera, width, height, .. } = *coded;
+    let mut yuyv = Vec::new();
+    let decoded = coder.decode(&coded.coded, width.into(), height.into(), &mut yuyv);
+    decoded.map_err(|_| Error::damaged(at, format!("image {} cannot be decoded", coded.id)))?;
+    Ok(OwnedImage { bottom_camera, width, height, yuyv })
+}
+
+/// Place of an image in a file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ImagePlace {
+    /// Number of the image, as in the sensor values.
+    pub id: u32,
+    /// Position of its chunk, bytes.
+    pub chunk_at: u64,
+    /// Whether the bottom camera took it.
+    pub bottom_camera: bool,
+    /// Width, px.
+    pub width: u16,
+    /// Height, px.
+    pub height: u16,
+}
+
+impl ImagePlace {
+    /// Reads the image from its file.
+    ///
+    /// # Errors
+    /// If the file cannot be read, or has no such image there any more.
+    pub fn read(&self, path: &Path) -> Result<OwnedImage, Error> {
+        let mut file = BufReader::with_capacity(1 << 16, File::open(path)?);
+        file.seek(SeekFrom::Start(self.chunk_at))?;
+        let mut reader = Reader::resume(file, self.chunk_at);
+        let gone = || Error::damaged(self.chunk_at, format!("image {} is not there", self.id));
+        let mut chunks = 0;
+        while chunks < 2 {
+            match reader.next_item()? {
+                Item::Message(message) if Channel::of_id(message.channel) == Some(Channel::Images) => {
+                    let image: ImageRecord = decode(&message)?;
+                    if image.id == self.id {
+                        return decode_image(&mut ImageCoder::default(), &image, self.chunk_at);
+                    }
+                }
+                Item::Chunk { .. } => chunks += 1,
+                Item::End => break,
+                _ => {}
+            }
+        }
+        Err(gone())
     }
 }
 

@@ -34,7 +34,8 @@ fn round(p: &TokenStream, machine: &Machine, index: usize, visits: &Visits, tuni
     let entering = (!state.entries.is_empty()).then(|| quote!(if machine.entering { #entries }));
     let body = call::expand(p, &state.body, tuning);
     let exits = calls(p, &state.exits, tuning);
-    let transitions: Vec<_> = machine.edges_from(index).map(|edge| leave(p, edge, &exits, tuning)).collect();
+    let edges = machine.edges.iter().enumerate().filter(|(_, edge)| edge.from == index);
+    let transitions: Vec<_> = edges.map(|(number, edge)| leave(p, (number, edge), &exits, tuning)).collect();
     let leaving = (!transitions.is_empty()).then(|| quote!(if !machine.moved { #(#transitions)* }));
     quote! {{
         #before
@@ -55,12 +56,13 @@ fn calls(p: &TokenStream, functions: &[Function], tuning: &Tuning) -> TokenStrea
     quote!(#(#calls)*)
 }
 
-fn leave(p: &TokenStream, edge: &Edge, exits: &TokenStream, tuning: &Tuning) -> TokenStream {
+/// Leaves the state if the condition of an edge holds. `number` is the index of the edge in the node's transitions.
+fn leave(p: &TokenStream, (number, edge): (usize, &Edge), exits: &TokenStream, tuning: &Tuning) -> TokenStream {
     let (from, to) = (edge.from, edge.to);
     let condition = call::expand(p, &edge.condition, tuning);
     let timer = edge.after_ms.map(|ms| quote!(cycle.has_been_in_state::<Self>(#ms) &&));
     quote! {
-        if #timer #condition {
+        if #timer { let holds = #condition; cycle.condition::<Self>(#number, holds) } {
             #exits
             machine = cycle.transition::<Self>(#from, #to);
             continue;

@@ -62,7 +62,14 @@ impl Folder {
     /// # Errors
     /// If a file cannot be read or there are no images.
     pub fn open(args: &DetectionOptions) -> Result<Self, Failure> {
-        let colours = ColourTable::load(&args.profile)?;
+        Self::open_with(args, ColourTable::load(&args.profile)?)
+    }
+
+    /// Opens a folder with other colours than those of the options.
+    ///
+    /// # Errors
+    /// As [`open`](Self::open).
+    pub fn open_with(args: &DetectionOptions, colours: ColourTable) -> Result<Self, Failure> {
         let files = list(&args.folder)?;
         let poses = poses_path(args).map(|path| Poses::read(&path)).transpose()?;
         args.pictures.as_deref().map_or(Ok(()), make_folder)?;

@@ -58,6 +58,23 @@ struct Figures {
     horizon_px: Percentiles,
 }
 
+/// Recall and precision of one kind of object.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ScoreRow {
+    /// `ball`, `goal` or `partial goal`.
+    pub object: &'static str,
+    /// Share of the labelled objects that were detected; none without one.
+    pub recall: Option<f32>,
+    /// Share of the detections that are correct; none without one.
+    pub precision: Option<f32>,
+    /// Number of images that show such an object.
+    pub images: usize,
+    /// Images whose object was missed.
+    pub missed: Vec<String>,
+    /// Images with a wrong detection.
+    pub wrong: Vec<String>,
+}
+
 #[derive(Serialize)]
 struct Line<'a> {
     score: &'a Figures,
@@ -103,6 +120,28 @@ impl Score {
                 self.distance.note(error);
             }
         }
+    }
+
+    /// Returns recall and precision of balls and goals.
+    #[must_use]
+    pub fn rows(&self) -> [ScoreRow; 3] {
+        let Figures { recall, precision, missed, wrong, goals, .. } = &self.figures;
+        let row = |object, recall: &Share, precision: Option<f32>, missed: &[String], wrong: &[String]| ScoreRow {
+            object,
+            recall: recall.ratio(),
+            precision,
+            images: recall.of,
+            missed: missed.to_vec(),
+            wrong: wrong.to_vec(),
+        };
+        // A goal of the wrong colour, or where there is none, is wrong.
+        let found = goals.complete.good + goals.partial.good;
+        let of_goals = Share { of: found + goals.wrong.len(), good: found }.ratio();
+        [
+            row("ball", recall, precision.ratio(), missed, wrong),
+            row("goal", &goals.complete, of_goals, &goals.missed, &goals.wrong),
+            row("partial goal", &goals.partial, of_goals, &goals.missed_partial, &[]),
+        ]
     }
 
     /// Prints the figures.

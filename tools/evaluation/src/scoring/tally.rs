@@ -15,6 +15,11 @@ impl Share {
         self.of += 1;
         self.good += usize::from(good);
     }
+
+    /// Returns the share of correct cases; none without cases.
+    pub(super) fn ratio(self) -> Option<f32> {
+        (self.of > 0).then(|| self.good as f32 / self.of as f32)
+    }
 }
 
 /// `66/68 0.971`

@@ -244,8 +244,22 @@ pub enum Request {
         /// Session.
         session: SessionId,
     },
+    /// Replaces the profile under edit by a saved or built-in one. [as `Colours`]
+    LoadColours {
+        /// Session.
+        session: SessionId,
+        /// Name of the profile without ending.
+        name: String,
+    },
     /// Classifies an image with the profile under edit: a binary frame with this `id` comes before the answer.
     Classify {
+        /// Session.
+        session: SessionId,
+        /// Number of the image.
+        image: u32,
+    },
+    /// Computes the field boundary in an image, with the profile under edit and the robot's thresholds. [[`Boundary`](super::Boundary)]
+    Boundary {
         /// Session.
         session: SessionId,
         /// Number of the image.
@@ -303,6 +317,8 @@ impl Request {
             | Self::Colours { session, .. }
             | Self::PickColours { session, .. }
             | Self::UndoColours { session, .. }
+            | Self::LoadColours { session, .. }
+            | Self::Boundary { session, .. }
             | Self::Classify { session, .. }
             | Self::ScoreColours { session, .. }
             | Self::SendColours { session, .. }
@@ -330,6 +346,8 @@ pub enum Open {
         /// Address.
         address: String,
     },
+    /// The images of the folder of labelled images: one in each second. They have no tree.
+    Images {},
     /// A recording in the recordings folder.
     Recording {
         /// File name without folder.

@@ -14,9 +14,9 @@ mod to_page;
 
 pub use from_page::{FromPage, HoldKind, Open, Request, Setting, Watch, WatchImages, WatchInfo};
 pub use to_page::{
-    Bar, Capabilities, ComponentCost, ComponentNow, Condition, Connection, Control, Drawing, DrawnBox, DrawnLink,
-    Failed, InfoSample, LogKind, LogLine, Moment, RecordingState, RobotPose, Row, SessionInfo, SessionKind, ToPage,
-    Truth,
+    Bar, Boundary, BoundaryColumn, BoundaryVerdict, Capabilities, ComponentCost, ComponentNow, Condition, Connection,
+    Control, Drawing, DrawnBox, DrawnLink, Failed, InfoSample, LogKind, LogLine, Moment, RecordingState, RobotPose,
+    Row, SessionInfo, SessionKind, ToPage, Truth,
 };
 
 /// Version of the protocol: a page of another version reloads itself.

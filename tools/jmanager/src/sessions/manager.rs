@@ -11,8 +11,8 @@ use super::options::Options;
 use super::outbox::Outbox;
 use super::pages::{PageId, Pages, lock};
 use super::session::Session;
-use super::{storage, tune};
-use crate::protocol::{Failed, FromPage, LogKind, Open, Request, SessionId, SessionInfo, ToPage, VERSION};
+use super::{colours, folder, recorded, storage, tune};
+use crate::protocol::{Failed, FromPage, LogKind, Open, Request, SessionId, SessionInfo, SessionKind, ToPage, VERSION};
 
 /// Largest number of sessions.
 const MAX_SESSIONS: usize = 16;
@@ -49,24 +49,34 @@ impl Manager {
     /// # Errors
     /// If the source is unknown or there are too many sessions.
     pub fn open(&self, source: Open) -> Result<SessionId, Failed> {
-        let mut sessions = lock(&self.sessions);
-        if sessions.len() >= MAX_SESSIONS {
-            return Err(Failed::new(format!("{MAX_SESSIONS} sessions are open"), "close one of them"));
-        }
+        self.has_room()?;
         let id = self.last_session.fetch_add(1, Ordering::Relaxed) + 1;
         let session = match source {
             Open::World { world, seed, robots } => {
                 live::open_world(id, &self.options, &self.pages, (&world, seed, robots))?
             }
             Open::Robot { address } => live::open_robot(id, &self.options, &self.pages, &address)?,
-            Open::Recording { .. } => {
-                return Err(Failed::new("recordings cannot be shown yet", "use `player replay`"));
-            }
+            Open::Images {} => folder::open(id, &self.options, &self.pages)?,
+            Open::Recording { name } => recorded::open(id, &self.options, &self.pages, &name)?,
         };
-        sessions.insert(id, Arc::clone(&session));
-        drop(sessions);
-        session.announce();
+        self.add(session)?;
         Ok(id)
+    }
+
+    fn has_room(&self) -> Result<(), Failed> {
+        let has_room = lock(&self.sessions).len() < MAX_SESSIONS;
+        let full = || Failed::new(format!("{MAX_SESSIONS} sessions are open"), "close one of them");
+        has_room.then_some(()).ok_or_else(full)
+    }
+
+    fn add(&self, session: Arc<Session>) -> Result<(), Failed> {
+        if let Err(failed) = self.has_room() {
+            session.end();
+            return Err(failed);
+        }
+        lock(&self.sessions).insert(session.id, Arc::clone(&session));
+        session.announce();
+        Ok(())
     }
 
     /// Returns all sessions as a page sees them.
@@ -143,7 +153,9 @@ impl Manager {
             }
             Request::Watch { watch, .. } => {
                 session.shared().watches.insert(page, watch);
-                session.command(live::Command::Watch).map(|()| Some(Value::Null))
+                // A recording has no thread that needs to know.
+                let _ = session.command(live::Command::Watch);
+                Ok(Some(Value::Null))
             }
             Request::Note { text, .. } => {
                 if text.chars().count() > MAX_NOTE {
@@ -159,6 +171,32 @@ impl Manager {
                 self.writable()?;
                 pace(&session, &request).map(|()| Some(Value::Null))
             }
+            Request::Colours { .. }
+            | Request::Boundary { .. }
+            | Request::Classify { .. }
+            | Request::ScoreColours { .. } => colours::handle(&session, page, id, &request),
+            Request::PickColours { .. }
+            | Request::UndoColours { .. }
+            | Request::LoadColours { .. }
+            | Request::SendColours { .. }
+            | Request::SaveColours { .. } => {
+                self.writable()?;
+                colours::handle(&session, page, id, &request)
+            }
+            Request::SaveSource { .. } => {
+                let help = "save it to a tune file, or write the new default into the source by hand";
+                Err(Failed::new("this program cannot write sources", help))
+            }
+            Request::Compare { other, .. } => {
+                recorded::compare(page, id, &session, &*self.session(other)?).map(|()| None)
+            }
+            Request::RunAgain { settings, .. } => {
+                self.writable()?;
+                let id = self.last_session.fetch_add(1, Ordering::Relaxed) + 1;
+                let again = recorded::run_again(id, &session, &settings)?;
+                self.add(again)?;
+                Ok(Some(json!({ "session": id })))
+            }
             Request::KeepRecording { name, .. } => {
                 self.writable()?;
                 storage::keep(&session, page, id, &name).map(|()| None)
@@ -166,6 +204,10 @@ impl Manager {
             Request::SaveTune { params, name, .. } => {
                 self.writable()?;
                 tune::save(&session, &params, &name).map(Some)
+            }
+            _ if session.kind == SessionKind::Recording => {
+                let help = "open a robot or a world; a recording can be run again with other parameters";
+                Err(Failed::new("a recording cannot be operated", help))
             }
             request => {
                 self.writable()?;
@@ -195,6 +237,8 @@ impl Drop for Manager {
         for session in sessions.values() {
             session.end();
         }
+        // Threads that still end leave a file there; the folder is one for temporary files.
+        let _ = std::fs::remove_dir(&self.options.spool);
     }
 }
 

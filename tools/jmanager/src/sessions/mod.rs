@@ -4,14 +4,17 @@
 //! for a world that is played in this process: its page's data come over the same link as those of a robot. What a session
 //! sends to a page goes into the page's [`Outbox`].
 
+mod colours;
 mod drawing;
 mod files;
+mod folder;
 mod history;
 mod live;
 mod manager;
 mod options;
 mod outbox;
 mod pages;
+mod recorded;
 mod session;
 mod storage;
 mod tune;

@@ -1,15 +1,19 @@
 //! A session: what the manager and the session's thread share.
 
+use std::collections::BTreeMap;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::Sender;
 use std::sync::{Arc, Mutex, MutexGuard};
 
 use bica_link::Description;
 use serde_json::{Value, json};
 
-use super::history::{History, Limits};
+use super::colours::Edit;
+use super::history::{History, Limits, StoredImage};
 use super::options::Options;
 use super::outbox::{DataKind, Frame, Key};
 use super::pages::{PageId, Pages, lock};
+use super::recorded::{Recorded, read_image};
 use super::world::Pacer;
 use super::{drawing, live};
 use crate::protocol::binary::{ImageHead, PixelKind};
@@ -17,7 +21,6 @@ use crate::protocol::{
     Capabilities, ComponentNow, Connection, Control, Drawing, Failed, InfoSample, LogKind, LogLine, Moment,
     RecordingState, Request, SessionId, SessionInfo, SessionKind, ToPage, Watch,
 };
-use std::collections::BTreeMap;
 
 /// Longest series and lists that a page gets in one answer.
 const MAX_POINTS: usize = 20_000;
@@ -43,6 +46,10 @@ pub(super) struct Shared {
     pub(super) description: Option<Arc<Description>>,
     pub(super) drawing: Drawing,
     pub(super) history: History,
+    /// File and images of a recording.
+    pub(super) recorded: Recorded,
+    /// The profile under edit, once it was changed.
+    pub(super) colours: Option<Edit>,
     pub(super) watches: BTreeMap<PageId, Watch>,
     pub(super) images_taken: u64,
     pub(super) overruns: u64,
@@ -57,6 +64,7 @@ pub(super) struct Session {
     pub(super) pages: Arc<Pages>,
     /// Of a world in this process.
     pub(super) pacer: Option<Arc<Pacer>>,
+    closed: AtomicBool,
     commands: Mutex<Sender<live::Command>>,
     shared: Mutex<Shared>,
 }
@@ -77,6 +85,7 @@ impl Session {
             options,
             pages,
             pacer,
+            closed: AtomicBool::new(false),
             commands: Mutex::new(commands),
             shared: Mutex::new(Shared {
                 connection: Connection::Connecting,
@@ -87,6 +96,8 @@ impl Session {
                 description: None,
                 drawing: Drawing::default(),
                 history: History::new(limits, 0),
+                recorded: Recorded::default(),
+                colours: None,
                 watches: BTreeMap::new(),
                 images_taken: 0,
                 overruns: 0,
@@ -256,7 +267,7 @@ impl Session {
         info: &[(usize, usize)],
         with_image: bool,
     ) -> Result<Value, Failed> {
-        let (moment, image) = {
+        let (moment, image, place) = {
             let shared = self.shared();
             let history = &shared.history;
             let none = || Failed::new("nothing is known of this session yet", "wait until it is connected");
@@ -267,15 +278,21 @@ impl Session {
                 Some(InfoSample(component, info, at, value))
             };
             let image = history.images.at(time).cloned();
+            let place = shared.recorded.at(time);
             let moment = Moment {
                 time_us: time,
                 cycle,
                 components,
                 info: info.iter().take(MAX_POINTS).filter_map(sample).collect(),
-                image: image.as_ref().map(|image| image.number),
+                image: image.as_ref().map(|image| image.number).or(place.map(|(number, ..)| number)),
                 truth: history.truth(time).cloned(),
             };
-            (moment, image.filter(|_| with_image))
+            (moment, image.filter(|_| with_image), place.filter(|_| with_image))
+        };
+        // The file is read without the lock.
+        let image = match (image, place) {
+            (None, Some(place)) => Some(read_image(&self.recording_path(), place)?),
+            (image, _) => image,
         };
         if let Some(image) = image {
             self.pages.binary(page, self.image_frame(&image, id).into());
@@ -284,7 +301,7 @@ impl Session {
     }
 
     /// Returns the binary frame of an image.
-    pub(super) fn image_frame(&self, image: &super::history::StoredImage, id: u32) -> Vec<u8> {
+    pub(super) fn image_frame(&self, image: &StoredImage, id: u32) -> Vec<u8> {
         let head = ImageHead {
             kind: PixelKind::Yuyv,
             bottom_camera: image.bottom_camera,
@@ -308,10 +325,39 @@ fn limits(options: &Options, kind: SessionKind) -> Limits {
 }
 
 impl Session {
+    /// The image with a number, from memory or from the file of a recording.
+    pub(super) fn image(&self, number: u32) -> Result<StoredImage, Failed> {
+        let (image, place) = {
+            let shared = self.shared();
+            (shared.history.images.get(number).cloned(), shared.recorded.get(number))
+        };
+        let gone = || Failed::new(format!("image {number} is not in memory any more"), "choose a newer one");
+        match (image, place) {
+            (Some(image), _) => Ok(image),
+            (None, Some(place)) => read_image(&self.recording_path(), place),
+            (None, None) => Err(gone()),
+        }
+    }
+
+    fn recording_path(&self) -> std::path::PathBuf {
+        self.shared().recorded.path.clone()
+    }
+
+    /// Whether the session was closed; its threads end then.
+    pub(super) fn is_closed(&self) -> bool {
+        self.closed.load(Ordering::Relaxed)
+    }
+
     /// Ends the session's thread.
     pub(super) fn end(&self) {
+        self.closed.store(true, Ordering::Relaxed);
         if let Some(pacer) = &self.pacer {
             pacer.end();
+        }
+        let path = self.recording_path();
+        if path.starts_with(&self.options.spool) {
+            // The file of a run that was repeated may not exist yet.
+            let _ = std::fs::remove_file(path);
         }
         // A thread that has ended needs no end.
         let _ = self.command(live::Command::Close);

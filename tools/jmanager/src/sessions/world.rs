@@ -21,7 +21,7 @@ use super::options::Options;
 use crate::protocol::Failed;
 
 pub(super) use pacer::Pacer;
-pub(super) use tap::Extra;
+pub(super) use tap::{Extra, MachineConditions};
 
 /// Largest number of observations that wait for the session's thread.
 const QUEUE: usize = 256;

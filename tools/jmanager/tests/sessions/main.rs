@@ -1,4 +1,7 @@
 //! Sessions at the level of [`jmanager::sessions::Manager`], with pages that are programs.
 
+mod colours;
 mod page;
+mod recorded;
+mod robot;
 mod world;

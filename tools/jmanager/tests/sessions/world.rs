@@ -15,7 +15,7 @@ fn built_in() -> Open {
 }
 
 /// Index of a component and of one of its members.
-fn find(description: &Value, component: &str, list: &str, name: &str) -> (usize, usize) {
+pub(crate) fn find(description: &Value, component: &str, list: &str, name: &str) -> (usize, usize) {
     let components = description["components"].as_array().unwrap();
     let component = components.iter().position(|one| one["name"] == component).unwrap();
     let members = components[component][list].as_array().unwrap();
@@ -58,7 +58,7 @@ fn a_world_is_described_and_its_state_images_information_costs_and_truth_come() 
 }
 
 /// Opens the built-in world with one page, and waits until it runs.
-fn running(manager: &Manager) -> (Page<'_>, u32, Value) {
+pub(crate) fn running(manager: &Manager) -> (Page<'_>, u32, Value) {
     let session = manager.open(built_in()).unwrap();
     let page = Page::new(manager);
     let described = page.message("described", |message| Some(message["description"].clone()));
@@ -210,4 +210,30 @@ fn a_full_disk_is_reported_and_the_world_goes_on() {
     let cycle = page.message("update", |update| update["cycle"].as_u64());
     page.message("update", |update| (update["cycle"].as_u64()? > cycle + 20).then_some(()));
     assert!(page.ask(Request::KeepRecording { session, name: "mine".to_owned() }).is_err());
+}
+
+#[test]
+fn conditions_tell_why_a_state_is_not_left() {
+    let folder = Folder::new();
+    let manager = Manager::new(folder.options());
+    let (page, session, description) = running(&manager);
+    let components = description["components"].as_array().unwrap();
+    let root = components.iter().position(|one| one["root"] == true).unwrap();
+    let watch = Watch { conditions: vec![root], ..Watch::default() };
+    page.ask(Request::Watch { session, watch }).unwrap();
+    let conditions = page.message("conditions", |message| {
+        assert_eq!(message["component"], root);
+        let is_known = message["conditions"].as_array()?.iter().any(|one| one["holds"].is_boolean());
+        is_known.then(|| message["conditions"].as_array().unwrap().clone())
+    });
+    let transitions = components[root]["transitions"].as_array().unwrap();
+    assert_eq!(conditions.len(), transitions.len());
+    let known = conditions.iter().zip(transitions).filter(|(one, _)| one["holds"].is_boolean());
+    let from: Vec<_> = known
+        .map(|(one, transition)| {
+            assert_eq!(one["holds"], false, "a condition that holds leads out of the state");
+            &transition["from"]
+        })
+        .collect();
+    assert!(from.windows(2).all(|two| two[0] == two[1]), "only conditions of one state are evaluated: {from:?}");
 }

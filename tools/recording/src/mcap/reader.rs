@@ -76,6 +76,11 @@ impl<R: Read> Reader<R> {
         Ok(Self { source, at: MAGIC.len() as u64, chunk: Vec::new(), within: 0, chunk_at: 0, ended: false })
     }
 
+    /// Continues to read a file at the beginning of a record, at this position.
+    pub const fn resume(source: R, at: u64) -> Self {
+        Self { source, at, chunk: Vec::new(), within: 0, chunk_at: at, ended: false }
+    }
+
     /// Returns the position behind the last complete record, bytes.
     pub const fn position(&self) -> u64 {
         self.at

@@ -61,7 +61,6 @@ impl Images {
     }
 
     /// The image with a number.
-    #[cfg(test)]
     pub(crate) fn get(&self, number: u32) -> Option<&StoredImage> {
         let index = self.all.binary_search_by_key(&number, |image| image.number).ok()?;
         self.all.get(index)

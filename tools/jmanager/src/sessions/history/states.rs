@@ -64,6 +64,11 @@ impl States {
         changed
     }
 
+    /// Number of cycles and of changes in memory.
+    pub(crate) fn sizes(&self) -> (usize, usize) {
+        (self.ticks.len(), self.changes.len())
+    }
+
     /// State after the last cycle.
     pub(crate) fn current(&self) -> &[ComponentNow] {
         &self.current

@@ -5,16 +5,16 @@ use std::sync::Arc;
 use std::sync::mpsc::{Receiver, TryRecvError};
 use std::time::{Duration, Instant};
 
-use bica_link::{Client, Event, Snapshot};
+use bica_link::{Client, Event, Snapshot, Transition};
 use serde_json::Value;
 
 use super::operate::Operation;
 use super::{Command, capabilities};
-use crate::protocol::{Connection, Failed, InfoSample, LogKind, LogLine, Request, ToPage, Watch};
+use crate::protocol::{Condition, Connection, Failed, InfoSample, LogKind, LogLine, Request, ToPage, Watch};
 use crate::sessions::outbox::{DataKind, Frame};
 use crate::sessions::session::Session;
 use crate::sessions::value::page_hold;
-use crate::sessions::world::{Extra, World};
+use crate::sessions::world::{Extra, MachineConditions, World};
 
 /// Longest wait for a message of the robot.
 const POLL: Duration = Duration::from_millis(5);
@@ -272,6 +272,7 @@ impl<'a> Attached<'a> {
                         session.pages.data(page, session.key(DataKind::Truth), frame.clone());
                     }
                 }
+                Extra::Conditions(time_us, all) => self.conditions(time_us, &all),
                 Extra::Overrun(time_us, component) => session.shared().history.add_overrun(time_us, component),
                 Extra::Costs { time_us, window_us, components, chain_us, worst_us } => {
                     let session_id = session.id;
@@ -282,6 +283,37 @@ impl<'a> Attached<'a> {
                         session.pages.data(page, session.key(DataKind::Costs), frame.clone());
                     }
                 }
+            }
+        }
+    }
+
+    /// Sends conditions to the pages that watch them, with the rest of the timers.
+    fn conditions(&self, time_us: u64, all: &[MachineConditions]) {
+        let session = self.session;
+        for (component, conditions) in all {
+            let component = *component;
+            let pages = self.watches.iter().filter(|(_, watch)| watch.conditions.contains(&component));
+            let pages: Vec<u64> = pages.map(|(&page, _)| page).collect();
+            let Some(described) = self.client.description().components.get(component).filter(|_| !pages.is_empty())
+            else {
+                continue;
+            };
+            let now = session.shared().history.states.current().get(component).copied();
+            let rest = |transition: &Transition| {
+                let now = now.filter(|now| now.0 && now.2.map(usize::from) == Some(transition.from))?;
+                let been_ms = time_us.saturating_sub(now.4) / 1000;
+                transition.after_ms.map(|after| u64::from(after).saturating_sub(been_ms) as u32)
+            };
+            let condition = |(transition, condition): (&Transition, &Option<(bool, u64)>)| Condition {
+                holds: condition.map(|(holds, _)| holds),
+                since_us: condition.map_or(0, |(_, since)| since),
+                remaining_ms: rest(transition),
+            };
+            let conditions = described.transitions.iter().zip(conditions).map(condition).collect();
+            let message = ToPage::Conditions { session: session.id, component, time_us, conditions };
+            let frame = Frame::of(&message);
+            for page in pages {
+                session.pages.data(page, session.key(DataKind::Conditions(component)), frame.clone());
             }
         }
     }

@@ -169,7 +169,7 @@ fn capabilities(is_world: bool, watch_only: bool, read_only: bool) -> Capabiliti
         truth: is_world,
         images: is_world,
         costs: is_world,
-        conditions: false,
+        conditions: is_world,
         run_again: false,
     }
 }

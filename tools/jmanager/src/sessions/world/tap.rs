@@ -14,8 +14,13 @@ use crate::sessions::history::StoredImage;
 
 /// Number of cycles between two costs.
 const COSTS_EVERY: u64 = 50;
+/// Number of cycles between two looks at the conditions.
+const CONDITIONS_EVERY: u64 = 5;
 /// Number of cycles between two true states.
 const TRUTH_EVERY: u64 = 5;
+
+/// A component, and for each of its transitions whether the condition holds, and since when, µs.
+pub(crate) type MachineConditions = (usize, Vec<Option<(bool, u64)>>);
 
 /// What the link does not carry.
 #[derive(Debug)]
@@ -29,6 +34,8 @@ pub(crate) enum Extra {
         worst_us: u64,
     },
     Truth(u64, Truth),
+    /// Conditions of all components with transitions: whether each holds, and since when, µs.
+    Conditions(u64, Vec<MachineConditions>),
     /// A run of a component took longer than its budget.
     Overrun(u64, u16),
 }
@@ -133,6 +140,11 @@ impl GameObserver for Tap {
         let time_us = (scene.t * 1e6).round() as u64;
         self.image(scene, time_us);
         self.costs(scene, time_us);
+        if scene.cycle.is_multiple_of(CONDITIONS_EVERY) {
+            let machines = (0..GRAPH.nodes.len()).filter(|&index| !GRAPH.nodes[index].transitions.is_empty());
+            let conditions = machines.map(|index| (index, scene.conditions(index).collect())).collect();
+            self.send(Extra::Conditions(time_us, conditions));
+        }
         if scene.cycle.is_multiple_of(TRUTH_EVERY) {
             self.send(Extra::Truth(time_us, truth(scene)));
         }

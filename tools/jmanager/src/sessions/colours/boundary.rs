@@ -1,0 +1,57 @@
+//! How the field boundary in an image is found: the robot's own code on the same image.
+
+use bica_link::Description;
+use bica_vision::colour::Filters;
+use bica_vision::field_boundary::{BoundaryTuning, FieldBoundary};
+use bica_vision::frame::Frame;
+use bica_vision::table::CompactTable;
+
+use crate::protocol::{Boundary, BoundaryColumn, BoundaryVerdict, Failed};
+use crate::sessions::history::StoredImage;
+use crate::sessions::session::Session;
+
+/// Component with the thresholds as parameters.
+const COMPONENT: &str = "FieldBoundary";
+
+/// Finds the boundary with these colours and the robot's thresholds.
+pub(super) fn find(session: &Session, image: &StoredImage, filters: &Filters) -> Result<Boundary, Failed> {
+    let frame = Frame::new(image.width, image.height, &image.yuyv);
+    let frame = frame.map_err(|error| Failed::new(error.to_string(), "choose another image"))?;
+    let table = Box::new(CompactTable::compile(filters));
+    let tuning = session.description().map_or(BoundaryTuning::DEFAULT, |tree| tuning(&tree));
+    let boundary = FieldBoundary::find_tuned(&frame, &*table, None, &tuning);
+    let inlier_distance = tuning.inlier_distance * f32::from(image.height);
+    let column = |(x, y): (f32, Option<f32>)| {
+        let verdict = match (y, boundary.row_at(x)) {
+            (None, _) => BoundaryVerdict::NoGreen,
+            (Some(_), None) => BoundaryVerdict::NoBoundary,
+            (Some(y), Some(row)) if (y - row).abs() <= inlier_distance => BoundaryVerdict::Inlier,
+            (Some(y), Some(row)) if y < row => BoundaryVerdict::Above,
+            (Some(_), Some(_)) => BoundaryVerdict::Below,
+        };
+        BoundaryColumn { x, y, verdict }
+    };
+    Ok(Boundary {
+        columns: FieldBoundary::scan(&frame, &*table, &tuning).map(column).collect(),
+        corners: boundary.corners().iter().map(|corner| (corner.x, corner.y)).collect(),
+        inlier_distance,
+    })
+}
+
+/// The thresholds in force in the robot.
+fn tuning(tree: &Description) -> BoundaryTuning {
+    let default = BoundaryTuning::DEFAULT;
+    let Some(component) = tree.components.iter().find(|one| one.name == COMPONENT) else { return default };
+    let number = |name: &str, otherwise: f32| {
+        let param = component.params.iter().find(|param| param.name == name);
+        let value = param.and_then(|param| param.value.as_ref().unwrap_or(&param.default).as_f64());
+        value.map_or(otherwise, |value| value as f32)
+    };
+    BoundaryTuning {
+        min_green: number("min_green", default.min_green),
+        max_gap: number("max_gap", default.max_gap),
+        inlier_distance: number("inlier_distance", default.inlier_distance),
+        min_score: number("min_score", default.min_score as f32) as i32,
+        ..default
+    }
+}

@@ -1,0 +1,70 @@
+//! Score of a profile on labelled images.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use bica_console::{Failure, Outcome};
+use bica_evaluation::camera_poses::Pose;
+use bica_evaluation::detection::{ColourTable, DetectionObserver, DetectionOptions, Detections, Folder};
+use bica_evaluation::labels::Labels;
+use bica_evaluation::scoring::Score;
+use bica_vision::colour::Filters;
+use bica_vision::table::CompactTable;
+use serde_json::{Value, json};
+
+use crate::protocol::Failed;
+use crate::sessions::pages::PageId;
+use crate::sessions::session::Session;
+
+/// Radius of a ball of 2009, m.
+const RADIUS: f32 = 0.0325;
+
+/// Scores a profile in a thread of its own, and answers when that is done.
+pub(super) fn start(session: &Arc<Session>, page: PageId, id: u32, filters: &Filters) -> Result<(), Failed> {
+    let none = || Failed::new("there are no labelled images", "start the program with --images DIR");
+    let folder = session.options.images.clone().ok_or_else(none)?;
+    let (session, filters) = (Arc::clone(session), *filters);
+    let work = move || session.pages.answer(page, id, score(&folder, &filters).map_err(Failed::from));
+    let started = std::thread::Builder::new().name("score".to_owned()).spawn(work);
+    started.map(drop).map_err(|error| Failed::new(error.to_string(), "close other programs"))
+}
+
+struct Counter(Score);
+
+impl DetectionObserver for Counter {
+    fn detected(&mut self, detections: Detections, pose: Option<&Pose>) -> Result<(), Failure> {
+        self.0.count(&detections, pose);
+        Ok(())
+    }
+
+    fn skipped(&mut self, _file: &str, _why: String) -> Result<(), Failure> {
+        Ok(())
+    }
+}
+
+/// The file with the labels of a folder: in it, or beside it.
+fn labels(folder: &Path) -> Result<PathBuf, Failure> {
+    let inside = folder.join("labels.csv");
+    let beside = folder.join("..").join("labels.csv");
+    let found = [inside, beside].into_iter().find(|path| path.is_file());
+    let missing =
+        || Failure::new(format!("`{}` has no labels", folder.display()), "put labels.csv into it or beside it");
+    found.ok_or_else(missing)
+}
+
+fn score(folder: &Path, filters: &Filters) -> Result<Value, Failure> {
+    let labels = Labels::read(&labels(folder)?, folder)?;
+    let options = DetectionOptions {
+        folder: folder.to_owned(),
+        profile: String::new(),
+        poses: None,
+        radius: RADIUS,
+        pictures: None,
+    };
+    let table = ColourTable::Compact(Box::new(CompactTable::compile(filters)));
+    let mut counter = Counter(Score::new(labels, RADIUS));
+    if Folder::open_with(&options, table)?.detect(&mut counter)? == Outcome::Interrupted {
+        return Err(Failure::new("stopped by Ctrl-C", "score again"));
+    }
+    Ok(json!({ "rows": counter.0.rows() }))
+}

@@ -1,0 +1,153 @@
+//! Recordings as sessions.
+
+mod index;
+mod tree;
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::mpsc::channel;
+use std::thread;
+
+use bica_game::{ReplayOptions, replay, rerun};
+use bica_link::Description;
+use bica_recording::ImagePlace;
+use serde_json::{Value, json};
+
+use super::files;
+use super::history::StoredImage;
+use super::options::Options;
+use super::pages::{PageId, Pages};
+use super::session::Session;
+use super::storage::MCAP;
+use super::value::{unknown, wire_value};
+use crate::protocol::{Connection, Failed, SessionId, SessionKind, Setting};
+
+/// Images of a recording: they stay in its file.
+#[derive(Debug, Default)]
+pub(super) struct Recorded {
+    pub(super) path: PathBuf,
+    /// Number of the image, time of its cycle, µs, and place; in order of time.
+    pub(super) places: Vec<(u32, u64, ImagePlace)>,
+}
+
+impl Recorded {
+    /// The last image that is not later: its number and place.
+    pub(super) fn at(&self, time_us: u64) -> Option<(u32, u64, ImagePlace)> {
+        let end = self.places.partition_point(|(_, time, _)| *time <= time_us);
+        self.places.get(end.checked_sub(1)?).copied()
+    }
+
+    pub(super) fn get(&self, number: u32) -> Option<(u32, u64, ImagePlace)> {
+        let index = self.places.binary_search_by_key(&number, |(number, ..)| *number).ok()?;
+        self.places.get(index).copied()
+    }
+}
+
+/// Reads an image from the file of a recording.
+pub(super) fn read_image(path: &Path, (number, time_us, place): (u32, u64, ImagePlace)) -> Result<StoredImage, Failed> {
+    let read = place.read(path);
+    let image = read.map_err(|error| Failed::new(format!("image {number}: {error}"), error.help()))?;
+    let (bottom_camera, width, height) = (image.bottom_camera, image.width, image.height);
+    Ok(StoredImage { number, time_us, bottom_camera, width, height, yuyv: image.yuyv.into() })
+}
+
+fn new_session(
+    (id, name): (SessionId, String),
+    path: &Path,
+    (options, pages): (&Arc<Options>, &Arc<Pages>),
+) -> Arc<Session> {
+    // Nobody receives commands: a recording cannot be operated.
+    let (commands, _) = channel();
+    let identity = (id, SessionKind::Recording, name);
+    let session = Session::new(identity, Arc::clone(options), Arc::clone(pages), None, commands);
+    session.shared().recorded.path = path.to_owned();
+    Arc::new(session)
+}
+
+/// Opens a recording of the recordings folder. It is read in the background.
+pub(super) fn open(
+    id: SessionId,
+    options: &Arc<Options>,
+    pages: &Arc<Pages>,
+    name: &str,
+) -> Result<Arc<Session>, Failed> {
+    let path = files::path(&options.recordings, name, MCAP)?;
+    // The header is read at once, so that a file that is no recording is refused here.
+    let recording = index::open(&path)?;
+    let session = new_session((id, name.to_owned()), &path, (options, pages));
+    let own = Arc::clone(&session);
+    spawn("index", move || index::read(&own, recording))?;
+    Ok(session)
+}
+
+/// Runs a recording again with other parameters; the new course is a session of its own.
+pub(super) fn run_again(id: SessionId, original: &Session, settings: &[Setting]) -> Result<Arc<Session>, Failed> {
+    let path = original.shared().recorded.path.clone();
+    if path.as_os_str().is_empty() || !original.shared().can.run_again {
+        return Err(Failed::new("this session cannot be run again", "keep a recording, open it, and run that again"));
+    }
+    let set = assignments(&*original.description()?, settings)?;
+    let options = &original.options;
+    std::fs::create_dir_all(&options.spool).map_err(|error| {
+        super::storage::failed("make", &options.spool, &error, "is the disk full, or the folder write-protected?")
+    })?;
+    let out = options.spool.join(format!("again-{id}{MCAP}"));
+    let name =
+        format!("{}, again: {}", original.name, if set.is_empty() { "as it was".to_owned() } else { set.join(" ") });
+    let session = new_session((id, name), &out, (options, &original.pages));
+    let own = Arc::clone(&session);
+    spawn("again", move || {
+        let progress = |seconds: f64| {
+            own.set_connection(Connection::Connecting, format!("runs again: {seconds:.0} s done"));
+            !own.is_closed()
+        };
+        let result = rerun(&path, &set, &out, progress).map_err(Failed::from);
+        match result.and_then(|_| index::open(&out)) {
+            Ok(recording) => index::read(&own, recording),
+            Err(failed) => own.set_connection(Connection::Ended, format!("{}: {}", failed.text, failed.help)),
+        }
+    })?;
+    Ok(session)
+}
+
+fn spawn(name: &str, work: impl FnOnce() + Send + 'static) -> Result<(), Failed> {
+    let started = thread::Builder::new().name(name.to_owned()).spawn(work);
+    started.map(drop).map_err(|error| Failed::new(error.to_string(), "close other programs"))
+}
+
+/// Returns the settings as assignments of the command line.
+fn assignments(description: &Description, settings: &[Setting]) -> Result<Vec<String>, Failed> {
+    let one = |Setting { component, param, value }: &Setting| {
+        let owner = description.components.get(*component).ok_or_else(|| unknown("component", *component))?;
+        let param = owner.params.get(*param).ok_or_else(|| unknown("parameter", *param))?;
+        wire_value(param, value)?;
+        let text = value.as_str().map_or_else(|| value.to_string(), str::to_owned);
+        Ok(format!("{}.{}={text}", owner.name, param.name))
+    };
+    settings.iter().map(one).collect()
+}
+
+/// Compares two recordings in a thread of its own, and answers with the first difference.
+pub(super) fn compare(page: PageId, id: u32, one: &Arc<Session>, other: &Session) -> Result<(), Failed> {
+    let paths = [one.shared().recorded.path.clone(), other.shared().recorded.path.clone()];
+    if paths.iter().any(|path| path.as_os_str().is_empty()) {
+        return Err(Failed::new("only recordings are compared", "keep a recording of the live session, and open it"));
+    }
+    let session = Arc::clone(one);
+    spawn("compare", move || {
+        let [path, other] = &paths;
+        let options = ReplayOptions { path, from: 0.0, until: f64::INFINITY, against: Some(other), set: &[] };
+        let answer = replay(&options).map_err(Failed::from).map(|result| {
+            let Some(first) = result.first_difference else { return json!({ "equal": true, "cycles": result.cycles }) };
+            let of = first.component.map(|name| format!("{name}, ")).unwrap_or_default();
+            let text = format!("{of}{}: {} in one, {} in the other", first.field, first.recorded, first.repeated);
+            let time_us = (first.t * 1e6).round() as u64;
+            let decisions = serde_json::to_value(&result.decisions).unwrap_or(Value::Null);
+            json!({
+                "equal": false, "cycle": first.cycle, "time_us": time_us, "field": first.field, "text": text,
+                "decisions": decisions,
+            })
+        });
+        session.pages.answer(page, id, answer);
+    })
+}

@@ -1,0 +1,159 @@
+//! One pass through a recording: states, information, log, places of images.
+
+use std::fs::{self, File};
+use std::io::BufReader;
+use std::path::Path;
+
+use bica_game::GRAPH;
+use bica_link::decode_info;
+use bica_recording::{Error, Header, RecordedCycle, Recording, RequestRecord};
+use serde_json::Value;
+
+use super::tree;
+use crate::protocol::{Capabilities, Connection, Failed, HoldKind, LogKind, LogLine};
+use crate::sessions::session::Session;
+
+/// Number of cycles that are taken over under one lock.
+const BATCH: usize = 256;
+/// Largest number of changes and of images that are remembered: the rest of a longer recording is not shown.
+const MAX_CHANGES: usize = 2_000_000;
+/// Largest number of cycles that are shown: more than a day.
+const MAX_CYCLES: usize = 10_000_000;
+
+type FileRecording = Recording<BufReader<File>>;
+
+/// Opens a recording and reads its header.
+pub(super) fn open(path: &Path) -> Result<FileRecording, Failed> {
+    let failed = |error: Error| Failed::new(format!("cannot open `{}`: {error}", path.display()), error.help());
+    let recording = FileRecording::open(path).map_err(failed)?.without_images();
+    tree::describe(recording.header())?;
+    Ok(recording)
+}
+
+/// Holds and rates, as requests changed them.
+struct Requested {
+    holds: Vec<HoldKind>,
+    rates: Vec<Option<f32>>,
+}
+
+impl Requested {
+    fn apply(&mut self, request: &RequestRecord) {
+        match *request {
+            RequestRecord::Hold { component, hold } => {
+                if let Some(held) = self.holds.get_mut(usize::from(component)) {
+                    *held = [HoldKind::Tree, HoldKind::Active, HoldKind::Latent][usize::from(hold).min(2)];
+                }
+            }
+            RequestRecord::Rate { component, hz } => {
+                if let Some(rate) = self.rates.get_mut(usize::from(component)) {
+                    *rate = (!hz.is_nan()).then_some(hz);
+                }
+            }
+            _ => {}
+        }
+    }
+}
+
+/// Reads a recording into a session.
+pub(super) fn read(session: &Session, mut recording: FileRecording) {
+    let header = recording.header().clone();
+    let description = match tree::describe(&header) {
+        Ok(description) => description,
+        Err(failed) => return session.set_connection(Connection::Ended, failed.text),
+    };
+    let is_own = description.hash == format!("{:016x}", bica::graph::hash(&GRAPH));
+    let can = Capabilities { images: true, run_again: is_own, ..Capabilities::default() };
+    let mut requested = Requested {
+        holds: vec![HoldKind::Tree; description.components.len()],
+        rates: description.components.iter().map(|component| component.hz).collect(),
+    };
+    session.describe(description, can);
+    let length = fs::metadata(&session.shared().recorded.path).map_or(0, |file| file.len()).max(1);
+    let note = loop {
+        if session.is_closed() {
+            return;
+        }
+        match batch(session, &mut recording, &header, &mut requested) {
+            Ok(true) => {}
+            Ok(false) => break String::new(),
+            Err(note) => break note,
+        }
+        let percent = 100 * recording.position() / length;
+        session.set_connection(Connection::Connecting, format!("{percent} % read"));
+    };
+    session.set_connection(Connection::Connected, note);
+    session.announce();
+    for page in session.pages.list() {
+        session.send_description(page);
+    }
+}
+
+/// Reads some cycles; returns whether there are more, or why not all can be shown.
+fn batch(
+    session: &Session,
+    recording: &mut FileRecording,
+    header: &Header,
+    requested: &mut Requested,
+) -> Result<bool, String> {
+    let mut cycles = Vec::with_capacity(BATCH);
+    let mut ended = Ok(true);
+    while cycles.len() < BATCH {
+        match recording.next_cycle() {
+            Ok(Some(cycle)) => cycles.push((cycle, recording.image_place())),
+            Ok(None) => {
+                ended = Ok(false);
+                break;
+            }
+            Err(error) => {
+                ended = Err(format!("{error}; what comes before it is shown"));
+                break;
+            }
+        }
+    }
+    let mut shared = session.shared();
+    for (cycle, place) in cycles {
+        let time_us = header.nanoseconds(cycle.tick.instant) / 1000;
+        cycle.requests.iter().for_each(|request| requested.apply(request));
+        let components = requested.holds.iter().zip(&requested.rates).enumerate();
+        let states = components.map(|(index, (hold, hz))| {
+            let state = cycle.tree.state(index).map(|state| state as u16);
+            (cycle.tree.is_active(index), *hold, state, *hz)
+        });
+        shared.history.states.push(time_us, cycle.tick.cycle, states);
+        if let Some(place) = place {
+            shared.images_taken += 1;
+            let number = place.id.wrapping_sub(1);
+            shared.recorded.places.push((number, time_us, place));
+        }
+        lines(&cycle, header, time_us).for_each(|line| shared.history.add_line(line));
+        for value in cycle.information.iter().flat_map(|record| &record.values) {
+            let (component, index) = (usize::from(value.component), usize::from(value.index));
+            let declared = header.tree.components.get(component).and_then(|one| one.information.get(index));
+            let schema = declared.and_then(|info| info.schema.as_ref());
+            let decoded =
+                schema.filter(|_| !value.value.is_empty()).and_then(|schema| decode_info(schema, &value.value));
+            shared.history.info.push(component, index, time_us, &decoded.unwrap_or(Value::Null));
+        }
+        let (all, changes) = shared.history.states.sizes();
+        if changes > MAX_CHANGES || all > MAX_CYCLES || shared.recorded.places.len() > MAX_CHANGES {
+            return Err("the recording is too long: its beginning is shown".to_owned());
+        }
+    }
+    shared.history.evict();
+    ended
+}
+
+/// The lines of a cycle: requests, events of the referee, log.
+fn lines<'a>(cycle: &'a RecordedCycle, header: &'a Header, time_us: u64) -> impl Iterator<Item = LogLine> + 'a {
+    let line = move |level, kind, text: String| LogLine { time_us, level, kind, text, component: None };
+    let requests = cycle.requests.iter().map(move |one| line(2, LogKind::Request, one.describe(&header.tree)));
+    let events = cycle.events.iter().map(move |event| {
+        let separator = if event.detail.is_empty() { "" } else { ", " };
+        line(2, LogKind::Referee, format!("{}{separator}{}", event.kind, event.detail))
+    });
+    let log = cycle.log.iter().map(move |one| match one.text.strip_prefix("note: ") {
+        Some(note) => line(one.level, LogKind::Note, note.to_owned()),
+        None => line(one.level, LogKind::Robot, one.text.clone()),
+    });
+    requests.chain(events).chain(log)
+}

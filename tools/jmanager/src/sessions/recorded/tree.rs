@@ -1,0 +1,93 @@
+//! The tree of a recording as a description.
+
+use bica_game::GRAPH;
+use bica_link::{Component, Description, Info, Kind, Modulation, Param, State, Variant};
+use bica_recording::{ComponentInfo, Header};
+use serde_json::{Value, json};
+
+use crate::protocol::Failed;
+
+/// Largest number of components of a recording that is shown.
+const MAX_COMPONENTS: usize = 1024;
+
+/// Returns the description: of this program's tree, if it is the same, else what the recording tells.
+pub(super) fn describe(header: &Header) -> Result<Description, Failed> {
+    let count = header.tree.components.len();
+    if count == 0 || count > MAX_COMPONENTS {
+        let what = format!("the recording has {count} components");
+        return Err(Failed::new(what, format!("only trees of 1 to {MAX_COMPONENTS} components are shown")));
+    }
+    let own = Description::of(&GRAPH)?;
+    let mut description = if own.hash == header.tree.hash { own } else { names(header) };
+    for parameter in &header.parameters {
+        let component = description.components.iter_mut().find(|component| component.name == parameter.component);
+        let param = component.and_then(|one| one.params.iter_mut().find(|param| param.name == parameter.name));
+        if let Some(param) = param {
+            param.value = Some(value(&parameter.value));
+        }
+    }
+    Ok(description)
+}
+
+fn value(text: &str) -> Value {
+    serde_json::from_str(text).unwrap_or_else(|_| json!(text))
+}
+
+/// What a recording tells of the tree of another program: names.
+fn names(header: &Header) -> Description {
+    let state = |(index, name): (usize, &String)| State {
+        name: name.clone(),
+        doc: String::new(),
+        initial: index == 0,
+        last: false,
+    };
+    let component = |(index, info): (usize, &ComponentInfo)| Component {
+        name: info.name.clone(),
+        doc: "The tree of another program: its links and documentation are not in the recording.".to_owned(),
+        root: index == 0,
+        states: info.states.iter().enumerate().map(state).collect(),
+        params: info.parameters.iter().map(|param| parameter(&param.name, &param.variants)).collect(),
+        info: info
+            .information
+            .iter()
+            .map(|info| Info {
+                name: info.name.clone(),
+                doc: String::new(),
+                unit: info.unit.clone(),
+                type_name: info.schema.as_ref().map(|schema| schema.name.clone()).unwrap_or_default(),
+            })
+            .collect(),
+        modulations: info
+            .modulations
+            .iter()
+            .map(|name| Modulation { name: name.clone(), doc: String::new(), arguments: Vec::new() })
+            .collect(),
+        ..Component::default()
+    };
+    Description {
+        name: header.tree.name.clone(),
+        hash: header.tree.hash.clone(),
+        cycle_hz: header.tree.cycle_hz,
+        tunable: false,
+        components: header.tree.components.iter().enumerate().map(component).collect(),
+        ..Description::default()
+    }
+}
+
+fn parameter(name: &str, variants: &[String]) -> Param {
+    let variant = |name: &String| Variant { name: name.clone(), doc: String::new() };
+    let kind = if variants.is_empty() {
+        Kind::Unknown
+    } else {
+        Kind::Choice { variants: variants.iter().map(variant).collect() }
+    };
+    Param {
+        group: String::new(),
+        name: name.to_owned(),
+        doc: String::new(),
+        unit: None,
+        kind,
+        default: Value::Null,
+        value: None,
+    }
+}

@@ -1,0 +1,166 @@
+//! Recordings as sessions.
+
+use std::fs;
+use std::time::Duration;
+
+use bica_game::{RecordOptions, Rules, WorldKind, play_recorded};
+use bica_recording::ImagePolicy;
+use bica_sim::setup::Frame;
+use jmanager::protocol::{Open, Request, Setting};
+use jmanager::sessions::Manager;
+use serde_json::{Value, json};
+
+use crate::page::{Folder, Got, Page};
+use crate::world::find;
+
+/// Seconds of the recorded games.
+const SECONDS: u64 = 3;
+
+/// Records the beginning of a game.
+fn record(folder: &Folder, name: &str, seed: u64) {
+    let path = folder.0.join("recordings").join(name);
+    fs::create_dir_all(path.parent().unwrap()).unwrap();
+    let rules = Rules {
+        world: WorldKind::BuiltIn,
+        seed,
+        size: Frame::Small,
+        robots: 1,
+        limit: Duration::from_secs(SECONDS),
+        realtime: false,
+        firmware: None,
+        settings: &[],
+    };
+    let options = RecordOptions { path: &path, images: ImagePolicy::All, force: false };
+    play_recorded(&rules, &mut (), Some(options), None).unwrap();
+}
+
+/// Opens a recording and waits until it is read.
+fn opened(page: &Page<'_>, name: &str) -> (u32, Value) {
+    let source = Open::Recording { name: name.to_owned() };
+    let session = page.ask(Request::Open { source }).unwrap()["session"].as_u64().unwrap() as u32;
+    let info = read(page, session);
+    (session, info)
+}
+
+fn read(page: &Page<'_>, session: u32) -> Value {
+    page.session(|one| {
+        assert!(one["connection"] != "ended", "{one}");
+        one["id"] == session && one["connection"] == "connected" && one["until_us"].as_u64() > Some(0)
+    })
+}
+
+#[test]
+fn a_recording_shows_states_images_information_and_log() {
+    let folder = Folder::new();
+    record(&folder, "one.mcap", 1);
+    let manager = Manager::new(folder.options());
+    let page = Page::new(&manager);
+    let (session, info) = opened(&page, "one");
+    assert_eq!((info["from_us"].as_u64(), info["until_us"].as_u64()), (Some(0), Some(SECONDS * 1_000_000 - 10_000)));
+    assert_eq!(info["can"]["operate"], false);
+    let late = Page::new(&manager);
+    let described = late.message("described", |message| Some(message["description"].clone()));
+    let (component, index) = find(&described, "CameraInput", "info", "count");
+    for time_us in [2_000_000, 500_000, 1_234_567] {
+        let id = page.send(Request::At { session, time_us, info: vec![(component, index)], image: true });
+        let frame = page.wait("the image", |got| match got {
+            Got::Binary(frame) => Some(frame.clone()),
+            Got::Message(_) => None,
+        });
+        let moment = page.message("answer", |answer| (answer["id"] == id).then(|| answer["result"].clone()));
+        assert_eq!(moment["time_us"], time_us / 10_000 * 10_000);
+        assert_eq!(moment["cycle"], time_us / 10_000);
+        let taken = u64::from_le_bytes(frame[16..24].try_into().unwrap());
+        assert!(taken <= time_us && time_us - taken < 100_000, "{taken} {time_us}");
+        assert_eq!(frame.len(), 32 + 2 * 160 * 120);
+        let number = moment["image"].as_u64().unwrap();
+        // Information is recorded in every tenth cycle: the count of images is that of one taken before.
+        let count = moment["info"][0][3].as_u64().unwrap();
+        assert!(count <= number + 1 && number + 1 - count < 5, "{count} {number}");
+    }
+    let request = Request::Timeline { session, from_us: 0, until_us: u64::MAX, resolution_us: 0 };
+    let rows = page.ask(request).unwrap();
+    let bars: usize = rows.as_array().unwrap().iter().map(|row| row["bars"].as_array().unwrap().len()).sum();
+    assert!(bars > 10, "{bars}");
+    assert!(page.ask(Request::Acquire { session }).is_err());
+}
+
+#[test]
+fn a_recording_runs_again_with_other_parameters_and_the_first_difference_is_found() {
+    let folder = Folder::new();
+    record(&folder, "one.mcap", 1);
+    let manager = Manager::new(folder.options());
+    let page = Page::new(&manager);
+    let (session, _) = opened(&page, "one");
+    let late = Page::new(&manager);
+    let described = late.message("described", |message| Some(message["description"].clone()));
+    let again = |settings: Vec<Setting>| {
+        let answer = page.ask(Request::RunAgain { session, settings }).unwrap();
+        let again = answer["session"].as_u64().unwrap() as u32;
+        read(&page, again);
+        page.ask(Request::Compare { session, other: again }).unwrap()
+    };
+    assert_eq!(again(Vec::new())["equal"], true);
+    let (component, param) = find(&described, "FaceBall", "params", "gain");
+    let (search, slow) = find(
+        &described,
+        "SearchBall",
+        "params",
+        described["components"].as_array().unwrap().iter().find(|one| one["name"] == "SearchBall").unwrap()["params"]
+            [0]["name"]
+            .as_str()
+            .unwrap(),
+    );
+    let kind = &described["components"][search]["params"][slow];
+    let value = if kind["default"] == kind["min"] { kind["max"].clone() } else { kind["min"].clone() };
+    let settings =
+        vec![Setting { component, param, value: json!(0.1) }, Setting { component: search, param: slow, value }];
+    let difference = again(settings);
+    assert_eq!(difference["equal"], false, "{difference}");
+    assert!(difference["cycle"].as_u64().unwrap() > 0);
+    assert!(!difference["text"].as_str().unwrap().is_empty());
+}
+
+#[test]
+fn a_cut_recording_is_shown_up_to_the_cut_and_others_are_refused() {
+    let folder = Folder::new();
+    record(&folder, "one.mcap", 1);
+    let recordings = folder.0.join("recordings");
+    let bytes = fs::read(recordings.join("one.mcap")).unwrap();
+    fs::write(recordings.join("cut.mcap"), &bytes[..bytes.len() * 3 / 4]).unwrap();
+    fs::write(recordings.join("text.mcap"), "no recording").unwrap();
+    fs::write(recordings.join("empty.mcap"), "").unwrap();
+    let mut damaged = bytes.clone();
+    let middle = bytes.len() / 2;
+    damaged[middle..middle + 64].fill(0xFF);
+    fs::write(recordings.join("damaged.mcap"), damaged).unwrap();
+    let manager = Manager::new(folder.options());
+    let page = Page::new(&manager);
+    for name in ["cut", "damaged"] {
+        let (_, info) = opened(&page, name);
+        assert!(!info["note"].as_str().unwrap().is_empty(), "{name}: {info}");
+        assert!(info["until_us"].as_u64().unwrap() < SECONDS * 1_000_000 - 10_000, "{name}: {info}");
+    }
+    for name in ["text", "empty", "missing", "../recordings/one"] {
+        let error = page.ask(Request::Open { source: Open::Recording { name: name.to_owned() } }).unwrap_err();
+        assert!(!error["help"].as_str().unwrap().is_empty(), "{name}: {error}");
+    }
+}
+
+#[test]
+fn no_cut_of_a_recording_ends_in_a_panic() {
+    let folder = Folder::new();
+    record(&folder, "one.mcap", 1);
+    let recordings = folder.0.join("recordings");
+    let bytes = fs::read(recordings.join("one.mcap")).unwrap();
+    let manager = Manager::new(folder.options());
+    let page = Page::new(&manager);
+    for part in 1..12 {
+        fs::write(recordings.join("part.mcap"), &bytes[..bytes.len() * part / 12]).unwrap();
+        let source = Open::Recording { name: "part".to_owned() };
+        let Ok(answer) = page.ask(Request::Open { source }) else { continue };
+        let session = answer["session"].as_u64().unwrap() as u32;
+        page.session(|one| one["id"] == session && one["connection"] == "connected");
+        page.ask(Request::Close { session }).unwrap();
+    }
+}
