@@ -185,9 +185,7 @@ impl SeenPost {
         let off = expected - self.distance;
         match self.measure {
             // The tangent of the difference of the angles.
-            DistanceMeasure::Foot(precision) => {
-                square(EYE * off / (expected * self.distance + EYE * EYE)) * precision
-            }
+            DistanceMeasure::Foot(precision) => square(EYE * off / (expected * self.distance + EYE * EYE)) * precision,
             // For distances of a similar size the logarithm of their ratio.
             DistanceMeasure::Width => square(off / (LN_2 * BY_WIDTH)) / (expected * self.distance),
         }
@@ -201,10 +199,10 @@ fn axis(kind: CrossingKind, heading: f32) -> Vec2 {
 
 /// Crossings of a kind in the quarter of the field with positive coordinates.
 fn known(kind: CrossingKind) -> [KnownCrossing; 2] {
-    let mut all = HALF.iter().filter(|known| known.kind == kind && known.position.y > 0.0).map(|known| KnownCrossing {
-        position: known.position,
-        axis: axis(kind, known.heading),
-    });
+    let mut all = HALF
+        .iter()
+        .filter(|known| known.kind == kind && known.position.y > 0.0)
+        .map(|known| KnownCrossing { position: known.position, axis: axis(kind, known.heading) });
     let first = all.next().unwrap_or(KnownCrossing { position: Vec2::INFINITY, axis: Vec2::X });
     [first, all.next().unwrap_or(first)]
 }
