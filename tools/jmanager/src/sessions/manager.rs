@@ -59,7 +59,7 @@ impl Manager {
             Open::Images {} => folder::open(id, &self.options, &self.pages)?,
             Open::Recording { name } => recorded::open(id, &self.options, &self.pages, &name)?,
         };
-        self.add(session)?;
+        self.add(&session)?;
         Ok(id)
     }
 
@@ -69,12 +69,12 @@ impl Manager {
         has_room.then_some(()).ok_or_else(full)
     }
 
-    fn add(&self, session: Arc<Session>) -> Result<(), Failed> {
+    fn add(&self, session: &Arc<Session>) -> Result<(), Failed> {
         if let Err(failed) = self.has_room() {
             session.end();
             return Err(failed);
         }
-        lock(&self.sessions).insert(session.id, Arc::clone(&session));
+        lock(&self.sessions).insert(session.id, Arc::clone(session));
         session.announce();
         Ok(())
     }
@@ -194,7 +194,7 @@ impl Manager {
                 self.writable()?;
                 let id = self.last_session.fetch_add(1, Ordering::Relaxed) + 1;
                 let again = recorded::run_again(id, &session, &settings)?;
-                self.add(again)?;
+                self.add(&again)?;
                 Ok(Some(json!({ "session": id })))
             }
             Request::KeepRecording { name, .. } => {

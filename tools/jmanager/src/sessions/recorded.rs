@@ -60,7 +60,7 @@ fn new_session(
     let (commands, _) = channel();
     let identity = (id, SessionKind::Recording, name);
     let session = Session::new(identity, Arc::clone(options), Arc::clone(pages), None, commands);
-    session.shared().recorded.path = path.to_owned();
+    path.clone_into(&mut session.shared().recorded.path);
     Arc::new(session)
 }
 

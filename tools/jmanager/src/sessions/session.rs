@@ -1,6 +1,6 @@
 //! A session: what the manager and the session's thread share.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::Sender;
 use std::sync::{Arc, Mutex, MutexGuard};
@@ -51,6 +51,8 @@ pub(super) struct Shared {
     /// The profile under edit, once it was changed.
     pub(super) colours: Option<Edit>,
     pub(super) watches: BTreeMap<PageId, Watch>,
+    /// Pages that know the tree.
+    described: BTreeSet<PageId>,
     pub(super) images_taken: u64,
     pub(super) overruns: u64,
 }
@@ -99,6 +101,7 @@ impl Session {
                 recorded: Recorded::default(),
                 colours: None,
                 watches: BTreeMap::new(),
+                described: BTreeSet::new(),
                 images_taken: 0,
                 overruns: 0,
             }),
@@ -173,19 +176,22 @@ impl Session {
             shared.drawing = drawing;
             shared.can = can;
             shared.watches.clear();
+            shared.described.clear();
         }
         for page in self.pages.list() {
             self.send_description(page);
         }
     }
 
-    /// Sends the tree and its state to a page.
+    /// Sends the tree and its state to a page, once.
     pub(super) fn send_description(&self, page: PageId) {
         let described = {
-            let shared = self.shared();
-            shared.description.as_ref().map(|description| ToPage::Described {
+            let mut shared = self.shared();
+            let Some(description) = shared.description.clone() else { return };
+            let is_new = shared.described.insert(page);
+            is_new.then(|| ToPage::Described {
                 session: self.id,
-                description: Box::new((**description).clone()),
+                description: Box::new((*description).clone()),
                 drawing: shared.drawing.clone(),
             })
         };

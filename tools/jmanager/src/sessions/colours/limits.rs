@@ -160,6 +160,12 @@ fn widened((from, to): (i16, i16), hue: f32, slack: i16) -> (i16, i16) {
     if after <= width && slack == 0 {
         return (from, to);
     }
+    if after <= width {
+        // It is inside, but the limits in the robot's units are a little narrower.
+        let (from, to) = if after < width - after { (from - slack, to) } else { (from, to + slack) };
+        let begin = from.rem_euclid(360);
+        return (begin, begin + (to - from).min(MAX_WIDTH));
+    }
     let (beyond, before) = (after - width, 360.0 - after);
     let (from, to) = if beyond <= before {
         (from, from + (after.ceil() as i16 + slack).max(to - from))

@@ -1,6 +1,7 @@
 //! The operator of a live session: one page at a time, by the robot's lease.
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use bica_link::{Answered, to_json};
@@ -211,9 +212,27 @@ impl Attached<'_> {
                 let help = "values must be in their ranges, and requests come from the page in control".to_owned();
                 Err(Failed { text, help, entry: Some(entry) })
             }
-            None => Ok(json!({ "cycle": cycle, "values": self.effective(&change, &values) })),
+            None => {
+                let values = self.effective(&change, &values);
+                self.remember(&change, &values);
+                Ok(json!({ "cycle": cycle, "values": values }))
+            }
         };
         self.session.pages.answer(page, id, result);
+    }
+
+    /// Takes over values before the robot reports them: whoever reads them after the answer gets the new ones.
+    fn remember(&self, change: &Change, values: &[Value]) {
+        let Change::Params(batch) = change else { return };
+        let mut shared = self.session.shared();
+        let Some(description) = &mut shared.description else { return };
+        let components = &mut Arc::make_mut(description).components;
+        for (setting, value) in batch.iter().zip(values) {
+            let owner = components.get_mut(usize::from(setting.component));
+            if let Some(param) = owner.and_then(|owner| owner.params.get_mut(usize::from(setting.index))) {
+                param.value = Some(value.clone());
+            }
+        }
     }
 
     fn effective(&self, change: &Change, values: &[bica_wire::message::Value]) -> Vec<Value> {
