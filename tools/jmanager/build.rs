@@ -13,7 +13,8 @@ fn main() -> io::Result<()> {
     let mut table = "&[\n".to_owned();
     for file in &files {
         let name = file.strip_prefix(&folder).map_err(io::Error::other)?.to_string_lossy().replace('\\', "/");
-        writeln!(table, "    ({name:?}, include_bytes!({:?})),", file.display().to_string()).map_err(io::Error::other)?;
+        writeln!(table, "    ({name:?}, include_bytes!({:?})),", file.display().to_string())
+            .map_err(io::Error::other)?;
     }
     table.push(']');
     let target = PathBuf::from(env::var("OUT_DIR").map_err(io::Error::other)?).join("page.rs");

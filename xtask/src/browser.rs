@@ -10,7 +10,9 @@ const MANIFEST: [&str; 3] = ["--manifest-path", "tools/jmanager/tests/browser/Ca
 /// If a build or a test fails.
 pub(crate) fn test(figures: bool) -> Result<(), String> {
     if !installed() {
-        println!("xtask: NOT TESTED: the page of JManager, because Chromium and its WebDriver cannot be installed here");
+        println!(
+            "xtask: NOT TESTED: the page of JManager, because Chromium and its WebDriver cannot be installed here"
+        );
         return Ok(());
     }
     run("cargo", &["build", "--package", "jmanager"], &[])?;

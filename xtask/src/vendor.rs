@@ -112,7 +112,8 @@ fn unpack(library: &Library) -> Result<PathBuf, String> {
     let _ = fs::remove_dir_all(&folder);
     fs::create_dir_all(&folder).map_err(|error| format!("cannot make {}: {error}", folder.display()))?;
     let place = folder.to_string_lossy().into_owned();
-    let archive = output("npm", &["pack", "--silent", "--pack-destination", &place, &format!("{package}@{version}")], &[])?;
+    let archive =
+        output("npm", &["pack", "--silent", "--pack-destination", &place, &format!("{package}@{version}")], &[])?;
     let archive = folder.join(archive.trim());
     let found = output("sha512sum", &[&archive.to_string_lossy()], &[])?;
     let found = found.split_whitespace().next().unwrap_or_default();
@@ -136,21 +137,19 @@ fn relative(text: &str) -> String {
 }
 
 fn readme() -> String {
-    let mut text = "# Libraries of the page\n\nWritten by `cargo xtask vendor`; do not edit. Module names in imports are replaced by relative \
-                    paths, links to source maps are removed, nothing else is changed.\n\n| package | version | files | licence |\n|---|---|---|---|\n"
-        .to_owned();
-    for library in LIBRARIES {
+    let row = |library: &Library| {
         let files: Vec<_> = library.files.iter().map(|(_, to)| *to).collect();
         let name = library.package.trim_start_matches('@').replace('/', "-");
         let licence = if library.package == "htm" { "Apache-2.0" } else { "MIT" };
-        text += &format!(
-            "| {} | {} | {} | {licence}, {name}.LICENSE.txt |\n",
-            library.package,
-            library.version,
-            files.join(", ")
-        );
-    }
-    text
+        let Library { package, version, .. } = library;
+        format!("| {package} | {version} | {} | {licence}, {name}.LICENSE.txt |\n", files.join(", "))
+    };
+    let rows: String = LIBRARIES.iter().map(row).collect();
+    format!(
+        "# Libraries of the page\n\nWritten by `cargo xtask vendor`; do not edit. Module names in imports are replaced by relative \
+         paths, links to source maps are removed, nothing else is changed.\n\n| package | version | files | licence |\n\
+         |---|---|---|---|\n{rows}"
+    )
 }
 
 fn compare(folder: &Path, files: &[(String, Vec<u8>)]) -> Result<(), String> {

@@ -117,5 +117,7 @@ effect(() => {
   document.title = name ? `${name} · JManager` : 'JManager';
 });
 
-render(html`<${App} />`, document.getElementById('app'));
+const place = document.getElementById('app');
+place.replaceChildren();
+render(html`<${App} />`, place);
 connect();

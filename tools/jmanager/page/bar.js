@@ -103,7 +103,7 @@ function World() {
 function Recording() {
   const recording = store.session.value?.info.value.recording;
   if (!recording || (!recording.on && !recording.note)) return null;
-  return html`<button class=${`chip rec ${recording.on ? 'on' : 'warn'}`} title=${recording.note || 'The last minutes are recorded; click to keep them'} onClick=${() => dock.open('recordings')}>
+  return html`<button class=${`chip rec ${recording.on ? 'runs' : 'warn'}`} title=${recording.note || 'The last minutes are recorded; click to keep them'} onClick=${() => dock.open('recordings')}>
     <i class="dot" aria-hidden="true"></i>${recording.on ? `recording ${bytes(recording.bytes)}` : 'not recorded'}</button>`;
 }
 

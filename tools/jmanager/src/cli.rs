@@ -22,7 +22,6 @@ Exit codes: 0 ended with Ctrl-C, 2 wrong arguments or files.";
 /// Arguments of the program.
 #[derive(Debug, Parser)]
 #[command(name = "jmanager", version, about = "A web page to inspect, tune, drive, record and replay robots.", after_help = AFTER)]
-#[expect(clippy::struct_excessive_bools, reason = "each is an option of its own")]
 pub struct Cli {
     /// Robots (tcp://HOST:PORT, serial:DEVICE[@BAUD]) and recordings (FILE.mcap); none: the built-in world
     #[arg(value_name = "SOURCE")]

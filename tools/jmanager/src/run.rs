@@ -67,7 +67,11 @@ fn serve(cli: &Cli) -> Result<Outcome, Failure> {
 fn announce(console: Console, web: &Web, note: &str) -> Result<(), Failure> {
     let url = web.url().map_err(|error| Failure::new(format!("no random numbers: {error}"), "try again"))?;
     let more = if io::stdin().is_terminal() { "; Enter prints another one, Ctrl-C ends" } else { "" };
-    console.print(&format!("{}  {}", console.styled(Style::Strong, &url), console.styled(Style::Faint, &format!("({note}{more})"))))
+    console.print(&format!(
+        "{}  {}",
+        console.styled(Style::Strong, &url),
+        console.styled(Style::Faint, &format!("({note}{more})"))
+    ))
 }
 
 fn options(cli: &Cli, recordings: std::path::PathBuf) -> Options {

@@ -45,11 +45,11 @@ fn check_mode(path: &Path) -> Result<(), Failure> {
     use std::os::unix::fs::PermissionsExt;
     let failure = |error| Failure::of_path("read", path, &error, HELP);
     let mode = fs::metadata(path).map_err(failure)?.permissions().mode() & 0o777;
-    if mode & 0o077 == 0 {
-        return Ok(());
+    if mode & 0o077 != 0 {
+        let what = format!("other users can read `{}` (mode {mode:o})", path.display());
+        return Err(Failure::new(what, format!("chmod 600 {}", path.display())));
     }
-    let what = format!("other users can read `{}` (mode {mode:o})", path.display());
-    Err(Failure::new(what, format!("chmod 600 {}", path.display())))
+    Ok(())
 }
 
 #[cfg(not(unix))]

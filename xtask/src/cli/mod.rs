@@ -90,7 +90,7 @@ pub(crate) enum Task {
     Vendor(Vendor),
     /// Test JManager's page in a real browser
     ///
-    /// Builds JManager, drives Chromium through its WebDriver, and writes screenshots to target/browser. First installs Chromium
+    /// Builds JManager, drives Chromium, and writes screenshots to target/browser. First installs Chromium
     /// (with apt); says so and succeeds without a test where that is impossible.
     Browser(Browser),
     /// Check licences, sources and duplicates of all dependencies

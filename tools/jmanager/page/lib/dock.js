@@ -49,7 +49,6 @@ export function start(element) {
     createComponent: content,
     theme: { name: 'jmanager', className: 'dockview-theme-jmanager', gap: 5, colorScheme: theme.peek() },
     disableFloatingGroups: false,
-    keyboardNavigation: true,
     noPanelsOverlay: 'watermark',
     createWatermarkComponent: () => {
       const note = document.createElement('p');

@@ -21,9 +21,9 @@ export const PRESETS = {
       ? narrow('tree', ['camera', 'field', 'component', 'drive'], ['timeline', 'plot:1', 'log', 'latency', 'recordings'])
       : [
         ['tree', {}],
-        ['timeline', below('tree', 270)],
-        ['camera', right('tree', width * 0.69)],
-        ['component', right('camera', Math.max(290, width * 0.23))],
+        ['timeline', below('tree', 290)],
+        ['camera', right('tree', width * 0.53)],
+        ['component', right('camera', Math.max(290, width * 0.24))],
         ['drive', with_('component')],
         ['recordings', with_('component')],
         ['field', below('camera', 240)],

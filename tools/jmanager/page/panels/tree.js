@@ -10,6 +10,8 @@ import { Bar, Empty, Toggle } from '../lib/ui.js';
 const [WIDTH, HEIGHT] = [104, 38];
 /** Shares of the budget from which the cost is drawn as a warning, and as an error. */
 const [NEAR, OVER] = [0.8, 1];
+/** Scale below which names stand on two lines. */
+const COMPACT = 0.74;
 
 /** Components that a folded one hides: those that the root reaches only through it. */
 function hiddenBy(description, folded) {
@@ -78,8 +80,27 @@ function Counts({ shown }) {
 
 function Drawn({ shown, description, drawing, search, activeOnly, folded, box, visible }) {
   const svg = useRef(null);
+  const compact = useSignal(false);
   const links = useMemo(() => description.components.flatMap((component, from) => component.links.map((one) => ({ from, ...one }))), [description]);
   const [x, y, width, height] = box.value ?? whole(drawing);
+
+  // Where the tree is drawn small, names are larger and stand on two lines.
+  useEffect(() => {
+    const measure = () => {
+      const [, , boxWidth, boxHeight] = box.value ?? whole(drawing);
+      compact.value = Math.min(svg.current.clientWidth / boxWidth, svg.current.clientHeight / boxHeight) < COMPACT;
+    };
+    const observer = new ResizeObserver(measure);
+    observer.observe(svg.current);
+    const stop = effect(() => {
+      void box.value;
+      measure();
+    });
+    return () => {
+      observer.disconnect();
+      stop();
+    };
+  }, [drawing]);
 
   // State and costs change often: they are written to the elements, without a new rendering.
   useEffect(() => {
@@ -90,7 +111,7 @@ function Drawn({ shown, description, drawing, search, activeOnly, folded, box, v
       const components = shown.moment.value?.components;
       const costs = shown.costs.value;
       const hidden = hiddenBy(description, folded.value);
-      boxes.forEach((element, index) => drawComponent(element, { index, now: components?.[index], cost: costs?.components[index], window: costs?.window_us, description, hidden, folded: folded.value.has(index), search: search.value, activeOnly: activeOnly.value }));
+      boxes.forEach((element, index) => drawComponent(element, { index, now: components?.[index], cost: costs?.components[index], window: costs?.window_us, description, hidden, folded: folded.value.has(index), search: search.value, activeOnly: activeOnly.value, compact: compact.value }));
       paths.forEach((element, index) => {
         const { from, to, state } = links[index];
         const active = isActive(components, links[index]);
@@ -138,7 +159,7 @@ function Drawn({ shown, description, drawing, search, activeOnly, folded, box, v
         aria-pressed=${selected.value === component.name} onClick=${(event) => openComponent(component.name, event.shiftKey)} onDblClick=${() => fold(index)} onKeyDown=${(event) => key(event, component, index)}
         onPointerEnter=${() => { hovered.value = index; }} onPointerLeave=${() => { hovered.value = null; }}>
         <title>${component.doc || component.name}${'\n'}Click: show. Shift-click: own tab. Double click or f: fold.</title>
-        <rect width=${WIDTH} height=${HEIGHT} rx="6" /><text class="title" x=${WIDTH / 2} y="16">${component.name}</text><text class="sub" x=${WIDTH / 2} y="29"></text>
+        <rect width=${WIDTH} height=${HEIGHT} rx="6" /><text class="title" x=${WIDTH / 2} y="17">${component.name}</text><text class="sub" x=${WIDTH / 2} y="30"></text>
         <rect class="cost" x="5" y=${HEIGHT - 5} height="2" width="0" rx="1" /><text class="held" x=${WIDTH - 6} y="11"></text></g>`;
     })}
   </svg>`;
@@ -150,7 +171,7 @@ function isActive(components, { from, to, state }) {
   return Boolean(source?.[0] && target?.[0] && (state === null || source[2] === state));
 }
 
-function drawComponent(element, { index, now, cost, window, description, hidden, folded, search, activeOnly }) {
+function drawComponent(element, { index, now, cost, window, description, hidden, folded, search, activeOnly, compact }) {
   const component = description.components[index];
   const active = now?.[0] ?? false;
   const { classList } = element;
@@ -159,10 +180,15 @@ function drawComponent(element, { index, now, cost, window, description, hidden,
   classList.toggle('found', search !== '' && matches(component, search));
   classList.toggle('other', search !== '' && !matches(component, search));
   classList.toggle('folded', folded);
-  const [, , , sub, bar, held] = element.children;
+  const [, , title, sub, bar, held] = element.children;
   const runs = cost && window ? (cost[0] / window) * 1e6 : null;
   const state = now?.[2] === null || now?.[2] === undefined ? null : component.states[now[2]]?.name;
-  write(sub, state ?? rateText(component, now, runs, active));
+  const [first, second] = compact ? split(component.name, state) : [component.name, state ?? rateText(component, now, runs, active)];
+  write(title, first);
+  write(sub, second);
+  classList.toggle('compact', compact);
+  classList.toggle('two', compact && state === null);
+  title.setAttribute('y', second === '' ? '24' : '17');
   const share = component.budget_us && cost?.[0] ? cost[1] / component.budget_us : 0;
   bar.setAttribute('width', String(Math.min(share, 1) * (WIDTH - 10)));
   bar.setAttribute('class', `cost ${share > OVER ? 'over' : share > NEAR ? 'nearly' : ''}`);
@@ -170,6 +196,14 @@ function drawComponent(element, { index, now, cost, window, description, hidden,
   const text = [active ? 'active' : 'latent', state && `state ${state}`, now && now[1] !== 'tree' && `held ${now[1]}`, runs !== null && active && `${runs.toFixed(0)} Hz`,
     cost?.[0] && `${duration(cost[1])}${component.budget_us ? ` of ${number(component.budget_us)} µs` : ''}`].filter(Boolean).join(', ');
   if (element.getAttribute('aria-description') !== text) element.setAttribute('aria-description', text);
+}
+
+/** Two lines of a small box: the name and the state, or the two halves of the name. */
+function split(name, state) {
+  if (state !== null) return [name, state.replaceAll('_', ' ')];
+  const parts = name.split(/(?=[A-Z])/);
+  const half = Math.ceil(parts.length / 2);
+  return [parts.slice(0, half).join(''), parts.slice(half).join('')];
 }
 
 function rateText(component, now, runs, active) {

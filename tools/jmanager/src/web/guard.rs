@@ -15,49 +15,49 @@ const FETCH_SITE: HeaderName = HeaderName::from_static("sec-fetch-site");
 
 /// Refuses or passes a request, and adds the headers of the response.
 pub(crate) async fn guard(State(shared): State<Arc<Shared>>, request: Request, next: Next) -> Response {
-    let mut response = match check(&shared, &request) {
-        Ok(()) => next.run(request).await,
-        Err(refusal) => refusal,
+    let mut response = match answer(&shared, &request) {
+        None => next.run(request).await,
+        Some(response) => response,
     };
     headers::add(response.headers_mut());
     response
 }
 
-fn check(shared: &Shared, request: &Request) -> Result<(), Response> {
+/// Returns the answer to a request that is not passed on: a refusal, or the cookie for a key.
+fn answer(shared: &Shared, request: &Request) -> Option<Response> {
     let headers = request.headers();
     let host = only(headers, &header::HOST).unwrap_or_default();
     if !shared.hosts.allows(host) {
-        return Err(refuse("this server is not known under that name"));
+        return Some(refuse("this server is not known under that name"));
     }
     // Browsers say where a request comes from; other programs do not.
     if !matches!(text(headers, &FETCH_SITE), None | Some("same-origin" | "none")) {
-        return Err(refuse("requests of other sites are refused"));
+        return Some(refuse("requests of other sites are refused"));
     }
     let path = request.uri().path();
-    let entering = path == "/enter" && request.method() == Method::POST;
-    if request.method() != Method::GET && !entering {
-        return Err((StatusCode::METHOD_NOT_ALLOWED, "only GET").into_response());
+    let enters = path == "/enter" && request.method() == Method::POST;
+    if request.method() != Method::GET && !enters {
+        return Some((StatusCode::METHOD_NOT_ALLOWED, "only GET").into_response());
     }
-    if path == "/socket" || entering {
-        check_origin(shared, headers, host)?;
+    if (path == "/socket" || enters) && !has_origin(shared, headers, host) {
+        return Some(refuse("pages of another origin are refused"));
     }
-    if entering || PUBLIC.contains(&path) {
-        return Ok(());
+    if enters || PUBLIC.contains(&path) {
+        return None;
     }
     if path == "/"
         && let Some(key) = request.uri().query().and_then(|query| query.strip_prefix("key="))
     {
-        return Err(if shared.access.redeem(key) { welcome(shared) } else { ask(StatusCode::FORBIDDEN) });
+        return Some(if shared.access.redeem(key) { welcome(shared) } else { ask() });
     }
-    if is_known(shared, headers) { Ok(()) } else { Err(ask(StatusCode::FORBIDDEN)) }
+    if is_known(shared, headers) { None } else { Some(ask()) }
 }
 
 /// A browser sends an origin with each WebSocket; a program without one needs the token.
-fn check_origin(shared: &Shared, headers: &HeaderMap, host: &str) -> Result<(), Response> {
+fn has_origin(shared: &Shared, headers: &HeaderMap, host: &str) -> bool {
     match only(headers, &header::ORIGIN) {
-        Some(origin) if shared.hosts.is_origin(origin, host) => Ok(()),
-        None if headers.get(header::ORIGIN).is_none() && has_token(shared, headers) => Ok(()),
-        _ => Err(refuse("pages of another origin are refused")),
+        Some(origin) => shared.hosts.is_origin(origin, host),
+        None => headers.get(header::ORIGIN).is_none() && has_token(shared, headers),
     }
 }
 
@@ -93,7 +93,7 @@ fn welcome(shared: &Shared) -> Response {
 }
 
 /// The page that explains how to enter.
-fn ask(status: StatusCode) -> Response {
+fn ask() -> Response {
     let (page, media) = assets::file("enter.html").unwrap_or_default();
-    (status, [(header::CONTENT_TYPE, media)], page.into_owned()).into_response()
+    (StatusCode::FORBIDDEN, [(header::CONTENT_TYPE, media)], page.into_owned()).into_response()
 }

@@ -35,7 +35,8 @@ impl Hosts {
     /// Whether a value of `Origin` is the origin of the page that was requested under `host`.
     #[must_use]
     pub fn is_origin(&self, origin: &str, host: &str) -> bool {
-        self.allows(host) && (origin.strip_prefix("http://") == Some(host) || origin.strip_prefix("https://") == Some(host))
+        self.allows(host)
+            && (origin.strip_prefix("http://") == Some(host) || origin.strip_prefix("https://") == Some(host))
     }
 }
 
@@ -53,8 +54,16 @@ mod tests {
         for host in ["127.0.0.1:7410", "localhost:7410", "LOCALHOST:7410", "[::1]:7410", "bench.local:7410"] {
             assert!(hosts.allows(host), "{host}");
         }
-        let foreign =
-            ["evil.test", "evil.test:7410", "127.0.0.1", "127.0.0.1:80", "localhost.evil.test:7410", "192.168.1.2:7410", "", ":7410"];
+        let foreign = [
+            "evil.test",
+            "evil.test:7410",
+            "127.0.0.1",
+            "127.0.0.1:80",
+            "localhost.evil.test:7410",
+            "192.168.1.2:7410",
+            "",
+            ":7410",
+        ];
         for host in foreign {
             assert!(!hosts.allows(host), "{host}");
         }

@@ -24,8 +24,8 @@ use std::thread::JoinHandle;
 use tokio::sync::watch;
 
 use crate::sessions::Manager;
-pub(crate) use access::secret;
 pub use access::Access;
+pub(crate) use access::secret;
 pub use hosts::Hosts;
 pub use queue::Queue;
 

@@ -1,7 +1,8 @@
 //! The WebSocket of a page.
 
 use std::sync::Arc;
-use std::sync::mpsc::{SyncSender, sync_channel};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
 use std::time::{Duration, Instant};
 
 use axum::extract::State;
@@ -11,10 +12,10 @@ use axum::response::{IntoResponse, Response};
 use tokio::sync::watch;
 use tokio::time::{interval, timeout};
 
+use super::Shared;
 use super::queue::Queue;
 use super::rate::Rate;
 use super::serve::{Context, Counted};
-use super::Shared;
 use crate::protocol::{Failed, FromPage, ToPage};
 use crate::sessions::{Manager, Outbox};
 
@@ -48,12 +49,14 @@ pub(crate) async fn upgrade(State((shared, stop)): Context, upgrade: WebSocketUp
 /// Serves a page until it leaves, breaks a limit, or the server stops.
 async fn run(mut socket: WebSocket, shared: Arc<Shared>, mut stop: watch::Receiver<bool>, counted: Counted) {
     let queue = Arc::new(Queue::default());
-    let Ok(requests) = handler(Arc::clone(&shared.manager), Arc::clone(&queue)) else { return };
+    let gone = Arc::new(AtomicBool::new(false));
+    let Ok(requests) = handler(Arc::clone(&shared.manager), Arc::clone(&queue), Arc::clone(&gone)) else { return };
     let reason = tokio::select! {
         reason = exchange(&mut socket, &queue, &requests) => reason,
         _ = stop.changed() => Some((GOING_AWAY, "the server ends")),
     };
-    // The manager forgets the page when this side of the channel is gone.
+    // What still waits is of a page that is gone: it is not executed. The manager forgets the page when the channel is closed.
+    gone.store(true, Ordering::Release);
     drop(requests);
     if let Some((code, reason)) = reason {
         let close = Message::Close(Some(CloseFrame { code, reason: reason.into() }));
@@ -141,14 +144,44 @@ fn take(message: Message, queue: &Queue, requests: &SyncSender<FromPage>) -> Rea
 }
 
 /// Starts the thread that hands a page's requests to the manager, which may wait for files and robots.
-fn handler(manager: Arc<Manager>, queue: Arc<Queue>) -> std::io::Result<SyncSender<FromPage>> {
+fn handler(manager: Arc<Manager>, queue: Arc<Queue>, gone: Arc<AtomicBool>) -> std::io::Result<SyncSender<FromPage>> {
     let (sender, requests) = sync_channel(MAX_WAITING);
     std::thread::Builder::new().name("page".to_owned()).spawn(move || {
         let page = manager.attach(queue);
-        for request in requests {
-            manager.handle(page, request);
-        }
+        forward(&requests, &gone, |request| manager.handle(page, request));
         manager.detach(page);
     })?;
     Ok(sender)
+}
+
+/// Hands requests on until the page is gone; what waits then is dropped.
+fn forward(requests: &Receiver<FromPage>, gone: &AtomicBool, mut handle: impl FnMut(FromPage)) {
+    for request in requests {
+        if gone.load(Ordering::Acquire) {
+            return;
+        }
+        handle(request);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::protocol::Request;
+
+    #[test]
+    fn requests_that_wait_when_the_page_is_gone_are_dropped() {
+        let (sender, requests) = sync_channel(8);
+        for id in 1..=5 {
+            sender.send(FromPage { id, request: Request::Recordings {} }).unwrap();
+        }
+        drop(sender);
+        let gone = AtomicBool::new(false);
+        let mut handled = Vec::new();
+        forward(&requests, &gone, |request| {
+            handled.push(request.id);
+            gone.store(request.id == 2, Ordering::Release);
+        });
+        assert_eq!(handled, [1, 2]);
+    }
 }
