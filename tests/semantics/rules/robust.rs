@@ -27,7 +27,11 @@ fn every_cycle_is_complete<T: TestTree>(cycles: &[Cycle]) -> Result<(), TestCase
             match *event {
                 Event::Begin(index) => prop_assert_eq!(open.replace(index), None, "sections do not overlap"),
                 Event::End(index) => prop_assert_eq!(open.take(), Some(index)),
-                Event::Body { .. } | Event::Hook { .. } | Event::Evaluated { .. } | Event::RateSet { .. } => {
+                Event::Body { .. }
+                | Event::Hook { .. }
+                | Event::Evaluated { .. }
+                | Event::Condition(..)
+                | Event::RateSet { .. } => {
                     prop_assert!(open.is_some());
                 }
                 _ => prop_assert_eq!(open, None, "events of the framework are outside sections"),
