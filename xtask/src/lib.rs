@@ -59,6 +59,7 @@ fn perform(task: &Task) -> Result<(), String> {
         Task::Publish => publish::check(),
         Task::Viewers(options) => viewers::check(options, &[]),
         Task::Deny => deny::check(),
+        Task::Long => slow_tests::run_long(ci::with_mujoco(&["bica-game/mujoco"])),
         Task::Ci => ci::check(),
     }
 }

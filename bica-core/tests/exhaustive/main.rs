@@ -144,8 +144,8 @@ fn four_components_with_a_machine() {
 }
 
 #[test]
-#[ignore = "takes minutes: cargo test --release -p bica-core --test exhaustive -- --ignored"]
-fn three_components_with_all_states() {
+#[ignore = "long: `cargo xtask long` runs it"]
+fn long_three_components_with_all_states() {
     explore(&Family {
         name: "3 components, up to 9 states",
         components: 3,
@@ -156,8 +156,8 @@ fn three_components_with_all_states() {
 }
 
 #[test]
-#[ignore = "takes minutes: cargo test --release -p bica-core --test exhaustive -- --ignored"]
-fn four_components_with_two_machines() {
+#[ignore = "long: `cargo xtask long` runs it"]
+fn long_four_components_with_two_machines() {
     explore(&Family {
         name: "4 components, up to 6 states",
         components: 4,
