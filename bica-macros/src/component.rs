@@ -3,9 +3,9 @@
 use proc_macro2::TokenStream;
 
 use crate::expand::component as expand;
-use crate::language::component::check;
-use crate::language::component::parse::{Parsed, parse};
-use crate::language::report::Report;
+use bica_syntax::component::check;
+use bica_syntax::component::parse::{Parsed, parse};
+use bica_syntax::report::Report;
 
 /// Expands `#[component(options)] item`.
 pub(crate) fn run(options: TokenStream, item: &TokenStream) -> TokenStream {

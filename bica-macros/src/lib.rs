@@ -1,8 +1,8 @@
 //! The macros of BICA: `#[component]`, `activation_tree!`, `#[derive(Params)]` and `#[derive(ParamEnum)]`.
 //!
 //! Each is a pipeline: parse (from tokens to a model) → check (rules within one item) → expand (to code). The first two
-//! and the wording of every message are in `language`, which a tool can reuse; `expand` has one file for each thing that
-//! is generated.
+//! and the wording of every message are the crate `bica-syntax`, which tools use too; `expand` has one file for each thing
+//! that is generated.
 //!
 //! The stages collect mistakes in a report, so that all of an item are reported at once. An item with mistakes is still
 //! emitted, with a stub in place of the generated code, so that one mistake gives one message. Function bodies are not
@@ -14,7 +14,6 @@
 
 mod component;
 mod expand;
-mod language;
 mod params;
 #[cfg(test)]
 mod tests;

@@ -3,8 +3,8 @@
 use proc_macro2::TokenStream;
 
 use crate::expand::params as expand;
-use crate::language::params::parse;
-use crate::language::report::Report;
+use bica_syntax::params::parse;
+use bica_syntax::report::Report;
 
 /// Expands `#[derive(Params)] item`.
 pub(crate) fn params(item: TokenStream) -> TokenStream {

@@ -3,8 +3,8 @@
 use proc_macro2::TokenStream;
 
 use crate::expand::tree as expand;
-use crate::language::report::Report;
-use crate::language::tree::{check, parse};
+use bica_syntax::report::Report;
+use bica_syntax::tree::{check, parse};
 
 /// Expands `activation_tree! { input }`.
 pub(crate) fn run(input: TokenStream) -> TokenStream {

@@ -5,7 +5,7 @@ use quote::{ToTokens, format_ident, quote, quote_spanned};
 
 use super::tuning::Tuning;
 use crate::expand::quoting::{at, placed};
-use crate::language::component::model::{Argument, Function};
+use bica_syntax::component::model::{Argument, Function};
 
 /// A block that borrows and calls; its value is what the function returns.
 pub(super) fn expand(p: &TokenStream, function: &Function, tuning: &Tuning) -> TokenStream {

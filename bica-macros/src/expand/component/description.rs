@@ -7,8 +7,8 @@ use syn::{GenericParam, Generics, Type, parse_quote};
 use super::tuning::Tuning;
 use super::{operator, runtime};
 use crate::expand::quoting::option;
-use crate::language::component::model::{Behaviour, Component, Machine, MachineState};
-use crate::language::text;
+use bica_syntax::component::model::{Behaviour, Component, Machine, MachineState};
+use bica_syntax::text;
 
 pub(super) fn expand(component: &Component, behaviour: &Behaviour) -> TokenStream {
     let p = runtime(component);

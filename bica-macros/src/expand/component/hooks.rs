@@ -5,7 +5,7 @@ use quote::quote;
 
 use super::tuning::Tuning;
 use super::{call, runtime};
-use crate::language::component::model::{Component, Function};
+use bica_syntax::component::model::{Component, Function};
 
 pub(super) fn expand(component: &Component, tuning: &Tuning) -> TokenStream {
     let p = runtime(component);

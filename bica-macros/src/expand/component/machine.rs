@@ -9,7 +9,7 @@ use quote::quote;
 use super::call;
 use super::tuning::Tuning;
 use super::visits::Visits;
-use crate::language::component::model::{Edge, Function, Machine};
+use bica_syntax::component::model::{Edge, Function, Machine};
 
 pub(super) fn expand(p: &TokenStream, machine: &Machine, visits: &Visits, tuning: &Tuning) -> TokenStream {
     let last = machine.states.len() - 1;

@@ -10,8 +10,8 @@ use super::tuning::Tuning;
 use super::visits::Visits;
 use super::{description, hooks, machine, node, operator, runtime, step};
 use crate::expand::quoting::{at, placed};
-use crate::language::component::model::{Argument, Behaviour, Component};
-use crate::language::text;
+use bica_syntax::component::model::{Argument, Behaviour, Component};
+use bica_syntax::text;
 
 pub(super) fn expand(component: &Component, behaviour: &Behaviour) -> TokenStream {
     let p = runtime(component);

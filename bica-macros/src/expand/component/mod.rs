@@ -17,8 +17,8 @@ use quote::{quote, quote_spanned};
 use syn::{FnArg, Path};
 
 use crate::expand::quoting::at;
-use crate::language::component::block::Function;
-use crate::language::component::model::{Behaviour, Component};
+use bica_syntax::component::block::Function;
+use bica_syntax::component::model::{Behaviour, Component};
 
 pub(crate) use stub::{misplaced, stub};
 

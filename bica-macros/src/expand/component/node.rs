@@ -7,8 +7,8 @@ use syn::Type;
 use super::runtime;
 use super::visits::Visits;
 use crate::expand::quoting::{at, option, placed};
-use crate::language::component::model::{Argument, Behaviour, Component, Edge, Function};
-use crate::language::text;
+use bica_syntax::component::model::{Argument, Behaviour, Component, Edge, Function};
+use bica_syntax::text;
 
 pub(super) fn expand(component: &Component, behaviour: &Behaviour, visits: &Visits) -> TokenStream {
     let p = runtime(component);

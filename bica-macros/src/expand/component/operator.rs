@@ -6,8 +6,8 @@ use quote::{format_ident, quote, quote_spanned};
 use super::runtime;
 use crate::expand::params::describe;
 use crate::expand::quoting::{at, option, placed};
-use crate::language::component::model::{Component, Info, Modulation};
-use crate::language::text;
+use bica_syntax::component::model::{Component, Info, Modulation};
+use bica_syntax::text;
 
 /// The descriptions, for `impl Component`.
 pub(super) fn descriptions(component: &Component) -> TokenStream {

@@ -6,7 +6,7 @@ use quote::quote;
 use super::call;
 use super::tuning::Tuning;
 use super::visits::Visits;
-use crate::language::component::model::Function;
+use bica_syntax::component::model::Function;
 
 pub(super) fn expand(p: &TokenStream, step: Option<&Function>, visits: &Visits, tuning: &Tuning) -> TokenStream {
     let (before, after) = (visits.before(0), visits.after(0));

@@ -5,8 +5,8 @@ use quote::quote;
 use syn::{GenericParam, Generics, Path, Type, parse_quote};
 
 use super::{description, private};
-use crate::language::component::model::Component;
-use crate::language::report::Report;
+use bica_syntax::component::model::Component;
+use bica_syntax::report::Report;
 
 /// The impl block as written, the mistakes, and a component that does nothing.
 pub(crate) fn stub(component: &Component, report: &Report) -> TokenStream {

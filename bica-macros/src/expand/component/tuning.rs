@@ -7,8 +7,8 @@ use syn::Type;
 use super::call::nested;
 use super::runtime;
 use crate::expand::quoting::{at, placed};
-use crate::language::component::model::{Argument, Component};
-use crate::language::text;
+use bica_syntax::component::model::{Argument, Component};
+use bica_syntax::text;
 
 /// The structs of parameters that the functions take, each once if it is written alike.
 pub(super) struct Tuning(Vec<Type>);

@@ -5,8 +5,8 @@ use quote::quote;
 use syn::Type;
 
 use crate::expand::quoting::option;
-use crate::language::component::links::{Kind, Links};
-use crate::language::component::model::{Behaviour, Machine};
+use bica_syntax::component::links::{Kind, Links};
+use bica_syntax::component::model::{Behaviour, Machine};
 
 /// The links of a component: one list for each state, or one for its step.
 pub(super) struct Visits {

@@ -3,9 +3,9 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use crate::language::params::model::Choice;
-use crate::language::report::Report;
-use crate::language::text;
+use bica_syntax::params::model::Choice;
+use bica_syntax::report::Report;
+use bica_syntax::text;
 
 /// The trait of an enum that is a parameter.
 pub(crate) fn choice(choice: &Choice) -> TokenStream {

@@ -4,9 +4,9 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, format_ident, quote, quote_spanned};
 
 use crate::expand::quoting::{at, option, placed};
-use crate::language::params::field::variant;
-use crate::language::params::model::{Field, Kind, Number, NumberKind};
-use crate::language::text;
+use bica_syntax::params::field::variant;
+use bica_syntax::params::model::{Field, Kind, Number, NumberKind};
+use bica_syntax::text;
 
 /// `Param { ... }`; `default` is the default value in Rust, if there is one.
 pub(crate) fn param(p: &TokenStream, field: &Field, default: Option<&TokenStream>) -> TokenStream {
@@ -22,7 +22,7 @@ fn kind(p: &TokenStream, field: &Field) -> TokenStream {
     match &field.kind {
         Kind::Number(number) => {
             let Number { of, min, max, step } = &**number;
-            let (variant, step) = (of.variant(), option(step.as_ref()));
+            let (variant, step) = (variant_of(*of), option(step.as_ref()));
             quote!(#p::Kind::#variant { min: #min, max: #max, step: #step })
         }
         Kind::Bool => quote!(#p::Kind::Bool),
@@ -43,7 +43,7 @@ fn variants(p: &TokenStream, field: &Field) -> TokenStream {
 fn value(p: &TokenStream, field: &Field, default: Option<&TokenStream>) -> TokenStream {
     match (&field.kind, default, &field.default) {
         (Kind::Number(number), Some(default), _) => {
-            let variant = number.of.variant();
+            let variant = variant_of(number.of);
             quote!(#p::Value::#variant(#default))
         }
         (Kind::Bool, Some(default), _) => quote!(#p::Value::Bool(#default)),
@@ -83,7 +83,7 @@ pub(crate) fn checks(p: &TokenStream, field: &Field, described: &TokenStream) ->
 pub(crate) fn to_value(p: &TokenStream, field: &Field, read: &TokenStream) -> TokenStream {
     match &field.kind {
         Kind::Number(number) => {
-            let variant = number.of.variant();
+            let variant = variant_of(number.of);
             quote!(#p::Value::#variant(#read))
         }
         Kind::Bool => quote!(#p::Value::Bool(#read)),
@@ -98,7 +98,7 @@ pub(crate) fn to_value(p: &TokenStream, field: &Field, read: &TokenStream) -> To
 /// A `Value` as an `Option` of the field's type.
 pub(crate) fn from_value(p: &TokenStream, field: &Field, value: &TokenStream) -> TokenStream {
     let (variant, is): (Ident, TokenStream) = match &field.kind {
-        Kind::Number(number) => (number.of.variant(), quote!(::core::option::Option::Some(value))),
+        Kind::Number(number) => (variant_of(number.of), quote!(::core::option::Option::Some(value))),
         Kind::Bool => (format_ident!("Bool"), quote!(::core::option::Option::Some(value))),
         Kind::Choice => {
             let ty = &field.ty;
@@ -114,16 +114,14 @@ pub(crate) fn from_value(p: &TokenStream, field: &Field, value: &TokenStream) ->
     }
 }
 
-impl NumberKind {
-    /// The variant of `Kind` and of `Value`.
-    fn variant(self) -> Ident {
-        format_ident!(
-            "{}",
-            match self {
-                Self::F32 => "F32",
-                Self::I32 => "I32",
-                Self::U32 => "U32",
-            }
-        )
-    }
+/// The variant of `Kind` and of `Value`.
+fn variant_of(number: NumberKind) -> Ident {
+    format_ident!(
+        "{}",
+        match number {
+            NumberKind::F32 => "F32",
+            NumberKind::I32 => "I32",
+            NumberKind::U32 => "U32",
+        }
+    )
 }

@@ -5,9 +5,9 @@ use quote::{quote, quote_spanned};
 
 use super::describe;
 use crate::expand::quoting::{at, placed};
-use crate::language::params::model::Params;
-use crate::language::report::Report;
-use crate::language::text;
+use bica_syntax::params::model::Params;
+use bica_syntax::report::Report;
+use bica_syntax::text;
 
 /// The traits of a struct of parameters, and the assertions about it.
 pub(crate) fn params(params: &Params) -> TokenStream {

@@ -5,8 +5,8 @@ use quote::{quote, quote_spanned};
 
 use super::runtime;
 use crate::expand::quoting::{at, option, placed};
-use crate::language::text;
-use crate::language::tree::model::Tree;
+use bica_syntax::text;
+use bica_syntax::tree::model::Tree;
 
 pub(super) fn expand(tree: &Tree) -> TokenStream {
     let p = runtime(tree);

@@ -12,7 +12,7 @@ use quote::{format_ident, quote, quote_spanned};
 use syn::Type;
 
 use crate::expand::quoting::{at, placed};
-use crate::language::tree::model::Tree;
+use bica_syntax::tree::model::Tree;
 
 pub(crate) use stub::stub;
 
@@ -45,7 +45,7 @@ fn slots(tree: &Tree) -> Ident {
 
 /// The fields of that struct, one for each component: its name in small letters and its place.
 fn fields(tree: &Tree) -> Vec<Ident> {
-    let field = |(place, entry): (usize, &crate::language::tree::model::Entry)| {
+    let field = |(place, entry): (usize, &bica_syntax::tree::model::Entry)| {
         let name: String = quote::ToTokens::to_token_stream(&entry.kind)
             .into_iter()
             .filter_map(|token| if let proc_macro2::TokenTree::Ident(word) = token { Some(word) } else { None })

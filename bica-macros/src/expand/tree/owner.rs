@@ -5,7 +5,7 @@ use quote::{quote, quote_spanned};
 
 use super::{fields, runtime, slots};
 use crate::expand::quoting::{at, placed};
-use crate::language::tree::model::Tree;
+use bica_syntax::tree::model::Tree;
 
 pub(super) fn expand(tree: &Tree) -> TokenStream {
     let p = runtime(tree);

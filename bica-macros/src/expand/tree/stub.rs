@@ -3,8 +3,8 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use crate::language::report::Report;
-use crate::language::tree::model::Draft;
+use bica_syntax::report::Report;
+use bica_syntax::tree::model::Draft;
 
 /// The struct that the user names, the mistakes, and traits without content.
 pub(crate) fn stub(draft: &Draft, report: &Report) -> TokenStream {

@@ -6,7 +6,6 @@ mod cycle_data;
 mod distributor;
 mod exchange;
 mod hub;
-mod lease;
 mod listener;
 mod observer;
 mod outbox;

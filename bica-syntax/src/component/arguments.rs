@@ -1,0 +1,247 @@
+//! Arguments: links, the time, rates, parameters.
+
+use quote::ToTokens;
+use syn::{
+    Attribute, FnArg, GenericArgument, Lifetime, PathArguments, PathSegment, Signature, Type, TypePath, TypeReference,
+    parse_quote,
+};
+
+use super::model::Argument;
+use super::signature::Form;
+use crate::report::Report;
+use crate::types::plain;
+use crate::{text, wording};
+
+/// Types of the language and of its library that can be no components.
+const VALUES: [&str; 25] = [
+    "bool",
+    "char",
+    "str",
+    "f32",
+    "f64",
+    "u8",
+    "u16",
+    "u32",
+    "u64",
+    "u128",
+    "usize",
+    "i8",
+    "i16",
+    "i32",
+    "i64",
+    "i128",
+    "isize",
+    "String",
+    "Vec",
+    "Box",
+    "Option",
+    "Result",
+    "Instant",
+    "Duration",
+    "ComponentId",
+];
+
+/// Reads the arguments beside `self`. A wrong one is left out.
+pub(crate) fn read(signature: &Signature, own: &Type, form: Form, report: &mut Report) -> Vec<Argument> {
+    let mut arguments = Vec::new();
+    let mut seen: Vec<String> = Vec::new();
+    for input in &signature.inputs {
+        let FnArg::Typed(input) = input else { continue };
+        unconditional(&input.attrs, report);
+        if form == Form::Plain && !is_tuned(&input.ty) {
+            report.add(input, wording::HOOK_LINKS);
+            continue;
+        }
+        let Some(argument) = argument(&input.ty, own, form, signature, report) else { continue };
+        let place = key(&argument);
+        if seen.contains(&place) {
+            report.add(&input.ty, wording::two_links(&place));
+        } else {
+            seen.push(place);
+            arguments.push(argument);
+        }
+    }
+    arguments
+}
+
+/// What two arguments of one signature may not have in common.
+fn key(argument: &Argument) -> String {
+    match argument {
+        Argument::Read(child) | Argument::Write(child) => text::written(child),
+        Argument::Rate(child) => format!("Rate<{}>", text::written(child)),
+        Argument::OwnRate => "Rate<Self>".to_owned(),
+        Argument::Time(_) => "Time".to_owned(),
+        Argument::Tuned(kind) => format!("Tuned<{}>", text::written(kind)),
+    }
+}
+
+/// Reports a `cfg` of an argument.
+pub(crate) fn unconditional(attributes: &[Attribute], report: &mut Report) {
+    let conditions = ["cfg", "cfg_attr"];
+    for attribute in attributes.iter().filter(|one| conditions.iter().any(|name| one.path().is_ident(name))) {
+        report.add(attribute, wording::CONDITIONAL_ARGUMENT);
+    }
+}
+
+/// Reports a lifetime that has a name.
+pub(crate) fn no_lifetime(lifetime: &Lifetime, report: &mut Report) {
+    if lifetime.ident != "_" {
+        report.add(lifetime, wording::lifetime(&lifetime.to_string()));
+    }
+}
+
+fn argument(kind: &Type, own: &Type, form: Form, signature: &Signature, report: &mut Report) -> Option<Argument> {
+    let reference = match plain(kind) {
+        Type::Reference(reference) => reference,
+        Type::Path(path) => return owned(path, form, report),
+        other => return no_component(other, report),
+    };
+    let Type::Path(path) = plain(&reference.elem) else { return no_component(plain(kind), report) };
+    let segment = path.path.segments.last()?;
+    if is_value(path) {
+        report.add(kind, no_value(path));
+        return None;
+    }
+    // Lifetimes that the function declares are reported there.
+    if let Some(lifetime) = &reference.lifetime
+        && signature.generics.params.is_empty()
+    {
+        no_lifetime(lifetime, report);
+    }
+    match segment.ident.to_string().as_str() {
+        "Time" => time(reference, report),
+        "Rate" => rate(reference, segment, own, form, report),
+        "Tuned" => tuned(reference, segment, report),
+        _ => link(reference, own, form, report),
+    }
+}
+
+/// The message about an argument without `&`.
+fn owned(path: &TypePath, form: Form, report: &mut Report) -> Option<Argument> {
+    let written = text::written(path);
+    let problem = match path.path.segments.last()?.ident.to_string().as_str() {
+        "Time" => wording::owned_time(&written),
+        "Rate" => wording::owned_rate(&written),
+        "Tuned" => wording::owned_tuned(&written),
+        _ if is_value(path) => no_value(path),
+        _ if form == Form::Condition => wording::owned_condition(&written),
+        _ => wording::owned(&written),
+    };
+    report.add(path, problem);
+    None
+}
+
+fn is_value(path: &TypePath) -> bool {
+    let segments = &path.path.segments;
+    segments.len() == 1 && segments.last().is_some_and(|last| VALUES.iter().any(|name| last.ident == name))
+}
+
+fn no_value(path: &TypePath) -> String {
+    let written = text::written(path);
+    match path.path.segments.last() {
+        Some(last) if last.ident == "Option" => wording::option(&written),
+        Some(last) if !last.arguments.is_none() => wording::no_component(&written),
+        _ => wording::value(&written),
+    }
+}
+
+fn no_component(kind: &Type, report: &mut Report) -> Option<Argument> {
+    report.add(kind, wording::no_component(&text::written(kind)));
+    None
+}
+
+fn time(reference: &TypeReference, report: &mut Report) -> Option<Argument> {
+    if reference.mutability.is_some() {
+        report.add(reference, wording::time(&text::written(&reference.elem)));
+        return None;
+    }
+    Some(Argument::Time(plain(&reference.elem).clone()))
+}
+
+/// Whether the type is called `Tuned`, borrowed or not.
+fn is_tuned(kind: &Type) -> bool {
+    match plain(kind) {
+        Type::Reference(reference) => is_tuned(&reference.elem),
+        Type::Path(path) => path.path.segments.last().is_some_and(|last| last.ident == "Tuned"),
+        _ => false,
+    }
+}
+
+fn tuned(reference: &TypeReference, segment: &PathSegment, report: &mut Report) -> Option<Argument> {
+    let Some(of) = only_type(segment) else {
+        report.add(segment, wording::TUNED_OF_WHAT);
+        return None;
+    };
+    if reference.mutability.is_some() {
+        report.add(reference, wording::tuned(&text::written(&reference.elem)));
+        return None;
+    }
+    Some(Argument::Tuned(plain(of).clone()))
+}
+
+/// The type in angle brackets.
+fn only_type(segment: &PathSegment) -> Option<&Type> {
+    let PathArguments::AngleBracketed(list) = &segment.arguments else { return None };
+    match list.args.first() {
+        Some(GenericArgument::Type(of)) => Some(of),
+        _ => None,
+    }
+}
+
+fn rate(
+    reference: &TypeReference,
+    segment: &PathSegment,
+    own: &Type,
+    form: Form,
+    report: &mut Report,
+) -> Option<Argument> {
+    let Some(of) = only_type(segment) else {
+        report.add(segment, wording::RATE_OF_WHAT);
+        return None;
+    };
+    if form == Form::Condition {
+        report.add(reference, wording::RATE_IN_CONDITION);
+        return None;
+    }
+    if reference.mutability.is_none() {
+        report.add(reference, wording::rate(&text::written(of)));
+        return None;
+    }
+    Some(if is_own(of, own) { Argument::OwnRate } else { Argument::Rate(plain(of).clone()) })
+}
+
+fn link(reference: &TypeReference, own: &Type, form: Form, report: &mut Report) -> Option<Argument> {
+    let child = plain(&reference.elem).clone();
+    if is_own(&child, own) {
+        report.add(reference, wording::OWN_LINK);
+        return None;
+    }
+    match (&reference.mutability, form) {
+        (Some(token), Form::Condition) => {
+            report.add(token.to_token_stream(), wording::TRANSITION_WRITES);
+            None
+        }
+        (Some(_), _) => Some(Argument::Write(child)),
+        (None, _) => Some(Argument::Read(child)),
+    }
+}
+
+/// Completes a `Rate` or `Tuned` without a type, which is reported, so that the compiler does not report it again.
+pub(crate) fn complete_rates(signature: &mut Signature) {
+    for input in &mut signature.inputs {
+        let FnArg::Typed(input) = input else { continue };
+        let Type::Reference(reference) = &mut *input.ty else { continue };
+        let Type::Path(path) = &mut *reference.elem else { continue };
+        if let Some(last) = path.path.segments.last_mut()
+            && (last.ident == "Rate" || last.ident == "Tuned")
+            && last.arguments.is_none()
+        {
+            last.arguments = PathArguments::AngleBracketed(parse_quote!(<Self>));
+        }
+    }
+}
+
+pub(crate) fn is_own(kind: &Type, own: &Type) -> bool {
+    let written = text::written(plain(kind));
+    written == "Self" || written == text::written(own)
+}

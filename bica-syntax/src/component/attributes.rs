@@ -1,0 +1,191 @@
+//! `#[state]`, `#[transition]`, `#[entry]`, `#[exit]`, `#[start]`, `#[stop]`
+
+use proc_macro2::{Group, Ident, TokenStream, TokenTree};
+use syn::ext::IdentExt;
+use syn::parse::ParseStream;
+use syn::punctuated::Punctuated;
+use syn::{Attribute, Expr, Meta, Token};
+
+use super::model::Sources;
+use crate::{number, text, wording};
+
+/// The attributes that assign a function its role.
+pub(crate) const ROLES: [&str; 8] = ["state", "transition", "entry", "exit", "start", "stop", "info", "modulation"];
+
+/// Names from other frameworks for our attributes.
+const SYNONYMS: [(&str, &str); 11] = [
+    ("enter", "entry"),
+    ("on_entry", "entry"),
+    ("on_enter", "entry"),
+    ("on_exit", "exit"),
+    ("on_start", "start"),
+    ("on_stop", "stop"),
+    ("guard", "transition"),
+    ("information", "info"),
+    ("modulate", "modulation"),
+    ("initial", "state(initial)"),
+    ("last", "state(last)"),
+];
+
+/// Attributes of the language that are spelt much like one of ours.
+const BUILT_IN: [&str; 6] = ["test", "expect", "ignore", "inline", "cold", "must_use"];
+
+/// The role that an attribute assigns, if it is one of ours.
+pub(crate) fn role(attribute: &Attribute) -> Option<&'static str> {
+    ROLES.into_iter().find(|role| attribute.path().is_ident(role))
+}
+
+/// Whether the brackets of an attribute begin with one of our names.
+pub(crate) fn begins_with_role(brackets: &Group) -> bool {
+    matches!(brackets.stream().into_iter().next(), Some(TokenTree::Ident(name)) if ROLES.iter().any(|role| name == role))
+}
+
+/// The message about an attribute that was meant to be one of ours.
+pub(crate) fn misspelt(attribute: &Attribute) -> Option<String> {
+    let path = attribute.path();
+    let last = text::name(&path.segments.last()?.ident);
+    if path.segments.len() == 2 && path.segments[0].ident == "bica" && ROLES.contains(&last.as_str()) {
+        return Some(wording::bare_attribute(&last));
+    }
+    path.get_ident()?;
+    if last == "step" {
+        return Some(wording::STEP_ATTRIBUTE.to_owned());
+    }
+    let synonym = SYNONYMS.iter().find(|(other, _)| *other == last).map(|(_, ours)| *ours);
+    let near = || (!BUILT_IN.contains(&last.as_str())).then(|| text::nearest(&last, ROLES.into_iter())).flatten();
+    synonym.or_else(near).filter(|ours| *ours != last).map(|ours| wording::misspelt_attribute(&last, ours))
+}
+
+/// Whether a `cfg_attr` may add one of our attributes.
+pub(crate) fn conditional_role(attribute: &Attribute) -> bool {
+    let names_role = |token| matches!(token, TokenTree::Ident(name) if ROLES.iter().any(|role| name == role));
+    match &attribute.meta {
+        Meta::List(list) => list.path.is_ident("cfg_attr") && list.tokens.clone().into_iter().any(names_role),
+        _ => false,
+    }
+}
+
+/// `#[start]`, `#[stop]`: they take nothing.
+pub(crate) fn bare(attribute: &Attribute, role: &str) -> syn::Result<()> {
+    match &attribute.meta {
+        Meta::Path(_) => Ok(()),
+        Meta::List(list) => Err(error(&list.tokens, attribute, wording::no_arguments(role))),
+        Meta::NameValue(pair) => Err(syn::Error::new_spanned(&pair.value, wording::no_arguments(role))),
+    }
+}
+
+/// The words of `#[state(initial, last)]`.
+pub(crate) fn state(attribute: &Attribute) -> syn::Result<(Option<Ident>, bool)> {
+    let (mut initial, mut last) = (None, false);
+    let list = match &attribute.meta {
+        Meta::Path(_) => return Ok((initial, last)),
+        Meta::List(list) => list,
+        Meta::NameValue(pair) => return Err(syn::Error::new_spanned(&pair.value, wording::STATE_WORDS)),
+    };
+    let words = list.parse_args_with(Punctuated::<Ident, Token![,]>::parse_terminated);
+    for word in words.map_err(|found| syn::Error::new(found.span(), wording::STATE_WORDS))? {
+        match word.to_string().as_str() {
+            "initial" if initial.is_none() => initial = Some(word),
+            "last" if !last => last = true,
+            "initial" | "last" => return Err(syn::Error::new(word.span(), wording::TWICE)),
+            other => {
+                let nearest = text::nearest(other, ["initial", "last"].into_iter());
+                return Err(syn::Error::new(word.span(), wording::unknown_key(other, nearest, "`initial` and `last`")));
+            }
+        }
+    }
+    Ok((initial, last))
+}
+
+/// The content of `#[transition(a | b -> c, after_ms = N)]`.
+pub(crate) struct Arrow {
+    pub(crate) from: Sources,
+    pub(crate) to: Ident,
+    pub(crate) after_ms: Option<u32>,
+}
+
+/// Reads a transition.
+pub(crate) fn transition(attribute: &Attribute) -> syn::Result<Arrow> {
+    let Meta::List(list) = &attribute.meta else {
+        return Err(syn::Error::new_spanned(attribute, wording::ARROW));
+    };
+    if list.tokens.is_empty() {
+        return Err(syn::Error::new_spanned(attribute, wording::ARROW));
+    }
+    list.parse_args_with(|input: ParseStream| {
+        let from = sources(input)?;
+        input.parse::<Token![->]>().map_err(|found| syn::Error::new(found.span(), wording::ARROW))?;
+        let to = Ident::parse_any(input).map_err(|found| syn::Error::new(found.span(), wording::ARROW))?;
+        if input.peek(Token![|]) {
+            return Err(input.error(wording::ONE_TARGET));
+        }
+        Ok(Arrow { from, to, after_ms: after_ms(input)? })
+    })
+}
+
+fn sources(input: ParseStream) -> syn::Result<Sources> {
+    if input.peek(Token![*]) {
+        input.parse::<Token![*]>()?;
+        return Ok(Sources::Any);
+    }
+    names(input).map(Sources::These).map_err(|found| syn::Error::new(found.span(), wording::ARROW))
+}
+
+/// `a | b`
+fn names(input: ParseStream) -> syn::Result<Vec<Ident>> {
+    Ok(Punctuated::<Ident, Token![|]>::parse_separated_nonempty_with(input, Ident::parse_any)?.into_iter().collect())
+}
+
+/// `, after_ms = N`
+fn after_ms(input: ParseStream) -> syn::Result<Option<u32>> {
+    let mut after_ms = None;
+    while !input.is_empty() {
+        if !input.peek(Token![,]) {
+            return Err(input.error(wording::ARROW));
+        }
+        input.parse::<Token![,]>()?;
+        if input.is_empty() {
+            break;
+        }
+        let key: Ident = Ident::parse_any(input).map_err(|found| syn::Error::new(found.span(), wording::TIMER))?;
+        let written = key.to_string();
+        if written != "after_ms" {
+            let nearest = ["after", "timeout", "timeout_ms", "after_s"].contains(&written.as_str());
+            let nearest = if nearest { Some("after_ms") } else { text::nearest(&written, ["after_ms"].into_iter()) };
+            return Err(syn::Error::new(key.span(), wording::unknown_key(&written, nearest, "`after_ms`")));
+        }
+        if after_ms.is_some() {
+            return Err(syn::Error::new(key.span(), wording::TWICE));
+        }
+        after_ms = Some(milliseconds(input)?);
+    }
+    Ok(after_ms)
+}
+
+/// `= N`
+fn milliseconds(input: ParseStream) -> syn::Result<u32> {
+    let missing = |found: syn::Error| syn::Error::new(found.span(), wording::not_whole("after_ms"));
+    input.parse::<Token![=]>().map_err(missing)?;
+    let value: Expr = input.parse().map_err(missing)?;
+    number::milliseconds(&value, "after_ms").map_err(|problem| syn::Error::new_spanned(&value, problem))
+}
+
+/// The states of `#[entry(a | b)]`.
+pub(crate) fn hook(attribute: &Attribute, role: &str) -> syn::Result<Vec<Ident>> {
+    let form = wording::hook_states(role);
+    match &attribute.meta {
+        Meta::List(list) if !list.tokens.is_empty() => {
+            list.parse_args_with(names).map_err(|found| syn::Error::new(found.span(), form))
+        }
+        _ => Err(syn::Error::new_spanned(attribute, form)),
+    }
+}
+
+/// An error at some tokens, or at the attribute if there are none.
+fn error(tokens: &TokenStream, attribute: &Attribute, message: String) -> syn::Error {
+    if tokens.is_empty() {
+        syn::Error::new_spanned(attribute, message)
+    } else {
+        syn::Error::new_spanned(tokens, message)
+    }
+}

@@ -1,0 +1,69 @@
+//! The rules that one impl block can break.
+
+use super::model::{Behaviour, Component, Machine};
+use super::{near_miss, resolve};
+use crate::report::Report;
+use crate::{text, wording};
+
+/// The behaviour of the component; `None` if mistakes leave it open.
+pub fn check(component: &Component, report: &mut Report) -> Option<Behaviour> {
+    if component.incomplete {
+        return None;
+    }
+    if component.states.is_empty() {
+        no_machine(component, report);
+        near_miss::check(component, report);
+        return Some(Behaviour::Step(component.step.clone()));
+    }
+    if let Some(step) = &component.step {
+        report.add(&step.name, wording::STEP_AND_STATES);
+    }
+    let machine = resolve::machine(component, report)?;
+    reachable(&machine, report);
+    ends(component, &machine, report);
+    Some(Behaviour::Machine(machine))
+}
+
+fn no_machine(component: &Component, report: &mut Report) {
+    if let Some(resume) = &component.options.resume {
+        report.add(resume, wording::RESUME_WITHOUT_STATES);
+    }
+    for transition in &component.transitions {
+        report.add(&transition.attribute, wording::without_states("transition"));
+    }
+    for hook in &component.entries {
+        report.add(&hook.attribute, wording::without_states("entry"));
+    }
+    for hook in &component.exits {
+        report.add(&hook.attribute, wording::without_states("exit"));
+    }
+}
+
+fn reachable(machine: &Machine, report: &mut Report) {
+    let mut reached = vec![false; machine.states.len()];
+    let mut open = vec![machine.initial];
+    while let Some(state) = open.pop() {
+        if !std::mem::replace(&mut reached[state], true) {
+            open.extend(machine.edges_from(state).map(|edge| edge.to));
+        }
+    }
+    for (state, reached) in machine.states.iter().zip(reached) {
+        if !reached {
+            report.add(&state.body.name, wording::unreachable(&text::name(&state.body.name)));
+        }
+    }
+}
+
+fn ends(component: &Component, machine: &Machine, report: &mut Report) {
+    for (index, state) in machine.states.iter().enumerate() {
+        let name = text::name(&state.body.name);
+        match machine.edges_from(index).find(|edge| edge.from != edge.to) {
+            None if !state.last => report.add(&state.body.name, wording::dead_end(&name)),
+            Some(edge) if state.last => {
+                let transition = component.transitions.iter().find(|one| one.function.name == edge.condition.name);
+                report.add(transition.map(|one| &one.attribute), wording::last_but_left(&name));
+            }
+            _ => {}
+        }
+    }
+}

@@ -1,0 +1,14 @@
+//! The impl block of a component.
+
+mod arguments;
+mod attributes;
+pub mod block;
+pub mod check;
+pub mod links;
+pub mod model;
+mod near_miss;
+mod operator;
+mod options;
+pub mod parse;
+mod resolve;
+mod signature;

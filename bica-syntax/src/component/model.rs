@@ -1,0 +1,207 @@
+//! What was written, and what it means.
+
+use proc_macro2::Ident;
+use syn::{Attribute, Path, Type};
+
+use super::block::Block;
+use crate::params::model::Field;
+
+/// An impl block with `#[component]`, its functions sorted by their roles.
+pub struct Component {
+    /// The impl block without our attributes.
+    pub block: Block,
+    /// Options of the attribute.
+    pub options: Options,
+    /// Doc comment of the block, or of the step if the block has none.
+    pub doc: String,
+    /// Function called `step`.
+    pub step: Option<Function>,
+    /// Functions with `#[state]`, in the order of the text, as are all lists.
+    pub states: Vec<State>,
+    /// Attributes `#[transition]`.
+    pub transitions: Vec<Transition>,
+    /// Functions with `#[entry]`.
+    pub entries: Vec<Hook>,
+    /// Functions with `#[exit]`.
+    pub exits: Vec<Hook>,
+    /// Functions with `#[start]`.
+    pub starts: Vec<Function>,
+    /// Functions with `#[stop]`.
+    pub stops: Vec<Function>,
+    /// Functions with `#[info]`.
+    pub infos: Vec<Info>,
+    /// Functions with `#[modulation]`.
+    pub modulations: Vec<Modulation>,
+    /// Whether an attribute or a function could not be read. What seems to be missing may then be there.
+    pub incomplete: bool,
+}
+
+impl Component {
+    /// All functions that the tree calls; one with several transitions occurs once for each.
+    pub fn functions(&self) -> impl Iterator<Item = &Function> + Clone {
+        let states = self.states.iter().map(|state| &state.function);
+        let transitions = self.transitions.iter().map(|transition| &transition.function);
+        let hooks = self.entries.iter().chain(&self.exits).map(|hook| &hook.function);
+        let activity = self.starts.iter().chain(&self.stops);
+        self.step.iter().chain(states).chain(transitions).chain(hooks).chain(activity)
+    }
+
+    /// The type whose impl block this is.
+    #[must_use]
+    pub fn own(&self) -> &Type {
+        &self.block.header.self_ty
+    }
+}
+
+/// A getter with `#[info]`.
+pub struct Info {
+    /// Name of the function.
+    pub name: Ident,
+    /// Doc comment.
+    pub doc: String,
+    /// Unit of the value.
+    pub unit: Option<String>,
+    /// Type of the value.
+    pub ty: Type,
+}
+
+/// A method with `#[modulation]`.
+pub struct Modulation {
+    /// Name of the function.
+    pub name: Ident,
+    /// Doc comment.
+    pub doc: String,
+    /// Arguments beside `self`.
+    pub arguments: Vec<Field>,
+}
+
+/// The options in the parentheses of `#[component(...)]`.
+pub struct Options {
+    /// Runs per second, Hz.
+    pub hz: Option<f32>,
+    /// Longest time of one run, µs.
+    pub budget_us: Option<f32>,
+    /// The word `resume`.
+    pub resume: Option<Ident>,
+    /// The crate that generated code uses.
+    pub krate: Path,
+}
+
+/// A function that the tree calls.
+#[derive(Clone)]
+pub struct Function {
+    /// Name of the function.
+    pub name: Ident,
+    /// Doc comment.
+    pub doc: String,
+    /// Arguments beside `self`.
+    pub arguments: Vec<Argument>,
+}
+
+/// An argument beside `self`.
+#[derive(Clone)]
+pub enum Argument {
+    /// `&C`
+    Read(Type),
+    /// `&mut C`
+    Write(Type),
+    /// `&Time`, by any path
+    Time(Type),
+    /// `&mut Rate<C>`
+    Rate(Type),
+    /// `&mut Rate<Self>`
+    OwnRate,
+    /// `&Tuned<P>`: the struct `P`
+    Tuned(Type),
+}
+
+/// `#[state]`
+pub struct State {
+    /// Function of the state.
+    pub function: Function,
+    /// The word `initial`.
+    pub initial: Option<Ident>,
+    /// Whether the word `last` is there.
+    pub last: bool,
+}
+
+/// `#[transition]`
+pub struct Transition {
+    /// Function that decides.
+    pub function: Function,
+    /// States that it leaves.
+    pub from: Sources,
+    /// State that it enters.
+    pub to: Ident,
+    /// Least time in the state before it, ms.
+    pub after_ms: Option<u32>,
+    /// The attribute as written.
+    pub attribute: Attribute,
+}
+
+/// The states that a transition leaves.
+pub enum Sources {
+    /// All but the one that it enters.
+    Any,
+    /// The named ones.
+    These(Vec<Ident>),
+}
+
+/// `#[entry]` or `#[exit]`
+pub struct Hook {
+    /// Function of the hook.
+    pub function: Function,
+    /// States that it belongs to.
+    pub states: Vec<Ident>,
+    /// The attribute as written.
+    pub attribute: Attribute,
+}
+
+/// What a component does when it runs, with all names resolved.
+pub enum Behaviour {
+    /// Its step; a component without one holds what others read and write.
+    Step(Option<Function>),
+    /// A state machine.
+    Machine(Machine),
+}
+
+/// A state machine; a state is identified by its index.
+pub struct Machine {
+    /// The state in which it starts.
+    pub initial: usize,
+    /// States in the order of the text.
+    pub states: Vec<MachineState>,
+    /// In the order in which they are tried.
+    pub edges: Vec<Edge>,
+}
+
+/// A state with its hooks.
+pub struct MachineState {
+    /// Function of the state.
+    pub body: Function,
+    /// Whether no transition leaves it.
+    pub last: bool,
+    /// Functions that run when it is entered.
+    pub entries: Vec<Function>,
+    /// Functions that run when it is left.
+    pub exits: Vec<Function>,
+}
+
+/// A transition from one state to one other.
+pub struct Edge {
+    /// Function that decides.
+    pub condition: Function,
+    /// State that it leaves.
+    pub from: usize,
+    /// State that it enters.
+    pub to: usize,
+    /// Least time in the state before it, ms.
+    pub after_ms: Option<u32>,
+}
+
+impl Machine {
+    /// The transitions that leave a state, in the order in which they are tried.
+    pub fn edges_from(&self, state: usize) -> impl Iterator<Item = &Edge> {
+        self.edges.iter().filter(move |edge| edge.from == state)
+    }
+}

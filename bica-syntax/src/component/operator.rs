@@ -1,0 +1,138 @@
+//! `#[info]` and `#[modulation]`: what an operator may look at and call.
+
+use proc_macro2::Ident;
+use quote::ToTokens;
+use syn::parse::ParseStream;
+use syn::{Attribute, Expr, FnArg, Meta, Pat, PatType, ReturnType, Token, Type};
+
+use super::block::Function;
+use super::model::{Info, Modulation};
+use super::{arguments, signature};
+use crate::params::field::{self, Keys};
+use crate::params::model::Field;
+use crate::report::Report;
+use crate::{text, wording};
+
+/// The attributes of an argument.
+const KEYS: [&str; 4] = ["range", "unit", "step", "default"];
+
+/// Reads a getter.
+pub(super) fn info(function: &Function, attribute: &Attribute, own: &Type, report: &mut Report) -> Option<Info> {
+    let unit = report.take(info_unit(attribute))?;
+    let (name, doc) = described(function, "info", report);
+    signature::read_operator(&function.signature, own, "&self", report);
+    for input in function.signature.inputs.iter().filter(|input| matches!(input, FnArg::Typed(_))) {
+        report.add(input, wording::INFO_ARGUMENTS);
+    }
+    match &function.signature.output {
+        ReturnType::Type(_, kind) if text::written(kind) != "()" => {
+            Some(Info { name, doc, unit, ty: (**kind).clone() })
+        }
+        _ => {
+            report.add(&name, wording::info_value(&text::name(&name)));
+            None
+        }
+    }
+}
+
+/// `#[info]` or `#[info(unit = "m")]`
+fn info_unit(attribute: &Attribute) -> syn::Result<Option<String>> {
+    let list = match &attribute.meta {
+        Meta::Path(_) => return Ok(None),
+        Meta::List(list) => list,
+        Meta::NameValue(pair) => return Err(syn::Error::new_spanned(&pair.value, wording::INFO_FORM)),
+    };
+    list.parse_args_with(|input: ParseStream| {
+        let form = |found: syn::Error| syn::Error::new(found.span(), wording::INFO_FORM);
+        let key: Ident = input.parse().map_err(form)?;
+        let written = key.to_string();
+        if written != "unit" {
+            let nearest = text::nearest(&written, ["unit"].into_iter());
+            return Err(syn::Error::new(key.span(), wording::unknown_key(&written, nearest, "`unit`")));
+        }
+        input.parse::<Token![=]>().map_err(form)?;
+        field::unit(&input.parse().map_err(form)?).map(Some)
+    })
+}
+
+/// Reads a method, and takes the attributes of its arguments off.
+pub(super) fn modulation(
+    function: &mut Function,
+    attribute: &Attribute,
+    own: &Type,
+    report: &mut Report,
+) -> Option<Modulation> {
+    if !matches!(attribute.meta, Meta::Path(_)) {
+        report.add(attribute, wording::MODULATION_FORM);
+    }
+    let (name, doc) = described(function, "modulation", report);
+    signature::read_operator(&function.signature, own, "&mut self", report);
+    if let ReturnType::Type(_, kind) = &function.signature.output
+        && text::written(kind) != "()"
+    {
+        report.add(kind, wording::returns_nothing(&text::name(&name)));
+    }
+    let mut all = Vec::new();
+    for input in &mut function.signature.inputs {
+        if let FnArg::Typed(input) = input {
+            all.push(argument(input, report));
+        }
+    }
+    let arguments = all.into_iter().collect::<Option<Vec<_>>>()?;
+    Some(Modulation { name, doc, arguments })
+}
+
+/// Name and doc comment of a function, which it must have.
+fn described(function: &Function, role: &str, report: &mut Report) -> (Ident, String) {
+    let (name, doc) = (&function.signature.ident, text::doc(&function.attributes));
+    if doc.is_empty() {
+        report.add(name, wording::operator_doc(role, &text::name(name)));
+    }
+    for condition in function.attributes.iter().filter(|attribute| attribute.path().is_ident("cfg")) {
+        report.add(condition, wording::CONDITIONAL);
+    }
+    (name.clone(), doc)
+}
+
+fn argument(input: &mut PatType, report: &mut Report) -> Option<Field> {
+    arguments::unconditional(&input.attrs, report);
+    let ours = input.attrs.extract_if(.., |one| {
+        one.path().is_ident("doc") || one.path().get_ident().is_some_and(|name| nearest(name).is_some())
+    });
+    let ours: Vec<Attribute> = ours.collect();
+    let (mut keys, mut good) = (Keys::default(), true);
+    for attribute in ours.iter().filter(|attribute| !attribute.path().is_ident("doc")) {
+        good &= report.take(key(attribute, &mut keys)).is_some();
+    }
+    let Pat::Ident(name) = &*input.pat else {
+        report.add(&input.pat, wording::ARGUMENT_NAME);
+        return None;
+    };
+    if !good {
+        return None;
+    }
+    field::field(&name.ident, text::doc(&ours), &input.ty, keys, report)
+}
+
+fn nearest(name: &Ident) -> Option<&'static str> {
+    text::nearest(&name.to_string(), KEYS.into_iter())
+}
+
+/// `#[range(a..=b)]`, `#[unit("m")]`, `#[step(0.1)]`, `#[default(0.5)]`
+fn key(attribute: &Attribute, keys: &mut Keys) -> syn::Result<()> {
+    let written = text::written(attribute.path());
+    if !KEYS.contains(&written.as_str()) {
+        let nearest = text::nearest(&written, KEYS.into_iter()).unwrap_or_default();
+        let at = attribute.path().to_token_stream();
+        return Err(syn::Error::new_spanned(at, wording::misspelt_attribute(&written, nearest)));
+    }
+    let form = |_| syn::Error::new_spanned(attribute, wording::argument_form(&written));
+    let value: Expr = attribute.parse_args().map_err(form)?;
+    match written.as_str() {
+        "range" => keys.range = Some(field::range(value)?),
+        "unit" => keys.unit = Some(field::unit(&value)?),
+        "step" => keys.step = Some(value),
+        _ => keys.default = Some(value),
+    }
+    Ok(())
+}

@@ -1,0 +1,109 @@
+//! `hz = 30, budget_us = 40, resume, crate = ::bica`
+
+use proc_macro2::{Ident, TokenStream, TokenTree};
+use syn::ext::IdentExt;
+use syn::parse::{ParseStream, Parser};
+use syn::{Expr, Path, Token, parse_quote};
+
+use super::model::Options;
+use crate::report::Report;
+use crate::{number, text, wording};
+
+/// The options that messages name; `crate` is for the crates of the framework.
+const KEYS: [&str; 3] = ["hz", "budget_us", "resume"];
+const KNOWN: &str = "`hz`, `budget_us` and `resume`";
+
+/// Names that a user may try, and the option that was meant.
+const SYNONYMS: [(&str, &str); 10] = [
+    ("rate", "hz"),
+    ("rate_hz", "hz"),
+    ("cycle_hz", "hz"),
+    ("frequency", "hz"),
+    ("freq", "hz"),
+    ("period", "hz"),
+    ("period_ms", "hz"),
+    ("budget", "budget_us"),
+    ("budget_ms", "budget_us"),
+    ("budget_ns", "budget_us"),
+];
+
+/// Reads the options; an option that cannot be read keeps its default.
+pub(crate) fn parse(tokens: TokenStream, report: &mut Report) -> Options {
+    let mut options = Options { hz: None, budget_us: None, resume: None, krate: parse_quote!(::bica) };
+    let mut seen = Vec::new();
+    let parser = |input: ParseStream| {
+        while !input.is_empty() {
+            let read = one(input, &mut options, &mut seen, report).and_then(|()| comma(input));
+            if let Err(error) = read {
+                report.push(error);
+                skip(input)?;
+            }
+        }
+        Ok(())
+    };
+    let parsed = parser.parse2(tokens);
+    report.take(parsed);
+    options
+}
+
+fn comma(input: ParseStream) -> syn::Result<()> {
+    if input.is_empty() {
+        return Ok(());
+    }
+    let missing = |_| input.error(wording::COMMA);
+    input.parse::<Token![,]>().map(|_| ()).map_err(missing)
+}
+
+/// Goes on behind the next comma.
+fn skip(input: ParseStream) -> syn::Result<()> {
+    while !input.is_empty() {
+        if input.parse::<Option<Token![,]>>()?.is_some() {
+            break;
+        }
+        input.parse::<TokenTree>()?;
+    }
+    Ok(())
+}
+
+fn one(input: ParseStream, options: &mut Options, seen: &mut Vec<Ident>, report: &mut Report) -> syn::Result<()> {
+    let key = input.call(Ident::parse_any).map_err(|found| syn::Error::new(found.span(), wording::OPTION_FORM))?;
+    if seen.contains(&key) {
+        report.add(&key, wording::TWICE);
+    }
+    match key.to_string().as_str() {
+        "hz" => options.hz = positive(input, &key, report)?,
+        "budget_us" => options.budget_us = positive(input, &key, report)?,
+        "resume" => {
+            if !input.is_empty() && !input.peek(Token![,]) {
+                return Err(input.error(wording::RESUME_VALUE));
+            }
+            options.resume = Some(key.clone());
+        }
+        "crate" => {
+            input.parse::<Token![=]>()?;
+            options.krate = input.call(Path::parse_mod_style)?;
+        }
+        other => return Err(unknown(&key, other)),
+    }
+    seen.push(key);
+    Ok(())
+}
+
+fn unknown(key: &Ident, written: &str) -> syn::Error {
+    let synonym = SYNONYMS.iter().find(|(other, _)| *other == written).map(|(_, option)| *option);
+    let nearest = synonym.or_else(|| text::nearest(written, KEYS.into_iter()));
+    syn::Error::new(key.span(), wording::unknown_key(written, nearest, KNOWN))
+}
+
+fn positive(input: ParseStream, key: &Ident, report: &mut Report) -> syn::Result<Option<f32>> {
+    let name = key.to_string();
+    if input.is_empty() || input.peek(Token![,]) {
+        return Err(syn::Error::new(key.span(), wording::no_number(&name)));
+    }
+    if !input.peek(Token![=]) {
+        return Err(input.error(wording::no_number(&name)));
+    }
+    input.parse::<Token![=]>()?;
+    let value: Expr = input.parse().map_err(|found| syn::Error::new(found.span(), wording::no_number(&name)))?;
+    Ok(number::positive(&value, &name, report))
+}

@@ -1,0 +1,231 @@
+//! From an impl block to a model of it.
+
+use proc_macro2::TokenStream;
+use quote::ToTokens;
+use syn::{Attribute, Generics, Item as AnyItem, Type, parse_quote};
+
+use super::block::{self, Block, Item};
+use super::model::{Component, Function, Hook, State, Transition};
+use super::signature::{self, Form};
+use super::{arguments, attributes, operator, options};
+use crate::report::Report;
+use crate::{text, wording};
+
+/// What an item with `#[component]` turned out to be.
+pub enum Parsed {
+    /// An impl block of a type.
+    Component(Box<Component>),
+    /// No impl block of a type. The item without our attributes, and the type that was meant to be a component.
+    Misplaced {
+        /// The item without our attributes.
+        item: TokenStream,
+        /// The type that was meant to be a component.
+        of: Option<Box<(Generics, Type)>>,
+    },
+}
+
+/// Reads the item.
+pub fn parse(options: TokenStream, item: &TokenStream, report: &mut Report) -> Parsed {
+    let Some(block) = Block::read(item) else { return no_block(item, report) };
+    let own = &block.header.self_ty;
+    let name = component_name(own);
+    let misplaced = match (&block.header.trait_, &name) {
+        (Some((path, _)), _) => Some((path.to_token_stream(), wording::TRAIT_IMPL.to_owned())),
+        (None, None) => Some((own.to_token_stream(), wording::NOT_A_NAME.to_owned())),
+        (None, Some(name)) if matches!(name.as_str(), "Time" | "Rate" | "Tuned") => {
+            Some((own.to_token_stream(), wording::reserved(name)))
+        }
+        _ => None,
+    };
+    let options = options::parse(options, report);
+    let doc = text::doc(&block.header.attrs);
+    let mut component = Component {
+        block,
+        options,
+        doc,
+        step: None,
+        states: Vec::new(),
+        transitions: Vec::new(),
+        entries: Vec::new(),
+        exits: Vec::new(),
+        starts: Vec::new(),
+        stops: Vec::new(),
+        infos: Vec::new(),
+        modulations: Vec::new(),
+        incomplete: false,
+    };
+    if let Some((at, problem)) = misplaced {
+        return without_roles(component, at, &problem, report);
+    }
+    for lifetime in component.block.header.generics.lifetimes() {
+        report.add(lifetime, wording::LIFETIME);
+    }
+    let reason = parse_quote!(#[allow(clippy::new_without_default, reason = "a tree makes it by `new`")]);
+    component.block.header.attrs.push(reason);
+    functions(&mut component, report);
+    Parsed::Component(Box::new(component))
+}
+
+/// A block that makes no component; it loses our attributes.
+fn without_roles(mut component: Component, at: TokenStream, problem: &str, report: &mut Report) -> Parsed {
+    functions(&mut component, &mut Report::default());
+    report.add(at, problem);
+    let of_a_trait = component.block.header.trait_.is_some();
+    let meant = component_name(component.own()).is_some() && (!of_a_trait || component.functions().next().is_some());
+    let of = meant.then(|| Box::new((component.block.header.generics.clone(), component.own().clone())));
+    Parsed::Misplaced { item: component.block.to_token_stream(), of }
+}
+
+fn component_name(own: &Type) -> Option<String> {
+    let Type::Path(path) = own else { return None };
+    path.path.segments.last().map(|last| text::name(&last.ident))
+}
+
+fn no_block(item: &TokenStream, report: &mut Report) -> Parsed {
+    let (at, of) = match syn::parse2::<AnyItem>(item.clone()) {
+        Ok(AnyItem::Struct(item)) => (item.ident.to_token_stream(), Some((item.generics, item.ident))),
+        Ok(AnyItem::Enum(item)) => (item.ident.to_token_stream(), Some((item.generics, item.ident))),
+        _ => (item.clone(), None),
+    };
+    report.add(at, wording::NO_IMPL);
+    let of = of.map(|(generics, name)| {
+        let arguments = generics.split_for_impl().1;
+        let own = parse_quote!(#name #arguments);
+        Box::new((generics, own))
+    });
+    Parsed::Misplaced { item: item.clone(), of }
+}
+
+/// Sorts the functions by their roles and takes our attributes off.
+fn functions(component: &mut Component, report: &mut Report) {
+    component.incomplete |= component.block.unreadable;
+    let mut items = std::mem::take(&mut component.block.items);
+    let mut names = Vec::new();
+    for item in &mut items {
+        match item {
+            Item::Function(function) => {
+                // The compiler itself reports two functions of one name.
+                component.incomplete |= names.contains(&function.signature.ident);
+                names.push(function.signature.ident.clone());
+                let ours = take_ours(component, function, report);
+                sort(component, function, ours, report);
+            }
+            Item::Other { attributes, .. } => {
+                for attribute in attributes.extract_if(.., |one| attributes::role(one).is_some()) {
+                    component.incomplete = true;
+                    report.add(&attribute, wording::PLACE_OF_A_ROLE);
+                }
+            }
+        }
+    }
+    component.block.items = items;
+}
+
+/// Takes our attributes off, and those that were meant to be ours.
+fn take_ours(component: &mut Component, function: &mut block::Function, report: &mut Report) -> Vec<Attribute> {
+    for attribute in function.attributes.extract_if(.., |one| attributes::misspelt(one).is_some()) {
+        component.incomplete = true;
+        report.add(attribute.path(), attributes::misspelt(&attribute).unwrap_or_default());
+    }
+    for attribute in function.attributes.extract_if(.., |one| attributes::conditional_role(one)) {
+        component.incomplete = true;
+        report.add(attribute, wording::CONDITIONAL);
+    }
+    function.attributes.extract_if(.., |one| attributes::role(one).is_some()).collect()
+}
+
+fn sort(component: &mut Component, function: &mut block::Function, roles: Vec<Attribute>, report: &mut Report) {
+    let Some(first) = roles.first() else {
+        if function.signature.ident == "step" {
+            component.step = Some(called(component, function, Form::Step, report));
+            if component.doc.is_empty() {
+                component.doc = text::doc(&function.attributes);
+            }
+        }
+        return;
+    };
+    let role = attributes::role(first);
+    for other in &roles[1..] {
+        if attributes::role(other) != role {
+            report.add(other, wording::TWO_ROLES);
+        } else if role != Some("transition") {
+            report.add(other, wording::TWICE);
+        }
+    }
+    match role {
+        Some("state") => state(component, function, first, report),
+        Some("transition") => transitions(component, function, roles, report),
+        Some(role @ ("start" | "stop")) => {
+            report.take(attributes::bare(first, role));
+            let function = called(component, function, Form::Plain, report);
+            let hooks = if role == "start" { &mut component.starts } else { &mut component.stops };
+            hooks.push(function);
+        }
+        Some("info") => {
+            let info = operator::info(function, first, component.own(), report);
+            component.infos.extend(info);
+        }
+        Some("modulation") => {
+            let own = component.own().clone();
+            component.modulations.extend(operator::modulation(function, first, &own, report));
+        }
+        _ => hook(component, function, first, report),
+    }
+}
+
+fn state(component: &mut Component, function: &mut block::Function, attribute: &Attribute, report: &mut Report) {
+    let words = report.take(attributes::state(attribute));
+    component.incomplete |= words.is_none();
+    let (initial, last) = words.unwrap_or_default();
+    let function = called(component, function, Form::Step, report);
+    component.states.push(State { function, initial, last });
+}
+
+fn transitions(component: &mut Component, function: &mut block::Function, all: Vec<Attribute>, report: &mut Report) {
+    let function = called(component, function, Form::Condition, report);
+    for attribute in all.into_iter().filter(|attribute| attributes::role(attribute) == Some("transition")) {
+        let Some(arrow) = report.take(attributes::transition(&attribute)) else {
+            component.incomplete = true;
+            continue;
+        };
+        let attributes::Arrow { from, to, after_ms } = arrow;
+        component.transitions.push(Transition { function: function.clone(), from, to, after_ms, attribute });
+    }
+}
+
+fn hook(component: &mut Component, function: &mut block::Function, attribute: &Attribute, report: &mut Report) {
+    let role = attributes::role(attribute).unwrap_or_default();
+    let function = called(component, function, Form::Step, report);
+    let Some(states) = report.take(attributes::hook(attribute, role)) else {
+        component.incomplete = true;
+        return;
+    };
+    let hooks = if role == "entry" { &mut component.entries } else { &mut component.exits };
+    hooks.push(Hook { function, states, attribute: attribute.clone() });
+}
+
+/// Reads the signature, and spares its author lints that its form, given by its role, would raise.
+///
+/// On bare metal the function stays a call of its own: inlined into the visit, its variables would lie on the stack
+/// while the children are visited, and a tree as deep as its longest chain would need the stack of all of them at once.
+fn called(component: &Component, function: &mut block::Function, form: Form, report: &mut Report) -> Function {
+    let arguments = signature::read(&function.signature, component.own(), form, report);
+    arguments::complete_rates(&mut function.signature);
+    let attributes = &mut function.attributes;
+    for condition in attributes.extract_if(.., |attribute| attribute.path().is_ident("cfg")) {
+        report.add(condition, wording::CONDITIONAL);
+    }
+    let doc = text::doc(attributes);
+    attributes.push(parse_quote!(#[allow(
+        unused_variables,
+        clippy::needless_pass_by_ref_mut,
+        clippy::too_many_arguments,
+        clippy::trivially_copy_pass_by_ref,
+        clippy::unused_self,
+        reason = "an argument is a link, whether the function reads it or not"
+    )]));
+    if form == Form::Step && !attributes.iter().any(|attribute| attribute.path().is_ident("inline")) {
+        attributes.push(parse_quote!(#[cfg_attr(target_os = "none", inline(never))]));
+    }
+    Function { name: function.signature.ident.clone(), doc, arguments }
+}

@@ -1,0 +1,139 @@
+//! The rules for signatures, which are the graph.
+
+use proc_macro2::TokenStream;
+use quote::ToTokens;
+use syn::{FnArg, GenericParam, Lifetime, Receiver, ReceiverKind, ReturnType, Safety, Signature, Type};
+
+use super::arguments;
+use super::model::Argument;
+use crate::report::Report;
+use crate::types::plain;
+use crate::{text, wording};
+
+/// The form that the role of a function asks for.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Form {
+    /// Links of both kinds.
+    Step,
+    /// Links that read, and a `bool`.
+    Condition,
+    /// No links.
+    Plain,
+}
+
+/// Reads the arguments and reports what a function of that form may not have.
+pub(crate) fn read(signature: &Signature, own: &Type, form: Form, report: &mut Report) -> Vec<Argument> {
+    no_modifiers(signature, report);
+    generics(signature, report);
+    receiver(signature, own, form, report);
+    output(signature, form, report);
+    arguments::read(signature, own, form, report)
+}
+
+/// Reports what a function that an operator calls may not have; `wanted` is how it takes the component.
+pub(crate) fn read_operator(signature: &Signature, own: &Type, wanted: &str, report: &mut Report) {
+    no_modifiers(signature, report);
+    generics(signature, report);
+    let as_wanted = match signature.inputs.first() {
+        Some(FnArg::Receiver(receiver)) => {
+            taken(receiver, own) == if wanted == "&self" { Taken::Shared } else { Taken::Exclusive }
+        }
+        _ => false,
+    };
+    if !as_wanted {
+        let name = text::name(&signature.ident);
+        match signature.inputs.first() {
+            Some(FnArg::Receiver(receiver)) => report.add(receiver, wording::receiver(&name, wanted)),
+            _ => report.add(&signature.ident, wording::receiver(&name, wanted)),
+        }
+    }
+}
+
+fn no_modifiers(signature: &Signature, report: &mut Report) {
+    if let Some(token) = &signature.asyncness {
+        report.add(token, wording::ASYNC);
+    }
+    if let Safety::Unsafe(token) = &signature.safety {
+        report.add(token, wording::UNSAFE);
+    }
+}
+
+fn generics(signature: &Signature, report: &mut Report) {
+    let types: TokenStream = signature
+        .generics
+        .params
+        .pairs()
+        .filter(|pair| !matches!(pair.value(), GenericParam::Lifetime(_)))
+        .map(ToTokens::into_token_stream)
+        .collect();
+    if !types.is_empty() {
+        report.add(types, wording::GENERIC);
+    } else if !signature.generics.params.is_empty() {
+        report.add(&signature.generics, wording::LIFETIMES);
+    }
+}
+
+/// How a function takes the component.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Taken {
+    Shared,
+    Exclusive,
+    Otherwise,
+}
+
+fn receiver(signature: &Signature, own: &Type, form: Form, report: &mut Report) {
+    let name = text::name(&signature.ident);
+    let wanted = if form == Form::Condition { "&self" } else { "&mut self" };
+    let Some(FnArg::Receiver(receiver)) = signature.inputs.first() else {
+        report.add(&signature.ident, wording::receiver(&name, wanted));
+        return;
+    };
+    arguments::unconditional(&receiver.attrs, report);
+    match taken(receiver, own) {
+        Taken::Otherwise => report.add(receiver, wording::receiver(&name, wanted)),
+        Taken::Exclusive if form == Form::Condition => report.add(receiver, wording::TRANSITION_WRITES),
+        _ => {
+            if let Some(lifetime) = lifetime(receiver)
+                && signature.generics.params.is_empty()
+            {
+                arguments::no_lifetime(lifetime, report);
+            }
+        }
+    }
+}
+
+fn taken(receiver: &Receiver, own: &Type) -> Taken {
+    let mutable = match &receiver.kind {
+        ReceiverKind::Reference(_, _, mutable) => mutable.is_some(),
+        ReceiverKind::Typed(_, kind) => match plain(kind) {
+            Type::Reference(reference) if arguments::is_own(&reference.elem, own) => reference.mutability.is_some(),
+            _ => return Taken::Otherwise,
+        },
+        _ => return Taken::Otherwise,
+    };
+    if mutable { Taken::Exclusive } else { Taken::Shared }
+}
+
+fn lifetime(receiver: &Receiver) -> Option<&Lifetime> {
+    match &receiver.kind {
+        ReceiverKind::Reference(_, lifetime, _) => lifetime.as_ref(),
+        ReceiverKind::Typed(_, kind) => match plain(kind) {
+            Type::Reference(reference) => reference.lifetime.as_ref(),
+            _ => None,
+        },
+        _ => None,
+    }
+}
+
+fn output(signature: &Signature, form: Form, report: &mut Report) {
+    let name = text::name(&signature.ident);
+    match (&signature.output, form) {
+        (ReturnType::Type(_, kind), Form::Condition) if text::written(plain(kind)) == "bool" => {}
+        (ReturnType::Type(_, kind), Form::Condition) => report.add(kind, wording::returns_bool(&name)),
+        (ReturnType::Default, Form::Condition) => report.add(&signature.ident, wording::returns_bool(&name)),
+        (ReturnType::Type(_, kind), _) if text::written(kind) != "()" => {
+            report.add(kind, wording::returns_nothing(&name));
+        }
+        _ => {}
+    }
+}

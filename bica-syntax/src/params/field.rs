@@ -1,0 +1,183 @@
+//! One parameter: its type, and the keys of `#[param(default = ..., range = a..=b, unit = "...", step = ...)]`.
+
+use proc_macro2::Ident;
+use quote::ToTokens;
+use syn::ext::IdentExt;
+use syn::parse::ParseStream;
+use syn::{Attribute, Expr, ExprLit, ExprRange, Lit, Meta, RangeLimits, Token, Type};
+
+use super::model::{Field, Kind, Number, NumberKind};
+use crate::report::Report;
+use crate::types::plain;
+use crate::{text, wording};
+
+const KEYS: [&str; 4] = ["default", "range", "unit", "step"];
+const KNOWN: &str = "`default`, `range`, `unit` and `step`";
+
+/// Names that a user may try, and the key that was meant.
+const SYNONYMS: [(&str, &str); 7] = [
+    ("min", "range"),
+    ("max", "range"),
+    ("value", "default"),
+    ("initial", "default"),
+    ("units", "unit"),
+    ("increment", "step"),
+    ("resolution", "step"),
+];
+
+/// Types that can be no parameters, and the one to take instead.
+const OTHER_NUMBERS: [(&str, &str); 11] = [
+    ("f64", "f32"),
+    ("i8", "i32"),
+    ("i16", "i32"),
+    ("i64", "i32"),
+    ("i128", "i32"),
+    ("isize", "i32"),
+    ("u8", "u32"),
+    ("u16", "u32"),
+    ("u64", "u32"),
+    ("u128", "u32"),
+    ("usize", "u32"),
+];
+const NO_KINDS: [&str; 8] = ["String", "str", "char", "Option", "Vec", "Box", "Duration", "Instant"];
+
+/// What stands in the attributes of a parameter.
+#[derive(Default)]
+pub(crate) struct Keys {
+    pub(crate) default: Option<Expr>,
+    pub(crate) range: Option<(Expr, Expr, ExprRange)>,
+    pub(crate) unit: Option<String>,
+    pub(crate) step: Option<Expr>,
+}
+
+/// Reads `#[param(...)]`; `None` with a mistake reported.
+pub(crate) fn keys(attribute: &Attribute, report: &mut Report) -> Option<Keys> {
+    let Meta::List(list) = &attribute.meta else {
+        report.add(attribute, wording::PARAM_FORM);
+        return None;
+    };
+    let mut keys = Keys::default();
+    let mut seen: Vec<Ident> = Vec::new();
+    let parsed = list.parse_args_with(|input: ParseStream| {
+        while !input.is_empty() {
+            one(input, &mut keys, &mut seen)?;
+            if !input.is_empty() {
+                input.parse::<Token![,]>().map_err(|found| syn::Error::new(found.span(), wording::COMMA))?;
+            }
+        }
+        Ok(())
+    });
+    report.take(parsed).map(|()| keys)
+}
+
+fn one(input: ParseStream, keys: &mut Keys, seen: &mut Vec<Ident>) -> syn::Result<()> {
+    let key = input.call(Ident::parse_any).map_err(|found| syn::Error::new(found.span(), wording::PARAM_FORM))?;
+    let name = key.to_string();
+    if seen.contains(&key) {
+        return Err(syn::Error::new(key.span(), wording::TWICE));
+    }
+    if !KEYS.contains(&name.as_str()) {
+        let synonym = SYNONYMS.iter().find(|(other, _)| *other == name).map(|(_, ours)| *ours);
+        let nearest = synonym.or_else(|| text::nearest(&name, KEYS.into_iter()));
+        return Err(syn::Error::new(key.span(), wording::unknown_key(&name, nearest, KNOWN)));
+    }
+    seen.push(key);
+    let form = |found: syn::Error| syn::Error::new(found.span(), wording::param_value(&name));
+    input.parse::<Token![=]>().map_err(form)?;
+    let value: Expr = input.parse().map_err(form)?;
+    match name.as_str() {
+        "default" => keys.default = Some(value),
+        "range" => keys.range = Some(range(value)?),
+        "unit" => keys.unit = Some(unit(&value)?),
+        _ => keys.step = Some(value),
+    }
+    Ok(())
+}
+
+/// `a..=b`
+pub(crate) fn range(value: Expr) -> syn::Result<(Expr, Expr, ExprRange)> {
+    match value {
+        Expr::Range(range @ ExprRange { start: Some(_), end: Some(_), limits: RangeLimits::Closed(_), .. }) => {
+            let (start, end) = (range.start.clone(), range.end.clone());
+            match (start, end) {
+                (Some(min), Some(max)) => Ok((*min, *max, range)),
+                _ => Err(syn::Error::new_spanned(range, wording::RANGE_FORM)),
+            }
+        }
+        Expr::Paren(paren) => range(*paren.expr),
+        Expr::Group(group) => range(*group.expr),
+        other => Err(syn::Error::new_spanned(other, wording::RANGE_FORM)),
+    }
+}
+
+/// `"m/s"`
+pub(crate) fn unit(value: &Expr) -> syn::Result<String> {
+    match value {
+        Expr::Lit(ExprLit { lit: Lit::Str(unit), .. }) if !unit.value().trim().is_empty() => Ok(unit.value()),
+        _ => Err(syn::Error::new_spanned(value, wording::UNIT_FORM)),
+    }
+}
+
+/// A parameter from its parts; `None` with a mistake reported.
+pub(crate) fn field(name: &Ident, doc: String, ty: &Type, keys: Keys, report: &mut Report) -> Option<Field> {
+    let kind = kind(name, ty, &keys, report)?;
+    Some(Field { name: name.clone(), doc, unit: keys.unit, ty: ty.clone(), kind, default: keys.default })
+}
+
+fn kind(name: &Ident, ty: &Type, keys: &Keys, report: &mut Report) -> Option<Kind> {
+    let written = text::written(plain(ty));
+    let Type::Path(path) = plain(ty) else {
+        report.add(ty, wording::no_kind(&written, None));
+        return None;
+    };
+    let last = path.path.segments.last().map(|segment| text::name(&segment.ident)).unwrap_or_default();
+    let of = match last.as_str() {
+        "f32" => NumberKind::F32,
+        "i32" => NumberKind::I32,
+        "u32" => NumberKind::U32,
+        other => return other_kind(other, ty, keys, report),
+    };
+    let Some((min, max, _)) = keys.range.clone() else {
+        report.add(name, wording::no_range(&text::name(name), &written));
+        return None;
+    };
+    Some(Kind::Number(Box::new(Number { of, min, max, step: keys.step.clone() })))
+}
+
+fn other_kind(last: &str, ty: &Type, keys: &Keys, report: &mut Report) -> Option<Kind> {
+    let written = text::written(plain(ty));
+    let instead = OTHER_NUMBERS.iter().find(|(other, _)| *other == last).map(|(_, ours)| *ours);
+    if instead.is_some() || NO_KINDS.contains(&last) {
+        report.add(ty, wording::no_kind(&written, instead));
+        return None;
+    }
+    let number_only = [
+        keys.range.as_ref().map(|(.., range)| ("range", range.to_token_stream())),
+        keys.step.as_ref().map(|step| ("step", step.to_token_stream())),
+        keys.unit.as_ref().map(|_| ("unit", ty.to_token_stream())),
+    ];
+    let mut good = true;
+    for (key, at) in number_only.into_iter().flatten() {
+        report.add(at, wording::for_numbers(key, &written));
+        good = false;
+    }
+    let kind = if last == "bool" { Kind::Bool } else { Kind::Choice };
+    if let (Kind::Choice, Some(default)) = (&kind, &keys.default)
+        && variant(default).is_none()
+    {
+        report.add(default, wording::choice_default(&written));
+        good = false;
+    }
+    good.then_some(kind)
+}
+
+/// The last name of a path, which is that of a variant.
+#[must_use]
+pub fn variant(default: &Expr) -> Option<String> {
+    match default {
+        Expr::Path(path) => path.path.segments.last().map(|segment| text::name(&segment.ident)),
+        Expr::Group(group) => variant(&group.expr),
+        Expr::Paren(paren) => variant(&paren.expr),
+        _ => None,
+    }
+}

@@ -1,0 +1,120 @@
+//! From the tokens of a struct or an enum to a model of it.
+
+use proc_macro2::TokenStream;
+use quote::ToTokens;
+use syn::{Attribute, Data, DeriveInput, Expr, Fields, Member, Path, Token, Type, parse_quote};
+
+use super::field;
+use super::model::{Choice, Field, Params};
+use crate::report::Report;
+use crate::{text, wording};
+
+/// Reads a struct with `#[derive(Params)]`. With mistakes the model has the fields that could be read.
+pub fn params(item: TokenStream, report: &mut Report) -> Option<Params> {
+    let input: DeriveInput = report.take(syn::parse2(item))?;
+    let (krate, check) = options(&input.attrs, report);
+    let doc = text::doc(&input.attrs);
+    let generic = !input.generics.params.is_empty();
+    let is_struct = matches!(input.data, Data::Struct(_));
+    let (fields, written) = (Vec::new(), Vec::new());
+    let mut params = Params { name: input.ident, doc, fields, written, is_struct, generic, check, krate };
+    let Data::Struct(data) = &input.data else {
+        report.add(&params.name, wording::PARAMS_STRUCT);
+        return Some(params);
+    };
+    if generic {
+        report.add(&input.generics, wording::PARAMS_GENERIC);
+    }
+    params.written = data.fields.iter().zip(data.fields.members()).map(written_field).collect();
+    if params.doc.is_empty() {
+        report.add(&params.name, wording::params_doc(&params.name.to_string()));
+    }
+    match &data.fields {
+        Fields::Named(fields) if !fields.named.is_empty() => {
+            params.fields = fields.named.iter().filter_map(|field| one(field, report)).collect();
+        }
+        _ => report.add(&params.name, wording::PARAMS_STRUCT),
+    }
+    Some(params)
+}
+
+/// Name, type and default of a field, whatever else is wrong with it.
+fn written_field((field, member): (&syn::Field, Member)) -> (Member, Type, Option<Expr>) {
+    let attribute = field.attrs.iter().find(|attribute| attribute.path().is_ident("param"));
+    let default = attribute.and_then(|one| field::keys(one, &mut Report::default())).and_then(|keys| keys.default);
+    (member, field.ty.clone(), default)
+}
+
+fn one(field: &syn::Field, report: &mut Report) -> Option<Field> {
+    let name = field.ident.as_ref()?;
+    let written = text::name(name);
+    let doc = text::doc(&field.attrs);
+    if doc.is_empty() {
+        report.add(name, wording::param_doc(&written));
+    }
+    let mut attributes = field.attrs.iter().filter(|attribute| attribute.path().is_ident("param"));
+    let Some(attribute) = attributes.next() else {
+        report.add(name, wording::no_param(&written, &text::written(&field.ty)));
+        return None;
+    };
+    if let Some(second) = attributes.next() {
+        report.add(second, wording::TWICE);
+    }
+    let keys = field::keys(attribute, report)?;
+    if keys.default.is_none() {
+        report.add(name, wording::no_default(&written));
+        return None;
+    }
+    field::field(name, doc, &field.ty, keys, report)
+}
+
+/// `#[params(check = path, crate = path)]`
+fn options(attributes: &[Attribute], report: &mut Report) -> (Path, Option<Path>) {
+    let (mut krate, mut check) = (parse_quote!(::bica), None);
+    for attribute in attributes.iter().filter(|attribute| attribute.path().is_ident("params")) {
+        let parsed = attribute.parse_nested_meta(|meta| {
+            if meta.path.is_ident("crate") {
+                meta.input.parse::<Token![=]>()?;
+                krate = meta.input.call(Path::parse_mod_style)?;
+            } else if meta.path.is_ident("check") {
+                let form = |found: syn::Error| syn::Error::new(found.span(), wording::CHECK_FORM);
+                meta.input.parse::<Token![=]>().map_err(form)?;
+                check = Some(meta.input.parse::<Path>().map_err(form)?);
+            } else {
+                let found = text::written(&meta.path);
+                let nearest = text::nearest(&found, ["check"].into_iter());
+                return Err(syn::Error::new_spanned(
+                    meta.path.to_token_stream(),
+                    wording::unknown_key(&found, nearest, "`check`"),
+                ));
+            }
+            Ok(())
+        });
+        report.take(parsed);
+    }
+    (krate, check)
+}
+
+/// Reads an enum with `#[derive(ParamEnum)]`.
+pub fn choice(item: TokenStream, report: &mut Report) -> Option<Choice> {
+    let input: DeriveInput = report.take(syn::parse2(item))?;
+    let (krate, _) = options(&input.attrs, report);
+    let mut choice = Choice { name: input.ident, variants: Vec::new(), krate };
+    let Data::Enum(data) = &input.data else {
+        report.add(&choice.name, wording::CHOICE_ENUM);
+        return Some(choice);
+    };
+    if !input.generics.params.is_empty() {
+        report.add(&input.generics, wording::PARAMS_GENERIC);
+    }
+    if data.variants.is_empty() {
+        report.add(&choice.name, wording::CHOICE_ENUM);
+    }
+    for variant in &data.variants {
+        if !matches!(variant.fields, Fields::Unit) {
+            report.add(&variant.fields, wording::variant_fields(&variant.ident.to_string()));
+        }
+        choice.variants.push((variant.ident.clone(), text::doc(&variant.attrs)));
+    }
+    Some(choice)
+}

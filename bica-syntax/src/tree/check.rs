@@ -1,0 +1,52 @@
+//! The rules that the text of a tree can break.
+
+use super::model::{Draft, Entry, Tree};
+use crate::report::Report;
+use crate::{text, wording};
+
+/// The tree, or `None` with mistakes reported.
+pub fn check(draft: &Draft, report: &mut Report) -> Option<Tree> {
+    let components = draft.components.as_ref().map(|entries| distinct(entries, report));
+    // After an error of the parser nothing is missing: it was not read.
+    if report.is_empty() {
+        let gaps = [
+            (draft.root.is_none(), "root", "Name"),
+            (draft.cycle_hz.is_none(), "cycle_hz", "100"),
+            (components.is_none(), "components", "[Name]"),
+        ];
+        for (_, key, example) in gaps.into_iter().filter(|(missing, ..)| *missing) {
+            report.add(&draft.name, wording::missing(key, example));
+        }
+        if components.as_ref().is_some_and(Vec::is_empty) {
+            report.add(&draft.name, wording::EMPTY_TREE);
+        }
+    }
+    if !report.is_empty() {
+        return None;
+    }
+    Some(Tree {
+        attributes: draft.attributes.clone(),
+        visibility: draft.visibility.clone(),
+        name: draft.name.clone(),
+        root: draft.root.clone()?,
+        cycle_hz: draft.cycle_hz?,
+        budget_ms: draft.budget_ms,
+        tunable: draft.tunable,
+        components: components?,
+        krate: draft.krate.clone(),
+    })
+}
+
+/// Each component once. Two paths to one type are left to the compiler.
+fn distinct(components: &[Entry], report: &mut Report) -> Vec<Entry> {
+    let mut distinct: Vec<Entry> = Vec::new();
+    for entry in components {
+        let name = text::written(&entry.kind);
+        if distinct.iter().any(|known| text::written(&known.kind) == name) {
+            report.add(&entry.kind, wording::listed_twice(&name));
+        } else {
+            distinct.push(entry.clone());
+        }
+    }
+    distinct
+}

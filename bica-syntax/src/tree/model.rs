@@ -1,0 +1,57 @@
+//! The content of a tree.
+
+use proc_macro2::Ident;
+use syn::{Attribute, Expr, Path, Type, Visibility};
+
+/// A tree as written.
+pub struct Draft {
+    /// Attributes of the struct.
+    pub attributes: Vec<Attribute>,
+    /// Visibility of the struct.
+    pub visibility: Visibility,
+    /// Name of the struct.
+    pub name: Ident,
+    /// Root.
+    pub root: Option<Type>,
+    /// Cycles per second, Hz.
+    pub cycle_hz: Option<f32>,
+    /// Longest time of one cycle, ms.
+    pub budget_ms: Option<f32>,
+    /// The word `tunable` stands among the fields.
+    pub tunable: bool,
+    /// Components in the order of the text.
+    pub components: Option<Vec<Entry>>,
+    /// The crate that generated code uses.
+    pub krate: Path,
+}
+
+/// A tree without mistakes in its text.
+pub struct Tree {
+    /// Attributes of the struct.
+    pub attributes: Vec<Attribute>,
+    /// Visibility of the struct.
+    pub visibility: Visibility,
+    /// Name of the struct.
+    pub name: Ident,
+    /// The root as written, which may be another path to a type of the list.
+    pub root: Type,
+    /// Cycles per second, Hz.
+    pub cycle_hz: f32,
+    /// Longest time of one cycle, ms.
+    pub budget_ms: Option<f32>,
+    /// The word `tunable` stands among the fields.
+    pub tunable: bool,
+    /// Components in the order of the text.
+    pub components: Vec<Entry>,
+    /// The crate that generated code uses.
+    pub krate: Path,
+}
+
+/// A component in the list.
+#[derive(Clone)]
+pub struct Entry {
+    /// Type of the component.
+    pub kind: Type,
+    /// The initial value, if not `new()`.
+    pub value: Option<Expr>,
+}

@@ -1,0 +1,68 @@
+//! Binary frames from the server: an image, or the classes of its pixels.
+//!
+//! | bytes | field, little-endian |
+//! |---|---|
+//! | 0 | kind: 1 image in YUYV, 2 classes, one byte a pixel |
+//! | 1 | camera: 0 top, 1 bottom |
+//! | 2–3 | 0 |
+//! | 4–7 | session, `u32` |
+//! | 8–11 | number of the image in the session, `u32` |
+//! | 12–13 | width, px, `u16` |
+//! | 14–15 | height, px, `u16` |
+//! | 16–23 | time of the cycle that took the image in, µs, `u64` |
+//! | 24–27 | `id` of the request that this answers, `u32`; 0 for an image that is watched |
+//! | 28–31 | 0 |
+//! | 32– | pixels |
+
+use super::SessionId;
+
+/// Size of the head, bytes.
+pub const HEAD_BYTES: usize = 32;
+
+/// Content of the pixels.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PixelKind {
+    /// YUYV: 4 bytes for 2 pixels.
+    Yuyv = 1,
+    /// Index of the colour class, or 255 for none: a byte for each pixel.
+    Classes = 2,
+}
+
+/// Head of a binary frame.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ImageHead {
+    /// Content of the pixels.
+    pub kind: PixelKind,
+    /// Whether the bottom camera took the image.
+    pub bottom_camera: bool,
+    /// Session.
+    pub session: SessionId,
+    /// Number of the image in the session, from 0.
+    pub number: u32,
+    /// Width, px.
+    pub width: u16,
+    /// Height, px.
+    pub height: u16,
+    /// Time of the cycle that took the image in, µs.
+    pub time_us: u64,
+    /// `id` of the request that this answers; 0 for an image that is watched.
+    pub id: u32,
+}
+
+impl ImageHead {
+    /// Returns the frame: the head, then the pixels.
+    #[must_use]
+    pub fn frame(&self, pixels: &[u8]) -> Vec<u8> {
+        let mut frame = Vec::with_capacity(HEAD_BYTES + pixels.len());
+        frame.extend([self.kind as u8, u8::from(self.bottom_camera), 0, 0]);
+        frame.extend(self.session.to_le_bytes());
+        frame.extend(self.number.to_le_bytes());
+        frame.extend(self.width.to_le_bytes());
+        frame.extend(self.height.to_le_bytes());
+        frame.extend(self.time_us.to_le_bytes());
+        frame.extend(self.id.to_le_bytes());
+        frame.extend([0; 4]);
+        frame.extend(pixels);
+        frame
+    }
+}

@@ -1,0 +1,398 @@
+//! Messages from the page.
+
+use serde::{Deserialize, Serialize};
+
+use super::SessionId;
+
+/// A message from the page, with the identifier of its answer.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct FromPage {
+    /// Chosen by the page, different for each message; not 0.
+    pub id: u32,
+    /// The request.
+    #[serde(flatten)]
+    pub request: Request,
+}
+
+/// What the page asks for. In brackets: the `result` of the answer, if there is one.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(tag = "type", rename_all = "snake_case", deny_unknown_fields)]
+pub enum Request {
+    /// Shows a robot, a world or a recording. [`{"session": number}`]
+    Open {
+        /// What.
+        source: Open,
+    },
+    /// Closes a session.
+    Close {
+        /// Session.
+        session: SessionId,
+    },
+    /// Replaces all that this page watches of a session.
+    Watch {
+        /// Session.
+        session: SessionId,
+        /// What.
+        watch: Watch,
+    },
+    /// Reads the state at a time: of the last cycle that is not later. [[`Moment`](super::Moment); if `image`, a binary frame with this `id`
+    /// comes before the answer]
+    At {
+        /// Session.
+        session: SessionId,
+        /// Time, µs.
+        time_us: u64,
+        /// Information to read: component and index of each.
+        info: Vec<(usize, usize)>,
+        /// Whether the last image that is not later is sent as a binary frame.
+        image: bool,
+    },
+    /// Reads the activation timeline of an interval. [list of [`Row`](super::Row)]
+    Timeline {
+        /// Session.
+        session: SessionId,
+        /// Begin, µs.
+        from_us: u64,
+        /// End, µs.
+        until_us: u64,
+        /// Bars and gaps shorter than this may be merged, µs.
+        resolution_us: u64,
+    },
+    /// Reads samples of an information or of a parameter-like number, thinned to at most `points`. [list of `[time_us, value]`]
+    Series {
+        /// Session.
+        session: SessionId,
+        /// Component.
+        component: usize,
+        /// Information.
+        info: usize,
+        /// Begin, µs.
+        from_us: u64,
+        /// End, µs.
+        until_us: u64,
+        /// Largest number of samples.
+        points: usize,
+    },
+    /// Reads log lines of an interval. [list of [`LogLine`](super::LogLine)]
+    Lines {
+        /// Session.
+        session: SessionId,
+        /// Begin, µs.
+        from_us: u64,
+        /// End, µs.
+        until_us: u64,
+        /// Largest number of lines; the last ones.
+        limit: usize,
+    },
+    /// Becomes the operator of a session if nobody is.
+    Acquire {
+        /// Session.
+        session: SessionId,
+    },
+    /// Becomes the operator instead of another one; only when a person asks for it.
+    Take {
+        /// Session.
+        session: SessionId,
+    },
+    /// Gives control back: holds, rates and modulations end.
+    Release {
+        /// Session.
+        session: SessionId,
+    },
+    /// Sent at least every 500 ms by a page that controls a session. After 3 s without it control ends.
+    Keep {
+        /// Session.
+        session: SessionId,
+    },
+    /// Sets parameters, all or none. [`{"cycle": number, "values": list}`: first cycle with the effective values]
+    Set {
+        /// Session.
+        session: SessionId,
+        /// Settings.
+        settings: Vec<Setting>,
+    },
+    /// Holds a component, or releases it.
+    Hold {
+        /// Session.
+        session: SessionId,
+        /// Component.
+        component: usize,
+        /// How.
+        hold: HoldKind,
+    },
+    /// Changes a rate, Hz; `null` is the declared rate.
+    Rate {
+        /// Session.
+        session: SessionId,
+        /// Component.
+        component: usize,
+        /// Rate, Hz.
+        hz: Option<f32>,
+    },
+    /// Calls a modulation.
+    Modulate {
+        /// Session.
+        session: SessionId,
+        /// Component.
+        component: usize,
+        /// Modulation.
+        modulation: usize,
+        /// Arguments: numbers, booleans, or names of variants.
+        arguments: Vec<serde_json::Value>,
+    },
+    /// Pauses a simulated world between two cycles.
+    Pause {
+        /// Session.
+        session: SessionId,
+    },
+    /// Continues a simulated world.
+    Resume {
+        /// Session.
+        session: SessionId,
+    },
+    /// Runs cycles of a paused simulated world.
+    Step {
+        /// Session.
+        session: SessionId,
+        /// Number of cycles.
+        cycles: u32,
+    },
+    /// Begins a simulated world again, with another seed if given.
+    Restart {
+        /// Session.
+        session: SessionId,
+        /// Seed.
+        seed: Option<u64>,
+    },
+    /// Adds a note of the operator to log, timeline and recording.
+    Note {
+        /// Session.
+        session: SessionId,
+        /// Text, at most 500 characters.
+        text: String,
+    },
+    /// Keeps the recording of the last minutes under a name in the recordings folder. [`{"path": text}`]
+    KeepRecording {
+        /// Session.
+        session: SessionId,
+        /// File name without folder and ending.
+        name: String,
+    },
+    /// Lists the recordings in the recordings folder. [list of `{"name", "bytes", "seconds"}`]
+    Recordings {},
+    /// Writes changed parameters to a tune file. [`{"path": text}`]
+    SaveTune {
+        /// Session.
+        session: SessionId,
+        /// Parameters: component and index of each.
+        params: Vec<(usize, usize)>,
+        /// Name of the tune file without ending: a kind of world or a robot.
+        name: String,
+    },
+    /// Writes a parameter as the new default to its Rust source. [`{"path": text, "diff": text}`]
+    SaveSource {
+        /// Session.
+        session: SessionId,
+        /// Component.
+        component: usize,
+        /// Parameter.
+        param: usize,
+    },
+    /// Reads layouts of panels. [object from name to layout]
+    Layouts {},
+    /// Saves a layout of panels.
+    SaveLayout {
+        /// Name.
+        name: String,
+        /// Layout; `null` deletes it.
+        layout: serde_json::Value,
+    },
+    /// Compares two recordings. [`{"equal": bool, "cycle", "time_us", "field", "text"}`: the first difference]
+    Compare {
+        /// One session.
+        session: SessionId,
+        /// The other session.
+        other: SessionId,
+    },
+    /// Runs a recording again with other parameters, as a new session. [`{"session": number}`]
+    RunAgain {
+        /// Session.
+        session: SessionId,
+        /// Settings.
+        settings: Vec<Setting>,
+    },
+    /// Reads the colour classes that are in force. [`{"classes": [{"name", "colour", "limits": …}], "text": profile TOML}`]
+    Colours {
+        /// Session.
+        session: SessionId,
+    },
+    /// Assigns pixels to a class, or takes them away, in the profile under edit. [as `Colours`]
+    PickColours {
+        /// Session.
+        session: SessionId,
+        /// Index of the class.
+        class: usize,
+        /// True: the pixels are not of the class.
+        remove: bool,
+        /// Number of the image, and pixels in it: `x`, `y`.
+        image: u32,
+        /// Pixels, px.
+        pixels: Vec<(u16, u16)>,
+    },
+    /// Undoes the last change of the profile under edit. [as `Colours`]
+    UndoColours {
+        /// Session.
+        session: SessionId,
+    },
+    /// Classifies an image with the profile under edit: a binary frame with this `id` comes before the answer.
+    Classify {
+        /// Session.
+        session: SessionId,
+        /// Number of the image.
+        image: u32,
+    },
+    /// Recall and precision of the profile under edit on a folder of labelled images. [`{"rows": [{"object", "recall", "precision",
+    /// "images"}]}`]
+    ScoreColours {
+        /// Session.
+        session: SessionId,
+    },
+    /// Sends the profile under edit to the robot, as parameters.
+    SendColours {
+        /// Session.
+        session: SessionId,
+    },
+    /// Saves the profile under edit. [`{"path": text}`]
+    SaveColours {
+        /// Session.
+        session: SessionId,
+        /// File name without folder and ending.
+        name: String,
+    },
+}
+
+impl Request {
+    /// Returns the session that it is about; of two, the first.
+    #[must_use]
+    pub const fn session(&self) -> Option<SessionId> {
+        match *self {
+            Self::Close { session, .. }
+            | Self::Watch { session, .. }
+            | Self::At { session, .. }
+            | Self::Timeline { session, .. }
+            | Self::Series { session, .. }
+            | Self::Lines { session, .. }
+            | Self::Acquire { session, .. }
+            | Self::Take { session, .. }
+            | Self::Release { session, .. }
+            | Self::Keep { session, .. }
+            | Self::Set { session, .. }
+            | Self::Hold { session, .. }
+            | Self::Rate { session, .. }
+            | Self::Modulate { session, .. }
+            | Self::Pause { session, .. }
+            | Self::Resume { session, .. }
+            | Self::Step { session, .. }
+            | Self::Restart { session, .. }
+            | Self::Note { session, .. }
+            | Self::KeepRecording { session, .. }
+            | Self::SaveTune { session, .. }
+            | Self::SaveSource { session, .. }
+            | Self::Compare { session, .. }
+            | Self::RunAgain { session, .. }
+            | Self::Colours { session, .. }
+            | Self::PickColours { session, .. }
+            | Self::UndoColours { session, .. }
+            | Self::Classify { session, .. }
+            | Self::ScoreColours { session, .. }
+            | Self::SendColours { session, .. }
+            | Self::SaveColours { session, .. } => Some(session),
+            Self::Open { .. } | Self::Recordings {} | Self::Layouts {} | Self::SaveLayout { .. } => None,
+        }
+    }
+}
+
+/// What to show.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(tag = "kind", rename_all = "snake_case", deny_unknown_fields)]
+pub enum Open {
+    /// A world in this process: `built-in`, `mujoco` or `firmware`.
+    World {
+        /// Name of the world.
+        world: String,
+        /// Seed.
+        seed: u64,
+        /// Number of other robots.
+        robots: usize,
+    },
+    /// A robot: `tcp://HOST:PORT` or `serial:DEVICE[@BAUD]`.
+    Robot {
+        /// Address.
+        address: String,
+    },
+    /// A recording in the recordings folder.
+    Recording {
+        /// File name without folder.
+        name: String,
+    },
+}
+
+/// All that a page watches of a session.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct Watch {
+    /// Information.
+    pub info: Vec<WatchInfo>,
+    /// Components whose conditions of transitions are sent.
+    pub conditions: Vec<usize>,
+    /// Images, if wanted.
+    pub images: Option<WatchImages>,
+    /// Whether costs are sent.
+    pub costs: bool,
+    /// Whether the true state of a simulated world is sent.
+    pub truth: bool,
+}
+
+/// An information to watch.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct WatchInfo {
+    /// Component.
+    pub component: usize,
+    /// Information.
+    pub info: usize,
+    /// The value of every n-th cycle.
+    pub every: u16,
+}
+
+/// Images to watch.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct WatchImages {
+    /// Largest rate, images/s.
+    pub max_hz: f32,
+}
+
+/// A parameter and its new value.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Setting {
+    /// Component.
+    pub component: usize,
+    /// Parameter.
+    pub param: usize,
+    /// Number, boolean, or name of a variant.
+    pub value: serde_json::Value,
+}
+
+/// How a component is held.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum HoldKind {
+    /// By the tree.
+    Tree,
+    /// Active.
+    Active,
+    /// Latent.
+    Latent,
+}
