@@ -12,10 +12,8 @@ use std::time::Duration;
 use bica::runner::{Runner, World};
 use bica_console::STACK_BYTES;
 use bica_link::{Client, ClientOptions, LinkServer, ServerOptions};
-use bica_motion::joints::Joints;
 use bica_motion::robot::{Command, Sensors};
 use bica_player::tunable::Forward;
-use bica_sim::World as _;
 use bica_sim::kinematic::KinematicWorld;
 use bica_sim::setup::{Frame, Setup};
 use bica_wire::message::{Change, LeaseAction, LeaseState, Request};
@@ -58,8 +56,10 @@ impl World<Forward> for Standing {
 
 fn standing() -> Standing {
     let mut world = KinematicWorld::new(&Setup { frame: Frame::Small, ..Setup::default() }).expect("valid");
-    let measured = Sensors { image: None, ..world.sensors() };
-    let measured = Sensors { temperatures: Joints::all(30.0), image: None, ..measured };
+    let Sensors { angles, temperatures, currents, inertial, left_foot, right_foot, buttons, .. } =
+        bica_sim::World::sensors(&mut world);
+    let measured =
+        Sensors { angles, temperatures, currents, inertial, left_foot, right_foot, buttons, image: None };
     Standing { cycle: 0, measured }
 }
 

@@ -159,7 +159,8 @@ impl<R: Read> Recording<R> {
     fn message(&mut self, message: &Message) -> Result<bool, Error> {
         let Some(channel) = self.channels.get(&message.channel) else { return Ok(false) };
         let next = &mut self.next;
-        self.next_bytes += message.data.len();
+        // The images of up to a second precede their cycles.
+        self.next_bytes += if *channel == Channel::Images { 0 } else { message.data.len() };
         if self.next_bytes > MAX_WAITING_BYTES {
             return Err(Error::damaged(message.chunk_at, "too many messages without a cycle"));
         }
