@@ -1,0 +1,13 @@
+//! Drawings of a state machine.
+
+mod automatic;
+mod diagram;
+mod notation;
+mod png;
+mod svg;
+
+pub use self::automatic::automatic;
+pub use self::diagram::{Diagram, Edge, Node};
+pub use self::notation::{dot, mermaid};
+pub use self::png::png;
+pub use self::svg::svg;
