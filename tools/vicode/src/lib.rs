@@ -34,3 +34,7 @@ pub use self::edit::{
 };
 pub use self::files::{FileError, Folder, Layout, LayoutError, Position, save};
 pub use self::read::read;
+
+#[cfg(doctest)]
+#[doc = include_str!("../../../docs/vicode.md")]
+struct Page;

@@ -1,12 +1,14 @@
 //! A layout of a machine that nobody arranged: states in columns by their distance from the initial one, ordered within a column
 //! so that few transitions cross. The same machine has the same layout on each machine.
 
+use super::diagram::height;
 use crate::files::{Layout, Position};
 use crate::model::{Component, Graph, Sources};
 
-/// Distance of the centres of two columns and of two rows, points.
-const COLUMN: i32 = 250;
-const ROW: i32 = 120;
+/// Distance of the centres of two columns, points.
+const COLUMN: i32 = 290;
+/// White between two states of a column, points.
+const GAP: i32 = 70;
 /// Centre of the first state, points.
 const FIRST: Position = Position { x: 110, y: 90 };
 /// Passes over the columns that reduce crossings.
@@ -18,12 +20,15 @@ pub fn automatic(component: &Component, layout: &Layout) -> Vec<Position> {
     let neighbours = neighbours(component);
     let columns = columns(component, &neighbours);
     let mut positions = vec![FIRST; component.states.len()];
-    let tallest = columns.iter().map(Vec::len).max().unwrap_or(0) as i32;
+    let heights: Vec<i32> = (0..component.states.len()).map(|state| height(component, state).ceil() as i32).collect();
+    let total = |states: &Vec<usize>| states.iter().map(|state| heights[*state] + GAP).sum::<i32>() - GAP;
+    let tallest = columns.iter().map(total).max().unwrap_or(0);
     for (column, states) in columns.iter().enumerate() {
         // Each column is centred.
-        let top = FIRST.y + (tallest - states.len() as i32) * ROW / 2;
-        for (row, state) in states.iter().enumerate() {
-            positions[*state] = Position { x: FIRST.x + column as i32 * COLUMN, y: top + row as i32 * ROW };
+        let mut top = FIRST.y + (tallest - total(states)) / 2;
+        for state in states {
+            positions[*state] = Position { x: FIRST.x + column as i32 * COLUMN, y: top + heights[*state] / 2 };
+            top += heights[*state] + GAP;
         }
     }
     for (state, position) in component.states.iter().zip(&mut positions) {

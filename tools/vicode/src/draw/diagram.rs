@@ -2,7 +2,7 @@
 
 use super::automatic;
 use crate::files::Layout;
-use crate::model::{Component, Graph, HookRole, Link, LinkKind, Sources};
+use crate::model::{Component, Graph, Link, LinkKind, Sources};
 
 /// Width and least height of a state, points.
 const WIDTH: f32 = 160.0;
@@ -69,21 +69,10 @@ impl Diagram {
         let mut nodes: Vec<Node> = Vec::new();
         for (index, (state, at)) in component.states.iter().zip(positions).enumerate() {
             let name = state.function.name.text.clone();
-            let hooks = component.hooks.iter().filter(|hook| hook.states.iter().any(|one| one.text == name));
-            let word = |role| if role == HookRole::Entry { "entry" } else { "exit" };
-            let hooks: Vec<String> =
-                hooks.map(|hook| format!("{} / {}", word(hook.role), hook.function.name.text)).collect();
-            let links: Vec<Link> = graph.links.iter().filter(|link| link.state == Some(index)).cloned().collect();
-            let size = (WIDTH, HEIGHT + LINE * (hooks.len() + links.len()) as f32);
-            nodes.push(Node {
-                name,
-                initial: state.initial,
-                last: state.last,
-                centre: (at.x as f32, at.y as f32),
-                size,
-                hooks,
-                links,
-            });
+            let (hooks, links) = (hooks_of(component, &name), links_of(component, index));
+            let size = (WIDTH, height(component, index));
+            let centre = (at.x as f32, at.y as f32);
+            nodes.push(Node { name, initial: state.initial, last: state.last, centre, size, hooks, links });
         }
         let mut diagram = Self { name: component.name.text.clone(), nodes, ..Self::default() };
         diagram.connect(component, &graph);
@@ -183,6 +172,25 @@ impl Diagram {
         }
         (self.width, self.height) = (high.0 - low.0 + 2.0 * MARGIN, high.1 - low.1 + 2.0 * MARGIN);
     }
+}
+
+/// Height of a state, points.
+pub(super) fn height(component: &Component, state: usize) -> f32 {
+    let name = &component.states[state].function.name.text;
+    HEIGHT + LINE * (hooks_of(component, name).len() + links_of(component, state).len()) as f32
+}
+
+/// The hooks of a state: `entry / greet`.
+fn hooks_of(component: &Component, state: &str) -> Vec<String> {
+    let hooks = component.hooks.iter().filter(|hook| hook.states.iter().any(|one| one.text == state));
+    hooks.map(|hook| format!("{} / {}", hook.role.word(), hook.function.name.text)).collect()
+}
+
+/// The children of a state and of its hooks. Those of the transitions that leave it belong to the transitions here.
+fn links_of(component: &Component, state: usize) -> Vec<Link> {
+    let mut alone = component.clone();
+    alone.transitions.clear();
+    Graph::of(&alone).links.into_iter().filter(|link| link.state == Some(state)).collect()
 }
 
 impl Node {

@@ -17,7 +17,7 @@ pub(super) fn insert(
     if let Some(after) = after {
         let end = line_end(text, after.span.end);
         let rest = text[after.span.end..end].trim();
-        if rest.is_empty() || rest.starts_with("//") {
+        if rest.is_empty() || rest.starts_with("//") && !rest.starts_with("///") {
             // The text that follows may begin at the end of this line.
             return Ok(Splice::insert(end, format!("{newline}{newline}{code}")));
         }

@@ -1,7 +1,7 @@
 //! Functions of an impl block.
 
 use ra_ap_syntax::ast::{self, HasGenericArgs, HasName};
-use ra_ap_syntax::{AstNode, T};
+use ra_ap_syntax::{AstNode, AstToken, NodeOrToken, SyntaxElement, SyntaxNode, T};
 
 use super::tokens::{Token, name, tokens, written};
 use super::{docs, span};
@@ -18,12 +18,48 @@ pub(super) fn function(item: &ast::Fn, own: &str) -> Option<Function> {
     let body = body.filter(|list| list.r_curly_token().is_some()).map(|list| within(span(list.syntax().text_range())));
     Some(Function {
         name: ident,
-        span: span(item.syntax().text_range()),
+        span: Span::new(start(item.syntax()), span(item.syntax().text_range()).end),
         docs: docs::docs(item),
         inputs,
         arguments,
         body,
     })
+}
+
+/// Where a function begins: with its docs and attributes, and with the comments that stand on lines of their own right above them.
+///
+/// The parser also counts the comment at the end of the line before, and with `\r\n` comments above an empty line.
+fn start(item: &SyntaxNode) -> usize {
+    let begins = |element: &SyntaxElement| span(element.text_range()).start;
+    let mut start = span(item.text_range()).start;
+    let mut pending = None;
+    let mut line_is_new =
+        item.first_token().and_then(|first| first.prev_token()).is_none_or(|before| before.text().contains('\n'));
+    for element in item.children_with_tokens() {
+        let comment = element.as_token().cloned().and_then(ast::Comment::cast);
+        match (&element, comment) {
+            (_, Some(comment)) if comment.doc_comment().is_some() => {
+                return pending.unwrap_or_else(|| begins(&element));
+            }
+            (_, Some(_)) => {
+                // A comment that follows code on its line belongs to that code.
+                pending = if line_is_new { pending.or(Some(begins(&element))) } else { None };
+                line_is_new = false;
+            }
+            (NodeOrToken::Token(token), None) if token.kind().is_trivia() => {
+                let breaks = token.text().matches('\n').count();
+                line_is_new |= breaks > 0;
+                if breaks > 1 {
+                    pending = None;
+                }
+            }
+            _ => {
+                start = pending.unwrap_or_else(|| begins(&element));
+                break;
+            }
+        }
+    }
+    start
 }
 
 /// Without the brackets.

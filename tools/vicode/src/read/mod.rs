@@ -70,6 +70,23 @@ pub(crate) fn span(range: TextRange) -> Span {
     Span::new(range.start().into(), range.end().into())
 }
 
+/// The functions of impl blocks with the names of their types, in the order of the text, those within another one left out.
+pub(crate) fn landmarks(text: &str) -> Vec<(String, Span)> {
+    let Some(root) = parse(text) else { return Vec::new() };
+    let mut found: Vec<(String, Span)> = Vec::new();
+    for block in root.tree.descendants().filter_map(ast::Impl::cast) {
+        let of = block.self_ty().map(|ty| tokens::written(&tokens(ty.syntax()))).unwrap_or_default();
+        for item in block.assoc_item_list().iter().flat_map(ast::AssocItemList::assoc_items) {
+            let ast::AssocItem::Fn(item) = item else { continue };
+            let Some(function) = function::function(&item, &of) else { continue };
+            if found.last().is_none_or(|(_, last)| last.end <= function.span.start) {
+                found.push((format!("{of}::{}", function.name.text), function.span));
+            }
+        }
+    }
+    found
+}
+
 /// The functions of all impl blocks of a type.
 pub(crate) fn functions_of(text: &str, ty: &str) -> Vec<Name> {
     let Some(root) = parse(text) else { return Vec::new() };

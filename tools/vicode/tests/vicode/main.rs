@@ -4,6 +4,7 @@ mod abstraction;
 mod agreement;
 mod command;
 mod compiling;
+mod documentation;
 mod editing;
 mod files;
 mod machines;
