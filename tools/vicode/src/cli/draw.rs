@@ -5,7 +5,7 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use super::{Format, print, text_of};
-use crate::draw::{Diagram, dot, mermaid, png, svg};
+use crate::draw::{Diagram, dot, mermaid, svg};
 use crate::files::Layout;
 use crate::model::{Component, Model};
 
@@ -24,9 +24,7 @@ pub(super) fn run(
         Format::Mermaid => mermaid(component),
         Format::Dot => dot(component),
         Format::Png => {
-            let path = output.map_or_else(|| default_picture(component), Path::to_owned);
-            let failed = |error| format!("cannot write `{}`: {error}", path.display());
-            bica_drawing::png::write(&path, &png(&diagram()?)).map_err(failed)?;
+            picture(&diagram()?, &output.map_or_else(|| default_picture(component), Path::to_owned))?;
             return Ok(true);
         }
     };
@@ -35,6 +33,17 @@ pub(super) fn run(
         None => print(out, &text)?,
     }
     Ok(true)
+}
+
+#[cfg(feature = "png")]
+fn picture(diagram: &Diagram, path: &Path) -> Result<(), String> {
+    let failed = |error| format!("cannot write `{}`: {error}", path.display());
+    bica_drawing::png::write(path, &crate::draw::png(diagram)).map_err(failed)
+}
+
+#[cfg(not(feature = "png"))]
+fn picture(_: &Diagram, _: &Path) -> Result<(), String> {
+    Err("this program was built without pictures: take `--format svg`, or build it with the feature `png`".to_owned())
 }
 
 /// A picture is never printed on a terminal.

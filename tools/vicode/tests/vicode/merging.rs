@@ -69,8 +69,8 @@ fn interleavings(count: u64) -> u64 {
 
 #[test]
 fn random_interleavings_of_edits_on_both_sides_lose_no_edit() {
-    let clean = interleavings(60);
-    assert!(clean > 15, "{clean}");
+    let clean = interleavings(20);
+    assert!(clean > 5, "{clean}");
 }
 
 #[test]

@@ -44,7 +44,7 @@ fn hostile_layout_is_read_with_its_places() {
 fn every_prefix_of_a_file_is_read_without_a_panic() {
     let player = crate::sources::text("player/src/behaviour/player.rs");
     for text in [HOSTILE, &player] {
-        let step = (text.len() / 60).max(1);
+        let step = (text.len() / 30).max(1);
         for end in (0..text.len()).step_by(step).filter(|end| text.is_char_boundary(*end)) {
             whole(&read(&text[..end]), &text[..end]);
         }
