@@ -42,6 +42,7 @@ mod image;
 pub mod message;
 mod packet;
 mod schema;
+pub mod server;
 mod text;
 
 pub use convert::InvalidCommand;

@@ -6,5 +6,6 @@ mod damage;
 mod describe;
 mod golden;
 mod images;
+mod lease;
 mod monitor;
 mod text;

@@ -2,14 +2,14 @@
 
 use std::collections::BTreeSet;
 use std::sync::Arc;
-use std::time::{Duration, Instant};
+use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 
 use bica_wire::message::{Change, CycleInfo, LeaseAction, RefusalCode, Request};
+use bica_wire::server::Lease;
 
 use super::ServerOptions;
 use super::connection::Connection;
 use super::hub::{Command, Hub, Inbound};
-use super::lease::Lease;
 use super::outbox::{AnswerKind, Message};
 use super::watcher::Watcher;
 
@@ -51,7 +51,7 @@ impl Control {
             began: Instant::now(),
             watchers: Vec::new(),
             watched: Vec::new(),
-            lease: Lease::new(options.silence),
+            lease: Lease::new(options.silence, seconds()),
             applied: Vec::new(),
             changed: BTreeSet::new(),
             readers: BTreeSet::new(),
@@ -153,17 +153,14 @@ impl Control {
 
     /// Checks whether a request may be applied; else answers it.
     fn admit(&mut self, now: bica::Instant, from: &Connection, arrived: u64, request: Request) -> Option<Applied> {
-        let Request { number, lease, expires_us, change } = request;
         let time = self.lease_time(now);
-        let code = if self.watch_only {
-            RefusalCode::Unsupported
-        } else if !self.lease.admits(from.id, lease, time) {
-            RefusalCode::NoLease
-        } else if now.as_micros() > expires_us {
-            RefusalCode::Expired
+        let admitted = if self.watch_only {
+            Err(RefusalCode::Unsupported)
         } else {
-            return Some(Applied { connection: from.id, number, arrived, change });
+            self.lease.admit(from.id, &request, time, now)
         };
+        let Request { number, change, .. } = request;
+        let Err(code) = admitted else { return Some(Applied { connection: from.id, number, arrived, change }) };
         self.refuse(from.id, number, arrived, code, 0, code.text().to_owned());
         None
     }
@@ -181,4 +178,9 @@ impl Control {
         let cycle = self.next.cycle;
         self.tell(connection, Message::Answer { number, cycle, arrived, result });
     }
+}
+
+/// Seconds since 1970: numbers of leases of an earlier run of the program must not be valid in this one.
+fn seconds() -> u32 {
+    SystemTime::now().duration_since(UNIX_EPOCH).map_or(1, |since| since.as_secs() as u32)
 }

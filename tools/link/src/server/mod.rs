@@ -4,7 +4,6 @@ mod connection;
 mod control;
 mod cycle_data;
 mod hub;
-mod lease;
 mod listener;
 mod observer;
 mod outbox;

@@ -4,10 +4,10 @@ use std::marker::PhantomData;
 use std::sync::atomic::Ordering;
 use std::sync::{Arc, Mutex};
 
-use bica::graph::Node;
 use bica::runner::{Cycle, Observer, Overrun, Robot};
-use bica::{ComponentId, Instant, Probe, Tree};
-use bica_wire::message::{Change, MAX_VALUES, ParamValues, Value};
+use bica::{Instant, Probe, Tree};
+use bica_wire::message::{MAX_VALUES, ParamValues};
+use bica_wire::server::read;
 
 use super::control::{Applied, Control};
 use super::cycle_data::CycleData;
@@ -63,19 +63,7 @@ impl Control {
     /// Answers the requests that were applied before this cycle.
     fn answer<T: Tree>(&mut self, tree: &T) {
         for Applied { connection, number, arrived, change } in std::mem::take(&mut self.applied) {
-            let values = match change {
-                Change::Params(batch) => {
-                    let effective = |setting: &bica_wire::message::Setting| {
-                        Value::of(tree.get_param(id(setting.component), setting.index.into())?)
-                    };
-                    batch.iter().filter_map(effective).collect()
-                }
-                Change::Rate { component, .. } => {
-                    let hz = tree.status(id(component)).and_then(|status| status.hz);
-                    hz.into_iter().map(Value::F32).collect()
-                }
-                Change::Hold { .. } | Change::Modulate { .. } => Vec::new(),
-            };
+            let values = read::effective(tree, &change).into_iter().collect();
             let (cycle, result) = (self.next.cycle, AnswerKind::Done(values));
             self.tell(connection, Message::Answer { number, cycle, arrived, result });
         }
@@ -129,15 +117,6 @@ impl Control {
 
 /// Reads all parameters of a component.
 fn params<T: Tree>(tree: &T, cycle: u64, component: u16) -> Vec<ParamValues> {
-    let count = T::GRAPH.nodes.get(usize::from(component)).map_or(0, Node::param_count);
-    let value = |index| tree.get_param(id(component), index).and_then(Value::of);
-    let part = |first: usize| {
-        let values = (first..count.min(first + MAX_VALUES)).map(value).collect();
-        ParamValues { cycle, component, first: first as u16, values }
-    };
-    (0..count).step_by(MAX_VALUES).map(part).collect()
-}
-
-const fn id(component: u16) -> ComponentId {
-    ComponentId::new(component as usize)
+    let firsts = (0..u16::MAX).step_by(MAX_VALUES);
+    firsts.map_while(|first| read::params(tree, cycle, component, first)).collect()
 }

@@ -5,14 +5,14 @@ use std::sync::atomic::Ordering;
 use std::sync::mpsc::Receiver;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-use bica::params::{Setting, Value, find};
+use bica::params::{Value, find};
 use bica::runner::{Request, Requests};
-use bica::{ComponentId, Graph, Hold, Instant, Refusal};
+use bica::{Graph, Instant, Refusal};
 use bica_wire::message::{Change, RefusalCode};
+use bica_wire::server::RequestBuffer;
 
 use super::control::{Applied, Control};
 use super::hub::{Command, Inbound};
-use super::lease::Ending;
 
 /// Largest number of messages that are handled before one cycle.
 const MESSAGES_PER_CYCLE: usize = 64;
@@ -25,20 +25,20 @@ pub struct LinkRequests {
     /// Number of messages that may still be handled before this cycle.
     budget: usize,
     current: Option<Current>,
-    settings: Vec<Setting>,
-    arguments: Vec<Value>,
+    buffer: Box<RequestBuffer>,
 }
 
 /// The request that the last call of `next` returned.
 #[derive(Debug)]
 enum Current {
-    Ending(Ending),
+    /// A request of the server itself, at the end of a lease.
+    Ending(Box<Change>),
     Operator(Box<Applied>),
 }
 
 impl LinkRequests {
-    pub(super) const fn new(inbox: Receiver<Inbound>, control: Arc<Mutex<Control>>) -> Self {
-        Self { inbox, control, budget: MESSAGES_PER_CYCLE, current: None, settings: Vec::new(), arguments: Vec::new() }
+    pub(super) fn new(inbox: Receiver<Inbound>, control: Arc<Mutex<Control>>) -> Self {
+        Self { inbox, control, budget: MESSAGES_PER_CYCLE, current: None, buffer: Box::default() }
     }
 
     /// Returns the next request and handles all messages before it.
@@ -47,7 +47,7 @@ impl LinkRequests {
         control.check_silence(now);
         loop {
             if let Some(ending) = control.lease.next_ending() {
-                return Some(Current::Ending(ending));
+                return Some(Current::Ending(Box::new(ending)));
             }
             self.budget = self.budget.checked_sub(1)?;
             let message = self.inbox.try_recv().ok()?;
@@ -72,28 +72,10 @@ impl Requests for LinkRequests {
             self.budget = MESSAGES_PER_CYCLE;
             return None;
         };
-        let change = match current {
-            Current::Ending(ending) => return Some(ending.request()),
+        Some(self.buffer.request(match current {
+            Current::Ending(change) => change,
             Current::Operator(applied) => &applied.change,
-        };
-        let id = |component: u16| ComponentId::new(component.into());
-        Some(match change {
-            Change::Hold { component, hold } => Request::Hold { component: id(*component), hold: (*hold).into() },
-            Change::Rate { component, hz } => Request::Rate { component: id(*component), hz: *hz },
-            Change::Params(batch) => {
-                self.settings.clear();
-                let setting = |setting: &bica_wire::message::Setting| {
-                    Setting::new(id(setting.component), setting.index, setting.value.into())
-                };
-                self.settings.extend(batch.iter().map(setting));
-                Request::Params(&self.settings)
-            }
-            Change::Modulate { component, modulation, arguments } => {
-                self.arguments.clear();
-                self.arguments.extend(arguments.iter().map(|&value| Value::from(value)));
-                Request::Modulate { component: id(*component), index: (*modulation).into(), arguments: &self.arguments }
-            }
-        })
+        }))
     }
 
     fn answered(&mut self, now: Instant, result: Result<(), Refusal>) {
@@ -102,15 +84,9 @@ impl Requests for LinkRequests {
         let text = describe(control.hub.graph, &applied.change);
         match result {
             Ok(()) => {
-                match &applied.change {
-                    Change::Hold { component, hold } => {
-                        control.lease.held(*component, Hold::from(*hold) != Hold::Tree);
-                    }
-                    Change::Rate { component, hz } => control.lease.rated(*component, !hz.is_nan()),
-                    Change::Params(batch) => {
-                        control.changed.extend(batch.iter().map(|setting| setting.component));
-                    }
-                    Change::Modulate { .. } => {}
+                control.lease.record(&applied.change);
+                if let Change::Params(batch) = &applied.change {
+                    control.changed.extend(batch.iter().map(|setting| setting.component));
                 }
                 control.applied.push(*applied);
                 control.log(now, 2, &format!("operator: {text}"));

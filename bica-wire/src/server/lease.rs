@@ -1,0 +1,152 @@
+//! The lease, and what was requested under it.
+
+use core::time::Duration;
+
+use bica_core::{Hold, Instant};
+
+use super::component_set::ComponentSet;
+use crate::message::{Change, LeaseAction, LeaseState, RefusalCode, Request};
+
+/// Owner of the lease.
+#[derive(Clone, Copy, Debug)]
+struct Owner {
+    connection: u64,
+    /// When it was heard last.
+    heard: Duration,
+}
+
+/// The lease of a tree, and what was requested under it.
+///
+/// A server calls [`act`](Self::act) for each action of a monitor and [`check_silence`](Self::check_silence) before each cycle. It
+/// applies the changes of [`next_ending`](Self::next_ending) before any request of a monitor. A request that
+/// [`admit`](Self::admit) accepts and the tree too is given to [`record`](Self::record).
+///
+/// Times are those of the clock by which the server measures silence; it must not run backwards.
+#[derive(Clone, Debug)]
+pub struct Lease {
+    number: u32,
+    owner: Option<Owner>,
+    silence: Duration,
+    holds: ComponentSet,
+    rates: ComponentSet,
+    /// Components whose hold ends.
+    ending_holds: ComponentSet,
+    /// Components whose changed rate ends.
+    ending_rates: ComponentSet,
+}
+
+impl Lease {
+    /// Creates a lease without an owner. It ends after a `silence` of its owner. `number` is the one before the first: numbers of an
+    /// earlier run of the program must not be valid in this one.
+    #[must_use]
+    pub const fn new(silence: Duration, number: u32) -> Self {
+        Self {
+            number,
+            owner: None,
+            silence,
+            holds: ComponentSet::EMPTY,
+            rates: ComponentSet::EMPTY,
+            ending_holds: ComponentSet::EMPTY,
+            ending_rates: ComponentSet::EMPTY,
+        }
+    }
+
+    /// Performs an action of a connection; returns whether the lease changed.
+    pub fn act(&mut self, connection: u64, action: LeaseAction, now: Duration) -> bool {
+        match action {
+            LeaseAction::Acquire if self.is_foreign(connection) => false,
+            LeaseAction::Acquire if self.owner.is_some() => {
+                self.own(connection, now);
+                false
+            }
+            LeaseAction::Acquire | LeaseAction::Take => {
+                self.number = self.number.wrapping_add(1).max(1);
+                self.own(connection, now);
+                true
+            }
+            LeaseAction::Keep { lease } if lease == self.number && self.owner.is_some() => {
+                let moved = self.is_foreign(connection);
+                self.own(connection, now);
+                moved
+            }
+            LeaseAction::Return { lease } if lease == self.number && self.owns(connection) => {
+                self.end();
+                true
+            }
+            LeaseAction::Keep { .. } | LeaseAction::Return { .. } => false,
+        }
+    }
+
+    const fn own(&mut self, connection: u64, heard: Duration) {
+        self.owner = Some(Owner { connection, heard });
+    }
+
+    fn is_foreign(&self, connection: u64) -> bool {
+        self.owner.is_some_and(|owner| owner.connection != connection)
+    }
+
+    fn owns(&self, connection: u64) -> bool {
+        self.owner.is_some_and(|owner| owner.connection == connection)
+    }
+
+    /// Checks whether a request of a connection may be applied in the cycle at `instant`. A request of the owner also ends its
+    /// silence, expired or not.
+    ///
+    /// # Errors
+    /// [`RefusalCode::NoLease`], [`RefusalCode::Expired`].
+    pub fn admit(
+        &mut self,
+        connection: u64,
+        request: &Request,
+        now: Duration,
+        instant: Instant,
+    ) -> Result<(), RefusalCode> {
+        if request.lease != self.number || !self.owns(connection) {
+            return Err(RefusalCode::NoLease);
+        }
+        self.own(connection, now);
+        if instant.as_micros() > request.expires_us { Err(RefusalCode::Expired) } else { Ok(()) }
+    }
+
+    /// Ends the lease if its owner was silent for too long; returns whether it did.
+    pub fn check_silence(&mut self, now: Duration) -> bool {
+        let silent = self.owner.is_some_and(|owner| now.saturating_sub(owner.heard) > self.silence);
+        if silent {
+            self.end();
+        }
+        silent
+    }
+
+    fn end(&mut self) {
+        self.owner = None;
+        self.ending_holds.take_all(&mut self.holds);
+        self.ending_rates.take_all(&mut self.rates);
+    }
+
+    /// Records a change that was applied, for the end of the lease.
+    pub fn record(&mut self, change: &Change) {
+        match change {
+            Change::Hold { component, hold } => self.holds.set(*component, Hold::from(*hold) != Hold::Tree),
+            Change::Rate { component, hz } => self.rates.set(*component, !hz.is_nan()),
+            Change::Params(_) | Change::Modulate { .. } => {}
+        }
+    }
+
+    /// Takes the next change that ends what was requested under a lease: holds first, each in the order of the tree's list.
+    pub fn next_ending(&mut self) -> Option<Change> {
+        let hold = self.ending_holds.pop().map(|component| Change::Hold { component, hold: Hold::Tree.into() });
+        hold.or_else(|| self.ending_rates.pop().map(|component| Change::Rate { component, hz: f32::NAN }))
+    }
+
+    /// Returns the lease as a connection may see it: only the owner learns the number.
+    #[must_use]
+    pub fn state(&self, connection: u64, now: Instant) -> LeaseState {
+        let yours = self.owns(connection);
+        LeaseState {
+            lease: if yours { self.number } else { 0 },
+            owned: self.owner.is_some(),
+            yours,
+            time_us: now.as_micros(),
+        }
+    }
+}

@@ -1,0 +1,87 @@
+//! Rules of the lease.
+
+use core::time::Duration;
+
+use bica_core::Instant;
+use bica_wire::message::{Change, Hold, LeaseAction, LeaseState, RefusalCode, Request};
+use bica_wire::server::Lease;
+
+const NOW: Instant = Instant::from_micros(5);
+
+const fn ms(ms: u64) -> Duration {
+    Duration::from_millis(ms)
+}
+
+fn request(lease: u32) -> Request {
+    Request { number: 0, lease, expires_us: u64::MAX, change: hold(0, Hold::Tree) }
+}
+
+fn hold(component: u16, hold: Hold) -> Change {
+    Change::Hold { component, hold }
+}
+
+fn admits(lease: &mut Lease, connection: u64, number: u32, at: Duration) -> bool {
+    lease.admit(connection, &request(number), at, NOW).is_ok()
+}
+
+#[test]
+fn one_connection_owns_the_lease_until_another_takes_it() {
+    let mut lease = Lease::new(ms(3000), 7);
+    assert!(lease.act(1, LeaseAction::Acquire, ms(0)));
+    assert_eq!(lease.state(1, NOW), LeaseState { lease: 8, owned: true, yours: true, time_us: 5 });
+    assert_eq!(lease.state(2, NOW), LeaseState { lease: 0, owned: true, yours: false, time_us: 5 });
+    assert!(!lease.act(2, LeaseAction::Acquire, ms(0)));
+    assert!(admits(&mut lease, 1, 8, ms(0)) && !admits(&mut lease, 2, 8, ms(0)) && !admits(&mut lease, 1, 7, ms(0)));
+    assert!(lease.act(2, LeaseAction::Take, ms(0)));
+    assert!(admits(&mut lease, 2, 9, ms(0)) && !admits(&mut lease, 1, 8, ms(0)) && !admits(&mut lease, 1, 9, ms(0)));
+    assert!(
+        !lease.act(1, LeaseAction::Return { lease: 8 }, ms(0))
+            && !lease.act(1, LeaseAction::Return { lease: 9 }, ms(0))
+    );
+    assert!(lease.act(2, LeaseAction::Return { lease: 9 }, ms(0)));
+    assert_eq!(lease.state(2, Instant::MIN), LeaseState::default());
+}
+
+#[test]
+fn silence_ends_the_lease_and_what_was_requested_under_it() {
+    let mut lease = Lease::new(ms(3000), 0);
+    lease.act(1, LeaseAction::Acquire, ms(1000));
+    for component in [255, 4, 5, 31, 32] {
+        lease.record(&hold(component, Hold::Latent));
+    }
+    lease.record(&hold(5, Hold::Tree));
+    lease.record(&Change::Rate { component: 6, hz: 10.0 });
+    lease.record(&Change::Rate { component: 7, hz: 10.0 });
+    lease.record(&Change::Rate { component: 7, hz: f32::NAN });
+    assert!(!lease.check_silence(ms(4000)));
+    lease.act(1, LeaseAction::Keep { lease: 1 }, ms(4000));
+    assert!(!lease.check_silence(ms(7000)));
+    assert_eq!(lease.next_ending(), None);
+    assert!(lease.check_silence(ms(7001)));
+    for component in [4, 31, 32, 255] {
+        assert_eq!(lease.next_ending(), Some(hold(component, Hold::Tree)));
+    }
+    assert!(matches!(lease.next_ending(), Some(Change::Rate { component: 6, hz }) if hz.is_nan()));
+    assert_eq!(lease.next_ending(), None);
+    assert!(!lease.act(1, LeaseAction::Keep { lease: 1 }, ms(7001)) && !admits(&mut lease, 1, 1, ms(7001)));
+}
+
+#[test]
+fn a_new_connection_of_the_operator_continues_its_lease() {
+    let mut lease = Lease::new(ms(3000), 0);
+    lease.act(1, LeaseAction::Acquire, ms(0));
+    assert!(!admits(&mut lease, 2, 1, ms(0)));
+    assert!(lease.act(2, LeaseAction::Keep { lease: 1 }, ms(2000)));
+    assert!(admits(&mut lease, 2, 1, ms(2000)) && !admits(&mut lease, 1, 1, ms(2000)));
+}
+
+#[test]
+fn a_request_is_refused_after_its_expiry_and_ends_the_silence_all_the_same() {
+    let mut lease = Lease::new(ms(3000), 0);
+    lease.act(1, LeaseAction::Acquire, ms(0));
+    let expiring = |expires_us| Request { expires_us, ..request(1) };
+    assert_eq!(lease.admit(1, &expiring(5), ms(2000), NOW), Ok(()));
+    assert_eq!(lease.admit(1, &expiring(4), ms(3000), NOW), Err(RefusalCode::Expired));
+    assert_eq!(lease.admit(2, &expiring(4), ms(6000), NOW), Err(RefusalCode::NoLease));
+    assert!(!lease.check_silence(ms(6000)) && lease.check_silence(ms(6001)));
+}
