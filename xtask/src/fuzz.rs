@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use crate::install::folder;
 use crate::process::{run, works};
 
-const TARGETS: [&str; 2] = ["vision", "wire"];
+const TARGETS: [&str; 3] = ["vicode", "vision", "wire"];
 /// Time limit of one input, 10 s; a summary at the end instead of a line for each new input.
 const OPTIONS: [&str; 3] = ["-timeout=10", "-verbosity=0", "-print_final_stats=1"];
 
