@@ -175,7 +175,7 @@ pub(crate) struct Browser {
 
 #[derive(Debug, Args)]
 pub(crate) struct Fuzz {
-    /// Duration of each of the four targets, s
+    /// Duration of each of the five targets, s
     #[arg(long, value_name = "N", default_value_t = 60, value_parser = clap::value_parser!(u32).range(1..))]
     pub(crate) seconds: u32,
 }
