@@ -56,7 +56,7 @@ pub(crate) enum Task {
     /// Clones the repository into target/newcomer, downloads the packages, then measures `cargo run --release` and `cargo
     /// test --workspace`, the latter twice. Prints the slowest compilations and test programs. Takes about ten minutes.
     Newcomer(Newcomer),
-    /// Fuzz the vision, the packets, the reading of recordings, and the link of monitors
+    /// Fuzz the edits of VICODE, the vision, the packets, the reading of recordings, and the link of monitors
     ///
     /// First builds cargo-fuzz into target/.
     Fuzz(Fuzz),
