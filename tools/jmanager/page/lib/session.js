@@ -5,6 +5,9 @@ import { signal } from './dom.js';
 /** Samples that are kept of an information. */
 const MAX_SAMPLES = 6000;
 const MAX_LINES = 4000;
+const MAX_IMAGES = 8;
+/** Longest time for which an image waits for its findings, µs. */
+const LATE = 250e3;
 
 /** Values of an information over time, and the newest one for the cursor. */
 export class Information {
@@ -61,6 +64,8 @@ export class Session {
     this.worst = signal([]);
     this.truth = signal(null);
     this.image = signal(null);
+    /** The last images: the newest one waits for what was found in it. */
+    this.images = [];
     this.params = signal([]);
     this.lines = [];
     this.linesVersion = signal(0);
@@ -88,6 +93,19 @@ export class Session {
     let known = this.information.get(key);
     if (!known) this.information.set(key, (known = new Information()));
     return known;
+  }
+
+  showImage(image, live) {
+    this.images = live ? [...this.images.slice(1 - MAX_IMAGES), image] : [image];
+    this.image.value = image;
+  }
+
+  /** The newest image of which all of these findings, [component, information], are known. */
+  matchedImage(findings) {
+    const newest = this.images.at(-1) ?? null;
+    const known = Math.min(...findings.map(([component, info]) => this.info_of(component, info).times.at(-1) ?? 0));
+    // Findings that do not come at all, as of a paused world, are not waited for.
+    return this.images.findLast((image) => image.time_us <= known && image.time_us > newest.time_us - LATE) ?? newest;
   }
 
   conditions_of(component) {

@@ -84,6 +84,14 @@ impl Page {
         self.client.execute(script, arguments).await.unwrap_or_else(|error| panic!("{script}: {error}"))
     }
 
+    /// Changes the size of the window.
+    ///
+    /// # Panics
+    /// If the browser is gone.
+    pub async fn resize(&self, (width, height): (u32, u32)) {
+        self.client.set_window_size(width, height).await.expect("a window");
+    }
+
     /// Goes to another address.
     ///
     /// # Panics
