@@ -71,7 +71,6 @@ export class Session {
     this.linesVersion = signal(0);
     this.conditions = new Map();
     this.information = new Map();
-    this.trail = [];
     this.incoming = [];
   }
 
@@ -81,6 +80,10 @@ export class Session {
     components.forEach((component, from) => {
       for (const one of component.links) this.incoming[one.to]?.push({ from, ...one });
     });
+    this.lines = [];
+    this.linesVersion.value += 1;
+    this.worst.value = [];
+    this.images = [];
     this.information.clear();
     this.conditions.clear();
     this.params.value = components.map((component) => component.params.map((param) => param.value ?? param.default));

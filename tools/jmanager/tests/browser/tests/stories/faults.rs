@@ -29,7 +29,7 @@ async fn control_ends_when_the_browser_freezes() {
     page.click("button", "Take over", "Take over").await;
     page.reads("Driven by you").await;
     let watcher = Page::open_with(&own, WIDE, &[]).await;
-    watcher.find("textbox", "", "").await.set(token.trim()).await;
+    watcher.find("textbox", "token", "").await.set(token.trim()).await;
     watcher.click("button", "Enter", "").await;
     watcher.reads("operator: another page").await;
     let processes = page.process().await;

@@ -8,7 +8,7 @@ const FAULTS: &str = r"
 const faults = [];
 if (document.documentElement.scrollWidth > innerWidth) faults.push(`the page is ${document.documentElement.scrollWidth} px wide`);
 for (const one of document.querySelectorAll('button, input, select, summary, canvas, [role=button], [role=tab]')) {
-  if (one.getClientRects().length === 0 || one.closest('.dv-dockview [class*=dropdown]')) continue;
+  if (one.getClientRects().length === 0 || one.closest('.chart') || one.closest('.dv-dockview [class*=dropdown]')) continue;
   const name = one.ariaLabel || one.textContent.trim() || one.labels?.[0]?.textContent.trim() || one.placeholder || one.title;
   if (!name && !one.className.baseVal) faults.push(`no name: ${one.outerHTML.slice(0, 120)}`);
   if (one.tagName === 'BUTTON' && one.scrollWidth > one.clientWidth + 2 && getComputedStyle(one).overflow === 'visible') faults.push(`cut: ${one.textContent}`);
