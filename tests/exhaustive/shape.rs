@@ -7,14 +7,14 @@ pub(crate) const COMPONENTS: usize = 4;
 pub(crate) const STATES: usize = 3;
 
 /// Link of a component, in one of its states, to another component.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Link {
     None,
     Requirement,
     Modulation,
 }
 
-const LINKS: [Link; 3] = [Link::None, Link::Requirement, Link::Modulation];
+pub(crate) const LINKS: [Link; 3] = [Link::None, Link::Requirement, Link::Modulation];
 
 /// Rate of a component.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -30,9 +30,6 @@ pub(crate) enum Rate {
 }
 
 pub(crate) const RATES: [Rate; 4] = [Rate::Every, Rate::Half, Rate::Third, Rate::HalfUndeclared];
-
-/// Number of the first [`RATES`] in which a component that declares no rate is given none.
-pub(crate) const RATES_AS_DECLARED: usize = 3;
 
 impl Rate {
     pub(crate) fn is_declared(self) -> bool {
@@ -73,9 +70,14 @@ pub(crate) struct Shape {
     pub(crate) rates: [Rate; COMPONENTS],
 }
 
-const NO_LINKS: Row = [Link::None; COMPONENTS];
+pub(crate) const NO_LINKS: Row = [Link::None; COMPONENTS];
 
 impl Shape {
+    /// Components with these rates and no links.
+    pub(crate) fn of_rates(len: usize, rates: [Rate; COMPONENTS]) -> Self {
+        Self { len, states: [1; COMPONENTS], links: [[NO_LINKS; STATES]; COMPONENTS], rates }
+    }
+
     /// Whether several links lead to a component, as the framework counts them.
     pub(crate) fn is_shared(&self, index: usize) -> bool {
         let rows = (0..index).flat_map(|from| &self.links[from][..self.states[from]]);
@@ -100,7 +102,7 @@ impl Shape {
 /// from the root. Shapes that differ only in the order of the states after the initial one are passed once. All
 /// components run in every cycle.
 pub(crate) fn shapes(len: usize, states: [usize; COMPONENTS], each: &mut impl FnMut(Shape)) {
-    let shape = Shape { len, states, links: [[NO_LINKS; STATES]; COMPONENTS], rates: [Rate::Every; COMPONENTS] };
+    let shape = Shape { states, ..Shape::of_rates(len, [Rate::Every; COMPONENTS]) };
     fill(shape, 0, 0, each);
 }
 

@@ -2,21 +2,22 @@
 //!
 //! A loop over the rows of a shape replaces the code that `#[component]` generates. Visits, rates, holds, starts and
 //! stops are those of the framework. Facts that the engine knows at compile time are type parameters: whether a
-//! component declares a rate (`R`), and whether several links lead to it (`S`).
+//! component declares a rate (`R`), and whether several links lead to one component (`SHARED`).
 
 use bica_core::__private::{
     Cycle, Engine, Has, Layout, Member, MemberOf, Node as GraphNode, Probe, Slot, State, Visit, visit_functions,
 };
 use bica_core::{Component, Graph, Tree};
 
-use crate::shape::{COMPONENTS, Link, Shape};
+use crate::shape::{COMPONENTS, Link, Row, STATES, Shape};
 
 /// Component `I`; it declares a rate if `R`.
 #[derive(Clone, Copy)]
 pub(crate) struct Node<const I: usize, const R: bool> {
-    shape: Shape,
-    /// State of each machine after its run in this cycle.
-    answers: [u8; COMPONENTS],
+    /// Links in each state.
+    rows: [Row; STATES],
+    /// State of the machine after its run in this cycle.
+    answer: u8,
 }
 
 const fn state(name: &'static str, initial: bool) -> State {
@@ -42,7 +43,7 @@ impl<const I: usize, const R: bool, T: Has<Self>> MemberOf<T> for Node<I, R> {
 
     fn pass<P: Probe>(cycle: &mut Cycle<'_, T, P>, visit: Visit) {
         let (this, ()) = cycle.borrow::<Self, ()>();
-        let (rows, answer) = (this.shape.links[I], this.answers[I] as usize);
+        let (rows, answer) = (this.rows, usize::from(this.answer));
         let mut machine = cycle.machine::<Self>(visit);
         loop {
             let row = rows[machine.state];
@@ -68,22 +69,22 @@ fn visit_all<T: Layout, P: Probe>(cycle: &mut Cycle<'_, T, P>, row: [Link; COMPO
 }
 
 macro_rules! tree {
-    ($($index:literal $field:ident $rated:ident $shared:ident;)*) => {
+    ($($index:literal $field:ident $rated:ident;)*) => {
         /// Slots of a tree.
         pub(crate) struct Slots<$(const $rated: bool),*> {
             $($field: Slot<Node<$index, $rated>>,)*
         }
 
-        /// Tree of the components; each is rated or not, and shared or not.
-        pub(crate) struct Any<$(const $rated: bool, const $shared: bool),*> {
+        /// Tree of the components; each is rated or not, and all are shared or none.
+        pub(crate) struct Any<$(const $rated: bool,)* const SHARED: bool> {
             pub(crate) engine: Engine<Self>,
         }
 
-        impl<$(const $rated: bool, const $shared: bool),*> Any<$($rated, $shared),*> {
-            pub(crate) fn new(shape: Shape) -> Self {
+        impl<$(const $rated: bool,)* const SHARED: bool> Any<$($rated,)* SHARED> {
+            pub(crate) fn new(shape: &Shape) -> Self {
                 let mut tree = Self {
                     engine: Engine::new(Slots {
-                        $($field: Slot::new::<Self>(Node { shape, answers: [0; COMPONENTS] }),)*
+                        $($field: Slot::new::<Self>(Node { rows: shape.links[$index], answer: 0 }),)*
                     }),
                 };
                 $(if let Some(hz) = shape.rates[$index].requested() {
@@ -93,11 +94,15 @@ macro_rules! tree {
             }
 
             pub(crate) fn answer(&mut self, answers: [u8; COMPONENTS]) {
-                $(self.get_mut::<Node<$index, $rated>>().answers = answers;)*
+                $(self.get_mut::<Node<$index, $rated>>().answer = answers[$index];)*
+            }
+
+            pub(crate) fn link(&mut self, links: &[[Row; STATES]; COMPONENTS]) {
+                $(self.get_mut::<Node<$index, $rated>>().rows = links[$index];)*
             }
         }
 
-        impl<$(const $rated: bool, const $shared: bool),*> Tree for Any<$($rated, $shared),*> {
+        impl<$(const $rated: bool,)* const SHARED: bool> Tree for Any<$($rated,)* SHARED> {
             const GRAPH: Graph = Graph {
                 name: "Any",
                 doc: "",
@@ -109,10 +114,10 @@ macro_rules! tree {
             };
         }
 
-        impl<$(const $rated: bool, const $shared: bool),*> Layout for Any<$($rated, $shared),*> {
+        impl<$(const $rated: bool,)* const SHARED: bool> Layout for Any<$($rated,)* SHARED> {
             type Slots = Slots<$($rated),*>;
             const CYCLE_HZ: f32 = 100.0;
-            const ACTIVATORS: &'static [usize] = &[$(if $shared { 2 } else { 1 }),*];
+            const ACTIVATORS: &'static [usize] = &[if SHARED { 2 } else { 1 }; COMPONENTS];
             const ORDER: &'static [u16] = &[$($index),*];
 
             fn engine(&self) -> &Engine<Self> {
@@ -174,8 +179,8 @@ macro_rules! tree {
 
 macro_rules! members {
     ($($index:literal $field:ident $own:ident;)*) => {$(
-        impl<const R0: bool, const S0: bool, const R1: bool, const S1: bool, const R2: bool, const S2: bool, const R3: bool, const S3: bool>
-            Has<Node<$index, $own>> for Any<R0, S0, R1, S1, R2, S2, R3, S3>
+        impl<const R0: bool, const R1: bool, const R2: bool, const R3: bool, const SHARED: bool>
+            Has<Node<$index, $own>> for Any<R0, R1, R2, R3, SHARED>
         {
             type Member = Node<$index, $own>;
             type Stored = ();
@@ -191,10 +196,10 @@ macro_rules! members {
 }
 
 tree! {
-    0 root R0 S0;
-    1 second R1 S1;
-    2 third R2 S2;
-    3 fourth R3 S3;
+    0 root R0;
+    1 second R1;
+    2 third R2;
+    3 fourth R3;
 }
 members! {
     0 root R0;

@@ -1,10 +1,12 @@
 //! All sequences of cycles of one tree, in the framework and in the model.
 
-use bica_core::{ComponentId, Hold, Instant, Probe, Tree};
+use std::fmt::Debug;
+
+use bica_core::{ComponentId, Hold, Instant, Tree};
 
 use crate::model::{Event, Model};
 use crate::shape::{COMPONENTS, Shape};
-use crate::tree::Any;
+use crate::subject::{Exploration, Recorder, Subject, with_flags};
 
 /// Number of cycles of a sequence.
 const CYCLES: u64 = 6;
@@ -16,45 +18,21 @@ pub(crate) struct Scope {
     pub(crate) holds: bool,
 }
 
-/// Tree that a test creates and controls.
-pub(crate) trait Subject: Tree {
-    fn of(shape: Shape) -> Self;
-    fn answer(&mut self, answers: [u8; COMPONENTS]);
-}
-
-macro_rules! subject {
-    ($($flag:ident)*) => {
-        impl<$(const $flag: bool),*> Subject for Any<$($flag),*> {
-            fn of(shape: Shape) -> Self {
-                Self::new(shape)
-            }
-
-            fn answer(&mut self, answers: [u8; COMPONENTS]) {
-                Any::answer(self, answers);
-            }
-        }
-    };
-}
-subject!(R0 S0 R1 S1 R2 S2 R3 S3);
-
-/// Selects the type of a tree by flags known at run time.
-macro_rules! with_flags {
-    ($shape:expr, $scope:expr; [$($done:tt)*]) => {
-        explore::<Any<$($done)*>>($shape, $scope)
-    };
-    ($shape:expr, $scope:expr; [$($done:tt)*] $flag:expr $(, $rest:expr)*) => {
-        if $flag {
-            with_flags!($shape, $scope; [$($done)* true,] $($rest),*)
-        } else {
-            with_flags!($shape, $scope; [$($done)* false,] $($rest),*)
-        }
-    };
-}
-
 /// Explores a tree; returns the number of compared cycles.
 pub(crate) fn sequences(shape: &Shape, scope: Scope) -> u64 {
-    let rated = |index: usize| shape.rates[index].is_declared();
-    with_flags!(shape, scope; [] rated(0), false, rated(1), shape.is_shared(1), rated(2), shape.is_shared(2), rated(3), shape.is_shared(3))
+    with_flags(shape, (1..shape.len).any(|index| shape.is_shared(index)), Explore { scope })
+}
+
+struct Explore {
+    scope: Scope,
+}
+
+impl Exploration for Explore {
+    type Found = u64;
+
+    fn of<T: Subject>(self, shape: &Shape) -> u64 {
+        explore::<T>(shape, self.scope)
+    }
 }
 
 /// Requests and transitions of one cycle.
@@ -67,7 +45,7 @@ struct Step {
 /// Explores the sequences level by level. Two sequences that lead to the same state of the model and of the engine have
 /// the same continuations, so only one of them is continued.
 fn explore<T: Subject>(shape: &Shape, scope: Scope) -> u64 {
-    let mut level = vec![(T::of(*shape), Model::new())];
+    let mut level = vec![(T::of(shape), Model::new())];
     let (mut compared, mut expected, mut seen) = (0, Vec::new(), Recorder::default());
     for cycle in 0..CYCLES {
         let mut next: Vec<(T, Model)> = Vec::new();
@@ -98,7 +76,7 @@ fn explore<T: Subject>(shape: &Shape, scope: Scope) -> u64 {
 
 /// Creates a tree with the state of another one, and applies the requests before the cycle.
 fn continuation<T: Subject>(from: &T, shape: &Shape, step: &Step) -> T {
-    let mut tree = T::of(*shape);
+    let mut tree = T::of(shape);
     tree.engine_mut().copy_state_from(from.engine());
     if let Some((index, hold)) = step.hold {
         tree.hold_at(ComponentId::new(index), hold);
@@ -132,37 +110,17 @@ fn is_redundant(shape: &Shape, step: &Step, events: &[Event]) -> bool {
 }
 
 /// Compares the events and the reported status with the model.
-fn compare<T: Tree>(tree: &T, model: &Model, seen: &[Event], expected: &[Event], case: (&Shape, &Step, u64)) {
+pub(crate) fn compare<T: Tree>(
+    tree: &T,
+    model: &Model,
+    seen: &[Event],
+    expected: &[Event],
+    case: (&Shape, &impl Debug, u64),
+) {
     assert_eq!(seen, expected, "{case:#?}\nbefore: {model:#?}");
     for (index, memory) in model.components.iter().enumerate() {
         let status = tree.status(ComponentId::new(index)).expect("a component of the tree");
         let expected = (memory.active, memory.hold, memory.state);
         assert_eq!((status.active, status.held, status.state), expected, "{index}: {case:#?}");
-    }
-}
-
-/// Records the events that a probe receives.
-#[derive(Default)]
-struct Recorder(Vec<Event>);
-
-impl Probe for Recorder {
-    fn start(&mut self, component: ComponentId) {
-        self.0.push(Event::Start(component.index()));
-    }
-
-    fn stop(&mut self, component: ComponentId) {
-        self.0.push(Event::Stop(component.index()));
-    }
-
-    fn skip(&mut self, component: ComponentId) {
-        self.0.push(Event::Skip(component.index()));
-    }
-
-    fn run(&mut self, component: ComponentId) {
-        self.0.push(Event::Run(component.index()));
-    }
-
-    fn transition(&mut self, component: ComponentId, from: usize, to: usize) {
-        self.0.push(Event::Transition(component.index(), from, to));
     }
 }

@@ -1,10 +1,10 @@
 //! Recall, precision and accuracy of all detectors over random poses in the built-in world.
 //!
-//! `cargo run --release -p bica-vision --example survey` prints a table; `-- --help` lists the options.
+//! `cargo run --release -p bica-vision-tests --example survey` prints a table; `-- --help` lists the options.
 
-#[path = "../tests/support/picture.rs"]
+#[path = "../support/picture.rs"]
 mod picture;
-#[path = "../tests/support/survey/mod.rs"]
+#[path = "../support/survey/mod.rs"]
 mod survey;
 
 use std::path::PathBuf;

@@ -22,7 +22,7 @@ pub(crate) struct Memory {
     /// Index of the current state; `None` if the component was never active.
     pub(crate) state: Option<usize>,
     /// Cycles since the last grid point.
-    since: u8,
+    pub(crate) since: u8,
     pub(crate) hold: Hold,
 }
 
@@ -49,7 +49,7 @@ impl Model {
     /// Runs one cycle, in which each machine that runs enters its next state.
     pub(crate) fn tick(&mut self, shape: &Shape, answers: [u8; COMPONENTS], events: &mut Vec<Event>) {
         events.clear();
-        for memory in &mut self.components {
+        for memory in &mut self.components[..shape.len] {
             memory.since += 1;
         }
         Cycle { shape, model: self, answers: &answers, events }.run();
