@@ -103,12 +103,23 @@ export class Session {
     this.image.value = image;
   }
 
-  /** The newest image of which all of these findings, [component, information], are known. */
+  /**
+   * The newest image of which all findings, [component, information], are known: components run at their own rates, so those of an
+   * image are known when the next one was taken in. `findings_us` of the image is the time of their last values.
+   */
   matchedImage(findings) {
     const newest = this.images.at(-1) ?? null;
     const known = Math.min(...findings.map(([component, info]) => this.info_of(component, info).times.at(-1) ?? 0));
-    // Findings that do not come at all, as of a paused world, are not waited for.
-    return this.images.findLast((image) => image.time_us <= known && image.time_us > newest.time_us - LATE) ?? newest;
+    for (let at = this.images.length - 2; at >= 0; at -= 1) {
+      const [image, next] = [this.images[at], this.images[at + 1]];
+      // Findings that do not come at all, as of a paused world, are not waited for.
+      if (image.time_us < newest.time_us - LATE) break;
+      if (next.time_us <= known) {
+        image.findings_us = next.time_us - 1;
+        return image;
+      }
+    }
+    return newest;
   }
 
   conditions_of(component) {

@@ -62,7 +62,8 @@ export function Camera({ visible }) {
     context.rect(at.left, at.top, one.width * at.scale, one.height * at.scale);
     context.clip();
     overlays.forEach((overlay, index) => {
-      if (!hidden.value.has(overlay.component)) drawOverlay(context, shown, overlay, index, one, at, cursor.value === null);
+      const active = shown.moment.value?.components?.[overlay.place]?.[0];
+      if (active && !hidden.value.has(overlay.component)) drawOverlay(context, shown, overlay, index, one, at, cursor.value === null);
     });
     context.restore();
     if (pointer.value) drawPixel(context, shown, one, at, pointer.value, width, height);

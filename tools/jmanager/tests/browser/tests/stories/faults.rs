@@ -25,12 +25,13 @@ async fn control_ends_when_the_browser_freezes() {
     let page = open(&server).await;
     let token = std::fs::read_to_string(server.folder.join("token")).expect("the token file");
     let own = page.run("return location.origin", vec![]).await.as_str().expect("an origin").to_owned();
-    page.click("tab", "Drive", "").await;
-    page.click("button", "Take over", "Take over").await;
-    page.reads("Driven by you").await;
     let watcher = Page::open_with(&own, WIDE, &[]).await;
     watcher.find("textbox", "token", "").await.set(token.trim()).await;
     watcher.click("button", "Enter", "").await;
+    watcher.find("button", "View", "").await;
+    page.click("tab", "Drive", "").await;
+    page.click("button", "Take over", "Take over").await;
+    page.reads("Driven by you").await;
     watcher.reads("operator: another page").await;
     let processes = page.process().await;
     assert!(!processes.is_empty());

@@ -24,7 +24,14 @@ async fn speed_is_measured() {
     let paint = page.run("return performance.getEntriesByType('navigation')[0].domContentLoadedEventEnd", vec![]).await;
     println!("content loaded after {paint} ms");
     tab(&page, "Plot").await;
-    for name in ["Head.pan", "Head.tilt", "BallDetector.ball_position.x", "BallDetector.ball_position.y", "RobotState.roll", "RobotState.pitch"] {
+    for name in [
+        "Head.pan",
+        "Head.tilt",
+        "BallDetector.ball_position.x",
+        "BallDetector.ball_position.y",
+        "RobotState.roll",
+        "RobotState.pitch",
+    ] {
         page.find("combobox", "Information to plot", "Plot").await.set(name).await;
         page.click("button", "Add", "Plot").await;
     }

@@ -32,9 +32,18 @@ async fn the_page_looks_right_in_three_widths_and_both_themes() {
         shown.find("button", "View", "").await;
         for theme in ["dark", "light"] {
             shown.run("localStorage.clear(); localStorage.setItem('jmanager-theme', arguments[0]); location.hash = ''; location.reload()", vec![json!(theme)]).await;
-            shown.until("the page is loaded", "return document.readyState === 'complete' && document.querySelectorAll('.component').length > 5").await;
-            shown.until("the theme is set", &format!("return document.documentElement.dataset.theme === '{theme}'")).await;
-            for (key, name) in [("1", "overview"), ("2", "behaviour"), ("3", "colours"), ("4", "walking"), ("5", "replay")] {
+            shown
+                .until(
+                    "the page is loaded",
+                    "return document.readyState === 'complete' && document.querySelectorAll('.component').length > 5",
+                )
+                .await;
+            shown
+                .until("the theme is set", &format!("return document.documentElement.dataset.theme === '{theme}'"))
+                .await;
+            for (key, name) in
+                [("1", "overview"), ("2", "behaviour"), ("3", "colours"), ("4", "walking"), ("5", "replay")]
+            {
                 shown.press(key).await;
                 shown.until("panels are shown", "return document.querySelectorAll('.panel').length > 1").await;
                 tokio::time::sleep(std::time::Duration::from_secs(1)).await;

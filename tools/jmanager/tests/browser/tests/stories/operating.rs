@@ -48,10 +48,18 @@ async fn a_component_is_held_and_left_to_the_tree() {
     let page = open(&server).await;
     page.click("button", "Player", "Activation tree").await;
     page.click("radio", "latent", "By hand").await;
-    page.until("the root is latent", "return document.querySelector('[aria-label=Player]').getAttribute('aria-description').includes('held latent')").await;
+    page.until(
+        "the root is latent",
+        "return document.querySelector('[aria-label=Player]').getAttribute('aria-description').includes('held latent')",
+    )
+    .await;
     page.reads("An operator holds it latent").await;
     page.click("radio", "by the tree", "By hand").await;
-    page.until("the root is active", "return document.querySelector('[aria-label=Player]').getAttribute('aria-description').startsWith('active')").await;
+    page.until(
+        "the root is active",
+        "return document.querySelector('[aria-label=Player]').getAttribute('aria-description').startsWith('active')",
+    )
+    .await;
     page.close().await;
 }
 
@@ -64,22 +72,40 @@ async fn the_forward_is_taken_over_driven_and_given_back() {
     page.click("button", "Take over", "Take over").await;
     page.reads("Driven by you").await;
     page.click("switch", "Head follows the ball", "Take over").await;
-    page.until("FaceBall is active", "return document.querySelector('[aria-label=FaceBall]').getAttribute('aria-description').startsWith('active')").await;
-    page.until("the root is latent", "return document.querySelector('[aria-label=Player]').getAttribute('aria-description').startsWith('latent')").await;
+    page.until(
+        "FaceBall is active",
+        "return document.querySelector('[aria-label=FaceBall]').getAttribute('aria-description').startsWith('active')",
+    )
+    .await;
+    page.until(
+        "the root is latent",
+        "return document.querySelector('[aria-label=Player]').getAttribute('aria-description').startsWith('latent')",
+    )
+    .await;
     page.find("slider", "Body forward", "Body").await.set("0.2").await;
-    let place = || async { page.run("return document.querySelector('[aria-label=Field] .bar .dim').textContent", vec![]).await };
+    let place = || async {
+        page.run("return document.querySelector('[aria-label=Field] .bar .dim').textContent", vec![]).await
+    };
     let before = place().await;
     page.find("slider", "Body turn", "Body").await.focus().await;
     page.key_down('\u{e008}').await;
     page.reads("Moving").await;
     page.until("the body walks", "return document.querySelector('[aria-label=Body][role=button]').getAttribute('aria-description').includes('stepping')").await;
-    page.until("the robot has moved", &format!("return document.querySelector('[aria-label=Field] .bar .dim').textContent !== {before}")).await;
+    page.until(
+        "the robot has moved",
+        &format!("return document.querySelector('[aria-label=Field] .bar .dim').textContent !== {before}"),
+    )
+    .await;
     page.key_up('\u{e008}').await;
     page.until("the robot stands", "return document.querySelector('[aria-label=Body][role=button]').getAttribute('aria-description').includes('standing')").await;
     page.screenshot("drive").await;
     page.click("button", "Give back", "Take over").await;
     page.reads("Driven by the forward").await;
-    page.until("the root is active", "return document.querySelector('[aria-label=Player]').getAttribute('aria-description').startsWith('active')").await;
+    page.until(
+        "the root is active",
+        "return document.querySelector('[aria-label=Player]').getAttribute('aria-description').startsWith('active')",
+    )
+    .await;
     page.reads("operator: nobody").await;
     page.close().await;
 }
@@ -92,9 +118,14 @@ async fn only_one_page_operates_and_another_takes_over_expressly() {
     page.reads("operator: you").await;
     // The second tab has the cookie.
     page.run("window.other = window.open('/', 'other')", vec![]).await;
-    page.until("the other page sees it", "return window.other.document.body.innerText.includes('operator: another page')").await;
+    page.until(
+        "the other page sees it",
+        "return window.other.document.body.innerText.includes('operator: another page')",
+    )
+    .await;
     page.run("[...window.other.document.querySelectorAll('button')].find((one) => one.textContent === 'Take control').click()", vec![]).await;
-    page.until("the other page operates", "return window.other.document.body.innerText.includes('operator: you')").await;
+    page.until("the other page operates", "return window.other.document.body.innerText.includes('operator: you')")
+        .await;
     page.reads("operator: another page").await;
     page.close().await;
 }
@@ -109,7 +140,8 @@ async fn the_keyboard_alone_is_enough() {
     page.press("faceball\u{e007}").await;
     page.find("slider", "gain", "Parameters").await;
     page.press("\u{e00c}").await;
-    let tabs = "let at = 0; window.addEventListener('focusin', () => { at += 1; }); window.stops = () => at; return true";
+    let tabs =
+        "let at = 0; window.addEventListener('focusin', () => { at += 1; }); window.stops = () => at; return true";
     page.run(tabs, vec![]).await;
     for _ in 0..400 {
         page.press("\u{e004}").await;

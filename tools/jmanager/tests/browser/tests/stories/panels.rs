@@ -50,7 +50,8 @@ async fn the_timeline_is_paused_scrubbed_and_live_again() {
     page.until("rows are drawn", &drawn("Activation timeline")).await;
     page.press(" ").await;
     page.find("button", "Time: paused", "").await;
-    let before = page.until("the cursor is in the address", "return location.hash.includes('t=') && location.hash").await;
+    let before =
+        page.until("the cursor is in the address", "return location.hash.includes('t=') && location.hash").await;
     page.press("\u{e012}").await;
     page.until("one cycle back", &format!("return location.hash.includes('t=') && location.hash !== {before}")).await;
     page.press("l").await;
@@ -62,7 +63,11 @@ async fn the_timeline_is_paused_scrubbed_and_live_again() {
 async fn a_link_leads_to_a_moment() {
     let server = Server::start("link", &[]);
     let page = open(&server).await;
-    page.until("some seconds have passed", "return Number.parseFloat(document.querySelector('.clock b').textContent) > 2").await;
+    page.until(
+        "some seconds have passed",
+        "return Number.parseFloat(document.querySelector('.clock b').textContent) > 2",
+    )
+    .await;
     page.run("location.hash = '#t=1.000&layout=overview'", vec![]).await;
     page.until("the moment is shown", "return document.querySelector('.clock b').textContent === '1.00 s'").await;
     page.close().await;
@@ -101,7 +106,8 @@ async fn curves_are_added_to_a_plot_and_removed() {
     let field = page.find("combobox", "Information to plot", "Plot").await;
     field.set("Head.pan").await;
     page.click("button", "Add", "Plot").await;
-    page.until("the curve has a value", "return /-?\\d/.test(document.querySelector('.curve b')?.textContent ?? '')").await;
+    page.until("the curve has a value", "return /-?\\d/.test(document.querySelector('.curve b')?.textContent ?? '')")
+        .await;
     page.until("it is drawn", "return document.querySelector('.chart canvas')?.width > 100").await;
     page.click("button", "Remove Head.pan", "").await;
     page.reads("No curve yet").await;
@@ -115,7 +121,11 @@ async fn the_latency_leads_to_a_worst_cycle() {
     tab(&page, "Latency").await;
     page.reads("Worst cycles").await;
     page.until("shares are listed", "return document.querySelectorAll('.shares tbody tr').length > 5").await;
-    page.until("a worst cycle is known", "const one = document.querySelector('.worst button'); one?.click(); return Boolean(one)").await;
+    page.until(
+        "a worst cycle is known",
+        "const one = document.querySelector('.worst button'); one?.click(); return Boolean(one)",
+    )
+    .await;
     page.find("button", "Time: paused", "").await;
     page.close().await;
 }
@@ -129,7 +139,10 @@ async fn a_note_is_in_the_log_as_text_whatever_it_contains() {
     page.click("button", "Add note", "Timeline").await;
     tab(&page, "Log").await;
     page.reads(text).await;
-    assert_eq!(page.run("return [document.querySelectorAll('img').length, document.title.includes('broken')]", vec![]).await, serde_json::json!([0, false]));
+    assert_eq!(
+        page.run("return [document.querySelectorAll('img').length, document.title.includes('broken')]", vec![]).await,
+        serde_json::json!([0, false])
+    );
     page.click("switch", "Notes", "Log").await;
     page.until("notes are hidden", "return !document.querySelector('.log .note')").await;
     page.close().await;

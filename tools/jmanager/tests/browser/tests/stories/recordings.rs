@@ -8,7 +8,11 @@ use crate::{open, tab};
 async fn a_recording_is_kept_opened_and_played() {
     let server = Server::start("recordings", &[]);
     let page = open(&server).await;
-    page.until("some seconds are recorded", "return Number.parseFloat(document.querySelector('.clock b').textContent) > 3").await;
+    page.until(
+        "some seconds are recorded",
+        "return Number.parseFloat(document.querySelector('.clock b').textContent) > 3",
+    )
+    .await;
     tab(&page, "Recordings").await;
     page.find("textbox", "Name of the recording", "This session").await.set("first").await;
     page.click("button", "Keep recording", "This session").await;
