@@ -17,6 +17,8 @@ async fn open(server: &Server) -> Page {
     let page = Page::open(server, WIDE).await;
     page.find("button", "FaceBall", "Activation tree").await;
     page.click("button", "Restart", "").await;
+    // A key that is pressed next is for the page, not for the button.
+    page.run("document.activeElement.blur()", vec![]).await;
     page.until("the game has begun", "return document.querySelectorAll('.component.active').length > 5").await;
     page
 }

@@ -23,7 +23,6 @@ async fn the_tree_is_searched_folded_and_opens_a_component() {
     search.set("").await;
     page.until("a component runs", "return document.querySelector('[aria-label=RobotState]').getAttribute('aria-description').startsWith('active')").await;
     page.click("button", "FaceBall", "Activation tree").await;
-    page.reads("How").await;
     page.find("slider", "gain", "Parameters").await;
     page.click("switch", "Active only", "").await;
     page.until("latent components are hidden", "return document.querySelectorAll('.component.gone').length > 3").await;
