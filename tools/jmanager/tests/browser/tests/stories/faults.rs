@@ -29,6 +29,8 @@ async fn control_ends_when_the_browser_freezes() {
     watcher.find("textbox", "token", "").await.set(token.trim()).await;
     watcher.click("button", "Enter", "").await;
     watcher.find("button", "View", "").await;
+    // A game that has ended meanwhile executes no requests.
+    page.click("button", "Restart", "").await;
     page.click("tab", "Drive", "").await;
     page.click("button", "Take over", "Take over").await;
     page.reads("Driven by you").await;
