@@ -71,23 +71,26 @@ pub(crate) const fn blocks(row: &[[u8; 4]]) -> (&[[[u8; 4]; BLOCK]], &[[u8; 4]])
 
 #[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
 mod wide_box {
-    use wide::u8x16;
+    #[cfg(target_arch = "aarch64")]
+    use wide::u8x16 as U8x16;
 
     use super::{BLOCK, ChromaBox};
+    #[cfg(target_arch = "x86_64")]
+    use crate::sse2::U8x16;
 
     pub(super) const PAYS: bool = true;
 
     /// Corners of a box, repeated for four pairs; any luma is inside.
     #[derive(Clone, Copy)]
     pub(super) struct WideBox {
-        low: u8x16,
-        high: u8x16,
+        low: U8x16,
+        high: U8x16,
     }
 
     impl From<ChromaBox> for WideBox {
         fn from(ChromaBox { low, high }: ChromaBox) -> Self {
             let four =
-                |luma: u8, [cb, cr]: [u8; 2]| u8x16::new(core::array::from_fn(|at| [luma, cb, luma, cr][at % 4]));
+                |luma: u8, [cb, cr]: [u8; 2]| U8x16::new(core::array::from_fn(|at| [luma, cb, luma, cr][at % 4]));
             Self { low: four(0, low), high: four(u8::MAX, high) }
         }
     }
@@ -95,7 +98,7 @@ mod wide_box {
     #[inline(always)]
     pub(super) fn are_beyond(boxes: &[WideBox], pairs: &[[u8; 4]; BLOCK]) -> bool {
         let (fours, _) = pairs.as_flattened().as_chunks();
-        let mut fours = fours.iter().map(|four| u8x16::new(*four));
+        let mut fours = fours.iter().map(|four| U8x16::new(*four));
         let first = fours.next().unwrap_or_default();
         let (low, high) = fours.fold((first, first), |(low, high), four| (low.min(four), high.max(four)));
         !boxes.iter().any(|selected| {

@@ -88,6 +88,8 @@ pub mod projection;
 pub mod regions;
 pub mod robots;
 pub mod segment;
+#[cfg(target_arch = "x86_64")]
+mod sse2;
 pub mod table;
 pub mod uncertainty;
 

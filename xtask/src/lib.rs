@@ -2,6 +2,7 @@
 //!
 //! The tasks are a library, so that a test can parse every `cargo xtask` command in the documentation.
 
+mod browser;
 mod buildtime;
 mod ci;
 pub mod cli;
@@ -20,6 +21,7 @@ mod process;
 mod processor_time;
 mod publish;
 mod slow_tests;
+mod vendor;
 mod viewers;
 
 use std::process::ExitCode;
@@ -58,6 +60,8 @@ fn perform(task: &Task) -> Result<(), String> {
         Task::Peers(options) => peers::measure(options),
         Task::Publish => publish::check(),
         Task::Viewers(options) => viewers::check(options, &[]),
+        Task::Vendor(options) => vendor::vendor(options.check),
+        Task::Browser(options) => browser::test(options.figures),
         Task::Deny => deny::check(),
         Task::Ci => ci::check(),
     }

@@ -4,7 +4,7 @@ use core::cell::Cell;
 
 use embassy_time::{Duration, Instant};
 
-use super::activation::Activation;
+use super::activation::{Activation, Parity};
 use crate::rate::{Grid, Period, Tolerance};
 
 /// In place of a state index: the component was never active, or its history was discarded.
@@ -140,6 +140,13 @@ impl ComponentState {
     /// Whether all that decides about visits and runs is the same.
     pub(crate) fn behaves_as(&self, other: &Self) -> bool {
         self.grid() == other.grid() && self.state == other.state && self.activation == other.activation
+    }
+
+    /// Activation relative to the parity of the last tick, and above it the age of the grid point in clock ticks if the component
+    /// is not latent.
+    pub(crate) fn relative(&self, parity: Parity, now: Instant) -> u64 {
+        let age = if self.activation.is_known_latent() { 0 } else { self.grid().age(now.as_ticks()) };
+        u64::from(self.activation.relative(parity)) | age << 16
     }
 
     /// Returns the index of the state of an active state machine.

@@ -87,6 +87,12 @@ impl CycleState {
         }
     }
 
+    /// All but parity and time.
+    pub(crate) fn relative(&self) -> u64 {
+        let flags = u64::from(self.unsettled.get()) | u64::from(self.interrupted.get()) << 8;
+        flags | u64::from(self.held_active.get()) << 16
+    }
+
     pub(crate) fn copy_from(&self, other: &Self) {
         self.now.set(other.now.get());
         self.parity.set(other.parity.get());

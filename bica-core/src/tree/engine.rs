@@ -78,6 +78,20 @@ impl<T: Layout> Engine<T> {
         self.store.cycle_state() == other.store.cycle_state() && order::<T>().map(ComponentId::new).all(same)
     }
 
+    /// Returns all that decides about visits and runs in the coming cycles: first what the components share, then one value for
+    /// each component. Instants are relative to the last tick and rounded to clock ticks. Left out are the states of
+    /// machines, the times in them, and the grids of latent components, which start anew.
+    ///
+    /// For tests that explore the states of trees as a graph.
+    pub fn relative_state(&self) -> impl Iterator<Item = u64> {
+        let cycle_state = self.store.cycle_state();
+        let component = |index| {
+            let state = self.component_state(ComponentId::new(index));
+            state.map_or(0, |state| state.relative(cycle_state.parity(), cycle_state.now()))
+        };
+        core::iter::once(cycle_state.relative()).chain(order::<T>().map(component))
+    }
+
     fn component_state(&self, component: ComponentId) -> Option<&ComponentState> {
         T::component_state(self.store.slots(), component.index())
     }

@@ -70,23 +70,26 @@ impl<'a> ParallelScan<'a> {
 
 #[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
 mod lockstep {
-    use wide::{i16x8, u16x8};
+    #[cfg(target_arch = "aarch64")]
+    use wide::i16x8 as I16x8;
 
     use super::{ParallelScan, RISE_DIVISOR, Rise, SMOOTH};
+    #[cfg(target_arch = "x86_64")]
+    use crate::sse2::I16x8;
 
     #[inline]
     pub(super) fn next_rise(scan: &mut ParallelScan<'_>, end: u16) -> Option<Rise> {
-        let (bases, from) = (i16x8::new(scan.bases), i16x8::new(scan.from));
-        let mut step = Step { bases, from, min_rise: i16x8::splat(scan.min_rise) };
+        let (bases, from) = (I16x8::new(scan.bases), I16x8::new(scan.from));
+        let mut step = Step { bases, from, min_rise: I16x8::splat(scan.min_rise) };
         let rise = step.go(scan, end);
         scan.bases = step.bases.to_array();
         rise
     }
 
     struct Step {
-        bases: i16x8,
-        from: i16x8,
-        min_rise: i16x8,
+        bases: I16x8,
+        from: I16x8,
+        min_rise: I16x8,
     }
 
     impl Step {
@@ -104,7 +107,7 @@ mod lockstep {
                 }
             }
             for at in at..end {
-                let lanes = self.on(i16x8::new(scan.lumas.map(|lumas| i16::from(lumas.get(at)))), at);
+                let lanes = self.on(I16x8::new(scan.lumas.map(|lumas| i16::from(lumas.get(at)))), at);
                 if lanes != 0 {
                     return Some(Rise { at, lanes });
                 }
@@ -114,10 +117,10 @@ mod lockstep {
 
         /// Advances to a position with these lumas. Returns one bit for each scan with a rising edge.
         #[inline(always)]
-        fn on(&mut self, here: i16x8, at: u16) -> u32 {
+        fn on(&mut self, here: I16x8, at: u16) -> u32 {
             let ground = self.bases >> i32::from(SMOOTH);
-            let is_here = i16x8::splat(at as i16).simd_ge(self.from);
-            let above = (here - ground - self.min_rise) * i16x8::splat(RISE_DIVISOR);
+            let is_here = I16x8::splat(at as i16).simd_ge(self.from);
+            let above = (here - ground - self.min_rise) * I16x8::splat(RISE_DIVISOR);
             let rises = above.simd_gt(ground) & is_here;
             self.bases += (here - ground) & is_here & !rises;
             rises.to_bitmask()
@@ -126,12 +129,25 @@ mod lockstep {
 
     /// Lumas of eight positions of rows, position by position; `None` for columns or near the end.
     #[inline(always)]
-    fn block(scan: &ParallelScan<'_>, at: u16, end: u16) -> Option<[i16x8; 8]> {
+    fn block(scan: &ParallelScan<'_>, at: u16, end: u16) -> Option<[I16x8; 8]> {
         if end.saturating_sub(at) < 8 || scan.lumas[0].eight(at).is_none() {
             return None;
         }
-        let rows = scan.lumas.map(|lumas| u16x8::new(lumas.eight(at).unwrap_or_default()));
-        Some(u16x8::transpose(rows).map(|here| i16x8::new(here.to_array().map(|luma| luma as i16))))
+        Some(columns(scan.lumas.map(|lumas| lumas.eight(at).unwrap_or_default())))
+    }
+
+    #[cfg(target_arch = "x86_64")]
+    #[inline(always)]
+    fn columns(rows: [[u16; 8]; 8]) -> [I16x8; 8] {
+        I16x8::transpose(rows.map(|row| I16x8::new(row.map(|luma| luma as i16))))
+    }
+
+    #[cfg(target_arch = "aarch64")]
+    #[inline(always)]
+    fn columns(rows: [[u16; 8]; 8]) -> [I16x8; 8] {
+        use wide::u16x8;
+
+        u16x8::transpose(rows.map(u16x8::new)).map(|here| I16x8::new(here.to_array().map(|luma| luma as i16)))
     }
 }
 

@@ -8,8 +8,9 @@
 //! turned by 180°; the goals' colours resolve this symmetry.
 //!
 //! The filter has its own random numbers: equal sightings give equal poses, bit for bit. For any input, poses are
-//! finite and on the carpet. Cost with 200 particles: 40 µs for a motion, 0.5 ms for the sightings of an image.
+//! finite and on the carpet. Cost with 200 particles: 10 µs for a motion, 60 to 150 µs for the sightings of an image.
 
+mod approximate;
 mod likelihood;
 pub mod map;
 mod random;
@@ -18,11 +19,13 @@ mod sightings;
 mod tuning;
 
 use bica_field::{CrossingKind, FIELD};
-use bica_motion::pose::{Pose2, rotate, wrap};
+use bica_motion::pose::{Pose2, wrap};
 use glam::Vec2;
 use heapless::Vec;
 use libm::fabsf;
 
+use self::approximate::{direction, exp2, log2};
+use self::likelihood::Observation;
 use self::random::Random;
 pub use self::tuning::LocalizerTuning;
 use crate::centre_circle::CentreCircle;
@@ -34,6 +37,8 @@ pub const POINTS: usize = 24;
 /// Maximum number of posts, of both goals.
 pub const POSTS: usize = 4;
 
+/// Maximum distance of a sighting, m, twice the diagonal of the field. A more distant one is an error of the camera's pose.
+const FARTHEST: f32 = 20.0;
 /// Standard deviation of the noise on positions at resampling, m, which keeps particles distinct.
 const ROUGHNESS: f32 = 0.012;
 /// Standard deviation of the noise on headings at resampling, rad.
@@ -74,13 +79,14 @@ pub struct Sightings {
 }
 
 impl Sightings {
-    /// Removes sightings that are not finite.
+    /// Removes sightings that are not finite or too far away.
     fn clean(&mut self) {
-        self.points.retain(|point| point.is_finite());
-        self.crossings.retain(|(_, pose)| pose.position.is_finite() && pose.heading.is_finite());
-        self.posts.retain(|post| post.at.is_finite());
-        let is_finite = |circle: &CentreCircle| circle.centre.is_finite() && circle.halfway.is_none_or(Vec2::is_finite);
-        self.circle = self.circle.filter(is_finite);
+        let is_near = |place: Vec2| place.length_squared() < FARTHEST * FARTHEST;
+        self.points.retain(|point| is_near(*point));
+        self.crossings.retain(|(_, pose)| is_near(pose.position) && pose.heading.is_finite());
+        self.posts.retain(|post| is_near(post.at));
+        let is_valid = |circle: &CentreCircle| is_near(circle.centre) && circle.halfway.is_none_or(Vec2::is_finite);
+        self.circle = self.circle.filter(is_valid);
     }
 
     fn is_empty(&self) -> bool {
@@ -163,15 +169,15 @@ impl<const N: usize> Localizer<N> {
             let wrong = Vec2::new(self.random.normal(), self.random.normal()) * aside;
             let motion =
                 Pose2 { position: motion.position + wrong, heading: motion.heading + askew * self.random.normal() };
-            *particle = on_carpet(*particle * motion);
+            *particle = moved(*particle, motion);
         }
         if let Some(estimate) = &mut self.estimate {
-            estimate.pose = on_carpet(estimate.pose * motion);
+            estimate.pose = moved(estimate.pose, motion);
         }
     }
 
-    /// Updates the filter with an image's sightings. Values that are not finite are ignored; no sightings change
-    /// nothing.
+    /// Updates the filter with an image's sightings. Those that are not finite or further away than 20 m are ignored; no
+    /// sightings change nothing.
     pub fn see(&mut self, mut sightings: Sightings) {
         sightings.clean();
         if sightings.is_empty() {
@@ -183,14 +189,14 @@ impl<const N: usize> Localizer<N> {
                 *particle = sensor_resetting::anywhere(&mut self.random);
             }
         }
+        let observation = Observation::new(&sightings, &self.tuning);
         let mut weights = [0.0; N];
-        let mut fit = 0.0;
         for (weight, particle) in weights.iter_mut().zip(&self.particles) {
-            *weight = likelihood::of(particle, &sightings, &self.tuning);
-            fit += *weight / N as f32;
+            *weight = observation.likelihood(particle);
         }
         // Per sighting, so that images with many and with few sightings are comparable.
-        let fit = libm::powf(fit, 1.0 / likelihood::count(&sightings, self.tuning.temper));
+        let mean = (weights.iter().sum::<f32>() / N as f32).max(f32::MIN_POSITIVE);
+        let fit = exp2(log2(mean) / observation.count());
         self.resample(&weights, &sightings, fit);
         self.estimate = self.gather();
     }
@@ -229,21 +235,30 @@ impl<const N: usize> Localizer<N> {
     /// Best cluster around some of the particles, the last estimate's first.
     fn gather(&self) -> Option<Estimate> {
         let step = (N / 16).max(1);
-        let last = self.estimate.iter().map(|estimate| estimate.pose);
-        let seeds = last.chain(self.particles.iter().copied().step_by(step));
-        let clusters = seeds.filter_map(|seed| self.cluster(seed));
+        let around_last = self.estimate.and_then(|last| self.cluster(last.pose));
+        // Another cluster with more particles would overlap with this one.
+        if around_last.is_some_and(|cluster| cluster.belief > 0.5) {
+            return around_last;
+        }
+        let seeds = self.particles.iter().step_by(step);
+        let clusters = around_last.into_iter().chain(seeds.filter_map(|seed| self.cluster(*seed)));
         clusters.max_by(|a, b| a.belief.total_cmp(&b.belief))
     }
 
     fn cluster(&self, seed: Pose2) -> Option<Estimate> {
         let (mut count, mut sum, mut turn, mut squares) = (0.0, Vec2::ZERO, 0.0, 0.0);
         for particle in &self.particles {
-            let (off, askew) = (particle.position - seed.position, wrap(particle.heading - seed.heading));
-            if off.length_squared() < CLUSTER * CLUSTER && fabsf(askew) < CLUSTER_HEADING {
+            let off = particle.position - seed.position;
+            let square = off.length_squared();
+            if square >= CLUSTER * CLUSTER {
+                continue;
+            }
+            let askew = wrap(particle.heading - seed.heading);
+            if fabsf(askew) < CLUSTER_HEADING {
                 count += 1.0;
                 sum += off;
                 turn += askew;
-                squares += off.length_squared();
+                squares += square;
             }
         }
         let (mean, turn) = (sum / count, turn / count);
@@ -270,8 +285,14 @@ fn on_carpet(pose: Pose2) -> Pose2 {
     Pose2 { position: pose.position.clamp(-FIELD.carpet_corner(), FIELD.carpet_corner()), heading: wrap(pose.heading) }
 }
 
+/// Pose after a motion, on the carpet.
+fn moved(pose: Pose2, motion: Pose2) -> Pose2 {
+    let position = pose.position + direction(pose.heading).rotate(motion.position);
+    on_carpet(Pose2 { position, heading: pose.heading + motion.heading })
+}
+
 /// Pose of a robot that sees a field feature `known` at `seen`, a pose of its own frame.
 fn pose_of(known: Pose2, seen: Pose2) -> Pose2 {
     let heading = wrap(known.heading - seen.heading);
-    Pose2 { position: known.position - rotate(seen.position, heading), heading }
+    Pose2 { position: known.position - direction(heading).rotate(seen.position), heading }
 }

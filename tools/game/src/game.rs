@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 
 use bica::runner::Runner;
 use bica::{Refusal, Tree};
-use bica_console::{Failure, interrupt};
+use bica_console::Failure;
 use bica_motion::pose::Pose2;
 use bica_player::input::{HealthMonitor, RobotProfile};
 use bica_player::perception::GoalDetector;
@@ -13,6 +13,7 @@ use bica_player::tunable::Forward;
 use bica_sim::SpectatorView;
 use glam::Vec2;
 
+use crate::control::{GameControl, NextStep};
 use crate::fingerprint::Fingerprint;
 use crate::firmware::FirmwareCheck;
 use crate::latency::Stopwatch;
@@ -47,13 +48,40 @@ pub fn play_recorded(
     record: Option<RecordOptions<'_>>,
     serve: Option<ServeOptions<'_>>,
 ) -> Result<(GameSummary, Option<RecordingSummary>), Failure> {
+    play_controlled(rules, observer, &mut (), record, serve)
+}
+
+/// Plays as [`play_recorded`], with control over each step: pause, single cycles, end.
+///
+/// # Errors
+/// As [`play_recorded`].
+pub fn play_controlled(
+    rules: &Rules,
+    observer: &mut impl GameObserver,
+    control: &mut impl GameControl,
+    record: Option<RecordOptions<'_>>,
+    serve: Option<ServeOptions<'_>>,
+) -> Result<(GameSummary, Option<RecordingSummary>), Failure> {
     let mut game = Game::new(rules, record, serve)?;
     let began = Instant::now();
-    while !game.is_over(rules) && !interrupt::requested() {
+    let mut paused = Duration::ZERO;
+    loop {
+        let asked = Instant::now();
+        if control.next(game.is_over(rules)) == NextStep::End {
+            break;
+        }
+        paused += asked.elapsed();
         game.cycle()?;
         game.report(observer)?;
+        if let Some(note) = control.note() {
+            game.recorder_mut().note(&note);
+        }
+        if let Some(reason) = game.recorder_mut().newly_ended() {
+            control.recording_ended(&reason);
+        }
         if rules.realtime {
-            thread::sleep(game.now().saturating_sub(began.elapsed()));
+            let ahead = game.now().saturating_sub(began.elapsed().saturating_sub(paused));
+            thread::sleep(ahead);
         }
     }
     Ok(game.summarize(rules, began.elapsed()))
@@ -114,6 +142,10 @@ impl<'a> Game<'a> {
         &self.runner.observer().1.0.0
     }
 
+    const fn recorder_mut(&mut self) -> &mut GameRecorder<'a> {
+        &mut self.runner.observer_mut().1.1.0
+    }
+
     fn is_over(&self, rules: &Rules) -> bool {
         self.runner.world().referee().goals() > 0 || self.now() >= rules.limit
     }
@@ -136,12 +168,15 @@ impl<'a> Game<'a> {
     }
 
     fn scene(&self) -> Scene<'_> {
+        let (meter, stopwatch) = &self.runner.observer().1.0;
         Scene {
             seed: self.seed,
             t: self.cycle_time.as_secs_f64(),
             robot: self.runner.robot(),
             referee: self.runner.world().referee(),
-            meter: self.meter(),
+            meter,
+            chain: stopwatch.latencies.last(),
+            cycle: self.cycles.saturating_sub(1),
             start: self.start,
             ball_path: &self.ball_path,
         }
@@ -155,6 +190,7 @@ impl<'a> Game<'a> {
             })?;
             observer.rendered(&self.scene(), &picture)?;
         }
+        observer.cycle(&self.scene())?;
         if self.meter().changed() {
             observer.tree_changed(&self.scene())?;
         }

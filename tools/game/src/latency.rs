@@ -36,6 +36,11 @@ impl Latencies {
         self.0.push(u32::try_from(time.as_nanos()).unwrap_or(u32::MAX));
     }
 
+    /// Latency of the last cycle; zero before the first.
+    pub(crate) fn last(&self) -> Duration {
+        Duration::from_nanos(self.0.last().copied().unwrap_or(0).into())
+    }
+
     /// Adds those of another game.
     pub(crate) fn extend(&mut self, other: &Self) {
         self.0.extend_from_slice(&other.0);

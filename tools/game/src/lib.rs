@@ -1,6 +1,7 @@
 //! Games of the forward: one game or a series, with observers, summaries, pictures and films.
 
 mod album;
+mod control;
 mod event;
 mod film;
 mod fingerprint;
@@ -24,10 +25,11 @@ mod tuning;
 mod world_factory;
 
 pub use album::Album;
+pub use control::{GameControl, NextStep};
 pub use event::EventRecord;
 pub use film::Film;
 pub use firmware::{FirmwareImage, FirmwareSummary, InstructionCount};
-pub use game::{play, play_recorded};
+pub use game::{play, play_controlled, play_recorded};
 pub use latency::LatencySummary;
 pub use link::ServeOptions;
 pub use observer::{GameObserver, View};

@@ -23,6 +23,14 @@ pub struct View {
 ///
 /// `()` observes nothing, a pair `(A, B)` is two observers, and an `Option` may be none.
 pub trait GameObserver {
+    /// A cycle has ended.
+    ///
+    /// # Errors
+    /// If the game has to end.
+    fn cycle(&mut self, _scene: &Scene<'_>) -> Result<(), Failure> {
+        Ok(())
+    }
+
     /// The tree changed in this cycle.
     ///
     /// # Errors
@@ -56,6 +64,10 @@ pub trait GameObserver {
 impl GameObserver for () {}
 
 impl<O: GameObserver> GameObserver for Option<O> {
+    fn cycle(&mut self, scene: &Scene<'_>) -> Result<(), Failure> {
+        self.as_mut().map_or(Ok(()), |observer| observer.cycle(scene))
+    }
+
     fn tree_changed(&mut self, scene: &Scene<'_>) -> Result<(), Failure> {
         self.as_mut().map_or(Ok(()), |observer| observer.tree_changed(scene))
     }
@@ -75,6 +87,11 @@ impl<O: GameObserver> GameObserver for Option<O> {
 
 /// Two observers, of which at most one needs pictures.
 impl<A: GameObserver, B: GameObserver> GameObserver for (A, B) {
+    fn cycle(&mut self, scene: &Scene<'_>) -> Result<(), Failure> {
+        self.0.cycle(scene)?;
+        self.1.cycle(scene)
+    }
+
     fn tree_changed(&mut self, scene: &Scene<'_>) -> Result<(), Failure> {
         self.0.tree_changed(scene)?;
         self.1.tree_changed(scene)

@@ -2,6 +2,7 @@
 
 use std::fs::OpenOptions;
 use std::path::Path;
+use std::sync::mpsc::{Receiver, Sender, channel};
 
 use bica::runner::{Cycle, Observer, Request};
 use bica::{Probe, Refusal};
@@ -23,6 +24,9 @@ use crate::scene::GRAPH;
 
 /// Number of cycles between two records of the components' costs.
 const COSTS_EVERY: u64 = 100;
+
+/// Level of a note in the log of a recording: information.
+const NOTE_LEVEL: u8 = 2;
 
 /// Where and how a game is recorded.
 #[derive(Clone, Copy, Debug)]
@@ -74,6 +78,8 @@ impl RecordingSummary {
 /// Observer that records a game, if that is requested.
 pub(crate) struct GameRecorder<'a> {
     recorder: Option<(Recorder, &'a Path)>,
+    /// Receives the reason if the recording ends before the game.
+    ended: Receiver<String>,
     /// Runs and time of each component at the last record of costs.
     costs: Vec<ComponentCosts>,
     cycles: u64,
@@ -87,12 +93,13 @@ impl<'a> GameRecorder<'a> {
         attacks: GoalColour,
         robot: &Forward,
     ) -> Result<Self, Failure> {
+        let (sender, ended) = channel();
         let open = |options: RecordOptions<'a>| {
             let header = recording_header(rules, attacks, options.images).of_tree(robot);
-            open(&options, &header, rules).map(|recorder| (recorder, options.path))
+            open(&options, &header, rules, sender.clone()).map(|recorder| (recorder, options.path))
         };
         let recorder = options.map(open).transpose()?;
-        Ok(Self { recorder, costs: vec![ComponentCosts::default(); GRAPH.nodes.len()], cycles: 0 })
+        Ok(Self { recorder, ended, costs: vec![ComponentCosts::default(); GRAPH.nodes.len()], cycles: 0 })
     }
 
     /// Records an event of the referee.
@@ -101,6 +108,18 @@ impl<'a> GameRecorder<'a> {
             let EventRecord { event: kind, detail, .. } = EventRecord::from(event);
             recorder.event(RefereeEvent { at_ns: event.at.as_nanos() as u64, kind: kind.to_owned(), detail });
         }
+    }
+
+    /// Records a note of a person.
+    pub(crate) fn note(&self, text: &str) {
+        if let Some((recorder, _)) = &self.recorder {
+            recorder.log(LogLine { level: NOTE_LEVEL, text: format!("note: {text}") });
+        }
+    }
+
+    /// Returns the reason once if the recording has ended before the game.
+    pub(crate) fn newly_ended(&self) -> Option<String> {
+        self.ended.try_recv().ok()
     }
 
     /// Records the costs of the components once a second.
@@ -129,7 +148,12 @@ impl<'a> GameRecorder<'a> {
     }
 }
 
-fn open(options: &RecordOptions<'_>, header: &Header, rules: &Rules) -> Result<Recorder, Failure> {
+fn open(
+    options: &RecordOptions<'_>,
+    header: &Header,
+    rules: &Rules,
+    ended: Sender<String>,
+) -> Result<Recorder, Failure> {
     let RecordOptions { path, force, .. } = *options;
     let help = if path.exists() && !force {
         "--force replaces an existing file"
@@ -140,7 +164,10 @@ fn open(options: &RecordOptions<'_>, header: &Header, rules: &Rules) -> Result<R
     let file = file.map_err(|error| Failure::of_path("write", path, &error, help))?;
     // Without a clock nothing has to be lost.
     let backpressure = if rules.realtime { Backpressure::Drop } else { Backpressure::Wait };
-    let on_end = |reason: &str| eprintln!("warning: the recording ended, the game goes on: {reason}");
+    let on_end = move |reason: &str| {
+        // The receiver is gone only when the game has ended.
+        let _ = ended.send(reason.to_owned());
+    };
     Recorder::start(file, header, RecorderOptions { backpressure, ..RecorderOptions::default() }, on_end)
         .map_err(|error| Failure::of_path("write", path, &error, "is the disk full?"))
 }

@@ -1,5 +1,7 @@
 //! State of a game after a cycle: detections and estimates of the forward, the true state, the tree.
 
+use std::time::Duration;
+
 use bica::graph::Graph;
 use bica::{ComponentId, Tree};
 use bica_drawing::polar::Polar;
@@ -27,6 +29,10 @@ pub struct Scene<'a> {
     /// The referee.
     pub referee: &'a Referee,
     pub(crate) meter: &'a Meter,
+    /// Time of this cycle from sensor values to command.
+    pub chain: Duration,
+    /// Number of the cycle, from 0.
+    pub cycle: u64,
     /// True pose at the start of odometry.
     pub start: Pose2,
     /// Path of the ball so far.
@@ -43,6 +49,17 @@ impl Scene<'_> {
             active: each().map(|id| self.robot.is_active(id)).collect(),
             states: each().map(|id| self.robot.state(id)).collect(),
         }
+    }
+
+    /// Returns the number of runs of each component since the start, and the time in its own code.
+    pub fn totals(&self) -> impl Iterator<Item = (u64, Duration)> {
+        self.meter.activity.iter().map(|activity| (activity.runs, activity.time))
+    }
+
+    /// Returns the number of the newest image, and the image, if there is one.
+    #[must_use]
+    pub fn numbered_image(&self) -> Option<(u32, bica_motion::robot::Image<'_>)> {
+        self.image().map(|image| (self.robot.get::<CameraInput>().count(), image))
     }
 
     /// Returns the detections in the newest image, of the active detectors.

@@ -1,6 +1,15 @@
 //! Web monitor for BICA robots.
 //!
-//! [`protocol`] declares the messages between the page and this server. `sessions` connects robots, simulated worlds and
-//! recordings; `web` serves the page and its sockets. The page is in `page/`.
+//! [`protocol`] declares the messages between the page and this server. [`sessions`] connects robots, simulated worlds and
+//! recordings; [`web`] serves the page and its sockets. The page is in `page/`.
 
+pub mod cli;
+mod open;
 pub mod protocol;
+mod run;
+pub mod sessions;
+mod sources;
+mod token;
+pub mod web;
+
+pub use run::run;

@@ -83,6 +83,16 @@ pub(crate) enum Task {
     /// Records a short game, exports it, and reads both with MCAP's Python library, which checks all checksums. First installs it
     /// into target/ (from PyPI; needs Python 3).
     Viewers(Viewers),
+    /// Write the JavaScript libraries of JManager's page
+    ///
+    /// Fetches exact versions with npm, compares their SHA-512, and writes them to tools/jmanager/page/vendor. Only for a change of
+    /// versions: the result is in the repository.
+    Vendor(Vendor),
+    /// Test JManager's page in a real browser
+    ///
+    /// Builds JManager, drives Chromium, and writes screenshots to target/browser. First installs Chromium
+    /// (with apt); says so and succeeds without a test where that is impossible.
+    Browser(Browser),
     /// Check licences, sources and duplicates of all dependencies
     ///
     /// Runs cargo-deny with deny.toml on every workspace of the repository. First builds cargo-deny into target/.
@@ -141,6 +151,20 @@ pub(crate) struct Viewers {
     /// Also convert the export with Rerun, which is installed into target/ (from PyPI, 800 MB)
     #[arg(long)]
     pub(crate) rerun: bool,
+}
+
+#[derive(Debug, Default, Args)]
+pub(crate) struct Vendor {
+    /// Only compare the committed files with the packages
+    #[arg(long)]
+    pub(crate) check: bool,
+}
+
+#[derive(Debug, Default, Args)]
+pub(crate) struct Browser {
+    /// Also measure speed, and print the figures; they are not judged
+    #[arg(long)]
+    pub(crate) figures: bool,
 }
 
 #[derive(Debug, Args)]

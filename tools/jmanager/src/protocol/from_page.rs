@@ -271,6 +271,47 @@ pub enum Request {
     },
 }
 
+impl Request {
+    /// Returns the session that it is about; of two, the first.
+    #[must_use]
+    pub const fn session(&self) -> Option<SessionId> {
+        match *self {
+            Self::Close { session, .. }
+            | Self::Watch { session, .. }
+            | Self::At { session, .. }
+            | Self::Timeline { session, .. }
+            | Self::Series { session, .. }
+            | Self::Lines { session, .. }
+            | Self::Acquire { session, .. }
+            | Self::Take { session, .. }
+            | Self::Release { session, .. }
+            | Self::Keep { session, .. }
+            | Self::Set { session, .. }
+            | Self::Hold { session, .. }
+            | Self::Rate { session, .. }
+            | Self::Modulate { session, .. }
+            | Self::Pause { session, .. }
+            | Self::Resume { session, .. }
+            | Self::Step { session, .. }
+            | Self::Restart { session, .. }
+            | Self::Note { session, .. }
+            | Self::KeepRecording { session, .. }
+            | Self::SaveTune { session, .. }
+            | Self::SaveSource { session, .. }
+            | Self::Compare { session, .. }
+            | Self::RunAgain { session, .. }
+            | Self::Colours { session, .. }
+            | Self::PickColours { session, .. }
+            | Self::UndoColours { session, .. }
+            | Self::Classify { session, .. }
+            | Self::ScoreColours { session, .. }
+            | Self::SendColours { session, .. }
+            | Self::SaveColours { session, .. } => Some(session),
+            Self::Open { .. } | Self::Recordings {} | Self::Layouts {} | Self::SaveLayout { .. } => None,
+        }
+    }
+}
+
 /// What to show.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "kind", rename_all = "snake_case", deny_unknown_fields)]

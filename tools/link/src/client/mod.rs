@@ -194,6 +194,14 @@ impl Client {
         self.wait("the end of the lease", |inbox| inbox.lease.filter(|lease| !lease.yours).map(|_| ()))
     }
 
+    /// Sends an action on the lease; the new state follows as [`Event::Lease`].
+    ///
+    /// # Errors
+    /// [`Error::Disconnected`].
+    pub fn send_lease(&mut self, action: LeaseAction) -> Result<(), Error> {
+        self.send(&FromMonitor::Lease(action))
+    }
+
     /// Sends a request and returns its number; the answer follows as [`Event::Answer`].
     ///
     /// # Errors

@@ -1,0 +1,135 @@
+//! Comparison of every small tree in every short sequence of cycles with a model.
+//!
+//! A **tree** has up to four components. Component 0 is the root, and links lead from lower to higher indices; every
+//! directed acyclic graph with one root can be numbered like this. A component is a state machine with one to three
+//! states. Each state has at most one link to each later component, a requirement or a modulation. A component runs in
+//! every cycle, in every second or in every third; up to three components also in every second without declaring it.
+//!
+//! A **sequence** has six cycles of 10 ms. Before each cycle every machine gets the state that it has after its run
+//! (its *next state*), and one component may be held active, held latent or released.
+//!
+//! Cases that are left out are covered by explored ones:
+//!
+//! - *Machines without some transition.* Every state has a transition to every other one. A machine without one of them
+//!   behaves like a machine whose transition is never taken.
+//! - *Several transitions whose conditions hold.* The first in the text is taken, and the engine receives only that
+//!   one.
+//! - *Components without states.* They behave like machines with one state.
+//! - *The order of the states after the initial one*, which can be exchanged.
+//! - *Next states of machines that do not run.* They are not read.
+//! - *Sequences that lead to the same state of the model and of the engine.* Their continuations are the same.
+//!
+//! The product of all cases is too large to be explored tree by tree, so there are two explorations:
+//!
+//! - **States** ([`states`]): all trees with the same rates at once, as the graph of the states in which they can be. It covers
+//!   every tree of up to three components with all rates and all holds, in sequences of any length. Of four components, which
+//!   may run in every cycle or in every second, or one of them in every third, it covers every tree without holds; and every
+//!   tree with all holds whose components run in every cycle.
+//! - **Families** ([`families`]): each tree by itself, with constant links and the indices of its states, of which the first exploration
+//!   abstracts. A [`Family`](families::Family) describes a part of the product, which is explored completely.
+//!
+//! The tests print the numbers of compared trees, states and cycles. Those that take minutes are slow tests, which
+//! `cargo xtask ci` runs. Random trees test larger machines with timers and values.
+
+mod choice;
+mod explore;
+mod families;
+mod key;
+mod model;
+mod shape;
+mod states;
+mod subject;
+mod tree;
+
+use std::io::Write;
+use std::sync::Mutex;
+use std::thread;
+
+use shape::{COMPONENTS, RATES, Rate, Shape};
+use states::{Counts, States};
+
+/// Prints a line, even if the test harness captures the output.
+fn print(line: &str) {
+    let line = format!("exhaustive semantics, {line}\n");
+    std::io::stderr().write_all(line.as_bytes()).expect("standard error can be written");
+}
+
+/// Returns all rates of `len` components from a list.
+fn all_rates(len: usize, kinds: &[Rate]) -> Vec<[Rate; COMPONENTS]> {
+    let each = (0..kinds.len().pow(len as u32)).map(|mut code| {
+        let mut rates = [Rate::Every; COMPONENTS];
+        for rate in &mut rates[..len] {
+            *rate = kinds[code % kinds.len()];
+            code /= kinds.len();
+        }
+        rates
+    });
+    each.collect()
+}
+
+/// The framework counts one link to each component, or several: two forms of a visit.
+const BOTH: [bool; 2] = [false, true];
+
+/// Explores all trees of `len` components with each combination of rates and forms of visits, and prints the numbers.
+fn explore(len: usize, rates: &[[Rate; COMPONENTS]], shared: &[bool], holds: bool) -> Counts {
+    let work = rates.iter().flat_map(|&rates| shared.iter().map(move |&shared| (Shape::of_rates(len, rates), shared)));
+    let (work, total) = (Mutex::new(work), Mutex::new(Counts::default()));
+    thread::scope(|scope| {
+        for _ in 0..thread::available_parallelism().map_or(1, usize::from) {
+            scope.spawn(|| {
+                loop {
+                    let next = work.lock().expect("no other thread panics here").next();
+                    let Some((shape, shared)) = next else { return };
+                    let counts = subject::with_flags(&shape, shared, States { holds });
+                    *total.lock().expect("no other thread panics here") += counts;
+                }
+            });
+        }
+    });
+    let counts = total.into_inner().expect("all threads ended");
+    let (trees, kinds) = (states::trees(len) * rates.len() as u64, ["", " of holds"][usize::from(holds)]);
+    let Counts { states, cycles, depth } = counts;
+    print(&format!(
+        "{trees} trees of {len} components with all sequences{kinds}: {states} states, all reached in {depth} cycles; \
+         {cycles} cycles compared"
+    ));
+    counts
+}
+
+#[test]
+fn every_tree_of_up_to_three_components_in_sequences_of_any_length() {
+    for len in 1..=3 {
+        explore(len, &all_rates(len, &RATES), &BOTH, false);
+    }
+}
+
+#[test]
+#[ignore = "slow: `cargo xtask ci` runs it"]
+fn slow_every_tree_of_up_to_three_components_with_all_holds() {
+    for len in 1..=3 {
+        explore(len, &all_rates(len, &RATES), &BOTH, true);
+    }
+}
+
+#[test]
+#[ignore = "slow: `cargo xtask ci` runs it"]
+fn slow_every_tree_of_four_components_with_rates() {
+    let mut rates = all_rates(COMPONENTS, &[Rate::Every, Rate::Half]);
+    rates.extend((0..COMPONENTS).map(|third| {
+        let mut rates = [Rate::Every; COMPONENTS];
+        rates[third] = Rate::Third;
+        rates
+    }));
+    explore(COMPONENTS, &rates, &[true], false);
+}
+
+#[test]
+#[ignore = "slow: `cargo xtask ci` runs it"]
+fn slow_every_tree_of_four_components_with_all_holds() {
+    explore(COMPONENTS, &[[Rate::Every; COMPONENTS]], &[true], true);
+}
+
+#[test]
+fn every_tree_of_four_components_that_run_in_every_cycle() {
+    explore(COMPONENTS, &[[Rate::Every; COMPONENTS]], &[true], false);
+}

@@ -1,0 +1,53 @@
+//! Control of a game between two cycles.
+
+use bica_console::interrupt;
+
+/// What the loop of a game does next.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NextStep {
+    /// One cycle.
+    Cycle,
+    /// The game ends.
+    End,
+}
+
+/// Decides between two cycles whether a game goes on.
+///
+/// `()` plays until the rules end the game or the user interrupts the program.
+pub trait GameControl {
+    /// Decides what comes next. It may wait: the clock of a game in real time stands still meanwhile, and so the game is
+    /// paused. `is_over` is whether the rules end the game here.
+    fn next(&mut self, is_over: bool) -> NextStep;
+
+    /// Returns a line for the recording's log, after each cycle.
+    fn note(&mut self) -> Option<String> {
+        None
+    }
+
+    /// Called once if the recording ended before the game.
+    fn recording_ended(&mut self, _reason: &str) {}
+}
+
+impl GameControl for () {
+    fn next(&mut self, is_over: bool) -> NextStep {
+        if is_over || interrupt::requested() { NextStep::End } else { NextStep::Cycle }
+    }
+
+    fn recording_ended(&mut self, reason: &str) {
+        eprintln!("warning: the recording ended, the game goes on: {reason}");
+    }
+}
+
+impl<C: GameControl + ?Sized> GameControl for &mut C {
+    fn next(&mut self, is_over: bool) -> NextStep {
+        (**self).next(is_over)
+    }
+
+    fn note(&mut self) -> Option<String> {
+        (**self).note()
+    }
+
+    fn recording_ended(&mut self, reason: &str) {
+        (**self).recording_ended(reason);
+    }
+}

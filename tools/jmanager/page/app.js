@@ -1,0 +1,123 @@
+// The page: bar, docked panels, notices, keys.
+
+import { Fragment, effect, html, render, signal } from './lib/dom.js';
+import { connect, link } from './lib/connection.js';
+import * as dock from './lib/dock.js';
+import { bind } from './lib/keys.js';
+import { PRESETS } from './lib/presets.js';
+import * as store from './lib/store.js';
+import { toggleTheme } from './lib/theme.js';
+import { Header } from './bar.js';
+import { Help, helpShown } from './help.js';
+
+function Notices() {
+  return html`<div class="notices" role="log" aria-live="polite" aria-label="Messages">
+    ${store.notices.value.map((notice) => html`<div key=${notice.id} class=${`notice ${notice.level}`} role=${notice.level === 'error' ? 'alert' : 'status'}>
+      <span><strong>${notice.text}</strong>${notice.help && html` ${notice.help}`}</span>
+      <button aria-label="Dismiss message" onClick=${() => store.dismiss(notice.id)}>×</button></div>`)}
+  </div>`;
+}
+
+function Lost() {
+  const lost = link.value === 'lost';
+  const own = store.session.value?.info.value;
+  if (lost) return html`<div class="lost" role="alert">The connection to the program is lost. It is being restored; what you operated has ended.</div>`;
+  if (own?.connection === 'lost') return html`<div class="lost" role="alert">${own.name}: the connection is lost and is being restored. ${own.note}</div>`;
+  if (own?.connection === 'ended') return html`<div class="lost" role="alert">${own.name}: it has ended. ${own.note}</div>`;
+  return null;
+}
+
+function App() {
+  return html`<${Fragment}><${Header} /><${Lost} /><div id="dock" ref=${startDock}></div><${Notices} /><${Help} /></${Fragment}>`;
+}
+
+let started = false;
+
+function startDock(element) {
+  if (!element || started) return;
+  started = true;
+  dock.start(element);
+  const wanted = new URLSearchParams(location.hash.slice(1)).get('layout');
+  if (PRESETS[wanted]) dock.preset(wanted);
+  else if (!dock.restore()) dock.preset('overview');
+}
+
+// ---- keys
+
+const { seek, step, cycle_us, range, playOrPause } = store;
+const zoom = (factor) => {
+  const { span, end } = range.value;
+  range.value = { span: Math.min(Math.max(span * factor, 20e3), 4 * 3600e6), end };
+};
+
+const KEYS = [
+  ['?', 'this list', 'Page', () => { helpShown.value = !helpShown.value; }],
+  ['t', 'dark or light', 'Page', toggleTheme],
+  ['F6', 'next panel', 'Page', () => dock.focusNext(1)],
+  ['Shift+F6', 'previous panel', 'Page', () => dock.focusNext(-1)],
+  ['m', 'panel as large as the page, and back', 'Page', dock.maximize],
+  ['x', 'close the panel', 'Page', dock.closeActive],
+  ['p', 'new plot', 'Page', () => dock.open('plot')],
+  ...Object.entries(PRESETS).map(([name, { title }], index) => [`${index + 1}`, `layout “${title}”`, 'Page', () => dock.preset(name)]),
+  [' ', 'pause the view, or live; play a recording', 'Time', playOrPause],
+  ['l', 'live', 'Time', () => seek(null)],
+  ['ArrowLeft', 'one cycle back', 'Time', () => step(-cycle_us.value)],
+  ['ArrowRight', 'one cycle on', 'Time', () => step(cycle_us.value)],
+  ['Shift+ArrowLeft', 'one second back', 'Time', () => step(-1e6)],
+  ['Shift+ArrowRight', 'one second on', 'Time', () => step(1e6)],
+  ['Home', 'first moment', 'Time', () => seek(store.session.value?.info.value.from_us ?? 0)],
+  ['End', 'last moment', 'Time', () => seek(store.session.value?.info.value.until_us ?? 0)],
+  ['+', 'zoom in', 'Time', () => zoom(0.6)],
+  ['-', 'zoom out', 'Time', () => zoom(1 / 0.6)],
+  ['c', 'take control if nobody has it', 'Operate', store.operate],
+  ['g', 'give control back', 'Operate', () => store.act('release', {}, 'control was given back')],
+  ['u', 'undo the last change of a parameter', 'Operate', store.undoParams],
+  ['w', 'pause or continue a simulated world', 'Operate', () => store.act(store.session.value?.info.value.paused ? 'resume' : 'pause')],
+  ['.', 'one cycle of a paused world', 'Operate', () => store.act('step', { cycles: 1 })],
+];
+for (const [key, text, group, run] of KEYS) bind({ key, text, group, run });
+bind({ key: 'Escape', text: 'close this list', group: 'Page', run: () => { helpShown.value = false; } });
+
+// ---- a link to a moment: #t=SECONDS&layout=NAME
+
+const pending = signal(null);
+
+function follow() {
+  const parameters = new URLSearchParams(location.hash.slice(1));
+  const time = Number.parseFloat(parameters.get('t'));
+  if (Number.isFinite(time)) pending.value = time * 1e6;
+}
+
+
+effect(() => {
+  const time = pending.value;
+  if (time === null || !store.session.value?.description.value) return;
+  pending.value = null;
+  // The cursor must not become a dependency of this effect.
+  setTimeout(() => seek(time));
+});
+window.addEventListener('hashchange', follow);
+follow();
+
+let writing = null;
+effect(() => {
+  const at = store.cursor.value;
+  const name = dock.layoutName.value;
+  clearTimeout(writing);
+  writing = setTimeout(() => {
+    const parts = [];
+    if (at !== null) parts.push(`t=${(at / 1e6).toFixed(3)}`);
+    if (PRESETS[name]) parts.push(`layout=${name}`);
+    history.replaceState(null, '', parts.length > 0 ? `#${parts.join('&')}` : location.pathname);
+  }, 400);
+});
+
+effect(() => {
+  const name = store.session.value?.info.value.name;
+  document.title = name ? `${name} · JManager` : 'JManager';
+});
+
+const place = document.getElementById('app');
+place.replaceChildren();
+render(html`<${App} />`, place);
+connect();

@@ -1,0 +1,173 @@
+// The bar at the top: sessions, time, control, recording, view.
+
+import { html, useSignal } from './lib/dom.js';
+import { link } from './lib/connection.js';
+import * as dock from './lib/dock.js';
+import { bytes, duration, number, time } from './lib/format.js';
+import { PANELS } from './lib/panels.js';
+import { PRESETS } from './lib/presets.js';
+import * as store from './lib/store.js';
+import { theme, toggleTheme } from './lib/theme.js';
+import { Menu, download } from './lib/ui.js';
+import { helpShown } from './help.js';
+
+const CONNECTION = { connecting: 'connecting', connected: '', lost: 'lost', ended: 'ended' };
+
+function Sessions() {
+  const all = [...store.sessions.value.values()];
+  return html`<div class="sessions" role="tablist" aria-label="Sessions">
+    ${all.map((one) => {
+      const info = one.info.value;
+      const chosen = one.id === store.current.value;
+      return html`<span key=${one.id} class=${`session ${chosen ? 'chosen' : ''}`}>
+        <button role="tab" aria-selected=${chosen} title=${info.note || info.name} onClick=${() => store.show(one.id)}>
+          <i class=${`state ${info.connection}`} aria-hidden="true"></i>${info.name}${CONNECTION[info.connection] && html` <em>${CONNECTION[info.connection]}</em>`}</button>
+        ${chosen && all.length > 1 && html`<button class="close" aria-label=${`Close ${info.name}`} onClick=${() => store.act('close')}>×</button>`}
+      </span>`;
+    })}
+    <${Add} />
+  </div>`;
+}
+
+function Add() {
+  const address = useSignal('tcp://127.0.0.1:7400');
+  const world = useSignal('built-in');
+  const seed = useSignal('0');
+  const open = (source) => store.ask('open', { source }).then((opened) => opened && store.show(opened.session));
+  return html`<${Menu} label="+" title="Open another session">
+    <form class="form" onSubmit=${(event) => { event.preventDefault(); open({ kind: 'robot', address: address.value }); }}>
+      <label>Robot <input value=${address.value} onInput=${(event) => { address.value = event.target.value; }} aria-label="Address of the robot" /></label>
+      <button>Connect</button></form>
+    <p class="hint">tcp://HOST:PORT, or serial:DEVICE@BAUD</p>
+    <form class="form" onSubmit=${(event) => { event.preventDefault(); open({ kind: 'world', world: world.value, seed: Number(seed.value) || 0, robots: 0 }); }}>
+      <label>World <select aria-label="World" onChange=${(event) => { world.value = event.target.value; }}>
+        ${['built-in', 'mujoco', 'firmware'].map((name) => html`<option selected=${name === world.value}>${name}</option>`)}</select></label>
+      <label>Seed <input class="short" inputmode="numeric" value=${seed.value} onInput=${(event) => { seed.value = event.target.value; }} aria-label="Seed of the world" /></label>
+      <button>Start</button></form>
+    <button class="item" onClick=${() => dock.open('recordings')}>Recordings…</button>
+  <//>`;
+}
+
+function Clock() {
+  const shown = store.session.value;
+  const info = shown?.info.value;
+  const at = store.cursor.value;
+  const recording = info?.kind === 'recording';
+  const moment = shown?.moment.value;
+  const state = at !== null ? (recording && store.playing.value ? 'playing' : 'paused') : info?.paused ? 'world paused' : 'live';
+  const fresh = shown && info.connection === 'connected';
+  return html`<button class=${`chip clock ${fresh ? state.replace(' ', '-') : 'off'}`} aria-label=${`Time: ${state}. ${at === null ? 'Pause the view' : recording ? 'Play or pause' : 'Back to live'}`}
+    title="Space pauses the view; the robot goes on" onClick=${store.playOrPause}>
+    <i class="dot" aria-hidden="true"></i>${shown && info.connection !== 'connected' ? info.connection : state} <b>${time(moment?.time_us ?? at)}</b></button>`;
+}
+
+function Costs() {
+  const shown = store.session.value;
+  const costs = shown?.costs.value;
+  const budget = shown?.description.value?.budget_ms;
+  const live = shown?.live.value;
+  if (!shown) return null;
+  return html`<button class="chip" title="Mean duration of a cycle, from sensor values to command; opens Latency" onClick=${() => dock.open('latency')}>
+      chain ${costs ? duration(costs.chain_us[0]) : '–'}${budget ? html` <span class="dim">of ${number(budget)} ms</span>` : ''}</button>
+    <span class=${`chip ${live?.overruns ? 'warn' : ''}`} title="Cycles that ended after the next one was due">${live?.overruns ?? 0} late</span>`;
+}
+
+const CONTROL = {
+  free: 'operator: nobody',
+  yours: 'operator: you',
+  other_page: 'operator: another page',
+  other_monitor: 'operator: another monitor',
+  unavailable: 'watching only',
+};
+
+function Control() {
+  const info = store.session.value?.info.value;
+  if (!info) return null;
+  const { control } = info;
+  return html`<span class=${`chip control ${control}`} role="status" aria-label="Control">${CONTROL[control]}
+    ${control === 'free' && html`<button onClick=${() => store.act('acquire')} title="Key c">Take control</button>`}
+    ${(control === 'other_page' || control === 'other_monitor') && html`<button onClick=${() => store.act('take', {}, 'control was taken')}>Take control</button>`}
+    ${control === 'yours' && html`<button onClick=${() => store.act('release', {}, 'control was given back')} title="Key g: holds, rates and modulations end, parameters stay">Give back</button>`}
+  </span>`;
+}
+
+function World() {
+  const info = store.session.value?.info.value;
+  if (!info?.can.pause) return null;
+  return html`<span class="chip world" role="group" aria-label="Simulated world">world
+    <button onClick=${() => store.act(info.paused ? 'resume' : 'pause')} title="Key w">${info.paused ? 'Continue' : 'Pause'}</button>
+    <button disabled=${!info.paused} onClick=${() => store.act('step', { cycles: 1 })} title="Key . — one cycle">Step</button>
+    <button onClick=${() => store.act('restart', { seed: null }, 'the world begins again')} title="The same game from its beginning">Restart</button></span>`;
+}
+
+function Recording() {
+  const recording = store.session.value?.info.value.recording;
+  if (!recording || (!recording.on && !recording.note)) return null;
+  return html`<button class=${`chip rec ${recording.on ? 'runs' : 'warn'}`} title=${recording.note || 'The last minutes are recorded; click to keep them'} onClick=${() => dock.open('recordings')}>
+    <i class="dot" aria-hidden="true"></i>${recording.on ? `recording ${bytes(recording.bytes)}` : 'not recorded'}</button>`;
+}
+
+async function shareLayout() {
+  const name = prompt('Name of the layout');
+  if (!name) return;
+  await store.ask('save_layout', { name, layout: dock.layout() }, `layout “${name}” was saved`);
+}
+
+function openLayoutFile() {
+  const input = document.createElement('input');
+  input.type = 'file';
+  input.accept = '.json';
+  input.onchange = async () => {
+    const file = input.files[0];
+    try {
+      if (!dock.applyLayout(JSON.parse(await file.text()), file.name)) throw new Error('not a layout');
+    } catch {
+      store.notify('error', `${file.name} is no layout`, 'choose a file that “Layout to a file” wrote');
+    }
+  };
+  input.click();
+}
+
+function View() {
+  const saved = useSignal({});
+  const load = async (event) => {
+    if (event.target.open) saved.value = (await store.ask('layouts')) ?? {};
+  };
+  return html`<span onToggleCapture=${load}><${Menu} label="View" title="Layouts and panels">
+    <h3>Layouts</h3>
+    ${Object.entries(PRESETS).map(([name, { title }], index) => html`<button class="item" onClick=${() => dock.preset(name)}>${title}<kbd>${index + 1}</kbd></button>`)}
+    ${Object.entries(saved.value).map(([name, layout]) => html`<button class="item" onClick=${() => dock.applyLayout(layout, name)}>${name}</button>`)}
+    <button class="item" onClick=${shareLayout}>Save layout as…</button>
+    <button class="item" onClick=${() => download('jmanager-layout.json', new Blob([JSON.stringify(dock.layout(), null, 1)], { type: 'application/json' }))}>Layout to a file</button>
+    <button class="item" onClick=${openLayoutFile}>Layout from a file…</button>
+    <h3>Panels</h3>
+    ${Object.entries(PANELS).map(([name, { title, many }]) => html`<button class="item" onClick=${() => dock.open(name)}>${many ? `New ${title.toLowerCase()}` : title}${dock.opened.value.has(name) ? html`<span class="dim">open</span>` : ''}</button>`)}
+  <//></span>`;
+}
+
+async function copyLink() {
+  const at = store.cursor.value ?? store.session.value?.moment.value?.time_us ?? 0;
+  const url = `${location.origin}/#t=${(at / 1e6).toFixed(3)}&layout=${PRESETS[dock.layoutName.value] ? dock.layoutName.value : 'overview'}`;
+  try {
+    await navigator.clipboard.writeText(url);
+    store.notify('done', 'the link to this moment is in the clipboard');
+  } catch {
+    store.notify('done', url);
+  }
+}
+
+export function Header() {
+  const tree = store.session.value?.description.value?.name;
+  return html`<header class="top">
+    <b class="name" title="Activation tree">${tree ?? 'JManager'}</b>
+    <${Sessions} />
+    ${link.value !== 'open' && html`<span class="chip warn" role="status">${link.value === 'lost' ? 'program lost' : 'connecting'}</span>`}
+    <${Clock} /><${Costs} />
+    <span class="grow"></span>
+    <${Control} /><${World} /><${Recording} />
+    <button class="plain" aria-label="Copy a link to this moment" title="Copy a link to this moment" onClick=${copyLink}>Link</button>
+    <${View} />
+    <button class="plain" aria-label=${`Change to the ${theme.value === 'dark' ? 'light' : 'dark'} theme`} title="Key t" onClick=${toggleTheme}>${theme.value === 'dark' ? '☀' : '☾'}</button>
+    <button class="plain" aria-label="Keys" title="Keys (?)" onClick=${() => { helpShown.value = true; }}>?</button>
+  </header>`;
+}

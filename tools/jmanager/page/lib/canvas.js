@@ -1,0 +1,56 @@
+// A canvas that is drawn at most once a frame, only if it is visible and something that it shows changed.
+
+import { html, useEffect, useRef } from './dom.js';
+import { effect } from './dom.js';
+import { theme } from './theme.js';
+
+/**
+ * A canvas that fills its parent. `reads` reads the signals on which the drawing depends; `draw(context, width, height)` draws in
+ * CSS pixels.
+ */
+export function Canvas({ reads, draw, visible, label, onReady, ...handlers }) {
+  const canvas = useRef(null);
+  const latest = useRef(draw);
+  latest.current = draw;
+  const schedule = useRef(() => {});
+
+  useEffect(() => {
+    const element = canvas.current;
+    const context = element.getContext('2d');
+    let frame = 0;
+    const paint = () => {
+      frame = 0;
+      const { clientWidth: width, clientHeight: height } = element;
+      if (!visible.peek() || width === 0 || height === 0) return;
+      const scale = window.devicePixelRatio || 1;
+      const [pixelsX, pixelsY] = [Math.round(width * scale), Math.round(height * scale)];
+      if (element.width !== pixelsX || element.height !== pixelsY) {
+        element.width = pixelsX;
+        element.height = pixelsY;
+      }
+      context.setTransform(scale, 0, 0, scale, 0, 0);
+      context.clearRect(0, 0, width, height);
+      latest.current(context, width, height);
+    };
+    schedule.current = () => {
+      frame ||= requestAnimationFrame(paint);
+    };
+    const stop = effect(() => {
+      void theme.value;
+      void visible.value;
+      reads();
+      schedule.current();
+    });
+    const observer = new ResizeObserver(() => schedule.current());
+    observer.observe(element);
+    onReady?.(element, () => schedule.current());
+    return () => {
+      stop();
+      observer.disconnect();
+      cancelAnimationFrame(frame);
+    };
+  }, []);
+  useEffect(() => schedule.current());
+
+  return html`<canvas ref=${canvas} class="fill" role="img" aria-label=${label} ...${handlers}></canvas>`;
+}

@@ -1,0 +1,61 @@
+// The WebSocket: connects again after a loss, numbers requests, hands messages on.
+
+import { signal } from './dom.js';
+
+/** connecting, open or lost. */
+export const link = signal('connecting');
+
+const RETRY_MS = 1000;
+const listeners = [];
+const waiting = new Map();
+let socket = null;
+let lastId = 0;
+
+/** Registers a receiver of messages (objects) and of binary frames (ArrayBuffer). */
+export const listen = (listener) => listeners.push(listener);
+
+/** Connects, and again after each loss. Requests of a lost connection fail; none of them is sent again. */
+export function connect() {
+  const mine = new WebSocket(`${location.protocol === 'https:' ? 'wss' : 'ws'}://${location.host}/socket`);
+  socket = mine;
+  mine.binaryType = 'arraybuffer';
+  mine.onopen = () => { link.value = 'open'; };
+  mine.onmessage = ({ data }) => receive(data);
+  mine.onclose = () => {
+    if (socket !== mine) return;
+    link.value = 'lost';
+    socket = null;
+    for (const { reject } of waiting.values()) reject({ text: 'the connection to the program was lost', help: 'it is being restored' });
+    waiting.clear();
+    setTimeout(connect, RETRY_MS);
+  };
+}
+
+function receive(data) {
+  if (typeof data !== 'string') {
+    for (const listener of listeners) listener(null, data);
+    return;
+  }
+  const message = JSON.parse(data);
+  if (message.type === 'answer') {
+    const asked = waiting.get(message.id);
+    waiting.delete(message.id);
+    if (message.error) asked?.reject(message.error);
+    else asked?.resolve(message.result);
+    return;
+  }
+  for (const listener of listeners) listener(message, null);
+}
+
+/** Sends a request; the promise has its result, or its error `{text, help, entry}`. */
+export function request(type, fields = {}) {
+  if (socket?.readyState !== WebSocket.OPEN) {
+    return Promise.reject({ text: 'there is no connection to the program', help: 'it is being restored; try again then' });
+  }
+  lastId += 1;
+  const id = lastId;
+  socket.send(JSON.stringify({ id, type, ...fields }));
+  const answer = new Promise((resolve, reject) => waiting.set(id, { resolve, reject }));
+  answer.id = id;
+  return answer;
+}

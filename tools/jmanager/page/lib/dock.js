@@ -1,0 +1,170 @@
+// The docked panels.
+
+import { createDockview } from '../vendor/dockview.js';
+import { Fragment, html, render, signal } from './dom.js';
+import { PANELS } from './panels.js';
+import { PRESETS } from './presets.js';
+import { selected } from './store.js';
+import { theme } from './theme.js';
+
+let api = null;
+let lastNumber = 0;
+
+/** Names of the panels that are open. */
+export const opened = signal(new Set());
+/** Name of the layout that was applied last. */
+export const layoutName = signal('overview');
+
+function content({ name }) {
+  const element = document.createElement('div');
+  element.className = 'panel';
+  const visible = signal(true);
+  return {
+    element,
+    init({ api: panel, params, title }) {
+      const kind = PANELS[name];
+      element.setAttribute('role', 'region');
+      element.setAttribute('aria-label', title ?? kind?.title ?? name);
+      visible.value = panel.isVisible;
+      panel.onDidVisibilityChange((event) => {
+        visible.value = event.isVisible;
+      });
+      const retitle = (text) => {
+        panel.setTitle(text);
+        element.setAttribute('aria-label', text);
+      };
+      const remember = (changed) => panel.updateParameters(changed);
+      const view = kind ? html`<${kind.view} visible=${visible} params=${params ?? {}} retitle=${retitle} remember=${remember} />` : html`<p class="empty">This version has no panel “${name}”. Close the tab.</p>`;
+      render(view, element);
+    },
+    dispose() {
+      render(html`<${Fragment} />`, element);
+    },
+  };
+}
+
+/** Makes the dock in an element. */
+export function start(element) {
+  api = createDockview(element, {
+    createComponent: content,
+    theme: { name: 'jmanager', className: 'dockview-theme-jmanager', gap: 5, colorScheme: theme.peek() },
+    disableFloatingGroups: false,
+    noPanelsOverlay: 'watermark',
+    createWatermarkComponent: () => {
+      const note = document.createElement('p');
+      note.className = 'empty';
+      note.textContent = 'No panel is open. Choose a layout or a panel in the menu “View”.';
+      return { element: note, init() {} };
+    },
+  });
+  api.onDidLayoutChange(() => {
+    opened.value = new Set(api.panels.map((panel) => panel.id));
+    saveSoon();
+  });
+}
+
+/** Opens a panel, or shows it if it is open. */
+export function open(name, params, title) {
+  const kind = PANELS[name];
+  let id = params?.component ? `component:${params.component}` : name;
+  if (kind.many) {
+    lastNumber += 1;
+    while (api.getPanel(`${name}:${lastNumber}`)) lastNumber += 1;
+    id = `${name}:${lastNumber}`;
+  }
+  const known = api.getPanel(id);
+  if (known) {
+    known.api.setActive();
+    return;
+  }
+  const neighbour = api.getPanel('component') ?? api.getPanel('camera') ?? api.activePanel;
+  const beside = kind.many ? api.getPanel('timeline') ?? neighbour : neighbour;
+  const position = beside ? { referencePanel: beside.id } : undefined;
+  api.addPanel({ id, component: name, title: title ?? kind.title, params, position });
+}
+
+/** Shows a component in the tab that follows the selection, or in a tab of its own. */
+export function openComponent(name, own = false) {
+  selected.value = name;
+  if (own) open('component', { component: name }, name);
+  else if (api.getPanel('component')) api.getPanel('component').api.setActive();
+  else open('component', undefined, name);
+}
+
+export const closeActive = () => api.activePanel?.api.close();
+export const maximize = () => {
+  if (api.hasMaximizedGroup()) api.exitMaximizedGroup();
+  else api.activePanel?.api.maximize();
+};
+
+/** Moves the focus to the next panel in order. */
+export function focusNext(by) {
+  const panels = api.panels.filter((panel) => panel.api.isVisible);
+  if (panels.length === 0) return;
+  const index = panels.indexOf(api.activePanel);
+  const panel = panels[(index + by + panels.length) % panels.length];
+  panel.api.setActive();
+  const inside = panel.view.content.element;
+  (inside.querySelector('button, input, select, [tabindex="0"]') ?? inside).focus?.();
+}
+
+/** Applies a preset by name. */
+export function preset(name) {
+  const width = document.documentElement.clientWidth;
+  api.clear();
+  for (const [id, where] of PRESETS[name].panels(width)) {
+    const [kind, argument] = id.split(':');
+    const params = kind === 'component' && argument ? { component: argument } : where.params;
+    const title = kind === 'component' && argument ? argument : where.title ?? PANELS[kind].title;
+    const { beside, direction, size, inactive } = where;
+    api.addPanel({
+      id,
+      component: kind,
+      title,
+      params,
+      inactive,
+      position: beside ? { referencePanel: beside, direction } : undefined,
+      ...(direction === 'right' || direction === 'left' ? { initialWidth: size } : { initialHeight: size }),
+    });
+  }
+  layoutName.value = name;
+}
+
+/** The layout as data, and back. */
+export const layout = () => api.toJSON();
+
+export function applyLayout(data, name) {
+  const before = api.toJSON();
+  try {
+    api.fromJSON(data);
+    layoutName.value = name;
+    return true;
+  } catch {
+    api.fromJSON(before);
+    return false;
+  }
+}
+
+const KEY = 'jmanager-layout';
+let saving = null;
+
+function saveSoon() {
+  saving ??= setTimeout(() => {
+    saving = null;
+    try {
+      localStorage.setItem(KEY, JSON.stringify(api.toJSON()));
+    } catch {
+      // Without storage the layout holds until the page is closed.
+    }
+  }, 500);
+}
+
+/** Restores the layout of the last visit; returns whether there was one. */
+export function restore() {
+  try {
+    const data = JSON.parse(localStorage.getItem(KEY));
+    return data !== null && applyLayout(data, 'last');
+  } catch {
+    return false;
+  }
+}

@@ -1,0 +1,42 @@
+// Keys of the page. Panels add theirs; `?` shows the list.
+
+const bindings = [];
+
+/** Adds a key: {key, text, group, run}. A key is `event.key`, with `Shift+`, `Ctrl+` or `Alt+` before. Returns how to remove it. */
+export function bind(binding) {
+  bindings.push(binding);
+  return () => bindings.splice(bindings.indexOf(binding), 1);
+}
+
+export const allKeys = () => bindings;
+
+function nameOf(event) {
+  const shift = event.shiftKey && event.key.length > 1 ? 'Shift+' : '';
+  return `${event.ctrlKey || event.metaKey ? 'Ctrl+' : ''}${event.altKey ? 'Alt+' : ''}${shift}${event.key}`;
+}
+
+const TYPED = new Set(['text', 'number', 'search', 'password']);
+
+/** Whether the key belongs to the control that has the focus. */
+function isTaken(event) {
+  const { target, key } = event;
+  const tag = target.tagName;
+  if (tag === 'TEXTAREA' || target.isContentEditable) return true;
+  if (tag === 'INPUT') return TYPED.has(target.type) || key.startsWith('Arrow') || key === ' ' || key === 'Home' || key === 'End';
+  if (tag === 'SELECT') return !event.ctrlKey && key !== '?';
+  if (tag === 'BUTTON' || tag === 'SUMMARY' || target.getAttribute('role') === 'tab') {
+    return key === ' ' || key === 'Enter' || (target.getAttribute('role') === 'tab' && key.startsWith('Arrow'));
+  }
+  return false;
+}
+
+window.addEventListener('keydown', (event) => {
+  if (event.defaultPrevented) return;
+  const name = nameOf(event);
+  if (name === 'Escape' && isTaken(event)) event.target.blur();
+  if (isTaken(event) && name !== 'Escape') return;
+  const binding = bindings.findLast((one) => one.key === name);
+  if (!binding) return;
+  event.preventDefault();
+  binding.run(event);
+});

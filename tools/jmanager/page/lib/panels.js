@@ -1,0 +1,29 @@
+// All panels: the name in a layout, the title, and the component that shows it.
+
+import { Tree } from '../panels/tree.js';
+import { Timeline } from '../panels/timeline.js';
+import { ComponentTab } from '../panels/component.js';
+import { Camera } from '../panels/camera.js';
+import { Tuner } from '../panels/tuner.js';
+import { Boundary } from '../panels/boundary.js';
+import { FieldMap } from '../panels/field.js';
+import { Plot } from '../panels/plot.js';
+import { Latency } from '../panels/latency.js';
+import { Log } from '../panels/log.js';
+import { Drive } from '../panels/drive.js';
+import { Recordings } from '../panels/recordings.js';
+
+export const PANELS = {
+  tree: { title: 'Activation tree', view: Tree },
+  timeline: { title: 'Timeline', view: Timeline },
+  component: { title: 'Component', view: ComponentTab },
+  camera: { title: 'Camera', view: Camera },
+  tuner: { title: 'Colours', view: Tuner },
+  boundary: { title: 'End of field', view: Boundary },
+  field: { title: 'Field', view: FieldMap },
+  plot: { title: 'Plot', view: Plot, many: true },
+  latency: { title: 'Latency', view: Latency },
+  log: { title: 'Log', view: Log },
+  drive: { title: 'Drive', view: Drive },
+  recordings: { title: 'Recordings', view: Recordings },
+};

@@ -1,0 +1,88 @@
+// Layouts for common work: lists of panels, each with its place beside an earlier one.
+
+const right = (beside, size) => ({ beside, direction: 'right', size });
+const below = (beside, size) => ({ beside, direction: 'below', size });
+const with_ = (beside, inactive = true) => ({ beside, direction: 'within', inactive });
+
+/** On a narrow window all panels share two groups. */
+function narrow(first, rest, bottom) {
+  return [
+    [first, {}],
+    ...rest.map((name) => [name, with_(first)]),
+    [bottom[0], below(first, 300)],
+    ...bottom.slice(1).map((name) => [name, with_(bottom[0])]),
+  ];
+}
+
+export const PRESETS = {
+  overview: {
+    title: 'Overview',
+    panels: (width) => (width < 900
+      ? narrow('tree', ['camera', 'field', 'component', 'drive'], ['timeline', 'plot:1', 'log', 'latency', 'recordings'])
+      : [
+        ['tree', {}],
+        ['timeline', below('tree', 290)],
+        ['camera', right('tree', width * 0.53)],
+        ['component', right('camera', Math.max(290, width * 0.24))],
+        ['drive', with_('component')],
+        ['recordings', with_('component')],
+        ['field', below('camera', 240)],
+        ['plot:1', with_('timeline')],
+        ['log', with_('timeline')],
+        ['latency', with_('timeline')],
+      ]),
+  },
+  behaviour: {
+    title: 'Debugging behaviour',
+    panels: (width) => (width < 900
+      ? narrow('tree', ['component', 'log'], ['timeline', 'plot:1'])
+      : [
+        ['tree', {}],
+        ['timeline', below('tree', 330)],
+        ['component', right('tree', Math.max(320, width * 0.3))],
+        ['log', below('component', 220)],
+        ['plot:1', with_('timeline')],
+        ['drive', with_('component')],
+      ]),
+  },
+  colours: {
+    title: 'Tuning colours',
+    panels: (width) => (width < 900
+      ? narrow('tuner', ['camera', 'boundary'], ['component:Colours', 'log'])
+      : [
+        ['tuner', {}],
+        ['camera', right('tuner', width * 0.36)],
+        ['boundary', with_('camera')],
+        ['component:Colours', below('camera', 400)],
+        ['component:BallDetector', with_('component:Colours')],
+      ]),
+  },
+  walking: {
+    title: 'Walking',
+    panels: (width) => (width < 900
+      ? narrow('drive', ['field', 'component:Walk'], ['plot:1', 'timeline'])
+      : [
+        ['drive', {}],
+        ['field', right('drive', width * 0.72)],
+        ['component:Walk', right('field', Math.max(300, width * 0.25))],
+        ['component:Body', with_('component:Walk')],
+        ['plot:1', { ...below('field', 360), params: { curves: ['Walk.velocity.forward', 'Walk.velocity.left', 'Walk.velocity.turn'] } }],
+        ['timeline', with_('plot:1')],
+      ]),
+  },
+  replay: {
+    title: 'Replay',
+    panels: (width) => (width < 900
+      ? narrow('camera', ['field', 'tree', 'recordings'], ['timeline', 'log', 'plot:1'])
+      : [
+        ['camera', {}],
+        ['timeline', below('camera', 340)],
+        ['tree', right('camera', width * 0.6)],
+        ['field', below('camera', 230)],
+        ['recordings', right('tree', Math.max(290, width * 0.22))],
+        ['component', with_('recordings')],
+        ['log', with_('timeline')],
+        ['plot:1', with_('timeline')],
+      ]),
+  },
+};

@@ -1,0 +1,123 @@
+// What is known of one session: a robot, a world or a recording.
+
+import { signal } from './dom.js';
+
+/** Samples that are kept of an information. */
+const MAX_SAMPLES = 6000;
+const MAX_LINES = 4000;
+
+/** Values of an information over time, and the newest one for the cursor. */
+export class Information {
+  constructor() {
+    this.times = [];
+    this.values = [];
+    this.now = signal(null);
+    this.version = signal(0);
+  }
+
+  add(time, value) {
+    if (this.times.length > 0 && time <= this.times.at(-1)) return;
+    this.times.push(time);
+    this.values.push(value);
+    if (this.times.length > MAX_SAMPLES) {
+      this.times.splice(0, MAX_SAMPLES / 6);
+      this.values.splice(0, MAX_SAMPLES / 6);
+    }
+  }
+
+  /** Puts older samples in front of those that are known. */
+  prepend(samples) {
+    const first = this.times[0] ?? Infinity;
+    const older = samples.filter(([time]) => time < first);
+    if (older.length === 0) return;
+    this.times = older.map(([time]) => time).concat(this.times);
+    this.values = older.map(([, value]) => value).concat(this.values);
+    this.version.value += 1;
+  }
+
+  /** The last value that is not later. */
+  at(time) {
+    let [low, high] = [0, this.times.length];
+    while (low < high) {
+      const middle = (low + high) >> 1;
+      if (this.times[middle] <= time) low = middle + 1;
+      else high = middle;
+    }
+    return low === 0 ? undefined : this.values[low - 1];
+  }
+}
+
+export class Session {
+  constructor(info) {
+    this.id = info.id;
+    this.info = signal(info);
+    this.description = signal(null);
+    this.drawing = signal(null);
+    /** State at the cursor, or the newest: {time_us, cycle, components}. */
+    this.moment = signal(null);
+    /** The newest state, whatever the cursor shows. */
+    this.live = signal(null);
+    this.costs = signal(null);
+    this.worst = signal([]);
+    this.truth = signal(null);
+    this.image = signal(null);
+    this.params = signal([]);
+    this.lines = [];
+    this.linesVersion = signal(0);
+    this.conditions = new Map();
+    this.information = new Map();
+    this.trail = [];
+    this.incoming = [];
+  }
+
+  describe(description, drawing) {
+    const components = description.components;
+    this.incoming = components.map(() => []);
+    components.forEach((component, from) => {
+      for (const one of component.links) this.incoming[one.to]?.push({ from, ...one });
+    });
+    this.information.clear();
+    this.conditions.clear();
+    this.params.value = components.map((component) => component.params.map((param) => param.value ?? param.default));
+    this.drawing.value = drawing;
+    this.description.value = description;
+  }
+
+  info_of(component, index) {
+    const key = component * 65536 + index;
+    let known = this.information.get(key);
+    if (!known) this.information.set(key, (known = new Information()));
+    return known;
+  }
+
+  conditions_of(component) {
+    let known = this.conditions.get(component);
+    if (!known) this.conditions.set(component, (known = signal(null)));
+    return known;
+  }
+
+  /** Replaces the lines by those that the server knows; what came since then stays. */
+  setLines(lines) {
+    const last = lines.at(-1)?.time_us ?? -1;
+    this.lines = [...lines, ...this.lines.filter((line) => line.time_us > last)];
+    this.linesVersion.value += 1;
+  }
+
+  addLines(lines) {
+    this.lines.push(...lines);
+    if (this.lines.length > MAX_LINES) this.lines.splice(0, this.lines.length - MAX_LINES);
+    this.linesVersion.value += 1;
+  }
+
+  /** Index of a component by its name; -1 if there is none. */
+  find(name) {
+    return this.description.value?.components.findIndex((component) => component.name === name) ?? -1;
+  }
+
+  /** Component and index of an information by names; null if there is none. */
+  findInfo(component, name) {
+    const index = this.find(component);
+    const info = this.description.value?.components[index]?.info.findIndex((one) => one.name === name) ?? -1;
+    return info < 0 ? null : [index, info];
+  }
+}

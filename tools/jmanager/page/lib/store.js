@@ -1,0 +1,415 @@
+// The store: all that panels know. Messages of the server change it; panels read its signals and call its actions.
+
+import { batch, computed, effect, signal } from './dom.js';
+import { listen, link, request } from './connection.js';
+import { Session } from './session.js';
+
+const PROTOCOL = 1;
+
+/** The server's first message. */
+export const hello = signal(null);
+/** All sessions by identifier. */
+export const sessions = signal(new Map());
+/** Identifier of the session that the panels show. */
+export const current = signal(null);
+/** The session that the panels show; null if there is none. */
+export const session = computed(() => sessions.value.get(current.value) ?? null);
+/** Time that all panels show, µs; null: the newest. */
+export const cursor = signal(null);
+/** Length of the visible interval of timeline and plots, µs, and its end; null: it ends at the newest time. */
+export const range = signal({ span: 20e6, end: null });
+/** Whether a recording is being played on this page. */
+export const playing = signal(false);
+/** Component of the first component tab. */
+export const selected = signal(null);
+/** Component under the pointer, in any panel. */
+export const hovered = signal(null);
+/** Messages for the operator: {id, level, text, help}. */
+export const notices = signal([]);
+/** Parameter changes that can be undone: {session, component, param, before, after}. */
+export const undo = signal([]);
+
+let lastNotice = 0;
+
+/** Shows a message for some seconds. */
+export function notify(level, text, help = '') {
+  lastNotice += 1;
+  const notice = { id: lastNotice, level, text, help };
+  notices.value = [...notices.value.slice(-4), notice];
+  setTimeout(() => dismiss(notice.id), level === 'error' ? 12000 : 4000);
+}
+
+export function dismiss(id) {
+  notices.value = notices.value.filter((notice) => notice.id !== id);
+}
+
+/** Sends a request of the current session; an error becomes a notice. Resolves to undefined after an error. */
+export async function act(type, fields = {}, done = '') {
+  const shown = session.value;
+  if (!shown) {
+    notify('error', 'no session is open', 'open a world, a robot or a recording first');
+    return undefined;
+  }
+  return ask(type, { session: shown.id, ...fields }, done);
+}
+
+/** Sends a request; an error becomes a notice. */
+export async function ask(type, fields = {}, done = '') {
+  try {
+    const result = await request(type, fields);
+    if (done) notify('done', done);
+    return result ?? null;
+  } catch (error) {
+    notify('error', error.text ?? String(error), error.help ?? '');
+    return undefined;
+  }
+}
+
+/** Becomes the operator if nobody is; says why not otherwise. */
+export async function operate() {
+  const info = session.value?.info.value;
+  if (!info) return false;
+  switch (info.control) {
+    case 'yours': return true;
+    case 'free': return (await act('acquire')) !== undefined;
+    case 'unavailable':
+      notify('error', hello.value?.read_only ? 'this program lets pages only watch' : 'this session cannot be operated',
+        hello.value?.read_only ? 'start it without --read-only' : 'open a world or a robot');
+      return false;
+    default:
+      notify('error', 'somebody else operates this robot', 'press “Take control” if that is agreed');
+      return false;
+  }
+}
+
+/** Sends a request that only the operator may send. */
+export async function command(type, fields = {}, done = '') {
+  return (await operate()) ? act(type, fields, done) : undefined;
+}
+
+/** Sets parameters, all or none, and remembers how to undo it. */
+export async function setParams(settings) {
+  const shown = session.value;
+  const before = settings.map(({ component, param }) => ({ component, param, value: shown.params.value[component][param] }));
+  const result = await command('set', { settings });
+  if (result !== undefined) undo.value = [...undo.value.slice(-199), { session: shown.id, before, after: settings }];
+  return result;
+}
+
+export async function undoParams() {
+  const last = undo.value.at(-1);
+  if (!last) return;
+  undo.value = undo.value.slice(0, -1);
+  await command('set', { settings: last.before }, 'the last change was undone');
+}
+
+// ---- what the page watches
+
+const wishes = new Set();
+let watchTimer = null;
+
+/** Registers what a panel watches: {info: [[component, index]], conditions, images, costs, truth}. Returns how to end it. */
+export function watch(wish) {
+  wishes.add(wish);
+  watchSoon();
+  return () => {
+    wishes.delete(wish);
+    watchSoon();
+  };
+}
+
+function watchSoon() {
+  watchTimer ??= setTimeout(sendWatch, 30);
+}
+
+function wishedInfo() {
+  const every = new Map();
+  for (const wish of wishes) {
+    for (const [component, info, rate = 3] of wish.info ?? []) {
+      const key = `${component}.${info}`;
+      every.set(key, { component, info, every: Math.min(rate, every.get(key)?.every ?? rate) });
+    }
+  }
+  return [...every.values()];
+}
+
+let lastWatch = '';
+
+function sendWatch() {
+  watchTimer = null;
+  const shown = session.value;
+  if (!shown?.description.value || link.value !== 'open') return;
+  const all = [...wishes];
+  const message = {
+    session: shown.id,
+    watch: {
+      info: wishedInfo(),
+      conditions: [...new Set(all.flatMap((wish) => wish.conditions ?? []))],
+      images: all.some((wish) => wish.images) ? { max_hz: 30 } : null,
+      costs: all.some((wish) => wish.costs),
+      truth: all.some((wish) => wish.truth),
+    },
+  };
+  const text = JSON.stringify(message);
+  if (text === lastWatch) return;
+  lastWatch = text;
+  ask('watch', message);
+  if (cursor.value !== null) seekSoon();
+}
+
+// ---- the cursor
+
+let seeking = false;
+let seekAgain = false;
+
+/** Shows another time; null: the newest. */
+export function seek(time) {
+  const shown = session.value;
+  if (!shown) return;
+  const { from_us, until_us } = shown.info.value;
+  const newest = Math.max(until_us, shown.live.value?.time_us ?? 0);
+  const at = time === null ? null : Math.round(Math.min(Math.max(time, from_us), newest));
+  batch(() => {
+    cursor.value = at;
+    const { span, end } = range.value;
+    if (at === null) range.value = { span, end: null };
+    else if (end === null || at > end || at < end - span) {
+      range.value = { span, end: Math.min(Math.max(at + span / 2, span * 0.98), newest + span * 0.02) };
+    }
+  });
+  if (at === null) {
+    playing.value = false;
+    if (shown.live.value) shown.moment.value = shown.live.value;
+  } else seekSoon();
+}
+
+/** Asks for the state at the cursor; while an answer is awaited only the last wish is kept. */
+async function seekSoon() {
+  if (seeking) {
+    seekAgain = true;
+    return;
+  }
+  const shown = session.value;
+  const at = cursor.value;
+  if (!shown || at === null) return;
+  seeking = true;
+  try {
+    const info = wishedInfo().map((wish) => [wish.component, wish.info]);
+    const image = [...wishes].some((wish) => wish.images);
+    const moment = await request('at', { session: shown.id, time_us: at, info, image });
+    if (cursor.value !== null && shown === session.value) {
+      batch(() => {
+        shown.moment.value = moment;
+        if (moment.truth) shown.truth.value = { time_us: moment.time_us, truth: moment.truth };
+        for (const [component, index, time, value] of moment.info) shown.info_of(component, index).now.value = { time, value };
+      });
+    }
+  } catch (error) {
+    if (!seekAgain) notify('error', error.text ?? String(error), error.help ?? '');
+  }
+  seeking = false;
+  if (seekAgain) {
+    seekAgain = false;
+    seekSoon();
+  }
+}
+
+/** Moves the cursor by a duration; a step forward from the newest time does nothing. */
+export function step(us) {
+  const shown = session.value;
+  if (!shown) return;
+  const at = cursor.value ?? (us < 0 ? shown.live.value?.time_us ?? shown.info.value.until_us : null);
+  if (at !== null) seek(at + us);
+}
+
+/** Live, or the end of a recording. */
+export const isLive = computed(() => cursor.value === null);
+/** Length of a cycle, µs. */
+export const cycle_us = computed(() => 1e6 / (session.value?.description.value?.cycle_hz || 100));
+
+// ---- messages
+
+/** Reads the log of the time before this page was opened. */
+async function readLines(of) {
+  const { from_us, until_us } = of.info.value;
+  try {
+    const lines = await request('lines', { session: of.id, from_us, until_us: until_us + 1, limit: 2000 });
+    of.setLines(lines);
+  } catch {
+    // New lines come anyhow.
+  }
+}
+
+function sessionOf(id) {
+  return sessions.value.get(id);
+}
+
+function showSession(info) {
+  const known = sessionOf(info.id);
+  if (known) {
+    known.info.value = info;
+    return;
+  }
+  sessions.value = new Map(sessions.value).set(info.id, new Session(info));
+  if (current.value === null || !sessions.value.has(current.value)) show(info.id);
+}
+
+/** Shows another session in all panels. */
+export function show(id) {
+  if (current.value === id) return;
+  batch(() => {
+    current.value = id;
+    cursor.value = null;
+    playing.value = false;
+    range.value = { span: range.value.span, end: null };
+    undo.value = [];
+  });
+  lastWatch = '';
+  watchSoon();
+}
+
+const HANDLERS = {
+  hello(message) {
+    if (message.protocol !== PROTOCOL) {
+      location.reload();
+      return;
+    }
+    const before = current.value;
+    batch(() => {
+      hello.value = message;
+      const ids = new Set(message.sessions.map((info) => info.id));
+      sessions.value = new Map([...sessions.value].filter(([id]) => ids.has(id)));
+      message.sessions.forEach(showSession);
+      if (!ids.has(before)) show(message.sessions[0]?.id ?? null);
+    });
+    lastWatch = '';
+    watchSoon();
+  },
+  session: (message) => showSession(message.session),
+  closed(message) {
+    const rest = new Map(sessions.value);
+    rest.delete(message.session);
+    batch(() => {
+      sessions.value = rest;
+      if (current.value === message.session) show(rest.keys().next().value ?? null);
+    });
+  },
+  described(message, of) {
+    of.describe(message.description, message.drawing);
+    readLines(of);
+    if (of === session.value) {
+      lastWatch = '';
+      watchSoon();
+      if (of.info.value.kind === 'recording' && cursor.value === null) seek(of.info.value.from_us);
+    }
+  },
+  update(message, of) {
+    of.live.value = message;
+    if (cursor.value === null || of !== session.value) of.moment.value = message;
+  },
+  info(message, of) {
+    const changed = new Set();
+    for (const [component, index, time, value] of message.samples) {
+      const information = of.info_of(component, index);
+      information.add(time, value);
+      changed.add(information);
+    }
+    for (const information of changed) {
+      if (cursor.value === null) information.now.value = { time: information.times.at(-1), value: information.values.at(-1) };
+      information.version.value += 1;
+    }
+  },
+  conditions(message, of) {
+    of.conditions_of(message.component).value = message;
+  },
+  costs(message, of) {
+    of.costs.value = message;
+    const worst = [...of.worst.value, { time: message.worst_us, us: message.chain_us[1] }];
+    of.worst.value = worst.sort((a, b) => b.us - a.us).slice(0, 20);
+  },
+  truth(message, of) {
+    if (cursor.value === null) of.truth.value = message;
+  },
+  params(message, of) {
+    of.params.value = of.params.value.with(message.component, message.values);
+  },
+  log: (message, of) => of.addLines(message.lines),
+};
+
+listen((message, frame) => {
+  if (frame) {
+    image(frame);
+    return;
+  }
+  const handler = HANDLERS[message.type];
+  if (!handler) return;
+  const of = message.session?.id ?? message.session;
+  if (message.type === 'hello' || message.type === 'session' || message.type === 'closed') handler(message);
+  else if (sessionOf(of)) batch(() => handler(message, sessionOf(of)));
+});
+
+/** Frames that answer a request, by its identifier. */
+export const classified = signal(null);
+
+function image(frame) {
+  const view = new DataView(frame);
+  const head = {
+    kind: view.getUint8(0),
+    bottom: view.getUint8(1) === 1,
+    session: view.getUint32(4, true),
+    number: view.getUint32(8, true),
+    width: view.getUint16(12, true),
+    height: view.getUint16(14, true),
+    time_us: Number(view.getBigUint64(16, true)),
+    id: view.getUint32(24, true),
+  };
+  const of = sessionOf(head.session);
+  if (!of) return;
+  const shown = { ...head, pixels: new Uint8Array(frame, 32) };
+  if (head.kind === 2) classified.value = shown;
+  else if (head.id !== 0 || cursor.value === null || of !== session.value) of.image.value = shown;
+}
+
+// ---- control: the lease ends 3 s after the last message of a page that froze or was closed
+
+setInterval(() => {
+  for (const one of sessions.value.values()) {
+    if (one.info.value.control === 'yours') request('keep', { session: one.id }).catch(() => {});
+  }
+}, 500);
+
+// ---- playing a recording
+
+let lastFrame = 0;
+
+function play(now) {
+  if (!playing.value) return;
+  const passed = Math.min(now - lastFrame, 200);
+  lastFrame = now;
+  const shown = session.value;
+  if (shown && cursor.value !== null) {
+    const end = shown.info.value.until_us;
+    const next = cursor.value + passed * 1000;
+    seek(Math.min(next, end));
+    if (next >= end) playing.value = false;
+  }
+  requestAnimationFrame(play);
+}
+
+effect(() => {
+  if (playing.value) requestAnimationFrame((now) => {
+    lastFrame = now;
+    play(now);
+  });
+});
+
+/** Space: pauses what moves, and lets it go on. */
+export function playOrPause() {
+  const info = session.value?.info.value;
+  if (!info) return;
+  if (info.kind === 'recording') {
+    if (cursor.value === null || cursor.value >= info.until_us) seek(info.from_us);
+    playing.value = !playing.value;
+  } else if (cursor.value === null) seek(session.value.live.value?.time_us ?? 0);
+  else seek(null);
+}

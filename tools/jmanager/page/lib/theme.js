@@ -1,0 +1,47 @@
+// Dark and light; colours of the style sheet for what is drawn on a canvas.
+
+import { signal } from './dom.js';
+
+const KEY = 'jmanager-theme';
+const cache = new Map();
+
+function stored() {
+  try {
+    return localStorage.getItem(KEY);
+  } catch {
+    return null;
+  }
+}
+
+/** `dark` or `light`. */
+export const theme = signal(stored() ?? (matchMedia('(prefers-color-scheme: light)').matches ? 'light' : 'dark'));
+
+export function applyTheme(name) {
+  document.documentElement.dataset.theme = name;
+  cache.clear();
+  theme.value = name;
+  try {
+    localStorage.setItem(KEY, name);
+  } catch {
+    // Without storage the choice holds until the page is closed.
+  }
+}
+
+export const toggleTheme = () => applyTheme(theme.value === 'dark' ? 'light' : 'dark');
+
+/** A colour of the style sheet, as `css('--line')`. */
+export function css(name) {
+  let value = cache.get(name);
+  if (!value) cache.set(name, (value = getComputedStyle(document.documentElement).getPropertyValue(name).trim()));
+  return value;
+}
+
+const KINDS = { machine: '--machine', controller: '--control', perception: '--perceive', actuation: '--act' };
+
+/** Colour of a component's kind. */
+export const kindColour = (kind) => css(KINDS[kind] ?? '--dim');
+
+/** Distinct colours of curves. */
+export const curveColour = (index) => css(`--curve${index % 8}`);
+
+applyTheme(theme.value);

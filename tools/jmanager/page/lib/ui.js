@@ -1,0 +1,89 @@
+// Small parts that panels share.
+
+import { html, useEffect, useRef, useState } from './dom.js';
+
+/** Two lines for a panel that has nothing to show: what is missing, and what to do. */
+export const Empty = ({ what, help }) => html`<div class="empty" role="status"><strong>${what}</strong><span>${help}</span></div>`;
+
+/** The bar above a panel's content. */
+export const Bar = ({ children, label }) => html`<div class="bar" role="toolbar" aria-label=${label}>${children}</div>`;
+
+export const Toggle = ({ on, label, title, onChange, colour, disabled }) => html`
+  <button class=${`toggle ${on ? 'on' : ''}`} role="switch" aria-checked=${on} title=${title} disabled=${disabled}
+    onClick=${() => onChange(!on)}>${colour && html`<i class="dot" ref=${(dot) => dot && (dot.style.background = colour)}></i>`}${label}</button>`;
+
+/** A text field that hands its value on when Enter is pressed or it loses the focus. */
+export function Field({ value, label, onCommit, type = 'text', width, ...rest }) {
+  const [typed, setTyped] = useState(null);
+  const commit = () => {
+    if (typed !== null && typed !== String(value)) onCommit(typed);
+    setTyped(null);
+  };
+  return html`<input type=${type} aria-label=${label} value=${typed ?? value} class=${width ?? ''} ...${rest}
+    onInput=${(event) => setTyped(event.target.value)} onBlur=${commit}
+    onKeyDown=${(event) => {
+      if (event.key === 'Enter') commit();
+      if (event.key === 'Escape') {
+        setTyped(null);
+        event.target.blur();
+      }
+    }} />`;
+}
+
+/** A curve of the last values, drawn as one path. */
+export function Spark({ information, path, pick, span = 10e6 }) {
+  void information.version.value;
+  const { times, values } = information;
+  const last = times.at(-1);
+  if (last === undefined) return html`<svg class="spark" aria-hidden="true"></svg>`;
+  let start = times.length;
+  while (start > 0 && times[start - 1] >= last - span) start -= 1;
+  const step = Math.max(1, Math.floor((times.length - start) / 60));
+  const points = [];
+  for (let index = start; index < times.length; index += step) {
+    const value = pick(values[index], path);
+    if (value !== null) points.push([times[index], value]);
+  }
+  if (points.length < 2) return html`<svg class="spark" aria-hidden="true"></svg>`;
+  let [low, high] = [Infinity, -Infinity];
+  for (const [, value] of points) {
+    if (value < low) low = value;
+    if (value > high) high = value;
+  }
+  if (high - low < 1e-9) [low, high] = [low - 1, high + 1];
+  const line = points.map(([time, value], index) => `${index ? 'L' : 'M'}${(((time - last + span) / span) * 100).toFixed(1)} ${(17 - ((value - low) / (high - low)) * 14).toFixed(1)}`).join('');
+  return html`<svg class="spark" viewBox="0 0 100 20" preserveAspectRatio="none" aria-hidden="true"><path d=${line} /></svg>`;
+}
+
+/** A menu under a button. */
+export function Menu({ label, title, children }) {
+  const box = useRef(null);
+  useEffect(() => {
+    const close = (event) => {
+      if (box.current?.open && !box.current.contains(event.target)) box.current.open = false;
+    };
+    window.addEventListener('pointerdown', close);
+    return () => window.removeEventListener('pointerdown', close);
+  }, []);
+  const done = (event) => {
+    if (event.target.closest('button')) box.current.open = false;
+  };
+  const escape = (event) => {
+    if (event.key !== 'Escape' || !box.current.open) return;
+    box.current.open = false;
+    box.current.querySelector('summary').focus();
+    event.stopPropagation();
+  };
+  return html`<details class="menu" ref=${box} onKeyDown=${escape}><summary title=${title} role="button" aria-label=${title}>${label}</summary>
+    <div class="items" onClick=${done}>${children}</div></details>`;
+}
+
+/** Writes a file that the browser saves. */
+export function download(name, blob) {
+  const url = URL.createObjectURL(blob);
+  const anchor = document.createElement('a');
+  anchor.href = url;
+  anchor.download = name;
+  anchor.click();
+  setTimeout(() => URL.revokeObjectURL(url), 1000);
+}

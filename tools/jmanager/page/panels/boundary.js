@@ -1,0 +1,113 @@
+// The end of the field: scan columns, the first green in each, and the line that the robot found.
+
+import { html, useEffect, useMemo, useSignal } from '../lib/dom.js';
+import { Canvas } from '../lib/canvas.js';
+import { request } from '../lib/connection.js';
+import { text, words } from '../lib/format.js';
+import { FITTED, Picture, placed } from '../lib/image.js';
+import { ask, classified, cursor, session, watch } from '../lib/store.js';
+import { css } from '../lib/theme.js';
+import { Bar, Empty, Toggle } from '../lib/ui.js';
+import { pictureHandlers } from './camera.js';
+
+/** Distance of two scan columns, px, and the green pixels in a row that begin the field. */
+const COLUMNS = 8;
+const RUN = 4;
+/** A point farther than this share of the image's height above or below the found line is thrown out. */
+const FAR = 0.04;
+
+export function Boundary({ visible }) {
+  const shown = session.value;
+  const description = shown?.description.value;
+  const component = shown?.find('FieldBoundary') ?? -1;
+  const columns = useSignal(true);
+  const zoom = useSignal(FITTED);
+  const pointer = useSignal(null);
+  const held = useSignal(null);
+  const picture = useMemo(() => new Picture(), []);
+  const infos = description?.components[component]?.info ?? [];
+  useEffect(() => {
+    if (!visible.value || component < 0) return undefined;
+    return watch({ images: true, info: infos.map((_, index) => [component, index, 1]) });
+  }, [visible.value, component, description]);
+  const green = useGreen(shown, visible, held, component);
+
+  if (!shown || component < 0) return html`<${Empty} what="No end of field" help=${shown ? 'This tree has no component FieldBoundary.' : 'Open a session first.'} />`;
+  if (!shown.info.value.can.images) return html`<${Empty} what="No images" help="This session sends no images." />`;
+  const image = () => held.value ?? shown.image.value;
+  const read = (name, time) => {
+    const index = infos.findIndex((info) => info.name === name);
+    if (index < 0) return null;
+    const information = shown.info_of(component, index);
+    return (cursor.value === null ? information.at(time) : information.now.value?.value) ?? null;
+  };
+  const draw = (context, width, height) => {
+    const one = image();
+    if (!one) return;
+    const at = placed(one, width, height, zoom.value);
+    context.drawImage(picture.of(one), at.left, at.top, one.width * at.scale, one.height * at.scale);
+    const ends = read('ends', one.time_us)?.filter(Boolean) ?? [];
+    if (columns.value && green.value !== null && classified.value?.number === one.number) drawColumns(context, at, classified.value, green.value, ends);
+    if (ends.length === 2) {
+      context.strokeStyle = css('--cursor');
+      context.lineWidth = 2.5;
+      context.beginPath();
+      context.moveTo(at.x(ends[0].x), at.y(ends[0].y));
+      context.lineTo(at.x(ends[1].x), at.y(ends[1].y));
+      context.stroke();
+    }
+  };
+  return html`<${Bar} label="End of field"><${Toggle} on=${columns.value} label="Scan columns" title="The page computes them from the classes of the pixels" onChange=${(on) => { columns.value = on; }} />
+      <span class="dim">● first green of a column · <span class="warn">× far from the line</span> · — found by the robot</span><span class="grow"></span>
+      <${Toggle} on=${held.value !== null} label="Freeze" onChange=${(on) => { held.value = on ? shown.image.value : null; }} /><//>
+    <div class="fill picture"><${Canvas} reads=${() => { void [shown.image.value, held.value, classified.value, columns.value, zoom.value, cursor.value, green.value]; }} draw=${draw} visible=${visible} label="End of the field in the image" ...${pictureHandlers(image, zoom, pointer)} /></div>
+    <dl class="facts-row">${infos.map((info, index) => html`<div title=${info.doc}><dt>${words(info.name)}</dt><dd>${visible.value ? text(shown.info_of(component, index).now.value?.value) : ''} ${info.unit ?? ''}</dd></div>`)}</dl>`;
+}
+
+/** Classifies one image at a time; returns the index of the green class. */
+function useGreen(shown, visible, held, component) {
+  const green = useSignal(null);
+  useEffect(() => {
+    if (!shown || component < 0) return undefined;
+    let [busy, last] = [false, null];
+    const timer = setInterval(async () => {
+      const one = held.peek() ?? shown.image.peek();
+      if (busy || !visible.peek() || !one || one.number === last) return;
+      busy = true;
+      last = one.number;
+      if (green.peek() === null) {
+        const read = await request('colours', { session: shown.id }).catch(() => null);
+        const index = read?.classes?.findIndex(({ name }) => name.toLowerCase().includes('green')) ?? -1;
+        green.value = index < 0 ? null : index;
+      }
+      if (green.peek() !== null) await ask('classify', { session: shown.id, image: one.number });
+      busy = green.peek() === null;
+    }, 200);
+    return () => clearInterval(timer);
+  }, [shown, component]);
+  return green;
+}
+
+function drawColumns(context, at, { width, height, pixels }, green, ends) {
+  context.lineWidth = 1;
+  for (let x = COLUMNS / 2; x < width; x += COLUMNS) {
+    let [run, top] = [0, null];
+    for (let y = 0; y < height && top === null; y += 1) {
+      run = pixels[y * width + x] === green ? run + 1 : 0;
+      if (run === RUN) top = y - RUN + 1;
+    }
+    context.strokeStyle = css('--scan');
+    context.beginPath();
+    context.moveTo(at.x(x), at.y(0));
+    context.lineTo(at.x(x), at.y(top ?? height));
+    context.stroke();
+    if (top === null) continue;
+    const line = ends.length === 2 ? ends[0].y + ((ends[1].y - ends[0].y) * (x - ends[0].x)) / (ends[1].x - ends[0].x || 1) : top;
+    const far = Math.abs(top - line) > FAR * height;
+    context.fillStyle = css(far ? '--warn' : '--perceive');
+    context.beginPath();
+    if (far) context.fillText('×', at.x(x) - 4, at.y(top) + 4);
+    else context.arc(at.x(x), at.y(top), 3, 0, 2 * Math.PI);
+    context.fill();
+  }
+}

@@ -1,0 +1,157 @@
+// The camera's image, with what the components found in it.
+
+import { html, useEffect, useMemo, useRef, useSignal } from '../lib/dom.js';
+import { Canvas } from '../lib/canvas.js';
+import { number, time } from '../lib/format.js';
+import { ground, groundInfo } from '../lib/ground.js';
+import { FITTED, Picture, pixel, placed, rgb, zoomed } from '../lib/image.js';
+import { drawOverlay, drawable, overlayColour } from '../lib/overlays.js';
+import { bind } from '../lib/keys.js';
+import { classified, cursor, seek, session, watch } from '../lib/store.js';
+import { css } from '../lib/theme.js';
+import { Bar, Empty, Menu, Toggle, download } from '../lib/ui.js';
+
+export function Camera({ visible }) {
+  const shown = session.value;
+  const description = shown?.description.value;
+  const overlays = useMemo(() => drawable(description), [description]);
+  const hidden = useSignal(new Set());
+  const frozen = useSignal(null);
+  const only = useSignal('both');
+  const zoom = useSignal(FITTED);
+  const pointer = useSignal(null);
+  const picture = useMemo(() => new Picture(), []);
+  const last = useRef(null);
+  useEffect(() => {
+    if (!visible.value || !shown || !description) return undefined;
+    const info = overlays.flatMap(({ place, infos, extra }) => [...infos, ...extra].map(({ index }) => [place, index, 1]));
+    return watch({ images: true, info: [...info, ...groundInfo(shown)] });
+  }, [visible.value, shown, description]);
+  const freeze = () => { frozen.value = frozen.value ? null : session.value?.image.value ?? null; };
+  useEffect(() => bind({ key: 'z', text: 'freeze the image', group: 'Camera', run: freeze }), []);
+
+  const image = () => {
+    const newest = session.value?.image.value;
+    const wanted = newest && (only.value === 'both' || (only.value === 'bottom') === newest.bottom) ? newest : null;
+    if (wanted) last.current = wanted;
+    return frozen.value ?? last.current;
+  };
+  if (!shown || !shown.info.value.can.images) {
+    return html`<${Empty} what="No images" help=${shown ? 'This session sends no images. A world, a recording with images, or a robot that sends its camera does.' : 'Open a session first.'} />`;
+  }
+  const reads = () => {
+    void [shown.image.value, frozen.value, only.value, zoom.value, pointer.value, hidden.value, cursor.value];
+  };
+  const draw = (context, width, height) => {
+    const one = image();
+    if (!one) {
+      context.fillStyle = css('--dim');
+      context.font = `13px ${css('--font')}`;
+      context.fillText('Waiting for an image', 12, 24);
+      return;
+    }
+    const at = placed(one, width, height, zoom.value);
+    context.imageSmoothingEnabled = at.scale < 3;
+    context.drawImage(picture.of(one), at.left, at.top, one.width * at.scale, one.height * at.scale);
+    context.save();
+    context.beginPath();
+    context.rect(at.left, at.top, one.width * at.scale, one.height * at.scale);
+    context.clip();
+    overlays.forEach((overlay, index) => {
+      if (!hidden.value.has(overlay.component)) drawOverlay(context, shown, overlay, index, one, at, cursor.value === null);
+    });
+    context.restore();
+    if (pointer.value) drawPixel(context, shown, one, at, pointer.value, width, height);
+  };
+  const toggle = (component) => {
+    const next = new Set(hidden.value);
+    if (!next.delete(component)) next.add(component);
+    hidden.value = next;
+  };
+  const one = frozen.value ?? shown.image.value;
+  return html`<${Bar} label="Camera">
+      <span class="dim">${one ? `${one.bottom ? 'bottom' : 'top'} · image ${one.number} · ${one.width}×${one.height} · ${time(one.time_us)}` : 'no image yet'}</span>
+      <span class="grow"></span>
+      ${overlays.map(({ component }, index) => html`<${Toggle} on=${!hidden.value.has(component)} label=${component} colour=${overlayColour(index)} title=${`Findings of ${component}`} onChange=${() => toggle(component)} />`)}
+      <select aria-label="Which camera" onChange=${(event) => { only.value = event.target.value; }}>${['both', 'top', 'bottom'].map((name) => html`<option selected=${only.value === name}>${name}</option>`)}</select>
+      <${Toggle} on=${frozen.value !== null} label="Freeze" title="Key z" onChange=${freeze} />
+      <button aria-label="Previous image" title="Previous image" onClick=${() => stepImage(shown, -1)}>◂</button><button aria-label="Next image" title="Next image" onClick=${() => stepImage(shown, 1)}>▸</button>
+      ${zoom.value.scale > 1 && html`<button onClick=${() => { zoom.value = FITTED; }}>Fit</button>`}
+      <${Menu} label="Save" title="Save the image">
+        <button class="item" disabled=${!one} onClick=${() => savePng(one)}>as PNG</button><button class="item" disabled=${!one} onClick=${() => download(`image-${one.number}.yuyv`, new Blob([one.pixels]))}>as YUYV</button><//>
+    <//>
+    <div class="fill picture"><${Canvas} reads=${reads} draw=${draw} visible=${visible} label="Camera image" ...${pictureHandlers(image, zoom, pointer)} /></div>`;
+}
+
+/** Moves the cursor by one image. */
+function stepImage(shown, by) {
+  const now = shown.image.value;
+  if (!now) return;
+  // Images come at most every other cycle; the server answers with the last image that is not later.
+  seek((cursor.value ?? now.time_us) + by * 33400);
+}
+
+/** Handlers of a picture: zoom with the wheel, move by dragging, the pixel under the pointer. */
+export function pictureHandlers(image, zoom, pointer) {
+  let start = null;
+  return {
+    onWheel(event) {
+      const one = image();
+      if (!one) return;
+      event.preventDefault();
+      const { clientWidth, clientHeight } = event.currentTarget;
+      zoom.value = zoomed(one, clientWidth, clientHeight, zoom.value, event.deltaY > 0 ? 0.8 : 1.25, event.offsetX, event.offsetY);
+    },
+    onPointerDown(event) {
+      start = { x: event.offsetX, y: event.offsetY, zoom: zoom.value };
+    },
+    onPointerMove(event) {
+      pointer.value = { x: event.offsetX, y: event.offsetY };
+      const one = image();
+      if (!start || !one || event.buttons === 0 || start.zoom.scale === 1) return;
+      const { scale } = placed(one, event.currentTarget.clientWidth, event.currentTarget.clientHeight, start.zoom);
+      zoom.value = { ...start.zoom, x: start.zoom.x - (event.offsetX - start.x) / scale / one.width, y: start.zoom.y - (event.offsetY - start.y) / scale / one.height };
+    },
+    onPointerUp() { start = null; },
+    onPointerLeave() {
+      start = null;
+      pointer.value = null;
+    },
+  };
+}
+
+function classOf(shown, image, x, y) {
+  const classes = classified.value;
+  if (classes?.session !== shown.id || classes.number !== image.number) return null;
+  return classes.pixels[y * classes.width + x];
+}
+
+function drawPixel(context, shown, image, at, { x, y }, width, height) {
+  const [column, row] = at.pixel(x, y);
+  if (column < 0 || row < 0 || column >= image.width || row >= image.height) return;
+  const [luma, cb, cr] = pixel(image, column, row);
+  const lines = [`${column}, ${row}   Y ${luma}  Cb ${cb}  Cr ${cr}`];
+  const found = classOf(shown, image, column, row);
+  if (found !== null) lines.push(found === 255 ? 'no class' : `class ${found}`);
+  const ray = ground(shown, image, column, row);
+  if (ray) lines.push(ray.x === null ? 'above the horizon' : `ground about ${number(ray.x)} m ahead, ${number(Math.abs(ray.y))} m ${ray.y >= 0 ? 'left' : 'right'}`);
+  context.font = `12px ${css('--font')}`;
+  const wide = Math.max(...lines.map((line) => context.measureText(line).width)) + 42;
+  const high = lines.length * 17 + 10;
+  const left = Math.min(x + 14, width - wide - 4);
+  const top = Math.min(y + 14, height - high - 4);
+  context.fillStyle = css('--shade');
+  context.beginPath();
+  context.roundRect(left, top, wide, high, 5);
+  context.fill();
+  context.fillStyle = `rgb(${rgb(luma, cb, cr).join(' ')})`;
+  context.fillRect(left + 8, top + 8, 18, 18);
+  context.fillStyle = css('--shade-text');
+  context.textBaseline = 'middle';
+  lines.forEach((line, index) => context.fillText(line, left + 34, top + 14 + index * 17));
+}
+
+function savePng(image) {
+  new Picture().of(image).toBlob((blob) => download(`image-${image.number}.png`, blob));
+}
+

@@ -1,0 +1,81 @@
+// The tab of a component, made from its description.
+
+import { html, useEffect, useSignal } from '../lib/dom.js';
+import { duration, number, time } from '../lib/format.js';
+import { openComponent } from '../lib/dock.js';
+import { command, cursor, selected, session, watch } from '../lib/store.js';
+import { Empty } from '../lib/ui.js';
+import { InformationList } from './component/information.js';
+import { Modulations } from './component/modulations.js';
+import { Parameters } from './component/parameters.js';
+import { Why } from './component/why.js';
+
+const HOLDS = [['tree', 'by the tree'], ['active', 'active'], ['latent', 'latent']];
+
+export function ComponentTab({ visible, params, retitle }) {
+  const own = params.component;
+  const shown = session.value;
+  const name = own ?? selected.value ?? shown?.description.value?.components.find((component) => component.root)?.name;
+  const index = name ? shown?.find(name) ?? -1 : -1;
+  const component = shown?.description.value?.components[index];
+  useEffect(() => {
+    if (name) retitle(name);
+  }, [name]);
+  useEffect(() => {
+    if (!visible.value || !component) return undefined;
+    return watch({ costs: true, conditions: component.transitions.length > 0 ? [index] : [], info: component.info.map((_, info) => [index, info, 3]) });
+  }, [visible.value, component, index]);
+
+  if (!shown) return html`<${Empty} what="No component is chosen" help="Open a session, then click a component in the tree." />`;
+  if (!component) return html`<${Empty} what=${own ? `This tree has no component ${own}` : 'No component is chosen'} help="Click a component in the tree or in the timeline." />`;
+  return html`<article class="tab" key=${name}>
+    <${Head} ...${{ shown, component, index, own }} />
+    <${Why} ...${{ shown, component, index }} />
+    ${component.info.length > 0 && html`<${InformationList} ...${{ shown, component, index, visible }} />`}
+    ${component.params.length > 0 && html`<${Parameters} ...${{ shown, component, index }} />`}
+    <${ByHand} ...${{ shown, component, index }} />
+    ${component.modulations.length > 0 && html`<${Modulations} ...${{ component, index }} />`}
+  </article>`;
+}
+
+function Head({ shown, component, index, own }) {
+  const kind = shown.drawing.value?.boxes[index]?.kind ?? 'component';
+  const now = shown.moment.value?.components?.[index];
+  const state = now?.[2] === null || now?.[2] === undefined ? null : component.states[now[2]];
+  const since = now && shown.moment.value ? shown.moment.value.time_us - now[4] : null;
+  return html`<header class="head">
+    <h2><span class=${`kind ${kind}`}>${component.name}</span>${state && html` <span class="arrow" aria-hidden="true">→</span> <span class="current-state">${state.name}</span>`}
+      ${!own && html`<button class="small" title="Open in a tab of its own" aria-label=${`Open ${component.name} in a tab of its own`} onClick=${() => openComponent(component.name, true)}>own tab</button>`}</h2>
+    <p class="dim facts" role="status">${kind} · <b class=${now?.[0] ? 'yes' : ''}>${now?.[0] ? 'active' : 'latent'}</b>${since !== null && html` for ${duration(Math.max(0, since))}`}${now && now[1] !== 'tree' && html` · <b class="warn">held ${now[1]}</b>`}${cursor.value !== null && ` · at ${time(cursor.value)}`}</p>
+    ${component.doc && html`<p>${component.doc}</p>`}
+    ${state?.doc && html`<p class="dim"><b>${state.name}</b>: ${state.doc}</p>`}
+  </header>`;
+}
+
+function ByHand({ shown, component, index }) {
+  const can = shown.info.value.can.operate;
+  const now = shown.moment.value?.components?.[index];
+  const costs = shown.costs.value;
+  const cost = costs?.components[index];
+  const rate = useSignal(null);
+  const wanted = now?.[3] ?? component.hz;
+  const most = shown.description.value.cycle_hz;
+  const hold = (kind) => command('hold', { component: index, hold: kind }, kind === 'tree' ? `${component.name} is left to the tree` : `${component.name} is held ${kind}`);
+  const setRate = (hz) => {
+    rate.value = null;
+    command('rate', { component: index, hz });
+  };
+  return html`<section aria-label="By hand"><h3>By hand</h3>
+    <div class="row"><span>hold</span><div class="segments" role="radiogroup" aria-label=${`Hold ${component.name}`}>${HOLDS.map(([kind, title]) => html`
+      <button role="radio" aria-checked=${now?.[1] === kind} class=${now?.[1] === kind ? 'on' : ''} disabled=${!can} onClick=${() => hold(kind)}>${title}</button>`)}</div></div>
+    ${component.hz !== null && html`<div class="row"><span>rate</span>
+      <input type="range" min="1" max=${most} step="1" disabled=${!can} aria-label=${`Rate of ${component.name}`} value=${rate.value ?? wanted}
+        onInput=${(event) => { rate.value = Number(event.target.value); }} onChange=${(event) => setRate(Number(event.target.value))} />
+      <span class=${`v ${now?.[3] !== null && now?.[3] !== undefined && now[3] !== component.hz ? 'changed' : ''}`}>${number(rate.value ?? wanted)} Hz</span>
+      <button class="small" disabled=${!can || now?.[3] === component.hz} title=${`Declared: ${number(component.hz)} Hz`} onClick=${() => setRate(null)}>declared</button></div>`}
+    <div class="row"><span>cost</span><span class="wide2">${cost?.[0]
+      ? html`<b class=${component.budget_us && cost[1] > component.budget_us ? 'warn' : ''}>${number(cost[1])} µs</b> mean, ${number(cost[2])} µs longest${component.budget_us ? `, budget ${number(component.budget_us)} µs` : ''}, ${((cost[0] / costs.window_us) * 1e6).toFixed(0)} runs/s`
+      : html`<span class="dim">${component.budget_us ? `not run now, budget ${number(component.budget_us)} µs` : 'not run now'}</span>`}</span></div>
+  </section>`;
+}
+

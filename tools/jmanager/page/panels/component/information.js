@@ -1,0 +1,60 @@
+// Information of a component: value, unit, curve, and history. A row can be dragged onto a plot.
+
+import { html, useSignal } from '../../lib/dom.js';
+import { open } from '../../lib/dock.js';
+import { number, numberAt, numbers, text, time, words } from '../../lib/format.js';
+import { seek } from '../../lib/store.js';
+import { Spark } from '../../lib/ui.js';
+
+/** Numbers of a list or struct that are shown one by one. */
+const MAX_PARTS = 4;
+
+export function InformationList({ shown, component, index, visible }) {
+  return html`<section aria-label="Information"><h3>Information</h3>
+    ${component.info.map((info, number) => html`<${Info} key=${info.name} ...${{ info, component: component.name, information: shown.info_of(index, number), visible }} />`)}</section>`;
+}
+
+function Info({ info, component, information, visible }) {
+  const history = useSignal(false);
+  const now = visible.value ? information.now.value : null;
+  const value = now?.value;
+  const parts = numbers(value);
+  const split = parts.length > 1 && parts.length <= MAX_PARTS && typeof value === 'object';
+  const name = `${component}.${info.name}`;
+  const drag = (event, path = '') => {
+    event.dataTransfer.setData('text/plain', name + path);
+    event.dataTransfer.setData('application/x-jmanager-curve', name + path);
+    event.dataTransfer.effectAllowed = 'copy';
+    event.stopPropagation();
+  };
+  const plot = () => open('plot', { curves: (parts.length > 0 ? parts.slice(0, 3).map(([path]) => name + path) : [name]) }, words(info.name));
+  return html`<div class="info">
+    <div class="row" draggable="true" onDragStart=${(event) => drag(event)} title=${`${info.doc}\n${info.type}${info.unit ? `, ${info.unit}` : ''}\nDrag onto a plot.`}>
+      <button class="name" aria-expanded=${history.value} aria-label=${`History of ${info.name}`} onClick=${() => { history.value = !history.value; }}>${words(info.name)}</button>
+      ${parts.length === 1 ? html`<${Spark} information=${information} path=${parts[0][0]} pick=${numberAt} />` : html`<span></span>`}
+      <span class="v" aria-label=${info.name}>${now === null ? '…' : split ? '' : text(value)}${info.unit && value !== null && value !== undefined && !split ? html` <span class="unit">${info.unit}</span>` : ''}</span>
+    </div>
+    ${split && parts.map(([path]) => html`<div class="row part" draggable="true" onDragStart=${(event) => drag(event, path)}><span class="dim">${path.replace(/^\./, '')}</span>
+      <${Spark} information=${information} path=${path} pick=${numberAt} /><span class="v">${number(numberAt(value, path))} <span class="unit">${unitOf(info.unit, path, parts)}</span></span></div>`)}
+    ${history.value && html`<div class="history"><p>${info.doc}</p><${History} information=${information} /><button class="small" disabled=${parts.length === 0} onClick=${plot}>Plot</button></div>`}
+  </div>`;
+}
+
+/** `m, rad` names the units of lengths and of angles. */
+function unitOf(unit, path) {
+  if (!unit?.includes(',')) return unit ?? '';
+  const [length, angle] = unit.split(',').map((one) => one.trim());
+  return /turn|heading|angle|yaw|pitch|pan|down/.test(path) ? angle : length;
+}
+
+function History({ information }) {
+  void information.version.value;
+  const changes = [];
+  let last;
+  for (let index = information.times.length - 1; index >= 0 && changes.length < 8; index -= 1) {
+    const shown = text(information.values[index]);
+    if (shown !== last) changes.push([information.times[index], shown]);
+    last = shown;
+  }
+  return html`<ol>${changes.map(([at, shown]) => html`<li><button class="time" onClick=${() => seek(at)}>${time(at)}</button> ${shown}</li>`)}</ol>`;
+}

@@ -1,0 +1,50 @@
+// Log and story, with filters and notes.
+
+import { html, useEffect, useRef, useSignal } from '../lib/dom.js';
+import { openComponent } from '../lib/dock.js';
+import { time } from '../lib/format.js';
+import { cursor, seek, session } from '../lib/store.js';
+import { Bar, Empty, Toggle, download } from '../lib/ui.js';
+
+const KINDS = { robot: 'Robot', referee: 'Referee', request: 'Requests', tree: 'Tree', note: 'Notes', server: 'Program' };
+const LEVELS = ['', 'debug', 'info', 'warning', 'error'];
+/** Lines that are shown at once. */
+const LIMIT = 500;
+
+export function Log({ visible }) {
+  const shown = session.value;
+  const hidden = useSignal(new Set());
+  const level = useSignal(2);
+  const text = useSignal('');
+  const follow = useSignal(true);
+  const list = useRef(null);
+  const version = shown && visible.value ? shown.linesVersion.value : 0;
+  useEffect(() => {
+    if (follow.value && cursor.value === null && list.current) list.current.scrollTop = list.current.scrollHeight;
+  }, [version, follow.value]);
+  if (!shown) return html`<${Empty} what="No session is open" help="Lines of the robot, the referee and the operator appear here." />`;
+  const toggle = (kind) => {
+    const next = new Set(hidden.value);
+    if (!next.delete(kind)) next.add(kind);
+    hidden.value = next;
+  };
+  const wanted = text.value.toLowerCase();
+  const lines = shown.lines.filter((line) => !hidden.value.has(line.kind) && line.level >= level.value && line.text.toLowerCase().includes(wanted)).slice(-LIMIT);
+  const save = () => download('log.txt', new Blob([lines.map((line) => `${time(line.time_us, 3)}\t${LEVELS[line.level]}\t${line.kind}\t${line.text}`).join('\n')], { type: 'text/plain' }));
+  return html`<${Bar} label="Log">
+      <input type="search" placeholder="Filter" aria-label="Filter lines" value=${text.value} onInput=${(event) => { text.value = event.target.value; }} />
+      ${Object.entries(KINDS).map(([kind, name]) => html`<${Toggle} on=${!hidden.value.has(kind)} label=${name} onChange=${() => toggle(kind)} />`)}
+      <select aria-label="Lowest level" onChange=${(event) => { level.value = Number(event.target.value); }}>${[1, 2, 3, 4].map((one) => html`<option value=${one} selected=${one === level.value}>${LEVELS[one]}</option>`)}</select>
+      <span class="grow"></span>
+      <${Toggle} on=${follow.value} label="Follow" title="Stay at the newest line" onChange=${(on) => { follow.value = on; }} />
+      <button onClick=${save} disabled=${lines.length === 0}>Save</button>
+    <//>
+    ${lines.length === 0
+      ? html`<${Empty} what=${shown.lines.length ? 'No line passes the filters' : 'No line yet'} help=${shown.lines.length ? 'Turn more kinds on, or clear the text.' : 'Transitions, events of the referee, requests and notes appear here. Add a note in the timeline.'} />`
+      : html`<ol class="log" ref=${list} aria-label="Log lines">${lines.map((line) => {
+          const component = line.component === undefined ? null : shown.description.value?.components[line.component]?.name;
+          return html`<li class=${`level${line.level} ${line.kind} ${cursor.value !== null && line.time_us > cursor.value ? 'later' : ''}`}>
+            <button class="time" title="Show this moment" onClick=${() => seek(line.time_us)}>${time(line.time_us)}</button><span class="kind">${KINDS[line.kind]}</span>
+            <span class="text">${component && html`<button class="name" onClick=${() => openComponent(component)}>${component}</button>`}${line.text}</span></li>`;
+        })}</ol>`}`;
+}

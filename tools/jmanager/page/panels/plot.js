@@ -1,0 +1,250 @@
+// Curves of information over time. Rows of a component tab are dropped here, or chosen by name.
+
+import uPlot from '../vendor/uplot.js';
+import { effect, html, useEffect, useRef, useSignal } from '../lib/dom.js';
+import { request } from '../lib/connection.js';
+import { number, numberAt, numbers, time } from '../lib/format.js';
+import { marks, shownTime, showRange, visibleRange } from '../lib/axis.js';
+import { cursor, notify, range, seek, session, watch } from '../lib/store.js';
+import { css, curveColour, theme } from '../lib/theme.js';
+import { Bar, Empty, download } from '../lib/ui.js';
+
+/** Samples that are read of the time before a curve was added. */
+const POINTS = 3000;
+/** Shortest time between two drawings of a live plot, ms. */
+const FRAME_MS = 30;
+
+/** Splits `Component.info.path` into its parts. */
+function resolve(shown, name) {
+  const [component, rest] = [name.slice(0, name.indexOf('.')), name.slice(name.indexOf('.') + 1)];
+  const info = rest.split(/[.[]/)[0];
+  const place = shown?.findInfo(component, info);
+  return place ? { name, place, path: rest.slice(info.length), unit: shown.description.value.components[place[0]].info[place[1]].unit } : null;
+}
+
+export function Plot({ visible, params, remember }) {
+  const names = useSignal(params.curves ?? []);
+  const shown = session.value;
+  const description = shown?.description.value;
+  const typed = useSignal('');
+  const over = useSignal(false);
+  const curves = names.value.map((name) => resolve(shown, name)).filter(Boolean);
+  const set = (list) => {
+    names.value = list;
+    remember({ curves: list });
+  };
+  const add = (name) => {
+    const curve = resolve(shown, name);
+    if (!curve) notify('error', `there is no information “${name}”`, 'write Component.information, as in the list of the field');
+    else if (!names.value.includes(name)) set([...names.value, ...expand(shown, curve)]);
+  };
+  useEffect(() => (visible.value && curves.length > 0 ? watch({ info: curves.map(({ place }) => [...place, 2]) }) : undefined), [visible.value, shown, description, names.value.join()]);
+  useHistory(shown, description, curves, visible);
+
+  if (!description) return html`<${Empty} what="Nothing to plot yet" help="Open a world, a robot or a recording." />`;
+  const drop = (event) => {
+    event.preventDefault();
+    over.value = false;
+    const name = event.dataTransfer.getData('application/x-jmanager-curve');
+    if (name) add(name);
+  };
+  const submit = (event) => {
+    event.preventDefault();
+    if (typed.value.trim()) add(typed.value.trim());
+    typed.value = '';
+  };
+  const all = description.components.flatMap((component) => component.info.map((info) => `${component.name}.${info.name}`));
+  return html`<div class=${`plot ${over.value ? 'over' : ''}`} onDragOver=${(event) => { event.preventDefault(); over.value = true; }} onDragLeave=${() => { over.value = false; }} onDrop=${drop}>
+    <${Bar} label="Plot">
+      <form class="join" onSubmit=${submit}><input list="all-information" placeholder="Add a curve…" aria-label="Information to plot" value=${typed.value} onInput=${(event) => { typed.value = event.target.value; }} /><button>Add</button></form>
+      <datalist id="all-information">${all.map((name) => html`<option value=${name}></option>`)}</datalist>
+      <div class="legend" role="list" aria-label="Curves">${names.value.map((name, index) => html`<${Curve} key=${name} ...${{ name, index, shown, remove: () => set(names.value.filter((one) => one !== name)) }} />`)}</div>
+      <span class="grow"></span>
+      ${range.value.end !== null && html`<button class="live" onClick=${() => seek(null)}>Live</button>`}
+      <button disabled=${curves.length === 0} onClick=${() => csv(shown, curves)}>CSV</button>
+    <//>
+    ${curves.length === 0
+      ? html`<${Empty} what=${names.value.length > 0 ? 'This tree has none of these curves' : 'No curve yet'} help="Drag an information from a component tab onto this panel, or choose one above." />`
+      : html`<${Chart} key=${curves.map(({ name }) => name).join() + theme.value} ...${{ shown, curves, visible }} />`}
+  </div>`;
+}
+
+/** A struct becomes one curve for each of its numbers. */
+function expand(shown, { name, place, path }) {
+  const value = shown.info_of(...place).values.findLast((one) => one !== null);
+  const inner = path ? undefined : value;
+  const parts = inner !== null && typeof inner === 'object' ? numbers(inner) : [];
+  return parts.length > 0 ? parts.slice(0, 6).map(([one]) => name + one) : [name];
+}
+
+function Curve({ name, index, shown, remove }) {
+  const curve = resolve(shown, name);
+  const now = curve ? shown.info_of(...curve.place).now.value?.value : null;
+  return html`<span class="curve" role="listitem"><i class="dot" ref=${(dot) => { if (dot) dot.style.background = curveColour(index); }}></i>${name}
+    <b>${number(curve ? numberAt(now, curve.path) : null)}</b> <span class="unit">${curve?.unit?.includes(',') ? '' : curve?.unit ?? ''}</span><button aria-label=${`Remove ${name}`} onClick=${remove}>×</button></span>`;
+}
+
+/** Reads the samples before the curve was added, and those of another interval of the past. */
+function useHistory(shown, description, curves, visible) {
+  const key = curves.map(({ name }) => name).join();
+  useEffect(() => {
+    if (!shown || !description || curves.length === 0) return undefined;
+    let timer = null;
+    const read = async () => {
+      const [from, until] = visibleRange.peek().map((at) => Math.max(0, Math.round(at)));
+      for (const { place } of curves) {
+        const information = shown.info_of(...place);
+        if (information.times.length > 0 && information.times[0] <= from) continue;
+        try {
+          information.prepend(await request('series', { session: shown.id, component: place[0], info: place[1], from_us: from, until_us: until, points: POINTS }));
+        } catch {
+          // A recording may lack it; live samples come anyhow.
+        }
+      }
+    };
+    const stop = effect(() => {
+      void [range.value, visible.value];
+      clearTimeout(timer);
+      timer = setTimeout(read, 150);
+    });
+    return () => {
+      stop();
+      clearTimeout(timer);
+    };
+  }, [shown, description, key]);
+}
+
+function dataOf(shown, curves, [from, until]) {
+  const times = new Set();
+  const columns = curves.map(({ place, path }) => {
+    const information = shown.info_of(...place);
+    const column = new Map();
+    const step = Math.max(1, Math.floor(information.times.length / 4000));
+    for (let index = 0; index < information.times.length; index += step) {
+      const at = information.times[index];
+      if (at < from - 1e6 || at > until + 1e6) continue;
+      column.set(at, numberAt(information.values[index], path));
+      times.add(at);
+    }
+    return column;
+  });
+  const sorted = Float64Array.from(times).sort();
+  return [Array.from(sorted, (at) => at / 1e6), ...columns.map((column) => Array.from(sorted, (at) => (column.has(at) ? column.get(at) : undefined)))];
+}
+
+function Chart({ shown, curves, visible }) {
+  const box = useRef(null);
+  useEffect(() => {
+    const chart = new uPlot(options(box.current, curves), [[]], box.current);
+    let [frame, last] = [0, 0];
+    const paint = (now) => {
+      frame = 0;
+      if (!visible.peek() || box.current.clientWidth === 0) return;
+      if (now - last < FRAME_MS) {
+        frame = requestAnimationFrame(paint);
+        return;
+      }
+      last = now;
+      const interval = visibleRange.peek();
+      chart.batch(() => {
+        chart.setData(dataOf(shown, curves, interval), false);
+        chart.setScale('x', { min: interval[0] / 1e6, max: interval[1] / 1e6 });
+      });
+    };
+    const schedule = () => { frame ||= requestAnimationFrame(paint); };
+    const stop = effect(() => {
+      for (const { place } of curves) void shown.info_of(...place).version.value;
+      void [visibleRange.value, cursor.value, visible.value];
+      schedule();
+    });
+    const observer = new ResizeObserver(() => {
+      chart.setSize({ width: box.current.clientWidth, height: box.current.clientHeight });
+      schedule();
+    });
+    observer.observe(box.current);
+    return () => {
+      stop();
+      observer.disconnect();
+      cancelAnimationFrame(frame);
+      chart.destroy();
+    };
+  }, []);
+  return html`<div class="fill chart" ref=${box} role="img" aria-label=${`Plot of ${curves.map(({ name }) => name).join(', ')}`}></div>`;
+}
+
+function options(box, curves) {
+  const font = `11px ${css('--font')}`;
+  const grid = { stroke: css('--line'), width: 1 };
+  return {
+    width: Math.max(box.clientWidth, 50),
+    height: Math.max(box.clientHeight, 50),
+    legend: { show: false },
+    scales: { x: { time: false, auto: false }, y: { range: (chart, low, high) => (low === null ? [0, 1] : padded(low, high)) } },
+    series: [{}, ...curves.map((curve, index) => ({ label: curve.name, stroke: curveColour(index), width: 1.5, spanGaps: true, points: { show: false } }))],
+    axes: [
+      { stroke: css('--dim'), grid, ticks: grid, font, size: 26, splits: (chart) => marks(chart.scales.x.min * 1e6, chart.scales.x.max * 1e6, chart.width).times.map((at) => at / 1e6), values: (chart, splits) => {
+        const { digits } = marks(chart.scales.x.min * 1e6, chart.scales.x.max * 1e6, chart.width);
+        return splits.map((at) => time(at * 1e6, digits));
+      } },
+      { stroke: css('--dim'), grid, ticks: grid, font, size: 52, values: (_, splits) => splits.map((value) => number(value)) },
+    ],
+    cursor: { drag: { x: true, y: false, setScale: false }, points: { size: 6 } },
+    hooks: {
+      setSelect: [(chart) => {
+        const { left, width } = chart.select;
+        if (width > 3) showRange(chart.posToVal(left, 'x') * 1e6, chart.posToVal(left + width, 'x') * 1e6);
+        chart.setSelect({ left: 0, width: 0, top: 0, height: 0 }, false);
+      }],
+      ready: [(chart) => chart.over.addEventListener('click', () => {
+        if (chart.cursor.left >= 0) seek(chart.posToVal(chart.cursor.left, 'x') * 1e6);
+      })],
+      draw: [(chart) => {
+        const { ctx, bbox } = chart;
+        const x = Math.round(chart.valToPos(shownTime.peek() / 1e6, 'x', true));
+        if (x >= bbox.left && x <= bbox.left + bbox.width) {
+          ctx.fillStyle = css('--cursor');
+          ctx.fillRect(x, bbox.top, Math.max(1, devicePixelRatio), bbox.height);
+        }
+        drawValues(chart, curves);
+      }],
+      setCursor: [(chart) => chart.redraw(false, false)],
+    },
+  };
+}
+
+const padded = (low, high) => (high - low < 1e-9 ? [low - 0.5, high + 0.5] : [low - (high - low) * 0.08, high + (high - low) * 0.08]);
+
+/** Values under the pointer, in the corner. */
+function drawValues(chart, curves) {
+  const { idx, left } = chart.cursor;
+  if (idx === null || idx === undefined || left < 0) return;
+  const { ctx, bbox } = chart;
+  const scale = devicePixelRatio;
+  const lines = [time(chart.data[0][idx] * 1e6, 3), ...curves.map((curve, index) => `${curve.name.split('.').slice(1).join('.')} ${number(nearest(chart.data[index + 1], idx))}`)];
+  ctx.save();
+  ctx.font = `${11 * scale}px ${css('--font')}`;
+  const width = Math.max(...lines.map((line) => ctx.measureText(line).width)) + 16 * scale;
+  const x = bbox.left + bbox.width - width - 4 * scale;
+  ctx.fillStyle = css('--tip');
+  ctx.fillRect(x, bbox.top + 4 * scale, width, (lines.length * 16 + 8) * scale);
+  ctx.textAlign = 'left';
+  ctx.textBaseline = 'top';
+  lines.forEach((line, index) => {
+    ctx.fillStyle = index === 0 ? css('--dim') : curveColour(index - 1);
+    ctx.fillText(line, x + 8 * scale, bbox.top + (8 + index * 16) * scale);
+  });
+  ctx.restore();
+}
+
+/** The last sample that is not later: curves have different rates. */
+function nearest(column, index) {
+  for (let at = index; at >= 0 && at > index - 50; at -= 1) if (column[at] !== undefined) return column[at];
+  return null;
+}
+
+function csv(shown, curves) {
+  const [times, ...columns] = dataOf(shown, curves, [-Infinity, Infinity]);
+  const lines = [['time_s', ...curves.map(({ name, unit }) => `${name}${unit ? ` (${unit.replaceAll(',', ';')})` : ''}`)].join(',')];
+  times.forEach((at, row) => lines.push([at, ...columns.map((column) => column[row] ?? '')].join(',')));
+  download('plot.csv', new Blob([lines.join('\n')], { type: 'text/csv' }));
+}

@@ -1,0 +1,98 @@
+// Recordings: keep what was recorded, open, compare, run again.
+
+import { html, useEffect, useSignal } from '../lib/dom.js';
+import { bytes, duration, time } from '../lib/format.js';
+import { act, ask, playing, playOrPause, seek, session, sessions, show } from '../lib/store.js';
+import { Empty } from '../lib/ui.js';
+
+const stamp = () => new Date().toISOString().slice(0, 19).replace('T', ' ').replaceAll(':', '-');
+
+export function Recordings({ visible }) {
+  const list = useSignal(null);
+  const read = async () => { list.value = (await ask('recordings')) ?? []; };
+  useEffect(() => {
+    if (visible.value) read();
+  }, [visible.value]);
+  const shown = session.value;
+  return html`<article class="tab">
+    ${shown && html`<${Current} ...${{ shown, read }} />`}
+    <section aria-label="Recordings"><h3>Kept recordings <button class="small" onClick=${read}>Refresh</button></h3>
+      ${list.value === null ? html`<p class="dim">Reading the folder…</p>` : list.value.length === 0
+        ? html`<${Empty} what="No recording is kept" help="Keep the last minutes above, or start the program with --recordings FOLDER." />`
+        : html`<ul class="recordings">${list.value.map((one) => html`<li><button class="name" onClick=${() => open(one.name)} title="Open in a new session">${one.name}</button>
+          <span class="dim">${one.seconds === undefined || one.seconds === null ? '' : duration(one.seconds * 1e6)} · ${bytes(one.bytes)}</span></li>`)}</ul>`}
+    </section>
+    <${Compare} />
+  </article>`;
+}
+
+async function open(name) {
+  const opened = await ask('open', { source: { kind: 'recording', name } });
+  if (opened) show(opened.session);
+}
+
+function Current({ shown, read }) {
+  const info = shown.info.value;
+  const name = useSignal(null);
+  if (info.kind === 'recording') return html`<${Replay} ...${{ shown, info }} />`;
+  const keep = async (event) => {
+    event.preventDefault();
+    const kept = await act('keep_recording', { name: name.value ?? stamp() });
+    if (kept === undefined) return;
+    name.value = null;
+    await ask('note', { session: shown.id, text: `recording kept: ${kept.path}` });
+    read();
+  };
+  return html`<section aria-label="This session"><h3>This session</h3>
+    <p>${info.recording.on ? html`The last ${duration(Math.max(0, info.until_us - info.recording.from_us))} are recorded, ${bytes(info.recording.bytes)}.` : html`<span class="warn">It is not recorded.</span>`} <span class="dim">${info.recording.note}</span></p>
+    <form class="join" onSubmit=${keep}><input aria-label="Name of the recording" placeholder=${stamp()} value=${name.value ?? ''} onInput=${(event) => { name.value = event.target.value || null; }} />
+      <button disabled=${!info.recording.on}>Keep recording</button></form></section>`;
+}
+
+function Replay({ shown, info }) {
+  const description = shown.description.value;
+  const settings = useSignal([]);
+  const path = useSignal('');
+  const value = useSignal('');
+  const all = description?.components.flatMap((component, at) => component.params.map((param, number) => ({ name: `${component.name}.${param.name}`, component: at, param: number, kind: param.kind }))) ?? [];
+  const add = () => {
+    const chosen = all.find((one) => one.name === path.value);
+    if (!chosen) return;
+    const typed = value.value.trim();
+    const parsed = ['f32', 'i32', 'u32'].includes(chosen.kind) ? Number(typed) : chosen.kind === 'bool' ? typed === 'true' : typed;
+    settings.value = [...settings.value.filter((one) => one.name !== chosen.name), { ...chosen, value: parsed }];
+    [path.value, value.value] = ['', ''];
+  };
+  const again = async () => {
+    const opened = await act('run_again', { settings: settings.value.map(({ component, param, value: to }) => ({ component, param, value: to })) });
+    if (opened) show(opened.session);
+  };
+  return html`<section aria-label="Replay"><h3>${info.name}</h3>
+    <p>${duration(info.until_us - info.from_us)}, from ${time(info.from_us)} to ${time(info.until_us)}. <span class="dim">${info.note}</span></p>
+    <div class="buttons"><button onClick=${() => seek(info.from_us)} aria-label="To the begin">⏮</button><button class="wide" onClick=${playOrPause}>${playing.value ? 'Pause' : 'Play'}</button><button onClick=${() => seek(info.until_us)} aria-label="To the end">⏭</button></div>
+    ${info.can.run_again && html`<h3>Run again</h3><p class="dim">The code of this program runs again on what was recorded; with other values of parameters, if you add some.</p>
+      <div class="join"><input list="params-of-run" aria-label="Parameter" placeholder="FaceBall.gain" value=${path.value} onInput=${(event) => { path.value = event.target.value; }} />
+        <datalist id="params-of-run">${all.map((one) => html`<option value=${one.name}></option>`)}</datalist>
+        <input class="short" aria-label="Value" placeholder="0.9" value=${value.value} onInput=${(event) => { value.value = event.target.value; }} onKeyDown=${(event) => event.key === 'Enter' && add()} /><button onClick=${add}>Add</button></div>
+      <ul class="recordings">${settings.value.map((one) => html`<li>${one.name} = ${String(one.value)} <button class="small" aria-label=${`Remove ${one.name}`} onClick=${() => { settings.value = settings.value.filter((other) => other !== one); }}>×</button></li>`)}</ul>
+      <button onClick=${again}>Run again</button>`}
+  </section>`;
+}
+
+function Compare() {
+  const recordings = [...sessions.value.values()].filter((one) => one.info.value.kind === 'recording');
+  const chosen = useSignal([null, null]);
+  const result = useSignal(null);
+  if (recordings.length < 2) return html`<section aria-label="Compare"><h3>Compare</h3><p class="dim">Open two recordings to find the first difference between them.</p></section>`;
+  const [one, other] = [chosen.value[0] ?? recordings[0].id, chosen.value[1] ?? recordings[1].id];
+  const pick = (at, label) => html`<select aria-label=${label} onChange=${(event) => { chosen.value = chosen.value.with(at, Number(event.target.value)); }}>
+    ${recordings.map((of) => html`<option value=${of.id} selected=${of.id === [one, other][at]}>${of.info.value.name}</option>`)}</select>`;
+  const compare = async () => { result.value = (await ask('compare', { session: one, other })) ?? null; };
+  const go = () => {
+    show(one);
+    setTimeout(() => seek(result.value.time_us));
+  };
+  return html`<section aria-label="Compare"><h3>Compare</h3><div class="join">${pick(0, 'First recording')}${pick(1, 'Second recording')}<button onClick=${compare}>Compare</button></div>
+    ${result.value && (result.value.equal ? html`<p class="yes">They are equal.</p>` : html`<p><b class="warn">First difference</b> in cycle ${result.value.cycle}: ${result.value.field}. ${result.value.text} <button class="small" onClick=${go}>Show</button></p>`)}</section>`;
+}
+

@@ -1,0 +1,65 @@
+//! The command line.
+
+use std::net::IpAddr;
+use std::path::PathBuf;
+
+use clap::Parser;
+
+const AFTER: &str = "\
+Examples:
+  jmanager                          the built-in forward, in real time
+  jmanager --world mujoco           in MuJoCo (needs a build with the feature `mujoco`)
+  jmanager tcp://192.168.1.20:7400  a robot, or `player play --serve`
+  jmanager serial:/dev/ttyUSB0      a microcontroller
+  jmanager run.mcap                 a recording
+  jmanager good.mcap bad.mcap       two recordings, side by side
+
+The program prints a URL that works once, and opens it if there is a desktop. More robots and recordings can be
+opened on the page. Ctrl-C ends the program.
+
+Exit codes: 0 ended with Ctrl-C, 2 wrong arguments or files.";
+
+/// Arguments of the program.
+#[derive(Debug, Parser)]
+#[command(name = "jmanager", version, about = "A web page to inspect, tune, drive, record and replay robots.", after_help = AFTER)]
+pub struct Cli {
+    /// Robots (tcp://HOST:PORT, serial:DEVICE[@BAUD]) and recordings (FILE.mcap); none: the built-in world
+    #[arg(value_name = "SOURCE")]
+    pub sources: Vec<String>,
+    /// World that is simulated in this program
+    #[arg(long, value_name = "WORLD", value_parser = ["built-in", "mujoco", "firmware"])]
+    pub world: Option<String>,
+    /// Seed of the world
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    pub seed: u64,
+    /// Number of other robots in the world
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    pub robots: usize,
+    /// Port of the page; without it 7410, or any other if that is in use
+    #[arg(long, value_name = "PORT")]
+    pub port: Option<u16>,
+    /// Do not open the page in a browser
+    #[arg(long)]
+    pub no_open: bool,
+    /// Let other computers reach the page, at this address of this computer; needs --token-file
+    #[arg(long, value_name = "ADDRESS", requires = "token_file")]
+    pub listen: Option<IpAddr>,
+    /// Name under which other computers reach the page
+    #[arg(long, value_name = "NAME", requires = "listen")]
+    pub host: Vec<String>,
+    /// File with the secret with which the page is entered; made if it does not exist
+    #[arg(long, value_name = "FILE")]
+    pub token_file: Option<PathBuf>,
+    /// Let pages watch only
+    #[arg(long)]
+    pub read_only: bool,
+    /// Folder of recordings
+    #[arg(long, value_name = "FOLDER")]
+    pub recordings: Option<PathBuf>,
+    /// Folder of labelled images, for the colour tuner
+    #[arg(long, value_name = "FOLDER")]
+    pub images: Option<PathBuf>,
+    /// Folder of Rust sources in which defaults may be written
+    #[arg(long, value_name = "FOLDER")]
+    pub source: Option<PathBuf>,
+}

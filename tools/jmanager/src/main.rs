@@ -1,0 +1,7 @@
+//! The program `jmanager`.
+
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    jmanager::run()
+}

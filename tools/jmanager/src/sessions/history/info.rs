@@ -1,0 +1,160 @@
+//! Samples of information.
+
+use std::collections::{BTreeMap, VecDeque};
+
+use serde_json::Value;
+
+/// Memory of a sample besides its text, bytes.
+const SAMPLE_BYTES: usize = 32;
+
+/// Samples of one information. A value that did not change is stored once.
+#[derive(Debug, Default)]
+struct Samples {
+    /// Time, µs, and value as JSON text.
+    changes: VecDeque<(u64, Box<str>)>,
+    /// Time of the newest sample, also of one that did not change.
+    last_us: u64,
+}
+
+/// Samples of all information.
+#[derive(Debug, Default)]
+pub(crate) struct InfoStore {
+    all: BTreeMap<(usize, usize), Samples>,
+    bytes: usize,
+}
+
+fn parse(text: &str) -> Value {
+    serde_json::from_str(text).unwrap_or(Value::Null)
+}
+
+impl InfoStore {
+    /// Adds a sample; times do not decrease.
+    pub(crate) fn push(&mut self, component: usize, info: usize, time_us: u64, value: &Value) {
+        let samples = self.all.entry((component, info)).or_default();
+        samples.last_us = time_us;
+        let text = value.to_string();
+        if samples.changes.back().is_none_or(|(_, last)| **last != *text) {
+            self.bytes += SAMPLE_BYTES + text.len();
+            samples.changes.push_back((time_us, text.into()));
+        }
+    }
+
+    /// The last sample that is not later: its time and value.
+    pub(crate) fn at(&self, component: usize, info: usize, time_us: u64) -> Option<(u64, Value)> {
+        let changes = &self.all.get(&(component, info))?.changes;
+        let end = changes.partition_point(|(time, _)| *time <= time_us);
+        changes.get(end.checked_sub(1)?).map(|(time, text)| (*time, parse(text)))
+    }
+
+    /// Samples of an interval: the value at its begin, the changes in it, the value at its end; thinned to at most `points`. Of numbers
+    /// the smallest and the largest of each part stay, of other values the last.
+    pub(crate) fn series(
+        &self,
+        component: usize,
+        info: usize,
+        from_us: u64,
+        until_us: u64,
+        points: usize,
+    ) -> Vec<(u64, Value)> {
+        let Some(samples) = self.all.get(&(component, info)) else { return Vec::new() };
+        let changes = &samples.changes;
+        let begin = changes.partition_point(|(time, _)| *time < from_us);
+        let end = changes.partition_point(|(time, _)| *time <= until_us).max(begin);
+        let before = begin.checked_sub(1).map(|index| (from_us, parse(&changes[index].1)));
+        let inside = changes.range(begin..end).map(|(time, text)| (*time, parse(text)));
+        let mut all: Vec<(u64, Value)> = before.into_iter().chain(inside).collect();
+        let last = samples.last_us.min(until_us);
+        if let Some((time, value)) = all.last().filter(|(time, _)| *time < last).cloned() {
+            debug_assert!(time < last);
+            all.push((last, value));
+        }
+        thin(all, points)
+    }
+
+    pub(super) fn evict(&mut self, horizon: u64) {
+        for samples in self.all.values_mut() {
+            // The last value before the horizon is the value at the horizon.
+            while samples.changes.get(1).is_some_and(|(time, _)| *time <= horizon) {
+                if let Some((_, text)) = samples.changes.pop_front() {
+                    self.bytes -= SAMPLE_BYTES + text.len();
+                }
+            }
+        }
+    }
+
+    /// Memory, bytes.
+    pub(crate) const fn bytes(&self) -> usize {
+        self.bytes
+    }
+}
+
+fn thin(all: Vec<(u64, Value)>, points: usize) -> Vec<(u64, Value)> {
+    let points = points.max(2);
+    if all.len() <= points {
+        return all;
+    }
+    let part = all.len().div_ceil((points / 2).max(1));
+    let mut thinned = Vec::with_capacity(points);
+    for part in all.chunks(part) {
+        let number = |index: usize| part[index].1.as_f64();
+        if part.iter().any(|(_, value)| !value.is_number()) {
+            thinned.extend(part.last().cloned());
+            continue;
+        }
+        let by = |a: &usize, b: &usize| number(*a).partial_cmp(&number(*b)).unwrap_or(std::cmp::Ordering::Equal);
+        let (low, high) = ((0..part.len()).min_by(by), (0..part.len()).max_by(by));
+        let mut both: Vec<usize> = low.into_iter().chain(high).collect();
+        both.sort_unstable();
+        both.dedup();
+        thinned.extend(both.into_iter().map(|index| part[index].clone()));
+    }
+    thinned
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde_json::json;
+
+    fn store(values: &[(u64, i32)]) -> InfoStore {
+        let mut store = InfoStore::default();
+        for &(time, value) in values {
+            store.push(1, 2, time, &json!(value));
+        }
+        store
+    }
+
+    #[test]
+    fn the_last_sample_that_is_not_later_is_found() {
+        let store = store(&[(10, 1), (20, 1), (30, 2)]);
+        assert_eq!(store.at(1, 2, 9), None);
+        assert_eq!(store.at(1, 2, 29), Some((10, json!(1))));
+        assert_eq!(store.at(1, 2, 30), Some((30, json!(2))));
+        assert_eq!(store.at(1, 3, 30), None);
+    }
+
+    #[test]
+    fn a_series_has_the_values_at_both_ends_of_the_interval() {
+        let store = store(&[(10, 1), (20, 2), (30, 3), (40, 3)]);
+        assert_eq!(store.series(1, 2, 15, 25, 10), [(15, json!(1)), (20, json!(2)), (25, json!(2))]);
+        assert_eq!(store.series(1, 2, 0, 99, 10), [(10, json!(1)), (20, json!(2)), (30, json!(3)), (40, json!(3))]);
+    }
+
+    #[test]
+    fn a_peak_survives_thinning() {
+        let values: Vec<_> = (0..1000).map(|time| (time, if time == 777 { 50 } else { (time % 2) as i32 })).collect();
+        let series = store(&values).series(1, 2, 0, 999, 20);
+        assert!(series.len() <= 20, "{}", series.len());
+        assert!(series.contains(&(777, json!(50))));
+    }
+
+    #[test]
+    fn memory_is_given_back_and_the_value_at_the_horizon_stays() {
+        let mut store = store(&[(10, 1), (20, 2), (30, 3)]);
+        let before = store.bytes();
+        store.evict(25);
+        assert_eq!(store.at(1, 2, 25), Some((20, json!(2))));
+        assert_eq!(store.at(1, 2, 15), None);
+        assert_eq!(store.bytes(), before - SAMPLE_BYTES - 1);
+    }
+}

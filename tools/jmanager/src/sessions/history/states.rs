@@ -1,0 +1,112 @@
+//! States of all components over time.
+
+use std::collections::VecDeque;
+
+use crate::protocol::{ComponentNow, HoldKind};
+
+/// A change of a component.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Change {
+    /// Time of the first cycle with it, µs.
+    pub(crate) time_us: u64,
+    /// Component.
+    pub(crate) component: u16,
+    /// Whether activation or state changed; else only hold or rate.
+    pub(crate) visible: bool,
+    /// The state from then on.
+    pub(crate) now: ComponentNow,
+}
+
+/// States of all components over time, exact to the cycle.
+#[derive(Debug)]
+pub(crate) struct States {
+    /// States before the first change in memory.
+    base: Vec<ComponentNow>,
+    changes: VecDeque<Change>,
+    current: Vec<ComponentNow>,
+    /// Time, µs, and number of each cycle.
+    ticks: VecDeque<(u64, u64)>,
+}
+
+const UNKNOWN: ComponentNow = ComponentNow(false, HoldKind::Tree, None, None, 0);
+
+impl States {
+    pub(super) fn new(components: usize) -> Self {
+        let (base, current) = (vec![UNKNOWN; components], vec![UNKNOWN; components]);
+        Self { base, changes: VecDeque::new(), current, ticks: VecDeque::new() }
+    }
+
+    /// Adds a cycle: for each component whether it is active, hold, state, rate. Returns what changed.
+    pub(crate) fn push(
+        &mut self,
+        time_us: u64,
+        cycle: u64,
+        components: impl Iterator<Item = (bool, HoldKind, Option<u16>, Option<f32>)>,
+    ) -> Vec<Change> {
+        let is_first = self.ticks.is_empty();
+        self.ticks.push_back((time_us, cycle));
+        let mut changed = Vec::new();
+        for (component, (active, held, state, hz)) in components.enumerate().take(self.current.len()) {
+            let last = self.current[component];
+            let visible = is_first || (active, state) != (last.0, last.2);
+            if !visible && (held, hz) == (last.1, last.3) {
+                continue;
+            }
+            let now = ComponentNow(active, held, state, hz, if visible { time_us } else { last.4 });
+            self.current[component] = now;
+            changed.push(Change { time_us, component: component as u16, visible, now });
+        }
+        if is_first {
+            self.base.clone_from(&self.current);
+            return Vec::new();
+        }
+        self.changes.extend(changed.iter().copied());
+        changed
+    }
+
+    /// State after the last cycle.
+    pub(crate) fn current(&self) -> &[ComponentNow] {
+        &self.current
+    }
+
+    /// Time and number of the last cycle.
+    pub(crate) fn last(&self) -> Option<(u64, u64)> {
+        self.ticks.back().copied()
+    }
+
+    pub(super) fn span(&self) -> (u64, u64) {
+        let time = |tick: Option<&(u64, u64)>| tick.map_or(0, |(time, _)| *time);
+        (time(self.ticks.front()), time(self.ticks.back()))
+    }
+
+    /// Time, number and states of the last cycle that is not later; of the first one for an earlier time.
+    pub(crate) fn at(&self, time_us: u64) -> Option<(u64, u64, Vec<ComponentNow>)> {
+        let end = self.ticks.partition_point(|(time, _)| *time <= time_us);
+        let &(time, cycle) = self.ticks.get(end.saturating_sub(1))?;
+        let mut states = self.base.clone();
+        for change in self.changes.iter().take_while(|change| change.time_us <= time) {
+            states[usize::from(change.component)] = change.now;
+        }
+        Some((time, cycle, states))
+    }
+
+    pub(super) fn base(&self) -> &[ComponentNow] {
+        &self.base
+    }
+
+    pub(super) fn changes(&self) -> impl Iterator<Item = &Change> {
+        self.changes.iter()
+    }
+
+    pub(super) fn evict(&mut self, horizon: u64) {
+        while self.ticks.len() > 1 && self.ticks.front().is_some_and(|(time, _)| *time < horizon) {
+            self.ticks.pop_front();
+        }
+        let first = self.span().0;
+        while self.changes.front().is_some_and(|change| change.time_us <= first) {
+            if let Some(change) = self.changes.pop_front() {
+                self.base[usize::from(change.component)] = change.now;
+            }
+        }
+    }
+}

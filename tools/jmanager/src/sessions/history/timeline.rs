@@ -1,0 +1,124 @@
+//! Bars of the activation timeline.
+
+use super::History;
+use crate::protocol::{Bar, Row};
+
+/// Bars of one component while they are drawn.
+struct Drawing {
+    bars: Vec<Bar>,
+    /// Whether the last bar is made of several short ones.
+    merged: bool,
+    /// Begin and state of the open bar.
+    open: Option<(u64, Option<u16>)>,
+    resolution: u64,
+}
+
+impl Drawing {
+    fn close(&mut self, until: u64) {
+        let Some((from, state)) = self.open.take() else { return };
+        let is_short = until - from < self.resolution;
+        if let Some(last) = self.bars.last_mut() {
+            let gap = from - last.1;
+            let last_is_short = self.merged || last.1 - last.0 < self.resolution;
+            let is_same = last.2 == state && gap > 0;
+            if gap < self.resolution && ((is_short && last_is_short) || is_same) {
+                self.merged = is_short && last_is_short;
+                last.1 = until;
+                last.2 = last.2.filter(|_| last.2 == state);
+                return;
+            }
+        }
+        self.merged = false;
+        self.bars.push(Bar(from, until, state));
+    }
+}
+
+impl History {
+    /// Returns a row for each component: the bars that lie in an interval, at least in part. Bars and gaps shorter than the
+    /// resolution are merged.
+    pub(crate) fn rows(&self, from_us: u64, until_us: u64, resolution_us: u64) -> Vec<Row> {
+        let (first, last) = self.span();
+        let (begin, end) = (from_us.max(first), until_us.min(last).max(from_us.max(first)));
+        let mut rows: Vec<Drawing> = self
+            .states
+            .base()
+            .iter()
+            .map(|base| Drawing {
+                bars: Vec::new(),
+                merged: false,
+                open: base.0.then_some((begin, base.2)),
+                resolution: resolution_us,
+            })
+            .collect();
+        for change in self.states.changes().filter(|change| change.visible) {
+            if change.time_us > end {
+                break;
+            }
+            let row = &mut rows[usize::from(change.component)];
+            let time = change.time_us.max(begin);
+            if change.time_us > begin {
+                row.close(time);
+            }
+            row.open = change.now.0.then_some((time, change.now.2));
+        }
+        let finish = |(component, mut row): (usize, Drawing)| {
+            row.close(end);
+            row.bars.retain(|bar| bar.1 > bar.0);
+            Row { component, bars: row.bars, overruns: self.overruns(component, begin, end, resolution_us) }
+        };
+        rows.into_iter().enumerate().map(finish).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::Limits;
+    use super::*;
+    use crate::protocol::HoldKind;
+
+    /// History of one component, from `(active, state)` in each ms.
+    fn history(states: &[(bool, u16)], ring_us: Option<u64>) -> History {
+        let mut history = History::new(Limits { ring_us, info_bytes: 1000, image_bytes: 1000 }, 1);
+        for (index, &(active, state)) in states.iter().enumerate() {
+            let one = (active, HoldKind::Tree, Some(state), None);
+            history.states.push(index as u64 * 1000, index as u64, std::iter::once(one));
+            history.evict();
+        }
+        history
+    }
+
+    const COURSE: [(bool, u16); 8] =
+        [(false, 0), (true, 0), (true, 0), (true, 1), (true, 1), (false, 1), (true, 1), (true, 1)];
+
+    #[test]
+    fn bars_are_exact_to_the_cycle() {
+        let history = history(&COURSE, None);
+        let expected = [Bar(1000, 3000, Some(0)), Bar(3000, 5000, Some(1)), Bar(6000, 7000, Some(1))];
+        assert_eq!(history.rows(0, 99_000, 0)[0].bars, expected);
+        assert_eq!(history.rows(2000, 4000, 0)[0].bars, [Bar(2000, 3000, Some(0)), Bar(3000, 4000, Some(1))]);
+    }
+
+    #[test]
+    fn short_bars_and_gaps_are_merged() {
+        let history = history(&COURSE, None);
+        assert_eq!(history.rows(0, 99_000, 1500)[0].bars, [Bar(1000, 3000, Some(0)), Bar(3000, 7000, Some(1))]);
+        assert_eq!(history.rows(0, 99_000, 10_000)[0].bars, [Bar(1000, 7000, None)]);
+    }
+
+    #[test]
+    fn the_state_at_a_time_is_that_of_the_last_cycle_before_it() {
+        let history = history(&COURSE, None);
+        let (time, cycle, states) = history.states.at(3999).unwrap();
+        assert_eq!((time, cycle, states[0].0, states[0].2, states[0].4), (3000, 3, true, Some(1), 3000));
+        let (time, _, states) = history.states.at(5500).unwrap();
+        assert_eq!((time, states[0].0, states[0].4), (5000, false, 5000));
+    }
+
+    #[test]
+    fn a_ring_forgets_what_is_older_and_stays_exact() {
+        let history = history(&COURSE, Some(3500));
+        assert_eq!(history.span(), (4000, 7000));
+        assert_eq!(history.rows(0, 99_000, 0)[0].bars, [Bar(4000, 5000, Some(1)), Bar(6000, 7000, Some(1))]);
+        assert_eq!(history.states.at(4000).unwrap().2[0].2, Some(1));
+    }
+}

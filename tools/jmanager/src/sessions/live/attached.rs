@@ -1,0 +1,354 @@
+//! A connected session.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
+use std::sync::mpsc::{Receiver, TryRecvError};
+use std::time::{Duration, Instant};
+
+use bica_link::{Client, Event, Snapshot};
+use serde_json::Value;
+
+use super::operate::Operation;
+use super::{Command, capabilities};
+use crate::protocol::{Connection, Failed, InfoSample, LogKind, LogLine, Request, ToPage, Watch};
+use crate::sessions::outbox::{DataKind, Frame};
+use crate::sessions::session::Session;
+use crate::sessions::value::page_hold;
+use crate::sessions::world::{Extra, World};
+
+/// Longest wait for a message of the robot.
+const POLL: Duration = Duration::from_millis(5);
+/// Time between two updates of the pages.
+const UPDATE: Duration = Duration::from_millis(33);
+/// Time between two looks at what changes slowly.
+const SLOW: Duration = Duration::from_millis(500);
+/// Number of cycles from one sample of each information to the next.
+const INFO_EVERY: u16 = 10;
+/// Silence of a robot after which pages are told.
+const SILENCE: Duration = Duration::from_secs(2);
+/// Largest number of events that are handled before commands have their turn.
+const EVENTS: usize = 256;
+/// Largest number of samples for one message.
+const MAX_SAMPLES: usize = 4096;
+
+/// Why a connection ended.
+pub(super) enum Exit {
+    /// The session is closed.
+    Close,
+    /// A world begins again.
+    Restart(Option<u64>),
+    /// The connection was lost.
+    Lost(Failed),
+    /// The time of waiting is over.
+    Retry,
+}
+
+/// A connected session.
+pub(super) struct Attached<'a> {
+    pub(super) session: &'a Arc<Session>,
+    pub(super) client: Client,
+    pub(super) world: Option<World>,
+    pub(super) operation: Operation,
+    /// How often each information is watched.
+    watched: BTreeMap<(usize, usize), u16>,
+    watches: BTreeMap<u64, Watch>,
+    changes: Vec<(usize, u64, bool, Option<u16>)>,
+    /// Samples since the last update, with their cycles.
+    samples: Vec<(u64, InfoSample)>,
+    /// Time of the last image that a page received.
+    images: BTreeMap<u64, Instant>,
+    updated: Instant,
+    slow: Instant,
+    received: Instant,
+    has_news: bool,
+}
+
+impl<'a> Attached<'a> {
+    pub(super) fn new(session: &'a Arc<Session>, client: Client, world: Option<World>) -> Self {
+        let is_firmware = session.name.starts_with("firmware");
+        let can = capabilities(world.is_some(), is_firmware, session.options.read_only);
+        session.describe(client.description().clone(), can);
+        session.set_connection(Connection::Connected, "");
+        session.announce();
+        let now = Instant::now();
+        Self {
+            session,
+            client,
+            world,
+            operation: Operation::default(),
+            watched: BTreeMap::new(),
+            watches: BTreeMap::new(),
+            changes: Vec::new(),
+            samples: Vec::new(),
+            images: BTreeMap::new(),
+            updated: now,
+            slow: now,
+            received: now,
+            has_news: false,
+        }
+    }
+
+    /// Works until the session or the connection ends.
+    pub(super) fn run(mut self, inbox: &Receiver<Command>) -> Exit {
+        let exit = match self.client.watch(1) {
+            Ok(()) => self.work(inbox),
+            Err(error) => Exit::Lost(error.into()),
+        };
+        self.refuse_pending();
+        if let (Exit::Lost(failed), Some(world)) = (&exit, self.world.as_mut()) {
+            // The reason of the world is better than that of its link.
+            let reason = if world.has_ended() { world.ending().err() } else { None };
+            return Exit::Lost(reason.unwrap_or_else(|| failed.clone()));
+        }
+        exit
+    }
+
+    fn work(&mut self, inbox: &Receiver<Command>) -> Exit {
+        if let Err(error) = self.watch() {
+            return Exit::Lost(error.into());
+        }
+        loop {
+            match self.commands(inbox) {
+                Ok(None) => {}
+                Ok(Some(exit)) => return exit,
+                Err(error) => return Exit::Lost(error.into()),
+            }
+            if let Err(error) = self.events() {
+                return Exit::Lost(error.into());
+            }
+            self.extras();
+            if self.updated.elapsed() >= UPDATE {
+                self.updated = Instant::now();
+                self.update();
+            }
+            if self.slow.elapsed() >= SLOW {
+                self.slow = Instant::now();
+                self.look();
+            }
+        }
+    }
+
+    fn commands(&mut self, inbox: &Receiver<Command>) -> Result<Option<Exit>, bica_link::Error> {
+        self.check_operator()?;
+        loop {
+            match inbox.try_recv() {
+                Ok(Command::Operate { page, id, request: Request::Restart { seed, .. } }) if self.world.is_some() => {
+                    self.session.pages.answer(page, id, Ok(Value::Null));
+                    return Ok(Some(Exit::Restart(seed)));
+                }
+                Ok(Command::Operate { page, id, request }) => self.operate(page, id, request)?,
+                Ok(Command::Watch) => self.watch()?,
+                Ok(Command::Left(page)) => {
+                    self.left(page)?;
+                    self.watch()?;
+                }
+                Ok(Command::Close) | Err(TryRecvError::Disconnected) => {
+                    self.give_back()?;
+                    return Ok(Some(Exit::Close));
+                }
+                Err(TryRecvError::Empty) => return Ok(None),
+            }
+        }
+    }
+
+    /// Watches what the pages watch, and each information now and then.
+    fn watch(&mut self) -> Result<(), bica_link::Error> {
+        self.watches = self.session.shared().watches.clone();
+        let mut wanted = BTreeMap::new();
+        for (component, described) in self.client.description().components.iter().enumerate() {
+            for info in 0..described.info.len() {
+                wanted.insert((component, info), INFO_EVERY);
+            }
+        }
+        for watch in self.watches.values().flat_map(|watch| &watch.info) {
+            if let Some(every) = wanted.get_mut(&(watch.component, watch.info)) {
+                *every = common(*every, watch.every.max(1));
+            }
+        }
+        for (&(component, info), &every) in &wanted {
+            if self.watched.get(&(component, info)) != Some(&every) {
+                self.client.watch_info(component, info, every)?;
+            }
+        }
+        self.watched = wanted;
+        Ok(())
+    }
+
+    fn events(&mut self) -> Result<(), bica_link::Error> {
+        let mut wait = POLL;
+        for _ in 0..EVENTS {
+            let Some(event) = self.client.poll(wait)? else { return Ok(()) };
+            wait = Duration::from_micros(1);
+            self.received = Instant::now();
+            self.event(event);
+        }
+        Ok(())
+    }
+
+    fn event(&mut self, event: Event) {
+        match event {
+            Event::Snapshot(snapshot) => self.snapshot(&snapshot),
+            Event::Info { cycle, component, info, value } => self.info(cycle, component, info, value),
+            Event::Params { component } => self.params(component),
+            Event::Lease(lease) => self.lease(lease),
+            Event::Answer(answer) => self.answered(answer),
+            Event::Log { time_us, level, text } => self.log(time_us, level, text),
+        }
+    }
+
+    fn snapshot(&mut self, snapshot: &Snapshot) {
+        let Snapshot { info, states } = snapshot;
+        let states = states.iter().map(|state| (state.active, page_hold(state.held), state.state, state.hz));
+        let mut shared = self.session.shared();
+        (shared.images_taken, shared.overruns) = (info.images, info.overruns);
+        let changed = shared.history.states.push(info.time_us, info.cycle, states);
+        let visible = changed.iter().filter(|change| change.visible);
+        let brief = visible.map(|change| (usize::from(change.component), change.time_us, change.now.0, change.now.2));
+        self.changes.extend(brief);
+        if self.changes.len() > MAX_SAMPLES {
+            let surplus = self.changes.len() - MAX_SAMPLES;
+            self.changes.drain(..surplus);
+        }
+        self.has_news = true;
+    }
+
+    fn info(&mut self, cycle: u64, component: usize, info: usize, value: Option<Value>) {
+        let mut shared = self.session.shared();
+        let Some((time, last)) = shared.history.states.last() else { return };
+        let period = 1e6 / f64::from(self.client.description().cycle_hz.max(1.0));
+        let before = last.saturating_sub(cycle) as f64 * period;
+        let time_us = time.saturating_sub(before as u64);
+        let value = value.unwrap_or(Value::Null);
+        shared.history.info.push(component, info, time_us, &value);
+        drop(shared);
+        if self.samples.len() < MAX_SAMPLES {
+            self.samples.push((cycle, InfoSample(component, info, time_us, value)));
+        }
+    }
+
+    fn params(&mut self, component: usize) {
+        let description = self.client.description();
+        let Some(described) = description.components.get(component) else { return };
+        let values = described.params.iter().map(|param| param.value.clone().unwrap_or(Value::Null)).collect();
+        self.session.shared().description = Some(Arc::new(description.clone()));
+        self.session.pages.broadcast(&ToPage::Params { session: self.session.id, component, values });
+    }
+
+    fn log(&self, time_us: u64, level: u8, text: String) {
+        let (kind, text) = if let Some(text) = text.strip_prefix("referee: ") {
+            (LogKind::Referee, text.to_owned())
+        } else if let Some(text) = text.strip_prefix("operator: ") {
+            (LogKind::Request, text.to_owned())
+        } else {
+            (LogKind::Robot, text)
+        };
+        self.session.add_line(LogLine { time_us, level, kind, text, component: None });
+    }
+
+    /// Takes over what the world tells beside the link.
+    fn extras(&mut self) {
+        let Some(world) = &self.world else { return };
+        let session = self.session;
+        for extra in world.extras.try_iter().take(EVENTS) {
+            match extra {
+                Extra::Image(image) => {
+                    let frame = Frame::Binary(session.image_frame(&image, 0).into());
+                    for (&page, watch) in &self.watches {
+                        let Some(wanted) = watch.images else { continue };
+                        let period = Duration::from_secs_f32(1.0 / wanted.max_hz.clamp(0.1, 1000.0));
+                        let sent = self.images.get(&page);
+                        if sent.is_none_or(|sent| sent.elapsed() + UPDATE / 8 >= period) {
+                            self.images.insert(page, Instant::now());
+                            session.pages.data(page, session.key(DataKind::Image), frame.clone());
+                        }
+                    }
+                    session.shared().history.images.push(image);
+                }
+                Extra::Truth(time_us, truth) => {
+                    session.shared().history.add_truth(time_us, truth.clone());
+                    let message = ToPage::Truth { session: session.id, time_us, truth };
+                    let frame = Frame::of(&message);
+                    for (&page, _) in self.watches.iter().filter(|(_, watch)| watch.truth) {
+                        session.pages.data(page, session.key(DataKind::Truth), frame.clone());
+                    }
+                }
+                Extra::Overrun(time_us, component) => session.shared().history.add_overrun(time_us, component),
+                Extra::Costs { time_us, window_us, components, chain_us, worst_us } => {
+                    let session_id = session.id;
+                    let message =
+                        ToPage::Costs { session: session_id, time_us, window_us, components, chain_us, worst_us };
+                    let frame = Frame::of(&message);
+                    for (&page, _) in self.watches.iter().filter(|(_, watch)| watch.costs) {
+                        session.pages.data(page, session.key(DataKind::Costs), frame.clone());
+                    }
+                }
+            }
+        }
+    }
+
+    /// Sends what is new to the pages.
+    fn update(&mut self) {
+        if !std::mem::take(&mut self.has_news) && self.samples.is_empty() {
+            return;
+        }
+        let session = self.session;
+        let changes = std::mem::take(&mut self.changes);
+        if let Some(update) = session.update(changes) {
+            session.pages.broadcast_data(session.key(DataKind::Update), &Frame::of(&update));
+        }
+        let samples = std::mem::take(&mut self.samples);
+        for (&page, watch) in &self.watches {
+            let wanted: BTreeMap<_, _> =
+                watch.info.iter().map(|one| ((one.component, one.info), u64::from(one.every.max(1)))).collect();
+            let is_wanted = |(cycle, InfoSample(component, info, ..)): &&(u64, InfoSample)| {
+                wanted.get(&(*component, *info)).is_some_and(|every| cycle.is_multiple_of(*every))
+            };
+            let samples: Vec<_> = samples.iter().filter(is_wanted).map(|(_, sample)| sample.clone()).collect();
+            if !samples.is_empty() {
+                let message = ToPage::Info { session: session.id, samples };
+                session.pages.data(page, session.key(DataKind::Info), Frame::of(&message));
+            }
+        }
+    }
+
+    /// Looks at what changes slowly.
+    fn look(&mut self) {
+        let session = self.session;
+        session.shared().history.evict();
+        let known: BTreeSet<u64> = session.pages.list().into_iter().collect();
+        self.images.retain(|page, _| known.contains(page));
+        let paused = session.pacer.as_ref().is_some_and(|pacer| pacer.is_paused());
+        let note = match &session.pacer {
+            Some(pacer) if pacer.is_over() => "the game is over: restart it, or resume to play on".to_owned(),
+            _ if !paused && self.received.elapsed() > SILENCE => "nothing comes from the robot".to_owned(),
+            _ => String::new(),
+        };
+        self.look_at_recording();
+        session.set_connection(Connection::Connected, note);
+    }
+
+    fn look_at_recording(&self) {
+        let Some(world) = &self.world else { return };
+        let note = self.session.pacer.as_ref().and_then(|pacer| pacer.recording_ended()).unwrap_or_default();
+        let bytes = std::fs::metadata(&world.recording).map_or(0, |file| file.len());
+        let mut shared = self.session.shared();
+        let newly = !note.is_empty() && shared.recording.note.is_empty();
+        shared.recording.on = note.is_empty();
+        (shared.recording.from_us, shared.recording.bytes) = (0, bytes);
+        shared.recording.note.clone_from(&note);
+        drop(shared);
+        if newly {
+            self.session.log(3, LogKind::Server, format!("the recording has ended: {note}"));
+            self.session.announce();
+        }
+    }
+}
+
+/// The largest rate of which both are parts.
+const fn common(a: u16, b: u16) -> u16 {
+    let (mut a, mut b) = (a, b);
+    while b > 0 {
+        (a, b) = (b, a % b);
+    }
+    a
+}

@@ -1,0 +1,175 @@
+//! Live sessions: a thread that owns a client of the link.
+
+mod attached;
+mod operate;
+
+use std::sync::Arc;
+use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
+use std::time::Duration;
+
+use bica_link::{Address, Client, ClientOptions};
+
+use super::options::Options;
+use super::pages::{PageId, Pages};
+use super::session::{Operator, Session};
+use super::world::{Pacer, Setup, World};
+use crate::protocol::{Capabilities, Connection, Failed, LogKind, Request, SessionId, SessionKind};
+use attached::{Attached, Exit};
+
+/// Time between two attempts to connect.
+const RETRY: Duration = Duration::from_millis(300);
+
+/// What the manager asks of a session's thread.
+#[derive(Debug)]
+pub(super) enum Command {
+    /// A request of a page.
+    Operate { page: PageId, id: u32, request: Request },
+    /// What pages watch has changed.
+    Watch,
+    /// A page has gone.
+    Left(PageId),
+    /// The session ends.
+    Close,
+}
+
+/// What a live session is connected to.
+enum Source {
+    World(Setup),
+    Robot(Address),
+}
+
+/// Opens a world in this process.
+pub(super) fn open_world(
+    id: SessionId,
+    options: &Arc<Options>,
+    pages: &Arc<Pages>,
+    (world, seed, robots): (&str, u64, usize),
+) -> Result<Arc<Session>, Failed> {
+    let setup = Setup { world: world.to_owned(), seed, robots };
+    setup.rules(options)?;
+    let name = format!("{world}, seed {seed}");
+    let pacer = Some(Arc::new(Pacer::default()));
+    start((id, SessionKind::World, name), options, pages, pacer, Source::World(setup))
+}
+
+/// Opens a robot: `tcp://HOST:PORT` or `serial:DEVICE[@BAUD]`.
+pub(super) fn open_robot(
+    id: SessionId,
+    options: &Arc<Options>,
+    pages: &Arc<Pages>,
+    address: &str,
+) -> Result<Arc<Session>, Failed> {
+    let text = address.strip_prefix("tcp://").or_else(|| address.strip_prefix("serial:")).unwrap_or(address);
+    let parsed: Address = text.parse()?;
+    start((id, SessionKind::Robot, address.to_owned()), options, pages, None, Source::Robot(parsed))
+}
+
+fn start(
+    identity: (SessionId, SessionKind, String),
+    options: &Arc<Options>,
+    pages: &Arc<Pages>,
+    pacer: Option<Arc<Pacer>>,
+    source: Source,
+) -> Result<Arc<Session>, Failed> {
+    let (commands, inbox) = channel();
+    let session = Session::new(identity, Arc::clone(options), Arc::clone(pages), pacer, commands);
+    let session = Arc::new(session);
+    let own = Arc::clone(&session);
+    let thread = std::thread::Builder::new().name(format!("session {}", session.id));
+    let started = thread.spawn(move || run(&own, source, &inbox));
+    started.map_err(|error| Failed::new(error.to_string(), "close other programs"))?;
+    Ok(session)
+}
+
+/// Connects, works while the connection lasts, and connects again, until the session is closed.
+fn run(session: &Arc<Session>, mut source: Source, inbox: &Receiver<Command>) {
+    loop {
+        let exit = match connect(session, &source) {
+            Ok((client, world)) => Attached::new(session, client, world).run(inbox),
+            Err(failed) => {
+                let world = matches!(source, Source::World(_));
+                let connection = match session.shared().connection {
+                    _ if world => Connection::Ended,
+                    Connection::Connecting => Connection::Connecting,
+                    _ => Connection::Lost,
+                };
+                session.set_connection(connection, format!("{}: {}", failed.text, failed.help));
+                idle(session, inbox, (!world).then_some(RETRY))
+            }
+        };
+        session.shared().operator = Operator::Nobody;
+        match (exit, &mut source) {
+            (Exit::Close, _) => break,
+            (Exit::Restart(seed), Source::World(setup)) => setup.seed = seed.unwrap_or(setup.seed),
+            (Exit::Lost(failed), Source::World(_)) => {
+                session.set_connection(Connection::Ended, format!("{}: {}", failed.text, failed.help));
+                session.log(4, LogKind::Server, format!("the world has ended: {}", failed.text));
+                match idle(session, inbox, None) {
+                    Exit::Close => break,
+                    Exit::Restart(seed) => {
+                        if let Source::World(setup) = &mut source {
+                            setup.seed = seed.unwrap_or(setup.seed);
+                        }
+                    }
+                    Exit::Lost(_) | Exit::Retry => {}
+                }
+            }
+            (Exit::Lost(failed), Source::Robot(_)) => {
+                session.set_connection(Connection::Lost, format!("{}; connecting again", failed.text));
+                session.log(3, LogKind::Server, format!("the connection was lost: {}", failed.text));
+            }
+            (Exit::Retry | Exit::Restart(_), _) => {}
+        }
+    }
+}
+
+fn connect(session: &Arc<Session>, source: &Source) -> Result<(Client, Option<World>), Failed> {
+    let options = ClientOptions::default();
+    match source {
+        Source::Robot(address) => Ok((Client::connect(address, options)?, None)),
+        Source::World(setup) => {
+            let pacer = session.pacer.clone().unwrap_or_default();
+            let file = session.options.spool.join(format!("session-{}.mcap", session.id));
+            let world = World::start(setup, &session.options, file, &pacer)?;
+            let client = Client::connect(&world.address, options)?;
+            Ok((client, Some(world)))
+        }
+    }
+}
+
+/// Refuses what pages ask for while there is no connection, for a time or until the session is closed.
+fn idle(session: &Session, inbox: &Receiver<Command>, time: Option<Duration>) -> Exit {
+    loop {
+        let command = match time {
+            Some(time) => inbox.recv_timeout(time),
+            None => inbox.recv().map_err(|_| RecvTimeoutError::Disconnected),
+        };
+        match command {
+            Ok(Command::Operate { page, id, request: Request::Restart { seed, .. } }) if session.pacer.is_some() => {
+                session.pages.answer(page, id, Ok(serde_json::Value::Null));
+                return Exit::Restart(seed);
+            }
+            Ok(Command::Operate { page, id, .. }) => session.pages.answer(page, id, Err(not_connected())),
+            Ok(Command::Watch | Command::Left(_)) => {}
+            Ok(Command::Close) | Err(RecvTimeoutError::Disconnected) => return Exit::Close,
+            Err(RecvTimeoutError::Timeout) => return Exit::Retry,
+        }
+    }
+}
+
+fn not_connected() -> Failed {
+    Failed::new("there is no connection, so the request was not sent", "ask again when the connection is restored")
+}
+
+/// What can be done with a session that is connected.
+fn capabilities(is_world: bool, watch_only: bool, read_only: bool) -> Capabilities {
+    Capabilities {
+        operate: !watch_only && !read_only,
+        pause: is_world && !read_only,
+        truth: is_world,
+        images: is_world,
+        costs: is_world,
+        conditions: false,
+        run_again: false,
+    }
+}

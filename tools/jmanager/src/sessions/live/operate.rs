@@ -1,0 +1,241 @@
+//! The operator of a live session: one page at a time, by the robot's lease.
+
+use std::collections::BTreeMap;
+use std::time::{Duration, Instant};
+
+use bica_link::{Answered, to_json};
+use bica_wire::message::{Change, LeaseAction, LeaseState};
+use serde_json::{Value, json};
+
+use super::attached::Attached;
+use super::not_connected;
+use crate::protocol::{Failed, LogKind, Request};
+use crate::sessions::pages::PageId;
+use crate::sessions::session::Operator;
+use crate::sessions::value::change;
+
+/// Silence of the operating page after which its control ends.
+const SILENCE: Duration = Duration::from_secs(3);
+/// Longest wait for the lease.
+const LEASE: Duration = Duration::from_secs(5);
+/// Largest number of requests without an answer.
+const MAX_PENDING: usize = 64;
+
+/// A request that the robot has not answered.
+struct Pending {
+    page: PageId,
+    id: u32,
+    change: Change,
+}
+
+/// A page that waits for the lease.
+struct Waiting {
+    page: PageId,
+    id: u32,
+    /// Number of the lease that the last operator had; 0 for none.
+    old: u32,
+    since: Instant,
+}
+
+/// What the operator has asked for.
+#[derive(Default)]
+pub(super) struct Operation {
+    pending: BTreeMap<u32, Pending>,
+    waiting: Option<Waiting>,
+    /// Last sign of life of the operating page.
+    kept: Option<Instant>,
+}
+
+type LinkResult = Result<(), bica_link::Error>;
+
+impl Attached<'_> {
+    fn operator(&self) -> Operator {
+        self.session.shared().operator
+    }
+
+    fn set_operator(&self, operator: Operator) {
+        let changed = std::mem::replace(&mut self.session.shared().operator, operator) != operator;
+        if changed {
+            self.session.announce();
+        }
+    }
+
+    /// Handles a request of a page. Requests are never kept for later.
+    pub(super) fn operate(&mut self, page: PageId, id: u32, request: Request) -> LinkResult {
+        let answer = |result| self.session.pages.answer(page, id, result);
+        if !self.session.shared().can.operate {
+            answer(Err(Failed::new("this session cannot be operated", "open one that can")));
+            return Ok(());
+        }
+        match request {
+            Request::Acquire { .. } => return self.acquire(page, id, false),
+            Request::Take { .. } => return self.acquire(page, id, true),
+            _ if self.operator() != Operator::Page(page) => {
+                let help = "acquire control first; after 3 s of silence, or when somebody takes it, it ends";
+                answer(Err(Failed::new("this page does not control the robot", help)));
+            }
+            Request::Keep { .. } => {
+                answer(Ok(Value::Null));
+                self.operation.kept = Some(Instant::now());
+            }
+            Request::Release { .. } => {
+                answer(Ok(Value::Null));
+                return self.give_back();
+            }
+            request => match change(self.client.description(), &request) {
+                Some(Ok(change)) if self.operation.pending.len() < MAX_PENDING => {
+                    self.operation.kept = Some(Instant::now());
+                    let number = self.client.send_request(change.clone())?;
+                    self.operation.pending.insert(number, Pending { page, id, change });
+                }
+                Some(Ok(_)) => {
+                    let help = "wait for the answers; a paused world answers when it goes on";
+                    answer(Err(Failed::new(format!("{MAX_PENDING} requests have no answer yet"), help)));
+                }
+                Some(Err(failed)) => answer(Err(failed)),
+                None => {
+                    answer(Err(Failed::new("a live session cannot do this", "choose another session")));
+                }
+            },
+        }
+        Ok(())
+    }
+
+    fn acquire(&mut self, page: PageId, id: u32, take: bool) -> LinkResult {
+        let refuse = |text: &str, help: &str| {
+            self.session.pages.answer(page, id, Err(Failed::new(text, help)));
+            Ok(())
+        };
+        match self.operator() {
+            Operator::Page(owner) if owner == page => {
+                self.operation.kept = Some(Instant::now());
+                self.session.pages.answer(page, id, Ok(Value::Null));
+                return Ok(());
+            }
+            Operator::Page(_) if !take => {
+                return refuse("another page controls the robot", "wait until it gives control back, or take it");
+            }
+            _ if self.operation.waiting.is_some() => return refuse("another page asks for control too", "ask again"),
+            // What the other page holds ends with its lease.
+            Operator::Page(_) => self.client.send_lease(LeaseAction::Return { lease: self.client.lease().lease })?,
+            Operator::Nobody | Operator::Other => {}
+        }
+        let old = self.client.lease().lease;
+        self.client.send_lease(if take { LeaseAction::Take } else { LeaseAction::Acquire })?;
+        self.operation.waiting = Some(Waiting { page, id, old, since: Instant::now() });
+        Ok(())
+    }
+
+    /// Takes in who owns the robot's lease.
+    pub(super) fn lease(&mut self, lease: LeaseState) {
+        let waiting = self.operation.waiting.take();
+        match waiting {
+            Some(waiting) if lease.yours && lease.lease != waiting.old => {
+                self.operation.kept = Some(Instant::now());
+                self.set_operator(Operator::Page(waiting.page));
+                self.session.pages.answer(waiting.page, waiting.id, Ok(Value::Null));
+            }
+            Some(waiting) if lease.owned && !lease.yours => {
+                self.set_operator(Operator::Other);
+                let help = "wait until it gives control back, or take it";
+                let failed = Failed::new("another monitor controls the robot", help);
+                self.session.pages.answer(waiting.page, waiting.id, Err(failed));
+            }
+            Some(waiting) => {
+                self.operation.waiting = Some(waiting);
+                if !lease.yours {
+                    self.set_operator(Operator::Nobody);
+                }
+            }
+            None => self.lost(lease),
+        }
+    }
+
+    fn lost(&mut self, lease: LeaseState) {
+        let was = self.operator();
+        let now = match was {
+            Operator::Page(_) if lease.yours => was,
+            _ if lease.owned && !lease.yours => Operator::Other,
+            _ => Operator::Nobody,
+        };
+        if matches!(was, Operator::Page(_)) && now != was {
+            self.session.log(3, LogKind::Server, "control has ended: holds, rates and modulations end");
+        }
+        self.set_operator(now);
+    }
+
+    /// Ends control of a page that is silent, or that waits in vain.
+    pub(super) fn check_operator(&mut self) -> LinkResult {
+        if let Some(waiting) = self.operation.waiting.take_if(|waiting| waiting.since.elapsed() > LEASE) {
+            let failed = Failed::new("the robot did not answer", "is it paused? Control is given when it goes on");
+            self.session.pages.answer(waiting.page, waiting.id, Err(failed));
+        }
+        let is_silent = self.operation.kept.is_some_and(|kept| kept.elapsed() > SILENCE);
+        if is_silent && matches!(self.operator(), Operator::Page(_)) {
+            self.session.log(3, LogKind::Server, "the page that controlled the robot is silent: control has ended");
+            return self.give_back();
+        }
+        Ok(())
+    }
+
+    /// Ends control of a page that has gone.
+    pub(super) fn left(&mut self, page: PageId) -> LinkResult {
+        if self.operation.waiting.as_ref().is_some_and(|waiting| waiting.page == page) {
+            self.operation.waiting = None;
+        }
+        if self.operator() == Operator::Page(page) {
+            self.session.log(3, LogKind::Server, "the page that controlled the robot was closed: control has ended");
+            return self.give_back();
+        }
+        Ok(())
+    }
+
+    /// Gives the lease back: what was asked under it ends.
+    pub(super) fn give_back(&mut self) -> LinkResult {
+        self.operation.kept = None;
+        if self.client.lease().yours {
+            self.client.send_lease(LeaseAction::Return { lease: self.client.lease().lease })?;
+        }
+        if matches!(self.operator(), Operator::Page(_)) {
+            self.set_operator(Operator::Nobody);
+        }
+        Ok(())
+    }
+
+    /// Hands the robot's answer to the page that asked.
+    pub(super) fn answered(&mut self, answer: Answered) {
+        let Some(Pending { page, id, change }) = self.operation.pending.remove(&answer.number) else { return };
+        let Answered { cycle, values, refused, .. } = answer;
+        let result = match refused {
+            Some((_, entry, text)) => {
+                let help = "values must be in their ranges, and requests come from the page in control".to_owned();
+                Err(Failed { text, help, entry: Some(entry) })
+            }
+            None => Ok(json!({ "cycle": cycle, "values": self.effective(&change, &values) })),
+        };
+        self.session.pages.answer(page, id, result);
+    }
+
+    fn effective(&self, change: &Change, values: &[bica_wire::message::Value]) -> Vec<Value> {
+        let components = &self.client.description().components;
+        let Change::Params(batch) = change else {
+            return values.iter().map(|value| to_json(*value, &bica_link::Kind::Unknown)).collect();
+        };
+        let one = |(setting, value): (&bica_wire::message::Setting, &bica_wire::message::Value)| {
+            let owner = components.get(usize::from(setting.component));
+            let param = owner.and_then(|owner| owner.params.get(usize::from(setting.index)));
+            to_json(*value, param.map_or(&bica_link::Kind::Unknown, |param| &param.kind))
+        };
+        batch.iter().zip(values).map(one).collect()
+    }
+
+    /// Answers what the robot will not answer any more.
+    pub(super) fn refuse_pending(&mut self) {
+        let operation = std::mem::take(&mut self.operation);
+        let waiting = operation.waiting.map(|waiting| (waiting.page, waiting.id));
+        let pending = operation.pending.into_values().map(|pending| (pending.page, pending.id));
+        for (page, id) in pending.chain(waiting) {
+            self.session.pages.answer(page, id, Err(not_connected()));
+        }
+    }
+}

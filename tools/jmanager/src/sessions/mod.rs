@@ -1,0 +1,24 @@
+//! Sessions: robots, simulated worlds and recordings behind the page.
+//!
+//! [`Manager`] owns all sessions and knows all pages. A live session is a thread that owns a [`Client`](bica_link::Client), also
+//! for a world that is played in this process: its page's data come over the same link as those of a robot. What a session
+//! sends to a page goes into the page's [`Outbox`].
+
+mod drawing;
+mod files;
+mod history;
+mod live;
+mod manager;
+mod options;
+mod outbox;
+mod pages;
+mod session;
+mod storage;
+mod tune;
+mod value;
+mod world;
+
+pub use manager::Manager;
+pub use options::Options;
+pub use outbox::{DataKind, Frame, Key, Outbox};
+pub use pages::PageId;

@@ -1,0 +1,52 @@
+//! Options of all sessions.
+
+use std::path::PathBuf;
+use std::time::Duration;
+
+/// Folders and limits of all sessions.
+#[derive(Clone, Debug)]
+pub struct Options {
+    /// Folder of kept recordings; made when the first one is kept.
+    pub recordings: PathBuf,
+    /// Folder of tune files.
+    pub tune: PathBuf,
+    /// Folder of saved colour profiles.
+    pub profiles: PathBuf,
+    /// Folder of labelled images for the colour tuner, if there is one.
+    pub images: Option<PathBuf>,
+    /// Folder of Rust sources in which defaults may be written, if that is allowed.
+    pub source: Option<PathBuf>,
+    /// File of saved layouts of panels.
+    pub layouts: PathBuf,
+    /// Firmware image for the world `firmware`.
+    pub firmware: PathBuf,
+    /// Folder of the files of running recordings; made when needed.
+    pub spool: PathBuf,
+    /// Whether pages may only watch.
+    pub read_only: bool,
+    /// Time that a session remembers.
+    pub ring: Duration,
+    /// Longest memory of images, bytes of each session.
+    pub image_bytes: usize,
+    /// Longest memory of information, bytes of each session.
+    pub info_bytes: usize,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self {
+            recordings: "recordings".into(),
+            tune: "tune".into(),
+            profiles: "profiles".into(),
+            images: None,
+            source: None,
+            layouts: "jmanager-layouts.json".into(),
+            firmware: "firmware/target/thumbv7em-none-eabihf/release/mps2".into(),
+            spool: std::env::temp_dir().join(format!("jmanager-{}", std::process::id())),
+            read_only: false,
+            ring: Duration::from_mins(10),
+            image_bytes: 96 << 20,
+            info_bytes: 64 << 20,
+        }
+    }
+}

@@ -1,0 +1,319 @@
+//! A session: what the manager and the session's thread share.
+
+use std::sync::mpsc::Sender;
+use std::sync::{Arc, Mutex, MutexGuard};
+
+use bica_link::Description;
+use serde_json::{Value, json};
+
+use super::history::{History, Limits};
+use super::options::Options;
+use super::outbox::{DataKind, Frame, Key};
+use super::pages::{PageId, Pages, lock};
+use super::world::Pacer;
+use super::{drawing, live};
+use crate::protocol::binary::{ImageHead, PixelKind};
+use crate::protocol::{
+    Capabilities, ComponentNow, Connection, Control, Drawing, Failed, InfoSample, LogKind, LogLine, Moment,
+    RecordingState, Request, SessionId, SessionInfo, SessionKind, ToPage, Watch,
+};
+use std::collections::BTreeMap;
+
+/// Longest series and lists that a page gets in one answer.
+const MAX_POINTS: usize = 20_000;
+
+/// Who operates a session.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Operator {
+    /// Nobody.
+    Nobody,
+    /// A page.
+    Page(PageId),
+    /// Another monitor of the robot.
+    Other,
+}
+
+/// Part of a session that its thread and the manager change.
+pub(super) struct Shared {
+    pub(super) connection: Connection,
+    pub(super) note: String,
+    pub(super) can: Capabilities,
+    pub(super) recording: RecordingState,
+    pub(super) operator: Operator,
+    pub(super) description: Option<Arc<Description>>,
+    pub(super) drawing: Drawing,
+    pub(super) history: History,
+    pub(super) watches: BTreeMap<PageId, Watch>,
+    pub(super) images_taken: u64,
+    pub(super) overruns: u64,
+}
+
+/// A session.
+pub(super) struct Session {
+    pub(super) id: SessionId,
+    pub(super) kind: SessionKind,
+    pub(super) name: String,
+    pub(super) options: Arc<Options>,
+    pub(super) pages: Arc<Pages>,
+    /// Of a world in this process.
+    pub(super) pacer: Option<Arc<Pacer>>,
+    commands: Mutex<Sender<live::Command>>,
+    shared: Mutex<Shared>,
+}
+
+impl Session {
+    pub(super) fn new(
+        (id, kind, name): (SessionId, SessionKind, String),
+        options: Arc<Options>,
+        pages: Arc<Pages>,
+        pacer: Option<Arc<Pacer>>,
+        commands: Sender<live::Command>,
+    ) -> Self {
+        let limits = limits(&options, kind);
+        Self {
+            id,
+            kind,
+            name,
+            options,
+            pages,
+            pacer,
+            commands: Mutex::new(commands),
+            shared: Mutex::new(Shared {
+                connection: Connection::Connecting,
+                note: String::new(),
+                can: Capabilities::default(),
+                recording: RecordingState::default(),
+                operator: Operator::Nobody,
+                description: None,
+                drawing: Drawing::default(),
+                history: History::new(limits, 0),
+                watches: BTreeMap::new(),
+                images_taken: 0,
+                overruns: 0,
+            }),
+        }
+    }
+
+    pub(super) fn shared(&self) -> MutexGuard<'_, Shared> {
+        lock(&self.shared)
+    }
+
+    /// Hands a command to the session's thread.
+    pub(super) fn command(&self, command: live::Command) -> Result<(), Failed> {
+        let ended = |_| Failed::new("the session has ended", "open it again");
+        lock(&self.commands).send(command).map_err(ended)
+    }
+
+    /// Returns the session as a page sees it.
+    pub(super) fn info(&self, page: PageId) -> SessionInfo {
+        let shared = self.shared();
+        let (from_us, until_us) = shared.history.span();
+        let control = match shared.operator {
+            _ if !shared.can.operate => Control::Unavailable,
+            Operator::Nobody => Control::Free,
+            Operator::Other => Control::OtherMonitor,
+            Operator::Page(owner) if owner == page => Control::Yours,
+            Operator::Page(_) => Control::OtherPage,
+        };
+        SessionInfo {
+            id: self.id,
+            kind: self.kind,
+            name: self.name.clone(),
+            connection: shared.connection,
+            note: shared.note.clone(),
+            from_us,
+            until_us,
+            paused: self.pacer.as_ref().is_some_and(|pacer| pacer.is_paused()),
+            control,
+            can: shared.can,
+            recording: shared.recording.clone(),
+        }
+    }
+
+    /// Sends the session to all pages.
+    pub(super) fn announce(&self) {
+        for page in self.pages.list() {
+            self.pages.state(page, ToPage::Session { session: self.info(page) });
+        }
+    }
+
+    /// Changes the connection's state and announces it.
+    pub(super) fn set_connection(&self, connection: Connection, note: impl Into<String>) {
+        let note = note.into();
+        let changed = {
+            let mut shared = self.shared();
+            let changed = (shared.connection, &shared.note) != (connection, &note);
+            (shared.connection, shared.note) = (connection, note);
+            changed
+        };
+        if changed {
+            self.announce();
+        }
+    }
+
+    /// Begins with a tree: what was remembered is forgotten.
+    pub(super) fn describe(&self, description: Description, can: Capabilities) {
+        let components = description.components.len();
+        let drawing = drawing::draw(&description);
+        {
+            let mut shared = self.shared();
+            shared.history = History::new(limits(&self.options, self.kind), components);
+            shared.description = Some(Arc::new(description));
+            shared.drawing = drawing;
+            shared.can = can;
+            shared.watches.clear();
+        }
+        for page in self.pages.list() {
+            self.send_description(page);
+        }
+    }
+
+    /// Sends the tree and its state to a page.
+    pub(super) fn send_description(&self, page: PageId) {
+        let described = {
+            let shared = self.shared();
+            shared.description.as_ref().map(|description| ToPage::Described {
+                session: self.id,
+                description: Box::new((**description).clone()),
+                drawing: shared.drawing.clone(),
+            })
+        };
+        if let Some(message) = described {
+            self.pages.state(page, message);
+        }
+        if let Some(update) = self.update(Vec::new()) {
+            self.pages.data(page, self.key(DataKind::Update), Frame::of(&update));
+        }
+    }
+
+    pub(super) const fn key(&self, kind: DataKind) -> Key {
+        Key { session: self.id, kind }
+    }
+
+    /// Returns the state after the last cycle.
+    pub(super) fn update(&self, changes: Vec<(usize, u64, bool, Option<u16>)>) -> Option<ToPage> {
+        let shared = self.shared();
+        let (time_us, cycle) = shared.history.states.last()?;
+        Some(ToPage::Update {
+            session: self.id,
+            time_us,
+            cycle,
+            images: shared.images_taken,
+            overruns: shared.overruns,
+            components: shared.history.states.current().to_vec(),
+            changes,
+        })
+    }
+
+    /// Adds a line to the log and sends it to all pages.
+    pub(super) fn log(&self, level: u8, kind: LogKind, text: impl Into<String>) {
+        let time_us = self.shared().history.span().1;
+        self.add_line(LogLine { time_us, level, kind, text: text.into(), component: None });
+    }
+
+    pub(super) fn add_line(&self, line: LogLine) {
+        self.shared().history.add_line(line.clone());
+        self.pages.broadcast(&ToPage::Log { session: self.id, lines: vec![line] });
+    }
+
+    /// Returns the description.
+    ///
+    /// # Errors
+    /// Before the first connection.
+    pub(super) fn description(&self) -> Result<Arc<Description>, Failed> {
+        let none = || Failed::new("nothing is known of this session yet", "wait until it is connected");
+        self.shared().description.clone().ok_or_else(none)
+    }
+
+    /// Answers a question about the past.
+    pub(super) fn query(&self, page: PageId, id: u32, request: &Request) -> Result<Value, Failed> {
+        let json = |value: serde_json::Result<Value>| {
+            value.map_err(|error| Failed::new(error.to_string(), "report this as a bug of the program"))
+        };
+        match *request {
+            Request::At { time_us, ref info, image, .. } => self.at(page, id, time_us, info, image),
+            Request::Timeline { from_us, until_us, resolution_us, .. } => {
+                json(serde_json::to_value(self.shared().history.rows(from_us, until_us, resolution_us)))
+            }
+            Request::Series { component, info, from_us, until_us, points, .. } => {
+                let points = points.min(MAX_POINTS);
+                let series = self.shared().history.info.series(component, info, from_us, until_us, points);
+                json(serde_json::to_value(series))
+            }
+            Request::Lines { from_us, until_us, limit, .. } => {
+                let limit = limit.min(MAX_POINTS);
+                json(serde_json::to_value(self.shared().history.lines(from_us, until_us, limit)))
+            }
+            _ => Err(Failed::new("this is no question", "reload the page")),
+        }
+    }
+
+    fn at(
+        &self,
+        page: PageId,
+        id: u32,
+        time_us: u64,
+        info: &[(usize, usize)],
+        with_image: bool,
+    ) -> Result<Value, Failed> {
+        let (moment, image) = {
+            let shared = self.shared();
+            let history = &shared.history;
+            let none = || Failed::new("nothing is known of this session yet", "wait until it is connected");
+            let (time, cycle, components): (u64, u64, Vec<ComponentNow>) =
+                history.states.at(time_us).ok_or_else(none)?;
+            let sample = |&(component, info): &(usize, usize)| {
+                let (at, value) = history.info.at(component, info, time)?;
+                Some(InfoSample(component, info, at, value))
+            };
+            let image = history.images.at(time).cloned();
+            let moment = Moment {
+                time_us: time,
+                cycle,
+                components,
+                info: info.iter().take(MAX_POINTS).filter_map(sample).collect(),
+                image: image.as_ref().map(|image| image.number),
+                truth: history.truth(time).cloned(),
+            };
+            (moment, image.filter(|_| with_image))
+        };
+        if let Some(image) = image {
+            self.pages.binary(page, self.image_frame(&image, id).into());
+        }
+        Ok(json!(moment))
+    }
+
+    /// Returns the binary frame of an image.
+    pub(super) fn image_frame(&self, image: &super::history::StoredImage, id: u32) -> Vec<u8> {
+        let head = ImageHead {
+            kind: PixelKind::Yuyv,
+            bottom_camera: image.bottom_camera,
+            session: self.id,
+            number: image.number,
+            width: image.width,
+            height: image.height,
+            time_us: image.time_us,
+            id,
+        };
+        head.frame(&image.yuyv)
+    }
+}
+
+fn limits(options: &Options, kind: SessionKind) -> Limits {
+    Limits {
+        ring_us: (kind != SessionKind::Recording).then_some(options.ring.as_micros() as u64),
+        info_bytes: options.info_bytes,
+        image_bytes: options.image_bytes,
+    }
+}
+
+impl Session {
+    /// Ends the session's thread.
+    pub(super) fn end(&self) {
+        if let Some(pacer) = &self.pacer {
+            pacer.end();
+        }
+        // A thread that has ended needs no end.
+        let _ = self.command(live::Command::Close);
+    }
+}

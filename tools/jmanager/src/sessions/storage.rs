@@ -1,0 +1,140 @@
+//! Files that pages list and save: kept recordings and layouts.
+
+use std::fs::{self, File};
+use std::io::{BufReader, BufWriter, Write as _};
+use std::path::Path;
+use std::sync::Arc;
+use std::thread;
+use std::time::Duration;
+
+use bica_recording::repair::recover;
+use serde_json::{Map, Value, json};
+
+use super::files;
+use super::options::Options;
+use super::pages::PageId;
+use super::session::Session;
+use crate::protocol::{Failed, LogKind};
+
+/// Ending of recordings.
+pub(super) const MCAP: &str = ".mcap";
+/// Time after which the recorder has written a cycle to its file.
+const WRITTEN: Duration = Duration::from_millis(600);
+/// Largest file of layouts, bytes.
+const MAX_LAYOUTS: usize = 1 << 20;
+
+pub(super) fn failed(action: &str, path: &Path, error: &dyn std::fmt::Display, help: &str) -> Failed {
+    Failed::new(format!("cannot {action} `{}`: {error}", path.display()), help)
+}
+
+/// Lists the recordings in the recordings folder, sorted by name.
+pub(super) fn recordings(options: &Options) -> Value {
+    let Ok(entries) = fs::read_dir(&options.recordings) else { return json!([]) };
+    let file = |entry: fs::DirEntry| {
+        let name = entry.file_name().into_string().ok().filter(|name| name.ends_with(MCAP))?;
+        let data = entry.metadata().ok().filter(fs::Metadata::is_file)?;
+        Some((name, data.len()))
+    };
+    let mut files: Vec<_> = entries.filter_map(Result::ok).filter_map(file).collect();
+    files.sort();
+    files.into_iter().map(|(name, bytes)| json!({ "name": name, "bytes": bytes, "seconds": null })).collect()
+}
+
+/// Copies the recording of a world to the recordings folder, and answers when that is done.
+pub(super) fn keep(session: &Arc<Session>, page: PageId, id: u32, name: &str) -> Result<(), Failed> {
+    let target = files::path(&session.options.recordings, name, MCAP)?;
+    let spool = session.options.spool.join(format!("session-{}{MCAP}", session.id));
+    let recording = session.shared().recording.clone();
+    if !spool.exists() {
+        let reason = if recording.note.is_empty() { "there is no recording of it" } else { &recording.note };
+        return Err(Failed::new(format!("this session is not recorded: {reason}"), "only worlds of this server are"));
+    }
+    if target.exists() {
+        return Err(Failed::new(format!("`{}` exists", target.display()), "choose another name"));
+    }
+    let session = Arc::clone(session);
+    let work = move || {
+        thread::sleep(WRITTEN);
+        let result = copy(&spool, &target);
+        match &result {
+            Ok(_) => session.log(2, LogKind::Server, format!("the recording was kept: {}", target.display())),
+            Err(failed) => session.log(4, LogKind::Server, format!("the recording was not kept: {}", failed.text)),
+        }
+        session.pages.answer(page, id, result);
+    };
+    let started = thread::Builder::new().name("keep".to_owned()).spawn(work);
+    started.map(drop).map_err(|error| Failed::new(error.to_string(), "close other programs"))
+}
+
+/// Copies all complete chunks of a running recording. What could not be written is removed.
+fn copy(spool: &Path, target: &Path) -> Result<Value, Failed> {
+    let help = "is the disk full, or the folder write-protected?";
+    if let Some(folder) = target.parent() {
+        fs::create_dir_all(folder).map_err(|error| failed("make", folder, &error, help))?;
+    }
+    let source = File::open(spool).map_err(|error| failed("read", spool, &error, help))?;
+    let file = File::create_new(target).map_err(|error| failed("write", target, &error, help))?;
+    let mut writer = BufWriter::new(file);
+    let result = recover(BufReader::new(source), &mut writer).map_err(|error| error.to_string());
+    let result = result.and_then(|copied| {
+        writer.flush().and_then(|()| writer.get_ref().sync_all()).map(|()| copied).map_err(|error| error.to_string())
+    });
+    match result {
+        Ok(copied) => Ok(json!({ "path": target.display().to_string(), "cycles": copied.cycles })),
+        Err(error) => {
+            // The failure of the writing is what the user has to know.
+            let _ = fs::remove_file(target);
+            Err(failed("write", target, &error, help))
+        }
+    }
+}
+
+/// Reads all layouts; none if there is no file yet.
+pub(super) fn layouts(options: &Options) -> Result<Value, Failed> {
+    let help = "mend or remove the file";
+    match fs::read_to_string(&options.layouts) {
+        Ok(text) => serde_json::from_str::<Map<String, Value>>(&text)
+            .map(Value::Object)
+            .map_err(|error| failed("read", &options.layouts, &error, help)),
+        Err(error) if error.kind() == std::io::ErrorKind::NotFound => Ok(json!({})),
+        Err(error) => Err(failed("read", &options.layouts, &error, help)),
+    }
+}
+
+/// Saves or deletes a layout.
+pub(super) fn save_layout(options: &Options, name: &str, layout: Value) -> Result<(), Failed> {
+    if options.read_only {
+        return Err(Failed::new("this server lets pages only watch", "start it without --read-only"));
+    }
+    let Value::Object(mut all) = layouts(options)? else { return Ok(()) };
+    if layout.is_null() {
+        all.remove(name);
+    } else {
+        all.insert(name.to_owned(), layout);
+    }
+    let text = Value::Object(all).to_string();
+    if text.len() > MAX_LAYOUTS {
+        return Err(Failed::new("the layouts are too large", "delete some"));
+    }
+    replace(&options.layouts, text.as_bytes())
+}
+
+/// Writes a file so that another program never sees a part of it, and a failure leaves an old file as it was.
+pub(super) fn replace(path: &Path, content: &[u8]) -> Result<(), Failed> {
+    let help = "is the disk full, or the folder write-protected?";
+    if let Some(folder) = path.parent().filter(|folder| !folder.as_os_str().is_empty()) {
+        fs::create_dir_all(folder).map_err(|error| failed("make", folder, &error, help))?;
+    }
+    let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+    let temporary = path.with_file_name(format!(".{name}.{}", std::process::id()));
+    let result = File::create_new(&temporary).and_then(|mut file| {
+        file.write_all(content)?;
+        file.sync_all()?;
+        fs::rename(&temporary, path)
+    });
+    if result.is_err() {
+        // The failure of the writing is what the user has to know.
+        let _ = fs::remove_file(&temporary);
+    }
+    result.map_err(|error| failed("write", path, &error, help))
+}

@@ -1,0 +1,170 @@
+//! Worlds that are played in this process.
+
+mod pacer;
+mod tap;
+
+use std::fs;
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
+use std::thread::JoinHandle;
+use std::time::Duration;
+
+use bica_console::Failure;
+use bica_game::{FirmwareImage, GRAPH, RecordOptions, Rules, ServeOptions, WorldKind, play_controlled, settings};
+use bica_link::Address;
+use bica_recording::ImagePolicy;
+use bica_sim::setup::Frame;
+use bica_tuning::Layers;
+
+use super::options::Options;
+use crate::protocol::Failed;
+
+pub(super) use pacer::Pacer;
+pub(super) use tap::Extra;
+
+/// Largest number of observations that wait for the session's thread.
+const QUEUE: usize = 256;
+
+/// Kind and set-up of a world.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Setup {
+    /// `built-in`, `mujoco` or `firmware`.
+    pub(super) world: String,
+    pub(super) seed: u64,
+    pub(super) robots: usize,
+}
+
+/// A world that is played by a thread of its own.
+pub(super) struct World {
+    thread: Option<JoinHandle<Result<(), Failure>>>,
+    pacer: Arc<Pacer>,
+    /// Address of its link.
+    pub(super) address: Address,
+    /// What the link does not carry.
+    pub(super) extras: Receiver<Extra>,
+    /// File with the recording of the whole run.
+    pub(super) recording: PathBuf,
+}
+
+fn kind(world: &str) -> Result<WorldKind, Failed> {
+    match world {
+        "built-in" | "firmware" => Ok(WorldKind::BuiltIn),
+        #[cfg(feature = "mujoco")]
+        "mujoco" => Ok(WorldKind::Mujoco),
+        #[cfg(not(feature = "mujoco"))]
+        "mujoco" => Err(Failed::new(
+            "this program was built without MuJoCo",
+            "install its library with `cargo xtask mujoco`, then build with `--features mujoco`",
+        )),
+        _ => Err(Failed::new(format!("there is no world `{world}`"), "known are built-in, mujoco and firmware")),
+    }
+}
+
+impl Setup {
+    /// Returns the rules of its game: without end, in real time.
+    pub(super) fn rules(&self, options: &Options) -> Result<Rules, Failed> {
+        let size = Frame::Small;
+        let firmware = (self.world == "firmware").then(|| FirmwareImage::new(options.firmware.clone(), size));
+        let mut layers = Layers::new(&GRAPH);
+        let tune = options.tune.join(format!("{}.toml", self.world));
+        if tune.exists() {
+            layers.read(&tune)?;
+        }
+        Ok(Rules {
+            world: kind(&self.world)?,
+            seed: self.seed,
+            size,
+            robots: self.robots,
+            limit: Duration::MAX,
+            realtime: true,
+            firmware: firmware.transpose()?,
+            settings: settings(&layers)?,
+        })
+    }
+}
+
+impl World {
+    /// Starts a world and waits until its link can be reached.
+    pub(super) fn start(
+        setup: &Setup,
+        options: &Options,
+        recording: PathBuf,
+        pacer: &Arc<Pacer>,
+    ) -> Result<Self, Failed> {
+        let rules = setup.rules(options)?;
+        pacer.begin();
+        // A spool folder that cannot be made is a recording that cannot be made, which the game reports.
+        let _ = fs::create_dir_all(&options.spool);
+        let (extras_in, extras) = sync_channel(QUEUE);
+        let (ready, started) = sync_channel(1);
+        let (own, path) = (Arc::clone(pacer), recording.clone());
+        let work = move || play(&rules, &own, &path, extras_in, &ready);
+        let thread = std::thread::Builder::new().name("world".to_owned()).spawn(work);
+        let thread = thread.map_err(|error| Failed::new(error.to_string(), "close other programs"))?;
+        let mut world = Self {
+            thread: Some(thread),
+            pacer: Arc::clone(pacer),
+            address: Address::Tcp(String::new()),
+            extras,
+            recording,
+        };
+        match started.recv() {
+            Ok(address) => world.address = Address::Tcp(address),
+            Err(_) => return Err(world.ending().err().unwrap_or_else(|| Failed::new("the world ended at once", ""))),
+        }
+        Ok(world)
+    }
+
+    /// Whether the game has ended.
+    pub(super) fn has_ended(&self) -> bool {
+        self.thread.as_ref().is_none_or(JoinHandle::is_finished)
+    }
+
+    /// Waits for the end of the game; returns why it ended.
+    pub(super) fn ending(&mut self) -> Result<(), Failed> {
+        let panicked = || Failure::new("the world ended with a panic", "its message is in the terminal");
+        let result = self.thread.take().map(JoinHandle::join);
+        result.unwrap_or(Ok(Ok(()))).unwrap_or_else(|_| Err(panicked())).map_err(Failed::from)
+    }
+}
+
+impl Drop for World {
+    fn drop(&mut self) {
+        self.pacer.end();
+        // The failure of a world that is given up is of no use.
+        let _ = self.ending();
+        // A file that is gone already needs no removal.
+        let _ = fs::remove_file(&self.recording);
+    }
+}
+
+/// Plays a game until the pacer ends it.
+fn play(
+    rules: &Rules,
+    pacer: &Arc<Pacer>,
+    recording: &std::path::Path,
+    extras: SyncSender<Extra>,
+    ready: &SyncSender<String>,
+) -> Result<(), Failure> {
+    let started = |address: &str| {
+        // Nobody waits for a world that was given up.
+        let _ = ready.send(address.to_owned());
+        Ok(())
+    };
+    let address = Address::Tcp("127.0.0.1:0".to_owned());
+    let serve = ServeOptions { address: &address, anywhere: false, started: &started };
+    // Images are not stored: the same world is made again from its rules.
+    let record = RecordOptions { path: recording, images: ImagePolicy::None, force: true };
+    let mut observer = tap::Tap::new(extras);
+    let mut control = pacer::Control(Arc::clone(pacer));
+    let result = play_controlled(rules, &mut observer, &mut control, Some(record), Some(serve));
+    result.map(drop).or_else(|failure| match failure {
+        // The recording's file cannot be made: the world is played without it.
+        Failure::Error { what, help } if what.contains(&*recording.to_string_lossy()) => {
+            pacer.not_recorded(&format!("{what}: {help}"));
+            play_controlled(rules, &mut observer, &mut control, None, Some(serve)).map(drop)
+        }
+        other => Err(other),
+    })
+}

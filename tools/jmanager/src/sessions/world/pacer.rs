@@ -1,0 +1,116 @@
+//! Pause, single cycles and end of a world.
+
+use std::sync::{Arc, Condvar, Mutex};
+
+use bica_game::{GameControl, NextStep};
+
+use crate::sessions::pages::lock;
+
+/// Control of a world, shared by its thread and the manager.
+#[derive(Debug, Default)]
+pub(crate) struct Pacer {
+    state: Mutex<State>,
+    changed: Condvar,
+}
+
+#[derive(Debug, Default)]
+struct State {
+    paused: bool,
+    /// Number of cycles to run although it is paused.
+    steps: u32,
+    end: bool,
+    /// Whether the rules have ended the game.
+    over: bool,
+    /// Notes for the recording.
+    notes: Vec<String>,
+    /// Why the recording ended.
+    not_recorded: Option<String>,
+}
+
+impl Pacer {
+    /// Begins a new game, which is paused if the last one was paused by a person.
+    pub(super) fn begin(&self) {
+        let mut state = lock(&self.state);
+        *state = State { paused: state.paused && !state.over, ..State::default() };
+    }
+
+    pub(crate) fn pause(&self) {
+        lock(&self.state).paused = true;
+    }
+
+    pub(crate) fn resume(&self) {
+        let mut state = lock(&self.state);
+        (state.paused, state.steps) = (false, 0);
+        self.changed.notify_all();
+    }
+
+    /// Pauses, and runs this number of cycles.
+    pub(crate) fn step(&self, cycles: u32) {
+        let mut state = lock(&self.state);
+        state.paused = true;
+        state.steps = state.steps.saturating_add(cycles);
+        self.changed.notify_all();
+    }
+
+    pub(crate) fn end(&self) {
+        lock(&self.state).end = true;
+        self.changed.notify_all();
+    }
+
+    pub(crate) fn is_paused(&self) -> bool {
+        lock(&self.state).paused
+    }
+
+    /// Whether the rules have ended the game.
+    pub(crate) fn is_over(&self) -> bool {
+        lock(&self.state).over
+    }
+
+    /// Adds a note to the recording.
+    pub(crate) fn note(&self, text: &str) {
+        lock(&self.state).notes.push(text.to_owned());
+    }
+
+    pub(super) fn not_recorded(&self, reason: &str) {
+        lock(&self.state).not_recorded = Some(reason.to_owned());
+    }
+
+    /// Why the recording ended before the game.
+    pub(crate) fn recording_ended(&self) -> Option<String> {
+        lock(&self.state).not_recorded.clone()
+    }
+}
+
+/// The loop's end of a pacer.
+pub(super) struct Control(pub(super) Arc<Pacer>);
+
+impl GameControl for Control {
+    fn next(&mut self, is_over: bool) -> NextStep {
+        let mut state = lock(&self.0.state);
+        if is_over && !state.over {
+            (state.over, state.paused, state.steps) = (true, true, 0);
+        }
+        loop {
+            if state.end {
+                return NextStep::End;
+            }
+            if !state.paused {
+                return NextStep::Cycle;
+            }
+            if let Some(left) = state.steps.checked_sub(1) {
+                state.steps = left;
+                return NextStep::Cycle;
+            }
+            state = self.0.changed.wait(state).unwrap_or_else(std::sync::PoisonError::into_inner);
+        }
+    }
+
+    fn note(&mut self) -> Option<String> {
+        let notes = &mut lock(&self.0.state).notes;
+        (!notes.is_empty()).then(|| notes.remove(0))
+    }
+
+    fn recording_ended(&mut self, reason: &str) {
+        self.0.not_recorded(reason);
+    }
+}

@@ -1,0 +1,153 @@
+//! What the session learns of a world beside the link: images, costs and the true state.
+
+use std::sync::mpsc::SyncSender;
+use std::time::Duration;
+
+use bica_console::Failure;
+use bica_field::GoalColour;
+use bica_game::{GRAPH, GameObserver, Scene};
+use bica_motion::pose::Pose2;
+use bica_motion::robot::CameraId;
+
+use crate::protocol::{ComponentCost, RobotPose, Truth};
+use crate::sessions::history::StoredImage;
+
+/// Number of cycles between two costs.
+const COSTS_EVERY: u64 = 50;
+/// Number of cycles between two true states.
+const TRUTH_EVERY: u64 = 5;
+
+/// What the link does not carry.
+#[derive(Debug)]
+pub(crate) enum Extra {
+    Image(StoredImage),
+    Costs {
+        time_us: u64,
+        window_us: u64,
+        components: Vec<ComponentCost>,
+        chain_us: (f32, f32),
+        worst_us: u64,
+    },
+    Truth(u64, Truth),
+    /// A run of a component took longer than its budget.
+    Overrun(u64, u16),
+}
+
+/// Costs of a window.
+#[derive(Default)]
+struct Window {
+    began_us: u64,
+    cycles: u32,
+    chain: Duration,
+    longest_chain: Duration,
+    worst_us: u64,
+    runs: Vec<(u64, Duration, Duration)>,
+}
+
+/// Observer of a game that copies what the link does not carry. It never waits: what finds no room is dropped.
+pub(super) struct Tap {
+    extras: SyncSender<Extra>,
+    image: Option<u32>,
+    totals: Vec<(u64, Duration)>,
+    window: Window,
+}
+
+impl Tap {
+    pub(super) fn new(extras: SyncSender<Extra>) -> Self {
+        let totals = vec![(0, Duration::ZERO); GRAPH.nodes.len()];
+        Self { extras, image: None, totals, window: Window::new(0) }
+    }
+
+    fn send(&self, extra: Extra) {
+        // Full, or nobody listens any more: data are dropped.
+        let _ = self.extras.try_send(extra);
+    }
+
+    fn image(&mut self, scene: &Scene<'_>, time_us: u64) {
+        let Some((count, image)) = scene.numbered_image() else { return };
+        if self.image == Some(count) {
+            return;
+        }
+        self.image = Some(count);
+        self.send(Extra::Image(StoredImage {
+            number: count.wrapping_sub(1),
+            time_us,
+            bottom_camera: image.camera == CameraId::Bottom,
+            width: image.width,
+            height: image.height,
+            yuyv: image.yuyv.into(),
+        }));
+    }
+
+    fn costs(&mut self, scene: &Scene<'_>, time_us: u64) {
+        let window = &mut self.window;
+        let mut late = Vec::new();
+        for (index, (runs, time)) in scene.totals().enumerate() {
+            let last = std::mem::replace(&mut self.totals[index], (runs, time));
+            let one = &mut window.runs[index];
+            let this = time.saturating_sub(last.1);
+            *one = (one.0 + (runs - last.0), one.1 + this, one.2.max(this));
+            let budget = GRAPH.nodes[index].budget_us;
+            if runs > last.0 && budget.is_some_and(|budget| this.as_secs_f32() * 1e6 > budget) {
+                late.push(index as u16);
+            }
+        }
+        window.cycles += 1;
+        window.chain += scene.chain;
+        if scene.chain >= window.longest_chain {
+            (window.longest_chain, window.worst_us) = (scene.chain, time_us);
+        }
+        for component in late {
+            self.send(Extra::Overrun(time_us, component));
+        }
+        if scene.cycle.is_multiple_of(COSTS_EVERY) {
+            let window = std::mem::replace(&mut self.window, Window::new(time_us));
+            self.send(window.costs(time_us));
+        }
+    }
+}
+
+impl Window {
+    fn new(began_us: u64) -> Self {
+        let runs = vec![(0, Duration::ZERO, Duration::ZERO); GRAPH.nodes.len()];
+        Self { began_us, runs, ..Self::default() }
+    }
+
+    fn costs(self, time_us: u64) -> Extra {
+        let us = |time: Duration| time.as_secs_f32() * 1e6;
+        let cost = |&(runs, sum, longest): &(u64, Duration, Duration)| {
+            ComponentCost(runs as u32, us(sum) / (runs.max(1) as f32), us(longest))
+        };
+        Extra::Costs {
+            time_us,
+            window_us: time_us.saturating_sub(self.began_us),
+            components: self.runs.iter().map(cost).collect(),
+            chain_us: (us(self.chain) / self.cycles.max(1) as f32, us(self.longest_chain)),
+            worst_us: self.worst_us,
+        }
+    }
+}
+
+impl GameObserver for Tap {
+    fn cycle(&mut self, scene: &Scene<'_>) -> Result<(), Failure> {
+        let time_us = (scene.t * 1e6).round() as u64;
+        self.image(scene, time_us);
+        self.costs(scene, time_us);
+        if scene.cycle.is_multiple_of(TRUTH_EVERY) {
+            self.send(Extra::Truth(time_us, truth(scene)));
+        }
+        Ok(())
+    }
+}
+
+fn truth(scene: &Scene<'_>) -> Truth {
+    let pose = |pose: Pose2| RobotPose(pose.position.x, pose.position.y, pose.heading);
+    let ball = scene.referee.ball();
+    Truth {
+        robot: pose(scene.referee.robot()),
+        ball: (ball.x, ball.y),
+        others: scene.referee.others().iter().map(|other| (other.position.x, other.position.y)).collect(),
+        start: pose(scene.start),
+        attacks_blue: scene.referee.attacks() == GoalColour::SkyBlue,
+    }
+}

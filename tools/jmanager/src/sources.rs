@@ -1,0 +1,89 @@
+//! Robots, worlds and recordings of the command line.
+
+use std::path::{Path, PathBuf};
+
+use bica_console::Failure;
+
+use crate::cli::Cli;
+use crate::protocol::Open;
+
+/// What the page shows at first, and the folder of recordings.
+#[derive(Debug, PartialEq)]
+pub(crate) struct Sources {
+    pub(crate) open: Vec<Open>,
+    pub(crate) recordings: PathBuf,
+}
+
+/// Reads the sources of the command line.
+pub(crate) fn read(cli: &Cli) -> Result<Sources, Failure> {
+    let mut recordings = cli.recordings.clone();
+    let mut open = Vec::new();
+    for source in &cli.sources {
+        open.push(if source.starts_with("tcp://") || source.starts_with("serial:") {
+            Open::Robot { address: source.clone() }
+        } else if Path::new(source).extension().is_some_and(|ending| ending == "mcap") {
+            Open::Recording { name: recording(Path::new(source), &mut recordings)? }
+        } else {
+            let help = "write tcp://HOST:PORT, serial:DEVICE or FILE.mcap; `--help` shows examples";
+            return Err(Failure::new(format!("`{source}` is no robot and no recording"), help));
+        });
+    }
+    if open.is_empty() || cli.world.is_some() {
+        let world = cli.world.clone().unwrap_or_else(|| "built-in".to_owned());
+        open.push(Open::World { world, seed: cli.seed, robots: cli.robots });
+    }
+    Ok(Sources { open, recordings: recordings.unwrap_or_else(|| "recordings".into()) })
+}
+
+/// Returns the file name of a recording. The page opens recordings of one folder: that of the first recording.
+fn recording(path: &Path, folder: &mut Option<PathBuf>) -> Result<String, Failure> {
+    if !path.is_file() {
+        return Err(Failure::new(format!("there is no file `{}`", path.display()), "is the path right?"));
+    }
+    let parent = match path.parent() {
+        Some(parent) if parent != Path::new("") => parent,
+        _ => Path::new("."),
+    };
+    let folder = folder.get_or_insert_with(|| parent.to_owned());
+    let same = |a: &Path, b: &Path| a.canonicalize().ok() == b.canonicalize().ok();
+    if !same(folder, parent) {
+        let what = format!("`{}` is not in the folder of recordings, `{}`", path.display(), folder.display());
+        return Err(Failure::new(what, "put both recordings into one folder"));
+    }
+    let name = path.file_name().and_then(|name| name.to_str()).map(str::to_owned);
+    name.ok_or_else(|| Failure::new(format!("the name of `{}` is not UTF-8", path.display()), "rename the file"))
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::Parser;
+
+    use super::*;
+
+    fn sources(arguments: &[&str]) -> Result<Vec<Open>, Failure> {
+        read(&Cli::parse_from([&["jmanager"], arguments].concat())).map(|sources| sources.open)
+    }
+
+    fn world(name: &str, seed: u64) -> Open {
+        Open::World { world: name.to_owned(), seed, robots: 0 }
+    }
+
+    #[test]
+    fn without_arguments_the_built_in_world_is_shown() {
+        assert_eq!(sources(&[]).unwrap(), [world("built-in", 0)]);
+        assert_eq!(sources(&["--world", "firmware", "--seed", "3"]).unwrap(), [world("firmware", 3)]);
+    }
+
+    #[test]
+    fn robots_are_recognized_by_their_scheme() {
+        let robot = |address: &str| Open::Robot { address: address.to_owned() };
+        let both = sources(&["tcp://nao:7400", "serial:/dev/ttyUSB0@921600"]).unwrap();
+        assert_eq!(both, [robot("tcp://nao:7400"), robot("serial:/dev/ttyUSB0@921600")]);
+    }
+
+    #[test]
+    fn unknown_sources_and_missing_files_are_refused() {
+        assert!(sources(&["http://nao"]).is_err());
+        assert!(sources(&["/nowhere/run.mcap"]).is_err());
+    }
+}

@@ -1,0 +1,82 @@
+//! The file with the secret that lets pages of other computers in.
+
+use std::fs::{self, OpenOptions};
+use std::io::Write;
+use std::path::Path;
+
+use bica_console::Failure;
+
+use crate::web;
+
+/// Fewest characters of a secret.
+const MIN_LENGTH: usize = 32;
+const HELP: &str = "remove the file: a new one is made with a random secret";
+
+/// Reads the secret; makes the file if there is none. Returns it, and whether the file is new.
+pub(crate) fn read(path: &Path) -> Result<(String, bool), Failure> {
+    if !path.exists() {
+        return make(path).map(|token| (token, true));
+    }
+    check_mode(path)?;
+    let text = fs::read_to_string(path).map_err(|error| Failure::of_path("read", path, &error, HELP))?;
+    let token = text.trim();
+    if token.len() < MIN_LENGTH || token.contains(|letter: char| !letter.is_ascii_graphic()) {
+        let what = format!("`{}` contains no secret of at least {MIN_LENGTH} characters", path.display());
+        return Err(Failure::new(what, HELP));
+    }
+    Ok((token.to_owned(), false))
+}
+
+fn make(path: &Path) -> Result<String, Failure> {
+    let failure = |error: std::io::Error| Failure::of_path("write", path, &error, "choose another place for it");
+    let token = web::secret().map_err(failure)?;
+    let mut options = OpenOptions::new();
+    options.write(true).create_new(true);
+    #[cfg(unix)]
+    std::os::unix::fs::OpenOptionsExt::mode(&mut options, 0o600);
+    let mut file = options.open(path).map_err(failure)?;
+    writeln!(file, "{token}").map_err(failure)?;
+    Ok(token)
+}
+
+/// Refuses a file that other users of the computer can read.
+#[cfg(unix)]
+fn check_mode(path: &Path) -> Result<(), Failure> {
+    use std::os::unix::fs::PermissionsExt;
+    let failure = |error| Failure::of_path("read", path, &error, HELP);
+    let mode = fs::metadata(path).map_err(failure)?.permissions().mode() & 0o777;
+    if mode & 0o077 != 0 {
+        let what = format!("other users can read `{}` (mode {mode:o})", path.display());
+        return Err(Failure::new(what, format!("chmod 600 {}", path.display())));
+    }
+    Ok(())
+}
+
+#[cfg(not(unix))]
+fn check_mode(_: &Path) -> Result<(), Failure> {
+    Ok(())
+}
+
+#[cfg(all(test, unix))]
+mod tests {
+    use std::os::unix::fs::PermissionsExt;
+
+    use super::*;
+
+    #[test]
+    fn a_new_file_is_for_its_owner_only_and_is_read_again() {
+        let folder = std::env::temp_dir().join(format!("jmanager-token-{}", std::process::id()));
+        fs::create_dir_all(&folder).unwrap();
+        let path = folder.join("token");
+        let (token, new) = read(&path).unwrap();
+        assert!(new && token.len() == 64);
+        assert_eq!(fs::metadata(&path).unwrap().permissions().mode() & 0o777, 0o600);
+        assert_eq!(read(&path).unwrap(), (token, false));
+        fs::set_permissions(&path, fs::Permissions::from_mode(0o640)).unwrap();
+        assert!(read(&path).is_err());
+        fs::set_permissions(&path, fs::Permissions::from_mode(0o600)).unwrap();
+        fs::write(&path, "short").unwrap();
+        assert!(read(&path).is_err());
+        fs::remove_dir_all(&folder).unwrap();
+    }
+}

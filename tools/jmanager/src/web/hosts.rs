@@ -1,0 +1,97 @@
+//! Names and addresses of the server.
+
+use std::net::{IpAddr, SocketAddr};
+
+/// The values of `Host` and `Origin` that mean this server.
+#[derive(Clone, Debug)]
+pub struct Hosts {
+    port: u16,
+    names: Vec<String>,
+    addresses: Vec<IpAddr>,
+    /// The server listens on all addresses of the computer: any address literal can be its own.
+    any_address: bool,
+}
+
+impl Hosts {
+    /// Hosts of a server that listens on an address.
+    #[must_use]
+    pub fn new(address: SocketAddr, names: Vec<String>) -> Self {
+        let mut all = vec!["localhost".to_owned()];
+        all.extend(names);
+        let addresses = vec![address.ip(), IpAddr::from([127, 0, 0, 1]), IpAddr::from([0, 0, 0, 0, 0, 0, 0, 1])];
+        Self { port: address.port(), names: all, addresses, any_address: address.ip().is_unspecified() }
+    }
+
+    /// Whether a value of `Host` means this server. An address literal cannot be rebound, a foreign name can.
+    #[must_use]
+    pub fn allows(&self, host: &str) -> bool {
+        if let Ok(address) = host.parse::<SocketAddr>() {
+            return address.port() == self.port && (self.any_address || self.addresses.contains(&address.ip()));
+        }
+        let (name, port) = host.rsplit_once(':').unwrap_or((host, "80"));
+        port.parse() == Ok(self.port) && self.names.iter().any(|known| known.eq_ignore_ascii_case(name))
+    }
+
+    /// Whether a value of `Origin` is the origin of the page that was requested under `host`.
+    #[must_use]
+    pub fn is_origin(&self, origin: &str, host: &str) -> bool {
+        self.allows(host)
+            && (origin.strip_prefix("http://") == Some(host) || origin.strip_prefix("https://") == Some(host))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn hosts(address: &str) -> Hosts {
+        Hosts::new(address.parse().unwrap(), vec!["bench.local".to_owned()])
+    }
+
+    #[test]
+    fn only_own_names_with_the_own_port_are_allowed() {
+        let hosts = hosts("127.0.0.1:7410");
+        for host in ["127.0.0.1:7410", "localhost:7410", "LOCALHOST:7410", "[::1]:7410", "bench.local:7410"] {
+            assert!(hosts.allows(host), "{host}");
+        }
+        let foreign = [
+            "evil.test",
+            "evil.test:7410",
+            "127.0.0.1",
+            "127.0.0.1:80",
+            "localhost.evil.test:7410",
+            "192.168.1.2:7410",
+            "",
+            ":7410",
+        ];
+        for host in foreign {
+            assert!(!hosts.allows(host), "{host}");
+        }
+    }
+
+    #[test]
+    fn all_address_literals_are_allowed_if_the_server_listens_on_all_addresses() {
+        let hosts = hosts("0.0.0.0:7410");
+        assert!(hosts.allows("192.168.1.2:7410"));
+        assert!(!hosts.allows("192.168.1.2:80"));
+        assert!(!hosts.allows("evil.test:7410"));
+    }
+
+    #[test]
+    fn the_origin_must_be_equal_to_the_host() {
+        let hosts = hosts("127.0.0.1:7410");
+        assert!(hosts.is_origin("http://127.0.0.1:7410", "127.0.0.1:7410"));
+        for origin in [
+            "null",
+            "http://127.0.0.1:7411",
+            "http://127.0.0.1:7410.evil.test",
+            "http://evil.test",
+            "http://localhost:7410",
+            "file://",
+            "http://127.0.0.1:7410/",
+        ] {
+            assert!(!hosts.is_origin(origin, "127.0.0.1:7410"), "{origin}");
+        }
+        assert!(!hosts.is_origin("http://evil.test:7410", "evil.test:7410"));
+    }
+}

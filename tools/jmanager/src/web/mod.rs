@@ -1,0 +1,109 @@
+//! Web server: the page's files and a WebSocket for each page.
+//!
+//! The server is made for a computer that other programs and web pages share. Before anything else it compares the request's
+//! `Host` with a list, so that a foreign name that resolves to this computer (DNS rebinding) is refused. A page is entered with
+//! a URL that works once and becomes a cookie; a WebSocket needs the cookie and an `Origin` equal to the server's own. Plain
+//! HTTP changes nothing but that cookie. What comes in is limited in size, number and rate; what goes out to a slow page is
+//! dropped or the page is disconnected ([`Queue`]).
+
+mod access;
+mod assets;
+mod guard;
+mod headers;
+mod hosts;
+mod queue;
+mod rate;
+mod serve;
+mod socket;
+
+use std::io;
+use std::net::{SocketAddr, TcpListener};
+use std::sync::Arc;
+use std::thread::JoinHandle;
+
+use tokio::sync::watch;
+
+use crate::sessions::Manager;
+pub use access::Access;
+pub(crate) use access::secret;
+pub use hosts::Hosts;
+pub use queue::Queue;
+
+/// Options of the server.
+#[derive(Clone, Debug, Default)]
+pub struct WebOptions {
+    /// Names under which other computers reach the server, besides its addresses.
+    pub names: Vec<String>,
+    /// Secret with which a page can be entered at any time: needed where other computers reach the server.
+    pub token: Option<String>,
+}
+
+/// State that all requests share.
+pub(crate) struct Shared {
+    pub(crate) hosts: Hosts,
+    pub(crate) access: Access,
+    pub(crate) manager: Arc<Manager>,
+    pub(crate) pages: serve::Counter,
+}
+
+/// A running server.
+pub struct Web {
+    address: SocketAddr,
+    shared: Arc<Shared>,
+    stop: watch::Sender<bool>,
+    thread: Option<JoinHandle<()>>,
+}
+
+impl Web {
+    /// Serves on a listener, in a thread.
+    ///
+    /// # Errors
+    /// If the thread or its runtime cannot be started, or an address other than loopback has no token.
+    pub fn start(listener: TcpListener, options: WebOptions, manager: Arc<Manager>) -> io::Result<Self> {
+        let address = listener.local_addr()?;
+        if !address.ip().is_loopback() && options.token.is_none() {
+            return Err(io::Error::other("an address that other computers reach needs a token"));
+        }
+        listener.set_nonblocking(true)?;
+        let shared = Arc::new(Shared {
+            hosts: Hosts::new(address, options.names),
+            access: Access::new(address.port(), options.token)?,
+            manager,
+            pages: serve::Counter::new(serve::MAX_PAGES),
+        });
+        let (stop, stopped) = watch::channel(false);
+        let runtime = tokio::runtime::Builder::new_current_thread().enable_io().enable_time().build()?;
+        let served = Arc::clone(&shared);
+        let thread = std::thread::Builder::new()
+            .name("web".to_owned())
+            .spawn(move || runtime.block_on(serve::serve(listener, served, stopped)))?;
+        Ok(Self { address, shared, stop, thread: Some(thread) })
+    }
+
+    /// The address of the server.
+    #[must_use]
+    pub const fn address(&self) -> SocketAddr {
+        self.address
+    }
+
+    /// Returns a new URL with which the page is entered once.
+    ///
+    /// # Errors
+    /// If the operating system has no random numbers.
+    pub fn url(&self) -> io::Result<String> {
+        let address = match self.address.ip() {
+            ip if ip.is_unspecified() => SocketAddr::from(([127, 0, 0, 1], self.address.port())),
+            _ => self.address,
+        };
+        Ok(format!("http://{address}/?key={}", self.shared.access.new_key()?))
+    }
+}
+
+impl Drop for Web {
+    fn drop(&mut self) {
+        let _ = self.stop.send(true);
+        if let Some(thread) = self.thread.take() {
+            let _ = thread.join();
+        }
+    }
+}

@@ -1,0 +1,43 @@
+//! Rate of a page's messages.
+
+use std::time::{Duration, Instant};
+
+/// Messages that may come at once.
+const BURST: f64 = 300.0;
+/// Messages per second in the long run.
+const PER_SECOND: f64 = 150.0;
+
+/// A bucket that each message takes from and time refills.
+pub(crate) struct Rate {
+    left: f64,
+    last: Instant,
+}
+
+impl Rate {
+    pub(crate) const fn new(now: Instant) -> Self {
+        Self { left: BURST, last: now }
+    }
+
+    /// Counts a message; returns whether it is within the limit.
+    pub(crate) fn allows(&mut self, now: Instant) -> bool {
+        let passed = now.saturating_duration_since(self.last);
+        self.last = now;
+        self.left = (self.left + passed.min(Duration::from_secs(10)).as_secs_f64() * PER_SECOND).min(BURST) - 1.0;
+        self.left >= 0.0
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_burst_is_allowed_and_a_flood_is_not() {
+        let start = Instant::now();
+        let mut rate = Rate::new(start);
+        assert!((0..300).all(|_| rate.allows(start)));
+        assert!(!rate.allows(start));
+        let later = start + Duration::from_secs(1);
+        assert_eq!((0..300).filter(|_| rate.allows(later)).count(), 149);
+    }
+}

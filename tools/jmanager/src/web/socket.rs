@@ -1,0 +1,187 @@
+//! The WebSocket of a page.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
+use std::time::{Duration, Instant};
+
+use axum::extract::State;
+use axum::extract::ws::{CloseFrame, Message, WebSocket, WebSocketUpgrade};
+use axum::http::StatusCode;
+use axum::response::{IntoResponse, Response};
+use tokio::sync::watch;
+use tokio::time::{interval, timeout};
+
+use super::Shared;
+use super::queue::Queue;
+use super::rate::Rate;
+use super::serve::{Context, Counted};
+use crate::protocol::{Failed, FromPage, ToPage};
+use crate::sessions::{Manager, Outbox};
+
+/// Largest message from a page, bytes.
+const MAX_MESSAGE: usize = 64 << 10;
+/// Longest time in which a page must take a message.
+const SEND_TIME: Duration = Duration::from_secs(10);
+/// Time between two pings; a page that answers none of three in a row is gone.
+const PING: Duration = Duration::from_secs(5);
+const SILENCE: Duration = Duration::from_secs(16);
+/// Requests of a page that wait for the manager.
+const MAX_WAITING: usize = 256;
+/// Messages that are sent before the page's own messages are read again.
+const AT_ONCE: usize = 16;
+
+/// Codes of the WebSocket protocol.
+const GOING_AWAY: u16 = 1001;
+const POLICY: u16 = 1008;
+
+/// Accepts a page.
+pub(crate) async fn upgrade(State((shared, stop)): Context, upgrade: WebSocketUpgrade) -> Response {
+    let Some(counted) = shared.pages.take() else {
+        return (StatusCode::SERVICE_UNAVAILABLE, "too many pages are open").into_response();
+    };
+    upgrade
+        .max_message_size(MAX_MESSAGE)
+        .max_frame_size(MAX_MESSAGE)
+        .on_upgrade(move |socket| run(socket, shared, stop, counted))
+}
+
+/// Serves a page until it leaves, breaks a limit, or the server stops.
+async fn run(mut socket: WebSocket, shared: Arc<Shared>, mut stop: watch::Receiver<bool>, counted: Counted) {
+    let queue = Arc::new(Queue::default());
+    let gone = Arc::new(AtomicBool::new(false));
+    let Ok(requests) = handler(Arc::clone(&shared.manager), Arc::clone(&queue), Arc::clone(&gone)) else { return };
+    let reason = tokio::select! {
+        reason = exchange(&mut socket, &queue, &requests) => reason,
+        _ = stop.changed() => Some((GOING_AWAY, "the server ends")),
+    };
+    // What still waits is of a page that is gone: it is not executed. The manager forgets the page when the channel is closed.
+    gone.store(true, Ordering::Release);
+    drop(requests);
+    if let Some((code, reason)) = reason {
+        let close = Message::Close(Some(CloseFrame { code, reason: reason.into() }));
+        let _ = timeout(Duration::from_secs(1), socket.send(close)).await;
+    }
+    drop(counted);
+}
+
+type Reason = Option<(u16, &'static str)>;
+
+async fn exchange(socket: &mut WebSocket, queue: &Queue, requests: &SyncSender<FromPage>) -> Reason {
+    let mut rate = Rate::new(Instant::now());
+    let mut heard = Instant::now();
+    let mut ping = interval(PING);
+    let mut more = false;
+    loop {
+        tokio::select! {
+            received = socket.recv() => {
+                heard = Instant::now();
+                let message = received?.ok()?;
+                if !rate.allows(heard) {
+                    return Some((POLICY, "too many messages"));
+                }
+                if let Some(reason) = take(message, queue, requests) {
+                    return Some(reason);
+                }
+            }
+            () = queue.changed() => {}
+            () = std::future::ready(()), if more => {}
+            _ = ping.tick() => {
+                if heard.elapsed() > SILENCE {
+                    return Some((POLICY, "the page is silent"));
+                }
+                if let Some(reason) = send(socket, Message::Ping(axum::body::Bytes::new())).await {
+                    return Some(reason);
+                }
+            }
+        }
+        more = true;
+        for _ in 0..AT_ONCE {
+            let Some(message) = queue.pop() else {
+                more = false;
+                break;
+            };
+            if let Some(reason) = send(socket, message).await {
+                return Some(reason);
+            }
+        }
+        if queue.overflowed() {
+            return Some((POLICY, "the page reads too slowly"));
+        }
+    }
+}
+
+/// Sends a message; returns why it is the last one.
+async fn send(socket: &mut WebSocket, message: Message) -> Reason {
+    match timeout(SEND_TIME, socket.send(message)).await {
+        Ok(Ok(())) => None,
+        Ok(Err(_)) => Some((GOING_AWAY, "the page is gone")),
+        Err(_) => Some((POLICY, "the page does not read")),
+    }
+}
+
+/// Hands a message of the page to the manager; returns why it is the last one.
+fn take(message: Message, queue: &Queue, requests: &SyncSender<FromPage>) -> Reason {
+    let text = match message {
+        Message::Text(text) => text,
+        Message::Binary(_) => return Some((POLICY, "pages send text")),
+        Message::Close(_) => return Some((GOING_AWAY, "closed by the page")),
+        Message::Ping(_) | Message::Pong(_) => return None,
+    };
+    match serde_json::from_str::<FromPage>(&text) {
+        Ok(request) => requests.try_send(request).is_err().then_some((POLICY, "too many requests wait")),
+        Err(error) => {
+            let id = serde_json::from_str::<serde_json::Value>(&text).ok().and_then(|value| value.get("id")?.as_u64());
+            let failed = Failed {
+                text: format!("this request is not understood: {error}"),
+                help: "reload the page: it may be of another version than the server".to_owned(),
+                entry: None,
+            };
+            queue.state(ToPage::Answer { id: id.unwrap_or(0) as u32, result: None, error: Some(failed) });
+            None
+        }
+    }
+}
+
+/// Starts the thread that hands a page's requests to the manager, which may wait for files and robots.
+fn handler(manager: Arc<Manager>, queue: Arc<Queue>, gone: Arc<AtomicBool>) -> std::io::Result<SyncSender<FromPage>> {
+    let (sender, requests) = sync_channel(MAX_WAITING);
+    std::thread::Builder::new().name("page".to_owned()).spawn(move || {
+        let page = manager.attach(queue);
+        forward(&requests, &gone, |request| manager.handle(page, request));
+        manager.detach(page);
+    })?;
+    Ok(sender)
+}
+
+/// Hands requests on until the page is gone; what waits then is dropped.
+fn forward(requests: &Receiver<FromPage>, gone: &AtomicBool, mut handle: impl FnMut(FromPage)) {
+    for request in requests {
+        if gone.load(Ordering::Acquire) {
+            return;
+        }
+        handle(request);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::protocol::Request;
+
+    #[test]
+    fn requests_that_wait_when_the_page_is_gone_are_dropped() {
+        let (sender, requests) = sync_channel(8);
+        for id in 1..=5 {
+            sender.send(FromPage { id, request: Request::Recordings {} }).unwrap();
+        }
+        drop(sender);
+        let gone = AtomicBool::new(false);
+        let mut handled = Vec::new();
+        forward(&requests, &gone, |request| {
+            handled.push(request.id);
+            gone.store(request.id == 2, Ordering::Release);
+        });
+        assert_eq!(handled, [1, 2]);
+    }
+}

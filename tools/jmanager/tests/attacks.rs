@@ -1,0 +1,464 @@
+//! Attacks on the web server, each with raw sockets: a browser would not send most of these requests.
+
+use std::io::{Read, Write};
+use std::net::{SocketAddr, TcpListener, TcpStream};
+use std::path::Path;
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+use jmanager::sessions::{Manager, Options};
+use jmanager::web::{Web, WebOptions};
+use serde_json::{Value, json};
+use tungstenite::client::IntoClientRequest;
+use tungstenite::protocol::WebSocketConfig;
+use tungstenite::{Error, Message, WebSocket};
+
+/// Generous limit of a step on a busy machine.
+const LIMIT: Duration = Duration::from_secs(60);
+const TOKEN: &str = "0123456789abcdef0123456789abcdef";
+
+struct Target {
+    web: Web,
+    address: SocketAddr,
+}
+
+/// Starts a server without sessions.
+fn target(token: Option<&str>) -> Target {
+    let listener = TcpListener::bind("127.0.0.1:0").unwrap();
+    let options = WebOptions { token: token.map(str::to_owned), ..WebOptions::default() };
+    let web = Web::start(listener, options, Arc::new(Manager::new(Options::default()))).unwrap();
+    let address = web.address();
+    Target { web, address }
+}
+
+/// A response: status, head in lower case, body.
+struct Response {
+    status: u16,
+    head: String,
+    body: String,
+}
+
+impl Response {
+    fn has(&self, header: &str) -> bool {
+        self.head.lines().any(|line| line == header)
+    }
+
+    fn header(&self, name: &str) -> Option<&str> {
+        self.head.lines().find_map(|line| line.strip_prefix(name)?.strip_prefix(": "))
+    }
+}
+
+impl Target {
+    fn connect(&self) -> TcpStream {
+        let stream = TcpStream::connect(self.address).unwrap();
+        stream.set_read_timeout(Some(LIMIT)).unwrap();
+        stream
+    }
+
+    /// Sends a request with these lines of head after the first one.
+    fn send(&self, first: &str, lines: &[&str], body: &str) -> Response {
+        let mut stream = self.connect();
+        let mut text = format!("{first} HTTP/1.1\r\n");
+        for line in lines {
+            text += &format!("{line}\r\n");
+        }
+        text += &format!("Content-Length: {}\r\nConnection: close\r\n\r\n{body}", body.len());
+        stream.write_all(text.as_bytes()).unwrap();
+        let mut answer = Vec::new();
+        // The server may close before it has read all; what it sent is read anyhow.
+        let _ = stream.read_to_end(&mut answer);
+        let answer = String::from_utf8_lossy(&answer).into_owned();
+        let (head, body) = answer.split_once("\r\n\r\n").unwrap_or((&answer, ""));
+        let status = head.split(' ').nth(1).and_then(|status| status.parse().ok()).unwrap_or(0);
+        Response { status, head: head.replace("\r\n", "\n"), body: body.to_owned() }
+    }
+
+    fn host(&self) -> String {
+        format!("Host: {}", self.address)
+    }
+
+    /// The path with a new one-time key.
+    fn entrance(&self) -> String {
+        let url = self.web.url().unwrap();
+        url.split_once("/?").map(|(_, query)| format!("/?{query}")).unwrap()
+    }
+
+    /// Enters; returns the `Cookie` header.
+    fn enter(&self) -> String {
+        let response = self.send(&format!("GET {}", self.entrance()), &[&self.host()], "");
+        assert_eq!(response.status, 303, "{}", response.head);
+        let set = response.header("set-cookie").unwrap();
+        format!("Cookie: {}", set.split(';').next().unwrap())
+    }
+
+    /// Asks for a WebSocket.
+    fn upgrade(&self, lines: &[&str]) -> u16 {
+        let mut stream = self.connect();
+        let mut text = "GET /socket HTTP/1.1\r\nConnection: Upgrade\r\nUpgrade: websocket\r\nSec-WebSocket-Version: 13\r\nSec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n".to_owned();
+        for line in lines {
+            text += &format!("{line}\r\n");
+        }
+        stream.write_all(format!("{text}\r\n").as_bytes()).unwrap();
+        let mut head = [0; 12];
+        stream.read_exact(&mut head).unwrap();
+        std::str::from_utf8(&head[9..]).unwrap().parse().unwrap()
+    }
+
+    /// Opens a WebSocket as the page does.
+    fn page(&self, cookie: &str) -> WebSocket<TcpStream> {
+        let mut request = format!("ws://{}/socket", self.address).into_client_request().unwrap();
+        let headers = request.headers_mut();
+        headers.insert("Origin", format!("http://{}", self.address).parse().unwrap());
+        headers.insert("Cookie", cookie.strip_prefix("Cookie: ").unwrap().parse().unwrap());
+        let config = WebSocketConfig::default().max_write_buffer_size(usize::MAX);
+        tungstenite::client::client_with_config(request, self.connect(), Some(config)).unwrap().0
+    }
+}
+
+fn message(page: &mut WebSocket<TcpStream>) -> Result<Value, Error> {
+    loop {
+        match page.read()? {
+            Message::Text(text) => return Ok(serde_json::from_str(&text).unwrap()),
+            Message::Close(frame) => {
+                let code = frame.map_or(0, |frame| u16::from(frame.code));
+                return Ok(json!({ "type": "close", "code": code }));
+            }
+            _ => {}
+        }
+    }
+}
+
+/// Reads until the server has closed the page; returns the code, or 0 if the connection was cut.
+fn closed(page: &mut WebSocket<TcpStream>) -> u64 {
+    let start = Instant::now();
+    while start.elapsed() < LIMIT {
+        match message(page) {
+            Ok(message) if message["type"] == "close" => return message["code"].as_u64().unwrap(),
+            Ok(_) => {}
+            Err(_) => return 0,
+        }
+    }
+    panic!("the page was not closed")
+}
+
+#[test]
+fn a_page_with_key_cookie_and_origin_is_served() {
+    let target = target(None);
+    let cookie = target.enter();
+    let page = target.send("GET /", &[&target.host(), &cookie, "Sec-Fetch-Site: none"], "");
+    assert_eq!(page.status, 200);
+    assert!(page.body.contains("<title>JManager</title>"));
+    let module = target.send("GET /app.js", &[&target.host(), &cookie, "Sec-Fetch-Site: same-origin"], "");
+    assert_eq!((module.status, module.header("content-type")), (200, Some("text/javascript; charset=utf-8")));
+    assert_eq!(message(&mut target.page(&cookie)).unwrap()["type"], "hello");
+}
+
+/// Attack 1.
+#[test]
+fn a_socket_for_a_foreign_origin_is_refused() {
+    let target = target(Some(TOKEN));
+    let (host, cookie, port) = (target.host(), target.enter(), target.address.port());
+    assert_eq!(target.upgrade(&[&host, &cookie, &format!("Origin: http://127.0.0.1:{port}")]), 101);
+    let foreign = [
+        "http://evil.test".to_owned(),
+        "null".to_owned(),
+        String::new(),
+        format!("http://127.0.0.1:{port}.evil.test"),
+        format!("http://evil.test:{port}"),
+        format!("http://127.0.0.1:{}", port ^ 1),
+        format!("http://localhost:{port}"),
+    ];
+    for origin in foreign {
+        assert_eq!(target.upgrade(&[&host, &cookie, &format!("Origin: {origin}")]), 403, "{origin}");
+    }
+    let own = format!("Origin: http://127.0.0.1:{port}");
+    assert_eq!(target.upgrade(&[&host, &cookie, &own, "Origin: http://evil.test"]), 403);
+    // A program without an origin needs the token; the cookie of a browser is not enough.
+    assert_eq!(target.upgrade(&[&host, &cookie]), 403);
+    assert_eq!(target.upgrade(&[&host, "Authorization: Bearer wrong"]), 403);
+    assert_eq!(target.upgrade(&[&host, &format!("Authorization: Bearer {TOKEN}")]), 101);
+}
+
+/// Attack 2.
+#[test]
+fn a_foreign_name_of_this_computer_is_refused_before_anything_else() {
+    let target = target(None);
+    let (cookie, port) = (target.enter(), target.address.port());
+    let entrance = target.entrance();
+    for host in ["evil.test".to_owned(), format!("evil.test:{port}"), format!("127.0.0.1:{}", port ^ 1), String::new()]
+    {
+        let host = format!("Host: {host}");
+        let refused = target.send("GET /", &[&host, &cookie], "");
+        assert_eq!((refused.status, refused.body.contains("<title>")), (403, false), "{host}");
+        assert_eq!(target.send(&format!("GET {entrance}"), &[&host], "").status, 403, "{host}");
+        let origin = host.replace("Host: ", "Origin: http://");
+        assert_eq!(target.upgrade(&[&host, &cookie, &origin]), 403, "{host}");
+    }
+    assert_eq!(target.send("GET /", &[&target.host(), "Host: evil.test", &cookie], "").status, 403);
+    // The key was not used up under a foreign name.
+    assert_eq!(target.send(&format!("GET {entrance}"), &[&target.host()], "").status, 303);
+}
+
+/// Attack 3.
+#[test]
+fn plain_http_changes_nothing_and_other_sites_get_nothing() {
+    let target = target(None);
+    let (host, cookie) = (target.host(), target.enter());
+    for method in ["POST", "PUT", "DELETE", "PATCH", "OPTIONS"] {
+        for path in ["/", "/socket", "/app.js"] {
+            assert_eq!(
+                target.send(&format!("{method} {path}"), &[&host, &cookie], "{}").status,
+                405,
+                "{method} {path}"
+            );
+        }
+    }
+    for site in ["cross-site", "same-site", "?"] {
+        let site = format!("Sec-Fetch-Site: {site}");
+        assert_eq!(target.send("GET /", &[&host, &cookie, &site], "").status, 403, "{site}");
+        let entrance = target.entrance();
+        assert_eq!(target.send(&format!("GET {entrance}"), &[&host, &site], "").status, 403, "{site}");
+        let own = format!("Origin: http://{}", target.address);
+        assert_eq!(target.upgrade(&[&host, &cookie, &own, &site]), 403, "{site}");
+    }
+}
+
+/// Attack 4.
+#[test]
+fn without_the_cookie_nothing_is_served_and_a_key_works_once() {
+    let target = target(None);
+    let (host, own) = (target.host(), format!("Origin: http://{}", target.address));
+    for path in ["/", "/app.js", "/vendor/preact.js", "/?key=", "/?key=0", "/nothing"] {
+        let refused = target.send(&format!("GET {path}"), &[&host], "");
+        assert_eq!((refused.status, refused.body.contains("app.js")), (403, false), "{path}");
+    }
+    assert_eq!(target.upgrade(&[&host, &own]), 403);
+    let wrong = format!("Cookie: jmanager-{}={}", target.address.port(), "0".repeat(64));
+    assert_eq!(target.upgrade(&[&host, &own, &wrong]), 403);
+    let entrance = format!("GET {}", target.entrance());
+    assert_eq!(target.send(&entrance, &[&host], "").status, 303);
+    let again = target.send(&entrance, &[&host], "");
+    assert_eq!((again.status, again.header("set-cookie")), (403, None));
+    assert!(again.body.contains("Each works once"));
+}
+
+/// Attack 5.
+#[test]
+fn the_key_leaves_the_address_and_the_cookie_is_for_no_script() {
+    let target = target(None);
+    let response = target.send(&format!("GET {}", target.entrance()), &[&target.host()], "");
+    assert_eq!(response.header("location"), Some("/"));
+    let cookie = response.header("set-cookie").unwrap();
+    assert!(cookie.ends_with("; Path=/; HttpOnly; SameSite=Strict"), "{cookie}");
+    assert!(response.has("referrer-policy: no-referrer"));
+    assert!(response.body.is_empty());
+}
+
+/// Attack 6; what a script could do in the page is tested in the browser.
+#[test]
+fn every_response_forbids_foreign_scripts_and_frames() {
+    let target = target(None);
+    let (host, cookie) = (target.host(), target.enter());
+    let responses = [
+        target.send("GET /", &[&host, &cookie], ""),
+        target.send("GET /page.css", &[&host, &cookie], ""),
+        target.send("GET /nothing", &[&host, &cookie], ""),
+        target.send("GET /", &[&host], ""),
+        target.send("GET /", &["Host: evil.test"], ""),
+        target.send("POST /", &[&host, &cookie], ""),
+    ];
+    for response in responses {
+        let policy = response.header("content-security-policy").unwrap_or_default();
+        for part in ["default-src 'self'", "frame-ancestors 'none'", "object-src 'none'", "base-uri 'none'"] {
+            assert!(policy.contains(part), "{policy}");
+        }
+        assert!(!policy.contains("unsafe"), "{policy}");
+        assert!(response.has("x-content-type-options: nosniff"));
+        assert!(response.has("cross-origin-resource-policy: same-origin"));
+        assert!(response.has("cache-control: no-store"));
+    }
+}
+
+/// Attack 6.
+#[test]
+fn the_page_writes_data_only_as_text() {
+    fn check(folder: &Path) {
+        for entry in std::fs::read_dir(folder).unwrap() {
+            let path = entry.unwrap().path();
+            if path.is_dir() {
+                if !path.ends_with("vendor") {
+                    check(&path);
+                }
+                continue;
+            }
+            let text = std::fs::read_to_string(&path).unwrap();
+            for word in [
+                "innerHTML",
+                "outerHTML",
+                "insertAdjacentHTML",
+                "document.write",
+                "eval(",
+                "new Function",
+                " style=",
+                " onclick=",
+            ] {
+                assert!(!text.contains(word), "{} contains `{word}`", path.display());
+            }
+        }
+    }
+    check(&Path::new(env!("CARGO_MANIFEST_DIR")).join("page"));
+}
+
+#[test]
+fn messages_of_the_page_are_answered_in_order_and_wrong_ones_with_their_number() {
+    let target = target(None);
+    let mut page = target.page(&target.enter());
+    assert_eq!(message(&mut page).unwrap()["type"], "hello");
+    for text in [r#"{"id":7,"type":"nonsense"}"#, r#"{"id":8,"type":"close","session":5}"#, "no JSON"] {
+        page.send(Message::text(text)).unwrap();
+    }
+    let answers: Vec<_> = (0..3).map(|_| message(&mut page).unwrap()).collect();
+    let ids: Vec<_> = answers.iter().map(|answer| answer["id"].as_u64().unwrap()).collect();
+    // The thread that handles requests and the check of their form answer independently of each other.
+    assert!([7, 8, 0].iter().all(|id| ids.contains(id)), "{answers:?}");
+    assert!(answers.iter().all(|answer| answer["error"]["help"].as_str().is_some_and(|help| !help.is_empty())));
+}
+
+/// Attack 11.
+#[test]
+fn a_large_message_ends_the_page() {
+    let target = target(None);
+    let mut page = target.page(&target.enter());
+    assert_eq!(message(&mut page).unwrap()["type"], "hello");
+    page.send(Message::text(" ".repeat(60 << 10))).unwrap();
+    assert_eq!(message(&mut page).unwrap()["type"], "answer");
+    // The server may close while this is being written.
+    let _ = page.send(Message::text(" ".repeat(70 << 10)));
+    closed(&mut page);
+    assert_eq!(message(&mut target.page(&target.enter())).unwrap()["type"], "hello");
+}
+
+/// Attack 11.
+#[test]
+fn a_flood_of_messages_ends_the_page() {
+    let target = target(None);
+    let mut page = target.page(&target.enter());
+    for _ in 0..20_000 {
+        if page.send(Message::text("{}")).is_err() {
+            break;
+        }
+    }
+    let code = closed(&mut page);
+    assert!(code == 1008 || code == 0, "{code}");
+}
+
+/// Attack 11.
+#[test]
+fn a_binary_message_ends_the_page() {
+    let target = target(None);
+    let mut page = target.page(&target.enter());
+    page.send(Message::binary(vec![0; 4])).unwrap();
+    assert_eq!(closed(&mut page), 1008);
+}
+
+/// Attack 11.
+#[test]
+fn a_slow_head_is_cut() {
+    let target = target(None);
+    let mut stream = target.connect();
+    stream.write_all(b"GET / HTTP/1.1\r\nHost: ").unwrap();
+    let mut rest = Vec::new();
+    stream.read_to_end(&mut rest).unwrap();
+    assert!(!String::from_utf8_lossy(&rest).contains("200"));
+}
+
+/// Attack 11.
+#[test]
+fn connections_and_pages_are_limited_and_become_free_again() {
+    let target = target(None);
+    let cookie = target.enter();
+    let own = format!("Origin: http://{}", target.address);
+    let mut pages: Vec<_> = (0..32).map(|_| target.page(&cookie)).collect();
+    for page in &mut pages {
+        assert_eq!(message(page).unwrap()["type"], "hello");
+    }
+    assert_eq!(target.upgrade(&[&target.host(), &cookie, &own]), 503);
+    // Silent connections up to the limit: the next one is closed without an answer.
+    let silent: Vec<_> = (0..200).filter_map(|_| TcpStream::connect(target.address).ok()).collect();
+    let mut cut = 0;
+    for mut stream in silent {
+        stream.set_read_timeout(Some(Duration::from_millis(20))).unwrap();
+        cut += u32::from(
+            matches!(stream.read(&mut [0; 8]), Ok(0) | Err(_))
+                && stream.peer_addr().is_ok()
+                && closed_by_peer(&mut stream),
+        );
+    }
+    assert!(cut >= 200 - 128, "{cut} of 200 connections were closed");
+    drop(pages);
+    let start = Instant::now();
+    while target.upgrade(&[&target.host(), &cookie, &own]) != 101 {
+        assert!(start.elapsed() < LIMIT, "the pages did not become free");
+        std::thread::sleep(Duration::from_millis(50));
+    }
+}
+
+/// Whether the other side has closed a connection: it reads as ended, not as silent.
+fn closed_by_peer(stream: &mut TcpStream) -> bool {
+    match stream.read(&mut [0; 8]) {
+        Ok(0) => true,
+        Ok(_) => false,
+        Err(error) => !matches!(error.kind(), std::io::ErrorKind::WouldBlock | std::io::ErrorKind::TimedOut),
+    }
+}
+
+/// Attack 13.
+#[test]
+fn no_path_leads_out_of_the_page() {
+    let target = target(None);
+    let (host, cookie) = (target.host(), target.enter());
+    for path in [
+        "/../Cargo.toml",
+        "/%2e%2e/Cargo.toml",
+        "/vendor/../../Cargo.toml",
+        "//etc/passwd",
+        "/..%2fCargo.toml",
+        "/vendor/%2fetc%2fpasswd",
+    ] {
+        assert_eq!(target.send(&format!("GET {path}"), &[&host, &cookie], "").status, 404, "{path}");
+    }
+}
+
+/// Attack 14.
+#[test]
+fn an_address_for_other_computers_needs_a_token() {
+    let start = |token: Option<&str>| {
+        let listener = TcpListener::bind("0.0.0.0:0").unwrap();
+        let options = WebOptions { token: token.map(str::to_owned), ..WebOptions::default() };
+        Web::start(listener, options, Arc::new(Manager::new(Options::default())))
+    };
+    assert!(start(None).is_err());
+    assert!(start(Some(TOKEN)).is_ok());
+}
+
+/// Attack 14.
+#[test]
+fn the_token_of_the_file_lets_a_page_of_the_own_origin_in() {
+    let target = target(Some(TOKEN));
+    let (host, own) = (target.host(), format!("Origin: http://{}", target.address));
+    let enter = |lines: &[&str], token: &str| target.send("POST /enter", lines, token);
+    for (lines, token) in [
+        (&[host.as_str(), own.as_str()][..], "wrong"),
+        (&[&host, &own], ""),
+        (&[&host, "Origin: http://evil.test"], TOKEN),
+        (&[&host], TOKEN),
+        (&[&host, &own, "Sec-Fetch-Site: cross-site"], TOKEN),
+    ] {
+        let refused = enter(lines, token);
+        assert_eq!((refused.status, refused.header("set-cookie")), (403, None), "{lines:?}");
+    }
+    assert_eq!(enter(&[&host, &own], &"0".repeat(5000)).status, 413);
+    let entered = enter(&[&host, &own, "Sec-Fetch-Site: same-origin"], TOKEN);
+    assert_eq!(entered.status, 204);
+    assert!(entered.header("set-cookie").is_some());
+}

@@ -1,0 +1,8 @@
+//! A server, a browser, and a page whose controls are found by role and name.
+
+mod driver;
+mod page;
+mod server;
+
+pub use page::Page;
+pub use server::Server;

@@ -1,0 +1,260 @@
+//! A page in a browser.
+
+use std::time::{Duration, Instant};
+
+use fantoccini::wd::{Capabilities, WebDriverCompatibleCommand};
+use fantoccini::{Client, ClientBuilder};
+use hyper_util::client::legacy::connect::HttpConnector;
+use serde_json::{Value, json};
+use tokio::time::sleep;
+
+use crate::driver::Driver;
+use crate::server::{Server, target};
+
+/// Longest wait for a condition on a busy machine.
+const LIMIT: Duration = Duration::from_secs(90);
+const POLL: Duration = Duration::from_millis(100);
+
+/// Finds elements by role and name, as a screen reader would.
+const FIND: &str = r"
+const [role, name, scope] = arguments;
+const NATIVE = { button: 'button, summary', slider: 'input[type=range]', textbox: 'input:not([type]), input[type=text], input[type=search], textarea', combobox: 'select, input[list]', region: 'section', article: 'article', group: 'fieldset', heading: 'h1, h2, h3' };
+const root = scope ? [...document.querySelectorAll('[role=region], section')].find((one) => one.getAttribute('aria-label') === scope && one.getClientRects().length > 0) : document;
+if (!root) return null;
+const selector = `[role='${role}']${NATIVE[role] ? ', ' + NATIVE[role] : ''}`;
+const named = (one) => (one.getAttribute('aria-label') ?? one.getAttribute('placeholder') ?? one.textContent).replace(/\s+/g, ' ').trim();
+const all = [...root.querySelectorAll(selector)].filter((one) => (one.getAttribute('role') ?? role) === role && one.getClientRects().length > 0);
+return all.find((one) => named(one) === name) ?? all.find((one) => named(one).startsWith(name)) ?? null;
+";
+
+/// Log of the browser's console.
+#[derive(Debug)]
+struct ConsoleLog;
+
+impl WebDriverCompatibleCommand for ConsoleLog {
+    fn endpoint(&self, base: &url::Url, session: Option<&str>) -> Result<url::Url, url::ParseError> {
+        base.join(&format!("session/{}/se/log", session.unwrap_or_default()))
+    }
+
+    fn method_and_body(&self, _: &url::Url) -> (http::Method, Option<String>) {
+        (http::Method::POST, Some(json!({ "type": "browser" }).to_string()))
+    }
+}
+
+/// A page that shows a server.
+pub struct Page {
+    client: Client,
+    // Ends the browser when the page is dropped.
+    _driver: Driver,
+}
+
+impl Page {
+    /// Opens the page of a server in a window of a size.
+    ///
+    /// # Panics
+    /// If the browser does not start.
+    pub async fn open(server: &Server, (width, height): (u32, u32)) -> Self {
+        Self::open_with(&server.url(), (width, height), &[]).await
+    }
+
+    /// Opens a URL with more arguments of the browser.
+    ///
+    /// # Panics
+    /// If the browser does not start.
+    pub async fn open_with(url: &str, (width, height): (u32, u32), arguments: &[&str]) -> Self {
+        let driver = Driver::start();
+        let size = format!("--window-size={width},{height}");
+        let fixed = ["--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--hide-scrollbars", "--no-first-run", &size];
+        let arguments: Vec<_> = fixed.iter().chain(arguments).collect();
+        let mut capabilities = Capabilities::new();
+        capabilities.insert("goog:chromeOptions".to_owned(), json!({ "args": arguments }));
+        capabilities.insert("goog:loggingPrefs".to_owned(), json!({ "browser": "ALL" }));
+        let client = ClientBuilder::new(HttpConnector::new()).capabilities(capabilities).connect(&driver.url).await;
+        let client = client.expect("a browser");
+        client.set_window_size(width, height).await.expect("a window");
+        client.goto(url).await.expect("the page");
+        Self { client, _driver: driver }
+    }
+
+    /// Runs a script; its arguments are `arguments[0]`, ….
+    ///
+    /// # Panics
+    /// If the script fails.
+    pub async fn run(&self, script: &str, arguments: Vec<Value>) -> Value {
+        self.client.execute(script, arguments).await.unwrap_or_else(|error| panic!("{script}: {error}"))
+    }
+
+    /// Goes to another address.
+    ///
+    /// # Panics
+    /// If the browser is gone.
+    pub async fn go(&self, url: &str) {
+        self.client.goto(url).await.expect("the page");
+    }
+
+    /// Waits until a script returns something true; returns it.
+    ///
+    /// # Panics
+    /// If it does not in time.
+    pub async fn until(&self, what: &str, script: &str) -> Value {
+        let start = Instant::now();
+        loop {
+            let value = self.run(script, vec![]).await;
+            if !matches!(value, Value::Null | Value::Bool(false)) {
+                return value;
+            }
+            if start.elapsed() > LIMIT {
+                self.screenshot("failed").await;
+                panic!("not in time: {what}; the page shows: {}", self.text().await);
+            }
+            sleep(POLL).await;
+        }
+    }
+
+    /// All visible text.
+    pub async fn text(&self) -> String {
+        self.run("return document.body.innerText", vec![]).await.as_str().unwrap_or_default().to_owned()
+    }
+
+    /// Waits until the page contains a text.
+    pub async fn reads(&self, text: &str) {
+        let script = format!("return document.body.innerText.includes({})", json!(text));
+        self.until(&format!("the text “{text}”"), &script).await;
+    }
+
+    /// Finds a control by role and name; scope is the name of a panel or section, or empty.
+    ///
+    /// # Panics
+    /// If there is none in time.
+    pub async fn find(&self, role: &str, name: &str, scope: &str) -> Element<'_> {
+        let arguments = vec![json!(role), json!(name), json!(scope)];
+        let start = Instant::now();
+        loop {
+            let value = self.run(FIND, arguments.clone()).await;
+            if !value.is_null() {
+                return Element { page: self, value };
+            }
+            if start.elapsed() > LIMIT {
+                self.screenshot("failed").await;
+                panic!("there is no {role} “{name}” in “{scope}”; the page shows: {}", self.text().await);
+            }
+            sleep(POLL).await;
+        }
+    }
+
+    /// Clicks a control.
+    pub async fn click(&self, role: &str, name: &str, scope: &str) {
+        self.find(role, name, scope).await.click().await;
+    }
+
+    /// Presses keys as a person does, one after the other.
+    ///
+    /// # Panics
+    /// If the browser is gone.
+    pub async fn press(&self, keys: &str) {
+        let actions: Vec<_> = keys
+            .chars()
+            .flat_map(|key| [json!({ "type": "keyDown", "value": key }), json!({ "type": "keyUp", "value": key })])
+            .collect();
+        self.act(json!([{ "type": "key", "id": "keys", "actions": actions }])).await;
+    }
+
+    /// Presses a key and leaves it down.
+    pub async fn key_down(&self, key: char) {
+        self.act(json!([{ "type": "key", "id": "keys", "actions": [{ "type": "keyDown", "value": key }] }])).await;
+    }
+
+    /// Lets a key go.
+    pub async fn key_up(&self, key: char) {
+        self.act(json!([{ "type": "key", "id": "keys", "actions": [{ "type": "keyUp", "value": key }] }])).await;
+    }
+
+    async fn act(&self, actions: Value) {
+        self.client.issue_cmd(Actions(actions)).await.expect("keys are pressed");
+    }
+
+    /// Messages of the console that are errors or warnings.
+    pub async fn console(&self) -> Vec<String> {
+        let log = self.client.issue_cmd(ConsoleLog).await.unwrap_or(Value::Null);
+        let entries = log.as_array().cloned().unwrap_or_default();
+        let bad = |entry: &&Value| matches!(entry["level"].as_str(), Some("SEVERE" | "WARNING"));
+        entries.iter().filter(bad).map(|entry| entry["message"].to_string()).collect()
+    }
+
+    /// Writes a picture of the page to target/browser/screenshots.
+    ///
+    /// # Panics
+    /// If it cannot be written.
+    pub async fn screenshot(&self, name: &str) {
+        let folder = target().join("browser/screenshots");
+        std::fs::create_dir_all(&folder).expect("a folder for screenshots");
+        let picture = self.client.screenshot().await.expect("a screenshot");
+        std::fs::write(folder.join(format!("{name}.png")), picture).expect("a screenshot file");
+    }
+
+    /// Identifiers of the browser's processes.
+    pub async fn process(&self) -> Vec<u32> {
+        let capabilities = self.client.capabilities().cloned().unwrap_or_default();
+        let folder = capabilities.get("chrome").and_then(|chrome| chrome["userDataDir"].as_str()).unwrap_or("?").to_owned();
+        let listed = std::process::Command::new("pgrep").args(["-f", &folder]).output().expect("pgrep");
+        String::from_utf8_lossy(&listed.stdout).lines().filter_map(|line| line.parse().ok()).collect()
+    }
+
+    /// Checks that the console has no error, and closes the browser.
+    ///
+    /// # Panics
+    /// If there was an error.
+    pub async fn close(self) {
+        let errors = self.console().await;
+        assert!(errors.is_empty(), "the console has errors: {errors:#?}");
+        let _ = self.client.close().await;
+    }
+}
+
+/// The command Perform Actions.
+#[derive(Debug)]
+struct Actions(Value);
+
+impl WebDriverCompatibleCommand for Actions {
+    fn endpoint(&self, base: &url::Url, session: Option<&str>) -> Result<url::Url, url::ParseError> {
+        base.join(&format!("session/{}/actions", session.unwrap_or_default()))
+    }
+
+    fn method_and_body(&self, _: &url::Url) -> (http::Method, Option<String>) {
+        (http::Method::POST, Some(json!({ "actions": self.0 }).to_string()))
+    }
+}
+
+/// An element of a page.
+pub struct Element<'a> {
+    page: &'a Page,
+    value: Value,
+}
+
+impl Element<'_> {
+    async fn run(&self, script: &str, argument: Value) -> Value {
+        self.page.run(script, vec![self.value.clone(), argument]).await
+    }
+
+    /// Clicks it.
+    pub async fn click(&self) {
+        self.run("arguments[0].scrollIntoView({ block: 'nearest' }); arguments[0].focus?.(); arguments[0].dispatchEvent(new MouseEvent('click', { bubbles: true, cancelable: true, view: window }))", Value::Null).await;
+    }
+
+    /// Gives it the focus.
+    pub async fn focus(&self) {
+        self.run("arguments[0].focus()", Value::Null).await;
+    }
+
+    /// Types a value, and commits it as Enter does.
+    pub async fn set(&self, value: &str) {
+        let script = "const [one, value] = arguments; one.focus(); one.value = value; one.dispatchEvent(new Event('input', { bubbles: true })); one.dispatchEvent(new Event('change', { bubbles: true }));";
+        self.run(script, json!(value)).await;
+    }
+
+    /// An attribute, or the text content for the name `text`.
+    pub async fn attribute(&self, name: &str) -> String {
+        let script = "const [one, name] = arguments; return name === 'text' ? one.textContent : name === 'value' ? one.value : one.getAttribute(name) ?? ''";
+        self.run(script, json!(name)).await.as_str().unwrap_or_default().to_owned()
+    }
+}

@@ -1,0 +1,76 @@
+//! A running JManager.
+
+use std::io::{BufRead, BufReader};
+use std::path::PathBuf;
+use std::process::{Child, Command, Stdio};
+use std::sync::mpsc::{Receiver, channel};
+use std::time::Duration;
+
+/// Longest start on a busy machine.
+const START: Duration = Duration::from_secs(60);
+
+/// A server that ends when this is dropped.
+pub struct Server {
+    child: Child,
+    urls: Receiver<String>,
+    /// Folder of its recordings and files.
+    pub folder: PathBuf,
+}
+
+impl Server {
+    /// Starts the program with more arguments, in a folder of its own.
+    ///
+    /// # Panics
+    /// If the program is not built or does not start.
+    #[must_use]
+    pub fn start(name: &str, arguments: &[&str]) -> Self {
+        let folder = target().join(format!("browser/run/{name}-{}", std::process::id()));
+        std::fs::create_dir_all(&folder).expect("a folder for the server");
+        let program = target().join("debug/jmanager");
+        let mut child = Command::new(&program)
+            .args(["--no-open", "--port", "0"])
+            .args(arguments)
+            .current_dir(&folder)
+            .stdout(Stdio::piped())
+            .spawn()
+            .unwrap_or_else(|error| panic!("cannot start {}: {error}; build it first", program.display()));
+        let output = child.stdout.take().expect("the output is a pipe");
+        let (sender, urls) = channel();
+        std::thread::spawn(move || {
+            for line in BufReader::new(output).lines().map_while(Result::ok) {
+                if let Some(url) = line.split_whitespace().find(|word| word.starts_with("http://")) {
+                    let _ = sender.send(url.to_owned());
+                }
+            }
+        });
+        Self { child, urls, folder }
+    }
+
+    /// The URL that it printed; it works once.
+    ///
+    /// # Panics
+    /// If it prints none in time.
+    #[must_use]
+    pub fn url(&self) -> String {
+        self.urls.recv_timeout(START).expect("the server prints a URL")
+    }
+
+    /// Ends it at once, as a crash would.
+    pub fn kill(&mut self) {
+        let _ = self.child.kill();
+        let _ = self.child.wait();
+    }
+}
+
+impl Drop for Server {
+    fn drop(&mut self) {
+        self.kill();
+        let _ = std::fs::remove_dir_all(&self.folder);
+    }
+}
+
+/// The folder `target` of the repository.
+#[must_use]
+pub fn target() -> PathBuf {
+    PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../../../../target"))
+}

@@ -1,0 +1,144 @@
+//! A page that is a program.
+
+use std::path::PathBuf;
+use std::sync::atomic::{AtomicU32, Ordering};
+use std::sync::mpsc::{Receiver, Sender, channel};
+use std::sync::{Arc, Mutex};
+use std::time::{Duration, Instant};
+
+use jmanager::protocol::{FromPage, Request, ToPage};
+use jmanager::sessions::{Frame, Key, Manager, Options, Outbox, PageId};
+use serde_json::Value;
+
+/// Longest wait for anything.
+pub(crate) const LONG: Duration = Duration::from_mins(2);
+
+/// What a page received.
+#[derive(Clone, Debug)]
+pub(crate) enum Got {
+    /// A message.
+    Message(Value),
+    /// A binary frame.
+    Binary(Arc<[u8]>),
+}
+
+struct Channel(Mutex<Sender<Got>>);
+
+impl Channel {
+    fn send(&self, got: Got) {
+        let _ = self.0.lock().unwrap().send(got);
+    }
+}
+
+impl Outbox for Channel {
+    fn state(&self, message: ToPage) {
+        self.send(Got::Message(serde_json::to_value(message).unwrap()));
+    }
+
+    fn binary(&self, frame: Arc<[u8]>) {
+        self.send(Got::Binary(frame));
+    }
+
+    fn data(&self, _key: Key, frame: Frame) {
+        self.send(match frame {
+            Frame::Text(text) => Got::Message(serde_json::from_str(&text).unwrap()),
+            Frame::Binary(bytes) => Got::Binary(bytes),
+        });
+    }
+}
+
+/// A page that is a program.
+pub(crate) struct Page<'a> {
+    pub(crate) manager: &'a Manager,
+    pub(crate) id: PageId,
+    inbox: Receiver<Got>,
+    last: AtomicU32,
+}
+
+impl<'a> Page<'a> {
+    pub(crate) fn new(manager: &'a Manager) -> Self {
+        let (sender, inbox) = channel();
+        let id = manager.attach(Arc::new(Channel(Mutex::new(sender))));
+        Self { manager, id, inbox, last: AtomicU32::new(0) }
+    }
+
+    /// Sends a request; returns its number.
+    pub(crate) fn send(&self, request: Request) -> u32 {
+        let id = self.last.fetch_add(1, Ordering::Relaxed) + 1;
+        self.manager.handle(self.id, FromPage { id, request });
+        id
+    }
+
+    /// Waits for what `found` takes out of what comes.
+    pub(crate) fn wait<T>(&self, what: &str, mut found: impl FnMut(&Got) -> Option<T>) -> T {
+        let until = Instant::now() + LONG;
+        loop {
+            let left = until.saturating_duration_since(Instant::now());
+            let got = self.inbox.recv_timeout(left).unwrap_or_else(|_| panic!("{what} did not come"));
+            if let Some(value) = found(&got) {
+                return value;
+            }
+        }
+    }
+
+    /// Waits for a message of a type for which `found` returns a value.
+    pub(crate) fn message<T>(&self, kind: &str, mut found: impl FnMut(&Value) -> Option<T>) -> T {
+        self.wait(kind, |got| match got {
+            Got::Message(message) if message["type"] == kind => found(message),
+            _ => None,
+        })
+    }
+
+    /// Sends a request and waits for its answer.
+    pub(crate) fn ask(&self, request: Request) -> Result<Value, Value> {
+        let id = self.send(request);
+        self.message("answer", |message| {
+            (message["id"] == id).then(|| match message.get("error") {
+                Some(error) => Err(error.clone()),
+                None => Ok(message.get("result").cloned().unwrap_or(Value::Null)),
+            })
+        })
+    }
+
+    /// Waits for a session in a state.
+    pub(crate) fn session(&self, mut is: impl FnMut(&Value) -> bool) -> Value {
+        self.message("session", |message| is(&message["session"]).then(|| message["session"].clone()))
+    }
+}
+
+impl Drop for Page<'_> {
+    fn drop(&mut self) {
+        self.manager.detach(self.id);
+    }
+}
+
+/// A folder that is removed at the end of a test.
+pub(crate) struct Folder(pub(crate) PathBuf);
+
+impl Folder {
+    pub(crate) fn new() -> Self {
+        static COUNT: AtomicU32 = AtomicU32::new(0);
+        let number = COUNT.fetch_add(1, Ordering::Relaxed);
+        let path = std::env::temp_dir().join(format!("jmanager-test-{}-{number}", std::process::id()));
+        std::fs::create_dir_all(&path).unwrap();
+        Self(path)
+    }
+
+    /// Options with all folders in this one.
+    pub(crate) fn options(&self) -> Options {
+        Options {
+            recordings: self.0.join("recordings"),
+            tune: self.0.join("tune"),
+            profiles: self.0.join("profiles"),
+            layouts: self.0.join("layouts.json"),
+            spool: self.0.join("spool"),
+            ..Options::default()
+        }
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        let _ = std::fs::remove_dir_all(&self.0);
+    }
+}

@@ -1,0 +1,31 @@
+//! Tests of JManager's page in Chromium, in their own workspace, so that nothing else needs their dependencies.
+
+use crate::process::{run, works};
+
+const MANIFEST: [&str; 3] = ["--manifest-path", "tools/jmanager/tests/browser/Cargo.toml", "--locked"];
+
+/// Builds JManager and tests its page.
+///
+/// # Errors
+/// If a build or a test fails.
+pub(crate) fn test(figures: bool) -> Result<(), String> {
+    if !installed() {
+        println!(
+            "xtask: NOT TESTED: the page of JManager, because Chromium and its WebDriver cannot be installed here"
+        );
+        return Ok(());
+    }
+    run("cargo", &["build", "--package", "jmanager"], &[])?;
+    let variables: &[(&str, &str)] = if figures { &[("JMANAGER_FIGURES", "1")] } else { &[] };
+    let threads = ["--target-dir", "target/browser", "--", "--test-threads=1", "--nocapture"];
+    run("cargo", &[&["test"], &MANIFEST[..], &threads].concat(), variables)
+}
+
+fn installed() -> bool {
+    let found = || works("chromedriver", &["--version"]) && works("chromium", &["--version"]);
+    if found() {
+        return true;
+    }
+    let _ = run("apt-get", &["install", "-y", "chromium", "chromium-driver"], &[]);
+    found()
+}
