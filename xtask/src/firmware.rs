@@ -49,7 +49,7 @@ fn self_test(image: &str, more: &[&str]) -> Result<(), String> {
     run("cargo", &[&test[..], more].concat(), &[])
 }
 
-/// Runs the tests of games and of the program that need an image, then ten games.
+/// Runs the program's tests that need an image, then ten games.
 fn play() -> Result<(), String> {
     let image = root().join(IMAGE);
     let image = image.to_str().ok_or("the path of the workspace is not UTF-8")?;
@@ -58,8 +58,6 @@ fn play() -> Result<(), String> {
         &["test", "--quiet", "-p", "bica-player-program", "--test", "program", "firmware"],
         &[("BICA_IMAGE", image)],
     )?;
-    let damaged = ["test", "--quiet", "-p", "bica-game", "--test", "replay", "--", "--ignored", "damaged_firmware"];
-    run("cargo", &damaged, &[("BICA_IMAGE", image)])?;
     let games = ["play", "--world", "firmware", "--image", IMAGE, "--games", "10", "--at-least", "9"];
     run("cargo", &[&["run", "--quiet", "--release", "--"], &games[..]].concat(), &[])
 }

@@ -9,7 +9,6 @@ use bica_player::tunable::Forward;
 use bica_sim::referee::TimedEvent;
 
 use crate::event::EventRecord;
-use crate::firmware::FirmwareCheck;
 use crate::rules::Rules;
 
 /// Level of an information in the log of a link.
@@ -40,15 +39,13 @@ impl GameLink {
     pub(crate) fn start(
         options: Option<ServeOptions<'_>>,
         rules: &Rules,
-        firmware: &mut FirmwareCheck,
     ) -> Result<(Self, LinkQueue, LinkView), Failure> {
         let Some(ServeOptions { address, anywhere, started }) = options else {
             return Ok((Self(None), LinkQueue(None), LinkView(None)));
         };
         let defaults = ServerOptions::default();
-        // A firmware image without the server for monitors has no operator: requests would make this program's commands differ
-        // from the image's.
-        let watch_only = firmware.is_watch_only()?;
+        // A firmware image has no operator: requests would make this program's commands differ from the image's.
+        let watch_only = rules.firmware.is_some();
         let options = ServerOptions { anywhere, realtime: rules.realtime, watch_only, ..defaults };
         let (server, requests, observer) =
             LinkServer::start(address, options).map_err(|error| Failure::new(error.to_string(), error.help()))?;

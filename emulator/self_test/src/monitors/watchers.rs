@@ -15,6 +15,7 @@ use bica_player::tunable::Forward;
 use bica_sim::World;
 use bica_sim::kinematic::KinematicWorld;
 use bica_sim::setup::{Frame, Setup};
+use bica_wire::FromRobot;
 
 use super::body::{Body, compare_with_host};
 use super::{Outcome, PATIENCE, attach, expect};
@@ -135,7 +136,8 @@ fn attach_again(address: SocketAddr) -> Result<Client, Box<dyn std::error::Error
 }
 
 pub(super) fn before_the_game(image: &Path) -> Outcome {
-    let robot = Emulator::start_with_monitors(image, Transport::Serial, None)?;
+    let mut robot = Emulator::start_with_monitors(image, Transport::Serial, None)?;
+    robot.link().receive(|message| matches!(message, FromRobot::Identity(_)).then_some(()))?;
     let mut client = attach(robot.monitors().ok_or("no port for monitors")?)?;
     expect_eq(&client.description().components.len(), &Forward::COUNT)?;
     expect(client.acquire(false).is_err() && !client.lease().owned, "nobody gets the lease before the game")
