@@ -197,8 +197,9 @@ const fn paint(cells: &mut [u8; COMPACT_BYTES], chroma: usize, colour: Colour, l
 impl Classify for CompactTable {
     #[inline]
     fn classify(&self, pixel: Pixel) -> Colour {
-        let index = usize::from(pixel.y >> 4) << 12 | usize::from(pixel.cb >> 2) << 6 | usize::from(pixel.cr >> 2);
-        Colour::from_index(self.cells[index / 2] >> (4 * (index & 1)) & 15)
+        // The byte of the cell, and the half of it, without the cell's own index.
+        let byte = usize::from(pixel.y & 0xF0) << 7 | usize::from(pixel.cb & 0xFC) << 3 | usize::from(pixel.cr >> 3);
+        Colour::from_index(self.cells[byte] >> (pixel.cr & 4) & 15)
     }
 
     fn chroma(&self, colour: Colour) -> ChromaBox {
