@@ -8,8 +8,7 @@ use crate::model::{FallLimits, Nao, RobotModel};
 use crate::robot::Inertial;
 
 /// Side to which a robot falls, or on which it lies.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "info", derive(serde::Serialize, postcard_schema::Schema))]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, serde::Serialize, postcard_schema::Schema)]
 pub enum Direction {
     /// On its face.
     Front,
@@ -38,8 +37,7 @@ impl Direction {
 }
 
 /// State of the balance. It says nothing about faults of the body: see [`Health`](crate::health::Health).
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "info", derive(serde::Serialize, postcard_schema::Schema))]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, serde::Serialize, postcard_schema::Schema)]
 pub enum FallState {
     /// On its feet.
     #[default]

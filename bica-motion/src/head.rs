@@ -11,8 +11,7 @@ use crate::robot::CameraId;
 use crate::side::Side;
 
 /// Angles of the head.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "info", derive(serde::Serialize, postcard_schema::Schema))]
+#[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize, postcard_schema::Schema)]
 pub struct HeadAngles {
     /// Yaw, rad; positive to the left.
     pub yaw: f32,

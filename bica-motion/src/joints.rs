@@ -12,8 +12,7 @@ pub const JOINTS: usize = 25;
 ///
 /// `LHipYawPitch` is the one motor that both legs share; there is no right one.
 #[expect(missing_docs, reason = "the names are those of the robot's interface and need no explanation")]
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-#[cfg_attr(feature = "info", derive(serde::Serialize, postcard_schema::Schema))]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, serde::Serialize, postcard_schema::Schema)]
 #[repr(u8)]
 pub enum Joint {
     HeadYaw,
@@ -81,8 +80,7 @@ impl Joint {
 }
 
 /// One value for every joint, indexed by [`Joint`].
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "info", derive(serde::Serialize, postcard_schema::Schema))]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, postcard_schema::Schema)]
 pub struct Joints<T = f32>(pub [T; JOINTS]);
 
 impl<T: Copy> Joints<T> {

@@ -8,8 +8,7 @@ use glam::Vec3;
 use crate::joints::Joints;
 
 /// One of the two cameras in the head. The robot sends images of one camera at a time; [`Command::camera`] selects it.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "info", derive(serde::Serialize, postcard_schema::Schema))]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, serde::Serialize, postcard_schema::Schema)]
 pub enum CameraId {
     /// In the forehead, directed to the horizon.
     #[default]

@@ -3,8 +3,7 @@
 use crate::joints::{Joint, Joints};
 
 /// A side of the body.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-#[cfg_attr(feature = "info", derive(serde::Serialize, postcard_schema::Schema))]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, serde::Serialize, postcard_schema::Schema)]
 pub enum Side {
     /// Positive y.
     Left,

@@ -1,8 +1,7 @@
 //! Velocity of a robot over the ground.
 
 /// Velocity over the ground in the robot's frame.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "info", derive(serde::Serialize, postcard_schema::Schema))]
+#[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize, postcard_schema::Schema)]
 pub struct Velocity {
     /// Forward speed, m/s; negative is backward.
     pub forward: f32,

@@ -125,6 +125,10 @@ impl Filter {
     pub const ANY: Self =
         Self { from: (0, 0), to: (0, 0), saturation: (0, u16::MAX), luma: (0, 255), chroma_squared: 0 };
 
+    /// Filter whose memory is zero.
+    pub(crate) const ZERO: Self =
+        Self { from: (0, 0), to: (0, 0), saturation: (0, 0), luma: (0, 0), chroma_squared: 0 };
+
     /// Filter that accepts no colour.
     pub const NOTHING: Self = Self::ANY.luma(1, 0);
 
@@ -188,9 +192,23 @@ impl Filter {
 
     /// Whether the filter accepts the pixel.
     #[must_use]
+    #[inline]
     pub const fn accepts(&self, pixel: Pixel) -> bool {
+        // Most pixels are of another hue, or grey.
+        if !self.accepts_hue(pixel.cb as i32 - 128, pixel.cr as i32 - 128) {
+            return false;
+        }
         let (low, high) = self.luma_range(pixel.cb, pixel.cr);
         low <= pixel.y && pixel.y <= high
+    }
+
+    /// Whether a chroma vector is long enough and has an accepted direction.
+    #[inline(always)]
+    const fn accepts_hue(&self, b: i32, r: i32) -> bool {
+        let ((from_b, from_r), (to_b, to_r)) = (self.from, self.to);
+        b * b + r * r >= self.chroma_squared
+            && from_b as i32 * r >= from_r as i32 * b
+            && b * to_r as i32 >= r * to_b as i32
     }
 
     /// Lowest and highest luma at which the filter accepts a chroma; the lowest is above the highest if it never does.
@@ -200,9 +218,7 @@ impl Filter {
     pub const fn luma_range(&self, cb: u8, cr: u8) -> (u8, u8) {
         let (b, r) = (cb as i32 - 128, cr as i32 - 128);
         let squared = b * b + r * r;
-        let ((from_b, from_r), (to_b, to_r)) = (self.from, self.to);
-        let in_sector = from_b as i32 * r >= from_r as i32 * b && b * to_r as i32 >= r * to_b as i32;
-        if !in_sector || squared < self.chroma_squared {
+        if !self.accepts_hue(b, r) {
             return (1, 0);
         }
         let percent = (10_000 * squared as u32).isqrt();

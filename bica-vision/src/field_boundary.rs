@@ -127,20 +127,28 @@ fn column_top(
     tuning: &BoundaryTuning,
 ) -> Option<f32> {
     let longest = (tuning.max_gap * f32::from(frame.height() / 2)) as u16;
-    let (mut best, mut best_row, mut sum, mut gap) = (0, 0, 0, 0);
+    let (mut best, mut best_row, mut sum, mut gap) = (0_u16, 0, 0_u16, 0);
     let column = frame.column(x);
     for row in (highest..frame.height()).rev().step_by(2) {
-        let class = column.pixel(row).map(|pixel| colours.classify(pixel));
-        if class == Some(Colour::Green) {
-            (sum, gap) = (sum + 1, 0);
-        } else {
-            gap += u16::from(class != Some(Colour::White));
-            sum = if gap > longest { 0 } else { (sum - 1).max(0) };
+        match column.pixel(row).map_or(Colour::None, |pixel| colours.classify(pixel)) {
+            Colour::Green => {
+                (sum, gap) = (sum + 1, 0);
+                if sum > best {
+                    (best, best_row) = (sum, row);
+                }
+                continue;
+            }
+            Colour::White => sum = sum.saturating_sub(1),
+            _ => {
+                gap += 1;
+                sum = if gap > longest { 0 } else { sum.saturating_sub(1) };
+            }
         }
-        if sum > best {
-            (best, best_row) = (sum, row);
+        // Even if all rows above were green, they would not be a better stretch.
+        if sum + (row - highest) / 2 <= best {
+            break;
         }
     }
     let enough = tuning.min_green * f32::from(frame.height() / 2);
-    (best as f32 >= enough).then_some(f32::from(best_row))
+    (f32::from(best) >= enough).then_some(f32::from(best_row))
 }

@@ -106,6 +106,23 @@ impl Lumas<'_> {
         let (pixels, _) = bytes.as_chunks::<2>();
         Some(core::array::from_fn(|at| u16::from_le_bytes(pixels[at]) & 0xFF))
     }
+
+    /// Luma at a position of eight columns, of which this is the first, `GAP` bytes apart; `SPAN` is 7 × `GAP` + 1. `None`
+    /// near the end of the frame.
+    #[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
+    #[inline(always)]
+    pub(crate) fn of_eight_columns<const SPAN: usize, const GAP: usize>(&self, at: u16) -> Option<[u8; 8]> {
+        let first = usize::from(at) * self.step;
+        let bytes: &[u8; SPAN] = self.bytes.get(first..first + SPAN)?.try_into().ok()?;
+        Some(core::array::from_fn(|column| bytes[GAP * column]))
+    }
+
+    /// Distance of the first pixels of columns or rows, bytes, if it is the same for all neighbours; otherwise 0.
+    #[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
+    pub(crate) fn common_gap(all: &[Self; 8]) -> usize {
+        let gap = |at: usize| all[at].bytes.len().saturating_sub(all[at + 1].bytes.len());
+        if (1..7).all(|at| gap(at) == gap(0)) && !all[7].bytes.is_empty() { gap(0) } else { 0 }
+    }
 }
 
 /// Pixels of a column.
@@ -264,6 +281,30 @@ mod tests {
         assert_eq!([6, 7].map(|x| frame.luma_column(x).get(5)), [10, 30]);
         assert_eq!([(6, 4), (6, 16), (16, 5)].map(|(x, y)| frame.luma_column(x).get(y)), [0, 0, 0]);
         assert_eq!(frame.luma_row(16).get(0), 0);
+    }
+
+    #[test]
+    #[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
+    fn luma_of_eight_columns_is_that_of_each() {
+        let bytes: [u8; 2 * 64 * 16] = core::array::from_fn(|at| (at * 37 % 251) as u8);
+        let frame = Frame::new(64, 16, &bytes).unwrap();
+        let columns = |pitch: u16| core::array::from_fn(|lane| frame.luma_column(1 + pitch * lane as u16));
+        for (pitch, gap) in [(2, 4), (4, 8), (8, 16), (3, 6)] {
+            assert_eq!(Lumas::common_gap(&columns(pitch)), gap);
+        }
+        for at in 0..16 {
+            let each = |pitch| Some(columns(pitch).map(|column| column.get(at)));
+            assert_eq!(frame.luma_column(1).of_eight_columns::<29, 4>(at), each(2));
+            assert_eq!(frame.luma_column(1).of_eight_columns::<57, 8>(at), each(4));
+            assert_eq!(frame.luma_column(1).of_eight_columns::<113, 16>(at), each(8));
+        }
+        assert_eq!(frame.luma_column(1).of_eight_columns::<29, 4>(16), None);
+        let mut uneven = columns(2);
+        uneven[3] = frame.luma_column(9);
+        assert_eq!(Lumas::common_gap(&uneven), 0);
+        uneven = columns(2);
+        uneven[7] = Lumas::NONE;
+        assert_eq!(Lumas::common_gap(&uneven), 0);
     }
 
     #[test]

@@ -15,6 +15,10 @@ use heapless::Vec;
 
 use crate::projection::{Camera, Intrinsics, Mounting};
 
+/// Bound on the distance of the points of [`OwnBody::share`] from the middle, in radii: above √0.8.
+const SHARE_EXTENT: f32 = 0.9;
+/// Bound on the rounding errors of distances, m.
+const ROUNDING: f32 = 1e-4;
 /// Maximum number of capsules: two of the trunk, seven on each side.
 const PARTS: usize = 16;
 
@@ -136,16 +140,32 @@ impl OwnBody {
     /// Whether a circle in the image, centre and radius in px, touches the body, approximately.
     #[must_use]
     pub fn touches(&self, centre: Vec2, radius: f32) -> bool {
-        let Intrinsics { focal, centre: middle } = self.intrinsics;
-        let offset = (centre - middle) / focal;
-        let ray = Vec3::new(1.0, -offset.x, -offset.y).normalize();
-        let margin = radius * ray.x / focal.x;
+        let ray = self.ray(centre);
+        let margin = radius * ray.x / self.intrinsics.focal.x;
         self.parts.iter().any(|part| part.is_near(ray, margin))
+    }
+
+    /// Whether a ray within an angle, rad, of that of a pixel may meet the body. It does if this cannot be excluded.
+    fn is_close(&self, pixel: Vec2, angle: f32) -> bool {
+        let ray = self.ray(pixel);
+        self.parts.iter().any(|part| !part.is_far(ray, angle))
+    }
+
+    /// Unit vector through a pixel, camera frame.
+    fn ray(&self, pixel: Vec2) -> Vec3 {
+        let Intrinsics { focal, centre } = self.intrinsics;
+        let offset = (pixel - centre) / focal;
+        Vec3::new(1.0, -offset.x, -offset.y).normalize()
     }
 
     /// Share of a circle in the image that shows the body, 0 to 1, estimated from 25 points.
     #[must_use]
     pub fn share(&self, centre: Vec2, radius: f32) -> f32 {
+        let focal = self.intrinsics.focal.min_element();
+        // Most circles are far from the body. An angle is at most its tangent.
+        if !self.is_close(centre, SHARE_EXTENT * radius / focal) {
+            return 0.0;
+        }
         let mut hits = 0_u8;
         let mut points = 0_u8;
         for v in -3..=3_i8 {
@@ -165,12 +185,26 @@ impl Capsule {
     /// Whether the ray from the camera along the unit vector `ray` comes within the radius plus `margin` times the
     /// distance.
     fn is_near(&self, ray: Vec3, margin: f32) -> bool {
+        let (away, share) = self.nearest(ray);
+        let ahead = (self.from + share * self.along).dot(ray);
+        ahead > 0.0 && away.length() <= self.radius + margin * ahead
+    }
+
+    /// Whether no ray within an angle, rad, of `ray` meets the capsule. May be false for a capsule that none meets.
+    fn is_far(&self, ray: Vec3, angle: f32) -> bool {
+        let (away, _) = self.nearest(ray);
+        let reach = self.from.length() + self.along.length();
+        away.length() > self.radius + angle * reach + ROUNDING
+    }
+
+    /// Vector from the line of a ray to the nearest point of the segment, across the ray, and that point's share of the way
+    /// along the segment.
+    fn nearest(&self, ray: Vec3) -> (Vec3, f32) {
         let across = |v: Vec3| v - v.dot(ray) * ray;
         let (from, along) = (across(self.from), across(self.along));
         let length = along.length_squared();
         let share = if length > 1e-9 { (-from.dot(along) / length).clamp(0.0, 1.0) } else { 0.0 };
-        let ahead = (self.from + share * self.along).dot(ray);
-        ahead > 0.0 && (from + share * along).length() <= self.radius + margin * ahead
+        (from + share * along, share)
     }
 }
 

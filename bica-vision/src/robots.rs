@@ -202,15 +202,16 @@ impl<C: Classify> Scan<'_, C> {
         let end = self.field_boundary.row_at(x)? + self.tuning.boundary_margin * f32::from(self.frame.height());
         let bottom = self.frame.height() - 1;
         let (mut is_ground, mut stand): (bool, Option<Stand>) = (true, None);
+        let column = self.frame.column(x as u16);
         for row in (0..self.frame.height()).rev().step_by(2) {
-            let class = self.colours.classify(self.frame.pixel(x as i32, i32::from(row))?);
+            let class = self.colours.classify(column.pixel(row)?);
             match &mut stand {
                 Some(open) => {
                     if open.add(class, f32::from(row), self.tuning) {
                         let is_cut = open.base >= f32::from(bottom);
                         return Some(Foot { top: open.top, row: open.base, is_cut });
                     }
-                    if open.is_over(self.tuning) {
+                    if open.is_over() {
                         (is_ground, stand) = (true, None);
                     }
                 }
@@ -325,11 +326,14 @@ struct Stand {
     least: f32,
     counts: [f32; 3],
     green: f32,
+    /// Number of green rows after which the obstacle has ended.
+    max_green: f32,
 }
 
 impl Stand {
     fn new(base: f32, least: f32, class: Colour, tuning: &RobotTuning) -> Self {
-        let mut stand = Self { base, top: base, least, counts: [0.0; 3], green: 0.0 };
+        let max_green = (tuning.max_green * least).max(2.0);
+        let mut stand = Self { base, top: base, least, counts: [0.0; 3], green: 0.0, max_green };
         stand.add(class, base, tuning);
         stand
     }
@@ -345,12 +349,12 @@ impl Stand {
             Colour::None => {}
         }
         self.top = row;
-        let shares = *wrong <= tuning.max_other_colours * *all && *white >= tuning.min_white * *all;
-        self.base - row >= self.least && shares && !self.is_over(tuning)
+        let is_high = self.base - row >= self.least;
+        is_high && *wrong <= tuning.max_other_colours * *all && *white >= tuning.min_white * *all && !self.is_over()
     }
 
     /// Whether green continues behind the obstacle.
-    fn is_over(&self, tuning: &RobotTuning) -> bool {
-        self.green > (tuning.max_green * self.least).max(2.0)
+    fn is_over(&self) -> bool {
+        self.green > self.max_green
     }
 }

@@ -7,8 +7,7 @@ use glam::Vec2;
 
 /// Point or vector: on the ground, x forward and y left, or in an image, x right and y down. The getter states the frame
 /// and the unit.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "info", derive(serde::Serialize, postcard_schema::Schema))]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, postcard_schema::Schema)]
 pub struct Point {
     /// First coordinate.
     pub x: f32,
@@ -23,8 +22,7 @@ impl From<Vec2> for Point {
 }
 
 /// Pose on the ground; the getter states the frame.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "info", derive(serde::Serialize, postcard_schema::Schema))]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, postcard_schema::Schema)]
 pub struct Pose {
     /// Position along x, m.
     pub x: f32,

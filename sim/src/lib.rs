@@ -50,12 +50,14 @@ pub mod referee;
 mod segmentation;
 mod sensor_model;
 pub mod setup;
+mod shared_image;
 mod spectator;
 mod transform;
 mod world;
 
 pub use referee::Referee;
 pub use segmentation::PixelLabel;
+pub use shared_image::SharedImage;
 pub use spectator::{Picture, RenderError, SpectatorCamera, SpectatorView};
 pub use world::{CYCLE, CYCLE_SECONDS, World};
 

@@ -5,6 +5,7 @@ use core::time::Duration;
 use bica_motion::robot::{Command, Sensors};
 
 use crate::referee::Referee;
+use crate::shared_image::SharedImage;
 
 /// Period of the control cycle.
 pub const CYCLE: Duration = Duration::from_millis(10);
@@ -40,6 +41,11 @@ pub trait World {
 
     /// Executes a command for one control cycle ([`CYCLE`]).
     fn act(&mut self, command: &Command);
+
+    /// Access to the pixels of the newest image, for those who keep images without a copy. The default never has any.
+    fn shared_image(&self) -> SharedImage {
+        SharedImage::default()
+    }
 
     /// Ground truth and events, for evaluation only. The robot's program must not read it.
     fn referee(&self) -> &Referee;

@@ -39,3 +39,9 @@ fn no_test_is_in_a_target_without_a_test_program() {
     let files = untested::with_tests(&cargo::packages());
     assert!(files.is_empty(), "tests that never run, as their manifest says `test = false`: {files:?}");
 }
+
+#[test]
+fn no_example_is_in_a_library_whose_examples_are_not_run() {
+    let files = untested::with_examples(&cargo::packages());
+    assert!(files.is_empty(), "examples that never run, as their manifest says `doctest = false`: {files:?}");
+}

@@ -26,8 +26,8 @@ use crate::subject::{Exploration, Recorder, Subject};
 
 /// Exploration of all trees with the rates of a shape, whose other data is not used.
 pub(crate) struct States {
-    /// Whether any component may be held active, held latent or released between two cycles.
-    pub(crate) holds: bool,
+    /// Largest number of components that are held active or latent at once. Between two cycles any may be held or released.
+    pub(crate) held: usize,
 }
 
 /// Numbers of what was explored.
@@ -68,9 +68,7 @@ impl Exploration for States {
         let (mut subject, mut buffers) = (T::of(shape), Buffers::default());
         while let Some(level) = graph.next_level() {
             for node in &level {
-                if self.holds {
-                    graph.hold(node);
-                }
+                graph.hold(node, self.held);
                 graph.cycles(node, &mut subject, &mut buffers);
             }
         }
@@ -113,14 +111,16 @@ impl<T: Subject> Graph<'_, T> {
         copy
     }
 
-    /// Requests each hold of each component.
-    fn hold(&mut self, node: &Node<T>) {
+    /// Requests each hold of each component, as long as at most `most` components are held.
+    fn hold(&mut self, node: &Node<T>, most: usize) {
         for index in 0..self.shape.len {
             for hold in [Hold::Tree, Hold::Active, Hold::Latent] {
-                if node.model.components[index].hold != hold {
-                    let (mut tree, mut model) = (self.copy(&node.tree), node.model);
+                let mut model = node.model;
+                model.components[index].hold = hold;
+                let held = model.components.iter().filter(|memory| memory.hold != Hold::Tree).count();
+                if held <= most && node.model.components[index].hold != hold {
+                    let mut tree = self.copy(&node.tree);
                     tree.hold_at(ComponentId::new(index), hold);
-                    model.components[index].hold = hold;
                     self.reach(Node { tree, model, ..*node });
                 }
             }

@@ -1,4 +1,6 @@
-//! Compile times: after a change of one component, and of a clean build of the facade.
+//! Compile times: after a change of one component, of a clean build of the facade, and of the largest tree of state machines.
+
+mod machines;
 
 use std::fs;
 use std::path::PathBuf;
@@ -13,6 +15,8 @@ const CLEAN: &str = "target/buildtime";
 const FACADE: Duration = Duration::from_mins(1);
 /// Limit of the time from a changed component to the end of its test.
 const CHANGE: Duration = Duration::from_secs(5);
+/// Limit of the build of the largest tree of state machines.
+const MACHINES: Duration = Duration::from_secs(40);
 /// Component that is changed.
 const COMPONENT: &str = "player/src/behaviour/face_ball.rs";
 /// Text in that file before which a statement is inserted.
@@ -22,7 +26,7 @@ const TEST: [&str; 7] = ["test", "--quiet", "--package", "bica-tests", "--test",
 /// Number of changes; the minimum time counts.
 const CHANGES: u32 = 5;
 
-/// Measures both, and compares them with their limits, or with `limit` for both if given.
+/// Measures all, and compares them with their limits, or with `limit` for all if given.
 ///
 /// # Errors
 /// If a build fails, or takes longer than its limit.
@@ -31,19 +35,21 @@ pub(crate) fn check(limit: Option<Duration>) -> Result<(), String> {
     ctrlc::set_handler(|| {}).map_err(|error| format!("cannot install a Ctrl-C handler: {error}"))?;
     let rebuilt = (1..=CHANGES).map(after_change).collect::<Result<Vec<_>, _>>()?;
     let changed = rebuilt.into_iter().min_by_key(|spent| spent.wall).ok_or("nothing was changed")?;
-    let (change, clean) = (limit.unwrap_or(CHANGE), limit.unwrap_or(FACADE));
-    let facade = facade()?;
+    let [change, clean, large] = [CHANGE, FACADE, MACHINES].map(|usual| limit.unwrap_or(usual));
+    let (facade, largest) = (facade()?, machines::largest()?);
     println!("{:<60}{:>10}{:>16}{:>10}", "", "wall", "all processors", "limit");
     print("a change to a component, until its test has run", changed, change);
     print("a clean `cargo build --release` of the facade", facade, clean);
-    let broken: Vec<String> =
-        [judge("one component", changed, change), judge("the facade", facade, clean)].into_iter().flatten().collect();
+    let tree = format!("a tree of {} machines with {} states each", machines::MACHINES, machines::STATES);
+    print(&tree, largest, large);
+    let broken =
+        [judge("one component", changed, change), judge("the facade", facade, clean), judge(&tree, largest, large)];
+    let broken: Vec<String> = broken.into_iter().flatten().collect();
     if broken.is_empty() { Ok(()) } else { Err(broken.join("; ")) }
 }
 
 /// Returns a message if the work took too long. Other programs on the machine lengthen the wall-clock time, but hardly
 /// the processor time, so the shorter of the two is compared with the limit.
-/// time, so the shorter of the two is compared with the limit.
 fn judge(what: &str, spent: Spent, limit: Duration) -> Option<String> {
     let (took, limit) = (spent.wall.min(spent.busy).as_secs_f64(), limit.as_secs_f64());
     (took > limit).then(|| format!("{what} takes {took:.1} s to build; the limit is {limit} s"))

@@ -34,7 +34,12 @@ fn tests() -> Result<(), String> {
 
 /// Features of the program: `mujoco` where that can be installed. The step `mujoco` needs it too, and so the program is built once.
 fn features() -> &'static [&'static str] {
-    if mujoco::install().is_ok() { &["--features", "mujoco"] } else { &[] }
+    with_mujoco(&["--features", "mujoco"])
+}
+
+/// Returns `features` where MuJoCo can be installed, else none.
+pub(crate) fn with_mujoco<'a>(features: &'a [&'a str]) -> &'a [&'a str] {
+    if mujoco::install().is_ok() { features } else { &[] }
 }
 
 /// Plays games in the built-in world.

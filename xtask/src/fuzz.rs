@@ -5,9 +5,9 @@ use std::path::{Path, PathBuf};
 use crate::install::folder;
 use crate::process::{run, works};
 
-const TARGETS: [&str; 2] = ["vision", "wire"];
-/// Time limit of one input, 10 s; a summary at the end instead of a line for each new input.
-const OPTIONS: [&str; 3] = ["-timeout=10", "-verbosity=0", "-print_final_stats=1"];
+const TARGETS: [&str; 5] = ["vicode", "vision", "wire", "recording", "link"];
+/// Limits of one input: 10 s and 2 GB of memory; a summary at the end instead of a line for each new input.
+const OPTIONS: [&str; 4] = ["-timeout=10", "-rss_limit_mb=2048", "-verbosity=0", "-print_final_stats=1"];
 
 /// Installs cargo-fuzz into target/, and runs each target for `seconds`, at least 1 (0 would mean no limit).
 ///

@@ -1,42 +1,99 @@
-//! Tests that take too long for `cargo test`.
+//! Tests that take too long for `cargo test`: slow tests, which CI runs too, and long tests, which it does not.
 //!
-//! Such a test has the attribute `#[ignore = "slow: …"]`, and its name begins with `slow_`. CI runs these tests by their
-//! prefix, in addition to all others, and compares the names in the sources with those that passed.
+//! Such a test has the attribute `#[ignore = "slow: …"]` or `#[ignore = "long: …"]`, and its name begins with `slow_` or `long_`.
+//! A task runs these tests by their prefix, and compares the names in the sources with those that passed.
 
+use std::collections::BTreeSet;
 use std::fs;
 use std::io::{BufRead, BufReader};
+use std::path::Path;
 use std::process::{Command, Stdio};
 
 use crate::process::{output, root};
 
-/// Beginning of the attribute of a slow test.
-const ATTRIBUTE: &str = "#[ignore = \"slow: ";
-/// Beginning of the name of a slow test.
-const PREFIX: &str = "slow_";
+/// Kind of tests.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kind {
+    Slow,
+    Long,
+}
+
+impl Kind {
+    /// Beginning of the attribute.
+    const fn attribute(self) -> &'static str {
+        match self {
+            Self::Slow => "#[ignore = \"slow: ",
+            Self::Long => "#[ignore = \"long: ",
+        }
+    }
+
+    /// Beginning of the name.
+    const fn prefix(self) -> &'static str {
+        match self {
+            Self::Slow => "slow_",
+            Self::Long => "long_",
+        }
+    }
+}
 
 /// Runs all slow tests of the workspace.
 ///
 /// # Errors
 /// If there is none, if one has a name without the prefix, if one fails, or if one did not run.
 pub(crate) fn run() -> Result<(), String> {
-    let files = output("git", &["grep", "--files-with-matches", "--fixed-strings", ATTRIBUTE, "--", "*.rs"], &[])?;
-    let mut expected = Vec::new();
-    for file in files.lines() {
+    let (_, expected) = find(Kind::Slow)?;
+    compare(expected, &test(Kind::Slow, &["--workspace".to_owned()])?)
+}
+
+/// Runs all long tests of the workspace, in a release build. `features` are those of packages, as `bica-game/mujoco`.
+///
+/// # Errors
+/// As [`run`].
+pub(crate) fn run_long(features: &[&str]) -> Result<(), String> {
+    let (packages, expected) = find(Kind::Long)?;
+    let packages = packages.into_iter().flat_map(|package| ["--package".to_owned(), package]);
+    let features = features.iter().flat_map(|feature| ["--features".to_owned(), (*feature).to_owned()]);
+    let options: Vec<_> = ["--release".to_owned()].into_iter().chain(packages).chain(features).collect();
+    compare(expected, &test(Kind::Long, &options)?)
+}
+
+/// Packages with tests of a kind, and the names of these tests.
+fn find(kind: Kind) -> Result<(BTreeSet<String>, Vec<String>), String> {
+    let search = ["grep", "--files-with-matches", "--fixed-strings", kind.attribute(), "--", "*.rs"];
+    let (mut packages, mut expected) = (BTreeSet::new(), Vec::new());
+    for file in output("git", &search, &[])?.lines() {
         let text = fs::read_to_string(root().join(file)).map_err(|error| format!("cannot read {file}: {error}"))?;
-        expected.extend(names(&text).map_err(|error| format!("{file}: {error}"))?);
+        let names = names(kind, &text).map_err(|error| format!("{file}: {error}"))?;
+        if !names.is_empty() {
+            packages.insert(package(&root().join(file)).ok_or_else(|| format!("{file} is in no package"))?);
+        }
+        expected.extend(names);
     }
-    let missing = missing(expected, &test()?);
-    if missing.is_empty() { Ok(()) } else { Err(format!("slow tests that did not run: {}", missing.join(", "))) }
+    Ok((packages, expected))
+}
+
+/// Name of the package of a file.
+fn package(file: &Path) -> Option<String> {
+    let manifest = file.ancestors().find_map(|folder| fs::read_to_string(folder.join("Cargo.toml")).ok())?;
+    let name = manifest.lines().find_map(|line| line.strip_prefix("name = "))?;
+    Some(name.trim_matches('"').to_owned())
+}
+
+fn compare(expected: Vec<String>, log: &str) -> Result<(), String> {
+    let missing = missing(expected, log);
+    if missing.is_empty() { Ok(()) } else { Err(format!("tests that did not run: {}", missing.join(", "))) }
 }
 
 /// Runs the tests with the prefix, and prints and returns their output.
-fn test() -> Result<String, String> {
-    let arguments = ["test", "--workspace", "--tests", "--", "--ignored", PREFIX];
+fn test(kind: Kind, options: &[String]) -> Result<String, String> {
+    let options = options.iter().map(String::as_str);
+    let arguments: Vec<_> =
+        ["test"].into_iter().chain(options).chain(["--tests", "--", "--ignored", kind.prefix()]).collect();
     let line = format!("cargo {}", arguments.join(" "));
     eprintln!("xtask: {line}");
     let start = |error| format!("cannot start `{line}`: {error}");
     let mut cargo =
-        Command::new("cargo").args(arguments).current_dir(root()).stdout(Stdio::piped()).spawn().map_err(start)?;
+        Command::new("cargo").args(&arguments).current_dir(root()).stdout(Stdio::piped()).spawn().map_err(start)?;
     let mut log = String::new();
     for line in cargo.stdout.take().into_iter().flat_map(|out| BufReader::new(out).lines()).map_while(Result::ok) {
         println!("{line}");
@@ -47,15 +104,16 @@ fn test() -> Result<String, String> {
     if status.success() { Ok(log) } else { Err(format!("`{line}` failed: {status}")) }
 }
 
-/// Names of the slow tests in a source file.
-fn names(source: &str) -> Result<Vec<String>, String> {
+/// Names of the tests of a kind in a source file.
+fn names(kind: Kind, source: &str) -> Result<Vec<String>, String> {
     let mut names = Vec::new();
     let mut lines = source.lines();
-    while lines.any(|line| line.trim_start().starts_with(ATTRIBUTE)) {
+    while lines.any(|line| line.trim_start().starts_with(kind.attribute())) {
         let function = lines.find_map(|line| line.trim_start().strip_prefix("fn "));
-        let name = function.and_then(|rest| rest.split('(').next()).ok_or("a slow test without a function")?;
-        if !name.starts_with(PREFIX) {
-            return Err(format!("the slow test `{name}` would not run in CI: its name must begin with `{PREFIX}`"));
+        let name = function.and_then(|rest| rest.split('(').next()).ok_or("an ignored test without a function")?;
+        let prefix = kind.prefix();
+        if !name.starts_with(prefix) {
+            return Err(format!("the test `{name}` would never run: its name must begin with `{prefix}`"));
         }
         names.push(name.to_owned());
     }
@@ -81,20 +139,27 @@ mod tests {
     use super::*;
 
     const SOURCE: &str = "#[test]\n#[ignore = \"slow: CI\"]\nfn slow_a() {}\n#[test]\n#[ignore = \"needs images\"]\nfn b() {}\n\
-         mod m {\n    #[test]\n    #[ignore = \"slow: CI\"]\n    fn slow_c(seed in 0..9) {}\n}\n";
+         mod m {\n    #[test]\n    #[ignore = \"slow: CI\"]\n    fn slow_c(seed in 0..9) {}\n}\n#[ignore = \"long: task\"]\nfn long_d() {}\n";
 
     #[test]
-    fn slow_tests_are_found_and_other_ignored_ones_are_not() {
-        assert_eq!(names(SOURCE), Ok(vec!["slow_a".to_owned(), "slow_c".to_owned()]));
+    fn tests_of_a_kind_are_found_and_other_ignored_ones_are_not() {
+        assert_eq!(names(Kind::Slow, SOURCE), Ok(vec!["slow_a".to_owned(), "slow_c".to_owned()]));
+        assert_eq!(names(Kind::Long, SOURCE), Ok(vec!["long_d".to_owned()]));
     }
 
     #[test]
-    fn a_slow_test_without_the_prefix_is_an_error() {
-        assert!(names(&SOURCE.replace("slow_c", "c")).is_err_and(|error| error.contains("`c`")));
+    fn a_test_without_the_prefix_is_an_error() {
+        assert!(names(Kind::Slow, &SOURCE.replace("slow_c", "c")).is_err_and(|error| error.contains("`c`")));
     }
 
     #[test]
-    fn a_slow_test_that_did_not_pass_is_missing() {
+    fn the_package_of_a_file_is_that_of_the_nearest_manifest() {
+        assert_eq!(package(&root().join("xtask/src/slow_tests.rs")).as_deref(), Some("xtask"));
+        assert_eq!(package(&root().join("tools/game/tests/replay/games.rs")).as_deref(), Some("bica-game"));
+    }
+
+    #[test]
+    fn a_test_that_did_not_pass_is_missing() {
         let expected = || ["slow_a", "slow_c", "slow_a"].map(str::to_owned).to_vec();
         let log = "test slow_a ... ok\ntest m::slow_c ... ok\ntest slow_b ... ok\n";
         assert_eq!(missing(expected(), log), ["slow_a"]);

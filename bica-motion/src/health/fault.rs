@@ -4,8 +4,7 @@ use crate::joints::Joint;
 use crate::side::Side;
 
 /// A fault with which a robot must not continue to move.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "info", derive(serde::Serialize, postcard_schema::Schema))]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, serde::Serialize, postcard_schema::Schema)]
 pub enum Fault {
     /// A joint of legs or head does not follow its target: it is blocked or too weak, or its sensor is broken.
     Stuck(Joint),

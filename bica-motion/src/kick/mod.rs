@@ -17,8 +17,7 @@ use crate::model::Technique;
 use crate::side::Side;
 
 /// Direction of a kick.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "info", derive(serde::Serialize, postcard_schema::Schema))]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, serde::Serialize, postcard_schema::Schema)]
 pub enum KickKind {
     /// Straight ahead.
     Front,
@@ -29,8 +28,7 @@ pub enum KickKind {
 }
 
 /// One of the six kicks.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "info", derive(serde::Serialize, postcard_schema::Schema))]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, serde::Serialize, postcard_schema::Schema)]
 pub struct Kick {
     /// Direction.
     pub kind: KickKind,

@@ -40,8 +40,7 @@ use crate::side::Side;
 const MAX_CYCLE_TIME: f32 = 0.03;
 
 /// Phase of the walk.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "info", derive(serde::Serialize, postcard_schema::Schema))]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, postcard_schema::Schema)]
 pub enum Phase {
     /// Feet together, no motion.
     Standing,

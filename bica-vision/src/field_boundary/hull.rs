@@ -54,13 +54,20 @@ impl Side {
         point.y - self.row(point.x)
     }
 
-    /// Number of inliers minus the number of points above the line.
-    fn score(self, points: &[Vec2], close: f32) -> i32 {
+    /// Number of inliers minus the number of points above the line. `None` if it is below `least`.
+    fn score(self, points: &[Vec2], close: f32, least: i32) -> Option<i32> {
         let vote = |point: &Vec2| {
             let miss = self.misses(*point);
             i32::from(miss >= -close) - i32::from(miss > close) - i32::from(miss < -close)
         };
-        points.iter().map(vote).sum()
+        let mut possible = points.len() as i32;
+        for few in points.chunks(8) {
+            possible -= few.iter().map(|point| 1 - vote(point)).sum::<i32>();
+            if possible < least {
+                return None;
+            }
+        }
+        Some(possible)
     }
 }
 
@@ -70,19 +77,37 @@ fn sides(points: &[Vec2], close: f32, enough: i32) -> Vec<Side, SIDES> {
     let mut taken: Vec<Vec2, COLUMNS> = Vec::new();
     let mut sides = Vec::new();
     while !sides.is_full() {
-        let pairs = (0..left.len()).step_by(2).flat_map(|i| (i + 1..left.len()).step_by(2).map(move |j| (i, j)));
-        let lines = pairs.map(|(i, j)| Side::through(left[i], left[j]));
-        // The carpet is convex: no inlier of one side is above another side.
-        let score = |side: &Side| side.score(&left, close) + side.score(&taken, close).min(0);
-        let Some((score, best)) = lines.map(|side| (score(&side), side)).max_by_key(|(score, _)| *score) else { break };
-        if score < enough {
-            break;
-        }
+        let Some(best) = best_side(&left, &taken, close, enough) else { break };
         taken.extend(left.iter().copied().filter(|point| best.misses(*point).abs() <= close));
         left.retain(|point| best.misses(*point) > close);
         let _ = sides.push(best);
     }
     sides
+}
+
+/// Line through two points of `left` with the highest score, which is at least `enough`; of several the one through the last
+/// points.
+fn best_side(left: &[Vec2], taken: &[Vec2], close: f32, enough: i32) -> Option<Side> {
+    // The carpet is convex: no inlier of one side is above another side.
+    let score = |side: Side, least: i32| {
+        let part = side.score(left, close, least)?;
+        let all = part + side.score(taken, close, i32::MIN)?.min(0);
+        (all >= least).then_some(all)
+    };
+    let line = |i: usize, j: usize| Side::through(left[i], left[j]);
+    // A line through points far apart often has nearly the highest score, so most others are given up early.
+    let last = left.len().checked_sub(1)?;
+    let wide = (last > 0).then(|| line(0, last - usize::from(last.is_multiple_of(2))))?;
+    let mut least = score(wide, enough).unwrap_or(enough);
+    let mut best = None;
+    let pairs = (0..left.len()).step_by(2).flat_map(|i| (i + 1..left.len()).step_by(2).map(move |j| (i, j)));
+    for side in pairs.rev().map(|(i, j)| line(i, j)) {
+        if let Some(score) = score(side, least) {
+            // From now on only a higher score counts.
+            (best, least) = (Some(side), score + 1);
+        }
+    }
+    best
 }
 
 /// Upper convex hull of points ordered by x.
@@ -105,6 +130,54 @@ fn extend(hull: &mut Vec<Vec2, COLUMNS>, sides: &[Side], ends: (f32, f32)) {
     for (x, place) in [(ends.0, 0), (ends.1, hull.len() + 1)] {
         if let Some(row) = row(x) {
             let _ = hull.insert(place.min(hull.len()), Vec2::new(x, row.max(0.0)));
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    extern crate std;
+
+    use proptest::prelude::*;
+
+    use super::*;
+
+    /// Reference: the scores of all lines.
+    fn best_of_all(left: &[Vec2], taken: &[Vec2], close: f32, enough: i32) -> Option<Side> {
+        let vote = |miss: f32| if miss < -close { -1 } else { i32::from(miss <= close) };
+        let votes = |side: Side, points: &[Vec2]| points.iter().map(|point| vote(side.misses(*point))).sum::<i32>();
+        let pairs = (0..left.len()).step_by(2).flat_map(|i| (i + 1..left.len()).step_by(2).map(move |j| (i, j)));
+        let lines = pairs.map(|(i, j)| Side::through(left[i], left[j]));
+        let scores = lines.map(|side| (votes(side, left) + votes(side, taken).min(0), side));
+        scores.max_by_key(|(score, _)| *score).filter(|(score, _)| *score >= enough).map(|(_, side)| side)
+    }
+
+    /// Points of a line with two slopes and outliers, in whole rows.
+    fn points() -> impl Strategy<Value = std::vec::Vec<Vec2>> {
+        let outlier = prop_oneof![3 => Just(0_i8), 1 => -20..20_i8];
+        let rows = prop::collection::vec((outlier, -1..=1_i8), 0..COLUMNS);
+        (rows, -1.0..1.0_f32, -1.0..1.0_f32, 0..COLUMNS).prop_map(|(rows, before, after, corner)| {
+            let row = |column: usize| {
+                let way = column as f32 - corner as f32;
+                libm::roundf(60.0 + way * if column < corner { before } else { after })
+            };
+            let point = |(column, (outlier, error)): (usize, &(i8, i8))| {
+                Vec2::new(8.0 * column as f32, row(column) + f32::from(*outlier) + f32::from(*error))
+            };
+            rows.iter().enumerate().map(point).collect()
+        })
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(500))]
+
+        #[test]
+        fn best_side_is_that_of_all_lines(points in points(), split in 0..COLUMNS, enough in 0..12) {
+            let (taken, left) = points.split_at(split.min(points.len()));
+            for (left, taken) in [(left, taken), (&points[..], &[][..])] {
+                let (found, best) = (best_side(left, taken, 1.8, enough), best_of_all(left, taken, 1.8, enough));
+                prop_assert_eq!(found.map(|side| (side.start, side.slope)), best.map(|side| (side.start, side.slope)));
+            }
         }
     }
 }

@@ -30,6 +30,9 @@ pub(super) struct ParallelScan<'a> {
     /// First position to examine in each scan.
     from: [i16; LANES],
     at: u16,
+    /// Distance between the scans, bytes, if it is the same for all; otherwise 0.
+    #[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
+    gap: usize,
     /// Constant part of the minimum luma step, 0 to 255.
     min_rise: i16,
 }
@@ -38,11 +41,23 @@ impl<'a> ParallelScan<'a> {
     /// Starts scans, each at its first position. `min_rise` is the constant part of the minimum luma step, 0 to 255.
     pub(super) fn new(scans: impl Iterator<Item = (Lumas<'a>, u16)>, min_rise: i16) -> Self {
         let (lumas, bases, from) = ([Lumas::NONE; LANES], [0; LANES], [i16::MAX; LANES]);
-        let mut scan = Self { lumas, bases, from, at: u16::MAX, min_rise };
+        let mut scan = Self {
+            lumas,
+            bases,
+            from,
+            at: u16::MAX,
+            #[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
+            gap: 0,
+            min_rise,
+        };
         for (lane, (lumas, first)) in scans.take(LANES).enumerate() {
             scan.lumas[lane] = lumas;
             scan.resume(lane, first, Some(i32::from(lumas.get(first))));
             scan.at = scan.at.min(first);
+        }
+        #[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
+        {
+            scan.gap = Lumas::common_gap(&scan.lumas);
         }
         scan
     }
@@ -70,10 +85,13 @@ impl<'a> ParallelScan<'a> {
 
 #[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
 mod lockstep {
+    use core::ops::Range;
+
     #[cfg(target_arch = "aarch64")]
     use wide::i16x8 as I16x8;
 
     use super::{ParallelScan, RISE_DIVISOR, Rise, SMOOTH};
+    use crate::frame::Lumas;
     #[cfg(target_arch = "x86_64")]
     use crate::sse2::I16x8;
 
@@ -106,8 +124,26 @@ mod lockstep {
                     at += 1;
                 }
             }
-            for at in at..end {
-                let lanes = self.on(I16x8::new(scan.lumas.map(|lumas| i16::from(lumas.get(at)))), at);
+            // Columns of a frame of 160 × 120, 320 × 240 or 640 × 480 are read with one check of the bounds.
+            match scan.gap {
+                4 => self.along(scan, at..end, Lumas::of_eight_columns::<29, 4>),
+                8 => self.along(scan, at..end, Lumas::of_eight_columns::<57, 8>),
+                16 => self.along(scan, at..end, Lumas::of_eight_columns::<113, 16>),
+                _ => self.along(scan, at..end, |_, _| None),
+            }
+        }
+
+        /// Advances over positions. `eight` reads a position of all scans, given the first one's pixels, if it can.
+        #[inline(always)]
+        fn along<'a>(
+            &mut self,
+            scan: &ParallelScan<'a>,
+            places: Range<u16>,
+            eight: impl Fn(&Lumas<'a>, u16) -> Option<[u8; 8]>,
+        ) -> Option<Rise> {
+            for at in places {
+                let here = eight(&scan.lumas[0], at).unwrap_or_else(|| scan.lumas.map(|lumas| lumas.get(at)));
+                let lanes = self.on(I16x8::new(here.map(i16::from)), at);
                 if lanes != 0 {
                     return Some(Rise { at, lanes });
                 }

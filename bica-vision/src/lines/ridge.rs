@@ -107,16 +107,12 @@ impl<C: Classify> Scan<'_, C> {
         self.frame.pixel(x.into(), y.into())
     }
 
-    fn luma(&self, at: u16) -> i32 {
-        self.pixel(at).map_or(0, |pixel| pixel.y.into())
-    }
-
     /// Measures a ridge that ended before `end`, if it is white between green.
     fn measured(&self, ridge: &Open, end: u16) -> Option<Ridge> {
-        let middle = f32::midpoint(ridge.base as f32, ridge.peak as f32);
-        let first = (ridge.start..end).find(|at| self.luma(*at) as f32 >= middle)?;
+        let (middle, lumas) = (f32::midpoint(ridge.base as f32, ridge.peak as f32), self.lumas());
+        let first = (ridge.start..end).find(|at| f32::from(lumas.get(*at)) >= middle)?;
         let edge = |dark: u16, bright: u16| {
-            let (dark, bright) = (self.luma(dark) as f32, self.luma(bright) as f32);
+            let (dark, bright) = (f32::from(lumas.get(dark)), f32::from(lumas.get(bright)));
             (middle - dark) / (bright - dark).max(1.0)
         };
         let from = f32::from(first) - 1.0 + edge(first.checked_sub(1)?, first).clamp(0.0, 1.0);

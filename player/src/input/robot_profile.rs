@@ -6,8 +6,7 @@ use bica_motion::model::{Profile, RobotModel};
 use crate::Model;
 
 /// Profile of a body.
-#[derive(Clone, Copy, Debug, ParamEnum, PartialEq, Eq)]
-#[cfg_attr(feature = "info", derive(serde::Serialize, postcard_schema::Schema))]
+#[derive(Clone, Copy, Debug, ParamEnum, PartialEq, Eq, serde::Serialize, postcard_schema::Schema)]
 pub enum BodyProfile {
     /// The profile that the program has set.
     Program,

@@ -17,8 +17,7 @@ pub struct Body {
 }
 
 /// Requested kind of walking, with its speeds in m/s and rad/s, positive to the front and to the left.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "info", derive(serde::Serialize, postcard_schema::Schema))]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, postcard_schema::Schema)]
 pub enum Request {
     /// Stand with the feet together.
     Stand,

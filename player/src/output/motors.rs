@@ -8,8 +8,7 @@ use bica_motion::stiffness::Stiffness;
 use crate::Model;
 
 /// Targets and stiffness of all joints.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "info", derive(serde::Serialize, postcard_schema::Schema))]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, postcard_schema::Schema)]
 pub struct JointCommand {
     /// Target angles, rad, within the joint limits.
     pub targets: Joints,

@@ -7,8 +7,7 @@ use libm::{atan2f, hypotf};
 const CAMERA_HEIGHT: f32 = 0.48;
 
 /// Direction from the head, relative to an upright torso.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "info", derive(serde::Serialize, postcard_schema::Schema))]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, postcard_schema::Schema)]
 pub struct Bearing {
     /// Angle to the left, rad.
     pub pan: f32,

@@ -23,8 +23,7 @@ use libm::{atan2f, fabsf};
 use aim::Aim;
 
 /// Next action at the ball.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "info", derive(serde::Serialize, postcard_schema::Schema))]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, postcard_schema::Schema)]
 pub enum Plan {
     /// Kick it.
     Kick(Strike),
@@ -33,8 +32,7 @@ pub enum Plan {
 }
 
 /// Kick with the heading in which to play it.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "info", derive(serde::Serialize, postcard_schema::Schema))]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, postcard_schema::Schema)]
 pub struct Strike {
     /// The kick.
     pub kick: Kick,

@@ -17,6 +17,7 @@ use crate::referee::rules::Rules;
 use crate::referee::{Posture, Referee};
 use crate::segmentation::PixelLabel;
 use crate::setup::{Setup, SetupError};
+use crate::shared_image::{ImageMemory, SharedImage};
 use crate::spectator::{Picture, RenderError, SpectatorCamera, SpectatorView};
 use crate::transform::angular_velocity;
 use crate::world::{CYCLE, World, frame, image_is_due};
@@ -36,7 +37,7 @@ pub struct KinematicWorld {
     /// Poses of both cameras in the previous cycle, field frame.
     previous_cameras: [Affine3A; 2],
     renderer: Renderer,
-    image: Vec<u8>,
+    image: ImageMemory,
     image_is_new: bool,
 }
 
@@ -65,7 +66,7 @@ impl KinematicWorld {
             camera: CameraId::Top,
             previous_cameras,
             renderer: Renderer::new(setup, &layout),
-            image: vec![0; 2 * width * height],
+            image: ImageMemory::new(2 * width * height),
             image_is_new: false,
         };
         world.resolve_collisions();
@@ -111,7 +112,7 @@ impl KinematicWorld {
         let camera = self.body.camera(self.camera);
         let previous = &self.previous_cameras[self.camera as usize];
         let scene = scene(&self.body, camera, previous, frame(self.cycle), self.ball.position);
-        self.renderer.draw(&scene, &mut self.image);
+        self.image.draw(|pixels| self.renderer.draw(&scene, pixels));
     }
 }
 
@@ -126,7 +127,8 @@ impl World for KinematicWorld {
             self.image_is_new = true;
         }
         let (width, height) = self.renderer.size();
-        let image = Image { camera: self.camera, width: width as u16, height: height as u16, yuyv: &self.image };
+        let image =
+            Image { camera: self.camera, width: width as u16, height: height as u16, yuyv: self.image.pixels() };
         let measured = self.body.measurement();
         Sensors {
             angles: measured.angles,
@@ -156,6 +158,10 @@ impl World for KinematicWorld {
         self.body.measure();
         self.referee.set_robot(self.body.pose(), self.body.posture());
         self.move_ball(previous_soles, now);
+    }
+
+    fn shared_image(&self) -> SharedImage {
+        self.image.shared()
     }
 
     fn referee(&self) -> &Referee {

@@ -13,6 +13,7 @@ use crate::camera::palette::{Palette, Rgb};
 use crate::camera::pinhole::PinholeCamera;
 use crate::random::{Random, Stream};
 use crate::setup::Setup;
+use crate::shared_image::{ImageMemory, SharedImage};
 
 /// Both cameras with renderer and image sensor.
 pub(crate) struct RobotCamera {
@@ -23,7 +24,7 @@ pub(crate) struct RobotCamera {
     colour_response: ColourResponse,
     canvas: Canvas,
     sensor: ImageSensor,
-    image: Vec<u8>,
+    image: ImageMemory,
 }
 
 /// State of a camera during the exposure of an image.
@@ -52,7 +53,7 @@ impl RobotCamera {
             colour_response: ColourResponse::new(&palette),
             canvas: Canvas::new(width, height),
             sensor: ImageSensor::new(&palette, width, height, &mut random),
-            image: vec![0; 2 * width * height],
+            image: ImageMemory::new(2 * width * height),
         })
     }
 
@@ -64,12 +65,19 @@ impl RobotCamera {
         }
         let view = PinholeCamera::new(exposure.pose, self.canvas.width, self.canvas.height);
         let mut grain = Random::new(self.seed.wrapping_add(exposure.frame << 32), Stream::Grain);
-        self.sensor.expose(&self.canvas, &view, exposure.angular_velocity, &mut grain, &mut self.image);
+        self.image.draw(|pixels| {
+            self.sensor.expose(&self.canvas, &view, exposure.angular_velocity, &mut grain, pixels);
+        });
     }
 
     /// Returns the newest image: width, height, YUYV.
     pub(crate) fn image(&self) -> (u16, u16, &[u8]) {
-        (self.canvas.width as u16, self.canvas.height as u16, &self.image)
+        (self.canvas.width as u16, self.canvas.height as u16, self.image.pixels())
+    }
+
+    /// Returns access to the newest image.
+    pub(crate) fn shared(&self) -> SharedImage {
+        self.image.shared()
     }
 }
 

@@ -28,6 +28,7 @@ use crate::random::{Random, Stream};
 use crate::referee::Referee;
 use crate::referee::rules::Rules;
 use crate::setup::Setup;
+use crate::shared_image::SharedImage;
 use crate::spectator::{Picture, RenderError, SpectatorCamera, SpectatorView};
 use crate::transform::{angular_velocity, ground_pose};
 use crate::world::{CYCLE, CYCLE_SECONDS, World, frame, image_is_due};
@@ -289,6 +290,10 @@ impl World for MujocoWorld {
         self.body_touches_floor = contacts.floor;
         self.measurement = self.sensor_model.measure();
         self.update_referee(contacts);
+    }
+
+    fn shared_image(&self) -> SharedImage {
+        self.robot_camera.as_ref().map(RobotCamera::shared).unwrap_or_default()
     }
 
     fn referee(&self) -> &Referee {

@@ -7,7 +7,7 @@
 //! test ball_is_found ... ignored, needs recorded images in ../shared/images or $BICA_SHARED/images
 //! ```
 //!
-//! ```
+//! ```ignore
 //! bica_test_data::images_test! {
 //!     fn ball_is_found() {
 //!         let images = bica_test_data::images();

@@ -1,11 +1,13 @@
 //! Cost of a recording: bytes per second, processor time of its thread, and time of the loop with and without it in one run.
 //!
-//! `cargo run --release -p bica-game --example recording_cost -- [FOLDER] [SECONDS]`: images of 640×480 at 30/s, in real time. With a
+//! `cargo run --release -p bica-game --example recording_cost -- [FOLDER] [SECONDS]`: images of 640×480 at 30/s, in real time, whose
+//! owner is shared with the recorder, as in a game, or which the loop copies. With a
 //! folder of raw images `NAME_640x240.yuyv` (every second row) two of these make up an image, else the built-in world renders
 //! them.
 
 use std::fs;
 use std::path::Path;
+use std::sync::{Arc, Mutex};
 use std::thread;
 use std::time::{Duration, Instant as Clock};
 
@@ -39,18 +41,18 @@ fn run() {
     let setup = Setup { frame: Frame::Large, ..Setup::default() };
     let mut world = KinematicWorld::new(&setup).expect("valid");
     let images = folder.map_or_else(|| rendered(&mut world), |folder| loaded(Path::new(folder)));
-    for policy in [ImagePolicy::All, ImagePolicy::None] {
+    for (policy, sharing) in [(ImagePolicy::All, true), (ImagePolicy::All, false), (ImagePolicy::None, true)] {
         let path = std::env::temp_dir().join("recording-cost.mcap");
-        measure(&mut world, &images, policy, &path, seconds);
+        measure(&mut world, &images, policy, sharing, &path, seconds);
         let _ = fs::remove_file(path);
     }
 }
 
-fn rendered(world: &mut KinematicWorld) -> Vec<Vec<u8>> {
+fn rendered(world: &mut KinematicWorld) -> Vec<Arc<Vec<u8>>> {
     let mut images = Vec::new();
     let mut robot = forward();
     while images.len() < IMAGES {
-        images.extend(world.sensors().image.map(|image| image.yuyv.to_vec()));
+        images.extend(world.sensors().image.map(|image| Arc::new(image.yuyv.to_vec())));
         let now = Instant::from_micros(World::now(world).as_micros() as u64);
         bica::runner::Robot::sense(&mut *robot, &world.sensors()).expect("the image fits");
         robot.tick(now);
@@ -60,10 +62,10 @@ fn rendered(world: &mut KinematicWorld) -> Vec<Vec<u8>> {
     images
 }
 
-fn loaded(folder: &Path) -> Vec<Vec<u8>> {
+fn loaded(folder: &Path) -> Vec<Arc<Vec<u8>>> {
     let files = fs::read_dir(folder).expect("a folder").filter_map(|entry| fs::read(entry.ok()?.path()).ok());
     let half: Vec<_> = files.filter(|half| half.len() == WIDTH * HEIGHT).collect();
-    half.iter().zip(half.iter().cycle().skip(1)).map(|(upper, lower)| [&upper[..], lower].concat()).collect()
+    half.iter().zip(half.iter().cycle().skip(1)).map(|(upper, lower)| Arc::new([&upper[..], lower].concat())).collect()
 }
 
 fn forward() -> Box<Forward> {
@@ -72,7 +74,14 @@ fn forward() -> Box<Forward> {
     robot
 }
 
-fn measure(world: &mut KinematicWorld, images: &[Vec<u8>], policy: ImagePolicy, path: &Path, seconds: u64) {
+fn measure(
+    world: &mut KinematicWorld,
+    images: &[Arc<Vec<u8>>],
+    policy: ImagePolicy,
+    sharing: bool,
+    path: &Path,
+    seconds: u64,
+) {
     let rules = Rules {
         world: WorldKind::BuiltIn,
         seed: 0,
@@ -87,6 +96,10 @@ fn measure(world: &mut KinematicWorld, images: &[Vec<u8>], policy: ImagePolicy, 
     let file = fs::File::create(path).expect("room");
     let warn = |reason: &str| eprintln!("the recording ended: {reason}");
     let recorder = Recorder::start(file, &header, RecorderOptions::default(), warn).expect("room");
+    let (newest, shared) = (Arc::new(Mutex::new(Arc::clone(&images[0]))), sharing);
+    let in_recorder = Arc::clone(&newest);
+    let owner = move |_: &[u8]| shared.then(|| Arc::clone(&in_recorder.lock().expect("no panic")));
+    let recorder = recorder.sharing_images(owner);
     let mut with = Runner::new(forward(), ()).with_observer(recorder);
     let mut without = Runner::new(forward(), ());
     let (mut times, began) = ([Vec::new(), Vec::new()], Clock::now());
@@ -94,6 +107,7 @@ fn measure(world: &mut KinematicWorld, images: &[Vec<u8>], policy: ImagePolicy, 
         thread::sleep(Duration::from_millis(10 * cycle).saturating_sub(began.elapsed()));
         let has_image = cycle == 0 || cycle * 3 / 10 != (cycle - 1) * 3 / 10;
         let yuyv = &images[(cycle * 3 / 10) as usize % images.len()];
+        newest.lock().expect("no panic").clone_from(yuyv);
         let sensors = world.sensors();
         let camera = bica_motion::robot::CameraId::Top;
         let image = Image { camera, width: WIDTH as u16, height: HEIGHT as u16, yuyv };
@@ -120,7 +134,11 @@ fn measure(world: &mut KinematicWorld, images: &[Vec<u8>], policy: ImagePolicy, 
         [0.5, 0.99, 1.0].map(|part| percentile(&times, part).unwrap_or(0.0))
     });
     let megabytes = report.bytes as f64 * 1e-6 / seconds as f64;
-    println!("{policy:?}: {megabytes:.3} MB/s, {} images dropped, {:?}", report.dropped_images, report.reason);
+    let images = if sharing { "shared" } else { "copied" };
+    println!(
+        "{policy:?}, images {images}: {megabytes:.3} MB/s, {} images dropped, {:?}",
+        report.dropped_images, report.reason
+    );
     let share = processor.map(|used| 100.0 * used / seconds as f64);
     println!(
         "  processor time of the recorder: {} % of a core",

@@ -109,6 +109,7 @@ struct Game<'a> {
 impl<'a> Game<'a> {
     fn new(rules: &Rules, record: Option<RecordOptions<'a>>, serve: Option<ServeOptions<'_>>) -> Result<Self, Failure> {
         let world = world_factory::open(rules)?;
+        let image = world.shared_image();
         let mut robot = Box::new(Forward::new());
         let (attacks, start, ball) = (world.referee().attacks(), world.referee().robot(), world.referee().ball());
         robot.get_mut::<RobotProfile>().set(rules.world.profile());
@@ -116,7 +117,7 @@ impl<'a> Game<'a> {
         let refused = |refusal: Refusal| Failure::new(refusal.to_string(), "check parameters with `player params`");
         robot.set_params(rules.settings).map_err(refused)?;
         let firmware = rules.firmware.map(|image| image.start(attacks)).transpose()?;
-        let recorder = GameRecorder::new(record, rules, attacks, &robot)?;
+        let recorder = GameRecorder::new(record, rules, attacks, &robot, image)?;
         let (link, requests, view) = GameLink::start(serve, rules)?;
         let measured = (Meter::new(&GRAPH), Stopwatch::default());
         let observers = (FirmwareCheck::new(firmware), (measured, (recorder, view)));

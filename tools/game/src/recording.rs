@@ -14,6 +14,7 @@ use bica_recording::{
     Backpressure, ComponentCosts, Costs, Header, ImagePolicy, LogLine, RecordedRules, Recorder, RecorderOptions,
     RefereeEvent, Report, RobotInfo,
 };
+use bica_sim::SharedImage;
 use bica_sim::referee::TimedEvent;
 use serde::Serialize;
 
@@ -92,11 +93,14 @@ impl<'a> GameRecorder<'a> {
         rules: &Rules,
         attacks: GoalColour,
         robot: &Forward,
+        image: SharedImage,
     ) -> Result<Self, Failure> {
         let (sender, ended) = channel();
         let open = |options: RecordOptions<'a>| {
             let header = recording_header(rules, attacks, options.images).of_tree(robot);
-            open(&options, &header, rules, sender.clone()).map(|recorder| (recorder, options.path))
+            let recorder = open(&options, &header, rules, sender.clone())?;
+            let recorder = recorder.sharing_images(move |pixels| image.owner_of(pixels));
+            Ok::<_, Failure>((recorder, options.path))
         };
         let recorder = options.map(open).transpose()?;
         Ok(Self { recorder, ended, costs: vec![ComponentCosts::default(); GRAPH.nodes.len()], cycles: 0 })

@@ -4,6 +4,7 @@
 
 mod calibrate;
 pub mod cli;
+mod colour_profile;
 mod graph;
 mod link;
 mod params;

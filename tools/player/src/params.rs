@@ -17,7 +17,7 @@ pub(crate) fn run(args: &Params) -> Result<Outcome, Failure> {
     }
     if let Some(path) = &args.write {
         write(&layers, path, args.force)?;
-        let count = layers.settings().len();
+        let count = layers.all().filter(|value| value.value != value.place.param.default).count();
         Console::new(false).print(&format!("{count} values in {}", path.display()))?;
         return Ok(Outcome::Success);
     }

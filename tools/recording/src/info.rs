@@ -70,13 +70,17 @@ pub struct RequestInfo {
     pub request: String,
 }
 
+/// Most bytes of events, requests and names of channels. A game has some kilobytes, a damaged file may have any number.
+const MAX_LISTED_BYTES: usize = 64 << 20;
+
 impl Info {
     /// Reads a whole recording without decoding its images. A cut or damaged file is described up to there.
     ///
     /// # Errors
     /// If the source cannot be read or is no recording.
     pub fn read(source: impl Read) -> Result<Self, Error> {
-        let mut reading = Reading { reader: Reader::new(source)?, channels: BTreeMap::new(), ticks: None, info: None };
+        let mut reading =
+            Reading { reader: Reader::new(source)?, channels: BTreeMap::new(), ticks: None, info: None, listed: 0 };
         let damage = loop {
             match reading.step() {
                 Ok(true) => {}
@@ -97,6 +101,8 @@ struct Reading<R> {
     /// First and last.
     ticks: Option<(Tick, Tick)>,
     info: Option<Info>,
+    /// Number of bytes of events, requests and names of channels.
+    listed: usize,
 }
 
 impl<R: Read> Reading<R> {
@@ -105,6 +111,7 @@ impl<R: Read> Reading<R> {
         match self.reader.next_item()? {
             Item::End => return Ok(false),
             Item::Channel(channel) => {
+                self.list(channel.topic.len(), self.reader.position())?;
                 self.channels
                     .entry(channel.id)
                     .or_insert(ChannelInfo { topic: channel.topic, ..ChannelInfo::default() });
@@ -118,6 +125,15 @@ impl<R: Read> Reading<R> {
             Item::Metadata(..) | Item::Schema(_) => {}
         }
         Ok(true)
+    }
+
+    /// Counts what is listed.
+    fn list(&mut self, bytes: usize, at: u64) -> Result<(), Error> {
+        self.listed += bytes;
+        if self.listed > MAX_LISTED_BYTES {
+            return Err(Error::damaged(at, "too many events, requests or channels"));
+        }
+        Ok(())
     }
 
     fn info(&mut self) -> Result<&mut Info, Error> {
@@ -136,12 +152,14 @@ impl<R: Read> Reading<R> {
             self.ticks = Some((self.ticks.map_or(tick, |(first, _)| first), tick));
             self.info()?.cycles += 1;
         } else if topic == Channel::Events.topic() {
+            self.list(message.data.len(), message.chunk_at)?;
             let RefereeEvent { kind, detail, .. } = decode(message)?;
             self.info()?.events.push(EventInfo { t, event: kind, detail });
         } else if topic == Channel::Requests.topic() {
+            self.list(message.data.len(), message.chunk_at)?;
             let request: RequestRecord = decode(message)?;
-            let header = self.info()?.header.clone();
-            self.info()?.requests.push(RequestInfo { t, request: request.describe(&header.tree) });
+            let info = self.info()?;
+            info.requests.push(RequestInfo { t, request: request.describe(&info.header.tree) });
         }
         Ok(())
     }

@@ -19,6 +19,8 @@ use crate::request::RequestRecord;
 
 /// Most images that wait for their cycle.
 const MAX_WAITING_IMAGES: usize = 64;
+/// Most bytes of messages of one cycle, and of images that wait for theirs. A loop cannot produce more, a damaged file can.
+const MAX_WAITING_BYTES: usize = 64 << 20;
 
 /// Everything that is recorded of a cycle.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -75,6 +77,8 @@ pub struct Recording<R> {
     images: BTreeMap<u32, ImageRecord>,
     coder: ImageCoder,
     next: RecordedCycle,
+    /// Number of bytes of the messages since the last cycle.
+    next_bytes: usize,
     ending: Option<Ending>,
 }
 
@@ -108,7 +112,7 @@ impl<R: Read> Recording<R> {
             }
         };
         let (images, coder, next) = (BTreeMap::new(), ImageCoder::default(), RecordedCycle::default());
-        Ok(Self { reader, header, channels, images, coder, next, ending: None })
+        Ok(Self { reader, header, channels, images, coder, next, next_bytes: 0, ending: None })
     }
 
     /// Returns the header.
@@ -155,6 +159,11 @@ impl<R: Read> Recording<R> {
     fn message(&mut self, message: &Message) -> Result<bool, Error> {
         let Some(channel) = self.channels.get(&message.channel) else { return Ok(false) };
         let next = &mut self.next;
+        // The images of up to a second precede their cycles.
+        self.next_bytes += if *channel == Channel::Images { 0 } else { message.data.len() };
+        if self.next_bytes > MAX_WAITING_BYTES {
+            return Err(Error::damaged(message.chunk_at, "too many messages without a cycle"));
+        }
         match channel {
             Channel::Requests => next.requests.push(decode(message)?),
             Channel::Sensors => next.sensors = Some(decode(message)?),
@@ -167,12 +176,14 @@ impl<R: Read> Recording<R> {
             Channel::Images => {
                 let image: ImageRecord = decode(message)?;
                 self.images.insert(image.id, image);
-                if self.images.len() > MAX_WAITING_IMAGES {
-                    self.images.pop_first();
+                let mut bytes: usize = self.images.values().map(|image| image.coded.len()).sum();
+                while self.images.len() > MAX_WAITING_IMAGES || bytes > MAX_WAITING_BYTES {
+                    bytes -= self.images.pop_first().map_or(bytes, |(_, image)| image.coded.len());
                 }
             }
             Channel::Tick => {
                 next.tick = decode(message)?;
+                self.next_bytes = 0;
                 let id = next.sensors.and_then(|sensors| sensors.image).map(|image| image.id);
                 if let Some(coded) = id.and_then(|id| self.images.remove(&id)) {
                     self.next.image = Some(self.decode_image(&coded, message.chunk_at)?);

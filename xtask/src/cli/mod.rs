@@ -56,7 +56,7 @@ pub(crate) enum Task {
     /// Clones the repository into target/newcomer, downloads the packages, then measures `cargo run --release` and `cargo
     /// test --workspace`, the latter twice. Prints the slowest compilations and test programs. Takes about ten minutes.
     Newcomer(Newcomer),
-    /// Fuzz the vision and the decoder of the robot's link
+    /// Fuzz the edits of VICODE, the vision, the packets, the reading of recordings, and the link of monitors
     ///
     /// First builds cargo-fuzz into target/.
     Fuzz(Fuzz),
@@ -97,6 +97,12 @@ pub(crate) enum Task {
     ///
     /// Runs cargo-deny with deny.toml on every workspace of the repository. First builds cargo-deny into target/.
     Deny,
+    /// Run the tests that take minutes, which CI leaves out
+    ///
+    /// In a release build: a hundred games of the built-in world and twenty of MuJoCo (if it can be installed) that are recorded and
+    /// replayed, a thousand flipped bits in a recording, and fifty kills of a recording program, for which the machine should be
+    /// otherwise idle. Takes about half an hour.
+    Long,
     /// Check everything that CI checks, in the same order
     ///
     /// Format, lints, docs, tests, packages, licences, peers, twenty games, recordings, Miri, instructions, MuJoCo, no-std, firmware.
@@ -169,7 +175,7 @@ pub(crate) struct Browser {
 
 #[derive(Debug, Args)]
 pub(crate) struct Fuzz {
-    /// Duration of each of the two targets, s
+    /// Duration of each of the five targets, s
     #[arg(long, value_name = "N", default_value_t = 60, value_parser = clap::value_parser!(u32).range(1..))]
     pub(crate) seconds: u32,
 }

@@ -89,7 +89,7 @@ fn a_flipped_bit_in_a_command_an_image_or_an_instant_is_located() {
 }
 
 #[test]
-#[ignore = "replays 1000 recordings: cargo test --release -p bica-game --test replay -- --ignored"]
-fn a_thousand_flipped_bits_are_located() {
+#[ignore = "long: `cargo xtask long` runs it"]
+fn long_a_thousand_flipped_bits_are_located() {
     flips_are_found(1000, "flips-many.mcap");
 }

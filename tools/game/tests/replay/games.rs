@@ -3,16 +3,17 @@
 use std::fs;
 
 use bica_console::Failure;
-use bica_game::{ReplayOptions, Rules, replay};
+use bica_game::{ReplayOptions, Rules, WorldKind, replay};
 use bica_recording::ImagePolicy;
 
 use crate::files::{Temporary, record, replay_all, rewrite, rules, with_stack};
 
-fn replays_bit_for_bit(seeds: std::ops::Range<u64>, seconds: f32) {
+/// Records each game with images and by its rules, and replays both. Games of different seeds have 0 to 4 more robots.
+fn replays_bit_for_bit(world: WorldKind, seeds: std::ops::Range<u64>, seconds: f32) {
     for seed in seeds {
         for (images, source) in [(ImagePolicy::All, "stored"), (ImagePolicy::None, "rules")] {
-            let file = Temporary::new(&format!("game-{seed}-{source}-{seconds}.mcap"));
-            let rules = Rules { robots: (seed % 5) as usize, ..rules(seed, seconds) };
+            let file = Temporary::new(&format!("game-{world:?}-{seed}-{source}-{seconds}.mcap"));
+            let rules = Rules { world, robots: (seed % 5) as usize, ..rules(seed, seconds) };
             let replayed = with_stack(|| {
                 record(&file.0, &rules, images);
                 replay_all(&file.0)
@@ -30,13 +31,20 @@ fn replays_bit_for_bit(seeds: std::ops::Range<u64>, seconds: f32) {
 
 #[test]
 fn games_replay_bit_for_bit_from_stored_values_and_from_rules() {
-    replays_bit_for_bit(10..13, 2.0);
+    replays_bit_for_bit(WorldKind::BuiltIn, 10..13, 2.0);
 }
 
 #[test]
-#[ignore = "plays 100 whole games: cargo test --release -p bica-game --test replay -- --ignored"]
-fn a_hundred_whole_games_replay_bit_for_bit() {
-    replays_bit_for_bit(0..100, 60.0);
+#[ignore = "long: `cargo xtask long` runs it"]
+fn long_a_hundred_whole_games_replay_bit_for_bit() {
+    replays_bit_for_bit(WorldKind::BuiltIn, 0..100, 60.0);
+}
+
+#[cfg(feature = "mujoco")]
+#[test]
+#[ignore = "long: `cargo xtask long` runs it"]
+fn long_twenty_whole_games_in_mujoco_replay_bit_for_bit() {
+    replays_bit_for_bit(WorldKind::Mujoco, 0..20, 60.0);
 }
 
 #[test]

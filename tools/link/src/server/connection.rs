@@ -1,6 +1,6 @@
 //! One monitor: the thread that reads its messages and the thread that writes to it.
 
-use std::collections::{BTreeSet, VecDeque};
+use std::collections::BTreeSet;
 use std::io;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
@@ -11,7 +11,7 @@ use bica_wire::{FromMonitor, Packet, ToRobot};
 
 use super::cycle_data::{self, Shown};
 use super::hub::{Command, Hub, MAX_PENDING};
-use super::outbox::{Message, Offered, Outbox};
+use super::outbox::{Message, Outbox};
 use crate::frame::{Packets, Receiver};
 use crate::stream::{Reading, Stream};
 
@@ -36,20 +36,16 @@ pub(super) struct Connection {
 }
 
 impl Connection {
-    /// Adds a message to the lossless queue. For threads that may wait.
+    /// Adds a message to the lossless queue. For threads that may wait, not for the loop.
     pub(super) fn push(&self, hub: &Hub, message: Message) {
         if !self.outbox.push(message) {
             self.overflow(hub);
         }
     }
 
-    /// Moves messages and data into the queues without waiting.
-    pub(super) fn offer(&self, hub: &Hub, messages: &mut VecDeque<Message>, shown: &mut Option<Shown>) -> Offered {
-        let offered = self.outbox.offer(messages, shown);
-        if offered == Offered::Overflow {
-            self.overflow(hub);
-        }
-        offered
+    /// Adds data of a cycle, which replaces what was not sent. For threads that may wait, not for the loop.
+    pub(super) fn show(&self, shown: Shown) {
+        self.outbox.show(shown);
     }
 
     pub(super) fn is_closed(&self) -> bool {
@@ -176,7 +172,7 @@ fn write(connection: &Connection, mut stream: Stream) {
                 return;
             }
         }
-        let _ = cycle_data::encode(&data, &mut schemas, &mut packets);
+        let _ = cycle_data::frame(&data, &mut schemas, &mut packets);
         if packets.write(&mut stream).is_err() || closing {
             connection.close();
             return;

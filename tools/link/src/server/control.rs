@@ -9,9 +9,11 @@ use bica_wire::server::Lease;
 
 use super::ServerOptions;
 use super::connection::Connection;
+use super::exchange::{Outgoing, Recipient};
 use super::hub::{Command, Hub, Inbound};
 use super::outbox::{AnswerKind, Message};
 use super::watcher::Watcher;
+use super::watchers::Watchers;
 
 /// A request that was applied; the answer follows at the end of its cycle.
 #[derive(Debug)]
@@ -29,9 +31,9 @@ pub(super) struct Control {
     realtime: bool,
     watch_only: bool,
     began: Instant,
-    pub(super) watchers: Vec<Watcher>,
-    /// Information that at least one monitor watches in every n-th cycle, sorted.
-    pub(super) watched: Vec<((u16, u16), u16)>,
+    pub(super) watchers: Watchers,
+    /// What the distributor gets at the end of the cycle.
+    pub(super) outgoing: Outgoing,
     pub(super) lease: Lease,
     pub(super) applied: Vec<Applied>,
     /// Components whose parameters every monitor gets at the end of the cycle.
@@ -49,8 +51,8 @@ impl Control {
             realtime: options.realtime,
             watch_only: options.watch_only,
             began: Instant::now(),
-            watchers: Vec::new(),
-            watched: Vec::new(),
+            watchers: Watchers::default(),
+            outgoing: Outgoing::default(),
             lease: Lease::new(options.silence, seconds()),
             applied: Vec::new(),
             changed: BTreeSet::new(),
@@ -64,38 +66,33 @@ impl Control {
         if self.realtime { Duration::from_micros(now.as_micros()) } else { self.began.elapsed() }
     }
 
-    pub(super) fn watcher(&mut self, connection: u64) -> Option<&mut Watcher> {
-        self.watchers.iter_mut().find(|watcher| watcher.connection.id == connection)
-    }
-
     /// Sends a message to one monitor, if it is still connected.
     pub(super) fn tell(&mut self, connection: u64, message: Message) {
-        if let Some(watcher) = self.watcher(connection) {
-            watcher.tell(message);
+        if let Some(watcher) = self.watchers.find(connection) {
+            let recipient = Recipient::One(Arc::clone(&watcher.connection));
+            self.outgoing.messages.push_back((recipient, message));
         }
     }
 
-    /// Lists what is watched anew, after a monitor changed it or left.
-    pub(super) fn list_watched(&mut self) {
-        let all = self.watchers.iter().flat_map(|watcher| watcher.watched.iter());
-        self.watched = all.map(|(&key, &every)| (key, every)).collect();
-        self.watched.sort_unstable();
-        self.watched.dedup();
+    /// Sends a message to every monitor.
+    pub(super) fn tell_all(&mut self, message: &Message) {
+        for watcher in self.watchers.iter() {
+            let recipient = Recipient::One(Arc::clone(&watcher.connection));
+            self.outgoing.messages.push_back((recipient, message.clone()));
+        }
     }
 
     /// Sends the lease to every monitor.
     fn announce_lease(&mut self, now: bica::Instant) {
-        for watcher in &mut self.watchers {
-            watcher.tell(Message::Lease(self.lease.state(watcher.connection.id, now)));
+        for watcher in self.watchers.iter() {
+            let lease = Message::Lease(self.lease.state(watcher.connection.id, now));
+            self.outgoing.messages.push_back((Recipient::One(Arc::clone(&watcher.connection)), lease));
         }
     }
 
     /// Sends a line of the log to every monitor.
     pub(super) fn log(&mut self, now: bica::Instant, level: u8, text: &str) {
-        let text: Arc<str> = text.into();
-        for watcher in &mut self.watchers {
-            watcher.tell(Message::Log { time_us: now.as_micros(), level, text: Arc::clone(&text) });
-        }
+        self.tell_all(&Message::Log { time_us: now.as_micros(), level, text: text.into() });
     }
 
     /// Ends the lease of a silent operator.
@@ -114,23 +111,22 @@ impl Control {
             return None;
         }
         let id = from.id;
+        // What a connection sends in one queue may overtake its beginning in the other.
+        if self.watchers.find(id).is_none() {
+            self.watchers.add(Watcher::new(Arc::clone(&from)));
+        }
         match command {
-            Command::Open => self.watchers.push(Watcher::new(from)),
+            Command::Open => {}
             Command::Attach => {
                 let lease = self.lease.state(id, now);
                 self.tell(id, Message::Lease(lease));
             }
-            Command::Watch(watch) => {
-                if let Some(watcher) = self.watcher(id) {
-                    watcher.every = watch.every;
-                }
-            }
+            Command::Watch(watch) => self.watchers.watch(id, watch.every),
             Command::WatchInfo(watch) => {
-                if self.watcher(id).is_some_and(|watcher| !watcher.watch(watch)) {
+                if !self.watchers.watch_info(id, watch) {
                     let text = "a monitor cannot watch so much information".into();
                     self.tell(id, Message::Log { time_us: now.as_micros(), level: 3, text });
                 }
-                self.list_watched();
             }
             Command::ReadParams => {
                 self.readers.insert(id);

@@ -11,19 +11,24 @@ use bica_wire::{ToMonitor, TooLarge};
 use postcard_schema::schema::NamedType;
 
 use super::snapshot::Snapshot;
+use super::watcher::Watcher;
 use crate::frame::Packets;
 
 /// Watched information, component and index, with n for every n-th cycle.
 pub(super) type Watched = BTreeMap<(u16, u16), u16>;
 
-/// Data of one cycle: what at least one monitor watches.
-#[derive(Debug)]
+/// Data of one cycle: what at least one monitor watches. The loop fills it, and its memory is used again.
+#[derive(Debug, Default)]
 pub(super) struct CycleData {
-    cycle: u64,
-    pub(super) snapshot: Option<Snapshot>,
+    pub(super) cycle: u64,
+    /// The monitors in this cycle.
+    pub(super) watchers: Arc<[Watcher]>,
+    pub(super) snapshot: Snapshot,
     readings: Vec<Reading>,
-    /// Values of all readings in postcard's format.
+    /// Values of all readings in postcard's format, and room for one more.
     bytes: Vec<u8>,
+    /// Number of bytes that values occupy.
+    used: usize,
 }
 
 #[derive(Debug)]
@@ -35,68 +40,106 @@ struct Reading {
     place: Option<Range<usize>>,
 }
 
+impl CycleData {
+    /// Removes the contents; the memory is kept.
+    pub(super) fn begin(&mut self, cycle: u64) {
+        self.cycle = cycle;
+        self.snapshot.clear();
+        self.readings.clear();
+        self.used = 0;
+    }
+
+    /// Whether there is nothing to send.
+    pub(super) const fn is_empty(&self) -> bool {
+        self.snapshot.is_empty() && self.readings.is_empty()
+    }
+
+    /// Reads an information.
+    pub(super) fn read<T: Tree>(&mut self, tree: &T, component: u16, info: u16) {
+        // The room bounds the time that a large value takes.
+        if self.bytes.len() < self.used + MAX_INFO_BYTES {
+            self.bytes.resize(2 * (self.used + MAX_INFO_BYTES), 0);
+        }
+        let mut sink = Bytes { room: &mut self.bytes[self.used..self.used + MAX_INFO_BYTES], taken: None };
+        tree.read_info(ComponentId::new(component.into()), info.into(), &mut sink);
+        let Some((schema, length)) = sink.taken else { return };
+        let place = length.map(|length| self.used..self.used + length);
+        self.used = place.as_ref().map_or(self.used, |place| place.end);
+        self.readings.push(Reading { component, info, schema, place });
+    }
+
+    /// Encodes everything once for all monitors.
+    pub(super) fn encode(&self) -> Result<Encoded, TooLarge> {
+        let cycle = self.cycle;
+        let (mut bytes, mut snapshot, mut readings) =
+            (Vec::with_capacity(2 * self.used + 1024), Vec::new(), Vec::new());
+        self.snapshot.messages(|message| append(&mut bytes, message).map(|place| snapshot.push(place)))?;
+        for Reading { component, info, schema, place } in &self.readings {
+            let (component, info) = (*component, *info);
+            let value = place.clone().and_then(|place| self.bytes.get(place));
+            let place = append(&mut bytes, &ToMonitor::Info(InfoValue { cycle, component, info, bytes: value }))?;
+            readings.push(EncodedReading { component, info, schema, place });
+        }
+        Ok(Encoded { cycle, snapshot, readings, bytes })
+    }
+}
+
+/// Appends a message in postcard's format; returns its place.
+fn append(bytes: &mut Vec<u8>, message: &ToMonitor<'_>) -> Result<Range<usize>, TooLarge> {
+    let start = bytes.len();
+    *bytes = postcard::to_extend(message, std::mem::take(bytes)).map_err(|_| TooLarge)?;
+    Ok(start..bytes.len())
+}
+
+/// Puts a value in postcard's format into the room.
+struct Bytes<'a> {
+    room: &'a mut [u8],
+    /// Schema and length of the value; no length if it has no room.
+    taken: Option<(&'static NamedType, Option<usize>)>,
+}
+
+impl InfoSink for Bytes<'_> {
+    fn take<V: Information>(&mut self, value: &V) {
+        let length = postcard::to_slice(value, self.room).ok().map(|bytes| bytes.len());
+        self.taken = Some((V::SCHEMA, length));
+    }
+}
+
+/// Messages with the data of one cycle.
+#[derive(Debug)]
+pub(super) struct Encoded {
+    pub(super) cycle: u64,
+    /// Places of the messages of the snapshot; none if it is due for nobody.
+    snapshot: Vec<Range<usize>>,
+    readings: Vec<EncodedReading>,
+    bytes: Vec<u8>,
+}
+
+#[derive(Debug)]
+struct EncodedReading {
+    component: u16,
+    info: u16,
+    schema: &'static NamedType,
+    place: Range<usize>,
+}
+
 /// Data of one cycle for one monitor.
 #[derive(Debug)]
 pub(super) struct Shown {
-    pub(super) data: Arc<CycleData>,
+    pub(super) data: Arc<Encoded>,
     /// Whether the snapshot is due for this monitor.
     pub(super) snapshot: bool,
     pub(super) watched: Arc<Watched>,
 }
 
-impl CycleData {
-    pub(super) const fn new(cycle: u64, snapshot: Option<Snapshot>) -> Self {
-        Self { cycle, snapshot, readings: Vec::new(), bytes: Vec::new() }
-    }
-
-    /// Whether there is nothing to send.
-    pub(super) const fn is_empty(&self) -> bool {
-        self.snapshot.is_none() && self.readings.is_empty()
-    }
-
-    /// Reads an information.
-    pub(super) fn read<T: Tree>(&mut self, tree: &T, component: u16, info: u16) {
-        let mut sink = Bytes { bytes: &mut self.bytes, taken: None };
-        tree.read_info(ComponentId::new(component.into()), info.into(), &mut sink);
-        let Some((schema, place)) = sink.taken else { return };
-        self.readings.push(Reading { component, info, schema, place });
-    }
-
-    fn encode(&self, reading: &Reading, packets: &mut Packets) -> Result<(), TooLarge> {
-        let bytes = reading.place.clone().and_then(|place| self.bytes.get(place));
-        let (cycle, component, info) = (self.cycle, reading.component, reading.info);
-        packets.push(&ToMonitor::Info(InfoValue { cycle, component, info, bytes }))
-    }
-}
-
-/// Appends a value in postcard's format.
-struct Bytes<'a> {
-    bytes: &'a mut Vec<u8>,
-    /// Schema and place of the value.
-    taken: Option<(&'static NamedType, Option<Range<usize>>)>,
-}
-
-impl InfoSink for Bytes<'_> {
-    fn take<V: Information>(&mut self, value: &V) {
-        // The buffer bounds the time that a large value takes.
-        let place = postcard::to_slice(value, &mut [0; MAX_INFO_BYTES]).ok().map(|bytes| {
-            let start = self.bytes.len();
-            self.bytes.extend_from_slice(bytes);
-            start..self.bytes.len()
-        });
-        self.taken = Some((V::SCHEMA, place));
-    }
-}
-
-/// Appends the newest snapshot and the newest value of each information; `schemas` are those that were sent.
-pub(super) fn encode(
+/// Appends the packets of the newest snapshot and of the newest value of each information; `schemas` are those that were sent.
+pub(super) fn frame(
     shown: &VecDeque<Shown>,
     schemas: &mut BTreeSet<(u16, u16)>,
     packets: &mut Packets,
 ) -> Result<(), TooLarge> {
-    let mut snapshots = shown.iter().rev().filter(|shown| shown.snapshot);
-    if let Some(snapshot) = snapshots.find_map(|shown| shown.data.snapshot.as_ref()) {
-        snapshot.encode(packets)?;
+    if let Some(newest) = shown.iter().rev().find(|shown| shown.snapshot) {
+        newest.data.snapshot.iter().try_for_each(|place| packets.push_encoded(&newest.data.bytes[place.clone()]))?;
     }
     let mut sent = BTreeSet::new();
     for Shown { data, watched, .. } in shown.iter().rev() {
@@ -109,13 +152,13 @@ pub(super) fn encode(
             if schemas.insert(key) {
                 push_schema(reading, packets)?;
             }
-            data.encode(reading, packets)?;
+            packets.push_encoded(&data.bytes[reading.place.clone()])?;
         }
     }
     Ok(())
 }
 
-fn push_schema(reading: &Reading, packets: &mut Packets) -> Result<(), TooLarge> {
+fn push_schema(reading: &EncodedReading, packets: &mut Packets) -> Result<(), TooLarge> {
     let (component, info) = (reading.component, reading.info);
     let bytes = postcard::to_stdvec(reading.schema).map_err(|_| TooLarge)?;
     let parts = bytes.chunks(SCHEMA_PART_BYTES);

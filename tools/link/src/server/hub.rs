@@ -11,6 +11,7 @@ use bica_wire::SCHEMA;
 use bica_wire::message::{Attached, LeaseAction, Request, Watch, WatchInfo};
 
 use super::connection::Connection;
+use super::exchange::Exchange;
 use super::outbox::Message;
 use super::{MAX_MONITORS, ServerOptions};
 
@@ -57,8 +58,12 @@ pub(super) struct Hub {
     pub(super) graph: &'static Graph,
     tree_hash: u64,
     options: ServerOptions,
+    /// For messages that only watch, and for the others.
+    watches: SyncSender<Inbound>,
     inbox: SyncSender<Inbound>,
     connections: Mutex<Vec<Weak<Connection>>>,
+    /// To the thread that distributes.
+    pub(super) exchange: Exchange,
     pub(super) open: AtomicUsize,
     last_id: AtomicU64,
     /// Number of the next cycle.
@@ -73,14 +78,21 @@ pub(super) struct Hub {
 }
 
 impl Hub {
-    pub(super) fn new(graph: &'static Graph, tree_hash: u64, options: &ServerOptions) -> (Self, Receiver<Inbound>) {
+    pub(super) fn new(
+        graph: &'static Graph,
+        tree_hash: u64,
+        options: &ServerOptions,
+    ) -> (Self, [Receiver<Inbound>; 2]) {
         let (inbox, receiver) = sync_channel((MAX_PENDING + UNCOUNTED) * MAX_MONITORS);
+        let (watches, watch_receiver) = sync_channel(MAX_PENDING * MAX_MONITORS);
         let hub = Self {
             graph,
             tree_hash,
             options: *options,
+            watches,
             inbox,
             connections: Mutex::default(),
+            exchange: Exchange::default(),
             open: AtomicUsize::new(0),
             last_id: AtomicU64::new(0),
             next_cycle: AtomicU64::new(0),
@@ -91,7 +103,7 @@ impl Hub {
             rejected: AtomicU32::new(0),
             too_slow: AtomicU32::new(0),
         };
-        (hub, receiver)
+        (hub, [receiver, watch_receiver])
     }
 
     pub(super) fn attached(&self) -> Attached<'static> {
@@ -119,7 +131,9 @@ impl Hub {
     /// Hands a message to the loop. Returns whether a loop will receive it.
     pub(super) fn deliver(&self, from: &Arc<Connection>, command: Command) -> bool {
         let arrived = self.next_cycle.load(Ordering::Relaxed);
-        match self.inbox.try_send(Inbound { from: Arc::clone(from), arrived, command }) {
+        let only_watches = matches!(command, Command::Watch(_) | Command::WatchInfo(_) | Command::ReadParams);
+        let inbox = if only_watches { &self.watches } else { &self.inbox };
+        match inbox.try_send(Inbound { from: Arc::clone(from), arrived, command }) {
             Ok(()) => true,
             // The queue has a place for every message that open connections may have waiting: it is full of those of closed
             // ones, while the loop stands still.
@@ -133,13 +147,17 @@ impl Hub {
 
     pub(super) fn log(&self, level: u8, text: &str) {
         let time_us = self.time_us.load(Ordering::Relaxed);
-        let text: Arc<str> = text.into();
-        self.each(|connection| connection.push(self, Message::Log { time_us, level, text: Arc::clone(&text) }));
+        self.exchange.push_to_all(Message::Log { time_us, level, text: text.into() });
+    }
+
+    /// Adds a message to the queue of each connection. Not for the loop, which never waits.
+    pub(super) fn push_to_each(&self, message: &Message) {
+        self.each(|connection| connection.push(self, message.clone()));
     }
 
     /// Tells every monitor that the server ends, and waits until they have received it.
     pub(super) fn end(&self, reason: &'static str, longest: Duration) {
-        self.each(|connection| connection.push(self, Message::Closing(reason)));
+        self.push_to_each(&Message::Closing(reason));
         let began = Instant::now();
         while self.open.load(Ordering::Relaxed) > 0 && began.elapsed() < longest {
             thread::sleep(Duration::from_millis(2));

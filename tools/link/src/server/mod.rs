@@ -3,13 +3,17 @@
 mod connection;
 mod control;
 mod cycle_data;
+mod distributor;
+mod exchange;
 mod hub;
 mod listener;
 mod observer;
 mod outbox;
 mod requests;
 mod snapshot;
+mod union;
 mod watcher;
+mod watchers;
 
 use std::sync::atomic::Ordering;
 use std::sync::{Arc, Mutex};
@@ -60,6 +64,7 @@ pub struct LinkServer {
     hub: Arc<Hub>,
     address: String,
     listener: Option<JoinHandle<()>>,
+    distributor: Option<JoinHandle<()>>,
 }
 
 impl LinkServer {
@@ -73,13 +78,17 @@ impl LinkServer {
         address: &Address,
         options: ServerOptions,
     ) -> Result<(Self, LinkRequests, LinkObserver<R>), Error> {
-        let (hub, inbox) = Hub::new(const { &R::GRAPH }, R::HASH, &options);
+        let (hub, inboxes) = Hub::new(const { &R::GRAPH }, R::HASH, &options);
         let hub = Arc::new(hub);
-        let (address, listener) = listener::start(&hub, address, options.anywhere)?;
+        let (bound, listener) = listener::start(&hub, address, options.anywhere)?;
+        let distributor = distributor::start(&hub).map_err(|error| {
+            hub.stopped.store(true, Ordering::Relaxed);
+            Error::connect(address, error)
+        })?;
         let control = Arc::new(Mutex::new(Control::new(Arc::clone(&hub), options)));
-        let requests = LinkRequests::new(inbox, Arc::clone(&control));
+        let requests = LinkRequests::new(inboxes, Arc::clone(&control));
         let observer = LinkObserver::new(control);
-        Ok((Self { hub, address, listener: Some(listener) }, requests, observer))
+        Ok((Self { hub, address: bound, listener: Some(listener), distributor: Some(distributor) }, requests, observer))
     }
 
     /// Returns the address, with the port that the operating system chose for port 0.
@@ -103,11 +112,17 @@ impl LinkServer {
 
 impl Drop for LinkServer {
     fn drop(&mut self) {
+        self.hub.exchange.close();
+        join(self.distributor.take());
         self.hub.end("the run has ended", LAST_MESSAGES);
         self.hub.stopped.store(true, Ordering::Relaxed);
-        if let Some(listener) = self.listener.take() {
-            // A panic of the listener has printed its message.
-            let _ = listener.join();
-        }
+        join(self.listener.take());
+    }
+}
+
+fn join(thread: Option<JoinHandle<()>>) {
+    if let Some(thread) = thread {
+        // A panic of the thread has printed its message.
+        let _ = thread.join();
     }
 }

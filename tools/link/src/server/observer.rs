@@ -10,10 +10,8 @@ use bica_wire::message::{MAX_VALUES, ParamValues};
 use bica_wire::server::read;
 
 use super::control::{Applied, Control};
-use super::cycle_data::CycleData;
 use super::outbox::{AnswerKind, Message};
 use super::requests::lock;
-use super::snapshot::Snapshot;
 
 /// Observer in the loop: sends answers, snapshots and information. It never waits.
 pub struct LinkObserver<R: Robot> {
@@ -74,7 +72,7 @@ impl Control {
         let cycle = self.next.cycle;
         for component in std::mem::take(&mut self.changed) {
             let values = params(tree, cycle, component);
-            self.watchers.iter_mut().for_each(|watcher| watcher.tell(Message::Params(values.clone())));
+            self.tell_all(&Message::Params(values));
         }
         for connection in std::mem::take(&mut self.readers) {
             let values = (0..T::COUNT as u16).flat_map(|component| params(tree, cycle, component)).collect();
@@ -85,33 +83,27 @@ impl Control {
     /// Reads what is watched in this cycle, once for all monitors.
     fn send_data<T: Tree>(&mut self, tree: &T) {
         let info = self.next;
-        let has_snapshot = self.watchers.iter().any(|watcher| watcher.is_due(info.cycle));
-        let mut data = CycleData::new(info.cycle, has_snapshot.then(|| Snapshot::new(info, tree)));
-        let mut last = None;
-        for &(key, every) in &self.watched {
-            if last != Some(key) && info.cycle.is_multiple_of(every.into()) {
-                data.read(tree, key.0, key.1);
-                last = Some(key);
-            }
+        let mut data = self.outgoing.unused_data();
+        data.begin(info.cycle);
+        if self.watchers.is_snapshot_due(info.cycle) {
+            data.snapshot.read(info, tree);
         }
-        if data.is_empty() {
-            return;
+        for (component, index) in self.watchers.due(info.cycle) {
+            data.read(tree, component, index);
         }
-        let data = Arc::new(data);
-        self.watchers.iter_mut().for_each(|watcher| watcher.show(&data, info.cycle));
+        data.watchers = self.watchers.shared();
+        self.outgoing.add_data(data);
     }
 
     /// Hands everything over and prepares the next cycle.
     fn finish(&mut self) {
-        let hub = Arc::clone(&self.hub);
-        self.watchers.iter_mut().for_each(|watcher| watcher.flush(&hub));
-        if self.watchers.iter().any(|watcher| watcher.connection.is_closed()) {
-            self.watchers.retain(|watcher| !watcher.connection.is_closed());
-            self.list_watched();
+        if !self.outgoing.is_empty() {
+            self.hub.exchange.offer(&mut self.outgoing, |connection| connection.overflow(&self.hub));
         }
-        hub.time_us.store(self.next.time_us, Ordering::Relaxed);
+        self.watchers.remove_closed();
+        self.hub.time_us.store(self.next.time_us, Ordering::Relaxed);
         self.next.cycle += 1;
-        hub.next_cycle.store(self.next.cycle, Ordering::Relaxed);
+        self.hub.next_cycle.store(self.next.cycle, Ordering::Relaxed);
     }
 }
 

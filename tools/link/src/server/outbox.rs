@@ -1,7 +1,7 @@
 //! Messages that wait for a monitor.
 
 use std::collections::VecDeque;
-use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError, TryLockError};
+use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 
 use bica::Graph;
 use bica_wire::message::{
@@ -13,13 +13,13 @@ use super::cycle_data::Shown;
 use crate::frame::Packets;
 
 /// Largest number of messages in the lossless queue. A monitor that leaves more unread is disconnected.
-pub(super) const MAX_STATE: usize = 256;
+const MAX_STATE: usize = 1024;
 
 /// Largest number of cycles whose data waits; the oldest is dropped.
 const MAX_DATA: usize = 8;
 
 /// Message of the lossless queue.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(super) enum Message {
     Attached(Attached<'static>),
     Describe(&'static Graph),
@@ -31,7 +31,7 @@ pub(super) enum Message {
 }
 
 /// Result of a request.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(super) enum AnswerKind {
     Done(Vec<Value>),
     Refused { code: RefusalCode, entry: u16, text: String },
@@ -48,68 +48,58 @@ pub(super) struct Outbox {
 struct Queues {
     state: VecDeque<Message>,
     data: VecDeque<Shown>,
+    /// Whether the writer waits; waking it costs a call of the operating system.
+    sleeps: bool,
     closed: bool,
 }
 
-/// Result of handing messages to the queues without waiting.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Offered {
-    /// They are in the queues.
-    Taken,
-    /// Another thread uses the queues; the messages are still with the caller.
-    Contended,
-    /// The lossless queue is full.
-    Overflow,
-}
-
 impl Outbox {
-    /// Adds a message to the lossless queue; returns whether there was room. For threads that may wait.
+    /// Adds a message to the lossless queue; returns whether there was room.
     pub(super) fn push(&self, message: Message) -> bool {
         let mut queues = self.lock();
         let room = queues.state.len() < MAX_STATE;
         if room {
             queues.state.push_back(message);
         }
-        drop(queues);
-        self.filled.notify_one();
+        self.wake(queues);
         room
     }
 
-    /// Moves messages and data into the queues, unless another thread uses these. For the loop, which never waits.
-    pub(super) fn offer(&self, messages: &mut VecDeque<Message>, shown: &mut Option<Shown>) -> Offered {
-        let mut queues = match self.queues.try_lock() {
-            Ok(queues) => queues,
-            Err(TryLockError::Poisoned(poisoned)) => poisoned.into_inner(),
-            Err(TryLockError::WouldBlock) => return Offered::Contended,
-        };
-        if queues.state.len() + messages.len() > MAX_STATE {
-            return Offered::Overflow;
+    /// Adds data of a cycle; the oldest is dropped if there is too much.
+    pub(super) fn show(&self, shown: Shown) {
+        let mut queues = self.lock();
+        if queues.data.len() == MAX_DATA {
+            queues.data.pop_front();
         }
-        queues.state.append(messages);
-        if let Some(shown) = shown.take() {
-            if queues.data.len() == MAX_DATA {
-                queues.data.pop_front();
-            }
-            queues.data.push_back(shown);
-        }
-        drop(queues);
-        self.filled.notify_one();
-        Offered::Taken
+        queues.data.push_back(shown);
+        self.wake(queues);
     }
 
     /// Waits for messages and takes all; `None` after [`close`](Self::close).
     pub(super) fn take(&self) -> Option<(VecDeque<Message>, VecDeque<Shown>)> {
-        let queues = self.lock();
-        let empty = |queues: &mut Queues| queues.state.is_empty() && queues.data.is_empty() && !queues.closed;
-        let mut queues = self.filled.wait_while(queues, empty).unwrap_or_else(PoisonError::into_inner);
+        let mut queues = self.lock();
+        while queues.state.is_empty() && queues.data.is_empty() && !queues.closed {
+            queues.sleeps = true;
+            queues = self.filled.wait(queues).unwrap_or_else(PoisonError::into_inner);
+        }
+        queues.sleeps = false;
         let queues = &mut *queues;
         (!queues.closed).then(|| (std::mem::take(&mut queues.state), std::mem::take(&mut queues.data)))
     }
 
     /// Ends the thread that takes messages.
     pub(super) fn close(&self) {
-        self.lock().closed = true;
-        self.filled.notify_one();
+        let mut queues = self.lock();
+        queues.closed = true;
+        self.wake(queues);
+    }
+
+    fn wake(&self, mut queues: MutexGuard<'_, Queues>) {
+        let sleeps = std::mem::take(&mut queues.sleeps);
+        drop(queues);
+        if sleeps {
+            self.filled.notify_one();
+        }
     }
 
     fn lock(&self) -> MutexGuard<'_, Queues> {

@@ -14,13 +14,17 @@ use bica_wire::server::RequestBuffer;
 use super::control::{Applied, Control};
 use super::hub::{Command, Inbound};
 
-/// Largest number of messages that are handled before one cycle.
+/// Largest number of messages that are handled before one cycle, besides those that only watch.
 const MESSAGES_PER_CYCLE: usize = 64;
+/// Largest number of messages that only watch and are handled before one cycle.
+const WATCHES_PER_CYCLE: usize = 64;
 
 /// Source of requests in the loop. It never waits.
 #[derive(Debug)]
 pub struct LinkRequests {
     inbox: Receiver<Inbound>,
+    /// Messages that only watch: a request does not wait for the hundreds that a monitor may send.
+    watches: Receiver<Inbound>,
     control: Arc<Mutex<Control>>,
     /// Number of messages that may still be handled before this cycle.
     budget: usize,
@@ -37,14 +41,21 @@ enum Current {
 }
 
 impl LinkRequests {
-    pub(super) fn new(inbox: Receiver<Inbound>, control: Arc<Mutex<Control>>) -> Self {
-        Self { inbox, control, budget: MESSAGES_PER_CYCLE, current: None, buffer: Box::default() }
+    pub(super) fn new(inboxes: [Receiver<Inbound>; 2], control: Arc<Mutex<Control>>) -> Self {
+        let [inbox, watches] = inboxes;
+        Self { inbox, watches, control, budget: MESSAGES_PER_CYCLE, current: None, buffer: Box::default() }
     }
 
     /// Returns the next request and handles all messages before it.
     fn take(&mut self, now: Instant) -> Option<Current> {
         let mut control = lock(&self.control);
         control.check_silence(now);
+        if self.budget == MESSAGES_PER_CYCLE {
+            for message in self.watches.try_iter().take(WATCHES_PER_CYCLE) {
+                message.from.pending.fetch_sub(1, Ordering::Relaxed);
+                control.handle(now, message);
+            }
+        }
         loop {
             if let Some(ending) = control.lease.next_ending() {
                 return Some(Current::Ending(Box::new(ending)));

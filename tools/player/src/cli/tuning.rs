@@ -10,6 +10,10 @@ pub(crate) struct TuningArgs {
     /// Folder of tune files: `DIR/WORLD.toml`, if it exists, and with --robot `DIR/NAME.toml`
     #[arg(long, value_name = "DIR", default_value = "tune")]
     pub(crate) tune: PathBuf,
+    /// Colour profile whose limits are the parameters of `Colours`, over the tune file of the world and below that of the robot:
+    /// built-in, nao2009 or darwin2013, or a TOML file
+    #[arg(long, value_name = "PROFILE")]
+    pub(crate) profile: Option<String>,
     /// Name of the robot, for its tune file
     #[arg(long, value_name = "NAME")]
     pub(crate) robot: Option<String>,

@@ -47,6 +47,68 @@ fn parameters_are_listed_as_table_tune_file_and_json() {
     assert_eq!(gain(&[]), ("0.7".to_owned(), Value::Null));
 }
 
+/// Returns the value and the source of a limit of `Colours`.
+fn limit(name: &str, args: &[&str]) -> (String, Value) {
+    let json = run(&[&["params", "Colours", "--json"], args].concat()).json();
+    let rows = json["parameters"].as_array().expect("a list");
+    let row = rows.iter().find(|row| row["name"] == name).expect("a parameter");
+    (row["value"].as_str().expect("a text").to_owned(), row["source"].clone())
+}
+
+#[test]
+fn a_colour_profile_is_a_layer_between_the_files_of_world_and_robot() {
+    let folder = Folder::new("tune-profile");
+    fs::write(path(&folder, "built-in.toml"), "[Colours]\norange_hue_to = 140\ngreen_luma_max = 199\n").unwrap();
+    fs::write(path(&folder, "rob.toml"), "[Colours]\nblue_luma_max = 150\n").unwrap();
+    let tune = ["--tune", folder.text(), "--profile", "nao2009"];
+    let profile = Value::from("profile nao2009");
+    // The values are those of profiles/nao2009.toml.
+    assert_eq!(limit("orange_hue_to", &tune), ("145".to_owned(), profile.clone()));
+    assert_eq!(limit("green_luma_max", &tune), ("133".to_owned(), profile.clone()));
+    assert_eq!(limit("blue_chroma_min", &tune), ("21".to_owned(), profile.clone()));
+    assert_eq!(limit("white_saturation_max", &tune), ("8".to_owned(), profile));
+    let robot = [&tune[..], &["--robot", "rob", "--set", "Colours.blue_luma_min=60"]].concat();
+    assert_eq!(limit("blue_luma_max", &robot).0, "150");
+    assert_eq!(limit("blue_luma_min", &robot), ("60".to_owned(), "--set".into()));
+    assert_eq!(limit("blue_hue_from", &robot).0, "282");
+}
+
+#[test]
+fn a_colour_profile_becomes_a_tune_file_with_the_same_values() {
+    let folder = Folder::new("tune-convert");
+    for profile in ["nao2009", "darwin2013"] {
+        let file = path(&folder, &format!("{profile}.toml"));
+        assert_eq!(run(&["params", "--profile", profile, "--write", &file]).code, Some(0));
+        let values = |args: &[&str]| {
+            let json = run(&[&["params", "Colours", "--json"], args].concat()).json();
+            let rows = json["parameters"].as_array().expect("a list").iter();
+            rows.map(|row| (row["name"].clone(), row["value"].clone())).collect::<Vec<_>>()
+        };
+        let direct = values(&["--profile", profile]);
+        assert_eq!(values(&["--tune", folder.text(), "--kind", profile]), direct);
+        assert_ne!(values(&[]), direct);
+    }
+    assert_eq!(run(&["params", "--profile", "built-in", "--changed"]).stdout.lines().count(), 1, "only the titles");
+}
+
+#[test]
+fn a_profile_that_parameters_cannot_express_is_refused() {
+    let folder = Folder::new("tune-inexpressible");
+    let file = path(&folder, "hall.toml");
+    let of_profile = fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../../profiles/nao2009.toml")).unwrap();
+    let changed = |from: &str, to: &str, words: &[&str]| {
+        assert!(of_profile.contains(from), "{from}");
+        fs::write(&file, of_profile.replace(from, to)).unwrap();
+        fails(&["params", "--profile", &file], words);
+    };
+    changed("hue = [119, 145]", "", &["hall.toml", "`orange` has no range of hues", "hue = [from, to]"]);
+    changed("saturation = [22, 400]", "", &["`orange` has no range of saturations"]);
+    changed("saturation = [22, 400]", "saturation = [22, 1001]", &["profile", "orange_saturation_max", "0 to 1000"]);
+    changed("saturation = [0, 8]", "saturation = [1, 8]", &["`white` has other limits"]);
+    changed("hue = [119, 145]", "hue = [119]", &["line", "orange.hue"]);
+    fails(&["params", "--profile", "nao2010"], &["nao2010", "built-in, nao2009 and darwin2013"]);
+}
+
 #[test]
 fn a_tune_file_of_the_world_then_of_the_robot_then_the_command_line_decide() {
     let folder = Folder::new("tune-layers");

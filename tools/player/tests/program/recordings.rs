@@ -189,8 +189,8 @@ fn what_was_recorded_before_a_kill_replays() {
 }
 
 #[test]
-#[ignore = "takes two minutes and an idle machine: cargo test --release -p bica-player-program -- --ignored a_kill"]
-fn a_kill_loses_at_most_half_a_second() {
+#[ignore = "long: `cargo xtask long` runs it, on a machine that is otherwise idle"]
+fn long_a_kill_loses_at_most_half_a_second() {
     let folder = Folder::new("recorded-kills");
     for trial in 0..50_u64 {
         let file = path(&folder, &format!("{trial}.mcap"));

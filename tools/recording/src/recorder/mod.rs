@@ -4,9 +4,9 @@ mod queue;
 mod sink;
 mod thread;
 
-use std::io;
 use std::sync::Arc;
 use std::thread::JoinHandle;
+use std::{fmt, io};
 
 use bica::refusal::Refusal;
 use bica::runner::{Cycle, Observer, Request, Robot};
@@ -68,7 +68,7 @@ pub struct Report {
 
 /// Observer of a loop that records it.
 ///
-/// The loop copies the values of a cycle into a queue and never waits for the disk, unless [`Backpressure::Wait`] says so. A
+/// The loop copies the values of a cycle into a queue, images without an [owner](Self::sharing_images) included, and never waits for the disk, unless [`Backpressure::Wait`] says so. A
 /// thread of its own codes and writes them, at least every 0.3 s, and asks the operating system every 0.5 s to bring
 /// them to the disk. If writing fails, the recording ends, the file keeps what is complete, and the loop goes on.
 #[derive(Debug)]
@@ -76,6 +76,8 @@ pub struct Recorder {
     queue: Arc<Queue>,
     thread: Option<JoinHandle<Report>>,
     stores_values: bool,
+    /// Active components and states after this cycle and after the last one.
+    tree: TreeRecord,
     last_tree: TreeRecord,
     cycles: u64,
     information_every: u64,
@@ -84,6 +86,18 @@ pub struct Recorder {
     next_image: u32,
     requests: Vec<RequestRecord>,
     sensing: Option<(Sensors, ImageValues)>,
+    owner: Owner,
+}
+
+/// Function that returns the owner of the pixels of an image.
+struct Owner(Box<OwnerOf>);
+
+type OwnerOf = dyn Fn(&[u8]) -> Option<Arc<Vec<u8>>> + Send;
+
+impl fmt::Debug for Owner {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("Owner")
+    }
 }
 
 impl Recorder {
@@ -107,6 +121,7 @@ impl Recorder {
             queue,
             thread: Some(thread),
             stores_values: header.images == ImagePolicy::All,
+            tree: TreeRecord::default(),
             last_tree: TreeRecord::default(),
             cycles: 0,
             information_every: options.information_every,
@@ -114,7 +129,16 @@ impl Recorder {
             next_image: 0,
             requests: Vec::new(),
             sensing: None,
+            owner: Owner(Box::new(|_| None)),
         })
+    }
+
+    /// Sets a function that returns the owner of the pixels of an image, if they have one that is never changed again. Then the
+    /// recorder keeps the owner, and the loop copies nothing.
+    #[must_use]
+    pub fn sharing_images(mut self, owner: impl Fn(&[u8]) -> Option<Arc<Vec<u8>>> + Send + 'static) -> Self {
+        self.owner = Owner(Box::new(owner));
+        self
     }
 
     /// Records an event of the referee.
@@ -149,13 +173,25 @@ impl Recorder {
         let robot::Image { camera, width, height, yuyv } = *image;
         let bottom = camera == CameraId::Bottom;
         let digest = || ImageValues::Digest(image_digest(bottom, width, height, yuyv));
-        if !self.stores_values {
+        let owner = (self.owner.0)(yuyv);
+        let has_room = match (self.stores_values, &owner) {
+            (true, _) => self.queue.make_room(),
+            // The thread computes the digest.
+            (false, Some(_)) => self.queue.try_make_room(),
+            (false, None) => false,
+        };
+        if !has_room {
             return digest();
         }
-        let Some(mut pixels) = self.queue.take_buffer() else { return digest() };
-        pixels.clear();
-        pixels.extend_from_slice(yuyv);
-        ImageValues::Pixels(pixels)
+        owner.map_or_else(
+            || {
+                let mut pixels = self.queue.take_buffer();
+                pixels.clear();
+                pixels.extend_from_slice(yuyv);
+                ImageValues::Pixels(pixels)
+            },
+            ImageValues::Shared,
+        )
     }
 }
 
@@ -196,8 +232,10 @@ where
 
     fn acted(&mut self, cycle: &Cycle<'_, R>) {
         let Some((sensors, image)) = self.sensing.take() else { return };
-        let tree = tree_record(cycle.robot);
-        let due = self.information_every > 0 && self.cycles.is_multiple_of(self.information_every);
+        read_tree(cycle.robot, &mut self.tree);
+        // Half a period later: in a simulated world cycle 0 and each tenth after it have an image already.
+        let every = self.information_every;
+        let due = every > 0 && (self.cycles + every / 2).is_multiple_of(every);
         let information = due.then(|| {
             let mut bytes = Vec::with_capacity(self.information_bytes);
             information::append(cycle.robot, &mut bytes);
@@ -205,9 +243,9 @@ where
             bytes
         });
         self.cycles += 1;
-        let changed = tree != self.last_tree;
+        let changed = self.tree != self.last_tree;
         if changed {
-            self.last_tree.clone_from(&tree);
+            self.last_tree.clone_from(&self.tree);
         }
         self.queue.push(Entry::Cycle(CycleValues {
             instant: cycle.now.as_ticks(),
@@ -216,7 +254,7 @@ where
             image,
             command: Command::new(cycle.now.as_micros(), cycle.command),
             information,
-            tree: changed.then_some(tree),
+            tree: changed.then(|| self.tree.clone()),
         }));
     }
 }
@@ -224,11 +262,19 @@ where
 /// Returns active components and states of a tree.
 #[must_use]
 pub fn tree_record<T: Tree>(tree: &T) -> TreeRecord {
-    let mut record = TreeRecord { active: vec![0; T::COUNT.div_ceil(8)], states: Vec::with_capacity(T::COUNT) };
+    let mut record = TreeRecord::default();
+    read_tree(tree, &mut record);
+    record
+}
+
+/// Reads active components and states of a tree into a record whose memory is used again.
+fn read_tree<T: Tree>(tree: &T, record: &mut TreeRecord) {
+    record.active.clear();
+    record.active.resize(T::COUNT.div_ceil(8), 0);
+    record.states.clear();
     for index in 0..T::COUNT {
         let id = ComponentId::new(index);
         record.active[index / 8] |= u8::from(tree.is_active(id)) << (index % 8);
         record.states.push(tree.state(id).map_or(u8::MAX, |state| state as u8));
     }
-    record
 }

@@ -2,7 +2,7 @@
 
 use std::collections::VecDeque;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
 use bica_wire::message::{Command, Sensors};
@@ -37,8 +37,10 @@ pub(super) struct CycleValues {
 pub(super) enum ImageValues {
     /// There is none.
     None,
-    /// Its pixels.
+    /// A copy of its pixels.
     Pixels(Vec<u8>),
+    /// Its pixels, with their owner.
+    Shared(Arc<Vec<u8>>),
     /// Its digest; its pixels are not stored.
     Digest(u32),
 }
@@ -61,7 +63,9 @@ struct State {
     entries: VecDeque<Entry>,
     /// Entries taken by the thread and not yet written.
     taken: usize,
-    /// Buffers for images that are free.
+    /// Number of images whose pixels wait.
+    images: usize,
+    /// Buffers for copies of images that are free.
     buffers: Vec<Vec<u8>>,
     dropped_images: u64,
     closing: Option<String>,
@@ -93,7 +97,8 @@ impl Queue {
         let state = State {
             entries: VecDeque::with_capacity(options.cycles.min(1000)),
             taken: 0,
-            buffers: vec![Vec::new(); options.images],
+            images: 0,
+            buffers: Vec::with_capacity(options.images),
             dropped_images: 0,
             closing: None,
             overflow: false,
@@ -143,34 +148,56 @@ impl Queue {
         }
     }
 
-    /// Returns a buffer for an image; none if the image has to be dropped.
-    pub(super) fn take_buffer(&self) -> Option<Vec<u8>> {
+    /// Makes room for the pixels of an image; returns false if the image has to be dropped, which is counted.
+    pub(super) fn make_room(&self) -> bool {
         let mut state = self.lock();
-        loop {
-            if let Some(buffer) = state.buffers.pop() {
-                if state.buffers.len() < self.options.images / 2 {
-                    self.wake.notify_one();
-                }
-                return Some(buffer);
-            }
+        while state.images >= self.options.images {
             if self.has_ended() {
-                return None;
+                return false;
             }
             if self.options.backpressure == Backpressure::Drop {
                 state.dropped_images += 1;
-                return None;
+                return false;
             }
             self.wake.notify_one();
             state = self.room.wait_timeout(state, POLL).unwrap_or_else(PoisonError::into_inner).0;
         }
+        self.take_room(&mut state);
+        true
     }
 
-    /// Gives the buffer of an image back.
-    pub(super) fn give_back(&self, image: ImageValues) {
-        if let ImageValues::Pixels(buffer) = image {
-            self.lock().buffers.push(buffer);
-            self.room.notify_one();
+    /// Makes room for the pixels of an image that need not be stored, if there is any.
+    pub(super) fn try_make_room(&self) -> bool {
+        let mut state = self.lock();
+        let is_free = state.images < self.options.images;
+        if is_free {
+            self.take_room(&mut state);
         }
+        is_free
+    }
+
+    fn take_room(&self, state: &mut State) {
+        state.images += 1;
+        if state.images > self.options.images / 2 {
+            self.wake.notify_one();
+        }
+    }
+
+    /// Returns a buffer for a copy of an image.
+    pub(super) fn take_buffer(&self) -> Vec<u8> {
+        self.lock().buffers.pop().unwrap_or_default()
+    }
+
+    /// Gives the room of an image back.
+    pub(super) fn give_back(&self, image: ImageValues) {
+        let mut state = self.lock();
+        match image {
+            ImageValues::Pixels(buffer) => state.buffers.push(buffer),
+            ImageValues::Shared(_) => {}
+            ImageValues::None | ImageValues::Digest(_) => return,
+        }
+        state.images -= 1;
+        self.room.notify_one();
     }
 
     /// Ends the run.

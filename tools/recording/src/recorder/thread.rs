@@ -3,6 +3,7 @@
 use std::io;
 use std::time::{Duration, Instant};
 
+use bica_wire::message::ImageInfo;
 use serde::Serialize;
 
 use super::queue::{CycleValues, Entry, ImageValues, Queue};
@@ -187,25 +188,24 @@ impl<S: Sink> Writing<S> {
             self.fingerprint.add_request(request);
             self.message(Channel::Requests, time, request);
         }
-        let stored = sensors.image.zip(match &image {
+        let stores_values = self.header.images == ImagePolicy::All;
+        let pixels = match &image {
             ImageValues::Pixels(pixels) => Some(pixels),
-            _ => None,
-        });
-        let digest = stored.map(|(info, pixels)| {
-            let (width, height) = (info.width, info.height);
-            let mut coded = Vec::with_capacity(pixels.len() / 2);
-            if self.coder.encode(pixels, width.into(), height.into(), &mut coded).is_ok() {
-                let record = ImageRecord { id: info.id, bottom_camera: info.bottom_camera, width, height, coded };
-                self.message(Channel::Images, time, &record);
+            ImageValues::Shared(pixels) => Some(&**pixels),
+            ImageValues::None | ImageValues::Digest(_) => None,
+        };
+        let digest = sensors.image.zip(pixels).map(|(info, pixels)| {
+            if stores_values {
+                self.image(time, &info, pixels);
             }
-            image_digest(info.bottom_camera, width, height, pixels)
+            image_digest(info.bottom_camera, info.width, info.height, pixels)
         });
         let image_digest = match &image {
             ImageValues::Digest(digest) => *digest,
             _ => digest.unwrap_or(0),
         };
         queue.give_back(image);
-        if self.header.images == ImagePolicy::All {
+        if stores_values {
             self.message(Channel::Sensors, time, &sensors);
             self.message(Channel::Command, time, &CommandRecord { command });
         }
@@ -229,6 +229,14 @@ impl<S: Sink> Writing<S> {
         tick.fingerprint = self.fingerprint.add_tick(&tick);
         self.message(Channel::Tick, time, &tick);
         self.cycle += 1;
+    }
+
+    fn image(&mut self, time: u64, info: &ImageInfo, pixels: &[u8]) {
+        let ImageInfo { id, bottom_camera, width, height } = *info;
+        let mut coded = Vec::with_capacity(pixels.len() / 2);
+        if self.coder.encode(pixels, width.into(), height.into(), &mut coded).is_ok() {
+            self.message(Channel::Images, time, &ImageRecord { id, bottom_camera, width, height, coded });
+        }
     }
 
     fn message(&mut self, channel: Channel, time: u64, value: &impl Serialize) {

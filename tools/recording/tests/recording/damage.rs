@@ -1,7 +1,8 @@
 //! Cut, damaged and hostile files.
 
+use bica_recording::mcap::{Compression, Item, Reader, Writer};
 use bica_recording::repair::recover;
-use bica_recording::{Info, Recording};
+use bica_recording::{Channel, ImageRecord, Info, LogLine, Recording, RefereeEvent};
 use proptest::prelude::*;
 
 use crate::support::{cycles, recorded};
@@ -11,7 +12,6 @@ const MEMORY: u64 = 4 << 20;
 
 /// Returns the positions behind each chunk, and the number of complete cycles up to there.
 fn chunk_ends(file: &[u8]) -> Vec<(usize, u64)> {
-    use bica_recording::mcap::{Item, Reader};
     let mut reader = Reader::new(file).expect("MCAP");
     let (mut ends, mut count) = (Vec::new(), 0);
     loop {
@@ -134,6 +134,57 @@ fn decompression_bombs_and_impossible_lengths_end_in_an_error_with_bounded_memor
         assert!(error.contains(words), "{error} lacks {words}");
         let memory = read(&file);
         assert!(memory < 3 * file.len() as u64 + 2 * MEMORY, "{memory} bytes of memory for {words}");
+    }
+}
+
+/// Returns a file of which each chunk has one message with a content of 1 MB that compresses well.
+fn bomb(channel: Channel, data: impl Fn(u64) -> Vec<u8>) -> Vec<u8> {
+    let file = recorded(1);
+    let (mut reader, mut schemas, mut channels) = (Reader::new(&file[..]).expect("MCAP"), Vec::new(), Vec::new());
+    let (name, fields) = loop {
+        match reader.next_item().expect("intact") {
+            Item::Schema(schema) => schemas.push(schema),
+            Item::Channel(channel) => channels.push(channel),
+            Item::Metadata(_, name, fields) => break (name, fields),
+            _ => panic!("messages before the header"),
+        }
+    };
+    let mut target = Vec::new();
+    let mut writer = Writer::new(&mut target, "bica", schemas, channels).expect("memory");
+    writer.metadata(&name, &fields).expect("memory");
+    for number in 0..150 {
+        writer.message(Compression::Lz4, channel.id(), number, |out| out.extend(data(number)));
+        writer.flush().expect("memory");
+    }
+    writer.close().expect("memory");
+    drop(writer);
+    target
+}
+
+#[test]
+fn messages_without_a_cycle_take_bounded_memory() {
+    const LIMIT: u64 = 160 << 20;
+    let text = "a".repeat(1 << 20);
+    let log = bomb(Channel::Log, |_| postcard::to_stdvec(&LogLine { level: 2, text: text.clone() }).expect("memory"));
+    let images = bomb(Channel::Images, |number| {
+        let coded = vec![0; 1 << 20];
+        let image = ImageRecord { id: number as u32, bottom_camera: false, width: 2, height: 2, coded };
+        postcard::to_stdvec(&image).expect("memory")
+    });
+    let events = bomb(Channel::Events, |at_ns| {
+        postcard::to_stdvec(&RefereeEvent { at_ns, kind: "goal".to_owned(), detail: text.clone() }).expect("memory")
+    });
+    for (file, words) in [(&log, "without a cycle"), (&events, "without a cycle")] {
+        assert!(file.len() < 1 << 21, "{} bytes", file.len());
+        let error = cycles(&file[..]).1.expect("an error");
+        assert!(error.contains(words), "{error} lacks {words}");
+    }
+    let damage = Info::read(&events[..]).expect("a header").damage.expect("too many");
+    assert!(damage.contains("too many events"), "{damage}");
+    assert_eq!(cycles(&images[..]).1, None, "the oldest images are dropped");
+    for file in [log, images, events] {
+        let memory = read(&file);
+        assert!(memory < LIMIT, "{memory} bytes of memory");
     }
 }
 

@@ -171,7 +171,18 @@ pub(crate) fn header(images: ImagePolicy) -> Header {
 
 /// Runs the robot for a number of cycles; `None` as header: the disk has no room for it.
 pub(crate) fn record(disk: &Disk, images: ImagePolicy, cycles: u64, options: RecorderOptions) -> Option<Report> {
-    let recorder = Recorder::start(disk.clone(), &header(images), options, |_| {}).ok()?;
+    record_sharing(disk, images, cycles, options, |_| None)
+}
+
+/// As [`record`], with images that have an owner.
+pub(crate) fn record_sharing(
+    disk: &Disk,
+    images: ImagePolicy,
+    cycles: u64,
+    options: RecorderOptions,
+    owner: impl Fn(&[u8]) -> Option<Arc<Vec<u8>>> + Send + 'static,
+) -> Option<Report> {
+    let recorder = Recorder::start(disk.clone(), &header(images), options, |_| {}).ok()?.sharing_images(owner);
     let mut lamp = Lamp::new();
     let mut runner = Runner::new(&mut lamp, ()).with_observer(recorder);
     for cycle in 0..cycles {

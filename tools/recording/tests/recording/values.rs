@@ -1,16 +1,18 @@
 //! What is written is read again.
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 use bica_recording::mcap::{Item, Reader};
 use bica_recording::repair::trim;
 use bica_recording::{
-    Comparison, ImagePolicy, Info, RecorderOptions, Recording, RequestRecord, export::export, sensor_field,
+    Comparison, ImagePolicy, Info, RecorderOptions, Recording, RequestRecord, export::export, image_digest,
+    sensor_field,
 };
 use bica_wire::message::Sensors as SensorsMessage;
 use postcard_schema::Schema;
 
-use crate::support::{Disk, SIZE, cycles, header, pixels, record, recorded, sensors};
+use crate::support::{Disk, SIZE, cycles, header, pixels, record, record_sharing, recorded, sensors};
 
 #[test]
 fn every_value_is_restored_bit_for_bit() {
@@ -45,7 +47,7 @@ fn every_value_is_restored_bit_for_bit() {
 fn information_of_active_components_is_recorded_at_a_tenth_of_the_rate_with_its_schema() {
     let (cycles, _) = cycles(&recorded(60)[..]);
     let with: Vec<_> = cycles.iter().filter(|cycle| cycle.information.is_some()).collect();
-    assert_eq!(with.iter().map(|cycle| cycle.tick.cycle).collect::<Vec<_>>(), [0, 10, 20, 30, 40, 50]);
+    assert_eq!(with.iter().map(|cycle| cycle.tick.cycle).collect::<Vec<_>>(), [5, 15, 25, 35, 45, 55]);
     for cycle in with {
         let values = &cycle.information.as_ref().expect("filtered").values;
         if !cycle.tree.is_active(1) {
@@ -106,6 +108,26 @@ fn without_images_digests_and_decisions_are_the_same() {
         comparison.add(one, two);
     }
     assert_eq!((comparison.cycles, comparison.first), (60, None));
+}
+
+#[test]
+fn shared_images_are_recorded_from_their_owner_and_others_are_copied() {
+    let dark = |yuyv: &[u8]| -> Arc<Vec<u8>> { Arc::new(yuyv.iter().map(|value| value / 2).collect()) };
+    for images in [ImagePolicy::All, ImagePolicy::None] {
+        let disk = Disk::default();
+        // Images of every sixth cycle have an owner, whose pixels are other ones to show which were recorded.
+        let owner = move |yuyv: &[u8]| (0..30).any(|i| yuyv == pixels(6 * i)).then(|| dark(yuyv));
+        let report = record_sharing(&disk, images, 60, RecorderOptions::default(), owner).expect("there is room");
+        assert_eq!((report.cycles, report.dropped_images), (60, 0));
+        for (number, cycle) in (0..).zip(cycles(&disk.contents()[..]).0) {
+            let own = pixels(number);
+            let expected = if number % 6 == 0 { dark(&own).to_vec() } else { own };
+            let digest = if number % 3 == 0 { image_digest(false, SIZE.0, SIZE.1, &expected) } else { 0 };
+            assert_eq!(cycle.tick.image, digest, "cycle {number}");
+            let stored = (images == ImagePolicy::All && number % 3 == 0).then_some(expected);
+            assert!(cycle.image.map(|image| image.yuyv) == stored, "cycle {number}");
+        }
+    }
 }
 
 #[test]

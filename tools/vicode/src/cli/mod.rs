@@ -1,0 +1,146 @@
+//! The command line: `vicode model|apply|check|draw|new`.
+
+mod apply;
+mod check;
+mod create;
+mod diff;
+mod draw;
+mod model;
+
+use std::fs;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+use clap::{Subcommand, ValueEnum};
+
+/// What the command line can do.
+#[derive(Clone, Debug, Subcommand)]
+pub enum Command {
+    /// Prints the model of a file as JSON
+    Model {
+        /// Rust source
+        file: PathBuf,
+        /// JSON, which is the only format
+        #[arg(long)]
+        json: bool,
+    },
+    /// Applies edits to a file, all or none
+    Apply {
+        /// Rust source
+        file: PathBuf,
+        /// File with a list of edits as JSON; `-` is the standard input
+        #[arg(long)]
+        edits: PathBuf,
+        /// Print the difference and change nothing
+        #[arg(long)]
+        dry_run: bool,
+    },
+    /// Reports what is wrong in a file, as the macros would
+    Check {
+        /// Rust source
+        file: PathBuf,
+        /// Print the mistakes as JSON
+        #[arg(long)]
+        json: bool,
+    },
+    /// Draws the state machines of a file
+    Draw {
+        /// Rust source
+        file: PathBuf,
+        /// Format
+        #[arg(long, value_enum, default_value_t = Format::Svg)]
+        format: Format,
+        /// Component, if the file has several
+        #[arg(long)]
+        component: Option<String>,
+        /// File to write; the standard output without
+        #[arg(long)]
+        output: Option<PathBuf>,
+    },
+    /// Makes a new component: its file, its `mod` line, its entry in a tree
+    New {
+        /// Name of the component, as in `BallKeeper`
+        name: String,
+        /// Folder of the new file
+        #[arg(long, default_value = "src")]
+        folder: PathBuf,
+        /// Source with the `activation_tree!` that gets the component
+        #[arg(long)]
+        tree: Option<PathBuf>,
+        /// Path of the module from which that source imports it, as in `crate::behaviour`
+        #[arg(long, requires = "tree")]
+        import: Option<String>,
+        /// Print the differences and change nothing
+        #[arg(long)]
+        dry_run: bool,
+    },
+}
+
+/// Format of a drawing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Format {
+    /// Vector graphics
+    Svg,
+    /// Picture
+    Png,
+    /// `stateDiagram-v2` of Mermaid
+    Mermaid,
+    /// `digraph` of Graphviz
+    Dot,
+}
+
+/// Runs a command; whether all was well. What it prints goes to `out`.
+///
+/// # Errors
+/// If a file cannot be read or written, or an edit is refused. Nothing was changed then.
+pub fn run(command: &Command, out: &mut dyn Write) -> Result<bool, String> {
+    match command {
+        Command::Model { file, .. } => model::run(file, out),
+        Command::Apply { file, edits, dry_run } => apply::run(file, edits, *dry_run, out),
+        Command::Check { file, json } => check::run(file, *json, out),
+        Command::Draw { file, format, component, output } => {
+            draw::run(file, *format, component.as_deref(), output.as_deref(), out)
+        }
+        Command::New { name, folder, tree, import, dry_run } => {
+            create::run(name, folder, tree.as_deref(), import.as_deref(), *dry_run, out)
+        }
+    }
+}
+
+/// The text of a file.
+fn text_of(file: &Path) -> Result<String, String> {
+    fs::read_to_string(file).map_err(|error| format!("cannot read `{}`: {error}", file.display()))
+}
+
+fn print(out: &mut dyn Write, text: &str) -> Result<(), String> {
+    out.write_all(text.as_bytes()).map_err(|error| format!("cannot print: {error}"))
+}
+
+/// Line and column of a byte, both from 1, the column in characters.
+fn place(text: &str, at: usize) -> (usize, usize) {
+    let before = &text[..at.min(text.len())];
+    let line = before.rfind('\n').map_or(0, |newline| newline + 1);
+    (before.matches('\n').count() + 1, before[line..].chars().count() + 1)
+}
+
+/// The folder of a file and its name in it.
+fn folder_of(file: &Path) -> Result<(crate::Folder, String), String> {
+    let name =
+        file.file_name().and_then(|name| name.to_str()).ok_or_else(|| format!("`{}` is no file", file.display()))?;
+    let parent = file.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    Ok((crate::Folder::open(parent).map_err(|error| error.to_string())?, name.to_owned()))
+}
+
+/// The longest line of the `rustfmt.toml` that rules a file.
+#[must_use]
+pub fn width_of(file: &Path) -> usize {
+    let file = fs::canonicalize(file).unwrap_or_else(|_| file.to_owned());
+    let configured = file.ancestors().skip(1).find_map(|folder| {
+        let text =
+            ["rustfmt.toml", ".rustfmt.toml"].iter().find_map(|name| fs::read_to_string(folder.join(name)).ok())?;
+        Some(
+            text.lines().find_map(|line| line.strip_prefix("max_width")?.trim().strip_prefix('=')?.trim().parse().ok()),
+        )
+    });
+    configured.flatten().unwrap_or(crate::DEFAULT_WIDTH)
+}

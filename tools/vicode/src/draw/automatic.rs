@@ -1,0 +1,109 @@
+//! A layout of a machine that nobody arranged: states in columns by their distance from the initial one, ordered within a column
+//! so that few transitions cross. The same machine has the same layout on each machine.
+
+use super::diagram::height;
+use crate::files::{Layout, Position};
+use crate::model::{Component, Graph, Sources};
+
+/// Distance of the centres of two columns, points.
+const COLUMN: i32 = 290;
+/// White between two states of a column, points.
+const GAP: i32 = 70;
+/// Centre of the first state, points.
+const FIRST: Position = Position { x: 110, y: 90 };
+/// Passes over the columns that reduce crossings.
+const SWEEPS: usize = 12;
+
+/// The positions of all states: those of `layout` where it has them, automatic ones elsewhere.
+#[must_use]
+pub fn automatic(component: &Component, layout: &Layout) -> Vec<Position> {
+    let neighbours = neighbours(component);
+    let columns = columns(component, &neighbours);
+    let mut positions = vec![FIRST; component.states.len()];
+    let heights: Vec<i32> = (0..component.states.len()).map(|state| height(component, state).ceil() as i32).collect();
+    let total = |states: &Vec<usize>| states.iter().map(|state| heights[*state] + GAP).sum::<i32>() - GAP;
+    let tallest = columns.iter().map(total).max().unwrap_or(0);
+    for (column, states) in columns.iter().enumerate() {
+        // Each column is centred.
+        let mut top = FIRST.y + (tallest - total(states)) / 2;
+        for state in states {
+            positions[*state] = Position { x: FIRST.x + column as i32 * COLUMN, y: top + heights[*state] / 2 };
+            top += heights[*state] + GAP;
+        }
+    }
+    for (state, position) in component.states.iter().zip(&mut positions) {
+        *position = layout.get(&component.name.text, &state.function.name.text).unwrap_or(*position);
+    }
+    positions
+}
+
+/// From and to, without those from all states, which say nothing about neighbourhood.
+fn neighbours(component: &Component) -> Vec<(usize, usize)> {
+    let mut named = component.clone();
+    for transition in &mut named.transitions {
+        transition.arrows.retain(|arrow| arrow.from != Sources::Any);
+    }
+    Graph::of(&named).edges.into_iter().map(|edge| (edge.from, edge.to)).collect()
+}
+
+fn columns(component: &Component, edges: &[(usize, usize)]) -> Vec<Vec<usize>> {
+    let count = component.states.len();
+    let mut column = vec![None; count];
+    let initial = component.states.iter().position(|state| state.initial).unwrap_or(0);
+    let mut open = std::collections::VecDeque::new();
+    // What the initial state does not reach begins with itself, in the order of the text.
+    for start in [initial].into_iter().chain(0..count).filter(|start| *start < count) {
+        if column[start].is_some() {
+            continue;
+        }
+        column[start] = Some(0);
+        open.push_back(start);
+        while let Some(state) = open.pop_front() {
+            for (_, to) in edges.iter().filter(|(from, _)| *from == state) {
+                if column[*to].is_none() {
+                    column[*to] = column[state].map(|depth| depth + 1);
+                    open.push_back(*to);
+                }
+            }
+        }
+    }
+    let deepest = column.iter().flatten().max().map_or(0, |deepest| deepest + 1);
+    let mut columns = vec![Vec::new(); deepest];
+    for (state, depth) in column.iter().enumerate() {
+        if let Some(depth) = depth {
+            columns[*depth].push(state);
+        }
+    }
+    for sweep in 0..SWEEPS {
+        sort(&mut columns, edges, sweep % 2 == 0);
+    }
+    columns
+}
+
+/// Sorts each column by the mean place of its neighbours in the column before it, or behind it.
+fn sort(columns: &mut [Vec<usize>], edges: &[(usize, usize)], forward: bool) {
+    let order: Vec<usize> =
+        if forward { (1..columns.len()).collect() } else { (0..columns.len().max(1) - 1).rev().collect() };
+    for index in order {
+        let fixed = columns[if forward { index - 1 } else { index + 1 }].clone();
+        let key = |state: usize, old: usize| {
+            let places = edges.iter().filter_map(|(from, to)| {
+                let other = if *from == state {
+                    to
+                } else if *to == state {
+                    from
+                } else {
+                    return None;
+                };
+                fixed.iter().position(|one| one == other)
+            });
+            let (sum, number) = places.fold((0, 0), |(sum, number), place| (sum + place, number + 1));
+            // In thousandths, so that no rounding of floats decides.
+            (sum * 1000_usize).checked_div(number).unwrap_or(old * 1000)
+        };
+        let mut keyed: Vec<(usize, usize)> =
+            columns[index].iter().enumerate().map(|(old, state)| (key(*state, old), *state)).collect();
+        keyed.sort_by_key(|(key, _)| *key);
+        columns[index] = keyed.into_iter().map(|(_, state)| state).collect();
+    }
+}

@@ -1,0 +1,204 @@
+//! What is drawn, in points.
+
+use super::automatic;
+use crate::files::Layout;
+use crate::model::{Component, Graph, Link, LinkKind, Sources};
+
+/// Width and least height of a state, points.
+const WIDTH: f32 = 160.0;
+const HEIGHT: f32 = 40.0;
+/// Height of a line of text, points.
+const LINE: f32 = 14.0;
+/// White around all, points.
+const MARGIN: f32 = 50.0;
+
+/// State that is left, `None` for all, and state that is entered.
+type Pair = (Option<usize>, usize);
+
+/// A machine with the places of all its parts.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Diagram {
+    /// Name of the component.
+    pub name: String,
+    /// Width, points.
+    pub width: f32,
+    /// Height, points.
+    pub height: f32,
+    /// States.
+    pub nodes: Vec<Node>,
+    /// Transitions; those between the same states are one.
+    pub edges: Vec<Edge>,
+}
+
+/// A state.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Node {
+    /// Its name.
+    pub name: String,
+    /// Whether the machine starts in it.
+    pub initial: bool,
+    /// Whether no transition leaves it.
+    pub last: bool,
+    /// Centre and size, points.
+    pub centre: (f32, f32),
+    /// Width and height, points.
+    pub size: (f32, f32),
+    /// Its hooks.
+    pub hooks: Vec<String>,
+    /// Its children.
+    pub links: Vec<Link>,
+}
+
+/// Transitions from one state to another.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Edge {
+    /// Names and timers, one line each.
+    pub labels: Vec<String>,
+    /// The curve, points.
+    pub points: Vec<(f32, f32)>,
+    /// Middle of the labels, points.
+    pub label_at: (f32, f32),
+}
+
+impl Diagram {
+    /// A component as it is arranged, states without a position automatically.
+    #[must_use]
+    pub fn of(component: &Component, layout: &Layout) -> Self {
+        let graph = Graph::of(component);
+        let positions = automatic(component, layout);
+        let mut nodes: Vec<Node> = Vec::new();
+        for (index, (state, at)) in component.states.iter().zip(positions).enumerate() {
+            let name = state.function.name.text.clone();
+            let (hooks, links) = (hooks_of(component, &name), links_of(component, index));
+            let size = (WIDTH, height(component, index));
+            let centre = (at.x as f32, at.y as f32);
+            nodes.push(Node { name, initial: state.initial, last: state.last, centre, size, hooks, links });
+        }
+        let mut diagram = Self { name: component.name.text.clone(), nodes, ..Self::default() };
+        diagram.connect(component, &graph);
+        diagram.frame();
+        diagram
+    }
+
+    fn connect(&mut self, component: &Component, graph: &Graph) {
+        let timed = |name: &str, after: Option<u32>| {
+            after.map_or_else(|| name.to_owned(), |ms| format!("{name} after {ms} ms"))
+        };
+        let mut pairs: Vec<(Pair, Vec<String>)> = Vec::new();
+        let mut add = |pair, label: String| match pairs.iter_mut().find(|(known, _)| *known == pair) {
+            Some((_, labels)) if labels.contains(&label) => {}
+            Some((_, labels)) => labels.push(label),
+            None => pairs.push((pair, vec![label])),
+        };
+        let any = |name: &str, to: usize| {
+            let arrows = component.transition(name).map(|transition| &transition.arrows);
+            let target = &component.states[to].function.name.text;
+            arrows.is_some_and(|arrows| {
+                arrows
+                    .iter()
+                    .any(|arrow| arrow.from == Sources::Any && arrow.to.as_ref().is_some_and(|to| to.text == *target))
+            })
+        };
+        for edge in &graph.edges {
+            let from = (!any(&edge.name, edge.to)).then_some(edge.from);
+            add((from, edge.to), timed(&edge.name, edge.after_ms));
+        }
+        let arrows: Vec<Edge> = pairs.into_iter().map(|((from, to), labels)| self.edge(from, to, labels)).collect();
+        self.edges = arrows;
+    }
+
+    fn edge(&self, from: Option<usize>, to: usize, labels: Vec<String>) -> Edge {
+        let end = &self.nodes[to];
+        let Some(from) = from.map(|from| &self.nodes[from]) else {
+            // From all states: a short arrow from above.
+            let top = (end.centre.0 + 40.0, end.centre.1 - end.size.1 / 2.0);
+            let points = vec![(top.0, top.1 - 34.0), top];
+            let labels: Vec<String> = labels.into_iter().map(|label| format!("* {label}")).collect();
+            return Edge { label_at: (top.0, top.1 - 36.0 - LINE * labels.len() as f32 / 2.0), labels, points };
+        };
+        if std::ptr::eq(from, end) {
+            let (x, y) = (end.centre.0 + end.size.0 / 2.0, end.centre.1);
+            let points = vec![(x, y - 10.0), (x + 24.0, y - 16.0), (x + 24.0, y + 16.0), (x, y + 10.0)];
+            return Edge { labels, points, label_at: (x + 60.0, y) };
+        }
+        let (dx, dy) = (end.centre.0 - from.centre.0, end.centre.1 - from.centre.1);
+        let length = dx.hypot(dy).max(1.0);
+        // To the right of the way, so that there and back are two curves.
+        let bend = 0.16 * length + 14.0;
+        let middle = (from.centre.0 + dx / 2.0 - dy / length * bend, from.centre.1 + dy / 2.0 + dx / length * bend);
+        let curve = |t: f32| {
+            let (a, b, c) = ((1.0 - t) * (1.0 - t), 2.0 * t * (1.0 - t), t * t);
+            let mix = |from: f32, middle: f32, to: f32| a * from + b * middle + c * to;
+            (mix(from.centre.0, middle.0, end.centre.0), mix(from.centre.1, middle.1, end.centre.1))
+        };
+        let outside = |node: &Node, (x, y): (f32, f32)| {
+            (x - node.centre.0).abs() > node.size.0 / 2.0 || (y - node.centre.1).abs() > node.size.1 / 2.0
+        };
+        let all = (0..=64_u8).map(|step| curve(f32::from(step) / 64.0));
+        let mut points: Vec<(f32, f32)> = all.filter(|point| outside(from, *point) && outside(end, *point)).collect();
+        if points.len() < 2 {
+            points = vec![from.centre, end.centre];
+        }
+        Edge { labels, points, label_at: curve(0.5) }
+    }
+
+    /// Moves all so that nothing lies outside, and measures it.
+    fn frame(&mut self) {
+        let mut low = (f32::MAX, f32::MAX);
+        let mut high = (f32::MIN, f32::MIN);
+        let mut include = |x: f32, y: f32| {
+            low = (low.0.min(x), low.1.min(y));
+            high = (high.0.max(x), high.1.max(y));
+        };
+        for node in &self.nodes {
+            include(node.centre.0 - node.size.0 / 2.0, node.centre.1 - node.size.1 / 2.0);
+            include(node.centre.0 + node.size.0 / 2.0, node.centre.1 + node.size.1 / 2.0);
+        }
+        for edge in &self.edges {
+            edge.points.iter().for_each(|(x, y)| include(*x, *y));
+            include(edge.label_at.0, edge.label_at.1 - LINE);
+        }
+        if self.nodes.is_empty() {
+            include(0.0, 0.0);
+            include(WIDTH, HEIGHT);
+        }
+        let (x, y) = (MARGIN - low.0, MARGIN - low.1);
+        for node in &mut self.nodes {
+            node.centre = (node.centre.0 + x, node.centre.1 + y);
+        }
+        for edge in &mut self.edges {
+            edge.points.iter_mut().for_each(|point| *point = (point.0 + x, point.1 + y));
+            edge.label_at = (edge.label_at.0 + x, edge.label_at.1 + y);
+        }
+        (self.width, self.height) = (high.0 - low.0 + 2.0 * MARGIN, high.1 - low.1 + 2.0 * MARGIN);
+    }
+}
+
+/// Height of a state, points.
+pub(super) fn height(component: &Component, state: usize) -> f32 {
+    let name = &component.states[state].function.name.text;
+    HEIGHT + LINE * (hooks_of(component, name).len() + links_of(component, state).len()) as f32
+}
+
+/// The hooks of a state: `entry / greet`.
+fn hooks_of(component: &Component, state: &str) -> Vec<String> {
+    let hooks = component.hooks.iter().filter(|hook| hook.states.iter().any(|one| one.text == state));
+    hooks.map(|hook| format!("{} / {}", hook.role.word(), hook.function.name.text)).collect()
+}
+
+/// The children of a state and of its hooks. Those of the transitions that leave it belong to the transitions here.
+fn links_of(component: &Component, state: usize) -> Vec<Link> {
+    let mut alone = component.clone();
+    alone.transitions.clear();
+    Graph::of(&alone).links.into_iter().filter(|link| link.state == Some(state)).collect()
+}
+
+impl Node {
+    /// The lines below the name: hooks, then children; `<` is a requirement, `>` a modulation.
+    #[must_use]
+    pub fn lines(&self) -> Vec<String> {
+        let mark = |kind| if kind == LinkKind::Requirement { '<' } else { '>' };
+        let links = self.links.iter().map(|link| format!("{} {}", mark(link.kind), link.child));
+        self.hooks.iter().cloned().chain(links).collect()
+    }
+}

@@ -1,0 +1,181 @@
+//! Children of functions: arguments that are links.
+
+use ra_ap_parser::LexedStr;
+use ra_ap_syntax::Edition;
+
+use super::plan::{Context, function, list};
+use super::request::{Edit, Refusal};
+use super::splice::Splice;
+use super::style::{Style, indentation, line_end, line_start};
+use super::{fragment, imports};
+use crate::model::{Argument, Function, Input, LinkKind, Span};
+
+/// Adds, removes or changes a link.
+pub(super) fn change(context: &Context<'_>, edit: &Edit) -> Result<Vec<Splice>, Refusal> {
+    match edit {
+        Edit::AddChild { component, function: name, child, kind, argument, import } => {
+            let component = context.component(component)?;
+            let function = function(component, name)?;
+            fragment::ty(child)?;
+            if function.links().any(|(_, _, known)| known == child) {
+                return Err(Refusal::new(format!(
+                    "`{child}` is a child of `{name}` already: change the kind of its link"
+                )));
+            }
+            let argument = match argument {
+                Some(argument) => argument.clone(),
+                None => argument_name(function, child),
+            };
+            fragment::name(argument.trim_start_matches('_'))?;
+            if function.arguments.iter().any(|known| known.name.text == argument) {
+                return Err(Refusal::new(format!(
+                    "`{name}` has an argument `{argument}` already: choose another name"
+                )));
+            }
+            let mut splices =
+                add(context.text, &context.style(component), function, &format!("{argument}: {}", link(*kind, child)));
+            if let Some(path) = import {
+                fragment::path(path)?;
+                splices.extend(imports::add(context, path, child));
+            }
+            Ok(splices)
+        }
+        Edit::RemoveChild { component, function: name, child } => {
+            let function = function(context.component(component)?, name)?;
+            let argument = find(function, child)?;
+            unused(context.text, function, argument)?;
+            let mut splices = vec![Splice::remove(with_comma(context.text, function, argument))];
+            splices.extend(imports::remove(context, child, argument.span));
+            Ok(splices)
+        }
+        Edit::SetChildKind { component, function: name, child, kind } => {
+            let function = function(context.component(component)?, name)?;
+            let argument = find(function, child)?;
+            Ok(vec![Splice::new(argument.written.span, link(*kind, child))])
+        }
+        _ => Ok(Vec::new()),
+    }
+}
+
+fn link(kind: LinkKind, child: &str) -> String {
+    match kind {
+        LinkKind::Requirement => format!("&{child}"),
+        LinkKind::Modulation => format!("&mut {child}"),
+        LinkKind::Rate => format!("&mut Rate<{child}>"),
+    }
+}
+
+fn find<'a>(function: &'a Function, child: &str) -> Result<&'a Argument, Refusal> {
+    let is_child = |argument: &&Argument| matches!(&argument.input, Input::Link { child: known, .. } if known == child);
+    function.arguments.iter().find(is_child).ok_or_else(|| {
+        let known = list(function.links().map(|(_, _, child)| child));
+        Refusal::new(format!("`{}` has no child `{child}`: there is {known}", function.name.text))
+    })
+}
+
+/// A free name for an argument: `ball_detector` of `BallDetector`.
+fn argument_name(function: &Function, child: &str) -> String {
+    let last = child.split('<').next().unwrap_or(child).rsplit("::").next().unwrap_or(child);
+    let mut name = String::new();
+    for character in last.trim().chars() {
+        if character.is_uppercase() && !name.is_empty() && !name.ends_with('_') {
+            name.push('_');
+        }
+        name.extend(character.to_lowercase());
+    }
+    let taken = |name: &str| function.arguments.iter().any(|known| known.name.text == name);
+    if fragment::name(&name).is_err() {
+        name.push_str("_child");
+    }
+    let base = name.clone();
+    let mut number = 2;
+    while taken(&name) {
+        name = format!("{base}_{number}");
+        number += 1;
+    }
+    name
+}
+
+/// Adds an argument behind the last one.
+fn add(text: &str, style: &Style, function: &Function, argument: &str) -> Vec<Splice> {
+    let inner = function.inputs.of(text);
+    let last = last_token(inner);
+    let comma = last.is_some_and(|last| last.of(inner) == ",");
+    let at = function.inputs.start + last.map_or(0, |last| last.end);
+    let indent = indentation(text, at);
+    // rustfmt breaks a list of arguments into lines with a comma behind each.
+    if inner.contains('\n') && comma {
+        return vec![Splice::insert(at, format!("{}{indent}{argument},", style.newline))];
+    }
+    let separator = match (last.is_some(), comma) {
+        (false, _) => "",
+        (true, true) => " ",
+        (true, false) => ", ",
+    };
+    let line = &text[line_start(text, at)..line_end(text, at)];
+    let fits = line.chars().count() + separator.len() + argument.chars().count() <= style.width;
+    if fits || inner.contains(['\n', '/']) {
+        return vec![Splice::insert(at, format!("{separator}{argument}"))];
+    }
+    vec![Splice::new(function.inputs, broken(text, style, function, argument))]
+}
+
+/// All arguments and a new one, each on its line.
+fn broken(text: &str, style: &Style, function: &Function, argument: &str) -> String {
+    let outer = indentation(text, function.name.span.start);
+    let first = function.arguments.first().map_or(function.inputs.end, |first| first.span.start);
+    let this = Span::new(function.inputs.start, first).of(text).trim().trim_end_matches(',').trim_end();
+    let known = function.arguments.iter().map(|known| known.span.of(text));
+    let lines = [this].into_iter().filter(|this| !this.is_empty()).chain(known).chain([argument]);
+    let mut result = String::new();
+    for line in lines {
+        for part in [style.newline, outer, style.unit(), line, ","] {
+            result.push_str(part);
+        }
+    }
+    result + style.newline + outer
+}
+
+/// The last token of a list that is neither white space nor a comment.
+fn last_token(list: &str) -> Option<Span> {
+    let lexed = LexedStr::new(Edition::Edition2024, list);
+    let last = (0..lexed.len()).rev().find(|index| !lexed.kind(*index).is_trivia())?;
+    Some(lexed.text_range(last).into())
+}
+
+/// Refuses to remove an argument that the body uses.
+fn unused(text: &str, function: &Function, argument: &Argument) -> Result<(), Refusal> {
+    let Some(body) = function.body else { return Ok(()) };
+    let lexed = LexedStr::new(Edition::Edition2024, body.of(text));
+    let name = argument.name.text.trim_start_matches("mut ").trim();
+    let used = (0..lexed.len()).find(|index| lexed.text(*index) == name);
+    match used {
+        Some(index) => {
+            let range = lexed.text_range(index);
+            let place = Span::new(body.start + range.start, body.start + range.end);
+            let message = format!("the code of `{}` uses `{name}`: remove that use first", function.name.text);
+            Err(Refusal::at(place, message))
+        }
+        None => Ok(()),
+    }
+}
+
+/// An argument with one of the commas around it.
+fn with_comma(text: &str, function: &Function, argument: &Argument) -> Span {
+    let place = function.arguments.iter().position(|one| one == argument).unwrap_or_default();
+    let next = function.arguments.get(place + 1);
+    if let Some(next) = next {
+        return Span::new(argument.span.start, next.span.start);
+    }
+    let before = &text[function.inputs.start..argument.span.start];
+    let Some(last) = last_token(before) else { return argument.span };
+    let start = function.inputs.start + last.start;
+    if last.of(before) == "," {
+        // The comma behind stays the one behind the last argument.
+        let behind = &text[argument.span.end..function.inputs.end];
+        let comma = behind.trim_start().starts_with(',');
+        let end = argument.span.end + if comma { behind.find(',').unwrap_or(0) } else { 0 };
+        return Span::new(start, end);
+    }
+    argument.span
+}

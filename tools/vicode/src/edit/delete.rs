@@ -1,0 +1,96 @@
+//! Deletion of functions.
+
+use super::layout::{attribute_removal, removal};
+use super::plan::{Context, function};
+use super::request::Refusal;
+use super::splice::Splice;
+use super::style::line_start;
+use super::uses::in_block;
+use crate::model::{Component, Function, Hook, Name, Sources, Span, Transition};
+
+/// Deletes a function. A state takes with it its part of transitions and hooks.
+pub(super) fn delete(context: &Context<'_>, component: &str, name: &str) -> Result<Vec<Splice>, Refusal> {
+    let component = context.component(component)?;
+    let mut gone = vec![function(component, name)?];
+    let mut splices = Vec::new();
+    if component.state(name).is_some() {
+        for transition in &component.transitions {
+            of_transition(context.text, transition, name, &mut gone, &mut splices);
+        }
+        for hook in &component.hooks {
+            of_hook(hook, name, &mut gone, &mut splices);
+        }
+    }
+    unused(context, component, &gone)?;
+    splices.extend(gone.iter().map(|function| Splice::remove(removal(context.text, function))));
+    Ok(splices)
+}
+
+/// Refuses to delete what other functions call.
+fn unused(context: &Context<'_>, component: &Component, gone: &[&Function]) -> Result<(), Refusal> {
+    for function in gone {
+        let uses = in_block(context.text, component, &function.name.text);
+        let other = uses.into_iter().find(|place| !gone.iter().any(|gone| gone.span.contains(*place)));
+        if let Some(place) = other {
+            let line = context.text[..line_start(context.text, place.start)].matches('\n').count() + 1;
+            let name = &function.name.text;
+            return Err(Refusal::at(place, format!("`{name}` is used in line {line}: remove that use first")));
+        }
+    }
+    Ok(())
+}
+
+fn of_transition<'a>(
+    text: &str,
+    transition: &'a Transition,
+    state: &str,
+    gone: &mut Vec<&'a Function>,
+    splices: &mut Vec<Splice>,
+) {
+    let mut kept = 0;
+    let mut changes = Vec::new();
+    for arrow in &transition.arrows {
+        let enters = arrow.to.as_ref().is_some_and(|to| to.text == state);
+        match &arrow.from {
+            _ if enters => changes.push(Splice::remove(attribute_removal(text, arrow.span))),
+            Sources::These(names) if names.iter().all(|name| name.text == state) => {
+                changes.push(Splice::remove(attribute_removal(text, arrow.span)));
+            }
+            Sources::These(names) => {
+                kept += 1;
+                changes.extend(without(names, state));
+            }
+            Sources::Any => kept += 1,
+        }
+    }
+    if kept == 0 && !transition.arrows.is_empty() {
+        gone.push(&transition.function);
+    } else {
+        splices.extend(changes);
+    }
+}
+
+fn of_hook<'a>(hook: &'a Hook, state: &str, gone: &mut Vec<&'a Function>, splices: &mut Vec<Splice>) {
+    if hook.states.is_empty() {
+        return;
+    }
+    if hook.states.iter().all(|name| name.text == state) {
+        gone.push(&hook.function);
+    } else {
+        splices.extend(without(&hook.states, state));
+    }
+}
+
+/// Removes a name from `a | b | c`, of which another one stays.
+fn without(names: &[Name], state: &str) -> Vec<Splice> {
+    let mut removed = Vec::new();
+    for (index, name) in names.iter().enumerate().filter(|(_, name)| name.text == state) {
+        let span = match (names.get(index + 1), index.checked_sub(1).map(|before| &names[before])) {
+            (Some(next), _) => Span::new(name.span.start, next.span.start),
+            (None, Some(before)) => Span::new(before.span.end, name.span.end),
+            (None, None) => name.span,
+        };
+        removed.push(Splice::remove(span));
+    }
+    removed
+}

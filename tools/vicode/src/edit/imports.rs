@@ -1,0 +1,182 @@
+//! `use` lines.
+
+use ra_ap_syntax::ast::{self, HasName};
+use ra_ap_syntax::{AstNode, SyntaxKind};
+
+use super::plan::Context;
+use super::splice::Splice;
+use super::style::{Style, line_end, line_start, starts_line};
+use crate::model::Span;
+use crate::read::{parse, span, tokens};
+
+/// `Eye` of `Eye<320, 240>`; nothing of a path.
+fn imported(child: &str) -> Option<&str> {
+    let name = child.split('<').next().unwrap_or(child).trim();
+    (!name.contains("::")).then_some(name)
+}
+
+/// The `use` items of the file itself.
+fn items(text: &str) -> Vec<ast::Use> {
+    let root = parse(text).map(|root| root.tree);
+    root.iter().flat_map(ra_ap_syntax::SyntaxNode::children).filter_map(ast::Use::cast).collect()
+}
+
+/// Imports a child from a module, unless its name is known in the file.
+pub(super) fn add(context: &Context<'_>, path: &str, child: &str) -> Vec<Splice> {
+    let Some(name) = imported(child) else { return Vec::new() };
+    let text = context.text;
+    if is_known(text, name) {
+        return Vec::new();
+    }
+    let style = Style::of(text, None, context.width);
+    let all = items(text);
+    for item in all.iter().filter_map(ast::Use::use_tree) {
+        let Some(of) = item.path().map(|path| path.syntax().text().to_string()) else { continue };
+        if let (true, Some(list)) = (of == path, item.use_tree_list()) {
+            return into_list(text, &style, &list, name);
+        }
+        let single = item.use_tree_list().is_none() && item.star_token().is_none();
+        if let (true, Some((module, last))) = (single, of.rsplit_once("::"))
+            && module == path
+        {
+            let last = item.rename().map_or(last.to_owned(), |rename| format!("{last} {}", rename.syntax().text()));
+            let mut names = [last, name.to_owned()];
+            names.sort();
+            return vec![Splice::new(span(item.syntax().text_range()), format!("{path}::{{{}}}", names.join(", ")))];
+        }
+    }
+    vec![line(text, &style, &all, &format!("use {path}::{name};"))]
+}
+
+/// Whether the file has the name: by `use`, or by an item.
+fn is_known(text: &str, name: &str) -> bool {
+    let Some(root) = parse(text) else { return false };
+    let named = |ident: Option<ast::Name>| ident.is_some_and(|ident| ident.text() == name);
+    root.tree.children().any(|node| {
+        if let Some(item) = ast::Use::cast(node.clone()) {
+            let leaf = |tree: ast::UseTree| {
+                let last = tree.path().and_then(|path| path.segment()).and_then(|segment| segment.name_ref());
+                let renamed = tree.rename().and_then(|rename| rename.name());
+                tree.use_tree_list().is_none()
+                    && renamed
+                        .map_or_else(|| last.is_some_and(|last| last.text() == name), |renamed| renamed.text() == name)
+            };
+            return item.syntax().descendants().filter_map(ast::UseTree::cast).any(leaf);
+        }
+        named(ast::Struct::cast(node.clone()).and_then(|item| item.name()))
+            || named(ast::Enum::cast(node.clone()).and_then(|item| item.name()))
+            || named(ast::TypeAlias::cast(node).and_then(|item| item.name()))
+    })
+}
+
+/// Adds a name at its place in `{a, b}`.
+fn into_list(text: &str, style: &Style, list: &ast::UseTreeList, name: &str) -> Vec<Splice> {
+    let trees: Vec<(String, Span)> =
+        list.use_trees().map(|tree| (tree.syntax().text().to_string(), span(tree.syntax().text_range()))).collect();
+    let whole = span(list.syntax().text_range());
+    let Some((_, last)) = trees.last() else { return vec![Splice::insert(whole.start + 1, name)] };
+    let next = trees.iter().find(|(tree, _)| tree.as_str() > name);
+    let splice = match next {
+        Some((_, next)) => Splice::insert(next.start, format!("{name}, ")),
+        None => Splice::insert(last.end, format!(", {name}")),
+    };
+    let line = &text[line_start(text, splice.span.start)..line_end(text, splice.span.start)];
+    let simple = !whole.of(text).contains(['/', '{']) || !whole.of(text)[1..].contains(['/', '{']);
+    if line.chars().count() + name.chars().count() + 2 <= style.width || !simple {
+        return vec![splice];
+    }
+    let mut names: Vec<String> = trees.into_iter().map(|(tree, _)| tree).collect();
+    let place = names.iter().position(|tree| tree.as_str() > name).unwrap_or(names.len());
+    names.insert(place, name.to_owned());
+    vec![Splice::new(whole, filled(style, &names))]
+}
+
+/// `{`, lines as long as they may be, `}`
+fn filled(style: &Style, names: &[String]) -> String {
+    let mut result = String::from("{");
+    let mut length = usize::MAX;
+    for name in names {
+        let added = name.chars().count() + 2;
+        if length.saturating_add(added) > style.width + 1 {
+            result.push_str(style.newline);
+            result.push_str("    ");
+            length = 4;
+        } else {
+            result.push(' ');
+        }
+        result.push_str(name);
+        result.push(',');
+        length += added;
+    }
+    result + style.newline + "}"
+}
+
+/// Adds a `use` line where it belongs among the others.
+pub(super) fn line(text: &str, style: &Style, all: &[ast::Use], new: &str) -> Splice {
+    let newline = style.newline;
+    let place = |item: &ast::Use| span(item.syntax().text_range());
+    let of = |item: &ast::Use| place(item).of(text).to_owned();
+    let first_word = |line: &str| line.trim_start_matches("use ").split("::").next().unwrap_or_default().to_owned();
+    let group: Vec<&ast::Use> = all.iter().filter(|item| first_word(&of(item)) == first_word(new)).collect();
+    if let Some(next) = group.iter().find(|item| of(item).as_str() > new && starts_line(text, place(item).start)) {
+        return Splice::insert(place(next).start, format!("{new}{newline}"));
+    }
+    if let Some(last) = group.last().copied().or(all.last()) {
+        let lines = if group.is_empty() { newline.repeat(2) } else { newline.to_owned() };
+        return Splice::insert(place(last).end, format!("{lines}{new}"));
+    }
+    let at = first_item(text);
+    let behind = if text[at..].starts_with(['\n', '\r']) { String::new() } else { newline.repeat(2) };
+    Splice::insert(at, format!("{new}{behind}"))
+}
+
+/// Offset of the first item, behind the docs and attributes of the file.
+fn first_item(text: &str) -> usize {
+    let Some(root) = parse(text) else { return 0 };
+    let item = root.tree.children().find(|node| node.kind() != SyntaxKind::ATTR);
+    item.map_or(text.len(), |node| span(node.text_range()).start)
+}
+
+/// Removes an import that only the link at `place` needed.
+pub(super) fn remove(context: &Context<'_>, child: &str, place: Span) -> Vec<Splice> {
+    let Some(name) = imported(child) else { return Vec::new() };
+    let text = context.text;
+    let all = items(text);
+    let spans: Vec<Span> = all.iter().map(|item| span(item.syntax().text_range())).collect();
+    let elsewhere = |at: Span| !place.contains(at) && !spans.iter().any(|item| item.contains(at));
+    let used = parse(text).is_some_and(|root| {
+        tokens(&root.tree).iter().any(|token| token.name.text == name && elsewhere(token.name.span))
+    });
+    if used {
+        return Vec::new();
+    }
+    // An item that others see, or that depends on a condition, has more users than this file.
+    let own = all.iter().filter(|item| item.syntax().text().to_string().starts_with("use "));
+    for item in own {
+        let Some(tree) = item.use_tree() else { continue };
+        if let Some(list) = tree.use_tree_list() {
+            let trees: Vec<_> = list.use_trees().collect();
+            let Some(index) = trees.iter().position(|tree| tree.syntax().text() == name) else { continue };
+            let at = |index: usize| span(trees[index].syntax().text_range());
+            return match (index + 1 < trees.len(), index) {
+                (true, _) => vec![Splice::remove(Span::new(at(index).start, at(index + 1).start))],
+                (false, 0) => vec![whole_line(text, span(item.syntax().text_range()))],
+                (false, _) => vec![Splice::remove(Span::new(at(index - 1).end, at(index).end))],
+            };
+        }
+        let last = tree.path().and_then(|path| path.segment()).is_some_and(|last| last.syntax().text() == name);
+        if last && tree.rename().is_none() && tree.star_token().is_none() {
+            return vec![whole_line(text, span(item.syntax().text_range()))];
+        }
+    }
+    Vec::new()
+}
+
+fn whole_line(text: &str, item: Span) -> Splice {
+    let end = line_end(text, item.end);
+    if !starts_line(text, item.start) || !text[item.end..end].trim().is_empty() {
+        return Splice::remove(item);
+    }
+    let next = text[end..].find('\n').map_or(text.len(), |newline| end + newline + 1);
+    Splice::remove(Span::new(line_start(text, item.start), next))
+}

@@ -1,0 +1,24 @@
+//! Edits of the text: each becomes a few splices, and all other bytes stay.
+
+mod children;
+mod create;
+mod delete;
+mod docs;
+mod fragment;
+mod functions;
+mod imports;
+mod layout;
+mod machine;
+mod options;
+mod plan;
+mod rename;
+mod request;
+mod splice;
+mod style;
+mod uses;
+
+pub use self::create::{blank, declare, enlist, module_of};
+pub use self::plan::plan;
+pub use self::request::{Edit, Refusal};
+pub use self::splice::{Splice, applied, inverse, ordered};
+pub use self::uses::{Use, uses};

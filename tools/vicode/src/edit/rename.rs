@@ -1,0 +1,58 @@
+//! Renaming of functions.
+
+use super::fragment;
+use super::machine::written;
+use super::plan::{Context, function};
+use super::request::Refusal;
+use super::splice::Splice;
+use super::uses::in_block;
+use crate::model::{Component, Name, Sources};
+
+/// Renames a function, the attributes that name it, and its uses.
+pub(super) fn rename(context: &Context<'_>, component: &str, from: &str, to: &str) -> Result<Vec<Splice>, Refusal> {
+    let component = context.component(component)?;
+    let renamed = function(component, from)?;
+    if from == to {
+        return Ok(Vec::new());
+    }
+    fragment::name(to)?;
+    if component.step.as_ref().is_some_and(|step| step.name.text == from) {
+        return Err(Refusal::at(renamed.name.span, "the tree calls the function `step`: it keeps its name"));
+    }
+    free(context, component, to)?;
+    let mut places = vec![renamed.name.span];
+    if component.state(from).is_some() {
+        places.extend(state_names(component).filter(|name| name.text == from).map(|name| name.span));
+    }
+    places.extend(in_block(context.text, component, from));
+    places.sort();
+    places.dedup();
+    Ok(places.into_iter().map(|place| Splice::new(place, written(to))).collect())
+}
+
+/// The names of states in attributes.
+pub(super) fn state_names(component: &Component) -> impl Iterator<Item = &Name> {
+    let arrows = component.transitions.iter().flat_map(|transition| &transition.arrows);
+    let of_arrows = arrows.flat_map(|arrow| {
+        let from: &[Name] = if let Sources::These(names) = &arrow.from { names } else { &[] };
+        from.iter().chain(&arrow.to)
+    });
+    of_arrows.chain(component.hooks.iter().flat_map(|hook| &hook.states))
+}
+
+/// Refuses a name that the component has already.
+pub(super) fn free(context: &Context<'_>, component: &Component, name: &str) -> Result<(), Refusal> {
+    let of_type = |other: &&Component| other.name.text == component.name.text;
+    let blocks = context.model.components.iter().filter(of_type);
+    let functions = blocks.clone().flat_map(|block| block.functions().map(|function| &function.name));
+    let taken = functions.chain(blocks.flat_map(|block| &block.names)).find(|taken| taken.text == name);
+    let elsewhere =
+        || crate::read::functions_of(context.text, &component.name.text).into_iter().find(|one| one.text == name);
+    match taken.cloned().or_else(elsewhere) {
+        Some(taken) => Err(Refusal::at(
+            taken.span,
+            format!("`{}` has a function `{name}` already: choose another name", component.name.text),
+        )),
+        None => Ok(()),
+    }
+}

@@ -1,0 +1,178 @@
+//! What can be asked for.
+
+use serde::{Deserialize, Serialize};
+
+use crate::model::{HookRole, LinkKind, Span};
+
+/// An edit. In JSON an object whose `edit` is the name in small letters: `{"edit": "add_state", "component": "Player", "name":
+/// "wait"}`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(tag = "edit", rename_all = "snake_case", deny_unknown_fields)]
+#[expect(missing_docs, reason = "the fields are explained at their variants")]
+pub enum Edit {
+    /// Adds a state `name` behind the function `after`, or behind the last state.
+    AddState {
+        component: String,
+        name: String,
+        #[serde(default)]
+        docs: String,
+        #[serde(default)]
+        initial: bool,
+        #[serde(default)]
+        last: bool,
+        #[serde(default)]
+        body: String,
+        #[serde(default)]
+        after: Option<String>,
+    },
+    /// Adds a transition `name` from the states `from` (`["*"]`: all) to the state `to`. Without `body` it is never taken, or with
+    /// `after_ms` at that time.
+    AddTransition {
+        component: String,
+        name: String,
+        from: Vec<String>,
+        to: String,
+        #[serde(default)]
+        after_ms: Option<u32>,
+        #[serde(default)]
+        body: String,
+        #[serde(default)]
+        docs: String,
+        #[serde(default)]
+        after: Option<String>,
+    },
+    /// Adds a hook `name`; `states` are those of an entry or exit hook.
+    AddHook {
+        component: String,
+        name: String,
+        role: HookRole,
+        #[serde(default)]
+        states: Vec<String>,
+        #[serde(default)]
+        body: String,
+        #[serde(default)]
+        docs: String,
+        #[serde(default)]
+        after: Option<String>,
+    },
+    /// Adds functions as written: what was copied from another component.
+    InsertCode {
+        component: String,
+        code: String,
+        #[serde(default)]
+        after: Option<String>,
+    },
+    /// Renames a function and all its uses in the block, and by the component's name in the file.
+    Rename { component: String, function: String, to: String },
+    /// Deletes a function; with a state what only that state needs.
+    Delete { component: String, function: String },
+    /// Moves a function before another, or behind all.
+    Move {
+        component: String,
+        function: String,
+        #[serde(default)]
+        before: Option<String>,
+    },
+    /// Copies a function under another name, behind the original. A copied state is not initial.
+    Copy { component: String, function: String, name: String },
+    /// Makes a state the one in which the machine starts.
+    SetInitial { component: String, state: String },
+    /// Sets whether no transition leaves a state.
+    SetLast { component: String, state: String, last: bool },
+    /// Adds a `#[transition]` to a condition.
+    AddArrow {
+        component: String,
+        transition: String,
+        from: Vec<String>,
+        to: String,
+        #[serde(default)]
+        after_ms: Option<u32>,
+    },
+    /// Removes a `#[transition]` of several of a condition.
+    RemoveArrow { component: String, transition: String, arrow: usize },
+    /// Sets the states that a transition leaves.
+    SetSources {
+        component: String,
+        transition: String,
+        #[serde(default)]
+        arrow: usize,
+        from: Vec<String>,
+    },
+    /// Sets the state that a transition enters.
+    SetTarget {
+        component: String,
+        transition: String,
+        #[serde(default)]
+        arrow: usize,
+        to: String,
+    },
+    /// Sets or removes the least time in the state before a transition.
+    SetTimer {
+        component: String,
+        transition: String,
+        #[serde(default)]
+        arrow: usize,
+        after_ms: Option<u32>,
+    },
+    /// Sets the states of an entry or exit hook.
+    SetHookStates { component: String, hook: String, states: Vec<String> },
+    /// Sets the code in the braces of a function; for a transition its condition.
+    SetBody { component: String, function: String, body: String },
+    /// Sets the doc comment of a function, or of the component.
+    SetDocs {
+        component: String,
+        #[serde(default)]
+        function: Option<String>,
+        docs: String,
+    },
+    /// Sets or removes an option; `resume` takes an empty value.
+    SetOption { component: String, option: String, value: Option<String> },
+    /// Adds a child to the signature of a function. `import` is the path of the module that has it.
+    AddChild {
+        component: String,
+        function: String,
+        child: String,
+        kind: LinkKind,
+        #[serde(default)]
+        argument: Option<String>,
+        #[serde(default)]
+        import: Option<String>,
+    },
+    /// Removes a child from the signature of a function, and its import if nothing else uses it.
+    RemoveChild { component: String, function: String, child: String },
+    /// Sets the kind of the link to a child.
+    SetChildKind { component: String, function: String, child: String, kind: LinkKind },
+    /// Sets the default of a parameter of the struct `parameters`.
+    SetDefault { parameters: String, parameter: String, value: String },
+    /// Replaces a part of the text: typing.
+    Replace { span: Span, text: String },
+}
+
+/// Why an edit is not possible.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Refusal {
+    /// What is wrong and how to mend it.
+    pub message: String,
+    /// The part of the text that stands in the way.
+    pub span: Option<Span>,
+}
+
+impl Refusal {
+    /// A refusal that no part of the text causes.
+    pub fn new(message: impl Into<String>) -> Self {
+        Self { message: message.into(), span: None }
+    }
+
+    /// A refusal that a part of the text causes.
+    pub fn at(span: Span, message: impl Into<String>) -> Self {
+        Self { message: message.into(), span: Some(span) }
+    }
+}
+
+impl std::fmt::Display for Refusal {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(&self.message)
+    }
+}
+
+impl std::error::Error for Refusal {}

@@ -1,0 +1,84 @@
+//! Replacements of parts of a text.
+
+use serde::{Deserialize, Serialize};
+
+use crate::model::Span;
+
+/// The part `span` of a text is replaced by `text`; all other bytes stay.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Splice {
+    /// The replaced part; empty for an insertion.
+    pub span: Span,
+    /// What stands there afterwards.
+    pub text: String,
+}
+
+impl Splice {
+    /// Replaces a part.
+    pub fn new(span: Span, text: impl Into<String>) -> Self {
+        Self { span, text: text.into() }
+    }
+
+    /// Inserts a text before the byte `at`.
+    pub fn insert(at: usize, text: impl Into<String>) -> Self {
+        Self::new(Span::at(at), text)
+    }
+
+    /// Removes a part.
+    #[must_use]
+    pub const fn remove(span: Span) -> Self {
+        Self { span, text: String::new() }
+    }
+}
+
+/// Sorts splices of one text; those that remove overlapping parts become one. `None` if two contradict each other or do not fit
+/// the text.
+#[must_use]
+pub fn ordered(text: &str, mut splices: Vec<Splice>) -> Option<Vec<Splice>> {
+    splices.sort_by_key(|splice| (splice.span.start, splice.span.end));
+    let mut ordered: Vec<Splice> = Vec::new();
+    for splice in splices {
+        let Span { start, end } = splice.span;
+        if start > end || !text.is_char_boundary(start) || !text.is_char_boundary(end) {
+            return None;
+        }
+        match ordered.last_mut() {
+            Some(last) if start < last.span.end => {
+                if !last.text.is_empty() || !splice.text.is_empty() {
+                    return None;
+                }
+                last.span.end = last.span.end.max(end);
+            }
+            _ => ordered.push(splice),
+        }
+    }
+    Some(ordered)
+}
+
+/// The text after splices that are in order.
+#[must_use]
+pub fn applied(text: &str, splices: &[Splice]) -> String {
+    let mut result = String::with_capacity(text.len());
+    let mut at = 0;
+    for splice in splices {
+        result.push_str(&text[at..splice.span.start]);
+        result.push_str(&splice.text);
+        at = splice.span.end;
+    }
+    result.push_str(&text[at..]);
+    result
+}
+
+/// The splices that lead back from the text that `splices` made of `text`.
+#[must_use]
+pub fn inverse(text: &str, splices: &[Splice]) -> Vec<Splice> {
+    let mut inverse = Vec::with_capacity(splices.len());
+    let (mut grown, mut shrunk) = (0, 0);
+    for splice in splices {
+        let start = splice.span.start + grown - shrunk;
+        inverse.push(Splice::new(Span::new(start, start + splice.text.len()), splice.span.of(text)));
+        grown += splice.text.len();
+        shrunk += splice.span.end - splice.span.start;
+    }
+    inverse
+}

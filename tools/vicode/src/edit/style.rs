@@ -1,0 +1,138 @@
+//! How new code is laid out: as `rustfmt` does, with the line ends and the indentation of the file.
+
+use ra_ap_parser::LexedStr;
+use ra_ap_syntax::Edition;
+
+use crate::model::Component;
+
+/// Layout of a file.
+#[derive(Clone, Debug)]
+pub(super) struct Style {
+    /// `\n` or `\r\n`.
+    pub(super) newline: &'static str,
+    /// Longest line, characters.
+    pub(super) width: usize,
+    /// Indentation of the functions of the block.
+    pub(super) indent: String,
+    /// Indentation of the block.
+    pub(super) outer: String,
+}
+
+impl Style {
+    /// The layout of a file, of one of its blocks if given.
+    pub(super) fn of(text: &str, component: Option<&Component>, width: usize) -> Self {
+        let lines = text.matches('\n').count();
+        let newline = if text.matches("\r\n").count() * 2 > lines { "\r\n" } else { "\n" };
+        let outer = component.map_or_else(String::new, |component| indentation(text, component.span.start).to_owned());
+        let functions = component.iter().flat_map(|component| component.functions());
+        let indent = functions.min_by_key(|function| function.span.start).and_then(|first| {
+            let before = indentation(text, first.span.start);
+            (text[..first.span.start].ends_with(before) && starts_line(text, first.span.start))
+                .then(|| before.to_owned())
+        });
+        let indent = indent.unwrap_or_else(|| format!("{outer}    "));
+        Self { newline, width, indent, outer }
+    }
+
+    /// Indentation of one level.
+    pub(super) fn unit(&self) -> &str {
+        if self.indent.starts_with('\t') { "\t" } else { "    " }
+    }
+
+    /// Lines of code, each indented. Lines within a string or a comment of several lines stay as they are.
+    pub(super) fn lay(&self, code: &str, indent: &str) -> String {
+        let code = code.replace("\r\n", "\n");
+        let inside = continued(&code);
+        let lines: Vec<&str> = code.split('\n').collect();
+        let common = common_indent(&lines, &inside);
+        let mut result = String::new();
+        for (index, line) in lines.iter().enumerate() {
+            if index > 0 {
+                result.push_str(self.newline);
+            }
+            if inside[index] {
+                result.push_str(line);
+            } else if !line.trim().is_empty() {
+                result.push_str(indent);
+                result.push_str(line[common..].trim_end());
+            }
+        }
+        result
+    }
+
+    /// The lines of a doc comment, each with its indentation and line end.
+    pub(super) fn docs(&self, docs: &str, indent: &str) -> String {
+        let docs = docs.trim();
+        if docs.is_empty() {
+            return String::new();
+        }
+        let mut result = String::new();
+        for line in docs.lines() {
+            let line = line.trim();
+            result.push_str(indent);
+            result.push_str(if line.is_empty() { "///" } else { "/// " });
+            result.push_str(line);
+            result.push_str(self.newline);
+        }
+        result
+    }
+
+    /// The braces of a function and what stands in them.
+    pub(super) fn body(&self, body: &str, indent: &str) -> String {
+        format!("{{{}}}", self.block(body, indent))
+    }
+
+    /// What stands in the braces of a function.
+    pub(super) fn block(&self, body: &str, indent: &str) -> String {
+        let body = body.trim_matches(['\n', '\r']).trim_end();
+        if body.trim().is_empty() {
+            return String::new();
+        }
+        let laid = self.lay(body, &format!("{indent}{}", self.unit()));
+        format!("{}{laid}{}{indent}", self.newline, self.newline)
+    }
+}
+
+/// Whether each line begins within a string or a comment.
+fn continued(code: &str) -> Vec<bool> {
+    let mut inside = vec![false; code.split('\n').count()];
+    let lexed = LexedStr::new(Edition::Edition2024, code);
+    let mut line = 0;
+    for index in 0..lexed.len() {
+        let breaks = lexed.text(index).matches('\n').count();
+        let kind = lexed.kind(index);
+        if breaks > 0 && kind != ra_ap_syntax::SyntaxKind::WHITESPACE {
+            inside[line + 1..=line + breaks].fill(true);
+        }
+        line += breaks;
+    }
+    inside
+}
+
+/// White space that all lines have in common, bytes.
+fn common_indent(lines: &[&str], inside: &[bool]) -> usize {
+    let lines = lines.iter().zip(inside).filter(|(line, inside)| !**inside && !line.trim().is_empty());
+    lines.map(|(line, _)| line.len() - line.trim_start_matches([' ', '\t']).len()).min().unwrap_or(0)
+}
+
+/// The white space at the beginning of the line of a byte.
+pub(super) fn indentation(text: &str, at: usize) -> &str {
+    let line = &text[line_start(text, at)..];
+    &line[..line.len() - line.trim_start_matches([' ', '\t']).len()]
+}
+
+/// Offset of the beginning of the line of a byte.
+pub(super) fn line_start(text: &str, at: usize) -> usize {
+    text[..at].rfind('\n').map_or(0, |newline| newline + 1)
+}
+
+/// Offset of the line end behind a byte, before `\r\n` or `\n`.
+pub(super) fn line_end(text: &str, at: usize) -> usize {
+    let end = text[at..].find('\n').map_or(text.len(), |newline| at + newline);
+    if text[at..end].ends_with('\r') { end - 1 } else { end }
+}
+
+/// Whether only white space stands before a byte in its line.
+pub(super) fn starts_line(text: &str, at: usize) -> bool {
+    text[line_start(text, at)..at].trim().is_empty()
+}

@@ -1,0 +1,46 @@
+//! Files that are whole at each instant: the old one, or the new one.
+
+use std::fs::{self, File, OpenOptions, Permissions};
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+use std::process;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+/// Distinguishes the temporary files of this process.
+static COUNT: AtomicU64 = AtomicU64::new(0);
+
+/// Replaces the content of a file by way of a temporary file beside it.
+///
+/// # Errors
+/// If the disk is full, or the system does not allow it. The file is as it was then, and the temporary one is gone.
+pub fn save(path: &Path, content: &[u8], permissions: Option<Permissions>) -> io::Result<()> {
+    let temporary = temporary(path);
+    let written = write(&temporary, content, permissions).and_then(|()| fs::rename(&temporary, path));
+    if written.is_err() {
+        // What is wrong is known already; a file that was never made cannot be removed.
+        let _ = fs::remove_file(&temporary);
+        return written;
+    }
+    // The name of the file is safe only when its folder is written; some systems cannot open folders.
+    if let Some(folder) = path.parent().and_then(|folder| File::open(folder).ok()) {
+        let _ = folder.sync_all();
+    }
+    Ok(())
+}
+
+/// A name beside the file that does not end with `.rs`, so that no build reads it.
+fn temporary(path: &Path) -> PathBuf {
+    let mut name = std::ffi::OsString::from(".");
+    name.push(path.file_name().unwrap_or_default());
+    name.push(format!(".{}-{}.vicode-tmp", process::id(), COUNT.fetch_add(1, Ordering::Relaxed)));
+    path.with_file_name(name)
+}
+
+fn write(path: &Path, content: &[u8], permissions: Option<Permissions>) -> io::Result<()> {
+    let mut file = OpenOptions::new().write(true).create_new(true).open(path)?;
+    if let Some(permissions) = permissions {
+        file.set_permissions(permissions)?;
+    }
+    file.write_all(content)?;
+    file.sync_all()
+}

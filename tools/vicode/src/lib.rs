@@ -1,0 +1,40 @@
+//! VICODE: state machines of BICA, read from their Rust source and edited there.
+//!
+//! The Rust file is the only source. [`read()`] makes a [`Model`](model::Model) of any text, also of one that is broken or half
+//! typed; a [`Document`] is a file that is open: it takes [`Edit`]s, makes each a few [`Splice`]s of the text, undoes them, and
+//! merges what changed in the file meanwhile. All bytes outside of the splices stay. The rules are those of the macros, by
+//! the macros' own code.
+//!
+//! ```
+//! use bica_vicode::{Document, Edit};
+//!
+//! let mut document = Document::new("#[component]\nimpl Player {\n    #[state(initial)]\n    fn look(&mut self) {}\n}\n");
+//! let edits: Vec<Edit> = serde_json::from_str(
+//!     r#"[{"edit": "add_state", "component": "Player", "name": "walk"},
+//!         {"edit": "add_transition", "component": "Player", "name": "seen", "from": ["look"], "to": "walk"}]"#,
+//! )?;
+//! document.apply(&edits)?;
+//! assert!(document.text().contains("#[transition(look -> walk)]\n    fn seen(&self) -> bool {\n        false\n    }"));
+//! document.undo();
+//! assert!(!document.is_changed());
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+pub mod cli;
+mod document;
+pub mod draw;
+mod edit;
+mod files;
+pub mod model;
+mod read;
+
+pub use self::document::{Change, Conflict, DEFAULT_WIDTH, Document, External, Keep, Merged, difference, merge};
+pub use self::edit::{
+    Edit, Refusal, Splice, Use, applied, blank, declare, enlist, inverse, module_of, ordered, plan, uses,
+};
+pub use self::files::{FileError, Folder, Layout, LayoutError, Position, save};
+pub use self::read::read;
+
+#[cfg(doctest)]
+#[doc = include_str!("../../../docs/vicode.md")]
+struct Page;

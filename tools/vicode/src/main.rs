@@ -1,0 +1,33 @@
+//! The command line of VICODE.
+
+use std::io::{self, Write};
+use std::process::ExitCode;
+
+use clap::Parser;
+
+/// Reads and edits the state machines of BICA in their Rust source
+#[derive(Parser)]
+#[command(version)]
+struct Arguments {
+    #[command(subcommand)]
+    command: bica_vicode::cli::Command,
+}
+
+/// 0: all is well; 1: a file has mistakes; 2: the command is not possible.
+fn main() -> ExitCode {
+    let arguments = Arguments::parse();
+    let mut out = io::stdout().lock();
+    match bica_vicode::cli::run(&arguments.command, &mut out) {
+        Ok(good) => {
+            if out.flush().is_ok() && good {
+                ExitCode::SUCCESS
+            } else {
+                ExitCode::from(1)
+            }
+        }
+        Err(message) => {
+            eprintln!("error: {message}");
+            ExitCode::from(2)
+        }
+    }
+}

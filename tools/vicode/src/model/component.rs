@@ -1,0 +1,216 @@
+//! A component: an impl block with `#[component]`.
+
+use serde::{Deserialize, Serialize};
+
+use super::{Docs, Function, Name, Span};
+
+/// A component.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Component {
+    /// Its type as one writes it.
+    pub name: Name,
+    /// The impl block with its attributes.
+    pub span: Span,
+    /// What stands in the braces of the block; `None` if they are missing.
+    pub block: Option<Span>,
+    /// The attribute `#[component]`.
+    pub options: Options,
+    /// Doc comment of the block, or of the step if the block has none.
+    pub docs: Docs,
+    /// The function `step`.
+    pub step: Option<Function>,
+    /// Functions with `#[state]`, in the order of the text, as are all lists.
+    pub states: Vec<State>,
+    /// Functions with `#[transition]`.
+    pub transitions: Vec<Transition>,
+    /// Functions with `#[entry]`, `#[exit]`, `#[start]` or `#[stop]`.
+    pub hooks: Vec<Hook>,
+    /// Functions with `#[info]`.
+    pub info: Vec<Info>,
+    /// Functions with `#[modulation]`.
+    pub modulations: Vec<Modulation>,
+    /// The other functions.
+    pub others: Vec<Function>,
+    /// Names of constants and types of the block.
+    pub names: Vec<Name>,
+}
+
+impl Component {
+    /// All functions, in no particular order.
+    pub fn functions(&self) -> impl Iterator<Item = &Function> {
+        let states = self.states.iter().map(|state| &state.function);
+        let transitions = self.transitions.iter().map(|transition| &transition.function);
+        let hooks = self.hooks.iter().map(|hook| &hook.function);
+        let info = self.info.iter().map(|info| &info.function);
+        let modulations = self.modulations.iter().map(|modulation| &modulation.function);
+        let all = self.step.iter().chain(states).chain(transitions).chain(hooks);
+        all.chain(info).chain(modulations).chain(&self.others)
+    }
+
+    /// The function of that name.
+    #[must_use]
+    pub fn function(&self, name: &str) -> Option<&Function> {
+        self.functions().find(|function| function.name.text == name)
+    }
+
+    /// The state of that name.
+    #[must_use]
+    pub fn state(&self, name: &str) -> Option<&State> {
+        self.states.iter().find(|state| state.function.name.text == name)
+    }
+
+    /// The transition of that name.
+    #[must_use]
+    pub fn transition(&self, name: &str) -> Option<&Transition> {
+        self.transitions.iter().find(|transition| transition.function.name.text == name)
+    }
+
+    /// Whether it is a state machine.
+    #[must_use]
+    pub const fn is_machine(&self) -> bool {
+        !self.states.is_empty()
+    }
+}
+
+/// `#[component(...)]`
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct Options {
+    /// The attribute.
+    pub span: Span,
+    /// What stands in its parentheses; `None` without parentheses.
+    pub list: Option<Span>,
+    /// The options, in the order of the text.
+    pub settings: Vec<Setting>,
+}
+
+impl Options {
+    /// The option of that key.
+    #[must_use]
+    pub fn get(&self, key: &str) -> Option<&Setting> {
+        self.settings.iter().find(|setting| setting.key.text == key)
+    }
+}
+
+/// An option.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Setting {
+    /// All of it, without a comma.
+    pub span: Span,
+    /// The word before `=`.
+    pub key: Name,
+    /// What stands behind `=`, as written.
+    pub value: Option<Name>,
+}
+
+/// A state.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct State {
+    /// Its function.
+    pub function: Function,
+    /// The attribute `#[state]`.
+    pub attribute: Span,
+    /// Whether the machine starts in it.
+    pub initial: bool,
+    /// Whether no transition leaves it.
+    pub last: bool,
+}
+
+/// A condition, and between which states it decides.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Transition {
+    /// Its function.
+    pub function: Function,
+    /// One for each attribute, in the order of the text.
+    pub arrows: Vec<Arrow>,
+}
+
+/// `#[transition(from -> to)]`
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Arrow {
+    /// The attribute.
+    pub span: Span,
+    /// What stands in its parentheses.
+    pub list: Span,
+    /// States that it leaves.
+    pub from: Sources,
+    /// The states before the arrow, as written.
+    pub from_span: Span,
+    /// State that it enters; `None` while it is not written.
+    pub to: Option<Name>,
+    /// Least time in the state before it, ms: its value and its place, with the comma before it.
+    pub after_ms: Option<(u32, Span)>,
+}
+
+/// The states that a transition leaves.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Sources {
+    /// `*`: all but the one that it enters.
+    Any,
+    /// The named ones.
+    These(Vec<Name>),
+}
+
+/// A function that runs when a state is entered or left, or when the component becomes active or latent.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Hook {
+    /// Its function.
+    pub function: Function,
+    /// When it runs.
+    pub role: HookRole,
+    /// The attribute.
+    pub attribute: Span,
+    /// The states of `#[entry]` and `#[exit]`.
+    pub states: Vec<Name>,
+    /// What stands in the parentheses of the attribute.
+    pub list: Option<Span>,
+}
+
+/// When a hook runs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum HookRole {
+    /// A state is entered.
+    Entry,
+    /// A state is left.
+    Exit,
+    /// The component becomes active.
+    Start,
+    /// The component becomes latent.
+    Stop,
+}
+
+impl HookRole {
+    /// The attribute.
+    #[must_use]
+    pub const fn word(self) -> &'static str {
+        match self {
+            Self::Entry => "entry",
+            Self::Exit => "exit",
+            Self::Start => "start",
+            Self::Stop => "stop",
+        }
+    }
+}
+
+/// A getter for the operator.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Info {
+    /// Its function.
+    pub function: Function,
+    /// The attribute.
+    pub attribute: Span,
+    /// Unit of the value.
+    pub unit: Option<String>,
+    /// Type of the value as written.
+    pub ty: Option<Name>,
+}
+
+/// A method for the operator.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Modulation {
+    /// Its function.
+    pub function: Function,
+    /// The attribute.
+    pub attribute: Span,
+}

@@ -1,0 +1,93 @@
+//! Functions of a component: their arguments are links.
+
+use serde::{Deserialize, Serialize};
+
+use super::{Name, Span};
+
+/// A function.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Function {
+    /// Its name.
+    pub name: Name,
+    /// All of it, with docs, attributes and the comments that stand before it without an empty line.
+    pub span: Span,
+    /// Its doc comment.
+    pub docs: Docs,
+    /// What stands in the parentheses behind the name.
+    pub inputs: Span,
+    /// Arguments beside `self`.
+    pub arguments: Vec<Argument>,
+    /// What stands in the braces; `None` if they are missing.
+    pub body: Option<Span>,
+}
+
+impl Function {
+    /// The links, in the order of the text.
+    pub fn links(&self) -> impl Iterator<Item = (&Argument, LinkKind, &str)> {
+        self.arguments.iter().filter_map(|argument| match &argument.input {
+            Input::Link { kind, child } => Some((argument, *kind, child.as_str())),
+            _ => None,
+        })
+    }
+}
+
+/// A doc comment.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct Docs {
+    /// Lines without the comment marks, trimmed and joined by line breaks.
+    pub text: String,
+    /// From its first to its last line; `None` without one.
+    pub span: Option<Span>,
+    /// Whether it consists of `///` lines only.
+    pub plain: bool,
+}
+
+/// An argument.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Argument {
+    /// The pattern before the colon.
+    pub name: Name,
+    /// All of it, without a comma.
+    pub span: Span,
+    /// Type as written.
+    pub written: Name,
+    /// What it means.
+    #[serde(flatten)]
+    pub input: Input,
+}
+
+/// What an argument means.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[serde(tag = "input", rename_all = "snake_case")]
+pub enum Input {
+    /// `&Child`, `&mut Child`, `&mut Rate<Child>`
+    Link {
+        /// Kind of the link.
+        kind: LinkKind,
+        /// Type of the child as one writes it: `Eye<320, 240>`.
+        child: String,
+    },
+    /// `&mut Rate<Self>`
+    OwnRate,
+    /// `&Time`
+    Time,
+    /// `&Tuned<Parameters>`
+    Tuned {
+        /// The struct of parameters.
+        parameters: String,
+    },
+    /// None of these: an argument of a modulation, or a mistake.
+    Other,
+}
+
+/// Kind of a link.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum LinkKind {
+    /// `&Child`: visited before, read.
+    Requirement,
+    /// `&mut Child`: written, visited after.
+    Modulation,
+    /// `&mut Rate<Child>`: its rate is written.
+    Rate,
+}

@@ -1,0 +1,99 @@
+//! From the text of a file to its model. Reads any text: what cannot be understood is left out.
+
+mod attributes;
+mod block;
+mod check;
+mod docs;
+mod function;
+mod nesting;
+mod params;
+mod tokens;
+
+use ra_ap_syntax::ast::HasName;
+use ra_ap_syntax::{AstNode, Edition, SourceFile, SyntaxNode, TextRange, ast};
+
+use crate::model::{Model, Name, Problem, Reporter, Span};
+
+pub(crate) use self::tokens::{Token, tokens};
+
+/// Reads a file.
+#[must_use]
+pub fn read(text: &str) -> Model {
+    let Some(root) = parse(text) else {
+        let span = Span::new(0, text.len());
+        let message = "this text is nested too deeply: VICODE does not read it".to_owned();
+        return Model { problems: vec![Problem { span, message, from: Reporter::Syntax }], ..Model::default() };
+    };
+    let mut model = Model::default();
+    for node in root.tree.descendants() {
+        if let Some(block) = ast::Impl::cast(node.clone()) {
+            model.components.extend(block::component(&block, text));
+        } else if let Some(item) = ast::Struct::cast(node) {
+            model.parameters.extend(params::group(&item, text));
+        }
+    }
+    model.problems = root.problems;
+    check::check(&root.tree, text, &mut model.problems);
+    model.problems.sort();
+    model.problems.dedup();
+    model
+}
+
+/// A syntax tree, and where the text is no Rust.
+pub(crate) struct Root {
+    pub(crate) tree: SyntaxNode,
+    pub(crate) problems: Vec<Problem>,
+}
+
+/// Parses a file; `None` if it is nested so deeply that the parser's stack could overflow.
+pub(crate) fn parse(text: &str) -> Option<Root> {
+    // A byte order mark is no Rust; spaces of its length keep all offsets.
+    let plain = text.strip_prefix('\u{feff}').map(|rest| format!("   {rest}"));
+    let text = plain.as_deref().unwrap_or(text);
+    if nesting::is_too_deep(text) {
+        return None;
+    }
+    let parse = SourceFile::parse(text, Edition::Edition2024);
+    let problem = |error: &ra_ap_syntax::SyntaxError| Problem {
+        span: span(error.range()),
+        message: error.to_string(),
+        from: Reporter::Syntax,
+    };
+    // The compiler reads `\r\n` as a line end also within a string.
+    let line_end = |problem: &Problem| text[problem.span.start..].starts_with("\r\n");
+    let problems = parse.errors().iter().map(problem).filter(|problem| !line_end(problem)).collect();
+    Some(Root { tree: parse.syntax_node(), problems })
+}
+
+/// The place of a node or token.
+pub(crate) fn span(range: TextRange) -> Span {
+    Span::new(range.start().into(), range.end().into())
+}
+
+/// The functions of impl blocks with the names of their types, in the order of the text, those within another one left out.
+pub(crate) fn landmarks(text: &str) -> Vec<(String, Span)> {
+    let Some(root) = parse(text) else { return Vec::new() };
+    let mut found: Vec<(String, Span)> = Vec::new();
+    for block in root.tree.descendants().filter_map(ast::Impl::cast) {
+        let of = block.self_ty().map(|ty| tokens::written(&tokens(ty.syntax()))).unwrap_or_default();
+        for item in block.assoc_item_list().iter().flat_map(ast::AssocItemList::assoc_items) {
+            let ast::AssocItem::Fn(item) = item else { continue };
+            let Some(function) = function::function(&item, &of) else { continue };
+            if found.last().is_none_or(|(_, last)| last.end <= function.span.start) {
+                found.push((format!("{of}::{}", function.name.text), function.span));
+            }
+        }
+    }
+    found
+}
+
+/// The functions of all impl blocks of a type.
+pub(crate) fn functions_of(text: &str, ty: &str) -> Vec<Name> {
+    let Some(root) = parse(text) else { return Vec::new() };
+    let blocks = root.tree.descendants().filter_map(ast::Impl::cast).filter(|block| block.for_token().is_none());
+    let of_type =
+        blocks.filter(|block| block.self_ty().is_some_and(|own| tokens::written(&tokens(own.syntax())) == ty));
+    let items = of_type.filter_map(|block| block.assoc_item_list()).flat_map(|list| list.assoc_items());
+    let names = items.filter_map(|item| if let ast::AssocItem::Fn(item) = item { item.name() } else { None });
+    names.map(|ident| tokens::name(ident.text(), span(ident.syntax().text_range()))).collect()
+}

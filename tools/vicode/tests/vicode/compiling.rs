@@ -1,0 +1,125 @@
+//! Results of edits compile, and their `GRAPH` is the model.
+
+use std::collections::BTreeSet;
+use std::fmt::Write;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use bica_vicode::Document;
+use bica_vicode::model::{Graph, LinkKind};
+use serde_json::Value;
+
+use crate::editing::edit;
+use crate::machines::{PARTS, machine};
+use crate::random::Random;
+use crate::sources;
+
+/// A machine after random edits, if the rules of the macro find nothing wrong with it.
+fn edited(seed: u64) -> Option<Document> {
+    let mut random = Random::new(seed);
+    let mut document = Document::new(&machine(&mut random, true));
+    let mut fresh = 0;
+    for _ in 0..=random.below(20) {
+        let component = document.model().components[0].clone();
+        let _ = document.apply(&[edit(&mut random, &component, &mut fresh)]);
+    }
+    document.model().problems.is_empty().then_some(document)
+}
+
+/// Children of the machine, without their arguments as they are imported.
+fn children(document: &Document) -> BTreeSet<String> {
+    Graph::of(&document.model().components[0]).links.into_iter().map(|link| link.child).collect()
+}
+
+fn write_package(folder: &Path, documents: &[Document]) {
+    fs::create_dir_all(folder.join("src")).unwrap();
+    let root = sources::root().canonicalize().unwrap();
+    let manifest = format!(
+        "[workspace]\n[package]\nname = \"edited\"\nversion = \"0.0.0\"\nedition = \"2024\"\n[dependencies]\nbica = {{ path = \"{}\" }}\n",
+        root.display()
+    );
+    fs::write(folder.join("Cargo.toml"), manifest).unwrap();
+    fs::copy(root.join("Cargo.lock"), folder.join("Cargo.lock")).unwrap();
+    fs::write(folder.join("src/parts.rs"), PARTS).unwrap();
+    let mut main = String::from("#![allow(warnings)]\nuse bica::prelude::*;\nmod parts;\n");
+    let mut print = String::new();
+    for (index, document) in documents.iter().enumerate() {
+        fs::write(folder.join(format!("src/m{index}.rs")), document.text()).unwrap();
+        let list = children(document).into_iter().collect::<Vec<_>>().join(", ");
+        write!(
+            main,
+            "mod m{index};\nmod t{index} {{ use bica::prelude::*; use crate::m{index}::Machine; use crate::parts::*; activation_tree! {{ pub struct \
+             Tree {{ root: Machine, cycle_hz: 100, components: [Machine, {list}] }} }} }}\n"
+        )
+        .unwrap();
+        writeln!(
+            print,
+            "    println!(\"{{}}\", <t{index}::Tree as bica::Tree>::GRAPH.json());\n    println!(\"\\x01\");"
+        )
+        .unwrap();
+    }
+    write!(main, "fn main() {{\n{print}}}\n").unwrap();
+    fs::write(folder.join("src/main.rs"), main).unwrap();
+}
+
+/// Compares a machine with the first node of its tree.
+fn agrees(document: &Document, tree: &Value) {
+    let component = &document.model().components[0];
+    let node = &tree["nodes"][0];
+    assert_eq!(node["doc"], component.docs.text.as_str());
+    let states: Vec<Value> = component
+        .states
+        .iter()
+        .map(|state| {
+            let function = &state.function;
+            serde_json::json!({"name": function.name.text, "doc": function.docs.text, "initial": state.initial, "last": state.last})
+        })
+        .collect();
+    assert_eq!(node["states"], Value::Array(states));
+    let graph = Graph::of(component);
+    let edges: Vec<Value> = node["transitions"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|edge| serde_json::json!([edge["name"], edge["from"], edge["to"], edge["after_ms"]]))
+        .collect();
+    let expected: Vec<Value> =
+        graph.edges.iter().map(|edge| serde_json::json!([edge.name, edge.from, edge.to, edge.after_ms])).collect();
+    assert_eq!(edges, expected);
+    let links: BTreeSet<String> = node["links"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|link| {
+            let child = &tree["nodes"][usize::try_from(link["to"].as_u64().unwrap()).unwrap()]["name"];
+            format!("{} {} {}", link["state"], child.as_str().unwrap(), link["kind"].as_str().unwrap())
+        })
+        .collect();
+    let kind = |kind| if kind == LinkKind::Requirement { "requirement" } else { "modulation" };
+    let expected = graph.links.iter().map(|link| format!("{} {} {}", link.state.unwrap(), link.child, kind(link.kind)));
+    assert_eq!(links, expected.collect());
+}
+
+#[test]
+#[ignore = "slow: `cargo xtask ci` runs it"]
+fn slow_two_hundred_results_of_edits_compile_and_their_graph_is_the_model() {
+    let documents: Vec<Document> = (0..).filter_map(edited).take(200).collect();
+    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("edited");
+    write_package(&folder, &documents);
+    let output = Command::new(env!("CARGO"))
+        .args(["run", "--offline", "--quiet", "--manifest-path"])
+        .arg(folder.join("Cargo.toml"))
+        .env("CARGO_TARGET_DIR", folder.join("target"))
+        .output()
+        .unwrap();
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let printed = String::from_utf8(output.stdout).unwrap();
+    let trees: Vec<Value> = printed
+        .split('\u{1}')
+        .filter(|tree| !tree.trim().is_empty())
+        .map(|tree| serde_json::from_str(tree).unwrap())
+        .collect();
+    assert_eq!(trees.len(), documents.len());
+    documents.iter().zip(&trees).for_each(|(document, tree)| agrees(document, tree));
+}

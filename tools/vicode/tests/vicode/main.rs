@@ -1,0 +1,14 @@
+//! Tests of the library: reading, editing, merging, files.
+
+mod abstraction;
+mod agreement;
+mod command;
+mod compiling;
+mod documentation;
+mod editing;
+mod files;
+mod machines;
+mod merging;
+mod random;
+mod reading;
+mod sources;
