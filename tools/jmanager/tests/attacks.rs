@@ -59,7 +59,8 @@ impl Target {
     fn send(&self, first: &str, lines: &[&str], body: &str) -> Response {
         let mut stream = self.connect();
         let (lines, length) = (lines.join("\r\n"), body.len());
-        let text = format!("{first} HTTP/1.1\r\n{lines}\r\nContent-Length: {length}\r\nConnection: close\r\n\r\n{body}");
+        let text =
+            format!("{first} HTTP/1.1\r\n{lines}\r\nContent-Length: {length}\r\nConnection: close\r\n\r\n{body}");
         stream.write_all(text.as_bytes()).unwrap();
         let mut answer = Vec::new();
         // The server may close before it has read all; what it sent is read anyhow.
