@@ -19,6 +19,8 @@ pub struct ChromaBox {
 impl ChromaBox {
     /// Box of every chroma.
     pub const ALL: Self = Self { low: [0; 2], high: [u8::MAX; 2] };
+    /// Box of the first chroma, whose memory is zero.
+    pub(crate) const ORIGIN: Self = Self { low: [0; 2], high: [0; 2] };
     /// Empty box.
     pub const EMPTY: Self = Self { low: [u8::MAX; 2], high: [0; 2] };
 

@@ -125,6 +125,10 @@ impl Filter {
     pub const ANY: Self =
         Self { from: (0, 0), to: (0, 0), saturation: (0, u16::MAX), luma: (0, 255), chroma_squared: 0 };
 
+    /// Filter whose memory is zero.
+    pub(crate) const ZERO: Self =
+        Self { from: (0, 0), to: (0, 0), saturation: (0, 0), luma: (0, 0), chroma_squared: 0 };
+
     /// Filter that accepts no colour.
     pub const NOTHING: Self = Self::ANY.luma(1, 0);
 

@@ -118,19 +118,16 @@ impl GradualTable {
     /// Number of parts.
     pub const PARTS: usize = 64;
 
-    /// Creates a table without any class, which is complete.
+    /// Creates a table without any class, which is complete. All its memory is zero, so a static one occupies no flash and is not
+    /// created on the stack.
     #[must_use]
     #[expect(clippy::large_stack_arrays, reason = "const: it is created in a static or a box")]
     pub const fn new() -> Self {
-        let filters = Filters {
-            orange: Filter::NOTHING,
-            yellow: Filter::NOTHING,
-            blue: Filter::NOTHING,
-            white: Filter::NOTHING,
-            green: Filter::NOTHING,
-        };
-        let table = CompactTable { cells: [0; COMPACT_BYTES], boxes: NO_BOXES };
-        Self { table, boxes: NO_BOXES, filters, next: 0, left: 0 }
+        // Neither filters nor boxes are used before `start`; a box may be larger than its class.
+        let (zero, boxes) = (Filter::ZERO, [ChromaBox::ORIGIN; 6]);
+        let filters = Filters { orange: zero, yellow: zero, blue: zero, white: zero, green: zero };
+        let table = CompactTable { cells: [0; COMPACT_BYTES], boxes };
+        Self { table, boxes, filters, next: 0, left: 0 }
     }
 
     /// Starts to compile thresholds.

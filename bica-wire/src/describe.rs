@@ -1,5 +1,7 @@
 //! The graph of a tree as a sequence of messages.
 
+use core::iter::FusedIterator;
+
 use bica_core::graph::{Graph, LinkKind, Node};
 use bica_core::params::{self, Kind, Param, Variant};
 
@@ -14,14 +16,14 @@ const TYPE_BYTES: usize = 512;
 /// Describes a tree: the tree, its components, then for each component its links, states, transitions, parameters,
 /// information and modulations, then [`GraphItem::End`]. Doc comments follow what they document, variants and arguments what
 /// they belong to.
-pub fn describe(graph: &'static Graph) -> impl Iterator<Item = GraphItem<'static>> + Clone {
-    let items = Items { graph, list: List::Tree, node: 0, index: 0, doc: "", variants: &[], arguments: &[], count: 0 };
-    items.fuse()
+#[must_use]
+pub const fn describe(graph: &'static Graph) -> Description {
+    Description { graph, list: List::Tree, node: 0, index: 0, doc: "", variants: &[], arguments: &[], count: 0 }
 }
 
-/// Position in the description. It is a plain cursor, because a chain of iterators needs kilobytes of stack.
-#[derive(Clone)]
-struct Items {
+/// The items that describe a tree. It is a plain cursor, because a chain of iterators needs kilobytes of stack.
+#[derive(Clone, Debug)]
+pub struct Description {
     graph: &'static Graph,
     list: List,
     /// Index of the component.
@@ -38,7 +40,7 @@ struct Items {
     count: u32,
 }
 
-#[derive(Clone, Copy, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum List {
     Tree,
     Components,
@@ -67,7 +69,9 @@ impl List {
     }
 }
 
-impl Iterator for Items {
+impl FusedIterator for Description {}
+
+impl Iterator for Description {
     type Item = GraphItem<'static>;
 
     fn next(&mut self) -> Option<GraphItem<'static>> {
@@ -81,12 +85,12 @@ impl Iterator for Items {
     }
 }
 
-impl Items {
+impl Description {
     /// Returns what still follows the last listed item.
     fn attachment(&mut self) -> Option<GraphItem<'static>> {
         if !self.doc.is_empty() {
             let text = truncate(self.doc, DOC_BYTES);
-            self.doc = &self.doc[text.len()..];
+            self.doc = self.doc.get(text.len()..).unwrap_or_default();
             return Some(GraphItem::Doc { text });
         }
         if let Some((variant, rest)) = self.variants.split_first() {

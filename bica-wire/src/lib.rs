@@ -48,7 +48,7 @@ mod text;
 pub use convert::InvalidCommand;
 pub use crc::crc32;
 pub use decoder::{Decoder, Packet, UnknownMessage};
-pub use describe::describe;
+pub use describe::{Description, describe};
 pub use encoder::{Encoder, TooLarge};
 pub use image::{CHUNK_BYTES, ImageBuffer, chunks};
 pub use message::{FromMonitor, FromRobot, ToMonitor, ToRobot};

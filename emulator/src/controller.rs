@@ -4,8 +4,10 @@ use std::path::Path;
 
 use bica_field::GoalColour;
 use bica_motion::robot::{self, Light, Lights};
-use bica_wire::message::{ClockMode, Hello, Identity, Sensors, StackUsage, Telemetry};
-use bica_wire::{FromRobot, SCHEMA, ToRobot, chunks};
+use bica_wire::message::{
+    AnswerResult, Change, ClockMode, Hello, Identity, LeaseAction, Request, Sensors, StackUsage, Telemetry,
+};
+use bica_wire::{FromMonitor, FromRobot, SCHEMA, ToMonitor, ToRobot, chunks};
 
 use crate::emulator::{Emulator, Transport};
 use crate::error::Error;
@@ -16,6 +18,9 @@ pub struct Controller {
     emulator: Emulator,
     last_image_id: u32,
     instructions_per_tick: u64,
+    /// Number of the lease of this operator; `None` before the first request.
+    lease: Option<u32>,
+    last_request: u32,
 }
 
 /// Result of a cycle.
@@ -42,7 +47,14 @@ impl Controller {
     /// # Errors
     /// Any [`Error`].
     pub fn start(image: &Path, transport: Transport, attacks: GoalColour, log: Option<&Path>) -> Result<Self, Error> {
-        let mut emulator = Emulator::start(image, transport, log)?;
+        Self::start_on(Emulator::start(image, transport, log)?, attacks)
+    }
+
+    /// Starts a game on an image that was just started, in which the robot attacks the goal of a colour.
+    ///
+    /// # Errors
+    /// Any [`Error`].
+    pub fn start_on(mut emulator: Emulator, attacks: GoalColour) -> Result<Self, Error> {
         let link = emulator.link();
         let schema = link.receive(identity(|identity| identity.schema))?;
         if schema != SCHEMA {
@@ -51,7 +63,7 @@ impl Controller {
         link.send(&ToRobot::Hello(Hello { schema: SCHEMA, clock_mode: ClockMode::Lockstep, attacks }))?;
         let counter_hz = link.receive(identity(|identity| identity.counter_hz))?;
         let instructions_per_tick = 1_000_000_000 / u64::from(counter_hz.max(1));
-        Ok(Self { emulator, last_image_id: 0, instructions_per_tick })
+        Ok(Self { emulator, last_image_id: 0, instructions_per_tick, lease: None, last_request: 0 })
     }
 
     /// Returns the emulator.
@@ -87,6 +99,69 @@ impl Controller {
         })
     }
 
+    /// Whether the image has a server for monitors, so that [`request`](Self::request) is possible.
+    ///
+    /// # Errors
+    /// [`Error::Disconnected`].
+    pub fn has_monitors(&mut self) -> Result<bool, Error> {
+        self.send(&FromMonitor::Attach)?;
+        // The answer to this message shows that there is none to the one before.
+        self.emulator.link().send(&ToRobot::StackUsage)?;
+        let mut attached = false;
+        self.emulator.link().receive(|message| {
+            attached |= matches!(message, FromRobot::Monitor(_));
+            matches!(message, FromRobot::StackUsage(_)).then_some(())
+        })?;
+        Ok(attached)
+    }
+
+    /// Requests a change before the next cycle, as the operator.
+    ///
+    /// # Errors
+    /// [`Error::Disconnected`], or [`Error::UnexpectedMessage`] if the robot refuses the change.
+    pub fn request(&mut self, change: Change) -> Result<(), Error> {
+        let lease = match self.lease {
+            Some(lease) => lease,
+            None => self.acquire()?,
+        };
+        self.last_request = self.last_request.wrapping_add(1);
+        let number = self.last_request;
+        self.send(&FromMonitor::Request(Request { number, lease, expires_us: u64::MAX, change }))?;
+        let refusal = self.emulator.link().receive(|message| match answer(&message)? {
+            ToMonitor::Answer(answer) if answer.number == number => Some(match answer.result {
+                AnswerResult::Done { .. } => None,
+                AnswerResult::Refused { text, .. } => Some(text.to_owned()),
+            }),
+            _ => None,
+        })?;
+        refusal.map_or(Ok(()), |text| Err(Error::UnexpectedMessage(format!("the robot refused a request: {text}"))))
+    }
+
+    /// Keeps the lease, if there is one. Called at least once in 3 s of the robot's time.
+    ///
+    /// # Errors
+    /// [`Error::Disconnected`].
+    pub fn keep(&mut self) -> Result<(), Error> {
+        self.lease.map_or(Ok(()), |lease| self.send(&FromMonitor::Lease(LeaseAction::Keep { lease })))
+    }
+
+    fn acquire(&mut self) -> Result<u32, Error> {
+        self.send(&FromMonitor::Lease(LeaseAction::Acquire))?;
+        let lease = self.emulator.link().receive(|message| match answer(&message)? {
+            ToMonitor::Lease(lease) if lease.yours => Some(lease.lease),
+            _ => None,
+        })?;
+        self.lease = Some(lease);
+        Ok(lease)
+    }
+
+    fn send(&mut self, message: &FromMonitor) -> Result<(), Error> {
+        let mut buffer = [0; bica_wire::MAX_PACKET];
+        let bytes = postcard::to_slice(message, &mut buffer);
+        let bytes = bytes.map_err(|error| Error::UnexpectedMessage(error.to_string()))?;
+        self.emulator.link().send(&ToRobot::Monitor(bytes))
+    }
+
     /// Requests the stack usage.
     ///
     /// # Errors
@@ -120,6 +195,12 @@ pub fn command_bits(command: &robot::Command) -> impl Iterator<Item = u32> {
     let lights = [chest, left_eye, right_eye].map(|Light(red, green, blue)| [red, green, blue]);
     let joints = command.targets.0.into_iter().chain(command.stiffness.0);
     joints.chain(lights.into_iter().flatten()).map(f32::to_bits).chain([command.camera as u32])
+}
+
+/// Returns a message to the operator.
+fn answer<'a>(message: &FromRobot<'a>) -> Option<ToMonitor<'a>> {
+    let FromRobot::Monitor(bytes) = message else { return None };
+    postcard::from_bytes(bytes).ok()
 }
 
 fn identity<T>(read: impl Fn(Identity<'_>) -> T) -> impl FnMut(FromRobot<'_>) -> Option<T> {

@@ -1,5 +1,6 @@
 //! QEMU with a firmware image, and a link to it.
 
+use std::net::{Ipv4Addr, SocketAddr, TcpListener};
 use std::path::Path;
 use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
 
@@ -38,6 +39,7 @@ impl Transport {
 pub struct Emulator {
     child: Child,
     link: Link<ChildStdout, ChildStdin>,
+    monitors: Option<SocketAddr>,
 }
 
 impl Emulator {
@@ -46,10 +48,30 @@ impl Emulator {
     /// # Errors
     /// [`Error::ImageMissing`], [`Error::QemuUnavailable`].
     pub fn start(image: &Path, transport: Transport, log: Option<&Path>) -> Result<Self, Error> {
+        Self::run(image, transport, log, None)
+    }
+
+    /// Starts an image as [`start`](Self::start), with its serial port for monitors as a TCP server on this computer, for one monitor at
+    /// a time.
+    ///
+    /// # Errors
+    /// As [`start`](Self::start), or [`Error::QemuUnavailable`] if there is no free port.
+    pub fn start_with_monitors(image: &Path, transport: Transport, log: Option<&Path>) -> Result<Self, Error> {
+        let port = TcpListener::bind((Ipv4Addr::LOCALHOST, 0)).and_then(|listener| listener.local_addr());
+        Self::run(image, transport, log, Some(port.map_err(Error::QemuUnavailable)?))
+    }
+
+    fn run(
+        image: &Path,
+        transport: Transport,
+        log: Option<&Path>,
+        monitors: Option<SocketAddr>,
+    ) -> Result<Self, Error> {
         if !image.is_file() {
             return Err(Error::ImageMissing(image.to_owned()));
         }
         let log = log.map_or_else(|| "null".to_owned(), |path| format!("file:{}", path.display()));
+        let port = monitors.map_or_else(|| "null".to_owned(), |address| format!("tcp:{address},server=on,wait=off"));
         let mut command = Command::new("qemu-system-arm");
         // A separate process group: Ctrl-C stops the program only, which ends the emulator after its summary.
         #[cfg(unix)]
@@ -59,6 +81,7 @@ impl Emulator {
             .args(["-semihosting-config", "enable=on,target=native"])
             .args(transport.arguments())
             .args(["-serial", &log])
+            .args(["-serial", &port])
             .arg("-kernel")
             .arg(image)
             .stdin(Stdio::piped())
@@ -68,7 +91,13 @@ impl Emulator {
         let (Some(tx), Some(rx)) = (child.stdin.take(), child.stdout.take()) else {
             return Err(Error::UnexpectedMessage("the emulator has no pipes".to_owned()));
         };
-        Ok(Self { child, link: Link::new(rx, tx) })
+        Ok(Self { child, link: Link::new(rx, tx), monitors })
+    }
+
+    /// Returns the address of the serial port for monitors, if it was started with one.
+    #[must_use]
+    pub const fn monitors(&self) -> Option<SocketAddr> {
+        self.monitors
     }
 
     /// Returns the link to the image.

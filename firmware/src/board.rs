@@ -15,11 +15,16 @@ pub trait Board: Sized {
     type Rx: Read;
     /// Transmitter of bytes.
     type Tx: Write;
+    /// Receiver of bytes on the line for monitors. Its `read` must lose no byte if it is dropped before it is ready.
+    /// [`NoLine`](crate::NoLine) on a board without such a line, and in an image without the feature `monitor`.
+    type MonitorRx: Read;
+    /// Transmitter of bytes on the line for monitors. Its `write` must write nothing if it is dropped before it is ready.
+    type MonitorTx: Write;
     /// Rate of [`Self::counter`], Hz.
     const COUNTER_HZ: u32;
 
-    /// Returns both directions of the link.
-    fn link(self) -> (Self::Rx, Self::Tx);
+    /// Returns the lines.
+    fn links(self) -> Links<Self>;
 
     /// Returns a counter that measures the cost of code. It wraps around.
     fn counter() -> u32;
@@ -33,4 +38,12 @@ pub trait Board: Sized {
 
     /// Restarts the microcontroller. Memory in `.uninit` sections keeps its content.
     fn reset() -> !;
+}
+
+/// The lines of a board, both directions of each.
+pub struct Links<B: Board> {
+    /// The line to the body.
+    pub body: (B::Rx, B::Tx),
+    /// The line for monitors.
+    pub monitor: (B::MonitorRx, B::MonitorTx),
 }

@@ -5,20 +5,28 @@ use bica::{ComponentId, Instant, Tree};
 use bica_motion::model::RobotModel;
 use bica_motion::robot;
 use bica_motion::stiffness::Stiffness;
+use bica_player::Model;
 use bica_player::input::IMAGE_BYTES;
 use bica_player::perception::{BallDetector, GoalDetector};
-use bica_player::{Forward, Model};
+#[cfg(not(feature = "monitor"))]
+use bica_wire::describe;
 use bica_wire::message::{ClockMode, Command, Hello, Identity, LinkStats, Sensors, Telemetry};
-use bica_wire::{FromRobot, ImageBuffer, SCHEMA, ToRobot, describe};
+#[cfg(feature = "monitor")]
+use bica_wire::{Encoder, MAX_PACKET};
+use bica_wire::{FromRobot, ImageBuffer, SCHEMA, ToRobot};
 use embassy_time::Duration;
 use embedded_io_async::Write;
 
 use crate::board::Board;
 use crate::crash_log::CrashLog;
-use crate::graph::GRAPH;
 use crate::link::MessageTx;
 use crate::meter::Meter;
+#[cfg(feature = "monitor")]
+use crate::monitor::{Line, Monitor};
 use crate::stack;
+use crate::tree::Forward;
+#[cfg(not(feature = "monitor"))]
+use crate::tree::GRAPH;
 
 /// Silence of the body after which the robot stops safely: the latency budget of the tree.
 const SILENCE: Duration = Duration::from_millis(200);
@@ -38,6 +46,11 @@ pub(crate) struct Controller<B> {
     safe_stop: bool,
     /// Whether ball and goal are visible.
     visible: (bool, bool),
+    #[cfg(feature = "monitor")]
+    monitor: &'static mut Monitor,
+    /// The robot's time at the last cycle.
+    #[cfg(feature = "monitor")]
+    time: Instant,
 }
 
 /// Sensor values that were written into the tree.
@@ -53,6 +66,7 @@ impl<B: Board> Controller<B> {
         robot: &'static mut Forward,
         image: &'static mut ImageBuffer<IMAGE_BYTES>,
         crash_log: CrashLog,
+        #[cfg(feature = "monitor")] monitor: &'static mut Monitor,
     ) -> Self {
         Self {
             runner: Runner::new(robot, ()).with_observer(Meter::new()),
@@ -64,6 +78,10 @@ impl<B: Board> Controller<B> {
             late_cycles: 0,
             safe_stop: false,
             visible: (false, false),
+            #[cfg(feature = "monitor")]
+            monitor,
+            #[cfg(feature = "monitor")]
+            time: Instant::MIN,
         }
     }
 
@@ -92,17 +110,33 @@ impl<B: Board> Controller<B> {
         }
         match message {
             ToRobot::Hello(hello) => self.start_game(hello, tx).await,
+            #[cfg(not(feature = "monitor"))]
             ToRobot::Describe => {
                 for item in describe(&GRAPH) {
                     tx.send(&FromRobot::GraphItem(item)).await;
                 }
             }
+            #[cfg(feature = "monitor")]
+            ToRobot::Describe => {
+                self.monitor.describe(Line::Body);
+                self.answer_monitor(tx).await;
+            }
             ToRobot::StackUsage => tx.send(&FromRobot::StackUsage(stack::usage())).await,
             ToRobot::FaultInjection(fault) => self.runner.observer_mut().inject(*fault),
             // This program answers a description only.
+            #[cfg(not(feature = "monitor"))]
             ToRobot::Monitor(_) => {}
+            #[cfg(feature = "monitor")]
+            ToRobot::Monitor(bytes) => {
+                self.receive_monitor(Line::Body, bytes);
+                self.answer_monitor(tx).await;
+            }
             ToRobot::ImageChunk(chunk) => self.image.add(chunk),
             ToRobot::Sensors(sensors) => {
+                #[cfg(feature = "monitor")]
+                if self.clock_mode == Some(ClockMode::Lockstep) {
+                    self.monitor.before_cycle(&mut self.runner, Instant::from_micros(sensors.time_us));
+                }
                 B::align_counter();
                 self.sense(sensors);
                 if self.clock_mode == Some(ClockMode::Lockstep) {
@@ -125,6 +159,8 @@ impl<B: Board> Controller<B> {
         defmt::info!("game started; lockstep: {=bool}", hello.clock_mode == ClockMode::Lockstep);
         self.runner.robot_mut().get_mut::<GoalDetector>().attack(hello.attacks);
         self.clock_mode = Some(hello.clock_mode);
+        #[cfg(feature = "monitor")]
+        self.monitor.set_realtime(hello.clock_mode == ClockMode::FreeRunning);
         tx.send(&self.identity()).await;
     }
 
@@ -141,6 +177,8 @@ impl<B: Board> Controller<B> {
             defmt::warn!("safe stop: {=bool}", safe_stop);
         }
         self.safe_stop = safe_stop;
+        #[cfg(feature = "monitor")]
+        self.monitor.before_cycle(&mut self.runner, now);
         self.cycle(now, link, tx).await;
     }
 
@@ -153,6 +191,8 @@ impl<B: Board> Controller<B> {
             defmt::warn!("an image of {=usize} bytes does not fit", error.bytes);
         }
         self.sensed = Some(Sensed { time_us: sensors.time_us, ticks: B::counter().wrapping_sub(start) });
+        #[cfg(feature = "monitor")]
+        self.monitor.sensed(yuyv.is_some());
     }
 
     /// Ticks the tree, sends the command and the report.
@@ -165,6 +205,12 @@ impl<B: Board> Controller<B> {
         self.log_visible();
         tx.send(&FromRobot::Command(Command::new(sensed.time_us, &command))).await;
         self.report(sensed.time_us, chain_ticks, link, tx).await;
+        #[cfg(feature = "monitor")]
+        {
+            self.time = now;
+            self.monitor.after_cycle(now, self.late_cycles);
+            self.send_monitor(MAX_PACKET, tx).await;
+        }
     }
 
     /// Logs a change of what is visible.
@@ -196,6 +242,50 @@ impl<B: Board> Controller<B> {
             component_ticks: self.runner.observer().costs(),
         };
         tx.send(&FromRobot::Telemetry(telemetry)).await;
+    }
+}
+
+#[cfg(feature = "monitor")]
+impl<B: Board> Controller<B> {
+    /// Returns the server for monitors.
+    pub(crate) const fn monitor(&mut self) -> &mut Monitor {
+        self.monitor
+    }
+
+    /// Handles a message of a monitor, between two cycles.
+    pub(crate) fn receive_monitor(&mut self, line: Line, bytes: &[u8]) {
+        let now = self.clock_mode.map(|mode| match mode {
+            ClockMode::FreeRunning => Instant::now(),
+            ClockMode::Lockstep => self.time,
+        });
+        self.monitor.receive(line, bytes, &mut self.runner, now, B::counter());
+    }
+
+    /// Encodes the next packet for a monitor; see [`Monitor::next_packet`].
+    pub(crate) fn next_packet(&mut self, line: Line, encoder: &mut Encoder, room: &mut [u8]) -> Option<usize> {
+        self.monitor.next_packet(line, self.runner.robot(), encoder, room)
+    }
+
+    /// Sends what a monitor on the body's line waits for: all of it while no clock runs, else the answer.
+    async fn answer_monitor(&mut self, tx: &mut MessageTx<impl Write>) {
+        if self.clock_mode != Some(ClockMode::FreeRunning) {
+            self.send_monitor(usize::MAX, tx).await;
+        }
+        while !self.monitor.is_ready(Line::Body) {
+            self.send_monitor(1, tx).await;
+        }
+    }
+
+    /// Sends packets to a monitor on the body's line until these are `limit` bytes or more, or there are no more.
+    async fn send_monitor(&mut self, limit: usize, tx: &mut MessageTx<impl Write>) {
+        let mut sent = 0;
+        while sent < limit {
+            let encode = |encoder: &mut Encoder, room: &mut [u8]| {
+                self.monitor.next_packet(Line::Body, self.runner.robot(), encoder, room)
+            };
+            let Some(length) = tx.send_packet(encode).await else { return };
+            sent += length;
+        }
     }
 }
 

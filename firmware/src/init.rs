@@ -2,14 +2,20 @@
 
 use core::mem::MaybeUninit;
 
-use bica_player::Forward;
 use static_cell::StaticCell;
 
+#[cfg(feature = "monitor")]
+use crate::monitor::Monitor;
 use crate::stack;
+use crate::tree::Forward;
 
 /// The tree. It is created at the start, not in initialised memory, which would store its 20 KB, nearly all zero, in
 /// flash.
 static ROBOT: StaticCell<Forward> = StaticCell::new();
+
+/// The server for monitors. It is created at the start too: not all of its bytes are zero.
+#[cfg(feature = "monitor")]
+static MONITOR: StaticCell<Monitor> = StaticCell::new();
 
 /// The robot's tree.
 pub struct Robot(pub(crate) &'static mut Forward);
@@ -28,4 +34,11 @@ pub fn init() -> Robot {
 #[inline(never)]
 fn create(place: &'static mut MaybeUninit<Forward>) -> &'static mut Forward {
     place.write(Forward::new())
+}
+
+/// Creates the server for monitors. Called once.
+#[cfg(feature = "monitor")]
+#[inline(never)]
+pub(crate) fn monitor() -> &'static mut Monitor {
+    MONITOR.uninit().write(Monitor::new())
 }

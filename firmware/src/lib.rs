@@ -11,15 +11,19 @@ mod board;
 mod controller;
 mod crash_log;
 mod faults;
-mod graph;
 mod init;
 mod link;
 mod meter;
+#[cfg(feature = "monitor")]
+mod monitor;
+mod no_line;
 mod panic;
 mod run;
 mod stack;
+mod tree;
 
-pub use board::Board;
+pub use board::{Board, Links};
 pub use init::{Robot, init};
+pub use no_line::NoLine;
 pub use panic::handle_panic;
 pub use run::run;

@@ -23,4 +23,15 @@ impl<W: Write> MessageTx<W> {
             let _ = self.link.write_all(packet).await;
         }
     }
+
+    /// Sends the packet that `encode` returns the length of; returns this length, or `None` without a packet.
+    #[cfg(feature = "monitor")]
+    pub(crate) async fn send_packet(
+        &mut self,
+        encode: impl FnOnce(&mut Encoder, &mut [u8]) -> Option<usize>,
+    ) -> Option<usize> {
+        let length = encode(&mut self.encoder, &mut *self.buffer)?;
+        let _ = self.link.write_all(&self.buffer[..length]).await;
+        Some(length)
+    }
 }

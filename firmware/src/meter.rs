@@ -4,12 +4,11 @@ use core::marker::PhantomData;
 
 use bica::runner::Observer;
 use bica::{ComponentId, Probe, Tree};
-use bica_player::Forward;
 use bica_wire::message::FaultInjection;
 
 use crate::board::Board;
 use crate::faults::Faults;
-use crate::graph::GRAPH;
+use crate::tree::{Forward, GRAPH};
 
 /// An observer that measures with the counter of board `B`.
 pub(crate) struct Meter<B> {

@@ -1,8 +1,11 @@
 //! The robot's task: receives messages and ticks the tree.
 
 use bica::Tree;
-use bica_player::Forward;
+#[cfg(feature = "monitor")]
+use bica_player::input::Colours;
 use bica_player::input::{CameraInput, IMAGE_BYTES};
+#[cfg(feature = "monitor")]
+use bica_vision::table::GradualTable;
 use bica_wire::message::ClockMode;
 use bica_wire::{Decoder, ImageBuffer, MAX_PACKET, ToRobot};
 use embassy_futures::select::{Either, select};
@@ -10,16 +13,30 @@ use embassy_time::{Duration, Instant, Ticker};
 use embedded_io_async::Read;
 use static_cell::ConstStaticCell;
 
-use crate::board::Board;
+use crate::board::{Board, Links};
 use crate::controller::Controller;
 use crate::crash_log::{self, CrashLog};
+#[cfg(feature = "monitor")]
+use crate::init;
 use crate::init::Robot;
 use crate::link::MessageTx;
+#[cfg(feature = "monitor")]
+use crate::monitor::MonitorLine;
+use crate::tree::Forward;
 
 static CAMERA_BUFFER: ConstStaticCell<[u8; IMAGE_BYTES]> = ConstStaticCell::new([0; IMAGE_BYTES]);
 static IMAGE: ConstStaticCell<ImageBuffer<IMAGE_BYTES>> = ConstStaticCell::new(ImageBuffer::new());
 static DECODER: ConstStaticCell<Decoder<MAX_PACKET>> = ConstStaticCell::new(Decoder::new());
 static PACKET: ConstStaticCell<[u8; MAX_PACKET]> = ConstStaticCell::new([0; MAX_PACKET]);
+#[cfg(feature = "monitor")]
+static MONITOR_LINE: ConstStaticCell<MonitorLine> = ConstStaticCell::new(MonitorLine::new());
+/// Memory of the colour classes that an operator adjusts.
+#[cfg(feature = "monitor")]
+static COLOURS: ConstStaticCell<GradualTable> = ConstStaticCell::new(GradualTable::new());
+
+/// Largest number of times that the monitors' line is served after bytes from the body, while no clock runs.
+#[cfg(feature = "monitor")]
+const MOST_SERVED: usize = 16;
 
 /// Size of the buffer for received bytes.
 const RX_BYTES: usize = 256;
@@ -31,11 +48,22 @@ const RX_BYTES: usize = 256;
 ///
 /// # Panics
 /// If it is called twice.
-pub async fn run<B: Board>(Robot(robot): Robot, mut rx: B::Rx, tx: B::Tx) -> ! {
+pub async fn run<B: Board>(Robot(robot): Robot, links: Links<B>) -> ! {
+    let (mut rx, tx) = links.body;
+    #[cfg(feature = "monitor")]
+    let ((mut monitor_rx, mut monitor_tx), line) = (links.monitor, MONITOR_LINE.take());
+    #[cfg(feature = "monitor")]
+    robot.get_mut::<Colours>().set_memory(COLOURS.take());
     let decoder = DECODER.take();
     robot.get_mut::<CameraInput>().set_buffer(CAMERA_BUFFER.take());
     let mut tx = MessageTx::new(tx, PACKET.take());
-    let mut controller = Controller::<B>::new(robot, IMAGE.take(), read_crash_log());
+    let mut controller = Controller::<B>::new(
+        robot,
+        IMAGE.take(),
+        read_crash_log(),
+        #[cfg(feature = "monitor")]
+        init::monitor(),
+    );
     let period = Duration::from_hz(Forward::GRAPH.cycle_hz as u64);
     let mut ticker = Ticker::every(period);
     let mut due = Instant::now() + period;
@@ -43,8 +71,21 @@ pub async fn run<B: Board>(Robot(robot): Robot, mut rx: B::Rx, tx: B::Tx) -> ! {
     tx.send(&controller.identity()).await;
     loop {
         if controller.clock_mode() != Some(ClockMode::FreeRunning) {
+            #[cfg(not(feature = "monitor"))]
             let count = rx.read(&mut buffer).await.unwrap_or(0);
+            #[cfg(feature = "monitor")]
+            let count = match select(rx.read(&mut buffer), ticker.next()).await {
+                Either::First(count) => count.unwrap_or(0),
+                Either::Second(()) => 0,
+            };
             receive(&buffer[..count], decoder, &mut controller, &mut tx).await;
+            // No clock runs that this could delay.
+            #[cfg(feature = "monitor")]
+            for _ in 0..MOST_SERVED {
+                if !line.serve(&mut monitor_rx, &mut monitor_tx, &mut controller) {
+                    break;
+                }
+            }
             ticker.reset();
             due = Instant::now() + period;
             continue;
@@ -55,6 +96,8 @@ pub async fn run<B: Board>(Robot(robot): Robot, mut rx: B::Rx, tx: B::Tx) -> ! {
             Either::Second(()) => {
                 controller.tick(due, decoder.stats(), &mut tx).await;
                 due += period;
+                #[cfg(feature = "monitor")]
+                line.serve(&mut monitor_rx, &mut monitor_tx, &mut controller);
             }
         }
     }

@@ -8,6 +8,8 @@ use crate::no_std::Toolchain;
 use crate::process::{root, run, works};
 
 const IMAGE: &str = "firmware/target/thumbv7em-none-eabihf/release/forward-an500";
+/// The image with the server for monitors. Cargo gives both images one name, so this one is moved.
+const MONITOR_IMAGE: &str = "firmware/target/thumbv7em-none-eabihf/release/forward-an500-monitor";
 const ROBOT_IMAGE: &str = "firmware/target/thumbv7em-none-eabihf/release/forward-stm32h743";
 const FIGURES: &str = "firmware/figures.txt";
 
@@ -28,19 +30,22 @@ pub(crate) fn check(options: &Firmware) -> Result<(), String> {
         return fuzz();
     }
     if options.size {
-        return self_test(&["--size"]);
+        self_test(IMAGE, &["--size"])?;
+        return self_test(MONITOR_IMAGE, &["--size"]);
     }
     if options.bless {
-        return self_test(&["--bless"]);
+        return self_test(IMAGE, &["--bless"]);
     }
-    build_for(&rust, "stm32h743")?;
+    build_for(&rust, "stm32h743", &["--features", "monitor"])?;
+    build_for(&rust, "stm32h743", &[])?;
     check_fault_injection()?;
-    self_test(&[])?;
+    self_test(IMAGE, &[])?;
+    self_test(MONITOR_IMAGE, &["--monitors"])?;
     play()
 }
 
-fn self_test(more: &[&str]) -> Result<(), String> {
-    let test = ["run", "--quiet", "--release", "-p", "bica-firmware-test", "--", IMAGE, FIGURES];
+fn self_test(image: &str, more: &[&str]) -> Result<(), String> {
+    let test = ["run", "--quiet", "--release", "-p", "bica-firmware-test", "--", image, FIGURES];
     run("cargo", &[&test[..], more].concat(), &[])
 }
 
@@ -59,7 +64,7 @@ fn play() -> Result<(), String> {
 
 /// Sends damaged packets for ten minutes to the decoder, then for ten minutes to the running image.
 fn fuzz() -> Result<(), String> {
-    self_test(&["--fuzz", "600"])
+    self_test(IMAGE, &["--fuzz", "600"])
 }
 
 /// Checks that the image for QEMU contains the injected faults, and the image for a robot does not.
@@ -75,17 +80,20 @@ fn check_fault_injection() -> Result<(), String> {
     Ok(())
 }
 
-/// Builds the image.
+/// Builds the images for QEMU: that of constants, and that with the server for monitors.
 ///
 /// # Errors
-/// If the build fails.
+/// If a build fails.
 pub(crate) fn build(rust: &Toolchain) -> Result<(), String> {
-    build_for(rust, "an500")
+    build_for(rust, "an500", &["--features", "monitor"])?;
+    let (image, monitor_image) = (root().join(IMAGE), root().join(MONITOR_IMAGE));
+    fs::copy(image, monitor_image).map_err(|error| format!("{MONITOR_IMAGE}: {error}"))?;
+    build_for(rust, "an500", &[])
 }
 
 /// Builds the image of a board. Each board is built alone, because Cargo would unify the features of both.
-fn build_for(rust: &Toolchain, board: &str) -> Result<(), String> {
+fn build_for(rust: &Toolchain, board: &str, more: &[&str]) -> Result<(), String> {
     let manifest = format!("firmware/boards/{board}/Cargo.toml");
     let options = ["--config", "firmware/.cargo/config.toml", "--target-dir", "firmware/target"];
-    rust.build(&[&options[..], &["--manifest-path", &manifest, "--release"]].concat())
+    rust.build(&[&options[..], &["--manifest-path", &manifest, "--release"], more].concat())
 }

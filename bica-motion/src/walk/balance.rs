@@ -55,16 +55,16 @@ impl Balance {
     /// front presses the toes down.
     pub(super) fn ankle(&self, gait: &Parameters, scale: f32) -> [f32; 2] {
         let most = MAX_ANKLE_CORRECTION;
-        let pitch = (scale * gait.ankle_pitch_gain * self.rates.y).clamp(-most, most);
-        let roll = (scale * gait.ankle_roll_gain * self.rates.x).clamp(-most, most);
+        let pitch = clamp(scale * gait.ankle_pitch_gain * self.rates.y, -most, most);
+        let roll = clamp(scale * gait.ankle_roll_gain * self.rates.x, -most, most);
         [pitch, roll]
     }
 
     /// Corrections of pitch and roll of an ankle in stand or in a kick, rad, with the gains scaled by `scale`.
     pub(crate) fn standing(&self, gait: &Parameters, scale: f32) -> [f32; 2] {
         let most = MAX_ANKLE_CORRECTION;
-        let pitch = (scale * gait.stand_ankle_gain.y * self.rates.y).clamp(-most, most);
-        let roll = (scale * gait.stand_ankle_gain.x * self.rates.x).clamp(-most, most);
+        let pitch = clamp(scale * gait.stand_ankle_gain.y * self.rates.y, -most, most);
+        let roll = clamp(scale * gait.stand_ankle_gain.x * self.rates.x, -most, most);
         [pitch, roll]
     }
 

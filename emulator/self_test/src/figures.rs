@@ -59,6 +59,29 @@ pub(crate) fn compare(path: &Path, played: &Played) -> Result<(), Box<dyn Error>
     Err(format!("not within 2 % of {path}: {list}; run `cargo xtask firmware --bless` to accept the change").into())
 }
 
+/// Tolerated relative excess of the chain with a tunable tree over the committed one.
+const TUNABLE: f64 = 0.03;
+
+/// Prints the chain of a game with a tunable tree and compares it with the committed one of constants.
+///
+/// # Errors
+/// If median or maximum are more than 3 % higher, or the file has no chain.
+pub(crate) fn compare_chain(path: &Path, played: &Played) -> Result<(), Box<dyn Error>> {
+    let text = fs::read_to_string(path)?;
+    let line = text.lines().find_map(|line| line.strip_prefix("chain ")).ok_or("no line of the chain")?;
+    let (median, max) = line.split_once(' ').ok_or("no maximum of the chain")?;
+    let (_, now_median, now_max) = figures(played).next().ok_or("no cycle")?;
+    for (name, before, now) in [("median", median, now_median), ("max", max, now_max)] {
+        let before: u64 = before.parse()?;
+        let excess = now as f64 / before as f64 - 1.0;
+        println!("chain {name:<6} {now:>9} instructions, {:+.2} % of {before}, at most 3 %", 100.0 * excess);
+        if excess > TUNABLE {
+            return Err(format!("the chain's {name} is more than 3 % above that of the tree of constants").into());
+        }
+    }
+    Ok(())
+}
+
 fn is_near(now: u64, before: u64) -> bool {
     now.abs_diff(before) as f64 <= (TOLERANCE * before as f64).max(RESOLUTION as f64)
 }

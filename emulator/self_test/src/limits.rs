@@ -6,7 +6,10 @@ use crate::game::Played;
 use crate::size::Sections;
 
 const KIB: u64 = 1024;
-const FLASH_LIMIT: u64 = 192 * KIB;
+/// Limit of flash, bytes.
+pub(crate) const FLASH: u64 = 192 * KIB;
+/// Limit of flash with the server for monitors and parameters that can be changed, bytes.
+pub(crate) const FLASH_WITH_MONITORS: u64 = 256 * KIB;
 /// Limit of the static memory without the two image buffers: the camera input's and the link's.
 const MEMORY_LIMIT: u64 = 64 * KIB;
 /// Size of the two image buffers, bytes.
@@ -19,10 +22,10 @@ const CHAIN_LIMIT: u64 = 20_000_000;
 ///
 /// # Errors
 /// The names of the figures that are above their limit, or zero, which only a failed measurement can be.
-pub(crate) fn check(sections: &Sections, played: &Played) -> Result<(), Box<dyn Error>> {
+pub(crate) fn check(sections: &Sections, played: &Played, flash_limit: u64) -> Result<(), Box<dyn Error>> {
     let chain = played.chain.last().copied().unwrap_or(0);
     let figures = [
-        ("flash", sections.flash, FLASH_LIMIT, "bytes"),
+        ("flash", sections.flash, flash_limit, "bytes"),
         ("static memory without images", sections.memory.saturating_sub(IMAGE_BUFFERS), MEMORY_LIMIT, "bytes"),
         ("maximum stack", played.stack.max_used.into(), STACK_LIMIT, "bytes"),
         ("longest sense-think-act chain", chain, CHAIN_LIMIT, "instructions"),

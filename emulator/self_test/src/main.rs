@@ -8,6 +8,7 @@ mod game;
 mod limits;
 mod link_fuzz;
 mod log;
+mod monitors;
 mod overload;
 mod packet_fuzz;
 mod parts;
@@ -26,7 +27,7 @@ use std::time::Duration;
 
 use bica_emulator::Transport;
 
-const USAGE: &str = "firmware-test IMAGE FIGURES [--size | --bless | --fuzz SECONDS [SEED]]";
+const USAGE: &str = "firmware-test IMAGE FIGURES [--size | --bless | --monitors | --fuzz SECONDS [SEED]]";
 
 /// Time limit of the whole test. A silent emulator would block it forever.
 const TIMEOUT: Duration = Duration::from_mins(30);
@@ -38,6 +39,7 @@ fn main() -> ExitCode {
     let result = match arguments[..] {
         [image, _, "--size"] => size::print(Path::new(image)),
         [image, figures, "--bless"] => test(Path::new(image), Path::new(figures), true),
+        [image, figures, "--monitors"] => test_monitors(Path::new(image), Path::new(figures)),
         [image, figures] => test(Path::new(image), Path::new(figures), false),
         [image, _, "--fuzz", seconds] => number(seconds).and_then(|seconds| fuzz(Path::new(image), seconds, 0)),
         [image, _, "--fuzz", seconds, seed] => {
@@ -56,18 +58,14 @@ fn main() -> ExitCode {
 
 /// Runs all tests; `bless` commits the instruction counts of this game instead of comparing them.
 fn test(image: &Path, figures: &Path, bless: bool) -> Result<(), Box<dyn Error>> {
-    thread::spawn(|| {
-        thread::sleep(TIMEOUT);
-        eprintln!("firmware-test: not finished after {TIMEOUT:?}");
-        std::process::exit(1);
-    });
+    limit_time();
     let played = game::play(image, 0)?;
     let lines = log::decode(image, &played.log)?;
     for line in &lines {
         println!("log: {line}");
     }
     println!("{} cycles, goal after {:.2} s; every command equals the host's", played.cycles, played.goal_s);
-    limits::check(&size::sections(image)?, &played)?;
+    limits::check(&size::sections(image)?, &played, limits::FLASH)?;
     for expected in ["look_for_ball -> approach", "visible: ball true, goal true"] {
         if !lines.iter().any(|line| line.contains(expected)) {
             return Err(format!("the log does not contain: {expected}").into());
@@ -75,6 +73,25 @@ fn test(image: &Path, figures: &Path, bless: bool) -> Result<(), Box<dyn Error>>
     }
     parts::run_all(parts::list(image))?;
     if bless { figures::write(figures, &played) } else { figures::compare(figures, &played) }
+}
+
+/// Tests the image with the server for monitors: its game equals the host's too, within limits of its own.
+fn test_monitors(image: &Path, figures: &Path) -> Result<(), Box<dyn Error>> {
+    limit_time();
+    let played = game::play(image, 0)?;
+    println!("{} cycles with the tunable tree; every command equals the host's", played.cycles);
+    limits::check(&size::sections(image)?, &played, limits::FLASH_WITH_MONITORS)?;
+    figures::compare_chain(figures, &played)?;
+    parts::run_all(monitors::list(image))
+}
+
+/// Ends the program if it does not end in time.
+fn limit_time() {
+    thread::spawn(|| {
+        thread::sleep(TIMEOUT);
+        eprintln!("firmware-test: not finished after {TIMEOUT:?}");
+        std::process::exit(1);
+    });
 }
 
 /// Damages packets on the host, then the link to the image, each for a time.

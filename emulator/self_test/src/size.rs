@@ -48,7 +48,7 @@ pub(crate) fn sections(image: &Path) -> Result<Sections, Box<dyn Error>> {
 /// Prints flash, memory and stack with their limits, each component's memory and the largest symbols.
 pub(crate) fn print(image: &Path) -> Result<(), Box<dyn Error>> {
     let played = crate::game::play(image, 0)?;
-    limits::check(&sections(image)?, &played)?;
+    limits::check(&sections(image)?, &played, limits::FLASH_WITH_MONITORS)?;
     let sizes = structures(image)?;
     println!("\nstatic memory of each component, bytes");
     for node in Forward::GRAPH.nodes {

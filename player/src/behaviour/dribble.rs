@@ -1,6 +1,7 @@
 //! Kicks in walking.
 
 use bica::prelude::*;
+use bica_motion::bounds::clamp;
 use bica_motion::walk::{Velocity, in_walk_kick_foot};
 use glam::Vec2;
 use libm::atan2f;
@@ -49,8 +50,8 @@ impl Dribbling {
     fn velocity(&self, aside: f32, to_goal: Vec2) -> Velocity {
         Velocity {
             forward: self.speed,
-            left: (self.aside_gain * aside).clamp(-self.max_aside, self.max_aside),
-            turn: (self.turn_gain * atan2f(to_goal.y, to_goal.x)).clamp(-self.max_turn, self.max_turn),
+            left: clamp(self.aside_gain * aside, -self.max_aside, self.max_aside),
+            turn: clamp(self.turn_gain * atan2f(to_goal.y, to_goal.x), -self.max_turn, self.max_turn),
         }
     }
 }

@@ -1,6 +1,7 @@
 //! The approach to the ball.
 
 use bica::prelude::*;
+use bica_motion::bounds::clamp;
 use bica_motion::robot::CameraId;
 use bica_motion::walk::Velocity;
 use glam::Vec2;
@@ -131,7 +132,7 @@ impl FollowBall {
             let left = self.side * stall.aside_speed;
             body.step_with(Velocity { forward: 0.0, left, turn: tuned.steering_gain * pan });
         } else if self.turning {
-            body.turn(fabsf(pan).clamp(tuned.min_turn, tuned.max_turn).copysign(pan));
+            body.turn(clamp(fabsf(pan), tuned.min_turn, tuned.max_turn).copysign(pan));
         } else {
             body.go(if near { tuned.near_speed } else { tuned.speed }, tuned.steering_gain * pan);
         }

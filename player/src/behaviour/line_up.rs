@@ -1,6 +1,7 @@
 //! Parameters of the alignment before a kick.
 
 use bica::prelude::*;
+use bica_motion::bounds::clamp;
 use bica_motion::kick::{Kick, Kicks};
 use bica_motion::walk::Velocity;
 use glam::Vec2;
@@ -55,9 +56,9 @@ impl LineUp {
     /// Velocity that reduces an error: forward and to the left, m, and in heading, rad.
     pub(super) fn velocity(&self, error: &Pose) -> Velocity {
         Velocity {
-            forward: (self.position_gain * error.x).clamp(-self.max_speed, self.max_speed),
-            left: (self.position_gain * error.y).clamp(-self.max_speed, self.max_speed),
-            turn: (self.heading_gain * error.heading).clamp(-self.max_turn, self.max_turn),
+            forward: clamp(self.position_gain * error.x, -self.max_speed, self.max_speed),
+            left: clamp(self.position_gain * error.y, -self.max_speed, self.max_speed),
+            turn: clamp(self.heading_gain * error.heading, -self.max_turn, self.max_turn),
         }
     }
 

@@ -21,7 +21,7 @@ function Notices() {
 function Lost() {
   const lost = link.value === 'lost';
   const own = store.session.value?.info.value;
-  if (lost) return html`<div class="lost" role="alert">The connection to the program is lost. It is being restored; what you operated has ended.</div>`;
+  if (lost) return html`<div class="lost" role="alert">The connection to the program is lost. It is being restored; what you operated has ended. If the program was started again, open the new address that it printed.</div>`;
   if (own?.connection === 'lost') return html`<div class="lost" role="alert">${own.name}: the connection is lost and is being restored. ${own.note}</div>`;
   if (own?.connection === 'ended') return html`<div class="lost" role="alert">${own.name}: it has ended. ${own.note}</div>`;
   return null;

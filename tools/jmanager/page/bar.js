@@ -130,10 +130,8 @@ function openLayoutFile() {
 
 function View() {
   const saved = useSignal({});
-  const load = async (event) => {
-    if (event.target.open) saved.value = (await store.ask('layouts')) ?? {};
-  };
-  return html`<span onToggleCapture=${load}><${Menu} label="View" title="Layouts and panels">
+  const load = async () => { saved.value = (await store.ask('layouts')) ?? {}; };
+  return html`<${Menu} label="View" title="View: layouts and panels" onOpen=${load}>
     <h3>Layouts</h3>
     ${Object.entries(PRESETS).map(([name, { title }], index) => html`<button class="item" onClick=${() => dock.preset(name)}>${title}<kbd>${index + 1}</kbd></button>`)}
     ${Object.entries(saved.value).map(([name, layout]) => html`<button class="item" onClick=${() => dock.applyLayout(layout, name)}>${name}</button>`)}
@@ -142,7 +140,7 @@ function View() {
     <button class="item" onClick=${openLayoutFile}>Layout from a file…</button>
     <h3>Panels</h3>
     ${Object.entries(PANELS).map(([name, { title, many }]) => html`<button class="item" onClick=${() => dock.open(name)}>${many ? `New ${title.toLowerCase()}` : title}${dock.opened.value.has(name) ? html`<span class="dim">open</span>` : ''}</button>`)}
-  <//></span>`;
+  <//>`;
 }
 
 async function copyLink() {

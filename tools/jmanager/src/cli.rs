@@ -63,3 +63,20 @@ pub struct Cli {
     #[arg(long, value_name = "FOLDER")]
     pub source: Option<PathBuf>,
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_command_of_the_documentation_is_accepted() {
+        let text = include_str!("../../../docs/jmanager.md");
+        let shown = text.lines().filter_map(|line| line.strip_prefix("$ jmanager"));
+        let commands: Vec<_> = shown.map(|line| line.split('#').next().unwrap_or_default()).collect();
+        assert!(commands.len() >= 5);
+        for command in commands {
+            let parsed = Cli::try_parse_from(["jmanager"].into_iter().chain(command.split_whitespace()));
+            assert!(parsed.is_ok(), "jmanager{command}: {parsed:?}");
+        }
+    }
+}

@@ -14,7 +14,7 @@ use tungstenite::protocol::WebSocketConfig;
 use tungstenite::{Error, Message, WebSocket};
 
 /// Generous limit of a step on a busy machine.
-const LIMIT: Duration = Duration::from_secs(60);
+const LIMIT: Duration = Duration::from_mins(1);
 const TOKEN: &str = "0123456789abcdef0123456789abcdef";
 
 struct Target {
@@ -58,11 +58,9 @@ impl Target {
     /// Sends a request with these lines of head after the first one.
     fn send(&self, first: &str, lines: &[&str], body: &str) -> Response {
         let mut stream = self.connect();
-        let mut text = format!("{first} HTTP/1.1\r\n");
-        for line in lines {
-            text += &format!("{line}\r\n");
-        }
-        text += &format!("Content-Length: {}\r\nConnection: close\r\n\r\n{body}", body.len());
+        let (lines, length) = (lines.join("\r\n"), body.len());
+        let text =
+            format!("{first} HTTP/1.1\r\n{lines}\r\nContent-Length: {length}\r\nConnection: close\r\n\r\n{body}");
         stream.write_all(text.as_bytes()).unwrap();
         let mut answer = Vec::new();
         // The server may close before it has read all; what it sent is read anyhow.
@@ -94,11 +92,10 @@ impl Target {
     /// Asks for a WebSocket.
     fn upgrade(&self, lines: &[&str]) -> u16 {
         let mut stream = self.connect();
-        let mut text = "GET /socket HTTP/1.1\r\nConnection: Upgrade\r\nUpgrade: websocket\r\nSec-WebSocket-Version: 13\r\nSec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n".to_owned();
-        for line in lines {
-            text += &format!("{line}\r\n");
-        }
-        stream.write_all(format!("{text}\r\n").as_bytes()).unwrap();
+        let upgrade = "Connection: Upgrade\r\nUpgrade: websocket\r\nSec-WebSocket-Version: 13";
+        let (key, lines) = ("Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==", lines.join("\r\n"));
+        let text = format!("GET /socket HTTP/1.1\r\n{upgrade}\r\n{key}\r\n{lines}\r\n\r\n");
+        stream.write_all(text.as_bytes()).unwrap();
         let mut head = [0; 12];
         stream.read_exact(&mut head).unwrap();
         std::str::from_utf8(&head[9..]).unwrap().parse().unwrap()

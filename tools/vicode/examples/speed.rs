@@ -69,7 +69,7 @@ fn machine() -> String {
         .unwrap_or_default();
     }
     for transition in 0..TRANSITIONS {
-        let (from, to) = (transition % STATES, (transition * 7 + 1) % STATES);
+        let (from, to) = (transition % STATES, (transition * (1 + transition / STATES * 6) + 1) % STATES);
         writeln!(
             text,
             "    #[transition(state_{from} -> state_{to})]\n    fn go_{transition}(&self, ball: &Ball) -> bool {{\n        \

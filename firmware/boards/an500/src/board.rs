@@ -3,9 +3,10 @@
 //! With QEMU's option `-icount shift=0` an instruction takes one nanosecond, so the 25 MHz clock ticks once per 40
 //! instructions.
 
-use bica_firmware::Board;
+use bica_firmware::{Board, Links};
 use cortex_m::peripheral::SCB;
 
+use crate::monitor::{self, MonitorRx, MonitorTx};
 use crate::transport::{self, Rx, Tx};
 use crate::{clock, uart};
 
@@ -19,6 +20,7 @@ impl An500 {
         uart::LOG.start();
         uart::LINK.start();
         transport::start();
+        monitor::start();
         Self(())
     }
 }
@@ -26,10 +28,12 @@ impl An500 {
 impl Board for An500 {
     type Rx = Rx;
     type Tx = Tx;
+    type MonitorRx = MonitorRx;
+    type MonitorTx = MonitorTx;
     const COUNTER_HZ: u32 = clock::HZ;
 
-    fn link(self) -> (Rx, Tx) {
-        transport::open()
+    fn links(self) -> Links<Self> {
+        Links { body: transport::open(), monitor: monitor::open() }
     }
 
     fn counter() -> u32 {

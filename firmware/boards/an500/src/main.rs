@@ -5,30 +5,31 @@
 mod board;
 mod clock;
 mod log;
+#[cfg_attr(not(feature = "monitor"), path = "no_monitor.rs")]
+mod monitor;
 mod pipe;
 mod transport;
 mod uart;
 
 use core::panic::PanicInfo;
 
-use bica_firmware::{Board, Robot};
+use bica_firmware::{Board, Links, Robot};
 use embassy_executor::Spawner;
 
 use board::An500;
-use transport::{Rx, Tx};
 
 /// Starts the board, then the robot's task.
 #[embassy_executor::main]
 async fn main(spawner: Spawner) {
     let forward = bica_firmware::init();
-    let (rx, tx) = An500::start().link();
-    spawner.spawn(robot(forward, rx, tx).expect("spawned once"));
+    let links = An500::start().links();
+    spawner.spawn(robot(forward, links).expect("spawned once"));
 }
 
 /// The robot's task.
 #[embassy_executor::task]
-async fn robot(forward: Robot, rx: Rx, tx: Tx) {
-    bica_firmware::run::<An500>(forward, rx, tx).await
+async fn robot(forward: Robot, links: Links<An500>) {
+    bica_firmware::run(forward, links).await
 }
 
 #[panic_handler]

@@ -155,7 +155,7 @@ fn dequeue(buffer: &mut [u8]) -> usize {
     })
 }
 
-// SAFETY: the handler of interrupt 0, the only one that is enabled. It accesses shared state only in critical sections.
+// SAFETY: the handler of the receive interrupts, the only ones that are enabled. It accesses shared state only in critical sections.
 #[exception]
 unsafe fn DefaultHandler(_interrupt: i16) {
     critical_section::with(|cs| {
@@ -168,6 +168,8 @@ unsafe fn DefaultHandler(_interrupt: i16) {
         if queue.is_full() {
             uart::LINK.enable_interrupt(false);
         }
+        #[cfg(feature = "monitor")]
+        crate::monitor::enqueue(cs);
     });
     WAKER.wake();
 }

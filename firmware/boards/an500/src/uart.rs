@@ -7,6 +7,9 @@ use core::ptr;
 pub(crate) const LINK: Uart = Uart(0x4000_4000);
 /// The second port: the log.
 pub(crate) const LOG: Uart = Uart(0x4000_5000);
+/// The third port: monitors.
+#[cfg(feature = "monitor")]
+pub(crate) const MONITOR: Uart = Uart(0x4000_6000);
 
 /// Offsets of the registers, bytes.
 const DATA: usize = 0;
@@ -54,13 +57,23 @@ impl Uart {
         }
     }
 
+    /// Sends a byte, if the port can take it; returns whether it did.
+    #[cfg(feature = "monitor")]
+    pub(crate) fn try_send(self, byte: u8) -> bool {
+        let is_free = self.read(STATE) & TX_FULL == 0;
+        if is_free {
+            self.write(DATA, byte.into());
+        }
+        is_free
+    }
+
     /// Returns the received byte, if there is one.
     pub(crate) fn receive(self) -> Option<u8> {
         (self.read(STATE) & RX_FULL != 0).then(|| self.read(DATA) as u8)
     }
 
     fn read(self, register: usize) -> u32 {
-        // SAFETY: this board has both ports of this module, every register is a readable word, and a read changes no
+        // SAFETY: this board has the ports of this module, every register is a readable word, and a read changes no
         // memory of the program.
         unsafe { ptr::read_volatile(ptr::with_exposed_provenance(self.0 + register)) }
     }

@@ -8,10 +8,9 @@ mod board;
 
 use core::panic::PanicInfo;
 
-use bica_firmware::{Board, Robot};
+use bica_firmware::{Board, Links, Robot};
 use defmt_rtt as _;
 use embassy_executor::Spawner;
-use embassy_stm32::usart::{BufferedUartRx, BufferedUartTx};
 
 use board::Stm32h743;
 
@@ -19,14 +18,14 @@ use board::Stm32h743;
 #[embassy_executor::main]
 async fn main(spawner: Spawner) {
     let forward = bica_firmware::init();
-    let (rx, tx) = Stm32h743::start().link();
-    spawner.spawn(robot(forward, rx, tx).expect("spawned once"));
+    let links = Stm32h743::start().links();
+    spawner.spawn(robot(forward, links).expect("spawned once"));
 }
 
 /// The robot's task.
 #[embassy_executor::task]
-async fn robot(forward: Robot, rx: BufferedUartRx<'static>, tx: BufferedUartTx<'static>) {
-    bica_firmware::run::<Stm32h743>(forward, rx, tx).await
+async fn robot(forward: Robot, links: Links<Stm32h743>) {
+    bica_firmware::run(forward, links).await
 }
 
 #[panic_handler]

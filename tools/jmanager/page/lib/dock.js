@@ -110,9 +110,9 @@ export function focusNext(by) {
 
 /** Applies a preset by name. */
 export function preset(name) {
-  const width = document.documentElement.clientWidth;
+  const { clientWidth: width, clientHeight: height } = document.documentElement;
   api.clear();
-  for (const [id, where] of PRESETS[name].panels(width)) {
+  for (const [id, where] of PRESETS[name].panels(width, height)) {
     const [kind, argument] = id.split(':');
     const params = kind === 'component' && argument ? { component: argument } : where.params;
     const title = kind === 'component' && argument ? argument : where.title ?? PANELS[kind].title;

@@ -15,7 +15,10 @@ export function drawable(description) {
 
 const isPoint = (value) => value !== null && typeof value === 'object' && typeof value.x === 'number' && typeof value.y === 'number';
 
-/** Reads the values that belong to an image: those of the cycle that took it in, or the last ones before. */
+/** Longest time from the cycle that takes an image in to the last component that has used it, µs. */
+const USED = 33e3;
+
+/** Reads the values that belong to an image: the last ones before the next image. */
 function valueAt(shown, place, index, time, live) {
   const information = shown.info_of(place, index);
   return live ? information.at(time) : information.now.value?.value;
@@ -24,7 +27,7 @@ function valueAt(shown, place, index, time, live) {
 /** Draws one component's findings. `at` maps columns and rows to the panel. */
 export function drawOverlay(context, shown, overlay, number, image, at, live) {
   const colour = overlayColour(number);
-  const read = ({ index }) => valueAt(shown, overlay.place, index, image.time_us, live);
+  const read = ({ index }) => valueAt(shown, overlay.place, index, image.findings_us ?? image.time_us + USED, live);
   const values = overlay.infos.map((info) => ({ info, value: read(info) }));
   const radius = values.find(({ info }) => info.name.startsWith('radius'))?.value;
   const confidence = overlay.extra.length > 0 ? read(overlay.extra[0]) : null;

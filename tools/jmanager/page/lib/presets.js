@@ -17,16 +17,16 @@ function narrow(first, rest, bottom) {
 export const PRESETS = {
   overview: {
     title: 'Overview',
-    panels: (width) => (width < 900
+    panels: (width, height) => (width < 900
       ? narrow('tree', ['camera', 'field', 'component', 'drive'], ['timeline', 'plot:1', 'log', 'latency', 'recordings'])
       : [
         ['tree', {}],
-        ['timeline', below('tree', 290)],
+        ['timeline', below('tree', height * 0.32)],
         ['camera', right('tree', width * 0.53)],
         ['component', right('camera', Math.max(290, width * 0.24))],
         ['drive', with_('component')],
         ['recordings', with_('component')],
-        ['field', below('camera', 240)],
+        ['field', below('camera', height * 0.24)],
         ['plot:1', with_('timeline')],
         ['log', with_('timeline')],
         ['latency', with_('timeline')],
@@ -34,51 +34,51 @@ export const PRESETS = {
   },
   behaviour: {
     title: 'Debugging behaviour',
-    panels: (width) => (width < 900
+    panels: (width, height) => (width < 900
       ? narrow('tree', ['component', 'log'], ['timeline', 'plot:1'])
       : [
         ['tree', {}],
-        ['timeline', below('tree', 330)],
+        ['timeline', below('tree', height * 0.37)],
         ['component', right('tree', Math.max(320, width * 0.3))],
-        ['log', below('component', 220)],
+        ['log', below('component', height * 0.2)],
         ['plot:1', with_('timeline')],
         ['drive', with_('component')],
       ]),
   },
   colours: {
     title: 'Tuning colours',
-    panels: (width) => (width < 900
+    panels: (width, height) => (width < 900
       ? narrow('tuner', ['camera', 'boundary'], ['component:Colours', 'log'])
       : [
         ['tuner', {}],
         ['camera', right('tuner', width * 0.36)],
         ['boundary', with_('camera')],
-        ['component:Colours', below('camera', 400)],
+        ['component:Colours', below('camera', height * 0.45)],
         ['component:BallDetector', with_('component:Colours')],
       ]),
   },
   walking: {
     title: 'Walking',
-    panels: (width) => (width < 900
+    panels: (width, height) => (width < 900
       ? narrow('drive', ['field', 'component:Walk'], ['plot:1', 'timeline'])
       : [
         ['drive', {}],
         ['field', right('drive', width * 0.72)],
         ['component:Walk', right('field', Math.max(300, width * 0.25))],
         ['component:Body', with_('component:Walk')],
-        ['plot:1', { ...below('field', 360), params: { curves: ['Walk.velocity.forward', 'Walk.velocity.left', 'Walk.velocity.turn'] } }],
+        ['plot:1', { ...below('field', height * 0.42), params: { curves: ['Walk.velocity.forward', 'Walk.velocity.left', 'Walk.velocity.turn'] } }],
         ['timeline', with_('plot:1')],
       ]),
   },
   replay: {
     title: 'Replay',
-    panels: (width) => (width < 900
+    panels: (width, height) => (width < 900
       ? narrow('camera', ['field', 'tree', 'recordings'], ['timeline', 'log', 'plot:1'])
       : [
         ['camera', {}],
-        ['timeline', below('camera', 340)],
+        ['timeline', below('camera', height * 0.36)],
         ['tree', right('camera', width * 0.6)],
-        ['field', below('camera', 230)],
+        ['field', below('camera', height * 0.22)],
         ['recordings', right('tree', Math.max(290, width * 0.22))],
         ['component', with_('recordings')],
         ['log', with_('timeline')],

@@ -5,6 +5,9 @@ import { signal } from './dom.js';
 /** Samples that are kept of an information. */
 const MAX_SAMPLES = 6000;
 const MAX_LINES = 4000;
+const MAX_IMAGES = 8;
+/** Longest time for which an image waits for its findings, µs. */
+const LATE = 250e3;
 
 /** Values of an information over time, and the newest one for the cursor. */
 export class Information {
@@ -61,12 +64,13 @@ export class Session {
     this.worst = signal([]);
     this.truth = signal(null);
     this.image = signal(null);
+    /** The last images: the newest one waits for what was found in it. */
+    this.images = [];
     this.params = signal([]);
     this.lines = [];
     this.linesVersion = signal(0);
     this.conditions = new Map();
     this.information = new Map();
-    this.trail = [];
     this.incoming = [];
   }
 
@@ -76,6 +80,10 @@ export class Session {
     components.forEach((component, from) => {
       for (const one of component.links) this.incoming[one.to]?.push({ from, ...one });
     });
+    this.lines = [];
+    this.linesVersion.value += 1;
+    this.worst.value = [];
+    this.images = [];
     this.information.clear();
     this.conditions.clear();
     this.params.value = components.map((component) => component.params.map((param) => param.value ?? param.default));
@@ -88,6 +96,30 @@ export class Session {
     let known = this.information.get(key);
     if (!known) this.information.set(key, (known = new Information()));
     return known;
+  }
+
+  showImage(image, live) {
+    this.images = live ? [...this.images.slice(1 - MAX_IMAGES), image] : [image];
+    this.image.value = image;
+  }
+
+  /**
+   * The newest image of which all findings, [component, information], are known: components run at their own rates, so those of an
+   * image are known when the next one was taken in. `findings_us` of the image is the time of their last values.
+   */
+  matchedImage(findings) {
+    const newest = this.images.at(-1) ?? null;
+    const known = Math.min(...findings.map(([component, info]) => this.info_of(component, info).times.at(-1) ?? 0));
+    for (let at = this.images.length - 2; at >= 0; at -= 1) {
+      const [image, next] = [this.images[at], this.images[at + 1]];
+      // Findings that do not come at all, as of a paused world, are not waited for.
+      if (image.time_us < newest.time_us - LATE) break;
+      if (next.time_us <= known) {
+        image.findings_us = next.time_us - 1;
+        return image;
+      }
+    }
+    return newest;
   }
 
   conditions_of(component) {

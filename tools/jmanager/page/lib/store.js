@@ -367,7 +367,7 @@ function image(frame) {
   if (!of) return;
   const shown = { ...head, pixels: new Uint8Array(frame, 32) };
   if (head.kind === 2) classified.value = shown;
-  else if (head.id !== 0 || cursor.value === null || of !== session.value) of.image.value = shown;
+  else if (head.id !== 0 || cursor.value === null || of !== session.value) of.showImage(shown, head.id === 0);
 }
 
 // ---- control: the lease ends 3 s after the last message of a page that froze or was closed

@@ -1,6 +1,6 @@
 // Small parts that panels share.
 
-import { html, useEffect, useRef, useState } from './dom.js';
+import { html, useRef, useState } from './dom.js';
 
 /** Two lines for a panel that has nothing to show: what is missing, and what to do. */
 export const Empty = ({ what, help }) => html`<div class="empty" role="status"><strong>${what}</strong><span>${help}</span></div>`;
@@ -56,26 +56,22 @@ export function Spark({ information, path, pick, span = 10e6 }) {
 }
 
 /** A menu under a button. */
-export function Menu({ label, title, children }) {
-  const box = useRef(null);
-  useEffect(() => {
-    const close = (event) => {
-      if (box.current?.open && !box.current.contains(event.target)) box.current.open = false;
-    };
-    window.addEventListener('pointerdown', close);
-    return () => window.removeEventListener('pointerdown', close);
-  }, []);
+export function Menu({ label, title, children, onOpen }) {
+  const button = useRef(null);
+  const items = useRef(null);
+  const toggled = (event) => {
+    if (event.newState !== 'open') return;
+    onOpen?.();
+    const { left, right, bottom } = button.current.getBoundingClientRect();
+    const { offsetWidth, offsetHeight, style } = items.current;
+    style.left = `${Math.max(4, left + offsetWidth > innerWidth - 4 ? right - offsetWidth : left)}px`;
+    style.top = `${Math.max(4, Math.min(bottom + 4, innerHeight - offsetHeight - 4))}px`;
+  };
   const done = (event) => {
-    if (event.target.closest('button')) box.current.open = false;
+    if (event.target.closest('button.item')) items.current.hidePopover();
   };
-  const escape = (event) => {
-    if (event.key !== 'Escape' || !box.current.open) return;
-    box.current.open = false;
-    box.current.querySelector('summary').focus();
-    event.stopPropagation();
-  };
-  return html`<details class="menu" ref=${box} onKeyDown=${escape}><summary title=${title} role="button" aria-label=${title}>${label}</summary>
-    <div class="items" onClick=${done}>${children}</div></details>`;
+  return html`<button ref=${button} aria-label=${title} aria-haspopup="menu" title=${title} onClick=${() => items.current.togglePopover()}>${label}</button>
+    <div class="menu" popover="auto" role="group" aria-label=${title} ref=${items} onToggle=${toggled} onClick=${done}>${children}</div>`;
 }
 
 /** Writes a file that the browser saves. */

@@ -15,6 +15,7 @@ export function Camera({ visible }) {
   const shown = session.value;
   const description = shown?.description.value;
   const overlays = useMemo(() => drawable(description), [description]);
+  const findings = useMemo(() => overlays.flatMap(({ place, infos }) => infos.map(({ index }) => [place, index])), [overlays]);
   const hidden = useSignal(new Set());
   const frozen = useSignal(null);
   const only = useSignal('both');
@@ -31,7 +32,8 @@ export function Camera({ visible }) {
   useEffect(() => bind({ key: 'z', text: 'freeze the image', group: 'Camera', run: freeze }), []);
 
   const image = () => {
-    const newest = session.value?.image.value;
+    const shownNow = session.value;
+    const newest = cursor.value === null && shownNow?.image.value ? shownNow.matchedImage(findings) : shownNow?.image.value;
     const wanted = newest && (only.value === 'both' || (only.value === 'bottom') === newest.bottom) ? newest : null;
     if (wanted) last.current = wanted;
     return frozen.value ?? last.current;
@@ -40,6 +42,8 @@ export function Camera({ visible }) {
     return html`<${Empty} what="No images" help=${shown ? 'This session sends no images. A world, a recording with images, or a robot that sends its camera does.' : 'Open a session first.'} />`;
   }
   const reads = () => {
+    // An image is drawn when its findings arrive.
+    if (findings.length > 0) void shown.info_of(...findings[0]).version.value;
     void [shown.image.value, frozen.value, only.value, zoom.value, pointer.value, hidden.value, cursor.value];
   };
   const draw = (context, width, height) => {
@@ -58,7 +62,8 @@ export function Camera({ visible }) {
     context.rect(at.left, at.top, one.width * at.scale, one.height * at.scale);
     context.clip();
     overlays.forEach((overlay, index) => {
-      if (!hidden.value.has(overlay.component)) drawOverlay(context, shown, overlay, index, one, at, cursor.value === null);
+      const active = shown.moment.value?.components?.[overlay.place]?.[0];
+      if (active && !hidden.value.has(overlay.component)) drawOverlay(context, shown, overlay, index, one, at, cursor.value === null);
     });
     context.restore();
     if (pointer.value) drawPixel(context, shown, one, at, pointer.value, width, height);
@@ -69,10 +74,11 @@ export function Camera({ visible }) {
     hidden.value = next;
   };
   const one = frozen.value ?? shown.image.value;
+  const toggles = () => overlays.map(({ component }, index) => html`<${Toggle} on=${!hidden.value.has(component)} label=${component} colour=${overlayColour(index)} title=${`Findings of ${component}`} onChange=${() => toggle(component)} />`);
   return html`<${Bar} label="Camera">
       <span class="dim">${one ? `${one.bottom ? 'bottom' : 'top'} · image ${one.number} · ${one.width}×${one.height} · ${time(one.time_us)}` : 'no image yet'}</span>
       <span class="grow"></span>
-      ${overlays.map(({ component }, index) => html`<${Toggle} on=${!hidden.value.has(component)} label=${component} colour=${overlayColour(index)} title=${`Findings of ${component}`} onChange=${() => toggle(component)} />`)}
+      <span class="overlays many">${toggles()}</span><span class="overlays few"><${Menu} label="Findings" title="Findings of components">${toggles()}<//></span>
       <select aria-label="Which camera" onChange=${(event) => { only.value = event.target.value; }}>${['both', 'top', 'bottom'].map((name) => html`<option selected=${only.value === name}>${name}</option>`)}</select>
       <${Toggle} on=${frozen.value !== null} label="Freeze" title="Key z" onChange=${freeze} />
       <button aria-label="Previous image" title="Previous image" onClick=${() => stepImage(shown, -1)}>◂</button><button aria-label="Next image" title="Next image" onClick=${() => stepImage(shown, 1)}>▸</button>

@@ -20,7 +20,7 @@ export function Recordings({ visible }) {
       ${list.value === null ? html`<p class="dim">Reading the folder…</p>` : list.value.length === 0
         ? html`<${Empty} what="No recording is kept" help="Keep the last minutes above, or start the program with --recordings FOLDER." />`
         : html`<ul class="recordings">${list.value.map((one) => html`<li><button class="name" onClick=${() => open(one.name)} title="Open in a new session">${one.name}</button>
-          <span class="dim">${one.seconds === undefined || one.seconds === null ? '' : duration(one.seconds * 1e6)} · ${bytes(one.bytes)}</span></li>`)}</ul>`}
+          <span class="dim">${one.seconds ? `${duration(one.seconds * 1e6)} · ` : ''}${bytes(one.bytes)}</span></li>`)}</ul>`}
     </section>
     <${Compare} />
   </article>`;

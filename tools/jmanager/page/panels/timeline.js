@@ -187,9 +187,9 @@ function drawBars(context, view, { bars, component, colour, y, now, last }) {
       context.fillRect(left, y + 1.5, 1.5, row - 3);
     }
     const name = state === null ? null : component.states[state]?.name;
-    if (name && width > 34) {
+    if (name && context.measureText(name).width < width - 9) {
       context.fillStyle = css('--on-bar');
-      context.fillText(name, left + 6, y + row / 2, width - 8);
+      context.fillText(name, left + 6, y + row / 2);
     }
   });
 }

@@ -1,11 +1,13 @@
 //! Random edits: the bytes, the model, and the way back.
 
 use std::fs;
+use std::path::PathBuf;
 
 use bica_vicode::model::{Component, HookRole, LinkKind, Model};
-use bica_vicode::{Document, Edit, Refusal};
+use bica_vicode::{Document, Edit, Folder, Refusal};
 
 use crate::abstraction::Abstract;
+use crate::files::scratch;
 use crate::machines::{BODIES, CHILDREN, CONDITIONS, machine};
 use crate::random::Random;
 use crate::sources;
@@ -207,11 +209,50 @@ fn slow_two_thousand_sequences_of_edits_change_what_they_say_and_nothing_else() 
 }
 
 #[test]
-fn opening_a_file_changes_no_byte_of_it() {
+fn a_state_of_an_incomplete_machine_can_be_renamed() {
+    let text = "#[component]\nimpl A {\n    #[state(initial)]\n    fn one(&mut self) {}\n}\n";
+    let mut document = Document::new(text);
+    assert_eq!(document.model().problems.len(), 1, "no transition leaves the state");
+    let (component, function, to) = ("A".to_owned(), "one".to_owned(), "two".to_owned());
+    document.apply(&[Edit::Rename { component, function, to }]).unwrap();
+    assert_eq!(document.text(), text.replace("one", "two"));
+}
+
+/// Opens and saves copies of files; the copies have the same bytes afterwards, and were not even written.
+fn opened_and_saved(files: &[PathBuf]) {
+    let path = scratch();
+    let folder = Folder::open(&path).unwrap();
+    for file in files {
+        let bytes = fs::read(file).unwrap();
+        let copy = path.join("copy.rs");
+        fs::write(&copy, &bytes).unwrap();
+        let written = fs::metadata(&copy).unwrap().modified().unwrap();
+        // What is no text is refused.
+        let Ok(text) = folder.read("copy.rs") else {
+            assert!(String::from_utf8(bytes).is_err(), "{}", file.display());
+            continue;
+        };
+        folder.save("copy.rs", &text, Document::new(&text).text()).unwrap();
+        assert_eq!(fs::read(&copy).unwrap(), bytes, "{}", file.display());
+        assert_eq!(fs::metadata(&copy).unwrap().modified().unwrap(), written, "{}", file.display());
+    }
+    fs::remove_dir_all(path).unwrap();
+}
+
+#[test]
+fn opening_and_saving_a_file_changes_no_byte_of_it() {
     let files = sources::files(&sources::root());
     assert!(files.len() > 300, "{}", files.len());
-    for path in files.iter().step_by(7) {
-        let text = fs::read_to_string(path).unwrap();
-        assert_eq!(Document::new(&text).text(), text);
-    }
+    opened_and_saved(&files.into_iter().step_by(19).collect::<Vec<_>>());
+}
+
+#[test]
+#[ignore = "slow: `cargo xtask ci` runs it"]
+fn slow_opening_and_saving_every_file_and_those_of_other_crates_changes_no_byte_of_them() {
+    opened_and_saved(&sources::files(&sources::root()));
+    let home = std::env::var_os("CARGO_HOME").map(PathBuf::from).or_else(|| Some(std::env::home_dir()?.join(".cargo")));
+    let others = sources::files(&home.unwrap().join("registry/src"));
+    assert!(others.len() >= 200, "the sources of the dependencies are there: {}", others.len());
+    let step = others.len() / 200;
+    opened_and_saved(&others.into_iter().step_by(step).take(200).collect::<Vec<_>>());
 }

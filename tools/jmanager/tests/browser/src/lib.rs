@@ -5,4 +5,4 @@ mod page;
 mod server;
 
 pub use page::Page;
-pub use server::Server;
+pub use server::{Server, target};

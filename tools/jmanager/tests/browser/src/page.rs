@@ -18,11 +18,11 @@ const POLL: Duration = Duration::from_millis(100);
 /// Finds elements by role and name, as a screen reader would.
 const FIND: &str = r"
 const [role, name, scope] = arguments;
-const NATIVE = { button: 'button, summary', slider: 'input[type=range]', textbox: 'input:not([type]), input[type=text], input[type=search], textarea', combobox: 'select, input[list]', region: 'section', article: 'article', group: 'fieldset', heading: 'h1, h2, h3' };
+const NATIVE = { button: 'button, summary', slider: 'input[type=range]', textbox: 'input:not([type]), input[type=text], input[type=search], input[type=password], textarea', combobox: 'select, input[list]', region: 'section', article: 'article', group: 'fieldset', heading: 'h1, h2, h3' };
 const root = scope ? [...document.querySelectorAll('[role=region], section')].find((one) => one.getAttribute('aria-label') === scope && one.getClientRects().length > 0) : document;
 if (!root) return null;
 const selector = `[role='${role}']${NATIVE[role] ? ', ' + NATIVE[role] : ''}`;
-const named = (one) => (one.getAttribute('aria-label') ?? one.getAttribute('placeholder') ?? one.textContent).replace(/\s+/g, ' ').trim();
+const named = (one) => (one.getAttribute('aria-label') ?? one.getAttribute('placeholder') ?? (one.textContent || one.id)).replace(/\s+/g, ' ').trim();
 const all = [...root.querySelectorAll(selector)].filter((one) => (one.getAttribute('role') ?? role) === role && one.getClientRects().length > 0);
 return all.find((one) => named(one) === name) ?? all.find((one) => named(one).startsWith(name)) ?? null;
 ";
@@ -64,7 +64,8 @@ impl Page {
     pub async fn open_with(url: &str, (width, height): (u32, u32), arguments: &[&str]) -> Self {
         let driver = Driver::start();
         let size = format!("--window-size={width},{height}");
-        let fixed = ["--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--hide-scrollbars", "--no-first-run", &size];
+        let fixed =
+            ["--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--hide-scrollbars", "--no-first-run", &size];
         let arguments: Vec<_> = fixed.iter().chain(arguments).collect();
         let mut capabilities = Capabilities::new();
         capabilities.insert("goog:chromeOptions".to_owned(), json!({ "args": arguments }));
@@ -82,6 +83,14 @@ impl Page {
     /// If the script fails.
     pub async fn run(&self, script: &str, arguments: Vec<Value>) -> Value {
         self.client.execute(script, arguments).await.unwrap_or_else(|error| panic!("{script}: {error}"))
+    }
+
+    /// Changes the size of the window.
+    ///
+    /// # Panics
+    /// If the browser is gone.
+    pub async fn resize(&self, (width, height): (u32, u32)) {
+        self.client.set_window_size(width, height).await.expect("a window");
     }
 
     /// Goes to another address.
@@ -195,7 +204,8 @@ impl Page {
     /// Identifiers of the browser's processes.
     pub async fn process(&self) -> Vec<u32> {
         let capabilities = self.client.capabilities().cloned().unwrap_or_default();
-        let folder = capabilities.get("chrome").and_then(|chrome| chrome["userDataDir"].as_str()).unwrap_or("?").to_owned();
+        let folder =
+            capabilities.get("chrome").and_then(|chrome| chrome["userDataDir"].as_str()).unwrap_or("?").to_owned();
         let listed = std::process::Command::new("pgrep").args(["-f", &folder]).output().expect("pgrep");
         String::from_utf8_lossy(&listed.stdout).lines().filter_map(|line| line.parse().ok()).collect()
     }
@@ -236,9 +246,17 @@ impl Element<'_> {
         self.page.run(script, vec![self.value.clone(), argument]).await
     }
 
-    /// Clicks it.
+    /// Clicks its middle with the mouse.
     pub async fn click(&self) {
-        self.run("arguments[0].scrollIntoView({ block: 'nearest' }); arguments[0].focus?.(); arguments[0].dispatchEvent(new MouseEvent('click', { bubbles: true, cancelable: true, view: window }))", Value::Null).await;
+        let script = "arguments[0].scrollIntoView({ block: 'nearest' }); const { x, y, width, height } = arguments[0].getBoundingClientRect(); \
+            return [Math.round(x + width / 2), Math.round(y + height / 2)]";
+        let middle = self.run(script, Value::Null).await;
+        let actions = json!([
+            { "type": "pointerMove", "duration": 0, "x": middle[0], "y": middle[1], "origin": "viewport" },
+            { "type": "pointerDown", "button": 0 },
+            { "type": "pointerUp", "button": 0 },
+        ]);
+        self.page.act(json!([{ "type": "pointer", "id": "mouse", "parameters": { "pointerType": "mouse" }, "actions": actions }])).await;
     }
 
     /// Gives it the focus.

@@ -1,0 +1,54 @@
+//! What breaks: the program, the browser.
+
+use std::process::Command;
+use std::time::Instant;
+
+use jmanager_browser::{Page, Server};
+
+use crate::{WIDE, open};
+
+#[tokio::test]
+async fn the_page_says_that_the_program_is_gone() {
+    let mut server = Server::start("killed", &[]);
+    let page = open(&server).await;
+    server.kill();
+    page.reads("The connection to the program is lost").await;
+    page.press("c").await;
+    page.reads("there is no connection to the program").await;
+    page.screenshot("program-lost").await;
+}
+
+/// Attack 8: a browser that is stopped while it drives. Another page sees that control ended.
+#[tokio::test]
+async fn control_ends_when_the_browser_freezes() {
+    let server = Server::start("frozen", &["--token-file", "token"]);
+    let page = open(&server).await;
+    let token = std::fs::read_to_string(server.folder.join("token")).expect("the token file");
+    let own = page.run("return location.origin", vec![]).await.as_str().expect("an origin").to_owned();
+    let watcher = Page::open_with(&own, WIDE, &[]).await;
+    watcher.find("textbox", "token", "").await.set(token.trim()).await;
+    watcher.click("button", "Enter", "").await;
+    watcher.find("button", "View", "").await;
+    // A game that has ended meanwhile executes no requests.
+    page.click("button", "Restart", "").await;
+    page.click("tab", "Drive", "").await;
+    page.click("button", "Take over", "Take over").await;
+    page.reads("Driven by you").await;
+    watcher.reads("operator: another page").await;
+    let processes = page.process().await;
+    assert!(!processes.is_empty());
+    let signal = |name: &str| {
+        for process in &processes {
+            let _ = Command::new("kill").args([name, &process.to_string()]).status();
+        }
+    };
+    let start = Instant::now();
+    signal("-STOP");
+    watcher.reads("operator: nobody").await;
+    println!("control ended {:.1} s after the browser was stopped", start.elapsed().as_secs_f64());
+    watcher.until("the root is active again", "return document.querySelector('[aria-label=Player]').getAttribute('aria-description').startsWith('active')").await;
+    signal("-CONT");
+    // The page that was frozen does not drive again by itself.
+    page.until("it has lost control", "return !document.body.innerText.includes('operator: you')").await;
+    watcher.reads("operator: nobody").await;
+}

@@ -1,0 +1,29 @@
+//! Stories of people with the page, told by roles and names of its controls.
+
+mod attacks;
+mod faults;
+mod figures;
+mod looks;
+mod operating;
+mod panels;
+mod recordings;
+
+use jmanager_browser::{Page, Server};
+
+const WIDE: (u32, u32) = (1600, 940);
+
+/// Opens the built-in world, once its tree is known, at the begin of a game.
+async fn open(server: &Server) -> Page {
+    let page = Page::open(server, WIDE).await;
+    page.find("button", "FaceBall", "Activation tree").await;
+    page.click("button", "Restart", "").await;
+    // A key that is pressed next is for the page, not for the button.
+    page.run("document.activeElement.blur()", vec![]).await;
+    page.until("the game has begun", "return document.querySelectorAll('.component.active').length > 5").await;
+    page
+}
+
+/// Shows a tab of a group.
+async fn tab(page: &Page, name: &str) {
+    page.click("tab", name, "").await;
+}

@@ -1,0 +1,134 @@
+//! Setting up and driving.
+
+use jmanager_browser::{Page, Server};
+
+use crate::{open, tab};
+
+async fn log(page: &Page, text: &str) {
+    tab(page, "Log").await;
+    page.reads(text).await;
+}
+
+#[tokio::test]
+async fn a_parameter_is_set_undone_and_reset() {
+    let server = Server::start("params", &[]);
+    let page = open(&server).await;
+    page.click("button", "FaceBall", "Activation tree").await;
+    page.find("slider", "gain", "Parameters").await.set("0.9").await;
+    page.reads("1 changed").await;
+    page.find("status", "Control", "").await;
+    page.reads("operator: you").await;
+    page.press("u").await;
+    page.until("it is undone", "return !document.body.innerText.includes('1 changed')").await;
+    page.find("slider", "gain", "Parameters").await.set("0.4").await;
+    page.click("button", "Reset gain to 0.700", "Parameters").await;
+    page.until("it is reset", "return !document.body.innerText.includes('1 changed')").await;
+    log(&page, "set FaceBall.gain=").await;
+    page.close().await;
+}
+
+#[tokio::test]
+async fn half_typed_numbers_are_not_sent_and_wrong_ones_are_explained() {
+    let server = Server::start("typed", &[]);
+    let page = open(&server).await;
+    page.click("button", "FaceBall", "Activation tree").await;
+    page.find("textbox", "gain, value", "Parameters").await.set("many").await;
+    page.press("\u{e007}").await;
+    page.reads("“many” is no number").await;
+    page.find("textbox", "gain, value", "Parameters").await.set("7").await;
+    page.press("\u{e007}").await;
+    page.reads("was refused").await;
+    page.until("the value stays", "return [...document.querySelectorAll('input')].find((one) => one.ariaLabel === 'gain, value').value === '0.700'").await;
+    page.close().await;
+}
+
+#[tokio::test]
+async fn a_component_is_held_and_left_to_the_tree() {
+    let server = Server::start("hold", &[]);
+    let page = open(&server).await;
+    page.click("button", "Player", "Activation tree").await;
+    page.click("radio", "latent", "By hand").await;
+    page.until(
+        "the root is latent",
+        "return document.querySelector('[aria-label=Player]').getAttribute('aria-description').includes('held latent')",
+    )
+    .await;
+    page.reads("An operator holds it latent").await;
+    page.click("radio", "by the tree", "By hand").await;
+    page.until(
+        "the root is active",
+        "return document.querySelector('[aria-label=Player]').getAttribute('aria-description').startsWith('active')",
+    )
+    .await;
+    page.close().await;
+}
+
+/// With the root latent and FaceBall held active the head follows the ball; the forward is driven and given back.
+#[tokio::test]
+async fn the_forward_is_taken_over_driven_and_given_back() {
+    let server = Server::start("drive", &[]);
+    let page = open(&server).await;
+    tab(&page, "Drive").await;
+    page.click("button", "Take over", "Take over").await;
+    page.reads("Driven by you").await;
+    page.click("switch", "Head follows the ball", "Take over").await;
+    page.until(
+        "FaceBall is active",
+        "return document.querySelector('[aria-label=FaceBall]').getAttribute('aria-description').startsWith('active')",
+    )
+    .await;
+    page.until(
+        "the root is latent",
+        "return document.querySelector('[aria-label=Player]').getAttribute('aria-description').startsWith('latent')",
+    )
+    .await;
+    page.find("slider", "Body forward", "Body").await.set("0.2").await;
+    let place = || async {
+        page.run("return document.querySelector('[aria-label=Field] .bar .dim').textContent", vec![]).await
+    };
+    let before = place().await;
+    page.find("slider", "Body turn", "Body").await.focus().await;
+    page.key_down('\u{e008}').await;
+    page.reads("Moving").await;
+    page.until("the body walks", "return document.querySelector('[aria-label=Body][role=button]').getAttribute('aria-description').includes('stepping')").await;
+    page.until(
+        "the robot has moved",
+        &format!("return document.querySelector('[aria-label=Field] .bar .dim').textContent !== {before}"),
+    )
+    .await;
+    page.key_up('\u{e008}').await;
+    page.until("the robot stands", "return document.querySelector('[aria-label=Body][role=button]').getAttribute('aria-description').includes('standing')").await;
+    page.screenshot("drive").await;
+    page.click("button", "Give back", "Take over").await;
+    page.reads("Driven by the forward").await;
+    page.until(
+        "the root is active",
+        "return document.querySelector('[aria-label=Player]').getAttribute('aria-description').startsWith('active')",
+    )
+    .await;
+    page.reads("operator: nobody").await;
+    page.close().await;
+}
+
+/// The keyboard alone: a component is found, a panel is enlarged, the view is paused, control is taken and given back.
+#[tokio::test]
+async fn the_keyboard_alone_is_enough() {
+    let server = Server::start("keys", &[]);
+    let page = open(&server).await;
+    page.press("/").await;
+    page.until("the search has the focus", "return document.activeElement.ariaLabel === 'Search components'").await;
+    page.press("faceball\u{e007}").await;
+    page.find("slider", "gain", "Parameters").await;
+    page.press("\u{e00c}").await;
+    page.run("document.activeElement.blur()", vec![]).await;
+    page.press("m").await;
+    page.press("m").await;
+    page.press(" ").await;
+    page.find("button", "Time: paused", "").await;
+    page.press("l").await;
+    page.press("c").await;
+    page.reads("operator: you").await;
+    page.press("g").await;
+    page.reads("operator: nobody").await;
+    page.close().await;
+}

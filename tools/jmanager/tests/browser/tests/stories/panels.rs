@@ -1,0 +1,165 @@
+//! A story for each panel.
+
+use jmanager_browser::Server;
+
+use crate::{open, tab};
+
+/// Whether a canvas shows more than one colour.
+const DRAWN: &str = "const canvas = [...document.querySelectorAll('canvas')].find((one) => one.getAttribute('aria-label') === NAME); \
+    if (!canvas || canvas.width < 20) return false; const data = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data; \
+    const seen = new Set(); for (let at = 0; at < data.length; at += 4 * 97) seen.add(data[at] << 16 | data[at + 1] << 8 | data[at + 2]); return seen.size > 3";
+
+fn drawn(name: &str) -> String {
+    DRAWN.replace("NAME", &format!("{name:?}"))
+}
+
+#[tokio::test]
+async fn the_tree_is_searched_folded_and_opens_a_component() {
+    let server = Server::start("tree", &[]);
+    let page = open(&server).await;
+    let search = page.find("textbox", "Search components", "Activation tree").await;
+    search.set("detector").await;
+    page.reads("4 found").await;
+    search.set("").await;
+    page.until("a component runs", "return document.querySelector('[aria-label=RobotState]').getAttribute('aria-description').startsWith('active')").await;
+    page.click("button", "FaceBall", "Activation tree").await;
+    page.find("slider", "gain", "Parameters").await;
+    page.click("switch", "Active only", "").await;
+    page.until("latent components are hidden", "return document.querySelectorAll('.component.gone').length > 3").await;
+    page.close().await;
+}
+
+#[tokio::test]
+async fn a_component_tells_why_it_is_latent() {
+    let server = Server::start("why", &[]);
+    let page = open(&server).await;
+    page.click("button", "Kicker", "Activation tree").await;
+    page.find("region", "Why it is latent", "").await;
+    page.reads("Fixmove").await;
+    page.click("button", "Player", "Activation tree").await;
+    page.find("region", "States", "").await;
+    page.reads("look_for_ball").await;
+    page.close().await;
+}
+
+#[tokio::test]
+async fn the_timeline_is_paused_scrubbed_and_live_again() {
+    let server = Server::start("timeline", &[]);
+    let page = open(&server).await;
+    page.until("rows are drawn", &drawn("Activation timeline")).await;
+    page.press(" ").await;
+    page.find("button", "Time: paused", "").await;
+    let before =
+        page.until("the cursor is in the address", "return location.hash.includes('t=') && location.hash").await;
+    page.press("\u{e012}").await;
+    page.until("one cycle back", &format!("return location.hash.includes('t=') && location.hash !== {before}")).await;
+    page.press("l").await;
+    page.find("button", "Time: live", "").await;
+    page.close().await;
+}
+
+#[tokio::test]
+async fn a_link_leads_to_a_moment() {
+    let server = Server::start("link", &[]);
+    let page = open(&server).await;
+    page.until(
+        "some seconds have passed",
+        "return Number.parseFloat(document.querySelector('.clock b').textContent) > 2",
+    )
+    .await;
+    page.run("location.hash = '#t=1.000&layout=overview'", vec![]).await;
+    page.until("the moment is shown", "return document.querySelector('.clock b').textContent === '1.00 s'").await;
+    page.close().await;
+}
+
+#[tokio::test]
+async fn the_camera_shows_images_and_toggles_overlays() {
+    let server = Server::start("camera", &[]);
+    let page = open(&server).await;
+    page.until("an image is drawn", &drawn("Camera image")).await;
+    let overlay = page.find("switch", "BallDetector", "Camera").await;
+    overlay.click().await;
+    page.until("the overlay is off", "return [...document.querySelectorAll('[role=switch]')].some((one) => one.textContent === 'BallDetector' && one.ariaChecked === 'false')").await;
+    page.click("switch", "Freeze", "Camera").await;
+    page.until("it is frozen", "return [...document.querySelectorAll('[role=switch]')].some((one) => one.textContent === 'Freeze' && one.ariaChecked === 'true')").await;
+    page.find("button", "Save the image", "Camera").await;
+    page.close().await;
+}
+
+#[tokio::test]
+async fn the_field_shows_the_belief_and_the_truth() {
+    let server = Server::start("field", &[]);
+    let page = open(&server).await;
+    page.until("the field is drawn", &drawn("Field map")).await;
+    page.reads("odometry from the start").await;
+    page.click("switch", "Truth", "Field").await;
+    page.close().await;
+}
+
+#[tokio::test]
+async fn curves_are_added_to_a_plot_and_removed() {
+    let server = Server::start("plot", &[]);
+    let page = open(&server).await;
+    tab(&page, "Plot").await;
+    page.reads("No curve yet").await;
+    let field = page.find("combobox", "Information to plot", "Plot").await;
+    field.set("Head.pan").await;
+    page.click("button", "Add", "Plot").await;
+    page.until("the curve has a value", "return /-?\\d/.test(document.querySelector('.curve b')?.textContent ?? '')")
+        .await;
+    page.until("it is drawn", "return document.querySelector('.chart canvas')?.width > 100").await;
+    page.click("button", "Remove Head.pan", "").await;
+    page.reads("No curve yet").await;
+    page.close().await;
+}
+
+#[tokio::test]
+async fn the_latency_leads_to_a_worst_cycle() {
+    let server = Server::start("latency", &[]);
+    let page = open(&server).await;
+    tab(&page, "Latency").await;
+    page.reads("Worst cycles").await;
+    page.until("shares are listed", "return document.querySelectorAll('.shares tbody tr').length > 5").await;
+    page.until(
+        "a worst cycle is known",
+        "const one = document.querySelector('.worst button'); one?.click(); return Boolean(one)",
+    )
+    .await;
+    page.find("button", "Time: paused", "").await;
+    page.close().await;
+}
+
+#[tokio::test]
+async fn a_note_is_in_the_log_as_text_whatever_it_contains() {
+    let server = Server::start("note", &[]);
+    let page = open(&server).await;
+    let text = "<img src=x onerror=\"document.title='broken'\"> ball was moved";
+    page.find("textbox", "Note", "Timeline").await.set(text).await;
+    page.click("button", "Add note", "Timeline").await;
+    tab(&page, "Log").await;
+    page.reads(text).await;
+    assert_eq!(
+        page.run("return [document.querySelectorAll('img').length, document.title.includes('broken')]", vec![]).await,
+        serde_json::json!([0, false])
+    );
+    page.click("switch", "Notes", "Log").await;
+    page.until("notes are hidden", "return !document.querySelector('.log .note')").await;
+    page.close().await;
+}
+
+#[tokio::test]
+async fn layouts_are_chosen_saved_and_restored() {
+    let server = Server::start("layouts", &[]);
+    let page = open(&server).await;
+    page.press("4").await;
+    page.find("slider", "Body forward", "Drive").await;
+    page.press("5").await;
+    page.find("region", "Recordings", "").await;
+    page.press("1").await;
+    page.find("button", "FaceBall", "Activation tree").await;
+    page.press("?").await;
+    page.reads("one cycle back").await;
+    page.press("\u{e00c}").await;
+    page.until("the list is closed", "return !document.querySelector('dialog').open").await;
+    page.close().await;
+}
