@@ -207,16 +207,13 @@ impl Attached<'_> {
     pub(super) fn answered(&mut self, answer: Answered) {
         let Some(Pending { page, id, change }) = self.operation.pending.remove(&answer.number) else { return };
         let Answered { cycle, values, refused, .. } = answer;
-        let result = match refused {
-            Some((_, entry, text)) => {
-                let help = "values must be in their ranges, and requests come from the page in control".to_owned();
-                Err(Failed { text, help, entry: Some(entry) })
-            }
-            None => {
-                let values = self.effective(&change, &values);
-                self.remember(&change, &values);
-                Ok(json!({ "cycle": cycle, "values": values }))
-            }
+        let result = if let Some((_, entry, text)) = refused {
+            let help = "values must be in their ranges, and requests come from the page in control".to_owned();
+            Err(Failed { text, help, entry: Some(entry) })
+        } else {
+            let values = self.effective(&change, &values);
+            self.remember(&change, &values);
+            Ok(json!({ "cycle": cycle, "values": values }))
         };
         self.session.pages.answer(page, id, result);
     }
