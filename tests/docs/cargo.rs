@@ -16,10 +16,10 @@ pub(crate) struct Workspace {
 impl Workspace {
     /// Reads the manifests of the workspace.
     pub(crate) fn read() -> Self {
-        let packages = packages();
+        let (packages, firmware) = (packages(), packages_of("firmware/Cargo.toml"));
         Self {
             packages: packages.iter().map(|package| text(&package["name"])).collect(),
-            features: packages.iter().flat_map(|package| keys(&package["features"])).collect(),
+            features: packages.iter().chain(&firmware).flat_map(|package| keys(&package["features"])).collect(),
             targets: packages
                 .iter()
                 .flat_map(|package| list(&package["targets"]))
@@ -36,7 +36,11 @@ impl Workspace {
 
 /// Packages of the workspace, as `cargo metadata` describes them.
 pub(crate) fn packages() -> Vec<Value> {
-    let metadata = ["metadata", "--no-deps", "--offline", "--format-version", "1"];
+    packages_of("Cargo.toml")
+}
+
+fn packages_of(manifest: &str) -> Vec<Value> {
+    let metadata = ["metadata", "--no-deps", "--offline", "--format-version", "1", "--manifest-path", manifest];
     let output = Command::new(env!("CARGO")).args(metadata).current_dir(root()).output().expect("cargo runs");
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
     let json: Value = serde_json::from_slice(&output.stdout).expect("cargo prints JSON");

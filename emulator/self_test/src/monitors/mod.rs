@@ -19,8 +19,11 @@ type Outcome = Result<(), Box<dyn Error>>;
 /// Longest wait of a monitor: the emulator is slow on a busy computer.
 const PATIENCE: Duration = Duration::from_mins(2);
 
-/// All scenarios: the property that each checks, and the check.
-const ALL: [(&str, fn(&Path) -> Outcome); 7] = [
+/// A scenario: the property that it checks, and the check of an image.
+type Scenario = (&'static str, fn(&Path) -> Outcome);
+
+/// All scenarios.
+const ALL: [Scenario; 7] = [
     ("a watcher of everything attaches in mid-game and changes no command", watchers::everything),
     ("garbage on the monitors' line changes no command, and a monitor attaches after it", watchers::garbage),
     ("a monitor attaches before the game starts, and nobody gets the lease", watchers::before_the_game),
@@ -32,7 +35,7 @@ const ALL: [(&str, fn(&Path) -> Outcome); 7] = [
 
 /// Returns all scenarios as parts of the test.
 pub(crate) fn list(image: &Path) -> Vec<Part<'_>> {
-    let part = |(name, check): (&str, fn(&Path) -> Outcome)| -> Part<'_> {
+    let part = |(name, check): Scenario| -> Part<'_> {
         (format!("monitors: {name}"), Box::new(move || check(image).map(|()| "passed".to_owned())))
     };
     ALL.into_iter().map(part).collect()

@@ -215,7 +215,7 @@ fn a_state_of_an_incomplete_machine_can_be_renamed() {
     assert_eq!(document.model().problems.len(), 1, "no transition leaves the state");
     let (component, function, to) = ("A".to_owned(), "one".to_owned(), "two".to_owned());
     document.apply(&[Edit::Rename { component, function, to }]).unwrap();
-    assert_eq!(document.text(), text.replace("one", "two"));
+    assert_eq!(document.text(), text.replace("fn one", "fn two"));
 }
 
 /// Opens and saves copies of files; the copies have the same bytes afterwards, and were not even written.
