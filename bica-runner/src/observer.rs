@@ -36,6 +36,10 @@ pub trait Observer<R: Robot>: Probe {
     #[inline]
     fn acted(&mut self, cycle: &Cycle<'_, R>) {}
 
+    /// Called after requests were applied without a cycle, at the instant of the next one.
+    #[inline]
+    fn requests_applied(&mut self, now: Instant, robot: &R) {}
+
     /// Called when a cycle of a real-time loop ended after the next one was due.
     #[inline]
     fn overrun(&mut self, overrun: &Overrun) {}
@@ -83,6 +87,11 @@ macro_rules! forward {
         #[inline]
         fn acted(&mut $self, cycle: &Cycle<'_, R>) {
             $($observer.acted(cycle);)+
+        }
+
+        #[inline]
+        fn requests_applied(&mut $self, now: Instant, robot: &R) {
+            $($observer.requests_applied(now, robot);)+
         }
 
         #[inline]

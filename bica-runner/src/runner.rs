@@ -133,14 +133,27 @@ where
     #[inline]
     pub fn cycle(&mut self) -> Result<<T::Target as Robot>::Command, <T::Target as Robot>::Error> {
         let now = self.world.now();
-        while let Some(request) = self.requests.next(now) {
-            let result = apply(&mut *self.robot, &mut self.observer, now, request);
-            self.requests.answered(now, result);
-        }
+        self.take_requests(now);
         sense(&mut *self.robot, &mut self.observer, now, &self.world.sensors())?;
         let command = self.think(now);
         self.world.act(&command);
         Ok(command)
+    }
+
+    /// Applies the waiting requests without a cycle, for a loop that is paused. They are in force in the next cycle, as if they
+    /// had come just before it.
+    pub fn apply_requests(&mut self) {
+        let now = self.world.now();
+        self.take_requests(now);
+        self.observer.requests_applied(now, &*self.robot);
+    }
+
+    #[inline]
+    fn take_requests(&mut self, now: Instant) {
+        while let Some(request) = self.requests.next(now) {
+            let result = apply(&mut *self.robot, &mut self.observer, now, request);
+            self.requests.answered(now, result);
+        }
     }
 }
 

@@ -111,6 +111,10 @@ impl Observer<Doubler> for Log {
         assert_eq!(cycle.robot.get::<Double>().0, *cycle.command);
         self.0.push(format!("command {} at {} ms", cycle.command, cycle.now.as_millis()));
     }
+
+    fn requests_applied(&mut self, now: Instant, _robot: &Doubler) {
+        self.0.push(format!("requests applied at {} ms", now.as_millis()));
+    }
 }
 
 /// Source with one request before the second cycle.
@@ -162,4 +166,22 @@ fn values_received_as_messages_give_the_same_commands_as_a_world() {
     }
     assert_eq!(commands.as_slice(), closed.world().commands);
     assert_eq!(commands, [10, 4, 18, 0]);
+}
+
+#[test]
+fn requests_of_a_paused_loop_are_in_force_in_the_next_cycle() {
+    let hold = Request::Hold { component: Doubler::id::<Double>(), hold: Hold::Latent };
+    let runner = Runner::new(Box::new(Doubler::new()), script(&[3, 4]));
+    let mut runner = runner.with_requests(HoldSecond(Some(hold))).with_observer(Log::default());
+    assert_eq!(runner.cycle(), Ok(6));
+    runner.observer_mut().0.clear();
+    runner.apply_requests();
+    runner.apply_requests();
+    let log = &runner.observer().0;
+    assert_eq!(log.len(), 3, "{log:?}");
+    assert!(log[0].starts_with("Hold"), "{log:?}");
+    assert_eq!(log[1..], ["requests applied at 10 ms", "requests applied at 10 ms"]);
+    assert_eq!(runner.world().now(), Instant::from_millis(10), "no cycle has run");
+    // The held component keeps its value.
+    assert_eq!(runner.cycle(), Ok(6));
 }

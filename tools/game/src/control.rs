@@ -7,6 +7,8 @@ use bica_console::interrupt;
 pub enum NextStep {
     /// One cycle.
     Cycle,
+    /// Waiting requests are applied without a cycle: the game is paused.
+    Requests,
     /// The game ends.
     End,
 }
@@ -15,8 +17,8 @@ pub enum NextStep {
 ///
 /// `()` plays until the rules end the game or the user interrupts the program.
 pub trait GameControl {
-    /// Decides what comes next. It may wait: the clock of a game in real time stands still meanwhile, and so the game is
-    /// paused. `is_over` is whether the rules end the game here.
+    /// Decides what comes next. It may wait: the clock of a game in real time stands still meanwhile. A game is paused by
+    /// [`NextStep::Requests`] at intervals, so that monitors get answers. `is_over` is whether the rules end the game here.
     fn next(&mut self, is_over: bool) -> NextStep;
 
     /// Returns a line for the recording's log, after each cycle.

@@ -67,11 +67,16 @@ pub fn play_controlled(
     let mut paused = Duration::ZERO;
     loop {
         let asked = Instant::now();
-        if control.next(game.is_over(rules)) == NextStep::End {
-            break;
-        }
+        let next = control.next(game.is_over(rules));
         paused += asked.elapsed();
-        game.cycle()?;
+        match next {
+            NextStep::End => break,
+            NextStep::Requests => {
+                game.runner.apply_requests();
+                continue;
+            }
+            NextStep::Cycle => game.cycle()?,
+        }
         game.report(observer)?;
         if let Some(note) = control.note() {
             game.recorder_mut().note(&note);

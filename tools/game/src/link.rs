@@ -91,6 +91,12 @@ impl Observer<Forward> for LinkView {
         }
     }
 
+    fn requests_applied(&mut self, now: Instant, robot: &Forward) {
+        if let Some(observer) = &mut self.0 {
+            observer.requests_applied(now, robot);
+        }
+    }
+
     fn overrun(&mut self, overrun: &Overrun) {
         if let Some(observer) = &mut self.0 {
             Observer::<Forward>::overrun(observer, overrun);

@@ -135,6 +135,23 @@ fn a_world_is_paused_stepped_and_begun_again() {
 }
 
 #[test]
+fn a_paused_world_is_operated() {
+    let folder = Folder::new();
+    let manager = Manager::new(folder.options());
+    let (page, session, description) = running(&manager);
+    let (component, param) = find(&description, "FaceBall", "params", "gain");
+    page.ask(Request::Pause { session }).unwrap();
+    // The last cycles before the pause are still under way.
+    std::thread::sleep(Duration::from_millis(300));
+    page.ask(Request::Acquire { session }).unwrap();
+    let settings = vec![Setting { component, param, value: json!(0.9) }];
+    let answer = page.ask(Request::Set { session, settings }).unwrap();
+    assert_eq!(answer["values"], json!([0.9]));
+    page.ask(Request::Step { session, cycles: 1 }).unwrap();
+    page.message("update", |update| (update["cycle"] == answer["cycle"]).then_some(()));
+}
+
+#[test]
 fn the_past_can_be_read_and_agrees_with_what_was_live() {
     let folder = Folder::new();
     let manager = Manager::new(folder.options());

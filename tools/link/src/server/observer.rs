@@ -49,7 +49,16 @@ impl<R: Robot> Observer<R> for LinkObserver<R> {
         control.answer(cycle.robot);
         control.send_params(cycle.robot);
         control.send_data(cycle.robot);
-        control.finish();
+        control.hand_over();
+        control.next_cycle();
+    }
+
+    fn requests_applied(&mut self, now: Instant, robot: &R) {
+        let mut control = lock(&self.control);
+        control.next.time_us = now.as_micros();
+        control.answer(robot);
+        control.send_params(robot);
+        control.hand_over();
     }
 
     fn overrun(&mut self, _overrun: &Overrun) {
@@ -95,13 +104,16 @@ impl Control {
         self.outgoing.add_data(data);
     }
 
-    /// Hands everything over and prepares the next cycle.
-    fn finish(&mut self) {
+    /// Hands everything over to the thread that sends it.
+    fn hand_over(&mut self) {
         if !self.outgoing.is_empty() {
             self.hub.exchange.offer(&mut self.outgoing, |connection| connection.overflow(&self.hub));
         }
         self.watchers.remove_closed();
         self.hub.time_us.store(self.next.time_us, Ordering::Relaxed);
+    }
+
+    fn next_cycle(&mut self) {
         self.next.cycle += 1;
         self.hub.next_cycle.store(self.next.cycle, Ordering::Relaxed);
     }

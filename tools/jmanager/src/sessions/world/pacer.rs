@@ -1,10 +1,14 @@
 //! Pause, single cycles and end of a world.
 
 use std::sync::{Arc, Condvar, Mutex};
+use std::time::Duration;
 
 use bica_game::{GameControl, NextStep};
 
 use crate::sessions::pages::lock;
+
+/// Time between two looks for requests while a world is paused.
+const BETWEEN_REQUESTS: Duration = Duration::from_millis(10);
 
 /// Control of a world, shared by its thread and the manager.
 #[derive(Debug, Default)]
@@ -101,7 +105,12 @@ impl GameControl for Control {
                 state.steps = left;
                 return NextStep::Cycle;
             }
-            state = self.0.changed.wait(state).unwrap_or_else(std::sync::PoisonError::into_inner);
+            let waited = self.0.changed.wait_timeout(state, BETWEEN_REQUESTS);
+            let timeout;
+            (state, timeout) = waited.unwrap_or_else(std::sync::PoisonError::into_inner);
+            if timeout.timed_out() {
+                return NextStep::Requests;
+            }
         }
     }
 
