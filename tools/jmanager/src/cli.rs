@@ -23,7 +23,7 @@ Exit codes: 0 ended with Ctrl-C, 2 wrong arguments or files.";
 #[derive(Debug, Parser)]
 #[command(name = "jmanager", version, about = "A web page to inspect, tune, drive, record and replay robots.", after_help = AFTER)]
 pub struct Cli {
-    /// Robots (tcp://HOST:PORT, serial:DEVICE[@BAUD]) and recordings (FILE.mcap); none: the built-in world
+    /// Robots (tcp://HOST:PORT, serial:DEVICE or serial:DEVICE@BAUD) and recordings (FILE.mcap); none: the built-in world
     #[arg(value_name = "SOURCE")]
     pub sources: Vec<String>,
     /// World that is simulated in this program
