@@ -127,8 +127,8 @@ fn slow_every_tree_of_four_components_with_one_rate() {
 }
 
 #[test]
-#[ignore = "slow: `cargo xtask ci` runs it"]
-fn slow_every_tree_of_four_components_of_which_one_is_held() {
+#[ignore = "long: `cargo xtask long` runs it"]
+fn long_every_tree_of_four_components_of_which_one_is_held() {
     explore(COMPONENTS, &[[Rate::Every; COMPONENTS]], &[true], 1);
 }
 

@@ -201,8 +201,8 @@ fn random_edits_change_what_they_say_and_nothing_else() {
 }
 
 #[test]
-#[ignore = "slow: `cargo xtask ci` runs it"]
-fn slow_two_thousand_sequences_of_edits_change_what_they_say_and_nothing_else() {
+#[ignore = "long: `cargo xtask long` runs it"]
+fn long_two_thousand_sequences_of_edits_change_what_they_say_and_nothing_else() {
     let (accepted, refused) = sequences(2000, 1_000_000);
     println!("{accepted} edits accepted, {refused} refused");
     assert!(accepted > refused, "{accepted} {refused}");
