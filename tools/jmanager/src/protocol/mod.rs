@@ -9,15 +9,23 @@
 //! message of the same kind.
 
 pub mod binary;
+mod boundary;
+mod drawing;
 mod from_page;
+mod session;
+mod state;
 mod to_page;
+mod watch;
 
-pub use from_page::{FromPage, HoldKind, Open, Request, Setting, Watch, WatchImages, WatchInfo};
-pub use to_page::{
-    Bar, Boundary, BoundaryColumn, BoundaryVerdict, Capabilities, ComponentCost, ComponentNow, Condition, Connection,
-    Control, Drawing, DrawnBox, DrawnLink, Failed, InfoSample, LogKind, LogLine, Moment, RecordingState, RobotPose,
-    Row, SessionInfo, SessionKind, ToPage, Truth,
+pub use boundary::{Boundary, BoundaryColumn, BoundaryVerdict};
+pub use drawing::{Drawing, DrawnBox, DrawnLink};
+pub use from_page::{FromPage, HoldKind, Open, Request, Setting};
+pub use session::{Capabilities, Connection, Control, RecordingState, SessionInfo, SessionKind};
+pub use state::{
+    Bar, ComponentCost, ComponentNow, Condition, InfoSample, LogKind, LogLine, Moment, RobotPose, Row, Truth,
 };
+pub use to_page::{Failed, ToPage};
+pub use watch::{Watch, WatchImages, WatchInfo};
 
 /// Version of the protocol: a page of another version reloads itself.
 pub const VERSION: u32 = 1;

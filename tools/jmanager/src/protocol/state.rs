@@ -1,0 +1,147 @@
+//! State of a robot at a time, and its course.
+
+use serde::Serialize;
+
+use super::HoldKind;
+
+/// State of a component, in JSON a list.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct ComponentNow(
+    /// Whether it was visited in the last cycle.
+    pub bool,
+    /// How it is held.
+    pub HoldKind,
+    /// Index of its state, also of a latent one.
+    pub Option<u16>,
+    /// Requested rate, Hz; none: every cycle.
+    pub Option<f32>,
+    /// Time since which it has been in this state, or active or latent, µs.
+    pub u64,
+);
+
+/// A value of information, in JSON a list.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct InfoSample(
+    /// Component.
+    pub usize,
+    /// Information.
+    pub usize,
+    /// Time, µs.
+    pub u64,
+    /// Value; `null` for `None`.
+    pub serde_json::Value,
+);
+
+/// The condition of a transition as it was evaluated last.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct Condition {
+    /// Whether it was true; none if it was not evaluated in this state.
+    pub holds: Option<bool>,
+    /// Time since which it has had this value, µs.
+    pub since_us: u64,
+    /// Rest of the transition's timer, ms; none without a timer or in another state.
+    pub remaining_ms: Option<u32>,
+}
+
+/// Time of a component, in JSON a list.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct ComponentCost(
+    /// Number of runs in the window.
+    pub u32,
+    /// Mean time of a run, µs.
+    pub f32,
+    /// Longest time of a run, µs.
+    pub f32,
+);
+
+/// True state of a simulated world, field frame: origin in the middle, x to the attacked goal, y to the left, m and rad.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Truth {
+    /// The robot.
+    pub robot: RobotPose,
+    /// The ball: x, y.
+    pub ball: (f32, f32),
+    /// Other robots: x, y.
+    pub others: Vec<(f32, f32)>,
+    /// Pose of the robot when its odometry began.
+    pub start: RobotPose,
+    /// Whether the attacked goal is blue, else yellow.
+    pub attacks_blue: bool,
+}
+
+/// Pose on the field, in JSON a list: x, y in m, heading in rad.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct RobotPose(pub f32, pub f32, pub f32);
+
+/// A line of the log.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct LogLine {
+    /// Time, µs.
+    pub time_us: u64,
+    /// 1 debug, 2 information, 3 warning, 4 error.
+    pub level: u8,
+    /// Kind.
+    pub kind: LogKind,
+    /// Text.
+    pub text: String,
+    /// The component that it is about.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub component: Option<usize>,
+}
+
+/// Kind of a log line.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum LogKind {
+    /// Of the robot.
+    Robot,
+    /// Of the referee.
+    Referee,
+    /// A request and its answer.
+    Request,
+    /// A change of the tree.
+    Tree,
+    /// A note of an operator.
+    Note,
+    /// Of this server: connection, recording.
+    Server,
+}
+
+/// State at a time.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Moment {
+    /// Time of the cycle, µs.
+    pub time_us: u64,
+    /// Number of the cycle.
+    pub cycle: u64,
+    /// State of each component.
+    pub components: Vec<ComponentNow>,
+    /// The requested information, as the last sample that is not later.
+    pub info: Vec<InfoSample>,
+    /// Number of the image, if there is one.
+    pub image: Option<u32>,
+    /// True state, if it is known.
+    pub truth: Option<Truth>,
+}
+
+/// Activity of a component in an interval.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Row {
+    /// Component.
+    pub component: usize,
+    /// Times in which it was active.
+    pub bars: Vec<Bar>,
+    /// Times of overruns, µs.
+    pub overruns: Vec<u64>,
+}
+
+/// A time in which a component was active in one state, in JSON a list.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct Bar(
+    /// Begin, µs.
+    pub u64,
+    /// End, µs; of the session if it is active now.
+    pub u64,
+    /// State; none without states, or if states were merged.
+    pub Option<u16>,
+);

@@ -1,0 +1,39 @@
+//! What a page watches of a session.
+
+use serde::{Deserialize, Serialize};
+
+/// All that a page watches of a session.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct Watch {
+    /// Information.
+    pub info: Vec<WatchInfo>,
+    /// Components whose conditions of transitions are sent.
+    pub conditions: Vec<usize>,
+    /// Images, if wanted.
+    pub images: Option<WatchImages>,
+    /// Whether costs are sent.
+    pub costs: bool,
+    /// Whether the true state of a simulated world is sent.
+    pub truth: bool,
+}
+
+/// An information to watch.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct WatchInfo {
+    /// Component.
+    pub component: usize,
+    /// Information.
+    pub info: usize,
+    /// The value of every n-th cycle.
+    pub every: u16,
+}
+
+/// Images to watch.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct WatchImages {
+    /// Largest rate, images/s.
+    pub max_hz: f32,
+}
