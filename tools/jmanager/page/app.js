@@ -4,6 +4,7 @@ import { Fragment, effect, html, render, signal } from './lib/dom.js';
 import { connect, link } from './lib/connection.js';
 import * as dock from './lib/dock.js';
 import { bind } from './lib/keys.js';
+import { playOrPause } from './lib/playback.js';
 import { PRESETS } from './lib/presets.js';
 import * as store from './lib/store.js';
 import { toggleTheme } from './lib/theme.js';
@@ -44,7 +45,7 @@ function startDock(element) {
 
 // ---- keys
 
-const { seek, step, cycle_us, range, playOrPause } = store;
+const { seek, step, cycle_us, range } = store;
 const zoom = (factor) => {
   const { span, end } = range.value;
   range.value = { span: Math.min(Math.max(span * factor, 20e3), 4 * 3600e6), end };

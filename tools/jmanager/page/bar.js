@@ -5,6 +5,7 @@ import { link } from './lib/connection.js';
 import * as dock from './lib/dock.js';
 import { bytes, duration, number, time } from './lib/format.js';
 import { PANELS } from './lib/panels.js';
+import { playOrPause } from './lib/playback.js';
 import { PRESETS } from './lib/presets.js';
 import * as store from './lib/store.js';
 import { theme, toggleTheme } from './lib/theme.js';
@@ -57,7 +58,7 @@ function Clock() {
   const state = at !== null ? (recording && store.playing.value ? 'playing' : 'paused') : info?.paused ? 'world paused' : 'live';
   const fresh = shown && info.connection === 'connected';
   return html`<button class=${`chip clock ${fresh ? state.replace(' ', '-') : 'off'}`} aria-label=${`Time: ${state}. ${at === null ? 'Pause the view' : recording ? 'Play or pause' : 'Back to live'}`}
-    title="Space pauses the view; the robot goes on" onClick=${store.playOrPause}>
+    title="Space pauses the view; the robot goes on" onClick=${playOrPause}>
     <i class="dot" aria-hidden="true"></i>${shown && info.connection !== 'connected' ? info.connection : state} <b>${time(moment?.time_us ?? at)}</b></button>`;
 }
 

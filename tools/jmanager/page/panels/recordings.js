@@ -2,7 +2,8 @@
 
 import { html, useEffect, useSignal } from '../lib/dom.js';
 import { bytes, duration, time } from '../lib/format.js';
-import { act, ask, playing, playOrPause, seek, session, sessions, show } from '../lib/store.js';
+import { playOrPause } from '../lib/playback.js';
+import { act, ask, playing, seek, session, sessions, show } from '../lib/store.js';
 import { Empty } from '../lib/ui.js';
 
 const stamp = () => new Date().toISOString().slice(0, 19).replace('T', ' ').replaceAll(':', '-');

@@ -1,142 +1,17 @@
 //! Attacks on the web server, each with raw sockets: a browser would not send most of these requests.
 
-use std::io::{Read, Write};
-use std::net::{SocketAddr, TcpListener, TcpStream};
+mod limits;
+mod target;
+
+use std::net::TcpListener;
 use std::path::Path;
 use std::sync::Arc;
-use std::time::{Duration, Instant};
 
 use jmanager::sessions::{Manager, Options};
 use jmanager::web::{Web, WebOptions};
-use serde_json::{Value, json};
-use tungstenite::client::IntoClientRequest;
-use tungstenite::protocol::WebSocketConfig;
-use tungstenite::{Error, Message, WebSocket};
+use tungstenite::Message;
 
-/// Generous limit of a step on a busy machine.
-const LIMIT: Duration = Duration::from_mins(1);
-const TOKEN: &str = "0123456789abcdef0123456789abcdef";
-
-struct Target {
-    web: Web,
-    address: SocketAddr,
-}
-
-/// Starts a server without sessions.
-fn target(token: Option<&str>) -> Target {
-    let listener = TcpListener::bind("127.0.0.1:0").unwrap();
-    let options = WebOptions { token: token.map(str::to_owned), ..WebOptions::default() };
-    let web = Web::start(listener, options, Arc::new(Manager::new(Options::default()))).unwrap();
-    let address = web.address();
-    Target { web, address }
-}
-
-/// A response: status, head in lower case, body.
-struct Response {
-    status: u16,
-    head: String,
-    body: String,
-}
-
-impl Response {
-    fn has(&self, header: &str) -> bool {
-        self.head.lines().any(|line| line == header)
-    }
-
-    fn header(&self, name: &str) -> Option<&str> {
-        self.head.lines().find_map(|line| line.strip_prefix(name)?.strip_prefix(": "))
-    }
-}
-
-impl Target {
-    fn connect(&self) -> TcpStream {
-        let stream = TcpStream::connect(self.address).unwrap();
-        stream.set_read_timeout(Some(LIMIT)).unwrap();
-        stream
-    }
-
-    /// Sends a request with these lines of head after the first one.
-    fn send(&self, first: &str, lines: &[&str], body: &str) -> Response {
-        let mut stream = self.connect();
-        let (lines, length) = (lines.join("\r\n"), body.len());
-        let text =
-            format!("{first} HTTP/1.1\r\n{lines}\r\nContent-Length: {length}\r\nConnection: close\r\n\r\n{body}");
-        stream.write_all(text.as_bytes()).unwrap();
-        let mut answer = Vec::new();
-        // The server may close before it has read all; what it sent is read anyhow.
-        let _ = stream.read_to_end(&mut answer);
-        let answer = String::from_utf8_lossy(&answer).into_owned();
-        let (head, body) = answer.split_once("\r\n\r\n").unwrap_or((&answer, ""));
-        let status = head.split(' ').nth(1).and_then(|status| status.parse().ok()).unwrap_or(0);
-        Response { status, head: head.replace("\r\n", "\n"), body: body.to_owned() }
-    }
-
-    fn host(&self) -> String {
-        format!("Host: {}", self.address)
-    }
-
-    /// The path with a new one-time key.
-    fn entrance(&self) -> String {
-        let url = self.web.url().unwrap();
-        url.split_once("/?").map(|(_, query)| format!("/?{query}")).unwrap()
-    }
-
-    /// Enters; returns the `Cookie` header.
-    fn enter(&self) -> String {
-        let response = self.send(&format!("GET {}", self.entrance()), &[&self.host()], "");
-        assert_eq!(response.status, 303, "{}", response.head);
-        let set = response.header("set-cookie").unwrap();
-        format!("Cookie: {}", set.split(';').next().unwrap())
-    }
-
-    /// Asks for a WebSocket.
-    fn upgrade(&self, lines: &[&str]) -> u16 {
-        let mut stream = self.connect();
-        let upgrade = "Connection: Upgrade\r\nUpgrade: websocket\r\nSec-WebSocket-Version: 13";
-        let (key, lines) = ("Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==", lines.join("\r\n"));
-        let text = format!("GET /socket HTTP/1.1\r\n{upgrade}\r\n{key}\r\n{lines}\r\n\r\n");
-        stream.write_all(text.as_bytes()).unwrap();
-        let mut head = [0; 12];
-        stream.read_exact(&mut head).unwrap();
-        std::str::from_utf8(&head[9..]).unwrap().parse().unwrap()
-    }
-
-    /// Opens a WebSocket as the page does.
-    fn page(&self, cookie: &str) -> WebSocket<TcpStream> {
-        let mut request = format!("ws://{}/socket", self.address).into_client_request().unwrap();
-        let headers = request.headers_mut();
-        headers.insert("Origin", format!("http://{}", self.address).parse().unwrap());
-        headers.insert("Cookie", cookie.strip_prefix("Cookie: ").unwrap().parse().unwrap());
-        let config = WebSocketConfig::default().max_write_buffer_size(usize::MAX);
-        tungstenite::client::client_with_config(request, self.connect(), Some(config)).unwrap().0
-    }
-}
-
-fn message(page: &mut WebSocket<TcpStream>) -> Result<Value, Error> {
-    loop {
-        match page.read()? {
-            Message::Text(text) => return Ok(serde_json::from_str(&text).unwrap()),
-            Message::Close(frame) => {
-                let code = frame.map_or(0, |frame| u16::from(frame.code));
-                return Ok(json!({ "type": "close", "code": code }));
-            }
-            _ => {}
-        }
-    }
-}
-
-/// Reads until the server has closed the page; returns the code, or 0 if the connection was cut.
-fn closed(page: &mut WebSocket<TcpStream>) -> u64 {
-    let start = Instant::now();
-    while start.elapsed() < LIMIT {
-        match message(page) {
-            Ok(message) if message["type"] == "close" => return message["code"].as_u64().unwrap(),
-            Ok(_) => {}
-            Err(_) => return 0,
-        }
-    }
-    panic!("the page was not closed")
-}
+use target::{TOKEN, message, target};
 
 #[test]
 fn a_page_with_key_cookie_and_origin_is_served() {
@@ -319,94 +194,6 @@ fn messages_of_the_page_are_answered_in_order_and_wrong_ones_with_their_number()
     // The thread that handles requests and the check of their form answer independently of each other.
     assert!([7, 8, 0].iter().all(|id| ids.contains(id)), "{answers:?}");
     assert!(answers.iter().all(|answer| answer["error"]["help"].as_str().is_some_and(|help| !help.is_empty())));
-}
-
-/// Attack 11.
-#[test]
-fn a_large_message_ends_the_page() {
-    let target = target(None);
-    let mut page = target.page(&target.enter());
-    assert_eq!(message(&mut page).unwrap()["type"], "hello");
-    page.send(Message::text(" ".repeat(60 << 10))).unwrap();
-    assert_eq!(message(&mut page).unwrap()["type"], "answer");
-    // The server may close while this is being written.
-    let _ = page.send(Message::text(" ".repeat(70 << 10)));
-    closed(&mut page);
-    assert_eq!(message(&mut target.page(&target.enter())).unwrap()["type"], "hello");
-}
-
-/// Attack 11.
-#[test]
-fn a_flood_of_messages_ends_the_page() {
-    let target = target(None);
-    let mut page = target.page(&target.enter());
-    for _ in 0..20_000 {
-        if page.send(Message::text("{}")).is_err() {
-            break;
-        }
-    }
-    let code = closed(&mut page);
-    assert!(code == 1008 || code == 0, "{code}");
-}
-
-/// Attack 11.
-#[test]
-fn a_binary_message_ends_the_page() {
-    let target = target(None);
-    let mut page = target.page(&target.enter());
-    page.send(Message::binary(vec![0; 4])).unwrap();
-    assert_eq!(closed(&mut page), 1008);
-}
-
-/// Attack 11.
-#[test]
-fn a_slow_head_is_cut() {
-    let target = target(None);
-    let mut stream = target.connect();
-    stream.write_all(b"GET / HTTP/1.1\r\nHost: ").unwrap();
-    let mut rest = Vec::new();
-    stream.read_to_end(&mut rest).unwrap();
-    assert!(!String::from_utf8_lossy(&rest).contains("200"));
-}
-
-/// Attack 11.
-#[test]
-fn connections_and_pages_are_limited_and_become_free_again() {
-    let target = target(None);
-    let cookie = target.enter();
-    let own = format!("Origin: http://{}", target.address);
-    let mut pages: Vec<_> = (0..32).map(|_| target.page(&cookie)).collect();
-    for page in &mut pages {
-        assert_eq!(message(page).unwrap()["type"], "hello");
-    }
-    assert_eq!(target.upgrade(&[&target.host(), &cookie, &own]), 503);
-    // Silent connections up to the limit: the next one is closed without an answer.
-    let silent: Vec<_> = (0..200).filter_map(|_| TcpStream::connect(target.address).ok()).collect();
-    let mut cut = 0;
-    for mut stream in silent {
-        stream.set_read_timeout(Some(Duration::from_millis(20))).unwrap();
-        cut += u32::from(
-            matches!(stream.read(&mut [0; 8]), Ok(0) | Err(_))
-                && stream.peer_addr().is_ok()
-                && closed_by_peer(&mut stream),
-        );
-    }
-    assert!(cut >= 200 - 128, "{cut} of 200 connections were closed");
-    drop(pages);
-    let start = Instant::now();
-    while target.upgrade(&[&target.host(), &cookie, &own]) != 101 {
-        assert!(start.elapsed() < LIMIT, "the pages did not become free");
-        std::thread::sleep(Duration::from_millis(50));
-    }
-}
-
-/// Whether the other side has closed a connection: it reads as ended, not as silent.
-fn closed_by_peer(stream: &mut TcpStream) -> bool {
-    match stream.read(&mut [0; 8]) {
-        Ok(0) => true,
-        Ok(_) => false,
-        Err(error) => !matches!(error.kind(), std::io::ErrorKind::WouldBlock | std::io::ErrorKind::TimedOut),
-    }
 }
 
 /// Attack 13.

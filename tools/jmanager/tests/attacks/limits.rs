@@ -1,0 +1,92 @@
+//! Attack 11: large and many messages, connections and pages.
+
+use std::io::{Read, Write};
+use std::net::TcpStream;
+use std::time::{Duration, Instant};
+
+use tungstenite::Message;
+
+use crate::target::{LIMIT, closed, message, target};
+
+#[test]
+fn a_large_message_ends_the_page() {
+    let target = target(None);
+    let mut page = target.page(&target.enter());
+    assert_eq!(message(&mut page).unwrap()["type"], "hello");
+    page.send(Message::text(" ".repeat(60 << 10))).unwrap();
+    assert_eq!(message(&mut page).unwrap()["type"], "answer");
+    // The server may close while this is being written.
+    let _ = page.send(Message::text(" ".repeat(70 << 10)));
+    closed(&mut page);
+    assert_eq!(message(&mut target.page(&target.enter())).unwrap()["type"], "hello");
+}
+
+#[test]
+fn a_flood_of_messages_ends_the_page() {
+    let target = target(None);
+    let mut page = target.page(&target.enter());
+    for _ in 0..20_000 {
+        if page.send(Message::text("{}")).is_err() {
+            break;
+        }
+    }
+    let code = closed(&mut page);
+    assert!(code == 1008 || code == 0, "{code}");
+}
+
+#[test]
+fn a_binary_message_ends_the_page() {
+    let target = target(None);
+    let mut page = target.page(&target.enter());
+    page.send(Message::binary(vec![0; 4])).unwrap();
+    assert_eq!(closed(&mut page), 1008);
+}
+
+#[test]
+fn a_slow_head_is_cut() {
+    let target = target(None);
+    let mut stream = target.connect();
+    stream.write_all(b"GET / HTTP/1.1\r\nHost: ").unwrap();
+    let mut rest = Vec::new();
+    stream.read_to_end(&mut rest).unwrap();
+    assert!(!String::from_utf8_lossy(&rest).contains("200"));
+}
+
+#[test]
+fn connections_and_pages_are_limited_and_become_free_again() {
+    let target = target(None);
+    let cookie = target.enter();
+    let own = format!("Origin: http://{}", target.address);
+    let mut pages: Vec<_> = (0..32).map(|_| target.page(&cookie)).collect();
+    for page in &mut pages {
+        assert_eq!(message(page).unwrap()["type"], "hello");
+    }
+    assert_eq!(target.upgrade(&[&target.host(), &cookie, &own]), 503);
+    // Silent connections up to the limit: the next one is closed without an answer.
+    let silent: Vec<_> = (0..200).filter_map(|_| TcpStream::connect(target.address).ok()).collect();
+    let mut cut = 0;
+    for mut stream in silent {
+        stream.set_read_timeout(Some(Duration::from_millis(20))).unwrap();
+        cut += u32::from(
+            matches!(stream.read(&mut [0; 8]), Ok(0) | Err(_))
+                && stream.peer_addr().is_ok()
+                && closed_by_peer(&mut stream),
+        );
+    }
+    assert!(cut >= 200 - 128, "{cut} of 200 connections were closed");
+    drop(pages);
+    let start = Instant::now();
+    while target.upgrade(&[&target.host(), &cookie, &own]) != 101 {
+        assert!(start.elapsed() < LIMIT, "the pages did not become free");
+        std::thread::sleep(Duration::from_millis(50));
+    }
+}
+
+/// Whether the other side has closed a connection: it reads as ended, not as silent.
+fn closed_by_peer(stream: &mut TcpStream) -> bool {
+    match stream.read(&mut [0; 8]) {
+        Ok(0) => true,
+        Ok(_) => false,
+        Err(error) => !matches!(error.kind(), std::io::ErrorKind::WouldBlock | std::io::ErrorKind::TimedOut),
+    }
+}

@@ -1,0 +1,138 @@
+//! The server that is attacked.
+
+use std::io::{Read, Write};
+use std::net::{SocketAddr, TcpListener, TcpStream};
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+use jmanager::sessions::{Manager, Options};
+use jmanager::web::{Web, WebOptions};
+use serde_json::{Value, json};
+use tungstenite::client::IntoClientRequest;
+use tungstenite::protocol::WebSocketConfig;
+use tungstenite::{Error, Message, WebSocket};
+
+/// Generous limit of a step on a busy machine.
+pub(crate) const LIMIT: Duration = Duration::from_mins(1);
+pub(crate) const TOKEN: &str = "0123456789abcdef0123456789abcdef";
+
+pub(crate) struct Target {
+    pub(crate) web: Web,
+    pub(crate) address: SocketAddr,
+}
+
+/// Starts a server without sessions.
+pub(crate) fn target(token: Option<&str>) -> Target {
+    let listener = TcpListener::bind("127.0.0.1:0").unwrap();
+    let options = WebOptions { token: token.map(str::to_owned), ..WebOptions::default() };
+    let web = Web::start(listener, options, Arc::new(Manager::new(Options::default()))).unwrap();
+    let address = web.address();
+    Target { web, address }
+}
+
+/// A response: status, head in lower case, body.
+pub(crate) struct Response {
+    pub(crate) status: u16,
+    pub(crate) head: String,
+    pub(crate) body: String,
+}
+
+impl Response {
+    pub(crate) fn has(&self, header: &str) -> bool {
+        self.head.lines().any(|line| line == header)
+    }
+
+    pub(crate) fn header(&self, name: &str) -> Option<&str> {
+        self.head.lines().find_map(|line| line.strip_prefix(name)?.strip_prefix(": "))
+    }
+}
+
+impl Target {
+    pub(crate) fn connect(&self) -> TcpStream {
+        let stream = TcpStream::connect(self.address).unwrap();
+        stream.set_read_timeout(Some(LIMIT)).unwrap();
+        stream
+    }
+
+    /// Sends a request with these lines of head after the first one.
+    pub(crate) fn send(&self, first: &str, lines: &[&str], body: &str) -> Response {
+        let mut stream = self.connect();
+        let (lines, length) = (lines.join("\r\n"), body.len());
+        let text =
+            format!("{first} HTTP/1.1\r\n{lines}\r\nContent-Length: {length}\r\nConnection: close\r\n\r\n{body}");
+        stream.write_all(text.as_bytes()).unwrap();
+        let mut answer = Vec::new();
+        // The server may close before it has read all; what it sent is read anyhow.
+        let _ = stream.read_to_end(&mut answer);
+        let answer = String::from_utf8_lossy(&answer).into_owned();
+        let (head, body) = answer.split_once("\r\n\r\n").unwrap_or((&answer, ""));
+        let status = head.split(' ').nth(1).and_then(|status| status.parse().ok()).unwrap_or(0);
+        Response { status, head: head.replace("\r\n", "\n"), body: body.to_owned() }
+    }
+
+    pub(crate) fn host(&self) -> String {
+        format!("Host: {}", self.address)
+    }
+
+    /// The path with a new one-time key.
+    pub(crate) fn entrance(&self) -> String {
+        let url = self.web.url().unwrap();
+        url.split_once("/?").map(|(_, query)| format!("/?{query}")).unwrap()
+    }
+
+    /// Enters; returns the `Cookie` header.
+    pub(crate) fn enter(&self) -> String {
+        let response = self.send(&format!("GET {}", self.entrance()), &[&self.host()], "");
+        assert_eq!(response.status, 303, "{}", response.head);
+        let set = response.header("set-cookie").unwrap();
+        format!("Cookie: {}", set.split(';').next().unwrap())
+    }
+
+    /// Asks for a WebSocket.
+    pub(crate) fn upgrade(&self, lines: &[&str]) -> u16 {
+        let mut stream = self.connect();
+        let upgrade = "Connection: Upgrade\r\nUpgrade: websocket\r\nSec-WebSocket-Version: 13";
+        let (key, lines) = ("Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==", lines.join("\r\n"));
+        let text = format!("GET /socket HTTP/1.1\r\n{upgrade}\r\n{key}\r\n{lines}\r\n\r\n");
+        stream.write_all(text.as_bytes()).unwrap();
+        let mut head = [0; 12];
+        stream.read_exact(&mut head).unwrap();
+        std::str::from_utf8(&head[9..]).unwrap().parse().unwrap()
+    }
+
+    /// Opens a WebSocket as the page does.
+    pub(crate) fn page(&self, cookie: &str) -> WebSocket<TcpStream> {
+        let mut request = format!("ws://{}/socket", self.address).into_client_request().unwrap();
+        let headers = request.headers_mut();
+        headers.insert("Origin", format!("http://{}", self.address).parse().unwrap());
+        headers.insert("Cookie", cookie.strip_prefix("Cookie: ").unwrap().parse().unwrap());
+        let config = WebSocketConfig::default().max_write_buffer_size(usize::MAX);
+        tungstenite::client::client_with_config(request, self.connect(), Some(config)).unwrap().0
+    }
+}
+
+pub(crate) fn message(page: &mut WebSocket<TcpStream>) -> Result<Value, Error> {
+    loop {
+        match page.read()? {
+            Message::Text(text) => return Ok(serde_json::from_str(&text).unwrap()),
+            Message::Close(frame) => {
+                let code = frame.map_or(0, |frame| u16::from(frame.code));
+                return Ok(json!({ "type": "close", "code": code }));
+            }
+            _ => {}
+        }
+    }
+}
+
+/// Reads until the server has closed the page; returns the code, or 0 if the connection was cut.
+pub(crate) fn closed(page: &mut WebSocket<TcpStream>) -> u64 {
+    let start = Instant::now();
+    while start.elapsed() < LIMIT {
+        match message(page) {
+            Ok(message) if message["type"] == "close" => return message["code"].as_u64().unwrap(),
+            Ok(_) => {}
+            Err(_) => return 0,
+        }
+    }
+    panic!("the page was not closed")
+}
