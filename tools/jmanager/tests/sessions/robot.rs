@@ -17,8 +17,8 @@ use crate::page::{Folder, Page};
 use crate::world::find;
 
 /// A robot: a game that is served by a thread.
-struct Robot {
-    address: String,
+pub(crate) struct Robot {
+    pub(crate) address: String,
     end: Arc<AtomicBool>,
     thread: Option<JoinHandle<()>>,
 }
@@ -32,7 +32,7 @@ impl GameControl for Until {
 }
 
 impl Robot {
-    fn start(address: &str) -> Self {
+    pub(crate) fn start(address: &str) -> Self {
         let (end, (ready, started)) = (Arc::new(AtomicBool::new(false)), channel());
         let (mut until, address) = (Until(Arc::clone(&end)), Address::Tcp(address.to_owned()));
         let thread = std::thread::spawn(move || {

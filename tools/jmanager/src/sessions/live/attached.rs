@@ -11,6 +11,7 @@ use serde_json::Value;
 use super::operate::Operation;
 use super::{Command, capabilities};
 use crate::protocol::{Condition, Connection, Failed, InfoSample, LogKind, LogLine, Request, ToPage, Watch};
+use crate::sessions::breakpoints::{self, Activity};
 use crate::sessions::outbox::{DataKind, Frame};
 use crate::sessions::session::Session;
 use crate::sessions::value::page_hold;
@@ -117,6 +118,7 @@ impl<'a> Attached<'a> {
                 return Exit::Lost(error.into());
             }
             self.extras();
+            self.paused_at_breakpoint();
             if self.updated.elapsed() >= UPDATE {
                 self.updated = Instant::now();
                 self.update();
@@ -201,7 +203,11 @@ impl<'a> Attached<'a> {
         let states = states.iter().map(|state| (state.active, page_hold(state.held), state.state, state.hz));
         let mut shared = self.session.shared();
         (shared.images_taken, shared.overruns) = (info.images, info.overruns);
+        let before: Vec<Activity> = shared.history.states.current().iter().map(|now| (now.0, now.2)).collect();
         let changed = shared.history.states.push(info.time_us, info.cycle, states);
+        // A world pauses itself, at the cycle.
+        let places = if self.world.is_none() { &shared.breakpoints[..] } else { &[] };
+        let reached = breakpoints::reached(places, &before, &changed);
         let visible = changed.iter().filter(|change| change.visible);
         let brief = visible.map(|change| (usize::from(change.component), change.time_us, change.now.0, change.now.2));
         self.changes.extend(brief);
@@ -210,6 +216,10 @@ impl<'a> Attached<'a> {
             self.changes.drain(..surplus);
         }
         self.has_news = true;
+        drop(shared);
+        for breakpoint in reached {
+            self.hit(info.time_us, breakpoint);
+        }
     }
 
     fn info(&mut self, cycle: u64, component: usize, info: usize, value: Option<Value>) {

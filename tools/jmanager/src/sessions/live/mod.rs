@@ -1,6 +1,7 @@
 //! Live sessions: a thread that owns a client of the link.
 
 mod attached;
+mod hits;
 mod operate;
 
 use std::sync::Arc;
