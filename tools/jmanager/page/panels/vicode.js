@@ -17,6 +17,8 @@ import { component, list, machine, opened, selection } from '../vicode/sources.j
 import { place, stopKeys } from '../vicode/stops.js';
 
 const { view } = stage;
+/** Number of arrows above which those of other states fade while something is selected. */
+const MANY = 24;
 
 export function Designer({ visible, retitle }) {
   const search = useSignal('');
@@ -59,6 +61,7 @@ function Canvas({ machine: own, search, visible }) {
   useLayoutEffect(() => view.fit(stage.all()), [shown]);
   useLayoutEffect(() => {
     stage.collect(layer.current);
+    svg.current.classList.toggle('small', view.small);
     writeLive();
     for (const [key, element] of stage.elements) {
       element.classList.toggle('wrong', marked.value.get(key) === 'error');
@@ -73,7 +76,7 @@ function Canvas({ machine: own, search, visible }) {
   useEffect(() => (visible.value && index >= 0 ? watch({ conditions: own.arrows.length > 0 ? [index] : [] }) : undefined), [visible.value, index, session.value?.id]);
 
   return html`<div class="machine-canvas fill">
-    <svg class="machine" ref=${svg} tabindex="0" role="group" aria-label=${`States of ${own.name}`} onPointerDown=${press} onDblClick=${doubleClick}>
+    <svg class=${`machine ${own.arrows.length > MANY && selection.value.length > 0 ? 'many' : ''}`} ref=${svg} tabindex="0" role="group" aria-label=${`States of ${own.name}`} onPointerDown=${press} onDblClick=${doubleClick}>
       <${Tips} /><rect class="grid" width="100%" height="100%" fill="url(#grid)" />
       <g ref=${layer} data-layer="1"><${Drawn} ...${{ machine: own, chosen, found, stops: stopKeys.value }} /><${Sketch} /></g>
     </svg>

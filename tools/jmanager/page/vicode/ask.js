@@ -88,12 +88,14 @@ function Fields({ asked }) {
     event.preventDefault();
     asked.done(values);
   };
-  return html`<form onSubmit=${submit}>
+  // A list does not hand Enter on to its form.
+  const enter = (event) => event.key === 'Enter' && event.target.tagName === 'SELECT' && submit(event);
+  return html`<form onSubmit=${submit} onKeyDown=${enter}>
     <header><h2>${asked.title}</h2><button type="button" aria-label="Close" onClick=${() => asked.done(null)}>×</button></header>
     ${asked.hint && html`<p class="dim">${asked.hint}</p>`}
     ${asked.fields.map((field, index) => html`<label class="field" key=${field.name}><span>${field.label}</span>
       ${field.kind === 'select'
-        ? html`<select aria-label=${field.label} onChange=${(event) => set(field.name, event.target.value)}>${field.options.map(([value, text]) => html`<option value=${value} selected=${value === values[field.name]}>${text}</option>`)}</select>`
+        ? html`<select aria-label=${field.label} autofocus=${index === 0} onChange=${(event) => set(field.name, event.target.value)}>${field.options.map(([value, text]) => html`<option value=${value} selected=${value === values[field.name]}>${text}</option>`)}</select>`
         : html`<input type="text" aria-label=${field.label} autofocus=${index === 0} spellcheck="false" autocomplete="off" inputmode=${field.kind === 'number' ? 'numeric' : undefined} list=${field.options ? `list-${field.name}` : undefined}
             value=${values[field.name]} onInput=${(event) => set(field.name, event.target.value)} />`}
       ${field.options && field.kind !== 'select' && html`<datalist id=${`list-${field.name}`}>${field.options.map((one) => html`<option value=${one} />`)}</datalist>`}

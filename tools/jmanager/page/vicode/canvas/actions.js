@@ -36,6 +36,9 @@ export async function addState(at) {
   if (name) await makeState(name, at);
 }
 
+/** A last state gets its first transition: it is last no more. */
+const goOn = (from) => machine.value.states.filter(({ name, last }) => last && (from.includes(name) || from.includes('*'))).map(({ name }) => ({ edit: 'set_last', state: name, last: false }));
+
 /** A new transition; to null: to a new state at the point. */
 export async function addTransition(from, to, at) {
   if (!editable()) return;
@@ -45,13 +48,13 @@ export async function addTransition(from, to, at) {
     target = await askName({ at, value: freeName(own, 'new_state'), label: 'Name of the new state', fresh: true });
     if (!target) return;
     const name = freeName(own, `to_${target}`, [target]);
-    await makeState(target, at, [{ edit: 'add_transition', name, from, to: target }]);
+    await makeState(target, at, [...goOn(from), { edit: 'add_transition', name, from, to: target }]);
     return;
   }
   const name = await askName({ at, value: freeName(own, `to_${target}`), label: 'Name of the new transition', fresh: true });
   if (!name) return;
   wish([`t:${name}:0:${from[0]}`]);
-  await change({ edit: 'add_transition', name, from, to: target });
+  await change(...goOn(from), { edit: 'add_transition', name, from, to: target });
 }
 
 /** The same by keyboard: asks for name, target and timer. */
@@ -77,7 +80,7 @@ export async function askTransition() {
   const after = Number.parseInt(values.after, 10);
   const sources = values.from ? [values.from] : from;
   wish([`t:${name}:0:${sources[0]}`]);
-  await change({ edit: 'add_transition', name, from: sources, to: values.to, ...(Number.isFinite(after) ? { after_ms: after } : {}) });
+  await change(...goOn(sources), { edit: 'add_transition', name, from: sources, to: values.to, ...(Number.isFinite(after) ? { after_ms: after } : {}) });
 }
 
 /** A new name, typed at its place. */

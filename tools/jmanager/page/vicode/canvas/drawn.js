@@ -8,18 +8,19 @@ const KIND = { requirement: 'reads', modulation: 'writes', rate: 'sets the rate 
 
 /** All arrows, then all states: states lie above. */
 export function Drawn({ machine, chosen, found, stops }) {
-  return html`<g class="arrows">${machine.arrows.map((arrow) => html`<${Arrow} key=${arrow.key} arrow=${arrow} chosen=${chosen.has(arrow.key)} found=${found(arrow.name)} stop=${stops.has(arrow.key)} />`)}</g>
+  const near = ({ from, to, any }) => chosen.has(`s:${to}`) || (!any && chosen.has(`s:${from}`));
+  return html`<g class="arrows">${machine.arrows.map((arrow) => html`<${Arrow} key=${arrow.key} arrow=${arrow} chosen=${chosen.has(arrow.key)} near=${near(arrow)} found=${found(arrow.name)} stop=${stops.has(arrow.key)} />`)}</g>
     <g class="states">${machine.states.map((state) => html`<${State} key=${state.key} state=${state} chosen=${chosen.has(state.key)} found=${found(state.name)} stop=${stops.has(state.key)} />`)}</g>`;
 }
 
 const flags = (...all) => all.filter(Boolean).join(' ');
 const mark = (found) => (found === null ? '' : found ? 'found' : 'other');
 
-function Arrow({ arrow, chosen, found, stop }) {
+function Arrow({ arrow, chosen, near, found, stop }) {
   const course = stage.courses.get(arrow.key);
   const timer = timerText(arrow.after_ms);
   const name = `Transition ${arrow.name}: ${arrow.any ? 'any state' : arrow.from} to ${arrow.to}${timer && `, ${timer}`}`;
-  return html`<g class=${flags('arrow', chosen && 'chosen', mark(found), arrow.any && 'any', arrow.after_ms !== null && 'timed', stop && 'stopped')} data-key=${arrow.key}
+  return html`<g class=${flags('arrow', chosen && 'chosen', near && 'near', mark(found), arrow.any && 'any', arrow.after_ms !== null && 'timed', stop && 'stopped')} data-key=${arrow.key}
       role="button" tabindex="0" aria-label=${name} aria-pressed=${chosen}>
     <path class="hit" d=${course.d} /><path class="line" d=${course.d} marker-end=${`url(#tip${chosen ? '-chosen' : ''})`} />
     <circle class="stop" r="5" cx=${course.start[0]} cy=${course.start[1]} />

@@ -42,6 +42,9 @@ function walk(event) {
   if (next) focusOn(`s:${next}`);
 }
 
+/** The state whose transitions are gone through. */
+let walked = null;
+
 /** The transitions of the state that has the focus, one after the other. */
 function around(by) {
   return (event) => {
@@ -49,8 +52,10 @@ function around(by) {
     if (!key) return;
     const own = machine.value;
     const { kind, name } = parsed(key);
-    const state = kind === 'state' ? name : own.byKey.get(key).from;
-    const all = own.arrows.filter((arrow) => arrow.from === state || (arrow.any && (state === '*' || kind === 'state')));
+    if (kind === 'state') walked = name;
+    const state = walked ?? own.byKey.get(key).from;
+    // Its own ones first, then those from any state.
+    const all = [...own.arrows.filter((arrow) => arrow.from === state), ...own.arrows.filter((arrow) => arrow.any && state !== '*' && arrow.to !== state)];
     if (all.length === 0) return;
     const index = all.findIndex((arrow) => arrow.key === key);
     focusOn(all[(index + by + all.length) % all.length].key);

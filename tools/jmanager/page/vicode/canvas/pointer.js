@@ -3,6 +3,7 @@
 import { signal } from '../../lib/dom.js';
 import { stateKey } from '../machine.js';
 import { choose, chosenStates, locked, move, selection } from '../sources.js';
+import { toggleStop } from '../stops.js';
 import { addState, addTransition, rename, snapped } from './actions.js';
 import { courseTo } from './arrows.js';
 import { WIDTH } from './boxes.js';
@@ -144,6 +145,10 @@ export function press(event) {
   if (event.button !== 0) return;
   if (!key) {
     selectArea(event);
+    return;
+  }
+  if (event.target.closest('.stop')) {
+    toggleStop(key);
     return;
   }
   const state = event.target.closest('[data-state]')?.dataset.state;

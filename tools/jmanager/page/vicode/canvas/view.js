@@ -3,6 +3,8 @@
 import { bounds } from './boxes.js';
 
 const [SMALLEST, LARGEST] = [0.08, 3];
+/** Scale below which only names are drawn, larger. */
+const SMALL = 0.5;
 
 export class View {
   constructor() {
@@ -20,7 +22,12 @@ export class View {
 
   apply() {
     this.layer?.setAttribute('transform', `translate(${this.x.toFixed(2)} ${this.y.toFixed(2)}) scale(${this.k.toFixed(4)})`);
+    this.svg?.classList.toggle('small', this.small);
     for (const listener of this.listeners) listener();
+  }
+
+  get small() {
+    return this.k < SMALL;
   }
 
   /** The point of the drawing under the pointer. */
