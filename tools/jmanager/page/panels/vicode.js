@@ -68,6 +68,12 @@ function Canvas({ machine: own, search, visible }) {
       element.classList.toggle('warned', marked.value.get(key) === 'warning');
     }
   });
+  // The focus goes with the selection: keys are for what has the focus.
+  useEffect(() => {
+    const active = document.activeElement;
+    const key = selection.value.at(-1);
+    if (key && svg.current.contains(active) && !chosen.has(active.dataset.key)) stage.elements.get(key)?.focus({ preventScroll: true });
+  }, [selection.value]);
   useEffect(() => effect(() => visible.value && writeLive()), []);
   useEffect(() => effect(() => {
     for (const [key, element] of stage.elements) element.classList.toggle('target', key === `s:${target.value}`);

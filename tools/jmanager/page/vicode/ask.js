@@ -20,7 +20,7 @@ export const askName = (question) => new Promise((resolve) => {
 });
 
 /**
- * Asks with a form: {title, hint, submit, fields: [{name, label, value, kind: text, number or select, options, hint}], preview}.
+ * Asks with a form: {title, hint, submit, fields: [{name, label, value, kind: text, number, select or check, options, hint}], preview}.
  * `preview(values)` may return more to show. Null if it is given up.
  */
 export const askForm = (question) => new Promise((resolve) => {
@@ -69,11 +69,16 @@ export function Form() {
     if (asked) dialog.current?.showModal();
   }, [asked]);
   if (!asked) return null;
+  // Closing first gives the focus back to where it was.
+  const finish = (values) => {
+    dialog.current.close();
+    asked.done(values);
+  };
   return html`<dialog ref=${dialog} class="help ask" aria-label=${asked.title} onClose=${() => form.value === asked && asked.done(null)} onKeyDown=${(event) => event.stopPropagation()}>
-    <${Fields} key=${asked.title} asked=${asked} /></dialog>`;
+    <${Fields} key=${asked.title} asked=${asked} finish=${finish} /></dialog>`;
 }
 
-function Fields({ asked }) {
+function Fields({ asked, finish }) {
   const [values, setValues] = useState(() => Object.fromEntries(asked.fields.map(({ name, value }) => [name, value ?? ''])));
   const [more, setMore] = useState(null);
   const set = (name, value) => {
@@ -86,21 +91,22 @@ function Fields({ asked }) {
   }, []);
   const submit = (event) => {
     event.preventDefault();
-    asked.done(values);
+    finish(values);
   };
   // A list does not hand Enter on to its form.
   const enter = (event) => event.key === 'Enter' && event.target.tagName === 'SELECT' && submit(event);
   return html`<form onSubmit=${submit} onKeyDown=${enter}>
-    <header><h2>${asked.title}</h2><button type="button" aria-label="Close" onClick=${() => asked.done(null)}>×</button></header>
+    <header><h2>${asked.title}</h2><button type="button" aria-label="Close" onClick=${() => finish(null)}>×</button></header>
     ${asked.hint && html`<p class="dim">${asked.hint}</p>`}
     ${asked.fields.map((field, index) => html`<label class="field" key=${field.name}><span>${field.label}</span>
       ${field.kind === 'select'
         ? html`<select aria-label=${field.label} autofocus=${index === 0} onChange=${(event) => set(field.name, event.target.value)}>${field.options.map(([value, text]) => html`<option value=${value} selected=${value === values[field.name]}>${text}</option>`)}</select>`
-        : html`<input type="text" aria-label=${field.label} autofocus=${index === 0} spellcheck="false" autocomplete="off" inputmode=${field.kind === 'number' ? 'numeric' : undefined} list=${field.options ? `list-${field.name}` : undefined}
+        : field.kind === 'check' ? html`<input type="checkbox" aria-label=${field.label} checked=${values[field.name]} onChange=${(event) => set(field.name, event.target.checked)} />`
+        : html`<input type="text" aria-label=${field.label} autofocus=${index === 0} spellcheck="false" autocomplete="off" inputmode=${field.kind === 'number' ? 'numeric' : undefined} list=${field.options && !field.kind ? `list-${field.name}` : undefined}
             value=${values[field.name]} onInput=${(event) => set(field.name, event.target.value)} />`}
-      ${field.options && field.kind !== 'select' && html`<datalist id=${`list-${field.name}`}>${field.options.map((one) => html`<option value=${one} />`)}</datalist>`}
+      ${field.options && !field.kind && html`<datalist id=${`list-${field.name}`}>${field.options.map((one) => html`<option value=${one} />`)}</datalist>`}
       ${field.hint && html`<small class="dim">${field.hint}</small>`}</label>`)}
     ${more}
-    <p class="buttons"><button class="primary" type="submit">${asked.submit}</button><button type="button" onClick=${() => asked.done(null)}>Cancel</button></p>
+    <p class="buttons"><button class="primary" type="submit">${asked.submit}</button><button type="button" onClick=${() => finish(null)}>Cancel</button></p>
   </form>`;
 }

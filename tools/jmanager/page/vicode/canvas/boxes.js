@@ -53,7 +53,7 @@ export function boxOf(state) {
 }
 
 /** Smallest rectangle around boxes {x, y, height} with centres; with a margin. */
-export function bounds(boxes, margin = 60) {
+export function bounds(boxes, margin = 52) {
   if (boxes.length === 0) return { x: -200, y: -120, width: 400, height: 240 };
   const left = Math.min(...boxes.map(({ x }) => x - WIDTH / 2)) - margin;
   const right = Math.max(...boxes.map(({ x }) => x + WIDTH / 2)) + margin;

@@ -4,7 +4,7 @@ import { bounds } from './boxes.js';
 
 const [SMALLEST, LARGEST] = [0.08, 3];
 /** Scale below which only names are drawn, larger. */
-const SMALL = 0.5;
+const SMALL = 0.42;
 
 export class View {
   constructor() {
