@@ -315,7 +315,8 @@ impl Element<'_> {
 
     /// Its rectangle in the window: left, top, width, height.
     pub async fn place(&self) -> [f64; 4] {
-        let script = "const { x, y, width, height } = arguments[0].getBoundingClientRect(); return [x, y, width, height]";
+        let script =
+            "const { x, y, width, height } = arguments[0].getBoundingClientRect(); return [x, y, width, height]";
         let place = self.run(script, Value::Null).await;
         [0, 1, 2, 3].map(|index| place[index].as_f64().unwrap_or_default())
     }

@@ -21,7 +21,10 @@ impl Crate {
         let folder = target().join(format!("browser/run/crate-{name}-{}", std::process::id()));
         fs::create_dir_all(folder.join("src")).expect("a folder");
         let this = Self(folder);
-        this.write("Cargo.toml", "[package]\nname = \"small\"\nversion = \"0.1.0\"\nedition = \"2024\"\n\n[workspace]\n");
+        this.write(
+            "Cargo.toml",
+            "[package]\nname = \"small\"\nversion = \"0.1.0\"\nedition = \"2024\"\n\n[workspace]\n",
+        );
         this.write("src/lib.rs", "//! A small robot.\n\nmod parts;\n");
         this.write("src/parts.rs", PARTS);
         this
@@ -168,7 +171,11 @@ async fn a_machine_is_drawn_from_a_blank_canvas_and_undone() {
     // An edit in another editor, then back to the first bytes.
     let edited = source.read("src/keeper.rs").replace("/// What it does first.", "/// Watches the ball.");
     source.write("src/keeper.rs", &edited);
-    page.until("the external edit is shown", "return document.querySelector('svg.machine').textContent.includes('Watches the ball.')").await;
+    page.until(
+        "the external edit is shown",
+        "return document.querySelector('svg.machine').textContent.includes('Watches the ball.')",
+    )
+    .await;
     page.run("document.querySelector('svg.machine').focus()", vec![]).await;
     for _ in 0..80 {
         if source.read("src/keeper.rs") == first {
@@ -188,16 +195,25 @@ async fn a_change_on_both_sides_is_shown_and_nothing_is_overwritten() {
     let server = source.server("conflict");
     let page = open(&server).await;
     page.click("button", "Legs", "Sources").await;
-    page.until("the code is shown", "return document.querySelector('.cm-content')?.textContent.includes('Goes to a side')").await;
+    page.until(
+        "the code is shown",
+        "return document.querySelector('.cm-content')?.textContent.includes('Goes to a side')",
+    )
+    .await;
     let before = source.read("src/parts.rs");
     // Both sides change one line before the page's change is saved; again, if the machine was too busy for that.
     let mut theirs = String::new();
     for attempt in 0..20 {
-        let line = source.read("src/parts.rs").lines().find(|line| line.contains("Goes to")).unwrap_or_default().to_owned();
+        let line =
+            source.read("src/parts.rs").lines().find(|line| line.contains("Goes to")).unwrap_or_default().to_owned();
         theirs = source.read("src/parts.rs").replace(&line, &format!("    /// Goes to the left {attempt}."));
         let typed = "const { edit, opened } = await import('/vicode/sources.js'); const at = opened.value.text.indexOf('Goes to'); \
             await edit([{ edit: 'replace', span: [at, at + 7], text: `Goes quickly ${arguments[0]} to` }])";
-        page.run(&format!("return (async () => {{ {} }})()", typed.replace("arguments[0]", &attempt.to_string())), vec![]).await;
+        page.run(
+            &format!("return (async () => {{ {} }})()", typed.replace("arguments[0]", &attempt.to_string())),
+            vec![],
+        )
+        .await;
         source.write("src/parts.rs", &theirs);
         tokio::time::sleep(std::time::Duration::from_secs(2)).await;
         if page.run("return document.querySelector('[role=alertdialog]') !== null", vec![]).await == json!(true) {
@@ -218,15 +234,20 @@ async fn a_change_on_both_sides_is_shown_and_nothing_is_overwritten() {
 
 /// A component of 60 states and 200 transitions.
 fn large() -> String {
-    let mut text = "use bica::prelude::*;\n\n#[derive(Debug)]\npub struct Large;\n\n#[component(hz = 30)]\nimpl Large {\n".to_owned();
+    let mut text =
+        "use bica::prelude::*;\n\n#[derive(Debug)]\npub struct Large;\n\n#[component(hz = 30)]\nimpl Large {\n"
+            .to_owned();
     for state in 0..60 {
         let kind = if state == 0 { "(initial)" } else { "" };
-        text += &format!("    /// Part {state} of the work.\n    #[state{kind}]\n    fn state_{state}(&mut self) {{}}\n\n");
+        text +=
+            &format!("    /// Part {state} of the work.\n    #[state{kind}]\n    fn state_{state}(&mut self) {{}}\n\n");
     }
     for transition in 0..200 {
         let from = transition % 60;
         let to = (from + 1 + transition / 60 * 3) % 60;
-        text += &format!("    #[transition(state_{from} -> state_{to})]\n    fn change_{transition}(&self) -> bool {{\n        false\n    }}\n\n");
+        text += &format!(
+            "    #[transition(state_{from} -> state_{to})]\n    fn change_{transition}(&self) -> bool {{\n        false\n    }}\n\n"
+        );
     }
     text.truncate(text.len() - 1);
     text + "}\n"
@@ -248,7 +269,10 @@ async fn speed_of_the_designer_is_measured() {
     page.find("button", "Large", "Sources").await;
     let opened = "const done = arguments[0]; const start = performance.now(); const button = [...document.querySelectorAll('.sources button.name')].find((one) => one.textContent.startsWith('Large')); \
         return new Promise((resolve) => { button.click(); const look = () => document.querySelectorAll('svg.machine .box').length === 60 ? requestAnimationFrame(() => resolve(performance.now() - start)) : requestAnimationFrame(look); look(); })";
-    println!("a component of 60 states and 200 transitions is shown after {} ms", page.run(opened, vec![json!(null)]).await);
+    println!(
+        "a component of 60 states and 200 transitions is shown after {} ms",
+        page.run(opened, vec![json!(null)]).await
+    );
     let [left, top, width, height] = page.find("button", "State state_21", "").await.place().await;
     page.run(MEASURE, vec![]).await;
     let middle = (left + width / 2.0, top + height / 2.0);
@@ -257,10 +281,18 @@ async fn speed_of_the_designer_is_measured() {
         page.drag(middle, to).await;
         page.drag(to, middle).await;
     }
-    let frames = page.run("const all = window.frames_.slice(5); return all.length / (all.reduce((sum, one) => sum + one, 0) / 1000)", vec![]).await;
+    let frames = page
+        .run(
+            "const all = window.frames_.slice(5); return all.length / (all.reduce((sum, one) => sum + one, 0) / 1000)",
+            vec![],
+        )
+        .await;
     println!("{frames} frames/s while a state with its transitions is dragged");
     let edited = "const { change } = await import('/vicode/sources.js'); const start = performance.now(); await change({ edit: 'add_state', name: `more_${Math.round(start)}` }); return performance.now() - start";
-    println!("an edit is answered after {} ms", page.run(&format!("return (async () => {{ {edited} }})()"), vec![]).await);
+    println!(
+        "an edit is answered after {} ms",
+        page.run(&format!("return (async () => {{ {edited} }})()"), vec![]).await
+    );
     page.close().await;
 }
 
@@ -271,7 +303,11 @@ async fn opening_and_closing_changes_no_file() {
     let server = source.server("same");
     let page = open(&server).await;
     page.click("button", "Legs", "Sources").await;
-    page.until("the code is shown", "return document.querySelector('.cm-content')?.textContent.includes('Goes to a side')").await;
+    page.until(
+        "the code is shown",
+        "return document.querySelector('.cm-content')?.textContent.includes('Goes to a side')",
+    )
+    .await;
     page.click("button", "Ball", "Sources").await;
     page.reads("is_seen").await;
     page.close().await;
