@@ -107,6 +107,8 @@ fn options(cli: &Cli, recordings: std::path::PathBuf) -> Options {
     Options {
         recordings,
         images: cli.images.clone(),
+        size: cli.size,
+        firmware: cli.image.clone(),
         source: cli.source.clone(),
         build: cli.build,
         run: cli.run.clone(),

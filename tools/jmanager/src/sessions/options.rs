@@ -3,6 +3,9 @@
 use std::path::PathBuf;
 use std::time::Duration;
 
+use bica_game::FirmwareImage;
+use bica_sim::setup::Frame;
+
 /// The forward in the built-in world, for a day.
 pub(crate) const RUN: &str = "-p bica-player-program --bin player -- play --serve {address} --seed {seed} --robots {robots} \
                               --seconds 86400";
@@ -28,6 +31,8 @@ pub struct Options {
     pub layouts: PathBuf,
     /// Firmware image for the world `firmware`.
     pub firmware: PathBuf,
+    /// Size of the camera images of simulated worlds.
+    pub size: Frame,
     /// Folder of the files of running recordings; made when needed.
     pub spool: PathBuf,
     /// Whether pages may only watch.
@@ -51,7 +56,8 @@ impl Default for Options {
             build: false,
             run: RUN.to_owned(),
             layouts: "jmanager-layouts.json".into(),
-            firmware: "firmware/target/thumbv7em-none-eabihf/release/mps2".into(),
+            firmware: FirmwareImage::DEFAULT.into(),
+            size: Frame::Small,
             spool: std::env::temp_dir().join(format!("jmanager-{}", std::process::id())),
             read_only: false,
             ring: Duration::from_mins(10),

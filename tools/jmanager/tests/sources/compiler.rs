@@ -199,7 +199,7 @@ fn a_program_is_built_and_run_and_a_failed_build_leaves_the_last_one_running() {
     let pid = fs::read_to_string(sources.path("pid")).unwrap();
 
     view.ask(json!({ "type": "stop_run" })).unwrap();
-    assert_eq!(view.wait("its end", |message| (message["type"] == "build").then(|| message["state"].clone())), "ended");
+    assert_eq!(build(&View::new(&manager), "ended")["session"], Value::Null);
     wait_until("the program is ended", || !is_alive(&pid));
 
     run();
