@@ -45,7 +45,7 @@ impl Drop for Sources {
 }
 
 /// Sends a request about sources; returns its answer.
-fn ask(page: &mut WebSocket<TcpStream>, id: u32, request: Value) -> Value {
+fn ask(page: &mut WebSocket<TcpStream>, id: u32, request: &Value) -> Value {
     page.send(Message::text(json!({ "id": id, "type": "source", "request": request }).to_string())).unwrap();
     loop {
         let got = message(page).unwrap();
@@ -91,7 +91,7 @@ fn no_request_leads_out_of_the_folder_of_sources() {
                 "places": [{ "file": file, "span": [0, 4] }] }),
         ] {
             id += 1;
-            let answer = ask(&mut page, id, request.clone());
+            let answer = ask(&mut page, id, &request);
             assert!(answer["error"]["help"].is_string(), "{request}: {answer}");
         }
     }
@@ -113,9 +113,9 @@ fn a_huge_text_gets_an_answer_and_a_larger_one_ends_the_page() {
         json!({ "type": "edit_file", "file": "a.rs", "version": 0,
             "edits": [{ "edit": "set_body", "component": "A", "function": "step", "body": "x;\n".repeat(length / 3) }] })
     };
-    let answer = ask(&mut page, 1, edit(1 << 20));
+    let answer = ask(&mut page, 1, &edit(1 << 20));
     assert!(answer["error"]["text"].as_str().unwrap().contains("bytes"), "{answer}");
-    assert!(ask(&mut page, 2, json!({ "type": "open_file", "file": "a.rs" }))["error"].is_null());
+    assert!(ask(&mut page, 2, &json!({ "type": "open_file", "file": "a.rs" }))["error"].is_null());
     let text = json!({ "id": 3, "type": "source", "request": edit(5 << 20) }).to_string();
     // The server may close while this is being written.
     let _ = page.send(Message::text(text));
@@ -139,7 +139,7 @@ fn unknown_requests_and_fields_are_refused() {
     .into_iter()
     .enumerate()
     {
-        let answer = ask(&mut page, id as u32 + 1, request.clone());
+        let answer = ask(&mut page, id as u32 + 1, &request);
         assert!(answer["error"]["text"].as_str().unwrap().contains("not understood"), "{request}: {answer}");
     }
 }
@@ -160,10 +160,10 @@ fn a_read_only_server_changes_and_builds_nothing() {
     .into_iter()
     .enumerate()
     {
-        let answer = ask(&mut page, id as u32 + 1, request.clone());
+        let answer = ask(&mut page, id as u32 + 1, &request);
         assert!(answer["error"]["text"].as_str().unwrap().contains("only watch"), "{request}: {answer}");
     }
-    assert!(ask(&mut page, 9, json!({ "type": "open_file", "file": "a.rs" }))["error"].is_null());
+    assert!(ask(&mut page, 9, &json!({ "type": "open_file", "file": "a.rs" }))["error"].is_null());
 }
 
 #[test]
@@ -173,10 +173,10 @@ fn without_build_nothing_is_built() {
     let mut page = target.page(&target.enter());
     assert_eq!(message(&mut page).unwrap()["build"], false);
     for (id, kind) in ["check", "stop_run"].into_iter().enumerate() {
-        let answer = ask(&mut page, id as u32 + 1, json!({ "type": kind }));
+        let answer = ask(&mut page, id as u32 + 1, &json!({ "type": kind }));
         assert!(answer["error"]["help"].as_str().unwrap().contains("--build"), "{answer}");
     }
-    let answer = ask(&mut page, 9, json!({ "type": "run", "seed": 0, "robots": 0 }));
+    let answer = ask(&mut page, 9, &json!({ "type": "run", "seed": 0, "robots": 0 }));
     assert!(answer["error"]["help"].as_str().unwrap().contains("--build"), "{answer}");
 }
 

@@ -37,7 +37,7 @@ fn checked(view: &View<'_>) -> Value {
 
 fn replace(view: &View<'_>, file: &str, from: &str, to: &str) {
     let at = view.shown(file).text.find(from).unwrap();
-    view.edit(file, json!([{ "edit": "replace", "span": [at, at + from.len()], "text": to }])).unwrap();
+    view.edit(file, &json!([{ "edit": "replace", "span": [at, at + from.len()], "text": to }])).unwrap();
 }
 
 #[test]

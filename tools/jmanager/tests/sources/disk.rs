@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 
 use crate::view::{PLAYER, Sources, View, text_of};
 
-fn resolve(view: &View<'_>, keep: Value) {
+fn resolve(view: &View<'_>, keep: &Value) {
     view.ask(json!({ "type": "resolve_file", "file": "player.rs", "keep": keep })).unwrap();
 }
 
@@ -95,7 +95,7 @@ fn a_conflict_is_shown_and_ends_as_it_was_chosen() {
         conflict(&sources, &view);
         let late = View::of(&manager, "player.rs");
         assert!(late.shown("player.rs").state["conflict"].is_object(), "a page that comes later sees it");
-        resolve(&view, keep);
+        resolve(&view, &keep);
         view.until_saved("player.rs");
         assert_eq!((&sources.read("player.rs"), &view.shown("player.rs").text), (&expected, &expected));
         late.until("player.rs", "its end", |shown| shown.state["conflict"].is_null());

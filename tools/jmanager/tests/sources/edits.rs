@@ -15,7 +15,7 @@ fn canvas_and_code_of_all_pages_share_one_text_and_one_history() {
     assert_eq!(shown.state["model"]["components"][0]["name"]["text"], "Player");
     assert_eq!(shown.state["saved"], true);
     let answer =
-        one.edit("player.rs", json!([{ "edit": "add_state", "component": "Player", "name": "wait" }])).unwrap();
+        one.edit("player.rs", &json!([{ "edit": "add_state", "component": "Player", "name": "wait" }])).unwrap();
     assert_eq!(answer, json!({ "version": 1 }));
     other.until("player.rs", "the edit", |shown| shown.version == 1);
     assert_eq!(other.shown("player.rs").state["page"], one.id());
@@ -72,12 +72,12 @@ fn refused_edits_say_why_and_change_nothing() {
         (json!([{ "edit": "replace", "span": [5, 2], "text": "" }]), "does not exist"),
         (json!([{ "edit": "replace", "span": [0, 1_000_000], "text": "" }]), "does not exist"),
     ] {
-        let text = text_of(view.edit("player.rs", edits.clone()));
+        let text = text_of(view.edit("player.rs", &edits));
         assert!(text.to_lowercase().contains(&why.to_lowercase()), "{edits}: {text}");
     }
     // The second of two is refused: the first is not applied.
     let both = json!([add("good")[0], add("fn")[0]]);
-    text_of(view.edit("player.rs", both));
+    text_of(view.edit("player.rs", &both));
     assert_eq!((view.shown("player.rs").version, view.shown("player.rs").text.as_str()), (0, PLAYER));
 }
 
@@ -99,7 +99,7 @@ fn moved_states_are_written_beside_and_follow_a_new_name() {
     assert_eq!(position(&view, "walk").unwrap()["placed"], true);
     assert_eq!(position(&view, "look").unwrap()["placed"], false);
     let rename = json!([{ "edit": "rename", "component": "Player", "function": "walk", "to": "run" }]);
-    view.edit("player.rs", rename).unwrap();
+    view.edit("player.rs", &rename).unwrap();
     assert_eq!(position(&view, "run").unwrap()["x"], 320);
     view.ask(json!({ "type": "save_file", "file": "player.rs" })).unwrap();
     assert_eq!(sources.read("player.vicode"), "Player run 320 80\n");

@@ -77,10 +77,10 @@ fn too_much_is_refused_and_nothing_is_lost() {
     let view = View::of(&manager, "player.rs");
     let large = "let _ = 1;\n".repeat(100_000);
     let body = json!([{ "edit": "set_body", "component": "Player", "function": "walk", "body": large }]);
-    assert!(text_of(view.edit("player.rs", body)).contains("bytes in the edits"));
+    assert!(text_of(view.edit("player.rs", &body)).contains("bytes in the edits"));
     let many: Vec<_> =
         (0..300).map(|_| json!({ "edit": "set_initial", "component": "Player", "state": "walk" })).collect();
-    assert!(text_of(view.edit("player.rs", json!(many))).contains("number of edits"));
+    assert!(text_of(view.edit("player.rs", &json!(many))).contains("number of edits"));
     let text = "x".repeat(2 << 20);
     text_of(view.ask(json!({ "type": "resolve_file", "file": "player.rs", "keep": { "text": text } })));
     assert_eq!(view.shown("player.rs").text, PLAYER);
@@ -126,7 +126,7 @@ fn victim() {
         let text = &view.shown("player.rs").text;
         let at = text.find("let _ = ").unwrap() + "let _ = ".len();
         let digit = if &text[at..=at] == "1" { "2" } else { "1" };
-        view.edit("player.rs", json!([{ "edit": "replace", "span": [at, at + 1], "text": digit }])).unwrap();
+        view.edit("player.rs", &json!([{ "edit": "replace", "span": [at, at + 1], "text": digit }])).unwrap();
         view.ask(json!({ "type": "save_file", "file": "player.rs" })).unwrap();
         if number == 0 {
             println!("saves");

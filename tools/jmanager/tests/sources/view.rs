@@ -174,7 +174,7 @@ impl<'a> View<'a> {
     }
 
     /// Applies edits by name.
-    pub(crate) fn edit(&self, file: &str, edits: Value) -> Result<Value, Value> {
+    pub(crate) fn edit(&self, file: &str, edits: &Value) -> Result<Value, Value> {
         let version = self.shown(file).version;
         self.ask(json!({ "type": "edit_file", "file": file, "version": version, "edits": edits }))
     }
@@ -182,7 +182,7 @@ impl<'a> View<'a> {
     /// Types a text behind another one.
     pub(crate) fn type_behind(&self, file: &str, before: &str, text: &str) -> Result<Value, Value> {
         let at = self.shown(file).text.find(before).expect("the text is there") + before.len();
-        self.edit(file, json!([{ "edit": "replace", "span": [at, at], "text": text }]))
+        self.edit(file, &json!([{ "edit": "replace", "span": [at, at], "text": text }]))
     }
 
     /// Waits until the state of a file is as wanted; returns the file.
