@@ -106,13 +106,21 @@ impl Page {
     /// # Panics
     /// If it does not in time.
     pub async fn until(&self, what: &str, script: &str) -> Value {
+        self.until_within(what, script, LIMIT).await
+    }
+
+    /// The same with another longest wait.
+    ///
+    /// # Panics
+    /// If it does not in time.
+    pub async fn until_within(&self, what: &str, script: &str, limit: Duration) -> Value {
         let start = Instant::now();
         loop {
             let value = self.run(script, vec![]).await;
             if !matches!(value, Value::Null | Value::Bool(false)) {
                 return value;
             }
-            if start.elapsed() > LIMIT {
+            if start.elapsed() > limit {
                 self.screenshot("failed").await;
                 panic!("not in time: {what}; the page shows: {}", self.text().await);
             }

@@ -3,6 +3,7 @@
 mod attacks;
 mod faults;
 mod figures;
+mod firmware;
 mod looks;
 mod operating;
 mod panels;
