@@ -84,8 +84,8 @@ impl Packets {
     }
 
     /// Appends a message of a monitor about what only a program on a computer offers.
-    pub(crate) fn push_monitor_extra(&mut self, message: &FromMonitorExtra) -> Result<(), TooLarge> {
-        let bytes = postcard::to_stdvec(message).map_err(|_| TooLarge)?;
+    pub(crate) fn push_monitor_extra(&mut self, message: FromMonitorExtra) -> Result<(), TooLarge> {
+        let bytes = postcard::to_stdvec(&message).map_err(|_| TooLarge)?;
         self.encode(&ToRobot::MonitorExtra(&bytes))
     }
 

@@ -119,7 +119,7 @@ fn a_world_behind_a_link_shows_all_that_a_world_of_this_process_shows() {
     let conditions = page.message("conditions", |message| {
         let conditions = message["conditions"].as_array()?;
         let is_known = conditions.iter().any(|one| one["holds"].is_boolean());
-        is_known.then(|| conditions.len())
+        is_known.then_some(conditions.len())
     });
     assert_eq!(conditions, components[root]["transitions"].as_array().unwrap().len());
     let truth = page.message("truth", |truth| Some(truth["truth"].clone()));

@@ -53,7 +53,7 @@ pub enum Event {
     /// Costs of the components and of the cycle.
     Costs(Costs),
     /// True state of a simulated world.
-    Truth(Truth),
+    Truth(Box<Truth>),
     /// A camera image. The robot sends the next one after this event was taken.
     Image(Image),
     /// Whether a simulated world is paused.

@@ -28,7 +28,7 @@ impl Extras {
                 None
             }
             ToMonitorExtra::ComponentCosts(part) => self.costs(&part, description.components.len()),
-            ToMonitorExtra::Truth(truth) => Some(Event::Truth(truth)),
+            ToMonitorExtra::Truth(truth) => Some(Event::Truth(Box::new(truth))),
             ToMonitorExtra::Image(head) => {
                 self.image = (size(&head) <= MAX_IMAGE).then(|| Image { head, yuyv: Vec::new() });
                 None

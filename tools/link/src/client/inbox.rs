@@ -108,7 +108,9 @@ impl Inbox {
                 if let Some(Event::World(world)) = event {
                     self.set_world(world);
                 }
-                event.into_iter().for_each(|event| self.push(event));
+                if let Some(event) = event {
+                    self.push(event);
+                }
             }
             FromRobot::Identity(_) | FromRobot::Command(_) | FromRobot::Telemetry(_) | FromRobot::StackUsage(_) => {}
         }

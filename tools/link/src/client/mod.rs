@@ -202,7 +202,7 @@ impl Client {
         } else {
             self.extras.insert(kind, every);
         }
-        self.send_extra(&FromMonitorExtra::Watch { kind, every })
+        self.send_extra(FromMonitorExtra::Watch { kind, every })
     }
 
     fn require(&self, offer: Offers, name: &'static str) -> Result<(), Error> {
@@ -295,7 +295,7 @@ impl Client {
         loop {
             if let Some(event) = self.inbox.events.pop_front() {
                 if let Event::Image(image) = &event {
-                    self.send_extra(&FromMonitorExtra::ImageTaken { number: image.head.number })?;
+                    self.send_extra(FromMonitorExtra::ImageTaken { number: image.head.number })?;
                 }
                 return Ok(Some(event));
             }
@@ -360,7 +360,7 @@ impl Client {
         self.flush()
     }
 
-    fn send_extra(&mut self, message: &FromMonitorExtra) -> Result<(), Error> {
+    fn send_extra(&mut self, message: FromMonitorExtra) -> Result<(), Error> {
         self.packets.push_monitor_extra(message).map_err(|_| Error::Invalid("a message does not fit into a packet"))?;
         self.flush()
     }

@@ -157,7 +157,8 @@ fn conditions_and_the_true_state_are_those_of_their_cycle() {
                 conditions.push((time_us / CYCLE_US, values));
                 Some(())
             }
-            Event::Truth(Truth { time_us, robot, .. }) => {
+            Event::Truth(truth) => {
+                let Truth { time_us, robot, .. } = *truth;
                 truths.push((time_us / CYCLE_US, robot[0]));
                 Some(())
             }

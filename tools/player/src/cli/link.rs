@@ -124,7 +124,7 @@ pub(crate) struct WatchExtras {
     /// Print the true state of a simulated world
     #[arg(long)]
     pub(crate) truth: bool,
-    /// Save images to this folder, as NUMBER_WIDTHxHEIGHT.yuyv
+    /// Save images to this folder, one raw file in YUYV for each
     #[arg(long, value_name = "FOLDER")]
     pub(crate) images: Option<PathBuf>,
 }

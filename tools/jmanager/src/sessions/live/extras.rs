@@ -71,7 +71,9 @@ impl Attached<'_> {
     pub(super) fn world_extras(&mut self) {
         let Some(world) = &self.world else { return };
         let extras: Vec<_> = world.extras.try_iter().take(EVENTS).collect();
-        extras.into_iter().for_each(|extra| self.extra(extra));
+        for extra in extras {
+            self.extra(extra);
+        }
     }
 
     /// Takes over what came over the link.
