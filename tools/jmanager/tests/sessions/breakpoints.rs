@@ -75,26 +75,52 @@ fn a_step_of_many_cycles_stops_at_a_breakpoint() {
     assert_eq!(moment["time_us"], hit["time_us"]);
 }
 
-#[test]
-fn a_robot_is_not_stopped_and_a_hit_is_sent() {
-    let robot = Robot::start("127.0.0.1:0");
+/// Waits for a hit of a robot; each state has a breakpoint, so that one is reached soon.
+fn hit_behind_a_link(robot: &Robot, then: impl Fn(&Page<'_>, u32, &Value)) {
     let folder = Folder::new();
     let manager = Manager::new(folder.options());
     let session = manager.open(Open::Robot { address: format!("tcp://{}", robot.address) }).unwrap();
     let page = Page::new(&manager);
     let description = page.message("described", |message| Some(message["description"].clone()));
-    // Each state of the head's machine, so that one is reached soon.
     let (component, _) = find(&description, "Player", "states", "approach");
     let states = description["components"][component]["states"].as_array().unwrap().len();
     let list: Vec<_> = (0..states).map(|one| state(component, one)).collect();
     page.ask(Request::Breakpoints { session, list }).unwrap();
     let hit = page.message("hit", |hit| Some(hit.clone()));
-    assert_eq!(hit["paused"], false, "{hit}");
-    let time_us = hit["time_us"].as_u64().unwrap();
-    page.message("update", |update| (update["time_us"].as_u64()? > time_us + 200_000).then_some(()));
+    then(&page, session, &hit);
     let request = Request::Lines { session, from_us: 0, until_us: u64::MAX, limit: 1000 };
     let lines = page.ask(request).unwrap();
     assert!(lines.to_string().contains("breakpoint: `Player`"), "{lines}");
+}
+
+#[test]
+fn a_robot_is_not_stopped_and_a_hit_is_sent() {
+    let robot = Robot::serve("127.0.0.1:0", false);
+    hit_behind_a_link(&robot, |page, _, hit| {
+        assert_eq!(hit["paused"], false, "{hit}");
+        let time_us = hit["time_us"].as_u64().unwrap();
+        page.message("update", |update| (update["time_us"].as_u64()? > time_us + 200_000).then_some(()));
+    });
+}
+
+#[test]
+fn a_world_behind_a_link_pauses_soon_after_a_hit() {
+    let robot = Robot::start("127.0.0.1:0");
+    hit_behind_a_link(&robot, |page, session, hit| {
+        assert_eq!(hit["paused"], true, "{hit}");
+        std::thread::sleep(std::time::Duration::from_millis(300));
+        let now = || page.ask(Request::At { session, time_us: u64::MAX, info: vec![], image: false }).unwrap();
+        let paused = now()["cycle"].clone();
+        std::thread::sleep(std::time::Duration::from_millis(300));
+        assert_eq!(now()["cycle"], paused);
+        // The moment of the hit can be looked at.
+        let time_us = hit["time_us"].as_u64().unwrap();
+        let moment = page.ask(Request::At { session, time_us, info: vec![], image: false }).unwrap();
+        assert_eq!(moment["components"][hit["component"].as_u64().unwrap() as usize][4], time_us);
+        page.ask(Request::Breakpoints { session, list: Vec::new() }).unwrap();
+        page.ask(Request::Resume { session }).unwrap();
+        page.message("update", |update| (update["time_us"].as_u64()? > time_us + 200_000).then_some(()));
+    });
 }
 
 #[test]

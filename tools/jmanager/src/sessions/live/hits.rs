@@ -1,22 +1,39 @@
 //! Breakpoints of live sessions.
 
+use bica_link::Error;
+use bica_wire::message::WorldChange;
+
 use super::attached::Attached;
-use crate::protocol::{Breakpoint, Reached};
 
 impl Attached<'_> {
-    /// A breakpoint was reached by something that does not stop there by itself. A robot is never stopped.
-    pub(super) fn hit(&self, time_us: u64, breakpoint: Breakpoint) {
-        self.session.hit(Reached { time_us, breakpoint }, false);
-    }
-
-    /// Sends that the world of this process has paused at breakpoints.
-    pub(super) fn paused_at_breakpoint(&self) {
-        let reached = self.session.pacer.as_ref().map(|pacer| pacer.reached()).unwrap_or_default();
-        for &reached in &reached {
+    /// Sends which breakpoints were reached. A world of this process has paused at the cycle itself. One behind a link is paused
+    /// now, some cycles later; a robot is never stopped.
+    pub(super) fn stop_at_breakpoints(&mut self) -> Result<(), Error> {
+        let own = self.session.pacer.as_ref().map(|pacer| pacer.reached()).unwrap_or_default();
+        for &reached in &own {
             self.session.hit(reached, true);
         }
-        if !reached.is_empty() {
+        if !own.is_empty() {
             self.session.announce();
+        }
+        let reached = std::mem::take(&mut self.reached);
+        if reached.is_empty() {
+            return Ok(());
+        }
+        let paused = self.session.shared().can.pause && self.pause_at_breakpoint()?;
+        for reached in reached {
+            self.session.hit(reached, paused);
+        }
+        Ok(())
+    }
+
+    /// Pauses a world behind the link; returns whether it did.
+    fn pause_at_breakpoint(&mut self) -> Result<bool, Error> {
+        match self.request_pace(WorldChange::Pause) {
+            Ok(()) => Ok(true),
+            Err(Error::Disconnected(reason)) => Err(Error::Disconnected(reason)),
+            // Another monitor operates the world.
+            Err(_) => Ok(false),
         }
     }
 }
