@@ -37,7 +37,7 @@ export async function ask(type, fields = {}) {
     return (await request('source', { request: { type, ...fields } })) ?? null;
   } catch (error) {
     const { text = String(error), help = '' } = error;
-    refusal.value = { text, help };
+    if (type === 'edit_file') refusal.value = { text, help };
     notify('error', text, help);
     return undefined;
   }
