@@ -130,7 +130,7 @@ async fn a_machine_is_drawn_from_a_blank_canvas_and_undone() {
     page.find("combobox", "To", "").await.set("rest").await;
     page.find("textbox", "Name of the condition", "").await.set("kicked").await;
     page.find("textbox", "After, ms", "").await.set("1500").await;
-    page.click("button", "Add", "New transition").await;
+    page.click("button", "Add", "").await;
     page.find("button", "Transition kicked: kick to rest, after 1500 ms", "").await;
     focus(&page, "State begin").await;
     page.press("\u{e032}").await;
@@ -229,6 +229,37 @@ async fn a_change_on_both_sides_is_shown_and_nothing_is_overwritten() {
     page.screenshot("designer-conflict").await;
     page.click("button", "Keep what is here", "").await;
     saved(&page, &source, "src/parts.rs", &["Goes quickly"]).await;
+    page.close().await;
+}
+
+#[tokio::test]
+async fn the_drawing_shows_what_runs_and_stops_at_a_breakpoint() {
+    let player = concat!(env!("CARGO_MANIFEST_DIR"), "/../../../../player");
+    let server = Server::start("live-states", &["--source", player]);
+    let page = Page::open(&server, WIDE).await;
+    page.click("button", "Player", "Activation tree").await;
+    page.click("button", "edit states", "").await;
+    page.find("button", "State search_net", "").await;
+    page.until("a state is lit", "return document.querySelector('.box.lit') !== null").await;
+    page.until(
+        "conditions are shown",
+        "return [...document.querySelectorAll('.arrow .live')].some((one) => /^(true|false)/.test(one.textContent))",
+    )
+    .await;
+    page.screenshot("designer-live").await;
+    focus(&page, "State search_net").await;
+    page.press("b").await;
+    page.reads("1 breakpoint").await;
+    page.click("button", "Restart", "").await;
+    page.reads("Player is in search_net").await;
+    page.find("button", "Time: world paused", "").await;
+    page.screenshot("designer-breakpoint").await;
+    let time = "return document.querySelector('.clock b').textContent";
+    let before = page.run(time, vec![]).await;
+    page.click("button", "Step", "Breakpoints").await;
+    page.until("one cycle was run", &format!("return document.querySelector('.clock b').textContent !== {before}"))
+        .await;
+    page.click("button", "Remove all breakpoints", "").await;
     page.close().await;
 }
 
