@@ -179,8 +179,12 @@ async function back(from, to, type, side) {
   }
 }
 
-export const undo = () => back(steps, undone, 'undo_file', 'before');
-export const redo = () => back(undone, steps, 'redo_file', 'after');
+/** Keys that are pressed fast wait for each other. */
+let running = Promise.resolve();
+const inTurn = (work) => () => { running = running.then(work, work); };
+
+export const undo = inTurn(() => back(steps, undone, 'undo_file', 'before'));
+export const redo = inTurn(() => back(undone, steps, 'redo_file', 'after'));
 
 /** Moves states: {name: {x, y}}. Places of new ones can be undone with the edit that made them. */
 export async function move(places, own = true) {
