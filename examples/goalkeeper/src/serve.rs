@@ -1,0 +1,1 @@
+//! Shots in real time, served to monitors.
