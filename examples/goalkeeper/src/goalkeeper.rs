@@ -1,4 +1,4 @@
-//! What `Goalkeeper` does.
+//! The goalkeeper, drawn with VICODE: `docs/goalkeeper.md`.
 
 use bica::prelude::*;
 use bica_motion::kick::{Kick, KickKind};
@@ -10,7 +10,7 @@ use bica_player::strategy::Strike;
 
 use crate::skills::{BallPath, Dive, FieldPose, GuardPost};
 
-/// What `Goalkeeper` does.
+/// Stands in the goal, watches the ball, blocks it and kicks it away.
 #[derive(Debug)]
 pub struct Goalkeeper;
 
@@ -46,11 +46,11 @@ impl Goalkeeper {
         }
     }
 
-    /// Gets up.
+    /// Gets up after a fall.
     #[state]
     fn get_up(&mut self, _guard: &mut SafetyGuard) {}
 
-    /// Walks to the ball.
+    /// Walks to a ball that rests near the goal.
     #[state]
     fn walk_to_ball(&mut self, _follow: &mut FollowBall, _path: &BallPath) {}
 
@@ -67,6 +67,7 @@ impl Goalkeeper {
         if fixmove.requested().is_none() {
             let foot = if ball.position().is_some_and(|ball| ball.y > 0.0) { Side::Left } else { Side::Right };
             let heading = field.pose().heading;
+            // Not more than 0.8 rad (46°) from straight ahead, in the frame of the odometry.
             let heading = odometry.pose().heading + heading.clamp(-0.8, 0.8) - heading;
             fixmove.play(Strike { kick: Kick { kind: KickKind::Front, foot }, heading });
         }
@@ -96,7 +97,8 @@ impl Goalkeeper {
         ball.is_lost()
     }
 
-    #[transition(watch | go_back | step_aside -> dive)]
+    /// The feet cannot be there in time: they cover 0.14 m, and steps add 0.08 m in a second.
+    #[transition(watch | step_aside | go_back -> dive)]
     fn ball_passes_far(&self, path: &BallPath) -> bool {
         path.crossing().is_some_and(|crossing| {
             crossing.seconds < 0.9 && crossing.aside.abs() > 0.14 + 0.08 * (crossing.seconds - 0.3).max(0.0)

@@ -9,9 +9,9 @@
 pub mod cli;
 mod goalkeeper;
 mod serve;
-mod story;
 pub mod shots;
 pub mod skills;
+mod story;
 mod tree;
 
 pub use goalkeeper::Goalkeeper;

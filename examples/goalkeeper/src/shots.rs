@@ -1,26 +1,68 @@
 //! Shots at the goal: what the goalkeeper or an idle robot lets in.
 
+use std::ops::RangeInclusive;
 use std::time::Duration;
 
-use bica::{Setting, Tree};
 use bica::runner::{Observer, Requests, Runner};
-use bica_console::Failure;
+use bica::{Setting, Tree};
+use bica_console::{Batch, Failure};
 use bica_motion::joints::Joints;
 use bica_motion::model::{Nao, RobotModel};
 use bica_motion::robot::{CameraId, Command, Lights};
+use bica_player::input::FrameTooLarge;
 use bica_player::perception::GoalDetector;
+use bica_sim::World;
 use bica_sim::kinematic::KinematicWorld;
 use bica_sim::referee::Event;
-use bica_sim::setup::{Frame, Setup, Start};
-use bica_sim::shot::Shot;
-use bica_sim::{CYCLE, World};
+use bica_sim::setup::{Frame, Setup, SetupError, Start};
+use bica_sim::shot::{SPEEDS, Shot};
 use glam::Vec2;
 
 use crate::Keeper;
 use crate::skills::START;
 
-/// Time after a kick in which a ball may still get into the goal, and the goalkeeper may kick it away.
+/// Time after a kick in which the ball may get into the goal, and in which the goalkeeper may kick it away.
 pub const AFTER: Duration = Duration::from_secs(25);
+/// Time from a goal to the end of the attempt.
+const AFTER_GOAL: Duration = Duration::from_secs(2);
+/// Middle of the own goal line, m, field frame.
+const GOAL: Vec2 = Vec2::new(-3.0, 0.0);
+/// Distance from there at which a ball is away, m.
+const AWAY: f32 = 1.5;
+
+/// Shots of a series, one for each seed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Plan {
+    /// First seed.
+    pub seed: u64,
+    /// Number of shots.
+    pub shots: u32,
+    /// Speeds of the kicks, m/s.
+    pub speeds: RangeInclusive<f32>,
+}
+
+impl Default for Plan {
+    /// The 100 shots that count.
+    fn default() -> Self {
+        Self { seed: 0, shots: 100, speeds: SPEEDS }
+    }
+}
+
+impl Plan {
+    /// Returns the shot of a seed; `number` counts several with one seed.
+    #[must_use]
+    pub fn shot(&self, seed: u64, number: u32) -> Shot {
+        Shot::draw(seed, number, &self.speeds)
+    }
+
+    /// Plays all shots on several threads.
+    ///
+    /// # Errors
+    /// As [`play`].
+    pub fn play(&self, robot: Robot<'_>, frame: Frame) -> Result<Vec<ShotResult>, Failure> {
+        Batch::new(self.seed, self.shots, None).run(|seed| play(robot, seed, self.shot(seed, 0), frame))
+    }
+}
 
 /// Who stands in the goal.
 #[derive(Clone, Copy, Debug)]
@@ -38,8 +80,8 @@ pub struct ShotResult {
     pub seed: u64,
     /// Whether the whole ball crossed the goal line.
     pub let_in: bool,
-    /// Whether the robot kicked the ball after the shot.
-    pub kicked: bool,
+    /// Whether the ball was saved and is 1.5 m or more from the goal in the end.
+    pub away: bool,
     /// Number of the robot's falls, dives included.
     pub falls: usize,
 }
@@ -51,7 +93,7 @@ pub struct ShotResult {
 pub fn world(seed: u64, ball: Vec2, frame: Frame) -> Result<KinematicWorld, Failure> {
     let start = Some(Start { robot: START, ball });
     let setup = Setup { seed, frame, goalkeeper: false, start, ..Setup::default() };
-    KinematicWorld::new(&setup).map_err(|error| Failure::new(error.to_string(), "choose another shot"))
+    KinematicWorld::new(&setup).map_err(|error| refused(&error))
 }
 
 /// Makes the goalkeeper of a world, with parameters that are not the defaults.
@@ -61,33 +103,33 @@ pub fn world(seed: u64, ball: Vec2, frame: Frame) -> Result<KinematicWorld, Fail
 pub fn goalkeeper(world: &KinematicWorld, settings: &[Setting]) -> Result<Box<Keeper>, Failure> {
     let mut keeper = Box::new(Keeper::new());
     keeper.get_mut::<GoalDetector>().attack(world.referee().attacks());
-    keeper.set_params(settings).map_err(|refusal| Failure::new(refusal.to_string(), "choose another --set"))?;
+    keeper.set_params(settings).map_err(|refusal| Failure::new(refusal.to_string(), "choose other values of --set"))?;
     Ok(keeper)
 }
 
 /// Plays one shot from the camera images of a world.
 ///
 /// # Errors
-/// If the world refuses the shot or the goalkeeper an image.
-pub fn play(robot: Robot<'_>, seed: u64, shot: &Shot, frame: Frame) -> Result<ShotResult, Failure> {
+/// If the world refuses the shot, or the goalkeeper a parameter or an image.
+pub fn play(robot: Robot<'_>, seed: u64, shot: Shot, frame: Frame) -> Result<ShotResult, Failure> {
     let mut world = world(seed, shot.from, frame)?;
-    let mut series = Series::new(*shot);
+    let mut attempt = Attempt::new(shot, world.now());
     match robot {
         Robot::Idle => {
             let command = stand();
-            while series.referee(&mut world)? {
+            while attempt.advance(&mut world)? {
                 world.act(&command);
             }
         }
         Robot::Goalkeeper(settings) => {
             let mut runner = Runner::new(goalkeeper(&world, settings)?, world);
-            while series.referee(runner.world_mut())? {
+            while attempt.advance(runner.world_mut())? {
                 cycle(&mut runner)?;
             }
             world = runner.into_parts().1;
         }
     }
-    Ok(series.result(seed, &world))
+    Ok(attempt.result(seed, &world))
 }
 
 /// Runs one cycle.
@@ -97,8 +139,8 @@ pub fn play(robot: Robot<'_>, seed: u64, shot: &Shot, frame: Frame) -> Result<Sh
 pub fn cycle<Q: Requests, O: Observer<Keeper>>(
     runner: &mut Runner<Box<Keeper>, KinematicWorld, Q, O>,
 ) -> Result<(), Failure> {
-    let refused = |error: bica_player::input::FrameTooLarge| Failure::new(error.to_string(), "choose a smaller --size");
-    runner.cycle().map(drop).map_err(refused)
+    let too_large = |error: FrameTooLarge| Failure::new(error.to_string(), "choose a smaller image");
+    runner.cycle().map(drop).map_err(too_large)
 }
 
 /// Command of a robot that stands still.
@@ -106,46 +148,50 @@ fn stand() -> Command {
     Command { targets: Nao::STAND, stiffness: Joints::all(1.0), lights: Lights::default(), camera: CameraId::Top }
 }
 
+fn refused(error: &SetupError) -> Failure {
+    Failure::new(error.to_string(), "choose another seed")
+}
+
 /// A shot in progress.
 #[derive(Clone, Copy, Debug)]
-pub struct Series {
+pub struct Attempt {
     shot: Shot,
+    /// Time of the kick since the start of the world.
     kick: Duration,
     is_kicked: bool,
 }
 
-impl Series {
-    /// Begins a shot at the start of a world.
+impl Attempt {
+    /// Begins a shot; the ball rests where it begins.
     #[must_use]
-    pub const fn new(shot: Shot) -> Self {
-        Self { shot, kick: shot.rest, is_kicked: false }
+    pub fn new(shot: Shot, now: Duration) -> Self {
+        Self { shot, kick: now + shot.rest, is_kicked: false }
     }
 
-    /// Kicks the ball when its time has come. Returns whether the shot goes on; to be called before each cycle.
+    /// Kicks the ball when its time has come. Returns whether the shot goes on. To be called before each cycle.
     ///
     /// # Errors
     /// If the world refuses the velocity.
-    pub fn referee(&mut self, world: &mut KinematicWorld) -> Result<bool, Failure> {
+    pub fn advance(&mut self, world: &mut KinematicWorld) -> Result<bool, Failure> {
         if !self.is_kicked && world.now() >= self.kick {
             self.is_kicked = true;
-            let ball = world.referee().ball();
-            let velocity = self.shot.speed * (self.shot.aim - ball).normalize_or_zero();
-            let refused = |error: bica_sim::setup::SetupError| Failure::new(error.to_string(), "choose another shot");
-            world.set_ball(ball, velocity).map_err(refused)?;
+            world.set_ball(self.shot.from, self.shot.velocity()).map_err(|error| refused(&error))?;
         }
-        let is_over = self.is_in(world) && world.now() > self.kick + CYCLE * 200;
-        Ok(!is_over && world.now() < self.kick + AFTER)
+        let end = self.goal(world).map_or(self.kick + AFTER, |goal| goal + AFTER_GOAL);
+        Ok(world.now() < end)
     }
 
-    fn is_in(&self, world: &KinematicWorld) -> bool {
-        world.referee().events().iter().any(|timed| timed.at >= self.kick && timed.event == Event::OwnGoal)
+    /// Time of the goal, if the ball was let in.
+    fn goal(&self, world: &KinematicWorld) -> Option<Duration> {
+        let events = world.referee().events().iter();
+        events.filter(|timed| timed.at >= self.kick && timed.event == Event::OwnGoal).map(|timed| timed.at).next()
     }
 
-    /// What became of the shot.
+    /// What has become of the shot.
     #[must_use]
     pub fn result(&self, seed: u64, world: &KinematicWorld) -> ShotResult {
-        let mut events = world.referee().events().iter().filter(|timed| timed.at >= self.kick);
-        let kicked = events.any(|timed| matches!(timed.event, Event::Kick { .. }));
-        ShotResult { seed, let_in: self.is_in(world), kicked, falls: world.referee().falls() }
+        let let_in = self.goal(world).is_some();
+        let away = !let_in && world.referee().ball().distance(GOAL) > AWAY;
+        ShotResult { seed, let_in, away, falls: world.referee().falls() }
     }
 }

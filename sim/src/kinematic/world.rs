@@ -94,11 +94,6 @@ impl KinematicWorld {
         Ok(())
     }
 
-    /// Deceleration of the ball by rolling resistance, m/s². Ground truth.
-    #[must_use]
-    pub const fn rolling_deceleration(&self) -> f32 {
-        self.ball.rolling_deceleration
-    }
 
     /// Renders the label of each pixel of an image taken now, row by row from the top left. Ground truth, for evaluation
     /// only. Takes about as long as an image.

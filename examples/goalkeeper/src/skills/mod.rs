@@ -8,4 +8,4 @@ mod guard_post;
 pub use ball_path::{BallPath, Crossing, Shooting};
 pub use dive::Dive;
 pub use field_pose::{FieldPose, START};
-pub use guard_post::{Guarding, GuardPost};
+pub use guard_post::{GuardPost, Guarding};
