@@ -1,6 +1,7 @@
 //! Parameters of a game: seed, image size, robots and start positions.
 
 use core::fmt;
+use core::str::FromStr;
 
 use bica_motion::pose::Pose2;
 use glam::Vec2;
@@ -64,6 +65,31 @@ impl Frame {
         [Self::Small, Self::Medium, Self::Large].into_iter().find(|frame| frame.size() == (width, height))
     }
 }
+
+impl FromStr for Frame {
+    type Err = UnknownFrame;
+
+    /// Reads `WIDTHxHEIGHT`, for example `320x240`.
+    fn from_str(text: &str) -> Result<Self, UnknownFrame> {
+        let known = text.split_once('x').and_then(|(width, height)| {
+            let (width, height) = (width.parse().ok()?, height.parse().ok()?);
+            Self::of_size(width, height)
+        });
+        known.ok_or(UnknownFrame)
+    }
+}
+
+/// A text that names no [`Frame`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct UnknownFrame;
+
+impl fmt::Display for UnknownFrame {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("give 160x120, 320x240 or 640x480")
+    }
+}
+
+impl core::error::Error for UnknownFrame {}
 
 /// Start positions of robot and ball. Field frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -199,5 +225,9 @@ mod tests {
     fn a_frame_is_found_by_its_size() {
         assert_eq!(Frame::of_size(640, 480), Some(Frame::Large));
         assert_eq!(Frame::of_size(641, 480), None);
+        assert_eq!("320x240".parse(), Ok(Frame::Medium));
+        for wrong in ["", "320", "320x", "320x241", "x", "-320x240", "320 x240"] {
+            assert_eq!(wrong.parse::<Frame>(), Err(UnknownFrame), "`{wrong}`");
+        }
     }
 }

@@ -3,6 +3,8 @@
 use std::net::IpAddr;
 use std::path::PathBuf;
 
+use bica_game::FirmwareImage;
+use bica_sim::setup::Frame;
 use clap::Parser;
 
 const AFTER: &str = "\
@@ -35,6 +37,12 @@ pub struct Cli {
     /// Number of other robots in the world
     #[arg(long, value_name = "N", default_value_t = 0)]
     pub robots: usize,
+    /// Size of the camera images of simulated worlds: 160x120 (the only size of the firmware), 320x240 or 640x480
+    #[arg(long, value_name = "WxH", default_value = "160x120")]
+    pub size: Frame,
+    /// Firmware image for `--world firmware`; `cargo xtask firmware --build` builds it
+    #[arg(long, value_name = "FILE", default_value = FirmwareImage::DEFAULT)]
+    pub image: PathBuf,
     /// Port of the page; without it 7410, or any other if that is in use
     #[arg(long, value_name = "PORT")]
     pub port: Option<u16>,

@@ -78,6 +78,8 @@ fn options(cli: &Cli, recordings: std::path::PathBuf) -> Options {
     Options {
         recordings,
         images: cli.images.clone(),
+        size: cli.size,
+        firmware: cli.image.clone(),
         source: cli.source.clone(),
         read_only: cli.read_only,
         ..Options::default()

@@ -90,6 +90,7 @@ impl Manager {
         outbox.state(ToPage::Hello {
             protocol: VERSION,
             program: env!("CARGO_PKG_VERSION"),
+            page,
             read_only: self.options.read_only,
             source: self.options.source.is_some(),
             build: false,
@@ -137,6 +138,9 @@ impl Manager {
             Request::Close { session } => return self.close(session).map(|()| Some(Value::Null)),
             Request::Recordings {} => return Ok(Some(storage::recordings(&self.options))),
             Request::Layouts {} => return storage::layouts(&self.options).map(Some),
+            Request::Source { .. } => {
+                return Err(Failed::new("this server has no folder of sources", "start it with --source FOLDER"));
+            }
             Request::SaveLayout { name, layout } => {
                 let _one_at_a_time = lock(&self.layouts);
                 return storage::save_layout(&self.options, &name, layout).map(|()| Some(Value::Null));

@@ -3,6 +3,9 @@
 use std::path::PathBuf;
 use std::time::Duration;
 
+use bica_game::FirmwareImage;
+use bica_sim::setup::Frame;
+
 /// Folders and limits of all sessions.
 #[derive(Clone, Debug)]
 pub struct Options {
@@ -20,6 +23,8 @@ pub struct Options {
     pub layouts: PathBuf,
     /// Firmware image for the world `firmware`.
     pub firmware: PathBuf,
+    /// Size of the camera images of simulated worlds.
+    pub size: Frame,
     /// Folder of the files of running recordings; made when needed.
     pub spool: PathBuf,
     /// Whether pages may only watch.
@@ -41,7 +46,8 @@ impl Default for Options {
             images: None,
             source: None,
             layouts: "jmanager-layouts.json".into(),
-            firmware: "firmware/target/thumbv7em-none-eabihf/release/mps2".into(),
+            firmware: FirmwareImage::DEFAULT.into(),
+            size: Frame::Small,
             spool: std::env::temp_dir().join(format!("jmanager-{}", std::process::id())),
             read_only: false,
             ring: Duration::from_mins(10),

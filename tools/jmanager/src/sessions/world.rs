@@ -64,7 +64,7 @@ fn kind(world: &str) -> Result<WorldKind, Failed> {
 impl Setup {
     /// Returns the rules of its game: without end, in real time.
     pub(super) fn rules(&self, options: &Options) -> Result<Rules, Failed> {
-        let size = Frame::Small;
+        let size = if self.world == "firmware" { Frame::Small } else { options.size };
         let firmware = (self.world == "firmware").then(|| FirmwareImage::new(options.firmware.clone(), size));
         let mut layers = Layers::new(&GRAPH);
         let tune = options.tune.join(format!("{}.toml", self.world));
