@@ -12,12 +12,16 @@ use bica_sim::World;
 use bica_sim::kinematic::KinematicWorld;
 use bica_sim::setup::Frame;
 use bica_sim::shot::Shot;
+use glam::Vec2;
 
 use crate::shots::{self, Attempt, Plan};
 use crate::story::Story;
 
 /// Level of an information in the log of a link.
 const INFORMATION: u8 = 2;
+
+/// Additional time before a shot in which the goalkeeper finds the next ball.
+const SEARCH: Duration = Duration::from_secs(8);
 
 /// Plays shots until Ctrl-C.
 pub(crate) fn run(
@@ -48,6 +52,9 @@ pub(crate) fn run(
             }
             thread::sleep(runner.world().now().saturating_sub(began.elapsed()));
         }
+        if interrupt::requested() {
+            break;
+        }
         let saved = if attempt.result(plan.seed, runner.world()).let_in { "let in" } else { "saved" };
         let line = format!("shot {number}: {saved}");
         console.print(&line)?;
@@ -62,8 +69,8 @@ fn next(plan: &Plan, number: &mut u32, world: &mut KinematicWorld) -> Shot {
     loop {
         *number = number.wrapping_add(1);
         let shot = plan.shot(plan.seed, *number);
-        if world.set_ball(shot.from, glam::Vec2::ZERO).is_ok() {
-            return Shot { rest: shot.rest + Duration::from_secs(2), ..shot };
+        if world.set_ball(shot.from, Vec2::ZERO).is_ok() {
+            return Shot { rest: shot.rest + SEARCH, ..shot };
         }
     }
 }

@@ -94,7 +94,6 @@ impl KinematicWorld {
         Ok(())
     }
 
-
     /// Renders the label of each pixel of an image taken now, row by row from the top left. Ground truth, for evaluation
     /// only. Takes about as long as an image.
     pub fn segmentation_mask(&mut self) -> Vec<PixelLabel> {
