@@ -173,7 +173,7 @@ impl Manager {
             }
             Request::Pause { .. } | Request::Resume { .. } | Request::Step { .. } => {
                 self.writable()?;
-                pace(&session, &request).map(|()| Some(Value::Null))
+                pace(&session, page, id, request)
             }
             Request::Colours { .. }
             | Request::Boundary { .. }
@@ -246,14 +246,19 @@ impl Drop for Manager {
     }
 }
 
-fn pace(session: &Session, request: &Request) -> Result<(), Failed> {
-    let none = || Failed::new("time goes on there by itself", "only a simulated world of this server can be paused");
-    let pacer = session.pacer.as_ref().ok_or_else(none)?;
-    match *request {
+/// Pauses or continues a world; returns the answer, none if it follows later.
+fn pace(session: &Session, page: PageId, id: u32, request: Request) -> Result<Option<Value>, Failed> {
+    let Some(pacer) = &session.pacer else {
+        if session.kind == SessionKind::Recording {
+            return Err(Failed::new("a recording has no time that could be paused", "choose a simulated world"));
+        }
+        return session.command(live::Command::Operate { page, id, request }).map(|()| None);
+    };
+    match request {
         Request::Pause { .. } => pacer.pause(),
         Request::Step { cycles, .. } => pacer.step(cycles),
         _ => pacer.resume(),
     }
     session.announce();
-    Ok(())
+    Ok(Some(Value::Null))
 }

@@ -43,6 +43,8 @@ pub(super) struct Shared {
     pub(super) can: Capabilities,
     pub(super) recording: RecordingState,
     pub(super) operator: Operator,
+    /// Whether a simulated world behind a link is paused.
+    pub(super) paused: bool,
     pub(super) description: Option<Arc<Description>>,
     pub(super) drawing: Drawing,
     pub(super) history: History,
@@ -95,6 +97,7 @@ impl Session {
                 can: Capabilities::default(),
                 recording: RecordingState::default(),
                 operator: Operator::Nobody,
+                paused: false,
                 description: None,
                 drawing: Drawing::default(),
                 history: History::new(limits, 0),
@@ -137,11 +140,16 @@ impl Session {
             note: shared.note.clone(),
             from_us,
             until_us,
-            paused: self.pacer.as_ref().is_some_and(|pacer| pacer.is_paused()),
+            paused: shared.paused || self.pacer.as_ref().is_some_and(|pacer| pacer.is_paused()),
             control,
             can: shared.can,
             recording: shared.recording.clone(),
         }
+    }
+
+    /// Whether a simulated world is paused, of this process or behind a link.
+    pub(super) fn is_paused(&self) -> bool {
+        self.shared().paused || self.pacer.as_ref().is_some_and(|pacer| pacer.is_paused())
     }
 
     /// Sends the session to all pages.
@@ -175,6 +183,7 @@ impl Session {
             shared.description = Some(Arc::new(description));
             shared.drawing = drawing;
             shared.can = can;
+            shared.paused = false;
             shared.watches.clear();
             shared.described.clear();
         }

@@ -13,7 +13,7 @@ use bica_sim::setup::{Frame, MAX_ROBOTS};
 use clap::builder::PossibleValue;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
-pub(crate) use link::{HoldKind, Link, LinkAction, ServeArgs};
+pub(crate) use link::{HoldKind, Link, LinkAction, ServeArgs, WatchExtras};
 pub(crate) use recording::{Images, InfoArgs, Record, RecordAction, Recover, Replay, Trim};
 pub(crate) use tuning::{Params, ParamsFormat, TuningArgs};
 

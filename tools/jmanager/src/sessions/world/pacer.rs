@@ -114,6 +114,11 @@ impl GameControl for Control {
         }
     }
 
+    /// The link of a world of this server has one monitor, this server.
+    fn lets_operators_pause(&self) -> bool {
+        false
+    }
+
     fn note(&mut self) -> Option<String> {
         let notes = &mut lock(&self.0.state).notes;
         (!notes.is_empty()).then(|| notes.remove(0))
