@@ -9,6 +9,7 @@ mod looks;
 mod operating;
 mod panels;
 mod recordings;
+mod running;
 
 use jmanager_browser::{Page, Server};
 

@@ -1,0 +1,177 @@
+//! From a blank canvas to a robot that runs what was drawn: in a copy of the workspace, with the example `goalkeeper`.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::time::Duration;
+
+use jmanager_browser::{Page, Server, target};
+
+const WIDE: (u32, u32) = (1440, 900);
+/// Longest build of the program, on a busy machine, with nothing built before.
+const BUILD: Duration = Duration::from_mins(25);
+const RUN: &str = "-p goalkeeper --bin goalkeeper -- --serve {address} --seed {seed}";
+const LIT: &str = "return document.querySelector('.box.lit')?.getAttribute('aria-label') ?? null";
+
+/// A copy of all files of the repository.
+fn copy() -> PathBuf {
+    let folder = target().join("browser/workspace");
+    // The build's results stay where they are: only what has changed is built again.
+    let listed = Command::new("git").args(["ls-files", "-z"]).current_dir(repository()).output().expect("git");
+    for name in String::from_utf8_lossy(&listed.stdout).split_terminator('\0') {
+        let (from, to) = (repository().join(name), folder.join(name));
+        let text = fs::read(&from).expect("a file of the repository");
+        if fs::read(&to).is_ok_and(|old| old == text) {
+            continue;
+        }
+        fs::create_dir_all(to.parent().expect("a folder")).expect("a folder");
+        fs::write(&to, text).expect("a copy");
+    }
+    let _ = fs::remove_file(folder.join("examples/goalkeeper/src/patrol.rs"));
+    folder
+}
+
+fn repository() -> PathBuf {
+    target().join("..")
+}
+
+/// Waits until a file has all parts.
+async fn saved(page: &Page, file: &Path, parts: &[&str]) {
+    for _ in 0..300 {
+        let text = fs::read_to_string(file).unwrap_or_default();
+        if parts.iter().all(|part| text.contains(part)) {
+            return;
+        }
+        tokio::time::sleep(Duration::from_millis(100)).await;
+    }
+    page.screenshot("failed").await;
+    panic!("{} has not {parts:?}; the page shows: {}", file.display(), page.text().await);
+}
+
+/// Adds a transition with a timer from a state, by keyboard.
+async fn timer(page: &Page, from: &str, to: &str, name: &str, after_ms: &str) {
+    page.find("button", &format!("State {from}"), "").await.focus().await;
+    page.press("r").await;
+    page.find("combobox", "To", "").await.set(to).await;
+    page.find("textbox", "Name of the condition", "").await.set(name).await;
+    page.find("textbox", "After, ms", "").await.set(after_ms).await;
+    page.click("button", "Add", "").await;
+    page.find("button", &format!("Transition {name}: {from} to {to}, after {after_ms} ms"), "").await;
+}
+
+async fn child(page: &Page, state: &str, component: &str, link: &str, module: &str) {
+    page.find("button", &format!("State {state}"), "").await.focus().await;
+    page.press("k").await;
+    page.find("textbox", "Component", "").await;
+    page.find("combobox", "Link", "").await.set(link).await;
+    page.find("textbox", "Component", "").await.set(component).await;
+    page.find("textbox", "Module to import it from", "").await.set(module).await;
+    page.click("button", "Add child", "").await;
+}
+
+/// Builds and runs; waits until the new program is shown.
+async fn run(page: &Page, button: &str, not: &str) -> String {
+    page.click("button", button, "Program").await;
+    let shown = format!(
+        "const chosen = document.querySelector('.session.chosen')?.textContent ?? ''; \
+         if (document.querySelector('.chip.run.failed')) return 'failed'; \
+         return chosen.includes('tcp://') && chosen !== {not:?} && document.querySelector('.chip.run.running') ? chosen : null"
+    );
+    let chosen = page.until_within("the program runs", &shown, BUILD).await;
+    assert_ne!(chosen, "failed", "the build failed: {}", page.text().await);
+    chosen.as_str().expect("a name").to_owned()
+}
+
+/// Holds the drawn component active, whatever the goalkeeper does.
+async fn hold_active(page: &Page) {
+    page.click("button", "Patrol", "Activation tree").await;
+    page.click("radio", "active", "By hand").await;
+}
+
+#[tokio::test]
+async fn a_machine_is_drawn_built_run_stopped_and_changed_while_it_runs() {
+    let workspace = copy();
+    let keeper = workspace.join("examples/goalkeeper");
+    let patrol = keeper.join("src/patrol.rs");
+    let source = keeper.display().to_string();
+    let server = Server::start("running", &["--source", &source, "--build", "--run", RUN]);
+    let page = Page::open(&server, WIDE).await;
+    page.find("button", "View", "").await;
+    page.press("6").await;
+
+    // A component with an entry in the tree, four states, timers, a hook, children of both kinds.
+    page.click("button", "New…", "Sources").await;
+    page.find("textbox", "Folder", "").await.set("src").await;
+    page.find("combobox", "Tree", "").await.set("src/tree.rs").await;
+    page.find("textbox", "Import in the tree’s file", "").await.set("crate::patrol").await;
+    page.find("textbox", "Name", "").await.focus().await;
+    page.press("Patrol\u{e007}").await;
+    page.find("button", "State begin", "").await;
+    for name in ["left", "right", "rest"] {
+        page.find("button", "State begin", "").await.focus().await;
+        page.press("a").await;
+        page.find("textbox", "Name of the new state", "").await;
+        page.enter(name).await;
+        page.find("button", &format!("State {name}"), "").await;
+    }
+    timer(&page, "begin", "left", "ready", "300").await;
+    timer(&page, "left", "right", "looked_left", "700").await;
+    timer(&page, "right", "rest", "looked_right", "700").await;
+    timer(&page, "rest", "left", "rested", "500").await;
+    child(&page, "left", "Head", "modulation", "bica_player::motion").await;
+    saved(&page, &patrol, &["head: &mut Head"]).await;
+    child(&page, "right", "BallDetector", "requirement", "bica_player::perception").await;
+    saved(&page, &patrol, &["&BallDetector"]).await;
+    page.click("button", "State left", "").await;
+    page.click("button", "Add an entry hook", "").await;
+    saved(&page, &patrol, &["#[entry(left)]", "after_ms = 500"]).await;
+    page.find("button", "State left", "").await.focus().await;
+    page.press("\u{e007}").await;
+    page.press("head.look_at(0.5, 0.0);").await;
+    saved(&page, &patrol, &["head.look_at(0.5, 0.0);"]).await;
+
+    // Something has to activate it: it becomes a child of the goalkeeper.
+    page.click("button", "Goalkeeper", "Sources").await;
+    page.find("button", "State look_for_ball", "").await;
+    child(&page, "look_for_ball", "Patrol", "modulation", "super::patrol").await;
+    saved(&page, &keeper.join("src/goalkeeper.rs"), &["use super::patrol::Patrol;", "&mut Patrol"]).await;
+    page.click("button", "Patrol", "Sources").await;
+    page.find("button", "State rest", "").await;
+
+    // It runs.
+    let first = run(&page, "▶ Run", "").await;
+    hold_active(&page).await;
+    page.until("a state is lit", LIT).await;
+    page.screenshot("designer-runs").await;
+
+    // It stops at a breakpoint, and makes one step.
+    page.find("button", "State rest", "").await.focus().await;
+    page.press("b").await;
+    page.reads("Patrol is in rest").await;
+    page.find("button", "Time: world paused", "").await;
+    page.until(
+        "the state is lit",
+        "return document.querySelector('.box.lit')?.getAttribute('aria-label')?.includes('rest') ?? false",
+    )
+    .await;
+    let time = "return document.querySelector('.clock b').textContent";
+    let before = page.run(time, vec![]).await;
+    page.click("button", "Step", "Breakpoints").await;
+    page.until("one cycle was run", &format!("return document.querySelector('.clock b').textContent !== {before}"))
+        .await;
+    page.click("button", "Remove all breakpoints", "").await;
+    page.press("w").await;
+
+    // It is changed while it runs, and run again at the same rules.
+    timer(&page, "rest", "begin", "tired", "200").await;
+    saved(&page, &patrol, &["#[transition(rest -> begin, after_ms = 200)]", "fn tired"]).await;
+    run(&page, "Run again", &first).await;
+    hold_active(&page).await;
+    page.find("button", "State begin", "").await.focus().await;
+    page.press("b").await;
+    page.reads("Patrol is in begin").await;
+    page.screenshot("designer-runs-again").await;
+    let text = fs::read_to_string(&patrol).expect("the file");
+    assert_eq!(text.matches("#[state").count(), 4, "{text}");
+    page.close().await;
+}
