@@ -46,7 +46,7 @@ impl Default for Options {
             images: None,
             source: None,
             layouts: "jmanager-layouts.json".into(),
-            firmware: FirmwareImage::DEFAULT.into(),
+            firmware: FirmwareImage::MONITOR.into(),
             size: Frame::Small,
             spool: std::env::temp_dir().join(format!("jmanager-{}", std::process::id())),
             read_only: false,
