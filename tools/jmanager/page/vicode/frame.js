@@ -1,7 +1,7 @@
 // Above and below the canvas: what is open, what can be done, mistakes, and the state of the file.
 
 import { html, useEffect, useSignal } from '../lib/dom.js';
-import { act, cursor, hello, session } from '../lib/store.js';
+import { command, cursor, hello, session } from '../lib/store.js';
 import { Bar, Menu } from '../lib/ui.js';
 import { align } from './canvas/actions.js';
 import { focusOn } from './canvas/keys.js';
@@ -56,7 +56,7 @@ function Stops() {
   const info = shown.info.value;
   const simulated = info.can.pause;
   return html`<span class="chip stops" role="group" aria-label="Breakpoints">${stops.value.length} ${stops.value.length === 1 ? 'breakpoint' : 'breakpoints'}
-    ${simulated && info.paused && html`<button onClick=${() => act('step', { cycles: 1 })} title="One cycle (.)">Step</button><button onClick=${() => act('resume')} title="Key w">Continue</button>`}
+    ${simulated && info.paused && html`<button onClick=${() => command('step', { cycles: 1 })} title="One cycle (.)">Step</button><button onClick=${() => command('resume')} title="Key w">Continue</button>`}
     ${(cursor.value !== null || info.kind === 'recording') && html`<button onClick=${nextHit} title="The next moment at which one is reached">Next</button>`}
     <button onClick=${clearStops} aria-label="Remove all breakpoints" title="Remove all">×</button></span>`;
 }
