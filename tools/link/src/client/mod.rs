@@ -217,8 +217,14 @@ impl Client {
     pub fn acquire(&mut self, take: bool) -> Result<(), Error> {
         self.inbox.lease = None;
         self.send(&FromMonitor::Lease(if take { LeaseAction::Take } else { LeaseAction::Acquire }))?;
-        let lease = self.wait("the lease", |inbox| inbox.lease)?;
-        if lease.yours { Ok(()) } else { Err(Error::Lease) }
+        // The end of another one's lease may be on its way; it is not the answer.
+        let is_answer = |lease: &LeaseState| lease.yours || (lease.owned && !take);
+        match self.wait("the lease", |inbox| inbox.lease.filter(is_answer)) {
+            Ok(lease) if lease.yours => Ok(()),
+            Err(Error::Timeout(what)) if self.inbox.lease.is_none() => Err(Error::Timeout(what)),
+            Ok(_) | Err(Error::Timeout(_)) => Err(Error::Lease),
+            Err(error) => Err(error),
+        }
     }
 
     /// Gives the lease back and waits for the confirmation: then holds and rates have ended.

@@ -41,6 +41,9 @@ fn a_paused_world_applies_requests_and_runs_exactly_the_requested_steps() {
     let session = Session::start_world();
     let (mut operator, mut watcher) = (session.client(), session.client());
     world(&mut watcher, "the state when it attaches", |state| !state.paused);
+    watcher.watch(1).unwrap();
+    watcher.watch_extra(ExtraKind::Truth, 1).unwrap();
+    event(&mut watcher, "the true state", |event| matches!(event, Event::Truth(_)).then_some(()));
     operator.acquire(false).unwrap();
     let paused_at = operator.change_world(PAUSE).unwrap().cycle;
     world(&mut watcher, "a pause", |state| state.paused && state.steps == 0);
@@ -56,6 +59,11 @@ fn a_paused_world_applies_requests_and_runs_exactly_the_requested_steps() {
         assert!(state.paused);
         thread::sleep(Duration::from_millis(20));
         assert_eq!(session.cycles(), end);
+    }
+    // The last snapshot comes although the true state of the same cycle comes after it.
+    for _ in 0..100 {
+        let next = operator.change_world(WorldChange::Step { cycles: 1 }).unwrap().cycle;
+        snapshot(&mut watcher, "a snapshot of the step", |snapshot| snapshot.info.cycle == next);
     }
     operator.release().unwrap();
     world(&mut session.client(), "a pause that outlives the lease", |state| state.paused);
