@@ -115,6 +115,8 @@ pub enum SetupError {
     BallInGoal(Vec2),
     /// Robot and ball would overlap.
     BallUnderRobot(Vec2),
+    /// The velocity of the ball is not finite.
+    BallVelocity(Vec2),
 }
 
 impl fmt::Display for SetupError {
@@ -140,6 +142,9 @@ impl fmt::Display for SetupError {
                 write!(f, "the ball cannot start at ({}, {}): a post or a net is there", at.x, at.y)
             }
             Self::BallUnderRobot(at) => write!(f, "the ball cannot start at ({}, {}): the robot is there", at.x, at.y),
+            Self::BallVelocity(velocity) => {
+                write!(f, "the ball cannot roll at ({}, {}) m/s: give finite numbers", velocity.x, velocity.y)
+            }
         }
     }
 }
@@ -165,21 +170,26 @@ impl Start {
         if !on_carpet(self.robot.position) || !self.robot.heading.is_finite() {
             return Err(SetupError::RobotOffCarpet(self.robot));
         }
-        if !on_carpet(self.ball) {
-            return Err(SetupError::BallOffCarpet(self.ball));
-        }
-        let hits = |at, radius| move |obstacle: &Obstacle| obstacle.overlap(at, radius).is_some();
-        if GOALS.iter().any(hits(self.robot.position, ROBOT_RADIUS)) {
+        let hits = |obstacle: &Obstacle| obstacle.overlap(self.robot.position, ROBOT_RADIUS).is_some();
+        if GOALS.iter().any(hits) {
             return Err(SetupError::RobotInGoal(self.robot));
         }
-        if GOALS.iter().any(hits(self.ball, BALL_RADIUS)) {
-            return Err(SetupError::BallInGoal(self.ball));
-        }
-        if self.robot.position.distance(self.ball) < ROBOT_RADIUS {
-            return Err(SetupError::BallUnderRobot(self.ball));
-        }
-        Ok(())
+        check_ball(self.ball, Vec2::ZERO, self.robot)
     }
+}
+
+/// Checks that a ball can be at a position, m, with a velocity, m/s, beside the robot. Field frame.
+pub(crate) fn check_ball(ball: Vec2, velocity: Vec2, robot: Pose2) -> Result<(), SetupError> {
+    if !on_carpet(ball) {
+        return Err(SetupError::BallOffCarpet(ball));
+    }
+    if GOALS.iter().any(|obstacle| obstacle.overlap(ball, BALL_RADIUS).is_some()) {
+        return Err(SetupError::BallInGoal(ball));
+    }
+    if robot.position.distance(ball) < ROBOT_RADIUS {
+        return Err(SetupError::BallUnderRobot(ball));
+    }
+    if velocity.is_finite() { Ok(()) } else { Err(SetupError::BallVelocity(velocity)) }
 }
 
 fn on_carpet(at: Vec2) -> bool {

@@ -1,6 +1,6 @@
 // The store of VICODE: the open file, what is selected in it, and the requests that change it.
 
-import { batch, computed, signal } from '../lib/dom.js';
+import { batch, computed, effect, signal } from '../lib/dom.js';
 import { link, listen, request } from '../lib/connection.js';
 import { hello, notify } from '../lib/store.js';
 import { machineOf, parsed } from './machine.js';
@@ -37,7 +37,7 @@ export async function ask(type, fields = {}) {
     return (await request('source', { request: { type, ...fields } })) ?? null;
   } catch (error) {
     const { text = String(error), help = '' } = error;
-    refusal.value = { text, help };
+    if (type === 'edit_file') refusal.value = { text, help };
     notify('error', text, help);
     return undefined;
   }
@@ -81,6 +81,27 @@ export async function openByName(name) {
   }
   return open(file.file, file.components.find((each) => each.name.split('<')[0] === name).name);
 }
+
+const KEY = 'vicode-open';
+
+/** Opens again what this tab of the browser showed before it was loaded anew. */
+function restore() {
+  try {
+    const { file, name } = JSON.parse(sessionStorage.getItem(KEY)) ?? {};
+    if (file && list.value?.some((one) => one.file === file)) open(file, name);
+  } catch {
+    // Nothing was remembered.
+  }
+}
+
+effect(() => {
+  if (!opened.value) return;
+  try {
+    sessionStorage.setItem(KEY, JSON.stringify({ file: opened.value.file, name: component.value }));
+  } catch {
+    // Without storage it is opened by hand.
+  }
+});
 
 /** Selects; what does not exist is left out. */
 export function choose(keys, add = false) {
@@ -158,8 +179,12 @@ async function back(from, to, type, side) {
   }
 }
 
-export const undo = () => back(steps, undone, 'undo_file', 'before');
-export const redo = () => back(undone, steps, 'redo_file', 'after');
+/** Keys that are pressed fast wait for each other. */
+let running = Promise.resolve();
+const inTurn = (work) => () => { running = running.then(work, work); };
+
+export const undo = inTurn(() => back(steps, undone, 'undo_file', 'before'));
+export const redo = inTurn(() => back(undone, steps, 'redo_file', 'after'));
 
 /** Moves states: {name: {x, y}}. Places of new ones can be undone with the edit that made them. */
 export async function move(places, own = true) {
@@ -248,9 +273,9 @@ listen((message) => {
   if (message?.type === 'source') show(message);
   else if (message?.type === 'source_changed') changed(message);
   else if (message?.type === 'hello' && message.source) {
-    readList();
     // After a lost connection the server does not know this page any more.
     if (opened.value) ask('open_file', { file: opened.value.file });
+    readList().then(() => opened.value ?? restore());
   }
 });
 

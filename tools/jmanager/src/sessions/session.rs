@@ -8,6 +8,7 @@ use std::sync::{Arc, Mutex, MutexGuard};
 use bica_link::Description;
 use serde_json::{Value, json};
 
+use super::breakpoints::Place;
 use super::colours::Edit;
 use super::history::{History, Limits, StoredImage};
 use super::options::Options;
@@ -53,6 +54,7 @@ pub(super) struct Shared {
     /// The profile under edit, once it was changed.
     pub(super) colours: Option<Edit>,
     pub(super) watches: BTreeMap<PageId, Watch>,
+    pub(super) breakpoints: Vec<Place>,
     /// Pages that know the tree.
     described: BTreeSet<PageId>,
     pub(super) images_taken: u64,
@@ -104,6 +106,7 @@ impl Session {
                 recorded: Recorded::default(),
                 colours: None,
                 watches: BTreeMap::new(),
+                breakpoints: Vec::new(),
                 described: BTreeSet::new(),
                 images_taken: 0,
                 overruns: 0,
@@ -180,6 +183,13 @@ impl Session {
         {
             let mut shared = self.shared();
             shared.history = History::new(limits(&self.options, self.kind), components);
+            if shared.description.as_ref().is_some_and(|last| last.hash != description.hash) {
+                // They are of another tree.
+                shared.breakpoints.clear();
+                if let Some(pacer) = &self.pacer {
+                    pacer.set_breakpoints(Vec::new());
+                }
+            }
             shared.description = Some(Arc::new(description));
             shared.drawing = drawing;
             shared.can = can;
@@ -206,6 +216,7 @@ impl Session {
         };
         if let Some(message) = described {
             self.pages.state(page, message);
+            self.pages.state(page, self.breakpoints());
         }
         if let Some(update) = self.update(Vec::new()) {
             self.pages.data(page, self.key(DataKind::Update), Frame::of(&update));

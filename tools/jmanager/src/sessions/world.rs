@@ -156,7 +156,7 @@ fn play(
     let serve = ServeOptions { address: &address, anywhere: false, started: &started };
     // Images are not stored: the same world is made again from its rules.
     let record = RecordOptions { path: recording, images: ImagePolicy::None, force: true };
-    let mut observer = tap::Tap::new(extras);
+    let mut observer = tap::Tap::new(extras, Arc::clone(pacer));
     let mut control = pacer::Control(Arc::clone(pacer));
     let result = play_controlled(rules, &mut observer, &mut control, Some(record), Some(serve));
     result.map(drop).or_else(|failure| match failure {

@@ -17,24 +17,34 @@ use crate::page::{Folder, Got, Page};
 use crate::world::find;
 
 /// A robot: a game that is served by a thread.
-struct Robot {
-    address: String,
+pub(crate) struct Robot {
+    pub(crate) address: String,
     end: Arc<AtomicBool>,
     thread: Option<JoinHandle<()>>,
 }
 
-struct Until(Arc<AtomicBool>);
+/// The end of a game, and whether operators may pause it: a robot's time goes on.
+struct Until(Arc<AtomicBool>, bool);
 
 impl GameControl for Until {
     fn next(&mut self, _is_over: bool) -> NextStep {
         if self.0.load(Ordering::Relaxed) { NextStep::End } else { NextStep::Cycle }
     }
+
+    fn lets_operators_pause(&self) -> bool {
+        self.1
+    }
 }
 
 impl Robot {
-    fn start(address: &str) -> Self {
+    /// A world that can be paused.
+    pub(crate) fn start(address: &str) -> Self {
+        Self::serve(address, true)
+    }
+
+    pub(crate) fn serve(address: &str, pauses: bool) -> Self {
         let (end, (ready, started)) = (Arc::new(AtomicBool::new(false)), channel());
-        let (mut until, address) = (Until(Arc::clone(&end)), Address::Tcp(address.to_owned()));
+        let (mut until, address) = (Until(Arc::clone(&end), pauses), Address::Tcp(address.to_owned()));
         let thread = std::thread::spawn(move || {
             let rules = Rules {
                 world: WorldKind::BuiltIn,

@@ -146,14 +146,16 @@ export async function addChild(state, child = '') {
   await change(new RegExp(`\\b${name}\\b`).test(own.text) || !path ? edit : { ...edit, import: path });
 }
 
-/** The module of a component as its neighbours import it; empty if the open file knows it. */
+/** The module from which the open file can import a component; empty if it knows it. Other folders export their components. */
 function moduleOf(child) {
   const own = opened.value;
   if (new RegExp(`\\b${child}\\b`).test(own.text)) return '';
   const file = list.value?.find((one) => one.components.some(({ name }) => name === child))?.file;
   if (!file) return '';
   const folder = (path) => path.split('/').slice(0, -1).join('/');
-  if (folder(file) === folder(own.file)) return 'super';
+  const stem = (path) => path.split('/').at(-1).replace(/\.rs$/, '');
+  const isRoot = (path) => ['lib', 'main', 'mod'].includes(stem(path));
+  if (folder(file) === folder(own.file)) return [isRoot(own.file) ? 'self' : 'super', ...(isRoot(file) ? [] : [stem(file)])].join('::');
   const parts = folder(file).split('/');
   return ['crate', ...parts.slice(parts.lastIndexOf('src') + 1)].filter(Boolean).join('::');
 }

@@ -70,7 +70,7 @@ export function courseOf(arrow, lane, box, boxes) {
   if (arrow.any) {
     const x = to.x + WIDTH / 2 - 26 - lane.index * 26;
     const top = to.y - to.height / 2;
-    const rise = 28 + lane.index * 17;
+    const rise = 30 + lane.index * 27;
     return { d: `M${round(x)} ${round(top - rise)}L${round(x)} ${round(top - 7)}`, label: [x + 6, top - rise - 5], anchor: 'middle', start: [x, top - rise] };
   }
   if (arrow.from === arrow.to) {

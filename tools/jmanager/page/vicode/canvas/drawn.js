@@ -6,11 +6,36 @@ import { stage, timerText } from './stage.js';
 
 const KIND = { requirement: 'reads', modulation: 'writes', rate: 'sets the rate of' };
 
+/** What was drawn last, by key. The same object tells Preact that nothing has to be compared. */
+let kept = new Map();
+
+function keep(next, key, facts, make) {
+  const signature = JSON.stringify(facts);
+  const known = kept.get(key);
+  const one = known?.signature === signature ? known : { signature, drawn: make() };
+  next.set(key, one);
+  return one.drawn;
+}
+
+const facts = ({ function: _, ...one }) => one;
+
 /** All arrows, then all states: states lie above. */
 export function Drawn({ machine, chosen, found, stops }) {
   const near = ({ from, to, any }) => chosen.has(`s:${to}`) || (!any && chosen.has(`s:${from}`));
-  return html`<g class="arrows">${machine.arrows.map((arrow) => html`<${Arrow} key=${arrow.key} arrow=${arrow} chosen=${chosen.has(arrow.key)} near=${near(arrow)} found=${found(arrow.name)} stop=${stops.has(arrow.key)} />`)}</g>
-    <g class="states">${machine.states.map((state) => html`<${State} key=${state.key} state=${state} chosen=${chosen.has(state.key)} found=${found(state.name)} stop=${stops.has(state.key)} />`)}</g>`;
+  const next = new Map();
+  const flagsOf = ({ key, name }) => ({ chosen: chosen.has(key), found: found(name), stop: stops.has(key) });
+  const arrows = machine.arrows.map((arrow) => {
+    const { d, label } = stage.courses.get(arrow.key);
+    const all = { ...flagsOf(arrow), near: near(arrow) };
+    return keep(next, arrow.key, [facts(arrow), d, label, all], () => html`<${Arrow} key=${arrow.key} arrow=${arrow} ...${all} />`);
+  });
+  const states = machine.states.map((state) => {
+    const { x, y } = stage.boxes.get(state.name);
+    const all = flagsOf(state);
+    return keep(next, state.key, [facts(state), x, y, all], () => html`<${State} key=${state.key} state=${state} ...${all} />`);
+  });
+  kept = next;
+  return html`<g class="arrows">${arrows}</g><g class="states">${states}</g>`;
 }
 
 const flags = (...all) => all.filter(Boolean).join(' ');

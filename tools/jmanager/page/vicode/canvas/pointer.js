@@ -2,7 +2,7 @@
 
 import { signal } from '../../lib/dom.js';
 import { stateKey } from '../machine.js';
-import { choose, chosenStates, locked, move, selection } from '../sources.js';
+import { change, choose, chosenStates, locked, machine, move, selection, wish } from '../sources.js';
 import { toggleStop } from '../stops.js';
 import { addState, addTransition, rename, snapped } from './actions.js';
 import { courseTo } from './arrows.js';
@@ -127,6 +127,35 @@ function drawTransition(event, from) {
   });
 }
 
+/** Drags the nearer end of an arrow to another state. */
+function bendArrow(event, key) {
+  const arrow = machine.value.byKey.get(key);
+  const { start, end = start } = stage.courses.get(key);
+  const near = ([x, y], [px, py]) => Math.hypot(x - px, y - py);
+  const begin = view.point(event);
+  const atEnd = arrow.any || near(begin, end) <= near(begin, start);
+  const fixed = stage.boxes.get(atEnd && !arrow.any ? arrow.from : arrow.to);
+  let over = null;
+  follow(event, {
+    onMove(one) {
+      const point = view.point(one);
+      over = stage.at(point, 6);
+      target.value = over?.name ?? null;
+      sketch.value = courseTo(fixed, point, over && over !== fixed ? over : null);
+    },
+    onEnd(one, moved) {
+      sketch.value = null;
+      target.value = null;
+      if (!moved || !over || over.name === (atEnd ? arrow.to : arrow.from)) return;
+      if (atEnd) change({ edit: 'set_target', transition: arrow.name, arrow: arrow.arrow, to: over.name });
+      else {
+        wish([`t:${arrow.name}:${arrow.arrow}:${over.name}`]);
+        change({ edit: 'set_sources', transition: arrow.name, arrow: arrow.arrow, from: arrow.sources.map((from) => (from === arrow.from ? over.name : from)) });
+      }
+    },
+  });
+}
+
 /** Whether a point lies at the edge of a box. */
 function atEdge(box, [x, y]) {
   const edge = EDGE / Math.min(1, view.k);
@@ -160,6 +189,7 @@ export function press(event) {
   else if (!selection.value.includes(key)) choose([key]);
   else choose([key], true);
   if (state && chosenStates().includes(state)) moveStates(event, chosenStates());
+  else if (!state && !event.shiftKey) bendArrow(event, key);
 }
 
 export function doubleClick(event) {

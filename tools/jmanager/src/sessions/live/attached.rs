@@ -11,7 +11,8 @@ use serde_json::Value;
 use super::extras::Extras;
 use super::operate::Operation;
 use super::{Command, capabilities};
-use crate::protocol::{Connection, Failed, InfoSample, LogKind, LogLine, Request, ToPage, Watch};
+use crate::protocol::{Connection, Failed, InfoSample, LogKind, LogLine, Reached, Request, ToPage, Watch};
+use crate::sessions::breakpoints::{self, Activity};
 use crate::sessions::outbox::{DataKind, Frame};
 use crate::sessions::session::Session;
 use crate::sessions::value::page_hold;
@@ -61,6 +62,8 @@ pub(super) struct Attached<'a> {
     slow: Instant,
     received: Instant,
     has_news: bool,
+    /// Breakpoints that were reached behind the link.
+    pub(super) reached: Vec<Reached>,
 }
 
 impl<'a> Attached<'a> {
@@ -84,6 +87,7 @@ impl<'a> Attached<'a> {
             slow: now,
             received: now,
             has_news: false,
+            reached: Vec::new(),
         }
     }
 
@@ -116,6 +120,9 @@ impl<'a> Attached<'a> {
                 return Exit::Lost(error.into());
             }
             self.world_extras();
+            if let Err(error) = self.stop_at_breakpoints() {
+                return Exit::Lost(error.into());
+            }
             if self.updated.elapsed() >= UPDATE {
                 self.updated = Instant::now();
                 self.update();
@@ -203,7 +210,11 @@ impl<'a> Attached<'a> {
         let states = states.iter().map(|state| (state.active, page_hold(state.held), state.state, state.hz));
         let mut shared = self.session.shared();
         (shared.images_taken, shared.overruns) = (info.images, info.overruns);
+        let before: Vec<Activity> = shared.history.states.current().iter().map(|now| (now.0, now.2)).collect();
         let changed = shared.history.states.push(info.time_us, info.cycle, states);
+        // A world pauses itself, at the cycle.
+        let places = if self.world.is_none() { &shared.breakpoints[..] } else { &[] };
+        let reached = breakpoints::reached(places, &before, &changed);
         let visible = changed.iter().filter(|change| change.visible);
         let brief = visible.map(|change| (usize::from(change.component), change.time_us, change.now.0, change.now.2));
         self.changes.extend(brief);
@@ -212,6 +223,9 @@ impl<'a> Attached<'a> {
             self.changes.drain(..surplus);
         }
         self.has_news = true;
+        drop(shared);
+        let time_us = info.time_us;
+        self.reached.extend(reached.into_iter().map(|breakpoint| Reached { time_us, breakpoint }));
     }
 
     fn info(&mut self, cycle: u64, component: usize, info: usize, value: Option<Value>) {

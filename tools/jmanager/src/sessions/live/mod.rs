@@ -2,6 +2,7 @@
 
 mod attached;
 mod extras;
+mod hits;
 mod operate;
 mod pace;
 

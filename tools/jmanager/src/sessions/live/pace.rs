@@ -47,7 +47,7 @@ impl Attached<'_> {
     }
 
     /// Sends the request, and waits for its answer.
-    fn request_pace(&mut self, change: WorldChange) -> Result<(), Error> {
+    pub(super) fn request_pace(&mut self, change: WorldChange) -> Result<(), Error> {
         let borrows = !matches!(self.session.shared().operator, Operator::Page(_));
         if borrows && self.is_waiting() {
             return Err(Error::Lease);

@@ -19,7 +19,7 @@ const POLL: Duration = Duration::from_millis(100);
 const FIND: &str = r"
 const [role, name, scope] = arguments;
 const NATIVE = { button: 'button, summary', slider: 'input[type=range]', textbox: 'input:not([type]), input[type=text], input[type=search], input[type=password], textarea', combobox: 'select, input[list]', region: 'section', article: 'article', group: 'fieldset', heading: 'h1, h2, h3' };
-const root = scope ? [...document.querySelectorAll('[role=region], section')].find((one) => one.getAttribute('aria-label') === scope && one.getClientRects().length > 0) : document;
+const root = scope ? [...document.querySelectorAll('[role=region], section'), ...document.querySelectorAll('[role=group]')].find((one) => one.getAttribute('aria-label') === scope && one.getClientRects().length > 0) : document;
 if (!root) return null;
 const selector = `[role='${role}']${NATIVE[role] ? ', ' + NATIVE[role] : ''}`;
 const named = (one) => (one.getAttribute('aria-label') ?? one.getAttribute('placeholder') ?? (one.textContent || one.id)).replace(/\s+/g, ' ').trim();

@@ -109,7 +109,7 @@ async fn a_machine_is_drawn_from_a_blank_canvas_and_undone() {
     page.enter("block").await;
     let block = page.find("button", "State block", "").await.middle().await;
     let [left, top, width, height] = page.find("button", "State begin", "").await.place().await;
-    page.drag((left + width - 2.0, top + height - 2.0), block).await;
+    page.drag((left + width - 2.0, top + height / 2.0), block).await;
     page.find("textbox", "Name of the new transition", "").await;
     page.enter("shot").await;
     page.find("button", "Transition shot: begin to block", "").await;
@@ -130,7 +130,7 @@ async fn a_machine_is_drawn_from_a_blank_canvas_and_undone() {
     page.find("combobox", "To", "").await.set("rest").await;
     page.find("textbox", "Name of the condition", "").await.set("kicked").await;
     page.find("textbox", "After, ms", "").await.set("1500").await;
-    page.click("button", "Add", "New transition").await;
+    page.click("button", "Add", "").await;
     page.find("button", "Transition kicked: kick to rest, after 1500 ms", "").await;
     focus(&page, "State begin").await;
     page.press("\u{e032}").await;
@@ -158,6 +158,7 @@ async fn a_machine_is_drawn_from_a_blank_canvas_and_undone() {
     page.press("\u{e007}").await;
     page.press("legs.aside();").await;
     let all = [
+        "use super::parts::{Ball, Legs};",
         "#[transition(watch -> block)]\n    fn shot",
         "#[transition(block -> kick)]",
         "#[transition(kick -> rest, after_ms = 1500)]",
@@ -185,7 +186,6 @@ async fn a_machine_is_drawn_from_a_blank_canvas_and_undone() {
         tokio::time::sleep(std::time::Duration::from_millis(700)).await;
     }
     assert_eq!(source.read("src/keeper.rs"), first, "undoing all gives the first bytes");
-    // What the last undo was too many is refused with a message, not an error of the console.
     page.close().await;
 }
 
@@ -204,31 +204,56 @@ async fn a_change_on_both_sides_is_shown_and_nothing_is_overwritten() {
     // Both sides change one line before the page's change is saved; again, if the machine was too busy for that.
     let mut theirs = String::new();
     for attempt in 0..20 {
-        let line =
-            source.read("src/parts.rs").lines().find(|line| line.contains("Goes to")).unwrap_or_default().to_owned();
-        theirs = source.read("src/parts.rs").replace(&line, &format!("    /// Goes to the left {attempt}."));
-        let typed = "const { edit, opened } = await import('/vicode/sources.js'); const at = opened.value.text.indexOf('Goes to'); \
-            await edit([{ edit: 'replace', span: [at, at + 7], text: `Goes quickly ${arguments[0]} to` }])";
-        page.run(
-            &format!("return (async () => {{ {} }})()", typed.replace("arguments[0]", &attempt.to_string())),
-            vec![],
-        )
-        .await;
+        theirs = before.replace("Goes", &format!("Runs{attempt}"));
+        let typed = "const { edit, opened } = await import('/vicode/sources.js'); const at = opened.value.text.indexOf('Goes'); \
+            await edit([{ edit: 'replace', span: [at, at + 4], text: 'Walks' }])";
+        page.run(&format!("return (async () => {{ {typed} }})()"), vec![]).await;
         source.write("src/parts.rs", &theirs);
-        tokio::time::sleep(std::time::Duration::from_secs(2)).await;
+        tokio::time::sleep(std::time::Duration::from_secs(3)).await;
         if page.run("return document.querySelector('[role=alertdialog]') !== null", vec![]).await == json!(true) {
             break;
         }
         source.write("src/parts.rs", &before);
-        tokio::time::sleep(std::time::Duration::from_secs(2)).await;
+        page.reads("Goes to a side").await;
     }
     page.find("button", "Keep what is here", "").await;
-    page.reads("Goes quickly").await;
-    page.reads("Goes to the left").await;
+    page.reads("Walks to a side").await;
+    page.reads("Runs").await;
     assert_eq!(source.read("src/parts.rs"), theirs, "the file keeps its text until one side is chosen");
     page.screenshot("designer-conflict").await;
     page.click("button", "Keep what is here", "").await;
-    saved(&page, &source, "src/parts.rs", &["Goes quickly"]).await;
+    saved(&page, &source, "src/parts.rs", &["Walks to a side"]).await;
+    page.close().await;
+}
+
+#[tokio::test]
+async fn the_drawing_shows_what_runs_and_stops_at_a_breakpoint() {
+    let player = concat!(env!("CARGO_MANIFEST_DIR"), "/../../../../player");
+    let server = Server::start("live-states", &["--source", player]);
+    let page = Page::open(&server, WIDE).await;
+    page.click("button", "Player", "Activation tree").await;
+    page.click("button", "edit states", "").await;
+    page.find("button", "State search_net", "").await;
+    page.until("a state is lit", "return document.querySelector('.box.lit') !== null").await;
+    page.until(
+        "conditions are shown",
+        "return [...document.querySelectorAll('.arrow .live')].some((one) => /^(true|false)/.test(one.textContent))",
+    )
+    .await;
+    page.screenshot("designer-live").await;
+    focus(&page, "State search_net").await;
+    page.press("b").await;
+    page.reads("1 breakpoint").await;
+    page.click("button", "Restart", "").await;
+    page.reads("Player is in search_net").await;
+    page.find("button", "Time: world paused", "").await;
+    page.screenshot("designer-breakpoint").await;
+    let time = "return document.querySelector('.clock b').textContent";
+    let before = page.run(time, vec![]).await;
+    page.click("button", "Step", "Breakpoints").await;
+    page.until("one cycle was run", &format!("return document.querySelector('.clock b').textContent !== {before}"))
+        .await;
+    page.click("button", "Remove all breakpoints", "").await;
     page.close().await;
 }
 
