@@ -62,10 +62,16 @@ function around(by) {
   };
 }
 
+/** The first place from there downwards that no state covers. */
+function free([x, y]) {
+  const taken = stage.all().some((box) => Math.abs(box.x - x) < 210 && Math.abs(box.y - y) < box.height / 2 + 50);
+  return taken ? free([x, y + 24]) : [x, y];
+}
+
 const middle = () => {
   const state = chosenStates().at(-1);
   const box = state && stage.boxes.get(state);
-  return box ? [box.x + 270, box.y] : view.point({ clientX: view.svg.getBoundingClientRect().x + view.svg.clientWidth / 2, clientY: view.svg.getBoundingClientRect().y + view.svg.clientHeight / 2 });
+  return free(box ? [box.x + 270, box.y] : view.point({ clientX: view.svg.getBoundingClientRect().x + view.svg.clientWidth / 2, clientY: view.svg.getBoundingClientRect().y + view.svg.clientHeight / 2 }));
 };
 
 /** What has the focus is what a key is for. */
