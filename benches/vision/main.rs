@@ -24,8 +24,10 @@ fn main() {
         ["table", ..] => {
             tables();
         }
-        ["export", folder, ..] => SIZES.map(|size| peer::export(&usual(size), folder.as_ref())).into_iter().collect(),
-        ["everything", ..] => SIZES.map(|size| peer::everything(&usual(size))).into_iter().collect(),
+        ["export", folder, ..] => {
+            SIZES.iter().flat_map(|size| frame_sets(*size)).for_each(|set| peer::export(&set, folder.as_ref()));
+        }
+        ["everything", ..] => SIZES.iter().flat_map(|size| frame_sets(*size)).for_each(|set| peer::everything(&set)),
         _ => {
             let mut criterion = Criterion::default().configure_from_args();
             tables().iter().flatten().for_each(|frame_set| bench(&mut criterion, frame_set));
@@ -34,18 +36,16 @@ fn main() {
     }
 }
 
-/// Recorded frames with camera poses if available, otherwise rendered ones.
-fn usual(size: (u16, u16)) -> FrameSet {
-    recorded::folder()
-        .map_or_else(|| rendered::frame_set(size, WORLDS), |folder| recorded::frame_sets(folder, size).swap_remove(0))
+/// Rendered frames of a size, and recorded ones of each robot if available.
+fn frame_sets(size: (u16, u16)) -> Vec<FrameSet> {
+    let recorded = recorded::folder().into_iter().flat_map(|folder| recorded::frame_sets(folder, size));
+    std::iter::once(rendered::frame_set(size, WORLDS)).chain(recorded).collect()
 }
 
 /// Prints the time of each stage for each frame size, and the ratio of the worst frames to typical ones.
 fn tables() -> Vec<Vec<FrameSet>> {
-    let real = recorded::folder();
     let of_size = |size| {
-        let real = real.iter().flat_map(|folder| recorded::frame_sets(folder, size));
-        let frame_sets: Vec<FrameSet> = std::iter::once(rendered::frame_set(size, WORLDS)).chain(real).collect();
+        let frame_sets = frame_sets(size);
         figures::print(&frame_sets);
         figures::print_worst(&worst::frame_set(size), frame_sets.get(1).unwrap_or(&frame_sets[0]));
         frame_sets

@@ -1,7 +1,7 @@
 """Colour segmentation by OpenCV: YUYV to HSV, a mask for each of five classes, connected components of each mask.
 
-python3 opencv.py FOLDER [--threads]: processes the files WIDTHxHEIGHT.yuyv of the folder, each a sequence of frames. Prints for
-each size the mean over the frames of the minimum time of several rounds, µs: first with connectedComponents, then with
+python3 opencv.py FOLDER [--threads]: processes the files NAME-WIDTHxHEIGHT.yuyv of the folder, each a sequence of frames. Prints for
+each file the mean over the frames of the minimum time of several rounds, µs: first with connectedComponents, then with
 connectedComponentsWithStats, which also measures the components. Uses one thread, or with --threads as many as OpenCV chooses.
 All results are written to memory that is already allocated.
 """
@@ -67,7 +67,7 @@ def mean_of_minima(buffers, frames, components):
 def main():
     cv2.setNumThreads(-1 if "--threads" in sys.argv else 1)
     for path in sorted(pathlib.Path(sys.argv[1]).glob("*.yuyv"), key=lambda path: path.stat().st_size):
-        width, height = map(int, path.stem.split("x"))
+        width, height = map(int, path.stem.rsplit("-", 1)[1].split("x"))
         frames = np.fromfile(path, np.uint8).reshape(-1, height, width, 2)[::STEP]
         buffers = Buffers(width, height)
         figures = [mean_of_minima(buffers, frames, components) for components in (plain, with_stats)]

@@ -70,6 +70,7 @@ struct Ray<'a> {
 }
 
 impl Ray<'_> {
+    #[inline(always)]
     fn pixel(&self, distance: f32) -> Option<Pixel> {
         self.frame.nearest(self.centre + self.along * distance)
     }

@@ -139,28 +139,35 @@ fn column_top(
     tuning: &BoundaryTuning,
 ) -> Option<f32> {
     let longest = (tuning.max_gap * f32::from(frame.height() / 2)) as u16;
-    let (mut best, mut best_row, mut sum, mut gap) = (0_u16, 0, 0_u16, 0);
-    let column = frame.column(x);
-    for row in (highest..frame.height()).rev().step_by(2) {
-        match column.pixel(row).map_or(Colour::None, |pixel| colours.classify(pixel)) {
-            Colour::Green => {
-                (sum, gap) = (sum + 1, 0);
-                if sum > best {
-                    (best, best_row) = (sum, row);
-                }
-                continue;
-            }
-            Colour::White => sum = sum.saturating_sub(1),
-            _ => {
-                gap += 1;
-                sum = if gap > longest { 0 } else { sum.saturating_sub(1) };
-            }
+    let (mut best, mut best_left, mut sum, mut gap) = (0_u16, 0, 0_u16, 0);
+    // Number of scanned rows above.
+    let mut left = frame.height().saturating_sub(highest).div_ceil(2);
+    let rows = left;
+    for pixel in frame.column(x).upwards(highest) {
+        left -= 1;
+        let class = colours.classify(pixel);
+        if class == Colour::Green {
+            (sum, gap) = (sum + 1, 0);
+            continue;
+        }
+        if sum > best {
+            (best, best_left) = (sum, left + 1);
+        }
+        if class == Colour::White {
+            sum = sum.saturating_sub(1);
+        } else {
+            gap += 1;
+            sum = if gap > longest { 0 } else { sum.saturating_sub(1) };
         }
         // Even if all rows above were green, they would not be a better stretch.
-        if sum + (row - highest) / 2 <= best {
+        if sum + left <= best {
             break;
         }
     }
+    if sum > best {
+        (best, best_left) = (sum, left);
+    }
+    let best_row = if best > 0 { frame.height() + 1 - 2 * (rows - best_left) } else { 0 };
     let enough = tuning.min_green * f32::from(frame.height() / 2);
     (f32::from(best) >= enough).then_some(f32::from(best_row))
 }

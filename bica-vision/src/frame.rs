@@ -3,8 +3,13 @@
 //! Pixel coordinates: `x` to the right, `y` down, the centre of the first pixel is (0, 0). Access to a pixel is a
 //! bounds check and a load.
 
+mod strips;
+
 use bica_motion::robot::Image;
 use glam::Vec2;
+
+pub(crate) use self::strips::Strip;
+pub use self::strips::{Column, Lumas};
 
 /// Minimum width and height of a frame, px.
 pub const MIN_SIDE: u16 = 16;
@@ -75,74 +80,6 @@ impl Pair {
     pub const fn mean(self) -> Pixel {
         let [y0, cb, y1, cr] = self.0;
         Pixel { y: u8::midpoint(y0, y1), cb, cr }
-    }
-}
-
-/// Luma of the pixels of a row or a column.
-#[derive(Clone, Copy, Debug)]
-pub struct Lumas<'a> {
-    bytes: &'a [u8],
-    /// Distance between pixels, bytes.
-    step: usize,
-}
-
-impl Lumas<'_> {
-    /// No pixels.
-    pub const NONE: Self = Self { bytes: &[], step: 1 };
-
-    /// Luma of the pixel with an index; 0 beyond the frame.
-    #[inline(always)]
-    #[must_use]
-    pub fn get(&self, at: u16) -> u8 {
-        self.bytes.get(usize::from(at) * self.step).copied().unwrap_or_default()
-    }
-
-    /// Luma of eight consecutive pixels of a row; `None` for a column or near the end of a row.
-    #[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
-    #[inline(always)]
-    pub(crate) fn eight(&self, from: u16) -> Option<[u16; 8]> {
-        let first = 2 * usize::from(from);
-        let bytes: &[u8; 16] = self.bytes.get(first..first + 16).filter(|_| self.step == 2)?.try_into().ok()?;
-        let (pixels, _) = bytes.as_chunks::<2>();
-        Some(core::array::from_fn(|at| u16::from_le_bytes(pixels[at]) & 0xFF))
-    }
-
-    /// Luma at a position of eight columns, of which this is the first, `GAP` bytes apart; `SPAN` is 7 × `GAP` + 1. `None`
-    /// near the end of the frame.
-    #[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
-    #[inline(always)]
-    pub(crate) fn of_eight_columns<const SPAN: usize, const GAP: usize>(&self, at: u16) -> Option<[u8; 8]> {
-        let first = usize::from(at) * self.step;
-        let bytes: &[u8; SPAN] = self.bytes.get(first..first + SPAN)?.try_into().ok()?;
-        Some(core::array::from_fn(|column| bytes[GAP * column]))
-    }
-
-    /// Distance of the first pixels of columns or rows, bytes, if it is the same for all neighbours; otherwise 0.
-    #[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
-    pub(crate) fn common_gap(all: &[Self; 8]) -> usize {
-        let gap = |at: usize| all[at].bytes.len().saturating_sub(all[at + 1].bytes.len());
-        if (1..7).all(|at| gap(at) == gap(0)) && !all[7].bytes.is_empty() { gap(0) } else { 0 }
-    }
-}
-
-/// Pixels of a column.
-#[derive(Clone, Copy, Debug)]
-pub struct Column<'a> {
-    /// Pairs from the column's first one on.
-    pairs: &'a [[u8; 4]],
-    /// Number of pairs in a row.
-    stride: usize,
-    /// Whether the pixels are the right ones of their pairs.
-    right: bool,
-}
-
-impl Column<'_> {
-    /// Pixel in a row; `None` beyond the frame.
-    #[inline(always)]
-    #[must_use]
-    pub fn pixel(&self, y: u16) -> Option<Pixel> {
-        let [left, cb, right, cr] = *self.pairs.get(usize::from(y) * self.stride)?;
-        Some(Pixel { y: if self.right { right } else { left }, cb, cr })
     }
 }
 
@@ -223,7 +160,20 @@ impl<'a> Frame<'a> {
     pub fn column(&self, x: u16) -> Column<'a> {
         let first = if x < self.width { usize::from(x / 2) } else { usize::MAX };
         let pairs = self.pairs.get(first..).unwrap_or(&[]);
-        Column { pairs, stride: usize::from(self.width / 2), right: x % 2 == 1 }
+        Column { pairs, stride: usize::from(self.width / 2), height: self.height, luma: usize::from(x % 2) * 2 }
+    }
+
+    /// Pixels of a row from the left; empty for a row outside the frame.
+    #[inline]
+    pub(crate) fn strip_of_row(&self, y: u16) -> Strip<'a> {
+        Strip { pairs: self.row(y), stride: 1, shared: 1, right: 0 }
+    }
+
+    /// Pixels of a column from the top; empty for a column outside the frame.
+    #[inline]
+    pub(crate) fn strip_of_column(&self, x: u16) -> Strip<'a> {
+        let Column { pairs, stride, .. } = self.column(x);
+        Strip { pairs, stride, shared: 0, right: x % 2 }
     }
 
     /// Pixel at (x, y); `None` outside the frame.
@@ -241,9 +191,25 @@ impl<'a> Frame<'a> {
     #[inline]
     #[must_use]
     pub fn nearest(&self, at: Vec2) -> Option<Pixel> {
-        // For non-negative values truncation equals the floor and costs less.
+        let (x, y) = self.place(at)?;
+        let [y0, cb, y1, cr] = *self.pairs.get(y * usize::from(self.width / 2) + x / 2)?;
+        Some(Pixel { y: if x % 2 == 0 { y0 } else { y1 }, cb, cr })
+    }
+
+    /// Luma of the pixel nearest to a point; `None` outside the frame.
+    #[inline]
+    pub(crate) fn nearest_luma(&self, at: Vec2) -> Option<u8> {
+        let (x, y) = self.place(at)?;
+        self.pairs.as_flattened().get(2 * (y * usize::from(self.width) + x)).copied()
+    }
+
+    /// Column and row of the pixel nearest to a point, the row possibly below the frame.
+    #[inline(always)]
+    fn place(&self, at: Vec2) -> Option<(usize, usize)> {
+        // For non-negative values truncation equals the floor and costs less, on x86 least to 16 bits.
         let at = at + 0.5;
-        if at.x >= 0.0 && at.y >= 0.0 { self.pixel(at.x as i32, at.y as i32) } else { None }
+        let (x, y) = (at.x as u16, at.y as u16);
+        (at.x >= 0.0 && at.y >= 0.0 && x < self.width).then_some((x.into(), y.into()))
     }
 }
 
@@ -262,18 +228,32 @@ mod tests {
         assert_eq!(frame.pixel(8, 5), Some(Pixel::new(0, 0, 0)));
         for (x, y) in [(6, 5), (7, 5), (8, 5), (0, 0), (15, 15)] {
             assert_eq!(frame.column(x).pixel(y), frame.pixel(x.into(), y.into()));
+            assert_eq!(frame.strip_of_column(x).pixel(y), frame.pixel(x.into(), y.into()));
+            assert_eq!(frame.strip_of_row(y).pixel(x), frame.pixel(x.into(), y.into()));
+        }
+        for (x, highest, rows) in
+            [(6, 0, &[15, 13, 11, 9, 7, 5, 3, 1][..]), (7, 4, &[15, 13, 11, 9, 7, 5]), (7, 16, &[])]
+        {
+            let expected = rows.iter().map(|y| frame.pixel(x, *y).unwrap());
+            assert!(frame.column(x as u16).upwards(highest).eq(expected));
         }
         for (x, y) in [(16, 0), (0, 16), (15, 16), (16, 15), (u16::MAX, 0), (0, u16::MAX)] {
             assert_eq!(frame.column(x).pixel(y), None);
+            assert_eq!(frame.strip_of_column(x).pixel(y), None);
+            assert_eq!(frame.strip_of_row(y).pixel(x), None);
         }
         for (x, y) in [(-1, 0), (0, -1), (16, 0), (0, 16), (i32::MIN, i32::MAX)] {
             assert_eq!(frame.pixel(x, y), None);
         }
         for (x, y) in [(5.5, 4.5), (6.0, 5.0), (6.4, 5.4)] {
             assert_eq!(frame.nearest(Vec2::new(x, y)), frame.pixel(6, 5));
+            assert_eq!(frame.nearest_luma(Vec2::new(x, y)), frame.pixel(6, 5).map(|pixel| pixel.y));
         }
-        for (x, y) in [(-0.6, 0.0), (0.0, -0.6), (15.5, 0.0), (0.0, 15.5), (f32::NAN, 0.0), (0.0, f32::INFINITY)] {
+        let nan = f32::NAN;
+        for (x, y) in [(-0.6, 0.0), (0.0, -0.6), (15.5, 0.0), (0.0, 15.5), (nan, 0.0), (0.0, nan), (0.0, f32::INFINITY)]
+        {
             assert_eq!(frame.nearest(Vec2::new(x, y)), None);
+            assert_eq!(frame.nearest_luma(Vec2::new(x, y)), None);
         }
         assert_eq!(frame.nearest(Vec2::splat(-0.5)), frame.pixel(0, 0));
         assert!(frame.row(16).is_empty());
@@ -292,13 +272,20 @@ mod tests {
         for (pitch, gap) in [(2, 4), (4, 8), (8, 16), (3, 6)] {
             assert_eq!(Lumas::common_gap(&columns(pitch)), gap);
         }
+        let first = frame.luma_column(1);
         for at in 0..16 {
-            let each = |pitch| Some(columns(pitch).map(|column| column.get(at)));
-            assert_eq!(frame.luma_column(1).of_eight_columns::<29, 4>(at), each(2));
-            assert_eq!(frame.luma_column(1).of_eight_columns::<57, 8>(at), each(4));
-            assert_eq!(frame.luma_column(1).of_eight_columns::<113, 16>(at), each(8));
+            let each = |pitch| columns(pitch).map(|column| Some(column.get(at)));
+            assert_eq!(
+                [0, 1, 2, 3, 4, 5, 6, 7].map(|lane| first.spans::<29>(at).next().map(|all| all[4 * lane])),
+                each(2)
+            );
+            assert_eq!(
+                [0, 1, 2, 3, 4, 5, 6, 7].map(|lane| first.spans::<57>(at).next().map(|all| all[8 * lane])),
+                each(4)
+            );
+            assert_eq!(first.spans::<29>(at).count(), usize::from(16 - at));
         }
-        assert_eq!(frame.luma_column(1).of_eight_columns::<29, 4>(16), None);
+        assert_eq!(first.spans::<127>(15).count(), 0);
         let mut uneven = columns(2);
         uneven[3] = frame.luma_column(9);
         assert_eq!(Lumas::common_gap(&uneven), 0);

@@ -44,11 +44,12 @@ impl<C: Classify> Ground<'_, C> {
         let offset = self.camera.pixel((place + ASIDE * across).extend(0.0))? - middle;
         let step = offset.try_normalize()?;
         let offset = step * offset.length().max(ASIDE_PIXELS * f32::from(self.frame.height()) / 240.0);
-        let luma = |at: Vec2| self.frame.nearest(at).map(|pixel| f32::from(pixel.y));
-        let sides = luma(middle - offset)?.max(luma(middle + offset)?);
-        let brightest = luma(middle)?.max(luma(middle - 0.7 * step)?).max(luma(middle + 0.7 * step)?);
+        let luma = |at: Vec2| self.frame.nearest_luma(at);
+        let pixel = self.frame.nearest(middle)?;
+        let sides = f32::from(luma(middle - offset)?.max(luma(middle + offset)?));
+        let brightest = f32::from(pixel.y.max(luma(middle - 0.7 * step)?).max(luma(middle + 0.7 * step)?));
         let rises = brightest > sides + RISE + RISE_SHARE * sides;
-        Some(match self.colours.classify(self.frame.nearest(middle)?) {
+        Some(match self.colours.classify(pixel) {
             Colour::White | Colour::None | Colour::Green if rises => Surface::Line,
             Colour::Green => Surface::Carpet,
             _ => Surface::Other,

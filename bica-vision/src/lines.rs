@@ -142,7 +142,7 @@ fn scan(
     let mut open: Vec<LineTrack, OPEN> = Vec::new();
     let mut scans = (pitch / 2..side)
         .step_by(pitch.into())
-        .map(|across| (Scan { frame, colours, axes, across, widest, tuning }, first(across)));
+        .map(|across| (Scan::new(frame, colours, axes, across, widest, tuning), first(across)));
     loop {
         let together: Vec<_, LANES> = scans.by_ref().take(LANES).collect();
         if together.is_empty() {

@@ -200,32 +200,46 @@ impl<C: Classify> Scan<'_, C> {
     /// Lowest obstacle of a column.
     fn foot(&self, x: f32) -> Option<Foot> {
         let end = self.field_boundary.row_at(x)? + self.tuning.boundary_margin * f32::from(self.frame.height());
+        // Highest row below the boundary. The field boundary itself is not an obstacle.
+        let end = libm::ceilf(end).max(0.0) as u16;
         let bottom = self.frame.height() - 1;
-        let (mut is_ground, mut stand): (bool, Option<Stand>) = (true, None);
-        let column = self.frame.column(x as u16);
-        for row in (0..self.frame.height()).rev().step_by(2) {
-            let class = self.colours.classify(column.pixel(row)?);
-            match &mut stand {
-                Some(open) => {
-                    if open.add(class, f32::from(row), self.tuning) {
-                        let is_cut = open.base >= f32::from(bottom);
-                        return Some(Foot { top: open.top, row: open.base, is_cut });
+        let mut row = self.frame.height() + 1;
+        let mut classes = self.frame.column(x as u16).upwards(0).map(|pixel| self.colours.classify(pixel));
+        let mut next = || {
+            row -= 2;
+            classes.next().map(|class| (row, class))
+        };
+        loop {
+            let (base, class) = loop {
+                let (row, class) = next()?;
+                if row < end {
+                    return None;
+                }
+                if class != Colour::Green {
+                    break (row, class);
+                }
+            };
+            let Some(least) = self.least_rows(x, base) else {
+                // Nothing can stand between here and the next green.
+                loop {
+                    let (row, class) = next()?;
+                    if row < end {
+                        return None;
                     }
-                    if open.is_over() {
-                        (is_ground, stand) = (true, None);
+                    if class == Colour::Green {
+                        break;
                     }
                 }
-                // The field boundary itself is not an obstacle.
-                None if f32::from(row) < end => return None,
-                None if class == Colour::Green => is_ground = true,
-                None if is_ground => {
-                    stand = self.least_rows(x, row).map(|least| Stand::new(f32::from(row), least, class, self.tuning));
-                    is_ground = stand.is_some();
+                continue;
+            };
+            let mut stand = Stand::new(f32::from(base), least, class, self.tuning);
+            while !stand.is_over() {
+                let (row, class) = next()?;
+                if stand.add(class, f32::from(row), self.tuning) {
+                    return Some(Foot { top: stand.top, row: stand.base, is_cut: base >= bottom });
                 }
-                None => {}
             }
         }
-        None
     }
 
     /// How many rows a robot with its foot here has at least; none if it cannot stand here.

@@ -1,13 +1,14 @@
 //! Vectors of SSE2, which every x86-64 processor has: the functions of the crate `wide` that the vision uses. `wide` takes
 //! longer to compile than the vision; its basis `safe_arch` does not.
 
-use core::ops::{Add, AddAssign, BitAnd, Mul, Not, Shr, Sub};
+use core::ops::{Add, AddAssign, BitAnd, BitOr, Mul, Not, Shr, Sub};
 
 use safe_arch::{
-    add_i16_m128i, bitand_m128i, bitxor_m128i, cmp_eq_mask_i8_m128i, cmp_gt_mask_i16_m128i, m128i, max_u8_m128i,
-    min_u8_m128i, move_mask_i8_m128i, mul_i16_keep_low_m128i, pack_i16_to_i8_m128i, set_splat_i16_m128i,
-    shr_all_i16_m128i, sub_i16_m128i, unpack_high_i16_m128i, unpack_high_i32_m128i, unpack_high_i64_m128i,
-    unpack_low_i16_m128i, unpack_low_i32_m128i, unpack_low_i64_m128i, zeroed_m128i,
+    add_i16_m128i, bitand_m128i, bitor_m128i, bitxor_m128i, cmp_eq_mask_i8_m128i, cmp_eq_mask_i32_m128i,
+    cmp_gt_mask_i16_m128i, m128i, max_i16_m128i, max_u8_m128i, min_i16_m128i, min_u8_m128i, move_mask_i8_m128i,
+    mul_i16_keep_low_m128i, pack_i16_to_i8_m128i, pack_i32_to_i16_m128i, set_splat_i16_m128i, shr_all_i16_m128i,
+    shr_imm_u32_m128i, shr_imm_u64_m128i, sub_i16_m128i, unpack_high_i16_m128i, unpack_high_i32_m128i,
+    unpack_high_i64_m128i, unpack_low_i16_m128i, unpack_low_i32_m128i, unpack_low_i64_m128i, zeroed_m128i,
 };
 
 /// Sixteen bytes; as the result of a comparison each is 0 or 255.
@@ -52,6 +53,24 @@ impl U8x16 {
     pub(crate) fn to_bitmask(self) -> u32 {
         move_mask_i8_m128i(self.0).cast_unsigned()
     }
+
+    /// Returns the results of comparisons as one bit for each group of four lanes: whether all of them are 255.
+    #[inline(always)]
+    pub(crate) fn groups_to_bitmask(all: [Self; 4]) -> u32 {
+        let whole = m128i::from([-1_i32; 4]);
+        let [a, b, c, d] = all.map(|four| cmp_eq_mask_i32_m128i(four.0, whole));
+        let halves = [pack_i32_to_i16_m128i(a, b), pack_i32_to_i16_m128i(c, d)];
+        move_mask_i8_m128i(pack_i16_to_i8_m128i(halves[0], halves[1])).cast_unsigned()
+    }
+}
+
+impl BitOr for U8x16 {
+    type Output = Self;
+
+    #[inline(always)]
+    fn bitor(self, other: Self) -> Self {
+        Self(bitor_m128i(self.0, other.0))
+    }
 }
 
 impl BitAnd for U8x16 {
@@ -78,19 +97,48 @@ impl I16x8 {
         Self(set_splat_i16_m128i(lane))
     }
 
+    /// Returns every second byte.
+    #[inline(always)]
+    pub(crate) fn every_second(bytes: &[u8; 16]) -> Self {
+        Self(bitand_m128i(m128i::from(*bytes), set_splat_i16_m128i(0xFF)))
+    }
+
+    /// Returns every fourth byte.
+    #[inline(always)]
+    pub(crate) fn every_fourth(bytes: &[u8; 29]) -> Self {
+        // The last sixteen bytes begin three bytes early.
+        let (low, high) = (first_sixteen(bytes), last_sixteen(bytes));
+        Self(pack_i32_to_i16_m128i(bitand_m128i(low, m128i::from([0xFF_i32; 4])), shr_imm_u32_m128i::<24>(high)))
+    }
+
+    /// Returns every eighth byte.
+    #[inline(always)]
+    pub(crate) fn every_eighth(bytes: &[u8; 57]) -> Self {
+        // The last sixteen bytes begin seven bytes early.
+        let (sixteens, _) = bytes.as_chunks::<16>();
+        let low = |at: usize| bitand_m128i(m128i::from(sixteens[at]), m128i::from([0xFF_i64; 2]));
+        let [a, b, c, d] = [low(0), low(1), low(2), shr_imm_u64_m128i::<56>(last_sixteen(bytes))];
+        Self(pack_i32_to_i16_m128i(pack_i32_to_i16_m128i(a, b), pack_i32_to_i16_m128i(c, d)))
+    }
+
     #[inline(always)]
     pub(crate) fn to_array(self) -> [i16; 8] {
         self.0.into()
     }
 
     #[inline(always)]
-    pub(crate) fn simd_gt(self, other: Self) -> Self {
-        Self(cmp_gt_mask_i16_m128i(self.0, other.0))
+    pub(crate) fn min(self, other: Self) -> Self {
+        Self(min_i16_m128i(self.0, other.0))
     }
 
     #[inline(always)]
-    pub(crate) fn simd_ge(self, other: Self) -> Self {
-        !other.simd_gt(self)
+    pub(crate) fn max(self, other: Self) -> Self {
+        Self(max_i16_m128i(self.0, other.0))
+    }
+
+    #[inline(always)]
+    pub(crate) fn simd_gt(self, other: Self) -> Self {
+        Self(cmp_gt_mask_i16_m128i(self.0, other.0))
     }
 
     /// Returns the sign of each lane.
@@ -120,6 +168,18 @@ impl I16x8 {
     }
 }
 
+/// First of at least sixteen bytes.
+#[inline(always)]
+fn first_sixteen(bytes: &[u8]) -> m128i {
+    m128i::from(*bytes.first_chunk::<16>().unwrap_or(&[0; 16]))
+}
+
+/// Last of at least sixteen bytes.
+#[inline(always)]
+fn last_sixteen(bytes: &[u8]) -> m128i {
+    m128i::from(*bytes.last_chunk::<16>().unwrap_or(&[0; 16]))
+}
+
 macro_rules! operators {
     ($($trait:ident $function:ident $instruction:ident;)*) => {$(
         impl $trait for I16x8 {
@@ -137,6 +197,7 @@ operators! {
     Sub sub sub_i16_m128i;
     Mul mul mul_i16_keep_low_m128i;
     BitAnd bitand bitand_m128i;
+    BitOr bitor bitor_m128i;
 }
 
 impl AddAssign for I16x8 {
@@ -178,6 +239,7 @@ mod tests {
             prop_assert_eq!(x.simd_ge(y).to_bitmask(), bits(|a, b| a >= b));
             prop_assert_eq!(x.simd_le(y).to_bitmask(), bits(|a, b| a <= b));
             prop_assert_eq!((x.simd_ge(y) & x.simd_le(y)).to_bitmask(), bits(|a, b| a == b));
+            prop_assert_eq!((x.simd_ge(y) | x.simd_le(y)).to_bitmask(), 0xFFFF);
             prop_assert_eq!(x.min(y).simd_ge(x).to_bitmask(), bits(|a, b| a <= b));
             prop_assert_eq!(x.max(y).simd_le(x).to_bitmask(), bits(|a, b| a >= b));
         }
@@ -190,12 +252,29 @@ mod tests {
             prop_assert_eq!((x - y).to_array(), lanes(&i16::wrapping_sub));
             prop_assert_eq!((x * y).to_array(), lanes(&i16::wrapping_mul));
             prop_assert_eq!((x & !y).to_array(), lanes(&|a, b| a & !b));
+            prop_assert_eq!((x | y).to_array(), lanes(&|a, b| a | b));
+            prop_assert_eq!(x.min(y).to_array(), lanes(&i16::min));
+            prop_assert_eq!(x.max(y).to_array(), lanes(&i16::max));
             prop_assert_eq!((x >> bits).to_array(), lanes(&|a, _| a >> bits));
             prop_assert_eq!(x.simd_gt(y).to_array(), lanes(&|a, b| -i16::from(a > b)));
-            prop_assert_eq!(x.simd_ge(y).to_array(), lanes(&|a, b| -i16::from(a >= b)));
             prop_assert_eq!((x + I16x8::splat(b[0])).to_array(), a.map(|a| a.wrapping_add(b[0])));
             let signs = (0..8).map(|lane| u32::from(a[lane] < 0) << lane).sum::<u32>();
             prop_assert_eq!(x.to_bitmask(), signs);
+        }
+
+        #[test]
+        fn bytes_at_equal_distances_are_lanes(bytes: [u8; 57]) {
+            let every = |gap: usize| core::array::from_fn(|lane| i16::from(bytes[gap * lane]));
+            prop_assert_eq!(I16x8::every_second(bytes.first_chunk().unwrap()).to_array(), every(2));
+            prop_assert_eq!(I16x8::every_fourth(bytes.first_chunk().unwrap()).to_array(), every(4));
+            prop_assert_eq!(I16x8::every_eighth(&bytes).to_array(), every(8));
+        }
+
+        #[test]
+        fn groups_of_four_lanes_are_one_bit(lanes in prop::collection::vec(prop_oneof![4 => Just(255_u8), 1 => any::<u8>()], 64)) {
+            let groups = core::array::from_fn(|at| U8x16::new(lanes[16 * at..][..16].try_into().unwrap()));
+            let expected = (0..16).map(|group| u32::from(lanes[4 * group..][..4] == [255; 4]) << group).sum::<u32>();
+            prop_assert_eq!(U8x16::groups_to_bitmask(groups), expected);
         }
 
         #[test]

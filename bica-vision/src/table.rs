@@ -76,6 +76,17 @@ impl CompactTable {
     }
 }
 
+/// Class of each number in a cell.
+const CLASSES: [Colour; 16] = {
+    let mut classes = [Colour::None; 16];
+    let mut index = 0;
+    while index < 16 {
+        classes[index] = Colour::from_index(index as u8);
+        index += 1;
+    }
+    classes
+};
+
 /// Bounding boxes of a table without any class.
 const NO_BOXES: [ChromaBox; 6] = {
     let mut boxes = [ChromaBox::EMPTY; 6];
@@ -199,7 +210,7 @@ impl Classify for CompactTable {
     fn classify(&self, pixel: Pixel) -> Colour {
         // The byte of the cell, and the half of it, without the cell's own index.
         let byte = usize::from(pixel.y & 0xF0) << 7 | usize::from(pixel.cb & 0xFC) << 3 | usize::from(pixel.cr >> 3);
-        Colour::from_index(self.cells[byte] >> (pixel.cr & 4) & 15)
+        CLASSES[usize::from(self.cells[byte] >> (pixel.cr & 4) & 15)]
     }
 
     fn chroma(&self, colour: Colour) -> ChromaBox {

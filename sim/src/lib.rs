@@ -51,6 +51,7 @@ mod segmentation;
 mod sensor_model;
 pub mod setup;
 mod shared_image;
+pub mod shot;
 mod spectator;
 mod transform;
 mod world;

@@ -21,6 +21,8 @@ pub(crate) enum Stream {
     Camera,
     /// Image noise.
     Grain,
+    /// Shots at a goal.
+    Shots,
 }
 
 /// A pseudo-random generator (PCG).

@@ -1,6 +1,7 @@
 //! Parameters of a game: seed, image size, robots and start positions.
 
 use core::fmt;
+use core::str::FromStr;
 
 use bica_motion::pose::Pose2;
 use glam::Vec2;
@@ -65,6 +66,31 @@ impl Frame {
     }
 }
 
+impl FromStr for Frame {
+    type Err = UnknownFrame;
+
+    /// Reads `WIDTHxHEIGHT`, for example `320x240`.
+    fn from_str(text: &str) -> Result<Self, UnknownFrame> {
+        let known = text.split_once('x').and_then(|(width, height)| {
+            let (width, height) = (width.parse().ok()?, height.parse().ok()?);
+            Self::of_size(width, height)
+        });
+        known.ok_or(UnknownFrame)
+    }
+}
+
+/// A text that names no [`Frame`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct UnknownFrame;
+
+impl fmt::Display for UnknownFrame {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("give 160x120, 320x240 or 640x480")
+    }
+}
+
+impl core::error::Error for UnknownFrame {}
+
 /// Start positions of robot and ball. Field frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Start {
@@ -89,6 +115,8 @@ pub enum SetupError {
     BallInGoal(Vec2),
     /// Robot and ball would overlap.
     BallUnderRobot(Vec2),
+    /// The velocity of the ball is not finite.
+    BallVelocity(Vec2),
 }
 
 impl fmt::Display for SetupError {
@@ -114,6 +142,9 @@ impl fmt::Display for SetupError {
                 write!(f, "the ball cannot start at ({}, {}): a post or a net is there", at.x, at.y)
             }
             Self::BallUnderRobot(at) => write!(f, "the ball cannot start at ({}, {}): the robot is there", at.x, at.y),
+            Self::BallVelocity(velocity) => {
+                write!(f, "the ball cannot roll at ({}, {}) m/s: give finite numbers", velocity.x, velocity.y)
+            }
         }
     }
 }
@@ -139,21 +170,26 @@ impl Start {
         if !on_carpet(self.robot.position) || !self.robot.heading.is_finite() {
             return Err(SetupError::RobotOffCarpet(self.robot));
         }
-        if !on_carpet(self.ball) {
-            return Err(SetupError::BallOffCarpet(self.ball));
-        }
-        let hits = |at, radius| move |obstacle: &Obstacle| obstacle.overlap(at, radius).is_some();
-        if GOALS.iter().any(hits(self.robot.position, ROBOT_RADIUS)) {
+        let hits = |obstacle: &Obstacle| obstacle.overlap(self.robot.position, ROBOT_RADIUS).is_some();
+        if GOALS.iter().any(hits) {
             return Err(SetupError::RobotInGoal(self.robot));
         }
-        if GOALS.iter().any(hits(self.ball, BALL_RADIUS)) {
-            return Err(SetupError::BallInGoal(self.ball));
-        }
-        if self.robot.position.distance(self.ball) < ROBOT_RADIUS {
-            return Err(SetupError::BallUnderRobot(self.ball));
-        }
-        Ok(())
+        check_ball(self.ball, Vec2::ZERO, self.robot)
     }
+}
+
+/// Checks that a ball can be at a position, m, with a velocity, m/s, beside the robot. Field frame.
+pub(crate) fn check_ball(ball: Vec2, velocity: Vec2, robot: Pose2) -> Result<(), SetupError> {
+    if !on_carpet(ball) {
+        return Err(SetupError::BallOffCarpet(ball));
+    }
+    if GOALS.iter().any(|obstacle| obstacle.overlap(ball, BALL_RADIUS).is_some()) {
+        return Err(SetupError::BallInGoal(ball));
+    }
+    if robot.position.distance(ball) < ROBOT_RADIUS {
+        return Err(SetupError::BallUnderRobot(ball));
+    }
+    if velocity.is_finite() { Ok(()) } else { Err(SetupError::BallVelocity(velocity)) }
 }
 
 fn on_carpet(at: Vec2) -> bool {
@@ -189,5 +225,9 @@ mod tests {
     fn a_frame_is_found_by_its_size() {
         assert_eq!(Frame::of_size(640, 480), Some(Frame::Large));
         assert_eq!(Frame::of_size(641, 480), None);
+        assert_eq!("320x240".parse(), Ok(Frame::Medium));
+        for wrong in ["", "320", "320x", "320x241", "x", "-320x240", "320 x240"] {
+            assert_eq!(wrong.parse::<Frame>(), Err(UnknownFrame), "`{wrong}`");
+        }
     }
 }

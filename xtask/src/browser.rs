@@ -15,10 +15,17 @@ pub(crate) fn test(figures: bool) -> Result<(), String> {
         );
         return Ok(());
     }
-    run("cargo", &["build", "--package", "jmanager"], &[])?;
-    let variables: &[(&str, &str)] = if figures { &[("JMANAGER_FIGURES", "1")] } else { &[] };
+    let programs = ["build", "--package", "jmanager", "--package", "bica-player-program"];
+    let (profile, variables): (&[&str], &[(&str, &str)]) = if figures {
+        (&["--release"], &[("JMANAGER_FIGURES", "1"), ("JMANAGER_PROFILE", "release")])
+    } else {
+        (&[], &[])
+    };
+    run("cargo", &[&programs, profile].concat(), &[])?;
     let threads = ["--target-dir", "target/browser", "--", "--test-threads=1", "--nocapture"];
-    run("cargo", &[&["test"], &MANIFEST[..], &threads].concat(), variables)
+    // Measurements are tests of the module `figures`, which do nothing without the variable.
+    let only: &[&str] = if figures { &["figures"] } else { &[] };
+    run("cargo", &[&["test"], &MANIFEST[..], &threads, only].concat(), variables)
 }
 
 fn installed() -> bool {

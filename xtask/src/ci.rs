@@ -4,11 +4,11 @@ use std::time::Instant;
 
 use crate::cli::{Budget, Firmware, Viewers};
 use crate::process::run;
-use crate::{deny, firmware, instructions, miri, mujoco, no_std, peers, publish, slow_tests, viewers};
+use crate::{browser, deny, firmware, instructions, miri, mujoco, no_std, peers, publish, slow_tests, viewers};
 
 type Step = (&'static str, fn() -> Result<(), String>);
 
-const STEPS: [Step; 14] = [
+const STEPS: [Step; 15] = [
     ("format", || run("cargo", &["fmt", "--all", "--check"], &[])),
     ("lints", || run("cargo", &["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"], &[])),
     ("docs", || run("cargo", &["doc", "--workspace", "--no-deps"], &[("RUSTDOCFLAGS", "-D warnings")])),
@@ -23,6 +23,8 @@ const STEPS: [Step; 14] = [
     ("mujoco", mujoco::check),
     ("no_std", no_std::check),
     ("firmware", || firmware::check(&Firmware::default())),
+    // After the firmware, whose image one of the stories plays.
+    ("browser", || browser::test(false)),
 ];
 
 /// Runs all tests but those that need what a clone does not have, or an idle machine.

@@ -4,6 +4,8 @@
 //! tools/jmanager/page/vendor. There they are ES modules that import each other by relative paths, so that the page needs
 //! neither an import map nor another host.
 
+mod bundle;
+
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -93,6 +95,7 @@ pub(crate) fn vendor(check: bool) -> Result<(), String> {
             files.push(((*to).to_owned(), relative(&text).into_bytes()));
         }
     }
+    files.extend(bundle::bundle()?);
     if check {
         return compare(&folder, &files);
     }
@@ -147,8 +150,10 @@ fn readme() -> String {
     let rows: String = LIBRARIES.iter().map(row).collect();
     format!(
         "# Libraries of the page\n\nWritten by `cargo xtask vendor`; do not edit. Module names in imports are replaced by relative \
-         paths, links to source maps are removed, nothing else is changed.\n\n| package | version | files | licence |\n\
-         |---|---|---|---|\n{rows}"
+         paths, links to source maps are removed, and esbuild joins the packages of {}; nothing else is changed.\n\n\
+         | package | version | files | licence |\n|---|---|---|---|\n{rows}{}",
+        bundle::FILE,
+        bundle::rows()
     )
 }
 

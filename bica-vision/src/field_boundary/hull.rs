@@ -54,20 +54,54 @@ impl Side {
         point.y - self.row(point.x)
     }
 
-    /// Number of inliers minus the number of points above the line. `None` if it is below `least`.
-    fn score(self, points: &[Vec2], close: f32, least: i32) -> Option<i32> {
-        let vote = |point: &Vec2| {
-            let miss = self.misses(*point);
-            i32::from(miss >= -close) - i32::from(miss > close) - i32::from(miss < -close)
+    /// Number of inliers minus the number of points above the line. `None` if it is below `least`. With `is_right_first` it
+    /// begins with the last points.
+    fn score(self, points: &Blocks, close: f32, least: i32, is_right_first: bool) -> Option<i32> {
+        let mut possible = points.count;
+        let is_possible = |block: &Block| {
+            possible -= self.penalty(block, close);
+            possible >= least
         };
-        let mut possible = points.len() as i32;
-        for few in points.chunks(8) {
-            possible -= few.iter().map(|point| 1 - vote(point)).sum::<i32>();
-            if possible < least {
-                return None;
-            }
+        let mut blocks = points.blocks.iter();
+        let is_enough = if is_right_first { blocks.rev().all(is_possible) } else { blocks.all(is_possible) };
+        is_enough.then_some(possible)
+    }
+
+    /// Number of points below the line plus twice the number of points above it, without inliers.
+    #[inline(always)]
+    fn penalty(self, block: &Block, close: f32) -> i32 {
+        let mut sums = [0; LANES];
+        for (at, sum) in sums.iter_mut().enumerate() {
+            let miss = block.rows[at] - self.row(block.columns[at]);
+            *sum = i32::from(miss > close) + 2 * i32::from(miss < -close);
         }
-        Some(possible)
+        sums.iter().sum()
+    }
+}
+
+/// Number of points that are compared with a line at once.
+const LANES: usize = 8;
+
+/// Few points by coordinate, so that SIMD compares them. Places without a point contain NaN, which is never outside.
+struct Block {
+    columns: [f32; LANES],
+    rows: [f32; LANES],
+}
+
+/// Points in blocks.
+struct Blocks {
+    blocks: Vec<Block, { COLUMNS.div_ceil(LANES) }>,
+    /// Number of points.
+    count: i32,
+}
+
+impl Blocks {
+    fn of(points: &[Vec2]) -> Self {
+        let block = |few: &[Vec2]| {
+            let all = |of: fn(&Vec2) -> f32| core::array::from_fn(|at| few.get(at).map_or(f32::NAN, of));
+            Block { columns: all(|point| point.x), rows: all(|point| point.y) }
+        };
+        Self { blocks: points.chunks(LANES).map(block).collect(), count: points.len() as i32 }
     }
 }
 
@@ -88,21 +122,23 @@ fn sides(points: &[Vec2], close: f32, enough: i32) -> Vec<Side, SIDES> {
 /// Line through two points of `left` with the highest score, which is at least `enough`; of several the one through the last
 /// points.
 fn best_side(left: &[Vec2], taken: &[Vec2], close: f32, enough: i32) -> Option<Side> {
-    // The carpet is convex: no inlier of one side is above another side.
-    let score = |side: Side, least: i32| {
-        let part = side.score(left, close, least)?;
-        let all = part + side.score(taken, close, i32::MIN)?.min(0);
+    let (blocks, taken) = (Blocks::of(left), Blocks::of(taken));
+    // The carpet is convex: no inlier of one side is above another side. The points far from those of the line decide first.
+    let score = |side: Side, least: i32, is_right_first: bool| {
+        let part = side.score(&blocks, close, least, is_right_first)?;
+        let all = part + side.score(&taken, close, i32::MIN, false)?.min(0);
         (all >= least).then_some(all)
     };
     let line = |i: usize, j: usize| Side::through(left[i], left[j]);
     // A line through points far apart often has nearly the highest score, so most others are given up early.
     let last = left.len().checked_sub(1)?;
     let wide = (last > 0).then(|| line(0, last - usize::from(last.is_multiple_of(2))))?;
-    let mut least = score(wide, enough).unwrap_or(enough);
+    let mut least = score(wide, enough, false).unwrap_or(enough);
     let mut best = None;
     let pairs = (0..left.len()).step_by(2).flat_map(|i| (i + 1..left.len()).step_by(2).map(move |j| (i, j)));
-    for side in pairs.rev().map(|(i, j)| line(i, j)) {
-        if let Some(score) = score(side, least) {
+    for (i, j) in pairs.rev() {
+        let side = line(i, j);
+        if let Some(score) = score(side, least, i + j < last) {
             // From now on only a higher score counts.
             (best, least) = (Some(side), score + 1);
         }

@@ -33,6 +33,12 @@ pub(super) struct ParallelScan<'a> {
     /// Distance between the scans, bytes, if it is the same for all; otherwise 0.
     #[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
     gap: usize,
+    /// Lumas of eight positions, position by position.
+    #[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
+    block: [lockstep::I16x8; 8],
+    /// First of these positions.
+    #[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
+    block_at: Option<u16>,
     /// Constant part of the minimum luma step, 0 to 255.
     min_rise: i16,
 }
@@ -48,6 +54,10 @@ impl<'a> ParallelScan<'a> {
             at: u16::MAX,
             #[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
             gap: 0,
+            #[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
+            block: [lockstep::I16x8::splat(0); 8],
+            #[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
+            block_at: None,
             min_rise,
         };
         for (lane, (lumas, first)) in scans.take(LANES).enumerate() {
@@ -85,15 +95,12 @@ impl<'a> ParallelScan<'a> {
 
 #[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
 mod lockstep {
-    use core::ops::Range;
-
     #[cfg(target_arch = "aarch64")]
-    use wide::i16x8 as I16x8;
+    pub(super) use wide::i16x8 as I16x8;
 
     use super::{ParallelScan, RISE_DIVISOR, Rise, SMOOTH};
-    use crate::frame::Lumas;
     #[cfg(target_arch = "x86_64")]
-    use crate::sse2::I16x8;
+    pub(super) use crate::sse2::I16x8;
 
     #[inline]
     pub(super) fn next_rise(scan: &mut ParallelScan<'_>, end: u16) -> Option<Rise> {
@@ -112,79 +119,133 @@ mod lockstep {
 
     impl Step {
         #[inline(always)]
-        fn go(&mut self, scan: &ParallelScan<'_>, end: u16) -> Option<Rise> {
+        fn go(&mut self, scan: &mut ParallelScan<'_>, end: u16) -> Option<Rise> {
             let mut at = scan.at;
-            // For rows, blocks of eight pixels are read at once and transposed.
-            while let Some(block) = block(scan, at, end) {
-                for here in block {
-                    let lanes = self.on(here, at);
-                    if lanes != 0 {
-                        return Some(Rise { at, lanes });
-                    }
-                    at += 1;
+            while let Some(first) = load_block(scan, at, end) {
+                if at == first && self.passes(&scan.block, at) {
+                    at += 8;
+                    continue;
+                }
+                let rest = &scan.block[usize::from(at - first)..];
+                let rise = self.along(rest.iter().copied(), &mut at, end);
+                if rise.is_some() {
+                    return rise;
                 }
             }
-            // Columns of a frame of 160 × 120, 320 × 240 or 640 × 480 are read with one check of the bounds.
-            match scan.gap {
-                4 => self.along(scan, at..end, Lumas::of_eight_columns::<29, 4>),
-                8 => self.along(scan, at..end, Lumas::of_eight_columns::<57, 8>),
-                16 => self.along(scan, at..end, Lumas::of_eight_columns::<113, 16>),
-                _ => self.along(scan, at..end, |_, _| None),
-            }
+            let lumas = (at..end).map(|at| I16x8::new(scan.lumas.map(|lumas| lumas.get(at).into())));
+            self.along(lumas, &mut at, end)
         }
 
-        /// Advances over positions. `eight` reads a position of all scans, given the first one's pixels, if it can.
+        /// Advances over a block, of which this is the first position, if no lumas in it differ by a rising edge. Returns whether
+        /// it did.
         #[inline(always)]
-        fn along<'a>(
-            &mut self,
-            scan: &ParallelScan<'a>,
-            places: Range<u16>,
-            eight: impl Fn(&Lumas<'a>, u16) -> Option<[u8; 8]>,
-        ) -> Option<Rise> {
-            for at in places {
-                let here = eight(&scan.lumas[0], at).unwrap_or_else(|| scan.lumas.map(|lumas| lumas.get(at)));
-                let lanes = self.on(I16x8::new(here.map(i16::from)), at);
+        fn passes(&mut self, block: &[I16x8; 8], first: u16) -> bool {
+            let ground = self.bases >> i32::from(SMOOTH);
+            let (low, high) =
+                block.iter().fold((ground, ground), |(low, high), here| (low.min(*here), high.max(*here)));
+            let [is_here, is_there] = [1, 8].map(|offset| I16x8::splat(first as i16 + offset).simd_gt(self.from));
+            // The luma of the carpet stays between the lowest and the highest luma. A scan that begins within the block is not passed.
+            let rises = self.scaled(high).simd_gt(low * I16x8::splat(RISE_DIVISOR + 1)) & is_here;
+            if (rises | is_there & !is_here).to_bitmask() != 0 {
+                return false;
+            }
+            for here in block {
+                self.bases += (*here - (self.bases >> i32::from(SMOOTH))) & is_here;
+            }
+            true
+        }
+
+        /// Advances over positions before `end` with these lumas.
+        #[inline(always)]
+        fn along(&mut self, lumas: impl Iterator<Item = I16x8>, at: &mut u16, end: u16) -> Option<Rise> {
+            let mut next = I16x8::splat(*at as i16 + 1);
+            for (here, at_here) in lumas.zip(*at..end) {
+                let lanes = self.on(here, next);
                 if lanes != 0 {
-                    return Some(Rise { at, lanes });
+                    return Some(Rise { at: at_here, lanes });
                 }
+                next += I16x8::splat(1);
+                *at = at_here + 1;
             }
             None
         }
 
-        /// Advances to a position with these lumas. Returns one bit for each scan with a rising edge.
+        /// Advances to a position with these lumas, given the position behind it. Returns one bit for each scan with a rising
+        /// edge.
         #[inline(always)]
-        fn on(&mut self, here: I16x8, at: u16) -> u32 {
+        fn on(&mut self, here: I16x8, next: I16x8) -> u32 {
             let ground = self.bases >> i32::from(SMOOTH);
-            let is_here = I16x8::splat(at as i16).simd_ge(self.from);
-            let above = (here - ground - self.min_rise) * I16x8::splat(RISE_DIVISOR);
-            let rises = above.simd_gt(ground) & is_here;
+            let is_here = next.simd_gt(self.from);
+            let rises = self.scaled(here).simd_gt(ground * I16x8::splat(RISE_DIVISOR + 1)) & is_here;
             self.bases += (here - ground) & is_here & !rises;
             rises.to_bitmask()
         }
+
+        /// Luma above the minimum step, times the divisor. If it exceeds that of the carpet times the divisor plus one, it rises.
+        #[inline(always)]
+        fn scaled(&self, luma: I16x8) -> I16x8 {
+            (luma - self.min_rise) * I16x8::splat(RISE_DIVISOR)
+        }
     }
 
-    /// Lumas of eight positions of rows, position by position; `None` for columns or near the end.
+    /// First position of the scan's block that contains a position. Reads another block if necessary; `None` near the end.
     #[inline(always)]
-    fn block(scan: &ParallelScan<'_>, at: u16, end: u16) -> Option<[I16x8; 8]> {
-        if end.saturating_sub(at) < 8 || scan.lumas[0].eight(at).is_none() {
-            return None;
+    fn load_block(scan: &mut ParallelScan<'_>, at: u16, end: u16) -> Option<u16> {
+        if let Some(first) = scan.block_at.filter(|first| at - first < 8) {
+            return Some(first);
         }
-        Some(columns(scan.lumas.map(|lumas| lumas.eight(at).unwrap_or_default())))
+        let is_read = end.saturating_sub(at) >= 8 && read_block(scan, at);
+        scan.block_at = is_read.then_some(at);
+        scan.block_at
+    }
+
+    /// Reads a block, for rows or for columns of a frame of 160 × 120, 320 × 240 or 640 × 480. Returns whether it did.
+    #[inline(never)]
+    fn read_block(scan: &mut ParallelScan<'_>, at: u16) -> bool {
+        let first = scan.lumas[0];
+        if first.eight(at).is_some() {
+            let mut rows = [I16x8::splat(0); 8];
+            for (row, lumas) in rows.iter_mut().zip(&scan.lumas) {
+                if let Some(bytes) = lumas.eight(at) {
+                    *row = EVERY_SECOND(bytes);
+                }
+            }
+            scan.block = I16x8::transpose(rows);
+            return true;
+        }
+        match scan.gap {
+            4 => fill(&mut scan.block, first.spans(at).map(EVERY_FOURTH)),
+            8 => fill(&mut scan.block, first.spans(at).map(EVERY_EIGHTH)),
+            16 => fill(&mut scan.block, first.spans(at).map(every::<113, 16>)),
+            _ => false,
+        }
+    }
+
+    /// Fills a block if there are enough lumas. Returns whether it did.
+    #[inline(always)]
+    fn fill(block: &mut [I16x8; 8], lumas: impl Iterator<Item = I16x8>) -> bool {
+        let places = block.iter_mut().zip(lumas).map(|(place, here)| *place = here);
+        places.count() == 8
+    }
+
+    /// Every `GAP`th of some bytes.
+    #[inline(always)]
+    fn every<const SPAN: usize, const GAP: usize>(bytes: &[u8; SPAN]) -> I16x8 {
+        I16x8::new(core::array::from_fn(|lane| bytes[GAP * lane].into()))
     }
 
     #[cfg(target_arch = "x86_64")]
-    #[inline(always)]
-    fn columns(rows: [[u16; 8]; 8]) -> [I16x8; 8] {
-        I16x8::transpose(rows.map(|row| I16x8::new(row.map(|luma| luma as i16))))
-    }
-
+    const EVERY_SECOND: fn(&[u8; 16]) -> I16x8 = I16x8::every_second;
+    #[cfg(target_arch = "x86_64")]
+    const EVERY_FOURTH: fn(&[u8; 29]) -> I16x8 = I16x8::every_fourth;
+    #[cfg(target_arch = "x86_64")]
+    const EVERY_EIGHTH: fn(&[u8; 57]) -> I16x8 = I16x8::every_eighth;
     #[cfg(target_arch = "aarch64")]
-    #[inline(always)]
-    fn columns(rows: [[u16; 8]; 8]) -> [I16x8; 8] {
-        use wide::u16x8;
-
-        u16x8::transpose(rows.map(u16x8::new)).map(|here| I16x8::new(here.to_array().map(|luma| luma as i16)))
-    }
+    const EVERY_SECOND: fn(&[u8; 16]) -> I16x8 = every::<16, 2>;
+    #[cfg(target_arch = "aarch64")]
+    const EVERY_FOURTH: fn(&[u8; 29]) -> I16x8 = every::<29, 4>;
+    #[cfg(target_arch = "aarch64")]
+    const EVERY_EIGHTH: fn(&[u8; 57]) -> I16x8 = every::<57, 8>;
 }
 
 #[cfg(not(any(target_arch = "x86_64", target_arch = "aarch64")))]

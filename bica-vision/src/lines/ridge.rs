@@ -10,7 +10,7 @@ use super::LineTuning;
 use super::edge_scan::{LANES, ParallelScan};
 use super::stripe::Axes;
 use crate::colour::{Classify, Colour};
-use crate::frame::{Frame, Lumas, Pixel};
+use crate::frame::{Frame, Lumas, Strip};
 
 /// Maximum number of ridges in one scan. Recorded images have at most 6; more is noise, and the rest of the scan is
 /// skipped.
@@ -34,14 +34,14 @@ pub(super) struct Ridge {
 
 /// Row or column of a frame.
 pub(super) struct Scan<'a, C> {
-    pub(super) frame: &'a Frame<'a>,
-    pub(super) colours: &'a C,
-    pub(super) axes: Axes,
+    colours: &'a C,
+    lumas: Lumas<'a>,
+    pixels: Strip<'a>,
     /// Index of the row or column.
     pub(super) across: u16,
     /// Maximum width of a ridge, px.
-    pub(super) widest: u16,
-    pub(super) tuning: &'a LineTuning,
+    widest: u16,
+    tuning: &'a LineTuning,
 }
 
 /// Ridge in progress.
@@ -56,7 +56,7 @@ pub(super) fn in_parallel<C: Classify>(scans: &[(Scan<'_, C>, u16)], end: u16) -
     let mut found = [const { Ridges::new() }; LANES];
     let mut left = [RISES; LANES];
     let min_rise = scans.first().map_or(LineTuning::DEFAULT.min_rise, |(scan, _)| scan.tuning.min_rise);
-    let mut parallel = ParallelScan::new(scans.iter().map(|(scan, first)| (scan.lumas(), *first)), min_rise);
+    let mut parallel = ParallelScan::new(scans.iter().map(|(scan, first)| (scan.lumas, *first)), min_rise);
     while let Some(mut rise) = parallel.next_rise(end) {
         while rise.lanes != 0 {
             let lane = rise.lanes.trailing_zeros() as usize;
@@ -73,44 +73,52 @@ pub(super) fn in_parallel<C: Classify>(scans: &[(Scan<'_, C>, u16)], end: u16) -
     found
 }
 
-impl<C: Classify> Scan<'_, C> {
+impl<'a, C: Classify> Scan<'a, C> {
+    /// Creates a scan of the row or column with the index `across`. `widest` is the maximum width of a ridge, px.
+    pub(super) fn new(
+        frame: &Frame<'a>,
+        colours: &'a C,
+        axes: Axes,
+        across: u16,
+        widest: u16,
+        tuning: &'a LineTuning,
+    ) -> Self {
+        let (lumas, pixels) = match axes {
+            Axes::Columns => (frame.luma_column(across), frame.strip_of_column(across)),
+            Axes::Rows => (frame.luma_row(across), frame.strip_of_row(across)),
+        };
+        Self { colours, lumas, pixels, across, widest, tuning }
+    }
+
     /// Follows a ridge to its falling edge and adds it if it is part of a line. Returns the position where the scan
     /// continues, and a new carpet luma if the old one is unusable.
     fn climb(&self, mut ridge: Open, end: u16, found: &mut Ridges) -> (u16, Option<i32>) {
-        let lumas = self.lumas();
-        for at in ridge.start + 1..end {
-            let here = i32::from(lumas.get(at));
+        // Position at which the ridge is too wide.
+        let last = ridge.start + self.widest + 1;
+        for at in ridge.start + 1..end.min(last + 1) {
+            let here = i32::from(self.lumas.get(at));
             ridge.peak = ridge.peak.max(here);
             if 2 * here < ridge.base + ridge.peak {
                 found.extend(self.measured(&ridge, at));
                 return (at + 1, None);
             }
-            if at - ridge.start > self.widest {
-                return (at + 1, Some(here));
-            }
         }
-        (end, None)
-    }
-
-    fn lumas(&self) -> Lumas<'_> {
-        match self.axes {
-            Axes::Columns => self.frame.luma_column(self.across),
-            Axes::Rows => self.frame.luma_row(self.across),
-        }
-    }
-
-    fn pixel(&self, at: u16) -> Option<Pixel> {
-        let (x, y) = match self.axes {
-            Axes::Columns => (self.across, at),
-            Axes::Rows => (at, self.across),
-        };
-        self.frame.pixel(x.into(), y.into())
+        if last < end { (last + 1, Some(self.lumas.get(last).into())) } else { (end, None) }
     }
 
     /// Measures a ridge that ended before `end`, if it is white between green.
     fn measured(&self, ridge: &Open, end: u16) -> Option<Ridge> {
-        let (middle, lumas) = (f32::midpoint(ridge.base as f32, ridge.peak as f32), self.lumas());
-        let first = (ridge.start..end).find(|at| f32::from(lumas.get(*at)) >= middle)?;
+        let lumas = &self.lumas;
+        // Luma is at least the middle if twice the luma is at least the sum.
+        let is_first = |at: &u16| 2 * i32::from(lumas.get(*at)) >= ridge.base + ridge.peak;
+        let first = (ridge.start..end).find(is_first)?;
+        // Most ridges are not between green.
+        let is_on_carpet =
+            self.is_green(end + 1, end + 2) && self.is_green(first.checked_sub(2)?, first.saturating_sub(3));
+        if !is_on_carpet {
+            return None;
+        }
+        let middle = f32::midpoint(ridge.base as f32, ridge.peak as f32);
         let edge = |dark: u16, bright: u16| {
             let (dark, bright) = (f32::from(lumas.get(dark)), f32::from(lumas.get(bright)));
             (middle - dark) / (bright - dark).max(1.0)
@@ -118,14 +126,12 @@ impl<C: Classify> Scan<'_, C> {
         let from = f32::from(first) - 1.0 + edge(first.checked_sub(1)?, first).clamp(0.0, 1.0);
         let to = f32::from(end) - edge(end, end - 1).clamp(0.0, 1.0);
         let rise = ridge.peak - ridge.base;
-        let is_line = self.is_green(first.checked_sub(2)?, first.saturating_sub(3))
-            && self.is_green(end + 1, end + 2)
-            && self.is_white(f32::midpoint(from, to) as u16, rise);
+        let is_line = self.is_white(f32::midpoint(from, to) as u16, rise);
         is_line.then_some(Ridge { at: f32::midpoint(from, to), width: to - from, rise: rise as f32 })
     }
 
     fn class(&self, at: u16) -> Colour {
-        self.pixel(at).map_or(Colour::None, |pixel| self.colours.classify(pixel))
+        self.pixels.pixel(at).map_or(Colour::None, |pixel| self.colours.classify(pixel))
     }
 
     fn is_green(&self, near: u16, far: u16) -> bool {

@@ -48,12 +48,13 @@ struct Trace<'a> {
 
 impl Trace<'_> {
     fn luma(&self, at: Vec2) -> Option<f32> {
-        self.frame.nearest(at).map(|pixel| f32::from(pixel.y))
+        self.frame.nearest_luma(at).map(f32::from)
     }
 
     /// Last position from `start` on with contrast. Continues behind a crossing line.
     fn end(&self, start: Vec2, step: Vec2) -> Vec2 {
         let (mut end, mut dark, mut bright) = (start, 0.0, 0.0);
+        let rise = RISE_PART * self.stripe.rise;
         for count in 1..FARTHEST as u8 {
             let at = start + f32::from(count) * step;
             let (Some(middle), Some(left), Some(right)) =
@@ -61,7 +62,6 @@ impl Trace<'_> {
             else {
                 break;
             };
-            let rise = RISE_PART * self.stripe.rise;
             if middle >= left.max(right) + rise {
                 (end, dark, bright) = (at, 0.0, 0.0);
             } else if middle >= left.min(right) + rise {

@@ -4,6 +4,7 @@
 //! since the start of the world's clock.
 
 mod diagnostics;
+mod extra;
 mod graph;
 mod image;
 mod monitor;
@@ -16,6 +17,10 @@ use postcard_schema::Schema;
 use serde::{Deserialize, Serialize};
 
 pub use diagnostics::{FaultInjection, LinkStats, StackUsage, Telemetry};
+pub use extra::{
+    COSTS_CYCLES, ComponentCost, ComponentCosts, ConditionState, Conditions, Costs, ExtraKind, FromMonitorExtra,
+    ImageHead, MAX_CONDITIONS, MAX_COSTS, MAX_OTHERS, Offers, ToMonitorExtra, Truth, WorldState,
+};
 pub use graph::GraphItem;
 pub use image::{ImageChunk, ImageInfo};
 pub use monitor::{
@@ -24,7 +29,7 @@ pub use monitor::{
 };
 pub use operator::{
     Answer, AnswerResult, Change, Hold, LeaseAction, LeaseState, MAX_ARGUMENTS, MAX_BATCH, RefusalCode, Request,
-    Setting,
+    Setting, WorldChange,
 };
 pub use robot::{Command, Sensors};
 pub use session::{ClockMode, Hello, Identity};
@@ -49,6 +54,8 @@ pub enum ToRobot<'a> {
     StackUsage,
     /// A [`FromMonitor`] in postcard's format. A robot without monitors does not decode it.
     Monitor(&'a [u8]),
+    /// A [`FromMonitorExtra`] in postcard's format. Only a program on a computer decodes it.
+    MonitorExtra(&'a [u8]),
 }
 
 impl ToRobot<'_> {
@@ -78,6 +85,8 @@ pub enum FromRobot<'a> {
     StackUsage(StackUsage),
     /// A [`ToMonitor`] in postcard's format.
     Monitor(&'a [u8]),
+    /// A [`ToMonitorExtra`] in postcard's format.
+    MonitorExtra(&'a [u8]),
 }
 
 /// A message from a monitor. It never affects the game, except for [`Request`](Self::Request).

@@ -4,7 +4,7 @@ use heapless::Vec;
 use postcard_schema::Schema;
 use serde::{Deserialize, Serialize};
 
-use super::{Hold, Value};
+use super::{Hold, Offers, Value};
 
 /// Largest number of components in one [`ComponentStates`].
 pub const MAX_STATES: usize = 32;
@@ -31,6 +31,8 @@ pub struct Attached<'a> {
     pub realtime: bool,
     /// Silence of the operator after which his requests end, ms.
     pub silence_ms: u32,
+    /// What the robot's program offers.
+    pub offers: Offers,
 }
 
 /// How often snapshots are sent to this monitor.

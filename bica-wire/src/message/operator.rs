@@ -86,6 +86,22 @@ pub enum Change {
         /// The arguments.
         arguments: Vec<Value, MAX_ARGUMENTS>,
     },
+    /// Stops or continues the time of a simulated world. Anything else refuses it.
+    World(WorldChange),
+}
+
+/// A change of a simulated world's time. It stays when the lease ends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, Schema)]
+pub enum WorldChange {
+    /// Pauses after the present cycle. Requests are still applied.
+    Pause,
+    /// Continues; steps that are left are dropped.
+    Resume,
+    /// Pauses, and runs some cycles.
+    Step {
+        /// Number of cycles, in addition to those that are left.
+        cycles: u32,
+    },
 }
 
 /// A value for a parameter.
@@ -176,6 +192,8 @@ pub enum RefusalCode {
     Tree,
     /// The robot's program accepts no requests.
     Unsupported,
+    /// The robot's time cannot be stopped.
+    NoWorld,
 }
 
 impl RefusalCode {
@@ -187,6 +205,7 @@ impl RefusalCode {
             Self::Expired => "the request came after its expiry: send it again",
             Self::Tree => "the tree refused the change",
             Self::Unsupported => "the robot's program accepts no requests, monitors may only watch",
+            Self::NoWorld => "this is no simulated world, its time cannot be stopped",
         }
     }
 }

@@ -128,7 +128,7 @@ impl Lease {
         match change {
             Change::Hold { component, hold } => self.holds.set(*component, Hold::from(*hold) != Hold::Tree),
             Change::Rate { component, hz } => self.rates.set(*component, !hz.is_nan()),
-            Change::Params(_) | Change::Modulate { .. } => {}
+            Change::Params(_) | Change::Modulate { .. } | Change::World(_) => {}
         }
     }
 

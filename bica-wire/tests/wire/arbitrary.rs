@@ -18,7 +18,8 @@ pub(crate) fn to_robot(bytes: &'static [u8]) -> BoxedStrategy<ToRobot<'static>> 
     let panic = any::<u8>().prop_map(|component| FaultInjection::Panic { component });
     let fault = prop_oneof![delay, panic].prop_map(ToRobot::FaultInjection);
     let sensors = sensors().prop_map(ToRobot::Sensors);
-    let empty = prop::sample::select(vec![ToRobot::Describe, ToRobot::StackUsage, ToRobot::Monitor(bytes)]);
+    let monitor = [ToRobot::Monitor(bytes), ToRobot::MonitorExtra(bytes)];
+    let empty = prop::sample::select([[ToRobot::Describe, ToRobot::StackUsage], monitor].concat());
     prop_oneof![empty, hello, chunk, fault, sensors].boxed()
 }
 

@@ -1,18 +1,21 @@
 //! The bytes of packets, fixed: a change breaks the link to every robot in use, and must be stated here.
 //!
 //! The schema hash covers the names of types, variants and fields. It changed when these were renamed, and when the messages of
-//! monitors were added; the bytes of the messages below did not.
+//! monitors were added; the bytes of the messages below did not. Then `Attached` got what the robot offers.
 
 use bica_field::GoalColour;
 use bica_wire::message::{
-    Answer, AnswerResult, Change, ClockMode, ComponentState, ComponentStates, CycleInfo, FaultInjection, Hello, Hold,
-    ImageChunk, InfoValue, LeaseAction, LeaseState, LogLine, RefusalCode, Request, Setting, StackUsage, Value, Watch,
-    WatchInfo,
+    Answer, AnswerResult, Attached, Change, ClockMode, ComponentCost, ComponentCosts, ComponentState, ComponentStates,
+    ConditionState, Conditions, Costs, CycleInfo, ExtraKind, FaultInjection, Hello, Hold, ImageChunk, ImageHead,
+    InfoValue, LeaseAction, LeaseState, LogLine, Offers, RefusalCode, Request, Setting, StackUsage, Truth, Value,
+    Watch, WatchInfo, WorldChange, WorldState,
 };
-use bica_wire::{Encoder, FromMonitor, FromRobot, MAX_PACKET, SCHEMA, ToMonitor, ToRobot};
+use bica_wire::{
+    Encoder, FromMonitor, FromMonitorExtra, FromRobot, MAX_PACKET, SCHEMA, ToMonitor, ToMonitorExtra, ToRobot,
+};
 
 /// Schema of these bytes.
-const GOLDEN_SCHEMA: u64 = 0x6835_0a32_0564_dc8e;
+const GOLDEN_SCHEMA: u64 = 0x85be_a873_5887_ac74;
 
 fn bytes(message: &impl serde::Serialize) -> Vec<u8> {
     Encoder::new().encode(message, &mut [0; MAX_PACKET]).expect("the packet fits").to_vec()
@@ -84,4 +87,48 @@ fn messages_of_monitors_have_the_documented_bytes() {
     assert_eq!(to(&ToMonitor::Closing { reason: "a" }), [9, 1, 97]);
     assert_eq!(postcard::to_stdvec(&ToRobot::Monitor(&[0])), Ok(vec![6, 1, 0]));
     assert_eq!(postcard::to_stdvec(&FromRobot::Monitor(&[0])), Ok(vec![5, 1, 0]));
+}
+
+/// The bytes as `docs/link.md` states them.
+#[test]
+fn messages_that_only_a_computer_offers_have_the_documented_bytes() {
+    let request = |change| {
+        let request = Request { number: 1, lease: 2, expires_us: 3, change: Change::World(change) };
+        postcard::to_stdvec(&FromMonitor::Request(request)).expect("serializable")
+    };
+    assert_eq!(request(WorldChange::Pause), [5, 1, 2, 3, 4, 0]);
+    assert_eq!(request(WorldChange::Resume), [5, 1, 2, 3, 4, 1]);
+    assert_eq!(request(WorldChange::Step { cycles: 7 }), [5, 1, 2, 3, 4, 2, 7]);
+    let (offers, name) = (Offers::PAUSE.with(Offers::IMAGES), "a");
+    let attached = Attached { schema: 1, tree_hash: 2, name, realtime: true, silence_ms: 3, offers };
+    assert_eq!(postcard::to_stdvec(&ToMonitor::Attached(attached)), Ok(vec![0, 1, 2, 1, 97, 1, 3, 34]));
+
+    let from = |message: &FromMonitorExtra| postcard::to_stdvec(message).expect("serializable");
+    let watch = |kind| from(&FromMonitorExtra::Watch { kind, every: 9 });
+    assert_eq!(watch(ExtraKind::Conditions { component: 4 }), [0, 0, 4, 9]);
+    assert_eq!(watch(ExtraKind::Costs), [0, 1, 9]);
+    assert_eq!(watch(ExtraKind::Truth), [0, 2, 9]);
+    assert_eq!(watch(ExtraKind::Images), [0, 3, 9]);
+    assert_eq!(from(&FromMonitorExtra::ImageTaken { number: 5 }), [1, 5]);
+
+    let to = |message: &ToMonitorExtra<'_>| postcard::to_stdvec(message).expect("serializable");
+    let values = [None, Some(ConditionState { holds: true, since_us: 5 })].into_iter().collect();
+    let conditions = Conditions { cycle: 1, time_us: 2, component: 3, first: 4, values };
+    assert_eq!(to(&ToMonitorExtra::Conditions(conditions)), [0, 1, 2, 3, 4, 2, 0, 1, 1, 5]);
+    let costs = Costs { cycle: 1, time_us: 2, window_us: 3, mean_us: 0.0, max_us: 1.0, worst_us: 4 };
+    assert_eq!(to(&ToMonitorExtra::Costs(costs)), [1, 1, 2, 3, 0, 0, 0, 0, 0, 0, 128, 63, 4]);
+    let cost = ComponentCost { runs: 1, mean_us: 0.0, max_us: 1.0, overruns: 2, overrun_us: 3 };
+    let costs = ComponentCosts { cycle: 1, first: 2, costs: [cost].into_iter().collect() };
+    assert_eq!(to(&ToMonitorExtra::ComponentCosts(costs)), [2, 1, 2, 1, 1, 0, 0, 0, 0, 0, 0, 128, 63, 2, 3]);
+    let others = [[0.0, 0.0]].into_iter().collect();
+    let truth = Truth { time_us: 1, others, attacks_blue: true, ..Truth::default() };
+    let bytes = [&[3, 1][..], &[0; 20], &[1], &[0; 20], &[1]].concat();
+    assert_eq!(to(&ToMonitorExtra::Truth(truth)), bytes);
+    let head = ImageHead { number: 1, time_us: 2, bottom_camera: true, width: 3, height: 4 };
+    assert_eq!(to(&ToMonitorExtra::Image(head)), [4, 1, 2, 1, 3, 4]);
+    let chunk = ImageChunk { image_id: 1, offset: 2, bytes: &[9] };
+    assert_eq!(to(&ToMonitorExtra::ImageChunk(chunk)), [5, 1, 2, 1, 9]);
+    assert_eq!(to(&ToMonitorExtra::World(WorldState { paused: true, steps: 1, cycle: 2 })), [6, 1, 1, 2]);
+    assert_eq!(postcard::to_stdvec(&ToRobot::MonitorExtra(&[0])), Ok(vec![7, 1, 0]));
+    assert_eq!(postcard::to_stdvec(&FromRobot::MonitorExtra(&[0])), Ok(vec![6, 1, 0]));
 }

@@ -2,11 +2,12 @@
 
 use bica_field::GoalColour;
 use bica_wire::message::{
-    Answer, AnswerResult, Change, ClockMode, ComponentState, ComponentStates, Hello, Hold, InfoSchema, InfoValue,
-    LeaseAction, LogLine, MAX_ARGUMENTS, MAX_BATCH, MAX_INFO_BYTES, MAX_STATES, MAX_TEXT_BYTES, MAX_VALUES,
-    ParamValues, RefusalCode, Request, SCHEMA_PART_BYTES, Setting, Value, Watch, WatchInfo,
+    Answer, AnswerResult, Change, ClockMode, ComponentCost, ComponentCosts, ComponentState, ComponentStates,
+    ConditionState, Conditions, Hello, Hold, ImageChunk, InfoSchema, InfoValue, LeaseAction, LogLine, MAX_ARGUMENTS,
+    MAX_BATCH, MAX_CONDITIONS, MAX_COSTS, MAX_INFO_BYTES, MAX_OTHERS, MAX_STATES, MAX_TEXT_BYTES, MAX_VALUES,
+    ParamValues, RefusalCode, Request, SCHEMA_PART_BYTES, Setting, Truth, Value, Watch, WatchInfo,
 };
-use bica_wire::{Encoder, FromMonitor, FromRobot, MAX_PACKET, ToMonitor, ToRobot};
+use bica_wire::{CHUNK_BYTES, Encoder, FromMonitor, FromRobot, MAX_PACKET, ToMonitor, ToMonitorExtra, ToRobot};
 use proptest::prelude::*;
 
 /// The value with the longest encoding.
@@ -41,6 +42,11 @@ fn the_largest_message_of_each_kind_fits_into_a_packet() {
     for result in [refused, done] {
         assert_to_fits(&ToMonitor::Answer(Answer { number: u32::MAX, cycle, arrived: cycle, result }));
     }
+    for message in largest_extras() {
+        let bytes = postcard::to_stdvec(&message).expect("serializable");
+        let packet = Encoder::new().encode(&FromRobot::MonitorExtra(&bytes), &mut [0; MAX_PACKET]).map(<[u8]>::len);
+        assert!(packet.is_ok(), "{message:?}");
+    }
     let setting = Setting { component, index: u16::MAX, value: VALUE };
     let batch = Change::Params([setting; MAX_BATCH].into_iter().collect());
     let arguments = [VALUE; MAX_ARGUMENTS].into_iter().collect();
@@ -53,6 +59,23 @@ fn the_largest_message_of_each_kind_fits_into_a_packet() {
             change,
         }));
     }
+}
+
+/// The largest message of each kind that only a computer offers.
+fn largest_extras() -> Vec<ToMonitorExtra<'static>> {
+    const CHUNK: &[u8] = &[1; CHUNK_BYTES];
+    let (cycle, time_us, component, first) = (u64::MAX, u64::MAX, u16::MAX, u16::MAX);
+    let condition = Some(ConditionState { holds: true, since_us: u64::MAX });
+    let values = [condition; MAX_CONDITIONS].into_iter().collect();
+    let cost = ComponentCost { runs: u32::MAX, mean_us: 1.0, max_us: 1.0, overruns: u32::MAX, overrun_us: u64::MAX };
+    let costs = [cost; MAX_COSTS].into_iter().collect();
+    let others = [[1.0; 2]; MAX_OTHERS].into_iter().collect();
+    vec![
+        ToMonitorExtra::Conditions(Conditions { cycle, time_us, component, first, values }),
+        ToMonitorExtra::ComponentCosts(ComponentCosts { cycle, first, costs }),
+        ToMonitorExtra::Truth(Truth { time_us, others, ..Truth::default() }),
+        ToMonitorExtra::ImageChunk(ImageChunk { image_id: u32::MAX, offset: u32::MAX, bytes: CHUNK }),
+    ]
 }
 
 #[test]
@@ -73,7 +96,7 @@ fn a_batch_that_is_longer_than_the_largest_is_no_message() {
 fn only_messages_of_the_body_show_that_sensor_values_arrive() {
     let hello = Hello { schema: 0, clock_mode: ClockMode::Lockstep, attacks: GoalColour::Yellow };
     assert!(ToRobot::Hello(hello).is_from_body());
-    let monitor = [ToRobot::Monitor(&[0]), ToRobot::Describe, ToRobot::StackUsage];
+    let monitor = [ToRobot::Monitor(&[0]), ToRobot::MonitorExtra(&[0]), ToRobot::Describe, ToRobot::StackUsage];
     assert!(!monitor.iter().any(ToRobot::is_from_body));
 }
 

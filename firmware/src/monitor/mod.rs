@@ -135,6 +135,7 @@ impl Monitor {
     ) {
         let time = now.unwrap_or(Instant::MIN);
         let admitted = match now {
+            _ if matches!(request.change, Change::World(_)) => Err(RefusalCode::NoWorld),
             Some(now) => self.lease.admit(line.id(), &request, since_start(now), now),
             None => Err(RefusalCode::NoLease),
         };
@@ -161,7 +162,7 @@ impl Monitor {
         runner: &mut Runner<&'static mut Forward, (), (), O>,
         now: Instant,
     ) -> Result<(), Refusal> {
-        runner.request(now, RequestBuffer::new().request(change))?;
+        RequestBuffer::new().request(change).map_or(Ok(()), |request| runner.request(now, request))?;
         self.lease.record(change);
         if let Change::Params(batch) = change {
             let changed = batch.iter().fold(0, |set, setting| set | 1_u64 << (setting.component & 63));
@@ -182,7 +183,7 @@ impl Monitor {
         }
         while let Some(change) = self.lease.next_ending() {
             // A change that was accepted under the lease can always be taken back.
-            let _ = runner.request(now, RequestBuffer::new().request(&change));
+            let _ = RequestBuffer::new().request(&change).map(|request| runner.request(now, request));
         }
     }
 
@@ -239,5 +240,6 @@ fn describe_change(change: &Change) -> (Option<u16>, &'static str, &'static str)
             (batch.first().map(|setting| setting.component), "operator: set", "operator: refused: set")
         }
         Change::Modulate { component, .. } => (Some(*component), "operator: call", "operator: refused: call"),
+        Change::World(_) => (None, "", "operator: refused"),
     }
 }

@@ -3,7 +3,7 @@
 use bica::{ComponentId, Tree};
 use bica_wire::message::{
     Answer, AnswerResult, Attached, ComponentStates, CycleInfo, InfoSchema, InfoValue, LeaseState, LogLine,
-    MAX_INFO_BYTES, MAX_STATES, MAX_VALUES, SCHEMA_PART_BYTES,
+    MAX_INFO_BYTES, MAX_STATES, MAX_VALUES, Offers, SCHEMA_PART_BYTES,
 };
 use bica_wire::server::read;
 use bica_wire::{Encoder, FromRobot, SCHEMA, ToMonitor};
@@ -168,6 +168,7 @@ impl Context<'_> {
             name: GRAPH.name,
             realtime: self.realtime,
             silence_ms: self.silence_ms,
+            offers: Offers::OPERATE,
         }
     }
 }

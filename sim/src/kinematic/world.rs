@@ -16,7 +16,7 @@ use crate::random::{Random, Stream};
 use crate::referee::rules::Rules;
 use crate::referee::{Posture, Referee};
 use crate::segmentation::PixelLabel;
-use crate::setup::{Setup, SetupError};
+use crate::setup::{Setup, SetupError, check_ball};
 use crate::shared_image::{ImageMemory, SharedImage};
 use crate::spectator::{Picture, RenderError, SpectatorCamera, SpectatorView};
 use crate::transform::angular_velocity;
@@ -76,6 +76,22 @@ impl KinematicWorld {
     /// Sets the temperature of a joint's motor, °C; from then on the thermal model continues. For experiments.
     pub fn set_motor_temperature(&mut self, joint: Joint, temperature: f32) {
         self.body.set_motor_temperature(joint, temperature);
+    }
+
+    /// Puts the ball at a position, m, with a velocity, m/s; field frame. A return into play that the rules had planned is
+    /// cancelled. For experiments, such as shots at a goal.
+    ///
+    /// # Errors
+    ///
+    /// If the position is not on the carpet, within a goal post or a net or under the robot, or if the velocity is not finite. The
+    /// ball then stays as it is.
+    pub fn set_ball(&mut self, position: Vec2, velocity: Vec2) -> Result<(), SetupError> {
+        check_ball(position, velocity, self.body.pose())?;
+        self.ball.position = position;
+        self.ball.velocity = velocity;
+        self.rules.cancel_return();
+        self.referee.set_ball(position, velocity);
+        Ok(())
     }
 
     /// Renders the label of each pixel of an image taken now, row by row from the top left. Ground truth, for evaluation

@@ -56,6 +56,11 @@ impl Rules {
         }
     }
 
+    /// Forgets the return of a ball that is out of play: something else has put it back.
+    pub(crate) const fn cancel_return(&mut self) {
+        self.pending_return = None;
+    }
+
     /// Applies the rules to the position of the ball. Returns its new position if it returns into play in this cycle.
     pub(crate) fn apply(&mut self, now: Duration, ball: Vec2, referee: &mut Referee) -> Option<Vec2> {
         if let Some((when, at)) = self.pending_return {

@@ -6,5 +6,6 @@ mod falling;
 mod kicking;
 mod seeing;
 mod sensing;
+mod shooting;
 mod support;
 mod walking;

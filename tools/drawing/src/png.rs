@@ -1,7 +1,7 @@
 //! PNG files.
 
 use std::fs::File;
-use std::io::{BufReader, BufWriter};
+use std::io::{BufReader, BufWriter, Write};
 use std::path::Path;
 
 use super::canvas::Canvas;
@@ -11,8 +11,21 @@ use super::canvas::Canvas;
 /// # Errors
 /// If the file cannot be written.
 pub fn write(path: &Path, canvas: &Canvas) -> Result<(), png::EncodingError> {
-    let file = BufWriter::new(File::create(path)?);
-    let mut encoder = png::Encoder::new(file, canvas.width() as u32, canvas.height() as u32);
+    encode_to(BufWriter::new(File::create(path)?), canvas)
+}
+
+/// Returns a picture as the bytes of a file.
+///
+/// # Errors
+/// If the picture is empty.
+pub fn encode(canvas: &Canvas) -> Result<Vec<u8>, png::EncodingError> {
+    let mut bytes = Vec::new();
+    encode_to(&mut bytes, canvas)?;
+    Ok(bytes)
+}
+
+fn encode_to(out: impl Write, canvas: &Canvas) -> Result<(), png::EncodingError> {
+    let mut encoder = png::Encoder::new(out, canvas.width() as u32, canvas.height() as u32);
     encoder.set_color(png::ColorType::Rgb);
     encoder.set_compression(png::Compression::Fast);
     let mut writer = encoder.write_header()?;

@@ -26,6 +26,11 @@ pub trait GameControl {
         None
     }
 
+    /// Whether an operator may pause the game over its link. Not if this control pauses it.
+    fn lets_operators_pause(&self) -> bool {
+        true
+    }
+
     /// Called once if the recording ended before the game.
     fn recording_ended(&mut self, _reason: &str) {}
 }
@@ -47,6 +52,10 @@ impl<C: GameControl + ?Sized> GameControl for &mut C {
 
     fn note(&mut self) -> Option<String> {
         (**self).note()
+    }
+
+    fn lets_operators_pause(&self) -> bool {
+        (**self).lets_operators_pause()
     }
 
     fn recording_ended(&mut self, reason: &str) {

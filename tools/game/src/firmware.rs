@@ -23,6 +23,9 @@ use crate::scene::GRAPH;
 pub struct FirmwareImage(&'static Path);
 
 impl FirmwareImage {
+    /// Where `cargo xtask firmware --build` puts the image, from the folder of the repository.
+    pub const DEFAULT: &str = "firmware/target/thumbv7em-none-eabihf/release/forward-an500";
+
     /// The image of a file, for cameras of a size.
     ///
     /// # Errors

@@ -29,6 +29,9 @@ use crate::world_factory;
 /// Least distance between two points of the ball's path, m.
 const PATH_STEP: f32 = 0.03;
 
+/// Time between two looks for requests while an operator has paused the game.
+const BETWEEN_REQUESTS: Duration = Duration::from_millis(5);
+
 /// Plays until a goal, the end of the time, or Ctrl-C.
 ///
 /// # Errors
@@ -62,12 +65,16 @@ pub fn play_controlled(
     record: Option<RecordOptions<'_>>,
     serve: Option<ServeOptions<'_>>,
 ) -> Result<(GameSummary, Option<RecordingSummary>), Failure> {
-    let mut game = Game::new(rules, record, serve)?;
+    let mut game = Game::new(rules, record, serve, control.lets_operators_pause())?;
     let began = Instant::now();
     let mut paused = Duration::ZERO;
     loop {
         let asked = Instant::now();
-        let next = control.next(game.is_over(rules));
+        let mut next = control.next(game.is_over(rules));
+        if next == NextStep::Cycle && !game.runner.requests_mut().begins_cycle() {
+            thread::sleep(BETWEEN_REQUESTS);
+            next = NextStep::Requests;
+        }
         paused += asked.elapsed();
         match next {
             NextStep::End => break,
@@ -112,7 +119,12 @@ struct Game<'a> {
 }
 
 impl<'a> Game<'a> {
-    fn new(rules: &Rules, record: Option<RecordOptions<'a>>, serve: Option<ServeOptions<'_>>) -> Result<Self, Failure> {
+    fn new(
+        rules: &Rules,
+        record: Option<RecordOptions<'a>>,
+        serve: Option<ServeOptions<'_>>,
+        can_pause: bool,
+    ) -> Result<Self, Failure> {
         let world = world_factory::open(rules)?;
         let image = world.shared_image();
         let mut robot = Box::new(Forward::new());
@@ -122,8 +134,8 @@ impl<'a> Game<'a> {
         let refused = |refusal: Refusal| Failure::new(refusal.to_string(), "check parameters with `player params`");
         robot.set_params(rules.settings).map_err(refused)?;
         let firmware = rules.firmware.map(|image| image.start(attacks)).transpose()?;
-        let recorder = GameRecorder::new(record, rules, attacks, &robot, image)?;
-        let (link, requests, view) = GameLink::start(serve, rules)?;
+        let recorder = GameRecorder::new(record, rules, attacks, &robot, image.clone())?;
+        let (link, requests, view) = GameLink::start(serve, rules, image, can_pause)?;
         let measured = (Meter::new(&GRAPH), Stopwatch::default());
         let observers = (FirmwareCheck::new(firmware), (measured, (recorder, view)));
         Ok(Self {
@@ -166,6 +178,7 @@ impl<'a> Game<'a> {
         self.cycles += 1;
         let ((meter, _), (recorder, _)) = &mut self.runner.observer_mut().1;
         recorder.costs(meter);
+        self.runner.observer().1.1.1.truth(self.cycle_time, self.runner.world().referee(), self.start);
         self.tree_changes += u64::from(self.meter().changed());
         if self.ball_path.last().is_none_or(|last| last.distance(ball) > PATH_STEP) {
             self.ball_path.push(ball);

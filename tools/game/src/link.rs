@@ -1,12 +1,16 @@
 //! Monitors of a game.
 
 use bica::runner::{Cycle, Observer, Overrun, Request, Requests};
-use bica::{Instant, Probe, Refusal};
+use bica::{ComponentId, Instant, Probe, Refusal};
 use bica_console::Failure;
-use bica_link::{Address, LinkObserver, LinkRequests, LinkServer, ServerOptions};
-use bica_motion::robot::Sensors;
+use bica_field::GoalColour;
+use bica_link::{Address, LinkImage, LinkObserver, LinkRequests, LinkServer, ServerOptions};
+use bica_motion::pose::Pose2;
+use bica_motion::robot::{CameraId, Sensors};
 use bica_player::tunable::Forward;
 use bica_sim::referee::TimedEvent;
+use bica_sim::{Referee, SharedImage};
+use bica_wire::message::{MAX_OTHERS, Offers, Truth};
 
 use crate::event::EventRecord;
 use crate::rules::Rules;
@@ -39,6 +43,8 @@ impl GameLink {
     pub(crate) fn start(
         options: Option<ServeOptions<'_>>,
         rules: &Rules,
+        image: SharedImage,
+        can_pause: bool,
     ) -> Result<(Self, LinkQueue, LinkView), Failure> {
         let Some(ServeOptions { address, anywhere, started }) = options else {
             return Ok((Self(None), LinkQueue(None), LinkView(None)));
@@ -46,11 +52,13 @@ impl GameLink {
         let defaults = ServerOptions::default();
         // A firmware image has no operator: requests would make this program's commands differ from the image's.
         let watch_only = rules.firmware.is_some();
-        let options = ServerOptions { anywhere, realtime: rules.realtime, watch_only, ..defaults };
-        let (server, requests, observer) =
-            LinkServer::start(address, options).map_err(|error| Failure::new(error.to_string(), error.help()))?;
+        let pause = if can_pause { Offers::PAUSE } else { Offers::default() };
+        let offers = Offers::TRUTH.with(Offers::IMAGES).with(pause);
+        let options = ServerOptions { anywhere, realtime: rules.realtime, watch_only, offers, ..defaults };
+        let (server, requests, observer) = LinkServer::start::<Forward>(address, options)
+            .map_err(|error| Failure::new(error.to_string(), error.help()))?;
         started(server.address())?;
-        let observer = observer.counting_images(|sensors: &Sensors<'_>| sensors.image.is_some());
+        let observer = observer.with_images(image_of).sharing_images(move |pixels| image.owner_of(pixels));
         Ok((Self(Some(server)), LinkQueue(Some(requests)), LinkView(Some(observer))))
     }
 
@@ -61,6 +69,39 @@ impl GameLink {
             let separator = if detail.is_empty() { "" } else { ", " };
             server.log(INFORMATION, &format!("referee: {kind}{separator}{detail}"));
         }
+    }
+}
+
+/// Returns the image in sensor values.
+fn image_of<'a>(sensors: &'a Sensors<'_>) -> Option<LinkImage<'a>> {
+    sensors.image.as_ref().map(|image| LinkImage {
+        bottom_camera: image.camera == CameraId::Bottom,
+        width: image.width,
+        height: image.height,
+        yuyv: image.yuyv,
+    })
+}
+
+impl LinkQueue {
+    /// Whether the operator lets the next cycle run.
+    pub(crate) fn begins_cycle(&mut self) -> bool {
+        self.0.as_mut().is_none_or(LinkRequests::begins_cycle)
+    }
+}
+
+impl LinkView {
+    /// Sends the true state after a cycle to monitors that watch it.
+    pub(crate) fn truth(&self, cycle: std::time::Duration, referee: &Referee, start: Pose2) {
+        let Some(observer) = self.0.as_ref().filter(|observer| observer.wants_truth()) else { return };
+        let pose = |pose: Pose2| [pose.position.x, pose.position.y, pose.heading];
+        observer.truth(|| Truth {
+            time_us: cycle.as_micros() as u64,
+            robot: pose(referee.robot()),
+            ball: referee.ball().into(),
+            others: referee.others().iter().map(|other| other.position.into()).take(MAX_OTHERS).collect(),
+            start: pose(start),
+            attacks_blue: referee.attacks() == GoalColour::SkyBlue,
+        });
     }
 }
 
@@ -76,7 +117,29 @@ impl Requests for LinkQueue {
     }
 }
 
-impl Probe for LinkView {}
+/// Writes each event of a probe as a call on the observer, if there is one.
+macro_rules! forward {
+    ($($event:ident($($argument:ident: $kind:ty),*);)+) => {
+        impl Probe for LinkView {
+            $(fn $event(&mut self $(, $argument: $kind)*) {
+                if let Some(observer) = &mut self.0 {
+                    observer.$event($($argument),*);
+                }
+            })+
+        }
+    };
+}
+
+forward! {
+    cycle_begin(now: Instant);
+    cycle_end();
+    start(component: ComponentId);
+    run(component: ComponentId);
+    begin(component: ComponentId);
+    end(component: ComponentId);
+    condition(component: ComponentId, transition: usize, holds: bool);
+    transition(component: ComponentId, from: usize, to: usize);
+}
 
 impl Observer<Forward> for LinkView {
     fn sensing(&mut self, now: Instant, sensors: &Sensors<'_>) {

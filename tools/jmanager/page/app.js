@@ -10,6 +10,8 @@ import * as store from './lib/store.js';
 import { toggleTheme } from './lib/theme.js';
 import { Header } from './bar.js';
 import { Help, helpShown } from './help.js';
+import { Form } from './vicode/ask.js';
+import { Carried } from './vicode/carry.js';
 
 function Notices() {
   return html`<div class="notices" role="log" aria-live="polite" aria-label="Messages">
@@ -29,7 +31,7 @@ function Lost() {
 }
 
 function App() {
-  return html`<${Fragment}><${Header} /><${Lost} /><div id="dock" ref=${startDock}></div><${Notices} /><${Help} /></${Fragment}>`;
+  return html`<${Fragment}><${Header} /><${Lost} /><div id="dock" ref=${startDock}></div><${Notices} /><${Help} /><${Form} /><${Carried} /></${Fragment}>`;
 }
 
 let started = false;

@@ -8,6 +8,7 @@ mod open;
 pub mod protocol;
 mod run;
 pub mod sessions;
+mod source;
 mod sources;
 mod token;
 pub mod web;

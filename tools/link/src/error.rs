@@ -37,6 +37,8 @@ pub enum Error {
     },
     /// The lease is owned by somebody else.
     Lease,
+    /// The robot's program does not offer what was asked for; what it is.
+    NotOffered(&'static str),
     /// The robot refused a request.
     Refused {
         /// The reason, for programs.
@@ -74,6 +76,9 @@ impl Error {
             Self::Disconnected(_) => "the robot's program ended, or the line is broken; run the command again",
             Self::Timeout(_) => "is the robot's program stopped, or does another program answer at this address?",
             Self::OtherRobot { .. } => "attach again",
+            Self::NotOffered(_) => {
+                "a simulated world offers it, as `player play --serve ADDR`; a microcontroller does not"
+            }
             Self::Lease => "wait until the operator gives it back, or take it with --take",
             Self::Refused { .. } => "`player link ADDR describe` prints names, kinds and ranges",
             Self::Unknown { help, .. } => help,
@@ -103,6 +108,7 @@ impl fmt::Display for Error {
             Self::OtherRobot { expected, found } => {
                 write!(f, "another program answers: tree `{found}`, before `{expected}`")
             }
+            Self::NotOffered(what) => write!(f, "the robot's program does not offer {what}"),
             Self::Lease => f.write_str("another operator owns the lease"),
             Self::Refused { text, .. } => write!(f, "refused: {text}"),
             Self::Unknown { what, .. } => f.write_str(what),

@@ -2,7 +2,10 @@
 
 use std::io;
 
-use bica_wire::{Decoder, Encoder, FromMonitor, FromRobot, MAX_PACKET, Packet, ToMonitor, ToRobot, TooLarge};
+use bica_wire::{
+    Decoder, Encoder, FromMonitor, FromMonitorExtra, FromRobot, MAX_PACKET, Packet, ToMonitor, ToMonitorExtra, ToRobot,
+    TooLarge,
+};
 use serde::Serialize;
 
 use crate::stream::{Reading, Stream};
@@ -63,6 +66,12 @@ impl Packets {
         self.push_robot(&FromRobot::Monitor(bytes))
     }
 
+    /// Appends a message to a monitor with what only a program on a computer offers.
+    pub(crate) fn push_extra(&mut self, message: &ToMonitorExtra<'_>) -> Result<(), TooLarge> {
+        let bytes = postcard::to_stdvec(message).map_err(|_| TooLarge)?;
+        self.push_robot(&FromRobot::MonitorExtra(&bytes))
+    }
+
     /// Appends a message of a robot.
     pub(crate) fn push_robot(&mut self, message: &FromRobot<'_>) -> Result<(), TooLarge> {
         self.encode(message)
@@ -72,6 +81,12 @@ impl Packets {
     pub(crate) fn push_monitor(&mut self, message: &FromMonitor) -> Result<(), TooLarge> {
         let bytes = postcard::to_stdvec(message).map_err(|_| TooLarge)?;
         self.encode(&ToRobot::Monitor(&bytes))
+    }
+
+    /// Appends a message of a monitor about what only a program on a computer offers.
+    pub(crate) fn push_monitor_extra(&mut self, message: FromMonitorExtra) -> Result<(), TooLarge> {
+        let bytes = postcard::to_stdvec(&message).map_err(|_| TooLarge)?;
+        self.encode(&ToRobot::MonitorExtra(&bytes))
     }
 
     /// Appends the request for a description.

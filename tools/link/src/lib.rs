@@ -9,7 +9,7 @@
 //!
 //! # Rules
 //!
-//! - Attaching and watching change nothing. Information is read only while somebody watches it.
+//! - Attaching and watching change nothing. Information is read, and costs are measured, only while somebody watches them.
 //! - One monitor at a time is the operator: it owns the lease. It loses the lease by giving it back, by another one's
 //!   [`Take`](bica_wire::message::LeaseAction::Take), or by 3 s of silence. When a lease ends, the holds and rates that were
 //!   requested under it end; parameters stay.
@@ -27,13 +27,13 @@ mod server;
 mod stream;
 
 pub use address::Address;
-pub use client::{Answered, Client, ClientOptions, Event, Snapshot};
+pub use client::{Answered, Client, ClientOptions, Costs, Event, Image, Snapshot};
 pub use description::{
     Component, Description, Info, Kind, Link, Modulation, Param, State, Transition, Variant, number, to_json,
 };
 pub use error::Error;
 pub use schema::decode as decode_info;
-pub use server::{LinkObserver, LinkRequests, LinkServer, LinkStats, MAX_MONITORS, ServerOptions};
+pub use server::{LinkImage, LinkObserver, LinkRequests, LinkServer, LinkStats, MAX_MONITORS, ServerOptions};
 
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]

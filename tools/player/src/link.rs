@@ -1,14 +1,17 @@
 //! `player link`: a monitor of a running robot.
 
+use std::path::Path;
 use std::time::{Duration, Instant};
 
 use bica_console::{Console, Failure, Outcome, Style, interrupt};
 use bica_link::{Client, ClientOptions, Component, Error, Event, Kind, Param, Snapshot, to_json};
-use bica_wire::message::{Change, Hold, Setting, Value};
+use bica_wire::message::{Change, Hold, Setting, Value, WorldChange};
 use serde::Serialize;
 use serde_json::json;
 
 use crate::cli::{HoldKind, Link, LinkAction};
+
+mod extras;
 
 /// Time between two looks for Ctrl-C.
 const POLL: Duration = Duration::from_millis(50);
@@ -21,7 +24,13 @@ pub(crate) fn run(args: &Link) -> Result<Outcome, Failure> {
     let mut monitor = Monitor { client, console: Console::new(args.json), take: args.take };
     match &args.action {
         LinkAction::Describe { components } => monitor.describe(components),
-        LinkAction::Watch { info, every, count } => monitor.watch(info, *every, *count),
+        LinkAction::Watch { info, every, count, extras } => {
+            monitor.watch_extras(extras, *every)?;
+            monitor.watch(info, *every, *count, extras.images.as_deref())
+        }
+        LinkAction::Pause => monitor.world(WorldChange::Pause),
+        LinkAction::Resume => monitor.world(WorldChange::Resume),
+        LinkAction::Step { cycles } => monitor.world(WorldChange::Step { cycles: *cycles }),
         LinkAction::Set { settings } => monitor.set(settings),
         LinkAction::Hold { component, hold, seconds } => {
             let component = monitor.component(component)?;
@@ -100,7 +109,13 @@ impl Monitor {
         }
     }
 
-    fn watch(&mut self, paths: &[String], every: u16, count: Option<u64>) -> Result<Outcome, Failure> {
+    fn watch(
+        &mut self,
+        paths: &[String],
+        every: u16,
+        count: Option<u64>,
+        images: Option<&Path>,
+    ) -> Result<Outcome, Failure> {
         self.client.watch(every).map_err(|error| failure(&error))?;
         for path in paths {
             let (component, info) = self.client.description().info(path).map_err(|error| failure(&error))?;
@@ -119,7 +134,8 @@ impl Monitor {
                 Some(Event::Info { cycle, component, info, value }) => {
                     self.show_info(cycle, component, info, value.as_ref())?;
                 }
-                _ => {}
+                Some(other) => self.show_extra(&other, images)?,
+                None => {}
             }
         }
         Ok(Outcome::Interrupted)

@@ -2,7 +2,10 @@
 
 const bindings = [];
 
-/** Adds a key: {key, text, group, run}. A key is `event.key`, with `Shift+`, `Ctrl+` or `Alt+` before. Returns how to remove it. */
+/**
+ * Adds a key: {key, text, group, run, where}. A key is `event.key`, with `Shift+`, `Ctrl+` or `Alt+` before. With `where`, a selector, it is
+ * valid only where the focus is within such an element. Returns how to remove it.
+ */
 export function bind(binding) {
   bindings.push(binding);
   return () => bindings.splice(bindings.indexOf(binding), 1);
@@ -35,7 +38,7 @@ window.addEventListener('keydown', (event) => {
   const name = nameOf(event);
   if (name === 'Escape' && isTaken(event)) event.target.blur();
   if (isTaken(event) && name !== 'Escape') return;
-  const binding = bindings.findLast((one) => one.key === name);
+  const binding = bindings.findLast((one) => one.key === name && one.where && event.target.closest(one.where)) ?? bindings.findLast((one) => one.key === name && !one.where);
   if (!binding) return;
   event.preventDefault();
   binding.run(event);

@@ -12,6 +12,10 @@ import { Latency } from '../panels/latency.js';
 import { Log } from '../panels/log.js';
 import { Drive } from '../panels/drive.js';
 import { Recordings } from '../panels/recordings.js';
+import { Designer } from '../panels/vicode.js';
+import { Code } from '../panels/code.js';
+import { Inspector } from '../panels/inspector.js';
+import { Sources } from '../panels/sources.js';
 
 export const PANELS = {
   tree: { title: 'Activation tree', view: Tree },
@@ -26,4 +30,8 @@ export const PANELS = {
   log: { title: 'Log', view: Log },
   drive: { title: 'Drive', view: Drive },
   recordings: { title: 'Recordings', view: Recordings },
+  vicode: { title: 'Designer', view: Designer },
+  code: { title: 'Code', view: Code },
+  inspector: { title: 'Inspector', view: Inspector },
+  sources: { title: 'Sources', view: Sources },
 };

@@ -85,4 +85,18 @@ export const PRESETS = {
         ['plot:1', with_('timeline')],
       ]),
   },
+  designer: {
+    title: 'Designing state machines',
+    panels: (width, height) => (width < 900
+      ? narrow('vicode', ['sources', 'tree'], ['code', 'inspector', 'log'])
+      : [
+        ['sources', {}],
+        ['vicode', right('sources', width - Math.max(190, width * 0.14))],
+        ['code', right('vicode', Math.max(360, width * 0.33))],
+        ['inspector', below('code', height * 0.42)],
+        ['tree', with_('sources')],
+        ['component', with_('inspector')],
+        ['log', with_('inspector')],
+      ]),
+  },
 };

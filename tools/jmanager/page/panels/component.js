@@ -2,13 +2,14 @@
 
 import { html, useEffect, useSignal } from '../lib/dom.js';
 import { duration, number, time } from '../lib/format.js';
-import { openComponent } from '../lib/dock.js';
-import { command, cursor, selected, session, watch } from '../lib/store.js';
+import { open as openPanel, openComponent, opened, preset } from '../lib/dock.js';
+import { command, cursor, hello, selected, session, watch } from '../lib/store.js';
 import { Empty } from '../lib/ui.js';
 import { InformationList } from './component/information.js';
 import { Modulations } from './component/modulations.js';
 import { Parameters } from './component/parameters.js';
 import { Why } from './component/why.js';
+import { openByName } from '../vicode/sources.js';
 
 const HOLDS = [['tree', 'by the tree'], ['active', 'active'], ['latent', 'latent']];
 
@@ -38,6 +39,13 @@ export function ComponentTab({ visible, params, retitle }) {
   </article>`;
 }
 
+async function edit(name) {
+  if (!(await openByName(name))) return;
+  // Drawing and code need room: the layout for them, if it is not shown yet.
+  if (opened.value.has('vicode')) openPanel('vicode');
+  else preset('designer');
+}
+
 function Head({ shown, component, index, own }) {
   const kind = shown.drawing.value?.boxes[index]?.kind ?? 'component';
   const now = shown.moment.value?.components?.[index];
@@ -45,7 +53,8 @@ function Head({ shown, component, index, own }) {
   const since = now && shown.moment.value ? shown.moment.value.time_us - now[4] : null;
   return html`<header class="head">
     <h2><span class=${`kind ${kind}`}>${component.name}</span>${state && html` <span class="arrow" aria-hidden="true">→</span> <span class="current-state">${state.name}</span>`}
-      ${!own && html`<button class="small" title="Open in a tab of its own" aria-label=${`Open ${component.name} in a tab of its own`} onClick=${() => openComponent(component.name, true)}>own tab</button>`}</h2>
+      ${!own && html`<button class="small" title="Open in a tab of its own" aria-label=${`Open ${component.name} in a tab of its own`} onClick=${() => openComponent(component.name, true)}>own tab</button>`}
+      ${hello.value?.source && html`<button class="small" title="Open its source in the designer" onClick=${() => edit(component.name)}>${component.states.length > 0 ? 'edit states' : 'edit code'}</button>`}</h2>
     <p class="dim facts" role="status">${kind} · <b class=${now?.[0] ? 'yes' : ''}>${now?.[0] ? 'active' : 'latent'}</b>${since !== null && html` for ${duration(Math.max(0, since))}`}${now && now[1] !== 'tree' && html` · <b class="warn">held ${now[1]}</b>`}${cursor.value !== null && ` · at ${time(cursor.value)}`}</p>
     ${component.doc && html`<p>${component.doc}</p>`}
     ${state?.doc && html`<p class="dim"><b>${state.name}</b>: ${state.doc}</p>`}

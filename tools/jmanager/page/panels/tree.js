@@ -6,6 +6,7 @@ import { duration, number } from '../lib/format.js';
 import { openComponent } from '../lib/dock.js';
 import { hovered, selected, session, watch } from '../lib/store.js';
 import { Bar, Empty, Toggle } from '../lib/ui.js';
+import { carry } from '../vicode/carry.js';
 
 const [WIDTH, HEIGHT] = [104, 38];
 /** Shares of the budget from which the cost is drawn as a warning, and as an error. */
@@ -156,9 +157,9 @@ function Drawn({ shown, description, drawing, search, activeOnly, folded, box, v
     ${description.components.map((component, index) => {
       const { x: centre, y: top, kind } = drawing.boxes[index];
       return html`<g key=${component.name} class=${`component ${kind}`} transform=${`translate(${centre - WIDTH / 2} ${top})`} role="button" tabindex="0" aria-label=${component.name}
-        aria-pressed=${selected.value === component.name} onClick=${(event) => openComponent(component.name, event.shiftKey)} onDblClick=${() => fold(index)} onKeyDown=${(event) => key(event, component, index)}
+        aria-pressed=${selected.value === component.name} onClick=${(event) => openComponent(component.name, event.shiftKey)} onPointerDown=${(event) => carry(event, component.name)} onDblClick=${() => fold(index)} onKeyDown=${(event) => key(event, component, index)}
         onPointerEnter=${() => { hovered.value = index; }} onPointerLeave=${() => { hovered.value = null; }}>
-        <title>${component.doc || component.name}${'\n'}Click: show. Shift-click: own tab. Double click or f: fold.</title>
+        <title>${component.doc || component.name}${'\n'}Click: show. Shift-click: own tab. Double click or f: fold. Drag onto a state: make it a child.</title>
         <rect width=${WIDTH} height=${HEIGHT} rx="6" /><text class="title" x=${WIDTH / 2} y="17">${component.name}</text><text class="sub" x=${WIDTH / 2} y="30"></text>
         <rect class="cost" x="5" y=${HEIGHT - 5} height="2" width="0" rx="1" /><text class="held" x=${WIDTH - 6} y="11"></text></g>`;
     })}

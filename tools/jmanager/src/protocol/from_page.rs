@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{SessionId, Watch};
+use super::{Breakpoint, Open, SessionId, SourceRequest, Watch};
 
 /// A message from the page, with the identifier of its answer.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -157,6 +157,21 @@ pub enum Request {
         /// Number of cycles.
         cycles: u32,
     },
+    /// Replaces the breakpoints of a session. A simulated world pauses at the cycle in which one is reached, a robot goes on. All
+    /// pages get them as [`ToPage::Breakpoints`](super::ToPage::Breakpoints).
+    Breakpoints {
+        /// Session.
+        session: SessionId,
+        /// The breakpoints.
+        list: Vec<Breakpoint>,
+    },
+    /// Searches the next time in memory at which a breakpoint of the session is reached. [[`Reached`](super::Reached), or `null`]
+    NextHit {
+        /// Session.
+        session: SessionId,
+        /// Time after which it is searched, µs.
+        from_us: u64,
+    },
     /// Begins a simulated world again, with another seed if given.
     Restart {
         /// Session.
@@ -206,6 +221,11 @@ pub enum Request {
         name: String,
         /// Layout; `null` deletes it.
         layout: serde_json::Value,
+    },
+    /// Reads, edits, checks and runs the sources of VICODE.
+    Source {
+        /// What.
+        request: SourceRequest,
     },
     /// Compares two recordings. [`{"equal": bool, "cycle", "time_us", "field", "text"}`: the first difference]
     Compare {
@@ -307,6 +327,8 @@ impl Request {
             | Self::Pause { session, .. }
             | Self::Resume { session, .. }
             | Self::Step { session, .. }
+            | Self::Breakpoints { session, .. }
+            | Self::NextHit { session, .. }
             | Self::Restart { session, .. }
             | Self::Note { session, .. }
             | Self::KeepRecording { session, .. }
@@ -323,36 +345,13 @@ impl Request {
             | Self::ScoreColours { session, .. }
             | Self::SendColours { session, .. }
             | Self::SaveColours { session, .. } => Some(session),
-            Self::Open { .. } | Self::Recordings {} | Self::Layouts {} | Self::SaveLayout { .. } => None,
+            Self::Open { .. }
+            | Self::Recordings {}
+            | Self::Layouts {}
+            | Self::SaveLayout { .. }
+            | Self::Source { .. } => None,
         }
     }
-}
-
-/// What to show.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(tag = "kind", rename_all = "snake_case", deny_unknown_fields)]
-pub enum Open {
-    /// A world in this process: `built-in`, `mujoco` or `firmware`.
-    World {
-        /// Name of the world.
-        world: String,
-        /// Seed.
-        seed: u64,
-        /// Number of other robots.
-        robots: usize,
-    },
-    /// A robot: `tcp://HOST:PORT` or `serial:DEVICE[@BAUD]`.
-    Robot {
-        /// Address.
-        address: String,
-    },
-    /// The images of the folder of labelled images: one in each second. They have no tree.
-    Images {},
-    /// A recording in the recordings folder.
-    Recording {
-        /// File name without folder.
-        name: String,
-    },
 }
 
 /// A parameter and its new value.

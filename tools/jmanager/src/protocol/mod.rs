@@ -10,17 +10,29 @@
 
 pub mod binary;
 mod boundary;
+mod breakpoint;
+mod compiler;
 mod drawing;
 mod from_page;
+mod open;
 mod session;
+mod source_file;
+mod source_request;
 mod state;
 mod to_page;
 mod watch;
 
 pub use boundary::{Boundary, BoundaryColumn, BoundaryVerdict};
+pub use breakpoint::{Breakpoint, Hit, Reached};
+pub use compiler::{Build, BuildState, Check, CheckState, CodeLevel, CodeMessage};
 pub use drawing::{Drawing, DrawnBox, DrawnLink};
-pub use from_page::{FromPage, HoldKind, Open, Request, Setting};
+pub use from_page::{FromPage, HoldKind, Request, Setting};
+pub use open::Open;
 pub use session::{Capabilities, Connection, Control, RecordingState, SessionInfo, SessionKind};
+pub use source_file::{
+    ChangedBy, FileState, SourceChange, SourceComponent, SourceFile, SourceState, SourceUse, StatePosition,
+};
+pub use source_request::{DrawingFormat, KeepSide, MovedState, SourcePlace, SourceRequest};
 pub use state::{
     Bar, ComponentCost, ComponentNow, Condition, InfoSample, LogKind, LogLine, Moment, RobotPose, Row, Truth,
 };

@@ -3,7 +3,10 @@
 use bica_link::Description;
 use serde::Serialize;
 
-use super::{ComponentCost, ComponentNow, Condition, Drawing, InfoSample, LogLine, SessionId, SessionInfo, Truth};
+use super::{
+    Breakpoint, Build, Check, ComponentCost, ComponentNow, Condition, Drawing, Hit, InfoSample, LogLine, SessionId,
+    SessionInfo, SourceChange, SourceState, Truth,
+};
 
 /// A message to the page.
 #[derive(Clone, Debug, Serialize)]
@@ -15,6 +18,8 @@ pub enum ToPage {
         protocol: u32,
         /// Version of the program.
         program: &'static str,
+        /// Number of this page.
+        page: u64,
         /// Whether pages may only watch.
         read_only: bool,
         /// Whether sources can be read and edited.
@@ -118,6 +123,23 @@ pub enum ToPage {
         /// The lines.
         lines: Vec<LogLine>,
     },
+    /// The breakpoints of a session, after a change.
+    Breakpoints {
+        /// Session.
+        session: SessionId,
+        /// The breakpoints.
+        list: Vec<Breakpoint>,
+    },
+    /// A breakpoint was reached.
+    Hit(Hit),
+    /// A file that this page has opened.
+    Source(Box<SourceState>),
+    /// A file that this page has opened has changed.
+    SourceChanged(Box<SourceChange>),
+    /// Course and result of a check.
+    Check(Check),
+    /// Course of the program that is built and run.
+    Build(Build),
     /// Answer to a message of this page.
     Answer {
         /// `id` of the message.

@@ -1,7 +1,7 @@
 //! All sessions and all pages.
 
-use std::collections::BTreeMap;
-use std::sync::atomic::{AtomicU32, AtomicU64, Ordering};
+use std::path::PathBuf;
+use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex};
 
 use serde_json::{Value, json};
@@ -10,23 +10,25 @@ use super::live;
 use super::options::Options;
 use super::outbox::Outbox;
 use super::pages::{PageId, Pages, lock};
+use super::registry::Registry;
 use super::session::Session;
-use super::{colours, folder, recorded, storage, tune};
-use crate::protocol::{Failed, FromPage, LogKind, Open, Request, SessionId, SessionInfo, SessionKind, ToPage, VERSION};
+use super::value::unknown;
+use super::{colours, recorded, storage, tune};
+use crate::protocol::{Failed, FromPage, LogKind, Open, Request, SessionId, SessionKind, ToPage, VERSION};
+use crate::source::{Editor, Host};
 
-/// Largest number of sessions.
-const MAX_SESSIONS: usize = 16;
 /// Longest note, characters.
 const MAX_NOTE: usize = 500;
 
-/// All sessions. Pages attach to it; what they ask for is answered through their outboxes.
+/// All sessions and sources. Pages attach to it; what they ask for is answered through their outboxes.
 pub struct Manager {
+    registry: Arc<Registry>,
     options: Arc<Options>,
     pages: Arc<Pages>,
-    sessions: Mutex<BTreeMap<SessionId, Arc<Session>>>,
+    /// Sources, if the server has a folder of them; why not, if it cannot be opened.
+    editor: Option<Result<Editor, Failed>>,
     /// Held while layouts are written.
     layouts: Mutex<()>,
-    last_session: AtomicU32,
     last_page: AtomicU64,
 }
 
@@ -34,14 +36,11 @@ impl Manager {
     /// A manager without sessions.
     #[must_use]
     pub fn new(options: Options) -> Self {
-        Self {
-            options: Arc::new(options),
-            pages: Arc::default(),
-            sessions: Mutex::default(),
-            layouts: Mutex::default(),
-            last_session: AtomicU32::new(0),
-            last_page: AtomicU64::new(0),
-        }
+        let registry = Arc::new(Registry::new(options));
+        let (options, pages) = (Arc::clone(&registry.options), Arc::clone(&registry.pages));
+        let open = |folder: &PathBuf| Editor::new(folder, &options, &pages, Arc::clone(&registry) as Arc<dyn Host>);
+        let editor = options.source.as_ref().map(open);
+        Self { registry, options, pages, editor, layouts: Mutex::default(), last_page: AtomicU64::new(0) }
     }
 
     /// Opens a session. It is connected, or read, by a thread of its own.
@@ -49,39 +48,18 @@ impl Manager {
     /// # Errors
     /// If the source is unknown or there are too many sessions.
     pub fn open(&self, source: Open) -> Result<SessionId, Failed> {
-        self.has_room()?;
-        let id = self.last_session.fetch_add(1, Ordering::Relaxed) + 1;
-        let session = match source {
-            Open::World { world, seed, robots } => {
-                live::open_world(id, &self.options, &self.pages, (&world, seed, robots))?
-            }
-            Open::Robot { address } => live::open_robot(id, &self.options, &self.pages, &address)?,
-            Open::Images {} => folder::open(id, &self.options, &self.pages)?,
-            Open::Recording { name } => recorded::open(id, &self.options, &self.pages, &name)?,
-        };
-        self.add(&session)?;
-        Ok(id)
+        self.registry.open(source)
     }
 
-    fn has_room(&self) -> Result<(), Failed> {
-        let has_room = lock(&self.sessions).len() < MAX_SESSIONS;
-        let full = || Failed::new(format!("{MAX_SESSIONS} sessions are open"), "close one of them");
-        has_room.then_some(()).ok_or_else(full)
+    /// Whether pages can edit or build sources. Then no other computer may reach the server.
+    #[must_use]
+    pub const fn edits_sources(&self) -> bool {
+        self.editor.is_some()
     }
 
-    fn add(&self, session: &Arc<Session>) -> Result<(), Failed> {
-        if let Err(failed) = self.has_room() {
-            session.end();
-            return Err(failed);
-        }
-        lock(&self.sessions).insert(session.id, Arc::clone(session));
-        session.announce();
-        Ok(())
-    }
-
-    /// Returns all sessions as a page sees them.
-    fn infos(&self, page: PageId) -> Vec<SessionInfo> {
-        lock(&self.sessions).values().map(|session| session.info(page)).collect()
+    fn editor(&self) -> Result<&Editor, Failed> {
+        let none = || Failed::new("this server has no folder of sources", "start it with --source FOLDER");
+        self.editor.as_ref().ok_or_else(none)?.as_ref().map_err(Clone::clone)
     }
 
     /// Registers a page. The first message in its outbox is [`ToPage::Hello`].
@@ -90,17 +68,20 @@ impl Manager {
         outbox.state(ToPage::Hello {
             protocol: VERSION,
             program: env!("CARGO_PKG_VERSION"),
+            page,
             read_only: self.options.read_only,
             source: self.options.source.is_some(),
-            build: false,
-            sessions: self.infos(page),
+            build: self.options.source.is_some() && self.options.build && !self.options.read_only,
+            sessions: self.registry.infos(page),
         });
         self.pages.add(page, outbox);
         // A session that changed between the two lines above is sent again.
-        let sessions: Vec<_> = lock(&self.sessions).values().cloned().collect();
-        for session in sessions {
+        for session in self.registry.list() {
             self.pages.state(page, ToPage::Session { session: session.info(page) });
             session.send_description(page);
+        }
+        if let Ok(editor) = self.editor() {
+            editor.greet(page);
         }
         page
     }
@@ -108,7 +89,10 @@ impl Manager {
     /// Forgets a page. What it operated ends.
     pub fn detach(&self, page: PageId) {
         self.pages.remove(page);
-        for session in lock(&self.sessions).values() {
+        if let Ok(editor) = self.editor() {
+            editor.left(page);
+        }
+        for session in self.registry.list() {
             session.shared().watches.remove(&page);
             // A thread that has ended operates nothing.
             let _ = session.command(live::Command::Left(page));
@@ -125,18 +109,17 @@ impl Manager {
         }
     }
 
-    fn session(&self, id: SessionId) -> Result<Arc<Session>, Failed> {
-        let none = || Failed::new(format!("there is no session {id}"), "it was closed: choose another one");
-        lock(&self.sessions).get(&id).cloned().ok_or_else(none)
-    }
-
     /// Returns the answer; none if it follows later.
     fn answer(&self, page: PageId, id: u32, request: Request) -> Result<Option<Value>, Failed> {
         match request {
             Request::Open { source } => return self.open(source).map(|session| Some(json!({ "session": session }))),
-            Request::Close { session } => return self.close(session).map(|()| Some(Value::Null)),
+            Request::Close { session } => {
+                self.writable()?;
+                return self.registry.close(session).map(|()| Some(Value::Null));
+            }
             Request::Recordings {} => return Ok(Some(storage::recordings(&self.options))),
             Request::Layouts {} => return storage::layouts(&self.options).map(Some),
+            Request::Source { request } => return self.editor()?.handle(page, request).map(Some),
             Request::SaveLayout { name, layout } => {
                 let _one_at_a_time = lock(&self.layouts);
                 return storage::save_layout(&self.options, &name, layout).map(|()| Some(Value::Null));
@@ -144,7 +127,7 @@ impl Manager {
             _ => {}
         }
         let session =
-            self.session(request.session().ok_or_else(|| {
+            self.registry.get(request.session().ok_or_else(|| {
                 Failed::new("this request is not known yet", "reload the page, or update the program")
             })?)?;
         match request {
@@ -169,7 +152,7 @@ impl Manager {
             }
             Request::Pause { .. } | Request::Resume { .. } | Request::Step { .. } => {
                 self.writable()?;
-                pace(&session, &request).map(|()| Some(Value::Null))
+                pace(&session, page, id, request)
             }
             Request::Colours { .. }
             | Request::Boundary { .. }
@@ -183,18 +166,27 @@ impl Manager {
                 self.writable()?;
                 colours::handle(&session, page, id, &request)
             }
-            Request::SaveSource { .. } => {
-                let help = "save it to a tune file, or write the new default into the source by hand";
-                Err(Failed::new("this program cannot write sources", help))
+            Request::SaveSource { component, param, .. } => {
+                let description = session.description()?;
+                let owner = description.components.get(component).ok_or_else(|| unknown("component", component))?;
+                let param = owner.params.get(param).ok_or_else(|| unknown("parameter", param))?;
+                self.editor()?.set_default(page, &owner.name, param).map(Some)
             }
+            Request::Breakpoints { list, .. } => {
+                if session.pacer.is_some() {
+                    self.writable()?;
+                }
+                session.set_breakpoints(list).map(|()| Some(Value::Null))
+            }
+            Request::NextHit { from_us, .. } => Ok(Some(json!(session.next_hit(from_us)))),
             Request::Compare { other, .. } => {
-                recorded::compare(page, id, &session, &*self.session(other)?).map(|()| None)
+                recorded::compare(page, id, &session, &*self.registry.get(other)?).map(|()| None)
             }
             Request::RunAgain { settings, .. } => {
                 self.writable()?;
-                let id = self.last_session.fetch_add(1, Ordering::Relaxed) + 1;
+                let id = self.registry.next_id();
                 let again = recorded::run_again(id, &session, &settings)?;
-                self.add(&again)?;
+                self.registry.add(&again)?;
                 Ok(Some(json!({ "session": id })))
             }
             Request::KeepRecording { name, .. } => {
@@ -220,36 +212,31 @@ impl Manager {
         let failed = || Failed::new("this server lets pages only watch", "start it without --read-only");
         if self.options.read_only { Err(failed()) } else { Ok(()) }
     }
-
-    fn close(&self, id: SessionId) -> Result<(), Failed> {
-        self.writable()?;
-        let session = self.session(id)?;
-        lock(&self.sessions).remove(&id);
-        session.end();
-        self.pages.broadcast(&ToPage::Closed { session: id });
-        Ok(())
-    }
 }
 
 impl Drop for Manager {
     fn drop(&mut self) {
-        let sessions = std::mem::take(&mut *lock(&self.sessions));
-        for session in sessions.values() {
-            session.end();
-        }
+        // The program that runs is ended with the editor, before its session.
+        self.editor = None;
+        self.registry.end();
         // Threads that still end leave a file there; the folder is one for temporary files.
         let _ = std::fs::remove_dir(&self.options.spool);
     }
 }
 
-fn pace(session: &Session, request: &Request) -> Result<(), Failed> {
-    let none = || Failed::new("time goes on there by itself", "only a simulated world of this server can be paused");
-    let pacer = session.pacer.as_ref().ok_or_else(none)?;
-    match *request {
+/// Pauses or continues a world; returns the answer, none if it follows later.
+fn pace(session: &Session, page: PageId, id: u32, request: Request) -> Result<Option<Value>, Failed> {
+    let Some(pacer) = &session.pacer else {
+        if session.kind == SessionKind::Recording {
+            return Err(Failed::new("a recording has no time that could be paused", "choose a simulated world"));
+        }
+        return session.command(live::Command::Operate { page, id, request }).map(|()| None);
+    };
+    match request {
         Request::Pause { .. } => pacer.pause(),
         Request::Step { cycles, .. } => pacer.step(cycles),
         _ => pacer.resume(),
     }
     session.announce();
-    Ok(())
+    Ok(Some(Value::Null))
 }

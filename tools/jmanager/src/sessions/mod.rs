@@ -4,6 +4,7 @@
 //! for a world that is played in this process: its page's data come over the same link as those of a robot. What a session
 //! sends to a page goes into the page's [`Outbox`].
 
+mod breakpoints;
 mod colours;
 mod drawing;
 mod files;
@@ -13,8 +14,9 @@ mod live;
 mod manager;
 mod options;
 mod outbox;
-mod pages;
+pub(crate) mod pages;
 mod recorded;
+mod registry;
 mod session;
 mod storage;
 mod tune;
@@ -23,5 +25,6 @@ mod world;
 
 pub use manager::Manager;
 pub use options::Options;
+pub(crate) use options::RUN;
 pub use outbox::{DataKind, Frame, Key, Outbox};
 pub use pages::PageId;

@@ -3,6 +3,13 @@
 use std::path::PathBuf;
 use std::time::Duration;
 
+use bica_game::FirmwareImage;
+use bica_sim::setup::Frame;
+
+/// The forward in the built-in world, for a day.
+pub(crate) const RUN: &str = "-p bica-player-program --bin player -- play --serve {address} --seed {seed} --robots {robots} \
+                              --seconds 86400";
+
 /// Folders and limits of all sessions.
 #[derive(Clone, Debug)]
 pub struct Options {
@@ -14,12 +21,18 @@ pub struct Options {
     pub profiles: PathBuf,
     /// Folder of labelled images for the colour tuner, if there is one.
     pub images: Option<PathBuf>,
-    /// Folder of Rust sources in which defaults may be written, if that is allowed.
+    /// Folder of Rust sources that may be read and edited, if that is allowed.
     pub source: Option<PathBuf>,
+    /// Whether what is in that folder may be checked, built and run.
+    pub build: bool,
+    /// What is run: `[CARGO-OPTIONS] -- [ARGUMENTS]`, with `{address}`, `{seed}` and `{robots}` in the arguments.
+    pub run: String,
     /// File of saved layouts of panels.
     pub layouts: PathBuf,
     /// Firmware image for the world `firmware`.
     pub firmware: PathBuf,
+    /// Size of the camera images of simulated worlds.
+    pub size: Frame,
     /// Folder of the files of running recordings; made when needed.
     pub spool: PathBuf,
     /// Whether pages may only watch.
@@ -40,8 +53,11 @@ impl Default for Options {
             profiles: "profiles".into(),
             images: None,
             source: None,
+            build: false,
+            run: RUN.to_owned(),
             layouts: "jmanager-layouts.json".into(),
-            firmware: "firmware/target/thumbv7em-none-eabihf/release/mps2".into(),
+            firmware: FirmwareImage::DEFAULT.into(),
+            size: Frame::Small,
             spool: std::env::temp_dir().join(format!("jmanager-{}", std::process::id())),
             read_only: false,
             ring: Duration::from_mins(10),

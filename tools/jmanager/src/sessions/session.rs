@@ -8,6 +8,7 @@ use std::sync::{Arc, Mutex, MutexGuard};
 use bica_link::Description;
 use serde_json::{Value, json};
 
+use super::breakpoints::Place;
 use super::colours::Edit;
 use super::history::{History, Limits, StoredImage};
 use super::options::Options;
@@ -43,6 +44,8 @@ pub(super) struct Shared {
     pub(super) can: Capabilities,
     pub(super) recording: RecordingState,
     pub(super) operator: Operator,
+    /// Whether a simulated world behind a link is paused.
+    pub(super) paused: bool,
     pub(super) description: Option<Arc<Description>>,
     pub(super) drawing: Drawing,
     pub(super) history: History,
@@ -51,6 +54,7 @@ pub(super) struct Shared {
     /// The profile under edit, once it was changed.
     pub(super) colours: Option<Edit>,
     pub(super) watches: BTreeMap<PageId, Watch>,
+    pub(super) breakpoints: Vec<Place>,
     /// Pages that know the tree.
     described: BTreeSet<PageId>,
     pub(super) images_taken: u64,
@@ -95,12 +99,14 @@ impl Session {
                 can: Capabilities::default(),
                 recording: RecordingState::default(),
                 operator: Operator::Nobody,
+                paused: false,
                 description: None,
                 drawing: Drawing::default(),
                 history: History::new(limits, 0),
                 recorded: Recorded::default(),
                 colours: None,
                 watches: BTreeMap::new(),
+                breakpoints: Vec::new(),
                 described: BTreeSet::new(),
                 images_taken: 0,
                 overruns: 0,
@@ -137,11 +143,16 @@ impl Session {
             note: shared.note.clone(),
             from_us,
             until_us,
-            paused: self.pacer.as_ref().is_some_and(|pacer| pacer.is_paused()),
+            paused: shared.paused || self.pacer.as_ref().is_some_and(|pacer| pacer.is_paused()),
             control,
             can: shared.can,
             recording: shared.recording.clone(),
         }
+    }
+
+    /// Whether a simulated world is paused, of this process or behind a link.
+    pub(super) fn is_paused(&self) -> bool {
+        self.shared().paused || self.pacer.as_ref().is_some_and(|pacer| pacer.is_paused())
     }
 
     /// Sends the session to all pages.
@@ -172,9 +183,17 @@ impl Session {
         {
             let mut shared = self.shared();
             shared.history = History::new(limits(&self.options, self.kind), components);
+            if shared.description.as_ref().is_some_and(|last| last.hash != description.hash) {
+                // They are of another tree.
+                shared.breakpoints.clear();
+                if let Some(pacer) = &self.pacer {
+                    pacer.set_breakpoints(Vec::new());
+                }
+            }
             shared.description = Some(Arc::new(description));
             shared.drawing = drawing;
             shared.can = can;
+            shared.paused = false;
             shared.watches.clear();
             shared.described.clear();
         }
@@ -197,6 +216,7 @@ impl Session {
         };
         if let Some(message) = described {
             self.pages.state(page, message);
+            self.pages.state(page, self.breakpoints());
         }
         if let Some(update) = self.update(Vec::new()) {
             self.pages.data(page, self.key(DataKind::Update), Frame::of(&update));

@@ -64,7 +64,7 @@ fn kind(world: &str) -> Result<WorldKind, Failed> {
 impl Setup {
     /// Returns the rules of its game: without end, in real time.
     pub(super) fn rules(&self, options: &Options) -> Result<Rules, Failed> {
-        let size = Frame::Small;
+        let size = if self.world == "firmware" { Frame::Small } else { options.size };
         let firmware = (self.world == "firmware").then(|| FirmwareImage::new(options.firmware.clone(), size));
         let mut layers = Layers::new(&GRAPH);
         let tune = options.tune.join(format!("{}.toml", self.world));
@@ -156,7 +156,7 @@ fn play(
     let serve = ServeOptions { address: &address, anywhere: false, started: &started };
     // Images are not stored: the same world is made again from its rules.
     let record = RecordOptions { path: recording, images: ImagePolicy::None, force: true };
-    let mut observer = tap::Tap::new(extras);
+    let mut observer = tap::Tap::new(extras, Arc::clone(pacer));
     let mut control = pacer::Control(Arc::clone(pacer));
     let result = play_controlled(rules, &mut observer, &mut control, Some(record), Some(serve));
     result.map(drop).or_else(|failure| match failure {

@@ -64,6 +64,9 @@ impl Web {
         if !address.ip().is_loopback() && options.token.is_none() {
             return Err(io::Error::other("an address that other computers reach needs a token"));
         }
+        if !address.ip().is_loopback() && manager.edits_sources() {
+            return Err(io::Error::other("sources are edited and built from this computer only"));
+        }
         listener.set_nonblocking(true)?;
         let shared = Arc::new(Shared {
             hosts: Hosts::new(address, options.names),

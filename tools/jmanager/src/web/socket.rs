@@ -21,6 +21,8 @@ use crate::sessions::{Manager, Outbox};
 
 /// Largest message from a page, bytes.
 const MAX_MESSAGE: usize = 64 << 10;
+/// Largest message from a page that edits sources, bytes: a whole file may be in it.
+const MAX_SOURCE_MESSAGE: usize = 4 << 20;
 /// Longest time in which a page must take a message.
 const SEND_TIME: Duration = Duration::from_secs(10);
 /// Time between two pings; a page that answers none of three in a row is gone.
@@ -40,10 +42,8 @@ pub(crate) async fn upgrade(State((shared, stop)): Context, upgrade: WebSocketUp
     let Some(counted) = shared.pages.take() else {
         return (StatusCode::SERVICE_UNAVAILABLE, "too many pages are open").into_response();
     };
-    upgrade
-        .max_message_size(MAX_MESSAGE)
-        .max_frame_size(MAX_MESSAGE)
-        .on_upgrade(move |socket| run(socket, shared, stop, counted))
+    let limit = if shared.manager.edits_sources() { MAX_SOURCE_MESSAGE } else { MAX_MESSAGE };
+    upgrade.max_message_size(limit).max_frame_size(limit).on_upgrade(move |socket| run(socket, shared, stop, counted))
 }
 
 /// Serves a page until it leaves, breaks a limit, or the server stops.

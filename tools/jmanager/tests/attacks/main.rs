@@ -1,6 +1,7 @@
 //! Attacks on the web server, each with raw sockets: a browser would not send most of these requests.
 
 mod limits;
+mod sources;
 mod target;
 
 use std::net::TcpListener;

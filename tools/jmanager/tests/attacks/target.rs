@@ -23,9 +23,14 @@ pub(crate) struct Target {
 
 /// Starts a server without sessions.
 pub(crate) fn target(token: Option<&str>) -> Target {
+    target_with(token, Options::default())
+}
+
+/// Starts a server with options.
+pub(crate) fn target_with(token: Option<&str>, own: Options) -> Target {
     let listener = TcpListener::bind("127.0.0.1:0").unwrap();
     let options = WebOptions { token: token.map(str::to_owned), ..WebOptions::default() };
-    let web = Web::start(listener, options, Arc::new(Manager::new(Options::default()))).unwrap();
+    let web = Web::start(listener, options, Arc::new(Manager::new(own))).unwrap();
     let address = web.address();
     Target { web, address }
 }

@@ -17,7 +17,7 @@ use crate::world::find;
 const SECONDS: u64 = 6;
 
 /// Records the beginning of a game.
-fn record(folder: &Folder, name: &str, seed: u64) {
+pub(crate) fn record(folder: &Folder, name: &str, seed: u64) {
     let path = folder.0.join("recordings").join(name);
     fs::create_dir_all(path.parent().unwrap()).unwrap();
     let rules = Rules {
@@ -35,7 +35,7 @@ fn record(folder: &Folder, name: &str, seed: u64) {
 }
 
 /// Opens a recording and waits until it is read.
-fn opened(page: &Page<'_>, name: &str) -> (u32, Value) {
+pub(crate) fn opened(page: &Page<'_>, name: &str) -> (u32, Value) {
     let source = Open::Recording { name: name.to_owned() };
     let session = page.ask(Request::Open { source }).unwrap()["session"].as_u64().unwrap() as u32;
     let info = read(page, session);

@@ -7,34 +7,44 @@ use std::thread::JoinHandle;
 use std::time::Duration;
 
 use bica_game::{GameControl, NextStep, Rules, ServeOptions, WorldKind, play_controlled};
-use bica_link::Address;
+use bica_link::{Address, Client, ClientOptions};
 use bica_sim::setup::Frame;
-use jmanager::protocol::{HoldKind, Open, Request, Setting};
+use jmanager::protocol::{HoldKind, Open, Request, Setting, Watch, WatchImages};
 use jmanager::sessions::Manager;
 use serde_json::json;
 
-use crate::page::{Folder, Page};
+use crate::page::{Folder, Got, Page};
 use crate::world::find;
 
 /// A robot: a game that is served by a thread.
-struct Robot {
-    address: String,
+pub(crate) struct Robot {
+    pub(crate) address: String,
     end: Arc<AtomicBool>,
     thread: Option<JoinHandle<()>>,
 }
 
-struct Until(Arc<AtomicBool>);
+/// The end of a game, and whether operators may pause it: a robot's time goes on.
+struct Until(Arc<AtomicBool>, bool);
 
 impl GameControl for Until {
     fn next(&mut self, _is_over: bool) -> NextStep {
         if self.0.load(Ordering::Relaxed) { NextStep::End } else { NextStep::Cycle }
     }
+
+    fn lets_operators_pause(&self) -> bool {
+        self.1
+    }
 }
 
 impl Robot {
-    fn start(address: &str) -> Self {
+    /// A world that can be paused.
+    pub(crate) fn start(address: &str) -> Self {
+        Self::serve(address, true)
+    }
+
+    pub(crate) fn serve(address: &str, pauses: bool) -> Self {
         let (end, (ready, started)) = (Arc::new(AtomicBool::new(false)), channel());
-        let (mut until, address) = (Until(Arc::clone(&end)), Address::Tcp(address.to_owned()));
+        let (mut until, address) = (Until(Arc::clone(&end), pauses), Address::Tcp(address.to_owned()));
         let thread = std::thread::spawn(move || {
             let rules = Rules {
                 world: WorldKind::BuiltIn,
@@ -92,6 +102,75 @@ fn a_lost_robot_is_found_again_and_nothing_old_is_executed() {
     let error = page.ask(Request::Hold { session, component, hold: HoldKind::Active }).unwrap_err();
     assert!(error["text"].as_str().unwrap().contains("does not control"), "{error}");
     drop(robot);
+}
+
+#[test]
+fn a_world_behind_a_link_shows_all_that_a_world_of_this_process_shows() {
+    let folder = Folder::new();
+    let manager = Manager::new(folder.options());
+    let page = Page::new(&manager);
+    let robot = Robot::start("127.0.0.1:0");
+    let session = manager.open(Open::Robot { address: robot.address.clone() }).unwrap();
+    let description = page.message("described", |message| Some(message["description"].clone()));
+    let info = page.session(|one| one["connection"] == "connected");
+    for capability in ["operate", "pause", "truth", "images", "costs", "conditions"] {
+        assert_eq!(info["can"][capability], true, "{capability}");
+    }
+    let components = description["components"].as_array().unwrap();
+    let root = components.iter().position(|one| one["root"] == true).unwrap();
+    let images = Some(WatchImages { max_hz: 30.0 });
+    let watch = Watch { conditions: vec![root], costs: true, truth: true, images, ..Watch::default() };
+    page.ask(Request::Watch { session, watch }).unwrap();
+    let frame = page.wait("an image", |got| match got {
+        Got::Binary(frame) => Some(frame.clone()),
+        Got::Message(_) => None,
+    });
+    assert_eq!((frame[0], frame.len()), (1, 32 + 160 * 120 * 2));
+    let conditions = page.message("conditions", |message| {
+        let conditions = message["conditions"].as_array()?;
+        let is_known = conditions.iter().any(|one| one["holds"].is_boolean());
+        is_known.then_some(conditions.len())
+    });
+    assert_eq!(conditions, components[root]["transitions"].as_array().unwrap().len());
+    let truth = page.message("truth", |truth| Some(truth["truth"].clone()));
+    assert_eq!(truth["robot"].as_array().unwrap().len(), 3);
+    assert_ne!(truth["ball"], json!([0.0, 0.0]));
+    let costs = page.message("costs", |costs| (costs["window_us"] == 500_000).then(|| costs.clone()));
+    let costs = costs["components"].as_array().unwrap();
+    assert_eq!(costs.len(), components.len());
+    assert!(costs.iter().any(|one| one[0] == 50 && one[1].as_f64().unwrap() > 0.0));
+}
+
+#[test]
+fn a_world_behind_a_link_is_paused_stepped_and_continued() {
+    let folder = Folder::new();
+    let manager = Manager::new(folder.options());
+    let page = Page::new(&manager);
+    let robot = Robot::start("127.0.0.1:0");
+    let session = manager.open(Open::Robot { address: robot.address.clone() }).unwrap();
+    let description = page.message("described", |message| Some(message["description"].clone()));
+    page.message("update", |update| (update["cycle"].as_u64()? > 5).then_some(()));
+    page.send(Request::Pause { session });
+    page.session(|one| one["paused"] == true && one["control"] == "free");
+    page.ask(Request::Acquire { session }).unwrap();
+    let (component, param) = find(&description, "FaceBall", "params", "gain");
+    let settings = vec![Setting { component, param, value: json!(0.9) }];
+    let next = page.ask(Request::Set { session, settings }).unwrap()["cycle"].as_u64().unwrap();
+    page.ask(Request::Step { session, cycles: 3 }).unwrap();
+    let last = page.message("update", |update| update["cycle"].as_u64().filter(|&cycle| cycle >= next + 2));
+    assert_eq!(last, next + 2, "three cycles");
+    page.ask(Request::Step { session, cycles: 2 }).unwrap();
+    let last = page.message("update", |update| update["cycle"].as_u64().filter(|&cycle| cycle > next + 3));
+    assert_eq!(last, next + 4, "two more");
+    page.ask(Request::Release { session }).unwrap();
+    let mut other = Client::connect(&robot.address.parse().unwrap(), ClientOptions::default()).unwrap();
+    other.acquire(true).unwrap();
+    let error = page.ask(Request::Resume { session }).unwrap_err();
+    assert!(error["text"].as_str().unwrap().contains("another monitor"), "{error}");
+    other.release().unwrap();
+    page.send(Request::Resume { session });
+    page.session(|one| one["paused"] == false);
+    page.message("update", |update| (update["cycle"].as_u64()? > next + 20).then_some(()));
 }
 
 #[test]

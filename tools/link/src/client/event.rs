@@ -1,6 +1,9 @@
 //! What a client receives.
 
-use bica_wire::message::{ComponentState, CycleInfo, LeaseState, RefusalCode, Value};
+use bica_wire::message::{
+    self, ComponentCost, ComponentState, ConditionState, CycleInfo, ImageHead, LeaseState, RefusalCode, Truth, Value,
+    WorldState,
+};
 
 use crate::error::Error;
 
@@ -38,6 +41,41 @@ pub enum Event {
         /// The text.
         text: String,
     },
+    /// Conditions of the transitions of a component.
+    Conditions {
+        /// Instant of the tick, µs.
+        time_us: u64,
+        /// Index of the component.
+        component: usize,
+        /// One for each transition; none for one that was not evaluated in the present state.
+        conditions: Vec<Option<ConditionState>>,
+    },
+    /// Costs of the components and of the cycle.
+    Costs(Costs),
+    /// True state of a simulated world.
+    Truth(Box<Truth>),
+    /// A camera image. The robot sends the next one after this event was taken.
+    Image(Image),
+    /// Whether a simulated world is paused.
+    World(WorldState),
+}
+
+/// Costs of the components and of the cycle.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Costs {
+    /// Costs of the cycles.
+    pub cycles: message::Costs,
+    /// Costs of each component.
+    pub components: Vec<ComponentCost>,
+}
+
+/// A camera image.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Image {
+    /// Number, time, camera and size.
+    pub head: ImageHead,
+    /// Pixels in YUYV, 2 bytes for each.
+    pub yuyv: Vec<u8>,
 }
 
 /// State of a tree after a cycle.

@@ -4,12 +4,14 @@ use std::collections::{BTreeMap, VecDeque};
 use std::time::{Duration, Instant};
 
 use bica_wire::message::{
-    Answer, AnswerResult, ComponentStates, GraphItem, InfoSchema, InfoValue, LeaseState, LogLine, ParamValues,
+    Answer, AnswerResult, ComponentStates, GraphItem, InfoSchema, InfoValue, LeaseState, LogLine, Offers, ParamValues,
+    WorldState,
 };
 use bica_wire::{FromRobot, ToMonitor};
 use postcard_schema::schema::owned::OwnedNamedType;
 
 use super::event::{Answered, Event, Snapshot};
+use super::extras::Extras;
 use crate::builder::Builder;
 use crate::description::{Description, to_json};
 use crate::error::Error;
@@ -25,7 +27,11 @@ pub(super) struct Attachment {
     pub(super) schema: u64,
     tree_hash: u64,
     realtime: bool,
+    pub(super) offers: Offers,
 }
+
+/// Index of [`ToMonitor::Attached`]. Its first field is the schema, in every version of the protocol.
+const ATTACHED: u8 = 0;
 
 pub(super) struct Inbox {
     pub(super) attached: Option<Attachment>,
@@ -39,6 +45,8 @@ pub(super) struct Inbox {
     partial: Option<Snapshot>,
     schema_parts: BTreeMap<(u16, u16), Vec<u8>>,
     schemas: BTreeMap<(u16, u16), OwnedNamedType>,
+    extras: Extras,
+    world: WorldState,
 }
 
 impl Inbox {
@@ -54,6 +62,8 @@ impl Inbox {
             partial: None,
             schema_parts: BTreeMap::new(),
             schemas: BTreeMap::new(),
+            extras: Extras::default(),
+            world: WorldState::default(),
         }
     }
 
@@ -70,7 +80,8 @@ impl Inbox {
     /// Estimates the robot's time; none if it does not advance with the clock, or is not known.
     pub(super) fn robot_time(&self) -> Option<Duration> {
         let realtime = self.attached.as_ref().is_some_and(|attached| attached.realtime);
-        self.time.filter(|_| realtime).map(|(time, received)| time + received.elapsed())
+        let elapsed = |received: Instant| if self.world.paused { Duration::ZERO } else { received.elapsed() };
+        self.time.filter(|_| realtime).map(|(time, received)| time + elapsed(received))
     }
 
     /// Takes the answer to a request.
@@ -87,9 +98,18 @@ impl Inbox {
     pub(super) fn receive(&mut self, message: FromRobot<'_>) -> Result<(), Error> {
         match message {
             FromRobot::GraphItem(item) => self.describe(&item)?,
-            FromRobot::Monitor(bytes) => {
-                if let Ok(message) = postcard::from_bytes(bytes) {
-                    self.add(message);
+            FromRobot::Monitor(bytes) => match postcard::from_bytes(bytes) {
+                Ok(message) => self.add(message),
+                Err(_) => self.check_version(bytes)?,
+            },
+            FromRobot::MonitorExtra(bytes) => {
+                let event =
+                    postcard::from_bytes(bytes).ok().and_then(|message| self.extras.add(message, &self.description));
+                if let Some(Event::World(world)) = event {
+                    self.set_world(world);
+                }
+                if let Some(event) = event {
+                    self.push(event);
                 }
             }
             FromRobot::Identity(_) | FromRobot::Command(_) | FromRobot::Telemetry(_) | FromRobot::StackUsage(_) => {}
@@ -97,11 +117,27 @@ impl Inbox {
         Ok(())
     }
 
+    /// Finds out whether a message that cannot be decoded attaches to a robot of another version.
+    fn check_version(&self, bytes: &[u8]) -> Result<(), Error> {
+        match postcard::take_from_bytes::<(u8, u64)>(bytes) {
+            Ok(((ATTACHED, robot), _)) if self.attached.is_none() => Err(Error::Schema { robot }),
+            _ => Ok(()),
+        }
+    }
+
+    /// The time of a paused world stands still, and goes on from there.
+    fn set_world(&mut self, world: WorldState) {
+        if let Some((_, received)) = self.time.as_mut().filter(|_| self.world.paused && !world.paused) {
+            *received = Instant::now();
+        }
+        self.world = world;
+    }
+
     fn add(&mut self, message: ToMonitor<'_>) {
         match message {
             ToMonitor::Attached(attached) => {
                 let (schema, tree_hash, realtime) = (attached.schema, attached.tree_hash, attached.realtime);
-                self.attached = Some(Attachment { schema, tree_hash, realtime });
+                self.attached = Some(Attachment { schema, tree_hash, realtime, offers: attached.offers });
             }
             ToMonitor::Cycle(info) => {
                 self.set_time(info.time_us);

@@ -1,13 +1,16 @@
 //! The monitor's end of the link.
 
 mod event;
+mod extras;
 mod inbox;
 
 use std::collections::BTreeMap;
 use std::thread;
 use std::time::{Duration, Instant};
 
-use bica_wire::message::{Change, LeaseAction, LeaseState, Request, Watch, WatchInfo};
+use bica_wire::message::{
+    Change, ExtraKind, FromMonitorExtra, LeaseAction, LeaseState, Offers, Request, Watch, WatchInfo,
+};
 use bica_wire::{FromMonitor, SCHEMA};
 
 use crate::address::Address;
@@ -17,7 +20,7 @@ use crate::frame::{Packets, Receiver};
 use crate::stream::{Reading, Stream};
 use inbox::Inbox;
 
-pub use event::{Answered, Event, Snapshot};
+pub use event::{Answered, Costs, Event, Image, Snapshot};
 
 /// Time between two messages to the robot, if there is nothing else to send.
 const HEARTBEAT: Duration = Duration::from_millis(500);
@@ -56,6 +59,7 @@ pub struct Client {
     /// Watched snapshots and information, to watch them again after a reconnection.
     every: u16,
     info: BTreeMap<(u16, u16), u16>,
+    extras: BTreeMap<ExtraKind, u16>,
 }
 
 impl Client {
@@ -77,6 +81,7 @@ impl Client {
             last_number: 0,
             every: 0,
             info: BTreeMap::new(),
+            extras: BTreeMap::new(),
         };
         client.attach()?;
         Ok(client)
@@ -120,6 +125,9 @@ impl Client {
         for (&(component, info), &every) in &self.info {
             next.watch_info(component.into(), info.into(), every)?;
         }
+        for (&kind, &every) in &self.extras {
+            next.watch_extra(kind, every)?;
+        }
         if lease.yours {
             next.inbox.lease = None;
             next.send(&FromMonitor::Lease(LeaseAction::Keep { lease: lease.lease }))?;
@@ -133,6 +141,12 @@ impl Client {
     #[must_use]
     pub const fn description(&self) -> &Description {
         &self.inbox.description
+    }
+
+    /// Returns what the robot's program offers.
+    #[must_use]
+    pub fn offers(&self) -> Offers {
+        self.inbox.attached.as_ref().map(|attached| attached.offers).unwrap_or_default()
     }
 
     /// Returns the lease as the robot reported it last.
@@ -170,6 +184,31 @@ impl Client {
         self.send(&FromMonitor::WatchInfo(WatchInfo { component, info, every }))
     }
 
+    /// Watches conditions, costs, the true state or images, of every n-th cycle or every n-th image; 0 ends it. Costs come every
+    /// [`COSTS_CYCLES`](bica_wire::message::COSTS_CYCLES) cycles for any other number.
+    ///
+    /// # Errors
+    /// [`Error::NotOffered`], [`Error::Disconnected`].
+    pub fn watch_extra(&mut self, kind: ExtraKind, every: u16) -> Result<(), Error> {
+        let (offer, name) = match kind {
+            ExtraKind::Conditions { .. } => (Offers::CONDITIONS, "conditions of transitions"),
+            ExtraKind::Costs => (Offers::COSTS, "costs of components"),
+            ExtraKind::Truth => (Offers::TRUTH, "the true state of a world"),
+            ExtraKind::Images => (Offers::IMAGES, "images"),
+        };
+        self.require(offer, name)?;
+        if every == 0 {
+            self.extras.remove(&kind);
+        } else {
+            self.extras.insert(kind, every);
+        }
+        self.send_extra(FromMonitorExtra::Watch { kind, every })
+    }
+
+    fn require(&self, offer: Offers, name: &'static str) -> Result<(), Error> {
+        if self.offers().contains(offer) { Ok(()) } else { Err(Error::NotOffered(name)) }
+    }
+
     /// Acquires the lease. `take` takes it also from its owner; only a person may decide that.
     ///
     /// # Errors
@@ -205,8 +244,11 @@ impl Client {
     /// Sends a request and returns its number; the answer follows as [`Event::Answer`].
     ///
     /// # Errors
-    /// [`Error::Disconnected`].
+    /// [`Error::NotOffered`] for a change of the world of a robot that has none; [`Error::Disconnected`].
     pub fn send_request(&mut self, change: Change) -> Result<u32, Error> {
+        if matches!(change, Change::World(_)) {
+            self.require(Offers::PAUSE, "to stop its time")?;
+        }
         let expires_us = self
             .inbox
             .robot_time()
@@ -229,7 +271,7 @@ impl Client {
     /// Sends a request and waits for its answer.
     ///
     /// # Errors
-    /// [`Error::Refused`], [`Error::Timeout`], [`Error::Disconnected`].
+    /// [`Error::Refused`], [`Error::NotOffered`], [`Error::Timeout`], [`Error::Disconnected`].
     pub fn request(&mut self, change: Change) -> Result<Answered, Error> {
         let number = self.send_request(change)?;
         self.answer(number)
@@ -252,6 +294,9 @@ impl Client {
         let until = Instant::now() + timeout;
         loop {
             if let Some(event) = self.inbox.events.pop_front() {
+                if let Event::Image(image) = &event {
+                    self.send_extra(FromMonitorExtra::ImageTaken { number: image.head.number })?;
+                }
                 return Ok(Some(event));
             }
             if !self.receive(until)? {
@@ -312,6 +357,11 @@ impl Client {
 
     fn send(&mut self, message: &FromMonitor) -> Result<(), Error> {
         self.packets.push_monitor(message).map_err(|_| Error::Invalid("a request does not fit into a packet"))?;
+        self.flush()
+    }
+
+    fn send_extra(&mut self, message: FromMonitorExtra) -> Result<(), Error> {
+        self.packets.push_monitor_extra(message).map_err(|_| Error::Invalid("a message does not fit into a packet"))?;
         self.flush()
     }
 

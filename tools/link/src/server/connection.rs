@@ -3,15 +3,18 @@
 use std::collections::BTreeSet;
 use std::io;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use bica_wire::{FromMonitor, Packet, ToRobot};
+use bica_wire::message::ExtraKind;
+use bica_wire::{FromMonitor, FromMonitorExtra, Packet, ToRobot};
 
 use super::cycle_data::{self, Shown};
 use super::hub::{Command, Hub, MAX_PENDING};
-use super::outbox::{Message, Outbox};
+use super::key::Key;
+use super::outbox::{Message, Outbox, Taken};
+use super::picture::{Picture, Sending};
 use crate::frame::{Packets, Receiver};
 use crate::stream::{Reading, Stream};
 
@@ -21,6 +24,10 @@ const POLL: Duration = Duration::from_millis(100);
 const WRITE: Duration = Duration::from_secs(10);
 /// Silence after which a monitor is disconnected: its computer may have lost the network.
 const IDLE: Duration = Duration::from_secs(30);
+/// Time after which the next image is sent though the last one was not taken, ms: a part may be lost on a serial line.
+const IMAGE_MS: u64 = 10_000;
+/// No image waits to be taken.
+const TAKEN: u64 = u64::MAX;
 /// Number of bytes that are written together.
 const WRITE_BYTES: usize = 1 << 16;
 
@@ -31,6 +38,9 @@ pub(super) struct Connection {
     /// Number of messages that wait for the loop.
     pub(super) pending: AtomicUsize,
     outbox: Outbox,
+    began: Instant,
+    /// Time of the last image, which the monitor has not taken, ms after the begin; [`TAKEN`] if it has.
+    image_ms: AtomicU64,
     closed: AtomicBool,
     stream: Stream,
 }
@@ -46,6 +56,18 @@ impl Connection {
     /// Adds data of a cycle, which replaces what was not sent. For threads that may wait, not for the loop.
     pub(super) fn show(&self, shown: Shown) {
         self.outbox.show(shown);
+    }
+
+    /// Adds an image, which replaces one that was not begun. For threads that may wait, not for the loop.
+    pub(super) fn show_image(&self, picture: Picture) {
+        self.image_ms.store(self.began.elapsed().as_millis() as u64, Ordering::Relaxed);
+        self.outbox.show_image(picture);
+    }
+
+    pub(super) fn is_ready_for_image(&self) -> bool {
+        let now = self.began.elapsed().as_millis() as u64;
+        let last = self.image_ms.load(Ordering::Relaxed);
+        last == TAKEN || now.saturating_sub(last) > IMAGE_MS
     }
 
     pub(super) fn is_closed(&self) -> bool {
@@ -76,6 +98,8 @@ pub(super) fn serve(hub: &Arc<Hub>, mut stream: Stream) -> io::Result<()> {
         id: hub.next_id(),
         pending: AtomicUsize::new(0),
         outbox: Outbox::default(),
+        began: Instant::now(),
+        image_ms: AtomicU64::new(TAKEN),
         closed: AtomicBool::new(false),
         stream: stream.try_clone()?,
     });
@@ -119,12 +143,14 @@ fn read(hub: &Hub, connection: &Arc<Connection>, stream: &mut Stream) {
 enum Incoming {
     Describe,
     Monitor(Box<FromMonitor>),
+    Extra(FromMonitorExtra),
 }
 
 fn decode(packet: &Packet<'_>) -> Option<Incoming> {
     match packet.message().ok()? {
         ToRobot::Describe => Some(Incoming::Describe),
         ToRobot::Monitor(bytes) => postcard::from_bytes(bytes).ok().map(|message| Incoming::Monitor(Box::new(message))),
+        ToRobot::MonitorExtra(bytes) => postcard::from_bytes(bytes).ok().map(Incoming::Extra),
         _ => None,
     }
 }
@@ -136,13 +162,22 @@ fn handle(hub: &Hub, connection: &Arc<Connection>, message: Incoming) -> bool {
             connection.push(hub, Message::Describe(hub.graph));
             return true;
         }
+        Incoming::Extra(FromMonitorExtra::ImageTaken { .. }) => {
+            connection.image_ms.store(TAKEN, Ordering::Relaxed);
+            return true;
+        }
+        Incoming::Extra(FromMonitorExtra::Watch { kind: ExtraKind::Images, every }) => Command::WatchImages(every),
+        Incoming::Extra(FromMonitorExtra::Watch { kind, every }) => match Key::of_extra(kind, every) {
+            Some(watch) => Command::WatchKey(watch),
+            None => return true,
+        },
         Incoming::Monitor(message) => match *message {
             FromMonitor::Attach => {
                 connection.push(hub, Message::Attached(hub.attached()));
                 Command::Attach
             }
             FromMonitor::Watch(watch) => Command::Watch(watch),
-            FromMonitor::WatchInfo(watch) => Command::WatchInfo(watch),
+            FromMonitor::WatchInfo(watch) => Command::WatchKey(Key::of_info(watch)),
             FromMonitor::ReadParams => Command::ReadParams,
             FromMonitor::Lease(action) => Command::Lease(action),
             FromMonitor::Request(request) => Command::Request(Box::new(request)),
@@ -161,7 +196,8 @@ fn handle(hub: &Hub, connection: &Arc<Connection>, message: Incoming) -> bool {
 
 fn write(connection: &Connection, mut stream: Stream) {
     let (mut packets, mut schemas) = (Packets::new(), BTreeSet::new());
-    while let Some((messages, data)) = connection.outbox.take() {
+    let mut sending: Option<Sending> = None;
+    while let Some(Taken { messages, data, image }) = connection.outbox.take(sending.is_some()) {
         let mut closing = false;
         for message in messages {
             closing |= matches!(message, Message::Closing(_));
@@ -173,6 +209,9 @@ fn write(connection: &Connection, mut stream: Stream) {
             }
         }
         let _ = cycle_data::frame(&data, &mut schemas, &mut packets);
+        sending = sending.or_else(|| image.map(Sending::new));
+        // Each part of an image comes after everything else, so an image delays nothing for long.
+        sending.take_if(|sending| sending.push_part(&mut packets).unwrap_or(true));
         if packets.write(&mut stream).is_err() || closing {
             connection.close();
             return;

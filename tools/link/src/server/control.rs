@@ -2,9 +2,9 @@
 
 use std::collections::BTreeSet;
 use std::sync::Arc;
-use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
+use std::time::{Duration, SystemTime, UNIX_EPOCH};
 
-use bica_wire::message::{Change, CycleInfo, LeaseAction, RefusalCode, Request};
+use bica_wire::message::{Change, CycleInfo, LeaseAction, Offers, RefusalCode, Request, WorldChange};
 use bica_wire::server::Lease;
 
 use super::ServerOptions;
@@ -12,6 +12,7 @@ use super::connection::Connection;
 use super::exchange::{Outgoing, Recipient};
 use super::hub::{Command, Hub, Inbound};
 use super::outbox::{AnswerKind, Message};
+use super::pace::{LoopClock, Pace};
 use super::watcher::Watcher;
 use super::watchers::Watchers;
 
@@ -28,9 +29,11 @@ pub(super) struct Applied {
 #[derive(Debug)]
 pub(super) struct Control {
     pub(super) hub: Arc<Hub>,
-    realtime: bool,
+    /// Whether silence is measured in the robot's time.
+    by_robot: bool,
     watch_only: bool,
-    began: Instant,
+    clock: LoopClock,
+    pub(super) pace: Pace,
     pub(super) watchers: Watchers,
     /// What the distributor gets at the end of the cycle.
     pub(super) outgoing: Outgoing,
@@ -48,9 +51,10 @@ impl Control {
     pub(super) fn new(hub: Arc<Hub>, options: ServerOptions) -> Self {
         Self {
             hub,
-            realtime: options.realtime,
+            by_robot: options.realtime && !options.offers.contains(Offers::PAUSE),
             watch_only: options.watch_only,
-            began: Instant::now(),
+            clock: LoopClock::new(),
+            pace: Pace::default(),
             watchers: Watchers::default(),
             outgoing: Outgoing::default(),
             lease: Lease::new(options.silence, seconds()),
@@ -62,8 +66,8 @@ impl Control {
     }
 
     /// Time by which the operator's silence is measured.
-    pub(super) fn lease_time(&self, now: bica::Instant) -> Duration {
-        if self.realtime { Duration::from_micros(now.as_micros()) } else { self.began.elapsed() }
+    pub(super) fn lease_time(&mut self, now: bica::Instant) -> Duration {
+        if self.by_robot { Duration::from_micros(now.as_micros()) } else { self.clock.now() }
     }
 
     /// Sends a message to one monitor, if it is still connected.
@@ -120,11 +124,15 @@ impl Control {
             Command::Attach => {
                 let lease = self.lease.state(id, now);
                 self.tell(id, Message::Lease(lease));
+                if self.can_pause() {
+                    self.tell(id, Message::World(self.pace.state(self.next.cycle)));
+                }
             }
             Command::Watch(watch) => self.watchers.watch(id, watch.every),
-            Command::WatchInfo(watch) => {
-                if !self.watchers.watch_info(id, watch) {
-                    let text = "a monitor cannot watch so much information".into();
+            Command::WatchImages(every) => self.watchers.watch_images(id, every),
+            Command::WatchKey(watch) => {
+                if !self.watchers.watch_key(id, watch) {
+                    let text = "a monitor cannot watch so much".into();
                     self.tell(id, Message::Log { time_us: now.as_micros(), level: 3, text });
                 }
             }
@@ -156,9 +164,43 @@ impl Control {
             self.lease.admit(from.id, &request, time, now)
         };
         let Request { number, change, .. } = request;
-        let Err(code) = admitted else { return Some(Applied { connection: from.id, number, arrived, change }) };
+        let admitted = match &change {
+            Change::World(_) if !self.can_pause() => Err(RefusalCode::NoWorld),
+            _ => admitted,
+        };
+        let connection = from.id;
+        let code = match (admitted, change) {
+            (Ok(()), Change::World(change)) => {
+                self.change_world(now, change);
+                self.applied.push(Applied { connection, number, arrived, change: Change::World(change) });
+                return None;
+            }
+            (Ok(()), change) => return Some(Applied { connection, number, arrived, change }),
+            (Err(code), _) => code,
+        };
         self.refuse(from.id, number, arrived, code, 0, code.text().to_owned());
         None
+    }
+
+    fn can_pause(&self) -> bool {
+        self.hub.offers().contains(Offers::PAUSE)
+    }
+
+    /// Pauses, continues or steps the world.
+    fn change_world(&mut self, now: bica::Instant, change: WorldChange) {
+        self.pace.change(change);
+        let text = match change {
+            WorldChange::Pause => "operator: pause".to_owned(),
+            WorldChange::Resume => "operator: resume".to_owned(),
+            WorldChange::Step { cycles } => format!("operator: step {cycles}"),
+        };
+        self.log(now, 2, &text);
+        self.announce_world();
+    }
+
+    /// Sends the state of the world to every monitor.
+    pub(super) fn announce_world(&mut self) {
+        self.tell_all(&Message::World(self.pace.state(self.next.cycle)));
     }
 
     pub(super) fn refuse(

@@ -7,15 +7,18 @@ use std::sync::Arc;
 use bica::info::{InfoSink, Information};
 use bica::{ComponentId, Tree};
 use bica_wire::message::{InfoSchema, InfoValue, MAX_INFO_BYTES, SCHEMA_PART_BYTES};
-use bica_wire::{ToMonitor, TooLarge};
+use bica_wire::{FromRobot, ToMonitor, TooLarge};
 use postcard_schema::schema::NamedType;
+use serde::Serialize;
 
+use super::extras::Extra;
+use super::key::Key;
 use super::snapshot::Snapshot;
 use super::watcher::Watcher;
 use crate::frame::Packets;
 
-/// Watched information, component and index, with n for every n-th cycle.
-pub(super) type Watched = BTreeMap<(u16, u16), u16>;
+/// What is watched, with n for every n-th cycle.
+pub(super) type Watched = BTreeMap<Key, u16>;
 
 /// Data of one cycle: what at least one monitor watches. The loop fills it, and its memory is used again.
 #[derive(Debug, Default)]
@@ -25,6 +28,7 @@ pub(super) struct CycleData {
     pub(super) watchers: Arc<[Watcher]>,
     pub(super) snapshot: Snapshot,
     readings: Vec<Reading>,
+    pub(super) extras: Vec<Extra>,
     /// Values of all readings in postcard's format, and room for one more.
     bytes: Vec<u8>,
     /// Number of bytes that values occupy.
@@ -46,12 +50,13 @@ impl CycleData {
         self.cycle = cycle;
         self.snapshot.clear();
         self.readings.clear();
+        self.extras.clear();
         self.used = 0;
     }
 
     /// Whether there is nothing to send.
     pub(super) const fn is_empty(&self) -> bool {
-        self.snapshot.is_empty() && self.readings.is_empty()
+        self.snapshot.is_empty() && self.readings.is_empty() && self.extras.is_empty()
     }
 
     /// Reads an information.
@@ -78,14 +83,23 @@ impl CycleData {
             let (component, info) = (*component, *info);
             let value = place.clone().and_then(|place| self.bytes.get(place));
             let place = append(&mut bytes, &ToMonitor::Info(InfoValue { cycle, component, info, bytes: value }))?;
-            readings.push(EncodedReading { component, info, schema, place });
+            readings.push(EncodedReading {
+                key: Key::Info(component, info),
+                schema: Some(schema),
+                places: vec![place],
+            });
+        }
+        for extra in &self.extras {
+            let mut places = Vec::new();
+            extra.messages(cycle, |message| append(&mut bytes, message).map(|place| places.push(place)))?;
+            readings.push(EncodedReading { key: extra.key(), schema: None, places });
         }
         Ok(Encoded { cycle, snapshot, readings, bytes })
     }
 }
 
 /// Appends a message in postcard's format; returns its place.
-fn append(bytes: &mut Vec<u8>, message: &ToMonitor<'_>) -> Result<Range<usize>, TooLarge> {
+fn append(bytes: &mut Vec<u8>, message: &impl Serialize) -> Result<Range<usize>, TooLarge> {
     let start = bytes.len();
     *bytes = postcard::to_extend(message, std::mem::take(bytes)).map_err(|_| TooLarge)?;
     Ok(start..bytes.len())
@@ -117,10 +131,11 @@ pub(super) struct Encoded {
 
 #[derive(Debug)]
 struct EncodedReading {
-    component: u16,
-    info: u16,
-    schema: &'static NamedType,
-    place: Range<usize>,
+    key: Key,
+    /// Of an information; none for what has messages of its own.
+    schema: Option<&'static NamedType>,
+    /// Places of its messages.
+    places: Vec<Range<usize>>,
 }
 
 /// Data of one cycle for one monitor.
@@ -132,10 +147,10 @@ pub(super) struct Shown {
     pub(super) watched: Arc<Watched>,
 }
 
-/// Appends the packets of the newest snapshot and of the newest value of each information; `schemas` are those that were sent.
+/// Appends the packets of the newest snapshot and of the newest value of everything else; `schemas` are those that were sent.
 pub(super) fn frame(
     shown: &VecDeque<Shown>,
-    schemas: &mut BTreeSet<(u16, u16)>,
+    schemas: &mut BTreeSet<Key>,
     packets: &mut Packets,
 ) -> Result<(), TooLarge> {
     if let Some(newest) = shown.iter().rev().find(|shown| shown.snapshot) {
@@ -144,23 +159,34 @@ pub(super) fn frame(
     let mut sent = BTreeSet::new();
     for Shown { data, watched, .. } in shown.iter().rev() {
         for reading in &data.readings {
-            let key = (reading.component, reading.info);
+            let key = reading.key;
             let is_due = watched.get(&key).is_some_and(|&every| data.cycle.is_multiple_of(every.into()));
             if !is_due || (shown.len() > 1 && !sent.insert(key)) {
                 continue;
             }
-            if schemas.insert(key) {
-                push_schema(reading, packets)?;
+            if let (Key::Info(component, info), Some(schema)) = (key, reading.schema)
+                && schemas.insert(key)
+            {
+                push_schema((component, info), schema, packets)?;
             }
-            packets.push_encoded(&data.bytes[reading.place.clone()])?;
+            for place in &reading.places {
+                let bytes = &data.bytes[place.clone()];
+                match reading.schema {
+                    Some(_) => packets.push_encoded(bytes)?,
+                    None => packets.push_robot(&FromRobot::MonitorExtra(bytes))?,
+                }
+            }
         }
     }
     Ok(())
 }
 
-fn push_schema(reading: &EncodedReading, packets: &mut Packets) -> Result<(), TooLarge> {
-    let (component, info) = (reading.component, reading.info);
-    let bytes = postcard::to_stdvec(reading.schema).map_err(|_| TooLarge)?;
+fn push_schema(
+    (component, info): (u16, u16),
+    schema: &'static NamedType,
+    packets: &mut Packets,
+) -> Result<(), TooLarge> {
+    let bytes = postcard::to_stdvec(schema).map_err(|_| TooLarge)?;
     let parts = bytes.chunks(SCHEMA_PART_BYTES);
     let last = parts.len() - 1;
     for (index, bytes) in parts.enumerate() {

@@ -7,6 +7,8 @@ use std::{io, mem};
 use super::cycle_data::{CycleData, Shown};
 use super::exchange::{Exchange, Outgoing, Recipient};
 use super::hub::Hub;
+use super::picture::Shot;
+use super::watcher::Watcher;
 
 /// Starts the thread. It ends after [`Exchange::close`], once everything is distributed.
 pub(super) fn start(hub: &Arc<Hub>) -> io::Result<JoinHandle<()>> {
@@ -24,6 +26,10 @@ fn run(hub: &Hub, exchange: &Exchange) {
             }
         }
         received.data.iter_mut().for_each(distribute);
+        if let Some(Shot { watchers, picture }) = received.shot.take() {
+            let wants = |watcher: &&Watcher| watcher.wants_image(picture.head.number);
+            watchers.iter().filter(wants).for_each(|watcher| watcher.connection.show_image(picture.clone()));
+        }
     }
 }
 

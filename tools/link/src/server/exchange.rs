@@ -7,6 +7,7 @@ use std::time::Duration;
 use super::connection::Connection;
 use super::cycle_data::CycleData;
 use super::outbox::Message;
+use super::picture::Shot;
 
 /// Largest number of messages that wait. Those to whom more are sent are disconnected.
 const MAX_MESSAGES: usize = 1 << 16;
@@ -35,6 +36,8 @@ pub(super) struct Outgoing {
     pub(super) messages: VecDeque<(Recipient, Message)>,
     /// Data of cycles, the oldest first.
     pub(super) data: VecDeque<CycleData>,
+    /// The newest image.
+    pub(super) shot: Option<Shot>,
     /// Data that was distributed or dropped.
     spare: Vec<CycleData>,
 }
@@ -51,7 +54,7 @@ impl Outgoing {
     }
 
     pub(super) fn is_empty(&self) -> bool {
-        self.messages.is_empty() && self.data.is_empty()
+        self.messages.is_empty() && self.data.is_empty() && self.shot.is_none()
     }
 
     /// Drops the oldest data if there is too much.
@@ -108,6 +111,9 @@ impl Exchange {
         let waiting = &mut state.waiting;
         waiting.messages.append(&mut outgoing.messages);
         waiting.data.append(&mut outgoing.data);
+        if let Some(shot) = outgoing.shot.take() {
+            waiting.shot = Some(shot);
+        }
         waiting.limit_data();
         outgoing.spare.append(&mut waiting.spare);
         let is_much = waiting.data.len() >= WAKE_DATA || waiting.messages.len() >= WAKE_MESSAGES;
@@ -147,6 +153,7 @@ impl Exchange {
         state.sleep = Sleep::Awake;
         std::mem::swap(&mut state.waiting.messages, &mut received.messages);
         std::mem::swap(&mut state.waiting.data, &mut received.data);
+        received.shot = state.waiting.shot.take();
         state.waiting.spare.append(&mut received.spare);
         true
     }

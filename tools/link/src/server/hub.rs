@@ -8,10 +8,11 @@ use std::time::{Duration, Instant};
 
 use bica::Graph;
 use bica_wire::SCHEMA;
-use bica_wire::message::{Attached, LeaseAction, Request, Watch, WatchInfo};
+use bica_wire::message::{Attached, LeaseAction, Offers, Request, Watch};
 
 use super::connection::Connection;
 use super::exchange::Exchange;
+use super::key::Key;
 use super::outbox::Message;
 use super::{MAX_MONITORS, ServerOptions};
 
@@ -47,7 +48,8 @@ pub(super) enum Command {
     Open,
     Attach,
     Watch(Watch),
-    WatchInfo(WatchInfo),
+    WatchKey((Key, u16)),
+    WatchImages(u16),
     ReadParams,
     Lease(LeaseAction),
     Request(Box<Request>),
@@ -113,7 +115,14 @@ impl Hub {
             name: self.graph.name,
             realtime: self.options.realtime,
             silence_ms: self.options.silence.as_millis() as u32,
+            offers: self.offers(),
         }
+    }
+
+    /// What this server offers.
+    pub(super) fn offers(&self) -> Offers {
+        let operate = if self.options.watch_only { Offers::default() } else { Offers::OPERATE };
+        self.options.offers.with(operate).with(Offers::CONDITIONS).with(Offers::COSTS)
     }
 
     /// Returns a number that no other connection of this server has.
@@ -131,7 +140,8 @@ impl Hub {
     /// Hands a message to the loop. Returns whether a loop will receive it.
     pub(super) fn deliver(&self, from: &Arc<Connection>, command: Command) -> bool {
         let arrived = self.next_cycle.load(Ordering::Relaxed);
-        let only_watches = matches!(command, Command::Watch(_) | Command::WatchInfo(_) | Command::ReadParams);
+        let only_watches =
+            matches!(command, Command::Watch(_) | Command::WatchKey(_) | Command::WatchImages(_) | Command::ReadParams);
         let inbox = if only_watches { &self.watches } else { &self.inbox };
         match inbox.try_send(Inbound { from: Arc::clone(from), arrived, command }) {
             Ok(()) => true,

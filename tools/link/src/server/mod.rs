@@ -1,14 +1,20 @@
 //! The robot's end of the link.
 
+mod conditions;
 mod connection;
 mod control;
+mod cost_meter;
 mod cycle_data;
 mod distributor;
 mod exchange;
+mod extras;
 mod hub;
+mod key;
 mod listener;
 mod observer;
 mod outbox;
+mod pace;
+mod picture;
 mod requests;
 mod snapshot;
 mod union;
@@ -21,6 +27,7 @@ use std::thread::JoinHandle;
 use std::time::Duration;
 
 use bica::runner::Robot;
+use bica_wire::message::Offers;
 
 use crate::address::Address;
 use crate::error::Error;
@@ -29,6 +36,7 @@ use hub::Hub;
 
 pub use hub::LinkStats;
 pub use observer::LinkObserver;
+pub use picture::LinkImage;
 pub use requests::LinkRequests;
 
 /// Largest number of monitors at the same time.
@@ -50,11 +58,21 @@ pub struct ServerOptions {
     pub silence: Duration,
     /// Whether all monitors may only watch: nobody gets the lease.
     pub watch_only: bool,
+    /// What the program of the robot offers: [`Offers::PAUSE`] if its loop asks [`LinkRequests::begins_cycle`], [`Offers::TRUTH`]
+    /// if it calls [`LinkObserver::truth`], [`Offers::IMAGES`] with [`LinkObserver::with_images`]. The server adds what it
+    /// offers itself. A world that can be paused measures silence by the clock of this computer.
+    pub offers: Offers,
 }
 
 impl Default for ServerOptions {
     fn default() -> Self {
-        Self { anywhere: false, realtime: true, silence: Duration::from_secs(3), watch_only: false }
+        Self {
+            anywhere: false,
+            realtime: true,
+            silence: Duration::from_secs(3),
+            watch_only: false,
+            offers: Offers::default(),
+        }
     }
 }
 

@@ -1,45 +1,140 @@
 //! The observer in the loop.
 
-use std::marker::PhantomData;
 use std::sync::atomic::Ordering;
 use std::sync::{Arc, Mutex};
 
 use bica::runner::{Cycle, Observer, Overrun, Robot};
-use bica::{Instant, Probe, Tree};
-use bica_wire::message::{MAX_VALUES, ParamValues};
+use bica::{ComponentId, Instant, Probe, Tree};
+use bica_wire::message::{ImageHead, MAX_VALUES, ParamValues, Truth};
 use bica_wire::server::read;
 
+use super::conditions::ConditionTable;
 use super::control::{Applied, Control};
+use super::cost_meter::CostMeter;
+use super::extras::Extra;
+use super::key::Key;
 use super::outbox::{AnswerKind, Message};
+use super::picture::{Copies, LinkImage, Picture, Shot};
 use super::requests::lock;
 
 /// Observer in the loop: sends answers, snapshots and information. It never waits.
 pub struct LinkObserver<R: Robot> {
     control: Arc<Mutex<Control>>,
-    has_image: Option<fn(&R::Sensors<'_>) -> bool>,
-    robot: PhantomData<fn(&R)>,
+    image_of: Option<ImageOf<R>>,
+    owner_of: Option<Box<OwnerOf>>,
+    copies: Copies,
+    conditions: ConditionTable,
+    costs: CostMeter,
+    /// Whether anybody watches the true state.
+    wants_truth: bool,
 }
+
+/// Function that returns the image in sensor values.
+type ImageOf<R> = for<'a, 'b> fn(&'a <R as Robot>::Sensors<'b>) -> Option<LinkImage<'a>>;
+
+/// Function that returns the owner of the pixels of an image.
+type OwnerOf = dyn Fn(&[u8]) -> Option<Arc<Vec<u8>>> + Send;
 
 impl<R: Robot> LinkObserver<R> {
-    pub(super) const fn new(control: Arc<Mutex<Control>>) -> Self {
-        Self { control, has_image: None, robot: PhantomData }
+    pub(super) fn new(control: Arc<Mutex<Control>>) -> Self {
+        let graph = const { &R::GRAPH };
+        Self {
+            control,
+            image_of: None,
+            owner_of: None,
+            copies: Copies::default(),
+            conditions: ConditionTable::new(graph),
+            costs: CostMeter::new(graph),
+            wants_truth: false,
+        }
     }
 
-    /// Sets the function that finds out whether sensor values contain a new image; it is used to count images.
+    /// Sets the function that returns the new image in sensor values. Images are counted, and sent to monitors that watch
+    /// them; a server with this function has [`Offers::IMAGES`](bica_wire::message::Offers::IMAGES) in its options.
     #[must_use]
-    pub fn counting_images(self, has_image: fn(&R::Sensors<'_>) -> bool) -> Self {
-        Self { has_image: Some(has_image), ..self }
+    pub fn with_images(self, image_of: ImageOf<R>) -> Self {
+        Self { image_of: Some(image_of), ..self }
+    }
+
+    /// Sets the function that returns the owner of the pixels of an image. Images with an owner are sent without a copy in the
+    /// loop.
+    #[must_use]
+    pub fn sharing_images(self, owner_of: impl Fn(&[u8]) -> Option<Arc<Vec<u8>>> + Send + 'static) -> Self {
+        Self { owner_of: Some(Box::new(owner_of)), ..self }
+    }
+
+    /// Whether anybody watches the true state of the world; then [`truth`](Self::truth) is called after each cycle.
+    #[must_use]
+    pub const fn wants_truth(&self) -> bool {
+        self.wants_truth
+    }
+
+    /// Sends the true state after the last cycle to those for whom it is due.
+    pub fn truth(&self, truth: impl FnOnce() -> Truth) {
+        let mut control = lock(&self.control);
+        let Some(cycle) = control.next.cycle.checked_sub(1) else { return };
+        if !control.watchers.due(cycle).any(|key| key == Key::Truth) {
+            return;
+        }
+        let mut data = control.outgoing.unused_data();
+        data.begin(cycle);
+        data.extras.push(Extra::Truth(Box::new(truth())));
+        data.watchers = control.watchers.shared();
+        control.outgoing.add_data(data);
+        control.hand_over();
     }
 }
 
-impl<R: Robot> Probe for LinkObserver<R> {}
+impl<R: Robot> Probe for LinkObserver<R> {
+    fn cycle_begin(&mut self, now: Instant) {
+        self.conditions.begin(now);
+        self.costs.cycle_begin(now);
+    }
+
+    fn cycle_end(&mut self) {
+        self.costs.cycle_end();
+    }
+
+    fn start(&mut self, component: ComponentId) {
+        self.conditions.forget(component);
+    }
+
+    fn run(&mut self, component: ComponentId) {
+        self.costs.run(component);
+    }
+
+    fn begin(&mut self, _component: ComponentId) {
+        self.costs.begin();
+    }
+
+    fn end(&mut self, component: ComponentId) {
+        self.costs.end(component);
+    }
+
+    fn condition(&mut self, component: ComponentId, transition: usize, holds: bool) {
+        self.conditions.evaluated(component, transition, holds);
+    }
+
+    fn transition(&mut self, component: ComponentId, _from: usize, _to: usize) {
+        self.conditions.forget(component);
+    }
+}
 
 impl<R: Robot> Observer<R> for LinkObserver<R> {
-    fn sensing(&mut self, _now: Instant, sensors: &R::Sensors<'_>) {
+    fn sensing(&mut self, now: Instant, sensors: &R::Sensors<'_>) {
+        self.costs.sensing();
         let mut control = lock(&self.control);
         control.next.sensed += 1;
-        if self.has_image.is_some_and(|has_image| has_image(sensors)) {
-            control.next.images += 1;
+        let Some(image) = self.image_of.and_then(|image_of| image_of(sensors)) else { return };
+        let number = control.next.images as u32;
+        control.next.images += 1;
+        if control.watchers.wants_image(number) {
+            let owner = self.owner_of.as_ref().and_then(|owner_of| owner_of(image.yuyv));
+            let pixels = owner.unwrap_or_else(|| self.copies.copy(image.yuyv));
+            let LinkImage { bottom_camera, width, height, .. } = image;
+            let head = ImageHead { number, time_us: now.as_micros(), bottom_camera, width, height };
+            let watchers = control.watchers.shared();
+            control.outgoing.shot = Some(Shot { watchers, picture: Picture { head, pixels } });
         }
     }
 
@@ -48,9 +143,14 @@ impl<R: Robot> Observer<R> for LinkObserver<R> {
         control.next.time_us = cycle.now.as_micros();
         control.answer(cycle.robot);
         control.send_params(cycle.robot);
-        control.send_data(cycle.robot);
-        control.hand_over();
+        control.send_data(cycle.robot, &self.conditions, &mut self.costs);
         control.next_cycle();
+        if control.pace.ends_cycle() {
+            control.announce_world();
+        }
+        control.hand_over();
+        self.costs.switch(control.watchers.has(Key::Costs));
+        self.wants_truth = control.watchers.has(Key::Truth);
     }
 
     fn requests_applied(&mut self, now: Instant, robot: &R) {
@@ -59,6 +159,8 @@ impl<R: Robot> Observer<R> for LinkObserver<R> {
         control.answer(robot);
         control.send_params(robot);
         control.hand_over();
+        self.costs.switch(control.watchers.has(Key::Costs));
+        self.wants_truth = control.watchers.has(Key::Truth);
     }
 
     fn overrun(&mut self, _overrun: &Overrun) {
@@ -90,15 +192,21 @@ impl Control {
     }
 
     /// Reads what is watched in this cycle, once for all monitors.
-    fn send_data<T: Tree>(&mut self, tree: &T) {
+    fn send_data<T: Tree>(&mut self, tree: &T, conditions: &ConditionTable, costs: &mut CostMeter) {
         let info = self.next;
         let mut data = self.outgoing.unused_data();
         data.begin(info.cycle);
         if self.watchers.is_snapshot_due(info.cycle) {
             data.snapshot.read(info, tree);
         }
-        for (component, index) in self.watchers.due(info.cycle) {
-            data.read(tree, component, index);
+        for key in self.watchers.due(info.cycle) {
+            match key {
+                Key::Info(component, index) => data.read(tree, component, index),
+                Key::Conditions(component) => data.extras.extend(conditions.read(component, info.time_us)),
+                Key::Costs => data.extras.extend(costs.read(info.cycle)),
+                // It is not known before the world has advanced.
+                Key::Truth => {}
+            }
         }
         data.watchers = self.watchers.shared();
         self.outgoing.add_data(data);

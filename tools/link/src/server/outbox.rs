@@ -5,11 +5,12 @@ use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 
 use bica::Graph;
 use bica_wire::message::{
-    Answer, AnswerResult, Attached, LeaseState, LogLine, MAX_TEXT_BYTES, ParamValues, RefusalCode, Value,
+    Answer, AnswerResult, Attached, LeaseState, LogLine, MAX_TEXT_BYTES, ParamValues, RefusalCode, Value, WorldState,
 };
-use bica_wire::{FromRobot, ToMonitor, TooLarge, describe, truncate};
+use bica_wire::{FromRobot, ToMonitor, ToMonitorExtra, TooLarge, describe, truncate};
 
 use super::cycle_data::Shown;
+use super::picture::Picture;
 use crate::frame::Packets;
 
 /// Largest number of messages in the lossless queue. A monitor that leaves more unread is disconnected.
@@ -27,6 +28,7 @@ pub(super) enum Message {
     Params(Vec<ParamValues>),
     Answer { number: u32, cycle: u64, arrived: u64, result: AnswerKind },
     Log { time_us: u64, level: u8, text: Arc<str> },
+    World(WorldState),
     Closing(&'static str),
 }
 
@@ -37,17 +39,26 @@ pub(super) enum AnswerKind {
     Refused { code: RefusalCode, entry: u16, text: String },
 }
 
-/// The two queues of a monitor.
+/// The two queues of a monitor, and the place for an image.
 #[derive(Debug, Default)]
 pub(super) struct Outbox {
     queues: Mutex<Queues>,
     filled: Condvar,
 }
 
+/// What the writer sends next.
+pub(super) struct Taken {
+    pub(super) messages: VecDeque<Message>,
+    pub(super) data: VecDeque<Shown>,
+    pub(super) image: Option<Picture>,
+}
+
 #[derive(Debug, Default)]
 struct Queues {
     state: VecDeque<Message>,
     data: VecDeque<Shown>,
+    /// The newest image that was not begun.
+    image: Option<Picture>,
     /// Whether the writer waits; waking it costs a call of the operating system.
     sleeps: bool,
     closed: bool,
@@ -75,16 +86,29 @@ impl Outbox {
         self.wake(queues);
     }
 
-    /// Waits for messages and takes all; `None` after [`close`](Self::close).
-    pub(super) fn take(&self) -> Option<(VecDeque<Message>, VecDeque<Shown>)> {
+    /// Sets the image that is sent next; one that was not begun is replaced.
+    pub(super) fn show_image(&self, picture: Picture) {
         let mut queues = self.lock();
-        while queues.state.is_empty() && queues.data.is_empty() && !queues.closed {
+        queues.image = Some(picture);
+        self.wake(queues);
+    }
+
+    /// Waits for messages and takes all; `None` after [`close`](Self::close). It does not wait, and leaves the next image, while
+    /// `is_sending` an image.
+    pub(super) fn take(&self, is_sending: bool) -> Option<Taken> {
+        let mut queues = self.lock();
+        let is_idle = |queues: &Queues| queues.state.is_empty() && queues.data.is_empty() && queues.image.is_none();
+        while !is_sending && is_idle(&queues) && !queues.closed {
             queues.sleeps = true;
             queues = self.filled.wait(queues).unwrap_or_else(PoisonError::into_inner);
         }
         queues.sleeps = false;
         let queues = &mut *queues;
-        (!queues.closed).then(|| (std::mem::take(&mut queues.state), std::mem::take(&mut queues.data)))
+        (!queues.closed).then(|| Taken {
+            messages: std::mem::take(&mut queues.state),
+            data: std::mem::take(&mut queues.data),
+            image: if is_sending { None } else { queues.image.take() },
+        })
     }
 
     /// Ends the thread that takes messages.
@@ -131,6 +155,7 @@ impl Message {
                 let text = truncate(text, MAX_TEXT_BYTES);
                 packets.push(&ToMonitor::Log(LogLine { time_us: *time_us, level: *level, text }))
             }
+            Self::World(state) => packets.push_extra(&ToMonitorExtra::World(*state)),
             Self::Closing(reason) => packets.push(&ToMonitor::Closing { reason }),
         }
     }

@@ -46,6 +46,12 @@ impl LinkRequests {
         Self { inbox, watches, control, budget: MESSAGES_PER_CYCLE, current: None, buffer: Box::default() }
     }
 
+    /// Whether the next cycle of a simulated world may run. While the operator has paused it, the loop calls
+    /// [`Runner::apply_requests`](bica::runner::Runner::apply_requests) at intervals instead.
+    pub fn begins_cycle(&mut self) -> bool {
+        lock(&self.control).pace.begins_cycle()
+    }
+
     /// Returns the next request and handles all messages before it.
     fn take(&mut self, now: Instant) -> Option<Current> {
         let mut control = lock(&self.control);
@@ -83,10 +89,11 @@ impl Requests for LinkRequests {
             self.budget = MESSAGES_PER_CYCLE;
             return None;
         };
-        Some(self.buffer.request(match current {
+        // A change of the world was performed when it was admitted.
+        self.buffer.request(match current {
             Current::Ending(change) => change,
             Current::Operator(applied) => &applied.change,
-        }))
+        })
     }
 
     fn answered(&mut self, now: Instant, result: Result<(), Refusal>) {
@@ -135,5 +142,6 @@ fn describe(graph: &'static Graph, change: &Change) -> String {
             let name = name(*component);
             format!("call {name}.{}({})", found.map_or("?", |found| found.name), arguments.join(", "))
         }
+        Change::World(change) => format!("{change:?}"),
     }
 }

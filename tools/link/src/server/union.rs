@@ -2,8 +2,10 @@
 
 use std::collections::BTreeMap;
 
-/// Component and index of an information, and n for every n-th cycle.
-pub(super) type Entry = ((u16, u16), u16);
+use super::key::Key;
+
+/// What is watched, and n for every n-th cycle.
+pub(super) type Entry = (Key, u16);
 
 /// Number of monitors that watch each entry.
 #[derive(Debug, Default)]
@@ -25,11 +27,16 @@ impl Union {
         }
     }
 
-    /// Information that is due in a cycle, each once, sorted.
-    pub(super) fn due(&self, cycle: u64) -> impl Iterator<Item = (u16, u16)> {
+    /// What is due in a cycle, each once, sorted.
+    pub(super) fn due(&self, cycle: u64) -> impl Iterator<Item = Key> {
         let due = self.0.keys().filter(move |(_, every)| cycle.is_multiple_of((*every).into()));
         let mut last = None;
         due.filter_map(move |&(key, _)| (last.replace(key) != Some(key)).then_some(key))
+    }
+
+    /// Whether at least one monitor watches it.
+    pub(super) fn has(&self, key: Key) -> bool {
+        self.0.range((key, 0)..=(key, u16::MAX)).next().is_some()
     }
 }
 
@@ -38,14 +45,22 @@ mod tests {
     use super::*;
 
     fn due(union: &Union, cycle: u64) -> Vec<(u16, u16)> {
-        union.due(cycle).collect()
+        let pair = |key| match key {
+            Key::Info(component, info) => (component, info),
+            other => panic!("{other:?} was not added"),
+        };
+        union.due(cycle).map(pair).collect()
+    }
+
+    const fn entry((component, info): (u16, u16), every: u16) -> Entry {
+        (Key::Info(component, info), every)
     }
 
     #[test]
     fn each_information_is_due_once_however_many_watch_it() {
         let mut union = Union::default();
-        for entry in [((2, 0), 1), ((1, 5), 3), ((1, 5), 2), ((1, 5), 3)] {
-            union.add(entry);
+        for (key, every) in [((2, 0), 1), ((1, 5), 3), ((1, 5), 2), ((1, 5), 3)] {
+            union.add(entry(key, every));
         }
         assert_eq!(due(&union, 0), [(1, 5), (2, 0)]);
         assert_eq!(due(&union, 1), [(2, 0)]);
@@ -56,16 +71,18 @@ mod tests {
     #[test]
     fn information_is_read_until_its_last_monitor_leaves() {
         let mut union = Union::default();
-        union.add(((1, 5), 3));
-        union.add(((1, 5), 3));
-        union.add(((1, 5), 2));
-        union.remove(((1, 5), 3));
+        union.add(entry((1, 5), 3));
+        union.add(entry((1, 5), 3));
+        union.add(entry((1, 5), 2));
+        union.remove(entry((1, 5), 3));
         assert_eq!(due(&union, 3), [(1, 5)]);
-        union.remove(((1, 5), 3));
+        assert!(union.has(Key::Info(1, 5)) && !union.has(Key::Info(1, 4)) && !union.has(Key::Costs));
+        union.remove(entry((1, 5), 3));
         assert_eq!(due(&union, 3), []);
         assert_eq!(due(&union, 2), [(1, 5)]);
-        union.remove(((1, 5), 2));
-        union.remove(((1, 5), 2));
+        union.remove(entry((1, 5), 2));
+        assert!(!union.has(Key::Info(1, 5)));
+        union.remove(entry((1, 5), 2));
         assert_eq!(due(&union, 6), []);
     }
 }

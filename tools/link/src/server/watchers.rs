@@ -2,10 +2,9 @@
 
 use std::sync::Arc;
 
-use bica_wire::message::WatchInfo;
-
+use super::key::Key;
 use super::union::Union;
-use super::watcher::{MAX_INFO, Watcher};
+use super::watcher::{MAX_WATCHED, Watcher};
 
 /// All monitors, and what at least one of them watches.
 #[derive(Debug, Default)]
@@ -42,11 +41,17 @@ impl Watchers {
         }
     }
 
-    /// Sets how often a monitor gets an information; returns whether there was room.
-    pub(super) fn watch_info(&mut self, connection: u64, WatchInfo { component, info, every }: WatchInfo) -> bool {
-        let key = (component, info);
+    /// Sets which images a monitor gets.
+    pub(super) fn watch_images(&mut self, connection: u64, every: u16) {
+        if let Some(watcher) = self.find_mut(connection) {
+            watcher.images = every;
+        }
+    }
+
+    /// Sets how often a monitor gets something; returns whether there was room.
+    pub(super) fn watch_key(&mut self, connection: u64, (key, every): (Key, u16)) -> bool {
         let Some(watcher) = self.find_mut(connection) else { return true };
-        let room = watcher.watched.len() < MAX_INFO || watcher.watched.contains_key(&key);
+        let room = watcher.watched.len() < MAX_WATCHED || watcher.watched.contains_key(&key);
         if every > 0 && !room {
             return false;
         }
@@ -78,9 +83,19 @@ impl Watchers {
         self.list.iter().any(|watcher| watcher.is_due(cycle))
     }
 
-    /// Information that is due for anybody, each once, sorted.
-    pub(super) fn due(&self, cycle: u64) -> impl Iterator<Item = (u16, u16)> {
+    /// What is due for anybody, each once, sorted.
+    pub(super) fn due(&self, cycle: u64) -> impl Iterator<Item = Key> {
         self.union.due(cycle)
+    }
+
+    /// Whether anybody watches it.
+    pub(super) fn has(&self, key: Key) -> bool {
+        self.union.has(key)
+    }
+
+    /// Whether anybody gets the image with a number.
+    pub(super) fn wants_image(&self, number: u32) -> bool {
+        self.list.iter().any(|watcher| watcher.wants_image(number))
     }
 
     /// The monitors as they are now.

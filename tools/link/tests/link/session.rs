@@ -7,7 +7,8 @@ use std::time::{Duration, Instant};
 
 use bica::Probe;
 use bica::runner::{Cycle, Observer, Request, Runner, World};
-use bica_link::{Client, ClientOptions, Event, LinkServer, LinkStats, ServerOptions, Snapshot};
+use bica_link::{Client, ClientOptions, Event, LinkImage, LinkServer, LinkStats, ServerOptions, Snapshot};
+use bica_wire::message::{Offers, Truth};
 
 use crate::robot::CartTree;
 
@@ -20,7 +21,7 @@ pub(crate) const CYCLE_US: u64 = 10_000;
 /// Wall whose distance is a function of the cycle and of the commands.
 pub(crate) struct Wall {
     pub(crate) cycle: u64,
-    distance: f32,
+    pub(crate) distance: f32,
 }
 
 impl Wall {
@@ -46,6 +47,25 @@ impl World<CartTree> for Wall {
         }
         self.cycle += 1;
     }
+}
+
+/// Size of an image.
+pub(crate) const WIDTH: usize = 320;
+pub(crate) const HEIGHT: usize = 240;
+
+/// Pixels of every image.
+pub(crate) static PIXELS: [u8; 2 * WIDTH * HEIGHT] = {
+    let mut pixels = [0; 2 * WIDTH * HEIGHT];
+    let mut index = 0;
+    while index < pixels.len() {
+        pixels[index] = (index % 251) as u8;
+        index += 1;
+    }
+    pixels
+};
+
+const fn image_of<'a>(_sensors: &'a f32) -> Option<LinkImage<'a>> {
+    Some(LinkImage { bottom_camera: true, width: WIDTH as u16, height: HEIGHT as u16, yuyv: &PIXELS })
 }
 
 /// What all threads of a session share.
@@ -92,9 +112,20 @@ impl Session {
         Self::start_with(&"127.0.0.1:0".parse().unwrap(), Duration::from_secs(1_000_000))
     }
 
+    /// Starts a simulated world, which can be paused, with images in every cycle.
+    pub(crate) fn start_world() -> Self {
+        let offers = Offers::PAUSE.with(Offers::TRUTH).with(Offers::IMAGES);
+        let silence = Duration::from_secs(1_000_000);
+        Self::serve(&"127.0.0.1:0".parse().unwrap(), ServerOptions { silence, offers, ..ServerOptions::default() })
+    }
+
     pub(crate) fn start_with(address: &bica_link::Address, silence: Duration) -> Self {
-        let options = ServerOptions { silence, ..ServerOptions::default() };
+        Self::serve(address, ServerOptions { silence, ..ServerOptions::default() })
+    }
+
+    pub(crate) fn serve(address: &bica_link::Address, options: ServerOptions) -> Self {
         let (server, requests, observer) = LinkServer::start::<CartTree>(address, options).expect("the server starts");
+        let observer = observer.with_images(image_of);
         let shared = Arc::<Shared>::default();
         let counter = Counter { shared: Arc::clone(&shared), this_cycle: 0 };
         let runner = Runner::new(Box::new(CartTree::new()), Wall::new());
@@ -109,7 +140,18 @@ impl Session {
                     continue;
                 }
                 in_loop.is_paused.store(false, Ordering::SeqCst);
+                if !runner.requests_mut().begins_cycle() {
+                    runner.apply_requests();
+                    thread::sleep(Duration::from_millis(1));
+                    continue;
+                }
+                let time_us = runner.world().cycle * CYCLE_US;
                 commands.push(runner.cycle().expect("no sensor value is rejected").to_bits());
+                let distance = runner.world().distance;
+                let observer = &runner.observer().1;
+                if observer.wants_truth() {
+                    observer.truth(|| Truth { time_us, robot: [distance, 0.0, 0.0], ..Truth::default() });
+                }
                 in_loop.cycles.fetch_add(1, Ordering::SeqCst);
                 thread::sleep(Duration::from_micros(500));
             }

@@ -1,5 +1,7 @@
 //! Arguments of `player link`.
 
+use std::path::PathBuf;
+
 use bica_link::Address;
 use clap::{Args, Subcommand, ValueEnum};
 
@@ -54,6 +56,18 @@ pub(crate) enum LinkAction {
         /// End after N snapshots
         #[arg(long, value_name = "N")]
         count: Option<u64>,
+        #[command(flatten)]
+        extras: WatchExtras,
+    },
+    /// Pause a simulated world; requests are still applied, and it stays paused
+    Pause,
+    /// Continue a simulated world
+    Resume,
+    /// Pause a simulated world, run some cycles, and wait for their end
+    Step {
+        /// Number of cycles
+        #[arg(value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+        cycles: u32,
     },
     /// Set parameters, all or none; they stay
     Set {
@@ -96,6 +110,23 @@ pub(crate) enum LinkAction {
         #[arg(long, value_name = "N")]
         count: Option<u64>,
     },
+}
+
+/// What is watched besides states and information; not offered by a microcontroller.
+#[derive(Clone, Debug, Args)]
+pub(crate) struct WatchExtras {
+    /// Print the conditions of the transitions of a component; may be given several times
+    #[arg(long, value_name = "COMPONENT")]
+    pub(crate) conditions: Vec<String>,
+    /// Print the costs of the components and of the cycle, every 50 cycles
+    #[arg(long)]
+    pub(crate) costs: bool,
+    /// Print the true state of a simulated world
+    #[arg(long)]
+    pub(crate) truth: bool,
+    /// Save images to this folder, one raw file in YUYV for each
+    #[arg(long, value_name = "FOLDER")]
+    pub(crate) images: Option<PathBuf>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

@@ -8,11 +8,12 @@ use std::path::PathBuf;
 
 use bica_evaluation::detection;
 use bica_evaluation::trial_kind::Kind;
+use bica_game::FirmwareImage;
 use bica_sim::setup::{Frame, MAX_ROBOTS};
 use clap::builder::PossibleValue;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
-pub(crate) use link::{HoldKind, Link, LinkAction, ServeArgs};
+pub(crate) use link::{HoldKind, Link, LinkAction, ServeArgs, WatchExtras};
 pub(crate) use recording::{Images, InfoArgs, Record, RecordAction, Recover, Replay, Trim};
 pub(crate) use tuning::{Params, ParamsFormat, TuningArgs};
 
@@ -89,7 +90,7 @@ pub(crate) struct Play {
     #[arg(long, value_name = "WORLD", default_value = "built-in")]
     pub(crate) world: World,
     /// Firmware image for `--world firmware`; `cargo xtask firmware --build` builds it
-    #[arg(long, value_name = "FILE", default_value = "firmware/target/thumbv7em-none-eabihf/release/forward-an500")]
+    #[arg(long, value_name = "FILE", default_value = FirmwareImage::DEFAULT)]
     pub(crate) image: PathBuf,
     /// Seed of start positions, light and noise; the same seed gives the same game, bit for bit
     #[arg(long, value_name = "N", default_value_t = 0)]
@@ -101,7 +102,7 @@ pub(crate) struct Play {
     #[arg(long, value_name = "N", default_value_t = 0, value_parser = robots)]
     pub(crate) robots: usize,
     /// Size of the camera images: 160x120 (the only size of the firmware, and its default), 320x240 or 640x480
-    #[arg(long, value_name = "WxH", default_value_if("world", "firmware", "160x120"), default_value = "320x240", value_parser = size)]
+    #[arg(long, value_name = "WxH", default_value_if("world", "firmware", "160x120"), default_value = "320x240")]
     pub(crate) size: Frame,
     /// Longest duration of a game, in simulated seconds
     #[arg(long, value_name = "S", default_value_t = 120.0, value_parser = seconds)]
@@ -297,11 +298,6 @@ fn millimetres(text: &str) -> Result<f32, String> {
 fn robots(text: &str) -> Result<usize, String> {
     let fits = text.parse().ok().filter(|&count| count <= MAX_ROBOTS);
     fits.ok_or_else(|| format!("give a number from 0 to {MAX_ROBOTS}"))
-}
-
-fn size(text: &str) -> Result<Frame, String> {
-    let known = text.split_once('x').and_then(|(w, h)| Frame::of_size(w.parse().ok()?, h.parse().ok()?));
-    known.ok_or_else(|| "give 160x120, 320x240 or 640x480".to_owned())
 }
 
 fn seconds(text: &str) -> Result<f64, String> {

@@ -181,3 +181,32 @@ fn wrong_addresses_are_errors() {
         assert!(ran.stderr.contains(error), "{args:?}: {}", ran.stderr);
     }
 }
+
+#[test]
+fn a_served_world_is_paused_stepped_continued_and_shown() {
+    let game = Served::start(&[]);
+    let world = |args: &[&str]| {
+        let (code, lines, errors) = game.monitor(args);
+        assert_eq!(code, Some(0), "{errors}");
+        let line = lines.last().expect("a line");
+        assert_eq!(line["schema"], "bica-player/link-world/1");
+        (line["cycle"].as_u64().expect("a number"), line["paused"].as_bool().expect("a truth value"))
+    };
+    let (last, paused) = world(&["pause"]);
+    assert!(paused);
+    assert_eq!(world(&["step", "5"]), (last + 6, true), "the next cycle after five");
+    assert!(!world(&["resume"]).1);
+    let folder = std::env::temp_dir().join(format!("link-images-{}", std::process::id()));
+    let path = folder.to_str().expect("UTF-8");
+    let args = ["watch", "--conditions", "Player", "--costs", "--truth", "--images", path, "--count", "130"];
+    let (code, lines, errors) = game.monitor(&args);
+    assert_eq!(code, Some(0), "{errors}");
+    for kind in ["snapshot", "conditions", "costs", "truth", "image"] {
+        let schema = format!("bica-player/link-{kind}/1");
+        assert!(lines.iter().any(|line| line["schema"] == *schema), "{kind}");
+    }
+    let image = lines.iter().find(|line| line["schema"] == "bica-player/link-image/1").expect("an image");
+    let pixels = std::fs::read(image["path"].as_str().expect("a path")).expect("a file");
+    assert_eq!(pixels.len(), 160 * 120 * 2);
+    std::fs::remove_dir_all(folder).expect("it can be removed");
+}

@@ -13,6 +13,8 @@ use std::path::{Path, PathBuf};
 
 use clap::{Subcommand, ValueEnum};
 
+pub use self::diff::unified;
+
 /// What the command line can do.
 #[derive(Clone, Debug, Subcommand)]
 pub enum Command {

@@ -28,6 +28,16 @@ impl History {
         self.done = self.steps.len();
     }
 
+    /// Whether there is a step to undo.
+    pub(super) const fn can_undo(&self) -> bool {
+        self.done > 0
+    }
+
+    /// Whether there is a step to make again.
+    pub(super) const fn can_redo(&self) -> bool {
+        self.done < self.steps.len()
+    }
+
     /// The splices that undo the last step.
     pub(super) fn undo(&mut self) -> Option<Splices> {
         self.done = self.done.checked_sub(1)?;

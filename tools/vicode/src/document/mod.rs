@@ -151,6 +151,18 @@ impl Document {
         Some(self.replay(splices))
     }
 
+    /// Whether there is a step to undo.
+    #[must_use]
+    pub const fn can_undo(&self) -> bool {
+        self.history.can_undo()
+    }
+
+    /// Whether there is an undone step to make again.
+    #[must_use]
+    pub const fn can_redo(&self) -> bool {
+        self.history.can_redo()
+    }
+
     /// Makes the last undone step again; `None` if there is none.
     pub fn redo(&mut self) -> Option<Change> {
         let splices = self.history.redo()?;
@@ -196,6 +208,11 @@ impl Document {
     /// Notes that the file has the text now.
     pub fn mark_saved(&mut self) {
         self.saved = Arc::clone(&self.text);
+    }
+
+    /// Notes that the file has `text` now, which was the text of this document when it was written.
+    pub fn mark_written(&mut self, text: &str) {
+        self.saved = if *text == *self.text { Arc::clone(&self.text) } else { text.into() };
     }
 
     /// Replaces the text as one step of the history.

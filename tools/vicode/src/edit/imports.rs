@@ -3,7 +3,9 @@
 use ra_ap_syntax::ast::{self, HasName};
 use ra_ap_syntax::{AstNode, SyntaxKind};
 
+use super::fragment;
 use super::plan::Context;
+use super::request::Refusal;
 use super::splice::Splice;
 use super::style::{Style, line_end, line_start, starts_line};
 use crate::model::Span;
@@ -46,6 +48,19 @@ pub(super) fn add(context: &Context<'_>, path: &str, child: &str) -> Vec<Splice>
         }
     }
     vec![line(text, &style, &all, &format!("use {path}::{name};"))]
+}
+
+/// Imports a name from a module.
+///
+/// # Errors
+/// If path or name are none, or if the file knows the name.
+pub(super) fn name(context: &Context<'_>, path: &str, name: &str) -> Result<Vec<Splice>, Refusal> {
+    fragment::path(path)?;
+    fragment::name(name)?;
+    if is_known(context.text, name) {
+        return Err(Refusal::new(format!("`{name}` is known in this file already: it needs no import")));
+    }
+    Ok(add(context, path, name))
 }
 
 /// Whether the file has the name: by `use`, or by an item.
@@ -117,7 +132,10 @@ pub(super) fn line(text: &str, style: &Style, all: &[ast::Use], new: &str) -> Sp
     let place = |item: &ast::Use| span(item.syntax().text_range());
     let of = |item: &ast::Use| place(item).of(text).to_owned();
     let first_word = |line: &str| line.trim_start_matches("use ").split("::").next().unwrap_or_default().to_owned();
-    let group: Vec<&ast::Use> = all.iter().filter(|item| first_word(&of(item)) == first_word(new)).collect();
+    let same = |key: &dyn Fn(&str) -> String| all.iter().filter(|item| key(&of(item)) == key(new)).collect::<Vec<_>>();
+    // The lines of the same crate, else those of the same kind.
+    let group = Some(same(&first_word)).filter(|group| !group.is_empty());
+    let group = group.unwrap_or_else(|| same(&|line| kind(&first_word(line)).to_owned()));
     if let Some(next) = group.iter().find(|item| of(item).as_str() > new && starts_line(text, place(item).start)) {
         return Splice::insert(place(next).start, format!("{new}{newline}"));
     }
@@ -128,6 +146,15 @@ pub(super) fn line(text: &str, style: &Style, all: &[ast::Use], new: &str) -> Sp
     let at = first_item(text);
     let behind = if text[at..].starts_with(['\n', '\r']) { String::new() } else { newline.repeat(2) };
     Splice::insert(at, format!("{new}{behind}"))
+}
+
+/// Kind of a `use` line by its first word. Each kind is a paragraph.
+fn kind(first_word: &str) -> &'static str {
+    match first_word {
+        "std" | "core" | "alloc" => "library",
+        "crate" | "self" | "super" => "own",
+        _ => "other",
+    }
 }
 
 /// Offset of the first item, behind the docs and attributes of the file.

@@ -3,7 +3,7 @@
 use super::request::{Edit, Refusal};
 use super::splice::{Splice, applied, ordered};
 use super::style::Style;
-use super::{children, delete, docs, functions, machine, options, rename};
+use super::{children, delete, docs, functions, imports, machine, options, rename};
 use crate::model::{Arrow, Component, Function, Model, Reporter, Transition};
 use crate::read::read;
 
@@ -143,6 +143,7 @@ fn splices(context: &Context<'_>, edit: &Edit) -> Result<Vec<Splice>, Refusal> {
         Edit::SetDocs { component, function, docs } => docs::set(context, component, function.as_deref(), docs),
         Edit::SetOption { component, option, value } => options::set(context, component, option, value.as_deref()),
         Edit::AddChild { .. } | Edit::RemoveChild { .. } | Edit::SetChildKind { .. } => children::change(context, edit),
+        Edit::AddImport { import, name } => imports::name(context, import, name),
         Edit::SetDefault { parameters, parameter, value } => options::default(context, parameters, parameter, value),
         Edit::Replace { span, text } => Ok(vec![Splice::new(*span, text)]),
     }

@@ -142,6 +142,8 @@ pub enum Edit {
     RemoveChild { component: String, function: String, child: String },
     /// Sets the kind of the link to a child.
     SetChildKind { component: String, function: String, child: String, kind: LinkKind },
+    /// Imports a name that code needs and that is no child, from the module `import`.
+    AddImport { import: String, name: String },
     /// Sets the default of a parameter of the struct `parameters`.
     SetDefault { parameters: String, parameter: String, value: String },
     /// Replaces a part of the text: typing.

@@ -7,6 +7,7 @@ mod compiling;
 mod documentation;
 mod editing;
 mod files;
+mod imports;
 mod machines;
 mod merging;
 mod random;

@@ -11,7 +11,7 @@ use crate::protocol::{LogLine, Truth};
 
 pub(super) use images::{Images, StoredImage};
 pub(super) use info::InfoStore;
-pub(super) use states::States;
+pub(super) use states::{Change, States};
 
 /// Largest number of log lines.
 const MAX_LINES: usize = 20_000;

@@ -31,7 +31,7 @@ pub(crate) struct States {
 const UNKNOWN: ComponentNow = ComponentNow(false, HoldKind::Tree, None, None, 0);
 
 impl States {
-    pub(super) fn new(components: usize) -> Self {
+    pub(crate) fn new(components: usize) -> Self {
         let (base, current) = (vec![UNKNOWN; components], vec![UNKNOWN; components]);
         Self { base, changes: VecDeque::new(), current, ticks: VecDeque::new() }
     }
@@ -95,11 +95,11 @@ impl States {
         Some((time, cycle, states))
     }
 
-    pub(super) fn base(&self) -> &[ComponentNow] {
+    pub(crate) fn base(&self) -> &[ComponentNow] {
         &self.base
     }
 
-    pub(super) fn changes(&self) -> impl Iterator<Item = &Change> {
+    pub(crate) fn changes(&self) -> impl Iterator<Item = &Change> {
         self.changes.iter()
     }
 

@@ -5,21 +5,23 @@ use std::sync::Arc;
 use std::sync::mpsc::{Receiver, TryRecvError};
 use std::time::{Duration, Instant};
 
-use bica_link::{Client, Event, Snapshot, Transition};
+use bica_link::{Client, Event, Snapshot};
 use serde_json::Value;
 
+use super::extras::Extras;
 use super::operate::Operation;
 use super::{Command, capabilities};
-use crate::protocol::{Condition, Connection, Failed, InfoSample, LogKind, LogLine, Request, ToPage, Watch};
+use crate::protocol::{Connection, Failed, InfoSample, LogKind, LogLine, Reached, Request, ToPage, Watch};
+use crate::sessions::breakpoints::{self, Activity};
 use crate::sessions::outbox::{DataKind, Frame};
 use crate::sessions::session::Session;
 use crate::sessions::value::page_hold;
-use crate::sessions::world::{Extra, MachineConditions, World};
+use crate::sessions::world::World;
 
 /// Longest wait for a message of the robot.
 const POLL: Duration = Duration::from_millis(5);
 /// Time between two updates of the pages.
-const UPDATE: Duration = Duration::from_millis(33);
+pub(super) const UPDATE: Duration = Duration::from_millis(33);
 /// Time between two looks at what changes slowly.
 const SLOW: Duration = Duration::from_millis(500);
 /// Number of cycles from one sample of each information to the next.
@@ -27,7 +29,7 @@ const INFO_EVERY: u16 = 10;
 /// Silence of a robot after which pages are told.
 const SILENCE: Duration = Duration::from_secs(2);
 /// Largest number of events that are handled before commands have their turn.
-const EVENTS: usize = 256;
+pub(super) const EVENTS: usize = 256;
 /// Largest number of samples for one message.
 const MAX_SAMPLES: usize = 4096;
 
@@ -51,22 +53,22 @@ pub(super) struct Attached<'a> {
     pub(super) operation: Operation,
     /// How often each information is watched.
     watched: BTreeMap<(usize, usize), u16>,
-    watches: BTreeMap<u64, Watch>,
+    pub(super) watches: BTreeMap<u64, Watch>,
     changes: Vec<(usize, u64, bool, Option<u16>)>,
     /// Samples since the last update, with their cycles.
     samples: Vec<(u64, InfoSample)>,
-    /// Time of the last image that a page received.
-    images: BTreeMap<u64, Instant>,
+    pub(super) extras: Extras,
     updated: Instant,
     slow: Instant,
     received: Instant,
     has_news: bool,
+    /// Breakpoints that were reached behind the link.
+    pub(super) reached: Vec<Reached>,
 }
 
 impl<'a> Attached<'a> {
     pub(super) fn new(session: &'a Arc<Session>, client: Client, world: Option<World>) -> Self {
-        let is_firmware = session.name.starts_with("firmware");
-        let can = capabilities(world.is_some(), is_firmware, session.options.read_only);
+        let can = capabilities(world.is_some(), client.offers(), session.options.read_only);
         session.describe(client.description().clone(), can);
         session.set_connection(Connection::Connected, "");
         session.announce();
@@ -80,11 +82,12 @@ impl<'a> Attached<'a> {
             watches: BTreeMap::new(),
             changes: Vec::new(),
             samples: Vec::new(),
-            images: BTreeMap::new(),
+            extras: Extras::default(),
             updated: now,
             slow: now,
             received: now,
             has_news: false,
+            reached: Vec::new(),
         }
     }
 
@@ -116,7 +119,10 @@ impl<'a> Attached<'a> {
             if let Err(error) = self.events() {
                 return Exit::Lost(error.into());
             }
-            self.extras();
+            self.world_extras();
+            if let Err(error) = self.stop_at_breakpoints() {
+                return Exit::Lost(error.into());
+            }
             if self.updated.elapsed() >= UPDATE {
                 self.updated = Instant::now();
                 self.update();
@@ -171,7 +177,7 @@ impl<'a> Attached<'a> {
             }
         }
         self.watched = wanted;
-        Ok(())
+        self.watch_extras()
     }
 
     fn events(&mut self) -> Result<(), bica_link::Error> {
@@ -180,12 +186,12 @@ impl<'a> Attached<'a> {
             let Some(event) = self.client.poll(wait)? else { return Ok(()) };
             wait = Duration::from_micros(1);
             self.received = Instant::now();
-            self.event(event);
+            self.event(event)?;
         }
         Ok(())
     }
 
-    fn event(&mut self, event: Event) {
+    pub(super) fn event(&mut self, event: Event) -> Result<(), bica_link::Error> {
         match event {
             Event::Snapshot(snapshot) => self.snapshot(&snapshot),
             Event::Info { cycle, component, info, value } => self.info(cycle, component, info, value),
@@ -193,7 +199,10 @@ impl<'a> Attached<'a> {
             Event::Lease(lease) => self.lease(lease),
             Event::Answer(answer) => self.answered(answer),
             Event::Log { time_us, level, text } => self.log(time_us, level, text),
+            Event::World(state) => return self.world_state(state.paused),
+            other => self.link_extra(other),
         }
+        Ok(())
     }
 
     fn snapshot(&mut self, snapshot: &Snapshot) {
@@ -201,7 +210,11 @@ impl<'a> Attached<'a> {
         let states = states.iter().map(|state| (state.active, page_hold(state.held), state.state, state.hz));
         let mut shared = self.session.shared();
         (shared.images_taken, shared.overruns) = (info.images, info.overruns);
+        let before: Vec<Activity> = shared.history.states.current().iter().map(|now| (now.0, now.2)).collect();
         let changed = shared.history.states.push(info.time_us, info.cycle, states);
+        // A world pauses itself, at the cycle.
+        let places = if self.world.is_none() { &shared.breakpoints[..] } else { &[] };
+        let reached = breakpoints::reached(places, &before, &changed);
         let visible = changed.iter().filter(|change| change.visible);
         let brief = visible.map(|change| (usize::from(change.component), change.time_us, change.now.0, change.now.2));
         self.changes.extend(brief);
@@ -210,6 +223,9 @@ impl<'a> Attached<'a> {
             self.changes.drain(..surplus);
         }
         self.has_news = true;
+        drop(shared);
+        let time_us = info.time_us;
+        self.reached.extend(reached.into_iter().map(|breakpoint| Reached { time_us, breakpoint }));
     }
 
     fn info(&mut self, cycle: u64, component: usize, info: usize, value: Option<Value>) {
@@ -245,79 +261,6 @@ impl<'a> Attached<'a> {
         self.session.add_line(LogLine { time_us, level, kind, text, component: None });
     }
 
-    /// Takes over what the world tells beside the link.
-    fn extras(&mut self) {
-        let Some(world) = &self.world else { return };
-        let session = self.session;
-        for extra in world.extras.try_iter().take(EVENTS) {
-            match extra {
-                Extra::Image(image) => {
-                    let frame = Frame::Binary(session.image_frame(&image, 0).into());
-                    for (&page, watch) in &self.watches {
-                        let Some(wanted) = watch.images else { continue };
-                        let period = Duration::from_secs_f32(1.0 / wanted.max_hz.clamp(0.1, 1000.0));
-                        let sent = self.images.get(&page);
-                        if sent.is_none_or(|sent| sent.elapsed() + UPDATE / 8 >= period) {
-                            self.images.insert(page, Instant::now());
-                            session.pages.data(page, session.key(DataKind::Image), frame.clone());
-                        }
-                    }
-                    session.shared().history.images.push(image);
-                }
-                Extra::Truth(time_us, truth) => {
-                    session.shared().history.add_truth(time_us, truth.clone());
-                    let message = ToPage::Truth { session: session.id, time_us, truth };
-                    let frame = Frame::of(&message);
-                    for (&page, _) in self.watches.iter().filter(|(_, watch)| watch.truth) {
-                        session.pages.data(page, session.key(DataKind::Truth), frame.clone());
-                    }
-                }
-                Extra::Conditions(time_us, all) => self.conditions(time_us, &all),
-                Extra::Overrun(time_us, component) => session.shared().history.add_overrun(time_us, component),
-                Extra::Costs { time_us, window_us, components, chain_us, worst_us } => {
-                    let session_id = session.id;
-                    let message =
-                        ToPage::Costs { session: session_id, time_us, window_us, components, chain_us, worst_us };
-                    let frame = Frame::of(&message);
-                    for (&page, _) in self.watches.iter().filter(|(_, watch)| watch.costs) {
-                        session.pages.data(page, session.key(DataKind::Costs), frame.clone());
-                    }
-                }
-            }
-        }
-    }
-
-    /// Sends conditions to the pages that watch them, with the rest of the timers.
-    fn conditions(&self, time_us: u64, all: &[MachineConditions]) {
-        let session = self.session;
-        for (component, conditions) in all {
-            let component = *component;
-            let pages = self.watches.iter().filter(|(_, watch)| watch.conditions.contains(&component));
-            let pages: Vec<u64> = pages.map(|(&page, _)| page).collect();
-            let Some(described) = self.client.description().components.get(component).filter(|_| !pages.is_empty())
-            else {
-                continue;
-            };
-            let now = session.shared().history.states.current().get(component).copied();
-            let rest = |transition: &Transition| {
-                let now = now.filter(|now| now.0 && now.2.map(usize::from) == Some(transition.from))?;
-                let been_ms = time_us.saturating_sub(now.4) / 1000;
-                transition.after_ms.map(|after| u64::from(after).saturating_sub(been_ms) as u32)
-            };
-            let condition = |(transition, condition): (&Transition, &Option<(bool, u64)>)| Condition {
-                holds: condition.map(|(holds, _)| holds),
-                since_us: condition.map_or(0, |(_, since)| since),
-                remaining_ms: rest(transition),
-            };
-            let conditions = described.transitions.iter().zip(conditions).map(condition).collect();
-            let message = ToPage::Conditions { session: session.id, component, time_us, conditions };
-            let frame = Frame::of(&message);
-            for page in pages {
-                session.pages.data(page, session.key(DataKind::Conditions(component)), frame.clone());
-            }
-        }
-    }
-
     /// Sends what is new to the pages.
     fn update(&mut self) {
         if !std::mem::take(&mut self.has_news) && self.samples.is_empty() {
@@ -348,8 +291,8 @@ impl<'a> Attached<'a> {
         let session = self.session;
         session.shared().history.evict();
         let known: BTreeSet<u64> = session.pages.list().into_iter().collect();
-        self.images.retain(|page, _| known.contains(page));
-        let paused = session.pacer.as_ref().is_some_and(|pacer| pacer.is_paused());
+        self.extras.retain(&known);
+        let paused = session.is_paused();
         let note = match &session.pacer {
             Some(pacer) if pacer.is_over() => "the game is over: restart it, or resume to play on".to_owned(),
             _ if !paused && self.received.elapsed() > SILENCE => "nothing comes from the robot".to_owned(),

@@ -1,13 +1,17 @@
 //! Live sessions: a thread that owns a client of the link.
 
 mod attached;
+mod extras;
+mod hits;
 mod operate;
+mod pace;
 
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
 use std::time::Duration;
 
 use bica_link::{Address, Client, ClientOptions};
+use bica_wire::message::Offers;
 
 use super::options::Options;
 use super::pages::{PageId, Pages};
@@ -162,14 +166,14 @@ fn not_connected() -> Failed {
 }
 
 /// What can be done with a session that is connected.
-fn capabilities(is_world: bool, watch_only: bool, read_only: bool) -> Capabilities {
+fn capabilities(is_world: bool, offers: Offers, read_only: bool) -> Capabilities {
     Capabilities {
-        operate: !watch_only && !read_only,
-        pause: is_world && !read_only,
-        truth: is_world,
-        images: is_world,
-        costs: is_world,
-        conditions: is_world,
+        operate: offers.contains(Offers::OPERATE) && !read_only,
+        pause: (is_world || offers.contains(Offers::PAUSE)) && !read_only,
+        truth: offers.contains(Offers::TRUTH),
+        images: offers.contains(Offers::IMAGES),
+        costs: offers.contains(Offers::COSTS),
+        conditions: offers.contains(Offers::CONDITIONS),
         run_again: false,
     }
 }

@@ -10,6 +10,7 @@ use serde_json::{Value, json};
 
 use super::attached::Attached;
 use super::not_connected;
+use super::pace::world_change;
 use crate::protocol::{Failed, LogKind, Request};
 use crate::sessions::pages::PageId;
 use crate::sessions::session::Operator;
@@ -54,6 +55,11 @@ impl Attached<'_> {
         self.session.shared().operator
     }
 
+    /// Whether a page waits for the lease.
+    pub(super) const fn is_waiting(&self) -> bool {
+        self.operation.waiting.is_some()
+    }
+
     fn set_operator(&self, operator: Operator) {
         let changed = std::mem::replace(&mut self.session.shared().operator, operator) != operator;
         if changed {
@@ -63,6 +69,9 @@ impl Attached<'_> {
 
     /// Handles a request of a page. Requests are never kept for later.
     pub(super) fn operate(&mut self, page: PageId, id: u32, request: Request) -> LinkResult {
+        if let Some(change) = world_change(&request) {
+            return self.pace(page, id, change);
+        }
         let answer = |result| self.session.pages.answer(page, id, result);
         if !self.session.shared().can.operate {
             answer(Err(Failed::new("this session cannot be operated", "open one that can")));

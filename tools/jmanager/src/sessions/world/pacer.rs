@@ -5,6 +5,8 @@ use std::time::Duration;
 
 use bica_game::{GameControl, NextStep};
 
+use crate::protocol::{Breakpoint, Reached};
+use crate::sessions::breakpoints::{Activity, Place};
 use crate::sessions::pages::lock;
 
 /// Time between two looks for requests while a world is paused.
@@ -29,13 +31,17 @@ struct State {
     notes: Vec<String>,
     /// Why the recording ended.
     not_recorded: Option<String>,
+    breakpoints: Vec<Place>,
+    /// Breakpoints that were reached, and that nobody knows yet.
+    reached: Vec<Reached>,
 }
 
 impl Pacer {
     /// Begins a new game, which is paused if the last one was paused by a person.
     pub(super) fn begin(&self) {
         let mut state = lock(&self.state);
-        *state = State { paused: state.paused && !state.over, ..State::default() };
+        let breakpoints = std::mem::take(&mut state.breakpoints);
+        *state = State { paused: state.paused && !state.over, breakpoints, ..State::default() };
     }
 
     pub(crate) fn pause(&self) {
@@ -63,6 +69,29 @@ impl Pacer {
 
     pub(crate) fn is_paused(&self) -> bool {
         lock(&self.state).paused
+    }
+
+    pub(crate) fn set_breakpoints(&self, places: Vec<Place>) {
+        lock(&self.state).breakpoints = places;
+    }
+
+    /// Pauses after this cycle if a breakpoint was reached in it; `before` and `now` are the states of all components.
+    pub(super) fn cycle(&self, time_us: u64, before: &[Activity], now: &[Activity]) {
+        let mut state = lock(&self.state);
+        let reached = |place: &&Place| {
+            let component = place.breakpoint.component;
+            before.get(component).zip(now.get(component)).is_some_and(|(before, now)| place.is_reached(*before, *now))
+        };
+        let all: Vec<Breakpoint> = state.breakpoints.iter().filter(reached).map(|place| place.breakpoint).collect();
+        if !all.is_empty() {
+            (state.paused, state.steps) = (true, 0);
+            state.reached.extend(all.into_iter().map(|breakpoint| Reached { time_us, breakpoint }));
+        }
+    }
+
+    /// Breakpoints that were reached since this was called last.
+    pub(crate) fn reached(&self) -> Vec<Reached> {
+        std::mem::take(&mut lock(&self.state).reached)
     }
 
     /// Whether the rules have ended the game.
@@ -112,6 +141,11 @@ impl GameControl for Control {
                 return NextStep::Requests;
             }
         }
+    }
+
+    /// The link of a world of this server has one monitor, this server.
+    fn lets_operators_pause(&self) -> bool {
+        false
     }
 
     fn note(&mut self) -> Option<String> {

@@ -1,15 +1,19 @@
 //! What the session learns of a world beside the link: images, costs and the true state.
 
+use std::sync::Arc;
 use std::sync::mpsc::SyncSender;
 use std::time::Duration;
 
+use bica::{ComponentId, Tree as _};
 use bica_console::Failure;
 use bica_field::GoalColour;
 use bica_game::{GRAPH, GameObserver, Scene};
 use bica_motion::pose::Pose2;
 use bica_motion::robot::CameraId;
 
+use super::Pacer;
 use crate::protocol::{ComponentCost, RobotPose, Truth};
+use crate::sessions::breakpoints::Activity;
 use crate::sessions::history::StoredImage;
 
 /// Number of cycles between two costs.
@@ -57,12 +61,23 @@ pub(super) struct Tap {
     image: Option<u32>,
     totals: Vec<(u64, Duration)>,
     window: Window,
+    pacer: Arc<Pacer>,
+    /// States of all components after the last cycle.
+    states: Vec<Activity>,
 }
 
 impl Tap {
-    pub(super) fn new(extras: SyncSender<Extra>) -> Self {
+    pub(super) fn new(extras: SyncSender<Extra>, pacer: Arc<Pacer>) -> Self {
         let totals = vec![(0, Duration::ZERO); GRAPH.nodes.len()];
-        Self { extras, image: None, totals, window: Window::new(0) }
+        let states = vec![(false, None); GRAPH.nodes.len()];
+        Self { extras, image: None, totals, window: Window::new(0), pacer, states }
+    }
+
+    fn breakpoints(&mut self, scene: &Scene<'_>, time_us: u64) {
+        let each = (0..GRAPH.nodes.len()).map(ComponentId::new);
+        let state = |id| (scene.robot.is_active(id), scene.robot.state(id).map(|state| state as u16));
+        let before = std::mem::replace(&mut self.states, each.map(state).collect());
+        self.pacer.cycle(time_us, &before, &self.states);
     }
 
     fn send(&self, extra: Extra) {
@@ -138,6 +153,7 @@ impl Window {
 impl GameObserver for Tap {
     fn cycle(&mut self, scene: &Scene<'_>) -> Result<(), Failure> {
         let time_us = (scene.t * 1e6).round() as u64;
+        self.breakpoints(scene, time_us);
         self.image(scene, time_us);
         self.costs(scene, time_us);
         if scene.cycle.is_multiple_of(CONDITIONS_EVERY) {

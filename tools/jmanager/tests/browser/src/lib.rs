@@ -2,7 +2,9 @@
 
 mod driver;
 mod page;
+mod robot;
 mod server;
 
 pub use page::Page;
+pub use robot::{Robot, player};
 pub use server::{Server, target};

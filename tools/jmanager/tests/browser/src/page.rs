@@ -19,7 +19,7 @@ const POLL: Duration = Duration::from_millis(100);
 const FIND: &str = r"
 const [role, name, scope] = arguments;
 const NATIVE = { button: 'button, summary', slider: 'input[type=range]', textbox: 'input:not([type]), input[type=text], input[type=search], input[type=password], textarea', combobox: 'select, input[list]', region: 'section', article: 'article', group: 'fieldset', heading: 'h1, h2, h3' };
-const root = scope ? [...document.querySelectorAll('[role=region], section')].find((one) => one.getAttribute('aria-label') === scope && one.getClientRects().length > 0) : document;
+const root = scope ? [...document.querySelectorAll('[role=region], section'), ...document.querySelectorAll('[role=group]')].find((one) => one.getAttribute('aria-label') === scope && one.getClientRects().length > 0) : document;
 if (!root) return null;
 const selector = `[role='${role}']${NATIVE[role] ? ', ' + NATIVE[role] : ''}`;
 const named = (one) => (one.getAttribute('aria-label') ?? one.getAttribute('placeholder') ?? (one.textContent || one.id)).replace(/\s+/g, ' ').trim();
@@ -106,13 +106,21 @@ impl Page {
     /// # Panics
     /// If it does not in time.
     pub async fn until(&self, what: &str, script: &str) -> Value {
+        self.until_within(what, script, LIMIT).await
+    }
+
+    /// The same with another longest wait.
+    ///
+    /// # Panics
+    /// If it does not in time.
+    pub async fn until_within(&self, what: &str, script: &str, limit: Duration) -> Value {
         let start = Instant::now();
         loop {
             let value = self.run(script, vec![]).await;
             if !matches!(value, Value::Null | Value::Bool(false)) {
                 return value;
             }
-            if start.elapsed() > LIMIT {
+            if start.elapsed() > limit {
                 self.screenshot("failed").await;
                 panic!("not in time: {what}; the page shows: {}", self.text().await);
             }
@@ -182,6 +190,42 @@ impl Page {
         self.client.issue_cmd(Actions(actions)).await.expect("keys are pressed");
     }
 
+    /// Types a text, then Enter.
+    pub async fn enter(&self, text: &str) {
+        self.press(text).await;
+        self.press("\u{e007}").await;
+    }
+
+    /// Presses a key while Control is down.
+    pub async fn control(&self, key: char) {
+        self.key_down('\u{e009}').await;
+        self.press(&key.to_string()).await;
+        self.key_up('\u{e009}').await;
+    }
+
+    /// Drags with the mouse from a point of the window to another, in steps as a hand does.
+    pub async fn drag(&self, from: (f64, f64), to: (f64, f64)) {
+        let mut actions = vec![moved(from), json!({ "type": "pointerDown", "button": 0 })];
+        for step in 1..=8 {
+            let part = f64::from(step) / 8.0;
+            actions.push(moved((from.0 + (to.0 - from.0) * part, from.1 + (to.1 - from.1) * part)));
+        }
+        actions.push(json!({ "type": "pointerUp", "button": 0 }));
+        self.mouse(&actions).await;
+    }
+
+    /// Clicks twice at a point of the window.
+    pub async fn double_click(&self, at: (f64, f64)) {
+        let (down, up) = (json!({ "type": "pointerDown", "button": 0 }), json!({ "type": "pointerUp", "button": 0 }));
+        self.mouse(&[moved(at), down.clone(), up.clone(), down, up]).await;
+    }
+
+    async fn mouse(&self, actions: &[Value]) {
+        let mouse =
+            json!({ "type": "pointer", "id": "mouse", "parameters": { "pointerType": "mouse" }, "actions": actions });
+        self.act(json!([mouse])).await;
+    }
+
     /// Messages of the console that are errors or warnings.
     pub async fn console(&self) -> Vec<String> {
         let log = self.client.issue_cmd(ConsoleLog).await.unwrap_or(Value::Null);
@@ -219,6 +263,11 @@ impl Page {
         assert!(errors.is_empty(), "the console has errors: {errors:#?}");
         let _ = self.client.close().await;
     }
+}
+
+#[expect(clippy::cast_possible_truncation, reason = "a point of a window")]
+fn moved((x, y): (f64, f64)) -> Value {
+    json!({ "type": "pointerMove", "duration": 0, "x": x.round() as i64, "y": y.round() as i64, "origin": "viewport" })
 }
 
 /// The command Perform Actions.
@@ -262,6 +311,20 @@ impl Element<'_> {
     /// Gives it the focus.
     pub async fn focus(&self) {
         self.run("arguments[0].focus()", Value::Null).await;
+    }
+
+    /// Its rectangle in the window: left, top, width, height.
+    pub async fn place(&self) -> [f64; 4] {
+        let script =
+            "const { x, y, width, height } = arguments[0].getBoundingClientRect(); return [x, y, width, height]";
+        let place = self.run(script, Value::Null).await;
+        [0, 1, 2, 3].map(|index| place[index].as_f64().unwrap_or_default())
+    }
+
+    /// Its middle in the window.
+    pub async fn middle(&self) -> (f64, f64) {
+        let [x, y, width, height] = self.place().await;
+        (x + width / 2.0, y + height / 2.0)
     }
 
     /// Types a value, and commits it as Enter does.

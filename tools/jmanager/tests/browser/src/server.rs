@@ -26,7 +26,7 @@ impl Server {
     pub fn start(name: &str, arguments: &[&str]) -> Self {
         let folder = target().join(format!("browser/run/{name}-{}", std::process::id()));
         std::fs::create_dir_all(&folder).expect("a folder for the server");
-        let program = target().join("debug/jmanager");
+        let program = program("jmanager");
         let mut child = Command::new(&program)
             .args(["--no-open", "--port", "0"])
             .args(arguments)
@@ -55,6 +55,30 @@ impl Server {
         self.urls.recv_timeout(START).expect("the server prints a URL")
     }
 
+    /// Time that the processor has worked for it, s.
+    ///
+    /// # Panics
+    /// If it has ended.
+    #[must_use]
+    pub fn processor_seconds(&self) -> f64 {
+        let stat = std::fs::read_to_string(format!("/proc/{}/stat", self.child.id())).expect("the server runs");
+        let (_, after_name) = stat.rsplit_once(')').expect("a name in brackets");
+        // Of the fields after the name, the 12th and 13th are user and system time, in hundredths of a second.
+        let ticks = after_name.split_whitespace().skip(11).take(2).map(|ticks| ticks.parse::<f64>().expect("a number"));
+        ticks.sum::<f64>() / 100.0
+    }
+
+    /// Memory that it has, bytes.
+    ///
+    /// # Panics
+    /// If it has ended.
+    #[must_use]
+    pub fn resident_bytes(&self) -> u64 {
+        let status = std::fs::read_to_string(format!("/proc/{}/status", self.child.id())).expect("the server runs");
+        let line = status.lines().find_map(|line| line.strip_prefix("VmRSS:")).expect("the resident set");
+        line.trim().trim_end_matches(" kB").parse::<u64>().expect("a number") * 1024
+    }
+
     /// Ends it at once, as a crash would.
     pub fn kill(&mut self) {
         let _ = self.child.kill();
@@ -67,6 +91,12 @@ impl Drop for Server {
         self.kill();
         let _ = std::fs::remove_dir_all(&self.folder);
     }
+}
+
+/// A program of the repository, built in the profile that `JMANAGER_PROFILE` names, else `debug`.
+pub(crate) fn program(name: &str) -> PathBuf {
+    let profile = std::env::var("JMANAGER_PROFILE").unwrap_or_else(|_| "debug".to_owned());
+    target().join(profile).join(name)
 }
 
 /// The folder `target` of the repository.

@@ -1,9 +1,9 @@
-//! What breaks: the program, the browser.
+//! What breaks: the program, the browser, the robot.
 
 use std::process::Command;
 use std::time::Instant;
 
-use jmanager_browser::{Page, Server};
+use jmanager_browser::{Page, Robot, Server};
 
 use crate::{WIDE, open};
 
@@ -51,4 +51,29 @@ async fn control_ends_when_the_browser_freezes() {
     // The page that was frozen does not drive again by itself.
     page.until("it has lost control", "return !document.body.innerText.includes('operator: you')").await;
     watcher.reads("operator: nobody").await;
+}
+
+/// Attack 9: what was asked for before the connection was lost is not in force after it.
+#[tokio::test]
+async fn a_robot_that_is_killed_and_started_again_is_shown_and_free() {
+    let mut robot = Robot::start(&["--seconds", "600"]);
+    let server = Server::start("robot", &[&format!("tcp://{}", robot.address)]);
+    let page = Page::open(&server, WIDE).await;
+    page.click("button", "Player", "Activation tree").await;
+    page.click("radio", "latent", "By hand").await;
+    page.reads("An operator holds it latent").await;
+    page.reads("operator: you").await;
+    robot.kill();
+    page.reads("the connection is lost and is being restored").await;
+    page.screenshot("robot-lost").await;
+    let _again = Robot::start_at(&robot.address, &["--seconds", "600"]);
+    page.until("the connection is restored", "return !document.body.innerText.includes('the connection is lost')")
+        .await;
+    page.until(
+        "the root is active",
+        "return document.querySelector('[aria-label=Player]').getAttribute('aria-description').startsWith('active')",
+    )
+    .await;
+    page.reads("operator: nobody").await;
+    page.close().await;
 }

@@ -41,9 +41,14 @@ async fn the_page_looks_right_in_three_widths_and_both_themes() {
             shown
                 .until("the theme is set", &format!("return document.documentElement.dataset.theme === '{theme}'"))
                 .await;
-            for (key, name) in
-                [("1", "overview"), ("2", "behaviour"), ("3", "colours"), ("4", "walking"), ("5", "replay")]
-            {
+            for (key, name) in [
+                ("1", "overview"),
+                ("2", "behaviour"),
+                ("3", "colours"),
+                ("4", "walking"),
+                ("5", "replay"),
+                ("6", "designer"),
+            ] {
                 shown.press(key).await;
                 shown.until("panels are shown", "return document.querySelectorAll('.panel').length > 1").await;
                 tokio::time::sleep(std::time::Duration::from_secs(1)).await;

@@ -1,8 +1,10 @@
 //! Stories of people with the page, told by roles and names of its controls.
 
 mod attacks;
+mod designing;
 mod faults;
 mod figures;
+mod firmware;
 mod looks;
 mod operating;
 mod panels;

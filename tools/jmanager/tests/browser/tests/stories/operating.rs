@@ -1,8 +1,16 @@
 //! Setting up and driving.
 
+use std::time::Duration;
+
 use jmanager_browser::{Page, Server};
 
 use crate::{open, tab};
+
+/// Longest game, in real time on a busy machine.
+const GAME: Duration = Duration::from_mins(5);
+/// Whether the referee has told of a goal.
+const SCORES: &str =
+    "return [...document.querySelectorAll('.log .referee')].some((line) => /goal/i.test(line.textContent))";
 
 async fn log(page: &Page, text: &str) {
     tab(page, "Log").await;
@@ -130,5 +138,26 @@ async fn the_keyboard_alone_is_enough() {
     page.reads("operator: you").await;
     page.press("g").await;
     page.reads("operator: nobody").await;
+    page.close().await;
+}
+
+/// The forward is taken over, walked by hand, given back, and scores.
+#[tokio::test]
+async fn the_forward_scores_after_it_was_driven() {
+    let server = Server::start("score", &[]);
+    let page = open(&server).await;
+    tab(&page, "Drive").await;
+    page.click("button", "Take over", "Take over").await;
+    page.reads("Driven by you").await;
+    page.find("slider", "Body forward", "Body").await.set("0.2").await;
+    page.find("slider", "Body turn", "Body").await.focus().await;
+    page.key_down('\u{e008}').await;
+    page.reads("Moving").await;
+    tokio::time::sleep(Duration::from_secs(3)).await;
+    page.key_up('\u{e008}').await;
+    page.click("button", "Give back", "Take over").await;
+    page.reads("Driven by the forward").await;
+    tab(&page, "Log").await;
+    page.until_within("the forward has scored", SCORES, GAME).await;
     page.close().await;
 }

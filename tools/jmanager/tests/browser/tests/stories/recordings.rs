@@ -1,6 +1,6 @@
 //! Recordings.
 
-use jmanager_browser::Server;
+use jmanager_browser::{Server, player};
 
 use crate::{open, tab};
 
@@ -18,5 +18,49 @@ async fn a_recording_is_kept_opened_and_played() {
     page.click("button", "Keep recording", "This session").await;
     page.find("button", "first", "Recordings").await;
     assert!(server.folder.join("recordings/first.mcap").is_file());
+    page.click("button", "first", "Recordings").await;
+    page.find("button", "Play", "Replay").await.click().await;
+    page.find("button", "Time: playing", "").await;
+    let clock = || async { page.run("return document.querySelector('.clock b').textContent", vec![]).await };
+    let before = clock().await;
+    page.until(
+        "the recording is played",
+        &format!("return document.querySelector('.clock b').textContent !== {before}"),
+    )
+    .await;
+    page.click("button", "To the end", "Replay").await;
+    page.find("button", "Time: paused", "").await;
+    page.until(
+        "the camera shows an image",
+        "return document.querySelector('canvas[aria-label=\"Camera image\"]').width > 20",
+    )
+    .await;
+    page.close().await;
+}
+
+/// What would have been with another gain: run again, and compared with what was.
+#[tokio::test]
+async fn a_recording_is_run_again_with_another_parameter_and_compared() {
+    let server = Server::start("again", &[]);
+    std::fs::create_dir_all(server.folder.join("recordings")).expect("a folder");
+    let file = server.folder.join("recordings/game.mcap");
+    player(&["play", "--seconds", "5", "--size", "160x120", "--record", file.to_str().expect("a path of UTF-8")]);
+    let page = open(&server).await;
+    tab(&page, "Recordings").await;
+    page.click("button", "Refresh", "Recordings").await;
+    page.click("button", "game", "Recordings").await;
+    page.find("combobox", "Parameter", "Replay").await.set("FaceBall.gain").await;
+    page.find("textbox", "Value", "Replay").await.set("0.2").await;
+    page.click("button", "Add", "Replay").await;
+    page.reads("FaceBall.gain = 0.2").await;
+    page.click("button", "Run again", "Replay").await;
+    page.until(
+        "there are two recordings",
+        "return document.querySelectorAll('[aria-label=Compare] select').length === 2",
+    )
+    .await;
+    page.click("button", "Compare", "Compare").await;
+    page.reads("First difference in cycle").await;
+    page.screenshot("compared").await;
     page.close().await;
 }

@@ -1,0 +1,216 @@
+//! What a program on a computer offers to its monitors, and a microcontroller does not.
+//!
+//! These messages have variants of their own in [`ToRobot`](super::ToRobot) and [`FromRobot`](super::FromRobot), so a
+//! microcontroller's program contains no code for them.
+
+use heapless::Vec;
+use postcard_schema::Schema;
+use serde::{Deserialize, Serialize};
+
+use super::ImageChunk;
+
+/// Largest number of conditions in one [`Conditions`].
+pub const MAX_CONDITIONS: usize = 64;
+/// Largest number of components in one [`ComponentCosts`].
+pub const MAX_COSTS: usize = 32;
+/// Largest number of other robots in a [`Truth`].
+pub const MAX_OTHERS: usize = 32;
+/// Number of cycles in which costs are measured for one [`Costs`].
+pub const COSTS_CYCLES: u16 = 50;
+
+/// Set of what a robot's program offers to monitors, one bit for each. Unknown bits belong to a later version.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, Schema)]
+pub struct Offers(pub u32);
+
+impl Offers {
+    /// Requests of an operator.
+    pub const OPERATE: Self = Self(1);
+    /// A simulated world whose time can be stopped: [`Change::World`](super::Change::World).
+    pub const PAUSE: Self = Self(1 << 1);
+    /// Conditions of transitions.
+    pub const CONDITIONS: Self = Self(1 << 2);
+    /// Costs of components.
+    pub const COSTS: Self = Self(1 << 3);
+    /// The true state of a simulated world.
+    pub const TRUTH: Self = Self(1 << 4);
+    /// Camera images.
+    pub const IMAGES: Self = Self(1 << 5);
+
+    /// Returns all that is in one of both sets.
+    #[must_use]
+    pub const fn with(self, other: Self) -> Self {
+        Self(self.0 | other.0)
+    }
+
+    /// Whether everything of the other set is in this one.
+    #[must_use]
+    pub const fn contains(self, other: Self) -> bool {
+        self.0 & other.0 == other.0
+    }
+}
+
+/// A message of a monitor about what only a program on a computer offers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, Schema)]
+pub enum FromMonitorExtra {
+    /// Sets how often something is sent to this monitor.
+    Watch {
+        /// What is sent.
+        kind: ExtraKind,
+        /// That of every n-th cycle, or every n-th image; 0: none. Costs are sent every [`COSTS_CYCLES`] cycles for any other value.
+        every: u16,
+    },
+    /// The monitor has received all chunks of an image, and the next one can be sent.
+    ImageTaken {
+        /// Number of the image.
+        number: u32,
+    },
+}
+
+/// What a monitor can watch besides states and information.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, Schema)]
+pub enum ExtraKind {
+    /// Conditions of the transitions of a component.
+    Conditions {
+        /// Index of the component.
+        component: u16,
+    },
+    /// Costs of all components and of the cycle.
+    Costs,
+    /// True state of a simulated world.
+    Truth,
+    /// Camera images.
+    Images,
+}
+
+/// A message to a monitor with what only a program on a computer offers.
+#[expect(clippy::large_enum_variant, reason = "one at a time is encoded, and there may be no heap")]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, Schema)]
+pub enum ToMonitorExtra<'a> {
+    /// Conditions of consecutive transitions of a component.
+    Conditions(Conditions),
+    /// The beginning of costs.
+    Costs(Costs),
+    /// A part of costs.
+    ComponentCosts(ComponentCosts),
+    /// True state of the world.
+    Truth(Truth),
+    /// The beginning of an image.
+    Image(ImageHead),
+    /// A part of the image whose beginning was sent last.
+    #[serde(borrow)]
+    ImageChunk(ImageChunk<'a>),
+    /// Whether the world is paused: sent when a monitor attaches, when it changes, and when the requested steps are done.
+    World(WorldState),
+}
+
+/// Conditions of consecutive transitions of a component, as they were evaluated last.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, Schema)]
+pub struct Conditions {
+    /// Number of the cycle.
+    pub cycle: u64,
+    /// Instant of the tick, µs.
+    pub time_us: u64,
+    /// Index of the component.
+    pub component: u16,
+    /// Index of the first transition.
+    pub first: u16,
+    /// The conditions; none for one that was not evaluated since the component came into its present state.
+    pub values: Vec<Option<ConditionState>, MAX_CONDITIONS>,
+}
+
+/// The condition of a transition.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, Schema)]
+pub struct ConditionState {
+    /// Whether it held when it was evaluated last.
+    pub holds: bool,
+    /// Instant since which it has had this value, µs.
+    pub since_us: u64,
+}
+
+/// Costs of the cycles since the last costs. The [`ComponentCosts`] after it have the same cycle.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, Schema)]
+pub struct Costs {
+    /// Number of the last cycle.
+    pub cycle: u64,
+    /// Instant of the last cycle, µs.
+    pub time_us: u64,
+    /// Time since the instant of the last cycle before these, µs.
+    pub window_us: u64,
+    /// Mean time from sensor values to the end of the tick, µs.
+    pub mean_us: f32,
+    /// Longest such time, µs.
+    pub max_us: f32,
+    /// Instant of the cycle that took longest, µs.
+    pub worst_us: u64,
+}
+
+/// Costs of consecutive components.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, Schema)]
+pub struct ComponentCosts {
+    /// Number of the last cycle.
+    pub cycle: u64,
+    /// Index of the first component.
+    pub first: u16,
+    /// The costs.
+    pub costs: Vec<ComponentCost, MAX_COSTS>,
+}
+
+/// Costs of a component: time in its own code, on the computer that runs it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, Schema)]
+pub struct ComponentCost {
+    /// Number of runs.
+    pub runs: u32,
+    /// Mean time of a run, µs.
+    pub mean_us: f32,
+    /// Longest time of a run, µs.
+    pub max_us: f32,
+    /// Number of runs that took longer than the declared budget.
+    pub overruns: u32,
+    /// Instant of the last of these runs, µs; 0 without one.
+    pub overrun_us: u64,
+}
+
+/// True state of a simulated world, in the field frame: origin in the middle, x to the attacked goal, y to the left; m and rad.
+///
+/// It goes from the simulator to monitors only; no message to a robot can contain it.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, Schema)]
+pub struct Truth {
+    /// Instant of the cycle after which it was read, µs.
+    pub time_us: u64,
+    /// Pose of the robot: x, y, heading.
+    pub robot: [f32; 3],
+    /// Position of the ball.
+    pub ball: [f32; 2],
+    /// Positions of other robots.
+    pub others: Vec<[f32; 2], MAX_OTHERS>,
+    /// Pose of the robot when its odometry began: x, y, heading.
+    pub start: [f32; 3],
+    /// Whether the attacked goal is blue, else yellow.
+    pub attacks_blue: bool,
+}
+
+/// The beginning of an image in YUYV, 2 bytes for each pixel.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, Schema)]
+pub struct ImageHead {
+    /// Number of the image since the start, from 0; also the number in its chunks.
+    pub number: u32,
+    /// Instant of the cycle that took it in, µs.
+    pub time_us: u64,
+    /// Whether it is of the bottom camera, else of the top camera.
+    pub bottom_camera: bool,
+    /// Width, px.
+    pub width: u16,
+    /// Height, px.
+    pub height: u16,
+}
+
+/// Whether a simulated world is paused.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, Schema)]
+pub struct WorldState {
+    /// Whether it is paused.
+    pub paused: bool,
+    /// Number of cycles that still run although it is paused.
+    pub steps: u32,
+    /// Number of the next cycle.
+    pub cycle: u64,
+}

@@ -1,0 +1,151 @@
+//! The command line.
+
+use std::process::ExitCode;
+use std::thread;
+
+use bica::Tree;
+use bica::graph::Graph;
+use bica_console::{Console, Failure, Outcome, STACK_BYTES, interrupt};
+use bica_link::Address;
+use bica_sim::setup::Frame;
+use bica_sim::shot::SPEEDS;
+use bica_tuning::Layers;
+use clap::Parser;
+use serde::Serialize;
+
+use crate::shots::{Plan, Robot, ShotResult};
+use crate::{Keeper, serve};
+
+static GRAPH: Graph = Keeper::GRAPH;
+
+/// Size of the camera images, 160×120: enough for a ball 3 m away, and quick.
+pub const FRAME: Frame = Frame::Small;
+
+const AFTER: &str = "\
+Examples:
+  goalkeeper                                  100 shots at an idle robot and at the goalkeeper
+  goalkeeper --shots 20 --speeds 2.4 3.0      20 faster ones
+  goalkeeper --set GuardPost.distance=0.2     the goalkeeper stands nearer to the goal line
+  goalkeeper --serve 127.0.0.1:7400           shots in real time that monitors can watch
+
+Exit codes: 0 the goalkeeper lets in at most half of what the idle robot lets in, 1 more, 2 wrong arguments,
+130 stopped by Ctrl-C, 141 the reader of the output is gone.";
+
+/// A goalkeeper against balls that are kicked at its goal from 2 to 3 m in the built-in world. It sees them only in its camera
+/// images.
+#[derive(Debug, Parser)]
+#[command(name = "goalkeeper", version, after_help = AFTER)]
+pub struct Cli {
+    /// Number of shots, one for each seed
+    #[arg(long, value_name = "N", default_value_t = 100, value_parser = clap::value_parser!(u32).range(1..))]
+    shots: u32,
+    /// First seed
+    #[arg(long, value_name = "SEED", default_value_t = 0)]
+    seed: u64,
+    /// Slowest and fastest kick, m/s; a ball slower than 1.6 m/s may stop before the goal
+    #[arg(long, num_args = 2, value_names = ["MIN", "MAX"], value_parser = speed)]
+    speeds: Option<Vec<f32>>,
+    /// Play only against the idle robot
+    #[arg(long)]
+    idle: bool,
+    /// Parameter of the goalkeeper, as GuardPost.distance=0.2
+    #[arg(long, value_name = "NAME=VALUE")]
+    set: Vec<String>,
+    /// Play in real time and serve monitors, until Ctrl-C: HOST:PORT (port 0: any)
+    #[arg(long, value_name = "ADDR", conflicts_with_all = ["shots", "idle", "json"], value_parser = address)]
+    serve: Option<Address>,
+    /// Allow an address of --serve that other computers reach; there is no password, whoever reaches it controls the robot
+    #[arg(long, requires = "serve")]
+    listen_anywhere: bool,
+    /// Print JSON on stdout; all other output goes to stderr
+    #[arg(long)]
+    json: bool,
+}
+
+/// Sums of a series.
+#[derive(Clone, Copy, Debug, Serialize)]
+struct Sums {
+    shots: usize,
+    let_in: usize,
+    away: usize,
+    falls: usize,
+}
+
+#[derive(Serialize)]
+struct Report<'a> {
+    schema: &'static str,
+    idle: Sums,
+    goalkeeper: Option<Sums>,
+    shots: &'a [ShotResult],
+}
+
+/// Runs the program; returns the exit code.
+#[must_use]
+pub fn run() -> ExitCode {
+    let cli = Cli::parse();
+    interrupt::listen();
+    match thread::Builder::new().stack_size(STACK_BYTES).spawn(move || start(&cli)).map(thread::JoinHandle::join) {
+        Ok(Ok(outcome)) => outcome.map_or_else(ExitCode::from, ExitCode::from),
+        // The panic has printed its message.
+        Ok(Err(_)) => ExitCode::from(101),
+        Err(error) => Failure::new(format!("cannot start a thread: {error}"), "is there memory left?").into(),
+    }
+}
+
+fn start(cli: &Cli) -> Result<Outcome, Failure> {
+    let mut layers = Layers::new(&GRAPH);
+    for assignment in &cli.set {
+        layers.assign(assignment, "--set")?;
+    }
+    let settings = layers.settings();
+    let speeds = match cli.speeds.as_deref() {
+        Some(&[min, max]) if min > max => {
+            return Err(Failure::new(format!("--speeds {min} {max} is no range"), "name the slowest speed first"));
+        }
+        Some(&[min, max]) => min..=max,
+        _ => SPEEDS,
+    };
+    let plan = Plan { seed: cli.seed, shots: cli.shots, speeds };
+    let console = Console::new(cli.json);
+    if let Some(address) = &cli.serve {
+        return serve::run(&plan, &settings, FRAME, address, cli.listen_anywhere, console);
+    }
+    console.print(&format!("{:12}{:>7}{:>8}{:>7}{:>7}{:>7}", "", "shots", "let in", "saved", "away", "falls"))?;
+    let idle = sums(&plan.play(Robot::Idle, FRAME)?);
+    print(console, "idle", idle)?;
+    let results = if cli.idle { Vec::new() } else { plan.play(Robot::Goalkeeper(&settings), FRAME)? };
+    let goalkeeper = (!cli.idle).then(|| sums(&results));
+    if let Some(goalkeeper) = goalkeeper {
+        print(console, "goalkeeper", goalkeeper)?;
+    }
+    console.print_json(&Report { schema: "goalkeeper/shots/1", idle, goalkeeper, shots: &results })?;
+    if interrupt::requested() {
+        return Ok(Outcome::Interrupted);
+    }
+    let half = goalkeeper.is_none_or(|goalkeeper| 2 * goalkeeper.let_in <= idle.let_in);
+    Ok(if half { Outcome::Success } else { Outcome::Unsuccessful })
+}
+
+fn sums(results: &[ShotResult]) -> Sums {
+    let count = |is: fn(&ShotResult) -> bool| results.iter().filter(|result| is(result)).count();
+    Sums {
+        shots: results.len(),
+        let_in: count(|result| result.let_in),
+        away: count(|result| result.away),
+        falls: results.iter().map(|result| result.falls).sum(),
+    }
+}
+
+fn print(console: Console, name: &str, sums: Sums) -> Result<(), Failure> {
+    let Sums { shots, let_in, away, falls } = sums;
+    console.print(&format!("{name:12}{shots:>7}{let_in:>8}{:>7}{away:>7}{falls:>7}", shots - let_in))
+}
+
+fn speed(text: &str) -> Result<f32, String> {
+    let speed = text.parse::<f32>().map_err(|error| error.to_string())?;
+    if (0.1..=5.0).contains(&speed) { Ok(speed) } else { Err("choose 0.1 to 5 m/s".to_owned()) }
+}
+
+fn address(text: &str) -> Result<Address, String> {
+    text.parse().map_err(|error: bica_link::Error| error.to_string())
+}

@@ -1,0 +1,7 @@
+//! The program `goalkeeper`.
+
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    goalkeeper::cli::run()
+}

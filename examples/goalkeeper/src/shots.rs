@@ -1,0 +1,197 @@
+//! Shots at the goal: what the goalkeeper or an idle robot lets in.
+
+use std::ops::RangeInclusive;
+use std::time::Duration;
+
+use bica::runner::{Observer, Requests, Runner};
+use bica::{Setting, Tree};
+use bica_console::{Batch, Failure};
+use bica_motion::joints::Joints;
+use bica_motion::model::{Nao, RobotModel};
+use bica_motion::robot::{CameraId, Command, Lights};
+use bica_player::input::FrameTooLarge;
+use bica_player::perception::GoalDetector;
+use bica_sim::World;
+use bica_sim::kinematic::KinematicWorld;
+use bica_sim::referee::Event;
+use bica_sim::setup::{Frame, Setup, SetupError, Start};
+use bica_sim::shot::{SPEEDS, Shot};
+use glam::Vec2;
+
+use crate::Keeper;
+use crate::skills::START;
+
+/// Time after a kick in which the ball may get into the goal, and in which the goalkeeper may kick it away.
+pub const AFTER: Duration = Duration::from_secs(25);
+/// Time from a goal to the end of the attempt.
+const AFTER_GOAL: Duration = Duration::from_secs(2);
+/// Middle of the own goal line, m, field frame.
+const GOAL: Vec2 = Vec2::new(-3.0, 0.0);
+/// Distance from there at which a ball is away, m.
+const AWAY: f32 = 1.5;
+
+/// Shots of a series, one for each seed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Plan {
+    /// First seed.
+    pub seed: u64,
+    /// Number of shots.
+    pub shots: u32,
+    /// Speeds of the kicks, m/s.
+    pub speeds: RangeInclusive<f32>,
+}
+
+impl Default for Plan {
+    /// The 100 shots that count.
+    fn default() -> Self {
+        Self { seed: 0, shots: 100, speeds: SPEEDS }
+    }
+}
+
+impl Plan {
+    /// Returns the shot of a seed; `number` counts several with one seed.
+    #[must_use]
+    pub fn shot(&self, seed: u64, number: u32) -> Shot {
+        Shot::draw(seed, number, &self.speeds)
+    }
+
+    /// Plays all shots on several threads.
+    ///
+    /// # Errors
+    /// As [`play`].
+    pub fn play(&self, robot: Robot<'_>, frame: Frame) -> Result<Vec<ShotResult>, Failure> {
+        Batch::new(self.seed, self.shots, None).run(|seed| play(robot, seed, self.shot(seed, 0), frame))
+    }
+}
+
+/// Who stands in the goal.
+#[derive(Clone, Copy, Debug)]
+pub enum Robot<'a> {
+    /// The goalkeeper, with parameters that are not the defaults.
+    Goalkeeper(&'a [Setting]),
+    /// A robot that stands still.
+    Idle,
+}
+
+/// What became of a shot. Without a robot in the way every shot is a goal, so a ball that is not let in was saved.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
+pub struct ShotResult {
+    /// Seed of the world and of the shot.
+    pub seed: u64,
+    /// Whether the whole ball crossed the goal line.
+    pub let_in: bool,
+    /// Whether the ball was saved and is 1.5 m or more from the goal in the end.
+    pub away: bool,
+    /// Number of the robot's falls, dives included.
+    pub falls: usize,
+}
+
+/// Makes a world with the robot in the middle of its goal and a ball that rests in front of it.
+///
+/// # Errors
+/// If the world refuses the setup.
+pub fn world(seed: u64, ball: Vec2, frame: Frame) -> Result<KinematicWorld, Failure> {
+    let start = Some(Start { robot: START, ball });
+    let setup = Setup { seed, frame, goalkeeper: false, start, ..Setup::default() };
+    KinematicWorld::new(&setup).map_err(|error| refused(&error))
+}
+
+/// Makes the goalkeeper of a world, with parameters that are not the defaults.
+///
+/// # Errors
+/// If a parameter is refused.
+pub fn goalkeeper(world: &KinematicWorld, settings: &[Setting]) -> Result<Box<Keeper>, Failure> {
+    let mut keeper = Box::new(Keeper::new());
+    keeper.get_mut::<GoalDetector>().attack(world.referee().attacks());
+    keeper.set_params(settings).map_err(|refusal| Failure::new(refusal.to_string(), "choose other values of --set"))?;
+    Ok(keeper)
+}
+
+/// Plays one shot from the camera images of a world.
+///
+/// # Errors
+/// If the world refuses the shot, or the goalkeeper a parameter or an image.
+pub fn play(robot: Robot<'_>, seed: u64, shot: Shot, frame: Frame) -> Result<ShotResult, Failure> {
+    let mut world = world(seed, shot.from, frame)?;
+    let mut attempt = Attempt::new(shot, world.now());
+    match robot {
+        Robot::Idle => {
+            let command = stand();
+            while attempt.advance(&mut world)? {
+                world.act(&command);
+            }
+        }
+        Robot::Goalkeeper(settings) => {
+            let mut runner = Runner::new(goalkeeper(&world, settings)?, world);
+            while attempt.advance(runner.world_mut())? {
+                cycle(&mut runner)?;
+            }
+            world = runner.into_parts().1;
+        }
+    }
+    Ok(attempt.result(seed, &world))
+}
+
+/// Runs one cycle.
+///
+/// # Errors
+/// If the goalkeeper refuses an image.
+pub fn cycle<Q: Requests, O: Observer<Keeper>>(
+    runner: &mut Runner<Box<Keeper>, KinematicWorld, Q, O>,
+) -> Result<(), Failure> {
+    let too_large = |error: FrameTooLarge| Failure::new(error.to_string(), "choose a smaller image");
+    runner.cycle().map(drop).map_err(too_large)
+}
+
+/// Command of a robot that stands still.
+fn stand() -> Command {
+    Command { targets: Nao::STAND, stiffness: Joints::all(1.0), lights: Lights::default(), camera: CameraId::Top }
+}
+
+fn refused(error: &SetupError) -> Failure {
+    Failure::new(error.to_string(), "choose another seed")
+}
+
+/// A shot in progress.
+#[derive(Clone, Copy, Debug)]
+pub struct Attempt {
+    shot: Shot,
+    /// Time of the kick since the start of the world.
+    kick: Duration,
+    is_kicked: bool,
+}
+
+impl Attempt {
+    /// Begins a shot; the ball rests where it begins.
+    #[must_use]
+    pub fn new(shot: Shot, now: Duration) -> Self {
+        Self { shot, kick: now + shot.rest, is_kicked: false }
+    }
+
+    /// Kicks the ball when its time has come. Returns whether the shot goes on. To be called before each cycle.
+    ///
+    /// # Errors
+    /// If the world refuses the velocity.
+    pub fn advance(&mut self, world: &mut KinematicWorld) -> Result<bool, Failure> {
+        if !self.is_kicked && world.now() >= self.kick {
+            self.is_kicked = true;
+            world.set_ball(self.shot.from, self.shot.velocity()).map_err(|error| refused(&error))?;
+        }
+        let end = self.goal(world).map_or(self.kick + AFTER, |goal| goal + AFTER_GOAL);
+        Ok(world.now() < end)
+    }
+
+    /// Time of the goal, if the ball was let in.
+    fn goal(&self, world: &KinematicWorld) -> Option<Duration> {
+        let events = world.referee().events().iter();
+        events.filter(|timed| timed.at >= self.kick && timed.event == Event::OwnGoal).map(|timed| timed.at).next()
+    }
+
+    /// What has become of the shot.
+    #[must_use]
+    pub fn result(&self, seed: u64, world: &KinematicWorld) -> ShotResult {
+        let let_in = self.goal(world).is_some();
+        let away = !let_in && world.referee().ball().distance(GOAL) > AWAY;
+        ShotResult { seed, let_in, away, falls: world.referee().falls() }
+    }
+}

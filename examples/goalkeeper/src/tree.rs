@@ -1,0 +1,62 @@
+//! The activation tree of the goalkeeper, its sensors and its command.
+
+use bica::prelude::*;
+use bica::runner::Robot;
+use bica_motion::robot::{Command, Lights, Sensors};
+use bica_player::behaviour::{FaceBall, Fixmove, FollowBall, SafetyGuard, SearchBall};
+use bica_player::input::{CameraInput, Colours, FrameTooLarge, HealthMonitor, RobotProfile, RobotState};
+use bica_player::motion::{Body, GoStraight, Head, Kicker, Turn, Walk};
+use bica_player::output::{CameraSelector, Motors};
+use bica_player::perception::{
+    BallDetector, CameraPose, FallDetector, FieldBoundary, FieldLines, GoalDetector, Localization, Odometry, OwnBody,
+    RobotDetector,
+};
+
+use crate::Goalkeeper;
+use crate::skills::{BallPath, Dive, FieldPose, GuardPost};
+
+activation_tree! {
+    /// A goalkeeper: stands in its goal, watches the ball, blocks it and kicks it away.
+    pub struct Keeper {
+        root: Goalkeeper,
+        cycle_hz: 100,
+        budget_ms: 200,
+        tunable,
+        components: [
+            Goalkeeper,
+            SearchBall, FollowBall, Fixmove, SafetyGuard, FaceBall,
+            BallPath, FieldPose, GuardPost, Dive,
+            Body, GoStraight, Turn, Walk, Kicker, Head,
+            Localization, BallDetector, GoalDetector, FieldLines, RobotDetector, FieldBoundary, OwnBody, CameraPose, Odometry,
+            FallDetector,
+            CameraInput, Colours, RobotState, HealthMonitor, RobotProfile,
+            Motors, CameraSelector,
+        ],
+    }
+}
+
+impl Robot for Keeper {
+    type Sensors<'a> = Sensors<'a>;
+    type Command = Command;
+    type Error = FrameTooLarge;
+
+    fn sense(&mut self, sensors: &Sensors<'_>) -> Result<(), FrameTooLarge> {
+        let commanded = *self.get::<Motors>().commanded();
+        self.get_mut::<RobotState>().measure(sensors, &commanded);
+        self.get_mut::<HealthMonitor>().check(sensors, &commanded);
+        let Some(image) = &sensors.image else { return Ok(()) };
+        let angles = *self.get::<RobotState>().angles();
+        self.get_mut::<CameraInput>().receive(image, &angles)
+    }
+
+    fn act(&mut self) -> Command {
+        let stiffness = self.get::<HealthMonitor>().derated(self.get::<Motors>().stiffness());
+        let commanded = *self.get_mut::<Motors>().command(stiffness);
+        Command {
+            targets: commanded.targets,
+            stiffness: commanded.stiffness,
+            lights: Lights::default(),
+            camera: self.get::<CameraSelector>().selected(),
+        }
+    }
+}

@@ -1,0 +1,28 @@
+//! Series of shots.
+
+use goalkeeper::cli::FRAME;
+use goalkeeper::shots::{Plan, Robot};
+
+#[test]
+fn a_series_has_equal_results_each_time() {
+    let plan = Plan { seed: 4000, shots: 2, ..Plan::default() };
+    let play = || plan.play(Robot::Goalkeeper(&[]), FRAME).expect("valid shots");
+    let first = play();
+    assert_eq!(first, play());
+    assert_eq!(first.iter().map(|result| result.seed).collect::<Vec<_>>(), [4000, 4001]);
+}
+
+#[test]
+#[ignore = "slow: CI plays 100 shots"]
+fn slow_the_goalkeeper_lets_in_at_most_half_of_the_shots_that_an_idle_robot_lets_in() {
+    let plan = Plan::default();
+    assert_eq!((plan.seed, plan.shots), (0, 100));
+    let let_in = |robot| {
+        let results = plan.play(robot, FRAME).expect("valid shots");
+        assert_eq!(results.len(), 100);
+        results.iter().filter(|result| result.let_in).count()
+    };
+    let (idle, goalkeeper) = (let_in(Robot::Idle), let_in(Robot::Goalkeeper(&[])));
+    assert!(idle >= 60, "the shots are too easy: an idle robot lets in {idle}");
+    assert!(2 * goalkeeper <= idle, "the goalkeeper lets in {goalkeeper}, an idle robot {idle}");
+}

@@ -1,0 +1,21 @@
+// What is selected in the designer, as fields.
+
+import { html } from '../lib/dom.js';
+import { Empty } from '../lib/ui.js';
+import { ArrowFields } from '../vicode/inspector/arrow.js';
+import { ComponentFields } from '../vicode/inspector/component.js';
+import { StateFields } from '../vicode/inspector/state.js';
+import { chosen, locked, machine, opened, refusal, selection } from '../vicode/sources.js';
+
+export function Inspector() {
+  const own = machine.value;
+  if (!opened.value || !own) return html`<${Empty} what="Nothing is selected" help="Open a component, then click a state or a transition." />`;
+  const one = chosen.value;
+  const several = selection.value.length;
+  return html`<article class="tab inspector" key=${one?.key ?? own.name}>
+    ${refusal.value && html`<p class="refusal" role="alert"><b>${refusal.value.text}</b> ${refusal.value.help} <button class="small" aria-label="Dismiss" onClick=${() => { refusal.value = null; }}>×</button></p>`}
+    ${locked.value && html`<p class="warn">${locked.value}</p>`}
+    ${several > 1 && html`<p class="dim">${several} are selected; this is the last one.</p>`}
+    ${one ? ('sources' in one ? html`<${ArrowFields} arrow=${one} machine=${own} />` : html`<${StateFields} state=${one} machine=${own} />`) : html`<${ComponentFields} machine=${own} />`}
+  </article>`;
+}

@@ -1,0 +1,102 @@
+// The designer: a component's states and transitions, drawn and edited.
+
+import { effect, html, useEffect, useLayoutEffect, useMemo, useRef, useSignal } from '../lib/dom.js';
+import { hello, session, watch } from '../lib/store.js';
+import { Empty } from '../lib/ui.js';
+import { NameField, naming } from '../vicode/ask.js';
+import { Drawn, Tips } from '../vicode/canvas/drawn.js';
+import { bindCanvasKeys } from '../vicode/canvas/keys.js';
+import { Minimap } from '../vicode/canvas/minimap.js';
+import { band, doubleClick, press, sketch, target, wheel } from '../vicode/canvas/pointer.js';
+import { stage } from '../vicode/canvas/stage.js';
+import { Conflict } from '../vicode/conflict.js';
+import { Footer, Tools } from '../vicode/frame.js';
+import { writeLive } from '../vicode/live.js';
+import { marked } from '../vicode/problems.js';
+import { component, list, machine, opened, selection } from '../vicode/sources.js';
+import { place, stopKeys } from '../vicode/stops.js';
+
+const { view } = stage;
+/** Number of arrows above which those of other states fade while something is selected. */
+const MANY = 24;
+
+export function Designer({ visible, retitle }) {
+  const search = useSignal('');
+  const name = component.value;
+  useEffect(() => {
+    if (name && opened.value) retitle(name);
+  }, [name, opened.value?.file]);
+  useEffect(() => (visible.value ? bindCanvasKeys() : undefined), [visible.value]);
+  if (hello.value && !hello.value.source) return html`<${Empty} what="No folder of sources is open" help="Start the program with --source FOLDER to draw and edit the state machines in it." />`;
+  const own = machine.value;
+  return html`<${Tools} search=${search} />
+    ${opened.value?.conflict ? html`<${Conflict} />` : own ? html`<${Canvas} machine=${own} search=${search} visible=${visible} />`
+      : html`<${Empty} what=${opened.value ? `${opened.value.file} has no component` : 'No component is open'} help=${opened.value ? 'Its mistakes are listed below; the text is in the code panel.' : list.value?.length === 0 ? 'There is none below the folder of --source. Press “New…” for the first one.' : 'Choose one in Sources, or press “New…”.'} />`}
+    <${Footer} />`;
+}
+
+function Canvas({ machine: own, search, visible }) {
+  const svg = useRef(null);
+  const layer = useRef(null);
+  const { positions } = opened.value;
+  // Drawn from the machine and the places; kept while only the selection changes.
+  useMemo(() => stage.take(own, positions), [own, positions]);
+  const chosen = new Set(selection.value);
+  const text = search.value.trim().toLowerCase();
+  const found = (name) => (text === '' ? null : name.toLowerCase().includes(text));
+  const shown = `${opened.value.file} ${own.name}`;
+
+  useLayoutEffect(() => {
+    view.attach(svg.current, layer.current);
+    const observer = new ResizeObserver(() => (view.whole ? view.fit(stage.all()) : view.apply()));
+    observer.observe(svg.current);
+    const onWheel = (event) => wheel(event);
+    svg.current.addEventListener('wheel', onWheel, { passive: false });
+    const { current } = svg;
+    return () => {
+      observer.disconnect();
+      current.removeEventListener('wheel', onWheel);
+    };
+  }, []);
+  useLayoutEffect(() => view.fit(stage.all()), [shown]);
+  useLayoutEffect(() => {
+    stage.collect(layer.current);
+    svg.current.classList.toggle('small', view.small);
+    writeLive();
+    for (const [key, element] of stage.elements) {
+      element.classList.toggle('wrong', marked.value.get(key) === 'error');
+      element.classList.toggle('warned', marked.value.get(key) === 'warning');
+    }
+  });
+  // The focus goes with the selection: keys are for what has the focus.
+  useEffect(() => {
+    const active = document.activeElement;
+    const key = selection.value.at(-1);
+    if (key && svg.current.contains(active) && !chosen.has(active.dataset.key)) stage.elements.get(key)?.focus({ preventScroll: true });
+  }, [selection.value]);
+  useEffect(() => effect(() => visible.value && writeLive()), []);
+  useEffect(() => effect(() => {
+    for (const [key, element] of stage.elements) element.classList.toggle('target', key === `s:${target.value}`);
+  }), []);
+  const index = place.value;
+  useEffect(() => (visible.value && index >= 0 ? watch({ conditions: own.arrows.length > 0 ? [index] : [] }) : undefined), [visible.value, index, session.value?.id]);
+
+  return html`<div class="machine-canvas fill">
+    <svg class=${`machine ${own.arrows.length > MANY && selection.value.length > 0 ? 'many' : ''}`} ref=${svg} tabindex="0" role="group" aria-label=${`States of ${own.name}`} onPointerDown=${press} onDblClick=${doubleClick}>
+      <${Tips} /><rect class="grid" width="100%" height="100%" fill="url(#grid)" />
+      <g ref=${layer} data-layer="1"><${Drawn} ...${{ machine: own, chosen, found, stops: stopKeys.value }} /><${Sketch} /></g>
+    </svg>
+    ${own.states.length === 0 && html`<${Blank} machine=${own} />`}
+    <${NameField} view=${view} /><${Minimap} chosen=${chosen} />
+    ${(own.start.length > 0 || own.stop.length > 0) && html`<p class="whole-hooks">${[...own.start, ...own.stop].map((hook) => html`<span><em>${hook.role}</em> / ${hook.function.name.text}</span>`)}</p>`}
+    <div class="zoom" role="group" aria-label="Zoom"><button aria-label="Zoom in" onClick=${() => view.zoom(1.25)}>+</button><button aria-label="Zoom out" onClick=${() => view.zoom(0.8)}>−</button><button title="Show the whole machine (f)" onClick=${() => view.fit(stage.all())}>Fit</button></div>
+  </div>`;
+}
+
+const Blank = ({ machine: own }) => (naming.value ? null : html`<p class="blank dim">${own.step
+  ? html`<b>${own.name}</b> has no states: its function <code>step</code> runs in each of its cycles. The code is in the code panel.`
+  : html`<b>${own.name}</b> has no states yet. Double-click here, or press <kbd>a</kbd>, to add the first one.`}</p>`);
+
+function Sketch() {
+  return html`${sketch.value && html`<path class="sketch" d=${sketch.value} marker-end="url(#tip-chosen)" />`}${band.value && html`<rect class="band" ...${band.value} />`}`;
+}

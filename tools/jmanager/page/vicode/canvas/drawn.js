@@ -1,0 +1,84 @@
+// States and transitions as elements of the drawing.
+
+import { html } from '../../lib/dom.js';
+import { WIDTH } from './boxes.js';
+import { stage, timerText } from './stage.js';
+
+const KIND = { requirement: 'reads', modulation: 'writes', rate: 'sets the rate of' };
+
+/** What was drawn last, by key. The same object tells Preact that nothing has to be compared. */
+let kept = new Map();
+
+function keep(next, key, facts, make) {
+  const signature = JSON.stringify(facts);
+  const known = kept.get(key);
+  const one = known?.signature === signature ? known : { signature, drawn: make() };
+  next.set(key, one);
+  return one.drawn;
+}
+
+const facts = ({ function: _, ...one }) => one;
+
+/** All arrows, then all states: states lie above. */
+export function Drawn({ machine, chosen, found, stops }) {
+  const near = ({ from, to, any }) => chosen.has(`s:${to}`) || (!any && chosen.has(`s:${from}`));
+  const next = new Map();
+  const flagsOf = ({ key, name }) => ({ chosen: chosen.has(key), found: found(name), stop: stops.has(key) });
+  const arrows = machine.arrows.map((arrow) => {
+    const { d, label } = stage.courses.get(arrow.key);
+    const all = { ...flagsOf(arrow), near: near(arrow) };
+    return keep(next, arrow.key, [facts(arrow), d, label, all], () => html`<${Arrow} key=${arrow.key} arrow=${arrow} ...${all} />`);
+  });
+  const states = machine.states.map((state) => {
+    const { x, y } = stage.boxes.get(state.name);
+    const all = flagsOf(state);
+    return keep(next, state.key, [facts(state), x, y, all], () => html`<${State} key=${state.key} state=${state} ...${all} />`);
+  });
+  kept = next;
+  return html`<g class="arrows">${arrows}</g><g class="states">${states}</g>`;
+}
+
+const flags = (...all) => all.filter(Boolean).join(' ');
+const mark = (found) => (found === null ? '' : found ? 'found' : 'other');
+
+function Arrow({ arrow, chosen, near, found, stop }) {
+  const course = stage.courses.get(arrow.key);
+  const timer = timerText(arrow.after_ms);
+  const name = `Transition ${arrow.name}: ${arrow.any ? 'any state' : arrow.from} to ${arrow.to}${timer && `, ${timer}`}`;
+  return html`<g class=${flags('arrow', chosen && 'chosen', near && 'near', mark(found), arrow.any && 'any', arrow.after_ms !== null && 'timed', stop && 'stopped')} data-key=${arrow.key}
+      role="button" tabindex="0" aria-label=${name} aria-pressed=${chosen}>
+    <path class="hit" d=${course.d} /><path class="line" d=${course.d} marker-end=${`url(#tip${chosen ? '-chosen' : ''})`} />
+    <circle class="stop" r="5" cx=${course.start[0]} cy=${course.start[1]} />
+    <g class="label" transform=${`translate(${course.label[0].toFixed(1)} ${course.label[1].toFixed(1)})`} text-anchor=${course.anchor}>
+      <title>${arrow.docs || name}</title>
+      <text y="4">${arrow.any && html`<tspan class="dim">any · </tspan>`}${arrow.name}${timer && html`<tspan class="timer" dx="4">${timer}</tspan>`}</text>
+      <text class="live" y="17"></text></g></g>`;
+}
+
+function State({ state, chosen, found, stop }) {
+  const { x, y, height, box } = stage.boxes.get(state.name);
+  const told = [state.initial && 'initial', state.last && 'last', ...state.hooks.map((hook) => `${hook.role} hook ${hook.name}`), ...state.children.map(({ kind, child }) => `${KIND[kind]} ${child}`)].filter(Boolean).join(', ');
+  return html`<g class=${flags('box', chosen && 'chosen', mark(found), state.initial && 'initial', state.last && 'last', stop && 'stopped')} data-key=${state.key} data-state=${state.name}
+      transform=${`translate(${x - WIDTH / 2} ${y - height / 2})`} role="button" tabindex="0" aria-label=${`State ${state.name}`} aria-description=${told} aria-pressed=${chosen}>
+    <title>${state.docs || state.name}</title>
+    ${state.initial && html`<circle class="begin" cx="-34" cy="20" r="6" /><path class="line" d="M-28 20L-7 20" marker-end="url(#tip)" />`}
+    <rect class="body" width=${WIDTH} height=${height} rx="9" />
+    ${state.last && html`<rect class="inner" x="3.5" y="3.5" width=${WIDTH - 7} height=${height - 7} rx="6" />`}
+    <circle class="stop" cx="12" cy="17" r="5"><title>Breakpoint (b)</title></circle>
+    <text class="name" x="24" y="21">${state.name}</text>
+    <text class="live" x=${WIDTH - 10} y="21" text-anchor="end">${state.initial ? 'initial' : state.last ? 'last' : ''}</text>
+    ${box.docs && html`<text class="docs" x="10" y=${box.docs.y}>${box.docs.text}</text>`}
+    ${box.hooks.map((hook) => html`<text class="hook" x="10" y=${hook.y}>${hook.text}</text>`)}
+    ${box.chips.map((chip) => html`<g class=${`link-chip ${chip.kind}`} data-child=${chip.child} transform=${`translate(${chip.x} ${chip.y})`}>
+      <title>${`${state.name} ${KIND[chip.kind]} ${chip.child}`}</title>
+      <rect width=${chip.width} height=${chip.height} rx="10" /><text x=${chip.width / 2} y="14" text-anchor="middle">${chip.text}</text></g>`)}
+    ${['0 0.5', '1 0.5', '0.5 0', '0.5 1'].map((at) => {
+      const [px, py] = at.split(' ').map(Number);
+      return html`<circle class="handle" cx=${px * WIDTH} cy=${py * height} r="6"><title>Drag to draw a transition</title></circle>`;
+    })}</g>`;
+}
+
+/** Arrow heads. */
+export const Tips = () => html`<defs>
+  ${['', '-chosen', '-live'].map((kind) => html`<marker id=${`tip${kind}`} class=${`tip${kind}`} viewBox="0 0 10 10" refX="8" refY="5" markerWidth="9" markerHeight="9" markerUnits="userSpaceOnUse" orient="auto-start-reverse"><path d="M0 0.5L10 5L0 9.5z" /></marker>`)}
+  <pattern id="grid" width="24" height="24" patternUnits="userSpaceOnUse"><circle cx="1" cy="1" r="1" /></pattern></defs>`;

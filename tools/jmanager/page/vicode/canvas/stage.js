@@ -1,0 +1,139 @@
+// What is drawn where: boxes of states and courses of arrows, and their elements while something is dragged.
+
+import { WIDTH, boxOf, widthOf } from './boxes.js';
+import { courseOf, lanes } from './arrows.js';
+import { View } from './view.js';
+
+/** Places on a curve where its name may stand, the best first. */
+const ALONG = [0.5, 0.42, 0.58, 0.34, 0.66, 0.27, 0.73];
+
+const overlap = (a, b) => Math.max(0, Math.min(a.right, b.right) - Math.max(a.left, b.left)) * Math.max(0, Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top));
+const along = ({ start: a, control: c, end: b }, t) => [(1 - t) ** 2 * a[0] + 2 * t * (1 - t) * c[0] + t * t * b[0], (1 - t) ** 2 * a[1] + 2 * t * (1 - t) * c[1] + t * t * b[1]];
+const boxRect = ({ x, y, height }) => ({ left: x - WIDTH / 2, right: x + WIDTH / 2, top: y - height / 2, bottom: y + height / 2 });
+
+/** A timer as it is written at an arrow. */
+export const timerText = (ms) => (ms === null ? '' : ms % 1000 === 0 ? `after ${ms / 1000} s` : `after ${ms} ms`);
+
+class Stage {
+  constructor() {
+    this.view = new View();
+    this.boxes = new Map();
+    this.courses = new Map();
+    this.clear();
+  }
+
+  clear() {
+    Object.assign(this, { machine: null, arrows: [], lanes: new Map(), elements: new Map() });
+    this.boxes.clear();
+    this.courses.clear();
+  }
+
+  /** Takes a machine and the centres of its states. */
+  take(machine, positions) {
+    const places = new Map(positions.filter((one) => one.component === machine.name).map((one) => [one.state, one]));
+    this.machine = machine;
+    this.boxes = new Map(machine.states.map((state, index) => {
+      const { x, y } = places.get(state.name) ?? this.boxes.get(state.name) ?? { x: 110 + (index % 4) * 290, y: 110 + Math.floor(index / 4) * 160 };
+      const box = boxOf(state);
+      return [state.name, { name: state.name, x, y, height: box.height, box }];
+    }));
+    this.arrows = machine.arrows;
+    this.lanes = lanes(machine.arrows);
+    this.courses = new Map();
+    const all = [...this.boxes.values()];
+    for (const arrow of this.arrows) this.courses.set(arrow.key, this.course(arrow, all));
+    this.placeLabels(all);
+  }
+
+  course(arrow, all) {
+    return courseOf(arrow, this.lanes.get(arrow.key), (name) => this.boxes.get(name), all);
+  }
+
+  /** Puts names where they cover neither boxes nor each other. */
+  placeLabels(all) {
+    const taken = all.map(boxRect);
+    for (const arrow of this.arrows) {
+      const course = this.courses.get(arrow.key);
+      const timer = timerText(arrow.after_ms);
+      const width = widthOf(arrow.name, 11.5) + (timer ? widthOf(` ${timer}`, 10.5) : 0) + 8;
+      const rect = ([x, y]) => (course.anchor === 'start' ? { left: x, right: x + width, top: y - 9, bottom: y + 9 } : { left: x - width / 2, right: x + width / 2, top: y - 9, bottom: y + 9 });
+      if (course.control) {
+        let least = Infinity;
+        for (const t of ALONG) {
+          const area = rect(along(course, t));
+          const cost = taken.reduce((sum, one) => sum + overlap(area, one), 0);
+          if (cost < least) [least, course.t] = [cost, t];
+          if (cost === 0) break;
+        }
+        course.label = along(course, course.t);
+      }
+      taken.push(rect(course.label));
+    }
+  }
+
+  /** Finds the elements that a rendering made. */
+  collect(layer) {
+    this.elements = new Map([...layer.querySelectorAll('[data-key]')].map((element) => [element.dataset.key, element]));
+  }
+
+  /** Moves boxes in the drawing only: {name: [x, y]}. */
+  drag(places) {
+    const all = [...this.boxes.values()];
+    for (const [name, [x, y]] of Object.entries(places)) {
+      const box = this.boxes.get(name);
+      [box.x, box.y] = [x, y];
+      this.elements.get(`s:${name}`)?.setAttribute('transform', `translate(${x - WIDTH / 2} ${y - box.height / 2})`);
+    }
+    for (const arrow of this.arrows) {
+      if (!(arrow.from in places) && !(arrow.to in places)) continue;
+      const { t = 0.5 } = this.courses.get(arrow.key);
+      const course = this.course(arrow, all);
+      if (course.control) course.label = along(course, (course.t = t));
+      this.courses.set(arrow.key, course);
+      writeArrow(this.elements.get(arrow.key), course);
+    }
+  }
+
+  all() {
+    return [...this.boxes.values()];
+  }
+
+  /** The state under a point of the drawing. */
+  at([x, y], margin = 0) {
+    return this.all().findLast((box) => Math.abs(x - box.x) <= WIDTH / 2 + margin && Math.abs(y - box.y) <= box.height / 2 + margin) ?? null;
+  }
+
+  /** Names of the states within a rectangle of two points. */
+  within([ax, ay], [bx, by]) {
+    const area = { left: Math.min(ax, bx), right: Math.max(ax, bx), top: Math.min(ay, by), bottom: Math.max(ay, by) };
+    return this.all().filter((box) => overlap(area, boxRect(box)) > 0).map(({ name }) => name);
+  }
+
+  /** The next state in a direction, 'ArrowLeft' and so on; null if there is none. */
+  next(name, key) {
+    const from = this.boxes.get(name);
+    const [ux, uy] = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] }[key];
+    let best = null;
+    for (const box of this.all()) {
+      const [dx, dy] = [box.x - from.x, box.y - from.y];
+      const ahead = dx * ux + dy * uy;
+      const aside = Math.abs(dx * uy) + Math.abs(dy * ux);
+      const cost = ahead + 2 * aside;
+      if (box !== from && ahead > 10 && (!best || cost < best.cost)) best = { name: box.name, cost };
+    }
+    return best?.name ?? null;
+  }
+}
+
+function writeArrow(element, { d, label, start }) {
+  if (!element) return;
+  const [hit, line, dot] = element.children;
+  hit.setAttribute('d', d);
+  line.setAttribute('d', d);
+  dot.setAttribute('cx', start[0]);
+  dot.setAttribute('cy', start[1]);
+  element.lastElementChild.setAttribute('transform', `translate(${label[0].toFixed(1)} ${label[1].toFixed(1)})`);
+}
+
+/** The stage of the canvas; there is one canvas on a page. */
+export const stage = new Stage();

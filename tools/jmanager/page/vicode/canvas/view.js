@@ -1,0 +1,91 @@
+// Pan and zoom of the canvas: a transformation that is written to the drawing directly, without a new rendering.
+
+import { bounds } from './boxes.js';
+
+const [SMALLEST, LARGEST] = [0.08, 3];
+/** Scale below which only names are drawn, larger. */
+const SMALL = 0.42;
+
+export class View {
+  constructor() {
+    /** Points of the window = points of the drawing × k + (x, y). */
+    Object.assign(this, { x: 0, y: 0, k: 1, svg: null, layer: null, listeners: new Set() });
+    /** Whether the whole machine is kept in view. */
+    this.whole = true;
+  }
+
+  attach(svg, layer) {
+    this.svg = svg;
+    this.layer = layer;
+    this.apply();
+  }
+
+  apply() {
+    this.layer?.setAttribute('transform', `translate(${this.x.toFixed(2)} ${this.y.toFixed(2)}) scale(${this.k.toFixed(4)})`);
+    this.svg?.classList.toggle('small', this.small);
+    for (const listener of this.listeners) listener();
+  }
+
+  get small() {
+    return this.k < SMALL;
+  }
+
+  /** The point of the drawing under the pointer. */
+  point({ clientX, clientY }) {
+    const { left, top } = this.svg.getBoundingClientRect();
+    return [(clientX - left - this.x) / this.k, (clientY - top - this.y) / this.k];
+  }
+
+  /** The point of the window, relative to the canvas, of a point of the drawing. */
+  place([x, y]) {
+    return [x * this.k + this.x, y * this.k + this.y];
+  }
+
+  pan(dx, dy) {
+    this.whole = false;
+    this.x += dx;
+    this.y += dy;
+    this.apply();
+  }
+
+  /** Zooms around a point of the window, relative to the canvas; else around its middle. */
+  zoom(factor, x = this.svg.clientWidth / 2, y = this.svg.clientHeight / 2) {
+    this.whole = false;
+    const k = Math.min(Math.max(this.k * factor, SMALLEST), LARGEST);
+    this.x = x - (x - this.x) * (k / this.k);
+    this.y = y - (y - this.y) * (k / this.k);
+    this.k = k;
+    this.apply();
+  }
+
+  /** Shows all boxes, not larger than they are drawn. */
+  fit(boxes, largest = 1.15) {
+    const { clientWidth: width, clientHeight: height } = this.svg ?? {};
+    if (!width || !height) return;
+    const all = bounds(boxes);
+    this.k = Math.min(Math.max(Math.min(width / all.width, height / all.height), SMALLEST), largest);
+    this.x = (width - all.width * this.k) / 2 - all.x * this.k;
+    this.y = (height - all.height * this.k) / 2 - all.y * this.k;
+    this.whole = true;
+    this.apply();
+  }
+
+  /** Moves a box into view if it is not. */
+  reveal({ x, y, height }) {
+    const [px, py] = this.place([x, y]);
+    const margin = 70;
+    const { clientWidth, clientHeight } = this.svg;
+    const dx = px < margin * 1.6 ? margin * 1.6 - px : px > clientWidth - margin * 1.6 ? clientWidth - margin * 1.6 - px : 0;
+    const half = (height / 2) * this.k + 20;
+    const dy = py < half ? half - py : py > clientHeight - half ? clientHeight - half - py : 0;
+    if (dx || dy) this.pan(dx, dy);
+  }
+
+  /** Centres a point of the drawing. */
+  centre(x, y) {
+    this.whole = false;
+    this.x = this.svg.clientWidth / 2 - x * this.k;
+    this.y = this.svg.clientHeight / 2 - y * this.k;
+    this.apply();
+  }
+}

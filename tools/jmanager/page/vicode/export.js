@@ -1,0 +1,60 @@
+// The drawing as a file: SVG with its colours in it, and PNG.
+
+import { notify } from '../lib/store.js';
+import { css } from '../lib/theme.js';
+import { download } from '../lib/ui.js';
+import { bounds } from './canvas/boxes.js';
+import { stage } from './canvas/stage.js';
+import { component } from './sources.js';
+
+const WRITTEN = ['fill', 'fill-opacity', 'stroke', 'stroke-width', 'stroke-dasharray', 'stroke-opacity', 'font-size', 'font-weight', 'font-family', 'opacity', 'text-anchor', 'paint-order'];
+const HIDDEN = '.hit, .handle, .stop, .live, title';
+
+/** The drawing as text: without what only serves the mouse. */
+function drawing() {
+  const area = bounds(stage.all(), 90);
+  const original = stage.view.svg;
+  const clone = original.cloneNode(true);
+  const sources = [...original.querySelectorAll('*')];
+  [...clone.querySelectorAll('*')].forEach((element, index) => {
+    const style = getComputedStyle(sources[index]);
+    for (const name of WRITTEN) {
+      const value = style.getPropertyValue(name);
+      if (value) element.setAttribute(name, value);
+    }
+  });
+  clone.querySelectorAll(`${HIDDEN}, .grid, .band, .sketch`).forEach((element) => element.remove());
+  clone.querySelectorAll('[class]').forEach((element) => element.removeAttribute('class'));
+  clone.querySelector('[data-layer]').removeAttribute('transform');
+  const set = { xmlns: 'http://www.w3.org/2000/svg', viewBox: `${area.x} ${area.y} ${area.width} ${area.height}`, width: area.width, height: area.height };
+  for (const [name, value] of Object.entries(set)) clone.setAttribute(name, value);
+  const ground = document.createElementNS('http://www.w3.org/2000/svg', 'rect');
+  for (const [name, value] of Object.entries({ x: area.x, y: area.y, width: area.width, height: area.height, fill: css('--panel') })) ground.setAttribute(name, value);
+  clone.prepend(ground);
+  return { text: new XMLSerializer().serializeToString(clone), ...area };
+}
+
+export function saveSvg() {
+  download(`${component.value}.svg`, new Blob([drawing().text], { type: 'image/svg+xml' }));
+}
+
+export async function savePng() {
+  const { text, width, height } = drawing();
+  const scale = Math.min(2, 8000 / Math.max(width, height));
+  const image = new Image();
+  const url = URL.createObjectURL(new Blob([text], { type: 'image/svg+xml' }));
+  try {
+    await new Promise((resolve, reject) => {
+      image.onload = resolve;
+      image.onerror = () => reject(new Error('the drawing cannot be read as a picture'));
+      image.src = url;
+    });
+    const canvas = new OffscreenCanvas(Math.ceil(width * scale), Math.ceil(height * scale));
+    canvas.getContext('2d').drawImage(image, 0, 0, canvas.width, canvas.height);
+    download(`${component.value}.png`, await canvas.convertToBlob({ type: 'image/png' }));
+  } catch (error) {
+    notify('error', String(error.message ?? error), 'save it as SVG');
+  } finally {
+    URL.revokeObjectURL(url);
+  }
+}

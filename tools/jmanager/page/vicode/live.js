@@ -1,0 +1,109 @@
+// The machine as it runs: the lit state, its time, conditions, timers and counts, written to the elements of the canvas.
+
+import { signal } from '../lib/dom.js';
+import { listen } from '../lib/connection.js';
+import { duration } from '../lib/format.js';
+import { session } from '../lib/store.js';
+import { stage } from './canvas/stage.js';
+import { machine } from './sources.js';
+import { hit, place } from './stops.js';
+
+/** Times that each way was taken, by session: Map from `component:from:to`. */
+const counts = new Map();
+const last = new Map();
+const counted = signal(0);
+
+listen((message) => {
+  if (message?.type === 'described' || message?.type === 'closed') {
+    counts.delete(message.session);
+    last.delete(message.session);
+  } else if (message?.type === 'update') count(message);
+});
+
+function count({ session: id, changes, components }) {
+  if (!counts.has(id)) {
+    counts.set(id, new Map());
+    last.set(id, new Map(components.map((one, index) => [index, one[2]])));
+  }
+  const [ways, states] = [counts.get(id), last.get(id)];
+  for (const [component, , , state] of changes) {
+    const before = states.get(component);
+    if (state !== null && before !== state && before !== null && before !== undefined) {
+      const way = `${component}:${before}:${state}`;
+      ways.set(way, (ways.get(way) ?? 0) + 1);
+    }
+    states.set(component, state);
+  }
+  if (changes.length > 0) counted.value += 1;
+}
+
+const write = (element, text) => {
+  if (element && element.textContent !== text) element.textContent = text;
+};
+
+/** Writes what runs now; called by an effect and after each rendering. */
+export function writeLive() {
+  const shown = session.value;
+  const index = place.value;
+  const described = shown?.description.value?.components[index];
+  const now = described ? shown.moment.value?.components?.[index] : null;
+  const own = machine.value;
+  void counted.value;
+  if (!own) return;
+  const current = now && now[2] !== null && now[2] !== undefined ? described.states[now[2]]?.name : null;
+  for (const state of own.states) {
+    const element = stage.elements.get(state.key);
+    if (!element) continue;
+    const lit = state.name === current;
+    element.classList.toggle('lit', lit && Boolean(now[0]));
+    element.classList.toggle('resting', lit && !now[0]);
+    const still = state.initial ? 'initial' : state.last ? 'last' : '';
+    write(element.querySelector('text.live'), lit ? duration(Math.max(0, shown.moment.value.time_us - now[4])) : still);
+  }
+  writeArrows({ shown, index, described, now, current, own });
+  for (const element of stage.elements.values()) element.classList.toggle('hit', false);
+  if (hit.value && hit.value.session === shown?.id && hit.value.component === index) markHit(described);
+}
+
+function markHit(described) {
+  const { state = null, transition = null } = hit.value;
+  if (state !== null) stage.elements.get(`s:${described.states[state]?.name}`)?.classList.add('hit');
+  else {
+    const { name, from, to } = described.transitions[transition] ?? {};
+    const arrow = stage.arrows.find((one) => one.name === name && one.to === described.states[to]?.name && (one.any || one.from === described.states[from]?.name));
+    if (arrow) stage.elements.get(arrow.key)?.classList.add('hit');
+  }
+}
+
+function writeArrows({ shown, index, described, now, current, own }) {
+  const conditions = described ? shown.conditions_of(index).value?.conditions : null;
+  const ways = counts.get(shown?.id);
+  const stateAt = (name) => described.states.findIndex((one) => one.name === name);
+  for (const arrow of own.arrows) {
+    const element = stage.elements.get(arrow.key);
+    if (!element) continue;
+    const leaves = Boolean(now?.[0]) && current !== null && (arrow.any ? current !== arrow.to : arrow.from === current);
+    const number = leaves ? described.transitions.findIndex((one) => one.name === arrow.name && one.from === stateAt(current) && one.to === stateAt(arrow.to)) : -1;
+    const condition = number >= 0 ? conditions?.[number] : undefined;
+    element.classList.toggle('leaves', leaves);
+    element.classList.toggle('holds', condition?.holds === true);
+    element.classList.toggle('fails', condition?.holds === false);
+    write(element.querySelector('text.live'), textOf({ shown, condition, arrow, described, ways, index, stateAt }));
+  }
+}
+
+function textOf({ shown, condition, arrow, described, ways, index, stateAt }) {
+  const parts = [];
+  if (condition && condition.holds !== null) {
+    const since = shown.moment.value ? Math.max(0, shown.moment.value.time_us - condition.since_us) : null;
+    parts.push(`${condition.holds}${since !== null && condition.since_us > 0 ? ` for ${duration(since)}` : ''}`);
+  }
+  if (condition?.remaining_ms > 0) parts.push(`${(condition.remaining_ms / 1000).toFixed(1)} s left`);
+  if (described && ways && !arrow.any) {
+    const same = described.transitions.filter((one) => one.from === stateAt(arrow.from) && one.to === stateAt(arrow.to)).length;
+    const times = ways.get(`${index}:${stateAt(arrow.from)}:${stateAt(arrow.to)}`);
+    // Of several transitions between the same states it is not known which one was taken.
+    if (times) parts.push(same > 1 ? `${times}× all` : `${times}×`);
+  }
+  return parts.join(' · ');
+}

@@ -1,0 +1,283 @@
+// The store of VICODE: the open file, what is selected in it, and the requests that change it.
+
+import { batch, computed, effect, signal } from '../lib/dom.js';
+import { link, listen, request } from '../lib/connection.js';
+import { hello, notify } from '../lib/store.js';
+import { machineOf, parsed } from './machine.js';
+import { Offsets, spliced } from './offsets.js';
+
+/** Files of the folder: [{file, components: [{name, machine}], trees, problem}]. */
+export const list = signal(null);
+/** The open file as the server has it: {file, version, text, model, positions, saved, readonly, deleted, problem, conflict}. */
+export const opened = signal(null);
+/** Name of the component that is shown. */
+export const component = signal(null);
+/** Keys of what is selected, the last one at the end. */
+export const selection = signal([]);
+/** The last refusal of an edit: {text, help}. */
+export const refusal = signal(null);
+/** Time of the last change of the file by another program, ms; null if there was none. */
+export const editedOutside = signal(null);
+
+export const offsets = computed(() => new Offsets(opened.value?.text ?? ''));
+export const machine = computed(() => machineOf(opened.value?.model, component.value));
+/** What is selected last, as in the machine. */
+export const chosen = computed(() => machine.value?.byKey.get(selection.value.at(-1)) ?? null);
+/** Whether the file can be edited, and if not, why. */
+export const locked = computed(() => {
+  if (hello.value?.read_only) return 'This program lets pages only watch: start it without --read-only.';
+  if (opened.value?.conflict) return 'The file was changed on both sides: choose what to keep.';
+  if (opened.value?.readonly) return 'The file is read-only: change its permissions.';
+  return null;
+});
+
+/** Sends a request about sources. An error is shown. */
+export async function ask(type, fields = {}) {
+  try {
+    return (await request('source', { request: { type, ...fields } })) ?? null;
+  } catch (error) {
+    const { text = String(error), help = '' } = error;
+    if (type === 'edit_file') refusal.value = { text, help };
+    notify('error', text, help);
+    return undefined;
+  }
+}
+
+export async function readList() {
+  if (!hello.value?.source) return;
+  const files = await ask('sources');
+  if (files) list.value = files;
+}
+
+// ---- opening
+
+/** Opens a file and shows one of its components. */
+export async function open(file, name) {
+  await settle();
+  const before = opened.value;
+  component.value = name ?? component.value;
+  if (before?.file === file) {
+    choose([]);
+    return true;
+  }
+  if (before) ask('close_file', { file: before.file });
+  batch(() => {
+    opened.value = null;
+    selection.value = [];
+    steps = [];
+    undone = [];
+    editedOutside.value = null;
+  });
+  return (await ask('open_file', { file })) !== undefined;
+}
+
+/** Opens the file that has a component; says so if there is none. */
+export async function openByName(name) {
+  if (!list.value) await readList();
+  const file = list.value?.find((one) => one.components.some((each) => each.name.split('<')[0] === name));
+  if (!file) {
+    notify('error', `no source of ${name} was found`, hello.value?.source ? 'it is not below the folder of --source' : 'start the program with --source FOLDER');
+    return false;
+  }
+  return open(file.file, file.components.find((each) => each.name.split('<')[0] === name).name);
+}
+
+const KEY = 'vicode-open';
+
+/** Opens again what this tab of the browser showed before it was loaded anew. */
+function restore() {
+  try {
+    const { file, name } = JSON.parse(sessionStorage.getItem(KEY)) ?? {};
+    if (file && list.value?.some((one) => one.file === file)) open(file, name);
+  } catch {
+    // Nothing was remembered.
+  }
+}
+
+effect(() => {
+  if (!opened.value) return;
+  try {
+    sessionStorage.setItem(KEY, JSON.stringify({ file: opened.value.file, name: component.value }));
+  } catch {
+    // Without storage it is opened by hand.
+  }
+});
+
+/** Selects; what does not exist is left out. */
+export function choose(keys, add = false) {
+  const wished = add ? [...selection.value.filter((key) => !keys.includes(key)), ...keys] : keys;
+  selection.value = wished.filter((key) => machine.value?.byKey.has(key));
+}
+
+let wished = null;
+/** Selects as soon as it exists: what an edit is about to make. */
+export const wish = (keys) => { wished = keys; };
+
+export const chosenStates = () => selection.value.map(parsed).filter(({ kind }) => kind === 'state').map(({ name }) => name);
+
+// ---- editing
+
+/** What the code panel has to send first; it sets this. */
+let settle = async () => {};
+export const setSettle = (how) => { settle = how; };
+
+/** Applies edits as one step. Resolves to whether they were applied. */
+export async function edit(edits) {
+  if (locked.value) {
+    refusal.value = { text: locked.value, help: '' };
+    notify('error', locked.value);
+    return false;
+  }
+  await settle();
+  const { file, version } = opened.value;
+  refusal.value = null;
+  return (await ask('edit_file', { file, version, edits })) !== undefined;
+}
+
+/** Applies edits of the shown component, without its name in each. */
+export const change = (...edits) => edit(edits.map((one) => ({ component: component.value, ...one })));
+
+/** Replaces a part of the text; for the code panel. Rejects if it is refused. */
+export const replace = (file, version, edits) => request('source', { request: { type: 'edit_file', file, version, edits } });
+
+// ---- one history of text and places
+
+/** Steps of this page: {kind: 'text', typed, at} or {kind: 'move', before, after}. */
+let steps = [];
+let undone = [];
+/** Steps of typing that follow each other faster are undone together, ms. */
+const BURST = 700;
+
+function remember(step) {
+  steps = [...steps.slice(-999), step];
+  undone = [];
+}
+
+/** Typing goes on: the next change of the text is part of it. */
+let typing = false;
+export const setTyping = (on) => { typing = on; };
+
+const belongs = (step, before) => step.kind === 'text' && before?.kind === 'text' && step.typed && before.typed && step.at - before.at < BURST;
+
+async function back(from, to, type, side) {
+  await settle();
+  const { file } = opened.value ?? {};
+  if (!file || locked.value) return;
+  let step = from.at(-1);
+  if (!step) {
+    await ask(type, { file });
+    return;
+  }
+  for (;;) {
+    from.pop();
+    to.push(step);
+    const done = step.kind === 'move' ? await ask('move_states', { file, positions: step[side] }) : await ask(type, { file });
+    const next = from.at(-1);
+    const goesOn = next && (side === 'before' ? belongs(step, next) : belongs(next, step));
+    if (done === undefined || !goesOn) return;
+    step = next;
+  }
+}
+
+/** Keys that are pressed fast wait for each other. */
+let running = Promise.resolve();
+const inTurn = (work) => () => { running = running.then(work, work); };
+
+export const undo = inTurn(() => back(steps, undone, 'undo_file', 'before'));
+export const redo = inTurn(() => back(undone, steps, 'redo_file', 'after'));
+
+/** Moves states: {name: {x, y}}. Places of new ones can be undone with the edit that made them. */
+export async function move(places, own = true) {
+  const { file, positions } = opened.value;
+  const name = component.value;
+  const after = Object.entries(places).map(([state, { x, y }]) => ({ component: name, state, x: Math.round(x), y: Math.round(y) }));
+  const before = positions.filter((one) => one.component === name && places[one.state]).map(({ component: of, state, x, y }) => ({ component: of, state, x, y }));
+  const known = new Map(after.map((one) => [one.state, one]));
+  // Shown at once; the answer has the same.
+  opened.value = { ...opened.value, positions: positions.map((one) => (one.component === name && known.has(one.state) ? { ...one, ...known.get(one.state), placed: true } : one)) };
+  const done = await ask('move_states', { file, positions: after });
+  if (done !== undefined && own) remember({ kind: 'move', before, after });
+}
+
+/** Places all states of the component automatically. */
+export async function arrange() {
+  const { file, positions } = opened.value;
+  const name = component.value;
+  const plain = (all) => all.filter((one) => one.component === name).map(({ component: of, state, x, y }) => ({ component: of, state, x, y }));
+  const answer = await ask('arrange_states', { file, component: name });
+  if (answer) remember({ kind: 'move', before: plain(positions), after: plain(answer.positions) });
+}
+
+// ---- messages
+
+const watchers = [];
+/** Registers a receiver of changes of the text: ({message, before, text}). */
+export const onChange = (watcher) => watchers.push(watcher);
+
+function show(message) {
+  const { type, ...state } = message;
+  batch(() => {
+    opened.value = state;
+    if (!machineOf(state.model, component.value)) component.value = state.model.components[0]?.name.text ?? null;
+    selection.value = selection.value.filter((key) => machine.value?.byKey.has(key));
+    // Before any panel draws: places are those of the new text.
+    watchers.forEach((watcher) => watcher({ message, before: null, text: state.text }));
+  });
+}
+
+function changed(message) {
+  const before = opened.value;
+  if (before?.file !== message.file) return;
+  if (before.version !== message.from_version) {
+    ask('open_file', { file: message.file });
+    return;
+  }
+  const { type, splices, from_version: _, by, page, ...state } = message;
+  const text = spliced(before.text, splices);
+  const mine = page === hello.value?.page;
+  batch(() => {
+    opened.value = { ...before, ...state, text, model: state.model ?? before.model };
+    follow(before);
+    if (wished?.every((key) => machine.value?.byKey.has(key))) {
+      selection.value = wished;
+      wished = null;
+    }
+    if (splices.length > 0) watchers.forEach((watcher) => watcher({ message, before: before.text, text }));
+  });
+  if (by === 'file' && splices.length > 0) {
+    editedOutside.value = Date.now();
+    if (!message.conflict) notify('done', `${message.file} was edited outside; its changes are shown`);
+  }
+  if (splices.length > 0 && by !== 'undo') remember({ kind: 'text', typed: typing && mine, at: Date.now() });
+}
+
+/** Keeps the selection; what was renamed elsewhere is found at its place in the list. */
+function follow(before) {
+  const [old, now] = [machineOf(before.model, component.value), machine.value];
+  if (!now && old) {
+    const at = before.model.components.findIndex((one) => one.name.text === component.value);
+    component.value = opened.value.model.components[at]?.name.text ?? opened.value.model.components[0]?.name.text ?? null;
+    return;
+  }
+  const find = (key) => {
+    if (now.byKey.has(key)) return key;
+    const was = old?.byKey.get(key);
+    const which = was && 'sources' in was ? 'arrows' : 'states';
+    return old && old[which].length === now[which].length ? now[which][old[which].indexOf(was)]?.key : undefined;
+  };
+  const kept = selection.value.map(find).filter(Boolean);
+  if (kept.join() !== selection.value.join()) selection.value = kept;
+}
+
+listen((message) => {
+  if (message?.type === 'source') show(message);
+  else if (message?.type === 'source_changed') changed(message);
+  else if (message?.type === 'hello' && message.source) {
+    // After a lost connection the server does not know this page any more.
+    if (opened.value) ask('open_file', { file: opened.value.file });
+    readList().then(() => opened.value ?? restore());
+  }
+});
+
+/** Whether there is a connection. */
+export const online = computed(() => link.value === 'open');

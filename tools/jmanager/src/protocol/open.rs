@@ -1,0 +1,30 @@
+//! What a page can show.
+
+use serde::{Deserialize, Serialize};
+
+/// What to show.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(tag = "kind", rename_all = "snake_case", deny_unknown_fields)]
+pub enum Open {
+    /// A world in this process: `built-in`, `mujoco` or `firmware`.
+    World {
+        /// Name of the world.
+        world: String,
+        /// Seed.
+        seed: u64,
+        /// Number of other robots.
+        robots: usize,
+    },
+    /// A robot: `tcp://HOST:PORT` or `serial:DEVICE[@BAUD]`.
+    Robot {
+        /// Address.
+        address: String,
+    },
+    /// The images of the folder of labelled images: one in each second. They have no tree.
+    Images {},
+    /// A recording in the recordings folder.
+    Recording {
+        /// File name without folder.
+        name: String,
+    },
+}

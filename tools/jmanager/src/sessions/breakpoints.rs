@@ -1,0 +1,170 @@
+//! Breakpoints on states and transitions.
+
+use bica_link::Description;
+
+use super::history::{Change, States};
+use super::session::Session;
+use super::value::unknown;
+use crate::protocol::{Breakpoint, ComponentNow, Failed, Hit, LogKind, Reached, ToPage};
+
+/// Largest number of breakpoints of a session.
+const MAX_BREAKPOINTS: usize = 500;
+
+/// Whether a component is active, and its state.
+pub(super) type Activity = (bool, Option<u16>);
+
+/// A breakpoint that fits the tree of its session.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Place {
+    pub(super) breakpoint: Breakpoint,
+    reach: Reach,
+    /// What happens there, for people.
+    text: String,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Reach {
+    State(u16),
+    /// From one state to another.
+    Transition(u16, u16),
+}
+
+impl Place {
+    /// Finds a breakpoint in a tree.
+    fn find(breakpoint: Breakpoint, description: &Description) -> Result<Self, Failed> {
+        let Breakpoint { component, state, transition } = breakpoint;
+        let owner = description.components.get(component).ok_or_else(|| unknown("component", component))?;
+        let (reach, text) = match (state, transition) {
+            (Some(state), None) => {
+                let found = owner.states.get(state).ok_or_else(|| unknown("state", state))?;
+                (Reach::State(state as u16), format!("`{}` is in `{}`", owner.name, found.name))
+            }
+            (None, Some(transition)) => {
+                let found = owner.transitions.get(transition).ok_or_else(|| unknown("transition", transition))?;
+                if found.from == found.to {
+                    let what = format!("`{}` leads from a state to itself, which is not seen from outside", found.name);
+                    return Err(Failed::new(what, "set the breakpoint on another transition or a state"));
+                }
+                let text = format!("`{}` has taken `{}`", owner.name, found.name);
+                (Reach::Transition(found.from as u16, found.to as u16), text)
+            }
+            _ => {
+                let help = "name either a state or a transition";
+                return Err(Failed::new("a breakpoint has one of both, a state or a transition", help));
+            }
+        };
+        Ok(Self { breakpoint, reach, text })
+    }
+
+    /// Whether it is reached in a cycle.
+    pub(super) fn is_reached(&self, before: Activity, now: Activity) -> bool {
+        match self.reach {
+            Reach::State(state) => now == (true, Some(state)) && before != now,
+            Reach::Transition(from, to) => before == (true, Some(from)) && now == (true, Some(to)),
+        }
+    }
+}
+
+/// The breakpoints that are reached in a cycle; `before` are the states of all components before it.
+pub(super) fn reached(places: &[Place], before: &[Activity], changed: &[Change]) -> Vec<Breakpoint> {
+    let is_reached = |place: &&Place| {
+        let change = changed.iter().find(|change| usize::from(change.component) == place.breakpoint.component);
+        let both = change.and_then(|change| Some((*before.get(usize::from(change.component))?, change.now)));
+        both.is_some_and(|(before, now)| place.is_reached(before, (now.0, now.2)))
+    };
+    places.iter().filter(is_reached).map(|place| place.breakpoint).collect()
+}
+
+/// The first time after `from_us` at which a place is reached.
+fn next(states: &States, places: &[Place], from_us: u64) -> Option<Reached> {
+    let activity = |now: &ComponentNow| (now.0, now.2);
+    let mut all: Vec<Activity> = states.base().iter().map(activity).collect();
+    for change in states.changes().filter(|change| change.visible) {
+        let component = usize::from(change.component);
+        let now = activity(&change.now);
+        let before = std::mem::replace(all.get_mut(component)?, now);
+        let mut here = places.iter().filter(|place| place.breakpoint.component == component);
+        if change.time_us > from_us
+            && let Some(place) = here.find(|place| place.is_reached(before, now))
+        {
+            return Some(Reached { time_us: change.time_us, breakpoint: place.breakpoint });
+        }
+    }
+    None
+}
+
+impl Session {
+    /// Replaces all breakpoints, and sends them to all pages.
+    pub(super) fn set_breakpoints(&self, list: Vec<Breakpoint>) -> Result<(), Failed> {
+        if list.len() > MAX_BREAKPOINTS {
+            let what = format!("{} breakpoints, at most {MAX_BREAKPOINTS} are possible", list.len());
+            return Err(Failed::new(what, "remove some"));
+        }
+        let description = self.description()?;
+        let found = list.iter().map(|one| Place::find(*one, &description));
+        let places = found.collect::<Result<Vec<_>, _>>()?;
+        if let Some(pacer) = &self.pacer {
+            pacer.set_breakpoints(places.clone());
+        }
+        self.shared().breakpoints = places;
+        self.pages.broadcast(&ToPage::Breakpoints { session: self.id, list });
+        Ok(())
+    }
+
+    /// The breakpoints, for pages.
+    pub(super) fn breakpoints(&self) -> ToPage {
+        let list = self.shared().breakpoints.iter().map(|place| place.breakpoint).collect();
+        ToPage::Breakpoints { session: self.id, list }
+    }
+
+    /// The first time in memory after `from_us` at which a breakpoint is reached.
+    pub(super) fn next_hit(&self, from_us: u64) -> Option<Reached> {
+        let shared = self.shared();
+        next(&shared.history.states, &shared.breakpoints, from_us)
+    }
+
+    /// Sends that a breakpoint was reached.
+    pub(super) fn hit(&self, reached: Reached, paused: bool) {
+        let text = {
+            let shared = self.shared();
+            let place = shared.breakpoints.iter().find(|place| place.breakpoint == reached.breakpoint);
+            place.map_or_else(String::new, |place| place.text.clone())
+        };
+        let end = if paused { ": the world is paused" } else { "" };
+        self.log(2, LogKind::Server, format!("breakpoint: {text}{end}"));
+        self.pages.broadcast(&ToPage::Hit(Hit { session: self.id, reached, paused }));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::protocol::HoldKind;
+
+    fn place(reach: Reach) -> Place {
+        Place { breakpoint: Breakpoint { component: 0, state: None, transition: None }, reach, text: String::new() }
+    }
+
+    #[test]
+    fn a_place_is_reached_once_when_it_is_entered() {
+        let state = place(Reach::State(1));
+        assert!(state.is_reached((true, Some(0)), (true, Some(1))));
+        assert!(state.is_reached((false, Some(1)), (true, Some(1))));
+        assert!(!state.is_reached((true, Some(1)), (true, Some(1))));
+        assert!(!state.is_reached((true, Some(1)), (false, Some(1))));
+        let transition = place(Reach::Transition(0, 1));
+        assert!(transition.is_reached((true, Some(0)), (true, Some(1))));
+        assert!(!transition.is_reached((false, Some(0)), (true, Some(1))));
+        assert!(!transition.is_reached((true, Some(2)), (true, Some(1))));
+    }
+
+    #[test]
+    fn the_next_time_is_found_after_the_cursor() {
+        let mut states = States::new(1);
+        for (time, state) in [(0, 0), (10, 1), (20, 0), (30, 1), (40, 1)] {
+            states.push(time, time / 10, std::iter::once((true, HoldKind::Tree, Some(state), None)));
+        }
+        let at = |from_us| next(&states, &[place(Reach::State(1))], from_us).map(|reached| reached.time_us);
+        assert_eq!([at(0), at(9), at(10), at(29), at(30)], [Some(10), Some(10), Some(30), Some(30), None]);
+    }
+}

@@ -1,0 +1,200 @@
+//! Images, costs, conditions and the true state: of a world in this process, or over the link.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::time::{Duration, Instant};
+
+use bica_link::{Costs, Event, Image, Transition};
+use bica_wire::message::{ComponentCost as LinkCost, ExtraKind, Offers, Truth as LinkTruth};
+
+use super::attached::{Attached, EVENTS, UPDATE};
+use crate::protocol::{ComponentCost, Condition, RobotPose, ToPage, Truth};
+use crate::sessions::history::StoredImage;
+use crate::sessions::outbox::{DataKind, Frame};
+use crate::sessions::world::{Extra, MachineConditions};
+
+/// Number of cycles between two looks at conditions and the true state, while time goes on.
+const EVERY: u16 = 5;
+
+/// What is watched besides states and information.
+#[derive(Debug, Default)]
+pub(super) struct Extras {
+    /// Over the link, with n for every n-th cycle or image.
+    watched: BTreeMap<ExtraKind, u16>,
+    /// Time of the last image that a page received.
+    images: BTreeMap<u64, Instant>,
+}
+
+impl Extras {
+    /// Forgets pages that have gone.
+    pub(super) fn retain(&mut self, known: &BTreeSet<u64>) {
+        self.images.retain(|page, _| known.contains(page));
+    }
+}
+
+impl Attached<'_> {
+    /// Watches over the link what the pages watch, and for the history the true state and costs, which are small.
+    pub(super) fn watch_extras(&mut self) -> Result<(), bica_link::Error> {
+        if self.world.is_some() {
+            return Ok(());
+        }
+        let offers = self.client.offers();
+        let every = if self.session.is_paused() { 1 } else { EVERY };
+        let mut wanted = BTreeMap::new();
+        let mut want = |offer, kind, every| {
+            if offers.contains(offer) {
+                wanted.insert(kind, every);
+            }
+        };
+        want(Offers::TRUTH, ExtraKind::Truth, every);
+        want(Offers::COSTS, ExtraKind::Costs, 1);
+        if self.watches.values().any(|watch| watch.images.is_some()) {
+            want(Offers::IMAGES, ExtraKind::Images, 1);
+        }
+        for &component in self.watches.values().flat_map(|watch| &watch.conditions) {
+            if component < self.client.description().components.len() {
+                want(Offers::CONDITIONS, ExtraKind::Conditions { component: component as u16 }, every);
+            }
+        }
+        for &kind in self.extras.watched.keys().filter(|kind| !wanted.contains_key(kind)) {
+            self.client.watch_extra(kind, 0)?;
+        }
+        for (&kind, &every) in &wanted {
+            if self.extras.watched.get(&kind) != Some(&every) {
+                self.client.watch_extra(kind, every)?;
+            }
+        }
+        self.extras.watched = wanted;
+        Ok(())
+    }
+
+    /// Takes over what a world in this process tells beside the link.
+    pub(super) fn world_extras(&mut self) {
+        let Some(world) = &self.world else { return };
+        let extras: Vec<_> = world.extras.try_iter().take(EVENTS).collect();
+        for extra in extras {
+            self.extra(extra);
+        }
+    }
+
+    /// Takes over what came over the link.
+    pub(super) fn link_extra(&mut self, event: Event) {
+        match event {
+            Event::Conditions { time_us, component, conditions } => {
+                let conditions = conditions.iter().map(|one| one.map(|one| (one.holds, one.since_us))).collect();
+                self.extra(Extra::Conditions(time_us, vec![(component, conditions)]));
+            }
+            Event::Truth(truth) => self.extra(Extra::Truth(truth.time_us, page_truth(&truth))),
+            // An image of which a part was lost is empty.
+            Event::Image(image) if !image.yuyv.is_empty() => self.extra(Extra::Image(stored(image))),
+            Event::Costs(costs) => self.link_costs(&costs),
+            _ => {}
+        }
+    }
+
+    fn link_costs(&mut self, Costs { cycles, components }: &Costs) {
+        for (component, cost) in components.iter().enumerate().filter(|(_, cost)| cost.overruns > 0) {
+            self.extra(Extra::Overrun(cost.overrun_us, component as u16));
+        }
+        let one = |cost: &LinkCost| ComponentCost(cost.runs, cost.mean_us, cost.max_us);
+        self.extra(Extra::Costs {
+            time_us: cycles.time_us,
+            window_us: cycles.window_us,
+            components: components.iter().map(one).collect(),
+            chain_us: (cycles.mean_us, cycles.max_us),
+            worst_us: cycles.worst_us,
+        });
+    }
+
+    fn extra(&mut self, extra: Extra) {
+        let session = self.session;
+        match extra {
+            Extra::Image(image) => self.image(image),
+            Extra::Truth(time_us, truth) => {
+                session.shared().history.add_truth(time_us, truth.clone());
+                let message = ToPage::Truth { session: session.id, time_us, truth };
+                let frame = Frame::of(&message);
+                for (&page, _) in self.watches.iter().filter(|(_, watch)| watch.truth) {
+                    session.pages.data(page, session.key(DataKind::Truth), frame.clone());
+                }
+            }
+            Extra::Conditions(time_us, all) => self.conditions(time_us, &all),
+            Extra::Overrun(time_us, component) => session.shared().history.add_overrun(time_us, component),
+            Extra::Costs { time_us, window_us, components, chain_us, worst_us } => {
+                let session_id = session.id;
+                let message = ToPage::Costs { session: session_id, time_us, window_us, components, chain_us, worst_us };
+                let frame = Frame::of(&message);
+                for (&page, _) in self.watches.iter().filter(|(_, watch)| watch.costs) {
+                    session.pages.data(page, session.key(DataKind::Costs), frame.clone());
+                }
+            }
+        }
+    }
+
+    fn image(&mut self, image: StoredImage) {
+        let session = self.session;
+        let frame = Frame::Binary(session.image_frame(&image, 0).into());
+        for (&page, watch) in &self.watches {
+            let Some(wanted) = watch.images else { continue };
+            let period = Duration::from_secs_f32(1.0 / wanted.max_hz.clamp(0.1, 1000.0));
+            let sent = self.extras.images.get(&page);
+            if sent.is_none_or(|sent| sent.elapsed() + UPDATE / 8 >= period) {
+                self.extras.images.insert(page, Instant::now());
+                session.pages.data(page, session.key(DataKind::Image), frame.clone());
+            }
+        }
+        session.shared().history.images.push(image);
+    }
+
+    /// Sends conditions to the pages that watch them, with the rest of the timers.
+    fn conditions(&self, time_us: u64, all: &[MachineConditions]) {
+        let session = self.session;
+        for (component, conditions) in all {
+            let component = *component;
+            let pages = self.watches.iter().filter(|(_, watch)| watch.conditions.contains(&component));
+            let pages: Vec<u64> = pages.map(|(&page, _)| page).collect();
+            let Some(described) = self.client.description().components.get(component).filter(|_| !pages.is_empty())
+            else {
+                continue;
+            };
+            let now = session.shared().history.states.current().get(component).copied();
+            let rest = |transition: &Transition| {
+                let now = now.filter(|now| now.0 && now.2.map(usize::from) == Some(transition.from))?;
+                let been_ms = time_us.saturating_sub(now.4) / 1000;
+                transition.after_ms.map(|after| u64::from(after).saturating_sub(been_ms) as u32)
+            };
+            let condition = |(transition, condition): (&Transition, &Option<(bool, u64)>)| Condition {
+                holds: condition.map(|(holds, _)| holds),
+                since_us: condition.map_or(0, |(_, since)| since),
+                remaining_ms: rest(transition),
+            };
+            let conditions = described.transitions.iter().zip(conditions).map(condition).collect();
+            let message = ToPage::Conditions { session: session.id, component, time_us, conditions };
+            let frame = Frame::of(&message);
+            for page in pages {
+                session.pages.data(page, session.key(DataKind::Conditions(component)), frame.clone());
+            }
+        }
+    }
+}
+
+fn stored(Image { head, yuyv }: Image) -> StoredImage {
+    StoredImage {
+        number: head.number,
+        time_us: head.time_us,
+        bottom_camera: head.bottom_camera,
+        width: head.width,
+        height: head.height,
+        yuyv: yuyv.into(),
+    }
+}
+
+fn page_truth(truth: &LinkTruth) -> Truth {
+    let pose = |[x, y, heading]: [f32; 3]| RobotPose(x, y, heading);
+    Truth {
+        robot: pose(truth.robot),
+        ball: truth.ball.into(),
+        others: truth.others.iter().map(|&other| other.into()).collect(),
+        start: pose(truth.start),
+        attacks_blue: truth.attacks_blue,
+    }
+}

@@ -1,0 +1,78 @@
+//! Pause, continuation and single cycles of a simulated world behind a link.
+
+use std::time::Duration;
+
+use bica_link::Error;
+use bica_wire::message::{Change, WorldChange};
+use serde_json::Value;
+
+use super::attached::Attached;
+use crate::protocol::{Failed, Request};
+use crate::sessions::pages::PageId;
+use crate::sessions::session::Operator;
+
+/// Returns the change of the world that a request asks for.
+pub(super) const fn world_change(request: &Request) -> Option<WorldChange> {
+    match *request {
+        Request::Pause { .. } => Some(WorldChange::Pause),
+        Request::Resume { .. } => Some(WorldChange::Resume),
+        Request::Step { cycles, .. } => Some(WorldChange::Step { cycles }),
+        _ => None,
+    }
+}
+
+impl Attached<'_> {
+    /// Changes the world's time for any page, as in a world of this process. The link requires the lease: if nobody owns it, this
+    /// server owns it for this one request.
+    pub(super) fn pace(&mut self, page: PageId, id: u32, change: WorldChange) -> Result<(), Error> {
+        if !self.session.shared().can.pause {
+            let help = "only a simulated world can be paused";
+            self.session.pages.answer(page, id, Err(Failed::new("time goes on there by itself", help)));
+            return Ok(());
+        }
+        let result = match self.request_pace(change) {
+            Ok(()) => Ok(Value::Null),
+            Err(Error::Disconnected(reason)) => {
+                let failed = Failed::from(Error::Disconnected(reason.clone()));
+                self.session.pages.answer(page, id, Err(failed));
+                return Err(Error::Disconnected(reason));
+            }
+            Err(Error::Lease) => {
+                Err(Failed::new("another monitor controls the world", "take control, or wait until it gives it back"))
+            }
+            Err(error) => Err(error.into()),
+        };
+        self.session.pages.answer(page, id, result);
+        Ok(())
+    }
+
+    /// Sends the request, and waits for its answer.
+    pub(super) fn request_pace(&mut self, change: WorldChange) -> Result<(), Error> {
+        let borrows = !matches!(self.session.shared().operator, Operator::Page(_));
+        if borrows && self.is_waiting() {
+            return Err(Error::Lease);
+        }
+        if borrows {
+            self.client.acquire(false)?;
+        }
+        let result = self.client.request(Change::World(change)).map(drop);
+        if borrows {
+            self.client.release()?;
+            // A page that acquires the lease next must not take the borrowed one for its own.
+            while let Some(event) = self.client.poll(Duration::ZERO)? {
+                self.event(event)?;
+            }
+        }
+        result
+    }
+
+    /// Takes in whether the world is paused.
+    pub(super) fn world_state(&mut self, paused: bool) -> Result<(), Error> {
+        let changed = std::mem::replace(&mut self.session.shared().paused, paused) != paused;
+        if changed {
+            self.session.announce();
+            return self.watch_extras();
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,100 @@
+//! A tuned value as the new default in its source.
+
+use bica_link::{Kind, Param};
+use bica_vicode::cli::unified;
+use bica_vicode::model::{Input, Model};
+use bica_vicode::{Edit, read};
+use serde_json::{Value, json};
+
+use super::edit;
+use super::files::Files;
+use crate::protocol::{ChangedBy, Failed};
+use crate::sessions::PageId;
+
+impl Files {
+    /// Writes the present value of a parameter as its default.
+    pub(super) fn set_default(&self, page: PageId, component: &str, param: &Param) -> Result<Value, Failed> {
+        let name = self.file_of(component, param)?;
+        let (before, after) = {
+            let mut open = self.open();
+            let file = self.get(&mut open, &name)?;
+            let (before, from) = (file.document.text().to_owned(), file.document.version());
+            let written = default_of(file.document.model(), param).unwrap_or_default();
+            let value = literal(param, &written)?;
+            let (parameters, parameter) = (param.group.clone(), param.name.clone());
+            let change = edit::apply(file, &[Edit::SetDefault { parameters, parameter, value }])?;
+            file.publish(&self.pages, Some((from, change)), ChangedBy::Page, page);
+            (before, file.document.text().to_owned())
+        };
+        self.write(&name)?;
+        Ok(json!({ "path": name, "diff": unified(&name, &before, &after) }))
+    }
+
+    /// The file with the parameter's struct; of several the one that also has the component.
+    fn file_of(&self, component: &str, param: &Param) -> Result<String, Failed> {
+        let mut found: Vec<(String, bool)> = Vec::new();
+        for (name, _) in self.all() {
+            let Ok(text) = self.text(&name) else { continue };
+            if !text.contains(&param.group) || !text.contains("Params") {
+                continue;
+            }
+            let model = read(&text);
+            if default_of(&model, param).is_some() {
+                found.push((name, has_component(&model, component, &param.group)));
+            }
+        }
+        if found.iter().any(|(_, own)| *own) {
+            found.retain(|(_, own)| *own);
+        }
+        let what = format!("parameter `{}` of `{}`", param.name, param.group);
+        match &found[..] {
+            [(name, _)] => Ok(name.clone()),
+            [] => Err(Failed::new(
+                format!("no file below the folder of sources has the {what} with a `default`"),
+                "start the server with --source and the folder of this robot's program, or write the default by hand",
+            )),
+            several => {
+                let names: Vec<&str> = several.iter().map(|(name, _)| name.as_str()).collect();
+                Err(Failed::new(
+                    format!("several files have the {what}: {}", names.join(", ")),
+                    "start the server with --source and a smaller folder, or write the default by hand",
+                ))
+            }
+        }
+    }
+}
+
+fn has_component(model: &Model, component: &str, group: &str) -> bool {
+    let is_tuned = |input: &Input| matches!(input, Input::Tuned { parameters } if parameters == group);
+    model.components.iter().any(|one| {
+        one.name.text.split('<').next() == Some(component)
+            && one.functions().flat_map(|function| &function.arguments).any(|argument| is_tuned(&argument.input))
+    })
+}
+
+/// The default of a parameter as it is written.
+fn default_of(model: &Model, param: &Param) -> Option<String> {
+    let group = model.group(&param.group)?;
+    let found = group.parameters.iter().find(|one| one.name.text == param.name)?;
+    found.value("default").map(|value| value.text.clone())
+}
+
+/// The present value as Rust; `written` is the default that it replaces.
+fn literal(param: &Param, written: &str) -> Result<String, Failed> {
+    let value = param.value.as_ref().unwrap_or(&param.default);
+    match (value, &param.kind) {
+        (Value::String(name), Kind::Choice { .. }) => Ok(match written.rsplit_once("::") {
+            Some((path, _)) => format!("{}::{name}", path.trim_end()),
+            None => name.clone(),
+        }),
+        (Value::Number(number), Kind::F32 { .. }) => {
+            let text = number.to_string();
+            Ok(if text.contains(['.', 'e']) { text } else { format!("{text}.0") })
+        }
+        (Value::Number(_), Kind::I32 { .. } | Kind::U32 { .. }) | (Value::Bool(_), Kind::Bool) => Ok(value.to_string()),
+        _ => Err(Failed::new(
+            format!("`{}` has the value {value}, which is no Rust", param.name),
+            "write the default by hand",
+        )),
+    }
+}

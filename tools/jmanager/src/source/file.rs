@@ -1,0 +1,146 @@
+//! An open file.
+
+use std::collections::BTreeSet;
+use std::path::PathBuf;
+use std::time::Instant;
+
+use bica_vicode::{Change, Document, External};
+
+use super::sidecar::Sidecar;
+use super::stamp::Stamp;
+use crate::protocol::{ChangedBy, FileState, SourceChange, SourceState, StatePosition, ToPage};
+use crate::sessions::PageId;
+use crate::sessions::pages::Pages;
+
+/// A file that is open, for all pages.
+pub(super) struct OpenFile {
+    /// Path below the folder of sources.
+    pub(super) name: String,
+    /// Path with all links followed.
+    pub(super) path: PathBuf,
+    pub(super) document: Document,
+    pub(super) layout: Sidecar,
+    /// Pages that get its messages.
+    pub(super) pages: BTreeSet<PageId>,
+    /// Stamp of the file when it was read or written last.
+    pub(super) stamp: Option<Stamp>,
+    /// Stamp of a change that may not be complete yet.
+    pub(super) pending: Option<Stamp>,
+    /// Version of the text that was merged last with the file.
+    pub(super) merged: u64,
+    /// Number of looks at which the file was not there.
+    pub(super) missed: u32,
+    pub(super) readonly: bool,
+    pub(super) deleted: bool,
+    /// Why it cannot be read or written.
+    pub(super) problem: String,
+    /// Time at which it is saved.
+    pub(super) save_at: Option<Instant>,
+    /// What pages know.
+    sent: (FileState, Vec<StatePosition>),
+}
+
+/// A change of the text with the version before it.
+pub(super) type Changed = Option<(u64, Change)>;
+
+impl OpenFile {
+    pub(super) fn new(name: String, path: PathBuf, document: Document) -> Self {
+        let stamp = Stamp::of(&path);
+        let mut file = Self {
+            layout: Sidecar::beside(&path),
+            readonly: stamp.is_some_and(|stamp| stamp.readonly),
+            name,
+            path,
+            document,
+            pages: BTreeSet::new(),
+            stamp,
+            pending: None,
+            merged: 0,
+            missed: 0,
+            deleted: false,
+            problem: String::new(),
+            save_at: None,
+            sent: (FileState::default(), Vec::new()),
+        };
+        file.layout.read();
+        file.sent = (file.state(), file.positions());
+        file
+    }
+
+    /// The file on disk as pages see it.
+    pub(super) fn state(&self) -> FileState {
+        let conflict = self.document.conflict().map(|conflict| bica_vicode::Conflict {
+            // The text may have been edited since.
+            ours: self.document.text().to_owned(),
+            ..conflict.clone()
+        });
+        let problem = if self.problem.is_empty() { self.layout.problem.clone() } else { self.problem.clone() };
+        FileState {
+            saved: !self.document.is_changed() && !self.deleted && conflict.is_none(),
+            readonly: self.readonly,
+            deleted: self.deleted,
+            problem,
+            conflict,
+            undo: self.document.can_undo(),
+            redo: self.document.can_redo(),
+        }
+    }
+
+    pub(super) fn positions(&self) -> Vec<StatePosition> {
+        self.layout.positions(self.document.model())
+    }
+
+    /// The complete file.
+    pub(super) fn complete(&self) -> ToPage {
+        ToPage::Source(Box::new(SourceState {
+            file: self.name.clone(),
+            version: self.document.version(),
+            text: self.document.text().to_owned(),
+            model: self.document.model().clone(),
+            positions: self.positions(),
+            state: self.state(),
+        }))
+    }
+
+    /// Sends what has changed to the pages of the file.
+    pub(super) fn publish(&mut self, pages: &Pages, changed: Changed, by: ChangedBy, page: PageId) {
+        let version = self.document.version();
+        let (from_version, splices) = changed.map_or((version, Vec::new()), |(from, change)| (from, change.splices));
+        let now = (self.state(), self.positions());
+        if from_version == version && now == self.sent {
+            return;
+        }
+        let message = ToPage::SourceChanged(Box::new(SourceChange {
+            file: self.name.clone(),
+            version,
+            from_version,
+            splices,
+            model: (from_version != version).then(|| self.document.model().clone()),
+            positions: now.1.clone(),
+            state: now.0.clone(),
+            by,
+            page,
+        }));
+        self.sent = now;
+        for &one in &self.pages {
+            pages.state(one, message.clone());
+        }
+    }
+
+    /// Takes over the text that the file has now.
+    pub(super) fn external(&mut self, text: &str) -> Changed {
+        let from = self.document.version();
+        self.problem.clear();
+        let external = self.document.external_change(text);
+        self.merged = self.document.version();
+        match external {
+            External::Merged(change) => Some((from, change)),
+            External::Same | External::Conflict(_) => None,
+        }
+    }
+
+    /// Whether it can be forgotten: nobody shows it, and the file has its text.
+    pub(super) fn is_idle(&self) -> bool {
+        self.pages.is_empty() && !self.document.is_changed() && self.document.conflict().is_none()
+    }
+}

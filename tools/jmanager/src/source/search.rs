@@ -1,0 +1,170 @@
+//! Files below the folder of sources.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use bica_vicode::model::Model;
+use bica_vicode::{read, uses};
+
+use super::files::{Files, failed};
+use super::limits;
+use super::stamp::Stamp;
+use crate::protocol::{Failed, SourceComponent, SourceFile, SourceUse};
+use crate::sessions::pages::lock;
+
+/// Largest number of Rust files that are read.
+const MAX_SOURCES: usize = 10_000;
+/// Deepest folder that is searched.
+const MAX_DEPTH: usize = 24;
+/// Largest number of uses that are listed.
+const MAX_USES: usize = 1000;
+
+/// What was found in files, by name.
+pub(super) type Cache = BTreeMap<String, (Stamp, Option<SourceFile>)>;
+
+/// All Rust files below a folder, sorted. Links, hidden folders and folders of builds are left out.
+fn walk(folder: &Path, depth: usize, found: &mut Vec<PathBuf>) {
+    let Ok(entries) = fs::read_dir(folder) else { return };
+    let mut entries: Vec<fs::DirEntry> = entries.filter_map(Result::ok).collect();
+    entries.sort_by_key(fs::DirEntry::file_name);
+    for entry in entries {
+        let (name, path) = (entry.file_name(), entry.path());
+        let is_left_out = name.to_string_lossy().starts_with('.') || name == "target" || name == "node_modules";
+        let Ok(kind) = entry.file_type() else { continue };
+        if found.len() >= MAX_SOURCES || is_left_out {
+            continue;
+        }
+        if kind.is_dir() && depth < MAX_DEPTH {
+            walk(&path, depth + 1, found);
+        } else if kind.is_file() && path.extension().is_some_and(|extension| extension == "rs") {
+            found.push(path);
+        }
+    }
+}
+
+impl Files {
+    /// Names of all Rust files, with their stamps.
+    pub(super) fn all(&self) -> Vec<(String, Stamp)> {
+        let mut paths = Vec::new();
+        walk(self.folder.root(), 0, &mut paths);
+        paths.iter().filter_map(|path| Some((self.name_of(path)?, Stamp::of(path)?))).collect()
+    }
+
+    /// The text of a file: that of the page if it is open.
+    pub(super) fn text(&self, name: &str) -> Result<String, Failed> {
+        if let Some(file) = self.open().get(name) {
+            return Ok(file.document.text().to_owned());
+        }
+        let text = self.folder.read(name).map_err(|error| failed(&error))?;
+        limits::text(&text).map(|()| text)
+    }
+
+    /// Files with components or trees.
+    pub(super) fn sources(&self) -> Vec<SourceFile> {
+        let mut cache = lock(&self.cache);
+        let mut old = std::mem::take(&mut *cache);
+        let mut list = Vec::new();
+        for (name, stamp) in self.all() {
+            let is_open = self.open().contains_key(&name);
+            let known = old.remove(&name).filter(|(last, _)| !is_open && !last.differs(&stamp) && !stamp.is_fresh());
+            let entry = known.map_or_else(|| self.source(&name), |(_, entry)| entry);
+            list.extend(entry.clone());
+            cache.insert(name, (stamp, entry));
+        }
+        list
+    }
+
+    fn source(&self, name: &str) -> Option<SourceFile> {
+        let file = name.to_owned();
+        let text = match self.text(name) {
+            Ok(text) => text,
+            Err(failed) => {
+                let (components, trees) = (Vec::new(), Vec::new());
+                return Some(SourceFile { file, components, trees, problem: Some(failed.text) });
+            }
+        };
+        let trees = trees(&text);
+        let components = if text.contains("component") { components(&read(&text)) } else { Vec::new() };
+        (!components.is_empty() || !trees.is_empty()).then_some(SourceFile { file, components, trees, problem: None })
+    }
+
+    /// Uses of a function outside of its component's block.
+    pub(super) fn uses(&self, name: &str, component: &str, function: &str) -> Result<Vec<SourceUse>, Failed> {
+        let (own, block) = {
+            let mut open = self.open();
+            let file = self.get(&mut open, name)?;
+            let found = file.document.model().component(component);
+            let none = || {
+                Failed::new(
+                    format!("no component `{}` is in this file", component.escape_debug()),
+                    "open the file that has it",
+                )
+            };
+            let found = found.ok_or_else(none)?;
+            let none = || {
+                let what = format!("`{component}` has no function `{}`", function.escape_debug());
+                Failed::new(what, "it may have been renamed")
+            };
+            found.function(function).ok_or_else(none)?;
+            (file.name.clone(), found.span)
+        };
+        let mut list = Vec::new();
+        for (file, _) in self.all() {
+            let Ok(text) = self.text(&file) else { continue };
+            if !text.contains(function) {
+                continue;
+            }
+            for found in uses(&text, component, function, (file == own).then_some(block)) {
+                let begin = text[..found.span.start].rfind('\n').map_or(0, |newline| newline + 1);
+                let line = 1 + text[..begin].matches('\n').count();
+                let shown = text[begin..].lines().next().unwrap_or_default().trim().to_owned();
+                list.push(SourceUse {
+                    file: file.clone(),
+                    line,
+                    span: found.span,
+                    text: shown,
+                    certain: found.certain,
+                });
+                if list.len() >= MAX_USES {
+                    return Ok(list);
+                }
+            }
+        }
+        Ok(list)
+    }
+}
+
+fn components(model: &Model) -> Vec<SourceComponent> {
+    let one = |component: &bica_vicode::model::Component| SourceComponent {
+        name: component.name.text.clone(),
+        machine: component.is_machine(),
+    };
+    model.components.iter().map(one).collect()
+}
+
+/// Names of the trees of a text: of the struct in each `activation_tree!`.
+fn trees(text: &str) -> Vec<String> {
+    let is_code = |at: usize| {
+        let line = text[..at].rfind('\n').map_or(0, |newline| newline + 1);
+        !text[line..at].contains("//")
+    };
+    let name = |(at, word): (usize, &str)| {
+        let words = text[at + word.len()..].split(|letter: char| !(letter.is_alphanumeric() || letter == '_'));
+        let mut words = words.filter(|word| !word.is_empty()).skip_while(|word| *word != "struct");
+        words.nth(1).map(str::to_owned)
+    };
+    text.match_indices("activation_tree! {").filter(|(at, _)| is_code(*at)).filter_map(name).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn trees_are_found_by_the_name_of_their_struct() {
+        let text = "//! activation_tree! { struct Not {} }\nactivation_tree! {\n    /// Looks.\n    pub struct Robot {\n        root: A,\n";
+        assert_eq!(trees(text), ["Robot"]);
+        assert_eq!(trees("use activation_tree;"), Vec::<String>::new());
+    }
+}

@@ -1,0 +1,156 @@
+//! The layout file beside a source.
+
+use std::fs;
+use std::io::ErrorKind;
+use std::path::{Path, PathBuf};
+
+use bica_vicode::draw::automatic;
+use bica_vicode::model::{Model, Reporter};
+use bica_vicode::{Layout, Position};
+
+use super::stamp::Stamp;
+use crate::protocol::{Failed, StatePosition};
+
+/// Largest layout file, bytes.
+const MAX_LAYOUT: u64 = 1 << 20;
+
+/// Positions of the states of a file. Those of states that are gone are remembered, so that undoing brings them back.
+#[derive(Default)]
+pub(super) struct Sidecar {
+    path: PathBuf,
+    remembered: Layout,
+    /// Text of the layout file; empty without one.
+    written: String,
+    stamp: Option<Stamp>,
+    /// Why the layout file cannot be used.
+    pub(super) problem: String,
+}
+
+impl Sidecar {
+    /// The layout beside a source, not read yet.
+    pub(super) fn beside(source: &Path) -> Self {
+        Self { path: Layout::beside(source), ..Self::default() }
+    }
+
+    /// Reads the layout file if it has changed.
+    pub(super) fn look(&mut self) {
+        let now = Stamp::of(&self.path);
+        let same = match (&now, &self.stamp) {
+            (Some(now), Some(last)) => !now.differs(last) && !now.is_fresh(),
+            (None, None) => true,
+            _ => false,
+        };
+        if !same {
+            self.read();
+        }
+    }
+
+    /// Reads the layout file.
+    pub(super) fn read(&mut self) {
+        self.stamp = Stamp::of(&self.path);
+        match self.text() {
+            Ok(text) if text == self.written && self.problem.is_empty() => {}
+            Ok(text) => match Layout::parse(&text) {
+                Ok(layout) => {
+                    (self.remembered, self.written) = (layout, text);
+                    self.problem.clear();
+                }
+                Err(error) => self.problem = format!("`{}`: {error}; mend the line by hand", self.path.display()),
+            },
+            Err(problem) => self.problem = problem,
+        }
+    }
+
+    /// The text of the file; empty without one. A link is not followed: it could lead out of the folder.
+    fn text(&self) -> Result<String, String> {
+        let failed = |why: &dyn std::fmt::Display| format!("`{}` cannot be read: {why}", self.path.display());
+        let found = match fs::symlink_metadata(&self.path) {
+            Ok(found) => found,
+            Err(error) if error.kind() == ErrorKind::NotFound => return Ok(String::new()),
+            Err(error) => return Err(failed(&error)),
+        };
+        if !found.is_file() || found.len() > MAX_LAYOUT {
+            return Err(failed(&"it is no file, or above 1 MB"));
+        }
+        fs::read_to_string(&self.path).map_err(|error| failed(&error))
+    }
+
+    /// Centres of all states.
+    pub(super) fn positions(&self, model: &Model) -> Vec<StatePosition> {
+        let mut positions = Vec::new();
+        for component in &model.components {
+            let name = &component.name.text;
+            for (state, Position { x, y }) in component.states.iter().zip(automatic(component, &self.remembered)) {
+                let state = state.function.name.text.clone();
+                let placed = self.remembered.get(name, &state).is_some();
+                positions.push(StatePosition { component: name.clone(), state, x, y, placed });
+            }
+        }
+        positions
+    }
+
+    pub(super) fn set(&mut self, component: &str, state: &str, x: i32, y: i32) {
+        self.remembered.set(component, state, Position { x, y });
+    }
+
+    pub(super) fn remove(&mut self, component: &str, state: &str) {
+        self.remembered.remove(component, state);
+    }
+
+    /// Gives a renamed state its position; the old name keeps it for undoing.
+    pub(super) fn renamed(&mut self, component: &str, from: &str, to: &str) {
+        if let Some(position) = self.remembered.get(component, from) {
+            self.remembered.set(component, to, position);
+        }
+    }
+
+    /// The text that the layout file should have: lines of the states that exist, and of components that are not in the source.
+    fn wanted(&self, model: &Model) -> String {
+        let mut layout = Layout::default();
+        for line in self.written.lines() {
+            let words: Vec<&str> = line.split_whitespace().collect();
+            let [component, state, x, y] = words[..] else { continue };
+            let is_known = model.components.iter().any(|one| one.name.text.split('<').next() == Some(component));
+            if let (false, Ok(x), Ok(y)) = (is_known, x.parse(), y.parse()) {
+                layout.set(component, state, Position { x, y });
+            }
+        }
+        for component in &model.components {
+            for state in &component.states {
+                let (component, state) = (&component.name.text, &state.function.name.text);
+                if let Some(position) = self.remembered.get(component, state) {
+                    layout.set(component, state, position);
+                }
+            }
+        }
+        layout.to_string()
+    }
+
+    /// The path and text of the layout file if it is not as it should be. Half-typed code may hide states: then it stays as it is,
+    /// unless a person has moved something (`force`).
+    pub(super) fn plan(&self, model: &Model, force: bool) -> Result<Option<(PathBuf, String)>, Failed> {
+        if !self.problem.is_empty() {
+            let help = "mend the layout file by hand, or remove it";
+            return if force { Err(Failed::new(self.problem.clone(), help)) } else { Ok(None) };
+        }
+        let is_broken = model.problems.iter().any(|problem| problem.from == Reporter::Syntax);
+        let wanted = self.wanted(model);
+        let is_needed = wanted != self.written && (force || !is_broken);
+        Ok(is_needed.then(|| (self.path.clone(), wanted)))
+    }
+
+    /// Notes that the layout file has this text.
+    pub(super) fn wrote(&mut self, text: String) {
+        self.written = text;
+        self.stamp = Stamp::of(&self.path);
+    }
+}
+
+/// Writes a layout file; one without lines is removed.
+pub(super) fn write(path: &Path, text: &str) -> Result<(), Failed> {
+    let done = if text.is_empty() { fs::remove_file(path) } else { bica_vicode::save(path, text.as_bytes(), None) };
+    done.map_err(|error| {
+        let help = "is the disk full, or the folder write-protected? The positions are kept until the server ends";
+        Failed::new(format!("the layout file `{}` was not written: {error}", path.display()), help)
+    })
+}

@@ -1,0 +1,146 @@
+//! Changes of the files by other programs.
+
+use std::sync::{Arc, Condvar, Mutex};
+use std::time::{Duration, Instant};
+
+use bica_vicode::FileError;
+
+use super::file::OpenFile;
+use super::files::Files;
+use super::stamp::Stamp;
+use super::{limits, save};
+use crate::protocol::ChangedBy;
+use crate::sessions::pages::lock;
+
+/// Time between two looks at what is to be saved.
+const TICK: Duration = Duration::from_millis(100);
+/// Number of those between two looks at the files.
+const TICKS: u32 = 2;
+
+/// Ends a thread that waits.
+#[derive(Default)]
+pub(super) struct End {
+    ended: Mutex<bool>,
+    changed: Condvar,
+}
+
+impl End {
+    pub(super) fn now(&self) {
+        *lock(&self.ended) = true;
+        self.changed.notify_all();
+    }
+
+    /// Waits; returns whether the end has come.
+    fn wait(&self, time: Duration) -> bool {
+        let guard = lock(&self.ended);
+        let waited = self.changed.wait_timeout_while(guard, time, |ended| !*ended);
+        *waited.unwrap_or_else(std::sync::PoisonError::into_inner).0
+    }
+}
+
+/// Saves and looks at the files until the end.
+pub(super) fn watch(files: &Arc<Files>, end: &End) {
+    let mut tick = 0_u32;
+    while !end.wait(TICK) {
+        tick = tick.wrapping_add(1);
+        let (mut due, mut names) = (Vec::new(), Vec::new());
+        {
+            let now = Instant::now();
+            for file in files.open().values() {
+                if file.save_at.is_some_and(|at| at <= now) {
+                    due.push(file.name.clone());
+                }
+                // A file that nobody sees is read again before it is written.
+                if !file.pages.is_empty() || file.document.is_changed() {
+                    names.push(file.name.clone());
+                }
+            }
+        }
+        for name in due {
+            // The page sees the problem with the file.
+            let _ = files.write(&name);
+        }
+        if tick.is_multiple_of(TICKS) {
+            for name in names {
+                files.look(&name);
+            }
+        }
+    }
+}
+
+impl Files {
+    /// Compares a file with the disk.
+    pub(super) fn look(&self, name: &str) {
+        let _disk = lock(&self.disk);
+        let path = {
+            let mut open = self.open();
+            let Some(file) = open.get_mut(name) else { return };
+            file.layout.look();
+            file.path.clone()
+        };
+        let found = Stamp::of(&path);
+        let must_read = match self.open().get_mut(name) {
+            Some(file) => must_read(file, found),
+            None => false,
+        };
+        let read = must_read.then(|| self.folder.read(name));
+        let mut open = self.open();
+        let Some(file) = open.get_mut(name) else { return };
+        let mut changed = None;
+        match read {
+            None => {}
+            Some(Ok(text)) => {
+                (file.stamp, file.pending, file.deleted) = (found, None, false);
+                if let Err(failed) = limits::text(&text) {
+                    file.problem = failed.text;
+                } else if is_news(file, &text) {
+                    changed = file.external(&text);
+                } else if file.readonly == found.is_some_and(|stamp| stamp.readonly) && file.save_at.is_none() {
+                    file.problem.clear();
+                }
+            }
+            Some(Err(FileError::Missing(_))) => file.missed += 1,
+            Some(Err(error)) => {
+                (file.stamp, file.pending) = (found, None);
+                file.problem = error.to_string();
+            }
+        }
+        if file.document.is_changed() && file.save_at.is_none() {
+            save::later(file);
+        }
+        if let Some(stamp) = found
+            && file.readonly != stamp.readonly
+        {
+            file.readonly = stamp.readonly;
+            file.problem.clear();
+        }
+        file.publish(&self.pages, changed, ChangedBy::File, 0);
+    }
+}
+
+/// Whether a file has to be read: it is another one, and nobody writes it any more.
+fn must_read(file: &mut OpenFile, found: Option<Stamp>) -> bool {
+    let Some(stamp) = found else {
+        file.missed += 1;
+        // Editors remove a file for a moment when they replace it.
+        file.deleted |= file.missed >= 2;
+        return false;
+    };
+    file.missed = 0;
+    let is_new = file.deleted || file.stamp.is_none_or(|last| last.differs(&stamp));
+    if is_new {
+        // A program may still be writing: it is read when two looks have found the same.
+        let settled = file.pending.is_some_and(|pending| !pending.differs(&stamp));
+        file.pending = Some(stamp);
+        return settled;
+    }
+    stamp.is_fresh() || (file.document.conflict().is_some() && file.merged != file.document.version())
+}
+
+/// Whether the text of the file is to be merged: it is new, or the text here has changed since there is a conflict.
+fn is_news(file: &OpenFile, text: &str) -> bool {
+    match file.document.conflict() {
+        Some(conflict) => conflict.theirs != text || file.merged != file.document.version(),
+        None => text != file.document.saved(),
+    }
+}

@@ -1,0 +1,198 @@
+//! Attacks on the sources.
+
+use std::fs;
+use std::net::{TcpListener, TcpStream};
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU32, Ordering};
+
+use jmanager::sessions::{Manager, Options};
+use jmanager::web::{Web, WebOptions};
+use serde_json::{Value, json};
+use tungstenite::{Message, WebSocket};
+
+use crate::target::{TOKEN, closed, message, target_with};
+
+const TEXT: &str = "#[component]\nimpl A {\n    fn step(&mut self) {}\n}\n";
+
+/// A folder with `src/a.rs` and a file outside of `src`, removed at the end.
+struct Sources(PathBuf);
+
+impl Sources {
+    fn new() -> Self {
+        static COUNT: AtomicU32 = AtomicU32::new(0);
+        let number = COUNT.fetch_add(1, Ordering::Relaxed);
+        let path = std::env::temp_dir().join(format!("jmanager-attack-{}-{number}", std::process::id()));
+        fs::create_dir_all(path.join("src")).unwrap();
+        fs::write(path.join("src/a.rs"), TEXT).unwrap();
+        fs::write(path.join("secret.rs"), "// secret\n").unwrap();
+        Self(path)
+    }
+
+    fn options(&self) -> Options {
+        Options { source: Some(self.0.join("src")), ..Options::default() }
+    }
+
+    fn secret(&self) -> String {
+        fs::read_to_string(self.0.join("secret.rs")).unwrap()
+    }
+}
+
+impl Drop for Sources {
+    fn drop(&mut self) {
+        let _ = fs::remove_dir_all(&self.0);
+    }
+}
+
+/// Sends a request about sources; returns its answer.
+fn ask(page: &mut WebSocket<TcpStream>, id: u32, request: &Value) -> Value {
+    page.send(Message::text(json!({ "id": id, "type": "source", "request": request }).to_string())).unwrap();
+    loop {
+        let got = message(page).unwrap();
+        assert!(!got.to_string().contains("secret\\n"), "{got}");
+        if got["type"] == "answer" && got["id"] == id {
+            return got;
+        }
+    }
+}
+
+#[test]
+fn no_request_leads_out_of_the_folder_of_sources() {
+    let sources = Sources::new();
+    #[cfg(unix)]
+    {
+        std::os::unix::fs::symlink("../secret.rs", sources.0.join("src/link.rs")).unwrap();
+        std::os::unix::fs::symlink("..", sources.0.join("src/up")).unwrap();
+    }
+    let target = target_with(None, sources.options());
+    let mut page = target.page(&target.enter());
+    let mut id = 0;
+    for file in [
+        "../secret.rs",
+        "link.rs",
+        "up/secret.rs",
+        "/etc/passwd",
+        "src/../../secret.rs",
+        "a.rs/../../secret.rs",
+        "\u{0}",
+    ] {
+        let edit = json!([{ "edit": "replace", "span": [0, 0], "text": "evil" }]);
+        let positions = json!([{ "component": "A", "state": "x", "x": 0, "y": 0 }]);
+        for request in [
+            json!({ "type": "open_file", "file": file }),
+            json!({ "type": "edit_file", "file": file, "version": 0, "edits": edit }),
+            json!({ "type": "save_file", "file": file }),
+            json!({ "type": "move_states", "file": file, "positions": positions }),
+            json!({ "type": "draw_file", "file": file, "component": "A", "format": "svg" }),
+            json!({ "type": "uses", "file": file, "component": "A", "function": "step" }),
+            json!({ "type": "new_component", "name": "Evil", "folder": file, "dry": false }),
+            json!({ "type": "new_component", "name": "Evil", "folder": "", "tree": file, "dry": false }),
+            json!({ "type": "rename_uses", "file": "a.rs", "component": "A", "function": "step", "to": "evil",
+                "places": [{ "file": file, "span": [0, 4] }] }),
+        ] {
+            id += 1;
+            let answer = ask(&mut page, id, &request);
+            assert!(answer["error"]["help"].is_string(), "{request}: {answer}");
+        }
+    }
+    assert_eq!(
+        (sources.secret().as_str(), fs::read_to_string(sources.0.join("src/a.rs")).unwrap().as_str()),
+        ("// secret\n", TEXT)
+    );
+    let mut names: Vec<_> = fs::read_dir(&sources.0).unwrap().map(|entry| entry.unwrap().file_name()).collect();
+    names.sort();
+    assert_eq!(names, ["secret.rs", "src"]);
+}
+
+#[test]
+fn a_huge_text_gets_an_answer_and_a_larger_one_ends_the_page() {
+    let sources = Sources::new();
+    let target = target_with(None, sources.options());
+    let mut page = target.page(&target.enter());
+    let edit = |length: usize| {
+        json!({ "type": "edit_file", "file": "a.rs", "version": 0,
+            "edits": [{ "edit": "set_body", "component": "A", "function": "step", "body": "x;\n".repeat(length / 3) }] })
+    };
+    let answer = ask(&mut page, 1, &edit(1 << 20));
+    assert!(answer["error"]["text"].as_str().unwrap().contains("bytes"), "{answer}");
+    assert!(ask(&mut page, 2, &json!({ "type": "open_file", "file": "a.rs" }))["error"].is_null());
+    let text = json!({ "id": 3, "type": "source", "request": edit(5 << 20) }).to_string();
+    // The server may close while this is being written.
+    let _ = page.send(Message::text(text));
+    closed(&mut page);
+    assert_eq!(fs::read_to_string(sources.0.join("src/a.rs")).unwrap(), TEXT);
+}
+
+#[test]
+fn unknown_requests_and_fields_are_refused() {
+    let sources = Sources::new();
+    let target = target_with(None, sources.options());
+    let mut page = target.page(&target.enter());
+    for (id, request) in [
+        json!({ "type": "delete_file", "file": "a.rs" }),
+        json!({ "type": "open_file", "file": "a.rs", "path": "/" }),
+        json!({ "type": "edit_file", "file": "a.rs", "version": -1, "edits": [] }),
+        json!({ "type": "edit_file", "file": "a.rs", "version": 0, "edits": [{ "edit": "run", "command": "sh" }] }),
+        json!({ "type": "run", "seed": 0, "robots": 0, "program": "sh" }),
+        json!("check"),
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        let answer = ask(&mut page, id as u32 + 1, &request);
+        assert!(answer["error"]["text"].as_str().unwrap().contains("not understood"), "{request}: {answer}");
+    }
+}
+
+#[test]
+fn a_read_only_server_changes_and_builds_nothing() {
+    let sources = Sources::new();
+    let target = target_with(None, Options { read_only: true, build: true, ..sources.options() });
+    let mut page = target.page(&target.enter());
+    let hello = message(&mut page).unwrap();
+    assert_eq!((&hello["source"], &hello["build"]), (&json!(true), &json!(false)));
+    for (id, request) in [
+        json!({ "type": "edit_file", "file": "a.rs", "version": 0, "edits": [{ "edit": "replace", "span": [0, 1], "text": "" }] }),
+        json!({ "type": "new_component", "name": "Evil", "folder": "", "dry": false }),
+        json!({ "type": "run", "seed": 0, "robots": 0 }),
+        json!({ "type": "check" }),
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        let answer = ask(&mut page, id as u32 + 1, &request);
+        assert!(answer["error"]["text"].as_str().unwrap().contains("only watch"), "{request}: {answer}");
+    }
+    assert!(ask(&mut page, 9, &json!({ "type": "open_file", "file": "a.rs" }))["error"].is_null());
+}
+
+#[test]
+fn without_build_nothing_is_built() {
+    let sources = Sources::new();
+    let target = target_with(None, sources.options());
+    let mut page = target.page(&target.enter());
+    assert_eq!(message(&mut page).unwrap()["build"], false);
+    for (id, kind) in ["check", "stop_run"].into_iter().enumerate() {
+        let answer = ask(&mut page, id as u32 + 1, &json!({ "type": kind }));
+        assert!(answer["error"]["help"].as_str().unwrap().contains("--build"), "{answer}");
+    }
+    let answer = ask(&mut page, 9, &json!({ "type": "run", "seed": 0, "robots": 0 }));
+    assert!(answer["error"]["help"].as_str().unwrap().contains("--build"), "{answer}");
+}
+
+#[test]
+fn sources_are_for_nobody_without_the_cookie_and_for_no_other_computer() {
+    let sources = Sources::new();
+    let target = target_with(Some(TOKEN), sources.options());
+    let own = format!("Origin: http://{}", target.address);
+    assert_eq!(target.upgrade(&[&target.host(), &own]), 403);
+    assert_eq!(target.upgrade(&[&target.host(), "Authorization: Bearer wrong"]), 403);
+    let start = |options: Options| {
+        let listener = TcpListener::bind("0.0.0.0:0").unwrap();
+        let web = WebOptions { token: Some(TOKEN.to_owned()), ..WebOptions::default() };
+        Web::start(listener, web, Arc::new(Manager::new(options)))
+    };
+    assert!(start(Options::default()).is_ok());
+    let error = start(sources.options()).err().unwrap().to_string();
+    assert!(error.contains("this computer only"), "{error}");
+}

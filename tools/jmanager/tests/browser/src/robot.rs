@@ -1,0 +1,93 @@
+//! Other programs that a story needs: a robot behind a link, and games.
+
+use std::io::{BufRead, BufReader, Read};
+use std::path::PathBuf;
+use std::process::{Child, ChildStdout, Command, Stdio};
+
+use serde_json::Value;
+
+use crate::server::{program, target};
+
+/// A simulated robot in a process of its own, which ends when this is dropped.
+pub struct Robot {
+    child: Child,
+    output: ChildStdout,
+    /// Its address: `HOST:PORT`.
+    pub address: String,
+}
+
+impl Robot {
+    /// Starts a game in real time with more arguments of `player play`.
+    ///
+    /// # Panics
+    /// If the program is not built or does not start.
+    #[must_use]
+    pub fn start(arguments: &[&str]) -> Self {
+        Self::start_at("127.0.0.1:0", arguments)
+    }
+
+    /// Starts it at an address.
+    ///
+    /// # Panics
+    /// If the program is not built or does not start.
+    #[must_use]
+    pub fn start_at(address: &str, arguments: &[&str]) -> Self {
+        let mut child = command(&[&["play", "--realtime", "--json", "--serve", address], arguments].concat())
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .expect("the program `player` is built");
+        let mut lines = BufReader::new(child.stderr.take().expect("a pipe")).lines().map_while(Result::ok);
+        let address = lines
+            .find_map(|line| Some(line.split_once("monitors attach at ")?.1.trim().to_owned()))
+            .expect("the program prints the address of its link");
+        // The rest is read, so that the program never waits for a reader.
+        std::thread::spawn(move || lines.for_each(drop));
+        let output = child.stdout.take().expect("a pipe");
+        Self { child, output, address }
+    }
+
+    /// Waits for the end of the game; returns the 99th percentile of the duration of a cycle, ms.
+    ///
+    /// # Panics
+    /// If the game does not end as it should.
+    #[must_use]
+    pub fn latency(mut self) -> f64 {
+        let mut text = String::new();
+        self.output.read_to_string(&mut text).expect("the summary of the game");
+        let summary: Value = serde_json::from_str(&text).expect("a JSON object");
+        summary["wall"]["latency_ms"]["p99"].as_f64().expect("a latency")
+    }
+
+    /// Ends it at once, as a crash would.
+    pub fn kill(&mut self) {
+        let _ = self.child.kill();
+        let _ = self.child.wait();
+    }
+}
+
+impl Drop for Robot {
+    fn drop(&mut self) {
+        self.kill();
+    }
+}
+
+/// Runs `player` to its end.
+///
+/// # Panics
+/// If it fails.
+pub fn player(arguments: &[&str]) {
+    let status = command(arguments).stdout(Stdio::null()).status().expect("the program `player` is built");
+    // 1: a game without a goal.
+    assert!(matches!(status.code(), Some(0 | 1)), "player {arguments:?}: {status}");
+}
+
+fn command(arguments: &[&str]) -> Command {
+    let mut command = Command::new(program("player"));
+    command.args(arguments).current_dir(repository());
+    command
+}
+
+fn repository() -> PathBuf {
+    target().join("..")
+}

@@ -1,0 +1,24 @@
+//! The forward on an emulated microcontroller.
+
+use jmanager_browser::{Page, Server, target};
+
+use crate::WIDE;
+
+const IMAGE: &str = "../firmware/target/thumbv7em-none-eabihf/release/forward-an500";
+
+#[tokio::test]
+async fn the_firmware_plays_and_is_watched() {
+    let image = target().join(IMAGE);
+    if !image.is_file() {
+        println!("NOT TESTED: no firmware is built; `cargo xtask firmware --build` builds it");
+        return;
+    }
+    let image = image.to_str().expect("a path of UTF-8");
+    let server = Server::start("firmware", &["--world", "firmware", "--image", image]);
+    let page = Page::open(&server, WIDE).await;
+    page.find("button", "FaceBall", "Activation tree").await;
+    page.until("components are active", "return document.querySelectorAll('.component.active').length > 5").await;
+    page.until("time goes on", "return Number.parseFloat(document.querySelector('.clock b').textContent) > 1").await;
+    page.screenshot("firmware").await;
+    page.close().await;
+}

@@ -1,0 +1,181 @@
+//! Breakpoints on states and transitions.
+
+use jmanager::protocol::{Breakpoint, Open, Request};
+use jmanager::sessions::Manager;
+use serde_json::{Value, json};
+
+use crate::page::{Folder, Got, Page};
+use crate::recorded::{opened, record};
+use crate::robot::Robot;
+use crate::world::{find, running};
+
+fn state(component: usize, state: usize) -> Breakpoint {
+    Breakpoint { component, state: Some(state), transition: None }
+}
+
+/// A transition of the root that is taken early in each game.
+fn first_transition(description: &Value) -> (Breakpoint, usize, usize) {
+    let (component, transition) = find(description, "Player", "transitions", "ball_seen");
+    let found = &description["components"][component]["transitions"][transition];
+    let place = |key: &str| found[key].as_u64().unwrap() as usize;
+    (Breakpoint { component, state: None, transition: Some(transition) }, place("from"), place("to"))
+}
+
+#[test]
+fn a_world_pauses_at_the_cycle_in_which_a_breakpoint_is_reached() {
+    let folder = Folder::new();
+    let manager = Manager::new(folder.options());
+    let (page, session, description) = running(&manager);
+    let (transition, _, to) = first_transition(&description);
+    let component = transition.component;
+    for list in [vec![transition], vec![state(component, to)]] {
+        page.ask(Request::Breakpoints { session, list: list.clone() }).unwrap();
+        page.ask(Request::Restart { session, seed: Some(2) }).unwrap();
+        page.message("described", |_| Some(()));
+        let hit = page.message("hit", |hit| Some(hit.clone()));
+        let time_us = hit["time_us"].as_u64().unwrap();
+        assert_eq!((&hit["component"], &hit["paused"]), (&json!(component), &json!(true)), "{hit}");
+        page.session(|one| one["id"] == session && one["paused"] == true);
+        // The last cycle is that of the breakpoint: no other one was run.
+        std::thread::sleep(std::time::Duration::from_millis(300));
+        let now =
+            |page: &Page<'_>| page.ask(Request::At { session, time_us: u64::MAX, info: vec![], image: false }).unwrap();
+        let moment = now(&page);
+        assert_eq!(moment["time_us"], time_us, "{moment}");
+        let entered = &moment["components"][component];
+        assert_eq!((&entered[0], &entered[2], &entered[4]), (&json!(true), &json!(to), &json!(time_us)));
+        // A breakpoint is reached once; one cycle at a time goes on from there.
+        page.ask(Request::Step { session, cycles: 1 }).unwrap();
+        page.message("update", |update| {
+            (update["cycle"].as_u64() == Some(moment["cycle"].as_u64().unwrap() + 1)).then_some(())
+        });
+        assert!(page.ask(Request::NextHit { session, from_us: time_us }).unwrap().is_null());
+        let next = page.ask(Request::NextHit { session, from_us: 0 }).unwrap();
+        assert_eq!(next["time_us"], time_us, "{next}");
+        page.ask(Request::Breakpoints { session, list: Vec::new() }).unwrap();
+        page.ask(Request::Resume { session }).unwrap();
+        page.message("update", |update| (update["cycle"].as_u64()? > moment["cycle"].as_u64()? + 20).then_some(()));
+    }
+}
+
+#[test]
+fn a_step_of_many_cycles_stops_at_a_breakpoint() {
+    let folder = Folder::new();
+    let manager = Manager::new(folder.options());
+    let (page, session, description) = running(&manager);
+    let (transition, ..) = first_transition(&description);
+    page.ask(Request::Breakpoints { session, list: vec![transition] }).unwrap();
+    page.ask(Request::Pause { session }).unwrap();
+    page.ask(Request::Restart { session, seed: Some(2) }).unwrap();
+    page.message("described", |_| Some(()));
+    page.ask(Request::Step { session, cycles: 100_000 }).unwrap();
+    let hit = page.message("hit", |hit| Some(hit.clone()));
+    std::thread::sleep(std::time::Duration::from_millis(300));
+    let moment = page.ask(Request::At { session, time_us: u64::MAX, info: vec![], image: false }).unwrap();
+    assert_eq!(moment["time_us"], hit["time_us"]);
+}
+
+/// Waits for a hit of a robot; each state has a breakpoint, so that one is reached soon.
+fn hit_behind_a_link(robot: &Robot, then: impl Fn(&Page<'_>, u32, &Value)) {
+    let folder = Folder::new();
+    let manager = Manager::new(folder.options());
+    let session = manager.open(Open::Robot { address: format!("tcp://{}", robot.address) }).unwrap();
+    let page = Page::new(&manager);
+    let description = page.message("described", |message| Some(message["description"].clone()));
+    let (component, _) = find(&description, "Player", "states", "approach");
+    let states = description["components"][component]["states"].as_array().unwrap().len();
+    let list: Vec<_> = (0..states).map(|one| state(component, one)).collect();
+    page.ask(Request::Breakpoints { session, list }).unwrap();
+    let hit = page.message("hit", |hit| Some(hit.clone()));
+    then(&page, session, &hit);
+    let request = Request::Lines { session, from_us: 0, until_us: u64::MAX, limit: 1000 };
+    let lines = page.ask(request).unwrap();
+    assert!(lines.to_string().contains("breakpoint: `Player`"), "{lines}");
+}
+
+#[test]
+fn a_robot_is_not_stopped_and_a_hit_is_sent() {
+    let robot = Robot::serve("127.0.0.1:0", false);
+    hit_behind_a_link(&robot, |page, _, hit| {
+        assert_eq!(hit["paused"], false, "{hit}");
+        let time_us = hit["time_us"].as_u64().unwrap();
+        page.message("update", |update| (update["time_us"].as_u64()? > time_us + 200_000).then_some(()));
+    });
+}
+
+#[test]
+fn a_world_behind_a_link_pauses_soon_after_a_hit() {
+    let robot = Robot::start("127.0.0.1:0");
+    hit_behind_a_link(&robot, |page, session, hit| {
+        assert_eq!(hit["paused"], true, "{hit}");
+        std::thread::sleep(std::time::Duration::from_millis(300));
+        let now = || page.ask(Request::At { session, time_us: u64::MAX, info: vec![], image: false }).unwrap();
+        let paused = now()["cycle"].clone();
+        std::thread::sleep(std::time::Duration::from_millis(300));
+        assert_eq!(now()["cycle"], paused);
+        // The moment of the hit can be looked at.
+        let time_us = hit["time_us"].as_u64().unwrap();
+        let moment = page.ask(Request::At { session, time_us, info: vec![], image: false }).unwrap();
+        assert_eq!(moment["components"][hit["component"].as_u64().unwrap() as usize][4], time_us);
+        page.ask(Request::Breakpoints { session, list: Vec::new() }).unwrap();
+        page.ask(Request::Resume { session }).unwrap();
+        page.message("update", |update| (update["time_us"].as_u64()? > time_us + 200_000).then_some(()));
+    });
+}
+
+#[test]
+fn the_next_hit_of_a_recording_is_found() {
+    let folder = Folder::new();
+    record(&folder, "one.mcap", 1);
+    let manager = Manager::new(folder.options());
+    let page = Page::new(&manager);
+    let (session, _) = opened(&page, "one");
+    let late = Page::new(&manager);
+    let description = late.message("described", |message| Some(message["description"].clone()));
+    let (transition, from, to) = first_transition(&description);
+    page.ask(Request::Breakpoints { session, list: vec![transition] }).unwrap();
+    late.message("breakpoints", |message| {
+        (message["list"][0]["transition"] == json!(transition.transition)).then_some(())
+    });
+    let request = Request::Timeline { session, from_us: 0, until_us: u64::MAX, resolution_us: 0 };
+    let rows = page.ask(request).unwrap();
+    let bars = rows[transition.component]["bars"].as_array().unwrap().clone();
+    let expected: Vec<u64> = bars
+        .windows(2)
+        .filter(|two| (&two[0][2], &two[1][2]) == (&json!(from), &json!(to)) && two[0][1] == two[1][0])
+        .map(|two| two[1][0].as_u64().unwrap())
+        .collect();
+    assert!(!expected.is_empty(), "{bars:?}");
+    let (mut found, mut cursor) = (Vec::new(), 0);
+    while let Some(time) = page.ask(Request::NextHit { session, from_us: cursor }).unwrap()["time_us"].as_u64() {
+        assert!(time > cursor);
+        found.push(time);
+        cursor = time;
+    }
+    assert_eq!(found, expected);
+}
+
+#[test]
+fn breakpoints_that_do_not_fit_the_tree_are_refused() {
+    let folder = Folder::new();
+    let manager = Manager::new(folder.options());
+    let (page, session, description) = running(&manager);
+    let (transition, ..) = first_transition(&description);
+    let component = transition.component;
+    for one in [
+        state(1000, 0),
+        state(component, 1000),
+        Breakpoint { component, state: None, transition: Some(1000) },
+        Breakpoint { component, state: None, transition: None },
+        Breakpoint { component, state: Some(0), transition: Some(0) },
+    ] {
+        page.ask(Request::Breakpoints { session, list: vec![transition, one] }).unwrap_err();
+    }
+    page.ask(Request::Breakpoints { session, list: vec![state(component, 0); 501] }).unwrap_err();
+    let late = Page::new(&manager);
+    let list = late.wait("the list", |got| match got {
+        Got::Message(message) if message["type"] == "breakpoints" => Some(message["list"].clone()),
+        _ => None,
+    });
+    assert_eq!(list, json!([]));
+}

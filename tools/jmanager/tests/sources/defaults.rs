@@ -1,0 +1,62 @@
+//! A tuned value as the new default.
+
+use std::path::Path;
+
+use jmanager::protocol::{Open, Request, Setting};
+use jmanager::sessions::{Manager, Options};
+use serde_json::{Value, json};
+
+use crate::view::{Sources, View, text_of};
+
+/// Index of a component and of one of its parameters.
+fn find(description: &Value, component: &str, param: &str) -> (usize, usize) {
+    let components = description["components"].as_array().unwrap();
+    let component = components.iter().position(|one| one["name"] == component).unwrap();
+    let params = components[component]["params"].as_array().unwrap();
+    (component, params.iter().position(|one| one["name"] == param).unwrap())
+}
+
+#[test]
+fn a_tuned_value_is_written_as_the_default_of_its_source() {
+    let player = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../player/src");
+    let face_ball = std::fs::read_to_string(player.join("behaviour/face_ball.rs")).unwrap();
+    let profile = std::fs::read_to_string(player.join("input/robot_profile.rs")).unwrap();
+    let sources = Sources::new(&[("face_ball.rs", &face_ball), ("robot_profile.rs", &profile)]);
+    let manager = sources.manager();
+    let session = manager.open(Open::World { world: "built-in".to_owned(), seed: 1, robots: 0 }).unwrap();
+    let view = View::new(&manager);
+    let is_described = |message: &Value| (message["type"] == "described").then(|| message["description"].clone());
+    let description = view.wait("the tree", is_described);
+    let save = |(component, param): (usize, usize)| view.request(Request::SaveSource { session, component, param });
+    let gain = find(&description, "FaceBall", "gain");
+    view.request(Request::Acquire { session }).unwrap();
+    let settings = vec![Setting { component: gain.0, param: gain.1, value: json!(1.0) }];
+    view.request(Request::Set { session, settings }).unwrap();
+    let saved = save(gain).unwrap();
+    assert_eq!(saved["path"], "face_ball.rs");
+    assert!(
+        saved["diff"].as_str().unwrap().contains("+    #[param(default = 1.0, range = 0.05..=1.0, step = 0.05)]"),
+        "{saved}"
+    );
+    assert_eq!(sources.read("face_ball.rs"), face_ball.replace("default = 0.7,", "default = 1.0,"));
+    // A variant keeps the path of its enum.
+    let body = find(&description, "RobotProfile", "profile");
+    save(body).unwrap();
+    assert_eq!(sources.read("robot_profile.rs"), profile);
+    // A parameter whose source is elsewhere.
+    let other = description["components"].as_array().unwrap().iter().enumerate().find_map(|(component, one)| {
+        let other = one["params"]
+            .as_array()?
+            .iter()
+            .position(|param| param["group"] != "Facing" && one["name"] != "RobotProfile")?;
+        Some((component, other))
+    });
+    assert!(text_of(save(other.unwrap())).contains("no file below"));
+    let two = Sources::new(&[("a.rs", &face_ball), ("b.rs", &face_ball)]);
+    let manager = Manager::new(Options { ..two.options() });
+    let session = manager.open(Open::World { world: "built-in".to_owned(), seed: 1, robots: 0 }).unwrap();
+    let view = View::new(&manager);
+    view.wait("the tree", is_described);
+    let request = Request::SaveSource { session, component: gain.0, param: gain.1 };
+    assert!(text_of(view.request(request)).contains("several files"));
+}

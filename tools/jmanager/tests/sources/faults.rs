@@ -1,0 +1,158 @@
+//! Hostile input, and a server that is killed.
+
+use std::fs;
+use std::process::{Command, Stdio};
+use std::time::Duration;
+
+use serde_json::json;
+
+use crate::view::{PLAYER, Sources, View, text_of};
+
+#[test]
+fn no_name_leads_out_of_the_folder() {
+    let sources = Sources::player();
+    fs::write(sources.0.0.join("outside.rs"), PLAYER).unwrap();
+    #[cfg(unix)]
+    {
+        std::os::unix::fs::symlink("../outside.rs", sources.path("link.rs")).unwrap();
+        std::os::unix::fs::symlink("..", sources.path("up")).unwrap();
+    }
+    let manager = sources.manager();
+    let view = View::new(&manager);
+    let long = "a/".repeat(5000);
+    for name in [
+        "../outside.rs",
+        "/etc/passwd",
+        "..",
+        ".",
+        "",
+        "link.rs",
+        "up/outside.rs",
+        "a/../../outside.rs",
+        "player.rs\0",
+        "player.rs\n",
+        "./../outside.rs",
+        "..\\outside.rs",
+        "C:\\outside.rs",
+        "player",
+        "\u{202e}sr.reyalp",
+        "up",
+        &long,
+    ] {
+        text_of(view.ask(json!({ "type": "open_file", "file": name })));
+        text_of(view.ask(json!({ "type": "save_file", "file": name })));
+    }
+    assert_eq!(fs::read_to_string(sources.0.0.join("outside.rs")).unwrap(), PLAYER);
+}
+
+#[cfg(unix)]
+#[test]
+fn a_file_that_is_replaced_by_a_link_is_neither_read_nor_written_through_it() {
+    let sources = Sources::player();
+    let manager = sources.manager();
+    let view = View::of(&manager, "player.rs");
+    let secret = sources.0.0.join("secret.rs");
+    fs::write(&secret, "// secret\n").unwrap();
+    fs::remove_file(sources.path("player.rs")).unwrap();
+    std::os::unix::fs::symlink(&secret, sources.path("player.rs")).unwrap();
+    view.until("player.rs", "the problem", |shown| shown.state["problem"].as_str().unwrap().contains("outside"));
+    view.type_behind("player.rs", "let _ = ", "2 + ").unwrap();
+    assert!(text_of(view.ask(json!({ "type": "save_file", "file": "player.rs" }))).contains("outside"));
+    assert_eq!(fs::read_to_string(&secret).unwrap(), "// secret\n");
+    assert!(!view.shown("player.rs").text.contains("secret"));
+    // The layout beside a source is no way out either.
+    let sources = Sources::player();
+    std::os::unix::fs::symlink(&secret, sources.path("player.vicode")).unwrap();
+    let manager = sources.manager();
+    let view = View::of(&manager, "player.rs");
+    let shown = view.shown("player.rs");
+    assert!(!shown.state["problem"].as_str().unwrap().contains("// secret"), "{}", shown.state);
+    assert_ne!(shown.state["problem"], "");
+}
+
+#[test]
+fn too_much_is_refused_and_nothing_is_lost() {
+    let sources = Sources::player();
+    let manager = sources.manager();
+    let view = View::of(&manager, "player.rs");
+    let large = "let _ = 1;\n".repeat(100_000);
+    let body = json!([{ "edit": "set_body", "component": "Player", "function": "walk", "body": large }]);
+    assert!(text_of(view.edit("player.rs", &body)).contains("bytes in the edits"));
+    let many: Vec<_> =
+        (0..300).map(|_| json!({ "edit": "set_initial", "component": "Player", "state": "walk" })).collect();
+    assert!(text_of(view.edit("player.rs", &json!(many))).contains("number of edits"));
+    let text = "x".repeat(2 << 20);
+    text_of(view.ask(json!({ "type": "resolve_file", "file": "player.rs", "keep": { "text": text } })));
+    assert_eq!(view.shown("player.rs").text, PLAYER);
+    sources.write("large.rs", &"// x\n".repeat(300_000));
+    assert!(text_of(view.ask(json!({ "type": "open_file", "file": "large.rs" }))).contains("bytes of the file"));
+}
+
+#[test]
+fn open_files_are_limited_and_become_free_again() {
+    let sources = Sources::player();
+    for number in 0..70 {
+        sources.write(&format!("f{number}.rs"), "fn f() {}\n");
+    }
+    let manager = sources.manager();
+    let view = View::new(&manager);
+    let open = |number: usize| view.ask(json!({ "type": "open_file", "file": format!("f{number}.rs") }));
+    for number in 0..64 {
+        open(number).unwrap();
+    }
+    assert!(text_of(open(64)).contains("64 files"));
+    view.ask(json!({ "type": "close_file", "file": "f7.rs" })).unwrap();
+    open(64).unwrap();
+}
+
+/// Where the killed server works.
+const VICTIM: &str = "JMANAGER_TEST_VICTIM";
+
+/// Texts between which the killed server changes; long, so that writing takes time.
+fn versions() -> [String; 2] {
+    let comment = "// nothing but a long comment that fills the file\n".repeat(8000);
+    ["1", "2"].map(|number| PLAYER.replace("= 1", &format!("= {number}")) + &comment)
+}
+
+/// The server that is killed: no test by itself.
+#[test]
+fn victim() {
+    let Ok(folder) = std::env::var(VICTIM) else { return };
+    let folder = std::path::Path::new(&folder);
+    let options = jmanager::sessions::Options { source: Some(folder.to_owned()), ..Default::default() };
+    let manager = jmanager::sessions::Manager::new(options);
+    let view = View::of(&manager, "player.rs");
+    for number in 0_u32.. {
+        let text = &view.shown("player.rs").text;
+        let at = text.find("let _ = ").unwrap() + "let _ = ".len();
+        let digit = if &text[at..=at] == "1" { "2" } else { "1" };
+        view.edit("player.rs", &json!([{ "edit": "replace", "span": [at, at + 1], "text": digit }])).unwrap();
+        view.ask(json!({ "type": "save_file", "file": "player.rs" })).unwrap();
+        if number == 0 {
+            println!("saves");
+        }
+    }
+}
+
+#[test]
+fn a_server_that_is_killed_while_it_saves_leaves_the_file_whole() {
+    use std::io::{BufRead, BufReader};
+    let [one, two] = versions();
+    for round in 0..8 {
+        let sources = Sources::new(&[("player.rs", &one)]);
+        let mut child = Command::new(std::env::current_exe().unwrap())
+            .args(["faults::victim", "--exact", "--nocapture", "--test-threads=1"])
+            .env(VICTIM, sources.path(""))
+            .stdout(Stdio::piped())
+            .spawn()
+            .unwrap();
+        let output = BufReader::new(child.stdout.take().unwrap());
+        let saves = output.lines().map_while(Result::ok).any(|line| line.contains("saves"));
+        assert!(saves, "it saves");
+        std::thread::sleep(Duration::from_millis(13 * round));
+        child.kill().unwrap();
+        child.wait().unwrap();
+        let text = sources.read("player.rs");
+        assert!(text == one || text == two, "{} bytes of {}", text.len(), one.len());
+    }
+}

@@ -1,0 +1,93 @@
+//! What only a program on a computer offers, from its messages.
+
+use bica_wire::ToMonitorExtra;
+use bica_wire::message::{ComponentCosts, Conditions, ImageChunk, ImageHead};
+
+use super::event::{Costs, Event, Image};
+use crate::description::Description;
+
+/// Largest image, bytes.
+const MAX_IMAGE: usize = 1 << 24;
+
+/// Messages that are incomplete.
+#[derive(Debug, Default)]
+pub(super) struct Extras {
+    costs: Option<Costs>,
+    conditions: Option<Conditions>,
+    more_conditions: Vec<Option<bica_wire::message::ConditionState>>,
+    image: Option<Image>,
+}
+
+impl Extras {
+    /// Takes a message in; returns an event if something is complete.
+    pub(super) fn add(&mut self, message: ToMonitorExtra<'_>, description: &Description) -> Option<Event> {
+        match message {
+            ToMonitorExtra::Conditions(part) => self.conditions(part, description),
+            ToMonitorExtra::Costs(cycles) => {
+                self.costs = Some(Costs { cycles, components: Vec::new() });
+                None
+            }
+            ToMonitorExtra::ComponentCosts(part) => self.costs(&part, description.components.len()),
+            ToMonitorExtra::Truth(truth) => Some(Event::Truth(Box::new(truth))),
+            ToMonitorExtra::Image(head) => {
+                self.image = (size(&head) <= MAX_IMAGE).then(|| Image { head, yuyv: Vec::new() });
+                None
+            }
+            ToMonitorExtra::ImageChunk(chunk) => self.chunk(&chunk),
+            ToMonitorExtra::World(state) => Some(Event::World(state)),
+        }
+    }
+
+    fn conditions(&mut self, part: Conditions, description: &Description) -> Option<Event> {
+        let expected = description.components.get(usize::from(part.component))?.transitions.len();
+        if part.first == 0 {
+            self.more_conditions.clear();
+        }
+        let continues = self.more_conditions.len() == usize::from(part.first)
+            && (part.first == 0
+                || self
+                    .conditions
+                    .as_ref()
+                    .is_some_and(|last| (last.cycle, last.component) == (part.cycle, part.component)));
+        if !continues {
+            return None;
+        }
+        self.more_conditions.extend_from_slice(&part.values);
+        let (time_us, component) = (part.time_us, part.component.into());
+        self.conditions = Some(part);
+        let is_complete = self.more_conditions.len() == expected;
+        is_complete.then(|| Event::Conditions {
+            time_us,
+            component,
+            conditions: std::mem::take(&mut self.more_conditions),
+        })
+    }
+
+    fn costs(&mut self, part: &ComponentCosts, expected: usize) -> Option<Event> {
+        let costs = self.costs.as_mut()?;
+        if costs.cycles.cycle != part.cycle || costs.components.len() != usize::from(part.first) {
+            self.costs = None;
+            return None;
+        }
+        costs.components.extend_from_slice(&part.costs);
+        (costs.components.len() >= expected).then(|| self.costs.take().map(Event::Costs)).flatten()
+    }
+
+    fn chunk(&mut self, chunk: &ImageChunk<'_>) -> Option<Event> {
+        let image = self.image.as_mut()?;
+        let size = size(&image.head);
+        let continues = image.head.number == chunk.image_id && image.yuyv.len() == chunk.offset as usize;
+        if !continues || image.yuyv.len() + chunk.bytes.len() > size {
+            // It can never be complete; the robot waits until it is taken.
+            let head = image.head;
+            self.image = None;
+            return Some(Event::Image(Image { head, yuyv: Vec::new() }));
+        }
+        image.yuyv.extend_from_slice(chunk.bytes);
+        (image.yuyv.len() == size).then(|| self.image.take().map(Event::Image)).flatten()
+    }
+}
+
+fn size(head: &ImageHead) -> usize {
+    2 * usize::from(head.width) * usize::from(head.height)
+}

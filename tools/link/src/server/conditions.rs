@@ -1,0 +1,48 @@
+//! Conditions of transitions, from the events of a tick.
+
+use bica::{ComponentId, Graph, Instant};
+use bica_wire::message::ConditionState;
+
+use super::extras::Extra;
+
+/// For each transition of each component: whether its condition held when it was evaluated last in the present state, and the
+/// instant since which it has had this value.
+#[derive(Debug)]
+pub(super) struct ConditionTable {
+    components: Vec<Vec<Option<(bool, Instant)>>>,
+    now: Instant,
+}
+
+impl ConditionTable {
+    pub(super) fn new(graph: &Graph) -> Self {
+        let components = graph.nodes.iter().map(|node| vec![None; node.transitions.len()]).collect();
+        Self { components, now: Instant::MIN }
+    }
+
+    pub(super) const fn begin(&mut self, now: Instant) {
+        self.now = now;
+    }
+
+    /// The component came into another state, or became active.
+    pub(super) fn forget(&mut self, component: ComponentId) {
+        if let Some(conditions) = self.components.get_mut(component.index()) {
+            conditions.fill(None);
+        }
+    }
+
+    pub(super) fn evaluated(&mut self, component: ComponentId, transition: usize, holds: bool) {
+        let conditions = self.components.get_mut(component.index());
+        let Some(condition) = conditions.and_then(|conditions| conditions.get_mut(transition)) else { return };
+        if condition.is_none_or(|(last, _)| last != holds) {
+            *condition = Some((holds, self.now));
+        }
+    }
+
+    /// Returns the conditions of a component, if it has transitions.
+    pub(super) fn read(&self, component: u16, time_us: u64) -> Option<Extra> {
+        let conditions = self.components.get(usize::from(component)).filter(|conditions| !conditions.is_empty())?;
+        let state = |(holds, since): (bool, Instant)| ConditionState { holds, since_us: since.as_micros() };
+        let values = conditions.iter().map(|condition| condition.map(state)).collect();
+        Some(Extra::Conditions { time_us, component, values })
+    }
+}

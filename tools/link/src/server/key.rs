@@ -1,0 +1,34 @@
+//! What a monitor watches besides states and images.
+
+use bica_wire::message::{COSTS_CYCLES, ExtraKind, WatchInfo};
+
+/// What a monitor watches besides states and images.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Key {
+    /// An information: component and index.
+    Info(u16, u16),
+    /// The conditions of a component.
+    Conditions(u16),
+    /// The costs.
+    Costs,
+    /// The true state of the world.
+    Truth,
+}
+
+impl Key {
+    /// Returns what a message asks for, and n for every n-th cycle.
+    pub(super) const fn of_info(watch: WatchInfo) -> (Self, u16) {
+        (Self::Info(watch.component, watch.info), watch.every)
+    }
+
+    /// Returns what a message asks for, and n for every n-th cycle; none for images.
+    pub(super) const fn of_extra(kind: ExtraKind, every: u16) -> Option<(Self, u16)> {
+        Some(match kind {
+            ExtraKind::Conditions { component } => (Self::Conditions(component), every),
+            // One window for all monitors.
+            ExtraKind::Costs => (Self::Costs, if every == 0 { 0 } else { COSTS_CYCLES }),
+            ExtraKind::Truth => (Self::Truth, every),
+            ExtraKind::Images => return None,
+        })
+    }
+}

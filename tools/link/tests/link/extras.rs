@@ -1,0 +1,277 @@
+//! What only a program on a computer offers: the world's time, conditions, costs, the true state, images.
+
+use std::io::{Read, Write};
+use std::net::TcpListener;
+use std::thread;
+use std::time::Duration;
+
+use bica::runner::{Observer, Runner};
+use bica::{ComponentId, Instant, Probe};
+use bica_link::{Client, ClientOptions, Costs, Error, Event, Image};
+use bica_wire::message::{
+    COSTS_CYCLES, Change, ConditionState, ExtraKind, Offers, RefusalCode, Setting, Truth, Value, WorldChange,
+    WorldState,
+};
+use bica_wire::{Encoder, FromRobot, MAX_PACKET, SCHEMA};
+
+use crate::robot::{CART, CartTree};
+use crate::session::{CYCLE_US, HEIGHT, PIXELS, Session, WIDTH, Wall, event, snapshot};
+
+const PAUSE: Change = Change::World(WorldChange::Pause);
+const CONDITIONS: ExtraKind = ExtraKind::Conditions { component: CART };
+
+#[track_caller]
+fn world(client: &mut Client, expected: &str, condition: impl Fn(&WorldState) -> bool) -> WorldState {
+    event(client, expected, |event| match event {
+        Event::World(state) if condition(&state) => Some(state),
+        _ => None,
+    })
+}
+
+#[track_caller]
+fn image(client: &mut Client) -> Image {
+    event(client, "an image", |event| match event {
+        Event::Image(image) => Some(image),
+        _ => None,
+    })
+}
+
+#[test]
+fn a_paused_world_applies_requests_and_runs_exactly_the_requested_steps() {
+    let session = Session::start_world();
+    let (mut operator, mut watcher) = (session.client(), session.client());
+    world(&mut watcher, "the state when it attaches", |state| !state.paused);
+    operator.acquire(false).unwrap();
+    let paused_at = operator.request(PAUSE).unwrap().cycle;
+    world(&mut watcher, "a pause", |state| state.paused && state.steps == 0);
+    let set = Setting { component: CART, index: 0, value: Value::F32(1.5) };
+    let answer = operator.request(Change::Params([set].into_iter().collect())).unwrap();
+    assert_eq!((answer.values, answer.cycle), (vec![Value::F32(1.5)], paused_at + 1));
+    thread::sleep(Duration::from_millis(50));
+    assert_eq!(session.cycles(), paused_at + 1, "time stands still");
+    for (steps, all) in [(7, 7), (5, 12)] {
+        operator.request(Change::World(WorldChange::Step { cycles: steps })).unwrap();
+        let end = paused_at + 1 + all;
+        let state = world(&mut watcher, "the end of the steps", |state| state.cycle == end && state.steps == 0);
+        assert!(state.paused);
+        thread::sleep(Duration::from_millis(20));
+        assert_eq!(session.cycles(), end);
+    }
+    operator.release().unwrap();
+    world(&mut session.client(), "a pause that outlives the lease", |state| state.paused);
+    operator.acquire(false).unwrap();
+    operator.request(Change::World(WorldChange::Resume)).unwrap();
+    world(&mut watcher, "the end of the pause", |state| !state.paused);
+    session.run(20);
+}
+
+#[test]
+fn the_operator_is_silent_in_a_paused_world_too() {
+    let silence = Duration::from_secs(2);
+    let options = bica_link::ServerOptions { silence, offers: Offers::PAUSE, ..bica_link::ServerOptions::default() };
+    let session = Session::serve(&"127.0.0.1:0".parse().unwrap(), options);
+    let (mut silent, mut next) = (session.client(), session.client());
+    silent.acquire(false).unwrap();
+    silent.request(PAUSE).unwrap();
+    for owned in [true, false] {
+        event(&mut next, "the begin and the end of the lease", |event| match event {
+            Event::Lease(lease) if lease.owned == owned => Some(()),
+            _ => None,
+        });
+    }
+    next.acquire(false).unwrap();
+    next.request(Change::World(WorldChange::Resume)).unwrap();
+    session.run(20);
+}
+
+#[test]
+fn time_is_stopped_only_by_the_operator_of_a_simulated_world() {
+    let session = Session::start();
+    let mut client = session.client();
+    assert_eq!(client.offers(), Offers::OPERATE.with(Offers::CONDITIONS).with(Offers::COSTS));
+    client.acquire(false).unwrap();
+    let error = client.request(PAUSE).unwrap_err();
+    assert!(matches!(error, Error::NotOffered(_)), "{error}");
+    assert_eq!(error.to_string(), "the robot's program does not offer to stop its time");
+    // A client that does not know what the robot offers.
+    let lease = client.lease().lease;
+    let number = client.send_request_with(PAUSE, lease, u64::MAX).unwrap();
+    let refused = client.answer(number);
+    assert!(matches!(refused, Err(Error::Refused { code: RefusalCode::NoWorld, .. })), "{refused:?}");
+    session.run(50);
+    for kind in [ExtraKind::Truth, ExtraKind::Images] {
+        assert!(matches!(client.watch_extra(kind, 1), Err(Error::NotOffered(_))));
+    }
+
+    let session = Session::start_world();
+    let mut watcher = session.client();
+    let refused = watcher.request(PAUSE);
+    assert!(matches!(refused, Err(Error::Refused { code: RefusalCode::NoLease, .. })), "{refused:?}");
+    session.run(50);
+}
+
+/// Conditions of the cart after each cycle.
+#[derive(Default)]
+struct Oracle {
+    now: u64,
+    conditions: [Option<ConditionState>; 2],
+}
+
+impl Probe for Oracle {
+    fn cycle_begin(&mut self, now: Instant) {
+        self.now = now.as_micros();
+    }
+
+    fn start(&mut self, component: ComponentId) {
+        self.transition(component, 0, 0);
+    }
+
+    fn condition(&mut self, _component: ComponentId, transition: usize, holds: bool) {
+        let last = &mut self.conditions[transition];
+        if last.map(|last| last.holds) != Some(holds) {
+            *last = Some(ConditionState { holds, since_us: self.now });
+        }
+    }
+
+    fn transition(&mut self, component: ComponentId, _from: usize, _to: usize) {
+        if component.index() == usize::from(CART) {
+            self.conditions = [None; 2];
+        }
+    }
+}
+
+impl Observer<CartTree> for Oracle {}
+
+#[test]
+fn conditions_and_the_true_state_are_those_of_their_cycle() {
+    const CYCLES: usize = 2000;
+    let session = Session::start_world();
+    let mut client = session.client();
+    client.watch_extra(CONDITIONS, 3).unwrap();
+    client.watch_extra(ExtraKind::Truth, 5).unwrap();
+    let (mut conditions, mut truths) = (Vec::new(), Vec::new());
+    while conditions.len() < 300 || truths.len() < 200 {
+        event(&mut client, "conditions or the true state", |event| match event {
+            Event::Conditions { time_us, component, conditions: values } => {
+                assert_eq!(component, usize::from(CART));
+                conditions.push((time_us / CYCLE_US, values));
+                Some(())
+            }
+            Event::Truth(truth) => {
+                let Truth { time_us, robot, .. } = *truth;
+                truths.push((time_us / CYCLE_US, robot[0]));
+                Some(())
+            }
+            _ => None,
+        });
+    }
+    let mut alone = Runner::new(Box::new(CartTree::new()), Wall::new()).with_observer(Oracle::default());
+    let mut expected = Vec::new();
+    for _ in 0..CYCLES.max(session.cycles() as usize + 1) {
+        alone.cycle().unwrap();
+        expected.push((alone.observer().conditions, alone.world().distance));
+    }
+    for (cycle, values) in &conditions {
+        assert!(cycle.is_multiple_of(3));
+        assert_eq!(values[..], expected[*cycle as usize].0, "cycle {cycle}");
+    }
+    assert!(conditions.iter().any(|(_, values)| values[0].is_some()));
+    for (cycle, distance) in truths {
+        assert!(cycle.is_multiple_of(5));
+        assert_eq!(distance.to_bits(), expected[cycle as usize].1.to_bits(), "cycle {cycle}");
+    }
+}
+
+#[test]
+fn costs_have_the_runs_of_their_window() {
+    let session = Session::start();
+    let mut client = session.client();
+    client.watch_extra(ExtraKind::Costs, 1).unwrap();
+    let mut next = || {
+        event(&mut client, "costs", |event| match event {
+            Event::Costs(costs) => Some(costs),
+            _ => None,
+        })
+    };
+    let mut last = next();
+    for _ in 0..3 {
+        let Costs { cycles, components } = next();
+        let window = u64::from(COSTS_CYCLES);
+        assert_eq!(cycles.cycle - last.cycles.cycle, window);
+        assert_eq!((cycles.window_us, cycles.time_us), (window * CYCLE_US, cycles.cycle * CYCLE_US));
+        assert!(cycles.worst_us <= cycles.time_us && cycles.worst_us > last.cycles.time_us);
+        assert!(cycles.mean_us > 0.0 && cycles.mean_us <= cycles.max_us, "{cycles:?}");
+        let runs: Vec<_> = components.iter().map(|cost| cost.runs).collect();
+        assert_eq!(runs[..2], [50, 50]);
+        assert!(components.iter().all(|cost| cost.mean_us <= cost.max_us && cost.overruns == 0), "{components:?}");
+        last = Costs { cycles, components };
+    }
+    client.watch_extra(ExtraKind::Costs, 0).unwrap();
+    session.run(100);
+    while client.poll(Duration::from_millis(1)).unwrap().is_some() {}
+    session.run(200);
+    while let Some(event) = client.poll(Duration::from_millis(1)).unwrap() {
+        assert!(!matches!(event, Event::Costs(_)), "nobody watches costs any more");
+    }
+}
+
+#[test]
+fn of_images_a_monitor_gets_the_newest_after_it_has_taken_the_last() {
+    let session = Session::start_world();
+    let (mut slow, mut other) = (session.client(), session.client());
+    for client in [&mut slow, &mut other] {
+        client.watch_extra(ExtraKind::Images, 3).unwrap();
+    }
+    let first = image(&mut slow);
+    let head = first.head;
+    assert_eq!((usize::from(head.width), usize::from(head.height), head.bottom_camera), (WIDTH, HEIGHT, true));
+    assert!(head.number.is_multiple_of(3) && head.time_us == u64::from(head.number) * CYCLE_US);
+    assert!(first.yuyv == PIXELS);
+    session.run(300);
+    let second = image(&mut slow);
+    assert!(second.yuyv == PIXELS);
+    session.run(300);
+    // The second one was sent when the first one was taken; the third one is as old as the call.
+    let third = image(&mut slow);
+    assert!(third.head.number >= second.head.number + 300, "{:?} {:?}", second.head, third.head);
+    // A monitor that takes no image still gets states, and one that watches none gets none.
+    let mut states = session.client();
+    for client in [&mut other, &mut states] {
+        client.watch(1).unwrap();
+        let from = session.cycles();
+        snapshot(client, "a snapshot beside an image", |snapshot| snapshot.info.cycle > from);
+    }
+    while let Some(event) = states.poll(Duration::from_millis(1)).unwrap() {
+        assert!(!matches!(event, Event::Image(_) | Event::Truth(_) | Event::Conditions { .. } | Event::Costs(_)));
+        if session.cycles() > 1500 {
+            break;
+        }
+    }
+    slow.watch_extra(ExtraKind::Images, 0).unwrap();
+    session.run(100);
+    while let Some(event) = slow.poll(Duration::from_millis(1)).unwrap() {
+        let late = matches!(&event, Event::Image(image) if u64::from(image.head.number) + 100 > session.cycles());
+        assert!(!late, "{:?}", session.cycles());
+    }
+}
+
+#[test]
+fn a_robot_of_an_older_version_is_named_as_such() {
+    let listener = TcpListener::bind("127.0.0.1:0").unwrap();
+    let address = listener.local_addr().unwrap().to_string();
+    let robot = thread::spawn(move || {
+        let (mut stream, _) = listener.accept().unwrap();
+        stream.read_exact(&mut [0]).unwrap();
+        // The answer to `Attach` before robots stated what they offer.
+        let attached = postcard::to_stdvec(&(0_u8, SCHEMA ^ 1, 7_u64, "Tree", true, 3000_u32)).unwrap();
+        let mut packet = [0; MAX_PACKET];
+        let packet = Encoder::new().encode(&FromRobot::Monitor(&attached), &mut packet).unwrap();
+        stream.write_all(packet).unwrap();
+        // Until the client closes the connection.
+        let _ = stream.read_to_end(&mut Vec::new());
+    });
+    let result = Client::connect(&address.parse().unwrap(), ClientOptions::default());
+    assert!(matches!(&result, Err(Error::Schema { robot }) if *robot == SCHEMA ^ 1), "{:?}", result.err());
+    drop(result);
+    robot.join().unwrap();
+}

@@ -1,0 +1,151 @@
+//! What only a program on a computer offers: the world's time, conditions, costs, the true state, images.
+
+use std::fs;
+use std::path::Path;
+use std::time::Duration;
+
+use bica_console::{Failure, Outcome, interrupt};
+use bica_link::{Costs, Event, Image};
+use bica_wire::message::{Change, ConditionState, ExtraKind, Truth, WorldChange};
+use serde_json::json;
+
+use super::{Monitor, failure};
+use crate::cli::WatchExtras;
+
+/// Time without a snapshot after which a paused world is shown as such.
+const POLL: Duration = Duration::from_millis(50);
+
+impl Monitor {
+    /// Watches what the command line asks for besides states and information.
+    pub(super) fn watch_extras(&mut self, extras: &WatchExtras, every: u16) -> Result<(), Failure> {
+        let mut kinds = Vec::new();
+        for name in &extras.conditions {
+            kinds.push(ExtraKind::Conditions { component: self.component(name)? });
+        }
+        kinds.extend(extras.costs.then_some(ExtraKind::Costs));
+        kinds.extend(extras.truth.then_some(ExtraKind::Truth));
+        if let Some(folder) = &extras.images {
+            let failed = |error| Failure::new(format!("{}: {error}", folder.display()), "choose another folder");
+            fs::create_dir_all(folder).map_err(failed)?;
+            kinds.push(ExtraKind::Images);
+        }
+        for kind in kinds {
+            let every = if kind == ExtraKind::Images { 1 } else { every };
+            self.client.watch_extra(kind, every).map_err(|error| failure(&error))?;
+        }
+        Ok(())
+    }
+
+    /// Changes the time of a simulated world, and waits for the end of its steps.
+    pub(super) fn world(&mut self, change: WorldChange) -> Result<Outcome, Failure> {
+        self.operate(|monitor| {
+            let answer = monitor.request(Change::World(change))?;
+            let mut cycle = answer.cycle;
+            if let WorldChange::Step { .. } = change {
+                loop {
+                    match monitor.client.poll(POLL).map_err(|error| failure(&error))? {
+                        Some(Event::World(state)) if state.steps == 0 && state.cycle > answer.cycle => {
+                            cycle = state.cycle;
+                            break;
+                        }
+                        _ if interrupt::requested() => return Ok(Outcome::Interrupted),
+                        _ => {}
+                    }
+                }
+            }
+            let (paused, text) = match change {
+                WorldChange::Resume => (false, "the world goes on"),
+                _ => (true, "the world is paused"),
+            };
+            monitor.console.print_row(&format!("cycle {cycle}"), text)?;
+            monitor.line("bica-player/link-world/1", json!({ "cycle": cycle, "paused": paused }))?;
+            Ok(Outcome::Success)
+        })
+    }
+
+    /// Prints or saves what was watched besides states and information.
+    pub(super) fn show_extra(&self, event: &Event, images: Option<&Path>) -> Result<(), Failure> {
+        match (event, images) {
+            (Event::Conditions { time_us, component, conditions }, _) => {
+                self.show_conditions(*time_us, *component, conditions)
+            }
+            (Event::Costs(costs), _) => self.show_costs(costs),
+            (Event::Truth(truth), _) => self.show_truth(truth),
+            (Event::Image(image), Some(folder)) => self.save_image(image, folder),
+            _ => Ok(()),
+        }
+    }
+
+    fn show_conditions(
+        &self,
+        time_us: u64,
+        component: usize,
+        conditions: &[Option<ConditionState>],
+    ) -> Result<(), Failure> {
+        let Some(component) = self.client.description().components.get(component) else { return Ok(()) };
+        let (mut rows, mut texts) = (Vec::new(), Vec::new());
+        for (transition, condition) in component.transitions.iter().zip(conditions) {
+            let (holds, since) = (condition.map(|one| one.holds), condition.map(|one| one.since_us));
+            rows.push(json!({ "name": transition.name, "holds": holds, "since_us": since }));
+            if let Some(ConditionState { holds, since_us }) = condition {
+                let word = if *holds { "holds" } else { "does not hold" };
+                texts.push(format!("{} {word} since {:.2} s", transition.name, *since_us as f64 * 1e-6));
+            }
+        }
+        let text =
+            if texts.is_empty() { "no condition was evaluated in this state".to_owned() } else { texts.join(", ") };
+        let row = format!("{}: {text}", component.name);
+        self.console.print_row(&format!("{:.2} s", time_us as f64 * 1e-6), &row)?;
+        let line = json!({ "time_us": time_us, "component": component.name, "conditions": rows });
+        self.line("bica-player/link-conditions/1", line)
+    }
+
+    fn show_costs(&self, Costs { cycles, components }: &Costs) -> Result<(), Failure> {
+        let names = self.client.description().components.iter().map(|component| &component.name);
+        let rows: Vec<_> = names
+            .zip(components)
+            .map(|(name, cost)| {
+                json!({
+                    "name": name, "runs": cost.runs, "mean_us": cost.mean_us, "max_us": cost.max_us,
+                    "overruns": cost.overruns,
+                })
+            })
+            .collect();
+        let text = format!("cycle: mean {:.0} µs, longest {:.0} µs", cycles.mean_us, cycles.max_us);
+        self.console.print_row(&format!("{:.2} s", cycles.time_us as f64 * 1e-6), &text)?;
+        let line = json!({
+            "cycle": cycles.cycle, "time_us": cycles.time_us, "window_us": cycles.window_us,
+            "mean_us": cycles.mean_us, "max_us": cycles.max_us, "worst_us": cycles.worst_us, "components": rows,
+        });
+        self.line("bica-player/link-costs/1", line)
+    }
+
+    fn show_truth(&self, truth: &Truth) -> Result<(), Failure> {
+        let ([x, y, heading], [ball_x, ball_y]) = (truth.robot, truth.ball);
+        let text = format!("robot {x:.2} {y:.2} m, {heading:.2} rad, ball {ball_x:.2} {ball_y:.2} m");
+        self.console.print_row(&format!("{:.2} s", truth.time_us as f64 * 1e-6), &text)?;
+        let line = json!({
+            "time_us": truth.time_us, "robot": truth.robot, "ball": truth.ball, "others": &truth.others[..],
+            "start": truth.start, "attacks_blue": truth.attacks_blue,
+        });
+        self.line("bica-player/link-truth/1", line)
+    }
+
+    fn save_image(&self, Image { head, yuyv }: &Image, folder: &Path) -> Result<(), Failure> {
+        // An image of which a part was lost on the line is empty.
+        if yuyv.is_empty() {
+            return Ok(());
+        }
+        let path = folder.join(format!("{}_{}x{}.yuyv", head.number, head.width, head.height));
+        let failed =
+            |error| Failure::new(format!("{}: {error}", path.display()), "make room, or choose another folder");
+        fs::write(&path, yuyv).map_err(failed)?;
+        let line = json!({
+            "number": head.number, "time_us": head.time_us, "bottom_camera": head.bottom_camera,
+            "width": head.width, "height": head.height, "path": path,
+        });
+        self.console
+            .print_row(&format!("{:.2} s", head.time_us as f64 * 1e-6), &format!("image {}", path.display()))?;
+        self.line("bica-player/link-image/1", line)
+    }
+}
