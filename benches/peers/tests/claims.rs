@@ -100,7 +100,7 @@ fn the_table_shows_ratios_and_omits_empty_rows_and_columns() {
     figures.record(Design::Bica, Workload::Chain10, 15.0);
     figures.record(Design::Copper, Workload::Chain10, 120.0);
     let text = table::times(&figures);
-    assert!(text.contains("| copper-rs (always timed)    |  120 (8.0 x) |"), "{text}");
+    assert!(text.contains("| copper-rs (always timed)    | 120 (8.0 x) |"), "{text}");
     assert!(!text.contains("statig") && !text.contains("diamond"), "{text}");
 }
 

@@ -4,6 +4,8 @@ use std::collections::BTreeMap;
 
 /// Largest accepted deviation from the cost of a component in a small tree, for one in a large tree or of many robots.
 const LINEAR: f64 = 0.10;
+/// The same for ten chains beside one: their root combines ten values, and the compiler folds the steps of one chain.
+const WIDE: f64 = 0.30;
 /// Tree of one component. Beside a component, a tick costs something by itself, which does not grow.
 const ONE: &str = "one.cycles";
 /// Largest accepted deviation between ten active components alone and with ninety latent ones. The limit in time is 10
@@ -34,7 +36,7 @@ const CLAIMS: [Claim; 7] = [
         small: "ten.cycles",
         large: "a_hundred.cycles",
         times: 11.0,
-        tolerance: LINEAR,
+        tolerance: WIDE,
         without: Some(ONE),
     },
     Claim {
@@ -143,7 +145,7 @@ mod tests {
     #[test]
     fn each_claim_can_fail() {
         assert!(judge(&with("a_hundred.cycles", 10_980)).is_ok());
-        assert!(judge(&with("a_hundred.cycles", 11_000)).is_err());
+        assert!(judge(&with("a_hundred.cycles", 12_980)).is_err());
         assert!(judge(&with("chain_of_a_hundred.cycles", 8_400)).is_err());
         assert!(judge(&with("ten_robots_of_a_hundred.cycles", 111_000)).is_err());
         assert!(judge(&with("a_hundred_robots_of_ten.cycles", 89_000)).is_err());
