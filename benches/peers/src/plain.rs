@@ -18,6 +18,7 @@ fn called<const N: usize>(numbers: &mut [u64], to: usize, salt: u64, needs: [usi
     inlined(numbers, to, salt, needs);
 }
 
+#[expect(clippy::inline_always, reason = "it is what is measured")]
 #[inline(always)]
 fn inlined<const N: usize>(numbers: &mut [u64], to: usize, salt: u64, needs: [usize; N]) {
     numbers[to] = mix(salt, needs.map(|need| numbers[need]));

@@ -84,7 +84,7 @@ fn one_allocation_violates_the_claim() {
 
 #[test]
 fn a_claim_without_a_measurement_does_not_hold() {
-    assert_eq!(violated(&Figures::default()), Vec::from_iter(0..20));
+    assert_eq!(violated(&Figures::default()), (0..20).collect::<Vec<_>>());
 }
 
 #[test]
