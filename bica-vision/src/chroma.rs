@@ -8,8 +8,6 @@ use heapless::Vec;
 
 /// Pixel pairs tested together.
 pub(crate) const BLOCK: usize = 16;
-/// Maximum number of boxes with which each pair is compared.
-const FEW: usize = 2;
 
 /// Box of chroma between two corners (Cb, Cr), both included; empty if the first corner is above the second.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -63,13 +61,6 @@ impl Sieve {
     pub(crate) fn holds_back(&self, pairs: &[[u8; 4]; BLOCK]) -> bool {
         wide_box::are_beyond(&self.0, pairs)
     }
-
-    /// Pairs whose chroma is in a box, one bit for each from the lowest on. `None` if most may be.
-    #[inline(always)]
-    pub(crate) fn candidates(&self, pairs: &[[u8; 4]; BLOCK]) -> Option<u32> {
-        // With many boxes most pairs are in one.
-        if self.0.len() <= FEW { wide_box::inside(&self.0, pairs) } else { None }
-    }
 }
 
 /// Splits a row into blocks, where the filter saves time, and a rest.
@@ -117,27 +108,6 @@ mod wide_box {
             halves & halves >> 2 & 0x1111 != 0
         })
     }
-
-    #[cfg(target_arch = "x86_64")]
-    #[inline(always)]
-    #[expect(clippy::unnecessary_wraps, reason = "other processors have no such instructions")]
-    pub(super) fn inside(boxes: &[WideBox], pairs: &[[u8; 4]; BLOCK]) -> Option<u32> {
-        let (fours, _) = pairs.as_flattened().as_chunks();
-        let in_box = |selected: &WideBox| {
-            let four = |at: usize| {
-                let four = U8x16::new(fours[at]);
-                four.simd_ge(selected.low) & four.simd_le(selected.high)
-            };
-            U8x16::groups_to_bitmask([four(0), four(1), four(2), four(3)])
-        };
-        Some(boxes.iter().map(in_box).fold(0, |all, one| all | one))
-    }
-
-    #[cfg(target_arch = "aarch64")]
-    #[inline(always)]
-    pub(super) const fn inside(_: &[WideBox], _: &[[u8; 4]; BLOCK]) -> Option<u32> {
-        None
-    }
 }
 
 #[cfg(not(any(target_arch = "x86_64", target_arch = "aarch64")))]
@@ -159,11 +129,6 @@ mod wide_box {
     #[inline(always)]
     pub(super) const fn are_beyond(_: &[WideBox], _: &[[u8; 4]; BLOCK]) -> bool {
         false
-    }
-
-    #[inline(always)]
-    pub(super) const fn inside(_: &[WideBox], _: &[[u8; 4]; BLOCK]) -> Option<u32> {
-        None
     }
 }
 
@@ -190,12 +155,8 @@ mod tests {
         fn filter_never_skips_a_wanted_pair(
             pairs in any::<[[u8; 4]; BLOCK]>(), boxes in prop::collection::vec(chroma_box(), 0..5),
         ) {
-            let is_selected = |[_, cb, _, cr]: [u8; 4]| boxes.iter().any(|selected| selected.has([cb, cr]));
-            let selected = (0..BLOCK).map(|at| u32::from(is_selected(pairs[at])) << at).sum::<u32>();
-            let sieve = Sieve::new(boxes.iter().copied());
-            prop_assert!(selected == 0 || !sieve.holds_back(&pairs));
-            let are_few = cfg!(target_arch = "x86_64") && boxes.len() <= FEW;
-            prop_assert_eq!(sieve.candidates(&pairs), are_few.then_some(selected));
+            let selected = pairs.iter().any(|[_, cb, _, cr]| boxes.iter().any(|selected| selected.has([*cb, *cr])));
+            prop_assert!(!selected || !Sieve::new(boxes.into_iter()).holds_back(&pairs));
         }
 
         #[test]

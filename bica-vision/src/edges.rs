@@ -70,7 +70,7 @@ struct Ray<'a> {
 }
 
 impl Ray<'_> {
-    #[inline(always)]
+    #[cfg_attr(any(target_arch = "x86_64", target_arch = "aarch64"), inline(always))]
     fn pixel(&self, distance: f32) -> Option<Pixel> {
         self.frame.nearest(self.centre + self.along * distance)
     }

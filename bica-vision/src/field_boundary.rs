@@ -139,19 +139,15 @@ fn column_top(
     tuning: &BoundaryTuning,
 ) -> Option<f32> {
     let longest = (tuning.max_gap * f32::from(frame.height() / 2)) as u16;
-    let (mut best, mut best_left, mut sum, mut gap) = (0_u16, 0, 0_u16, 0);
-    // Number of scanned rows above.
-    let mut left = frame.height().saturating_sub(highest).div_ceil(2);
-    let rows = left;
-    for pixel in frame.column(x).upwards(highest) {
-        left -= 1;
+    let (mut best, mut best_row, mut sum, mut gap) = (0_u16, 0, 0_u16, 0);
+    for (row, pixel) in frame.column(x).upwards(highest) {
         let class = colours.classify(pixel);
         if class == Colour::Green {
             (sum, gap) = (sum + 1, 0);
             continue;
         }
         if sum > best {
-            (best, best_left) = (sum, left + 1);
+            (best, best_row) = (sum, row + 2);
         }
         if class == Colour::White {
             sum = sum.saturating_sub(1);
@@ -160,14 +156,14 @@ fn column_top(
             sum = if gap > longest { 0 } else { sum.saturating_sub(1) };
         }
         // Even if all rows above were green, they would not be a better stretch.
-        if sum + left <= best {
+        if sum + (row - highest) / 2 <= best {
             break;
         }
     }
     if sum > best {
-        (best, best_left) = (sum, left);
+        // The highest scanned row is green.
+        (best, best_row) = (sum, highest + (frame.height() - 1 - highest) % 2);
     }
-    let best_row = if best > 0 { frame.height() + 1 - 2 * (rows - best_left) } else { 0 };
     let enough = tuning.min_green * f32::from(frame.height() / 2);
     (f32::from(best) >= enough).then_some(f32::from(best_row))
 }

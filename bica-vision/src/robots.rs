@@ -200,42 +200,32 @@ impl<C: Classify> Scan<'_, C> {
     /// Lowest obstacle of a column.
     fn foot(&self, x: f32) -> Option<Foot> {
         let end = self.field_boundary.row_at(x)? + self.tuning.boundary_margin * f32::from(self.frame.height());
-        // Highest row below the boundary. The field boundary itself is not an obstacle.
-        let end = libm::ceilf(end).max(0.0) as u16;
+        // Highest row below the boundary, which itself is not an obstacle.
+        let whole = end.max(0.0) as u16;
+        let end = whole.saturating_add(u16::from(f32::from(whole) < end));
         let bottom = self.frame.height() - 1;
-        let mut row = self.frame.height() + 1;
-        let mut classes = self.frame.column(x as u16).upwards(0).map(|pixel| self.colours.classify(pixel));
-        let mut next = || {
-            row -= 2;
-            classes.next().map(|class| (row, class))
-        };
+        let mut pixels = self.frame.column(x as u16).upwards(0);
         loop {
-            let (base, class) = loop {
-                let (row, class) = next()?;
+            let mut is_ground = true;
+            let (base, class, least) = loop {
+                let (row, pixel) = pixels.next()?;
                 if row < end {
                     return None;
                 }
-                if class != Colour::Green {
-                    break (row, class);
-                }
-            };
-            let Some(least) = self.least_rows(x, base) else {
-                // Nothing can stand between here and the next green.
-                loop {
-                    let (row, class) = next()?;
-                    if row < end {
-                        return None;
+                let class = self.colours.classify(pixel);
+                if class == Colour::Green {
+                    is_ground = true;
+                } else if is_ground {
+                    if let Some(least) = self.least_rows(x, row) {
+                        break (row, class, least);
                     }
-                    if class == Colour::Green {
-                        break;
-                    }
+                    is_ground = false;
                 }
-                continue;
             };
             let mut stand = Stand::new(f32::from(base), least, class, self.tuning);
             while !stand.is_over() {
-                let (row, class) = next()?;
-                if stand.add(class, f32::from(row), self.tuning) {
+                let (row, pixel) = pixels.next()?;
+                if stand.add(self.colours.classify(pixel), f32::from(row), self.tuning) {
                     return Some(Foot { top: stand.top, row: stand.base, is_cut: base >= bottom });
                 }
             }

@@ -170,9 +170,10 @@ impl<'a, C: Classify> Seek<'a, C> {
         let (blocks, rest) = chroma::blocks(frame.row(row));
         let mut x = 0;
         for block in blocks {
-            match self.classes(block) {
-                0 => open.meet(Colour::None, x, &mut found),
-                classes => open.meet_all(classes, x, &mut found),
+            if self.sieve.holds_back(block) {
+                open.meet(Colour::None, x, &mut found);
+            } else {
+                open.meet_all(self.classes(block), x, &mut found);
             }
             x += 2 * BLOCK as u16;
             if open.count > most {
@@ -202,17 +203,7 @@ impl<'a, C: Classify> Seek<'a, C> {
     #[inline(always)]
     fn classes(&self, block: &[[u8; 4]; BLOCK]) -> u64 {
         let place = |(at, pair): (usize, &[u8; 4])| (self.class(*pair) as u64) << (4 * at);
-        let (mut classes, candidates) = (0, self.sieve.candidates(block));
-        let Some(mut candidates) = candidates else {
-            let are_none = self.sieve.holds_back(block);
-            return if are_none { 0 } else { block.iter().enumerate().map(place).fold(0, |all, one| all | one) };
-        };
-        while candidates != 0 {
-            let at = candidates.trailing_zeros() as usize % BLOCK;
-            classes |= place((at, &block[at]));
-            candidates &= candidates - 1;
-        }
-        classes
+        block.iter().enumerate().map(place).fold(0, |all, one| all | one)
     }
 }
 

@@ -4,11 +4,11 @@
 use core::ops::{Add, AddAssign, BitAnd, BitOr, Mul, Not, Shr, Sub};
 
 use safe_arch::{
-    add_i16_m128i, bitand_m128i, bitor_m128i, bitxor_m128i, cmp_eq_mask_i8_m128i, cmp_eq_mask_i32_m128i,
-    cmp_gt_mask_i16_m128i, m128i, max_i16_m128i, max_u8_m128i, min_i16_m128i, min_u8_m128i, move_mask_i8_m128i,
-    mul_i16_keep_low_m128i, pack_i16_to_i8_m128i, pack_i32_to_i16_m128i, set_splat_i16_m128i, shr_all_i16_m128i,
-    shr_imm_u32_m128i, shr_imm_u64_m128i, sub_i16_m128i, unpack_high_i16_m128i, unpack_high_i32_m128i,
-    unpack_high_i64_m128i, unpack_low_i16_m128i, unpack_low_i32_m128i, unpack_low_i64_m128i, zeroed_m128i,
+    add_i16_m128i, bitand_m128i, bitor_m128i, bitxor_m128i, cmp_eq_mask_i8_m128i, cmp_gt_mask_i16_m128i, m128i,
+    max_i16_m128i, max_u8_m128i, min_i16_m128i, min_u8_m128i, move_mask_i8_m128i, mul_i16_keep_low_m128i,
+    pack_i16_to_i8_m128i, pack_i32_to_i16_m128i, set_splat_i16_m128i, shr_all_i16_m128i, shr_imm_u32_m128i,
+    shr_imm_u64_m128i, sub_i16_m128i, unpack_high_i16_m128i, unpack_high_i32_m128i, unpack_high_i64_m128i,
+    unpack_low_i16_m128i, unpack_low_i32_m128i, unpack_low_i64_m128i, zeroed_m128i,
 };
 
 /// Sixteen bytes; as the result of a comparison each is 0 or 255.
@@ -52,24 +52,6 @@ impl U8x16 {
     #[inline(always)]
     pub(crate) fn to_bitmask(self) -> u32 {
         move_mask_i8_m128i(self.0).cast_unsigned()
-    }
-
-    /// Returns the results of comparisons as one bit for each group of four lanes: whether all of them are 255.
-    #[inline(always)]
-    pub(crate) fn groups_to_bitmask(all: [Self; 4]) -> u32 {
-        let whole = m128i::from([-1_i32; 4]);
-        let [a, b, c, d] = all.map(|four| cmp_eq_mask_i32_m128i(four.0, whole));
-        let halves = [pack_i32_to_i16_m128i(a, b), pack_i32_to_i16_m128i(c, d)];
-        move_mask_i8_m128i(pack_i16_to_i8_m128i(halves[0], halves[1])).cast_unsigned()
-    }
-}
-
-impl BitOr for U8x16 {
-    type Output = Self;
-
-    #[inline(always)]
-    fn bitor(self, other: Self) -> Self {
-        Self(bitor_m128i(self.0, other.0))
     }
 }
 
@@ -239,7 +221,6 @@ mod tests {
             prop_assert_eq!(x.simd_ge(y).to_bitmask(), bits(|a, b| a >= b));
             prop_assert_eq!(x.simd_le(y).to_bitmask(), bits(|a, b| a <= b));
             prop_assert_eq!((x.simd_ge(y) & x.simd_le(y)).to_bitmask(), bits(|a, b| a == b));
-            prop_assert_eq!((x.simd_ge(y) | x.simd_le(y)).to_bitmask(), 0xFFFF);
             prop_assert_eq!(x.min(y).simd_ge(x).to_bitmask(), bits(|a, b| a <= b));
             prop_assert_eq!(x.max(y).simd_le(x).to_bitmask(), bits(|a, b| a >= b));
         }
@@ -268,13 +249,6 @@ mod tests {
             prop_assert_eq!(I16x8::every_second(bytes.first_chunk().unwrap()).to_array(), every(2));
             prop_assert_eq!(I16x8::every_fourth(bytes.first_chunk().unwrap()).to_array(), every(4));
             prop_assert_eq!(I16x8::every_eighth(&bytes).to_array(), every(8));
-        }
-
-        #[test]
-        fn groups_of_four_lanes_are_one_bit(lanes in prop::collection::vec(prop_oneof![4 => Just(255_u8), 1 => any::<u8>()], 64)) {
-            let groups = core::array::from_fn(|at| U8x16::new(lanes[16 * at..][..16].try_into().unwrap()));
-            let expected = (0..16).map(|group| u32::from(lanes[4 * group..][..4] == [255; 4]) << group).sum::<u32>();
-            prop_assert_eq!(U8x16::groups_to_bitmask(groups), expected);
         }
 
         #[test]

@@ -126,8 +126,10 @@ impl<B: Board> Controller<B> {
             // This program answers a description only.
             #[cfg(not(feature = "monitor"))]
             ToRobot::Monitor(_) => {}
-            // A monitor sends it only to a program that offers it.
+            #[cfg(not(feature = "monitor"))]
             ToRobot::MonitorExtra(_) => {}
+            #[cfg(feature = "monitor")]
+            ToRobot::MonitorExtra(_) => self.monitor.refuse_extra(),
             #[cfg(feature = "monitor")]
             ToRobot::Monitor(bytes) => {
                 self.receive_monitor(Line::Body, bytes);

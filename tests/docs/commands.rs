@@ -16,7 +16,7 @@ pub(crate) struct Shown {
 }
 
 /// Subcommands of cargo whose arguments are checked.
-const CARGO: [&str; 7] = ["bench", "build", "doc", "fetch", "publish", "run", "test"];
+const CARGO: [&str; 8] = ["bench", "build", "check", "doc", "fetch", "publish", "run", "test"];
 /// Subcommands of cargo that users run in their own workspace.
 const ELSEWHERE: [&str; 2] = ["add", "new"];
 /// Options of cargo without a value.

@@ -80,7 +80,7 @@ impl Side {
 }
 
 /// Number of points that are compared with a line at once.
-const LANES: usize = 8;
+const LANES: usize = if cfg!(any(target_arch = "x86_64", target_arch = "aarch64")) { 8 } else { 1 };
 
 /// Few points by coordinate, so that SIMD compares them. Places without a point contain NaN, which is never outside.
 struct Block {

@@ -74,22 +74,37 @@ impl<'a> Column<'a> {
 
     /// Pixels of every second row from the bottom of the frame up to the row `highest` at most.
     #[inline(always)]
-    pub(crate) fn upwards(self, highest: u16) -> impl Iterator<Item = Pixel> + use<'a> {
+    pub(crate) fn upwards(self, highest: u16) -> Upwards<'a> {
         let rows = usize::from(highest) * self.stride..=usize::from(self.height - 1) * self.stride;
         let pairs = self.pairs.get(rows).unwrap_or(&[]);
-        let mut at = pairs.len().wrapping_sub(1);
-        core::iter::from_fn(move || {
-            let pair = pairs.get(at)?;
-            // Above the first pair the index exceeds all others.
-            at = at.wrapping_sub(2 * self.stride);
-            Some(self.of_pair(pair))
-        })
+        Upwards { column: Self { pairs, ..self }, at: pairs.len().wrapping_sub(1), row: self.height + 1 }
     }
 
     #[inline(always)]
     #[expect(clippy::trivially_copy_pass_by_ref, reason = "a copy would be stored before it is indexed")]
     fn of_pair(&self, pair: &[u8; 4]) -> Pixel {
         Pixel { y: pair[self.luma & 2], cb: pair[1], cr: pair[3] }
+    }
+}
+
+/// Pixels of every second row from the bottom of a frame, with their rows.
+pub(crate) struct Upwards<'a> {
+    column: Column<'a>,
+    /// Index of the next pair; above the first pair it exceeds all others.
+    at: usize,
+    /// Row of the last pixel.
+    row: u16,
+}
+
+impl Iterator for Upwards<'_> {
+    type Item = (u16, Pixel);
+
+    #[inline(always)]
+    fn next(&mut self) -> Option<(u16, Pixel)> {
+        let pair = self.column.pairs.get(self.at)?;
+        self.at = self.at.wrapping_sub(2 * self.column.stride);
+        self.row -= 2;
+        Some((self.row, self.column.of_pair(pair)))
     }
 }
 

@@ -25,7 +25,7 @@ pub struct Offers(pub u32);
 impl Offers {
     /// Requests of an operator.
     pub const OPERATE: Self = Self(1);
-    /// A simulated world whose time can be stopped: [`Change::World`](super::Change::World).
+    /// A simulated world whose time can be stopped: [`FromMonitorExtra::World`].
     pub const PAUSE: Self = Self(1 << 1);
     /// Conditions of transitions.
     pub const CONDITIONS: Self = Self(1 << 2);
@@ -63,6 +63,35 @@ pub enum FromMonitorExtra {
     ImageTaken {
         /// Number of the image.
         number: u32,
+    },
+    /// Requests a change of a simulated world's time. It is answered as a [`Request`](super::Request).
+    World(WorldRequest),
+}
+
+/// A request of the operator to a simulated world.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, Schema)]
+pub struct WorldRequest {
+    /// Number that the answer repeats, one of the numbers of [`Request`](super::Request)s.
+    pub number: u32,
+    /// Number of the operator's lease.
+    pub lease: u32,
+    /// Robot's time after which the request is refused, µs; `u64::MAX`: never.
+    pub expires_us: u64,
+    /// What is requested.
+    pub change: WorldChange,
+}
+
+/// A change of a simulated world's time. It stays when the lease ends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, Schema)]
+pub enum WorldChange {
+    /// Pauses after the present cycle. Requests are still applied.
+    Pause,
+    /// Continues; steps that are left are dropped.
+    Resume,
+    /// Pauses, and runs some cycles.
+    Step {
+        /// Number of cycles, in addition to those that are left.
+        cycles: u32,
     },
 }
 

@@ -19,7 +19,8 @@ use serde::{Deserialize, Serialize};
 pub use diagnostics::{FaultInjection, LinkStats, StackUsage, Telemetry};
 pub use extra::{
     COSTS_CYCLES, ComponentCost, ComponentCosts, ConditionState, Conditions, Costs, ExtraKind, FromMonitorExtra,
-    ImageHead, MAX_CONDITIONS, MAX_COSTS, MAX_OTHERS, Offers, ToMonitorExtra, Truth, WorldState,
+    ImageHead, MAX_CONDITIONS, MAX_COSTS, MAX_OTHERS, Offers, ToMonitorExtra, Truth, WorldChange, WorldRequest,
+    WorldState,
 };
 pub use graph::GraphItem;
 pub use image::{ImageChunk, ImageInfo};
@@ -29,7 +30,7 @@ pub use monitor::{
 };
 pub use operator::{
     Answer, AnswerResult, Change, Hold, LeaseAction, LeaseState, MAX_ARGUMENTS, MAX_BATCH, RefusalCode, Request,
-    Setting, WorldChange,
+    Setting,
 };
 pub use robot::{Command, Sensors};
 pub use session::{ClockMode, Hello, Identity};

@@ -86,22 +86,6 @@ pub enum Change {
         /// The arguments.
         arguments: Vec<Value, MAX_ARGUMENTS>,
     },
-    /// Stops or continues the time of a simulated world. Anything else refuses it.
-    World(WorldChange),
-}
-
-/// A change of a simulated world's time. It stays when the lease ends.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, Schema)]
-pub enum WorldChange {
-    /// Pauses after the present cycle. Requests are still applied.
-    Pause,
-    /// Continues; steps that are left are dropped.
-    Resume,
-    /// Pauses, and runs some cycles.
-    Step {
-        /// Number of cycles, in addition to those that are left.
-        cycles: u32,
-    },
 }
 
 /// A value for a parameter.

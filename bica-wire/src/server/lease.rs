@@ -101,11 +101,26 @@ impl Lease {
         now: Duration,
         instant: Instant,
     ) -> Result<(), RefusalCode> {
-        if request.lease != self.number || !self.owns(connection) {
+        self.admit_lease(connection, (request.lease, request.expires_us), now, instant)
+    }
+
+    /// Checks as [`admit`](Self::admit) whether a request with the number of a lease and an expiry, µs, may be performed.
+    ///
+    /// # Errors
+    /// [`RefusalCode::NoLease`], [`RefusalCode::Expired`].
+    #[inline]
+    pub fn admit_lease(
+        &mut self,
+        connection: u64,
+        (lease, expires_us): (u32, u64),
+        now: Duration,
+        instant: Instant,
+    ) -> Result<(), RefusalCode> {
+        if lease != self.number || !self.owns(connection) {
             return Err(RefusalCode::NoLease);
         }
         self.own(connection, now);
-        if instant.as_micros() > request.expires_us { Err(RefusalCode::Expired) } else { Ok(()) }
+        if instant.as_micros() > expires_us { Err(RefusalCode::Expired) } else { Ok(()) }
     }
 
     /// Ends the lease if its owner was silent for too long; returns whether it did.
@@ -128,7 +143,7 @@ impl Lease {
         match change {
             Change::Hold { component, hold } => self.holds.set(*component, Hold::from(*hold) != Hold::Tree),
             Change::Rate { component, hz } => self.rates.set(*component, !hz.is_nan()),
-            Change::Params(_) | Change::Modulate { .. } | Change::World(_) => {}
+            Change::Params(_) | Change::Modulate { .. } => {}
         }
     }
 

@@ -21,9 +21,9 @@ impl RequestBuffer {
         Self { settings: Vec::new(), arguments: Vec::new() }
     }
 
-    /// Returns the request of the loop that performs a change; none for one of the world, which is no matter of the tree.
-    pub fn request(&mut self, change: &Change) -> Option<Request<'_>> {
-        Some(match change {
+    /// Returns the request of the loop that performs a change.
+    pub fn request(&mut self, change: &Change) -> Request<'_> {
+        match change {
             Change::Hold { component, hold } => Request::Hold { component: id(*component), hold: (*hold).into() },
             Change::Rate { component, hz } => Request::Rate { component: id(*component), hz: *hz },
             Change::Params(batch) => {
@@ -38,8 +38,7 @@ impl RequestBuffer {
                 let (component, index) = (id(*component), usize::from(*modulation));
                 Request::Modulate { component, index, arguments: &self.arguments }
             }
-            Change::World(_) => return None,
-        })
+        }
     }
 }
 

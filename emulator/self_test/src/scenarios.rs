@@ -21,11 +21,12 @@ type Outcome = Result<(), Box<dyn Error>>;
 type Scenario = (&'static str, Transport, fn(&Path, Transport) -> Outcome);
 
 /// All scenarios.
-pub(crate) const ALL: [Scenario; 8] = [
+pub(crate) const ALL: [Scenario; 9] = [
     ("the robot sends the graph of its tree", Transport::Pipe, describe),
     ("the robot sends the graph of its tree, serial port", Transport::Serial, describe),
     ("damaged, truncated and lost packets are counted and tolerated", Transport::Pipe, damage),
     ("damaged, truncated and lost packets are counted and tolerated, serial port", Transport::Serial, damage),
+    ("no byte is lost when more come than the queue holds, serial port", Transport::Serial, flood),
     ("a panic switches all joints off; its message survives the restart", Transport::Pipe, panic),
     ("a panic switches all joints off; its message survives the restart, serial port", Transport::Serial, panic),
     ("silence of the body causes a safe stop although a monitor sends, serial port", Transport::Serial, silence),
@@ -72,6 +73,25 @@ fn damage(image: &Path, transport: Transport) -> Outcome {
     link.send(&ToRobot::Sensors(standing(20_000)))?;
     let stats: LinkStats = link.receive(telemetry(|telemetry| telemetry.link))?;
     expect_eq(&(stats.damaged, stats.missing), &(2, 3))
+}
+
+/// Number of requests that are sent at once: several times as many bytes as the queue of the port holds.
+const FLOOD: usize = 2000;
+
+fn flood(image: &Path, transport: Transport) -> Outcome {
+    let mut robot = session::start(image, transport, ClockMode::Lockstep)?;
+    let (rx, tx) = robot.link().halves();
+    let mut bytes = Vec::new();
+    for _ in 0..FLOOD {
+        bytes.extend(tx.encode(&ToRobot::StackUsage)?);
+    }
+    tx.write(&bytes)?;
+    for _ in 0..FLOOD {
+        rx.receive(|message| matches!(message, FromRobot::StackUsage(_)).then_some(()))?;
+    }
+    tx.send(&ToRobot::Sensors(standing(0)))?;
+    let stats: LinkStats = rx.receive(telemetry(|telemetry| telemetry.link))?;
+    expect_eq(&(stats.damaged, stats.missing), &(0, 0))
 }
 
 fn panic(image: &Path, transport: Transport) -> Outcome {

@@ -86,6 +86,7 @@ impl MonitorLine {
             match self.decoder.push(byte).map(|packet| packet.message()) {
                 Some(Ok(ToRobot::Describe)) => controller.monitor().describe(Line::Monitor),
                 Some(Ok(ToRobot::Monitor(bytes))) => controller.receive_monitor(Line::Monitor, bytes),
+                Some(Ok(ToRobot::MonitorExtra(_))) => controller.monitor().refuse_extra(),
                 _ => {}
             }
         }

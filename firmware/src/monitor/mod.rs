@@ -135,7 +135,6 @@ impl Monitor {
     ) {
         let time = now.unwrap_or(Instant::MIN);
         let admitted = match now {
-            _ if matches!(request.change, Change::World(_)) => Err(RefusalCode::NoWorld),
             Some(now) => self.lease.admit(line.id(), &request, since_start(now), now),
             None => Err(RefusalCode::NoLease),
         };
@@ -162,7 +161,7 @@ impl Monitor {
         runner: &mut Runner<&'static mut Forward, (), (), O>,
         now: Instant,
     ) -> Result<(), Refusal> {
-        RequestBuffer::new().request(change).map_or(Ok(()), |request| runner.request(now, request))?;
+        runner.request(now, RequestBuffer::new().request(change))?;
         self.lease.record(change);
         if let Change::Params(batch) = change {
             let changed = batch.iter().fold(0, |set, setting| set | 1_u64 << (setting.component & 63));
@@ -183,7 +182,7 @@ impl Monitor {
         }
         while let Some(change) = self.lease.next_ending() {
             // A change that was accepted under the lease can always be taken back.
-            let _ = RequestBuffer::new().request(&change).map(|request| runner.request(now, request));
+            let _ = runner.request(now, RequestBuffer::new().request(&change));
         }
     }
 
@@ -199,6 +198,12 @@ impl Monitor {
             connection.mark_due(&self.next);
         }
         self.next.cycle += 1;
+    }
+
+    /// Answers a message that only a program on a computer offers.
+    pub(crate) fn refuse_extra(&mut self) {
+        let now = Instant::from_micros(self.next.time_us);
+        self.log(now, 3, "refused: only a program on a computer offers this", None);
     }
 
     fn log(&mut self, now: Instant, level: u8, text: &'static str, component: Option<u16>) {
@@ -240,6 +245,5 @@ fn describe_change(change: &Change) -> (Option<u16>, &'static str, &'static str)
             (batch.first().map(|setting| setting.component), "operator: set", "operator: refused: set")
         }
         Change::Modulate { component, .. } => (Some(*component), "operator: call", "operator: refused: call"),
-        Change::World(_) => (None, "", "operator: refused"),
     }
 }

@@ -2,11 +2,11 @@
 //!
 //! The world takes the commands of this program's forward, which runs on the same sensor values as the firmware. Both must
 //! produce the same commands, bit for bit, and the same tree in every cycle; a deviation ends the game. So the story of the
-//! game is that of the firmware.
+//! game is that of the firmware. What an operator requests is requested from both.
 
 use std::path::{Path, PathBuf};
 
-use bica::runner::{Cycle, Observer};
+use bica::runner::{Cycle, Observer, Request};
 use bica::{ComponentId, Instant, Probe, Tree};
 use bica_console::{Console, Failure, Style};
 use bica_emulator::{Controller, CycleReport, Error, Transport, command_bits};
@@ -14,6 +14,7 @@ use bica_field::GoalColour;
 use bica_motion::robot::Sensors;
 use bica_player::tunable::Forward;
 use bica_sim::setup::Frame;
+use bica_wire::message::{Change, Setting, Value};
 use serde::Serialize;
 
 use crate::scene::GRAPH;
@@ -25,6 +26,9 @@ pub struct FirmwareImage(&'static Path);
 impl FirmwareImage {
     /// Where `cargo xtask firmware --build` puts the image, from the folder of the repository.
     pub const DEFAULT: &str = "firmware/target/thumbv7em-none-eabihf/release/forward-an500";
+
+    /// Where it puts the image with the server for monitors, which a game that is served needs for an operator.
+    pub const MONITOR: &str = "firmware/target/thumbv7em-none-eabihf/release/forward-an500-monitor";
 
     /// The image of a file, for cameras of a size.
     ///
@@ -51,6 +55,8 @@ fn failure(error: &Error) -> Failure {
 #[derive(Debug)]
 pub(crate) struct FirmwareCheck {
     controller: Option<Controller>,
+    /// Changes that this program's forward accepted before the next cycle; `None` for one that no message can express.
+    changes: Vec<Option<Change>>,
     report: Option<Result<CycleReport, Error>>,
     failure: Option<Failure>,
     /// Instructions of each cycle.
@@ -62,7 +68,13 @@ pub(crate) struct FirmwareCheck {
 impl FirmwareCheck {
     pub(crate) fn new(controller: Option<Controller>) -> Self {
         let runs = vec![Vec::new(); GRAPH.nodes.len()];
-        Self { controller, report: None, failure: None, cycles: Vec::new(), runs }
+        Self { controller, changes: Vec::new(), report: None, failure: None, cycles: Vec::new(), runs }
+    }
+
+    /// Whether the firmware takes part and accepts no requests.
+    pub(crate) fn is_watch_only(&mut self) -> Result<bool, Failure> {
+        let Some(controller) = &mut self.controller else { return Ok(false) };
+        controller.has_monitors().map(|has_monitors| !has_monitors).map_err(|error| failure(&error))
     }
 
     /// Returns the first failure.
@@ -99,8 +111,15 @@ impl FirmwareCheck {
 impl Probe for FirmwareCheck {}
 
 impl Observer<Forward> for FirmwareCheck {
+    fn requested(&mut self, _now: Instant, request: &Request<'_>) {
+        if self.controller.is_some() {
+            self.changes.push(change_of(request));
+        }
+    }
+
     fn sensing(&mut self, now: Instant, sensors: &Sensors<'_>) {
-        self.report = self.controller.as_mut().map(|controller| controller.cycle(now.as_micros(), sensors));
+        let Some(controller) = &mut self.controller else { return };
+        self.report = Some(cycle(controller, self.changes.drain(..), now.as_micros(), sensors));
     }
 
     fn acted(&mut self, cycle: &Cycle<'_, Forward>) {
@@ -111,6 +130,42 @@ impl Observer<Forward> for FirmwareCheck {
         };
         self.failure = self.failure.take().or(result.err());
     }
+}
+
+/// Requests changes of the firmware, then runs a cycle.
+fn cycle(
+    controller: &mut Controller,
+    changes: impl Iterator<Item = Option<Change>>,
+    time_us: u64,
+    sensors: &Sensors<'_>,
+) -> Result<CycleReport, Error> {
+    for change in changes {
+        let unknown = || Error::UnexpectedMessage("a request that the firmware does not know".to_owned());
+        controller.request(change.ok_or_else(unknown)?)?;
+    }
+    controller.keep()?;
+    controller.cycle(time_us, sensors)
+}
+
+/// Returns the message of a request; `None` if there is none.
+fn change_of(request: &Request<'_>) -> Option<Change> {
+    let number = |index: usize| u16::try_from(index).ok();
+    Some(match *request {
+        Request::Hold { component, hold } => Change::Hold { component: number(component.index())?, hold: hold.into() },
+        Request::Rate { component, hz } => Change::Rate { component: number(component.index())?, hz },
+        Request::Params(batch) => {
+            let setting = |setting: &bica::Setting| {
+                let (component, value) = (number(setting.component.index())?, Value::of(setting.value)?);
+                Some(Setting { component, index: setting.index, value })
+            };
+            Change::Params(batch.iter().map(setting).collect::<Option<_>>()?)
+        }
+        Request::Modulate { component, index, arguments } => {
+            let arguments = arguments.iter().map(|&value| Value::of(value)).collect::<Option<_>>()?;
+            Change::Modulate { component: number(component.index())?, modulation: number(index)?, arguments }
+        }
+        _ => return None,
+    })
 }
 
 /// Instructions of a game, by the clock of the emulated microcontroller (one tick for 40 instructions).

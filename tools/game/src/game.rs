@@ -133,11 +133,11 @@ impl<'a> Game<'a> {
         robot.get_mut::<GoalDetector>().attack(attacks);
         let refused = |refusal: Refusal| Failure::new(refusal.to_string(), "check parameters with `player params`");
         robot.set_params(rules.settings).map_err(refused)?;
-        let firmware = rules.firmware.map(|image| image.start(attacks)).transpose()?;
+        let mut firmware = FirmwareCheck::new(rules.firmware.map(|image| image.start(attacks)).transpose()?);
         let recorder = GameRecorder::new(record, rules, attacks, &robot, image.clone())?;
-        let (link, requests, view) = GameLink::start(serve, rules, image, can_pause)?;
+        let (link, requests, view) = GameLink::start(serve, rules, image, can_pause, &mut firmware)?;
         let measured = (Meter::new(&GRAPH), Stopwatch::default());
-        let observers = (FirmwareCheck::new(firmware), (measured, (recorder, view)));
+        let observers = (firmware, (measured, (recorder, view)));
         Ok(Self {
             runner: Runner::new(robot, world).with_requests(requests).with_observer(observers),
             link,

@@ -13,6 +13,7 @@ use bica_sim::{Referee, SharedImage};
 use bica_wire::message::{MAX_OTHERS, Offers, Truth};
 
 use crate::event::EventRecord;
+use crate::firmware::FirmwareCheck;
 use crate::rules::Rules;
 
 /// Level of an information in the log of a link.
@@ -45,13 +46,15 @@ impl GameLink {
         rules: &Rules,
         image: SharedImage,
         can_pause: bool,
+        firmware: &mut FirmwareCheck,
     ) -> Result<(Self, LinkQueue, LinkView), Failure> {
         let Some(ServeOptions { address, anywhere, started }) = options else {
             return Ok((Self(None), LinkQueue(None), LinkView(None)));
         };
         let defaults = ServerOptions::default();
-        // A firmware image has no operator: requests would make this program's commands differ from the image's.
-        let watch_only = rules.firmware.is_some();
+        // A firmware image without the server for monitors has no operator: requests would make this program's commands differ
+        // from the image's.
+        let watch_only = firmware.is_watch_only()?;
         let pause = if can_pause { Offers::PAUSE } else { Offers::default() };
         let offers = Offers::TRUTH.with(Offers::IMAGES).with(pause);
         let options = ServerOptions { anywhere, realtime: rules.realtime, watch_only, offers, ..defaults };

@@ -98,7 +98,7 @@ function World() {
   return html`<span class="chip world" role="group" aria-label="Simulated world">world
     <button onClick=${() => store.act(info.paused ? 'resume' : 'pause')} title="Key w">${info.paused ? 'Continue' : 'Pause'}</button>
     <button disabled=${!info.paused} onClick=${() => store.act('step', { cycles: 1 })} title="Key . — one cycle">Step</button>
-    <button onClick=${() => store.act('restart', { seed: null }, 'the world begins again')} title="The same game from its beginning">Restart</button></span>`;
+    ${info.kind === 'world' && html`<button onClick=${() => store.act('restart', { seed: null }, 'the world begins again')} title="The same game from its beginning">Restart</button>`}</span>`;
 }
 
 function Recording() {

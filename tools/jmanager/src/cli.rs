@@ -49,7 +49,7 @@ pub struct Cli {
     #[arg(long, value_name = "WxH", default_value = "160x120")]
     pub size: Frame,
     /// Firmware image for `--world firmware`; `cargo xtask firmware --build` builds it
-    #[arg(long, value_name = "FILE", default_value = FirmwareImage::DEFAULT)]
+    #[arg(long, value_name = "FILE", default_value = FirmwareImage::MONITOR)]
     pub image: PathBuf,
     /// Port of the page; without it 7410, or any other if that is in use
     #[arg(long, value_name = "PORT")]

@@ -12,8 +12,9 @@ use crate::tuning::layers;
 
 /// Plays as the command line requests.
 pub(crate) fn run(args: &Play) -> Result<Outcome, Failure> {
-    let firmware =
-        (args.world == World::Firmware).then(|| FirmwareImage::new(args.image.clone(), args.size)).transpose()?;
+    let built = if args.link.serve.is_some() { FirmwareImage::MONITOR } else { FirmwareImage::DEFAULT };
+    let image = || args.image.clone().unwrap_or_else(|| built.into());
+    let firmware = (args.world == World::Firmware).then(|| FirmwareImage::new(image(), args.size)).transpose()?;
     let rules = Rules {
         world: world(args.world)?,
         seed: args.seed,

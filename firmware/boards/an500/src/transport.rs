@@ -9,7 +9,7 @@ use core::task::Poll;
 use cortex_m::interrupt::InterruptNumber;
 use cortex_m::peripheral::NVIC;
 use cortex_m_rt::exception;
-use critical_section::Mutex;
+use critical_section::{CriticalSection, Mutex};
 use embassy_sync::waitqueue::AtomicWaker;
 use embassy_time::{Duration, Instant};
 use embedded_io_async::{ErrorType, Read, Write};
@@ -144,30 +144,38 @@ async fn receive(buffer: &mut [u8]) -> usize {
 
 fn dequeue(buffer: &mut [u8]) -> usize {
     critical_section::with(|cs| {
+        // A byte that came while the interrupt was disabled causes none, so the port is read after the interrupt is enabled. If
+        // nothing is returned, the port is empty, and the next byte wakes the task.
+        uart::LINK.enable_interrupt(true);
+        enqueue(cs);
         let mut queue = QUEUE.borrow_ref_mut(cs);
         let mut count = 0;
         while let Some((place, byte)) = buffer.get_mut(count).and_then(|place| Some((place, queue.pop_front()?))) {
             *place = byte;
             count += 1;
         }
-        uart::LINK.enable_interrupt(true);
         count
     })
+}
+
+/// Moves received bytes into the queue. Disables the interrupt if it is full: the port then stays full, and the host waits.
+fn enqueue(cs: CriticalSection<'_>) {
+    let mut queue = QUEUE.borrow_ref_mut(cs);
+    uart::LINK.clear_interrupt();
+    while !queue.is_full() {
+        let Some(byte) = uart::LINK.receive() else { break };
+        let _ = queue.push_back(byte);
+    }
+    if queue.is_full() {
+        uart::LINK.enable_interrupt(false);
+    }
 }
 
 // SAFETY: the handler of the receive interrupts, the only ones that are enabled. It accesses shared state only in critical sections.
 #[exception]
 unsafe fn DefaultHandler(_interrupt: i16) {
     critical_section::with(|cs| {
-        let mut queue = QUEUE.borrow_ref_mut(cs);
-        uart::LINK.clear_interrupt();
-        while !queue.is_full() {
-            let Some(byte) = uart::LINK.receive() else { break };
-            let _ = queue.push_back(byte);
-        }
-        if queue.is_full() {
-            uart::LINK.enable_interrupt(false);
-        }
+        enqueue(cs);
         #[cfg(feature = "monitor")]
         crate::monitor::enqueue(cs);
     });

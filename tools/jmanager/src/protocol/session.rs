@@ -79,7 +79,7 @@ pub enum Control {
 pub struct Capabilities {
     /// Requests: parameters, holds, rates, modulations.
     pub operate: bool,
-    /// Pause, step and restart.
+    /// Pause and step, and restart if the world is of this process.
     pub pause: bool,
     /// The true state is known.
     pub truth: bool,

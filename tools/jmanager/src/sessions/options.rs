@@ -56,7 +56,7 @@ impl Default for Options {
             build: false,
             run: RUN.to_owned(),
             layouts: "jmanager-layouts.json".into(),
-            firmware: FirmwareImage::DEFAULT.into(),
+            firmware: FirmwareImage::MONITOR.into(),
             size: Frame::Small,
             spool: std::env::temp_dir().join(format!("jmanager-{}", std::process::id())),
             read_only: false,

@@ -9,7 +9,8 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use bica_wire::message::{
-    Change, ExtraKind, FromMonitorExtra, LeaseAction, LeaseState, Offers, Request, Watch, WatchInfo,
+    Change, ExtraKind, FromMonitorExtra, LeaseAction, LeaseState, Offers, Request, Watch, WatchInfo, WorldChange,
+    WorldRequest,
 };
 use bica_wire::{FromMonitor, SCHEMA};
 
@@ -216,8 +217,14 @@ impl Client {
     pub fn acquire(&mut self, take: bool) -> Result<(), Error> {
         self.inbox.lease = None;
         self.send(&FromMonitor::Lease(if take { LeaseAction::Take } else { LeaseAction::Acquire }))?;
-        let lease = self.wait("the lease", |inbox| inbox.lease)?;
-        if lease.yours { Ok(()) } else { Err(Error::Lease) }
+        // The end of another one's lease may be on its way; it is not the answer.
+        let is_answer = |lease: &LeaseState| lease.yours || (lease.owned && !take);
+        match self.wait("the lease", |inbox| inbox.lease.filter(is_answer)) {
+            Ok(lease) if lease.yours => Ok(()),
+            Err(Error::Timeout(what)) if self.inbox.lease.is_none() => Err(Error::Timeout(what)),
+            Ok(_) | Err(Error::Timeout(_)) => Err(Error::Lease),
+            Err(error) => Err(error),
+        }
     }
 
     /// Gives the lease back and waits for the confirmation: then holds and rates have ended.
@@ -244,17 +251,38 @@ impl Client {
     /// Sends a request and returns its number; the answer follows as [`Event::Answer`].
     ///
     /// # Errors
-    /// [`Error::NotOffered`] for a change of the world of a robot that has none; [`Error::Disconnected`].
+    /// [`Error::Disconnected`].
     pub fn send_request(&mut self, change: Change) -> Result<u32, Error> {
-        if matches!(change, Change::World(_)) {
-            self.require(Offers::PAUSE, "to stop its time")?;
-        }
-        let expires_us = self
-            .inbox
-            .robot_time()
-            .map_or(u64::MAX, |time| u64::try_from((time + self.options.expiry).as_micros()).unwrap_or(u64::MAX));
-        let lease = self.lease().lease;
+        let (lease, expires_us) = (self.lease().lease, self.expires_us());
         self.send_request_with(change, lease, expires_us)
+    }
+
+    /// Returns the robot's time after which a request that is sent now is refused, µs.
+    fn expires_us(&self) -> u64 {
+        let expiry = |time: Duration| u64::try_from((time + self.options.expiry).as_micros()).unwrap_or(u64::MAX);
+        self.inbox.robot_time().map_or(u64::MAX, expiry)
+    }
+
+    /// Pauses, continues or steps a simulated world, as the operator, and waits for the answer.
+    ///
+    /// # Errors
+    /// [`Error::NotOffered`], [`Error::Refused`], [`Error::Timeout`], [`Error::Disconnected`].
+    pub fn change_world(&mut self, change: WorldChange) -> Result<Answered, Error> {
+        self.require(Offers::PAUSE, "to stop its time")?;
+        let number = self.send_world_with(change, self.lease().lease, self.expires_us())?;
+        self.answer(number)
+    }
+
+    /// Sends a change of the world with the number of a lease and an expiry in the robot's time, µs, also to a robot that does
+    /// not offer it; returns its number.
+    ///
+    /// # Errors
+    /// [`Error::Disconnected`].
+    pub fn send_world_with(&mut self, change: WorldChange, lease: u32, expires_us: u64) -> Result<u32, Error> {
+        self.last_number = self.last_number.wrapping_add(1);
+        let number = self.last_number;
+        self.send_extra(FromMonitorExtra::World(WorldRequest { number, lease, expires_us, change }))?;
+        Ok(number)
     }
 
     /// Sends a request with the number of a lease and an expiry in the robot's time, µs; returns its number.
@@ -271,7 +299,7 @@ impl Client {
     /// Sends a request and waits for its answer.
     ///
     /// # Errors
-    /// [`Error::Refused`], [`Error::NotOffered`], [`Error::Timeout`], [`Error::Disconnected`].
+    /// [`Error::Refused`], [`Error::Timeout`], [`Error::Disconnected`].
     pub fn request(&mut self, change: Change) -> Result<Answered, Error> {
         let number = self.send_request(change)?;
         self.answer(number)

@@ -166,6 +166,7 @@ fn handle(hub: &Hub, connection: &Arc<Connection>, message: Incoming) -> bool {
             connection.image_ms.store(TAKEN, Ordering::Relaxed);
             return true;
         }
+        Incoming::Extra(FromMonitorExtra::World(request)) => Command::World(request),
         Incoming::Extra(FromMonitorExtra::Watch { kind: ExtraKind::Images, every }) => Command::WatchImages(every),
         Incoming::Extra(FromMonitorExtra::Watch { kind, every }) => match Key::of_extra(kind, every) {
             Some(watch) => Command::WatchKey(watch),

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::sync::Arc;
 use std::time::{Duration, SystemTime, UNIX_EPOCH};
 
-use bica_wire::message::{Change, CycleInfo, LeaseAction, Offers, RefusalCode, Request, WorldChange};
+use bica_wire::message::{Change, CycleInfo, LeaseAction, Offers, RefusalCode, Request, WorldChange, WorldRequest};
 use bica_wire::server::Lease;
 
 use super::ServerOptions;
@@ -140,6 +140,7 @@ impl Control {
                 self.readers.insert(id);
             }
             Command::Lease(action) => self.act(now, id, action),
+            Command::World(request) => self.change_world(now, id, arrived, request),
             Command::Request(request) => return self.admit(now, &from, arrived, *request),
         }
         None
@@ -164,20 +165,7 @@ impl Control {
             self.lease.admit(from.id, &request, time, now)
         };
         let Request { number, change, .. } = request;
-        let admitted = match &change {
-            Change::World(_) if !self.can_pause() => Err(RefusalCode::NoWorld),
-            _ => admitted,
-        };
-        let connection = from.id;
-        let code = match (admitted, change) {
-            (Ok(()), Change::World(change)) => {
-                self.change_world(now, change);
-                self.applied.push(Applied { connection, number, arrived, change: Change::World(change) });
-                return None;
-            }
-            (Ok(()), change) => return Some(Applied { connection, number, arrived, change }),
-            (Err(code), _) => code,
-        };
+        let Err(code) = admitted else { return Some(Applied { connection: from.id, number, arrived, change }) };
         self.refuse(from.id, number, arrived, code, 0, code.text().to_owned());
         None
     }
@@ -187,8 +175,21 @@ impl Control {
     }
 
     /// Pauses, continues or steps the world.
-    fn change_world(&mut self, now: bica::Instant, change: WorldChange) {
+    fn change_world(&mut self, now: bica::Instant, connection: u64, arrived: u64, request: WorldRequest) {
+        let time = self.lease_time(now);
+        let WorldRequest { number, lease, expires_us, change } = request;
+        let admitted = if self.can_pause() {
+            self.lease.admit_lease(connection, (lease, expires_us), time, now)
+        } else {
+            Err(RefusalCode::NoWorld)
+        };
+        if let Err(code) = admitted {
+            self.refuse(connection, number, arrived, code, 0, code.text().to_owned());
+            return;
+        }
         self.pace.change(change);
+        let (cycle, result) = (self.next.cycle, AnswerKind::Done(Vec::new()));
+        self.tell(connection, Message::Answer { number, cycle, arrived, result });
         let text = match change {
             WorldChange::Pause => "operator: pause".to_owned(),
             WorldChange::Resume => "operator: resume".to_owned(),

@@ -129,6 +129,13 @@ pub(super) struct Encoded {
     bytes: Vec<u8>,
 }
 
+impl Encoded {
+    /// Whether there is a snapshot: the true state of a cycle comes alone.
+    pub(super) const fn has_snapshot(&self) -> bool {
+        !self.snapshot.is_empty()
+    }
+}
+
 #[derive(Debug)]
 struct EncodedReading {
     key: Key,

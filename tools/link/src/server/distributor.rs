@@ -39,7 +39,7 @@ fn distribute(data: &mut CycleData) {
     // The limits of the protocol exclude values that do not fit.
     let Ok(encoded) = data.encode().map(Arc::new) else { return };
     for watcher in watchers.iter().filter(|watcher| !watcher.connection.is_closed()) {
-        let snapshot = watcher.is_due(encoded.cycle);
+        let snapshot = encoded.has_snapshot() && watcher.is_due(encoded.cycle);
         if snapshot || !watcher.watched.is_empty() {
             let (data, watched) = (Arc::clone(&encoded), Arc::clone(&watcher.watched));
             watcher.connection.show(Shown { data, snapshot, watched });

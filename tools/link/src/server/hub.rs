@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 
 use bica::Graph;
 use bica_wire::SCHEMA;
-use bica_wire::message::{Attached, LeaseAction, Offers, Request, Watch};
+use bica_wire::message::{Attached, LeaseAction, Offers, Request, Watch, WorldRequest};
 
 use super::connection::Connection;
 use super::exchange::Exchange;
@@ -53,6 +53,7 @@ pub(super) enum Command {
     ReadParams,
     Lease(LeaseAction),
     Request(Box<Request>),
+    World(WorldRequest),
 }
 
 #[derive(Debug)]

@@ -89,11 +89,10 @@ impl Requests for LinkRequests {
             self.budget = MESSAGES_PER_CYCLE;
             return None;
         };
-        // A change of the world was performed when it was admitted.
-        self.buffer.request(match current {
+        Some(self.buffer.request(match current {
             Current::Ending(change) => change,
             Current::Operator(applied) => &applied.change,
-        })
+        }))
     }
 
     fn answered(&mut self, now: Instant, result: Result<(), Refusal>) {
@@ -142,6 +141,5 @@ fn describe(graph: &'static Graph, change: &Change) -> String {
             let name = name(*component);
             format!("call {name}.{}({})", found.map_or("?", |found| found.name), arguments.join(", "))
         }
-        Change::World(change) => format!("{change:?}"),
     }
 }

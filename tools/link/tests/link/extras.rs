@@ -17,7 +17,7 @@ use bica_wire::{Encoder, FromRobot, MAX_PACKET, SCHEMA};
 use crate::robot::{CART, CartTree};
 use crate::session::{CYCLE_US, HEIGHT, PIXELS, Session, WIDTH, Wall, event, snapshot};
 
-const PAUSE: Change = Change::World(WorldChange::Pause);
+const PAUSE: WorldChange = WorldChange::Pause;
 const CONDITIONS: ExtraKind = ExtraKind::Conditions { component: CART };
 
 #[track_caller]
@@ -41,8 +41,11 @@ fn a_paused_world_applies_requests_and_runs_exactly_the_requested_steps() {
     let session = Session::start_world();
     let (mut operator, mut watcher) = (session.client(), session.client());
     world(&mut watcher, "the state when it attaches", |state| !state.paused);
+    watcher.watch(1).unwrap();
+    watcher.watch_extra(ExtraKind::Truth, 1).unwrap();
+    event(&mut watcher, "the true state", |event| matches!(event, Event::Truth(_)).then_some(()));
     operator.acquire(false).unwrap();
-    let paused_at = operator.request(PAUSE).unwrap().cycle;
+    let paused_at = operator.change_world(PAUSE).unwrap().cycle;
     world(&mut watcher, "a pause", |state| state.paused && state.steps == 0);
     let set = Setting { component: CART, index: 0, value: Value::F32(1.5) };
     let answer = operator.request(Change::Params([set].into_iter().collect())).unwrap();
@@ -50,17 +53,22 @@ fn a_paused_world_applies_requests_and_runs_exactly_the_requested_steps() {
     thread::sleep(Duration::from_millis(50));
     assert_eq!(session.cycles(), paused_at + 1, "time stands still");
     for (steps, all) in [(7, 7), (5, 12)] {
-        operator.request(Change::World(WorldChange::Step { cycles: steps })).unwrap();
+        operator.change_world(WorldChange::Step { cycles: steps }).unwrap();
         let end = paused_at + 1 + all;
         let state = world(&mut watcher, "the end of the steps", |state| state.cycle == end && state.steps == 0);
         assert!(state.paused);
         thread::sleep(Duration::from_millis(20));
         assert_eq!(session.cycles(), end);
     }
+    // The last snapshot comes although the true state of the same cycle comes after it.
+    for _ in 0..100 {
+        let next = operator.change_world(WorldChange::Step { cycles: 1 }).unwrap().cycle;
+        snapshot(&mut watcher, "a snapshot of the step", |snapshot| snapshot.info.cycle == next);
+    }
     operator.release().unwrap();
     world(&mut session.client(), "a pause that outlives the lease", |state| state.paused);
     operator.acquire(false).unwrap();
-    operator.request(Change::World(WorldChange::Resume)).unwrap();
+    operator.change_world(WorldChange::Resume).unwrap();
     world(&mut watcher, "the end of the pause", |state| !state.paused);
     session.run(20);
 }
@@ -72,7 +80,7 @@ fn the_operator_is_silent_in_a_paused_world_too() {
     let session = Session::serve(&"127.0.0.1:0".parse().unwrap(), options);
     let (mut silent, mut next) = (session.client(), session.client());
     silent.acquire(false).unwrap();
-    silent.request(PAUSE).unwrap();
+    silent.change_world(PAUSE).unwrap();
     for owned in [true, false] {
         event(&mut next, "the begin and the end of the lease", |event| match event {
             Event::Lease(lease) if lease.owned == owned => Some(()),
@@ -80,7 +88,7 @@ fn the_operator_is_silent_in_a_paused_world_too() {
         });
     }
     next.acquire(false).unwrap();
-    next.request(Change::World(WorldChange::Resume)).unwrap();
+    next.change_world(WorldChange::Resume).unwrap();
     session.run(20);
 }
 
@@ -90,12 +98,12 @@ fn time_is_stopped_only_by_the_operator_of_a_simulated_world() {
     let mut client = session.client();
     assert_eq!(client.offers(), Offers::OPERATE.with(Offers::CONDITIONS).with(Offers::COSTS));
     client.acquire(false).unwrap();
-    let error = client.request(PAUSE).unwrap_err();
+    let error = client.change_world(PAUSE).unwrap_err();
     assert!(matches!(error, Error::NotOffered(_)), "{error}");
     assert_eq!(error.to_string(), "the robot's program does not offer to stop its time");
     // A client that does not know what the robot offers.
     let lease = client.lease().lease;
-    let number = client.send_request_with(PAUSE, lease, u64::MAX).unwrap();
+    let number = client.send_world_with(PAUSE, lease, u64::MAX).unwrap();
     let refused = client.answer(number);
     assert!(matches!(refused, Err(Error::Refused { code: RefusalCode::NoWorld, .. })), "{refused:?}");
     session.run(50);
@@ -105,7 +113,7 @@ fn time_is_stopped_only_by_the_operator_of_a_simulated_world() {
 
     let session = Session::start_world();
     let mut watcher = session.client();
-    let refused = watcher.request(PAUSE);
+    let refused = watcher.change_world(PAUSE);
     assert!(matches!(refused, Err(Error::Refused { code: RefusalCode::NoLease, .. })), "{refused:?}");
     session.run(50);
 }

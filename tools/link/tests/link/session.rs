@@ -64,8 +64,9 @@ pub(crate) static PIXELS: [u8; 2 * WIDTH * HEIGHT] = {
     pixels
 };
 
-const fn image_of<'a>(_sensors: &'a f32) -> Option<LinkImage<'a>> {
-    Some(LinkImage { bottom_camera: true, width: WIDTH as u16, height: HEIGHT as u16, yuyv: &PIXELS })
+fn image_of(distance: &f32) -> Option<LinkImage<'_>> {
+    let image = LinkImage { bottom_camera: true, width: WIDTH as u16, height: HEIGHT as u16, yuyv: &PIXELS };
+    distance.is_finite().then_some(image)
 }
 
 /// What all threads of a session share.

@@ -8,7 +8,6 @@ use std::path::PathBuf;
 
 use bica_evaluation::detection;
 use bica_evaluation::trial_kind::Kind;
-use bica_game::FirmwareImage;
 use bica_sim::setup::{Frame, MAX_ROBOTS};
 use clap::builder::PossibleValue;
 use clap::{Args, Parser, Subcommand, ValueEnum};
@@ -89,9 +88,10 @@ pub(crate) struct Play {
     /// (the built-in world, with the forward on an emulated microcontroller)
     #[arg(long, value_name = "WORLD", default_value = "built-in")]
     pub(crate) world: World,
-    /// Firmware image for `--world firmware`; `cargo xtask firmware --build` builds it
-    #[arg(long, value_name = "FILE", default_value = FirmwareImage::DEFAULT)]
-    pub(crate) image: PathBuf,
+    /// Firmware image for `--world firmware`; `cargo xtask firmware --build` builds the default ones, of which that with the
+    /// server for monitors is used with --serve
+    #[arg(long, value_name = "FILE")]
+    pub(crate) image: Option<PathBuf>,
     /// Seed of start positions, light and noise; the same seed gives the same game, bit for bit
     #[arg(long, value_name = "N", default_value_t = 0)]
     pub(crate) seed: u64,

@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use bica_console::{Failure, Outcome, interrupt};
 use bica_link::{Costs, Event, Image};
-use bica_wire::message::{Change, ConditionState, ExtraKind, Truth, WorldChange};
+use bica_wire::message::{ConditionState, ExtraKind, Truth, WorldChange};
 use serde_json::json;
 
 use super::{Monitor, failure};
@@ -39,7 +39,7 @@ impl Monitor {
     /// Changes the time of a simulated world, and waits for the end of its steps.
     pub(super) fn world(&mut self, change: WorldChange) -> Result<Outcome, Failure> {
         self.operate(|monitor| {
-            let answer = monitor.request(Change::World(change))?;
+            let answer = monitor.client.change_world(change).map_err(|error| failure(&error))?;
             let mut cycle = answer.cycle;
             if let WorldChange::Step { .. } = change {
                 loop {

@@ -9,6 +9,7 @@ use std::process::{Command, Stdio};
 
 use serde_json::Value;
 
+use crate::link::Served;
 use crate::process::{Folder, Ran, player, run, without_wall};
 
 /// Returns the arguments of a game with the firmware image.
@@ -64,6 +65,40 @@ fn a_recorded_firmware_game_replays_on_the_host() {
         assert_eq!((&replayed["equal"], &replayed["cycles"]), (&true.into(), &200.into()), "{replayed}");
         assert_eq!(replayed["source"], source);
     }
+}
+
+/// A request that did not reach both would make their commands differ, which ends the game with code 2.
+#[test]
+#[cfg_attr(not(firmware_image), ignore = "needs a firmware image: run `cargo xtask firmware`")]
+fn an_operator_of_a_served_firmware_changes_both_and_the_game_replays() {
+    let folder = Folder::new("operated-firmware");
+    let file = folder.path().join("game.mcap");
+    let file = file.to_str().expect("UTF-8");
+    let image = env::var("BICA_IMAGE").expect("the tests were built with a firmware image: set BICA_IMAGE again");
+    let image = format!("{image}-monitor");
+    let game = ["--world", "firmware", "--image", &image, "--seed", "3", "--seconds", "12", "--record", file];
+    let served = Served::play(&game);
+    for (args, kind) in [
+        // The game does not end while it is paused, however slow these programs are.
+        (&["pause"][..], "world"),
+        (&["set", "FaceBall.gain=0.875"], "set"),
+        (&["modulate", "Body.go", "0.1", "-0.5"], "done"),
+        (&["step", "30"], "world"),
+        (&["rate", "FaceBall", "5", "--seconds", "0.1"], "done"),
+        (&["step", "30"], "world"),
+        (&["resume"], "world"),
+        (&["hold", "FaceBall", "latent", "--seconds", "0.3"], "done"),
+    ] {
+        let (code, lines, errors) = served.monitor(args);
+        assert_eq!(code, Some(0), "{args:?}: {errors}");
+        assert_eq!(lines[0]["schema"], *format!("bica-player/link-{kind}/1"), "{args:?}");
+    }
+    let lines = served.finish();
+    assert!(lines.iter().any(|line| line.contains("no goal")), "{lines:?}");
+    let info = run(&["record", "info", file, "--json"]).json();
+    assert_eq!(info["header"]["rules"]["world"], "firmware");
+    let replayed = run(&["replay", file, "--json"]).json();
+    assert_eq!((&replayed["equal"], &replayed["cycles"]), (&true.into(), &1200.into()), "{replayed}");
 }
 
 #[test]

@@ -8,7 +8,7 @@ use serde_json::Value;
 use crate::process::{player, run};
 
 /// A game in a process of its own that serves monitors.
-struct Served {
+pub(crate) struct Served {
     child: Child,
     stdout: BufReader<ChildStdout>,
     address: String,
@@ -16,7 +16,12 @@ struct Served {
 
 impl Served {
     fn start(more: &[&str]) -> Self {
-        let args = [&["play", "--serve", "127.0.0.1:0", "--seed", "3", "--size", "160x120"][..], more].concat();
+        Self::play(&[&["--seed", "3", "--size", "160x120"][..], more].concat())
+    }
+
+    /// Starts a game with these arguments.
+    pub(crate) fn play(args: &[&str]) -> Self {
+        let args = [&["play", "--serve", "127.0.0.1:0"][..], args].concat();
         let mut child = player(&args).stdout(Stdio::piped()).spawn().expect("the program starts");
         let mut stdout = BufReader::new(child.stdout.take().expect("a pipe"));
         let mut line = String::new();
@@ -35,14 +40,14 @@ impl Served {
     }
 
     /// Runs a monitor and returns its exit code and the lines of its output.
-    fn monitor(&self, args: &[&str]) -> (Option<i32>, Vec<Value>, String) {
+    pub(crate) fn monitor(&self, args: &[&str]) -> (Option<i32>, Vec<Value>, String) {
         let ran = run(&[&["link", &self.address, "--json"][..], args].concat());
         let lines = ran.stdout.lines().map(|line| serde_json::from_str(line).expect("JSON")).collect();
         (ran.code, lines, ran.stderr)
     }
 
     /// Waits for the end of the game; returns the lines of its output.
-    fn finish(mut self) -> Vec<String> {
+    pub(crate) fn finish(mut self) -> Vec<String> {
         let lines = self.stdout.by_ref().lines().map(Result::unwrap).collect();
         self.child.wait().expect("it ends");
         lines

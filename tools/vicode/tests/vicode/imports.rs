@@ -31,7 +31,7 @@ fn a_known_name_and_a_wrong_path_are_refused() {
     for (import, name, why) in [
         ("player::motion", "Head", "is known in this file already"),
         ("other", "A", "is known in this file already"),
-        ("player::{motion}", "Body", "is no path of a module"),
+        ("player::{motion}", "Body", "is no Rust"),
         ("player motion", "Body", "is no Rust"),
         ("player::motion", "fn", "is a keyword"),
         ("player::motion", "a, b", "is no name"),

@@ -196,7 +196,7 @@ impl<'a> Attached<'a> {
             Event::Snapshot(snapshot) => self.snapshot(&snapshot),
             Event::Info { cycle, component, info, value } => self.info(cycle, component, info, value),
             Event::Params { component } => self.params(component),
-            Event::Lease(lease) => self.lease(lease),
+            Event::Lease(lease) => return self.lease(lease),
             Event::Answer(answer) => self.answered(answer),
             Event::Log { time_us, level, text } => self.log(time_us, level, text),
             Event::World(state) => return self.world_state(state.paused),

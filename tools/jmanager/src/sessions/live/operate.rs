@@ -137,7 +137,7 @@ impl Attached<'_> {
     }
 
     /// Takes in who owns the robot's lease.
-    pub(super) fn lease(&mut self, lease: LeaseState) {
+    pub(super) fn lease(&mut self, lease: LeaseState) -> LinkResult {
         let waiting = self.operation.waiting.take();
         match waiting {
             Some(waiting) if lease.yours && lease.lease != waiting.old => {
@@ -157,11 +157,12 @@ impl Attached<'_> {
                     self.set_operator(Operator::Nobody);
                 }
             }
-            None => self.lost(lease),
+            None => return self.lost(lease),
         }
+        Ok(())
     }
 
-    fn lost(&mut self, lease: LeaseState) {
+    fn lost(&mut self, lease: LeaseState) -> LinkResult {
         let was = self.operator();
         let now = match was {
             Operator::Page(_) if lease.yours => was,
@@ -172,6 +173,11 @@ impl Attached<'_> {
             self.session.log(3, LogKind::Server, "control has ended: holds, rates and modulations end");
         }
         self.set_operator(now);
+        // A lease that came too late for the one who asked for it.
+        if now == Operator::Nobody && self.client.lease().yours {
+            self.client.send_lease(LeaseAction::Return { lease: self.client.lease().lease })?;
+        }
+        Ok(())
     }
 
     /// Ends control of a page that is silent, or that waits in vain.

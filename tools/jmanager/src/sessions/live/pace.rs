@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use bica_link::Error;
-use bica_wire::message::{Change, WorldChange};
+use bica_wire::message::WorldChange;
 use serde_json::Value;
 
 use super::attached::Attached;
@@ -55,7 +55,7 @@ impl Attached<'_> {
         if borrows {
             self.client.acquire(false)?;
         }
-        let result = self.client.request(Change::World(change)).map(drop);
+        let result = self.client.change_world(change).map(drop);
         if borrows {
             self.client.release()?;
             // A page that acquires the lease next must not take the borrowed one for its own.
