@@ -9,6 +9,7 @@ use crate::slow::slow_down;
 use bica_benches::trees::chain::{Hundred, Rarely, Ten};
 use bica_benches::trees::latent::{TenOfHundred, TenOfTen};
 use bica_benches::trees::machine::{ByHand, Machine, Ring};
+use bica_benches::trees::one::One;
 use bica_benches::trees::shared::Diamond;
 use bica_benches::trees::switch::{Root, Switch};
 use bica_benches::trees::tuned::{Constants, TunedOff, TunedOn};
@@ -51,6 +52,7 @@ macro_rules! trees {
 }
 
 trees! {
+    one: One = warm(One::new()),
     chain_of_ten: Ten = warm(Ten::new()),
     chain_of_ten_none_due: Rarely = warm(Rarely::new()),
     chain_of_a_hundred: Hundred = warm(Hundred::new()),
@@ -64,6 +66,35 @@ trees! {
     constants: Constants = warm(Constants::new()),
     tuned_off: TunedOff = warm(TunedOff::new()),
     tuned_on: TunedOn = warm(TunedOn::new()),
+}
+
+/// Robots in one process, each with a tree.
+fn robots<T: Tree + Default>(count: usize) -> Vec<T> {
+    (0..count).map(|_| warm(T::default())).collect()
+}
+
+/// Ticks all robots in each cycle.
+fn all_tick<T: Tree>(robots: &mut [T]) {
+    for now in CYCLES..2 * CYCLES {
+        for tree in &mut *robots {
+            black_box(tree).tick(Instant::from_millis(now));
+        }
+        slow_down(T::COUNT * robots.len());
+    }
+}
+
+#[library_benchmark]
+#[bench::cycles(robots(10))]
+fn ten_robots_of_a_hundred(mut robots: Vec<WideHundred>) -> Vec<WideHundred> {
+    all_tick(&mut robots);
+    robots
+}
+
+#[library_benchmark]
+#[bench::cycles(robots(100))]
+fn a_hundred_robots_of_ten(mut robots: Vec<WideTen>) -> Vec<WideTen> {
+    all_tick(&mut robots);
+    robots
 }
 
 #[library_benchmark]
@@ -87,6 +118,7 @@ fn machine_by_hand(mut machine: ByHand) -> ByHand {
 library_benchmark_group!(
     name = trees,
     benchmarks = [
+        one,
         chain_of_ten,
         chain_of_ten_none_due,
         chain_of_a_hundred,
@@ -100,6 +132,8 @@ library_benchmark_group!(
         constants,
         tuned_off,
         tuned_on,
+        ten_robots_of_a_hundred,
+        a_hundred_robots_of_ten,
         machine,
         machine_by_hand
     ]

@@ -17,6 +17,8 @@ pub use crate::tree::component_state::ComponentState;
 pub use crate::tree::cycle::{Cycle, Visit, is_shared, visits_at_rate};
 pub use crate::tree::cycle_state::VisitOutcome;
 pub use crate::tree::engine::Engine;
+pub use crate::tree::plan::{Plan, Planned};
+pub use crate::tree::steady::{DueGroups, is_fixed, visits_first};
 pub use crate::tree::written::{DistinctLinks, WrittenKind, WrittenLink, assert_single_link, counts};
 pub use crate::tree::{Has, Layout, Member, MemberOf, ParamsOf, Tree};
 
@@ -83,6 +85,12 @@ pub trait Lists<const INDEX: usize> {
 #[must_use]
 pub const fn node<T: Has<C>, C: 'static>(name: &'static str) -> Node {
     Node { name, ..<T::Member as MemberOf<T>>::NODE }
+}
+
+/// Returns the components whose rates the functions of `C` borrow.
+#[must_use]
+pub const fn borrowed_rates<T: Has<C>, C: 'static>() -> &'static [usize] {
+    <T::Member as MemberOf<T>>::RATES
 }
 
 /// Returns the rate of `C` in runs per second; `None` is every cycle.

@@ -22,6 +22,8 @@ pub(crate) mod cycle_state;
 pub(crate) mod engine;
 mod layout;
 mod operate;
+pub(crate) mod plan;
+pub(crate) mod steady;
 pub(crate) mod tuning;
 mod visit;
 pub(crate) mod written;

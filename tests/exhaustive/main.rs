@@ -35,6 +35,7 @@ mod explore;
 mod families;
 mod key;
 mod model;
+mod plan;
 mod shape;
 mod states;
 mod subject;

@@ -40,6 +40,7 @@ impl<const I: usize, const R: bool, T: Has<Self>> MemberOf<T> for Node<I, R> {
     const WRITTEN: &'static [bica_core::__private::WrittenLink] = &[];
     const NODE: GraphNode = GraphNode { hz: Self::HZ, states: Self::STATES, ..GraphNode::new("Node") };
     const TIMED: bool = false;
+    const HAS_CHILDREN: bool = true;
 
     fn pass<P: Probe>(cycle: &mut Cycle<'_, T, P>, visit: Visit) {
         let (this, ()) = cycle.borrow::<Self, ()>();

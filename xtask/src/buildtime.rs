@@ -1,5 +1,8 @@
-//! Compile times: after a change of one component, of a clean build of the facade, and of the largest tree of state machines.
+//! Compile times: after a change of one component, of a clean build of the facade, of the largest tree of state machines, and
+//! of trees of different sizes.
 
+mod generated;
+mod growth;
 mod machines;
 
 use std::fs;
@@ -42,8 +45,14 @@ pub(crate) fn check(limit: Option<Duration>) -> Result<(), String> {
     print("a clean `cargo build --release` of the facade", facade, clean);
     let tree = format!("a tree of {} machines with {} states each", machines::MACHINES, machines::STATES);
     print(&tree, largest, large);
-    let broken =
-        [judge("one component", changed, change), judge("the facade", facade, clean), judge(&tree, largest, large)];
+    let growth = growth::measure()?;
+    println!("\n{}", growth.table());
+    let broken = [
+        growth.judge(),
+        judge("one component", changed, change),
+        judge("the facade", facade, clean),
+        judge(&tree, largest, large),
+    ];
     let broken: Vec<String> = broken.into_iter().flatten().collect();
     if broken.is_empty() { Ok(()) } else { Err(broken.join("; ")) }
 }

@@ -28,12 +28,12 @@ fn late<S: Subject>(parts: &[Part], plain: impl Fn() -> S) {
 
 #[test]
 fn chains_agree() {
-    late(&chain::<3>(), || plain::Chain::<_, 3>::new(()));
-    late(&chain::<10>(), || plain::Chain::<_, 10>::new(()));
-    late(&chain::<100>(), || plain::Chain::<_, 100>::new(()));
-    same(|| plain::Chain::<_, 3>::new(()), || BicaSubject::<framework::Chain3, _>::new(()));
-    same(|| plain::Chain::<_, 10>::new(()), || BicaSubject::<framework::Chain10, _>::new(()));
-    same(|| plain::Chain::<_, 100>::new(()), || BicaSubject::<framework::Chain100, _>::new(()));
+    late(&chain::<3>(), || plain::Chain::<_, 3, false>::new(()));
+    late(&chain::<10>(), || plain::Chain::<_, 10, false>::new(()));
+    late(&chain::<100>(), || plain::Chain::<_, 100, false>::new(()));
+    same(|| plain::Chain::<_, 3, false>::new(()), || BicaSubject::<framework::Chain3, _>::new(()));
+    same(|| plain::Chain::<_, 10, false>::new(()), || BicaSubject::<framework::Chain10, _>::new(()));
+    same(|| plain::Chain::<_, 100, false>::new(()), || BicaSubject::<framework::Chain100, _>::new(()));
 }
 
 #[test]
@@ -44,14 +44,23 @@ fn ten_components_agree_with_and_without_latent_ones() {
 
 #[test]
 fn diamonds_agree() {
-    late(&DIAMOND, || plain::Diamond::new(()));
-    same(|| plain::Diamond::new(()), || BicaSubject::<framework::Diamond, _>::new(()));
+    late(&DIAMOND, || plain::Diamond::<_, false>::new(()));
+    same(|| plain::Diamond::<_, false>::new(()), || BicaSubject::<framework::Diamond, _>::new(()));
 }
 
 #[test]
 fn forwards_agree() {
-    late(&FORWARD, || plain::Forward::new(()));
-    same(|| plain::Forward::new(()), || BicaSubject::<framework::Forward, _>::new(()));
+    late(&FORWARD, || plain::Forward::<_, false>::new(()));
+    same(|| plain::Forward::<_, false>::new(()), || BicaSubject::<framework::Forward, _>::new(()));
+}
+
+#[test]
+fn functions_by_hand_agree_with_inlined_ones() {
+    same(|| plain::Chain::<_, 3, false>::new(()), || plain::Chain::<_, 3, true>::new(()));
+    same(|| plain::Chain::<_, 10, false>::new(()), || plain::Chain::<_, 10, true>::new(()));
+    same(|| plain::Chain::<_, 100, false>::new(()), || plain::Chain::<_, 100, true>::new(()));
+    same(|| plain::Diamond::<_, false>::new(()), || plain::Diamond::<_, true>::new(()));
+    same(|| plain::Forward::<_, false>::new(()), || plain::Forward::<_, true>::new(()));
 }
 
 #[test]

@@ -6,6 +6,7 @@ mod links;
 pub mod chain;
 pub mod latent;
 pub mod machine;
+pub mod one;
 pub mod shared;
 pub mod switch;
 pub mod tuned;

@@ -63,7 +63,7 @@ impl ComponentState {
     }
 
     #[inline]
-    const fn grid(&self) -> Grid<'_> {
+    pub(crate) const fn grid(&self) -> Grid<'_> {
         Grid { origin: &self.origin, fraction: &self.fraction }
     }
 

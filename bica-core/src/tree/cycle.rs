@@ -256,7 +256,9 @@ impl<T: Layout, P: Probe> Cycle<'_, T, P> {
     where
         T: Has<C>,
     {
-        self.store.cycle_state().request_recheck();
+        if const { <T::Member as MemberOf<T>>::HAS_CHILDREN } {
+            self.store.cycle_state().request_recheck();
+        }
         self.store.component_state::<C>().enter(to, self.now());
         self.end_code::<C>();
         self.probe.transition(id::<T, C>(), from, to);

@@ -27,6 +27,8 @@ pub(crate) struct CycleState {
     unsettled: Cell<u8>,
     /// Whether the last tick unwound.
     interrupted: Cell<bool>,
+    /// Whether the next tick is steady.
+    steady: Cell<bool>,
     /// Number of components that are held active.
     held_active: Cell<u16>,
 }
@@ -76,20 +78,24 @@ impl VisitOutcome {
 }
 
 impl CycleState {
-    pub(crate) const fn new() -> Self {
+    /// With `rechecked` the active set is rechecked in the first cycle.
+    pub(crate) const fn new(rechecked: bool) -> Self {
         Self {
             now: Cell::new(0),
             parity: Cell::new(Parity::EVEN),
             previous: Cell::new(Parity::ODD),
-            unsettled: Cell::new(0),
+            unsettled: Cell::new(rechecked as u8),
             interrupted: Cell::new(false),
+            steady: Cell::new(false),
             held_active: Cell::new(0),
         }
     }
 
     /// All but parity and time.
     pub(crate) fn relative(&self) -> u64 {
-        let flags = u64::from(self.unsettled.get()) | u64::from(self.interrupted.get()) << 8;
+        let flags = u64::from(self.unsettled.get())
+            | u64::from(self.interrupted.get()) << 8
+            | u64::from(self.steady.get()) << 9;
         flags | u64::from(self.held_active.get()) << 16
     }
 
@@ -99,14 +105,17 @@ impl CycleState {
         self.previous.set(other.previous.get());
         self.unsettled.set(other.unsettled.get());
         self.interrupted.set(other.interrupted.get());
+        self.steady.set(other.steady.get());
         self.held_active.set(other.held_active.get());
     }
 
-    /// Begins a cycle.
+    /// Begins a cycle. If the tree is steady `as_a_whole`, nothing reads the parity.
     #[inline]
-    pub(crate) fn begin(&self, now: Instant) {
+    pub(crate) fn begin(&self, now: Instant, as_a_whole: bool) {
         self.now.set(now.as_ticks());
-        self.parity.swap(&self.previous);
+        if !(as_a_whole && self.steady.get()) {
+            self.parity.swap(&self.previous);
+        }
     }
 
     #[inline]
@@ -161,9 +170,21 @@ impl CycleState {
         rechecks > 0
     }
 
+    /// Whether the tick is steady, or between two cycles whether the next one is.
+    #[inline]
+    pub(crate) fn is_steady(&self) -> bool {
+        self.steady.get()
+    }
+
+    pub(crate) fn set_steady(&self, steady: bool) {
+        self.steady.set(steady);
+    }
+
     /// Records that the tick unwinds.
     pub(crate) fn interrupt(&self) {
         self.interrupted.set(true);
+        self.steady.set(false);
+        self.request_recheck();
     }
 
     /// Whether the last tick unwound.

@@ -5,6 +5,8 @@ use super::component_state::ComponentState;
 use super::cycle::{Cycle, Visit};
 use super::cycle_state::VisitOutcome;
 use super::engine::Engine;
+use super::plan::Plan;
+use super::steady::DueGroups;
 use super::written::WrittenLink;
 use crate::component::Component;
 use crate::graph::Node;
@@ -55,6 +57,12 @@ pub trait Has<C: 'static>: Layout {
     /// Visits a component that was not visited in this cycle.
     #[doc(hidden)]
     fn visit_once<P: Probe>(cycle: &mut Cycle<'_, Self, P>);
+    /// Visits the component in a steady tick.
+    #[doc(hidden)]
+    #[inline]
+    fn visit_steady<P: Probe>(cycle: &mut Cycle<'_, Self, P>, _: DueGroups) {
+        <Self as Has<C>>::visit(cycle);
+    }
     /// Begins the visit of a component without a declared rate that was latent or was given a rate. If it is not due,
     /// its visit ends here.
     #[doc(hidden)]
@@ -88,9 +96,19 @@ pub trait MemberOf<T: Layout>: Component {
     const NODE: Node;
     /// Whether the component takes a `&Time`.
     const TIMED: bool;
+    /// Whether a transition of the component changes which children are visited.
+    const HAS_CHILDREN: bool = !Self::NODE.links.is_empty();
+    /// Indices of the components whose rates the functions of this one borrow.
+    const RATES: &'static [usize] = &[];
 
     /// Visits the children that are needed now and, if the component is due, runs it between them.
     fn pass<P: Probe>(cycle: &mut Cycle<'_, T, P>, visit: Visit);
+
+    /// As `pass` in a steady tick, of a fixed component.
+    #[inline]
+    fn pass_steady<P: Probe>(cycle: &mut Cycle<'_, T, P>, is_due: bool, _: DueGroups) {
+        Self::pass(cycle, Visit { due: is_due, entering: false });
+    }
 
     /// Calls the `#[start]` hooks.
     #[inline]
@@ -124,12 +142,20 @@ pub trait Layout: Sized + 'static {
     #[doc(hidden)]
     const ORDER: &'static [u16];
 
+    /// The plan of a steady tick.
+    #[doc(hidden)]
+    const PLAN: Plan = Plan::NONE;
+
     #[doc(hidden)]
     fn engine(&self) -> &Engine<Self>;
     #[doc(hidden)]
     fn engine_mut(&mut self) -> &mut Engine<Self>;
     #[doc(hidden)]
     fn visit_root<P: Probe>(cycle: &mut Cycle<'_, Self, P>);
+    /// Visits the root in a steady tick.
+    #[doc(hidden)]
+    #[inline]
+    fn run_steady<P: Probe>(_: &mut Cycle<'_, Self, P>) {}
     #[doc(hidden)]
     fn visit<P: Probe>(cycle: &mut Cycle<'_, Self, P>, index: usize);
     #[doc(hidden)]

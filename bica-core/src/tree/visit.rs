@@ -56,6 +56,24 @@ macro_rules! __visit_functions {
             }
         }
 
+        // Nested visits become one function without calls.
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
+        fn visit_steady<__P: $crate::__private::Probe>(
+            cycle: &mut $crate::__private::Cycle<'_, Self, __P>,
+            due: $crate::__private::DueGroups,
+        ) {
+            if const { $crate::__private::is_fixed::<Self, $component>() } {
+                let is_due = cycle.visit_steady::<$component>(due);
+                $crate::$pass!($component, cycle, is_due, due);
+                if is_due {
+                    cycle.end_run::<$component>();
+                }
+            } else {
+                <Self as $crate::__private::Has<$component>>::visit(cycle);
+            }
+        }
+
         #[cold]
         #[inline(never)]
         fn visit_unusual<__P: $crate::__private::Probe>(
@@ -73,7 +91,7 @@ macro_rules! __visit_functions {
     };
 }
 
-/// Calls `MemberOf::pass` of the component. The function in between knows of the component only that a tree holds it: if
+/// Calls `MemberOf::pass` or `MemberOf::pass_steady` of the component. The function in between knows of the component only that a tree holds it: if
 /// a child is not listed, the compiler reports that once, at the list, and not again for every call.
 #[doc(hidden)]
 #[macro_export]
@@ -88,6 +106,17 @@ macro_rules! __pass {
         }
         pass::<Self, __P>($cycle, $visit);
     }};
+    ($component:ty, $cycle:ident, $is_due:ident, $due:ident) => {{
+        #[inline(always)]
+        fn pass<__T: $crate::__private::Has<$component>, __P: $crate::__private::Probe>(
+            cycle: &mut $crate::__private::Cycle<'_, __T, __P>,
+            is_due: bool,
+            due: $crate::__private::DueGroups,
+        ) {
+            <__T::Member as $crate::__private::MemberOf<__T>>::pass_steady(cycle, is_due, due);
+        }
+        pass::<Self, __P>($cycle, $is_due, $due);
+    }};
 }
 
 /// As `__pass`, for a component that names parameters of the impl block; a function in between could not name them.
@@ -96,5 +125,8 @@ macro_rules! __pass {
 macro_rules! __pass_of_generic {
     ($component:ty, $cycle:ident, $visit:ident) => {
         <$component as $crate::__private::MemberOf<Self>>::pass($cycle, $visit)
+    };
+    ($component:ty, $cycle:ident, $is_due:ident, $due:ident) => {
+        <$component as $crate::__private::MemberOf<Self>>::pass_steady($cycle, $is_due, $due)
     };
 }

@@ -15,6 +15,7 @@ mod paths;
 mod rate;
 mod requests;
 mod settled;
+mod steady;
 mod stopwatch;
 mod text;
 mod time;

@@ -279,7 +279,7 @@ fn an_untunable_slot_has_no_room_for_parameters() {
     let machines = size_of::<Slot<Kicker>>() + size_of::<Slot<Machine>>();
     let values = size_of::<Kicking>() + 2 * size_of::<Waiting>();
     assert!(size_of::<Adjusted>() - size_of::<constant::Adjusted>() >= values);
-    assert!(size_of::<constant::Adjusted>() <= machines + 64, "slots, and what a tree stores once");
+    assert!(size_of::<constant::Adjusted>() <= machines + 192, "slots, and what a tree stores once");
 }
 
 #[test]

@@ -1,14 +1,10 @@
 //! Build time of the largest tree of state machines.
 
 use std::fmt::Write;
-use std::fs;
-use std::path::Path;
 
-use crate::process::{root, run_in};
-use crate::processor_time::{Spent, measure};
+use super::generated::Package;
+use crate::processor_time::Spent;
 
-/// Folder of the generated package.
-const PACKAGE: &str = "target/buildtime-machines";
 /// Number of state machines: the largest that a tree may have.
 pub(super) const MACHINES: usize = 256;
 /// Number of states of each machine.
@@ -19,30 +15,9 @@ pub(super) const STATES: usize = 8;
 /// # Errors
 /// If the package cannot be written or built.
 pub(super) fn largest() -> Result<Spent, String> {
-    let folder = root().join(PACKAGE);
-    fs::create_dir_all(folder.join("src")).map_err(|error| format!("cannot create {PACKAGE}: {error}"))?;
-    write(&folder.join("Cargo.toml"), &manifest(&root()))?;
-    // The same versions of the dependencies, so nothing is downloaded.
-    let lock = fs::copy(root().join("Cargo.lock"), folder.join("Cargo.lock"));
-    lock.map_err(|error| format!("cannot copy Cargo.lock: {error}"))?;
-    let build = || run_in(&folder, "cargo", &["build", "--quiet"]);
-    write(&folder.join("src/main.rs"), &program(1))?;
-    build()?;
-    write(&folder.join("src/main.rs"), &program(MACHINES))?;
-    measure(build)
-}
-
-fn write(file: &Path, text: &str) -> Result<(), String> {
-    fs::write(file, text).map_err(|error| format!("cannot write {}: {error}", file.display()))
-}
-
-/// Manifest of a package outside the workspace.
-fn manifest(workspace: &Path) -> String {
-    format!(
-        "[package]\nname = \"machines\"\nversion = \"0.0.0\"\nedition = \"2024\"\n\n[workspace]\n\n\
-         [dependencies]\nbica = {{ path = {:?} }}\n",
-        workspace.display().to_string()
-    )
+    let package = Package::new("machines")?;
+    package.build(&program(1))?;
+    package.build(&program(MACHINES))
 }
 
 /// Source of a program with a tree of state machines. Each state of a machine modulates another of the next machines.

@@ -14,7 +14,7 @@ use peers_copper::{RobotClock, read_raw_counter};
 use bica::Stopwatch;
 
 use crate::case::Case;
-use crate::slow::Dawdle;
+use crate::slow::SlowProbe;
 
 /// Creates all cases; with `slow`, those of BICA contain an artificial slowdown.
 ///
@@ -25,6 +25,7 @@ pub fn all(slow: bool) -> Result<Vec<Case>, String> {
     cases.extend(copper(Design::Copper, &RobotClock::new())?);
     cases.extend(copper(Design::CopperMocked, &RobotClock::mock().0)?);
     cases.extend(by_hand());
+    cases.extend(inlined());
     cases.extend(late());
     cases.push(Case::new(Design::Statig, Workload::Machine, Statig::new()));
     cases.push(Case::new(Design::Smlang, Workload::Machine, Smlang::new()));
@@ -39,8 +40,8 @@ macro_rules! bica {
             let (workload, watch) = (Workload::$tree, Stopwatch::<_, $count>::new(read_raw_counter));
             $cases.extend(if $slow {
                 [
-                    Case::new(Design::Bica, workload, BicaSubject::<framework::$tree, _>::new(Dawdle::<$count>)),
-                    Case::new(Design::BicaTimed, workload, BicaSubject::<framework::$tree, _>::new((watch, Dawdle::<$count>))),
+                    Case::new(Design::Bica, workload, BicaSubject::<framework::$tree, _>::new(SlowProbe::<$count>)),
+                    Case::new(Design::BicaTimed, workload, BicaSubject::<framework::$tree, _>::new((watch, SlowProbe::<$count>))),
                 ]
             } else {
                 [
@@ -75,18 +76,29 @@ fn copper(design: Design, clock: &RobotClock) -> Result<Vec<Case>, String> {
 fn by_hand() -> Vec<Case> {
     let (quiet, timed) = (Design::ByHand, Design::ByHandTimed);
     vec![
-        Case::new(quiet, Workload::Chain3, plain::Chain::<_, 3>::new(())),
-        Case::new(timed, Workload::Chain3, plain::Chain::<_, 3>::new(pairs::<3>())),
-        Case::new(quiet, Workload::Chain10, plain::Chain::<_, 10>::new(())),
-        Case::new(timed, Workload::Chain10, plain::Chain::<_, 10>::new(pairs::<10>())),
-        Case::new(quiet, Workload::Chain100, plain::Chain::<_, 100>::new(())),
-        Case::new(timed, Workload::Chain100, plain::Chain::<_, 100>::new(pairs::<100>())),
-        Case::new(quiet, Workload::Diamond, plain::Diamond::new(())),
-        Case::new(timed, Workload::Diamond, plain::Diamond::new(pairs::<4>())),
+        Case::new(quiet, Workload::Chain3, plain::Chain::<_, 3, false>::new(())),
+        Case::new(timed, Workload::Chain3, plain::Chain::<_, 3, false>::new(pairs::<3>())),
+        Case::new(quiet, Workload::Chain10, plain::Chain::<_, 10, false>::new(())),
+        Case::new(timed, Workload::Chain10, plain::Chain::<_, 10, false>::new(pairs::<10>())),
+        Case::new(quiet, Workload::Chain100, plain::Chain::<_, 100, false>::new(())),
+        Case::new(timed, Workload::Chain100, plain::Chain::<_, 100, false>::new(pairs::<100>())),
+        Case::new(quiet, Workload::Diamond, plain::Diamond::<_, false>::new(())),
+        Case::new(timed, Workload::Diamond, plain::Diamond::<_, false>::new(pairs::<4>())),
         Case::new(quiet, Workload::Machine, ByHand::new(())),
         Case::new(timed, Workload::Machine, ByHand::new(pairs::<1>())),
-        Case::new(quiet, Workload::Forward, plain::Forward::new(())),
-        Case::new(timed, Workload::Forward, plain::Forward::new(pairs::<25>())),
+        Case::new(quiet, Workload::Forward, plain::Forward::<_, false>::new(())),
+        Case::new(timed, Workload::Forward, plain::Forward::<_, false>::new(pairs::<25>())),
+    ]
+}
+
+fn inlined() -> Vec<Case> {
+    let inlined = Design::ByHandInlined;
+    vec![
+        Case::new(inlined, Workload::Chain3, plain::Chain::<_, 3, true>::new(())),
+        Case::new(inlined, Workload::Chain10, plain::Chain::<_, 10, true>::new(())),
+        Case::new(inlined, Workload::Chain100, plain::Chain::<_, 100, true>::new(())),
+        Case::new(inlined, Workload::Diamond, plain::Diamond::<_, true>::new(())),
+        Case::new(inlined, Workload::Forward, plain::Forward::<_, true>::new(())),
     ]
 }
 

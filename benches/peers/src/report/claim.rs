@@ -13,11 +13,16 @@ pub struct Verdict {
     pub holds: bool,
 }
 
+/// Least accepted time of boxed components, as a multiple of BICA's.
+const BOXED: f64 = 1.3;
+/// Largest accepted time of BICA, as a multiple of that of functions by hand and of state machines of others.
+const BY_HAND: f64 = 1.15;
+
 /// Checks all claims. A claim about something that was not measured does not hold.
 #[must_use]
 pub fn judge(figures: &Figures) -> Vec<Verdict> {
     let ten = |design| (design, Workload::Chain10);
-    vec![
+    let mut verdicts = vec![
         at_least(figures, 8.0, ten(Design::Copper), ten(Design::Bica)),
         at_least(figures, 2.0, ten(Design::Copper), ten(Design::BicaTimed)),
         at_least(figures, 20.0, ten(Design::Callbacks), ten(Design::Bica)),
@@ -25,7 +30,15 @@ pub fn judge(figures: &Figures) -> Vec<Verdict> {
         linear(figures),
         latent(figures),
         no_heap(figures),
-    ]
+    ];
+    for workload in [Workload::Chain3, Workload::Chain10, Workload::Chain100, Workload::Diamond, Workload::Forward] {
+        verdicts.push(at_least(figures, BOXED, (Design::Boxed, workload), (Design::Bica, workload)));
+        verdicts.push(at_most(figures, BY_HAND, (Design::Bica, workload), (Design::ByHand, workload)));
+    }
+    for other in [Design::ByHand, Design::Statig, Design::Smlang] {
+        verdicts.push(at_most(figures, BY_HAND, (Design::Bica, Workload::Machine), (other, Workload::Machine)));
+    }
+    verdicts
 }
 
 fn at_least(figures: &Figures, times: f64, more: (Design, Workload), less: (Design, Workload)) -> Verdict {
@@ -39,6 +52,15 @@ fn at_least(figures: &Figures, times: f64, more: (Design, Workload), less: (Desi
         ),
         found: shown(ratio, |ratio| format!("{ratio:.1} x")),
         holds: ratio.is_some_and(|ratio| ratio >= times),
+    }
+}
+
+fn at_most(figures: &Figures, times: f64, more: (Design, Workload), less: (Design, Workload)) -> Verdict {
+    let ratio = figures.ratio(more, less);
+    Verdict {
+        claim: format!("{}: {} takes at most {times} times as long as {}", more.1.name(), more.0.name(), less.0.name()),
+        found: shown(ratio, |ratio| format!("{ratio:.2} x")),
+        holds: ratio.is_some_and(|ratio| ratio <= times),
     }
 }
 

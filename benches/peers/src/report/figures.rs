@@ -49,6 +49,8 @@ named! {
         CopperMocked = "copper-rs, clock mocked",
         /// Functions or a `match`, written by hand.
         ByHand = "by hand",
+        /// Functions written by hand, all inlined.
+        ByHandInlined = "by hand, inlined",
         /// Written by hand, with two timestamps for each component.
         ByHandTimed = "by hand, timed",
         /// `Box<dyn Component>` in a list.

@@ -64,6 +64,34 @@ impl Visits {
         self.some(state, |kind| kind != Kind::Read)
     }
 
+    /// The visits before the own code of a component without states, in a steady tick.
+    pub(super) fn before_steady(&self) -> TokenStream {
+        self.first(|kind| kind == Kind::Read)
+    }
+
+    /// The visits after it.
+    pub(super) fn after_steady(&self) -> TokenStream {
+        self.first(|kind| kind != Kind::Read)
+    }
+
+    /// Visits of those children to which no earlier visit leads.
+    fn first(&self, wanted: impl Fn(Kind) -> bool) -> TokenStream {
+        let p = &self.runtime;
+        let links = self.states.iter().flat_map(|links| links.iter().map(move |link| (links.may_coincide, link)));
+        let visits = links.enumerate().filter(|(_, (_, (kind, _)))| wanted(*kind));
+        let visits = visits.map(|(index, (may_coincide, (_, child)))| {
+            let counts = may_coincide.then(
+                || quote!(&& #p::counts(<Self as #p::MemberOf<__T>>::WRITTEN, #index, <__T as #p::Has<Self>>::INDEX)),
+            );
+            quote! {
+                if const { #p::visits_first::<__T, Self, #child>() #counts } {
+                    <__T as #p::Has<#child>>::visit_steady(cycle, due);
+                }
+            }
+        });
+        quote!(#(#visits)*)
+    }
+
     fn some(&self, state: usize, wanted: impl Fn(Kind) -> bool) -> TokenStream {
         let p = &self.runtime;
         let first: usize = self.states[..state].iter().map(|links| links.iter().count()).sum();

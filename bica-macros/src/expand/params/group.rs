@@ -16,7 +16,6 @@ pub(crate) fn params(params: &Params) -> TokenStream {
     let (name, label, doc) = (&params.name, params.name.to_string(), &params.doc);
     let names: Vec<_> = params.fields.iter().map(|field| &field.name).collect();
     let defaults = params.fields.iter().map(|field| &field.default);
-    let places = 0..params.fields.len();
     let descriptions = params.fields.iter().map(|field| {
         let name = &field.name;
         describe::param(&p, field, Some(&quote!(<Self as #p::Params>::DEFAULT.#name)))
@@ -25,14 +24,7 @@ pub(crate) fn params(params: &Params) -> TokenStream {
         params.fields.iter().enumerate().map(|(place, field)| {
             describe::assertions(&p, field, &quote!(<#name as #p::Params>::GROUP.params[#place]))
         });
-    let reads = params.fields.iter().map(|field| {
-        let name = &field.name;
-        describe::to_value(&p, field, &quote!(self.#name))
-    });
-    let writes = params.fields.iter().enumerate().map(|(place, field)| {
-        let (name, value) = (&field.name, describe::from_value(&p, field, &quote!(value)));
-        quote!(#place => if let ::core::option::Option::Some(value) = #value { self.#name = value; },)
-    });
+    let access = access(params, &p);
     let check = params.check.as_ref().map(|check| {
         quote_spanned! {at(check) =>
             fn check(&self) -> ::core::result::Result<(), &'static str> {
@@ -48,20 +40,7 @@ pub(crate) fn params(params: &Params) -> TokenStream {
             const GROUP: #p::ParamGroup =
                 #p::ParamGroup { name: #label, doc: #p::doc(#doc), params: &[#(#descriptions),*] };
 
-            fn get(&self, index: usize) -> ::core::option::Option<#p::Value> {
-                match index {
-                    #(#places => ::core::option::Option::Some(#reads),)*
-                    _ => ::core::option::Option::None,
-                }
-            }
-
-            fn put(&mut self, index: usize, value: #p::Value) {
-                match index {
-                    #(#writes)*
-                    _ => {}
-                }
-            }
-
+            #access
             #check
         }
 
@@ -74,6 +53,34 @@ pub(crate) fn params(params: &Params) -> TokenStream {
 
         #(#assertions)*
         #rule
+    }
+}
+
+/// The functions that read and write a parameter by its index.
+fn access(params: &Params, p: &TokenStream) -> TokenStream {
+    let places = 0..params.fields.len();
+    let reads = params.fields.iter().map(|field| {
+        let name = &field.name;
+        describe::to_value(p, field, &quote!(self.#name))
+    });
+    let writes = params.fields.iter().enumerate().map(|(place, field)| {
+        let (name, value) = (&field.name, describe::from_value(p, field, &quote!(value)));
+        quote!(#place => if let ::core::option::Option::Some(value) = #value { self.#name = value; },)
+    });
+    quote! {
+        fn get(&self, index: usize) -> ::core::option::Option<#p::Value> {
+            match index {
+                #(#places => ::core::option::Option::Some(#reads),)*
+                _ => ::core::option::Option::None,
+            }
+        }
+
+        fn put(&mut self, index: usize, value: #p::Value) {
+            match index {
+                #(#writes)*
+                _ => {}
+            }
+        }
     }
 }
 

@@ -9,12 +9,12 @@ use bica_syntax::tree::model::Tree;
 
 pub(super) fn expand(tree: &Tree) -> TokenStream {
     let p = runtime(tree);
-    let (name, slots, fields, cycle_hz) = (&tree.name, slots(tree), fields(tree), tree.cycle_hz);
+    let (name, slots, cycle_hz) = (&tree.name, slots(tree), tree.cycle_hz);
     let count = tree.components.len();
     let root = &tree.root;
-    let root = quote_spanned!(at(root) => <Self as #p::Has<#root>>::visit);
-    let kinds: Vec<_> = tree.components.iter().map(|entry| &entry.kind).collect();
-    let places: Vec<usize> = (0..count).collect();
+    let visit = quote_spanned!(at(root) => <Self as #p::Has<#root>>::visit);
+    let visit_steady = quote_spanned!(at(root) => <Self as #p::Has<#root>>::visit_steady);
+    let (plan, access) = (plan(tree, &p), access(tree, &p));
     quote! {
         #[automatically_derived]
         impl #p::Layout for #name {
@@ -35,49 +35,81 @@ pub(super) fn expand(tree: &Tree) -> TokenStream {
 
             #[inline]
             fn visit_root<__P: #p::Probe>(cycle: &mut #p::Cycle<'_, Self, __P>) {
-                #root(cycle);
+                #visit(cycle);
             }
 
-            fn visit<__P: #p::Probe>(cycle: &mut #p::Cycle<'_, Self, __P>, index: usize) {
-                match index {
-                    #(#places => <Self as #p::Has<#kinds>>::visit(cycle),)*
-                    _ => {}
-                }
+            #[inline]
+            fn run_steady<__P: #p::Probe>(cycle: &mut #p::Cycle<'_, Self, __P>) {
+                let due = cycle.due_groups();
+                #visit_steady(cycle, due);
             }
 
-            fn stop<__P: #p::Probe>(cycle: &mut #p::Cycle<'_, Self, __P>, index: usize) {
-                match index {
-                    #(#places => cycle.stop::<#kinds>(),)*
-                    _ => {}
-                }
-            }
+            #plan
+            #access
+        }
+    }
+}
 
-            fn component_state(slots: &Self::Slots, index: usize) -> ::core::option::Option<&#p::ComponentState> {
-                match index {
-                    #(#places => ::core::option::Option::Some(slots.#fields.state()),)*
-                    _ => ::core::option::Option::None,
-                }
-            }
+/// The plan of a steady tick.
+fn plan(tree: &Tree, p: &TokenStream) -> TokenStream {
+    let count = tree.components.len();
+    let kinds = tree.components.iter().map(|entry| &entry.kind);
+    quote! {
+        const PLAN: #p::Plan = const {
+            &#p::Planned::<#count>::of(
+                &<Self as #p::Tree>::GRAPH,
+                <Self as #p::Layout>::ORDER,
+                &[#(#p::borrowed_rates::<Self, #kinds>()),*],
+            )
+        }.plan();
+    }
+}
 
-            fn member<__M: #p::Member<Self>>(index: usize, action: __M) -> ::core::option::Option<__M::Output> {
-                match index {
-                    #(#places => ::core::option::Option::Some(<__M as #p::Member<Self>>::visit::<#kinds>(action)),)*
-                    _ => ::core::option::Option::None,
-                }
+/// The functions that reach a component by its index.
+fn access(tree: &Tree, p: &TokenStream) -> TokenStream {
+    let fields = fields(tree);
+    let kinds: Vec<_> = tree.components.iter().map(|entry| &entry.kind).collect();
+    let places: Vec<usize> = (0..kinds.len()).collect();
+    quote! {
+        fn visit<__P: #p::Probe>(cycle: &mut #p::Cycle<'_, Self, __P>, index: usize) {
+            match index {
+                #(#places => <Self as #p::Has<#kinds>>::visit(cycle),)*
+                _ => {}
             }
+        }
 
-            fn hz(&self, index: usize) -> ::core::option::Option<f32> {
-                match index {
-                    #(#places => #p::hz::<Self, #kinds>(self),)*
-                    _ => ::core::option::Option::None,
-                }
+        fn stop<__P: #p::Probe>(cycle: &mut #p::Cycle<'_, Self, __P>, index: usize) {
+            match index {
+                #(#places => cycle.stop::<#kinds>(),)*
+                _ => {}
             }
+        }
 
-            fn set_hz(&mut self, index: usize, hz: f32) {
-                match index {
-                    #(#places => #p::set_hz::<Self, #kinds>(self, hz),)*
-                    _ => {}
-                }
+        fn component_state(slots: &Self::Slots, index: usize) -> ::core::option::Option<&#p::ComponentState> {
+            match index {
+                #(#places => ::core::option::Option::Some(slots.#fields.state()),)*
+                _ => ::core::option::Option::None,
+            }
+        }
+
+        fn member<__M: #p::Member<Self>>(index: usize, action: __M) -> ::core::option::Option<__M::Output> {
+            match index {
+                #(#places => ::core::option::Option::Some(<__M as #p::Member<Self>>::visit::<#kinds>(action)),)*
+                _ => ::core::option::Option::None,
+            }
+        }
+
+        fn hz(&self, index: usize) -> ::core::option::Option<f32> {
+            match index {
+                #(#places => #p::hz::<Self, #kinds>(self),)*
+                _ => ::core::option::Option::None,
+            }
+        }
+
+        fn set_hz(&mut self, index: usize, hz: f32) {
+            match index {
+                #(#places => #p::set_hz::<Self, #kinds>(self, hz),)*
+                _ => {}
             }
         }
     }

@@ -4,5 +4,5 @@ use peers::plain::Chain;
 use peers::subject::show;
 
 fn main() {
-    show(Chain::<_, 10>::new(()));
+    show(Chain::<_, 10, false>::new(()));
 }
