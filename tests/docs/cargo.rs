@@ -16,10 +16,18 @@ pub(crate) struct Workspace {
 impl Workspace {
     /// Reads the manifests of the workspace.
     pub(crate) fn read() -> Self {
-        let (packages, firmware) = (packages(), packages_of("firmware/Cargo.toml"));
+        let mut workspace = Self::of("Cargo.toml");
+        // `cargo xtask` passes features of the firmware on.
+        workspace.features.extend(Self::of("firmware/Cargo.toml").features);
+        workspace
+    }
+
+    /// Reads the manifests of the workspace of a manifest.
+    pub(crate) fn of(manifest: &str) -> Self {
+        let packages = packages_of(manifest);
         Self {
             packages: packages.iter().map(|package| text(&package["name"])).collect(),
-            features: packages.iter().chain(&firmware).flat_map(|package| keys(&package["features"])).collect(),
+            features: packages.iter().flat_map(|package| keys(&package["features"])).collect(),
             targets: packages
                 .iter()
                 .flat_map(|package| list(&package["targets"]))

@@ -6,6 +6,7 @@ use clap::error::ErrorKind;
 use xtask::cli::Cli as Xtask;
 
 use crate::cargo::Workspace;
+use crate::pages::root;
 
 /// Command on a page.
 pub(crate) struct Shown {
@@ -109,6 +110,11 @@ fn cargo(subcommand: &str, words: &[&str], workspace: &Workspace) -> Result<(), 
         Some(place) => (&words[..place], Some(&words[place + 1..])),
         None => (words, None),
     };
+    if let Some(place) = options.iter().position(|option| *option == "--manifest-path") {
+        let manifest = options.get(place + 1).filter(|manifest| root().join(manifest).is_file());
+        let manifest = manifest.ok_or_else(|| "`--manifest-path` names no manifest".to_owned())?;
+        return cargo(subcommand, &[&options[..place], &options[place + 2..]].concat(), &Workspace::of(manifest));
+    }
     let (mut left, mut starts_player) = (options.iter(), subcommand == "run");
     while let Some(option) = left.next() {
         let mut value = || left.next().copied().ok_or_else(|| format!("`{option}` has no value"));
@@ -172,6 +178,8 @@ mod tests {
             "cargo run --example nothing",
             "cargo run -p bica-none",
             "cargo buidl",
+            "cargo run --manifest-path benches/none/Cargo.toml --example minima",
+            "cargo run --manifest-path benches/peers/Cargo.toml --example none",
             "player play --games none",
         ] {
             assert!(check(&shown(wrong), &workspace).is_err(), "`{wrong}` is accepted");
