@@ -80,7 +80,9 @@ impl History {
         if self.overruns.len() >= MAX_TRUTHS {
             self.overruns.pop_front();
         }
-        self.overruns.push_back((time_us, component));
+        // A link reports the overruns of all components of a window at its end, not in their order.
+        let place = self.overruns.iter().rev().take_while(|(other, _)| *other > time_us).count();
+        self.overruns.insert(self.overruns.len() - place, (time_us, component));
     }
 
     /// Returns the last lines of an interval, oldest first.

@@ -91,6 +91,16 @@ mod tests {
         [(false, 0), (true, 0), (true, 0), (true, 1), (true, 1), (false, 1), (true, 1), (true, 1)];
 
     #[test]
+    fn overruns_are_in_the_order_of_time_whatever_the_order_of_their_reports() {
+        let mut history = history(&COURSE, None);
+        for (time_us, component) in [(5000, 0), (1000, 0), (3000, 1), (2000, 0)] {
+            history.add_overrun(time_us, component);
+        }
+        assert_eq!(history.overruns(0, 0, 9000, 0), [1000, 2000, 5000]);
+        assert_eq!(history.overruns(0, 1500, 4000, 0), [2000]);
+    }
+
+    #[test]
     fn bars_are_exact_to_the_cycle() {
         let history = history(&COURSE, None);
         let expected = [Bar(1000, 3000, Some(0)), Bar(3000, 5000, Some(1)), Bar(6000, 7000, Some(1))];
