@@ -4,7 +4,7 @@ use jmanager_browser::{Page, Server, target};
 
 use crate::WIDE;
 
-const IMAGE: &str = "../firmware/target/thumbv7em-none-eabihf/release/forward-an500";
+const IMAGE: &str = "../firmware/target/thumbv7em-none-eabihf/release/forward-an500-monitor";
 
 #[tokio::test]
 async fn the_firmware_plays_and_is_watched() {
