@@ -82,7 +82,7 @@ pub struct Cli {
     #[arg(long, requires = "source")]
     pub build: bool,
     /// What the page builds and runs: options of Cargo, `--`, arguments with {address}, {seed} and {robots}
-    #[arg(long, value_name = "PROGRAM", requires = "build", default_value = RUN, hide_default_value = true)]
+    #[arg(long, value_name = "PROGRAM", requires = "build", allow_hyphen_values = true, default_value = RUN, hide_default_value = true)]
     pub run: String,
 }
 

@@ -59,7 +59,14 @@ async fn a_recording_is_run_again_with_another_parameter_and_compared() {
         "return document.querySelectorAll('[aria-label=Compare] select').length === 2",
     )
     .await;
-    page.click("button", "Compare", "Compare").await;
+    // The second recording is written while its program runs; before its end it cannot be compared.
+    for _ in 0..30 {
+        page.click("button", "Compare", "Compare").await;
+        tokio::time::sleep(std::time::Duration::from_secs(2)).await;
+        if page.text().await.contains("First difference in cycle") {
+            break;
+        }
+    }
     page.reads("First difference in cycle").await;
     page.screenshot("compared").await;
     page.close().await;
