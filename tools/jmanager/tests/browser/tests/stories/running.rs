@@ -84,6 +84,7 @@ async fn run(page: &Page, button: &str, not: &str) -> String {
 
 /// Holds the drawn component active, whatever the goalkeeper does.
 async fn hold_active(page: &Page) {
+    page.click("tab", "Activation tree", "").await;
     page.click("button", "Patrol", "Activation tree").await;
     page.click("radio", "active", "By hand").await;
 }
