@@ -244,7 +244,11 @@ function sessionOf(id) {
   return sessions.value.get(id);
 }
 
+/** Sessions that were closed: what was sent of them before arrives later. */
+const gone = new Set();
+
 function showSession(info) {
+  if (gone.has(info.id)) return;
   const known = sessionOf(info.id);
   if (known) {
     known.info.value = info;
@@ -275,6 +279,7 @@ const HANDLERS = {
       return;
     }
     const before = current.value;
+    gone.clear();
     batch(() => {
       hello.value = message;
       const ids = new Set(message.sessions.map((info) => info.id));
@@ -287,6 +292,7 @@ const HANDLERS = {
   },
   session: (message) => showSession(message.session),
   closed(message) {
+    gone.add(message.session);
     const rest = new Map(sessions.value);
     rest.delete(message.session);
     batch(() => {

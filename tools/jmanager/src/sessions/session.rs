@@ -157,6 +157,9 @@ impl Session {
 
     /// Sends the session to all pages.
     pub(super) fn announce(&self) {
+        if self.is_closed() {
+            return;
+        }
         for page in self.pages.list() {
             self.pages.state(page, ToPage::Session { session: self.info(page) });
         }

@@ -167,6 +167,7 @@ async fn a_machine_is_drawn_built_run_stopped_and_changed_while_it_runs() {
     timer(&page, "rest", "begin", "tired", "200").await;
     saved(&page, &patrol, &["#[transition(rest -> begin, after_ms = 200)]", "fn tired"]).await;
     run(&page, "Run again", &first).await;
+    page.until("the session before is closed", "return document.querySelectorAll('.session').length === 2").await;
     hold_active(&page).await;
     page.find("button", "State begin", "").await.focus().await;
     page.press("b").await;
