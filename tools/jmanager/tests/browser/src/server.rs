@@ -4,10 +4,12 @@ use std::io::{BufRead, BufReader};
 use std::path::PathBuf;
 use std::process::{Child, Command, Stdio};
 use std::sync::mpsc::{Receiver, channel};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 /// Longest start on a busy machine.
 const START: Duration = Duration::from_mins(1);
+/// Longest end on a busy machine.
+const END: Duration = Duration::from_secs(20);
 
 /// A server that ends when this is dropped.
 pub struct Server {
@@ -88,6 +90,12 @@ impl Server {
 
 impl Drop for Server {
     fn drop(&mut self) {
+        // As Ctrl-C does: the server ends the programs that it has started.
+        let _ = Command::new("kill").args(["-INT", &self.child.id().to_string()]).stderr(Stdio::null()).status();
+        let begin = Instant::now();
+        while begin.elapsed() < END && matches!(self.child.try_wait(), Ok(None)) {
+            std::thread::sleep(Duration::from_millis(20));
+        }
         self.kill();
         let _ = std::fs::remove_dir_all(&self.folder);
     }
