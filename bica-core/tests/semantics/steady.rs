@@ -292,6 +292,7 @@ fn explore_all(requests: u32) {
 }
 
 #[test]
+#[cfg_attr(miri, ignore = "takes Miri more than ten minutes; other tests tick steady trees in it")]
 fn a_steady_tree_does_the_same_after_every_two_requests() {
     explore_all(2);
 }
