@@ -3,6 +3,7 @@
 mod event;
 mod extras;
 mod inbox;
+mod options;
 
 use std::collections::BTreeMap;
 use std::thread;
@@ -22,27 +23,12 @@ use crate::stream::{Reading, Stream};
 use inbox::Inbox;
 
 pub use event::{Answered, Costs, Event, Image, Snapshot};
+pub use options::ClientOptions;
 
 /// Time between two messages to the robot, if there is nothing else to send.
 const HEARTBEAT: Duration = Duration::from_millis(500);
 /// Time between two attempts to connect again.
 const RETRY: Duration = Duration::from_millis(100);
-
-/// How a client works.
-#[derive(Clone, Copy, Debug)]
-pub struct ClientOptions {
-    /// Longest wait for a connection or an answer.
-    pub timeout: Duration,
-    /// Time after which a request that has not reached the robot is refused; used where the robot's time advances with
-    /// the clock.
-    pub expiry: Duration,
-}
-
-impl Default for ClientOptions {
-    fn default() -> Self {
-        Self { timeout: Duration::from_secs(5), expiry: Duration::from_secs(1) }
-    }
-}
 
 /// A monitor of a robot.
 ///
