@@ -4,7 +4,7 @@ use bica_vicode::{Change, Edit, FileError, Keep, Refusal};
 use serde_json::{Value, json};
 
 use super::file::OpenFile;
-use super::files::{Files, failed};
+use super::files::{Files, failed, no_component};
 use super::{limits, save};
 use crate::protocol::{ChangedBy, Failed, KeepSide, MovedState, SourcePlace};
 use crate::sessions::PageId;
@@ -117,12 +117,7 @@ impl Files {
         let mut open = self.open();
         let file = self.get(&mut open, name)?;
         let found = file.document.model().component(component);
-        let none = || {
-            Failed::new(
-                format!("no component `{}` is in this file", component.escape_debug()),
-                "it may have been renamed",
-            )
-        };
+        let none = || no_component(component, "it may have been renamed");
         let states: Vec<String> =
             found.ok_or_else(none)?.states.iter().map(|state| state.function.name.text.clone()).collect();
         for state in states {

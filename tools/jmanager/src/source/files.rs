@@ -89,6 +89,11 @@ impl Files {
     }
 }
 
+/// A request that names a component which is not in the file.
+pub(super) fn no_component(component: &str, help: &str) -> Failed {
+    Failed::new(format!("no component `{}` is in this file", component.escape_debug()), help)
+}
+
 /// Forgets a file that nobody needs if too many are open.
 fn make_room(open: &mut BTreeMap<String, OpenFile>) -> Result<(), Failed> {
     if open.len() < limits::MAX_FILES {

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use bica_vicode::model::Model;
 use bica_vicode::{read, uses};
 
-use super::files::{Files, failed};
+use super::files::{Files, failed, no_component};
 use super::limits;
 use super::stamp::Stamp;
 use crate::protocol::{Failed, SourceComponent, SourceFile, SourceUse};
@@ -95,13 +95,7 @@ impl Files {
             let mut open = self.open();
             let file = self.get(&mut open, name)?;
             let found = file.document.model().component(component);
-            let none = || {
-                Failed::new(
-                    format!("no component `{}` is in this file", component.escape_debug()),
-                    "open the file that has it",
-                )
-            };
-            let found = found.ok_or_else(none)?;
+            let found = found.ok_or_else(|| no_component(component, "open the file that has it"))?;
             let none = || {
                 let what = format!("`{component}` has no function `{}`", function.escape_debug());
                 Failed::new(what, "it may have been renamed")

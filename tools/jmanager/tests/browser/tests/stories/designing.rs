@@ -62,6 +62,18 @@ async fn open(server: &Server) -> Page {
     page
 }
 
+/// Opens the designer with the component `Legs` and its code.
+async fn open_legs(server: &Server) -> Page {
+    let page = open(server).await;
+    page.click("button", "Legs", "Sources").await;
+    page.until(
+        "the code is shown",
+        "return document.querySelector('.cm-content')?.textContent.includes('Goes to a side')",
+    )
+    .await;
+    page
+}
+
 /// Waits until the file has a text; the page saves half a second after the last change.
 async fn saved(page: &Page, source: &Crate, file: &str, what: &[&str]) {
     for _ in 0..300 {
@@ -193,13 +205,7 @@ async fn a_machine_is_drawn_from_a_blank_canvas_and_undone() {
 async fn a_change_on_both_sides_is_shown_and_nothing_is_overwritten() {
     let source = Crate::new("conflict");
     let server = source.server("conflict");
-    let page = open(&server).await;
-    page.click("button", "Legs", "Sources").await;
-    page.until(
-        "the code is shown",
-        "return document.querySelector('.cm-content')?.textContent.includes('Goes to a side')",
-    )
-    .await;
+    let page = open_legs(&server).await;
     let before = source.read("src/parts.rs");
     // Both sides change one line before the page's change is saved; again, if the machine was too busy for that.
     let mut theirs = String::new();
@@ -326,13 +332,7 @@ async fn speed_of_the_designer_is_measured() {
 async fn opening_and_closing_changes_no_file() {
     let source = Crate::new("same");
     let server = source.server("same");
-    let page = open(&server).await;
-    page.click("button", "Legs", "Sources").await;
-    page.until(
-        "the code is shown",
-        "return document.querySelector('.cm-content')?.textContent.includes('Goes to a side')",
-    )
-    .await;
+    let page = open_legs(&server).await;
     page.click("button", "Ball", "Sources").await;
     page.reads("is_seen").await;
     page.close().await;
