@@ -1,6 +1,6 @@
 //! The server that is attacked.
 
-use std::io::{Read, Write};
+use std::io::{self, ErrorKind, Read, Write};
 use std::net::{SocketAddr, TcpListener, TcpStream};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -129,6 +129,11 @@ pub(crate) fn message(page: &mut WebSocket<TcpStream>) -> Result<Value, Error> {
     }
 }
 
+/// Whether nothing came within the timeout of a read.
+pub(crate) fn is_silent(error: &io::Error) -> bool {
+    matches!(error.kind(), ErrorKind::WouldBlock | ErrorKind::TimedOut)
+}
+
 /// Reads until the server has closed the page; returns the code, or 0 if the connection was cut.
 pub(crate) fn closed(page: &mut WebSocket<TcpStream>) -> u64 {
     let start = Instant::now();
@@ -136,6 +141,7 @@ pub(crate) fn closed(page: &mut WebSocket<TcpStream>) -> u64 {
         match message(page) {
             Ok(message) if message["type"] == "close" => return message["code"].as_u64().unwrap(),
             Ok(_) => {}
+            Err(Error::Io(error)) if is_silent(&error) => break,
             Err(_) => return 0,
         }
     }
