@@ -108,18 +108,52 @@ fn a_lost_robot_is_found_again_and_nothing_old_is_executed() {
 }
 
 /// A tree that is not the forward's.
-struct Lamp;
+struct Lamp {
+    cycles: u32,
+}
 
 /// Shines.
 #[component]
 impl Lamp {
     const fn new() -> Self {
-        Self
+        Self { cycles: 0 }
     }
 
     /// Is on.
     #[state(initial)]
-    fn on(&mut self) {}
+    fn on(&mut self) {
+        self.cycles += 1;
+    }
+
+    /// Is off.
+    #[state]
+    fn off(&mut self) {
+        self.cycles += 1;
+    }
+
+    /// Stays on.
+    #[transition(on -> on)]
+    const fn is_kept(&self) -> bool {
+        self.cycles % 8 == 3
+    }
+
+    /// Is put out.
+    #[transition(on -> off)]
+    const fn is_put_out(&self) -> bool {
+        self.cycles % 16 == 5
+    }
+
+    /// Breaks.
+    #[transition(on -> off)]
+    const fn is_broken(&self) -> bool {
+        self.cycles % 16 == 13
+    }
+
+    /// Is lit.
+    #[transition(off -> on)]
+    const fn is_lit(&self) -> bool {
+        self.cycles % 8 == 7
+    }
 }
 
 activation_tree! {
@@ -154,10 +188,11 @@ impl World<LampTree> for Room {
 }
 
 /// Serves a lamp at an address until the end is set.
-fn lamp(address: &str, end: &Arc<AtomicBool>) -> JoinHandle<()> {
+fn lamp(address: &str, end: &Arc<AtomicBool>) -> (String, JoinHandle<()>) {
     let (address, end) = (Address::Tcp(address.to_owned()), Arc::clone(end));
-    std::thread::spawn(move || {
-        let (server, requests, observer) = LinkServer::start::<LampTree>(&address, ServerOptions::default()).unwrap();
+    let (server, requests, observer) = LinkServer::start::<LampTree>(&address, ServerOptions::default()).unwrap();
+    let bound = server.address().to_owned();
+    let thread = std::thread::spawn(move || {
         let runner = Runner::new(Box::new(LampTree::new()), Room(0));
         let mut runner = runner.with_requests(requests).with_observer(observer);
         while !end.load(Ordering::Relaxed) {
@@ -165,7 +200,37 @@ fn lamp(address: &str, end: &Arc<AtomicBool>) -> JoinHandle<()> {
             std::thread::sleep(Duration::from_millis(5));
         }
         drop(server);
-    })
+    });
+    (bound, thread)
+}
+
+/// In each cycle of 20 ms one is added to what the conditions look at.
+#[test]
+fn a_breakpoint_behind_a_link_is_reached_by_its_transition_only() {
+    let folder = Folder::new();
+    let manager = Manager::new(folder.options());
+    let page = Page::new(&manager);
+    let end = Arc::new(AtomicBool::new(false));
+    let (address, lamp) = lamp("127.0.0.1:0", &end);
+    let session = manager.open(Open::Robot { address }).unwrap();
+    let description = page.message("described", |message| Some(message["description"].clone()));
+    page.session(|one| one["connection"] == "connected");
+    for (name, period, rest) in [("is_broken", 16, 13), ("is_kept", 8, 3)] {
+        let (component, transition) = find(&description, "Lamp", "transitions", name);
+        let place = Breakpoint { component, state: None, transition: Some(transition) };
+        page.ask(Request::Breakpoints { session, list: vec![place] }).unwrap();
+        let hit = || {
+            let time =
+                |hit: &serde_json::Value| (hit["transition"] == transition).then(|| hit["time_us"].as_u64().unwrap());
+            page.message("hit", time)
+        };
+        let times = [hit(), hit(), hit()];
+        assert!(times.iter().all(|time| time / 20_000 % period == rest), "{name}: {times:?}");
+        let next = page.ask(Request::NextHit { session, from_us: times[0] }).unwrap()["time_us"].as_u64().unwrap();
+        assert_eq!(next, times[1]);
+    }
+    end.store(true, Ordering::Relaxed);
+    lamp.join().unwrap();
 }
 
 /// Attack 15.
@@ -186,7 +251,7 @@ fn another_robot_at_the_address_is_shown_as_such_and_nothing_of_the_first_is_in_
     drop(robot);
     page.session(|one| one["connection"] == "lost");
     let end = Arc::new(AtomicBool::new(false));
-    let lamp = lamp(&address, &end);
+    let (_, lamp) = lamp(&address, &end);
     let other = page.message("described", |message| Some(message["description"].clone()));
     assert_eq!(other["name"], "LampTree");
     assert_ne!((&other["name"], &other["hash"]), (&description["name"], &description["hash"]));
