@@ -1,14 +1,13 @@
 //! Attack 11: large and many messages, connections and pages.
 
 use std::io::{Read, Write};
-use std::net::TcpStream;
 use std::time::{Duration, Instant};
 
 use jmanager::sessions::Options;
 use serde_json::json;
 use tungstenite::Message;
 
-use crate::target::{LIMIT, closed, is_silent, message, target, target_with};
+use crate::target::{LIMIT, closed, message, target, target_with};
 
 #[test]
 fn a_large_message_ends_the_page() {
@@ -55,7 +54,7 @@ fn a_slow_head_is_cut() {
 }
 
 #[test]
-fn connections_and_pages_are_limited_and_become_free_again() {
+fn pages_are_limited_and_become_free_again() {
     let target = target(None);
     let cookie = target.enter();
     let own = format!("Origin: http://{}", target.address);
@@ -64,22 +63,27 @@ fn connections_and_pages_are_limited_and_become_free_again() {
         assert_eq!(message(page).unwrap()["type"], "hello");
     }
     assert_eq!(target.upgrade(&[&target.host(), &cookie, &own]), 503);
-    // Silent connections up to the limit: the next one is closed without an answer.
-    let silent: Vec<_> = (0..200).filter_map(|_| TcpStream::connect(target.address).ok()).collect();
-    let mut cut = 0;
-    for mut stream in silent {
-        stream.set_read_timeout(Some(Duration::from_millis(20))).unwrap();
-        cut += u32::from(
-            matches!(stream.read(&mut [0; 8]), Ok(0) | Err(_))
-                && stream.peer_addr().is_ok()
-                && closed_by_peer(&mut stream),
-        );
-    }
-    assert!(cut >= 200 - 128, "{cut} of 200 connections were closed");
     drop(pages);
     let start = Instant::now();
     while target.upgrade(&[&target.host(), &cookie, &own]) != 101 {
         assert!(start.elapsed() < LIMIT, "the pages did not become free");
+        std::thread::sleep(Duration::from_millis(50));
+    }
+}
+
+#[test]
+fn connections_are_limited_and_become_free_again() {
+    let target = target(None);
+    let status = || target.send("GET /enter.css", &[&target.host()], "").status;
+    // A silent connection is cut after 5 s. On a busy machine that may be before all are open.
+    let is_limited = (0..5).any(|_| {
+        let _silent: Vec<_> = (0..128).map(|_| target.connect()).collect();
+        status() == 0
+    });
+    assert!(is_limited, "there is an answer on connection 129");
+    let start = Instant::now();
+    while status() != 200 {
+        assert!(start.elapsed() < LIMIT, "the connections did not become free");
         std::thread::sleep(Duration::from_millis(50));
     }
 }
@@ -110,13 +114,4 @@ fn slow_a_page_that_never_reads_is_disconnected_and_others_are_served() {
         std::thread::sleep(Duration::from_millis(100));
     }
     std::fs::remove_dir_all(folder).unwrap();
-}
-
-/// Whether the other side has closed a connection: it reads as ended, not as silent.
-fn closed_by_peer(stream: &mut TcpStream) -> bool {
-    match stream.read(&mut [0; 8]) {
-        Ok(0) => true,
-        Ok(_) => false,
-        Err(error) => !is_silent(&error),
-    }
 }

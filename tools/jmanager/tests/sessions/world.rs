@@ -105,6 +105,9 @@ fn one_page_operates_and_values_are_answered_as_they_are_in_force() {
     assert!(page.ask(set(json!(0.8))).is_err());
     assert_eq!(other.ask(set(json!(0.8))).unwrap()["values"], json!([0.8]));
     drop(other);
+    page.message("log", |log| {
+        log["lines"][0]["text"].as_str()?.contains("was closed: control has ended").then_some(())
+    });
     page.session(|session| session["control"] == "free");
 }
 

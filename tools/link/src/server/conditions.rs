@@ -60,3 +60,31 @@ impl ConditionTable {
         Some(Extra::Conditions { time_us, component, values })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Whether each of two conditions holds, and since when, µs.
+    fn known(table: &ConditionTable) -> [Option<(bool, u64)>; 2] {
+        [0, 1].map(|transition| table.components[0][transition].map(|(holds, since)| (holds, since.as_micros())))
+    }
+
+    #[test]
+    fn of_a_state_that_was_left_the_condition_of_the_taken_transition_is_kept() {
+        let component = ComponentId::new(0);
+        let mut table = ConditionTable { components: vec![vec![None; 2]], now: Instant::MIN, holding: 0 };
+        table.begin(Instant::from_micros(10));
+        table.evaluated(component, 0, false);
+        assert_eq!(known(&table), [Some((false, 10)), None]);
+        for time in [20, 30] {
+            table.begin(Instant::from_micros(time));
+            table.evaluated(component, 0, false);
+            table.evaluated(component, 1, true);
+            table.taken(component);
+            assert_eq!(known(&table), [None, Some((true, time))]);
+        }
+        table.forget(component);
+        assert_eq!(known(&table), [None; 2]);
+    }
+}

@@ -120,7 +120,7 @@ impl InfoSink for Bytes<'_> {
 }
 
 /// Messages with the data of one cycle.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub(super) struct Encoded {
     pub(super) cycle: u64,
     /// Places of the messages of the snapshot; none if it is due for nobody.

@@ -1,17 +1,19 @@
 //! Monitors that misbehave, and lines that break.
 
+use std::collections::BTreeMap;
 use std::io::{Read, Write};
 use std::net::TcpStream;
+use std::thread;
 use std::time::Duration;
 
 use bica_field::GoalColour;
-use bica_link::{Client, ClientOptions, Error};
+use bica_link::{Client, ClientOptions, Error, Event};
 use bica_wire::message::{Change, ClockMode, Hello, Hold, Setting, Value, Watch, WatchInfo};
 use bica_wire::{Encoder, FromMonitor, MAX_PACKET, SCHEMA, ToRobot};
 
 use crate::proxy::Proxy;
 use crate::robot::CART;
-use crate::session::{Session, snapshot};
+use crate::session::{Session, event, snapshot};
 
 /// A connection without a client.
 pub(crate) fn raw(session: &Session) -> TcpStream {
@@ -85,6 +87,34 @@ fn a_storm_of_requests_is_limited_in_each_cycle() {
 }
 
 #[test]
+fn of_the_messages_of_all_monitors_a_limited_number_is_handled_before_a_cycle() {
+    const EACH: usize = 32;
+    let session = Session::start();
+    let mut clients: Vec<_> = (0..6).map(|_| session.client()).collect();
+    session.pause(true);
+    for client in &mut clients {
+        for _ in 0..EACH {
+            // Nobody owns the lease, so each is refused in the cycle in which it is handled.
+            client.send_request_with(Change::Hold { component: CART, hold: Hold::Tree }, 1, u64::MAX).unwrap();
+        }
+    }
+    // Until all have arrived; if not, less is seen.
+    thread::sleep(Duration::from_millis(500));
+    session.pause(false);
+    let mut cycles = BTreeMap::new();
+    for client in &mut clients {
+        for _ in 0..EACH {
+            let cycle = event(client, "an answer", |event| match event {
+                Event::Answer(answer) => Some(answer.cycle),
+                _ => None,
+            });
+            *cycles.entry(cycle).or_insert(0_usize) += 1;
+        }
+    }
+    assert!(cycles.values().all(|count| *count <= 64), "{cycles:?}");
+}
+
+#[test]
 fn garbage_and_messages_of_the_game_are_counted_and_skipped() {
     let session = Session::start();
     let mut link = raw(&session);
@@ -108,7 +138,7 @@ fn garbage_and_messages_of_the_game_are_counted_and_skipped() {
     link.write_all(&packet(&mut encoder, &ToRobot::Describe)).unwrap();
     link.set_read_timeout(Some(Duration::from_mins(1))).unwrap();
     // More than the answers to `Attach` have.
-    link.read_exact(&mut [0; 1024]).unwrap();
+    link.read_exact(&mut [0; 256]).unwrap();
     assert_served(&session);
     assert_eq!(session.requests(), 0);
 }

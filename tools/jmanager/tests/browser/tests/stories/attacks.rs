@@ -71,7 +71,7 @@ async fn a_page_of_another_port_gets_nothing_and_changes_nothing() {
     }
     assert_ne!(seen["fetch"], "basic", "{seen}");
     // The page in a frame of the foreign page is not shown.
-    page.run("const frame = document.createElement('iframe'); frame.src = arguments[0]; document.documentElement.append(frame); frame.onload = () => { window.framed = true; }", vec![json!(own)]).await;
+    page.run("const frame = document.createElement('iframe'); frame.src = arguments[0]; document.body.append(frame); frame.onload = () => { window.framed = true; }", vec![json!(own)]).await;
     page.until("the frame has ended loading", "return window.framed === true").await;
     assert_eq!(page.run_in_frame(0, "return location.href").await, "chrome-error://chromewebdata/");
 }
@@ -124,7 +124,7 @@ async fn names_of_files_and_robots_are_shown_as_text() {
     page.reads(name).await;
     page.click("button", name, "Recordings").await;
     page.reads("is no name of a file").await;
-    page.click("button", "+", "").await;
+    page.click("button", "Open another session", "").await;
     page.find("textbox", "Address of the robot", "").await.set(&format!("tcp://{name}:1")).await;
     page.click("button", "Connect", "").await;
     page.reads(&format!("tcp://{name}:1")).await;
