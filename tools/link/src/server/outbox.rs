@@ -172,7 +172,7 @@ mod tests {
     fn of_data_that_nobody_takes_the_newest_is_kept() {
         let outbox = Outbox::default();
         for cycle in 0..100 {
-            let data = Arc::new(Encoded { cycle, ..Encoded::default() });
+            let data = Arc::new(Encoded::of_cycle(cycle));
             outbox.show(Shown { data, snapshot: true, watched: Arc::default() });
         }
         let taken = outbox.take(false).expect("it is not closed");
