@@ -196,7 +196,8 @@ fn server_with_a_full_disk() {
 fn a_full_disk_leaves_the_file_whole_and_the_edit_in_memory() {
     let sources = Sources::player();
     // Larger files cannot be written, as on a full disk.
-    let script = format!("trap '' XFSZ; ulimit -f {ROOM}; exec \"$0\" faults::server_with_a_full_disk --exact --nocapture");
+    let script =
+        format!("trap '' XFSZ; ulimit -f {ROOM}; exec \"$0\" faults::server_with_a_full_disk --exact --nocapture");
     let ran = Command::new("bash")
         .args(["-c", &script])
         .arg(std::env::current_exe().unwrap())
@@ -204,5 +205,9 @@ fn a_full_disk_leaves_the_file_whole_and_the_edit_in_memory() {
         .output()
         .unwrap();
     let out = String::from_utf8_lossy(&ran.stdout);
-    assert!(ran.status.success() && out.contains("the full disk was survived"), "{out}\n{}", String::from_utf8_lossy(&ran.stderr));
+    assert!(
+        ran.status.success() && out.contains("the full disk was survived"),
+        "{out}\n{}",
+        String::from_utf8_lossy(&ran.stderr)
+    );
 }
