@@ -2,7 +2,6 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::mpsc::Sender;
 use std::sync::{Arc, Mutex, MutexGuard};
 
 use bica_link::Description;
@@ -71,7 +70,7 @@ pub(super) struct Session {
     /// Of a world in this process.
     pub(super) pacer: Option<Arc<Pacer>>,
     closed: AtomicBool,
-    commands: Mutex<Sender<live::Command>>,
+    commands: live::Commands,
     shared: Mutex<Shared>,
 }
 
@@ -81,7 +80,7 @@ impl Session {
         options: Arc<Options>,
         pages: Arc<Pages>,
         pacer: Option<Arc<Pacer>>,
-        commands: Sender<live::Command>,
+        commands: live::Commands,
     ) -> Self {
         let limits = limits(&options, kind);
         Self {
@@ -92,7 +91,7 @@ impl Session {
             pages,
             pacer,
             closed: AtomicBool::new(false),
-            commands: Mutex::new(commands),
+            commands,
             shared: Mutex::new(Shared {
                 connection: Connection::Connecting,
                 note: String::new(),
@@ -120,8 +119,8 @@ impl Session {
 
     /// Hands a command to the session's thread.
     pub(super) fn command(&self, command: live::Command) -> Result<(), Failed> {
-        let ended = |_| Failed::new("the session has ended", "open it again");
-        lock(&self.commands).send(command).map_err(ended)
+        let ended = || Failed::new("the session has ended", "open it again");
+        self.commands.send(command).then_some(()).ok_or_else(ended)
     }
 
     /// Returns the session as a page sees it.

@@ -4,6 +4,7 @@
 //! and a clock of the computer limits only how long a failing test waits.
 
 mod attacks;
+mod ball;
 mod extras;
 mod faults;
 mod monitors;
