@@ -3,6 +3,7 @@
 mod ball;
 mod breakpoints;
 mod colours;
+mod lamp;
 mod page;
 mod recorded;
 mod robot;
