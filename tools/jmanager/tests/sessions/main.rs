@@ -2,7 +2,9 @@
 
 mod breakpoints;
 mod colours;
+mod kept_robot;
 mod page;
+mod paused;
 mod recorded;
 mod robot;
 mod world;
