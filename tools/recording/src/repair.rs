@@ -106,16 +106,13 @@ impl<W: Write> Copy<W> {
             }
             return Ok(());
         }
-        match channel {
-            Channel::Tick => {
-                // The first cycle needs the last changes before it.
-                for (of, change) in std::mem::take(&mut self.last) {
-                    self.write(of, message.time, &change.data);
-                }
-                decode::<Tick>(&message)?;
-                self.copied.cycles += 1;
+        if channel == Channel::Tick {
+            // The first cycle needs the last changes before it.
+            for (of, change) in std::mem::take(&mut self.last) {
+                self.write(of, message.time, &change.data);
             }
-            _ => {}
+            decode::<Tick>(&message)?;
+            self.copied.cycles += 1;
         }
         self.write(channel, message.time, &message.data);
         Ok(())

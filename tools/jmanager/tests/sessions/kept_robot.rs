@@ -109,7 +109,9 @@ fn what_a_robot_sent_is_kept_and_opened_with_the_same_states_images_information_
     let (live, recorded) = (lines(session), lines(copy));
     assert!(live.contains(&(json!("note"), json!("before the kick"))), "{live:?}");
     let mut sorted = [live, recorded];
-    sorted.iter_mut().for_each(|lines| lines.sort_by_key(|(kind, text)| format!("{kind} {text}")));
+    for lines in &mut sorted {
+        lines.sort_by_key(|(kind, text)| format!("{kind} {text}"));
+    }
     assert_eq!(sorted[0], sorted[1]);
     let rows = |session| {
         page.ask(Request::Timeline { session, from_us: until - 500_000, until_us: until, resolution_us: 0 }).unwrap()

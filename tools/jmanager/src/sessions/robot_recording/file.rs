@@ -26,7 +26,7 @@ pub(in crate::sessions) fn unused(path: &Path) -> PathBuf {
     let (stem, ending) = (path.file_stem().unwrap_or_default(), path.extension().unwrap_or_default());
     let (stem, ending) = (stem.to_string_lossy(), ending.to_string_lossy());
     let numbered = |number: u32| path.with_file_name(format!("{stem}-{number}.{ending}"));
-    std::iter::once(path.to_owned()).chain((2..).map(numbered)).find(|path| !path.exists()).unwrap_or_default()
+    std::iter::once(path.to_owned()).chain((2..=u32::MAX).map(numbered)).find(|path| !path.exists()).unwrap_or_default()
 }
 
 /// An image of a session as an image of a recording.
