@@ -3,7 +3,6 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::mpsc::Sender;
 use std::sync::{Arc, Mutex, MutexGuard};
 use std::time::{Duration, Instant};
 
@@ -83,7 +82,7 @@ pub(super) struct Session {
     closed: AtomicBool,
     /// Whether the thread has ended.
     ended: AtomicBool,
-    commands: Mutex<Sender<live::Command>>,
+    commands: live::Commands,
     shared: Mutex<Shared>,
 }
 
@@ -93,7 +92,7 @@ impl Session {
         options: Arc<Options>,
         pages: Arc<Pages>,
         pacer: Option<Arc<Pacer>>,
-        commands: Sender<live::Command>,
+        commands: live::Commands,
         record: Option<PathBuf>,
     ) -> Self {
         let recorder = record.clone().filter(|_| kind == SessionKind::Robot).map(RobotRecorder::new);
@@ -109,7 +108,7 @@ impl Session {
             recorder: Mutex::new(recorder),
             closed: AtomicBool::new(false),
             ended: AtomicBool::new(false),
-            commands: Mutex::new(commands),
+            commands,
             shared: Mutex::new(Shared {
                 connection: Connection::Connecting,
                 note: String::new(),
@@ -139,8 +138,8 @@ impl Session {
 
     /// Hands a command to the session's thread.
     pub(super) fn command(&self, command: live::Command) -> Result<(), Failed> {
-        let ended = |_| Failed::new("the session has ended", "open it again");
-        lock(&self.commands).send(command).map_err(ended)
+        let ended = || Failed::new("the session has ended", "open it again");
+        self.commands.send(command).then_some(()).ok_or_else(ended)
     }
 
     /// Returns the session as a page sees it.

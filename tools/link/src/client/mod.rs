@@ -4,6 +4,7 @@ mod event;
 mod extras;
 mod inbox;
 mod options;
+mod wait;
 
 use std::collections::BTreeMap;
 use std::thread;
@@ -307,16 +308,19 @@ impl Client {
     pub fn poll(&mut self, timeout: Duration) -> Result<Option<Event>, Error> {
         let until = Instant::now() + timeout;
         loop {
-            if let Some(event) = self.inbox.events.pop_front() {
-                if let Event::Image(image) = &event {
-                    self.send_extra(FromMonitorExtra::ImageTaken { number: image.head.number })?;
-                }
-                return Ok(Some(event));
-            }
-            if !self.receive(until)? {
-                return Ok(None);
+            let event = self.next_event()?;
+            if event.is_some() || !self.receive(until)? {
+                return Ok(event);
             }
         }
+    }
+
+    fn next_event(&mut self) -> Result<Option<Event>, Error> {
+        let event = self.inbox.events.pop_front();
+        if let Some(Event::Image(image)) = &event {
+            self.send_extra(FromMonitorExtra::ImageTaken { number: image.head.number })?;
+        }
+        Ok(event)
     }
 
     /// Receives until `found` returns a value. Events that come meanwhile stay for [`poll`](Self::poll).

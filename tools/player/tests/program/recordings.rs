@@ -228,7 +228,8 @@ fn killed_after(file: &str, time: Duration) -> (f64, f64) {
 }
 
 #[test]
-fn what_was_recorded_before_a_kill_replays() {
+#[ignore = "slow: `cargo xtask ci` runs it"]
+fn slow_what_was_recorded_before_a_kill_replays() {
     let folder = Folder::new("recorded-kill");
     let (recorded, _) = killed_after(&path(&folder, "run.mcap"), Duration::from_millis(2500));
     assert!(recorded > 0.0);

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
-use std::sync::mpsc::{Receiver, TryRecvError};
+use std::sync::mpsc::TryRecvError;
 use std::time::{Duration, Instant};
 
 use bica_link::{Client, Event, Snapshot};
@@ -10,7 +10,7 @@ use serde_json::Value;
 
 use super::extras::Extras;
 use super::operate::Operation;
-use super::{Command, capabilities};
+use super::{Command, Inbox, capabilities};
 use crate::protocol::{Connection, Failed, InfoSample, LogKind, LogLine, Reached, Request, ToPage, Watch};
 use crate::sessions::breakpoints::{self, Activity};
 use crate::sessions::outbox::{DataKind, Frame};
@@ -96,7 +96,7 @@ impl<'a> Attached<'a> {
     }
 
     /// Works until the session or the connection ends.
-    pub(super) fn run(mut self, inbox: &Receiver<Command>) -> Exit {
+    pub(super) fn run(mut self, inbox: &Inbox) -> Exit {
         let exit = match self.client.watch(1) {
             Ok(()) => self.work(inbox),
             Err(error) => Exit::Lost(error.into()),
@@ -110,7 +110,7 @@ impl<'a> Attached<'a> {
         exit
     }
 
-    fn work(&mut self, inbox: &Receiver<Command>) -> Exit {
+    fn work(&mut self, inbox: &Inbox) -> Exit {
         if let Err(error) = self.watch() {
             return Exit::Lost(error.into());
         }
@@ -120,7 +120,7 @@ impl<'a> Attached<'a> {
                 Ok(Some(exit)) => return exit,
                 Err(error) => return Exit::Lost(error.into()),
             }
-            if let Err(error) = self.events() {
+            if let Err(error) = self.events(inbox) {
                 return Exit::Lost(error.into());
             }
             self.world_extras();
@@ -138,10 +138,10 @@ impl<'a> Attached<'a> {
         }
     }
 
-    fn commands(&mut self, inbox: &Receiver<Command>) -> Result<Option<Exit>, bica_link::Error> {
+    fn commands(&mut self, inbox: &Inbox) -> Result<Option<Exit>, bica_link::Error> {
         self.check_operator()?;
         loop {
-            match inbox.try_recv() {
+            match inbox.commands.try_recv() {
                 Ok(Command::Operate { page, id, request: Request::Restart { seed, .. } }) if self.world.is_some() => {
                     self.session.pages.answer(page, id, Ok(Value::Null));
                     return Ok(Some(Exit::Restart(seed)));
@@ -184,11 +184,11 @@ impl<'a> Attached<'a> {
         self.watch_extras()
     }
 
-    fn events(&mut self) -> Result<(), bica_link::Error> {
+    fn events(&mut self, inbox: &Inbox) -> Result<(), bica_link::Error> {
         let mut wait = POLL;
         for _ in 0..EVENTS {
-            let Some(event) = self.client.poll(wait)? else { return Ok(()) };
-            wait = Duration::from_micros(1);
+            let Some(event) = self.client.poll_or_wake(wait, &inbox.wakeups)? else { return Ok(()) };
+            wait = Duration::ZERO;
             self.received = Instant::now();
             self.event(event)?;
         }

@@ -9,10 +9,10 @@ mod recording;
 
 use std::path::PathBuf;
 use std::sync::Arc;
-use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::time::Duration;
 
-use bica_link::{Address, Client, ClientOptions};
+use bica_link::{Address, Client, ClientOptions, Waker, Wakeups, waker};
 use bica_wire::message::Offers;
 
 use super::options::Options;
@@ -37,6 +37,35 @@ pub(super) enum Command {
     Left(PageId),
     /// The session ends.
     Close,
+}
+
+/// Hands commands to a session's thread.
+pub(super) struct Commands {
+    commands: Sender<Command>,
+    /// Ends the thread's wait for the robot.
+    waker: Option<Waker>,
+}
+
+impl Commands {
+    /// Commands that nobody receives.
+    pub(super) fn of_nobody() -> Self {
+        Self { commands: channel().0, waker: None }
+    }
+
+    /// Hands over a command; returns whether the thread still works.
+    pub(super) fn send(&self, command: Command) -> bool {
+        let is_sent = self.commands.send(command).is_ok();
+        if let Some(waker) = &self.waker {
+            waker.wake();
+        }
+        is_sent
+    }
+}
+
+/// Commands that have come, and the end of waits for the robot.
+struct Inbox {
+    commands: Receiver<Command>,
+    wakeups: Wakeups,
 }
 
 /// What a live session is connected to.
@@ -81,7 +110,10 @@ fn start(
     source: Source,
     record: Option<PathBuf>,
 ) -> Result<Arc<Session>, Failed> {
-    let (commands, inbox) = channel();
+    let (commands, commands_in) = channel();
+    let (waker, wakeups) = waker().map_err(|error| Failed::new(error.to_string(), "close other programs"))?;
+    let inbox = Inbox { commands: commands_in, wakeups };
+    let commands = Commands { commands, waker: Some(waker) };
     let session = Session::new(identity, Arc::clone(options), Arc::clone(pages), pacer, commands, record);
     let session = Arc::new(session);
     let own = Arc::clone(&session);
@@ -96,7 +128,7 @@ fn start(
 }
 
 /// Connects, works while the connection lasts, and connects again, until the session is closed.
-fn run(session: &Arc<Session>, mut source: Source, inbox: &Receiver<Command>) {
+fn run(session: &Arc<Session>, mut source: Source, inbox: &Inbox) {
     loop {
         let exit = match connect(session, &source) {
             Ok((client, world)) => Attached::new(session, client, world).run(inbox),
@@ -156,11 +188,11 @@ fn connect(session: &Arc<Session>, source: &Source) -> Result<(Client, Option<Wo
 }
 
 /// Refuses what pages ask for while there is no connection, for a time or until the session is closed.
-fn idle(session: &Session, inbox: &Receiver<Command>, time: Option<Duration>) -> Exit {
+fn idle(session: &Session, inbox: &Inbox, time: Option<Duration>) -> Exit {
     loop {
         let command = match time {
-            Some(time) => inbox.recv_timeout(time),
-            None => inbox.recv().map_err(|_| RecvTimeoutError::Disconnected),
+            Some(time) => inbox.commands.recv_timeout(time),
+            None => inbox.commands.recv().map_err(|_| RecvTimeoutError::Disconnected),
         };
         match command {
             Ok(Command::Operate { page, id, request: Request::Restart { seed, .. } }) if session.pacer.is_some() => {
