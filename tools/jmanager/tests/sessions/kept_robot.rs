@@ -46,7 +46,8 @@ fn info(path: &Path) -> Info {
 }
 
 #[test]
-fn what_a_robot_sent_is_kept_and_opened_with_the_same_states_images_information_and_lines() {
+#[ignore = "slow: `cargo xtask ci` runs it"]
+fn slow_what_a_robot_sent_is_kept_and_opened_with_the_same_states_images_information_and_lines() {
     let folder = Folder::new();
     let manager = Manager::new(folder.options());
     let robot = Robot::start("127.0.0.1:0");
@@ -176,7 +177,8 @@ fn nothing_is_kept_of_a_robot_that_has_sent_nothing_and_of_a_recording() {
 }
 
 #[test]
-fn a_robot_of_the_command_line_is_recorded_while_it_is_received() {
+#[ignore = "slow: `cargo xtask ci` runs it"]
+fn slow_a_robot_of_the_command_line_is_recorded_while_it_is_received() {
     let folder = Folder::new();
     let manager = Manager::new(folder.options());
     let robot = Robot::start("127.0.0.1:0");
@@ -231,7 +233,8 @@ fn a_file_that_cannot_be_written_is_reported_and_the_session_goes_on() {
 }
 
 #[test]
-fn a_world_of_the_command_line_is_recorded_in_a_file_that_stays() {
+#[ignore = "slow: `cargo xtask ci` runs it"]
+fn slow_a_world_of_the_command_line_is_recorded_in_a_file_that_stays() {
     let folder = Folder::new();
     let manager = Manager::new(folder.options());
     let (file, next) = (folder.0.join("game.mcap"), folder.0.join("game-2.mcap"));

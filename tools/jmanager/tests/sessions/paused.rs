@@ -38,7 +38,7 @@ fn watched(page: &Page<'_>, session: u32, (component, info): (usize, usize)) -> 
 /// Time and number of images of the last cycle.
 fn now(page: &Page<'_>, session: u32) -> (u64, u64) {
     // The last cycles before the pause are still under way.
-    std::thread::sleep(Duration::from_millis(500));
+    std::thread::sleep(Duration::from_millis(300));
     let moment = page.ask(Request::At { session, time_us: u64::MAX, info: vec![], image: false }).unwrap();
     (moment["time_us"].as_u64().unwrap(), moment["cycle"].as_u64().unwrap())
 }
