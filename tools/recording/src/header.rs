@@ -15,10 +15,12 @@ use serde::{Deserialize, Serialize};
 use crate::error::Error;
 use crate::information;
 
-/// Version of the format of recordings of runs.
-pub(crate) const FORMAT: u32 = 1;
+/// Version of the format of recordings of runs. Version 2 added the requests to the world.
+pub(crate) const FORMAT: u32 = 2;
+/// Oldest version that can be read.
+pub(crate) const OLDEST_FORMAT: u32 = 1;
 /// Version of the format of recordings that a monitor made.
-pub(crate) const MONITOR_FORMAT: u32 = 2;
+pub(crate) const MONITOR_FORMAT: u32 = 3;
 /// Name of the metadata record with the header.
 pub(crate) const HEADER_NAME: &str = "bica";
 /// Name of the metadata record with the ending.
@@ -337,7 +339,7 @@ pub(crate) fn header_of(fields: &BTreeMap<String, String>, at: u64) -> Result<He
         format: u32,
     }
     let Format { format } = from_metadata(fields, at)?;
-    if ![FORMAT, MONITOR_FORMAT].contains(&format) {
+    if !(OLDEST_FORMAT..=MONITOR_FORMAT).contains(&format) {
         return Err(Error::Format(format));
     }
     let header: Header = from_metadata(fields, at)?;

@@ -207,14 +207,14 @@ fn an_export_has_the_received_information_and_images() {
 
 #[test]
 fn a_header_of_the_other_format_is_damaged() {
-    for header in [Header { format: 1, ..header() }, Header { monitor: None, ..header() }] {
+    for header in [Header { format: 2, ..header() }, Header { monitor: None, ..header() }] {
         let disk = Disk::default();
         let recorder = MonitorRecorder::new(disk.clone(), &header).expect("memory");
         assert_eq!(recorder.finish(None, 0).cycles, 0);
         assert!(matches!(Recording::new(&disk.contents()[..]).map(|_| ()), Err(Error::Damaged { .. })));
     }
     let disk = Disk::default();
-    let _ = MonitorRecorder::new(disk.clone(), &Header { format: 3, ..header() }).expect("memory");
+    let _ = MonitorRecorder::new(disk.clone(), &Header { format: 4, ..header() }).expect("memory");
     let error = Recording::new(&disk.contents()[..]).map(|_| ()).expect_err("a newer format");
-    assert!(error.to_string().contains("format 3"), "{error}");
+    assert!(error.to_string().contains("format 4"), "{error}");
 }
