@@ -15,8 +15,10 @@ use serde::{Deserialize, Serialize};
 use crate::error::Error;
 use crate::information;
 
-/// Version of the format of recordings.
-pub(crate) const FORMAT: u32 = 1;
+/// Version of the format of recordings. Version 2 added the requests to the world.
+pub(crate) const FORMAT: u32 = 2;
+/// Oldest version that can be read.
+pub(crate) const OLDEST_FORMAT: u32 = 1;
 /// Name of the metadata record with the header.
 pub(crate) const HEADER_NAME: &str = "bica";
 /// Name of the metadata record with the ending.
@@ -322,7 +324,7 @@ pub(crate) fn header_of(fields: &BTreeMap<String, String>, at: u64) -> Result<He
         format: u32,
     }
     let Format { format } = from_metadata(fields, at)?;
-    if format != FORMAT {
+    if !(OLDEST_FORMAT..=FORMAT).contains(&format) {
         return Err(Error::Format(format));
     }
     from_metadata(fields, at)

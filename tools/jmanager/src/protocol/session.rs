@@ -81,6 +81,8 @@ pub struct Capabilities {
     pub operate: bool,
     /// Pause and step, and restart if the world is of this process.
     pub pause: bool,
+    /// The ball can be placed.
+    pub ball: bool,
     /// The true state is known.
     pub truth: bool,
     /// Images come.

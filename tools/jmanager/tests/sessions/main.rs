@@ -1,5 +1,6 @@
 //! Sessions at the level of [`jmanager::sessions::Manager`], with pages that are programs.
 
+mod ball;
 mod breakpoints;
 mod colours;
 mod page;

@@ -5,14 +5,14 @@ mod extras;
 mod inbox;
 mod options;
 mod wait;
+mod world;
 
 use std::collections::BTreeMap;
 use std::thread;
 use std::time::{Duration, Instant};
 
 use bica_wire::message::{
-    Change, ExtraKind, FromMonitorExtra, LeaseAction, LeaseState, Offers, Request, Watch, WatchInfo, WorldChange,
-    WorldRequest,
+    Change, ExtraKind, FromMonitorExtra, LeaseAction, LeaseState, Offers, Request, Watch, WatchInfo,
 };
 use bica_wire::{FromMonitor, SCHEMA};
 
@@ -248,28 +248,6 @@ impl Client {
     fn expires_us(&self) -> u64 {
         let expiry = |time: Duration| u64::try_from((time + self.options.expiry).as_micros()).unwrap_or(u64::MAX);
         self.inbox.robot_time().map_or(u64::MAX, expiry)
-    }
-
-    /// Pauses, continues or steps a simulated world, as the operator, and waits for the answer.
-    ///
-    /// # Errors
-    /// [`Error::NotOffered`], [`Error::Refused`], [`Error::Timeout`], [`Error::Disconnected`].
-    pub fn change_world(&mut self, change: WorldChange) -> Result<Answered, Error> {
-        self.require(Offers::PAUSE, "to stop its time")?;
-        let number = self.send_world_with(change, self.lease().lease, self.expires_us())?;
-        self.answer(number)
-    }
-
-    /// Sends a change of the world with the number of a lease and an expiry in the robot's time, µs, also to a robot that does
-    /// not offer it; returns its number.
-    ///
-    /// # Errors
-    /// [`Error::Disconnected`].
-    pub fn send_world_with(&mut self, change: WorldChange, lease: u32, expires_us: u64) -> Result<u32, Error> {
-        self.last_number = self.last_number.wrapping_add(1);
-        let number = self.last_number;
-        self.send_extra(FromMonitorExtra::World(WorldRequest { number, lease, expires_us, change }))?;
-        Ok(number)
     }
 
     /// Sends a request with the number of a lease and an expiry in the robot's time, µs; returns its number.

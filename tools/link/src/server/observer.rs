@@ -213,7 +213,7 @@ impl Control {
     }
 
     /// Hands everything over to the thread that sends it.
-    fn hand_over(&mut self) {
+    pub(super) fn hand_over(&mut self) {
         if !self.outgoing.is_empty() {
             self.hub.exchange.offer(&mut self.outgoing, |connection| connection.overflow(&self.hub));
         }

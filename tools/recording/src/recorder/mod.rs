@@ -141,6 +141,11 @@ impl Recorder {
         self
     }
 
+    /// Records that the ball of the simulated world was placed before the next cycle, m, field frame.
+    pub fn ball_placed(&mut self, [x, y]: [f32; 2]) {
+        self.requests.push(RequestRecord::Ball { x, y });
+    }
+
     /// Records an event of the referee.
     pub fn event(&self, event: RefereeEvent) {
         self.queue.push(Entry::Event(event));

@@ -202,6 +202,7 @@ fn capabilities(is_world: bool, offers: Offers, read_only: bool) -> Capabilities
     Capabilities {
         operate: offers.contains(Offers::OPERATE) && !read_only,
         pause: (is_world || offers.contains(Offers::PAUSE)) && !read_only,
+        ball: offers.contains(Offers::BALL) && !read_only,
         truth: offers.contains(Offers::TRUTH),
         images: offers.contains(Offers::IMAGES),
         costs: offers.contains(Offers::COSTS),
