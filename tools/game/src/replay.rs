@@ -112,8 +112,16 @@ pub fn replay(options: &ReplayOptions<'_>) -> Result<Replayed, Failure> {
     })
 }
 
+/// Opens a recording of a run. What a monitor recorded cannot be repeated or compared.
 fn open(path: &Path) -> Result<FileRecording, Failure> {
-    FileRecording::open(path).map_err(|error| failure(path, &error))
+    let recording = FileRecording::open(path).map_err(|error| failure(path, &error))?;
+    let Some(monitor) = &recording.header().monitor else { return Ok(recording) };
+    let (path, address) = (path.display(), &monitor.address);
+    let what = format!(
+        "`{path}` holds what a monitor received from `{address}`, without sensor values and commands: it can be looked at, \
+         not run again or compared"
+    );
+    Err(Failure::new(what, "record where the robot runs: `player play --serve ADDRESS --record FILE`"))
 }
 
 fn failure(path: &Path, error: &Error) -> Failure {

@@ -3,8 +3,10 @@
 mod ball;
 mod breakpoints;
 mod colours;
+mod kept_robot;
 mod lamp;
 mod page;
+mod paused;
 mod recorded;
 mod robot;
 mod world;

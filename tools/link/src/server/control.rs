@@ -46,6 +46,8 @@ pub(super) struct Control {
     clock: LoopClock,
     pub(super) pace: Pace,
     pub(super) watchers: Watchers,
+    /// Connections that have begun to watch images and got none since.
+    pub(super) awaiting_image: BTreeSet<u64>,
     /// What the distributor gets at the end of the cycle.
     pub(super) outgoing: Outgoing,
     pub(super) lease: Lease,
@@ -69,6 +71,7 @@ impl Control {
             clock: LoopClock::new(),
             pace: Pace::default(),
             watchers: Watchers::default(),
+            awaiting_image: BTreeSet::new(),
             outgoing: Outgoing::default(),
             lease: Lease::new(options.silence, unpredictable()),
             applied: Vec::new(),
@@ -143,7 +146,12 @@ impl Control {
                 }
             }
             Command::Watch(watch) => self.watchers.watch(id, watch.every),
-            Command::WatchImages(every) => self.watchers.watch_images(id, every),
+            Command::WatchImages(every) => {
+                self.watchers.watch_images(id, every);
+                if every > 0 {
+                    self.awaiting_image.insert(id);
+                }
+            }
             Command::WatchKey(watch) => {
                 if !self.watchers.watch_key(id, watch) {
                     let text = "a monitor cannot watch so much".into();
@@ -184,7 +192,7 @@ impl Control {
         None
     }
 
-    fn can_pause(&self) -> bool {
+    pub(super) fn can_pause(&self) -> bool {
         self.hub.offers().contains(Offers::PAUSE)
     }
 

@@ -1,5 +1,6 @@
 //! Recording beside a running loop.
 
+mod output;
 mod queue;
 mod sink;
 mod thread;
@@ -19,6 +20,7 @@ use crate::header::{Header, ImagePolicy};
 use crate::information;
 use crate::message::{Costs, LogLine, RefereeEvent, TreeRecord};
 use crate::request::RequestRecord;
+pub(crate) use output::Output;
 use queue::{CycleValues, Entry, ImageValues, Queue};
 pub use sink::Sink;
 pub(crate) use thread::{begin, compression, encode};

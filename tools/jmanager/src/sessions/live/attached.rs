@@ -64,12 +64,15 @@ pub(super) struct Attached<'a> {
     has_news: bool,
     /// Breakpoints that were reached behind the link.
     pub(super) reached: Vec<Reached>,
+    /// When pages were sent how much is recorded.
+    pub(super) announced: Instant,
 }
 
 impl<'a> Attached<'a> {
     pub(super) fn new(session: &'a Arc<Session>, client: Client, world: Option<World>) -> Self {
         let can = capabilities(world.is_some(), client.offers(), session.options.read_only);
         session.describe(client.description().clone(), can);
+        session.record_robot(|recorder| recorder.connected(&session.name, client.description()));
         session.set_connection(Connection::Connected, "");
         session.announce();
         let now = Instant::now();
@@ -88,6 +91,7 @@ impl<'a> Attached<'a> {
             received: now,
             has_news: false,
             reached: Vec::new(),
+            announced: now,
         }
     }
 
@@ -206,6 +210,7 @@ impl<'a> Attached<'a> {
     }
 
     fn snapshot(&mut self, snapshot: &Snapshot) {
+        self.session.record_robot(|recorder| recorder.snapshot(snapshot));
         let Snapshot { info, states } = snapshot;
         let states = states.iter().map(|state| (state.active, page_hold(state.held), state.state, state.hz));
         let mut shared = self.session.shared();
@@ -237,6 +242,7 @@ impl<'a> Attached<'a> {
         let value = value.unwrap_or(Value::Null);
         shared.history.info.push(component, info, time_us, &value);
         drop(shared);
+        self.session.record_robot(|recorder| recorder.info(component, info, &value));
         if self.samples.len() < MAX_SAMPLES {
             self.samples.push((cycle, InfoSample(component, info, time_us, value)));
         }
@@ -300,22 +306,6 @@ impl<'a> Attached<'a> {
         };
         self.look_at_recording();
         session.set_connection(Connection::Connected, note);
-    }
-
-    fn look_at_recording(&self) {
-        let Some(world) = &self.world else { return };
-        let note = self.session.pacer.as_ref().and_then(|pacer| pacer.recording_ended()).unwrap_or_default();
-        let bytes = std::fs::metadata(&world.recording).map_or(0, |file| file.len());
-        let mut shared = self.session.shared();
-        let newly = !note.is_empty() && shared.recording.note.is_empty();
-        shared.recording.on = note.is_empty();
-        (shared.recording.from_us, shared.recording.bytes) = (0, bytes);
-        shared.recording.note.clone_from(&note);
-        drop(shared);
-        if newly {
-            self.session.log(3, LogKind::Server, format!("the recording has ended: {note}"));
-            self.session.announce();
-        }
     }
 }
 

@@ -5,7 +5,9 @@ mod extras;
 mod hits;
 mod operate;
 mod pace;
+mod recording;
 
+use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::time::Duration;
@@ -15,6 +17,7 @@ use bica_wire::message::Offers;
 
 use super::options::Options;
 use super::pages::{PageId, Pages};
+use super::robot_recording::unused;
 use super::session::{Operator, Session};
 use super::world::{Pacer, Setup, World};
 use crate::protocol::{Capabilities, Connection, Failed, LogKind, Request, SessionId, SessionKind};
@@ -77,12 +80,13 @@ pub(super) fn open_world(
     options: &Arc<Options>,
     pages: &Arc<Pages>,
     (world, seed, robots): (&str, u64, usize),
+    record: Option<PathBuf>,
 ) -> Result<Arc<Session>, Failed> {
     let setup = Setup { world: world.to_owned(), seed, robots };
     setup.rules(options)?;
     let name = format!("{world}, seed {seed}");
     let pacer = Some(Arc::new(Pacer::default()));
-    start((id, SessionKind::World, name), options, pages, pacer, Source::World(setup))
+    start((id, SessionKind::World, name), options, pages, pacer, Source::World(setup), record)
 }
 
 /// Opens a robot: `tcp://HOST:PORT` or `serial:DEVICE[@BAUD]`.
@@ -91,10 +95,11 @@ pub(super) fn open_robot(
     options: &Arc<Options>,
     pages: &Arc<Pages>,
     address: &str,
+    record: Option<PathBuf>,
 ) -> Result<Arc<Session>, Failed> {
     let text = address.strip_prefix("tcp://").or_else(|| address.strip_prefix("serial:")).unwrap_or(address);
     let parsed: Address = text.parse()?;
-    start((id, SessionKind::Robot, address.to_owned()), options, pages, None, Source::Robot(parsed))
+    start((id, SessionKind::Robot, address.to_owned()), options, pages, None, Source::Robot(parsed), record)
 }
 
 fn start(
@@ -103,16 +108,21 @@ fn start(
     pages: &Arc<Pages>,
     pacer: Option<Arc<Pacer>>,
     source: Source,
+    record: Option<PathBuf>,
 ) -> Result<Arc<Session>, Failed> {
     let (commands, commands_in) = channel();
     let (waker, wakeups) = waker().map_err(|error| Failed::new(error.to_string(), "close other programs"))?;
     let inbox = Inbox { commands: commands_in, wakeups };
     let commands = Commands { commands, waker: Some(waker) };
-    let session = Session::new(identity, Arc::clone(options), Arc::clone(pages), pacer, commands);
+    let session = Session::new(identity, Arc::clone(options), Arc::clone(pages), pacer, commands, record);
     let session = Arc::new(session);
     let own = Arc::clone(&session);
     let thread = std::thread::Builder::new().name(format!("session {}", session.id));
-    let started = thread.spawn(move || run(&own, source, &inbox));
+    let work = move || {
+        run(&own, source, &inbox);
+        own.thread_ended();
+    };
+    let started = thread.spawn(work);
     started.map_err(|error| Failed::new(error.to_string(), "close other programs"))?;
     Ok(session)
 }
@@ -165,7 +175,11 @@ fn connect(session: &Arc<Session>, source: &Source) -> Result<(Client, Option<Wo
         Source::Robot(address) => Ok((Client::connect(address, options)?, None)),
         Source::World(setup) => {
             let pacer = session.pacer.clone().unwrap_or_default();
-            let file = session.options.spool.join(format!("session-{}.mcap", session.id));
+            let file = match &session.record {
+                Some(file) => unused(file),
+                None => session.options.spool.join(format!("session-{}.mcap", session.id)),
+            };
+            session.shared().recording_file.clone_from(&file);
             let world = World::start(setup, &session.options, file, &pacer)?;
             let client = Client::connect(&world.address, options)?;
             Ok((client, Some(world)))
