@@ -87,7 +87,8 @@ impl Drop for Robot {
 /// # Panics
 /// If the program `taskset` is missing.
 pub fn restrict_to(process: u32, processors: &str) {
-    let status = Command::new("taskset").args(["-acp", processors, &process.to_string()]).stdout(Stdio::null()).status();
+    let status =
+        Command::new("taskset").args(["-acp", processors, &process.to_string()]).stdout(Stdio::null()).status();
     assert!(status.expect("`taskset` of util-linux").success(), "taskset {processors}");
 }
 
