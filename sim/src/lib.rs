@@ -45,6 +45,7 @@ mod motor_heat;
 #[cfg(feature = "mujoco")]
 pub mod mujoco;
 mod obstacle;
+mod placement;
 mod random;
 pub mod referee;
 mod segmentation;
@@ -56,6 +57,7 @@ mod spectator;
 mod transform;
 mod world;
 
+pub use placement::PlacementError;
 pub use referee::Referee;
 pub use segmentation::PixelLabel;
 pub use shared_image::SharedImage;

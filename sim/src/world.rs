@@ -3,7 +3,9 @@
 use core::time::Duration;
 
 use bica_motion::robot::{Command, Sensors};
+use glam::Vec2;
 
+use crate::placement::PlacementError;
 use crate::referee::Referee;
 use crate::shared_image::SharedImage;
 
@@ -41,6 +43,16 @@ pub trait World {
 
     /// Executes a command for one control cycle ([`CYCLE`]).
     fn act(&mut self, command: &Command);
+
+    /// Puts the ball at a position on the field, m, field frame, at rest, as a person does between two cycles. A return into play
+    /// that the rules had planned is cancelled. A placement is no event: it is never a goal, an out or a touch. Images that were
+    /// read in this cycle before do not show it.
+    ///
+    /// # Errors
+    ///
+    /// If the position is beyond the lines of the field, as in a goal, or if a post or a robot is there. The ball then stays as it
+    /// is.
+    fn place_ball(&mut self, at: Vec2) -> Result<(), PlacementError>;
 
     /// Access to the pixels of the newest image, for those who keep images without a copy. The default never has any.
     fn shared_image(&self) -> SharedImage {

@@ -134,6 +134,7 @@ fn long_every_tree_of_four_components_of_which_one_is_held() {
 }
 
 #[test]
-fn every_tree_of_four_components_that_run_in_every_cycle() {
+#[ignore = "slow: `cargo xtask ci` runs it"]
+fn slow_every_tree_of_four_components_that_run_in_every_cycle() {
     explore(COMPONENTS, &[[Rate::Every; COMPONENTS]], &[true], 0);
 }

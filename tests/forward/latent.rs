@@ -50,7 +50,8 @@ proptest! {
     #![proptest_config(ProptestConfig { cases: 8, ..ProptestConfig::default() })]
 
     #[test]
-    fn active_components_are_those_that_the_states_reach(seed: u64, robots in 0_usize..4) {
+    #[ignore = "slow: `cargo xtask ci` runs it"]
+    fn slow_active_components_are_those_that_the_states_reach(seed: u64, robots in 0_usize..4) {
         let mut game = new_game(&Setup { seed, frame: Frame::Small, robots, ..Setup::default() }).with_observer(Taken::default());
         for cycle in 0..2500 {
             game.cycle().expect("the image fits");

@@ -42,7 +42,8 @@ fn stiffness_of_a_hot_joint_is_reduced_before_the_robot_sits_down() {
 }
 
 #[test]
-fn robot_that_sat_down_hot_stands_up_and_scores_after_cooling() {
+#[ignore = "slow: `cargo xtask ci` runs it"]
+fn slow_robot_that_sat_down_hot_stands_up_and_scores_after_cooling() {
     let mut game = new_game(&Setup { seed: 3, frame: Frame::Small, ..Setup::default() });
     game.world_mut().set_motor_temperature(Joint::LKneePitch, 78.0);
     play(&mut game, 900);
@@ -59,7 +60,8 @@ fn robot_that_sat_down_hot_stands_up_and_scores_after_cooling() {
 }
 
 #[test]
-fn no_motor_is_overloaded_in_a_game() {
+#[ignore = "slow: `cargo xtask ci` runs it"]
+fn slow_no_motor_is_overloaded_in_a_game() {
     for seed in 0..3 {
         let mut game = new_game(&Setup { seed, frame: Frame::Small, robots: 2, ..Setup::default() });
         assert!(play(&mut game, 6000), "seed {seed}");

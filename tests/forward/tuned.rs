@@ -69,7 +69,8 @@ const EFFECTIVE: [(&str, f32); 22] = [
 ];
 
 #[test]
-fn a_changed_parameter_changes_the_game() {
+#[ignore = "slow: `cargo xtask ci` runs it"]
+fn slow_a_changed_parameter_changes_the_game() {
     let setup = Setup { seed: 1, frame: Frame::Small, robots: 2, ..Setup::default() };
     let mut game = new_game(&setup);
     let unchanged: Vec<Command> = (0..2500).map(|_| cycle(&mut game)).collect();
@@ -95,7 +96,8 @@ proptest! {
     #![proptest_config(ProptestConfig { cases: 8, ..ProptestConfig::default() })]
 
     #[test]
-    fn parameters_anywhere_in_their_ranges_give_valid_commands(
+    #[ignore = "slow: `cargo xtask ci` runs it"]
+    fn slow_parameters_anywhere_in_their_ranges_give_valid_commands(
         seed: u64,
         shares in prop::collection::vec(0.0_f32..=1.0, 512),
     ) {

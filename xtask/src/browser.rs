@@ -23,8 +23,8 @@ pub(crate) fn test(figures: bool) -> Result<(), String> {
     };
     run("cargo", &[&programs, profile].concat(), &[])?;
     let threads = ["--target-dir", "target/browser", "--", "--test-threads=1", "--nocapture"];
-    // Measurements are tests of the module `figures`, which do nothing without the variable.
-    let only: &[&str] = if figures { &["figures"] } else { &[] };
+    // Measurements are tests of the module `figures` and of the designer's speed, which do nothing without the variable.
+    let only: &[&str] = if figures { &["figures", "speed_of"] } else { &[] };
     run("cargo", &[&["test"], &MANIFEST[..], &threads, only].concat(), variables)
 }
 

@@ -30,8 +30,9 @@ const STEPS: [Step; 15] = [
 /// Runs all tests but those that need what a clone does not have, or an idle machine.
 fn tests() -> Result<(), String> {
     // More random cases where a few hundred take seconds, and the same ones on each run: the result of CI is a property of the commit.
-    run("cargo", &["test", "--workspace"], &[("BICA_TEST_CASES", "1000"), ("PROPTEST_RNG_SEED", "1")])?;
-    slow_tests::run()
+    let cases = [("BICA_TEST_CASES", "1000"), ("PROPTEST_CASES", "256"), ("PROPTEST_RNG_SEED", "1")];
+    run("cargo", &["test", "--workspace"], &cases)?;
+    slow_tests::run(&cases)
 }
 
 /// Features of the program: `mujoco` where that can be installed. The step `mujoco` needs it too, and so the program is built once.

@@ -36,13 +36,13 @@ impl Kind {
     }
 }
 
-/// Runs all slow tests of the workspace.
+/// Runs all slow tests of the workspace, with environment variables.
 ///
 /// # Errors
 /// If there is none, if one has a name without the prefix, if one fails, or if one did not run.
-pub(crate) fn run() -> Result<(), String> {
+pub(crate) fn run(variables: &[(&str, &str)]) -> Result<(), String> {
     let (_, expected) = find(Kind::Slow)?;
-    compare(expected, &test(Kind::Slow, &["--workspace".to_owned()])?)
+    compare(expected, &test(Kind::Slow, &["--workspace".to_owned()], variables)?)
 }
 
 /// Runs all long tests of the workspace, in a release build. `features` are those of packages, as `bica-game/mujoco`.
@@ -54,7 +54,7 @@ pub(crate) fn run_long(features: &[&str]) -> Result<(), String> {
     let packages = packages.into_iter().flat_map(|package| ["--package".to_owned(), package]);
     let features = features.iter().flat_map(|feature| ["--features".to_owned(), (*feature).to_owned()]);
     let options: Vec<_> = ["--release".to_owned()].into_iter().chain(packages).chain(features).collect();
-    compare(expected, &test(Kind::Long, &options)?)
+    compare(expected, &test(Kind::Long, &options, &[])?)
 }
 
 /// Packages with tests of a kind, and the names of these tests.
@@ -85,15 +85,16 @@ fn compare(expected: Vec<String>, log: &str) -> Result<(), String> {
 }
 
 /// Runs the tests with the prefix, and prints and returns their output.
-fn test(kind: Kind, options: &[String]) -> Result<String, String> {
+fn test(kind: Kind, options: &[String], variables: &[(&str, &str)]) -> Result<String, String> {
     let options = options.iter().map(String::as_str);
     let arguments: Vec<_> =
         ["test"].into_iter().chain(options).chain(["--tests", "--", "--ignored", kind.prefix()]).collect();
     let line = format!("cargo {}", arguments.join(" "));
     eprintln!("xtask: {line}");
     let start = |error| format!("cannot start `{line}`: {error}");
-    let mut cargo =
-        Command::new("cargo").args(&arguments).current_dir(root()).stdout(Stdio::piped()).spawn().map_err(start)?;
+    let mut command = Command::new("cargo");
+    command.args(&arguments).current_dir(root()).envs(variables.iter().copied()).stdout(Stdio::piped());
+    let mut cargo = command.spawn().map_err(start)?;
     let mut log = String::new();
     for line in cargo.stdout.take().into_iter().flat_map(|out| BufReader::new(out).lines()).map_while(Result::ok) {
         println!("{line}");

@@ -130,7 +130,8 @@ fn a_minute_at_1500_hz_has_90_000_runs() {
 }
 
 #[test]
-fn ten_days_at_30_hz_after_a_century_of_uptime_have_25_920_000_runs() {
+#[ignore = "slow: `cargo xtask ci` runs it"]
+fn slow_ten_days_at_30_hz_after_a_century_of_uptime_have_25_920_000_runs() {
     let mut tree = ThirtyTree::new();
     for n in 0..86_400_000 {
         tree.tick(Instant::from_ticks(100 * YEAR + CYCLE * n));

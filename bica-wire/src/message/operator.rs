@@ -176,8 +176,8 @@ pub enum RefusalCode {
     Tree,
     /// The robot's program accepts no requests.
     Unsupported,
-    /// The robot's time cannot be stopped.
-    NoWorld,
+    /// There is no simulated world, or it refused the change.
+    World,
 }
 
 impl RefusalCode {
@@ -189,7 +189,7 @@ impl RefusalCode {
             Self::Expired => "the request came after its expiry: send it again",
             Self::Tree => "the tree refused the change",
             Self::Unsupported => "the robot's program accepts no requests, monitors may only watch",
-            Self::NoWorld => "this is no simulated world, its time cannot be stopped",
+            Self::World => "this is no simulated world",
         }
     }
 }

@@ -1,8 +1,8 @@
 //! The bytes of packets, fixed: a change breaks the link to every robot in use, and must be stated here.
 //!
 //! The schema hash covers the names of types, variants and fields. It changed when these were renamed, and when the messages of
-//! monitors were added; the bytes of the messages below did not. Then `Attached` got what the robot offers, and
-//! `Identity` the size of the largest image.
+//! monitors were added; the bytes of the messages below did not. Then `Attached` got what the robot offers, and later the ball of a
+//! simulated world could be placed, and `Identity` got the size of the largest image.
 
 use bica_field::GoalColour;
 use bica_wire::message::{
@@ -16,7 +16,7 @@ use bica_wire::{
 };
 
 /// Schema of these bytes.
-const GOLDEN_SCHEMA: u64 = 0xd23a_088c_ec48_be0f;
+const GOLDEN_SCHEMA: u64 = 0xe0ab_e6b4_9ca9_6a0d;
 
 fn bytes(message: &impl serde::Serialize) -> Vec<u8> {
     Encoder::new().encode(message, &mut [0; MAX_PACKET]).expect("the packet fits").to_vec()
@@ -131,6 +131,7 @@ fn messages_that_only_a_computer_offers_have_the_documented_bytes() {
     assert_eq!(world(WorldChange::Pause), [2, 1, 2, 3, 0]);
     assert_eq!(world(WorldChange::Resume), [2, 1, 2, 3, 1]);
     assert_eq!(world(WorldChange::Step { cycles: 7 }), [2, 1, 2, 3, 2, 7]);
+    assert_eq!(world(WorldChange::Ball { x: 1.0, y: -2.0 }), [2, 1, 2, 3, 3, 0, 0, 128, 63, 0, 0, 0, 192]);
 
     let to = |message: &ToMonitorExtra<'_>| postcard::to_stdvec(message).expect("serializable");
     let values = [None, Some(ConditionState { holds: true, since_us: 5 })].into_iter().collect();

@@ -12,6 +12,7 @@ use super::render::{Renderer, Scene};
 use super::{ball_motion, collision};
 use crate::layout::{Layout, OtherRobot};
 use crate::obstacle::{GOALS, Obstacle};
+use crate::placement::{self, PlacementError};
 use crate::random::{Random, Stream};
 use crate::referee::rules::Rules;
 use crate::referee::{Posture, Referee};
@@ -174,6 +175,14 @@ impl World for KinematicWorld {
         self.body.measure();
         self.referee.set_robot(self.body.pose(), self.body.posture());
         self.move_ball(previous_soles, now);
+    }
+
+    fn place_ball(&mut self, at: Vec2) -> Result<(), PlacementError> {
+        placement::check(at, &self.referee)?;
+        self.ball = Ball::at(at, self.ball.rolling_deceleration);
+        self.rules.cancel_return();
+        self.referee.set_ball(at, Vec2::ZERO);
+        Ok(())
     }
 
     fn shared_image(&self) -> SharedImage {

@@ -24,6 +24,7 @@ use super::state::{angles, ideal_measurement, place, pose, stand, write};
 use crate::field::BALL_RADIUS;
 use crate::layout::Layout;
 use crate::motor_heat::MotorHeat;
+use crate::placement::{self, PlacementError};
 use crate::random::{Random, Stream};
 use crate::referee::Referee;
 use crate::referee::rules::Rules;
@@ -149,7 +150,7 @@ impl MujocoWorld {
     /// Sets the position of the ball, m, field frame, at rest. For experiments.
     ///
     /// Values that are not finite are ignored.
-    pub fn place_ball(&mut self, at: Vec2) {
+    pub fn set_ball(&mut self, at: Vec2) {
         if at.is_finite() {
             place(&mut self.data, self.ball, at);
             self.referee.set_ball(at, Vec2::ZERO);
@@ -290,6 +291,16 @@ impl World for MujocoWorld {
         self.body_touches_floor = contacts.floor;
         self.measurement = self.sensor_model.measure();
         self.update_referee(contacts);
+    }
+
+    fn place_ball(&mut self, at: Vec2) -> Result<(), PlacementError> {
+        placement::check(at, &self.referee)?;
+        place(&mut self.data, self.ball, at);
+        // The next image is drawn from what is derived from the positions.
+        self.data.forward();
+        self.rules.cancel_return();
+        self.referee.set_ball(at, Vec2::ZERO);
+        Ok(())
     }
 
     fn shared_image(&self) -> SharedImage {

@@ -4,6 +4,7 @@
 mod determinism;
 mod falling;
 mod kicking;
+mod placing;
 mod seeing;
 mod sensing;
 mod shooting;

@@ -15,9 +15,9 @@ use proptest::test_runner::TestRunner;
 
 use crate::support::script::{Script, Stress, scripts};
 
-/// Number of random scripts for each rule and tree: 250, or `BICA_TEST_CASES`, which is 1000 in CI.
+/// Number of random scripts for each rule and tree: 100, or `BICA_TEST_CASES`, which is 1000 in CI.
 pub(crate) fn cases() -> u32 {
-    std::env::var("BICA_TEST_CASES").map_or(250, |cases| cases.parse().expect("BICA_TEST_CASES is a number"))
+    std::env::var("BICA_TEST_CASES").map_or(100, |cases| cases.parse().expect("BICA_TEST_CASES is a number"))
 }
 
 /// Checks a property of random scripts. One function for all rules and trees: each copy of the runner of proptest takes

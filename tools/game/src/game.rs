@@ -80,11 +80,13 @@ pub fn play_controlled(
             NextStep::End => break,
             NextStep::Requests => {
                 game.runner.apply_requests();
+                game.place_ball(observer)?;
                 continue;
             }
             NextStep::Cycle => game.cycle()?,
         }
         game.report(observer)?;
+        game.place_ball(observer)?;
         if let Some(note) = control.note() {
             game.recorder_mut().note(&note);
         }
@@ -178,12 +180,36 @@ impl<'a> Game<'a> {
         self.cycles += 1;
         let ((meter, _), (recorder, _)) = &mut self.runner.observer_mut().1;
         recorder.costs(meter);
-        self.runner.observer().1.1.1.truth(self.cycle_time, self.runner.world().referee(), self.start);
+        self.send_truth();
         self.tree_changes += u64::from(self.meter().changed());
         if self.ball_path.last().is_none_or(|last| last.distance(ball) > PATH_STEP) {
             self.ball_path.push(ball);
         }
         Ok(())
+    }
+
+    /// Places the ball as the operator has requested it, before the next cycle.
+    fn place_ball(&mut self, observer: &mut impl GameObserver) -> Result<(), Failure> {
+        let mut is_placed = false;
+        while let Some(at) = self.runner.requests_mut().next_ball() {
+            let result = self.runner.world_mut().place_ball(at.into());
+            if result.is_ok() {
+                is_placed = true;
+                self.recorder_mut().ball_placed(at);
+            }
+            let now = self.now();
+            self.runner.requests_mut().ball_placed(now, result);
+        }
+        if is_placed {
+            self.send_truth();
+            observer.ball_placed(&self.scene())?;
+        }
+        Ok(())
+    }
+
+    /// Sends the true state to monitors that watch it.
+    fn send_truth(&self) {
+        self.runner.observer().1.1.1.truth(self.cycle_time, self.runner.world().referee(), self.start);
     }
 
     fn scene(&self) -> Scene<'_> {

@@ -12,9 +12,16 @@ use serde::Serialize;
 /// Bound of the paper for one cycle, ms.
 const BOUND_MS: f64 = 200.0;
 
-/// Latency of every cycle, ns.
+/// Largest number of cycles of one game that are remembered, almost three hours: a served world has no end.
+const MAX_CYCLES: usize = 1_000_000;
+
+/// Latency of every cycle, ns; of a game with more than [`MAX_CYCLES`] that of the newest ones.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Latencies(Vec<u32>);
+pub(crate) struct Latencies {
+    times: Vec<u32>,
+    /// Place of the newest one.
+    newest: usize,
+}
 
 /// Percentiles of latencies, ms.
 #[derive(Clone, Copy, Debug, Serialize)]
@@ -33,22 +40,29 @@ pub struct LatencySummary {
 
 impl Latencies {
     fn add(&mut self, time: Duration) {
-        self.0.push(u32::try_from(time.as_nanos()).unwrap_or(u32::MAX));
+        let nanoseconds = u32::try_from(time.as_nanos()).unwrap_or(u32::MAX);
+        if self.times.len() < MAX_CYCLES {
+            self.newest = self.times.len();
+            self.times.push(nanoseconds);
+        } else {
+            self.newest = (self.newest + 1) % MAX_CYCLES;
+            self.times[self.newest] = nanoseconds;
+        }
     }
 
     /// Latency of the last cycle; zero before the first.
     pub(crate) fn last(&self) -> Duration {
-        Duration::from_nanos(self.0.last().copied().unwrap_or(0).into())
+        Duration::from_nanos(self.times.get(self.newest).copied().unwrap_or(0).into())
     }
 
     /// Adds those of another game.
     pub(crate) fn extend(&mut self, other: &Self) {
-        self.0.extend_from_slice(&other.0);
+        self.times.extend_from_slice(&other.times);
     }
 
     /// Returns the percentiles; zero without cycles.
     pub(crate) fn summarize(&self) -> LatencySummary {
-        let mut sorted: Vec<f64> = self.0.iter().map(|&nanoseconds| f64::from(nanoseconds) * 1e-6).collect();
+        let mut sorted: Vec<f64> = self.times.iter().map(|&nanoseconds| f64::from(nanoseconds) * 1e-6).collect();
         sorted.sort_by(f64::total_cmp);
         let over_bound = sorted.iter().filter(|time| **time > BOUND_MS).count();
         let at = |part| percentile(&sorted, part).unwrap_or(0.0);
@@ -78,5 +92,22 @@ impl Observer<Forward> for Stopwatch {
 
     fn acted(&mut self, _cycle: &Cycle<'_, Forward>) {
         self.latencies.add(self.began.elapsed());
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn memory_of_a_game_without_end_is_bounded_and_keeps_the_newest() {
+        let mut latencies = Latencies::default();
+        for cycle in 0..MAX_CYCLES + 3 {
+            latencies.add(Duration::from_nanos(cycle as u64));
+            assert_eq!(latencies.last(), Duration::from_nanos(cycle as u64));
+        }
+        assert_eq!(latencies.times.len(), MAX_CYCLES);
+        assert!(latencies.times.iter().all(|&time| time >= 3));
+        assert!((latencies.summarize().max - (MAX_CYCLES + 2) as f64 * 1e-6).abs() < 1e-9);
     }
 }

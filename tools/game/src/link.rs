@@ -1,5 +1,7 @@
 //! Monitors of a game.
 
+use std::time::Duration;
+
 use bica::runner::{Cycle, Observer, Overrun, Request, Requests};
 use bica::{ComponentId, Instant, Probe, Refusal};
 use bica_console::Failure;
@@ -9,7 +11,7 @@ use bica_motion::pose::Pose2;
 use bica_motion::robot::{CameraId, Sensors};
 use bica_player::tunable::Forward;
 use bica_sim::referee::TimedEvent;
-use bica_sim::{Referee, SharedImage};
+use bica_sim::{PlacementError, Referee, SharedImage};
 use bica_wire::message::{MAX_OTHERS, Offers, Truth};
 
 use crate::event::EventRecord;
@@ -56,7 +58,7 @@ impl GameLink {
         // from the image's.
         let watch_only = firmware.is_watch_only()?;
         let pause = if can_pause { Offers::PAUSE } else { Offers::default() };
-        let offers = Offers::TRUTH.with(Offers::IMAGES).with(pause);
+        let offers = Offers::TRUTH.with(Offers::IMAGES).with(Offers::BALL).with(pause);
         let options = ServerOptions { anywhere, realtime: rules.realtime, watch_only, offers, ..defaults };
         let (server, requests, observer) = LinkServer::start::<Forward>(address, options)
             .map_err(|error| Failure::new(error.to_string(), error.help()))?;
@@ -90,11 +92,24 @@ impl LinkQueue {
     pub(crate) fn begins_cycle(&mut self) -> bool {
         self.0.as_mut().is_none_or(LinkRequests::begins_cycle)
     }
+
+    /// Returns the position, m, field frame, at which the operator requests the ball to lie, if there is a further request.
+    pub(crate) fn next_ball(&mut self) -> Option<[f32; 2]> {
+        self.0.as_mut()?.next_ball()
+    }
+
+    /// Answers the request of the last [`next_ball`](Self::next_ball).
+    pub(crate) fn ball_placed(&mut self, now: Duration, result: Result<(), PlacementError>) {
+        if let Some(requests) = &mut self.0 {
+            requests
+                .ball_placed(Instant::from_micros(now.as_micros() as u64), result.map_err(|error| error.to_string()));
+        }
+    }
 }
 
 impl LinkView {
     /// Sends the true state after a cycle to monitors that watch it.
-    pub(crate) fn truth(&self, cycle: std::time::Duration, referee: &Referee, start: Pose2) {
+    pub(crate) fn truth(&self, cycle: Duration, referee: &Referee, start: Pose2) {
         let Some(observer) = self.0.as_ref().filter(|observer| observer.wants_truth()) else { return };
         let pose = |pose: Pose2| [pose.position.x, pose.position.y, pose.heading];
         observer.truth(|| Truth {

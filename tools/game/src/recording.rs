@@ -114,6 +114,13 @@ impl<'a> GameRecorder<'a> {
         }
     }
 
+    /// Records that the ball was placed before the next cycle, m, field frame.
+    pub(crate) fn ball_placed(&mut self, at: [f32; 2]) {
+        if let Some((recorder, _)) = &mut self.recorder {
+            recorder.ball_placed(at);
+        }
+    }
+
     /// Records a note of a person.
     pub(crate) fn note(&self, text: &str) {
         if let Some((recorder, _)) = &self.recorder {

@@ -112,8 +112,16 @@ pub fn replay(options: &ReplayOptions<'_>) -> Result<Replayed, Failure> {
     })
 }
 
+/// Opens a recording of a run. What a monitor recorded cannot be repeated or compared.
 fn open(path: &Path) -> Result<FileRecording, Failure> {
-    FileRecording::open(path).map_err(|error| failure(path, &error))
+    let recording = FileRecording::open(path).map_err(|error| failure(path, &error))?;
+    let Some(monitor) = &recording.header().monitor else { return Ok(recording) };
+    let (path, address) = (path.display(), &monitor.address);
+    let what = format!(
+        "`{path}` holds what a monitor received from `{address}`, without sensor values and commands: it can be looked at, \
+         not run again or compared"
+    );
+    Err(Failure::new(what, "record where the robot runs: `player play --serve ADDRESS --record FILE`"))
 }
 
 fn failure(path: &Path, error: &Error) -> Failure {
@@ -227,9 +235,16 @@ impl Run for Repeated {
             let what = format!("the recording begins with cycle {}", recorded.tick.cycle);
             return Err(Failure::new(what, "a replay needs the start of the run: give the file that was trimmed"));
         }
+        let mut requests = Vec::with_capacity(recorded.requests.len());
         for request in &recorded.requests {
-            self.runner.requests_mut().push(request_of(request)?);
+            match *request {
+                // A placement that the repeated world refuses is a difference.
+                RequestRecord::Ball { x, y } if self.runner.world_mut().place_ball([x, y]).is_err() => continue,
+                RequestRecord::Ball { .. } => {}
+                _ => self.runner.requests_mut().push(request_of(request)?),
+            }
             self.fingerprint.add_request(request);
+            requests.push(request.clone());
         }
         if let ReplayWorld::Stored(cycle) = self.runner.world_mut() {
             if recorded.sensors.is_some_and(|sensors| sensors.image.is_some()) && recorded.image.is_none() {
@@ -241,7 +256,7 @@ impl Run for Repeated {
         self.runner.cycle().map_err(|error| Failure::new(error.to_string(), "record with a smaller --size"))?;
         let mut repeated = std::mem::take(&mut self.runner.observer_mut().0);
         repeated.tick.cycle = self.cycle;
-        repeated.requests.clone_from(&recorded.requests);
+        repeated.requests = requests;
         repeated.tick.fingerprint = self.fingerprint.add_tick(&repeated.tick);
         self.cycle += 1;
         Ok(Some(repeated))

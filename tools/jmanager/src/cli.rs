@@ -17,6 +17,7 @@ Examples:
   jmanager serial:/dev/ttyUSB0      a microcontroller
   jmanager run.mcap                 a recording
   jmanager good.mcap bad.mcap       two recordings, side by side
+  jmanager tcp://nao:7400 --record day1.mcap  a robot, with all that it sends in a file
   jmanager --source . --build       the state machines of this folder can be edited, built and run
   jmanager vicode check FILE.rs     reads and edits state machines without a page
 
@@ -69,6 +70,9 @@ pub struct Cli {
     /// Let pages watch only
     #[arg(long)]
     pub read_only: bool,
+    /// Record the world or the robot in FILE.mcap from its begin; what begins again is recorded in FILE-2.mcap and so on
+    #[arg(long, value_name = "FILE")]
+    pub record: Option<PathBuf>,
     /// Folder of recordings
     #[arg(long, value_name = "FOLDER")]
     pub recordings: Option<PathBuf>,

@@ -11,6 +11,7 @@ use bica_console::{Console, Failure, Outcome, Style, interrupt};
 use clap::Parser;
 
 use crate::cli::{Cli, Command};
+use crate::protocol::Open;
 use crate::sessions::{Manager, Options};
 use crate::sources::Sources;
 use crate::web::{Web, WebOptions};
@@ -56,7 +57,11 @@ fn serve(cli: &Cli) -> Result<Outcome, Failure> {
     }
     let manager = Arc::new(Manager::new(options(cli, recordings)));
     for source in shown {
-        manager.open(source).map_err(|failed| Failure::new(failed.text, failed.help))?;
+        let opened = match &cli.record {
+            Some(file) if !matches!(source, Open::Recording { .. }) => manager.open_recorded(source, file),
+            _ => manager.open(source),
+        };
+        opened.map_err(|failed| Failure::new(failed.text, failed.help))?;
     }
     let web_options = WebOptions { names: cli.host.clone(), token: token.map(|(token, _)| token) };
     let failure = |error: io::Error| Failure::new(format!("cannot serve the page: {error}"), "try again");

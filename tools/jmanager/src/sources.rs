@@ -32,7 +32,32 @@ pub(crate) fn read(cli: &Cli) -> Result<Sources, Failure> {
         let world = cli.world.clone().unwrap_or_else(|| "built-in".to_owned());
         open.push(Open::World { world, seed: cli.seed, robots: cli.robots });
     }
+    if let Some(file) = &cli.record {
+        may_record(file, &open)?;
+    }
     Ok(Sources { open, recordings: recordings.unwrap_or_else(|| "recordings".into()) })
+}
+
+/// Refuses to record several sessions or none in a file, and a file that cannot be made.
+fn may_record(file: &Path, open: &[Open]) -> Result<(), Failure> {
+    let live = open.iter().filter(|source| !matches!(source, Open::Recording { .. })).count();
+    if live != 1 {
+        let what = format!("--record records one world or one robot, found {live}");
+        return Err(Failure::new(what, "start the program once for each"));
+    }
+    let text = file.display();
+    if file.extension().is_none_or(|ending| ending != "mcap") {
+        return Err(Failure::new(format!("`{text}` does not end in .mcap"), "name a file FILE.mcap with --record"));
+    }
+    if file.exists() {
+        return Err(Failure::new(format!("`{text}` exists"), "name another file with --record, or remove this one"));
+    }
+    let folder = file.parent().filter(|folder| *folder != Path::new("")).unwrap_or_else(|| Path::new("."));
+    if folder.is_dir() {
+        return Ok(());
+    }
+    let what = format!("`{text}` cannot be made: there is no folder `{}`", folder.display());
+    Err(Failure::new(what, "make the folder, or name another file with --record"))
 }
 
 /// Returns the file name of a recording. The page opens recordings of one folder: that of the first recording.
@@ -79,6 +104,25 @@ mod tests {
         let robot = |address: &str| Open::Robot { address: address.to_owned() };
         let both = sources(&["tcp://nao:7400", "serial:/dev/ttyUSB0@921600"]).unwrap();
         assert_eq!(both, [robot("tcp://nao:7400"), robot("serial:/dev/ttyUSB0@921600")]);
+    }
+
+    #[test]
+    fn one_world_or_robot_is_recorded_in_a_new_file() {
+        let file = std::env::temp_dir().join(format!("jmanager-sources-{}.mcap", std::process::id()));
+        let new = file.to_str().unwrap();
+        assert!(sources(&["--record", new]).is_ok());
+        assert!(sources(&["tcp://nao:7400", "--record", new]).is_ok());
+        let error = |arguments: &[&str]| match sources(arguments) {
+            Err(Failure::Error { what, .. }) => what,
+            other => panic!("{other:?}"),
+        };
+        assert!(error(&["tcp://nao:7400", "tcp://other:7400", "--record", new]).contains("found 2"));
+        assert!(error(&["--record", "run.bag"]).contains(".mcap"));
+        assert!(error(&["--record", "/nowhere/run.mcap"]).contains("no folder"));
+        std::fs::write(&file, "").unwrap();
+        assert!(error(&["--record", new]).contains("exists"));
+        assert!(error(&[new, "--record", "run.mcap"]).contains("found 0"));
+        std::fs::remove_file(&file).unwrap();
     }
 
     #[test]

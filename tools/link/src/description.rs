@@ -1,13 +1,13 @@
 //! The description of a tree, received item by item.
 
 use bica_wire::message::Value;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use serde_json::json;
 
 use crate::error::Error;
 
 /// Description of a robot's tree.
-#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Description {
     /// Name.
     pub name: String,
@@ -26,7 +26,7 @@ pub struct Description {
 }
 
 /// A component.
-#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Component {
     /// Name.
     pub name: String,
@@ -55,7 +55,7 @@ pub struct Component {
 }
 
 /// An activation link.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Link {
     /// Index of the activated component.
     pub to: usize,
@@ -66,7 +66,7 @@ pub struct Link {
 }
 
 /// A state.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct State {
     /// Name.
     pub name: String,
@@ -79,7 +79,7 @@ pub struct State {
 }
 
 /// A transition.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Transition {
     /// Name.
     pub name: String,
@@ -94,10 +94,10 @@ pub struct Transition {
 }
 
 /// A parameter, or an argument of a modulation.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Param {
     /// Name of the struct that contains it; empty for an argument.
-    #[serde(skip_serializing_if = "String::is_empty")]
+    #[serde(default, skip_serializing_if = "String::is_empty")]
     pub group: String,
     /// Name.
     pub name: String,
@@ -111,12 +111,12 @@ pub struct Param {
     /// Default value, as [`to_json`].
     pub default: serde_json::Value,
     /// Current value of a parameter.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub value: Option<serde_json::Value>,
 }
 
 /// Kind and range of a parameter.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "kind", rename_all = "lowercase")]
 pub enum Kind {
     /// A finite number.
@@ -158,7 +158,7 @@ pub enum Kind {
 }
 
 /// A variant of an enum.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Variant {
     /// Name.
     pub name: String,
@@ -167,7 +167,7 @@ pub struct Variant {
 }
 
 /// An information.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Info {
     /// Name.
     pub name: String,
@@ -181,7 +181,7 @@ pub struct Info {
 }
 
 /// A modulation.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Modulation {
     /// Name.
     pub name: String,

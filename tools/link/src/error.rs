@@ -80,6 +80,9 @@ impl Error {
                 "a simulated world offers it, as `player play --serve ADDR`; a microcontroller does not"
             }
             Self::Lease => "wait until the operator gives it back, or take it with --take",
+            Self::Refused { code: RefusalCode::World, .. } => {
+                "only a simulated world can be changed, and its ball lies on the field, where nothing stands"
+            }
             Self::Refused { .. } => "`player link ADDR describe` prints names, kinds and ranges",
             Self::Unknown { help, .. } => help,
             Self::Schema { .. } | Self::Invalid(_) => "build the robot's program and this one from the same version",

@@ -25,6 +25,7 @@ mod frame;
 mod schema;
 mod server;
 mod stream;
+mod waker;
 
 pub use address::Address;
 pub use client::{Answered, Client, ClientOptions, Costs, Event, Image, Snapshot};
@@ -34,6 +35,7 @@ pub use description::{
 pub use error::Error;
 pub use schema::decode as decode_info;
 pub use server::{LinkImage, LinkObserver, LinkRequests, LinkServer, LinkStats, MAX_MONITORS, ServerOptions};
+pub use waker::{Waker, Wakeups, waker};
 
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]

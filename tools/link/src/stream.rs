@@ -138,6 +138,16 @@ impl Stream {
 }
 
 #[cfg(unix)]
+impl std::os::fd::AsFd for Stream {
+    fn as_fd(&self) -> std::os::fd::BorrowedFd<'_> {
+        match self {
+            Self::Tcp(stream) => stream.as_fd(),
+            Self::Serial(file) => file.as_fd(),
+        }
+    }
+}
+
+#[cfg(unix)]
 fn baud_rate(baud: u32) -> io::Result<nix::sys::termios::BaudRate> {
     use nix::sys::termios::BaudRate;
     Ok(match baud {

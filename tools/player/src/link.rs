@@ -31,6 +31,7 @@ pub(crate) fn run(args: &Link) -> Result<Outcome, Failure> {
         LinkAction::Pause => monitor.world(WorldChange::Pause),
         LinkAction::Resume => monitor.world(WorldChange::Resume),
         LinkAction::Step { cycles } => monitor.world(WorldChange::Step { cycles: *cycles }),
+        LinkAction::Ball { x, y } => monitor.place_ball([*x, *y]),
         LinkAction::Set { settings } => monitor.set(settings),
         LinkAction::Hold { component, hold, seconds } => {
             let component = monitor.component(component)?;

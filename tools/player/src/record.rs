@@ -56,8 +56,14 @@ fn print(console: Console, info: &Info) -> Result<(), Failure> {
     let count = tree.components.len();
     console
         .print_row("tree", &format!("{}, {count} components, {} Hz, hash {}", tree.name, tree.cycle_hz, tree.hash))?;
-    let robot = &header.robot;
-    console.print_row("robot", &format!("{}, profile {}, attacks {}", robot.model, robot.profile, robot.attacks))?;
+    if let Some(monitor) = &header.monitor {
+        let text = format!("what {} sent, without sensor values and commands: not for a replay", monitor.address);
+        console.print_row("monitor", &text)?;
+    } else {
+        let robot = &header.robot;
+        console
+            .print_row("robot", &format!("{}, profile {}, attacks {}", robot.model, robot.profile, robot.attacks))?;
+    }
     if let Some(rules) = &header.rules {
         let ([width, height], robots) = (rules.size, rules.robots);
         let text = format!("{}, seed {}, images {width}x{height}, robots {robots}", rules.world, rules.seed);
@@ -74,7 +80,9 @@ fn print(console: Console, info: &Info) -> Result<(), Failure> {
         "length",
         &format!("{:.2} s, {} cycles, {bytes:.2} MB, {chunks} chunks", info.seconds, info.cycles),
     )?;
-    console.print_row("fingerprint", &info.fingerprint)?;
+    if !info.fingerprint.is_empty() {
+        console.print_row("fingerprint", &info.fingerprint)?;
+    }
     match (&info.ending, &info.damage) {
         (_, Some(damage)) => console.print_row("file", &console.styled(Style::Bad, damage))?,
         (Some(ending), None) => {

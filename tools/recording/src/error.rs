@@ -59,7 +59,8 @@ impl fmt::Display for Error {
                 out.write_str("this MCAP file is no recording of a robot: it has no metadata `bica`")
             }
             Self::Format(format) => {
-                write!(out, "the recording has format {format}; this program reads format {}", crate::header::FORMAT)
+                let (oldest, newest) = (crate::header::OLDEST_FORMAT, crate::header::MONITOR_FORMAT);
+                write!(out, "the recording has format {format}; this program reads formats {oldest} to {newest}")
             }
             Self::Damaged { at, what } => write!(out, "the file is damaged at byte {at}: {what}"),
             Self::Compression(name) => write!(out, "a chunk is compressed with `{name}`"),

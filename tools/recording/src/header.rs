@@ -15,8 +15,12 @@ use serde::{Deserialize, Serialize};
 use crate::error::Error;
 use crate::information;
 
-/// Version of the format of recordings.
-pub(crate) const FORMAT: u32 = 1;
+/// Version of the format of recordings of runs. Version 2 added the requests to the world.
+pub(crate) const FORMAT: u32 = 2;
+/// Oldest version that can be read.
+pub(crate) const OLDEST_FORMAT: u32 = 1;
+/// Version of the format of recordings that a monitor made.
+pub(crate) const MONITOR_FORMAT: u32 = 3;
 /// Name of the metadata record with the header.
 pub(crate) const HEADER_NAME: &str = "bica";
 /// Name of the metadata record with the ending.
@@ -41,6 +45,18 @@ pub struct Header {
     pub parameters: Vec<Parameter>,
     /// Whether sensor values, commands and images are stored.
     pub images: ImagePolicy,
+    /// The monitor, of a recording that a monitor made: it has no sensor values and commands, and some images.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub monitor: Option<MonitorInfo>,
+}
+
+/// The monitor that made a recording, and its robot.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct MonitorInfo {
+    /// Address of the robot.
+    pub address: String,
+    /// Description of the robot's tree, as [`bica_link::Description`] in JSON.
+    pub description: serde_json::Value,
 }
 
 /// The program that wrote a recording.
@@ -278,6 +294,7 @@ impl Header {
             rules,
             parameters: Vec::new(),
             images,
+            monitor: None,
         }
     }
 
@@ -322,8 +339,12 @@ pub(crate) fn header_of(fields: &BTreeMap<String, String>, at: u64) -> Result<He
         format: u32,
     }
     let Format { format } = from_metadata(fields, at)?;
-    if format != FORMAT {
+    if !(OLDEST_FORMAT..=MONITOR_FORMAT).contains(&format) {
         return Err(Error::Format(format));
     }
-    from_metadata(fields, at)
+    let header: Header = from_metadata(fields, at)?;
+    if header.monitor.is_some() != (format == MONITOR_FORMAT) {
+        return Err(Error::damaged(at, format!("a header of format {format} that is not of this format")));
+    }
+    Ok(header)
 }

@@ -23,7 +23,7 @@ pub struct Info {
     pub cycles: u64,
     /// Time between the first and the last cycle, s.
     pub seconds: f64,
-    /// Fingerprint after the last cycle, hexadecimal.
+    /// Fingerprint after the last cycle, hexadecimal; empty if a monitor made the recording.
     pub fingerprint: String,
     /// Length of the intact file, bytes.
     pub bytes: u64,
@@ -171,12 +171,16 @@ impl<R: Read> Reading<R> {
         Ok(Info {
             damage,
             seconds,
-            fingerprint: self.ticks.map_or_else(String::new, |(_, last)| format!("{:016x}", last.fingerprint)),
+            fingerprint: self.ticks.filter(|_| info.header.monitor.is_none()).map_or_else(String::new, fingerprint),
             bytes: self.reader.position(),
             channels: self.channels.into_values().filter(|channel| channel.messages > 0).collect(),
             ..info
         })
     }
+}
+
+fn fingerprint((_, last): (Tick, Tick)) -> String {
+    format!("{:016x}", last.fingerprint)
 }
 
 fn empty(header: Header) -> Info {

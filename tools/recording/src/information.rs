@@ -2,14 +2,19 @@
 
 use bica::info::{InfoSink, Information};
 use bica::{ComponentId, Tree};
+use bica_link::decode_info;
 use postcard_schema::Schema;
-use postcard_schema::schema::owned::OwnedNamedType;
+use postcard_schema::schema::owned::{OwnedDataModelType, OwnedNamedType};
 use serde::{Deserialize, Serialize};
 
+use crate::header::InformationInfo;
 use crate::recorder::encode;
 
 /// Size of a value in postcard's format above which it is not recorded, bytes.
 const MAX_VALUE_BYTES: usize = 1024;
+
+/// Name of the schema of values that a monitor has received: JSON in a string.
+const JSON: &str = "bica.Json";
 
 /// Values of information after a cycle.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize, Schema)]
@@ -27,6 +32,34 @@ pub struct InformationValue {
     pub index: u16,
     /// The value in postcard's format, with the schema in the header; empty if it is too large.
     pub value: Vec<u8>,
+}
+
+impl InformationValue {
+    /// A value as JSON text, with the [schema](InformationInfo::in_json) of a recording that a monitor made.
+    #[must_use]
+    pub fn in_json(component: usize, index: usize, text: &str) -> Self {
+        let mut value = Vec::with_capacity(text.len() + 2);
+        encode(&mut value, &text);
+        Self { component: component as u16, index: index as u16, value }
+    }
+}
+
+impl InformationInfo {
+    /// An information whose values are recorded as JSON text.
+    pub(crate) fn in_json(name: &str, unit: Option<&str>) -> Self {
+        let schema = OwnedNamedType { name: JSON.to_owned(), ty: OwnedDataModelType::String };
+        Self { name: name.to_owned(), unit: unit.map(str::to_owned), schema: Some(schema) }
+    }
+
+    /// Returns a recorded value as JSON; none for one that was too large to be recorded, and for bytes without this schema.
+    #[must_use]
+    pub fn decode(&self, value: &[u8]) -> Option<serde_json::Value> {
+        let schema = self.schema.as_ref().filter(|_| !value.is_empty())?;
+        match decode_info(schema, value)? {
+            serde_json::Value::String(text) if schema.name == JSON => serde_json::from_str(&text).ok(),
+            decoded => Some(decoded),
+        }
+    }
 }
 
 /// Appends a value in postcard's format, after its length.

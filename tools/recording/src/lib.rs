@@ -6,6 +6,7 @@
 //!
 //! - [`Recorder`] is an observer of a [`Runner`](bica::runner::Runner). It copies the values of each cycle into a bounded
 //!   queue; a thread of its own writes them.
+//! - [`MonitorRecorder`] writes what a monitor has received of a robot behind a link.
 //! - [`Recording`] reads a file cycle by cycle, also one that was cut off.
 //! - [`Comparison`] finds the first difference between a recorded and a repeated run.
 //! - [`repair`] mends and cuts files, [`export`] writes standard schemas for viewers.
@@ -22,6 +23,7 @@ mod info;
 mod information;
 pub mod mcap;
 mod message;
+mod monitor;
 mod recorder;
 mod recording;
 pub mod repair;
@@ -31,14 +33,15 @@ pub use compare::{Comparison, Decision, Difference, command_field, sensor_field}
 pub use digest::{RunningFingerprint, command_digest, image_digest, sensors_digest};
 pub use error::Error;
 pub use header::{
-    ComponentInfo, Ending, Header, ImagePolicy, InformationInfo, Parameter, ParameterInfo, Program, RecordedRules,
-    RobotInfo, TreeInfo,
+    ComponentInfo, Ending, Header, ImagePolicy, InformationInfo, MonitorInfo, Parameter, ParameterInfo, Program,
+    RecordedRules, RobotInfo, TreeInfo,
 };
 pub use info::{ChannelInfo, Info};
 pub use information::{InformationRecord, InformationValue};
 pub use message::{
-    Channel, CommandRecord, ComponentCosts, Costs, ImageRecord, LogLine, RefereeEvent, Tick, TreeRecord,
+    Channel, CommandRecord, ComponentCosts, Costs, HoldsRecord, ImageRecord, LogLine, RefereeEvent, Tick, TreeRecord,
 };
+pub use monitor::{MonitorRecorder, ReceivedImage};
 pub use recorder::{Backpressure, Recorder, RecorderOptions, Report, Sink, tree_record};
 pub use recording::{ImagePlace, OwnedImage, RecordedCycle, Recording};
 pub use request::{RequestRecord, SettingRecord};

@@ -31,11 +31,13 @@ pub enum Channel {
     Costs,
     /// [`InformationRecord`]: information of the active components.
     Information,
+    /// [`HoldsRecord`]: holds and rates, if they changed in the cycle; only of a monitor.
+    Holds,
 }
 
 impl Channel {
     /// All channels, in the order of their numbers from 1 on.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 11] = [
         Self::Requests,
         Self::Images,
         Self::Sensors,
@@ -46,6 +48,7 @@ impl Channel {
         Self::Log,
         Self::Costs,
         Self::Information,
+        Self::Holds,
     ];
 
     /// Returns the number of the channel and of its schema in the file.
@@ -74,6 +77,7 @@ impl Channel {
             Self::Log => "log",
             Self::Costs => "costs",
             Self::Information => "information",
+            Self::Holds => "holds",
         }
     }
 
@@ -91,6 +95,7 @@ impl Channel {
             Self::Log => LogLine::SCHEMA,
             Self::Costs => Costs::SCHEMA,
             Self::Information => InformationRecord::SCHEMA,
+            Self::Holds => HoldsRecord::SCHEMA,
         }
     }
 }
@@ -124,6 +129,15 @@ pub struct TreeRecord {
     pub active: Vec<u8>,
     /// One byte for each component: the index of its state, 255 without a state machine.
     pub states: Vec<u8>,
+}
+
+/// Holds and rates after a cycle. Of a run the requests say the same.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, Schema)]
+pub struct HoldsRecord {
+    /// One byte for each component. 0: activated by the tree, 1: held active, 2: held latent.
+    pub holds: Vec<u8>,
+    /// For each component the rate in force, Hz; none: every cycle.
+    pub rates: Vec<Option<f32>>,
 }
 
 /// Instant and digests of a cycle.

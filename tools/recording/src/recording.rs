@@ -14,7 +14,9 @@ use crate::header::{ENDING_NAME, Ending, HEADER_NAME, Header, from_metadata, hea
 use crate::image_codec::ImageCoder;
 use crate::information::InformationRecord;
 use crate::mcap::{Item, Message, Reader};
-use crate::message::{Channel, CommandRecord, Costs, ImageRecord, LogLine, RefereeEvent, Tick, TreeRecord};
+use crate::message::{
+    Channel, CommandRecord, Costs, HoldsRecord, ImageRecord, LogLine, RefereeEvent, Tick, TreeRecord,
+};
 use crate::request::RequestRecord;
 
 /// Most images that wait for their cycle.
@@ -45,6 +47,8 @@ pub struct RecordedCycle {
     pub costs: Option<Costs>,
     /// Values of information, in some cycles.
     pub information: Option<InformationRecord>,
+    /// Holds and rates, if they changed and a monitor made the recording.
+    pub holds: Option<HoldsRecord>,
 }
 
 /// An image in memory of its own.
@@ -74,8 +78,8 @@ pub struct Recording<R> {
     reader: Reader<R>,
     header: Header,
     channels: BTreeMap<u16, Channel>,
-    /// Images that wait for their cycle, with the position of their chunk.
-    images: BTreeMap<u32, (ImageRecord, u64)>,
+    /// Images that wait for their cycle.
+    images: BTreeMap<u32, WaitingImage>,
     /// Whether images are decoded.
     decodes: bool,
     place: Option<ImagePlace>,
@@ -84,6 +88,16 @@ pub struct Recording<R> {
     /// Number of bytes of the messages since the last cycle.
     next_bytes: usize,
     ending: Option<Ending>,
+}
+
+/// An image that was read before its cycle.
+#[derive(Debug)]
+struct WaitingImage {
+    record: ImageRecord,
+    /// Time of the image, ns.
+    time: u64,
+    /// Position of its chunk, bytes.
+    chunk_at: u64,
 }
 
 impl Recording<BufReader<File>> {
@@ -199,30 +213,42 @@ impl<R: Read> Recording<R> {
             Channel::Log => next.log.push(decode(message)?),
             Channel::Costs => next.costs = Some(decode(message)?),
             Channel::Information => next.information = Some(decode(message)?),
+            Channel::Holds => next.holds = Some(decode(message)?),
             Channel::Images => {
-                let image: ImageRecord = decode(message)?;
-                self.images.insert(image.id, (image, message.chunk_at));
-                let mut bytes: usize = self.images.values().map(|(image, _)| image.coded.len()).sum();
+                let record: ImageRecord = decode(message)?;
+                let waiting = WaitingImage { record, time: message.time, chunk_at: message.chunk_at };
+                self.images.insert(waiting.record.id, waiting);
+                let mut bytes: usize = self.images.values().map(|image| image.record.coded.len()).sum();
                 while self.images.len() > MAX_WAITING_IMAGES || bytes > MAX_WAITING_BYTES {
-                    bytes -= self.images.pop_first().map_or(bytes, |(_, (image, _))| image.coded.len());
+                    bytes -= self.images.pop_first().map_or(bytes, |(_, image)| image.record.coded.len());
                 }
             }
             Channel::Tick => {
                 next.tick = decode(message)?;
                 self.next_bytes = 0;
-                let id = next.sensors.and_then(|sensors| sensors.image).map(|image| image.id);
                 self.place = None;
-                if let Some((coded, chunk_at)) = id.and_then(|id| self.images.remove(&id)) {
-                    let ImageRecord { id, bottom_camera, width, height, .. } = coded;
-                    self.place = Some(ImagePlace { id, chunk_at, bottom_camera, width, height });
+                if let Some(WaitingImage { record, time, chunk_at }) = self.image_of_cycle() {
+                    let ImageRecord { id, bottom_camera, width, height, .. } = record;
+                    self.place = Some(ImagePlace { id, time, chunk_at, bottom_camera, width, height });
                     if self.decodes {
-                        self.next.image = Some(decode_image(&mut self.coder, &coded, chunk_at)?);
+                        self.next.image = Some(decode_image(&mut self.coder, &record, chunk_at)?);
                     }
                 }
                 return Ok(true);
             }
         }
         Ok(false)
+    }
+
+    /// Takes the image of the next cycle, which is complete: the sensor values name it. A monitor may receive an image later than its
+    /// cycle; then it comes with a later one.
+    fn image_of_cycle(&mut self) -> Option<WaitingImage> {
+        if self.header.monitor.is_none() {
+            return self.images.remove(&self.next.sensors?.image?.id);
+        }
+        let end = self.header.nanoseconds(self.next.tick.instant);
+        let first = self.images.first_entry().filter(|first| first.get().time <= end)?;
+        Some(first.remove())
     }
 }
 
@@ -239,6 +265,8 @@ fn decode_image(coder: &mut ImageCoder, coded: &ImageRecord, at: u64) -> Result<
 pub struct ImagePlace {
     /// Number of the image, as in the sensor values.
     pub id: u32,
+    /// Time of the cycle that took it in, ns since the start of the run's clock.
+    pub time: u64,
     /// Position of its chunk, bytes.
     pub chunk_at: u64,
     /// Whether the bottom camera took it.

@@ -43,7 +43,7 @@ pub fn trim(source: impl Read, target: impl Write, from: u64, until: u64) -> Res
 fn copy(source: impl Read, target: impl Write, keeps: impl Fn(u64) -> bool, tolerant: bool) -> Result<Copied, Error> {
     let mut reader = Reader::new(source)?;
     let header = read_header(&mut reader)?;
-    let mut copy = Copy { writer: begin(target, &header)?, copied: Copied::default(), ending: None, tree: None };
+    let mut copy = Copy { writer: begin(target, &header)?, copied: Copied::default(), ending: None, last: Vec::new() };
     loop {
         let position = reader.position();
         match reader.next_item() {
@@ -76,8 +76,8 @@ struct Copy<W> {
     writer: Writer<W>,
     copied: Copied,
     ending: Option<Ending>,
-    /// The newest message of the tree, as long as it was not copied.
-    tree: Option<Message>,
+    /// The newest message of each channel that holds only changes, as long as it was not copied.
+    last: Vec<(Channel, Message)>,
 }
 
 impl<W: Write> Copy<W> {
@@ -96,23 +96,23 @@ impl<W: Write> Copy<W> {
 
     fn message(&mut self, message: Message, keeps: &impl Fn(u64) -> bool) -> Result<(), Error> {
         let Some(channel) = Channel::of_id(message.channel) else { return Ok(()) };
+        let is_change = matches!(channel, Channel::Tree | Channel::Holds);
+        if is_change {
+            self.last.retain(|(of, _)| *of != channel);
+        }
         if !keeps(message.time) {
-            if channel == Channel::Tree {
-                self.tree = Some(message);
+            if is_change {
+                self.last.push((channel, message));
             }
             return Ok(());
         }
-        match channel {
-            Channel::Tree => self.tree = None,
-            Channel::Tick => {
-                // Only changes of the tree are stored: the first cycle needs the last one before it.
-                if let Some(tree) = self.tree.take() {
-                    self.write(Channel::Tree, message.time, &tree.data);
-                }
-                decode::<Tick>(&message)?;
-                self.copied.cycles += 1;
+        if channel == Channel::Tick {
+            // The first cycle needs the last changes before it.
+            for (of, change) in std::mem::take(&mut self.last) {
+                self.write(of, message.time, &change.data);
             }
-            _ => {}
+            decode::<Tick>(&message)?;
+            self.copied.cycles += 1;
         }
         self.write(channel, message.time, &message.data);
         Ok(())

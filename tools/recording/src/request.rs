@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::header::TreeInfo;
 
-/// A request to the running tree.
+/// A request to the running tree, or to the simulated world.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, Schema)]
 pub enum RequestRecord {
     /// A component is held active, held latent, or released.
@@ -44,6 +44,13 @@ pub enum RequestRecord {
     Unknown {
         /// The request, as text.
         text: String,
+    },
+    /// The ball of the simulated world is placed, at rest.
+    Ball {
+        /// Position along the field, to the attacked goal, m.
+        x: f32,
+        /// Position across the field, to the left, m.
+        y: f32,
     },
 }
 
@@ -87,7 +94,7 @@ impl RequestRecord {
         })
     }
 
-    /// Returns the request for a tree; none if this program does not know it.
+    /// Returns the request for a tree; none if it is one to the world, or if this program does not know it.
     #[must_use]
     pub fn to_request(&self) -> Option<OwnedRequest> {
         let component = |index: u16| ComponentId::new(index.into());
@@ -103,7 +110,7 @@ impl RequestRecord {
                 index: usize::from(*index),
                 arguments: arguments.iter().map(|value| params::Value::from(*value)).collect(),
             },
-            Self::Unknown { .. } => return None,
+            Self::Unknown { .. } | Self::Ball { .. } => return None,
         })
     }
 
@@ -130,6 +137,7 @@ impl RequestRecord {
                 format!("modulate {}.{called}({})", name(component), arguments.join(", "))
             }
             Self::Unknown { text } => text.clone(),
+            Self::Ball { x, y } => format!("ball at {x}, {y} m"),
         }
     }
 }

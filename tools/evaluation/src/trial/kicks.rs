@@ -78,7 +78,7 @@ fn play(series: &Series, seed: u64, kick: Kick) -> Result<KickResult, Failure> {
     let mut beside = || rng.between(-BALL_ERROR, BALL_ERROR);
     let start = ground(&mut walker);
     let ball = start.place(kick.ball(&Nao::DYNAMIC_PROFILE.kicks) + Vec2::new(beside(), beside()));
-    walker.world.place_ball(ball);
+    walker.world.set_ball(ball);
     let mut motion = KickMotion::<Nao>::new(kick, Nao::DYNAMIC_PROFILE);
     while !motion.is_done() {
         let limbs = motion.step(&Feedback::from(&walker.world.sensors()), CYCLE_SECONDS);
@@ -102,7 +102,7 @@ fn dribble(series: &Series, seed: u64, foot: Side) -> Result<KickResult, Failure
     let half = Nao::DYNAMIC_PROFILE.gait.half_spacing;
     // The phase of the step in which the ball comes within reach is random.
     let ball = start.place(Vec2::new(rng.between(0.5, 0.6), foot.sign() * half + rng.between(-BALL_ERROR, BALL_ERROR)));
-    walker.world.place_ball(ball);
+    walker.world.set_ball(ball);
     let ahead = Velocity::new(0.15, 0.0, 0.0);
     for _ in 0..800 {
         if let Some(foot) = in_walk_kick_foot(ground(&mut walker).locate(ball), &Nao::DYNAMIC_PROFILE.gait) {

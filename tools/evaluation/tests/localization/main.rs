@@ -6,14 +6,16 @@ mod lookout;
 use lookout::{Lookout, print};
 
 #[test]
-fn the_robot_is_localized_after_ten_seconds() {
+#[ignore = "slow: `cargo xtask ci` runs it"]
+fn slow_the_robot_is_localized_after_ten_seconds() {
     let outcomes: Vec<_> = (0..15).map(|seed| Lookout::new(seed, 0).look_around(10.0)).collect();
     print(&outcomes);
     assert!(outcomes.iter().filter(|outcome| outcome.is_correct()).count() >= 14);
 }
 
 #[test]
-fn localization_recovers_from_kidnapping_among_other_robots() {
+#[ignore = "slow: `cargo xtask ci` runs it"]
+fn slow_localization_recovers_from_kidnapping_among_other_robots() {
     let mut outcomes = Vec::new();
     for seed in 100..105 {
         let mut lookout = Lookout::new(seed, 4);

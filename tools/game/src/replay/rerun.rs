@@ -8,7 +8,9 @@ use bica_console::{Failure, interrupt};
 use bica_player::input::RobotProfile;
 use bica_player::perception::GoalDetector;
 use bica_player::tunable::Forward;
-use bica_recording::{Backpressure, Error, Header, ImagePolicy, Recorder, RecorderOptions, RefereeEvent, Report};
+use bica_recording::{
+    Backpressure, Error, Header, ImagePolicy, LogLine, Recorder, RecorderOptions, RefereeEvent, Report, RequestRecord,
+};
 
 use super::world::ReplayWorld;
 use super::{check_tree, failure, layers, open, request_of, set_up};
@@ -48,7 +50,14 @@ pub fn rerun(
             break;
         }
         for request in &recorded.requests {
-            runner.requests_mut().push(request_of(request)?);
+            let RequestRecord::Ball { x, y } = *request else {
+                runner.requests_mut().push(request_of(request)?);
+                continue;
+            };
+            match runner.world_mut().place_ball([x, y]) {
+                Ok(()) => runner.observer_mut().ball_placed([x, y]),
+                Err(error) => runner.observer().log(LogLine { level: 3, text: format!("request refused: {error}") }),
+            }
         }
         if let ReplayWorld::Stored(cycle) = runner.world_mut() {
             (**cycle).clone_from(&recorded);

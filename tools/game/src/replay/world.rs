@@ -5,7 +5,7 @@ use bica::runner::World;
 use bica_motion::robot::{self, CameraId, Command};
 use bica_player::tunable::Forward;
 use bica_recording::{OwnedImage, RecordedCycle};
-use bica_sim::SpectatorView;
+use bica_sim::{PlacementError, SpectatorView};
 use bica_wire::message::Sensors as SensorsMessage;
 
 /// World of a replay.
@@ -14,6 +14,19 @@ pub(super) enum ReplayWorld {
     Stored(Box<RecordedCycle>),
     /// The world, made again from the rules.
     Simulated(Box<dyn SpectatorView>),
+}
+
+impl ReplayWorld {
+    /// Places the ball as it was placed in the recorded run, m, field frame. Stored sensor values show it there already.
+    ///
+    /// # Errors
+    /// If the world refuses it, as the repeated run is another one.
+    pub(super) fn place_ball(&mut self, at: [f32; 2]) -> Result<(), PlacementError> {
+        match self {
+            Self::Stored(_) => Ok(()),
+            Self::Simulated(world) => world.place_ball(at.into()),
+        }
+    }
 }
 
 impl World<Forward> for ReplayWorld {

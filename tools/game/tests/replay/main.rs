@@ -4,5 +4,6 @@ mod damaged_firmware;
 mod files;
 mod flips;
 mod games;
+mod placements;
 mod repository;
 mod requests;

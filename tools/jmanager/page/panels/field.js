@@ -6,9 +6,12 @@ import { number } from '../lib/format.js';
 import { cursor, session, watch } from '../lib/store.js';
 import { css } from '../lib/theme.js';
 import { Bar, Empty, Toggle } from '../lib/ui.js';
+import { BallMenu, useDrag } from './field/ball.js';
 
 /** The field of the league's rules of 2009, m. */
 const FIELD = { length: 6, width: 4, border: 0.7, areaLength: 0.6, areaWidth: 3, mark: 1.8, circle: 0.6, goal: 1.4 };
+/** Where the ball can be placed: half the length and the width of the field, m. */
+const REACH = [FIELD.length / 2, FIELD.width / 2];
 const TRAIL = 400;
 
 /** Information of the forward that the map draws: component and name. */
@@ -29,6 +32,8 @@ export function FieldMap({ visible }) {
   const turned = useSignal(false);
   const places = useMemo(() => Object.fromEntries(Object.entries(WANTED).map(([key, names]) => [key, shown?.findInfo(...names) ?? null])), [shown, description]);
   const trail = useMemo(() => ({ belief: [], truth: [] }), [shown]);
+  const shownMap = (element) => mapOf(element.clientWidth, element.clientHeight, turned.value);
+  const { dragged, handlers } = useDrag({ shown, mapOf: shownMap, visible: truthShown.value, reach: REACH });
   useEffect(() => {
     if (!visible.value || !shown || !description) return undefined;
     return watch({ truth: shown.info.value.can.truth, info: Object.values(places).filter(Boolean).map((place) => [...place, 3]) });
@@ -40,7 +45,7 @@ export function FieldMap({ visible }) {
   const read = (key) => (places[key] ? shown.info_of(...places[key]).now.value?.value ?? null : null);
   const belief = () => beliefOf(read, shown.truth.value?.truth);
   const reads = () => {
-    void [shown.truth.value, truthShown.value, turned.value, cursor.value];
+    void [shown.truth.value, truthShown.value, turned.value, cursor.value, dragged.value];
     Object.values(places).forEach((place) => place && shown.info_of(...place).now.value);
   };
   const draw = (context, width, height) => {
@@ -55,14 +60,16 @@ export function FieldMap({ visible }) {
     }
     if (now) drawBelief(context, map, now, read);
     if (truth && truthShown.value) drawTruth(context, map, truth);
+    if (dragged.value) disc(context, map, dragged.value, 0.06, 9, { stroke: css('--truth') });
   };
   return html`<${Bar} label="Field">
       <span class="dim"><${Source} belief=${belief} /></span><span class="grow"></span>
       ${shown.info.value.can.truth && html`<${Toggle} on=${truthShown.value} label="Truth" title="The simulator's state, dashed. The robot never gets it." colour=${css('--truth')} onChange=${(on) => { truthShown.value = on; }} />`}
+      ${shown.info.value.can.ball && html`<${BallMenu} shown=${shown} reach=${REACH} />`}
       <${Toggle} on=${turned.value} label="Turn" title="Turn the field by 180°" onChange=${(on) => { turned.value = on; }} />
-      <button onClick=${() => { trail.belief.length = trail.truth.length = 0; }}>Clear trail</button>
+      <button aria-label="Clear trail" title="Clear the trail" onClick=${() => { trail.belief.length = trail.truth.length = 0; }}>Clear</button>
     <//>
-    <div class="fill field"><${Canvas} reads=${reads} draw=${draw} visible=${visible} label="Field map" /></div>`;
+    <div class="fill field"><${Canvas} reads=${reads} draw=${draw} visible=${visible} label="Field map" ...${handlers} /></div>`;
 }
 
 function Source({ belief }) {
@@ -97,7 +104,12 @@ function mapOf(width, height, turned) {
   const [length, wide] = [FIELD.length + 2 * FIELD.border, FIELD.width + 2 * FIELD.border];
   const scale = Math.min((width - 8) / length, (height - 8) / wide);
   const sign = turned ? -1 : 1;
-  return { scale, sign, width, height, x: (x) => width / 2 + sign * x * scale, y: (y) => height / 2 - sign * y * scale, angle: (heading) => (turned ? Math.PI - heading : -heading) };
+  return {
+    scale, sign, width, height, x: (x) => width / 2 + sign * x * scale, y: (y) => height / 2 - sign * y * scale,
+    /** The position, m, of a point of the canvas. */
+    at: (x, y) => [(x - width / 2) / (sign * scale), (height / 2 - y) / (sign * scale)],
+    angle: (heading) => (turned ? Math.PI - heading : -heading),
+  };
 }
 
 function drawField(context, map, attacksBlue) {

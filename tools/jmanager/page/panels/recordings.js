@@ -45,7 +45,9 @@ function Current({ shown, read }) {
     read();
   };
   return html`<section aria-label="This session"><h3>This session</h3>
-    <p>${info.recording.on ? html`The last ${duration(Math.max(0, info.until_us - info.recording.from_us))} are recorded, ${bytes(info.recording.bytes)}.` : html`<span class="warn">It is not recorded.</span>`} <span class="dim">${info.recording.note}</span></p>
+    <p>${info.recording.on ? html`The last ${duration(Math.max(0, info.until_us - info.recording.from_us))} are recorded, ${bytes(info.recording.bytes)}.` : html`<span class="warn">It is not recorded.</span>`}
+      ${info.recording.file && html` It is written to <b>${info.recording.file}</b>.`} <span class=${info.recording.on && info.recording.note ? 'warn' : 'dim'}>${info.recording.note}</span></p>
+    ${info.kind === 'robot' && html`<p class="dim">What the robot sent is kept, images while a camera panel shows them. It can be looked at, not run again: for that, record where the robot runs (player play --record).</p>`}
     <form class="join" onSubmit=${keep}><input aria-label="Name of the recording" placeholder=${stamp()} value=${name.value ?? ''} onInput=${(event) => { name.value = event.target.value || null; }} />
       <button disabled=${!info.recording.on}>Keep recording</button></form></section>`;
 }

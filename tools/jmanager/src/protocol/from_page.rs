@@ -157,6 +157,15 @@ pub enum Request {
         /// Number of cycles.
         cycles: u32,
     },
+    /// Places the ball of a simulated world on its field, at rest, before the next cycle. [`{"cycle": number}`: the first cycle with it]
+    PlaceBall {
+        /// Session.
+        session: SessionId,
+        /// Position along the field, to the attacked goal, m.
+        x: f32,
+        /// Position across the field, to the left, m.
+        y: f32,
+    },
     /// Replaces the breakpoints of a session. A simulated world pauses at the cycle in which one is reached, a robot goes on. All
     /// pages get them as [`ToPage::Breakpoints`](super::ToPage::Breakpoints).
     Breakpoints {
@@ -327,6 +336,7 @@ impl Request {
             | Self::Pause { session, .. }
             | Self::Resume { session, .. }
             | Self::Step { session, .. }
+            | Self::PlaceBall { session, .. }
             | Self::Breakpoints { session, .. }
             | Self::NextHit { session, .. }
             | Self::Restart { session, .. }

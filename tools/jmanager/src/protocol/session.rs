@@ -81,6 +81,8 @@ pub struct Capabilities {
     pub operate: bool,
     /// Pause and step, and restart if the world is of this process.
     pub pause: bool,
+    /// The ball can be placed.
+    pub ball: bool,
     /// The true state is known.
     pub truth: bool,
     /// Images come.
@@ -93,15 +95,17 @@ pub struct Capabilities {
     pub run_again: bool,
 }
 
-/// The recording of a session: a ring of the last minutes.
+/// The recording of a session: the run of a world of this process from its begin, or the last minutes of a robot.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct RecordingState {
     /// Whether it is recorded.
     pub on: bool,
-    /// First time in the ring, µs.
+    /// First time that can be kept, µs.
     pub from_us: u64,
     /// Size, bytes.
     pub bytes: u64,
     /// Why it is not recorded, or what was lost; empty if all is well.
     pub note: String,
+    /// File in which the session is recorded from its begin; empty without `--record`.
+    pub file: String,
 }

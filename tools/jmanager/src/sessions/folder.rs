@@ -1,13 +1,13 @@
 //! A folder of images as a session: for the colour tuner.
 
 use std::sync::Arc;
-use std::sync::mpsc::channel;
 use std::thread;
 
 use bica_evaluation::frame_io::{RecordedFrame, list};
 use bica_link::Description;
 
 use super::history::StoredImage;
+use super::live::Commands;
 use super::options::Options;
 use super::pages::Pages;
 use super::session::Session;
@@ -22,9 +22,9 @@ pub(super) fn open(id: SessionId, options: &Arc<Options>, pages: &Arc<Pages>) ->
     let folder = options.images.clone().ok_or_else(none)?;
     let files = list(&folder)?;
     // Nobody receives commands: a session of images cannot be operated.
-    let (commands, _) = channel();
+    let commands = Commands::of_nobody();
     let identity = (id, SessionKind::Recording, folder.display().to_string());
-    let session = Arc::new(Session::new(identity, Arc::clone(options), Arc::clone(pages), None, commands));
+    let session = Arc::new(Session::new(identity, Arc::clone(options), Arc::clone(pages), None, commands, None));
     let own = Arc::clone(&session);
     let work = move || {
         own.describe(Description::default(), Capabilities { images: true, ..Capabilities::default() });

@@ -1,6 +1,6 @@
 //! All sessions and all pages.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex};
 
@@ -48,7 +48,15 @@ impl Manager {
     /// # Errors
     /// If the source is unknown or there are too many sessions.
     pub fn open(&self, source: Open) -> Result<SessionId, Failed> {
-        self.registry.open(source)
+        self.registry.open(source, None)
+    }
+
+    /// Opens a world or a robot and records it in a file from its begin. What begins again is recorded in a file with a number.
+    ///
+    /// # Errors
+    /// As [`open`](Self::open).
+    pub fn open_recorded(&self, source: Open, file: &Path) -> Result<SessionId, Failed> {
+        self.registry.open(source, Some(file.to_owned()))
     }
 
     /// Whether pages can edit or build sources. Then no other computer may reach the server.
@@ -135,7 +143,8 @@ impl Manager {
                 session.query(page, id, &request).map(Some)
             }
             Request::Watch { watch, .. } => {
-                session.shared().watches.insert(page, watch);
+                let before = session.shared().watches.insert(page, watch.clone());
+                session.show_newest(page, before.as_ref(), &watch);
                 // A recording has no thread that needs to know.
                 let _ = session.command(live::Command::Watch);
                 Ok(Some(Value::Null))

@@ -5,7 +5,6 @@ mod tree;
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use std::sync::mpsc::channel;
 use std::thread;
 
 use bica_game::{ReplayOptions, replay, rerun};
@@ -15,6 +14,7 @@ use serde_json::{Value, json};
 
 use super::files;
 use super::history::StoredImage;
+use super::live::Commands;
 use super::options::Options;
 use super::pages::{PageId, Pages};
 use super::session::Session;
@@ -57,9 +57,9 @@ fn new_session(
     (options, pages): (&Arc<Options>, &Arc<Pages>),
 ) -> Arc<Session> {
     // Nobody receives commands: a recording cannot be operated.
-    let (commands, _) = channel();
+    let commands = Commands::of_nobody();
     let identity = (id, SessionKind::Recording, name);
-    let session = Session::new(identity, Arc::clone(options), Arc::clone(pages), None, commands);
+    let session = Session::new(identity, Arc::clone(options), Arc::clone(pages), None, commands, None);
     path.clone_into(&mut session.shared().recorded.path);
     Arc::new(session)
 }
@@ -129,6 +129,12 @@ fn assignments(description: &Description, settings: &[Setting]) -> Result<Vec<St
 
 /// Compares two recordings in a thread of its own, and answers with the first difference.
 pub(super) fn compare(page: PageId, id: u32, one: &Arc<Session>, other: &Session) -> Result<(), Failed> {
+    for session in [&**one, other] {
+        if session.shared().connection == Connection::Connecting && session.kind == SessionKind::Recording {
+            let text = format!("`{}` is still being read or run again", session.name);
+            return Err(Failed::new(text, "wait until it is complete, then compare"));
+        }
+    }
     let paths = [one.shared().recorded.path.clone(), other.shared().recorded.path.clone()];
     if paths.iter().any(|path| path.as_os_str().is_empty()) {
         return Err(Failed::new("only recordings are compared", "keep a recording of the live session, and open it"));

@@ -1,8 +1,10 @@
 //! All sessions.
 
 use std::collections::BTreeMap;
+use std::path::PathBuf;
 use std::sync::atomic::{AtomicU32, Ordering};
 use std::sync::{Arc, Mutex};
+use std::time::Duration;
 
 use super::options::Options;
 use super::pages::{PageId, Pages, lock};
@@ -13,6 +15,9 @@ use crate::source::Host;
 
 /// Largest number of sessions.
 const MAX_SESSIONS: usize = 16;
+
+/// Longest wait for the end of a file that is recorded.
+const END: Duration = Duration::from_secs(10);
 
 /// All sessions.
 pub(super) struct Registry {
@@ -33,15 +38,15 @@ impl Registry {
         self.last.fetch_add(1, Ordering::Relaxed) + 1
     }
 
-    /// Opens a session. It is connected, or read, by a thread of its own.
-    pub(super) fn open(&self, source: Open) -> Result<SessionId, Failed> {
+    /// Opens a session. It is connected, or read, by a thread of its own. A world or a robot is recorded in a file, if one is given.
+    pub(super) fn open(&self, source: Open, record: Option<PathBuf>) -> Result<SessionId, Failed> {
         self.has_room()?;
         let id = self.next_id();
         let session = match source {
             Open::World { world, seed, robots } => {
-                live::open_world(id, &self.options, &self.pages, (&world, seed, robots))?
+                live::open_world(id, &self.options, &self.pages, (&world, seed, robots), record)?
             }
-            Open::Robot { address } => live::open_robot(id, &self.options, &self.pages, &address)?,
+            Open::Robot { address } => live::open_robot(id, &self.options, &self.pages, &address, record)?,
             Open::Images {} => folder::open(id, &self.options, &self.pages)?,
             Open::Recording { name } => recorded::open(id, &self.options, &self.pages, &name)?,
         };
@@ -93,12 +98,15 @@ impl Registry {
         for session in sessions.values() {
             session.end();
         }
+        for session in sessions.values() {
+            session.wait_for_file(END);
+        }
     }
 }
 
 impl Host for Registry {
     fn open(&self, address: &str) -> Result<SessionId, Failed> {
-        self.open(Open::Robot { address: address.to_owned() })
+        self.open(Open::Robot { address: address.to_owned() }, None)
     }
 
     fn close(&self, session: SessionId) {

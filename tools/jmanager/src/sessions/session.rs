@@ -1,12 +1,12 @@
 //! A session: what the manager and the session's thread share.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::mpsc::Sender;
 use std::sync::{Arc, Mutex, MutexGuard};
+use std::time::{Duration, Instant};
 
 use bica_link::Description;
-use serde_json::{Value, json};
 
 use super::breakpoints::Place;
 use super::colours::Edit;
@@ -15,16 +15,17 @@ use super::options::Options;
 use super::outbox::{DataKind, Frame, Key};
 use super::pages::{PageId, Pages, lock};
 use super::recorded::{Recorded, read_image};
+use super::robot_recording::RobotRecorder;
 use super::world::Pacer;
 use super::{drawing, live};
 use crate::protocol::binary::{ImageHead, PixelKind};
 use crate::protocol::{
-    Capabilities, ComponentNow, Connection, Control, Drawing, Failed, InfoSample, LogKind, LogLine, Moment,
-    RecordingState, Request, SessionId, SessionInfo, SessionKind, ToPage, Watch,
+    Capabilities, Connection, Control, Drawing, Failed, LogKind, LogLine, RecordingState, SessionId, SessionInfo,
+    SessionKind, ToPage, Watch,
 };
 
-/// Longest series and lists that a page gets in one answer.
-const MAX_POINTS: usize = 20_000;
+/// Time between two looks whether a session has ended.
+const POLL: Duration = Duration::from_millis(5);
 
 /// Who operates a session.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -43,6 +44,10 @@ pub(super) struct Shared {
     pub(super) note: String,
     pub(super) can: Capabilities,
     pub(super) recording: RecordingState,
+    /// File with the run of a world.
+    pub(super) recording_file: PathBuf,
+    /// Number of times that everything remembered was forgotten.
+    pub(super) epoch: u64,
     pub(super) operator: Operator,
     /// Whether a simulated world behind a link is paused.
     pub(super) paused: bool,
@@ -70,8 +75,14 @@ pub(super) struct Session {
     pub(super) pages: Arc<Pages>,
     /// Of a world in this process.
     pub(super) pacer: Option<Arc<Pacer>>,
+    /// File in which the session is recorded from its begin, if it is the one of the command line.
+    pub(super) record: Option<PathBuf>,
+    /// Writer of that file, for a robot.
+    recorder: Mutex<Option<RobotRecorder>>,
     closed: AtomicBool,
-    commands: Mutex<Sender<live::Command>>,
+    /// Whether the thread has ended.
+    ended: AtomicBool,
+    commands: live::Commands,
     shared: Mutex<Shared>,
 }
 
@@ -81,8 +92,10 @@ impl Session {
         options: Arc<Options>,
         pages: Arc<Pages>,
         pacer: Option<Arc<Pacer>>,
-        commands: Sender<live::Command>,
+        commands: live::Commands,
+        record: Option<PathBuf>,
     ) -> Self {
+        let recorder = record.clone().filter(|_| kind == SessionKind::Robot).map(RobotRecorder::new);
         let limits = limits(&options, kind);
         Self {
             id,
@@ -91,13 +104,18 @@ impl Session {
             options,
             pages,
             pacer,
+            record,
+            recorder: Mutex::new(recorder),
             closed: AtomicBool::new(false),
-            commands: Mutex::new(commands),
+            ended: AtomicBool::new(false),
+            commands,
             shared: Mutex::new(Shared {
                 connection: Connection::Connecting,
                 note: String::new(),
                 can: Capabilities::default(),
                 recording: RecordingState::default(),
+                recording_file: PathBuf::new(),
+                epoch: 0,
                 operator: Operator::Nobody,
                 paused: false,
                 description: None,
@@ -120,8 +138,8 @@ impl Session {
 
     /// Hands a command to the session's thread.
     pub(super) fn command(&self, command: live::Command) -> Result<(), Failed> {
-        let ended = |_| Failed::new("the session has ended", "open it again");
-        lock(&self.commands).send(command).map_err(ended)
+        let ended = || Failed::new("the session has ended", "open it again");
+        self.commands.send(command).then_some(()).ok_or_else(ended)
     }
 
     /// Returns the session as a page sees it.
@@ -186,6 +204,7 @@ impl Session {
         {
             let mut shared = self.shared();
             shared.history = History::new(limits(&self.options, self.kind), components);
+            shared.epoch += 1;
             if shared.description.as_ref().is_some_and(|last| last.hash != description.hash) {
                 // They are of another tree.
                 shared.breakpoints.clear();
@@ -253,7 +272,13 @@ impl Session {
 
     pub(super) fn add_line(&self, line: LogLine) {
         self.shared().history.add_line(line.clone());
+        self.record_robot(|recorder| recorder.line(&line));
         self.pages.broadcast(&ToPage::Log { session: self.id, lines: vec![line] });
+    }
+
+    /// Lets the recorder of a robot take something in, if there is one.
+    pub(super) fn record_robot<T>(&self, record: impl FnOnce(&mut RobotRecorder) -> T) -> Option<T> {
+        lock(&self.recorder).as_mut().map(record)
     }
 
     /// Returns the description.
@@ -263,70 +288,6 @@ impl Session {
     pub(super) fn description(&self) -> Result<Arc<Description>, Failed> {
         let none = || Failed::new("nothing is known of this session yet", "wait until it is connected");
         self.shared().description.clone().ok_or_else(none)
-    }
-
-    /// Answers a question about the past.
-    pub(super) fn query(&self, page: PageId, id: u32, request: &Request) -> Result<Value, Failed> {
-        let json = |value: serde_json::Result<Value>| {
-            value.map_err(|error| Failed::new(error.to_string(), "report this as a bug of the program"))
-        };
-        match *request {
-            Request::At { time_us, ref info, image, .. } => self.at(page, id, time_us, info, image),
-            Request::Timeline { from_us, until_us, resolution_us, .. } => {
-                json(serde_json::to_value(self.shared().history.rows(from_us, until_us, resolution_us)))
-            }
-            Request::Series { component, info, from_us, until_us, points, .. } => {
-                let points = points.min(MAX_POINTS);
-                let series = self.shared().history.info.series(component, info, from_us, until_us, points);
-                json(serde_json::to_value(series))
-            }
-            Request::Lines { from_us, until_us, limit, .. } => {
-                let limit = limit.min(MAX_POINTS);
-                json(serde_json::to_value(self.shared().history.lines(from_us, until_us, limit)))
-            }
-            _ => Err(Failed::new("this is no question", "reload the page")),
-        }
-    }
-
-    fn at(
-        &self,
-        page: PageId,
-        id: u32,
-        time_us: u64,
-        info: &[(usize, usize)],
-        with_image: bool,
-    ) -> Result<Value, Failed> {
-        let (moment, image, place) = {
-            let shared = self.shared();
-            let history = &shared.history;
-            let none = || Failed::new("nothing is known of this session yet", "wait until it is connected");
-            let (time, cycle, components): (u64, u64, Vec<ComponentNow>) =
-                history.states.at(time_us).ok_or_else(none)?;
-            let sample = |&(component, info): &(usize, usize)| {
-                let (at, value) = history.info.at(component, info, time)?;
-                Some(InfoSample(component, info, at, value))
-            };
-            let image = history.images.at(time).cloned();
-            let place = shared.recorded.at(time);
-            let moment = Moment {
-                time_us: time,
-                cycle,
-                components,
-                info: info.iter().take(MAX_POINTS).filter_map(sample).collect(),
-                image: image.as_ref().map(|image| image.number).or(place.map(|(number, ..)| number)),
-                truth: history.truth(time).cloned(),
-            };
-            (moment, image.filter(|_| with_image), place.filter(|_| with_image))
-        };
-        // The file is read without the lock.
-        let image = match (image, place) {
-            (None, Some(place)) => Some(read_image(&self.recording_path(), place)?),
-            (image, _) => image,
-        };
-        if let Some(image) = image {
-            self.pages.binary(page, self.image_frame(&image, id).into());
-        }
-        Ok(json!(moment))
     }
 
     /// Returns the binary frame of an image.
@@ -368,13 +329,27 @@ impl Session {
         }
     }
 
-    fn recording_path(&self) -> std::path::PathBuf {
+    pub(super) fn recording_path(&self) -> std::path::PathBuf {
         self.shared().recorded.path.clone()
     }
 
     /// Whether the session was closed; its threads end then.
     pub(super) fn is_closed(&self) -> bool {
         self.closed.load(Ordering::Relaxed)
+    }
+
+    /// Closes the file of a robot. The session's thread calls it at its end.
+    pub(super) fn thread_ended(&self) {
+        drop(lock(&self.recorder).take());
+        self.ended.store(true, Ordering::Relaxed);
+    }
+
+    /// Waits until the file of a session that is recorded from its begin is closed.
+    pub(super) fn wait_for_file(&self, limit: Duration) {
+        let until = Instant::now() + limit;
+        while self.record.is_some() && !self.ended.load(Ordering::Relaxed) && Instant::now() < until {
+            std::thread::sleep(POLL);
+        }
     }
 
     /// Ends the session's thread.

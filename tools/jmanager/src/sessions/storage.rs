@@ -2,7 +2,7 @@
 
 use std::fs::{self, File};
 use std::io::{BufReader, BufWriter, Write as _};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::thread;
 use std::time::Duration;
@@ -13,8 +13,9 @@ use serde_json::{Map, Value, json};
 use super::files;
 use super::options::Options;
 use super::pages::PageId;
+use super::robot_recording;
 use super::session::Session;
-use crate::protocol::{Failed, LogKind};
+use crate::protocol::{Failed, LogKind, SessionKind};
 
 /// Ending of recordings.
 pub(super) const MCAP: &str = ".mcap";
@@ -40,22 +41,28 @@ pub(super) fn recordings(options: &Options) -> Value {
     files.into_iter().map(|(name, bytes)| json!({ "name": name, "bytes": bytes, "seconds": null })).collect()
 }
 
-/// Copies the recording of a world to the recordings folder, and answers when that is done.
+/// Writes the recording of a world, or what is remembered of a robot, to the recordings folder, and answers when that is done.
 pub(super) fn keep(session: &Arc<Session>, page: PageId, id: u32, name: &str) -> Result<(), Failed> {
     let target = files::path(&session.options.recordings, name, MCAP)?;
-    let spool = session.options.spool.join(format!("session-{}{MCAP}", session.id));
-    let recording = session.shared().recording.clone();
-    if !spool.exists() {
-        let reason = if recording.note.is_empty() { "there is no recording of it" } else { &recording.note };
-        return Err(Failed::new(format!("this session is not recorded: {reason}"), "only worlds of this server are"));
-    }
+    let source = match session.kind {
+        SessionKind::World => Some(recorded(session)?),
+        SessionKind::Robot => None,
+        SessionKind::Recording => {
+            return Err(Failed::new("a recording is kept already", "choose a world or a robot"));
+        }
+    };
     if target.exists() {
         return Err(Failed::new(format!("`{}` exists", target.display()), "choose another name"));
     }
     let session = Arc::clone(session);
     let work = move || {
-        thread::sleep(WRITTEN);
-        let result = copy(&spool, &target);
+        let result = match &source {
+            Some(source) => {
+                thread::sleep(WRITTEN);
+                copy(source, &target)
+            }
+            None => robot_recording::keep(&session, &target),
+        };
         match &result {
             Ok(_) => session.log(2, LogKind::Server, format!("the recording was kept: {}", target.display())),
             Err(failed) => session.log(4, LogKind::Server, format!("the recording was not kept: {}", failed.text)),
@@ -64,6 +71,17 @@ pub(super) fn keep(session: &Arc<Session>, page: PageId, id: u32, name: &str) ->
     };
     let started = thread::Builder::new().name("keep".to_owned()).spawn(work);
     started.map(drop).map_err(|error| Failed::new(error.to_string(), "close other programs"))
+}
+
+/// Returns the file with the run of a world.
+fn recorded(session: &Session) -> Result<PathBuf, Failed> {
+    let shared = session.shared();
+    if shared.recording_file.exists() {
+        return Ok(shared.recording_file.clone());
+    }
+    let note = &shared.recording.note;
+    let reason = if note.is_empty() { "there is no recording of it" } else { note };
+    Err(Failed::new(format!("this session is not recorded: {reason}"), "is there room on the disk? Restart the world"))
 }
 
 /// Copies all complete chunks of a running recording. What could not be written is removed.

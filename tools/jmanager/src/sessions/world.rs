@@ -44,7 +44,9 @@ pub(super) struct World {
     /// What the link does not carry.
     pub(super) extras: Receiver<Extra>,
     /// File with the recording of the whole run.
-    pub(super) recording: PathBuf,
+    recording: PathBuf,
+    /// Whether the file stays.
+    is_kept: bool,
 }
 
 fn kind(world: &str) -> Result<WorldKind, Failed> {
@@ -99,6 +101,7 @@ impl World {
         let (extras_in, extras) = sync_channel(QUEUE);
         let (ready, started) = sync_channel(1);
         let (own, path) = (Arc::clone(pacer), recording.clone());
+        let is_kept = !recording.starts_with(&options.spool);
         let work = move || play(&rules, &own, &path, extras_in, &ready);
         let thread = std::thread::Builder::new().name("world".to_owned()).spawn(work);
         let thread = thread.map_err(|error| Failed::new(error.to_string(), "close other programs"))?;
@@ -108,6 +111,7 @@ impl World {
             address: Address::Tcp(String::new()),
             extras,
             recording,
+            is_kept,
         };
         match started.recv() {
             Ok(address) => world.address = Address::Tcp(address),
@@ -134,8 +138,10 @@ impl Drop for World {
         self.pacer.end();
         // The failure of a world that is given up is of no use.
         let _ = self.ending();
-        // A file that is gone already needs no removal.
-        let _ = fs::remove_file(&self.recording);
+        if !self.is_kept {
+            // A file that is gone already needs no removal.
+            let _ = fs::remove_file(&self.recording);
+        }
     }
 }
 

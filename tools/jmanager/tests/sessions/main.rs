@@ -1,8 +1,11 @@
 //! Sessions at the level of [`jmanager::sessions::Manager`], with pages that are programs.
 
+mod ball;
 mod breakpoints;
 mod colours;
+mod kept_robot;
 mod page;
+mod paused;
 mod recorded;
 mod robot;
 mod world;

@@ -86,7 +86,8 @@ fn a_recording_shows_states_images_information_and_log() {
 }
 
 #[test]
-fn a_recording_runs_again_with_other_parameters_and_the_first_difference_is_found() {
+#[ignore = "slow: `cargo xtask ci` runs it"]
+fn slow_a_recording_runs_again_with_other_parameters_and_the_first_difference_is_found() {
     let folder = Folder::new();
     record(&folder, "one.mcap", 1);
     let manager = Manager::new(folder.options());
@@ -97,6 +98,10 @@ fn a_recording_runs_again_with_other_parameters_and_the_first_difference_is_foun
     let again = |settings: Vec<Setting>| {
         let answer = page.ask(Request::RunAgain { session, settings }).unwrap();
         let again = answer["session"].as_u64().unwrap() as u32;
+        // A busy machine may have repeated it already.
+        if let Err(error) = page.ask(Request::Compare { session, other: again }) {
+            assert!(error["text"].as_str().unwrap().contains("still being"), "{error}");
+        }
         read(&page, again);
         page.ask(Request::Compare { session, other: again }).unwrap()
     };

@@ -113,7 +113,7 @@ fn a_world_behind_a_link_shows_all_that_a_world_of_this_process_shows() {
     let session = manager.open(Open::Robot { address: robot.address.clone() }).unwrap();
     let description = page.message("described", |message| Some(message["description"].clone()));
     let info = page.session(|one| one["connection"] == "connected");
-    for capability in ["operate", "pause", "truth", "images", "costs", "conditions"] {
+    for capability in ["operate", "pause", "ball", "truth", "images", "costs", "conditions"] {
         assert_eq!(info["can"][capability], true, "{capability}");
     }
     let components = description["components"].as_array().unwrap();
@@ -199,6 +199,7 @@ fn a_server_for_watching_refuses_all_that_changes_something() {
     for request in [
         Request::Acquire { session },
         Request::Pause { session },
+        Request::PlaceBall { session, x: 1.0, y: 0.5 },
         Request::Restart { session, seed: None },
         Request::KeepRecording { session, name: "a".to_owned() },
         Request::SaveTune { session, params: vec![(0, 0)], name: "a".to_owned() },

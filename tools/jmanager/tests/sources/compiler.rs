@@ -41,7 +41,8 @@ fn replace(view: &View<'_>, file: &str, from: &str, to: &str) {
 }
 
 #[test]
-fn a_save_is_checked_and_messages_have_their_place() {
+#[ignore = "slow: `cargo xtask ci` runs it"]
+fn slow_a_save_is_checked_and_messages_have_their_place() {
     let sources = package(&[("src/lib.rs", LIBRARY)]);
     let manager = manager(&sources);
     let view = View::of(&manager, "src/lib.rs");
@@ -119,7 +120,8 @@ fn lines(path: &Path) -> Vec<String> {
 
 #[cfg(unix)]
 #[test]
-fn a_check_of_old_text_is_ended_with_all_that_it_has_started() {
+#[ignore = "slow: `cargo xtask ci` runs it"]
+fn slow_a_check_of_old_text_is_ended_with_all_that_it_has_started() {
     let script = "use std::io::Write;\nfn main() {\n    let mut pids = std::fs::OpenOptions::new().create(true).append(true).open(\"pids\").unwrap();\n    \
                   writeln!(pids, \"{}\", std::process::id()).unwrap();\n    while std::path::Path::new(\"block\").exists() {\n        \
                   std::thread::sleep(std::time::Duration::from_millis(20));\n    }\n}\n";
@@ -152,7 +154,8 @@ fn build(view: &View<'_>, state: &str) -> Value {
 
 #[cfg(unix)]
 #[test]
-fn a_program_is_built_and_run_and_a_failed_build_leaves_the_last_one_running() {
+#[ignore = "slow: `cargo xtask ci` runs it"]
+fn slow_a_program_is_built_and_run_and_a_failed_build_leaves_the_last_one_running() {
     let program = "use std::time::Duration;\nfn main() {\n    let words: Vec<String> = std::env::args().collect();\n    \
                    let listener = std::net::TcpListener::bind(&words[1]).unwrap();\n    \
                    std::fs::write(\"pid\", std::process::id().to_string()).unwrap();\n    \

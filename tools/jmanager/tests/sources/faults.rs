@@ -156,3 +156,58 @@ fn a_server_that_is_killed_while_it_saves_leaves_the_file_whole() {
         assert!(text == one || text == two, "{} bytes of {}", text.len(), one.len());
     }
 }
+
+/// Where the server with a full disk works.
+const FULL: &str = "JMANAGER_TEST_FULL_DISK";
+/// Size of a file that the disk has room for, in units of 1024 bytes.
+const ROOM: usize = 64;
+
+/// The server with a full disk: no test by itself.
+#[test]
+fn server_with_a_full_disk() {
+    let Ok(folder) = std::env::var(FULL) else { return };
+    let folder = std::path::Path::new(&folder);
+    let options = jmanager::sessions::Options { source: Some(folder.to_owned()), ..Default::default() };
+    let manager = jmanager::sessions::Manager::new(options);
+    let view = View::of(&manager, "player.rs");
+    let before = view.shown("player.rs").text;
+    let too_much = format!("//{}\n", "x".repeat(1024 * ROOM));
+    view.edit("player.rs", &json!([{ "edit": "replace", "span": [0, 0], "text": too_much }])).unwrap();
+    let failed = text_of(view.ask(json!({ "type": "save_file", "file": "player.rs" })));
+    assert!(failed.contains("player.rs"), "{failed}");
+    let on_disk = || std::fs::read_to_string(folder.join("player.rs")).unwrap();
+    assert_eq!(on_disk(), before, "the file has its old text");
+    let shown = view.shown("player.rs");
+    assert_eq!(shown.text, too_much + &before, "the edit is not lost");
+    assert_eq!(shown.state["saved"], false);
+    assert!(!shown.state["problem"].as_str().unwrap().is_empty(), "the page shows what is wrong");
+    // A smaller text fits again.
+    view.ask(json!({ "type": "undo_file", "file": "player.rs" })).unwrap();
+    view.type_behind("player.rs", "let _ = ", "2 + ").unwrap();
+    view.ask(json!({ "type": "save_file", "file": "player.rs" })).unwrap();
+    assert_eq!(on_disk(), before.replace("let _ = 1", "let _ = 2 + 1"));
+    let left = std::fs::read_dir(folder).unwrap().count();
+    assert_eq!(left, 1, "nothing lies beside the file");
+    println!("the full disk was survived");
+}
+
+#[cfg(unix)]
+#[test]
+fn a_full_disk_leaves_the_file_whole_and_the_edit_in_memory() {
+    let sources = Sources::player();
+    // Larger files cannot be written, as on a full disk.
+    let script =
+        format!("trap '' XFSZ; ulimit -f {ROOM}; exec \"$0\" faults::server_with_a_full_disk --exact --nocapture");
+    let ran = Command::new("bash")
+        .args(["-c", &script])
+        .arg(std::env::current_exe().unwrap())
+        .env(FULL, sources.path(""))
+        .output()
+        .unwrap();
+    let out = String::from_utf8_lossy(&ran.stdout);
+    assert!(
+        ran.status.success() && out.contains("the full disk was survived"),
+        "{out}\n{}",
+        String::from_utf8_lossy(&ran.stderr)
+    );
+}

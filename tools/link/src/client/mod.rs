@@ -4,14 +4,15 @@ mod event;
 mod extras;
 mod inbox;
 mod options;
+mod wait;
+mod world;
 
 use std::collections::BTreeMap;
 use std::thread;
 use std::time::{Duration, Instant};
 
 use bica_wire::message::{
-    Change, ExtraKind, FromMonitorExtra, LeaseAction, LeaseState, Offers, Request, Watch, WatchInfo, WorldChange,
-    WorldRequest,
+    Change, ExtraKind, FromMonitorExtra, LeaseAction, LeaseState, Offers, Request, Watch, WatchInfo,
 };
 use bica_wire::{FromMonitor, SCHEMA};
 
@@ -249,28 +250,6 @@ impl Client {
         self.inbox.robot_time().map_or(u64::MAX, expiry)
     }
 
-    /// Pauses, continues or steps a simulated world, as the operator, and waits for the answer.
-    ///
-    /// # Errors
-    /// [`Error::NotOffered`], [`Error::Refused`], [`Error::Timeout`], [`Error::Disconnected`].
-    pub fn change_world(&mut self, change: WorldChange) -> Result<Answered, Error> {
-        self.require(Offers::PAUSE, "to stop its time")?;
-        let number = self.send_world_with(change, self.lease().lease, self.expires_us())?;
-        self.answer(number)
-    }
-
-    /// Sends a change of the world with the number of a lease and an expiry in the robot's time, µs, also to a robot that does
-    /// not offer it; returns its number.
-    ///
-    /// # Errors
-    /// [`Error::Disconnected`].
-    pub fn send_world_with(&mut self, change: WorldChange, lease: u32, expires_us: u64) -> Result<u32, Error> {
-        self.last_number = self.last_number.wrapping_add(1);
-        let number = self.last_number;
-        self.send_extra(FromMonitorExtra::World(WorldRequest { number, lease, expires_us, change }))?;
-        Ok(number)
-    }
-
     /// Sends a request with the number of a lease and an expiry in the robot's time, µs; returns its number.
     ///
     /// # Errors
@@ -307,16 +286,19 @@ impl Client {
     pub fn poll(&mut self, timeout: Duration) -> Result<Option<Event>, Error> {
         let until = Instant::now() + timeout;
         loop {
-            if let Some(event) = self.inbox.events.pop_front() {
-                if let Event::Image(image) = &event {
-                    self.send_extra(FromMonitorExtra::ImageTaken { number: image.head.number })?;
-                }
-                return Ok(Some(event));
-            }
-            if !self.receive(until)? {
-                return Ok(None);
+            let event = self.next_event()?;
+            if event.is_some() || !self.receive(until)? {
+                return Ok(event);
             }
         }
+    }
+
+    fn next_event(&mut self) -> Result<Option<Event>, Error> {
+        let event = self.inbox.events.pop_front();
+        if let Some(Event::Image(image)) = &event {
+            self.send_extra(FromMonitorExtra::ImageTaken { number: image.head.number })?;
+        }
+        Ok(event)
     }
 
     /// Receives until `found` returns a value. Events that come meanwhile stay for [`poll`](Self::poll).

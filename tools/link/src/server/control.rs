@@ -1,6 +1,6 @@
 //! State of the link in the loop, shared by its two halves.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeSet, VecDeque};
 use std::sync::Arc;
 use std::time::{Duration, SystemTime, UNIX_EPOCH};
 
@@ -25,6 +25,16 @@ pub(super) struct Applied {
     pub(super) change: Change,
 }
 
+/// A placement of the ball that the loop has not applied yet.
+#[derive(Debug)]
+pub(super) struct Placement {
+    pub(super) connection: u64,
+    pub(super) number: u32,
+    pub(super) arrived: u64,
+    /// Requested position, m, field frame.
+    pub(super) at: [f32; 2],
+}
+
 /// State of the link in the loop. Only the loop's thread locks it, so it never waits.
 #[derive(Debug)]
 pub(super) struct Control {
@@ -35,10 +45,14 @@ pub(super) struct Control {
     clock: LoopClock,
     pub(super) pace: Pace,
     pub(super) watchers: Watchers,
+    /// Connections that have begun to watch images and got none since.
+    pub(super) awaiting_image: BTreeSet<u64>,
     /// What the distributor gets at the end of the cycle.
     pub(super) outgoing: Outgoing,
     pub(super) lease: Lease,
     pub(super) applied: Vec<Applied>,
+    /// Placements of the ball that the loop applies before the next cycle.
+    pub(super) placements: VecDeque<Placement>,
     /// Components whose parameters every monitor gets at the end of the cycle.
     pub(super) changed: BTreeSet<u16>,
     /// Connections that get all parameters at the end of the cycle.
@@ -56,9 +70,11 @@ impl Control {
             clock: LoopClock::new(),
             pace: Pace::default(),
             watchers: Watchers::default(),
+            awaiting_image: BTreeSet::new(),
             outgoing: Outgoing::default(),
             lease: Lease::new(options.silence, seconds()),
             applied: Vec::new(),
+            placements: VecDeque::new(),
             changed: BTreeSet::new(),
             readers: BTreeSet::new(),
             next: CycleInfo::default(),
@@ -129,7 +145,12 @@ impl Control {
                 }
             }
             Command::Watch(watch) => self.watchers.watch(id, watch.every),
-            Command::WatchImages(every) => self.watchers.watch_images(id, every),
+            Command::WatchImages(every) => {
+                self.watchers.watch_images(id, every);
+                if every > 0 {
+                    self.awaiting_image.insert(id);
+                }
+            }
             Command::WatchKey(watch) => {
                 if !self.watchers.watch_key(id, watch) {
                     let text = "a monitor cannot watch so much".into();
@@ -170,33 +191,63 @@ impl Control {
         None
     }
 
-    fn can_pause(&self) -> bool {
+    pub(super) fn can_pause(&self) -> bool {
         self.hub.offers().contains(Offers::PAUSE)
     }
 
-    /// Pauses, continues or steps the world.
+    /// Pauses, continues or steps the world, or plans a placement of its ball.
     fn change_world(&mut self, now: bica::Instant, connection: u64, arrived: u64, request: WorldRequest) {
         let time = self.lease_time(now);
         let WorldRequest { number, lease, expires_us, change } = request;
-        let admitted = if self.can_pause() {
-            self.lease.admit_lease(connection, (lease, expires_us), time, now)
+        let (offer, not_offered) = match change {
+            WorldChange::Ball { .. } => (Offers::BALL, "this is no simulated world whose ball can be placed"),
+            _ => (Offers::PAUSE, "this is no simulated world whose time can be stopped"),
+        };
+        if !self.hub.offers().contains(offer) {
+            self.refuse(connection, number, arrived, RefusalCode::World, 0, not_offered.to_owned());
+            return;
+        }
+        let admitted = if self.watch_only {
+            Err(RefusalCode::Unsupported)
         } else {
-            Err(RefusalCode::NoWorld)
+            self.lease.admit_lease(connection, (lease, expires_us), time, now)
         };
         if let Err(code) = admitted {
             self.refuse(connection, number, arrived, code, 0, code.text().to_owned());
             return;
         }
-        self.pace.change(change);
-        let (cycle, result) = (self.next.cycle, AnswerKind::Done(Vec::new()));
-        self.tell(connection, Message::Answer { number, cycle, arrived, result });
         let text = match change {
             WorldChange::Pause => "operator: pause".to_owned(),
             WorldChange::Resume => "operator: resume".to_owned(),
             WorldChange::Step { cycles } => format!("operator: step {cycles}"),
+            WorldChange::Ball { x, y } => {
+                self.placements.push_back(Placement { connection, number, arrived, at: [x, y] });
+                return;
+            }
         };
+        self.pace.change(change);
+        let (cycle, result) = (self.next.cycle, AnswerKind::Done(Vec::new()));
+        self.tell(connection, Message::Answer { number, cycle, arrived, result });
         self.log(now, 2, &text);
         self.announce_world();
+    }
+
+    /// Answers a placement of the ball.
+    pub(super) fn ball_placed(&mut self, now: bica::Instant, placement: &Placement, result: Result<(), String>) {
+        let Placement { connection, number, arrived, at: [x, y] } = *placement;
+        let text = format!("operator: ball at {x}, {y} m");
+        match result {
+            Ok(()) => {
+                let (cycle, result) = (self.next.cycle, AnswerKind::Done(Vec::new()));
+                self.tell(connection, Message::Answer { number, cycle, arrived, result });
+                self.log(now, 2, &text);
+            }
+            Err(reason) => {
+                self.log(now, 3, &format!("{text} refused: {reason}"));
+                self.refuse(connection, number, arrived, RefusalCode::World, 0, reason);
+            }
+        }
+        self.hand_over();
     }
 
     /// Sends the state of the world to every monitor.

@@ -23,6 +23,8 @@ pub struct LinkObserver<R: Robot> {
     image_of: Option<ImageOf<R>>,
     owner_of: Option<Box<OwnerOf>>,
     copies: Copies,
+    /// The newest image of a world that can be paused.
+    newest: Option<Picture>,
     conditions: ConditionTable,
     costs: CostMeter,
     /// Whether anybody watches the true state.
@@ -43,6 +45,7 @@ impl<R: Robot> LinkObserver<R> {
             image_of: None,
             owner_of: None,
             copies: Copies::default(),
+            newest: None,
             conditions: ConditionTable::new(graph),
             costs: CostMeter::new(graph),
             wants_truth: false,
@@ -128,13 +131,21 @@ impl<R: Robot> Observer<R> for LinkObserver<R> {
         let Some(image) = self.image_of.and_then(|image_of| image_of(sensors)) else { return };
         let number = control.next.images as u32;
         control.next.images += 1;
-        if control.watchers.wants_image(number) {
-            let owner = self.owner_of.as_ref().and_then(|owner_of| owner_of(image.yuyv));
-            let pixels = owner.unwrap_or_else(|| self.copies.copy(image.yuyv));
-            let LinkImage { bottom_camera, width, height, .. } = image;
-            let head = ImageHead { number, time_us: now.as_micros(), bottom_camera, width, height };
+        control.awaiting_image.clear();
+        let (is_wanted, can_pause) = (control.watchers.wants_image(number), control.can_pause());
+        if !is_wanted && !can_pause {
+            return;
+        }
+        let owner = self.owner_of.as_ref().and_then(|owner_of| owner_of(image.yuyv));
+        // An image that nobody watches is kept only if that copies nothing.
+        let Some(pixels) = owner.or_else(|| is_wanted.then(|| self.copies.copy(image.yuyv))) else { return };
+        let LinkImage { bottom_camera, width, height, .. } = image;
+        let head = ImageHead { number, time_us: now.as_micros(), bottom_camera, width, height };
+        let picture = Picture { head, pixels };
+        self.newest = can_pause.then(|| picture.clone());
+        if is_wanted {
             let watchers = control.watchers.shared();
-            control.outgoing.shot = Some(Shot { watchers, picture: Picture { head, pixels } });
+            control.outgoing.shot = Some(Shot { watchers, picture });
         }
     }
 
@@ -158,6 +169,13 @@ impl<R: Robot> Observer<R> for LinkObserver<R> {
         control.next.time_us = now.as_micros();
         control.answer(robot);
         control.send_params(robot);
+        // No image comes before the world goes on.
+        let is_free = !control.awaiting_image.is_empty() && control.outgoing.shot.is_none();
+        if let Some(picture) = self.newest.as_ref().filter(|_| is_free) {
+            let awaiting = std::mem::take(&mut control.awaiting_image);
+            let watchers = control.watchers.of_image(picture.head.number, &awaiting);
+            control.outgoing.shot = Some(Shot { watchers, picture: picture.clone() });
+        }
         control.hand_over();
         self.costs.switch(control.watchers.has(Key::Costs));
         self.wants_truth = control.watchers.has(Key::Truth);
@@ -213,7 +231,7 @@ impl Control {
     }
 
     /// Hands everything over to the thread that sends it.
-    fn hand_over(&mut self) {
+    pub(super) fn hand_over(&mut self) {
         if !self.outgoing.is_empty() {
             self.hub.exchange.offer(&mut self.outgoing, |connection| connection.overflow(&self.hub));
         }

@@ -11,7 +11,7 @@ use bica::{Graph, Instant, Refusal};
 use bica_wire::message::{Change, RefusalCode};
 use bica_wire::server::RequestBuffer;
 
-use super::control::{Applied, Control};
+use super::control::{Applied, Control, Placement};
 use super::hub::{Command, Inbound};
 
 /// Largest number of messages that are handled before one cycle, besides those that only watch.
@@ -29,6 +29,8 @@ pub struct LinkRequests {
     /// Number of messages that may still be handled before this cycle.
     budget: usize,
     current: Option<Current>,
+    /// The placement that the last call of `next_ball` returned.
+    placing: Option<Placement>,
     buffer: Box<RequestBuffer>,
 }
 
@@ -43,13 +45,38 @@ enum Current {
 impl LinkRequests {
     pub(super) fn new(inboxes: [Receiver<Inbound>; 2], control: Arc<Mutex<Control>>) -> Self {
         let [inbox, watches] = inboxes;
-        Self { inbox, watches, control, budget: MESSAGES_PER_CYCLE, current: None, buffer: Box::default() }
+        Self {
+            inbox,
+            watches,
+            control,
+            budget: MESSAGES_PER_CYCLE,
+            current: None,
+            placing: None,
+            buffer: Box::default(),
+        }
     }
 
     /// Whether the next cycle of a simulated world may run. While the operator has paused it, the loop calls
     /// [`Runner::apply_requests`](bica::runner::Runner::apply_requests) at intervals instead.
     pub fn begins_cycle(&mut self) -> bool {
         lock(&self.control).pace.begins_cycle()
+    }
+
+    /// Returns the position, m, field frame, at which the operator requests the ball of a simulated world to lie; `None` without a
+    /// further request. Such requests come with those for the tree. The loop asks after a cycle, and after
+    /// [`Runner::apply_requests`](bica::runner::Runner::apply_requests), changes its world, and reports the result to
+    /// [`ball_placed`](Self::ball_placed).
+    pub fn next_ball(&mut self) -> Option<[f32; 2]> {
+        self.placing = lock(&self.control).placements.pop_front();
+        self.placing.as_ref().map(|placement| placement.at)
+    }
+
+    /// Answers the request that the last [`next_ball`](Self::next_ball) returned: the ball lies there from the next cycle on, or why it
+    /// cannot. `now` is the instant of the next cycle.
+    pub fn ball_placed(&mut self, now: Instant, result: Result<(), String>) {
+        if let Some(placement) = self.placing.take() {
+            lock(&self.control).ball_placed(now, &placement, result);
+        }
     }
 
     /// Returns the next request and handles all messages before it.

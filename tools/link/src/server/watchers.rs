@@ -1,5 +1,6 @@
 //! All monitors, and what at least one of them watches.
 
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use super::key::Key;
@@ -96,6 +97,12 @@ impl Watchers {
     /// Whether anybody gets the image with a number.
     pub(super) fn wants_image(&self, number: u32) -> bool {
         self.list.iter().any(|watcher| watcher.wants_image(number))
+    }
+
+    /// Those of these connections that get the image with a number.
+    pub(super) fn of_image(&self, number: u32, connections: &BTreeSet<u64>) -> Arc<[Watcher]> {
+        let gets = |watcher: &&Watcher| connections.contains(&watcher.connection.id) && watcher.wants_image(number);
+        self.list.iter().filter(gets).cloned().collect()
     }
 
     /// The monitors as they are now.

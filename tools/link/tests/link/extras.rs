@@ -105,7 +105,7 @@ fn time_is_stopped_only_by_the_operator_of_a_simulated_world() {
     let lease = client.lease().lease;
     let number = client.send_world_with(PAUSE, lease, u64::MAX).unwrap();
     let refused = client.answer(number);
-    assert!(matches!(refused, Err(Error::Refused { code: RefusalCode::NoWorld, .. })), "{refused:?}");
+    assert!(matches!(refused, Err(Error::Refused { code: RefusalCode::World, .. })), "{refused:?}");
     session.run(50);
     for kind in [ExtraKind::Truth, ExtraKind::Images] {
         assert!(matches!(client.watch_extra(kind, 1), Err(Error::NotOffered(_))));

@@ -7,7 +7,9 @@ use std::time::{Duration, Instant};
 
 use bica::Probe;
 use bica::runner::{Cycle, Observer, Request, Runner, World};
-use bica_link::{Client, ClientOptions, Event, LinkImage, LinkServer, LinkStats, ServerOptions, Snapshot};
+use bica_link::{
+    Client, ClientOptions, Event, LinkImage, LinkObserver, LinkRequests, LinkServer, LinkStats, ServerOptions, Snapshot,
+};
 use bica_wire::message::{Offers, Truth};
 
 use crate::robot::CartTree;
@@ -100,6 +102,23 @@ impl Observer<CartTree> for Counter {
     }
 }
 
+/// Largest distance at which the wall can be placed: it stands for the ball of a simulated world.
+pub(crate) const FARTHEST: f32 = 3.0;
+
+type Loop = Runner<Box<CartTree>, Wall, LinkRequests, (Counter, LinkObserver<CartTree>)>;
+
+fn place_ball(runner: &mut Loop) {
+    while let Some([x, _]) = runner.requests_mut().next_ball() {
+        let now = runner.world().now();
+        let is_near = x <= FARTHEST;
+        if is_near {
+            runner.world_mut().distance = x;
+        }
+        let result = if is_near { Ok(()) } else { Err("it is too far".to_owned()) };
+        runner.requests_mut().ball_placed(now, result);
+    }
+}
+
 /// A loop with a server.
 pub(crate) struct Session {
     shared: Arc<Shared>,
@@ -115,7 +134,7 @@ impl Session {
 
     /// Starts a simulated world, which can be paused, with images in every cycle.
     pub(crate) fn start_world() -> Self {
-        let offers = Offers::PAUSE.with(Offers::TRUTH).with(Offers::IMAGES);
+        let offers = Offers::PAUSE.with(Offers::TRUTH).with(Offers::IMAGES).with(Offers::BALL);
         let silence = Duration::from_secs(1_000_000);
         Self::serve(&"127.0.0.1:0".parse().unwrap(), ServerOptions { silence, offers, ..ServerOptions::default() })
     }
@@ -143,6 +162,7 @@ impl Session {
                 in_loop.is_paused.store(false, Ordering::SeqCst);
                 if !runner.requests_mut().begins_cycle() {
                     runner.apply_requests();
+                    place_ball(&mut runner);
                     thread::sleep(Duration::from_millis(1));
                     continue;
                 }
@@ -154,6 +174,7 @@ impl Session {
                     observer.truth(|| Truth { time_us, robot: [distance, 0.0, 0.0], ..Truth::default() });
                 }
                 in_loop.cycles.fetch_add(1, Ordering::SeqCst);
+                place_ball(&mut runner);
                 thread::sleep(Duration::from_micros(500));
             }
             commands

@@ -69,6 +69,15 @@ pub(crate) enum LinkAction {
         #[arg(value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
         cycles: u32,
     },
+    /// Place the ball of a simulated world on its field, at rest
+    Ball {
+        /// Position along the field, to the attacked goal, m; -3 to 3
+        #[arg(value_name = "X", allow_negative_numbers = true)]
+        x: f32,
+        /// Position across the field, to the left, m; -2 to 2
+        #[arg(value_name = "Y", allow_negative_numbers = true)]
+        y: f32,
+    },
     /// Set parameters, all or none; they stay
     Set {
         /// New values

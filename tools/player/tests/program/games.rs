@@ -23,7 +23,8 @@ fn equal_seeds_give_equal_games_and_other_seeds_other_games() {
 }
 
 #[test]
-fn games_do_not_depend_on_the_number_of_threads() {
+#[ignore = "slow: `cargo xtask ci` runs it"]
+fn slow_games_do_not_depend_on_the_number_of_threads() {
     let games =
         |threads| game(&["play", "--seed", "5", "--games", "5", "--seconds", "3", "--json", "--threads", threads]);
     let one = games("1");

@@ -215,3 +215,43 @@ fn a_served_world_is_paused_stepped_continued_and_shown() {
     assert_eq!(pixels.len(), 160 * 120 * 2);
     std::fs::remove_dir_all(folder).expect("it can be removed");
 }
+
+#[test]
+fn the_ball_of_a_served_world_is_placed_and_the_game_replays() {
+    let folder = crate::process::Folder::new("link-ball");
+    let file = folder.path().join("run.mcap");
+    let file = file.to_str().expect("UTF-8");
+    let game = Served::start(&["--seconds", "6", "--record", file, "--images", "none"]);
+    let (code, _, errors) = game.monitor(&["pause"]);
+    assert_eq!(code, Some(0), "{errors}");
+    for at in [["2.5", "-1.5"], ["-2.875", "1.5"]] {
+        let (code, lines, errors) = game.monitor(&["ball", at[0], at[1]]);
+        assert_eq!(code, Some(0), "{errors}");
+        assert_eq!(lines[0]["schema"], "bica-player/link-ball/1");
+        let expected: [f64; 2] = at.map(|number| number.parse().expect("a number"));
+        assert_eq!(lines[0]["ball"], serde_json::json!(expected));
+        let (_, stepped, errors) = game.monitor(&["step", "10"]);
+        let cycle = lines[0]["cycle"].as_u64().expect("a number");
+        assert_eq!(stepped[0]["cycle"].as_u64(), Some(cycle + 10), "{errors}");
+    }
+    for (args, error) in [
+        (&["ball", "3.5", "0"][..], "x must be from -3 to 3 m, y from -2 to 2 m"),
+        (&["ball", "3", "0.7"], "a goal post is there"),
+        (&["ball", "NaN", "0"], "x must be from -3 to 3 m"),
+    ] {
+        let (code, _, errors) = game.monitor(args);
+        assert_eq!(code, Some(2), "{args:?}");
+        assert!(errors.contains(error), "{args:?}: {errors}");
+    }
+    assert_eq!(game.monitor(&["resume"]).0, Some(0));
+    let (code, lines, errors) = game.monitor(&["watch", "--truth", "--count", "20"]);
+    assert_eq!(code, Some(0), "{errors}");
+    let truth = lines.iter().find(|line| line["schema"] == "bica-player/link-truth/1").expect("the true state");
+    assert_eq!(truth["ball"], serde_json::json!([-2.875, 1.5]));
+    game.finish();
+    let info = run(&["record", "info", file, "--json"]).json();
+    let requests: Vec<_> = info["requests"].as_array().expect("a list").iter().map(|one| &one["request"]).collect();
+    assert_eq!(requests, ["ball at 2.5, -1.5 m", "ball at -2.875, 1.5 m"]);
+    let replayed = run(&["replay", file, "--json"]);
+    assert_eq!(replayed.code, Some(0), "{}", replayed.stdout);
+}

@@ -16,7 +16,8 @@ fn size(path: &Path) -> (u32, u32) {
 }
 
 #[test]
-fn every_change_of_the_tree_has_a_picture() {
+#[ignore = "slow: `cargo xtask ci` runs it"]
+fn slow_every_change_of_the_tree_has_a_picture() {
     let folder = Folder::new("pictures");
     let printed = run(&["--seconds", "2", "--json", "--pictures", folder.text()]).json();
     let names = folder.names();
@@ -49,7 +50,8 @@ fn film(path: &Path) -> Vec<(u16, u16, u16)> {
 }
 
 #[test]
-fn a_film_has_fourteen_pictures_per_second_and_does_not_change_the_game() {
+#[ignore = "slow: `cargo xtask ci` runs it"]
+fn slow_a_film_has_fourteen_pictures_per_second_and_does_not_change_the_game() {
     let folder = Folder::new("film");
     let path = folder.path().join("game.gif");
     let game = ["--seconds", "2", "--json", "--size", "160x120"];

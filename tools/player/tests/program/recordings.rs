@@ -6,6 +6,8 @@ use std::process::Stdio;
 use std::thread;
 use std::time::{Duration, Instant};
 
+use bica_link::{Component, Description};
+use bica_recording::{Header, MonitorRecorder, RecordedCycle, RequestRecord, Tick};
 use serde_json::Value;
 
 use crate::process::{Folder, Ran, player, run};
@@ -101,6 +103,50 @@ fn files_are_mended_cut_and_exported() {
     assert!(fs::read(&view).unwrap().windows(17).any(|bytes| bytes == b"foxglove.RawImage"));
 }
 
+/// Makes a recording as a monitor does.
+fn monitored(file: &str) {
+    let component = Component { name: "Lamp".to_owned(), root: true, ..Component::default() };
+    let description = Description { components: vec![component], cycle_hz: 100.0, ..Description::default() };
+    let header = Header::of_monitor("tcp://lamp:7400", &description);
+    let mut recorder = MonitorRecorder::new(fs::File::create(file).unwrap(), &header).unwrap();
+    for number in 0..200 {
+        let tick = Tick { cycle: number, instant: 10_000 * number, ..Tick::default() };
+        let mut cycle = RecordedCycle { tick, ..RecordedCycle::default() };
+        if number == 150 {
+            cycle.requests.push(RequestRecord::Unknown { text: "hold Lamp Active".to_owned() });
+        }
+        recorder.cycle(&cycle).unwrap();
+    }
+    assert_eq!(recorder.finish(None, 0).reason, None);
+}
+
+#[test]
+fn what_a_monitor_recorded_is_shown_cut_mended_and_exported_and_not_replayed() {
+    let folder = Folder::new("recorded-monitor");
+    let (file, game) = (path(&folder, "sent.mcap"), path(&folder, "game.mcap"));
+    monitored(&file);
+    record(&game, &["--seconds", "0.1"]);
+    let shown = run(&["record", "info", &file]).stdout;
+    for word in ["tcp://lamp:7400", "not for a replay", "200 cycles", "complete", "request: hold Lamp Active"] {
+        assert!(shown.contains(word), "`{word}` is missing in:\n{shown}");
+    }
+    assert!(!shown.contains("fingerprint") && !shown.contains("attacks"), "{shown}");
+    let info = run(&["record", "info", &file, "--json"]).json();
+    assert_eq!((&info["header"]["monitor"]["address"], &info["damage"]), (&"tcp://lamp:7400".into(), &Value::Null));
+    let words = ["without sensor values and commands", "tcp://lamp:7400", "player play --serve"];
+    fails(&["replay", &file], 2, &words);
+    fails(&["replay", &game, "--against", &file], 2, &words);
+    fails(&["replay", &file, "--against", &game], 2, &words);
+    for command in [&["trim", "--from", "1"][..], &["recover"], &["export"]] {
+        let out = path(&folder, &format!("{}.mcap", command[0]));
+        let written = run(&[&["record"], command, &[&file, &out, "--json"]].concat()).json();
+        let cycles = if command[0] == "trim" { 100 } else { 200 };
+        assert_eq!(written["cycles"], cycles, "{command:?}");
+    }
+    let trimmed = run(&["record", "info", &path(&folder, "trim.mcap"), "--json"]).json();
+    assert_eq!((&trimmed["cycles"], trimmed["requests"].as_array().map(Vec::len)), (&100.into(), Some(1)));
+}
+
 #[test]
 fn errors_name_the_file_and_the_remedy() {
     let folder = Folder::new("recorded-errors");
@@ -182,7 +228,8 @@ fn killed_after(file: &str, time: Duration) -> (f64, f64) {
 }
 
 #[test]
-fn what_was_recorded_before_a_kill_replays() {
+#[ignore = "slow: `cargo xtask ci` runs it"]
+fn slow_what_was_recorded_before_a_kill_replays() {
     let folder = Folder::new("recorded-kill");
     let (recorded, _) = killed_after(&path(&folder, "run.mcap"), Duration::from_millis(2500));
     assert!(recorded > 0.0);

@@ -1,10 +1,8 @@
 //! Information as JSON.
 
-use bica_link::decode_info;
-use postcard_schema::schema::owned::OwnedNamedType;
 use serde_json::json;
 
-use crate::header::TreeInfo;
+use crate::header::{InformationInfo, TreeInfo};
 use crate::information::InformationValue;
 use crate::mcap::{ChannelRecord, SchemaRecord};
 
@@ -15,7 +13,7 @@ pub(super) struct InformationTopic {
     name: String,
     component: u16,
     index: u16,
-    schema: OwnedNamedType,
+    info: InformationInfo,
 }
 
 /// Returns the topics of all information whose values are recorded, numbered from `first` on.
@@ -23,9 +21,17 @@ pub(super) fn topics(tree: &TreeInfo, first: u16) -> Vec<InformationTopic> {
     let mut topics = Vec::new();
     for (component, info) in (0..).zip(&tree.components) {
         for (index, information) in (0..).zip(&info.information) {
-            let Some(schema) = information.schema.clone() else { continue };
+            if information.schema.is_none() {
+                continue;
+            }
             let name = format!("/information/{}/{}", info.name, information.name);
-            topics.push(InformationTopic { id: first + topics.len() as u16, name, component, index, schema });
+            topics.push(InformationTopic {
+                id: first + topics.len() as u16,
+                name,
+                component,
+                index,
+                info: information.clone(),
+            });
         }
     }
     topics
@@ -49,7 +55,7 @@ impl InformationTopic {
     /// Returns a value as a JSON object; one that is no object is its field `value`. None for a value that was too large to be
     /// recorded.
     pub(super) fn json(&self, value: &InformationValue) -> Option<String> {
-        let value = decode_info(&self.schema, &value.value)?;
+        let value = self.info.decode(&value.value)?;
         Some(if value.is_object() { value.to_string() } else { json!({ "value": value }).to_string() })
     }
 }

@@ -147,7 +147,7 @@ pub fn export(source: impl Read, target: impl Write) -> Result<Copied, Error> {
         match recording.next_cycle() {
             Ok(Some(cycle)) => {
                 export.time = recording.header().nanoseconds(cycle.tick.instant);
-                export.cycle(&cycle)?;
+                export.cycle(&cycle, recording.image_place().map_or(export.time, |place| place.time))?;
                 copied.cycles += 1;
             }
             Ok(None) => break,
@@ -202,13 +202,14 @@ struct Export<W> {
 }
 
 impl<W: Write> Export<W> {
-    fn cycle(&mut self, cycle: &RecordedCycle) -> Result<(), Error> {
+    /// Writes a cycle, and its image with a time, ns.
+    fn cycle(&mut self, cycle: &RecordedCycle, image_time: u64) -> Result<(), Error> {
         for request in &cycle.requests {
             let text = request.describe(&self.tree);
             self.log(2, "operator", &text);
         }
         if let Some(image) = &cycle.image {
-            self.image(image);
+            self.image(image, image_time);
         }
         if let Some(sensors) = &cycle.sensors {
             self.numbers(Topic::Angles, &sensors.angles);
@@ -269,10 +270,10 @@ impl<W: Write> Export<W> {
         }
     }
 
-    fn image(&mut self, image: &OwnedImage) {
+    fn image(&mut self, image: &OwnedImage, time: u64) {
         let frame = if image.bottom_camera { "bottom_camera" } else { "top_camera" };
         let mut message = Protobuf::default();
-        message.timestamp(1, self.time).fixed32(2, image.width.into()).fixed32(3, image.height.into());
+        message.timestamp(1, time).fixed32(2, image.width.into()).fixed32(3, image.height.into());
         message.text(4, "yuyv").fixed32(5, 2 * u32::from(image.width)).bytes(6, &image.yuyv).text(7, frame);
         self.message(Topic::Camera, &message);
     }

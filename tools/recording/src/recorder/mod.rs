@@ -1,5 +1,6 @@
 //! Recording beside a running loop.
 
+mod output;
 mod queue;
 mod sink;
 mod thread;
@@ -19,6 +20,7 @@ use crate::header::{Header, ImagePolicy};
 use crate::information;
 use crate::message::{Costs, LogLine, RefereeEvent, TreeRecord};
 use crate::request::RequestRecord;
+pub(crate) use output::Output;
 use queue::{CycleValues, Entry, ImageValues, Queue};
 pub use sink::Sink;
 pub(crate) use thread::{begin, compression, encode};
@@ -139,6 +141,11 @@ impl Recorder {
     pub fn sharing_images(mut self, owner: impl Fn(&[u8]) -> Option<Arc<Vec<u8>>> + Send + 'static) -> Self {
         self.owner = Owner(Box::new(owner));
         self
+    }
+
+    /// Records that the ball of the simulated world was placed before the next cycle, m, field frame.
+    pub fn ball_placed(&mut self, [x, y]: [f32; 2]) {
+        self.requests.push(RequestRecord::Ball { x, y });
     }
 
     /// Records an event of the referee.

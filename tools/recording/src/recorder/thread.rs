@@ -1,40 +1,29 @@
 //! The thread that codes and writes.
 
 use std::io;
-use std::time::{Duration, Instant};
 
 use bica_wire::message::ImageInfo;
 use serde::Serialize;
 
+use super::output::Output;
 use super::queue::{CycleValues, Entry, ImageValues, Queue};
 use super::{Report, Sink};
 use crate::digest::{RunningFingerprint, command_digest, image_digest, sensors_digest};
 use crate::error::Error;
-use crate::header::{ENDING_NAME, Ending, HEADER_NAME, Header, ImagePolicy, to_metadata};
+use crate::header::{HEADER_NAME, Header, ImagePolicy, to_metadata};
 use crate::image_codec::ImageCoder;
 use crate::mcap::{ChannelRecord, Compression, SchemaRecord, Writer};
 use crate::message::{Channel, CommandRecord, ImageRecord, Tick};
 
-/// Longest time that values wait in memory.
-const FLUSH_AFTER: Duration = Duration::from_millis(300);
-/// Longest time after which the operating system is asked to bring everything to the disk.
-const SYNC_AFTER: Duration = Duration::from_millis(500);
-
 /// A file that is being written.
 pub(super) struct Writing<S> {
-    writer: Writer<S>,
+    output: Output<S>,
     header: Header,
-    cycle: u64,
-    /// Number of cycles in the file.
-    written_cycles: u64,
     tree_digest: u32,
     /// Time of the last cycle, ns.
     last_time: u64,
     fingerprint: RunningFingerprint,
     coder: ImageCoder,
-    chunk_bytes: usize,
-    flushed: Instant,
-    synced: Instant,
 }
 
 /// Returns schemas and channels of a recording.
@@ -62,7 +51,7 @@ pub(crate) fn begin<W: io::Write>(target: W, header: &Header) -> io::Result<Writ
     Ok(writer)
 }
 
-fn io_error(error: Error) -> io::Error {
+pub(super) fn io_error(error: Error) -> io::Error {
     match error {
         Error::Io(error) => error,
         other => io::Error::other(other),
@@ -77,17 +66,12 @@ pub(crate) const fn compression(channel: Channel) -> Compression {
 impl<S: Sink> Writing<S> {
     pub(super) fn new(sink: S, header: &Header, chunk_bytes: usize) -> io::Result<Self> {
         Ok(Self {
-            writer: begin(sink, header)?,
+            output: Output::new(sink, header, chunk_bytes)?,
             header: header.clone(),
-            cycle: 0,
-            written_cycles: 0,
             tree_digest: 0,
             last_time: 0,
             fingerprint: RunningFingerprint::default(),
             coder: ImageCoder::default(),
-            chunk_bytes,
-            flushed: Instant::now(),
-            synced: Instant::now(),
         })
     }
 
@@ -103,81 +87,34 @@ impl<S: Sink> Writing<S> {
             if batch.overflow {
                 let slow = || "the disk is too slow: the queue of cycles is full".to_owned();
                 break (
-                    Some(self.flush().map_or_else(|error| format!("cannot write: {error}"), |()| slow())),
+                    Some(self.output.flush().map_or_else(|error| format!("cannot write: {error}"), |()| slow())),
                     String::new(),
                 );
             }
             if let Some(result) = batch.closing {
                 break (None, result);
             }
-            if let Err(error) = self.write_if_due() {
+            if let Err(error) = self.output.flush_if_due() {
                 break (Some(format!("cannot write: {error}")), String::new());
             }
         };
-        let reason = self.finish(reason, result, dropped_images);
+        let reason = self.output.finish(reason, result, dropped_images);
         if let Some(reason) = &reason {
             queue.end();
             on_end(reason);
         }
-        Report { cycles: self.written_cycles, bytes: self.writer.length(), dropped_images, reason }
-    }
-
-    /// Closes the file; returns why the recording ended early. A file that cannot be closed keeps its complete chunks.
-    fn finish(&mut self, reason: Option<String>, result: String, dropped_images: u64) -> Option<String> {
-        let mut failed = reason;
-        if failed.is_none() {
-            failed = self.flush().err().map(|error| format!("cannot write: {error}"));
-        }
-        if failed.is_some() {
-            self.writer.discard();
-            // What an incomplete write left behind would make the rest unreadable.
-            let length = self.writer.length();
-            let _ = self.writer.target_mut().truncate(length);
-        }
-        let reason = failed.clone().unwrap_or_default();
-        let ending = Ending { cycles: self.written_cycles, dropped_images, reason, result };
-        let closed = to_metadata(&ending)
-            .map_err(io_error)
-            .and_then(|fields| self.writer.metadata(ENDING_NAME, &fields))
-            .and_then(|()| self.writer.close())
-            .and_then(|()| self.writer.target_mut().sync());
-        if let Err(error) = closed {
-            let length = self.writer.length();
-            let _ = self.writer.target_mut().truncate(length);
-            failed = failed.or_else(|| Some(format!("cannot write the end of the file: {error}")));
-        }
-        failed
-    }
-
-    fn write_if_due(&mut self) -> io::Result<()> {
-        if self.flushed.elapsed() >= FLUSH_AFTER {
-            self.flush()?;
-        }
-        if self.synced.elapsed() >= SYNC_AFTER {
-            self.writer.target_mut().sync()?;
-            self.synced = Instant::now();
-        }
-        Ok(())
-    }
-
-    fn flush(&mut self) -> io::Result<()> {
-        self.writer.flush()?;
-        self.written_cycles = self.cycle;
-        self.flushed = Instant::now();
-        Ok(())
+        Report { cycles: self.output.written_cycles, bytes: self.output.length(), dropped_images, reason }
     }
 
     fn entry(&mut self, entry: Entry, queue: &Queue) -> io::Result<()> {
         match entry {
             Entry::Cycle(values) => self.cycle(values, queue),
-            Entry::Event(event) => self.message(Channel::Events, event.at_ns, &event),
-            Entry::Log(line) => self.message(Channel::Log, self.last_time, &line),
-            Entry::Costs(costs) => self.message(Channel::Costs, self.last_time, &costs),
+            Entry::Event(event) => self.output.message(Channel::Events, event.at_ns, &event),
+            Entry::Log(line) => self.output.message(Channel::Log, self.last_time, &line),
+            Entry::Costs(costs) => self.output.message(Channel::Costs, self.last_time, &costs),
         }
-        if self.writer.pending() >= self.chunk_bytes {
-            self.flush()?;
-        }
-        self.write_if_due()
+        self.output.flush_if_large()?;
+        self.output.flush_if_due()
     }
 
     fn cycle(&mut self, values: CycleValues, queue: &Queue) {
@@ -186,7 +123,7 @@ impl<S: Sink> Writing<S> {
         self.last_time = time;
         for request in &requests {
             self.fingerprint.add_request(request);
-            self.message(Channel::Requests, time, request);
+            self.output.message(Channel::Requests, time, request);
         }
         let stores_values = self.header.images == ImagePolicy::All;
         let pixels = match &image {
@@ -206,19 +143,18 @@ impl<S: Sink> Writing<S> {
         };
         queue.give_back(image);
         if stores_values {
-            self.message(Channel::Sensors, time, &sensors);
-            self.message(Channel::Command, time, &CommandRecord { command });
+            self.output.message(Channel::Sensors, time, &sensors);
+            self.output.message(Channel::Command, time, &CommandRecord { command });
         }
         if let Some(information) = &information {
-            let channel = Channel::Information;
-            self.writer.message(compression(channel), channel.id(), time, |out| out.extend_from_slice(information));
+            self.output.encoded(Channel::Information, time, information);
         }
         if let Some(tree) = &tree {
             self.tree_digest = tree.digest();
-            self.message(Channel::Tree, time, tree);
+            self.output.message(Channel::Tree, time, tree);
         }
         let mut tick = Tick {
-            cycle: self.cycle,
+            cycle: self.output.cycles,
             instant,
             sensors: sensors_digest(&sensors),
             image: image_digest,
@@ -227,20 +163,16 @@ impl<S: Sink> Writing<S> {
             fingerprint: 0,
         };
         tick.fingerprint = self.fingerprint.add_tick(&tick);
-        self.message(Channel::Tick, time, &tick);
-        self.cycle += 1;
+        self.output.message(Channel::Tick, time, &tick);
+        self.output.cycles += 1;
     }
 
     fn image(&mut self, time: u64, info: &ImageInfo, pixels: &[u8]) {
         let ImageInfo { id, bottom_camera, width, height } = *info;
         let mut coded = Vec::with_capacity(pixels.len() / 2);
         if self.coder.encode(pixels, width.into(), height.into(), &mut coded).is_ok() {
-            self.message(Channel::Images, time, &ImageRecord { id, bottom_camera, width, height, coded });
+            self.output.message(Channel::Images, time, &ImageRecord { id, bottom_camera, width, height, coded });
         }
-    }
-
-    fn message(&mut self, channel: Channel, time: u64, value: &impl Serialize) {
-        self.writer.message(compression(channel), channel.id(), time, |out| encode(out, value));
     }
 }
 

@@ -60,7 +60,8 @@ fn cut(step: usize) {
 }
 
 #[test]
-fn a_file_cut_anywhere_recovers_all_complete_chunks_and_opens() {
+#[ignore = "slow: `cargo xtask ci` runs it"]
+fn slow_a_file_cut_anywhere_recovers_all_complete_chunks_and_opens() {
     cut(17);
 }
 
@@ -162,7 +163,8 @@ fn bomb(channel: Channel, data: impl Fn(u64) -> Vec<u8>) -> Vec<u8> {
 }
 
 #[test]
-fn messages_without_a_cycle_take_bounded_memory() {
+#[ignore = "slow: `cargo xtask ci` runs it"]
+fn slow_messages_without_a_cycle_take_bounded_memory() {
     const LIMIT: u64 = 160 << 20;
     let text = "a".repeat(1 << 20);
     let log = bomb(Channel::Log, |_| postcard::to_stdvec(&LogLine { level: 2, text: text.clone() }).expect("memory"));
@@ -200,7 +202,8 @@ proptest! {
     }
 
     #[test]
-    fn a_damaged_byte_never_panics_and_takes_little_memory(at in any::<prop::sample::Index>(), value in any::<u8>()) {
+    #[ignore = "slow: `cargo xtask ci` runs it"]
+    fn slow_a_damaged_byte_never_panics_and_takes_little_memory(at in any::<prop::sample::Index>(), value in any::<u8>()) {
         static FILE: std::sync::LazyLock<Vec<u8>> = std::sync::LazyLock::new(|| recorded(24));
         let mut file = FILE.clone();
         let at = at.index(file.len());

@@ -2,5 +2,6 @@
 
 mod damage;
 mod disk;
+mod monitor;
 mod support;
 mod values;

@@ -5,7 +5,7 @@ use super::plan::{Context, function};
 use super::request::Refusal;
 use super::splice::Splice;
 use super::style::line_start;
-use super::uses::in_block;
+use super::uses::of_each;
 use crate::model::{Component, Function, Hook, Name, Sources, Span, Transition};
 
 /// Deletes a function. A state takes with it its part of transitions and hooks.
@@ -28,12 +28,11 @@ pub(super) fn delete(context: &Context<'_>, component: &str, name: &str) -> Resu
 
 /// Refuses to delete what other functions call.
 fn unused(context: &Context<'_>, component: &Component, gone: &[&Function]) -> Result<(), Refusal> {
-    for function in gone {
-        let uses = in_block(context.text, component, &function.name.text);
+    let names = gone.iter().map(|function| &*function.name.text);
+    for (name, uses) in of_each(context.text, component, names) {
         let other = uses.into_iter().find(|place| !gone.iter().any(|gone| gone.span.contains(*place)));
         if let Some(place) = other {
             let line = context.text[..line_start(context.text, place.start)].matches('\n').count() + 1;
-            let name = &function.name.text;
             return Err(Refusal::at(place, format!("`{name}` is used in line {line}: remove that use first")));
         }
     }

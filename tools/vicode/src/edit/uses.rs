@@ -33,7 +33,20 @@ pub fn uses(text: &str, component: &str, name: &str, own: Option<Span>) -> Vec<U
 
 /// Uses within the block, and those by the component's name in all of the file.
 pub(super) fn in_block(text: &str, component: &Component, name: &str) -> Vec<Span> {
+    in_tokens(&all_tokens(text), component, name)
+}
+
+/// Uses of each of some functions, as [`in_block`] finds them.
+pub(super) fn of_each<'a>(
+    text: &str,
+    component: &Component,
+    names: impl Iterator<Item = &'a str>,
+) -> Vec<(&'a str, Vec<Span>)> {
     let all = all_tokens(text);
+    names.map(|name| (name, in_tokens(&all, component, name))).collect()
+}
+
+fn in_tokens(all: &[Token], component: &Component, name: &str) -> Vec<Span> {
     let own = simple(&component.name.text);
     let used = |(index, token): &(usize, &Token)| {
         let within = component.span.contains(token.name.span);
@@ -43,7 +56,7 @@ pub(super) fn in_block(text: &str, component: &Component, name: &str) -> Vec<Spa
             Before::Other => false,
         }
     };
-    named(&all, name).filter(used).map(|(_, token)| token.name.span).collect()
+    named(all, name).filter(used).map(|(_, token)| token.name.span).collect()
 }
 
 /// `Eye` of `Eye<320, 240>`

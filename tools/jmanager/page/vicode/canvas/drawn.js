@@ -80,5 +80,5 @@ function State({ state, chosen, found, stop }) {
 
 /** Arrow heads. */
 export const Tips = () => html`<defs>
-  ${['', '-chosen', '-live'].map((kind) => html`<marker id=${`tip${kind}`} class=${`tip${kind}`} viewBox="0 0 10 10" refX="8" refY="5" markerWidth="9" markerHeight="9" markerUnits="userSpaceOnUse" orient="auto-start-reverse"><path d="M0 0.5L10 5L0 9.5z" /></marker>`)}
+  ${['', '-chosen', '-live', '-far'].map((kind) => html`<marker id=${`tip${kind}`} class=${`tip${kind}`} viewBox="0 0 10 10" refX="8" refY="5" markerWidth="9" markerHeight="9" markerUnits="userSpaceOnUse" orient="auto-start-reverse"><path d="M0 0.5L10 5L0 9.5z" /></marker>`)}
   <pattern id="grid" width="24" height="24" patternUnits="userSpaceOnUse"><circle cx="1" cy="1" r="1" /></pattern></defs>`;

@@ -88,10 +88,12 @@ function moveStates(event, names) {
       if (locked.value) return;
       const [x, y] = view.point(one);
       places = Object.fromEntries(names.map((name) => [name, [before[name][0] + x - begin[0], before[name][1] + y - begin[1]]]));
+      if (!stage.lifted) stage.lift(names);
       frame ||= requestAnimationFrame(write);
     },
     onEnd(one, moved) {
       cancelAnimationFrame(frame);
+      stage.drop();
       if (!moved || locked.value) stage.drag(before);
       else {
         places = Object.fromEntries(names.map((name) => [name, snapped(places[name])]));

@@ -2,6 +2,7 @@
 
 import { WIDTH, boxOf, widthOf } from './boxes.js';
 import { courseOf, lanes } from './arrows.js';
+import { Lifted } from './lifted.js';
 import { View } from './view.js';
 
 /** Places on a curve where its name may stand, the best first. */
@@ -17,6 +18,7 @@ export const timerText = (ms) => (ms === null ? '' : ms % 1000 === 0 ? `after ${
 class Stage {
   constructor() {
     this.view = new View();
+    this.lifted = null;
     this.boxes = new Map();
     this.courses = new Map();
     this.clear();
@@ -76,13 +78,27 @@ class Stage {
     this.elements = new Map([...layer.querySelectorAll('[data-key]')].map((element) => [element.dataset.key, element]));
   }
 
+  /** Lifts states and the arrows that touch them, to drag them. */
+  lift(names) {
+    const touched = this.arrows.filter(({ from, to }) => names.includes(from) || names.includes(to)).map(({ key }) => key);
+    const known = [...touched, ...names.map((name) => `s:${name}`)].filter((key) => this.elements.has(key));
+    this.lifted = new Lifted(this.view, new Map(known.map((key) => [key, this.elements.get(key)])));
+  }
+
+  /** Ends the lifting. */
+  drop() {
+    this.lifted?.drop();
+    this.lifted = null;
+  }
+
   /** Moves boxes in the drawing only: {name: [x, y]}. */
   drag(places) {
     const all = [...this.boxes.values()];
+    const shown = (key) => this.lifted?.copies.get(key) ?? this.elements.get(key);
     for (const [name, [x, y]] of Object.entries(places)) {
       const box = this.boxes.get(name);
       [box.x, box.y] = [x, y];
-      this.elements.get(`s:${name}`)?.setAttribute('transform', `translate(${x - WIDTH / 2} ${y - box.height / 2})`);
+      shown(`s:${name}`)?.setAttribute('transform', `translate(${x - WIDTH / 2} ${y - box.height / 2})`);
     }
     for (const arrow of this.arrows) {
       if (!(arrow.from in places) && !(arrow.to in places)) continue;
@@ -90,7 +106,7 @@ class Stage {
       const course = this.course(arrow, all);
       if (course.control) course.label = along(course, (course.t = t));
       this.courses.set(arrow.key, course);
-      writeArrow(this.elements.get(arrow.key), course);
+      writeArrow(shown(arrow.key), course);
     }
   }
 

@@ -33,8 +33,11 @@ impl Images {
         Self { all: VecDeque::new(), bytes: 0, max_bytes }
     }
 
-    /// Adds the newest image; the oldest ones give way.
+    /// Adds the newest image; the oldest ones give way. One that is known already changes nothing.
     pub(crate) fn push(&mut self, image: StoredImage) {
+        if self.all.back().is_some_and(|last| (last.number, last.time_us) == (image.number, image.time_us)) {
+            return;
+        }
         self.bytes += image.yuyv.len();
         self.all.push_back(image);
         while self.bytes > self.max_bytes && self.all.len() > 1 {
@@ -66,8 +69,18 @@ impl Images {
         self.all.get(index)
     }
 
+    /// The newest image.
+    pub(crate) fn newest(&self) -> Option<&StoredImage> {
+        self.all.back()
+    }
+
+    /// The images after a time and up to another one.
+    pub(super) fn part(&self, after_us: Option<u64>, last_us: u64) -> impl Iterator<Item = &StoredImage> {
+        let begin = after_us.map_or(0, |after| self.all.partition_point(|image| image.time_us <= after));
+        self.all.range(begin..).take_while(move |image| image.time_us <= last_us)
+    }
+
     /// Memory of the pixels, bytes.
-    #[cfg(test)]
     pub(crate) const fn bytes(&self) -> usize {
         self.bytes
     }

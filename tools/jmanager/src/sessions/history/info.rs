@@ -71,6 +71,32 @@ impl InfoStore {
         thin(all, points)
     }
 
+    /// Time, component, index and value of the changes after a time and up to another one, in the order of time. An information that
+    /// did not change up to its last sample, or up to `until_us`, has its value there once more. Without `after_us` the
+    /// first value of each may be older than the changes.
+    pub(super) fn part(
+        &self,
+        after_us: Option<u64>,
+        last_us: u64,
+        until_us: u64,
+    ) -> Vec<(u64, usize, usize, Box<str>)> {
+        let mut part = Vec::new();
+        for (&(component, info), samples) in &self.all {
+            let changes = &samples.changes;
+            let begin = after_us.map_or(0, |after| changes.partition_point(|(time, _)| *time <= after));
+            let inside = changes.range(begin..).take_while(|(time, _)| *time <= last_us);
+            part.extend(inside.map(|(time, text)| (*time, component, info, text.clone())));
+            let end = samples.last_us.min(until_us);
+            let index = changes.partition_point(|(time, _)| *time <= end).checked_sub(1);
+            let newest = index.and_then(|index| changes.get(index)).filter(|(time, _)| *time < end);
+            if let Some((_, text)) = newest.filter(|_| end <= last_us && after_us.is_none_or(|after| end > after)) {
+                part.push((end, component, info, text.clone()));
+            }
+        }
+        part.sort_by_key(|(time, ..)| *time);
+        part
+    }
+
     pub(super) fn evict(&mut self, horizon: u64) {
         for samples in self.all.values_mut() {
             // The last value before the horizon is the value at the horizon.

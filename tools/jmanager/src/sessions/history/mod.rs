@@ -2,6 +2,7 @@
 
 mod images;
 mod info;
+mod part;
 mod states;
 mod timeline;
 
@@ -58,6 +59,11 @@ impl History {
     /// First and last time of which the state is known, µs.
     pub(super) fn span(&self) -> (u64, u64) {
         self.states.span()
+    }
+
+    /// Memory of information and images, bytes.
+    pub(super) const fn bytes(&self) -> usize {
+        self.info.bytes() + self.images.bytes()
     }
 
     pub(super) fn add_line(&mut self, line: LogLine) {

@@ -95,6 +95,15 @@ impl States {
         Some((time, cycle, states))
     }
 
+    /// Time and number of at most `count` cycles after a time, and not after another one; times increase.
+    pub(super) fn ticks_after(&self, after_us: Option<u64>, until_us: u64, count: usize) -> Vec<(u64, u64)> {
+        let begin = after_us.map_or(0, |after| self.ticks.partition_point(|(time, _)| *time <= after));
+        let mut last = after_us;
+        // A robot may send any times.
+        let later = |tick: &&(u64, u64)| last.is_none_or(|last| tick.0 > last) && last.replace(tick.0) != Some(tick.0);
+        self.ticks.range(begin..).take_while(|tick| tick.0 <= until_us).filter(later).take(count).copied().collect()
+    }
+
     pub(crate) fn base(&self) -> &[ComponentNow] {
         &self.base
     }

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
-use std::sync::mpsc::{Receiver, TryRecvError};
+use std::sync::mpsc::TryRecvError;
 use std::time::{Duration, Instant};
 
 use bica_link::{Client, Event, Snapshot};
@@ -10,7 +10,7 @@ use serde_json::Value;
 
 use super::extras::Extras;
 use super::operate::Operation;
-use super::{Command, capabilities};
+use super::{Command, Inbox, capabilities};
 use crate::protocol::{Connection, Failed, InfoSample, LogKind, LogLine, Reached, Request, ToPage, Watch};
 use crate::sessions::breakpoints::{self, Activity};
 use crate::sessions::outbox::{DataKind, Frame};
@@ -64,12 +64,15 @@ pub(super) struct Attached<'a> {
     has_news: bool,
     /// Breakpoints that were reached behind the link.
     pub(super) reached: Vec<Reached>,
+    /// When pages were sent how much is recorded.
+    pub(super) announced: Instant,
 }
 
 impl<'a> Attached<'a> {
     pub(super) fn new(session: &'a Arc<Session>, client: Client, world: Option<World>) -> Self {
         let can = capabilities(world.is_some(), client.offers(), session.options.read_only);
         session.describe(client.description().clone(), can);
+        session.record_robot(|recorder| recorder.connected(&session.name, client.description()));
         session.set_connection(Connection::Connected, "");
         session.announce();
         let now = Instant::now();
@@ -88,11 +91,12 @@ impl<'a> Attached<'a> {
             received: now,
             has_news: false,
             reached: Vec::new(),
+            announced: now,
         }
     }
 
     /// Works until the session or the connection ends.
-    pub(super) fn run(mut self, inbox: &Receiver<Command>) -> Exit {
+    pub(super) fn run(mut self, inbox: &Inbox) -> Exit {
         let exit = match self.client.watch(1) {
             Ok(()) => self.work(inbox),
             Err(error) => Exit::Lost(error.into()),
@@ -106,7 +110,7 @@ impl<'a> Attached<'a> {
         exit
     }
 
-    fn work(&mut self, inbox: &Receiver<Command>) -> Exit {
+    fn work(&mut self, inbox: &Inbox) -> Exit {
         if let Err(error) = self.watch() {
             return Exit::Lost(error.into());
         }
@@ -116,7 +120,7 @@ impl<'a> Attached<'a> {
                 Ok(Some(exit)) => return exit,
                 Err(error) => return Exit::Lost(error.into()),
             }
-            if let Err(error) = self.events() {
+            if let Err(error) = self.events(inbox) {
                 return Exit::Lost(error.into());
             }
             self.world_extras();
@@ -134,10 +138,10 @@ impl<'a> Attached<'a> {
         }
     }
 
-    fn commands(&mut self, inbox: &Receiver<Command>) -> Result<Option<Exit>, bica_link::Error> {
+    fn commands(&mut self, inbox: &Inbox) -> Result<Option<Exit>, bica_link::Error> {
         self.check_operator()?;
         loop {
-            match inbox.try_recv() {
+            match inbox.commands.try_recv() {
                 Ok(Command::Operate { page, id, request: Request::Restart { seed, .. } }) if self.world.is_some() => {
                     self.session.pages.answer(page, id, Ok(Value::Null));
                     return Ok(Some(Exit::Restart(seed)));
@@ -180,11 +184,11 @@ impl<'a> Attached<'a> {
         self.watch_extras()
     }
 
-    fn events(&mut self) -> Result<(), bica_link::Error> {
+    fn events(&mut self, inbox: &Inbox) -> Result<(), bica_link::Error> {
         let mut wait = POLL;
         for _ in 0..EVENTS {
-            let Some(event) = self.client.poll(wait)? else { return Ok(()) };
-            wait = Duration::from_micros(1);
+            let Some(event) = self.client.poll_or_wake(wait, &inbox.wakeups)? else { return Ok(()) };
+            wait = Duration::ZERO;
             self.received = Instant::now();
             self.event(event)?;
         }
@@ -206,6 +210,7 @@ impl<'a> Attached<'a> {
     }
 
     fn snapshot(&mut self, snapshot: &Snapshot) {
+        self.session.record_robot(|recorder| recorder.snapshot(snapshot));
         let Snapshot { info, states } = snapshot;
         let states = states.iter().map(|state| (state.active, page_hold(state.held), state.state, state.hz));
         let mut shared = self.session.shared();
@@ -237,6 +242,7 @@ impl<'a> Attached<'a> {
         let value = value.unwrap_or(Value::Null);
         shared.history.info.push(component, info, time_us, &value);
         drop(shared);
+        self.session.record_robot(|recorder| recorder.info(component, info, &value));
         if self.samples.len() < MAX_SAMPLES {
             self.samples.push((cycle, InfoSample(component, info, time_us, value)));
         }
@@ -300,22 +306,6 @@ impl<'a> Attached<'a> {
         };
         self.look_at_recording();
         session.set_connection(Connection::Connected, note);
-    }
-
-    fn look_at_recording(&self) {
-        let Some(world) = &self.world else { return };
-        let note = self.session.pacer.as_ref().and_then(|pacer| pacer.recording_ended()).unwrap_or_default();
-        let bytes = std::fs::metadata(&world.recording).map_or(0, |file| file.len());
-        let mut shared = self.session.shared();
-        let newly = !note.is_empty() && shared.recording.note.is_empty();
-        shared.recording.on = note.is_empty();
-        (shared.recording.from_us, shared.recording.bytes) = (0, bytes);
-        shared.recording.note.clone_from(&note);
-        drop(shared);
-        if newly {
-            self.session.log(3, LogKind::Server, format!("the recording has ended: {note}"));
-            self.session.announce();
-        }
     }
 }
 

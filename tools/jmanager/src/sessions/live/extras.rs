@@ -47,7 +47,7 @@ impl Attached<'_> {
         };
         want(Offers::TRUTH, ExtraKind::Truth, every);
         want(Offers::COSTS, ExtraKind::Costs, 1);
-        if self.watches.values().any(|watch| watch.images.is_some()) {
+        if self.session.record.is_some() || self.watches.values().any(|watch| watch.images.is_some()) {
             want(Offers::IMAGES, ExtraKind::Images, 1);
         }
         for &component in self.watches.values().flat_map(|watch| &watch.conditions) {
@@ -132,6 +132,7 @@ impl Attached<'_> {
 
     fn image(&mut self, image: StoredImage) {
         let session = self.session;
+        session.record_robot(|recorder| recorder.image(&image));
         let frame = Frame::Binary(session.image_frame(&image, 0).into());
         for (&page, watch) in &self.watches {
             let Some(wanted) = watch.images else { continue };

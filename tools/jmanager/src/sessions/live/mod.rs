@@ -5,16 +5,19 @@ mod extras;
 mod hits;
 mod operate;
 mod pace;
+mod recording;
 
+use std::path::PathBuf;
 use std::sync::Arc;
-use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::time::Duration;
 
-use bica_link::{Address, Client, ClientOptions};
+use bica_link::{Address, Client, ClientOptions, Waker, Wakeups, waker};
 use bica_wire::message::Offers;
 
 use super::options::Options;
 use super::pages::{PageId, Pages};
+use super::robot_recording::unused;
 use super::session::{Operator, Session};
 use super::world::{Pacer, Setup, World};
 use crate::protocol::{Capabilities, Connection, Failed, LogKind, Request, SessionId, SessionKind};
@@ -36,6 +39,35 @@ pub(super) enum Command {
     Close,
 }
 
+/// Hands commands to a session's thread.
+pub(super) struct Commands {
+    commands: Sender<Command>,
+    /// Ends the thread's wait for the robot.
+    waker: Option<Waker>,
+}
+
+impl Commands {
+    /// Commands that nobody receives.
+    pub(super) fn of_nobody() -> Self {
+        Self { commands: channel().0, waker: None }
+    }
+
+    /// Hands over a command; returns whether the thread still works.
+    pub(super) fn send(&self, command: Command) -> bool {
+        let is_sent = self.commands.send(command).is_ok();
+        if let Some(waker) = &self.waker {
+            waker.wake();
+        }
+        is_sent
+    }
+}
+
+/// Commands that have come, and the end of waits for the robot.
+struct Inbox {
+    commands: Receiver<Command>,
+    wakeups: Wakeups,
+}
+
 /// What a live session is connected to.
 enum Source {
     World(Setup),
@@ -48,12 +80,13 @@ pub(super) fn open_world(
     options: &Arc<Options>,
     pages: &Arc<Pages>,
     (world, seed, robots): (&str, u64, usize),
+    record: Option<PathBuf>,
 ) -> Result<Arc<Session>, Failed> {
     let setup = Setup { world: world.to_owned(), seed, robots };
     setup.rules(options)?;
     let name = format!("{world}, seed {seed}");
     let pacer = Some(Arc::new(Pacer::default()));
-    start((id, SessionKind::World, name), options, pages, pacer, Source::World(setup))
+    start((id, SessionKind::World, name), options, pages, pacer, Source::World(setup), record)
 }
 
 /// Opens a robot: `tcp://HOST:PORT` or `serial:DEVICE[@BAUD]`.
@@ -62,10 +95,11 @@ pub(super) fn open_robot(
     options: &Arc<Options>,
     pages: &Arc<Pages>,
     address: &str,
+    record: Option<PathBuf>,
 ) -> Result<Arc<Session>, Failed> {
     let text = address.strip_prefix("tcp://").or_else(|| address.strip_prefix("serial:")).unwrap_or(address);
     let parsed: Address = text.parse()?;
-    start((id, SessionKind::Robot, address.to_owned()), options, pages, None, Source::Robot(parsed))
+    start((id, SessionKind::Robot, address.to_owned()), options, pages, None, Source::Robot(parsed), record)
 }
 
 fn start(
@@ -74,19 +108,27 @@ fn start(
     pages: &Arc<Pages>,
     pacer: Option<Arc<Pacer>>,
     source: Source,
+    record: Option<PathBuf>,
 ) -> Result<Arc<Session>, Failed> {
-    let (commands, inbox) = channel();
-    let session = Session::new(identity, Arc::clone(options), Arc::clone(pages), pacer, commands);
+    let (commands, commands_in) = channel();
+    let (waker, wakeups) = waker().map_err(|error| Failed::new(error.to_string(), "close other programs"))?;
+    let inbox = Inbox { commands: commands_in, wakeups };
+    let commands = Commands { commands, waker: Some(waker) };
+    let session = Session::new(identity, Arc::clone(options), Arc::clone(pages), pacer, commands, record);
     let session = Arc::new(session);
     let own = Arc::clone(&session);
     let thread = std::thread::Builder::new().name(format!("session {}", session.id));
-    let started = thread.spawn(move || run(&own, source, &inbox));
+    let work = move || {
+        run(&own, source, &inbox);
+        own.thread_ended();
+    };
+    let started = thread.spawn(work);
     started.map_err(|error| Failed::new(error.to_string(), "close other programs"))?;
     Ok(session)
 }
 
 /// Connects, works while the connection lasts, and connects again, until the session is closed.
-fn run(session: &Arc<Session>, mut source: Source, inbox: &Receiver<Command>) {
+fn run(session: &Arc<Session>, mut source: Source, inbox: &Inbox) {
     loop {
         let exit = match connect(session, &source) {
             Ok((client, world)) => Attached::new(session, client, world).run(inbox),
@@ -133,7 +175,11 @@ fn connect(session: &Arc<Session>, source: &Source) -> Result<(Client, Option<Wo
         Source::Robot(address) => Ok((Client::connect(address, options)?, None)),
         Source::World(setup) => {
             let pacer = session.pacer.clone().unwrap_or_default();
-            let file = session.options.spool.join(format!("session-{}.mcap", session.id));
+            let file = match &session.record {
+                Some(file) => unused(file),
+                None => session.options.spool.join(format!("session-{}.mcap", session.id)),
+            };
+            session.shared().recording_file.clone_from(&file);
             let world = World::start(setup, &session.options, file, &pacer)?;
             let client = Client::connect(&world.address, options)?;
             Ok((client, Some(world)))
@@ -142,11 +188,11 @@ fn connect(session: &Arc<Session>, source: &Source) -> Result<(Client, Option<Wo
 }
 
 /// Refuses what pages ask for while there is no connection, for a time or until the session is closed.
-fn idle(session: &Session, inbox: &Receiver<Command>, time: Option<Duration>) -> Exit {
+fn idle(session: &Session, inbox: &Inbox, time: Option<Duration>) -> Exit {
     loop {
         let command = match time {
-            Some(time) => inbox.recv_timeout(time),
-            None => inbox.recv().map_err(|_| RecvTimeoutError::Disconnected),
+            Some(time) => inbox.commands.recv_timeout(time),
+            None => inbox.commands.recv().map_err(|_| RecvTimeoutError::Disconnected),
         };
         match command {
             Ok(Command::Operate { page, id, request: Request::Restart { seed, .. } }) if session.pacer.is_some() => {
@@ -170,6 +216,7 @@ fn capabilities(is_world: bool, offers: Offers, read_only: bool) -> Capabilities
     Capabilities {
         operate: offers.contains(Offers::OPERATE) && !read_only,
         pause: (is_world || offers.contains(Offers::PAUSE)) && !read_only,
+        ball: offers.contains(Offers::BALL) && !read_only,
         truth: offers.contains(Offers::TRUTH),
         images: offers.contains(Offers::IMAGES),
         costs: offers.contains(Offers::COSTS),

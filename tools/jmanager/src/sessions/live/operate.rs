@@ -27,7 +27,8 @@ const MAX_PENDING: usize = 64;
 struct Pending {
     page: PageId,
     id: u32,
-    change: Change,
+    /// None for a placement of the ball.
+    change: Option<Change>,
 }
 
 /// A page that waits for the lease.
@@ -92,15 +93,22 @@ impl Attached<'_> {
                 answer(Ok(Value::Null));
                 return self.give_back();
             }
+            _ if self.operation.pending.len() >= MAX_PENDING => {
+                let help = "wait for the answers; a paused world answers when it goes on";
+                answer(Err(Failed::new(format!("{MAX_PENDING} requests have no answer yet"), help)));
+            }
+            Request::PlaceBall { x, y, .. } if self.session.shared().can.ball => {
+                let number = self.client.send_ball([x, y])?;
+                self.expect_answer(number, Pending { page, id, change: None });
+            }
+            Request::PlaceBall { .. } => {
+                let help = "only the ball of a simulated world can be placed";
+                answer(Err(Failed::new("the ball cannot be placed there", help)));
+            }
             request => match change(self.client.description(), &request) {
-                Some(Ok(change)) if self.operation.pending.len() < MAX_PENDING => {
-                    self.operation.kept = Some(Instant::now());
+                Some(Ok(change)) => {
                     let number = self.client.send_request(change.clone())?;
-                    self.operation.pending.insert(number, Pending { page, id, change });
-                }
-                Some(Ok(_)) => {
-                    let help = "wait for the answers; a paused world answers when it goes on";
-                    answer(Err(Failed::new(format!("{MAX_PENDING} requests have no answer yet"), help)));
+                    self.expect_answer(number, Pending { page, id, change: Some(change) });
                 }
                 Some(Err(failed)) => answer(Err(failed)),
                 None => {
@@ -109,6 +117,11 @@ impl Attached<'_> {
             },
         }
         Ok(())
+    }
+
+    fn expect_answer(&mut self, number: u32, pending: Pending) {
+        self.operation.kept = Some(Instant::now());
+        self.operation.pending.insert(number, pending);
     }
 
     fn acquire(&mut self, page: PageId, id: u32, take: bool) -> LinkResult {
@@ -222,13 +235,18 @@ impl Attached<'_> {
     pub(super) fn answered(&mut self, answer: Answered) {
         let Some(Pending { page, id, change }) = self.operation.pending.remove(&answer.number) else { return };
         let Answered { cycle, values, refused, .. } = answer;
-        let result = if let Some((_, entry, text)) = refused {
-            let help = "values must be in their ranges, and requests come from the page in control".to_owned();
-            Err(Failed { text, help, entry: Some(entry) })
-        } else {
-            let values = self.effective(&change, &values);
-            self.remember(&change, &values);
-            Ok(json!({ "cycle": cycle, "values": values }))
+        let result = match (refused, change) {
+            (Some((_, entry, text)), Some(_)) => {
+                let help = "values must be in their ranges, and requests come from the page in control".to_owned();
+                Err(Failed { text, help, entry: Some(entry) })
+            }
+            (Some((.., text)), None) => Err(Failed::new(text, "place it where it is in play and nothing stands")),
+            (None, Some(change)) => {
+                let values = self.effective(&change, &values);
+                self.remember(&change, &values);
+                Ok(json!({ "cycle": cycle, "values": values }))
+            }
+            (None, None) => Ok(json!({ "cycle": cycle })),
         };
         self.session.pages.answer(page, id, result);
     }

@@ -5,14 +5,16 @@ use std::io::BufReader;
 use std::path::Path;
 
 use bica_game::GRAPH;
-use bica_link::decode_info;
-use bica_recording::{Error, Header, RecordedCycle, Recording, RequestRecord};
+use bica_recording::{Error, Header, HoldsRecord, RecordedCycle, Recording, RequestRecord};
 use serde_json::Value;
 
 use super::tree;
 use crate::protocol::{Capabilities, Connection, Failed, HoldKind, LogKind, LogLine};
+use crate::sessions::robot_recording::{NOTE, holds_of, line_of};
 use crate::sessions::session::Session;
 
+/// What a page says of a recording that a monitor made.
+const OF_MONITOR: &str = "a monitor recorded what the robot sent: it can be looked at, not run again or compared";
 /// Number of cycles that are taken over under one lock.
 const BATCH: usize = 256;
 /// Largest number of changes and of images that are remembered: the rest of a longer recording is not shown.
@@ -37,6 +39,12 @@ struct Requested {
 }
 
 impl Requested {
+    /// Takes over the holds and rates of a recording that a monitor made.
+    fn replace(&mut self, record: &HoldsRecord) {
+        let all = self.holds.iter_mut().zip(&mut self.rates);
+        all.zip(holds_of(record)).for_each(|((held, rate), now)| (*held, *rate) = now);
+    }
+
     fn apply(&mut self, request: &RequestRecord) {
         match *request {
             RequestRecord::Hold { component, hold } => {
@@ -62,7 +70,7 @@ pub(super) fn read(session: &Session, mut recording: FileRecording) {
         Err(failed) => return session.set_connection(Connection::Ended, failed.text),
     };
     let is_own = description.hash == format!("{:016x}", bica::graph::hash(&GRAPH));
-    let can = Capabilities { images: true, run_again: is_own, ..Capabilities::default() };
+    let can = Capabilities { images: true, run_again: is_own && header.monitor.is_none(), ..Capabilities::default() };
     let mut requested = Requested {
         holds: vec![HoldKind::Tree; description.components.len()],
         rates: description.components.iter().map(|component| component.hz).collect(),
@@ -75,7 +83,7 @@ pub(super) fn read(session: &Session, mut recording: FileRecording) {
         }
         match batch(session, &mut recording, &header, &mut requested) {
             Ok(true) => {}
-            Ok(false) => break String::new(),
+            Ok(false) => break header.monitor.as_ref().map_or_else(String::new, |_| OF_MONITOR.to_owned()),
             Err(note) => break note,
         }
         let percent = 100 * recording.position() / length;
@@ -114,6 +122,9 @@ fn batch(
     for (cycle, place) in cycles {
         let time_us = header.nanoseconds(cycle.tick.instant) / 1000;
         cycle.requests.iter().for_each(|request| requested.apply(request));
+        if let Some(holds) = &cycle.holds {
+            requested.replace(holds);
+        }
         let components = requested.holds.iter().zip(&requested.rates).enumerate();
         let states = components.map(|(index, (hold, hz))| {
             let state = cycle.tree.state(index).map(|state| state as u16);
@@ -123,15 +134,13 @@ fn batch(
         if let Some(place) = place {
             shared.images_taken += 1;
             let number = place.id.wrapping_sub(1);
-            shared.recorded.places.push((number, time_us, place));
+            shared.recorded.places.push((number, place.time / 1000, place));
         }
         lines(&cycle, header, time_us).for_each(|line| shared.history.add_line(line));
         for value in cycle.information.iter().flat_map(|record| &record.values) {
             let (component, index) = (usize::from(value.component), usize::from(value.index));
             let declared = header.tree.components.get(component).and_then(|one| one.information.get(index));
-            let schema = declared.and_then(|info| info.schema.as_ref());
-            let decoded =
-                schema.filter(|_| !value.value.is_empty()).and_then(|schema| decode_info(schema, &value.value));
+            let decoded = declared.and_then(|info| info.decode(&value.value));
             shared.history.info.push(component, index, time_us, &decoded.unwrap_or(Value::Null));
         }
         let (all, changes) = shared.history.states.sizes();
@@ -151,7 +160,11 @@ fn lines<'a>(cycle: &'a RecordedCycle, header: &'a Header, time_us: u64) -> impl
         let separator = if event.detail.is_empty() { "" } else { ", " };
         line(2, LogKind::Referee, format!("{}{separator}{}", event.kind, event.detail))
     });
-    let log = cycle.log.iter().map(move |one| match one.text.strip_prefix("note: ") {
+    let log = cycle.log.iter().map(move |one| match one.text.strip_prefix(NOTE) {
+        _ if header.monitor.is_some() => {
+            let (kind, text) = line_of(&one.text);
+            line(one.level, kind, text.to_owned())
+        }
         Some(note) => line(one.level, LogKind::Note, note.to_owned()),
         None => line(one.level, LogKind::Robot, one.text.clone()),
     });

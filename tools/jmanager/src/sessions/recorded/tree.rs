@@ -10,7 +10,7 @@ use crate::protocol::Failed;
 /// Largest number of components of a recording that is shown.
 const MAX_COMPONENTS: usize = 1024;
 
-/// Returns the description: of this program's tree, if it is the same, else what the recording tells.
+/// Returns the description: the one that a monitor received, that of this program's tree, if it is the same, or what the recording tells.
 pub(super) fn describe(header: &Header) -> Result<Description, Failed> {
     let count = header.tree.components.len();
     if count == 0 || count > MAX_COMPONENTS {
@@ -18,7 +18,11 @@ pub(super) fn describe(header: &Header) -> Result<Description, Failed> {
         return Err(Failed::new(what, format!("only trees of 1 to {MAX_COMPONENTS} components are shown")));
     }
     let own = Description::of(&GRAPH)?;
-    let mut description = if own.hash == header.tree.hash { own } else { names(header) };
+    let mut description = match received(header) {
+        Some(description) => description,
+        None if own.hash == header.tree.hash => own,
+        None => names(header),
+    };
     for parameter in &header.parameters {
         let component = description.components.iter_mut().find(|component| component.name == parameter.component);
         let param = component.and_then(|one| one.params.iter_mut().find(|param| param.name == parameter.name));
@@ -27,6 +31,13 @@ pub(super) fn describe(header: &Header) -> Result<Description, Failed> {
         }
     }
     Ok(description)
+}
+
+/// The description that a monitor had received, if it fits the rest of the header.
+fn received(header: &Header) -> Option<Description> {
+    let monitor = header.monitor.as_ref()?;
+    let description: Description = serde_json::from_value(monitor.description.clone()).ok()?;
+    (description.components.len() == header.tree.components.len()).then_some(description)
 }
 
 fn value(text: &str) -> Value {

@@ -151,6 +151,11 @@ impl Window {
 }
 
 impl GameObserver for Tap {
+    fn ball_placed(&mut self, scene: &Scene<'_>) -> Result<(), Failure> {
+        self.send(Extra::Truth((scene.t * 1e6).round() as u64, truth(scene)));
+        Ok(())
+    }
+
     fn cycle(&mut self, scene: &Scene<'_>) -> Result<(), Failure> {
         let time_us = (scene.t * 1e6).round() as u64;
         self.breakpoints(scene, time_us);

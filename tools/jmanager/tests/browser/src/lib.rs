@@ -6,5 +6,5 @@ mod robot;
 mod server;
 
 pub use page::Page;
-pub use robot::{Robot, player};
+pub use robot::{Robot, player, restrict_to};
 pub use server::{Server, target};

@@ -47,6 +47,16 @@ impl Robot {
         Self { child, output, address }
     }
 
+    /// Restricts it to one processor.
+    ///
+    /// # Panics
+    /// If the program `taskset` is missing.
+    #[must_use]
+    pub fn on_processor(self, processor: usize) -> Self {
+        restrict_to(self.child.id(), &processor.to_string());
+        self
+    }
+
     /// Waits for the end of the game; returns the 99th percentile of the duration of a cycle, ms.
     ///
     /// # Panics
@@ -70,6 +80,15 @@ impl Drop for Robot {
     fn drop(&mut self) {
         self.kill();
     }
+}
+
+/// Restricts the threads of a process, and what it starts from now on, to processors: `0` or `0-1`.
+///
+/// # Panics
+/// If the program `taskset` is missing.
+pub fn restrict_to(process: u32, processors: &str) {
+    let status = Command::new("taskset").args(["-acp", processors, &process.to_string()]).stdout(Stdio::null()).status();
+    assert!(status.expect("`taskset` of util-linux").success(), "taskset {processors}");
 }
 
 /// Runs `player` to its end.

@@ -1,6 +1,7 @@
 //! Stories of people with the page, told by roles and names of its controls.
 
 mod attacks;
+mod ball;
 mod designing;
 mod faults;
 mod figures;

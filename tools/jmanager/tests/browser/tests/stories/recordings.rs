@@ -1,8 +1,8 @@
 //! Recordings.
 
-use jmanager_browser::{Server, player};
+use jmanager_browser::{Page, Robot, Server, player};
 
-use crate::{open, tab};
+use crate::{WIDE, open, tab};
 
 #[tokio::test]
 async fn a_recording_is_kept_opened_and_played() {
@@ -69,5 +69,37 @@ async fn a_recording_is_run_again_with_another_parameter_and_compared() {
     }
     page.reads("First difference in cycle").await;
     page.screenshot("compared").await;
+    page.close().await;
+}
+
+/// What a robot behind a link has sent can be looked at, and no button says that it could run again.
+#[tokio::test]
+async fn a_robot_is_kept_and_opened_and_cannot_be_run_again() {
+    let robot = Robot::start(&["--seconds", "600"]);
+    let server = Server::start("kept-robot", &[&format!("tcp://{}", robot.address), "--record", "all.mcap"]);
+    let page = Page::open(&server, WIDE).await;
+    page.find("button", "FaceBall", "Activation tree").await;
+    page.until(
+        "some seconds are recorded",
+        "return Number.parseFloat(document.querySelector('.clock b').textContent) > 3",
+    )
+    .await;
+    tab(&page, "Recordings").await;
+    page.reads("It is written to all.mcap").await;
+    page.find("textbox", "Name of the recording", "This session").await.set("sent").await;
+    page.click("button", "Keep recording", "This session").await;
+    page.click("button", "sent", "Recordings").await;
+    page.find("button", "Play", "Replay").await.click().await;
+    page.find("button", "Time: playing", "").await;
+    page.reads("a monitor recorded what the robot sent").await;
+    assert!(!page.text().await.contains("Run again"));
+    page.click("button", "To the end", "Replay").await;
+    page.find("button", "FaceBall", "Activation tree").await;
+    page.until(
+        "the camera shows an image",
+        "return document.querySelector('canvas[aria-label=\"Camera image\"]').width > 20",
+    )
+    .await;
+    page.screenshot("robot-kept").await;
     page.close().await;
 }

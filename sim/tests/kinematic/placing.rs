@@ -1,0 +1,85 @@
+//! A ball that a person places.
+
+use bica_motion::model::{Nao, RobotModel};
+use bica_motion::pose::Pose2;
+use bica_sim::kinematic::KinematicWorld;
+use bica_sim::referee::Event;
+use bica_sim::setup::Setup;
+use bica_sim::{PlacementError, World};
+use glam::Vec2;
+
+use crate::support::{alone, command};
+
+fn wait(world: &mut KinematicWorld, cycles: u32) {
+    (0..cycles).for_each(|_| world.act(&command(Nao::STAND)));
+}
+
+#[test]
+fn a_placed_ball_lies_still_and_is_no_event() {
+    let mut world = KinematicWorld::new(&Setup { seed: 3, robots: 8, ..Setup::default() }).expect("valid");
+    let (mut placed, mut refused) = (0, 0);
+    for row in -22..=22 {
+        for column in -32..=32 {
+            let (at, before) = (Vec2::new(column as f32, row as f32) * 0.1, world.referee().ball());
+            let result = world.place_ball(at);
+            placed += usize::from(result.is_ok());
+            refused += usize::from(matches!(result, Err(PlacementError::InRobot(_))));
+            wait(&mut world, 3);
+            let referee = world.referee();
+            assert_eq!(referee.ball(), if result.is_ok() { at } else { before }, "{at}: {result:?}");
+            assert_eq!((referee.ball_velocity(), referee.events()), (Vec2::ZERO, &[][..]), "{at}: {result:?}");
+        }
+    }
+    assert!(placed > 2000 && refused > 10, "{placed} placed, {refused} in a robot");
+}
+
+#[test]
+fn a_rolling_ball_that_is_placed_stops() {
+    let mut world = alone(1, Pose2::new(-2.0, 0.0, 0.0), Vec2::ZERO);
+    world.set_ball(Vec2::ZERO, Vec2::new(1.0, 0.5)).expect("a valid shot");
+    wait(&mut world, 20);
+    world.place_ball(Vec2::new(2.9, 0.0)).expect("a free place");
+    wait(&mut world, 300);
+    assert_eq!((world.referee().ball(), world.referee().events()), (Vec2::new(2.9, 0.0), &[][..]));
+}
+
+#[test]
+fn a_ball_that_is_placed_after_a_goal_does_not_return_to_the_centre() {
+    let mut world = alone(1, Pose2::new(-2.0, 0.0, 0.0), Vec2::ZERO);
+    world.set_ball(Vec2::new(2.8, 0.0), Vec2::new(1.5, 0.0)).expect("a valid shot");
+    wait(&mut world, 100);
+    assert_eq!(world.referee().goals(), 1);
+    let at = Vec2::new(1.0, -0.5);
+    world.place_ball(at).expect("a free place");
+    wait(&mut world, 400);
+    assert_eq!((world.referee().ball(), world.referee().goals()), (at, 1));
+    assert_eq!(world.referee().count(|event| matches!(event, Event::BallPlaced { .. })), 0);
+}
+
+#[test]
+fn a_refused_place_leaves_a_rolling_ball_as_it_is() {
+    let rolling = || {
+        let mut world = alone(1, Pose2::new(-2.0, 0.0, 0.0), Vec2::ZERO);
+        world.set_ball(Vec2::ZERO, Vec2::new(1.0, 0.5)).expect("a valid shot");
+        world
+    };
+    let (mut world, mut undisturbed) = (rolling(), rolling());
+    for at in [Vec2::new(3.3, 0.0), Vec2::new(-2.0, 0.1), Vec2::new(3.0, 0.7), Vec2::NAN] {
+        world.place_ball(at).expect_err("no place for the ball");
+        wait(&mut world, 10);
+        wait(&mut undisturbed, 10);
+    }
+    assert_eq!(world.referee(), undisturbed.referee());
+}
+
+#[test]
+fn an_image_shows_the_ball_where_it_was_placed() {
+    let mut world = alone(1, Pose2::new(-2.0, 0.0, 0.0), Vec2::new(2.0, 1.5));
+    let pixels = |world: &mut KinematicWorld| world.sensors().image.expect("the first cycle has one").yuyv.to_vec();
+    let mut placed = world.clone();
+    placed.place_ball(Vec2::new(-1.0, 0.0)).expect("a free place");
+    let mut there = alone(1, Pose2::new(-2.0, 0.0, 0.0), Vec2::new(-1.0, 0.0));
+    let image = pixels(&mut placed);
+    assert_eq!(image, pixels(&mut there));
+    assert_ne!(image, pixels(&mut world));
+}

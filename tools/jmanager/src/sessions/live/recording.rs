@@ -1,0 +1,47 @@
+//! What pages know of the recording of a live session.
+
+use std::time::{Duration, Instant};
+
+use super::attached::Attached;
+use crate::protocol::{LogKind, RecordingState};
+
+/// Time between two messages to the pages about how much is recorded.
+const ANNOUNCE: Duration = Duration::from_secs(2);
+
+impl Attached<'_> {
+    /// Looks how much is recorded, and whether the recording has ended.
+    pub(super) fn look_at_recording(&mut self) {
+        let now = if self.world.is_some() { self.of_world() } else { self.of_robot() };
+        let before = std::mem::replace(&mut self.session.shared().recording, now.clone());
+        if !now.note.is_empty() && before.note.is_empty() {
+            self.session.log(3, LogKind::Server, now.note.clone());
+        }
+        let changed = (before.on, &before.note, &before.file) != (now.on, &now.note, &now.file);
+        if changed || (before != now && self.announced.elapsed() >= ANNOUNCE) {
+            self.announced = Instant::now();
+            self.session.announce();
+        }
+    }
+
+    /// The run of a world of this process, from its first cycle on.
+    fn of_world(&self) -> RecordingState {
+        let ended = self.session.pacer.as_ref().and_then(|pacer| pacer.recording_ended());
+        let file = &self.session.shared().recording_file.clone();
+        RecordingState {
+            on: ended.is_none(),
+            from_us: 0,
+            bytes: std::fs::metadata(file).map_or(0, |file| file.len()),
+            note: ended.map_or_else(String::new, |reason| format!("the recording has ended: {reason}")),
+            file: self.session.record.as_ref().map_or_else(String::new, |_| file.display().to_string()),
+        }
+    }
+
+    /// What is remembered of a robot.
+    fn of_robot(&self) -> RecordingState {
+        let written = self.session.record_robot(|recorder| recorder.state());
+        let shared = self.session.shared();
+        let (file, bytes, note) =
+            written.unwrap_or_else(|| (String::new(), shared.history.bytes() as u64, String::new()));
+        RecordingState { on: true, from_us: shared.history.span().0, bytes, note, file }
+    }
+}

@@ -1,0 +1,117 @@
+//! What pages learn of a session's memory.
+
+use serde_json::{Value, json};
+
+use super::outbox::{DataKind, Frame};
+use super::pages::PageId;
+use super::recorded::read_image;
+use super::session::Session;
+use crate::protocol::{ComponentNow, Failed, InfoSample, Moment, Request, SessionKind, ToPage, Watch, WatchInfo};
+
+/// Longest series and lists that a page gets in one answer.
+const MAX_POINTS: usize = 20_000;
+/// Age above which an image is not sent to a page that begins to watch, µs of the robot's time: a newer one comes soon.
+const OLD: u64 = 500_000;
+
+impl Session {
+    /// Answers a question about the past.
+    pub(super) fn query(&self, page: PageId, id: u32, request: &Request) -> Result<Value, Failed> {
+        let json = |value: serde_json::Result<Value>| {
+            value.map_err(|error| Failed::new(error.to_string(), "report this as a bug of the program"))
+        };
+        match *request {
+            Request::At { time_us, ref info, image, .. } => self.at(page, id, time_us, info, image),
+            Request::Timeline { from_us, until_us, resolution_us, .. } => {
+                json(serde_json::to_value(self.shared().history.rows(from_us, until_us, resolution_us)))
+            }
+            Request::Series { component, info, from_us, until_us, points, .. } => {
+                let points = points.min(MAX_POINTS);
+                let series = self.shared().history.info.series(component, info, from_us, until_us, points);
+                json(serde_json::to_value(series))
+            }
+            Request::Lines { from_us, until_us, limit, .. } => {
+                let limit = limit.min(MAX_POINTS);
+                json(serde_json::to_value(self.shared().history.lines(from_us, until_us, limit)))
+            }
+            _ => Err(Failed::new("this is no question", "reload the page")),
+        }
+    }
+
+    fn at(
+        &self,
+        page: PageId,
+        id: u32,
+        time_us: u64,
+        info: &[(usize, usize)],
+        with_image: bool,
+    ) -> Result<Value, Failed> {
+        let (moment, image, place) = {
+            let shared = self.shared();
+            let history = &shared.history;
+            let none = || Failed::new("nothing is known of this session yet", "wait until it is connected");
+            let (time, cycle, components): (u64, u64, Vec<ComponentNow>) =
+                history.states.at(time_us).ok_or_else(none)?;
+            let sample = |&(component, info): &(usize, usize)| {
+                let (at, value) = history.info.at(component, info, time)?;
+                Some(InfoSample(component, info, at, value))
+            };
+            let image = history.images.at(time).cloned();
+            let place = shared.recorded.at(time);
+            let moment = Moment {
+                time_us: time,
+                cycle,
+                components,
+                info: info.iter().take(MAX_POINTS).filter_map(sample).collect(),
+                image: image.as_ref().map(|image| image.number).or(place.map(|(number, ..)| number)),
+                truth: history.truth(time).cloned(),
+            };
+            (moment, image.filter(|_| with_image), place.filter(|_| with_image))
+        };
+        // The file is read without the lock.
+        let image = match (image, place) {
+            (None, Some(place)) => Some(read_image(&self.recording_path(), place)?),
+            (image, _) => image,
+        };
+        if let Some(image) = image {
+            self.pages.binary(page, self.image_frame(&image, id).into());
+        }
+        Ok(json!(moment))
+    }
+
+    /// Sends the newest of what a page begins to watch: of a paused world nothing new would come.
+    pub(super) fn show_newest(&self, page: PageId, before: Option<&Watch>, watch: &Watch) {
+        if self.kind == SessionKind::Recording {
+            return;
+        }
+        let (image, samples, truth) = {
+            let shared = self.shared();
+            let (history, (_, last)) = (&shared.history, shared.history.span());
+            let is_new = |one: &&WatchInfo| {
+                before.is_none_or(|before| {
+                    !before.info.iter().any(|old| (old.component, old.info) == (one.component, one.info))
+                })
+            };
+            let sample = |one: &WatchInfo| {
+                let (time, value) = history.info.at(one.component, one.info, last)?;
+                Some(InfoSample(one.component, one.info, time, value))
+            };
+            let begins = |is: fn(&Watch) -> bool| is(watch) && !before.is_some_and(is);
+            let image = history.images.newest().filter(|image| image.time_us.saturating_add(OLD) >= last);
+            (
+                image.filter(|_| begins(|watch| watch.images.is_some())).cloned(),
+                watch.info.iter().filter(is_new).take(MAX_POINTS).filter_map(sample).collect::<Vec<_>>(),
+                history.truth(last).filter(|_| begins(|watch| watch.truth)).map(|truth| (last, truth.clone())),
+            )
+        };
+        let data = |kind, frame| self.pages.data(page, self.key(kind), frame);
+        if !samples.is_empty() {
+            data(DataKind::Info, Frame::of(&ToPage::Info { session: self.id, samples }));
+        }
+        if let Some((time_us, truth)) = truth {
+            data(DataKind::Truth, Frame::of(&ToPage::Truth { session: self.id, time_us, truth }));
+        }
+        if let Some(image) = image {
+            data(DataKind::Image, Frame::Binary(self.image_frame(&image, 0).into()));
+        }
+    }
+}

@@ -1,0 +1,100 @@
+//! Recordings of a robot behind a link: what this server has received of it.
+
+mod file;
+mod keep;
+mod writer;
+
+use bica_recording::{
+    HoldsRecord, InformationRecord, InformationValue, RecordedCycle, RefereeEvent, RequestRecord, Tick, TreeRecord,
+};
+use serde_json::Value;
+
+use crate::protocol::{ComponentNow, HoldKind, LogKind, LogLine};
+
+pub(super) use file::unused;
+pub(super) use keep::keep;
+pub(super) use writer::RobotRecorder;
+
+/// Level of a log line that is no warning.
+const INFORMATION: u8 = 2;
+
+/// Beginning of the log line of a note.
+pub(super) const NOTE: &str = "note: ";
+/// Beginning of the log line of a request that was refused.
+pub(super) const OPERATOR: &str = "operator: ";
+/// Beginning of a log line of this server.
+pub(super) const SERVER: &str = "server: ";
+
+/// Makes the cycles of a recording.
+#[derive(Debug, Default)]
+struct Cycles {
+    holds: HoldsRecord,
+}
+
+impl Cycles {
+    /// A cycle with the states of all components.
+    fn cycle(&mut self, time_us: u64, number: u64, states: impl Iterator<Item = ComponentNow>) -> RecordedCycle {
+        let (mut tree, mut holds) = (TreeRecord::default(), HoldsRecord::default());
+        for (index, ComponentNow(active, held, state, hz, _)) in states.enumerate() {
+            if index % 8 == 0 {
+                tree.active.push(0);
+            }
+            tree.active[index / 8] |= u8::from(active) << (index % 8);
+            tree.states.push(state.and_then(|state| u8::try_from(state).ok()).unwrap_or(u8::MAX));
+            holds.holds.push(match held {
+                HoldKind::Tree => 0,
+                HoldKind::Active => 1,
+                HoldKind::Latent => 2,
+            });
+            holds.rates.push(hz);
+        }
+        let changed = (holds != self.holds).then(|| holds.clone());
+        self.holds = holds;
+        let tick = Tick { cycle: number, instant: time_us, ..Tick::default() };
+        RecordedCycle { tick, tree, holds: changed, ..RecordedCycle::default() }
+    }
+}
+
+/// Adds the value of an information, as JSON text.
+fn add_info(cycle: &mut RecordedCycle, component: usize, info: usize, text: &str) {
+    let record = cycle.information.get_or_insert_with(InformationRecord::default);
+    record.values.push(InformationValue::in_json(component, info, text));
+}
+
+/// Adds a line of the log as what it is.
+fn add_line(cycle: &mut RecordedCycle, line: &LogLine) {
+    let LogLine { time_us, level, kind, ref text, .. } = *line;
+    let log = |text: String| bica_recording::LogLine { level, text };
+    match kind {
+        LogKind::Referee => {
+            let (kind, detail) = text.split_once(", ").unwrap_or((text, ""));
+            let at_ns = time_us.saturating_mul(1000);
+            cycle.events.push(RefereeEvent { at_ns, kind: kind.to_owned(), detail: detail.to_owned() });
+        }
+        LogKind::Request if level <= INFORMATION => {
+            cycle.requests.push(RequestRecord::Unknown { text: text.clone() });
+        }
+        LogKind::Request => cycle.log.push(log(format!("{OPERATOR}{text}"))),
+        LogKind::Note => cycle.log.push(log(format!("{NOTE}{text}"))),
+        LogKind::Server => cycle.log.push(log(format!("{SERVER}{text}"))),
+        LogKind::Robot | LogKind::Tree => cycle.log.push(log(text.clone())),
+    }
+}
+
+/// Kind and text of a log line of such a recording.
+pub(super) fn line_of(text: &str) -> (LogKind, &str) {
+    let kinds = [(NOTE, LogKind::Note), (OPERATOR, LogKind::Request), (SERVER, LogKind::Server)];
+    let found = kinds.iter().find_map(|&(begin, kind)| Some((kind, text.strip_prefix(begin)?)));
+    found.unwrap_or((LogKind::Robot, text))
+}
+
+/// Holds and rates of components.
+pub(super) fn holds_of(record: &HoldsRecord) -> impl Iterator<Item = (HoldKind, Option<f32>)> {
+    let hold = |hold: &u8| [HoldKind::Tree, HoldKind::Active, HoldKind::Latent][usize::from(*hold).min(2)];
+    record.holds.iter().map(hold).zip(record.rates.iter().copied())
+}
+
+/// Adds a value of information.
+fn add_value(cycle: &mut RecordedCycle, component: usize, info: usize, value: &Value) {
+    add_info(cycle, component, info, &value.to_string());
+}

@@ -1,0 +1,105 @@
+//! The ball of a simulated world is moved by hand.
+
+use jmanager_browser::{Page, Server};
+
+use crate::{open, tab};
+
+/// Distance of the ball from the robot, m.
+const DISTANCE: f64 = 0.8;
+/// Direction of the head that is reached when the ball lies at a side, rad.
+const ASIDE: f64 = 0.3;
+
+/// The robot's pose on the field, m and rad, as the map states it.
+async fn pose(page: &Page) -> [f64; 3] {
+    let script = "const text = document.querySelector('[aria-label=Field] .bar .dim').textContent.replaceAll('−', '-'); \
+        return text.match(/(-?[\\d.]+), (-?[\\d.]+) m · (-?\\d+)°/)?.slice(1).map(Number)";
+    let pose = page.until("the robot knows where it is", script).await;
+    let [x, y, degrees] = [0, 1, 2].map(|index| pose[index].as_f64().expect("a number"));
+    [x, y, degrees.to_radians()]
+}
+
+/// The position at a bearing from the robot, m.
+fn beside([x, y, heading]: [f64; 3], bearing: f64) -> (f64, f64) {
+    (x + DISTANCE * (heading + bearing).cos(), y + DISTANCE * (heading + bearing).sin())
+}
+
+/// The point of the window that shows a position of the field, as `panels/field.js` draws it.
+async fn on_map(page: &Page, (x, y): (f64, f64)) -> (f64, f64) {
+    let map = page.find("img", "Field map", "").await;
+    let ([_, _, width, height], (middle_x, middle_y)) = (map.place().await, map.middle().await);
+    let scale = ((width - 8.0) / 7.4).min((height - 8.0) / 5.4);
+    (middle_x + x * scale, middle_y - y * scale)
+}
+
+/// Waits until the head's pan, which the component's tab shows, meets a condition.
+async fn pan(page: &Page, condition: &str) {
+    let script = format!(
+        "const pan = Number.parseFloat(document.querySelector('[aria-label=Information] .v[aria-label=pan]')?.textContent.replace('−', '-')); \
+        return pan {condition}"
+    );
+    page.until(&format!("the head's pan is {condition}"), &script).await;
+}
+
+/// Places the ball by numbers, in the menu of the map.
+async fn place(page: &Page, x: f64, y: f64) {
+    page.click("button", "Place the ball", "Field").await;
+    page.find("textbox", "Ball x", "").await.set(&format!("{x:.3}")).await;
+    page.find("textbox", "Ball y", "").await.set(&format!("{y:.3}")).await;
+    page.press("\u{e007}").await;
+}
+
+/// With the root latent and `FaceBall` held active the head follows a ball that is dragged on the map, to both sides.
+#[tokio::test]
+async fn the_head_follows_a_ball_that_is_dragged_on_the_map() {
+    let server = Server::start("ball", &[]);
+    let page = open(&server).await;
+    tab(&page, "Drive").await;
+    page.click("button", "Take over", "Take over").await;
+    page.reads("Driven by you").await;
+    let mut robot = pose(&page).await;
+    loop {
+        tokio::time::sleep(std::time::Duration::from_secs(1)).await;
+        let now = pose(&page).await;
+        if std::mem::replace(&mut robot, now) == now {
+            break;
+        }
+    }
+    page.find("slider", "Head pan", "Head").await.set("0").await;
+    page.find("slider", "Head tilt", "Head").await.set("0.2").await;
+    let (x, y) = beside(robot, 0.0);
+    place(&page, x, y).await;
+    page.reads("the ball lies at").await;
+    page.press("\u{e00c}").await;
+    page.click("switch", "Head follows the ball", "Take over").await;
+    page.click("button", "Head", "Activation tree").await;
+    pan(&page, "> -0.1 && pan < 0.1").await;
+    let mut bearing = 0.0_f64;
+    for (direction, end) in [(1.0, format!("> {ASIDE}")), (-1.0, format!("< -{ASIDE}"))] {
+        // So far that the ball stays in the camera's view.
+        while bearing * direction < ASIDE + 0.1 {
+            let from = on_map(&page, beside(robot, bearing)).await;
+            bearing += direction * 0.2;
+            page.drag(from, on_map(&page, beside(robot, bearing)).await).await;
+            let reached = if direction > 0.0 { "> " } else { "< " };
+            pan(&page, &format!("{reached} {}", bearing - direction * 0.12)).await;
+        }
+        pan(&page, &end).await;
+    }
+    page.screenshot("ball").await;
+    tab(&page, "Log").await;
+    page.reads("ball at").await;
+    page.close().await;
+}
+
+#[tokio::test]
+async fn a_place_outside_the_field_is_explained() {
+    let server = Server::start("outside", &[]);
+    let page = open(&server).await;
+    place(&page, 3.5, 0.0).await;
+    page.reads("x must be from -3 to 3 m, y from -2 to 2 m").await;
+    page.reads("operator: you").await;
+    page.find("textbox", "Ball x", "").await.set("far").await;
+    page.press("\u{e007}").await;
+    page.reads("are no position").await;
+    page.close().await;
+}

@@ -1,0 +1,71 @@
+//! The header of a recording that a monitor makes.
+
+use bica_link::{Component, Description, Kind, Param};
+use serde_json::Value;
+
+use crate::header::{
+    ComponentInfo, Header, ImagePolicy, InformationInfo, MONITOR_FORMAT, MonitorInfo, Parameter, ParameterInfo,
+    Program, RobotInfo, TreeInfo,
+};
+
+/// Ticks of an instant in a second: a monitor knows times in µs.
+const TICK_HZ: u64 = 1_000_000;
+
+impl Header {
+    /// The header of what this program, a monitor, records of a robot at an address. Parameters have the values that are in the
+    /// description now.
+    #[must_use]
+    pub fn of_monitor(address: &str, description: &Description) -> Self {
+        let unknown = || "unknown".to_owned();
+        Self {
+            format: MONITOR_FORMAT,
+            program: Program::current(),
+            tree: TreeInfo {
+                name: description.name.clone(),
+                hash: description.hash.clone(),
+                cycle_hz: description.cycle_hz,
+                tick_hz: TICK_HZ,
+                components: description.components.iter().map(component).collect(),
+            },
+            robot: RobotInfo { model: unknown(), profile: unknown(), attacks: unknown() },
+            rules: None,
+            parameters: description.components.iter().flat_map(parameters).collect(),
+            images: ImagePolicy::None,
+            monitor: Some(MonitorInfo {
+                address: address.to_owned(),
+                // A description has no type that JSON lacks.
+                description: serde_json::to_value(description).unwrap_or_default(),
+            }),
+        }
+    }
+}
+
+fn component(described: &Component) -> ComponentInfo {
+    let parameter = |param: &Param| ParameterInfo {
+        name: param.name.clone(),
+        variants: match &param.kind {
+            Kind::Choice { variants } => variants.iter().map(|variant| variant.name.clone()).collect(),
+            _ => Vec::new(),
+        },
+    };
+    ComponentInfo {
+        name: described.name.clone(),
+        states: described.states.iter().map(|state| state.name.clone()).collect(),
+        parameters: described.params.iter().map(parameter).collect(),
+        information: described
+            .info
+            .iter()
+            .map(|info| InformationInfo::in_json(&info.name, info.unit.as_deref()))
+            .collect(),
+        modulations: described.modulations.iter().map(|modulation| modulation.name.clone()).collect(),
+    }
+}
+
+fn parameters(described: &Component) -> impl Iterator<Item = Parameter> {
+    described.params.iter().filter_map(|param| {
+        let value = param.value.as_ref()?;
+        let text = if let Value::String(text) = value { text.clone() } else { value.to_string() };
+        let is_default = *value == param.default;
+        Some(Parameter { component: described.name.clone(), name: param.name.clone(), value: text, is_default })
+    })
+}

@@ -1,0 +1,128 @@
+//! Recordings that a monitor makes of a robot behind a link.
+
+mod header;
+
+use std::io;
+
+use crate::header::Header;
+use crate::image_codec::ImageCoder;
+use crate::message::{Channel, ImageRecord, Tick, TreeRecord};
+use crate::recorder::{Output, Report, Sink};
+use crate::recording::RecordedCycle;
+
+/// Size of a chunk before compression, bytes.
+const CHUNK_BYTES: usize = 1 << 20;
+/// Most images of a chunk: a reader keeps 64 of them until their cycles have come.
+const CHUNK_IMAGES: usize = 32;
+
+/// An image that a monitor has received.
+#[derive(Clone, Copy, Debug)]
+pub struct ReceivedImage<'a> {
+    /// Number, from 0.
+    pub number: u32,
+    /// Time of the cycle that took it in, µs.
+    pub time_us: u64,
+    /// Whether the bottom camera took it.
+    pub bottom_camera: bool,
+    /// Width, px; even.
+    pub width: u16,
+    /// Height, px.
+    pub height: u16,
+    /// YUYV 4:2:2.
+    pub yuyv: &'a [u8],
+}
+
+/// Writer of what a monitor has received.
+///
+/// Values are written when a chunk is full, and by [`write_if_due`](Self::write_if_due) at the latest after 0.3 s; every 0.5 s the
+/// operating system is asked to bring them to the disk.
+#[derive(Debug)]
+pub struct MonitorRecorder<S> {
+    output: Output<S>,
+    tree: Option<TreeRecord>,
+    tree_digest: u32,
+    coder: ImageCoder,
+    /// Number of images of the open chunk.
+    images: usize,
+}
+
+impl<S: Sink> MonitorRecorder<S> {
+    /// Begins a file with a header that [`Header::of_monitor`] made.
+    ///
+    /// # Errors
+    /// If the header cannot be written.
+    pub fn new(sink: S, header: &Header) -> io::Result<Self> {
+        let output = Output::new(sink, header, CHUNK_BYTES)?;
+        Ok(Self { output, tree: None, tree_digest: 0, coder: ImageCoder::default(), images: 0 })
+    }
+
+    /// Length of the file, bytes.
+    pub const fn length(&self) -> u64 {
+        self.output.length()
+    }
+
+    /// Adds an image, before its cycle or after it. An image whose size is not possible is left out.
+    ///
+    /// # Errors
+    /// If a chunk cannot be written; then [`finish`](Self::finish) keeps what is complete.
+    pub fn image(&mut self, image: &ReceivedImage<'_>) -> io::Result<()> {
+        let ReceivedImage { number, time_us, bottom_camera, width, height, yuyv } = *image;
+        let mut coded = Vec::with_capacity(yuyv.len() / 2);
+        if self.coder.encode(yuyv, width.into(), height.into(), &mut coded).is_err() {
+            return Ok(());
+        }
+        let record = ImageRecord { id: number.wrapping_add(1), bottom_camera, width, height, coded };
+        self.output.message(Channel::Images, time_us.saturating_mul(1000), &record);
+        self.images += 1;
+        if self.images >= CHUNK_IMAGES { self.flush() } else { self.output.flush_if_large() }
+    }
+
+    /// Adds a cycle: number and instant (µs) of its tick, tree, holds, requests, events, log lines and information. Cycles come in
+    /// the order of their instants; some may be missing.
+    ///
+    /// # Errors
+    /// As [`image`](Self::image).
+    pub fn cycle(&mut self, cycle: &RecordedCycle) -> io::Result<()> {
+        let Tick { cycle: number, instant, .. } = cycle.tick;
+        let (output, time) = (&mut self.output, instant.saturating_mul(1000));
+        cycle.requests.iter().for_each(|request| output.message(Channel::Requests, time, request));
+        cycle.events.iter().for_each(|event| output.message(Channel::Events, time, event));
+        cycle.log.iter().for_each(|line| output.message(Channel::Log, time, line));
+        if let Some(information) = &cycle.information {
+            output.message(Channel::Information, time, information);
+        }
+        if let Some(holds) = &cycle.holds {
+            output.message(Channel::Holds, time, holds);
+        }
+        if self.tree.as_ref() != Some(&cycle.tree) {
+            output.message(Channel::Tree, time, &cycle.tree);
+            self.tree_digest = cycle.tree.digest();
+            self.tree = Some(cycle.tree.clone());
+        }
+        // A digest of what was not received is 0.
+        let tick = Tick { cycle: number, instant, tree: self.tree_digest, ..Tick::default() };
+        output.message(Channel::Tick, time, &tick);
+        output.cycles += 1;
+        output.flush_if_large()
+    }
+
+    /// Writes what has waited long enough. Called at least every 0.1 s while a robot is recorded.
+    ///
+    /// # Errors
+    /// As [`image`](Self::image).
+    pub fn write_if_due(&mut self) -> io::Result<()> {
+        self.output.flush_if_due()
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.images = 0;
+        self.output.flush()
+    }
+
+    /// Closes the file. `reason` is why the recording ends early; if it is a failure of the disk, the file keeps all complete chunks.
+    #[must_use]
+    pub fn finish(mut self, reason: Option<String>, dropped_images: u64) -> Report {
+        let reason = self.output.finish(reason, String::new(), dropped_images);
+        Report { cycles: self.output.written_cycles, bytes: self.output.length(), dropped_images, reason }
+    }
+}

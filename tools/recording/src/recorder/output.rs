@@ -1,0 +1,105 @@
+//! The file of a recording that is being made.
+
+use std::io;
+use std::time::{Duration, Instant};
+
+use serde::Serialize;
+
+use super::Sink;
+use super::thread::{begin, compression, encode, io_error};
+use crate::header::{ENDING_NAME, Ending, Header, to_metadata};
+use crate::mcap::Writer;
+use crate::message::Channel;
+
+/// Longest time that values wait in memory.
+const FLUSH_AFTER: Duration = Duration::from_millis(300);
+/// Longest time after which the operating system is asked to bring everything to the disk.
+const SYNC_AFTER: Duration = Duration::from_millis(500);
+
+/// The file of a recording: chunks that are complete soon after their values came.
+#[derive(Debug)]
+pub(crate) struct Output<S> {
+    writer: Writer<S>,
+    chunk_bytes: usize,
+    /// Number of cycles so far.
+    pub(crate) cycles: u64,
+    /// Number of cycles in the file.
+    pub(crate) written_cycles: u64,
+    flushed: Instant,
+    synced: Instant,
+}
+
+impl<S: Sink> Output<S> {
+    /// Begins a file with a header.
+    pub(crate) fn new(sink: S, header: &Header, chunk_bytes: usize) -> io::Result<Self> {
+        let (writer, now) = (begin(sink, header)?, Instant::now());
+        Ok(Self { writer, chunk_bytes, cycles: 0, written_cycles: 0, flushed: now, synced: now })
+    }
+
+    /// Length of the file, bytes.
+    pub(crate) const fn length(&self) -> u64 {
+        self.writer.length()
+    }
+
+    /// Adds a message.
+    pub(crate) fn message(&mut self, channel: Channel, time: u64, value: &impl Serialize) {
+        self.writer.message(compression(channel), channel.id(), time, |out| encode(out, value));
+    }
+
+    /// Adds a message that is encoded already.
+    pub(crate) fn encoded(&mut self, channel: Channel, time: u64, bytes: &[u8]) {
+        self.writer.message(compression(channel), channel.id(), time, |out| out.extend_from_slice(bytes));
+    }
+
+    /// Writes everything.
+    pub(crate) fn flush(&mut self) -> io::Result<()> {
+        self.writer.flush()?;
+        self.written_cycles = self.cycles;
+        self.flushed = Instant::now();
+        Ok(())
+    }
+
+    /// Writes a chunk that is large enough.
+    pub(crate) fn flush_if_large(&mut self) -> io::Result<()> {
+        if self.writer.pending() >= self.chunk_bytes { self.flush() } else { Ok(()) }
+    }
+
+    /// Writes what has waited long enough.
+    pub(crate) fn flush_if_due(&mut self) -> io::Result<()> {
+        if self.flushed.elapsed() >= FLUSH_AFTER {
+            self.flush()?;
+        }
+        if self.synced.elapsed() >= SYNC_AFTER {
+            self.writer.target_mut().sync()?;
+            self.synced = Instant::now();
+        }
+        Ok(())
+    }
+
+    /// Closes the file; returns why the recording ended early. A file that cannot be closed keeps its complete chunks.
+    pub(crate) fn finish(&mut self, reason: Option<String>, result: String, dropped_images: u64) -> Option<String> {
+        let mut failed = reason;
+        if failed.is_none() {
+            failed = self.flush().err().map(|error| format!("cannot write: {error}"));
+        }
+        if failed.is_some() {
+            self.writer.discard();
+            // What an incomplete write left behind would make the rest unreadable.
+            let length = self.writer.length();
+            let _ = self.writer.target_mut().truncate(length);
+        }
+        let reason = failed.clone().unwrap_or_default();
+        let ending = Ending { cycles: self.written_cycles, dropped_images, reason, result };
+        let closed = to_metadata(&ending)
+            .map_err(io_error)
+            .and_then(|fields| self.writer.metadata(ENDING_NAME, &fields))
+            .and_then(|()| self.writer.close())
+            .and_then(|()| self.writer.target_mut().sync());
+        if let Err(error) = closed {
+            let length = self.writer.length();
+            let _ = self.writer.target_mut().truncate(length);
+            failed = failed.or_else(|| Some(format!("cannot write the end of the file: {error}")));
+        }
+        failed
+    }
+}

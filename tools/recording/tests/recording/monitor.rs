@@ -1,0 +1,220 @@
+//! Recordings that a monitor makes.
+
+use std::io::Read;
+
+use bica_link::{Component, Description, Info as Information, State};
+use bica_recording::export::export;
+use bica_recording::mcap::{Item, Reader};
+use bica_recording::repair::{recover, trim};
+use bica_recording::{
+    Error, Header, HoldsRecord, Info, InformationRecord, InformationValue, LogLine, MonitorRecorder, ReceivedImage,
+    RecordedCycle, Recording, RefereeEvent, Report, RequestRecord, Tick, TreeRecord,
+};
+use serde_json::json;
+
+use crate::support::{Disk, SIZE, pixels};
+
+/// Period of a cycle, µs.
+const PERIOD_US: u64 = 10_000;
+
+/// A tree of two components, one of them with states and an information.
+fn description() -> Description {
+    let text = str::to_owned;
+    let state = |name: &str, initial| State { name: text(name), doc: String::new(), initial, last: false };
+    let info = Information { name: text("seen"), doc: String::new(), unit: Some(text("m")), type_name: text("Seen") };
+    let states = vec![state("dark", true), state("bright", false)];
+    let blinker = Component { name: text("Blinker"), root: true, states, info: vec![info], ..Component::default() };
+    let counter = Component { name: text("Counter"), ..Component::default() };
+    let components = vec![blinker, counter];
+    Description { name: text("Lamp"), hash: text("0123"), cycle_hz: 100.0, components, ..Description::default() }
+}
+
+fn header() -> Header {
+    Header::of_monitor("tcp://lamp:7400", &description())
+}
+
+/// A cycle with everything that depends on its number.
+fn cycle(number: u64) -> RecordedCycle {
+    let instant = PERIOD_US * number;
+    let tick = Tick { cycle: number, instant, ..Tick::default() };
+    let tree =
+        TreeRecord { active: vec![1 + 2 * u8::from(number >= 20)], states: vec![u8::from(number >= 10), u8::MAX] };
+    let holds = HoldsRecord { holds: vec![0, 1 + u8::from(number >= 15)], rates: vec![None, Some(25.0)] };
+    let value = InformationValue::in_json(0, 0, &json!({ "number": number, "at": [0.5, null] }).to_string());
+    let mut cycle = RecordedCycle { tick, tree, ..RecordedCycle::default() };
+    cycle.holds = [0, 15].contains(&number).then_some(holds);
+    cycle.information = number.is_multiple_of(10).then(|| InformationRecord { values: vec![value] });
+    match number {
+        3 => cycle.requests.push(RequestRecord::Unknown { text: "hold Counter Latent".to_owned() }),
+        4 => cycle.log.push(LogLine { level: 3, text: "hot".to_owned() }),
+        5 => cycle.events.push(RefereeEvent { at_ns: 50_000_000, kind: "goal".to_owned(), detail: "own".to_owned() }),
+        _ => {}
+    }
+    cycle
+}
+
+fn image(number: u32, time_us: u64, yuyv: &[u8]) -> ReceivedImage<'_> {
+    ReceivedImage { number, time_us, bottom_camera: false, width: SIZE.0, height: SIZE.1, yuyv }
+}
+
+/// Records cycles; every third one has an image, that comes some cycles late.
+fn record(disk: &Disk, cycles: u64, late: u64) -> std::io::Result<Report> {
+    let mut recorder = MonitorRecorder::new(disk.clone(), &header())?;
+    let mut write = || -> std::io::Result<()> {
+        for number in 0..cycles {
+            recorder.cycle(&cycle(number))?;
+            if let Some(of) = number.checked_sub(late).filter(|of| of.is_multiple_of(3)) {
+                recorder.image(&image(of as u32 / 3, PERIOD_US * of, &pixels(of)))?;
+            }
+        }
+        Ok(())
+    };
+    let reason = write().err().map(|error| format!("cannot write: {error}"));
+    Ok(recorder.finish(reason, 0))
+}
+
+fn recorded(cycles: u64, late: u64) -> Vec<u8> {
+    let disk = Disk::default();
+    let report = record(&disk, cycles, late).expect("memory");
+    assert_eq!((report.cycles, report.reason), (cycles, None));
+    disk.contents()
+}
+
+/// All cycles, with the number and the time (µs) of their images.
+fn read(source: impl Read) -> Vec<(RecordedCycle, Option<(u32, u64)>)> {
+    let mut recording = Recording::new(source).expect("a recording");
+    let mut cycles = Vec::new();
+    while let Some(cycle) = recording.next_cycle().expect("intact") {
+        cycles.push((cycle, recording.image_place().map(|place| (place.id - 1, place.time / 1000))));
+    }
+    cycles
+}
+
+#[test]
+fn what_was_received_is_read_again() {
+    for (number, (read, place)) in (0..).zip(read(&recorded(40, 0)[..])) {
+        let mut expected = cycle(number);
+        expected.tick.tree = expected.tree.digest();
+        expected.image = read.image.clone();
+        assert_eq!(read, expected);
+        let time_us = PERIOD_US * number;
+        assert_eq!(place, number.is_multiple_of(3).then_some((number as u32 / 3, time_us)));
+        if let Some(image) = read.image {
+            assert!(image.yuyv == pixels(number), "{number}");
+        }
+    }
+}
+
+#[test]
+fn an_image_that_came_late_has_its_own_time() {
+    let bytes = recorded(60, 7);
+    let places: Vec<_> = read(&bytes[..]).into_iter().filter_map(|(_, place)| place).collect();
+    let expected: Vec<_> = (0..=17).map(|number: u32| (number, 3 * PERIOD_US * u64::from(number))).collect();
+    assert_eq!(places, expected);
+}
+
+#[test]
+fn many_small_images_find_their_cycles() {
+    let disk = Disk::default();
+    let mut recorder = MonitorRecorder::new(disk.clone(), &header()).expect("memory");
+    let dark = [0; 2 * SIZE.0 as usize * SIZE.1 as usize];
+    for number in 0..300 {
+        recorder.image(&image(number as u32, PERIOD_US * number, &dark)).expect("memory");
+        recorder.cycle(&cycle(number)).expect("memory");
+    }
+    assert_eq!(recorder.finish(None, 0).cycles, 300);
+    for (number, (_, place)) in (0..).zip(read(&disk.contents()[..])) {
+        assert_eq!(place, Some((number as u32, PERIOD_US * number)));
+    }
+}
+
+#[test]
+fn an_image_of_an_impossible_size_is_left_out() {
+    let disk = Disk::default();
+    let mut recorder = MonitorRecorder::new(disk.clone(), &header()).expect("memory");
+    recorder.image(&ReceivedImage { width: 3, ..image(0, 0, &[0; 12]) }).expect("nothing is written");
+    recorder.image(&image(1, 0, &[0; 12])).expect("nothing is written");
+    recorder.cycle(&cycle(0)).expect("memory");
+    assert_eq!(recorder.finish(None, 0).reason, None);
+    assert!(read(&disk.contents()[..]).iter().all(|(_, place)| place.is_none()));
+}
+
+#[test]
+fn a_trimmed_recording_begins_with_the_states_and_holds_before_it() {
+    let mut part = Vec::new();
+    let copied = trim(&recorded(40, 0)[..], &mut part, 250_000_000, 300_000_000).expect("memory");
+    assert_eq!(copied.cycles, 6);
+    let (first, _) = read(&part[..]).remove(0);
+    assert_eq!((first.tick.cycle, first.tree), (25, cycle(25).tree));
+    assert_eq!(first.holds, cycle(15).holds);
+}
+
+#[test]
+fn a_cut_recording_is_recovered_up_to_the_cut() {
+    // More images than a chunk has, so that there are several chunks.
+    let whole = recorded(400, 0);
+    let cut = &whole[..whole.len() * 3 / 4];
+    assert!(matches!(Recording::new(cut).map(|_| ()), Ok(())));
+    let mut recovered = Vec::new();
+    let copied = recover(cut, &mut recovered).expect("memory");
+    assert!((100..400).contains(&copied.cycles) && copied.damage.len() == 1, "{copied:?}");
+    assert_eq!(read(&recovered[..]).len() as u64, copied.cycles);
+}
+
+#[test]
+fn a_full_disk_leaves_all_complete_chunks() {
+    let whole = recorded(400, 0);
+    let disk = Disk { capacity: Some(whole.len() / 2), ..Disk::default() };
+    let report = record(&disk, 400, 0).expect("room for the header");
+    assert!(report.reason.as_ref().is_some_and(|reason| reason.contains("cannot write")), "{report:?}");
+    assert!((50..400).contains(&report.cycles), "{report:?}");
+    let info = Info::read(&disk.contents()[..]).expect("a recording");
+    assert_eq!(info.cycles, report.cycles);
+    assert!(MonitorRecorder::new(Disk { capacity: Some(100), ..Disk::default() }, &header()).is_err());
+}
+
+#[test]
+fn an_overview_lists_requests_and_events_and_no_fingerprint() {
+    let info = Info::read(&recorded(40, 0)[..]).expect("a recording");
+    assert_eq!((info.cycles, info.fingerprint.as_str(), info.damage), (40, "", None));
+    assert_eq!((info.requests[0].request.as_str(), info.events[0].event.as_str()), ("hold Counter Latent", "goal"));
+    let monitor = info.header.monitor.expect("a monitor made it");
+    assert_eq!(monitor.address, "tcp://lamp:7400");
+    assert_eq!(serde_json::from_value::<Description>(monitor.description).expect("a description"), description());
+}
+
+#[test]
+fn an_export_has_the_received_information_and_images() {
+    let mut exported = Vec::new();
+    export(&recorded(40, 0)[..], &mut exported).expect("memory");
+    let mut reader = Reader::new(&exported[..]).expect("MCAP");
+    let (mut information, mut camera, mut values, mut images) = (None, None, Vec::new(), 0);
+    loop {
+        match reader.next_item().expect("intact") {
+            Item::Channel(channel) if channel.topic == "/information/Blinker/seen" => information = Some(channel.id),
+            Item::Channel(channel) if channel.topic == "/camera" => camera = Some(channel.id),
+            Item::Message(message) if Some(message.channel) == information => {
+                values.push(serde_json::from_slice::<serde_json::Value>(&message.data).expect("JSON"));
+            }
+            Item::Message(message) if Some(message.channel) == camera => images += 1,
+            Item::End => break,
+            _ => {}
+        }
+    }
+    assert_eq!(values, [0, 10, 20, 30].map(|number| json!({ "number": number, "at": [0.5, null] })));
+    assert_eq!(images, 14);
+}
+
+#[test]
+fn a_header_of_the_other_format_is_damaged() {
+    for header in [Header { format: 2, ..header() }, Header { monitor: None, ..header() }] {
+        let disk = Disk::default();
+        let recorder = MonitorRecorder::new(disk.clone(), &header).expect("memory");
+        assert_eq!(recorder.finish(None, 0).cycles, 0);
+        assert!(matches!(Recording::new(&disk.contents()[..]).map(|_| ()), Err(Error::Damaged { .. })));
+    }
+    let disk = Disk::default();
+    let _ = MonitorRecorder::new(disk.clone(), &Header { format: 4, ..header() }).expect("memory");
+    let error = Recording::new(&disk.contents()[..]).map(|_| ()).expect_err("a newer format");
+    assert!(error.to_string().contains("format 4"), "{error}");
+}
