@@ -130,6 +130,13 @@ mod tests {
     }
 
     #[test]
+    fn other_computers_need_a_token() {
+        assert!(parse("--listen 0.0.0.0").is_err());
+        assert!(parse("--host bench.local --token-file t").is_err());
+        assert!(parse("--listen 0.0.0.0 --token-file t --host bench.local").is_ok());
+    }
+
+    #[test]
     fn building_needs_a_folder_of_sources() {
         assert!(parse("--build").is_err());
         assert!(parse("--source . --run x").is_err());
