@@ -110,6 +110,8 @@ fn receive(stream: &mut TcpStream, quiet: Duration) -> LeaseState {
 fn session(actions: &[Action]) {
     let mut stream = TcpStream::connect(&*SERVER).expect("the server listens");
     let (mut encoder, mut lease) = (Encoder::new(), 0);
+    // A connection that begins with noise is closed.
+    let _ = stream.write_all(&monitor(&mut encoder, &FromMonitor::Attach));
     for (number, action) in (0..).zip(actions.iter().take(40)) {
         let bytes = match action {
             Action::Raw(bytes) => bytes.clone(),

@@ -152,7 +152,8 @@ pub struct Conditions {
     pub component: u16,
     /// Index of the first transition.
     pub first: u16,
-    /// The conditions; none for one that was not evaluated since the component came into its present state.
+    /// The conditions; none for one that was not evaluated since the component came into its present state. That of the transition by which
+    /// it came held at that instant.
     pub values: Vec<Option<ConditionState>, MAX_CONDITIONS>,
 }
 

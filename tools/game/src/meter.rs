@@ -32,7 +32,9 @@ pub(crate) struct Meter {
     /// Of each transition of each component: whether its condition held when it was evaluated last in the present state, and
     /// the instant since which it has had this value.
     pub(crate) conditions: Vec<Vec<Option<(bool, Instant)>>>,
-    now: Instant,
+    /// The transition whose condition held last; it is taken next.
+    holding: usize,
+    pub(crate) now: Instant,
     has_transition: bool,
     began: Clock,
 }
@@ -45,6 +47,7 @@ impl Meter {
             started: Vec::new(),
             stopped: Vec::new(),
             conditions: graph.nodes.iter().map(|node| vec![None; node.transitions.len()]).collect(),
+            holding: 0,
             now: Instant::MIN,
             has_transition: false,
             began: Clock::now(),
@@ -94,6 +97,9 @@ impl Probe for Meter {
     }
 
     fn condition(&mut self, component: ComponentId, transition: usize, holds: bool) {
+        if holds {
+            self.holding = transition;
+        }
         let condition = &mut self.conditions[component.index()][transition];
         if condition.is_none_or(|(last, _)| last != holds) {
             *condition = Some((holds, self.now));
@@ -101,7 +107,9 @@ impl Probe for Meter {
     }
 
     fn transition(&mut self, component: ComponentId, _from: usize, _to: usize) {
-        self.conditions[component.index()].fill(None);
+        let conditions = &mut self.conditions[component.index()];
+        conditions.fill(None);
+        conditions[self.holding] = Some((true, self.now));
         self.has_transition = true;
     }
 }

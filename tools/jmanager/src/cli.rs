@@ -46,7 +46,7 @@ pub struct Cli {
     /// Number of other robots in the world
     #[arg(long, value_name = "N", default_value_t = 0)]
     pub robots: usize,
-    /// Size of the camera images of simulated worlds: 160x120 (the only size of the firmware), 320x240 or 640x480
+    /// Size of the camera images of simulated worlds: 160x120 (always that of the firmware), 320x240 or 640x480
     #[arg(long, value_name = "WxH", default_value = "160x120")]
     pub size: Frame,
     /// Firmware image for `--world firmware`; `cargo xtask firmware --build` builds it
@@ -127,6 +127,13 @@ mod tests {
             parse("--seed 3 vicode check a.rs").unwrap().command.is_none(),
             "these are sources, which do not exist"
         );
+    }
+
+    #[test]
+    fn other_computers_need_a_token() {
+        assert!(parse("--listen 0.0.0.0").is_err());
+        assert!(parse("--host bench.local --token-file t").is_err());
+        assert!(parse("--listen 0.0.0.0 --token-file t --host bench.local").is_ok());
     }
 
     #[test]

@@ -17,20 +17,31 @@ const BUFFER: usize = 4096;
 pub(crate) struct Receiver {
     decoder: Box<Decoder<MAX_PACKET>>,
     buffer: Box<[u8; BUFFER]>,
+    /// Whether the stream ends if it begins with anything but a packet.
+    is_strict: bool,
 }
 
 impl Receiver {
     pub(crate) fn new() -> Self {
-        Self { decoder: Box::default(), buffer: Box::new([0; BUFFER]) }
+        Self { decoder: Box::default(), buffer: Box::new([0; BUFFER]), is_strict: false }
     }
 
-    /// Reads once and passes each undamaged packet to `handle`.
+    /// Receiver of a stream that must begin with an undamaged packet. A web page can make a browser send any bytes to any
+    /// address, but only behind the head of a request or of a handshake.
+    pub(crate) fn strict() -> Self {
+        Self { is_strict: true, ..Self::new() }
+    }
+
+    /// Reads once and passes each undamaged packet to `handle`. A strict stream that begins with something else is at its end.
     pub(crate) fn receive(&mut self, stream: &mut Stream, mut handle: impl FnMut(Packet<'_>)) -> io::Result<Reading> {
         let reading = stream.read(&mut *self.buffer)?;
         if let Reading::Bytes(count) = reading {
             for &byte in &self.buffer[..count] {
                 if let Some(packet) = self.decoder.push(byte) {
+                    self.is_strict = false;
                     handle(packet);
+                } else if self.is_strict && self.decoder.stats().damaged > 0 {
+                    return Ok(Reading::End);
                 }
             }
         }

@@ -79,6 +79,11 @@ impl Stream {
         Err(io::Error::new(ErrorKind::Unsupported, "serial lines are supported on Unix only"))
     }
 
+    /// Whether this is a serial line.
+    pub(crate) const fn is_serial(&self) -> bool {
+        matches!(self, Self::Serial(_))
+    }
+
     /// Returns a second handle of the same stream.
     pub(crate) fn try_clone(&self) -> io::Result<Self> {
         match self {
@@ -110,7 +115,7 @@ impl Stream {
             Self::Serial(file) => file.read(buffer),
         };
         match read {
-            Ok(0) if matches!(self, Self::Serial(_)) => Ok(Reading::Nothing),
+            Ok(0) if self.is_serial() => Ok(Reading::Nothing),
             Ok(0) => Ok(Reading::End),
             Ok(count) => Ok(Reading::Bytes(count)),
             Err(error) => match error.kind() {

@@ -125,6 +125,9 @@ pub(crate) struct Firmware {
     /// Inject errors into the link for twice ten minutes, instead of playing games
     #[arg(long)]
     pub(crate) fuzz: bool,
+    /// Only build the image, and play ten games with each size of camera images
+    #[arg(long)]
+    pub(crate) games: bool,
 }
 
 #[derive(Debug, Default, Args)]

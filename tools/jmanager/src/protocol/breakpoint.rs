@@ -13,8 +13,9 @@ pub struct Breakpoint {
     /// State: reached in the first cycle in which the component is in it and active.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub state: Option<usize>,
-    /// Transition: reached in the cycle in which the component goes from its source to its target. Of several transitions between the
-    /// same states each is reached.
+    /// Transition: reached in the cycle in which it is taken. A session that does not send the values of conditions (a recording, a
+    /// microcontroller) shows states only: there each transition between the same two states is reached, and one from a state
+    /// to itself can have no breakpoint.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub transition: Option<usize>,
 }

@@ -2,7 +2,8 @@
 
 use bica_link::Description;
 
-use super::history::{Change, States};
+use super::history::{Change, History, States};
+use super::live::Command;
 use super::session::Session;
 use super::value::unknown;
 use crate::protocol::{Breakpoint, ComponentNow, Failed, Hit, LogKind, Reached, ToPage};
@@ -30,8 +31,8 @@ enum Reach {
 }
 
 impl Place {
-    /// Finds a breakpoint in a tree.
-    fn find(breakpoint: Breakpoint, description: &Description) -> Result<Self, Failed> {
+    /// Finds a breakpoint in a tree. `is_exact` is whether it is known which transition is taken, and not only the states.
+    fn find(breakpoint: Breakpoint, description: &Description, is_exact: bool) -> Result<Self, Failed> {
         let Breakpoint { component, state, transition } = breakpoint;
         let owner = description.components.get(component).ok_or_else(|| unknown("component", component))?;
         let (reach, text) = match (state, transition) {
@@ -41,8 +42,9 @@ impl Place {
             }
             (None, Some(transition)) => {
                 let found = owner.transitions.get(transition).ok_or_else(|| unknown("transition", transition))?;
-                if found.from == found.to {
-                    let what = format!("`{}` leads from a state to itself, which is not seen from outside", found.name);
+                if found.from == found.to && !is_exact {
+                    let what =
+                        format!("`{}` leads from a state to itself, and this session shows states only", found.name);
                     return Err(Failed::new(what, "set the breakpoint on another transition or a state"));
                 }
                 let text = format!("`{}` has taken `{}`", owner.name, found.name);
@@ -56,7 +58,12 @@ impl Place {
         Ok(Self { breakpoint, reach, text })
     }
 
-    /// Whether it is reached in a cycle.
+    #[cfg(test)]
+    pub(super) const fn at(breakpoint: Breakpoint) -> Self {
+        Self { breakpoint, reach: Reach::State(0), text: String::new() }
+    }
+
+    /// Whether it is reached in a cycle, as far as states show it.
     pub(super) fn is_reached(&self, before: Activity, now: Activity) -> bool {
         match self.reach {
             Reach::State(state) => now == (true, Some(state)) && before != now,
@@ -65,18 +72,33 @@ impl Place {
     }
 }
 
-/// The breakpoints that are reached in a cycle; `before` are the states of all components before it.
-pub(super) fn reached(places: &[Place], before: &[Activity], changed: &[Change]) -> Vec<Breakpoint> {
+/// The breakpoints that are reached in a cycle, as far as states show it; `before` are the states of all components before it. With
+/// `is_exact` those at transitions are found elsewhere.
+pub(super) fn reached(places: &[Place], before: &[Activity], changed: &[Change], is_exact: bool) -> Vec<Breakpoint> {
     let is_reached = |place: &&Place| {
         let change = changed.iter().find(|change| usize::from(change.component) == place.breakpoint.component);
         let both = change.and_then(|change| Some((*before.get(usize::from(change.component))?, change.now)));
         both.is_some_and(|(before, now)| place.is_reached(before, (now.0, now.2)))
     };
-    places.iter().filter(is_reached).map(|place| place.breakpoint).collect()
+    let is_here = |place: &&Place| !is_exact || place.breakpoint.transition.is_none();
+    places.iter().filter(is_here).filter(is_reached).map(|place| place.breakpoint).collect()
 }
 
 /// The first time after `from_us` at which a place is reached.
-fn next(states: &States, places: &[Place], from_us: u64) -> Option<Reached> {
+fn next(history: &History, places: &[Place], from_us: u64, is_exact: bool) -> Option<Reached> {
+    let (taken, seen): (Vec<_>, Vec<_>) =
+        places.iter().partition(|place| is_exact && place.breakpoint.transition.is_some());
+    let is_after = |(time_us, ..): &&(u64, usize, usize)| *time_us > from_us;
+    let by_transition = history.taken().filter(is_after).find_map(|&(time_us, component, transition)| {
+        let breakpoint = Breakpoint { component, state: None, transition: Some(transition) };
+        taken.iter().any(|place| place.breakpoint == breakpoint).then_some(Reached { time_us, breakpoint })
+    });
+    let by_state = next_seen(&history.states, &seen, from_us);
+    by_state.into_iter().chain(by_transition).min_by_key(|reached| reached.time_us)
+}
+
+/// The same as far as states show it.
+fn next_seen(states: &States, places: &[&Place], from_us: u64) -> Option<Reached> {
     let activity = |now: &ComponentNow| (now.0, now.2);
     let mut all: Vec<Activity> = states.base().iter().map(activity).collect();
     for change in states.changes().filter(|change| change.visible) {
@@ -101,12 +123,15 @@ impl Session {
             return Err(Failed::new(what, "remove some"));
         }
         let description = self.description()?;
-        let found = list.iter().map(|one| Place::find(*one, &description));
+        let is_exact = self.shared().can.conditions;
+        let found = list.iter().map(|one| Place::find(*one, &description, is_exact));
         let places = found.collect::<Result<Vec<_>, _>>()?;
         if let Some(pacer) = &self.pacer {
             pacer.set_breakpoints(places.clone());
         }
         self.shared().breakpoints = places;
+        // Transitions are watched from now on; a recording has no thread that watches.
+        let _ = self.command(Command::Watch);
         self.pages.broadcast(&ToPage::Breakpoints { session: self.id, list });
         Ok(())
     }
@@ -120,7 +145,7 @@ impl Session {
     /// The first time in memory after `from_us` at which a breakpoint is reached.
     pub(super) fn next_hit(&self, from_us: u64) -> Option<Reached> {
         let shared = self.shared();
-        next(&shared.history.states, &shared.breakpoints, from_us)
+        next(&shared.history, &shared.breakpoints, from_us, shared.can.conditions)
     }
 
     /// Sends that a breakpoint was reached.
@@ -140,6 +165,7 @@ impl Session {
 mod tests {
     use super::*;
     use crate::protocol::HoldKind;
+    use crate::sessions::history::Limits;
 
     fn place(reach: Reach) -> Place {
         Place { breakpoint: Breakpoint { component: 0, state: None, transition: None }, reach, text: String::new() }
@@ -164,7 +190,19 @@ mod tests {
         for (time, state) in [(0, 0), (10, 1), (20, 0), (30, 1), (40, 1)] {
             states.push(time, time / 10, std::iter::once((true, HoldKind::Tree, Some(state), None)));
         }
-        let at = |from_us| next(&states, &[place(Reach::State(1))], from_us).map(|reached| reached.time_us);
+        let at = |from_us| next_seen(&states, &[&place(Reach::State(1))], from_us).map(|reached| reached.time_us);
         assert_eq!([at(0), at(9), at(10), at(29), at(30)], [Some(10), Some(10), Some(30), Some(30), None]);
+    }
+
+    #[test]
+    fn the_next_transition_is_the_one_that_was_taken() {
+        let limits = Limits { ring_us: None, info_bytes: 0, image_bytes: 0 };
+        let mut history = History::new(limits, 1);
+        for (time, transition) in [(10, 1), (20, 2), (30, 1)] {
+            history.add_taken(time, 0, transition);
+        }
+        let place = Place::at(Breakpoint { component: 0, state: None, transition: Some(1) });
+        let at = |from_us| next(&history, std::slice::from_ref(&place), from_us, true).map(|reached| reached.time_us);
+        assert_eq!([at(0), at(10), at(29), at(30)], [Some(10), Some(30), Some(30), None]);
     }
 }

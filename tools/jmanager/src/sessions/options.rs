@@ -1,5 +1,6 @@
 //! Options of all sessions.
 
+use std::hash::{BuildHasher, Hasher, RandomState};
 use std::path::PathBuf;
 use std::time::Duration;
 
@@ -58,11 +59,27 @@ impl Default for Options {
             layouts: "jmanager-layouts.json".into(),
             firmware: FirmwareImage::MONITOR.into(),
             size: Frame::Small,
-            spool: std::env::temp_dir().join(format!("jmanager-{}", std::process::id())),
+            spool: spool(),
             read_only: false,
             ring: Duration::from_mins(10),
             image_bytes: 96 << 20,
             info_bytes: 64 << 20,
         }
+    }
+}
+
+/// A folder among those of all users. Its name cannot be guessed, so that nobody else can make it before, with links in it.
+fn spool() -> PathBuf {
+    let random = RandomState::new().build_hasher().finish();
+    std::env::temp_dir().join(format!("jmanager-{}-{random:016x}", std::process::id()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_folder_of_running_recordings_has_a_name_that_cannot_be_guessed() {
+        assert_ne!(Options::default().spool, Options::default().spool);
     }
 }

@@ -88,7 +88,7 @@ pub(super) fn run_again(id: SessionId, original: &Session, settings: &[Setting])
     }
     let set = assignments(&*original.description()?, settings)?;
     let options = &original.options;
-    std::fs::create_dir_all(&options.spool).map_err(|error| {
+    super::storage::make_private(&options.spool).map_err(|error| {
         super::storage::failed("make", &options.spool, &error, "is the disk full, or the folder write-protected?")
     })?;
     let out = options.spool.join(format!("again-{id}{MCAP}"));

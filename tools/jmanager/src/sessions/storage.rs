@@ -1,7 +1,7 @@
 //! Files that pages list and save: kept recordings and layouts.
 
 use std::fs::{self, File};
-use std::io::{BufReader, BufWriter, Write as _};
+use std::io::{self, BufReader, BufWriter, Write as _};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::thread;
@@ -135,6 +135,15 @@ pub(super) fn save_layout(options: &Options, name: &str, layout: Value) -> Resul
         return Err(Failed::new("the layouts are too large", "delete some"));
     }
     replace(&options.layouts, text.as_bytes())
+}
+
+/// Makes a folder that other users of the computer cannot read.
+pub(super) fn make_private(folder: &Path) -> io::Result<()> {
+    let mut builder = fs::DirBuilder::new();
+    builder.recursive(true);
+    #[cfg(unix)]
+    std::os::unix::fs::DirBuilderExt::mode(&mut builder, 0o700);
+    builder.create(folder)
 }
 
 /// Writes a file so that another program never sees a part of it, and a failure leaves an old file as it was.

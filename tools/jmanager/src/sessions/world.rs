@@ -18,6 +18,7 @@ use bica_sim::setup::Frame;
 use bica_tuning::Layers;
 
 use super::options::Options;
+use super::storage;
 use crate::protocol::Failed;
 
 pub(super) use pacer::Pacer;
@@ -97,7 +98,7 @@ impl World {
         let rules = setup.rules(options)?;
         pacer.begin();
         // A spool folder that cannot be made is a recording that cannot be made, which the game reports.
-        let _ = fs::create_dir_all(&options.spool);
+        let _ = storage::make_private(&options.spool);
         let (extras_in, extras) = sync_channel(QUEUE);
         let (ready, started) = sync_channel(1);
         let (own, path) = (Arc::clone(pacer), recording.clone());

@@ -1,6 +1,6 @@
 //! The server that is attacked.
 
-use std::io::{Read, Write};
+use std::io::{self, ErrorKind, Read, Write};
 use std::net::{SocketAddr, TcpListener, TcpStream};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -65,9 +65,9 @@ impl Target {
         let (lines, length) = (lines.join("\r\n"), body.len());
         let text =
             format!("{first} HTTP/1.1\r\n{lines}\r\nContent-Length: {length}\r\nConnection: close\r\n\r\n{body}");
-        stream.write_all(text.as_bytes()).unwrap();
-        let mut answer = Vec::new();
         // The server may close before it has read all; what it sent is read anyhow.
+        let _ = stream.write_all(text.as_bytes());
+        let mut answer = Vec::new();
         let _ = stream.read_to_end(&mut answer);
         let answer = String::from_utf8_lossy(&answer).into_owned();
         let (head, body) = answer.split_once("\r\n\r\n").unwrap_or((&answer, ""));
@@ -116,8 +116,14 @@ impl Target {
     }
 }
 
+/// Waits for the next message.
 pub(crate) fn message(page: &mut WebSocket<TcpStream>) -> Result<Value, Error> {
+    let start = Instant::now();
     loop {
+        // The server's pings come in any case.
+        if start.elapsed() > LIMIT {
+            return Err(Error::Io(ErrorKind::TimedOut.into()));
+        }
         match page.read()? {
             Message::Text(text) => return Ok(serde_json::from_str(&text).unwrap()),
             Message::Close(frame) => {
@@ -129,6 +135,11 @@ pub(crate) fn message(page: &mut WebSocket<TcpStream>) -> Result<Value, Error> {
     }
 }
 
+/// Whether nothing came within the timeout of a read.
+pub(crate) fn is_silent(error: &io::Error) -> bool {
+    matches!(error.kind(), ErrorKind::WouldBlock | ErrorKind::TimedOut)
+}
+
 /// Reads until the server has closed the page; returns the code, or 0 if the connection was cut.
 pub(crate) fn closed(page: &mut WebSocket<TcpStream>) -> u64 {
     let start = Instant::now();
@@ -136,6 +147,7 @@ pub(crate) fn closed(page: &mut WebSocket<TcpStream>) -> u64 {
         match message(page) {
             Ok(message) if message["type"] == "close" => return message["code"].as_u64().unwrap(),
             Ok(_) => {}
+            Err(Error::Io(error)) if is_silent(&error) => break,
             Err(_) => return 0,
         }
     }

@@ -4,6 +4,7 @@ mod ball;
 mod breakpoints;
 mod colours;
 mod kept_robot;
+mod lamp;
 mod page;
 mod paused;
 mod recorded;

@@ -115,7 +115,8 @@ pub(super) fn serve(hub: &Arc<Hub>, mut stream: Stream) -> io::Result<()> {
 }
 
 fn read(hub: &Hub, connection: &Arc<Connection>, stream: &mut Stream) {
-    let mut receiver = Receiver::new();
+    // A serial line begins with what was on its way; only a program of a person opens it.
+    let mut receiver = if stream.is_serial() { Receiver::new() } else { Receiver::strict() };
     let mut heard = Instant::now();
     let mut damaged = 0;
     while !connection.is_closed() && !hub.stopped.load(Ordering::Relaxed) {

@@ -1,8 +1,9 @@
 //! State of the link in the loop, shared by its two halves.
 
 use std::collections::{BTreeSet, VecDeque};
+use std::hash::{BuildHasher, Hasher, RandomState};
 use std::sync::Arc;
-use std::time::{Duration, SystemTime, UNIX_EPOCH};
+use std::time::Duration;
 
 use bica_wire::message::{Change, CycleInfo, LeaseAction, Offers, RefusalCode, Request, WorldChange, WorldRequest};
 use bica_wire::server::Lease;
@@ -72,7 +73,7 @@ impl Control {
             watchers: Watchers::default(),
             awaiting_image: BTreeSet::new(),
             outgoing: Outgoing::default(),
-            lease: Lease::new(options.silence, seconds()),
+            lease: Lease::new(options.silence, unpredictable()),
             applied: Vec::new(),
             placements: VecDeque::new(),
             changed: BTreeSet::new(),
@@ -270,7 +271,8 @@ impl Control {
     }
 }
 
-/// Seconds since 1970: numbers of leases of an earlier run of the program must not be valid in this one.
-fn seconds() -> u32 {
-    SystemTime::now().duration_since(UNIX_EPOCH).map_or(1, |since| since.as_secs() as u32)
+/// A number that cannot be guessed: numbers of leases of an earlier run of the program must not be valid in this one.
+fn unpredictable() -> u32 {
+    // The standard library takes its keys from the random numbers of the operating system.
+    RandomState::new().build_hasher().finish() as u32
 }

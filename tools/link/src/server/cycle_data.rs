@@ -120,7 +120,7 @@ impl InfoSink for Bytes<'_> {
 }
 
 /// Messages with the data of one cycle.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub(super) struct Encoded {
     pub(super) cycle: u64,
     /// Places of the messages of the snapshot; none if it is due for nobody.
@@ -130,6 +130,11 @@ pub(super) struct Encoded {
 }
 
 impl Encoded {
+    #[cfg(test)]
+    pub(super) fn of_cycle(cycle: u64) -> Self {
+        Self { cycle, ..Self::default() }
+    }
+
     /// Whether there is a snapshot: the true state of a cycle comes alone.
     pub(super) const fn has_snapshot(&self) -> bool {
         !self.snapshot.is_empty()

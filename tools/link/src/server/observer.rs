@@ -119,7 +119,7 @@ impl<R: Robot> Probe for LinkObserver<R> {
     }
 
     fn transition(&mut self, component: ComponentId, _from: usize, _to: usize) {
-        self.conditions.forget(component);
+        self.conditions.taken(component);
     }
 }
 

@@ -160,3 +160,31 @@ impl Message {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use super::*;
+    use crate::server::cycle_data::Encoded;
+
+    #[test]
+    fn of_data_that_nobody_takes_the_newest_is_kept() {
+        let outbox = Outbox::default();
+        for cycle in 0..100 {
+            let data = Arc::new(Encoded::of_cycle(cycle));
+            outbox.show(Shown { data, snapshot: true, watched: Arc::default() });
+        }
+        let taken = outbox.take(false).expect("it is not closed");
+        let cycles: Vec<_> = taken.data.iter().map(|shown| shown.data.cycle).collect();
+        assert_eq!(cycles, (100 - MAX_DATA as u64..100).collect::<Vec<_>>());
+    }
+
+    #[test]
+    fn of_messages_that_nobody_takes_none_is_lost_until_there_is_no_room() {
+        let outbox = Outbox::default();
+        assert!((0..MAX_STATE).all(|_| outbox.push(Message::Closing("end"))));
+        assert!(!outbox.push(Message::Closing("end")));
+        assert_eq!(outbox.take(false).expect("it is not closed").messages.len(), MAX_STATE);
+    }
+}

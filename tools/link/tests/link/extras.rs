@@ -131,7 +131,9 @@ impl Probe for Oracle {
     }
 
     fn start(&mut self, component: ComponentId) {
-        self.transition(component, 0, 0);
+        if component.index() == usize::from(CART) {
+            self.conditions = [None; 2];
+        }
     }
 
     fn condition(&mut self, _component: ComponentId, transition: usize, holds: bool) {
@@ -141,9 +143,11 @@ impl Probe for Oracle {
         }
     }
 
-    fn transition(&mut self, component: ComponentId, _from: usize, _to: usize) {
+    fn transition(&mut self, component: ComponentId, from: usize, _to: usize) {
         if component.index() == usize::from(CART) {
+            // The transition from state 0 is transition 0, that from state 1 is transition 1.
             self.conditions = [None; 2];
+            self.conditions[from] = Some(ConditionState { holds: true, since_us: self.now });
         }
     }
 }
@@ -183,7 +187,7 @@ fn conditions_and_the_true_state_are_those_of_their_cycle() {
         assert!(cycle.is_multiple_of(3));
         assert_eq!(values[..], expected[*cycle as usize].0, "cycle {cycle}");
     }
-    assert!(conditions.iter().any(|(_, values)| values[0].is_some()));
+    assert!(conditions.iter().any(|(_, values)| values[0].is_some_and(|value| !value.holds)));
     for (cycle, distance) in truths {
         assert!(cycle.is_multiple_of(5));
         assert_eq!(distance.to_bits(), expected[cycle as usize].1.to_bits(), "cycle {cycle}");

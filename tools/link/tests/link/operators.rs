@@ -110,7 +110,12 @@ fn a_second_operator_is_refused_until_it_takes_the_lease() {
     let (mut first, mut second) = (session.client(), session.client());
     first.acquire(false).unwrap();
     let old = first.lease().lease;
+    // The answer to the request of the second one is not what it was told before.
+    event(&mut second, "the lease of the first", |event| {
+        matches!(event, Event::Lease(lease) if lease.owned).then_some(())
+    });
     assert!(matches!(second.acquire(false), Err(Error::Lease)));
+    first.request(batch(&[set(0, 0.25)])).unwrap();
     assert_eq!(second.lease().lease, 0, "only the owner learns the number");
     assert_eq!(refusal(second.request(HOLD)).0, RefusalCode::NoLease);
     let guessed = second.send_request_with(HOLD, old, u64::MAX).unwrap();
@@ -122,7 +127,7 @@ fn a_second_operator_is_refused_until_it_takes_the_lease() {
     let newer = first.send_request_with(HOLD, second.lease().lease, u64::MAX).unwrap();
     assert_eq!(refusal(first.answer(newer)).0, RefusalCode::NoLease);
     assert!(!first.lease().yours && first.lease().owned);
-    assert_eq!(session.requests(), 1);
+    assert_eq!(session.requests(), 2);
 }
 
 #[test]

@@ -117,6 +117,24 @@ activation_tree! {
     pub(crate) struct CartTree { root: Cart, cycle_hz: 100, tunable, components: [Cart, Range, Drive] }
 }
 
+activation_tree! {
+    /// Another robot.
+    pub(crate) struct OtherTree { root: Range, cycle_hz: 100, components: [Range] }
+}
+
+impl Robot for OtherTree {
+    type Sensors<'a> = f32;
+    type Command = ();
+    type Error = Infallible;
+
+    fn sense(&mut self, sensors: &f32) -> Result<(), Infallible> {
+        self.get_mut::<Range>().0 = *sensors;
+        Ok(())
+    }
+
+    fn act(&mut self) {}
+}
+
 /// Indices of the components.
 pub(crate) const CART: u16 = 0;
 pub(crate) const DRIVE: u16 = 2;

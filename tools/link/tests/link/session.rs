@@ -15,7 +15,7 @@ use bica_wire::message::{Offers, Truth};
 use crate::robot::CartTree;
 
 /// Longest wait of a test that fails.
-const LIMIT: Duration = Duration::from_mins(1);
+pub(crate) const LIMIT: Duration = Duration::from_mins(1);
 
 /// Robot's time of a cycle.
 pub(crate) const CYCLE_US: u64 = 10_000;

@@ -139,7 +139,7 @@ fn decompression_bombs_and_impossible_lengths_end_in_an_error_with_bounded_memor
 }
 
 /// Returns a file of which each chunk has one message with a content of 1 MB that compresses well.
-fn bomb(channel: Channel, data: impl Fn(u64) -> Vec<u8>) -> Vec<u8> {
+fn bomb(channel: Channel, count: u64, data: impl Fn(u64) -> Vec<u8>) -> Vec<u8> {
     let file = recorded(1);
     let (mut reader, mut schemas, mut channels) = (Reader::new(&file[..]).expect("MCAP"), Vec::new(), Vec::new());
     let (name, fields) = loop {
@@ -153,7 +153,7 @@ fn bomb(channel: Channel, data: impl Fn(u64) -> Vec<u8>) -> Vec<u8> {
     let mut target = Vec::new();
     let mut writer = Writer::new(&mut target, "bica", schemas, channels).expect("memory");
     writer.metadata(&name, &fields).expect("memory");
-    for number in 0..150 {
+    for number in 0..count {
         writer.message(Compression::Lz4, channel.id(), number, |out| out.extend(data(number)));
         writer.flush().expect("memory");
     }
@@ -167,13 +167,14 @@ fn bomb(channel: Channel, data: impl Fn(u64) -> Vec<u8>) -> Vec<u8> {
 fn slow_messages_without_a_cycle_take_bounded_memory() {
     const LIMIT: u64 = 160 << 20;
     let text = "a".repeat(1 << 20);
-    let log = bomb(Channel::Log, |_| postcard::to_stdvec(&LogLine { level: 2, text: text.clone() }).expect("memory"));
-    let images = bomb(Channel::Images, |number| {
+    let log =
+        bomb(Channel::Log, 150, |_| postcard::to_stdvec(&LogLine { level: 2, text: text.clone() }).expect("memory"));
+    let images = bomb(Channel::Images, 170, |number| {
         let coded = vec![0; 1 << 20];
         let image = ImageRecord { id: number as u32, bottom_camera: false, width: 2, height: 2, coded };
         postcard::to_stdvec(&image).expect("memory")
     });
-    let events = bomb(Channel::Events, |at_ns| {
+    let events = bomb(Channel::Events, 150, |at_ns| {
         postcard::to_stdvec(&RefereeEvent { at_ns, kind: "goal".to_owned(), detail: text.clone() }).expect("memory")
     });
     for (file, words) in [(&log, "without a cycle"), (&events, "without a cycle")] {

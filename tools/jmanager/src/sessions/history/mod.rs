@@ -41,6 +41,8 @@ pub(super) struct History {
     truths: VecDeque<(u64, Truth)>,
     /// Times at which a run of a component took longer than its budget.
     overruns: VecDeque<(u64, u16)>,
+    /// Transitions that were taken: time, µs, component and index. In a session behind a link only those with breakpoints.
+    taken: VecDeque<(u64, usize, usize)>,
 }
 
 impl History {
@@ -53,6 +55,7 @@ impl History {
             lines: VecDeque::new(),
             truths: VecDeque::new(),
             overruns: VecDeque::new(),
+            taken: VecDeque::new(),
         }
     }
 
@@ -89,6 +92,18 @@ impl History {
         // A link reports the overruns of all components of a window at its end, not in their order.
         let place = self.overruns.iter().rev().take_while(|(other, _)| *other > time_us).count();
         self.overruns.insert(self.overruns.len() - place, (time_us, component));
+    }
+
+    pub(super) fn add_taken(&mut self, time_us: u64, component: usize, transition: usize) {
+        if self.taken.len() >= MAX_TRUTHS {
+            self.taken.pop_front();
+        }
+        self.taken.push_back((time_us, component, transition));
+    }
+
+    /// Transitions that were taken, the oldest first.
+    pub(super) fn taken(&self) -> impl Iterator<Item = &(u64, usize, usize)> {
+        self.taken.iter()
     }
 
     /// Returns the last lines of an interval, oldest first.
@@ -136,6 +151,9 @@ impl History {
             }
             while self.overruns.front().is_some_and(|(time, _)| *time < horizon) {
                 self.overruns.pop_front();
+            }
+            while self.taken.front().is_some_and(|(time, ..)| *time < horizon) {
+                self.taken.pop_front();
             }
         }
         let mut horizon = first;

@@ -219,7 +219,7 @@ impl<'a> Attached<'a> {
         let changed = shared.history.states.push(info.time_us, info.cycle, states);
         // A world pauses itself, at the cycle.
         let places = if self.world.is_none() { &shared.breakpoints[..] } else { &[] };
-        let reached = breakpoints::reached(places, &before, &changed);
+        let reached = breakpoints::reached(places, &before, &changed, shared.can.conditions);
         let visible = changed.iter().filter(|change| change.visible);
         let brief = visible.map(|change| (usize::from(change.component), change.time_us, change.now.0, change.now.2));
         self.changes.extend(brief);

@@ -7,7 +7,7 @@ use bica_link::{Costs, Event, Image, Transition};
 use bica_wire::message::{ComponentCost as LinkCost, ExtraKind, Offers, Truth as LinkTruth};
 
 use super::attached::{Attached, EVENTS, UPDATE};
-use crate::protocol::{ComponentCost, Condition, RobotPose, ToPage, Truth};
+use crate::protocol::{Breakpoint, ComponentCost, Condition, Reached, RobotPose, ToPage, Truth};
 use crate::sessions::history::StoredImage;
 use crate::sessions::outbox::{DataKind, Frame};
 use crate::sessions::world::{Extra, MachineConditions};
@@ -20,6 +20,10 @@ const EVERY: u16 = 5;
 pub(super) struct Extras {
     /// Over the link, with n for every n-th cycle or image.
     watched: BTreeMap<ExtraKind, u16>,
+    /// Breakpoints.
+    stops: Vec<Breakpoint>,
+    /// Time of the last conditions of a component, µs.
+    evaluated: BTreeMap<usize, u64>,
     /// Time of the last image that a page received.
     images: BTreeMap<u64, Instant>,
 }
@@ -55,6 +59,12 @@ impl Attached<'_> {
                 want(Offers::CONDITIONS, ExtraKind::Conditions { component: component as u16 }, every);
             }
         }
+        // Each cycle shows which transition was taken in it.
+        let stops: Vec<_> = self.session.shared().breakpoints.iter().map(|place| place.breakpoint).collect();
+        for component in stops.iter().filter(|stop| stop.transition.is_some()).map(|stop| stop.component) {
+            want(Offers::CONDITIONS, ExtraKind::Conditions { component: component as u16 }, 1);
+        }
+        self.extras.stops = stops;
         for &kind in self.extras.watched.keys().filter(|kind| !wanted.contains_key(kind)) {
             self.client.watch_extra(kind, 0)?;
         }
@@ -80,7 +90,9 @@ impl Attached<'_> {
     pub(super) fn link_extra(&mut self, event: Event) {
         match event {
             Event::Conditions { time_us, component, conditions } => {
-                let conditions = conditions.iter().map(|one| one.map(|one| (one.holds, one.since_us))).collect();
+                let conditions: Vec<_> =
+                    conditions.iter().map(|one| one.map(|one| (one.holds, one.since_us))).collect();
+                self.taken(time_us, component, &conditions);
                 self.extra(Extra::Conditions(time_us, vec![(component, conditions)]));
             }
             Event::Truth(truth) => self.extra(Extra::Truth(truth.time_us, page_truth(&truth))),
@@ -89,6 +101,20 @@ impl Attached<'_> {
             Event::Costs(costs) => self.link_costs(&costs),
             _ => {}
         }
+    }
+
+    /// Looks for a transition that was taken since the last conditions of a component came: its condition holds since then.
+    fn taken(&mut self, time_us: u64, component: usize, conditions: &[Option<(bool, u64)>]) {
+        // The first conditions may be those of a transition that was taken long ago.
+        let last = self.extras.evaluated.insert(component, time_us).unwrap_or(time_us.saturating_sub(1));
+        let is_new = |condition: &Option<(bool, u64)>| condition.is_some_and(|(holds, since)| holds && since > last);
+        let Some(transition) = conditions.iter().position(is_new) else { return };
+        let time_us = conditions[transition].map_or(time_us, |(_, since)| since);
+        let breakpoint = Breakpoint { component, state: None, transition: Some(transition) };
+        if self.extras.stops.contains(&breakpoint) {
+            self.reached.push(Reached { time_us, breakpoint });
+        }
+        self.session.shared().history.add_taken(time_us, component, transition);
     }
 
     fn link_costs(&mut self, Costs { cycles, components }: &Costs) {
@@ -118,6 +144,12 @@ impl Attached<'_> {
                 }
             }
             Extra::Conditions(time_us, all) => self.conditions(time_us, &all),
+            Extra::Taken(time_us, all) => {
+                let mut shared = session.shared();
+                for (component, transition) in all {
+                    shared.history.add_taken(time_us, component, transition);
+                }
+            }
             Extra::Overrun(time_us, component) => session.shared().history.add_overrun(time_us, component),
             Extra::Costs { time_us, window_us, components, chain_us, worst_us } => {
                 let session_id = session.id;

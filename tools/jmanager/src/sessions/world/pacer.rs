@@ -75,11 +75,15 @@ impl Pacer {
         lock(&self.state).breakpoints = places;
     }
 
-    /// Pauses after this cycle if a breakpoint was reached in it; `before` and `now` are the states of all components.
-    pub(super) fn cycle(&self, time_us: u64, before: &[Activity], now: &[Activity]) {
+    /// Pauses after this cycle if a breakpoint was reached in it; `before` and `now` are the states of all components, `taken` the
+    /// transitions that were taken: component and index.
+    pub(super) fn cycle(&self, time_us: u64, before: &[Activity], now: &[Activity], taken: &[(usize, usize)]) {
         let mut state = lock(&self.state);
         let reached = |place: &&Place| {
             let component = place.breakpoint.component;
+            if let Some(transition) = place.breakpoint.transition {
+                return taken.contains(&(component, transition));
+            }
             before.get(component).zip(now.get(component)).is_some_and(|(before, now)| place.is_reached(*before, *now))
         };
         let all: Vec<Breakpoint> = state.breakpoints.iter().filter(reached).map(|place| place.breakpoint).collect();
@@ -155,5 +159,24 @@ impl GameControl for Control {
 
     fn recording_ended(&mut self, reason: &str) {
         self.0.not_recorded(reason);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_breakpoint_at_a_transition_is_reached_when_it_is_taken_and_not_when_another_one_between_the_same_states_is() {
+        let pacer = Pacer::default();
+        pacer.set_breakpoints(vec![Place::at(Breakpoint { component: 1, state: None, transition: Some(3) })]);
+        let stays = [(true, None), (true, Some(0))];
+        for taken in [&[][..], &[(1, 2)], &[(0, 3)]] {
+            pacer.cycle(10, &stays, &stays, taken);
+            assert!(!pacer.is_paused() && pacer.reached().is_empty(), "{taken:?}");
+        }
+        pacer.cycle(20, &stays, &stays, &[(0, 1), (1, 3)]);
+        assert!(pacer.is_paused());
+        assert_eq!(pacer.reached()[0].time_us, 20);
     }
 }

@@ -40,6 +40,8 @@ pub(crate) enum Extra {
     Truth(u64, Truth),
     /// Conditions of all components with transitions: whether each holds, and since when, µs.
     Conditions(u64, Vec<MachineConditions>),
+    /// Transitions that were taken in a cycle: component and index.
+    Taken(u64, Vec<(usize, usize)>),
     /// A run of a component took longer than its budget.
     Overrun(u64, u16),
 }
@@ -77,7 +79,11 @@ impl Tap {
         let each = (0..GRAPH.nodes.len()).map(ComponentId::new);
         let state = |id| (scene.robot.is_active(id), scene.robot.state(id).map(|state| state as u16));
         let before = std::mem::replace(&mut self.states, each.map(state).collect());
-        self.pacer.cycle(time_us, &before, &self.states);
+        let taken: Vec<_> = (0..GRAPH.nodes.len()).filter_map(|index| Some((index, scene.taken(index)?))).collect();
+        self.pacer.cycle(time_us, &before, &self.states, &taken);
+        if !taken.is_empty() {
+            self.send(Extra::Taken(time_us, taken));
+        }
     }
 
     fn send(&self, extra: Extra) {

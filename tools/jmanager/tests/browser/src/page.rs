@@ -85,6 +85,17 @@ impl Page {
         self.client.execute(script, arguments).await.unwrap_or_else(|error| panic!("{script}: {error}"))
     }
 
+    /// Runs a script in a frame of the page.
+    ///
+    /// # Panics
+    /// If there is no such frame, or the script fails.
+    pub async fn run_in_frame(&self, index: u16, script: &str) -> Value {
+        self.client.enter_frame(index).await.expect("a frame");
+        let value = self.run(script, vec![]).await;
+        self.client.enter_parent_frame().await.expect("the page");
+        value
+    }
+
     /// Changes the size of the window.
     ///
     /// # Panics

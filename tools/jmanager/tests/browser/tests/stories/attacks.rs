@@ -1,15 +1,34 @@
 //! Attacks that need a browser.
 
 use std::io::{Read, Write};
-use std::net::TcpListener;
+use std::net::{SocketAddr, TcpListener};
+use std::sync::mpsc::{Receiver, channel};
+use std::time::Duration;
 
 use jmanager_browser::{Page, Server};
 use serde_json::json;
 
-use crate::{WIDE, open};
+use crate::{WIDE, open, tab};
 
 fn port(url: &str) -> String {
     url.split(['/', ':']).nth(4).expect("a port").to_owned()
+}
+
+/// Starts the server of a foreign page; returns its address, and the heads of the requests that it gets.
+fn foreign() -> (SocketAddr, Receiver<String>) {
+    let listener = TcpListener::bind("127.0.0.1:0").expect("a port");
+    let address = listener.local_addr().expect("an address");
+    let (sender, requests) = channel();
+    std::thread::spawn(move || {
+        for stream in listener.incoming() {
+            let Ok(mut stream) = stream else { continue };
+            let mut buffer = [0; 4096];
+            let count = stream.read(&mut buffer).unwrap_or_default();
+            let _ = sender.send(String::from_utf8_lossy(&buffer[..count]).to_lowercase());
+            let _ = stream.write_all(b"HTTP/1.1 200 OK\r\nContent-Type: text/html\r\nContent-Length: 35\r\nConnection: close\r\n\r\n<!doctype html><title>evil</title>\n");
+        }
+    });
+    (address, requests)
 }
 
 /// Attack 2: a name of another site that resolves to this computer.
@@ -31,15 +50,7 @@ async fn a_page_of_another_port_gets_nothing_and_changes_nothing() {
     let own = format!("http://127.0.0.1:{}", port(&url));
     let page = Page::open_with(&url, WIDE, &[]).await;
     page.find("button", "View", "").await;
-    let evil = TcpListener::bind("127.0.0.1:0").expect("a port");
-    let address = evil.local_addr().expect("an address");
-    std::thread::spawn(move || {
-        for stream in evil.incoming() {
-            let Ok(mut stream) = stream else { continue };
-            let _ = stream.read(&mut [0; 4096]);
-            let _ = stream.write_all(b"HTTP/1.1 200 OK\r\nContent-Type: text/html\r\nContent-Length: 28\r\nConnection: close\r\n\r\n<!doctype html><title>evil</");
-        }
-    });
+    let (address, _requests) = foreign();
     page.go(&format!("http://{address}/")).await;
     let script = r"
       const own = arguments[0];
@@ -60,9 +71,9 @@ async fn a_page_of_another_port_gets_nothing_and_changes_nothing() {
     }
     assert_ne!(seen["fetch"], "basic", "{seen}");
     // The page in a frame of the foreign page is not shown.
-    page.run("const frame = document.createElement('iframe'); frame.src = arguments[0]; document.documentElement.append(frame); frame.onload = () => { window.framed = true; }", vec![json!(own)]).await;
+    page.run("const frame = document.createElement('iframe'); frame.src = arguments[0]; document.body.append(frame); frame.onload = () => { window.framed = true; }", vec![json!(own)]).await;
     page.until("the frame has ended loading", "return window.framed === true").await;
-    assert_eq!(page.run("return document.querySelector('iframe').contentDocument", vec![]).await, json!(null));
+    assert_eq!(page.run_in_frame(0, "return location.href").await, "chrome-error://chromewebdata/");
 }
 
 /// Attack 6: scripts in the page's own address are forbidden by the policy.
@@ -81,6 +92,43 @@ async fn the_policy_forbids_scripts_that_are_not_files_of_the_server() {
       });";
     page.run(script, vec![]).await;
     page.until("all was tried", "return window.tried === true").await;
-    tokio::time::sleep(std::time::Duration::from_secs(1)).await;
+    tokio::time::sleep(Duration::from_secs(1)).await;
     assert_eq!(page.run("return window.ran", vec![]).await, json!(false));
+}
+
+/// Attack 5: the key leaves the address at once, and no other site learns of this page.
+#[tokio::test]
+async fn the_key_is_in_no_address_and_no_other_site_is_told_of_the_page() {
+    let server = Server::start("referrer", &[]);
+    let page = Page::open(&server, WIDE).await;
+    page.find("button", "View", "").await;
+    let addresses = "return [location.href, document.referrer, ...performance.getEntries().map((one) => one.name)]";
+    let addresses = page.run(addresses, vec![]).await;
+    assert!(addresses.as_array().expect("a list").len() > 5 && !addresses.to_string().contains("key="), "{addresses}");
+    assert_eq!(page.run("return document.cookie", vec![]).await, "");
+    let (address, requests) = foreign();
+    page.run(&format!("location.href = 'http://{address}/'"), vec![]).await;
+    let head = requests.recv_timeout(Duration::from_secs(60)).expect("a request");
+    assert!(head.starts_with("get / ") && !head.contains("referer:"), "{head}");
+}
+
+/// Attack 6: names that are not ours.
+#[tokio::test]
+async fn names_of_files_and_robots_are_shown_as_text() {
+    let name = "<img src=x onerror=\"document.title='broken'\">";
+    let server = Server::start("names", &[]);
+    std::fs::create_dir_all(server.folder.join("recordings")).expect("a folder");
+    std::fs::write(server.folder.join(format!("recordings/{name}.mcap")), "no recording").expect("a file");
+    let page = open(&server).await;
+    tab(&page, "Recordings").await;
+    page.reads(name).await;
+    page.click("button", name, "Recordings").await;
+    page.reads("is no name of a file").await;
+    page.click("button", "Open another session", "").await;
+    page.find("textbox", "Address of the robot", "").await.set(&format!("tcp://{name}:1")).await;
+    page.click("button", "Connect", "").await;
+    page.reads(&format!("tcp://{name}:1")).await;
+    tokio::time::sleep(Duration::from_secs(1)).await;
+    let seen = page.run("return [document.querySelectorAll('img').length, document.title.includes('broken')]", vec![]);
+    assert_eq!(seen.await, json!([0, false]));
 }

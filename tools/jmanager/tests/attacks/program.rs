@@ -1,0 +1,123 @@
+//! Attacks on the program as it is started from a terminal.
+
+use std::io::{BufRead, BufReader, Read};
+use std::path::PathBuf;
+use std::process::{Child, ChildStdout, Command, Stdio};
+use std::sync::atomic::{AtomicU32, Ordering};
+
+use tungstenite::client::IntoClientRequest;
+
+use crate::target::message;
+
+/// A program in a folder of its own; both end with it.
+struct Program {
+    child: Child,
+    folder: PathBuf,
+}
+
+impl Program {
+    fn start(arguments: &[&str]) -> Self {
+        static COUNT: AtomicU32 = AtomicU32::new(0);
+        let number = COUNT.fetch_add(1, Ordering::Relaxed);
+        let folder = std::env::temp_dir().join(format!("jmanager-program-{}-{number}", std::process::id()));
+        std::fs::create_dir_all(&folder).unwrap();
+        let mut command = Command::new(env!("CARGO_BIN_EXE_jmanager"));
+        command.args(["--no-open", "--port", "0", "tcp://127.0.0.1:1"]).args(arguments).current_dir(&folder);
+        let pipes = command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
+        let child = pipes.spawn().unwrap();
+        Self { child, folder }
+    }
+
+    /// Waits for the URL; returns the lines up to it, and what comes after them.
+    fn url(&mut self) -> (String, Vec<String>, BufReader<ChildStdout>) {
+        let mut output = BufReader::new(self.child.stdout.take().unwrap());
+        let mut lines = Vec::new();
+        loop {
+            let mut line = String::new();
+            assert!(output.read_line(&mut line).unwrap() > 0, "no URL: {lines:?}");
+            let url = line.split_whitespace().find(|word| word.starts_with("http://")).map(str::to_owned);
+            lines.push(line);
+            if let Some(url) = url {
+                return (url, lines, output);
+            }
+        }
+    }
+
+    /// Ends it as Ctrl-C does; returns all that it has printed since.
+    fn end(mut self, mut output: BufReader<ChildStdout>) -> String {
+        let id = self.child.id().to_string();
+        assert!(Command::new("kill").args(["-INT", &id]).status().unwrap().success());
+        let mut rest = String::new();
+        output.read_to_string(&mut rest).unwrap();
+        self.child.stderr.take().unwrap().read_to_string(&mut rest).unwrap();
+        assert!(self.child.wait().unwrap().success());
+        rest
+    }
+}
+
+impl Drop for Program {
+    fn drop(&mut self) {
+        let _ = self.child.kill();
+        let _ = self.child.wait();
+        let _ = std::fs::remove_dir_all(&self.folder);
+    }
+}
+
+/// Sends a request; returns the head of the response.
+fn send(address: &str, request: &str) -> String {
+    use std::io::Write;
+    let mut stream = std::net::TcpStream::connect(address).unwrap();
+    stream.set_read_timeout(Some(crate::target::LIMIT)).unwrap();
+    stream.write_all(request.replace("HOST", address).as_bytes()).unwrap();
+    let mut answer = String::new();
+    stream.read_to_string(&mut answer).unwrap();
+    answer.split("\r\n\r\n").next().unwrap().to_owned()
+}
+
+/// Attack 5.
+#[test]
+fn no_secret_is_printed_but_a_key_that_works_once() {
+    let mut program = Program::start(&["--token-file", "token"]);
+    let (url, mut lines, output) = program.url();
+    let token = std::fs::read_to_string(program.folder.join("token")).unwrap().trim().to_owned();
+    let (address, key) = url.strip_prefix("http://").unwrap().split_once("/?key=").unwrap();
+    let enter = format!("GET /?key={key} HTTP/1.1\r\nHost: HOST\r\nConnection: close\r\n\r\n");
+    let entered = send(address, &enter);
+    assert!(entered.starts_with("HTTP/1.1 303"), "{entered}");
+    let cookie = entered.lines().find_map(|line| line.strip_prefix("set-cookie: ")).unwrap();
+    let cookie = cookie.split(';').next().unwrap().split_once('=').unwrap();
+    for (token, status) in [("wrong", "403"), (token.as_str(), "204")] {
+        let (origin, length) = (format!("Origin: http://{address}"), token.len());
+        let lines = format!("Host: HOST\r\n{origin}\r\nContent-Length: {length}\r\nConnection: close");
+        let head = send(address, &format!("POST /enter HTTP/1.1\r\n{lines}\r\n\r\n{token}"));
+        assert_eq!(head.split(' ').nth(1), Some(status), "{head}");
+    }
+    let mut request = format!("ws://{address}/socket").into_client_request().unwrap();
+    request.headers_mut().insert("Authorization", format!("Bearer {token}").parse().unwrap());
+    let stream = std::net::TcpStream::connect(address).unwrap();
+    let mut page = tungstenite::client(request, stream).unwrap().0;
+    let hello = message(&mut page).unwrap();
+    assert_eq!(hello["type"], "hello");
+    drop(page);
+    lines.push(program.end(output));
+    let printed = lines.concat();
+    for secret in [token.as_str(), cookie.1] {
+        assert!(!printed.contains(secret) && !hello.to_string().contains(secret), "{printed}");
+    }
+    assert_eq!(printed.matches(key).count(), 1, "{printed}");
+}
+
+/// Attack 14.
+#[test]
+fn the_program_does_not_listen_for_other_computers_without_a_token_and_warns_with_one() {
+    let mut program = Program::start(&["--listen", "0.0.0.0"]);
+    let mut text = String::new();
+    program.child.stderr.take().unwrap().read_to_string(&mut text).unwrap();
+    assert_eq!(program.child.wait().unwrap().code(), Some(2));
+    assert!(text.contains("--token-file"), "{text}");
+    let mut program = Program::start(&["--listen", "0.0.0.0", "--token-file", "token"]);
+    let (_, lines, output) = program.url();
+    let warning = lines.iter().find(|line| line.contains("warning"));
+    assert!(warning.is_some_and(|line| line.contains("not encrypted")), "{lines:?}");
+    program.end(output);
+}

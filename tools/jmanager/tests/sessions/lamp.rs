@@ -1,0 +1,178 @@
+//! A robot with another tree than the forward's.
+
+use std::convert::Infallible;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::thread::JoinHandle;
+use std::time::Duration;
+
+use bica::prelude::*;
+use bica::runner::{Runner, World};
+use bica_link::{Address, LinkServer, ServerOptions};
+use jmanager::protocol::{Breakpoint, HoldKind, Open, Request};
+use jmanager::sessions::Manager;
+use serde_json::json;
+
+use crate::page::{Folder, Page};
+use crate::robot::Robot;
+use crate::world::find;
+
+/// A lamp, with two transitions between the same states and one from a state to itself.
+struct Lamp {
+    cycles: u32,
+}
+
+/// Shines.
+#[component]
+impl Lamp {
+    const fn new() -> Self {
+        Self { cycles: 0 }
+    }
+
+    /// Is on.
+    #[state(initial)]
+    fn on(&mut self) {
+        self.cycles += 1;
+    }
+
+    /// Is off.
+    #[state]
+    fn off(&mut self) {
+        self.cycles += 1;
+    }
+
+    /// Stays on.
+    #[transition(on -> on)]
+    const fn is_kept(&self) -> bool {
+        self.cycles % 8 == 3
+    }
+
+    /// Is put out.
+    #[transition(on -> off)]
+    const fn is_put_out(&self) -> bool {
+        self.cycles % 16 == 5
+    }
+
+    /// Breaks.
+    #[transition(on -> off)]
+    const fn is_broken(&self) -> bool {
+        self.cycles % 16 == 13
+    }
+
+    /// Is lit.
+    #[transition(off -> on)]
+    const fn is_lit(&self) -> bool {
+        self.cycles % 8 == 7
+    }
+}
+
+activation_tree! {
+    /// A lamp.
+    struct LampTree { root: Lamp, cycle_hz: 50, components: [Lamp] }
+}
+
+impl bica::runner::Robot for LampTree {
+    type Sensors<'a> = ();
+    type Command = ();
+    type Error = Infallible;
+
+    fn sense(&mut self, (): &()) -> Result<(), Infallible> {
+        Ok(())
+    }
+
+    fn act(&mut self) {}
+}
+
+struct Room(u64);
+
+impl World<LampTree> for Room {
+    fn now(&self) -> bica::Instant {
+        bica::Instant::from_millis(20 * self.0)
+    }
+
+    fn sensors(&mut self) {}
+
+    fn act(&mut self, (): &()) {
+        self.0 += 1;
+    }
+}
+
+/// Serves a lamp at an address until the end is set.
+fn lamp(address: &str, end: &Arc<AtomicBool>) -> (String, JoinHandle<()>) {
+    let (address, end) = (Address::Tcp(address.to_owned()), Arc::clone(end));
+    let (server, requests, observer) = LinkServer::start::<LampTree>(&address, ServerOptions::default()).unwrap();
+    let bound = server.address().to_owned();
+    let thread = std::thread::spawn(move || {
+        let runner = Runner::new(Box::new(LampTree::new()), Room(0));
+        let mut runner = runner.with_requests(requests).with_observer(observer);
+        while !end.load(Ordering::Relaxed) {
+            runner.cycle().unwrap();
+            std::thread::sleep(Duration::from_millis(5));
+        }
+        drop(server);
+    });
+    (bound, thread)
+}
+
+/// In each cycle of 20 ms one is added to what the conditions look at.
+#[test]
+fn a_breakpoint_behind_a_link_is_reached_by_its_transition_only() {
+    let folder = Folder::new();
+    let manager = Manager::new(folder.options());
+    let page = Page::new(&manager);
+    let end = Arc::new(AtomicBool::new(false));
+    let (address, lamp) = lamp("127.0.0.1:0", &end);
+    let session = manager.open(Open::Robot { address }).unwrap();
+    let description = page.message("described", |message| Some(message["description"].clone()));
+    page.session(|one| one["connection"] == "connected");
+    for (name, period, rest) in [("is_broken", 16, 13), ("is_kept", 8, 3)] {
+        let (component, transition) = find(&description, "Lamp", "transitions", name);
+        let place = Breakpoint { component, state: None, transition: Some(transition) };
+        page.ask(Request::Breakpoints { session, list: vec![place] }).unwrap();
+        let hit = || {
+            let time =
+                |hit: &serde_json::Value| (hit["transition"] == transition).then(|| hit["time_us"].as_u64().unwrap());
+            page.message("hit", time)
+        };
+        let times = [hit(), hit(), hit()];
+        assert!(times.iter().all(|time| time / 20_000 % period == rest), "{name}: {times:?}");
+        let next = page.ask(Request::NextHit { session, from_us: times[0] }).unwrap()["time_us"].as_u64().unwrap();
+        assert_eq!(next, times[1]);
+    }
+    end.store(true, Ordering::Relaxed);
+    lamp.join().unwrap();
+}
+
+/// Attack 15.
+#[test]
+fn another_robot_at_the_address_is_shown_as_such_and_nothing_of_the_first_is_in_force() {
+    let folder = Folder::new();
+    let manager = Manager::new(folder.options());
+    let page = Page::new(&manager);
+    let robot = Robot::start("127.0.0.1:0");
+    let address = robot.address.clone();
+    let session = manager.open(Open::Robot { address: address.clone() }).unwrap();
+    let description = page.message("described", |message| Some(message["description"].clone()));
+    page.session(|one| one["connection"] == "connected");
+    page.ask(Request::Acquire { session }).unwrap();
+    page.ask(Request::Hold { session, component: 0, hold: HoldKind::Latent }).unwrap();
+    let place = Breakpoint { component: 0, state: Some(0), transition: None };
+    page.ask(Request::Breakpoints { session, list: vec![place] }).unwrap();
+    drop(robot);
+    page.session(|one| one["connection"] == "lost");
+    let end = Arc::new(AtomicBool::new(false));
+    let (_, lamp) = lamp(&address, &end);
+    let other = page.message("described", |message| Some(message["description"].clone()));
+    assert_eq!(other["name"], "LampTree");
+    assert_ne!((&other["name"], &other["hash"]), (&description["name"], &description["hash"]));
+    page.message("breakpoints", |message| (message["list"] == json!([])).then_some(()));
+    page.session(|one| one["connection"] == "connected" && one["control"] == "free");
+    let held = page.message("update", |update| Some(update["components"].clone()));
+    assert_eq!((held.as_array().unwrap().len(), &held[0][1]), (1, &json!("tree")));
+    let error = page.ask(Request::Hold { session, component: 0, hold: HoldKind::Latent }).unwrap_err();
+    assert!(error["text"].as_str().unwrap().contains("does not control"), "{error}");
+    let request = Request::Timeline { session, from_us: 0, until_us: u64::MAX, resolution_us: 0 };
+    assert_eq!(page.ask(request).unwrap().as_array().unwrap().len(), 1, "rows of the new tree only");
+    end.store(true, Ordering::Relaxed);
+    lamp.join().unwrap();
+}

@@ -1,0 +1,132 @@
+//! Attacks. `docs/security.md` lists all of them.
+
+use std::io::{ErrorKind, Read, Write};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::thread;
+use std::time::Duration;
+
+use bica::runner::{Runner, World};
+use bica_link::{Client, ClientOptions, Error, Event, LinkServer, ServerOptions};
+use bica_wire::message::{Change, Hold, LeaseAction};
+use bica_wire::{Encoder, FromMonitor};
+
+use crate::faults::{assert_served, monitor_packet, raw};
+use crate::proxy::Proxy;
+use crate::robot::{CART, OtherTree};
+use crate::session::{CYCLE_US, LIMIT, Session, event, snapshot};
+
+const HOLD: Change = Change::Hold { component: CART, hold: Hold::Latent };
+
+/// Attacks 1 and 3: a web page makes a browser send packets to the link. What it chooses comes behind a head.
+#[test]
+fn a_connection_that_begins_with_something_else_than_a_packet_is_closed() {
+    let session = Session::start();
+    let http = b"POST / HTTP/1.1\r\nHost: 127.0.0.1:7400\r\nContent-Type: text/plain\r\nContent-Length: 200\r\n\r\n";
+    let handshake = [0x16, 3, 1, 2, 0, 1, 0, 1, 0xfc, 3, 3];
+    for (number, head) in (1..).zip([&http[..], &handshake]) {
+        let mut browser = raw(&session);
+        browser.set_read_timeout(Some(LIMIT)).unwrap();
+        let take = monitor_packet(&mut Encoder::new(), &FromMonitor::Lease(LeaseAction::Take));
+        browser.write_all(&[head, &[0], &take, &take].concat()).unwrap();
+        let answer = browser.read(&mut [0; 64]);
+        let is_closed = matches!(&answer, Ok(0)) || answer.as_ref().is_err_and(|error| is_cut(error.kind()));
+        assert!(is_closed, "{answer:?}");
+        assert_eq!(session.server.stats().damaged, number);
+        assert!(!session.client().lease().owned);
+    }
+    assert_served(&session);
+}
+
+fn is_cut(kind: ErrorKind) -> bool {
+    matches!(kind, ErrorKind::ConnectionReset | ErrorKind::ConnectionAborted | ErrorKind::BrokenPipe)
+}
+
+/// Attack 8: the operator's program was killed, or its network is gone.
+#[test]
+fn the_lease_of_an_operator_that_is_gone_ends_on_the_robots_clock() {
+    let silence = Duration::from_secs(30);
+    let session = Session::start_with(&"127.0.0.1:0".parse().unwrap(), silence);
+    let mut watcher = session.client();
+    watcher.watch(1).unwrap();
+    let mut operator = session.client();
+    operator.acquire(false).unwrap();
+    let last = operator.request(HOLD).unwrap().cycle;
+    drop(operator);
+    let ended_us = event(&mut watcher, "the lease ends", |event| match event {
+        Event::Log { time_us, level: 3, text } if text.contains("silent") => Some(time_us),
+        _ => None,
+    });
+    assert_eq!(ended_us, last * CYCLE_US + silence.as_micros() as u64 + CYCLE_US, "the first cycle after the silence");
+    let ended = snapshot(&mut watcher, "a snapshot", |snapshot| snapshot.info.time_us >= ended_us);
+    assert_eq!(ended.states[0].held, Hold::Tree);
+}
+
+/// Attack 15: the same robot, started again, has another operator.
+#[test]
+fn a_lease_of_an_earlier_run_is_void() {
+    let first = Session::start();
+    let proxy = Proxy::start(first.server.address());
+    let options = ClientOptions { timeout: LIMIT, ..ClientOptions::default() };
+    let mut client = Client::connect(&proxy.address.parse().unwrap(), options).unwrap();
+    client.acquire(false).unwrap();
+    let old = client.lease().lease;
+    let second = Session::start();
+    let mut other = second.client();
+    other.acquire(false).unwrap();
+    assert_ne!(other.lease().lease, old);
+    proxy.lead_to(second.server.address());
+    proxy.cut();
+    while client.poll(Duration::from_secs(10)).is_ok() {}
+    client.reconnect(LIMIT).unwrap();
+    assert!(!client.lease().yours);
+    other.request(HOLD).unwrap();
+}
+
+struct Still(u64);
+
+impl World<OtherTree> for Still {
+    fn now(&self) -> bica::Instant {
+        bica::Instant::from_micros(self.0 * CYCLE_US)
+    }
+
+    fn sensors(&mut self) -> f32 {
+        1.0
+    }
+
+    fn act(&mut self, (): &()) {
+        self.0 += 1;
+    }
+}
+
+/// Attack 15: another robot answers at the address.
+#[test]
+fn a_client_does_not_continue_with_another_robot() {
+    let session = Session::start();
+    let proxy = Proxy::start(session.server.address());
+    let options = ClientOptions { timeout: LIMIT, ..ClientOptions::default() };
+    let mut client = Client::connect(&proxy.address.parse().unwrap(), options).unwrap();
+    client.acquire(false).unwrap();
+    let (server, requests, observer) =
+        LinkServer::start::<OtherTree>(&"127.0.0.1:0".parse().unwrap(), ServerOptions::default()).unwrap();
+    let stop = Arc::new(AtomicBool::new(false));
+    let stopped = Arc::clone(&stop);
+    let other = thread::spawn(move || {
+        let runner = Runner::new(Box::new(OtherTree::new()), Still(0));
+        let mut runner = runner.with_requests(requests).with_observer(observer);
+        while !stopped.load(Ordering::SeqCst) {
+            runner.cycle().unwrap();
+            thread::sleep(Duration::from_millis(1));
+        }
+    });
+    proxy.lead_to(server.address());
+    proxy.cut();
+    while client.poll(Duration::from_secs(10)).is_ok() {}
+    let result = client.reconnect(LIMIT);
+    stop.store(true, Ordering::SeqCst);
+    other.join().unwrap();
+    assert!(
+        matches!(&result, Err(Error::OtherRobot { expected, found }) if (&**expected, &**found) == ("CartTree", "OtherTree")),
+        "{result:?}"
+    );
+}
