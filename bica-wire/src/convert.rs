@@ -66,12 +66,20 @@ impl Sensors {
             right_foot: foot([e, f, g, h]),
             buttons: Buttons { chest, left_bumper, right_bumper },
             image: self.image.zip(yuyv).map(|(info, yuyv)| Image {
-                camera: camera(info.bottom_camera),
+                camera: info.camera(),
                 width: info.width,
                 height: info.height,
                 yuyv,
             }),
         }
+    }
+}
+
+impl ImageInfo {
+    /// Returns the camera that took the image.
+    #[must_use]
+    pub const fn camera(&self) -> CameraId {
+        camera(self.bottom_camera)
     }
 }
 

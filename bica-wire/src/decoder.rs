@@ -52,6 +52,18 @@ impl<'a> Packet<'a> {
     }
 }
 
+/// Index of [`FromRobot::Identity`](crate::FromRobot::Identity), in every version.
+const IDENTITY: u32 = 0;
+
+impl Packet<'_> {
+    /// Returns the schema in a robot's identity. It can be read whatever the schema is, unlike the message.
+    #[must_use]
+    pub fn identity_schema(&self) -> Option<u64> {
+        let (variant, schema) = postcard::take_from_bytes::<(u32, u64)>(self.bytes).ok()?.0;
+        (variant == IDENTITY).then_some(schema)
+    }
+}
+
 impl<const N: usize> Decoder<N> {
     /// Creates a decoder that has received nothing yet.
     #[must_use]

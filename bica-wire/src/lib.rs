@@ -50,7 +50,7 @@ pub use crc::crc32;
 pub use decoder::{Decoder, Packet, UnknownMessage};
 pub use describe::{Description, describe};
 pub use encoder::{Encoder, TooLarge};
-pub use image::{CHUNK_BYTES, ImageBuffer, chunks};
+pub use image::{CHUNK_BYTES, ImageAssembler, ImageBuffer, chunks};
 pub use message::{FromMonitor, FromMonitorExtra, FromRobot, ToMonitor, ToMonitorExtra, ToRobot};
 pub use packet::MAX_PACKET;
 pub use schema::SCHEMA;

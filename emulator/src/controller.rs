@@ -18,6 +18,7 @@ pub struct Controller {
     emulator: Emulator,
     last_image_id: u32,
     instructions_per_tick: u64,
+    image_bytes: usize,
     /// Number of the lease of this operator; `None` before the first request.
     lease: Option<u32>,
     last_request: u32,
@@ -56,19 +57,26 @@ impl Controller {
     /// Any [`Error`].
     pub fn start_on(mut emulator: Emulator, attacks: GoalColour) -> Result<Self, Error> {
         let link = emulator.link();
-        let schema = link.receive(identity(|identity| identity.schema))?;
+        let schema = link.receive_schema()?;
         if schema != SCHEMA {
             return Err(Error::SchemaMismatch(schema));
         }
         link.send(&ToRobot::Hello(Hello { schema: SCHEMA, clock_mode: ClockMode::Lockstep, attacks }))?;
-        let counter_hz = link.receive(identity(|identity| identity.counter_hz))?;
+        let (counter_hz, image_bytes) =
+            link.receive(identity(|identity| (identity.counter_hz, identity.image_bytes as usize)))?;
         let instructions_per_tick = 1_000_000_000 / u64::from(counter_hz.max(1));
-        Ok(Self { emulator, last_image_id: 0, instructions_per_tick, lease: None, last_request: 0 })
+        Ok(Self { emulator, last_image_id: 0, instructions_per_tick, image_bytes, lease: None, last_request: 0 })
     }
 
     /// Returns the emulator.
     pub const fn emulator(&mut self) -> &mut Emulator {
         &mut self.emulator
+    }
+
+    /// Size of the largest camera image that the robot takes, bytes.
+    #[must_use]
+    pub const fn image_bytes(&self) -> usize {
+        self.image_bytes
     }
 
     /// Runs one sense-think-act cycle.

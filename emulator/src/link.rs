@@ -3,7 +3,7 @@
 use std::io::{Read, Write};
 
 use bica_wire::message::LinkStats;
-use bica_wire::{Decoder, Encoder, FromRobot, MAX_PACKET, ToRobot};
+use bica_wire::{Decoder, Encoder, FromRobot, MAX_PACKET, Packet, ToRobot};
 
 use crate::error::Error;
 
@@ -58,6 +58,14 @@ impl<R: Read, W: Write> Link<R, W> {
     /// [`Error::Disconnected`].
     pub fn receive<T>(&mut self, select: impl FnMut(FromRobot<'_>) -> Option<T>) -> Result<T, Error> {
         self.rx.receive(select)
+    }
+
+    /// Waits for the robot's identity and returns its schema; see [`Rx::receive_schema`].
+    ///
+    /// # Errors
+    /// [`Error::Disconnected`].
+    pub fn receive_schema(&mut self) -> Result<u64, Error> {
+        self.rx.receive_schema()
     }
 }
 
@@ -119,11 +127,26 @@ impl<R: Read> Rx<R> {
     /// # Errors
     /// [`Error::Disconnected`].
     pub fn receive<T>(&mut self, mut select: impl FnMut(FromRobot<'_>) -> Option<T>) -> Result<T, Error> {
+        self.receive_packet(|packet| packet.message().ok().and_then(&mut select))
+    }
+
+    /// Waits for the robot's identity and returns its schema, which may be another one than this program's.
+    ///
+    /// # Errors
+    /// [`Error::Disconnected`].
+    pub fn receive_schema(&mut self) -> Result<u64, Error> {
+        #[expect(
+            clippy::redundant_closure_for_method_calls,
+            reason = "the method is not general over the packet's lifetime"
+        )]
+        self.receive_packet(|packet| packet.identity_schema())
+    }
+
+    fn receive_packet<T>(&mut self, mut select: impl FnMut(&Packet<'_>) -> Option<T>) -> Result<T, Error> {
         loop {
             while let Some(&byte) = self.buffer.get(self.consumed) {
                 self.consumed += 1;
-                let message = self.decoder.push(byte).and_then(|packet| packet.message().ok());
-                if let Some(selected) = message.and_then(&mut select) {
+                if let Some(selected) = self.decoder.push(byte).and_then(|packet| select(&packet)) {
                     return Ok(selected);
                 }
             }

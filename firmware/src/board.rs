@@ -10,6 +10,19 @@ use embedded_io_async::{Read, Write};
 /// Cameras and joints are reached over the link if another computer owns them. A board that owns them itself provides an
 /// [`Rx`](Self::Rx) that encodes [`bica_wire::ToRobot`] packets from their values, and a [`Tx`](Self::Tx) that executes
 /// the [`bica_wire::FromRobot::Command`]s written to it.
+///
+/// # Images
+///
+/// With the feature `medium-frames` there is memory for one image. From the first chunk of an image until the
+/// [`bica_wire::ToRobot::Sensors`] message that completes it, the tree has no image: a detector that is due in this time keeps what
+/// it knows, and processes the next complete image. In lockstep no cycle lies in between. In free-running mode a body
+///
+/// - sends all chunks of an image and its sensor values within one cycle, 10 ms, or
+/// - waits for 40 ms, the longest time until each detector has run, before it sends the next image, or
+/// - starts the camera's transfer when the detectors have run, if the board owns the camera.
+///
+/// Otherwise detectors miss images, but never process a part of one. An image with a missing chunk is counted, and there is none
+/// until the next complete one. Without the feature the tree keeps the previous image in a second memory.
 pub trait Board: Sized {
     /// Receiver of bytes: a serial line, a TCP connection or any other ordered stream. Bytes may get lost.
     type Rx: Read;

@@ -6,19 +6,20 @@ use bica_motion::model::RobotModel;
 use bica_motion::robot;
 use bica_motion::stiffness::Stiffness;
 use bica_player::Model;
-use bica_player::input::IMAGE_BYTES;
+use bica_player::input::{CameraInput, IMAGE_BYTES, RobotState};
 use bica_player::perception::{BallDetector, GoalDetector};
 #[cfg(not(feature = "monitor"))]
 use bica_wire::describe;
 use bica_wire::message::{ClockMode, Command, Hello, Identity, LinkStats, Sensors, Telemetry};
 #[cfg(feature = "monitor")]
 use bica_wire::{Encoder, MAX_PACKET};
-use bica_wire::{FromRobot, ImageBuffer, SCHEMA, ToRobot};
+use bica_wire::{FromRobot, SCHEMA, ToRobot};
 use embassy_time::Duration;
 use embedded_io_async::Write;
 
 use crate::board::Board;
 use crate::crash_log::CrashLog;
+use crate::image::ImageReceiver;
 use crate::link::MessageTx;
 use crate::meter::Meter;
 #[cfg(feature = "monitor")]
@@ -34,7 +35,7 @@ const SILENCE: Duration = Duration::from_millis(200);
 /// The robot's controller on board `B`.
 pub(crate) struct Controller<B> {
     runner: Runner<&'static mut Forward, (), (), Meter<B>>,
-    image: &'static mut ImageBuffer<IMAGE_BYTES>,
+    image: ImageReceiver,
     crash_log: CrashLog,
     /// `None` before the first [`Hello`].
     clock_mode: Option<ClockMode>,
@@ -64,7 +65,7 @@ impl<B: Board> Controller<B> {
     /// Creates a controller that waits for a [`Hello`].
     pub(crate) fn new(
         robot: &'static mut Forward,
-        image: &'static mut ImageBuffer<IMAGE_BYTES>,
+        image: ImageReceiver,
         crash_log: CrashLog,
         #[cfg(feature = "monitor")] monitor: &'static mut Monitor,
     ) -> Self {
@@ -98,6 +99,7 @@ impl<B: Board> Controller<B> {
             cycle_hz: Forward::GRAPH.cycle_hz,
             components: Forward::COUNT as u8,
             counter_hz: B::COUNTER_HZ,
+            image_bytes: IMAGE_BYTES as u32,
             restarts: self.crash_log.restarts,
             last_panic: &self.crash_log.last_panic,
         })
@@ -135,7 +137,7 @@ impl<B: Board> Controller<B> {
                 self.receive_monitor(Line::Body, bytes);
                 self.answer_monitor(tx).await;
             }
-            ToRobot::ImageChunk(chunk) => self.image.add(chunk),
+            ToRobot::ImageChunk(chunk) => self.image.add(chunk, self.runner.robot_mut().get_mut::<CameraInput>()),
             ToRobot::Sensors(sensors) => {
                 #[cfg(feature = "monitor")]
                 if self.clock_mode == Some(ClockMode::Lockstep) {
@@ -189,14 +191,18 @@ impl<B: Board> Controller<B> {
     /// Writes sensor values into the tree. It does so at once, since chunks of the next image may come before the cycle.
     fn sense(&mut self, sensors: &Sensors) {
         let start = B::counter();
-        let yuyv = sensors.image.as_ref().and_then(|info| self.image.take(info));
-        let now = Instant::from_micros(sensors.time_us);
-        if let Err(error) = self.runner.sense(now, &sensors.to_sensors(yuyv)) {
-            defmt::warn!("an image of {=usize} bytes does not fit", error.bytes);
+        // The pixels are in the tree's memory already, and values without an image are always accepted.
+        let _ = self.runner.sense(Instant::from_micros(sensors.time_us), &sensors.to_sensors(None));
+        let robot = self.runner.robot_mut();
+        let angles = *robot.get::<RobotState>().angles();
+        let input = robot.get_mut::<CameraInput>();
+        let has_image = sensors.image.as_ref().is_some_and(|info| self.image.finish(info, &angles, input));
+        if sensors.image.is_some() && !has_image {
+            defmt::warn!("an image is incomplete, or does not fit");
         }
         self.sensed = Some(Sensed { time_us: sensors.time_us, ticks: B::counter().wrapping_sub(start) });
         #[cfg(feature = "monitor")]
-        self.monitor.sensed(yuyv.is_some());
+        self.monitor.sensed(has_image);
     }
 
     /// Ticks the tree, sends the command and the report.

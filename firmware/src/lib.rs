@@ -11,6 +11,7 @@ mod board;
 mod controller;
 mod crash_log;
 mod faults;
+mod image;
 mod init;
 mod link;
 mod meter;

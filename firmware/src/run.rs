@@ -3,11 +3,10 @@
 use bica::Tree;
 #[cfg(feature = "monitor")]
 use bica_player::input::Colours;
-use bica_player::input::{CameraInput, IMAGE_BYTES};
 #[cfg(feature = "monitor")]
 use bica_vision::table::GradualTable;
 use bica_wire::message::ClockMode;
-use bica_wire::{Decoder, ImageBuffer, MAX_PACKET, ToRobot};
+use bica_wire::{Decoder, MAX_PACKET, ToRobot};
 use embassy_futures::select::{Either, select};
 use embassy_time::{Duration, Instant, Ticker};
 use embedded_io_async::Read;
@@ -16,6 +15,7 @@ use static_cell::ConstStaticCell;
 use crate::board::{Board, Links};
 use crate::controller::Controller;
 use crate::crash_log::{self, CrashLog};
+use crate::image::ImageReceiver;
 #[cfg(feature = "monitor")]
 use crate::init;
 use crate::init::Robot;
@@ -24,8 +24,6 @@ use crate::link::MessageTx;
 use crate::monitor::MonitorLine;
 use crate::tree::Forward;
 
-static CAMERA_BUFFER: ConstStaticCell<[u8; IMAGE_BYTES]> = ConstStaticCell::new([0; IMAGE_BYTES]);
-static IMAGE: ConstStaticCell<ImageBuffer<IMAGE_BYTES>> = ConstStaticCell::new(ImageBuffer::new());
 static DECODER: ConstStaticCell<Decoder<MAX_PACKET>> = ConstStaticCell::new(Decoder::new());
 static PACKET: ConstStaticCell<[u8; MAX_PACKET]> = ConstStaticCell::new([0; MAX_PACKET]);
 #[cfg(feature = "monitor")]
@@ -55,11 +53,10 @@ pub async fn run<B: Board>(Robot(robot): Robot, links: Links<B>) -> ! {
     #[cfg(feature = "monitor")]
     robot.get_mut::<Colours>().set_memory(COLOURS.take());
     let decoder = DECODER.take();
-    robot.get_mut::<CameraInput>().set_buffer(CAMERA_BUFFER.take());
     let mut tx = MessageTx::new(tx, PACKET.take());
     let mut controller = Controller::<B>::new(
         robot,
-        IMAGE.take(),
+        ImageReceiver::new(),
         read_crash_log(),
         #[cfg(feature = "monitor")]
         init::monitor(),

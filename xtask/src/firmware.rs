@@ -10,8 +10,13 @@ use crate::process::{root, run, works};
 const IMAGE: &str = "firmware/target/thumbv7em-none-eabihf/release/forward-an500";
 /// The image with the server for monitors. Cargo gives both images one name, so this one is moved.
 const MONITOR_IMAGE: &str = "firmware/target/thumbv7em-none-eabihf/release/forward-an500-monitor";
+/// The image for camera images of 320×240, moved too.
+const MEDIUM_IMAGE: &str = "firmware/target/thumbv7em-none-eabihf/release/forward-an500-medium";
 const ROBOT_IMAGE: &str = "firmware/target/thumbv7em-none-eabihf/release/forward-stm32h743";
 const FIGURES: &str = "firmware/figures.txt";
+const MEDIUM_FIGURES: &str = "firmware/figures-medium.txt";
+/// Images without the server for monitors, and their figures.
+const IMAGES: [(&str, &str); 2] = [(IMAGE, FIGURES), (MEDIUM_IMAGE, MEDIUM_FIGURES)];
 
 /// Installs the target and QEMU, builds the image and tests it, or performs the selected option instead.
 ///
@@ -29,42 +34,56 @@ pub(crate) fn check(options: &Firmware) -> Result<(), String> {
     if options.fuzz {
         return fuzz();
     }
+    if options.games {
+        return play(IMAGE, "160x120", 10).and_then(|()| play(MEDIUM_IMAGE, "320x240", 10));
+    }
     if options.size {
-        self_test(IMAGE, &["--size"])?;
-        return self_test(MONITOR_IMAGE, &["--size"]);
+        return [IMAGE, MEDIUM_IMAGE, MONITOR_IMAGE]
+            .into_iter()
+            .try_for_each(|image| self_test(image, FIGURES, &["--size"]));
     }
     if options.bless {
-        return self_test(IMAGE, &["--bless"]);
+        return IMAGES.into_iter().try_for_each(|(image, figures)| self_test(image, figures, &["--bless"]));
     }
-    build_for(&rust, "stm32h743", &["--features", "monitor"])?;
-    build_for(&rust, "stm32h743", &[])?;
+    for features in ["monitor,medium-frames", "medium-frames", "monitor", ""] {
+        build_for(&rust, "stm32h743", &["--features", features])?;
+    }
     check_fault_injection()?;
-    self_test(IMAGE, &[])?;
-    self_test(MONITOR_IMAGE, &["--monitors"])?;
-    play()
+    let lent_memory = ["test", "--quiet", "-p", "bica-player", "--lib", "--features", "medium-frames", "camera_input"];
+    run("cargo", &lent_memory, &[])?;
+    IMAGES.into_iter().try_for_each(|(image, figures)| self_test(image, figures, &[]))?;
+    self_test(MONITOR_IMAGE, FIGURES, &["--monitors"])?;
+    test_program()?;
+    // Larger camera images take longer: `--games` plays ten with them too.
+    play(IMAGE, "160x120", 10).and_then(|()| play(MEDIUM_IMAGE, "320x240", 3))
 }
 
-fn self_test(image: &str, more: &[&str]) -> Result<(), String> {
-    let test = ["run", "--quiet", "--release", "-p", "bica-firmware-test", "--", image, FIGURES];
+fn self_test(image: &str, figures: &str, more: &[&str]) -> Result<(), String> {
+    let test = ["run", "--quiet", "--release", "-p", "bica-firmware-test", "--", image, figures];
     run("cargo", &[&test[..], more].concat(), &[])
 }
 
-/// Runs the program's tests that need an image, then ten games.
-fn play() -> Result<(), String> {
+/// Runs the program's tests that need an image.
+fn test_program() -> Result<(), String> {
     let image = root().join(IMAGE);
     let image = image.to_str().ok_or("the path of the workspace is not UTF-8")?;
     run(
         "cargo",
         &["test", "--quiet", "-p", "bica-player-program", "--test", "program", "firmware"],
         &[("BICA_IMAGE", image)],
-    )?;
-    let games = ["play", "--world", "firmware", "--image", IMAGE, "--games", "10", "--at-least", "9"];
-    run("cargo", &[&["run", "--quiet", "--release", "--"], &games[..]].concat(), &[])
+    )
+}
+
+/// Plays games with camera images of a size; each must be won.
+fn play(image: &str, size: &str, games: u32) -> Result<(), String> {
+    let games = games.to_string();
+    let world = ["run", "--quiet", "--release", "--", "play", "--world", "firmware", "--image", image];
+    run("cargo", &[&world[..], &["--size", size, "--games", &games, "--at-least", &games]].concat(), &[])
 }
 
 /// Sends damaged packets for ten minutes to the decoder, then for ten minutes to the running image.
 fn fuzz() -> Result<(), String> {
-    self_test(IMAGE, &["--fuzz", "600"])
+    self_test(IMAGE, FIGURES, &["--fuzz", "600"])
 }
 
 /// Checks that the image for QEMU contains the injected faults, and the image for a robot does not.
@@ -80,14 +99,15 @@ fn check_fault_injection() -> Result<(), String> {
     Ok(())
 }
 
-/// Builds the images for QEMU: that of constants, and that with the server for monitors.
+/// Builds the images for QEMU: that of constants for each size of camera images, and that with the server for monitors.
 ///
 /// # Errors
 /// If a build fails.
 pub(crate) fn build(rust: &Toolchain) -> Result<(), String> {
-    build_for(rust, "an500", &["--features", "monitor"])?;
-    let (image, monitor_image) = (root().join(IMAGE), root().join(MONITOR_IMAGE));
-    fs::copy(image, monitor_image).map_err(|error| format!("{MONITOR_IMAGE}: {error}"))?;
+    for (feature, moved) in [("monitor", MONITOR_IMAGE), ("medium-frames", MEDIUM_IMAGE)] {
+        build_for(rust, "an500", &["--features", feature])?;
+        fs::copy(root().join(IMAGE), root().join(moved)).map_err(|error| format!("{moved}: {error}"))?;
+    }
     build_for(rust, "an500", &[])
 }
 

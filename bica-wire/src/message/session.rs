@@ -27,7 +27,8 @@ pub enum ClockMode {
 /// Identity of the robot's program.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, Schema)]
 pub struct Identity<'a> {
-    /// The robot's [`SCHEMA`](crate::SCHEMA).
+    /// The robot's [`SCHEMA`](crate::SCHEMA): the first field in every version
+    /// ([`Packet::identity_schema`](crate::Packet::identity_schema)).
     pub schema: u64,
     /// Name of the tree.
     pub name: &'a str,
@@ -37,6 +38,8 @@ pub struct Identity<'a> {
     pub components: u8,
     /// Rate of the counter that measures costs, Hz.
     pub counter_hz: u32,
+    /// Size of the largest image that the robot takes, bytes. A larger one counts as incomplete.
+    pub image_bytes: u32,
     /// Number of restarts after a panic since power-on.
     pub restarts: u32,
     /// Message of the last panic since power-on; empty without one.

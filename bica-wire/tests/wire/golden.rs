@@ -2,21 +2,21 @@
 //!
 //! The schema hash covers the names of types, variants and fields. It changed when these were renamed, and when the messages of
 //! monitors were added; the bytes of the messages below did not. Then `Attached` got what the robot offers, and later the ball of a
-//! simulated world could be placed.
+//! simulated world could be placed, and `Identity` got the size of the largest image.
 
 use bica_field::GoalColour;
 use bica_wire::message::{
     Answer, AnswerResult, Attached, Change, ClockMode, ComponentCost, ComponentCosts, ComponentState, ComponentStates,
-    ConditionState, Conditions, Costs, CycleInfo, ExtraKind, FaultInjection, Hello, Hold, ImageChunk, ImageHead,
-    InfoValue, LeaseAction, LeaseState, LogLine, Offers, RefusalCode, Request, Setting, StackUsage, Truth, Value,
-    Watch, WatchInfo, WorldChange, WorldRequest, WorldState,
+    ConditionState, Conditions, Costs, CycleInfo, ExtraKind, FaultInjection, Hello, Hold, Identity, ImageChunk,
+    ImageHead, InfoValue, LeaseAction, LeaseState, LogLine, Offers, RefusalCode, Request, Setting, StackUsage, Truth,
+    Value, Watch, WatchInfo, WorldChange, WorldRequest, WorldState,
 };
 use bica_wire::{
-    Encoder, FromMonitor, FromMonitorExtra, FromRobot, MAX_PACKET, SCHEMA, ToMonitor, ToMonitorExtra, ToRobot,
+    Decoder, Encoder, FromMonitor, FromMonitorExtra, FromRobot, MAX_PACKET, SCHEMA, ToMonitor, ToMonitorExtra, ToRobot,
 };
 
 /// Schema of these bytes.
-const GOLDEN_SCHEMA: u64 = 0x1d95_624b_b437_6d71;
+const GOLDEN_SCHEMA: u64 = 0xe0ab_e6b4_9ca9_6a0d;
 
 fn bytes(message: &impl serde::Serialize) -> Vec<u8> {
     Encoder::new().encode(message, &mut [0; MAX_PACKET]).expect("the packet fits").to_vec()
@@ -47,6 +47,29 @@ fn packets_have_the_committed_bytes() {
         bytes(&FromRobot::StackUsage(StackUsage { max_used: 4096, size: 65536 })),
         [1, 1, 11, 4, 128, 32, 128, 128, 4, 1, 197, 188, 50, 0]
     );
+}
+
+#[test]
+fn the_schema_of_an_identity_of_another_version_can_be_read() {
+    let schema = |bytes: &[u8]| {
+        let mut decoder = Decoder::<MAX_PACKET>::new();
+        bytes.iter().find_map(|&byte| decoder.push(byte).map(|packet| packet.identity_schema())).expect("a packet")
+    };
+    assert_eq!(schema(&bytes(&(0_u32, 300_u64))), Some(300), "fewer fields");
+    assert_eq!(schema(&bytes(&(0_u32, u64::MAX, "Forward", [1.5_f32; 8]))), Some(u64::MAX), "other fields");
+    assert_eq!(schema(&bytes(&(1_u32, 300_u64))), None, "another message");
+    assert_eq!(schema(&bytes(&0_u8)), None, "no schema");
+    let identity = Identity {
+        schema: 300,
+        name: "Forward",
+        cycle_hz: 100.0,
+        components: 34,
+        counter_hz: 1_000_000,
+        image_bytes: 38_400,
+        restarts: 0,
+        last_panic: "",
+    };
+    assert_eq!(schema(&bytes(&FromRobot::Identity(identity))), Some(300));
 }
 
 /// The bytes as `docs/link.md` states them.

@@ -1,7 +1,7 @@
 //! Transfer of images in chunks.
 
 use bica_wire::message::{ImageChunk, ImageInfo};
-use bica_wire::{CHUNK_BYTES, ImageBuffer, chunks};
+use bica_wire::{CHUNK_BYTES, ImageAssembler, ImageBuffer, chunks};
 use proptest::prelude::*;
 
 proptest! {
@@ -42,4 +42,28 @@ fn chunks_of_two_images_are_not_combined() {
     buffer.add(&chunks(1, &old).next().expect("a chunk"));
     buffer.add(&chunks(2, &new).nth(1).expect("a chunk"));
     assert_eq!(buffer.take(&ImageInfo { id: 1, bottom_camera: false, width: 32, height: 32 }), None);
+}
+
+#[test]
+fn only_chunks_of_the_current_image_are_written_into_the_memory() {
+    let (mut assembler, mut memory) = (ImageAssembler::new(), [7; 16]);
+    let chunk = |image_id, offset, bytes| ImageChunk { image_id, offset, bytes };
+    for stray in [chunk(1, 4, &[1; 4]), chunk(1, 0, &[1; 17])] {
+        assembler.add(&stray, &mut memory);
+        assert_eq!(memory, [7; 16], "{stray:?}");
+    }
+    assembler.add(&chunk(2, 0, &[2; 4]), &mut memory);
+    assembler.add(&chunk(2, 8, &[3; 4]), &mut memory);
+    assembler.add(&chunk(2, 4, &[3; 4]), &mut memory);
+    assert_eq!(memory, [2, 2, 2, 2, 7, 7, 7, 7, 7, 7, 7, 7, 7, 7, 7, 7]);
+}
+
+#[test]
+fn a_complete_image_is_at_the_start_of_the_memory() {
+    let (mut assembler, mut memory) = (ImageAssembler::new(), [7; 16]);
+    let info = ImageInfo { id: 1, bottom_camera: false, width: 2, height: 3 };
+    chunks(1, &[1; 12]).for_each(|chunk| assembler.add(&chunk, &mut memory));
+    assert_eq!(assembler.take(&info), Some(12));
+    assert_eq!(memory, [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 7, 7, 7, 7]);
+    assert_eq!((assembler.take(&info), assembler.incomplete()), (None, 1));
 }

@@ -29,9 +29,9 @@ pub(crate) struct Played {
     pub(crate) costs: Vec<(&'static str, Vec<u64>)>,
 }
 
-/// Plays a game until the first goal.
-pub(crate) fn play(image: &Path, seed: u64) -> Result<Played, Box<dyn Error>> {
-    let mut world = KinematicWorld::new(&Setup { seed, frame: Frame::Small, ..Setup::default() })?;
+/// Plays a game with camera images of a size until the first goal.
+pub(crate) fn play(image: &Path, seed: u64, frame: Frame) -> Result<Played, Box<dyn Error>> {
+    let mut world = KinematicWorld::new(&Setup { seed, frame, ..Setup::default() })?;
     let mut reference = Reference::new(world.referee().attacks());
     let log = image.with_extension("log");
     let mut controller = Controller::start(image, Transport::Pipe, world.referee().attacks(), Some(&log))?;

@@ -2,33 +2,62 @@
 
 use std::error::Error;
 
+use bica_sim::setup::Frame;
+
 use crate::game::Played;
 use crate::size::Sections;
 
 const KIB: u64 = 1024;
 /// Limit of flash, bytes.
-pub(crate) const FLASH: u64 = 192 * KIB;
+const FLASH: u64 = 192 * KIB;
 /// Limit of flash with the server for monitors and parameters that can be changed, bytes.
-pub(crate) const FLASH_WITH_MONITORS: u64 = 256 * KIB;
-/// Limit of the static memory without the two image buffers: the camera input's and the link's.
-const MEMORY_LIMIT: u64 = 64 * KIB;
-/// Size of the two image buffers, bytes.
-const IMAGE_BUFFERS: u64 = 2 * 160 * 120 * 2;
-const STACK_LIMIT: u64 = 16 * KIB;
-/// Limit of the sense-think-act chain, instructions: about 50 ms at 400 MHz.
-const CHAIN_LIMIT: u64 = 20_000_000;
+const FLASH_WITH_MONITORS: u64 = 256 * KIB;
+/// Limit of the static memory, bytes.
+const MEMORY: u64 = 256 * KIB;
+/// Limit of the static memory without that for camera images, bytes.
+const OTHER_MEMORY: u64 = 64 * KIB;
+const STACK: u64 = 16 * KIB;
+
+/// Limits that depend on the image.
+pub(crate) struct Limits {
+    /// Flash, bytes.
+    flash: u64,
+    /// Size of the memory for camera images, bytes; not a limit.
+    image_memory: u64,
+    /// The sense-think-act chain, instructions.
+    chain: u64,
+}
+
+impl Limits {
+    /// Returns the limits of an image for camera images of a size, with or without the server for monitors.
+    pub(crate) const fn of(frame: Frame, with_monitors: bool) -> Self {
+        let (images, chain) = match frame {
+            Frame::Small => (2, 3_000_000),
+            Frame::Medium | Frame::Large => (1, 8_000_000),
+        };
+        let flash = if with_monitors { FLASH_WITH_MONITORS } else { FLASH };
+        Self { flash, image_memory: images * bytes(frame) as u64, chain }
+    }
+}
+
+/// Returns the size of a camera image, bytes.
+pub(crate) const fn bytes(frame: Frame) -> usize {
+    let (width, height) = frame.size();
+    2 * width * height
+}
 
 /// Prints what image and game used and compares it with the limits.
 ///
 /// # Errors
 /// The names of the figures that are above their limit, or zero, which only a failed measurement can be.
-pub(crate) fn check(sections: &Sections, played: &Played, flash_limit: u64) -> Result<(), Box<dyn Error>> {
+pub(crate) fn check(sections: &Sections, played: &Played, limits: &Limits) -> Result<(), Box<dyn Error>> {
     let chain = played.chain.last().copied().unwrap_or(0);
     let figures = [
-        ("flash", sections.flash, flash_limit, "bytes"),
-        ("static memory without images", sections.memory.saturating_sub(IMAGE_BUFFERS), MEMORY_LIMIT, "bytes"),
-        ("maximum stack", played.stack.max_used.into(), STACK_LIMIT, "bytes"),
-        ("longest sense-think-act chain", chain, CHAIN_LIMIT, "instructions"),
+        ("flash", sections.flash, limits.flash, "bytes"),
+        ("static memory", sections.memory, MEMORY, "bytes"),
+        ("static memory without images", sections.memory.saturating_sub(limits.image_memory), OTHER_MEMORY, "bytes"),
+        ("maximum stack", played.stack.max_used.into(), STACK, "bytes"),
+        ("longest sense-think-act chain", chain, limits.chain, "instructions"),
     ];
     for (name, value, limit, unit) in figures {
         println!("{name:<30} {value:>9} of {limit:>9} {unit}");

@@ -5,6 +5,7 @@
 
 mod figures;
 mod game;
+mod images;
 mod limits;
 mod link_fuzz;
 mod log;
@@ -18,6 +19,7 @@ mod scenarios;
 mod sequences;
 mod session;
 mod size;
+mod throughput;
 
 use std::error::Error;
 use std::path::Path;
@@ -26,6 +28,9 @@ use std::thread;
 use std::time::Duration;
 
 use bica_emulator::Transport;
+use bica_sim::setup::Frame;
+
+use limits::Limits;
 
 const USAGE: &str = "firmware-test IMAGE FIGURES [--size | --bless | --monitors | --fuzz SECONDS [SEED]]";
 
@@ -56,31 +61,33 @@ fn main() -> ExitCode {
     }
 }
 
-/// Runs all tests; `bless` commits the instruction counts of this game instead of comparing them.
+/// Runs all tests of an image without the server for monitors; `bless` commits the instruction counts of this game instead of comparing them.
 fn test(image: &Path, figures: &Path, bless: bool) -> Result<(), Box<dyn Error>> {
     limit_time();
-    let played = game::play(image, 0)?;
+    let frame = session::frame(image)?;
+    let played = game::play(image, 0, frame)?;
     let lines = log::decode(image, &played.log)?;
     for line in &lines {
         println!("log: {line}");
     }
     println!("{} cycles, goal after {:.2} s; every command equals the host's", played.cycles, played.goal_s);
-    limits::check(&size::sections(image)?, &played, limits::FLASH)?;
+    limits::check(&size::sections(image)?, &played, &Limits::of(frame, false))?;
+    throughput::check(image, frame, &played)?;
     for expected in ["look_for_ball -> approach", "visible: ball true, goal true"] {
         if !lines.iter().any(|line| line.contains(expected)) {
             return Err(format!("the log does not contain: {expected}").into());
         }
     }
-    parts::run_all(parts::list(image))?;
+    parts::run_all(parts::list(image, frame))?;
     if bless { figures::write(figures, &played) } else { figures::compare(figures, &played) }
 }
 
 /// Tests the image with the server for monitors: its game equals the host's too, within limits of its own.
 fn test_monitors(image: &Path, figures: &Path) -> Result<(), Box<dyn Error>> {
     limit_time();
-    let played = game::play(image, 0)?;
+    let played = game::play(image, 0, Frame::Small)?;
     println!("{} cycles with the tunable tree; every command equals the host's", played.cycles);
-    limits::check(&size::sections(image)?, &played, limits::FLASH_WITH_MONITORS)?;
+    limits::check(&size::sections(image)?, &played, &Limits::of(Frame::Small, true))?;
     figures::compare_chain(figures, &played)?;
     parts::run_all(monitors::list(image))
 }

@@ -7,8 +7,9 @@ use std::thread;
 use std::time::Duration;
 
 use bica_emulator::Transport;
+use bica_sim::setup::Frame;
 
-use crate::{link_fuzz, scenarios, sequences};
+use crate::{images, link_fuzz, scenarios, sequences};
 
 /// Duration of the fuzzing in every test; `--fuzz` takes another one.
 const FUZZ: Duration = Duration::from_secs(10);
@@ -16,9 +17,14 @@ const FUZZ: Duration = Duration::from_secs(10);
 /// A part of the test: its name, and the check, which returns a summary.
 pub(crate) type Part<'a> = (String, Box<dyn FnOnce() -> Result<String, Box<dyn Error>> + Send + 'a>);
 
-/// Returns all parts.
-pub(crate) fn list(image: &Path) -> Vec<Part<'_>> {
+/// Returns all parts for an image that takes camera images of a size. Most are for the smallest ones: they take the least time, and
+/// the images differ in nothing else.
+pub(crate) fn list(image: &Path, frame: Frame) -> Vec<Part<'_>> {
     let mut parts: Vec<Part<'_>> = Vec::new();
+    parts.push((images::NAME.to_owned(), Box::new(move || images::check(image, frame).map(|()| "passed".to_owned()))));
+    if frame != Frame::Small {
+        return parts;
+    }
     for sequence in &sequences::ALL {
         let check = move || Ok(format!("{} cycles, each equal to the host's", sequence.run(image)?));
         parts.push((format!("sequence: {}", sequence.name), Box::new(check)));

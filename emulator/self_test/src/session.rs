@@ -7,8 +7,11 @@ use bica_emulator::{Emulator, Transport};
 use bica_field::GoalColour;
 use bica_motion::joints::JOINTS;
 use bica_motion::model::{Nao, RobotModel};
+use bica_sim::setup::Frame;
 use bica_wire::message::{ClockMode, Command, Hello, Sensors, Telemetry};
 use bica_wire::{FromRobot, SCHEMA, ToRobot};
+
+use crate::limits;
 
 /// Starts an image and a game.
 pub(crate) fn start(image: &Path, transport: Transport, clock_mode: ClockMode) -> Result<Emulator, Box<dyn Error>> {
@@ -32,6 +35,17 @@ pub(crate) fn start_with_log(
 pub(crate) fn start_game(robot: &mut Emulator, clock_mode: ClockMode) -> Result<(), Box<dyn Error>> {
     robot.link().send(&hello(clock_mode))?;
     robot.link().receive(identity()).map_err(Into::into)
+}
+
+/// Returns the size of the largest camera images that an image takes.
+pub(crate) fn frame(image: &Path) -> Result<Frame, Box<dyn Error>> {
+    let mut robot = Emulator::start(image, Transport::Pipe, None)?;
+    let bytes = robot.link().receive(|message| match message {
+        FromRobot::Identity(identity) => Some(identity.image_bytes as usize),
+        _ => None,
+    })?;
+    let found = [Frame::Small, Frame::Medium].into_iter().find(|frame| limits::bytes(*frame) == bytes);
+    found.ok_or_else(|| format!("the image takes camera images of {bytes} bytes, a size without limits").into())
 }
 
 /// Returns the path of the log file of a scenario.

@@ -13,7 +13,8 @@ use gimli::constants as dwarf_names;
 use gimli::{DW_AT_byte_size, DW_AT_name, EndianSlice, LittleEndian};
 use object::{Object, ObjectSection, ObjectSymbol, SectionFlags};
 
-use crate::limits;
+use crate::limits::{self, Limits};
+use crate::session;
 
 /// First address of the board's memory.
 const MEMORY_START: u64 = 0x2000_0000;
@@ -47,8 +48,9 @@ pub(crate) fn sections(image: &Path) -> Result<Sections, Box<dyn Error>> {
 
 /// Prints flash, memory and stack with their limits, each component's memory and the largest symbols.
 pub(crate) fn print(image: &Path) -> Result<(), Box<dyn Error>> {
-    let played = crate::game::play(image, 0)?;
-    limits::check(&sections(image)?, &played, limits::FLASH_WITH_MONITORS)?;
+    let frame = session::frame(image)?;
+    let played = crate::game::play(image, 0, frame)?;
+    limits::check(&sections(image)?, &played, &Limits::of(frame, true))?;
     let sizes = structures(image)?;
     println!("\nstatic memory of each component, bytes");
     for node in Forward::GRAPH.nodes {

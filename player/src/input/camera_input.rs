@@ -6,11 +6,18 @@ use bica::prelude::*;
 use bica_motion::joints::Joints;
 use bica_motion::robot::{CameraId, Image};
 
-/// Bytes of the largest image: 640×480 pixels in YUYV 4:2:2, 160×120 with the feature `small-frames`.
-pub const IMAGE_BYTES: usize = if cfg!(feature = "small-frames") { 160 * 120 * 2 } else { 640 * 480 * 2 };
+/// Bytes of the largest image: 640×480 pixels in YUYV 4:2:2, 160×120 with the feature `small-frames`, 320×240 with
+/// `medium-frames`.
+pub const IMAGE_BYTES: usize = if cfg!(feature = "medium-frames") {
+    320 * 240 * 2
+} else if cfg!(feature = "small-frames") {
+    160 * 120 * 2
+} else {
+    640 * 480 * 2
+};
 
-/// Memory of the pixels. With the feature `small-frames` it is borrowed ([`CameraInput::set_buffer`]): in the tree it
-/// would also occupy flash, because the tree's initial value is stored there.
+/// Memory of the pixels. With the feature `small-frames` it is lent ([`CameraInput::set_image`]), so that a new image can be
+/// written into it without a copy; empty while it is not here.
 #[cfg(feature = "small-frames")]
 type Buffer = &'static mut [u8];
 #[cfg(not(feature = "small-frames"))]
@@ -63,10 +70,35 @@ impl CameraInput {
         }
     }
 
-    /// Sets the memory for images; without it no image fits.
+    /// Sets a new image, which was written into `memory`, and the joint angles (rad) at which it was taken. Returns the memory
+    /// of the previous image; it is empty if that was taken before.
     #[cfg(feature = "small-frames")]
-    pub fn set_buffer(&mut self, buffer: &'static mut [u8; IMAGE_BYTES]) {
-        self.yuyv = buffer;
+    #[must_use = "the memory is lost if nobody keeps it"]
+    pub const fn set_image(
+        &mut self,
+        memory: &'static mut [u8],
+        camera: CameraId,
+        (width, height): (u16, u16),
+        angles: &Joints<f32>,
+    ) -> &'static mut [u8] {
+        (self.camera, self.width, self.height) = (camera, width, height);
+        self.angles = *angles;
+        self.count = self.count.wrapping_add(1);
+        core::mem::replace(&mut self.yuyv, memory)
+    }
+
+    /// Takes the memory of the image, for the next one. There is no image until [`Self::set_image`]: it is 0×0, its number stays,
+    /// and a component that has not processed it will not.
+    #[cfg(feature = "small-frames")]
+    #[must_use = "the memory is lost if nobody keeps it"]
+    pub const fn take_memory(&mut self) -> &'static mut [u8] {
+        (self.width, self.height) = (0, 0);
+        core::mem::replace(&mut self.yuyv, &mut [])
+    }
+
+    /// Whether the newest image can still be processed: its memory was not taken.
+    pub(crate) const fn has_image(&self) -> bool {
+        !self.yuyv.is_empty()
     }
 
     /// Copies a new image and the joint angles (rad) at which it was taken.
@@ -108,7 +140,7 @@ impl CameraInput {
         &self.angles
     }
 
-    /// The newest image; 0×0 before the first one.
+    /// The newest image; 0×0 before the first one, and while its memory is taken for the next one.
     #[must_use]
     pub fn image(&self) -> Image<'_> {
         let bytes = 2 * usize::from(self.width) * usize::from(self.height);
@@ -118,5 +150,41 @@ impl CameraInput {
             height: self.height,
             yuyv: &self.yuyv[..bytes.min(self.yuyv.len())],
         }
+    }
+}
+
+#[cfg(all(test, feature = "small-frames"))]
+mod tests {
+    extern crate std;
+
+    use std::boxed::Box;
+
+    use bica_motion::joints::JOINTS;
+
+    use super::*;
+
+    const ANGLES: Joints<f32> = Joints([0.5; JOINTS]);
+
+    fn memory(value: u8) -> &'static mut [u8] {
+        Box::leak(Box::new([value; IMAGE_BYTES]))
+    }
+
+    #[test]
+    fn an_image_is_away_from_the_time_its_memory_is_taken_until_the_next_one_is_set() {
+        let mut input = CameraInput::new();
+        assert!(input.set_image(memory(1), CameraId::Bottom, (16, 12), &ANGLES).is_empty());
+        assert_eq!((input.count(), input.size(), input.has_image()), (1, (16, 12), true));
+        assert_eq!((input.image().camera, input.image().yuyv), (CameraId::Bottom, &[1; 2 * 16 * 12][..]));
+
+        let taken = input.take_memory();
+        assert_eq!((input.count(), input.size(), input.has_image()), (1, (0, 0), false));
+        assert!(input.image().yuyv.is_empty());
+
+        taken.fill(2);
+        assert!(input.set_image(taken, CameraId::Top, (16, 12), &ANGLES).is_empty());
+        assert_eq!((input.count(), input.image().yuyv), (2, &[2; 2 * 16 * 12][..]));
+        let previous = input.set_image(memory(3), CameraId::Top, (8, 6), &ANGLES);
+        assert_eq!(previous[0], 2, "the memory of the previous image");
+        assert_eq!((input.count(), input.image().yuyv), (3, &[3; 2 * 8 * 6][..]));
     }
 }

@@ -21,29 +21,61 @@ use crate::scene::GRAPH;
 
 /// Firmware image for the emulated microcontroller.
 #[derive(Clone, Copy, Debug)]
-pub struct FirmwareImage(&'static Path);
+pub struct FirmwareImage {
+    path: &'static Path,
+    /// Size of the camera images that it gets.
+    size: Frame,
+}
 
 impl FirmwareImage {
-    /// Where `cargo xtask firmware --build` puts the image, from the folder of the repository.
+    /// Where `cargo xtask firmware --build` puts the image for camera images of 160×120, from the folder of the repository.
     pub const DEFAULT: &str = "firmware/target/thumbv7em-none-eabihf/release/forward-an500";
 
-    /// Where it puts the image with the server for monitors, which a game that is served needs for an operator.
+    /// Where it puts the image with the server for monitors, which a game that is served needs for an operator. It takes camera
+    /// images of 160×120.
     pub const MONITOR: &str = "firmware/target/thumbv7em-none-eabihf/release/forward-an500-monitor";
 
-    /// The image of a file, for cameras of a size.
+    /// Where it puts the image for camera images of 320×240.
+    pub const MEDIUM: &str = "firmware/target/thumbv7em-none-eabihf/release/forward-an500-medium";
+
+    /// Where it puts the image for a game with camera images of a size. A game that is `served` gets an image with the server for
+    /// monitors where there is one; any other can only be watched.
+    #[must_use]
+    pub const fn built(size: Frame, served: bool) -> &'static str {
+        match (size, served) {
+            (Frame::Small, false) => Self::DEFAULT,
+            (Frame::Small, true) => Self::MONITOR,
+            (Frame::Medium | Frame::Large, _) => Self::MEDIUM,
+        }
+    }
+
+    /// The image of a file, for camera images of a size.
     ///
     /// # Errors
-    /// If the firmware cannot process images of this size.
+    /// If no firmware image can process camera images of this size.
     pub fn new(path: PathBuf, size: Frame) -> Result<Self, Failure> {
-        if size != Frame::Small {
-            return Err(Failure::new("the firmware cannot process images larger than 160x120", "leave out --size"));
+        if size == Frame::Large {
+            let what = "no firmware image takes camera images of 640x480";
+            return Err(Failure::new(what, "give --size 160x120 or --size 320x240"));
         }
         // One path for the life of the program, shared by all threads.
-        Ok(Self(Box::leak(path.into_boxed_path())))
+        Ok(Self { path: Box::leak(path.into_boxed_path()), size })
     }
 
     pub(crate) fn start(self, attacks: GoalColour) -> Result<Controller, Failure> {
-        Controller::start(self.0, Transport::Pipe, attacks, None).map_err(|error| failure(&error))
+        let controller =
+            Controller::start(self.path, Transport::Pipe, attacks, None).map_err(|error| failure(&error))?;
+        let ((width, height), most) = (self.size.size(), controller.image_bytes());
+        if most < 2 * width * height {
+            let path = self.path.display();
+            let what = format!("the firmware image `{path}` takes at most {} pixels, not {width}x{height}", most / 2);
+            let help = format!(
+                "give `--image {}`, which `cargo xtask firmware --build` builds, or --size 160x120",
+                Self::MEDIUM
+            );
+            return Err(Failure::new(what, help));
+        }
+        Ok(controller)
     }
 }
 

@@ -46,7 +46,7 @@ pub struct Cli {
     /// Number of other robots in the world
     #[arg(long, value_name = "N", default_value_t = 0)]
     pub robots: usize,
-    /// Size of the camera images of simulated worlds: 160x120 (the only size of the firmware), 320x240 or 640x480
+    /// Size of the camera images of simulated worlds: 160x120 (always that of the firmware), 320x240 or 640x480
     #[arg(long, value_name = "WxH", default_value = "160x120")]
     pub size: Frame,
     /// Firmware image for `--world firmware`; `cargo xtask firmware --build` builds it

@@ -12,7 +12,7 @@ use crate::tuning::layers;
 
 /// Plays as the command line requests.
 pub(crate) fn run(args: &Play) -> Result<Outcome, Failure> {
-    let built = if args.link.serve.is_some() { FirmwareImage::MONITOR } else { FirmwareImage::DEFAULT };
+    let built = FirmwareImage::built(args.size, args.link.serve.is_some());
     let image = || args.image.clone().unwrap_or_else(|| built.into());
     let firmware = (args.world == World::Firmware).then(|| FirmwareImage::new(image(), args.size)).transpose()?;
     let rules = Rules {

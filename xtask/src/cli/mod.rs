@@ -34,7 +34,7 @@ pub(crate) enum Task {
     /// Build the firmware, boot it in QEMU, and play games on it
     ///
     /// Every cycle of the games is computed on the host too, and both results must be equal. Size, stack and instructions
-    /// are compared with firmware/figures.txt. First installs the target and QEMU.
+    /// are compared with firmware/figures.txt and firmware/figures-medium.txt. First installs the target and QEMU.
     Firmware(Firmware),
     /// Install what `play --world mujoco` needs
     ///
@@ -125,6 +125,9 @@ pub(crate) struct Firmware {
     /// Inject errors into the link for twice ten minutes, instead of playing games
     #[arg(long)]
     pub(crate) fuzz: bool,
+    /// Only build the image, and play ten games with each size of camera images
+    #[arg(long)]
+    pub(crate) games: bool,
 }
 
 #[derive(Debug, Default, Args)]

@@ -87,8 +87,8 @@ fn a_recording_of_another_tree_or_without_its_start_is_refused() {
     };
     let message = refused(&rewrite(&bytes, same, renamed));
     assert!(message.contains("SeekBall") && message.contains("SearchBall"), "{message}");
-    let newer = rewrite(&bytes, same, |text| *text = text.replace("\"format\":2", "\"format\":3"));
-    assert!(refused(&newer).contains("format 3"));
+    let newer = rewrite(&bytes, same, |text| *text = text.replace("\"format\":2", "\"format\":4"));
+    assert!(refused(&newer).contains("format 4"));
     let mut part = Vec::new();
     bica_recording::repair::trim(&bytes[..], &mut part, 100_000_000, u64::MAX).expect("a recording");
     assert!(refused(&part).contains("begins with cycle 10"));

@@ -88,8 +88,8 @@ pub(crate) struct Play {
     /// (the built-in world, with the forward on an emulated microcontroller)
     #[arg(long, value_name = "WORLD", default_value = "built-in")]
     pub(crate) world: World,
-    /// Firmware image for `--world firmware`; `cargo xtask firmware --build` builds the default ones, of which that with the
-    /// server for monitors is used with --serve
+    /// Firmware image for `--world firmware`; `cargo xtask firmware --build` builds the default ones: one for each size, and for
+    /// 160x120 one with the server for monitors, which is used with --serve
     #[arg(long, value_name = "FILE")]
     pub(crate) image: Option<PathBuf>,
     /// Seed of start positions, light and noise; the same seed gives the same game, bit for bit
@@ -101,7 +101,7 @@ pub(crate) struct Play {
     /// Number of other robots on the field, besides the goalkeeper
     #[arg(long, value_name = "N", default_value_t = 0, value_parser = robots)]
     pub(crate) robots: usize,
-    /// Size of the camera images: 160x120 (the only size of the firmware, and its default), 320x240 or 640x480
+    /// Size of the camera images: 160x120 (the default with `--world firmware`), 320x240 or, not with firmware, 640x480
     #[arg(long, value_name = "WxH", default_value_if("world", "firmware", "160x120"), default_value = "320x240")]
     pub(crate) size: Frame,
     /// Longest duration of a game, in simulated seconds

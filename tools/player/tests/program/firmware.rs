@@ -47,6 +47,26 @@ fn firmware_plays_the_same_game_and_counts_instructions() {
     assert_eq!(runs(&spent["components"]), runs(&printed["components"]));
 }
 
+#[test]
+#[cfg_attr(not(firmware_image), ignore = "needs a firmware image: run `cargo xtask firmware`")]
+fn each_firmware_image_plays_the_sizes_that_it_has_memory_for() {
+    let mut image = String::new();
+    with_image(&mut image, &[]);
+    let medium = format!("{image}-medium");
+    let game = ["--seed", "3", "--seconds", "1", "--json", "--size"];
+    for size in ["160x120", "320x240"] {
+        let play = ["play", "--world", "firmware", "--image", &medium];
+        let mut printed = story(run(&[&play[..], &game, &[size]].concat()).json());
+        assert!(printed.as_object_mut().and_then(|printed| printed.remove("firmware")).is_some(), "instruction counts");
+        assert_eq!(printed, story(run(&[&game[..], &[size]].concat()).json()), "{size}: the same game, bit for bit");
+    }
+    let Ran { code, stderr, .. } = run(&with_image(&mut String::new(), &["--seconds", "1", "--size", "320x240"]));
+    assert_eq!(code, Some(2), "{stderr}");
+    for word in [&*image, "19200 pixels, not 320x240", "forward-an500-medium", "--size 160x120"] {
+        assert!(stderr.contains(word), "`{word}` is missing in:\n{stderr}");
+    }
+}
+
 /// The microcontroller computed the commands; the host's code must compute them again from what was recorded.
 #[test]
 #[cfg_attr(not(firmware_image), ignore = "needs a firmware image: run `cargo xtask firmware`")]
@@ -168,7 +188,7 @@ fn errors_name_what_is_missing_and_how_to_install_it() {
     assert_eq!(no_program.status.code(), Some(2), "{error}");
     assert!(error.contains("qemu-system-arm") && error.contains("cargo xtask firmware"), "{error}");
 
-    let (code, error) = output(&mut player(&[&play[..], &["Cargo.toml", "--size", "320x240"]].concat()));
+    let (code, error) = output(&mut player(&[&play[..], &["Cargo.toml", "--size", "640x480"]].concat()));
     assert_eq!(code, Some(2), "{error}");
-    assert!(error.contains("160x120") && error.contains("--size"), "{error}");
+    assert!(error.contains("--size 160x120") && error.contains("--size 320x240"), "{error}");
 }

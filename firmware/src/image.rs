@@ -1,0 +1,63 @@
+//! Reception of images, in the memory in which the tree processes them.
+
+use bica_motion::joints::Joints;
+use bica_player::input::{CameraInput, IMAGE_BYTES};
+use bica_wire::ImageAssembler;
+use bica_wire::message::{ImageChunk, ImageInfo};
+use static_cell::ConstStaticCell;
+
+static MEMORY: ConstStaticCell<[u8; IMAGE_BYTES]> = ConstStaticCell::new([0; IMAGE_BYTES]);
+/// Memory of a second image, so that the tree keeps one while the next one arrives. Two of 320×240 would not leave enough for
+/// others.
+#[cfg(not(feature = "medium-frames"))]
+static SECOND_MEMORY: ConstStaticCell<[u8; IMAGE_BYTES]> = ConstStaticCell::new([0; IMAGE_BYTES]);
+
+/// Receiver of images. Memory is either here, for the next image, or in [`CameraInput`], with a complete one: no component can
+/// process an image that is incomplete.
+pub(crate) struct ImageReceiver {
+    assembler: ImageAssembler,
+    /// Memory of the next image; empty while [`CameraInput`] has it.
+    memory: &'static mut [u8],
+    /// Memory that is in nobody's use; empty from the first image on, and always if there is memory for one image.
+    spare: &'static mut [u8],
+}
+
+impl ImageReceiver {
+    /// Creates a receiver. Called once.
+    ///
+    /// # Panics
+    /// If it is called twice.
+    pub(crate) fn new() -> Self {
+        #[cfg(not(feature = "medium-frames"))]
+        let spare = SECOND_MEMORY.take();
+        #[cfg(feature = "medium-frames")]
+        let spare: &'static mut [u8] = &mut [];
+        Self { assembler: ImageAssembler::new(), memory: MEMORY.take(), spare }
+    }
+
+    /// Returns the number of incomplete images.
+    pub(crate) const fn incomplete(&self) -> u32 {
+        self.assembler.incomplete()
+    }
+
+    /// Receives a part of an image. With memory for one image the first part ends the previous image.
+    pub(crate) fn add(&mut self, chunk: &ImageChunk<'_>, input: &mut CameraInput) {
+        if self.memory.is_empty() && chunk.offset == 0 {
+            self.memory = input.take_memory();
+        }
+        self.assembler.add(chunk, self.memory);
+    }
+
+    /// Gives an image to the tree, with the joint angles (rad) at which it was taken, if it is complete; returns whether it is.
+    pub(crate) fn finish(&mut self, info: &ImageInfo, angles: &Joints<f32>, input: &mut CameraInput) -> bool {
+        let is_complete = self.assembler.take(info).is_some();
+        if is_complete {
+            let memory = core::mem::take(&mut self.memory);
+            self.memory = input.set_image(memory, info.camera(), (info.width, info.height), angles);
+            if self.memory.is_empty() {
+                self.memory = core::mem::take(&mut self.spare);
+            }
+        }
+        is_complete
+    }
+}
