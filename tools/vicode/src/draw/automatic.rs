@@ -6,9 +6,9 @@ use crate::files::{Layout, Position};
 use crate::model::{Component, Graph, Sources};
 
 /// Distance of the centres of two columns, points.
-const COLUMN: i32 = 290;
+const COLUMN: i32 = 340;
 /// White between two states of a column, points.
-const GAP: i32 = 70;
+const GAP: i32 = 100;
 /// Centre of the first state, points.
 const FIRST: Position = Position { x: 110, y: 90 };
 /// Passes over the columns that reduce crossings.

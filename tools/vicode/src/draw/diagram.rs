@@ -1,6 +1,7 @@
 //! What is drawn, in points.
 
 use super::automatic;
+use super::route::{course, place_names};
 use crate::files::Layout;
 use crate::model::{Component, Graph, Link, LinkKind, Sources};
 
@@ -105,6 +106,7 @@ impl Diagram {
         }
         let arrows: Vec<Edge> = pairs.into_iter().map(|((from, to), labels)| self.edge(from, to, labels)).collect();
         self.edges = arrows;
+        place_names(&mut self.edges, &self.nodes);
     }
 
     fn edge(&self, from: Option<usize>, to: usize, labels: Vec<String>) -> Edge {
@@ -121,25 +123,8 @@ impl Diagram {
             let points = vec![(x, y - 10.0), (x + 24.0, y - 16.0), (x + 24.0, y + 16.0), (x, y + 10.0)];
             return Edge { labels, points, label_at: (x + 60.0, y) };
         }
-        let (dx, dy) = (end.centre.0 - from.centre.0, end.centre.1 - from.centre.1);
-        let length = dx.hypot(dy).max(1.0);
-        // To the right of the way, so that there and back are two curves.
-        let bend = 0.16 * length + 14.0;
-        let middle = (from.centre.0 + dx / 2.0 - dy / length * bend, from.centre.1 + dy / 2.0 + dx / length * bend);
-        let curve = |t: f32| {
-            let (a, b, c) = ((1.0 - t) * (1.0 - t), 2.0 * t * (1.0 - t), t * t);
-            let mix = |from: f32, middle: f32, to: f32| a * from + b * middle + c * to;
-            (mix(from.centre.0, middle.0, end.centre.0), mix(from.centre.1, middle.1, end.centre.1))
-        };
-        let outside = |node: &Node, (x, y): (f32, f32)| {
-            (x - node.centre.0).abs() > node.size.0 / 2.0 || (y - node.centre.1).abs() > node.size.1 / 2.0
-        };
-        let all = (0..=64_u8).map(|step| curve(f32::from(step) / 64.0));
-        let mut points: Vec<(f32, f32)> = all.filter(|point| outside(from, *point) && outside(end, *point)).collect();
-        if points.len() < 2 {
-            points = vec![from.centre, end.centre];
-        }
-        Edge { labels, points, label_at: curve(0.5) }
+        let points = course(from, end, &self.nodes);
+        Edge { label_at: points[points.len() / 2], labels, points }
     }
 
     /// Moves all so that nothing lies outside, and measures it.

@@ -5,6 +5,7 @@ mod diagram;
 mod notation;
 #[cfg(feature = "png")]
 mod png;
+mod route;
 mod svg;
 
 pub use self::automatic::automatic;

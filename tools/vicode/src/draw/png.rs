@@ -16,8 +16,9 @@ const GREY: [u8; 3] = [125, 133, 144];
 #[must_use]
 pub fn png(diagram: &Diagram) -> Canvas {
     let mut canvas = Canvas::new(diagram.width.ceil() as usize, diagram.height.ceil() as usize, PAPER);
+    diagram.edges.iter().for_each(|edge| arrow(&mut canvas, edge));
     diagram.nodes.iter().for_each(|node| state(&mut canvas, node));
-    diagram.edges.iter().for_each(|edge| transition(&mut canvas, edge));
+    diagram.edges.iter().for_each(|edge| names(&mut canvas, edge));
     canvas
 }
 
@@ -36,12 +37,15 @@ fn state(canvas: &mut Canvas, node: &Node) {
     }
 }
 
-fn transition(canvas: &mut Canvas, edge: &Edge) {
+fn arrow(canvas: &mut Canvas, edge: &Edge) {
     let points: Vec<Vec2> = edge.points.iter().map(|(x, y)| Vec2::new(*x, *y)).collect();
     canvas.polyline(&points, 1.5, GREY);
     if let Some([tip, left, right]) = edge.head() {
         canvas.polygon(&[Vec2::from(tip), Vec2::from(left), Vec2::from(right)], GREY);
     }
+}
+
+fn names(canvas: &mut Canvas, edge: &Edge) {
     for (index, label) in edge.labels.iter().enumerate() {
         let y = edge.label_at.1 + 13.0 * (index as f32 - (edge.labels.len() as f32 - 1.0) / 2.0);
         let half = Font::Small.width(label) / 2.0;

@@ -20,8 +20,9 @@ pub fn svg(diagram: &Diagram) -> String {
          text-anchor=\"middle\">\n<title>{}</title>\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n",
         escaped(&diagram.name)
     );
+    diagram.edges.iter().for_each(|edge| arrow(&mut out, edge));
     diagram.nodes.iter().for_each(|node| state(&mut out, node));
-    diagram.edges.iter().for_each(|edge| transition(&mut out, edge));
+    diagram.edges.iter().for_each(|edge| names(&mut out, edge));
     out + "</svg>\n"
 }
 
@@ -55,7 +56,7 @@ fn state(out: &mut String, node: &Node) {
     }
 }
 
-fn transition(out: &mut String, edge: &Edge) {
+fn arrow(out: &mut String, edge: &Edge) {
     let points: Vec<String> = edge.points.iter().map(|(x, y)| format!("{x:.1},{y:.1}")).collect();
     writeln!(out, "<polyline points=\"{}\" fill=\"none\" stroke=\"{GREY}\" stroke-width=\"1.5\"/>", points.join(" "))
         .unwrap_or_default();
@@ -67,6 +68,9 @@ fn transition(out: &mut String, edge: &Edge) {
         )
         .unwrap_or_default();
     }
+}
+
+fn names(out: &mut String, edge: &Edge) {
     for (index, label) in edge.labels.iter().enumerate() {
         let y = edge.label_at.1 + 13.0 * (index as f32 - (edge.labels.len() as f32 - 1.0) / 2.0) + 4.0;
         writeln!(

@@ -5,6 +5,7 @@ mod agreement;
 mod command;
 mod compiling;
 mod documentation;
+mod drawing;
 mod editing;
 mod files;
 mod imports;

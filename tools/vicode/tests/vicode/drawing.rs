@@ -1,0 +1,56 @@
+//! Drawings that can be read.
+
+use bica_vicode::draw::{Diagram, Edge, Node};
+use bica_vicode::{Layout, read};
+
+use crate::sources::text;
+
+/// Width of a letter and height of a line of a name, points.
+const LETTER: (f32, f32) = (6.0, 13.0);
+
+fn diagram(path: &str) -> Diagram {
+    let model = read(&text(path));
+    Diagram::of(&model.components[0], &Layout::default())
+}
+
+/// Left, top, right, bottom.
+fn around((x, y): (f32, f32), (width, height): (f32, f32)) -> [f32; 4] {
+    [x - width / 2.0, y - height / 2.0, x + width / 2.0, y + height / 2.0]
+}
+
+fn overlap(a: [f32; 4], b: [f32; 4]) -> bool {
+    a[0] < b[2] && b[0] < a[2] && a[1] < b[3] && b[1] < a[3]
+}
+
+fn names(edge: &Edge) -> [f32; 4] {
+    let longest = edge.labels.iter().map(|label| label.len()).max().unwrap();
+    around(edge.label_at, (LETTER.0 * longest as f32, LETTER.1 * edge.labels.len() as f32))
+}
+
+/// The number of states that the inner part of a curve crosses: its ends lie at states.
+fn crossed(edge: &Edge, nodes: &[Node]) -> usize {
+    let inner = &edge.points[1..edge.points.len() - 1];
+    let is_in = |node: &&Node| {
+        let [left, top, right, bottom] = around(node.centre, node.size);
+        inner.iter().any(|(x, y)| left < *x && *x < right && top < *y && *y < bottom)
+    };
+    nodes.iter().filter(is_in).count()
+}
+
+#[test]
+fn curves_cross_no_state_and_names_cover_neither_states_nor_names() {
+    for path in ["examples/goalkeeper/src/goalkeeper.rs", "player/src/behaviour/player.rs"] {
+        let diagram = diagram(path);
+        assert!(diagram.edges.len() > 15, "{path}: {}", diagram.edges.len());
+        for (index, edge) in diagram.edges.iter().enumerate() {
+            assert_eq!(crossed(edge, &diagram.nodes), 0, "{path}: {:?}", edge.labels);
+            let own = names(edge);
+            for node in &diagram.nodes {
+                assert!(!overlap(own, around(node.centre, node.size)), "{path}: {:?} and {}", edge.labels, node.name);
+            }
+            for other in &diagram.edges[index + 1..] {
+                assert!(!overlap(own, names(other)), "{path}: {:?} and {:?}", edge.labels, other.labels);
+            }
+        }
+    }
+}
