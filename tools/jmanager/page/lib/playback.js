@@ -14,7 +14,8 @@ function play(now) {
     const end = shown.info.value.until_us;
     const next = cursor.value + passed * 1000;
     seek(Math.min(next, end));
-    if (next >= end) playing.value = false;
+    // What is still being read has not ended.
+    if (next >= end && shown.info.value.connection !== 'connecting') playing.value = false;
   }
   requestAnimationFrame(play);
 }
