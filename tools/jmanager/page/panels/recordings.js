@@ -72,7 +72,7 @@ function Replay({ shown, info }) {
   };
   return html`<section aria-label="Replay"><h3>${info.name}</h3>
     <p>${duration(info.until_us - info.from_us)}, from ${time(info.from_us)} to ${time(info.until_us)}. <span class="dim">${info.note}</span></p>
-    <div class="buttons"><button onClick=${() => seek(info.from_us)} aria-label="To the beginning">⏮</button><button class="wide" onClick=${playOrPause}>${playing.value ? 'Pause' : 'Play'}</button><button onClick=${() => seek(info.until_us)} aria-label="To the end">⏭</button></div>
+    <div class="buttons"><button onClick=${() => seek(info.from_us)} aria-label="To the beginning">|◂</button><button class="wide" onClick=${playOrPause}>${playing.value ? 'Pause' : 'Play'}</button><button onClick=${() => seek(info.until_us)} aria-label="To the end">▸|</button></div>
     ${info.can.run_again && html`<h3>Run again</h3><p class="dim">The code of this program runs again on what was recorded; with other values of parameters, if you add some.</p>
       <div class="join"><input list="params-of-run" aria-label="Parameter" placeholder="FaceBall.gain" value=${path.value} onInput=${(event) => { path.value = event.target.value; }} />
         <datalist id="params-of-run">${all.map((one) => html`<option value=${one.name}></option>`)}</datalist>
