@@ -22,19 +22,11 @@ window.effects_ = [];
   for (let at = 0; at < 100; at += 1) {
     const wanted = (0.3 + 0.005 * at).toFixed(3);
     const begin = performance.now();
-    const effect = new Promise((done) => {
-      let was = false;
-      const observer = new MutationObserver(() => {
-        const is = row.classList.contains('pending');
-        if (was && !is) { observer.disconnect(); done(); }
-        was ||= is;
-      });
-      observer.observe(row, { attributes: true, attributeFilter: ['class'] });
-    });
     slider.value = wanted;
     slider.dispatchEvent(new Event('input', { bubbles: true }));
     slider.dispatchEvent(new Event('change', { bubbles: true }));
-    await effect;
+    await new Promise((done) => requestAnimationFrame(done));
+    while (row.classList.contains('pending')) await new Promise((done) => setTimeout(done, 1));
     window.effects_.push(performance.now() - begin);
     await new Promise((done) => setTimeout(done, 40));
   }
