@@ -35,7 +35,7 @@ pub struct InformationValue {
 }
 
 impl InformationValue {
-    /// A value as JSON text, with the [schema](InformationInfo::in_json) of a recording that a monitor made.
+    /// A value as JSON text, with the schema of a recording that a monitor made.
     #[must_use]
     pub fn in_json(component: usize, index: usize, text: &str) -> Self {
         let mut value = Vec::with_capacity(text.len() + 2);

@@ -27,7 +27,7 @@ impl Client {
     }
 
     /// Requests a position of the ball, m, field frame, and returns the number of the request; the answer follows as
-    /// [`Event::Answer`].
+    /// [`Event::Answer`](super::Event::Answer).
     ///
     /// # Errors
     /// [`Error::Disconnected`].
