@@ -3,7 +3,7 @@
 
 use bica_vicode::model::{HookRole, LinkKind, Span};
 use bica_vicode::{Document, Edit, applied};
-use libfuzzer_sys::arbitrary::{Arbitrary, Unstructured};
+use libfuzzer_sys::arbitrary::{self, Arbitrary, Unstructured};
 use libfuzzer_sys::fuzz_target;
 
 #[derive(Arbitrary, Debug)]

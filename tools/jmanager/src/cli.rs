@@ -70,7 +70,7 @@ pub struct Cli {
     /// Let pages watch only
     #[arg(long)]
     pub read_only: bool,
-    /// Record the world or the robot in FILE.mcap from its begin; what begins again is recorded in FILE-2.mcap and so on
+    /// Record the world or the robot in FILE.mcap from its beginning; what begins again is recorded in FILE-2.mcap and so on
     #[arg(long, value_name = "FILE")]
     pub record: Option<PathBuf>,
     /// Folder of recordings

@@ -95,7 +95,7 @@ pub struct Capabilities {
     pub run_again: bool,
 }
 
-/// The recording of a session: the run of a world of this process from its begin, or the last minutes of a robot.
+/// The recording of a session: the run of a world of this process from its beginning, or the last minutes of a robot.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct RecordingState {
     /// Whether it is recorded.
@@ -106,6 +106,6 @@ pub struct RecordingState {
     pub bytes: u64,
     /// Why it is not recorded, or what was lost; empty if all is well.
     pub note: String,
-    /// File in which the session is recorded from its begin; empty without `--record`.
+    /// File in which the session is recorded from its beginning; empty without `--record`.
     pub file: String,
 }

@@ -51,7 +51,7 @@ impl Manager {
         self.registry.open(source, None)
     }
 
-    /// Opens a world or a robot and records it in a file from its begin. What begins again is recorded in a file with a number.
+    /// Opens a world or a robot and records it in a file from its beginning. What begins again is recorded in a file with a number.
     ///
     /// # Errors
     /// As [`open`](Self::open).

@@ -75,7 +75,7 @@ pub(super) struct Session {
     pub(super) pages: Arc<Pages>,
     /// Of a world in this process.
     pub(super) pacer: Option<Arc<Pacer>>,
-    /// File in which the session is recorded from its begin, if it is the one of the command line.
+    /// File in which the session is recorded from its beginning, if it is the one of the command line.
     pub(super) record: Option<PathBuf>,
     /// Writer of that file, for a robot.
     recorder: Mutex<Option<RobotRecorder>>,
@@ -344,7 +344,7 @@ impl Session {
         self.ended.store(true, Ordering::Relaxed);
     }
 
-    /// Waits until the file of a session that is recorded from its begin is closed.
+    /// Waits until the file of a session that is recorded from its beginning is closed.
     pub(super) fn wait_for_file(&self, limit: Duration) {
         let until = Instant::now() + limit;
         while self.record.is_some() && !self.ended.load(Ordering::Relaxed) && Instant::now() < until {

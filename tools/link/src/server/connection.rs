@@ -39,7 +39,7 @@ pub(super) struct Connection {
     pub(super) pending: AtomicUsize,
     outbox: Outbox,
     began: Instant,
-    /// Time of the last image, which the monitor has not taken, ms after the begin; [`TAKEN`] if it has.
+    /// Time of the last image, which the monitor has not taken, ms after the beginning; [`TAKEN`] if it has.
     image_ms: AtomicU64,
     closed: AtomicBool,
     stream: Stream,

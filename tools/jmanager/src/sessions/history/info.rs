@@ -46,7 +46,7 @@ impl InfoStore {
         changes.get(end.checked_sub(1)?).map(|(time, text)| (*time, parse(text)))
     }
 
-    /// Samples of an interval: the value at its begin, the changes in it, the value at its end; thinned to at most `points`. Of numbers
+    /// Samples of an interval: the value at its beginning, the changes in it, the value at its end; thinned to at most `points`. Of numbers
     /// the smallest and the largest of each part stay, of other values the last.
     pub(crate) fn series(
         &self,

@@ -16,7 +16,7 @@ use jmanager_browser::{Page, Server};
 
 const WIDE: (u32, u32) = (1600, 940);
 
-/// Opens the built-in world, once its tree is known, at the begin of a game.
+/// Opens the built-in world, once its tree is known, at the beginning of a game.
 async fn open(server: &Server) -> Page {
     let page = Page::open(server, WIDE).await;
     page.find("button", "FaceBall", "Activation tree").await;
