@@ -1,16 +1,22 @@
 //! Recordings in files of a test.
 
-use std::fs;
+use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 use std::thread;
 use std::time::Duration;
 
+use bica::Tree;
+use bica::runner::{RequestQueue, Runner};
 use bica_console::STACK_BYTES;
-use bica_game::{RecordOptions, ReplayOptions, Replayed, Rules, WorldKind, play_recorded, replay};
-use bica_recording::ImagePolicy;
+use bica_game::{RecordOptions, ReplayOptions, Replayed, Rules, WorldKind, play_recorded, recording_header, replay};
+use bica_player::input::RobotProfile;
+use bica_player::perception::GoalDetector;
+use bica_player::tunable::Forward;
 use bica_recording::mcap::{Compression, Item, Reader, Writer};
-use bica_recording::{Channel, Error};
-use bica_sim::setup::Frame;
+use bica_recording::{Backpressure, Channel, Error, ImagePolicy, Recorder, RecorderOptions};
+use bica_sim::World;
+use bica_sim::kinematic::KinematicWorld;
+use bica_sim::setup::{Frame, Setup};
 
 /// File that is removed at the end of a test.
 pub(crate) struct Temporary(pub(crate) PathBuf);
@@ -55,6 +61,25 @@ pub(crate) fn record(path: &Path, rules: &Rules, images: ImagePolicy) {
     let (summary, recording) = play_recorded(rules, &mut (), Some(options), None).expect("a game");
     let recording = recording.expect("requested");
     assert_eq!((recording.recorded_cycles, recording.dropped_images, recording.reason), (summary.cycles, 0, None));
+}
+
+/// A forward in the built-in world that takes requests and is recorded.
+pub(crate) fn recorded(
+    file: &Temporary,
+    rules: &Rules,
+    images: ImagePolicy,
+) -> Runner<Box<Forward>, KinematicWorld, RequestQueue, Recorder> {
+    let setup = Setup { seed: rules.seed, frame: rules.size, robots: rules.robots, ..Setup::default() };
+    let world = KinematicWorld::new(&setup).expect("valid");
+    let attacks = world.referee().attacks();
+    let mut robot = Box::new(Forward::new());
+    robot.get_mut::<RobotProfile>().set(rules.world.profile());
+    robot.get_mut::<GoalDetector>().attack(attacks);
+    let target = File::create(&file.0).expect("room");
+    let options = RecorderOptions { backpressure: Backpressure::Wait, ..RecorderOptions::default() };
+    let header = recording_header(rules, attacks, images).of_tree(&*robot);
+    let recorder = Recorder::start(target, &header, options, |_| {}).expect("room");
+    Runner::new(robot, world).with_requests(RequestQueue::new()).with_observer(recorder)
 }
 
 /// Replays a file from start to end.

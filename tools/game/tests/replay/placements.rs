@@ -2,22 +2,13 @@
 
 use std::fs::{self, File};
 
-use bica::Tree;
-use bica::runner::{RequestQueue, Runner};
-use bica_game::{ReplayOptions, recording_header, replay, rerun};
-use bica_player::input::RobotProfile;
-use bica_player::perception::GoalDetector;
-use bica_player::tunable::Forward;
-use bica_recording::{
-    Backpressure, Channel, ImagePolicy, Info, Recorder, RecorderOptions, RequestRecord, RunningFingerprint, Tick,
-};
+use bica_game::{ReplayOptions, replay, rerun};
+use bica_recording::{Channel, ImagePolicy, Info, RequestRecord, RunningFingerprint, Tick};
 use bica_sim::World;
-use bica_sim::kinematic::KinematicWorld;
-use bica_sim::setup::Setup;
 use rand_pcg::Pcg64;
 use rand_pcg::rand_core::{Rng, SeedableRng};
 
-use crate::files::{Temporary, replay_all, rewrite, rules, with_stack};
+use crate::files::{Temporary, recorded, replay_all, rewrite, rules, with_stack};
 
 /// Number of cycles of a game.
 const CYCLES: u64 = 300;
@@ -25,17 +16,7 @@ const CYCLES: u64 = 300;
 /// Plays a game with placements at random times and positions; returns their number.
 fn placed(file: &Temporary, images: ImagePolicy, rng: &mut Pcg64) -> usize {
     let rules = rules(rng.next_u64() % 1000, 3.0);
-    let setup = Setup { seed: rules.seed, frame: rules.size, robots: rules.robots, ..Setup::default() };
-    let world = KinematicWorld::new(&setup).expect("valid");
-    let attacks = world.referee().attacks();
-    let mut robot = Box::new(Forward::new());
-    robot.get_mut::<RobotProfile>().set(rules.world.profile());
-    robot.get_mut::<GoalDetector>().attack(attacks);
-    let target = File::create(&file.0).expect("room");
-    let options = RecorderOptions { backpressure: Backpressure::Wait, ..RecorderOptions::default() };
-    let header = recording_header(&rules, attacks, images).of_tree(&*robot);
-    let recorder = Recorder::start(target, &header, options, |_| {}).expect("room");
-    let mut runner = Runner::new(robot, world).with_requests(RequestQueue::new()).with_observer(recorder);
+    let mut runner = recorded(file, &rules, images);
     let mut count = 0;
     for _ in 0..CYCLES {
         while rng.next_u32().is_multiple_of(16) {

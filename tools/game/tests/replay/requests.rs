@@ -3,36 +3,20 @@
 use std::fs::File;
 
 use bica::params::{Kind, Value};
-use bica::runner::{OwnedRequest, RequestQueue, Runner};
-use bica::{ComponentId, Hold, Tree};
-use bica_game::{GRAPH, recording_header};
-use bica_player::input::RobotProfile;
-use bica_player::perception::GoalDetector;
-use bica_player::tunable::Forward;
-use bica_recording::{Backpressure, ImagePolicy, Info, Recorder, RecorderOptions};
-use bica_sim::World;
-use bica_sim::kinematic::KinematicWorld;
-use bica_sim::setup::Setup;
+use bica::runner::OwnedRequest;
+use bica::{ComponentId, Hold};
+use bica_game::GRAPH;
+use bica_recording::{ImagePolicy, Info};
 use bica_tuning::Place;
 use rand_pcg::Pcg64;
 use rand_pcg::rand_core::{Rng, SeedableRng};
 
-use crate::files::{Temporary, replay_all, rules, with_stack};
+use crate::files::{Temporary, recorded, replay_all, rules, with_stack};
 
 /// Plays a game with random requests; returns the number of accepted ones.
 fn operated(file: &Temporary, images: ImagePolicy, rng: &mut Pcg64) -> usize {
     let rules = rules(rng.next_u64() % 1000, 2.0);
-    let setup = Setup { seed: rules.seed, frame: rules.size, robots: rules.robots, ..Setup::default() };
-    let world = KinematicWorld::new(&setup).expect("valid");
-    let attacks = world.referee().attacks();
-    let mut robot = Box::new(Forward::new());
-    robot.get_mut::<RobotProfile>().set(rules.world.profile());
-    robot.get_mut::<GoalDetector>().attack(attacks);
-    let target = File::create(&file.0).expect("room");
-    let options = RecorderOptions { backpressure: Backpressure::Wait, ..RecorderOptions::default() };
-    let header = recording_header(&rules, attacks, images).of_tree(&*robot);
-    let recorder = Recorder::start(target, &header, options, |_| {}).expect("room");
-    let mut runner = Runner::new(robot, world).with_requests(RequestQueue::new()).with_observer(recorder);
+    let mut runner = recorded(file, &rules, images);
     for _ in 0..200 {
         while rng.next_u32().is_multiple_of(8) {
             runner.requests_mut().push(random_request(rng));
