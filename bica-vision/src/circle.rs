@@ -58,7 +58,8 @@ impl Circle {
     /// Sum of 1 - (distance / tolerance)² over the inliers, the score of MSAC: a straight edge of an occluding object
     /// near the circle adds inliers, but distant ones.
     fn agreement(&self, points: &[Vec2], tolerance: f32) -> f32 {
-        points.iter().map(|point| (1.0 - (self.distance(*point) / tolerance).powi(2)).max(0.0)).sum()
+        let shares = points.iter().map(|point| self.distance(*point) / tolerance);
+        shares.map(|share: f32| (1.0 - share * share).max(0.0)).sum()
     }
 
     /// One Gauss–Newton step on the inliers. Returns the same circle if they do not determine it.
