@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use crate::report::Report;
-use bica_benches::budget::limits::Row;
+use bica_times::limits::Row;
 
 const WIDTH: f64 = 860.0;
 const LINE: f64 = 20.0;

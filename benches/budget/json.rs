@@ -8,7 +8,7 @@
 use serde_json::{Value, json};
 
 use crate::report::Report;
-use bica_benches::budget::limits::Row;
+use bica_times::limits::Row;
 
 /// Converts a report.
 pub(crate) fn of(report: &Report) -> Value {

@@ -17,7 +17,7 @@ mod table;
 
 use std::process::ExitCode;
 
-use bica_benches::budget::measurements::Measurements;
+use bica_times::measurements::Measurements;
 use clap::Parser;
 use options::Options;
 use report::Report;

@@ -4,13 +4,13 @@ use std::time::{Duration, Instant as Clock};
 
 use bica::runner::{Cycle as Completed, Observer, Runner, World};
 use bica::{Instant, Probe, Stopwatch, Tree};
-use bica_benches::budget::measurements::{ACT, CHAIN, CHANNELS, Cycle, Measurements, SEEING, SENSE};
 use bica_benches::game::new_game;
 use bica_motion::robot::{Command, Sensors};
 use bica_player::Forward;
 use bica_sim::World as SimulatedWorld;
 use bica_sim::kinematic::KinematicWorld;
 use bica_sim::setup::{Frame, Setup};
+use bica_times::measurements::{ACT, CHAIN, CHANNELS, Cycle, Measurements, SEEING, SENSE};
 
 /// Game that is played until a goal.
 struct Fixture {

@@ -6,9 +6,9 @@ use bica_player::Forward;
 
 use crate::options::Options;
 use crate::processor::Basis;
-use bica_benches::budget::limits::{Row, never_ran, over_budget, over_limit};
-use bica_benches::budget::measurements::{ACT, CHAIN, Measurements, SEEING, SENSE};
-use bica_benches::budget::quantiles::Quantiles;
+use bica_times::limits::{Row, never_ran, over_budget, over_limit};
+use bica_times::measurements::{ACT, CHAIN, Measurements, SEEING, SENSE};
+use bica_times::quantiles::Quantiles;
 
 /// Content of a report; times in µs.
 pub(crate) struct Report {

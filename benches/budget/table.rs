@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use crate::report::{Estimate, Report};
-use bica_benches::budget::limits::Row;
+use bica_times::limits::Row;
 
 /// Formats a report.
 pub(crate) fn of(report: &Report) -> String {

@@ -1,6 +1,5 @@
-//! Shared parts of the benchmarks: trees, frames, recorded games, and the judgement of the budget report.
+//! Shared parts of the benchmarks: trees, frames, and recorded games.
 
-pub mod budget;
 pub mod frames;
 pub mod game;
 pub mod isolated;

@@ -8,7 +8,6 @@
     reason = "unusual on purpose"
 )]
 
-mod limits;
 mod names;
 mod numbers;
 mod places;

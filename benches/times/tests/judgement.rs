@@ -1,8 +1,8 @@
 //! Judgement of the budget report on constructed times.
 
-use bica_benches::budget::limits::{Row, never_ran, over_budget, over_limit};
-use bica_benches::budget::measurements::{ACT, CHAIN, CHANNELS, Cycle, Measurements, SEEING, SENSE};
-use bica_benches::budget::quantiles::Quantiles;
+use bica_times::limits::{Row, never_ran, over_budget, over_limit};
+use bica_times::measurements::{ACT, CHAIN, CHANNELS, Cycle, Measurements, SEEING, SENSE};
+use bica_times::quantiles::Quantiles;
 
 /// Measurements in which channel 0 takes these times, ns: one list for each repetition, one entry for each cycle.
 fn measured(repetitions: &[&[u32]]) -> Result<Measurements, usize> {
