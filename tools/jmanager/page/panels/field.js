@@ -63,7 +63,7 @@ export function FieldMap({ visible }) {
     if (dragged.value) disc(context, map, dragged.value, 0.06, 9, { stroke: css('--truth') });
   };
   return html`<${Bar} label="Field">
-      <span class="dim"><${Source} belief=${belief} /></span><span class="grow"></span>
+      <span class="dim place"><${Source} belief=${belief} /></span><span class="grow"></span>
       ${shown.info.value.can.truth && html`<${Toggle} on=${truthShown.value} label="Truth" title="The simulator's state, dashed. The robot never gets it." colour=${css('--truth')} onChange=${(on) => { truthShown.value = on; }} />`}
       ${shown.info.value.can.ball && html`<${BallMenu} shown=${shown} reach=${REACH} />`}
       <${Toggle} on=${turned.value} label="Turn" title="Turn the field by 180°" onChange=${(on) => { turned.value = on; }} />
