@@ -31,7 +31,7 @@ export function FieldMap({ visible }) {
   const truthShown = useSignal(true);
   const turned = useSignal(false);
   const places = useMemo(() => Object.fromEntries(Object.entries(WANTED).map(([key, names]) => [key, shown?.findInfo(...names) ?? null])), [shown, description]);
-  const trail = useMemo(() => ({ belief: [], truth: [] }), [shown]);
+  const trail = useMemo(() => ({ belief: [], truth: [] }), [shown, description]);
   const shownMap = (element) => mapOf(element.clientWidth, element.clientHeight, turned.value);
   const { dragged, handlers } = useDrag({ shown, mapOf: shownMap, visible: truthShown.value, reach: REACH });
   useEffect(() => {

@@ -29,7 +29,7 @@ async fn dark(server: &Server) -> Page {
 async fn picture_of_the_overview() {
     let server = Server::start("picture-overview", &["--size", "320x240"]);
     let page = dark(&server).await;
-    at(&page, 9.0).await;
+    at(&page, 7.5).await;
     page.screenshot("docs-jmanager-overview").await;
     page.close().await;
 }
