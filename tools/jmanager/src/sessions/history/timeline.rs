@@ -61,7 +61,9 @@ impl History {
                 break;
             }
             while let Some(gap) = gaps.next_if(|gap| gap.1 <= change.time_us) {
-                rows.iter_mut().for_each(|row| is_between(row, gap));
+                for row in &mut rows {
+                    is_between(row, gap);
+                }
             }
             let row = &mut rows[usize::from(change.component)];
             let time = change.time_us.max(begin);
@@ -71,7 +73,9 @@ impl History {
             row.open = change.now.0.then_some((time, change.now.2));
         }
         for gap in gaps {
-            rows.iter_mut().for_each(|row| is_between(row, gap));
+            for row in &mut rows {
+                is_between(row, gap);
+            }
         }
         let finish = |(component, mut row): (usize, Drawing)| {
             row.close(end);
