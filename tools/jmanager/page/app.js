@@ -84,9 +84,12 @@ bind({ key: 'Escape', text: 'close this list', group: 'Page', run: () => { helpS
 // ---- a link to a moment: #t=SECONDS&layout=NAME
 
 const pending = signal(null);
+let writing = null;
 
-function follow() {
-  const parameters = new URLSearchParams(location.hash.slice(1));
+/** Follows a link. The address may have been written again since its event. */
+function follow(event) {
+  const { hash } = event ? new URL(event.newURL) : location;
+  const parameters = new URLSearchParams(hash.slice(1));
   const time = Number.parseFloat(parameters.get('t'));
   if (Number.isFinite(time)) pending.value = time * 1e6;
 }
@@ -96,13 +99,13 @@ effect(() => {
   const time = pending.value;
   if (time === null || !store.session.value?.description.value) return;
   pending.value = null;
+  clearTimeout(writing);
   // The cursor must not become a dependency of this effect.
   setTimeout(() => seek(time));
 });
 window.addEventListener('hashchange', follow);
 follow();
 
-let writing = null;
 effect(() => {
   const at = store.cursor.value;
   const name = dock.layoutName.value;

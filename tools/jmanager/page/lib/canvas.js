@@ -35,22 +35,21 @@ export function Canvas({ reads, draw, visible, label, onReady, ...handlers }) {
     schedule.current = () => {
       frame ||= requestAnimationFrame(paint);
     };
-    const stop = effect(() => {
-      void theme.value;
-      void visible.value;
-      reads();
-      schedule.current();
-    });
     const observer = new ResizeObserver(() => schedule.current());
     observer.observe(element);
     onReady?.(element, () => schedule.current());
     return () => {
-      stop();
       observer.disconnect();
       cancelAnimationFrame(frame);
     };
   }, []);
-  useEffect(() => schedule.current());
+  // With another session other signals are read.
+  useEffect(() => effect(() => {
+    void theme.value;
+    void visible.value;
+    reads();
+    schedule.current();
+  }));
 
   return html`<canvas ref=${canvas} class="fill" role="img" aria-label=${label} ...${handlers}></canvas>`;
 }

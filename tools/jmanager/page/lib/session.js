@@ -66,6 +66,8 @@ export class Session {
     this.image = signal(null);
     /** The last images: the newest one waits for what was found in it. */
     this.images = [];
+    /** Whether a recording was shown from its beginning. */
+    this.begun = false;
     this.params = signal([]);
     this.lines = [];
     this.linesVersion = signal(0);

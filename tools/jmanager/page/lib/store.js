@@ -252,10 +252,19 @@ function showSession(info) {
   const known = sessionOf(info.id);
   if (known) {
     known.info.value = info;
+    begin(known);
     return;
   }
   sessions.value = new Map(sessions.value).set(info.id, new Session(info));
   if (current.value === null || !sessions.value.has(current.value)) show(info.id);
+}
+
+/** Shows the beginning of a recording, once some of it was read. */
+function begin(of) {
+  const { kind, from_us, until_us } = of.info.value;
+  if (kind !== 'recording' || of.begun || of !== session.value || !of.description.value || until_us === 0) return;
+  of.begun = true;
+  if (cursor.value === null) seek(from_us);
 }
 
 /** Shows another session in all panels. */
@@ -306,7 +315,7 @@ const HANDLERS = {
     if (of === session.value) {
       lastWatch = '';
       watchSoon();
-      if (of.info.value.kind === 'recording' && cursor.value === null) seek(of.info.value.from_us);
+      begin(of);
     }
   },
   update(message, of) {

@@ -31,7 +31,7 @@ export function FieldMap({ visible }) {
   const truthShown = useSignal(true);
   const turned = useSignal(false);
   const places = useMemo(() => Object.fromEntries(Object.entries(WANTED).map(([key, names]) => [key, shown?.findInfo(...names) ?? null])), [shown, description]);
-  const trail = useMemo(() => ({ belief: [], truth: [] }), [shown]);
+  const trail = useMemo(() => ({ belief: [], truth: [] }), [shown, description]);
   const shownMap = (element) => mapOf(element.clientWidth, element.clientHeight, turned.value);
   const { dragged, handlers } = useDrag({ shown, mapOf: shownMap, visible: truthShown.value, reach: REACH });
   useEffect(() => {
@@ -63,7 +63,7 @@ export function FieldMap({ visible }) {
     if (dragged.value) disc(context, map, dragged.value, 0.06, 9, { stroke: css('--truth') });
   };
   return html`<${Bar} label="Field">
-      <span class="dim"><${Source} belief=${belief} /></span><span class="grow"></span>
+      <span class="dim place"><${Source} belief=${belief} /></span><span class="grow"></span>
       ${shown.info.value.can.truth && html`<${Toggle} on=${truthShown.value} label="Truth" title="The simulator's state, dashed. The robot never gets it." colour=${css('--truth')} onChange=${(on) => { truthShown.value = on; }} />`}
       ${shown.info.value.can.ball && html`<${BallMenu} shown=${shown} reach=${REACH} />`}
       <${Toggle} on=${turned.value} label="Turn" title="Turn the field by 180°" onChange=${(on) => { turned.value = on; }} />

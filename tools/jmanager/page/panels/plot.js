@@ -128,6 +128,12 @@ function dataOf(shown, curves, [from, until]) {
     }
     return column;
   });
+  // No curve is drawn through a time in which nothing was received.
+  for (const [begin, end] of shown.info.value.gaps) {
+    if (end < from || begin > until) continue;
+    times.add((begin + end) / 2);
+    for (const column of columns) column.set((begin + end) / 2, null);
+  }
   const sorted = Float64Array.from(times).sort();
   return [Array.from(sorted, (at) => at / 1e6), ...columns.map((column) => Array.from(sorted, (at) => (column.has(at) ? column.get(at) : undefined)))];
 }

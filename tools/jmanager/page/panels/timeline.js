@@ -32,11 +32,12 @@ export function Timeline({ visible }) {
   if (!description) return html`<${Empty} what="Nothing has happened yet" help="Rows appear when a robot, a world or a recording is connected." />`;
   const listed = () => list(rows.value, description, all.value, filter.value);
   const reads = () => {
-    void [rows.value, visibleRange.value, cursor.value, all.value, filter.value, pointer.value, selection.value, scroll.value, shown.linesVersion.value, hovered.value];
+    void [rows.value, visibleRange.value, cursor.value, all.value, filter.value, pointer.value, selection.value, scroll.value, shown.linesVersion.value, shown.info.value.gaps, hovered.value];
   };
   const draw = (context, width, height) => {
     const view = viewOf(width, height, listed(), scroll.value);
     drawRows(context, view, shown, pointer.value);
+    for (const gap of shown.info.value.gaps) drawGap(context, view, gap);
     drawEvents(context, view, shown);
     drawAxis(context, view);
     if (selection.value) drawSelection(context, view, selection.value);
@@ -194,6 +195,29 @@ function drawBars(context, view, { bars, component, colour, y, now, last }) {
   });
 }
 
+/** Hatches a time in which nothing was received. */
+function drawGap(context, view, [from, until]) {
+  const [left, right] = [Math.max(view.x(from), LABELS), Math.min(view.x(until), view.width)];
+  if (right <= left) return;
+  context.save();
+  context.beginPath();
+  context.rect(left, 0, right - left, view.room);
+  context.clip();
+  context.fillStyle = css('--hover');
+  context.fillRect(left, 0, right - left, view.room);
+  context.strokeStyle = css('--line');
+  for (let x = left - view.room; x < right; x += 9) {
+    context.moveTo(x, view.room);
+    context.lineTo(x + view.room, 0);
+  }
+  context.stroke();
+  context.font = `11px ${css('--font')}`;
+  context.fillStyle = css('--dim');
+  context.textBaseline = 'middle';
+  if (context.measureText('not received').width < right - left - 8) context.fillText('not received', left + 5, view.room / 2);
+  context.restore();
+}
+
 function events(shown) {
   return shown.lines.filter(({ kind }) => kind === 'referee' || kind === 'note');
 }
@@ -256,7 +280,8 @@ function drawPointer(context, view, shown, { x, y }) {
   const bar = line?.bars.find(([begin, end]) => begin <= time && time <= end);
   const state = bar && bar[2] !== null ? line.component.states[bar[2]]?.name : null;
   const near = events(shown).find((event) => Math.abs(view.x(event.time_us) - x) < 5);
-  const text = [timeText(time, 3), near?.text, line && (bar ? `${line.component.name}${state ? `: ${state}` : ''}, ${duration(bar[1] - bar[0])}` : `${line.component.name}: latent`)].filter(Boolean).join(' · ');
+  const gap = shown.info.value.gaps.find(([begin, end]) => begin < time && time < end);
+  const text = [timeText(time, 3), near?.text, gap ? 'not received: the connection was lost' : line && (bar ? `${line.component.name}${state ? `: ${state}` : ''}, ${duration(bar[1] - bar[0])}` : `${line.component.name}: latent`)].filter(Boolean).join(' · ');
   context.font = `11.5px ${css('--font')}`;
   const width = context.measureText(text).width + 14;
   const left = Math.min(x + 10, view.width - width - 4);

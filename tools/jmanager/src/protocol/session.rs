@@ -21,6 +21,8 @@ pub struct SessionInfo {
     pub from_us: u64,
     /// Last time of which something is known, µs.
     pub until_us: u64,
+    /// Times between which nothing was received as the connection was lost, µs; the oldest first.
+    pub gaps: Vec<(u64, u64)>,
     /// Whether a simulated world is paused.
     pub paused: bool,
     /// Who operates it.

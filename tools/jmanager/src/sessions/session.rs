@@ -64,6 +64,8 @@ pub(super) struct Shared {
     described: BTreeSet<PageId>,
     pub(super) images_taken: u64,
     pub(super) overruns: u64,
+    /// When the last cycle was received.
+    pub(super) received: Option<Instant>,
 }
 
 /// A session.
@@ -128,6 +130,7 @@ impl Session {
                 described: BTreeSet::new(),
                 images_taken: 0,
                 overruns: 0,
+                received: None,
             }),
         }
     }
@@ -161,6 +164,7 @@ impl Session {
             note: shared.note.clone(),
             from_us,
             until_us,
+            gaps: shared.history.states.gaps().copied().collect(),
             paused: shared.paused || self.pacer.as_ref().is_some_and(|pacer| pacer.is_paused()),
             control,
             can: shared.can,
@@ -199,12 +203,21 @@ impl Session {
 
     /// Begins with a tree: what was remembered is forgotten.
     pub(super) fn describe(&self, description: Description, can: Capabilities) {
+        self.begin(description, can, false);
+    }
+
+    /// Begins with a tree. What was remembered is forgotten, unless the run of which it is goes on.
+    pub(super) fn begin(&self, description: Description, can: Capabilities, goes_on: bool) {
         let components = description.components.len();
         let drawing = drawing::draw(&description);
         {
             let mut shared = self.shared();
-            shared.history = History::new(limits(&self.options, self.kind), components);
-            shared.epoch += 1;
+            if goes_on {
+                shared.history.interrupt();
+            } else {
+                shared.history = History::new(limits(&self.options, self.kind), components);
+                shared.epoch += 1;
+            }
             if shared.description.as_ref().is_some_and(|last| last.hash != description.hash) {
                 // They are of another tree.
                 shared.breakpoints.clear();

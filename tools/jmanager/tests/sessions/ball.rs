@@ -9,7 +9,7 @@ use jmanager::sessions::Manager;
 use serde_json::json;
 
 use crate::page::{Folder, Page};
-use crate::robot::Robot;
+use crate::robot::{Robot, attached};
 use crate::world::running;
 
 fn ball(session: u32, x: f32, y: f32) -> Request {
@@ -86,9 +86,8 @@ fn a_kept_recording_of_a_world_with_placements_replays() {
 fn the_ball_of_a_world_behind_a_link_is_placed() {
     let folder = Folder::new();
     let manager = Manager::new(folder.options());
-    let page = Page::new(&manager);
     let robot = Robot::start("127.0.0.1:0");
-    let session = manager.open(Open::Robot { address: robot.address.clone() }).unwrap();
+    let (page, session, _) = attached(&manager, &robot.address);
     let info = page.session(|one| one["connection"] == "connected");
     assert_eq!(info["can"]["ball"], true);
     page.message("update", |update| (update["cycle"].as_u64()? > 5).then_some(()));

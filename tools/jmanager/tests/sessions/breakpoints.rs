@@ -1,12 +1,12 @@
 //! Breakpoints on states and transitions.
 
-use jmanager::protocol::{Breakpoint, Open, Request};
+use jmanager::protocol::{Breakpoint, Request};
 use jmanager::sessions::Manager;
 use serde_json::{Value, json};
 
 use crate::page::{Folder, Got, Page};
 use crate::recorded::{opened, record};
-use crate::robot::Robot;
+use crate::robot::{Robot, attached};
 use crate::world::{find, running};
 
 fn state(component: usize, state: usize) -> Breakpoint {
@@ -80,9 +80,7 @@ fn a_step_of_many_cycles_stops_at_a_breakpoint() {
 fn hit_behind_a_link(robot: &Robot, then: impl Fn(&Page<'_>, u32, &Value)) {
     let folder = Folder::new();
     let manager = Manager::new(folder.options());
-    let session = manager.open(Open::Robot { address: format!("tcp://{}", robot.address) }).unwrap();
-    let page = Page::new(&manager);
-    let description = page.message("described", |message| Some(message["description"].clone()));
+    let (page, session, description) = attached(&manager, &robot.address);
     let (component, _) = find(&description, "Player", "states", "approach");
     let states = description["components"][component]["states"].as_array().unwrap().len();
     let list: Vec<_> = (0..states).map(|one| state(component, one)).collect();

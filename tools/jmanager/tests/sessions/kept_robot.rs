@@ -12,15 +12,12 @@ use serde_json::{Value, json};
 
 use crate::page::{Folder, Got, Page};
 use crate::recorded::opened;
-use crate::robot::Robot;
+use crate::robot::{Robot, attached};
 use crate::world::find;
 
 /// Opens a robot with one page, and waits until it has sent some cycles.
 fn running<'a>(manager: &'a Manager, robot: &Robot) -> (Page<'a>, u32, Value) {
-    let address = format!("tcp://{}", robot.address);
-    let session = manager.open(Open::Robot { address }).unwrap();
-    let page = Page::new(manager);
-    let description = page.message("described", |message| Some(message["description"].clone()));
+    let (page, session, description) = attached(manager, &format!("tcp://{}", robot.address));
     page.message("update", |update| (update["cycle"].as_u64()? > 5).then_some(()));
     (page, session, description)
 }

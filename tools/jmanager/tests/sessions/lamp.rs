@@ -9,12 +9,12 @@ use std::time::Duration;
 use bica::prelude::*;
 use bica::runner::{Runner, World};
 use bica_link::{Address, LinkServer, ServerOptions};
-use jmanager::protocol::{Breakpoint, HoldKind, Open, Request};
+use jmanager::protocol::{Breakpoint, HoldKind, Request};
 use jmanager::sessions::Manager;
 use serde_json::json;
 
-use crate::page::{Folder, Page};
-use crate::robot::Robot;
+use crate::page::Folder;
+use crate::robot::{Robot, attached};
 use crate::world::find;
 
 /// A lamp, with two transitions between the same states and one from a state to itself.
@@ -83,7 +83,7 @@ impl bica::runner::Robot for LampTree {
     fn act(&mut self) {}
 }
 
-struct Room(u64);
+pub(crate) struct Room(pub(crate) u64);
 
 impl World<LampTree> for Room {
     fn now(&self) -> bica::Instant {
@@ -99,15 +99,20 @@ impl World<LampTree> for Room {
 
 /// Serves a lamp at an address until the end is set.
 fn lamp(address: &str, end: &Arc<AtomicBool>) -> (String, JoinHandle<()>) {
+    lamp_in(Room(0), Duration::from_millis(5), address, end)
+}
+
+/// Serves a lamp in a room, with a time between two cycles.
+pub(crate) fn lamp_in(room: Room, between: Duration, address: &str, end: &Arc<AtomicBool>) -> (String, JoinHandle<()>) {
     let (address, end) = (Address::Tcp(address.to_owned()), Arc::clone(end));
     let (server, requests, observer) = LinkServer::start::<LampTree>(&address, ServerOptions::default()).unwrap();
     let bound = server.address().to_owned();
     let thread = std::thread::spawn(move || {
-        let runner = Runner::new(Box::new(LampTree::new()), Room(0));
+        let runner = Runner::new(Box::new(LampTree::new()), room);
         let mut runner = runner.with_requests(requests).with_observer(observer);
         while !end.load(Ordering::Relaxed) {
             runner.cycle().unwrap();
-            std::thread::sleep(Duration::from_millis(5));
+            std::thread::sleep(between);
         }
         drop(server);
     });
@@ -119,11 +124,9 @@ fn lamp(address: &str, end: &Arc<AtomicBool>) -> (String, JoinHandle<()>) {
 fn a_breakpoint_behind_a_link_is_reached_by_its_transition_only() {
     let folder = Folder::new();
     let manager = Manager::new(folder.options());
-    let page = Page::new(&manager);
     let end = Arc::new(AtomicBool::new(false));
     let (address, lamp) = lamp("127.0.0.1:0", &end);
-    let session = manager.open(Open::Robot { address }).unwrap();
-    let description = page.message("described", |message| Some(message["description"].clone()));
+    let (page, session, description) = attached(&manager, &address);
     page.session(|one| one["connection"] == "connected");
     for (name, period, rest) in [("is_broken", 16, 13), ("is_kept", 8, 3)] {
         let (component, transition) = find(&description, "Lamp", "transitions", name);
@@ -148,11 +151,9 @@ fn a_breakpoint_behind_a_link_is_reached_by_its_transition_only() {
 fn another_robot_at_the_address_is_shown_as_such_and_nothing_of_the_first_is_in_force() {
     let folder = Folder::new();
     let manager = Manager::new(folder.options());
-    let page = Page::new(&manager);
     let robot = Robot::start("127.0.0.1:0");
     let address = robot.address.clone();
-    let session = manager.open(Open::Robot { address: address.clone() }).unwrap();
-    let description = page.message("described", |message| Some(message["description"].clone()));
+    let (page, session, description) = attached(&manager, &address);
     page.session(|one| one["connection"] == "connected");
     page.ask(Request::Acquire { session }).unwrap();
     page.ask(Request::Hold { session, component: 0, hold: HoldKind::Latent }).unwrap();

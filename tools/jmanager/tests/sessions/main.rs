@@ -8,5 +8,6 @@ mod lamp;
 mod page;
 mod paused;
 mod recorded;
+mod returned;
 mod robot;
 mod world;

@@ -2,12 +2,12 @@
 
 use std::time::Duration;
 
-use jmanager::protocol::{Open, Request, Watch, WatchImages, WatchInfo};
+use jmanager::protocol::{Request, Watch, WatchImages, WatchInfo};
 use jmanager::sessions::Manager;
 use serde_json::Value;
 
 use crate::page::{Folder, Got, Page};
-use crate::robot::Robot;
+use crate::robot::{Robot, attached};
 use crate::world::{find, running};
 
 /// Watches images, the number of images and the truth; returns number and time (µs) of the first image, the number, and the truth.
@@ -65,10 +65,8 @@ fn a_page_that_comes_to_a_paused_world_gets_its_newest_image_at_once() {
 fn a_page_that_comes_to_a_paused_world_behind_a_link_gets_its_newest_image_at_once() {
     let folder = Folder::new();
     let manager = Manager::new(folder.options());
-    let page = Page::new(&manager);
     let robot = Robot::start("127.0.0.1:0");
-    let session = manager.open(Open::Robot { address: robot.address.clone() }).unwrap();
-    let description = page.message("described", |message| Some(message["description"].clone()));
+    let (page, session, description) = attached(&manager, &robot.address);
     let count = find(&description, "CameraInput", "info", "count");
     page.message("update", |update| (update["cycle"].as_u64()? > 50).then_some(()));
     page.ask(Request::Pause { session }).unwrap();

@@ -11,7 +11,7 @@ use bica_link::{Address, Client, ClientOptions};
 use bica_sim::setup::Frame;
 use jmanager::protocol::{HoldKind, Open, Request, Setting, Watch, WatchImages};
 use jmanager::sessions::Manager;
-use serde_json::json;
+use serde_json::{Value, json};
 
 use crate::page::{Folder, Got, Page};
 use crate::world::find;
@@ -74,15 +74,21 @@ impl Drop for Robot {
     }
 }
 
+/// Opens a robot on a new page, and waits for its description.
+pub(crate) fn attached<'a>(manager: &'a Manager, address: &str) -> (Page<'a>, u32, Value) {
+    let page = Page::new(manager);
+    let session = manager.open(Open::Robot { address: address.to_owned() }).unwrap();
+    let description = page.message("described", |message| Some(message["description"].clone()));
+    (page, session, description)
+}
+
 #[test]
 fn a_lost_robot_is_found_again_and_nothing_old_is_executed() {
     let folder = Folder::new();
     let manager = Manager::new(folder.options());
-    let page = Page::new(&manager);
     let robot = Robot::start("127.0.0.1:0");
     let address = robot.address.clone();
-    let session = manager.open(Open::Robot { address: format!("tcp://{address}") }).unwrap();
-    let description = page.message("described", |message| Some(message["description"].clone()));
+    let (page, session, description) = attached(&manager, &format!("tcp://{address}"));
     page.session(|one| one["connection"] == "connected");
     page.ask(Request::Acquire { session }).unwrap();
     let (component, param) = find(&description, "FaceBall", "params", "gain");
@@ -108,10 +114,8 @@ fn a_lost_robot_is_found_again_and_nothing_old_is_executed() {
 fn a_world_behind_a_link_shows_all_that_a_world_of_this_process_shows() {
     let folder = Folder::new();
     let manager = Manager::new(folder.options());
-    let page = Page::new(&manager);
     let robot = Robot::start("127.0.0.1:0");
-    let session = manager.open(Open::Robot { address: robot.address.clone() }).unwrap();
-    let description = page.message("described", |message| Some(message["description"].clone()));
+    let (page, session, description) = attached(&manager, &robot.address);
     let info = page.session(|one| one["connection"] == "connected");
     for capability in ["operate", "pause", "ball", "truth", "images", "costs", "conditions"] {
         assert_eq!(info["can"][capability], true, "{capability}");
@@ -145,10 +149,8 @@ fn a_world_behind_a_link_shows_all_that_a_world_of_this_process_shows() {
 fn a_world_behind_a_link_is_paused_stepped_and_continued() {
     let folder = Folder::new();
     let manager = Manager::new(folder.options());
-    let page = Page::new(&manager);
     let robot = Robot::start("127.0.0.1:0");
-    let session = manager.open(Open::Robot { address: robot.address.clone() }).unwrap();
-    let description = page.message("described", |message| Some(message["description"].clone()));
+    let (page, session, description) = attached(&manager, &robot.address);
     page.message("update", |update| (update["cycle"].as_u64()? > 5).then_some(()));
     page.send(Request::Pause { session });
     page.session(|one| one["paused"] == true && one["control"] == "free");

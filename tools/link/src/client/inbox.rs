@@ -26,7 +26,7 @@ const MAX_SCHEMA: usize = 1 << 14;
 pub(super) struct Attachment {
     pub(super) schema: u64,
     tree_hash: u64,
-    realtime: bool,
+    pub(super) realtime: bool,
     pub(super) offers: Offers,
 }
 

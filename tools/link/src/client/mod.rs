@@ -137,6 +137,12 @@ impl Client {
         self.inbox.attached.as_ref().map(|attached| attached.offers).unwrap_or_default()
     }
 
+    /// Returns whether the robot's time advances with the clock.
+    #[must_use]
+    pub fn is_realtime(&self) -> bool {
+        self.inbox.attached.as_ref().is_some_and(|attached| attached.realtime)
+    }
+
     /// Returns the lease as the robot reported it last.
     #[must_use]
     pub fn lease(&self) -> LeaseState {

@@ -14,6 +14,8 @@ struct Samples {
     changes: VecDeque<(u64, Box<str>)>,
     /// Time of the newest sample, also of one that did not change.
     last_us: u64,
+    /// Whether the next sample is stored even if it did not change.
+    interrupted: bool,
 }
 
 /// Samples of all information.
@@ -33,9 +35,22 @@ impl InfoStore {
         let samples = self.all.entry((component, info)).or_default();
         samples.last_us = time_us;
         let text = value.to_string();
-        if samples.changes.back().is_none_or(|(_, last)| **last != *text) {
+        let is_new = samples.changes.back().is_none_or(|(_, last)| **last != *text);
+        if std::mem::take(&mut samples.interrupted) || is_new {
             self.bytes += SAMPLE_BYTES + text.len();
             samples.changes.push_back((time_us, text.into()));
+        }
+    }
+
+    /// Stores the newest sample of each information, and the next one, also if it did not change: between them nothing is known.
+    pub(super) fn interrupt(&mut self) {
+        for samples in self.all.values_mut() {
+            samples.interrupted = true;
+            let last = samples.changes.back().filter(|(time, _)| *time < samples.last_us);
+            if let Some(text) = last.map(|(_, text)| text.clone()) {
+                self.bytes += SAMPLE_BYTES + text.len();
+                samples.changes.push_back((samples.last_us, text));
+            }
         }
     }
 

@@ -64,6 +64,12 @@ impl History {
         self.states.span()
     }
 
+    /// What follows is not received until the next cycle that is added.
+    pub(super) fn interrupt(&mut self) {
+        self.states.interrupt();
+        self.info.interrupt();
+    }
+
     /// Memory of information and images, bytes.
     pub(super) const fn bytes(&self) -> usize {
         self.info.bytes() + self.images.bytes()

@@ -26,14 +26,37 @@ pub(crate) struct States {
     current: Vec<ComponentNow>,
     /// Time, µs, and number of each cycle.
     ticks: VecDeque<(u64, u64)>,
+    /// Times between which nothing was received, µs: of the last cycle before and of the first one after.
+    gaps: VecDeque<(u64, u64)>,
+    /// Whether the next cycle ends a gap.
+    interrupted: bool,
 }
+
+/// Largest number of gaps.
+const MAX_GAPS: usize = 1000;
 
 const UNKNOWN: ComponentNow = ComponentNow(false, HoldKind::Tree, None, None, 0);
 
 impl States {
     pub(crate) fn new(components: usize) -> Self {
         let (base, current) = (vec![UNKNOWN; components], vec![UNKNOWN; components]);
-        Self { base, changes: VecDeque::new(), current, ticks: VecDeque::new() }
+        let (changes, ticks, gaps) = (VecDeque::new(), VecDeque::new(), VecDeque::new());
+        Self { base, changes, current, ticks, gaps, interrupted: false }
+    }
+
+    /// The cycles that follow are not received until the next one that is added.
+    pub(super) const fn interrupt(&mut self) {
+        self.interrupted = true;
+    }
+
+    /// Whether the next cycle ends a gap.
+    pub(crate) const fn is_interrupted(&self) -> bool {
+        self.interrupted
+    }
+
+    /// Times between which nothing was received, µs, the oldest first.
+    pub(crate) fn gaps(&self) -> impl Iterator<Item = &(u64, u64)> {
+        self.gaps.iter()
     }
 
     /// Adds a cycle: for each component whether it is active, hold, state, rate. Returns what changed.
@@ -44,6 +67,13 @@ impl States {
         components: impl Iterator<Item = (bool, HoldKind, Option<u16>, Option<f32>)>,
     ) -> Vec<Change> {
         let is_first = self.ticks.is_empty();
+        let before = self.last().filter(|(last, _)| *last < time_us);
+        if let Some((last, _)) = before.filter(|_| std::mem::take(&mut self.interrupted)) {
+            self.gaps.push_back((last, time_us));
+            if self.gaps.len() > MAX_GAPS {
+                self.gaps.pop_front();
+            }
+        }
         self.ticks.push_back((time_us, cycle));
         let mut changed = Vec::new();
         for (component, (active, held, state, hz)) in components.enumerate().take(self.current.len()) {
@@ -117,6 +147,9 @@ impl States {
             self.ticks.pop_front();
         }
         let first = self.span().0;
+        while self.gaps.front().is_some_and(|(_, end)| *end <= first) {
+            self.gaps.pop_front();
+        }
         while self.changes.front().is_some_and(|change| change.time_us <= first) {
             if let Some(change) = self.changes.pop_front() {
                 self.base[usize::from(change.component)] = change.now;

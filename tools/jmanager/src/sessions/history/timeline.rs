@@ -35,7 +35,7 @@ impl Drawing {
 
 impl History {
     /// Returns a row for each component: the bars that lie in an interval, at least in part. Bars and gaps shorter than the
-    /// resolution are merged.
+    /// resolution are merged. No bar covers a time in which nothing was received.
     pub(crate) fn rows(&self, from_us: u64, until_us: u64, resolution_us: u64) -> Vec<Row> {
         let (first, last) = self.span();
         let (begin, end) = (from_us.max(first), until_us.min(last).max(from_us.max(first)));
@@ -50,9 +50,20 @@ impl History {
                 resolution: resolution_us,
             })
             .collect();
+        let mut gaps = self.states.gaps().filter(|gap| gap.1 > begin && gap.0 < end).peekable();
+        let is_between = |row: &mut Drawing, &(from, until): &(u64, u64)| {
+            let state = row.open.map(|(_, state)| state);
+            row.close(from.max(begin));
+            row.open = state.filter(|_| until <= end).map(|state| (until, state));
+        };
         for change in self.states.changes().filter(|change| change.visible) {
             if change.time_us > end {
                 break;
+            }
+            while let Some(gap) = gaps.next_if(|gap| gap.1 <= change.time_us) {
+                for row in &mut rows {
+                    is_between(row, gap);
+                }
             }
             let row = &mut rows[usize::from(change.component)];
             let time = change.time_us.max(begin);
@@ -60,6 +71,11 @@ impl History {
                 row.close(time);
             }
             row.open = change.now.0.then_some((time, change.now.2));
+        }
+        for gap in gaps {
+            for row in &mut rows {
+                is_between(row, gap);
+            }
         }
         let finish = |(component, mut row): (usize, Drawing)| {
             row.close(end);
@@ -106,6 +122,35 @@ mod tests {
         let expected = [Bar(1000, 3000, Some(0)), Bar(3000, 5000, Some(1)), Bar(6000, 7000, Some(1))];
         assert_eq!(history.rows(0, 99_000, 0)[0].bars, expected);
         assert_eq!(history.rows(2000, 4000, 0)[0].bars, [Bar(2000, 3000, Some(0)), Bar(3000, 4000, Some(1))]);
+    }
+
+    #[test]
+    fn no_bar_covers_a_time_in_which_nothing_was_received() {
+        let mut history = history(&[(true, 0); 3], None);
+        history.interrupt();
+        for (time_us, active) in [(7000, true), (8000, true), (9000, false)] {
+            history.states.push(time_us, time_us / 1000, std::iter::once((active, HoldKind::Tree, Some(0), None)));
+        }
+        assert_eq!(history.states.gaps().collect::<Vec<_>>(), [&(2000, 7000)]);
+        let bars = |from, until| history.rows(from, until, 0)[0].bars.clone();
+        assert_eq!(bars(0, 99_000), [Bar(0, 2000, Some(0)), Bar(7000, 9000, Some(0))]);
+        // Intervals that begin or end in the gap, lie in it, or end before a change.
+        assert_eq!(bars(4000, 8000), [Bar(7000, 8000, Some(0))]);
+        assert_eq!(bars(1000, 5000), [Bar(1000, 2000, Some(0))]);
+        assert_eq!(bars(3000, 5000), []);
+        assert_eq!(history.states.at(5000).unwrap().0, 2000, "the last cycle before the gap");
+        history.limits.ring_us = Some(1500);
+        history.evict();
+        assert_eq!(history.states.gaps().count(), 0);
+    }
+
+    #[test]
+    fn a_state_that_changed_in_a_gap_begins_after_it() {
+        let mut history = history(&[(true, 0); 3], None);
+        history.interrupt();
+        history.states.push(7000, 7, std::iter::once((true, HoldKind::Tree, Some(1), None)));
+        history.states.push(8000, 8, std::iter::once((true, HoldKind::Tree, Some(1), None)));
+        assert_eq!(history.rows(0, 99_000, 0)[0].bars, [Bar(0, 2000, Some(0)), Bar(7000, 8000, Some(1))]);
     }
 
     #[test]

@@ -10,6 +10,7 @@ use serde_json::Value;
 
 use super::extras::Extras;
 use super::operate::Operation;
+use super::returned::is_same_run;
 use super::{Command, Inbox, capabilities};
 use crate::protocol::{Connection, Failed, InfoSample, LogKind, LogLine, Reached, Request, ToPage, Watch};
 use crate::sessions::breakpoints::{self, Activity};
@@ -71,7 +72,8 @@ pub(super) struct Attached<'a> {
 impl<'a> Attached<'a> {
     pub(super) fn new(session: &'a Arc<Session>, client: Client, world: Option<World>) -> Self {
         let can = capabilities(world.is_some(), client.offers(), session.options.read_only);
-        session.describe(client.description().clone(), can);
+        let goes_on = world.is_none() && is_same_run(session, &client);
+        session.begin(client.description().clone(), can, goes_on);
         session.record_robot(|recorder| recorder.connected(&session.name, client.description()));
         session.set_connection(Connection::Connected, "");
         session.announce();
@@ -215,6 +217,8 @@ impl<'a> Attached<'a> {
         let states = states.iter().map(|state| (state.active, page_hold(state.held), state.state, state.hz));
         let mut shared = self.session.shared();
         (shared.images_taken, shared.overruns) = (info.images, info.overruns);
+        shared.received = Some(Instant::now());
+        let ends_gap = shared.history.states.is_interrupted();
         let before: Vec<Activity> = shared.history.states.current().iter().map(|now| (now.0, now.2)).collect();
         let changed = shared.history.states.push(info.time_us, info.cycle, states);
         // A world pauses itself, at the cycle.
@@ -228,7 +232,13 @@ impl<'a> Attached<'a> {
             self.changes.drain(..surplus);
         }
         self.has_news = true;
+        let gap = shared.history.states.gaps().last().copied().filter(|_| ends_gap);
         drop(shared);
+        if let Some((from_us, until_us)) = gap {
+            let seconds = (until_us - from_us) as f64 / 1e6;
+            self.session.log(3, LogKind::Server, format!("the connection is restored: {seconds:.1} s are missing"));
+            self.session.announce();
+        }
         let time_us = info.time_us;
         self.reached.extend(reached.into_iter().map(|breakpoint| Reached { time_us, breakpoint }));
     }

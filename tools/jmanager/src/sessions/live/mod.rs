@@ -6,6 +6,7 @@ mod hits;
 mod operate;
 mod pace;
 mod recording;
+mod returned;
 
 use std::path::PathBuf;
 use std::sync::Arc;

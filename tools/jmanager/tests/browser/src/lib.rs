@@ -7,4 +7,4 @@ mod server;
 
 pub use page::Page;
 pub use robot::{Robot, player, restrict_to};
-pub use server::{Server, target};
+pub use server::{Server, processor_seconds, target};

@@ -63,11 +63,7 @@ impl Server {
     /// If it has ended.
     #[must_use]
     pub fn processor_seconds(&self) -> f64 {
-        let stat = std::fs::read_to_string(format!("/proc/{}/stat", self.child.id())).expect("the server runs");
-        let (_, after_name) = stat.rsplit_once(')').expect("a name in brackets");
-        // Of the fields after the name, the 12th and 13th are user and system time, in hundredths of a second.
-        let ticks = after_name.split_whitespace().skip(11).take(2).map(|ticks| ticks.parse::<f64>().expect("a number"));
-        ticks.sum::<f64>() / 100.0
+        processor_seconds(self.child.id())
     }
 
     /// Memory that it has, bytes.
@@ -99,6 +95,19 @@ impl Drop for Server {
         self.kill();
         let _ = std::fs::remove_dir_all(&self.folder);
     }
+}
+
+/// Time that the processor has worked for a process, s.
+///
+/// # Panics
+/// If it has ended.
+#[must_use]
+pub fn processor_seconds(process: u32) -> f64 {
+    let stat = std::fs::read_to_string(format!("/proc/{process}/stat")).expect("the process runs");
+    let (_, after_name) = stat.rsplit_once(')').expect("a name in brackets");
+    // Of the fields after the name, the 12th and 13th are user and system time, in hundredths of a second.
+    let ticks = after_name.split_whitespace().skip(11).take(2).map(|ticks| ticks.parse::<f64>().expect("a number"));
+    ticks.sum::<f64>() / 100.0
 }
 
 /// A program of the repository, built in the profile that `JMANAGER_PROFILE` names, else `debug`.

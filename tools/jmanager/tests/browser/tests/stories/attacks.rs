@@ -8,7 +8,7 @@ use std::time::Duration;
 use jmanager_browser::{Page, Server};
 use serde_json::json;
 
-use crate::{WIDE, open, tab};
+use crate::{WIDE, game, open, tab};
 
 fn port(url: &str) -> String {
     url.split(['/', ':']).nth(4).expect("a port").to_owned()
@@ -79,8 +79,7 @@ async fn a_page_of_another_port_gets_nothing_and_changes_nothing() {
 /// Attack 6: scripts in the page's own address are forbidden by the policy.
 #[tokio::test]
 async fn the_policy_forbids_scripts_that_are_not_files_of_the_server() {
-    let server = Server::start("policy", &[]);
-    let page = open(&server).await;
+    let (_server, page) = game("policy").await;
     // A script of the driver itself may evaluate text; what it leaves behind may not.
     let script = r"
       window.ran = false;

@@ -1,8 +1,8 @@
 //! The ball of a simulated world is moved by hand.
 
-use jmanager_browser::{Page, Server};
+use jmanager_browser::Page;
 
-use crate::{open, tab};
+use crate::{game, tab};
 
 /// Distance of the ball from the robot, m.
 const DISTANCE: f64 = 0.8;
@@ -51,8 +51,7 @@ async fn place(page: &Page, x: f64, y: f64) {
 /// With the root latent and `FaceBall` held active the head follows a ball that is dragged on the map, to both sides.
 #[tokio::test]
 async fn the_head_follows_a_ball_that_is_dragged_on_the_map() {
-    let server = Server::start("ball", &[]);
-    let page = open(&server).await;
+    let (_server, page) = game("ball").await;
     tab(&page, "Drive").await;
     page.click("button", "Take over", "Take over").await;
     page.reads("Driven by you").await;
@@ -93,8 +92,7 @@ async fn the_head_follows_a_ball_that_is_dragged_on_the_map() {
 
 #[tokio::test]
 async fn a_place_outside_the_field_is_explained() {
-    let server = Server::start("outside", &[]);
-    let page = open(&server).await;
+    let (_server, page) = game("outside").await;
     place(&page, 3.5, 0.0).await;
     page.reads("x must be from -3 to 3 m, y from -2 to 2 m").await;
     page.reads("operator: you").await;

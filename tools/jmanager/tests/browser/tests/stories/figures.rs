@@ -2,11 +2,11 @@
 
 use std::time::{Duration, Instant};
 
-use jmanager_browser::{Page, Robot, Server, player, restrict_to};
+use jmanager_browser::{Page, Robot, Server, player, processor_seconds, restrict_to};
 use serde_json::Value;
 use tokio::time::sleep;
 
-use crate::{WIDE, open, tab};
+use crate::{WIDE, game, open, tab};
 
 /// Frames that the page has drawn since the script ran, in `window.frames_`, and the time of each.
 const COUNT_FRAMES: &str = "window.times_ = []; const note = (now) => { window.times_.push(now); requestAnimationFrame(note); }; requestAnimationFrame(note)";
@@ -32,18 +32,38 @@ window.effects_ = [];
   }
 })();
 ";
-/// Seeks fifty times in the shown recording; notes when the clock shows the time.
+/// Number of seeks of [`SEEK`].
+const SEEKS: usize = 200;
+/// Seeks two hundred times, at random places; notes when state and image of that time are painted.
 const SEEK: &str = r"
 window.seeks_ = [];
 (async () => {
-  for (let at = 0; at < 50; at += 1) {
-    const wanted = ((at * 7919) % 590) + 5;
+  const clock = () => document.querySelector('.clock b').textContent.split(':').reduce((sum, part) => 60 * sum + Number.parseFloat(part), 0);
+  const frame = () => new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
+  let random = 1;
+  for (let at = 0; at < 200; at += 1) {
+    random = (random * 48271) % 2147483647;
+    const wanted = 5 + (random % 58000) / 100;
     const begin = performance.now();
-    location.hash = `#t=${wanted}.000&layout=overview`;
-    const shown = () => Math.abs(Number.parseFloat(document.querySelector('.clock b').textContent.replace(/^(\d+):/, (_, m) => '')) - wanted % 60) < 0.02;
-    while (!shown()) await new Promise((done) => setTimeout(done, 1));
+    location.hash = `#t=${wanted.toFixed(3)}&layout=overview`;
+    // The clock shows the time of the answer, which comes after its image.
+    while (Math.abs(clock() - wanted) > 0.015) await new Promise((done) => setTimeout(done, 1));
+    await frame();
     window.seeks_.push(performance.now() - begin);
   }
+})();
+";
+
+/// Opens the recording; notes when its first state is shown, and when all of it is read.
+const OPEN_LONG: &str = r"
+(async () => {
+  const wait = async (is) => { while (!is()) await new Promise((done) => setTimeout(done, 2)); };
+  const begin = performance.now();
+  [...document.querySelectorAll('[aria-label=Recordings] button')].find((one) => one.textContent.trim().startsWith('long')).click();
+  await wait(() => document.querySelector('.session.chosen')?.textContent.startsWith('long') && document.querySelectorAll('.component.active').length > 5);
+  window.shown_ = performance.now() - begin;
+  await wait(() => document.querySelector('.clock').textContent.includes('paused'));
+  window.read_ = performance.now() - begin;
 })();
 ";
 
@@ -88,8 +108,7 @@ async fn time_to_a_usable_page() {
     if !wanted() {
         return;
     }
-    let server = Server::start("usable", &[]);
-    let page = open(&server).await;
+    let (_server, page) = game("usable").await;
     for _ in 0..5 {
         page.run("location.reload()", vec![]).await;
         // The time since the navigation began, as the browser counts it.
@@ -109,8 +128,7 @@ async fn slider_to_effect() {
     if !wanted() {
         return;
     }
-    let server = Server::start("slider", &[]);
-    let page = open(&server).await;
+    let (_server, page) = game("slider").await;
     page.click("button", "FaceBall", "Activation tree").await;
     page.find("slider", "gain", "Parameters").await;
     page.press("c").await;
@@ -157,8 +175,7 @@ async fn memory_over_minutes() {
     if !wanted() {
         return;
     }
-    let server = Server::start("memory", &[]);
-    let page = open(&server).await;
+    let (server, page) = game("memory").await;
     let mut last = None;
     for minute in 0..6_u32 {
         // A game that is over stands still and would measure nothing.
@@ -193,20 +210,23 @@ async fn a_long_recording() {
     let page = open(&server).await;
     tab(&page, "Recordings").await;
     page.click("button", "Refresh", "Recordings").await;
-    let begin = Instant::now();
-    page.click("button", "long", "Recordings").await;
-    page.find("tab", "long", "").await;
-    page.until(
-        "the clock shows the recording",
-        "return document.querySelector('.clock').textContent.includes('paused')",
-    )
-    .await;
-    println!(
-        "a recording of ten minutes is shown after {:.2} s (looked at every 100 ms)",
-        begin.elapsed().as_secs_f64()
-    );
+    page.run(OPEN_LONG, vec![]).await;
+    let shown = page.until("the recording is shown", "return window.shown_").await;
+    let read = page.until("the recording is read", "return window.read_").await;
+    println!("a recording of ten minutes is shown after {:.0} ms, read after {:.0} ms", number(&shown), number(&read));
+    let browser = page.process().await;
+    let busy = || (server.processor_seconds(), browser.iter().map(|&process| processor_seconds(process)).sum::<f64>());
+    let before = busy();
     page.run(SEEK, vec![]).await;
-    percentiles(&page, "seek", "seeks_", 50).await;
+    percentiles(&page, "seek at random places of ten minutes", "seeks_", SEEKS).await;
+    let after = busy();
+    // The built-in world and the page's drawing of it go on meanwhile, but not for the session that is shown.
+    let each = |before: f64, after: f64| 1000.0 * (after - before) / SEEKS as f64;
+    println!(
+        "processor time of a seek: {:.1} ms in the server and its world, {:.1} ms in the browser",
+        each(before.0, after.0),
+        each(before.1, after.1)
+    );
     page.close().await;
     server.kill();
 }

@@ -9,6 +9,7 @@ mod firmware;
 mod looks;
 mod operating;
 mod panels;
+mod pictures;
 mod recordings;
 mod running;
 
@@ -16,9 +17,21 @@ use jmanager_browser::{Page, Server};
 
 const WIDE: (u32, u32) = (1600, 940);
 
+/// Starts a server of the built-in world, and opens its page.
+async fn game(name: &str) -> (Server, Page) {
+    let server = Server::start(name, &[]);
+    let page = open(&server).await;
+    (server, page)
+}
+
 /// Opens the built-in world, once its tree is known, at the beginning of a game.
 async fn open(server: &Server) -> Page {
-    let page = Page::open(server, WIDE).await;
+    open_in(server, WIDE).await
+}
+
+/// The same in a window of another size.
+async fn open_in(server: &Server, size: (u32, u32)) -> Page {
+    let page = Page::open(server, size).await;
     page.find("button", "FaceBall", "Activation tree").await;
     let clock = "return Number.parseFloat(document.querySelector('.clock b').textContent)";
     let before = page.run(clock, vec![]).await.as_f64().unwrap_or(0.0).max(1.0);

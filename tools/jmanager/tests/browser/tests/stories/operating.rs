@@ -2,9 +2,9 @@
 
 use std::time::Duration;
 
-use jmanager_browser::{Page, Server};
+use jmanager_browser::Page;
 
-use crate::{open, tab};
+use crate::{game, tab};
 
 /// Longest game, in real time on a busy machine.
 const GAME: Duration = Duration::from_mins(5);
@@ -19,8 +19,7 @@ async fn log(page: &Page, text: &str) {
 
 #[tokio::test]
 async fn a_parameter_is_set_undone_and_reset() {
-    let server = Server::start("params", &[]);
-    let page = open(&server).await;
+    let (_server, page) = game("params").await;
     page.click("button", "FaceBall", "Activation tree").await;
     page.find("slider", "gain", "Parameters").await.set("0.9").await;
     page.reads("1 changed").await;
@@ -37,8 +36,7 @@ async fn a_parameter_is_set_undone_and_reset() {
 
 #[tokio::test]
 async fn half_typed_numbers_are_not_sent_and_wrong_ones_are_explained() {
-    let server = Server::start("typed", &[]);
-    let page = open(&server).await;
+    let (_server, page) = game("typed").await;
     page.click("button", "FaceBall", "Activation tree").await;
     page.find("textbox", "gain, value", "Parameters").await.set("many").await;
     page.press("\u{e007}").await;
@@ -52,8 +50,7 @@ async fn half_typed_numbers_are_not_sent_and_wrong_ones_are_explained() {
 
 #[tokio::test]
 async fn a_component_is_held_and_left_to_the_tree() {
-    let server = Server::start("hold", &[]);
-    let page = open(&server).await;
+    let (_server, page) = game("hold").await;
     page.click("button", "Player", "Activation tree").await;
     page.click("radio", "latent", "By hand").await;
     page.until(
@@ -74,8 +71,7 @@ async fn a_component_is_held_and_left_to_the_tree() {
 /// With the root latent and FaceBall held active the head follows the ball; the forward is driven and given back.
 #[tokio::test]
 async fn the_forward_is_taken_over_driven_and_given_back() {
-    let server = Server::start("drive", &[]);
-    let page = open(&server).await;
+    let (_server, page) = game("drive").await;
     tab(&page, "Drive").await;
     page.click("button", "Take over", "Take over").await;
     page.reads("Driven by you").await;
@@ -121,8 +117,7 @@ async fn the_forward_is_taken_over_driven_and_given_back() {
 /// The keyboard alone: a component is found, a panel is enlarged, the view is paused, control is taken and given back.
 #[tokio::test]
 async fn the_keyboard_alone_is_enough() {
-    let server = Server::start("keys", &[]);
-    let page = open(&server).await;
+    let (_server, page) = game("keys").await;
     page.press("/").await;
     page.until("the search has the focus", "return document.activeElement.ariaLabel === 'Search components'").await;
     page.press("faceball\u{e007}").await;
@@ -144,8 +139,7 @@ async fn the_keyboard_alone_is_enough() {
 /// The forward is taken over, walked by hand, given back, and scores.
 #[tokio::test]
 async fn the_forward_scores_after_it_was_driven() {
-    let server = Server::start("score", &[]);
-    let page = open(&server).await;
+    let (_server, page) = game("score").await;
     tab(&page, "Drive").await;
     page.click("button", "Take over", "Take over").await;
     page.reads("Driven by you").await;

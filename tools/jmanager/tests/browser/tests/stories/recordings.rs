@@ -2,12 +2,11 @@
 
 use jmanager_browser::{Page, Robot, Server, player};
 
-use crate::{WIDE, open, tab};
+use crate::{WIDE, game, open, tab};
 
 #[tokio::test]
 async fn a_recording_is_kept_opened_and_played() {
-    let server = Server::start("recordings", &[]);
-    let page = open(&server).await;
+    let (server, page) = game("recordings").await;
     page.until(
         "some seconds are recorded",
         "return Number.parseFloat(document.querySelector('.clock b').textContent) > 3",

@@ -1,0 +1,130 @@
+//! The pictures of the documentation: `cargo test --manifest-path tools/jmanager/tests/browser/Cargo.toml --target-dir target/browser
+//! pictures -- --ignored`, after a release build of the programs and with `JMANAGER_PROFILE=release`. They are written beside the other
+//! screenshots; in docs/ they have 256 colours.
+
+use jmanager_browser::{Page, Server, player};
+
+use crate::open_in;
+
+/// Size of the window, px.
+const SIZE: (u32, u32) = (1560, 1010);
+
+/// Waits until the game has lasted some seconds.
+async fn at(page: &Page, seconds: f64) {
+    let script = format!("return Number.parseFloat(document.querySelector('.clock b').textContent) >= {seconds}");
+    page.until(&format!("{seconds} s of the game"), &script).await;
+}
+
+/// Opens the built-in world in the dark theme.
+async fn dark(server: &Server) -> Page {
+    let page = open_in(server, SIZE).await;
+    if page.run("return document.documentElement.dataset.theme", vec![]).await != "dark" {
+        page.press("t").await;
+    }
+    page
+}
+
+#[tokio::test]
+#[ignore = "makes a picture of the documentation again"]
+async fn picture_of_the_overview() {
+    let server = Server::start("picture-overview", &["--size", "320x240"]);
+    let page = dark(&server).await;
+    at(&page, 7.5).await;
+    page.screenshot("docs-jmanager-overview").await;
+    page.close().await;
+}
+
+#[tokio::test]
+#[ignore = "makes a picture of the documentation again"]
+async fn picture_of_a_parameter() {
+    let server = Server::start("picture-behaviour", &["--size", "320x240"]);
+    let page = dark(&server).await;
+    page.press("2").await;
+    page.click("button", "FaceBall", "Activation tree").await;
+    let gain = page.find("slider", "gain", "Parameters").await;
+    page.run("document.querySelector('[aria-label=Parameters]').scrollIntoView()", vec![]).await;
+    at(&page, 6.0).await;
+    gain.set("0.9").await;
+    page.reads("1 changed").await;
+    at(&page, 14.0).await;
+    page.screenshot("docs-jmanager-behaviour").await;
+    page.close().await;
+}
+
+#[tokio::test]
+#[ignore = "makes a picture of the documentation again"]
+async fn picture_of_driving() {
+    let server = Server::start("picture-drive", &["--size", "320x240"]);
+    let page = dark(&server).await;
+    page.press("4").await;
+    at(&page, 3.0).await;
+    page.click("button", "Take over", "Take over").await;
+    page.reads("Driven by you").await;
+    page.click("switch", "Head follows the ball", "Take over").await;
+    page.find("slider", "Body forward", "Body").await.set("0.2").await;
+    page.find("slider", "Body turn", "Body").await.set("0.35").await;
+    page.find("slider", "Body turn", "Body").await.focus().await;
+    page.key_down('\u{e008}').await;
+    page.reads("Moving").await;
+    at(&page, 15.0).await;
+    page.screenshot("docs-jmanager-drive").await;
+    page.key_up('\u{e008}').await;
+    page.close().await;
+}
+
+#[tokio::test]
+#[ignore = "makes a picture of the documentation again"]
+async fn picture_of_a_comparison() {
+    let server = Server::start("picture-replay", &[]);
+    std::fs::create_dir_all(server.folder.join("recordings")).expect("a folder");
+    let file = server.folder.join("recordings/kick-off.mcap");
+    player(&["play", "--seconds", "20", "--size", "320x240", "--record", file.to_str().expect("a path of UTF-8")]);
+    let page = dark(&server).await;
+    page.press("5").await;
+    page.click("button", "kick-off", "Recordings").await;
+    page.find("combobox", "Parameter", "Replay").await.set("FaceBall.gain").await;
+    page.find("textbox", "Value", "Replay").await.set("0.2").await;
+    page.click("button", "Add", "Replay").await;
+    page.click("button", "Run again", "Replay").await;
+    page.until(
+        "there are two recordings",
+        "return document.querySelectorAll('[aria-label=Compare] select').length === 2",
+    )
+    .await;
+    page.find("button", "Time: paused", "").await;
+    page.click("tab", "kick-off.mcap", "").await;
+    page.click("button", "Compare", "Compare").await;
+    page.reads("First difference in cycle").await;
+    page.run("location.hash = '#t=11.000&layout=replay'", vec![]).await;
+    at(&page, 11.0).await;
+    page.click("button", "Whole", "Timeline").await;
+    tokio::time::sleep(std::time::Duration::from_secs(1)).await;
+    page.screenshot("docs-jmanager-replay").await;
+    page.close().await;
+}
+
+#[tokio::test]
+#[ignore = "makes two pictures of the documentation again"]
+async fn pictures_of_the_designer() {
+    let sources = concat!(env!("CARGO_MANIFEST_DIR"), "/../../../../player");
+    let server = Server::start("picture-vicode", &["--source", sources]);
+    let page = dark(&server).await;
+    page.click("button", "Player", "Activation tree").await;
+    page.click("button", "edit states", "").await;
+    page.find("button", "State search_net", "").await;
+    page.until("a state is lit", "return document.querySelector('.box.lit') !== null").await;
+    page.find("button", "Transition ball_reached", "").await.click().await;
+    at(&page, 13.0).await;
+    page.screenshot("docs-vicode-live").await;
+    page.run("document.activeElement.blur()", vec![]).await;
+    page.press("t").await;
+    let state = page.find("button", "State search_net", "").await;
+    state.click().await;
+    state.focus().await;
+    page.press("b").await;
+    page.reads("1 breakpoint").await;
+    page.click("button", "Restart", "").await;
+    page.reads("Player is in search_net").await;
+    page.screenshot("docs-vicode-states").await;
+    page.close().await;
+}
