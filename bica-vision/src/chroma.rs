@@ -61,6 +61,12 @@ impl Sieve {
     pub(crate) fn holds_back(&self, pairs: &[[u8; 4]; BLOCK]) -> bool {
         wide_box::are_beyond(&self.0, pairs)
     }
+
+    /// Pairs whose chroma is inside a box: for each, from the first on, the lowest of four bits.
+    #[inline(always)]
+    pub(crate) fn lets_through(&self, pairs: &[[u8; 4]; BLOCK]) -> u64 {
+        wide_box::inside(&self.0, pairs)
+    }
 }
 
 /// Splits a row into blocks, where the filter saves time, and a rest.
@@ -101,12 +107,24 @@ mod wide_box {
         let mut fours = fours.iter().map(|four| U8x16::new(*four));
         let first = fours.next().unwrap_or_default();
         let (low, high) = fours.fold((first, first), |(low, high), four| (low.min(four), high.max(four)));
-        !boxes.iter().any(|selected| {
-            let lanes = (high.simd_ge(selected.low) & low.simd_le(selected.high)).to_bitmask();
-            // A pair is inside if its four bytes are.
-            let halves = lanes & lanes >> 1;
-            halves & halves >> 2 & 0x1111 != 0
-        })
+        !boxes.iter().any(|selected| whole(high.simd_ge(selected.low) & low.simd_le(selected.high)) != 0)
+    }
+
+    #[inline(always)]
+    pub(super) fn inside(boxes: &[WideBox], pairs: &[[u8; 4]; BLOCK]) -> u64 {
+        let (fours, _) = pairs.as_flattened().as_chunks();
+        let is_in = |four: U8x16| {
+            boxes.iter().fold(0, |all, selected| all | whole(four.simd_ge(selected.low) & four.simd_le(selected.high)))
+        };
+        fours.iter().rev().fold(0, |all, four| all << 16 | u64::from(is_in(U8x16::new(*four))))
+    }
+
+    /// Lowest bits of the pairs whose four bytes are all set.
+    #[inline(always)]
+    fn whole(lanes: U8x16) -> u32 {
+        let lanes = lanes.to_bitmask();
+        let halves = lanes & lanes >> 1;
+        halves & halves >> 2 & 0x1111
     }
 }
 
@@ -129,6 +147,11 @@ mod wide_box {
     #[inline(always)]
     pub(super) const fn are_beyond(_: &[WideBox], _: &[[u8; 4]; BLOCK]) -> bool {
         false
+    }
+
+    #[inline(always)]
+    pub(super) const fn inside(_: &[WideBox], _: &[[u8; 4]; BLOCK]) -> u64 {
+        0x1111_1111_1111_1111
     }
 }
 
@@ -157,6 +180,16 @@ mod tests {
         ) {
             let selected = pairs.iter().any(|[_, cb, _, cr]| boxes.iter().any(|selected| selected.has([*cb, *cr])));
             prop_assert!(!selected || !Sieve::new(boxes.into_iter()).holds_back(&pairs));
+        }
+
+        #[test]
+        #[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
+        fn filter_lets_those_pairs_through_that_are_in_a_box(
+            pairs in any::<[[u8; 4]; BLOCK]>(), boxes in prop::collection::vec(chroma_box(), 0..5),
+        ) {
+            let is_in = |[_, cb, _, cr]: [u8; 4]| boxes.iter().any(|selected| selected.has([cb, cr]));
+            let expected = (0..BLOCK).filter(|at| is_in(pairs[*at])).map(|at| 1_u64 << (4 * at)).sum::<u64>();
+            prop_assert_eq!(Sieve::new(boxes.iter().copied()).lets_through(&pairs), expected);
         }
 
         #[test]

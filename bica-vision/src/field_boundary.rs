@@ -45,11 +45,13 @@ impl BoundaryTuning {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct FieldBoundary {
     corners: Vec<Vec2, COLUMNS>,
+    /// Row down to which each scanned column may contain other colours than green: all rows scanned below it are green.
+    green_below: Vec<u16, COLUMNS>,
 }
 
 impl FieldBoundary {
     /// No field in view.
-    pub const NONE: Self = Self { corners: Vec::new() };
+    pub const NONE: Self = Self { corners: Vec::new(), green_below: Vec::new() };
 
     /// Finds the field boundary from green and white pixels alone.
     #[must_use]
@@ -72,9 +74,15 @@ impl FieldBoundary {
         camera: Option<&Camera>,
         tuning: &BoundaryTuning,
     ) -> Self {
-        let points = column_tops(frame, colours, camera, tuning);
+        let (mut points, mut green_below) = (Vec::<Vec2, COLUMNS>::new(), Vec::new());
+        for x in columns(frame.width()) {
+            let column = Column::scan(frame, colours, x as u16, highest_row(camera, x, tuning), tuning);
+            points.extend(column.top.map(|top| Vec2::new(x, top)));
+            green_below.extend([column.green_below]);
+        }
         let (width, height) = (f32::from(frame.width()), f32::from(frame.height()));
-        Self { corners: hull::over(&points, (0.0, width - 1.0), tuning.inlier_distance * height, tuning.min_score) }
+        let corners = hull::over(&points, (0.0, width - 1.0), tuning.inlier_distance * height, tuning.min_score);
+        Self { corners, green_below }
     }
 
     /// Scans the columns as [`find_tuned`](Self::find_tuned) does, for a view of how the boundary was found: x of each column, and
@@ -84,9 +92,7 @@ impl FieldBoundary {
         colours: &impl Classify,
         tuning: &BoundaryTuning,
     ) -> impl Iterator<Item = (f32, Option<f32>)> {
-        let pitch = f32::from(frame.width()) / COLUMNS as f32;
-        let columns = (0..COLUMNS).map(move |column| (column as f32 + 0.5) * pitch);
-        columns.map(move |x| (x, column_top(frame, colours, x as u16, 0, tuning)))
+        columns(frame.width()).map(move |x| (x, Column::scan(frame, colours, x as u16, 0, tuning).top))
     }
 
     /// Corners, px, from the left; empty if no field is in view.
@@ -99,6 +105,18 @@ impl FieldBoundary {
     #[must_use]
     pub fn row_at(&self, x: f32) -> Option<f32> {
         hull::line_at(&self.corners, x)
+    }
+
+    /// Row down to which a scanned column may contain other colours than green, by the column's number from the left: all
+    /// rows below it, as far as they were scanned, are green.
+    pub(crate) fn green_below(&self, column: usize) -> u16 {
+        self.green_below.get(column).copied().unwrap_or(u16::MAX)
+    }
+
+    /// The same boundary without knowledge of its columns.
+    #[cfg(test)]
+    pub(crate) fn without_columns(&self) -> Self {
+        Self { corners: self.corners.clone(), ..Self::NONE }
     }
 
     /// Highest row of the boundary; the field is below it. `None` if no field is in view.
@@ -114,56 +132,60 @@ impl FieldBoundary {
     }
 }
 
-fn column_tops(
-    frame: &Frame<'_>,
-    colours: &impl Classify,
-    camera: Option<&Camera>,
-    tuning: &BoundaryTuning,
-) -> Vec<Vec2, COLUMNS> {
-    let pitch = f32::from(frame.width()) / COLUMNS as f32;
-    let columns = (0..COLUMNS).map(|column| (column as f32 + 0.5) * pitch);
-    let highest = |x: f32| {
-        let row = camera.and_then(|camera| Some(camera.horizon(x)? - tuning.pitch_error * camera.intrinsics().focal.y));
-        row.map_or(0, |row| row.max(0.0) as u16)
-    };
-    columns.filter_map(|x| Some(Vec2::new(x, column_top(frame, colours, x as u16, highest(x), tuning)?))).collect()
+/// Middles of the scanned columns of a frame of a width, px.
+pub(crate) fn columns(width: u16) -> impl Iterator<Item = f32> {
+    let pitch = f32::from(width) / COLUMNS as f32;
+    (0..COLUMNS).map(move |column| (column as f32 + 0.5) * pitch)
 }
 
-/// Top of the stretch of a column with the most green: the maximum prefix sum of +1 (green) and −1 (other). A gap of
-/// other colours than white longer than `max_gap` ends a stretch.
-fn column_top(
-    frame: &Frame<'_>,
-    colours: &impl Classify,
-    x: u16,
-    highest: u16,
-    tuning: &BoundaryTuning,
-) -> Option<f32> {
-    let longest = (tuning.max_gap * f32::from(frame.height() / 2)) as u16;
-    let (mut best, mut best_row, mut sum, mut gap) = (0_u16, 0, 0_u16, 0);
-    for (row, pixel) in frame.column(x).upwards(highest) {
-        let class = colours.classify(pixel);
-        if class == Colour::Green {
-            (sum, gap) = (sum + 1, 0);
-            continue;
+/// Highest row that may show carpet in a column.
+fn highest_row(camera: Option<&Camera>, x: f32, tuning: &BoundaryTuning) -> u16 {
+    let row = camera.and_then(|camera| Some(camera.horizon(x)? - tuning.pitch_error * camera.intrinsics().focal.y));
+    row.map_or(0, |row| row.max(0.0) as u16)
+}
+
+/// Green of a column.
+struct Column {
+    /// Top of the stretch with the most green, if that is enough.
+    top: Option<f32>,
+    /// Row of the lowest pixel that is not green, or one that is not scanned if all are green.
+    green_below: u16,
+}
+
+impl Column {
+    /// Scans a column upwards. The stretch with the most green is the maximum prefix sum of +1 (green) and −1 (other). A gap of
+    /// other colours than white longer than `max_gap` ends a stretch.
+    fn scan(frame: &Frame<'_>, colours: &impl Classify, x: u16, highest: u16, tuning: &BoundaryTuning) -> Self {
+        let longest = (tuning.max_gap * f32::from(frame.height() / 2)) as u16;
+        let (mut best, mut best_row, mut sum, mut gap) = (0_u16, 0, 0_u16, 0);
+        let mut green_below = None;
+        for (row, pixel) in frame.column(x).upwards(highest) {
+            let class = colours.classify(pixel);
+            if class == Colour::Green {
+                (sum, gap) = (sum + 1, 0);
+                continue;
+            }
+            green_below.get_or_insert(row);
+            if sum > best {
+                (best, best_row) = (sum, row + 2);
+            }
+            if class == Colour::White {
+                sum = sum.saturating_sub(1);
+            } else {
+                gap += 1;
+                sum = if gap > longest { 0 } else { sum.saturating_sub(1) };
+            }
+            // Even if all rows above were green, they would not be a better stretch.
+            if sum + (row - highest) / 2 <= best {
+                break;
+            }
         }
         if sum > best {
-            (best, best_row) = (sum, row + 2);
+            // The highest scanned row is green.
+            (best, best_row) = (sum, highest + (frame.height() - 1 - highest) % 2);
         }
-        if class == Colour::White {
-            sum = sum.saturating_sub(1);
-        } else {
-            gap += 1;
-            sum = if gap > longest { 0 } else { sum.saturating_sub(1) };
-        }
-        // Even if all rows above were green, they would not be a better stretch.
-        if sum + (row - highest) / 2 <= best {
-            break;
-        }
+        let enough = tuning.min_green * f32::from(frame.height() / 2);
+        let top = (f32::from(best) >= enough).then_some(f32::from(best_row));
+        Self { top, green_below: green_below.unwrap_or(highest) }
     }
-    if sum > best {
-        // The highest scanned row is green.
-        (best, best_row) = (sum, highest + (frame.height() - 1 - highest) % 2);
-    }
-    let enough = tuning.min_green * f32::from(frame.height() / 2);
-    (f32::from(best) >= enough).then_some(f32::from(best_row))
 }

@@ -241,6 +241,10 @@ mod tests {
             let expected = rows.iter().map(|y| (*y as u16, frame.pixel(x, *y).unwrap()));
             assert!(frame.column(x as u16).upwards(highest).eq(expected));
         }
+        for (lowest, rows) in [(u16::MAX, 8), (15, 8), (14, 8), (13, 7), (12, 7), (1, 1), (0, 1)] {
+            let expected = frame.column(6).upwards(0).skip(8 - rows);
+            assert!(frame.column(6).upwards_from(lowest).eq(expected));
+        }
         for (x, y) in [(16, 0), (0, 16), (15, 16), (16, 15), (u16::MAX, 0), (0, u16::MAX)] {
             assert_eq!(frame.column(x).pixel(y), None);
             assert_eq!(frame.strip_of_column(x).pixel(y), None);

@@ -4,13 +4,18 @@
 //! is as high as a robot at that position. Neighbouring columns within a robot's width form one robot; the lowest of
 //! their feet is its position. The colour of the waistband and other parts gives the team.
 //!
-//! Cost at 320 × 240: 40 columns of 120 pixels and the box of each robot, 20 µs; 42 µs at 640 × 480.
+//! The columns are those of the field boundary, whose search has read the green below the lowest obstacle already.
+//!
+//! Cost at 320 × 240: 40 columns of up to 120 pixels and the box of each robot, 15 µs.
+
+mod stand;
 
 use glam::Vec2;
 use heapless::Vec;
 
+use self::stand::Stand;
 use crate::colour::{Classify, Colour, Filter};
-use crate::field_boundary::FieldBoundary;
+use crate::field_boundary::{self, COLUMNS, FieldBoundary};
 use crate::frame::{Frame, Pair, Pixel};
 use crate::projection::Camera;
 
@@ -20,8 +25,6 @@ pub const ROBOTS: usize = 8;
 /// Robots of a frame.
 pub type Robots = Vec<Robot, ROBOTS>;
 
-/// Number of scanned columns.
-const COLUMNS: usize = 40;
 /// Minimum height without a known camera pose, as a share of the frame height.
 const LEAST_PART: f32 = 0.15;
 /// Maximum vertical distance of the feet in neighbouring columns without a known pose, as a share of the frame height.
@@ -125,7 +128,7 @@ impl Robot {
     }
 }
 
-/// Finds the robots below the field boundary.
+/// Finds the robots below the field boundary of the same frame and colours.
 ///
 /// With `camera`, a robot must reach nearly to the horizon, have a robot's width and show a team colour. Without it, a
 /// robot is any high obstacle that is not a net.
@@ -151,9 +154,9 @@ pub fn find_tuned(
     let scan = Scan { frame, colours, field_boundary, camera, tuning };
     let pitch = f32::from(frame.width()) / COLUMNS as f32;
     let (mut robots, mut open): (Robots, Option<Group>) = (Vec::new(), None);
-    for column in 0..COLUMNS {
+    for (column, x) in field_boundary::columns(frame.width()).enumerate() {
         let (left, right) = (column as f32 * pitch, (column + 1) as f32 * pitch);
-        let Some(foot) = scan.foot(left.midpoint(right)) else { continue };
+        let Some(foot) = scan.foot(x, field_boundary.green_below(column)) else { continue };
         let (min, max) = (Vec2::new(left, foot.top), Vec2::new(right, foot.row));
         let is_new = open.as_ref().is_none_or(|group| !scan.belongs(group, max));
         if is_new {
@@ -197,14 +200,14 @@ struct Scan<'a, C> {
 }
 
 impl<C: Classify> Scan<'_, C> {
-    /// Lowest obstacle of a column.
-    fn foot(&self, x: f32) -> Option<Foot> {
+    /// Lowest obstacle of a column in which all pixels below the row `lowest` are green.
+    fn foot(&self, x: f32, lowest: u16) -> Option<Foot> {
         let end = self.field_boundary.row_at(x)? + self.tuning.boundary_margin * f32::from(self.frame.height());
         // Highest row below the boundary, which itself is not an obstacle.
         let whole = end.max(0.0) as u16;
         let end = whole.saturating_add(u16::from(f32::from(whole) < end));
         let bottom = self.frame.height() - 1;
-        let mut pixels = self.frame.column(x as u16).upwards(0);
+        let mut pixels = self.frame.column(x as u16).upwards_from(lowest);
         loop {
             let mut is_ground = true;
             let (base, class, least) = loop {
@@ -323,42 +326,50 @@ impl<C: Classify> Scan<'_, C> {
     }
 }
 
-/// Obstacle in one column during the scan.
-struct Stand {
-    base: f32,
-    top: f32,
-    least: f32,
-    counts: [f32; 3],
-    green: f32,
-    /// Number of green rows after which the obstacle has ended.
-    max_green: f32,
-}
+#[cfg(test)]
+mod tests {
+    extern crate std;
 
-impl Stand {
-    fn new(base: f32, least: f32, class: Colour, tuning: &RobotTuning) -> Self {
-        let max_green = (tuning.max_green * least).max(2.0);
-        let mut stand = Self { base, top: base, least, counts: [0.0; 3], green: 0.0, max_green };
-        stand.add(class, base, tuning);
-        stand
-    }
+    use proptest::prelude::*;
 
-    /// Adds the class of the next two rows. Returns whether the obstacle is a robot for certain.
-    fn add(&mut self, class: Colour, row: f32, tuning: &RobotTuning) -> bool {
-        let [all, wrong, white] = &mut self.counts;
-        *all += 2.0;
-        match class {
-            Colour::Green => self.green += 2.0,
-            Colour::Yellow | Colour::Blue | Colour::Orange => *wrong += 2.0,
-            Colour::White => *white += 2.0,
-            Colour::None => {}
+    use super::*;
+
+    const WIDTH: u16 = 80;
+    const HEIGHT: u16 = 60;
+
+    /// Classifier by luma alone.
+    struct ByLuma;
+
+    impl Classify for ByLuma {
+        fn classify(&self, pixel: Pixel) -> Colour {
+            Colour::from_index(pixel.y)
         }
-        self.top = row;
-        let is_high = self.base - row >= self.least;
-        is_high && *wrong <= tuning.max_other_colours * *all && *white >= tuning.min_white * *all && !self.is_over()
     }
 
-    /// Whether green continues behind the obstacle.
-    fn is_over(&self) -> bool {
-        self.green > self.max_green
+    /// Carpet with upright boxes of all classes.
+    fn frame() -> impl Strategy<Value = std::vec::Vec<u8>> {
+        let one = (0..WIDTH / 2, 0..HEIGHT, 1..10_u16, 1..40_u16, 0..6_u8);
+        prop::collection::vec(one, 0..8).prop_map(|boxes| {
+            let mut pairs =
+                std::vec![[Colour::Green as u8, 128, Colour::Green as u8, 128]; (WIDTH / 2 * HEIGHT).into()];
+            for (left, top, width, height, class) in boxes {
+                for (y, x) in (top..top + height).flat_map(|y| (left..left + width).map(move |x| (y, x))) {
+                    if y < HEIGHT && x < WIDTH / 2 {
+                        pairs[usize::from(y * (WIDTH / 2) + x)] = [class, 128, class, 128];
+                    }
+                }
+            }
+            pairs.into_flattened()
+        })
+    }
+
+    proptest! {
+        #[test]
+        fn robots_are_those_of_a_search_in_all_rows(bytes in frame()) {
+            let frame = Frame::new(WIDTH, HEIGHT, &bytes).expect("a frame");
+            let boundary = FieldBoundary::find(&frame, &ByLuma);
+            let expected = find(&frame, &ByLuma, &boundary.without_columns(), None);
+            prop_assert_eq!(find(&frame, &ByLuma, &boundary, None), expected);
+        }
     }
 }

@@ -202,8 +202,13 @@ impl<'a, C: Classify> Seek<'a, C> {
     /// Classes of a block, four bits for each pair, the first pair in the lowest bits.
     #[inline(always)]
     fn classes(&self, block: &[[u8; 4]; BLOCK]) -> u64 {
-        let place = |(at, pair): (usize, &[u8; 4])| (self.class(*pair) as u64) << (4 * at);
-        block.iter().enumerate().map(place).fold(0, |all, one| all | one)
+        let (mut left, mut classes) = (self.sieve.lets_through(block), 0);
+        while left != 0 {
+            let place = left.trailing_zeros();
+            classes |= (self.class(block[place as usize / 4]) as u64) << place;
+            left &= left - 1;
+        }
+        classes
     }
 }
 

@@ -80,6 +80,16 @@ impl<'a> Column<'a> {
         Upwards { column: Self { pairs, ..self }, at: pairs.len().wrapping_sub(1), row: self.height + 1 }
     }
 
+    /// Pixels of every second row as [`upwards`](Self::upwards) yields them up to the top, without those below the row `lowest`.
+    #[inline(always)]
+    pub(crate) fn upwards_from(self, lowest: u16) -> Upwards<'a> {
+        let mut rows = self.upwards(0);
+        let skipped = (self.height - 1).saturating_sub(lowest) / 2 * 2;
+        rows.at = rows.at.wrapping_sub(usize::from(skipped) * self.stride);
+        rows.row -= skipped;
+        rows
+    }
+
     #[inline(always)]
     #[expect(clippy::trivially_copy_pass_by_ref, reason = "a copy would be stored before it is indexed")]
     fn of_pair(&self, pair: &[u8; 4]) -> Pixel {

@@ -1,10 +1,11 @@
-//! Times of opening and editing a component of 60 states and 200 transitions: of several runs the least, which is what the work
+//! Times of opening, laying out and editing a component of 60 states and 200 transitions: of several runs the least, which is what the work
 //! itself takes.
 
 use std::fmt::Write;
 use std::time::{Duration, Instant};
 
-use bica_vicode::{Document, Edit};
+use bica_vicode::draw::automatic;
+use bica_vicode::{Document, Edit, Layout};
 
 const STATES: usize = 60;
 const TRANSITIONS: usize = 200;
@@ -15,6 +16,9 @@ fn main() {
     let open = least(|| drop(Document::new(&text)));
     println!("{} lines, {} kB: {STATES} states, {TRANSITIONS} transitions", text.lines().count(), text.len() / 1000);
     println!("open             {:>7.1} ms (at most 300)", milliseconds(open));
+    let model = Document::new(&text).model().clone();
+    let place = least(|| drop(automatic(&model.components[0], &Layout::default())));
+    println!("place the states {:>7.1} ms", milliseconds(place));
     for (name, edit) in edits() {
         let document = Document::new(&text);
         let time = least(|| {

@@ -7,7 +7,7 @@ import { makeEditor, setShown } from '../vicode/editor.js';
 import { setFocusCode } from '../vicode/focus.js';
 import { Lines, plain } from '../vicode/lines.js';
 import { keyAt, problems, wanted } from '../vicode/problems.js';
-import { choose, chosen, offsets, onChange, opened, selection, setSettle } from '../vicode/sources.js';
+import { choose, chosen, offsets, onChange, opened, openedFile, openedText, selection, setSettle } from '../vicode/sources.js';
 import { Typing, remote } from '../vicode/typing.js';
 
 /** Whether only what is selected is shown. */
@@ -20,16 +20,15 @@ setSettle(() => editor?.typing.settled() ?? Promise.resolve());
 
 /** Offsets of the editor of a part of the file. */
 function placeOf(span) {
-  const lines = new Lines(opened.value.text);
+  const lines = new Lines(openedText.value);
   return span.map((byte) => Math.min(editor.typing.place(lines.toEditor(offsets.value.index(byte))), editor.view.state.doc.length));
 }
 
 export function Code({ retitle }) {
-  const own = opened.value;
-  const file = own?.file;
+  const file = openedFile.value;
   const at = useSignal('');
   useEffect(() => { if (file) retitle(file.split('/').at(-1)); }, [file]);
-  if (!own) return html`<${Empty} what="No file is open" help="Choose a component in Sources, or “edit states” in the tab of a component." />`;
+  if (!file) return html`<${Empty} what="No file is open" help="Choose a component in Sources, or “edit states” in the tab of a component." />`;
   return html`<${Bar} label="Code">
       <${Toggle} on=${!onlyChosen.value} label="Whole file" title="All of the file" onChange=${() => { onlyChosen.value = false; }} />
       <${Toggle} on=${onlyChosen.value} label="Selected only" title="Only the state or transition that is selected in the designer" onChange=${() => { onlyChosen.value = true; }} />
@@ -96,7 +95,7 @@ function showChosen() {
 
 function showProblems() {
   const list = problems.value;
-  const { file } = opened.value ?? {};
+  const file = openedFile.value;
   if (!editor || !file) return;
   const diagnostics = list.filter((one) => one.file === file && one.span).map(({ span, level, text, help }) => {
     const [from, to] = placeOf(span);

@@ -5,11 +5,11 @@ import { Empty } from '../lib/ui.js';
 import { ArrowFields } from '../vicode/inspector/arrow.js';
 import { ComponentFields } from '../vicode/inspector/component.js';
 import { StateFields } from '../vicode/inspector/state.js';
-import { chosen, locked, machine, opened, refusal, selection } from '../vicode/sources.js';
+import { chosen, locked, machine, refusal, selection } from '../vicode/sources.js';
 
 export function Inspector() {
   const own = machine.value;
-  if (!opened.value || !own) return html`<${Empty} what="Nothing is selected" help="Open a component, then click a state or a transition." />`;
+  if (!own) return html`<${Empty} what="Nothing is selected" help="Open a component, then click a state or a transition." />`;
   const one = chosen.value;
   const several = selection.value.length;
   return html`<article class="tab inspector" key=${one?.key ?? own.name}>

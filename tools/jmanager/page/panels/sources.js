@@ -6,7 +6,7 @@ import { hello } from '../lib/store.js';
 import { Bar, Empty } from '../lib/ui.js';
 import { carry } from '../vicode/carry.js';
 import { createComponent } from '../vicode/create.js';
-import { component, list, open, opened, readList } from '../vicode/sources.js';
+import { component, list, open, openedFile, readList } from '../vicode/sources.js';
 
 async function show(file, name) {
   openPanel('vicode');
@@ -24,7 +24,7 @@ export function Sources() {
       <input type="search" class="grow" placeholder="Search" aria-label="Search sources" value=${search.value} onInput=${(event) => { search.value = event.target.value; }} onKeyDown=${(event) => event.key === 'Enter' && found[0]?.name && show(found[0].file, found[0].name)} />
       <button onClick=${readList} aria-label="Read the folder again" title="Read the folder again">↻</button><button onClick=${createComponent} title="A new component from a blank canvas">New…</button>
     <//>
-    <ul class="sources" aria-label="Components">${found.map((one) => html`<li key=${one.file + one.name} class=${one.file === opened.value?.file && one.name === component.value ? 'shown' : ''}>
+    <ul class="sources" aria-label="Components">${found.map((one) => html`<li key=${one.file + one.name} class=${one.file === openedFile.value && one.name === component.value ? 'shown' : ''}>
       ${one.name
         ? html`<button class="name" onClick=${() => show(one.file, one.name)} onPointerDown=${(event) => carry(event, one.name)} title=${`${one.file}\nDrag onto a state to make it a child`}><b class=${one.machine ? 'kind machine' : ''}>${one.name}</b> <span class="dim">${one.file}</span></button>`
         : html`<span class="error" title=${one.problem}>${one.file}</span>`}</li>`)}

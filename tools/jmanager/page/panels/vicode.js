@@ -13,7 +13,7 @@ import { Conflict } from '../vicode/conflict.js';
 import { Footer, Tools } from '../vicode/frame.js';
 import { writeLive } from '../vicode/live.js';
 import { marked } from '../vicode/problems.js';
-import { component, list, machine, opened, selection } from '../vicode/sources.js';
+import { component, list, machine, opened, openedFile, positions, selection } from '../vicode/sources.js';
 import { place, stopKeys } from '../vicode/stops.js';
 
 const { view } = stage;
@@ -38,18 +38,21 @@ export function Designer({ visible, retitle }) {
 function Canvas({ machine: own, search, visible }) {
   const svg = useRef(null);
   const layer = useRef(null);
-  const { positions } = opened.value;
   // Drawn from the machine and the places; kept while only the selection changes.
-  useMemo(() => stage.take(own, positions), [own, positions]);
+  useMemo(() => stage.take(own, positions.value), [own, positions.value]);
   const chosen = new Set(selection.value);
   const text = search.value.trim().toLowerCase();
   const found = (name) => (text === '' ? null : name.toLowerCase().includes(text));
-  const shown = `${opened.value.file} ${own.name}`;
+  const shown = `${openedFile.value} ${own.name}`;
 
   useLayoutEffect(() => {
     view.attach(svg.current, layer.current);
-    const observer = new ResizeObserver(() => (view.whole ? view.fit(stage.all()) : view.apply()));
-    observer.observe(svg.current);
+    const observer = new ResizeObserver(() => {
+      if (!view.resize()) return;
+      if (view.whole) view.fit(stage.all());
+      else view.apply();
+    });
+    observer.observe(svg.current.parentElement);
     const onWheel = (event) => wheel(event);
     svg.current.addEventListener('wheel', onWheel, { passive: false });
     const { current } = svg;

@@ -1,6 +1,6 @@
 // Questions to the user: a name at its place on the canvas, and small forms.
 
-import { html, signal, useEffect, useRef, useState } from '../lib/dom.js';
+import { html, signal, useEffect, useLayoutEffect, useRef, useState } from '../lib/dom.js';
 
 /** The name that is being typed on the canvas: {at: [x, y] of the drawing, value, label, done}. */
 export const naming = signal(null);
@@ -38,7 +38,8 @@ export const askForm = (question) => new Promise((resolve) => {
 export function NameField({ view }) {
   const asked = naming.value;
   const input = useRef(null);
-  useEffect(() => {
+  // At once: keys that are typed before the next frame are for it.
+  useLayoutEffect(() => {
     if (!asked) return;
     input.current.focus();
     input.current.select();
@@ -65,7 +66,7 @@ export function NameField({ view }) {
 export function Form() {
   const asked = form.value;
   const dialog = useRef(null);
-  useEffect(() => {
+  useLayoutEffect(() => {
     if (asked) dialog.current?.showModal();
   }, [asked]);
   if (!asked) return null;

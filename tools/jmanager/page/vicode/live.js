@@ -41,6 +41,9 @@ const write = (element, text) => {
   if (element && element.textContent !== text) element.textContent = text;
 };
 
+/** Whether something was written that may have to be taken back. */
+let written = false;
+
 /** Writes what runs now; called by an effect and after each rendering. */
 export function writeLive() {
   const shown = session.value;
@@ -49,7 +52,9 @@ export function writeLive() {
   const now = described ? shown.moment.value?.components?.[index] : null;
   const own = machine.value;
   void counted.value;
-  if (!own) return;
+  // What does not run here is drawn as it is.
+  if (!own || (!described && !written)) return;
+  written = true;
   const current = now && now[2] !== null && now[2] !== undefined ? described.states[now[2]]?.name : null;
   for (const state of own.states) {
     const element = stage.elements.get(state.key);

@@ -3,7 +3,7 @@
 import { computed, signal } from '../lib/dom.js';
 import { listen } from '../lib/connection.js';
 import { functionsOf } from './machine.js';
-import { ask, choose, component, machine, offsets, onChange, open, opened } from './sources.js';
+import { ask, choose, component, machine, model, offsets, onChange, open, opened, openedFile, openedText } from './sources.js';
 import { bytesOf } from './offsets.js';
 
 /** The last message of a check: {state, seconds, messages}; null before the first. */
@@ -36,26 +36,26 @@ export function keyAt(byte) {
 
 /** The name of the function that has a byte, in any component of the file. */
 function placeAt(byte) {
-  for (const one of opened.value?.model.components ?? []) {
+  for (const one of model.value?.components ?? []) {
     const found = functionsOf(one).find(({ span }) => span[0] <= byte && byte <= span[1]);
     if (found) return found.name.text;
   }
   return null;
 }
 
-const lineOf = (span) => opened.value.text.slice(0, offsets.value.index(span[0])).split('\n').length;
+const lineOf = (span) => openedText.value.slice(0, offsets.value.index(span[0])).split('\n').length;
 
 /** All mistakes, those of the open file first: {level, text, help, span, place, line, file, from}. */
 export const problems = computed(() => {
-  const own = opened.value;
+  const own = openedFile.value;
   if (!own) return [];
-  const now = own.model.problems.map(({ span, message, from }) => ({ level: 'error', text: message, help: '', span, place: placeAt(span[0]), line: lineOf(span), file: own.file, from }));
+  const now = model.value.problems.map(({ span, message, from }) => ({ level: 'error', text: message, help: '', span, place: placeAt(span[0]), line: lineOf(span), file: own, from }));
   const said = new Set(now.map(({ text, line }) => `${line} ${text}`));
   const later = (check.value?.messages ?? []).map((one) => {
-    const here = one.file === own.file && one.span;
+    const here = one.file === own && one.span;
     return { ...one, place: here ? placeAt(one.span[0]) : null, line: here ? lineOf(one.span) : one.line, from: 'check' };
   });
-  const order = (one) => (one.level === 'error' ? 0 : 2) + (one.file === own.file ? 0 : 1);
+  const order = (one) => (one.level === 'error' ? 0 : 2) + (one.file === own ? 0 : 1);
   return [...now, ...later.filter(({ text, line }) => !said.has(`${line} ${text}`)).sort((a, b) => order(a) - order(b))];
 });
 
@@ -63,7 +63,7 @@ export const problems = computed(() => {
 export const marked = computed(() => {
   const found = new Map();
   for (const { level, span, file } of problems.value) {
-    if (!span || file !== opened.value.file) continue;
+    if (!span || file !== openedFile.value) continue;
     const key = keyAt(span[0]);
     if (key && found.get(key) !== 'error') found.set(key, level);
   }

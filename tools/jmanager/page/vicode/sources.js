@@ -19,8 +19,15 @@ export const refusal = signal(null);
 /** Time of the last change of the file by another program, ms; null if there was none. */
 export const editedOutside = signal(null);
 
-export const offsets = computed(() => new Offsets(opened.value?.text ?? ''));
-export const machine = computed(() => machineOf(opened.value?.model, component.value));
+// Parts of the open file. A message that changes one part, as when the file was saved, leaves what depends on the others as it is.
+export const openedFile = computed(() => opened.value?.file ?? null);
+export const openedText = computed(() => opened.value?.text ?? '');
+export const model = computed(() => opened.value?.model ?? null);
+/** Centres of all states of the file: [{component, state, x, y, placed}]. */
+export const positions = computed(() => opened.value?.positions ?? []);
+
+export const offsets = computed(() => new Offsets(openedText.value));
+export const machine = computed(() => machineOf(model.value, component.value));
 /** What is selected last, as in the machine. */
 export const chosen = computed(() => machine.value?.byKey.get(selection.value.at(-1)) ?? null);
 /** Whether the file can be edited, and if not, why. */
@@ -95,9 +102,10 @@ function restore() {
 }
 
 effect(() => {
-  if (!opened.value) return;
+  const file = openedFile.value;
+  if (!file) return;
   try {
-    sessionStorage.setItem(KEY, JSON.stringify({ file: opened.value.file, name: component.value }));
+    sessionStorage.setItem(KEY, JSON.stringify({ file, name: component.value }));
   } catch {
     // Without storage it is opened by hand.
   }
@@ -106,7 +114,8 @@ effect(() => {
 /** Selects; what does not exist is left out. */
 export function choose(keys, add = false) {
   const wished = add ? [...selection.value.filter((key) => !keys.includes(key)), ...keys] : keys;
-  selection.value = wished.filter((key) => machine.value?.byKey.has(key));
+  const next = wished.filter((key) => machine.value?.byKey.has(key));
+  if (next.join() !== selection.value.join()) selection.value = next;
 }
 
 let wished = null;
@@ -188,24 +197,24 @@ export const redo = inTurn(() => back(undone, steps, 'redo_file', 'after'));
 
 /** Moves states: {name: {x, y}}. Places of new ones can be undone with the edit that made them. */
 export async function move(places, own = true) {
-  const { file, positions } = opened.value;
+  const { file, positions: all } = opened.value;
   const name = component.value;
   const after = Object.entries(places).map(([state, { x, y }]) => ({ component: name, state, x: Math.round(x), y: Math.round(y) }));
-  const before = positions.filter((one) => one.component === name && places[one.state]).map(({ component: of, state, x, y }) => ({ component: of, state, x, y }));
+  const before = all.filter((one) => one.component === name && places[one.state]).map(({ component: of, state, x, y }) => ({ component: of, state, x, y }));
   const known = new Map(after.map((one) => [one.state, one]));
   // Shown at once; the answer has the same.
-  opened.value = { ...opened.value, positions: positions.map((one) => (one.component === name && known.has(one.state) ? { ...one, ...known.get(one.state), placed: true } : one)) };
+  opened.value = { ...opened.value, positions: all.map((one) => (one.component === name && known.has(one.state) ? { ...one, ...known.get(one.state), placed: true } : one)) };
   const done = await ask('move_states', { file, positions: after });
   if (done !== undefined && own) remember({ kind: 'move', before, after });
 }
 
 /** Places all states of the component automatically. */
 export async function arrange() {
-  const { file, positions } = opened.value;
+  const { file, positions: before } = opened.value;
   const name = component.value;
   const plain = (all) => all.filter((one) => one.component === name).map(({ component: of, state, x, y }) => ({ component: of, state, x, y }));
   const answer = await ask('arrange_states', { file, component: name });
-  if (answer) remember({ kind: 'move', before: plain(positions), after: plain(answer.positions) });
+  if (answer) remember({ kind: 'move', before: plain(before), after: plain(answer.positions) });
 }
 
 // ---- messages
@@ -225,6 +234,11 @@ function show(message) {
   });
 }
 
+const samePlaces = (a, b) => a.length === b.length && a.every((one, index) => {
+  const other = b[index];
+  return one.x === other.x && one.y === other.y && one.state === other.state && one.component === other.component && one.placed === other.placed;
+});
+
 function changed(message) {
   const before = opened.value;
   if (before?.file !== message.file) return;
@@ -236,7 +250,8 @@ function changed(message) {
   const text = spliced(before.text, splices);
   const mine = page === hello.value?.page;
   batch(() => {
-    opened.value = { ...before, ...state, text, model: state.model ?? before.model };
+    const places = samePlaces(before.positions, state.positions) ? before.positions : state.positions;
+    opened.value = { ...before, ...state, text, model: state.model ?? before.model, positions: places };
     follow(before);
     if (wished?.every((key) => machine.value?.byKey.has(key))) {
       selection.value = wished;

@@ -21,7 +21,7 @@ impl Files {
         };
         let machine = found.ok_or_else(none)?.clone();
         let mut layout = Layout::default();
-        for one in file.positions().into_iter().filter(|one| one.component == component && one.placed) {
+        for one in file.positions().iter().filter(|one| one.component == component && one.placed) {
             layout.set(component, &one.state, bica_vicode::Position { x: one.x, y: one.y });
         }
         drop(open);

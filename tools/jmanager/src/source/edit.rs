@@ -124,7 +124,7 @@ impl Files {
             file.layout.remove(component, &state);
         }
         file.publish(&self.pages, None, ChangedBy::Page, page);
-        let (name, positions) = (file.name.clone(), file.positions());
+        let (name, positions) = (file.name.clone(), file.positions().to_vec());
         drop(open);
         let _disk = lock(&self.disk);
         self.write_layout(&name, true)?;

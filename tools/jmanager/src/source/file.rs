@@ -38,6 +38,8 @@ pub(super) struct OpenFile {
     pub(super) save_at: Option<Instant>,
     /// What pages know.
     sent: (FileState, Vec<StatePosition>),
+    /// Positions of a version of the text and a revision of the layout: they are asked for at each look at the file.
+    placed: Option<((u64, u64), Vec<StatePosition>)>,
 }
 
 /// A change of the text with the version before it.
@@ -61,9 +63,10 @@ impl OpenFile {
             problem: String::new(),
             save_at: None,
             sent: (FileState::default(), Vec::new()),
+            placed: None,
         };
         file.layout.read();
-        file.sent = (file.state(), file.positions());
+        file.sent = (file.state(), file.positions().to_vec());
         file
     }
 
@@ -86,18 +89,23 @@ impl OpenFile {
         }
     }
 
-    pub(super) fn positions(&self) -> Vec<StatePosition> {
-        self.layout.positions(self.document.model())
+    /// Centres of all states.
+    pub(super) fn positions(&mut self) -> &[StatePosition] {
+        let key = (self.document.version(), self.layout.revision());
+        let known = self.placed.take().filter(|(of, _)| *of == key);
+        let placed = known.unwrap_or_else(|| (key, self.layout.positions(self.document.model())));
+        &self.placed.insert(placed).1
     }
 
     /// The complete file.
-    pub(super) fn complete(&self) -> ToPage {
+    pub(super) fn complete(&mut self) -> ToPage {
+        let positions = self.positions().to_vec();
         ToPage::Source(Box::new(SourceState {
             file: self.name.clone(),
             version: self.document.version(),
             text: self.document.text().to_owned(),
             model: self.document.model().clone(),
-            positions: self.positions(),
+            positions,
             state: self.state(),
         }))
     }
@@ -106,7 +114,9 @@ impl OpenFile {
     pub(super) fn publish(&mut self, pages: &Pages, changed: Changed, by: ChangedBy, page: PageId) {
         let version = self.document.version();
         let (from_version, splices) = changed.map_or((version, Vec::new()), |(from, change)| (from, change.splices));
-        let now = (self.state(), self.positions());
+        let state = self.state();
+        let positions = self.positions().to_vec();
+        let now = (state, positions);
         if from_version == version && now == self.sent {
             return;
         }

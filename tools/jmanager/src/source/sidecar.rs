@@ -19,6 +19,8 @@ const MAX_LAYOUT: u64 = 1 << 20;
 pub(super) struct Sidecar {
     path: PathBuf,
     remembered: Layout,
+    /// Grows with each change of the positions.
+    revision: u64,
     /// Text of the layout file; empty without one.
     written: String,
     stamp: Option<Stamp>,
@@ -53,6 +55,7 @@ impl Sidecar {
             Ok(text) => match Layout::parse(&text) {
                 Ok(layout) => {
                     (self.remembered, self.written) = (layout, text);
+                    self.revision += 1;
                     self.problem.clear();
                 }
                 Err(error) => self.problem = format!("`{}`: {error}; mend the line by hand", self.path.display()),
@@ -89,18 +92,25 @@ impl Sidecar {
         positions
     }
 
+    /// A number that is another one after each change of the positions.
+    pub(super) const fn revision(&self) -> u64 {
+        self.revision
+    }
+
     pub(super) fn set(&mut self, component: &str, state: &str, x: i32, y: i32) {
+        self.revision += 1;
         self.remembered.set(component, state, Position { x, y });
     }
 
     pub(super) fn remove(&mut self, component: &str, state: &str) {
+        self.revision += 1;
         self.remembered.remove(component, state);
     }
 
     /// Gives a renamed state its position; the old name keeps it for undoing.
     pub(super) fn renamed(&mut self, component: &str, from: &str, to: &str) {
         if let Some(position) = self.remembered.get(component, from) {
-            self.remembered.set(component, to, position);
+            self.set(component, to, position.x, position.y);
         }
     }
 

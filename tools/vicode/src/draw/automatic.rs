@@ -3,7 +3,7 @@
 
 use super::diagram::height;
 use crate::files::{Layout, Position};
-use crate::model::{Component, Graph, Sources};
+use crate::model::{Component, named_edges};
 
 /// Distance of the centres of two columns, points.
 const COLUMN: i32 = 340;
@@ -17,8 +17,8 @@ const SWEEPS: usize = 12;
 /// The positions of all states: those of `layout` where it has them, automatic ones elsewhere.
 #[must_use]
 pub fn automatic(component: &Component, layout: &Layout) -> Vec<Position> {
-    let neighbours = neighbours(component);
-    let columns = columns(component, &neighbours);
+    // Transitions from all states say nothing about neighbourhood.
+    let columns = columns(component, &named_edges(component));
     let mut positions = vec![FIRST; component.states.len()];
     let heights: Vec<i32> = (0..component.states.len()).map(|state| height(component, state).ceil() as i32).collect();
     let total = |states: &Vec<usize>| states.iter().map(|state| heights[*state] + GAP).sum::<i32>() - GAP;
@@ -35,15 +35,6 @@ pub fn automatic(component: &Component, layout: &Layout) -> Vec<Position> {
         *position = layout.get(&component.name.text, &state.function.name.text).unwrap_or(*position);
     }
     positions
-}
-
-/// From and to, without those from all states, which say nothing about neighbourhood.
-fn neighbours(component: &Component) -> Vec<(usize, usize)> {
-    let mut named = component.clone();
-    for transition in &mut named.transitions {
-        transition.arrows.retain(|arrow| arrow.from != Sources::Any);
-    }
-    Graph::of(&named).edges.into_iter().map(|edge| (edge.from, edge.to)).collect()
 }
 
 fn columns(component: &Component, edges: &[(usize, usize)]) -> Vec<Vec<usize>> {

@@ -3,7 +3,7 @@
 use super::automatic;
 use super::route::{course, place_names};
 use crate::files::Layout;
-use crate::model::{Component, Graph, Link, LinkKind, Sources};
+use crate::model::{Component, Graph, Link, LinkKind, Sources, own_links};
 
 /// Width and least height of a state, points.
 const WIDTH: f32 = 160.0;
@@ -46,7 +46,7 @@ pub struct Node {
     pub size: (f32, f32),
     /// Its hooks.
     pub hooks: Vec<String>,
-    /// Its children.
+    /// Its children and those of its hooks. Those of the transitions that leave it belong to the transitions here.
     pub links: Vec<Link>,
 }
 
@@ -70,7 +70,7 @@ impl Diagram {
         let mut nodes: Vec<Node> = Vec::new();
         for (index, (state, at)) in component.states.iter().zip(positions).enumerate() {
             let name = state.function.name.text.clone();
-            let (hooks, links) = (hooks_of(component, &name), links_of(component, index));
+            let (hooks, links) = (hooks_of(component, &name), own_links(component, index));
             let size = (WIDTH, height(component, index));
             let centre = (at.x as f32, at.y as f32);
             nodes.push(Node { name, initial: state.initial, last: state.last, centre, size, hooks, links });
@@ -162,20 +162,13 @@ impl Diagram {
 /// Height of a state, points.
 pub(super) fn height(component: &Component, state: usize) -> f32 {
     let name = &component.states[state].function.name.text;
-    HEIGHT + LINE * (hooks_of(component, name).len() + links_of(component, state).len()) as f32
+    HEIGHT + LINE * (hooks_of(component, name).len() + own_links(component, state).len()) as f32
 }
 
 /// The hooks of a state: `entry / greet`.
 fn hooks_of(component: &Component, state: &str) -> Vec<String> {
     let hooks = component.hooks.iter().filter(|hook| hook.states.iter().any(|one| one.text == state));
     hooks.map(|hook| format!("{} / {}", hook.role.word(), hook.function.name.text)).collect()
-}
-
-/// The children of a state and of its hooks. Those of the transitions that leave it belong to the transitions here.
-fn links_of(component: &Component, state: usize) -> Vec<Link> {
-    let mut alone = component.clone();
-    alone.transitions.clear();
-    Graph::of(&alone).links.into_iter().filter(|link| link.state == Some(state)).collect()
 }
 
 impl Node {

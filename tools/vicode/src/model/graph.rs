@@ -1,6 +1,8 @@
 //! The machine with all names resolved, as the macro puts it into `GRAPH`.
 
-use super::{Component, Function, LinkKind, Sources};
+use std::collections::BTreeMap;
+
+use super::{Component, Function, LinkKind, Name, Sources, State};
 
 /// Links and transitions of a component, by indices of states.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -45,29 +47,60 @@ impl Graph {
             return graph;
         }
         for (index, state) in component.states.iter().enumerate() {
-            let name = &state.function.name.text;
-            let hooks = component.hooks.iter().filter(|hook| hook.states.iter().any(|one| one.text == *name));
             let left: Vec<&str> =
                 graph.edges.iter().filter(|edge| edge.from == index).map(|edge| edge.name.as_str()).collect();
             let conditions = component.transitions.iter().map(|transition| &transition.function);
             let conditions = conditions.filter(|function| left.contains(&function.name.text.as_str()));
-            let functions = [&state.function].into_iter().chain(hooks.map(|hook| &hook.function)).chain(conditions);
-            let links = links(Some(index), functions);
+            let links = links(Some(index), own_functions(component, state).chain(conditions));
             graph.links.extend(links);
         }
         graph
     }
 }
 
+/// The links of a state and of its hooks, without those of the transitions that leave it.
+pub(crate) fn own_links(component: &Component, state: usize) -> Vec<Link> {
+    component.states.get(state).map_or_else(Vec::new, |one| links(Some(state), own_functions(component, one)))
+}
+
+/// From and to of the transitions that name the states that they leave.
+pub(crate) fn named_edges(component: &Component) -> Vec<(usize, usize)> {
+    let places = places(component);
+    let find = |name: &Name| places.get(name.text.as_str()).copied();
+    let mut edges = Vec::new();
+    for arrow in component.transitions.iter().flat_map(|transition| &transition.arrows) {
+        let (Some(to), Sources::These(names)) = (arrow.to.as_ref().and_then(find), &arrow.from) else { continue };
+        edges.extend(names.iter().filter_map(find).map(|from| (from, to)));
+    }
+    edges
+}
+
+/// The functions of a state that do not depend on the transitions: its own and those of its hooks.
+fn own_functions<'a>(component: &'a Component, state: &'a State) -> impl Iterator<Item = &'a Function> {
+    let name = &state.function.name.text;
+    let hooks = component.hooks.iter().filter(move |hook| hook.states.iter().any(|one| one.text == *name));
+    [&state.function].into_iter().chain(hooks.map(|hook| &hook.function))
+}
+
+/// Index of each state by its name: of the first one, if several have it.
+fn places(component: &Component) -> BTreeMap<&str, usize> {
+    let mut places = BTreeMap::new();
+    for (index, state) in component.states.iter().enumerate() {
+        places.entry(state.function.name.text.as_str()).or_insert(index);
+    }
+    places
+}
+
 fn edges(component: &Component) -> Vec<Edge> {
-    let find = |name: &str| component.states.iter().position(|state| state.function.name.text == name);
+    let places = places(component);
+    let find = |name: &Name| places.get(name.text.as_str()).copied();
     let mut edges = Vec::new();
     for transition in &component.transitions {
         for arrow in &transition.arrows {
-            let Some(to) = arrow.to.as_ref().and_then(|to| find(&to.text)) else { continue };
+            let Some(to) = arrow.to.as_ref().and_then(find) else { continue };
             let from: Vec<usize> = match &arrow.from {
                 Sources::Any => (0..component.states.len()).filter(|state| *state != to).collect(),
-                Sources::These(names) => names.iter().filter_map(|name| find(&name.text)).collect(),
+                Sources::These(names) => names.iter().filter_map(find).collect(),
             };
             let after_ms = arrow.after_ms.map(|(value, _)| value);
             let name = &transition.function.name.text;

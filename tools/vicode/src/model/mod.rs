@@ -16,6 +16,7 @@ pub use self::component::{
 };
 pub use self::function::{Argument, Docs, Function, Input, LinkKind};
 pub use self::graph::{Edge, Graph, Link};
+pub(crate) use self::graph::{named_edges, own_links};
 pub use self::params::{Key, Parameter, ParameterGroup};
 pub use self::span::{Name, Span};
 

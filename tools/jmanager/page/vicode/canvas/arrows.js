@@ -39,14 +39,15 @@ const at = (a, c, b, t) => [(1 - t) ** 2 * a[0] + 2 * t * (1 - t) * c[0] + t * t
 /** How many points of a curve lie in boxes that it does not join. */
 function hits(a, c, b, boxes, from, to) {
   let count = 0;
+  let points = null;
   // A curve stays within its three points.
   const [left, right] = [Math.min(a[0], c[0], b[0]) - WIDTH / 2 - 6, Math.max(a[0], c[0], b[0]) + WIDTH / 2 + 6];
   const [top, bottom] = [Math.min(a[1], c[1], b[1]) - 6, Math.max(a[1], c[1], b[1]) + 6];
   for (const box of boxes) {
     if (box === from || box === to) continue;
     if (box.x < left || box.x > right || box.y + box.height / 2 < top || box.y - box.height / 2 > bottom) continue;
-    for (let step = 1; step < 12; step += 1) {
-      const [x, y] = at(a, c, b, step / 12);
+    points ??= Array.from({ length: 11 }, (_, index) => at(a, c, b, (index + 1) / 12));
+    for (const [x, y] of points) {
       if (Math.abs(x - box.x) < WIDTH / 2 + 6 && Math.abs(y - box.y) < box.height / 2 + 6) count += 1;
     }
   }

@@ -9,10 +9,14 @@ const KIND = { requirement: 'reads', modulation: 'writes', rate: 'sets the rate 
 /** What was drawn last, by key. The same object tells Preact that nothing has to be compared. */
 let kept = new Map();
 
-function keep(next, key, facts, make) {
-  const signature = JSON.stringify(facts);
+/** Draws `of`, a part of the machine, unless it was drawn with the same flags and the same facts. */
+function keep(next, key, { of, place, flags: all }, make) {
   const known = kept.get(key);
-  const one = known?.signature === signature ? known : { signature, drawn: make() };
+  const marks = JSON.stringify(all);
+  // While only the selection changes, most parts are the same objects.
+  const isSame = known?.of === of && known.marks === marks && known.place === place;
+  const signature = isSame ? known.signature : JSON.stringify([facts(of), place]);
+  const one = isSame || (known?.signature === signature && known.marks === marks) ? { ...known, of, place } : { of, place, marks, signature, drawn: make() };
   next.set(key, one);
   return one.drawn;
 }
@@ -25,14 +29,13 @@ export function Drawn({ machine, chosen, found, stops }) {
   const next = new Map();
   const flagsOf = ({ key, name }) => ({ chosen: chosen.has(key), found: found(name), stop: stops.has(key) });
   const arrows = machine.arrows.map((arrow) => {
-    const { d, label } = stage.courses.get(arrow.key);
     const all = { ...flagsOf(arrow), near: near(arrow) };
-    return keep(next, arrow.key, [facts(arrow), d, label, all], () => html`<${Arrow} key=${arrow.key} arrow=${arrow} ...${all} />`);
+    return keep(next, arrow.key, { of: arrow, place: stage.courses.get(arrow.key), flags: all }, () => html`<${Arrow} key=${arrow.key} arrow=${arrow} ...${all} />`);
   });
   const states = machine.states.map((state) => {
     const { x, y } = stage.boxes.get(state.name);
     const all = flagsOf(state);
-    return keep(next, state.key, [facts(state), x, y, all], () => html`<${State} key=${state.key} state=${state} ...${all} />`);
+    return keep(next, state.key, { of: state, place: `${x} ${y}`, flags: all }, () => html`<${State} key=${state.key} state=${state} ...${all} />`);
   });
   kept = next;
   return html`<g class="arrows">${arrows}</g><g class="states">${states}</g>`;

@@ -10,6 +10,8 @@ export class Lifted {
     this.svg = document.createElementNS(SVG, 'svg');
     this.svg.setAttribute('class', `${view.svg.getAttribute('class')} lifted`);
     this.svg.setAttribute('aria-hidden', 'true');
+    this.svg.setAttribute('width', view.width);
+    this.svg.setAttribute('height', view.height);
     const layer = this.svg.appendChild(document.createElementNS(SVG, 'g'));
     this.copies = new Map();
     for (const [key, element] of originals) {

@@ -12,8 +12,7 @@ export function Minimap({ chosen }) {
   useEffect(() => {
     const measure = () => {
       if (!view.svg) return;
-      const { clientWidth, clientHeight } = view.svg;
-      seen.value = { x: -view.x / view.k, y: -view.y / view.k, width: clientWidth / view.k, height: clientHeight / view.k };
+      seen.value = { x: -view.x / view.k, y: -view.y / view.k, width: view.width / view.k, height: view.height / view.k };
     };
     view.listeners.add(measure);
     measure();

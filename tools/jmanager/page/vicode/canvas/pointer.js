@@ -160,8 +160,9 @@ function bendArrow(event, key) {
 
 /** Whether a point lies at the edge of a box. */
 function atEdge(box, [x, y]) {
-  const edge = EDGE / Math.min(1, view.k);
-  return Math.abs(x - box.x) > WIDTH / 2 - edge || Math.abs(y - box.y) > box.height / 2 - edge;
+  // Of a box that is drawn small the middle moves it, too.
+  const [edgeX, edgeY] = [WIDTH, box.height].map((size) => Math.min(EDGE / Math.min(1, view.k), size / 4));
+  return Math.abs(x - box.x) > WIDTH / 2 - edgeX || Math.abs(y - box.y) > box.height / 2 - edgeY;
 }
 
 export function press(event) {

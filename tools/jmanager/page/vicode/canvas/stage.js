@@ -9,6 +9,14 @@ import { View } from './view.js';
 const ALONG = [0.5, 0.42, 0.58, 0.34, 0.66, 0.27, 0.73];
 
 const overlap = (a, b) => Math.max(0, Math.min(a.right, b.right) - Math.max(a.left, b.left)) * Math.max(0, Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top));
+/** The area of a rectangle that others cover. */
+function covered(area, others) {
+  let sum = 0;
+  for (const one of others) {
+    if (one.left < area.right && one.right > area.left && one.top < area.bottom && one.bottom > area.top) sum += overlap(area, one);
+  }
+  return sum;
+}
 const along = ({ start: a, control: c, end: b }, t) => [(1 - t) ** 2 * a[0] + 2 * t * (1 - t) * c[0] + t * t * b[0], (1 - t) ** 2 * a[1] + 2 * t * (1 - t) * c[1] + t * t * b[1]];
 const boxRect = ({ x, y, height }) => ({ left: x - WIDTH / 2, right: x + WIDTH / 2, top: y - height / 2, bottom: y + height / 2 });
 
@@ -62,8 +70,7 @@ class Stage {
       if (course.control) {
         let least = Infinity;
         for (const t of ALONG) {
-          const area = rect(along(course, t));
-          const cost = taken.reduce((sum, one) => sum + overlap(area, one), 0);
+          const cost = covered(rect(along(course, t)), taken);
           if (cost < least) [least, course.t] = [cost, t];
           if (cost === 0) break;
         }

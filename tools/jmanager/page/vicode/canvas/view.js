@@ -9,7 +9,7 @@ const SMALL = 0.42;
 export class View {
   constructor() {
     /** Points of the window = points of the drawing × k + (x, y). */
-    Object.assign(this, { x: 0, y: 0, k: 1, svg: null, layer: null, listeners: new Set() });
+    Object.assign(this, { x: 0, y: 0, k: 1, svg: null, layer: null, width: 0, height: 0, listeners: new Set() });
     /** Whether the whole machine is kept in view. */
     this.whole = true;
   }
@@ -17,7 +17,25 @@ export class View {
   attach(svg, layer) {
     this.svg = svg;
     this.layer = layer;
+    [this.width, this.height] = [0, 0];
+    // Measured without the drawing, which would be laid out at another scale for that.
+    svg.style.display = 'none';
+    this.resize();
+    svg.style.display = '';
     this.apply();
+  }
+
+  /**
+   * Takes the size of what holds the drawing; returns whether it is another one. The drawing gets it in points: one with a size in per
+   * cent is laid out anew, with all its texts, whenever something beside it changes.
+   */
+  resize() {
+    const { clientWidth, clientHeight } = this.svg.parentElement;
+    if (clientWidth === this.width && clientHeight === this.height) return false;
+    [this.width, this.height] = [clientWidth, clientHeight];
+    this.svg.setAttribute('width', clientWidth);
+    this.svg.setAttribute('height', clientHeight);
+    return true;
   }
 
   apply() {
@@ -49,7 +67,7 @@ export class View {
   }
 
   /** Zooms around a point of the window, relative to the canvas; else around its middle. */
-  zoom(factor, x = this.svg.clientWidth / 2, y = this.svg.clientHeight / 2) {
+  zoom(factor, x = this.width / 2, y = this.height / 2) {
     this.whole = false;
     const k = Math.min(Math.max(this.k * factor, SMALLEST), LARGEST);
     this.x = x - (x - this.x) * (k / this.k);
@@ -60,7 +78,7 @@ export class View {
 
   /** Shows all boxes, not larger than they are drawn. */
   fit(boxes, largest = 1.15) {
-    const { clientWidth: width, clientHeight: height } = this.svg ?? {};
+    const { width, height } = this;
     if (!width || !height) return;
     const all = bounds(boxes);
     this.k = Math.min(Math.max(Math.min(width / all.width, height / all.height), SMALLEST), largest);
@@ -74,18 +92,18 @@ export class View {
   reveal({ x, y, height }) {
     const [px, py] = this.place([x, y]);
     const margin = 70;
-    const { clientWidth, clientHeight } = this.svg;
-    const dx = px < margin * 1.6 ? margin * 1.6 - px : px > clientWidth - margin * 1.6 ? clientWidth - margin * 1.6 - px : 0;
+    const { width, height: tall } = this;
+    const dx = px < margin * 1.6 ? margin * 1.6 - px : px > width - margin * 1.6 ? width - margin * 1.6 - px : 0;
     const half = (height / 2) * this.k + 20;
-    const dy = py < half ? half - py : py > clientHeight - half ? clientHeight - half - py : 0;
+    const dy = py < half ? half - py : py > tall - half ? tall - half - py : 0;
     if (dx || dy) this.pan(dx, dy);
   }
 
   /** Centres a point of the drawing. */
   centre(x, y) {
     this.whole = false;
-    this.x = this.svg.clientWidth / 2 - x * this.k;
-    this.y = this.svg.clientHeight / 2 - y * this.k;
+    this.x = this.width / 2 - x * this.k;
+    this.y = this.height / 2 - y * this.k;
     this.apply();
   }
 }

@@ -4,7 +4,7 @@ import { html } from '../../lib/dom.js';
 import { Field, Toggle } from '../../lib/ui.js';
 import { freeName } from '../machine.js';
 import { renameUsed } from '../rename.js';
-import { change, edit, opened } from '../sources.js';
+import { change, edit, model } from '../sources.js';
 import { Docs, Name, addHook } from './fields.js';
 
 const OPTIONS = [['hz', 'rate', 'Hz'], ['budget_us', 'budget', 'µs']];
@@ -32,7 +32,7 @@ export function ComponentFields({ machine }) {
 
 /** Defaults of the parameters of the file. */
 function Parameters() {
-  return (opened.value?.model.parameters ?? []).map((one) => html`<section aria-label=${`Parameters ${one.name.text}`} key=${one.name.text}><h3>${one.name.text}</h3>
+  return (model.value?.parameters ?? []).map((one) => html`<section aria-label=${`Parameters ${one.name.text}`} key=${one.name.text}><h3>${one.name.text}</h3>
     ${one.parameters.map((param) => {
       const text = param.keys.find((key) => key.key.text === 'default')?.value?.text ?? '';
       return html`<div class="row" key=${param.name.text} title=${param.docs.text}><span>${param.name.text}</span><span><${Field} value=${text} label=${`Default of ${param.name.text}`} width="short" onCommit=${(typed) => edit([{ edit: 'set_default', parameters: one.name.text, parameter: param.name.text, value: typed }])} /></span></div>`;
