@@ -2,7 +2,6 @@
 
 #![expect(
     clippy::float_cmp,
-    clippy::large_stack_arrays,
     clippy::needless_arbitrary_self_type,
     clippy::unused_self,
     reason = "unusual on purpose"
