@@ -1,11 +1,6 @@
 //! Unusual forms that are valid: they compile and behave like the usual ones.
 
-#![expect(
-    clippy::float_cmp,
-    clippy::needless_arbitrary_self_type,
-    clippy::unused_self,
-    reason = "unusual on purpose"
-)]
+#![expect(clippy::float_cmp, clippy::needless_arbitrary_self_type, clippy::unused_self, reason = "unusual on purpose")]
 
 mod names;
 mod numbers;
