@@ -6,7 +6,7 @@
 //!
 //! The columns are those of the field boundary, whose search has read the green below the lowest obstacle already.
 //!
-//! Cost at 320 × 240: 40 columns of up to 120 pixels and the box of each robot, 15 µs.
+//! Cost at 320 × 240: 40 columns of up to 120 pixels and the box of each robot.
 
 mod stand;
 
