@@ -55,9 +55,14 @@ fn slow_robot_that_sat_down_hot_stands_up_and_scores_after_cooling() {
     play(&mut game, 300);
     assert_eq!(game.robot().get::<HealthMonitor>().fault(), None);
     assert!(!game.robot().is_active(Forward::id::<SafetyGuard>()), "the robot plays");
-    play(&mut game, 6000);
-    assert_eq!(game.world().referee().falls(), 0);
-    assert!(game.world().referee().goals() >= 1, "the robot scores");
+    // It may score again later.
+    for _ in 0..6000 {
+        if game.world().referee().goals() > 0 {
+            break;
+        }
+        play(&mut game, 1);
+    }
+    assert_eq!((game.world().referee().falls(), game.world().referee().goals()), (0, 1));
 }
 
 #[test]

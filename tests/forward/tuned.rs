@@ -42,7 +42,7 @@ fn setting(name: &str, value: f32) -> Setting {
     Setting::new(id, index, value)
 }
 
-/// Parameters of behaviour, strategy and motion that have an effect in one of two games.
+/// Parameters of behaviour, strategy and motion that have an effect in the game of seed 6.
 const EFFECTIVE: [(&str, f32); 22] = [
     ("Player.max_alignment", 0.1),
     ("Player.diagonal_cost", 5.0),
@@ -71,21 +71,14 @@ const EFFECTIVE: [(&str, f32); 22] = [
 #[test]
 #[ignore = "slow: `cargo xtask ci` runs it"]
 fn slow_a_changed_parameter_changes_the_game() {
-    // No single game has a situation for every parameter.
-    let games = [1, 2].map(|seed| {
-        let setup = Setup { seed, frame: Frame::Small, robots: 2, ..Setup::default() };
-        let mut game = new_game(&setup);
-        let unchanged: Vec<Command> = (0..2500).map(|_| cycle(&mut game)).collect();
-        (setup, unchanged)
-    });
+    let setup = Setup { seed: 6, frame: Frame::Small, robots: 2, ..Setup::default() };
+    let mut game = new_game(&setup);
+    let unchanged: Vec<Command> = (0..2500).map(|_| cycle(&mut game)).collect();
     for (name, value) in EFFECTIVE {
-        let changes = games.iter().any(|(setup, unchanged)| {
-            let mut game = new_game(setup);
-            let result = game.robot_mut().set_params(&[setting(name, value)]);
-            result.unwrap_or_else(|refusal| panic!("{name} = {value}: {refusal}"));
-            unchanged.iter().any(|command| cycle(&mut game) != *command)
-        });
-        assert!(changes, "{name} = {value} changes nothing");
+        let mut game = new_game(&setup);
+        let result = game.robot_mut().set_params(&[setting(name, value)]);
+        result.unwrap_or_else(|refusal| panic!("{name} = {value}: {refusal}"));
+        assert!(unchanged.iter().any(|command| cycle(&mut game) != *command), "{name} = {value} changes nothing");
     }
 }
 
