@@ -6,8 +6,10 @@
 use std::collections::BTreeSet;
 use std::fs;
 use std::io::{BufRead, BufReader};
+use std::num::NonZero;
 use std::path::Path;
 use std::process::{Command, Stdio};
+use std::thread::available_parallelism;
 
 use crate::process::{output, root};
 
@@ -94,6 +96,8 @@ fn test(kind: Kind, options: &[String], variables: &[(&str, &str)]) -> Result<St
     let start = |error| format!("cannot start `{line}`: {error}");
     let mut command = Command::new("cargo");
     command.args(&arguments).current_dir(root()).envs(variables.iter().copied()).stdout(Stdio::piped());
+    // Other tests mostly wait, so `.cargo/config.toml` sets more threads than there are processors; these compute.
+    command.env("RUST_TEST_THREADS", available_parallelism().map_or(1, NonZero::get).to_string());
     let mut cargo = command.spawn().map_err(start)?;
     let mut log = String::new();
     for line in cargo.stdout.take().into_iter().flat_map(|out| BufReader::new(out).lines()).map_while(Result::ok) {
