@@ -22,8 +22,8 @@
 //! The product of all cases is too large to be explored tree by tree, so there are two explorations:
 //!
 //! - **States** ([`states`]): all trees with the same rates at once, as the graph of the states in which they can be. It covers
-//!   every tree of up to three components with all rates and all holds, in sequences of any length. Of four components it
-//!   covers every tree in which at most one runs in every second or third cycle only, or at most one is held at a time.
+//!   every tree of up to four components with all rates, in sequences of any length; with all holds, every tree of up to three
+//!   components; and with holds of one component at a time, every tree of four components that run in every cycle.
 //! - **Families** ([`families`]): each tree by itself, with constant links and the indices of its states, of which the first exploration
 //!   abstracts. A [`Family`](families::Family) describes a part of the product, which is explored completely.
 //!
@@ -115,26 +115,12 @@ fn slow_every_tree_of_up_to_three_components_with_all_holds() {
 
 #[test]
 #[ignore = "slow: `cargo xtask ci` runs it"]
-fn slow_every_tree_of_four_components_with_one_rate() {
-    let slow = |rate: Rate| {
-        (0..COMPONENTS).map(move |index| {
-            let mut rates = [Rate::Every; COMPONENTS];
-            rates[index] = rate;
-            rates
-        })
-    };
-    let rates: Vec<_> = slow(Rate::Half).chain(slow(Rate::Third)).collect();
-    explore(COMPONENTS, &rates, &[true], 0);
+fn slow_every_tree_of_four_components_with_all_rates() {
+    explore(COMPONENTS, &all_rates(COMPONENTS, &[Rate::Every, Rate::Half, Rate::Third]), &[true], 0);
 }
 
 #[test]
 #[ignore = "long: `cargo xtask long` runs it"]
 fn long_every_tree_of_four_components_of_which_one_is_held() {
     explore(COMPONENTS, &[[Rate::Every; COMPONENTS]], &[true], 1);
-}
-
-#[test]
-#[ignore = "slow: `cargo xtask ci` runs it"]
-fn slow_every_tree_of_four_components_that_run_in_every_cycle() {
-    explore(COMPONENTS, &[[Rate::Every; COMPONENTS]], &[true], 0);
 }
