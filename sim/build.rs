@@ -1,20 +1,18 @@
-//! Locates MuJoCo's library for the feature `mujoco` and sets the run-time search path of tests and examples.
+//! Locates MuJoCo's library for the feature `mujoco`.
 
 use std::env;
 use std::path::Path;
 
-const FOLDER: &str = "MUJOCO_DYNAMIC_LINK_DIR";
+mod rpath;
 
 fn main() {
-    println!("cargo::rerun-if-env-changed={FOLDER}");
+    rpath::set();
     if env::var_os("CARGO_FEATURE_MUJOCO").is_none() {
         return;
     }
-    let folder = env::var(FOLDER).unwrap_or_default();
+    let folder = env::var(rpath::FOLDER).unwrap_or_default();
     println!("cargo::rerun-if-changed={folder}");
-    if Path::new(&folder).join("libmujoco.so").is_file() {
-        println!("cargo::rustc-link-arg=-Wl,-rpath,{folder}");
-    } else {
+    if !Path::new(&folder).join("libmujoco.so").is_file() {
         println!("cargo::error=the feature `mujoco` needs MuJoCo's library, which is not in `{folder}`");
         println!("cargo::error=`cargo xtask mujoco` installs it");
     }

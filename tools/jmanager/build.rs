@@ -1,10 +1,15 @@
-//! Writes the table of the page's files, which the server contains.
+//! Table of the page's files, which the server contains, and search path of MuJoCo's library for the feature `mujoco`.
 
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::{env, fs, io};
 
+#[path = "../../sim/rpath.rs"]
+mod rpath;
+
 fn main() -> io::Result<()> {
+    println!("cargo::rerun-if-changed=../../sim/rpath.rs");
+    rpath::set();
     let folder = Path::new(&env::var("CARGO_MANIFEST_DIR").map_err(io::Error::other)?).join("page");
     println!("cargo:rerun-if-changed={}", folder.display());
     let mut files = Vec::new();

@@ -2,17 +2,16 @@
 
 use std::env;
 
-/// Folder of MuJoCo's library.
-const FOLDER: &str = "MUJOCO_DYNAMIC_LINK_DIR";
+#[path = "../../sim/rpath.rs"]
+mod rpath;
+
 /// Firmware image for the tests; `cargo xtask firmware` sets it.
 const IMAGE: &str = "BICA_IMAGE";
 
 fn main() {
     println!("cargo::rerun-if-changed=build.rs");
-    println!("cargo::rerun-if-env-changed={FOLDER}");
-    if let (Some(_), Ok(folder)) = (env::var_os("CARGO_FEATURE_MUJOCO"), env::var(FOLDER)) {
-        println!("cargo::rustc-link-arg=-Wl,-rpath,{folder}");
-    }
+    println!("cargo::rerun-if-changed=../../sim/rpath.rs");
+    rpath::set();
     println!("cargo::rustc-check-cfg=cfg(firmware_image)");
     println!("cargo::rerun-if-env-changed={IMAGE}");
     if env::var_os(IMAGE).is_some() {

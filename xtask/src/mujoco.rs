@@ -61,6 +61,9 @@ pub(crate) fn check() -> Result<(), String> {
         &[&["test", "-p", "bica-player-program", "--test", "program"], &feature[..], &["mujoco"]].concat(),
         &[],
     )?;
+    for (package, test) in [("bica-game", "replay"), ("jmanager", "sessions")] {
+        run("cargo", &[&["test", "-p", package, "--test", test], &feature[..], &["mujoco"]].concat(), &[])?;
+    }
     let program = [&["run", "--release"], &feature[..], &["--"]].concat();
     run("cargo", &[&program[..], &["trial", "--runs", "4"], &TRIALS[..]].concat(), &[])?;
     let games = ["play", "--world", "mujoco", "--games", "8", "--seconds", "180", "--at-least", "7"];

@@ -42,6 +42,12 @@ fn long_a_hundred_whole_games_replay_bit_for_bit() {
 
 #[cfg(feature = "mujoco")]
 #[test]
+fn games_in_mujoco_replay_bit_for_bit_from_stored_values_and_from_rules() {
+    replays_bit_for_bit(WorldKind::Mujoco, 30..32, 1.0);
+}
+
+#[cfg(feature = "mujoco")]
+#[test]
 #[ignore = "long: `cargo xtask long` runs it"]
 fn long_twenty_whole_games_in_mujoco_replay_bit_for_bit() {
     replays_bit_for_bit(WorldKind::Mujoco, 0..20, 60.0);

@@ -57,6 +57,22 @@ fn a_world_is_described_and_its_state_images_information_costs_and_truth_come() 
     assert_eq!((frame[0], frame.len()), (1, 32 + 160 * 120 * 2));
 }
 
+#[cfg(feature = "mujoco")]
+#[test]
+fn a_game_in_mujoco_is_shown_with_its_images() {
+    let folder = Folder::new();
+    let manager = Manager::new(folder.options());
+    let session = manager.open(Open::World { world: "mujoco".to_owned(), seed: 1, robots: 0 }).unwrap();
+    let page = Page::new(&manager);
+    page.message("described", |_| Some(()));
+    let watch = Watch { images: Some(WatchImages { max_hz: 30.0 }), truth: true, ..Watch::default() };
+    page.ask(Request::Watch { session, watch }).unwrap();
+    page.message("update", |update| (update["cycle"].as_u64()? > 20).then_some(()));
+    let truth = page.message("truth", |truth| Some(truth["truth"].clone()));
+    assert_eq!(truth["robot"].as_array().unwrap().len(), 3);
+    page.wait("an image", |got| matches!(got, Got::Binary(_)).then_some(()));
+}
+
 /// Opens the built-in world with one page, and waits until it runs.
 pub(crate) fn running(manager: &Manager) -> (Page<'_>, u32, Value) {
     let session = manager.open(built_in()).unwrap();
