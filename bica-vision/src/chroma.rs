@@ -8,6 +8,8 @@ use heapless::Vec;
 
 /// Pixel pairs tested together.
 pub(crate) const BLOCK: usize = 16;
+/// Result of [`Sieve::lets_through`] if the chroma of each pair is inside a box.
+pub(crate) const EVERY_PAIR: u64 = 0x1111_1111_1111_1111;
 
 /// Box of chroma between two corners (Cb, Cr), both included; empty if the first corner is above the second.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -151,7 +153,7 @@ mod wide_box {
 
     #[inline(always)]
     pub(super) const fn inside(_: &[WideBox], _: &[[u8; 4]; BLOCK]) -> u64 {
-        0x1111_1111_1111_1111
+        super::EVERY_PAIR
     }
 }
 

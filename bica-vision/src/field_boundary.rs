@@ -158,14 +158,14 @@ impl Column {
     fn scan(frame: &Frame<'_>, colours: &impl Classify, x: u16, highest: u16, tuning: &BoundaryTuning) -> Self {
         let longest = (tuning.max_gap * f32::from(frame.height() / 2)) as u16;
         let (mut best, mut best_row, mut sum, mut gap) = (0_u16, 0, 0_u16, 0);
-        let mut green_below = None;
+        let mut green_below = highest;
         for (row, pixel) in frame.column(x).upwards(highest) {
             let class = colours.classify(pixel);
             if class == Colour::Green {
                 (sum, gap) = (sum + 1, 0);
                 continue;
             }
-            green_below.get_or_insert(row);
+            green_below = green_below.max(row);
             if sum > best {
                 (best, best_row) = (sum, row + 2);
             }
@@ -186,6 +186,6 @@ impl Column {
         }
         let enough = tuning.min_green * f32::from(frame.height() / 2);
         let top = (f32::from(best) >= enough).then_some(f32::from(best_row));
-        Self { top, green_below: green_below.unwrap_or(highest) }
+        Self { top, green_below }
     }
 }

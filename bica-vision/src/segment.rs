@@ -10,6 +10,9 @@ use crate::chroma::{self, BLOCK, Sieve};
 use crate::colour::{Classify, Colour, ColourSet};
 use crate::frame::{Frame, MAX_HEIGHT, Pair};
 
+/// Number of blocks of pixel pairs that are expected to be like the one before them.
+const TRUSTED: u8 = 15;
+
 /// Run of pixels of one class in one row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Run {
@@ -168,12 +171,13 @@ impl<'a, C: Classify> Seek<'a, C> {
     fn row(&self, frame: &Frame<'_>, row: u16, most: usize, mut found: impl FnMut(Run)) -> bool {
         let mut open = Open { row, start: 0, colour: Colour::None, count: 0 };
         let (blocks, rest) = chroma::blocks(frame.row(row));
-        let mut x = 0;
+        let (mut x, mut trusted) = (0, 0);
         for block in blocks {
             if self.sieve.holds_back(block) {
+                trusted = 0;
                 open.meet(Colour::None, x, &mut found);
             } else {
-                open.meet_all(self.classes(block), x, &mut found);
+                open.meet_all(self.classes(block, &mut trusted), x, &mut found);
             }
             x += 2 * BLOCK as u16;
             if open.count > most {
@@ -199,10 +203,18 @@ impl<'a, C: Classify> Seek<'a, C> {
         if self.selected.has(class) { class } else { Colour::None }
     }
 
-    /// Classes of a block, four bits for each pair, the first pair in the lowest bits.
+    /// Classes of a block, four bits for each pair, the first pair in the lowest bits. Blocks whose chroma is inside a box
+    /// follow one another: after one the next `trusted` ones are classified without looking.
     #[inline(always)]
-    fn classes(&self, block: &[[u8; 4]; BLOCK]) -> u64 {
-        let (mut left, mut classes) = (self.sieve.lets_through(block), 0);
+    fn classes(&self, block: &[[u8; 4]; BLOCK], trusted: &mut u8) -> u64 {
+        let is_trusted = *trusted != 0;
+        let mut left = if is_trusted { chroma::EVERY_PAIR } else { self.sieve.lets_through(block) };
+        if left == chroma::EVERY_PAIR {
+            *trusted = if is_trusted { *trusted - 1 } else { TRUSTED };
+            let place = |(at, pair): (usize, &[u8; 4])| (self.class(*pair) as u64) << (4 * at);
+            return block.iter().enumerate().map(place).fold(0, |all, one| all | one);
+        }
+        let mut classes = 0;
         while left != 0 {
             let place = left.trailing_zeros();
             classes |= (self.class(block[place as usize / 4]) as u64) << place;

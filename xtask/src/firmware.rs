@@ -28,9 +28,7 @@ pub(crate) fn check(options: &Firmware) -> Result<(), String> {
     if options.build {
         return Ok(());
     }
-    if !works("qemu-system-arm", &["--version"]) {
-        packages(&["qemu-system-arm"])?;
-    }
+    install_emulator()?;
     if options.fuzz {
         return fuzz();
     }
@@ -56,6 +54,19 @@ pub(crate) fn check(options: &Firmware) -> Result<(), String> {
     test_program()?;
     // Larger camera images take longer: `--games` plays ten with them too.
     play(IMAGE, "160x120", 10).and_then(|()| play(MEDIUM_IMAGE, "320x240", 3))
+}
+
+fn install_emulator() -> Result<(), String> {
+    if works("qemu-system-arm", &["--version"]) { Ok(()) } else { packages(&["qemu-system-arm"]) }
+}
+
+/// Builds the images for QEMU, and installs it.
+///
+/// # Errors
+/// If an installation or a build fails.
+pub(crate) fn prepare() -> Result<(), String> {
+    build(&Toolchain::get()?)?;
+    install_emulator()
 }
 
 fn self_test(image: &str, figures: &str, more: &[&str]) -> Result<(), String> {

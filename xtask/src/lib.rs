@@ -63,7 +63,10 @@ fn perform(task: &Task) -> Result<(), String> {
         Task::Vendor(options) => vendor::vendor(options.check),
         Task::Browser(options) => browser::test(options.figures),
         Task::Deny => deny::check(),
-        Task::Long => slow_tests::run_long(ci::with_mujoco(&["bica-game/mujoco"])),
+        Task::Long => {
+            firmware::prepare()?;
+            slow_tests::run_long(ci::with_mujoco(&["bica-game/mujoco"]))
+        }
         Task::Ci => ci::check(),
     }
 }

@@ -100,8 +100,9 @@ pub(crate) enum Task {
     /// Run the tests that take minutes, which CI leaves out
     ///
     /// In a release build: a hundred games of the built-in world and twenty of MuJoCo (if it can be installed) that are recorded and
-    /// replayed, a thousand flipped bits in a recording, and fifty kills of a recording program, for which the machine should be
-    /// otherwise idle. Takes about half an hour.
+    /// replayed, five of the firmware over a damaged link, a thousand flipped bits in a recording, and fifty kills of a recording
+    /// program, for which the machine should be otherwise idle. First builds the firmware and installs QEMU. Takes about half an
+    /// hour.
     Long,
     /// Check everything that CI checks, in the same order
     ///
