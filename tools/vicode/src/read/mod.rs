@@ -54,8 +54,10 @@ pub(crate) fn parse(text: &str) -> Option<Root> {
         return None;
     }
     let parse = SourceFile::parse(text, Edition::Edition2024);
+    // The parser places an error of a string's content within a character if it is not ASCII.
+    let whole = |Span { start, end }| Span::new(text.floor_char_boundary(start), text.ceil_char_boundary(end));
     let problem = |error: &ra_ap_syntax::SyntaxError| Problem {
-        span: span(error.range()),
+        span: whole(span(error.range())),
         message: error.to_string(),
         from: Reporter::Syntax,
     };

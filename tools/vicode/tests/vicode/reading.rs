@@ -95,3 +95,16 @@ fn parameters_and_trees_are_checked_too() {
     let found: Vec<_> = read(text).problems.into_iter().map(|one| one.span.of(text).to_owned()).collect();
     assert_eq!(found, ["P", "rnge", "x", "0", "A"]);
 }
+
+/// The parser places errors of byte strings within characters; found by fuzzing.
+#[test]
+fn problems_begin_and_end_between_characters() {
+    for text in ["fn a() { b\"~ݝ\rb\"; }", "b\"é\"", "fn a() { b'ݝ'; c\"\\u{110000}ݝ\" }", "\u{feff}b\"~ݝ\r\n"] {
+        let model = read(text);
+        assert!(!model.problems.is_empty(), "{text}");
+        for problem in &model.problems {
+            let (start, end) = (problem.span.start, problem.span.end);
+            assert!(text.is_char_boundary(start) && text.is_char_boundary(end), "{text}: {problem:?}");
+        }
+    }
+}
