@@ -1,12 +1,13 @@
 //! Quality of self-localization: the robot starts at a random pose and looks around for ten seconds.
 //!
-//! `cargo run --release -p bica-evaluation --example localize -- --games 100 [--robots 4] [--seed 0] [--kidnap 1]` prints
-//! the failures and the statistics. With `--kidnap 1` the robot is moved to another pose after the ten seconds, and the
+//! `cargo run --release -p bica-evaluation --example localize -- --games 100 [--robots 4] [--seed 0] [--kidnap 1]
+//! [--width 160]` prints the failures and the statistics. The width is that of the images, px: 160, 320 or 640. With `--kidnap 1` the robot is moved to another pose after the ten seconds, and the
 //! estimate is judged ten seconds later.
 
 #[path = "../tests/support/lookout.rs"]
 mod lookout;
 
+use bica_sim::setup::Frame;
 use lookout::Lookout;
 
 fn main() {
@@ -16,8 +17,10 @@ fn main() {
         at.and_then(|at| words.get(at + 1)?.parse().ok()).unwrap_or(default)
     };
     let (games, robots, first) = (number("--games", 100), number("--robots", 0) as usize, number("--seed", 0));
+    let width = number("--width", 320) as usize;
+    let size = Frame::of_size(width, width * 3 / 4).expect("a width of 160, 320 or 640");
     let play = |seed| {
-        let mut lookout = Lookout::new(seed, robots);
+        let mut lookout = Lookout::new(seed, robots, size);
         let outcome = lookout.look_around(10.0);
         if number("--kidnap", 0) == 0 {
             return outcome;

@@ -13,7 +13,7 @@ use bica_player::motion::Body;
 use bica_player::perception::{GoalDetector, Localization};
 use bica_sim::World;
 use bica_sim::kinematic::KinematicWorld;
-use bica_sim::setup::{Setup, Start};
+use bica_sim::setup::{Frame, Setup, Start};
 use bica_vision::localization::Estimate;
 use glam::Vec2;
 
@@ -47,6 +47,7 @@ impl bica::runner::World<Forward> for Stage {
 pub(crate) struct Lookout {
     runner: Runner<Box<Forward>, Stage>,
     seed: u64,
+    size: Frame,
 }
 
 /// Result of looking around.
@@ -80,7 +81,7 @@ fn error(pose: Option<Pose2>, truth: Pose2) -> (f32, f32) {
     pose.map_or((f32::INFINITY, f32::INFINITY), off)
 }
 
-fn setup(seed: u64, robots: usize) -> Setup {
+fn setup(seed: u64, robots: usize, size: Frame) -> Setup {
     let mut state = seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) ^ 0x51_7C_C1_B7;
     let mut draw = |most: f32| {
         state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
@@ -88,26 +89,26 @@ fn setup(seed: u64, robots: usize) -> Setup {
     };
     let robot = Pose2::new(draw(2.7), draw(1.8), draw(core::f32::consts::PI));
     let ball = Vec2::new(-0.5_f32.copysign(robot.position.x) - 0.3 * robot.position.x, draw(1.5));
-    Setup { seed, robots, start: Some(Start { robot, ball }), ..Setup::default() }
+    Setup { seed, robots, frame: size, start: Some(Start { robot, ball }), ..Setup::default() }
 }
 
 impl Lookout {
-    /// A robot at a pose drawn from the seed, with this number of others on the field.
-    pub(crate) fn new(seed: u64, robots: usize) -> Self {
-        let world = KinematicWorld::new(&setup(seed, robots)).expect("a start on the carpet");
+    /// A robot at a pose drawn from the seed, with this number of others on the field and images of this size.
+    pub(crate) fn new(seed: u64, robots: usize, size: Frame) -> Self {
+        let world = KinematicWorld::new(&setup(seed, robots, size)).expect("a start on the carpet");
         let mut robot = Box::new(Forward::new());
         robot.hold::<Player>(Hold::Latent);
         robot.hold::<LookAround>(Hold::Active);
         robot.hold::<Body>(Hold::Active);
         robot.get_mut::<GoalDetector>().attack(world.referee().attacks());
-        Self { runner: Runner::new(robot, Stage { world, cycle: 0 }), seed }
+        Self { runner: Runner::new(robot, Stage { world, cycle: 0 }), seed, size }
     }
 
     /// Moves the robot to the pose of another seed without notice.
     pub(crate) fn kidnap(&mut self, seed: u64, robots: usize) {
         let mine = self.runner.world().world.referee().attacks();
-        let others = (seed..).map(|seed| KinematicWorld::new(&setup(seed, robots)).expect("a start on the carpet"));
-        let world = others.into_iter().find(|world| world.referee().attacks() == mine).expect("half of all");
+        let other = |seed| KinematicWorld::new(&setup(seed, robots, self.size)).expect("a start on the carpet");
+        let world = (seed..).map(other).find(|world| world.referee().attacks() == mine).expect("half of all");
         self.runner.world_mut().world = world;
     }
 
