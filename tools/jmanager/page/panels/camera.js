@@ -74,9 +74,10 @@ export function Camera({ visible }) {
     hidden.value = next;
   };
   const one = frozen.value ?? shown.image.value;
+  const which = one?.bottom ? 'bottom' : 'top';
   const toggles = () => overlays.map(({ component }, index) => html`<${Toggle} on=${!hidden.value.has(component)} label=${component} colour=${overlayColour(index)} title=${`Findings of ${component}`} onChange=${() => toggle(component)} />`);
   return html`<${Bar} label="Camera">
-      <span class="dim">${one ? `${one.bottom ? 'bottom' : 'top'} · image ${one.number} · ${one.width}×${one.height} · ${time(one.time_us)}` : 'no image yet'}</span>
+      <span class="dim place" title=${one && `camera ${which}, image ${one.number}, ${one.width}×${one.height} px, at ${time(one.time_us)}`}>${one ? `${which} ${one.number} · ${time(one.time_us)}` : 'no image yet'}</span>
       <span class="grow"></span>
       <span class="overlays many">${toggles()}</span><span class="overlays few"><${Menu} label="Findings" title="Findings of components">${toggles()}<//></span>
       <select aria-label="Which camera" onChange=${(event) => { only.value = event.target.value; }}>${['both', 'top', 'bottom'].map((name) => html`<option selected=${only.value === name}>${name}</option>`)}</select>
