@@ -1,9 +1,8 @@
 //! Wall-clock time and processor time of other programs.
 
 use std::fs;
+use std::process::Command;
 use std::time::{Duration, Instant};
-
-use crate::process::output;
 
 /// Times of a measured piece of work.
 #[derive(Clone, Copy, Debug)]
@@ -34,6 +33,7 @@ fn busy() -> Result<Duration, String> {
     let fields: Vec<&str> = rest.split_whitespace().skip(13).take(2).collect();
     let [user, system] = fields[..] else { return Err(wrong()) };
     let ticks = |field: &str| field.parse::<u64>().map_err(|_| wrong());
-    let per_second: u64 = output("getconf", &["CLK_TCK"], &[])?.trim().parse().map_err(|_| wrong())?;
+    let per_second = Command::new("getconf").arg("CLK_TCK").output().map_err(|_| wrong())?.stdout;
+    let per_second: u64 = String::from_utf8_lossy(&per_second).trim().parse().map_err(|_| wrong())?;
     Ok(Duration::from_millis(1000 * (ticks(user)? + ticks(system)?) / per_second.max(1)))
 }
