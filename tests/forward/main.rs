@@ -2,8 +2,6 @@
 
 mod by_hand;
 mod game;
-mod latent;
-mod lazy;
 mod motor_load;
 mod no_heap;
 mod out;

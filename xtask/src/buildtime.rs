@@ -25,7 +25,7 @@ const COMPONENT: &str = "player/src/behaviour/face_ball.rs";
 /// Text in that file before which a statement is inserted.
 const INSERTION_POINT: &str = "head.look_at(";
 /// Test of that component.
-const TEST: [&str; 7] = ["test", "--quiet", "--package", "bica-tests", "--test", "forward", "face_ball_runs"];
+const TEST: [&str; 7] = ["test", "--quiet", "--package", "bica-tests", "--test", "activation", "face_ball_runs"];
 /// Number of changes; the minimum time counts.
 const CHANGES: u32 = 5;
 
