@@ -88,9 +88,10 @@ async fn a_robot_is_kept_and_opened_and_cannot_be_run_again() {
     page.find("textbox", "Name of the recording", "This session").await.set("sent").await;
     page.click("button", "Keep recording", "This session").await;
     page.click("button", "sent", "Recordings").await;
+    // The note comes when the file is read; it moves the buttons down.
+    page.reads("a monitor recorded what the robot sent").await;
     page.find("button", "Play", "Replay").await.click().await;
     page.find("button", "Time: playing", "").await;
-    page.reads("a monitor recorded what the robot sent").await;
     assert!(!page.text().await.contains("Run again"));
     page.click("button", "To the end", "Replay").await;
     page.find("button", "FaceBall", "Activation tree").await;
