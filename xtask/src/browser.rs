@@ -2,7 +2,8 @@
 
 use crate::process::{run, works};
 
-const MANIFEST: [&str; 3] = ["--manifest-path", "tools/jmanager/tests/browser/Cargo.toml", "--locked"];
+/// The workspace of these tests.
+pub(crate) const MANIFEST: [&str; 3] = ["--manifest-path", "tools/jmanager/tests/browser/Cargo.toml", "--locked"];
 
 /// Builds JManager and tests its page.
 ///

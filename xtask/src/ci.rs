@@ -9,7 +9,7 @@ use crate::{browser, deny, firmware, instructions, miri, mujoco, no_std, peers, 
 type Step = (&'static str, fn() -> Result<(), String>);
 
 const STEPS: [Step; 15] = [
-    ("format", || run("cargo", &["fmt", "--all", "--check"], &[])),
+    ("format", format),
     ("lints", || run("cargo", &["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"], &[])),
     ("docs", || run("cargo", &["doc", "--workspace", "--no-deps"], &[("RUSTDOCFLAGS", "-D warnings")])),
     ("tests", tests),
@@ -26,6 +26,12 @@ const STEPS: [Step; 15] = [
     // After the firmware, whose image one of the stories plays.
     ("browser", || browser::test(false)),
 ];
+
+/// Checks the format of all workspaces but that of `peers`, which its own step checks.
+fn format() -> Result<(), String> {
+    run("cargo", &["fmt", "--all", "--check"], &[])?;
+    run("cargo", &["fmt", "--all", "--check", browser::MANIFEST[0], browser::MANIFEST[1]], &[])
+}
 
 /// Runs all tests but those that need what a clone does not have, or an idle machine.
 fn tests() -> Result<(), String> {

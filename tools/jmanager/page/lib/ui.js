@@ -59,9 +59,10 @@ export function Spark({ information, path, pick, span = 10e6 }) {
 export function Menu({ label, title, children, onOpen }) {
   const button = useRef(null);
   const items = useRef(null);
+  // `toggle` comes some time after the menu is shown: what a person has typed by then must stay.
+  const opens = (event) => { if (event.newState === 'open') onOpen?.(); };
   const toggled = (event) => {
     if (event.newState !== 'open') return;
-    onOpen?.();
     const { left, right, bottom } = button.current.getBoundingClientRect();
     const { offsetWidth, offsetHeight, style } = items.current;
     style.left = `${Math.max(4, left + offsetWidth > innerWidth - 4 ? right - offsetWidth : left)}px`;
@@ -71,7 +72,7 @@ export function Menu({ label, title, children, onOpen }) {
     if (event.target.closest('button.item')) items.current.hidePopover();
   };
   return html`<button ref=${button} aria-label=${title} aria-haspopup="menu" title=${title} onClick=${() => items.current.togglePopover()}>${label}</button>
-    <div class="menu" popover="auto" role="group" aria-label=${title} ref=${items} onToggle=${toggled} onClick=${done}>${children}</div>`;
+    <div class="menu" popover="auto" role="group" aria-label=${title} ref=${items} onBeforeToggle=${opens} onToggle=${toggled} onClick=${done}>${children}</div>`;
 }
 
 /** Writes a file that the browser saves. */

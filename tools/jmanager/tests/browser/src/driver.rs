@@ -1,7 +1,12 @@
 //! Chromium's WebDriver.
 
-use std::io::{BufRead, BufReader};
+use std::io::{BufRead, BufReader, Read, Write};
+use std::net::TcpStream;
 use std::process::{Child, Command, Stdio};
+use std::time::{Duration, Instant};
+
+/// Longest time in which it ends its browsers.
+const END: Duration = Duration::from_secs(5);
 
 /// A driver that ends with its browsers when this is dropped.
 pub(crate) struct Driver {
@@ -28,8 +33,25 @@ impl Driver {
     }
 }
 
+impl Driver {
+    /// Asks it to end its browsers and then itself. Killed, it would leave them behind.
+    fn shut_down(&self) -> std::io::Result<()> {
+        let address = self.url.trim_start_matches("http://");
+        let mut stream = TcpStream::connect(address)?;
+        stream.set_read_timeout(Some(END))?;
+        write!(stream, "GET /shutdown HTTP/1.1\r\nHost: {address}\r\nConnection: close\r\n\r\n")?;
+        stream.read_to_end(&mut Vec::new()).map(drop)
+    }
+}
+
 impl Drop for Driver {
     fn drop(&mut self) {
+        if self.shut_down().is_ok() {
+            let begin = Instant::now();
+            while begin.elapsed() < END && matches!(self.child.try_wait(), Ok(None)) {
+                std::thread::sleep(Duration::from_millis(10));
+            }
+        }
         let _ = self.child.kill();
         let _ = self.child.wait();
     }

@@ -63,7 +63,8 @@ async fn a_link_leads_to_a_moment() {
     .await;
     page.run("location.hash = '#t=1.000&layout=overview'", vec![]).await;
     // A busy server leaves cycles out: the last one before the moment is shown.
-    let shown = "const at = Number.parseFloat(document.querySelector('.clock b').textContent); return at > 0.5 && at <= 1";
+    let shown =
+        "const at = Number.parseFloat(document.querySelector('.clock b').textContent); return at > 0.5 && at <= 1";
     page.until("the moment is shown", shown).await;
     page.close().await;
 }
