@@ -130,10 +130,11 @@ export class Session {
     return known;
   }
 
-  /** Replaces the lines by those that the server knows; what came since then stays. */
+  /** Adds the lines that the server knows to those that came since it was asked; a line that is in both is there once. */
   setLines(lines) {
-    const last = lines.at(-1)?.time_us ?? -1;
-    this.lines = [...lines, ...this.lines.filter((line) => line.time_us > last)];
+    const key = ({ time_us, kind, component, text }) => JSON.stringify([time_us, kind, component, text]);
+    const known = new Set(lines.map(key));
+    this.lines = [...lines, ...this.lines.filter((line) => !known.has(key(line)))].sort((a, b) => a.time_us - b.time_us);
     this.linesVersion.value += 1;
   }
 

@@ -229,12 +229,10 @@ export const cycle_us = computed(() => 1e6 / (session.value?.description.value?.
 
 // ---- messages
 
-/** Reads the log of the time before this page was opened. */
+/** Reads the log of the time before this page was opened: all of it, as this page knows only later how far it goes. */
 async function readLines(of) {
-  const { from_us, until_us } = of.info.value;
   try {
-    const lines = await request('lines', { session: of.id, from_us, until_us: until_us + 1, limit: 2000 });
-    of.setLines(lines);
+    of.setLines(await request('lines', { session: of.id, from_us: 0, until_us: Number.MAX_SAFE_INTEGER, limit: 2000 }));
   } catch {
     // New lines come anyhow.
   }

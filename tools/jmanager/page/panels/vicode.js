@@ -13,7 +13,7 @@ import { Conflict } from '../vicode/conflict.js';
 import { Footer, Tools } from '../vicode/frame.js';
 import { writeLive } from '../vicode/live.js';
 import { marked } from '../vicode/problems.js';
-import { component, list, machine, opened, openedFile, positions, selection } from '../vicode/sources.js';
+import { component, forget, list, machine, opened, openedFile, positions, selection } from '../vicode/sources.js';
 import { place, stopKeys } from '../vicode/stops.js';
 
 const { view } = stage;
@@ -38,6 +38,8 @@ export function Designer({ visible, retitle }) {
 function Canvas({ machine: own, search, visible }) {
   const svg = useRef(null);
   const layer = useRef(null);
+  /** Whether the focus is moved by the page, and not by a person. */
+  const follows = useRef(false);
   // Drawn from the machine and the places; kept while only the selection changes.
   useMemo(() => stage.take(own, positions.value), [own, positions.value]);
   const chosen = new Set(selection.value);
@@ -75,8 +77,14 @@ function Canvas({ machine: own, search, visible }) {
   useEffect(() => {
     const active = document.activeElement;
     const key = selection.value.at(-1);
-    if (key && svg.current.contains(active) && !chosen.has(active.dataset.key)) stage.elements.get(key)?.focus({ preventScroll: true });
+    if (!key || !svg.current.contains(active) || chosen.has(active.dataset.key)) return;
+    follows.current = true;
+    stage.elements.get(key)?.focus({ preventScroll: true });
+    follows.current = false;
   }, [selection.value]);
+  const focused = (event) => {
+    if (event.target.dataset.key && !follows.current) forget();
+  };
   useEffect(() => effect(() => visible.value && writeLive()), []);
   useEffect(() => effect(() => {
     for (const [key, element] of stage.elements) element.classList.toggle('target', key === `s:${target.value}`);
@@ -85,7 +93,7 @@ function Canvas({ machine: own, search, visible }) {
   useEffect(() => (visible.value && index >= 0 ? watch({ conditions: own.arrows.length > 0 ? [index] : [] }) : undefined), [visible.value, index, session.value?.id]);
 
   return html`<div class="machine-canvas fill">
-    <svg class=${`machine ${own.arrows.length > MANY && selection.value.length > 0 ? 'many' : ''}`} ref=${svg} tabindex="0" role="group" aria-label=${`States of ${own.name}`} onPointerDown=${press} onDblClick=${doubleClick}>
+    <svg class=${`machine ${own.arrows.length > MANY && selection.value.length > 0 ? 'many' : ''}`} ref=${svg} tabindex="0" role="group" aria-label=${`States of ${own.name}`} onPointerDown=${press} onDblClick=${doubleClick} onFocusIn=${focused}>
       <${Tips} /><rect class="grid" width="100%" height="100%" fill="url(#grid)" />
       <g ref=${layer} data-layer="1"><${Drawn} ...${{ machine: own, chosen, found, stops: stopKeys.value }} /><${Sketch} /></g>
     </svg>

@@ -113,6 +113,7 @@ effect(() => {
 
 /** Selects; what does not exist is left out. */
 export function choose(keys, add = false) {
+  forget();
   const wished = add ? [...selection.value.filter((key) => !keys.includes(key)), ...keys] : keys;
   const next = wished.filter((key) => machine.value?.byKey.has(key));
   if (next.join() !== selection.value.join()) selection.value = next;
@@ -121,6 +122,8 @@ export function choose(keys, add = false) {
 let wished = null;
 /** Selects as soon as it exists: what an edit is about to make. */
 export const wish = (keys) => { wished = keys; };
+/** Selects nothing later: what the person has turned to meanwhile stays selected. */
+export const forget = () => { wished = null; };
 
 export const chosenStates = () => selection.value.map(parsed).filter(({ kind }) => kind === 'state').map(({ name }) => name);
 

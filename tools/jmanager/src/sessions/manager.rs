@@ -14,7 +14,7 @@ use super::registry::Registry;
 use super::session::Session;
 use super::value::unknown;
 use super::{colours, recorded, storage, tune};
-use crate::protocol::{Failed, FromPage, LogKind, Open, Request, SessionId, SessionKind, ToPage, VERSION};
+use crate::protocol::{Failed, FromPage, Open, Request, SessionId, SessionKind, ToPage, VERSION};
 use crate::source::{Editor, Host};
 
 /// Longest note, characters.
@@ -153,10 +153,11 @@ impl Manager {
                 if text.chars().count() > MAX_NOTE {
                     return Err(Failed::new("the note is too long", format!("write at most {MAX_NOTE} characters")));
                 }
-                if let Some(pacer) = &session.pacer {
-                    pacer.note(&text);
+                if session.command(live::Command::Note { page, id, text: text.clone() }).is_ok() {
+                    return Ok(None);
                 }
-                session.log(2, LogKind::Note, text);
+                // A recording has no thread.
+                session.note(&text);
                 Ok(Some(Value::Null))
             }
             Request::Pause { .. } | Request::Resume { .. } | Request::Step { .. } => {

@@ -283,6 +283,14 @@ impl Session {
         self.add_line(LogLine { time_us, level, kind, text: text.into(), component: None });
     }
 
+    /// Adds a note of a person to the log and to the recording.
+    pub(super) fn note(&self, text: &str) {
+        if let Some(pacer) = &self.pacer {
+            pacer.note(text);
+        }
+        self.log(2, LogKind::Note, text);
+    }
+
     pub(super) fn add_line(&self, line: LogLine) {
         self.shared().history.add_line(line.clone());
         self.record_robot(|recorder| recorder.line(&line));

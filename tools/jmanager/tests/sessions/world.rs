@@ -166,6 +166,23 @@ fn a_world_is_paused_stepped_and_begun_again() {
 }
 
 #[test]
+fn a_note_after_the_request_to_begin_again_is_in_the_log_and_the_recording_of_the_new_game() {
+    let folder = Folder::new();
+    let manager = Manager::new(folder.options());
+    let (page, session, _) = running(&manager);
+    page.send(Request::Restart { session, seed: Some(5) });
+    page.ask(Request::Note { session, text: "ball moved by hand".to_owned() }).unwrap();
+    let until = page.message("update", |update| (update["cycle"].as_u64()? > 30).then(|| update["time_us"].as_u64()));
+    let lines = page.ask(Request::Lines { session, from_us: 0, until_us: u64::MAX, limit: 1000 }).unwrap();
+    let is_note = |line: &Value| line["kind"] == "note" && line["text"] == "ball moved by hand";
+    assert!(lines.as_array().unwrap().iter().any(is_note), "{lines}");
+    page.message("update", |update| (update["time_us"].as_u64() > until).then_some(()));
+    let path = page.ask(Request::KeepRecording { session, name: "new".to_owned() }).unwrap()["path"].clone();
+    let file = std::fs::read(path.as_str().unwrap()).unwrap();
+    assert!(file.windows(18).any(|bytes| bytes == b"ball moved by hand"), "the recording has no note");
+}
+
+#[test]
 fn a_paused_world_is_operated() {
     let folder = Folder::new();
     let manager = Manager::new(folder.options());

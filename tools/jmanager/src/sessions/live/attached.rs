@@ -149,6 +149,10 @@ impl<'a> Attached<'a> {
                     return Ok(Some(Exit::Restart(seed)));
                 }
                 Ok(Command::Operate { page, id, request }) => self.operate(page, id, request)?,
+                Ok(Command::Note { page, id, text }) => {
+                    self.session.note(&text);
+                    self.session.pages.answer(page, id, Ok(Value::Null));
+                }
                 Ok(Command::Watch) => self.watch()?,
                 Ok(Command::Left(page)) => {
                     self.left(page)?;

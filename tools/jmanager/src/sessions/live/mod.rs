@@ -32,6 +32,8 @@ const RETRY: Duration = Duration::from_millis(300);
 pub(super) enum Command {
     /// A request of a page.
     Operate { page: PageId, id: u32, request: Request },
+    /// A person notes something: after what was asked before, such as the begin of another game.
+    Note { page: PageId, id: u32, text: String },
     /// What pages watch has changed.
     Watch,
     /// A page has gone.
@@ -201,6 +203,10 @@ fn idle(session: &Session, inbox: &Inbox, time: Option<Duration>) -> Exit {
                 return Exit::Restart(seed);
             }
             Ok(Command::Operate { page, id, .. }) => session.pages.answer(page, id, Err(not_connected())),
+            Ok(Command::Note { page, id, text }) => {
+                session.note(&text);
+                session.pages.answer(page, id, Ok(serde_json::Value::Null));
+            }
             Ok(Command::Watch | Command::Left(_)) => {}
             Ok(Command::Close) | Err(RecvTimeoutError::Disconnected) => return Exit::Close,
             Err(RecvTimeoutError::Timeout) => return Exit::Retry,

@@ -87,6 +87,8 @@ async fn hold_active(page: &Page) {
     page.click("tab", "Activation tree", "").await;
     page.click("button", "Patrol", "Activation tree").await;
     page.click("radio", "active", "By hand").await;
+    let held = "return document.querySelector('[aria-label=Patrol][role=button]').getAttribute('aria-description').includes('held active')";
+    page.until("the drawn component is held active", held).await;
 }
 
 #[tokio::test]
