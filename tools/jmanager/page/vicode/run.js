@@ -1,6 +1,6 @@
 // Build and run: the button, the progress, and what came of it.
 
-import { html, signal, useSignal } from '../lib/dom.js';
+import { effect, html, signal, useSignal } from '../lib/dom.js';
 import { listen } from '../lib/connection.js';
 import { hello, notify, sessions, show } from '../lib/store.js';
 import { Menu } from '../lib/ui.js';
@@ -9,20 +9,24 @@ import { check } from './problems.js';
 
 /** The last message about the program: {state, done, total, text, session, messages}; null before the first. */
 export const build = signal(null);
+/** Session of the program that was just started, until the page knows and shows it; null otherwise. */
+const awaited = signal(null);
 
 listen((message) => {
   if (message?.type !== 'build') return;
   const before = build.value;
   build.value = message;
   if (message.messages.length > 0) check.value = { state: 'done', seconds: check.value?.seconds ?? 0, messages: message.messages };
-  if (message.state === 'running' && before?.state !== 'running' && message.session !== null) showWhenKnown(message.session, 20);
+  if (message.state === 'running' && before?.state !== 'running' && message.session !== null) awaited.value = message.session;
   if (message.state === 'failed' && before?.state !== 'failed') notify('error', 'the program was not built or did not start', message.session === null ? message.text : 'the last one that worked goes on');
 });
 
-function showWhenKnown(session, tries) {
-  if (sessions.value.has(session)) show(session);
-  else if (tries > 0) setTimeout(() => showWhenKnown(session, tries - 1), 150);
-}
+effect(() => {
+  const id = awaited.value;
+  if (id === null || !sessions.value.has(id)) return;
+  awaited.value = null;
+  show(id);
+});
 
 const BUSY = new Set(['building', 'starting']);
 const TITLES = { building: 'building', starting: 'starting', running: 'runs', failed: 'failed', ended: 'ended' };

@@ -69,13 +69,15 @@ async fn child(page: &Page, state: &str, component: &str, link: &str, module: &s
     page.click("button", "Add child", "").await;
 }
 
-/// Builds and runs; waits until the new program is shown.
+/// Builds and runs; waits until the new program is connected and shown. The name of a session is followed by its connection while
+/// that is lost, as that of the program before is until the new one is known.
 async fn run(page: &Page, button: &str, not: &str) -> String {
     page.click("button", button, "Program").await;
     let shown = format!(
-        "const chosen = document.querySelector('.session.chosen')?.textContent ?? ''; \
-         if (document.querySelector('.chip.run.failed')) return 'failed'; \
-         return chosen.includes('tcp://') && chosen !== {not:?} && document.querySelector('.chip.run.running') ? chosen : null"
+        "if (document.querySelector('.chip.run.failed')) return 'failed'; \
+         if (!document.querySelector('.chip.run.running')) return null; \
+         const name = document.querySelector('.session.chosen .connected')?.parentElement.textContent ?? ''; \
+         return name.includes('tcp://') && name !== {not:?} ? name : null"
     );
     let chosen = page.until_within("the program runs", &shown, BUILD).await;
     assert_ne!(chosen, "failed", "the build failed: {}", page.text().await);
