@@ -23,7 +23,8 @@
 //!
 //! - **States** ([`states`]): all trees with the same rates at once, as the graph of the states in which they can be. It covers
 //!   every tree of up to four components with all rates, in sequences of any length; with all holds, every tree of up to three
-//!   components; and with holds of one component at a time, every tree of four components that run in every cycle.
+//!   components, and every tree of four components that run in every cycle; and with holds of one component at a time, every tree
+//!   of four components of which one does not run in every cycle.
 //! - **Families** ([`families`]): each tree by itself, with constant links and the indices of its states, of which the first exploration
 //!   abstracts. A [`Family`](families::Family) describes a part of the product, which is explored completely.
 //!
@@ -121,6 +122,14 @@ fn slow_every_tree_of_four_components_with_all_rates() {
 
 #[test]
 #[ignore = "long: `cargo xtask long` runs it"]
-fn long_every_tree_of_four_components_of_which_one_is_held() {
-    explore(COMPONENTS, &[[Rate::Every; COMPONENTS]], &[true], 1);
+fn long_every_tree_of_four_components_of_which_one_is_slow_and_one_is_held() {
+    let mut rates = all_rates(COMPONENTS, &[Rate::Every, Rate::Half, Rate::Third]);
+    rates.retain(|rates| rates.iter().filter(|rate| **rate != Rate::Every).count() == 1);
+    explore(COMPONENTS, &rates, &[true], 1);
+}
+
+#[test]
+#[ignore = "long: `cargo xtask long` runs it"]
+fn long_every_tree_of_four_components_with_all_holds() {
+    explore(COMPONENTS, &[[Rate::Every; COMPONENTS]], &[true], COMPONENTS);
 }
