@@ -1,8 +1,7 @@
 //! Execution of other programs.
 
-use std::io::{BufRead, BufReader};
 use std::path::{Path, PathBuf};
-use std::process::{Command, ExitStatus, Stdio};
+use std::process::{Command, Stdio};
 
 /// Folder of the workspace.
 pub(crate) fn root() -> PathBuf {
@@ -62,30 +61,4 @@ pub(crate) fn output(program: &str, arguments: &[&str], variables: &[(&str, &str
         return Err(format!("`{line}` failed: {}", done.status));
     }
     String::from_utf8(done.stdout).map_err(|_| format!("the output of `{line}` is not UTF-8"))
-}
-
-/// Prints the command line of a program, runs it in the workspace's folder, prints its standard output as it comes, and returns the
-/// status, that output and the command line.
-///
-/// # Errors
-/// If the program cannot be started; the message contains the command line.
-pub(crate) fn echo(
-    program: &str,
-    arguments: &[&str],
-    variables: &[(&str, &str)],
-) -> Result<(ExitStatus, String, String), String> {
-    let line = format!("{program} {}", arguments.join(" "));
-    eprintln!("xtask: {line}");
-    let start = |error| format!("cannot start `{line}`: {error}");
-    let mut command = Command::new(program);
-    command.args(arguments).envs(variables.iter().copied()).current_dir(root()).stdout(Stdio::piped());
-    let mut child = command.spawn().map_err(start)?;
-    let mut log = String::new();
-    for line in child.stdout.take().into_iter().flat_map(|out| BufReader::new(out).lines()).map_while(Result::ok) {
-        println!("{line}");
-        log.push_str(&line);
-        log.push('\n');
-    }
-    let status = child.wait().map_err(start)?;
-    Ok((status, log, line))
 }

@@ -5,11 +5,13 @@
 
 use std::collections::BTreeSet;
 use std::fs;
+use std::io::{BufRead, BufReader};
 use std::num::NonZero;
 use std::path::Path;
+use std::process::{Command, Stdio};
 use std::thread::available_parallelism;
 
-use crate::process::{echo, output, root};
+use crate::process::{output, root};
 
 /// Kind of tests.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -89,10 +91,21 @@ fn test(kind: Kind, options: &[String], variables: &[(&str, &str)]) -> Result<St
     let options = options.iter().map(String::as_str);
     let arguments: Vec<_> =
         ["test"].into_iter().chain(options).chain(["--tests", "--", "--ignored", kind.prefix()]).collect();
+    let line = format!("cargo {}", arguments.join(" "));
+    eprintln!("xtask: {line}");
+    let start = |error| format!("cannot start `{line}`: {error}");
+    let mut command = Command::new("cargo");
+    command.args(&arguments).current_dir(root()).envs(variables.iter().copied()).stdout(Stdio::piped());
     // Other tests mostly wait, so `.cargo/config.toml` sets more threads than there are processors; these compute.
-    let threads = available_parallelism().map_or(1, NonZero::get).to_string();
-    let variables = [variables, &[("RUST_TEST_THREADS", threads.as_str())]].concat();
-    let (status, log, line) = echo("cargo", &arguments, &variables)?;
+    command.env("RUST_TEST_THREADS", available_parallelism().map_or(1, NonZero::get).to_string());
+    let mut cargo = command.spawn().map_err(start)?;
+    let mut log = String::new();
+    for line in cargo.stdout.take().into_iter().flat_map(|out| BufReader::new(out).lines()).map_while(Result::ok) {
+        println!("{line}");
+        log.push_str(&line);
+        log.push('\n');
+    }
+    let status = cargo.wait().map_err(start)?;
     if status.success() { Ok(log) } else { Err(format!("`{line}` failed: {status}")) }
 }
 
