@@ -1,9 +1,15 @@
 //! Messages of the compiler, and trees at the limits.
 //!
-//! `fail` has one file for each mistake, named after it, with the expected message.
-//! `TRYBUILD=overwrite cargo test -p bica-ui-tests -- --ignored` replaces the expected messages; review them before a commit.
+//! `table` has the mistakes that the text of one item shows; see `table.rs`. `fail` has those that need the compiler,
+//! one file for each, named after it, with the expected message: traits, constants, cycles, and items with mistakes of
+//! each kind, as one mistake must not bring further messages.
+//!
+//! `TRYBUILD=overwrite cargo test -p bica-ui-tests -- --include-ignored` replaces the expected messages; review them
+//! before a commit.
 //!
 //! `limits` has one program for each limit. What is larger by one is refused, see `fail/limit_*.rs`.
+
+mod table;
 
 #[test]
 #[ignore = "slow: `cargo xtask ci` runs it"]

@@ -1,6 +1,0 @@
-use bica::prelude::*;
-
-#[component]
-fn step() {}
-
-fn main() {}
