@@ -50,7 +50,7 @@ impl Stop {
         Self::default()
     }
 
-    /// Creates a flag that the first Ctrl-C raises.
+    /// Creates a flag that the first Ctrl-C, SIGTERM or SIGHUP raises.
     ///
     /// # Errors
     /// If the process already has a handler, or the operating system rejects one.

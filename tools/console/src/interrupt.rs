@@ -1,21 +1,27 @@
-//! Ctrl-C: the first one ends the running games and prints their summary, the second one ends the program.
+//! Requests to end: Ctrl-C, SIGTERM and SIGHUP (on Windows: the events of the console). The first one lets the program end
+//! in order, with summaries printed and recordings complete; a later one ends it at once.
 
 use std::process;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::OnceLock;
+use std::time::{Duration, Instant};
 
-static REQUESTED: AtomicBool = AtomicBool::new(false);
+/// Requests within this time after the first are part of it: shells and `timeout` send a signal to the process and to its
+/// group, and a terminal that closes sends SIGHUP twice.
+const ONE_REQUEST: Duration = Duration::from_secs(1);
 
-/// Installs the handler of Ctrl-C. Where none can be installed, Ctrl-C ends the program at once.
+static REQUESTED: OnceLock<Instant> = OnceLock::new();
+
+/// Installs the handler of the signals. Where none can be installed, they end the program at once.
 pub fn listen() {
     let _ = ctrlc::set_handler(|| {
-        if REQUESTED.swap(true, Ordering::Relaxed) {
+        if REQUESTED.get_or_init(Instant::now).elapsed() > ONE_REQUEST {
             process::exit(130);
         }
     });
 }
 
-/// Whether Ctrl-C was pressed.
+/// Whether the end was requested.
 #[must_use]
 pub fn requested() -> bool {
-    REQUESTED.load(Ordering::Relaxed)
+    REQUESTED.get().is_some()
 }

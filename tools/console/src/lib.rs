@@ -1,4 +1,4 @@
-//! Shared basis of the command-line tools: output for people and for programs, errors, exit codes, Ctrl-C, and many runs
+//! Shared basis of the command-line tools: output for people and for programs, errors, exit codes, signals, and many runs
 //! in parallel.
 
 mod batch;

@@ -43,14 +43,16 @@ impl Program {
         }
     }
 
-    /// Ends it as Ctrl-C does; returns all that it has printed since.
-    fn end(mut self, mut output: BufReader<ChildStdout>) -> String {
-        let id = self.child.id().to_string();
-        assert!(Command::new("kill").args(["-INT", &id]).status().unwrap().success());
+    /// Ends it by signals; returns all that it has printed since.
+    fn end(mut self, mut output: BufReader<ChildStdout>, signals: &[&str]) -> String {
+        let id = self.child.id();
+        let kill: Vec<String> = signals.iter().map(|signal| format!("kill -{signal} {id}")).collect();
+        assert!(Command::new("sh").args(["-c", &kill.join(" && ")]).status().unwrap().success());
         let mut rest = String::new();
         output.read_to_string(&mut rest).unwrap();
         self.child.stderr.take().unwrap().read_to_string(&mut rest).unwrap();
-        assert!(self.child.wait().unwrap().success());
+        let status = self.child.wait().unwrap();
+        assert!(status.success(), "{signals:?}: {status}");
         rest
     }
 }
@@ -99,7 +101,7 @@ fn no_secret_is_printed_but_a_key_that_works_once() {
     let hello = message(&mut page).unwrap();
     assert_eq!(hello["type"], "hello");
     drop(page);
-    lines.push(program.end(output));
+    lines.push(program.end(output, &["INT"]));
     let printed = lines.concat();
     for secret in [token.as_str(), cookie.1] {
         assert!(!printed.contains(secret) && !hello.to_string().contains(secret), "{printed}");
@@ -119,5 +121,14 @@ fn the_program_does_not_listen_for_other_computers_without_a_token_and_warns_wit
     let (_, lines, output) = program.url();
     let warning = lines.iter().find(|line| line.contains("warning"));
     assert!(warning.is_some_and(|line| line.contains("not encrypted")), "{lines:?}");
-    program.end(output);
+    program.end(output, &["INT"]);
+}
+
+#[test]
+fn sigterm_and_sighup_end_the_program_in_order_even_if_doubled() {
+    for signals in [&["TERM"][..], &["HUP"], &["HUP", "TERM", "HUP"]] {
+        let mut program = Program::start(&[]);
+        let (_, _, output) = program.url();
+        program.end(output, signals);
+    }
 }
