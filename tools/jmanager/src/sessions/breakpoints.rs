@@ -4,7 +4,7 @@ use bica_link::Description;
 
 use super::history::{Change, History, States};
 use super::live::Command;
-use super::session::Session;
+use super::session::{Session, Shared};
 use super::value::unknown;
 use crate::protocol::{Breakpoint, ComponentNow, Failed, Hit, LogKind, Reached, ToPage};
 
@@ -117,7 +117,7 @@ fn next_seen(states: &States, places: &[&Place], from_us: u64) -> Option<Reached
 
 impl Session {
     /// Replaces all breakpoints, and sends them to all pages.
-    pub(super) fn set_breakpoints(&self, list: Vec<Breakpoint>) -> Result<(), Failed> {
+    pub(super) fn set_breakpoints(&self, list: &[Breakpoint]) -> Result<(), Failed> {
         if list.len() > MAX_BREAKPOINTS {
             let what = format!("{} breakpoints, at most {MAX_BREAKPOINTS} are possible", list.len());
             return Err(Failed::new(what, "remove some"));
@@ -129,16 +129,19 @@ impl Session {
         if let Some(pacer) = &self.pacer {
             pacer.set_breakpoints(places.clone());
         }
-        self.shared().breakpoints = places;
+        {
+            let mut shared = self.shared();
+            shared.breakpoints = places;
+            self.pages.broadcast(&self.breakpoints(&shared));
+        }
         // Transitions are watched from now on; a recording has no thread that watches.
         let _ = self.command(Command::Watch);
-        self.pages.broadcast(&ToPage::Breakpoints { session: self.id, list });
         Ok(())
     }
 
     /// The breakpoints, for pages.
-    pub(super) fn breakpoints(&self) -> ToPage {
-        let list = self.shared().breakpoints.iter().map(|place| place.breakpoint).collect();
+    pub(super) fn breakpoints(&self, shared: &Shared) -> ToPage {
+        let list = shared.breakpoints.iter().map(|place| place.breakpoint).collect();
         ToPage::Breakpoints { session: self.id, list }
     }
 

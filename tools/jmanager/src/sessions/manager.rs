@@ -85,8 +85,7 @@ impl Manager {
         self.pages.add(page, outbox);
         // A session that changed between the two lines above is sent again.
         for session in self.registry.list() {
-            self.pages.state(page, ToPage::Session { session: session.info(page) });
-            session.send_description(page);
+            session.greet(page);
         }
         if let Ok(editor) = self.editor() {
             editor.greet(page);
@@ -101,7 +100,7 @@ impl Manager {
             editor.left(page);
         }
         for session in self.registry.list() {
-            session.shared().watches.remove(&page);
+            session.shared().watching.remove(page);
             // A thread that has ended operates nothing.
             let _ = session.command(live::Command::Left(page));
         }
@@ -143,8 +142,7 @@ impl Manager {
                 session.query(page, id, &request).map(Some)
             }
             Request::Watch { watch, .. } => {
-                let before = session.shared().watches.insert(page, watch.clone());
-                session.show_newest(page, before.as_ref(), &watch);
+                session.watch(page, watch);
                 // A recording has no thread that needs to know.
                 let _ = session.command(live::Command::Watch);
                 Ok(Some(Value::Null))
@@ -186,7 +184,7 @@ impl Manager {
                 if session.pacer.is_some() {
                     self.writable()?;
                 }
-                session.set_breakpoints(list).map(|()| Some(Value::Null))
+                session.set_breakpoints(&list).map(|()| Some(Value::Null))
             }
             Request::NextHit { from_us, .. } => Ok(Some(json!(session.next_hit(from_us)))),
             Request::Compare { other, .. } => {

@@ -23,6 +23,7 @@ mod session;
 mod storage;
 mod tune;
 mod value;
+mod watching;
 mod world;
 
 pub use manager::Manager;

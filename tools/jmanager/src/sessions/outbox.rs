@@ -1,8 +1,9 @@
 //! What a page receives.
 
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
-use crate::protocol::{SessionId, ToPage};
+use crate::protocol::{InfoSample, SessionId, ToPage};
 
 /// Queue of a page. No method ever waits.
 pub trait Outbox: Send + Sync {
@@ -12,25 +13,58 @@ pub trait Outbox: Send + Sync {
     /// Adds a binary frame that must not be lost, in order with [`state`](Self::state): the image that an answer needs.
     fn binary(&self, frame: Arc<[u8]>);
 
-    /// Adds data. It replaces an older frame with the same key that was not sent yet.
+    /// Adds data. It [replaces](Frame::replacing) an older frame with the same key that was not sent yet.
     fn data(&self, key: Key, frame: Frame);
 }
 
-/// A frame of data, ready to be sent. Pages that receive the same frame share its memory.
+/// Largest number of samples, and of changes, in a frame.
+const MAX_ENTRIES: usize = 4096;
+
+/// A frame of data. Pages that receive the same frame share its memory.
 #[derive(Clone, Debug)]
 pub enum Frame {
-    /// A [`ToPage`] as JSON.
-    Text(Arc<str>),
+    /// A message.
+    Message(Arc<ToPage>),
     /// An [image](crate::protocol::binary).
     Binary(Arc<[u8]>),
 }
 
 impl Frame {
-    /// The text frame of a message.
+    /// The frame of a message.
     #[must_use]
-    pub fn of(message: &ToPage) -> Self {
-        // Serialization into memory fails only for maps with keys that are no strings, and the protocol has none.
-        Self::Text(serde_json::to_string(message).unwrap_or_default().into())
+    pub fn of(message: ToPage) -> Self {
+        Self::Message(Arc::new(message))
+    }
+
+    /// Returns the frame that replaces `older`, which was not sent. Samples and changes of the older one are kept.
+    #[must_use]
+    pub fn replacing(mut self, older: Self) -> Self {
+        if let (Self::Message(newer), Self::Message(older)) = (&mut self, older) {
+            match (Arc::make_mut(newer), Arc::unwrap_or_clone(older)) {
+                (ToPage::Info { samples, .. }, ToPage::Info { samples: mut all, .. }) => {
+                    all.append(samples);
+                    limit_samples(&mut all);
+                    *samples = all;
+                }
+                (ToPage::Update { changes, .. }, ToPage::Update { changes: mut all, .. }) => {
+                    all.append(changes);
+                    all.drain(..all.len().saturating_sub(MAX_ENTRIES));
+                    *changes = all;
+                }
+                _ => {}
+            }
+        }
+        self
+    }
+}
+
+/// Drops all but the newest sample of each output if there are too many.
+fn limit_samples(samples: &mut Vec<InfoSample>) {
+    if samples.len() > MAX_ENTRIES {
+        let mut seen = BTreeSet::new();
+        samples.reverse();
+        samples.retain(|&InfoSample(component, info, ..)| seen.insert((component, info)));
+        samples.reverse();
     }
 }
 

@@ -2,16 +2,13 @@
 
 use serde_json::{Value, json};
 
-use super::outbox::{DataKind, Frame};
 use super::pages::PageId;
 use super::recorded::read_image;
 use super::session::Session;
-use crate::protocol::{ComponentNow, Failed, InfoSample, Moment, Request, SessionKind, ToPage, Watch, WatchInfo};
+use crate::protocol::{ComponentNow, Failed, InfoSample, Moment, Request};
 
 /// Longest series and lists that a page gets in one answer.
 const MAX_POINTS: usize = 20_000;
-/// Age above which an image is not sent to a page that begins to watch, µs of the robot's time: a newer one comes soon.
-const OLD: u64 = 500_000;
 
 impl Session {
     /// Answers a question about the past.
@@ -76,42 +73,5 @@ impl Session {
             self.pages.binary(page, self.image_frame(&image, id).into());
         }
         Ok(json!(moment))
-    }
-
-    /// Sends the newest of what a page begins to watch: of a paused world nothing new would come.
-    pub(super) fn show_newest(&self, page: PageId, before: Option<&Watch>, watch: &Watch) {
-        if self.kind == SessionKind::Recording {
-            return;
-        }
-        let (image, samples, truth) = {
-            let shared = self.shared();
-            let (history, (_, last)) = (&shared.history, shared.history.span());
-            let is_new = |one: &&WatchInfo| {
-                before.is_none_or(|before| {
-                    !before.info.iter().any(|old| (old.component, old.info) == (one.component, one.info))
-                })
-            };
-            let sample = |one: &WatchInfo| {
-                let (time, value) = history.info.at(one.component, one.info, last)?;
-                Some(InfoSample(one.component, one.info, time, value))
-            };
-            let begins = |is: fn(&Watch) -> bool| is(watch) && !before.is_some_and(is);
-            let image = history.images.newest().filter(|image| image.time_us.saturating_add(OLD) >= last);
-            (
-                image.filter(|_| begins(|watch| watch.images.is_some())).cloned(),
-                watch.info.iter().filter(is_new).take(MAX_POINTS).filter_map(sample).collect::<Vec<_>>(),
-                history.truth(last).filter(|_| begins(|watch| watch.truth)).map(|truth| (last, truth.clone())),
-            )
-        };
-        let data = |kind, frame| self.pages.data(page, self.key(kind), frame);
-        if !samples.is_empty() {
-            data(DataKind::Info, Frame::of(&ToPage::Info { session: self.id, samples }));
-        }
-        if let Some((time_us, truth)) = truth {
-            data(DataKind::Truth, Frame::of(&ToPage::Truth { session: self.id, time_us, truth }));
-        }
-        if let Some(image) = image {
-            data(DataKind::Image, Frame::Binary(self.image_frame(&image, 0).into()));
-        }
     }
 }

@@ -1,6 +1,6 @@
 //! A session: what the manager and the session's thread share.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard};
@@ -16,12 +16,13 @@ use super::outbox::{DataKind, Frame, Key};
 use super::pages::{PageId, Pages, lock};
 use super::recorded::{Recorded, read_image};
 use super::robot_recording::RobotRecorder;
+use super::watching::Watching;
 use super::world::Pacer;
 use super::{drawing, live};
 use crate::protocol::binary::{ImageHead, PixelKind};
 use crate::protocol::{
     Capabilities, Connection, Control, Drawing, Failed, LogKind, LogLine, RecordingState, SessionId, SessionInfo,
-    SessionKind, ToPage, Watch,
+    SessionKind, ToPage,
 };
 
 /// Time between two looks whether a session has ended.
@@ -58,7 +59,7 @@ pub(super) struct Shared {
     pub(super) recorded: Recorded,
     /// The profile under edit, once it was changed.
     pub(super) colours: Option<Edit>,
-    pub(super) watches: BTreeMap<PageId, Watch>,
+    pub(super) watching: Watching,
     pub(super) breakpoints: Vec<Place>,
     /// Pages that know the tree.
     described: BTreeSet<PageId>,
@@ -125,7 +126,7 @@ impl Session {
                 history: History::new(limits, 0),
                 recorded: Recorded::default(),
                 colours: None,
-                watches: BTreeMap::new(),
+                watching: Watching::default(),
                 breakpoints: Vec::new(),
                 described: BTreeSet::new(),
                 images_taken: 0,
@@ -147,7 +148,10 @@ impl Session {
 
     /// Returns the session as a page sees it.
     pub(super) fn info(&self, page: PageId) -> SessionInfo {
-        let shared = self.shared();
+        self.info_of(&self.shared(), page)
+    }
+
+    fn info_of(&self, shared: &Shared, page: PageId) -> SessionInfo {
         let (from_us, until_us) = shared.history.span();
         let control = match shared.operator {
             _ if !shared.can.operate => Control::Unavailable,
@@ -177,27 +181,36 @@ impl Session {
         self.shared().paused || self.pacer.as_ref().is_some_and(|pacer| pacer.is_paused())
     }
 
-    /// Sends the session to all pages.
+    /// Sends the session to all pages. The lock is held meanwhile: what another thread announces later is newer.
     pub(super) fn announce(&self) {
+        self.announce_of(&self.shared());
+    }
+
+    fn announce_of(&self, shared: &Shared) {
         if self.is_closed() {
             return;
         }
         for page in self.pages.list() {
-            self.pages.state(page, ToPage::Session { session: self.info(page) });
+            self.pages.state(page, ToPage::Session { session: self.info_of(shared, page) });
+        }
+    }
+
+    /// Sends all that a page must know when it comes.
+    pub(super) fn greet(&self, page: PageId) {
+        let mut shared = self.shared();
+        if !self.is_closed() {
+            self.pages.state(page, ToPage::Session { session: self.info_of(&shared, page) });
+            self.send_description(&mut shared, page);
         }
     }
 
     /// Changes the connection's state and announces it.
     pub(super) fn set_connection(&self, connection: Connection, note: impl Into<String>) {
         let note = note.into();
-        let changed = {
-            let mut shared = self.shared();
-            let changed = (shared.connection, &shared.note) != (connection, &note);
+        let mut shared = self.shared();
+        if (shared.connection, &shared.note) != (connection, &note) {
             (shared.connection, shared.note) = (connection, note);
-            changed
-        };
-        if changed {
-            self.announce();
+            self.announce_of(&shared);
         }
     }
 
@@ -210,51 +223,50 @@ impl Session {
     pub(super) fn begin(&self, description: Description, can: Capabilities, goes_on: bool) {
         let components = description.components.len();
         let drawing = drawing::draw(&description);
-        {
-            let mut shared = self.shared();
-            if goes_on {
-                shared.history.interrupt();
-            } else {
-                shared.history = History::new(limits(&self.options, self.kind), components);
-                shared.epoch += 1;
-            }
-            if shared.description.as_ref().is_some_and(|last| last.hash != description.hash) {
-                // They are of another tree.
-                shared.breakpoints.clear();
-                if let Some(pacer) = &self.pacer {
-                    pacer.set_breakpoints(Vec::new());
-                }
-            }
-            shared.description = Some(Arc::new(description));
-            shared.drawing = drawing;
-            shared.can = can;
-            shared.paused = false;
-            shared.watches.clear();
-            shared.described.clear();
+        let mut shared = self.shared();
+        if goes_on {
+            shared.history.interrupt();
+        } else {
+            shared.history = History::new(limits(&self.options, self.kind), components);
+            shared.epoch += 1;
         }
+        if shared.description.as_ref().is_some_and(|last| last.hash != description.hash) {
+            // They are of another tree.
+            shared.breakpoints.clear();
+            if let Some(pacer) = &self.pacer {
+                pacer.set_breakpoints(Vec::new());
+            }
+        }
+        shared.description = Some(Arc::new(description));
+        shared.drawing = drawing;
+        shared.can = can;
+        shared.paused = false;
+        shared.watching = Watching::default();
+        shared.described.clear();
         for page in self.pages.list() {
-            self.send_description(page);
+            self.send_description(&mut shared, page);
         }
     }
 
     /// Sends the tree and its state to a page, once.
-    pub(super) fn send_description(&self, page: PageId) {
-        let described = {
-            let mut shared = self.shared();
-            let Some(description) = shared.description.clone() else { return };
-            let is_new = shared.described.insert(page);
-            is_new.then(|| ToPage::Described {
-                session: self.id,
-                description: Box::new((*description).clone()),
-                drawing: shared.drawing.clone(),
-            })
-        };
-        if let Some(message) = described {
-            self.pages.state(page, message);
-            self.pages.state(page, self.breakpoints());
+    fn send_description(&self, shared: &mut Shared, page: PageId) {
+        let Some(description) = shared.description.clone() else { return };
+        if shared.described.insert(page) {
+            let description = Box::new((*description).clone());
+            let drawing = shared.drawing.clone();
+            self.pages.state(page, ToPage::Described { session: self.id, description, drawing });
+            self.pages.state(page, self.breakpoints(shared));
         }
-        if let Some(update) = self.update(Vec::new()) {
-            self.pages.data(page, self.key(DataKind::Update), Frame::of(&update));
+        if let Some(update) = self.update(shared, Vec::new()) {
+            self.pages.data(page, self.key(DataKind::Update), Frame::of(update));
+        }
+    }
+
+    /// Sends the state after the last cycle to all pages, and what has changed since the last update.
+    pub(super) fn show_update(&self, changes: Vec<(usize, u64, bool, Option<u16>)>) {
+        let shared = self.shared();
+        if let Some(update) = self.update(&shared, changes) {
+            self.pages.broadcast_data(self.key(DataKind::Update), &Frame::of(update));
         }
     }
 
@@ -263,8 +275,7 @@ impl Session {
     }
 
     /// Returns the state after the last cycle.
-    pub(super) fn update(&self, changes: Vec<(usize, u64, bool, Option<u16>)>) -> Option<ToPage> {
-        let shared = self.shared();
+    fn update(&self, shared: &Shared, changes: Vec<(usize, u64, bool, Option<u16>)>) -> Option<ToPage> {
         let (time_us, cycle) = shared.history.states.last()?;
         Some(ToPage::Update {
             session: self.id,
@@ -375,7 +386,11 @@ impl Session {
 
     /// Ends the session's thread.
     pub(super) fn end(&self) {
-        self.closed.store(true, Ordering::Relaxed);
+        {
+            // Nothing is announced any more.
+            let _shared = self.shared();
+            self.closed.store(true, Ordering::Relaxed);
+        }
         if let Some(pacer) = &self.pacer {
             pacer.end();
         }

@@ -6,7 +6,7 @@ mod tap;
 use std::fs;
 use std::path::PathBuf;
 use std::sync::Arc;
-use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
+use std::sync::mpsc::{SyncSender, sync_channel};
 use std::thread::JoinHandle;
 use std::time::Duration;
 
@@ -22,10 +22,8 @@ use super::storage;
 use crate::protocol::Failed;
 
 pub(super) use pacer::Pacer;
+use tap::Extras;
 pub(super) use tap::{Extra, MachineConditions};
-
-/// Largest number of observations that wait for the session's thread.
-const QUEUE: usize = 256;
 
 /// Kind and set-up of a world.
 #[derive(Clone, Debug, PartialEq)]
@@ -43,7 +41,7 @@ pub(super) struct World {
     /// Address of its link.
     pub(super) address: Address,
     /// What the link does not carry.
-    pub(super) extras: Receiver<Extra>,
+    pub(super) extras: Arc<Extras>,
     /// File with the recording of the whole run.
     recording: PathBuf,
     /// Whether the file stays.
@@ -99,9 +97,9 @@ impl World {
         pacer.begin();
         // A spool folder that cannot be made is a recording that cannot be made, which the game reports.
         let _ = storage::make_private(&options.spool);
-        let (extras_in, extras) = sync_channel(QUEUE);
+        let extras = Arc::new(Extras::default());
         let (ready, started) = sync_channel(1);
-        let (own, path) = (Arc::clone(pacer), recording.clone());
+        let (own, path, extras_in) = (Arc::clone(pacer), recording.clone(), Arc::clone(&extras));
         let is_kept = !recording.starts_with(&options.spool);
         let work = move || play(&rules, &own, &path, extras_in, &ready);
         let thread = std::thread::Builder::new().name("world".to_owned()).spawn(work);
@@ -151,7 +149,7 @@ fn play(
     rules: &Rules,
     pacer: &Arc<Pacer>,
     recording: &std::path::Path,
-    extras: SyncSender<Extra>,
+    extras: Arc<Extras>,
     ready: &SyncSender<String>,
 ) -> Result<(), Failure> {
     let started = |address: &str| {

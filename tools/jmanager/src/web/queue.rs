@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, VecDeque};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-use axum::extract::ws::{Message, Utf8Bytes};
+use axum::extract::ws::Message;
 use tokio::sync::Notify;
 
 use crate::protocol::ToPage;
@@ -42,7 +42,9 @@ impl Queue {
             return Some(message);
         }
         let key = waiting.order.pop_front()?;
-        waiting.data.remove(&key).map(message)
+        let frame = waiting.data.remove(&key);
+        drop(waiting);
+        frame.map(message)
     }
 
     /// Whether state was lost because the page did not read it.
@@ -81,8 +83,7 @@ impl Queue {
 
 impl Outbox for Queue {
     fn state(&self, message: ToPage) {
-        // Serialization into memory fails only for maps with keys that are no strings, and the protocol has none.
-        self.add(Message::Text(serde_json::to_string(&message).unwrap_or_default().into()));
+        self.add(text(&message));
     }
 
     fn binary(&self, frame: Arc<[u8]>) {
@@ -91,17 +92,26 @@ impl Outbox for Queue {
 
     fn data(&self, key: Key, frame: Frame) {
         let mut waiting = self.waiting();
-        if waiting.data.insert(key, frame).is_none() {
+        let frame = if let Some(older) = waiting.data.remove(&key) {
+            frame.replacing(older)
+        } else {
             waiting.order.push_back(key);
-        }
+            frame
+        };
+        waiting.data.insert(key, frame);
         drop(waiting);
         self.changed.notify_one();
     }
 }
 
+fn text(message: &ToPage) -> Message {
+    // Serialization into memory fails only for maps with keys that are no strings, and the protocol has none.
+    Message::Text(serde_json::to_string(message).unwrap_or_default().into())
+}
+
 fn message(frame: Frame) -> Message {
     match frame {
-        Frame::Text(text) => Message::Text(Utf8Bytes::from(&*text)),
+        Frame::Message(message) => text(&message),
         Frame::Binary(bytes) => Message::Binary(bytes.to_vec().into()),
     }
 }
@@ -117,9 +127,10 @@ fn size(message: &Message) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::protocol::InfoSample;
     use crate::sessions::DataKind;
 
-    fn text(queue: &Queue) -> Option<String> {
+    fn next_text(queue: &Queue) -> Option<String> {
         queue.pop().map(|message| message.into_text().unwrap().to_string())
     }
 
@@ -127,18 +138,33 @@ mod tests {
     fn data_are_replaced_and_state_is_not() {
         let queue = Queue::default();
         let key = |kind| Key { session: 1, kind };
-        let frame = |text: &str| Frame::Text(text.into());
-        queue.data(key(DataKind::Update), frame("old update"));
-        queue.data(key(DataKind::Costs), frame("costs"));
-        queue.data(key(DataKind::Update), frame("update"));
+        let binary = |byte: u8| Frame::Binary([byte].into());
+        queue.data(key(DataKind::Image), binary(1));
+        queue.data(key(DataKind::Costs), binary(2));
+        queue.data(key(DataKind::Image), binary(3));
         queue.state(ToPage::Closed { session: 1 });
         queue.state(ToPage::Closed { session: 2 });
-        assert_eq!(text(&queue).unwrap(), r#"{"type":"closed","session":1}"#);
-        assert_eq!(text(&queue).unwrap(), r#"{"type":"closed","session":2}"#);
-        assert_eq!(text(&queue).unwrap(), "update");
-        assert_eq!(text(&queue).unwrap(), "costs");
-        assert_eq!(text(&queue), None);
-        assert!(!queue.overflowed());
+        assert_eq!(next_text(&queue).unwrap(), r#"{"type":"closed","session":1}"#);
+        assert_eq!(next_text(&queue).unwrap(), r#"{"type":"closed","session":2}"#);
+        assert_eq!([queue.pop().unwrap().into_data()[0], queue.pop().unwrap().into_data()[0]], [3, 2]);
+        assert!(queue.pop().is_none() && !queue.overflowed());
+    }
+
+    #[test]
+    fn the_only_sample_of_an_output_waits_behind_many_of_others() {
+        let queue = Queue::default();
+        let key = Key { session: 1, kind: DataKind::Info };
+        for time_us in 0..10_000 {
+            let sample = InfoSample(0, usize::from(time_us > 0), time_us, serde_json::Value::Null);
+            queue.data(key, Frame::of(ToPage::Info { session: 1, samples: vec![sample] }));
+        }
+        let message: serde_json::Value = serde_json::from_str(&next_text(&queue).unwrap()).unwrap();
+        let samples = message["samples"].as_array().unwrap();
+        assert!(samples.len() <= 4096, "{}", samples.len());
+        assert_eq!(
+            (&samples[0][1], &samples[0][2], &samples[samples.len() - 1][2]),
+            (&0.into(), &0.into(), &9999.into())
+        );
     }
 
     #[test]
@@ -150,7 +176,7 @@ mod tests {
         assert!(!queue.overflowed());
         queue.state(ToPage::Closed { session: 0 });
         assert!(queue.overflowed());
-        assert_eq!(text(&queue), None);
+        assert_eq!(next_text(&queue), None);
     }
 
     #[test]

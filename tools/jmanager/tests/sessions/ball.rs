@@ -18,7 +18,7 @@ fn ball(session: u32, x: f32, y: f32) -> Request {
 
 /// Waits until the true state has the ball at a position.
 fn lies_at(page: &Page<'_>, x: f32, y: f32) {
-    page.message("truth", |message| (message["truth"]["ball"] == json!([x, y])).then_some(()));
+    page.state("truth", |message| (message["truth"]["ball"] == json!([x, y])).then_some(()));
 }
 
 #[test]

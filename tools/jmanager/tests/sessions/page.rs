@@ -1,5 +1,7 @@
 //! A page that is a program.
 
+use std::cell::RefCell;
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicU32, Ordering};
 use std::sync::mpsc::{Receiver, Sender, channel};
@@ -8,7 +10,7 @@ use std::time::{Duration, Instant};
 
 use jmanager::protocol::{FromPage, Request, ToPage};
 use jmanager::sessions::{Frame, Key, Manager, Options, Outbox, PageId};
-use serde_json::Value;
+use serde_json::{Value, json};
 
 /// Longest wait for anything.
 pub(crate) const LONG: Duration = Duration::from_mins(2);
@@ -41,7 +43,7 @@ impl Outbox for Channel {
 
     fn data(&self, _key: Key, frame: Frame) {
         self.send(match frame {
-            Frame::Text(text) => Got::Message(serde_json::from_str(&text).unwrap()),
+            Frame::Message(message) => Got::Message(serde_json::to_value(&*message).unwrap()),
             Frame::Binary(bytes) => Got::Binary(bytes),
         });
     }
@@ -53,13 +55,15 @@ pub(crate) struct Page<'a> {
     pub(crate) id: PageId,
     inbox: Receiver<Got>,
     last: AtomicU32,
+    /// The newest message of each type.
+    newest: RefCell<BTreeMap<String, Value>>,
 }
 
 impl<'a> Page<'a> {
     pub(crate) fn new(manager: &'a Manager) -> Self {
         let (sender, inbox) = channel();
         let id = manager.attach(Arc::new(Channel(Mutex::new(sender))));
-        Self { manager, id, inbox, last: AtomicU32::new(0) }
+        Self { manager, id, inbox, last: AtomicU32::new(0), newest: RefCell::default() }
     }
 
     /// Sends a request; returns its number.
@@ -69,12 +73,17 @@ impl<'a> Page<'a> {
         id
     }
 
-    /// Waits for what `found` takes out of what comes.
+    /// Waits for what `found` takes out of what comes; a wait in vain prints what came instead.
     pub(crate) fn wait<T>(&self, what: &str, mut found: impl FnMut(&Got) -> Option<T>) -> T {
         let until = Instant::now() + LONG;
         loop {
             let left = until.saturating_duration_since(Instant::now());
-            let got = self.inbox.recv_timeout(left).unwrap_or_else(|_| panic!("{what} did not come"));
+            let got = self.inbox.recv_timeout(left).unwrap_or_else(|_| {
+                panic!("{what} did not come; the newest of each type: {:#?}", self.newest.borrow())
+            });
+            if let Got::Message(message) = &got {
+                self.newest.borrow_mut().insert(message["type"].to_string(), message.clone());
+            }
             if let Some(value) = found(&got) {
                 return value;
             }
@@ -87,6 +96,12 @@ impl<'a> Page<'a> {
             Got::Message(message) if message["type"] == kind => found(message),
             _ => None,
         })
+    }
+
+    /// The newest message of a type for which `found` returns a value: the last one that came, or one that comes.
+    pub(crate) fn state<T>(&self, kind: &str, mut found: impl FnMut(&Value) -> Option<T>) -> T {
+        let last = self.newest.borrow().get(&json!(kind).to_string()).and_then(&mut found);
+        last.unwrap_or_else(|| self.message(kind, found))
     }
 
     /// Sends a request and waits for its answer.

@@ -1,6 +1,6 @@
 //! A connected session.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::sync::Arc;
 use std::sync::mpsc::TryRecvError;
 use std::time::{Duration, Instant};
@@ -12,17 +12,15 @@ use super::extras::Extras;
 use super::operate::Operation;
 use super::returned::is_same_run;
 use super::{Command, Inbox, capabilities};
-use crate::protocol::{Connection, Failed, InfoSample, LogKind, LogLine, Reached, Request, ToPage, Watch};
+use crate::protocol::{Connection, Failed, InfoSample, LogKind, LogLine, Reached, Request, ToPage};
 use crate::sessions::breakpoints::{self, Activity};
-use crate::sessions::outbox::{DataKind, Frame};
 use crate::sessions::session::Session;
 use crate::sessions::value::page_hold;
+use crate::sessions::watching::UPDATE;
 use crate::sessions::world::World;
 
 /// Longest wait for a message of the robot.
 const POLL: Duration = Duration::from_millis(5);
-/// Time between two updates of the pages.
-pub(super) const UPDATE: Duration = Duration::from_millis(33);
 /// Time between two looks at what changes slowly.
 const SLOW: Duration = Duration::from_millis(500);
 /// Number of cycles from one sample of each information to the next.
@@ -30,7 +28,7 @@ const INFO_EVERY: u16 = 10;
 /// Silence of a robot after which pages are told.
 const SILENCE: Duration = Duration::from_secs(2);
 /// Largest number of events that are handled before commands have their turn.
-pub(super) const EVENTS: usize = 256;
+const EVENTS: usize = 256;
 /// Largest number of samples for one message.
 const MAX_SAMPLES: usize = 4096;
 
@@ -54,7 +52,6 @@ pub(super) struct Attached<'a> {
     pub(super) operation: Operation,
     /// How often each information is watched.
     watched: BTreeMap<(usize, usize), u16>,
-    pub(super) watches: BTreeMap<u64, Watch>,
     changes: Vec<(usize, u64, bool, Option<u16>)>,
     /// Samples since the last update, with their cycles.
     samples: Vec<(u64, InfoSample)>,
@@ -84,7 +81,6 @@ impl<'a> Attached<'a> {
             world,
             operation: Operation::default(),
             watched: BTreeMap::new(),
-            watches: BTreeMap::new(),
             changes: Vec::new(),
             samples: Vec::new(),
             extras: Extras::default(),
@@ -169,14 +165,13 @@ impl<'a> Attached<'a> {
 
     /// Watches what the pages watch, and each information now and then.
     fn watch(&mut self) -> Result<(), bica_link::Error> {
-        self.watches = self.session.shared().watches.clone();
         let mut wanted = BTreeMap::new();
         for (component, described) in self.client.description().components.iter().enumerate() {
             for info in 0..described.info.len() {
                 wanted.insert((component, info), INFO_EVERY);
             }
         }
-        for watch in self.watches.values().flat_map(|watch| &watch.info) {
+        for watch in self.session.shared().watching.watches().flat_map(|watch| &watch.info) {
             if let Some(every) = wanted.get_mut(&(watch.component, watch.info)) {
                 *every = common(*every, watch.every.max(1));
             }
@@ -257,8 +252,9 @@ impl<'a> Attached<'a> {
         shared.history.info.push(component, info, time_us, &value);
         drop(shared);
         self.session.record_robot(|recorder| recorder.info(component, info, &value));
-        if self.samples.len() < MAX_SAMPLES {
-            self.samples.push((cycle, InfoSample(component, info, time_us, value)));
+        self.samples.push((cycle, InfoSample(component, info, time_us, value)));
+        if self.samples.len() >= MAX_SAMPLES {
+            self.session.show_samples(&std::mem::take(&mut self.samples));
         }
     }
 
@@ -283,35 +279,17 @@ impl<'a> Attached<'a> {
 
     /// Sends what is new to the pages.
     fn update(&mut self) {
-        if !std::mem::take(&mut self.has_news) && self.samples.is_empty() {
-            return;
+        if std::mem::take(&mut self.has_news) {
+            self.session.show_update(std::mem::take(&mut self.changes));
         }
-        let session = self.session;
-        let changes = std::mem::take(&mut self.changes);
-        if let Some(update) = session.update(changes) {
-            session.pages.broadcast_data(session.key(DataKind::Update), &Frame::of(&update));
-        }
-        let samples = std::mem::take(&mut self.samples);
-        for (&page, watch) in &self.watches {
-            let wanted: BTreeMap<_, _> =
-                watch.info.iter().map(|one| ((one.component, one.info), u64::from(one.every.max(1)))).collect();
-            let is_wanted = |(cycle, InfoSample(component, info, ..)): &&(u64, InfoSample)| {
-                wanted.get(&(*component, *info)).is_some_and(|every| cycle.is_multiple_of(*every))
-            };
-            let samples: Vec<_> = samples.iter().filter(is_wanted).map(|(_, sample)| sample.clone()).collect();
-            if !samples.is_empty() {
-                let message = ToPage::Info { session: session.id, samples };
-                session.pages.data(page, session.key(DataKind::Info), Frame::of(&message));
-            }
-        }
+        self.session.show_samples(&std::mem::take(&mut self.samples));
+        self.session.send_image(&mut self.session.shared());
     }
 
     /// Looks at what changes slowly.
     fn look(&mut self) {
         let session = self.session;
         session.shared().history.evict();
-        let known: BTreeSet<u64> = session.pages.list().into_iter().collect();
-        self.extras.retain(&known);
         let paused = session.is_paused();
         let note = match &session.pacer {
             Some(pacer) if pacer.is_over() => "the game is over: restart it, or resume to play on".to_owned(),

@@ -1,16 +1,14 @@
 //! Images, costs, conditions and the true state: of a world in this process, or over the link.
 
-use std::collections::{BTreeMap, BTreeSet};
-use std::time::{Duration, Instant};
+use std::collections::BTreeMap;
 
-use bica_link::{Costs, Event, Image, Transition};
+use bica_link::{Costs, Event, Image};
 use bica_wire::message::{ComponentCost as LinkCost, ExtraKind, Offers, Truth as LinkTruth};
 
-use super::attached::{Attached, EVENTS, UPDATE};
-use crate::protocol::{Breakpoint, ComponentCost, Condition, Reached, RobotPose, ToPage, Truth};
+use super::attached::Attached;
+use crate::protocol::{Breakpoint, ComponentCost, Reached, RobotPose, ToPage, Truth};
 use crate::sessions::history::StoredImage;
-use crate::sessions::outbox::{DataKind, Frame};
-use crate::sessions::world::{Extra, MachineConditions};
+use crate::sessions::world::Extra;
 
 /// Number of cycles between two looks at conditions and the true state, while time goes on.
 const EVERY: u16 = 5;
@@ -24,15 +22,6 @@ pub(super) struct Extras {
     stops: Vec<Breakpoint>,
     /// Time of the last conditions of a component, µs.
     evaluated: BTreeMap<usize, u64>,
-    /// Time of the last image that a page received.
-    images: BTreeMap<u64, Instant>,
-}
-
-impl Extras {
-    /// Forgets pages that have gone.
-    pub(super) fn retain(&mut self, known: &BTreeSet<u64>) {
-        self.images.retain(|page, _| known.contains(page));
-    }
 }
 
 impl Attached<'_> {
@@ -51,16 +40,18 @@ impl Attached<'_> {
         };
         want(Offers::TRUTH, ExtraKind::Truth, every);
         want(Offers::COSTS, ExtraKind::Costs, 1);
-        if self.session.record.is_some() || self.watches.values().any(|watch| watch.images.is_some()) {
+        let shared = self.session.shared();
+        if self.session.record.is_some() || shared.watching.watches().any(|watch| watch.images.is_some()) {
             want(Offers::IMAGES, ExtraKind::Images, 1);
         }
-        for &component in self.watches.values().flat_map(|watch| &watch.conditions) {
+        for &component in shared.watching.watches().flat_map(|watch| &watch.conditions) {
             if component < self.client.description().components.len() {
                 want(Offers::CONDITIONS, ExtraKind::Conditions { component: component as u16 }, every);
             }
         }
         // Each cycle shows which transition was taken in it.
-        let stops: Vec<_> = self.session.shared().breakpoints.iter().map(|place| place.breakpoint).collect();
+        let stops: Vec<_> = shared.breakpoints.iter().map(|place| place.breakpoint).collect();
+        drop(shared);
         for component in stops.iter().filter(|stop| stop.transition.is_some()).map(|stop| stop.component) {
             want(Offers::CONDITIONS, ExtraKind::Conditions { component: component as u16 }, 1);
         }
@@ -80,8 +71,7 @@ impl Attached<'_> {
     /// Takes over what a world in this process tells beside the link.
     pub(super) fn world_extras(&mut self) {
         let Some(world) = &self.world else { return };
-        let extras: Vec<_> = world.extras.try_iter().take(EVENTS).collect();
-        for extra in extras {
+        for extra in world.extras.take() {
             self.extra(extra);
         }
     }
@@ -134,16 +124,12 @@ impl Attached<'_> {
     fn extra(&mut self, extra: Extra) {
         let session = self.session;
         match extra {
-            Extra::Image(image) => self.image(image),
-            Extra::Truth(time_us, truth) => {
-                session.shared().history.add_truth(time_us, truth.clone());
-                let message = ToPage::Truth { session: session.id, time_us, truth };
-                let frame = Frame::of(&message);
-                for (&page, _) in self.watches.iter().filter(|(_, watch)| watch.truth) {
-                    session.pages.data(page, session.key(DataKind::Truth), frame.clone());
-                }
+            Extra::Image(image) => {
+                session.record_robot(|recorder| recorder.image(&image));
+                session.show_image(image);
             }
-            Extra::Conditions(time_us, all) => self.conditions(time_us, &all),
+            Extra::Truth(time_us, truth) => session.show_truth(time_us, truth),
+            Extra::Conditions(time_us, all) => session.show_conditions(time_us, all),
             Extra::Taken(time_us, all) => {
                 let mut shared = session.shared();
                 for (component, transition) in all {
@@ -153,58 +139,8 @@ impl Attached<'_> {
             Extra::Overrun(time_us, component) => session.shared().history.add_overrun(time_us, component),
             Extra::Costs { time_us, window_us, components, chain_us, worst_us } => {
                 let session_id = session.id;
-                let message = ToPage::Costs { session: session_id, time_us, window_us, components, chain_us, worst_us };
-                let frame = Frame::of(&message);
-                for (&page, _) in self.watches.iter().filter(|(_, watch)| watch.costs) {
-                    session.pages.data(page, session.key(DataKind::Costs), frame.clone());
-                }
-            }
-        }
-    }
-
-    fn image(&mut self, image: StoredImage) {
-        let session = self.session;
-        session.record_robot(|recorder| recorder.image(&image));
-        let frame = Frame::Binary(session.image_frame(&image, 0).into());
-        for (&page, watch) in &self.watches {
-            let Some(wanted) = watch.images else { continue };
-            let period = Duration::from_secs_f32(1.0 / wanted.max_hz.clamp(0.1, 1000.0));
-            let sent = self.extras.images.get(&page);
-            if sent.is_none_or(|sent| sent.elapsed() + UPDATE / 8 >= period) {
-                self.extras.images.insert(page, Instant::now());
-                session.pages.data(page, session.key(DataKind::Image), frame.clone());
-            }
-        }
-        session.shared().history.images.push(image);
-    }
-
-    /// Sends conditions to the pages that watch them, with the rest of the timers.
-    fn conditions(&self, time_us: u64, all: &[MachineConditions]) {
-        let session = self.session;
-        for (component, conditions) in all {
-            let component = *component;
-            let pages = self.watches.iter().filter(|(_, watch)| watch.conditions.contains(&component));
-            let pages: Vec<u64> = pages.map(|(&page, _)| page).collect();
-            let Some(described) = self.client.description().components.get(component).filter(|_| !pages.is_empty())
-            else {
-                continue;
-            };
-            let now = session.shared().history.states.current().get(component).copied();
-            let rest = |transition: &Transition| {
-                let now = now.filter(|now| now.0 && now.2.map(usize::from) == Some(transition.from))?;
-                let been_ms = time_us.saturating_sub(now.4) / 1000;
-                transition.after_ms.map(|after| u64::from(after).saturating_sub(been_ms) as u32)
-            };
-            let condition = |(transition, condition): (&Transition, &Option<(bool, u64)>)| Condition {
-                holds: condition.map(|(holds, _)| holds),
-                since_us: condition.map_or(0, |(_, since)| since),
-                remaining_ms: rest(transition),
-            };
-            let conditions = described.transitions.iter().zip(conditions).map(condition).collect();
-            let message = ToPage::Conditions { session: session.id, component, time_us, conditions };
-            let frame = Frame::of(&message);
-            for page in pages {
-                session.pages.data(page, session.key(DataKind::Conditions(component)), frame.clone());
+                let costs = ToPage::Costs { session: session_id, time_us, window_us, components, chain_us, worst_us };
+                session.show_costs(costs);
             }
         }
     }

@@ -91,9 +91,7 @@ pub(super) fn read(session: &Session, mut recording: FileRecording) {
     };
     session.set_connection(Connection::Connected, note);
     session.announce();
-    for page in session.pages.list() {
-        session.send_description(page);
-    }
+    session.show_update(Vec::new());
 }
 
 /// Reads some cycles; returns whether there are more, or why not all can be shown.

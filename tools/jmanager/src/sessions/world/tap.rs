@@ -1,7 +1,7 @@
 //! What the session learns of a world beside the link: images, costs and the true state.
 
-use std::sync::Arc;
-use std::sync::mpsc::SyncSender;
+use std::collections::VecDeque;
+use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
 use bica::{ComponentId, Tree as _};
@@ -15,6 +15,7 @@ use super::Pacer;
 use crate::protocol::{ComponentCost, RobotPose, Truth};
 use crate::sessions::breakpoints::Activity;
 use crate::sessions::history::StoredImage;
+use crate::sessions::pages::lock;
 
 /// Number of cycles between two costs.
 const COSTS_EVERY: u64 = 50;
@@ -46,6 +47,27 @@ pub(crate) enum Extra {
     Overrun(u64, u16),
 }
 
+/// Largest number of observations that wait; the oldest is dropped.
+const MAX_EXTRAS: usize = 256;
+
+/// Observations that wait for the session's thread.
+#[derive(Debug, Default)]
+pub(crate) struct Extras(Mutex<VecDeque<Extra>>);
+
+impl Extras {
+    fn push(&self, extra: Extra) {
+        let mut extras = lock(&self.0);
+        if extras.len() == MAX_EXTRAS {
+            extras.pop_front();
+        }
+        extras.push_back(extra);
+    }
+
+    pub(crate) fn take(&self) -> VecDeque<Extra> {
+        std::mem::take(&mut lock(&self.0))
+    }
+}
+
 /// Costs of a window.
 #[derive(Default)]
 struct Window {
@@ -57,9 +79,9 @@ struct Window {
     runs: Vec<(u64, Duration, Duration)>,
 }
 
-/// Observer of a game that copies what the link does not carry. It never waits: what finds no room is dropped.
+/// Observer of a game that copies what the link does not carry. It waits for nobody.
 pub(super) struct Tap {
-    extras: SyncSender<Extra>,
+    extras: Arc<Extras>,
     image: Option<u32>,
     totals: Vec<(u64, Duration)>,
     window: Window,
@@ -69,7 +91,7 @@ pub(super) struct Tap {
 }
 
 impl Tap {
-    pub(super) fn new(extras: SyncSender<Extra>, pacer: Arc<Pacer>) -> Self {
+    pub(super) fn new(extras: Arc<Extras>, pacer: Arc<Pacer>) -> Self {
         let totals = vec![(0, Duration::ZERO); GRAPH.nodes.len()];
         let states = vec![(false, None); GRAPH.nodes.len()];
         Self { extras, image: None, totals, window: Window::new(0), pacer, states }
@@ -87,8 +109,7 @@ impl Tap {
     }
 
     fn send(&self, extra: Extra) {
-        // Full, or nobody listens any more: data are dropped.
-        let _ = self.extras.try_send(extra);
+        self.extras.push(extra);
     }
 
     fn image(&mut self, scene: &Scene<'_>, time_us: u64) {
@@ -167,12 +188,14 @@ impl GameObserver for Tap {
         self.breakpoints(scene, time_us);
         self.image(scene, time_us);
         self.costs(scene, time_us);
-        if scene.cycle.is_multiple_of(CONDITIONS_EVERY) {
+        // Of a paused world each cycle may be the last one.
+        let paused = self.pacer.is_paused();
+        if paused || scene.cycle.is_multiple_of(CONDITIONS_EVERY) {
             let machines = (0..GRAPH.nodes.len()).filter(|&index| !GRAPH.nodes[index].transitions.is_empty());
             let conditions = machines.map(|index| (index, scene.conditions(index).collect())).collect();
             self.send(Extra::Conditions(time_us, conditions));
         }
-        if scene.cycle.is_multiple_of(TRUTH_EVERY) {
+        if paused || scene.cycle.is_multiple_of(TRUTH_EVERY) {
             self.send(Extra::Truth(time_us, truth(scene)));
         }
         Ok(())
@@ -188,5 +211,20 @@ fn truth(scene: &Scene<'_>) -> Truth {
         others: scene.referee.others().iter().map(|other| (other.position.x, other.position.y)).collect(),
         start: pose(scene.start),
         attacks_blue: scene.referee.attacks() == GoalColour::SkyBlue,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn of_observations_that_nobody_takes_the_newest_stay() {
+        let extras = Extras::default();
+        let last = 2 * MAX_EXTRAS as u64;
+        (0..=last).for_each(|time_us| extras.push(Extra::Overrun(time_us, 0)));
+        let taken = extras.take();
+        assert_eq!(taken.len(), MAX_EXTRAS);
+        assert!(matches!(taken.back(), Some(Extra::Overrun(time_us, 0)) if *time_us == last), "{:?}", taken.back());
     }
 }
