@@ -69,15 +69,17 @@ pub(crate) fn run(
 /// Plays one shot in real time, with the pauses that the operator makes.
 fn play(game: &mut Game, attempt: &mut Attempt, console: Console) -> Result<(), Failure> {
     let (mut began, start) = (Instant::now(), game.world().now());
+    let mut cycle = start;
     while attempt.advance(game.world_mut())? && !interrupt::requested() {
         if !game.requests_mut().begins_cycle() {
             let paused = Instant::now();
             game.apply_requests();
+            send_truth(game, cycle);
             thread::sleep(PAUSED);
             began += paused.elapsed();
             continue;
         }
-        let cycle = game.world().now();
+        cycle = game.world().now();
         shots::cycle(game)?;
         send_truth(game, cycle);
         for line in game.observer_mut().0.take() {

@@ -81,6 +81,7 @@ pub fn play_controlled(
             NextStep::Requests => {
                 game.runner.apply_requests();
                 game.place_ball(observer)?;
+                game.send_truth();
                 continue;
             }
             NextStep::Cycle => game.cycle()?,

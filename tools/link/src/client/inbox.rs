@@ -1,6 +1,6 @@
 //! State of a client, from the messages that it received.
 
-use std::collections::{BTreeMap, VecDeque};
+use std::collections::BTreeMap;
 use std::time::{Duration, Instant};
 
 use bica_wire::message::{
@@ -11,14 +11,13 @@ use bica_wire::{FromRobot, ToMonitor};
 use postcard_schema::schema::owned::OwnedNamedType;
 
 use super::event::{Answered, Event, Snapshot};
+use super::events::Events;
 use super::extras::Extras;
 use crate::builder::Builder;
 use crate::description::{Description, to_json};
 use crate::error::Error;
 use crate::schema::decode;
 
-/// Largest number of events that wait; the oldest are dropped.
-const MAX_EVENTS: usize = 4096;
 /// Largest size of a schema, bytes.
 const MAX_SCHEMA: usize = 1 << 14;
 
@@ -38,7 +37,7 @@ pub(super) struct Inbox {
     pub(super) description: Description,
     builder: Option<Builder>,
     pub(super) lease: Option<LeaseState>,
-    pub(super) events: VecDeque<Event>,
+    pub(super) events: Events,
     pub(super) closing: Option<String>,
     /// Robot's time, and when it was received.
     time: Option<(Duration, Instant)>,
@@ -56,7 +55,7 @@ impl Inbox {
             description: Description::default(),
             builder: Some(Builder::new()),
             lease: None,
-            events: VecDeque::new(),
+            events: Events::default(),
             closing: None,
             time: None,
             partial: None,
@@ -84,16 +83,6 @@ impl Inbox {
         self.time.filter(|_| realtime).map(|(time, received)| time + elapsed(received))
     }
 
-    /// Takes the answer to a request.
-    pub(super) fn take_answer(&mut self, number: u32) -> Option<Answered> {
-        let found =
-            self.events.iter().position(|event| matches!(event, Event::Answer(answer) if answer.number == number));
-        match self.events.remove(found?) {
-            Some(Event::Answer(answer)) => Some(answer),
-            _ => None,
-        }
-    }
-
     /// Takes a message in.
     pub(super) fn receive(&mut self, message: FromRobot<'_>) -> Result<(), Error> {
         match message {
@@ -109,7 +98,7 @@ impl Inbox {
                     self.set_world(world);
                 }
                 if let Some(event) = event {
-                    self.push(event);
+                    self.events.push(event);
                 }
             }
             FromRobot::Identity(_) | FromRobot::Command(_) | FromRobot::Telemetry(_) | FromRobot::StackUsage(_) => {}
@@ -150,11 +139,11 @@ impl Inbox {
             ToMonitor::Lease(lease) => {
                 self.set_time(lease.time_us);
                 self.lease = Some(lease);
-                self.push(Event::Lease(lease));
+                self.events.push(Event::Lease(lease));
             }
-            ToMonitor::Answer(answer) => self.push(Event::Answer(answered(answer))),
+            ToMonitor::Answer(answer) => self.events.push(Event::Answer(answered(answer))),
             ToMonitor::Log(LogLine { time_us, level, text }) => {
-                self.push(Event::Log { time_us, level, text: text.to_owned() });
+                self.events.push(Event::Log { time_us, level, text: text.to_owned() });
             }
             ToMonitor::Closing { reason } => self.closing = Some(reason.to_owned()),
         }
@@ -162,13 +151,6 @@ impl Inbox {
 
     fn set_time(&mut self, time_us: u64) {
         self.time = Some((Duration::from_micros(time_us), Instant::now()));
-    }
-
-    fn push(&mut self, event: Event) {
-        if self.events.len() >= MAX_EVENTS {
-            self.events.pop_front();
-        }
-        self.events.push_back(event);
     }
 
     fn describe(&mut self, item: &GraphItem<'_>) -> Result<(), Error> {
@@ -190,7 +172,7 @@ impl Inbox {
         if snapshot.states.len() >= self.description.components.len()
             && let Some(snapshot) = self.partial.take()
         {
-            self.push(Event::Snapshot(snapshot));
+            self.events.push(Event::Snapshot(snapshot));
         }
     }
 
@@ -198,7 +180,7 @@ impl Inbox {
         let schema = self.schemas.get(&(value.component, value.info));
         let decoded = schema.zip(value.bytes).and_then(|(schema, bytes)| decode(schema, bytes));
         let (component, info) = (value.component.into(), value.info.into());
-        self.push(Event::Info { cycle: value.cycle, component, info, value: decoded });
+        self.events.push(Event::Info { cycle: value.cycle, component, info, value: decoded });
     }
 
     fn schema(&mut self, part: &InfoSchema<'_>) {
@@ -221,7 +203,7 @@ impl Inbox {
         for (param, value) in described.params.iter_mut().skip(values.first.into()).zip(&values.values) {
             param.value = Some(value.map_or(serde_json::Value::Null, |value| to_json(value, &param.kind)));
         }
-        self.push(Event::Params { component });
+        self.events.push(Event::Params { component });
     }
 }
 

@@ -1,6 +1,7 @@
 //! The monitor's end of the link.
 
 mod event;
+mod events;
 mod extras;
 mod inbox;
 mod options;
@@ -281,7 +282,7 @@ impl Client {
     /// # Errors
     /// [`Error::Refused`], [`Error::Timeout`], [`Error::Disconnected`].
     pub fn answer(&mut self, number: u32) -> Result<Answered, Error> {
-        let answer = self.wait("the answer to a request", |inbox| inbox.take_answer(number))?;
+        let answer = self.wait("the answer to a request", |inbox| inbox.events.take_answer(number))?;
         answer.result()
     }
 
@@ -300,7 +301,7 @@ impl Client {
     }
 
     fn next_event(&mut self) -> Result<Option<Event>, Error> {
-        let event = self.inbox.events.pop_front();
+        let event = self.inbox.events.pop();
         if let Some(Event::Image(image)) = &event {
             self.send_extra(FromMonitorExtra::ImageTaken { number: image.head.number })?;
         }

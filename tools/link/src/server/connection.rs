@@ -10,7 +10,7 @@ use std::time::{Duration, Instant};
 use bica_wire::message::ExtraKind;
 use bica_wire::{FromMonitor, FromMonitorExtra, Packet, ToRobot};
 
-use super::cycle_data::{self, Shown};
+use super::cycle_data::{Encoded, Watched};
 use super::hub::{Command, Hub, MAX_PENDING};
 use super::key::Key;
 use super::outbox::{Message, Outbox, Taken};
@@ -28,6 +28,8 @@ const IDLE: Duration = Duration::from_secs(30);
 const IMAGE_MS: u64 = 10_000;
 /// No image waits to be taken.
 const TAKEN: u64 = u64::MAX;
+/// No number of an image.
+const NO_IMAGE: u64 = u64::MAX;
 /// Number of bytes that are written together.
 const WRITE_BYTES: usize = 1 << 16;
 
@@ -41,6 +43,8 @@ pub(super) struct Connection {
     began: Instant,
     /// Time of the last image, which the monitor has not taken, ms after the beginning; [`TAKEN`] if it has.
     image_ms: AtomicU64,
+    /// Number of the last image for the monitor; [`NO_IMAGE`] without one since it began to watch images.
+    image: AtomicU64,
     closed: AtomicBool,
     stream: Stream,
 }
@@ -54,17 +58,27 @@ impl Connection {
     }
 
     /// Adds data of a cycle, which replaces what was not sent. For threads that may wait, not for the loop.
-    pub(super) fn show(&self, shown: Shown) {
-        self.outbox.show(shown);
+    pub(super) fn show(&self, data: &Arc<Encoded>, snapshot: bool, watched: &Watched) {
+        self.outbox.show(data, snapshot, watched);
     }
 
     /// Adds an image, which replaces one that was not begun. For threads that may wait, not for the loop.
     pub(super) fn show_image(&self, picture: Picture) {
         self.image_ms.store(self.began.elapsed().as_millis() as u64, Ordering::Relaxed);
+        self.image.store(picture.head.number.into(), Ordering::Relaxed);
         self.outbox.show_image(picture);
     }
 
-    pub(super) fn is_ready_for_image(&self) -> bool {
+    /// The monitor begins to watch images: the newest one is sent to it, also if it was sent before.
+    pub(super) fn forget_image(&self) {
+        self.image.store(NO_IMAGE, Ordering::Relaxed);
+    }
+
+    /// Whether an image can be sent: it is another one than the last, which the monitor has taken.
+    pub(super) fn is_ready_for_image(&self, number: u32) -> bool {
+        if self.image.load(Ordering::Relaxed) == u64::from(number) {
+            return false;
+        }
         let now = self.began.elapsed().as_millis() as u64;
         let last = self.image_ms.load(Ordering::Relaxed);
         last == TAKEN || now.saturating_sub(last) > IMAGE_MS
@@ -100,6 +114,7 @@ pub(super) fn serve(hub: &Arc<Hub>, mut stream: Stream) -> io::Result<()> {
         outbox: Outbox::default(),
         began: Instant::now(),
         image_ms: AtomicU64::new(TAKEN),
+        image: AtomicU64::new(NO_IMAGE),
         closed: AtomicBool::new(false),
         stream: stream.try_clone()?,
     });
@@ -210,7 +225,7 @@ fn write(connection: &Connection, mut stream: Stream) {
                 return;
             }
         }
-        let _ = cycle_data::frame(&data, &mut schemas, &mut packets);
+        let _ = data.frame(&mut schemas, &mut packets);
         sending = sending.or_else(|| image.map(Sending::new));
         // Each part of an image comes after everything else, so an image delays nothing for long.
         sending.take_if(|sending| sending.push_part(&mut packets).unwrap_or(true));

@@ -46,8 +46,8 @@ pub(super) struct Control {
     clock: LoopClock,
     pub(super) pace: Pace,
     pub(super) watchers: Watchers,
-    /// Connections that have begun to watch images and got none since.
-    pub(super) awaiting_image: BTreeSet<u64>,
+    /// Whether requests were applied without a cycle since the last one: it may be the last one for long.
+    pub(super) stands: bool,
     /// What the distributor gets at the end of the cycle.
     pub(super) outgoing: Outgoing,
     pub(super) lease: Lease,
@@ -60,6 +60,8 @@ pub(super) struct Control {
     pub(super) readers: BTreeSet<u64>,
     /// Numbers of the next cycle.
     pub(super) next: CycleInfo,
+    /// Numbers of the last cycle.
+    pub(super) last: Option<CycleInfo>,
 }
 
 impl Control {
@@ -71,7 +73,7 @@ impl Control {
             clock: LoopClock::new(),
             pace: Pace::default(),
             watchers: Watchers::default(),
-            awaiting_image: BTreeSet::new(),
+            stands: false,
             outgoing: Outgoing::default(),
             lease: Lease::new(options.silence, unpredictable()),
             applied: Vec::new(),
@@ -79,6 +81,7 @@ impl Control {
             changed: BTreeSet::new(),
             readers: BTreeSet::new(),
             next: CycleInfo::default(),
+            last: None,
         }
     }
 
@@ -146,12 +149,7 @@ impl Control {
                 }
             }
             Command::Watch(watch) => self.watchers.watch(id, watch.every),
-            Command::WatchImages(every) => {
-                self.watchers.watch_images(id, every);
-                if every > 0 {
-                    self.awaiting_image.insert(id);
-                }
-            }
+            Command::WatchImages(every) => self.watchers.watch_images(id, every),
             Command::WatchKey(watch) => {
                 if !self.watchers.watch_key(id, watch) {
                     let text = "a monitor cannot watch so much".into();
@@ -242,6 +240,7 @@ impl Control {
                 let (cycle, result) = (self.next.cycle, AnswerKind::Done(Vec::new()));
                 self.tell(connection, Message::Answer { number, cycle, arrived, result });
                 self.log(now, 2, &text);
+                self.watchers.owe_truth();
             }
             Err(reason) => {
                 self.log(now, 3, &format!("{text} refused: {reason}"));

@@ -1,6 +1,6 @@
 //! Data of one cycle, shared by all monitors.
 
-use std::collections::{BTreeMap, BTreeSet, VecDeque};
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -130,11 +130,6 @@ pub(super) struct Encoded {
 }
 
 impl Encoded {
-    #[cfg(test)]
-    pub(super) fn of_cycle(cycle: u64) -> Self {
-        Self { cycle, ..Self::default() }
-    }
-
     /// Whether there is a snapshot: the true state of a cycle comes alone.
     pub(super) const fn has_snapshot(&self) -> bool {
         !self.snapshot.is_empty()
@@ -150,47 +145,52 @@ struct EncodedReading {
     places: Vec<Range<usize>>,
 }
 
-/// Data of one cycle for one monitor.
-#[derive(Debug)]
-pub(super) struct Shown {
-    pub(super) data: Arc<Encoded>,
-    /// Whether the snapshot is due for this monitor.
-    pub(super) snapshot: bool,
-    pub(super) watched: Arc<Watched>,
+/// Data that waits for one monitor: the newest snapshot, and the newest value of everything else, with its place among the readings.
+#[derive(Debug, Default)]
+pub(super) struct Waiting {
+    snapshot: Option<Arc<Encoded>>,
+    values: BTreeMap<Key, (Arc<Encoded>, usize)>,
 }
 
-/// Appends the packets of the newest snapshot and of the newest value of everything else; `schemas` are those that were sent.
-pub(super) fn frame(
-    shown: &VecDeque<Shown>,
-    schemas: &mut BTreeSet<Key>,
-    packets: &mut Packets,
-) -> Result<(), TooLarge> {
-    if let Some(newest) = shown.iter().rev().find(|shown| shown.snapshot) {
-        newest.data.snapshot.iter().try_for_each(|place| packets.push_encoded(&newest.data.bytes[place.clone()]))?;
+impl Waiting {
+    /// Adds what is due for the monitor in a cycle.
+    pub(super) fn add(&mut self, data: &Arc<Encoded>, snapshot: bool, watched: &Watched) {
+        if snapshot {
+            self.snapshot = Some(Arc::clone(data));
+        }
+        for (index, reading) in data.readings.iter().enumerate() {
+            if watched.get(&reading.key).is_some_and(|&every| data.cycle.is_multiple_of(every.into())) {
+                self.values.insert(reading.key, (Arc::clone(data), index));
+            }
+        }
     }
-    let mut sent = BTreeSet::new();
-    for Shown { data, watched, .. } in shown.iter().rev() {
-        for reading in &data.readings {
-            let key = reading.key;
-            let is_due = watched.get(&key).is_some_and(|&every| data.cycle.is_multiple_of(every.into()));
-            if !is_due || (shown.len() > 1 && !sent.insert(key)) {
-                continue;
-            }
-            if let (Key::Info(component, info), Some(schema)) = (key, reading.schema)
-                && schemas.insert(key)
+
+    pub(super) fn is_empty(&self) -> bool {
+        self.snapshot.is_none() && self.values.is_empty()
+    }
+
+    /// Appends the packets; `schemas` are those that were sent.
+    pub(super) fn frame(&self, schemas: &mut BTreeSet<Key>, packets: &mut Packets) -> Result<(), TooLarge> {
+        if let Some(data) = &self.snapshot {
+            data.snapshot.iter().try_for_each(|place| packets.push_encoded(&data.bytes[place.clone()]))?;
+        }
+        for (data, index) in self.values.values() {
+            let EncodedReading { key, schema, places } = &data.readings[*index];
+            if let (Key::Info(component, info), Some(schema)) = (key, schema)
+                && schemas.insert(*key)
             {
-                push_schema((component, info), schema, packets)?;
+                push_schema((*component, *info), schema, packets)?;
             }
-            for place in &reading.places {
+            for place in places {
                 let bytes = &data.bytes[place.clone()];
-                match reading.schema {
+                match schema {
                     Some(_) => packets.push_encoded(bytes)?,
                     None => packets.push_robot(&FromRobot::MonitorExtra(bytes))?,
                 }
             }
         }
+        Ok(())
     }
-    Ok(())
 }
 
 fn push_schema(
@@ -205,4 +205,27 @@ fn push_schema(
         packets.push(&ToMonitor::InfoSchema(InfoSchema { component, info, last: index == last, bytes }))?;
     }
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Data of a cycle with the values of these outputs.
+    fn encoded(cycle: u64, outputs: &[u16]) -> Arc<Encoded> {
+        let reading = |&info: &u16| EncodedReading { key: Key::Info(0, info), schema: None, places: Vec::new() };
+        Arc::new(Encoded { cycle, readings: outputs.iter().map(reading).collect(), ..Encoded::default() })
+    }
+
+    #[test]
+    fn of_data_that_nobody_takes_the_newest_value_of_each_output_stays() {
+        let (mut waiting, watched) =
+            (Waiting::default(), Watched::from([(Key::Info(0, 0), 1), (Key::Info(0, 1), 1000)]));
+        for cycle in 0..100 {
+            waiting.add(&encoded(cycle, &[0, 1]), true, &watched);
+        }
+        assert_eq!(waiting.snapshot.as_ref().map(|data| data.cycle), Some(99));
+        let cycles: Vec<_> = waiting.values.iter().map(|(&key, (data, _))| (key, data.cycle)).collect();
+        assert_eq!(cycles, [(Key::Info(0, 0), 99), (Key::Info(0, 1), 0)]);
+    }
 }

@@ -4,11 +4,10 @@ use std::sync::Arc;
 use std::thread::{self, JoinHandle};
 use std::{io, mem};
 
-use super::cycle_data::{CycleData, Shown};
+use super::cycle_data::CycleData;
 use super::exchange::{Exchange, Outgoing, Recipient};
 use super::hub::Hub;
 use super::picture::Shot;
-use super::watcher::Watcher;
 
 /// Starts the thread. It ends after [`Exchange::close`], once everything is distributed.
 pub(super) fn start(hub: &Arc<Hub>) -> io::Result<JoinHandle<()>> {
@@ -27,8 +26,9 @@ fn run(hub: &Hub, exchange: &Exchange) {
         }
         received.data.iter_mut().for_each(distribute);
         if let Some(Shot { watchers, picture }) = received.shot.take() {
-            let wants = |watcher: &&Watcher| watcher.wants_image(picture.head.number);
-            watchers.iter().filter(wants).for_each(|watcher| watcher.connection.show_image(picture.clone()));
+            // The same image may have been handed over twice.
+            let ready = watchers.iter().filter(|watcher| watcher.connection.is_ready_for_image(picture.head.number));
+            ready.for_each(|watcher| watcher.connection.show_image(picture.clone()));
         }
     }
 }
@@ -41,8 +41,7 @@ fn distribute(data: &mut CycleData) {
     for watcher in watchers.iter().filter(|watcher| !watcher.connection.is_closed()) {
         let snapshot = encoded.has_snapshot() && watcher.is_due(encoded.cycle);
         if snapshot || !watcher.watched.is_empty() {
-            let (data, watched) = (Arc::clone(&encoded), Arc::clone(&watcher.watched));
-            watcher.connection.show(Shown { data, snapshot, watched });
+            watcher.connection.show(&encoded, snapshot, &watcher.watched);
         }
     }
 }

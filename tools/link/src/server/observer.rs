@@ -1,5 +1,6 @@
 //! The observer in the loop.
 
+use std::collections::BTreeSet;
 use std::sync::atomic::Ordering;
 use std::sync::{Arc, Mutex};
 
@@ -27,8 +28,6 @@ pub struct LinkObserver<R: Robot> {
     newest: Option<Picture>,
     conditions: ConditionTable,
     costs: CostMeter,
-    /// Whether anybody watches the true state.
-    wants_truth: bool,
 }
 
 /// Function that returns the image in sensor values.
@@ -48,7 +47,6 @@ impl<R: Robot> LinkObserver<R> {
             newest: None,
             conditions: ConditionTable::new(graph),
             costs: CostMeter::new(graph),
-            wants_truth: false,
         }
     }
 
@@ -66,23 +64,30 @@ impl<R: Robot> LinkObserver<R> {
         Self { owner_of: Some(Box::new(owner_of)), ..self }
     }
 
-    /// Whether anybody watches the true state of the world; then [`truth`](Self::truth) is called after each cycle.
+    /// Whether anybody is to get the true state of the world; then [`truth`](Self::truth) is called, after each cycle and, in a world that can
+    /// be paused, after each [`Runner::apply_requests`](bica::runner::Runner::apply_requests).
     #[must_use]
-    pub const fn wants_truth(&self) -> bool {
-        self.wants_truth
+    pub fn wants_truth(&self) -> bool {
+        let control = lock(&self.control);
+        if control.stands { control.watchers.owes_truth() } else { control.watchers.has(Key::Truth) }
     }
 
-    /// Sends the true state after the last cycle to those for whom it is due.
+    /// Sends the true state after the last cycle to those for whom it is due, or, between two cycles, to those who have not got it since
+    /// they watch it or it changed.
     pub fn truth(&self, truth: impl FnOnce() -> Truth) {
         let mut control = lock(&self.control);
         let Some(cycle) = control.next.cycle.checked_sub(1) else { return };
-        if !control.watchers.due(cycle).any(|key| key == Key::Truth) {
+        let watchers = if control.stands {
+            control.watchers.take_owed_truth()
+        } else if control.watchers.due(cycle).any(|key| key == Key::Truth) {
+            control.watchers.shared()
+        } else {
             return;
-        }
+        };
         let mut data = control.outgoing.unused_data();
         data.begin(cycle);
         data.extras.push(Extra::Truth(Box::new(truth())));
-        data.watchers = control.watchers.shared();
+        data.watchers = watchers;
         control.outgoing.add_data(data);
         control.hand_over();
     }
@@ -131,20 +136,17 @@ impl<R: Robot> Observer<R> for LinkObserver<R> {
         let Some(image) = self.image_of.and_then(|image_of| image_of(sensors)) else { return };
         let number = control.next.images as u32;
         control.next.images += 1;
-        control.awaiting_image.clear();
-        let (is_wanted, can_pause) = (control.watchers.wants_image(number), control.can_pause());
-        if !is_wanted && !can_pause {
+        let (watchers, can_pause) = (control.watchers.of_image(number, false), control.can_pause());
+        if watchers.is_empty() && !can_pause {
             return;
         }
         let owner = self.owner_of.as_ref().and_then(|owner_of| owner_of(image.yuyv));
-        // An image that nobody watches is kept only if that copies nothing.
-        let Some(pixels) = owner.or_else(|| is_wanted.then(|| self.copies.copy(image.yuyv))) else { return };
+        let pixels = owner.unwrap_or_else(|| self.copies.copy(image.yuyv));
         let LinkImage { bottom_camera, width, height, .. } = image;
         let head = ImageHead { number, time_us: now.as_micros(), bottom_camera, width, height };
         let picture = Picture { head, pixels };
         self.newest = can_pause.then(|| picture.clone());
-        if is_wanted {
-            let watchers = control.watchers.shared();
+        if !watchers.is_empty() {
             control.outgoing.shot = Some(Shot { watchers, picture });
         }
     }
@@ -155,13 +157,13 @@ impl<R: Robot> Observer<R> for LinkObserver<R> {
         control.answer(cycle.robot);
         control.send_params(cycle.robot);
         control.send_data(cycle.robot, &self.conditions, &mut self.costs);
+        control.stands = false;
         control.next_cycle();
         if control.pace.ends_cycle() {
             control.announce_world();
         }
         control.hand_over();
         self.costs.switch(control.watchers.has(Key::Costs));
-        self.wants_truth = control.watchers.has(Key::Truth);
     }
 
     fn requests_applied(&mut self, now: Instant, robot: &R) {
@@ -169,16 +171,14 @@ impl<R: Robot> Observer<R> for LinkObserver<R> {
         control.next.time_us = now.as_micros();
         control.answer(robot);
         control.send_params(robot);
-        // No image comes before the world goes on.
-        let is_free = !control.awaiting_image.is_empty() && control.outgoing.shot.is_none();
-        if let Some(picture) = self.newest.as_ref().filter(|_| is_free) {
-            let awaiting = std::mem::take(&mut control.awaiting_image);
-            let watchers = control.watchers.of_image(picture.head.number, &awaiting);
-            control.outgoing.shot = Some(Shot { watchers, picture: picture.clone() });
+        // Neither data nor an image come before the world goes on.
+        control.send_owed(robot, &self.conditions);
+        if let Some(picture) = self.newest.as_ref().filter(|_| control.outgoing.shot.is_none()) {
+            let watchers = control.watchers.of_image(picture.head.number, true);
+            control.outgoing.shot = (!watchers.is_empty()).then(|| Shot { watchers, picture: picture.clone() });
         }
         control.hand_over();
         self.costs.switch(control.watchers.has(Key::Costs));
-        self.wants_truth = control.watchers.has(Key::Truth);
     }
 
     fn overrun(&mut self, _overrun: &Overrun) {
@@ -227,6 +227,35 @@ impl Control {
             }
         }
         data.watchers = self.watchers.shared();
+        self.outgoing.add_data(data);
+        self.watchers.settle(info.cycle);
+        self.last = Some(info);
+    }
+
+    /// Reads after the last cycle what monitors have not got since they watch it.
+    fn send_owed<T: Tree>(&mut self, tree: &T, conditions: &ConditionTable) {
+        let Some(info) = self.last else { return };
+        if !std::mem::replace(&mut self.stands, true) {
+            self.watchers.owe_rest(info.cycle);
+        }
+        let watchers = self.watchers.take_owed();
+        if watchers.is_empty() {
+            return;
+        }
+        let mut data = self.outgoing.unused_data();
+        data.begin(info.cycle);
+        if watchers.iter().any(|watcher| watcher.every > 0) {
+            data.snapshot.read(info, tree);
+        }
+        let keys: BTreeSet<Key> = watchers.iter().flat_map(|watcher| watcher.watched.keys().copied()).collect();
+        for key in keys {
+            match key {
+                Key::Info(component, index) => data.read(tree, component, index),
+                Key::Conditions(component) => data.extras.extend(conditions.read(component, info.time_us)),
+                Key::Costs | Key::Truth => {}
+            }
+        }
+        data.watchers = watchers;
         self.outgoing.add_data(data);
     }
 

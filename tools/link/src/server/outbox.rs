@@ -9,15 +9,12 @@ use bica_wire::message::{
 };
 use bica_wire::{FromRobot, ToMonitor, ToMonitorExtra, TooLarge, describe, truncate};
 
-use super::cycle_data::Shown;
+use super::cycle_data::{Encoded, Waiting, Watched};
 use super::picture::Picture;
 use crate::frame::Packets;
 
 /// Largest number of messages in the lossless queue. A monitor that leaves more unread is disconnected.
 const MAX_STATE: usize = 1024;
-
-/// Largest number of cycles whose data waits; the oldest is dropped.
-const MAX_DATA: usize = 8;
 
 /// Message of the lossless queue.
 #[derive(Clone, Debug)]
@@ -49,14 +46,14 @@ pub(super) struct Outbox {
 /// What the writer sends next.
 pub(super) struct Taken {
     pub(super) messages: VecDeque<Message>,
-    pub(super) data: VecDeque<Shown>,
+    pub(super) data: Waiting,
     pub(super) image: Option<Picture>,
 }
 
 #[derive(Debug, Default)]
 struct Queues {
     state: VecDeque<Message>,
-    data: VecDeque<Shown>,
+    data: Waiting,
     /// The newest image that was not begun.
     image: Option<Picture>,
     /// Whether the writer waits; waking it costs a call of the operating system.
@@ -76,13 +73,10 @@ impl Outbox {
         room
     }
 
-    /// Adds data of a cycle; the oldest is dropped if there is too much.
-    pub(super) fn show(&self, shown: Shown) {
+    /// Adds data of a cycle, which replaces what was not sent.
+    pub(super) fn show(&self, data: &Arc<Encoded>, snapshot: bool, watched: &Watched) {
         let mut queues = self.lock();
-        if queues.data.len() == MAX_DATA {
-            queues.data.pop_front();
-        }
-        queues.data.push_back(shown);
+        queues.data.add(data, snapshot, watched);
         self.wake(queues);
     }
 
@@ -163,22 +157,7 @@ impl Message {
 
 #[cfg(test)]
 mod tests {
-    use std::sync::Arc;
-
     use super::*;
-    use crate::server::cycle_data::Encoded;
-
-    #[test]
-    fn of_data_that_nobody_takes_the_newest_is_kept() {
-        let outbox = Outbox::default();
-        for cycle in 0..100 {
-            let data = Arc::new(Encoded::of_cycle(cycle));
-            outbox.show(Shown { data, snapshot: true, watched: Arc::default() });
-        }
-        let taken = outbox.take(false).expect("it is not closed");
-        let cycles: Vec<_> = taken.data.iter().map(|shown| shown.data.cycle).collect();
-        assert_eq!(cycles, (100 - MAX_DATA as u64..100).collect::<Vec<_>>());
-    }
 
     #[test]
     fn of_messages_that_nobody_takes_none_is_lost_until_there_is_no_room() {

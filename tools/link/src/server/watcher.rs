@@ -1,9 +1,11 @@
 //! A monitor as the loop sees it.
 
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use super::connection::Connection;
 use super::cycle_data::Watched;
+use super::key::Key;
 
 /// Largest number of information and components with conditions that a monitor watches.
 pub(super) const MAX_WATCHED: usize = 512;
@@ -24,13 +26,25 @@ impl Watcher {
         Self { connection, every: 0, watched: Arc::default(), images: 0 }
     }
 
+    /// The same monitor, watching only these in each cycle.
+    pub(super) fn only(&self, snapshot: bool, keys: BTreeSet<Key>) -> Self {
+        let watched = Arc::new(keys.into_iter().map(|key| (key, 1)).collect());
+        Self { connection: Arc::clone(&self.connection), every: snapshot.into(), watched, images: 0 }
+    }
+
     /// Whether a snapshot is due in a cycle.
     pub(super) const fn is_due(&self, cycle: u64) -> bool {
         self.every > 0 && cycle.is_multiple_of(self.every as u64)
     }
 
-    /// Whether it gets an image with a number: it is due, and the monitor has taken the last one.
-    pub(super) fn wants_image(&self, number: u32) -> bool {
-        self.images > 0 && number.is_multiple_of(self.images.into()) && self.connection.is_ready_for_image()
+    /// Whether something is due in a cycle.
+    pub(super) fn is_key_due(&self, key: Key, cycle: u64) -> bool {
+        self.watched.get(&key).is_some_and(|&every| cycle.is_multiple_of(every.into()))
+    }
+
+    /// Whether it gets an image with a number: it is due, or the world `stands` still, and the monitor has taken the last one.
+    pub(super) fn wants_image(&self, number: u32, stands: bool) -> bool {
+        let is_due = self.images > 0 && (stands || number.is_multiple_of(self.images.into()));
+        is_due && self.connection.is_ready_for_image(number)
     }
 }

@@ -1,6 +1,6 @@
 //! All monitors, and what at least one of them watches.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use super::key::Key;
@@ -14,6 +14,15 @@ pub(super) struct Watchers {
     union: Union,
     /// Copy of the list for the distributor, if nothing changed since.
     shared: Option<Arc<[Watcher]>>,
+    /// What monitors have not got since they watch it. It is sent when it is due, or when the world is paused.
+    owed: BTreeMap<u64, Owed>,
+}
+
+/// What a monitor has not got since it watches it.
+#[derive(Debug, Default)]
+struct Owed {
+    snapshot: bool,
+    keys: BTreeSet<Key>,
 }
 
 impl Watchers {
@@ -37,8 +46,10 @@ impl Watchers {
 
     /// Sets how often a monitor gets a snapshot.
     pub(super) fn watch(&mut self, connection: u64, every: u16) {
-        if let Some(watcher) = self.find_mut(connection) {
+        let Some(watcher) = self.find_mut(connection) else { return };
+        if watcher.every != every {
             watcher.every = every;
+            self.owed.entry(connection).or_default().snapshot = every > 0;
         }
     }
 
@@ -46,6 +57,7 @@ impl Watchers {
     pub(super) fn watch_images(&mut self, connection: u64, every: u16) {
         if let Some(watcher) = self.find_mut(connection) {
             watcher.images = every;
+            watcher.connection.forget_image();
         }
     }
 
@@ -61,10 +73,71 @@ impl Watchers {
         if let Some(last) = last {
             self.union.remove((key, last));
         }
+        let owed = &mut self.owed.entry(connection).or_default().keys;
         if every > 0 {
             self.union.add((key, every));
         }
+        // Costs are those of a window, not a state.
+        if every == 0 || key == Key::Costs {
+            owed.remove(&key);
+        } else if last != Some(every) {
+            owed.insert(key);
+        }
         true
+    }
+
+    /// A cycle was sent: what was due in it is not owed any more.
+    pub(super) fn settle(&mut self, cycle: u64) {
+        let Self { list, owed, .. } = self;
+        owed.retain(|connection, owed| {
+            let Some(watcher) = list.iter().find(|one| one.connection.id == *connection) else { return false };
+            owed.snapshot &= !watcher.is_due(cycle);
+            owed.keys.retain(|&key| !watcher.is_key_due(key, cycle));
+            owed.snapshot || !owed.keys.is_empty()
+        });
+    }
+
+    /// No cycle follows for now: everything that was not due in the last one is owed.
+    pub(super) fn owe_rest(&mut self, cycle: u64) {
+        for watcher in &self.list {
+            let owed = self.owed.entry(watcher.connection.id).or_default();
+            owed.snapshot |= watcher.every > 0 && !watcher.is_due(cycle);
+            let not_due = |key: &&Key| **key != Key::Costs && !watcher.is_key_due(**key, cycle);
+            owed.keys.extend(watcher.watched.keys().filter(not_due));
+        }
+    }
+
+    /// The true state has changed between two cycles.
+    pub(super) fn owe_truth(&mut self) {
+        for watcher in self.list.iter().filter(|watcher| watcher.watched.contains_key(&Key::Truth)) {
+            self.owed.entry(watcher.connection.id).or_default().keys.insert(Key::Truth);
+        }
+    }
+
+    /// Whether somebody is owed the true state.
+    pub(super) fn owes_truth(&self) -> bool {
+        self.owed.values().any(|owed| owed.keys.contains(&Key::Truth))
+    }
+
+    /// The monitors that are owed the true state, and nothing else; they are owed it no more.
+    pub(super) fn take_owed_truth(&mut self) -> Arc<[Watcher]> {
+        let Self { list, owed, .. } = self;
+        let owed_to =
+            |watcher: &&Watcher| owed.get_mut(&watcher.connection.id).is_some_and(|owed| owed.keys.remove(&Key::Truth));
+        let only = |watcher: &Watcher| watcher.only(false, BTreeSet::from([Key::Truth]));
+        list.iter().filter(owed_to).map(only).collect()
+    }
+
+    /// What is owed but the true state, as monitors that watch just that in each cycle; it is owed no more.
+    pub(super) fn take_owed(&mut self) -> Arc<[Watcher]> {
+        let Self { list, owed, .. } = self;
+        let take = |watcher: &Watcher| {
+            let owed = owed.get_mut(&watcher.connection.id)?;
+            let keys: BTreeSet<Key> = owed.keys.extract_if(.., |key| *key != Key::Truth).collect();
+            let snapshot = std::mem::take(&mut owed.snapshot);
+            (snapshot || !keys.is_empty()).then(|| watcher.only(snapshot, keys))
+        };
+        list.iter().filter_map(take).collect()
     }
 
     /// Removes those that are disconnected.
@@ -76,6 +149,9 @@ impl Watchers {
         let closed: Vec<_> = self.list.extract_if(.., |watcher| watcher.connection.is_closed()).collect();
         for (&key, &every) in closed.iter().flat_map(|watcher| watcher.watched.iter()) {
             self.union.remove((key, every));
+        }
+        for watcher in closed {
+            self.owed.remove(&watcher.connection.id);
         }
     }
 
@@ -94,15 +170,9 @@ impl Watchers {
         self.union.has(key)
     }
 
-    /// Whether anybody gets the image with a number.
-    pub(super) fn wants_image(&self, number: u32) -> bool {
-        self.list.iter().any(|watcher| watcher.wants_image(number))
-    }
-
-    /// Those of these connections that get the image with a number.
-    pub(super) fn of_image(&self, number: u32, connections: &BTreeSet<u64>) -> Arc<[Watcher]> {
-        let gets = |watcher: &&Watcher| connections.contains(&watcher.connection.id) && watcher.wants_image(number);
-        self.list.iter().filter(gets).cloned().collect()
+    /// Those that get the image with a number, in a world that `stands` still or does not.
+    pub(super) fn of_image(&self, number: u32, stands: bool) -> Arc<[Watcher]> {
+        self.list.iter().filter(|watcher| watcher.wants_image(number, stands)).cloned().collect()
     }
 
     /// The monitors as they are now.

@@ -1,5 +1,6 @@
 //! What only a program on a computer offers: the world's time, conditions, costs, the true state, images.
 
+use std::collections::BTreeSet;
 use std::io::{Read, Write};
 use std::net::TcpListener;
 use std::thread;
@@ -71,6 +72,42 @@ fn a_paused_world_applies_requests_and_runs_exactly_the_requested_steps() {
     operator.change_world(WorldChange::Resume).unwrap();
     world(&mut watcher, "the end of the pause", |state| !state.paused);
     session.run(20);
+}
+
+#[test]
+fn a_monitor_that_comes_to_a_paused_world_gets_everything_of_the_last_cycle() {
+    let session = Session::start_world();
+    let (mut operator, mut slow) = (session.client(), session.client());
+    let seldom = |client: &mut Client| {
+        client.watch(10_000).unwrap();
+        client.watch_info(1, 0, 10_000).unwrap();
+        for kind in [CONDITIONS, ExtraKind::Truth, ExtraKind::Images] {
+            client.watch_extra(kind, 10_000).unwrap();
+        }
+    };
+    seldom(&mut slow);
+    operator.acquire(false).unwrap();
+    session.run(50);
+    let last = operator.change_world(PAUSE).unwrap().cycle;
+    let mut newcomer = session.client();
+    seldom(&mut newcomer);
+    for client in [&mut newcomer, &mut slow] {
+        let mut missing = BTreeSet::from(["snapshot", "output", "conditions", "truth", "image"]);
+        while !missing.is_empty() {
+            event(client, &format!("{missing:?} of cycle {last}"), |event| {
+                let (what, cycle) = match event {
+                    Event::Snapshot(snapshot) => ("snapshot", snapshot.info.cycle),
+                    Event::Info { cycle, .. } => ("output", cycle),
+                    Event::Conditions { time_us, .. } => ("conditions", time_us / CYCLE_US),
+                    Event::Truth(truth) => ("truth", truth.time_us / CYCLE_US),
+                    Event::Image(image) => ("image", image.head.number.into()),
+                    _ => return None,
+                };
+                (cycle == last).then(|| missing.remove(what))
+            });
+        }
+    }
+    assert_eq!(session.cycles(), last + 1, "time stands still");
 }
 
 #[test]

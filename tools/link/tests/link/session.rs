@@ -152,7 +152,14 @@ impl Session {
         let mut runner = runner.with_requests(requests).with_observer((counter, observer));
         let in_loop = Arc::clone(&shared);
         let thread = thread::spawn(move || {
+            let send_truth = |runner: &Loop, time_us: u64| {
+                let (distance, observer) = (runner.world().distance, &runner.observer().1);
+                if observer.wants_truth() {
+                    observer.truth(|| Truth { time_us, robot: [distance, 0.0, 0.0], ..Truth::default() });
+                }
+            };
             let mut commands = Vec::new();
+            let mut time_us = 0;
             while !in_loop.stop.load(Ordering::SeqCst) {
                 if in_loop.paused.load(Ordering::SeqCst) {
                     in_loop.is_paused.store(true, Ordering::SeqCst);
@@ -163,16 +170,13 @@ impl Session {
                 if !runner.requests_mut().begins_cycle() {
                     runner.apply_requests();
                     place_ball(&mut runner);
+                    send_truth(&runner, time_us);
                     thread::sleep(Duration::from_millis(1));
                     continue;
                 }
-                let time_us = runner.world().cycle * CYCLE_US;
+                time_us = runner.world().cycle * CYCLE_US;
                 commands.push(runner.cycle().expect("no sensor value is rejected").to_bits());
-                let distance = runner.world().distance;
-                let observer = &runner.observer().1;
-                if observer.wants_truth() {
-                    observer.truth(|| Truth { time_us, robot: [distance, 0.0, 0.0], ..Truth::default() });
-                }
+                send_truth(&runner, time_us);
                 in_loop.cycles.fetch_add(1, Ordering::SeqCst);
                 place_ball(&mut runner);
                 thread::sleep(Duration::from_micros(500));
