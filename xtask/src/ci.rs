@@ -2,30 +2,84 @@
 
 use std::time::Instant;
 
-use crate::cli::{Budget, Firmware, Viewers};
+use clap::ValueEnum;
+
+use crate::cli::{Budget, Ci, Firmware};
 use crate::process::run;
 use crate::{browser, deny, firmware, instructions, miri, mujoco, no_std, peers, publish, slow_tests, viewers};
 
-type Step = (&'static str, fn() -> Result<(), String>);
+/// Step of CI, in its order.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Step {
+    Format,
+    Lints,
+    Docs,
+    Tests,
+    /// Packages each public crate and builds it from its package
+    Publish,
+    /// Licences, sources and duplicates of all dependencies
+    Deny,
+    /// Advisories about dependencies
+    Advisories,
+    Peers,
+    Games,
+    /// Reads a recording and its export with MCAP's Python library
+    Viewers,
+    /// Tests of the framework in Miri, which detects undefined behaviour
+    Miri,
+    /// Instructions of the benchmarks
+    Budget,
+    Mujoco,
+    /// Builds of the robot's crates for a Cortex-M, without a heap
+    NoStd,
+    Firmware,
+    /// JManager's page in a browser; one of its stories plays the firmware
+    Browser,
+}
 
-const STEPS: [Step; 15] = [
-    ("format", format),
-    ("lints", || run("cargo", &["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"], &[])),
-    ("docs", || run("cargo", &["doc", "--workspace", "--no-deps"], &[("RUSTDOCFLAGS", "-D warnings")])),
-    ("tests", tests),
-    ("publish", publish::check),
-    ("deny", deny::check),
-    ("peers", peers::check),
-    ("games", games),
-    ("viewers", || viewers::check(&Viewers::default(), features())),
-    ("miri", miri::check_if_installable),
-    ("budget", || instructions::check(&Budget::default())),
-    ("mujoco", mujoco::check),
-    ("no_std", no_std::check),
-    ("firmware", || firmware::check(&Firmware::default())),
-    // After the firmware, whose image one of the stories plays.
-    ("browser", || browser::test(false)),
-];
+impl Step {
+    fn name(self) -> String {
+        self.to_possible_value().map_or_else(String::new, |value| value.get_name().to_owned())
+    }
+
+    /// Installs the tool that the step needs.
+    fn install(self) -> Result<(), String> {
+        match self {
+            Self::Deny => deny::install().map(drop),
+            Self::Advisories => deny::fetch_advisories(),
+            Self::Viewers => viewers::install().map(drop),
+            Self::Miri => miri::install(),
+            Self::Budget => instructions::install().map(drop),
+            Self::Mujoco => mujoco::install(),
+            Self::NoStd => no_std::Toolchain::get().map(drop),
+            Self::Firmware => firmware::install_emulator(),
+            Self::Browser => browser::install(),
+            _ => Ok(()),
+        }
+    }
+
+    /// Runs the step. `features` are those with which the program is built, so that it is built once for all steps.
+    fn check(self, features: &[&str]) -> Result<(), String> {
+        match self {
+            Self::Format => format(),
+            Self::Lints => run("cargo", &["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"], &[]),
+            Self::Docs => run("cargo", &["doc", "--workspace", "--no-deps"], &[("RUSTDOCFLAGS", "-D warnings")]),
+            Self::Tests => tests(),
+            Self::Publish => publish::check(),
+            Self::Deny => deny::check(),
+            Self::Advisories => deny::check_advisories(),
+            Self::Peers => peers::check(),
+            Self::Games => games(features),
+            Self::Viewers => viewers::check(features),
+            Self::Miri => miri::check(),
+            Self::Budget => instructions::check(&Budget::default()),
+            Self::Mujoco => mujoco::check(),
+            Self::NoStd => no_std::check(),
+            Self::Firmware => firmware::check(&Firmware::default()),
+            Self::Browser => browser::test(false),
+        }
+    }
+}
 
 /// Checks the format of all workspaces but that of `peers`, which its own step checks.
 fn format() -> Result<(), String> {
@@ -41,37 +95,89 @@ fn tests() -> Result<(), String> {
     slow_tests::run(&cases)
 }
 
-/// Features of the program: `mujoco` where that can be installed. The step `mujoco` needs it too, and so the program is built once.
-fn features() -> &'static [&'static str] {
-    with_mujoco(&["--features", "mujoco"])
-}
-
-/// Returns `features` where MuJoCo can be installed, else none.
-pub(crate) fn with_mujoco<'a>(features: &'a [&'a str]) -> &'a [&'a str] {
-    if mujoco::install().is_ok() { features } else { &[] }
+/// Installs MuJoCo if it is `wanted`, and returns the feature of the program's libraries that needs it.
+///
+/// # Errors
+/// If the installation fails.
+pub(crate) fn with_mujoco(wanted: bool) -> Result<&'static [&'static str], String> {
+    if wanted { mujoco::install().map(|()| &["bica-game/mujoco"][..]) } else { Ok(&[]) }
 }
 
 /// Plays games in the built-in world.
-fn games() -> Result<(), String> {
+fn games(features: &[&str]) -> Result<(), String> {
     let play = ["--", "play", "--games", "20", "--at-least", "19"];
-    run("cargo", &[&["run", "--release"], features(), &play].concat(), &[])
+    run("cargo", &[&["run", "--release"], features, &play].concat(), &[])
 }
 
-/// Runs all steps and prints the time of each.
+/// Runs the selected steps, and prints the time of each and what was left out.
 ///
 /// # Errors
-/// If a check fails; later steps do not run.
-pub(crate) fn check() -> Result<(), String> {
+/// If a tool cannot be installed, or a check fails; later steps do not run.
+pub(crate) fn check(options: &Ci) -> Result<(), String> {
+    let (steps, left_out) = select(options);
+    install(&steps, Step::install)?;
+    let features: &[&str] = if steps.contains(&Step::Mujoco) { &["--features", "mujoco"] } else { &[] };
     let mut times = Vec::new();
-    let result = STEPS.into_iter().try_for_each(|(name, step)| {
+    let result = steps.into_iter().try_for_each(|step| {
         let began = Instant::now();
-        let result = step();
-        times.push((name, began.elapsed().as_secs()));
-        result.map_err(|error| format!("step `{name}`: {error}"))
+        let result = step.check(features);
+        times.push((step, began.elapsed().as_secs()));
+        result.map_err(|error| format!("step `{}`: {error}", step.name()))
     });
     eprintln!("xtask: wall-clock time of each step");
-    for (name, seconds) in times {
-        eprintln!("{name:10} {:3} min {:2} s", seconds / 60, seconds % 60);
+    for (step, seconds) in times {
+        eprintln!("{:10} {:3} min {:2} s", step.name(), seconds / 60, seconds % 60);
     }
-    result
+    result?;
+    eprintln!("xtask: {}", summary(&left_out));
+    Ok(())
+}
+
+/// Steps to run and steps left out, in their order.
+fn select(options: &Ci) -> (Vec<Step>, Vec<Step>) {
+    let wanted =
+        |step: &Step| !options.without.contains(step) && (options.only.is_empty() || options.only.contains(step));
+    Step::value_variants().iter().copied().partition(wanted)
+}
+
+/// Installs the tools of all steps before the first check, so that a missing one is found early.
+fn install(steps: &[Step], install: impl Fn(Step) -> Result<(), String>) -> Result<(), String> {
+    let failed = steps.iter().filter_map(|step| Some((*step, install(*step).err()?)));
+    let (failed, errors): (Vec<_>, Vec<_>) = failed
+        .map(|(step, error)| (step, format!("the tool of step `{}` cannot be installed: {error}", step.name())))
+        .unzip();
+    if failed.is_empty() {
+        return Ok(());
+    }
+    Err(format!("{}\n  help: `--without {}` leaves these steps out", errors.join("\nxtask: "), names(&failed, ",")))
+}
+
+fn summary(left_out: &[Step]) -> String {
+    if left_out.is_empty() { "all steps passed".to_owned() } else { format!("LEFT OUT: {}", names(left_out, ", ")) }
+}
+
+fn names(steps: &[Step], separator: &str) -> String {
+    steps.iter().map(|step| step.name()).collect::<Vec<_>>().join(separator)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn steps_left_out_are_named() {
+        let (steps, left_out) = select(&Ci { without: vec![Step::Browser, Step::Miri], only: Vec::new() });
+        assert_eq!((steps.len(), summary(&left_out)), (14, "LEFT OUT: miri, browser".to_owned()));
+        let (steps, left_out) = select(&Ci { without: Vec::new(), only: vec![Step::NoStd] });
+        assert_eq!((steps, left_out.len()), (vec![Step::NoStd], 15));
+        assert_eq!(summary(&select(&Ci::default()).1), "all steps passed");
+    }
+
+    #[test]
+    fn a_missing_tool_fails_and_names_the_option() {
+        let broken = |step| if matches!(step, Step::Miri | Step::Browser) { Err("offline".to_owned()) } else { Ok(()) };
+        let error = install(&[Step::Format, Step::Miri, Step::Browser], broken).expect_err("two tools are missing");
+        assert!(error.contains("step `miri`") && error.contains("--without miri,browser"), "{error}");
+        assert_eq!(install(&[Step::Format], broken), Ok(()));
+    }
 }

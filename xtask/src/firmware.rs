@@ -56,7 +56,11 @@ pub(crate) fn check(options: &Firmware) -> Result<(), String> {
     play(IMAGE, "160x120", 10).and_then(|()| play(MEDIUM_IMAGE, "320x240", 3))
 }
 
-fn install_emulator() -> Result<(), String> {
+/// Installs QEMU.
+///
+/// # Errors
+/// If the installation fails.
+pub(crate) fn install_emulator() -> Result<(), String> {
     if works("qemu-system-arm", &["--version"]) { Ok(()) } else { packages(&["qemu-system-arm"]) }
 }
 

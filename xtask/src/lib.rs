@@ -21,6 +21,7 @@ mod process;
 mod processor_time;
 mod publish;
 mod slow_tests;
+mod stress;
 mod vendor;
 mod viewers;
 
@@ -48,7 +49,6 @@ pub fn run() -> ExitCode {
 
 fn perform(task: &Task) -> Result<(), String> {
     match task {
-        Task::NoStd => no_std::check(),
         Task::Firmware(options) => firmware::check(options),
         Task::Mujoco => mujoco::install(),
         Task::Budget(options) => instructions::check(options),
@@ -56,17 +56,14 @@ fn perform(task: &Task) -> Result<(), String> {
         Task::Newcomer(options) => newcomer::measure(options),
         Task::Fuzz(options) => fuzz::check(options.seconds),
         Task::Opencv => opencv::compare(),
-        Task::Miri => miri::check(),
         Task::Peers(options) => peers::measure(options),
-        Task::Publish => publish::check(),
-        Task::Viewers(options) => viewers::check(options, &[]),
         Task::Vendor(options) => vendor::vendor(options.check),
         Task::Browser(options) => browser::test(options.figures),
-        Task::Deny => deny::check(),
-        Task::Long => {
+        Task::Long(options) => {
             firmware::prepare()?;
-            slow_tests::run_long(ci::with_mujoco(&["bica-game/mujoco"]))
+            slow_tests::run_long(ci::with_mujoco(!options.without_mujoco)?)
         }
-        Task::Ci => ci::check(),
+        Task::Stress(options) => stress::repeat(options),
+        Task::Ci(options) => ci::check(options),
     }
 }

@@ -14,28 +14,11 @@ const TOO_LONG: [&str; 7] =
 /// failures, which Miri forbids by default.
 const VARIABLES: [(&str, &str); 2] = [("PROPTEST_CASES", "1"), ("MIRIFLAGS", "-Zmiri-disable-isolation")];
 
-/// Installs Miri and runs the tests of the framework's semantics.
+/// Installs the compiler and Miri.
 ///
 /// # Errors
-/// If the installation or a test fails, or Miri detects undefined behaviour.
-pub(crate) fn check() -> Result<(), String> {
-    install()?;
-    test()
-}
-
-/// Does the same if Miri can be installed; otherwise prints that the check is skipped.
-///
-/// # Errors
-/// If a test fails, or Miri detects undefined behaviour.
-pub(crate) fn check_if_installable() -> Result<(), String> {
-    if let Err(error) = install() {
-        eprintln!("xtask: SKIPPED: Miri cannot be installed here: {error}");
-        return Ok(());
-    }
-    test()
-}
-
-fn install() -> Result<(), String> {
+/// If the installation fails.
+pub(crate) fn install() -> Result<(), String> {
     if works("rustup", &["run", NIGHTLY, "cargo", "miri", "--version"]) {
         return Ok(());
     }
@@ -44,6 +27,10 @@ fn install() -> Result<(), String> {
         .map_err(|error| format!("{error}; Miri is available with rustup only, see https://rustup.rs"))
 }
 
-fn test() -> Result<(), String> {
+/// Runs the tests of the framework's semantics.
+///
+/// # Errors
+/// If a test fails, or Miri detects undefined behaviour.
+pub(crate) fn check() -> Result<(), String> {
     run("rustup", &[&["run", NIGHTLY], &TEST[..], &TOO_LONG].concat(), &VARIABLES)
 }

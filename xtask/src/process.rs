@@ -24,6 +24,22 @@ pub(crate) fn run_in(folder: &Path, program: &str, arguments: &[&str]) -> Result
     status(Command::new(program).args(arguments).env_remove("CARGO_TARGET_DIR").current_dir(folder))
 }
 
+/// Runs a program in the workspace's folder and discards its output, but prints all of it if the program fails.
+///
+/// # Errors
+/// If the program cannot be started or fails; the message contains the command line.
+pub(crate) fn capture(program: &str, arguments: &[&str], variables: &[(&str, &str)]) -> Result<(), String> {
+    let line = format!("{program} {}", arguments.join(" "));
+    let done = Command::new(program).args(arguments).envs(variables.iter().copied()).current_dir(root()).output();
+    let done = done.map_err(|error| format!("cannot start `{line}`: {error}"))?;
+    if done.status.success() {
+        return Ok(());
+    }
+    print!("{}", String::from_utf8_lossy(&done.stdout));
+    eprint!("{}", String::from_utf8_lossy(&done.stderr));
+    Err(format!("`{line}` failed: {}", done.status))
+}
+
 fn status(command: &mut Command) -> Result<(), String> {
     let words: Vec<_> = command.get_args().map(|word| word.to_string_lossy().into_owned()).collect();
     let line = format!("{} {}", command.get_program().to_string_lossy(), words.join(" "));

@@ -15,8 +15,7 @@ fn xtask(words: &[&str]) -> Output {
     Output { code: done.status.code(), stdout: text(done.stdout), stderr: text(done.stderr) }
 }
 
-const TASKS: [&str; 13] = [
-    "no-std",
+const TASKS: [&str; 12] = [
     "firmware",
     "mujoco",
     "budget",
@@ -24,10 +23,10 @@ const TASKS: [&str; 13] = [
     "newcomer",
     "fuzz",
     "opencv",
-    "miri",
     "peers",
-    "publish",
-    "deny",
+    "browser",
+    "long",
+    "stress",
     "ci",
 ];
 

@@ -4,6 +4,8 @@ use std::time::Duration;
 
 use clap::{Args, Parser, Subcommand};
 
+use crate::ci::Step;
+
 const AFTER: &str = "\
 A task that needs more than Rust installs it and prints what it installs. `cargo xtask help TASK` describes one task.
 
@@ -26,11 +28,6 @@ pub struct Cli {
 
 #[derive(Debug, Subcommand)]
 pub(crate) enum Task {
-    /// Build the robot's crates for thumbv7em-none-eabihf, without a heap
-    ///
-    /// Builds every crate that runs on a robot for a Cortex-M, and links the forward without an allocator. First installs
-    /// the target with rustup, or else Debian's Rust, which builds `core` from source.
-    NoStd,
     /// Build the firmware, boot it in QEMU, and play games on it
     ///
     /// Every cycle of the games is computed on the host too, and both results must be equal. Size, stack and instructions
@@ -65,24 +62,11 @@ pub(crate) enum Task {
     /// Both process the same frames on one core, in turn. First installs OpenCV into target/ (needs Python 3). Fails unless
     /// the vision is at least ten times as fast.
     Opencv,
-    /// Run the framework's tests in Miri, which detects undefined behaviour
-    ///
-    /// First installs a nightly compiler with Miri (with rustup).
-    Miri,
     /// Compare the speed of BICA with other frameworks and designs
     ///
     /// Measures BICA, copper-rs, statig, smlang and other designs on the same workloads, and fails if a claim about
     /// speed does not hold.
     Peers(Peers),
-    /// Check that the crates can be published
-    ///
-    /// Runs `cargo publish --workspace --dry-run`: packages each public crate and builds it from its package.
-    Publish,
-    /// Read a recording and its export with programs of others
-    ///
-    /// Records a short game, exports it, and reads both with MCAP's Python library, which checks all checksums. First installs it
-    /// into target/ (from PyPI; needs Python 3).
-    Viewers(Viewers),
     /// Write the JavaScript libraries of JManager's page
     ///
     /// Fetches exact versions with npm, compares their SHA-512, and writes them to tools/jmanager/page/vendor. Only for a change of
@@ -90,24 +74,23 @@ pub(crate) enum Task {
     Vendor(Vendor),
     /// Test JManager's page in a real browser
     ///
-    /// Builds JManager, drives Chromium, and writes screenshots to target/browser. First installs Chromium
-    /// (with apt); says so and succeeds without a test where that is impossible.
+    /// Builds JManager, drives Chromium, and writes screenshots to target/browser. First installs Chromium (with apt).
     Browser(Browser),
-    /// Check licences, sources and duplicates of all dependencies
-    ///
-    /// Runs cargo-deny with deny.toml on every workspace of the repository. First builds cargo-deny into target/.
-    Deny,
     /// Run the tests that take minutes, which CI leaves out
     ///
-    /// In a release build: a hundred games of the built-in world and twenty of MuJoCo (if it can be installed) that are recorded and
-    /// replayed, five of the firmware over a damaged link, a thousand flipped bits in a recording, and fifty kills of a recording
-    /// program, for which the machine should be otherwise idle. First builds the firmware and installs QEMU. Takes about half an
-    /// hour.
-    Long,
-    /// Check everything that CI checks, in the same order
+    /// In a release build: a hundred games of the built-in world and twenty of MuJoCo that are recorded and replayed, five
+    /// of the firmware over a damaged link, a thousand flipped bits in a recording, and fifty kills of a recording program, for which
+    /// the machine should be otherwise idle. First builds the firmware, and installs QEMU and MuJoCo. Takes about half an hour.
+    Long(Long),
+    /// Repeat tests that start programs, threads and sockets, beside other work
     ///
-    /// Format, lints, docs, tests, packages, licences, peers, twenty games, recordings, Miri, instructions, MuJoCo, no-std, firmware.
-    Ci,
+    /// Repeats `cargo test --workspace` beside busy threads, then the tests `sessions` of JManager, then its tests in a browser. Stops
+    /// at the first failure and shows its output; prints how many runs of each have passed.
+    Stress(Stress),
+    /// Check everything that CI checks
+    ///
+    /// First installs the tools of all steps, and fails if one cannot be installed. The last line names the steps that were left out.
+    Ci(Ci),
 }
 
 #[derive(Debug, Default, Args)]
@@ -157,13 +140,6 @@ pub(crate) struct Newcomer {
 }
 
 #[derive(Debug, Default, Args)]
-pub(crate) struct Viewers {
-    /// Also convert the export with Rerun, which is installed into target/ (from PyPI, 800 MB)
-    #[arg(long)]
-    pub(crate) rerun: bool,
-}
-
-#[derive(Debug, Default, Args)]
 pub(crate) struct Vendor {
     /// Only compare the committed files with the packages
     #[arg(long)]
@@ -175,6 +151,40 @@ pub(crate) struct Browser {
     /// Also measure speed, and print the figures; they are not judged
     #[arg(long)]
     pub(crate) figures: bool,
+}
+
+#[derive(Debug, Default, Args)]
+pub(crate) struct Long {
+    /// Leave out the games of MuJoCo
+    #[arg(long)]
+    pub(crate) without_mujoco: bool,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct Stress {
+    /// Runs of `cargo test --workspace`
+    #[arg(long, value_name = "N", default_value_t = 20)]
+    pub(crate) workspace: u32,
+    /// Threads that compute beside the runs of `cargo test --workspace`
+    #[arg(long, value_name = "N", default_value_t = 2)]
+    pub(crate) busy: u32,
+    /// Runs of the tests `sessions` of JManager
+    #[arg(long, value_name = "N", default_value_t = 50)]
+    pub(crate) sessions: u32,
+    /// Runs of the tests of JManager's page in a browser
+    #[arg(long, value_name = "N", default_value_t = 10)]
+    pub(crate) browser: u32,
+}
+
+#[derive(Debug, Default, Args)]
+#[group(multiple = false)]
+pub(crate) struct Ci {
+    /// Leave these steps out, separated by commas
+    #[arg(long, value_name = "STEPS", value_delimiter = ',')]
+    pub(crate) without: Vec<Step>,
+    /// Run only these steps, separated by commas
+    #[arg(long, value_name = "STEPS", value_delimiter = ',')]
+    pub(crate) only: Vec<Step>,
 }
 
 #[derive(Debug, Args)]

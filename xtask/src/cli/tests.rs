@@ -56,8 +56,9 @@ fn a_missing_value_is_reported() {
 #[test]
 fn a_wrong_task_is_reported_with_the_nearest_one() {
     assert_refused("budgt", &["'budgt'", "'budget'", "--help"]);
-    assert_refused("no_std", &["'no_std'", "'no-std'"]);
     assert_refused("ci ci", &["'ci'", "Usage: cargo xtask ci"]);
+    assert_refused("ci --without no_std", &["'no_std'", "'no-std'"]);
+    assert_refused("ci --without miri --only deny", &["'--without", "'--only"]);
 }
 
 #[test]

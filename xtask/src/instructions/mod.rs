@@ -58,7 +58,10 @@ fn committed() -> Result<String, String> {
 }
 
 /// Installs valgrind and the runner that reads its counts; returns the runner's path.
-fn install() -> Result<String, String> {
+///
+/// # Errors
+/// If an installation fails.
+pub(crate) fn install() -> Result<String, String> {
     if !works("valgrind", &["--version"]) {
         packages(&["valgrind"])?;
     }
