@@ -2,7 +2,7 @@
 //!
 //! `cargo bench -p bica-benches --bench vision` prints a table of minimum times, then Criterion's results. A copy of
 //! the frame is the lower bound, synthetic frames are the worst case. `cargo bench -p bica-benches --bench vision --
-//! table` prints the table alone. `cargo xtask opencv` compares with OpenCV. Compare results of one run only, never of
+//! table` prints the table alone. `python3 benches/vision/compare.py` compares with OpenCV. Compare results of one run only, never of
 //! two machines.
 
 mod figures;

@@ -3,7 +3,6 @@
 //! The tasks are a library, so that a test can parse every `cargo xtask` command in the documentation.
 
 mod browser;
-mod buildtime;
 mod ci;
 pub mod cli;
 mod deny;
@@ -13,16 +12,12 @@ mod install;
 mod instructions;
 mod miri;
 mod mujoco;
-mod newcomer;
 mod no_std;
-mod opencv;
 mod peers;
 mod process;
-mod processor_time;
 mod publish;
 mod slow_tests;
 mod stress;
-mod vendor;
 mod viewers;
 
 use std::process::ExitCode;
@@ -52,12 +47,8 @@ fn perform(task: &Task) -> Result<(), String> {
         Task::Firmware(options) => firmware::check(options),
         Task::Mujoco => mujoco::install(),
         Task::Budget(options) => instructions::check(options),
-        Task::Buildtime(options) => buildtime::check(options.limit),
-        Task::Newcomer(options) => newcomer::measure(options),
         Task::Fuzz(options) => fuzz::check(options.seconds),
-        Task::Opencv => opencv::compare(),
         Task::Peers(options) => peers::measure(options),
-        Task::Vendor(options) => vendor::vendor(options.check),
         Task::Browser(options) => browser::test(options.figures),
         Task::Long(options) => {
             firmware::prepare()?;

@@ -16,14 +16,6 @@ pub(crate) fn run(program: &str, arguments: &[&str], variables: &[(&str, &str)])
     status(Command::new(program).args(arguments).envs(variables.iter().copied()).current_dir(root()))
 }
 
-/// Prints the command line of a program, and runs it in another folder, with the build directory of that folder.
-///
-/// # Errors
-/// If the program cannot be started or fails; the message contains the command line.
-pub(crate) fn run_in(folder: &Path, program: &str, arguments: &[&str]) -> Result<(), String> {
-    status(Command::new(program).args(arguments).env_remove("CARGO_TARGET_DIR").current_dir(folder))
-}
-
 /// Runs a program in the workspace's folder and discards its output, but prints all of it if the program fails.
 ///
 /// # Errors

@@ -1,7 +1,5 @@
 //! The command line.
 
-use std::time::Duration;
-
 use clap::{Args, Parser, Subcommand};
 
 use crate::ci::Step;
@@ -43,35 +41,15 @@ pub(crate) enum Task {
     /// Each count must be within 2 % of the committed one. First installs valgrind (with apt) and gungraun-runner (built
     /// once).
     Budget(Budget),
-    /// Measure compile times
-    ///
-    /// Measures the time from a changed component to the end of its test, and a clean release build of the facade. Fails if
-    /// either is above its limit.
-    Buildtime(Buildtime),
-    /// Measure the README's two commands in a fresh clone
-    ///
-    /// Clones the repository into target/newcomer, downloads the packages, then measures `cargo run --release` and `cargo
-    /// test --workspace`, the latter twice. Prints the slowest compilations and test programs. Takes about ten minutes.
-    Newcomer(Newcomer),
     /// Fuzz the edits of VICODE, the vision, the packets, the reading of recordings, and the link of monitors
     ///
     /// First builds cargo-fuzz into target/.
     Fuzz(Fuzz),
-    /// Compare the speed of the vision with OpenCV
-    ///
-    /// Both process the same frames on one core, in turn. First installs OpenCV into target/ (needs Python 3). Fails unless
-    /// the vision is at least ten times as fast.
-    Opencv,
     /// Compare the speed of BICA with other frameworks and designs
     ///
     /// Measures BICA, copper-rs, statig, smlang and other designs on the same workloads, and fails if a claim about
     /// speed does not hold.
     Peers(Peers),
-    /// Write the JavaScript libraries of JManager's page
-    ///
-    /// Fetches exact versions with npm, compares their SHA-512, and writes them to tools/jmanager/page/vendor. Only for a change of
-    /// versions: the result is in the repository.
-    Vendor(Vendor),
     /// Test JManager's page in a real browser
     ///
     /// Builds JManager, drives Chromium, and writes screenshots to target/browser. First installs Chromium (with apt).
@@ -123,27 +101,6 @@ pub(crate) struct Budget {
     /// Count with an artificial slowdown; fails unless every check fails
     #[arg(long)]
     pub(crate) slow: bool,
-}
-
-#[derive(Debug, Args)]
-pub(crate) struct Buildtime {
-    /// Limit of both times, s, instead of the usual ones; a small value shows that the check can fail
-    #[arg(long, value_name = "SECONDS", value_parser = seconds)]
-    pub(crate) limit: Option<Duration>,
-}
-
-#[derive(Debug, Args)]
-pub(crate) struct Newcomer {
-    /// Fail if a time is above its limit; only an otherwise idle machine can pass
-    #[arg(long)]
-    pub(crate) judge: bool,
-}
-
-#[derive(Debug, Default, Args)]
-pub(crate) struct Vendor {
-    /// Only compare the committed files with the packages
-    #[arg(long)]
-    pub(crate) check: bool,
 }
 
 #[derive(Debug, Default, Args)]
@@ -203,11 +160,6 @@ pub(crate) struct Peers {
     /// Short preview with an artificial slowdown of BICA; every claim about time must fail
     #[arg(long)]
     pub(crate) slow: bool,
-}
-
-fn seconds(text: &str) -> Result<Duration, String> {
-    let seconds = text.parse().ok().and_then(|seconds| Duration::try_from_secs_f64(seconds).ok());
-    seconds.ok_or_else(|| "expected a time in seconds, such as 0.1".to_owned())
 }
 
 #[cfg(test)]
