@@ -45,7 +45,7 @@ pub(crate) fn prepare() -> Result<(), String> {
     run("cargo", &PROGRAMS, &[])
 }
 
-/// Installs Chromium and its WebDriver.
+/// Installs Chromium and its `WebDriver`.
 ///
 /// # Errors
 /// If the installation fails.
