@@ -1,7 +1,7 @@
 // A file that was changed here and elsewhere at the same place: both texts, and the choice.
 
 import { html, useState } from '../lib/dom.js';
-import { ask, opened } from './sources.js';
+import { ask, kept, opened } from './sources.js';
 
 /** Lines of a text that the other one does not have, by the longest common begin and end. */
 function parts(one, other) {
@@ -22,7 +22,10 @@ function Side({ title, text, other }) {
 export function Conflict() {
   const { file, conflict } = opened.value;
   const [text, setText] = useState(null);
-  const keep = (what) => ask('resolve_file', { file, keep: what });
+  const keep = async (what) => {
+    const done = await ask('resolve_file', { file, keep: what });
+    if (done !== undefined && what === 'ours') kept();
+  };
   return html`<section class="conflict" role="alertdialog" aria-label="Conflict">
     <h2>${file} was changed here and outside at the same place</h2>
     <p class="dim">Nothing was overwritten. The file keeps its text until you choose; the choice can be undone.</p>

@@ -165,6 +165,12 @@ function remember(step) {
   undone = [];
 }
 
+/** The text here was kept in a conflict: the history leads to the text of the file and back, though nothing changes now. */
+export function kept() {
+  remember({ kind: 'text', typed: false, at: Date.now() });
+  remember({ kind: 'text', typed: false, at: Date.now() });
+}
+
 /** Typing goes on: the next change of the text is part of it. */
 let typing = false;
 export const setTyping = (on) => { typing = on; };

@@ -115,13 +115,14 @@ impl Sidecar {
     }
 
     /// The text that the layout file should have: lines of the states that exist, and of components that are not in the source.
-    fn wanted(&self, model: &Model) -> String {
+    /// Code with a syntax error may hide states: all lines stay then.
+    fn wanted(&self, model: &Model, is_broken: bool) -> String {
         let mut layout = Layout::default();
         for line in self.written.lines() {
             let words: Vec<&str> = line.split_whitespace().collect();
             let [component, state, x, y] = words[..] else { continue };
             let is_known = model.components.iter().any(|one| one.name.text.split('<').next() == Some(component));
-            if let (false, Ok(x), Ok(y)) = (is_known, x.parse(), y.parse()) {
+            if let (false, Ok(x), Ok(y)) = (is_known && !is_broken, x.parse(), y.parse()) {
                 layout.set(component, state, Position { x, y });
             }
         }
@@ -136,15 +137,15 @@ impl Sidecar {
         layout.to_string()
     }
 
-    /// The path and text of the layout file if it is not as it should be. Half-typed code may hide states: then it stays as it is,
-    /// unless a person has moved something (`force`).
+    /// The path and text of the layout file if it is not as it should be. While the source has syntax errors it is written only if
+    /// a person has moved something (`force`).
     pub(super) fn plan(&self, model: &Model, force: bool) -> Result<Option<(PathBuf, String)>, Failed> {
         if !self.problem.is_empty() {
             let help = "mend the layout file by hand, or remove it";
             return if force { Err(Failed::new(self.problem.clone(), help)) } else { Ok(None) };
         }
         let is_broken = model.problems.iter().any(|problem| problem.from == Reporter::Syntax);
-        let wanted = self.wanted(model);
+        let wanted = self.wanted(model, is_broken);
         let is_needed = wanted != self.written && (force || !is_broken);
         Ok(is_needed.then(|| (self.path.clone(), wanted)))
     }

@@ -107,6 +107,13 @@ fn moved_states_are_written_beside_and_follow_a_new_name() {
     assert_eq!(position(&view, "walk").unwrap()["x"], 320);
     view.ask(json!({ "type": "save_file", "file": "player.rs" })).unwrap();
     assert_eq!(sources.read("player.vicode"), "Player walk 320 80\n");
+    // A brace that is not closed hides `walk` while a visible state is moved.
+    view.type_behind("player.rs", "fn look(&mut self) {", " /* ").unwrap();
+    assert!(position(&view, "walk").is_none(), "the state is hidden");
+    moved("look", 40).unwrap();
+    assert_eq!(sources.read("player.vicode"), "Player look 40 80\nPlayer walk 320 80\n");
+    view.ask(json!({ "type": "undo_file", "file": "player.rs" })).unwrap();
+    assert_eq!(position(&view, "walk").unwrap()["x"], 320);
     // Names come from the model only: no line can be smuggled in.
     text_of(moved("walk 1 1\nEvil state", 1));
     text_of(moved("walk", i32::MIN + 1));

@@ -199,7 +199,14 @@ impl Document {
         let conflict = self.conflict.take()?;
         self.saved = conflict.theirs.as_str().into();
         Some(match keep {
-            Keep::Ours => Change { version: self.version, splices: Vec::new() },
+            Keep::Ours => {
+                // Two steps that lead to the other text and back: undoing the choice shows the text of the file.
+                let splices = difference(&self.text, &conflict.theirs);
+                let back = inverse(&self.text, &splices);
+                self.history.push(vec![splices.clone()], vec![back.clone()]);
+                self.history.push(vec![back], vec![splices]);
+                Change { version: self.version, splices: Vec::new() }
+            }
             Keep::Theirs => self.replace(conflict.theirs),
             Keep::Text(text) => self.replace(text),
         })

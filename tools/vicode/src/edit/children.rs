@@ -44,7 +44,8 @@ pub(super) fn change(context: &Context<'_>, edit: &Edit) -> Result<Vec<Splice>, 
             let function = function(context.component(component)?, name)?;
             let argument = find(function, child)?;
             unused(context.text, function, argument)?;
-            let mut splices = vec![Splice::remove(with_comma(context.text, function, argument))];
+            let mut splices =
+                vec![Splice::keeping_comments(context.text, with_comma(context.text, function, argument), "")];
             splices.extend(imports::remove(context, child, argument.span));
             Ok(splices)
         }
@@ -148,7 +149,10 @@ fn unused(text: &str, function: &Function, argument: &Argument) -> Result<(), Re
     let Some(body) = function.body else { return Ok(()) };
     let lexed = LexedStr::new(Edition::Edition2024, body.of(text));
     let name = argument.name.text.trim_start_matches("mut ").trim();
-    let used = (0..lexed.len()).find(|index| lexed.text(*index) == name);
+    let used = (0..lexed.len()).find(|index| {
+        let token = lexed.text(*index);
+        token.trim_start_matches("r#") == name || token.ends_with('"') && formats(token, name)
+    });
     match used {
         Some(index) => {
             let range = lexed.text_range(index);
@@ -158,6 +162,17 @@ fn unused(text: &str, function: &Function, argument: &Argument) -> Result<(), Re
         }
         None => Ok(()),
     }
+}
+
+/// Whether a string could be a format that shows a variable: `{name}`, `{name:?}`, `{:name$}`.
+fn formats(literal: &str, name: &str) -> bool {
+    let is_word = |one: char| one.is_alphanumeric() || one == '_';
+    literal.match_indices(name).any(|(at, _)| {
+        let behind = literal[at + name.len()..].trim_start();
+        let before = literal[..at].trim_end();
+        (before.ends_with('{') && behind.starts_with(['}', ':']))
+            || (!before.ends_with(is_word) && behind.starts_with('$'))
+    })
 }
 
 /// An argument with one of the commas around it.

@@ -18,7 +18,7 @@ pub(super) fn delete(context: &Context<'_>, component: &str, name: &str) -> Resu
             of_transition(context.text, transition, name, &mut gone, &mut splices);
         }
         for hook in &component.hooks {
-            of_hook(hook, name, &mut gone, &mut splices);
+            of_hook(context.text, hook, name, &mut gone, &mut splices);
         }
     }
     unused(context, component, &gone)?;
@@ -57,7 +57,7 @@ fn of_transition<'a>(
             }
             Sources::These(names) => {
                 kept += 1;
-                changes.extend(without(names, state));
+                changes.extend(without(text, names, state));
             }
             Sources::Any => kept += 1,
         }
@@ -69,19 +69,19 @@ fn of_transition<'a>(
     }
 }
 
-fn of_hook<'a>(hook: &'a Hook, state: &str, gone: &mut Vec<&'a Function>, splices: &mut Vec<Splice>) {
+fn of_hook<'a>(text: &str, hook: &'a Hook, state: &str, gone: &mut Vec<&'a Function>, splices: &mut Vec<Splice>) {
     if hook.states.is_empty() {
         return;
     }
     if hook.states.iter().all(|name| name.text == state) {
         gone.push(&hook.function);
     } else {
-        splices.extend(without(&hook.states, state));
+        splices.extend(without(text, &hook.states, state));
     }
 }
 
 /// Removes a name from `a | b | c`, of which another one stays.
-fn without(names: &[Name], state: &str) -> Vec<Splice> {
+fn without(text: &str, names: &[Name], state: &str) -> Vec<Splice> {
     let mut removed = Vec::new();
     for (index, name) in names.iter().enumerate().filter(|(_, name)| name.text == state) {
         let span = match (names.get(index + 1), index.checked_sub(1).map(|before| &names[before])) {
@@ -89,7 +89,7 @@ fn without(names: &[Name], state: &str) -> Vec<Splice> {
             (None, Some(before)) => Span::new(before.span.end, name.span.end),
             (None, None) => name.span,
         };
-        removed.push(Splice::remove(span));
+        removed.push(Splice::keeping_comments(text, span, ""));
     }
     removed
 }

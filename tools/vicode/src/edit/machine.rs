@@ -44,7 +44,8 @@ pub(super) fn change(context: &Context<'_>, edit: &Edit) -> Result<Vec<Splice>, 
         }
         Edit::SetSources { component, transition: name, arrow, from } => {
             let component = context.component(component)?;
-            Ok(vec![Splice::new(arrow_of(component, name, *arrow)?.from_span, sources(component, from)?)])
+            let old = arrow_of(component, name, *arrow)?.from_span;
+            Ok(vec![Splice::keeping_comments(text, old, sources(component, from)?)])
         }
         Edit::SetTarget { component, transition: name, arrow, to } => {
             let component = context.component(component)?;
@@ -59,17 +60,19 @@ pub(super) fn change(context: &Context<'_>, edit: &Edit) -> Result<Vec<Splice>, 
             let arrow = arrow_of(context.component(component)?, name, *arrow)?;
             let new = after_ms.map_or_else(String::new, |ms| format!(", after_ms = {ms}"));
             match (&arrow.after_ms, &arrow.to) {
-                (Some((_, span)), _) => Ok(vec![Splice::new(*span, new)]),
+                (Some((_, span)), _) => Ok(vec![Splice::keeping_comments(text, *span, new)]),
                 (None, Some(to)) => Ok(vec![Splice::insert(to.span.end, new)]),
                 (None, None) => Err(Refusal::at(arrow.list, "this transition enters no state yet: write one first")),
             }
         }
-        Edit::SetHookStates { component, hook, states } => hook_states(context.component(component)?, hook, states),
+        Edit::SetHookStates { component, hook, states } => {
+            hook_states(text, context.component(component)?, hook, states)
+        }
         _ => Ok(Vec::new()),
     }
 }
 
-fn hook_states(component: &Component, name: &str, states: &[String]) -> Result<Vec<Splice>, Refusal> {
+fn hook_states(text: &str, component: &Component, name: &str, states: &[String]) -> Result<Vec<Splice>, Refusal> {
     let hook = component.hooks.iter().find(|hook| hook.function.name.text == name);
     let hook = hook.ok_or_else(|| Refusal::new(format!("`{}` has no hook `{name}`", component.name.text)))?;
     let Some(list) = hook.list else {
@@ -79,7 +82,7 @@ fn hook_states(component: &Component, name: &str, states: &[String]) -> Result<V
         return Err(Refusal::new(format!("hook `{name}` would have no state: delete it")));
     }
     states.iter().try_for_each(|one| state(component, one))?;
-    Ok(vec![Splice::new(list, names(states))])
+    Ok(vec![Splice::keeping_comments(text, list, names(states))])
 }
 
 fn find<'a>(component: &'a Component, name: &str) -> Result<&'a State, Refusal> {
@@ -95,16 +98,18 @@ pub(super) fn no_longer_initial(text: &str, component: &Component) -> Vec<Splice
 
 /// Writes the attribute of a state.
 pub(super) fn words(text: &str, state: &State, initial: bool, last: bool) -> Splice {
-    let list = match (initial, last) {
-        (false, false) => "",
-        (true, false) => "(initial)",
-        (false, true) => "(last)",
-        (true, true) => "(initial, last)",
-    };
     let attribute = state.attribute.of(text);
     let start = attribute.find("state").map_or(0, |at| at + "state".len());
     let end = attribute.rfind(']').unwrap_or(attribute.len()).max(start);
-    Splice::new(Span::new(state.attribute.start + start, state.attribute.start + end), list)
+    let span = Span::new(state.attribute.start + start, state.attribute.start + end);
+    let words: Vec<&str> =
+        [(initial, "initial"), (last, "last")].iter().filter(|(on, _)| *on).map(|(_, word)| *word).collect();
+    let list = Splice::keeping_comments(text, span, words.join(", ")).text;
+    if words.is_empty() {
+        let comments = if list.is_empty() { list } else { format!(" {list}") };
+        return Splice::new(span, comments);
+    }
+    Splice::new(span, format!("({list})"))
 }
 
 /// `a | b -> c, after_ms = N`

@@ -29,9 +29,9 @@ pub(super) fn set(
         value.map(|value| if option == "resume" { option.to_owned() } else { format!("{option} = {}", value.trim()) });
     match (old, new) {
         (None, None) => Ok(Vec::new()),
-        (Some(old), Some(new)) => Ok(vec![Splice::new(old.span, new)]),
+        (Some(old), Some(new)) => Ok(vec![Splice::keeping_comments(context.text, old.span, new)]),
         (None, Some(new)) => Ok(vec![added(context.text, component, &new)]),
-        (Some(old), None) => Ok(vec![Splice::remove(removed(&component.options, old))]),
+        (Some(old), None) => Ok(vec![Splice::keeping_comments(context.text, removed(&component.options, old), "")]),
     }
 }
 

@@ -1,5 +1,7 @@
 //! Replacements of parts of a text.
 
+use ra_ap_parser::LexedStr;
+use ra_ap_syntax::{Edition, SyntaxKind};
 use serde::{Deserialize, Serialize};
 
 use crate::model::Span;
@@ -22,6 +24,28 @@ impl Splice {
     /// Inserts a text before the byte `at`.
     pub fn insert(at: usize, text: impl Into<String>) -> Self {
         Self::new(Span::at(at), text)
+    }
+
+    /// Replaces a part, whose comments stay behind the new text.
+    pub(super) fn keeping_comments(text: &str, span: Span, new: impl Into<String>) -> Self {
+        let lexed = LexedStr::new(Edition::Edition2024, span.of(text));
+        let mut new = new.into();
+        let is_removal = new.is_empty();
+        for index in (0..lexed.len()).filter(|index| lexed.kind(*index) == SyntaxKind::COMMENT) {
+            if !new.is_empty() && !new.ends_with(char::is_whitespace) {
+                new.push(' ');
+            }
+            new.push_str(lexed.text(index));
+            // A line comment must not swallow what follows.
+            if index + 1 < lexed.len() && lexed.kind(index + 1) == SyntaxKind::WHITESPACE {
+                new.push_str(lexed.text(index + 1));
+            }
+        }
+        let trimmed = new.trim_end_matches([' ', '\t']);
+        if !is_removal && !trimmed.ends_with('\n') {
+            new.truncate(trimmed.len());
+        }
+        Self::new(span, new)
     }
 
     /// Removes a part.

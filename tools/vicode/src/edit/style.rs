@@ -62,13 +62,13 @@ impl Style {
 
     /// The lines of a doc comment, each with its indentation and line end.
     pub(super) fn docs(&self, docs: &str, indent: &str) -> String {
-        let docs = docs.trim();
+        let docs = docs.trim_end().trim_start_matches(['\n', '\r']);
         if docs.is_empty() {
             return String::new();
         }
         let mut result = String::new();
         for line in docs.lines() {
-            let line = line.trim();
+            let line = line.trim_end();
             result.push_str(indent);
             result.push_str(if line.is_empty() { "///" } else { "/// " });
             result.push_str(line);

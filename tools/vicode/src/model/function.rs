@@ -34,7 +34,7 @@ impl Function {
 /// A doc comment.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Docs {
-    /// Lines without the comment marks, trimmed and joined by line breaks.
+    /// Lines without the comment marks and the indentation that all have in common, joined by line breaks.
     pub text: String,
     /// From its first to its last line; `None` without one.
     pub span: Option<Span>,

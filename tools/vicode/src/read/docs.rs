@@ -20,7 +20,10 @@ pub(super) fn of_node(node: &SyntaxNode) -> Docs {
             ra_ap_syntax::NodeOrToken::Token(token) => {
                 let Some(comment) = ast::Comment::cast(token.clone()) else { continue };
                 let Some((text, _)) = comment.doc_comment() else { continue };
-                (text.to_owned(), span(token.text_range()), comment.kind().shape.is_line())
+                // With `\r\n` the token of a line comment ends behind the `\r`.
+                let at = span(token.text_range());
+                let at = Span::new(at.start, at.end - usize::from(token.text().ends_with('\r')));
+                (text.to_owned(), at, comment.kind().shape.is_line())
             }
             ra_ap_syntax::NodeOrToken::Node(node) => {
                 let Some(text) = ast::Attr::cast(node.clone()).and_then(|attribute| attribute_text(&attribute)) else {
@@ -31,10 +34,17 @@ pub(super) fn of_node(node: &SyntaxNode) -> Docs {
         };
         docs.plain &= plain;
         docs.span = Some(docs.span.map_or(at, |before| Span::new(before.start, at.end)));
-        lines.push(line.trim().to_owned());
+        lines.extend(line.split('\n').map(|line| line.trim_end().to_owned()));
     }
-    lines.join("\n").trim().clone_into(&mut docs.text);
+    let common = lines.iter().filter(|line| !line.is_empty()).map(|line| indent(line)).min().unwrap_or(0);
+    let lines: Vec<&str> = lines.iter().map(|line| line.get(common..).unwrap_or_default()).collect();
+    lines.join("\n").trim_matches('\n').clone_into(&mut docs.text);
     docs
+}
+
+/// White space before a line of docs, bytes.
+fn indent(line: &str) -> usize {
+    line.len() - line.trim_start_matches([' ', '\t']).len()
 }
 
 /// The text of `#[doc = "..."]`.

@@ -9,6 +9,7 @@ mod drawing;
 mod editing;
 mod files;
 mod imports;
+mod keeping;
 mod machines;
 mod merging;
 mod random;

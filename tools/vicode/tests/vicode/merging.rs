@@ -109,6 +109,10 @@ fn both_sides_of_one_body_are_a_conflict_and_nothing_is_overwritten() {
         assert_eq!(document.text(), ours);
         document.resolve(Keep::Ours);
         assert!(document.text() == ours && document.saved() == theirs.text() && document.is_changed());
+        for expected in [theirs.text(), &ours, BASE] {
+            document.undo();
+            assert_eq!(document.text(), expected, "the choice can be undone, and what was before it");
+        }
     }
 }
 

@@ -196,7 +196,8 @@ export function press(event) {
 }
 
 export function doubleClick(event) {
-  const key = event.target.closest('[data-key]')?.dataset.key;
+  // The press has captured the pointer: the target of the event is the whole drawing.
+  const key = document.elementFromPoint(event.clientX, event.clientY)?.closest('[data-key]')?.dataset.key;
   if (!key) addState(view.point(event));
   else {
     choose([key]);

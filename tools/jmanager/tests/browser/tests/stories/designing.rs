@@ -131,6 +131,10 @@ async fn a_machine_is_drawn_from_a_blank_canvas_and_undone() {
     page.find("textbox", "Name of the new state", "").await;
     page.enter("kick").await;
     page.find("button", "Transition to_kick: block to kick", "").await;
+    let [left, top, width, _] = page.find("button", "State kick", "").await.place().await;
+    page.double_click((left + width / 2.0, top + 17.0)).await;
+    page.find("textbox", "New name of kick", "").await;
+    page.press("\u{e00c}").await;
 
     // By keyboard: a state, a transition with a timer, a name, a child, and hooks in the inspector.
     focus(&page, "State kick").await;

@@ -1,0 +1,54 @@
+//! Bytes that an edit must keep, and edits that must be refused.
+
+use bica_vicode::model::Span;
+use bica_vicode::{Document, Edit};
+
+/// The text after an edit, given as JSON, or why it is refused.
+pub(crate) fn edited(text: &str, edit: &str) -> Result<String, String> {
+    let edit: Edit = serde_json::from_str(edit).expect(edit);
+    let mut document = Document::new(text);
+    document.apply(&[edit]).map_err(|refusal| refusal.message)?;
+    let after = document.text().to_owned();
+    document.undo();
+    assert_eq!(document.text(), text, "the edit can be undone");
+    Ok(after)
+}
+
+const MACHINE: &str = "#[component(hz = 20 /* why */, resume)]\r\nimpl A {\r\n    /// One.\r\n    ///\r\n    ///     code\r\n    \
+    #[state(initial /* first */)]\r\n    fn one(&mut self, ball: &Ball, /* both */ _net: &Net) {\r\n        \
+    let _ = format!(\"{ball:?}\");\r\n    }\r\n\r\n    #[state]\r\n    fn two(&mut self) {}\r\n\r\n    \
+    #[transition(one /* | */ | two -> two /* last */, after_ms = /* ms */ 5)]\r\n    fn go(&self) -> bool { true }\r\n\r\n    \
+    #[entry(one /* 1 */ | two // 2\r\n    )]\r\n    fn begin(&mut self) {}\r\n}\r\n";
+
+#[test]
+fn comments_in_attributes_line_ends_and_indented_docs_stay() {
+    let on = |edit: &str| format!(r#"{{"component": "A", "edit": {edit}}}"#);
+    for (edit, from, to) in [
+        (r#""set_initial", "state": "two""#, "state(initial /* first */)", "state /* first */"),
+        (r#""set_last", "state": "one", "last": true"#, "initial /* first */", "initial, last /* first */"),
+        (r#""set_sources", "transition": "go", "from": ["one"]"#, "one /* | */ | two ->", "one /* | */ ->"),
+        (r#""set_timer", "transition": "go", "after_ms": 7"#, ", after_ms = /* ms */ 5", ", after_ms = 7 /* ms */"),
+        (r#""set_hook_states", "hook": "begin", "states": ["two"]"#, "one /* 1 */ | two //", "two /* 1 */ //"),
+        (r#""set_option", "option": "hz", "value": null"#, "hz = 20 /* why */, resume", "/* why */resume"),
+        (r#""remove_child", "function": "one", "child": "Net""#, ", /* both */ _net: &Net", "/* both */ "),
+        (r#""set_docs", "function": "one", "docs": "One.\n\n    code\n""#, "", ""),
+        (
+            r#""set_docs", "function": "one", "docs": "Two.\n  a""#,
+            "/// One.\r\n    ///\r\n    ///     code",
+            "/// Two.\r\n    ///   a",
+        ),
+    ] {
+        let after = edited(MACHINE, &on(edit)).expect(edit);
+        let after = if edit.contains("\"two\"") && edit.contains("set_initial") {
+            after.replacen("#[state(initial)]\r\n    fn two", "#[state]\r\n    fn two", 1)
+        } else {
+            after
+        };
+        assert_eq!(after, MACHINE.replacen(from, to, 1), "{edit}");
+    }
+    let refused = edited(MACHINE, &on(r#""remove_child", "function": "one", "child": "Ball""#));
+    assert_eq!(refused.unwrap_err(), "the code of `one` uses `ball`: remove that use first");
+    let docs = Document::new(MACHINE).model().components[0].states[0].function.docs.clone();
+    assert_eq!(docs.text, "One.\n\n    code");
+    assert_eq!(Span::new(docs.span.unwrap().end, docs.span.unwrap().end + 2).of(MACHINE), "\r\n");
+}
