@@ -19,9 +19,10 @@ pub enum LeaseAction {
     Acquire,
     /// Takes the lease, also from its owner. Programs send this only when a person asks for it.
     Take,
-    /// Keeps the lease with this number: the operator is not silent.
+    /// Keeps the lease with this number: the operator is not silent. The same on a new connection, after that of the owner has ended,
+    /// continues the lease there.
     Keep {
-        /// Number of the lease.
+        /// Number of the lease, which only its owner knows.
         lease: u32,
     },
     /// Gives the lease with this number back. What its owner requested ends, except parameters.

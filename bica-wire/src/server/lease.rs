@@ -10,7 +10,8 @@ use crate::message::{Change, LeaseAction, LeaseState, RefusalCode, Request};
 /// Owner of the lease.
 #[derive(Clone, Copy, Debug)]
 struct Owner {
-    connection: u64,
+    /// None after the connection has ended.
+    connection: Option<u64>,
     /// When it was heard last.
     heard: Duration,
 }
@@ -36,12 +37,11 @@ pub struct Lease {
 }
 
 impl Lease {
-    /// Creates a lease without an owner. It ends after a `silence` of its owner. `number` is the one before the first: numbers of an
-    /// earlier run of the program must not be valid in this one.
+    /// Creates a lease without an owner. It ends after a `silence` of its owner.
     #[must_use]
-    pub const fn new(silence: Duration, number: u32) -> Self {
+    pub const fn new(silence: Duration) -> Self {
         Self {
-            number,
+            number: 0,
             owner: None,
             silence,
             holds: ComponentSet::EMPTY,
@@ -51,8 +51,9 @@ impl Lease {
         }
     }
 
-    /// Performs an action of a connection; returns whether the lease changed.
-    pub fn act(&mut self, connection: u64, action: LeaseAction, now: Duration) -> bool {
+    /// Performs an action of a connection; returns whether the lease changed. `random` becomes the number of a lease that begins: who
+    /// knows the number of a lease proves with it to be its owner, so it must be secret.
+    pub fn act(&mut self, connection: u64, action: LeaseAction, now: Duration, random: u32) -> bool {
         match action {
             LeaseAction::Acquire if self.is_foreign(connection) => false,
             LeaseAction::Acquire if self.owner.is_some() => {
@@ -60,14 +61,18 @@ impl Lease {
                 false
             }
             LeaseAction::Acquire | LeaseAction::Take => {
-                self.number = self.number.wrapping_add(1).max(1);
+                let random = random.max(1);
+                self.number = if random == self.number { random.wrapping_add(1).max(1) } else { random };
                 self.own(connection, now);
                 true
             }
-            LeaseAction::Keep { lease } if lease == self.number && self.owner.is_some() => {
-                let moved = self.is_foreign(connection);
+            LeaseAction::Keep { lease } if lease == self.number => {
+                let Some(owner) = self.owner.filter(|owner| owner.connection.is_none_or(|owner| owner == connection))
+                else {
+                    return false;
+                };
                 self.own(connection, now);
-                moved
+                owner.connection.is_none()
             }
             LeaseAction::Return { lease } if lease == self.number && self.owns(connection) => {
                 self.end();
@@ -78,15 +83,23 @@ impl Lease {
     }
 
     const fn own(&mut self, connection: u64, heard: Duration) {
-        self.owner = Some(Owner { connection, heard });
+        self.owner = Some(Owner { connection: Some(connection), heard });
     }
 
     fn is_foreign(&self, connection: u64) -> bool {
-        self.owner.is_some_and(|owner| owner.connection != connection)
+        self.owner.is_some() && !self.owns(connection)
     }
 
     fn owns(&self, connection: u64) -> bool {
-        self.owner.is_some_and(|owner| owner.connection == connection)
+        self.owner.is_some_and(|owner| owner.connection == Some(connection))
+    }
+
+    /// A connection has ended. If it owned the lease, another one continues it with [`LeaseAction::Keep`] and its number, until the
+    /// silence ends it.
+    pub fn disconnect(&mut self, connection: u64) {
+        if let Some(owner) = self.owner.as_mut().filter(|owner| owner.connection == Some(connection)) {
+            owner.connection = None;
+        }
     }
 
     /// Checks whether a request of a connection may be applied in the cycle at `instant`. A request of the owner also ends its

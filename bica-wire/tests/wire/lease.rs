@@ -26,26 +26,26 @@ fn admits(lease: &mut Lease, connection: u64, number: u32, at: Duration) -> bool
 
 #[test]
 fn one_connection_owns_the_lease_until_another_takes_it() {
-    let mut lease = Lease::new(ms(3000), 7);
-    assert!(lease.act(1, LeaseAction::Acquire, ms(0)));
+    let mut lease = Lease::new(ms(3000));
+    assert!(lease.act(1, LeaseAction::Acquire, ms(0), 8));
     assert_eq!(lease.state(1, NOW), LeaseState { lease: 8, owned: true, yours: true, time_us: 5 });
     assert_eq!(lease.state(2, NOW), LeaseState { lease: 0, owned: true, yours: false, time_us: 5 });
-    assert!(!lease.act(2, LeaseAction::Acquire, ms(0)));
+    assert!(!lease.act(2, LeaseAction::Acquire, ms(0), 8));
     assert!(admits(&mut lease, 1, 8, ms(0)) && !admits(&mut lease, 2, 8, ms(0)) && !admits(&mut lease, 1, 7, ms(0)));
-    assert!(lease.act(2, LeaseAction::Take, ms(0)));
+    assert!(lease.act(2, LeaseAction::Take, ms(0), 9));
     assert!(admits(&mut lease, 2, 9, ms(0)) && !admits(&mut lease, 1, 8, ms(0)) && !admits(&mut lease, 1, 9, ms(0)));
     assert!(
-        !lease.act(1, LeaseAction::Return { lease: 8 }, ms(0))
-            && !lease.act(1, LeaseAction::Return { lease: 9 }, ms(0))
+        !lease.act(1, LeaseAction::Return { lease: 8 }, ms(0), 0)
+            && !lease.act(1, LeaseAction::Return { lease: 9 }, ms(0), 0)
     );
-    assert!(lease.act(2, LeaseAction::Return { lease: 9 }, ms(0)));
+    assert!(lease.act(2, LeaseAction::Return { lease: 9 }, ms(0), 0));
     assert_eq!(lease.state(2, Instant::MIN), LeaseState::default());
 }
 
 #[test]
 fn silence_ends_the_lease_and_what_was_requested_under_it() {
-    let mut lease = Lease::new(ms(3000), 0);
-    lease.act(1, LeaseAction::Acquire, ms(1000));
+    let mut lease = Lease::new(ms(3000));
+    lease.act(1, LeaseAction::Acquire, ms(1000), 1);
     for component in [255, 4, 5, 31, 32] {
         lease.record(&hold(component, Hold::Latent));
     }
@@ -54,7 +54,7 @@ fn silence_ends_the_lease_and_what_was_requested_under_it() {
     lease.record(&Change::Rate { component: 7, hz: 10.0 });
     lease.record(&Change::Rate { component: 7, hz: f32::NAN });
     assert!(!lease.check_silence(ms(4000)));
-    lease.act(1, LeaseAction::Keep { lease: 1 }, ms(4000));
+    lease.act(1, LeaseAction::Keep { lease: 1 }, ms(4000), 0);
     assert!(!lease.check_silence(ms(7000)));
     assert_eq!(lease.next_ending(), None);
     assert!(lease.check_silence(ms(7001)));
@@ -63,22 +63,40 @@ fn silence_ends_the_lease_and_what_was_requested_under_it() {
     }
     assert!(matches!(lease.next_ending(), Some(Change::Rate { component: 6, hz }) if hz.is_nan()));
     assert_eq!(lease.next_ending(), None);
-    assert!(!lease.act(1, LeaseAction::Keep { lease: 1 }, ms(7001)) && !admits(&mut lease, 1, 1, ms(7001)));
+    assert!(!lease.act(1, LeaseAction::Keep { lease: 1 }, ms(7001), 0) && !admits(&mut lease, 1, 1, ms(7001)));
 }
 
 #[test]
-fn a_new_connection_of_the_operator_continues_its_lease() {
-    let mut lease = Lease::new(ms(3000), 0);
-    lease.act(1, LeaseAction::Acquire, ms(0));
-    assert!(!admits(&mut lease, 2, 1, ms(0)));
-    assert!(lease.act(2, LeaseAction::Keep { lease: 1 }, ms(2000)));
-    assert!(admits(&mut lease, 2, 1, ms(2000)) && !admits(&mut lease, 1, 1, ms(2000)));
+fn a_new_connection_continues_the_lease_of_one_that_has_ended_and_takes_no_live_one() {
+    let mut lease = Lease::new(ms(3000));
+    lease.act(1, LeaseAction::Acquire, ms(0), 7);
+    assert!(!lease.act(2, LeaseAction::Keep { lease: 7 }, ms(1000), 0) && admits(&mut lease, 1, 7, ms(1000)));
+    lease.disconnect(2);
+    assert!(!lease.act(2, LeaseAction::Keep { lease: 7 }, ms(1000), 0));
+    lease.disconnect(1);
+    assert!(
+        !lease.act(2, LeaseAction::Keep { lease: 6 }, ms(2000), 0) && !lease.act(2, LeaseAction::Acquire, ms(2000), 9)
+    );
+    assert!(lease.act(2, LeaseAction::Keep { lease: 7 }, ms(2000), 0));
+    assert!(admits(&mut lease, 2, 7, ms(2000)) && !admits(&mut lease, 1, 7, ms(2000)));
+    lease.disconnect(2);
+    assert!(!lease.check_silence(ms(5000)) && lease.check_silence(ms(5001)));
+}
+
+#[test]
+fn no_lease_has_the_number_before_or_none() {
+    let mut lease = Lease::new(ms(3000));
+    let numbers = [0, 1, u32::MAX, u32::MAX, 0].map(|random| {
+        lease.act(1, LeaseAction::Take, ms(0), random);
+        lease.state(1, NOW).lease
+    });
+    assert_eq!(numbers, [1, 2, u32::MAX, 1, 2]);
 }
 
 #[test]
 fn a_request_is_refused_after_its_expiry_and_ends_the_silence_all_the_same() {
-    let mut lease = Lease::new(ms(3000), 0);
-    lease.act(1, LeaseAction::Acquire, ms(0));
+    let mut lease = Lease::new(ms(3000));
+    lease.act(1, LeaseAction::Acquire, ms(0), 1);
     let expiring = |expires_us| Request { expires_us, ..request(1) };
     assert_eq!(lease.admit(1, &expiring(5), ms(2000), NOW), Ok(()));
     assert_eq!(lease.admit(1, &expiring(4), ms(3000), NOW), Err(RefusalCode::Expired));

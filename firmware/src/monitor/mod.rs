@@ -45,8 +45,6 @@ impl Line {
 /// Server for the monitors of the robot.
 pub(crate) struct Monitor {
     lease: Lease,
-    /// Whether a lease was ever requested: before that its numbers are not random.
-    is_seeded: bool,
     connections: [Connection; 2],
     /// Numbers of the next cycle.
     next: CycleInfo,
@@ -58,8 +56,7 @@ impl Monitor {
     /// Creates a server without monitors.
     pub(crate) const fn new() -> Self {
         Self {
-            lease: Lease::new(SILENCE, 0),
-            is_seeded: false,
+            lease: Lease::new(SILENCE),
             connections: [const { Connection::new() }; 2],
             next: CycleInfo { cycle: 0, time_us: 0, sensed: 0, images: 0, overruns: 0 },
             realtime: false,
@@ -87,15 +84,15 @@ impl Monitor {
         self.connections[line as usize].begin();
     }
 
-    /// Handles a message. `now` is the robot's time; `None` before the first cycle can run, when nobody gets the lease. `seed` is
-    /// different in each run of the program.
+    /// Handles a message. `now` is the robot's time; `None` before the first cycle can run, when nobody gets the lease. `random`
+    /// is a count of a fast clock: the number of a lease that begins.
     pub(crate) fn receive<O: Observer<Forward>>(
         &mut self,
         line: Line,
         bytes: &[u8],
         runner: &mut Runner<&'static mut Forward, (), (), O>,
         now: Option<Instant>,
-        seed: u32,
+        random: u32,
     ) {
         let Ok(message) = postcard::from_bytes::<FromMonitor>(bytes) else { return };
         let connection = &mut self.connections[line as usize];
@@ -105,17 +102,14 @@ impl Monitor {
             FromMonitor::Watch(watch) => connection.every = watch.every,
             FromMonitor::WatchInfo(watch) => connection.watch(watch),
             FromMonitor::ReadParams => connection.params = u64::MAX,
-            FromMonitor::Lease(action) => self.act(line, action, now, seed),
+            FromMonitor::Lease(action) => self.act(line, action, now, random),
             FromMonitor::Request(request) => self.request(line, request, runner, now),
         }
     }
 
-    fn act(&mut self, line: Line, action: LeaseAction, now: Option<Instant>, seed: u32) {
+    fn act(&mut self, line: Line, action: LeaseAction, now: Option<Instant>, random: u32) {
         if let Some(now) = now {
-            if !self.is_seeded {
-                (self.lease, self.is_seeded) = (Lease::new(SILENCE, seed), true);
-            }
-            if self.lease.act(line.id(), action, since_start(now)) {
+            if self.lease.act(line.id(), action, since_start(now), random) {
                 self.connections.iter_mut().for_each(|connection| connection.lease = true);
                 return;
             }

@@ -31,6 +31,8 @@ pub use options::ClientOptions;
 const HEARTBEAT: Duration = Duration::from_millis(500);
 /// Time between two attempts to connect again.
 const RETRY: Duration = Duration::from_millis(100);
+/// Longest time in which a lease is continued after a reconnection.
+const CONTINUE: Duration = Duration::from_secs(2);
 
 /// A monitor of a robot.
 ///
@@ -118,12 +120,24 @@ impl Client {
             next.watch_extra(kind, every)?;
         }
         if lease.yours {
-            next.inbox.lease = None;
-            next.send(&FromMonitor::Lease(LeaseAction::Keep { lease: lease.lease }))?;
-            next.wait("the state of the lease", |inbox| inbox.lease.map(|_| ()))?;
+            next.continue_lease(lease.lease)?;
         }
         *self = next;
         Ok(())
+    }
+
+    /// Continues the lease of a connection that has ended. The robot may not know yet that it has.
+    fn continue_lease(&mut self, number: u32) -> Result<(), Error> {
+        let until = Instant::now() + CONTINUE;
+        loop {
+            self.inbox.lease = None;
+            self.send(&FromMonitor::Lease(LeaseAction::Keep { lease: number }))?;
+            let lease = self.wait("the state of the lease", |inbox| inbox.lease)?;
+            if lease.yours || !lease.owned || Instant::now() > until {
+                return Ok(());
+            }
+            thread::sleep(RETRY);
+        }
     }
 
     /// Returns the description. Values of parameters are those that the robot reported last.

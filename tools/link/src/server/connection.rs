@@ -8,8 +8,9 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use bica_wire::message::ExtraKind;
-use bica_wire::{FromMonitor, FromMonitorExtra, Packet, ToRobot};
+use bica_wire::{FromMonitor, FromMonitorExtra, Packet, ToMonitor, ToRobot};
 
+use super::MAX_MONITORS;
 use super::cycle_data::{Encoded, Watched};
 use super::hub::{Command, Hub, MAX_PENDING};
 use super::key::Key;
@@ -24,6 +25,8 @@ const POLL: Duration = Duration::from_millis(100);
 const WRITE: Duration = Duration::from_secs(10);
 /// Silence after which a monitor is disconnected: its computer may have lost the network.
 const IDLE: Duration = Duration::from_secs(30);
+/// Longest time until the first message of a TCP connection. Before it, the connection takes no place of a monitor.
+const FIRST: Duration = Duration::from_secs(2);
 /// Time after which the next image is sent though the last one was not taken, ms: a part may be lost on a serial line.
 const IMAGE_MS: u64 = 10_000;
 /// No image waits to be taken.
@@ -118,8 +121,7 @@ pub(super) fn serve(hub: &Arc<Hub>, mut stream: Stream) -> io::Result<()> {
         closed: AtomicBool::new(false),
         stream: stream.try_clone()?,
     });
-    hub.list(&connection);
-    hub.deliver(&connection, Command::Open);
+    hub.wait_for_message(&connection);
     let written = Arc::clone(&connection);
     let thread = thread::Builder::new().name("link writer".to_owned()).spawn(move || write(&written, writer))?;
     read(hub, &connection, &mut stream);
@@ -129,16 +131,51 @@ pub(super) fn serve(hub: &Arc<Hub>, mut stream: Stream) -> io::Result<()> {
     Ok(())
 }
 
-fn read(hub: &Hub, connection: &Arc<Connection>, stream: &mut Stream) {
+/// Tells a monitor why its connection is closed. Nothing was written to it yet, so this does not wait.
+fn reject(stream: &mut Stream) {
+    let mut packets = Packets::new();
+    if packets.push(&ToMonitor::Closing { reason: "too many monitors are attached" }).is_ok() {
+        // A monitor that is gone needs no reason.
+        let _ = packets.write(stream);
+    }
+}
+
+/// A place of a monitor, until it is dropped.
+struct Place(Arc<Hub>);
+
+impl Place {
+    fn take(hub: &Arc<Hub>) -> Option<Self> {
+        let more = |open| (open < MAX_MONITORS).then_some(open + 1);
+        hub.open.fetch_update(Ordering::Relaxed, Ordering::Relaxed, more).ok()?;
+        Some(Self(Arc::clone(hub)))
+    }
+}
+
+impl Drop for Place {
+    fn drop(&mut self) {
+        self.0.open.fetch_sub(1, Ordering::Relaxed);
+    }
+}
+
+fn read(hub: &Arc<Hub>, connection: &Arc<Connection>, stream: &mut Stream) {
     // A serial line begins with what was on its way; only a program of a person opens it.
     let mut receiver = if stream.is_serial() { Receiver::new() } else { Receiver::strict() };
     let mut heard = Instant::now();
     let mut damaged = 0;
+    let (mut place, mut is_full) = (None, false);
     while !connection.is_closed() && !hub.stopped.load(Ordering::Relaxed) {
         let mut served = true;
         let reading = receiver.receive(stream, |packet| match decode(&packet) {
-            Some(message) if !connection.is_closed() => {
+            Some(message) if !connection.is_closed() && !is_full => {
                 heard = Instant::now();
+                if place.is_none() {
+                    place = Place::take(hub);
+                    is_full = place.is_none();
+                    if is_full {
+                        return;
+                    }
+                    hub.begin(connection);
+                }
                 served &= handle(hub, connection, message);
             }
             Some(_) => {}
@@ -148,8 +185,14 @@ fn read(hub: &Hub, connection: &Arc<Connection>, stream: &mut Stream) {
         });
         hub.damaged.fetch_add(receiver.damaged().wrapping_sub(damaged), Ordering::Relaxed);
         damaged = receiver.damaged();
+        if is_full {
+            hub.rejected.fetch_add(1, Ordering::Relaxed);
+            reject(stream);
+            return;
+        }
         let ended = matches!(reading, Ok(Reading::End) | Err(_));
-        if ended || !served || heard.elapsed() > IDLE {
+        let longest = if place.is_some() || stream.is_serial() { IDLE } else { FIRST };
+        if ended || !served || heard.elapsed() > longest {
             return;
         }
     }

@@ -75,7 +75,7 @@ impl Control {
             watchers: Watchers::default(),
             stands: false,
             outgoing: Outgoing::default(),
-            lease: Lease::new(options.silence, unpredictable()),
+            lease: Lease::new(options.silence),
             applied: Vec::new(),
             placements: VecDeque::new(),
             changed: BTreeSet::new(),
@@ -166,10 +166,23 @@ impl Control {
         None
     }
 
+    /// Forgets monitors that are disconnected; another connection may continue the lease of one.
+    pub(super) fn forget_closed(&mut self) {
+        for closed in self.watchers.remove_closed() {
+            self.lease.disconnect(closed);
+        }
+    }
+
     fn act(&mut self, now: bica::Instant, connection: u64, action: LeaseAction) {
         let time = self.lease_time(now);
-        if !self.watch_only && self.lease.act(connection, action, time) {
+        self.forget_closed();
+        let last = self.watchers.iter().map(|one| one.connection.id).find(|&one| self.lease.state(one, now).yours);
+        if !self.watch_only && self.lease.act(connection, action, time, unpredictable()) {
             self.announce_lease(now);
+            if let Some(last) = last.filter(|&last| last != connection) {
+                let text = "control has ended: another monitor has taken it".into();
+                self.tell(last, Message::Log { time_us: now.as_micros(), level: 3, text });
+            }
         } else if !matches!(action, LeaseAction::Keep { .. } if self.lease.state(connection, now).yours) {
             let lease = self.lease.state(connection, now);
             self.tell(connection, Message::Lease(lease));
@@ -270,7 +283,7 @@ impl Control {
     }
 }
 
-/// A number that cannot be guessed: numbers of leases of an earlier run of the program must not be valid in this one.
+/// A number that cannot be guessed, for a lease.
 fn unpredictable() -> u32 {
     // The standard library takes its keys from the random numbers of the operating system.
     RandomState::new().build_hasher().finish() as u32

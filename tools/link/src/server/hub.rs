@@ -1,5 +1,6 @@
 //! What all threads of a server share.
 
+use std::collections::VecDeque;
 use std::sync::atomic::{AtomicBool, AtomicU32, AtomicU64, AtomicUsize, Ordering};
 use std::sync::mpsc::{Receiver, SyncSender, TrySendError, sync_channel};
 use std::sync::{Arc, Mutex, PoisonError, Weak};
@@ -18,13 +19,15 @@ use super::{MAX_MONITORS, ServerOptions};
 
 /// Largest number of messages of a connection that wait for the loop. A connection that sends more is not read meanwhile.
 pub(super) const MAX_PENDING: usize = 32;
+/// Largest number of connections that have sent nothing yet.
+const MAX_SILENT: usize = 32;
 /// Messages of a connection to the loop that do not count: its beginning.
 const UNCOUNTED: usize = 1;
 
 /// Counts of a server.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct LinkStats {
-    /// Number of connections now.
+    /// Number of monitors now: connections that have sent a message.
     pub monitors: usize,
     /// Number of damaged packets, noise included.
     pub damaged: u32,
@@ -65,6 +68,8 @@ pub(super) struct Hub {
     watches: SyncSender<Inbound>,
     inbox: SyncSender<Inbound>,
     connections: Mutex<Vec<Weak<Connection>>>,
+    /// Connections that have sent nothing yet, the oldest first.
+    silent: Mutex<VecDeque<Weak<Connection>>>,
     /// To the thread that distributes.
     pub(super) exchange: Exchange,
     pub(super) open: AtomicUsize,
@@ -95,6 +100,7 @@ impl Hub {
             watches,
             inbox,
             connections: Mutex::default(),
+            silent: Mutex::default(),
             exchange: Exchange::default(),
             open: AtomicUsize::new(0),
             last_id: AtomicU64::new(0),
@@ -131,11 +137,27 @@ impl Hub {
         self.last_id.fetch_add(1, Ordering::Relaxed) + 1
     }
 
-    /// Lists a connection for [`log`](Self::log) and [`end`](Self::end).
-    pub(super) fn list(&self, connection: &Arc<Connection>) {
+    /// Lists a connection that has sent nothing yet. If there are too many, the oldest is closed.
+    pub(super) fn wait_for_message(&self, connection: &Arc<Connection>) {
+        let mut silent = self.silent.lock().unwrap_or_else(PoisonError::into_inner);
+        silent.retain(|connection| connection.strong_count() > 0);
+        silent.push_back(Arc::downgrade(connection));
+        if silent.len() > MAX_SILENT
+            && let Some(oldest) = silent.pop_front().and_then(|oldest| oldest.upgrade())
+        {
+            oldest.close();
+        }
+    }
+
+    /// Lists a connection for [`log`](Self::log) and [`end`](Self::end), and in the loop: it has sent its first message.
+    pub(super) fn begin(&self, connection: &Arc<Connection>) {
+        let is_other = |other: &Weak<Connection>| !std::ptr::eq(other.as_ptr(), Arc::as_ptr(connection));
+        self.silent.lock().unwrap_or_else(PoisonError::into_inner).retain(is_other);
         let mut connections = self.connections.lock().unwrap_or_else(PoisonError::into_inner);
         connections.retain(|connection| connection.strong_count() > 0);
         connections.push(Arc::downgrade(connection));
+        drop(connections);
+        self.deliver(connection, Command::Open);
     }
 
     /// Hands a message to the loop. Returns whether a loop will receive it.

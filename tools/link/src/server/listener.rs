@@ -1,20 +1,15 @@
 //! Acceptance of connections.
 
-use std::io;
 use std::net::TcpListener;
 use std::sync::Arc;
 use std::sync::atomic::Ordering;
 use std::thread::{self, JoinHandle};
 use std::time::Duration;
 
-use bica_wire::ToMonitor;
-
-use super::MAX_MONITORS;
 use super::connection;
 use super::hub::Hub;
 use crate::address::{Address, resolve};
 use crate::error::Error;
-use crate::frame::Packets;
 use crate::stream::Stream;
 
 /// Time between two looks for a new connection.
@@ -46,7 +41,6 @@ pub(super) fn start(hub: &Arc<Hub>, address: &Address, anywhere: bool) -> Result
                 let mut stream = Ok(first);
                 while !hub.stopped.load(Ordering::Relaxed) {
                     if let Ok(stream) = stream {
-                        let _serving = Serving::new(&hub);
                         // The reason is of no use: the line is opened again in any case.
                         let _ = connection::serve(&hub, stream);
                     } else {
@@ -67,42 +61,11 @@ fn accept(hub: &Arc<Hub>, listener: &TcpListener) {
             continue;
         };
         let Ok(stream) = Stream::tcp(stream) else { continue };
-        if hub.open.load(Ordering::Relaxed) >= MAX_MONITORS {
-            hub.rejected.fetch_add(1, Ordering::Relaxed);
-            reject(stream);
-            continue;
-        }
-        let serving = Serving::new(hub);
+        let hub = Arc::clone(hub);
         let serve = move || {
-            let serving = serving;
             // The monitor is gone: there is nobody to report an error to.
-            let _ = connection::serve(&serving.0, stream);
+            let _ = connection::serve(&hub, stream);
         };
         let _ = thread::Builder::new().name("link reader".to_owned()).spawn(serve);
-    }
-}
-
-/// Tells a monitor why its connection is closed.
-fn reject(mut stream: Stream) {
-    let mut packets = Packets::new();
-    let told = packets.push(&ToMonitor::Closing { reason: "too many monitors are attached" }).is_ok();
-    // The packet fits into the empty buffer of a new connection, so this does not wait.
-    let _: io::Result<()> = if told { packets.write(&mut stream) } else { Ok(()) };
-    stream.shut_down();
-}
-
-/// A connection that counts as open.
-struct Serving(Arc<Hub>);
-
-impl Serving {
-    fn new(hub: &Arc<Hub>) -> Self {
-        hub.open.fetch_add(1, Ordering::Relaxed);
-        Self(Arc::clone(hub))
-    }
-}
-
-impl Drop for Serving {
-    fn drop(&mut self) {
-        self.0.open.fetch_sub(1, Ordering::Relaxed);
     }
 }

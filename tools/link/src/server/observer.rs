@@ -264,7 +264,7 @@ impl Control {
         if !self.outgoing.is_empty() {
             self.hub.exchange.offer(&mut self.outgoing, |connection| connection.overflow(&self.hub));
         }
-        self.watchers.remove_closed();
+        self.forget_closed();
         self.hub.time_us.store(self.next.time_us, Ordering::Relaxed);
     }
 

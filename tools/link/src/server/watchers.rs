@@ -140,19 +140,21 @@ impl Watchers {
         list.iter().filter_map(take).collect()
     }
 
-    /// Removes those that are disconnected.
-    pub(super) fn remove_closed(&mut self) {
+    /// Removes those that are disconnected; returns their connections.
+    pub(super) fn remove_closed(&mut self) -> Vec<u64> {
         if !self.list.iter().any(|watcher| watcher.connection.is_closed()) {
-            return;
+            return Vec::new();
         }
         self.shared = None;
         let closed: Vec<_> = self.list.extract_if(.., |watcher| watcher.connection.is_closed()).collect();
         for (&key, &every) in closed.iter().flat_map(|watcher| watcher.watched.iter()) {
             self.union.remove((key, every));
         }
-        for watcher in closed {
+        let forget = |watcher: Watcher| {
             self.owed.remove(&watcher.connection.id);
-        }
+            watcher.connection.id
+        };
+        closed.into_iter().map(forget).collect()
     }
 
     /// Whether a snapshot is due for anybody.

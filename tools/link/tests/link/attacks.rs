@@ -7,7 +7,7 @@ use std::thread;
 use std::time::Duration;
 
 use bica::runner::{Runner, World};
-use bica_link::{Client, ClientOptions, Error, Event, LinkServer, ServerOptions};
+use bica_link::{Client, ClientOptions, Error, Event, LinkServer, MAX_MONITORS, ServerOptions};
 use bica_wire::message::{Change, Hold, LeaseAction};
 use bica_wire::{Encoder, FromMonitor};
 
@@ -36,6 +36,25 @@ fn a_connection_that_begins_with_something_else_than_a_packet_is_closed() {
         assert!(!session.client().lease().owned);
     }
     assert_served(&session);
+}
+
+/// Attack 11: connections that send nothing take no place of a monitor, nor does a newer one wait for them.
+#[test]
+fn silent_connections_leave_room_for_an_operator() {
+    let session = Session::start();
+    let mut silent: Vec<_> = (0..3 * MAX_MONITORS).map(|_| raw(&session)).collect();
+    let mut operator = session.client();
+    operator.acquire(false).unwrap();
+    operator.request(HOLD).unwrap();
+    assert_eq!(session.server.stats().monitors, 1);
+    silent[0].set_read_timeout(Some(LIMIT)).unwrap();
+    let oldest = silent[0].read(&mut [0; 64]);
+    assert!(matches!(oldest, Ok(0)) || oldest.as_ref().is_err_and(|error| is_cut(error.kind())), "{oldest:?}");
+    let last = silent.last_mut().unwrap();
+    last.set_read_timeout(Some(LIMIT)).unwrap();
+    let last = last.read(&mut [0; 64]);
+    assert!(matches!(last, Ok(0)) || last.as_ref().is_err_and(|error| is_cut(error.kind())), "{last:?}");
+    operator.request(HOLD).unwrap();
 }
 
 fn is_cut(kind: ErrorKind) -> bool {

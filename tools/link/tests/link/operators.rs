@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use bica_link::{Client, Error, Event};
-use bica_wire::message::{Change, Hold, RefusalCode, Setting, Value};
+use bica_wire::message::{Change, Hold, LeaseAction, RefusalCode, Setting, Value};
 use serde_json::json;
 
 use crate::robot::{CART, DRIVE};
@@ -128,6 +128,28 @@ fn a_second_operator_is_refused_until_it_takes_the_lease() {
     assert_eq!(refusal(first.answer(newer)).0, RefusalCode::NoLease);
     assert!(!first.lease().yours && first.lease().owned);
     assert_eq!(session.requests(), 2);
+}
+
+#[test]
+fn numbers_of_leases_cannot_be_guessed_and_a_live_lease_is_not_moved_by_its_number() {
+    let session = Session::start();
+    let (mut operator, mut other) = (session.client(), session.client());
+    let numbers = [(); 4].map(|()| {
+        operator.acquire(true).unwrap();
+        operator.lease().lease
+    });
+    assert!(numbers.windows(2).all(|pair| pair[1].wrapping_sub(pair[0]) > 1000), "{numbers:?}");
+    let lease = numbers[3];
+    other.send_lease(LeaseAction::Keep { lease }).unwrap();
+    let known = other.send_request_with(HOLD, lease, u64::MAX).unwrap();
+    assert_eq!(refusal(other.answer(known)).0, RefusalCode::NoLease);
+    operator.request(HOLD).unwrap();
+    other.acquire(true).unwrap();
+    event(&mut operator, "the loss of control", |event| {
+        matches!(event, Event::Log { text, .. } if text == "control has ended: another monitor has taken it")
+            .then_some(())
+    });
+    assert!(!operator.lease().yours);
 }
 
 #[test]
