@@ -5,6 +5,7 @@
 
 use std::collections::BTreeMap;
 use std::fs;
+use std::io::Cursor;
 use std::path::PathBuf;
 use std::sync::LazyLock;
 use std::thread;
@@ -15,7 +16,7 @@ use bica_game::{RecordOptions, ReplayOptions, Rules, WorldKind, play_recorded, r
 use bica_recording::export::export;
 use bica_recording::mcap::{Compression, Item, Message, Reader, Writer};
 use bica_recording::repair::{recover, trim};
-use bica_recording::{ImagePolicy, Info, Recording};
+use bica_recording::{ImagePolicy, Info, Recording, checksum};
 use bica_sim::setup::Frame;
 use libfuzzer_sys::arbitrary::{self, Arbitrary};
 use libfuzzer_sys::fuzz_target;
@@ -91,16 +92,18 @@ fn rewritten(file: &[u8], edits: &[Edit], header: &[(u16, u8)], chunk_each: bool
         }
     }
     edits.iter().for_each(|edit| apply(edit, &mut messages));
-    for text in metadata.first_mut().into_iter().flat_map(|(_, fields)| fields.values_mut()) {
-        let mut bytes = std::mem::take(text).into_bytes();
+    for (_, fields) in metadata.iter_mut().filter(|(name, _)| name == "bica") {
+        let mut bytes = fields.remove("json").unwrap_or_default().into_bytes();
         for (at, value) in header {
             let at = usize::from(*at) % bytes.len();
             bytes[at] = *value;
         }
-        *text = String::from_utf8_lossy(&bytes).into_owned();
+        let text = String::from_utf8_lossy(&bytes).into_owned();
+        fields.extend([("crc32".to_owned(), checksum(&text)), ("json".to_owned(), text)]);
     }
     let mut target = Vec::new();
-    let mut writer = Writer::new(&mut target, "bica", schemas, channels).expect("memory");
+    let mut writer = Writer::new(&mut target, "bica").expect("memory");
+    writer.declare(schemas, channels).expect("memory");
     let write = |writer: &mut Writer<_>, (name, fields): &(String, BTreeMap<_, _>)| {
         writer.metadata(name, fields).expect("memory");
     };
@@ -148,7 +151,7 @@ fn read(file: &[u8]) {
         while let Ok(Some(_)) = recording.next_cycle() {}
     }
     let mut target = Vec::new();
-    if let Ok(copied) = recover(file, &mut target) {
+    if let Ok(copied) = recover(Cursor::new(file), &mut target) {
         let info = Info::read(&target[..]).expect("a recovered file is a recording");
         assert_eq!((info.cycles, info.damage), (copied.cycles, None));
     }
@@ -159,7 +162,7 @@ fn read(file: &[u8]) {
 fn repeat(file: &[u8]) {
     let path = path("input");
     fs::write(&path, file).expect("room");
-    let options = ReplayOptions { path: &path, from: 0.0, until: f64::INFINITY, against: None, set: &[] };
+    let options = ReplayOptions::whole(&path);
     with_stack(|| _ = replay(&options));
     with_stack(|| _ = replay(&ReplayOptions { against: Some(&path), ..options }));
 }

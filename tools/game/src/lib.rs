@@ -34,7 +34,7 @@ pub use latency::LatencySummary;
 pub use link::ServeOptions;
 pub use observer::{GameObserver, View};
 pub use recording::{RecordOptions, RecordingSummary, recording_header};
-pub use replay::{ReplayOptions, Replayed, replay, rerun};
+pub use replay::{AfterGap, ReplayOptions, Replayed, replay, rerun};
 pub use rules::{Rules, WorldKind};
 pub use scene::{GRAPH, Scene};
 pub use series::{SeriesOptions, play_series};

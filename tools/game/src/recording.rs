@@ -1,6 +1,5 @@
 //! Recording of a game.
 
-use std::fs::OpenOptions;
 use std::path::Path;
 use std::sync::mpsc::{Receiver, Sender, channel};
 
@@ -12,7 +11,7 @@ use bica_motion::robot::Sensors;
 use bica_player::tunable::Forward;
 use bica_recording::{
     Backpressure, ComponentCosts, Costs, Header, ImagePolicy, LogLine, RecordedRules, Recorder, RecorderOptions,
-    RefereeEvent, Report, RobotInfo,
+    RefereeEvent, Report, RobotInfo, create,
 };
 use bica_sim::SharedImage;
 use bica_sim::referee::TimedEvent;
@@ -171,8 +170,7 @@ fn open(
     } else {
         "name a file that can be made, or written to, with --record"
     };
-    let file = OpenOptions::new().write(true).create(true).truncate(true).create_new(!force).open(path);
-    let file = file.map_err(|error| Failure::of_path("write", path, &error, help))?;
+    let file = create(path, force).map_err(|error| Failure::of_path("write", path, &error, help))?;
     // Without a clock nothing has to be lost.
     let backpressure = if rules.realtime { Backpressure::Drop } else { Backpressure::Wait };
     let on_end = move |reason: &str| {

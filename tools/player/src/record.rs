@@ -1,12 +1,12 @@
 //! `player record`: what a recording contains; mended, cut and exported files.
 
-use std::fs::{self, File, OpenOptions};
+use std::fs::{self, File};
 use std::io::{BufReader, BufWriter, Write};
 use std::path::Path;
 
 use bica_console::{Console, Failure, Outcome, Style};
 use bica_recording::repair::{self, Copied};
-use bica_recording::{Error, Info, export};
+use bica_recording::{Error, Info, Start, create, export};
 use serde::Serialize;
 
 use crate::cli::{InfoArgs, Record, RecordAction, Recover, Trim};
@@ -52,6 +52,9 @@ fn print(console: Console, info: &Info) -> Result<(), Failure> {
     let dirty = if program.git_dirty { ", with changes" } else { "" };
     let commit = if program.git_hash.is_empty() { "unknown commit" } else { &program.git_hash };
     console.print_row("program", &format!("{} at {commit}{dirty}, for {}", program.version, program.target))?;
+    if let Some(Start { time, host }) = &header.start {
+        console.print_row("begun", &format!("{time} on {host}"))?;
+    }
     let tree = &header.tree;
     let count = tree.components.len();
     console
@@ -140,10 +143,13 @@ fn write(
     } else {
         "name a file that can be written"
     };
-    let target = OpenOptions::new().write(true).create(true).truncate(true).create_new(!args.force).open(&args.out);
-    let target = target.map_err(|error| Failure::of_path("write", &args.out, &error, help))?;
+    let target = create(&args.out, args.force).map_err(|error| Failure::of_path("write", &args.out, &error, help))?;
     let mut target = BufWriter::with_capacity(1 << 16, target);
-    let copied = copy(source, &mut target).map_err(|error| failure(&args.file, &error))?;
+    let copied = copy(source, &mut target).map_err(|error| {
+        // Nobody needs the begin of a file; the error is what the user has to know.
+        let _ = fs::remove_file(&args.out);
+        failure(&args.file, &error)
+    })?;
     target.flush().map_err(|error| Failure::of_path("write", &args.out, &error, "is the disk full?"))?;
     let text = format!("{} cycles, {:.2} MB in {}", copied.cycles, copied.bytes as f64 * 1e-6, args.out.display());
     console.print_row(done, &text)?;

@@ -1,7 +1,7 @@
 //! `player replay`: the code again, on a recording.
 
 use bica_console::{Console, Failure, Outcome, Style, interrupt};
-use bica_game::{ReplayOptions, Replayed, replay};
+use bica_game::{AfterGap, ReplayOptions, Replayed, replay};
 use serde::Serialize;
 
 use crate::cli::Replay;
@@ -23,14 +23,20 @@ pub(crate) fn run(args: &Replay) -> Result<Outcome, Failure> {
     if until < args.from {
         return Err(Failure::new("--until is before --from", "give a later time with --until"));
     }
-    let options =
-        ReplayOptions { path: &args.file, from: args.from, until, against: args.against.as_deref(), set: &args.set };
+    let options = ReplayOptions {
+        path: &args.file,
+        from: args.from,
+        until,
+        against: args.against.as_deref(),
+        set: &args.set,
+        closed_loop: args.closed_loop,
+    };
     let replayed = replay(&options)?;
     print(console, &replayed)?;
     console.print_json(&Report { schema: "bica-player/replay/1", replayed: &replayed })?;
     Ok(if interrupt::requested() {
         Outcome::Interrupted
-    } else if replayed.equal && replayed.damage.is_none() {
+    } else if replayed.equal && replayed.damage.is_none() && replayed.gaps.is_empty() {
         Outcome::Success
     } else {
         Outcome::Unsuccessful
@@ -45,6 +51,9 @@ fn print(console: Console, replayed: &Replayed) -> Result<(), Failure> {
         _ => "the other recording",
     };
     console.print_row("compared", &format!("{cycles} cycles up to {seconds:.2} s with {source}"))?;
+    if let Some(inputs) = inputs(replayed) {
+        console.print_row("inputs", &inputs)?;
+    }
     let (style, text) = match equal {
         true => (Style::Good, "equal, bit for bit"),
         false => (Style::Bad, "different"),
@@ -52,6 +61,14 @@ fn print(console: Console, replayed: &Replayed) -> Result<(), Failure> {
     console.print_row("result", &console.styled(style, text))?;
     if let Some(damage) = &replayed.damage {
         console.print_row("file", &console.styled(Style::Bad, damage))?;
+    }
+    if let (Some(first), Some(after)) = (replayed.gaps.first(), &replayed.after_gap) {
+        let (count, AfterGap { cycles, total_decisions, .. }) = (replayed.gaps.len(), after);
+        let text = format!(
+            "{count} images were dropped while recording, the first in cycle {first}; of {cycles} cycles from there on \
+             {total_decisions} decisions differ, which may be due to them"
+        );
+        console.print_row("gaps", &console.styled(Style::Bad, &text))?;
     }
     let Some(first) = &replayed.first_difference else { return Ok(()) };
     let field = first.component.as_ref().map_or_else(|| first.field.clone(), |name| format!("{name}, {}", first.field));
@@ -70,6 +87,13 @@ fn print(console: Console, replayed: &Replayed) -> Result<(), Failure> {
         console.print_row("cause", "another build recorded it: its code or its tools may differ")?;
     }
     decisions(console, replayed)
+}
+
+/// Returns what the inputs of a run with other parameters are.
+fn inputs(replayed: &Replayed) -> Option<String> {
+    let is_open = !replayed.set.is_empty() && replayed.feedback == Some("open");
+    let again = if replayed.simulated { "; --closed-loop runs the world again" } else { "" };
+    is_open.then(|| format!("those of the recorded run, whatever the code decides (open loop){again}"))
 }
 
 fn decisions(console: Console, replayed: &Replayed) -> Result<(), Failure> {

@@ -23,6 +23,11 @@ pub enum Error {
     },
     /// A chunk is compressed with a method that this program does not have.
     Compression(String),
+    /// The recording has no cycle in a span of time, or ends before it.
+    Span {
+        /// Time of the last cycle, ns.
+        end: u64,
+    },
     /// The file ends within a record; everything before it is intact.
     CutOff {
         /// Length of the intact part, bytes.
@@ -42,7 +47,10 @@ impl Error {
             Self::Io(_) => "is the file there, and may it be read?",
             Self::NotMcap | Self::NotARecording => "name a file that `player play --record FILE` wrote",
             Self::Format(_) => "use the version of this program that wrote it; `player record info FILE` names it",
-            Self::Compression(_) => "recordings of this program are compressed with lz4",
+            Self::Compression(_) => {
+                "this program reads LZ4: `mcap compress --compression lz4 FILE --output OUT` writes the file with it"
+            }
+            Self::Span { .. } => "give times within the recording; `player record info FILE` shows its length",
             Self::Damaged { .. } | Self::CutOff { .. } => {
                 "`player record recover FILE OUT` writes the intact chunks to a new file"
             }
@@ -56,14 +64,17 @@ impl fmt::Display for Error {
             Self::Io(error) => error.fmt(out),
             Self::NotMcap => out.write_str("this is no MCAP file"),
             Self::NotARecording => {
-                out.write_str("this MCAP file is no recording of a robot: it has no metadata `bica`")
+                out.write_str("this MCAP file is no recording of a robot: no metadata `bica` precede its messages")
             }
             Self::Format(format) => {
-                let (oldest, newest) = (crate::header::OLDEST_FORMAT, crate::header::MONITOR_FORMAT);
+                let (oldest, newest) = (crate::header::OLDEST_FORMAT, crate::header::FORMAT);
                 write!(out, "the recording has format {format}; this program reads formats {oldest} to {newest}")
             }
             Self::Damaged { at, what } => write!(out, "the file is damaged at byte {at}: {what}"),
             Self::Compression(name) => write!(out, "a chunk is compressed with `{name}`"),
+            Self::Span { end } => {
+                write!(out, "the recording ends at {:.2} s: the span is not in it", *end as f64 * 1e-9)
+            }
             Self::CutOff { at } => write!(out, "the file is cut off after byte {at}"),
         }
     }

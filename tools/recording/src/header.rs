@@ -2,8 +2,9 @@
 
 use std::collections::BTreeMap;
 use std::env;
-use std::fs::File;
+use std::fs::{self, File};
 use std::io::{self, Read};
+use std::time::SystemTime;
 
 use bica::graph::{self, Graph, Node};
 use bica::info::Info as Information;
@@ -15,18 +16,22 @@ use serde::{Deserialize, Serialize};
 use crate::error::Error;
 use crate::information;
 
-/// Version of the format of recordings of runs. Version 2 added the requests to the world.
-pub(crate) const FORMAT: u32 = 2;
+/// Version of the format. Version 2 added the requests to the world, 4 checksums and copies of header and ending.
+pub const FORMAT: u32 = 4;
 /// Oldest version that can be read.
 pub(crate) const OLDEST_FORMAT: u32 = 1;
-/// Version of the format of recordings that a monitor made.
-pub(crate) const MONITOR_FORMAT: u32 = 3;
+/// Version of the format of recordings that a monitor made, before version 4.
+const MONITOR_FORMAT: u32 = 3;
 /// Name of the metadata record with the header.
 pub(crate) const HEADER_NAME: &str = "bica";
 /// Name of the metadata record with the ending.
 pub(crate) const ENDING_NAME: &str = "bica.ending";
 /// Key of the JSON text in a metadata record.
 const KEY: &str = "json";
+/// Key of the CRC-32 of this text, hexadecimal.
+const CRC_KEY: &str = "crc32";
+/// Name of the host, on Linux.
+const HOST_FILE: &str = "/proc/sys/kernel/hostname";
 
 /// What a replay needs to know before the first cycle.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -35,6 +40,9 @@ pub struct Header {
     pub format: u32,
     /// The program that wrote the recording.
     pub program: Program,
+    /// Where and when the recording was begun; none before format 4.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub start: Option<Start>,
     /// The activation tree.
     pub tree: TreeInfo,
     /// The robot.
@@ -72,6 +80,15 @@ pub struct Program {
     pub target: String,
     /// CRC-32 of the executable file, hexadecimal; empty if it cannot be read.
     pub executable: String,
+}
+
+/// Where and when a recording was begun.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Start {
+    /// Time, RFC 3339, UTC.
+    pub time: String,
+    /// Name of the computer; empty if unknown.
+    pub host: String,
 }
 
 /// The activation tree of a recording.
@@ -209,6 +226,15 @@ impl Program {
     }
 }
 
+impl Start {
+    /// This computer, now.
+    #[must_use]
+    pub fn now() -> Self {
+        let host = fs::read_to_string(HOST_FILE).or_else(|_| env::var("COMPUTERNAME")).unwrap_or_default();
+        Self { time: humantime::format_rfc3339_millis(SystemTime::now()).to_string(), host: host.trim().to_owned() }
+    }
+}
+
 /// Returns the CRC-32 of the running executable.
 fn executable() -> io::Result<String> {
     let mut file = File::open(env::current_exe()?)?;
@@ -289,6 +315,7 @@ impl Header {
         Self {
             format: FORMAT,
             program: Program::current(),
+            start: Some(Start::now()),
             tree: TreeInfo::new(graph),
             robot,
             rules,
@@ -310,6 +337,12 @@ impl Header {
         self
     }
 
+    /// Returns the nominal time from one cycle to the next, ns.
+    #[must_use]
+    pub fn period(&self) -> u64 {
+        (1e9 / f64::from(self.tree.cycle_hz)) as u64
+    }
+
     /// Returns the time of an instant, ns since the start of the run's clock.
     #[must_use]
     pub fn nanoseconds(&self, ticks: u64) -> u64 {
@@ -320,16 +353,35 @@ impl Header {
 /// Returns the fields of a metadata record.
 pub(crate) fn to_metadata(value: &impl Serialize) -> Result<BTreeMap<String, String>, Error> {
     let text = serde_json::to_string(value).map_err(io::Error::from)?;
-    Ok(BTreeMap::from([(KEY.to_owned(), text)]))
+    let crc = checksum(&text);
+    Ok(BTreeMap::from([(KEY.to_owned(), text), (CRC_KEY.to_owned(), crc)]))
 }
 
-/// Returns the value of a metadata record at a position.
-pub(crate) fn from_metadata<T: for<'a> Deserialize<'a>>(
-    fields: &BTreeMap<String, String>,
-    at: u64,
-) -> Result<T, Error> {
+/// Returns the checksum of the text of a metadata record: its field `crc32`.
+#[must_use]
+pub fn checksum(text: &str) -> String {
+    format!("{:08x}", crc32fast::hash(text.as_bytes()))
+}
+
+/// Returns the value of a metadata record at a position. A checksum is checked if there is one.
+fn from_metadata<T: for<'a> Deserialize<'a>>(fields: &BTreeMap<String, String>, at: u64) -> Result<T, Error> {
     let text = fields.get(KEY).ok_or_else(|| Error::damaged(at, "the metadata have no field `json`"))?;
+    if fields.get(CRC_KEY).is_some_and(|crc| *crc != checksum(text)) {
+        return Err(Error::damaged(at, "the checksum of the metadata is wrong"));
+    }
     serde_json::from_str(text).map_err(|error| Error::damaged(at, format!("the metadata cannot be read: {error}")))
+}
+
+/// Checks that metadata of a format have a checksum.
+fn check_metadata(fields: &BTreeMap<String, String>, format: u32, at: u64) -> Result<(), Error> {
+    let has_checksum = format < FORMAT || fields.contains_key(CRC_KEY);
+    has_checksum.then_some(()).ok_or_else(|| Error::damaged(at, "the metadata have no checksum"))
+}
+
+/// Returns the ending of a metadata record of a recording of a format.
+pub(crate) fn ending_of(fields: &BTreeMap<String, String>, format: u32, at: u64) -> Result<Ending, Error> {
+    check_metadata(fields, format, at)?;
+    from_metadata(fields, at)
 }
 
 /// Returns the header of a metadata record.
@@ -339,11 +391,12 @@ pub(crate) fn header_of(fields: &BTreeMap<String, String>, at: u64) -> Result<He
         format: u32,
     }
     let Format { format } = from_metadata(fields, at)?;
-    if !(OLDEST_FORMAT..=MONITOR_FORMAT).contains(&format) {
+    if !(OLDEST_FORMAT..=FORMAT).contains(&format) {
         return Err(Error::Format(format));
     }
+    check_metadata(fields, format, at)?;
     let header: Header = from_metadata(fields, at)?;
-    if header.monitor.is_some() != (format == MONITOR_FORMAT) {
+    if format < FORMAT && header.monitor.is_some() != (format == MONITOR_FORMAT) {
         return Err(Error::damaged(at, format!("a header of format {format} that is not of this format")));
     }
     Ok(header)

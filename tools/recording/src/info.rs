@@ -1,13 +1,13 @@
 //! Contents of a recording.
 
-use std::collections::BTreeMap;
 use std::io::Read;
 
 use serde::Serialize;
 
+use crate::contents::{Contents, Part};
 use crate::error::Error;
-use crate::header::{ENDING_NAME, Ending, HEADER_NAME, Header, from_metadata, header_of};
-use crate::mcap::{Item, Message, Reader};
+use crate::header::{Ending, Header};
+use crate::mcap::Message;
 use crate::message::{Channel, RefereeEvent, Tick};
 use crate::recording::decode;
 use crate::request::RequestRecord;
@@ -70,7 +70,7 @@ pub struct RequestInfo {
     pub request: String,
 }
 
-/// Most bytes of events, requests and names of channels. A game has some kilobytes, a damaged file may have any number.
+/// Most bytes of events and requests. A game has some kilobytes, a damaged file may have any number.
 const MAX_LISTED_BYTES: usize = 64 << 20;
 
 impl Info {
@@ -79,103 +79,79 @@ impl Info {
     /// # Errors
     /// If the source cannot be read or is no recording.
     pub fn read(source: impl Read) -> Result<Self, Error> {
-        let mut reading =
-            Reading { reader: Reader::new(source)?, channels: BTreeMap::new(), ticks: None, info: None, listed: 0 };
-        let damage = loop {
-            match reading.step() {
+        let mut contents = Contents::new(source)?;
+        let mut reading = Reading { info: empty(contents.header.clone()), ticks: None, listed: 0 };
+        reading.info.damage = loop {
+            let step = contents.next().and_then(|part| reading.part(part));
+            match step {
                 Ok(true) => {}
                 Ok(false) => break None,
-                Err(error) if reading.info.is_some() && !matches!(error, Error::Io(_)) => {
-                    break Some(error.to_string());
-                }
-                Err(error) => return Err(error),
+                Err(Error::Io(error)) => return Err(error.into()),
+                Err(error) => break Some(error.to_string()),
             }
         };
-        reading.finish(damage)
+        (reading.info.ending, reading.info.bytes) = (contents.ending.take(), contents.position());
+        Ok(reading.finish())
     }
 }
 
-struct Reading<R> {
-    reader: Reader<R>,
-    channels: BTreeMap<u16, ChannelInfo>,
+struct Reading {
+    info: Info,
     /// First and last.
     ticks: Option<(Tick, Tick)>,
-    info: Option<Info>,
-    /// Number of bytes of events, requests and names of channels.
+    /// Number of bytes of events and requests.
     listed: usize,
 }
 
-impl<R: Read> Reading<R> {
-    /// Takes in the next part; returns whether there may be more.
-    fn step(&mut self) -> Result<bool, Error> {
-        match self.reader.next_item()? {
-            Item::End => return Ok(false),
-            Item::Channel(channel) => {
-                self.list(channel.topic.len(), self.reader.position())?;
-                self.channels
-                    .entry(channel.id)
-                    .or_insert(ChannelInfo { topic: channel.topic, ..ChannelInfo::default() });
-            }
-            Item::Metadata(at, name, fields) if name == HEADER_NAME => self.info = Some(empty(header_of(&fields, at)?)),
-            Item::Metadata(at, name, fields) if name == ENDING_NAME => {
-                self.info()?.ending = Some(from_metadata(&fields, at)?);
-            }
-            Item::Chunk { .. } => self.info()?.chunks += 1,
-            Item::Message(message) => self.message(&message)?,
-            Item::Metadata(..) | Item::Schema(_) => {}
+impl Reading {
+    /// Takes in a part; returns whether there may be more.
+    fn part(&mut self, part: Part) -> Result<bool, Error> {
+        match part {
+            Part::End => return Ok(false),
+            Part::Chunk => self.info.chunks += 1,
+            Part::Message(channel, message) => self.message(channel, &message)?,
         }
         Ok(true)
     }
 
-    /// Counts what is listed.
-    fn list(&mut self, bytes: usize, at: u64) -> Result<(), Error> {
-        self.listed += bytes;
-        if self.listed > MAX_LISTED_BYTES {
-            return Err(Error::damaged(at, "too many events, requests or channels"));
+    fn message(&mut self, channel: Channel, message: &Message) -> Result<(), Error> {
+        let (t, info) = (message.time as f64 * 1e-9, &mut self.info);
+        let counts = &mut info.channels[usize::from(channel.id()) - 1];
+        counts.messages += 1;
+        counts.bytes += message.data.len() as u64;
+        if matches!(channel, Channel::Events | Channel::Requests) {
+            self.listed += message.data.len();
+            if self.listed > MAX_LISTED_BYTES {
+                return Err(Error::damaged(message.chunk_at, "too many events or requests"));
+            }
+        }
+        match channel {
+            Channel::Tick => {
+                let tick = decode(message)?;
+                self.ticks = Some((self.ticks.map_or(tick, |(first, _)| first), tick));
+                info.cycles += 1;
+            }
+            Channel::Events => {
+                let RefereeEvent { kind, detail, .. } = decode(message)?;
+                info.events.push(EventInfo { t, event: kind, detail });
+            }
+            Channel::Requests => {
+                let request: RequestRecord = decode(message)?;
+                info.requests.push(RequestInfo { t, request: request.describe(&info.header.tree) });
+            }
+            _ => {}
         }
         Ok(())
     }
 
-    fn info(&mut self) -> Result<&mut Info, Error> {
-        self.info.as_mut().ok_or(Error::NotARecording)
-    }
-
-    fn message(&mut self, message: &Message) -> Result<(), Error> {
-        let t = message.time as f64 * 1e-9;
-        if let Some(channel) = self.channels.get_mut(&message.channel) {
-            channel.messages += 1;
-            channel.bytes += message.data.len() as u64;
-        }
-        let topic = self.channels.get(&message.channel).map(|channel| channel.topic.clone()).unwrap_or_default();
-        if topic == Channel::Tick.topic() {
-            let tick = decode(message)?;
-            self.ticks = Some((self.ticks.map_or(tick, |(first, _)| first), tick));
-            self.info()?.cycles += 1;
-        } else if topic == Channel::Events.topic() {
-            self.list(message.data.len(), message.chunk_at)?;
-            let RefereeEvent { kind, detail, .. } = decode(message)?;
-            self.info()?.events.push(EventInfo { t, event: kind, detail });
-        } else if topic == Channel::Requests.topic() {
-            self.list(message.data.len(), message.chunk_at)?;
-            let request: RequestRecord = decode(message)?;
-            let info = self.info()?;
-            info.requests.push(RequestInfo { t, request: request.describe(&info.header.tree) });
-        }
-        Ok(())
-    }
-
-    fn finish(self, damage: Option<String>) -> Result<Info, Error> {
-        let info = self.info.ok_or(Error::NotARecording)?;
+    fn finish(self) -> Info {
+        let mut info = self.info;
         let span = self.ticks.map_or((0, 0), |(first, last)| (first.instant, last.instant));
-        let seconds = info.header.nanoseconds(span.1).saturating_sub(info.header.nanoseconds(span.0)) as f64 * 1e-9;
-        Ok(Info {
-            damage,
-            seconds,
-            fingerprint: self.ticks.filter(|_| info.header.monitor.is_none()).map_or_else(String::new, fingerprint),
-            bytes: self.reader.position(),
-            channels: self.channels.into_values().filter(|channel| channel.messages > 0).collect(),
-            ..info
-        })
+        let span = info.header.nanoseconds(span.1).saturating_sub(info.header.nanoseconds(span.0));
+        info.seconds = span as f64 * 1e-9;
+        info.fingerprint = self.ticks.filter(|_| info.header.monitor.is_none()).map_or_else(String::new, fingerprint);
+        info.channels.retain(|channel| channel.messages > 0);
+        info
     }
 }
 
@@ -193,7 +169,9 @@ fn empty(header: Header) -> Info {
         bytes: 0,
         chunks: 0,
         damage: None,
-        channels: Vec::new(),
+        channels: Channel::ALL
+            .map(|channel| ChannelInfo { topic: channel.topic().to_owned(), ..ChannelInfo::default() })
+            .to_vec(),
         events: Vec::new(),
         requests: Vec::new(),
     }

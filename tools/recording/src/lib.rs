@@ -14,6 +14,7 @@
 //! Reading checks every length before it reserves memory, so a damaged file ends in an error.
 
 mod compare;
+mod contents;
 mod digest;
 mod error;
 pub mod export;
@@ -33,8 +34,8 @@ pub use compare::{Comparison, Decision, Difference, command_field, sensor_field}
 pub use digest::{RunningFingerprint, command_digest, image_digest, sensors_digest};
 pub use error::Error;
 pub use header::{
-    ComponentInfo, Ending, Header, ImagePolicy, InformationInfo, MonitorInfo, Parameter, ParameterInfo, Program,
-    RecordedRules, RobotInfo, TreeInfo,
+    ComponentInfo, Ending, FORMAT, Header, ImagePolicy, InformationInfo, MonitorInfo, Parameter, ParameterInfo,
+    Program, RecordedRules, RobotInfo, Start, TreeInfo, checksum,
 };
 pub use info::{ChannelInfo, Info};
 pub use information::{InformationRecord, InformationValue};
@@ -42,6 +43,6 @@ pub use message::{
     Channel, CommandRecord, ComponentCosts, Costs, HoldsRecord, ImageRecord, LogLine, RefereeEvent, Tick, TreeRecord,
 };
 pub use monitor::{MonitorRecorder, ReceivedImage};
-pub use recorder::{Backpressure, Recorder, RecorderOptions, Report, Sink, tree_record};
+pub use recorder::{Backpressure, Recorder, RecorderOptions, Report, Sink, Syncing, create, tree_record};
 pub use recording::{ImagePlace, OwnedImage, RecordedCycle, Recording};
 pub use request::{RequestRecord, SettingRecord};

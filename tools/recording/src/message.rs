@@ -6,7 +6,11 @@ use postcard_schema::schema::NamedType;
 use serde::{Deserialize, Serialize};
 
 use crate::information::InformationRecord;
+use crate::mcap::ChannelRecord;
 use crate::request::RequestRecord;
+
+/// Encoding of the messages.
+pub(crate) const ENCODING: &str = "postcard";
 
 /// Channel of a recording.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -61,6 +65,12 @@ impl Channel {
     #[must_use]
     pub fn of_id(id: u16) -> Option<Self> {
         Self::ALL.get(usize::from(id).checked_sub(1)?).copied()
+    }
+
+    /// Returns number and channel of a record of a file; none for a channel of another program.
+    pub(crate) fn of_record(record: &ChannelRecord) -> Option<(u16, Self)> {
+        let known = Self::ALL.into_iter().find(|known| known.topic() == record.topic && record.encoding == ENCODING)?;
+        Some((record.id, known))
     }
 
     /// Returns the topic.

@@ -8,9 +8,10 @@ use std::path::Path;
 use bica_wire::message::{Command, Sensors};
 use serde::Deserialize;
 
+use crate::contents::{Contents, Part};
 use crate::digest::image_digest;
 use crate::error::Error;
-use crate::header::{ENDING_NAME, Ending, HEADER_NAME, Header, from_metadata, header_of};
+use crate::header::{Ending, Header};
 use crate::image_codec::ImageCoder;
 use crate::information::InformationRecord;
 use crate::mcap::{Item, Message, Reader};
@@ -75,9 +76,7 @@ impl OwnedImage {
 /// Recording that is being read.
 #[derive(Debug)]
 pub struct Recording<R> {
-    reader: Reader<R>,
-    header: Header,
-    channels: BTreeMap<u16, Channel>,
+    contents: Contents<R>,
     /// Images that wait for their cycle.
     images: BTreeMap<u32, WaitingImage>,
     /// Whether images are decoded.
@@ -87,13 +86,14 @@ pub struct Recording<R> {
     next: RecordedCycle,
     /// Number of bytes of the messages since the last cycle.
     next_bytes: usize,
-    ending: Option<Ending>,
 }
 
 /// An image that was read before its cycle.
 #[derive(Debug)]
 struct WaitingImage {
     record: ImageRecord,
+    /// Number of its channel.
+    channel: u16,
     /// Time of the image, ns.
     time: u64,
     /// Position of its chunk, bytes.
@@ -116,31 +116,14 @@ impl<R: Read> Recording<R> {
     /// # Errors
     /// If the source cannot be read or is no recording.
     pub fn new(source: R) -> Result<Self, Error> {
-        let mut reader = Reader::new(source)?;
-        let mut channels = BTreeMap::new();
-        let header = loop {
-            match reader.next_item()? {
-                Item::Metadata(at, name, fields) if name == HEADER_NAME => break header_of(&fields, at)?,
-                Item::Channel(channel) => {
-                    let known = Channel::ALL.into_iter().find(|known| known.topic() == channel.topic);
-                    channels.extend(known.map(|known| (channel.id, known)));
-                }
-                Item::Schema(_) | Item::Metadata(..) => {}
-                Item::Chunk { .. } | Item::Message(_) | Item::End => return Err(Error::NotARecording),
-            }
-        };
-        let (images, coder, next) = (BTreeMap::new(), ImageCoder::default(), RecordedCycle::default());
         Ok(Self {
-            reader,
-            header,
-            channels,
-            images,
+            contents: Contents::new(source)?,
+            images: BTreeMap::new(),
             decodes: true,
             place: None,
-            coder,
-            next,
+            coder: ImageCoder::default(),
+            next: RecordedCycle::default(),
             next_bytes: 0,
-            ending: None,
         })
     }
 
@@ -157,12 +140,12 @@ impl<R: Read> Recording<R> {
 
     /// Returns the header.
     pub const fn header(&self) -> &Header {
-        &self.header
+        &self.contents.header
     }
 
     /// Returns the ending, once it has been read: the last record of a file that was closed.
     pub const fn ending(&self) -> Option<&Ending> {
-        self.ending.as_ref()
+        self.contents.ending.as_ref()
     }
 
     /// Returns what was recorded after the last complete cycle: events of that cycle, as a goal that ended the game.
@@ -172,7 +155,7 @@ impl<R: Read> Recording<R> {
 
     /// Returns the number of bytes read so far.
     pub const fn position(&self) -> u64 {
-        self.reader.position()
+        self.contents.position()
     }
 
     /// Returns the next cycle; none at the end of a file that was closed.
@@ -181,26 +164,22 @@ impl<R: Read> Recording<R> {
     /// As [`Reader::next_item`]; [`Error::Damaged`] if a message cannot be read.
     pub fn next_cycle(&mut self) -> Result<Option<RecordedCycle>, Error> {
         loop {
-            match self.reader.next_item()? {
-                Item::Message(message) if self.message(&message)? => {
+            match self.contents.next()? {
+                Part::Message(channel, message) if self.message(channel, &message)? => {
                     let next = RecordedCycle { tree: self.next.tree.clone(), ..RecordedCycle::default() };
                     return Ok(Some(std::mem::replace(&mut self.next, next)));
                 }
-                Item::Metadata(at, name, fields) if name == ENDING_NAME => {
-                    self.ending = Some(from_metadata(&fields, at)?);
-                }
-                Item::End => return Ok(None),
-                _ => {}
+                Part::End => return Ok(None),
+                Part::Message(..) | Part::Chunk => {}
             }
         }
     }
 
     /// Takes a message in; returns whether the cycle is complete.
-    fn message(&mut self, message: &Message) -> Result<bool, Error> {
-        let Some(channel) = self.channels.get(&message.channel) else { return Ok(false) };
+    fn message(&mut self, channel: Channel, message: &Message) -> Result<bool, Error> {
         let next = &mut self.next;
         // The images of up to a second precede their cycles.
-        self.next_bytes += if *channel == Channel::Images { 0 } else { message.data.len() };
+        self.next_bytes += if channel == Channel::Images { 0 } else { message.data.len() };
         if self.next_bytes > MAX_WAITING_BYTES {
             return Err(Error::damaged(message.chunk_at, "too many messages without a cycle"));
         }
@@ -216,8 +195,8 @@ impl<R: Read> Recording<R> {
             Channel::Holds => next.holds = Some(decode(message)?),
             Channel::Images => {
                 let record: ImageRecord = decode(message)?;
-                let waiting = WaitingImage { record, time: message.time, chunk_at: message.chunk_at };
-                self.images.insert(waiting.record.id, waiting);
+                let &Message { channel, time, chunk_at, .. } = message;
+                self.images.insert(record.id, WaitingImage { record, channel, time, chunk_at });
                 let mut bytes: usize = self.images.values().map(|image| image.record.coded.len()).sum();
                 while self.images.len() > MAX_WAITING_IMAGES || bytes > MAX_WAITING_BYTES {
                     bytes -= self.images.pop_first().map_or(bytes, |(_, image)| image.record.coded.len());
@@ -227,9 +206,9 @@ impl<R: Read> Recording<R> {
                 next.tick = decode(message)?;
                 self.next_bytes = 0;
                 self.place = None;
-                if let Some(WaitingImage { record, time, chunk_at }) = self.image_of_cycle() {
+                if let Some(WaitingImage { record, channel, time, chunk_at }) = self.image_of_cycle() {
                     let ImageRecord { id, bottom_camera, width, height, .. } = record;
-                    self.place = Some(ImagePlace { id, time, chunk_at, bottom_camera, width, height });
+                    self.place = Some(ImagePlace { id, channel, time, chunk_at, bottom_camera, width, height });
                     if self.decodes {
                         self.next.image = Some(decode_image(&mut self.coder, &record, chunk_at)?);
                     }
@@ -243,10 +222,10 @@ impl<R: Read> Recording<R> {
     /// Takes the image of the next cycle, which is complete: the sensor values name it. A monitor may receive an image later than its
     /// cycle; then it comes with a later one.
     fn image_of_cycle(&mut self) -> Option<WaitingImage> {
-        if self.header.monitor.is_none() {
+        if self.contents.header.monitor.is_none() {
             return self.images.remove(&self.next.sensors?.image?.id);
         }
-        let end = self.header.nanoseconds(self.next.tick.instant);
+        let end = self.contents.header.nanoseconds(self.next.tick.instant);
         let first = self.images.first_entry().filter(|first| first.get().time <= end)?;
         Some(first.remove())
     }
@@ -265,6 +244,8 @@ fn decode_image(coder: &mut ImageCoder, coded: &ImageRecord, at: u64) -> Result<
 pub struct ImagePlace {
     /// Number of the image, as in the sensor values.
     pub id: u32,
+    /// Number of the channel of images in the file.
+    pub channel: u16,
     /// Time of the cycle that took it in, ns since the start of the run's clock.
     pub time: u64,
     /// Position of its chunk, bytes.
@@ -290,7 +271,7 @@ impl ImagePlace {
         let mut chunks = 0;
         while chunks < 2 {
             match reader.next_item()? {
-                Item::Message(message) if Channel::of_id(message.channel) == Some(Channel::Images) => {
+                Item::Message(message) if message.channel == self.channel => {
                     let image: ImageRecord = decode(&message)?;
                     if image.id == self.id {
                         return decode_image(&mut ImageCoder::default(), &image, self.chunk_at);

@@ -1,12 +1,14 @@
 //! Mending and cutting of files.
 
-use std::io::{Read, Write};
+use std::collections::BTreeMap;
+use std::io::{Read, Seek, SeekFrom, Write};
 
+use crate::contents::{Contents, Part};
 use crate::error::Error;
-use crate::header::{ENDING_NAME, Ending, HEADER_NAME, Header, from_metadata, header_of, to_metadata};
-use crate::mcap::{Item, Message, Reader, Writer};
+use crate::header::{ENDING_NAME, Ending, HEADER_NAME, Header, ending_of, header_of};
+use crate::mcap::{Item, Message, Reader, Writer, find_intact};
 use crate::message::{Channel, Tick};
-use crate::recorder::{begin, compression};
+use crate::recorder::{begin, compression, write_ending};
 use crate::recording::decode;
 
 /// What a new file contains.
@@ -22,80 +24,150 @@ pub struct Copied {
     pub damage: Vec<String>,
 }
 
-/// Copies all complete chunks of a recording to a new file. A cut or damaged end is left out, a chunk with a wrong checksum
-/// is skipped.
+/// Bytes at the beginning of a damaged file in which a copy of the header is searched.
+const HEADER_WITHIN: u64 = 16 << 20;
+
+/// Copies all complete chunks of a recording to a new file. What is damaged is left out; if it is the header, its copy is used.
 ///
 /// # Errors
-/// If the source cannot be read, has no header, or the target cannot be written.
-pub fn recover(source: impl Read, target: impl Write) -> Result<Copied, Error> {
-    copy(source, target, |_| true, true)
-}
-
-/// Copies the cycles of a span of time to a new file; `from` and `until` are in ns since the start of the run's clock.
-///
-/// # Errors
-/// As [`recover`], and if the source is damaged.
-pub fn trim(source: impl Read, target: impl Write, from: u64, until: u64) -> Result<Copied, Error> {
-    copy(source, target, |time| (from..=until).contains(&time), false)
-}
-
-/// Copies the messages for whose time `keeps` is true.
-fn copy(source: impl Read, target: impl Write, keeps: impl Fn(u64) -> bool, tolerant: bool) -> Result<Copied, Error> {
-    let mut reader = Reader::new(source)?;
-    let header = read_header(&mut reader)?;
-    let mut copy = Copy { writer: begin(target, &header)?, copied: Copied::default(), ending: None, last: Vec::new() };
+/// If the source cannot be read, has no intact header, or the target cannot be written.
+pub fn recover(mut source: impl Read + Seek, target: impl Write) -> Result<Copied, Error> {
+    let mut damage = Vec::new();
+    let header = match Contents::new(&mut source) {
+        Ok(contents) => contents.header,
+        Err(error @ (Error::Io(_) | Error::Format(_))) => return Err(error),
+        Err(error) => {
+            damage.push(error.to_string());
+            header_copy(&mut source)?.ok_or(error)?
+        }
+    };
+    let mut copy = Copy::new(target, &header)?;
+    copy.copied.damage = damage;
+    source.rewind()?;
+    let mut reader = match Reader::new(&mut source) {
+        Err(Error::Io(error)) => return Err(error.into()),
+        Err(_) => resume(&mut source, 0)?,
+        Ok(reader) => reader,
+    };
     loop {
         let position = reader.position();
-        match reader.next_item() {
+        let error = match reader.next_item() {
             Ok(Item::End) => break,
-            Ok(item) => copy.item(item, &keeps)?,
-            Err(error @ (Error::Damaged { .. } | Error::CutOff { .. })) if tolerant => {
-                let is_cut = matches!(error, Error::CutOff { .. });
-                copy.copied.damage.push(error.to_string());
-                if is_cut || reader.position() == position {
-                    break;
+            Ok(item) => match copy.item(item, &header) {
+                Ok(()) => continue,
+                Err(Error::Io(error)) => return Err(error.into()),
+                Err(error) => {
+                    copy.damage(&error);
+                    continue;
                 }
-            }
-            Err(error) => return Err(error),
-        }
+            },
+            Err(Error::Io(error)) => return Err(error.into()),
+            Err(error) => error,
+        };
+        copy.damage(&error);
+        let is_useful = |item: &Item| match item {
+            Item::Chunk { .. } => true,
+            Item::Metadata(at, name, fields) => name == ENDING_NAME && ending_of(fields, header.format, *at).is_ok(),
+            _ => false,
+        };
+        let Some(next) = find_intact(&mut source, position..u64::MAX, is_useful)? else { break };
+        reader = resume(&mut source, next)?;
     }
     copy.finish()
 }
 
-fn read_header<R: Read>(reader: &mut Reader<R>) -> Result<Header, Error> {
+fn resume<S: Read + Seek>(source: &mut S, at: u64) -> Result<Reader<&mut S>, Error> {
+    source.seek(SeekFrom::Start(at))?;
+    Ok(Reader::resume(source, at))
+}
+
+/// Returns the first intact header.
+fn header_copy(source: &mut (impl Read + Seek)) -> Result<Option<Header>, Error> {
+    let found = |item: &Item| match item {
+        Item::Metadata(at, name, fields) if name == HEADER_NAME => header_of(fields, *at).ok(),
+        _ => None,
+    };
+    let at = find_intact(source, 0..HEADER_WITHIN, |item| found(item).is_some())?;
+    at.map_or(Ok(None), |at| Ok(found(&resume(source, at)?.next_item()?)))
+}
+
+/// Copies the cycles of a span of time to a new file; `from` and `until` are in ns since the start of the run's clock. `u64::MAX` is
+/// the end of the recording.
+///
+/// # Errors
+/// If the source cannot be read, is damaged, has no cycle in the span or ends before it, or the target cannot be written.
+pub fn trim(source: impl Read, target: impl Write, from: u64, until: u64) -> Result<Copied, Error> {
+    let mut contents = Contents::new(source)?;
+    let mut copy = Copy::new(target, &contents.header)?;
+    let mut end = 0;
     loop {
-        match reader.next_item()? {
-            Item::Metadata(at, name, fields) if name == HEADER_NAME => return header_of(&fields, at),
-            Item::Schema(_) | Item::Channel(_) | Item::Metadata(..) => {}
-            Item::Chunk { .. } | Item::Message(_) | Item::End => return Err(Error::NotARecording),
+        match contents.next()? {
+            Part::End => break,
+            Part::Chunk => copy.chunk()?,
+            Part::Message(channel, message) => {
+                end = end.max(if channel == Channel::Tick { message.time } else { 0 });
+                copy.message(channel, message, |time| (from..=until).contains(&time))?;
+            }
         }
     }
+    if copy.copied.cycles == 0 || (until < u64::MAX && until > end + contents.header.period()) {
+        return Err(Error::Span { end });
+    }
+    copy.ending = contents.ending;
+    copy.finish()
 }
 
 struct Copy<W> {
     writer: Writer<W>,
     copied: Copied,
     ending: Option<Ending>,
+    /// Channels of a damaged file, by their numbers.
+    channels: BTreeMap<u16, Channel>,
     /// The newest message of each channel that holds only changes, as long as it was not copied.
     last: Vec<(Channel, Message)>,
 }
 
 impl<W: Write> Copy<W> {
-    fn item(&mut self, item: Item, keeps: &impl Fn(u64) -> bool) -> Result<(), Error> {
-        match item {
-            Item::Message(message) => self.message(message, keeps)?,
-            Item::Chunk { .. } => {
-                self.copied.chunks += 1;
-                self.writer.flush()?;
-            }
-            Item::Metadata(at, name, fields) if name == ENDING_NAME => self.ending = Some(from_metadata(&fields, at)?),
-            _ => {}
-        }
-        Ok(())
+    fn new(target: W, header: &Header) -> Result<Self, Error> {
+        let (writer, copied) = (begin(target, header)?, Copied::default());
+        Ok(Self { writer, copied, ending: None, channels: BTreeMap::new(), last: Vec::new() })
     }
 
-    fn message(&mut self, message: Message, keeps: &impl Fn(u64) -> bool) -> Result<(), Error> {
-        let Some(channel) = Channel::of_id(message.channel) else { return Ok(()) };
+    /// Takes over a part of a damaged file. A channel whose record is damaged has the number that this program gives it.
+    fn item(&mut self, item: Item, header: &Header) -> Result<(), Error> {
+        match item {
+            Item::Message(message) => {
+                let channel = self.channels.get(&message.channel).copied();
+                let channel = channel.or_else(|| Channel::of_id(message.channel));
+                channel.map_or(Ok(()), |channel| self.message(channel, message, |_| true))
+            }
+            Item::Chunk { .. } => self.chunk(),
+            Item::Channel(channel) => {
+                self.channels.extend(Channel::of_record(&channel));
+                Ok(())
+            }
+            Item::Metadata(at, name, fields) if name == ENDING_NAME => {
+                self.ending = Some(ending_of(&fields, header.format, at)?);
+                Ok(())
+            }
+            Item::Metadata(at, name, fields) if name == HEADER_NAME => header_of(&fields, at).map(drop),
+            _ => Ok(()),
+        }
+    }
+
+    fn damage(&mut self, error: &Error) {
+        let text = error.to_string();
+        if !self.copied.damage.contains(&text) {
+            self.copied.damage.push(text);
+        }
+    }
+
+    fn chunk(&mut self) -> Result<(), Error> {
+        self.copied.chunks += 1;
+        Ok(self.writer.flush()?)
+    }
+
+    fn message(&mut self, channel: Channel, message: Message, keeps: impl Fn(u64) -> bool) -> Result<(), Error> {
         let is_change = matches!(channel, Channel::Tree | Channel::Holds);
         if is_change {
             self.last.retain(|(of, _)| *of != channel);
@@ -127,7 +199,7 @@ impl<W: Write> Copy<W> {
         let before = self.ending.unwrap_or_default();
         let reason = if self.copied.damage.is_empty() { before.reason } else { self.copied.damage.join("; ") };
         let ending = Ending { cycles: self.copied.cycles, reason, ..before };
-        self.writer.metadata(ENDING_NAME, &to_metadata(&ending)?)?;
+        write_ending(&mut self.writer, &ending)?;
         self.writer.close()?;
         Ok(Copied { bytes: self.writer.length(), ..self.copied })
     }

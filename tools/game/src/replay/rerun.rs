@@ -1,6 +1,5 @@
 //! A new recording of a run that is repeated with other parameters.
 
-use std::fs::File;
 use std::path::Path;
 
 use bica::runner::{RequestQueue, Runner};
@@ -9,11 +8,14 @@ use bica_player::input::RobotProfile;
 use bica_player::perception::GoalDetector;
 use bica_player::tunable::Forward;
 use bica_recording::{
-    Backpressure, Error, Header, ImagePolicy, LogLine, Recorder, RecorderOptions, RefereeEvent, Report, RequestRecord,
+    Backpressure, Error, FORMAT, Header, ImagePolicy, LogLine, Program, Recorder, RecorderOptions, RefereeEvent,
+    Report, RequestRecord, Start, create,
 };
 
+use super::run::request_of;
+use super::set_up::{check_tree, layers, set_up};
 use super::world::ReplayWorld;
-use super::{check_tree, failure, layers, open, request_of, set_up};
+use super::{failure, open};
 use crate::event::EventRecord;
 
 /// Runs the code again on a recording, with other parameters, and writes the new course to a recording with images.
@@ -30,12 +32,19 @@ pub fn rerun(
     let mut recording = open(path)?;
     let header = recording.header().clone();
     check_tree(&header)?;
-    let (world, profile, attacks) = set_up(&header)?;
+    let (world, profile, attacks) = set_up(&header, false)?;
     let mut robot = Box::new(Forward::new());
     bica::Tree::get_mut::<RobotProfile>(&mut *robot).set(profile);
     bica::Tree::get_mut::<GoalDetector>(&mut *robot).attack(attacks);
     layers(&header, set)?.apply(&mut *robot)?;
-    let new = Header { images: ImagePolicy::All, ..header.clone() }.of_tree(&*robot);
+    let new = Header {
+        format: FORMAT,
+        program: Program::current(),
+        start: Some(Start::now()),
+        images: ImagePolicy::All,
+        ..header.clone()
+    }
+    .of_tree(&*robot);
     let recorder = start(out, &new)?;
     let mut runner = Runner::new(robot, world).with_requests(RequestQueue::new()).with_observer(recorder);
     let mut events = 0;
@@ -83,7 +92,7 @@ fn event(event: &bica_sim::referee::TimedEvent) -> RefereeEvent {
 
 fn start(out: &Path, header: &Header) -> Result<Recorder, Failure> {
     let help = "name a file that can be made, on a disk with room";
-    let file = File::create(out).map_err(|error| Failure::of_path("write", out, &error, help))?;
+    let file = create(out, true).map_err(|error| Failure::of_path("write", out, &error, help))?;
     // Without a clock nothing has to be lost.
     let options = RecorderOptions { backpressure: Backpressure::Wait, ..RecorderOptions::default() };
     // The reason of an early end is in the report.

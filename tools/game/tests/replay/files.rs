@@ -13,7 +13,7 @@ use bica_player::input::RobotProfile;
 use bica_player::perception::GoalDetector;
 use bica_player::tunable::Forward;
 use bica_recording::mcap::{Compression, Item, Reader, Writer};
-use bica_recording::{Backpressure, Channel, Error, ImagePolicy, Recorder, RecorderOptions};
+use bica_recording::{Backpressure, Channel, Error, ImagePolicy, Recorder, RecorderOptions, checksum};
 use bica_sim::World;
 use bica_sim::kinematic::KinematicWorld;
 use bica_sim::setup::{Frame, Setup};
@@ -84,7 +84,7 @@ pub(crate) fn recorded(
 
 /// Replays a file from start to end.
 pub(crate) fn replay_all(path: &Path) -> Replayed {
-    replay(&ReplayOptions { path, from: 0.0, until: f64::INFINITY, against: None, set: &[] }).expect("a recording")
+    replay(&ReplayOptions::whole(path)).expect("a recording")
 }
 
 /// Writes a recording again with other contents of some messages and metadata.
@@ -94,31 +94,30 @@ pub(crate) fn rewrite(
     mut header: impl FnMut(&mut String),
 ) -> Vec<u8> {
     let mut reader = Reader::new(file).expect("MCAP");
-    let (mut schemas, mut channels, mut start) = (Vec::new(), Vec::new(), None);
-    while start.is_none() {
+    let (mut schemas, mut channels, mut target) = (Vec::new(), Vec::new(), Vec::new());
+    let mut writer = Writer::new(&mut target, "bica").expect("memory");
+    loop {
         match reader.next_item().expect("intact") {
             Item::Schema(schema) => schemas.push(schema),
             Item::Channel(channel) => channels.push(channel),
-            Item::Metadata(_, name, fields) => start = Some((name, fields)),
-            _ => panic!("messages before the header"),
-        }
-    }
-    let (name, mut fields) = start.expect("found");
-    fields.values_mut().for_each(&mut header);
-    let mut target = Vec::new();
-    let mut writer = Writer::new(&mut target, "bica", schemas, channels).expect("memory");
-    writer.metadata(&name, &fields).expect("memory");
-    loop {
-        match reader.next_item().expect("intact") {
+            Item::Metadata(_, name, mut fields) => {
+                if name == "bica" {
+                    fields.entry("json".to_owned()).and_modify(&mut header);
+                    fields.insert("crc32".to_owned(), checksum(&fields["json"]));
+                }
+                writer.metadata(&name, &fields).expect("memory");
+            }
             Item::Message(mut found) => {
                 let channel = Channel::of_id(found.channel).expect("a channel of ours");
                 message(channel, &mut found.data);
                 let kind = if channel == Channel::Images { Compression::None } else { Compression::Lz4 };
                 writer.message(kind, found.channel, found.time, |out| out.extend_from_slice(&found.data));
             }
+            Item::Chunk { .. } if !schemas.is_empty() => {
+                writer.declare(std::mem::take(&mut schemas), std::mem::take(&mut channels)).expect("memory");
+            }
             Item::Chunk { .. } => writer.flush().expect("memory"),
             Item::End => break,
-            _ => {}
         }
     }
     writer.finish().map_err(Error::Io).expect("memory");

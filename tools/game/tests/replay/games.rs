@@ -4,7 +4,7 @@ use std::fs;
 
 use bica_console::Failure;
 use bica_game::{ReplayOptions, Rules, WorldKind, replay};
-use bica_recording::ImagePolicy;
+use bica_recording::{Channel, Error, ImagePolicy, ImageRecord, Recording};
 
 use crate::files::{Temporary, record, replay_all, rewrite, rules, with_stack};
 
@@ -59,9 +59,9 @@ fn a_span_is_compared_and_other_recordings_are() {
     with_stack(|| {
         record(&one.0, &rules(20, 1.0), ImagePolicy::All);
         record(&two.0, &rules(20, 2.0), ImagePolicy::None);
-        let span = ReplayOptions { path: &one.0, from: 0.5, until: 0.6, against: None, set: &[] };
+        let span = ReplayOptions { from: 0.5, until: 0.6, ..ReplayOptions::whole(&one.0) };
         assert_eq!(replay(&span).expect("a recording").cycles, 11);
-        let against = ReplayOptions { path: &one.0, from: 0.0, until: f64::INFINITY, against: Some(&two.0), set: &[] };
+        let against = ReplayOptions { against: Some(&two.0), ..ReplayOptions::whole(&one.0) };
         let replayed = replay(&against).expect("two recordings");
         let first = replayed.first_difference.expect("one is longer");
         assert_eq!((replayed.cycles, first.cycle, first.field.as_str()), (100, 100, "cycle"));
@@ -75,11 +75,7 @@ fn a_recording_of_another_tree_or_without_its_start_is_refused() {
     let file = Temporary::new("refused.mcap");
     let refused = |bytes: &[u8]| {
         fs::write(&file.0, bytes).expect("room");
-        let options = ReplayOptions { path: &file.0, from: 0.0, until: f64::INFINITY, against: None, set: &[] };
-        match with_stack(|| replay(&options)).expect_err("refused") {
-            Failure::Error { what, .. } => what,
-            Failure::BrokenPipe => panic!("no pipe is involved"),
-        }
+        with_stack(|| refusal(&ReplayOptions::whole(&file.0)))
     };
     let bytes = with_stack(|| {
         record(&file.0, &rules(3, 0.5), ImagePolicy::All);
@@ -93,8 +89,8 @@ fn a_recording_of_another_tree_or_without_its_start_is_refused() {
     };
     let message = refused(&rewrite(&bytes, same, renamed));
     assert!(message.contains("SeekBall") && message.contains("SearchBall"), "{message}");
-    let newer = rewrite(&bytes, same, |text| *text = text.replace("\"format\":2", "\"format\":4"));
-    assert!(refused(&newer).contains("format 4"));
+    let newer = rewrite(&bytes, same, |text| *text = text.replace("\"format\":4", "\"format\":5"));
+    assert!(refused(&newer).contains("format 5"));
     let mut part = Vec::new();
     bica_recording::repair::trim(&bytes[..], &mut part, 100_000_000, u64::MAX).expect("a recording");
     assert!(refused(&part).contains("begins with cycle 10"));
@@ -111,4 +107,88 @@ fn a_cut_recording_is_compared_up_to_its_cut() {
         assert!(replayed.equal && replayed.damage.expect("cut").contains("cut off"));
         assert!((100..800).contains(&replayed.cycles), "{}", replayed.cycles);
     });
+}
+
+/// Returns why a replay is refused.
+fn refusal(options: &ReplayOptions<'_>) -> String {
+    match replay(options).expect_err("refused") {
+        Failure::Error { what, .. } => what,
+        Failure::BrokenPipe => panic!("no pipe is involved"),
+    }
+}
+
+#[test]
+fn a_span_without_cycles_or_beyond_the_end_is_refused() {
+    let file = Temporary::new("no-cycles.mcap");
+    with_stack(|| {
+        record(&file.0, &rules(5, 0.3), ImagePolicy::All);
+        let whole = ReplayOptions::whole(&file.0);
+        let from = refusal(&ReplayOptions { from: 0.5, ..whole });
+        assert!(from.contains("no cycle was compared") && from.contains("0.30 s"), "{from}");
+        let until = refusal(&ReplayOptions { until: 0.5, ..whole });
+        assert!(until.contains("--until") && until.contains("0.30 s"), "{until}");
+        assert_eq!(replay(&ReplayOptions { until: 0.3, ..whole }).expect("the end of the game").cycles, 31);
+        let bytes = fs::read(&file.0).expect("recorded");
+        let trimmed = |from, until| bica_recording::repair::trim(&bytes[..], std::io::sink(), from, until);
+        for (from, until) in [(500_000_000, u64::MAX), (0, 500_000_000)] {
+            assert!(matches!(trimmed(from, until), Err(Error::Span { end: 300_000_000 })), "{from} to {until}");
+        }
+        let header = Recording::new(&bytes[..]).expect("a header").position() as usize;
+        fs::write(&file.0, &bytes[..header]).expect("room");
+        let cut = refusal(&whole);
+        assert!(cut.contains("no cycle was compared") && cut.contains("cut off"), "{cut}");
+    });
+}
+
+#[test]
+fn a_dropped_image_is_a_gap_in_the_replay() {
+    let file = Temporary::new("gap.mcap");
+    with_stack(|| {
+        record(&file.0, &rules(6, 0.6), ImagePolicy::All);
+        let (bytes, whole) = (fs::read(&file.0).expect("recorded"), replay_all(&file.0).cycles);
+        let rename = |channel: Channel, data: &mut Vec<u8>| {
+            let mut image: ImageRecord = match channel {
+                Channel::Images => postcard::from_bytes(data).expect("an image"),
+                _ => return,
+            };
+            // The number that no cycle names.
+            image.id = if image.id == 8 { u32::MAX } else { image.id };
+            *data = postcard::to_stdvec(&image).expect("memory");
+        };
+        fs::write(&file.0, rewrite(&bytes, rename, |_| {})).expect("room");
+        let replayed = replay_all(&file.0);
+        let after = replayed.after_gap.expect("a gap");
+        assert!(replayed.equal && replayed.damage.is_none());
+        assert_eq!(
+            (replayed.gaps.len(), replayed.cycles, replayed.cycles + after.cycles),
+            (1, replayed.gaps[0], whole)
+        );
+        assert!(after.first_difference.is_none_or(|first| !first.field.contains("image")));
+    });
+}
+
+#[test]
+fn another_parameter_takes_effect_in_a_closed_loop() {
+    let file = Temporary::new("closed-loop.mcap");
+    with_stack(|| {
+        record(&file.0, &rules(6, 9.0), ImagePolicy::All);
+        let set = ["FaceBall.gain=0.5".to_owned()];
+        let open = replay(&ReplayOptions { set: &set, ..ReplayOptions::whole(&file.0) }).expect("a recording");
+        let closed = ReplayOptions { set: &set, closed_loop: true, ..ReplayOptions::whole(&file.0) };
+        let closed = replay(&closed).expect("a recording of a simulated world");
+        assert_eq!((open.feedback, open.total_decisions), (Some("open"), 0), "{:?}", open.decisions);
+        assert_eq!((closed.feedback, closed.total_decisions > 0), (Some("closed"), true));
+        let same = ReplayOptions { closed_loop: true, ..ReplayOptions::whole(&file.0) };
+        assert!(replay(&same).expect("a recording").equal, "the world runs again as it ran");
+    });
+}
+
+#[test]
+fn a_file_that_is_being_recorded_is_not_replaced() {
+    let file = Temporary::new("locked.mcap");
+    let writer = bica_recording::create(&file.0, false).expect("room");
+    let error = bica_recording::create(&file.0, true).expect_err("locked");
+    assert!(error.to_string().contains("another program"), "{error}");
+    drop(writer);
+    bica_recording::create(&file.0, true).expect("free");
 }

@@ -108,8 +108,7 @@ fn a_game_that_is_run_again_has_its_placements() {
     let count = with_stack(|| {
         let count = placed(&file, ImagePolicy::None, &mut Pcg64::seed_from_u64(9));
         rerun(&file.0, &[], &again.0, |_| true).expect("a recording");
-        let against =
-            ReplayOptions { path: &file.0, from: 0.0, until: f64::INFINITY, against: Some(&again.0), set: &[] };
+        let against = ReplayOptions { against: Some(&again.0), ..ReplayOptions::whole(&file.0) };
         let compared = replay(&against).expect("two recordings");
         assert!(compared.equal, "{:?}", compared.first_difference);
         assert!(replay_all(&again.0).equal);

@@ -142,7 +142,7 @@ pub(super) fn compare(page: PageId, id: u32, one: &Arc<Session>, other: &Session
     let session = Arc::clone(one);
     spawn("compare", move || {
         let [path, other] = &paths;
-        let options = ReplayOptions { path, from: 0.0, until: f64::INFINITY, against: Some(other), set: &[] };
+        let options = ReplayOptions { against: Some(other), ..ReplayOptions::whole(path) };
         let answer = replay(&options).map_err(Failed::from).map(|result| {
             let Some(first) = result.first_difference else { return json!({ "equal": true, "cycles": result.cycles }) };
             let of = first.component.map(|name| format!("{name}, ")).unwrap_or_default();

@@ -68,7 +68,7 @@ fn a_kept_recording_of_a_world_with_placements_replays() {
     page.message("update", |update| (update["cycle"].as_u64()? > cycle + 100).then_some(()));
     let kept = page.ask(Request::KeepRecording { session, name: "placed".to_owned() }).unwrap();
     let path = PathBuf::from(kept["path"].as_str().unwrap());
-    let options = ReplayOptions { path: &path, from: 0.0, until: f64::INFINITY, against: None, set: &[] };
+    let options = ReplayOptions::whole(&path);
     let replayed = replay(&options).unwrap();
     assert!(replayed.equal, "{:?}", replayed.first_difference);
 

@@ -123,7 +123,7 @@ fn slow_what_a_robot_sent_is_kept_and_opened_with_the_same_states_images_informa
     let error = page.ask(Request::Compare { session: copy, other }).unwrap_err();
     assert!(error["text"].as_str().unwrap().contains("a monitor received"), "{error}");
     assert!(error["help"].as_str().unwrap().contains("player play --serve"), "{error}");
-    let options = ReplayOptions { path: &path, from: 0.0, until: f64::INFINITY, against: None, set: &[] };
+    let options = ReplayOptions::whole(&path);
     match replay(&options) {
         Err(Failure::Error { what, help }) => {
             assert!(what.contains("without sensor values") && help.contains("--serve"), "{what}; {help}");
@@ -247,7 +247,7 @@ fn slow_a_world_of_the_command_line_is_recorded_in_a_file_that_stays() {
     drop(page);
     drop(manager);
     for path in [&file, &next, &folder.0.join("recordings/copy.mcap")] {
-        let options = ReplayOptions { path, from: 0.0, until: f64::INFINITY, against: None, set: &[] };
+        let options = ReplayOptions::whole(path);
         let replayed = replay(&options).unwrap();
         assert!(
             replayed.equal && replayed.damage.is_none() && replayed.cycles > 10,

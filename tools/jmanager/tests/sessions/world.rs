@@ -254,7 +254,7 @@ fn a_kept_recording_can_be_replayed_from_its_first_cycle() {
     assert!(again["text"].as_str().unwrap().contains("exists"), "{again}");
     let list = page.ask(Request::Recordings {}).unwrap();
     assert_eq!(list[0]["name"], "mine.mcap");
-    let options = ReplayOptions { path: &path, from: 0.0, until: f64::INFINITY, against: None, set: &[] };
+    let options = ReplayOptions::whole(&path);
     let replayed = replay(&options).unwrap();
     assert!(replayed.equal, "{:?}", replayed.first_difference);
     assert!(replayed.cycles > 50, "{}", replayed.cycles);

@@ -97,6 +97,9 @@ pub(crate) struct Replay {
     /// Set a parameter to another value than the recorded one; may be repeated
     #[arg(long, value_name = "COMPONENT.NAME=VALUE", conflicts_with = "against")]
     pub(crate) set: Vec<String>,
+    /// Run the simulated world again, also if the recording has images: the code sees the effect of its own decisions
+    #[arg(long, conflicts_with = "against")]
+    pub(crate) closed_loop: bool,
     /// Print the result as JSON on stdout; all other output goes to stderr
     #[arg(long)]
     pub(crate) json: bool,

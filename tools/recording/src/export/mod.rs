@@ -186,7 +186,9 @@ fn begin<W: Write>(target: W, tree: &TreeInfo, topics: &[InformationTopic]) -> R
     let mut schemas: Vec<_> = schemas.into_values().collect();
     schemas.sort_by_key(|schema| schema.id);
     schemas.push(json);
-    Ok(Writer::new(target, "", schemas, channels)?)
+    let mut writer = Writer::new(target, "")?;
+    writer.declare(schemas, channels)?;
+    Ok(writer)
 }
 
 /// Size of a chunk, bytes.

@@ -1,15 +1,18 @@
 //! Reader of MCAP files that trusts nothing in them.
 
 use std::collections::BTreeMap;
-use std::io::{self, Read};
+use std::io::{self, Read, Seek, SeekFrom};
+use std::ops::Range;
 
 use lz4_flex::frame::FrameDecoder;
 
-use super::record::{ChannelRecord, Decoder, MAGIC, SchemaRecord, opcode};
+use super::record::{ChannelRecord, Decoder, MAGIC, PREFIX, SchemaRecord, opcode};
 use crate::error::Error;
 
 /// Largest record, bytes: an image of the largest size fits.
-const MAX_RECORD: u64 = 64 << 20;
+pub(super) const MAX_RECORD: u64 = 64 << 20;
+/// Bytes of the positions in a footer, before its checksum.
+const FOOTER_POSITIONS: usize = 16;
 
 /// A part of a file that a reader returns.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -50,11 +53,13 @@ pub struct Message {
 
 /// Reader of an MCAP file from its start to its end, with bounded memory: one chunk.
 ///
-/// After an error about a single chunk ([`Error::Damaged`] by its checksum) the next call goes on behind it.
+/// Checks all checksums that the file has: of chunks, of the data and of the summary.
 #[derive(Debug)]
 pub struct Reader<R> {
     source: R,
     at: u64,
+    /// Checksum of everything so far; none if reading began within the file.
+    data: Option<crc32fast::Hasher>,
     chunk: Vec<u8>,
     /// Position within the open chunk.
     within: usize,
@@ -73,12 +78,14 @@ impl<R: Read> Reader<R> {
         if magic != MAGIC {
             return Err(Error::NotMcap);
         }
-        Ok(Self { source, at: MAGIC.len() as u64, chunk: Vec::new(), within: 0, chunk_at: 0, ended: false })
+        let mut data = crc32fast::Hasher::new();
+        data.update(&MAGIC);
+        Ok(Self { data: Some(data), ..Self::resume(source, MAGIC.len() as u64) })
     }
 
     /// Continues to read a file at the beginning of a record, at this position.
     pub const fn resume(source: R, at: u64) -> Self {
-        Self { source, at, chunk: Vec::new(), within: 0, chunk_at: at, ended: false }
+        Self { source, at, data: None, chunk: Vec::new(), within: 0, chunk_at: at, ended: false }
     }
 
     /// Returns the position behind the last complete record, bytes.
@@ -131,14 +138,12 @@ impl<R: Read> Reader<R> {
 
     fn next_record(&mut self) -> Result<Option<Item>, Error> {
         let start = self.at;
-        let prefix = self.read(9, start)?;
-        let mut prefix = Decoder(&prefix);
-        let (kind, length) = prefix.u8().zip(prefix.u64()).ok_or(Error::CutOff { at: start })?;
-        if length > MAX_RECORD {
-            return Err(Error::damaged(start, format!("a record of {length} bytes")));
+        let (prefix, kind, content) = self.read_record(start)?;
+        self.at = start + (prefix.len() + content.len()) as u64;
+        if let Some(data) = self.data.as_mut().filter(|_| kind != opcode::DATA_END) {
+            data.update(&prefix);
+            data.update(&content);
         }
-        let content = self.read(length, start)?;
-        self.at = start + 9 + length;
         let short = || Error::damaged(start, "the record is too short");
         match kind {
             opcode::SCHEMA => schema(&content).map(Item::Schema).map(Some).ok_or_else(short),
@@ -150,30 +155,38 @@ impl<R: Read> Reader<R> {
                 found.map(|(name, fields)| Some(Item::Metadata(start, name, fields))).ok_or_else(short)
             }
             opcode::CHUNK => self.open_chunk(&content, start).map(Some),
-            opcode::DATA_END => self.end().map(|()| Some(Item::End)),
+            opcode::DATA_END => self.end(&content, start).map(|()| Some(Item::End)),
             opcode::FOOTER => Err(Error::damaged(start, "the data have no end")),
             _ => Ok(None),
         }
     }
 
-    /// Checks that the file was closed: the summary is skipped, the footer and the last bytes must be there.
-    fn end(&mut self) -> Result<(), Error> {
-        let data_end = self.at;
+    /// Checks that the file was closed, and its checksums. `content` is that of the record that ends the data.
+    fn end(&mut self, content: &[u8], data_end: u64) -> Result<(), Error> {
+        let expected = Decoder(content).u32().ok_or_else(|| Error::damaged(data_end, "the record is too short"))?;
+        if let Some(data) = self.data.take() {
+            check(expected, data.finalize(), data_end, "the checksum of the data is wrong")?;
+        }
+        let (summary_at, mut summary) = (self.at, crc32fast::Hasher::new());
         loop {
-            let prefix = self.read(9, data_end)?;
-            let mut prefix = Decoder(&prefix);
-            let (kind, length) = prefix.u8().zip(prefix.u64()).ok_or(Error::CutOff { at: data_end })?;
-            if length > MAX_RECORD {
-                return Err(Error::damaged(data_end, format!("a record of {length} bytes in the summary")));
-            }
-            self.read(length, data_end)?;
-            self.at += 9 + length;
+            let (prefix, kind, content) = self.read_record(summary_at)?;
+            self.at += (prefix.len() + content.len()) as u64;
+            summary.update(&prefix);
             if kind == opcode::FOOTER {
+                let mut rest = Decoder(&content);
+                let fields = rest.take(FOOTER_POSITIONS).zip(rest.u32());
+                let (positions, expected) = fields.ok_or_else(|| Error::damaged(self.at, "the footer is too short"))?;
+                summary.update(positions);
+                check(expected, summary.finalize(), summary_at, "the checksum of the summary is wrong")?;
                 break;
             }
+            summary.update(&content);
         }
-        if self.read(MAGIC.len() as u64, data_end)? != MAGIC {
+        if self.read(MAGIC.len() as u64, summary_at)? != MAGIC {
             return Err(Error::damaged(self.at, "the last bytes are not those of an MCAP file"));
+        }
+        if self.source.by_ref().take(1).read_to_end(&mut Vec::new())? > 0 {
+            return Err(Error::damaged(self.at, "there are bytes after the end"));
         }
         self.ended = true;
         Ok(())
@@ -188,6 +201,9 @@ impl<R: Read> Reader<R> {
         let compression = rest.text().ok_or_else(short)?;
         let size = rest.u64().and_then(|size| usize::try_from(size).ok()).ok_or_else(short)?;
         let stored = rest.take(size).ok_or_else(short)?;
+        if !rest.0.is_empty() {
+            return Err(Error::damaged(at, "the chunk is too long"));
+        }
         if uncompressed > MAX_RECORD {
             return Err(Error::damaged(at, format!("a chunk of {uncompressed} bytes")));
         }
@@ -199,16 +215,27 @@ impl<R: Read> Reader<R> {
                 let decoded = FrameDecoder::new(stored).take(uncompressed + 1).read_to_end(&mut records);
                 decoded.map_err(|error| Error::damaged(at, format!("the chunk cannot be decompressed: {error}")))?;
             }
-            _ => return Err(Error::Compression(compression)),
+            "zstd" => return Err(Error::Compression(compression)),
+            _ => return Err(Error::damaged(at, format!("unknown compression `{compression}`"))),
         }
         if records.len() as u64 != uncompressed {
             return Err(Error::damaged(at, "the chunk has another length than it says"));
         }
-        if crc != 0 && crc != crc32fast::hash(&records) {
-            return Err(Error::damaged(at, "the checksum of the chunk is wrong"));
-        }
+        check(crc, crc32fast::hash(&records), at, "the checksum of the chunk is wrong")?;
         (self.chunk, self.within, self.chunk_at) = (records, 0, at);
         Ok(Item::Chunk { at, length: self.at - at, uncompressed })
+    }
+
+    /// Reads a record: its prefix, its kind and its content. `cut_at` is the length of the intact file if it ends before.
+    fn read_record(&mut self, cut_at: u64) -> Result<(Vec<u8>, u8, Vec<u8>), Error> {
+        let prefix = self.read(PREFIX as u64, cut_at)?;
+        let mut fields = Decoder(&prefix);
+        let (kind, length) = fields.u8().zip(fields.u64()).ok_or(Error::CutOff { at: cut_at })?;
+        if length > MAX_RECORD {
+            return Err(Error::damaged(self.at, format!("a record of {length} bytes")));
+        }
+        let content = self.read(length, cut_at)?;
+        Ok((prefix, kind, content))
     }
 
     /// Reads exactly `length` bytes; memory grows with what is there, not with what a length says.
@@ -222,6 +249,11 @@ impl<R: Read> Reader<R> {
             Err(error) => Err(error.into()),
         }
     }
+}
+
+/// Checks a checksum of the file; 0 means that it has none.
+fn check(expected: u32, found: u32, at: u64, wrong: &str) -> Result<(), Error> {
+    if expected == 0 || expected == found { Ok(()) } else { Err(Error::damaged(at, wrong)) }
 }
 
 fn schema(content: &[u8]) -> Option<SchemaRecord> {
@@ -238,6 +270,42 @@ fn channel(content: &[u8]) -> Option<ChannelRecord> {
         topic: content.text()?,
         encoding: content.text()?,
     })
+}
+
+/// Bytes that are searched at once.
+const WINDOW: usize = 1 << 20;
+
+/// Returns the position of the first intact chunk or metadata record that begins in a range; `accepts` may refuse it.
+///
+/// # Errors
+/// If the source cannot be read.
+pub(crate) fn find_intact(
+    source: &mut (impl Read + Seek),
+    range: Range<u64>,
+    accepts: impl Fn(&Item) -> bool,
+) -> Result<Option<u64>, Error> {
+    let (mut start, mut window) = (range.start, Vec::new());
+    loop {
+        source.seek(SeekFrom::Start(start))?;
+        window.clear();
+        source.by_ref().take(WINDOW as u64).read_to_end(&mut window)?;
+        for (offset, prefix) in window.windows(PREFIX).enumerate() {
+            let mut fields = Decoder(prefix);
+            let is_kind = matches!(fields.u8(), Some(opcode::CHUNK | opcode::METADATA));
+            if !is_kind || fields.u64().is_none_or(|length| length > MAX_RECORD) {
+                continue;
+            }
+            let at = start + offset as u64;
+            source.seek(SeekFrom::Start(at))?;
+            if Reader::resume(&mut *source, at).next_item().is_ok_and(|item| accepts(&item)) {
+                return Ok(Some(at));
+            }
+        }
+        start += (WINDOW - PREFIX + 1) as u64;
+        if window.len() < WINDOW || start >= range.end {
+            return Ok(None);
+        }
+    }
 }
 
 fn message(content: &[u8], chunk_at: u64) -> Option<Message> {

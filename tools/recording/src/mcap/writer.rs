@@ -49,6 +49,8 @@ struct OpenChunk {
 pub struct Writer<W> {
     target: W,
     length: u64,
+    /// Checksum of everything written.
+    data: crc32fast::Hasher,
     schemas: Vec<SchemaRecord>,
     channels: Vec<ChannelRecord>,
     /// Chunks to be stored as they are, and to be compressed.
@@ -60,26 +62,21 @@ pub struct Writer<W> {
 }
 
 impl<W: Write> Writer<W> {
-    /// Begins a file with its schemas and channels.
+    /// Begins a file.
     ///
     /// # Errors
     /// If the target cannot be written.
-    pub fn new(target: W, profile: &str, schemas: Vec<SchemaRecord>, channels: Vec<ChannelRecord>) -> io::Result<Self> {
+    pub fn new(target: W, profile: &str) -> io::Result<Self> {
         let mut start = Encoder(MAGIC.to_vec());
         start.record(opcode::HEADER, |out| {
             out.text(profile).text(concat!("bica-recording ", env!("CARGO_PKG_VERSION")));
         });
-        for schema in &schemas {
-            start.schema(schema);
-        }
-        for channel in &channels {
-            start.channel(channel);
-        }
         let mut writer = Self {
             target,
             length: 0,
-            schemas,
-            channels,
+            data: crc32fast::Hasher::new(),
+            schemas: Vec::new(),
+            channels: Vec::new(),
             open: Default::default(),
             chunks: Vec::new(),
             metadata: Vec::new(),
@@ -88,6 +85,22 @@ impl<W: Write> Writer<W> {
         };
         writer.write(&start.0)?;
         Ok(writer)
+    }
+
+    /// Writes the schemas and channels of all messages.
+    ///
+    /// # Errors
+    /// If the target cannot be written.
+    pub fn declare(&mut self, schemas: Vec<SchemaRecord>, channels: Vec<ChannelRecord>) -> io::Result<()> {
+        let mut records = Encoder::default();
+        for schema in &schemas {
+            records.schema(schema);
+        }
+        for channel in &channels {
+            records.channel(channel);
+        }
+        (self.schemas, self.channels) = (schemas, channels);
+        self.write(&records.0)
     }
 
     /// Returns the length of the file so far, bytes: all records up to there are complete.
@@ -219,7 +232,7 @@ impl<W: Write> Writer<W> {
     /// Returns everything behind the last chunk.
     fn summary(&self) -> Vec<u8> {
         let mut out = Encoder::default();
-        out.record(opcode::DATA_END, |out| _ = out.u32(0));
+        out.record(opcode::DATA_END, |out| _ = out.u32(self.data.clone().finalize()));
         let data_end = out.0.len();
         let start = self.length + data_end as u64;
         let mut groups = Vec::new();
@@ -285,6 +298,7 @@ impl<W: Write> Writer<W> {
 
     fn write(&mut self, bytes: &[u8]) -> io::Result<()> {
         self.target.write_all(bytes)?;
+        self.data.update(bytes);
         self.length += bytes.len() as u64;
         Ok(())
     }

@@ -4,8 +4,8 @@ use bica_link::{Component, Description, Kind, Param};
 use serde_json::Value;
 
 use crate::header::{
-    ComponentInfo, Header, ImagePolicy, InformationInfo, MONITOR_FORMAT, MonitorInfo, Parameter, ParameterInfo,
-    Program, RobotInfo, TreeInfo,
+    ComponentInfo, FORMAT, Header, ImagePolicy, InformationInfo, MonitorInfo, Parameter, ParameterInfo, Program,
+    RobotInfo, Start, TreeInfo,
 };
 
 /// Ticks of an instant in a second: a monitor knows times in µs.
@@ -18,8 +18,9 @@ impl Header {
     pub fn of_monitor(address: &str, description: &Description) -> Self {
         let unknown = || "unknown".to_owned();
         Self {
-            format: MONITOR_FORMAT,
+            format: FORMAT,
             program: Program::current(),
+            start: Some(Start::now()),
             tree: TreeInfo {
                 name: description.name.clone(),
                 hash: description.hash.clone(),

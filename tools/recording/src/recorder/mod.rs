@@ -3,6 +3,7 @@
 mod output;
 mod queue;
 mod sink;
+mod syncer;
 mod thread;
 
 use std::sync::Arc;
@@ -22,8 +23,8 @@ use crate::message::{Costs, LogLine, RefereeEvent, TreeRecord};
 use crate::request::RequestRecord;
 pub(crate) use output::Output;
 use queue::{CycleValues, Entry, ImageValues, Queue};
-pub use sink::Sink;
-pub(crate) use thread::{begin, compression, encode};
+pub use sink::{Sink, Syncing, create};
+pub(crate) use thread::{begin, compression, encode, write_ending};
 
 /// What a recorder does when its queue is full because the disk is slow.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -70,9 +71,9 @@ pub struct Report {
 
 /// Observer of a loop that records it.
 ///
-/// The loop copies the values of a cycle into a queue, images without an [owner](Self::sharing_images) included, and never waits for the disk, unless [`Backpressure::Wait`] says so. A
-/// thread of its own codes and writes them, at least every 0.3 s, and asks the operating system every 0.5 s to bring
-/// them to the disk. If writing fails, the recording ends, the file keeps what is complete, and the loop goes on.
+/// The loop copies the values of a cycle into a queue, images without an [owner](Self::sharing_images) included, and never waits
+/// for the disk, unless [`Backpressure::Wait`] says so. A thread of its own codes and writes them, at least every 0.3 s. Every
+/// 0.5 s another thread asks the operating system to bring them to the disk. If writing fails, the recording ends, the file keeps what is complete, and the loop goes on.
 #[derive(Debug)]
 pub struct Recorder {
     queue: Arc<Queue>,

@@ -6,8 +6,9 @@ use std::time::{Duration, Instant};
 use serde::Serialize;
 
 use super::Sink;
-use super::thread::{begin, compression, encode, io_error};
-use crate::header::{ENDING_NAME, Ending, Header, to_metadata};
+use super::syncer::Syncer;
+use super::thread::{begin, compression, encode, write_ending};
+use crate::header::{Ending, Header};
 use crate::mcap::Writer;
 use crate::message::Channel;
 
@@ -20,6 +21,7 @@ const SYNC_AFTER: Duration = Duration::from_millis(500);
 #[derive(Debug)]
 pub(crate) struct Output<S> {
     writer: Writer<S>,
+    syncer: Syncer,
     chunk_bytes: usize,
     /// Number of cycles so far.
     pub(crate) cycles: u64,
@@ -32,8 +34,9 @@ pub(crate) struct Output<S> {
 impl<S: Sink> Output<S> {
     /// Begins a file with a header.
     pub(crate) fn new(sink: S, header: &Header, chunk_bytes: usize) -> io::Result<Self> {
+        let syncer = Syncer::start(sink.syncing()?)?;
         let (writer, now) = (begin(sink, header)?, Instant::now());
-        Ok(Self { writer, chunk_bytes, cycles: 0, written_cycles: 0, flushed: now, synced: now })
+        Ok(Self { writer, syncer, chunk_bytes, cycles: 0, written_cycles: 0, flushed: now, synced: now })
     }
 
     /// Length of the file, bytes.
@@ -70,7 +73,7 @@ impl<S: Sink> Output<S> {
             self.flush()?;
         }
         if self.synced.elapsed() >= SYNC_AFTER {
-            self.writer.target_mut().sync()?;
+            self.syncer.request()?;
             self.synced = Instant::now();
         }
         Ok(())
@@ -90,11 +93,9 @@ impl<S: Sink> Output<S> {
         }
         let reason = failed.clone().unwrap_or_default();
         let ending = Ending { cycles: self.written_cycles, dropped_images, reason, result };
-        let closed = to_metadata(&ending)
-            .map_err(io_error)
-            .and_then(|fields| self.writer.metadata(ENDING_NAME, &fields))
+        let closed = write_ending(&mut self.writer, &ending)
             .and_then(|()| self.writer.close())
-            .and_then(|()| self.writer.target_mut().sync());
+            .and_then(|()| self.syncer.finish());
         if let Err(error) = closed {
             let length = self.writer.length();
             let _ = self.writer.target_mut().truncate(length);

@@ -1,7 +1,8 @@
 //! Targets of a recording.
 
-use std::fs::File;
+use std::fs::{File, OpenOptions, TryLockError};
 use std::io::{self, Seek, SeekFrom, Write};
+use std::path::Path;
 
 /// Target of a recording: a file, or something that fails in a test.
 pub trait Sink: Write + Send {
@@ -11,11 +12,32 @@ pub trait Sink: Write + Send {
     /// If it cannot be cut.
     fn truncate(&mut self, length: u64) -> io::Result<()>;
 
-    /// Brings everything written to the disk.
+    /// Returns a function that brings everything written to the disk. A thread of its own calls it.
     ///
     /// # Errors
-    /// If the disk refuses.
-    fn sync(&mut self) -> io::Result<()>;
+    /// If the operating system refuses.
+    fn syncing(&self) -> io::Result<Syncing>;
+}
+
+/// Function that brings everything written to the disk.
+pub type Syncing = Box<dyn FnMut() -> io::Result<()> + Send>;
+
+/// Makes a file for a recording, or empties an existing one if it may be replaced. The file is locked, so that it has one writer.
+///
+/// # Errors
+/// If the file cannot be made, exists and is not to be replaced, or another recorder writes it.
+pub fn create(path: &Path, replace: bool) -> io::Result<File> {
+    let file = OpenOptions::new().write(true).create(true).truncate(false).create_new(!replace).open(path)?;
+    if matches!(file.try_lock(), Err(TryLockError::WouldBlock)) {
+        return Err(io::Error::new(io::ErrorKind::ResourceBusy, "another program writes it"));
+    }
+    ignore_devices(file.set_len(0))?;
+    Ok(file)
+}
+
+/// Ignores the refusal of a pipe or a device, which has no length and nothing to sync.
+fn ignore_devices(result: io::Result<()>) -> io::Result<()> {
+    result.or_else(|error| if error.kind() == io::ErrorKind::InvalidInput { Ok(()) } else { Err(error) })
 }
 
 impl Sink for File {
@@ -24,12 +46,9 @@ impl Sink for File {
         self.seek(SeekFrom::Start(length)).map(drop)
     }
 
-    fn sync(&mut self) -> io::Result<()> {
-        match self.sync_data() {
-            // A pipe or a device has nothing to sync.
-            Err(error) if error.kind() == io::ErrorKind::InvalidInput => Ok(()),
-            result => result,
-        }
+    fn syncing(&self) -> io::Result<Syncing> {
+        let file = self.try_clone()?;
+        Ok(Box::new(move || ignore_devices(file.sync_data())))
     }
 }
 
@@ -38,7 +57,7 @@ impl<S: Sink + ?Sized> Sink for Box<S> {
         (**self).truncate(length)
     }
 
-    fn sync(&mut self) -> io::Result<()> {
-        (**self).sync()
+    fn syncing(&self) -> io::Result<Syncing> {
+        (**self).syncing()
     }
 }

@@ -10,10 +10,10 @@ use super::queue::{CycleValues, Entry, ImageValues, Queue};
 use super::{Report, Sink};
 use crate::digest::{RunningFingerprint, command_digest, image_digest, sensors_digest};
 use crate::error::Error;
-use crate::header::{HEADER_NAME, Header, ImagePolicy, to_metadata};
+use crate::header::{ENDING_NAME, Ending, HEADER_NAME, Header, ImagePolicy, to_metadata};
 use crate::image_codec::ImageCoder;
 use crate::mcap::{ChannelRecord, Compression, SchemaRecord, Writer};
-use crate::message::{Channel, CommandRecord, ImageRecord, Tick};
+use crate::message::{Channel, CommandRecord, ENCODING, ImageRecord, Tick};
 
 /// A file that is being written.
 pub(super) struct Writing<S> {
@@ -38,20 +38,30 @@ pub(crate) fn channels() -> (Vec<SchemaRecord>, Vec<ChannelRecord>) {
         id: channel.id(),
         schema: channel.id(),
         topic: channel.topic().to_owned(),
-        encoding: "postcard".to_owned(),
+        encoding: ENCODING.to_owned(),
     };
     (Channel::ALL.map(schema).to_vec(), Channel::ALL.map(channel).to_vec())
 }
 
-/// Begins a file with a header.
+/// Begins a file: header, schemas and channels, and the header again.
 pub(crate) fn begin<W: io::Write>(target: W, header: &Header) -> io::Result<Writer<W>> {
     let (schemas, channels) = channels();
-    let mut writer = Writer::new(target, "bica", schemas, channels)?;
-    writer.metadata(HEADER_NAME, &to_metadata(header).map_err(io_error)?)?;
+    let fields = to_metadata(header).map_err(io_error)?;
+    let mut writer = Writer::new(target, "bica")?;
+    writer.metadata(HEADER_NAME, &fields)?;
+    writer.declare(schemas, channels)?;
+    writer.metadata(HEADER_NAME, &fields)?;
     Ok(writer)
 }
 
-pub(super) fn io_error(error: Error) -> io::Error {
+/// Writes the ending of a recording, twice.
+pub(crate) fn write_ending<W: io::Write>(writer: &mut Writer<W>, ending: &Ending) -> io::Result<()> {
+    let fields = to_metadata(ending).map_err(io_error)?;
+    writer.metadata(ENDING_NAME, &fields)?;
+    writer.metadata(ENDING_NAME, &fields)
+}
+
+fn io_error(error: Error) -> io::Error {
     match error {
         Error::Io(error) => error,
         other => io::Error::other(other),

@@ -1,10 +1,13 @@
 //! Full and slow disks.
 
-use std::time::Duration;
+use std::sync::atomic::Ordering;
+use std::thread;
+use std::time::{Duration, Instant};
 
+use bica::runner::Runner;
 use bica_recording::{Backpressure, ImagePolicy, Recorder, RecorderOptions, Recording};
 
-use crate::support::{Disk, cycles, header, record, recorded, small_chunks};
+use crate::support::{Disk, Lamp, cycles, header, pixels, record, recorded, sensors, small_chunks};
 
 #[test]
 #[ignore = "slow: `cargo xtask ci` runs it"]
@@ -85,4 +88,36 @@ fn a_simulation_waits_for_a_slow_disk_and_loses_nothing() {
     assert_eq!((report.cycles, report.dropped_images, report.reason), (300, 0, None));
     let (found, _) = cycles(&disk.contents()[..]);
     assert_eq!(found.iter().filter(|cycle| cycle.image.is_some()).count(), 100);
+}
+
+#[test]
+fn a_sync_that_takes_long_delays_no_write_and_drops_no_image() {
+    const STEP: u64 = 15;
+    let (disk, mut lamp, mut count) = (Disk::default(), Lamp::new(), 0);
+    let recorder = Recorder::start(disk.clone(), &header(ImagePolicy::All), small_chunks(), |_| {}).expect("memory");
+    let mut runner = Runner::new(&mut lamp, ()).with_observer(recorder);
+    // Declared last, so that a panic opens it first.
+    let gate = disk.sync.gate.lock().expect("no panic while syncing");
+    // Ten seconds of cycles after the sync has begun that waits for the gate.
+    let mut until = u64::MAX;
+    while count < until {
+        for cycle in count..count + STEP {
+            let (now, yuyv) = (bica::Instant::from_millis(10 * cycle), pixels(cycle));
+            runner.sense(now, &sensors(cycle, &yuyv)).expect("never refused");
+            runner.think(now);
+        }
+        count += STEP;
+        let began = Instant::now();
+        while cycles(&disk.contents()[..]).0.len() < count as usize {
+            let written = cycles(&disk.contents()[..]).0.len();
+            assert!(began.elapsed() < Duration::from_secs(20), "{written} of {count} cycles are written");
+            thread::sleep(Duration::from_millis(5));
+        }
+        if disk.sync.begun.load(Ordering::Relaxed) {
+            until = until.min(count + 1000);
+        }
+    }
+    drop(gate);
+    let report = runner.into_parts().3.finish("");
+    assert_eq!((report.cycles, report.dropped_images, report.reason), (count, 0, None));
 }

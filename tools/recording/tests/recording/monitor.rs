@@ -1,5 +1,7 @@
 //! Recordings that a monitor makes.
 
+use std::io::Cursor;
+
 use std::io::Read;
 
 use bica_link::{Component, Description, Info as Information, State};
@@ -156,7 +158,7 @@ fn a_cut_recording_is_recovered_up_to_the_cut() {
     let cut = &whole[..whole.len() * 3 / 4];
     assert!(matches!(Recording::new(cut).map(|_| ()), Ok(())));
     let mut recovered = Vec::new();
-    let copied = recover(cut, &mut recovered).expect("memory");
+    let copied = recover(Cursor::new(cut), &mut recovered).expect("memory");
     assert!((100..400).contains(&copied.cycles) && copied.damage.len() == 1, "{copied:?}");
     assert_eq!(read(&recovered[..]).len() as u64, copied.cycles);
 }
@@ -207,14 +209,14 @@ fn an_export_has_the_received_information_and_images() {
 
 #[test]
 fn a_header_of_the_other_format_is_damaged() {
-    for header in [Header { format: 2, ..header() }, Header { monitor: None, ..header() }] {
+    for header in [Header { format: 2, ..header() }, Header { format: 3, monitor: None, ..header() }] {
         let disk = Disk::default();
         let recorder = MonitorRecorder::new(disk.clone(), &header).expect("memory");
         assert_eq!(recorder.finish(None, 0).cycles, 0);
         assert!(matches!(Recording::new(&disk.contents()[..]).map(|_| ()), Err(Error::Damaged { .. })));
     }
     let disk = Disk::default();
-    let _ = MonitorRecorder::new(disk.clone(), &Header { format: 4, ..header() }).expect("memory");
+    let _ = MonitorRecorder::new(disk.clone(), &Header { format: 5, ..header() }).expect("memory");
     let error = Recording::new(&disk.contents()[..]).map(|_| ()).expect_err("a newer format");
-    assert!(error.to_string().contains("format 4"), "{error}");
+    assert!(error.to_string().contains("format 5"), "{error}");
 }

@@ -1,6 +1,7 @@
 //! A small robot, its recordings in memory, and disks that fail.
 
 use std::io::{self, Read, Write};
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex};
 use std::thread;
 use std::time::Duration;
@@ -12,6 +13,7 @@ use bica_motion::joints::Joints;
 use bica_motion::robot::{CameraId, Command, Image, Lights, Sensors};
 use bica_recording::{
     Header, ImagePolicy, RecordedCycle, Recorder, RecorderOptions, Recording, RefereeEvent, Report, RobotInfo, Sink,
+    Syncing,
 };
 use bica_wire::message::Sensors as SensorsMessage;
 
@@ -125,6 +127,14 @@ pub(crate) struct Disk {
     pub(crate) capacity: Option<usize>,
     /// Time of each write.
     pub(crate) delay: Duration,
+    pub(crate) sync: Arc<Held>,
+}
+
+/// Syncs that wait for a gate.
+#[derive(Default)]
+pub(crate) struct Held {
+    pub(crate) begun: AtomicBool,
+    pub(crate) gate: Mutex<()>,
 }
 
 impl Write for Disk {
@@ -151,8 +161,13 @@ impl Sink for Disk {
         Ok(())
     }
 
-    fn sync(&mut self) -> io::Result<()> {
-        Ok(())
+    fn syncing(&self) -> io::Result<Syncing> {
+        let held = self.sync.clone();
+        Ok(Box::new(move || {
+            held.begun.store(true, Ordering::Relaxed);
+            drop(held.gate.lock());
+            Ok(())
+        }))
     }
 }
 

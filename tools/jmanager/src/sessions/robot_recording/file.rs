@@ -9,7 +9,7 @@ use std::sync::{Arc, Mutex};
 use std::thread::{self, JoinHandle};
 use std::time::Duration;
 
-use bica_recording::{Header, MonitorRecorder, ReceivedImage, RecordedCycle};
+use bica_recording::{Header, MonitorRecorder, ReceivedImage, RecordedCycle, create};
 
 use crate::sessions::history::StoredImage;
 use crate::sessions::pages::lock;
@@ -66,7 +66,7 @@ impl WrittenFile {
         let progress = Arc::<Progress>::default();
         let (own, file) = (Arc::clone(&progress), path.clone());
         let work = move || {
-            let result = File::create_new(&file)
+            let result = create(&file, false)
                 .map_err(|error| format!("cannot make the file: {error}"))
                 .and_then(|file| write(file, &header, &received, &own));
             if let Err(reason) = result {

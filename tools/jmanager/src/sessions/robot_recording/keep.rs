@@ -5,7 +5,7 @@ use std::io;
 use std::path::Path;
 use std::sync::Arc;
 
-use bica_recording::{Header, MonitorRecorder, Report};
+use bica_recording::{Header, MonitorRecorder, Report, create};
 use serde_json::{Value, json};
 
 use super::{Cycles, add_info, add_line, file::received};
@@ -23,7 +23,7 @@ pub(in crate::sessions) fn keep(session: &Arc<Session>, target: &Path) -> Result
         fs::create_dir_all(folder).map_err(|error| failed("make", folder, &error, help))?;
     }
     let header = Header::of_monitor(&session.name, &*session.description()?);
-    let file = File::create_new(target).map_err(|error| failed("write", target, &error, help))?;
+    let file = create(target, false).map_err(|error| failed("write", target, &error, help))?;
     let reason = match MonitorRecorder::new(file, &header).and_then(|recorder| write(session, recorder)) {
         Ok(Report { reason: None, cycles: 0, .. }) => {
             let _ = fs::remove_file(target);

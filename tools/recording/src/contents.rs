@@ -1,0 +1,92 @@
+//! Messages of a recording with their channels, wherever MCAP allows their records to be.
+
+use std::collections::BTreeMap;
+use std::io::Read;
+
+use crate::error::Error;
+use crate::header::{ENDING_NAME, Ending, HEADER_NAME, Header, ending_of, header_of};
+use crate::mcap::{Item, Message, Reader};
+use crate::message::Channel;
+
+/// Part of a recording.
+pub(crate) enum Part {
+    /// A message.
+    Message(Channel, Message),
+    /// A complete chunk; its messages follow.
+    Chunk,
+    /// The end of a file that was closed.
+    End,
+}
+
+/// Reader of the messages of a recording. Any damage is an error.
+#[derive(Debug)]
+pub(crate) struct Contents<R> {
+    reader: Reader<R>,
+    pub(crate) header: Header,
+    /// Channel of each number of the file.
+    channels: BTreeMap<u16, Channel>,
+    pub(crate) ending: Option<Ending>,
+    cycles: u64,
+}
+
+impl<R: Read> Contents<R> {
+    /// Reads the header, which precedes all messages.
+    pub(crate) fn new(source: R) -> Result<Self, Error> {
+        let (mut reader, mut channels) = (Reader::new(source)?, BTreeMap::new());
+        let header = loop {
+            match reader.next_item()? {
+                Item::Metadata(at, name, fields) if name == HEADER_NAME => break header_of(&fields, at)?,
+                Item::Channel(channel) => channels.extend(Channel::of_record(&channel)),
+                Item::Schema(_) | Item::Metadata(..) => {}
+                Item::Chunk { .. } | Item::Message(_) | Item::End => return Err(Error::NotARecording),
+            }
+        };
+        Ok(Self { reader, header, channels, ending: None, cycles: 0 })
+    }
+
+    /// Number of bytes read so far.
+    pub(crate) const fn position(&self) -> u64 {
+        self.reader.position()
+    }
+
+    /// Returns the next part. [`Part::End`] is repeated.
+    pub(crate) fn next(&mut self) -> Result<Part, Error> {
+        loop {
+            match self.reader.next_item()? {
+                Item::Channel(channel) => self.channels.extend(Channel::of_record(&channel)),
+                Item::Message(message) => {
+                    let Some(channel) = self.channels.get(&message.channel) else { continue };
+                    self.cycles += u64::from(*channel == Channel::Tick);
+                    return Ok(Part::Message(*channel, message));
+                }
+                Item::Metadata(at, name, fields) => self.metadata(at, &name, &fields)?,
+                Item::Chunk { .. } => return Ok(Part::Chunk),
+                Item::Schema(_) => {}
+                Item::End => return self.end(),
+            }
+        }
+    }
+
+    /// Takes over the ending; copies have to be equal.
+    fn metadata(&mut self, at: u64, name: &str, fields: &BTreeMap<String, String>) -> Result<(), Error> {
+        let is_equal = match name {
+            HEADER_NAME => header_of(fields, at)? == self.header,
+            ENDING_NAME => {
+                let ending = ending_of(fields, self.header.format, at)?;
+                *self.ending.get_or_insert_with(|| ending.clone()) == ending
+            }
+            _ => true,
+        };
+        if is_equal { Ok(()) } else { Err(Error::damaged(at, format!("two records `{name}` differ"))) }
+    }
+
+    fn end(&self) -> Result<Part, Error> {
+        match &self.ending {
+            Some(ending) if ending.cycles != self.cycles => {
+                let what = format!("the recording had {} cycles, the file has {}", ending.cycles, self.cycles);
+                Err(Error::damaged(self.position(), what))
+            }
+            _ => Ok(Part::End),
+        }
+    }
+}
