@@ -34,7 +34,7 @@ export function Tools({ search }) {
   };
   const several = chosenStates().length > 1;
   return html`<${Bar} label="Designer">
-    ${components.length > 1 && html`<select aria-label="Component of the file" onChange=${(event) => { component.value = event.target.value; choose([]); }}>${components.map(({ name }) => html`<option value=${name.text} selected=${name.text === component.value}>${name.text}</option>`)}</select>`}
+    ${components.length > 1 && html`<select aria-label="Component of the file" onChange=${(event) => { component.value = event.target.value; choose([]); }}>${components.map(({ key }) => html`<option value=${key} selected=${key === component.value}>${key}</option>`)}</select>`}
     ${own && html`<span class="dim file" title=${own.file}>${own.file}</span>`}
     <button onClick=${createComponent} disabled=${!hello.value?.source} title="A new component from a blank canvas">New…</button>
     ${own && html`<button aria-label="Undo" title="Undo (Ctrl+Z)" onClick=${undo}>↶</button><button aria-label="Redo" title="Make it again (Ctrl+Shift+Z)" onClick=${redo}>↷</button>

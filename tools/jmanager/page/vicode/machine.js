@@ -60,9 +60,9 @@ function arrowsOf(transition) {
   });
 }
 
-/** A component as a machine; null if there is none of the name. */
+/** A component as a machine; null if there is none of the key. */
 export function machineOf(model, name) {
-  const component = model?.components.find((one) => one.name.text === name);
+  const component = model?.components.find((one) => one.key === name);
   if (!component) return null;
   const states = component.states.map((state) => stateOf(component, state));
   const known = new Set(states.map((state) => state.name));

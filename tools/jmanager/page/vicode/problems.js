@@ -82,7 +82,7 @@ export async function jump({ file, span }) {
     return;
   }
   const of = opened.value.model.components.find((one) => one.span[0] <= span[0] && span[0] <= one.span[1]);
-  if (of && of.name.text !== component.value) component.value = of.name.text;
+  if (of && of.key !== component.value) component.value = of.key;
   const key = keyAt(span[0]);
   if (key) choose([key]);
   wanted.value = { byte: span[0] };

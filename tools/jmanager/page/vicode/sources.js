@@ -10,7 +10,7 @@ import { Offsets, spliced } from './offsets.js';
 export const list = signal(null);
 /** The open file as the server has it: {file, version, text, model, positions, saved, readonly, deleted, problem, conflict}. */
 export const opened = signal(null);
-/** Name of the component that is shown. */
+/** Key of the component that is shown: no other one of the file has it. */
 export const component = signal(null);
 /** Keys of what is selected, the last one at the end. */
 export const selection = signal([]);
@@ -86,7 +86,7 @@ export async function openByName(name) {
     notify('error', `no source of ${name} was found`, hello.value?.source ? 'it is not below the folder of --source' : 'start the program with --source FOLDER');
     return false;
   }
-  return open(file.file, file.components.find((each) => each.name.split('<')[0] === name).name);
+  return open(file.file, file.components.find((each) => each.name.split('<')[0] === name).key);
 }
 
 const KEY = 'vicode-open';
@@ -236,7 +236,7 @@ function show(message) {
   const { type, ...state } = message;
   batch(() => {
     opened.value = state;
-    if (!machineOf(state.model, component.value)) component.value = state.model.components[0]?.name.text ?? null;
+    if (!machineOf(state.model, component.value)) component.value = state.model.components[0]?.key ?? null;
     selection.value = selection.value.filter((key) => machine.value?.byKey.has(key));
     // Before any panel draws: places are those of the new text.
     watchers.forEach((watcher) => watcher({ message, before: null, text: state.text }));
@@ -279,8 +279,8 @@ function changed(message) {
 function follow(before) {
   const [old, now] = [machineOf(before.model, component.value), machine.value];
   if (!now && old) {
-    const at = before.model.components.findIndex((one) => one.name.text === component.value);
-    component.value = opened.value.model.components[at]?.name.text ?? opened.value.model.components[0]?.name.text ?? null;
+    const at = before.model.components.findIndex((one) => one.key === component.value);
+    component.value = opened.value.model.components[at]?.key ?? opened.value.model.components[0]?.key ?? null;
     return;
   }
   const find = (key) => {

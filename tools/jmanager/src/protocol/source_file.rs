@@ -111,6 +111,8 @@ pub struct SourceFile {
 /// A component of a file.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct SourceComponent {
+    /// Address in the file, as edits take it.
+    pub key: String,
     /// Name.
     pub name: String,
     /// Whether it is a state machine.

@@ -131,6 +131,7 @@ impl Files {
 
 fn components(model: &Model) -> Vec<SourceComponent> {
     let one = |component: &bica_vicode::model::Component| SourceComponent {
+        key: component.key.clone(),
         name: component.name.text.clone(),
         machine: component.is_machine(),
     };

@@ -82,7 +82,7 @@ impl Sidecar {
     pub(super) fn positions(&self, model: &Model) -> Vec<StatePosition> {
         let mut positions = Vec::new();
         for component in &model.components {
-            let name = &component.name.text;
+            let name = &component.key;
             for (state, Position { x, y }) in component.states.iter().zip(automatic(component, &self.remembered)) {
                 let state = state.function.name.text.clone();
                 let placed = self.remembered.get(name, &state).is_some();
@@ -121,14 +121,14 @@ impl Sidecar {
         for line in self.written.lines() {
             let words: Vec<&str> = line.split_whitespace().collect();
             let [component, state, x, y] = words[..] else { continue };
-            let is_known = model.components.iter().any(|one| one.name.text.split('<').next() == Some(component));
+            let is_known = model.components.iter().any(|one| Layout::is_of(component, &one.key));
             if let (false, Ok(x), Ok(y)) = (is_known && !is_broken, x.parse(), y.parse()) {
                 layout.set(component, state, Position { x, y });
             }
         }
         for component in &model.components {
             for state in &component.states {
-                let (component, state) = (&component.name.text, &state.function.name.text);
+                let (component, state) = (&component.key, &state.function.name.text);
                 if let Some(position) = self.remembered.get(component, state) {
                     layout.set(component, state, position);
                 }

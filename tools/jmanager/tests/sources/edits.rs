@@ -168,7 +168,7 @@ fn sources_are_listed_and_uses_are_found_and_renamed() {
     let list = view.ask(json!({ "type": "sources" })).unwrap();
     let names: Vec<_> = list.as_array().unwrap().iter().map(|one| one["file"].as_str().unwrap()).collect();
     assert_eq!(names, ["broken.rs", "latin.rs", "player.rs", "tree.rs"]);
-    assert_eq!(list[2]["components"], json!([{ "name": "Player", "machine": true }]));
+    assert_eq!(list[2]["components"], json!([{ "key": "Player", "name": "Player", "machine": true }]));
     assert_eq!(list[3]["trees"], json!(["Robot"]));
     assert!(list[1]["problem"].as_str().unwrap().contains("UTF-8"));
 

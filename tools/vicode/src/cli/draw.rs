@@ -53,15 +53,14 @@ fn default_picture(component: &Component) -> PathBuf {
 
 fn chosen<'a>(model: &'a Model, name: Option<&str>) -> Result<&'a Component, String> {
     let machines: Vec<&Component> = model.components.iter().filter(|component| component.is_machine()).collect();
-    let names = || machines.iter().map(|component| format!("`{}`", component.name.text)).collect::<Vec<_>>().join(", ");
+    let names = || machines.iter().map(|component| format!("`{}`", component.key)).collect::<Vec<_>>().join(", ");
     match (name, &machines[..]) {
         (_, []) => Err("no state machine is in this file: a machine has functions with `#[state]`".to_owned()),
         (None, [machine]) => Ok(machine),
         (None, _) => Err(format!("this file has several machines: choose one by `--component`, {}", names())),
-        (Some(name), _) => machines
-            .iter()
-            .find(|component| component.name.text == name)
-            .copied()
+        (Some(name), _) => model
+            .component(name)
+            .filter(|component| component.is_machine())
             .ok_or_else(|| format!("no machine `{name}` is in this file: there is {}", names())),
     }
 }

@@ -32,7 +32,7 @@ pub fn automatic(component: &Component, layout: &Layout) -> Vec<Position> {
         }
     }
     for (state, position) in component.states.iter().zip(&mut positions) {
-        *position = layout.get(&component.name.text, &state.function.name.text).unwrap_or(*position);
+        *position = layout.get(&component.key, &state.function.name.text).unwrap_or(*position);
     }
     positions
 }

@@ -36,7 +36,7 @@ pub(super) fn change(context: &Context<'_>, edit: &Edit) -> Result<Vec<Splice>, 
                 add(context.text, &context.style(component), function, &format!("{argument}: {}", link(*kind, child)));
             if let Some(path) = import {
                 fragment::path(path)?;
-                splices.extend(imports::add(context, path, child));
+                splices.extend(imports::add(context, component.span.start, path, child));
             }
             Ok(splices)
         }

@@ -69,7 +69,7 @@ pub fn declare(text: &str, name: &str) -> Result<Vec<Splice>, Refusal> {
     let line = match (next, plain.last()) {
         (Some(next), _) => Splice::insert(place(next.syntax()).start, format!("{code}{}", style.newline)),
         (None, Some(last)) => Splice::insert(place(last.syntax()).end, format!("{}{code}", style.newline)),
-        (None, None) => imports::line(text, &style, &[], &code),
+        (None, None) => imports::line(text, &style, &root.tree, &code),
     };
     let exports = root.tree.children().filter_map(ast::Use::cast).filter(|item| item.visibility().is_some());
     let export = exports.last().map(|item| {
@@ -121,7 +121,7 @@ pub fn enlist(text: &str, model: &Model, name: &str, import: Option<&str>) -> Re
     let mut splices = vec![Splice::insert(at, added)];
     if let Some(import) = import {
         fragment::path(import)?;
-        splices.extend(imports::add(&Context { text, model, width: super::super::DEFAULT_WIDTH }, import, name));
+        splices.extend(imports::add(&Context { text, model, width: super::super::DEFAULT_WIDTH }, 0, import, name));
     }
     Ok(splices)
 }

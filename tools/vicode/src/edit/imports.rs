@@ -1,15 +1,15 @@
 //! `use` lines.
 
 use ra_ap_syntax::ast::{self, HasName};
-use ra_ap_syntax::{AstNode, SyntaxKind};
+use ra_ap_syntax::{AstNode, SyntaxKind, SyntaxNode};
 
 use super::fragment;
 use super::plan::Context;
 use super::request::Refusal;
 use super::splice::Splice;
-use super::style::{Style, line_end, line_start, starts_line};
+use super::style::{Style, indentation, line_end, line_start, starts_line};
 use crate::model::Span;
-use crate::read::{parse, span, tokens};
+use crate::read::{scope, span, tokens};
 
 /// `Eye` of `Eye<320, 240>`; nothing of a path.
 fn imported(child: &str) -> Option<&str> {
@@ -17,21 +17,18 @@ fn imported(child: &str) -> Option<&str> {
     (!name.contains("::")).then_some(name)
 }
 
-/// The `use` items of the file itself.
-fn items(text: &str) -> Vec<ast::Use> {
-    let root = parse(text).map(|root| root.tree);
-    root.iter().flat_map(ra_ap_syntax::SyntaxNode::children).filter_map(ast::Use::cast).collect()
+/// The `use` items of the file itself or of a module.
+fn items(scope: &SyntaxNode) -> Vec<ast::Use> {
+    scope.children().filter_map(ast::Use::cast).collect()
 }
 
-/// Imports a child from a module, unless its name is known in the file.
-pub(super) fn add(context: &Context<'_>, path: &str, child: &str) -> Vec<Splice> {
+/// Imports a child from a module, unless its name is known in the module of the file that contains the byte `at`.
+pub(super) fn add(context: &Context<'_>, at: usize, path: &str, child: &str) -> Vec<Splice> {
     let Some(name) = imported(child) else { return Vec::new() };
     let text = context.text;
-    if is_known(text, name) {
-        return Vec::new();
-    }
+    let Some(scope) = scope(text, at).filter(|scope| !is_known(scope, name)) else { return Vec::new() };
     let style = Style::of(text, None, context.width);
-    let all = items(text);
+    let all = items(&scope);
     for item in all.iter().filter_map(ast::Use::use_tree) {
         let Some(of) = item.path().map(|path| path.syntax().text().to_string()) else { continue };
         if let (true, Some(list)) = (of == path, item.use_tree_list()) {
@@ -47,7 +44,7 @@ pub(super) fn add(context: &Context<'_>, path: &str, child: &str) -> Vec<Splice>
             return vec![Splice::new(span(item.syntax().text_range()), format!("{path}::{{{}}}", names.join(", ")))];
         }
     }
-    vec![line(text, &style, &all, &format!("use {path}::{name};"))]
+    vec![line(text, &style, &scope, &format!("use {path}::{name};"))]
 }
 
 /// Imports a name from a module.
@@ -57,17 +54,16 @@ pub(super) fn add(context: &Context<'_>, path: &str, child: &str) -> Vec<Splice>
 pub(super) fn name(context: &Context<'_>, path: &str, name: &str) -> Result<Vec<Splice>, Refusal> {
     fragment::path(path)?;
     fragment::name(name)?;
-    if is_known(context.text, name) {
+    if scope(context.text, 0).is_some_and(|scope| is_known(&scope, name)) {
         return Err(Refusal::new(format!("`{name}` is known in this file already: it needs no import")));
     }
-    Ok(add(context, path, name))
+    Ok(add(context, 0, path, name))
 }
 
-/// Whether the file has the name: by `use`, or by an item.
-fn is_known(text: &str, name: &str) -> bool {
-    let Some(root) = parse(text) else { return false };
+/// Whether a module has the name: by `use`, or by an item.
+fn is_known(scope: &SyntaxNode, name: &str) -> bool {
     let named = |ident: Option<ast::Name>| ident.is_some_and(|ident| ident.text() == name);
-    root.tree.children().any(|node| {
+    let known = scope.children().any(|node| {
         if let Some(item) = ast::Use::cast(node.clone()) {
             let leaf = |tree: ast::UseTree| {
                 let last = tree.path().and_then(|path| path.segment()).and_then(|segment| segment.name_ref());
@@ -81,7 +77,14 @@ fn is_known(text: &str, name: &str) -> bool {
         named(ast::Struct::cast(node.clone()).and_then(|item| item.name()))
             || named(ast::Enum::cast(node.clone()).and_then(|item| item.name()))
             || named(ast::TypeAlias::cast(node).and_then(|item| item.name()))
-    })
+    });
+    // `use super::*` brings the names of the module around it.
+    let outer = || {
+        scope.ancestors().skip(1).find(|node| [SyntaxKind::ITEM_LIST, SyntaxKind::SOURCE_FILE].contains(&node.kind()))
+    };
+    let takes_all =
+        || items(scope).iter().any(|item| item.use_tree().is_some_and(|tree| tree.syntax().text() == "super::*"));
+    known || takes_all() && outer().is_some_and(|outer| is_known(&outer, name))
 }
 
 /// Adds a name at its place in `{a, b}`.
@@ -127,8 +130,8 @@ fn filled(style: &Style, names: &[String]) -> String {
 }
 
 /// Adds a `use` line where it belongs among the others.
-pub(super) fn line(text: &str, style: &Style, all: &[ast::Use], new: &str) -> Splice {
-    let newline = style.newline;
+pub(super) fn line(text: &str, style: &Style, scope: &SyntaxNode, new: &str) -> Splice {
+    let (newline, all) = (style.newline, items(scope));
     let place = |item: &ast::Use| span(item.syntax().text_range());
     let of = |item: &ast::Use| place(item).of(text).to_owned();
     let first_word = |line: &str| line.trim_start_matches("use ").split("::").next().unwrap_or_default().to_owned();
@@ -137,15 +140,18 @@ pub(super) fn line(text: &str, style: &Style, all: &[ast::Use], new: &str) -> Sp
     let group = Some(same(&first_word)).filter(|group| !group.is_empty());
     let group = group.unwrap_or_else(|| same(&|line| kind(&first_word(line)).to_owned()));
     if let Some(next) = group.iter().find(|item| of(item).as_str() > new && starts_line(text, place(item).start)) {
-        return Splice::insert(place(next).start, format!("{new}{newline}"));
+        let at = place(next).start;
+        return Splice::insert(at, format!("{new}{newline}{}", indentation(text, at)));
     }
     if let Some(last) = group.last().copied().or(all.last()) {
         let lines = if group.is_empty() { newline.repeat(2) } else { newline.to_owned() };
-        return Splice::insert(place(last).end, format!("{lines}{new}"));
+        let Span { start, end } = place(last);
+        return Splice::insert(end, format!("{lines}{}{new}", indentation(text, start)));
     }
-    let at = first_item(text);
+    let at = first_item(scope);
     let behind = if text[at..].starts_with(['\n', '\r']) { String::new() } else { newline.repeat(2) };
-    Splice::insert(at, format!("{new}{behind}"))
+    let indent = if behind.is_empty() { "" } else { indentation(text, at) };
+    Splice::insert(at, format!("{new}{behind}{indent}"))
 }
 
 /// Kind of a `use` line by its first word. Each kind is a paragraph.
@@ -157,24 +163,21 @@ fn kind(first_word: &str) -> &'static str {
     }
 }
 
-/// Offset of the first item, behind the docs and attributes of the file.
-fn first_item(text: &str) -> usize {
-    let Some(root) = parse(text) else { return 0 };
-    let item = root.tree.children().find(|node| node.kind() != SyntaxKind::ATTR);
-    item.map_or(text.len(), |node| span(node.text_range()).start)
+/// Offset of the first item, behind the docs and attributes of the module.
+fn first_item(scope: &SyntaxNode) -> usize {
+    let item = scope.children().find(|node| node.kind() != SyntaxKind::ATTR);
+    item.map_or(span(scope.text_range()).end, |node| span(node.text_range()).start)
 }
 
 /// Removes an import that only the link at `place` needed.
 pub(super) fn remove(context: &Context<'_>, child: &str, place: Span) -> Vec<Splice> {
     let Some(name) = imported(child) else { return Vec::new() };
     let text = context.text;
-    let all = items(text);
+    let Some(scope) = scope(text, place.start) else { return Vec::new() };
+    let all = items(&scope);
     let spans: Vec<Span> = all.iter().map(|item| span(item.syntax().text_range())).collect();
     let elsewhere = |at: Span| !place.contains(at) && !spans.iter().any(|item| item.contains(at));
-    let used = parse(text).is_some_and(|root| {
-        tokens(&root.tree).iter().any(|token| token.name.text == name && elsewhere(token.name.span))
-    });
-    if used {
+    if tokens(&scope).iter().any(|token| token.name.text == name && elsewhere(token.name.span)) {
         return Vec::new();
     }
     // An item that others see, or that depends on a condition, has more users than this file.

@@ -17,7 +17,7 @@ pub(super) struct Context<'a> {
 impl<'a> Context<'a> {
     pub(super) fn component(&self, name: &str) -> Result<&'a Component, Refusal> {
         self.model.component(name).ok_or_else(|| {
-            let known = list(self.model.components.iter().map(|component| &*component.name.text));
+            let known = list(self.model.components.iter().map(|component| &*component.key));
             Refusal::new(format!("no component `{name}` is in this file: there is {known}"))
         })
     }

@@ -42,12 +42,14 @@ pub(super) fn state_names(component: &Component) -> impl Iterator<Item = &Name> 
 
 /// Refuses a name that the component has already.
 pub(super) fn free(context: &Context<'_>, component: &Component, name: &str) -> Result<(), Refusal> {
-    let of_type = |other: &&Component| other.name.text == component.name.text;
+    let of_type = |other: &&Component| (&other.module, &other.name.text) == (&component.module, &component.name.text);
     let blocks = context.model.components.iter().filter(of_type);
     let functions = blocks.clone().flat_map(|block| block.functions().map(|function| &function.name));
     let taken = functions.chain(blocks.flat_map(|block| &block.names)).find(|taken| taken.text == name);
-    let elsewhere =
-        || crate::read::functions_of(context.text, &component.name.text).into_iter().find(|one| one.text == name);
+    let elsewhere = || {
+        let functions = crate::read::functions_of(context.text, &component.module, &component.name.text);
+        functions.into_iter().find(|one| one.text == name)
+    };
     match taken.cloned().or_else(elsewhere) {
         Some(taken) => Err(Refusal::at(
             taken.span,

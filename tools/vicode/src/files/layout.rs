@@ -94,6 +94,12 @@ impl Layout {
         self.positions.remove(&(key(component), state.to_owned()));
     }
 
+    /// Whether a line of the file stands for a component.
+    #[must_use]
+    pub fn is_of(word: &str, component: &str) -> bool {
+        word == key(component)
+    }
+
     /// Whether it holds no position. An empty layout has no file.
     #[must_use]
     pub fn is_empty(&self) -> bool {
@@ -101,9 +107,11 @@ impl Layout {
     }
 }
 
-/// `Eye` of `Eye<320, 240>`: a word of the file.
+/// `one::Eye#2` of `one::Eye<320, 240>#2`: a word of the file.
 fn key(component: &str) -> String {
-    component.split('<').next().unwrap_or(component).split_whitespace().collect()
+    let (before, rest) = component.split_once('<').unwrap_or((component, ""));
+    let behind = rest.rsplit_once('>').map_or("", |(_, behind)| behind);
+    before.chars().chain(behind.chars()).filter(|one| !one.is_whitespace()).collect()
 }
 
 impl fmt::Display for Layout {

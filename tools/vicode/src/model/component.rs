@@ -7,6 +7,11 @@ use super::{Docs, Function, Name, Span};
 /// A component.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Component {
+    /// Address that no other component of the file has: `Eye<4>`, in a module of the file `module::Eye<4>`; a second one of the
+    /// same address is `Eye<4>#2`.
+    pub key: String,
+    /// Modules of the file that contain it, as `one::two`; empty at the top.
+    pub module: String,
     /// Its type as one writes it.
     pub name: Name,
     /// The impl block with its attributes.

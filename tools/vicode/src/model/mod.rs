@@ -53,10 +53,12 @@ pub enum Reporter {
 }
 
 impl Model {
-    /// The component of that name.
+    /// The component with that key, or the only one of that name.
     #[must_use]
-    pub fn component(&self, name: &str) -> Option<&Component> {
-        self.components.iter().find(|component| component.name.text == name)
+    pub fn component(&self, key: &str) -> Option<&Component> {
+        let mut named = self.components.iter().filter(|component| component.name.text == key);
+        let of_key = self.components.iter().find(|component| component.key == key);
+        of_key.or_else(|| named.next().filter(|_| named.next().is_none()))
     }
 
     /// The struct of parameters of that name.

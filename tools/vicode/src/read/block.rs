@@ -22,6 +22,8 @@ pub(super) fn component(block: &ast::Impl, text: &str) -> Option<Component> {
     let braces = list.as_ref().filter(|list| list.r_curly_token().is_some() && list.l_curly_token().is_some());
     let braces = braces.map(|list| span(list.syntax().text_range()));
     let mut component = Component {
+        key: String::new(),
+        module: super::module_of(block.syntax()),
         name: own,
         span: span(block.syntax().text_range()),
         block: braces.map(|span| Span::new(span.start + 1, span.end - 1)),

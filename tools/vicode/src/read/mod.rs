@@ -9,10 +9,12 @@ mod nesting;
 mod params;
 mod tokens;
 
+use std::collections::BTreeMap;
+
 use ra_ap_syntax::ast::HasName;
 use ra_ap_syntax::{AstNode, Edition, SourceFile, SyntaxNode, TextRange, ast};
 
-use crate::model::{Model, Name, Problem, Reporter, Span};
+use crate::model::{Component, Model, Name, Problem, Reporter, Span};
 
 pub(crate) use self::tokens::{Token, tokens};
 
@@ -32,11 +34,41 @@ pub fn read(text: &str) -> Model {
             model.parameters.extend(params::group(&item, text));
         }
     }
+    keyed(&mut model.components);
     model.problems = root.problems;
     check::check(&root.tree, text, &mut model.problems);
     model.problems.sort();
     model.problems.dedup();
     model
+}
+
+/// Gives each component the key that no other one has.
+fn keyed(components: &mut [Component]) {
+    let mut numbers: BTreeMap<String, u32> = BTreeMap::new();
+    for Component { key, module, name, .. } in components {
+        *key = if module.is_empty() { name.text.clone() } else { format!("{module}::{}", name.text) };
+        let number = numbers.entry(key.clone()).or_default();
+        *number += 1;
+        if *number > 1 {
+            *key = format!("{key}#{number}");
+        }
+    }
+}
+
+/// The modules of the file that contain a node, as `one::two`.
+pub(crate) fn module_of(node: &SyntaxNode) -> String {
+    let modules = node.ancestors().filter_map(ast::Module::cast).filter_map(|module| module.name());
+    let mut names: Vec<String> = modules.map(|name| name.text().to_string()).collect();
+    names.reverse();
+    names.join("::")
+}
+
+/// The list of items that contains the byte `at`: of the innermost module around it, else of the file.
+pub(crate) fn scope(text: &str, at: usize) -> Option<SyntaxNode> {
+    let root = parse(text)?.tree;
+    let lists = root.descendants().filter_map(ast::Module::cast).filter_map(|module| module.item_list());
+    let around = lists.filter(|list| span(list.syntax().text_range()).contains(Span::at(at)));
+    Some(around.last().map_or_else(|| root.clone(), |list| list.syntax().clone()))
 }
 
 /// A syntax tree, and where the text is no Rust.
@@ -89,10 +121,14 @@ pub(crate) fn landmarks(text: &str) -> Vec<(String, Span)> {
     found
 }
 
-/// The functions of all impl blocks of a type.
-pub(crate) fn functions_of(text: &str, ty: &str) -> Vec<Name> {
+/// The functions of all impl blocks of a type in the same module.
+pub(crate) fn functions_of(text: &str, module: &str, ty: &str) -> Vec<Name> {
     let Some(root) = parse(text) else { return Vec::new() };
-    let blocks = root.tree.descendants().filter_map(ast::Impl::cast).filter(|block| block.for_token().is_none());
+    let blocks = root
+        .tree
+        .descendants()
+        .filter_map(ast::Impl::cast)
+        .filter(|block| block.for_token().is_none() && module_of(block.syntax()) == module);
     let of_type =
         blocks.filter(|block| block.self_ty().is_some_and(|own| tokens::written(&tokens(own.syntax())) == ty));
     let items = of_type.filter_map(|block| block.assoc_item_list()).flat_map(|list| list.assoc_items());

@@ -52,3 +52,36 @@ fn comments_in_attributes_line_ends_and_indented_docs_stay() {
     assert_eq!(docs.text, "One.\n\n    code");
     assert_eq!(Span::new(docs.span.unwrap().end, docs.span.unwrap().end + 2).of(MACHINE), "\r\n");
 }
+
+const NAMESAKES: &str = "mod one {\n    use crate::parts::Net;\n\n    pub struct A;\n\n    #[component]\n    impl A {\n        \
+    fn step(&mut self) {}\n    }\n}\n\nmod two {\n    pub struct A;\n\n    #[component]\n    impl A {\n        \
+    fn step(&mut self) {}\n    }\n\n    #[cfg(test)]\n    #[component]\n    impl A {\n        fn step(&mut self) {}\n    }\n}\n";
+
+#[test]
+fn each_component_of_one_name_is_edited_at_its_own_place() {
+    let keys: Vec<String> = Document::new(NAMESAKES).model().components.iter().map(|one| one.key.clone()).collect();
+    assert_eq!(keys, ["one::A", "two::A", "two::A#2"]);
+    let mut rest = NAMESAKES;
+    for key in &keys {
+        let body = edited(
+            NAMESAKES,
+            &format!(r#"{{"edit": "set_body", "component": "{key}", "function": "step", "body": "go();"}}"#),
+        )
+        .unwrap();
+        let at = NAMESAKES.len() - rest.len() + rest.find("{}").unwrap() + 1;
+        rest = &NAMESAKES[at..];
+        assert_eq!(body, format!("{}\n            go();\n        {}", &NAMESAKES[..at], &NAMESAKES[at..]), "{key}");
+    }
+    let refusal = edited(NAMESAKES, r#"{"edit": "set_docs", "component": "A", "docs": "Which?"}"#).unwrap_err();
+    assert!(refusal.contains("there is `one::A`, `two::A`, `two::A#2`"), "{refusal}");
+    let child = |key: &str| {
+        let edit = r#"{"edit": "add_child", "function": "step", "child": "Ball", "kind": "requirement", "import": "crate::parts", "#;
+        edited(NAMESAKES, &format!(r#"{edit}"component": "{key}"}}"#)).unwrap()
+    };
+    assert!(child("one::A").contains("mod one {\n    use crate::parts::{Ball, Net};\n"), "{}", child("one::A"));
+    assert!(
+        child("two::A").contains("mod two {\n    use crate::parts::Ball;\n\n    pub struct A;"),
+        "{}",
+        child("two::A")
+    );
+}

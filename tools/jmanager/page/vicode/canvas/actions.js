@@ -153,9 +153,11 @@ function moduleOf(child) {
   const file = list.value?.find((one) => one.components.some(({ name }) => name === child))?.file;
   if (!file) return '';
   const folder = (path) => path.split('/').slice(0, -1).join('/');
+  // In a module of the file `super` is the file.
+  const up = 'super::'.repeat(machine.value?.component.module.split('::').filter(Boolean).length ?? 0);
   const stem = (path) => path.split('/').at(-1).replace(/\.rs$/, '');
   const isRoot = (path) => ['lib', 'main', 'mod'].includes(stem(path));
-  if (folder(file) === folder(own.file)) return [isRoot(own.file) ? 'self' : 'super', ...(isRoot(file) ? [] : [stem(file)])].join('::');
+  if (folder(file) === folder(own.file)) return `${up}${[...(isRoot(own.file) ? (up ? [] : ['self']) : ['super']), ...(isRoot(file) ? [] : [stem(file)])].join('::')}`.replace(/::$/, '');
   const parts = folder(file).split('/');
   return ['crate', ...parts.slice(parts.lastIndexOf('src') + 1)].filter(Boolean).join('::');
 }
