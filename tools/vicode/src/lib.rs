@@ -30,7 +30,7 @@ mod read;
 
 pub use self::document::{Change, Conflict, DEFAULT_WIDTH, Document, External, Keep, Merged, difference, merge};
 pub use self::edit::{
-    Edit, Refusal, Splice, Use, applied, blank, declare, enlist, inverse, module_of, ordered, plan, uses,
+    Edit, Refusal, Splice, Target, Use, applied, blank, declare, enlist, inverse, module_of, ordered, plan, uses,
 };
 pub use self::files::{FileError, Folder, Layout, LayoutError, Position, save};
 pub use self::read::read;

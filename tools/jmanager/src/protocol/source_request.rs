@@ -66,7 +66,7 @@ pub enum SourceRequest {
         /// Component.
         component: String,
     },
-    /// Lists uses of a function of a component outside of its block, in all files. [list of [`SourceUse`](super::SourceUse)]
+    /// Lists uses of a function of a component in other files. [list of [`SourceUse`](super::SourceUse)]
     Uses {
         /// File with the component.
         file: String,
@@ -75,7 +75,8 @@ pub enum SourceRequest {
         /// Function.
         function: String,
     },
-    /// Renames a function in its file, as the edit `rename`, and at chosen places of other files.
+    /// Renames a function in its file, as the edit `rename`, and at chosen places of other files, all certain ones among them.
+    /// Undoing it in one file undoes it in all.
     /// [`{"files": [{"file", "version"}]}`]
     RenameUses {
         /// File with the component.

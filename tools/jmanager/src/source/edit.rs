@@ -1,5 +1,7 @@
 //! Changes that pages make.
 
+use std::collections::BTreeMap;
+
 use bica_vicode::{Change, Edit, FileError, Keep, Refusal};
 use serde_json::{Value, json};
 
@@ -34,6 +36,11 @@ pub(super) fn apply(file: &mut OpenFile, edits: &[Edit]) -> Result<Change, Faile
 
 impl Files {
     pub(super) fn edit(&self, page: PageId, name: &str, version: u64, edits: &[Edit]) -> Result<Value, Failed> {
+        for edit in edits {
+            if let Edit::Rename { component, function, .. } = edit {
+                self.complete(name, component, function, &[])?;
+            }
+        }
         let mut open = self.open();
         let file = self.get(&mut open, name)?;
         let from = file.document.version();
@@ -53,6 +60,32 @@ impl Files {
     pub(super) fn undo(&self, page: PageId, name: &str, again: bool) -> Result<Value, Failed> {
         let mut open = self.open();
         let file = self.get(&mut open, name)?;
+        if let Some(group) = file.document.next_group(again) {
+            let names = lock(&self.groups).get(group).cloned().unwrap_or_default();
+            let shown = file.name.clone();
+            for name in names.iter().filter(|name| **name != shown) {
+                let other = self.get(&mut open, name)?;
+                if other.document.next_group(again) != Some(group) {
+                    let what = format!("the step changed several files, and `{name}` was changed since");
+                    return Err(Failed::new(what, "undo the later changes of that file first"));
+                }
+            }
+            for name in names.iter().filter(|name| **name != shown) {
+                self.undo_one(&mut open, page, name, again)?;
+            }
+        }
+        self.undo_one(&mut open, page, name, again)
+    }
+
+    /// Undoes the last step of one file, or makes it again.
+    fn undo_one(
+        &self,
+        open: &mut BTreeMap<String, OpenFile>,
+        page: PageId,
+        name: &str,
+        again: bool,
+    ) -> Result<Value, Failed> {
+        let file = self.get(open, name)?;
         let from = file.document.version();
         let change = if again { file.document.redo() } else { file.document.undo() };
         let what = if again { "no undone step" } else { "no step to undo" };
@@ -131,6 +164,20 @@ impl Files {
         Ok(json!({ "positions": positions }))
     }
 
+    /// Refuses to rename a function that other files use at places that are not among the chosen ones.
+    fn complete(&self, name: &str, component: &str, function: &str, places: &[SourcePlace]) -> Result<(), Failed> {
+        let uses = self.uses(name, component, function)?.into_iter().filter(|one| one.certain);
+        let left: Vec<String> = uses
+            .filter(|one| !places.iter().any(|place| place.file == one.file && place.span == one.span))
+            .map(|one| format!("{}:{}", one.file, one.line))
+            .collect();
+        if left.is_empty() {
+            return Ok(());
+        }
+        let what = format!("`{function}` is also used in {}", left.join(", "));
+        Err(Failed::new(what, "rename it there too: `rename_uses` with the places that `uses` lists"))
+    }
+
     /// Renames a function in its file and at places of other files: all or none.
     pub(super) fn rename(
         &self,
@@ -139,6 +186,7 @@ impl Files {
         [component, function, to]: [String; 3],
         places: &[SourcePlace],
     ) -> Result<Value, Failed> {
+        self.complete(name, &component, &function, places)?;
         let mut open = self.open();
         let main = self.get(&mut open, name)?.name.clone();
         let mut others: Vec<(String, Vec<Edit>)> = Vec::new();
@@ -165,15 +213,20 @@ impl Files {
             edits.dedup();
             limits::edits(edits, self.get(&mut open, file)?.document.text().len())?;
         }
+        // The main file is the first: if it refuses, nothing has changed.
         others.insert(0, (main, vec![Edit::Rename { component, function, to }]));
+        let names: Vec<String> = others.iter().map(|(name, _)| name.clone()).collect();
+        let group = lock(&self.groups).len();
         let mut changed = Vec::new();
         for (name, edits) in others {
             let file = self.get(&mut open, &name)?;
             let from = file.document.version();
             let change = apply(file, &edits)?;
+            file.document.group(group);
             changed.push(json!({ "file": name, "version": change.version }));
             file.publish(&self.pages, Some((from, change)), ChangedBy::Page, page);
         }
+        lock(&self.groups).push(names);
         Ok(json!({ "files": changed }))
     }
 

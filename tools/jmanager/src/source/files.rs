@@ -20,6 +20,8 @@ pub(super) struct Files {
     pub(super) pages: Arc<Pages>,
     pub(super) checks: Option<Arc<Checks>>,
     pub(super) cache: Mutex<search::Cache>,
+    /// Names of the files of each change of several files.
+    pub(super) groups: Mutex<Vec<Vec<String>>>,
     open: Mutex<BTreeMap<String, OpenFile>>,
     /// Held while files are compared with the disk or written, which may take long; never while `open` is held.
     pub(super) disk: Mutex<()>,
@@ -27,7 +29,8 @@ pub(super) struct Files {
 
 impl Files {
     pub(super) fn new(folder: Folder, pages: Arc<Pages>, checks: Option<Arc<Checks>>) -> Self {
-        Self { folder, pages, checks, cache: Mutex::default(), open: Mutex::default(), disk: Mutex::default() }
+        let (groups, open, disk) = (Mutex::default(), Mutex::default(), Mutex::default());
+        Self { folder, pages, checks, cache: Mutex::default(), groups, open, disk }
     }
 
     pub(super) fn open(&self) -> MutexGuard<'_, BTreeMap<String, OpenFile>> {

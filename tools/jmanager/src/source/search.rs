@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use bica_vicode::model::Model;
-use bica_vicode::{read, uses};
+use bica_vicode::{Target, read, uses};
 
 use super::files::{Files, failed, no_component};
 use super::limits;
@@ -89,27 +89,33 @@ impl Files {
         (!components.is_empty() || !trees.is_empty()).then_some(SourceFile { file, components, trees, problem: None })
     }
 
-    /// Uses of a function outside of its component's block.
+    /// Uses of a function in other files. Those of a private function that cannot be decided are left out.
     pub(super) fn uses(&self, name: &str, component: &str, function: &str) -> Result<Vec<SourceUse>, Failed> {
-        let (own, block) = {
+        let (own, text, found) = {
             let mut open = self.open();
             let file = self.get(&mut open, name)?;
             let found = file.document.model().component(component);
             let found = found.ok_or_else(|| no_component(component, "open the file that has it"))?;
-            let none = || {
-                let what = format!("`{component}` has no function `{}`", function.escape_debug());
-                Failed::new(what, "it may have been renamed")
-            };
-            found.function(function).ok_or_else(none)?;
-            (file.name.clone(), found.span)
+            (file.name.clone(), file.document.text().to_owned(), found.clone())
         };
+        let none = || {
+            let what = format!("`{component}` has no function `{}`", function.escape_debug());
+            Failed::new(what, "it may have been renamed")
+        };
+        let start = found.function(function).ok_or_else(none)?.name.span.start;
+        let is_public = text[..start].lines().last().is_some_and(|line| line.contains("pub"));
+        let simple = |name: &str| name.split('<').next().map(str::to_owned);
+        let mut others = self.sources().into_iter().filter(|file| file.file != own);
+        let has_namesakes =
+            others.any(|file| file.components.iter().any(|one| simple(&one.name) == simple(&found.name.text)));
+        let target = Target::new(&text, &found, has_namesakes);
         let mut list = Vec::new();
-        for (file, _) in self.all() {
+        for (file, _) in self.all().into_iter().filter(|(file, _)| *file != own) {
             let Ok(text) = self.text(&file) else { continue };
             if !text.contains(function) {
                 continue;
             }
-            for found in uses(&text, component, function, (file == own).then_some(block)) {
+            for found in uses(&text, &target, function, false).into_iter().filter(|one| one.certain || is_public) {
                 let begin = text[..found.span.start].rfind('\n').map_or(0, |newline| newline + 1);
                 let line = 1 + text[..begin].matches('\n').count();
                 let shown = text[begin..].lines().next().unwrap_or_default().trim().to_owned();

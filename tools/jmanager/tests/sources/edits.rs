@@ -150,7 +150,7 @@ fn opening_and_closing_changes_no_byte() {
 
 #[test]
 fn sources_are_listed_and_uses_are_found_and_renamed() {
-    let user = "use super::Player;\n\nfn f(player: &Player, other: &Other) -> u32 {\n    Player::steps(player) + other.steps()\n}\n";
+    let user = "use super::Player;\n\nfn f(player: &Player, other: &Other) -> u32 {\n    Player::steps(player) + other.steps() + any().steps()\n}\n";
     let tree = "bica::activation_tree! {\n    struct Robot { root: Player, cycle_hz: 10, components: [Player] }\n}\n";
     let broken = "#[component]\nimpl Half {\n    fn step(&mut self";
     let sources = Sources::new(&[
@@ -164,7 +164,7 @@ fn sources_are_listed_and_uses_are_found_and_renamed() {
     ]);
     std::fs::write(sources.path("latin.rs"), b"#[component] \xff").unwrap();
     let manager = sources.manager();
-    let view = View::new(&manager);
+    let view = View::of(&manager, "player.rs");
     let list = view.ask(json!({ "type": "sources" })).unwrap();
     let names: Vec<_> = list.as_array().unwrap().iter().map(|one| one["file"].as_str().unwrap()).collect();
     assert_eq!(names, ["broken.rs", "latin.rs", "player.rs", "tree.rs"]);
@@ -181,13 +181,28 @@ fn sources_are_listed_and_uses_are_found_and_renamed() {
         view.ask(json!({ "type": "rename_uses", "file": "player.rs", "component": "Player", "function": "steps",
             "to": "paces", "places": [{ "file": "deep/user.rs", "span": span }] }))
     };
-    assert!(text_of(rename(&json!([0, 3]))).starts_with("stale"));
+    let alone = json!([{ "edit": "rename", "component": "Player", "function": "steps", "to": "paces" }]);
+    for incomplete in [rename(&json!([0, 3])), view.edit("player.rs", &alone)] {
+        assert!(text_of(incomplete).contains("is also used in deep/user.rs:4"));
+    }
     let files = rename(&uses[0]["span"]).unwrap();
     assert_eq!(files["files"].as_array().unwrap().len(), 2, "{files}");
     view.ask(json!({ "type": "save_file", "file": "deep/user.rs" })).unwrap();
     view.ask(json!({ "type": "save_file", "file": "player.rs" })).unwrap();
     assert!(sources.read("deep/user.rs").contains("Player::paces(player) + other.steps()"));
     assert!(sources.read("player.rs").contains("pub fn paces(&self)"));
+    for (request, file, name) in [("undo_file", "player.rs", "steps"), ("redo_file", "deep/user.rs", "paces")] {
+        view.ask(json!({ "type": request, "file": file })).unwrap();
+        for file in ["player.rs", "deep/user.rs"] {
+            view.ask(json!({ "type": "save_file", "file": file })).unwrap();
+            assert!(sources.read(file).contains(&format!("{name}(")), "{request} {file}");
+        }
+    }
+    let typed = json!([{ "edit": "replace", "span": [0, 0], "text": " " }]);
+    let version = files["files"][1]["version"].as_u64().unwrap() + 2;
+    view.ask(json!({ "type": "edit_file", "file": "deep/user.rs", "version": version, "edits": typed })).unwrap();
+    let refused = text_of(view.ask(json!({ "type": "undo_file", "file": "player.rs" })));
+    assert!(refused.contains("`deep/user.rs` was changed since"), "{refused}");
 }
 
 #[test]

@@ -8,11 +8,19 @@ const STEPS: usize = 1000;
 /// Lists of splices, each list of the text after the list before it.
 type Splices = Vec<Vec<Splice>>;
 
+/// A step.
+#[derive(Clone, Debug)]
+struct Step {
+    forth: Splices,
+    back: Splices,
+    /// Number of a change of several documents of which it is a part.
+    group: Option<usize>,
+}
+
 /// The steps of a document.
 #[derive(Clone, Debug, Default)]
 pub(super) struct History {
-    /// Forth and back.
-    steps: Vec<(Splices, Splices)>,
+    steps: Vec<Step>,
     /// Number of steps that are not undone.
     done: usize,
 }
@@ -21,11 +29,24 @@ impl History {
     /// Adds a step. Undone ones cannot be made again.
     pub(super) fn push(&mut self, forth: Splices, back: Splices) {
         self.steps.truncate(self.done);
-        self.steps.push((forth, back));
+        self.steps.push(Step { forth, back, group: None });
         if self.steps.len() > STEPS {
             self.steps.remove(0);
         }
         self.done = self.steps.len();
+    }
+
+    /// Makes the last step a part of a change of several documents.
+    pub(super) fn group(&mut self, group: usize) {
+        if let Some(step) = self.done.checked_sub(1).and_then(|last| self.steps.get_mut(last)) {
+            step.group = Some(group);
+        }
+    }
+
+    /// The change of several documents of which the step to undo, or to make `again`, is a part.
+    pub(super) fn next_group(&self, again: bool) -> Option<usize> {
+        let index = if again { self.done } else { self.done.checked_sub(1)? };
+        self.steps.get(index)?.group
     }
 
     /// Whether there is a step to undo.
@@ -41,13 +62,13 @@ impl History {
     /// The splices that undo the last step.
     pub(super) fn undo(&mut self) -> Option<Splices> {
         self.done = self.done.checked_sub(1)?;
-        Some(self.steps[self.done].1.clone())
+        Some(self.steps[self.done].back.clone())
     }
 
     /// The splices that make the last undone step again.
     pub(super) fn redo(&mut self) -> Option<Splices> {
-        let (forth, _) = self.steps.get(self.done)?;
+        let forth = self.steps.get(self.done)?.forth.clone();
         self.done += 1;
-        Some(forth.clone())
+        Some(forth)
     }
 }

@@ -145,6 +145,17 @@ impl Document {
         Ok(self.changed(text, model, all))
     }
 
+    /// Makes the last step a part of a change of several documents, whose number is `group`.
+    pub fn group(&mut self, group: usize) {
+        self.history.group(group);
+    }
+
+    /// Number of the change of several documents of which the step to undo, or to make `again`, is a part.
+    #[must_use]
+    pub fn next_group(&self, again: bool) -> Option<usize> {
+        self.history.next_group(again)
+    }
+
     /// Undoes the last step; `None` if there is none.
     pub fn undo(&mut self) -> Option<Change> {
         let splices = self.history.undo()?;

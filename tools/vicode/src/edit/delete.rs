@@ -4,8 +4,8 @@ use super::layout::{attribute_removal, removal};
 use super::plan::{Context, function};
 use super::request::Refusal;
 use super::splice::Splice;
-use super::style::line_start;
-use super::uses::of_each;
+use super::style::{line_number, line_start};
+use super::uses::{Target, Use, of_each};
 use crate::model::{Component, Function, Hook, Name, Sources, Span, Transition};
 
 /// Deletes a function. A state takes with it its part of transitions and hooks.
@@ -28,15 +28,21 @@ pub(super) fn delete(context: &Context<'_>, component: &str, name: &str) -> Resu
 
 /// Refuses to delete what other functions call.
 fn unused(context: &Context<'_>, component: &Component, gone: &[&Function]) -> Result<(), Refusal> {
-    let names = gone.iter().map(|function| &*function.name.text);
-    for (name, uses) in of_each(context.text, component, names) {
-        let other = uses.into_iter().find(|place| !gone.iter().any(|gone| gone.span.contains(*place)));
-        if let Some(place) = other {
-            let line = context.text[..line_start(context.text, place.start)].matches('\n').count() + 1;
-            return Err(Refusal::at(place, format!("`{name}` is used in line {line}: remove that use first")));
-        }
+    let names: Vec<&str> = gone.iter().map(|function| &*function.name.text).collect();
+    let target = Target::new(context.text, component, false);
+    let uses = of_each(context.text, &target, &names, true).into_iter().filter(|(_, one)| one.certain);
+    let is_outside =
+        |place: Span| !gone.iter().any(|gone| gone.span.contains(place)) && !in_comment(context.text, place);
+    if let Some((name, Use { span, .. })) = uses.into_iter().find(|(_, one)| is_outside(one.span)) {
+        let line = line_number(context.text, span.start);
+        return Err(Refusal::at(span, format!("`{name}` is used in line {line}: remove that use first")));
     }
     Ok(())
+}
+
+/// Whether a place stands in a doc comment, which does not need the function.
+fn in_comment(text: &str, place: Span) -> bool {
+    text[line_start(text, place.start)..place.start].trim_start().starts_with("//")
 }
 
 fn of_transition<'a>(

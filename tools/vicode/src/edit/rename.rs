@@ -5,7 +5,8 @@ use super::machine::written;
 use super::plan::{Context, function};
 use super::request::Refusal;
 use super::splice::Splice;
-use super::uses::in_block;
+use super::style::line_number;
+use super::uses::{Target, uses};
 use crate::model::{Component, Name, Sources};
 
 /// Renames a function, the attributes that name it, and its uses.
@@ -24,7 +25,25 @@ pub(super) fn rename(context: &Context<'_>, component: &str, from: &str, to: &st
     if component.state(from).is_some() {
         places.extend(state_names(component).filter(|name| name.text == from).map(|name| name.span));
     }
-    places.extend(in_block(context.text, component, from));
+    let uses = uses(context.text, &Target::new(context.text, component, false), from, true);
+    let undecided: Vec<String> = uses
+        .iter()
+        .filter(|one| !one.certain)
+        .map(|one| line_number(context.text, one.span.start).to_string())
+        .collect();
+    if let Some(first) = uses.iter().find(|one| !one.certain) {
+        let lines = if undecided.len() == 1 { "line" } else { "lines" };
+        return Err(Refusal::at(
+            first.span,
+            format!(
+                "{lines} {} may use `{}::{from}`, which this file does not decide: name the type of the value, as in `{}::{from}(&value)`",
+                undecided.join(", "),
+                component.name.text,
+                component.name.text
+            ),
+        ));
+    }
+    places.extend(uses.into_iter().map(|one| one.span));
     places.sort();
     places.dedup();
     Ok(places.into_iter().map(|place| Splice::new(place, written(to))).collect())

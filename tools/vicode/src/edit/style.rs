@@ -126,6 +126,11 @@ pub(super) fn line_start(text: &str, at: usize) -> usize {
     text[..at].rfind('\n').map_or(0, |newline| newline + 1)
 }
 
+/// Number of the line of a byte, from 1.
+pub(super) fn line_number(text: &str, at: usize) -> usize {
+    1 + text[..at].matches('\n').count()
+}
+
 /// Offset of the line end behind a byte, before `\r\n` or `\n`.
 pub(super) fn line_end(text: &str, at: usize) -> usize {
     let end = text[at..].find('\n').map_or(text.len(), |newline| at + newline);

@@ -1,97 +1,107 @@
-//! Uses of a function.
+//! Uses of a function of a component.
 
-use ra_ap_syntax::{SyntaxKind, T};
+use ra_ap_syntax::ast::HasName;
+use ra_ap_syntax::{AstNode, NodeOrToken, SyntaxKind, SyntaxToken, T, ast};
 use serde::Serialize;
 
+use super::types::{Types, next, previous};
 use crate::model::{Component, Span};
-use crate::read::{Token, parse, tokens};
+use crate::read::{parse, span};
 
-/// A place outside of a component's block that may use one of its functions.
+/// A place that uses a function of a component, or may use it.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Use {
     /// The name.
     pub span: Span,
-    /// Whether the component is named before it. If not, it is a method call of something whose type is not known here.
+    /// Whether the type before the name is the component. If not, the text of the file does not decide it.
     pub certain: bool,
 }
 
-/// Uses of the function `name` of the component `component` in a text, except those within the block `own` of the component.
-#[must_use]
-pub fn uses(text: &str, component: &str, name: &str, own: Option<Span>) -> Vec<Use> {
-    let all = all_tokens(text);
-    let mut uses = Vec::new();
-    for (index, token) in named(&all, name).filter(|(_, token)| own.is_none_or(|own| !own.contains(token.name.span))) {
-        let certain = match before(&all[..index]) {
-            Before::Path(path) if path == simple(component) => true,
-            Before::Dot(_) if all.get(index + 1).is_some_and(is_call) => false,
-            _ => continue,
+/// The component whose functions are looked for.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Target {
+    /// Names of its type: its own, and aliases in its file.
+    pub(super) names: Vec<String>,
+    /// Modules of its file that contain it.
+    pub(super) module: String,
+    /// Whether other files have a component of that name, so that a path to it decides nothing.
+    pub(super) has_namesakes: bool,
+}
+
+impl Target {
+    /// A component of a file; `has_namesakes` if another file has a component of that name.
+    #[must_use]
+    pub fn new(text: &str, component: &Component, has_namesakes: bool) -> Self {
+        let name = component.name.text.split('<').next().unwrap_or_default();
+        let name = name.rsplit("::").next().unwrap_or_default().trim().to_owned();
+        let mut target = Self { names: vec![name], module: component.module.clone(), has_namesakes };
+        let root = parse(text);
+        let aliases = root.iter().flat_map(|root| root.tree.descendants()).filter_map(ast::TypeAlias::cast);
+        let is_item = |alias: &ast::TypeAlias| {
+            alias.syntax().parent().is_some_and(|parent| parent.kind() != SyntaxKind::ASSOC_ITEM_LIST)
         };
-        uses.push(Use { span: token.name.span, certain });
+        let types = Types { target: &target, is_home: true };
+        let of_target = aliases.filter(is_item).filter(|alias| alias.ty().and_then(|ty| types.of(&ty)) == Some(true));
+        let names: Vec<String> =
+            of_target.filter_map(|alias| alias.name()).map(|name| name.text().to_string()).collect();
+        target.names.extend(names);
+        target
+    }
+}
+
+/// Uses of the function `name` of a component in a text, its definition left out; `is_home` if the text has the component.
+#[must_use]
+pub fn uses(text: &str, target: &Target, name: &str, is_home: bool) -> Vec<Use> {
+    of_each(text, target, &[name], is_home).into_iter().map(|(_, one)| one).collect()
+}
+
+/// Uses of each of some functions, as [`uses`] finds them.
+pub(super) fn of_each<'a>(text: &str, target: &Target, names: &[&'a str], is_home: bool) -> Vec<(&'a str, Use)> {
+    let Some(root) = parse(text) else { return Vec::new() };
+    let types = Types { target, is_home };
+    let mut uses = Vec::new();
+    for token in root.tree.descendants_with_tokens().filter_map(NodeOrToken::into_token) {
+        if token.kind() == SyntaxKind::COMMENT {
+            uses.extend(names.iter().flat_map(|name| in_docs(&types, &token, name)));
+        } else if let (SyntaxKind::IDENT, Some(name)) =
+            (token.kind(), names.iter().find(|name| **name == token.text().trim_start_matches("r#")))
+        {
+            match verdict(&types, &token) {
+                Some(false) => {}
+                decided => uses.push((*name, Use { span: span(token.text_range()), certain: decided.is_some() })),
+            }
+        }
     }
     uses
 }
 
-/// Uses within the block, and those by the component's name in all of the file.
-pub(super) fn in_block(text: &str, component: &Component, name: &str) -> Vec<Span> {
-    in_tokens(&all_tokens(text), component, name)
-}
-
-/// Uses of each of some functions, as [`in_block`] finds them.
-pub(super) fn of_each<'a>(
-    text: &str,
-    component: &Component,
-    names: impl Iterator<Item = &'a str>,
-) -> Vec<(&'a str, Vec<Span>)> {
-    let all = all_tokens(text);
-    names.map(|name| (name, in_tokens(&all, component, name))).collect()
-}
-
-fn in_tokens(all: &[Token], component: &Component, name: &str) -> Vec<Span> {
-    let own = simple(&component.name.text);
-    let used = |(index, token): &(usize, &Token)| {
-        let within = component.span.contains(token.name.span);
-        match before(&all[..*index]) {
-            Before::Path(path) => path == own || within && path == "Self",
-            Before::Dot(value) => within && value == "self" && all.get(index + 1).is_some_and(is_call),
-            Before::Other => false,
-        }
-    };
-    named(all, name).filter(used).map(|(_, token)| token.name.span).collect()
-}
-
-/// `Eye` of `Eye<320, 240>`
-fn simple(component: &str) -> &str {
-    component.split('<').next().unwrap_or(component).rsplit("::").next().unwrap_or(component).trim()
-}
-
-fn all_tokens(text: &str) -> Vec<Token> {
-    parse(text).map(|root| tokens(&root.tree)).unwrap_or_default()
-}
-
-fn named<'a>(all: &'a [Token], name: &'a str) -> impl Iterator<Item = (usize, &'a Token)> {
-    all.iter().enumerate().filter(move |(_, token)| token.kind == SyntaxKind::IDENT && token.name.text == name)
-}
-
-/// Whether a token can follow the name of a called function: `(` or `::<`.
-fn is_call(token: &Token) -> bool {
-    matches!(token.kind, T!['('] | T![:] | T![::])
-}
-
-/// What stands before a name.
-enum Before<'a> {
-    /// `Path::`
-    Path(&'a str),
-    /// `value.`
-    Dot(&'a str),
-    Other,
-}
-
-/// What ends with these tokens. Within a macro the colons of a path are two tokens, elsewhere one.
-fn before(tokens: &[Token]) -> Before<'_> {
-    match tokens {
-        [.., path, one, other] if one.kind == T![:] && other.kind == T![:] => Before::Path(&path.name.text),
-        [.., path, colons] if colons.kind == T![::] => Before::Path(&path.name.text),
-        [.., value, dot] if dot.kind == T![.] => Before::Dot(&value.name.text),
-        _ => Before::Other,
+/// Whether a name stands for the function; `None` if the text does not decide it.
+fn verdict(types: &Types<'_>, token: &SyntaxToken) -> Option<bool> {
+    let Some(before) = previous(token) else { return Some(false) };
+    let colons = before.kind() == T![::] || before.kind() == T![:] && previous(&before)?.kind() == T![:];
+    if colons {
+        // Within a macro the colons of a path are two tokens, elsewhere one.
+        let before = if before.kind() == T![:] { previous(&before)? } else { before };
+        return types.before_colons(&previous(&before)?);
     }
+    let is_call = next(token).is_some_and(|next| matches!(next.kind(), T!['('] | T![::] | T![:]));
+    if before.kind() == T![.] && is_call { types.of_receiver(&previous(&before)?) } else { Some(false) }
+}
+
+/// Paths to the function in a doc comment: `Self::name`, `Player::name`.
+fn in_docs<'a>(types: &Types<'_>, comment: &SyntaxToken, name: &'a str) -> Vec<(&'a str, Use)> {
+    let text = comment.text();
+    if !["///", "//!", "/**", "/*!"].iter().any(|mark| text.starts_with(mark)) {
+        return Vec::new();
+    }
+    let is_word = |one: char| one.is_alphanumeric() || one == '_';
+    let found = text.match_indices(name).filter(|(at, _)| {
+        let path = text[..*at].strip_suffix("::");
+        let path = path.and_then(|path| path.rsplit(|one: char| !is_word(one) && one != ':').next());
+        let ends = !text[at + name.len()..].starts_with(is_word);
+        ends && path
+            .is_some_and(|path| types.of_path(&path.split("::").collect::<Vec<_>>(), &comment.clone()) == Some(true))
+    });
+    let start = usize::from(comment.text_range().start());
+    found.map(|(at, _)| (name, Use { span: Span::new(start + at, start + at + name.len()), certain: true })).collect()
 }

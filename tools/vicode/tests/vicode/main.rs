@@ -14,4 +14,5 @@ mod machines;
 mod merging;
 mod random;
 mod reading;
+mod renaming;
 mod sources;

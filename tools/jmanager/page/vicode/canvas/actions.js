@@ -4,6 +4,7 @@ import { askForm, askName } from '../ask.js';
 import { freeName, parsed, stateKey } from '../machine.js';
 import { change, choose, chosen, chosenStates, component, list, locked, machine, move, opened, selection, wish } from '../sources.js';
 import { notify } from '../../lib/store.js';
+import { renameUsed } from '../rename.js';
 import { WIDTH } from './boxes.js';
 import { stage } from './stage.js';
 
@@ -92,7 +93,7 @@ export async function rename() {
   const to = await askName({ at, value: one.name, label: `New name of ${one.name}` });
   if (!to || to === one.name) return;
   wish([one.key.replace(`:${one.name}`, `:${to}`)]);
-  await change({ edit: 'rename', function: one.name, to });
+  await renameUsed(one.name, to);
 }
 
 /** Edits that delete what is selected: arrows first, then states. */

@@ -1,5 +1,6 @@
 // Parts of the inspector.
 
+import { renameUsed } from '../rename.js';
 import { html, useState } from '../../lib/dom.js';
 import { Field } from '../../lib/ui.js';
 import { addChild } from '../canvas/actions.js';
@@ -20,7 +21,7 @@ export function Docs({ text, onCommit }) {
 }
 
 /** The name of a function, that can be changed. */
-export const Name = ({ value, label = 'Name' }) => html`<${Field} value=${value} label=${label} spellcheck="false" onCommit=${(to) => to.trim() && change({ edit: 'rename', function: value, to: to.trim() })} />`;
+export const Name = ({ value, label = 'Name' }) => html`<${Field} value=${value} label=${label} spellcheck="false" onCommit=${(to) => to.trim() && renameUsed(value, to.trim())} />`;
 
 const KINDS = [['requirement', 'reads'], ['modulation', 'writes'], ['rate', 'sets rate']];
 

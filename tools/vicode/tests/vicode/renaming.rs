@@ -1,0 +1,74 @@
+//! Renaming: complete, or refused with the places that cannot be decided.
+
+use bica_vicode::{Target, read, uses};
+
+use crate::keeping::edited;
+
+/// A component `A` with code in another function.
+fn file(code: &str, items: &str) -> String {
+    format!(
+        "pub struct A {{ other: Other, same: Box<A> }}\n\n/// See [`A::one`].\n#[component]\nimpl A {{\n    \
+         #[state(initial, last)]\n    pub fn one(&mut self) {{}}\n\n    /// Not [`Other::one`], but [one](Self::one).\n    \
+         fn step_2(&mut self, k: &Self, ball: &Other) {{\n        {code}\n    }}\n}}\n\n{items}\n"
+    )
+}
+
+fn rename(text: &str) -> Result<String, String> {
+    edited(text, r#"{"edit": "rename", "component": "A", "function": "one", "to": "two"}"#)
+}
+
+#[test]
+fn all_uses_whose_type_is_known_are_renamed_and_namesakes_are_not() {
+    for (code, items) in [
+        ("(self).$(); (&mut *self).$(); self.$::<4>();", ""),
+        ("k.$(); let x: &A = k; x.$(); let y = A::new(); y.$(); A::new().$();", ""),
+        ("<Self>::$(self); <A>::$(self); Self::$(self); crate::A::$(self);", ""),
+        (
+            "Alias::$(self); Renamed::$(self); b::A::one();",
+            "type Alias = A;\nuse self::A as Renamed;\nmod b { pub struct A; }",
+        ),
+        ("ball.one(); self.other.one(); self.same.$(); 1.one(); Other::one(); Other::new().one();", ""),
+        ("println!(\"{}\", self.$(), k.$(), ball.one(), A::$());", ""),
+        (
+            "",
+            "mod other { pub struct A; impl A { fn one(&self) { self.one(); A::one(self); super::A::$(); } }\n fn f(a: &A) { a.one() } }",
+        ),
+        ("", "mod inner { use super::*;\n fn f(a: &A) { a.$(); A::$(a) } }"),
+        (
+            "",
+            "trait One { fn one(&self); }\nimpl One for Other { fn one(&self) { self.one() } }\nimpl A { fn g(&self) { self.$() } }",
+        ),
+    ] {
+        let text = file(&code.replace('$', "one"), &items.replace('$', "one"));
+        let expected = file(&code.replace('$', "two"), &items.replace('$', "two"));
+        let expected = expected.replacen("fn one", "fn two", 1).replace("[`A::one`]", "[`A::two`]");
+        let expected = expected.replace("(Self::one)", "(Self::two)");
+        assert_eq!(rename(&text).as_deref(), Ok(&*expected), "{code} {items}");
+    }
+}
+
+#[test]
+fn places_that_cannot_be_decided_are_listed_and_nothing_changes() {
+    for (code, lines) in [
+        ("for x in all() { x.one(); }", "line 11"),
+        ("let z = get();\n        z.one();\n        get().one();", "lines 12, 13"),
+        ("let k = get(); k.one();", "line 11"),
+        ("[1].map(|q| q.one());", "line 11"),
+        ("self.unknown.one();", "line 11"),
+    ] {
+        let message = rename(&file(code, "")).expect_err(code);
+        assert!(message.starts_with(&format!("{lines} may use `A::one`")), "{code}: {message}");
+    }
+}
+
+#[test]
+fn other_files_have_certain_and_undecided_uses_and_namesakes_leave_paths_undecided() {
+    let home = file("", "type Alias = A;");
+    let other = "use crate::home::{A, Alias};\nuse crate::else_where::B;\nfn f(a: &A, b: &B) { A::one(a); Alias::one(a); a.one(); b.one(); x().one(); }\n";
+    let certain = |has_namesakes| {
+        let target = Target::new(&home, &read(&home).components[0], has_namesakes);
+        uses(other, &target, "one", false).into_iter().map(|one| one.certain).collect::<Vec<_>>()
+    };
+    assert_eq!(certain(false), [true, true, true, false]);
+    assert_eq!(certain(true), [false, false, false, false]);
+}
