@@ -8,7 +8,7 @@ use bica_vicode::{Document, Edit, Folder, Refusal};
 
 use crate::abstraction::Abstract;
 use crate::files::scratch;
-use crate::machines::{BODIES, CHILDREN, CONDITIONS, machine};
+use crate::machines::{BODIES, CHILDREN, CONDITIONS, machine, namesakes};
 use crate::random::Random;
 use crate::sources;
 
@@ -22,7 +22,7 @@ pub(crate) fn edit(random: &mut Random, component: &Component, fresh: &mut usize
     let functions: Vec<String> = states.iter().chain(&transitions).chain(&hooks).cloned().chain(others).collect();
     let any =
         |random: &mut Random, of: &[String]| if of.is_empty() { "none".to_owned() } else { random.pick(of).clone() };
-    let component = component.name.text.clone();
+    let component = component.key.clone();
     *fresh += 1;
     let new = format!("new_{fresh}");
     let some = |random: &mut Random| {
@@ -118,14 +118,18 @@ fn touched(edit: &Edit) -> Vec<&str> {
 
 /// Functions that an edit has no reason to change have the same bytes as before.
 fn others_are_untouched(edit: &Edit, before: (&Component, &str), after: (&Component, &str)) {
+    if let Edit::Rename { function, to, .. } = edit {
+        let plain = |text: &str| text.replace("r#", "");
+        assert_eq!(plain(&after.1.replace(to, function)), plain(before.1), "{edit:?}");
+        return;
+    }
     let touched = touched(edit);
-    let moves_names = matches!(edit, Edit::Rename { .. } | Edit::Delete { .. });
+    let moves_names = matches!(edit, Edit::Delete { .. });
     let moves_initial = matches!(edit, Edit::SetInitial { .. } | Edit::AddState { initial: true, .. });
     for function in before.0.functions().filter(|function| !touched.contains(&&*function.name.text)) {
         let name = &function.name.text;
         let excused = moves_names && !before.0.states.iter().any(|state| state.function.name.text == *name)
-            || moves_initial && before.0.state(name).is_some_and(|state| state.initial)
-            || matches!(edit, Edit::Rename { .. }) && function.span.of(before.1).contains("self.");
+            || moves_initial && before.0.state(name).is_some_and(|state| state.initial);
         if excused {
             continue;
         }
@@ -133,7 +137,7 @@ fn others_are_untouched(edit: &Edit, before: (&Component, &str), after: (&Compon
         assert_eq!(same, Some(function.span.of(before.1)), "{edit:?}");
     }
     let imports = matches!(edit, Edit::AddChild { .. } | Edit::RemoveChild { .. });
-    if !imports && !matches!(edit, Edit::SetDocs { function: None, .. } | Edit::Rename { .. }) {
+    if !imports && !matches!(edit, Edit::SetDocs { function: None, .. }) {
         assert_eq!(before.1[..before.0.span.start], after.1[..after.0.span.start], "{edit:?}");
     }
     assert_eq!(before.1[before.0.span.end..], after.1[after.0.span.end..], "{edit:?}");
@@ -143,6 +147,9 @@ fn others_are_untouched(edit: &Edit, before: (&Component, &str), after: (&Compon
 fn step(document: &mut Document, random: &mut Random, fresh: &mut usize) -> bool {
     let before: Model = document.model().clone();
     let old = document.text().to_owned();
+    if before.components.is_empty() {
+        return false;
+    }
     let component = random.pick(&before.components).clone();
     let edit = edit(random, &component, fresh);
     let mut expected = Abstract::of(&component, &old);
@@ -150,7 +157,7 @@ fn step(document: &mut Document, random: &mut Random, fresh: &mut usize) -> bool
         Ok(change) => {
             let again = change.splices.iter().fold(old.clone(), |text, splices| bica_vicode::applied(&text, splices));
             assert_eq!(again, document.text());
-            let after = document.model().component(&component.name.text).expect("the component is still there");
+            let after = document.model().component(&component.key).expect("the component is still there");
             others_are_untouched(&edit, (&component, &old), (after, document.text()));
             expected.apply(&edit);
             assert_eq!(Abstract::of(after, document.text()), expected, "{edit:?}\n{old}\n-->\n{}", document.text());
@@ -171,10 +178,11 @@ fn sequences(count: u64, seed: u64) -> (usize, usize) {
     let (mut accepted, mut refused) = (0, 0);
     for number in 0..count {
         let mut random = Random::new(seed + number);
-        let text = match number % 4 {
+        let text = match number % 8 {
             0 => random.pick(&workspace).1.clone(),
             1 => machine(&mut random, false),
-            _ => machine(&mut random, true),
+            2..=4 => machine(&mut random, true),
+            _ => namesakes(&mut random),
         };
         let mut document = Document::new(&text);
         let (length, mut fresh) = (1 + random.below(20), 0);
@@ -200,11 +208,12 @@ fn random_edits_change_what_they_say_and_nothing_else() {
     assert!(accepted > refused, "{accepted} {refused}");
 }
 
+/// Six of eight files are hostile: 2,025.
 #[test]
 #[ignore = "long: `cargo xtask long` runs it"]
-fn long_two_thousand_sequences_of_edits_change_what_they_say_and_nothing_else() {
-    let (accepted, refused) = sequences(2000, 1_000_000);
-    println!("{accepted} edits accepted, {refused} refused");
+fn long_random_sequences_over_hostile_files_change_what_they_say_and_nothing_else() {
+    let (accepted, refused) = sequences(2700, 1_000_000);
+    println!("2700 sequences: {accepted} edits accepted, {refused} refused");
     assert!(accepted > refused, "{accepted} {refused}");
 }
 

@@ -30,17 +30,39 @@ pub(crate) const CONDITIONS: [&str; 5] =
 /// Makes a file.
 pub(crate) struct Maker<'a> {
     random: &'a mut Random,
-    newline: &'static str,
     hostile: bool,
     text: String,
 }
 
 /// A file with one machine `Machine`; without hostile formatting as rustfmt would write it.
 pub(crate) fn machine(random: &mut Random, hostile: bool) -> String {
-    let newline = if hostile && random.percent(40) { "\r\n" } else { "\n" };
-    let mut maker = Maker { random, newline, hostile, text: String::new() };
+    let mut maker = Maker { random, hostile, text: String::new() };
     maker.file();
-    if maker.newline == "\r\n" { maker.text.replace("\r\n", "\n").replace('\n', "\r\n") } else { maker.text }
+    let text = maker.text;
+    // Line ends of one kind, or of both.
+    let share = if hostile { *random.pick(&[0, 0, 50, 100]) } else { 0 };
+    text.split_inclusive('\n')
+        .map(|line| if random.percent(share) { line.replace('\n', "\r\n") } else { line.to_owned() })
+        .collect()
+}
+
+/// A hostile file with machines of one name, in modules and twice in one, whose braces may not match.
+pub(crate) fn namesakes(random: &mut Random) -> String {
+    let mut text = machine(random, true);
+    for module in ["inner", "deep { pub mod er"] {
+        let ends = "}".repeat(module.split('{').count());
+        let inner = machine(random, true).replace('\u{feff}', "").replace("//! A machine.", "");
+        write!(text, "mod {module} {{\n\tuse super::*;\n{inner}{ends}\n").unwrap();
+    }
+    text.push_str(random.pick::<&str>(&[
+        "",
+        "",
+        "fn broken( {",
+        "#[component]\nimpl Machine {\n    #[state(",
+        "}}",
+        "mod open {",
+    ]));
+    text
 }
 
 impl Maker<'_> {
@@ -70,7 +92,13 @@ impl Maker<'_> {
         let mut take = |random: &mut Random| names.remove(random.below(names.len()));
         let states: Vec<&str> = (0..2 + self.random.below(4)).map(|_| take(self.random)).collect();
         for (index, name) in states.iter().enumerate() {
-            let attribute = if index == 0 { "state(initial)" } else { "state" };
+            let attribute = match (index, self.hostile) {
+                (0, true) => {
+                    *self.random.pick(&["state(initial)", "state(/* first */ initial)", "state(initial // first\n\t)"])
+                }
+                (0, false) => "state(initial)",
+                _ => "state",
+            };
             let body = *self.random.pick(&BODIES);
             self.function(&[attribute.to_owned()], name, true, body);
         }
