@@ -13,7 +13,7 @@ import { Conflict } from '../vicode/conflict.js';
 import { Footer, Tools } from '../vicode/frame.js';
 import { writeLive } from '../vicode/live.js';
 import { marked } from '../vicode/problems.js';
-import { component, forget, list, machine, opened, openedFile, positions, selection } from '../vicode/sources.js';
+import { component, forget, isBroken, list, machine, opened, openedFile, positions, selection } from '../vicode/sources.js';
 import { place, stopKeys } from '../vicode/stops.js';
 
 const { view } = stage;
@@ -21,6 +21,7 @@ const { view } = stage;
 const MANY = 24;
 
 export function Designer({ visible, retitle }) {
+  const valid = useRef(null);
   const search = useSignal('');
   const name = component.value;
   useEffect(() => {
@@ -28,14 +29,18 @@ export function Designer({ visible, retitle }) {
   }, [name, opened.value?.file]);
   useEffect(() => (visible.value ? bindCanvasKeys() : undefined), [visible.value]);
   if (hello.value && !hello.value.source) return html`<${Empty} what="No folder of sources is open" help="Start the program with --source FOLDER to draw and edit the state machines in it." />`;
+  // While the text is no Rust, what it hides stays drawn, in grey.
   const own = machine.value;
+  const isHidden = isBroken.value && valid.current?.file === openedFile.value && valid.current.own.name === name && !(own?.states.length >= valid.current.own.states.length);
+  if (own && !isHidden) valid.current = { own, file: openedFile.value };
+  const drawn = isHidden ? valid.current.own : own;
   return html`<${Tools} search=${search} />
-    ${opened.value?.conflict ? html`<${Conflict} />` : own ? html`<${Canvas} machine=${own} search=${search} visible=${visible} />`
+    ${opened.value?.conflict ? html`<${Conflict} />` : drawn ? html`<${Canvas} machine=${drawn} isStale=${isHidden} search=${search} visible=${visible} />`
       : html`<${Empty} what=${opened.value ? `${opened.value.file} has no component` : 'No component is open'} help=${opened.value ? 'Its mistakes are listed below; the text is in the code panel.' : list.value?.length === 0 ? 'There is none below the folder of --source. Press “New…” for the first one.' : 'Choose one in Sources, or press “New…”.'} />`}
     <${Footer} />`;
 }
 
-function Canvas({ machine: own, search, visible }) {
+function Canvas({ machine: own, isStale, search, visible }) {
   const svg = useRef(null);
   const layer = useRef(null);
   /** Whether the focus is moved by the page, and not by a person. */
@@ -93,7 +98,7 @@ function Canvas({ machine: own, search, visible }) {
   useEffect(() => (visible.value && index >= 0 ? watch({ conditions: own.arrows.length > 0 ? [index] : [] }) : undefined), [visible.value, index, session.value?.id]);
 
   return html`<div class="machine-canvas fill">
-    <svg class=${`machine ${own.arrows.length > MANY && selection.value.length > 0 ? 'many' : ''}`} ref=${svg} tabindex="0" role="group" aria-label=${`States of ${own.name}`} onPointerDown=${press} onDblClick=${doubleClick} onFocusIn=${focused}>
+    <svg class=${`machine ${own.arrows.length > MANY && selection.value.length > 0 ? 'many' : ''} ${isStale ? 'stale' : ''}`} ref=${svg} tabindex="0" role="group" aria-label=${`States of ${own.name}`} onPointerDown=${press} onDblClick=${doubleClick} onFocusIn=${focused}>
       <${Tips} /><rect class="grid" width="100%" height="100%" fill="url(#grid)" />
       <g ref=${layer} data-layer="1"><${Drawn} ...${{ machine: own, chosen, found, stops: stopKeys.value }} /><${Sketch} /></g>
     </svg>

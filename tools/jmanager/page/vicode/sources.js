@@ -26,6 +26,9 @@ export const model = computed(() => opened.value?.model ?? null);
 /** Centres of all states of the file: [{component, state, x, y, placed}]. */
 export const positions = computed(() => opened.value?.positions ?? []);
 
+/** Whether the text is no Rust at present. */
+export const isBroken = computed(() => model.value?.problems.some(({ from }) => from === 'syntax') ?? false);
+
 export const offsets = computed(() => new Offsets(openedText.value));
 export const machine = computed(() => machineOf(model.value, component.value));
 /** What is selected last, as in the machine. */
@@ -278,7 +281,9 @@ function changed(message) {
 /** Keeps the selection; what was renamed elsewhere is found at its place in the list. */
 function follow(before) {
   const [old, now] = [machineOf(before.model, component.value), machine.value];
-  if (!now && old) {
+  if (!now) {
+    // A missing brace hides it for a while.
+    if (isBroken.value) return;
     const at = before.model.components.findIndex((one) => one.key === component.value);
     component.value = opened.value.model.components[at]?.key ?? opened.value.model.components[0]?.key ?? null;
     return;

@@ -82,7 +82,7 @@ export function courseOf(arrow, lane, box, boxes) {
     const [x, y] = [to.x + WIDTH / 2, to.y];
     const reach = LOOP + lane.index * 26;
     const half = 9 + lane.index * 6;
-    return { d: `M${x + 1} ${y - half}C${x + reach * 1.4} ${y - half - 12} ${x + reach * 1.4} ${y + half + 12} ${x + 7} ${y + half}`, label: [x + reach + 8, y - 2 + lane.index * 15], anchor: 'start', start: [x, y - half] };
+    return { d: `M${x + 1} ${y - half}C${x + reach * 1.4} ${y - half - 12} ${x + reach * 1.4} ${y + half + 12} ${x + 7} ${y + half}`, label: [x + reach + 8, y - 2 + lane.index * 30], anchor: 'start', start: [x, y - half] };
   }
   const from = box(arrow.from);
   const length = Math.hypot(to.x - from.x, to.y - from.y);

@@ -2,7 +2,7 @@
 
 import { html } from '../../lib/dom.js';
 import { WIDTH } from './boxes.js';
-import { stage, timerText } from './stage.js';
+import { labelWidth, stage, timerText } from './stage.js';
 
 const KIND = { requirement: 'reads', modulation: 'writes', rate: 'sets the rate of' };
 
@@ -47,6 +47,7 @@ const mark = (found) => (found === null ? '' : found ? 'found' : 'other');
 function Arrow({ arrow, chosen, near, found, stop }) {
   const course = stage.courses.get(arrow.key);
   const timer = timerText(arrow.after_ms);
+  const width = labelWidth(arrow);
   const name = `Transition ${arrow.name}: ${arrow.any ? 'any state' : arrow.from} to ${arrow.to}${timer && `, ${timer}`}`;
   return html`<g class=${flags('arrow', chosen && 'chosen', near && 'near', mark(found), arrow.any && 'any', arrow.after_ms !== null && 'timed', stop && 'stopped')} data-key=${arrow.key}
       role="button" tabindex="0" aria-label=${name} aria-pressed=${chosen}>
@@ -54,6 +55,7 @@ function Arrow({ arrow, chosen, near, found, stop }) {
     <circle class="stop" r="5" cx=${course.start[0]} cy=${course.start[1]} />
     <g class="label" transform=${`translate(${course.label[0].toFixed(1)} ${course.label[1].toFixed(1)})`} text-anchor=${course.anchor}>
       <title>${arrow.docs || name}</title>
+      <rect class="ground" x=${course.anchor === 'start' ? -4 : -width / 2} y="-8" width=${width} height="16" rx="3" />
       <text y="4">${arrow.any && html`<tspan class="dim">any · </tspan>`}${arrow.name}${timer && html`<tspan class="timer" dx="4">${timer}</tspan>`}</text>
       <text class="live" y="17"></text></g></g>`;
 }

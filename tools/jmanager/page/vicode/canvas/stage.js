@@ -6,7 +6,9 @@ import { Lifted } from './lifted.js';
 import { View } from './view.js';
 
 /** Places on a curve where its name may stand, the best first. */
-const ALONG = [0.5, 0.42, 0.58, 0.34, 0.66, 0.27, 0.73];
+const ALONG = [0.5, 0.42, 0.58, 0.34, 0.66, 0.27, 0.73, 0.2, 0.8, 0.14, 0.86];
+/** Least width that is kept free for the live text below a name, and the height of both, points. */
+const [LIVE, TALL] = [96, 30];
 
 const overlap = (a, b) => Math.max(0, Math.min(a.right, b.right) - Math.max(a.left, b.left)) * Math.max(0, Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top));
 /** The area of a rectangle that others cover. */
@@ -22,6 +24,12 @@ const boxRect = ({ x, y, height }) => ({ left: x - WIDTH / 2, right: x + WIDTH /
 
 /** A timer as it is written at an arrow. */
 export const timerText = (ms) => (ms === null ? '' : ms % 1000 === 0 ? `after ${ms / 1000} s` : `after ${ms} ms`);
+
+/** Width of an arrow's name with its timer. */
+export function labelWidth({ name, any, after_ms: after }) {
+  const timer = timerText(after);
+  return widthOf(name, 11.5) + (timer ? widthOf(` ${timer}`, 10.5) + 4 : 0) + (any ? widthOf('any · ', 10.5) : 0) + 8;
+}
 
 class Stage {
   constructor() {
@@ -64,9 +72,11 @@ class Stage {
     const taken = all.map(boxRect);
     for (const arrow of this.arrows) {
       const course = this.courses.get(arrow.key);
-      const timer = timerText(arrow.after_ms);
-      const width = widthOf(arrow.name, 11.5) + (timer ? widthOf(` ${timer}`, 10.5) : 0) + 8;
-      const rect = ([x, y]) => (course.anchor === 'start' ? { left: x, right: x + width, top: y - 9, bottom: y + 9 } : { left: x - width / 2, right: x + width / 2, top: y - 9, bottom: y + 9 });
+      const width = Math.max(labelWidth(arrow), LIVE);
+      const rect = ([x, y]) => {
+        const left = course.anchor === 'start' ? x : x - width / 2;
+        return { left, right: left + width, top: y - 9, bottom: y - 9 + TALL };
+      };
       if (course.control) {
         let least = Infinity;
         for (const t of ALONG) {

@@ -69,7 +69,8 @@ export class View {
   /** Zooms around a point of the window, relative to the canvas; else around its middle. */
   zoom(factor, x = this.width / 2, y = this.height / 2) {
     this.whole = false;
-    const k = Math.min(Math.max(this.k * factor, SMALLEST), LARGEST);
+    // A machine that was fitted may be drawn smaller.
+    const k = Math.min(Math.max(this.k * factor, Math.min(SMALLEST, this.k)), LARGEST);
     this.x = x - (x - this.x) * (k / this.k);
     this.y = y - (y - this.y) * (k / this.k);
     this.k = k;
@@ -81,7 +82,7 @@ export class View {
     const { width, height } = this;
     if (!width || !height) return;
     const all = bounds(boxes);
-    this.k = Math.min(Math.max(Math.min(width / all.width, height / all.height), SMALLEST), largest);
+    this.k = Math.min(width / all.width, height / all.height, largest);
     this.x = (width - all.width * this.k) / 2 - all.x * this.k;
     this.y = (height - all.height * this.k) / 2 - all.y * this.k;
     this.whole = true;

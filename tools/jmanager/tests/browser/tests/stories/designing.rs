@@ -135,6 +135,19 @@ async fn a_machine_is_drawn_from_a_blank_canvas_and_undone() {
     page.double_click((left + width / 2.0, top + 17.0)).await;
     page.find("textbox", "New name of kick", "").await;
     page.press("\u{e00c}").await;
+    // A comment that is not closed hides states: they stay drawn, in grey.
+    let typed = "const { edit, opened } = await import('/vicode/sources.js'); const at = opened.value.text.indexOf('fn kick'); \
+        await edit([{ edit: 'replace', span: [at, at], text: '/*' }])";
+    page.run(&format!("return (async () => {{ {typed} }})()"), vec![]).await;
+    page.until("the drawing is grey", "return document.querySelector('svg.machine.stale [data-state=kick]') !== null")
+        .await;
+    page.run("document.querySelector('svg.machine').focus()", vec![]).await;
+    page.control('z').await;
+    page.until(
+        "the drawing is clear",
+        "return document.querySelector('svg.machine:not(.stale) [data-state=kick]') !== null",
+    )
+    .await;
 
     // By keyboard: a state, a transition with a timer, a name, a child, and hooks in the inspector.
     focus(&page, "State kick").await;
