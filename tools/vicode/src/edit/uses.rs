@@ -35,7 +35,8 @@ impl Target {
         let name = component.name.text.split('<').next().unwrap_or_default();
         let name = name.rsplit("::").next().unwrap_or_default().trim().to_owned();
         let mut target = Self { names: vec![name], module: component.module.clone(), has_namesakes };
-        let root = parse(text);
+        // Without the word nothing has to be parsed.
+        let root = text.contains("type ").then(|| parse(text)).flatten();
         let aliases = root.iter().flat_map(|root| root.tree.descendants()).filter_map(ast::TypeAlias::cast);
         let is_item = |alias: &ast::TypeAlias| {
             alias.syntax().parent().is_some_and(|parent| parent.kind() != SyntaxKind::ASSOC_ITEM_LIST)
