@@ -5,6 +5,7 @@ mod cargo;
 mod commands;
 mod links;
 mod pages;
+mod prose;
 mod untested;
 
 use pages::Page;
@@ -32,6 +33,25 @@ fn every_command_is_accepted_by_the_program_that_it_starts() {
     }
     assert!(refused.is_empty(), "commands that do not work:\n{}", refused.join("\n"));
     assert!(checked > 40, "only {checked} commands were found: are the pages read?");
+}
+
+#[test]
+fn prose_keeps_its_width_and_words() {
+    let is_text = |line: &str| !line.starts_with('|');
+    let is_comment = |line: &str| line.trim_start().starts_with("//") && !line.contains("/// |");
+    let pages = Page::all().iter().flat_map(|page| prose::faults(page, is_text)).collect::<Vec<_>>();
+    let sources = prose::sources().iter().flat_map(|page| prose::faults(page, is_comment)).collect::<Vec<_>>();
+    assert!(pages.is_empty() && sources.is_empty(), "{}\n{}", pages.join("\n"), sources.join("\n"));
+}
+
+#[test]
+fn cited_tests_exist() {
+    let sources = prose::sources();
+    let exists = |name: &str| sources.iter().any(|source| source.text.contains(&format!("fn {name}(")));
+    let pages = Page::all();
+    let cited: Vec<&str> = pages.iter().flat_map(|page| prose::cited(&page.text)).collect();
+    let missing: Vec<_> = cited.iter().filter(|name| !exists(name)).collect();
+    assert!(missing.is_empty() && cited.len() > 20, "{} citations, without a test: {missing:?}", cited.len());
 }
 
 #[test]

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 /// Folders without pages of this repository: version control, build output, packages.
 const SKIPPED: [&str; 3] = [".git", "target", "node_modules"];
 
-/// Markdown file of the repository.
+/// Text file of the repository.
 pub(crate) struct Page {
     pub(crate) path: PathBuf,
     /// Path relative to the repository.
@@ -17,14 +17,11 @@ pub(crate) struct Page {
 impl Page {
     /// Reads all Markdown files of the repository, sorted by name.
     pub(crate) fn all() -> Vec<Self> {
-        let mut paths = Vec::new();
-        collect(&root(), &mut paths);
-        paths.sort();
-        paths.into_iter().map(Self::read).collect()
+        files("md").into_iter().map(Self::read).collect()
     }
 
-    fn read(path: PathBuf) -> Self {
-        let text = fs::read_to_string(&path).expect("a Markdown file is UTF-8");
+    pub(crate) fn read(path: PathBuf) -> Self {
+        let text = fs::read_to_string(&path).expect("the file is UTF-8");
         let name = path.strip_prefix(root()).expect("the file is in the repository").display().to_string();
         Self { path, name, text }
     }
@@ -36,12 +33,20 @@ pub(crate) fn root() -> PathBuf {
     folder.to_path_buf()
 }
 
-fn collect(folder: &Path, paths: &mut Vec<PathBuf>) {
+/// Returns the files of the repository with an extension, sorted by path.
+pub(crate) fn files(extension: &str) -> Vec<PathBuf> {
+    let mut paths = Vec::new();
+    collect(&root(), extension, &mut paths);
+    paths.sort();
+    paths
+}
+
+fn collect(folder: &Path, extension: &str, paths: &mut Vec<PathBuf>) {
     for entry in fs::read_dir(folder).expect("a readable folder").map(|entry| entry.expect("a readable entry")) {
         let (path, name) = (entry.path(), entry.file_name());
         if path.is_dir() && !SKIPPED.iter().any(|skipped| name == *skipped) {
-            collect(&path, paths);
-        } else if path.extension().is_some_and(|extension| extension == "md") {
+            collect(&path, extension, paths);
+        } else if path.extension().is_some_and(|found| found == extension) {
             paths.push(path);
         }
     }

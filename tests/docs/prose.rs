@@ -1,0 +1,46 @@
+//! Rules for prose: its width, its words, and the tests that it cites.
+
+use crate::pages::{Page, files};
+
+/// Longest line of prose, in characters.
+const WIDTH: usize = 140;
+/// Words that are no English.
+const BANNED: [&str; 3] = ["an information", "informations", "of an other"];
+
+/// Returns each line of prose that is too long or has a banned word; `is_prose` tells the lines to check.
+pub(crate) fn faults(page: &Page, is_prose: impl Fn(&str) -> bool) -> Vec<String> {
+    let mut is_code = false;
+    let lines = page.text.lines().enumerate().filter(|(_, line)| {
+        let is_fence = line.trim_start().starts_with("```");
+        is_code ^= is_fence;
+        !is_code && !is_fence && is_prose(line)
+    });
+    let faults = lines.flat_map(|(index, line)| {
+        let width = line.chars().count();
+        let long = (width > WIDTH && !line.contains("://")).then(|| format!("{width} characters, at most {WIDTH}"));
+        let lower = line.to_lowercase();
+        let banned = BANNED.iter().filter(move |word| lower.contains(*word)).map(|word| format!("`{word}`"));
+        long.into_iter().chain(banned).map(move |fault| format!("{}:{}: {fault}", page.name, index + 1))
+    });
+    faults.collect()
+}
+
+/// Returns the names of tests that a page cites, as `file::name_of_the_test`.
+pub(crate) fn cited(text: &str) -> impl Iterator<Item = &str> {
+    let code = text.split('`').skip(1).step_by(2);
+    code.filter_map(|code| code.rsplit_once("::")).map(|(_, name)| name).filter(|name| name.matches('_').count() > 2)
+}
+
+/// Reads all Rust files of the repository.
+pub(crate) fn sources() -> Vec<Page> {
+    files("rs").into_iter().map(Page::read).collect()
+}
+
+#[test]
+fn long_lines_banned_words_and_citations_are_found() {
+    let text = format!("An information.\n| {} |\n```\n{}\n```\n{}\n", "a".repeat(200), "b".repeat(200), "c".repeat(141));
+    let page = Page { path: "x.md".into(), name: "x.md".into(), text };
+    let found = faults(&page, |line| !line.starts_with('|'));
+    assert_eq!(found, ["x.md:1: `an information`", "x.md:6: 141 characters, at most 140"]);
+    assert_eq!(cited("Of `a::b_c_d_e`, `a::b`, `x`.").collect::<Vec<_>>(), ["b_c_d_e"]);
+}
