@@ -99,7 +99,10 @@ fn parse<P: Parser>(program: &str, words: &[&str]) -> Result<(), Refusal> {
     match P::try_parse_from([program].iter().chain(words)) {
         Err(error) if error.use_stderr() => Err(Refusal {
             reason: error.to_string().lines().next().unwrap_or_default().to_owned(),
-            is_incomplete: error.kind() == ErrorKind::MissingRequiredArgument,
+            is_incomplete: matches!(
+                error.kind(),
+                ErrorKind::MissingRequiredArgument | ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand
+            ),
         }),
         _ => Ok(()),
     }
@@ -159,8 +162,9 @@ mod tests {
     #[test]
     fn a_mentioned_command_may_be_incomplete_and_a_shown_one_must_not() {
         let workspace = Workspace::read();
-        let mentioned = Shown { is_mentioned: true, ..shown("player see") };
-        assert_eq!(check(&mentioned, &workspace), Ok(()));
+        for text in ["player see", "player record"] {
+            assert_eq!(check(&Shown { is_mentioned: true, ..shown(text) }, &workspace), Ok(()));
+        }
         assert!(check(&shown("player see"), &workspace).is_err());
         let wrong = Shown { is_mentioned: true, ..shown("player seee") };
         assert!(check(&wrong, &workspace).is_err());

@@ -12,7 +12,7 @@ use pages::Page;
 
 #[test]
 fn every_relative_link_leads_to_a_file_and_a_heading() {
-    let pages = Page::all();
+    let pages = Page::read_all("md");
     let broken: Vec<String> = pages.iter().flat_map(links::broken).collect();
     assert!(broken.is_empty(), "broken links:\n{}", broken.join("\n"));
     let checked: usize = pages.iter().map(|page| links::of(&page.text).count()).sum();
@@ -23,7 +23,7 @@ fn every_relative_link_leads_to_a_file_and_a_heading() {
 fn every_command_is_accepted_by_the_program_that_it_starts() {
     let workspace = cargo::Workspace::read();
     let (mut refused, mut checked) = (Vec::new(), 0);
-    for page in Page::all() {
+    for page in Page::read_all("md") {
         for command in commands::of(&page.text) {
             checked += 1;
             if let Err(error) = commands::check(&command, &workspace) {
@@ -39,16 +39,16 @@ fn every_command_is_accepted_by_the_program_that_it_starts() {
 fn prose_keeps_its_width_and_words() {
     let is_text = |line: &str| !line.starts_with('|');
     let is_comment = |line: &str| line.trim_start().starts_with("//") && !line.contains("/// |");
-    let pages = Page::all().iter().flat_map(|page| prose::faults(page, is_text)).collect::<Vec<_>>();
-    let sources = prose::sources().iter().flat_map(|page| prose::faults(page, is_comment)).collect::<Vec<_>>();
+    let pages = Page::read_all("md").iter().flat_map(|page| prose::faults(page, is_text)).collect::<Vec<_>>();
+    let sources = Page::read_all("rs").iter().flat_map(|page| prose::faults(page, is_comment)).collect::<Vec<_>>();
     assert!(pages.is_empty() && sources.is_empty(), "{}\n{}", pages.join("\n"), sources.join("\n"));
 }
 
 #[test]
 fn cited_tests_exist() {
-    let sources = prose::sources();
+    let sources = Page::read_all("rs");
     let exists = |name: &str| sources.iter().any(|source| source.text.contains(&format!("fn {name}(")));
-    let pages = Page::all();
+    let pages = Page::read_all("md");
     let cited: Vec<&str> = pages.iter().flat_map(|page| prose::cited(&page.text)).collect();
     let missing: Vec<_> = cited.iter().filter(|name| !exists(name)).collect();
     assert!(missing.is_empty() && cited.len() > 20, "{} citations, without a test: {missing:?}", cited.len());

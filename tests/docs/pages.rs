@@ -15,12 +15,12 @@ pub(crate) struct Page {
 }
 
 impl Page {
-    /// Reads all Markdown files of the repository, sorted by name.
-    pub(crate) fn all() -> Vec<Self> {
-        files("md").into_iter().map(Self::read).collect()
+    /// Reads all files of the repository with an extension, sorted by name.
+    pub(crate) fn read_all(extension: &str) -> Vec<Self> {
+        files(&root(), extension).into_iter().map(Self::read).collect()
     }
 
-    pub(crate) fn read(path: PathBuf) -> Self {
+    fn read(path: PathBuf) -> Self {
         let text = fs::read_to_string(&path).expect("the file is UTF-8");
         let name = path.strip_prefix(root()).expect("the file is in the repository").display().to_string();
         Self { path, name, text }
@@ -33,10 +33,10 @@ pub(crate) fn root() -> PathBuf {
     folder.to_path_buf()
 }
 
-/// Returns the files of the repository with an extension, sorted by path.
-pub(crate) fn files(extension: &str) -> Vec<PathBuf> {
+/// Returns the files with an extension in a folder and below it, sorted by path.
+pub(crate) fn files(folder: &Path, extension: &str) -> Vec<PathBuf> {
     let mut paths = Vec::new();
-    collect(&root(), extension, &mut paths);
+    collect(folder, extension, &mut paths);
     paths.sort();
     paths
 }

@@ -1,9 +1,11 @@
 //! Targets that `cargo test` builds no test program for, because their manifest says `test = false`.
 
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use serde_json::Value;
+
+use crate::pages::files;
 
 /// Returns the source files of such targets that contain tests, which would never run.
 pub(crate) fn with_tests(packages: &[Value]) -> Vec<PathBuf> {
@@ -15,7 +17,7 @@ pub(crate) fn with_tests(packages: &[Value]) -> Vec<PathBuf> {
         untested.flat_map(move |target| {
             let root = PathBuf::from(target["src_path"].as_str().expect("a path"));
             // The other files of a program with a library are the library's.
-            if has_library && is(target, "bin") { vec![root] } else { sources(root.parent().expect("a folder")) }
+            if has_library && is(target, "bin") { vec![root] } else { files(root.parent().expect("a folder"), "rs") }
         })
     });
     files.filter(|file| has_test(&fs::read_to_string(file).expect("a source file"))).collect()
@@ -27,7 +29,7 @@ pub(crate) fn with_examples(packages: &[Value]) -> Vec<PathBuf> {
     let undocumented = targets.filter(|target| is_library(target) && target["doctest"] == false);
     let files = undocumented.flat_map(|target| {
         let root = PathBuf::from(target["src_path"].as_str().expect("a path"));
-        sources(root.parent().expect("a folder"))
+        files(root.parent().expect("a folder"), "rs")
     });
     files.filter(|file| has_example(&fs::read_to_string(file).expect("a source file"))).collect()
 }
@@ -48,14 +50,6 @@ fn is(target: &Value, kind: &str) -> bool {
 
 fn is_library(target: &Value) -> bool {
     is(target, "lib") || is(target, "proc-macro")
-}
-
-/// Returns the Rust files of a folder and those below it.
-fn sources(folder: &Path) -> Vec<PathBuf> {
-    let entries = fs::read_dir(folder).expect("a folder").map(|entry| entry.expect("an entry").path());
-    let (folders, files): (Vec<_>, Vec<_>) = entries.partition(|path| path.is_dir());
-    let files = files.into_iter().filter(|path| path.extension().is_some_and(|extension| extension == "rs"));
-    files.chain(folders.iter().flat_map(|folder| sources(folder))).collect()
 }
 
 /// Whether a source contains a test; text in macros, which expands elsewhere, does not begin a line with the attribute.

@@ -6,13 +6,16 @@ use clap::ValueEnum;
 
 use crate::cli::{Budget, Ci, Firmware};
 use crate::process::run;
-use crate::{browser, deny, firmware, instructions, miri, mujoco, no_std, peers, publish, slow_tests, viewers};
+use crate::{
+    browser, deny, firmware, instructions, miri, mujoco, no_std, peers, publish, slow_tests, spelling, viewers,
+};
 
 /// Step of CI, in its order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Step {
     Format,
     Lints,
+    /// References of the crates, and the spelling of all texts
     Docs,
     Tests,
     /// Packages each public crate and builds it from its package
@@ -45,6 +48,7 @@ impl Step {
     /// Installs the tool that the step needs.
     fn install(self) -> Result<(), String> {
         match self {
+            Self::Docs => spelling::install().map(drop),
             Self::Deny => deny::install().map(drop),
             Self::Advisories => deny::fetch_advisories(),
             Self::Viewers => viewers::install().map(drop),
@@ -63,7 +67,7 @@ impl Step {
         match self {
             Self::Format => format(),
             Self::Lints => run("cargo", &["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"], &[]),
-            Self::Docs => run("cargo", &["doc", "--workspace", "--no-deps"], &[("RUSTDOCFLAGS", "-D warnings")]),
+            Self::Docs => docs(),
             Self::Tests => tests(),
             Self::Publish => publish::check(),
             Self::Deny => deny::check(),
@@ -85,6 +89,12 @@ impl Step {
 fn format() -> Result<(), String> {
     run("cargo", &["fmt", "--all", "--check"], &[])?;
     run("cargo", &["fmt", "--all", "--check", browser::MANIFEST[0], browser::MANIFEST[1]], &[])
+}
+
+/// Checks the spelling, and builds the references of all crates.
+fn docs() -> Result<(), String> {
+    spelling::check()?;
+    run("cargo", &["doc", "--workspace", "--no-deps"], &[("RUSTDOCFLAGS", "-D warnings")])
 }
 
 /// Runs all tests but those that need what a clone does not have, or an idle machine.

@@ -17,6 +17,7 @@ mod peers;
 mod process;
 mod publish;
 mod slow_tests;
+mod spelling;
 mod stress;
 mod viewers;
 
