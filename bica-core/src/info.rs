@@ -40,7 +40,7 @@
 //! assert_eq!(&bytes.0[..bytes.1], 1.25_f32.to_le_bytes());
 //! ```
 
-/// Description of an information.
+/// Description of an output.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Info {
     /// The getter's name.
@@ -67,7 +67,7 @@ pub trait Information {}
 #[cfg(not(feature = "info"))]
 impl<V: ?Sized> Information for V {}
 
-/// Takes the value of an information.
+/// Takes the value of an output.
 pub trait InfoSink {
     /// Takes the value. Its schema is `V::SCHEMA` of `postcard_schema::Schema`.
     fn take<V: Information>(&mut self, value: &V);

@@ -17,7 +17,7 @@
 //! Rust. Indices and numbers are numbers, `None` is `null`, and so is a number that JSON has no way to write (infinite,
 //! NaN). `kind` of a link is `"requirement"` or `"modulation"`.
 //!
-//! An information has `name`, `doc`, `unit` and `type`; a modulation `name`, `doc` and `arguments`, described as parameters.
+//! An output has `name`, `doc`, `unit` and `type`; a modulation `name`, `doc` and `arguments`, described as parameters.
 //!
 //! A parameter has `name`, `doc`, `unit`, `kind` ([`Kind::name`](crate::params::Kind::name)), for numbers `min`, `max` and
 //! `step`, for a choice `variants` (`name`, `doc`), and `default`: a number, `true` or `false`, or the name of a variant.

@@ -192,8 +192,8 @@ pub trait Tree: Layout {
         (0..Self::COUNT).map(ComponentId::new).filter(|&component| self.is_active(component))
     }
 
-    /// Returns the state of a state machine, an index in [`Node::states`](crate::graph::Node::states); for a latent one the state in which it became
-    /// latent.
+    /// Returns the state of a state machine, an index in [`Node::states`](crate::graph::Node::states); for a latent one
+    /// the state in which it became latent.
     ///
     /// `None` for a component that has no states or was never active.
     fn state(&self, component: ComponentId) -> Option<usize> {

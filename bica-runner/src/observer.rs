@@ -10,10 +10,10 @@ use crate::schedule::Overrun;
 /// Receives every input and output of a loop, for example for a recording, a monitor or a measurement.
 ///
 /// An observer is a [`Probe`] too, so it also receives the events within the tick. The calls of one cycle have this
-/// order: [`requested`](Self::requested) or [`refused`](Self::refused) for each request, [`sensing`](Self::sensing), [`sensed`](Self::sensed), those
-/// of the probe from `cycle_begin` to `cycle_end`, [`acted`](Self::acted). An observer that measures time reads its
-/// clock in these calls. Methods with their default implementation cost nothing. `()` observes nothing; a pair `(A, B)`
-/// is two observers.
+/// order: [`requested`](Self::requested) or [`refused`](Self::refused) for each request, [`sensing`](Self::sensing),
+/// [`sensed`](Self::sensed), those of the probe from `cycle_begin` to `cycle_end`, [`acted`](Self::acted). An observer
+/// that measures time reads its clock in these calls. Methods with their default implementation cost nothing. `()`
+/// observes nothing; a pair `(A, B)` is two observers.
 #[expect(unused_variables, reason = "the names of the arguments are documentation")]
 pub trait Observer<R: Robot>: Probe {
     /// Called after a request was applied, before the cycle at `now`.

@@ -1,7 +1,8 @@
 //! The robot's own body in the image.
 //!
-//! Chest, shoulders, arms, legs and feet are capsules: line segments with a radius, see [`RobotModel::BODY_SHAPE`]. A pixel shows the body if its ray
-//! meets a capsule. This is exact for parts close to the camera and at the image edge, where projected circles are not.
+//! Chest, shoulders, arms, legs and feet are capsules: line segments with a radius, see [`RobotModel::BODY_SHAPE`]. A
+//! pixel shows the body if its ray meets a capsule. This is exact for parts close to the camera and at the image edge,
+//! where projected circles are not.
 //!
 //! Cost: 1 µs for the capsules of an image, 0.1 µs for a pixel.
 

@@ -13,7 +13,8 @@ const EXPORTED: [&str; 6] =
 /// Number of files that are written again: compressions, with chunks or not, with checksums or not.
 const REWRITTEN: usize = 12;
 
-/// Records and exports a game and reads both files; replays what MCAP's library makes of the recording. `features` are those with which the program is built.
+/// Records and exports a game and reads both files; replays what MCAP's library makes of the recording. `features` are
+/// those with which the program is built.
 ///
 /// # Errors
 /// If an installation fails or a file cannot be read.

@@ -118,7 +118,7 @@ pub trait MemberOf<T: Layout>: Component {
     #[inline]
     fn stop<P: Probe>(_: &mut Cycle<'_, T, P>) {}
 
-    /// Hands an information to a sink; returns whether there is one of that index.
+    /// Hands an output to a sink; returns whether there is one of that index.
     fn read_info<S: InfoSink>(_tree: &T, _index: usize, _sink: &mut S) -> bool {
         false
     }

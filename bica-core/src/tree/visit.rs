@@ -91,8 +91,9 @@ macro_rules! __visit_functions {
     };
 }
 
-/// Calls `MemberOf::pass` or `MemberOf::pass_steady` of the component. The function in between knows of the component only that a tree holds it: if
-/// a child is not listed, the compiler reports that once, at the list, and not again for every call.
+/// Calls `MemberOf::pass` or `MemberOf::pass_steady` of the component. The function in between knows of the component
+/// only that a tree holds it: if a child is not listed, the compiler reports that once, at the list, and not again for
+/// every call.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __pass {

@@ -103,7 +103,7 @@ pub enum GraphItem<'a> {
         /// Name.
         name: &'a str,
     },
-    /// An information of a component.
+    /// An output of a component.
     Info {
         /// Index of the component.
         component: u16,

@@ -99,7 +99,7 @@ pub enum FromMonitor {
     Attach,
     /// Sets how often snapshots are sent.
     Watch(Watch),
-    /// Sets how often an information is sent.
+    /// Sets how often an output is sent.
     WatchInfo(WatchInfo),
     /// Requests the current values of all parameters.
     ReadParams,
@@ -123,7 +123,7 @@ pub enum ToMonitor<'a> {
     /// A value of information.
     #[serde(borrow)]
     Info(InfoValue<'a>),
-    /// A part of the schema of an information.
+    /// A part of the schema of an output.
     #[serde(borrow)]
     InfoSchema(InfoSchema<'a>),
     /// Current values of parameters: the answer to [`FromMonitor::ReadParams`], and sent to every monitor after a change.

@@ -42,7 +42,7 @@ pub struct Watch {
     pub every: u16,
 }
 
-/// How often an information is sent to this monitor.
+/// How often an output is sent to this monitor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, Schema)]
 pub struct WatchInfo {
     /// Index of the component.
@@ -105,7 +105,7 @@ pub struct InfoValue<'a> {
     pub bytes: Option<&'a [u8]>,
 }
 
-/// A part of the schema of an information, sent before its first value: a `NamedType` of postcard-schema in postcard's
+/// A part of the schema of an output, sent before its first value: a `NamedType` of postcard-schema in postcard's
 /// format.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, Schema)]
 pub struct InfoSchema<'a> {

@@ -61,7 +61,8 @@ fn main() -> ExitCode {
     }
 }
 
-/// Runs all tests of an image without the server for monitors; `bless` commits the instruction counts of this game instead of comparing them.
+/// Runs all tests of an image without the server for monitors; `bless` commits the instruction counts of this game
+/// instead of comparing them.
 fn test(image: &Path, figures: &Path, bless: bool) -> Result<(), Box<dyn Error>> {
     limit_time();
     let frame = session::frame(image)?;

@@ -22,7 +22,7 @@ use crate::shots::{self, Attempt, Plan};
 use crate::skills::START;
 use crate::story::Story;
 
-/// Level of an information in the log of a link.
+/// Level of informative lines in the log of a link.
 const INFORMATION: u8 = 2;
 /// Additional time before a shot in which the goalkeeper finds the next ball.
 const SEARCH: Duration = Duration::from_secs(8);

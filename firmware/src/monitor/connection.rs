@@ -154,7 +154,7 @@ impl Connection {
         (self.schema_offset, self.next_info) = (0, 0);
     }
 
-    /// Changes how often an information is sent.
+    /// Changes how often an output is sent.
     pub(super) fn watch(&mut self, WatchInfo { component, info, every }: WatchInfo) {
         let (Ok(component), Ok(info)) = (u8::try_from(component), u8::try_from(info)) else { return };
         let same = |watched: &&mut Watched| (watched.component, watched.info) == (component, info);

@@ -1,8 +1,11 @@
 //! Quality of self-localization: the robot starts at a random pose and looks around for ten seconds.
 //!
-//! `cargo run --release -p bica-evaluation --example localize -- --games 100 [--robots 4] [--seed 0] [--kidnap 1]
-//! [--width 160]` prints the failures and the statistics. The width is that of the images, px: 160, 320 or 640. With `--kidnap 1` the robot is moved to another pose after the ten seconds, and the
-//! estimate is judged ten seconds later.
+//! ```text
+//! cargo run --release -p bica-evaluation --example localize -- --games 100 [--robots 4] [--seed 0] [--kidnap 1] [--width 160]
+//! ```
+//!
+//! The program prints the failures and the statistics. `--width` is the width of the images, px: 160, 320 or 640. With
+//! `--kidnap 1` the robot is moved to another pose after ten seconds, and the estimate is judged ten seconds later.
 
 #[path = "../tests/support/lookout.rs"]
 mod lookout;

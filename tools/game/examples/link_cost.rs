@@ -1,8 +1,9 @@
 //! Cost of monitors for the loop, and delay of requests.
 //!
-//! `cargo run --release -p bica-game --example link_cost -- [SECONDS]`: the forward at 100 Hz in real time, with no monitor, with one that watches
-//! the states of all components in each cycle, with one and with 20 that watch all information too, in one run. One more sets a
-//! parameter ten times a second. The printed time is what the link's two halves take in a cycle.
+//! `cargo run --release -p bica-game --example link_cost -- [SECONDS]`: the forward at 100 Hz in real time, with no
+//! monitor, with one that watches the states of all components in each cycle, with one and with 20 that watch all
+//! information too, in one run. One more sets a parameter ten times a second. The printed time is what the link's two
+//! halves take in a cycle.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};

@@ -18,7 +18,7 @@ use crate::event::EventRecord;
 use crate::firmware::FirmwareCheck;
 use crate::rules::Rules;
 
-/// Level of an information in the log of a link.
+/// Level of informative lines in the log of a link.
 const INFORMATION: u8 = 2;
 
 /// Where and how a game is served to monitors.

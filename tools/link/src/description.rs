@@ -166,7 +166,7 @@ pub struct Variant {
     pub doc: String,
 }
 
-/// An information.
+/// An output.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Info {
     /// Name.
@@ -275,7 +275,7 @@ impl Description {
         self.member(path, "parameter", |component| component.params.iter().map(|param| param.name.as_str()).collect())
     }
 
-    /// Finds an information by `Component.name`: the indices of the component and of the information.
+    /// Finds an output by `Component.name`: the indices of component and output.
     ///
     /// # Errors
     /// [`Error::Unknown`], with similar names.

@@ -121,7 +121,7 @@ pub struct ComponentInfo {
     pub modulations: Vec<String>,
 }
 
-/// An information of a recorded tree.
+/// An output of a recorded tree.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct InformationInfo {
     /// Name.

@@ -45,7 +45,7 @@ impl InformationValue {
 }
 
 impl InformationInfo {
-    /// An information whose values are recorded as JSON text.
+    /// An output whose values are recorded as JSON text.
     pub(crate) fn in_json(name: &str, unit: Option<&str>) -> Self {
         let schema = OwnedNamedType { name: JSON.to_owned(), ty: OwnedDataModelType::String };
         Self { name: name.to_owned(), unit: unit.map(str::to_owned), schema: Some(schema) }
@@ -95,7 +95,7 @@ impl InfoSink for SchemaOf {
     }
 }
 
-/// Returns the schema of an information.
+/// Returns the schema of an output.
 pub(crate) fn schema<T: Tree>(tree: &T, component: ComponentId, index: usize) -> Option<OwnedNamedType> {
     let mut schema = SchemaOf(None);
     tree.read_info(component, index, &mut schema);

@@ -35,8 +35,8 @@ pub enum Request {
         /// What.
         watch: Watch,
     },
-    /// Reads the state at a time: of the last cycle that is not later. [[`Moment`](super::Moment); if `image`, a binary frame with this `id`
-    /// comes before the answer]
+    /// Reads the state at a time: of the last cycle that is not later. [[`Moment`](super::Moment); if `image`, a binary
+    /// frame with this `id` comes before the answer]
     At {
         /// Session.
         session: SessionId,
@@ -58,7 +58,7 @@ pub enum Request {
         /// Bars and gaps shorter than this may be merged, µs.
         resolution_us: u64,
     },
-    /// Reads samples of an information or of a parameter-like number, thinned to at most `points`. [list of `[time_us, value]`]
+    /// Reads samples of an output or of a parameter-like number, thinned to at most `points`. [list of `[time_us, value]`]
     Series {
         /// Session.
         session: SessionId,

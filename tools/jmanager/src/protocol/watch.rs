@@ -18,7 +18,7 @@ pub struct Watch {
     pub truth: bool,
 }
 
-/// An information to watch.
+/// An output to watch.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct WatchInfo {

@@ -1,8 +1,9 @@
 //! Sources below one folder, edited by pages.
 //!
-//! [`Editor`] has one [`Document`](bica_vicode::Document) for each open file, shared by all pages: canvas and code of all of them are views of
-//! one text with one history. The files on disk are watched; what other programs write there is merged, and nothing is
-//! overwritten. With `--build` the compiler checks what was saved, and the program is built and run.
+//! [`Editor`] has one [`Document`](bica_vicode::Document) for each open file, shared by all pages: canvas and code of
+//! all of them are views of one text with one history. The files on disk are watched; what other programs write there
+//! is merged, and nothing is overwritten. With `--build` the compiler checks what was saved, and the program is built
+//! and run.
 
 mod cargo;
 mod check;

@@ -179,7 +179,7 @@ impl Client {
         self.send(&FromMonitor::Watch(Watch { every }))
     }
 
-    /// Watches an information in every n-th cycle; 0 ends it.
+    /// Watches an output in every n-th cycle; 0 ends it.
     ///
     /// # Errors
     /// [`Error::Disconnected`].

@@ -59,7 +59,7 @@ impl CycleData {
         self.snapshot.is_empty() && self.readings.is_empty() && self.extras.is_empty()
     }
 
-    /// Reads an information.
+    /// Reads an output.
     pub(super) fn read<T: Tree>(&mut self, tree: &T, component: u16, info: u16) {
         // The room bounds the time that a large value takes.
         if self.bytes.len() < self.used + MAX_INFO_BYTES {
@@ -139,7 +139,7 @@ impl Encoded {
 #[derive(Debug)]
 struct EncodedReading {
     key: Key,
-    /// Of an information; none for what has messages of its own.
+    /// Of an output; none for what has messages of its own.
     schema: Option<&'static NamedType>,
     /// Places of its messages.
     places: Vec<Range<usize>>,

@@ -5,7 +5,7 @@ use bica_wire::message::{COSTS_CYCLES, ExtraKind, WatchInfo};
 /// What a monitor watches besides states and images.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Key {
-    /// An information: component and index.
+    /// An output: component and index.
     Info(u16, u16),
     /// The conditions of a component.
     Conditions(u16),

@@ -59,8 +59,9 @@ pub struct ServerOptions {
     /// Whether all monitors may only watch: nobody gets the lease.
     pub watch_only: bool,
     /// What the program of the robot offers: [`Offers::PAUSE`] if its loop asks [`LinkRequests::begins_cycle`], [`Offers::TRUTH`]
-    /// if it calls [`LinkObserver::truth`], [`Offers::BALL`] if it asks [`LinkRequests::next_ball`], [`Offers::IMAGES`] with [`LinkObserver::with_images`]. The server adds what it
-    /// offers itself. A world that can be paused measures silence by the clock of this computer.
+    /// if it calls [`LinkObserver::truth`], [`Offers::BALL`] if it asks [`LinkRequests::next_ball`], [`Offers::IMAGES`]
+    /// with [`LinkObserver::with_images`]. The server adds what it offers itself. A world that can be paused measures
+    /// silence by the clock of this computer.
     pub offers: Offers,
 }
 

@@ -64,8 +64,8 @@ impl<R: Robot> LinkObserver<R> {
         Self { owner_of: Some(Box::new(owner_of)), ..self }
     }
 
-    /// Whether anybody is to get the true state of the world; then [`truth`](Self::truth) is called, after each cycle and, in a world that can
-    /// be paused, after each [`Runner::apply_requests`](bica::runner::Runner::apply_requests).
+    /// Whether anybody is to get the true state of the world; then [`truth`](Self::truth) is called, after each cycle
+    /// and, in a world that can be paused, after each [`Runner::apply_requests`](bica::runner::Runner::apply_requests).
     #[must_use]
     pub fn wants_truth(&self) -> bool {
         let control = lock(&self.control);

@@ -6,7 +6,7 @@ use crate::header::{InformationInfo, TreeInfo};
 use crate::information::InformationValue;
 use crate::mcap::{ChannelRecord, SchemaRecord};
 
-/// Topic of an information.
+/// Topic of an output.
 pub(super) struct InformationTopic {
     /// Number of the channel.
     pub(super) id: u16,

@@ -131,8 +131,8 @@ fn identifier(name: &str) -> String {
 }
 
 /// Writes a recording in standard schemas: camera images (`foxglove.RawImage`), events, requests, decisions and log lines
-/// (`foxglove.Log`), one message with named numbers for sensor values, commands, tree and costs, and JSON for information. A cut or damaged file
-/// is exported up to there.
+/// (`foxglove.Log`), one message with named numbers for sensor values, commands, tree and costs, and JSON for
+/// information. A cut or damaged file is exported up to there.
 ///
 /// # Errors
 /// If the source is no recording or the target cannot be written.

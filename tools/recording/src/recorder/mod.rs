@@ -73,7 +73,8 @@ pub struct Report {
 ///
 /// The loop copies the values of a cycle into a queue, images without an [owner](Self::sharing_images) included, and never waits
 /// for the disk, unless [`Backpressure::Wait`] says so. A thread of its own codes and writes them, at least every 0.3 s. Every
-/// 0.5 s another thread asks the operating system to bring them to the disk. If writing fails, the recording ends, the file keeps what is complete, and the loop goes on.
+/// 0.5 s another thread asks the operating system to bring them to the disk. If writing fails, the recording ends, the
+/// file keeps what is complete, and the loop goes on.
 #[derive(Debug)]
 pub struct Recorder {
     queue: Arc<Queue>,

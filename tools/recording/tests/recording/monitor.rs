@@ -19,7 +19,7 @@ use crate::support::{Disk, SIZE, pixels};
 /// Period of a cycle, µs.
 const PERIOD_US: u64 = 10_000;
 
-/// A tree of two components, one of them with states and an information.
+/// A tree of two components, one of them with states and an output.
 fn description() -> Description {
     let text = str::to_owned;
     let state = |name: &str, initial| State { name: text(name), doc: String::new(), initial, last: false };

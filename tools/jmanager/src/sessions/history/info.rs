@@ -86,7 +86,7 @@ impl InfoStore {
         thin(all, points)
     }
 
-    /// Time, component, index and value of the changes after a time and up to another one, in the order of time. An information that
+    /// Time, component, index and value of the changes after a time and up to another one, in the order of time. An output that
     /// did not change up to its last sample, or up to `until_us`, has its value there once more. Without `after_us` the
     /// first value of each may be older than the changes.
     pub(super) fn part(

@@ -55,7 +55,7 @@ impl Cycles {
     }
 }
 
-/// Adds the value of an information, as JSON text.
+/// Adds the value of an output, as JSON text.
 fn add_info(cycle: &mut RecordedCycle, component: usize, info: usize, text: &str) {
     let record = cycle.information.get_or_insert_with(InformationRecord::default);
     record.values.push(InformationValue::in_json(component, info, text));
