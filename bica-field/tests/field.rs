@@ -8,7 +8,7 @@ use bica_field::{Crossing, CrossingKind, GoalColour, SPL_2009};
 use glam::Vec2;
 
 #[test]
-fn derived_lengths_are_the_floats_nearest_to_the_decimal_values() {
+fn derived_lengths_are_the_nearest_floats() {
     let field = SPL_2009;
     assert_eq!(field.carpet_corner(), Vec2::new(3.7, 2.7));
     assert_eq!(field.field_corner(), Vec2::new(3.0, 2.0));
@@ -35,7 +35,7 @@ fn derived_lengths_are_the_floats_nearest_to_the_decimal_values() {
 }
 
 #[test]
-fn the_left_post_comes_first_as_seen_from_the_field() {
+fn left_post_comes_first() {
     assert_eq!(SPL_2009.goal_posts(true), [Vec2::new(3.05, 0.7), Vec2::new(3.05, -0.7)]);
     assert_eq!(SPL_2009.goal_posts(false), [Vec2::new(-3.05, -0.7), Vec2::new(-3.05, 0.7)]);
 }
@@ -60,7 +60,7 @@ fn line_distances_are_those_of_the_rules() {
 }
 
 #[test]
-fn lines_leave_a_crossing_in_the_directions_of_its_kind_only() {
+fn crossing_arms_match_its_kind() {
     let is_line = |crossing: &Crossing, turn: f32| {
         let tolerance = if crossing.kind == CrossingKind::X { 0.04 } else { 1e-4 };
         let point = crossing.position + 0.2 * Vec2::from_angle(crossing.heading + turn);

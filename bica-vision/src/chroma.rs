@@ -186,7 +186,7 @@ mod tests {
 
         #[test]
         #[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
-        fn filter_lets_those_pairs_through_that_are_in_a_box(
+        fn filter_accepts_pairs_in_a_box(
             pairs in any::<[[u8; 4]; BLOCK]>(), boxes in prop::collection::vec(chroma_box(), 0..5),
         ) {
             let is_in = |[_, cb, _, cr]: [u8; 4]| boxes.iter().any(|selected| selected.has([cb, cr]));
@@ -196,7 +196,7 @@ mod tests {
 
         #[test]
         #[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
-        fn one_colour_is_held_back_if_it_is_in_no_box(pair in any::<[u8; 4]>(), selected in chroma_box()) {
+        fn colour_without_a_box_is_withheld(pair in any::<[u8; 4]>(), selected in chroma_box()) {
             let sieve = Sieve::new([selected].into_iter());
             prop_assert_eq!(sieve.holds_back(&[pair; BLOCK]), !selected.has([pair[1], pair[3]]));
         }

@@ -248,7 +248,7 @@ mod tests {
         #![proptest_config(ProptestConfig::with_cases(24))]
 
         #[test]
-        fn table_compiled_in_parts_equals_the_one_compiled_at_once(
+        fn table_in_parts_equals_the_whole_table(
             changes in prop::collection::vec((filters(), 0..=GradualTable::PARTS), 1..4),
         ) {
             let mut gradual = Box::new(GradualTable::new());
@@ -265,7 +265,7 @@ mod tests {
         }
 
         #[test]
-        fn pixels_are_inside_the_bounding_box_of_their_class_between_two_tables(
+        fn bounding_boxes_hold_between_two_tables(
             (before, after) in (filters(), filters()),
             parts in 0..GradualTable::PARTS,
         ) {

@@ -11,7 +11,7 @@ fn start() -> Harness<WallFollower, InWorld<Room>> {
 }
 
 #[test]
-fn the_robot_searches_a_wall_turns_to_it_and_follows_it() {
+fn robot_finds_a_wall_and_follows_it() {
     let mut test = start();
     test.stays::<Explorer>("search_wall", Duration::from_secs(2));
     test.reaches::<Explorer>("turn_left", Duration::from_secs(10));
@@ -26,7 +26,7 @@ fn the_robot_drives_around_the_end_of_a_wall() {
 }
 
 #[test]
-fn the_robot_completes_a_lap_without_touching_a_wall_and_stops() {
+fn lap_ends_without_touching_a_wall() {
     let mut test = start();
     test.reaches::<Explorer>("arrive", Duration::from_secs(200));
     test.run_for(Duration::from_secs(1));
@@ -37,7 +37,7 @@ fn the_robot_completes_a_lap_without_touching_a_wall_and_stops() {
 }
 
 #[test]
-fn at_the_end_of_a_wall_following_changes_to_rounding() {
+fn wall_end_starts_rounding() {
     let mut test = start();
     test.reaches::<Explorer>("follow_wall", Duration::from_secs(20));
     test.world_mut().put([3.0, 3.0], 0.0);

@@ -79,7 +79,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn one_minute_at_high_load_heats_all_motors_of_an_arm_alike() {
+    fn high_load_heats_all_motors_of_an_arm_alike() {
         let mut heat = MotorHeat::new();
         let loaded = Joints(Joint::ALL.map(|joint| Nao::ACTUATORS[joint].current(1.3)));
         for _ in 0..6000 {

@@ -79,7 +79,7 @@ mod tests {
     }
 
     #[test]
-    fn the_lines_belong_to_the_field_and_a_goal_does_not() {
+    fn field_includes_lines_and_excludes_goals() {
         let referee = referee(Posture::Upright);
         for at in [(3.0, 0.0), (-3.0, 2.0), (0.0, -2.0), (-3.0, 0.6), (3.0, 0.8)] {
             assert_eq!(check(Vec2::from(at), &referee), Ok(()), "{at:?}");

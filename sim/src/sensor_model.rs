@@ -55,7 +55,7 @@ mod tests {
     }
 
     #[test]
-    fn an_encoder_rounds_to_the_nearest_of_4096_steps_per_turn() {
+    fn encoder_rounds_to_the_nearest_step() {
         let step = TAU / 4096.0;
         let read = encode(&Joints::all(10.4 * step)).0[0];
         assert!((read - 10.0 * step).abs() < 1e-7, "{read}");

@@ -46,7 +46,7 @@ mod tests {
     }
 
     #[test]
-    fn angular_velocity_is_the_rotation_per_cycle_in_the_rotating_frame() {
+    fn angular_velocity_is_in_the_rotating_frame() {
         let from = Affine3A::from_rotation_x(0.4).matrix3;
         let to = from * Affine3A::from_rotation_y(0.02).matrix3;
         assert!((angular_velocity(&from, &to) - Vec3::new(0.0, 2.0, 0.0)).length() < 1e-3);

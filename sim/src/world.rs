@@ -75,7 +75,7 @@ mod tests {
     }
 
     #[test]
-    fn an_image_keeps_its_index_until_the_next_is_due() {
+    fn image_index_changes_with_the_next_image() {
         for cycle in 1..1_000 {
             let expected = frame(cycle - 1) + u64::from(image_is_due(cycle));
             assert_eq!(frame(cycle), expected, "cycle {cycle}");

@@ -85,7 +85,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn distance_to_the_nearest_line_is_that_of_a_search_over_all_lines() {
+    fn nearest_line_equals_exhaustive_search() {
         for (x, y) in (-420..=420_i16).flat_map(|x| (-320..=320_i16).map(move |y| (x, y))) {
             let point = Vec2::new(f32::from(x), f32::from(y)) / 100.0;
             let (fast, exact) = (libm::sqrtf(line_distance_squared(point)), FIELD.line_distance(point));

@@ -104,7 +104,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_camera_changes_at_the_tuned_angles_and_not_between_them() {
+    fn camera_switch_has_hysteresis() {
         let tuned = Facing { near_angle: 0.7, far_angle: 0.6, ..Facing::DEFAULT };
         for (selected, down, expected) in [
             (CameraId::Top, 0.69, CameraId::Top),

@@ -207,7 +207,7 @@ mod tests {
     }
 
     #[test]
-    fn a_retreat_reports_the_failed_kick_until_the_component_stops() {
+    fn retreat_reports_the_failed_kick() {
         let mut fixmove = Fixmove::new();
         fixmove.play(STRIKE);
         assert_eq!(fixmove.failed_kick(), None);
@@ -243,7 +243,7 @@ mod tests {
     }
 
     #[test]
-    fn a_kick_requested_by_hand_starts_anew_after_another_one() {
+    fn requested_kick_starts_anew_after_another() {
         let mut fixmove = Fixmove::new();
         fixmove.play(STRIKE);
         fixmove.over(&mut Body::new());

@@ -89,7 +89,7 @@ mod tests {
     }
 
     #[test]
-    fn the_offset_of_the_ball_is_mirrored_for_the_right_foot() {
+    fn ball_offset_is_mirrored_for_the_right_foot() {
         let kicks = &Model::KINEMATIC_PROFILE.kicks;
         let tuned = LineUp { ball_forward_offset: 0.01, ball_outward_offset: 0.02, ..LineUp::DEFAULT };
         for (foot, outward) in [(Side::Left, 0.02), (Side::Right, -0.02)] {

@@ -116,7 +116,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_head_takes_the_tuned_directions_on_the_first_side_first() {
+    fn search_begins_on_the_first_side() {
         let tuned = Tuned::new(Glancing { inner_pan: 0.5, tilt: 0.1, rest_time: 0.0, ..Glancing::DEFAULT });
         let (mut look, mut head, mut camera) = (LookAround::new(), Head::new(), CameraSelector::new());
         look.set_first_side(-1.0);

@@ -293,7 +293,7 @@ mod tests {
     }
 
     #[test]
-    fn the_walk_ends_after_the_tuned_distance_or_before_an_obstacle() {
+    fn walk_ends_at_its_distance_or_an_obstacle() {
         let tuned = Tuned::new(Search { walk_distance: 0.5, blocked_path: 0.6, ..Search::DEFAULT });
         for (path, walked, arrived) in [(0.7, 0.4, false), (0.7, 0.5, true), (0.5, 0.4, true)] {
             assert_eq!(SearchBall { path, walked, ..SearchBall::new() }.arrived(&tuned), arrived, "{walked} {path}");
@@ -301,7 +301,7 @@ mod tests {
     }
 
     #[test]
-    fn a_search_on_the_right_side_mirrors_scan_and_turn() {
+    fn right_search_mirrors_scan_and_turn() {
         let mut search = SearchBall { glance: 7, ..SearchBall::new() };
         search.search_side(SideChoice::Right);
         assert_eq!(search.glances(), 0);

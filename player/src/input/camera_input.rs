@@ -170,7 +170,7 @@ mod tests {
     }
 
     #[test]
-    fn an_image_is_away_from_the_time_its_memory_is_taken_until_the_next_one_is_set() {
+    fn image_is_absent_while_its_memory_is_taken() {
         let mut input = CameraInput::new();
         assert!(input.set_image(memory(1), CameraId::Bottom, (16, 12), &ANGLES).is_empty());
         assert_eq!((input.count(), input.size(), input.has_image()), (1, (16, 12), true));

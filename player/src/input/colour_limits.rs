@@ -273,7 +273,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn default_limits_are_the_profile_of_the_built_in_world() {
+    fn default_limits_equal_the_built_in_profile() {
         assert_eq!(ColourLimits::DEFAULT.filters(), profile::BUILT_IN);
     }
 

@@ -169,7 +169,7 @@ mod tests {
     }
 
     #[test]
-    fn a_changed_limit_is_in_force_after_64_runs_and_the_program_s_table_again_after_one() {
+    fn changed_limit_replaces_the_table_after_64_runs() {
         let mut eye = eye();
         let mut ticks = (0..).map(|cycle| Instant::from_millis(10 * cycle));
         let mut run = |eye: &mut Eye, runs: usize| ticks.by_ref().take(runs).for_each(|now| eye.tick(now));

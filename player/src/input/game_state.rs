@@ -43,7 +43,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn each_press_changes_the_state_once_however_long_it_lasts() {
+    fn each_press_changes_the_state_once() {
         let mut game = GameState::new();
         for expected in [false, true] {
             for _ in 0..3 {

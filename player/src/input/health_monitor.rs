@@ -124,7 +124,7 @@ mod tests {
     }
 
     #[test]
-    fn a_shorter_grace_time_ends_the_motion_at_a_fault() {
+    fn shorter_grace_time_ends_the_motion() {
         for (grace_time, must_stop) in [(3.0, false), (0.0, true)] {
             let mut monitor = hot(30.0);
             step(&mut monitor, grace_time);

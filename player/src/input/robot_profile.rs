@@ -77,7 +77,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_program_s_profile_is_used_unless_a_parameter_chooses_another() {
+    fn program_profile_is_used_unless_tuned() {
         let mut profile = RobotProfile::new();
         profile.set(Model::DYNAMIC_PROFILE);
         for (choice, used) in [

@@ -174,7 +174,7 @@ mod tests {
     }
 
     #[test]
-    fn a_measurement_that_is_not_finite_leaves_the_last_one() {
+    fn non_finite_measurement_keeps_the_last_one() {
         let mut state = RobotState::new();
         state.measure(&sensors(0.1, 0.3), &command(1.0));
         state.measure(&sensors(f32::NAN, f32::INFINITY), &command(1.0));
@@ -183,7 +183,7 @@ mod tests {
     }
 
     #[test]
-    fn a_smaller_force_touches_the_ground_if_the_parameter_allows_it() {
+    fn ground_contact_force_is_tuned() {
         let mut state = RobotState::new();
         let foot = FootPressure { front_left: 5.0, ..FootPressure::default() };
         state.measure(&Sensors { left_foot: foot, right_foot: foot, ..sensors(0.0, 0.0) }, &command(1.0));
@@ -194,7 +194,7 @@ mod tests {
     }
 
     #[test]
-    fn the_previous_command_is_valid_only_for_stiff_legs_under_an_upright_torso() {
+    fn previous_command_requires_stiff_legs_and_upright_torso() {
         let mut state = RobotState::new();
         for (roll, stiffness, valid) in [(0.0, 1.0, true), (0.0, 0.5, false), (0.5, 1.0, false), (-0.5, 1.0, false)] {
             state.measure(&sensors(0.0, roll), &command(stiffness));

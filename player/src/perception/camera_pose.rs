@@ -114,7 +114,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_tilted_mounting_tilts_the_optical_axis_of_its_camera_only() {
+    fn tilted_mounting_affects_one_camera_only() {
         let axis = |camera: CameraId, top_tilt: f32| {
             let (mut input, mut pose) = (std::boxed::Box::new(CameraInput::new()), CameraPose::new());
             let image = Image { camera, width: 16, height: 12, yuyv: &[128; 2 * 16 * 12] };

@@ -107,7 +107,7 @@ mod tests {
     }
 
     #[test]
-    fn a_robot_that_has_got_up_is_within_the_limits() {
+    fn robot_after_a_get_up_is_within_the_limits() {
         let detection = || FallDetection::DEFAULT;
         assert!(FallDetection { risen_tilt: 0.4, ..detection() }.is_ordered().is_err());
         assert!(FallDetection { forward_pitch: 0.3, ..detection() }.is_ordered().is_err());

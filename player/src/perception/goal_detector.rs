@@ -301,7 +301,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_side_of_a_post_gives_the_side_of_the_goal() {
+    fn post_side_determines_the_goal_side() {
         let (left_post, goal) = (Vec2::new(2.0, 0.7), Vec2::new(2.0, 0.0));
         let elsewhere = Vec2::new(2.0, 1.4);
         assert_eq!(middle_by(left_post, PostSide::Left, Vec2::Y, elsewhere), goal);

@@ -107,13 +107,13 @@ mod tests {
     }
 
     #[test]
-    fn robots_in_the_strip_shorten_the_path_and_others_do_not() {
+    fn only_robots_in_the_strip_shorten_the_path() {
         assert!((path(6.0, &[Vec2::new(1.0, 0.2)]) - 0.85).abs() < 1e-6);
         assert!((path(6.0, &[Vec2::new(1.0, -0.6), Vec2::new(-0.5, 0.0), Vec2::new(0.6, 0.5)]) - 2.5).abs() < 1e-6);
     }
 
     #[test]
-    fn the_strip_has_the_tuned_width_and_robots_the_tuned_radius() {
+    fn strip_width_and_robot_radius_are_tuned() {
         let robots = [Vec2::new(1.0, 0.5)];
         let path = |strip: &Strip| free_path(&boundary(6.0), &camera(), robots.into_iter(), strip);
         assert!((path(&Strip::DEFAULT) - 2.5).abs() < 1e-6, "beside the strip");

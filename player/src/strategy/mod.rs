@@ -169,7 +169,7 @@ mod tests {
     }
 
     #[test]
-    fn a_far_goal_straight_ahead_gets_a_front_kick_into_the_gap() {
+    fn far_goal_ahead_selects_a_front_kick() {
         for gap in [-0.4_f32, 0.3] {
             let (strike, _, way) = kick(&situation(BALL, Vec2::new(2.3, 0.0), 0.0, Some(gap), &[]));
             assert_eq!(strike.kick.kind, KickKind::Front);
@@ -178,7 +178,7 @@ mod tests {
     }
 
     #[test]
-    fn a_goal_to_a_side_gets_the_kick_with_the_least_turning() {
+    fn goal_to_a_side_selects_the_least_turning() {
         for (direction, kind) in [(FRAC_PI_2, KickKind::Lateral), (0.8, KickKind::Diagonal)] {
             for side in [1.0, -1.0] {
                 let angle = side * direction;
@@ -191,7 +191,7 @@ mod tests {
     }
 
     #[test]
-    fn a_goal_behind_the_robot_or_unknown_needs_a_path_around_the_ball() {
+    fn goal_behind_the_robot_needs_a_path_around_the_ball() {
         let behind = situation(BALL, Vec2::new(-2.0, 0.0), PI, Some(0.0), &[]);
         assert!(matches!(default_plan(&behind, &KICKS, None), Plan::GoRound(angle) if angle.abs() > 3.0));
         let unknown = Situation { goal: None, ..behind };
@@ -199,7 +199,7 @@ mod tests {
     }
 
     #[test]
-    fn a_ball_at_the_keepers_foot_is_kicked_past_it_from_beside_it() {
+    fn ball_at_the_keepers_foot_is_kicked_past_it() {
         for side in [1.0, -1.0] {
             let keeper = Vec2::new(0.37, -0.12 * side);
             let (_, stand, way) = kick(&situation(BALL, Vec2::new(0.5, 0.0), 0.0, Some(0.3 * side), &[keeper]));
@@ -212,7 +212,7 @@ mod tests {
     }
 
     #[test]
-    fn a_ball_beside_a_post_is_kicked_before_the_goal() {
+    fn ball_beside_a_post_is_kicked_before_the_goal() {
         let beside = situation(BALL, Vec2::new(0.32, 0.88), 0.0, Some(0.0), &[]);
         let Plan::GoRound(angle) = default_plan(&beside, &KICKS, None) else { panic!("the turn is too large") };
         let turned = rotate(BALL, -angle);
@@ -224,7 +224,7 @@ mod tests {
     }
 
     #[test]
-    fn a_failed_kick_is_not_repeated_if_another_one_is_possible() {
+    fn failed_kick_is_not_repeated() {
         let at_goal = situation(BALL, Vec2::new(0.8, 0.0), 0.0, Some(0.0), &[]);
         let (first, ..) = kick(&at_goal);
         let Plan::Kick(second) = default_plan(&at_goal, &KICKS, Some(first.kick)) else { panic!("a kick") };
@@ -250,7 +250,7 @@ mod tests {
     }
 
     #[test]
-    fn a_surrounded_ball_is_played_as_if_there_were_no_robots() {
+    fn surrounded_ball_ignores_robots() {
         let ring: [Vec2; 4] = core::array::from_fn(|i| BALL + 0.2 * Vec2::from_angle(i as f32 * FRAC_PI_2));
         let goal = Vec2::new(2.0, 0.0);
         let free = default_plan(&situation(BALL, goal, 0.0, Some(0.0), &[]), &KICKS, None);
@@ -271,7 +271,7 @@ mod tests {
     }
 
     #[test]
-    fn a_closer_clearance_blocks_a_kick_that_is_free_otherwise() {
+    fn larger_clearance_blocks_a_kick() {
         let robot = BALL + Vec2::new(0.4, 0.25);
         let ahead = situation(BALL, Vec2::new(2.3, 0.0), 0.0, Some(0.0), &[robot]);
         let with = |clearance: &Clearance| plan(&ahead, &KICKS, None, &Planning::DEFAULT, clearance);

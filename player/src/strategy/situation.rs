@@ -96,7 +96,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_path_around_the_ball_is_the_shorter_free_one() {
+    fn path_around_the_ball_is_the_shorter_one() {
         let ball = Vec2::new(0.3, 0.0);
         let with = |robots: &[Vec2]| {
             let robots = robots.iter().map(|&at| Obstacle { at, radius: 0.12 });

@@ -191,7 +191,7 @@ mod tests {
     }
 
     #[test]
-    fn polygons_outside_the_canvas_or_without_area_paint_almost_nothing() {
+    fn degenerate_polygons_paint_almost_nothing() {
         let far = [Vec2::new(-50.0, -50.0), Vec2::new(-10.0, -50.0), Vec2::new(-10.0, -20.0)];
         assert_eq!(area(&painted(&far, Edge::Soft)), 0.0);
         let line = [Vec2::new(5.0, 5.0), Vec2::new(30.0, 20.0), Vec2::new(5.0, 5.0)];

@@ -83,7 +83,7 @@ mod tests {
     }
 
     #[test]
-    fn a_rolling_ball_stops_after_v_squared_over_two_a() {
+    fn rolling_distance_is_v_squared_over_two_a() {
         for speed in [0.1, 0.7, 1.9, 3.5] {
             for dt in [0.001, 0.01, 0.033] {
                 let mut ball = Ball { velocity: Vec2::new(0.0, speed), ..Ball::at(Vec2::ZERO, 0.35) };
@@ -150,7 +150,7 @@ mod tests {
     }
 
     #[test]
-    fn a_ball_shot_into_the_goal_comes_to_rest_at_the_net() {
+    fn ball_in_the_goal_rests_at_the_net() {
         let mut ball = Ball { velocity: Vec2::new(3.0, 0.4), ..Ball::at(Vec2::new(2.5, 0.0), 0.3) };
         for _ in 0..5_000 {
             ball.roll(0.001);

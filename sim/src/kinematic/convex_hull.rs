@@ -37,7 +37,7 @@ mod tests {
     use crate::random::{Random, Stream};
 
     #[test]
-    fn a_hull_is_convex_contains_all_points_and_has_corners_among_them() {
+    fn hull_is_convex_and_contains_all_points() {
         let mut random = Random::new(2, Stream::Start);
         for count in 3..40 {
             let points: Vec<Vec2> = (0..count).map(|_| Vec2::new(random.unit(), random.unit())).collect();
@@ -51,7 +51,7 @@ mod tests {
     }
 
     #[test]
-    fn the_hull_of_at_most_one_distinct_point_is_that_point() {
+    fn hull_of_one_point_is_that_point() {
         assert!(convex_hull(Vec::new()).is_empty());
         assert_eq!(convex_hull(vec![Vec2::X]), [Vec2::X]);
         assert_eq!(convex_hull(vec![Vec2::X, Vec2::X, Vec2::X]).len(), 1);

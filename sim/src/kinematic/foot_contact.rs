@@ -136,7 +136,7 @@ mod tests {
     }
 
     #[test]
-    fn a_kicked_ball_leaves_at_one_plus_restitution_times_the_speed_of_the_foot() {
+    fn ball_speed_is_foot_speed_times_one_plus_restitution() {
         for side in Side::BOTH {
             let ball = kick(side, 1.2, 0.01);
             assert!((ball.velocity.length() - 1.8).abs() < 0.01, "{}", ball.velocity);
@@ -160,7 +160,7 @@ mod tests {
     }
 
     #[test]
-    fn a_ball_that_rolls_against_a_standing_foot_bounces_and_gains_no_speed() {
+    fn ball_bounces_off_a_standing_foot_without_gain() {
         let mut random = Random::new(9, Stream::Start);
         let foot = FootContact::new(Side::Left, &at(0.0, 0.0, 0.0), &at(0.0, 0.0, 0.0), 0.01);
         for _ in 0..500 {

@@ -183,7 +183,7 @@ mod tests {
     }
 
     #[test]
-    fn the_accelerometer_saturates_at_two_g_and_a_sole_without_load_measures_zero() {
+    fn accelerometer_saturates_at_two_g() {
         let hit =
             IdealMeasurement { acceleration: Vec3::new(100.0, -100.0, GRAVITY), feet: Default::default(), ..ideal(0) };
         let measured = SensorModel::new(hit, 1, &Physics { noise: 0.0, ..Physics::default() }).measure();

@@ -127,7 +127,7 @@ mod tests {
     }
 
     #[test]
-    fn a_ball_that_leaves_the_foot_fast_was_kicked_once() {
+    fn fast_ball_counts_as_one_kick() {
         for (speed, delay, kicks) in [(0.6, 10, 1), (0.4, 10, 0), (0.6, 20, 0)] {
             let (mut rules, mut referee) = (Rules::default(), referee());
             rules.record_touch(ms(0), Some(Side::Right), speed, &mut referee);
@@ -139,7 +139,7 @@ mod tests {
     }
 
     #[test]
-    fn a_ball_returns_one_second_after_an_out_and_three_seconds_after_a_goal() {
+    fn ball_returns_after_an_out_and_after_a_goal() {
         let cases = [
             (Vec2::new(3.2, 0.0), Event::Goal, 3_000, Vec2::ZERO),
             (Vec2::new(-3.2, 0.0), Event::OwnGoal, 3_000, Vec2::ZERO),
@@ -155,7 +155,7 @@ mod tests {
     }
 
     #[test]
-    fn a_ball_returns_beside_a_robot_that_stands_on_its_place() {
+    fn ball_returns_beside_a_robot_in_its_place() {
         let (mut rules, mut referee) = (Rules::default(), referee());
         let place = Vec2::new(0.5, 1.6);
         referee.set_robot(Pose2 { position: place, heading: 0.0 }, crate::referee::Posture::Upright);

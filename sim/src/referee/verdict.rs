@@ -35,7 +35,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_goal_requires_the_whole_ball_over_the_line_between_the_posts() {
+    fn goal_requires_the_whole_ball_over_the_line() {
         assert_eq!(judge(Vec2::new(3.025 + 0.032, 0.0)), Verdict::InPlay);
         assert_eq!(judge(Vec2::new(3.025 + 0.033, 0.0)), Verdict::Goal);
         assert_eq!(judge(Vec2::new(3.1, 0.64)), Verdict::Goal);

@@ -31,7 +31,7 @@ fn game(seed: u64, read_every: u32) -> (Vec<u8>, Vec<u32>, String) {
 }
 
 #[test]
-fn equal_seeds_and_commands_give_equal_games_in_every_thread() {
+fn equal_seeds_give_equal_games_in_every_thread() {
     let first = game(11, 1);
     assert_eq!(first.0.len(), 120 * 320 * 240 * 2);
     let threads: Vec<_> = (0..2).map(|_| thread::spawn(|| game(11, 1))).collect();

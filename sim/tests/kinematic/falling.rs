@@ -41,7 +41,7 @@ fn fall(world: &mut KinematicWorld, to: Direction) {
 }
 
 #[test]
-fn a_robot_falls_to_the_side_on_which_it_lost_its_balance() {
+fn fall_goes_to_the_unbalanced_side() {
     for to in Direction::ALL {
         let mut world = world();
         fall(&mut world, to);
@@ -71,7 +71,7 @@ fn a_robot_falls_only_after_fifteen_cycles_without_balance() {
 }
 
 #[test]
-fn a_robot_with_its_mass_over_one_foot_stands_on_it() {
+fn robot_stands_on_the_foot_under_its_mass() {
     let mut world = world();
     let mut lifted = swayed(Side::Left);
     lifted[1].2 = 0.04;
@@ -91,7 +91,7 @@ fn legs_without_stiffness_do_not_carry_the_robot() {
 }
 
 #[test]
-fn the_get_up_motion_of_each_side_restores_the_stance_in_place() {
+fn get_up_restores_the_stance_in_place() {
     for to in Direction::ALL {
         let mut world = world();
         fall(&mut world, to);
@@ -115,7 +115,7 @@ fn the_get_up_motion_of_each_side_restores_the_stance_in_place() {
 }
 
 #[test]
-fn the_standing_posture_alone_does_not_get_a_robot_up() {
+fn standing_posture_alone_does_not_get_up() {
     let mut world = world();
     fall(&mut world, Direction::Front);
     for _ in 0..1_000 {

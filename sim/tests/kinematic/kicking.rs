@@ -33,7 +33,7 @@ fn stand(world: &mut KinematicWorld, seconds: u32) {
 }
 
 #[test]
-fn a_kicked_ball_leaves_in_the_direction_of_the_swing_and_scores() {
+fn kicked_ball_follows_the_swing_and_scores() {
     for foot in Side::BOTH {
         let robot = Pose2::new(1.6, 0.0, 0.0);
         let ball = robot.place(Vec2::new(0.17, 0.055 * foot.sign()));
@@ -54,7 +54,7 @@ fn a_kicked_ball_leaves_in_the_direction_of_the_swing_and_scores() {
 }
 
 #[test]
-fn a_ball_kicked_over_the_side_line_returns_after_a_second_on_the_throw_in_line() {
+fn out_ball_returns_on_the_throw_in_line() {
     let robot = Pose2::new(0.5, 1.5, core::f32::consts::FRAC_PI_2);
     let mut world = alone(4, robot, robot.place(Vec2::new(0.17, 0.055)));
     kick(&mut world, Side::Left);

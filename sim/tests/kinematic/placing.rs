@@ -44,7 +44,7 @@ fn a_rolling_ball_that_is_placed_stops() {
 }
 
 #[test]
-fn a_ball_that_is_placed_after_a_goal_does_not_return_to_the_centre() {
+fn placement_after_a_goal_cancels_the_return() {
     let mut world = alone(1, Pose2::new(-2.0, 0.0, 0.0), Vec2::ZERO);
     world.set_ball(Vec2::new(2.8, 0.0), Vec2::new(1.5, 0.0)).expect("a valid shot");
     wait(&mut world, 100);
@@ -57,7 +57,7 @@ fn a_ball_that_is_placed_after_a_goal_does_not_return_to_the_centre() {
 }
 
 #[test]
-fn a_refused_place_leaves_a_rolling_ball_as_it_is() {
+fn refused_placement_leaves_a_rolling_ball() {
     let rolling = || {
         let mut world = alone(1, Pose2::new(-2.0, 0.0, 0.0), Vec2::ZERO);
         world.set_ball(Vec2::ZERO, Vec2::new(1.0, 0.5)).expect("a valid shot");

@@ -17,7 +17,7 @@ fn wait(world: &mut KinematicWorld, cycles: u32) {
 }
 
 #[test]
-fn every_shot_is_an_own_goal_if_nobody_stands_in_the_way() {
+fn unblocked_shots_are_own_goals() {
     for seed in 0..60 {
         let shot = Shot::draw(seed, 0, &SPEEDS);
         let mut world = alone(seed, Pose2::new(2.0, 1.5, 0.0), shot.from);
@@ -28,7 +28,7 @@ fn every_shot_is_an_own_goal_if_nobody_stands_in_the_way() {
 }
 
 #[test]
-fn a_ball_rolls_from_where_it_was_put_with_the_velocity_that_it_was_given() {
+fn placed_ball_rolls_with_the_given_velocity() {
     let mut world = alone(1, Pose2::new(-2.0, 0.0, 0.0), Vec2::ZERO);
     world.set_ball(Vec2::new(0.5, 1.0), Vec2::new(0.0, -1.0)).expect("a valid place");
     assert_eq!(world.referee().ball(), Vec2::new(0.5, 1.0));
@@ -39,7 +39,7 @@ fn a_ball_rolls_from_where_it_was_put_with_the_velocity_that_it_was_given() {
 }
 
 #[test]
-fn a_ball_that_was_put_back_by_hand_does_not_return_a_second_time() {
+fn ball_put_back_by_hand_returns_once() {
     let mut world = alone(1, Pose2::new(-2.0, 0.0, 0.0), Vec2::new(-2.5, 1.0));
     world.set_ball(Vec2::new(0.0, 1.9), Vec2::new(0.0, 1.0)).expect("a valid place");
     wait(&mut world, 60);
@@ -51,7 +51,7 @@ fn a_ball_that_was_put_back_by_hand_does_not_return_a_second_time() {
 }
 
 #[test]
-fn an_impossible_place_or_velocity_is_refused_and_changes_nothing() {
+fn impossible_placement_changes_nothing() {
     let mut world = alone(1, Pose2::new(-2.0, 0.0, 0.0), Vec2::ZERO);
     let nan = Vec2::new(f32::NAN, 0.0);
     for (at, velocity, error) in [

@@ -66,7 +66,7 @@ fn the_walk_covers_the_commanded_distance_and_no_other() {
 }
 
 #[test]
-fn a_robot_that_walks_against_a_goal_post_stops_there_and_its_bumper_is_pressed() {
+fn goal_post_stops_the_robot_and_presses_its_bumper() {
     let mut world = alone(5, Pose2::new(2.5, 0.7, 0.0), Vec2::new(0.0, 1.5));
     let mut nearest = f32::INFINITY;
     let mut pressed = false;

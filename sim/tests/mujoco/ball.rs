@@ -16,7 +16,7 @@ fn rolling(seed: u64, from: Vec2, velocity: Vec2) -> bica_sim::mujoco::MujocoWor
 }
 
 #[test]
-fn a_ball_rolls_as_far_as_its_rolling_resistance_allows() {
+fn rolling_resistance_limits_the_distance() {
     for seed in 0..4 {
         let mut world = rolling(seed, Vec2::new(-1.5, -1.0), Vec2::new(1.0, 0.0));
         stand(&mut world, 600);
@@ -27,7 +27,7 @@ fn a_ball_rolls_as_far_as_its_rolling_resistance_allows() {
 }
 
 #[test]
-fn a_ball_in_the_goal_scores_and_returns_to_the_centre_mark() {
+fn goal_returns_the_ball_to_the_centre_mark() {
     let mut world = rolling(1, Vec2::new(2.3, 0.3), Vec2::new(1.5, 0.0));
     stand(&mut world, 600);
     let events: Vec<Event> = world.referee().events().iter().map(|timed| timed.event).collect();
@@ -47,7 +47,7 @@ fn posts_and_nets_stop_the_ball() {
 }
 
 #[test]
-fn a_ball_over_the_side_line_is_out_and_returns() {
+fn ball_over_the_side_line_returns() {
     let mut world = rolling(1, Vec2::new(0.5, -1.6), Vec2::new(0.0, -1.2));
     stand(&mut world, 300);
     assert_eq!(world.referee().outs(), 1);
@@ -72,7 +72,7 @@ fn a_placed_ball_lies_still_and_is_no_event() {
 }
 
 #[test]
-fn a_ball_that_is_placed_after_an_out_does_not_return_a_second_time() {
+fn placement_after_an_out_cancels_the_return() {
     let mut world = rolling(1, Vec2::new(0.5, -1.6), Vec2::new(0.0, -1.2));
     while world.referee().outs() == 0 {
         stand(&mut world, 1);

@@ -41,7 +41,7 @@ fn get_up(world: &mut MujocoWorld, lying: Direction, failures: u8) {
 }
 
 #[test]
-fn a_robot_gets_up_from_front_and_back_with_either_motion() {
+fn either_motion_gets_up_from_front_and_back() {
     for (push, lying) in [(Vec2::new(2.3, 0.0), Direction::Front), (Vec2::new(-2.3, 0.0), Direction::Back)] {
         for failures in [0, 1] {
             let mut world = alone(failures.into(), &blind());

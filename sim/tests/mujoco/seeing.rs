@@ -113,7 +113,7 @@ fn the_ball_is_drawn_at_its_projection() {
 }
 
 #[test]
-fn pixels_on_a_line_are_bright_and_pixels_beside_it_dark() {
+fn line_pixels_are_bright_and_neighbours_dark() {
     let mut seen = 0;
     for i in 0..6 {
         let robot = Pose2::new(-1.3, 0.5 * i as f32 - 1.3, 0.1 * i as f32 - 0.25);
@@ -168,7 +168,7 @@ fn equal_seeds_give_equal_images() {
 }
 
 #[test]
-fn the_spectator_view_shows_robot_and_ball_and_does_not_change_the_physics() {
+fn spectator_view_does_not_change_the_physics() {
     let spectator = SpectatorCamera { eye: Vec3::new(-0.2, -1.5, 0.8), target: Vec3::new(0.2, 0.0, 0.2) };
     let start = Some(Start { robot: Pose2::ORIGIN, ball: Vec2::new(0.4, 0.1) });
     let setup = Setup { seed: 5, start, ..Setup::default() };

@@ -32,7 +32,7 @@ fn a_standing_robot_measures_its_weight_and_gravity() {
 }
 
 #[test]
-fn a_leaning_torso_shows_in_pitch_and_in_the_direction_of_gravity() {
+fn leaning_torso_changes_pitch_and_gravity() {
     let mut targets = Nao::STAND;
     for ankle in [Joint::LAnklePitch, Joint::RAnklePitch] {
         targets[ankle] -= 0.08;
@@ -47,7 +47,7 @@ fn a_leaning_torso_shows_in_pitch_and_in_the_direction_of_gravity() {
 }
 
 #[test]
-fn the_pressure_is_higher_on_the_side_of_the_centre_of_mass() {
+fn pressure_follows_the_centre_of_mass() {
     let pressed = |turns: &[(Joint, f32)]| {
         let mut targets = Nao::STAND;
         for (joint, turn) in turns {
@@ -74,7 +74,7 @@ fn the_pressure_is_higher_on_the_side_of_the_centre_of_mass() {
 }
 
 #[test]
-fn a_measured_joint_moves_after_dead_time_and_sensor_delay() {
+fn measured_joint_has_dead_time_and_delay() {
     for (dead_time, sensor_delay, cycles) in [(0.0, 0.0, 1), (0.03, 0.006, 4), (0.04, 0.03, 8)] {
         let mut world = alone(1, &Physics { dead_time, sensor_delay, ..blind() });
         stand(&mut world, 50);
@@ -90,7 +90,7 @@ fn a_measured_joint_moves_after_dead_time_and_sensor_delay() {
 }
 
 #[test]
-fn a_joint_reaches_its_target_at_a_speed_near_the_published_one() {
+fn joint_speed_is_near_the_published_one() {
     let mut world = alone(1, &blind());
     stand(&mut world, 50);
     let mut targets = Nao::STAND;
@@ -123,7 +123,7 @@ fn loaded_motors_draw_current_and_heat_up() {
 }
 
 #[test]
-fn failed_sensors_measure_zero_and_a_failed_motor_does_not_move() {
+fn failed_sensors_read_zero_and_failed_motors_stop() {
     let mut world = alone(1, &blind());
     stand(&mut world, 50);
     for fault in [Fault::Gyroscope, Fault::SoleSensors(Side::Left), Fault::Motor(Joint::HeadYaw)] {

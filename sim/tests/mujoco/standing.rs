@@ -46,7 +46,7 @@ fn legs_without_stiffness_do_not_carry_the_robot() {
 }
 
 #[test]
-fn a_push_displaces_the_robot_further_on_a_slippery_floor() {
+fn slippery_floor_increases_the_displacement() {
     let slide = |friction| {
         let mut world = alone(1, &Physics { friction, ..blind() });
         stand(&mut world, 50);

@@ -51,7 +51,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn results_come_in_the_order_of_seeds_on_any_number_of_threads() {
+    fn results_are_in_the_order_of_seeds() {
         for threads in [1, 2, 7, 40] {
             let batch = Batch::new(u64::MAX, 20, Some(threads));
             let seeds = batch.run(Ok).expect("no run fails");
@@ -61,7 +61,7 @@ mod tests {
     }
 
     #[test]
-    fn an_error_of_a_run_is_the_error_of_the_batch() {
+    fn error_of_a_run_ends_the_batch() {
         let run = |seed| if seed == 3 { Err(Failure::new("seed 3", "")) } else { Ok(seed) };
         let result = Batch::new(0, 8, Some(2)).run(run);
         assert!(matches!(result, Err(Failure::Error { what, .. }) if what == "seed 3"));
@@ -69,7 +69,7 @@ mod tests {
 
     #[test]
     #[expect(clippy::large_stack_arrays, reason = "the stack of a run is under test")]
-    fn a_run_has_room_for_a_large_tree_on_its_stack() {
+    fn stack_holds_a_large_tree() {
         let deep = |_| {
             let room = [1_u8; 16 << 20];
             Ok(std::hint::black_box(&room).iter().map(|&byte| usize::from(byte)).sum::<usize>())

@@ -139,7 +139,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_disc_covers_its_area_and_shapes_outside_the_canvas_cover_nothing() {
+    fn disc_covers_its_area() {
         let mut canvas = Canvas::new(60, 40, [0; 3]);
         canvas.disc(Vec2::new(30.3, 20.6), 12.5, [255; 3]);
         let covered: f32 = canvas.bytes().iter().step_by(3).map(|value| f32::from(*value) / 255.0).sum();

@@ -72,7 +72,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn cells_are_found_by_column_and_rows_know_their_line() {
+    fn cells_are_found_by_column() {
         let table = Table::parse("name, note\n\na ,\"x, y\"\r\n\n\nb\n").expect("a table");
         let note = table.column("note").expect("a column");
         let found: Vec<_> = table.rows().iter().map(|row| (row.line, row.cell(0), row.cell(note), row.len())).collect();

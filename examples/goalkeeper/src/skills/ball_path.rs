@@ -94,7 +94,7 @@ mod tests {
     }
 
     #[test]
-    fn a_decelerated_ball_crosses_later_and_at_the_same_place() {
+    fn deceleration_delays_the_crossing_only() {
         // From 2 m/s with 0.5 m/s² it takes 2 s for 3 m: 2 t - 0.25 t².
         let tuned = Shooting { front: 0.0, deceleration: 0.5, ..Shooting::DEFAULT };
         let crossing = tuned.crossing(Vec2::new(3.0, -0.2), Vec2::new(-2.0, 0.0)).expect("it comes");
@@ -102,7 +102,7 @@ mod tests {
     }
 
     #[test]
-    fn a_ball_that_stops_passes_wide_or_rolls_away_does_not_come() {
+    fn only_an_approaching_ball_crosses() {
         let tuned = Shooting { deceleration: 0.5, goal_aside: 0.8, ..Shooting::DEFAULT };
         for (at, velocity) in [
             (Vec2::new(3.0, 0.0), Vec2::new(-1.0, 0.0)),

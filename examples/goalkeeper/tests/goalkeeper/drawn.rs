@@ -42,13 +42,13 @@ fn the_blank_canvas_is_what_vicode_makes() {
 }
 
 #[test]
-fn the_steps_of_the_tutorial_make_the_component_byte_for_byte() {
+fn tutorial_steps_reproduce_the_component() {
     let made = drawn().pop().expect("a step");
     assert!(made == text(&component()), "the steps make another file:\n{made}");
 }
 
 #[test]
-fn the_machine_is_complete_as_soon_as_its_transitions_are_drawn() {
+fn machine_is_complete_after_its_transitions() {
     for (step, text) in STEPS.iter().zip(drawn()).skip(2) {
         let problems = read(&text).problems;
         assert!(problems.is_empty(), "{step}: {problems:?}");

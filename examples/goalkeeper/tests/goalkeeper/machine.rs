@@ -43,7 +43,7 @@ fn shot(aim: f32, speed: f32) -> Harness<Keeper, InWorld<KinematicWorld>> {
 }
 
 #[test]
-fn a_ball_that_rests_near_the_goal_is_kicked_away_and_the_goalkeeper_goes_back() {
+fn resting_ball_is_kicked_away() {
     with_stack(|| {
         let mut test = start(Vec2::new(-2.0, 0.2));
         test.reaches::<Goalkeeper>("walk_to_ball", seconds(10));
@@ -58,7 +58,7 @@ fn a_ball_that_rests_near_the_goal_is_kicked_away_and_the_goalkeeper_goes_back()
 }
 
 #[test]
-fn a_slow_ball_that_passes_near_is_blocked_with_a_step_and_without_a_fall() {
+fn slow_near_ball_is_blocked_with_a_step() {
     with_stack(|| {
         let mut test = shot(0.16, 1.6);
         test.reaches::<Goalkeeper>("step_aside", seconds(2));
@@ -69,7 +69,7 @@ fn a_slow_ball_that_passes_near_is_blocked_with_a_step_and_without_a_fall() {
 }
 
 #[test]
-fn the_goalkeeper_dives_to_the_side_of_a_ball_that_passes_far_and_gets_up() {
+fn far_ball_causes_a_dive_and_a_get_up() {
     with_stack(|| {
         for (aim, side) in [(0.45, Side::Left), (-0.45, Side::Right)] {
             let mut test = shot(aim, 1.8);

@@ -14,7 +14,7 @@ fn a_series_has_equal_results_each_time() {
 
 #[test]
 #[ignore = "slow: CI plays 100 shots"]
-fn slow_the_goalkeeper_lets_in_at_most_half_of_the_shots_that_an_idle_robot_lets_in() {
+fn slow_goalkeeper_halves_the_goals_of_an_idle_robot() {
     let plan = Plan::default();
     assert_eq!((plan.seed, plan.shots), (0, 100));
     let let_in = |robot| {

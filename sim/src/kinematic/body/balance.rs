@@ -99,7 +99,7 @@ mod tests {
     }
 
     #[test]
-    fn the_support_polygon_of_two_soles_includes_the_ground_between_them() {
+    fn support_polygon_includes_the_ground_between_soles() {
         assert_eq!(standing(Vec3::new(0.02, 0.0, 0.25), 0.0).offset_outside_support(), None);
         assert_eq!(standing(Vec3::new(0.099, 0.0, 0.25), 0.0).offset_outside_support(), None);
         let offset = standing(Vec3::new(0.12, 0.0, 0.25), 0.0).offset_outside_support().unwrap();

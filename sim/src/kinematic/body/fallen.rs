@@ -194,7 +194,7 @@ mod tests {
     }
 
     #[test]
-    fn the_squat_with_folded_knees_is_low_enough_to_be_reached_from_the_ground() {
+    fn squat_is_reachable_from_the_ground() {
         for (knee, height) in [(FOLDED_KNEE, 0.145), (1.2, 0.177), (2.1, 0.126)] {
             let lowest = lowest_balanced_squat(knee);
             assert!((lowest - height).abs() < 0.003, "knees at {knee} rad: {lowest} m");

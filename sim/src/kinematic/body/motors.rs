@@ -97,7 +97,7 @@ mod tests {
     }
 
     #[test]
-    fn a_joint_moves_after_the_dead_time_at_its_maximum_speed() {
+    fn joint_moves_after_its_dead_time() {
         let mut motors = Motors::holding(Joints::all(0.3));
         for _ in 0..3 {
             motors.step(&command(0.9, 1.0));
@@ -109,7 +109,7 @@ mod tests {
     }
 
     #[test]
-    fn a_joint_without_stiffness_or_with_an_invalid_target_does_not_move() {
+    fn limp_joint_or_invalid_target_does_not_move() {
         for wrong in [command(0.5, 0.0), command(f32::NAN, 1.0), command(0.5, f32::NAN), command(0.5, -1.0)] {
             let held = Joints::all(0.0).clamp_to_limits::<Nao>();
             let mut motors = Motors::holding(held);
@@ -134,7 +134,7 @@ mod tests {
     }
 
     #[test]
-    fn holding_takes_a_fixed_share_of_the_continuous_current_and_moving_takes_more() {
+    fn moving_needs_more_current_than_holding() {
         let mut motors = Motors::holding(Joints::all(0.3).clamp_to_limits::<Nao>());
         motors.step(&command(0.3, 1.0));
         for (joint, share) in [(Joint::LKneePitch, 0.4), (Joint::RAnkleRoll, 0.4), (Joint::HeadYaw, 0.1)] {

@@ -90,7 +90,7 @@ fn segments_and_cameras_have_the_poses_of_the_kinematics() {
 }
 
 #[test]
-fn mass_and_centre_of_mass_are_those_of_the_kinematics() {
+fn masses_equal_those_of_the_kinematics() {
     let mut random = Random::new(2, Stream::Start);
     for _ in 0..30 {
         let angles = any_angles(&mut random);
@@ -115,7 +115,7 @@ fn joint_ranges_are_those_of_the_robot_model() {
 }
 
 #[test]
-fn the_no_load_speed_of_joints_is_near_the_published_one() {
+fn no_load_speed_is_near_the_published_one() {
     let model = model().physics;
     let physics = Physics { dead_time: 0.0, ..Physics::default() };
     let end = |far: fn(Joint) -> f32| Joints(Joint::ALL.map(far));

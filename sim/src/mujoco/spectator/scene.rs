@@ -115,7 +115,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn segments_have_the_expected_mocap_indices_and_the_robot_has_the_height_of_a_nao() {
+    fn mocap_indices_and_height_are_those_of_a_nao() {
         let setup = Setup { goalkeeper: false, ..Setup::default() };
         let layout = Layout::new(&setup, &mut Random::new(0, Stream::Start));
         let model = Box::new(MjModel::from_xml_string(&write(&setup, &layout)).unwrap());

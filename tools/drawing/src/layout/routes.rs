@@ -62,7 +62,7 @@ mod tests {
     };
 
     #[test]
-    fn routes_lead_from_the_owner_of_a_link_to_its_target() {
+    fn routes_lead_from_owner_to_target() {
         for graph in [&Forward::GRAPH, &BOTH] {
             let layers = Layers::new(graph);
             for (from, (node, ways)) in graph.nodes.iter().zip(routes(graph, &layers)).enumerate() {

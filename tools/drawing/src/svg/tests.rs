@@ -59,7 +59,7 @@ fn boxes_do_not_overlap_and_lie_inside_the_drawing() {
 }
 
 #[test]
-fn segments_lead_from_the_owner_of_each_link_to_its_target() {
+fn segments_lead_from_owner_to_target() {
     for seed in 0..200 {
         let graph = random(seed, seed % 2 == 0);
         let layers = Layers::new(&graph);

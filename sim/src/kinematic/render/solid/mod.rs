@@ -106,7 +106,7 @@ mod tests {
     }
 
     #[test]
-    fn a_post_is_drawn_at_its_projection_with_its_projected_width() {
+    fn post_has_its_projected_place_and_width() {
         let mut random = Random::new(8, Stream::Start);
         let mut seen = 0;
         for _ in 0..300 {
