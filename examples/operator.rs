@@ -1,4 +1,4 @@
-//! A component driven by hand: information, modulations, holds, and requests to a running robot.
+//! A component driven by hand: outputs, modulations, holds, and requests to a running robot.
 //!
 //! `cargo run --example operator`
 

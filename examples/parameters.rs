@@ -45,7 +45,7 @@ impl Cart {
 }
 
 activation_tree! {
-    /// The word `tunable` makes room for the values; without it they are constants.
+    /// The word `tunable` adds memory for the values; without it they are constants.
     struct Robot { root: Cart, cycle_hz: 50, tunable, components: [Cart] }
 }
 
@@ -58,7 +58,7 @@ fn main() {
             println!("  {} = {} {}: {}", param.name, param.default, param.unit.unwrap_or_default(), param.doc);
         }
     }
-    // Both together: one after the other, the first would break the rule.
+    // Both in one batch: the first one alone would break the rule.
     let batches: [&[Setting]; 3] = [
         &[Setting::new(cart, 0, Value::F32(2.0))],
         &[Setting::new(cart, 2, Value::F32(1.0))],

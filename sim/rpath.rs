@@ -1,4 +1,4 @@
-//! Search path of MuJoCo's library at run time, for build scripts: Cargo sets it for no package but the one that asks for it.
+//! Search path of MuJoCo's library at run time, for build scripts. Cargo sets it only for the package that requests it.
 
 use std::env;
 

@@ -46,7 +46,7 @@ pub(crate) struct Options {
 }
 
 impl Options {
-    /// Returns the slower processor, if one is input.
+    /// Returns the slower processor, if one is given.
     pub(crate) fn processor(&self) -> Option<Processor> {
         let source = if self.firmware { Source::Firmware } else { Source::Host };
         self.clock_mhz.zip(self.ipc).map(|(mhz, ipc)| Processor { mhz, ipc, source })

@@ -71,7 +71,7 @@ fn play(fixture: &Fixture, frame: Frame, measurements: &mut Measurements) -> Res
     Ok(())
 }
 
-/// The kinematic world with an inertial unit that reports a fall at a input time.
+/// The kinematic world with an inertial unit that reports a fall at a given time.
 struct WithFall {
     world: KinematicWorld,
     fall: Option<Duration>,

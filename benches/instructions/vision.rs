@@ -38,7 +38,7 @@ fn usual() -> Buffers {
     of_size(SIZE.0, SIZE.1)
 }
 
-/// Rendered frames of a size, px. Those of different sizes show the same scenes.
+/// Rendered frames of a size, px. Frames of different sizes show the same scenes.
 fn of_size(width: u16, height: u16) -> Buffers {
     buffers(rendered::frame_set((width, height), WORLDS))
 }
@@ -47,7 +47,7 @@ fn worst(sample: Sample) -> Buffers {
     buffers(FrameSet { name: WORST, table: BUILT_IN_TABLE.clone(), samples: vec![sample] })
 }
 
-/// Frame of a pattern in two colours, all input by name.
+/// Frame of a pattern in two colours, all given by name.
 fn pattern(name: &str, first: &str, second: &str) -> Buffers {
     let pattern = PATTERNS.into_iter().find(|(other, _)| *other == name).expect("a pattern");
     let place = |name| COLOURS.iter().position(|(colour, _)| *colour == name).expect("a colour");
@@ -79,7 +79,7 @@ fn vision((mut pipeline, frame_set): Buffers) -> Buffers {
     (pipeline, frame_set)
 }
 
-// All detectors by size of the frame: shows what does not depend on the number of pixels.
+// All detectors by size of the frame: shows the cost that does not depend on the number of pixels.
 #[library_benchmark]
 #[bench::at_160x120(of_size(160, 120))]
 #[bench::at_320x240(of_size(320, 240))]

@@ -15,8 +15,8 @@ pub(crate) fn export(frame_set: &FrameSet, folder: &Path) {
     fs::write(folder.join(format!("{}-{width}x{height}.yuyv", frame_set.name)), bytes).expect("room for the frames");
 }
 
-/// Prints the set with its frame size, the mean time of all detectors, that of a copy of the frame, and the time of the
-/// slowest frame, µs.
+/// Prints the set with its frame size, the mean time of all detectors, the mean time of a copy of the frame, and the
+/// time of the slowest frame, µs.
 pub(crate) fn everything(frame_set: &FrameSet) {
     let (width, height) = frame_set.size();
     let stages: Vec<_> = STAGES.into_iter().filter(|(stage, _)| [MEMCPY, EVERYTHING].contains(stage)).collect();

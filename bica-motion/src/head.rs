@@ -87,8 +87,8 @@ pub fn look_at_over_ground<M: RobotModel>(camera: CameraId, point: Vec3, support
 impl HeadSpeed {
     /// Next angles on the way from `now` to `target`, `dt` seconds later.
     ///
-    /// The result is within the limits. Where a larger yaw narrows the pitch range, the pitch follows the range, which adds
-    /// up to half of the yaw's speed to that of the pitch.
+    /// The result is within the limits. Where a larger yaw narrows the pitch range, the pitch follows the range, which
+    /// adds up to half of the yaw's speed to the pitch's speed.
     #[must_use]
     pub fn step<M: RobotModel>(&self, now: HeadAngles, target: HeadAngles, dt: f32) -> HeadAngles {
         let target = target.clamped::<M>();

@@ -60,8 +60,8 @@ pub struct MotionInput<'a> {
 /// - The *commanded* angles, delayed by the joints' feedback delay, predict the motion.
 /// - The *measured* angles correct the prediction. Their weight grows with the difference of the forces on both feet: a foot
 ///   that bears all weight does not slip. Measurements that are impossible or stale have no weight.
-/// - The *gyroscope* gives the turn, because slip falsifies that of the legs. A turn of exactly zero indicates a broken
-///   gyroscope; then the turn of the legs is used.
+/// - The *gyroscope* measures the turn, because slip falsifies the turn of the legs. A turn of exactly zero indicates a
+///   broken gyroscope; then the turn of the legs is used.
 ///
 /// While neither foot measures contact, only the commanded angles count; the lower foot is the support foot.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -101,7 +101,7 @@ impl<M: RobotModel> Odometry<M> {
         self.support
     }
 
-    /// Processes one cycle; returns the current ground frame in that of the last cycle.
+    /// Processes one cycle; returns the current ground frame in the ground frame of the last cycle.
     ///
     /// NaN and infinite inputs are ignored. Without any valid source the motion is zero.
     pub fn step(&mut self, input: &MotionInput<'_>) -> Pose2 {

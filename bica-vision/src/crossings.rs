@@ -2,7 +2,8 @@
 //!
 //! Candidates are the intersections of lines that are perpendicular on the ground, and of the centre circle with the
 //! halfway line. The image decides which of the four arms of a candidate exist, because detected lines have gaps and a
-//! robot or the image edge may hide an arm. A crossing is reported only if all four arms are known to exist or not to.
+//! robot or the image edge may hide an arm. A crossing is reported only if the presence or absence of all four arms is
+//! known.
 //!
 //! Cost: each pair of lines once and 16 samples for each candidate, 5 µs.
 

@@ -45,7 +45,7 @@ impl BoundaryTuning {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct FieldBoundary {
     corners: Vec<Vec2, COLUMNS>,
-    /// Row down to which each scanned column may contain other colours than green: all rows scanned below it are green.
+    /// Lowest row of each scanned column that may not be green; all scanned rows below it are green.
     green_below: Vec<u16, COLUMNS>,
 }
 
@@ -85,8 +85,8 @@ impl FieldBoundary {
         Self { corners, green_below }
     }
 
-    /// Scans the columns as [`find_tuned`](Self::find_tuned) does, for a view of how the boundary was found: x of each column, and
-    /// the row of the edge of the carpet; none where there is too little green.
+    /// Scans the columns as [`find_tuned`](Self::find_tuned) does, for a view of the search. Returns x of each column
+    /// and the row of the carpet's edge; `None` if there is too little green.
     pub fn scan(
         frame: &Frame<'_>,
         colours: &impl Classify,
@@ -107,8 +107,8 @@ impl FieldBoundary {
         hull::line_at(&self.corners, x)
     }
 
-    /// Row down to which a scanned column may contain other colours than green, by the column's number from the left: all
-    /// rows below it, as far as they were scanned, are green.
+    /// Lowest row of a scanned column, by its number from the left, that may not be green; all scanned rows below it
+    /// are green.
     pub(crate) fn green_below(&self, column: usize) -> u16 {
         self.green_below.get(column).copied().unwrap_or(u16::MAX)
     }
@@ -146,9 +146,9 @@ fn highest_row(camera: Option<&Camera>, x: f32, tuning: &BoundaryTuning) -> u16 
 
 /// Green of a column.
 struct Column {
-    /// Top of the stretch with the most green, if that is enough.
+    /// Top of the stretch with the most green, if it has enough.
     top: Option<f32>,
-    /// Row of the lowest pixel that is not green, or one that is not scanned if all are green.
+    /// Row of the lowest pixel that is not green; an unscanned row if all are green.
     green_below: u16,
 }
 

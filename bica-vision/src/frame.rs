@@ -210,7 +210,7 @@ impl<'a> Frame<'a> {
     /// Column and row of the pixel nearest to a point, the row possibly below the frame.
     #[inline(always)]
     fn place(&self, at: Vec2) -> Option<(usize, usize)> {
-        // For non-negative values truncation equals the floor and costs less, on x86 least to 16 bits.
+        // For non-negative values truncation equals the floor and costs less; on x86 truncation to 16 bits costs least.
         let at = at + 0.5;
         let (x, y) = (at.x as u16, at.y as u16);
         (at.x >= 0.0 && at.y >= 0.0 && x < self.width).then_some((x.into(), y.into()))

@@ -16,7 +16,7 @@ use heapless::Vec;
 
 use crate::projection::{Camera, Intrinsics, Mounting};
 
-/// Bound on the distance of the points of [`OwnBody::share`] from the middle, in radii: above √0.8.
+/// Upper bound, above √0.8, on the distance of the points of [`OwnBody::share`] from the middle, in radii.
 const SHARE_EXTENT: f32 = 0.9;
 /// Bound on the rounding errors of distances, m.
 const ROUNDING: f32 = 1e-4;
@@ -146,7 +146,7 @@ impl OwnBody {
         self.parts.iter().any(|part| part.is_near(ray, margin))
     }
 
-    /// Whether a ray within an angle, rad, of that of a pixel may meet the body. It does if this cannot be excluded.
+    /// Returns whether a ray within `angle` (rad) of the pixel's ray may hit the body; conservatively `true`.
     fn is_close(&self, pixel: Vec2, angle: f32) -> bool {
         let ray = self.ray(pixel);
         self.parts.iter().any(|part| !part.is_far(ray, angle))
@@ -191,15 +191,15 @@ impl Capsule {
         ahead > 0.0 && away.length() <= self.radius + margin * ahead
     }
 
-    /// Whether no ray within an angle, rad, of `ray` meets the capsule. May be false for a capsule that none meets.
+    /// Returns whether no ray within `angle` (rad) of `ray` hits the capsule; conservatively `false`.
     fn is_far(&self, ray: Vec3, angle: f32) -> bool {
         let (away, _) = self.nearest(ray);
         let reach = self.from.length() + self.along.length();
         away.length() > self.radius + angle * reach + ROUNDING
     }
 
-    /// Vector from the line of a ray to the nearest point of the segment, across the ray, and that point's share of the way
-    /// along the segment.
+    /// Perpendicular vector from the ray to the nearest point of the segment, and that point's position along the
+    /// segment, 0 to 1.
     fn nearest(&self, ray: Vec3) -> (Vec3, f32) {
         let across = |v: Vec3| v - v.dot(ray) * ray;
         let (from, along) = (across(self.from), across(self.along));

@@ -203,7 +203,7 @@ impl<const N: usize, const M: usize> Default for Regions<N, M> {
     }
 }
 
-/// Whether a run of an upper row ends before the lower run begins, or is too far up to touch it.
+/// Whether a run of an upper row ends before the lower run begins, or is too far above to touch it.
 const fn is_left(above: Run, below: Run) -> bool {
     above.row < below.row && above.end < below.start
 }

@@ -4,7 +4,7 @@
 //! is as high as a robot at that position. Neighbouring columns within a robot's width form one robot; the lowest of
 //! their feet is its position. The colour of the waistband and other parts gives the team.
 //!
-//! The columns are those of the field boundary, whose search has read the green below the lowest obstacle already.
+//! The columns are those of the field boundary, whose search has already read the green below the lowest obstacle.
 //!
 //! Cost at 320 × 240: 40 columns of up to 120 pixels and the box of each robot.
 
@@ -235,7 +235,7 @@ impl<C: Classify> Scan<'_, C> {
         }
     }
 
-    /// How many rows a robot with its foot here has at least; none if it cannot stand here.
+    /// Minimum number of rows of a robot with its foot here; `None` if it cannot stand here.
     fn least_rows(&self, x: f32, row: u16) -> Option<f32> {
         let pixel = Vec2::new(x, f32::from(row));
         let Some(camera) = self.camera else { return Some(LEAST_PART * f32::from(self.frame.height())) };

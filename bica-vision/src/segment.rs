@@ -1,7 +1,7 @@
 //! Run-length encoding: each scanned row becomes runs of one colour class, on pixel pairs.
 //!
-//! Runs are emitted only for the selected classes, so the cost depends on the objects that are searched: about 1.5 ns for each pair (a
-//! table lookup and a compare), and 5 ns for each run. 320 × 240 on every row: 60 µs. [`Area`] restricts the region of
+//! Runs are emitted only for the selected classes, so the cost depends on them: about 1.5 ns for each pair (a table
+//! lookup and a compare), and 5 ns for each run. 320 × 240 on every row: 60 µs. [`Area`] restricts the region of
 //! interest and thins the rows.
 
 use heapless::Vec;
@@ -10,7 +10,7 @@ use crate::chroma::{self, BLOCK, Sieve};
 use crate::colour::{Classify, Colour, ColourSet};
 use crate::frame::{Frame, MAX_HEIGHT, Pair};
 
-/// Number of blocks of pixel pairs that are expected to be like the one before them.
+/// Number of blocks of pixel pairs that are expected to resemble the previous one.
 const TRUSTED: u8 = 15;
 
 /// Run of pixels of one class in one row.
@@ -203,8 +203,8 @@ impl<'a, C: Classify> Seek<'a, C> {
         if self.selected.has(class) { class } else { Colour::None }
     }
 
-    /// Classes of a block, four bits for each pair, the first pair in the lowest bits. Blocks whose chroma is inside a box
-    /// follow one another: after one the next `trusted` ones are classified without looking.
+    /// Classes of a block, four bits for each pair, the first pair in the lowest bits. Blocks whose chroma is inside a
+    /// box are often consecutive: after one of them the next `trusted` blocks are classified without the test.
     #[inline(always)]
     fn classes(&self, block: &[[u8; 4]; BLOCK], trusted: &mut u8) -> u64 {
         let is_trusted = *trusted != 0;

@@ -164,14 +164,14 @@ impl GradualTable {
         if self.left == 0 {
             self.table.boxes = self.boxes;
         } else {
-            // Cells of the old thresholds are left.
+            // Cells of the old thresholds remain.
             for (whole, part) in self.table.boxes.iter_mut().zip(self.boxes) {
                 *whole = whole.union(part);
             }
         }
     }
 
-    /// Number of parts that are not compiled yet.
+    /// Number of parts still to compile.
     #[must_use]
     pub const fn left(&self) -> usize {
         self.left

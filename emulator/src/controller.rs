@@ -113,7 +113,7 @@ impl Controller {
     /// [`Error::Disconnected`].
     pub fn has_monitors(&mut self) -> Result<bool, Error> {
         self.send(&FromMonitor::Attach)?;
-        // The answer to this message shows that there is none to the one before.
+        // The answer to this message shows that the previous one has no answer.
         self.emulator.link().send(&ToRobot::StackUsage)?;
         let mut attached = false;
         self.emulator.link().receive(|message| {

@@ -7,8 +7,8 @@ use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
 use crate::error::Error;
 use crate::link::Link;
 
-/// QEMU devices that write a word beyond the program's memory. The image selects its transport by that word:
-/// "PIPE" or "LINE" in ASCII.
+/// QEMU devices that write a word after the program's memory. The image selects its transport by that word: "PIPE" or
+/// "LINE" in ASCII.
 const SELECT_PIPE: &str = "loader,addr=0x203ffffc,data=0x45504950,data-len=4";
 const SELECT_PACED_PIPE: &str = "loader,addr=0x203ffffc,data=0x454e494c,data-len=4";
 

@@ -1,8 +1,8 @@
-//! The firmware image in QEMU, as a robot controller that a program exchanges messages with.
+//! The firmware image in QEMU, as a robot controller with which a program exchanges messages.
 //!
 //! [`Emulator`] starts QEMU and connects a [`Link`] to the image. [`Controller`] runs the microcontroller in lockstep
 //! with a world: one sense-think-act cycle for each set of sensor values. One instruction takes one nanosecond of the
-//! microcontroller's time, so a time that it measures is a number of instructions, the same on every computer.
+//! microcontroller's time, so a measured time is a number of instructions, equal on every computer.
 
 mod controller;
 mod emulator;

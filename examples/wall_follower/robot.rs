@@ -81,7 +81,7 @@ pub(crate) struct WallDetector {
     angle: f32,
 }
 
-/// Two rays to one wall differ in length by less than this factor; a longer one passes the end of the wall.
+/// Maximum ratio of the lengths of two rays to one wall; a longer ray passes the end of the wall.
 const SAME_WALL: f32 = 3.0;
 
 #[component(hz = 25, budget_us = 20)]

@@ -41,7 +41,7 @@ pub(crate) struct Controller<B> {
     clock_mode: Option<ClockMode>,
     /// Sensor values taken in since the last cycle.
     sensed: Option<Sensed>,
-    /// Time of the last message from the body: a monitor's message must not keep the robot from its safe stop.
+    /// Time of the last message from the body. A monitor's message must not prevent the safe stop.
     last_message: Instant,
     late_cycles: u32,
     safe_stop: bool,
@@ -57,7 +57,7 @@ pub(crate) struct Controller<B> {
 /// Sensor values that were written into the tree.
 struct Sensed {
     time_us: u64,
-    /// Time that it took to write them, counter ticks.
+    /// Time to write them, counter ticks.
     ticks: u32,
 }
 
@@ -125,7 +125,7 @@ impl<B: Board> Controller<B> {
             }
             ToRobot::StackUsage => tx.send(&FromRobot::StackUsage(stack::usage())).await,
             ToRobot::FaultInjection(fault) => self.runner.observer_mut().inject(*fault),
-            // This program answers a description only.
+            // This program answers only `Describe`.
             #[cfg(not(feature = "monitor"))]
             ToRobot::Monitor(_) => {}
             #[cfg(not(feature = "monitor"))]
@@ -170,7 +170,7 @@ impl<B: Board> Controller<B> {
         tx.send(&self.identity()).await;
     }
 
-    /// Runs a cycle by the robot's own clock. It was due at `due`.
+    /// Runs a cycle by the robot's own clock; `due` is its deadline.
     pub(crate) async fn tick(&mut self, due: Instant, link: LinkStats, tx: &mut MessageTx<impl Write>) {
         let now = Instant::now();
         let period = Duration::from_hz(Forward::GRAPH.cycle_hz as u64);
@@ -188,7 +188,7 @@ impl<B: Board> Controller<B> {
         self.cycle(now, link, tx).await;
     }
 
-    /// Writes sensor values into the tree. It does so at once, since chunks of the next image may come before the cycle.
+    /// Writes sensor values into the tree at once, because chunks of the next image may be received before the cycle.
     fn sense(&mut self, sensors: &Sensors) {
         let start = B::counter();
         // The pixels are in the tree's memory already, and values without an image are always accepted.
@@ -223,7 +223,7 @@ impl<B: Board> Controller<B> {
         }
     }
 
-    /// Logs a change of what is visible.
+    /// Logs a change of the visible objects.
     fn log_visible(&mut self) {
         let robot = self.runner.robot();
         let ball = robot.get::<BallDetector>().seen().is_some();
@@ -276,7 +276,7 @@ impl<B: Board> Controller<B> {
         self.monitor.next_packet(line, self.runner.robot(), encoder, room)
     }
 
-    /// Sends what a monitor on the body's line waits for: all of it while no clock runs, else the answer.
+    /// Sends packets to a monitor on the body's line: all that are due while no clock runs, else only the answer.
     async fn answer_monitor(&mut self, tx: &mut MessageTx<impl Write>) {
         if self.clock_mode != Some(ClockMode::FreeRunning) {
             self.send_monitor(usize::MAX, tx).await;
@@ -286,7 +286,7 @@ impl<B: Board> Controller<B> {
         }
     }
 
-    /// Sends packets to a monitor on the body's line until these are `limit` bytes or more, or there are no more.
+    /// Sends packets to a monitor on the body's line until `limit` bytes are reached or no packet is due.
     async fn send_monitor(&mut self, limit: usize, tx: &mut MessageTx<impl Write>) {
         let mut sent = 0;
         while sent < limit {
@@ -299,7 +299,7 @@ impl<B: Board> Controller<B> {
     }
 }
 
-/// Command of the safe stop: the robot stands, with the stiffness declared for that.
+/// Command of the safe stop: the robot stands with the stiffness for standing.
 fn stand() -> robot::Command {
     robot::Command {
         targets: Model::STAND,

@@ -45,10 +45,10 @@ pub(crate) fn read() -> CrashLog {
     })
 }
 
-/// Stores a message for the time after the restart.
+/// Stores a message that survives the restart.
 pub(crate) fn write(message: impl core::fmt::Display) {
     let mut writer = Truncated(String::new());
-    // Never fails: what does not fit is cut off.
+    // Never fails: the rest is cut off.
     let _ = write!(writer, "{message}");
     let bytes = writer.0.as_bytes();
     let mut text = [0; MAX_LENGTH];
@@ -63,7 +63,7 @@ fn crc(record: &Record) -> u32 {
     bica_wire::crc32(&record.text) ^ record.restarts.rotate_left(16) ^ record.length
 }
 
-/// A text that drops what does not fit.
+/// A text that drops the part that does not fit.
 struct Truncated(String<MAX_LENGTH>);
 
 impl Write for Truncated {

@@ -7,18 +7,18 @@ use bica_wire::message::{ImageChunk, ImageInfo};
 use static_cell::ConstStaticCell;
 
 static MEMORY: ConstStaticCell<[u8; IMAGE_BYTES]> = ConstStaticCell::new([0; IMAGE_BYTES]);
-/// Memory of a second image, so that the tree keeps one while the next one arrives. Two of 320×240 would not leave enough for
-/// others.
+/// Memory of a second image, so that the tree keeps one while the next one is received. Two images of 320×240 would
+/// leave too little memory for the rest.
 #[cfg(not(feature = "medium-frames"))]
 static SECOND_MEMORY: ConstStaticCell<[u8; IMAGE_BYTES]> = ConstStaticCell::new([0; IMAGE_BYTES]);
 
-/// Receiver of images. Memory is either here, for the next image, or in [`CameraInput`], with a complete one: no component can
-/// process an image that is incomplete.
+/// Receiver of images. The memory of an incomplete image is here, and the memory of a complete one is in
+/// [`CameraInput`], so no component can process an incomplete image.
 pub(crate) struct ImageReceiver {
     assembler: ImageAssembler,
     /// Memory of the next image; empty while [`CameraInput`] has it.
     memory: &'static mut [u8],
-    /// Memory that is in nobody's use; empty from the first image on, and always if there is memory for one image.
+    /// Unused memory; empty from the first image on, and always if there is memory for one image.
     spare: &'static mut [u8],
 }
 
@@ -48,7 +48,8 @@ impl ImageReceiver {
         self.assembler.add(chunk, self.memory);
     }
 
-    /// Gives an image to the tree, with the joint angles (rad) at which it was taken, if it is complete; returns whether it is.
+    /// Passes an image to the tree if it is complete, with the joint angles (rad) at which it was taken; returns
+    /// whether it is complete.
     pub(crate) fn finish(&mut self, info: &ImageInfo, angles: &Joints<f32>, input: &mut CameraInput) -> bool {
         let is_complete = self.assembler.take(info).is_some();
         if is_complete {

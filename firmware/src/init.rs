@@ -20,8 +20,8 @@ static MONITOR: StaticCell<Monitor> = StaticCell::new();
 /// The robot's tree.
 pub struct Robot(pub(crate) &'static mut Forward);
 
-/// Prepares the measurement of the stack and creates the tree. Called once, at the start of `main`: the creation uses
-/// 9 KB of stack, and nothing else does at that time.
+/// Prepares the measurement of the stack and creates the tree. Called once, at the start of `main`, when the stack is
+/// otherwise unused: the creation needs 9 KB of it.
 ///
 /// # Panics
 /// If it is called twice.

@@ -7,7 +7,7 @@ use embedded_io_async::Write;
 pub(crate) struct MessageTx<W> {
     link: W,
     encoder: Encoder,
-    /// Buffer for packets. It is no local of [`Self::send`], since every future around that would contain one.
+    /// Buffer for packets. It is not a local of [`Self::send`], because every future around it would contain a copy.
     buffer: &'static mut [u8; MAX_PACKET],
 }
 

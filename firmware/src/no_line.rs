@@ -1,4 +1,4 @@
-//! A line that a board does not have.
+//! A missing line.
 
 use core::convert::Infallible;
 use core::future::pending;

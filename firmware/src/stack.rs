@@ -1,4 +1,4 @@
-//! Maximum use of the stack: it is filled with a pattern at the start, and the part that changed was used.
+//! Maximum use of the stack: it is filled with a pattern at the start; the changed part was used.
 #![expect(unsafe_code, reason = "the memory of the stack belongs to no variable")]
 
 use core::arch::asm;

@@ -14,8 +14,8 @@ pub(crate) use bica_player::tunable::Forward;
 #[cfg(feature = "monitor")]
 pub(crate) static GRAPH: Graph = Forward::GRAPH;
 
-/// The graph that this program describes: components, links, states and transitions. Parameters, information and modulations
-/// are left out: nothing here can use them, and their descriptions would occupy flash.
+/// The graph that this program describes: components, links, states and transitions. Parameters, outputs and
+/// modulations are omitted: this program cannot use them, and their descriptions would occupy flash.
 #[cfg(not(feature = "monitor"))]
 pub(crate) static GRAPH: Graph = Graph { nodes: &NODES, ..Forward::GRAPH };
 

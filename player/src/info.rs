@@ -1,6 +1,6 @@
-//! Types of published information.
+//! Types of published outputs.
 //!
-//! With the feature `info` they can be serialised, which glam's types cannot: they have no postcard schema.
+//! With the feature `info` they can be serialised. glam's types cannot, because they have no postcard schema.
 
 use bica_motion::pose::Pose2;
 use glam::Vec2;

@@ -26,8 +26,8 @@ pub mod strategy;
 
 pub use forward::{Forward, tunable};
 
-/// Model of the robot that the forward controls. Every component takes limits, lengths and motions from it, so another robot
-/// needs another type in this line only.
+/// Model of the robot that the forward controls. All components of this crate take limits, lengths and motions from it.
+/// Simulators and the replay name the NAO themselves.
 pub type Model = bica_motion::model::Nao;
 
 /// Time of a component that ran last so many milliseconds ago.

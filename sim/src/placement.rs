@@ -9,7 +9,7 @@ use crate::obstacle::GOALS;
 use crate::referee::{Posture, Referee};
 use crate::setup::ROBOT_RADIUS;
 
-/// Radius of the disc around the origin of a lying robot that it may cover, m.
+/// Radius of the disc around its origin that a lying robot may cover, m.
 const LYING_RADIUS: f32 = 0.4;
 
 /// The reason why the ball cannot be placed at a position, m, field frame.

@@ -1,11 +1,11 @@
-//! Camera image whose pixels others may keep.
+//! Camera image with shared pixels.
 
 use core::mem;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// Access to the pixels of a world's newest image without a copy, also from other threads. Clones belong to the same world.
 ///
-/// Whoever keeps the pixels keeps them as they are: the world draws its next image into other memory.
+/// Shared pixels never change: the world draws its next image into other memory.
 #[derive(Clone, Debug, Default)]
 pub struct SharedImage(Arc<Mutex<Option<Arc<Vec<u8>>>>>);
 
@@ -21,7 +21,7 @@ impl SharedImage {
     }
 }
 
-/// Memory for the images of a world: one image, and more as long as others keep older ones.
+/// Memory for the images of a world: one image, and more while older ones are still shared.
 #[derive(Clone, Debug)]
 pub(crate) struct ImageMemory {
     newest: Arc<Vec<u8>>,
@@ -35,7 +35,7 @@ impl ImageMemory {
         Self { newest: Arc::new(vec![0; bytes]), older: Vec::new(), shared: SharedImage::default() }
     }
 
-    /// Draws a new image. Its memory has the bytes of an older one.
+    /// Draws a new image over the bytes of an older one.
     pub(crate) fn draw(&mut self, draw: impl FnOnce(&mut [u8])) {
         *self.shared.lock() = None;
         if Arc::get_mut(&mut self.newest).is_none() {
@@ -43,7 +43,7 @@ impl ImageMemory {
             let next = free.map_or_else(|| Arc::new(vec![0; self.newest.len()]), |free| self.older.swap_remove(free));
             self.older.push(mem::replace(&mut self.newest, next));
         }
-        // Nobody else has it, so this copies nothing.
+        // The memory is not shared, so this copies nothing.
         draw(Arc::make_mut(&mut self.newest).as_mut_slice());
         *self.shared.lock() = Some(Arc::clone(&self.newest));
     }

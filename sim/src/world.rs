@@ -44,9 +44,9 @@ pub trait World {
     /// Executes a command for one control cycle ([`CYCLE`]).
     fn act(&mut self, command: &Command);
 
-    /// Puts the ball at a position on the field, m, field frame, at rest, as a person does between two cycles. A return into play
-    /// that the rules had planned is cancelled. A placement is no event: it is never a goal, an out or a touch. Images that were
-    /// read in this cycle before do not show it.
+    /// Puts the ball at a position on the field, m, field frame, at rest, as a person does between two cycles. This
+    /// cancels a pending return into play. A placement is not an event: it is never a goal, an out or a touch. Images
+    /// that were read earlier in this cycle do not show it.
     ///
     /// # Errors
     ///
@@ -54,7 +54,7 @@ pub trait World {
     /// is.
     fn place_ball(&mut self, at: Vec2) -> Result<(), PlacementError>;
 
-    /// Access to the pixels of the newest image, for those who keep images without a copy. The default never has any.
+    /// Access to the pixels of the newest image without a copy. The default has no image.
     fn shared_image(&self) -> SharedImage {
         SharedImage::default()
     }

@@ -1,4 +1,4 @@
-//! Tree of one component: what a tick costs by itself.
+//! Tree of one component: the cost of the tick itself.
 
 use bica::prelude::*;
 

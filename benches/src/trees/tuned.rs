@@ -111,7 +111,7 @@ mod params {
     ten!();
 
     activation_tree! {
-        /// Numbers are parameters that nobody can change.
+        /// Numbers are parameters that cannot be changed.
         pub struct TunedOff { root: J, cycle_hz: 1000, components: [A, B, C, D, E, F, G, H, I, J, Wanted] }
     }
 

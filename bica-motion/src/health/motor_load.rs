@@ -8,7 +8,7 @@ use crate::robot::Sensors;
 
 /// I²t load below which a coil has recovered, relative to the load at the continuous current.
 const RECOVERED_LOAD: f32 = 1.0;
-/// I²t filter gain per cycle of 10 ms, time constant about 10 s: that of a coil without iron.
+/// I²t filter gain per cycle of 10 ms. The time constant of about 10 s is that of a coil without iron.
 const LOAD_GAIN: f32 = 0.001;
 /// Maximum plausible current, relative to the continuous current.
 const MAX_RELATIVE_CURRENT: f32 = 10.0;

@@ -2,7 +2,7 @@
 
 use crate::joints::{JOINTS, Joints};
 
-/// A motor and the gear behind it.
+/// A motor and its gear.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Actuator {
     /// Supply voltage, V.
@@ -32,13 +32,13 @@ impl Actuator {
         self.continuous_torque / self.torque_constant()
     }
 
-    /// Resistance of the coil, ohm: at stall the whole voltage drops over it.
+    /// Resistance of the coil, ohm: at stall it takes the whole voltage.
     #[must_use]
     pub const fn resistance(&self) -> f32 {
         self.voltage * self.torque_constant() / self.stall_torque
     }
 
-    /// Magnitude of the current for a torque behind the gear (Nm), A.
+    /// Magnitude of the current for a torque after the gear (Nm), A.
     #[must_use]
     pub const fn current(&self, torque: f32) -> f32 {
         torque.abs() / (self.torque_constant() * self.gear_ratio * self.gear_efficiency)

@@ -1,8 +1,8 @@
 //! Balance from the inertial unit: corrections of the ankles, of the next footprint and of the gait phase.
 //!
-//! The *capture point* of a body is the point where it must step to come to rest: its position plus its velocity divided by
-//! the pendulum's natural frequency (Pratt et al. 2006). The error is the difference between the capture point and that of
-//! the plan. It is computed from tilt and angular rate of the torso only.
+//! The *capture point* of a body is the point where it must step to come to rest: its position plus its velocity
+//! divided by the pendulum's natural frequency (Pratt et al. 2006). The error is the difference between the actual and
+//! the planned capture point. It is computed from tilt and angular rate of the torso only.
 
 use core::f32::consts::PI;
 

@@ -54,8 +54,8 @@ impl Side {
         point.y - self.row(point.x)
     }
 
-    /// Number of inliers minus the number of points above the line. `None` if it is below `least`. With `is_right_first` it
-    /// begins with the last points.
+    /// Number of inliers minus the number of points above the line. `None` if it is below `least`. With
+    /// `is_right_first` the last points are counted first.
     fn score(self, points: &Blocks, close: f32, least: i32, is_right_first: bool) -> Option<i32> {
         let mut possible = points.count;
         let is_possible = |block: &Block| {
@@ -119,8 +119,8 @@ fn sides(points: &[Vec2], close: f32, enough: i32) -> Vec<Side, SIDES> {
     sides
 }
 
-/// Line through two points of `left` with the highest score, which is at least `enough`; of several the one through the last
-/// points.
+/// Line through two points of `left` with the highest score, at least `enough`. Of equal scores, the line through the
+/// last points wins.
 fn best_side(left: &[Vec2], taken: &[Vec2], close: f32, enough: i32) -> Option<Side> {
     let (blocks, taken) = (Blocks::of(left), Blocks::of(taken));
     // The carpet is convex: no inlier of one side is above another side. The points far from those of the line decide first.

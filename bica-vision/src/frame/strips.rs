@@ -80,7 +80,7 @@ impl<'a> Column<'a> {
         Upwards { column: Self { pairs, ..self }, at: pairs.len().wrapping_sub(1), row: self.height + 1 }
     }
 
-    /// Pixels of every second row as [`upwards`](Self::upwards) yields them up to the top, without those below the row `lowest`.
+    /// Pixels of every second row from the row `lowest` up to the top; otherwise as [`upwards`](Self::upwards).
     #[inline(always)]
     pub(crate) fn upwards_from(self, lowest: u16) -> Upwards<'a> {
         let mut rows = self.upwards(0);

@@ -8,7 +8,7 @@ use crate::frame::Lumas;
 /// Number of scans that run in parallel.
 pub(super) const LANES: usize = if cfg!(any(target_arch = "x86_64", target_arch = "aarch64")) { 8 } else { 1 };
 
-/// The minimum luma step grows by the carpet's luma over this.
+/// Divisor of the carpet's luma in the minimum luma step.
 const RISE_DIVISOR: i16 = 6;
 /// Shift of the low-pass filter for the carpet's luma: a time constant of four pixels.
 const SMOOTH: i16 = 2;
@@ -136,8 +136,7 @@ mod lockstep {
             self.along(lumas, &mut at, end)
         }
 
-        /// Advances over a block, of which this is the first position, if no lumas in it differ by a rising edge. Returns whether
-        /// it did.
+        /// Advances over a block that begins at `first` if it contains no rising edge. Returns whether it did.
         #[inline(always)]
         fn passes(&mut self, block: &[I16x8; 8], first: u16) -> bool {
             let ground = self.bases >> i32::from(SMOOTH);
@@ -170,8 +169,8 @@ mod lockstep {
             None
         }
 
-        /// Advances to a position with these lumas, given the position behind it. Returns one bit for each scan with a rising
-        /// edge.
+        /// Advances to a position with the lumas `here`; `next` are the lumas of the next position. Returns one bit for
+        /// each scan with a rising edge.
         #[inline(always)]
         fn on(&mut self, here: I16x8, next: I16x8) -> u32 {
             let ground = self.bases >> i32::from(SMOOTH);
@@ -181,14 +180,15 @@ mod lockstep {
             rises.to_bitmask()
         }
 
-        /// Luma above the minimum step, times the divisor. If it exceeds that of the carpet times the divisor plus one, it rises.
+        /// Luma minus the constant part of the minimum step, times the divisor. It is a rising edge if it exceeds the
+        /// carpet's luma times the divisor plus one.
         #[inline(always)]
         fn scaled(&self, luma: I16x8) -> I16x8 {
             (luma - self.min_rise) * I16x8::splat(RISE_DIVISOR)
         }
     }
 
-    /// First position of the scan's block that contains a position. Reads another block if necessary; `None` near the end.
+    /// First position of the block that contains a position. Reads another block if necessary; `None` near the end.
     #[inline(always)]
     fn load_block(scan: &mut ParallelScan<'_>, at: u16, end: u16) -> Option<u16> {
         if let Some(first) = scan.block_at.filter(|first| at - first < 8) {

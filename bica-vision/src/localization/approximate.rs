@@ -1,8 +1,8 @@
 //! Approximations of mathematical functions, for the loop over the particles.
 //!
-//! Without instructions of the processor for them, as on a microcontroller, the functions of a library take a hundred
-//! instructions each, because their last digit is right. These take 10 to 20. Their errors are far below those of a
-//! sighting. They only add, multiply and divide, so results are the same on every processor.
+//! On a microcontroller without instructions for them, the functions of a library take a hundred instructions each,
+//! because they are exact to the last digit. These take 10 to 20. Their errors are far below the errors of a sighting.
+//! They only add, multiply and divide, so results are equal on all processors.
 
 use core::f32::consts::{FRAC_2_PI, FRAC_PI_2, LN_2, SQRT_2};
 

@@ -1,8 +1,8 @@
 //! Observation likelihood of a pose.
 //!
-//! What depends on an image alone is computed once for it; what remains for each particle is a rotation of each sighting
-//! and a few multiplications. Directions are compared by unit vectors: the chord between two of them is their angle, for
-//! angles that are not in the tail of the kernel.
+//! Terms that depend only on the image are computed once. Each particle then costs a rotation of each sighting and a
+//! few multiplications. Directions are compared by unit vectors: except in the tail of the kernel, the chord between
+//! two vectors approximates their angle.
 
 use core::f32::consts::{FRAC_PI_4, LN_2};
 
@@ -75,14 +75,14 @@ struct KnownCrossing {
 struct SeenPost {
     direction: Vec2,
     distance: f32,
-    /// Posts of the field that it may be, field frame.
+    /// Posts of the field that match the sighting, field frame.
     known: [Vec2; 2],
     /// Inverse of the variance of the direction, 1/rad².
     aside: f32,
     measure: DistanceMeasure,
 }
 
-/// What the distance of a post was derived from.
+/// Source of the distance of a post.
 enum DistanceMeasure {
     /// Angle of its foot below the horizon, with the inverse of its variance, 1/rad².
     Foot(f32),

@@ -10,8 +10,8 @@ use super::approximate;
 
 /// Half of the field's crossings; a turn of 180° gives the others.
 pub(super) const HALF: [Crossing; 8] = FIELD.half_crossings();
-/// Distance from the halfway line, m, that divides the lines: nearer to the halfway line no line of the penalty area is the
-/// nearest one, further away neither the circle nor the halfway line is.
+/// Distance from the halfway line, m, that divides the lines. At smaller distances the nearest line is never one of the
+/// penalty area, at larger distances never the circle or the halfway line.
 const DIVIDE: f32 = 1.3;
 
 /// Number of the field's crossings of a kind.
@@ -32,8 +32,8 @@ pub fn crossings(kind: CrossingKind) -> impl Iterator<Item = Pose2> {
 
 /// Square of the distance from a point to the centre of the nearest line, m².
 ///
-/// It equals that of [`line_distance`](bica_field::FieldDimensions::line_distance) within 0.1 mm, but compares only the
-/// lines that can be the nearest: a tenth of the instructions.
+/// It agrees with [`line_distance`](bica_field::FieldDimensions::line_distance) within 0.1 mm, but compares only the
+/// candidates for the nearest line: a tenth of the instructions.
 #[inline]
 pub(super) fn line_distance_squared(point: Vec2) -> f32 {
     let (corner, area, post) = (FIELD.field_corner(), FIELD.penalty_area_corner(), FIELD.goal_post());
@@ -64,7 +64,7 @@ const fn to_mark(x: f32, y: f32) -> f32 {
     square(x - FIELD.penalty_mark()) + square(y)
 }
 
-/// The smaller one of two numbers. `f32::min` takes several instructions more, because it treats NaN.
+/// The smaller of two numbers. `f32::min` takes several more instructions, because it handles NaN.
 #[inline(always)]
 pub(super) const fn least(one: f32, other: f32) -> f32 {
     if one < other { one } else { other }

@@ -1,4 +1,4 @@
-//! The committed instruction counts, and their comparison with those of a game.
+//! The committed instruction counts, and their comparison with a game.
 
 use std::collections::BTreeMap;
 use std::error::Error;
@@ -24,7 +24,7 @@ fn figures(played: &Played) -> impl Iterator<Item = (&str, u64, u64)> {
         .filter_map(|(name, list)| Some((name, *list.get(list.len() / 2)?, *list.last()?)))
 }
 
-/// Writes the counts of a game as the ones to compare with.
+/// Commits the counts of a game.
 pub(crate) fn write(path: &Path, played: &Played) -> Result<(), Box<dyn Error>> {
     let mut text = HEADING.to_owned();
     for (name, median, max) in figures(played) {

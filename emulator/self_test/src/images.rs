@@ -38,8 +38,9 @@ struct Body {
     incomplete: u32,
 }
 
-/// Sends an image that the detectors have not run on, and a part of the next one: with memory for two images they run on the
-/// first, with memory for one they run on none. Then the image remains incomplete, and another one is complete.
+/// Sends an image before the detectors have run, and a part of the next image. With memory for two images the detectors
+/// process the first, with memory for one they process none. Then the second image remains incomplete, and a third one
+/// is complete.
 ///
 /// # Errors
 /// If a detector runs on a part of an image, or on none of the complete ones, if the ball, which each image shows, is lost, or if
@@ -80,8 +81,8 @@ impl CameraImage {
 }
 
 impl Body {
-    /// Sends these chunks of an image, then sensor values, `with_image` as if that were the whole image. Returns whether a detector
-    /// processed an image in this cycle.
+    /// Sends these chunks of an image, then sensor values, which claim a complete image if `with_image`. Returns
+    /// whether a detector processed an image in this cycle.
     fn run(&mut self, id: u32, sent: std::ops::Range<usize>, with_image: bool) -> Result<bool, Box<dyn Error>> {
         let link = self.robot.link();
         for chunk in chunks(id, &self.camera.yuyv).skip(sent.start).take(sent.len()) {

@@ -14,7 +14,7 @@ const FLASH: u64 = 192 * KIB;
 const FLASH_WITH_MONITORS: u64 = 256 * KIB;
 /// Limit of the static memory, bytes.
 const MEMORY: u64 = 256 * KIB;
-/// Limit of the static memory without that for camera images, bytes.
+/// Limit of the static memory without the memory for camera images, bytes.
 const OTHER_MEMORY: u64 = 64 * KIB;
 const STACK: u64 = 16 * KIB;
 
@@ -46,10 +46,10 @@ pub(crate) const fn bytes(frame: Frame) -> usize {
     2 * width * height
 }
 
-/// Prints what image and game used and compares it with the limits.
+/// Prints the figures of image and game and compares them with the limits.
 ///
 /// # Errors
-/// The names of the figures that are above their limit, or zero, which only a failed measurement can be.
+/// The names of the figures that are above their limit, or zero after a failed measurement.
 pub(crate) fn check(sections: &Sections, played: &Played, limits: &Limits) -> Result<(), Box<dyn Error>> {
     let chain = played.chain.last().copied().unwrap_or(0);
     let figures = [

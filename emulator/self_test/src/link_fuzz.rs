@@ -1,4 +1,4 @@
-//! Fuzzing of the link to the running image: on a damaged stream the image behaves as a model on the host does.
+//! Fuzzing of the link to the running image: on a damaged stream the image behaves like a model on the host.
 
 use std::error::Error;
 use std::path::Path;
@@ -13,7 +13,7 @@ use crate::random::Random;
 use crate::reference::Reference;
 use crate::session::{self, hello, standing};
 
-/// Size of the largest image that the microcontroller takes, bytes.
+/// Size of the largest image that the microcontroller accepts, bytes.
 const IMAGE_BYTES: usize = 2 * 160 * 120;
 
 /// A robot on the host that receives the same bytes as the emulated one.
@@ -23,7 +23,7 @@ struct Model {
     reference: Reference,
     /// Time and bits of each command since the last comparison.
     commands: Vec<(u64, Vec<u32>)>,
-    /// Packet counts when the last sensor values came.
+    /// Packet counts at the last sensor values.
     stats: LinkStats,
 }
 

@@ -83,7 +83,7 @@ fn test(image: &Path, figures: &Path, bless: bool) -> Result<(), Box<dyn Error>>
     if bless { figures::write(figures, &played) } else { figures::compare(figures, &played) }
 }
 
-/// Tests the image with the server for monitors: its game equals the host's too, within limits of its own.
+/// Tests the image with the server for monitors: its game equals the host's, within separate limits.
 fn test_monitors(image: &Path, figures: &Path) -> Result<(), Box<dyn Error>> {
     limit_time();
     let played = game::play(image, 0, Frame::Small)?;

@@ -25,7 +25,7 @@ const IMAGES: u32 = 110;
 const DELAY_START: u32 = 15;
 /// Number of the image before which the delay ends.
 const DELAY_END: u32 = 60;
-/// Number of cycles observed. The images last longer, since the microcontroller's time stands still without input.
+/// Number of cycles observed. The images last longer, because the microcontroller's time stands still without input.
 const CYCLES: usize = 300;
 /// Delay of each run, ticks of 40 ns: 25 ms, which is two and a half cycles.
 const DELAY_TICKS: u32 = 625_000;
@@ -37,7 +37,7 @@ const RECOVERED_CYCLES: usize = 50;
 /// Sensor values with an image, and its pixels.
 type Sample = (Sensors, Vec<u8>);
 
-/// The parts of a cycle's report that are judged.
+/// Checked parts of a cycle's report.
 struct Cycle {
     time_us: u64,
     late_cycles: u32,

@@ -17,8 +17,8 @@ const FUZZ: Duration = Duration::from_secs(10);
 /// A part of the test: its name, and the check, which returns a summary.
 pub(crate) type Part<'a> = (String, Box<dyn FnOnce() -> Result<String, Box<dyn Error>> + Send + 'a>);
 
-/// Returns all parts for an image that takes camera images of a size. Most are for the smallest ones: they take the least time, and
-/// the images differ in nothing else.
+/// Returns all parts for a firmware image with camera images of a size. Most parts exist only for the smallest size,
+/// which takes the least time, because the firmware images are otherwise equal.
 pub(crate) fn list(image: &Path, frame: Frame) -> Vec<Part<'_>> {
     let mut parts: Vec<Part<'_>> = Vec::new();
     parts.push((images::NAME.to_owned(), Box::new(move || images::check(image, frame).map(|()| "passed".to_owned()))));

@@ -75,7 +75,7 @@ fn damage(image: &Path, transport: Transport) -> Outcome {
     expect_eq(&(stats.damaged, stats.missing), &(2, 3))
 }
 
-/// Number of requests that are sent at once: several times as many bytes as the queue of the port holds.
+/// Number of requests that are sent at once: several times the capacity of the port's queue.
 const FLOOD: usize = 2000;
 
 fn flood(image: &Path, transport: Transport) -> Outcome {

@@ -16,13 +16,13 @@ use crate::session::{self, standing, telemetry};
 const IMAGES: u32 = 20;
 /// Instructions in a second of the microcontroller's time.
 const HZ: f64 = 1e9;
-/// Number of cycles without an image until the next one: 3.3 cycles begin in the time of an image.
+/// Number of cycles without an image until the next one: 3.3 cycles begin in the period of an image.
 const CYCLES_WITHOUT: u64 = 3;
 /// Limit for an image, instructions: 30 images/s on a processor of 480 MHz that executes one instruction in a clock cycle.
 const LIMIT: u64 = 480_000_000 / 30;
 
-/// Prints the instructions for each image and compares them with the limit: those of its reception in packets, of the longest cycle
-/// and of three median ones.
+/// Prints the instructions for each image (reception in packets, the longest cycle, three median cycles) and compares
+/// their sum with the limit.
 ///
 /// # Errors
 /// If they are above the limit.

@@ -22,7 +22,7 @@ impl Goalkeeper {
         Self
     }
 
-    /// Searches the ball.
+    /// Searches for the ball.
     #[state(initial)]
     fn look_for_ball(&mut self, _search: &mut SearchBall) {}
 

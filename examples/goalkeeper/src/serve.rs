@@ -26,7 +26,7 @@ use crate::story::Story;
 const INFORMATION: u8 = 2;
 /// Additional time before a shot in which the goalkeeper finds the next ball.
 const SEARCH: Duration = Duration::from_secs(8);
-/// Time between two looks at the requests of a paused world.
+/// Time between two polls of the requests of a paused world.
 const PAUSED: Duration = Duration::from_millis(5);
 
 type Game = Runner<Box<Keeper>, KinematicWorld, LinkRequests, (Story, LinkObserver<Keeper>)>;
@@ -66,7 +66,7 @@ pub(crate) fn run(
     Ok(Outcome::Interrupted)
 }
 
-/// Plays one shot in real time, with the pauses that the operator makes.
+/// Plays one shot in real time, with the operator's pauses.
 fn play(game: &mut Game, attempt: &mut Attempt, console: Console) -> Result<(), Failure> {
     let (mut began, start) = (Instant::now(), game.world().now());
     let mut cycle = start;

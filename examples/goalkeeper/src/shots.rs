@@ -1,4 +1,4 @@
-//! Shots at the goal: what the goalkeeper or an idle robot lets in.
+//! Shots at the goal of a goalkeeper or an idle robot.
 
 use std::ops::RangeInclusive;
 use std::time::Duration;
@@ -64,7 +64,7 @@ impl Plan {
     }
 }
 
-/// Who stands in the goal.
+/// Robot in the goal.
 #[derive(Clone, Copy, Debug)]
 pub enum Robot<'a> {
     /// The goalkeeper, with parameters that are not the defaults.
@@ -73,7 +73,7 @@ pub enum Robot<'a> {
     Idle,
 }
 
-/// What became of a shot. Without a robot in the way every shot is a goal, so a ball that is not let in was saved.
+/// Result of a shot. Without a robot in the way every shot is a goal, so a ball that is not in the goal was saved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
 pub struct ShotResult {
     /// Seed of the world and of the shot.
@@ -168,7 +168,7 @@ impl Attempt {
         Self { shot, kick: now + shot.rest, is_kicked: false }
     }
 
-    /// Kicks the ball when its time has come. Returns whether the shot goes on. To be called before each cycle.
+    /// Kicks the ball when it is due. Returns whether the shot continues. To be called before each cycle.
     ///
     /// # Errors
     /// If the world refuses the velocity.
@@ -187,7 +187,7 @@ impl Attempt {
         events.filter(|timed| timed.at >= self.kick && timed.event == Event::OwnGoal).map(|timed| timed.at).next()
     }
 
-    /// What has become of the shot.
+    /// Result of the shot so far.
     #[must_use]
     pub fn result(&self, seed: u64, world: &KinematicWorld) -> ShotResult {
         let let_in = self.goal(world).is_some();

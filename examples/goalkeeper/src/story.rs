@@ -1,4 +1,4 @@
-//! What the goalkeeper does, line by line.
+//! Transitions of the goalkeeper as text.
 
 use bica::runner::{Cycle, Observer};
 use bica::{ComponentId, Instant, Probe, Tree};

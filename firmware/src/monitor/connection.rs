@@ -1,4 +1,4 @@
-//! One monitor: what it watches, and what is to be sent to it.
+//! One monitor: its watched values and its pending messages.
 
 use bica::refusal::Reason;
 use bica::{Instant, Refusal};
@@ -8,7 +8,7 @@ use heapless::{Deque, String, Vec};
 
 use crate::tree::GRAPH;
 
-/// Largest number of information that a connection watches: all of the forward's.
+/// Maximum number of outputs that a connection watches: all of the forward's.
 const MAX_WATCHED: usize = 128;
 /// Number of bits in a word of the sets below.
 const BITS: usize = 32;
@@ -17,16 +17,16 @@ const MAX_LOG: usize = 4;
 /// Largest length of the text of a refusal, bytes.
 const MAX_REASON: usize = 128;
 
-/// Set of entries of the list of watched information.
+/// Set of entries of the list of watched outputs.
 type WatchedSet = [u32; MAX_WATCHED / BITS];
 
 /// One monitor.
 pub(super) struct Connection {
-    /// When the monitor was heard last; `None` without a monitor.
+    /// Time of the monitor's last message; `None` without a monitor.
     pub(super) heard: Option<Instant>,
     /// The answer to the last request, if it was not sent yet.
     pub(super) answer: Option<PendingAnswer>,
-    /// Whether to send what the monitor is attached to.
+    /// Whether `Attached` is to be sent.
     pub(super) attached: bool,
     /// Whether to send the lease.
     pub(super) lease: bool,
@@ -41,17 +41,17 @@ pub(super) struct Connection {
     /// Next part of the snapshot that is due; `None`: none is due.
     pub(super) snapshot: Option<u8>,
     pub(super) watched: Vec<Watched, MAX_WATCHED>,
-    /// Watched information that is due.
+    /// Watched outputs that are due.
     pub(super) due: WatchedSet,
-    /// Watched information whose schema was sent.
+    /// Watched outputs whose schema was sent.
     pub(super) schemas: WatchedSet,
     /// Number of bytes of the next schema that were sent.
     pub(super) schema_offset: usize,
-    /// Entry at which the search for due information begins.
+    /// Entry at which the search for due outputs begins.
     pub(super) next_info: usize,
 }
 
-/// Information that a connection watches.
+/// Output that a connection watches.
 #[derive(Clone, Copy)]
 pub(super) struct Watched {
     pub(super) component: u8,
@@ -71,7 +71,7 @@ pub(super) struct LogEntry {
 /// An answer.
 pub(super) struct PendingAnswer {
     pub(super) number: u32,
-    /// Number of the first cycle that runs with the change; it was next when the request came.
+    /// Number of the first cycle that runs with the change: the next one at the time of the request.
     pub(super) cycle: u64,
     pub(super) outcome: Outcome,
 }
@@ -84,7 +84,7 @@ pub(super) enum Outcome {
 }
 
 impl Outcome {
-    /// A refusal with a text for people: what is refused, if it has a name, and why.
+    /// A refusal with a text for people: the name of the refused entry, if it has one, and the reason.
     pub(super) fn refused(code: RefusalCode, entry: u16, reason: &str, component: &str, name: &str) -> Self {
         let mut text = String::new();
         let parts = match (component, name) {
@@ -92,7 +92,7 @@ impl Outcome {
             (component, "") => ["`", component, "`: ", reason, ""],
             (component, name) => ["`", component, ".", name, "`: "],
         };
-        // What does not fit is left out.
+        // Parts that do not fit are omitted.
         let _ = parts.iter().try_for_each(|part| text.push_str(part));
         if !component.is_empty() && !name.is_empty() {
             let _ = text.push_str(reason);
@@ -102,7 +102,7 @@ impl Outcome {
 
     /// The refusal of the tree.
     ///
-    /// The numbers are left out: the monitor has them from the description, and formatting them takes 12 KB of flash.
+    /// The numbers are omitted: the monitor has them from the description, and formatting them takes 12 KB of flash.
     pub(super) fn of_refusal(refusal: &Refusal) -> Self {
         let reason = match refusal.reason {
             Reason::NotTunable => "the tree is not `tunable`, its parameters are constants",
@@ -144,7 +144,7 @@ impl Connection {
         }
     }
 
-    /// Begins a session with the description.
+    /// Begins a session, which starts with the description.
     pub(super) fn begin(&mut self) {
         self.heard = Some(Instant::now());
         self.description = Some(describe(&GRAPH));
@@ -185,7 +185,7 @@ impl Connection {
         }
     }
 
-    /// Marks what is due after a cycle.
+    /// Marks the data that are due after a cycle.
     pub(super) fn mark_due(&mut self, cycle: &CycleInfo) {
         let is_due = |every: u16| every > 0 && cycle.cycle % u64::from(every) == 0;
         // A snapshot of an earlier cycle that was not sent completely is dropped.
@@ -201,7 +201,7 @@ impl Connection {
         }
     }
 
-    /// Returns the next entry whose information is due.
+    /// Returns the next entry whose output is due.
     pub(super) fn next_due(&self) -> Option<usize> {
         let count = self.watched.len();
         let is_due = |entry: &usize| contains(&self.due, *entry) && self.watched[*entry].every > 0;

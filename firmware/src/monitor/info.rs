@@ -1,10 +1,10 @@
-//! Values of information and their schemas as bytes.
+//! Values of outputs and their schemas as bytes.
 
 use bica::info::{InfoSink, Information};
 use postcard::ser_flavors::Flavor;
 use postcard_schema::schema::NamedType;
 
-/// Takes a value as bytes.
+/// Sink that stores a value as bytes.
 pub(super) struct ValueBytes<'a> {
     pub(super) room: &'a mut [u8],
     /// Number of bytes of the value; `None` if it is larger than the room.
@@ -17,7 +17,7 @@ impl InfoSink for ValueBytes<'_> {
     }
 }
 
-/// Takes the schema of a value.
+/// Sink that stores the schema of a value.
 pub(super) struct SchemaOf(pub(super) Option<&'static NamedType>);
 
 impl InfoSink for SchemaOf {
@@ -26,7 +26,7 @@ impl InfoSink for SchemaOf {
     }
 }
 
-/// A part of serialised bytes: the others are dropped, so that no memory for all of them is needed.
+/// A part of serialised bytes; the other bytes are dropped, so that they need no memory.
 struct Part<'a> {
     /// Number of bytes before the part that are still to come.
     before: usize,

@@ -72,7 +72,8 @@ impl MonitorLine {
         was_served && self.sent == self.length
     }
 
-    /// Handles the received bytes; returns whether all were handled. If there is no room for an answer, the others wait.
+    /// Handles the received bytes; returns whether all were handled. If there is no room for an answer, the remaining
+    /// bytes wait.
     fn handle<B: Board>(&mut self, controller: &mut Controller<B>) -> bool {
         loop {
             if !controller.monitor().is_ready(Line::Monitor) && !self.encode(controller) {
@@ -92,7 +93,7 @@ impl MonitorLine {
         }
     }
 
-    /// Encodes the next packet; returns whether there was one and room for it.
+    /// Encodes the next packet; returns whether a packet was due and fitted.
     fn encode<B: Board>(&mut self, controller: &mut Controller<B>) -> bool {
         let length = controller.next_packet(Line::Monitor, &mut self.encoder, &mut self.tx[self.length..]);
         self.length += length.unwrap_or(0);

@@ -1,9 +1,9 @@
 //! Server for the monitors of the robot.
 //!
-//! It follows the rules of `docs/link.md`. Its memory and its work in a cycle are bounded: it has two connections, the body's
-//! line and the monitors' own line, and no queue of packets. A connection stores what is to be sent, and a packet is encoded
-//! when the line has room, with the values of that time. So new values replace those that were not sent; only an answer is
-//! kept as it is, and no further message of this connection is handled before it is sent.
+//! It follows the rules of `docs/link.md`. Its memory and its work in a cycle are bounded: it has two connections, the
+//! body's line and the monitors' own line, and no queue of packets. A connection stores which data are due. A packet is
+//! encoded when the line has room, with the values of that time, so new values replace unsent ones. Only an answer is
+//! stored; until it is sent, no further message of this connection is handled.
 
 mod connection;
 mod info;
@@ -30,7 +30,7 @@ const IDLE: embassy_time::Duration = embassy_time::Duration::from_secs(30);
 /// A line over which a monitor is connected.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Line {
-    /// The line of the body: its host passes the packets of a monitor on.
+    /// The line of the body: its host forwards the packets of a monitor.
     Body = 0,
     /// The line for monitors.
     Monitor = 1,
@@ -74,18 +74,18 @@ impl Monitor {
         self.next.images += u64::from(has_image);
     }
 
-    /// Whether messages of a connection can be handled: its last answer was sent.
+    /// Whether messages of a connection can be handled, because its last answer was sent.
     pub(crate) const fn is_ready(&self, line: Line) -> bool {
         self.connections[line as usize].answer.is_none()
     }
 
-    /// Starts a description, and with it a session: what this connection watched before ends.
+    /// Starts a description, and with it a session, which ends all watching of this connection.
     pub(crate) fn describe(&mut self, line: Line) {
         self.connections[line as usize].begin();
     }
 
-    /// Handles a message. `now` is the robot's time; `None` before the first cycle can run, when nobody gets the lease. `random`
-    /// is a count of a fast clock: the number of a lease that begins.
+    /// Handles a message. `now` is the robot's time; `None` before the first cycle can run, when the lease is not
+    /// available. `random`, a count of a fast clock, becomes the number of a new lease.
     pub(crate) fn receive<O: Observer<Forward>>(
         &mut self,
         line: Line,
@@ -164,7 +164,7 @@ impl Monitor {
         Ok(())
     }
 
-    /// Ends the lease of a silent operator, and applies what ends with a lease. Called before each cycle.
+    /// Ends the lease of a silent operator, and the holds and rates of the lease. Called before each cycle.
     pub(crate) fn before_cycle<O: Observer<Forward>>(
         &mut self,
         runner: &mut Runner<&'static mut Forward, (), (), O>,
@@ -175,12 +175,12 @@ impl Monitor {
             self.log(now, 3, "operator: silent for too long, holds and rates end", None);
         }
         while let Some(change) = self.lease.next_ending() {
-            // A change that was accepted under the lease can always be taken back.
+            // A change that was accepted under the lease can always be undone.
             let _ = runner.request(now, RequestBuffer::new().request(&change));
         }
     }
 
-    /// Counts a cycle and finds out what is due after it.
+    /// Counts a cycle and marks the data that are due after it.
     pub(crate) fn after_cycle(&mut self, now: Instant, late: u32) {
         self.next.time_us = now.as_micros();
         self.next.overruns = late.into();

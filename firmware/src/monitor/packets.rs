@@ -1,4 +1,4 @@
-//! The packets of a connection, in the order of their importance.
+//! The packets of a connection, in the order of their priority.
 
 use bica::{ComponentId, Tree};
 use bica_wire::message::{
@@ -16,7 +16,7 @@ use crate::tree::{Forward, GRAPH};
 /// Largest size of a message before it is packed, bytes.
 const MAX_MESSAGE: usize = 1100;
 
-/// What messages are made of.
+/// Sources of the messages.
 pub(super) struct Context<'a> {
     pub(super) tree: &'a Forward,
     /// Numbers of the next cycle, and time of the last one.
@@ -145,7 +145,7 @@ impl Connection {
         let mut sink = SchemaOf(None);
         context.tree.read_info(ComponentId::new(component.into()), info.into(), &mut sink);
         let Some(schema) = sink.0 else {
-            // The component has no such information.
+            // The component has no such output.
             set(&mut self.due, entry, false);
             return None;
         };

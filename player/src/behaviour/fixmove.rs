@@ -125,12 +125,12 @@ impl Fixmove {
         self.by_hand.is_some()
     }
 
-    /// Requests a kick; has no effect on one that is being played.
+    /// Requests a kick; has no effect on a kick in progress.
     pub const fn play(&mut self, strike: Strike) {
         self.strike = Some(strike);
     }
 
-    /// Lines up for a kick and plays it. During a kick it is the next one.
+    /// Lines up for a kick and plays it. During a kick the request is for the next one.
     #[modulation]
     pub fn kick(
         &mut self,

@@ -12,8 +12,8 @@ use crate::perception::{BallDetector, Odometry};
 /// How the robot walks around the ball.
 #[derive(Clone, Debug, PartialEq, Params)]
 pub struct Circling {
-    /// Distance from the middle of the feet to the ball. `Player.way_round_radius`, for which the way is tested for
-    /// obstacles, should equal it.
+    /// Distance from the middle of the feet to the ball. `Player.way_round_radius`, the radius of the path that is
+    /// tested for obstacles, should equal it.
     #[param(default = 0.24, range = 0.15..=0.5, unit = "m", step = 0.01)]
     pub radius: f32,
     /// Sideways speed.

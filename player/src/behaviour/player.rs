@@ -31,7 +31,7 @@ impl Player {
         Self { plan: Plan::GoRound(0.0), decision: Cell::new(None), last_failed_kick: None }
     }
 
-    /// Searches the ball.
+    /// Searches for the ball.
     #[state(initial)]
     fn look_for_ball(&mut self, _search: &mut SearchBall) {}
 
@@ -39,7 +39,7 @@ impl Player {
     #[state]
     fn approach(&mut self, _follow: &mut FollowBall, _robots: &RobotDetector) {}
 
-    /// Stands at the ball and searches the goal.
+    /// Stands at the ball and searches for the goal.
     #[state]
     fn search_net(&mut self, _search: &mut SearchNet, body: &mut Body) {
         body.stand();

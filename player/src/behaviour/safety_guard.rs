@@ -57,7 +57,7 @@ impl SafetyGuard {
         motors.set_all(&posture, stiffness);
     }
 
-    /// On the ground after a failed attempt, or hot: no stiffness, so that limbs come free and motors cool.
+    /// On the ground after a failed attempt, or hot: no stiffness, so that limbs become free and motors cool.
     #[state]
     fn rest(&mut self, _falls: &FallDetector, state: &RobotState, motors: &mut Motors) {
         motors.set_all(state.angles(), 0.0);

@@ -33,7 +33,7 @@ pub(super) enum Band {
     Far,
 }
 
-/// How the robot searches the ball.
+/// How the robot searches for the ball.
 #[derive(Clone, Debug, PartialEq, Params)]
 #[params(check = Self::is_ordered)]
 pub struct Search {

@@ -12,8 +12,8 @@ use crate::output::CameraSelector;
 use crate::perception::{BallDetector, CameraPose, FieldBoundary, Odometry, RobotDetector};
 use crate::strategy::{Strip, free_path};
 
-/// Searches the ball: at its remembered position, then with the head, then with turns of the body. After a full turn without
-/// result it searches at another place, where other robots hide another part of the field.
+/// Searches for the ball: at its remembered position, then with the head, then with turns of the body. After a full
+/// turn without result it searches at another place, where other robots hide another part of the field.
 #[derive(Debug)]
 pub struct SearchBall {
     /// Index in [`GLANCES`].
@@ -179,13 +179,13 @@ impl SearchBall {
         self.turns = self.turns.saturating_add(1);
     }
 
-    /// The head looks ahead again after this time.
+    /// After this time the head points ahead again.
     #[transition(find_path -> walk_on, after_ms = 500)]
     fn path_found(&self, tuned: &Tuned<Search>) -> bool {
         self.path >= tuned.free_path
     }
 
-    /// No path is free in a full circle: the others may have moved after another one.
+    /// No path is free in a full circle: other robots may move during another one.
     #[transition(find_path -> scan, after_ms = 8000)]
     fn surrounded(&self) -> bool {
         true
@@ -213,7 +213,7 @@ impl SearchBall {
         self.leaves = true;
     }
 
-    /// Number of directions of this scan in which the ball was searched, 0 to 13.
+    /// Number of completed directions of this scan, 0 to 13.
     #[info]
     #[must_use]
     pub const fn glances(&self) -> u32 {

@@ -5,7 +5,7 @@ use bica::prelude::*;
 use super::LookAround;
 use crate::perception::GoalDetector;
 
-/// Searches the attacked goal (the paper's "net") with the head until it was seen or every direction was searched.
+/// Searches for the attacked goal (the paper's "net") with the head until it was seen or every direction was searched.
 #[derive(Debug)]
 pub struct SearchNet {
     began: bool,
@@ -45,7 +45,7 @@ impl SearchNet {
         self.complete
     }
 
-    /// Number of directions in which the goal was searched.
+    /// Number of completed directions of the search.
     #[info]
     #[must_use]
     pub const fn glances(&self) -> u32 {

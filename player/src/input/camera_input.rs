@@ -16,8 +16,8 @@ pub const IMAGE_BYTES: usize = if cfg!(feature = "medium-frames") {
     640 * 480 * 2
 };
 
-/// Memory of the pixels. With the feature `small-frames` it is lent ([`CameraInput::set_image`]), so that a new image can be
-/// written into it without a copy; empty while it is not here.
+/// Memory of the pixels. With the feature `small-frames` it is lent ([`CameraInput::set_image`]), so that a new image
+/// can be written into it without a copy. It is empty while the program has it.
 #[cfg(feature = "small-frames")]
 type Buffer = &'static mut [u8];
 #[cfg(not(feature = "small-frames"))]
@@ -70,8 +70,8 @@ impl CameraInput {
         }
     }
 
-    /// Sets a new image, which was written into `memory`, and the joint angles (rad) at which it was taken. Returns the memory
-    /// of the previous image; it is empty if that was taken before.
+    /// Sets a new image, which was written into `memory`, and the joint angles (rad) at which it was taken. Returns the
+    /// memory of the previous image; empty if it was taken before.
     #[cfg(feature = "small-frames")]
     #[must_use = "the memory is lost if nobody keeps it"]
     pub const fn set_image(
@@ -87,8 +87,8 @@ impl CameraInput {
         core::mem::replace(&mut self.yuyv, memory)
     }
 
-    /// Takes the memory of the image, for the next one. There is no image until [`Self::set_image`]: it is 0×0, its number stays,
-    /// and a component that has not processed it will not.
+    /// Takes the memory of the image, for the next one. Until [`Self::set_image`] there is no image: its size is 0×0,
+    /// its number stays, and components that have not processed it never will.
     #[cfg(feature = "small-frames")]
     #[must_use = "the memory is lost if nobody keeps it"]
     pub const fn take_memory(&mut self) -> &'static mut [u8] {

@@ -15,14 +15,14 @@ type TableMemory = GradualTable;
 
 /// The colour classes of ball, goals, field and lines.
 ///
-/// While all limits have their default values, the table given by [`set_table`](Self::set_table) classifies: it is outside
-/// the tree, because a microcontroller keeps its 32 KiB in flash. Otherwise a table of the limits does, which is compiled in
-/// 64 runs, one part in each.
+/// While all limits have their default values, the table given by [`set_table`](Self::set_table) classifies. It is
+/// outside the tree, because a microcontroller keeps its 32 KiB in flash. Otherwise a table of the limits classifies;
+/// each of 64 runs compiles one part of it.
 #[derive(Debug)]
 pub struct Colours {
     table: &'static CompactTable,
     memory: TableMemory,
-    /// Limits of the table in `memory`, or of that which is being compiled.
+    /// Limits of the table in `memory`, complete or not.
     limits: ColourLimits,
     /// Whether the table in `memory` classifies.
     is_tuned: bool,
@@ -53,7 +53,7 @@ impl Colours {
         white: &Tuned<WhiteLimits>,
     ) {
         let default = ColourLimits::DEFAULT;
-        // Compared one by one, so that nothing is left of the compilation in a tree that is not tunable.
+        // Compared one by one, so that the compiler removes this code from a tree that is not tunable.
         if **orange == default.orange
             && **yellow == default.yellow
             && **blue == default.blue
@@ -127,7 +127,7 @@ impl Colours {
         self.tuned_table().is_some()
     }
 
-    /// Whether a table of the limits classifies, not the one that the program has set.
+    /// Whether a table of the limits classifies, instead of the program's table.
     #[info]
     const fn is_tuned(&self) -> bool {
         self.is_tuned

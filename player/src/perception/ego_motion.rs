@@ -15,8 +15,8 @@ impl LastImage {
         Self(0)
     }
 
-    /// Whether there is an image that the component has not processed yet; it then counts as processed. An image whose memory is
-    /// taken counts as processed too.
+    /// Whether there is an image that the component has not processed; marks it as processed. An image whose memory is
+    /// taken counts as processed.
     pub(super) const fn take_new(&mut self, input: &CameraInput) -> bool {
         let is_new = self.0 != input.count() && input.has_image();
         self.0 = input.count();

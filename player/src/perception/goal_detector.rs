@@ -129,7 +129,7 @@ impl GoalDetector {
                 self.found = true;
                 self.memory.see(middle, &spread(), one);
             } else if goal.first.has_base {
-                // Whether a post is where the remembered goal has none.
+                // Whether there is a post where the remembered goal has none.
                 self.memory.miss();
             }
         } else if let Some(middle) = goal.ground(camera) {
@@ -287,8 +287,8 @@ impl GoalDetector {
     }
 }
 
-/// The middle of a goal, from one of its posts and the unit vector along its line. For a post of unknown side: of both
-/// candidates, the one that is nearer to the `known` position.
+/// The middle of a goal, from one of its posts and the unit vector along its line. For a post of unknown side, the
+/// candidate that is nearer to the `known` position.
 fn middle_by(post: Vec2, side: PostSide, across: Vec2, known: Vec2) -> Vec2 {
     let half = 0.5 * FIELD.goal_width() * across;
     let (if_left, if_right) = (post - half, post + half);

@@ -65,7 +65,7 @@ pub fn plan(
         .unwrap_or(go_round)
 }
 
-/// What a plan depends on.
+/// Inputs of a plan.
 #[derive(Clone, Copy)]
 struct Task<'a> {
     situation: &'a Situation,

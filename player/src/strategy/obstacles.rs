@@ -13,7 +13,7 @@ pub struct Clearance {
     /// Radius of the free area that the robot needs for a kick: its shoulders, or its feet with the steps to the ball.
     #[param(default = 0.15, range = 0.05..=0.4, unit = "m", step = 0.01)]
     pub body_radius: f32,
-    /// Largest distance of an obstacle from the ball that counts; farther robots will have moved until then.
+    /// Largest distance of an obstacle from the ball that counts; farther robots will have moved by then.
     #[param(default = 0.8, range = 0.2..=4.0, unit = "m", step = 0.1)]
     pub obstacle_distance: f32,
     /// Radius of another robot: half of its width, less the compliance of its arms.
@@ -36,7 +36,7 @@ pub(super) struct Obstacle {
     pub(super) radius: f32,
 }
 
-/// Returns two goal posts and all remembered robots.
+/// Two goal posts and all remembered robots.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Obstacles(pub(super) Vec<Obstacle, 6>);
 

@@ -13,7 +13,7 @@ const TORSO_RADIUS: f32 = 0.09;
 const FOOT_CENTRE: Vec3 = Vec3::new(0.035, 0.0, 0.0);
 /// Radius of that disc, m.
 const FOOT_RADIUS: f32 = 0.065;
-/// Number of overlaps resolved one after the other; the two walls of a corner need two.
+/// Number of overlaps resolved in sequence; the two walls of a corner need two.
 const ITERATIONS: usize = 3;
 /// Cosine of the angle between foot and obstacle within which a bumper is pressed (60°).
 const BUMPER_COSINE: f32 = 0.5;

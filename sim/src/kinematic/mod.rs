@@ -1,9 +1,9 @@
 //! The built-in simulator: one NAO, moved by the kinematics of its joints, on the field of 2009.
 //!
-//! Method: quasi-static. The lower foot carries the robot and stays where it is; the pose of the body follows from the joint
-//! angles. Only the ball has a velocity. The simulator has no inertia and no contact forces, but it has what makes a robot
-//! program fail on a real robot: dead time and speed limits of the motors, slipping feet, falls, sensor noise, and images
-//! of a full hall with motion blur, vignetting and varying exposure.
+//! Method: quasi-static. The lower foot carries the robot and stays where it is; the pose of the body follows from the
+//! joint angles. Only the ball has a velocity. The simulator has no inertia and no contact forces, but it has the usual
+//! causes of failure on a real robot: dead time and speed limits of the motors, slipping feet, falls, sensor noise, and
+//! images of a full hall with motion blur, vignetting and varying exposure.
 
 mod ball;
 mod ball_motion;

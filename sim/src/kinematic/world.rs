@@ -79,8 +79,8 @@ impl KinematicWorld {
         self.body.set_motor_temperature(joint, temperature);
     }
 
-    /// Puts the ball at a position, m, with a velocity, m/s; field frame. A return into play that the rules had planned is
-    /// cancelled. For experiments, such as shots at a goal.
+    /// Puts the ball at a position, m, with a velocity, m/s; field frame. This cancels a pending return into play. For
+    /// experiments, such as shots at a goal.
     ///
     /// # Errors
     ///
@@ -202,7 +202,7 @@ impl SpectatorView for KinematicWorld {
     }
 }
 
-/// Describes what a camera shows whose pose was `previous` one cycle ago.
+/// Describes the scene of a camera whose pose was `previous` one cycle ago.
 fn scene<'a>(body: &'a Body, camera: Affine3A, previous: &Affine3A, frame: u64, ball: Vec2) -> Scene<'a> {
     let angular_velocity = angular_velocity(&previous.matrix3, &camera.matrix3);
     Scene { camera, angular_velocity, frame, ball, robot: body.robot(), skeleton: body.skeleton() }

@@ -296,7 +296,7 @@ impl World for MujocoWorld {
     fn place_ball(&mut self, at: Vec2) -> Result<(), PlacementError> {
         placement::check(at, &self.referee)?;
         place(&mut self.data, self.ball, at);
-        // The next image is drawn from what is derived from the positions.
+        // The next image is drawn from quantities that are derived from the positions.
         self.data.forward();
         self.rules.cancel_return();
         self.referee.set_ball(at, Vec2::ZERO);

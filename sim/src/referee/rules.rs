@@ -56,7 +56,7 @@ impl Rules {
         }
     }
 
-    /// Forgets the return of a ball that is out of play: something else has put it back.
+    /// Cancels the return of a ball that is out of play, because it was placed by other means.
     pub(crate) const fn cancel_return(&mut self) {
         self.pending_return = None;
     }

@@ -14,7 +14,7 @@ pub const STACK_BYTES: usize = 32 << 20;
 /// Runs with consecutive seeds.
 #[derive(Clone, Copy, Debug)]
 pub struct Batch {
-    /// The first seed; after the last `u64` comes 0.
+    /// The first seed; 0 follows the last `u64`.
     pub first_seed: u64,
     /// Number of seeds.
     pub runs: u32,

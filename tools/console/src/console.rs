@@ -41,8 +41,8 @@ impl Style {
 
 /// Output of a command.
 ///
-/// Without `--json`, lines for people go to stdout. With `--json`, stdout holds JSON only and lines for people go to
-/// stderr. Styles are left out where the output is no terminal or `NO_COLOR` is set.
+/// Without `--json`, lines for people go to stdout. With `--json`, stdout contains JSON only and lines for people go to
+/// stderr. Styles are omitted if the output is not a terminal or `NO_COLOR` is set.
 #[derive(Clone, Copy, Debug)]
 pub struct Console {
     json: bool,

@@ -1,4 +1,4 @@
-//! A standing body in lockstep with the robot, in a thread of its own, and the same cycles on the host.
+//! A standing body in lockstep with the robot, in a separate thread, and the same cycles on the host.
 
 use std::error::Error;
 use std::net::SocketAddr;
@@ -21,7 +21,8 @@ use bica_wire::{FromMonitor, FromRobot, ToMonitor, ToRobot};
 
 use crate::session::{self, standing};
 
-/// Time of a cycle, µs of the robot's time. The body also waits for it, so that the robot's time is about that of a clock.
+/// Time of a cycle, µs of the robot's time. The body also waits this long, so that the robot's time is close to a
+/// clock's.
 pub(super) const CYCLE_US: u64 = 10_000;
 
 /// A cycle of the robot.
@@ -85,7 +86,7 @@ impl Body {
         self.cycles.lock().unwrap_or_else(PoisonError::into_inner).len()
     }
 
-    /// Waits until the robot ran so many cycles.
+    /// Waits until the robot has run `count` cycles.
     pub(super) fn wait_for(&self, count: usize) -> Result<(), Box<dyn Error>> {
         while self.count() < count {
             if self.thread.is_finished() {
@@ -127,7 +128,7 @@ fn run(
             }
             FromRobot::Telemetry(telemetry) if telemetry.time_us == time_us => Some(telemetry.active),
             FromRobot::Monitor(bytes) => {
-                // A test that has what it waits for no longer receives.
+                // The receiver is closed when its test has ended.
                 let _ = received(bytes).map(|message| answers.send(message));
                 None
             }

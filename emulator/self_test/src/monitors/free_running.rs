@@ -46,7 +46,7 @@ pub(super) fn safe_stand(image: &Path) -> Outcome {
                 expect_eq(&next()?.1, &false)?;
             }
             sends.store(HEARTBEATS, Ordering::Relaxed);
-            // The stamp of a cycle with sensor values is theirs: 0.
+            // The time stamp of a cycle with sensor values is that of the values: 0.
             let (mut blind_us, mut cycle) = (None, next()?);
             while !cycle.1 {
                 blind_us = blind_us.or((cycle.0 > 0).then_some(cycle.0));
@@ -70,7 +70,7 @@ pub(super) fn safe_stand(image: &Path) -> Outcome {
     stands(image)
 }
 
-/// Sends messages until there is nothing to send. The pipe's bytes are the robot's clock, so there is always something.
+/// Sends messages until the end of the test. The pipe's bytes are the robot's clock, so they must not run out.
 fn send(tx: &mut Tx<impl Write>, noise: &mut TcpStream, sends: &AtomicU8) -> Outcome {
     let mut random = Random::new(1);
     let mut buffer = [0; 16];

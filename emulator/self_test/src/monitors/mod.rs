@@ -1,4 +1,4 @@
-//! Monitors of the running image: what they see and request, and that nothing else changes.
+//! Monitors of the running image: their data, their requests, and the absence of other changes.
 
 mod body;
 mod free_running;
@@ -16,7 +16,7 @@ use crate::parts::Part;
 
 type Outcome = Result<(), Box<dyn Error>>;
 
-/// Longest wait of a monitor: the emulator is slow on a busy computer.
+/// Maximum wait of a monitor: the emulator is slow on a busy computer.
 const PATIENCE: Duration = Duration::from_mins(2);
 
 /// A scenario: the property that it checks, and the check of an image.

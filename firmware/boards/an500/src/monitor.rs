@@ -98,7 +98,7 @@ impl Write for MonitorTx {
 
 fn dequeue(buffer: &mut [u8]) -> usize {
     critical_section::with(|cs| {
-        // A byte that came while the interrupt was disabled causes none.
+        // A byte that was received while the interrupt was disabled causes no interrupt.
         enqueue(cs);
         let mut queue = QUEUE.borrow_ref_mut(cs);
         let mut count = 0;

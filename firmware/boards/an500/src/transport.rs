@@ -144,8 +144,8 @@ async fn receive(buffer: &mut [u8]) -> usize {
 
 fn dequeue(buffer: &mut [u8]) -> usize {
     critical_section::with(|cs| {
-        // A byte that came while the interrupt was disabled causes none, so the port is read after the interrupt is enabled. If
-        // nothing is returned, the port is empty, and the next byte wakes the task.
+        // A byte that was received while the interrupt was disabled causes no interrupt, so the port is read after the
+        // interrupt is enabled. If nothing is returned, the port is empty, and the next byte wakes the task.
         uart::LINK.enable_interrupt(true);
         enqueue(cs);
         let mut queue = QUEUE.borrow_ref_mut(cs);

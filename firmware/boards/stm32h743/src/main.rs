@@ -1,4 +1,4 @@
-//! The forward on an STM32H743. It compiles and was never run.
+//! The forward on an STM32H743. It compiles, but it has never run on the chip.
 //!
 //! Before use, check clock, pins and serial port against the board.
 #![no_std]

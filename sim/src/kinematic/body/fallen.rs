@@ -1,7 +1,7 @@
 //! Falling, lying and getting up.
 //!
-//! The simulator has no contact forces on the ground, so it decides from postures what a real robot does by pushing itself up:
-//! after a fall the robot stands again once it has folded its legs and then holds a posture that balances on both soles.
+//! The simulator has no contact forces on the ground, so postures decide when a robot gets up: after a fall the robot
+//! stands again once it has folded its legs and then holds a posture that balances on both soles.
 
 use core::f32::consts::FRAC_PI_2;
 
@@ -34,7 +34,7 @@ const SITTING_LEAN: f32 = 0.8;
 const FOLDED_KNEE: f32 = 1.8;
 /// Minimum bend of the knees of a standing robot, rad: below, the legs are stretched.
 const STANDING_KNEE_MIN: f32 = 0.3;
-/// Bend of the knees from which on a robot squats instead of standing, rad.
+/// Minimum bend of the knees of a squatting robot, rad.
 const STANDING_KNEE_MAX: f32 = 1.4;
 /// Distance of the robot frame from the feet after a fall, along the ground, m.
 const FALL_LENGTH: f32 = 0.22;

@@ -91,7 +91,7 @@ fn tube(xml: &mut String, from: Vec3, to: Vec3, radius: f32, paint: &str, contac
     );
 }
 
-/// Writes a net that stops the ball: its part that hangs freely.
+/// Writes the freely hanging part of a net, which stops the ball.
 fn net(xml: &mut String, Vec3 { x, y, z }: Vec3, half: Vec3) {
     let _ = writeln!(
         xml,

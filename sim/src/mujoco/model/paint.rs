@@ -64,8 +64,8 @@ pub(crate) fn team(layout: &Layout) -> Rgb {
     Paint::of(layout).team
 }
 
-/// Writes a lamp above and one on the brighter side. With the ambient light a horizontal surface has about its own colour, one in
-/// the shade three quarters of it, as in the kinematic simulator.
+/// Writes a lamp above and one on the brighter side. With the ambient light a horizontal surface has about its own
+/// colour, and a surface in the shade three quarters of it, as in the kinematic simulator.
 pub(crate) fn lamps(xml: &mut String, light: Light) {
     let Vec3 { x, y, z } = -light.from;
     for (direction, strength) in [((0.0, 0.0, -1.0), 0.17), ((x, y, z), 0.2)] {

@@ -1,11 +1,11 @@
-//! XML of soft shadows on the carpet: flat discs below feet, torso and ball. MuJoCo's own shadows take a software renderer
-//! seconds.
+//! XML of soft shadows on the carpet: flat discs below feet, torso and ball. A software renderer needs seconds for
+//! MuJoCo's own shadows.
 
 use std::fmt::Write;
 
 /// Half length and half width of the shadows of left foot, right foot, torso and ball, m.
 const SIZES: [(f32, f32); 4] = [(0.1, 0.062), (0.1, 0.062), (0.15, 0.15), (0.045, 0.045)];
-/// Opacity of a layer; each layer is smaller and slightly higher than the one before.
+/// Opacity of a layer; each layer is smaller and slightly higher than the previous one.
 const OPACITY: f32 = 0.11;
 /// Scale of each layer.
 const LAYERS: [f32; 4] = [1.1, 0.95, 0.8, 0.65];

@@ -59,7 +59,7 @@ pub(super) fn fit_class(class: Colour, samples: &[Sample]) -> Option<FittedClass
     })
 }
 
-/// Thresholds of a class without samples: those of the base profile, with the least saturation raised above nearly all
+/// Thresholds of a class without samples: the base profile's, with the minimum saturation raised above nearly all
 /// pixels known to be of other classes.
 pub(super) fn with_raised_saturation(class: Colour, given: &Filter, samples: &[Sample]) -> Filter {
     let others = || samples.iter().filter(|sample| sample.is_not.has(class));

@@ -1,9 +1,9 @@
 //! Samples: pixels whose class is known, or that are known not to be of some classes.
 //!
-//! A pixel in a rectangle is of its class and of no other; in a rectangle of no class it may be white, as walls are. In a
-//! labelled image, pixels inside an orange ball are orange and pixels outside all balls are not; pixels outside the goal are
-//! neither yellow nor blue. Edges, where colours mix, are left out. All rectangles and balls of a class have the same
-//! weight, whatever their size; a red ball weighs as much as an orange one.
+//! A pixel in a rectangle is of its class and of no other; in a rectangle of no class it may be white, as walls are. In
+//! a labelled image, pixels inside an orange ball are orange and pixels outside all balls are not; pixels outside the
+//! goal are neither yellow nor blue. Edges, where colours mix, are excluded. All rectangles and balls of a class have
+//! the same weight, whatever their size; a red ball weighs as much as an orange one.
 
 use bica_vision::colour::{Colour, ColourSet};
 use bica_vision::frame::{Frame, Pair, Pixel};
@@ -26,7 +26,7 @@ pub(super) struct Sample {
     pub(super) pixel: Pixel,
     /// Its class, if known.
     pub(super) is: Option<Colour>,
-    /// Classes that it is known not to be of.
+    /// Classes to which it is known not to belong.
     pub(super) is_not: ColourSet,
     /// Number of pixels it stands for.
     pub(super) weight: f32,
@@ -105,7 +105,7 @@ fn inside<'a>(frame: &Frame<'a>, ball: &Ball) -> impl Iterator<Item = Pixel> + u
     pairs(frame).filter(move |(at, _)| at.distance(centre) <= 0.85 * radius - 0.5).map(|(_, pixel)| pixel)
 }
 
-/// Classes that a pixel of a class is not of; a pixel of no class may be white.
+/// Classes to which a pixel of a class does not belong; a pixel of no class may be white.
 fn others(class: Colour) -> ColourSet {
     let is_open = |other: &Colour| class == Colour::None && *other == Colour::White;
     let others = Colour::ALL.into_iter().filter(|other| *other != class && !is_open(other));

@@ -35,7 +35,7 @@ pub struct DetectionOptions {
 
 /// Receiver of the detections of each image. An error ends the run.
 pub trait DetectionObserver {
-    /// Receives the detections in an image; `pose` is that of the camera, if known.
+    /// Receives the detections in an image; `pose` is the camera pose, if known.
     ///
     /// # Errors
     /// If the run has to end.

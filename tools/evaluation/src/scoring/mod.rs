@@ -14,10 +14,10 @@ use crate::labels::{self, Label, Labels};
 use goals::Goals;
 use tally::{Errors, Percentiles, Share};
 
-/// Size of the images whose horizon files of poses give, px.
+/// Width of the images to which the horizon in files of poses refers, px.
 const HORIZON_WIDTH: usize = 320;
 const HORIZON_HEIGHT: usize = 240;
-/// Column in which they give it, px.
+/// Column of that horizon, px.
 const HORIZON_COLUMN: f32 = 159.5;
 /// Largest relative difference of two measurements of a distance that counts as equal.
 const SAME_DISTANCE: f32 = 0.12;
@@ -50,7 +50,7 @@ struct Figures {
     missed: Vec<String>,
     wrong: Vec<String>,
     goals: Goals,
-    /// Correct balls: those whose distance by projection differs by at most 12 % from that by the radius.
+    /// Correct balls: those whose distances by projection and by radius differ by at most 12 %.
     same_distance: Share,
     /// Relative difference of these distances.
     distance: Percentiles,
@@ -134,7 +134,7 @@ impl Score {
             missed: missed.to_vec(),
             wrong: wrong.to_vec(),
         };
-        // A goal of the wrong colour, or where there is none, is wrong.
+        // A goal of the wrong colour, or a detection without a goal, is wrong.
         let found = goals.complete.good + goals.partial.good;
         let of_goals = Share { of: found + goals.wrong.len(), good: found }.ratio();
         [
@@ -184,7 +184,7 @@ fn near(label: &labels::Ball) -> f32 {
     (0.5 * label.radius).max(3.0)
 }
 
-/// Relative difference between the distance of the ball by projection and that by its radius.
+/// Relative difference between the ball's distances by projection and by radius.
 fn distance_error(ball: &Ball, camera: &Camera, radius: f32) -> f32 {
     let centre = Vec2::new(ball.x, ball.y);
     let by_pose = camera.ground(centre, radius).map(|at| at.extend(radius).distance(camera.pose().translation.into()));

@@ -1,5 +1,5 @@
-//! Trials of the body in MuJoCo: walking, pushes, odometry, kicks, falls, getting up. Each trial is a table of results with
-//! the numbers that are required.
+//! Trials of the body in MuJoCo: walking, pushes, odometry, kicks, falls, getting up. Each trial is a table of results
+//! with the required numbers.
 
 mod comeback;
 mod fall_subject;

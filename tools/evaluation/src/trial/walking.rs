@@ -125,7 +125,7 @@ fn commands_row(series: &Series, name: &str, physics: &Physics, required: u32) -
     Ok(fall_row(name, &runs, series.needed(required)))
 }
 
-/// A random command; far from the centre of the field, the one of eight that leads nearest to it.
+/// A random command; far from the centre of the field, the command of eight that ends nearest to it.
 fn inward(rng: &mut Rng, pose: Pose2) -> Velocity {
     let mut any = || {
         let forward = rng.between(-0.1, 0.2);
