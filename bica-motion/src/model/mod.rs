@@ -75,8 +75,7 @@ pub trait RobotModel: Copy + Debug + PartialEq + Send + Sync + 'static {
     const ACTUATORS: &'static Joints<Actuator>;
     /// Time from a command to the first motion of a joint, s.
     const DEAD_TIME: f32;
-    /// Time from a command until the measured angle follows it, in control cycles; at most
-    /// [`MAX_FEEDBACK_DELAY`].
+    /// Time from a command until the measured angle follows it, in control cycles; at most [`MAX_FEEDBACK_DELAY`].
     const FEEDBACK_DELAY: usize;
     /// Thermal limits of the motors.
     const THERMAL: ThermalLimits;

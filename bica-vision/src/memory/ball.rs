@@ -145,8 +145,7 @@ impl BallMemory {
         self.ball = Some(again.unwrap_or_else(|| Ball::new(&seen, &self.tuning)));
     }
 
-    /// Notes that the ball was not seen although in view: reduces the confidence by
-    /// [`MemoryTuning::miss_factor`].
+    /// Notes that the ball was not seen although in view: reduces the confidence by [`MemoryTuning::miss_factor`].
     pub fn miss(&mut self) {
         self.belief.miss();
     }

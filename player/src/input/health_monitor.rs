@@ -59,8 +59,7 @@ impl HealthMonitor {
         self.health.fault()
     }
 
-    /// Whether a fault ends the current motion: both feet have touched the ground since, or the grace time has
-    /// passed.
+    /// Whether a fault ends the current motion: both feet have touched the ground since, or the grace time has passed.
     #[info]
     #[must_use]
     pub fn must_stop(&self) -> bool {
