@@ -161,7 +161,7 @@ impl Connection {
         if let Some(watched) = self.watched.iter_mut().find(same) {
             watched.every = every;
         } else if every > 0 && self.watched.push(Watched { component, info, every }).is_err() {
-            let text = "a monitor cannot watch so much information";
+            let text = "a monitor cannot watch more outputs";
             self.log(LogEntry { time_us: 0, level: 3, text, component: None });
         }
     }
