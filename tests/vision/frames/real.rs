@@ -109,7 +109,7 @@ fn score(images: &[Labelled], filters: &Filters) -> Score {
 }
 
 images_test! {
-    fn balls_and_goals_are_found_in_frames_of_a_nao_of_2009() {
+    fn detectors_find_balls_and_goals_of_nao_2009() {
         let mut score = score(&recorded::labelled("nao2009"), &NAO_2009);
         score.print("nao2009");
         assert!(score.full >= 60 && score.complete >= 15 && score.partial >= 15, "labels are missing");
@@ -120,7 +120,7 @@ images_test! {
         assert_eq!(score.false_goals, Vec::<String>::new());
     }
 
-    fn balls_and_goals_are_found_in_frames_of_a_darwin_of_2013() {
+    fn detectors_find_balls_and_goals_of_darwin_2013() {
         let mut score = score(&recorded::labelled("darwin2013"), &DARWIN_2013);
         score.print("darwin2013");
         assert!(score.full >= 7, "labels are missing");
