@@ -1,65 +1,60 @@
-//! The budget report: measured times of every component of the forward in fixed games, and the declared budgets.
+//! Times of every component of the forward in fixed games; `benches/scripts/times.py` compares them with the declared budgets.
 //!
-//! `cargo bench -p bica-benches --bench budget`, and `cargo bench -p bica-benches --bench budget -- --help`.
-//!
-//! The games are deterministic, so a run of a component does the same work in each repetition of a game. For every run
-//! the minimum time over the repetitions counts, which removes interruptions by other programs. The slowest run,
-//! counted like this, must keep the declared budget. The maximum time over all repetitions is printed too, but is not
-//! checked.
+//! The program gets the size of the images as its argument. It prints JSON: first the budgets, then for each cycle the time of each
+//! component, and of each phase, in ns; `null` where nothing ran. The games are deterministic, so a run of a component does the
+//! same work each time that the program runs.
 
-mod bars;
-mod json;
-mod options;
 mod play;
-mod processor;
-mod report;
-mod table;
 
-use std::process::ExitCode;
+use std::time::Instant as Clock;
 
-use bica_times::measurements::Measurements;
-use clap::Parser;
-use options::Options;
-use report::Report;
+use bica::check::{longest_chain, steps};
+use bica::runner::Runner;
+use bica::{Instant, Tree};
+use bica_benches::recording::{CYCLES, Recording, WARM};
+use bica_player::Forward;
+use bica_sim::setup::Frame;
 
-fn main() -> ExitCode {
-    match report(&Options::parse()) {
-        Ok(true) => ExitCode::SUCCESS,
-        Ok(false) => ExitCode::FAILURE,
-        Err(error) => {
-            eprintln!("budget: {error}");
-            ExitCode::FAILURE
-        }
-    }
+fn main() -> Result<(), String> {
+    let sizes = [Frame::Small, Frame::Medium, Frame::Large]
+        .map(|frame| (format!("{}x{}", frame.size().0, frame.size().1), frame));
+    let wanted = std::env::args().nth(1);
+    let frame = sizes.iter().find(|(size, _)| wanted.as_ref() == Some(size));
+    let (_, frame) = frame.ok_or("usage: budget 160x120 | 320x240 | 640x480")?;
+    let graph = &Forward::GRAPH;
+    let header = serde_json::json!({
+        "components": graph.nodes.iter().map(|node| node.name).collect::<Vec<_>>(),
+        "phases": play::PHASES,
+        "budgets_us": graph.nodes.iter().map(|node| node.budget_us).collect::<Vec<_>>(),
+        "chain_us": longest_chain(graph, steps(graph)).sum,
+        "deadline_ms": graph.budget_ms,
+        "recording_s": recording_time(*frame)?,
+    });
+    // Output between two cycles would replace what the processor has in its caches.
+    let mut cycles = Vec::new();
+    play::all(*frame, |cycle| cycles.push(cycle.to_vec()))?;
+    println!("{header}");
+    cycles.iter().for_each(|cycle| println!("{}", serde_json::json!(cycle)));
+    Ok(())
 }
 
-/// Factor on the number of repetitions while a check fails.
-const MORE: usize = 3;
+/// Number of repetitions of the recording.
+const REPEATS: usize = 20;
 
-/// Plays the games, writes the report, and returns whether all checks pass.
-fn report(options: &Options) -> Result<bool, String> {
-    let repeats = options.repeats as usize;
-    let mut measurements = Measurements::new();
-    let report = loop {
-        play::all(options.frame, repeats, &mut measurements)?;
-        let basis = options.processor().map(|processor| processor.basis(options.frame)).transpose()?;
-        let report = Report::new(options, &measurements, basis);
-        // More repetitions can only lower the minimum times, so a failed check may be caused by interruptions.
-        if report.findings.is_empty() || measurements.repetitions() >= MORE * repeats {
-            break report;
+/// Minimum time of the recording whose instructions `benches/instructions.txt` counts, s.
+fn recording_time(frame: Frame) -> Result<f64, String> {
+    let (recording, robot) = Recording::of_game::<Forward>(frame, WARM, CYCLES);
+    let mut runner = Runner::new(robot, ());
+    let (mut minimum, mut cycle) = (f64::INFINITY, 1000);
+    for _ in 0..REPEATS {
+        let began = Clock::now();
+        for sensors in recording.sensors() {
+            let now = Instant::from_millis(10 * cycle);
+            runner.sense(now, &sensors).map_err(|error| error.to_string())?;
+            std::hint::black_box(runner.think(now));
+            cycle += 1;
         }
-    };
-    if let Some(file) = &options.svg {
-        std::fs::write(file, bars::draw(&report))
-            .map_err(|error| format!("cannot write {}: {error}", file.display()))?;
+        minimum = minimum.min(began.elapsed().as_secs_f64());
     }
-    if options.json {
-        println!("{}", json::of(&report));
-    } else {
-        print!("{}", table::of(&report));
-    }
-    for finding in &report.findings {
-        eprintln!("budget: {finding}");
-    }
-    Ok(report.findings.is_empty())
+    Ok(minimum)
 }

@@ -10,7 +10,6 @@ use bica_player::Forward;
 use bica_sim::World as SimulatedWorld;
 use bica_sim::kinematic::KinematicWorld;
 use bica_sim::setup::{Frame, Setup};
-use bica_times::measurements::{ACT, CHAIN, CHANNELS, Cycle, Measurements, SEEING, SENSE};
 
 /// Game that is played until a goal.
 struct Fixture {
@@ -34,21 +33,19 @@ const PITCH: f32 = 1.5;
 /// Maximum duration of a game in simulated time.
 const LIMIT: Duration = Duration::from_mins(1);
 
-/// Plays all games `repeats` times and records their times.
+/// Phases of a cycle: writing the sensor values, reading the command, the whole chain from sensing to acting, and the chain in
+/// cycles with a new image.
+pub(crate) const PHASES: [&str; 4] = ["sensing", "acting", "the whole chain", "with an image"];
+
+/// Plays all games, and passes the times of each cycle: of the components, then of the phases, ns.
 ///
 /// # Errors
-/// If a repetition of a game differs from the first one.
-pub(crate) fn all(frame: Frame, repeats: usize, measurements: &mut Measurements) -> Result<(), String> {
-    for _ in 0..repeats {
-        measurements.begin_repetition();
-        for game in &GAMES {
-            play(game, frame, measurements)?;
-        }
-    }
-    Ok(())
+/// If a cycle cannot be run.
+pub(crate) fn all(frame: Frame, mut each: impl FnMut(&[Option<u32>])) -> Result<(), String> {
+    GAMES.iter().try_for_each(|game| play(game, frame, &mut each))
 }
 
-fn play(fixture: &Fixture, frame: Frame, measurements: &mut Measurements) -> Result<(), String> {
+fn play(fixture: &Fixture, frame: Frame, each: &mut impl FnMut(&[Option<u32>])) -> Result<(), String> {
     let game = new_game::<Forward>(&Setup { seed: fixture.seed, robots: fixture.robots, frame, ..Setup::default() });
     let (robot, world, ..) = game.into_parts();
     let began = Clock::now();
@@ -59,14 +56,8 @@ fn play(fixture: &Fixture, frame: Frame, measurements: &mut Measurements) -> Res
         game.observer_mut().1.reset();
         game.cycle().map_err(|error| error.to_string())?;
         let (phases, watch) = game.observer();
-        let mut cycle = phases.cycle;
-        for (time, spent) in cycle.iter_mut().zip(watch.spent()) {
-            *time = (spent.runs > 0).then_some(spent.total as u32);
-        }
-        measurements.record(&cycle).map_err(|channel| {
-            let name = Forward::GRAPH.nodes.get(channel).map_or("sensing", |node| node.name);
-            format!("game {} is not deterministic: {name} ran in one repetition and not in another", fixture.seed)
-        })?;
+        let components = watch.spent().iter().map(|spent| (spent.runs > 0).then_some(spent.total as u32));
+        each(&components.chain(phases.times).collect::<Vec<_>>());
     }
     Ok(())
 }
@@ -98,8 +89,8 @@ impl World<Forward> for WithFall {
 
 /// Measures the phases of a cycle.
 struct Phases {
-    /// Times of the channels that are not components.
-    cycle: Cycle,
+    /// Times of [`PHASES`], ns.
+    times: [Option<u32>; PHASES.len()],
     began: Clock,
     tick_end: Clock,
     has_image: bool,
@@ -107,7 +98,7 @@ struct Phases {
 
 impl Default for Phases {
     fn default() -> Self {
-        Self { cycle: [None; CHANNELS], began: Clock::now(), tick_end: Clock::now(), has_image: false }
+        Self { times: [None; PHASES.len()], began: Clock::now(), tick_end: Clock::now(), has_image: false }
     }
 }
 
@@ -128,13 +119,13 @@ impl Observer<Forward> for Phases {
     }
 
     fn sensed(&mut self) {
-        self.cycle[SENSE] = Some(nanoseconds(self.began.elapsed()));
+        self.times[0] = Some(nanoseconds(self.began.elapsed()));
     }
 
     fn acted(&mut self, _cycle: &Completed<'_, Forward>) {
         let now = Clock::now();
-        self.cycle[ACT] = Some(nanoseconds(now - self.tick_end));
-        self.cycle[CHAIN] = Some(nanoseconds(now - self.began));
-        self.cycle[SEEING] = self.cycle[CHAIN].filter(|_| self.has_image);
+        self.times[1] = Some(nanoseconds(now - self.tick_end));
+        self.times[2] = Some(nanoseconds(now - self.began));
+        self.times[3] = self.times[2].filter(|_| self.has_image);
     }
 }

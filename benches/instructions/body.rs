@@ -8,16 +8,21 @@ use bica_motion::model::{Nao, RobotModel};
 use bica_motion::robot::FootPressure;
 use bica_motion::side::Side;
 use bica_motion::walk::{Feedback, Velocity, Walk};
-use gungraun::prelude::*;
+
+use crate::case::Case;
+
+const FORWARD: Velocity = Velocity { forward: 0.2, left: 0.02, turn: 0.1 };
 
 /// Joint angles of a pose in the walk, rad.
 fn pose() -> Joints {
-    let mut walk = Walk::<Nao>::new(&Nao::DYNAMIC_PROFILE.gait);
+    let mut walk = new_walk();
     step_repeatedly(&mut walk, 30);
     walk.step(FORWARD, &on_both_feet(), 0.01).joints()
 }
 
-const FORWARD: Velocity = Velocity { forward: 0.2, left: 0.02, turn: 0.1 };
+fn new_walk() -> Walk {
+    Walk::<Nao>::new(&Nao::DYNAMIC_PROFILE.gait)
+}
 
 fn on_both_feet() -> Feedback {
     let force = FootPressure { front_left: 26.0, ..FootPressure::default() };
@@ -31,29 +36,20 @@ fn step_repeatedly(walk: &mut Walk, cycles: usize) {
     }
 }
 
-#[library_benchmark]
-#[bench::pose(pose())]
-fn forward_kinematics(angles: Joints) {
-    black_box(ankle::<Nao>(Side::Left, black_box(&angles)));
+/// All benchmarks of the motion.
+pub(crate) fn cases() -> Vec<Case> {
+    let ankles = || [Side::Left, Side::Right].map(|side| ankle::<Nao>(side, &pose()));
+    vec![
+        Case::new("forward_kinematics.pose", pose, |angles| {
+            black_box(ankle::<Nao>(Side::Left, black_box(angles)));
+        }),
+        Case::new("balance.pose", pose, |angles| {
+            black_box(centre_of_mass::<Nao>(black_box(angles)));
+        }),
+        Case::new("inverse_kinematics.pose", ankles, |ankles| {
+            let [left, right] = black_box(ankles);
+            black_box(legs_angles::<Nao>(left, right, YawFrom::Mean));
+        }),
+        Case::new("walk.second", new_walk, |walk| step_repeatedly(walk, 100)),
+    ]
 }
-
-#[library_benchmark]
-#[bench::pose(pose())]
-fn balance(angles: Joints) {
-    black_box(centre_of_mass::<Nao>(black_box(&angles)));
-}
-
-#[library_benchmark]
-#[bench::pose([ankle::<Nao>(Side::Left, &pose()), ankle::<Nao>(Side::Right, &pose())])]
-fn inverse_kinematics(ankles: [glam::Affine3A; 2]) {
-    let [left, right] = black_box(&ankles);
-    black_box(legs_angles::<Nao>(left, right, YawFrom::Mean));
-}
-
-#[library_benchmark]
-#[bench::second(Walk::<Nao>::new(&Nao::DYNAMIC_PROFILE.gait))]
-fn walk(mut walk: Walk) {
-    step_repeatedly(&mut walk, 100);
-}
-
-library_benchmark_group!(name = motion, benchmarks = [forward_kinematics, balance, inverse_kinematics, walk]);

@@ -4,117 +4,59 @@ use std::hint::black_box;
 
 use bica::prelude::*;
 use bica::runner::Runner;
-use bica_player::behaviour::{
-    Dribble, FaceBall, Fixmove, FollowBall, GoRound, LookAround, Player, SafetyGuard, SearchBall, SearchNet,
-};
-use bica_player::input::{CameraInput, Colours, GameState, HealthMonitor, RobotProfile, RobotState};
-use bica_player::motion::{Body, GoStraight, Head, Kicker, Turn, Walk};
-use bica_player::output::{CameraSelector, Motors};
-use bica_player::perception::{
-    BallDetector, CameraPose, FallDetector, FieldBoundary, FieldLines, GoalDetector, Localization, Odometry, OwnBody,
-    RobotDetector,
-};
-use bica_player::{Forward, tunable};
-use bica_sim::setup::Frame;
-use gungraun::prelude::*;
-
 use bica_benches::game::ForwardTree;
 use bica_benches::isolated::IsolatedComponent;
 use bica_benches::recording::{CYCLES, Recording, WARM};
+use bica_player::{Forward, tunable};
+use bica_sim::setup::Frame;
 
-/// Isolates a component and loads a new image for it.
-fn alone<C: 'static>() -> IsolatedComponent
-where
-    Forward: Has<C>,
-{
-    let mut alone = IsolatedComponent::new(Forward::id::<C>(), Frame::Medium);
-    if alone.needs_image() {
-        alone.load_image();
-    }
-    alone
-}
+use crate::case::Case;
 
-macro_rules! components {
-    ($($name:ident: $kind:ty),* $(,)?) => {
-        #[library_benchmark]
-        $(#[bench::$name(alone::<$kind>())])*
-        fn component(mut component: IsolatedComponent) -> IsolatedComponent {
-            component.run();
-            component
+/// One run of a component, which gets a new image if it reads images.
+fn component(index: usize) -> Case {
+    let name = format!("component.{}", snake(Forward::GRAPH.nodes[index].name));
+    let alone = move || {
+        let mut alone = IsolatedComponent::new(ComponentId::new(index), Frame::Medium);
+        if alone.needs_image() {
+            alone.load_image();
         }
-
-        const _: () = assert!([$(stringify!($name)),*].len() == Forward::COUNT, "the list lacks a component");
+        alone
     };
+    Case::new(name, alone, IsolatedComponent::run)
 }
 
-components! {
-    player: Player,
-    search_ball: SearchBall,
-    follow_ball: FollowBall,
-    search_net: SearchNet,
-    look_around: LookAround,
-    go_round: GoRound,
-    fixmove: Fixmove,
-    dribble: Dribble,
-    safety_guard: SafetyGuard,
-    face_ball: FaceBall,
-    body: Body,
-    go_straight: GoStraight,
-    turn: Turn,
-    walk: Walk,
-    kicker: Kicker,
-    head: Head,
-    localization: Localization,
-    ball_detector: BallDetector,
-    goal_detector: GoalDetector,
-    field_lines: FieldLines,
-    robot_detector: RobotDetector,
-    field_boundary: FieldBoundary,
-    own_body: OwnBody,
-    camera_pose: CameraPose,
-    odometry: Odometry,
-    fall_detector: FallDetector,
-    camera_input: CameraInput,
-    colours: Colours,
-    robot_state: RobotState,
-    health_monitor: HealthMonitor,
-    game_state: GameState,
-    robot_profile: RobotProfile,
-    motors: Motors,
-    camera_selector: CameraSelector,
+/// Name of a component in the style of a function's.
+fn snake(name: &str) -> String {
+    let lower = name.char_indices().map(|(at, letter)| {
+        let gap = if at > 0 && letter.is_uppercase() { "_" } else { "" };
+        format!("{gap}{}", letter.to_lowercase())
+    });
+    lower.collect()
 }
 
-library_benchmark_group!(name = components, benchmarks = [component]);
-
-/// Recorded sensor values, and the forward that processes them.
-fn recording<T: ForwardTree>(frame: Frame) -> (Recording, Box<T>) {
-    Recording::of_game(frame, WARM, CYCLES)
+/// The same loop as in the budget report, which measures its time, on recorded sensor values.
+fn whole_loop<T: ForwardTree + 'static>(name: &str, frame: Frame) -> Case {
+    let prepare = move || {
+        let (recording, robot) = Recording::of_game::<T>(frame, WARM, CYCLES);
+        (recording, Runner::new(robot, ()))
+    };
+    Case::new(name, prepare, |(recording, runner)| {
+        for (cycle, sensors) in recording.sensors().enumerate() {
+            let now = Instant::from_millis(10_000 + 10 * cycle as u64);
+            runner.sense(now, &sensors).expect("the image fits");
+            black_box(runner.think(now));
+        }
+    })
 }
 
-// Same loop as in the budget report, which measures its time.
-#[library_benchmark]
-#[bench::at_160x120(recording(Frame::Small))]
-#[bench::at_320x240(recording(Frame::Medium))]
-#[bench::at_640x480(recording(Frame::Large))]
-fn forward((recording, robot): (Recording, Box<Forward>)) -> (Recording, Box<Forward>) {
-    play(recording, robot)
+/// All benchmarks of the forward.
+pub(crate) fn cases() -> Vec<Case> {
+    let mut cases: Vec<_> = (0..Forward::COUNT).map(component).collect();
+    cases.extend([
+        whole_loop::<Forward>("forward.at_160x120", Frame::Small),
+        whole_loop::<Forward>("forward.at_320x240", Frame::Medium),
+        whole_loop::<Forward>("forward.at_640x480", Frame::Large),
+        whole_loop::<tunable::Forward>("tunable_forward.at_160x120", Frame::Small),
+    ]);
+    cases
 }
-
-#[library_benchmark]
-#[bench::at_160x120(recording(Frame::Small))]
-fn tunable_forward((recording, robot): (Recording, Box<tunable::Forward>)) -> (Recording, Box<tunable::Forward>) {
-    play(recording, robot)
-}
-
-#[inline]
-fn play<T: ForwardTree>(recording: Recording, robot: Box<T>) -> (Recording, Box<T>) {
-    let mut runner = Runner::new(robot, ());
-    for (cycle, sensors) in recording.sensors().enumerate() {
-        let now = Instant::from_millis(10_000 + 10 * cycle as u64);
-        runner.sense(now, &sensors).expect("the image fits");
-        black_box(runner.think(now));
-    }
-    (recording, runner.into_parts().0)
-}
-
-library_benchmark_group!(name = whole_loop, benchmarks = [forward, tunable_forward]);

@@ -3,9 +3,6 @@
 use std::hint::black_box;
 
 use bica::prelude::*;
-use gungraun::prelude::*;
-
-use crate::slow::slow_down;
 use bica_benches::trees::chain::{Hundred, Rarely, Ten};
 use bica_benches::trees::latent::{TenOfHundred, TenOfTen};
 use bica_benches::trees::machine::{ByHand, Machine, Ring};
@@ -15,6 +12,9 @@ use bica_benches::trees::switch::{Root, Switch};
 use bica_benches::trees::tuned::{Constants, TunedOff, TunedOn};
 use bica_benches::trees::wide::{WideHundred, WideTen};
 
+use crate::case::Case;
+use crate::slow::slow_down;
+
 const CYCLES: u64 = 100;
 
 /// Ticks a new tree for 100 cycles, so that its components are active.
@@ -23,7 +23,7 @@ fn warm<T: Tree>(mut tree: T) -> T {
     tree
 }
 
-fn ticks<T: Tree>(tree: &mut T, from: u64, mut before: impl FnMut(&mut T, u64)) {
+fn ticks<T: Tree>(tree: &mut T, from: u64, before: impl Fn(&mut T, u64)) {
     for now in from..from + CYCLES {
         before(tree, now);
         black_box(&mut *tree).tick(Instant::from_millis(now));
@@ -31,110 +31,59 @@ fn ticks<T: Tree>(tree: &mut T, from: u64, mut before: impl FnMut(&mut T, u64)) 
     }
 }
 
-fn still() -> Switch {
-    let mut tree = Switch::new();
-    tree.get_mut::<Root>().changes = false;
-    warm(tree)
+fn tree<T: Tree + Default + 'static>(name: &str) -> Case {
+    changed::<T>(name, |_| {}, |_, _| {})
 }
 
-/// One benchmark function for each tree, because gungraun does not accept generic functions.
-macro_rules! trees {
-    ($($name:ident: $kind:ty = $tree:expr),* $(,)?) => {
-        $(
-            #[library_benchmark]
-            #[bench::cycles($tree)]
-            fn $name(mut tree: $kind) -> $kind {
-                ticks(&mut tree, CYCLES, |_, _| {});
-                tree
-            }
-        )*
+/// Benchmark of a tree that is changed before all cycles, and before each.
+fn changed<T: Tree + Default + 'static>(name: &str, first: fn(&mut T), each: impl Fn(&mut T, u64) + 'static) -> Case {
+    let prepare = move || {
+        let mut tree = T::default();
+        first(&mut tree);
+        warm(tree)
     };
+    Case::new(format!("{name}.cycles"), prepare, move |tree| ticks(tree, CYCLES, &each))
 }
 
-trees! {
-    one: One = warm(One::new()),
-    chain_of_ten: Ten = warm(Ten::new()),
-    chain_of_ten_none_due: Rarely = warm(Rarely::new()),
-    chain_of_a_hundred: Hundred = warm(Hundred::new()),
-    ten: WideTen = warm(WideTen::new()),
-    a_hundred: WideHundred = warm(WideHundred::new()),
-    ten_of_ten: TenOfTen = warm(TenOfTen::new()),
-    ten_of_a_hundred: TenOfHundred = warm(TenOfHundred::new()),
-    shared: Diamond = warm(Diamond::new()),
-    switch: Switch = warm(Switch::new()),
-    no_switch: Switch = still(),
-    constants: Constants = warm(Constants::new()),
-    tuned_off: TunedOff = warm(TunedOff::new()),
-    tuned_on: TunedOn = warm(TunedOn::new()),
-}
-
-/// Robots in one process, each with a tree.
-fn robots<T: Tree + Default>(count: usize) -> Vec<T> {
-    (0..count).map(|_| warm(T::default())).collect()
-}
-
-/// Ticks all robots in each cycle.
-fn all_tick<T: Tree>(robots: &mut [T]) {
-    for now in CYCLES..2 * CYCLES {
-        for tree in &mut *robots {
-            black_box(tree).tick(Instant::from_millis(now));
+/// Robots in one process, each with a tree; all tick in each cycle.
+fn robots<T: Tree + Default + 'static>(name: &str, count: usize) -> Case {
+    let prepare = move || (0..count).map(|_| warm(T::default())).collect::<Vec<_>>();
+    Case::new(format!("{name}.cycles"), prepare, |robots| {
+        for now in CYCLES..2 * CYCLES {
+            for tree in &mut *robots {
+                black_box(tree).tick(Instant::from_millis(now));
+            }
+            slow_down(T::COUNT * robots.len());
         }
-        slow_down(T::COUNT * robots.len());
-    }
+    })
 }
 
-#[library_benchmark]
-#[bench::cycles(robots(10))]
-fn ten_robots_of_a_hundred(mut robots: Vec<WideHundred>) -> Vec<WideHundred> {
-    all_tick(&mut robots);
-    robots
-}
-
-#[library_benchmark]
-#[bench::cycles(robots(100))]
-fn a_hundred_robots_of_ten(mut robots: Vec<WideTen>) -> Vec<WideTen> {
-    all_tick(&mut robots);
-    robots
-}
-
-#[library_benchmark]
-#[bench::cycles(warm(Machine::new()))]
-fn machine(mut tree: Machine) -> Machine {
-    ticks(&mut tree, CYCLES, |tree, now| tree.get_mut::<Ring>().input = now as u32);
-    tree
-}
-
-#[library_benchmark]
-#[bench::cycles(ByHand::new())]
-fn machine_by_hand(mut machine: ByHand) -> ByHand {
-    for now in CYCLES..2 * CYCLES {
-        let machine = black_box(&mut machine);
-        machine.input = now as u32;
-        machine.step(1000 * now);
-    }
-    machine
-}
-
-library_benchmark_group!(
-    name = trees,
-    benchmarks = [
-        one,
-        chain_of_ten,
-        chain_of_ten_none_due,
-        chain_of_a_hundred,
-        ten,
-        a_hundred,
-        ten_of_ten,
-        ten_of_a_hundred,
-        shared,
-        switch,
-        no_switch,
-        constants,
-        tuned_off,
-        tuned_on,
-        ten_robots_of_a_hundred,
-        a_hundred_robots_of_ten,
-        machine,
-        machine_by_hand
+/// All benchmarks of the framework.
+pub(crate) fn cases() -> Vec<Case> {
+    vec![
+        tree::<One>("one"),
+        tree::<Ten>("chain_of_ten"),
+        tree::<Rarely>("chain_of_ten_none_due"),
+        tree::<Hundred>("chain_of_a_hundred"),
+        tree::<WideTen>("ten"),
+        tree::<WideHundred>("a_hundred"),
+        tree::<TenOfTen>("ten_of_ten"),
+        tree::<TenOfHundred>("ten_of_a_hundred"),
+        tree::<Diamond>("shared"),
+        tree::<Switch>("switch"),
+        changed::<Switch>("no_switch", |tree| tree.get_mut::<Root>().changes = false, |_, _| {}),
+        tree::<Constants>("constants"),
+        tree::<TunedOff>("tuned_off"),
+        tree::<TunedOn>("tuned_on"),
+        robots::<WideHundred>("ten_robots_of_a_hundred", 10),
+        robots::<WideTen>("a_hundred_robots_of_ten", 100),
+        changed::<Machine>("machine", |_| {}, |tree, now| tree.get_mut::<Ring>().input = now as u32),
+        Case::new("machine_by_hand.cycles", ByHand::new, |machine| {
+            for now in CYCLES..2 * CYCLES {
+                let machine = black_box(&mut *machine);
+                machine.input = now as u32;
+                machine.step(1000 * now);
+            }
+        }),
     ]
-);
+}

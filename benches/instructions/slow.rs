@@ -2,7 +2,7 @@
 
 use std::hint::black_box;
 
-/// Whether `cargo xtask budget --slow` compiles this program; otherwise no instruction of the slowdown is compiled in.
+/// Whether `benches/scripts/budget.py --slow` compiles this program; otherwise no instruction of the slowdown is compiled in.
 const SLOW: bool = option_env!("BICA_SLOW").is_some();
 
 /// Executes additional instructions, quadratic in `size`, if the slowdown is compiled in.

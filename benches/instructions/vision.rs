@@ -12,8 +12,8 @@ use bica_vision::pipeline::Pipeline;
 use bica_vision::profile::BUILT_IN_TABLE;
 use bica_vision::robots;
 use bica_vision::table::CompactTable;
-use gungraun::prelude::*;
 
+use crate::case::Case;
 use crate::slow::slow_down;
 use bica_benches::frames::rendered;
 use bica_benches::frames::worst::{self, COLOURS, PATTERNS};
@@ -34,10 +34,6 @@ fn buffers(frame_set: FrameSet) -> Buffers {
     (Box::new(Pipeline::new(FIELD.ball_radius())), frame_set)
 }
 
-fn usual() -> Buffers {
-    of_size(SIZE.0, SIZE.1)
-}
-
 /// Rendered frames of a size, px. Frames of different sizes show the same scenes.
 fn of_size(width: u16, height: u16) -> Buffers {
     buffers(rendered::frame_set((width, height), WORLDS))
@@ -54,41 +50,14 @@ fn pattern(name: &str, first: &str, second: &str) -> Buffers {
     worst(worst::made_up(SIZE, pattern, [first, second].map(place), 0))
 }
 
-#[library_benchmark]
-#[bench::usual(usual())]
-#[bench::all_orange(pattern("flat", "orange", "green"))]
-#[bench::orange_rows(pattern("rows by 2", "orange", "green"))]
-#[bench::orange_and_green_columns(pattern("columns of 4 pairs", "orange", "green"))]
-#[bench::orange_and_green_checker(pattern("checker of pairs", "orange", "green"))]
-#[bench::orange_and_green_noise(pattern("noise", "orange", "green"))]
-#[bench::orange_and_blue_noise(pattern("noise", "orange", "blue"))]
-#[bench::orange_and_white_noise(pattern("noise", "orange", "white"))]
-#[bench::yellow_and_green_noise(pattern("noise", "yellow", "green"))]
-#[bench::yellow_and_blue_noise(pattern("noise", "yellow", "blue"))]
-#[bench::white_and_green_noise(pattern("noise", "white", "green"))]
-#[bench::white_and_green_blocks(pattern("blocks of 8 pairs", "white", "green"))]
-#[bench::noise_of_colours(worst(worst::noise_of_colours(SIZE)))]
-#[bench::noise_of_bytes(worst(worst::noise_of_bytes(SIZE)))]
-fn vision((mut pipeline, frame_set): Buffers) -> Buffers {
+/// All detectors on frames of a set.
+fn all_detectors((pipeline, frame_set): &mut Buffers) {
     for sample in frame_set.samples.iter().cycle().take(FRAMES) {
         pipeline.detect(&sample.frame(), &frame_set.table, sample.camera.as_ref());
         if frame_set.name == WORST {
             slow_down(SLOW_DOWN);
         }
     }
-    (pipeline, frame_set)
-}
-
-// All detectors by size of the frame: shows the cost that does not depend on the number of pixels.
-#[library_benchmark]
-#[bench::at_160x120(of_size(160, 120))]
-#[bench::at_320x240(of_size(320, 240))]
-#[bench::at_640x480(of_size(640, 480))]
-fn detectors((mut pipeline, frame_set): Buffers) -> Buffers {
-    for sample in frame_set.samples.iter().cycle().take(FRAMES) {
-        pipeline.detect(&sample.frame(), &frame_set.table, sample.camera.as_ref());
-    }
-    (pipeline, frame_set)
 }
 
 /// Detector: frame, table, camera, and the results of the detectors before it.
@@ -140,31 +109,50 @@ fn prepared(name: &str, width: u16, height: u16) -> Prepared {
     (Box::new(memory), detector, frame_set, results)
 }
 
-// Each detector by size of the frame.
-#[library_benchmark]
-#[bench::boundary_at_160x120(prepared("boundary", 160, 120))]
-#[bench::boundary_at_320x240(prepared("boundary", 320, 240))]
-#[bench::boundary_at_640x480(prepared("boundary", 640, 480))]
-#[bench::ball_at_160x120(prepared("ball", 160, 120))]
-#[bench::ball_at_320x240(prepared("ball", 320, 240))]
-#[bench::ball_at_640x480(prepared("ball", 640, 480))]
-#[bench::goals_at_160x120(prepared("goals", 160, 120))]
-#[bench::goals_at_320x240(prepared("goals", 320, 240))]
-#[bench::goals_at_640x480(prepared("goals", 640, 480))]
-#[bench::robots_at_160x120(prepared("robots", 160, 120))]
-#[bench::robots_at_320x240(prepared("robots", 320, 240))]
-#[bench::robots_at_640x480(prepared("robots", 640, 480))]
-#[bench::lines_at_160x120(prepared("lines", 160, 120))]
-#[bench::lines_at_320x240(prepared("lines", 320, 240))]
-#[bench::lines_at_640x480(prepared("lines", 640, 480))]
-#[bench::markings_at_160x120(prepared("markings", 160, 120))]
-#[bench::markings_at_320x240(prepared("markings", 320, 240))]
-#[bench::markings_at_640x480(prepared("markings", 640, 480))]
-fn detector((mut memory, detector, frame_set, results): Prepared) -> Prepared {
-    for (sample, results) in frame_set.samples.iter().zip(&results).cycle().take(FRAMES) {
-        detector(&mut memory, sample, &frame_set.table, results);
+/// Benchmark of synthetic frames: the name of a pattern, and of its two colours.
+const WORST_FRAMES: [(&str, &str, &str, &str); 11] = [
+    ("all_orange", "flat", "orange", "green"),
+    ("orange_rows", "rows by 2", "orange", "green"),
+    ("orange_and_green_columns", "columns of 4 pairs", "orange", "green"),
+    ("orange_and_green_checker", "checker of pairs", "orange", "green"),
+    ("orange_and_green_noise", "noise", "orange", "green"),
+    ("orange_and_blue_noise", "noise", "orange", "blue"),
+    ("orange_and_white_noise", "noise", "orange", "white"),
+    ("yellow_and_green_noise", "noise", "yellow", "green"),
+    ("yellow_and_blue_noise", "noise", "yellow", "blue"),
+    ("white_and_green_noise", "noise", "white", "green"),
+    ("white_and_green_blocks", "blocks of 8 pairs", "white", "green"),
+];
+
+const SIZES: [(u16, u16); 3] = [(160, 120), SIZE, (640, 480)];
+
+/// All benchmarks of the vision. Those of several sizes show what does not depend on the number of pixels.
+pub(crate) fn cases() -> Vec<Case> {
+    let mut cases = vec![
+        Case::new("vision.usual", || of_size(SIZE.0, SIZE.1), all_detectors),
+        Case::new("vision.noise_of_colours", || worst(worst::noise_of_colours(SIZE)), all_detectors),
+        Case::new("vision.noise_of_bytes", || worst(worst::noise_of_bytes(SIZE)), all_detectors),
+    ];
+    let patterns = WORST_FRAMES.map(|(name, shape, first, second)| {
+        Case::new(format!("vision.{name}"), move || pattern(shape, first, second), all_detectors)
+    });
+    cases.extend(patterns);
+    for (width, height) in SIZES {
+        cases.push(Case::new(format!("detectors.at_{width}x{height}"), move || of_size(width, height), all_detectors));
+        cases.extend(DETECTORS.map(|(name, _)| {
+            Case::new(
+                format!("detector.{name}_at_{width}x{height}"),
+                move || prepared(name, width, height),
+                one_detector,
+            )
+        }));
     }
-    (memory, detector, frame_set, results)
+    cases
 }
 
-library_benchmark_group!(name = frames, benchmarks = [vision, detectors, detector]);
+/// One detector on frames of a set, with the results that it needs.
+fn one_detector((memory, detector, frame_set, results): &mut Prepared) {
+    for (sample, results) in frame_set.samples.iter().zip(&*results).cycle().take(FRAMES) {
+        detector(memory, sample, &frame_set.table, results);
+    }
+}

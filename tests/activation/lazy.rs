@@ -34,7 +34,7 @@ fn ran_with(active: ComponentId) -> Ran {
 }
 
 #[test]
-fn face_ball_runs_the_ball_detector_but_no_detector_of_goals_or_lines() {
+fn face_ball_runs_only_the_ball_detector() {
     let ran = ran_with(Forward::id::<FaceBall>());
     let names: Vec<_> = ran.0.iter().map(|id| Forward::GRAPH.nodes[id.index()].name).collect();
     assert!(ran.0.contains(&Forward::id::<FaceBall>()), "FaceBall did not run: {names:?}");
@@ -46,7 +46,7 @@ fn face_ball_runs_the_ball_detector_but_no_detector_of_goals_or_lines() {
 }
 
 #[test]
-fn localization_runs_the_detectors_of_goals_and_lines_but_not_of_the_ball() {
+fn localization_runs_no_ball_detector() {
     let ran = ran_with(Forward::id::<Localization>());
     for id in [Forward::id::<FieldLines>(), Forward::id::<GoalDetector>()] {
         assert!(ran.0.contains(&id), "{} did not run", Forward::GRAPH.nodes[id.index()].name);

@@ -2,5 +2,4 @@
 
 #[path = "../forward/game.rs"]
 mod game;
-mod latent;
 mod lazy;

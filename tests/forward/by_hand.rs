@@ -74,7 +74,7 @@ impl ByHand {
 }
 
 #[test]
-fn the_head_moves_to_the_modulated_direction_from_the_next_cycle_on() {
+fn head_follows_its_modulation_in_the_next_cycle() {
     let mut hand = ByHand::new(None);
     hand.hold::<Head>(Hold::Active);
     hand.run(0.1);
@@ -187,7 +187,7 @@ fn fixmove_lines_up_and_kicks_once_for_each_modulation() {
 }
 
 #[test]
-fn the_search_begins_on_the_modulated_side_and_moves_on_by_modulation() {
+fn search_begins_on_the_modulated_side() {
     let mut hand = ByHand::new(None);
     hand.hold::<BallDetector>(Hold::Latent);
     hand.hold::<SearchBall>(Hold::Active);

@@ -22,7 +22,7 @@ fn play(game: &mut Game, cycles: u32) -> bool {
 }
 
 #[test]
-fn stiffness_of_a_hot_joint_is_reduced_before_the_robot_sits_down() {
+fn hot_joint_loses_stiffness_before_the_robot_sits() {
     for (seed, joint) in [(3, Joint::LKneePitch), (4, Joint::RAnkleRoll), (5, Joint::HeadYaw)] {
         let mut game = new_game(&Setup { seed, frame: Frame::Small, ..Setup::default() });
         assert!(play(&mut game, 700), "seed {seed}: no motor is overloaded in a game");
@@ -43,7 +43,7 @@ fn stiffness_of_a_hot_joint_is_reduced_before_the_robot_sits_down() {
 
 #[test]
 #[ignore = "slow: `cargo xtask ci` runs it"]
-fn slow_robot_that_sat_down_hot_stands_up_and_scores_after_cooling() {
+fn slow_hot_robot_scores_after_cooling() {
     let mut game = new_game(&Setup { seed: 3, frame: Frame::Small, ..Setup::default() });
     game.world_mut().set_motor_temperature(Joint::LKneePitch, 78.0);
     play(&mut game, 900);

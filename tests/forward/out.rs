@@ -63,7 +63,7 @@ fn referee(test: &Test) -> &Referee {
 
 #[test]
 #[ignore = "slow: `cargo xtask ci` runs it"]
-fn slow_one_press_of_the_chest_button_stops_the_standing_robot_and_the_next_press_continues_the_game() {
+fn slow_chest_button_stops_and_continues_the_game() {
     // The button is pressed while the robot searches, walks, and is at the ball.
     for after in [50, 400, 900, 1100, 1300, 1500, 1700] {
         let mut test = start();

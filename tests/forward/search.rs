@@ -13,7 +13,7 @@ use crate::game::new_game;
 
 #[test]
 #[ignore = "slow: `cargo xtask ci` runs it"]
-fn slow_a_ball_that_is_not_found_in_a_full_turn_is_searched_for_at_other_places_on_the_field() {
+fn slow_search_continues_at_other_places_after_a_full_turn() {
     for (seed, places) in [(1, 2), (2, 1)] {
         let setup = Setup { seed, frame: Frame::Small, robots: 4, ..Setup::default() };
         let (mut robot, world, ..) = new_game(&setup).into_parts();

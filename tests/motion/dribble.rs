@@ -44,7 +44,7 @@ fn check_speeds(before: &Joints, after: &Joints) {
 }
 
 #[test]
-fn an_in_walk_kick_extends_one_swing_of_the_requested_foot_only() {
+fn in_walk_kick_extends_one_swing() {
     for speed in [0.08, 0.15, 0.2] {
         for foot in Side::BOTH {
             let ([before, after], kicks) = walk_and_kick(speed, foot);
@@ -68,7 +68,7 @@ fn a_kick_request_in_stand_changes_no_target() {
 }
 
 #[test]
-fn only_a_ball_in_front_of_a_foot_is_in_reach_of_an_in_walk_kick() {
+fn in_walk_kick_reaches_a_ball_before_a_foot() {
     assert_eq!(in_walk_kick_foot(Vec2::new(0.18, 0.055), GAIT), Some(Side::Left));
     assert_eq!(in_walk_kick_foot(Vec2::new(0.18, -0.045), GAIT), Some(Side::Right));
     for out in [(0.18, 0.0), (0.18, 0.09), (0.05, 0.05), (0.3, -0.05), (f32::NAN, 0.05), (0.18, f32::NAN)] {

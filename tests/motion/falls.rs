@@ -112,7 +112,7 @@ fn get_up(mut movement: GetUp, inertial: &Inertial) -> Vec<Joints> {
 }
 
 #[test]
-fn get_ups_keep_to_limits_and_speeds_and_end_in_the_stand() {
+fn get_ups_keep_to_limits_and_end_in_the_stand() {
     let crumpled = Joints::all(0.3).clamp_to_limits::<Nao>();
     let attempts =
         Direction::ALL.into_iter().flat_map(|direction| [0, 1, 3, 4, 255].map(|failures| (direction, failures)));
@@ -177,7 +177,7 @@ fn every_second_attempt_is_the_mirror_image() {
 }
 
 #[test]
-fn a_get_up_from_a_side_stops_when_the_robot_rolls_onto_its_face() {
+fn get_up_stops_when_the_robot_rolls_over() {
     let lying = |direction| tilted(toward(direction, 1.5));
     for (rolled_on, seconds) in [(Direction::Back, 2.0..4.0), (Direction::Front, 0.5..1.5)] {
         let targets = get_up(GetUp::<Nao>::new(Direction::Left, 0, Nao::STAND), &lying(rolled_on));
@@ -186,7 +186,7 @@ fn a_get_up_from_a_side_stops_when_the_robot_rolls_onto_its_face() {
 }
 
 #[test]
-fn a_get_up_stops_if_the_robot_does_not_sit_at_the_start_of_the_rise() {
+fn get_up_stops_unless_the_robot_sits_before_the_rise() {
     let whole = get_up(GetUp::<Nao>::new(Direction::Front, 0, Nao::STAND), &Inertial::default()).len();
     let sits = get_up(GetUp::<Nao>::new(Direction::Front, 0, Nao::STAND), &tilted(toward(Direction::Front, 0.9))).len();
     let lies = get_up(GetUp::<Nao>::new(Direction::Front, 0, Nao::STAND), &tilted(toward(Direction::Front, 1.2))).len();
@@ -209,7 +209,7 @@ fn a_get_up_stops_if_a_risen_robot_falls_again() {
 }
 
 #[test]
-fn the_mass_stays_over_the_feet_in_sitting_down_and_standing_up() {
+fn mass_stays_over_the_feet_while_sitting_down_and_rising() {
     let mut world = World::<Nao>::standing(Nao::STAND);
     for frames in [Nao::TO_SIT, Nao::TO_STAND] {
         for targets in play(frames, world.angles) {
@@ -237,7 +237,7 @@ fn the_stand_equals_that_of_the_quasi_static_gait() {
 }
 
 #[test]
-fn stiffness_is_between_zero_and_one_and_grows_from_fall_to_walk() {
+fn stiffness_grows_from_fall_to_walk() {
     for profile in [Stiffness::Limp, Stiffness::Stand, Stiffness::Walk, Stiffness::Fall] {
         assert!(profile.joints::<Nao>().0.iter().all(|value| (0.0..=1.0).contains(value)));
     }

@@ -131,7 +131,7 @@ fn targets_stay_finite_for_any_feedback() {
 }
 
 #[test]
-fn dynamic_kicks_exceed_no_limit_by_50_mrad_and_return_to_the_stand() {
+fn dynamic_kicks_keep_to_limits_and_return_to_the_stand() {
     for kick in Kick::ALL {
         let mut motion = KickMotion::<Nao>::new(kick, NAO);
         assert!(motion.seconds() < 2.5, "{kick:?}: {} s", motion.seconds());

@@ -31,7 +31,7 @@ fn play(kick: Kick, mut each: impl FnMut(&World, &KickMotion, &Joints)) -> World
 }
 
 #[test]
-fn a_kick_keeps_balance_limits_and_speeds_and_returns_to_the_stand() {
+fn kick_keeps_balance_and_returns_to_the_stand() {
     for kick in Kick::ALL {
         assert!(seconds(kick) <= 2.5, "{}", seconds(kick));
         let start = World::<Nao>::standing(Nao::STAND);
@@ -148,7 +148,7 @@ fn the_foot_hits_the_ball_at_the_specified_speed_and_direction() {
 }
 
 #[test]
-fn a_ball_up_to_15_mm_off_its_position_is_kicked_within_20_degrees() {
+fn kick_tolerates_15_mm_with_20_degrees() {
     for kick in Kick::ALL {
         for (x, y) in [(1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0), (0.7, 0.7), (-0.7, 0.7), (0.7, -0.7)] {
             let ball = kick.ball(&Nao::KINEMATIC_PROFILE.kicks) + 0.015 * Vec2::new(x, y);
@@ -161,7 +161,7 @@ fn a_ball_up_to_15_mm_off_its_position_is_kicked_within_20_degrees() {
 }
 
 #[test]
-fn a_ball_in_position_is_at_least_15_mm_from_both_feet() {
+fn ball_in_position_clears_both_feet() {
     let world = World::<Nao>::standing(Nao::STAND);
     for kick in Kick::ALL {
         let ball = world.ground().place(kick.ball(&Nao::KINEMATIC_PROFILE.kicks));

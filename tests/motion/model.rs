@@ -200,7 +200,7 @@ fn the_head_uses_the_limits_and_cameras_of_the_model() {
 }
 
 #[test]
-fn a_tilt_between_the_fall_limits_of_two_models_is_a_fall_of_one() {
+fn fall_limits_belong_to_the_model() {
     let inertial = Inertial { pitch: 0.5, acceleration: Vec3::new(0.0, 0.0, 9.81), ..Inertial::default() };
     let (mut nao, mut tall) = (FallDetector::<Nao>::new(), FallDetector::<Tall>::new());
     for _ in 0..10 {

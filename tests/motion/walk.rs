@@ -180,7 +180,7 @@ fn cycles_until_switch(weight_comes: usize) -> usize {
 }
 
 #[test]
-fn foot_pressure_ends_a_step_between_the_earliest_switch_and_its_duration() {
+fn foot_pressure_ends_a_step_early() {
     let cycles = |seconds: f32| (seconds / CYCLE).round() as usize;
     for (weight_comes, ends) in [
         (cycles(NAO.step_duration), cycles(NAO.step_duration)),
@@ -356,7 +356,7 @@ proptest! {
     #![proptest_config(crate::cases(100))]
 
     #[test]
-    fn the_mass_stays_over_the_feet_for_any_sequence_of_requests(
+    fn mass_stays_over_the_feet_for_any_requests(
         requests in prop::collection::vec(
             (prop::array::uniform3(-1.0_f32..1.0), prop::bool::weighted(0.15), 5_usize..250), 1..10,
         ),

@@ -1,10 +1,9 @@
-//! Semantics of activation trees: the events of a tree, compared with a model that interprets its `GRAPH`.
+//! Semantics of activation trees: the events of trees, compared with one model of the rules.
 //!
-//! The components of the test trees record their calls, and a probe records the events of the framework. A random
-//! script ticks the tree, sets flags that transitions read, changes rates and sets holds. The model is written from the
-//! rules alone and predicts each event. Each rule has a file with scripts that stress it, and with properties of the
-//! events that are checked without the model.
+//! [`rules`] is the model. [`random`] compares it with trees written with the macros, in random scripts that tick the tree, set
+//! flags that transitions read, change rates and hold components; components record their calls, times and values.
+//! [`exhaustive`] compares it with every small tree in every short sequence of cycles.
 
+mod exhaustive;
+mod random;
 mod rules;
-mod support;
-mod trees;

@@ -1,7 +1,7 @@
 //! Licences, duplicate and banned crates, and sources of all dependencies, checked by cargo-deny (`deny.toml`).
 
-use crate::install::folder;
-use crate::process::{run, works};
+use crate::install::cargo_tool;
+use crate::process::run;
 
 /// Version for which `deny.toml` is written.
 const VERSION: &str = "0.20.2";
@@ -35,18 +35,10 @@ pub(crate) fn check_advisories() -> Result<(), String> {
     run(&install()?, &["check", "--disable-fetch", "advisories"], &[])
 }
 
-/// Returns the path of cargo-deny; builds it first if it is missing.
+/// Returns the path of cargo-deny; installs it first if it is missing.
 ///
 /// # Errors
-/// If the build fails.
+/// If the installation fails.
 pub(crate) fn install() -> Result<String, String> {
-    let folder = folder("cargo-deny");
-    let path = folder.join("bin/cargo-deny").to_string_lossy().into_owned();
-    if !works(&path, &["--version"]) {
-        eprintln!("xtask: building cargo-deny {VERSION}, once; this takes some minutes");
-        // A debug build is sufficient: checking a lock file takes a second.
-        let install = ["install", "--quiet", "--locked", "--debug", "cargo-deny", "--version", VERSION];
-        run("cargo", &[&install[..], &["--root", &folder.to_string_lossy()]].concat(), &[])?;
-    }
-    Ok(path)
+    cargo_tool("cargo-deny", VERSION)
 }

@@ -1,27 +1,28 @@
 //! Fuzzing of the code that decodes external bytes, with cargo-fuzz in its own workspace.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
-use crate::install::folder;
-use crate::process::{run, works};
+use crate::install::cargo_tool;
+use crate::process::run;
 
+const VERSION: &str = "0.13.2";
 const TARGETS: [&str; 5] = ["vicode", "vision", "wire", "recording", "link"];
 /// Limits of one input: 10 s and 2 GB of memory; a summary at the end instead of a line for each new input.
 const OPTIONS: [&str; 4] = ["-timeout=10", "-rss_limit_mb=2048", "-verbosity=0", "-print_final_stats=1"];
 
-/// Installs cargo-fuzz into target/, and runs each target for `seconds`, at least 1 (0 would mean no limit).
+/// Installs cargo-fuzz into `target/`, and runs each target for `seconds`, at least 1 (0 would mean no limit).
 ///
 /// # Errors
 /// If an installation or a build fails, or a target finds a failing input.
 pub(crate) fn check(seconds: u32) -> Result<(), String> {
-    let tool = tool()?;
+    let tool = cargo_tool("cargo-fuzz", VERSION)?;
     let limit = format!("-max_total_time={seconds}");
     for target in TARGETS {
         // Sanitizers detect memory errors, which safe Rust excludes; without them any toolchain works.
         let words = ["fuzz", "run", "--sanitizer", "none", "--fuzz-dir", "fuzz", target, "--", &limit];
         // Coverage instrumentation is an unstable option of rustc.
-        run(&tool.to_string_lossy(), &[&words[..], &OPTIONS].concat(), &[("RUSTC_BOOTSTRAP", "1")])
-            .map_err(|error| format!("{error}\n{}", advice(target, &tool)))?;
+        run(&tool, &[&words[..], &OPTIONS].concat(), &[("RUSTC_BOOTSTRAP", "1")])
+            .map_err(|error| format!("{error}\n{}", advice(target, Path::new(&tool))))?;
         eprintln!("xtask: {target}: {seconds} s without a failure");
     }
     Ok(())
@@ -34,16 +35,4 @@ fn advice(target: &str, tool: &Path) -> String {
         "The failing input of `{target}` is in fuzz/artifacts/{target}. The commands that cargo-fuzz prints work after\n  \
          export RUSTC_BOOTSTRAP=1 PATH={folder}:$PATH"
     )
-}
-
-/// Returns the path of cargo-fuzz; builds it first if it is missing.
-fn tool() -> Result<PathBuf, String> {
-    let folder = folder("cargo-fuzz");
-    let path = folder.join("bin/cargo-fuzz");
-    if !works(&path.to_string_lossy(), &["fuzz", "--version"]) {
-        let folder = folder.to_string_lossy();
-        eprintln!("xtask: building cargo-fuzz, once; this takes about a minute");
-        run("cargo", &["install", "cargo-fuzz", "--locked", "--quiet", "--root", &folder], &[])?;
-    }
-    Ok(path)
 }

@@ -28,6 +28,34 @@ pub(crate) fn folder(name: &str) -> PathBuf {
     env::var_os("CARGO_TARGET_DIR").map_or_else(|| root().join("target"), PathBuf::from).join(name)
 }
 
+/// Returns the path of a Cargo tool. If it is missing, installs it as Astral publishes it on `PyPI`, built, and on computers for
+/// which it is not published builds it.
+///
+/// # Errors
+/// If both fail.
+pub(crate) fn cargo_tool(name: &str, version: &str) -> Result<String, String> {
+    let folder = folder(name).to_string_lossy().into_owned();
+    let path = format!("{folder}/bin/{name}");
+    if works(&path, &["--version"]) {
+        return Ok(path);
+    }
+    let package = format!("astral-dev-toolchain-{name}=={version}");
+    let pip = format!("{folder}/bin/python");
+    let ready = run("python3", &["-m", "venv", &folder], &[]).and_then(|()| {
+        run(&pip, &["-m", "pip", "install", "--quiet", "--no-deps", "--only-binary", ":all:", &package], &[])
+    });
+    if let Err(error) = ready {
+        eprintln!("xtask: {error}; building {name} {version} instead, once; this takes some minutes");
+        // A debug build, because optimising takes longer than it saves.
+        run(
+            "cargo",
+            &["install", "--quiet", "--locked", "--debug", name, "--version", version, "--root", &folder],
+            &[],
+        )?;
+    }
+    Ok(path)
+}
+
 /// Returns the path of a Python interpreter in a virtual environment that has a module; installs its packages from `PyPI` first if
 /// it is missing.
 ///

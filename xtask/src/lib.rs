@@ -9,7 +9,6 @@ mod deny;
 mod firmware;
 mod fuzz;
 mod install;
-mod instructions;
 mod miri;
 mod mujoco;
 mod no_std;
@@ -47,7 +46,6 @@ fn perform(task: &Task) -> Result<(), String> {
     match task {
         Task::Firmware(options) => firmware::check(options),
         Task::Mujoco => mujoco::install(),
-        Task::Budget(options) => instructions::check(options),
         Task::Fuzz(options) => fuzz::check(options.seconds),
         Task::Peers(options) => peers::measure(options),
         Task::Browser(options) => browser::test(options.figures),

@@ -146,7 +146,7 @@ proptest! {
     }
 
     #[test]
-    fn green_wall_and_robot_at_the_edge_do_not_move_the_field_boundary(
+    fn field_boundary_ignores_walls_and_robots(
         end in 150.0_f32..190.0,
         slope in -0.1_f32..0.1,
         x in 60.0_f32..230.0,
@@ -285,7 +285,7 @@ impl Classify for Counting {
 }
 
 #[test]
-fn ball_detection_classifies_a_part_of_the_frame_and_no_goal_colour() {
+fn ball_detection_classifies_only_what_it_needs() {
     let mut canvas = Canvas::field(320, 240, 120.0);
     canvas.disc(ORANGE, Vec2::new(100.0, 180.0), 12.0);
     draw_goal(&mut canvas, BLUE, Vec2::new(80.0, 130.0), 150.0, 90.0, 10.0);

@@ -21,7 +21,7 @@ use bica_vision::projection::Camera;
 use bica_vision::table::CompactTable;
 use glam::{Affine3A, Vec2, Vec3};
 
-use super::recorded;
+use super::recorded::Recorded;
 
 /// Red plastic, in recorded and in rendered frames.
 const RED: Filter = Filter::ANY.hue(85, 118).saturation(30, 400).chroma(24);
@@ -149,17 +149,16 @@ fn body_outline_removes_false_balls_and_keeps_true_ones() {
 bica_test_data::images_test! {
     fn body_outline_from_the_camera_pose_covers_the_recorded_body() {
         let colours = CompactTable::compile(&NAO_2009);
-        let (poses, labelled) = (recorded::poses(), recorded::labelled("nao2009"));
         let (mut count, mut worst) = (Count::default(), (0.0_f32, String::new()));
-        for (file, camera, _, _) in poses.iter().filter(|(_, _, _, trusted)| *trusted) {
-            let Some(image) = labelled.iter().find(|image| &image.file == file) else { continue };
-            let own = OwnBody::standing::<Nao>(camera, CameraId::Bottom);
+        for image in Recorded::all() {
+            let Some(camera) = image.pose.map(|pose| pose.camera(320, 240)) else { continue };
+            let own = OwnBody::standing::<Nao>(&camera, CameraId::Bottom);
             let frame = image.frame();
-            count.frame(&frame, &colours, &FieldBoundary::find_with(&frame, &colours, Some(camera)), &own);
-            for ball in &image.balls {
+            count.frame(&frame, &colours, &FieldBoundary::find_with(&frame, &colours, Some(&camera)), &own);
+            for ball in &image.label.balls {
                 let share = own.share(ball.centre, 0.8 * ball.radius);
                 if share > worst.0 {
-                    worst = (share, file.clone());
+                    worst = (share, image.label.file.clone());
                 }
             }
         }

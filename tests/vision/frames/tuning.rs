@@ -59,7 +59,7 @@ fn a_half_hidden_ball_needs_a_low_threshold_of_confidence() {
 }
 
 #[test]
-fn a_ball_that_the_own_body_covers_in_part_needs_a_high_threshold() {
+fn max_own_share_admits_a_partly_covered_ball() {
     let own = own_body();
     let places = (40..280).step_by(4).flat_map(|x| (60..200).step_by(4).map(move |y| Vec2::new(x as f32, y as f32)));
     // The detector tests the middle of the region, 0.4 of its size around its centroid.

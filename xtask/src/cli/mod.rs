@@ -36,14 +36,9 @@ pub(crate) enum Task {
     /// Puts MuJoCo's library into target/mujoco (from PyPI, with pip), for the feature `mujoco`, and installs EGL with Mesa's
     /// software renderer (with apt).
     Mujoco,
-    /// Count the instructions of the benchmarks and compare them with benches/instructions.txt
-    ///
-    /// Each count must be within 2 % of the committed one. First installs valgrind (with apt) and gungraun-runner (built
-    /// once).
-    Budget(Budget),
     /// Fuzz the edits of VICODE, the vision, the packets, the reading of recordings, and the link of monitors
     ///
-    /// First builds cargo-fuzz into target/.
+    /// First installs cargo-fuzz into target/.
     Fuzz(Fuzz),
     /// Compare the speed of BICA with other frameworks and designs
     ///
@@ -84,23 +79,12 @@ pub(crate) struct Firmware {
     /// Accept the new figures
     #[arg(long)]
     pub(crate) bless: bool,
-    /// Inject errors into the link for twice ten minutes, instead of playing games
+    /// Inject errors into the link for ten minutes, instead of playing games
     #[arg(long)]
     pub(crate) fuzz: bool,
     /// Only build the image, and play ten games with each size of camera images
     #[arg(long)]
     pub(crate) games: bool,
-}
-
-#[derive(Debug, Default, Args)]
-#[group(multiple = false)]
-pub(crate) struct Budget {
-    /// Accept the new counts
-    #[arg(long)]
-    pub(crate) bless: bool,
-    /// Count with an artificial slowdown; fails unless every check fails
-    #[arg(long)]
-    pub(crate) slow: bool,
 }
 
 #[derive(Debug, Default, Args)]

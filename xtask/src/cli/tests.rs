@@ -43,7 +43,7 @@ fn a_missing_value_is_reported() {
 
 #[test]
 fn a_wrong_task_is_reported_with_the_nearest_one() {
-    assert_refused("budgt", &["'budgt'", "'budget'", "--help"]);
+    assert_refused("firmwre", &["'firmwre'", "'firmware'", "--help"]);
     assert_refused("ci ci", &["'ci'", "Usage: cargo xtask ci"]);
     assert_refused("ci --without no_std", &["'no_std'", "'no-std'"]);
     assert_refused("ci --without miri --only deny", &["'--without", "'--only"]);
@@ -51,13 +51,13 @@ fn a_wrong_task_is_reported_with_the_nearest_one() {
 
 #[test]
 fn a_wrong_option_is_reported_with_the_nearest_one() {
-    assert_refused("budget --bles", &["'--bles'", "'--bless'", "Usage: cargo xtask budget"]);
+    assert_refused("firmware --bles", &["'--bles'", "'--bless'", "Usage: cargo xtask firmware"]);
     assert_refused("mujoco --quick", &["'--quick'", "Usage: cargo xtask mujoco"]);
 }
 
 #[test]
 fn options_that_exclude_each_other_are_refused() {
     assert_refused("firmware --build --fuzz", &["'--build'", "'--fuzz'"]);
-    assert_refused("budget --bless --slow", &["'--bless'", "'--slow'"]);
+    assert_refused("firmware --bless --size", &["'--bless'", "'--size'"]);
     assert_refused("peers --quick --slow", &["'--quick'", "'--slow'"]);
 }

@@ -1,5 +1,0 @@
-//! Measured times and their comparison with the declared budgets.
-
-pub mod limits;
-pub mod measurements;
-pub mod quantiles;

@@ -1,0 +1,114 @@
+//! Events of a tree, in one list for the probe and for the components.
+
+use std::cell::RefCell;
+
+use bica::prelude::*;
+
+use crate::rules;
+
+/// Component that was read: name and value.
+pub(crate) type Read = (&'static str, u64);
+
+/// Times passed to a component, clock ticks: now, since its last run, in its state.
+pub(crate) type Times = (u64, u64, u64);
+
+/// Event. Numbers are indices of components and states, names are those in the source.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Event {
+    CycleBegin(u64),
+    CycleEnd,
+    Framework(rules::Event),
+    Begin(usize),
+    End(usize),
+    /// Component, transition, and whether its condition holds.
+    Condition(usize, usize, bool),
+    /// Call of the start hook of a component.
+    Started(&'static str),
+    /// Call of the stop hook of a component.
+    Stopped(&'static str),
+    /// Evaluation of a transition.
+    Evaluated {
+        by: &'static str,
+        transition: &'static str,
+        reads: Vec<Read>,
+    },
+    /// Call of an entry or exit hook.
+    Hook {
+        of: &'static str,
+        hook: &'static str,
+        reads: Vec<Read>,
+        writes: Vec<&'static str>,
+    },
+    /// Run of the code of a step or of a state.
+    Body {
+        of: &'static str,
+        state: &'static str,
+        time: Times,
+        reads: Vec<Read>,
+        writes: Vec<&'static str>,
+    },
+    /// Rate that a component set for another one, as bits, so that NaN equals itself.
+    RateSet {
+        of: &'static str,
+        hz: u32,
+    },
+}
+
+thread_local! {
+    static EVENTS: RefCell<Vec<Event>> = const { RefCell::new(Vec::new()) };
+}
+
+/// Records an event.
+pub(crate) fn record(event: Event) {
+    EVENTS.with_borrow_mut(|events| events.push(event));
+}
+
+/// Returns the events recorded since the last call.
+pub(crate) fn take_events() -> Vec<Event> {
+    EVENTS.take()
+}
+
+/// Records all events of a probe.
+pub(crate) struct Recorder;
+
+impl Probe for Recorder {
+    fn cycle_begin(&mut self, now: Instant) {
+        record(Event::CycleBegin(now.as_ticks()));
+    }
+
+    fn cycle_end(&mut self) {
+        record(Event::CycleEnd);
+    }
+
+    fn start(&mut self, component: ComponentId) {
+        record(Event::Framework(rules::Event::Start(component.index())));
+    }
+
+    fn stop(&mut self, component: ComponentId) {
+        record(Event::Framework(rules::Event::Stop(component.index())));
+    }
+
+    fn skip(&mut self, component: ComponentId) {
+        record(Event::Framework(rules::Event::Skip(component.index())));
+    }
+
+    fn run(&mut self, component: ComponentId) {
+        record(Event::Framework(rules::Event::Run(component.index())));
+    }
+
+    fn begin(&mut self, component: ComponentId) {
+        record(Event::Begin(component.index()));
+    }
+
+    fn end(&mut self, component: ComponentId) {
+        record(Event::End(component.index()));
+    }
+
+    fn condition(&mut self, component: ComponentId, transition: usize, holds: bool) {
+        record(Event::Condition(component.index(), transition, holds));
+    }
+
+    fn transition(&mut self, component: ComponentId, from: usize, to: usize) {
+        record(Event::Framework(rules::Event::Transition(component.index(), from, to)));
+    }
+}

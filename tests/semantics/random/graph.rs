@@ -1,0 +1,317 @@
+//! Tree as the rules see it: its `GRAPH`, and the recorded events that must be those of the rules.
+
+use std::vec::IntoIter;
+
+use bica::graph::{Graph, LinkKind, Transition};
+
+use super::event::{Event, Read, Times};
+use super::test_tree::Hook;
+use super::unit::{bit, mix};
+use crate::rules::{self, Memory, Subject};
+
+/// Ticks of the clock per second.
+const SECOND: f64 = 1e6;
+
+/// Period, in ticks of the clock, from which a component never runs.
+const NEVER: f64 = 4_611_686_018_427_387_904.0;
+
+/// Number of bits of a fraction of a tick in [`Times`].
+const FRACTION_BITS: u32 = 32;
+
+/// Times of a component, and the data of the test component's own code.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Data {
+    pub(crate) hz: Option<f32>,
+    /// Last grid point at which the component ran, in fractions of a tick.
+    grid: i128,
+    /// Instant of the last run since the component became active.
+    ran: u64,
+    /// Instant at which the state was entered; without states, at which the component became active.
+    pub(crate) entered: u64,
+    /// Whether the component was ever active.
+    pub(crate) started: bool,
+    pub(crate) flags: u32,
+    value: u64,
+    received: u64,
+}
+
+/// Model of a tree.
+pub(crate) struct Model {
+    graph: Graph,
+    hooks: &'static [Hook],
+    pub(crate) memories: Vec<Memory>,
+    pub(crate) components: Vec<Data>,
+    activators_first: Vec<usize>,
+    now: u64,
+    /// Actual events that the model has not yet expected.
+    events: IntoIter<Event>,
+}
+
+/// `Err` with the first difference between the tree and the model.
+pub(crate) type Comparison = Result<(), String>;
+
+impl Model {
+    pub(crate) fn new(graph: Graph, hooks: &'static [Hook]) -> Self {
+        Self {
+            graph,
+            hooks,
+            memories: vec![Memory::default(); graph.nodes.len()],
+            components: graph.nodes.iter().map(|node| Data { hz: node.hz, ..Data::default() }).collect(),
+            activators_first: activators_first(&graph),
+            now: 0,
+            events: Vec::new().into_iter(),
+        }
+    }
+
+    /// A rate can be set between 0 and the declared rate.
+    pub(crate) fn set_rate(&mut self, index: usize, hz: f32) {
+        let declared = self.graph.nodes[index].hz;
+        self.components[index].hz = match declared {
+            _ if hz.is_nan() => declared,
+            _ if hz.is_sign_negative() => Some(0.0),
+            Some(most) if most < hz => declared,
+            _ => Some(hz),
+        };
+    }
+
+    /// Runs one cycle and compares the actual events with those that the rules require.
+    pub(crate) fn tick(&mut self, now: u64, events: Vec<Event>) -> Comparison {
+        (self.now, self.events) = (now, events.into_iter());
+        self.expect(&Event::CycleBegin(now))?;
+        rules::cycle(self)?;
+        self.expect(&Event::CycleEnd)?;
+        self.events.next().map_or(Ok(()), |event| Err(format!("{event:?} after the expected end")))
+    }
+
+    /// Returns the first transition that is taken.
+    fn transition(&mut self, index: usize, state: usize) -> Result<Option<Transition>, String> {
+        let transitions = self.graph.nodes[index].transitions.iter().enumerate();
+        for (number, &transition) in transitions.filter(|(_, transition)| transition.from == state) {
+            let stayed = transition.after_ms.is_none_or(|ms| self.in_state(index) >= u64::from(ms) * 1000);
+            if !stayed {
+                continue;
+            }
+            let holds = transition.name.starts_with("timer") || self.evaluate(index, transition.name)?;
+            self.expect(&Event::Condition(index, number, holds))?;
+            if holds {
+                return Ok(Some(transition));
+            }
+        }
+        Ok(None)
+    }
+
+    /// Compares the evaluation of a transition, and returns its result.
+    fn evaluate(&mut self, index: usize, name: &'static str) -> Result<bool, String> {
+        match self.next()? {
+            Event::Evaluated { by, transition, reads } if by == self.graph.nodes[index].name && transition == name => {
+                self.read(&reads)?;
+                Ok(self.components[index].flags & bit(name) != 0)
+            }
+            other => Err(format!("{other:?} instead of the evaluation of {name}")),
+        }
+    }
+
+    fn hooks(&mut self, index: usize, state: usize, entry: bool) -> Comparison {
+        let node = &self.graph.nodes[index];
+        let (name, state) = (node.name, node.states[state].name);
+        for expected in self.hooks.iter().filter(|hook| hook.of == name && hook.state == state && hook.entry == entry) {
+            match self.next()? {
+                Event::Hook { of, hook, reads, writes } if of == name && hook == expected.name => {
+                    self.read(&reads)?;
+                    self.write(index, &writes);
+                }
+                other => return Err(format!("{other:?} instead of {expected:?}")),
+            }
+        }
+        Ok(())
+    }
+
+    /// Compares a step, or the body of the current state.
+    fn body(&mut self, index: usize) -> Comparison {
+        let node = &self.graph.nodes[index];
+        let current = self.memories[index].state.map_or("", |state| node.states[state].name);
+        loop {
+            match self.next()? {
+                Event::RateSet { of, hz } => self.set_rate(self.named(of), f32::from_bits(hz)),
+                Event::Body { of, state, time, reads, writes } if of == node.name && state == current => {
+                    self.times(index, time)?;
+                    self.read(&reads)?;
+                    let memory = &mut self.components[index];
+                    memory.value = mix(memory.value, std::mem::take(&mut memory.received) + 1);
+                    self.write(index, &writes);
+                    return Ok(());
+                }
+                other => return Err(format!("{other:?} instead of the body of {} in {current:?}", node.name)),
+            }
+        }
+    }
+
+    /// Time in the state. After the clock was set back to before the entry, the time counts from there.
+    fn in_state(&mut self, index: usize) -> u64 {
+        let memory = &mut self.components[index];
+        memory.entered = memory.entered.min(self.now);
+        self.now - memory.entered
+    }
+
+    fn times(&mut self, index: usize, time: Times) -> Comparison {
+        let expected = (self.now, self.now.saturating_sub(self.components[index].ran), self.in_state(index));
+        if time == expected { Ok(()) } else { Err(format!("time is {time:?} instead of {expected:?}")) }
+    }
+
+    /// Checks that the values read are those of the last runs.
+    fn read(&self, reads: &[Read]) -> Comparison {
+        let wrong = reads.iter().find(|(name, value)| self.components[self.named(name)].value != *value);
+        wrong.map_or(Ok(()), |read| Err(format!("{read:?} is read instead of the value of the last run")))
+    }
+
+    fn write(&mut self, index: usize, writes: &[&'static str]) {
+        let value = self.components[index].value;
+        for name in writes {
+            let to = self.named(name);
+            self.components[to].received = mix(self.components[to].received, value);
+        }
+    }
+
+    pub(crate) fn named(&self, name: &str) -> usize {
+        self.graph.nodes.iter().position(|node| node.name == name).expect("a component of the tree")
+    }
+
+    fn next(&mut self) -> Result<Event, String> {
+        self.events.next().ok_or_else(|| "no further event".into())
+    }
+
+    fn expect(&mut self, expected: &Event) -> Comparison {
+        let event = self.next()?;
+        if event == *expected { Ok(()) } else { Err(format!("{event:?} instead of {expected:?}")) }
+    }
+}
+
+impl Subject for Model {
+    type Difference = String;
+
+    fn memories(&mut self) -> &mut [Memory] {
+        &mut self.memories
+    }
+
+    fn activator(&self, place: usize) -> usize {
+        self.activators_first[place]
+    }
+
+    fn root(&self) -> usize {
+        self.graph.root
+    }
+
+    fn links(&self, of: usize) -> usize {
+        self.graph.nodes[of].links.len()
+    }
+
+    fn child(&self, of: usize, link: usize, kind: LinkKind) -> Option<usize> {
+        let link = &self.graph.nodes[of].links[link];
+        (link.kind == kind && (link.state.is_none() || link.state == self.memories[of].state)).then_some(link.to)
+    }
+
+    fn initial(&self, of: usize) -> Option<usize> {
+        self.graph.nodes[of].states.iter().position(|state| state.initial)
+    }
+
+    fn resumes(&self, of: usize) -> bool {
+        self.graph.nodes[of].resume
+    }
+
+    fn start(&mut self, of: usize, entering: bool) {
+        let data = &mut self.components[of];
+        data.grid = i128::from(self.now) << FRACTION_BITS;
+        (data.ran, data.started) = (self.now, true);
+        if entering {
+            data.entered = self.now;
+        }
+    }
+
+    /// A component that runs in every cycle does not use the grid.
+    ///
+    /// Comparisons are in whole ticks; differences of instants are taken modulo 2⁶⁴, as signed numbers.
+    fn is_due(&mut self, of: usize) -> bool {
+        let cycle = SECOND / f64::from(self.graph.cycle_hz);
+        let share = self.graph.nodes[of].hz.map_or(1.0, |hz| hz / self.graph.cycle_hz);
+        let (early, late) = if share > 0.5 { (cycle / 2.0, cycle / 2.0) } else { (cycle / 4.0, 0.0) };
+        let (early, late) = (early as i128, late as i128);
+        let data = &mut self.components[of];
+        let period = match data.hz {
+            None => return true,
+            Some(hz) if hz <= 0.0 => return false,
+            Some(hz) => SECOND / f64::from(hz),
+        };
+        if !(1.0..NEVER).contains(&period) {
+            return period < 1.0;
+        }
+        let whole = period as i128;
+        let since = i128::from(self.now.wrapping_sub((data.grid >> FRACTION_BITS) as u64).cast_signed());
+        if (-whole..whole - early).contains(&since) {
+            return false;
+        }
+        if (whole - early..2 * whole + late).contains(&since) {
+            data.grid += (period * (1_u64 << FRACTION_BITS) as f64) as i128;
+        } else {
+            data.grid = i128::from(self.now) << FRACTION_BITS;
+        }
+        true
+    }
+
+    fn event(&mut self, event: rules::Event) -> Comparison {
+        let name = |index: usize| self.graph.nodes[index].name;
+        match event {
+            rules::Event::Start(index) => {
+                let started = Event::Started(name(index));
+                self.expect(&Event::Framework(event))?;
+                self.expect(&started)
+            }
+            rules::Event::Stop(index) => {
+                let stopped = Event::Stopped(name(index));
+                self.expect(&stopped)?;
+                self.expect(&Event::Framework(event))
+            }
+            rules::Event::Transition(index, ..) => {
+                self.components[index].entered = self.now;
+                self.expect(&Event::Framework(event))
+            }
+            _ => self.expect(&Event::Framework(event)),
+        }
+    }
+
+    fn decide(&mut self, of: usize, entering: bool) -> Result<Option<usize>, String> {
+        self.expect(&Event::Begin(of))?;
+        let Some(state) = self.memories[of].state else { return Ok(None) };
+        if entering {
+            self.hooks(of, state, true)?;
+        }
+        let Some(transition) = self.transition(of, state)? else { return Ok(None) };
+        self.hooks(of, state, false)?;
+        self.expect(&Event::End(of))?;
+        Ok(Some(transition.to))
+    }
+
+    fn step(&mut self, of: usize, moved: bool) -> Comparison {
+        if let Some(state) = self.memories[of].state.filter(|_| moved) {
+            self.expect(&Event::Begin(of))?;
+            self.hooks(of, state, true)?;
+        }
+        self.body(of)?;
+        self.components[of].ran = self.now;
+        self.expect(&Event::End(of))
+    }
+}
+
+/// All components, each after those that can activate it; otherwise in the order of the list.
+fn activators_first(graph: &Graph) -> Vec<usize> {
+    let count = graph.nodes.len();
+    let mut order: Vec<usize> = Vec::new();
+    while order.len() < count {
+        let waits = |index: usize| {
+            let activates = |&from: &usize| graph.nodes[from].links.iter().any(|link| link.to == index);
+            (0..count).filter(activates).any(|from| !order.contains(&from))
+        };
+        let next = (0..count).find(|index| !order.contains(index) && !waits(*index));
+        order.push(next.expect("no activation cycle"));
+    }
+    order
+}

@@ -1,0 +1,73 @@
+//! Playing of a script on a tree and on its model.
+
+use bica::prelude::*;
+use bica::tree::Status;
+use proptest::prelude::*;
+
+use super::event::{Recorder, take_events};
+use super::graph::Model;
+use super::script::{Action, Script};
+use super::test_tree::TestTree;
+
+/// Plays the script, and compares all events and the status of each component with the model.
+pub(crate) fn play<T: TestTree>(script: &Script) -> Result<(), TestCaseError> {
+    take_events();
+    let mut tree = T::default();
+    let mut model = Model::new(T::GRAPH, T::HOOKS);
+    let mut now = 1_000_000;
+    for (number, tick) in script.iter().enumerate() {
+        for (index, action) in &tick.actions {
+            perform(&mut tree, &mut model, index.index(T::COUNT), *action);
+        }
+        now = tick.clock.after(now);
+        tree.tick_with(Instant::from_ticks(now), &mut Recorder);
+        let events = take_events();
+        let differs = model.tick(now, events.clone());
+        prop_assert!(differs.is_ok(), "cycle {}: {}\n{:#?}", number, differs.unwrap_err(), events);
+        compare(&tree, &model)?;
+    }
+    Ok(())
+}
+
+fn perform<T: TestTree>(tree: &mut T, model: &mut Model, index: usize, action: Action) {
+    match action {
+        Action::Flags(flags) => (tree.unit(index).flags, model.components[index].flags) = (flags, flags),
+        Action::Rate(hz) => {
+            tree.set_rate(index, hz);
+            model.set_rate(index, hz);
+        }
+        Action::RateAt(hz) => {
+            tree.set_rate_at(ComponentId::new(index), hz);
+            model.set_rate(index, hz);
+        }
+        Action::Reset => {
+            tree.reset_rate(index);
+            model.components[index].hz = T::GRAPH.nodes[index].hz;
+        }
+        Action::SetChildRate(hz) => tree.unit(index).requested_rate = Some(hz),
+        Action::Hold(hold) => {
+            tree.hold_at(ComponentId::new(index), hold);
+            model.memories[index].hold = hold;
+        }
+    }
+}
+
+/// Compares the status of each component between two cycles.
+fn compare<T: TestTree>(tree: &T, model: &Model) -> Result<(), TestCaseError> {
+    for (index, (memory, data)) in model.memories.iter().zip(&model.components).enumerate() {
+        let id = ComponentId::new(index);
+        let expected = Status {
+            active: memory.active,
+            held: memory.hold,
+            state: memory.state,
+            since: data.started.then(|| Instant::from_ticks(data.entered)),
+            hz: data.hz,
+        };
+        prop_assert_eq!(tree.status(id), Some(expected));
+        prop_assert_eq!(
+            (tree.is_active(id), tree.held(id), tree.state(id)),
+            (expected.active, expected.held, expected.state)
+        );
+    }
+    Ok(())
+}

@@ -1,0 +1,60 @@
+//! Test tree that is controlled by component indices.
+
+use bica::prelude::*;
+
+use super::unit::Unit;
+
+/// An entry or exit hook; a `GRAPH` does not list them.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Hook {
+    pub(crate) of: &'static str,
+    pub(crate) state: &'static str,
+    pub(crate) entry: bool,
+    pub(crate) name: &'static str,
+}
+
+/// Tree of test components.
+pub(crate) trait TestTree: Tree + Default {
+    /// All hooks, in source order.
+    const HOOKS: &'static [Hook];
+
+    fn unit(&mut self, index: usize) -> &mut Unit;
+    fn set_rate(&mut self, index: usize, hz: f32);
+    fn reset_rate(&mut self, index: usize);
+}
+
+/// Implements [`TestTree`] for a tree: its components in the order of its list, and its hooks.
+macro_rules! test_tree {
+    ($tree:ty: [$($component:ty),* $(,)?] $(, entry: [$($of:ident.$state:ident: $entry:ident),*])? $(, exit: [$($eof:ident.$estate:ident: $exit:ident),*])?) => {
+        impl crate::random::test_tree::TestTree for $tree {
+            const HOOKS: &'static [crate::random::test_tree::Hook] = &[
+                $($(crate::random::test_tree::Hook {
+                    of: stringify!($of), state: stringify!($state), entry: true, name: stringify!($entry),
+                },)*)?
+                $($(crate::random::test_tree::Hook {
+                    of: stringify!($eof), state: stringify!($estate), entry: false, name: stringify!($exit),
+                },)*)?
+            ];
+
+            fn unit(&mut self, index: usize) -> &mut crate::random::unit::Unit {
+                $(if index == <$tree>::id::<$component>().index() {
+                    return &mut self.get_mut::<$component>().unit;
+                })*
+                panic!("no component has index {index}")
+            }
+
+            fn set_rate(&mut self, index: usize, hz: f32) {
+                $(if index == <$tree>::id::<$component>().index() {
+                    self.rate_mut::<$component>().set(hz);
+                })*
+            }
+
+            fn reset_rate(&mut self, index: usize) {
+                $(if index == <$tree>::id::<$component>().index() {
+                    self.rate_mut::<$component>().reset();
+                })*
+            }
+        }
+    };
+}
+pub(crate) use test_tree;

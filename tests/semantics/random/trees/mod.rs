@@ -1,0 +1,9 @@
+//! Test trees.
+
+pub(crate) mod deep;
+pub(crate) mod diamond;
+pub(crate) mod generic;
+pub(crate) mod modulated;
+pub(crate) mod resume;
+pub(crate) mod swap;
+pub(crate) mod timers;

@@ -1,0 +1,124 @@
+//! State and functions of every test component.
+
+use bica::prelude::*;
+
+use super::event::{Event, Read, Times, record};
+
+/// Mixes a number into a value; the result depends on all numbers and their order.
+pub(crate) fn mix(into: u64, more: u64) -> u64 {
+    (into ^ more).wrapping_mul(0x9e37_79b9_7f4a_7c15).rotate_left(23)
+}
+
+/// Bit of the flags that a transition reads.
+pub(crate) fn bit(transition: &str) -> u32 {
+    1 << (transition.bytes().map(u32::from).sum::<u32>() % 32)
+}
+
+/// State of a test component: its value changes in each run, and depends on the values written to it.
+pub(crate) struct Unit {
+    name: &'static str,
+    /// Output of the component.
+    pub(crate) value: u64,
+    /// Mixture of the values written to it since its last run.
+    pub(crate) received: u64,
+    /// Transitions to take, as bits.
+    pub(crate) flags: u32,
+    /// Rate that it sets for its child in its next run.
+    pub(crate) requested_rate: Option<f32>,
+}
+
+impl Unit {
+    pub(crate) const fn new(name: &'static str) -> Self {
+        Self { name, value: 0, received: 0, flags: 0, requested_rate: None }
+    }
+
+    /// Name and value, as a reader gets them.
+    pub(crate) fn read(&self) -> Read {
+        (self.name, self.value)
+    }
+
+    pub(crate) fn started(&mut self) {
+        record(Event::Started(self.name));
+    }
+
+    pub(crate) fn stopped(&mut self) {
+        record(Event::Stopped(self.name));
+    }
+
+    /// Runs once: computes a new value and writes it to other components.
+    pub(crate) fn body<const R: usize, const W: usize>(
+        &mut self,
+        state: &'static str,
+        time: &Time,
+        reads: [Read; R],
+        writes: [&mut Self; W],
+    ) {
+        self.value = mix(self.value, self.received + 1);
+        self.received = 0;
+        let time: Times = (time.now.as_ticks(), time.since_run.as_ticks(), time.in_state.as_ticks());
+        let writes = self.write(writes);
+        record(Event::Body { of: self.name, state, time, reads: reads.into(), writes });
+    }
+
+    /// Runs an entry or exit hook: writes to other components.
+    pub(crate) fn hook<const R: usize, const W: usize>(
+        &mut self,
+        hook: &'static str,
+        reads: [Read; R],
+        writes: [&mut Self; W],
+    ) {
+        let writes = self.write(writes);
+        record(Event::Hook { of: self.name, hook, reads: reads.into(), writes });
+    }
+
+    /// Evaluates a transition.
+    pub(crate) fn evaluate<const R: usize>(&self, transition: &'static str, reads: [Read; R]) -> bool {
+        record(Event::Evaluated { by: self.name, transition, reads: reads.into() });
+        self.flags & bit(transition) != 0
+    }
+
+    /// Sets the rate of another component to the requested one.
+    pub(crate) fn modulate<C: Component>(&mut self, of: &'static str, rate: &mut Rate<C>) {
+        if let Some(hz) = self.requested_rate.take() {
+            rate.set(hz);
+            record(Event::RateSet { of, hz: hz.to_bits() });
+        }
+    }
+
+    fn write<const W: usize>(&self, writes: [&mut Self; W]) -> Vec<&'static str> {
+        let write = |other: &mut Self| {
+            other.received = mix(other.received, self.value);
+            other.name
+        };
+        writes.into_iter().map(write).collect()
+    }
+}
+
+/// Test component with a name, attributes and functions. It records its hooks.
+macro_rules! unit {
+    ($name:ident($($attributes:tt)*) { $($functions:tt)* }) => {
+        pub(crate) struct $name {
+            pub(crate) unit: crate::random::unit::Unit,
+        }
+
+        #[component($($attributes)*)]
+        impl $name {
+            pub(crate) const fn new() -> Self {
+                Self { unit: crate::random::unit::Unit::new(stringify!($name)) }
+            }
+
+            #[start]
+            fn started(&mut self) {
+                self.unit.started();
+            }
+
+            #[stop]
+            fn stopped(&mut self) {
+                self.unit.stopped();
+            }
+
+            $($functions)*
+        }
+    };
+}
+pub(crate) use unit;

@@ -1,0 +1,72 @@
+//! Tests of the documentation: every relative link has a target, every command is accepted by its program, and every cited test
+//! exists.
+//! Test of the manifests: every test belongs to a test program.
+
+mod cargo;
+mod citations;
+mod commands;
+mod links;
+mod pages;
+mod prose;
+mod untested;
+
+use pages::Page;
+
+#[test]
+fn relative_links_have_targets() {
+    let pages = Page::read_all("md");
+    let broken: Vec<String> = pages.iter().flat_map(links::broken).collect();
+    assert!(broken.is_empty(), "broken links:\n{}", broken.join("\n"));
+    let checked: usize = pages.iter().map(|page| links::of(&page.text).count()).sum();
+    assert!(checked > 20, "only {checked} links were found: are the pages read?");
+}
+
+#[test]
+fn commands_are_accepted_by_their_program() {
+    let workspace = cargo::Workspace::read();
+    let (mut refused, mut checked) = (Vec::new(), 0);
+    for page in Page::read_all("md") {
+        for command in commands::of(&page.text) {
+            checked += 1;
+            if let Err(error) = commands::check(&command, &workspace) {
+                refused.push(format!("{}:{}: `{}`: {error}", page.name, command.line, command.text));
+            }
+        }
+    }
+    assert!(refused.is_empty(), "commands that do not work:\n{}", refused.join("\n"));
+    assert!(checked > 40, "only {checked} commands were found: are the pages read?");
+}
+
+#[test]
+fn prose_keeps_its_width_and_words() {
+    let is_text = |line: &str| !line.starts_with('|');
+    let is_comment = |line: &str| {
+        let comment = line.trim_start().strip_prefix("//").map(|text| text.trim_start_matches(['/', '!', ' ']));
+        // Neither a table nor a line of code in a string.
+        comment.is_some_and(|text| !text.starts_with('|') && !text.contains(r"\n"))
+    };
+    let pages = Page::read_all("md").iter().flat_map(|page| prose::faults(page, is_text)).collect::<Vec<_>>();
+    let sources = Page::read_all("rs").iter().flat_map(|page| prose::faults(page, is_comment)).collect::<Vec<_>>();
+    assert!(pages.is_empty() && sources.is_empty(), "{}\n{}", pages.join("\n"), sources.join("\n"));
+}
+
+#[test]
+fn cited_tests_and_files_exist() {
+    let (sources, pages) = (Page::read_all("rs"), Page::read_all("md"));
+    let broken: Vec<String> = pages.iter().flat_map(|page| citations::broken(page, &sources)).collect();
+    assert!(broken.is_empty(), "cited, but in no source:\n{}", broken.join("\n"));
+    let checked: usize = pages.iter().map(|page| citations::of(&page.text).count()).sum();
+    assert!(checked > 40, "only {checked} citations were found: are the pages read?");
+}
+
+#[test]
+fn targets_without_test_program_have_no_tests() {
+    let files = untested::with_tests(&cargo::packages());
+    assert!(files.is_empty(), "tests that never run, as their manifest says `test = false`: {files:?}");
+}
+
+#[test]
+fn libraries_without_doctests_have_no_examples() {
+    let files = untested::with_examples(&cargo::packages());
+    assert!(files.is_empty(), "examples that never run, as their manifest says `doctest = false`: {files:?}");
+}
