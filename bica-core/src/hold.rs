@@ -2,6 +2,7 @@
 
 /// What decides whether a component is active.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "wire", derive(serde::Serialize, serde::Deserialize, postcard_schema::Schema))]
 pub enum Hold {
     /// The tree: the component is active while an active component links to it.
     #[default]

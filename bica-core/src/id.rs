@@ -4,6 +4,7 @@ use core::fmt;
 
 /// Identifier of a component: its index in the tree's list, and so in [`Graph::nodes`](crate::graph::Graph::nodes).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(feature = "wire", derive(serde::Serialize, serde::Deserialize, postcard_schema::Schema))]
 pub struct ComponentId(u16);
 
 impl ComponentId {

@@ -182,6 +182,7 @@ pub struct Param {
 
 /// One entry of a batch: a value for a parameter.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "wire", derive(serde::Serialize, serde::Deserialize, postcard_schema::Schema))]
 pub struct Setting {
     /// The component.
     pub component: ComponentId,

@@ -61,7 +61,7 @@ pub trait Probe {
 
 impl Probe for () {}
 
-/// Writes each event of a probe as a call on these probes.
+/// Writes each event of a probe as a call on those of these probes that there are.
 macro_rules! forward {
     ($self:ident => $($probe:expr),+) => {
         forward!(@ $self [$($probe),+] cycle_begin(now: Instant) (now));
@@ -80,17 +80,24 @@ macro_rules! forward {
     (@ $self:ident [$($probe:expr),+] $event:ident($($arg:ident: $kind:ty),*) $call:tt) => {
         #[inline]
         fn $event(&mut $self $(, $arg: $kind)*) {
-            $($probe.$event $call;)+
+            $(if let Some(probe) = $probe {
+                probe.$event $call;
+            })+
         }
     };
 }
 
 /// A borrowed probe.
 impl<P: Probe> Probe for &mut P {
-    forward!(self => (**self));
+    forward!(self => Some(&mut **self));
+}
+
+/// A probe, if there is one.
+impl<P: Probe> Probe for Option<P> {
+    forward!(self => self);
 }
 
 /// Two probes at once.
 impl<A: Probe, B: Probe> Probe for (A, B) {
-    forward!(self => self.0, self.1);
+    forward!(self => Some(&mut self.0), Some(&mut self.1));
 }

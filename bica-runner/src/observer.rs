@@ -13,7 +13,7 @@ use crate::schedule::Overrun;
 /// order: [`requested`](Self::requested) or [`refused`](Self::refused) for each request, [`sensing`](Self::sensing),
 /// [`sensed`](Self::sensed), those of the probe from `cycle_begin` to `cycle_end`, [`acted`](Self::acted). An observer
 /// that measures time reads its clock in these calls. Methods with their default implementation cost nothing. `()`
-/// observes nothing; a pair `(A, B)` is two observers.
+/// observes nothing, an `Option` may be no observer, and a pair `(A, B)` is two.
 #[expect(unused_variables, reason = "the names of the arguments are documentation")]
 pub trait Observer<R: Robot>: Probe {
     /// Called after a request was applied, before the cycle at `now`.
@@ -61,50 +61,68 @@ impl<R: Robot> Observer<R> for () {}
 /// Measures the components; it does not use the other calls of the loop.
 impl<R: Robot, C: FnMut() -> u64, const N: usize> Observer<R> for Stopwatch<C, N> {}
 
-/// Implements each method by a call of the same method of these observers.
+/// Implements each method by a call of the same method of those of these observers that there are.
 macro_rules! forward {
     ($self:ident => $($observer:expr),+) => {
         #[inline]
         fn requested(&mut $self, now: Instant, request: &Request<'_>) {
-            $($observer.requested(now, request);)+
+            $(if let Some(observer) = $observer {
+                observer.requested(now, request);
+            })+
         }
 
         #[inline]
         fn refused(&mut $self, now: Instant, request: &Request<'_>, refusal: &Refusal) {
-            $($observer.refused(now, request, refusal);)+
+            $(if let Some(observer) = $observer {
+                observer.refused(now, request, refusal);
+            })+
         }
 
         #[inline]
         fn sensing(&mut $self, now: Instant, sensors: &R::Sensors<'_>) {
-            $($observer.sensing(now, sensors);)+
+            $(if let Some(observer) = $observer {
+                observer.sensing(now, sensors);
+            })+
         }
 
         #[inline]
         fn sensed(&mut $self) {
-            $($observer.sensed();)+
+            $(if let Some(observer) = $observer {
+                observer.sensed();
+            })+
         }
 
         #[inline]
         fn acted(&mut $self, cycle: &Cycle<'_, R>) {
-            $($observer.acted(cycle);)+
+            $(if let Some(observer) = $observer {
+                observer.acted(cycle);
+            })+
         }
 
         #[inline]
         fn requests_applied(&mut $self, now: Instant, robot: &R) {
-            $($observer.requests_applied(now, robot);)+
+            $(if let Some(observer) = $observer {
+                observer.requests_applied(now, robot);
+            })+
         }
 
         #[inline]
         fn overrun(&mut $self, overrun: &Overrun) {
-            $($observer.overrun(overrun);)+
+            $(if let Some(observer) = $observer {
+                observer.overrun(overrun);
+            })+
         }
     };
 }
 
 impl<R: Robot, O: Observer<R>> Observer<R> for &mut O {
-    forward!(self => (**self));
+    forward!(self => Some(&mut **self));
+}
+
+impl<R: Robot, O: Observer<R>> Observer<R> for Option<O> {
+    forward!(self => self);
 }
 
 impl<R: Robot, A: Observer<R>, B: Observer<R>> Observer<R> for (A, B) {
-    forward!(self => self.0, self.1);
+    forward!(self => Some(&mut self.0), Some(&mut self.1));
 }

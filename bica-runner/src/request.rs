@@ -88,6 +88,21 @@ impl Requests for () {
     }
 }
 
+/// Provides the requests of a source, if there is one.
+impl<Q: Requests> Requests for Option<Q> {
+    #[inline]
+    fn next(&mut self, now: Instant) -> Option<Request<'_>> {
+        self.as_mut()?.next(now)
+    }
+
+    #[inline]
+    fn answered(&mut self, now: Instant, result: Result<(), Refusal>) {
+        if let Some(source) = self {
+            source.answered(now, result);
+        }
+    }
+}
+
 impl<Q: Requests + ?Sized> Requests for &mut Q {
     #[inline]
     fn next(&mut self, now: Instant) -> Option<Request<'_>> {

@@ -191,7 +191,7 @@ impl Description {
         if let Kind::Choice { variants } = param.kind {
             self.variants = variants;
         }
-        (ParamKind::of(&param.kind), Value::of(param.default).unwrap_or(Value::U32(0)))
+        (ParamKind::of(&param.kind), param.default)
     }
 }
 

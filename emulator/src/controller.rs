@@ -20,7 +20,7 @@ pub struct Controller {
     instructions_per_tick: u64,
     image_bytes: usize,
     /// Number of the lease of this operator; `None` before the first request.
-    lease: Option<u32>,
+    lease: Option<u64>,
     last_request: u32,
 }
 
@@ -153,7 +153,7 @@ impl Controller {
         self.lease.map_or(Ok(()), |lease| self.send(&FromMonitor::Lease(LeaseAction::Keep { lease })))
     }
 
-    fn acquire(&mut self) -> Result<u32, Error> {
+    fn acquire(&mut self) -> Result<u64, Error> {
         self.send(&FromMonitor::Lease(LeaseAction::Acquire))?;
         let lease = self.emulator.link().receive(|message| match answer(&message)? {
             ToMonitor::Lease(lease) if lease.yours => Some(lease.lease),

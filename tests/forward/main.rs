@@ -2,6 +2,7 @@
 
 mod by_hand;
 mod game;
+mod holds;
 mod motor_load;
 mod no_heap;
 mod out;

@@ -85,6 +85,31 @@ fn one_silent_foot_is_a_fault_and_two_are_not() {
 }
 
 #[test]
+fn a_foot_is_silent_without_a_fault_while_it_is_lifted_or_carries_nothing() {
+    let on_right_foot = |sensors: &mut Sensors<'_>| {
+        sensors.left_foot = FootPressure::default();
+        sensors.right_foot = FootPressure { front_left: 52.0, ..FootPressure::default() };
+    };
+    let mut lifted = Nao::STAND;
+    lifted[Joint::LHipPitch] -= 0.1;
+    lifted[Joint::LKneePitch] += 0.2;
+    lifted[Joint::LAnklePitch] -= 0.1;
+    let mut shifted = Nao::STAND;
+    for (hip, ankle) in [(Joint::LHipRoll, Joint::LAnkleRoll), (Joint::RHipRoll, Joint::RAnkleRoll)] {
+        shifted[hip] += 0.25;
+        shifted[ankle] -= 0.25;
+    }
+    for posture in [lifted, shifted] {
+        let upright = |sensors: &mut Sensors<'_>| {
+            on_right_foot(sensors);
+            sensors.angles = posture;
+        };
+        assert_eq!(found(2000, &posture, upright), None);
+    }
+    assert_eq!(found(2000, &Nao::STAND, on_right_foot).map(|found| found.0), Some(Fault::Foot(Side::Left)));
+}
+
+#[test]
 fn joints_are_not_checked_while_the_robot_lies() {
     let mut targets = Nao::STAND;
     targets[Joint::RKneePitch] += 0.9;

@@ -6,7 +6,7 @@ use crate::refusal::Reason;
 
 /// Value of a parameter, or of an argument of a modulation.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
+#[cfg_attr(feature = "wire", derive(serde::Serialize, serde::Deserialize, postcard_schema::Schema))]
 pub enum Value {
     /// A number.
     F32(f32),

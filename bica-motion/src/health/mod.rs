@@ -11,6 +11,7 @@ use core::marker::PhantomData;
 
 use self::motor_load::MotorLoad;
 use crate::joints::{Joint, Joints};
+use crate::kinematics::{centre_of_mass, sole};
 use crate::model::{Nao, RobotModel};
 use crate::robot::{Inertial, Sensors};
 use crate::side::Side;
@@ -26,8 +27,15 @@ const STUCK_DEVIATION: f32 = 0.7;
 const STUCK_CYCLES: u16 = 100;
 /// Number of identical readings after which the inertial unit is broken: noise alone changes the last digits.
 const INERTIAL_CYCLES: u16 = 100;
-/// Number of cycles of 10 ms after which a foot without force is broken: no motion stands on one foot for so long.
+/// Number of cycles of 10 ms after which a foot without force is broken if the commanded posture loads it.
 const SILENT_FOOT_CYCLES: u16 = 400;
+/// Number of cycles of 10 ms without force from which on that posture counts: no motion stands on one foot for so long, but a robot
+/// whose motion was interrupted in the middle of a step does.
+const POSTURE_CYCLES: u16 = 300;
+/// Maximum difference in height between the soles of a posture on both feet, m.
+const MAX_LIFT: f32 = 0.001;
+/// Minimum share of the weight on a foot that must measure force.
+const MIN_SHARE: f32 = 0.1;
 
 /// Whether feet and joints behave as in stand and walk, by the torso's angles (see [`UPRIGHT_TILT`]).
 #[must_use]
@@ -94,7 +102,9 @@ impl<M: RobotModel> Health<M> {
         let inertial = self.check_inertial(&sensors.inertial);
         let upright = is_upright(&sensors.inertial);
         let found = if upright {
-            inertial.or_else(|| self.check_feet(sensors)).or_else(|| self.check_joints(sensors, targets, stiffness))
+            inertial
+                .or_else(|| self.check_feet(sensors, targets))
+                .or_else(|| self.check_joints(sensors, targets, stiffness))
         } else {
             (self.silent, self.stuck.1) = ([0; 2], 0);
             inertial
@@ -111,12 +121,16 @@ impl<M: RobotModel> Health<M> {
         (self.same >= INERTIAL_CYCLES).then_some(Fault::Inertial)
     }
 
-    fn check_feet(&mut self, sensors: &Sensors<'_>) -> Option<Fault> {
+    fn check_feet(&mut self, sensors: &Sensors<'_>, targets: &Joints) -> Option<Fault> {
         let forces = [sensors.left_foot.total(), sensors.right_foot.total()];
         Side::BOTH.into_iter().find_map(|side| {
             let silent = forces[side.index()] <= 0.0 && forces[side.other().index()] >= M::SUPPORT_FORCE;
             let count = &mut self.silent[side.index()];
-            *count = if silent { count.saturating_add(1) } else { 0 };
+            *count = match silent {
+                false => 0,
+                true if *count >= POSTURE_CYCLES && !is_loaded::<M>(side, targets) => POSTURE_CYCLES,
+                true => count.saturating_add(1),
+            };
             (*count >= SILENT_FOOT_CYCLES).then_some(Fault::Foot(side))
         })
     }
@@ -135,6 +149,14 @@ impl<M: RobotModel> Health<M> {
         };
         (self.stuck.1 >= STUCK_CYCLES).then_some(Fault::Stuck(self.stuck.0))
     }
+}
+
+/// Whether a posture (rad) has both soles on the ground, and the centre of mass so near to one foot that it carries a part of the
+/// weight.
+fn is_loaded<M: RobotModel>(side: Side, posture: &Joints) -> bool {
+    let [own, other] = [side, side.other()].map(|side| sole::<M>(side, posture).translation);
+    let share = (centre_of_mass::<M>(posture).y - other.y) / (own.y - other.y);
+    (own.z - other.z).abs() < MAX_LIFT && share >= MIN_SHARE
 }
 
 /// Whether a joint must follow its target: legs and head. The arms are compliant and may rest on something.

@@ -76,7 +76,7 @@ pub struct WorldRequest {
     /// Number that the answer repeats, one of the numbers of [`Request`](super::Request)s.
     pub number: u32,
     /// Number of the operator's lease.
-    pub lease: u32,
+    pub lease: u64,
     /// Robot's time after which the request is refused, µs; `u64::MAX`: never.
     pub expires_us: u64,
     /// What is requested.

@@ -9,13 +9,15 @@ mod graph;
 mod image;
 mod monitor;
 mod operator;
+mod param_kind;
 mod robot;
 mod session;
-mod value;
 
 use postcard_schema::Schema;
 use serde::{Deserialize, Serialize};
 
+pub use bica_core::Hold;
+pub use bica_core::params::{Setting, Value};
 pub use diagnostics::{FaultInjection, LinkStats, StackUsage, Telemetry};
 pub use extra::{
     COSTS_CYCLES, ComponentCost, ComponentCosts, ConditionState, Conditions, Costs, ExtraKind, FromMonitorExtra,
@@ -29,12 +31,11 @@ pub use monitor::{
     MAX_TEXT_BYTES, MAX_VALUES, ParamValues, SCHEMA_PART_BYTES, Watch, WatchInfo,
 };
 pub use operator::{
-    Answer, AnswerResult, Change, Hold, LeaseAction, LeaseState, MAX_ARGUMENTS, MAX_BATCH, RefusalCode, Request,
-    Setting,
+    Answer, AnswerResult, Change, LeaseAction, LeaseState, MAX_ARGUMENTS, MAX_BATCH, RefusalCode, Request,
 };
+pub use param_kind::ParamKind;
 pub use robot::{Command, Sensors};
 pub use session::{ClockMode, Hello, Identity};
-pub use value::{ParamKind, Value};
 
 /// A message from the host.
 #[expect(clippy::large_enum_variant, reason = "there is no heap to box the sensors in")]

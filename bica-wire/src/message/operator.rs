@@ -1,11 +1,10 @@
 //! Requests of an operator.
 
-use bica_core::hold;
+use bica_core::params::{Setting, Value};
+use bica_core::{ComponentId, Hold};
 use heapless::Vec;
 use postcard_schema::Schema;
 use serde::{Deserialize, Serialize};
-
-use super::Value;
 
 /// Largest number of settings in one batch.
 pub const MAX_BATCH: usize = 32;
@@ -23,12 +22,12 @@ pub enum LeaseAction {
     /// continues the lease there.
     Keep {
         /// Number of the lease, which only its owner knows.
-        lease: u32,
+        lease: u64,
     },
     /// Gives the lease with this number back. What its owner requested ends, except parameters.
     Return {
         /// Number of the lease.
-        lease: u32,
+        lease: u64,
     },
 }
 
@@ -36,7 +35,7 @@ pub enum LeaseAction {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, Schema)]
 pub struct LeaseState {
     /// Number of the lease, for its owner; 0 for others.
-    pub lease: u32,
+    pub lease: u64,
     /// Whether somebody owns it.
     pub owned: bool,
     /// Whether the receiver of this message owns it.
@@ -51,7 +50,7 @@ pub struct Request {
     /// Number that the answer repeats.
     pub number: u32,
     /// Number of the operator's lease.
-    pub lease: u32,
+    pub lease: u64,
     /// Robot's time after which the request is refused, µs; `u64::MAX`: never.
     pub expires_us: u64,
     /// What is requested.
@@ -89,47 +88,24 @@ pub enum Change {
     },
 }
 
-/// A value for a parameter.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, Schema)]
-pub struct Setting {
-    /// Index of the component.
-    pub component: u16,
-    /// Index of the parameter.
-    pub index: u16,
-    /// The value.
-    pub value: Value,
-}
-
-/// What decides whether a component is active.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, Schema)]
-pub enum Hold {
-    /// The tree.
-    #[default]
-    Tree,
-    /// Held active.
-    Active,
-    /// Held latent.
-    Latent,
-}
-
-impl From<hold::Hold> for Hold {
-    fn from(hold: hold::Hold) -> Self {
-        match hold {
-            hold::Hold::Tree => Self::Tree,
-            hold::Hold::Active => Self::Active,
-            hold::Hold::Latent => Self::Latent,
+impl Change {
+    /// Returns the request of the loop that performs the change.
+    #[must_use]
+    pub fn request(&self) -> bica_runner::Request<'_> {
+        match self {
+            Self::Hold { component, hold } => bica_runner::Request::Hold { component: id(*component), hold: *hold },
+            Self::Rate { component, hz } => bica_runner::Request::Rate { component: id(*component), hz: *hz },
+            Self::Params(batch) => bica_runner::Request::Params(batch),
+            Self::Modulate { component, modulation, arguments } => {
+                let (component, index) = (id(*component), usize::from(*modulation));
+                bica_runner::Request::Modulate { component, index, arguments }
+            }
         }
     }
 }
 
-impl From<Hold> for hold::Hold {
-    fn from(hold: Hold) -> Self {
-        match hold {
-            Hold::Tree => Self::Tree,
-            Hold::Active => Self::Active,
-            Hold::Latent => Self::Latent,
-        }
-    }
+const fn id(component: u16) -> ComponentId {
+    ComponentId::new(component as usize)
 }
 
 /// The answer to a [`Request`].

@@ -25,7 +25,7 @@ struct Owner {
 /// Times are those of the clock by which the server measures silence; it must not run backwards.
 #[derive(Clone, Debug)]
 pub struct Lease {
-    number: u32,
+    number: u64,
     owner: Option<Owner>,
     silence: Duration,
     holds: ComponentSet,
@@ -53,7 +53,7 @@ impl Lease {
 
     /// Performs an action of a connection; returns whether the lease changed. `random` becomes the number of a lease that begins: who
     /// knows the number of a lease proves with it to be its owner, so it must be secret.
-    pub fn act(&mut self, connection: u64, action: LeaseAction, now: Duration, random: u32) -> bool {
+    pub fn act(&mut self, connection: u64, action: LeaseAction, now: Duration, random: u64) -> bool {
         match action {
             LeaseAction::Acquire if self.is_foreign(connection) => false,
             LeaseAction::Acquire if self.owner.is_some() => {
@@ -125,7 +125,7 @@ impl Lease {
     pub fn admit_lease(
         &mut self,
         connection: u64,
-        (lease, expires_us): (u32, u64),
+        (lease, expires_us): (u64, u64),
         now: Duration,
         instant: Instant,
     ) -> Result<(), RefusalCode> {
@@ -154,7 +154,7 @@ impl Lease {
     /// Records a change that was applied, for the end of the lease.
     pub fn record(&mut self, change: &Change) {
         match change {
-            Change::Hold { component, hold } => self.holds.set(*component, Hold::from(*hold) != Hold::Tree),
+            Change::Hold { component, hold } => self.holds.set(*component, *hold != Hold::Tree),
             Change::Rate { component, hz } => self.rates.set(*component, !hz.is_nan()),
             Change::Params(_) | Change::Modulate { .. } => {}
         }
@@ -162,7 +162,7 @@ impl Lease {
 
     /// Takes the next change that ends what was requested under a lease: holds first, each in the order of the tree's list.
     pub fn next_ending(&mut self) -> Option<Change> {
-        let hold = self.ending_holds.pop().map(|component| Change::Hold { component, hold: Hold::Tree.into() });
+        let hold = self.ending_holds.pop().map(|component| Change::Hold { component, hold: Hold::Tree });
         hold.or_else(|| self.ending_rates.pop().map(|component| Change::Rate { component, hz: f32::NAN }))
     }
 

@@ -11,9 +11,7 @@ use crate::message::{Change, ComponentState, MAX_BATCH, MAX_VALUES, ParamValues,
 pub fn effective<T: Tree>(tree: &T, change: &Change) -> Vec<Value, MAX_BATCH> {
     match change {
         Change::Params(batch) => {
-            let value = |setting: &Setting| {
-                Value::of(tree.get_param(ComponentId::new(setting.component.into()), setting.index.into())?)
-            };
+            let value = |setting: &Setting| tree.get_param(setting.component, setting.index.into());
             batch.iter().filter_map(value).collect()
         }
         Change::Rate { component, .. } => {
@@ -29,7 +27,7 @@ pub fn effective<T: Tree>(tree: &T, change: &Change) -> Vec<Value, MAX_BATCH> {
 pub fn state<T: Tree>(tree: &T, index: usize) -> Option<ComponentState> {
     tree.status(ComponentId::new(index)).map(|status| ComponentState {
         active: status.active,
-        held: status.held.into(),
+        held: status.held,
         state: status.state.map(|state| state as u16),
         hz: status.hz,
     })
@@ -40,7 +38,7 @@ pub fn state<T: Tree>(tree: &T, index: usize) -> Option<ComponentState> {
 pub fn params<T: Tree>(tree: &T, cycle: u64, component: u16, first: u16) -> Option<ParamValues> {
     let count = T::GRAPH.nodes.get(usize::from(component)).map_or(0, Node::param_count);
     let start = usize::from(first);
-    let value = |index| tree.get_param(ComponentId::new(component.into()), index).and_then(Value::of);
+    let value = |index| tree.get_param(ComponentId::new(component.into()), index);
     (start < count).then(|| {
         let values = (start..count.min(start + MAX_VALUES)).map(value).collect();
         ParamValues { cycle, component, first, values }

@@ -4,6 +4,7 @@
 //! monitors were added; the bytes of the messages below did not. Then `Attached` got what the robot offers, and later the ball of a
 //! simulated world could be placed, and `Identity` got the size of the largest image.
 
+use bica_core::ComponentId;
 use bica_field::GoalColour;
 use bica_wire::message::{
     Answer, AnswerResult, Attached, Change, ClockMode, ComponentCost, ComponentCosts, ComponentState, ComponentStates,
@@ -85,7 +86,7 @@ fn messages_of_monitors_have_the_documented_bytes() {
     let request = |change| from(&FromMonitor::Request(Request { number: 1, lease: 2, expires_us: 3, change }));
     assert_eq!(request(Change::Hold { component: 4, hold: Hold::Latent }), [5, 1, 2, 3, 0, 4, 2]);
     assert_eq!(request(Change::Rate { component: 4, hz: 1.0 }), [5, 1, 2, 3, 1, 4, 0, 0, 128, 63]);
-    let setting = Setting { component: 4, index: 5, value: Value::Bool(true) };
+    let setting = Setting::new(ComponentId::new(4), 5, Value::Bool(true));
     assert_eq!(request(Change::Params([setting].into_iter().collect())), [5, 1, 2, 3, 2, 1, 4, 5, 3, 1]);
     let arguments = [Value::I32(-1), Value::Choice(6)].into_iter().collect();
     let call = Change::Modulate { component: 4, modulation: 5, arguments };

@@ -12,7 +12,7 @@ const fn ms(ms: u64) -> Duration {
     Duration::from_millis(ms)
 }
 
-fn request(lease: u32) -> Request {
+fn request(lease: u64) -> Request {
     Request { number: 0, lease, expires_us: u64::MAX, change: hold(0, Hold::Tree) }
 }
 
@@ -20,7 +20,7 @@ fn hold(component: u16, hold: Hold) -> Change {
     Change::Hold { component, hold }
 }
 
-fn admits(lease: &mut Lease, connection: u64, number: u32, at: Duration) -> bool {
+fn admits(lease: &mut Lease, connection: u64, number: u64, at: Duration) -> bool {
     lease.admit(connection, &request(number), at, NOW).is_ok()
 }
 
@@ -86,11 +86,11 @@ fn a_new_connection_continues_the_lease_of_one_that_has_ended_and_takes_no_live_
 #[test]
 fn no_lease_has_the_number_before_or_none() {
     let mut lease = Lease::new(ms(3000));
-    let numbers = [0, 1, u32::MAX, u32::MAX, 0].map(|random| {
+    let numbers = [0, 1, u64::MAX, u64::MAX, 0].map(|random| {
         lease.act(1, LeaseAction::Take, ms(0), random);
         lease.state(1, NOW).lease
     });
-    assert_eq!(numbers, [1, 2, u32::MAX, 1, 2]);
+    assert_eq!(numbers, [1, 2, u64::MAX, 1, 2]);
 }
 
 #[test]

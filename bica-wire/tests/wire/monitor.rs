@@ -1,5 +1,6 @@
 //! Messages between a robot and its monitors.
 
+use bica_core::ComponentId;
 use bica_field::GoalColour;
 use bica_wire::message::{
     Answer, AnswerResult, Change, ClockMode, ComponentCost, ComponentCosts, ComponentState, ComponentStates,
@@ -47,14 +48,14 @@ fn the_largest_message_of_each_kind_fits_into_a_packet() {
         let packet = Encoder::new().encode(&FromRobot::MonitorExtra(&bytes), &mut [0; MAX_PACKET]).map(<[u8]>::len);
         assert!(packet.is_ok(), "{message:?}");
     }
-    let setting = Setting { component, index: u16::MAX, value: VALUE };
+    let setting = Setting::new(ComponentId::new(component.into()), u16::MAX, VALUE);
     let batch = Change::Params([setting; MAX_BATCH].into_iter().collect());
     let arguments = [VALUE; MAX_ARGUMENTS].into_iter().collect();
     let call = Change::Modulate { component, modulation: u16::MAX, arguments };
     for change in [batch, call] {
         assert_from_fits(&FromMonitor::Request(Request {
             number: u32::MAX,
-            lease: u32::MAX,
+            lease: u64::MAX,
             expires_us: u64::MAX,
             change,
         }));
@@ -143,11 +144,8 @@ fn requests() -> impl Strategy<Value = FromMonitor> {
     let holds = prop::sample::select(vec![Hold::Tree, Hold::Active, Hold::Latent]);
     let hold = (any::<u16>(), holds).prop_map(|(component, hold)| Change::Hold { component, hold });
     let rate = (any::<u16>(), 0.0_f32..1e6).prop_map(|(component, hz)| Change::Rate { component, hz });
-    let setting = (any::<u16>(), any::<u16>(), value.clone()).prop_map(|(component, index, value)| Setting {
-        component,
-        index,
-        value,
-    });
+    let setting = (any::<u16>(), any::<u16>(), value.clone())
+        .prop_map(|(component, index, value)| Setting::new(ComponentId::new(component.into()), index, value));
     let params =
         prop::collection::vec(setting, 0..=MAX_BATCH).prop_map(|batch| Change::Params(batch.into_iter().collect()));
     let arguments = prop::collection::vec(value, 0..=MAX_ARGUMENTS);

@@ -16,7 +16,6 @@ use bica_field::GoalColour;
 use bica_player::perception::GoalDetector;
 use bica_player::tunable::Forward;
 use bica_wire::message::{AnswerResult, Change, ClockMode, LeaseState};
-use bica_wire::server::RequestBuffer;
 use bica_wire::{FromMonitor, FromRobot, ToMonitor, ToRobot};
 
 use crate::session::{self, standing};
@@ -163,12 +162,11 @@ pub(super) fn compare_with_host(cycles: &[Cycle], changes: &[(u64, Change)]) -> 
 pub(super) fn first_difference(cycles: &[Cycle], changes: &[(u64, Change)]) -> Result<Option<usize>, Box<dyn Error>> {
     let mut runner = Runner::new(Box::new(Forward::new()), ());
     runner.robot_mut().get_mut::<GoalDetector>().attack(GoalColour::Yellow);
-    let mut buffer = RequestBuffer::new();
     for (index, cycle) in cycles.iter().enumerate() {
         let time_us = index as u64 * CYCLE_US;
         let now = Instant::from_micros(time_us);
         for (_, change) in changes.iter().filter(|(cycle, _)| *cycle == index as u64) {
-            runner.request(now, buffer.request(change))?;
+            runner.request(now, change.request())?;
         }
         runner.sense(now, &standing(time_us).to_sensors(None)).map_err(|_| "an image does not fit")?;
         let command = runner.think(now);

@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::time::Duration;
 
-use bica::Tree;
+use bica::{ComponentId, Tree};
 use bica_link::{Answered, Client, Error, Event};
 use bica_player::motion::Head;
 use bica_player::tunable::Forward;
@@ -21,7 +21,7 @@ const LATE: u64 = 150;
 /// Returns a change of one parameter.
 fn set(client: &Client, path: &str, value: Value) -> Result<Change, Box<dyn std::error::Error>> {
     let (component, index) = client.description().param(path)?;
-    let setting = Setting { component: component as u16, index: index as u16, value };
+    let setting = Setting::new(ComponentId::new(component), index as u16, value);
     Ok(Change::Params([setting].into_iter().collect()))
 }
 
@@ -114,7 +114,7 @@ pub(super) fn refusals(image: &Path) -> Outcome {
     let kind = set(&client, "Head.stiffness", Value::Bool(true))?;
     expect_refused(&client.request(kind), RefusalCode::Tree, "another kind")?;
     let Change::Params(mut batch) = change else { return Err("no batch".into()) };
-    let _ = batch.push(Setting { component: 999, index: 0, value: Value::F32(0.0) });
+    let _ = batch.push(Setting::new(ComponentId::new(999), 0, Value::F32(0.0)));
     expect_refused(&client.request(Change::Params(batch)), RefusalCode::Tree, "no such component")?;
     let hold = Change::Hold { component: 999, hold: Hold::Active };
     expect_refused(&client.request(hold), RefusalCode::Tree, "no such component")?;
@@ -135,7 +135,7 @@ fn expect_refused(answer: &Result<Answered, Error>, expected: RefusalCode, part:
 }
 
 /// Requests the lease on the body's line and returns whether it is granted, and its number.
-fn lease(body: &Body, action: LeaseAction, yours: bool) -> Result<u32, Box<dyn std::error::Error>> {
+fn lease(body: &Body, action: LeaseAction, yours: bool) -> Result<u64, Box<dyn std::error::Error>> {
     body.send(FromMonitor::Lease(action))?;
     body.receive(|message| match message {
         Received::Lease(lease) if lease.owned && lease.yours == yours => Some(lease.lease),

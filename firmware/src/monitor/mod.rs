@@ -13,7 +13,7 @@ mod packets;
 use bica::runner::{Observer, Runner};
 use bica::{Instant, Refusal};
 use bica_wire::message::{Change, CycleInfo, LeaseAction, RefusalCode, Request};
-use bica_wire::server::{Lease, RequestBuffer, read};
+use bica_wire::server::{Lease, read};
 use bica_wire::{Encoder, FromMonitor};
 use core::time::Duration;
 
@@ -109,7 +109,7 @@ impl Monitor {
 
     fn act(&mut self, line: Line, action: LeaseAction, now: Option<Instant>, random: u32) {
         if let Some(now) = now {
-            if self.lease.act(line.id(), action, since_start(now), random) {
+            if self.lease.act(line.id(), action, since_start(now), random.into()) {
                 self.connections.iter_mut().for_each(|connection| connection.lease = true);
                 return;
             }
@@ -155,10 +155,10 @@ impl Monitor {
         runner: &mut Runner<&'static mut Forward, (), (), O>,
         now: Instant,
     ) -> Result<(), Refusal> {
-        runner.request(now, RequestBuffer::new().request(change))?;
+        runner.request(now, change.request())?;
         self.lease.record(change);
         if let Change::Params(batch) = change {
-            let changed = batch.iter().fold(0, |set, setting| set | 1_u64 << (setting.component & 63));
+            let changed = batch.iter().fold(0, |set, setting| set | 1_u64 << (setting.component.index() & 63));
             self.connections.iter_mut().for_each(|connection| connection.add_params(changed));
         }
         Ok(())
@@ -176,7 +176,7 @@ impl Monitor {
         }
         while let Some(change) = self.lease.next_ending() {
             // A change that was accepted under the lease can always be undone.
-            let _ = runner.request(now, RequestBuffer::new().request(&change));
+            let _ = runner.request(now, change.request());
         }
     }
 

@@ -124,7 +124,7 @@ fn operate(client: &mut Client, stop: &AtomicBool) -> Vec<u64> {
     let mut delays = Vec::new();
     while !stop.load(Ordering::Relaxed) {
         let value = Value::F32(0.5 + 0.001 * (delays.len() % 100) as f32);
-        let setting = Setting { component: component as u16, index: index as u16, value };
+        let setting = Setting::new(bica::ComponentId::new(component), index as u16, value);
         let answer = client.request(Change::Params([setting].into_iter().collect())).expect("accepted");
         delays.push(answer.cycle - answer.arrived);
         thread::sleep(Duration::from_millis(100));

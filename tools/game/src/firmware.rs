@@ -14,7 +14,7 @@ use bica_field::GoalColour;
 use bica_motion::robot::Sensors;
 use bica_player::tunable::Forward;
 use bica_sim::setup::Frame;
-use bica_wire::message::{Change, Setting, Value};
+use bica_wire::message::Change;
 use serde::Serialize;
 
 use crate::scene::GRAPH;
@@ -183,18 +183,12 @@ fn cycle(
 fn change_of(request: &Request<'_>) -> Option<Change> {
     let number = |index: usize| u16::try_from(index).ok();
     Some(match *request {
-        Request::Hold { component, hold } => Change::Hold { component: number(component.index())?, hold: hold.into() },
+        Request::Hold { component, hold } => Change::Hold { component: number(component.index())?, hold },
         Request::Rate { component, hz } => Change::Rate { component: number(component.index())?, hz },
-        Request::Params(batch) => {
-            let setting = |setting: &bica::Setting| {
-                let (component, value) = (number(setting.component.index())?, Value::of(setting.value)?);
-                Some(Setting { component, index: setting.index, value })
-            };
-            Change::Params(batch.iter().map(setting).collect::<Option<_>>()?)
-        }
+        Request::Params(batch) => Change::Params(batch.try_into().ok()?),
         Request::Modulate { component, index, arguments } => {
-            let arguments = arguments.iter().map(|&value| Value::of(value)).collect::<Option<_>>()?;
-            Change::Modulate { component: number(component.index())?, modulation: number(index)?, arguments }
+            let (component, modulation) = (number(component.index())?, number(index)?);
+            Change::Modulate { component, modulation, arguments: arguments.try_into().ok()? }
         }
         _ => return None,
     })

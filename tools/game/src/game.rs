@@ -1,11 +1,12 @@
 //! One game: the forward in a world, cycle by cycle, until a goal or the end of the time.
 
 use std::thread;
-use std::time::{Duration, Instant};
+use std::time::{Duration, Instant as Clock};
 
 use bica::runner::Runner;
-use bica::{Refusal, Tree};
+use bica::{Instant, Refusal, Tree};
 use bica_console::Failure;
+use bica_link::LinkRequests;
 use bica_motion::pose::Pose2;
 use bica_player::input::{HealthMonitor, RobotProfile};
 use bica_player::perception::GoalDetector;
@@ -17,7 +18,7 @@ use crate::control::{GameControl, NextStep};
 use crate::fingerprint::Fingerprint;
 use crate::firmware::FirmwareCheck;
 use crate::latency::Stopwatch;
-use crate::link::{GameLink, LinkQueue, LinkView, ServeOptions};
+use crate::link::{GameLink, LinkQueue, LinkView, ServeOptions, send_truth};
 use crate::meter::Meter;
 use crate::observer::GameObserver;
 use crate::recording::{GameRecorder, RecordOptions, RecordingSummary};
@@ -66,12 +67,13 @@ pub fn play_controlled(
     serve: Option<ServeOptions<'_>>,
 ) -> Result<(GameSummary, Option<RecordingSummary>), Failure> {
     let mut game = Game::new(rules, record, serve, control.lets_operators_pause())?;
-    let began = Instant::now();
+    let began = Clock::now();
     let mut paused = Duration::ZERO;
     loop {
-        let asked = Instant::now();
+        let asked = Clock::now();
         let mut next = control.next(game.is_over(rules));
-        if next == NextStep::Cycle && !game.runner.requests_mut().begins_cycle() {
+        let requests = game.runner.requests_mut().as_mut();
+        if next == NextStep::Cycle && !requests.is_none_or(LinkRequests::begins_cycle) {
             thread::sleep(BETWEEN_REQUESTS);
             next = NextStep::Requests;
         }
@@ -160,11 +162,23 @@ impl<'a> Game<'a> {
     }
 
     fn meter(&self) -> &Meter {
-        &self.runner.observer().1.0.0
+        let (_, ((meter, _), _)) = self.runner.observer();
+        meter
+    }
+
+    fn stopwatch(&self) -> &Stopwatch {
+        let (_, ((_, stopwatch), _)) = self.runner.observer();
+        stopwatch
+    }
+
+    fn view(&self) -> &LinkView {
+        let (_, (_, (_, view))) = self.runner.observer();
+        view
     }
 
     const fn recorder_mut(&mut self) -> &mut GameRecorder<'a> {
-        &mut self.runner.observer_mut().1.1.0
+        let (_, (_, (recorder, _))) = self.runner.observer_mut();
+        recorder
     }
 
     fn is_over(&self, rules: &Rules) -> bool {
@@ -175,12 +189,12 @@ impl<'a> Game<'a> {
         self.cycle_time = self.now();
         let command =
             self.runner.cycle().map_err(|error| Failure::new(error.to_string(), "choose a smaller --size"))?;
-        self.runner.observer_mut().0.result()?;
+        let (firmware, ((meter, _), (recorder, _))) = self.runner.observer_mut();
+        firmware.result()?;
+        recorder.costs(meter);
         let ball = self.runner.world().referee().ball();
         self.fingerprint.add(&command, ball);
         self.cycles += 1;
-        let ((meter, _), (recorder, _)) = &mut self.runner.observer_mut().1;
-        recorder.costs(meter);
         self.send_truth();
         self.tree_changes += u64::from(self.meter().changed());
         if self.ball_path.last().is_none_or(|last| last.distance(ball) > PATH_STEP) {
@@ -192,14 +206,16 @@ impl<'a> Game<'a> {
     /// Places the ball as the operator has requested it, before the next cycle.
     fn place_ball(&mut self, observer: &mut impl GameObserver) -> Result<(), Failure> {
         let mut is_placed = false;
-        while let Some(at) = self.runner.requests_mut().next_ball() {
-            let result = self.runner.world_mut().place_ball(at.into());
+        while let Some(at) = self.runner.requests_mut().as_mut().and_then(LinkRequests::next_ball) {
+            let result = self.runner.world_mut().place_ball(at.into()).map_err(|error| error.to_string());
             if result.is_ok() {
                 is_placed = true;
                 self.recorder_mut().ball_placed(at);
             }
-            let now = self.now();
-            self.runner.requests_mut().ball_placed(now, result);
+            let now = Instant::from_micros(self.now().as_micros() as u64);
+            if let Some(requests) = self.runner.requests_mut() {
+                requests.ball_placed(now, result);
+            }
         }
         if is_placed {
             self.send_truth();
@@ -210,18 +226,17 @@ impl<'a> Game<'a> {
 
     /// Sends the true state to monitors that watch it.
     fn send_truth(&self) {
-        self.runner.observer().1.1.1.truth(self.cycle_time, self.runner.world().referee(), self.start);
+        send_truth(self.view(), self.cycle_time, self.runner.world().referee(), self.start);
     }
 
     fn scene(&self) -> Scene<'_> {
-        let (meter, stopwatch) = &self.runner.observer().1.0;
         Scene {
             seed: self.seed,
             t: self.cycle_time.as_secs_f64(),
             robot: self.runner.robot(),
             referee: self.runner.world().referee(),
-            meter,
-            chain: stopwatch.latencies.last(),
+            meter: self.meter(),
+            chain: self.stopwatch().latencies.last(),
             cycle: self.cycles.saturating_sub(1),
             start: self.start,
             ball_path: &self.ball_path,
@@ -240,9 +255,9 @@ impl<'a> Game<'a> {
         if self.meter().changed() {
             observer.tree_changed(&self.scene())?;
         }
-        let referee = self.runner.world().referee();
+        let (referee, (_, (_, (recorder, _)))) = (self.runner.world().referee(), self.runner.observer());
         for event in &referee.events()[self.reported_events..] {
-            self.runner.observer().1.1.0.event(event);
+            recorder.event(event);
             self.link.event(event);
             observer.event(event)?;
         }

@@ -2,8 +2,6 @@
 
 use std::time::Duration;
 
-use bica::runner::{Cycle, Observer, Overrun, Request, Requests};
-use bica::{ComponentId, Instant, Probe, Refusal};
 use bica_console::Failure;
 use bica_field::GoalColour;
 use bica_link::{Address, LinkImage, LinkObserver, LinkRequests, LinkServer, ServerOptions};
@@ -11,7 +9,7 @@ use bica_motion::pose::Pose2;
 use bica_motion::robot::{CameraId, Sensors};
 use bica_player::tunable::Forward;
 use bica_sim::referee::TimedEvent;
-use bica_sim::{PlacementError, Referee, SharedImage};
+use bica_sim::{Referee, SharedImage};
 use bica_wire::message::{MAX_OTHERS, Offers, Truth};
 
 use crate::event::EventRecord;
@@ -36,10 +34,10 @@ pub struct ServeOptions<'a> {
 pub(crate) struct GameLink(Option<LinkServer>);
 
 /// Requests of an operator, if the game is served.
-pub(crate) struct LinkQueue(Option<LinkRequests>);
+pub(crate) type LinkQueue = Option<LinkRequests>;
 
 /// Observer for monitors, if the game is served.
-pub(crate) struct LinkView(Option<LinkObserver<Forward>>);
+pub(crate) type LinkView = Option<LinkObserver<Forward>>;
 
 impl GameLink {
     /// Starts the server.
@@ -51,7 +49,7 @@ impl GameLink {
         firmware: &mut FirmwareCheck,
     ) -> Result<(Self, LinkQueue, LinkView), Failure> {
         let Some(ServeOptions { address, anywhere, started }) = options else {
-            return Ok((Self(None), LinkQueue(None), LinkView(None)));
+            return Ok((Self(None), None, None));
         };
         let defaults = ServerOptions::default();
         // A firmware image without the server for monitors has no operator: requests would make this program's commands differ
@@ -64,7 +62,7 @@ impl GameLink {
             .map_err(|error| Failure::new(error.to_string(), error.help()))?;
         started(server.address())?;
         let observer = observer.with_images(image_of).sharing_images(move |pixels| image.owner_of(pixels));
-        Ok((Self(Some(server)), LinkQueue(Some(requests)), LinkView(Some(observer))))
+        Ok((Self(Some(server)), Some(requests), Some(observer)))
     }
 
     /// Sends an event of the referee to monitors.
@@ -87,100 +85,16 @@ fn image_of<'a>(sensors: &'a Sensors<'_>) -> Option<LinkImage<'a>> {
     })
 }
 
-impl LinkQueue {
-    /// Whether the operator lets the next cycle run.
-    pub(crate) fn begins_cycle(&mut self) -> bool {
-        self.0.as_mut().is_none_or(LinkRequests::begins_cycle)
-    }
-
-    /// Returns the position, m, field frame, at which the operator requests the ball to lie, if there is a further request.
-    pub(crate) fn next_ball(&mut self) -> Option<[f32; 2]> {
-        self.0.as_mut()?.next_ball()
-    }
-
-    /// Answers the request of the last [`next_ball`](Self::next_ball).
-    pub(crate) fn ball_placed(&mut self, now: Duration, result: Result<(), PlacementError>) {
-        if let Some(requests) = &mut self.0 {
-            requests
-                .ball_placed(Instant::from_micros(now.as_micros() as u64), result.map_err(|error| error.to_string()));
-        }
-    }
-}
-
-impl LinkView {
-    /// Sends the true state after a cycle to monitors that watch it.
-    pub(crate) fn truth(&self, cycle: Duration, referee: &Referee, start: Pose2) {
-        let Some(observer) = self.0.as_ref().filter(|observer| observer.wants_truth()) else { return };
-        let pose = |pose: Pose2| [pose.position.x, pose.position.y, pose.heading];
-        observer.truth(|| Truth {
-            time_us: cycle.as_micros() as u64,
-            robot: pose(referee.robot()),
-            ball: referee.ball().into(),
-            others: referee.others().iter().map(|other| other.position.into()).take(MAX_OTHERS).collect(),
-            start: pose(start),
-            attacks_blue: referee.attacks() == GoalColour::SkyBlue,
-        });
-    }
-}
-
-impl Requests for LinkQueue {
-    fn next(&mut self, now: Instant) -> Option<Request<'_>> {
-        self.0.as_mut()?.next(now)
-    }
-
-    fn answered(&mut self, now: Instant, result: Result<(), Refusal>) {
-        if let Some(requests) = &mut self.0 {
-            requests.answered(now, result);
-        }
-    }
-}
-
-/// Writes each event of a probe as a call on the observer, if there is one.
-macro_rules! forward {
-    ($($event:ident($($argument:ident: $kind:ty),*);)+) => {
-        impl Probe for LinkView {
-            $(fn $event(&mut self $(, $argument: $kind)*) {
-                if let Some(observer) = &mut self.0 {
-                    observer.$event($($argument),*);
-                }
-            })+
-        }
-    };
-}
-
-forward! {
-    cycle_begin(now: Instant);
-    cycle_end();
-    start(component: ComponentId);
-    run(component: ComponentId);
-    begin(component: ComponentId);
-    end(component: ComponentId);
-    condition(component: ComponentId, transition: usize, holds: bool);
-    transition(component: ComponentId, from: usize, to: usize);
-}
-
-impl Observer<Forward> for LinkView {
-    fn sensing(&mut self, now: Instant, sensors: &Sensors<'_>) {
-        if let Some(observer) = &mut self.0 {
-            observer.sensing(now, sensors);
-        }
-    }
-
-    fn acted(&mut self, cycle: &Cycle<'_, Forward>) {
-        if let Some(observer) = &mut self.0 {
-            observer.acted(cycle);
-        }
-    }
-
-    fn requests_applied(&mut self, now: Instant, robot: &Forward) {
-        if let Some(observer) = &mut self.0 {
-            observer.requests_applied(now, robot);
-        }
-    }
-
-    fn overrun(&mut self, overrun: &Overrun) {
-        if let Some(observer) = &mut self.0 {
-            Observer::<Forward>::overrun(observer, overrun);
-        }
-    }
+/// Sends the true state after a cycle to monitors that watch it.
+pub(crate) fn send_truth(view: &LinkView, cycle: Duration, referee: &Referee, start: Pose2) {
+    let Some(observer) = view.as_ref().filter(|observer| observer.wants_truth()) else { return };
+    let pose = |pose: Pose2| [pose.position.x, pose.position.y, pose.heading];
+    observer.truth(|| Truth {
+        time_us: cycle.as_micros() as u64,
+        robot: pose(referee.robot()),
+        ball: referee.ball().into(),
+        others: referee.others().iter().map(|other| other.position.into()).take(MAX_OTHERS).collect(),
+        start: pose(start),
+        attacks_blue: referee.attacks() == GoalColour::SkyBlue,
+    });
 }

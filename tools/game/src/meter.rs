@@ -5,6 +5,7 @@ use std::time::{Duration, Instant as Clock};
 use bica::graph::Graph;
 use bica::runner::Observer;
 use bica::{ComponentId, Instant, Probe};
+use bica_link::ConditionTable;
 use bica_player::tunable::Forward;
 
 /// Activity of a component in a game.
@@ -29,12 +30,7 @@ pub(crate) struct Meter {
     pub(crate) started: Vec<ComponentId>,
     /// Components that became latent in this cycle.
     pub(crate) stopped: Vec<ComponentId>,
-    /// Of each transition of each component: whether its condition held when it was evaluated last in the present state, and
-    /// the instant since which it has had this value.
-    pub(crate) conditions: Vec<Vec<Option<(bool, Instant)>>>,
-    /// The transition whose condition held last; it is taken next.
-    holding: usize,
-    pub(crate) now: Instant,
+    pub(crate) conditions: ConditionTable,
     has_transition: bool,
     began: Clock,
 }
@@ -46,9 +42,7 @@ impl Meter {
             activity: vec![Activity::default(); graph.nodes.len()],
             started: Vec::new(),
             stopped: Vec::new(),
-            conditions: graph.nodes.iter().map(|node| vec![None; node.transitions.len()]).collect(),
-            holding: 0,
-            now: Instant::MIN,
+            conditions: ConditionTable::new(graph),
             has_transition: false,
             began: Clock::now(),
         }
@@ -62,7 +56,7 @@ impl Meter {
 
 impl Probe for Meter {
     fn cycle_begin(&mut self, now: Instant) {
-        self.now = now;
+        self.conditions.cycle_begin(now);
         self.started.clear();
         self.stopped.clear();
         self.has_transition = false;
@@ -70,7 +64,7 @@ impl Probe for Meter {
 
     fn start(&mut self, component: ComponentId) {
         self.activity[component.index()].starts += 1;
-        self.conditions[component.index()].fill(None);
+        self.conditions.start(component);
         self.started.push(component);
     }
 
@@ -97,19 +91,11 @@ impl Probe for Meter {
     }
 
     fn condition(&mut self, component: ComponentId, transition: usize, holds: bool) {
-        if holds {
-            self.holding = transition;
-        }
-        let condition = &mut self.conditions[component.index()][transition];
-        if condition.is_none_or(|(last, _)| last != holds) {
-            *condition = Some((holds, self.now));
-        }
+        self.conditions.condition(component, transition, holds);
     }
 
-    fn transition(&mut self, component: ComponentId, _from: usize, _to: usize) {
-        let conditions = &mut self.conditions[component.index()];
-        conditions.fill(None);
-        conditions[self.holding] = Some((true, self.now));
+    fn transition(&mut self, component: ComponentId, from: usize, to: usize) {
+        self.conditions.transition(component, from, to);
         self.has_transition = true;
     }
 }

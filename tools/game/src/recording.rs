@@ -77,7 +77,8 @@ impl RecordingSummary {
 
 /// Observer that records a game, if that is requested.
 pub(crate) struct GameRecorder<'a> {
-    recorder: Option<(Recorder, &'a Path)>,
+    recorder: Option<Recorder>,
+    path: Option<&'a Path>,
     /// Receives the reason if the recording ends before the game.
     ended: Receiver<String>,
     /// Runs and time of each component at the last record of costs.
@@ -98,16 +99,15 @@ impl<'a> GameRecorder<'a> {
         let open = |options: RecordOptions<'a>| {
             let header = recording_header(rules, attacks, options.images).of_tree(robot);
             let recorder = open(&options, &header, rules, sender.clone())?;
-            let recorder = recorder.sharing_images(move |pixels| image.owner_of(pixels));
-            Ok::<_, Failure>((recorder, options.path))
+            Ok::<_, Failure>(recorder.sharing_images(move |pixels| image.owner_of(pixels)))
         };
-        let recorder = options.map(open).transpose()?;
-        Ok(Self { recorder, ended, costs: vec![ComponentCosts::default(); GRAPH.nodes.len()], cycles: 0 })
+        let (path, recorder) = (options.map(|options| options.path), options.map(open).transpose()?);
+        Ok(Self { recorder, path, ended, costs: vec![ComponentCosts::default(); GRAPH.nodes.len()], cycles: 0 })
     }
 
     /// Records an event of the referee.
     pub(crate) fn event(&self, event: &TimedEvent) {
-        if let Some((recorder, _)) = &self.recorder {
+        if let Some(recorder) = &self.recorder {
             let EventRecord { event: kind, detail, .. } = EventRecord::from(event);
             recorder.event(RefereeEvent { at_ns: event.at.as_nanos() as u64, kind: kind.to_owned(), detail });
         }
@@ -115,14 +115,14 @@ impl<'a> GameRecorder<'a> {
 
     /// Records that the ball was placed before the next cycle, m, field frame.
     pub(crate) fn ball_placed(&mut self, at: [f32; 2]) {
-        if let Some((recorder, _)) = &mut self.recorder {
+        if let Some(recorder) = &mut self.recorder {
             recorder.ball_placed(at);
         }
     }
 
     /// Records a note of a person.
     pub(crate) fn note(&self, text: &str) {
-        if let Some((recorder, _)) = &self.recorder {
+        if let Some(recorder) = &self.recorder {
             recorder.log(LogLine { level: NOTE_LEVEL, text: format!("note: {text}") });
         }
     }
@@ -134,7 +134,7 @@ impl<'a> GameRecorder<'a> {
 
     /// Records the costs of the components once a second.
     pub(crate) fn costs(&mut self, meter: &Meter) {
-        let Some((recorder, _)) = &self.recorder else { return };
+        let Some(recorder) = &self.recorder else { return };
         self.cycles += 1;
         if !self.cycles.is_multiple_of(COSTS_EVERY) {
             return;
@@ -150,7 +150,7 @@ impl<'a> GameRecorder<'a> {
 
     /// Closes the file.
     pub(crate) fn finish(self, result: &str, fault: Option<&str>) -> Option<RecordingSummary> {
-        let (recorder, path) = self.recorder?;
+        let (recorder, path) = self.recorder.zip(self.path)?;
         if let Some(fault) = fault {
             recorder.log(LogLine { level: 4, text: format!("fault: {fault}") });
         }
@@ -214,26 +214,18 @@ impl Probe for GameRecorder<'_> {}
 
 impl Observer<Forward> for GameRecorder<'_> {
     fn requested(&mut self, now: bica::Instant, request: &Request<'_>) {
-        if let Some((recorder, _)) = &mut self.recorder {
-            Observer::<Forward>::requested(recorder, now, request);
-        }
+        Observer::<Forward>::requested(&mut self.recorder, now, request);
     }
 
     fn refused(&mut self, now: bica::Instant, request: &Request<'_>, refusal: &Refusal) {
-        if let Some((recorder, _)) = &mut self.recorder {
-            Observer::<Forward>::refused(recorder, now, request, refusal);
-        }
+        Observer::<Forward>::refused(&mut self.recorder, now, request, refusal);
     }
 
     fn sensing(&mut self, now: bica::Instant, sensors: &Sensors<'_>) {
-        if let Some((recorder, _)) = &mut self.recorder {
-            Observer::<Forward>::sensing(recorder, now, sensors);
-        }
+        Observer::<Forward>::sensing(&mut self.recorder, now, sensors);
     }
 
     fn acted(&mut self, cycle: &Cycle<'_, Forward>) {
-        if let Some((recorder, _)) = &mut self.recorder {
-            recorder.acted(cycle);
-        }
+        self.recorder.acted(cycle);
     }
 }

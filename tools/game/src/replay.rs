@@ -190,7 +190,7 @@ impl Compared {
                     is_whole = true;
                     break None;
                 }
-                Err(error @ (Error::CutOff { .. } | Error::Damaged { .. })) => break Some(error.to_string()),
+                Err(error @ (Error::CutOff { .. } | Error::Damaged { .. })) => break Some(error),
                 Err(error) => return Err(failure(options.path, &error)),
             };
             let t = recorded.tick.instant as f64 / tick_hz;
@@ -215,11 +215,11 @@ impl Compared {
             }
         };
         bar.finish_and_clear();
-        self.check_span(options, damage.as_deref(), is_whole.then(|| recording.header().period() as f64 * 1e-9))?;
+        self.check_span(options, damage.as_ref(), is_whole.then(|| recording.header().period() as f64 * 1e-9))?;
         if is_whole && other.goes_on()? {
             self.before.end(cycle + 1, self.seconds, false);
         }
-        Ok(damage)
+        Ok(damage.map(|damage| damage.to_string()))
     }
 
     fn add(&mut self, recorded: &RecordedCycle, mut repeated: RecordedCycle) {
@@ -232,18 +232,31 @@ impl Compared {
     }
 
     /// Refuses a span that has no cycle, or, in a whole recording with a time between cycles, s, one that goes beyond its end.
-    fn check_span(&self, options: &ReplayOptions<'_>, damage: Option<&str>, whole: Option<f64>) -> Result<(), Failure> {
+    fn check_span(
+        &self,
+        options: &ReplayOptions<'_>,
+        damage: Option<&Error>,
+        whole: Option<f64>,
+    ) -> Result<(), Failure> {
         let (path, end) = (options.path.display(), self.seconds);
-        let refused = |what: &str| {
-            let help = "give a span within the recording with --from and --until; `player record info FILE` shows it";
-            Failure::new(format!("{what}: `{path}` ends at {end:.2} s"), help)
-        };
+        let help = "give a span within the recording with --from and --until; `player record info FILE` shows it";
         if self.before.cycles + self.after.cycles == 0 && self.before.is_equal() {
-            let damage = damage.map_or_else(String::new, |damage| format!(" ({damage})"));
-            return Err(refused(&format!("no cycle was compared{damage}")));
+            let what = match (damage, whole) {
+                (Some(damage), _) if options.from <= end => {
+                    let what = format!("no cycle was compared: `{path}` has none before its damage: {damage}");
+                    return Err(Failure::new(what, damage.help()));
+                }
+                (Some(damage), _) => format!("no cycle was compared: `{path}` ends at {end:.2} s ({damage})"),
+                (None, Some(_)) => format!("no cycle was compared: `{path}` ends at {end:.2} s"),
+                (None, None) => format!("no cycle was compared: `{path}` has none in the span"),
+            };
+            return Err(Failure::new(what, help));
         }
         if whole.is_some_and(|period| options.until.is_finite() && options.until > end + period) {
-            return Err(refused("--until is after the end of the recording"));
+            return Err(Failure::new(
+                format!("--until is after the end of the recording: `{path}` ends at {end:.2} s"),
+                help,
+            ));
         }
         Ok(())
     }

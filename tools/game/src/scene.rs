@@ -59,15 +59,17 @@ impl Scene<'_> {
     /// Returns the condition of each transition of a component: whether it held when it was evaluated last in the present
     /// state, and the time since which it has had this value, µs. The transition that was taken last held when it was taken.
     pub fn conditions(&self, component: usize) -> impl Iterator<Item = Option<(bool, u64)>> {
-        let all = self.meter.conditions.get(component).map_or(&[][..], Vec::as_slice);
-        all.iter().map(|condition| condition.map(|(holds, since)| (holds, since.as_micros())))
+        self.meter
+            .conditions
+            .of(component)
+            .iter()
+            .map(|condition| condition.map(|(holds, since)| (holds, since.as_micros())))
     }
 
     /// Returns the transition that a component has taken in this cycle, if any.
     #[must_use]
     pub fn taken(&self, component: usize) -> Option<usize> {
-        let all = self.meter.conditions.get(component)?;
-        all.iter().position(|condition| *condition == Some((true, self.meter.now)))
+        self.meter.conditions.taken(component)
     }
 
     /// Returns the number of the newest image, and the image, if there is one.

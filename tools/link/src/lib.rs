@@ -34,7 +34,9 @@ pub use description::{
 };
 pub use error::Error;
 pub use schema::decode as decode_info;
-pub use server::{LinkImage, LinkObserver, LinkRequests, LinkServer, LinkStats, MAX_MONITORS, ServerOptions};
+pub use server::{
+    ConditionTable, LinkImage, LinkObserver, LinkRequests, LinkServer, LinkStats, MAX_MONITORS, ServerOptions,
+};
 pub use waker::{Waker, Wakeups, waker};
 
 #[cfg(doctest)]

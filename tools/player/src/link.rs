@@ -3,6 +3,7 @@
 use std::path::Path;
 use std::time::{Duration, Instant};
 
+use bica::ComponentId;
 use bica_console::{Console, Failure, Outcome, Style, interrupt};
 use bica_link::{Client, ClientOptions, Component, Error, Event, Kind, Param, Snapshot, to_json};
 use bica_wire::message::{Change, Hold, Setting, Value, WorldChange};
@@ -218,7 +219,7 @@ impl Monitor {
             let value = param.parse(value).map_err(|error| failure(&error))?;
             batch.push((
                 path.to_owned(),
-                Setting { component: component as u16, index: index as u16, value },
+                Setting::new(ComponentId::new(component), index as u16, value),
                 param.kind.clone(),
             ));
         }

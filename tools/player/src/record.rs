@@ -133,8 +133,7 @@ fn write(
     copy: impl FnOnce(BufReader<File>, &mut BufWriter<File>) -> Result<Copied, Error>,
 ) -> Result<Outcome, Failure> {
     let source = open(&args.file)?;
-    let same = fs::canonicalize(&args.file).ok().zip(fs::canonicalize(&args.out).ok());
-    if same.is_some_and(|(file, out)| file == out) {
+    if is_same_file(&args.file, &args.out) {
         return Err(Failure::new("FILE and OUT are the same file", "name another OUT"));
     }
     let console = Console::new(args.json);
@@ -163,9 +162,20 @@ fn write(
     Ok(Outcome::Success)
 }
 
+/// Returns whether two paths name one file, be it by symbolic or by hard links.
+fn is_same_file(one: &Path, two: &Path) -> bool {
+    #[cfg(unix)]
+    let identity = |path: &Path| {
+        use std::os::unix::fs::MetadataExt as _;
+        fs::metadata(path).map(|file| (file.dev(), file.ino())).ok()
+    };
+    #[cfg(not(unix))]
+    let identity = |path: &Path| fs::canonicalize(path).ok();
+    identity(one).is_some_and(|one| identity(two) == Some(one))
+}
+
 fn open(path: &Path) -> Result<BufReader<File>, Failure> {
-    let file = File::open(path).map_err(|error| failure(path, &Error::Io(error)))?;
-    Ok(BufReader::with_capacity(1 << 16, file))
+    bica_recording::open(path).map_err(|error| failure(path, &error))
 }
 
 fn failure(path: &Path, error: &Error) -> Failure {

@@ -8,6 +8,10 @@ use std::io;
 pub enum Error {
     /// The operating system refused an operation.
     Io(io::Error),
+    /// The path names a folder, a pipe or a device.
+    NotAFile,
+    /// A damaged file has no intact header, so nothing of it can be recovered.
+    NoHeader,
     /// The file does not begin as an MCAP file.
     NotMcap,
     /// The file is an MCAP file without the metadata of a recording.
@@ -23,7 +27,7 @@ pub enum Error {
     },
     /// A chunk is compressed with a method that this program does not have.
     Compression(String),
-    /// The recording has no cycle in a span of time, or ends before it.
+    /// The recording has no cycle in a span of time, or ends before the end of the span.
     Span {
         /// Time of the last cycle, ns.
         end: u64,
@@ -45,7 +49,10 @@ impl Error {
     pub const fn help(&self) -> &'static str {
         match self {
             Self::Io(_) => "is the file there, and may it be read?",
-            Self::NotMcap | Self::NotARecording => "name a file that `player play --record FILE` wrote",
+            Self::NoHeader => "record the run again: without its header no message of a file can be read",
+            Self::NotAFile | Self::NotMcap | Self::NotARecording => {
+                "name a file that `player play --record FILE` wrote"
+            }
             Self::Format(_) => "use the version of this program that wrote it; `player record info FILE` names it",
             Self::Compression(_) => {
                 "this program reads LZ4: `mcap compress --compression lz4 FILE --output OUT` writes the file with it"
@@ -62,6 +69,8 @@ impl fmt::Display for Error {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Io(error) => error.fmt(out),
+            Self::NotAFile => out.write_str("this is a folder, a pipe or a device, no file"),
+            Self::NoHeader => out.write_str("neither the header nor its copy is intact"),
             Self::NotMcap => out.write_str("this is no MCAP file"),
             Self::NotARecording => {
                 out.write_str("this MCAP file is no recording of a robot: no metadata `bica` precede its messages")
@@ -73,7 +82,7 @@ impl fmt::Display for Error {
             Self::Damaged { at, what } => write!(out, "the file is damaged at byte {at}: {what}"),
             Self::Compression(name) => write!(out, "a chunk is compressed with `{name}`"),
             Self::Span { end } => {
-                write!(out, "the recording ends at {:.2} s: the span is not in it", *end as f64 * 1e-9)
+                write!(out, "the recording has no such span: it ends at {:.2} s", *end as f64 * 1e-9)
             }
             Self::CutOff { at } => write!(out, "the file is cut off after byte {at}"),
         }

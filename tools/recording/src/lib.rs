@@ -44,5 +44,5 @@ pub use message::{
 };
 pub use monitor::{MonitorRecorder, ReceivedImage};
 pub use recorder::{Backpressure, Recorder, RecorderOptions, Report, Sink, Syncing, create, tree_record};
-pub use recording::{ImagePlace, OwnedImage, RecordedCycle, Recording};
-pub use request::{RequestRecord, SettingRecord};
+pub use recording::{ImagePlace, OwnedImage, RecordedCycle, Recording, open};
+pub use request::RequestRecord;

@@ -1,7 +1,7 @@
 //! Reading of a recording, cycle by cycle.
 
 use std::collections::BTreeMap;
-use std::fs::File;
+use std::fs::{self, File};
 use std::io::{BufReader, Read, Seek as _, SeekFrom};
 use std::path::Path;
 
@@ -100,13 +100,24 @@ struct WaitingImage {
     chunk_at: u64,
 }
 
+/// Opens a file for reading. A pipe or a device is refused, because opening it may wait without end.
+///
+/// # Errors
+/// [`Error::NotAFile`], or that of the operating system.
+pub fn open(path: &Path) -> Result<BufReader<File>, Error> {
+    if !fs::metadata(path)?.is_file() {
+        return Err(Error::NotAFile);
+    }
+    Ok(BufReader::with_capacity(1 << 16, File::open(path)?))
+}
+
 impl Recording<BufReader<File>> {
     /// Opens a file and reads its header.
     ///
     /// # Errors
     /// If the file cannot be read or is no recording.
     pub fn open(path: &Path) -> Result<Self, Error> {
-        Self::new(BufReader::with_capacity(1 << 16, File::open(path)?))
+        Self::new(open(path)?)
     }
 }
 
@@ -264,7 +275,7 @@ impl ImagePlace {
     /// # Errors
     /// If the file cannot be read, or has no such image there any more.
     pub fn read(&self, path: &Path) -> Result<OwnedImage, Error> {
-        let mut file = BufReader::with_capacity(1 << 16, File::open(path)?);
+        let mut file = open(path)?;
         file.seek(SeekFrom::Start(self.chunk_at))?;
         let mut reader = Reader::resume(file, self.chunk_at);
         let gone = || Error::damaged(self.chunk_at, format!("image {} is not there", self.id));

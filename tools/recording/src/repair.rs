@@ -35,10 +35,10 @@ pub fn recover(mut source: impl Read + Seek, target: impl Write) -> Result<Copie
     let mut damage = Vec::new();
     let header = match Contents::new(&mut source) {
         Ok(contents) => contents.header,
-        Err(error @ (Error::Io(_) | Error::Format(_))) => return Err(error),
+        Err(error @ (Error::Io(_) | Error::Format(_) | Error::NotARecording)) => return Err(error),
         Err(error) => {
             damage.push(error.to_string());
-            header_copy(&mut source)?.ok_or(error)?
+            header_copy(&mut source)?.ok_or(if matches!(error, Error::NotMcap) { error } else { Error::NoHeader })?
         }
     };
     let mut copy = Copy::new(target, &header)?;

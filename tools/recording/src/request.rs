@@ -1,9 +1,7 @@
 //! Requests in a recording.
 
-use bica::params::{self, Setting};
 use bica::runner::{OwnedRequest, Request};
-use bica::{ComponentId, Hold};
-use bica_wire::message::Value;
+use bica::{ComponentId, Hold, Setting, Value};
 use postcard_schema::Schema;
 use serde::{Deserialize, Serialize};
 
@@ -16,8 +14,8 @@ pub enum RequestRecord {
     Hold {
         /// Index of the component.
         component: u16,
-        /// 0: released, 1: active, 2: latent.
-        hold: u8,
+        /// The hold; [`Hold::Tree`] releases the component.
+        hold: Hold,
     },
     /// The rate of a component is modulated.
     Rate {
@@ -29,7 +27,7 @@ pub enum RequestRecord {
     /// Parameters are set.
     Params {
         /// All settings of the batch.
-        settings: Vec<SettingRecord>,
+        settings: Vec<Setting>,
     },
     /// A modulation is called.
     Modulate {
@@ -54,17 +52,6 @@ pub enum RequestRecord {
     },
 }
 
-/// A parameter and its new value.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, Schema)]
-pub struct SettingRecord {
-    /// Index of the component.
-    pub component: u16,
-    /// Index of the parameter in the component.
-    pub index: u16,
-    /// The value.
-    pub value: Value,
-}
-
 impl From<&Request<'_>> for RequestRecord {
     fn from(request: &Request<'_>) -> Self {
         Self::of(request).unwrap_or_else(|| Self::Unknown { text: format!("{request:?}") })
@@ -75,21 +62,12 @@ impl RequestRecord {
     fn of(request: &Request<'_>) -> Option<Self> {
         let number = |component: ComponentId| component.index() as u16;
         Some(match *request {
-            Request::Hold { component, hold } => {
-                let hold = match hold {
-                    Hold::Tree => 0,
-                    Hold::Active => 1,
-                    Hold::Latent => 2,
-                };
-                Self::Hold { component: number(component), hold }
-            }
+            Request::Hold { component, hold } => Self::Hold { component: number(component), hold },
             Request::Rate { component, hz } => Self::Rate { component: number(component), hz },
-            Request::Params(batch) => Self::Params { settings: batch.iter().map(setting).collect::<Option<_>>()? },
-            Request::Modulate { component, index, arguments } => Self::Modulate {
-                component: number(component),
-                index: index as u16,
-                arguments: arguments.iter().map(|&value| Value::of(value)).collect::<Option<_>>()?,
-            },
+            Request::Params(batch) => Self::Params { settings: batch.to_vec() },
+            Request::Modulate { component, index, arguments } => {
+                Self::Modulate { component: number(component), index: index as u16, arguments: arguments.to_vec() }
+            }
             _ => return None,
         })
     }
@@ -99,16 +77,13 @@ impl RequestRecord {
     pub fn to_request(&self) -> Option<OwnedRequest> {
         let component = |index: u16| ComponentId::new(index.into());
         Some(match self {
-            Self::Hold { component: index, hold } => {
-                let hold = [Hold::Tree, Hold::Active, Hold::Latent].get(usize::from(*hold)).copied()?;
-                OwnedRequest::Hold { component: component(*index), hold }
-            }
+            Self::Hold { component: index, hold } => OwnedRequest::Hold { component: component(*index), hold: *hold },
             Self::Rate { component: index, hz } => OwnedRequest::Rate { component: component(*index), hz: *hz },
-            Self::Params { settings } => OwnedRequest::Params(settings.iter().map(SettingRecord::setting).collect()),
+            Self::Params { settings } => OwnedRequest::Params(settings.clone()),
             Self::Modulate { component: owner, index, arguments } => OwnedRequest::Modulate {
                 component: component(*owner),
                 index: usize::from(*index),
-                arguments: arguments.iter().map(|value| params::Value::from(*value)).collect(),
+                arguments: arguments.clone(),
             },
             Self::Unknown { .. } | Self::Ball { .. } => return None,
         })
@@ -122,18 +97,18 @@ impl RequestRecord {
             info(component).map_or_else(|| format!("component {component}"), |component| component.name.clone())
         };
         match self {
-            Self::Hold { component, hold: 0 } => format!("release {}", name(component)),
-            Self::Hold { component, hold: 1 } => format!("hold {} active", name(component)),
-            Self::Hold { component, .. } => format!("hold {} latent", name(component)),
+            Self::Hold { component, hold: Hold::Tree } => format!("release {}", name(component)),
+            Self::Hold { component, hold: Hold::Active } => format!("hold {} active", name(component)),
+            Self::Hold { component, hold: Hold::Latent } => format!("hold {} latent", name(component)),
             Self::Rate { component, hz } => format!("rate of {} {hz} Hz", name(component)),
             Self::Params { settings } => {
-                let one = |setting: &SettingRecord| tree.describe_setting(setting);
+                let one = |setting: &Setting| tree.describe_setting(setting);
                 format!("set {}", settings.iter().map(one).collect::<Vec<_>>().join(" "))
             }
             Self::Modulate { component, index, arguments } => {
                 let called = info(component).and_then(|component| component.modulations.get(usize::from(*index)));
                 let called = called.map_or_else(|| format!("modulation {index}"), Clone::clone);
-                let arguments: Vec<_> = arguments.iter().map(|value| params::Value::from(*value).to_string()).collect();
+                let arguments: Vec<_> = arguments.iter().map(Value::to_string).collect();
                 format!("modulate {}.{called}({})", name(component), arguments.join(", "))
             }
             Self::Unknown { text } => text.clone(),
@@ -142,28 +117,16 @@ impl RequestRecord {
     }
 }
 
-fn setting(setting: &Setting) -> Option<SettingRecord> {
-    let Setting { component, index, value } = *setting;
-    Some(SettingRecord { component: component.index() as u16, index, value: Value::of(value)? })
-}
-
-impl SettingRecord {
-    fn setting(&self) -> Setting {
-        let Self { component, index, value } = *self;
-        Setting::new(ComponentId::new(component.into()), index, value.into())
-    }
-}
-
 impl TreeInfo {
-    fn describe_setting(&self, setting: &SettingRecord) -> String {
-        let SettingRecord { component, index, value } = setting;
-        let owner = self.components.get(usize::from(*component));
+    fn describe_setting(&self, setting: &Setting) -> String {
+        let Setting { component, index, value } = setting;
+        let owner = self.components.get(component.index());
         let parameter = owner.and_then(|owner| owner.parameters.get(usize::from(*index)));
         let value = match (value, parameter) {
             (Value::Choice(variant), Some(parameter)) if (*variant as usize) < parameter.variants.len() => {
                 parameter.variants[*variant as usize].clone()
             }
-            _ => params::Value::from(*value).to_string(),
+            _ => value.to_string(),
         };
         match (owner, parameter) {
             (Some(owner), Some(parameter)) => format!("{}.{}={value}", owner.name, parameter.name),

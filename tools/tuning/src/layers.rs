@@ -39,6 +39,11 @@ impl Layers {
         Self { graph, values: BTreeMap::new() }
     }
 
+    /// The tree.
+    pub(crate) const fn graph(&self) -> &'static Graph {
+        self.graph
+    }
+
     /// Adds the values of a tune file.
     ///
     /// # Errors
@@ -65,7 +70,8 @@ impl Layers {
     /// Adds an assignment `Component.name=value`; `source` names its origin, as `--set`.
     ///
     /// # Errors
-    /// If the text is no assignment, a name is unknown, or the value is of a wrong kind or out of range.
+    /// If the text is no assignment, a name is unknown, the value is of a wrong kind or out of range, or the same source has
+    /// set the parameter before.
     pub fn assign(&mut self, assignment: &str, source: &str) -> Result<(), Failure> {
         let parts = assignment.split_once('=').and_then(|(name, value)| Some((name.split_once('.')?, value)));
         let Some(((component, name), value)) = parts else {
@@ -75,8 +81,19 @@ impl Layers {
         let place = find(self.graph, component.trim(), name.trim())?;
         let value = place.param.kind.parse(value.trim());
         let value = value.map_err(|reason| value_failure(&format!("`{assignment}`"), &place, reason))?;
-        self.insert(place, value, source.to_owned());
-        Ok(())
+        match self.values.get(&(place.component.index(), place.index)) {
+            Some((before, of)) if of == source => {
+                let before = format!("{}.{}={}", place.node.name, place.param.name, place.param.kind.text(*before));
+                Err(Failure::new(
+                    format!("{source} sets one parameter twice: `{before}` and `{assignment}`"),
+                    "leave one of them out",
+                ))
+            }
+            _ => {
+                self.insert(place, value, source.to_owned());
+                Ok(())
+            }
+        }
     }
 
     fn insert(&mut self, place: Place, value: bica::Value, source: String) {

@@ -151,6 +151,13 @@ fn wrong_names_and_values_are_errors_with_file_line_and_remedy() {
 
 #[test]
 fn a_wrong_assignment_is_an_error() {
+    let mut twice = layers("[Kicker]\nfar = 0.5\n");
+    twice.assign("Kicker.far=0.30", "--set").expect("the first one");
+    assert_fails(
+        twice.assign("Kicker.far=0.4", "--set"),
+        "--set sets one parameter twice: `Kicker.far=0.3` and `Kicker.far=0.4`",
+        "leave one of them out",
+    );
     let set = |text: &str| Layers::new(&GRAPH).assign(text, "--set");
     let help = "write it as `Component.name=value`, as `FaceBall.gain=0.9`";
     assert_fails(set("Kicker.far"), "`Kicker.far` is no assignment", help);
@@ -195,6 +202,34 @@ fn a_tune_file_has_the_differences_only_sorted_with_comments_and_reads_as_the_sa
     assert_eq!(render(&written), FILE);
     assert_eq!(layers(FILE).settings().len(), 3);
     assert_eq!(render(&layers(FILE)), FILE);
+}
+
+#[test]
+fn comments_of_a_person_stay_when_a_tune_file_is_rewritten() {
+    let old = "\
+# Hall 3, March.
+
+# Measured by hand.
+[Kicker]
+# Wet grass.
+runs = 5
+# Largest distance of the ball.
+# From ten kicks.
+far = 0.25 # was \"0.2\"
+foot = \"Right\" # default Left, one of Left, Right
+# The end.
+";
+    let folder = Folder::new("comments");
+    let path = folder.0.join("nao.toml");
+    fs::write(&path, old).expect("room");
+    write(&layers("[Kicker]\nfar = 0.3\nfoot = \"Right\"\nshift = -7\n"), &path, true).expect("written");
+    let written = fs::read_to_string(&path).expect("a file");
+    let kept = FILE
+        .replace("source.\n\n", "source.\n# Hall 3, March.\n\n# Measured by hand.\n")
+        .replace("# Largest", "# From ten kicks.\n# was \"0.2\"\n# Largest");
+    assert_eq!(written, kept + "\n# Wet grass.\n# The end.\n");
+    write(&layers(&written), &path, true).expect("written");
+    assert_eq!(fs::read_to_string(&path).expect("a file"), written);
 }
 
 struct Folder(PathBuf);

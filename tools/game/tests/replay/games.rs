@@ -125,6 +125,8 @@ fn a_span_without_cycles_or_beyond_the_end_is_refused() {
         let whole = ReplayOptions::whole(&file.0);
         let from = refusal(&ReplayOptions { from: 0.5, ..whole });
         assert!(from.contains("no cycle was compared") && from.contains("0.30 s"), "{from}");
+        let between = refusal(&ReplayOptions { from: 0.101, until: 0.109, ..whole });
+        assert!(between.contains("none in the span"), "{between}");
         let until = refusal(&ReplayOptions { until: 0.5, ..whole });
         assert!(until.contains("--until") && until.contains("0.30 s"), "{until}");
         assert_eq!(replay(&ReplayOptions { until: 0.3, ..whole }).expect("the end of the game").cycles, 31);
@@ -136,7 +138,7 @@ fn a_span_without_cycles_or_beyond_the_end_is_refused() {
         let header = Recording::new(&bytes[..]).expect("a header").position() as usize;
         fs::write(&file.0, &bytes[..header]).expect("room");
         let cut = refusal(&whole);
-        assert!(cut.contains("no cycle was compared") && cut.contains("cut off"), "{cut}");
+        assert!(cut.contains("none before its damage") && cut.contains("cut off"), "{cut}");
     });
 }
 

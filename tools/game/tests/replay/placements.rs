@@ -42,7 +42,7 @@ fn change(file: &Temporary, mut change: impl FnMut([f32; 2]) -> Option<[f32; 2]>
         Channel::Requests => {
             let mut request: RequestRecord = postcard::from_bytes(data).expect("a request");
             if let RequestRecord::Ball { x, y } = request {
-                let none = RequestRecord::Hold { component: 0, hold: 0 };
+                let none = RequestRecord::Hold { component: 0, hold: bica::Hold::Tree };
                 request = change([x, y]).map_or(none, |[x, y]| RequestRecord::Ball { x, y });
             }
             fingerprint.add_request(&request);

@@ -75,7 +75,7 @@ fn wire_setting(description: &Description, setting: &Setting) -> Result<WireSett
     let owner = description.components.get(*component).ok_or_else(|| unknown("component", *component))?;
     let declared = owner.params.get(*param).ok_or_else(|| unknown("parameter", *param))?;
     let value = wire_value(declared, value)?;
-    Ok(WireSetting { component: *component as u16, index: *param as u16, value })
+    Ok(WireSetting::new(bica::ComponentId::new(*component), *param as u16, value))
 }
 
 /// Returns the change of the link that a request of the page asks for; none for a request that is no change.

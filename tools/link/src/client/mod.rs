@@ -127,7 +127,7 @@ impl Client {
     }
 
     /// Continues the lease of a connection that has ended. The robot may not know yet that it has.
-    fn continue_lease(&mut self, number: u32) -> Result<(), Error> {
+    fn continue_lease(&mut self, number: u64) -> Result<(), Error> {
         let until = Instant::now() + CONTINUE;
         loop {
             self.inbox.lease = None;
@@ -275,7 +275,7 @@ impl Client {
     ///
     /// # Errors
     /// [`Error::Disconnected`].
-    pub fn send_request_with(&mut self, change: Change, lease: u32, expires_us: u64) -> Result<u32, Error> {
+    pub fn send_request_with(&mut self, change: Change, lease: u64, expires_us: u64) -> Result<u32, Error> {
         self.last_number = self.last_number.wrapping_add(1);
         let number = self.last_number;
         self.send(&FromMonitor::Request(Request { number, lease, expires_us, change }))?;

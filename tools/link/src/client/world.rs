@@ -40,7 +40,7 @@ impl Client {
     ///
     /// # Errors
     /// [`Error::Disconnected`].
-    pub fn send_world_with(&mut self, change: WorldChange, lease: u32, expires_us: u64) -> Result<u32, Error> {
+    pub fn send_world_with(&mut self, change: WorldChange, lease: u64, expires_us: u64) -> Result<u32, Error> {
         self.last_number = self.last_number.wrapping_add(1);
         let number = self.last_number;
         self.send_extra(FromMonitorExtra::World(WorldRequest { number, lease, expires_us, change }))?;

@@ -284,7 +284,7 @@ impl Control {
 }
 
 /// A number that cannot be guessed, for a lease.
-fn unpredictable() -> u32 {
+fn unpredictable() -> u64 {
     // The standard library takes its keys from the random numbers of the operating system.
-    RandomState::new().build_hasher().finish() as u32
+    RandomState::new().build_hasher().finish()
 }

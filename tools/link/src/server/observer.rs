@@ -95,7 +95,7 @@ impl<R: Robot> LinkObserver<R> {
 
 impl<R: Robot> Probe for LinkObserver<R> {
     fn cycle_begin(&mut self, now: Instant) {
-        self.conditions.begin(now);
+        self.conditions.cycle_begin(now);
         self.costs.cycle_begin(now);
     }
 
@@ -104,7 +104,7 @@ impl<R: Robot> Probe for LinkObserver<R> {
     }
 
     fn start(&mut self, component: ComponentId) {
-        self.conditions.forget(component);
+        self.conditions.start(component);
     }
 
     fn run(&mut self, component: ComponentId) {
@@ -120,11 +120,11 @@ impl<R: Robot> Probe for LinkObserver<R> {
     }
 
     fn condition(&mut self, component: ComponentId, transition: usize, holds: bool) {
-        self.conditions.evaluated(component, transition, holds);
+        self.conditions.condition(component, transition, holds);
     }
 
-    fn transition(&mut self, component: ComponentId, _from: usize, _to: usize) {
-        self.conditions.taken(component);
+    fn transition(&mut self, component: ComponentId, from: usize, to: usize) {
+        self.conditions.transition(component, from, to);
     }
 }
 

@@ -5,11 +5,10 @@ use std::sync::atomic::Ordering;
 use std::sync::mpsc::Receiver;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-use bica::params::{Value, find};
+use bica::params::find;
 use bica::runner::{Request, Requests};
 use bica::{Graph, Instant, Refusal};
 use bica_wire::message::{Change, RefusalCode};
-use bica_wire::server::RequestBuffer;
 
 use super::control::{Applied, Control, Placement};
 use super::hub::{Command, Inbound};
@@ -31,7 +30,6 @@ pub struct LinkRequests {
     current: Option<Current>,
     /// The placement that the last call of `next_ball` returned.
     placing: Option<Placement>,
-    buffer: Box<RequestBuffer>,
 }
 
 /// The request that the last call of `next` returned.
@@ -45,15 +43,7 @@ enum Current {
 impl LinkRequests {
     pub(super) fn new(inboxes: [Receiver<Inbound>; 2], control: Arc<Mutex<Control>>) -> Self {
         let [inbox, watches] = inboxes;
-        Self {
-            inbox,
-            watches,
-            control,
-            budget: MESSAGES_PER_CYCLE,
-            current: None,
-            placing: None,
-            buffer: Box::default(),
-        }
+        Self { inbox, watches, control, budget: MESSAGES_PER_CYCLE, current: None, placing: None }
     }
 
     /// Whether the next cycle of a simulated world may run. While the operator has paused it, the loop calls
@@ -116,10 +106,10 @@ impl Requests for LinkRequests {
             self.budget = MESSAGES_PER_CYCLE;
             return None;
         };
-        Some(self.buffer.request(match current {
-            Current::Ending(change) => change,
-            Current::Operator(applied) => &applied.change,
-        }))
+        Some(match current {
+            Current::Ending(change) => change.request(),
+            Current::Operator(applied) => applied.change.request(),
+        })
     }
 
     fn answered(&mut self, now: Instant, result: Result<(), Refusal>) {
@@ -130,7 +120,7 @@ impl Requests for LinkRequests {
             Ok(()) => {
                 control.lease.record(&applied.change);
                 if let Change::Params(batch) = &applied.change {
-                    control.changed.extend(batch.iter().map(|setting| setting.component));
+                    control.changed.extend(batch.iter().map(|setting| setting.component.index() as u16));
                 }
                 control.applied.push(*applied);
                 control.log(now, 2, &format!("operator: {text}"));
@@ -147,24 +137,25 @@ impl Requests for LinkRequests {
 
 /// Returns a line for people.
 fn describe(graph: &'static Graph, change: &Change) -> String {
-    let node = |component: u16| graph.nodes.get(usize::from(component));
-    let name = |component: u16| node(component).map_or("?", |node| node.name);
+    let node = |component: usize| graph.nodes.get(component);
+    let name = |component: u16| node(component.into()).map_or("?", |node| node.name);
     match change {
         Change::Hold { component, hold } => format!("hold {} {hold:?}", name(*component)),
         Change::Rate { component, hz } => format!("rate {} {hz} Hz", name(*component)),
         Change::Params(batch) => {
             let mut text = "set".to_owned();
             for setting in batch {
-                let param = node(setting.component).and_then(|node| find(node.params, setting.index.into()));
-                let (component, param) = (name(setting.component), param.map_or("?", |param| param.name));
+                let node = node(setting.component.index());
+                let param = node.and_then(|node| find(node.params, setting.index.into()));
+                let (component, param) = (node.map_or("?", |node| node.name), param.map_or("?", |param| param.name));
                 // Writing to a String cannot fail.
-                let _ = write!(text, " {component}.{param}={}", Value::from(setting.value));
+                let _ = write!(text, " {component}.{param}={}", setting.value);
             }
             text
         }
         Change::Modulate { component, modulation, arguments } => {
-            let found = node(*component).and_then(|node| node.modulations.get(usize::from(*modulation)));
-            let arguments: Vec<_> = arguments.iter().map(|&value| Value::from(value).to_string()).collect();
+            let found = node((*component).into()).and_then(|node| node.modulations.get(usize::from(*modulation)));
+            let arguments: Vec<_> = arguments.iter().map(ToString::to_string).collect();
             let name = name(*component);
             format!("call {name}.{}({})", found.map_or("?", |found| found.name), arguments.join(", "))
         }

@@ -48,7 +48,7 @@ fn a_paused_world_applies_requests_and_runs_exactly_the_requested_steps() {
     operator.acquire(false).unwrap();
     let paused_at = operator.change_world(PAUSE).unwrap().cycle;
     world(&mut watcher, "a pause", |state| state.paused && state.steps == 0);
-    let set = Setting { component: CART, index: 0, value: Value::F32(1.5) };
+    let set = Setting::new(ComponentId::new(CART.into()), 0, Value::F32(1.5));
     let answer = operator.request(Change::Params([set].into_iter().collect())).unwrap();
     assert_eq!((answer.values, answer.cycle), (vec![Value::F32(1.5)], paused_at + 1));
     thread::sleep(Duration::from_millis(50));

@@ -6,6 +6,7 @@ use std::net::TcpStream;
 use std::thread;
 use std::time::Duration;
 
+use bica::ComponentId;
 use bica_field::GoalColour;
 use bica_link::{Client, ClientOptions, Error, Event};
 use bica_wire::message::{Change, ClockMode, Hello, Hold, Setting, Value, Watch, WatchInfo};
@@ -72,7 +73,7 @@ fn a_storm_of_requests_is_limited_in_each_cycle() {
     let lease = operator.lease().lease;
     for count in 0..STORM {
         let value = Value::F32((count % 100) as f32 * 0.01);
-        let settings = [Setting { component: CART, index: 0, value }].into_iter().collect();
+        let settings = [Setting::new(ComponentId::new(CART.into()), 0, value)].into_iter().collect();
         operator.send_request_with(Change::Params(settings), lease, u64::MAX).unwrap();
         if count % 50 == 49 {
             while operator.poll(Duration::from_millis(1)).unwrap().is_some() {}

@@ -2,8 +2,8 @@
 
 use std::time::Duration;
 
-use bica::Tree;
 use bica::runner::Runner;
+use bica::{ComponentId, Tree};
 use bica_link::{Error, Event, Kind, MAX_MONITORS};
 use bica_wire::message::{Change, Hold, Setting, Value};
 use serde_json::json;
@@ -111,7 +111,7 @@ fn every_monitor_receives_changed_parameters_and_log_lines() {
     let session = Session::start();
     let (mut operator, mut watcher) = (session.client(), session.client());
     operator.acquire(false).unwrap();
-    let setting = Setting { component: CART, index: 0, value: Value::F32(0.75) };
+    let setting = Setting::new(ComponentId::new(CART.into()), 0, Value::F32(0.75));
     operator.request(Change::Params([setting].into_iter().collect())).unwrap();
     session.server.log(2, "the referee whistles");
     let (mut changed, mut asked, mut whistled) = (false, false, false);

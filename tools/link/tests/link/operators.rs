@@ -2,6 +2,7 @@
 
 use std::time::Duration;
 
+use bica::ComponentId;
 use bica_link::{Client, Error, Event};
 use bica_wire::message::{Change, Hold, LeaseAction, RefusalCode, Setting, Value};
 use serde_json::json;
@@ -10,7 +11,7 @@ use crate::robot::{CART, DRIVE};
 use crate::session::{CYCLE_US, Session, event, snapshot};
 
 fn set(index: u16, value: f32) -> Setting {
-    Setting { component: CART, index, value: Value::F32(value) }
+    Setting::new(ComponentId::new(CART.into()), index, Value::F32(value))
 }
 
 fn batch(settings: &[Setting]) -> Change {

@@ -7,9 +7,9 @@ use clap::{Args, ValueEnum};
 /// Layers of parameters.
 #[derive(Clone, Debug, Args)]
 pub(crate) struct TuningArgs {
-    /// Folder of tune files: `DIR/WORLD.toml`, if it exists, and with --robot `DIR/NAME.toml`
-    #[arg(long, value_name = "DIR", default_value = "tune")]
-    pub(crate) tune: PathBuf,
+    /// Folder of tune files: `DIR/WORLD.toml`, and with --robot `DIR/NAME.toml` [default: tune, if it exists]
+    #[arg(long, value_name = "DIR")]
+    pub(crate) tune: Option<PathBuf>,
     /// Colour profile whose limits are the parameters of `Colours`, over the tune file of the world and below that of the robot:
     /// built-in, nao2009 or darwin2013, or a TOML file
     #[arg(long, value_name = "PROFILE")]

@@ -121,13 +121,12 @@ fn a_tune_file_of_the_world_then_of_the_robot_then_the_command_line_decide() {
     let of_robot = format!("{} line 2", path(&folder, "rob.toml"));
     assert_eq!(gain(&robot), ("0.6".to_owned(), of_robot.into()));
     assert_eq!(gain(&[&robot[..], &["--set", "FaceBall.gain=0.8"]].concat()).0, "0.8");
-    assert_eq!(gain(&[&tune[..], &["--kind", "other"]].concat()).0, "0.7", "the file of another kind is not read");
+    fails(&[&["params", "--kind", "other"][..], &tune].concat(), &["other.toml", "help: "]);
     let fingerprint = |args: &[&str]| short_game(args).json()["fingerprint"].clone();
     let (plain, tuned) = (fingerprint(&[]), fingerprint(&tune));
     assert_ne!(plain, tuned);
     assert_eq!(tuned, fingerprint(&["--set", "FaceBall.gain=0.5"]));
     assert_eq!(plain, fingerprint(&["--set", "FaceBall.gain=0.7"]));
-    assert_eq!(plain, fingerprint(&["--tune", &path(&folder, "missing")]), "a folder without files changes nothing");
 }
 
 #[test]
@@ -162,6 +161,9 @@ fn wrong_parameters_are_errors_of_every_command_that_takes_them() {
         fails(&["--tune", folder.text()], &[&format!("`{file}` line 3"), "did you mean `gain`?"]);
         fails(&["--tune", folder.text(), "--robot", "rob"], &["help: "]);
         fails(&["--robot", "rob"], &["rob.toml", "--write"]);
+        fails(&["--tune", &path(&folder, "missing")], &["missing/built-in.toml", "--write"]);
+        let twice = ["--set", "FaceBall.gain=0.5", "--set", "FaceBall.gain=0.6"];
+        fails(&twice, &["`FaceBall.gain=0.5` and `FaceBall.gain=0.6`", "leave one of them out"]);
     }
     fails(&["params", "FaceBal"], &["did you mean `FaceBall`?"]);
     fails(&["--world", "firmware", "--set", "FaceBall.gain=0.5"], &["help: "]);
@@ -184,6 +186,8 @@ fn a_replay_uses_the_recorded_parameters_and_shows_what_others_would_have_decide
     assert_eq!((&json["equal"], &json["set"][0]), (&false.into(), &"FaceBall.gain=0.7".into()));
     assert!(json["first_difference"]["field"].as_str().is_some_and(|field| field.starts_with("command.")), "{json}");
     assert!(other.stderr.contains("other parameters: FaceBall.gain=0.7"), "{}", other.stderr);
+    let twice = ["--set", "FaceBall.gain=0.7", "--set", "FaceBall.gain=0.7"];
+    fails(&[&["replay", &file][..], &twice].concat(), &["--set sets one parameter twice"]);
     fails(&["replay", &file, "--set", "FaceBall.gian=0.7"], &["did you mean `gain`?"]);
     fails(&["replay", &file, "--set", "FaceBall.gain=0.7", "--against", &file], &["--set", "--against"]);
 }

@@ -171,6 +171,14 @@ fn errors_name_the_file_and_the_remedy() {
         fails(&["record", command, &text, &none], 2, &["no MCAP file"]);
         let _ = fs::remove_file(&none);
     }
+    let (early, linked) = (path(&folder, "early.mcap"), path(&folder, "linked.mcap"));
+    let bytes = fs::read(&file).unwrap();
+    fs::write(&early, &bytes[..2000]).unwrap();
+    fails(&["record", "recover", &early, &none], 2, &["neither the header nor its copy", "record the run again"]);
+    fs::hard_link(&file, &linked).unwrap();
+    fails(&["record", "trim", &file, &linked, "--force"], 2, &["the same file"]);
+    assert_eq!(fs::read(&file).unwrap(), bytes, "it is still there");
+    fails(&["record", "info", folder.text()], 2, &["a folder, a pipe or a device"]);
     fails(&["record"], 2, &["Usage"]);
     fails(&["replay", &file, "--from", "-1"], 2, &["-1"]);
     fails(&["replay", &file, "--from", "2", "--until", "1"], 2, &["--until"]);
@@ -201,6 +209,16 @@ fn a_full_disk_does_not_end_the_game() {
     assert!((1..1200).contains(&cycles.as_u64().expect("a number")), "{cycles}");
     assert_eq!(&run(&["record", "info", &file, "--json"]).json()["cycles"], cycles);
     assert_eq!(&run(&["replay", &file, "--json"]).json()["equal"], true);
+}
+
+#[cfg(unix)]
+#[test]
+fn a_pipe_is_refused_without_waiting_for_its_other_end() {
+    let folder = Folder::new("recorded-pipe");
+    let pipe = path(&folder, "pipe.mcap");
+    assert!(std::process::Command::new("mkfifo").arg(&pipe).status().unwrap().success());
+    fails(&["replay", &pipe], 2, &["a folder, a pipe or a device"]);
+    fails(&["record", "recover", &pipe, &path(&folder, "out.mcap")], 2, &["a folder, a pipe or a device"]);
 }
 
 /// Kills a recording program after a time; returns the recorded time and the time since the file was made, s.

@@ -37,8 +37,8 @@ impl Syncer {
 
     /// Waits until everything written is on the disk.
     pub(super) fn finish(&mut self) -> io::Result<()> {
-        // If the thread has ended, its result says why.
-        let _ = self.requests.take().map(|requests| requests.send(()));
+        // A request that waits covers this one; if the thread has ended, its result says why.
+        let _ = self.requests.take().map(|requests| requests.try_send(()));
         let failed = || Err(io::Error::other("the thread that syncs failed"));
         self.thread.take().map_or(Ok(()), |thread| thread.join().unwrap_or_else(|_| failed()))
     }

@@ -33,7 +33,7 @@ fn every_value_is_restored_bit_for_bit() {
         let command = cycle.command.expect("stored");
         assert!(command.stiffness.iter().all(|value| value.is_nan()) && command.bottom_camera);
     }
-    assert_eq!(cycles[7].requests[0], RequestRecord::Hold { component: 1, hold: 1 });
+    assert_eq!(cycles[7].requests[0], RequestRecord::Hold { component: 1, hold: bica::Hold::Active });
     assert!(matches!(cycles[7].requests[1], RequestRecord::Rate { component: 1, hz } if hz.is_nan()));
     let event = cycles.iter().position(|cycle| !cycle.events.is_empty());
     assert_eq!(event, Some(10), "an event belongs to the cycle after it");

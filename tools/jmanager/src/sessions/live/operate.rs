@@ -36,7 +36,7 @@ struct Waiting {
     page: PageId,
     id: u32,
     /// Number of the lease that the last operator had; 0 for none.
-    old: u32,
+    old: u64,
     since: Instant,
 }
 
@@ -258,7 +258,7 @@ impl Attached<'_> {
         let Some(description) = &mut shared.description else { return };
         let components = &mut Arc::make_mut(description).components;
         for (setting, value) in batch.iter().zip(values) {
-            let owner = components.get_mut(usize::from(setting.component));
+            let owner = components.get_mut(setting.component.index());
             if let Some(param) = owner.and_then(|owner| owner.params.get_mut(usize::from(setting.index))) {
                 param.value = Some(value.clone());
             }
@@ -271,7 +271,7 @@ impl Attached<'_> {
             return values.iter().map(|value| to_json(*value, &bica_link::Kind::Unknown)).collect();
         };
         let one = |(setting, value): (&bica_wire::message::Setting, &bica_wire::message::Value)| {
-            let owner = components.get(usize::from(setting.component));
+            let owner = components.get(setting.component.index());
             let param = owner.and_then(|owner| owner.params.get(usize::from(setting.index)));
             to_json(*value, param.map_or(&bica_link::Kind::Unknown, |param| &param.kind))
         };

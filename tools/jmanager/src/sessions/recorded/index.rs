@@ -12,6 +12,7 @@ use super::tree;
 use crate::protocol::{Capabilities, Connection, Failed, HoldKind, LogKind, LogLine};
 use crate::sessions::robot_recording::{NOTE, holds_of, line_of};
 use crate::sessions::session::Session;
+use crate::sessions::value::page_hold;
 
 /// What a page says of a recording that a monitor made.
 const OF_MONITOR: &str = "a monitor recorded what the robot sent: it can be looked at, not run again or compared";
@@ -49,7 +50,7 @@ impl Requested {
         match *request {
             RequestRecord::Hold { component, hold } => {
                 if let Some(held) = self.holds.get_mut(usize::from(component)) {
-                    *held = [HoldKind::Tree, HoldKind::Active, HoldKind::Latent][usize::from(hold).min(2)];
+                    *held = page_hold(hold);
                 }
             }
             RequestRecord::Rate { component, hz } => {

@@ -1,50 +1,8 @@
-//! Kinds and values of parameters and arguments.
+//! Kinds of parameters and arguments.
 
 use bica_core::params;
 use postcard_schema::Schema;
 use serde::{Deserialize, Serialize};
-
-/// Value of a parameter, or of an argument of a modulation.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, Schema)]
-pub enum Value {
-    /// A number.
-    F32(f32),
-    /// A whole number.
-    I32(i32),
-    /// A whole number that is not negative.
-    U32(u32),
-    /// On or off.
-    Bool(bool),
-    /// Index of a variant of an enum.
-    Choice(u32),
-}
-
-impl Value {
-    /// Returns the value in a message; `None` for a kind that this version of the protocol does not know.
-    #[must_use]
-    pub const fn of(value: params::Value) -> Option<Self> {
-        Some(match value {
-            params::Value::F32(value) => Self::F32(value),
-            params::Value::I32(value) => Self::I32(value),
-            params::Value::U32(value) => Self::U32(value),
-            params::Value::Bool(value) => Self::Bool(value),
-            params::Value::Choice(value) => Self::Choice(value),
-            _ => return None,
-        })
-    }
-}
-
-impl From<Value> for params::Value {
-    fn from(value: Value) -> Self {
-        match value {
-            Value::F32(value) => Self::F32(value),
-            Value::I32(value) => Self::I32(value),
-            Value::U32(value) => Self::U32(value),
-            Value::Bool(value) => Self::Bool(value),
-            Value::Choice(value) => Self::Choice(value),
-        }
-    }
-}
 
 /// Kind of a parameter or argument, with the values that it can have.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, Schema)]
