@@ -10,7 +10,7 @@ use super::model::Sources;
 use crate::{number, text, wording};
 
 /// The attributes that assign a function its role.
-pub(crate) const ROLES: [&str; 8] = ["state", "transition", "entry", "exit", "start", "stop", "info", "modulation"];
+pub const ROLES: [&str; 8] = ["state", "transition", "entry", "exit", "start", "stop", "info", "modulation"];
 
 /// Names from other frameworks for our attributes.
 const SYNONYMS: [(&str, &str); 11] = [

@@ -12,3 +12,6 @@ mod options;
 pub mod parse;
 mod resolve;
 mod signature;
+
+pub use self::arguments::meaning;
+pub use self::attributes::ROLES;

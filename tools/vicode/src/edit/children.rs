@@ -1,7 +1,7 @@
 //! Children of functions: arguments that are links.
 
 use ra_ap_parser::LexedStr;
-use ra_ap_syntax::Edition;
+use ra_ap_syntax::{Edition, SyntaxKind};
 
 use super::plan::{Context, function, list};
 use super::request::{Edit, Refusal};
@@ -151,7 +151,7 @@ fn unused(text: &str, function: &Function, argument: &Argument) -> Result<(), Re
     let name = argument.name.text.trim_start_matches("mut ").trim();
     let used = (0..lexed.len()).find(|index| {
         let token = lexed.text(*index);
-        token.trim_start_matches("r#") == name || token.ends_with('"') && formats(token, name)
+        token.trim_start_matches("r#") == name || lexed.kind(*index) == SyntaxKind::STRING && formats(token, name)
     });
     match used {
         Some(index) => {

@@ -1,6 +1,6 @@
 //! `use` lines.
 
-use ra_ap_syntax::ast::{self, HasName};
+use ra_ap_syntax::ast::{self, HasAttrs, HasName, HasVisibility};
 use ra_ap_syntax::{AstNode, SyntaxKind, SyntaxNode};
 
 use super::fragment;
@@ -22,6 +22,12 @@ fn items(scope: &SyntaxNode) -> Vec<ast::Use> {
     scope.children().filter_map(ast::Use::cast).collect()
 }
 
+/// Whether only this module sees what an item imports, and always: an item with `pub` or `cfg` is not.
+fn is_plain(item: &ast::Use) -> bool {
+    let is_condition = |one: ast::Attr| matches!(one.meta(), Some(ast::Meta::CfgMeta(_)));
+    item.visibility().is_none() && !item.attrs().any(is_condition)
+}
+
 /// Imports a child from a module, unless its name is known in the module of the file that contains the byte `at`.
 pub(super) fn add(context: &Context<'_>, at: usize, path: &str, child: &str) -> Vec<Splice> {
     let Some(name) = imported(child) else { return Vec::new() };
@@ -29,7 +35,7 @@ pub(super) fn add(context: &Context<'_>, at: usize, path: &str, child: &str) -> 
     let Some(scope) = scope(text, at).filter(|scope| !is_known(scope, name)) else { return Vec::new() };
     let style = Style::of(text, None, context.width);
     let all = items(&scope);
-    for item in all.iter().filter_map(ast::Use::use_tree) {
+    for item in all.iter().filter(|item| is_plain(item)).filter_map(ast::Use::use_tree) {
         let Some(of) = item.path().map(|path| path.syntax().text().to_string()) else { continue };
         if let (true, Some(list)) = (of == path, item.use_tree_list()) {
             return into_list(text, &style, &list, name);
@@ -180,9 +186,7 @@ pub(super) fn remove(context: &Context<'_>, child: &str, place: Span) -> Vec<Spl
     if tokens(&scope).iter().any(|token| token.name.text == name && elsewhere(token.name.span)) {
         return Vec::new();
     }
-    // An item that others see, or that depends on a condition, has more users than this file.
-    let own = all.iter().filter(|item| item.syntax().text().to_string().starts_with("use "));
-    for item in own {
+    for item in all.iter().filter(|item| is_plain(item)) {
         let Some(tree) = item.use_tree() else { continue };
         if let Some(list) = tree.use_tree_list() {
             let trees: Vec<_> = list.use_trees().collect();

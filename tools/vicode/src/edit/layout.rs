@@ -14,6 +14,9 @@ pub(super) fn insert(
     code: &str,
 ) -> Result<Splice, Refusal> {
     let newline = style.newline;
+    let Some(block) = component.block else {
+        return Err(Refusal::at(component.name.span, "the braces of this block are not complete: close them first"));
+    };
     if let Some(after) = after {
         let end = line_end(text, after.span.end);
         let rest = text[after.span.end..end].trim();
@@ -24,9 +27,6 @@ pub(super) fn insert(
         let indent = &style.indent;
         return Ok(Splice::insert(after.span.end, format!("{newline}{newline}{code}{newline}{newline}{indent}")));
     }
-    let Some(block) = component.block else {
-        return Err(Refusal::at(component.name.span, "the braces of this block are not complete: close them first"));
-    };
     let inner = block.of(text);
     let at = block.start + inner.trim_end().len();
     let lines = if inner.trim().is_empty() { newline.to_owned() } else { newline.repeat(2) };

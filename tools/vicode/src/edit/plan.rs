@@ -29,10 +29,18 @@ impl<'a> Context<'a> {
 
 /// The function of that name, or why not.
 pub(super) fn function<'a>(component: &'a Component, name: &str) -> Result<&'a Function, Refusal> {
-    component.function(name).ok_or_else(|| {
-        let known = list(component.functions().map(|function| &*function.name.text));
-        Refusal::new(format!("`{}` has no function `{name}`: there is {known}", component.name.text))
-    })
+    let mut named = component.functions().filter(|function| function.name.text == name);
+    match (named.next(), named.next()) {
+        (Some(function), None) => Ok(function),
+        (Some(_), Some(second)) => Err(Refusal::at(
+            second.name.span,
+            format!("`{name}` is written twice in this block: change it in the code"),
+        )),
+        (None, _) => {
+            let known = list(component.functions().map(|function| &*function.name.text));
+            Err(Refusal::new(format!("`{}` has no function `{name}`: there is {known}", component.name.text)))
+        }
+    }
 }
 
 /// The transition of that name, or why not.

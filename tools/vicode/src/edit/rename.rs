@@ -7,7 +7,8 @@ use super::request::Refusal;
 use super::splice::Splice;
 use super::style::line_number;
 use super::uses::{Target, uses};
-use crate::model::{Component, Name, Sources};
+use crate::model::{Component, Name, Sources, Span};
+use crate::read::functions_of;
 
 /// Renames a function, the attributes that name it, and its uses.
 pub(super) fn rename(context: &Context<'_>, component: &str, from: &str, to: &str) -> Result<Vec<Splice>, Refusal> {
@@ -21,32 +22,36 @@ pub(super) fn rename(context: &Context<'_>, component: &str, from: &str, to: &st
         return Err(Refusal::at(renamed.name.span, "the tree calls the function `step`: it keeps its name"));
     }
     free(context, component, to)?;
+    let all = functions_of(context.text, component).into_iter().filter(|one| one.text == from);
+    let definitions: Vec<Span> = all.map(|one| one.span).collect();
+    if definitions.len() > 1 {
+        let lines = lines(context.text, &definitions);
+        let message = format!("`{from}` has several definitions, in {lines}: rename them in the code");
+        return Err(Refusal::at(renamed.name.span, message));
+    }
     let mut places = vec![renamed.name.span];
     if component.state(from).is_some() {
         places.extend(state_names(component).filter(|name| name.text == from).map(|name| name.span));
     }
     let uses = uses(context.text, &Target::new(context.text, component, false), from, true);
-    let undecided: Vec<String> = uses
-        .iter()
-        .filter(|one| !one.certain)
-        .map(|one| line_number(context.text, one.span.start).to_string())
-        .collect();
-    if let Some(first) = uses.iter().find(|one| !one.certain) {
-        let lines = if undecided.len() == 1 { "line" } else { "lines" };
-        return Err(Refusal::at(
-            first.span,
-            format!(
-                "{lines} {} may use `{}::{from}`, which this file does not decide: name the type of the value, as in `{}::{from}(&value)`",
-                undecided.join(", "),
-                component.name.text,
-                component.name.text
-            ),
-        ));
+    let undecided: Vec<Span> = uses.iter().filter(|one| !one.certain).map(|one| one.span).collect();
+    if let Some(first) = undecided.first() {
+        let (of, lines) = (&component.name.text, lines(context.text, &undecided));
+        let advice = format!("name the type of the value, as in `{of}::{from}(&value)`");
+        let message = format!("{lines} may use `{of}::{from}`, which this file does not decide: {advice}");
+        return Err(Refusal::at(*first, message));
     }
     places.extend(uses.into_iter().map(|one| one.span));
     places.sort();
     places.dedup();
     Ok(places.into_iter().map(|place| Splice::new(place, written(to))).collect())
+}
+
+/// `line 3` or `lines 3, 5`
+fn lines(text: &str, places: &[Span]) -> String {
+    let mut lines: Vec<String> = places.iter().map(|place| line_number(text, place.start).to_string()).collect();
+    lines.dedup();
+    format!("{} {}", if lines.len() == 1 { "line" } else { "lines" }, lines.join(", "))
 }
 
 /// The names of states in attributes.
@@ -65,10 +70,7 @@ pub(super) fn free(context: &Context<'_>, component: &Component, name: &str) -> 
     let blocks = context.model.components.iter().filter(of_type);
     let functions = blocks.clone().flat_map(|block| block.functions().map(|function| &function.name));
     let taken = functions.chain(blocks.flat_map(|block| &block.names)).find(|taken| taken.text == name);
-    let elsewhere = || {
-        let functions = crate::read::functions_of(context.text, &component.module, &component.name.text);
-        functions.into_iter().find(|one| one.text == name)
-    };
+    let elsewhere = || functions_of(context.text, component).into_iter().find(|one| one.text == name);
     match taken.cloned().or_else(elsewhere) {
         Some(taken) => Err(Refusal::at(
             taken.span,

@@ -67,8 +67,8 @@ impl Style {
             return String::new();
         }
         let mut result = String::new();
-        for line in docs.lines() {
-            let line = line.trim_end();
+        // A carriage return alone is no Rust in a doc comment.
+        for line in docs.replace("\r\n", "\n").split(['\n', '\r']).map(str::trim_end) {
             result.push_str(indent);
             result.push_str(if line.is_empty() { "///" } else { "/// " });
             result.push_str(line);

@@ -26,13 +26,19 @@ pub(super) fn next(token: &SyntaxToken) -> Option<SyntaxToken> {
     std::iter::successors(token.next_token(), SyntaxToken::next_token).find(|token| !token.kind().is_trivia())
 }
 
+/// The token before the `::` in front of a token; within a macro `::` is two tokens.
+pub(super) fn before_separator(token: &SyntaxToken) -> Option<SyntaxToken> {
+    let colons = previous(token)?;
+    match colons.kind() {
+        T![::] => previous(&colons),
+        T![:] => previous(&colons).filter(|first| first.kind() == T![:]).and_then(|first| previous(&first)),
+        _ => None,
+    }
+}
+
 /// The bracket that opens what a closing one ends.
 fn opening(close: &SyntaxToken) -> Option<SyntaxToken> {
-    let open = match close.kind() {
-        T![')'] => T!['('],
-        T![>] => T![<],
-        _ => return None,
-    };
+    let open = if close.kind() == T![')'] { T!['('] } else { T![<] };
     let mut depth = 0_usize;
     std::iter::successors(Some(close.clone()), previous).find(|token| {
         depth += usize::from(token.kind() == close.kind());
@@ -41,42 +47,35 @@ fn opening(close: &SyntaxToken) -> Option<SyntaxToken> {
     })
 }
 
+/// The tokens between two brackets, references and pointers before the first one left out.
+fn between(open: &SyntaxToken, close: &SyntaxToken) -> Vec<SyntaxToken> {
+    let end = close.text_range().end();
+    std::iter::successors(next(open), next)
+        .take_while(|token| token.text_range().end() < end)
+        .skip_while(|token| matches!(token.kind(), T![&] | T![*] | T![mut]))
+        .collect()
+}
+
 impl Types<'_> {
     /// Whether the path or type that ends with a token before `::` is the component.
     pub(super) fn before_colons(&self, last: &SyntaxToken) -> Option<bool> {
         if last.kind() == T![>] {
             let open = opening(last)?;
-            let before = previous(&open)?;
-            if before.kind() == T![::] || before.kind() == T![:] {
-                let before = if before.kind() == T![:] { previous(&before)? } else { before };
-                return self.before_colons(&previous(&before)?);
+            if let Some(of) = before_separator(&open) {
+                return self.before_colons(&of);
             }
-            let end = last.text_range().end();
-            let inner: Vec<SyntaxToken> = std::iter::successors(next(&open), next)
-                .take_while(|token| token.text_range().end() < end)
-                .skip_while(|token| matches!(token.kind(), T![&] | T![mut]))
-                .collect();
-            let path: Vec<&str> = inner
-                .iter()
-                .take_while(|token| is_word(token) || matches!(token.kind(), T![::] | T![:]))
-                .filter(|token| is_word(token))
-                .map(SyntaxToken::text)
-                .collect();
+            let inner = between(&open, last);
             // `<A as Trait>::f` is a function of the trait.
-            let of_trait = inner.iter().any(|token| token.kind() == T![as]);
-            return if of_trait { Some(false) } else { self.of_path(&path, last) };
-        }
-        if !is_word(last) {
-            return None;
-        }
-        let mut path = vec![last.clone()];
-        let mut at = last.clone();
-        while let Some(before) = previous(&at).filter(|before| matches!(before.kind(), T![::] | T![:])) {
-            at = before;
-            if let Some(word) = previous(&at).filter(is_word) {
-                path.insert(0, word.clone());
-                at = word;
+            if inner.iter().any(|token| token.kind() == T![as]) {
+                return Some(false);
             }
+            let path = inner.iter().take_while(|token| is_word(token) || matches!(token.kind(), T![::] | T![:]));
+            let path: Vec<&str> = path.filter(|token| is_word(token)).map(SyntaxToken::text).collect();
+            return self.of_path(&path, last);
+        }
+        let mut path = vec![Some(last.clone()).filter(is_word)?];
+        while let Some(before) = before_separator(&path[0]).filter(is_word) {
+            path.insert(0, before);
         }
         if previous(&path[0]).is_some_and(|before| before.kind() == T![$]) && path[0].kind() != T![crate] {
             return None;
@@ -88,29 +87,22 @@ impl Types<'_> {
     pub(super) fn of_receiver(&self, last: &SyntaxToken) -> Option<bool> {
         match last.kind() {
             T![self] => self.of_path(&["Self"], last),
-            SyntaxKind::IDENT => {
+            SyntaxKind::IDENT | SyntaxKind::INT_NUMBER => {
                 let before = previous(last)?;
                 match before.kind() {
                     T![.] => self.of_field(last, &previous(&before)?),
                     T![$] | T![::] | T![:] => None,
-                    _ => self.of_variable(last),
+                    _ if last.kind() == SyntaxKind::IDENT => self.of_variable(last),
+                    _ => Some(false),
                 }
             }
             T![')'] => {
                 let open = opening(last)?;
                 let before = previous(&open)?;
-                if is_word(&before)
-                    && before.kind() != T![self]
-                    && !before.kind().is_keyword(ra_ap_syntax::Edition::CURRENT)
-                {
+                if before.kind() == SyntaxKind::IDENT {
                     return self.of_call(&before);
                 }
-                let inner = std::iter::successors(next(&open), next);
-                let inner: Vec<SyntaxToken> = inner
-                    .skip_while(|token| matches!(token.kind(), T![&] | T![*] | T![mut]))
-                    .take_while(|token| token.text_range().end() < last.text_range().end())
-                    .collect();
-                if let [value] = &inner[..] { self.of_receiver(value) } else { None }
+                if let [value] = &between(&open, last)[..] { self.of_receiver(value) } else { None }
             }
             kind => kind.is_literal().then_some(false),
         }
@@ -118,11 +110,10 @@ impl Types<'_> {
 
     /// `Player::new()`: what a function of that name returns.
     fn of_call(&self, function: &SyntaxToken) -> Option<bool> {
-        let colons = previous(function).filter(|before| before.kind() == T![::])?;
-        matches!(function.text(), "new" | "default").then(|| self.before_colons(&previous(&colons)?))?
+        matches!(function.text(), "new" | "default").then(|| self.before_colons(&before_separator(function)?))?
     }
 
-    /// `self.field`
+    /// `self.field`, `self.0`
     fn of_field(&self, field: &SyntaxToken, owner: &SyntaxToken) -> Option<bool> {
         if owner.kind() != T![self] {
             return None;
@@ -130,10 +121,13 @@ impl Types<'_> {
         let of = field.parent_ancestors().find_map(ast::Impl::cast)?.self_ty()?;
         let ast::Type::PathType(path) = of else { return None };
         let name = path.path()?.segment()?.name_ref()?.text().to_string();
-        let items = scope_of(field)?;
-        let owner = items.children().filter_map(ast::Struct::cast).find(|one| named(one, &name))?;
-        let Some(ast::FieldList::RecordFieldList(fields)) = owner.field_list() else { return None };
-        self.of(&fields.fields().find(|one| named(one, field.text()))?.ty()?)
+        let items = field.parent_ancestors().filter(is_scope).flat_map(|scope| scope.children());
+        let owner = items.filter_map(ast::Struct::cast).find(|one| named(one, &name))?;
+        let ty = match owner.field_list()? {
+            ast::FieldList::RecordFieldList(list) => list.fields().find(|one| named(one, field.text()))?.ty(),
+            ast::FieldList::TupleFieldList(list) => list.fields().nth(field.text().parse().ok()?)?.ty(),
+        };
+        self.of(&ty?)
     }
 
     /// A variable: all that its function binds to the name before must agree.
@@ -200,15 +194,9 @@ impl Types<'_> {
             ast::Type::PathType(path) => {
                 let segment = path.path()?.segment()?;
                 let name = segment.name_ref()?.text().to_string();
-                let generic = |node: SyntaxNode| {
-                    let of_fn = ast::Fn::cast(node.clone()).and_then(|item| item.generic_param_list());
-                    let list = of_fn.or_else(|| ast::Impl::cast(node).and_then(|item| item.generic_param_list()));
-                    list.is_some_and(|list| {
-                        list.generic_params()
-                            .any(|one| one.syntax().first_token().is_some_and(|first| first.text() == name))
-                    })
-                };
-                if path.syntax().ancestors().any(generic) {
+                let lists = path.syntax().ancestors().filter_map(ast::AnyHasGenericParams::cast);
+                let params = lists.filter_map(|item| item.generic_param_list()).flat_map(|list| list.generic_params());
+                if params.filter_map(|one| one.syntax().first_token()).any(|first| first.text() == name) {
                     return None;
                 }
                 if POINTERS.contains(&&*name) {
@@ -237,27 +225,37 @@ impl Types<'_> {
 
     /// Whether a path that stands at a token is the component.
     pub(super) fn of_path(&self, path: &[&str], at: &SyntaxToken) -> Option<bool> {
-        if path == ["Self"] {
-            let of = at.parent_ancestors().find_map(ast::Impl::cast)?.self_ty()?;
-            return self.of(&of);
+        if path != ["Self"] {
+            return self.in_scope(path, &scope_of(at)?, 0);
         }
-        self.in_scope(path, &scope_of(at)?, 0)
+        at.parent_ancestors().find_map(|node| match ast::Item::cast(node)? {
+            ast::Item::Impl(block) => Some(self.of(&block.self_ty()?)),
+            ast::Item::Struct(item) => Some(self.in_scope(&[item.name()?.text()], &scope_of(at)?, 0)),
+            ast::Item::Enum(item) => Some(self.in_scope(&[item.name()?.text()], &scope_of(at)?, 0)),
+            ast::Item::Trait(_) => Some(Some(false)),
+            _ => None,
+        })?
     }
 
     fn in_scope(&self, path: &[&str], scope: &SyntaxNode, depth: usize) -> Option<bool> {
         let outer = || scope.ancestors().skip(1).find(is_scope);
+        let is_block = scope.kind() == SyntaxKind::STMT_LIST;
         match path {
-            _ if depth > 8 => None,
-            [] => None,
+            _ if depth > 16 => None,
+            [] | ["Self", ..] => None,
+            ["self" | "super", ..] if is_block => self.in_scope(path, &outer()?, depth + 1),
             ["self", rest @ ..] => self.in_scope(rest, scope, depth + 1),
             ["super", rest @ ..] if outer().is_some() => self.in_scope(rest, &outer()?, depth + 1),
             ["crate" | "super", .., last] => self.by_name(last),
             [name] => self.of_name(name, scope, depth),
             [module, rest @ ..] => {
                 let inner = scope.children().filter_map(ast::Module::cast).find(|one| named(one, module));
-                match inner.and_then(|module| module.item_list()) {
-                    Some(items) => self.in_scope(rest, items.syntax(), depth + 1),
-                    None => self.by_name(rest.last()?),
+                match inner.as_ref().map(ast::Module::item_list) {
+                    Some(Some(items)) => self.in_scope(rest, items.syntax(), depth + 1),
+                    None if is_block => self.in_scope(path, &outer()?, depth + 1),
+                    // Another crate has no component of this file.
+                    None if self.is_home => Some(false),
+                    _ => self.by_name(rest.last()?),
                 }
             }
         }
@@ -270,6 +268,14 @@ impl Types<'_> {
             if is(ast::Struct::cast(node.clone()).and_then(|one| one.name()))
                 || is(ast::Enum::cast(node.clone()).and_then(|one| one.name()))
             {
+                let is_deref = |block: ast::Impl| {
+                    let (of, ty) = (block.trait_(), block.self_ty());
+                    of.is_some_and(|of| of.syntax().text().to_string().ends_with("Deref"))
+                        && ty.is_some_and(|ty| ty.syntax().text() == name)
+                };
+                if scope.children().filter_map(ast::Impl::cast).any(is_deref) {
+                    return None;
+                }
                 return Some(self.is_home && module_of(scope) == self.target.module && self.target.names[0] == name);
             }
             if let Some(alias) = ast::TypeAlias::cast(node.clone()).filter(|alias| named(alias, name)) {
@@ -280,13 +286,32 @@ impl Types<'_> {
             {
                 if let Some(path) = imported(&tree, name) {
                     let path: Vec<&str> = path.iter().map(String::as_str).collect();
-                    // `use a::Name` in the module itself must not lead back to it.
-                    return if path.len() > 1 { self.in_scope(&path, scope, depth + 1) } else { self.by_name(name) };
+                    // `use Name` must not lead back to itself.
+                    return if path == [name] { self.by_name(name) } else { self.in_scope(&path, scope, depth + 1) };
                 }
             }
         }
+        if self.globs(name, scope, depth) {
+            return Some(false);
+        }
+        if scope.kind() == SyntaxKind::STMT_LIST {
+            return self.in_scope(&[name], &scope.ancestors().skip(1).find(is_scope)?, depth + 1);
+        }
         let here = self.is_home && module_of(scope) == self.target.module;
         if here && self.target.names[0] == name { Some(true) } else { self.by_name(name) }
+    }
+
+    /// Whether a `use ...::*` of a module of this file brings another type of that name.
+    fn globs(&self, name: &str, scope: &SyntaxNode, depth: usize) -> bool {
+        let items = scope.children().filter_map(ast::Use::cast).filter_map(|item| item.use_tree());
+        let mut globs = items.filter(|tree| tree.star_token().is_some()).map(|tree| path_of(&tree));
+        let is_inner = |module: &str| scope.children().filter_map(ast::Module::cast).any(|one| named(&one, module));
+        globs.any(|mut path| {
+            let is_here = path.first().is_some_and(|first| matches!(&**first, "self" | "super") || is_inner(first));
+            path.push(name.to_owned());
+            let path: Vec<&str> = path.iter().map(String::as_str).collect();
+            is_here && self.in_scope(&path, scope, depth + 1) == Some(false)
+        })
     }
 
     /// Whether a name that comes from elsewhere is the component's.
@@ -301,19 +326,21 @@ fn imported(tree: &ast::UseTree, name: &str) -> Option<Vec<String>> {
     if tree.use_tree_list().is_some() || tree.star_token().is_some() {
         return None;
     }
-    let words = |tree: &ast::UseTree| -> Vec<String> {
-        let path = tree.path().map(|path| path.syntax().text().to_string()).unwrap_or_default();
-        path.split("::").map(|word| word.trim().to_owned()).filter(|word| !word.is_empty()).collect()
-    };
-    let mut path = words(tree);
+    let mut path = path_of(tree);
     let renamed = tree.rename().and_then(|rename| rename.name()).map(|renamed| renamed.text().to_string());
     if renamed.as_ref().or(path.last())? != name {
         return None;
     }
     for outer in tree.syntax().ancestors().skip(1).filter_map(ast::UseTree::cast) {
-        path.splice(0..0, words(&outer));
+        path.splice(0..0, path_of(&outer));
     }
     Some(path)
+}
+
+/// The words of the path of a `use`.
+fn path_of(tree: &ast::UseTree) -> Vec<String> {
+    let Some(path) = tree.path() else { return Vec::new() };
+    path.segments().map(|segment| segment.syntax().text().to_string()).collect()
 }
 
 fn named(item: &impl HasName, name: &str) -> bool {
@@ -327,10 +354,10 @@ fn is_word(token: &SyntaxToken) -> bool {
 }
 
 fn is_scope(node: &SyntaxNode) -> bool {
-    matches!(node.kind(), SyntaxKind::SOURCE_FILE | SyntaxKind::ITEM_LIST)
+    matches!(node.kind(), SyntaxKind::SOURCE_FILE | SyntaxKind::ITEM_LIST | SyntaxKind::STMT_LIST)
 }
 
-/// The items of the module that contains a token.
+/// The items of the module or of the block that contains a token.
 fn scope_of(at: &SyntaxToken) -> Option<SyntaxNode> {
     at.parent_ancestors().find(is_scope)
 }

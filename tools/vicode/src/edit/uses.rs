@@ -4,7 +4,7 @@ use ra_ap_syntax::ast::HasName;
 use ra_ap_syntax::{AstNode, NodeOrToken, SyntaxKind, SyntaxToken, T, ast};
 use serde::Serialize;
 
-use super::types::{Types, next, previous};
+use super::types::{Types, before_separator, next, previous};
 use crate::model::{Component, Span};
 use crate::read::{parse, span};
 
@@ -62,7 +62,7 @@ pub(super) fn of_each<'a>(text: &str, target: &Target, names: &[&'a str], is_hom
     let types = Types { target, is_home };
     let mut uses = Vec::new();
     for token in root.tree.descendants_with_tokens().filter_map(NodeOrToken::into_token) {
-        if token.kind() == SyntaxKind::COMMENT {
+        if is_doc(&token) {
             uses.extend(names.iter().flat_map(|name| in_docs(&types, &token, name)));
         } else if let (SyntaxKind::IDENT, Some(name)) =
             (token.kind(), names.iter().find(|name| **name == token.text().trim_start_matches("r#")))
@@ -78,23 +78,32 @@ pub(super) fn of_each<'a>(text: &str, target: &Target, names: &[&'a str], is_hom
 
 /// Whether a name stands for the function; `None` if the text does not decide it.
 fn verdict(types: &Types<'_>, token: &SyntaxToken) -> Option<bool> {
-    let Some(before) = previous(token) else { return Some(false) };
-    let colons = before.kind() == T![::] || before.kind() == T![:] && previous(&before)?.kind() == T![:];
-    if colons {
-        // Within a macro the colons of a path are two tokens, elsewhere one.
-        let before = if before.kind() == T![:] { previous(&before)? } else { before };
-        return types.before_colons(&previous(&before)?);
+    if let Some(of) = before_separator(token) {
+        return types.before_colons(&of);
     }
     let is_call = next(token).is_some_and(|next| matches!(next.kind(), T!['('] | T![::] | T![:]));
-    if before.kind() == T![.] && is_call { types.of_receiver(&previous(&before)?) } else { Some(false) }
+    match previous(token) {
+        Some(dot) if is_call && dot.kind() == T![.] => types.of_receiver(&previous(&dot)?),
+        // `self.0.f()` within a macro: the number has the dot.
+        Some(number) if is_call && number.kind() == SyntaxKind::FLOAT_NUMBER => None,
+        _ => Some(false),
+    }
+}
+
+/// Whether a token is a doc comment or the text of `#[doc = "..."]`.
+fn is_doc(token: &SyntaxToken) -> bool {
+    let attribute =
+        || token.parent_ancestors().find_map(ast::Attr::cast)?.path()?.syntax().text().eq("doc").then_some(());
+    match token.kind() {
+        SyntaxKind::COMMENT => ["///", "//!", "/**", "/*!"].iter().any(|mark| token.text().starts_with(mark)),
+        SyntaxKind::STRING => attribute().is_some(),
+        _ => false,
+    }
 }
 
 /// Paths to the function in a doc comment: `Self::name`, `Player::name`.
 fn in_docs<'a>(types: &Types<'_>, comment: &SyntaxToken, name: &'a str) -> Vec<(&'a str, Use)> {
     let text = comment.text();
-    if !["///", "//!", "/**", "/*!"].iter().any(|mark| text.starts_with(mark)) {
-        return Vec::new();
-    }
     let is_word = |one: char| one.is_alphanumeric() || one == '_';
     let found = text.match_indices(name).filter(|(at, _)| {
         let path = text[..*at].strip_suffix("::");

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::{Docs, Function, Name, Span};
 
 /// A component.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Component {
     /// Address that no other component of the file has: `Eye<4>`, in a module of the file `module::Eye<4>`; a second one of the
     /// same address is `Eye<4>#2`.

@@ -1,5 +1,6 @@
 //! An impl block with `#[component]`.
 
+use bica_syntax::component::ROLES;
 use ra_ap_syntax::AstNode;
 use ra_ap_syntax::ast::{self, HasAttrs, HasName};
 
@@ -22,21 +23,13 @@ pub(super) fn component(block: &ast::Impl, text: &str) -> Option<Component> {
     let braces = list.as_ref().filter(|list| list.r_curly_token().is_some() && list.l_curly_token().is_some());
     let braces = braces.map(|list| span(list.syntax().text_range()));
     let mut component = Component {
-        key: String::new(),
         module: super::module_of(block.syntax()),
         name: own,
         span: span(block.syntax().text_range()),
         block: braces.map(|span| Span::new(span.start + 1, span.end - 1)),
         options: options(&attribute, text),
         docs: docs::docs(block),
-        step: None,
-        states: Vec::new(),
-        transitions: Vec::new(),
-        hooks: Vec::new(),
-        info: Vec::new(),
-        modulations: Vec::new(),
-        others: Vec::new(),
-        names: Vec::new(),
+        ..Component::default()
     };
     for item in list.iter().flat_map(ast::AssocItemList::assoc_items) {
         match item {
@@ -71,7 +64,7 @@ fn options(attribute: &Attribute, text: &str) -> Options {
 fn sort(component: &mut Component, item: &ast::Fn) {
     let Some(function) = function::function(item, &component.name.text) else { return };
     let all: Vec<Attribute> = item.attrs().filter_map(|one| attributes::attribute(&one)).collect();
-    let Some(first) = all.iter().find(|one| is_role(&one.name)) else {
+    let Some(first) = all.iter().find(|one| ROLES.contains(&&*one.name)) else {
         if function.name.text == "step" && component.step.is_none() {
             component.step = Some(function);
         } else {
@@ -89,10 +82,6 @@ fn sort(component: &mut Component, item: &ast::Fn) {
         "modulation" => component.modulations.push(Modulation { function, attribute: first.span }),
         other => component.hooks.push(hook(function, other, first)),
     }
-}
-
-fn is_role(name: &str) -> bool {
-    matches!(name, "state" | "transition" | "entry" | "exit" | "start" | "stop" | "info" | "modulation")
 }
 
 fn state(function: Function, attribute: &Attribute) -> State {

@@ -1,10 +1,12 @@
 //! Functions of an impl block.
 
-use ra_ap_syntax::ast::{self, HasGenericArgs, HasName};
-use ra_ap_syntax::{AstNode, AstToken, NodeOrToken, SyntaxElement, SyntaxNode, T};
+use bica_syntax::component::{meaning, model as syntax};
+use bica_syntax::text;
+use ra_ap_syntax::ast::{self, HasName};
+use ra_ap_syntax::{AstNode, AstToken, NodeOrToken, SyntaxKind, SyntaxNode, SyntaxToken};
 
-use super::tokens::{Token, name, tokens, written};
-use super::{docs, span};
+use super::tokens::{name, tokens, written};
+use super::{docs, span, within};
 use crate::model::{Argument, Function, Input, LinkKind, Name, Span};
 
 /// Reads a function; `None` without a name.
@@ -26,45 +28,22 @@ pub(super) fn function(item: &ast::Fn, own: &str) -> Option<Function> {
     })
 }
 
-/// Where a function begins: with its docs and attributes, and with the comments that stand on lines of their own right above them.
+/// Where a function begins: with its docs and attributes, and with the comments on lines of their own directly above.
 ///
 /// The parser also counts the comment at the end of the line before, and with `\r\n` comments above an empty line.
-fn start(item: &SyntaxNode) -> usize {
-    let begins = |element: &SyntaxElement| span(element.text_range()).start;
-    let mut start = span(item.text_range()).start;
-    let mut pending = None;
-    let mut line_is_new =
-        item.first_token().and_then(|first| first.prev_token()).is_none_or(|before| before.text().contains('\n'));
-    for element in item.children_with_tokens() {
-        let comment = element.as_token().cloned().and_then(ast::Comment::cast);
-        match (&element, comment) {
-            (_, Some(comment)) if comment.doc_comment().is_some() => {
-                return pending.unwrap_or_else(|| begins(&element));
-            }
-            (_, Some(_)) => {
-                // A comment that follows code on its line belongs to that code.
-                pending = if line_is_new { pending.or(Some(begins(&element))) } else { None };
-                line_is_new = false;
-            }
-            (NodeOrToken::Token(token), None) if token.kind().is_trivia() => {
-                let breaks = token.text().matches('\n').count();
-                line_is_new |= breaks > 0;
-                if breaks > 1 {
-                    pending = None;
-                }
-            }
-            _ => {
-                start = pending.unwrap_or_else(|| begins(&element));
-                break;
-            }
-        }
-    }
-    start
-}
-
-/// Without the brackets.
-fn within(span: Span) -> Span {
-    Span::new(span.start + 1, span.end.saturating_sub(1).max(span.start + 1))
+pub(super) fn start(item: &SyntaxNode) -> usize {
+    let is_comment =
+        |token: &SyntaxToken| ast::Comment::cast(token.clone()).is_some_and(|comment| comment.doc_comment().is_none());
+    let is_space = |token: &SyntaxToken| token.kind() == SyntaxKind::WHITESPACE;
+    let mut tokens = item.descendants_with_tokens().filter_map(NodeOrToken::into_token);
+    let Some(first) = tokens.find(|token| !is_comment(token) && !is_space(token)) else {
+        return span(item.text_range()).start;
+    };
+    let above = std::iter::successors(first.prev_token(), SyntaxToken::prev_token)
+        .take_while(|token| is_comment(token) || is_space(token) && token.text().matches('\n').count() < 2);
+    let starts_line = |token: &SyntaxToken| token.prev_token().is_none_or(|before| before.text().contains('\n'));
+    let begin = above.filter(|token| is_comment(token) && starts_line(token)).last().unwrap_or(first);
+    span(begin.text_range()).start
 }
 
 fn argument(param: &ast::Param, own: &str) -> Argument {
@@ -75,57 +54,25 @@ fn argument(param: &ast::Param, own: &str) -> Argument {
         |node| name(&node.text().to_string(), span(node.text_range())),
     );
     let ty = param.ty();
-    let type_tokens = ty.as_ref().map(|ty| tokens(ty.syntax())).unwrap_or_default();
-    let type_span = ty.as_ref().map_or(Span::at(place.end), |ty| span(ty.syntax().text_range()));
-    Argument {
-        name: pattern,
-        span: place,
-        written: Name { text: written(&type_tokens), span: type_span },
-        input: ty.map_or(Input::Other, |ty| input(ty, own)),
+    let written = ty.map_or(Name { text: String::new(), span: Span::at(place.end) }, |ty| Name {
+        text: written(&tokens(ty.syntax())),
+        span: span(ty.syntax().text_range()),
+    });
+    let input = input(&written.text, own);
+    Argument { name: pattern, span: place, written, input }
+}
+
+/// What a type means, by the rules of the macro.
+fn input(ty: &str, own: &str) -> Input {
+    let link = |kind, child| Input::Link { kind, child: text::written(&child) };
+    let (Ok(ty), Ok(own)) = (ty.parse(), own.parse()) else { return Input::Other };
+    match meaning(ty, own) {
+        Some(syntax::Argument::Read(child)) => link(LinkKind::Requirement, child),
+        Some(syntax::Argument::Write(child)) => link(LinkKind::Modulation, child),
+        Some(syntax::Argument::Rate(child)) => link(LinkKind::Rate, child),
+        Some(syntax::Argument::OwnRate) => Input::OwnRate,
+        Some(syntax::Argument::Time(_)) => Input::Time,
+        Some(syntax::Argument::Tuned(of)) => Input::Tuned { parameters: text::written(&of) },
+        None => Input::Other,
     }
-}
-
-fn plain(mut ty: ast::Type) -> ast::Type {
-    while let ast::Type::ParenType(inner) = &ty {
-        let Some(inner) = inner.ty() else { break };
-        ty = inner;
-    }
-    ty
-}
-
-fn input(ty: ast::Type, own: &str) -> Input {
-    let ast::Type::RefType(reference) = plain(ty) else { return Input::Other };
-    let Some(of) = reference.ty().map(plain) else { return Input::Other };
-    let ast::Type::PathType(path) = &of else { return Input::Other };
-    let mutable = reference.mut_token().is_some();
-    let Some(segment) = path.path().and_then(|path| path.segment()) else { return Input::Other };
-    let last = segment.name_ref().map(|name| name.text().to_string()).unwrap_or_default();
-    match last.as_str() {
-        "Time" => Input::Time,
-        "Tuned" => argument_of(&segment).map_or(Input::Other, |parameters| Input::Tuned { parameters }),
-        "Rate" => match argument_of(&segment) {
-            Some(child) if child == "Self" || child == own => Input::OwnRate,
-            Some(child) => Input::Link { kind: LinkKind::Rate, child },
-            None => Input::Other,
-        },
-        _ if is_value(&last) => Input::Other,
-        _ => {
-            let kind = if mutable { LinkKind::Modulation } else { LinkKind::Requirement };
-            let child = written(&tokens(of.syntax()));
-            if child == "Self" || child == own { Input::Other } else { Input::Link { kind, child } }
-        }
-    }
-}
-
-/// Whether a type begins with a small letter, as those of the language do.
-fn is_value(name: &str) -> bool {
-    name.starts_with(|first: char| first.is_lowercase())
-        || matches!(name, "String" | "Vec" | "Box" | "Option" | "Result" | "Instant" | "Duration" | "ComponentId")
-}
-
-/// What stands in the angle brackets.
-fn argument_of(segment: &ast::PathSegment) -> Option<String> {
-    let all: Vec<Token> = tokens(segment.generic_arg_list()?.syntax());
-    let inner = all.get(1..all.len().checked_sub(1)?)?;
-    (!inner.is_empty() && all.first()?.kind == T![<]).then(|| written(inner))
 }

@@ -26,6 +26,7 @@ pub fn read(text: &str) -> Model {
         let message = "this text is nested too deeply: VICODE does not read it".to_owned();
         return Model { problems: vec![Problem { span, message, from: Reporter::Syntax }], ..Model::default() };
     };
+    let text = &root.tree.to_string();
     let mut model = Model::default();
     for node in root.tree.descendants() {
         if let Some(block) = ast::Impl::cast(node.clone()) {
@@ -55,10 +56,14 @@ fn keyed(components: &mut [Component]) {
     }
 }
 
-/// The modules of the file that contain a node, as `one::two`.
+/// The modules and functions of the file that contain a node, as `one::two`.
 pub(crate) fn module_of(node: &SyntaxNode) -> String {
-    let modules = node.ancestors().filter_map(ast::Module::cast).filter_map(|module| module.name());
-    let mut names: Vec<String> = modules.map(|name| name.text().to_string()).collect();
+    let name = |node| match ast::Item::cast(node)? {
+        ast::Item::Module(module) => module.name(),
+        ast::Item::Fn(function) => function.name(),
+        _ => None,
+    };
+    let mut names: Vec<String> = node.ancestors().filter_map(name).map(|name| name.text().to_string()).collect();
     names.reverse();
     names.join("::")
 }
@@ -80,7 +85,11 @@ pub(crate) struct Root {
 /// Parses a file; `None` if it is nested so deeply that the parser's stack could overflow.
 pub(crate) fn parse(text: &str) -> Option<Root> {
     // A byte order mark is no Rust; spaces of its length keep all offsets.
-    let plain = text.strip_prefix('\u{feff}').map(|rest| format!("   {rest}"));
+    let plain = text.strip_prefix('\u{feff}').map(|rest| match rest.strip_prefix("#!") {
+        // The first line of a script, which nothing may precede.
+        Some(script) if !script.trim_start().starts_with('[') => format!("//   {script}"),
+        _ => format!("   {rest}"),
+    });
     let text = plain.as_deref().unwrap_or(text);
     if nesting::is_too_deep(text) {
         return None;
@@ -104,6 +113,11 @@ pub(crate) fn span(range: TextRange) -> Span {
     Span::new(range.start().into(), range.end().into())
 }
 
+/// Without the brackets.
+fn within(span: Span) -> Span {
+    Span::new(span.start + 1, span.end.saturating_sub(1).max(span.start + 1))
+}
+
 /// The functions of impl blocks with the names of their types, in the order of the text, those within another one left out.
 pub(crate) fn landmarks(text: &str) -> Vec<(String, Span)> {
     let Some(root) = parse(text) else { return Vec::new() };
@@ -112,26 +126,28 @@ pub(crate) fn landmarks(text: &str) -> Vec<(String, Span)> {
         let of = block.self_ty().map(|ty| tokens::written(&tokens(ty.syntax()))).unwrap_or_default();
         for item in block.assoc_item_list().iter().flat_map(ast::AssocItemList::assoc_items) {
             let ast::AssocItem::Fn(item) = item else { continue };
-            let Some(function) = function::function(&item, &of) else { continue };
-            if found.last().is_none_or(|(_, last)| last.end <= function.span.start) {
-                found.push((format!("{of}::{}", function.name.text), function.span));
+            let Some(name) = item.name() else { continue };
+            let place = Span::new(function::start(item.syntax()), span(item.syntax().text_range()).end);
+            if found.last().is_none_or(|(_, last)| last.end <= place.start) {
+                found.push((format!("{of}::{}", name.text()), place));
             }
         }
     }
     found
 }
 
-/// The functions of all impl blocks of a type in the same module.
-pub(crate) fn functions_of(text: &str, module: &str, ty: &str) -> Vec<Name> {
+/// The functions of all impl blocks of a component's type, whatever its arguments.
+pub(crate) fn functions_of(text: &str, component: &Component) -> Vec<Name> {
     let Some(root) = parse(text) else { return Vec::new() };
-    let blocks = root
-        .tree
-        .descendants()
-        .filter_map(ast::Impl::cast)
-        .filter(|block| block.for_token().is_none() && module_of(block.syntax()) == module);
-    let of_type =
-        blocks.filter(|block| block.self_ty().is_some_and(|own| tokens::written(&tokens(own.syntax())) == ty));
-    let items = of_type.filter_map(|block| block.assoc_item_list()).flat_map(|list| list.assoc_items());
+    let base = |written: &str| written.split('<').next().unwrap_or_default().trim().to_owned();
+    let is_own = |block: &ast::Impl| {
+        let ty = block.self_ty().map(|ty| base(&ty.syntax().text().to_string()));
+        block.for_token().is_none()
+            && module_of(block.syntax()) == component.module
+            && ty == Some(base(&component.name.text))
+    };
+    let blocks = root.tree.descendants().filter_map(ast::Impl::cast).filter(is_own);
+    let items = blocks.filter_map(|block| block.assoc_item_list()).flat_map(|list| list.assoc_items());
     let names = items.filter_map(|item| if let ast::AssocItem::Fn(item) = item { item.name() } else { None });
     names.map(|ident| tokens::name(ident.text(), span(ident.syntax().text_range()))).collect()
 }

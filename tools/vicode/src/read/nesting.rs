@@ -7,104 +7,66 @@ use ra_ap_syntax::{Edition, SyntaxKind, T};
 const DEEPEST: usize = 128;
 /// The most operators between two separators that are read: each makes the tree one level deeper.
 const LONGEST: usize = 2000;
+/// Tokens at which a parser recurses wherever they stand.
+const RECURSIVE: &str = "< = else return break move async unsafe const dyn impl for fn let if match while mut in";
 
-/// A bracket that is open.
+/// What makes a parser recurse since the last separator within a bracket, the bracket included.
 #[derive(Default)]
 struct Level {
-    /// Tokens since the last separator that make a parser recurse.
     recursive: usize,
-    /// All operators since the last separator.
     operators: usize,
 }
 
 /// Whether a parser may recurse too deeply.
 pub(super) fn is_too_deep(text: &str) -> bool {
     let lexed = LexedStr::new(Edition::Edition2024, text);
-    let kinds: Vec<SyntaxKind> =
-        (0..lexed.len()).map(|index| lexed.kind(index)).filter(|kind| !kind.is_trivia()).collect();
+    let tokens = (0..lexed.len()).map(|index| (lexed.kind(index), lexed.text(index)));
+    let tokens: Vec<(SyntaxKind, &str)> = tokens.filter(|(kind, _)| !kind.is_trivia()).collect();
     let mut levels = vec![Level::default()];
-    let (mut recursive, mut operators) = (0, 0);
-    for (index, kind) in kinds.iter().copied().enumerate() {
-        let before = index.checked_sub(1).map(|before| kinds[before]);
-        match kind {
-            T!['('] | T!['['] | T!['{'] => levels.push(Level { recursive: 1, operators: 1 }),
-            T![')'] | T![']'] | T!['}'] if levels.len() > 1 => {
-                let closed = levels.pop().unwrap_or_default();
-                recursive -= closed.recursive - 1;
-                operators -= closed.operators - 1;
-                recursive -= 1;
-                operators -= 1;
+    for (index, (kind, text)) in tokens.iter().copied().enumerate() {
+        let outermost = levels.len() == 1;
+        let ends = match kind {
+            T!['('] | T!['['] | T!['{'] => {
+                levels.push(Level { recursive: 1, operators: 1 });
+                false
+            }
+            T![')'] | T![']'] | T!['}'] if !outermost => {
+                levels.pop();
                 // `else` continues the chain of the `if` before it.
-                if kind == T!['}'] && kinds.get(index + 1) != Some(&T![else]) {
-                    clear(&mut levels, &mut recursive, &mut operators);
-                }
-                continue;
+                kind == T!['}'] && tokens.get(index + 1).is_none_or(|(next, _)| *next != T![else])
             }
-            T![;] | T![,] => {
-                clear(&mut levels, &mut recursive, &mut operators);
-                continue;
-            }
-            _ => {
-                let Some(top) = levels.last_mut() else { continue };
-                if deepens(kind, before) {
-                    top.recursive += 1;
-                    recursive += 1;
-                }
-                if kind.is_punct() || kind.is_keyword(Edition::Edition2024) {
-                    top.operators += 1;
-                    operators += 1;
-                }
+            kind => matches!(kind, T![;] | T![,]),
+        };
+        let base = usize::from(levels.len() > 1);
+        if let Some(top) = levels.last_mut() {
+            if ends {
+                *top = Level { recursive: base, operators: base };
+            } else {
+                let before = index.checked_sub(1).map(|before| tokens[before].0);
+                top.recursive += usize::from(deepens(kind, text, before));
+                top.operators += usize::from(is_operator(kind));
             }
         }
-        if matches!(kind, T!['('] | T!['['] | T!['{']) {
-            recursive += 1;
-            operators += 1;
-        }
-        if recursive > DEEPEST || operators > LONGEST {
+        let sum = |of: fn(&Level) -> usize| levels.iter().map(of).sum::<usize>();
+        if sum(|level| level.recursive) > DEEPEST || sum(|level| level.operators) > LONGEST {
             return true;
         }
     }
     false
 }
 
-/// Forgets the expression that a separator ends.
-fn clear(levels: &mut [Level], recursive: &mut usize, operators: &mut usize) {
-    let base = usize::from(levels.len() > 1);
-    if let Some(top) = levels.last_mut() {
-        *recursive -= top.recursive - base;
-        *operators -= top.operators - base;
-        *top = Level { recursive: base, operators: base };
-    }
+fn is_operator(kind: SyntaxKind) -> bool {
+    let is_bracket = matches!(kind, T!['('] | T!['['] | T!['{'] | T![')'] | T![']'] | T!['}']);
+    !is_bracket && (kind.is_punct() || kind.is_keyword(Edition::Edition2024))
 }
 
 /// Whether a parser may recurse at the token.
-fn deepens(kind: SyntaxKind, before: Option<SyntaxKind>) -> bool {
-    let prefix = before.is_none_or(|before| {
-        !matches!(before, SyntaxKind::IDENT | T![self] | T![')'] | T![']'] | T!['}'] | T![>]) && !before.is_literal()
-    });
-    match kind {
-        T![!] | T![&] | T![*] | T![-] | T![|] | T![#] | T![.] => prefix,
-        T![<]
-        | T![=]
-        | T![else]
-        | T![return]
-        | T![break]
-        | T![move]
-        | T![async]
-        | T![unsafe]
-        | T![const]
-        | T![dyn]
-        | T![impl]
-        | T![for]
-        | T![fn]
-        | T![let]
-        | T![if]
-        | T![match]
-        | T![while]
-        | T![mut]
-        | T![in] => true,
-        _ => false,
-    }
+fn deepens(kind: SyntaxKind, text: &str, before: Option<SyntaxKind>) -> bool {
+    let ends_value = |before: SyntaxKind| {
+        matches!(before, SyntaxKind::IDENT | T![self] | T![')'] | T![']'] | T!['}'] | T![>]) || before.is_literal()
+    };
+    RECURSIVE.split(' ').any(|word| word == text)
+        || matches!(kind, T![!] | T![&] | T![*] | T![-] | T![|] | T![#] | T![.]) && !before.is_some_and(ends_value)
 }
 
 #[cfg(test)]

@@ -27,6 +27,14 @@ fn a_name_joins_the_line_of_its_module() {
 }
 
 #[test]
+fn exported_and_conditional_imports_stay() {
+    for kept in ["pub use player::motion::Head;\n", "#[cfg(test)]\nuse player::motion::{Head};\n"] {
+        let after = imported(&format!("{kept}\nstruct A;\n"), &[("player::motion", "Body")]);
+        assert_eq!(after.replace("use player::motion::Body;\n", ""), format!("{kept}\nstruct A;\n"));
+    }
+}
+
+#[test]
 fn a_known_name_and_a_wrong_path_are_refused() {
     for (import, name, why) in [
         ("player::motion", "Head", "is known in this file already"),

@@ -46,8 +46,15 @@ fn comments_in_attributes_line_ends_and_indented_docs_stay() {
         };
         assert_eq!(after, MACHINE.replacen(from, to, 1), "{edit}");
     }
-    let refused = edited(MACHINE, &on(r#""remove_child", "function": "one", "child": "Ball""#));
-    assert_eq!(refused.unwrap_err(), "the code of `one` uses `ball`: remove that use first");
+    for text in [MACHINE, &MACHINE.replace("\"{ball:?}\"", "r#\"{ball:?}\"#")] {
+        let refused = edited(text, &on(r#""remove_child", "function": "one", "child": "Ball""#));
+        assert_eq!(refused.unwrap_err(), "the code of `one` uses `ball`: remove that use first");
+    }
+    let docs = edited(MACHINE, &on(r#""set_docs", "function": "two", "docs": "a\rb""#)).unwrap();
+    assert!(docs.contains("    /// a\r\n    /// b\r\n    #[state]\r\n    fn two"), "{docs}");
+    let open = MACHINE.replacen("_ = format", "_ = { format", 1);
+    let refused = edited(&open, &on(r#""add_state", "name": "three", "after": "one""#));
+    assert_eq!(refused.unwrap_err(), "the braces of this block are not complete: close them first");
     let docs = Document::new(MACHINE).model().components[0].states[0].function.docs.clone();
     assert_eq!(docs.text, "One.\n\n    code");
     assert_eq!(Span::new(docs.span.unwrap().end, docs.span.unwrap().end + 2).of(MACHINE), "\r\n");

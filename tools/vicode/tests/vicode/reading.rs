@@ -96,6 +96,12 @@ fn parameters_and_trees_are_checked_too() {
     assert_eq!(found, ["P", "rnge", "x", "0", "A"]);
 }
 
+#[test]
+fn script_with_a_byte_order_mark_is_rust() {
+    let text = "\u{feff}#!/usr/bin/env run\n#[component]\nimpl A {\n    fn step(&mut self) {}\n}\n";
+    assert_eq!(read(text).problems, []);
+}
+
 /// The parser places errors of byte strings within characters; found by fuzzing.
 #[test]
 fn problems_begin_and_end_between_characters() {

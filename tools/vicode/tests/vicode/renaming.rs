@@ -28,6 +28,15 @@ fn all_uses_whose_type_is_known_are_renamed_and_namesakes_are_not() {
             "type Alias = A;\nuse self::A as Renamed;\nmod b { pub struct A; }",
         ),
         ("ball.one(); self.other.one(); self.same.$(); 1.one(); Other::one(); Other::new().one();", ""),
+        (
+            "self.same\n // c\n . $ (); dbg!(self.same.$());",
+            "struct W(A, Other); impl W { fn f(&self) { self.0.$(); self.1.one(); } }",
+        ),
+        ("struct A; impl A { fn one(&self) { self.one(); Self::one(self) } } A::one(&A); k.$(); self::A::$(k);", ""),
+        ("use other::A; A::one(k); k.$(); { use crate::A as B; B::$(k); }", "use A as Q; fn g(q: Q) { q.$() }"),
+        ("", "/// [`Self::one`]\n#[doc = \"[`A::$`], [`Other::one`]\"]\nstruct S; /** A::$ */ enum E {}"),
+        ("", "mod x { pub struct A; } mod y { use super::x::*; fn f(a: &A) { a.one() } }"),
+        ("", "trait One { fn one(&self); fn more(&self) { self.one(); Self::one(self) } }"),
         ("println!(\"{}\", self.$(), k.$(), ball.one(), A::$());", ""),
         (
             "",
@@ -54,11 +63,24 @@ fn places_that_cannot_be_decided_are_listed_and_nothing_changes() {
         ("let z = get();\n        z.one();\n        get().one();", "lines 12, 13"),
         ("let k = get(); k.one();", "line 11"),
         ("[1].map(|q| q.one());", "line 11"),
-        ("self.unknown.one();", "line 11"),
+        ("self.unknown.one(); self.unknown.one();", "line 11"),
+        ("} fn f(d: &D) { d.one();", "line 11"),
+        ("} }\n struct W<T>(T); impl<T> W<T> { fn f(&self) { self.0.one();", "line 12"),
     ] {
-        let message = rename(&file(code, "")).expect_err(code);
+        let message = rename(&file(code, "struct D(A); impl Deref for D {}")).expect_err(code);
         assert!(message.starts_with(&format!("{lines} may use `A::one`")), "{code}: {message}");
     }
+}
+
+#[test]
+fn function_with_several_definitions_is_not_renamed() {
+    for item in ["impl A { #[cfg(test)] fn one(&self) {} }", "impl A<5> { fn one(&self) {} }"] {
+        let message = rename(&file("", item)).expect_err(item);
+        assert!(message.starts_with("`one` has several definitions, in lines 7, 15"), "{message}");
+    }
+    let twice = file("} #[cfg(a)] fn one(&self) {", "");
+    let edit = r#"{"edit": "set_body", "component": "A", "function": "one", "body": ""}"#;
+    assert_eq!(edited(&twice, edit).unwrap_err(), "`one` is written twice in this block: change it in the code");
 }
 
 #[test]
