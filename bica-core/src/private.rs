@@ -14,11 +14,11 @@ pub use crate::probe::Probe;
 pub use crate::rate::Rate;
 pub use crate::tree::borrow::{Read, Slot, Write, WriteRate};
 pub use crate::tree::component_state::ComponentState;
-pub use crate::tree::cycle::{Cycle, Visit, is_shared, visits_at_rate};
+pub use crate::tree::cycle::{Cycle, Machine, Visit, is_shared, visits_at_rate};
 pub use crate::tree::cycle_state::VisitOutcome;
 pub use crate::tree::engine::Engine;
-pub use crate::tree::plan::{Plan, Planned};
-pub use crate::tree::steady::{DueGroups, is_fixed, visits_first};
+pub use crate::tree::plan::{Planned, Plans};
+pub use crate::tree::steady::{is_fixed, visits_first};
 pub use crate::tree::written::{DistinctLinks, WrittenKind, WrittenLink, assert_single_link, counts};
 pub use crate::tree::{Has, Layout, Member, MemberOf, ParamsOf, Tree};
 

@@ -40,12 +40,6 @@ pub(crate) struct Grid<'a> {
 }
 
 impl Grid<'_> {
-    /// Takes over another grid.
-    pub(crate) fn set(self, other: Grid<'_>) {
-        self.origin.set(other.origin.get());
-        self.fraction.set(other.fraction.get());
-    }
-
     /// Starts a grid at `now`.
     #[inline]
     pub(crate) fn start(self, now: u64, tolerance: Tolerance) {

@@ -36,11 +36,6 @@ impl Period {
         Self { whole, fraction: fraction as u32, hz }
     }
 
-    /// Whether two periods are the same.
-    pub(crate) const fn is(&self, other: &Self) -> bool {
-        self.whole == other.whole && self.fraction == other.fraction
-    }
-
     pub(crate) const fn hz(&self) -> Option<f32> {
         if self.hz.is_nan() { None } else { Some(self.hz) }
     }

@@ -28,9 +28,6 @@ const LEAVING: u8 = 4;
 /// Active when a tick unwound: it stops at the beginning of the next tick.
 const INTERRUPTED: u8 = 5;
 
-/// Active in every steady tick, whatever its parity.
-const STEADY: u8 = 6;
-
 /// Added to a parity: the next visit reads the component's period.
 ///
 /// A component that declares no rate runs in every cycle as long as nothing borrows its rate. So its visit compares one
@@ -123,18 +120,6 @@ impl Activation {
         value == LEAVING
     }
 
-    /// Marks the component, which was visited in this cycle, as active in every steady tick.
-    pub(crate) fn become_steady(&self) {
-        self.value.set(STEADY);
-    }
-
-    /// Replaces that mark by a visit in the last cycle.
-    pub(crate) fn end_steady(&self, last: Parity) {
-        if self.value.get() == STEADY {
-            self.visit(last);
-        }
-    }
-
     /// Records that a tick unwound while the component was active, if it was.
     pub(crate) fn interrupt(&self) {
         if !matches!(self.value.get(), LATENT | HELD_LATENT) {
@@ -153,7 +138,7 @@ impl Activation {
 
     /// Returns, between two cycles, whether the component was visited in the last one.
     pub(crate) fn is_active(&self, last: Parity) -> bool {
-        self.was_visited(last) || matches!(self.value.get(), LEAVING | INTERRUPTED | STEADY)
+        self.was_visited(last) || matches!(self.value.get(), LEAVING | INTERRUPTED)
     }
 
     /// Whether the component is latent, also if it is held latent.

@@ -32,7 +32,6 @@ use super::component_state::ComponentState;
 use super::cycle::visits_at_rate;
 use super::cycle_state::CycleState;
 use super::layout::{Has, Layout, ParamsOf};
-use super::steady::SharedGrids;
 use crate::component::Component;
 use crate::rate::{Period, Rate};
 
@@ -100,7 +99,6 @@ fn slot_in<T: Has<C>, C: 'static>(slots: &T::Slots) -> &Slot<C, T::Stored> {
 /// The cycle state lies beside the slots, so that a visit needs only one pointer.
 pub(crate) struct Store<T: Layout> {
     cycle_state: CycleState,
-    shared_grids: SharedGrids,
     slots: T::Slots,
 }
 
@@ -120,20 +118,14 @@ pub(crate) trait Shared<T> {}
 impl<T: Layout> Store<T> {
     /// Takes the slots.
     pub(crate) const fn new(slots: T::Slots) -> Self {
-        let cycle_state = CycleState::new(const { T::PLAN.exists() });
-        Self { cycle_state, shared_grids: SharedGrids::new(), slots }
+        let cycle_state = CycleState::new(const { T::PLANS.exist() });
+        Self { cycle_state, slots }
     }
 
     /// What the components share; it is never borrowed mutably.
     #[inline]
     pub(crate) const fn cycle_state(&self) -> &CycleState {
         &self.cycle_state
-    }
-
-    /// The grids that components share while the tree is steady.
-    #[inline]
-    pub(crate) const fn shared_grids(&self) -> &SharedGrids {
-        &self.shared_grids
     }
 
     /// The slots; their components can be reached only through the store.
@@ -179,7 +171,7 @@ impl<T: Layout> Store<T> {
     where
         T: Has<C>,
     {
-        self.unsettle();
+        self.leave_steady();
         let rate = slot_in::<T, C>(&self.slots).written_rate::<T>();
         // SAFETY: as in `get_mut`.
         unsafe { &mut *rate }
@@ -219,12 +211,6 @@ impl<'t, T: Layout> ExclusiveStore<'t, T> {
     #[inline]
     pub(crate) const fn cycle_state(&self) -> &'t CycleState {
         self.store.cycle_state()
-    }
-
-    /// The grids that components share while the tree is steady.
-    #[inline]
-    pub(crate) const fn shared_grids(&self) -> &'t SharedGrids {
-        self.store.shared_grids()
     }
 
     /// State of the component of that index, if there is one.

@@ -72,11 +72,17 @@ impl<T: Layout, P: Probe> Cycle<'_, T, P> {
         if !state.activation().visits_as_before(cycle_state.previous()) {
             return self.visit_any::<C>();
         }
-        if state.is_due(cycle_state.now().as_ticks(), self.store.period::<C>(), const { tolerance::<T, C>() }) {
-            VisitOutcome::DUE
-        } else {
-            VisitOutcome::WAITING
-        }
+        if self.is_due::<C>() { VisitOutcome::DUE } else { VisitOutcome::WAITING }
+    }
+
+    /// Returns whether a run of `C` is due, and if so moves its grid on.
+    #[inline]
+    pub(crate) fn is_due<C: 'static>(&self) -> bool
+    where
+        T: Has<C>,
+    {
+        let (state, now) = (self.store.component_state::<C>(), self.now().as_ticks());
+        state.is_due(now, self.store.period::<C>(), const { tolerance::<T, C>() })
     }
 
     /// Begins the visit of `C`, which declares no rate, if it was active before and runs in every cycle; returns whether
@@ -258,6 +264,9 @@ impl<T: Layout, P: Probe> Cycle<'_, T, P> {
     {
         if const { <T::Member as MemberOf<T>>::HAS_CHILDREN } {
             self.store.cycle_state().request_recheck();
+            if const { T::PLANS.exist() && is_root::<T, C>() } {
+                self.store.cycle_state().set_steady(false);
+            }
         }
         self.store.component_state::<C>().enter(to, self.now());
         self.end_code::<C>();

@@ -109,13 +109,10 @@ impl CycleState {
         self.held_active.set(other.held_active.get());
     }
 
-    /// Begins a cycle. If the tree is steady `as_a_whole`, nothing reads the parity.
     #[inline]
-    pub(crate) fn begin(&self, now: Instant, as_a_whole: bool) {
+    pub(crate) fn begin(&self, now: Instant) {
         self.now.set(now.as_ticks());
-        if !(as_a_whole && self.steady.get()) {
-            self.parity.swap(&self.previous);
-        }
+        self.parity.swap(&self.previous);
     }
 
     #[inline]

@@ -28,9 +28,9 @@ impl<T: Layout> Engine<T> {
     #[inline]
     pub(crate) fn tick<P: Probe>(&mut self, now: Instant, probe: &mut P) {
         probe.cycle_begin(now);
-        self.store.cycle_state().begin(now, const { T::PLAN.is_whole() });
+        self.store.cycle_state().begin(now);
         let mut cycle = Cycle { store: self.store.open(), probe };
-        if !const { T::PLAN.exists() } {
+        if !const { T::PLANS.exist() } {
             T::visit_root(&mut cycle);
         } else if cycle.store.cycle_state().is_steady() {
             T::run_steady(&mut cycle);
@@ -46,7 +46,7 @@ impl<T: Layout> Engine<T> {
     }
 
     pub(crate) fn hold(&mut self, component: ComponentId, hold: Hold) {
-        self.store.unsettle();
+        self.store.leave_steady();
         let cycle_state = self.store.cycle_state();
         let Some(activation) = self.component_state(component).map(ComponentState::activation) else { return };
         cycle_state.hold(activation.held(), hold);
@@ -67,7 +67,6 @@ impl<T: Layout> Engine<T> {
     /// For tests that explore the sequences of ticks as a tree.
     pub fn copy_state_from(&mut self, other: &Self) {
         self.store.cycle_state().copy_from(other.store.cycle_state());
-        self.store.shared_grids().copy_from(other.store.shared_grids());
         for index in order::<T>().map(ComponentId::new) {
             if let (Some(state), Some(other)) = (self.component_state(index), other.component_state(index)) {
                 state.copy_from(other);
@@ -80,8 +79,6 @@ impl<T: Layout> Engine<T> {
     /// Times in states and since runs are left out: the engine reads them only for timers and `&Time`.
     #[must_use]
     pub fn behaves_as(&self, other: &Self) -> bool {
-        self.store.return_grids();
-        other.store.return_grids();
         let same = |index| match (self.component_state(index), other.component_state(index)) {
             (Some(state), Some(other)) => state.behaves_as(other),
             _ => false,
@@ -95,7 +92,6 @@ impl<T: Layout> Engine<T> {
     ///
     /// For tests that explore the states of trees as a graph.
     pub fn relative_state(&self) -> impl Iterator<Item = u64> {
-        self.store.return_grids();
         let cycle_state = self.store.cycle_state();
         let component = |index| {
             let state = self.component_state(ComponentId::new(index));
@@ -129,7 +125,7 @@ fn settle<T: Layout, P: Probe>(cycle: &mut Cycle<'_, T, P>) {
     }
     if cycle.store.cycle_state().takes_recheck() {
         stop_unvisited(cycle);
-        if const { T::PLAN.exists() } && !cycle.store.cycle_state().is_steady() {
+        if const { T::PLANS.exist() } && !cycle.store.cycle_state().is_steady() {
             become_steady(cycle);
         }
     }

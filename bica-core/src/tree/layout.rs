@@ -2,11 +2,10 @@
 
 use super::borrow::Slot;
 use super::component_state::ComponentState;
-use super::cycle::{Cycle, Visit};
+use super::cycle::{Cycle, Machine, Visit};
 use super::cycle_state::VisitOutcome;
 use super::engine::Engine;
-use super::plan::Plan;
-use super::steady::DueGroups;
+use super::plan::Plans;
 use super::written::WrittenLink;
 use crate::component::Component;
 use crate::graph::Node;
@@ -57,10 +56,10 @@ pub trait Has<C: 'static>: Layout {
     /// Visits a component that was not visited in this cycle.
     #[doc(hidden)]
     fn visit_once<P: Probe>(cycle: &mut Cycle<'_, Self, P>);
-    /// Visits the component in a steady tick.
+    /// Visits the component in a steady tick with this plan.
     #[doc(hidden)]
     #[inline]
-    fn visit_steady<P: Probe>(cycle: &mut Cycle<'_, Self, P>, _: DueGroups) {
+    fn visit_steady<P: Probe, const PLAN: usize>(cycle: &mut Cycle<'_, Self, P>) {
         <Self as Has<C>>::visit(cycle);
     }
     /// Begins the visit of a component without a declared rate that was latent or was given a rate. If it is not due,
@@ -104,11 +103,15 @@ pub trait MemberOf<T: Layout>: Component {
     /// Visits the children that are needed now and, if the component is due, runs it between them.
     fn pass<P: Probe>(cycle: &mut Cycle<'_, T, P>, visit: Visit);
 
-    /// As `pass` in a steady tick, of a fixed component.
+    /// As `pass` in a steady tick, of a fixed component. The plan of a state machine with children is its state.
     #[inline]
-    fn pass_steady<P: Probe>(cycle: &mut Cycle<'_, T, P>, is_due: bool, _: DueGroups) {
+    fn pass_steady<P: Probe, const PLAN: usize>(cycle: &mut Cycle<'_, T, P>, is_due: bool) {
         Self::pass(cycle, Visit { due: is_due, entering: false });
     }
+
+    /// Runs a state machine from this progress on.
+    #[inline]
+    fn proceed<P: Probe>(_: &mut Cycle<'_, T, P>, _: Visit, _: Machine) {}
 
     /// Calls the `#[start]` hooks.
     #[inline]
@@ -142,9 +145,9 @@ pub trait Layout: Sized + 'static {
     #[doc(hidden)]
     const ORDER: &'static [u16];
 
-    /// The plan of a steady tick.
+    /// The plans of steady ticks.
     #[doc(hidden)]
-    const PLAN: Plan = Plan::NONE;
+    const PLANS: Plans = Plans::NONE;
 
     #[doc(hidden)]
     fn engine(&self) -> &Engine<Self>;

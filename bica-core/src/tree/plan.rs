@@ -1,89 +1,114 @@
-//! The plan of a steady tick: what is known of a tick before the program runs.
+//! The plans of a tree: what is known of a tick before the program runs.
 //!
-//! A component is *fixed* if every cycle visits it as long as the root is visited: only components without states, and
-//! state machines without links, lead to it. In a steady tick nothing that depends on requests is different from the
-//! declaration: no fixed component is held, each has its declared rate, and all with the same rate run in the same
-//! cycles. Then no fixed component needs to be marked as visited, which link is the first that leads to it is known here,
-//! and one decision for each rate replaces one for each component.
+//! A tree has one plan for each state of its root, or one if the root has no states. In a plan a component is *fixed* if
+//! every cycle visits it as long as the root stays in that state, and the same link always leads to it first. Only the
+//! components that another machine reaches, and that were not visited before it, are not fixed.
 //!
-//! All other components are visited as in any cycle.
+//! In a *steady* tick every fixed component was active in the previous cycle and is not held latent. So it needs no test
+//! whether it is latent, and the links to it that are not the first need no test whether it was visited. All other
+//! components are visited as in any cycle.
 
 use crate::check::{CAPACITY, Set};
-use crate::graph::{Graph, LinkKind, Node};
+use crate::graph::{Graph, Link, LinkKind, Node};
 
-/// Largest number of different rates in a plan; components with further rates are not fixed. A microcontroller has no
-/// plans, which would make its program larger.
-pub(crate) const GROUPS: usize = if cfg!(target_os = "none") { 0 } else { 8 };
-/// In place of a group: the component runs in every cycle.
-const EVERY_CYCLE: u8 = u8::MAX - 1;
-/// In place of a group: the component is not fixed.
-const NOT_FIXED: u8 = u8::MAX;
-
-/// In place of a component: no visit of a steady tick leads here first.
+/// Largest number of plans; a root with more states has none. A microcontroller has no plans, which would make its program
+/// larger.
+const MOST: usize = if cfg!(target_os = "none") { 0 } else { 16 };
+/// In place of a component: no link of a fixed component leads here.
 const NONE: u16 = u16::MAX;
 
-/// The plan of a tree.
+/// The plans of a tree.
 #[derive(Clone, Copy)]
-pub struct Plan {
-    /// Whether the root is fixed.
-    exists: bool,
-    /// Whether every component is fixed.
-    is_whole: bool,
-    parents: &'static [u16],
-    rates: &'static [f32],
-    groups: &'static [u8],
+pub struct Plans {
+    /// Number of components.
+    count: usize,
+    first: &'static [u16],
+    fixed: &'static [Set],
 }
 
-impl Plan {
-    /// No plan: every tick visits each component.
-    pub const NONE: Self = Self { exists: false, is_whole: false, parents: &[], rates: &[], groups: &[] };
+impl Plans {
+    /// No plan: every tick tests each component.
+    pub const NONE: Self = Self { count: 0, first: &[], fixed: &[] };
 
     /// Whether there is a plan.
     #[must_use]
-    pub const fn exists(&self) -> bool {
-        self.exists
+    pub const fn exist(&self) -> bool {
+        !self.fixed.is_empty()
     }
 
-    /// Whether every component is fixed.
-    pub(crate) const fn is_whole(&self) -> bool {
-        self.is_whole
-    }
-
-    /// Whether the visit of the fixed component `from` is the first of a steady tick that leads to `to`.
+    /// Whether in plan `plan` the link from the fixed component `from` is the first one to `to`.
     #[must_use]
-    pub const fn is_first(&self, from: usize, to: usize) -> bool {
-        to < self.parents.len() && self.parents[to] as usize == from
+    pub const fn is_first(&self, plan: usize, from: usize, to: usize) -> bool {
+        plan < self.fixed.len() && to < self.count && self.first[plan * self.count + to] as usize == from
     }
 
-    /// Returns the declared rate of each group, 1/s.
-    pub(crate) const fn rates(&self) -> &'static [f32] {
-        self.rates
-    }
-
-    /// Returns the group of a fixed component that has a rate.
-    pub(crate) const fn group(&self, component: usize) -> Option<usize> {
-        if component < self.groups.len() && (self.groups[component] as usize) < GROUPS {
-            return Some(self.groups[component] as usize);
-        }
-        None
-    }
-
-    /// Whether a component is fixed.
+    /// Whether a component is fixed in plan `plan`.
     #[must_use]
-    pub const fn is_fixed(&self, component: usize) -> bool {
-        component < self.groups.len() && self.groups[component] != NOT_FIXED
+    pub const fn is_fixed(&self, plan: usize, component: usize) -> bool {
+        plan < self.fixed.len() && component < self.count && self.fixed[plan].contains(component)
     }
 }
 
-/// The plan of a tree of `N` components, while it is computed.
+/// The plans of a tree of `N` components, while they are computed.
 pub struct Planned<const N: usize> {
-    parents: [u16; N],
-    /// Fixed components.
-    fixed: [bool; N],
-    count: usize,
-    rates: [f32; GROUPS],
-    rates_len: usize,
-    groups: [u8; N],
+    /// The component whose link is the first one to each component.
+    first: [[u16; N]; MOST],
+    fixed: [Set; MOST],
+    /// Number of plans.
+    len: usize,
+}
+
+impl<const N: usize> Planned<N> {
+    /// Computes the plans of a graph. `rates` are for each component the ones whose rates its functions borrow.
+    #[must_use]
+    pub const fn of(graph: &Graph, rates: &[&[usize]]) -> Self {
+        let mut planned = Self { first: [[NONE; N]; MOST], fixed: [Set::EMPTY; MOST], len: 0 };
+        // A larger tree, or one with another number of nodes, is reported by the check of its graph.
+        if N > CAPACITY || graph.nodes.len() != N || graph.root >= N {
+            return planned;
+        }
+        let unusual = unusual(graph.nodes, rates);
+        let states = graph.nodes[graph.root].states.len();
+        let count = if states == 0 { 1 } else { states };
+        if count > MOST || unusual.contains(graph.root) {
+            return planned;
+        }
+        while planned.len < count {
+            let walk = Walk::<N>::of(graph, planned.len, &unusual);
+            planned.first[planned.len] = walk.first;
+            planned.fixed[planned.len] = walk.fixed;
+            planned.len += 1;
+        }
+        planned
+    }
+
+    /// The result.
+    #[must_use]
+    pub const fn plans(&'static self) -> Plans {
+        Plans { count: N, first: self.first.as_flattened(), fixed: self.fixed.split_at(self.len).0 }
+    }
+}
+
+/// Whether the children of a component depend on its state.
+const fn has_choice(node: &Node) -> bool {
+    !node.states.is_empty() && !node.links.is_empty()
+}
+
+/// Returns the components that may not run in every cycle in which they are visited, though they declare no rate.
+const fn unusual(nodes: &[Node], rates: &[&[usize]]) -> Set {
+    let (mut unusual, mut component) = (Set::EMPTY, 0);
+    while component < rates.len() {
+        let mut borrowed = 0;
+        while borrowed < rates[component].len() {
+            let of = rates[component][borrowed];
+            if nodes[of].hz.is_none() {
+                unusual = unusual.with(of);
+            }
+            borrowed += 1;
+        }
+        component += 1;
+    }
+    unusual
 }
 
 /// A fixed component whose children are being planned.
@@ -96,147 +121,87 @@ struct Open {
     ran: bool,
 }
 
-impl<const N: usize> Planned<N> {
-    /// Computes the plan of a graph. `order` are the components, activators before what they activate; `rates` are for
-    /// each component the ones whose rates its functions borrow.
-    #[must_use]
-    pub const fn of(graph: &Graph, order: &[u16], rates: &[&[usize]]) -> Self {
-        let mut planned = Self {
-            parents: [NONE; N],
-            fixed: [false; N],
-            count: 0,
-            rates: [0.0; GROUPS],
-            rates_len: 0,
-            groups: [NOT_FIXED; N],
-        };
-        // A larger tree, or one with another number of nodes, is reported by the check of its graph.
-        if GROUPS > 0 && N <= CAPACITY && graph.nodes.len() == N && graph.root < N {
-            planned.set_groups(graph.nodes);
-            let visited = planned.visited(graph.nodes, order, rates);
-            if !visited.contains(graph.root) {
-                planned.walk(graph, &visited);
-            }
-        }
-        planned.forget_visited();
-        planned
-    }
+/// One plan, while the links are followed.
+struct Walk<const N: usize> {
+    first: [u16; N],
+    fixed: Set,
+    /// Components that a visit of one that is not fixed may reach.
+    uncertain: Set,
+    open: [Open; N],
+    depth: usize,
+}
 
-    /// The result.
-    #[must_use]
-    pub const fn plan(&'static self) -> Plan {
-        Plan {
-            exists: self.count > 0,
-            is_whole: self.count == N,
-            parents: &self.parents,
-            rates: self.rates.split_at(self.rates_len).0,
-            groups: &self.groups,
-        }
-    }
-
-    /// Assigns each component to the group of its rate as long as there are groups.
-    const fn set_groups(&mut self, nodes: &[Node]) {
-        let mut component = 0;
-        while component < N {
-            self.groups[component] = match nodes[component].hz {
-                None => EVERY_CYCLE,
-                Some(hz) => self.group(hz),
-            };
-            component += 1;
-        }
-    }
-
-    const fn group(&mut self, hz: f32) -> u8 {
-        let mut group = 0;
-        while group < self.rates_len {
-            if self.rates[group].to_bits() == hz.to_bits() {
-                return group as u8;
-            }
-            group += 1;
-        }
-        if group == GROUPS {
-            return NOT_FIXED;
-        }
-        self.rates[group] = hz;
-        self.rates_len += 1;
-        group as u8
-    }
-
-    /// Returns the components that are not fixed if they are reached: those whose children depend on their state, whose rate
-    /// is borrowed or has no group, and all to which a path leads from one of these.
-    const fn visited(&self, nodes: &[Node], order: &[u16], rates: &[&[usize]]) -> Set {
-        let mut visited = Set::EMPTY;
-        let mut component = 0;
-        while component < N {
-            let has_choice = !nodes[component].states.is_empty() && !nodes[component].links.is_empty();
-            if has_choice || self.groups[component] == NOT_FIXED {
-                visited = visited.with(component);
-            }
-            let mut borrowed = 0;
-            while borrowed < rates[component].len() {
-                visited = visited.with(rates[component][borrowed]);
-                borrowed += 1;
-            }
-            component += 1;
-        }
-        let mut place = 0;
-        while place < N {
-            let from = order[place] as usize;
-            let mut link = 0;
-            while visited.contains(from) && link < nodes[from].links.len() {
-                visited = visited.with(nodes[from].links[link].to);
-                link += 1;
-            }
-            place += 1;
-        }
-        visited
-    }
-
+impl<const N: usize> Walk<N> {
     /// Follows the links depth first, as visits do. It keeps its own stack, because a path may be longer than the compiler
     /// lets a constant function call itself.
-    const fn walk(&mut self, graph: &Graph, visited: &Set) {
-        let mut seen = Set::EMPTY.with(graph.root);
-        let mut open = [Open { component: graph.root, link: 0, ran: false }; N];
-        let mut depth = 1;
-        self.fix(graph.root);
-        while depth > 0 {
-            let top = &mut open[depth - 1];
-            let links = graph.nodes[top.component].links;
+    const fn of(graph: &Graph, state: usize, unusual: &Set) -> Self {
+        let nowhere = Open { component: 0, link: 0, ran: false };
+        let mut walk =
+            Self { first: [NONE; N], fixed: Set::EMPTY, uncertain: Set::EMPTY, open: [nowhere; N], depth: 0 };
+        walk.fix(graph.root);
+        while walk.depth > 0 {
+            let top = &mut walk.open[walk.depth - 1];
+            let (from, links) = (top.component, graph.nodes[top.component].links);
             if top.link == links.len() {
                 if top.ran {
-                    depth -= 1;
+                    walk.depth -= 1;
                 } else {
                     (top.ran, top.link) = (true, 0);
                 }
                 continue;
             }
-            let link = links[top.link];
+            let (link, ran) = (links[top.link], top.ran);
             top.link += 1;
-            if matches!(link.kind, LinkKind::Modulation) != top.ran || seen.contains(link.to) {
-                continue;
+            if matches!(link.kind, LinkKind::Modulation) == ran && applies(&link, state) {
+                walk.visit(graph.nodes, (from, link.to), unusual);
             }
-            seen = seen.with(link.to);
-            self.parents[link.to] = top.component as u16;
-            if !visited.contains(link.to) {
-                self.fix(link.to);
-                open[depth] = Open { component: link.to, link: 0, ran: false };
-                depth += 1;
-            }
+        }
+        walk
+    }
+
+    const fn visit(&mut self, nodes: &[Node], (from, to): (usize, usize), unusual: &Set) {
+        if self.first[to] != NONE || self.fixed.contains(to) {
+            return;
+        }
+        self.first[to] = from as u16;
+        if has_choice(&nodes[to]) || unusual.contains(to) {
+            self.reach(nodes, to);
+        } else if !self.uncertain.contains(to) {
+            self.fix(to);
         }
     }
 
     const fn fix(&mut self, component: usize) {
-        self.fixed[component] = true;
-        self.count += 1;
+        self.fixed = self.fixed.with(component);
+        self.open[self.depth] = Open { component, link: 0, ran: false };
+        self.depth += 1;
     }
 
-    /// Leaves a group only to fixed components.
-    const fn forget_visited(&mut self) {
-        let mut component = 0;
-        while component < N {
-            if !self.fixed[component] {
-                self.groups[component] = NOT_FIXED;
+    /// Marks all that a visit of `component` may reach.
+    const fn reach(&mut self, nodes: &[Node], component: usize) {
+        let (mut reached, mut count, mut done) = ([0_u16; N], 1, 0);
+        reached[0] = component as u16;
+        while done < count {
+            let links = nodes[reached[done] as usize].links;
+            let mut link = 0;
+            while link < links.len() {
+                let to = links[link].to;
+                if !self.uncertain.contains(to) {
+                    self.uncertain = self.uncertain.with(to);
+                    reached[count] = to as u16;
+                    count += 1;
+                }
+                link += 1;
             }
-            component += 1;
+            done += 1;
         }
+    }
+}
+
+/// Whether a link of a fixed component counts; only the root has links that depend on a state.
+const fn applies(link: &Link, state: usize) -> bool {
+    match link.state {
+        Some(of) => of == state,
+        None => true,
     }
 }

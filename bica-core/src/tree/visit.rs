@@ -59,13 +59,12 @@ macro_rules! __visit_functions {
         // Nested visits become one function without calls.
         #[cfg_attr(debug_assertions, inline)]
         #[cfg_attr(not(debug_assertions), inline(always))]
-        fn visit_steady<__P: $crate::__private::Probe>(
+        fn visit_steady<__P: $crate::__private::Probe, const __PLAN: usize>(
             cycle: &mut $crate::__private::Cycle<'_, Self, __P>,
-            due: $crate::__private::DueGroups,
         ) {
-            if const { $crate::__private::is_fixed::<Self, $component>() } {
-                let is_due = cycle.visit_steady::<$component>(due);
-                $crate::$pass!($component, cycle, is_due, due);
+            if const { $crate::__private::is_fixed::<Self, $component>(__PLAN) } {
+                let is_due = cycle.visit_steady::<$component>();
+                $crate::$pass!($component, cycle, is_due, __PLAN);
                 if is_due {
                     cycle.end_run::<$component>();
                 }
@@ -107,16 +106,15 @@ macro_rules! __pass {
         }
         pass::<Self, __P>($cycle, $visit);
     }};
-    ($component:ty, $cycle:ident, $is_due:ident, $due:ident) => {{
+    ($component:ty, $cycle:ident, $is_due:ident, $plan:ident) => {{
         #[inline(always)]
-        fn pass<__T: $crate::__private::Has<$component>, __P: $crate::__private::Probe>(
+        fn pass<__T: $crate::__private::Has<$component>, __P: $crate::__private::Probe, const __PLAN: usize>(
             cycle: &mut $crate::__private::Cycle<'_, __T, __P>,
             is_due: bool,
-            due: $crate::__private::DueGroups,
         ) {
-            <__T::Member as $crate::__private::MemberOf<__T>>::pass_steady(cycle, is_due, due);
+            <__T::Member as $crate::__private::MemberOf<__T>>::pass_steady::<__P, __PLAN>(cycle, is_due);
         }
-        pass::<Self, __P>($cycle, $is_due, $due);
+        pass::<Self, __P, $plan>($cycle, $is_due);
     }};
 }
 
@@ -127,7 +125,7 @@ macro_rules! __pass_of_generic {
     ($component:ty, $cycle:ident, $visit:ident) => {
         <$component as $crate::__private::MemberOf<Self>>::pass($cycle, $visit)
     };
-    ($component:ty, $cycle:ident, $is_due:ident, $due:ident) => {
-        <$component as $crate::__private::MemberOf<Self>>::pass_steady($cycle, $is_due, $due)
+    ($component:ty, $cycle:ident, $is_due:ident, $plan:ident) => {
+        <$component as $crate::__private::MemberOf<Self>>::pass_steady::<__P, $plan>($cycle, $is_due)
     };
 }

@@ -118,6 +118,35 @@ mod mixed {
     }
 }
 
+mod choosing {
+    use super::*;
+
+    machine!(Root [hz = 50,] (shared: Shared, left: Left) (branch: Branch, below: Below));
+    part!(Left [] reads(shared: Shared) writes(below: Below));
+    machine!(Branch [] (below: Below) (left: Left));
+    part!(Below [hz = 50,] reads(shared: Shared) writes());
+    part!(Shared [hz = 50,] reads() writes());
+
+    activation_tree! {
+        /// The root is a machine with children, one of them a machine that reaches what the root reaches too.
+        pub(super) struct Choosing {
+            root: Root,
+            cycle_hz: 100,
+            components: [Root, Left, Branch, Below, Shared],
+            crate: bica_core,
+        }
+    }
+
+    /// Mixture of all numbers.
+    pub(super) fn values(tree: &Choosing) -> u64 {
+        tree.get::<Root>().0
+            ^ tree.get::<Left>().0.rotate_left(1)
+            ^ tree.get::<Branch>().0.rotate_left(2)
+            ^ tree.get::<Below>().0.rotate_left(3)
+            ^ tree.get::<Shared>().0.rotate_left(4)
+    }
+}
+
 mod rated {
     use super::*;
 
@@ -288,6 +317,7 @@ fn explore<T: Tree>(requests: u32, new: fn() -> T, unsettle: fn(&mut T), values:
 fn explore_all(requests: u32) {
     explore(requests, fixed::Fixed::new, |tree| _ = tree.rate_mut::<fixed::Root>(), fixed::values);
     explore(requests, mixed::Mixed::new, |tree| _ = tree.rate_mut::<mixed::Root>(), mixed::values);
+    explore(requests, choosing::Choosing::new, |tree| _ = tree.rate_mut::<choosing::Root>(), choosing::values);
     explore(requests, rated::Rated::new, |tree| _ = tree.rate_mut::<rated::Root>(), rated::values);
 }
 

@@ -1,6 +1,6 @@
-//! The plan of a steady tick, of every small tree: it has the order of the visits, whatever the states of the machines are.
+//! The plans of steady ticks, of every small tree: they have the order of the visits, whatever the states of the machines are.
 
-use bica_core::__private::{Link as GraphLink, LinkKind, Node, Plan, Planned, State};
+use bica_core::__private::{Link as GraphLink, LinkKind, Node, Planned, Plans, State};
 use bica_core::Graph;
 
 use super::print;
@@ -36,12 +36,12 @@ fn nodes(shape: &Shape) -> Vec<Node> {
     (0..shape.len).map(node).collect()
 }
 
-fn plan(shape: &Shape) -> Plan {
-    fn of<const N: usize>(nodes: Vec<Node>) -> Plan {
+fn plans(shape: &Shape) -> Plans {
+    fn of<const N: usize>(nodes: Vec<Node>) -> Plans {
         let (name, doc, cycle_hz) = ("", "", 100.0);
         let graph = Graph { name, doc, cycle_hz, budget_ms: None, tunable: false, root: 0, nodes: nodes.leak() };
-        let planned = Planned::<N>::of(&graph, &[0, 1, 2, 3][..N], &[&[] as &[usize]; N]);
-        Box::leak(Box::new(planned)).plan()
+        let planned = Planned::<N>::of(&graph, &[&[] as &[usize]; N]);
+        Box::leak(Box::new(planned)).plans()
     }
     match shape.len {
         1 => of::<1>(nodes(shape)),
@@ -71,21 +71,22 @@ fn visit(shape: &Shape, states: [usize; COMPONENTS], index: usize, seen: &mut u8
 
 /// Records a visit in a steady tick in these states.
 fn visit_steady(
-    (shape, plan, states): (&Shape, &Plan, [usize; COMPONENTS]),
+    (shape, plans, states): (&Shape, &Plans, [usize; COMPONENTS]),
     index: usize,
     seen: &mut u8,
     events: &mut Vec<Event>,
 ) {
-    if !plan.is_fixed(index) {
+    if !plans.is_fixed(states[0], index) {
         return visit(shape, states, index, seen, events);
     }
+    assert_eq!(*seen & 1 << index, 0, "visited twice: {shape:?} in {states:?}");
     *seen |= 1 << index;
     events.push(Event::Begin(index));
     let row = shape.links[index][states[index]];
     for kind in [Link::Requirement, Link::Modulation] {
         for (child, _) in row.iter().enumerate().filter(|(_, link)| **link == kind) {
-            if plan.is_first(index, child) {
-                visit_steady((shape, plan, states), child, seen, events);
+            if plans.is_first(states[0], index, child) {
+                visit_steady((shape, plans, states), child, seen, events);
             }
         }
         if kind == Link::Requirement {
@@ -94,46 +95,43 @@ fn visit_steady(
     }
 }
 
-/// Returns the number of components that are fixed: no path to them begins at a machine with links.
-fn fixed(shape: &Shape) -> usize {
-    let mut visited = 0_u8;
-    for index in 0..shape.len {
-        let rows = &shape.links[index][..shape.states[index]];
-        let has_links = rows.iter().flatten().any(|link| *link != Link::None);
-        if visited & 1 << index != 0 || (shape.states[index] > 1 && has_links) {
-            visited |= 1 << index;
-            for (child, _) in
-                rows.iter().flat_map(|row| row.iter().enumerate().filter(|(_, link)| **link != Link::None))
-            {
-                visited |= 1 << child;
-            }
-        }
-    }
-    shape.len - visited.count_ones() as usize
+/// The numbers of states of the machines: none, one anywhere, or in trees of three the root and another one.
+fn machines(len: usize) -> Vec<[usize; COMPONENTS]> {
+    let one = |machine: usize| std::array::from_fn(|index| if index == machine { 2 } else { 1 });
+    let two = |machine: usize| std::array::from_fn(|index| if index == 0 || index == machine { 2 } else { 1 });
+    let twos = if len == 3 { 1..len } else { 0..0 };
+    (0..len).map(one).chain([[1; COMPONENTS]]).chain(twos.map(two)).collect()
 }
 
 #[test]
 fn plans_have_the_order_of_visits() {
-    let (mut trees, mut cases, mut components) = (0_u64, 0_u64, 0);
+    let (mut trees, mut cases, mut fixed) = (0_u64, 0_u64, 0);
     for len in 1..=COMPONENTS {
-        for machine in 0..=len {
-            let states = std::array::from_fn(|index| if index == machine && machine < len { 2 } else { 1 });
-            shapes(len, states, &mut |shape| {
-                let plan = plan(&shape);
-                for state in 0..states.into_iter().max().unwrap_or(1) {
-                    let states = states.map(|count| state.min(count - 1));
+        for counts in machines(len) {
+            shapes(len, counts, &mut |shape| {
+                let plans = plans(&shape);
+                assert!(plans.exist(), "{shape:?}");
+                for code in 0..1 << len {
+                    let states = std::array::from_fn(|index| code >> index & 1);
+                    if states.iter().zip(counts).any(|(state, count)| *state >= count) {
+                        continue;
+                    }
                     let mut expected = Vec::new();
                     visit(&shape, states, 0, &mut 0, &mut expected);
                     let mut planned = Vec::new();
-                    visit_steady((&shape, &plan, states), 0, &mut 0, &mut planned);
+                    visit_steady((&shape, &plans, states), 0, &mut 0, &mut planned);
                     assert_eq!(planned, expected, "{shape:?} in {states:?}");
-                    cases += 1;
+                    let count = (0..len).filter(|&index| plans.is_fixed(states[0], index)).count();
+                    let has_inner = counts[1..].iter().any(|count| *count > 1);
+                    assert!(
+                        has_inner || 2 * count == expected.len(),
+                        "a component without cause is not fixed: {shape:?}"
+                    );
+                    (cases, fixed) = (cases + 1, fixed + count);
                 }
-                let count = (0..len).filter(|&index| plan.is_fixed(index)).count();
-                assert_eq!((count, plan.exists()), (fixed(&shape), count > 0), "{shape:?}");
-                (trees, components) = (trees + 1, components + count);
+                trees += 1;
             });
         }
     }
-    print(&format!("plans: {trees} trees, {cases} trees in one state, {components} fixed components"));
+    print(&format!("plans: {trees} trees, {cases} trees in one state, {fixed} fixed components"));
 }

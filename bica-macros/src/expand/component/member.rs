@@ -34,7 +34,10 @@ pub(super) fn expand(component: &Component, behaviour: &Behaviour) -> TokenStrea
     let timed = timed(component);
     let rates = rates(&p, component);
     let node = node::expand(component, behaviour, &visits);
-    let (pass, steady) = code(&p, behaviour, &visits, &tuning);
+    let code = match behaviour {
+        Behaviour::Step(function) => step::expand(&p, function.as_ref(), &visits, &tuning),
+        Behaviour::Machine(machine) => machine::expand(&p, machine, &visits, &tuning),
+    };
     let hooks = hooks::expand(component, &tuning);
     let operator = operator::functions(component);
     quote! {
@@ -44,12 +47,7 @@ pub(super) fn expand(component: &Component, behaviour: &Behaviour) -> TokenStrea
             const TIMED: bool = #timed;
             #rates
 
-            #[inline]
-            fn pass<__P: #p::Probe>(cycle: &mut #p::Cycle<'_, __T, __P>, visit: #p::Visit) {
-                #pass
-            }
-
-            #steady
+            #code
 
             #hooks
             #operator
@@ -65,33 +63,6 @@ fn holds(p: &TokenStream, child: &Type) -> WherePredicate {
 
 fn timed(component: &Component) -> bool {
     component.functions().flat_map(|function| &function.arguments).any(|argument| matches!(argument, Argument::Time(_)))
-}
-
-/// The code of `pass`, and the function `pass_steady` of a component without states.
-fn code(
-    p: &TokenStream,
-    behaviour: &Behaviour,
-    visits: &Visits,
-    tuning: &Tuning,
-) -> (TokenStream, Option<TokenStream>) {
-    match behaviour {
-        Behaviour::Step(function) => {
-            let (pass, steady) = step::expand(p, function.as_ref(), visits, tuning);
-            let steady = quote! {
-                #[cfg_attr(debug_assertions, inline)]
-                #[cfg_attr(not(debug_assertions), inline(always))]
-                fn pass_steady<__P: #p::Probe>(
-                    cycle: &mut #p::Cycle<'_, __T, __P>,
-                    is_due: bool,
-                    due: #p::DueGroups,
-                ) {
-                    #steady
-                }
-            };
-            (pass, Some(steady))
-        }
-        Behaviour::Machine(machine) => (machine::expand(p, machine, visits, tuning), None),
-    }
 }
 
 /// The components whose rates are borrowed, if there are any.

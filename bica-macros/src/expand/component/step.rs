@@ -8,34 +8,35 @@ use super::tuning::Tuning;
 use super::visits::Visits;
 use bica_syntax::component::model::Function;
 
-/// The code of `pass` and that of `pass_steady`.
-pub(super) fn expand(
-    p: &TokenStream,
-    step: Option<&Function>,
-    visits: &Visits,
-    tuning: &Tuning,
-) -> (TokenStream, TokenStream) {
+/// The functions of `MemberOf` that run the component.
+pub(super) fn expand(p: &TokenStream, step: Option<&Function>, visits: &Visits, tuning: &Tuning) -> TokenStream {
     let (before, after) = (visits.before(0), visits.after(0));
+    let plan = quote!(__PLAN);
+    let (before_steady, after_steady) = (visits.before_steady(0, &plan), visits.after_steady(0, &plan));
     let call = step.map(|step| call::expand(p, step, tuning));
-    let (before_steady, after_steady) = (visits.before_steady(), visits.after_steady());
     let run = quote! {
         cycle.begin_run::<Self>();
         #call
         cycle.end_code::<Self>();
     };
-    let pass = quote! {
-        #before
-        if visit.due {
-            #run
+    quote! {
+        #[inline]
+        fn pass<__P: #p::Probe>(cycle: &mut #p::Cycle<'_, __T, __P>, visit: #p::Visit) {
+            #before
+            if visit.due {
+                #run
+            }
+            #after
         }
-        #after
-    };
-    let pass_steady = quote! {
-        #before_steady
-        if is_due {
-            #run
+
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
+        fn pass_steady<__P: #p::Probe, const __PLAN: usize>(cycle: &mut #p::Cycle<'_, __T, __P>, is_due: bool) {
+            #before_steady
+            if is_due {
+                #run
+            }
+            #after_steady
         }
-        #after_steady
-    };
-    (pass, pass_steady)
+    }
 }

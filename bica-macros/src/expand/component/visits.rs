@@ -56,57 +56,45 @@ impl Visits {
 
     /// The visits before the component's own code in a state.
     pub(super) fn before(&self, state: usize) -> TokenStream {
-        self.some(state, |kind| kind == Kind::Read)
+        self.some(state, None, |kind| kind == Kind::Read)
     }
 
     /// The visits after it.
     pub(super) fn after(&self, state: usize) -> TokenStream {
-        self.some(state, |kind| kind != Kind::Read)
+        self.some(state, None, |kind| kind != Kind::Read)
     }
 
-    /// The visits before the own code of a component without states, in a steady tick.
-    pub(super) fn before_steady(&self) -> TokenStream {
-        self.first(|kind| kind == Kind::Read)
+    /// The visits before the own code in a steady tick, of those children to which no earlier visit leads.
+    pub(super) fn before_steady(&self, state: usize, plan: &TokenStream) -> TokenStream {
+        self.some(state, Some(plan), |kind| kind == Kind::Read)
     }
 
     /// The visits after it.
-    pub(super) fn after_steady(&self) -> TokenStream {
-        self.first(|kind| kind != Kind::Read)
+    pub(super) fn after_steady(&self, state: usize, plan: &TokenStream) -> TokenStream {
+        self.some(state, Some(plan), |kind| kind != Kind::Read)
     }
 
-    /// Visits of those children to which no earlier visit leads.
-    fn first(&self, wanted: impl Fn(Kind) -> bool) -> TokenStream {
-        let p = &self.runtime;
-        let links = self.states.iter().flat_map(|links| links.iter().map(move |link| (links.may_coincide, link)));
-        let visits = links.enumerate().filter(|(_, (_, (kind, _)))| wanted(*kind));
-        let visits = visits.map(|(index, (may_coincide, (_, child)))| {
-            let counts = may_coincide.then(
-                || quote!(&& #p::counts(<Self as #p::MemberOf<__T>>::WRITTEN, #index, <__T as #p::Has<Self>>::INDEX)),
-            );
-            quote! {
-                if const { #p::visits_first::<__T, Self, #child>() #counts } {
-                    <__T as #p::Has<#child>>::visit_steady(cycle, due);
-                }
-            }
-        });
-        quote!(#(#visits)*)
+    /// Whether there are links.
+    pub(super) fn exist(&self) -> bool {
+        self.children().next().is_some()
     }
 
-    fn some(&self, state: usize, wanted: impl Fn(Kind) -> bool) -> TokenStream {
+    fn some(&self, state: usize, plan: Option<&TokenStream>, wanted: impl Fn(Kind) -> bool) -> TokenStream {
         let p = &self.runtime;
         let first: usize = self.states[..state].iter().map(|links| links.iter().count()).sum();
         let links = &self.states[state];
         let visits = links.iter().enumerate().filter(|(_, (kind, _))| wanted(*kind)).map(|(place, (_, child))| {
-            let visit = quote!(<__T as #p::Has<#child>>::visit(cycle););
-            if !links.may_coincide {
-                return visit;
-            }
             let index = first + place;
-            quote! {
-                if const { #p::counts(<Self as #p::MemberOf<__T>>::WRITTEN, #index, <__T as #p::Has<Self>>::INDEX) } {
-                    #visit
-                }
-            }
+            let counts = links.may_coincide.then(
+                || quote!(#p::counts(<Self as #p::MemberOf<__T>>::WRITTEN, #index, <__T as #p::Has<Self>>::INDEX)),
+            );
+            let is_first = plan.map(|plan| quote!(#p::visits_first::<__T, Self, #child>(#plan)));
+            let visit = match plan {
+                Some(plan) => quote!(<__T as #p::Has<#child>>::visit_steady::<__P, #plan>(cycle);),
+                None => quote!(<__T as #p::Has<#child>>::visit(cycle);),
+            };
+            let conditions: Vec<_> = is_first.into_iter().chain(counts).collect();
+            if conditions.is_empty() { visit } else { quote!(if const { #(#conditions)&&* } { #visit }) }
         });
         quote!(#(#visits)*)
     }

@@ -14,7 +14,7 @@ pub(super) fn expand(tree: &Tree) -> TokenStream {
     let root = &tree.root;
     let visit = quote_spanned!(at(root) => <Self as #p::Has<#root>>::visit);
     let visit_steady = quote_spanned!(at(root) => <Self as #p::Has<#root>>::visit_steady);
-    let (plan, access) = (plan(tree, &p), access(tree, &p));
+    let (plans, access) = (plans(tree, &p), access(tree, &p));
     quote! {
         #[automatically_derived]
         impl #p::Layout for #name {
@@ -40,28 +40,23 @@ pub(super) fn expand(tree: &Tree) -> TokenStream {
 
             #[inline]
             fn run_steady<__P: #p::Probe>(cycle: &mut #p::Cycle<'_, Self, __P>) {
-                let due = cycle.due_groups();
-                #visit_steady(cycle, due);
+                #visit_steady::<__P, 0>(cycle);
             }
 
-            #plan
+            #plans
             #access
         }
     }
 }
 
-/// The plan of a steady tick.
-fn plan(tree: &Tree, p: &TokenStream) -> TokenStream {
+/// The plans of steady ticks.
+fn plans(tree: &Tree, p: &TokenStream) -> TokenStream {
     let count = tree.components.len();
     let kinds = tree.components.iter().map(|entry| &entry.kind);
     quote! {
-        const PLAN: #p::Plan = const {
-            &#p::Planned::<#count>::of(
-                &<Self as #p::Tree>::GRAPH,
-                <Self as #p::Layout>::ORDER,
-                &[#(#p::borrowed_rates::<Self, #kinds>()),*],
-            )
-        }.plan();
+        const PLANS: #p::Plans = const {
+            &#p::Planned::<#count>::of(&<Self as #p::Tree>::GRAPH, &[#(#p::borrowed_rates::<Self, #kinds>()),*])
+        }.plans();
     }
 }
 
