@@ -17,9 +17,12 @@ use crate::params::{ParamGroup, Value};
     note = "write `#[component]` on the impl block that holds its `step` or its states"
 )]
 pub trait Component: Sized + 'static {
+    /// The type itself: a tree that names it finds out whether it is a component.
+    #[doc(hidden)]
+    type Itself;
     /// The type's name, without its path.
     const NAME: &'static str;
-    /// The doc comment of the impl block, or else of the step.
+    /// The doc comment of the impl block, or else of the type with `#[derive(ComponentDoc)]`, or else of the step.
     const DOC: &'static str;
     /// Declared rate, runs per second; `None` is a run in every cycle.
     const HZ: Option<f32>;

@@ -36,6 +36,13 @@ pub(crate) const STEP_ATTRIBUTE: &str = "the step has no attribute: name the fun
 pub(crate) const CONDITIONAL: &str =
     "the tree calls this function in every build: remove the condition, or put it on the component and on its tree";
 
+pub(crate) fn two_functions(name: &str) -> String {
+    format!(
+        "the tree calls `{name}` in every build: keep one `{name}` without a condition, and call from it a helper that \
+         exists under each condition"
+    )
+}
+
 pub(crate) fn misspelt_attribute(found: &str, ours: &str) -> String {
     format!("there is no attribute `{found}`: did you mean `#[{ours}]`?")
 }
@@ -54,6 +61,15 @@ pub(crate) fn no_arguments(role: &str) -> String {
 
 pub(crate) fn hook_states(role: &str) -> String {
     format!("which states is this hook for? Write `#[{role}(state)]` or `#[{role}(one | other)]`")
+}
+
+// Items beside the block.
+pub(crate) const OUTPUT_ITEM: &str = "`#[output]` belongs on a struct or an enum: move it there, or remove it";
+pub(crate) const OUTPUT_FORM: &str =
+    "write `#[output]`, or `#[output(crate = bica_core)]` for another path of the framework";
+
+pub(crate) fn component_doc(name: &str) -> String {
+    format!("`{name}` has no doc comment that its component could have: write one above it, `/// ...`")
 }
 
 // What an operator may look at and call.
@@ -146,14 +162,17 @@ pub(crate) fn returns_bool(function: &str) -> String {
 // Arguments.
 pub(crate) const CONDITIONAL_ARGUMENT: &str =
     "the tree passes this argument in every build: remove the condition, or put it on the component and on its tree";
-pub(crate) const HOOK_LINKS: &str =
-    "a `start` or `stop` hook has no links: remove this argument, or use it in `step`, in a state or in an entry hook";
+pub(crate) const HOOK_LINKS: &str = "a `start` or `stop` hook takes only `&Tuned<P>`: remove this argument, or use it in `step`, a state or an entry hook";
 pub(crate) const OWN_LINK: &str = "a component cannot activate itself: remove this argument and use `self`";
 pub(crate) const TRANSITION_WRITES: &str =
     "a transition only reads: write `&`, and change things in an `#[entry]` or `#[exit]` hook";
 pub(crate) const RATE_IN_CONDITION: &str =
     "a transition cannot modulate a rate: move this argument to a state, or to an `#[entry]` or `#[exit]` hook";
 pub(crate) const RATE_OF_WHAT: &str = "the rate of which component? Write `&mut Rate<Child>`";
+
+pub(crate) fn name_alone(name: &str) -> String {
+    format!("the type itself stands here, without `&`: write `{name}`")
+}
 
 pub(crate) fn time(written: &str) -> String {
     format!("the time can only be read: write `&{written}`")
@@ -183,8 +202,14 @@ pub(crate) fn value(written: &str) -> String {
     format!("`{written}` is no component: keep the value in a field of `self`, or in the component that provides it")
 }
 
-pub(crate) fn option(written: &str) -> String {
-    format!("`{written}` is no link, a child is always there: write `&Name` to read it, `&mut Name` to modulate it")
+pub(crate) fn value_of_library(written: &str) -> String {
+    format!("{}; a component of this name is written with its path, `&self::{written}`", value(written))
+}
+
+pub(crate) fn wrapped(written: &str, inner: &str) -> String {
+    format!(
+        "`{written}` is no link, the tree keeps the component: write `&{inner}` to read it, `&mut {inner}` to modulate it"
+    )
 }
 
 pub(crate) fn no_component(written: &str) -> String {

@@ -1,19 +1,19 @@
 //! `impl Params`.
 
-use proc_macro2::TokenStream;
-use quote::{quote, quote_spanned};
+use proc_macro2::{Ident, TokenStream};
+use quote::{format_ident, quote, quote_spanned};
+use syn::{Expr, ExprLit, Lit, Path};
 
 use super::describe;
-use crate::expand::quoting::{at, placed};
+use crate::expand::quoting::{at, enclosed, placed, runtime};
 use bica_syntax::params::model::Params;
 use bica_syntax::report::Report;
 use bica_syntax::text;
 
 /// The traits of a struct of parameters, and the assertions about it.
 pub(crate) fn params(params: &Params) -> TokenStream {
-    let krate = &params.krate;
-    let p = quote!(#krate::__private);
-    let (name, label, doc) = (&params.name, params.name.to_string(), &params.doc);
+    let p = runtime();
+    let (name, label, doc) = (&params.name, text::name(&params.name), &params.doc);
     let names: Vec<_> = params.fields.iter().map(|field| &field.name).collect();
     let defaults = params.fields.iter().map(|field| &field.default);
     let descriptions = params.fields.iter().map(|field| {
@@ -25,15 +25,20 @@ pub(crate) fn params(params: &Params) -> TokenStream {
             describe::assertions(&p, field, &quote!(<#name as #p::Params>::GROUP.params[#place]))
         });
     let access = access(params, &p);
-    let check = params.check.as_ref().map(|check| {
-        quote_spanned! {at(check) =>
+    let each = (0..params.checks.len()).map(|index| {
+        let rule = rule_name(index);
+        quote!(self.#rule()?;)
+    });
+    let check = (!params.checks.is_empty()).then(|| {
+        quote! {
             fn check(&self) -> ::core::result::Result<(), &'static str> {
-                #check(self)
+                #(#each)*
+                ::core::result::Result::Ok(())
             }
         }
     });
-    let rule = rule(params, &p);
-    quote! {
+    let rules = rules(params, &p);
+    let items = quote! {
         #[automatically_derived]
         impl #p::Params for #name {
             const DEFAULT: Self = Self { #(#names: #defaults),* };
@@ -52,8 +57,9 @@ pub(crate) fn params(params: &Params) -> TokenStream {
         }
 
         #(#assertions)*
-        #rule
-    }
+        #rules
+    };
+    enclosed(&params.krate, &items)
 }
 
 /// The functions that read and write a parameter by its index.
@@ -84,25 +90,34 @@ fn access(params: &Params, p: &TokenStream) -> TokenStream {
     }
 }
 
-/// The defaults meet the rule between several values.
-fn rule(params: &Params, p: &TokenStream) -> Option<TokenStream> {
-    let (name, check) = (&params.name, params.check.as_ref()?);
-    let p = placed(p, at(check));
-    Some(quote_spanned! {at(check) =>
-        impl #name {
-            #[doc(hidden)]
-            const __CHECKED: () = #p::assert_rule(#check(&<Self as #p::Params>::DEFAULT));
+fn rule_name(index: usize) -> Ident {
+    format_ident!("__rule_{index}")
+}
+
+/// The rules between several values, and the check that the defaults meet them. The path to each stands once.
+fn rules(params: &Params, p: &TokenStream) -> TokenStream {
+    let name = &params.name;
+    let rule = |(index, check): (usize, &Path)| {
+        let (p, rule) = (placed(p, at(check)), rule_name(index));
+        quote_spanned! {at(check) =>
+            impl #name {
+                #[doc(hidden)]
+                const fn #rule(&self) -> ::core::result::Result<(), &'static str> {
+                    #check(self)
+                }
+            }
+            const _: () = #p::assert_rule(#name::#rule(&<#name as #p::Params>::DEFAULT));
         }
-        const _: () = #name::__CHECKED;
-    })
+    };
+    params.checks.iter().enumerate().map(rule).collect()
 }
 
 /// The mistakes, and a struct without parameters, so that one mistake gives one message.
 pub(crate) fn stub(params: &Params, report: &Report) -> TokenStream {
     let (name, krate, errors) = (&params.name, &params.krate, report.to_compile_errors());
-    let p = quote!(#krate::__private);
+    let p = runtime();
     let Some(default) = any_values(params).filter(|_| !params.generic) else { return errors };
-    quote! {
+    let items = quote! {
         #[automatically_derived]
         impl #p::Params for #name {
             const DEFAULT: Self = #default;
@@ -112,19 +127,19 @@ pub(crate) fn stub(params: &Params, report: &Report) -> TokenStream {
             }
             fn put(&mut self, _: usize, _: #p::Value) {}
         }
-
-        #errors
-    }
+    };
+    let items = enclosed(krate, &items);
+    quote!(#items #errors)
 }
 
 /// Values for the fields of a struct with mistakes; `None` if there is a type of which no value is known.
 fn any_values(params: &Params) -> Option<TokenStream> {
     let values = params.written.iter().map(|(name, kind, default)| {
-        let value = match (default, text::written(kind).as_str()) {
-            (Some(default), _) => quote!(#default),
-            (None, "f32" | "f64") => quote!(0.0),
-            (None, "bool") => quote!(false),
-            (None, "i8" | "i16" | "i32" | "i64" | "isize" | "u8" | "u16" | "u32" | "u64" | "usize") => quote!(0),
+        let value = match (text::written(kind).as_str(), default) {
+            ("f32" | "f64", _) => quote!(0.0),
+            ("bool", _) => quote!(false),
+            ("i8" | "i16" | "i32" | "i64" | "isize" | "u8" | "u16" | "u32" | "u64" | "usize", _) => quote!(0),
+            (_, Some(default)) if !matches!(default, Expr::Lit(ExprLit { lit: Lit::Str(_), .. })) => quote!(#default),
             _ => return None,
         };
         Some(quote!(#name: #value))
