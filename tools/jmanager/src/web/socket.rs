@@ -217,7 +217,7 @@ mod tests {
     fn requests_that_wait_when_the_page_is_gone_are_dropped() {
         let (sender, requests) = sync_channel(8);
         for id in 1..=5 {
-            sender.send(FromPage { id, request: Request::Recordings {} }).unwrap();
+            sender.send(FromPage { id, session: None, request: Request::Recordings {} }).unwrap();
         }
         drop(sender);
         let gone = AtomicBool::new(false);
