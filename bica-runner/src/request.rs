@@ -21,7 +21,7 @@ pub enum Request<'a> {
     Rate {
         /// Component.
         component: ComponentId,
-        /// Runs per second; NaN is the declared rate, and so is a higher one.
+        /// Runs per second: above 0, and at most the declared rate or, without one, the rate of the cycles. NaN is the declared rate.
         hz: f32,
     },
     /// Sets parameters, of any number of components: all of them or, if one is refused, none.
@@ -41,7 +41,7 @@ impl Request<'_> {
     /// Applies the request to a tree.
     ///
     /// # Errors
-    /// If the tree has no such component, parameter or modulation, or does not accept a value; then nothing changes.
+    /// If the tree has no such component, parameter or modulation, or does not accept a value or a rate; then nothing changes.
     pub fn apply<T: Tree>(self, tree: &mut T) -> Result<(), Refusal> {
         match self {
             Self::Hold { component, hold } => {
@@ -50,6 +50,7 @@ impl Request<'_> {
             }
             Self::Rate { component, hz } => {
                 listed::<T>(component)?;
+                possible::<T>(component, hz)?;
                 tree.set_rate_at(component, hz);
             }
             Self::Params(batch) => tree.set_params(batch)?,
@@ -65,6 +66,16 @@ const fn listed<T: Tree>(component: ComponentId) -> Result<(), Refusal> {
         return Ok(());
     }
     Err(Refusal { entry: 0, component: "", name: "", reason: Reason::UnknownComponent })
+}
+
+/// Checks a rate for a component that the tree lists.
+fn possible<T: Tree>(component: ComponentId, hz: f32) -> Result<(), Refusal> {
+    let node = &T::GRAPH.nodes[component.index()];
+    if hz.is_nan() || (hz > 0.0 && hz <= node.hz.unwrap_or(T::GRAPH.cycle_hz)) {
+        return Ok(());
+    }
+    let reason = Reason::Rule("a rate is above 0 Hz and at most the declared rate, or that of the cycles");
+    Err(Refusal { entry: 0, component: node.name, name: "rate", reason })
 }
 
 /// Source of requests: a link to an operator, a script, a recording.

@@ -97,6 +97,9 @@ impl Observer<Counting> for Log {
 const COUNTER: ComponentId = ComponentId::new(0);
 const NOBODY: ComponentId = ComponentId::new(1);
 
+/// Answer to a rate outside its range.
+const RATE: &str = "`Counter.rate`: a rate is above 0 Hz and at most the declared rate, or that of the cycles";
+
 fn slope(value: i32) -> Setting {
     Setting::new(COUNTER, 0, Value::I32(value))
 }
@@ -120,7 +123,7 @@ fn every_kind_of_request_is_in_force_in_the_cycle_before_which_it_is_applied() {
     let steps = [
         (OwnedRequest::Params(vec![slope(5), offset(200)]), 206),
         (modulate(COUNTER, 0, 40), 245),
-        (OwnedRequest::Rate { component: COUNTER, hz: 0.0 }, 245),
+        (OwnedRequest::Rate { component: COUNTER, hz: 0.001 }, 245),
         (OwnedRequest::Rate { component: COUNTER, hz: f32::NAN }, 250),
         (OwnedRequest::Hold { component: COUNTER, hold: Hold::Latent }, 250),
         (OwnedRequest::Hold { component: COUNTER, hold: Hold::Tree }, 255),
@@ -147,6 +150,10 @@ fn a_refused_request_changes_nothing_is_answered_and_does_not_hinder_the_next() 
         (modulate(COUNTER, 1, 5), "`Counter`: no such modulation, the component has 1"),
         (modulate(NOBODY, 0, 5), "entry 0: the tree has no such component"),
         (OwnedRequest::Rate { component: NOBODY, hz: 0.0 }, "entry 0: the tree has no such component"),
+        (OwnedRequest::Rate { component: COUNTER, hz: 0.0 }, RATE),
+        (OwnedRequest::Rate { component: COUNTER, hz: -1e30 }, RATE),
+        (OwnedRequest::Rate { component: COUNTER, hz: f32::INFINITY }, RATE),
+        (OwnedRequest::Rate { component: COUNTER, hz: 1e6 }, RATE),
         (OwnedRequest::Hold { component: NOBODY, hold: Hold::Latent }, "entry 0: the tree has no such component"),
     ];
     let mut runner = runner();

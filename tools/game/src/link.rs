@@ -8,7 +8,7 @@ use bica_link::{Address, LinkImage, LinkObserver, LinkRequests, LinkServer, Serv
 use bica_motion::pose::Pose2;
 use bica_motion::robot::{CameraId, Sensors};
 use bica_player::tunable::Forward;
-use bica_sim::referee::TimedEvent;
+use bica_sim::referee::{Event, TimedEvent};
 use bica_sim::{Referee, SharedImage};
 use bica_wire::message::{MAX_OTHERS, Offers, Truth};
 
@@ -68,7 +68,10 @@ impl GameLink {
     /// Sends an event of the referee to monitors.
     pub(crate) fn event(&self, event: &TimedEvent) {
         if let Some(server) = &self.0 {
-            let EventRecord { event: kind, detail, .. } = EventRecord::from(event);
+            let EventRecord { event: kind, mut detail, t } = EventRecord::from(event);
+            if matches!(event.event, Event::Goal | Event::OwnGoal) {
+                detail = format!("at {t:.2} s");
+            }
             let separator = if detail.is_empty() { "" } else { ", " };
             server.log(INFORMATION, &format!("referee: {kind}{separator}{detail}"));
         }

@@ -26,6 +26,7 @@ function Lost() {
   const own = store.session.value?.info.value;
   if (lost) return html`<div class="lost" role="alert">The connection to the program is lost. It is being restored; what you operated has ended. If the program was started again, open the new address that it printed.</div>`;
   if (own?.connection === 'lost') return html`<div class="lost" role="alert">${own.name}: the connection is lost and is being restored. ${own.note}</div>`;
+  if (own?.result) return html`<div class="ended" role="status">${own.name}: <b>${own.result}</b>. ${own.note}</div>`;
   if (own?.connection === 'ended') return html`<div class="lost" role="alert">${own.name}: it has ended. ${own.note}</div>`;
   return null;
 }

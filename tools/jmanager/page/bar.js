@@ -22,7 +22,7 @@ function Sessions() {
       const chosen = one.id === store.current.value;
       return html`<span key=${one.id} class=${`session ${chosen ? 'chosen' : ''}`}>
         <button role="tab" aria-selected=${chosen} title=${info.note || info.name} onClick=${() => store.show(one.id)}>
-          <i class=${`state ${info.connection}`} aria-hidden="true"></i>${info.name}${CONNECTION[info.connection] && html` <em>${CONNECTION[info.connection]}</em>`}</button>
+          <i class=${`state ${info.result && info.connection === 'ended' ? '' : info.connection}`} aria-hidden="true"></i>${info.name}${CONNECTION[info.connection] && html` <em>${CONNECTION[info.connection]}</em>`}</button>
         ${chosen && all.length > 1 && html`<button class="close" aria-label=${`Close ${info.name}`} onClick=${() => store.act('close')}>×</button>`}
       </span>`;
     })}
@@ -42,7 +42,7 @@ function Add() {
     <p class="hint">tcp://HOST:PORT, or serial:DEVICE@BAUD</p>
     <form class="form" onSubmit=${(event) => { event.preventDefault(); open({ kind: 'world', world: world.value, seed: Number(seed.value) || 0, robots: 0 }); }}>
       <label>World <select aria-label="World" onChange=${(event) => { world.value = event.target.value; }}>
-        ${['built-in', 'mujoco', 'firmware'].map((name) => html`<option selected=${name === world.value}>${name}</option>`)}</select></label>
+        ${(store.hello.value?.worlds ?? []).map((name) => html`<option selected=${name === world.value}>${name}</option>`)}</select></label>
       <label>Seed <input class="short" inputmode="numeric" value=${seed.value} onInput=${(event) => { seed.value = event.target.value; }} aria-label="Seed of the world" /></label>
       <button>Start</button></form>
     <button class="item" onClick=${() => dock.open('recordings')}>Recordings…</button>

@@ -1,15 +1,17 @@
 // The page that asks for the secret of the token file.
 
+import { enter, keep } from './lib/entrance.js';
+
 const why = document.getElementById('why');
 
-document.getElementById('enter').addEventListener('submit', async (event) => {
+document.getElementById('enter').addEventListener('submit', (event) => {
   event.preventDefault();
-  try {
-    const token = document.getElementById('token').value;
-    const response = await fetch('/enter', { method: 'POST', body: token, headers: { 'Content-Type': 'text/plain' } });
-    if (response.ok) location.replace('/');
-    else why.textContent = await response.text();
-  } catch {
-    why.textContent = 'The program does not answer. Is it still running?';
-  }
+  const socket = enter(document.getElementById('token').value.trim());
+  socket.onmessage = ({ data }) => {
+    const { type, secret } = JSON.parse(data);
+    if (type !== 'entered') return;
+    keep(secret);
+    location.replace(`./${location.hash}`);
+  };
+  socket.onclose = ({ reason }) => { why.textContent = reason || 'The program does not answer. Is it still running?'; };
 });

@@ -1,6 +1,7 @@
 // The WebSocket: connects again after a loss, numbers requests, hands messages on.
 
 import { signal } from './dom.js';
+import { REFUSED, enter, keep } from './entrance.js';
 
 /** connecting, open or lost. */
 export const link = signal('connecting');
@@ -16,13 +17,14 @@ export const listen = (listener) => listeners.push(listener);
 
 /** Connects, and again after each loss. Requests of a lost connection fail; none of them is sent again. */
 export function connect() {
-  const mine = new WebSocket(`${location.protocol === 'https:' ? 'wss' : 'ws'}://${location.host}/socket`);
+  const mine = enter();
   socket = mine;
   mine.binaryType = 'arraybuffer';
-  mine.onopen = () => { link.value = 'open'; };
   mine.onmessage = ({ data }) => receive(data);
-  mine.onclose = () => {
+  mine.onclose = ({ code }) => {
     if (socket !== mine) return;
+    // A page that was open waits: another tab may enter, with the address of a program that was started again.
+    if (code === REFUSED && link.value === 'connecting') location.replace(`enter.html${location.hash}`);
     link.value = 'lost';
     socket = null;
     for (const { reject } of waiting.values()) reject({ text: 'the connection to the program was lost', help: 'it is being restored' });
@@ -37,6 +39,11 @@ function receive(data) {
     return;
   }
   const message = JSON.parse(data);
+  if (message.type === 'entered') {
+    keep(message.secret);
+    link.value = 'open';
+    return;
+  }
   if (message.type === 'answer') {
     const asked = waiting.get(message.id);
     waiting.delete(message.id);
@@ -49,7 +56,7 @@ function receive(data) {
 
 /** Sends a request; the promise has its result, or its error `{text, help, entry}`. */
 export function request(type, fields = {}) {
-  if (socket?.readyState !== WebSocket.OPEN) {
+  if (link.value !== 'open') {
     return Promise.reject({ text: 'there is no connection to the program', help: 'it is being restored; try again then' });
   }
   lastId += 1;

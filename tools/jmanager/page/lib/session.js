@@ -72,6 +72,8 @@ export class Session {
     this.lines = [];
     this.linesVersion = signal(0);
     this.conditions = new Map();
+    /** The newest conditions by component, and costs, whatever the cursor shows. */
+    this.latest = new Map();
     this.information = new Map();
     this.incoming = [];
   }
@@ -88,6 +90,7 @@ export class Session {
     this.images = [];
     this.information.clear();
     this.conditions.clear();
+    this.latest.clear();
     this.params.value = components.map((component) => component.params.map((param) => param.value ?? param.default));
     this.drawing.value = drawing;
     this.description.value = description;
@@ -128,6 +131,14 @@ export class Session {
     let known = this.conditions.get(component);
     if (!known) this.conditions.set(component, (known = signal(null)));
     return known;
+  }
+
+  /** Shows the newest conditions and costs. */
+  showLatest() {
+    for (const [of, message] of this.latest) {
+      if (of === 'costs') this.costs.value = message;
+      else this.conditions_of(of).value = message;
+    }
   }
 
   /** Adds the lines that the server knows to those that came since it was asked; a line that is in both is there once. */

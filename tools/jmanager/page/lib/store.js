@@ -180,6 +180,7 @@ export function seek(time) {
   if (at === null) {
     playing.value = false;
     if (shown.live.value) shown.moment.value = shown.live.value;
+    shown.showLatest();
   } else seekSoon();
 }
 
@@ -201,6 +202,9 @@ async function seekSoon() {
       batch(() => {
         shown.moment.value = moment;
         if (moment.truth) shown.truth.value = { time_us: moment.time_us, truth: moment.truth };
+        shown.costs.value = moment.costs;
+        for (const known of shown.conditions.values()) known.value = null;
+        for (const one of moment.conditions) shown.conditions_of(one.component).value = one;
         for (const [component, index, time, value] of moment.info) shown.info_of(component, index).now.value = { time, value };
       });
     }
@@ -249,7 +253,9 @@ function showSession(info) {
   if (gone.has(info.id)) return;
   const known = sessionOf(info.id);
   if (known) {
+    const wasRead = known.info.value.connection === 'connecting' && info.connection === 'connected';
     known.info.value = info;
+    if (wasRead && info.kind === 'recording') readLines(known);
     begin(known);
     return;
   }
@@ -333,10 +339,12 @@ const HANDLERS = {
     }
   },
   conditions(message, of) {
-    of.conditions_of(message.component).value = message;
+    of.latest.set(message.component, message);
+    if (cursor.value === null || of !== session.value) of.conditions_of(message.component).value = message;
   },
   costs(message, of) {
-    of.costs.value = message;
+    of.latest.set('costs', message);
+    if (cursor.value === null || of !== session.value) of.costs.value = message;
     const worst = [...of.worst.value, { time: message.worst_us, us: message.chain_us[1] }];
     of.worst.value = worst.sort((a, b) => b.us - a.us).slice(0, 20);
   },

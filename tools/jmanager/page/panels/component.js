@@ -68,7 +68,7 @@ function ByHand({ shown, component, index }) {
   const cost = costs?.components[index];
   const rate = useSignal(null);
   const wanted = now?.[3] ?? component.hz;
-  const most = shown.description.value.cycle_hz;
+  const most = component.hz;
   const hold = (kind) => command('hold', { component: index, hold: kind }, kind === 'tree' ? `${component.name} is left to the tree` : `${component.name} is held ${kind}`);
   const setRate = (hz) => {
     rate.value = null;

@@ -96,6 +96,6 @@ function Compare() {
     setTimeout(() => seek(result.value.time_us));
   };
   return html`<section aria-label="Compare"><h3>Compare</h3><div class="join">${pick(0, 'First recording')}${pick(1, 'Second recording')}<button onClick=${compare}>Compare</button></div>
-    ${result.value && (result.value.equal ? html`<p class="yes">They are equal.</p>` : html`<p><b class="warn">First difference</b> in cycle ${result.value.cycle}: ${result.value.field}. ${result.value.text} <button class="small" onClick=${go}>Show</button></p>`)}</section>`;
+    ${result.value && (result.value.equal ? html`<p class="yes">${result.value.copies ? 'They are copies of one recording.' : 'They are equal.'}</p>` : html`<p><b class="warn">First difference</b> in cycle ${result.value.cycle}: ${result.value.field}. ${result.value.text} <button class="small" onClick=${go}>Show</button></p>`)}</section>`;
 }
 

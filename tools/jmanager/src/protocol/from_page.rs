@@ -9,12 +9,16 @@ use super::{Breakpoint, Open, SessionId, SourceRequest, Watch};
 pub struct FromPage {
     /// Chosen by the page, different for each message; not 0.
     pub id: u32,
+    /// The session that the request is about, if it is about one.
+    #[serde(default)]
+    pub session: Option<SessionId>,
     /// The request.
     #[serde(flatten)]
     pub request: Request,
 }
 
-/// What the page asks for. In brackets: the `result` of the answer, if there is one.
+/// What the page asks for. In brackets: the `result` of the answer, if there is one. All but `Open`, `Recordings`, `Layouts`, `SaveLayout`
+/// and `Source` are about the session of the message.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "type", rename_all = "snake_case", deny_unknown_fields)]
 pub enum Request {
@@ -24,22 +28,15 @@ pub enum Request {
         source: Open,
     },
     /// Closes a session.
-    Close {
-        /// Session.
-        session: SessionId,
-    },
+    Close {},
     /// Replaces all that this page watches of a session.
     Watch {
-        /// Session.
-        session: SessionId,
         /// What.
         watch: Watch,
     },
     /// Reads the state at a time: of the last cycle that is not later. [[`Moment`](super::Moment); if `image`, a binary
     /// frame with this `id` comes before the answer]
     At {
-        /// Session.
-        session: SessionId,
         /// Time, µs.
         time_us: u64,
         /// Information to read: component and index of each.
@@ -49,8 +46,6 @@ pub enum Request {
     },
     /// Reads the activation timeline of an interval. [list of [`Row`](super::Row)]
     Timeline {
-        /// Session.
-        session: SessionId,
         /// Begin, µs.
         from_us: u64,
         /// End, µs.
@@ -60,8 +55,6 @@ pub enum Request {
     },
     /// Reads samples of an output or of a parameter-like number, thinned to at most `points`. [list of `[time_us, value]`]
     Series {
-        /// Session.
-        session: SessionId,
         /// Component.
         component: usize,
         /// Information.
@@ -75,8 +68,6 @@ pub enum Request {
     },
     /// Reads log lines of an interval. [list of [`LogLine`](super::LogLine)]
     Lines {
-        /// Session.
-        session: SessionId,
         /// Begin, µs.
         from_us: u64,
         /// End, µs.
@@ -85,36 +76,20 @@ pub enum Request {
         limit: usize,
     },
     /// Becomes the operator of a session if nobody is.
-    Acquire {
-        /// Session.
-        session: SessionId,
-    },
+    Acquire {},
     /// Becomes the operator instead of another one; only when a person asks for it.
-    Take {
-        /// Session.
-        session: SessionId,
-    },
+    Take {},
     /// Gives control back: holds, rates and modulations end.
-    Release {
-        /// Session.
-        session: SessionId,
-    },
+    Release {},
     /// Sent at least every 500 ms by a page that controls a session. After 3 s without it control ends.
-    Keep {
-        /// Session.
-        session: SessionId,
-    },
+    Keep {},
     /// Sets parameters, all or none. [`{"cycle": number, "values": list}`: first cycle with the effective values]
     Set {
-        /// Session.
-        session: SessionId,
         /// Settings.
         settings: Vec<Setting>,
     },
     /// Holds a component, or releases it.
     Hold {
-        /// Session.
-        session: SessionId,
         /// Component.
         component: usize,
         /// How.
@@ -122,8 +97,6 @@ pub enum Request {
     },
     /// Changes a rate, Hz; `null` is the declared rate.
     Rate {
-        /// Session.
-        session: SessionId,
         /// Component.
         component: usize,
         /// Rate, Hz.
@@ -131,8 +104,6 @@ pub enum Request {
     },
     /// Calls a modulation.
     Modulate {
-        /// Session.
-        session: SessionId,
         /// Component.
         component: usize,
         /// Modulation.
@@ -141,26 +112,16 @@ pub enum Request {
         arguments: Vec<serde_json::Value>,
     },
     /// Pauses a simulated world between two cycles.
-    Pause {
-        /// Session.
-        session: SessionId,
-    },
+    Pause {},
     /// Continues a simulated world.
-    Resume {
-        /// Session.
-        session: SessionId,
-    },
+    Resume {},
     /// Runs cycles of a paused simulated world.
     Step {
-        /// Session.
-        session: SessionId,
         /// Number of cycles.
         cycles: u32,
     },
     /// Places the ball of a simulated world on its field, at rest, before the next cycle. [`{"cycle": number}`: the first cycle with it]
     PlaceBall {
-        /// Session.
-        session: SessionId,
         /// Position along the field, to the attacked goal, m.
         x: f32,
         /// Position across the field, to the left, m.
@@ -169,36 +130,26 @@ pub enum Request {
     /// Replaces the breakpoints of a session. A simulated world pauses at the cycle in which one is reached, a robot goes on. All
     /// pages get them as [`ToPage::Breakpoints`](super::ToPage::Breakpoints).
     Breakpoints {
-        /// Session.
-        session: SessionId,
         /// The breakpoints.
         list: Vec<Breakpoint>,
     },
     /// Searches the next time in memory at which a breakpoint of the session is reached. [[`Reached`](super::Reached), or `null`]
     NextHit {
-        /// Session.
-        session: SessionId,
         /// Time after which it is searched, µs.
         from_us: u64,
     },
     /// Begins a simulated world again, with another seed if given.
     Restart {
-        /// Session.
-        session: SessionId,
         /// Seed.
         seed: Option<u64>,
     },
     /// Adds a note of the operator to log, timeline and recording.
     Note {
-        /// Session.
-        session: SessionId,
         /// Text, at most 500 characters.
         text: String,
     },
     /// Keeps the recording of the last minutes under a name in the recordings folder. [`{"path": text}`]
     KeepRecording {
-        /// Session.
-        session: SessionId,
         /// File name without folder and ending.
         name: String,
     },
@@ -206,8 +157,6 @@ pub enum Request {
     Recordings {},
     /// Writes changed parameters to a tune file. [`{"path": text}`]
     SaveTune {
-        /// Session.
-        session: SessionId,
         /// Parameters: component and index of each.
         params: Vec<(usize, usize)>,
         /// Name of the tune file without ending: a kind of world or a robot.
@@ -215,8 +164,6 @@ pub enum Request {
     },
     /// Writes a parameter as the new default to its Rust source. [`{"path": text, "diff": text}`]
     SaveSource {
-        /// Session.
-        session: SessionId,
         /// Component.
         component: usize,
         /// Parameter.
@@ -238,27 +185,18 @@ pub enum Request {
     },
     /// Compares two recordings. [`{"equal": bool, "cycle", "time_us", "field", "text"}`: the first difference]
     Compare {
-        /// One session.
-        session: SessionId,
         /// The other session.
         other: SessionId,
     },
     /// Runs a recording again with other parameters, as a new session. [`{"session": number}`]
     RunAgain {
-        /// Session.
-        session: SessionId,
         /// Settings.
         settings: Vec<Setting>,
     },
     /// Reads the colour classes that are in force. [`{"classes": [{"name", "colour", "limits": …}], "text": profile TOML}`]
-    Colours {
-        /// Session.
-        session: SessionId,
-    },
+    Colours {},
     /// Assigns pixels to a class, or takes them away, in the profile under edit. [as `Colours`]
     PickColours {
-        /// Session.
-        session: SessionId,
         /// Index of the class.
         class: usize,
         /// True: the pixels are not of the class.
@@ -269,99 +207,32 @@ pub enum Request {
         pixels: Vec<(u16, u16)>,
     },
     /// Undoes the last change of the profile under edit. [as `Colours`]
-    UndoColours {
-        /// Session.
-        session: SessionId,
-    },
+    UndoColours {},
     /// Replaces the profile under edit by a saved or built-in one. [as `Colours`]
     LoadColours {
-        /// Session.
-        session: SessionId,
         /// Name of the profile without ending.
         name: String,
     },
     /// Classifies an image with the profile under edit: a binary frame with this `id` comes before the answer.
     Classify {
-        /// Session.
-        session: SessionId,
         /// Number of the image.
         image: u32,
     },
     /// Computes the field boundary in an image, with the profile under edit and the robot's thresholds. [[`Boundary`](super::Boundary)]
     Boundary {
-        /// Session.
-        session: SessionId,
         /// Number of the image.
         image: u32,
     },
     /// Recall and precision of the profile under edit on a folder of labelled images. [`{"rows": [{"object", "recall", "precision",
     /// "images"}]}`]
-    ScoreColours {
-        /// Session.
-        session: SessionId,
-    },
+    ScoreColours {},
     /// Sends the profile under edit to the robot, as parameters.
-    SendColours {
-        /// Session.
-        session: SessionId,
-    },
+    SendColours {},
     /// Saves the profile under edit. [`{"path": text}`]
     SaveColours {
-        /// Session.
-        session: SessionId,
         /// File name without folder and ending.
         name: String,
     },
-}
-
-impl Request {
-    /// Returns the session that it is about; of two, the first.
-    #[must_use]
-    pub const fn session(&self) -> Option<SessionId> {
-        match *self {
-            Self::Close { session, .. }
-            | Self::Watch { session, .. }
-            | Self::At { session, .. }
-            | Self::Timeline { session, .. }
-            | Self::Series { session, .. }
-            | Self::Lines { session, .. }
-            | Self::Acquire { session, .. }
-            | Self::Take { session, .. }
-            | Self::Release { session, .. }
-            | Self::Keep { session, .. }
-            | Self::Set { session, .. }
-            | Self::Hold { session, .. }
-            | Self::Rate { session, .. }
-            | Self::Modulate { session, .. }
-            | Self::Pause { session, .. }
-            | Self::Resume { session, .. }
-            | Self::Step { session, .. }
-            | Self::PlaceBall { session, .. }
-            | Self::Breakpoints { session, .. }
-            | Self::NextHit { session, .. }
-            | Self::Restart { session, .. }
-            | Self::Note { session, .. }
-            | Self::KeepRecording { session, .. }
-            | Self::SaveTune { session, .. }
-            | Self::SaveSource { session, .. }
-            | Self::Compare { session, .. }
-            | Self::RunAgain { session, .. }
-            | Self::Colours { session, .. }
-            | Self::PickColours { session, .. }
-            | Self::UndoColours { session, .. }
-            | Self::LoadColours { session, .. }
-            | Self::Boundary { session, .. }
-            | Self::Classify { session, .. }
-            | Self::ScoreColours { session, .. }
-            | Self::SendColours { session, .. }
-            | Self::SaveColours { session, .. } => Some(session),
-            Self::Open { .. }
-            | Self::Recordings {}
-            | Self::Layouts {}
-            | Self::SaveLayout { .. }
-            | Self::Source { .. } => None,
-        }
-    }
 }
 
 /// A parameter and its new value.

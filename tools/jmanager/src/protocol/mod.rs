@@ -34,7 +34,8 @@ pub use source_file::{
 };
 pub use source_request::{DrawingFormat, KeepSide, MovedState, SourcePlace, SourceRequest};
 pub use state::{
-    Bar, ComponentCost, ComponentNow, Condition, InfoSample, LogKind, LogLine, Moment, RobotPose, Row, Truth,
+    Bar, ComponentCost, ComponentNow, Condition, Conditions, Costs, InfoSample, LogKind, LogLine, Moment, RobotPose,
+    Row, Truth,
 };
 pub use to_page::{Failed, ToPage};
 pub use watch::{Watch, WatchImages, WatchInfo};

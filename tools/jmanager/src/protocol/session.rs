@@ -17,6 +17,8 @@ pub struct SessionInfo {
     pub connection: Connection,
     /// What the connection's state means, for people; empty if all is well.
     pub note: String,
+    /// How the run ended, for people, such as `Goal at 16.68 s`; empty before.
+    pub result: String,
     /// First time of which something is known, µs.
     pub from_us: u64,
     /// Last time of which something is known, µs.

@@ -43,6 +43,32 @@ pub struct Condition {
     pub remaining_ms: Option<u32>,
 }
 
+/// Conditions of the transitions of a component.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Conditions {
+    /// Component.
+    pub component: usize,
+    /// Time, µs.
+    pub time_us: u64,
+    /// One for each transition of the component.
+    pub conditions: Vec<Condition>,
+}
+
+/// Time of the components and of the loop.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Costs {
+    /// Time, µs.
+    pub time_us: u64,
+    /// Time since the last costs, µs.
+    pub window_us: u64,
+    /// One for each component.
+    pub components: Vec<ComponentCost>,
+    /// Mean and largest duration of a cycle from sensor values to command, µs.
+    pub chain_us: (f32, f32),
+    /// Time of the worst cycle in the window, µs.
+    pub worst_us: u64,
+}
+
 /// Time of a component, in JSON a list.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct ComponentCost(
@@ -122,6 +148,10 @@ pub struct Moment {
     pub image: Option<u32>,
     /// True state, if it is known.
     pub truth: Option<Truth>,
+    /// Conditions of the components whose conditions the page watches, as far as they are known.
+    pub conditions: Vec<Conditions>,
+    /// The last costs that are not later, if they are known.
+    pub costs: Option<Costs>,
 }
 
 /// Activity of a component in an interval.

@@ -4,7 +4,7 @@ use bica_link::Description;
 use serde::Serialize;
 
 use super::{
-    Breakpoint, Build, Check, ComponentCost, ComponentNow, Condition, Drawing, Hit, InfoSample, LogLine, SessionId,
+    Breakpoint, Build, Check, ComponentNow, Conditions, Costs, Drawing, Hit, InfoSample, LogLine, SessionId,
     SessionInfo, SourceChange, SourceState, Truth,
 };
 
@@ -26,6 +26,8 @@ pub enum ToPage {
         source: bool,
         /// Whether programs can be built and run.
         build: bool,
+        /// Worlds that this program can simulate.
+        worlds: &'static [&'static str],
         /// All sessions.
         sessions: Vec<SessionInfo>,
     },
@@ -76,27 +78,17 @@ pub enum ToPage {
     Conditions {
         /// Session.
         session: SessionId,
-        /// Component.
-        component: usize,
-        /// Time, µs.
-        time_us: u64,
-        /// One for each transition of the component.
-        conditions: Vec<Condition>,
+        /// The conditions.
+        #[serde(flatten)]
+        of: Conditions,
     },
     /// Time of the components and of the loop, about twice a second.
     Costs {
         /// Session.
         session: SessionId,
-        /// Time, µs.
-        time_us: u64,
-        /// Time since the last costs, µs.
-        window_us: u64,
-        /// One for each component.
-        components: Vec<ComponentCost>,
-        /// Mean and largest duration of a cycle from sensor values to command, µs.
-        chain_us: (f32, f32),
-        /// Time of the worst cycle in the window, µs.
-        worst_us: u64,
+        /// The costs.
+        #[serde(flatten)]
+        costs: Costs,
     },
     /// True state of a simulated world. It is never sent to a robot.
     Truth {

@@ -1,6 +1,6 @@
 //! Breakpoints on states and transitions.
 
-use bica_link::Description;
+use bica_link::{Component, Description};
 
 use super::history::{Change, History, States};
 use super::live::Command;
@@ -72,6 +72,26 @@ impl Place {
     }
 }
 
+/// The same places in another tree, found by names; those that it does not have are left out.
+pub(super) fn moved(places: &[Place], from: &Description, to: &Description, is_exact: bool) -> Vec<Place> {
+    let moved = |place: &Place| {
+        let Breakpoint { component, state, transition } = place.breakpoint;
+        let owner = from.components.get(component)?;
+        let component = to.components.iter().position(|one| one.name == owner.name)?;
+        let new = &to.components[component];
+        let name = |of: &Component, state: usize| of.states.get(state).map(|state| state.name.clone());
+        let ways = |of: &Component| -> Vec<_> {
+            of.transitions.iter().map(|one| (one.name.clone(), name(of, one.from), name(of, one.to))).collect()
+        };
+        let same_state = |state| new.states.iter().position(|one| Some(&one.name) == name(owner, state).as_ref());
+        let same_way = |transition: usize| ways(new).iter().position(|way| Some(way) == ways(owner).get(transition));
+        let breakpoint =
+            Breakpoint { component, state: state.and_then(same_state), transition: transition.and_then(same_way) };
+        Place::find(breakpoint, to, is_exact).ok()
+    };
+    places.iter().filter_map(moved).collect()
+}
+
 /// The breakpoints that are reached in a cycle, as far as states show it; `before` are the states of all components before it. With
 /// `is_exact` those at transitions are found elsewhere.
 pub(super) fn reached(places: &[Place], before: &[Activity], changed: &[Change], is_exact: bool) -> Vec<Breakpoint> {
@@ -88,8 +108,8 @@ pub(super) fn reached(places: &[Place], before: &[Activity], changed: &[Change],
 fn next(history: &History, places: &[Place], from_us: u64, is_exact: bool) -> Option<Reached> {
     let (taken, seen): (Vec<_>, Vec<_>) =
         places.iter().partition(|place| is_exact && place.breakpoint.transition.is_some());
-    let is_after = |(time_us, ..): &&(u64, usize, usize)| *time_us > from_us;
-    let by_transition = history.taken().filter(is_after).find_map(|&(time_us, component, transition)| {
+    let mut later = history.taken.between(from_us.saturating_add(1), u64::MAX);
+    let by_transition = later.find_map(|&(time_us, (component, transition))| {
         let breakpoint = Breakpoint { component, state: None, transition: Some(transition) };
         taken.iter().any(|place| place.breakpoint == breakpoint).then_some(Reached { time_us, breakpoint })
     });
@@ -139,6 +159,25 @@ impl Session {
         Ok(())
     }
 
+    /// Takes over the breakpoints of the session that this one replaces, as far as its tree has such places.
+    pub(super) fn inherit(&self, other: &Self) {
+        let (tree, places) = {
+            let other = other.shared();
+            (other.description.clone(), other.breakpoints.clone())
+        };
+        let Some(tree) = tree else { return };
+        let mut shared = self.shared();
+        if let Some(now) = shared.description.clone() {
+            let places = moved(&places, &tree, &now, shared.can.conditions);
+            drop(shared);
+            let list: Vec<_> = places.iter().map(|place| place.breakpoint).collect();
+            // They fit the tree.
+            let _ = self.set_breakpoints(&list);
+        } else {
+            shared.inherited = Some((tree, places));
+        }
+    }
+
     /// The breakpoints, for pages.
     pub(super) fn breakpoints(&self, shared: &Shared) -> ToPage {
         let list = shared.breakpoints.iter().map(|place| place.breakpoint).collect();
@@ -166,6 +205,8 @@ impl Session {
 
 #[cfg(test)]
 mod tests {
+    use bica_link::{State, Transition};
+
     use super::*;
     use crate::protocol::HoldKind;
     use crate::sessions::history::Limits;
@@ -188,6 +229,29 @@ mod tests {
     }
 
     #[test]
+    fn breakpoints_move_to_the_same_names_in_another_tree() {
+        let tree = |states: &[&str], ways: &[(&str, usize, usize)]| {
+            let doc = String::new;
+            let state = |name: &&str| State { name: (*name).to_owned(), doc: doc(), initial: false, last: false };
+            let way = |&(name, from, to): &(&str, usize, usize)| {
+                let name = name.to_owned();
+                Transition { name, doc: doc(), from, to, after_ms: None }
+            };
+            let (states, transitions) = (states.iter().map(state).collect(), ways.iter().map(way).collect());
+            let lamp = Component { name: "Lamp".to_owned(), states, transitions, ..Component::default() };
+            Description { components: vec![Component::default(), lamp], ..Description::default() }
+        };
+        let before = tree(&["on", "off"], &[("tick", 0, 1), ("tick", 1, 0), ("lit", 1, 0)]);
+        let after = tree(&["new", "off", "on"], &[("tick", 1, 2), ("tick", 2, 1)]);
+        let place =
+            |state, transition| Place::find(Breakpoint { component: 1, state, transition }, &before, true).unwrap();
+        let places = [place(Some(0), None), place(None, Some(0)), place(None, Some(1)), place(None, Some(2))];
+        let found = moved(&places, &before, &after, true);
+        let found: Vec<_> = found.iter().map(|place| (place.breakpoint.state, place.breakpoint.transition)).collect();
+        assert_eq!(found, [(Some(2), None), (None, Some(1)), (None, Some(0))]);
+    }
+
+    #[test]
     fn the_next_time_is_found_after_the_cursor() {
         let mut states = States::new(1);
         for (time, state) in [(0, 0), (10, 1), (20, 0), (30, 1), (40, 1)] {
@@ -202,7 +266,7 @@ mod tests {
         let limits = Limits { ring_us: None, info_bytes: 0, image_bytes: 0 };
         let mut history = History::new(limits, 1);
         for (time, transition) in [(10, 1), (20, 2), (30, 1)] {
-            history.add_taken(time, 0, transition);
+            history.taken.push(time, (0, transition));
         }
         let place = Place::at(Breakpoint { component: 0, state: None, transition: Some(1) });
         let at = |from_us| next(&history, std::slice::from_ref(&place), from_us, true).map(|reached| reached.time_us);

@@ -13,6 +13,7 @@ use super::pages::{PageId, Pages, lock};
 use super::registry::Registry;
 use super::session::Session;
 use super::value::unknown;
+use super::world::WORLDS;
 use super::{colours, recorded, storage, tune};
 use crate::protocol::{Failed, FromPage, Open, Request, SessionId, SessionKind, ToPage, VERSION};
 use crate::source::{Editor, Host};
@@ -80,6 +81,7 @@ impl Manager {
             read_only: self.options.read_only,
             source: self.options.source.is_some(),
             build: self.options.source.is_some() && self.options.build && !self.options.read_only,
+            worlds: WORLDS,
             sessions: self.registry.infos(page),
         });
         self.pages.add(page, outbox);
@@ -108,8 +110,8 @@ impl Manager {
 
     /// Handles a message of a page. The answer comes through its outbox, at once or later.
     pub fn handle(&self, page: PageId, message: FromPage) {
-        let FromPage { id, request } = message;
-        match self.answer(page, id, request) {
+        let id = message.id;
+        match self.answer(page, message) {
             Ok(Some(value)) => self.pages.answer(page, id, Ok(value)),
             Ok(None) => {}
             Err(failed) => self.pages.answer(page, id, Err(failed)),
@@ -117,13 +119,13 @@ impl Manager {
     }
 
     /// Returns the answer; none if it follows later.
-    fn answer(&self, page: PageId, id: u32, request: Request) -> Result<Option<Value>, Failed> {
+    fn answer(&self, page: PageId, message: FromPage) -> Result<Option<Value>, Failed> {
+        let FromPage { id, session, request } = message;
+        if self.options.read_only && !only_reads(&request) {
+            return Err(read_only());
+        }
         match request {
             Request::Open { source } => return self.open(source).map(|session| Some(json!({ "session": session }))),
-            Request::Close { session } => {
-                self.writable()?;
-                return self.registry.close(session).map(|()| Some(Value::Null));
-            }
             Request::Recordings {} => return Ok(Some(storage::recordings(&self.options))),
             Request::Layouts {} => return storage::layouts(&self.options).map(Some),
             Request::Source { request } => return self.editor()?.handle(page, request).map(Some),
@@ -133,21 +135,20 @@ impl Manager {
             }
             _ => {}
         }
-        let session =
-            self.registry.get(request.session().ok_or_else(|| {
-                Failed::new("this request is not known yet", "reload the page, or update the program")
-            })?)?;
+        let none = || Failed::new("the request names no session", "reload the page, or update the program");
+        let session = self.registry.get(session.ok_or_else(none)?)?;
         match request {
+            Request::Close {} => self.registry.close(session.id).map(|()| Some(Value::Null)),
             Request::At { .. } | Request::Timeline { .. } | Request::Series { .. } | Request::Lines { .. } => {
                 session.query(page, id, &request).map(Some)
             }
-            Request::Watch { watch, .. } => {
+            Request::Watch { watch } => {
                 session.watch(page, watch);
                 // A recording has no thread that needs to know.
                 let _ = session.command(live::Command::Watch);
                 Ok(Some(Value::Null))
             }
-            Request::Note { text, .. } => {
+            Request::Note { text } => {
                 if text.chars().count() > MAX_NOTE {
                     return Err(Failed::new("the note is too long", format!("write at most {MAX_NOTE} characters")));
                 }
@@ -158,68 +159,70 @@ impl Manager {
                 session.note(&text);
                 Ok(Some(Value::Null))
             }
-            Request::Pause { .. } | Request::Resume { .. } | Request::Step { .. } => {
-                self.writable()?;
-                pace(&session, page, id, request)
-            }
-            Request::Colours { .. }
+            Request::Pause {} | Request::Resume {} | Request::Step { .. } => pace(&session, page, id, request),
+            Request::Colours {}
             | Request::Boundary { .. }
             | Request::Classify { .. }
-            | Request::ScoreColours { .. } => colours::handle(&session, page, id, &request),
-            Request::PickColours { .. }
-            | Request::UndoColours { .. }
+            | Request::ScoreColours {}
+            | Request::PickColours { .. }
+            | Request::UndoColours {}
             | Request::LoadColours { .. }
-            | Request::SendColours { .. }
-            | Request::SaveColours { .. } => {
-                self.writable()?;
-                colours::handle(&session, page, id, &request)
-            }
-            Request::SaveSource { component, param, .. } => {
+            | Request::SendColours {}
+            | Request::SaveColours { .. } => colours::handle(&session, page, id, &request),
+            Request::SaveSource { component, param } => {
                 let description = session.description()?;
                 let owner = description.components.get(component).ok_or_else(|| unknown("component", component))?;
                 let param = owner.params.get(param).ok_or_else(|| unknown("parameter", param))?;
                 self.editor()?.set_default(page, &owner.name, param).map(Some)
             }
-            Request::Breakpoints { list, .. } => {
-                if session.pacer.is_some() {
-                    self.writable()?;
-                }
-                session.set_breakpoints(&list).map(|()| Some(Value::Null))
-            }
-            Request::NextHit { from_us, .. } => Ok(Some(json!(session.next_hit(from_us)))),
-            Request::Compare { other, .. } => {
+            // A world of this process pauses there.
+            Request::Breakpoints { .. } if self.options.read_only && session.pacer.is_some() => Err(read_only()),
+            Request::Breakpoints { list } => session.set_breakpoints(&list).map(|()| Some(Value::Null)),
+            Request::NextHit { from_us } => Ok(Some(json!(session.next_hit(from_us)))),
+            Request::Compare { other } => {
                 recorded::compare(page, id, &session, &*self.registry.get(other)?).map(|()| None)
             }
-            Request::RunAgain { settings, .. } => {
-                self.writable()?;
+            Request::RunAgain { settings } => {
                 let id = self.registry.next_id();
                 let again = recorded::run_again(id, &session, &settings)?;
                 self.registry.add(&again)?;
                 Ok(Some(json!({ "session": id })))
             }
-            Request::KeepRecording { name, .. } => {
-                self.writable()?;
-                storage::keep(&session, page, id, &name).map(|()| None)
-            }
-            Request::SaveTune { params, name, .. } => {
-                self.writable()?;
-                tune::save(&session, &params, &name).map(Some)
-            }
+            Request::KeepRecording { name } => storage::keep(&session, page, id, &name).map(|()| None),
+            Request::SaveTune { params, name } => tune::save(&session, &params, &name).map(Some),
             _ if session.kind == SessionKind::Recording => {
                 let help = "open a robot or a world; a recording can be run again with other parameters";
                 Err(Failed::new("a recording cannot be operated", help))
             }
-            request => {
-                self.writable()?;
-                session.command(live::Command::Operate { page, id, request }).map(|()| None)
-            }
+            request => session.command(live::Command::Operate { page, id, request }).map(|()| None),
         }
     }
+}
 
-    fn writable(&self) -> Result<(), Failed> {
-        let failed = || Failed::new("this server lets pages only watch", "start it without --read-only");
-        if self.options.read_only { Err(failed()) } else { Ok(()) }
-    }
+fn read_only() -> Failed {
+    Failed::new("this server lets pages only watch", "start it without --read-only")
+}
+
+/// Whether pages of a server for watching may ask for it. Requests about sources are checked by their editor.
+const fn only_reads(request: &Request) -> bool {
+    matches!(
+        request,
+        Request::Watch { .. }
+            | Request::At { .. }
+            | Request::Timeline { .. }
+            | Request::Series { .. }
+            | Request::Lines { .. }
+            | Request::Breakpoints { .. }
+            | Request::NextHit { .. }
+            | Request::Recordings {}
+            | Request::Layouts {}
+            | Request::Source { .. }
+            | Request::Compare { .. }
+            | Request::Colours {}
+            | Request::Boundary { .. }
+            | Request::Classify { .. }
+            | Request::ScoreColours {}
+    )
 }
 
 impl Drop for Manager {

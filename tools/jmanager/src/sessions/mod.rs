@@ -18,6 +18,7 @@ pub(crate) mod pages;
 mod query;
 mod recorded;
 mod registry;
+mod result;
 mod robot_recording;
 mod session;
 mod storage;

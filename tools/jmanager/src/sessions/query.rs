@@ -57,10 +57,12 @@ impl Session {
             let moment = Moment {
                 time_us: time,
                 cycle,
-                components,
                 info: info.iter().take(MAX_POINTS).filter_map(sample).collect(),
                 image: image.as_ref().map(|image| image.number).or(place.map(|(number, ..)| number)),
-                truth: history.truth(time).cloned(),
+                truth: history.truths.at(time).map(|(_, truth)| truth.clone()),
+                conditions: shared.conditions_at(page, time, &components),
+                costs: history.costs.at(time).map(|(_, costs)| costs.clone()),
+                components,
             };
             (moment, image.filter(|_| with_image), place.filter(|_| with_image))
         };

@@ -105,8 +105,16 @@ impl Registry {
 }
 
 impl Host for Registry {
-    fn open(&self, address: &str) -> Result<SessionId, Failed> {
-        self.open(Open::Robot { address: address.to_owned() }, None)
+    fn open(&self, address: &str, replaced: Option<SessionId>) -> Result<SessionId, Failed> {
+        let replaced = replaced.and_then(|session| self.get(session).ok());
+        if let Some(session) = &replaced {
+            Host::close(self, session.id);
+        }
+        let id = self.open(Open::Robot { address: address.to_owned() }, None)?;
+        if let Some((before, now)) = replaced.zip(self.get(id).ok()) {
+            now.inherit(&before);
+        }
+        Ok(id)
     }
 
     fn close(&self, session: SessionId) {

@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 
 use bica_link::Description;
 
-use super::breakpoints::Place;
+use super::breakpoints::{self, Place};
 use super::colours::Edit;
 use super::history::{History, Limits, StoredImage};
 use super::options::Options;
@@ -43,6 +43,8 @@ pub(super) enum Operator {
 pub(super) struct Shared {
     pub(super) connection: Connection,
     pub(super) note: String,
+    /// How the run ended; empty before.
+    pub(super) result: String,
     pub(super) can: Capabilities,
     pub(super) recording: RecordingState,
     /// File with the run of a world.
@@ -61,6 +63,8 @@ pub(super) struct Shared {
     pub(super) colours: Option<Edit>,
     pub(super) watching: Watching,
     pub(super) breakpoints: Vec<Place>,
+    /// Breakpoints of the session before this one, and its tree.
+    pub(super) inherited: Option<(Arc<Description>, Vec<Place>)>,
     /// Pages that know the tree.
     described: BTreeSet<PageId>,
     pub(super) images_taken: u64,
@@ -115,6 +119,7 @@ impl Session {
             shared: Mutex::new(Shared {
                 connection: Connection::Connecting,
                 note: String::new(),
+                result: String::new(),
                 can: Capabilities::default(),
                 recording: RecordingState::default(),
                 recording_file: PathBuf::new(),
@@ -128,6 +133,7 @@ impl Session {
                 colours: None,
                 watching: Watching::default(),
                 breakpoints: Vec::new(),
+                inherited: None,
                 described: BTreeSet::new(),
                 images_taken: 0,
                 overruns: 0,
@@ -166,6 +172,7 @@ impl Session {
             name: self.name.clone(),
             connection: shared.connection,
             note: shared.note.clone(),
+            result: shared.result.clone(),
             from_us,
             until_us,
             gaps: shared.history.states.gaps().copied().collect(),
@@ -229,12 +236,13 @@ impl Session {
         } else {
             shared.history = History::new(limits(&self.options, self.kind), components);
             shared.epoch += 1;
+            shared.result.clear();
         }
-        if shared.description.as_ref().is_some_and(|last| last.hash != description.hash) {
-            // They are of another tree.
-            shared.breakpoints.clear();
+        let own = shared.description.take().map(|tree| (tree, std::mem::take(&mut shared.breakpoints)));
+        if let Some((tree, places)) = shared.inherited.take().or(own) {
+            shared.breakpoints = breakpoints::moved(&places, &tree, &description, can.conditions);
             if let Some(pacer) = &self.pacer {
-                pacer.set_breakpoints(Vec::new());
+                pacer.set_breakpoints(shared.breakpoints.clone());
             }
         }
         shared.description = Some(Arc::new(description));
@@ -303,7 +311,9 @@ impl Session {
     }
 
     pub(super) fn add_line(&self, line: LogLine) {
-        self.shared().history.add_line(line.clone());
+        if self.shared().add_line(line.clone()) {
+            self.announce();
+        }
         self.record_robot(|recorder| recorder.line(&line));
         self.pages.broadcast(&ToPage::Log { session: self.id, lines: vec![line] });
     }

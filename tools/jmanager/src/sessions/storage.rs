@@ -110,7 +110,7 @@ fn copy(spool: &Path, target: &Path) -> Result<Value, Failed> {
 /// Reads all layouts; none if there is no file yet.
 pub(super) fn layouts(options: &Options) -> Result<Value, Failed> {
     let help = "mend or remove the file";
-    match fs::read_to_string(&options.layouts) {
+    match files::read(&options.layouts) {
         Ok(text) => serde_json::from_str::<Map<String, Value>>(&text)
             .map(Value::Object)
             .map_err(|error| failed("read", &options.layouts, &error, help)),
@@ -121,9 +121,6 @@ pub(super) fn layouts(options: &Options) -> Result<Value, Failed> {
 
 /// Saves or deletes a layout.
 pub(super) fn save_layout(options: &Options, name: &str, layout: Value) -> Result<(), Failed> {
-    if options.read_only {
-        return Err(Failed::new("this server lets pages only watch", "start it without --read-only"));
-    }
     let Value::Object(mut all) = layouts(options)? else { return Ok(()) };
     if layout.is_null() {
         all.remove(name);

@@ -1,7 +1,5 @@
 //! Values of parameters in tune files.
 
-use std::fs;
-
 use bica_game::GRAPH;
 use bica_link::{Description, Kind};
 use bica_tuning::Layers;
@@ -16,7 +14,7 @@ use crate::protocol::Failed;
 pub(super) fn save(session: &Session, params: &[(usize, usize)], name: &str) -> Result<Value, Failed> {
     let description = session.description()?;
     let path = files::path(&session.options.tune, name, ".toml")?;
-    let mut text = match fs::read_to_string(&path) {
+    let mut text = match files::read(&path) {
         Ok(text) => text,
         Err(error) if error.kind() == std::io::ErrorKind::NotFound => String::new(),
         Err(error) => return Err(storage::failed("read", &path, &error, "mend or remove the file")),

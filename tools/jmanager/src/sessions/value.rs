@@ -86,7 +86,7 @@ pub(super) fn change(description: &Description, request: &Request) -> Option<Res
             known(description, *component).map(|component| Change::Hold { component, hold: wire_hold(*hold) })
         }
         Request::Rate { component, hz, .. } => {
-            known(description, *component).map(|component| Change::Rate { component, hz: hz.unwrap_or(f32::NAN) })
+            known(description, *component).and_then(|component| rate(description, component, *hz))
         }
         Request::Modulate { component, modulation, arguments, .. } => {
             modulate(description, *component, *modulation, arguments)
@@ -98,6 +98,15 @@ pub(super) fn change(description: &Description, request: &Request) -> Option<Res
 fn known(description: &Description, component: usize) -> Result<u16, Failed> {
     let is_known = component < description.components.len();
     is_known.then_some(component as u16).ok_or_else(|| unknown("component", component))
+}
+
+fn rate(description: &Description, component: u16, hz: Option<f32>) -> Result<Change, Failed> {
+    let most = description.components[usize::from(component)].hz.unwrap_or(description.cycle_hz);
+    if let Some(hz) = hz.filter(|hz| !(*hz > 0.0 && *hz <= most)) {
+        let help = format!("choose more than 0 and at most {most} Hz, or the declared rate");
+        return Err(Failed::new(format!("the rate {hz} Hz is outside its range"), help));
+    }
+    Ok(Change::Rate { component, hz: hz.unwrap_or(f32::NAN) })
 }
 
 fn params(description: &Description, settings: &[Setting]) -> Result<Change, Failed> {

@@ -4,31 +4,27 @@
 //! newest value either from memory or as the next message: of a paused world no other one would come.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use bica_link::Transition;
 
-use super::history::StoredImage;
+use super::history::{self, StoredImage};
 use super::outbox::{DataKind, Frame};
 use super::pages::PageId;
 use super::session::{Session, Shared};
-use super::world::MachineConditions;
-use crate::protocol::{Condition, InfoSample, SessionKind, ToPage, Truth, Watch, WatchImages};
+use crate::protocol::{
+    ComponentNow, Condition, Conditions, Costs, InfoSample, SessionKind, ToPage, Truth, Watch, WatchImages,
+};
 
 /// Time between two updates of the pages.
 pub(super) const UPDATE: Duration = Duration::from_millis(33);
 /// Age above which a value is not sent to a page that begins to watch, µs of the robot's time: a newer one comes soon.
 const OLD: u64 = 500_000;
 
-/// What pages watch of a session, and the newest of what the history does not contain.
+/// What pages watch of a session.
 #[derive(Default)]
 pub(super) struct Watching {
     watches: BTreeMap<PageId, Watch>,
-    /// Conditions of each component with their time, µs.
-    conditions: BTreeMap<usize, (u64, MachineConditions)>,
-    truth: Option<(u64, Truth)>,
-    costs: Option<Arc<ToPage>>,
     /// Number of the last image that a page was sent, and when.
     images: BTreeMap<PageId, (u32, Instant)>,
 }
@@ -55,13 +51,12 @@ impl Shared {
         time_us.saturating_add(OLD) >= self.history.span().1
     }
 
-    /// The last conditions of a component, with the rest of the timers.
-    fn conditions(&self, session: &Session, component: usize) -> Option<ToPage> {
+    /// The conditions of a component at a time, with the rest of the timers; `state` is that of the component then.
+    fn conditions(&self, component: usize, time_us: u64, state: Option<&ComponentNow>) -> Option<Conditions> {
         let described = self.description.as_ref()?.components.get(component)?;
-        let &(time_us, (_, ref conditions)) = self.watching.conditions.get(&component)?;
-        let now = self.history.states.current().get(component).copied();
+        let known = self.history.conditions(component, time_us)?;
         let rest = |transition: &Transition| {
-            let now = now.filter(|now| now.0 && now.2.map(usize::from) == Some(transition.from))?;
+            let now = state.filter(|now| now.0 && now.2.map(usize::from) == Some(transition.from))?;
             let been_ms = time_us.saturating_sub(now.4) / 1000;
             transition.after_ms.map(|after| u64::from(after).saturating_sub(been_ms) as u32)
         };
@@ -70,8 +65,22 @@ impl Shared {
             since_us: condition.map_or(0, |(_, since)| since),
             remaining_ms: rest(transition),
         };
-        let conditions = described.transitions.iter().zip(conditions).map(condition).collect();
-        Some(ToPage::Conditions { session: session.id, component, time_us, conditions })
+        let conditions = described.transitions.iter().zip(known).map(condition).collect();
+        Some(Conditions { component, time_us, conditions })
+    }
+
+    /// The newest conditions of a component.
+    fn newest_conditions(&self, session: &Session, component: usize) -> Option<ToPage> {
+        let (time_us, _) = self.history.states.last()?;
+        let state = self.history.states.current().get(component);
+        let of = self.conditions(component, time_us, state)?;
+        Some(ToPage::Conditions { session: session.id, of })
+    }
+
+    /// What is known at a time of the conditions that a page watches; `states` are those of all components then.
+    pub(super) fn conditions_at(&self, page: PageId, time_us: u64, states: &[ComponentNow]) -> Vec<Conditions> {
+        let watched = self.watching.watches.get(&page).into_iter().flat_map(|watch| &watch.conditions);
+        watched.filter_map(|&component| self.conditions(component, time_us, states.get(component))).collect()
     }
 }
 
@@ -101,15 +110,15 @@ impl Session {
         });
         self.send_samples(page, newest.collect());
         for &component in watch.conditions.iter().filter(|one| !before.conditions.contains(one)) {
-            let is_recent = shared.watching.conditions.get(&component).is_some_and(|(time, _)| shared.is_recent(*time));
-            if let Some(message) = shared.conditions(self, component).filter(|_| is_recent) {
+            if let Some(message) = shared.newest_conditions(self, component) {
                 self.pages.data(page, self.key(DataKind::Conditions(component)), Frame::of(message));
             }
         }
-        if let Some(costs) = shared.watching.costs.as_ref().filter(|_| watch.costs && !before.costs) {
-            self.pages.data(page, self.key(DataKind::Costs), Frame::Message(Arc::clone(costs)));
+        if let Some((_, costs)) = shared.history.costs.newest().filter(|_| watch.costs && !before.costs) {
+            let message = ToPage::Costs { session: self.id, costs: costs.clone() };
+            self.pages.data(page, self.key(DataKind::Costs), Frame::of(message));
         }
-        if let Some((time_us, truth)) = shared.watching.truth.clone().filter(|_| watch.truth && !before.truth)
+        if let Some((time_us, truth)) = shared.history.truths.newest().filter(|_| watch.truth && !before.truth).cloned()
             && shared.is_recent(time_us)
         {
             let message = ToPage::Truth { session: self.id, time_us, truth };
@@ -156,30 +165,27 @@ impl Session {
     /// Remembers the true state, and sends it to the pages that watch it.
     pub(super) fn show_truth(&self, time_us: u64, truth: Truth) {
         let mut shared = self.shared();
-        shared.history.add_truth(time_us, truth.clone());
-        shared.watching.truth = Some((time_us, truth.clone()));
+        shared.history.truths.push(time_us, truth.clone());
         let message = ToPage::Truth { session: self.id, time_us, truth };
         self.send(&shared.watching.pages(|watch| watch.truth), DataKind::Truth, message);
     }
 
-    /// Remembers the conditions of components, and sends them to the pages that watch them.
-    pub(super) fn show_conditions(&self, time_us: u64, all: Vec<MachineConditions>) {
+    /// Remembers the conditions of a component, and sends them to the pages that watch them.
+    pub(super) fn show_conditions(&self, time_us: u64, component: usize, conditions: history::Conditions) {
         let mut shared = self.shared();
-        for conditions in all {
-            let component = conditions.0;
-            shared.watching.conditions.insert(component, (time_us, conditions));
-            let pages = shared.watching.pages(|watch| watch.conditions.contains(&component));
-            if let Some(message) = shared.conditions(self, component).filter(|_| !pages.is_empty()) {
-                self.send(&pages, DataKind::Conditions(component), message);
-            }
+        shared.history.add_conditions(time_us, component, Some(conditions));
+        let pages = shared.watching.pages(|watch| watch.conditions.contains(&component));
+        if let Some(message) = shared.newest_conditions(self, component).filter(|_| !pages.is_empty()) {
+            self.send(&pages, DataKind::Conditions(component), message);
         }
     }
 
     /// Remembers costs, and sends them to the pages that watch them.
-    pub(super) fn show_costs(&self, costs: ToPage) {
+    pub(super) fn show_costs(&self, costs: Costs) {
         let mut shared = self.shared();
-        shared.watching.costs = Some(Arc::new(costs.clone()));
-        self.send(&shared.watching.pages(|watch| watch.costs), DataKind::Costs, costs);
+        shared.history.costs.push(costs.time_us, costs.clone());
+        let message = ToPage::Costs { session: self.id, costs };
+        self.send(&shared.watching.pages(|watch| watch.costs), DataKind::Costs, message);
     }
 
     /// Sends samples, each with its cycle, to the pages for which they are due.
@@ -204,7 +210,7 @@ impl Session {
 
 #[cfg(test)]
 mod tests {
-    use std::sync::{Barrier, Mutex};
+    use std::sync::{Arc, Barrier, Mutex};
     use std::thread;
 
     use super::*;

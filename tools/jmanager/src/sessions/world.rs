@@ -1,7 +1,7 @@
 //! Worlds that are played in this process.
 
 mod pacer;
-mod tap;
+mod stops;
 
 use std::fs;
 use std::path::PathBuf;
@@ -18,12 +18,14 @@ use bica_sim::setup::Frame;
 use bica_tuning::Layers;
 
 use super::options::Options;
-use super::storage;
+use super::{files, storage};
 use crate::protocol::Failed;
 
 pub(super) use pacer::Pacer;
-use tap::Extras;
-pub(super) use tap::{Extra, MachineConditions};
+
+/// Worlds that this program can simulate.
+pub(super) const WORLDS: &[&str] =
+    if cfg!(feature = "mujoco") { &["built-in", "mujoco", "firmware"] } else { &["built-in", "firmware"] };
 
 /// Kind and set-up of a world.
 #[derive(Clone, Debug, PartialEq)]
@@ -40,8 +42,6 @@ pub(super) struct World {
     pacer: Arc<Pacer>,
     /// Address of its link.
     pub(super) address: Address,
-    /// What the link does not carry.
-    pub(super) extras: Arc<Extras>,
     /// File with the recording of the whole run.
     recording: PathBuf,
     /// Whether the file stays.
@@ -58,7 +58,7 @@ fn kind(world: &str) -> Result<WorldKind, Failed> {
             "this program was built without MuJoCo",
             "install its library with `cargo xtask mujoco`, then build with `--features mujoco`",
         )),
-        _ => Err(Failed::new(format!("there is no world `{world}`"), "known are built-in, mujoco and firmware")),
+        _ => Err(Failed::new(format!("there is no world `{world}`"), format!("known are {}", WORLDS.join(", ")))),
     }
 }
 
@@ -70,6 +70,7 @@ impl Setup {
         let mut layers = Layers::new(&GRAPH);
         let tune = options.tune.join(format!("{}.toml", self.world));
         if tune.exists() {
+            files::open(&tune).map_err(|error| storage::failed("read", &tune, &error, "remove it"))?;
             layers.read(&tune)?;
         }
         Ok(Rules {
@@ -97,18 +98,16 @@ impl World {
         pacer.begin();
         // A spool folder that cannot be made is a recording that cannot be made, which the game reports.
         let _ = storage::make_private(&options.spool);
-        let extras = Arc::new(Extras::default());
         let (ready, started) = sync_channel(1);
-        let (own, path, extras_in) = (Arc::clone(pacer), recording.clone(), Arc::clone(&extras));
+        let (own, path) = (Arc::clone(pacer), recording.clone());
         let is_kept = !recording.starts_with(&options.spool);
-        let work = move || play(&rules, &own, &path, extras_in, &ready);
+        let work = move || play(&rules, &own, &path, &ready);
         let thread = std::thread::Builder::new().name("world".to_owned()).spawn(work);
         let thread = thread.map_err(|error| Failed::new(error.to_string(), "close other programs"))?;
         let mut world = Self {
             thread: Some(thread),
             pacer: Arc::clone(pacer),
             address: Address::Tcp(String::new()),
-            extras,
             recording,
             is_kept,
         };
@@ -149,7 +148,6 @@ fn play(
     rules: &Rules,
     pacer: &Arc<Pacer>,
     recording: &std::path::Path,
-    extras: Arc<Extras>,
     ready: &SyncSender<String>,
 ) -> Result<(), Failure> {
     let started = |address: &str| {
@@ -161,7 +159,7 @@ fn play(
     let serve = ServeOptions { address: &address, anywhere: false, started: &started };
     // Images are not stored: the same world is made again from its rules.
     let record = RecordOptions { path: recording, images: ImagePolicy::None, force: true };
-    let mut observer = tap::Tap::new(extras, Arc::clone(pacer));
+    let mut observer = stops::Stops::new(Arc::clone(pacer));
     let mut control = pacer::Control(Arc::clone(pacer));
     let result = play_controlled(rules, &mut observer, &mut control, Some(record), Some(serve));
     result.map(drop).or_else(|failure| match failure {

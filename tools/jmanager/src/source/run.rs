@@ -21,11 +21,11 @@ const START: Duration = Duration::from_mins(2);
 
 /// Opens and closes sessions.
 pub(crate) trait Host: Send + Sync {
-    /// Opens a robot at an address.
+    /// Opens a robot at an address. It replaces a session, whose breakpoints it takes over.
     ///
     /// # Errors
     /// If there are too many sessions.
-    fn open(&self, address: &str) -> Result<SessionId, Failed>;
+    fn open(&self, address: &str, replaced: Option<SessionId>) -> Result<SessionId, Failed>;
 
     /// Closes a session; nothing if it is closed.
     fn close(&self, session: SessionId);
@@ -280,10 +280,7 @@ impl Runs {
         if let Some((_, group)) = program {
             group.kill();
         }
-        if let Some(session) = session {
-            self.host.close(session);
-        }
-        let session = self.host.open(&format!("tcp://{address}")).inspect_err(|_| group.kill())?;
+        let session = self.host.open(&format!("tcp://{address}"), session).inspect_err(|_| group.kill())?;
         lock(&self.state).session = Some(session);
         Ok(())
     }

@@ -1,30 +1,43 @@
-//! Who may enter: one-time keys, the cookie, the token of a file.
+//! Who may enter: one-time keys, the secret of a page, the token of a file.
 
 use std::collections::VecDeque;
 use std::fmt::Write as _;
 use std::io;
 use std::sync::{Mutex, PoisonError};
 
+use serde::Deserialize;
+
 /// Number of random bytes of a secret.
 const SECRET_BYTES: usize = 32;
 /// Largest number of keys that can be used; older ones are void.
 const MAX_KEYS: usize = 16;
 
+/// The first message of a page. One valid proof is enough.
+#[derive(Debug, Default, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct Enter {
+    /// Key of a URL that the program printed.
+    pub key: String,
+    /// Secret that a page of this origin was given before.
+    pub secret: String,
+    /// Token of the server's file.
+    pub token: String,
+}
+
 /// Secrets of a server.
 pub struct Access {
-    cookie_name: String,
-    cookie: String,
+    secret: String,
     token: Option<String>,
     keys: Mutex<VecDeque<String>>,
 }
 
 impl Access {
-    /// New secrets for a server on a port; cookies of a host are shared by all its ports, so the name contains the port.
+    /// New secrets for a server.
     ///
     /// # Errors
     /// If the operating system has no random numbers.
-    pub fn new(port: u16, token: Option<String>) -> io::Result<Self> {
-        Ok(Self { cookie_name: format!("jmanager-{port}"), cookie: secret()?, token, keys: Mutex::default() })
+    pub fn new(token: Option<String>) -> io::Result<Self> {
+        Ok(Self { secret: secret()?, token, keys: Mutex::default() })
     }
 
     /// Returns a new key; each works once.
@@ -41,40 +54,28 @@ impl Access {
         Ok(key)
     }
 
+    /// Checks the proofs of a page and uses its key up. Returns the secret with which pages of the same origin enter again.
+    ///
+    /// # Errors
+    /// Why none of the proofs is valid.
+    pub fn enter(&self, enter: &Enter) -> Result<&str, &'static str> {
+        let is_token = self.token.as_ref().is_some_and(|token| equal(token, &enter.token));
+        if self.redeem(&enter.key) || equal(&self.secret, &enter.secret) || is_token {
+            return Ok(&self.secret);
+        }
+        Err(match self.token {
+            _ if enter.token.is_empty() => "this browser has not entered yet, or the address was used before",
+            Some(_) => "this is not the token in the server's token file",
+            None => "this server has no token: open the address that it printed",
+        })
+    }
+
     /// Uses a key up; returns whether it was valid.
-    #[must_use]
-    pub fn redeem(&self, key: &str) -> bool {
+    fn redeem(&self, key: &str) -> bool {
         let mut keys = self.keys.lock().unwrap_or_else(PoisonError::into_inner);
         let Some(index) = keys.iter().position(|known| equal(known, key)) else { return false };
         keys.remove(index);
         true
-    }
-
-    /// Whether this is the token of the server's file.
-    #[must_use]
-    pub fn is_token(&self, token: &str) -> bool {
-        self.token.as_ref().is_some_and(|known| equal(known, token))
-    }
-
-    /// Whether the server has a token, so that a page can be entered with it.
-    #[must_use]
-    pub const fn has_token(&self) -> bool {
-        self.token.is_some()
-    }
-
-    /// Whether a `Cookie` header contains the server's cookie.
-    #[must_use]
-    pub fn has_cookie(&self, header: &str) -> bool {
-        header
-            .split(';')
-            .filter_map(|pair| pair.trim().split_once('='))
-            .any(|(name, value)| name == self.cookie_name && equal(value, &self.cookie))
-    }
-
-    /// The `Set-Cookie` header that lets a browser in.
-    #[must_use]
-    pub fn set_cookie(&self) -> String {
-        format!("{}={}; Path=/; HttpOnly; SameSite=Strict", self.cookie_name, self.cookie)
     }
 }
 
@@ -102,38 +103,13 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_key_works_once() {
-        let access = Access::new(1, None).unwrap();
-        let (one, two) = (access.new_key().unwrap(), access.new_key().unwrap());
-        assert_eq!(one.len(), 64);
-        assert_ne!(one, two);
-        assert!(!access.redeem(""));
-        assert!(!access.redeem(&one[1..]));
-        assert!(access.redeem(&one));
-        assert!(!access.redeem(&one));
-        assert!(access.redeem(&two));
-    }
-
-    #[test]
-    fn old_keys_are_void() {
-        let access = Access::new(1, None).unwrap();
+    fn old_keys_are_void_and_others_work_once() {
+        let access = Access::new(None).unwrap();
         let first = access.new_key().unwrap();
         let later: Vec<_> = (0..MAX_KEYS).map(|_| access.new_key().unwrap()).collect();
-        assert!(!access.redeem(&first));
+        assert_eq!(first.len(), 64);
+        assert!(!access.redeem(&first) && !access.redeem("") && !access.redeem(&later[0][1..]));
         assert!(later.iter().all(|key| access.redeem(key)));
-    }
-
-    #[test]
-    fn only_the_own_cookie_counts() {
-        let access = Access::new(7, Some("t".to_owned())).unwrap();
-        let set = access.set_cookie();
-        let pair = set.split(';').next().unwrap();
-        assert!(access.has_cookie(pair));
-        assert!(access.has_cookie(&format!("a=b; {pair}; c=d")));
-        for wrong in ["", "jmanager-7=", "jmanager-7=0", &pair.replace("-7=", "-8="), &pair[..pair.len() - 1]] {
-            assert!(!access.has_cookie(wrong), "{wrong}");
-        }
-        assert!(access.is_token("t") && !access.is_token("") && !access.is_token("u"));
-        assert!(!Access::new(7, None).unwrap().is_token(""));
+        assert!(!later.iter().any(|key| access.redeem(key)));
     }
 }

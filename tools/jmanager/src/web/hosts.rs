@@ -5,7 +5,8 @@ use std::net::{IpAddr, SocketAddr};
 /// The values of `Host` and `Origin` that mean this server.
 #[derive(Clone, Debug)]
 pub struct Hosts {
-    port: u16,
+    /// Address with which a browser of this computer reaches the server.
+    own: SocketAddr,
     names: Vec<String>,
     addresses: Vec<IpAddr>,
     /// The server listens on all addresses of the computer: any address literal can be its own.
@@ -19,17 +20,33 @@ impl Hosts {
         let mut all = vec!["localhost".to_owned()];
         all.extend(names);
         let addresses = vec![address.ip(), IpAddr::from([127, 0, 0, 1]), IpAddr::from([0, 0, 0, 0, 0, 0, 0, 1])];
-        Self { port: address.port(), names: all, addresses, any_address: address.ip().is_unspecified() }
+        let any_address = address.ip().is_unspecified();
+        let own = if any_address { SocketAddr::from(([127, 0, 0, 1], address.port())) } else { address };
+        Self { own, names: all, addresses, any_address }
     }
 
     /// Whether a value of `Host` means this server. An address literal cannot be rebound, a foreign name can.
     #[must_use]
     pub fn allows(&self, host: &str) -> bool {
         if let Ok(address) = host.parse::<SocketAddr>() {
-            return address.port() == self.port && (self.any_address || self.addresses.contains(&address.ip()));
+            return address.port() == self.own.port() && (self.any_address || self.addresses.contains(&address.ip()));
         }
         let (name, port) = host.rsplit_once(':').unwrap_or((host, "80"));
-        port.parse() == Ok(self.port) && self.names.iter().any(|known| known.eq_ignore_ascii_case(name))
+        port.parse() == Ok(self.own.port()) && self.names.iter().any(|known| known.eq_ignore_ascii_case(name))
+    }
+
+    /// Address with which a browser of this computer reaches the server.
+    #[must_use]
+    pub const fn own(&self) -> SocketAddr {
+        self.own
+    }
+
+    /// The address to use instead of the name `localhost`, which means two addresses: at the other one another program may listen,
+    /// and would share the origin of the page.
+    #[must_use]
+    pub fn address_of(&self, host: &str) -> Option<SocketAddr> {
+        let name = host.rsplit_once(':').map_or(host, |(name, _)| name);
+        name.eq_ignore_ascii_case("localhost").then_some(self.own)
     }
 
     /// Whether a value of `Origin` is the origin of the page that was requested under `host`.

@@ -1,16 +1,18 @@
 //! Web server: the page's files and a WebSocket for each page.
 //!
 //! The server is made for a computer that other programs and web pages share. Before anything else it compares the request's
-//! `Host` with a list, so that a foreign name that resolves to this computer (DNS rebinding) is refused. A page is entered with
-//! a URL that works once and becomes a cookie; a WebSocket needs the cookie and an `Origin` equal to the server's own. Plain
-//! HTTP changes nothing but that cookie. What comes in is limited in size, number and rate; what goes out to a slow page is
-//! dropped or the page is disconnected ([`Queue`]).
+//! `Host` with a list, so that a foreign name that resolves to this computer (DNS rebinding) is refused. Plain HTTP serves the
+//! page's files, which contain no secret, and changes nothing. A WebSocket needs an `Origin` equal to the server's own, and its
+//! first message must prove that the page may enter: with the key of a URL that works once, or with the secret that the page was
+//! given for one and keeps in the storage of its origin. A cookie would not do: browsers send it to every port of a host. What
+//! comes in is limited in size, number and rate; what goes out to a slow page is dropped or the page is disconnected ([`Queue`]).
 
 mod access;
 mod assets;
 mod guard;
 mod headers;
 mod hosts;
+mod places;
 mod queue;
 mod rate;
 mod serve;
@@ -21,13 +23,16 @@ use std::net::{SocketAddr, TcpListener};
 use std::sync::Arc;
 use std::thread::JoinHandle;
 
-use tokio::sync::watch;
+use tokio::sync::{Semaphore, watch};
 
 use crate::sessions::Manager;
-pub use access::Access;
 pub(crate) use access::secret;
+pub use access::{Access, Enter};
 pub use hosts::Hosts;
 pub use queue::Queue;
+
+/// Largest number of pages.
+const MAX_PAGES: usize = 32;
 
 /// Options of the server.
 #[derive(Clone, Debug, Default)]
@@ -43,7 +48,8 @@ pub(crate) struct Shared {
     pub(crate) hosts: Hosts,
     pub(crate) access: Access,
     pub(crate) manager: Arc<Manager>,
-    pub(crate) pages: serve::Counter,
+    /// Places of pages that have entered.
+    pub(crate) pages: Arc<Semaphore>,
 }
 
 /// A running server.
@@ -70,9 +76,9 @@ impl Web {
         listener.set_nonblocking(true)?;
         let shared = Arc::new(Shared {
             hosts: Hosts::new(address, options.names),
-            access: Access::new(address.port(), options.token)?,
+            access: Access::new(options.token)?,
             manager,
-            pages: serve::Counter::new(serve::MAX_PAGES),
+            pages: Arc::new(Semaphore::new(MAX_PAGES)),
         });
         let (stop, stopped) = watch::channel(false);
         let runtime = tokio::runtime::Builder::new_current_thread().enable_io().enable_time().build()?;
@@ -89,16 +95,12 @@ impl Web {
         self.address
     }
 
-    /// Returns a new URL with which the page is entered once.
+    /// Returns a new URL with which the page is entered once. Browsers send no fragment, so the key is in no request.
     ///
     /// # Errors
     /// If the operating system has no random numbers.
     pub fn url(&self) -> io::Result<String> {
-        let address = match self.address.ip() {
-            ip if ip.is_unspecified() => SocketAddr::from(([127, 0, 0, 1], self.address.port())),
-            _ => self.address,
-        };
-        Ok(format!("http://{address}/?key={}", self.shared.access.new_key()?))
+        Ok(format!("http://{}/#key={}", self.shared.hosts.own(), self.shared.access.new_key()?))
     }
 }
 

@@ -5,17 +5,17 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
 use std::time::{Duration, Instant};
 
-use axum::extract::State;
 use axum::extract::ws::{CloseFrame, Message, WebSocket, WebSocketUpgrade};
-use axum::http::StatusCode;
-use axum::response::{IntoResponse, Response};
-use tokio::sync::watch;
-use tokio::time::{interval, timeout};
+use axum::extract::{Extension, State};
+use axum::response::Response;
+use tokio::sync::{OwnedSemaphorePermit, watch};
+use tokio::time::{interval, sleep, timeout};
 
-use super::Shared;
+use super::places::Place;
 use super::queue::Queue;
 use super::rate::Rate;
-use super::serve::{Context, Counted};
+use super::serve::Context;
+use super::{Enter, Shared};
 use crate::protocol::{Failed, FromPage, ToPage};
 use crate::sessions::{Manager, Outbox};
 
@@ -23,6 +23,10 @@ use crate::sessions::{Manager, Outbox};
 const MAX_MESSAGE: usize = 64 << 10;
 /// Largest message from a page that edits sources, bytes: a whole file may be in it.
 const MAX_SOURCE_MESSAGE: usize = 4 << 20;
+/// Longest time until a page proves that it may enter.
+const ENTER_TIME: Duration = Duration::from_secs(5);
+/// Delay of the answer to a wrong proof, so that tokens cannot be tried quickly.
+const WRONG_PROOF: Duration = Duration::from_millis(500);
 /// Longest time in which a page must take a message.
 const SEND_TIME: Duration = Duration::from_secs(10);
 /// Time between two pings; a page that answers none of three in a row is gone.
@@ -36,18 +40,55 @@ const AT_ONCE: usize = 16;
 /// Codes of the WebSocket protocol.
 const GOING_AWAY: u16 = 1001;
 const POLICY: u16 = 1008;
+const TRY_AGAIN: u16 = 1013;
+/// Code of this server: the page may not enter.
+const REFUSED: u16 = 4403;
 
-/// Accepts a page.
-pub(crate) async fn upgrade(State((shared, stop)): Context, upgrade: WebSocketUpgrade) -> Response {
-    let Some(counted) = shared.pages.take() else {
-        return (StatusCode::SERVICE_UNAVAILABLE, "too many pages are open").into_response();
-    };
+/// Accepts a WebSocket.
+pub(crate) async fn upgrade(
+    State((shared, stop)): Context,
+    Extension(place): Extension<Arc<Place>>,
+    upgrade: WebSocketUpgrade,
+) -> Response {
     let limit = if shared.manager.edits_sources() { MAX_SOURCE_MESSAGE } else { MAX_MESSAGE };
-    upgrade.max_message_size(limit).max_frame_size(limit).on_upgrade(move |socket| run(socket, shared, stop, counted))
+    upgrade.max_message_size(limit).max_frame_size(limit).on_upgrade(async move |mut socket| {
+        let page = tokio::select! {
+            page = enter(&mut socket, &shared) => page,
+            () = place.needed() => return,
+        };
+        match page {
+            Ok(_page) => {
+                place.enter();
+                run(socket, shared, stop).await;
+            }
+            Err(reason) => close(&mut socket, reason).await,
+        }
+    })
+}
+
+/// Waits for the first message of a page and sends it the secret of its origin. Returns its place among the pages, or why it may not
+/// enter.
+async fn enter(socket: &mut WebSocket, shared: &Shared) -> Result<OwnedSemaphorePermit, (u16, &'static str)> {
+    let silent = (REFUSED, "the page did not prove that it may enter");
+    let Ok(Some(Ok(Message::Text(text)))) = timeout(ENTER_TIME, socket.recv()).await else { return Err(silent) };
+    let proofs: Enter = serde_json::from_str(&text).map_err(|_| silent)?;
+    let secret = match shared.access.enter(&proofs) {
+        Ok(secret) => secret.to_owned(),
+        Err(why) => {
+            sleep(WRONG_PROOF).await;
+            return Err((REFUSED, why));
+        }
+    };
+    let page = Arc::clone(&shared.pages).try_acquire_owned().map_err(|_| (TRY_AGAIN, "too many pages are open"))?;
+    let entered = serde_json::json!({ "type": "entered", "secret": secret });
+    match send(socket, Message::Text(entered.to_string().into())).await {
+        None => Ok(page),
+        Some(reason) => Err(reason),
+    }
 }
 
 /// Serves a page until it leaves, breaks a limit, or the server stops.
-async fn run(mut socket: WebSocket, shared: Arc<Shared>, mut stop: watch::Receiver<bool>, counted: Counted) {
+async fn run(mut socket: WebSocket, shared: Arc<Shared>, mut stop: watch::Receiver<bool>) {
     let queue = Arc::new(Queue::default());
     let gone = Arc::new(AtomicBool::new(false));
     let Ok(requests) = handler(Arc::clone(&shared.manager), Arc::clone(&queue), Arc::clone(&gone)) else { return };
@@ -58,11 +99,14 @@ async fn run(mut socket: WebSocket, shared: Arc<Shared>, mut stop: watch::Receiv
     // What still waits is of a page that is gone: it is not executed. The manager forgets the page when the channel is closed.
     gone.store(true, Ordering::Release);
     drop(requests);
-    if let Some((code, reason)) = reason {
-        let close = Message::Close(Some(CloseFrame { code, reason: reason.into() }));
-        let _ = timeout(Duration::from_secs(1), socket.send(close)).await;
+    if let Some(reason) = reason {
+        close(&mut socket, reason).await;
     }
-    drop(counted);
+}
+
+async fn close(socket: &mut WebSocket, (code, reason): (u16, &'static str)) {
+    let close = Message::Close(Some(CloseFrame { code, reason: reason.into() }));
+    let _ = timeout(Duration::from_secs(1), socket.send(close)).await;
 }
 
 type Reason = Option<(u16, &'static str)>;
@@ -173,7 +217,7 @@ mod tests {
     fn requests_that_wait_when_the_page_is_gone_are_dropped() {
         let (sender, requests) = sync_channel(8);
         for id in 1..=5 {
-            sender.send(FromPage { id, request: Request::Recordings {} }).unwrap();
+            sender.send(FromPage { id, session: None, request: Request::Recordings {} }).unwrap();
         }
         drop(sender);
         let gone = AtomicBool::new(false);

@@ -12,21 +12,21 @@ use crate::target::{LIMIT, closed, message, target, target_with};
 #[test]
 fn a_large_message_ends_the_page() {
     let target = target(None);
-    let mut page = target.page(&target.enter());
+    let mut page = target.page();
     assert_eq!(message(&mut page).unwrap()["type"], "hello");
     page.send(Message::text(" ".repeat(60 << 10))).unwrap();
     assert_eq!(message(&mut page).unwrap()["type"], "answer");
     // The server may close while this is being written.
     let _ = page.send(Message::text(" ".repeat(70 << 10)));
     closed(&mut page);
-    assert_eq!(message(&mut target.page(&target.enter())).unwrap()["type"], "hello");
+    assert_eq!(message(&mut target.page()).unwrap()["type"], "hello");
 }
 
 #[test]
 fn a_flood_of_messages_ends_the_page() {
     const FLOOD: usize = 6000;
     let target = target(None);
-    let mut page = target.page(&target.enter());
+    let mut page = target.page();
     assert_eq!(message(&mut page).unwrap()["type"], "hello");
     // Each answer is read, so that nothing else ends the page.
     let count = (0..FLOOD)
@@ -38,7 +38,7 @@ fn a_flood_of_messages_ends_the_page() {
 #[test]
 fn a_binary_message_ends_the_page() {
     let target = target(None);
-    let mut page = target.page(&target.enter());
+    let mut page = target.page();
     page.send(Message::binary(vec![0; 4])).unwrap();
     assert_eq!(closed(&mut page), 1008);
 }
@@ -54,38 +54,55 @@ fn a_slow_head_is_cut() {
 }
 
 #[test]
+fn a_socket_that_proves_nothing_is_closed() {
+    let target = target(None);
+    assert_eq!(closed(&mut target.socket()), 4403);
+}
+
+#[test]
 fn pages_are_limited_and_become_free_again() {
     let target = target(None);
-    let cookie = target.enter();
-    let own = format!("Origin: http://{}", target.address);
-    let mut pages: Vec<_> = (0..32).map(|_| target.page(&cookie)).collect();
+    let mut pages: Vec<_> = (0..32).map(|_| target.page()).collect();
     for page in &mut pages {
         assert_eq!(message(page).unwrap()["type"], "hello");
     }
-    assert_eq!(target.upgrade(&[&target.host(), &cookie, &own]), 503);
+    let answer = || target.enter(&json!({ "key": target.key() })).1;
+    assert_eq!(answer()["code"], 1013);
     drop(pages);
     let start = Instant::now();
-    while target.upgrade(&[&target.host(), &cookie, &own]) != 101 {
+    while answer()["type"] != "entered" {
         assert!(start.elapsed() < LIMIT, "the pages did not become free");
         std::thread::sleep(Duration::from_millis(50));
     }
 }
 
 #[test]
-fn connections_are_limited_and_become_free_again() {
+fn silent_connections_keep_no_page_out() {
     let target = target(None);
-    let status = || target.send("GET /enter.css", &[&target.host()], "").status;
-    // A silent connection is cut after 5 s. On a busy machine that may be before all are open.
-    let is_limited = (0..5).any(|_| {
-        let _silent: Vec<_> = (0..128).map(|_| target.connect()).collect();
-        status() == 0
-    });
-    assert!(is_limited, "there is an answer on connection 129");
-    let start = Instant::now();
-    while status() != 200 {
-        assert!(start.elapsed() < LIMIT, "the connections did not become free");
-        std::thread::sleep(Duration::from_millis(50));
+    let mut page = target.page();
+    let mut streams = Vec::new();
+    let (host, own) = (target.host(), target.origin());
+    let upgrade = "Connection: Upgrade\r\nUpgrade: websocket\r\nSec-WebSocket-Version: 13\r\nSec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==";
+    for begin in [
+        String::new(),
+        format!("GET / HTTP/1.1\r\n{host}\r\n"),
+        format!("POST /enter HTTP/1.1\r\n{host}\r\n{own}\r\nContent-Length: 1000\r\n\r\n0"),
+        format!("GET / HTTP/1.1\r\n{host}\r\nContent-Length: 1000\r\n\r\n0"),
+        format!("GET /socket HTTP/1.1\r\n{host}\r\n{own}\r\n{upgrade}\r\n\r\n"),
+    ] {
+        for _ in 0..140 {
+            let mut stream = target.connect();
+            stream.write_all(begin.as_bytes()).unwrap();
+            streams.push(stream);
+        }
+        assert_eq!(target.send("GET /app.js", &[&host], "").status, 200, "{begin}");
+        assert_eq!(message(&mut target.page()).unwrap()["type"], "hello", "{begin}");
     }
+    // The first connections were closed to make room, and the page that had entered was not.
+    assert!(matches!(streams[0].read(&mut [0]), Ok(0) | Err(_)));
+    assert_eq!(message(&mut page).unwrap()["type"], "hello");
+    page.send(Message::text("{}")).unwrap();
+    assert_eq!(message(&mut page).unwrap()["type"], "answer");
 }
 
 /// Attack 10: a page that never reads.
@@ -97,13 +114,12 @@ fn slow_a_page_that_never_reads_is_disconnected_and_others_are_served() {
     let layouts = folder.join("layouts.json");
     std::fs::write(&layouts, json!({ "large": "x".repeat(900_000) }).to_string()).unwrap();
     let target = target_with(None, Options { layouts, ..Options::default() });
-    let cookie = target.enter();
-    let mut deaf = target.page(&cookie);
+    let mut deaf = target.page();
     let ask = Message::text(json!({ "id": 1, "type": "layouts" }).to_string());
     for _ in 0..100 {
         deaf.send(ask.clone()).unwrap();
     }
-    let mut other = target.page(&cookie);
+    let mut other = target.page();
     assert_eq!(message(&mut other).unwrap()["type"], "hello");
     other.send(ask).unwrap();
     assert_eq!(message(&mut other).unwrap()["id"], 1);

@@ -11,28 +11,28 @@ use std::sync::Arc;
 
 use jmanager::sessions::{Manager, Options};
 use jmanager::web::{Web, WebOptions};
+use serde_json::json;
 use tungstenite::Message;
 
 use target::{TOKEN, message, target};
 
 #[test]
-fn a_page_with_key_cookie_and_origin_is_served() {
+fn a_page_with_key_and_origin_is_served() {
     let target = target(None);
-    let cookie = target.enter();
-    let page = target.send("GET /", &[&target.host(), &cookie, "Sec-Fetch-Site: none"], "");
+    let page = target.send("GET /", &[&target.host(), "Sec-Fetch-Site: none"], "");
     assert_eq!(page.status, 200);
     assert!(page.body.contains("<title>JManager</title>"));
-    let module = target.send("GET /app.js", &[&target.host(), &cookie, "Sec-Fetch-Site: same-origin"], "");
+    let module = target.send("GET /app.js", &[&target.host(), "Sec-Fetch-Site: same-origin"], "");
     assert_eq!((module.status, module.header("content-type")), (200, Some("text/javascript; charset=utf-8")));
-    assert_eq!(message(&mut target.page(&cookie)).unwrap()["type"], "hello");
+    assert_eq!(message(&mut target.page()).unwrap()["type"], "hello");
 }
 
 /// Attack 1.
 #[test]
 fn a_socket_for_a_foreign_origin_is_refused() {
     let target = target(Some(TOKEN));
-    let (host, cookie, port) = (target.host(), target.enter(), target.address.port());
-    assert_eq!(target.upgrade(&[&host, &cookie, &format!("Origin: http://127.0.0.1:{port}")]), 101);
+    let (host, own, port) = (target.host(), target.origin(), target.address.port());
+    assert_eq!(target.upgrade(&[&host, &own]), 101);
     let foreign = [
         "http://evil.test".to_owned(),
         "null".to_owned(),
@@ -43,103 +43,114 @@ fn a_socket_for_a_foreign_origin_is_refused() {
         format!("http://localhost:{port}"),
     ];
     for origin in foreign {
-        assert_eq!(target.upgrade(&[&host, &cookie, &format!("Origin: {origin}")]), 403, "{origin}");
+        assert_eq!(target.upgrade(&[&host, &format!("Origin: {origin}")]), 403, "{origin}");
     }
-    let own = format!("Origin: http://127.0.0.1:{port}");
-    assert_eq!(target.upgrade(&[&host, &cookie, &own, "Origin: http://evil.test"]), 403);
-    // A program without an origin needs the token; the cookie of a browser is not enough.
-    assert_eq!(target.upgrade(&[&host, &cookie]), 403);
-    assert_eq!(target.upgrade(&[&host, "Authorization: Bearer wrong"]), 403);
-    assert_eq!(target.upgrade(&[&host, &format!("Authorization: Bearer {TOKEN}")]), 101);
+    assert_eq!(target.upgrade(&[&host, &own, "Origin: http://evil.test"]), 403);
+    assert_eq!(target.upgrade(&[&host]), 403);
 }
 
 /// Attack 2.
 #[test]
 fn a_foreign_name_of_this_computer_is_refused_before_anything_else() {
     let target = target(None);
-    let (cookie, port) = (target.enter(), target.address.port());
-    let entrance = target.entrance();
+    let port = target.address.port();
     for host in ["evil.test".to_owned(), format!("evil.test:{port}"), format!("127.0.0.1:{}", port ^ 1), String::new()]
     {
         let host = format!("Host: {host}");
-        let refused = target.send("GET /", &[&host, &cookie], "");
+        let refused = target.send("GET /", &[&host], "");
         assert_eq!((refused.status, refused.body.contains("<title>")), (403, false), "{host}");
-        assert_eq!(target.send(&format!("GET {entrance}"), &[&host], "").status, 403, "{host}");
         let origin = host.replace("Host: ", "Origin: http://");
-        assert_eq!(target.upgrade(&[&host, &cookie, &origin]), 403, "{host}");
+        assert_eq!(target.upgrade(&[&host, &origin]), 403, "{host}");
     }
-    assert_eq!(target.send("GET /", &[&target.host(), "Host: evil.test", &cookie], "").status, 403);
-    // The key was not used up under a foreign name.
-    assert_eq!(target.send(&format!("GET {entrance}"), &[&target.host()], "").status, 303);
+    assert_eq!(target.send("GET /", &[&target.host(), "Host: evil.test"], "").status, 403);
+}
+
+/// Attack 2: another program may listen at the other address that `localhost` means.
+#[test]
+fn localhost_leads_to_the_address() {
+    let target = target(None);
+    let host = format!("Host: localhost:{}", target.address.port());
+    let page = target.send("GET /enter.html", &[&host], "");
+    let location = format!("http://{}/enter.html", target.address);
+    assert_eq!((page.status, page.header("location")), (307, Some(location.as_str())));
 }
 
 /// Attack 3.
 #[test]
 fn plain_http_changes_nothing_and_other_sites_get_nothing() {
     let target = target(None);
-    let (host, cookie) = (target.host(), target.enter());
+    let host = target.host();
     for method in ["HEAD", "POST", "PUT", "DELETE", "PATCH", "OPTIONS"] {
-        for path in ["/", "/socket", "/app.js"] {
-            assert_eq!(
-                target.send(&format!("{method} {path}"), &[&host, &cookie], "{}").status,
-                405,
-                "{method} {path}"
-            );
+        for path in ["/", "/socket", "/app.js", "/enter"] {
+            assert_eq!(target.send(&format!("{method} {path}"), &[&host], "{}").status, 405, "{method} {path}");
         }
     }
     for site in ["cross-site", "same-site", "?"] {
         let site = format!("Sec-Fetch-Site: {site}");
-        assert_eq!(target.send("GET /", &[&host, &cookie, &site], "").status, 403, "{site}");
-        let entrance = target.entrance();
-        assert_eq!(target.send(&format!("GET {entrance}"), &[&host, &site], "").status, 403, "{site}");
-        let own = format!("Origin: http://{}", target.address);
-        assert_eq!(target.upgrade(&[&host, &cookie, &own, &site]), 403, "{site}");
+        assert_eq!(target.send("GET /", &[&host, &site], "").status, 403, "{site}");
+        assert_eq!(target.upgrade(&[&host, &target.origin(), &site]), 403, "{site}");
     }
 }
 
 /// Attack 4.
 #[test]
-fn without_the_cookie_nothing_is_served_and_a_key_works_once() {
+fn without_a_proof_nothing_is_shown_and_a_key_works_once() {
     let target = target(None);
-    let (host, own) = (target.host(), format!("Origin: http://{}", target.address));
-    for path in ["/", "/app.js", "/vendor/preact.js", "/?key=", "/?key=0", "/nothing"] {
-        let refused = target.send(&format!("GET {path}"), &[&host], "");
-        assert_eq!((refused.status, refused.body.contains("app.js")), (403, false), "{path}");
+    let key = target.key();
+    let (_, entered) = target.enter(&json!({ "key": key }));
+    assert_eq!(entered["type"], "entered");
+    let secret = entered["secret"].as_str().unwrap();
+    assert_eq!(target.enter(&json!({ "key": "used", "secret": secret })).1, entered);
+    let (shorter, foreign) = (&secret[1..], "0".repeat(64));
+    for proofs in [
+        json!({}),
+        json!({ "key": key }),
+        json!({ "key": "", "secret": "", "token": "" }),
+        json!({ "secret": shorter }),
+        json!({ "secret": foreign }),
+        json!({ "key": secret }),
+        json!({ "id": 1, "type": "recordings" }),
+        json!("no object"),
+    ] {
+        let (mut socket, refused) = target.enter(&proofs);
+        assert_eq!((&refused["type"], &refused["code"]), (&json!("close"), &json!(4403)), "{proofs}: {refused}");
+        assert!(message(&mut socket).is_err(), "{proofs}");
     }
-    assert_eq!(target.upgrade(&[&host, &own]), 403);
-    let wrong = format!("Cookie: jmanager-{}={}", target.address.port(), "0".repeat(64));
-    assert_eq!(target.upgrade(&[&host, &own, &wrong]), 403);
-    let entrance = format!("GET {}", target.entrance());
-    assert_eq!(target.send(&entrance, &[&host], "").status, 303);
-    let again = target.send(&entrance, &[&host], "");
-    assert_eq!((again.status, again.header("set-cookie")), (403, None));
-    assert!(again.body.contains("Each works once"));
 }
 
-/// Attack 5.
+/// Attack 5: browsers send cookies and credentials to every port of a host, but not the first message of a socket.
 #[test]
-fn the_key_leaves_the_address_and_the_cookie_is_for_no_script() {
-    let target = target(None);
-    let response = target.send(&format!("GET {}", target.entrance()), &[&target.host()], "");
-    assert_eq!(response.header("location"), Some("/"));
-    let cookie = response.header("set-cookie").unwrap();
-    assert!(cookie.ends_with("; Path=/; HttpOnly; SameSite=Strict"), "{cookie}");
-    assert!(response.has("referrer-policy: no-referrer"));
-    assert!(response.body.is_empty());
+fn no_response_leaves_something_that_a_browser_sends_to_other_ports() {
+    let target = target(Some(TOKEN));
+    let key = target.key();
+    let entered = target.enter(&json!({ "key": key })).1;
+    for path in ["/".to_owned(), "/app.js".to_owned(), "/enter.html".to_owned(), format!("/?key={key}")] {
+        let response = target.send(&format!("GET {path}"), &[&target.host()], "");
+        for header in ["set-cookie", "www-authenticate", "clear-site-data", "location"] {
+            assert_eq!(response.header(header), None, "{path}: {header}");
+        }
+        assert!(response.has("referrer-policy: no-referrer"));
+        for secret in [entered["secret"].as_str().unwrap(), TOKEN] {
+            assert!(!response.body.contains(secret) && !response.head.contains(secret), "{path}");
+        }
+    }
+    // What a browser sends to every port opens nothing.
+    let secret = entered["secret"].as_str().unwrap();
+    let (cookie, bearer) = (format!("Cookie: jmanager={secret}"), format!("Authorization: Bearer {TOKEN}"));
+    assert_eq!(target.upgrade(&[&target.host(), &cookie, &bearer]), 403);
 }
 
 /// Attack 6; what a script could do in the page is tested in the browser.
 #[test]
 fn every_response_forbids_foreign_scripts_and_frames() {
     let target = target(None);
-    let (host, cookie) = (target.host(), target.enter());
+    let host = target.host();
     let responses = [
-        target.send("GET /", &[&host, &cookie], ""),
-        target.send("GET /page.css", &[&host, &cookie], ""),
-        target.send("GET /nothing", &[&host, &cookie], ""),
         target.send("GET /", &[&host], ""),
+        target.send("GET /page.css", &[&host], ""),
+        target.send("GET /nothing", &[&host], ""),
         target.send("GET /", &["Host: evil.test"], ""),
-        target.send("POST /", &[&host, &cookie], ""),
+        target.send("POST /", &[&host], ""),
     ];
     for response in responses {
         let policy = response.header("content-security-policy").unwrap_or_default();
@@ -182,7 +193,7 @@ fn the_page_writes_data_only_as_text() {
 #[test]
 fn messages_of_the_page_are_answered_in_order_and_wrong_ones_with_their_number() {
     let target = target(None);
-    let mut page = target.page(&target.enter());
+    let mut page = target.page();
     assert_eq!(message(&mut page).unwrap()["type"], "hello");
     for text in [r#"{"id":7,"type":"nonsense"}"#, r#"{"id":8,"type":"close","session":5}"#, "no JSON"] {
         page.send(Message::text(text)).unwrap();
@@ -198,7 +209,7 @@ fn messages_of_the_page_are_answered_in_order_and_wrong_ones_with_their_number()
 #[test]
 fn no_path_leads_out_of_the_page() {
     let target = target(None);
-    let (host, cookie) = (target.host(), target.enter());
+    let host = target.host();
     for path in [
         "/../Cargo.toml",
         "/%2e%2e/Cargo.toml",
@@ -207,7 +218,7 @@ fn no_path_leads_out_of_the_page() {
         "/..%2fCargo.toml",
         "/vendor/%2fetc%2fpasswd",
     ] {
-        assert_eq!(target.send(&format!("GET {path}"), &[&host, &cookie], "").status, 404, "{path}");
+        assert_eq!(target.send(&format!("GET {path}"), &[&host], "").status, 404, "{path}");
     }
 }
 
@@ -227,20 +238,10 @@ fn an_address_for_other_computers_needs_a_token() {
 #[test]
 fn the_token_of_the_file_lets_a_page_of_the_own_origin_in() {
     let target = target(Some(TOKEN));
-    let (host, own) = (target.host(), format!("Origin: http://{}", target.address));
-    let enter = |lines: &[&str], token: &str| target.send("POST /enter", lines, token);
-    for (lines, token) in [
-        (&[host.as_str(), own.as_str()][..], "wrong"),
-        (&[&host, &own], ""),
-        (&[&host, "Origin: http://evil.test"], TOKEN),
-        (&[&host], TOKEN),
-        (&[&host, &own, "Sec-Fetch-Site: cross-site"], TOKEN),
-    ] {
-        let refused = enter(lines, token);
-        assert_eq!((refused.status, refused.header("set-cookie")), (403, None), "{lines:?}");
+    for wrong in ["wrong", "", &TOKEN[1..]] {
+        assert_eq!(target.enter(&json!({ "token": wrong })).1["code"], 4403, "{wrong}");
     }
-    assert_eq!(enter(&[&host, &own], &"0".repeat(5000)).status, 413);
-    let entered = enter(&[&host, &own, "Sec-Fetch-Site: same-origin"], TOKEN);
-    assert_eq!(entered.status, 204);
-    assert!(entered.header("set-cookie").is_some());
+    let reason = target.enter(&json!({ "token": "wrong" })).1["reason"].as_str().unwrap().to_owned();
+    assert!(reason.contains("token file"), "{reason}");
+    assert_eq!(target.enter(&json!({ "token": TOKEN })).1["type"], "entered");
 }

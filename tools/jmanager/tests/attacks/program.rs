@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use std::process::{Child, ChildStdout, Command, Stdio};
 use std::sync::atomic::{AtomicU32, Ordering};
 
+use serde_json::json;
 use tungstenite::client::IntoClientRequest;
 
 use crate::target::message;
@@ -65,45 +66,28 @@ impl Drop for Program {
     }
 }
 
-/// Sends a request; returns the head of the response.
-fn send(address: &str, request: &str) -> String {
-    use std::io::Write;
-    let mut stream = std::net::TcpStream::connect(address).unwrap();
-    stream.set_read_timeout(Some(crate::target::LIMIT)).unwrap();
-    stream.write_all(request.replace("HOST", address).as_bytes()).unwrap();
-    let mut answer = String::new();
-    stream.read_to_string(&mut answer).unwrap();
-    answer.split("\r\n\r\n").next().unwrap().to_owned()
-}
-
 /// Attack 5.
 #[test]
 fn no_secret_is_printed_but_a_key_that_works_once() {
     let mut program = Program::start(&["--token-file", "token"]);
     let (url, mut lines, output) = program.url();
     let token = std::fs::read_to_string(program.folder.join("token")).unwrap().trim().to_owned();
-    let (address, key) = url.strip_prefix("http://").unwrap().split_once("/?key=").unwrap();
-    let enter = format!("GET /?key={key} HTTP/1.1\r\nHost: HOST\r\nConnection: close\r\n\r\n");
-    let entered = send(address, &enter);
-    assert!(entered.starts_with("HTTP/1.1 303"), "{entered}");
-    let cookie = entered.lines().find_map(|line| line.strip_prefix("set-cookie: ")).unwrap();
-    let cookie = cookie.split(';').next().unwrap().split_once('=').unwrap();
-    for (token, status) in [("wrong", "403"), (token.as_str(), "204")] {
-        let (origin, length) = (format!("Origin: http://{address}"), token.len());
-        let lines = format!("Host: HOST\r\n{origin}\r\nContent-Length: {length}\r\nConnection: close");
-        let head = send(address, &format!("POST /enter HTTP/1.1\r\n{lines}\r\n\r\n{token}"));
-        assert_eq!(head.split(' ').nth(1), Some(status), "{head}");
-    }
-    let mut request = format!("ws://{address}/socket").into_client_request().unwrap();
-    request.headers_mut().insert("Authorization", format!("Bearer {token}").parse().unwrap());
-    let stream = std::net::TcpStream::connect(address).unwrap();
-    let mut page = tungstenite::client(request, stream).unwrap().0;
-    let hello = message(&mut page).unwrap();
+    let (address, key) = url.strip_prefix("http://").unwrap().split_once("/#key=").unwrap();
+    let enter = |proofs: serde_json::Value| {
+        let mut request = format!("ws://{address}/socket").into_client_request().unwrap();
+        request.headers_mut().insert("Origin", format!("http://{address}").parse().unwrap());
+        let mut page = tungstenite::client(request, std::net::TcpStream::connect(address).unwrap()).unwrap().0;
+        page.send(proofs.to_string().into()).unwrap();
+        (message(&mut page).unwrap(), message(&mut page).ok())
+    };
+    let (entered, hello) = enter(json!({ "key": key }));
+    let (secret, hello) = (entered["secret"].as_str().unwrap(), hello.unwrap());
     assert_eq!(hello["type"], "hello");
-    drop(page);
+    assert_eq!(enter(json!({ "token": "wrong" })).0["type"], "close");
+    assert_eq!(enter(json!({ "token": token })).0, entered);
     lines.push(program.end(output, &["INT"]));
     let printed = lines.concat();
-    for secret in [token.as_str(), cookie.1] {
+    for secret in [token.as_str(), secret] {
         assert!(!printed.contains(secret) && !hello.to_string().contains(secret), "{printed}");
     }
     assert_eq!(printed.matches(key).count(), 1, "{printed}");

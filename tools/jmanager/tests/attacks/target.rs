@@ -79,18 +79,14 @@ impl Target {
         format!("Host: {}", self.address)
     }
 
-    /// The path with a new one-time key.
-    pub(crate) fn entrance(&self) -> String {
-        let url = self.web.url().unwrap();
-        url.split_once("/?").map(|(_, query)| format!("/?{query}")).unwrap()
+    /// The key of a new URL.
+    pub(crate) fn key(&self) -> String {
+        self.web.url().unwrap().split_once("/#key=").unwrap().1.to_owned()
     }
 
-    /// Enters; returns the `Cookie` header.
-    pub(crate) fn enter(&self) -> String {
-        let response = self.send(&format!("GET {}", self.entrance()), &[&self.host()], "");
-        assert_eq!(response.status, 303, "{}", response.head);
-        let set = response.header("set-cookie").unwrap();
-        format!("Cookie: {}", set.split(';').next().unwrap())
+    /// The `Origin` of the server's own page.
+    pub(crate) fn origin(&self) -> String {
+        format!("Origin: http://{}", self.address)
     }
 
     /// Asks for a WebSocket.
@@ -105,14 +101,27 @@ impl Target {
         std::str::from_utf8(&head[9..]).unwrap().parse().unwrap()
     }
 
-    /// Opens a WebSocket as the page does.
-    pub(crate) fn page(&self, cookie: &str) -> WebSocket<TcpStream> {
+    /// Opens a WebSocket as the page does; it has not entered.
+    pub(crate) fn socket(&self) -> WebSocket<TcpStream> {
         let mut request = format!("ws://{}/socket", self.address).into_client_request().unwrap();
-        let headers = request.headers_mut();
-        headers.insert("Origin", format!("http://{}", self.address).parse().unwrap());
-        headers.insert("Cookie", cookie.strip_prefix("Cookie: ").unwrap().parse().unwrap());
+        request.headers_mut().insert("Origin", format!("http://{}", self.address).parse().unwrap());
         let config = WebSocketConfig::default().max_write_buffer_size(usize::MAX);
         tungstenite::client::client_with_config(request, self.connect(), Some(config)).unwrap().0
+    }
+
+    /// Opens a WebSocket with proofs; returns it, and the answer.
+    pub(crate) fn enter(&self, proofs: &Value) -> (WebSocket<TcpStream>, Value) {
+        let mut socket = self.socket();
+        socket.send(Message::text(proofs.to_string())).unwrap();
+        let answer = message(&mut socket).unwrap();
+        (socket, answer)
+    }
+
+    /// Opens a page that has entered.
+    pub(crate) fn page(&self) -> WebSocket<TcpStream> {
+        let (page, answer) = self.enter(&json!({ "key": self.key() }));
+        assert_eq!(answer["type"], "entered", "{answer}");
+        page
     }
 }
 
@@ -127,8 +136,9 @@ pub(crate) fn message(page: &mut WebSocket<TcpStream>) -> Result<Value, Error> {
         match page.read()? {
             Message::Text(text) => return Ok(serde_json::from_str(&text).unwrap()),
             Message::Close(frame) => {
-                let code = frame.map_or(0, |frame| u16::from(frame.code));
-                return Ok(json!({ "type": "close", "code": code }));
+                let (code, reason) =
+                    frame.map_or((0, String::new()), |frame| (frame.code.into(), frame.reason.to_string()));
+                return Ok(json!({ "type": "close", "code": code, "reason": reason }));
             }
             _ => {}
         }

@@ -1,10 +1,9 @@
 //! Breakpoints on states and transitions.
 
 use jmanager::protocol::{Breakpoint, Request};
-use jmanager::sessions::Manager;
 use serde_json::{Value, json};
 
-use crate::page::{Folder, Got, Page};
+use crate::page::{Bench, Folder, Got, Page};
 use crate::recorded::{opened, record};
 use crate::robot::{Robot, attached};
 use crate::world::{find, running};
@@ -24,78 +23,66 @@ fn first_transition(description: &Value) -> (Breakpoint, usize, usize) {
 #[test]
 #[ignore = "slow: `cargo xtask ci` runs it"]
 fn slow_a_world_pauses_at_the_cycle_in_which_a_breakpoint_is_reached() {
-    let folder = Folder::new();
-    let manager = Manager::new(folder.options());
-    let (page, session, description) = running(&manager);
+    let (page, description) = running();
     let (transition, _, to) = first_transition(&description);
     let component = transition.component;
     for list in [vec![transition], vec![state(component, to)]] {
-        page.ask(Request::Breakpoints { session, list: list.clone() }).unwrap();
-        page.ask(Request::Restart { session, seed: Some(2) }).unwrap();
+        page.ask(Request::Breakpoints { list: list.clone() }).unwrap();
+        page.ask(Request::Restart { seed: Some(2) }).unwrap();
         page.message("described", |_| Some(()));
         let hit = page.message("hit", |hit| Some(hit.clone()));
         let time_us = hit["time_us"].as_u64().unwrap();
         assert_eq!((&hit["component"], &hit["paused"]), (&json!(component), &json!(true)), "{hit}");
-        page.session(|one| one["id"] == session && one["paused"] == true);
+        page.session(|one| one["paused"] == true);
         // The last cycle is that of the breakpoint: no other one was run.
-        std::thread::sleep(std::time::Duration::from_millis(300));
-        let now =
-            |page: &Page<'_>| page.ask(Request::At { session, time_us: u64::MAX, info: vec![], image: false }).unwrap();
-        let moment = now(&page);
+        let moment = page.stands();
         assert_eq!(moment["time_us"], time_us, "{moment}");
         let entered = &moment["components"][component];
         assert_eq!((&entered[0], &entered[2], &entered[4]), (&json!(true), &json!(to), &json!(time_us)));
         // A breakpoint is reached once; one cycle at a time goes on from there.
-        page.ask(Request::Step { session, cycles: 1 }).unwrap();
+        page.ask(Request::Step { cycles: 1 }).unwrap();
         page.message("update", |update| {
             (update["cycle"].as_u64() == Some(moment["cycle"].as_u64().unwrap() + 1)).then_some(())
         });
-        assert!(page.ask(Request::NextHit { session, from_us: time_us }).unwrap().is_null());
-        let next = page.ask(Request::NextHit { session, from_us: 0 }).unwrap();
+        assert!(page.ask(Request::NextHit { from_us: time_us }).unwrap().is_null());
+        let next = page.ask(Request::NextHit { from_us: 0 }).unwrap();
         assert_eq!(next["time_us"], time_us, "{next}");
-        page.ask(Request::Breakpoints { session, list: Vec::new() }).unwrap();
-        page.ask(Request::Resume { session }).unwrap();
+        page.ask(Request::Breakpoints { list: Vec::new() }).unwrap();
+        page.ask(Request::Resume {}).unwrap();
         page.message("update", |update| (update["cycle"].as_u64()? > moment["cycle"].as_u64()? + 20).then_some(()));
     }
 }
 
 #[test]
 fn a_step_of_many_cycles_stops_at_a_breakpoint() {
-    let folder = Folder::new();
-    let manager = Manager::new(folder.options());
-    let (page, session, description) = running(&manager);
+    let (page, description) = running();
     let (transition, ..) = first_transition(&description);
-    page.ask(Request::Breakpoints { session, list: vec![transition] }).unwrap();
-    page.ask(Request::Pause { session }).unwrap();
-    page.ask(Request::Restart { session, seed: Some(2) }).unwrap();
+    page.ask(Request::Breakpoints { list: vec![transition] }).unwrap();
+    page.ask(Request::Pause {}).unwrap();
+    page.ask(Request::Restart { seed: Some(2) }).unwrap();
     page.message("described", |_| Some(()));
-    page.ask(Request::Step { session, cycles: 100_000 }).unwrap();
+    page.ask(Request::Step { cycles: 100_000 }).unwrap();
     let hit = page.message("hit", |hit| Some(hit.clone()));
-    std::thread::sleep(std::time::Duration::from_millis(300));
-    let moment = page.ask(Request::At { session, time_us: u64::MAX, info: vec![], image: false }).unwrap();
-    assert_eq!(moment["time_us"], hit["time_us"]);
+    assert_eq!(page.stands()["time_us"], hit["time_us"]);
 }
 
 /// Waits for a hit of a robot; each state has a breakpoint, so that one is reached soon.
-fn hit_behind_a_link(robot: &Robot, then: impl Fn(&Page<'_>, u32, &Value)) {
-    let folder = Folder::new();
-    let manager = Manager::new(folder.options());
-    let (page, session, description) = attached(&manager, &robot.address);
+fn hit_behind_a_link(robot: &Robot, then: impl Fn(&Page, &Value)) {
+    let (page, description) = attached(&robot.address);
     let (component, _) = find(&description, "Player", "states", "approach");
     let states = description["components"][component]["states"].as_array().unwrap().len();
     let list: Vec<_> = (0..states).map(|one| state(component, one)).collect();
-    page.ask(Request::Breakpoints { session, list }).unwrap();
+    page.ask(Request::Breakpoints { list }).unwrap();
     let hit = page.message("hit", |hit| Some(hit.clone()));
-    then(&page, session, &hit);
-    let request = Request::Lines { session, from_us: 0, until_us: u64::MAX, limit: 1000 };
-    let lines = page.ask(request).unwrap();
-    assert!(lines.to_string().contains("breakpoint: `Player`"), "{lines}");
+    then(&page, &hit);
+    let lines = format!("{:?}", page.lines());
+    assert!(lines.contains("breakpoint: `Player`"), "{lines}");
 }
 
 #[test]
 fn a_robot_is_not_stopped_and_a_hit_is_sent() {
     let robot = Robot::serve("127.0.0.1:0", false);
-    hit_behind_a_link(&robot, |page, _, hit| {
+    hit_behind_a_link(&robot, |page, hit| {
         assert_eq!(hit["paused"], false, "{hit}");
         let time_us = hit["time_us"].as_u64().unwrap();
         page.message("update", |update| (update["time_us"].as_u64()? > time_us + 200_000).then_some(()));
@@ -105,19 +92,16 @@ fn a_robot_is_not_stopped_and_a_hit_is_sent() {
 #[test]
 fn a_world_behind_a_link_pauses_soon_after_a_hit() {
     let robot = Robot::start("127.0.0.1:0");
-    hit_behind_a_link(&robot, |page, session, hit| {
+    hit_behind_a_link(&robot, |page, hit| {
         assert_eq!(hit["paused"], true, "{hit}");
-        std::thread::sleep(std::time::Duration::from_millis(300));
-        let now = || page.ask(Request::At { session, time_us: u64::MAX, info: vec![], image: false }).unwrap();
-        let paused = now()["cycle"].clone();
-        std::thread::sleep(std::time::Duration::from_millis(300));
-        assert_eq!(now()["cycle"], paused);
+        let paused = page.stands()["cycle"].clone();
+        assert_eq!(page.stands()["cycle"], paused);
         // The moment of the hit can be looked at.
         let time_us = hit["time_us"].as_u64().unwrap();
-        let moment = page.ask(Request::At { session, time_us, info: vec![], image: false }).unwrap();
+        let moment = page.ask(Request::At { time_us, info: vec![], image: false }).unwrap();
         assert_eq!(moment["components"][hit["component"].as_u64().unwrap() as usize][4], time_us);
-        page.ask(Request::Breakpoints { session, list: Vec::new() }).unwrap();
-        page.ask(Request::Resume { session }).unwrap();
+        page.ask(Request::Breakpoints { list: Vec::new() }).unwrap();
+        page.ask(Request::Resume {}).unwrap();
         page.message("update", |update| (update["time_us"].as_u64()? > time_us + 200_000).then_some(()));
     });
 }
@@ -126,17 +110,16 @@ fn a_world_behind_a_link_pauses_soon_after_a_hit() {
 fn the_next_hit_of_a_recording_is_found() {
     let folder = Folder::new();
     record(&folder, "one.mcap", 1);
-    let manager = Manager::new(folder.options());
-    let page = Page::new(&manager);
-    let (session, _) = opened(&page, "one");
-    let late = Page::new(&manager);
+    let page = Page::new(&Bench::with(folder, |options| options));
+    opened(&page, "one");
+    let late = Page::new(&page.bench);
     let description = late.message("described", |message| Some(message["description"].clone()));
     let (transition, from, to) = first_transition(&description);
-    page.ask(Request::Breakpoints { session, list: vec![transition] }).unwrap();
+    page.ask(Request::Breakpoints { list: vec![transition] }).unwrap();
     late.message("breakpoints", |message| {
         (message["list"][0]["transition"] == json!(transition.transition)).then_some(())
     });
-    let request = Request::Timeline { session, from_us: 0, until_us: u64::MAX, resolution_us: 0 };
+    let request = Request::Timeline { from_us: 0, until_us: u64::MAX, resolution_us: 0 };
     let rows = page.ask(request).unwrap();
     let bars = rows[transition.component]["bars"].as_array().unwrap().clone();
     let expected: Vec<u64> = bars
@@ -146,7 +129,7 @@ fn the_next_hit_of_a_recording_is_found() {
         .collect();
     assert!(!expected.is_empty(), "{bars:?}");
     let (mut found, mut cursor) = (Vec::new(), 0);
-    while let Some(time) = page.ask(Request::NextHit { session, from_us: cursor }).unwrap()["time_us"].as_u64() {
+    while let Some(time) = page.ask(Request::NextHit { from_us: cursor }).unwrap()["time_us"].as_u64() {
         assert!(time > cursor);
         found.push(time);
         cursor = time;
@@ -156,9 +139,7 @@ fn the_next_hit_of_a_recording_is_found() {
 
 #[test]
 fn breakpoints_that_do_not_fit_the_tree_are_refused() {
-    let folder = Folder::new();
-    let manager = Manager::new(folder.options());
-    let (page, session, description) = running(&manager);
+    let (page, description) = running();
     let (transition, ..) = first_transition(&description);
     let component = transition.component;
     for one in [
@@ -168,10 +149,10 @@ fn breakpoints_that_do_not_fit_the_tree_are_refused() {
         Breakpoint { component, state: None, transition: None },
         Breakpoint { component, state: Some(0), transition: Some(0) },
     ] {
-        page.ask(Request::Breakpoints { session, list: vec![transition, one] }).unwrap_err();
+        page.ask(Request::Breakpoints { list: vec![transition, one] }).unwrap_err();
     }
-    page.ask(Request::Breakpoints { session, list: vec![state(component, 0); 501] }).unwrap_err();
-    let late = Page::new(&manager);
+    page.ask(Request::Breakpoints { list: vec![state(component, 0); 501] }).unwrap_err();
+    let late = Page::new(&page.bench);
     let list = late.wait("the list", |got| match got {
         Got::Message(message) if message["type"] == "breakpoints" => Some(message["list"].clone()),
         _ => None,

@@ -6,11 +6,11 @@ use std::path::Path;
 
 use bica_evaluation::frame_io::{list, stem};
 use bica_evaluation::labels::{Ball, Labels};
-use jmanager::protocol::{Open, Request};
-use jmanager::sessions::Manager;
+use jmanager::protocol::{Open, Request, Watch, WatchImages};
+use jmanager::sessions::Options;
 use serde_json::Value;
 
-use crate::page::{Folder, Got, Page};
+use crate::page::{Bench, Folder, Got, Page};
 
 /// Class of the ball.
 const ORANGE: usize = 0;
@@ -24,8 +24,8 @@ const SPOILT: &str = "[orange]\nhue = [148, 165]\nsaturation = [50, 400]\nluma =
     [white]\nsaturation = [0, 8]\nluma = [111, 255]\n";
 
 /// Recall and precision of the ball, missed images, wrong detections.
-fn score(page: &Page<'_>, session: u32) -> (f64, f64, Vec<String>, Vec<String>) {
-    let rows = page.ask(Request::ScoreColours { session }).unwrap();
+fn score(page: &Page) -> (f64, f64, Vec<String>, Vec<String>) {
+    let rows = page.ask(Request::ScoreColours {}).unwrap();
     let row = &rows["rows"][0];
     assert_eq!(row["object"], "ball");
     let names = |list: &Value| list.as_array().unwrap().iter().map(|name| name.as_str().unwrap().to_owned()).collect();
@@ -34,8 +34,8 @@ fn score(page: &Page<'_>, session: u32) -> (f64, f64, Vec<String>, Vec<String>) 
 }
 
 /// Class of each pixel of an image.
-fn classify(page: &Page<'_>, session: u32, image: u32) -> Vec<u8> {
-    let id = page.send(Request::Classify { session, image });
+fn classify(page: &Page, image: u32) -> Vec<u8> {
+    let id = page.send(Request::Classify { image });
     let frame = page.wait("the classes", |got| match got {
         Got::Binary(frame) => Some(frame.clone()),
         Got::Message(_) => None,
@@ -66,17 +66,16 @@ bica_test_data::images_test! {
         let numbers: BTreeMap<String, u32> = (0..).zip(&files).map(|(number, path)| (stem(&name(path)).to_owned(), number)).collect();
 
         let folder = Folder::new();
-        let mut options = folder.options();
-        fs::create_dir_all(&options.profiles).unwrap();
-        fs::write(options.profiles.join("spoilt.toml"), SPOILT).unwrap();
-        options.images = Some(images.clone());
-        let manager = Manager::new(options);
-        let page = Page::new(&manager);
-        let session = manager.open(Open::Images {}).unwrap();
-        page.session(|one| one["id"] == session && one["connection"] == "connected");
-        page.ask(Request::LoadColours { session, name: "spoilt".to_owned() }).unwrap();
+        let profiles = folder.options().profiles;
+        fs::create_dir_all(&profiles).unwrap();
+        fs::write(profiles.join("spoilt.toml"), SPOILT).unwrap();
+        let images = Some(images.clone());
+        let page = Page::new(&Bench::with(folder, |options| Options { images: images.clone(), ..options }));
+        page.open(Open::Images {});
+        page.session(|one| one["connection"] == "connected");
+        page.ask(Request::LoadColours { name: "spoilt".to_owned() }).unwrap();
 
-        let (mut recall, mut precision, mut missed, mut wrong) = score(&page, session);
+        let (mut recall, mut precision, mut missed, mut wrong) = score(&page);
         assert!(recall < 0.5, "spoilt: {recall}");
         let mut clicks = 0;
         while (recall < 0.97 || precision < 0.99) && clicks < MAX_CLICKS {
@@ -85,7 +84,7 @@ bica_test_data::images_test! {
                 let image = &missed[clicks * 7 % missed.len()];
                 let ball = *labels.get(image).unwrap().balls.iter().find(|ball| ball.orange && ball.full).unwrap();
                 let number = numbers[stem(image)];
-                place_to_click(&classify(&page, session, number), &ball).map(|place| (number, place, false))
+                place_to_click(&classify(&page, number), &ball).map(|place| (number, place, false))
             } else {
                 // `NAME (X, Y)`
                 let (image, at) = wrong[0].split_once(" (").unwrap();
@@ -94,55 +93,58 @@ bica_test_data::images_test! {
             };
             clicks += 1;
             if let Some((image, place, remove)) = click {
-                page.ask(Request::PickColours { session, class: ORANGE, remove, image, pixels: vec![place] }).unwrap();
+                page.ask(Request::PickColours { class: ORANGE, remove, image, pixels: vec![place] }).unwrap();
             }
-            (recall, precision, missed, wrong) = score(&page, session);
+            (recall, precision, missed, wrong) = score(&page);
             println!("{clicks} clicks: recall {recall:.3}, precision {precision:.3}, missed {}", missed.len());
         }
         assert!(recall >= 0.97, "{recall}");
         assert!(precision >= 0.99, "{precision}");
-        let saved = page.ask(Request::SaveColours { session, name: "mended".to_owned() }).unwrap();
+        let saved = page.ask(Request::SaveColours { name: "mended".to_owned() }).unwrap();
         let text = fs::read_to_string(saved["path"].as_str().unwrap()).unwrap();
         assert!(text.contains("[orange]"));
     }
 
     fn a_pick_can_be_undone() {
-        let folder = Folder::new();
-        let options = jmanager::sessions::Options { images: Some(bica_test_data::images().join("nao2009")), ..folder.options() };
-        let manager = Manager::new(options);
-        let page = Page::new(&manager);
-        let session = manager.open(Open::Images {}).unwrap();
-        page.session(|one| one["id"] == session && one["connection"] == "connected");
-        let before = page.ask(Request::Colours { session }).unwrap();
-        let pick = Request::PickColours { session, class: ORANGE, remove: false, image: 0, pixels: vec![(5, 5)] };
+        let images = Some(bica_test_data::images().join("nao2009"));
+        let page = Page::new(&Bench::with(Folder::new(), |options| Options { images: images.clone(), ..options }));
+        page.open(Open::Images {});
+        page.session(|one| one["connection"] == "connected");
+        let before = page.ask(Request::Colours {}).unwrap();
+        let pick = Request::PickColours { class: ORANGE, remove: false, image: 0, pixels: vec![(5, 5)] };
         let picked = page.ask(pick).unwrap();
         assert_ne!(picked["classes"], before["classes"]);
-        let undone = page.ask(Request::UndoColours { session }).unwrap();
+        let undone = page.ask(Request::UndoColours {}).unwrap();
         assert_eq!(undone["classes"], before["classes"]);
-        assert!(page.ask(Request::UndoColours { session }).is_err());
-        let outside = Request::PickColours { session, class: ORANGE, remove: false, image: 0, pixels: vec![(320, 5)] };
+        assert!(page.ask(Request::UndoColours {}).is_err());
+        let outside = Request::PickColours { class: ORANGE, remove: false, image: 0, pixels: vec![(320, 5)] };
         assert!(page.ask(outside).unwrap_err()["text"].as_str().unwrap().contains("outside"));
     }
 }
 
+/// Number of an image that the camera has taken.
+fn watched_image(page: &Page) -> u32 {
+    let images = Some(WatchImages { max_hz: 30.0 });
+    page.send(Request::Watch { watch: Watch { images, ..Watch::default() } });
+    page.wait("an image", |got| match got {
+        Got::Binary(frame) => Some(u32::from_le_bytes(frame[8..12].try_into().unwrap())),
+        Got::Message(_) => None,
+    })
+}
+
 #[test]
 fn the_profile_under_edit_is_sent_to_the_robot_as_parameters() {
-    let folder = Folder::new();
-    let manager = Manager::new(folder.options());
-    let (page, session, description) = crate::world::running(&manager);
+    let (page, description) = crate::world::running();
     let (component, param) = crate::world::find(&description, "Colours", "params", "orange_luma_min");
-    page.message("update", |update| (update["images"].as_u64()? > 3).then_some(()));
-    let id = page.send(Request::At { session, time_us: u64::MAX, info: vec![], image: true });
-    let moment = page.message("answer", |answer| (answer["id"] == id).then(|| answer["result"].clone()));
-    let image = moment["image"].as_u64().unwrap() as u32;
-    let pick = Request::PickColours { session, class: ORANGE, remove: false, image, pixels: vec![(80, 100)] };
+    let image = watched_image(&page);
+    let pick = Request::PickColours { class: ORANGE, remove: false, image, pixels: vec![(80, 100)] };
     let picked = page.ask(pick).unwrap();
     let luma = &picked["classes"][ORANGE]["limits"]["luma"][0];
-    page.ask(Request::Acquire { session }).unwrap();
-    let sent = page.ask(Request::SendColours { session }).unwrap();
+    page.ask(Request::Acquire {}).unwrap();
+    let sent = page.ask(Request::SendColours {}).unwrap();
     assert!(sent["values"].as_array().unwrap().len() > 30);
 
-    let late = Page::new(page.manager);
+    let late = Page::new(&page.bench);
     let now = late.message("described", |message| {
         Some(message["description"]["components"][component]["params"][param]["value"].clone())
     });
@@ -151,17 +153,12 @@ fn the_profile_under_edit_is_sent_to_the_robot_as_parameters() {
 
 #[test]
 fn the_end_of_the_field_is_shown_with_what_was_rejected() {
-    let folder = Folder::new();
-    let manager = Manager::new(folder.options());
-    let (page, session, _) = crate::world::running(&manager);
-    page.message("update", |update| (update["images"].as_u64()? > 3).then_some(()));
-    let id = page.send(Request::At { session, time_us: u64::MAX, info: vec![], image: false });
-    let moment = page.message("answer", |answer| (answer["id"] == id).then(|| answer["result"].clone()));
-    let image = moment["image"].as_u64().unwrap() as u32;
-    let boundary = page.ask(Request::Boundary { session, image }).unwrap();
+    let (page, _) = crate::world::running();
+    let image = watched_image(&page);
+    let boundary = page.ask(Request::Boundary { image }).unwrap();
     let columns = boundary["columns"].as_array().unwrap();
     assert_eq!(columns.len(), 40);
     let inliers = columns.iter().filter(|column| column["verdict"] == "inlier").count();
     assert_eq!(boundary["corners"].as_array().unwrap().is_empty(), inliers == 0, "{boundary}");
-    assert!(page.ask(Request::Boundary { session, image: 1_000_000 }).is_err());
+    assert!(page.ask(Request::Boundary { image: 1_000_000 }).is_err());
 }

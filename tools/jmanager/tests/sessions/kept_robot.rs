@@ -2,33 +2,34 @@
 
 use std::fs::{self, File};
 use std::path::Path;
+use std::sync::Arc;
 
 use bica_console::Failure;
 use bica_game::{ReplayOptions, replay};
 use bica_recording::{Info, Recording};
 use jmanager::protocol::{HoldKind, Open, Request, Setting, Watch, WatchImages};
-use jmanager::sessions::Manager;
 use serde_json::{Value, json};
 
-use crate::page::{Folder, Got, Page};
+use crate::page::{Bench, Folder, Got, Page};
 use crate::recorded::opened;
 use crate::robot::{Robot, attached};
 use crate::world::find;
 
 /// Opens a robot with one page, and waits until it has sent some cycles.
-fn running<'a>(manager: &'a Manager, robot: &Robot) -> (Page<'a>, u32, Value) {
-    let (page, session, description) = attached(manager, &format!("tcp://{}", robot.address));
-    page.message("update", |update| (update["cycle"].as_u64()? > 5).then_some(()));
-    (page, session, description)
+fn running(robot: &Robot) -> (Page, Value) {
+    let (page, description) = attached(&format!("tcp://{}", robot.address));
+    page.cycle(6);
+    (page, description)
 }
 
-fn keep(page: &Page<'_>, session: u32, name: &str) -> Value {
-    page.ask(Request::KeepRecording { session, name: name.to_owned() }).unwrap()
+fn keep(page: &Page, name: &str) -> Value {
+    page.ask(Request::KeepRecording { name: name.to_owned() }).unwrap()
 }
 
 /// The state at a time and the number in the image's frame.
-fn at(page: &Page<'_>, session: u32, time_us: u64, info: (usize, usize)) -> (Value, u32) {
-    let id = page.send(Request::At { session, time_us, info: vec![info], image: true });
+fn at(page: &Page, session: u32, time_us: u64, info: (usize, usize)) -> (Value, u32) {
+    page.session.set(Some(session));
+    let id = page.send(Request::At { time_us, info: vec![info], image: true });
     let number = page.wait("the image", |got| match got {
         Got::Binary(frame) if frame[24..28] == id.to_le_bytes() => {
             Some(u32::from_le_bytes(frame[8..12].try_into().unwrap()))
@@ -45,27 +46,26 @@ fn info(path: &Path) -> Info {
 #[test]
 #[ignore = "slow: `cargo xtask ci` runs it"]
 fn slow_what_a_robot_sent_is_kept_and_opened_with_the_same_states_images_information_and_lines() {
-    let folder = Folder::new();
-    let manager = Manager::new(folder.options());
     let robot = Robot::start("127.0.0.1:0");
-    let (page, session, description) = running(&manager, &robot);
+    let (page, description) = running(&robot);
+    let session = page.session.get().unwrap();
     let watch = Watch { images: Some(WatchImages { max_hz: 30.0 }), ..Watch::default() };
-    page.ask(Request::Watch { session, watch }).unwrap();
-    page.ask(Request::Acquire { session }).unwrap();
+    page.ask(Request::Watch { watch }).unwrap();
+    page.ask(Request::Acquire {}).unwrap();
     let (component, param) = find(&description, "FaceBall", "params", "gain");
     let settings = vec![Setting { component, param, value: json!(0.9) }];
-    page.ask(Request::Set { session, settings }).unwrap();
-    page.ask(Request::Hold { session, component, hold: HoldKind::Active }).unwrap();
-    page.ask(Request::Note { session, text: "before the kick".to_owned() }).unwrap();
+    page.ask(Request::Set { settings }).unwrap();
+    page.ask(Request::Hold { component, hold: HoldKind::Active }).unwrap();
+    page.ask(Request::Note { text: "before the kick".to_owned() }).unwrap();
     let until = page.message("update", |update| {
         let held = update["components"][component][1] == "active";
         (held && update["cycle"].as_u64()? > 150).then(|| update["time_us"].as_u64()).flatten()
     });
     page.message("update", |update| (update["time_us"].as_u64()? > until + 200_000).then_some(()));
-    let kept = keep(&page, session, "mine");
-    let path = folder.0.join("recordings/mine.mcap");
+    let kept = keep(&page, "mine");
+    let path = page.bench.folder.0.join("recordings/mine.mcap");
     assert_eq!(kept["path"], path.to_str().unwrap());
-    let again = page.ask(Request::KeepRecording { session, name: "mine".to_owned() }).unwrap_err();
+    let again = page.ask(Request::KeepRecording { name: "mine".to_owned() }).unwrap_err();
     assert!(again["text"].as_str().unwrap().contains("exists"), "{again}");
 
     let listed = info(&path);
@@ -78,7 +78,7 @@ fn slow_what_a_robot_sent_is_kept_and_opened_with_the_same_states_images_informa
     let (copy, shown) = opened(&page, "mine");
     assert_eq!(shown["can"]["run_again"], false);
     assert!(shown["note"].as_str().unwrap().contains("monitor"), "{shown}");
-    let late = Page::new(&manager);
+    let late = Page::new(&page.bench);
     let described =
         late.message("described", |message| (message["session"] == copy).then(|| message["description"].clone()));
     assert_eq!(described["components"][component]["links"], description["components"][component]["links"]);
@@ -100,7 +100,8 @@ fn slow_what_a_robot_sent_is_kept_and_opened_with_the_same_states_images_informa
         }
     }
     let lines = |session| {
-        let lines = page.ask(Request::Lines { session, from_us: 0, until_us: until, limit: 1000 }).unwrap();
+        page.session.set(Some(session));
+        let lines = page.ask(Request::Lines { from_us: 0, until_us: until, limit: 1000 }).unwrap();
         let pair = |line: &Value| (line["kind"].clone(), line["text"].clone());
         lines.as_array().unwrap().iter().map(pair).collect::<Vec<_>>()
     };
@@ -112,17 +113,16 @@ fn slow_what_a_robot_sent_is_kept_and_opened_with_the_same_states_images_informa
     }
     assert_eq!(sorted[0], sorted[1]);
     let rows = |session| {
-        page.ask(Request::Timeline { session, from_us: until - 500_000, until_us: until, resolution_us: 0 }).unwrap()
+        page.session.set(Some(session));
+        page.ask(Request::Timeline { from_us: until - 500_000, until_us: until, resolution_us: 0 }).unwrap()
     };
     let bars = |rows: Value| rows.as_array().unwrap().iter().map(|row| row["bars"].clone()).collect::<Vec<_>>();
     assert_eq!(bars(rows(session)), bars(rows(copy)));
 
-    let error = page.ask(Request::RunAgain { session: copy, settings: Vec::new() }).unwrap_err();
+    let error = page.ask(Request::RunAgain { settings: Vec::new() }).unwrap_err();
     assert!(error["text"].as_str().unwrap().contains("cannot be run again"), "{error}");
-    let (other, _) = opened(&page, "mine");
-    let error = page.ask(Request::Compare { session: copy, other }).unwrap_err();
-    assert!(error["text"].as_str().unwrap().contains("a monitor received"), "{error}");
-    assert!(error["help"].as_str().unwrap().contains("player play --serve"), "{error}");
+    let copies = page.ask(Request::Compare { other: copy }).unwrap();
+    assert_eq!(copies, json!({ "equal": true, "copies": true }));
     let options = ReplayOptions::whole(&path);
     match replay(&options) {
         Err(Failure::Error { what, help }) => {
@@ -134,18 +134,16 @@ fn slow_what_a_robot_sent_is_kept_and_opened_with_the_same_states_images_informa
 
 #[test]
 fn what_was_received_can_be_kept_after_the_robot_has_gone() {
-    let folder = Folder::new();
-    let manager = Manager::new(folder.options());
     let robot = Robot::start("127.0.0.1:0");
-    let (page, session, _) = running(&manager, &robot);
+    let (page, _) = running(&robot);
     let on = page.session(|one| one["recording"]["on"] == true);
     assert_eq!(on["recording"]["file"], "");
     let last =
         page.message("update", |update| (update["cycle"].as_u64()? > 60).then(|| update["cycle"].as_u64()).flatten());
     drop(robot);
     page.session(|one| one["connection"] == "lost");
-    keep(&page, session, "last");
-    let path = folder.0.join("recordings/last.mcap");
+    keep(&page, "last");
+    let path = page.bench.folder.0.join("recordings/last.mcap");
     let mut recording = Recording::open(&path).unwrap();
     let (mut newest, mut lost) = (0, false);
     while let Some(cycle) = recording.next_cycle().unwrap() {
@@ -159,31 +157,31 @@ fn what_was_received_can_be_kept_after_the_robot_has_gone() {
 fn nothing_is_kept_of_a_robot_that_has_sent_nothing_and_of_a_recording() {
     let folder = Folder::new();
     crate::recorded::record(&folder, "one.mcap", 1);
-    let manager = Manager::new(folder.options());
-    let page = Page::new(&manager);
+    let page = Page::new(&Bench::with(folder, |options| options));
     let robot = Robot::start("127.0.0.1:0");
     let address = robot.address.clone();
     drop(robot);
-    let silent = manager.open(Open::Robot { address }).unwrap();
+    let silent = page.open(Open::Robot { address });
     let (copy, _) = opened(&page, "one");
     for session in [silent, copy] {
-        let error = page.ask(Request::KeepRecording { session, name: "a".to_owned() }).unwrap_err();
+        page.session.set(Some(session));
+        let error = page.ask(Request::KeepRecording { name: "a".to_owned() }).unwrap_err();
         assert!(!error["help"].as_str().unwrap().is_empty(), "{error}");
     }
-    assert!(!folder.0.join("recordings/a.mcap").exists());
+    assert!(!page.bench.folder.0.join("recordings/a.mcap").exists());
 }
 
 #[test]
 #[ignore = "slow: `cargo xtask ci` runs it"]
 fn slow_a_robot_of_the_command_line_is_recorded_while_it_is_received() {
-    let folder = Folder::new();
-    let manager = Manager::new(folder.options());
+    let bench = Bench::new();
+    let folder = Arc::clone(&bench.folder);
     let robot = Robot::start("127.0.0.1:0");
     let address = robot.address.clone();
     let (file, next) = (folder.0.join("day.mcap"), folder.0.join("day-2.mcap"));
     let source = Open::Robot { address: address.clone() };
-    let session = manager.open_recorded(source, &file).unwrap();
-    let page = Page::new(&manager);
+    bench.manager.open_recorded(source, &file).unwrap();
+    let page = Page::new(&bench);
     page.message("described", |_| Some(()));
     // No page shows images.
     page.session(|one| {
@@ -202,10 +200,10 @@ fn slow_a_robot_of_the_command_line_is_recorded_while_it_is_received() {
     page.session(|one| one["recording"]["file"] == next.to_str().unwrap());
     let first = info(&file);
     assert!(first.cycles >= cycle / 2 && first.damage.is_none() && first.ending.is_some(), "{}", first.cycles);
-    page.ask(Request::Note { session, text: "again".to_owned() }).unwrap();
-    page.message("update", |update| (update["cycle"].as_u64()? > 60).then_some(()));
+    page.ask(Request::Note { text: "again".to_owned() }).unwrap();
+    page.cycle(61);
     drop(page);
-    drop(manager);
+    drop(bench);
     let second = info(&next);
     assert!(second.cycles > 30 && second.damage.is_none() && second.ending.is_some(), "{}", second.cycles);
     drop(robot);
@@ -213,39 +211,39 @@ fn slow_a_robot_of_the_command_line_is_recorded_while_it_is_received() {
 
 #[test]
 fn a_file_that_cannot_be_written_is_reported_and_the_session_goes_on() {
-    let folder = Folder::new();
-    let manager = Manager::new(folder.options());
+    let bench = Bench::new();
+    let folder = Arc::clone(&bench.folder);
     let robot = Robot::start("127.0.0.1:0");
     let source = Open::Robot { address: robot.address.clone() };
-    let session = manager.open_recorded(source, &folder.0.join("missing/day.mcap")).unwrap();
-    let page = Page::new(&manager);
+    bench.manager.open_recorded(source, &folder.0.join("missing/day.mcap")).unwrap();
+    let page = Page::new(&bench);
     page.message("log", |log| {
         log["lines"].as_array()?.iter().any(|line| line["text"].as_str().unwrap().contains("has ended")).then_some(())
     });
     let info = page.session(|one| !one["recording"]["note"].as_str().unwrap().is_empty());
     assert!(info["recording"]["note"].as_str().unwrap().contains("cannot make the file"), "{info}");
     let cycle = page.message("update", |update| update["cycle"].as_u64());
-    page.message("update", |update| (update["cycle"].as_u64()? > cycle + 20).then_some(()));
-    keep(&page, session, "mine");
+    page.cycle(cycle + 21);
+    keep(&page, "mine");
 }
 
 #[test]
 #[ignore = "slow: `cargo xtask ci` runs it"]
 fn slow_a_world_of_the_command_line_is_recorded_in_a_file_that_stays() {
-    let folder = Folder::new();
-    let manager = Manager::new(folder.options());
+    let bench = Bench::new();
+    let folder = Arc::clone(&bench.folder);
     let (file, next) = (folder.0.join("game.mcap"), folder.0.join("game-2.mcap"));
     let world = Open::World { world: "built-in".to_owned(), seed: 1, robots: 1 };
-    let session = manager.open_recorded(world, &file).unwrap();
-    let page = Page::new(&manager);
-    page.message("update", |update| (update["cycle"].as_u64()? > 50).then_some(()));
+    bench.manager.open_recorded(world, &file).unwrap();
+    let page = Page::new(&bench);
+    page.cycle(51);
     page.session(|one| one["recording"]["on"] == true && one["recording"]["file"] == file.to_str().unwrap());
-    keep(&page, session, "copy");
-    page.ask(Request::Restart { session, seed: Some(2) }).unwrap();
+    keep(&page, "copy");
+    page.ask(Request::Restart { seed: Some(2) }).unwrap();
     page.session(|one| one["recording"]["file"] == next.to_str().unwrap());
-    page.message("update", |update| (update["cycle"].as_u64()? > 20).then_some(()));
+    page.cycle(21);
     drop(page);
-    drop(manager);
+    drop(bench);
     for path in [&file, &next, &folder.0.join("recordings/copy.mcap")] {
         let options = ReplayOptions::whole(path);
         let replayed = replay(&options).unwrap();

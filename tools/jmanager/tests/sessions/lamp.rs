@@ -10,10 +10,8 @@ use bica::prelude::*;
 use bica::runner::{Runner, World};
 use bica_link::{Address, LinkServer, ServerOptions};
 use jmanager::protocol::{Breakpoint, HoldKind, Request};
-use jmanager::sessions::Manager;
 use serde_json::json;
 
-use crate::page::Folder;
 use crate::robot::{Robot, attached};
 use crate::world::find;
 
@@ -122,16 +120,14 @@ pub(crate) fn lamp_in(room: Room, between: Duration, address: &str, end: &Arc<At
 /// In each cycle of 20 ms one is added to what the conditions look at.
 #[test]
 fn a_breakpoint_behind_a_link_is_reached_by_its_transition_only() {
-    let folder = Folder::new();
-    let manager = Manager::new(folder.options());
     let end = Arc::new(AtomicBool::new(false));
     let (address, lamp) = lamp("127.0.0.1:0", &end);
-    let (page, session, description) = attached(&manager, &address);
+    let (page, description) = attached(&address);
     page.session(|one| one["connection"] == "connected");
     for (name, period, rest) in [("is_broken", 16, 13), ("is_kept", 8, 3)] {
         let (component, transition) = find(&description, "Lamp", "transitions", name);
         let place = Breakpoint { component, state: None, transition: Some(transition) };
-        page.ask(Request::Breakpoints { session, list: vec![place] }).unwrap();
+        page.ask(Request::Breakpoints { list: vec![place] }).unwrap();
         let hit = || {
             let time =
                 |hit: &serde_json::Value| (hit["transition"] == transition).then(|| hit["time_us"].as_u64().unwrap());
@@ -139,7 +135,7 @@ fn a_breakpoint_behind_a_link_is_reached_by_its_transition_only() {
         };
         let times = [hit(), hit(), hit()];
         assert!(times.iter().all(|time| time / 20_000 % period == rest), "{name}: {times:?}");
-        let next = page.ask(Request::NextHit { session, from_us: times[0] }).unwrap()["time_us"].as_u64().unwrap();
+        let next = page.ask(Request::NextHit { from_us: times[0] }).unwrap()["time_us"].as_u64().unwrap();
         assert_eq!(next, times[1]);
     }
     end.store(true, Ordering::Relaxed);
@@ -149,16 +145,14 @@ fn a_breakpoint_behind_a_link_is_reached_by_its_transition_only() {
 /// Attack 15.
 #[test]
 fn another_robot_at_the_address_is_shown_as_such_and_nothing_of_the_first_is_in_force() {
-    let folder = Folder::new();
-    let manager = Manager::new(folder.options());
     let robot = Robot::start("127.0.0.1:0");
     let address = robot.address.clone();
-    let (page, session, description) = attached(&manager, &address);
+    let (page, description) = attached(&address);
     page.session(|one| one["connection"] == "connected");
-    page.ask(Request::Acquire { session }).unwrap();
-    page.ask(Request::Hold { session, component: 0, hold: HoldKind::Latent }).unwrap();
+    page.ask(Request::Acquire {}).unwrap();
+    page.ask(Request::Hold { component: 0, hold: HoldKind::Latent }).unwrap();
     let place = Breakpoint { component: 0, state: Some(0), transition: None };
-    page.ask(Request::Breakpoints { session, list: vec![place] }).unwrap();
+    page.ask(Request::Breakpoints { list: vec![place] }).unwrap();
     drop(robot);
     page.session(|one| one["connection"] == "lost");
     let end = Arc::new(AtomicBool::new(false));
@@ -170,9 +164,9 @@ fn another_robot_at_the_address_is_shown_as_such_and_nothing_of_the_first_is_in_
     page.session(|one| one["connection"] == "connected" && one["control"] == "free");
     let held = page.message("update", |update| Some(update["components"].clone()));
     assert_eq!((held.as_array().unwrap().len(), &held[0][1]), (1, &json!("tree")));
-    let error = page.ask(Request::Hold { session, component: 0, hold: HoldKind::Latent }).unwrap_err();
+    let error = page.ask(Request::Hold { component: 0, hold: HoldKind::Latent }).unwrap_err();
     assert!(error["text"].as_str().unwrap().contains("does not control"), "{error}");
-    let request = Request::Timeline { session, from_us: 0, until_us: u64::MAX, resolution_us: 0 };
+    let request = Request::Timeline { from_us: 0, until_us: u64::MAX, resolution_us: 0 };
     assert_eq!(page.ask(request).unwrap().as_array().unwrap().len(), 1, "rows of the new tree only");
     end.store(true, Ordering::Relaxed);
     lamp.join().unwrap();

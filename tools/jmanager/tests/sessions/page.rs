@@ -1,6 +1,6 @@
 //! A page that is a program.
 
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicU32, Ordering};
@@ -8,7 +8,7 @@ use std::sync::mpsc::{Receiver, Sender, channel};
 use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
-use jmanager::protocol::{FromPage, Request, ToPage};
+use jmanager::protocol::{FromPage, Open, Request, SessionId, ToPage};
 use jmanager::sessions::{Frame, Key, Manager, Options, Outbox, PageId};
 use serde_json::{Value, json};
 
@@ -49,27 +49,59 @@ impl Outbox for Channel {
     }
 }
 
+/// A manager with a folder of its own.
+pub(crate) struct Bench {
+    pub(crate) manager: Manager,
+    pub(crate) folder: Arc<Folder>,
+}
+
+impl Bench {
+    pub(crate) fn new() -> Arc<Self> {
+        Self::with(Folder::new(), |options| options)
+    }
+
+    pub(crate) fn with(folder: Folder, options: impl Fn(Options) -> Options) -> Arc<Self> {
+        let options = options(folder.options());
+        Self::of(&Arc::new(folder), options)
+    }
+
+    pub(crate) fn of(folder: &Arc<Folder>, options: Options) -> Arc<Self> {
+        Arc::new(Self { manager: Manager::new(options), folder: Arc::clone(folder) })
+    }
+}
+
 /// A page that is a program.
-pub(crate) struct Page<'a> {
-    pub(crate) manager: &'a Manager,
+pub(crate) struct Page {
+    pub(crate) bench: Arc<Bench>,
     pub(crate) id: PageId,
+    /// The session that requests are about: the first one, if no other was chosen.
+    pub(crate) session: Cell<Option<SessionId>>,
     inbox: Receiver<Got>,
     last: AtomicU32,
     /// The newest message of each type.
     newest: RefCell<BTreeMap<String, Value>>,
 }
 
-impl<'a> Page<'a> {
-    pub(crate) fn new(manager: &'a Manager) -> Self {
+impl Page {
+    pub(crate) fn new(bench: &Arc<Bench>) -> Self {
         let (sender, inbox) = channel();
-        let id = manager.attach(Arc::new(Channel(Mutex::new(sender))));
-        Self { manager, id, inbox, last: AtomicU32::new(0), newest: RefCell::default() }
+        let id = bench.manager.attach(Arc::new(Channel(Mutex::new(sender))));
+        let (last, session) = (AtomicU32::new(0), Cell::new(None));
+        Self { bench: Arc::clone(bench), id, session, inbox, last, newest: RefCell::default() }
+    }
+
+    /// Opens a session, for requests from now on.
+    pub(crate) fn open(&self, source: Open) -> SessionId {
+        let session = self.bench.manager.open(source).unwrap();
+        self.session.set(Some(session));
+        session
     }
 
     /// Sends a request; returns its number.
     pub(crate) fn send(&self, request: Request) -> u32 {
         let id = self.last.fetch_add(1, Ordering::Relaxed) + 1;
-        self.manager.handle(self.id, FromPage { id, request });
+        let session = self.session.get().or(Some(1));
+        self.bench.manager.handle(self.id, FromPage { id, session, request });
         id
     }
 
@@ -115,15 +147,44 @@ impl<'a> Page<'a> {
         })
     }
 
+    /// The state after the last cycle.
+    pub(crate) fn now(&self) -> Value {
+        self.ask(Request::At { time_us: u64::MAX, info: vec![], image: false }).unwrap()
+    }
+
+    /// Pauses the world; returns the state after the last cycle.
+    pub(crate) fn paused(&self) -> Value {
+        self.send(Request::Pause {});
+        self.session(|session| session["paused"] == true);
+        self.stands()
+    }
+
+    /// The state of a paused world, once the last cycles before the pause have arrived.
+    pub(crate) fn stands(&self) -> Value {
+        std::thread::sleep(Duration::from_millis(300));
+        self.now()
+    }
+
+    /// Waits for a cycle.
+    pub(crate) fn cycle(&self, number: u64) {
+        self.message("update", |update| (update["cycle"].as_u64()? >= number).then_some(()));
+    }
+
+    /// All lines of the log.
+    pub(crate) fn lines(&self) -> Vec<Value> {
+        let request = Request::Lines { from_us: 0, until_us: u64::MAX, limit: 1000 };
+        self.ask(request).unwrap().as_array().unwrap().clone()
+    }
+
     /// Waits for a session in a state.
     pub(crate) fn session(&self, mut is: impl FnMut(&Value) -> bool) -> Value {
         self.message("session", |message| is(&message["session"]).then(|| message["session"].clone()))
     }
 }
 
-impl Drop for Page<'_> {
+impl Drop for Page {
     fn drop(&mut self) {
-        self.manager.detach(self.id);
+        self.bench.manager.detach(self.id);
     }
 }
 

@@ -1,24 +1,21 @@
 //! What a page gets of a world that is paused.
 
-use std::time::Duration;
-
 use jmanager::protocol::{Request, Watch, WatchImages, WatchInfo};
-use jmanager::sessions::Manager;
-use serde_json::Value;
+use serde_json::{Value, json};
 
-use crate::page::{Folder, Got, Page};
+use crate::page::{Got, Page};
 use crate::robot::{Robot, attached};
 use crate::world::{find, running};
 
 /// Watches images, the number of images and the truth; returns number and time (µs) of the first image, the number, and the truth.
-fn watched(page: &Page<'_>, session: u32, (component, info): (usize, usize)) -> (u32, u64, u64, Value) {
+fn watched(page: &Page, (component, info): (usize, usize)) -> (u32, u64, u64, Value) {
     let watch = Watch {
         images: Some(WatchImages { max_hz: 30.0 }),
         info: vec![WatchInfo { component, info, every: 1 }],
         truth: true,
         ..Watch::default()
     };
-    page.send(Request::Watch { session, watch });
+    page.send(Request::Watch { watch });
     let (mut image, mut count, mut truth) = (None, None, None);
     page.wait("image, information and truth", |got| {
         match got {
@@ -35,59 +32,62 @@ fn watched(page: &Page<'_>, session: u32, (component, info): (usize, usize)) -> 
     })
 }
 
-/// Time and number of images of the last cycle.
-fn now(page: &Page<'_>, session: u32) -> (u64, u64) {
-    // The last cycles before the pause are still under way.
-    std::thread::sleep(Duration::from_millis(300));
-    let moment = page.ask(Request::At { session, time_us: u64::MAX, info: vec![], image: false }).unwrap();
-    (moment["time_us"].as_u64().unwrap(), moment["cycle"].as_u64().unwrap())
+/// Pages that come to a world that is paused get the same; nobody has watched images before.
+fn check(page: &Page, description: &Value) {
+    let count = find(description, "CameraInput", "info", "count");
+    page.cycle(51);
+    let paused = page.paused();
+    let time_us = paused["time_us"].as_u64().unwrap();
+    let first = watched(page, count);
+    assert!(first.1 <= time_us && time_us - first.1 < 150_000, "{first:?} at {time_us}");
+    assert!(u64::from(first.0) + 1 >= first.2, "{first:?}");
+    let reloaded = Page::new(&page.bench);
+    assert_eq!(watched(&reloaded, count), first);
+    // Nobody watches any more, then somebody does again.
+    drop(reloaded);
+    page.ask(Request::Watch { watch: Watch::default() }).unwrap();
+    assert_eq!(watched(page, count), first);
+    assert_eq!(page.stands()["cycle"], paused["cycle"], "the world has not gone on");
+    page.send(Request::Resume {});
+    page.wait("the next image", |got| match got {
+        Got::Binary(frame) => (u32::from_le_bytes(frame[8..12].try_into().unwrap()) > first.0).then_some(()),
+        Got::Message(_) => None,
+    });
 }
 
 #[test]
 fn a_page_that_comes_to_a_paused_world_gets_its_newest_image_at_once() {
-    let folder = Folder::new();
-    let manager = Manager::new(folder.options());
-    let (page, session, description) = running(&manager);
-    let count = find(&description, "CameraInput", "info", "count");
-    page.message("update", |update| (update["cycle"].as_u64()? > 50).then_some(()));
-    page.ask(Request::Pause { session }).unwrap();
-    let (time_us, cycle) = now(&page, session);
-    let first = watched(&page, session, count);
-    assert!(first.1 <= time_us && time_us - first.1 < 150_000, "{first:?} at {time_us}");
-    assert!(u64::from(first.0) + 1 >= first.2, "{first:?}");
-    // A page that is loaded again is another page.
-    let reloaded = Page::new(&manager);
-    assert_eq!(watched(&reloaded, session, count), first);
-    assert_eq!(now(&page, session), (time_us, cycle), "the world has not gone on");
+    let (page, description) = running();
+    check(&page, &description);
 }
 
 #[test]
 fn a_page_that_comes_to_a_paused_world_behind_a_link_gets_its_newest_image_at_once() {
-    let folder = Folder::new();
-    let manager = Manager::new(folder.options());
     let robot = Robot::start("127.0.0.1:0");
-    let (page, session, description) = attached(&manager, &robot.address);
-    let count = find(&description, "CameraInput", "info", "count");
-    page.message("update", |update| (update["cycle"].as_u64()? > 50).then_some(()));
-    page.ask(Request::Pause { session }).unwrap();
-    let (time_us, cycle) = now(&page, session);
-    // Nobody has watched images yet: the robot sends the newest one.
-    let first = watched(&page, session, count);
-    assert!(first.1 <= time_us && time_us - first.1 < 150_000, "{first:?} at {time_us}");
-    let reloaded = Page::new(&manager);
-    assert_eq!(watched(&reloaded, session, count), first);
-    // Nobody watches any more, then somebody does again.
-    drop(reloaded);
-    page.ask(Request::Watch { session, watch: Watch::default() }).unwrap();
-    assert_eq!(watched(&page, session, count), first);
-    assert_eq!(now(&page, session), (time_us, cycle), "the world has not gone on");
-    page.send(Request::Resume { session });
-    let next = page.wait("the next image", |got| match got {
-        Got::Binary(frame) => {
-            let number = u32::from_le_bytes(frame[8..12].try_into().unwrap());
-            (number != first.0).then_some(number)
-        }
-        Got::Message(_) => None,
-    });
-    assert!(next > first.0);
+    let (page, description) = attached(&robot.address);
+    check(&page, &description);
+}
+
+/// What a page shows of a moment before the newest one.
+#[test]
+fn a_moment_of_the_past_has_the_conditions_costs_and_truth_of_that_time() {
+    let (page, description) = running();
+    let components = description["components"].as_array().unwrap();
+    let root = components.iter().position(|one| one["root"] == true).unwrap();
+    page.ask(Request::Watch { watch: Watch { conditions: vec![root], costs: true, ..Watch::default() } }).unwrap();
+    // Costs come every half second; the conditions of the first state differ from those of a later one.
+    page.message("costs", |_| Some(()));
+    let then = page.message("conditions", |message| Some(message.clone()));
+    let time_us = then["time_us"].as_u64().unwrap();
+    let is_other = |update: &Value| (update["time_us"].as_u64()? > time_us + 1_000_000).then_some(());
+    page.message("update", is_other);
+    let moment = page.ask(Request::At { time_us, info: vec![], image: false }).unwrap();
+    assert_eq!(moment["conditions"][0]["component"], root, "{moment}");
+    let holds = |of: &Value| -> Vec<Value> {
+        let all = of["conditions"].as_array().unwrap().iter();
+        all.map(|one| json!([one["holds"], one["since_us"], one["remaining_ms"]])).collect()
+    };
+    assert_eq!(holds(&moment["conditions"][0]), holds(&then));
+    assert!(moment["costs"]["time_us"].as_u64().unwrap() <= time_us, "{moment}");
+    assert!(moment["truth"]["ball"].is_array(), "{moment}");
 }

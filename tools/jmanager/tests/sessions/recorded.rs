@@ -7,10 +7,9 @@ use bica_game::{RecordOptions, Rules, WorldKind, play_recorded};
 use bica_recording::ImagePolicy;
 use bica_sim::setup::Frame;
 use jmanager::protocol::{Open, Request, Setting};
-use jmanager::sessions::Manager;
 use serde_json::{Value, json};
 
-use crate::page::{Folder, Got, Page};
+use crate::page::{Bench, Folder, Got, Page};
 use crate::world::find;
 
 /// Seconds of the recorded games.
@@ -35,14 +34,14 @@ pub(crate) fn record(folder: &Folder, name: &str, seed: u64) {
 }
 
 /// Opens a recording and waits until it is read.
-pub(crate) fn opened(page: &Page<'_>, name: &str) -> (u32, Value) {
+pub(crate) fn opened(page: &Page, name: &str) -> (u32, Value) {
     let source = Open::Recording { name: name.to_owned() };
     let session = page.ask(Request::Open { source }).unwrap()["session"].as_u64().unwrap() as u32;
-    let info = read(page, session);
-    (session, info)
+    page.session.set(Some(session));
+    (session, read(page, session))
 }
 
-fn read(page: &Page<'_>, session: u32) -> Value {
+fn read(page: &Page, session: u32) -> Value {
     page.session(|one| {
         assert!(one["connection"] != "ended", "{one}");
         one["id"] == session && one["connection"] == "connected" && one["until_us"].as_u64() > Some(0)
@@ -53,16 +52,15 @@ fn read(page: &Page<'_>, session: u32) -> Value {
 fn a_recording_shows_states_images_information_and_log() {
     let folder = Folder::new();
     record(&folder, "one.mcap", 1);
-    let manager = Manager::new(folder.options());
-    let page = Page::new(&manager);
-    let (session, info) = opened(&page, "one");
+    let page = Page::new(&Bench::with(folder, |options| options));
+    let (_, info) = opened(&page, "one");
     assert_eq!((info["from_us"].as_u64(), info["until_us"].as_u64()), (Some(0), Some(SECONDS * 1_000_000 - 10_000)));
     assert_eq!(info["can"]["operate"], false);
-    let late = Page::new(&manager);
+    let late = Page::new(&page.bench);
     let described = late.message("described", |message| Some(message["description"].clone()));
     let (component, index) = find(&described, "CameraInput", "info", "count");
     for time_us in [2_000_000, 500_000, 1_234_567] {
-        let id = page.send(Request::At { session, time_us, info: vec![(component, index)], image: true });
+        let id = page.send(Request::At { time_us, info: vec![(component, index)], image: true });
         let frame = page.wait("the image", |got| match got {
             Got::Binary(frame) => Some(frame.clone()),
             Got::Message(_) => None,
@@ -78,11 +76,11 @@ fn a_recording_shows_states_images_information_and_log() {
         let count = moment["info"][0][3].as_u64().unwrap();
         assert!(count <= number + 1 && number + 1 - count < 5, "{count} {number}");
     }
-    let request = Request::Timeline { session, from_us: 0, until_us: u64::MAX, resolution_us: 0 };
+    let request = Request::Timeline { from_us: 0, until_us: u64::MAX, resolution_us: 0 };
     let rows = page.ask(request).unwrap();
     let bars: usize = rows.as_array().unwrap().iter().map(|row| row["bars"].as_array().unwrap().len()).sum();
     assert!(bars > 10, "{bars}");
-    assert!(page.ask(Request::Acquire { session }).is_err());
+    assert!(page.ask(Request::Acquire {}).is_err());
 }
 
 #[test]
@@ -90,20 +88,19 @@ fn a_recording_shows_states_images_information_and_log() {
 fn slow_a_recording_runs_again_with_other_parameters_and_the_first_difference_is_found() {
     let folder = Folder::new();
     record(&folder, "one.mcap", 1);
-    let manager = Manager::new(folder.options());
-    let page = Page::new(&manager);
-    let (session, _) = opened(&page, "one");
-    let late = Page::new(&manager);
+    let page = Page::new(&Bench::with(folder, |options| options));
+    opened(&page, "one");
+    let late = Page::new(&page.bench);
     let described = late.message("described", |message| Some(message["description"].clone()));
     let again = |settings: Vec<Setting>| {
-        let answer = page.ask(Request::RunAgain { session, settings }).unwrap();
+        let answer = page.ask(Request::RunAgain { settings }).unwrap();
         let again = answer["session"].as_u64().unwrap() as u32;
         // A busy machine may have repeated it already.
-        if let Err(error) = page.ask(Request::Compare { session, other: again }) {
+        if let Err(error) = page.ask(Request::Compare { other: again }) {
             assert!(error["text"].as_str().unwrap().contains("still being"), "{error}");
         }
         read(&page, again);
-        page.ask(Request::Compare { session, other: again }).unwrap()
+        page.ask(Request::Compare { other: again }).unwrap()
     };
     assert_eq!(again(Vec::new())["equal"], true);
     // The ball is not seen any more.
@@ -128,8 +125,7 @@ fn a_cut_recording_is_shown_up_to_the_cut_and_others_are_refused() {
     let middle = bytes.len() / 2;
     damaged[middle..middle + 64].fill(0xFF);
     fs::write(recordings.join("damaged.mcap"), damaged).unwrap();
-    let manager = Manager::new(folder.options());
-    let page = Page::new(&manager);
+    let page = Page::new(&Bench::with(folder, |options| options));
     for name in ["cut", "damaged"] {
         let (_, info) = opened(&page, name);
         assert!(!info["note"].as_str().unwrap().is_empty(), "{name}: {info}");
@@ -138,23 +134,5 @@ fn a_cut_recording_is_shown_up_to_the_cut_and_others_are_refused() {
     for name in ["text", "empty", "missing", "../recordings/one"] {
         let error = page.ask(Request::Open { source: Open::Recording { name: name.to_owned() } }).unwrap_err();
         assert!(!error["help"].as_str().unwrap().is_empty(), "{name}: {error}");
-    }
-}
-
-#[test]
-fn no_cut_of_a_recording_ends_in_a_panic() {
-    let folder = Folder::new();
-    record(&folder, "one.mcap", 1);
-    let recordings = folder.0.join("recordings");
-    let bytes = fs::read(recordings.join("one.mcap")).unwrap();
-    let manager = Manager::new(folder.options());
-    let page = Page::new(&manager);
-    for part in 1..12 {
-        fs::write(recordings.join("part.mcap"), &bytes[..bytes.len() * part / 12]).unwrap();
-        let source = Open::Recording { name: "part".to_owned() };
-        let Ok(answer) = page.ask(Request::Open { source }) else { continue };
-        let session = answer["session"].as_u64().unwrap() as u32;
-        page.session(|one| one["id"] == session && one["connection"] == "connected");
-        page.ask(Request::Close { session }).unwrap();
     }
 }

@@ -8,12 +8,11 @@ use std::thread::{self, JoinHandle};
 use std::time::Duration;
 
 use bica_recording::Recording;
-use jmanager::protocol::{Open, Request, SessionId};
-use jmanager::sessions::Manager;
+use jmanager::protocol::{Open, Request};
 use serde_json::Value;
 
 use crate::lamp::{Room, lamp_in};
-use crate::page::{Folder, Page};
+use crate::page::{Bench, Page};
 
 /// Time between two cycles: no lamp is faster than a clock.
 const CYCLE: Duration = Duration::from_millis(20);
@@ -91,34 +90,33 @@ impl Drop for Lamp {
 }
 
 /// Waits for a state after a time, µs; returns its time.
-fn later(page: &Page<'_>, than: u64) -> u64 {
+fn later(page: &Page, than: u64) -> u64 {
     page.message("update", |update| update["time_us"].as_u64().filter(|time| *time > than))
 }
 
 /// Opens a lamp that has shone for long, lets it be watched, and cuts its cable. Returns the last time that a page got, µs.
-fn watched_and_cut(page: &Page<'_>, cable: &Cable) -> (SessionId, u64) {
-    let session = page.manager.open(Open::Robot { address: cable.address.clone() }).unwrap();
+fn watched_and_cut(page: &Page, cable: &Cable) -> u64 {
+    page.open(Open::Robot { address: cable.address.clone() });
     page.session(|one| one["connection"] == "connected");
     let begin = later(page, LONG_LIT.1 - 1);
-    page.ask(Request::Note { session, text: "before".to_owned() }).unwrap();
+    page.ask(Request::Note { text: "before".to_owned() }).unwrap();
     let last = later(page, begin + 400_000);
     cable.cut();
     page.session(|one| one["connection"] == "lost");
-    (session, last)
+    last
 }
 
-fn bars(page: &Page<'_>, session: SessionId) -> Vec<(u64, u64)> {
-    let rows = page.ask(Request::Timeline { session, from_us: 0, until_us: u64::MAX, resolution_us: 0 }).unwrap();
+fn bars(page: &Page) -> Vec<(u64, u64)> {
+    let rows = page.ask(Request::Timeline { from_us: 0, until_us: u64::MAX, resolution_us: 0 }).unwrap();
     let bar = |bar: &Value| (bar[0].as_u64().unwrap(), bar[1].as_u64().unwrap());
     rows[0]["bars"].as_array().unwrap().iter().map(bar).collect()
 }
 
 #[test]
 fn a_robot_whose_link_returns_goes_on_in_the_same_memory_and_what_is_missing_is_a_gap() {
-    let (folder, lamp) = (Folder::new(), Lamp::at_cycle(LONG_LIT.0));
-    let manager = Manager::new(folder.options());
-    let (page, cable) = (Page::new(&manager), Cable::to(&lamp.address));
-    let (session, last) = watched_and_cut(&page, &cable);
+    let lamp = Lamp::at_cycle(LONG_LIT.0);
+    let (page, cable) = (Page::new(&Bench::new()), Cable::to(&lamp.address));
+    let last = watched_and_cut(&page, &cable);
     thread::sleep(10 * CYCLE);
     cable.mend(&lamp.address);
     let returned = page.session(|one| one["connection"] == "connected" && one["gaps"] != serde_json::json!([]));
@@ -126,21 +124,18 @@ fn a_robot_whose_link_returns_goes_on_in_the_same_memory_and_what_is_missing_is_
     assert!(last <= gap[0] && gap[0] + 100_000 < gap[1], "{last} {gap:?}");
     let end = later(&page, gap[1] + 400_000);
 
-    let bars = bars(&page, session);
+    let bars = bars(&page);
     assert!(bars.iter().all(|bar| bar.1 <= gap[0] || bar.0 >= gap[1]), "{bars:?} {gap:?}");
     assert!(bars.iter().any(|bar| bar.1 == gap[0]) && bars.iter().any(|bar| bar.0 == gap[1]), "{bars:?} {gap:?}");
     let time_us = gap[0].midpoint(gap[1]);
-    let moment = page.ask(Request::At { session, time_us, info: vec![], image: false }).unwrap();
+    let moment = page.ask(Request::At { time_us, info: vec![], image: false }).unwrap();
     assert_eq!(moment["time_us"], gap[0]);
-    let lines = page.ask(Request::Lines { session, from_us: 0, until_us: u64::MAX, limit: 100 }).unwrap();
+    let lines = page.lines();
     for text in ["before", "the connection was lost", "the connection is restored"] {
-        assert!(
-            lines.as_array().unwrap().iter().any(|line| line["text"].as_str().unwrap().starts_with(text)),
-            "{lines}"
-        );
+        assert!(lines.iter().any(|line| line["text"].as_str().unwrap().starts_with(text)), "{lines:?}");
     }
-    page.ask(Request::KeepRecording { session, name: "both".to_owned() }).unwrap();
-    let mut recording = Recording::open(&folder.0.join("recordings/both.mcap")).unwrap();
+    page.ask(Request::KeepRecording { name: "both".to_owned() }).unwrap();
+    let mut recording = Recording::open(&page.bench.folder.0.join("recordings/both.mcap")).unwrap();
     let mut times = Vec::new();
     while let Some(cycle) = recording.next_cycle().unwrap() {
         times.push(cycle.tick.instant);
@@ -152,19 +147,18 @@ fn a_robot_whose_link_returns_goes_on_in_the_same_memory_and_what_is_missing_is_
 #[test]
 fn a_robot_that_began_again_and_another_one_of_the_same_tree_begin_with_an_empty_memory() {
     for first in [0, 10 * LONG_LIT.0] {
-        let (folder, lamp) = (Folder::new(), Lamp::at_cycle(LONG_LIT.0));
-        let manager = Manager::new(folder.options());
-        let (page, cable) = (Page::new(&manager), Cable::to(&lamp.address));
-        let (session, last) = watched_and_cut(&page, &cable);
+        let lamp = Lamp::at_cycle(LONG_LIT.0);
+        let (page, cable) = (Page::new(&Bench::new()), Cable::to(&lamp.address));
+        let last = watched_and_cut(&page, &cable);
         let other = Lamp::at_cycle(first);
         cable.mend(&other.address);
         page.message("described", |_| Some(()));
         let shown = page.message("update", |update| update["time_us"].as_u64());
         assert!(shown < LONG_LIT.1 || shown > last + LONG_LIT.1, "nothing of the first one is shown: {shown}");
-        let bars = bars(&page, session);
+        let bars = bars(&page);
         assert!(bars.iter().all(|bar| bar.1 < LONG_LIT.1 || bar.0 > last), "{first}: {bars:?}");
         // The session is told to a page that comes now as it is.
-        let late = Page::new(&manager);
+        let late = Page::new(&page.bench);
         let sessions = late.message("hello", |hello| Some(hello["sessions"].clone()));
         assert_eq!(sessions[0]["gaps"], serde_json::json!([]), "{first}");
     }

@@ -9,11 +9,11 @@ use std::time::Duration;
 use bica_game::{GameControl, NextStep, Rules, ServeOptions, WorldKind, play_controlled};
 use bica_link::{Address, Client, ClientOptions};
 use bica_sim::setup::Frame;
-use jmanager::protocol::{HoldKind, Open, Request, Setting, Watch, WatchImages};
-use jmanager::sessions::Manager;
+use jmanager::protocol::{Breakpoint, HoldKind, Open, Request, Setting, Watch, WatchImages};
+use jmanager::sessions::Options;
 use serde_json::{Value, json};
 
-use crate::page::{Folder, Got, Page};
+use crate::page::{Bench, Folder, Got, Page};
 use crate::world::find;
 
 /// A robot: a game that is served by a thread.
@@ -75,28 +75,26 @@ impl Drop for Robot {
 }
 
 /// Opens a robot on a new page, and waits for its description.
-pub(crate) fn attached<'a>(manager: &'a Manager, address: &str) -> (Page<'a>, u32, Value) {
-    let page = Page::new(manager);
-    let session = manager.open(Open::Robot { address: address.to_owned() }).unwrap();
+pub(crate) fn attached(address: &str) -> (Page, Value) {
+    let page = Page::new(&Bench::new());
+    page.open(Open::Robot { address: address.to_owned() });
     let description = page.message("described", |message| Some(message["description"].clone()));
-    (page, session, description)
+    (page, description)
 }
 
 #[test]
 fn a_lost_robot_is_found_again_and_nothing_old_is_executed() {
-    let folder = Folder::new();
-    let manager = Manager::new(folder.options());
     let robot = Robot::start("127.0.0.1:0");
     let address = robot.address.clone();
-    let (page, session, description) = attached(&manager, &format!("tcp://{address}"));
+    let (page, description) = attached(&format!("tcp://{address}"));
     page.session(|one| one["connection"] == "connected");
-    page.ask(Request::Acquire { session }).unwrap();
+    page.ask(Request::Acquire {}).unwrap();
     let (component, param) = find(&description, "FaceBall", "params", "gain");
-    page.ask(Request::Hold { session, component, hold: HoldKind::Active }).unwrap();
+    page.ask(Request::Hold { component, hold: HoldKind::Active }).unwrap();
     drop(robot);
     page.session(|one| one["connection"] == "lost");
     let settings = vec![Setting { component, param, value: json!(0.9) }];
-    let error = page.ask(Request::Set { session, settings }).unwrap_err();
+    let error = page.ask(Request::Set { settings }).unwrap_err();
     assert!(!error["text"].as_str().unwrap().is_empty(), "{error}");
 
     let robot = Robot::start(&address);
@@ -105,17 +103,15 @@ fn a_lost_robot_is_found_again_and_nothing_old_is_executed() {
     assert_eq!(description["components"][component]["params"][param]["value"], json!(0.7), "nothing was kept");
     let held = page.message("update", |update| Some(update["components"][component][1].clone()));
     assert_eq!(held, "tree");
-    let error = page.ask(Request::Hold { session, component, hold: HoldKind::Active }).unwrap_err();
+    let error = page.ask(Request::Hold { component, hold: HoldKind::Active }).unwrap_err();
     assert!(error["text"].as_str().unwrap().contains("does not control"), "{error}");
     drop(robot);
 }
 
 #[test]
 fn a_world_behind_a_link_shows_all_that_a_world_of_this_process_shows() {
-    let folder = Folder::new();
-    let manager = Manager::new(folder.options());
     let robot = Robot::start("127.0.0.1:0");
-    let (page, session, description) = attached(&manager, &robot.address);
+    let (page, description) = attached(&robot.address);
     let info = page.session(|one| one["connection"] == "connected");
     for capability in ["operate", "pause", "ball", "truth", "images", "costs", "conditions"] {
         assert_eq!(info["can"][capability], true, "{capability}");
@@ -124,7 +120,7 @@ fn a_world_behind_a_link_shows_all_that_a_world_of_this_process_shows() {
     let root = components.iter().position(|one| one["root"] == true).unwrap();
     let images = Some(WatchImages { max_hz: 30.0 });
     let watch = Watch { conditions: vec![root], costs: true, truth: true, images, ..Watch::default() };
-    page.ask(Request::Watch { session, watch }).unwrap();
+    page.ask(Request::Watch { watch }).unwrap();
     let frame = page.wait("an image", |got| match got {
         Got::Binary(frame) => Some(frame.clone()),
         Got::Message(_) => None,
@@ -147,66 +143,65 @@ fn a_world_behind_a_link_shows_all_that_a_world_of_this_process_shows() {
 
 #[test]
 fn a_world_behind_a_link_is_paused_stepped_and_continued() {
-    let folder = Folder::new();
-    let manager = Manager::new(folder.options());
     let robot = Robot::start("127.0.0.1:0");
-    let (page, session, description) = attached(&manager, &robot.address);
-    page.message("update", |update| (update["cycle"].as_u64()? > 5).then_some(()));
-    page.send(Request::Pause { session });
+    let (page, description) = attached(&robot.address);
+    page.cycle(6);
+    page.send(Request::Pause {});
     page.session(|one| one["paused"] == true && one["control"] == "free");
-    page.ask(Request::Acquire { session }).unwrap();
+    page.ask(Request::Acquire {}).unwrap();
     let (component, param) = find(&description, "FaceBall", "params", "gain");
     let settings = vec![Setting { component, param, value: json!(0.9) }];
-    let next = page.ask(Request::Set { session, settings }).unwrap()["cycle"].as_u64().unwrap();
-    page.ask(Request::Step { session, cycles: 3 }).unwrap();
+    let next = page.ask(Request::Set { settings }).unwrap()["cycle"].as_u64().unwrap();
+    page.ask(Request::Step { cycles: 3 }).unwrap();
     let last = page.message("update", |update| update["cycle"].as_u64().filter(|&cycle| cycle >= next + 2));
     assert_eq!(last, next + 2, "three cycles");
-    page.ask(Request::Step { session, cycles: 2 }).unwrap();
+    page.ask(Request::Step { cycles: 2 }).unwrap();
     let last = page.message("update", |update| update["cycle"].as_u64().filter(|&cycle| cycle > next + 3));
     assert_eq!(last, next + 4, "two more");
-    page.ask(Request::Release { session }).unwrap();
+    page.ask(Request::Release {}).unwrap();
     let mut other = Client::connect(&robot.address.parse().unwrap(), ClientOptions::default()).unwrap();
     other.acquire(true).unwrap();
-    let error = page.ask(Request::Resume { session }).unwrap_err();
+    let error = page.ask(Request::Resume {}).unwrap_err();
     assert!(error["text"].as_str().unwrap().contains("another monitor"), "{error}");
     other.release().unwrap();
-    page.send(Request::Resume { session });
+    page.send(Request::Resume {});
     page.session(|one| one["paused"] == false);
-    page.message("update", |update| (update["cycle"].as_u64()? > next + 20).then_some(()));
+    page.cycle(next + 21);
 }
 
 #[test]
 fn an_address_without_a_robot_is_tried_until_there_is_one() {
-    let folder = Folder::new();
-    let manager = Manager::new(folder.options());
-    let page = Page::new(&manager);
+    let page = Page::new(&Bench::new());
     let first = Robot::start("127.0.0.1:0");
     let address = first.address.clone();
     drop(first);
-    let session = manager.open(Open::Robot { address: address.clone() }).unwrap();
+    page.open(Open::Robot { address: address.clone() });
     let info = page.session(|one| !one["note"].as_str().unwrap().is_empty());
     assert_eq!(info["connection"], "connecting");
-    assert!(page.ask(Request::Acquire { session }).is_err());
+    assert!(page.ask(Request::Acquire {}).is_err());
     let _robot = Robot::start(&address);
     page.session(|one| one["connection"] == "connected");
-    assert!(manager.open(Open::Robot { address: "nowhere".to_owned() }).is_err());
+    assert!(page.bench.manager.open(Open::Robot { address: "nowhere".to_owned() }).is_err());
 }
 
 #[test]
-fn a_server_for_watching_refuses_all_that_changes_something() {
-    let folder = Folder::new();
-    let options = jmanager::sessions::Options { read_only: true, ..folder.options() };
-    let manager = Manager::new(options);
-    let (page, session, _) = crate::world::running(&manager);
+fn a_read_only_server_refuses_every_change() {
+    let bench = Bench::with(Folder::new(), |options| Options { read_only: true, ..options });
+    let (page, _) = crate::world::running_on(&bench);
+    let address = "tcp://127.0.0.1:1".to_owned();
+    let list = vec![Breakpoint { component: 0, state: Some(0), transition: None }];
     for request in [
-        Request::Acquire { session },
-        Request::Pause { session },
-        Request::PlaceBall { session, x: 1.0, y: 0.5 },
-        Request::Restart { session, seed: None },
-        Request::KeepRecording { session, name: "a".to_owned() },
-        Request::SaveTune { session, params: vec![(0, 0)], name: "a".to_owned() },
+        Request::Open { source: Open::Robot { address } },
+        Request::Note { text: "a".to_owned() },
+        Request::Breakpoints { list },
+        Request::Acquire {},
+        Request::Pause {},
+        Request::PlaceBall { x: 1.0, y: 0.5 },
+        Request::Restart { seed: None },
+        Request::KeepRecording { name: "a".to_owned() },
+        Request::SaveTune { params: vec![(0, 0)], name: "a".to_owned() },
         Request::SaveLayout { name: "a".to_owned(), layout: json!({}) },
-        Request::Close { session },
+        Request::Close {},
     ] {
         let error = page.ask(request.clone()).unwrap_err();
         assert!(error["text"].as_str().unwrap().contains("only watch"), "{request:?}: {error}");
@@ -215,19 +210,17 @@ fn a_server_for_watching_refuses_all_that_changes_something() {
 
 #[test]
 fn changed_values_are_saved_to_a_tune_file_and_are_in_force_in_the_next_world() {
-    let folder = Folder::new();
-    let manager = Manager::new(folder.options());
-    let (page, session, description) = crate::world::running(&manager);
+    let (page, description) = crate::world::running();
     let (component, param) = find(&description, "FaceBall", "params", "gain");
-    page.ask(Request::Acquire { session }).unwrap();
+    page.ask(Request::Acquire {}).unwrap();
     let settings = vec![Setting { component, param, value: json!(0.9) }];
-    page.ask(Request::Set { session, settings }).unwrap();
-    let save = |name: &str| Request::SaveTune { session, params: vec![(component, param)], name: name.to_owned() };
+    page.ask(Request::Set { settings }).unwrap();
+    let save = |name: &str| Request::SaveTune { params: vec![(component, param)], name: name.to_owned() };
     assert!(page.ask(save("../built-in")).is_err());
     let saved = page.ask(save("built-in")).unwrap();
     let text = std::fs::read_to_string(saved["path"].as_str().unwrap()).unwrap();
     assert!(text.contains("[FaceBall]\ngain = 0.9"), "{text}");
-    page.ask(Request::Restart { session, seed: None }).unwrap();
+    page.ask(Request::Restart { seed: None }).unwrap();
     let gain = page.message("described", |message| {
         Some(message["description"]["components"][component]["params"][param]["value"].clone())
     });
@@ -236,9 +229,7 @@ fn changed_values_are_saved_to_a_tune_file_and_are_in_force_in_the_next_world() 
 
 #[test]
 fn layouts_are_kept() {
-    let folder = Folder::new();
-    let manager = Manager::new(folder.options());
-    let page = Page::new(&manager);
+    let page = Page::new(&Bench::new());
     let save = |layout| Request::SaveLayout { name: "mine".to_owned(), layout };
     assert_eq!(page.ask(Request::Layouts {}).unwrap(), json!({}));
     page.ask(save(json!({ "panels": [1, 2] }))).unwrap();

@@ -3,12 +3,13 @@
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Stdio};
+use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use jmanager::sessions::{Manager, Options};
+use jmanager::sessions::Options;
 use serde_json::{Value, json};
 
-use crate::session_page::LONG;
+use crate::session_page::{Bench, LONG};
 use crate::view::{Sources, View, text_of};
 
 const MANIFEST: &str = "[package]\nname = \"tiny\"\nversion = \"0.1.0\"\nedition = \"2021\"\n\n[workspace]\n";
@@ -23,19 +24,19 @@ fn package(files: &[(&str, &str)]) -> Sources {
     sources
 }
 
-fn manager(sources: &Sources) -> Manager {
+fn bench(sources: &Sources) -> Arc<Bench> {
     let run = "--bin tiny -- {address} {seed}".to_owned();
-    Manager::new(Options { build: true, run, ..sources.options() })
+    sources.bench_with(Options { build: true, run, ..sources.options() })
 }
 
 /// Waits for the end of a check.
-fn checked(view: &View<'_>) -> Value {
+fn checked(view: &View) -> Value {
     view.wait("a check", |message| {
         (message["type"] == "check" && message["state"] != "running").then(|| message.clone())
     })
 }
 
-fn replace(view: &View<'_>, file: &str, from: &str, to: &str) {
+fn replace(view: &View, file: &str, from: &str, to: &str) {
     let at = view.shown(file).text.find(from).unwrap();
     view.edit(file, &json!([{ "edit": "replace", "span": [at, at + from.len()], "text": to }])).unwrap();
 }
@@ -44,8 +45,8 @@ fn replace(view: &View<'_>, file: &str, from: &str, to: &str) {
 #[ignore = "slow: `cargo xtask ci` runs it"]
 fn slow_a_save_is_checked_and_messages_have_their_place() {
     let sources = package(&[("src/lib.rs", LIBRARY)]);
-    let manager = manager(&sources);
-    let view = View::of(&manager, "src/lib.rs");
+    let bench = bench(&sources);
+    let view = View::of(&bench, "src/lib.rs");
     replace(&view, "src/lib.rs", "1", "true");
     let check = checked(&view);
     assert_eq!(check["state"], "done", "{check}");
@@ -57,7 +58,7 @@ fn slow_a_save_is_checked_and_messages_have_their_place() {
     assert_eq!(error["level"], "error");
     assert!(error["text"].as_str().unwrap().contains("mismatched types"), "{error}");
     // A page that comes later sees it, too.
-    let late = View::new(&manager);
+    let late = View::new(&bench);
     assert_eq!(checked(&late)["messages"], check["messages"]);
     replace(&view, "src/lib.rs", "true", "let ä = 1;\n    2");
     let check = checked(&view);
@@ -74,8 +75,8 @@ fn slow_a_save_is_checked_and_messages_have_their_place() {
 #[test]
 fn without_permission_nothing_is_built() {
     let sources = package(&[("src/lib.rs", LIBRARY)]);
-    let manager = sources.manager();
-    let view = View::of(&manager, "src/lib.rs");
+    let bench = sources.bench();
+    let view = View::of(&bench, "src/lib.rs");
     for request in
         [json!({ "type": "check" }), json!({ "type": "run", "seed": 0, "robots": 0 }), json!({ "type": "stop_run" })]
     {
@@ -91,8 +92,8 @@ fn without_permission_nothing_is_built() {
 fn a_file_of_no_package_and_a_broken_manifest_are_reported() {
     let sources = package(&[("src/lib.rs", LIBRARY)]);
     sources.write("Cargo.toml", "[package\n");
-    let manager = manager(&sources);
-    let view = View::of(&manager, "src/lib.rs");
+    let bench = bench(&sources);
+    let view = View::of(&bench, "src/lib.rs");
     view.ask(json!({ "type": "check" })).unwrap();
     let check = checked(&view);
     assert_eq!((&check["state"], &check["messages"][0]["file"]), (&json!("failed"), &Value::Null), "{check}");
@@ -126,8 +127,8 @@ fn slow_a_check_of_old_text_is_ended_with_all_that_it_has_started() {
                   writeln!(pids, \"{}\", std::process::id()).unwrap();\n    while std::path::Path::new(\"block\").exists() {\n        \
                   std::thread::sleep(std::time::Duration::from_millis(20));\n    }\n}\n";
     let sources = package(&[("src/lib.rs", LIBRARY), ("build.rs", script), ("block", "")]);
-    let manager = manager(&sources);
-    let view = View::of(&manager, "src/lib.rs");
+    let bench = bench(&sources);
+    let view = View::of(&bench, "src/lib.rs");
     replace(&view, "src/lib.rs", "1", "2");
     wait_until("the build script starts", || lines(&sources.path("pids")).len() == 1);
     replace(&view, "src/lib.rs", "2", "true");
@@ -143,12 +144,12 @@ fn slow_a_check_of_old_text_is_ended_with_all_that_it_has_started() {
     wait_until("a third one starts", || lines(&sources.path("pids")).len() == 3);
     let third = lines(&sources.path("pids")).remove(2);
     drop(view);
-    drop(manager);
+    drop(bench);
     wait_until("the third one is ended", || !is_alive(&third));
 }
 
 /// Waits for a state of the build.
-fn build(view: &View<'_>, state: &str) -> Value {
+fn build(view: &View, state: &str) -> Value {
     view.wait(state, |message| (message["type"] == "build" && message["state"] == state).then(|| message.clone()))
 }
 
@@ -162,8 +163,8 @@ fn slow_a_program_is_built_and_run_and_a_failed_build_leaves_the_last_one_runnin
                    println!(\"seed {}\\nmonitors attach at {}\", words[2], listener.local_addr().unwrap());\n    \
                    std::thread::sleep(Duration::from_secs(1000));\n}\n";
     let sources = package(&[("src/main.rs", program)]);
-    let manager = manager(&sources);
-    let view = View::of(&manager, "src/main.rs");
+    let bench = bench(&sources);
+    let view = View::of(&bench, "src/main.rs");
     let run = || view.ask(json!({ "type": "run", "seed": 5, "robots": 0 })).unwrap();
     run();
     build(&view, "building");
@@ -202,7 +203,7 @@ fn slow_a_program_is_built_and_run_and_a_failed_build_leaves_the_last_one_runnin
     let pid = fs::read_to_string(sources.path("pid")).unwrap();
 
     view.ask(json!({ "type": "stop_run" })).unwrap();
-    assert_eq!(build(&View::new(&manager), "ended")["session"], Value::Null);
+    assert_eq!(build(&View::new(&bench), "ended")["session"], Value::Null);
     wait_until("the program is ended", || !is_alive(&pid));
 
     run();
@@ -210,6 +211,6 @@ fn slow_a_program_is_built_and_run_and_a_failed_build_leaves_the_last_one_runnin
     let pid = fs::read_to_string(sources.path("pid")).unwrap();
     assert!(is_alive(&pid));
     drop(view);
-    drop(manager);
+    drop(bench);
     wait_until("the program ends with the server", || !is_alive(&pid));
 }

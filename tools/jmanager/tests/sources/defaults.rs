@@ -3,7 +3,6 @@
 use std::path::Path;
 
 use jmanager::protocol::{Open, Request, Setting};
-use jmanager::sessions::{Manager, Options};
 use serde_json::{Value, json};
 
 use crate::view::{Sources, View, text_of};
@@ -22,16 +21,16 @@ fn a_tuned_value_is_written_as_the_default_of_its_source() {
     let face_ball = std::fs::read_to_string(player.join("behaviour/face_ball.rs")).unwrap();
     let profile = std::fs::read_to_string(player.join("input/robot_profile.rs")).unwrap();
     let sources = Sources::new(&[("face_ball.rs", &face_ball), ("robot_profile.rs", &profile)]);
-    let manager = sources.manager();
-    let session = manager.open(Open::World { world: "built-in".to_owned(), seed: 1, robots: 0 }).unwrap();
-    let view = View::new(&manager);
+    let bench = sources.bench();
+    bench.manager.open(Open::World { world: "built-in".to_owned(), seed: 1, robots: 0 }).unwrap();
+    let view = View::new(&bench);
     let is_described = |message: &Value| (message["type"] == "described").then(|| message["description"].clone());
     let description = view.wait("the tree", is_described);
-    let save = |(component, param): (usize, usize)| view.request(Request::SaveSource { session, component, param });
+    let save = |(component, param): (usize, usize)| view.request(Request::SaveSource { component, param });
     let gain = find(&description, "FaceBall", "gain");
-    view.request(Request::Acquire { session }).unwrap();
+    view.request(Request::Acquire {}).unwrap();
     let settings = vec![Setting { component: gain.0, param: gain.1, value: json!(1.0) }];
-    view.request(Request::Set { session, settings }).unwrap();
+    view.request(Request::Set { settings }).unwrap();
     let saved = save(gain).unwrap();
     assert_eq!(saved["path"], "face_ball.rs");
     assert!(
@@ -53,10 +52,10 @@ fn a_tuned_value_is_written_as_the_default_of_its_source() {
     });
     assert!(text_of(save(other.unwrap())).contains("no file below"));
     let two = Sources::new(&[("a.rs", &face_ball), ("b.rs", &face_ball)]);
-    let manager = Manager::new(Options { ..two.options() });
-    let session = manager.open(Open::World { world: "built-in".to_owned(), seed: 1, robots: 0 }).unwrap();
-    let view = View::new(&manager);
+    let bench = two.bench();
+    bench.manager.open(Open::World { world: "built-in".to_owned(), seed: 1, robots: 0 }).unwrap();
+    let view = View::new(&bench);
     view.wait("the tree", is_described);
-    let request = Request::SaveSource { session, component: gain.0, param: gain.1 };
+    let request = Request::SaveSource { component: gain.0, param: gain.1 };
     assert!(text_of(view.request(request)).contains("several files"));
 }

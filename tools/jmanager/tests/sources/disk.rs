@@ -6,15 +6,15 @@ use serde_json::{Value, json};
 
 use crate::view::{PLAYER, Sources, View, text_of};
 
-fn resolve(view: &View<'_>, keep: &Value) {
+fn resolve(view: &View, keep: &Value) {
     view.ask(json!({ "type": "resolve_file", "file": "player.rs", "keep": keep })).unwrap();
 }
 
 #[test]
 fn an_edit_is_saved_when_nobody_goes_on() {
     let sources = Sources::player();
-    let manager = sources.manager();
-    let view = View::of(&manager, "player.rs");
+    let bench = sources.bench();
+    let view = View::of(&bench, "player.rs");
     view.type_behind("player.rs", "let _ = ", "2 + ").unwrap();
     assert_eq!(view.shown("player.rs").state["saved"], false);
     view.until_saved("player.rs");
@@ -27,19 +27,19 @@ fn an_edit_is_saved_when_nobody_goes_on() {
 #[test]
 fn what_was_not_saved_is_saved_at_the_end() {
     let sources = Sources::player();
-    let manager = sources.manager();
-    let view = View::of(&manager, "player.rs");
+    let bench = sources.bench();
+    let view = View::of(&bench, "player.rs");
     view.type_behind("player.rs", "let _ = ", "2 + ").unwrap();
     drop(view);
-    drop(manager);
+    drop(bench);
     assert!(sources.read("player.rs").contains("2 + 1"));
 }
 
 #[test]
 fn an_edit_of_another_program_appears_and_can_be_undone() {
     let sources = Sources::player();
-    let manager = sources.manager();
-    let view = View::of(&manager, "player.rs");
+    let bench = sources.bench();
+    let view = View::of(&bench, "player.rs");
     let theirs = PLAYER.replace("/// Looks.", "/// Looks far.");
     sources.write("player.rs", &theirs);
     let shown = view.until("player.rs", "the edit", |shown| shown.version == 1);
@@ -57,8 +57,8 @@ fn an_edit_of_another_program_appears_and_can_be_undone() {
 #[test]
 fn edits_at_different_places_are_merged() {
     let sources = Sources::player();
-    let manager = sources.manager();
-    let view = View::of(&manager, "player.rs");
+    let bench = sources.bench();
+    let view = View::of(&bench, "player.rs");
     view.type_behind("player.rs", "let _ = ", "2 + ").unwrap();
     sources.write("player.rs", &PLAYER.replace("/// Looks.", "/// Looks far."));
     let both = PLAYER.replace("/// Looks.", "/// Looks far.").replace("= 1", "= 2 + 1");
@@ -68,7 +68,7 @@ fn edits_at_different_places_are_merged() {
 }
 
 /// Edits the same word here and in the file; returns the text of the file.
-fn conflict(sources: &Sources, view: &View<'_>) -> String {
+fn conflict(sources: &Sources, view: &View) -> String {
     view.type_behind("player.rs", "let _ = ", "2").unwrap();
     let theirs = PLAYER.replace("= 1", "= 3");
     sources.write("player.rs", &theirs);
@@ -90,10 +90,10 @@ fn a_conflict_is_shown_and_ends_as_it_was_chosen() {
         (json!({ "text": "// both\n" }), "// both\n".to_owned()),
     ] {
         let sources = Sources::player();
-        let manager = sources.manager();
-        let view = View::of(&manager, "player.rs");
+        let bench = sources.bench();
+        let view = View::of(&bench, "player.rs");
         conflict(&sources, &view);
-        let late = View::of(&manager, "player.rs");
+        let late = View::of(&bench, "player.rs");
         assert!(late.shown("player.rs").state["conflict"].is_object(), "a page that comes later sees it");
         resolve(&view, &keep);
         view.until_saved("player.rs");
@@ -106,14 +106,14 @@ fn a_conflict_is_shown_and_ends_as_it_was_chosen() {
 #[test]
 fn a_conflict_ends_when_a_side_takes_its_edit_back() {
     let sources = Sources::player();
-    let manager = sources.manager();
-    let view = View::of(&manager, "player.rs");
+    let bench = sources.bench();
+    let view = View::of(&bench, "player.rs");
     let theirs = conflict(&sources, &view);
     view.ask(json!({ "type": "undo_file", "file": "player.rs" })).unwrap();
     view.until("player.rs", "their text", |shown| shown.text == theirs && shown.state["conflict"].is_null());
     let sources = Sources::player();
-    let manager = sources.manager();
-    let view = View::of(&manager, "player.rs");
+    let bench = sources.bench();
+    let view = View::of(&bench, "player.rs");
     conflict(&sources, &view);
     sources.write("player.rs", PLAYER);
     view.until("player.rs", "its end", |shown| shown.state["conflict"].is_null());
@@ -124,11 +124,11 @@ fn a_conflict_ends_when_a_side_takes_its_edit_back() {
 #[test]
 fn both_texts_of_an_open_conflict_are_kept_at_the_end() {
     let sources = Sources::player();
-    let manager = sources.manager();
-    let view = View::of(&manager, "player.rs");
+    let bench = sources.bench();
+    let view = View::of(&bench, "player.rs");
     let theirs = conflict(&sources, &view);
     drop(view);
-    drop(manager);
+    drop(bench);
     assert_eq!(sources.read("player.rs"), theirs);
     assert!(sources.read("player.rs.unsaved-1").contains("= 21"));
 }
@@ -136,8 +136,8 @@ fn both_texts_of_an_open_conflict_are_kept_at_the_end() {
 #[test]
 fn a_deleted_file_keeps_its_text_and_can_be_made_again() {
     let sources = Sources::player();
-    let manager = sources.manager();
-    let view = View::of(&manager, "player.rs");
+    let bench = sources.bench();
+    let view = View::of(&bench, "player.rs");
     fs::remove_file(sources.path("player.rs")).unwrap();
     let shown = view.until("player.rs", "deleted", |shown| shown.state["deleted"] == true);
     assert_eq!((shown.text.as_str(), &shown.state["saved"]), (PLAYER, &json!(false)));
@@ -160,8 +160,8 @@ fn a_deleted_file_keeps_its_text_and_can_be_made_again() {
 fn a_read_only_file_is_reported_and_saved_when_it_may_be() {
     use std::os::unix::fs::PermissionsExt;
     let sources = Sources::player();
-    let manager = sources.manager();
-    let view = View::of(&manager, "player.rs");
+    let bench = sources.bench();
+    let view = View::of(&bench, "player.rs");
     let allow = |mode| fs::set_permissions(sources.path("player.rs"), fs::Permissions::from_mode(mode)).unwrap();
     allow(0o444);
     view.until("player.rs", "read-only", |shown| shown.state["readonly"] == true);
@@ -178,8 +178,8 @@ fn a_read_only_file_is_reported_and_saved_when_it_may_be() {
 #[test]
 fn a_file_that_becomes_unreadable_keeps_its_text() {
     let sources = Sources::player();
-    let manager = sources.manager();
-    let view = View::of(&manager, "player.rs");
+    let bench = sources.bench();
+    let view = View::of(&bench, "player.rs");
     fs::write(sources.path("player.rs"), b"\xff\xfe").unwrap();
     let shown = view.until("player.rs", "the problem", |shown| shown.state["problem"] != "");
     assert_eq!(shown.text, PLAYER);

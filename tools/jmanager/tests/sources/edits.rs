@@ -1,6 +1,6 @@
 //! Edits, drawings, searches.
 
-use jmanager::sessions::{Manager, Options};
+use jmanager::sessions::Options;
 use serde_json::{Value, json};
 
 use crate::view::{PLAYER, Sources, View, text_of};
@@ -8,8 +8,8 @@ use crate::view::{PLAYER, Sources, View, text_of};
 #[test]
 fn canvas_and_code_of_all_pages_share_one_text_and_one_history() {
     let sources = Sources::player();
-    let manager = sources.manager();
-    let (one, other) = (View::of(&manager, "player.rs"), View::of(&manager, "player.rs"));
+    let bench = sources.bench();
+    let (one, other) = (View::of(&bench, "player.rs"), View::of(&bench, "player.rs"));
     let shown = one.shown("player.rs");
     assert_eq!((shown.version, shown.text.as_str()), (0, PLAYER));
     assert_eq!(shown.state["model"]["components"][0]["name"]["text"], "Player");
@@ -41,8 +41,8 @@ fn canvas_and_code_of_all_pages_share_one_text_and_one_history() {
 #[test]
 fn an_edit_with_offsets_of_an_older_text_is_refused_and_one_by_name_is_not() {
     let sources = Sources::player();
-    let manager = sources.manager();
-    let view = View::of(&manager, "player.rs");
+    let bench = sources.bench();
+    let view = View::of(&bench, "player.rs");
     let edit = |version: u64, edit: Value| {
         view.ask(json!({ "type": "edit_file", "file": "player.rs", "version": version, "edits": [edit] }))
     };
@@ -57,8 +57,8 @@ fn an_edit_with_offsets_of_an_older_text_is_refused_and_one_by_name_is_not() {
 #[test]
 fn refused_edits_say_why_and_change_nothing() {
     let sources = Sources::player();
-    let manager = sources.manager();
-    let view = View::of(&manager, "player.rs");
+    let bench = sources.bench();
+    let view = View::of(&bench, "player.rs");
     let add = |name: &str| json!([{ "edit": "add_state", "component": "Player", "name": name }]);
     let body = |body: &str| json!([{ "edit": "set_body", "component": "Player", "function": "walk", "body": body }]);
     for (edits, why) in [
@@ -84,15 +84,15 @@ fn refused_edits_say_why_and_change_nothing() {
 #[test]
 fn moved_states_are_written_beside_and_follow_a_new_name() {
     let sources = Sources::player();
-    let manager = sources.manager();
-    let view = View::of(&manager, "player.rs");
+    let bench = sources.bench();
+    let view = View::of(&bench, "player.rs");
     let moved = |state: &str, x: i32| {
         let positions = json!([{ "component": "Player", "state": state, "x": x, "y": 80 }]);
         view.ask(json!({ "type": "move_states", "file": "player.rs", "positions": positions }))
     };
     moved("walk", 320).unwrap();
     assert_eq!(sources.read("player.vicode"), "Player walk 320 80\n");
-    let position = |view: &View<'_>, state: &str| {
+    let position = |view: &View, state: &str| {
         let all = view.shown("player.rs").state["positions"].clone();
         all.as_array().unwrap().iter().find(|one| one["state"] == state).cloned()
     };
@@ -136,8 +136,8 @@ fn opening_and_closing_changes_no_byte() {
         "\u{feff}//! Text\r\n#[component]\r\nimpl A {\r\n  fn step(&mut self){ /* ä */ }\r\n}\r\nfn broken( {";
     let sources = Sources::new(&[("a.rs", hostile), ("player.rs", PLAYER)]);
     {
-        let manager = sources.manager();
-        let view = View::of(&manager, "a.rs");
+        let bench = sources.bench();
+        let view = View::of(&bench, "a.rs");
         view.ask(json!({ "type": "open_file", "file": "player.rs" })).unwrap();
         assert_eq!(view.shown("a.rs").text, hostile);
         view.ask(json!({ "type": "save_file", "file": "a.rs" })).unwrap();
@@ -163,8 +163,8 @@ fn sources_are_listed_and_uses_are_found_and_renamed() {
         ("plain.rs", "fn main() {}"),
     ]);
     std::fs::write(sources.path("latin.rs"), b"#[component] \xff").unwrap();
-    let manager = sources.manager();
-    let view = View::of(&manager, "player.rs");
+    let bench = sources.bench();
+    let view = View::of(&bench, "player.rs");
     let list = view.ask(json!({ "type": "sources" })).unwrap();
     let names: Vec<_> = list.as_array().unwrap().iter().map(|one| one["file"].as_str().unwrap()).collect();
     assert_eq!(names, ["broken.rs", "latin.rs", "player.rs", "tree.rs"]);
@@ -214,8 +214,8 @@ fn a_new_component_is_made_as_it_was_shown() {
         ("behaviour/player.rs", PLAYER),
     ];
     let sources = Sources::new(&files);
-    let manager = sources.manager();
-    let view = View::of(&manager, "lib.rs");
+    let bench = sources.bench();
+    let view = View::of(&bench, "lib.rs");
     let make = |name: &str, folder: &str, dry: bool| {
         view.ask(json!({ "type": "new_component", "name": name, "folder": folder, "tree": "lib.rs",
             "import": "crate::behaviour", "dry": dry }))
@@ -247,8 +247,8 @@ fn a_new_component_is_made_as_it_was_shown() {
 #[test]
 fn machines_are_drawn() {
     let sources = Sources::player();
-    let manager = sources.manager();
-    let view = View::new(&manager);
+    let bench = sources.bench();
+    let view = View::new(&bench);
     let draw = |format: &str, component: &str| {
         view.ask(json!({ "type": "draw_file", "file": "player.rs", "component": component, "format": format }))
     };
@@ -262,12 +262,12 @@ fn machines_are_drawn() {
 #[test]
 fn without_a_folder_and_read_only_nothing_is_edited() {
     let sources = Sources::player();
-    let none = Manager::new(sources.0.options());
+    let none = sources.bench_with(sources.0.options());
     assert!(text_of(View::new(&none).ask(json!({ "type": "sources" }))).contains("no folder of sources"));
-    let missing = Manager::new(Options { source: Some(sources.path("nowhere")), ..sources.0.options() });
+    let missing = sources.bench_with(Options { source: Some(sources.path("nowhere")), ..sources.0.options() });
     text_of(View::new(&missing).ask(json!({ "type": "sources" })));
-    let manager = Manager::new(Options { read_only: true, build: true, ..sources.options() });
-    let view = View::of(&manager, "player.rs");
+    let bench = sources.bench_with(Options { read_only: true, build: true, ..sources.options() });
+    let view = View::of(&bench, "player.rs");
     view.ask(json!({ "type": "sources" })).unwrap();
     for request in [
         json!({ "type": "edit_file", "file": "player.rs", "version": 0, "edits": [] }),

@@ -2,10 +2,12 @@
 
 use std::fs;
 use std::process::{Command, Stdio};
+use std::sync::Arc;
 use std::time::Duration;
 
 use serde_json::json;
 
+use crate::session_page::{Bench, Folder};
 use crate::view::{PLAYER, Sources, View, text_of};
 
 #[test]
@@ -17,8 +19,8 @@ fn no_name_leads_out_of_the_folder() {
         std::os::unix::fs::symlink("../outside.rs", sources.path("link.rs")).unwrap();
         std::os::unix::fs::symlink("..", sources.path("up")).unwrap();
     }
-    let manager = sources.manager();
-    let view = View::new(&manager);
+    let bench = sources.bench();
+    let view = View::new(&bench);
     let long = "a/".repeat(5000);
     for name in [
         "../outside.rs",
@@ -49,8 +51,8 @@ fn no_name_leads_out_of_the_folder() {
 #[test]
 fn a_file_that_is_replaced_by_a_link_is_neither_read_nor_written_through_it() {
     let sources = Sources::player();
-    let manager = sources.manager();
-    let view = View::of(&manager, "player.rs");
+    let bench = sources.bench();
+    let view = View::of(&bench, "player.rs");
     let secret = sources.0.0.join("secret.rs");
     fs::write(&secret, "// secret\n").unwrap();
     fs::remove_file(sources.path("player.rs")).unwrap();
@@ -63,8 +65,8 @@ fn a_file_that_is_replaced_by_a_link_is_neither_read_nor_written_through_it() {
     // The layout beside a source is no way out either.
     let sources = Sources::player();
     std::os::unix::fs::symlink(&secret, sources.path("player.vicode")).unwrap();
-    let manager = sources.manager();
-    let view = View::of(&manager, "player.rs");
+    let bench = sources.bench();
+    let view = View::of(&bench, "player.rs");
     let shown = view.shown("player.rs");
     assert!(!shown.state["problem"].as_str().unwrap().contains("// secret"), "{}", shown.state);
     assert_ne!(shown.state["problem"], "");
@@ -73,8 +75,8 @@ fn a_file_that_is_replaced_by_a_link_is_neither_read_nor_written_through_it() {
 #[test]
 fn too_much_is_refused_and_nothing_is_lost() {
     let sources = Sources::player();
-    let manager = sources.manager();
-    let view = View::of(&manager, "player.rs");
+    let bench = sources.bench();
+    let view = View::of(&bench, "player.rs");
     let large = "let _ = 1;\n".repeat(100_000);
     let body = json!([{ "edit": "set_body", "component": "Player", "function": "walk", "body": large }]);
     assert!(text_of(view.edit("player.rs", &body)).contains("bytes in the edits"));
@@ -94,8 +96,8 @@ fn open_files_are_limited_and_become_free_again() {
     for number in 0..70 {
         sources.write(&format!("f{number}.rs"), "fn f() {}\n");
     }
-    let manager = sources.manager();
-    let view = View::new(&manager);
+    let bench = sources.bench();
+    let view = View::new(&bench);
     let open = |number: usize| view.ask(json!({ "type": "open_file", "file": format!("f{number}.rs") }));
     for number in 0..64 {
         open(number).unwrap();
@@ -120,8 +122,8 @@ fn victim() {
     let Ok(folder) = std::env::var(VICTIM) else { return };
     let folder = std::path::Path::new(&folder);
     let options = jmanager::sessions::Options { source: Some(folder.to_owned()), ..Default::default() };
-    let manager = jmanager::sessions::Manager::new(options);
-    let view = View::of(&manager, "player.rs");
+    let bench = Bench::of(&Arc::new(Folder(std::path::PathBuf::new())), options);
+    let view = View::of(&bench, "player.rs");
     for number in 0_u32.. {
         let text = &view.shown("player.rs").text;
         let at = text.find("let _ = ").unwrap() + "let _ = ".len();
@@ -168,8 +170,8 @@ fn server_with_a_full_disk() {
     let Ok(folder) = std::env::var(FULL) else { return };
     let folder = std::path::Path::new(&folder);
     let options = jmanager::sessions::Options { source: Some(folder.to_owned()), ..Default::default() };
-    let manager = jmanager::sessions::Manager::new(options);
-    let view = View::of(&manager, "player.rs");
+    let bench = Bench::of(&Arc::new(Folder(std::path::PathBuf::new())), options);
+    let view = View::of(&bench, "player.rs");
     let before = view.shown("player.rs").text;
     let too_much = format!("//{}\n", "x".repeat(1024 * ROOM));
     view.edit("player.rs", &json!([{ "edit": "replace", "span": [0, 0], "text": too_much }])).unwrap();

@@ -4,12 +4,13 @@ use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::PathBuf;
+use std::sync::Arc;
 
 use jmanager::protocol::{Request, SourceRequest};
-use jmanager::sessions::{Manager, Options};
+use jmanager::sessions::Options;
 use serde_json::{Value, json};
 
-use crate::session_page::{Folder, Got, Page};
+use crate::session_page::{Bench, Folder, Got, Page};
 
 /// A file with a machine.
 pub(crate) const PLAYER: &str = "\
@@ -51,11 +52,11 @@ impl Player {
 ";
 
 /// A folder of sources, removed at the end.
-pub(crate) struct Sources(pub(crate) Folder);
+pub(crate) struct Sources(pub(crate) Arc<Folder>);
 
 impl Sources {
     pub(crate) fn new(files: &[(&str, &str)]) -> Self {
-        let sources = Self(Folder::new());
+        let sources = Self(Arc::new(Folder::new()));
         for (name, text) in files {
             sources.write(name, text);
         }
@@ -86,8 +87,12 @@ impl Sources {
         Options { source: Some(self.path("")), ..self.0.options() }
     }
 
-    pub(crate) fn manager(&self) -> Manager {
-        Manager::new(self.options())
+    pub(crate) fn bench(&self) -> Arc<Bench> {
+        self.bench_with(self.options())
+    }
+
+    pub(crate) fn bench_with(&self, options: Options) -> Arc<Bench> {
+        Bench::of(&self.0, options)
     }
 }
 
@@ -101,19 +106,19 @@ pub(crate) struct Shown {
 }
 
 /// A page with copies of the files that it has opened.
-pub(crate) struct View<'a> {
-    page: Page<'a>,
+pub(crate) struct View {
+    page: Page,
     files: RefCell<BTreeMap<String, Shown>>,
 }
 
-impl<'a> View<'a> {
-    pub(crate) fn new(manager: &'a Manager) -> Self {
-        Self { page: Page::new(manager), files: RefCell::default() }
+impl View {
+    pub(crate) fn new(bench: &Arc<Bench>) -> Self {
+        Self { page: Page::new(bench), files: RefCell::default() }
     }
 
     /// A page that has opened a file.
-    pub(crate) fn of(manager: &'a Manager, file: &str) -> Self {
-        let view = Self::new(manager);
+    pub(crate) fn of(bench: &Arc<Bench>, file: &str) -> Self {
+        let view = Self::new(bench);
         view.ask(json!({ "type": "open_file", "file": file })).unwrap();
         view
     }

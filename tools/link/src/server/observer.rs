@@ -24,7 +24,7 @@ pub struct LinkObserver<R: Robot> {
     image_of: Option<ImageOf<R>>,
     owner_of: Option<Box<OwnerOf>>,
     copies: Copies,
-    /// The newest image of a world that can be paused.
+    /// The newest image that somebody watched, and of a world that can be paused any.
     newest: Option<Picture>,
     conditions: ConditionTable,
     costs: CostMeter,
@@ -145,7 +145,7 @@ impl<R: Robot> Observer<R> for LinkObserver<R> {
         let LinkImage { bottom_camera, width, height, .. } = image;
         let head = ImageHead { number, time_us: now.as_micros(), bottom_camera, width, height };
         let picture = Picture { head, pixels };
-        self.newest = can_pause.then(|| picture.clone());
+        self.newest = Some(picture.clone());
         if !watchers.is_empty() {
             control.outgoing.shot = Some(Shot { watchers, picture });
         }

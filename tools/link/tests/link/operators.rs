@@ -56,6 +56,10 @@ fn a_batch_is_applied_whole_or_refused_whole() {
     assert_eq!((code, &*text), (RefusalCode::Tree, "`Cart`: `nearest` must not be above `wanted`"));
     let (_, _, text) = refusal(operator.request(Change::Hold { component: 99, hold: Hold::Active }));
     assert!(text.contains("no such component"), "{text}");
+    for hz in [-1e30, 0.0, 1e6, f32::INFINITY] {
+        let (code, _, text) = refusal(operator.request(Change::Rate { component: DRIVE, hz }));
+        assert!(code == RefusalCode::Tree && text.contains("above 0 Hz"), "{hz}: {text}");
+    }
     let watcher = session.client();
     let values: Vec<_> = watcher.description().components[0].params.iter().map(|param| param.value.clone()).collect();
     assert_eq!(values, [json!(0.5), json!(1.5), json!(1.0), json!("Left")].map(Some));

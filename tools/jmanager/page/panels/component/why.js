@@ -27,7 +27,7 @@ function Machine({ shown, component, index, active }) {
       const condition = conditions?.[transition.number];
       const holds = condition?.holds;
       const waits = condition?.remaining_ms > 0;
-      const since = condition && shown.live.value ? Math.max(0, shown.live.value.time_us - condition.since_us) : null;
+      const since = condition ? Math.max(0, shown.moment.value.time_us - condition.since_us) : null;
       return html`<div class=${`why ${holds === true ? 'true' : holds === false ? 'false' : ''}`} title=${transition.doc}>
         <b>${transition.name}</b> <span class="to">→ ${component.states[transition.to]?.name}</span>
         <span class="value">${condition === undefined ? '' : holds === null ? 'not evaluated' : `${holds}${since !== null ? ` for ${duration(since)}` : ''}`}</span>

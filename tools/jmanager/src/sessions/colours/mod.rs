@@ -178,7 +178,7 @@ pub(super) fn handle(
         Request::ScoreColours { .. } => return score::start(session, page, id, &edit.filters()).map(|()| None),
         Request::SendColours { .. } => {
             let settings = edit.settings(&*session.description()?)?;
-            let request = Request::Set { session: session.id, settings };
+            let request = Request::Set { settings };
             return session.command(live::Command::Operate { page, id, request }).map(|()| None);
         }
         Request::SaveColours { name, .. } => {
@@ -189,7 +189,9 @@ pub(super) fn handle(
         _ => {}
     }
     let answer = edit.to_json();
-    session.shared().colours = Some(edit);
+    if !matches!(request, Request::Colours {}) {
+        session.shared().colours = Some(edit);
+    }
     Ok(Some(answer))
 }
 
@@ -197,7 +199,9 @@ pub(super) fn handle(
 fn load(session: &Session, name: &str) -> Result<Filters, Failed> {
     let path = files::path(&session.options.profiles, name, ".toml")?;
     let source = if fs::exists(&path).unwrap_or(false) { path.display().to_string() } else { name.to_owned() };
-    if source == name && !["built-in", "nao2009", "darwin2013"].contains(&name) {
+    if source != name {
+        files::open(&path).map_err(|error| storage::failed("read", &path, &error, "choose another profile"))?;
+    } else if !["built-in", "nao2009", "darwin2013"].contains(&name) {
         let what = format!("there is no profile `{name}` in `{}`", session.options.profiles.display());
         return Err(Failed::new(what, "known are its files, built-in, nao2009 and darwin2013"));
     }

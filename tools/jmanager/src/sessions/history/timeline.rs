@@ -84,6 +84,17 @@ impl History {
         };
         rows.into_iter().enumerate().map(finish).collect()
     }
+
+    /// Times of overruns of a component in an interval, at most one for each `resolution_us`.
+    fn overruns(&self, component: usize, from_us: u64, until_us: u64, resolution_us: u64) -> Vec<u64> {
+        let mut times: Vec<u64> = Vec::new();
+        for &(time, _) in self.overruns.between(from_us, until_us).filter(|(_, of)| usize::from(*of) == component) {
+            if times.last().is_none_or(|last| time - last >= resolution_us) {
+                times.push(time);
+            }
+        }
+        times
+    }
 }
 
 #[cfg(test)]
@@ -110,7 +121,7 @@ mod tests {
     fn overruns_are_in_the_order_of_time_whatever_the_order_of_their_reports() {
         let mut history = history(&COURSE, None);
         for (time_us, component) in [(5000, 0), (1000, 0), (3000, 1), (2000, 0)] {
-            history.add_overrun(time_us, component);
+            history.overruns.push(time_us, component);
         }
         assert_eq!(history.overruns(0, 0, 9000, 0), [1000, 2000, 5000]);
         assert_eq!(history.overruns(0, 1500, 4000, 0), [2000]);

@@ -60,6 +60,8 @@ pub(super) struct Attached<'a> {
     slow: Instant,
     received: Instant,
     has_news: bool,
+    /// Whether the world was paused when that was announced.
+    pub(super) is_paused: bool,
     /// Breakpoints that were reached behind the link.
     pub(super) reached: Vec<Reached>,
     /// When pages were sent how much is recorded.
@@ -88,6 +90,7 @@ impl<'a> Attached<'a> {
             slow: now,
             received: now,
             has_news: false,
+            is_paused: false,
             reached: Vec::new(),
             announced: now,
         }
@@ -121,8 +124,10 @@ impl<'a> Attached<'a> {
             if let Err(error) = self.events(inbox) {
                 return Exit::Lost(error.into());
             }
-            self.world_extras();
             if let Err(error) = self.stop_at_breakpoints() {
+                return Exit::Lost(error.into());
+            }
+            if let Err(error) = self.look_at_pause() {
                 return Exit::Lost(error.into());
             }
             if self.updated.elapsed() >= UPDATE {
@@ -204,7 +209,7 @@ impl<'a> Attached<'a> {
             Event::Lease(lease) => return self.lease(lease),
             Event::Answer(answer) => self.answered(answer),
             Event::Log { time_us, level, text } => self.log(time_us, level, text),
-            Event::World(state) => return self.world_state(state.paused),
+            Event::World(state) => self.session.shared().paused = state.paused,
             other => self.link_extra(other),
         }
         Ok(())
@@ -287,12 +292,12 @@ impl<'a> Attached<'a> {
     }
 
     /// Looks at what changes slowly.
-    fn look(&mut self) {
+    pub(super) fn look(&mut self) {
         let session = self.session;
         session.shared().history.evict();
         let paused = session.is_paused();
         let note = match &session.pacer {
-            Some(pacer) if pacer.is_over() => "the game is over: restart it, or resume to play on".to_owned(),
+            Some(pacer) if pacer.is_over() => "the game is over: restart the world, or continue it".to_owned(),
             _ if !paused && self.received.elapsed() > SILENCE => "nothing comes from the robot".to_owned(),
             _ => String::new(),
         };

@@ -1,14 +1,13 @@
-//! Images, costs, conditions and the true state: of a world in this process, or over the link.
+//! Images, costs, conditions and the true state, which come over the link.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use bica_link::{Costs, Event, Image};
 use bica_wire::message::{ComponentCost as LinkCost, ExtraKind, Offers, Truth as LinkTruth};
 
 use super::attached::Attached;
-use crate::protocol::{Breakpoint, ComponentCost, Reached, RobotPose, ToPage, Truth};
+use crate::protocol::{self, Breakpoint, ComponentCost, Reached, RobotPose, Truth};
 use crate::sessions::history::StoredImage;
-use crate::sessions::world::Extra;
 
 /// Number of cycles between two looks at conditions and the true state, while time goes on.
 const EVERY: u16 = 5;
@@ -25,11 +24,9 @@ pub(super) struct Extras {
 }
 
 impl Attached<'_> {
-    /// Watches over the link what the pages watch, and for the history the true state and costs, which are small.
+    /// Watches over the link what the pages watch, and for the history the true state and costs, which are small; of a world of this
+    /// process everything.
     pub(super) fn watch_extras(&mut self) -> Result<(), bica_link::Error> {
-        if self.world.is_some() {
-            return Ok(());
-        }
         let offers = self.client.offers();
         let every = if self.session.is_paused() { 1 } else { EVERY };
         let mut wanted = BTreeMap::new();
@@ -41,16 +38,19 @@ impl Attached<'_> {
         want(Offers::TRUTH, ExtraKind::Truth, every);
         want(Offers::COSTS, ExtraKind::Costs, 1);
         let shared = self.session.shared();
-        if self.session.record.is_some() || shared.watching.watches().any(|watch| watch.images.is_some()) {
+        let is_own = self.world.is_some();
+        if is_own || self.session.record.is_some() || shared.watching.watches().any(|watch| watch.images.is_some()) {
             want(Offers::IMAGES, ExtraKind::Images, 1);
         }
-        for &component in shared.watching.watches().flat_map(|watch| &watch.conditions) {
-            if component < self.client.description().components.len() {
+        let watched: BTreeSet<usize> = shared.watching.watches().flat_map(|watch| &watch.conditions).copied().collect();
+        for (component, described) in self.client.description().components.iter().enumerate() {
+            if watched.contains(&component) || (is_own && !described.transitions.is_empty()) {
                 want(Offers::CONDITIONS, ExtraKind::Conditions { component: component as u16 }, every);
             }
         }
-        // Each cycle shows which transition was taken in it.
-        let stops: Vec<_> = shared.breakpoints.iter().map(|place| place.breakpoint).collect();
+        // Each cycle shows which transition was taken in it. A world of this process looks itself.
+        let places = if is_own { &[][..] } else { &shared.breakpoints };
+        let stops: Vec<_> = places.iter().map(|place| place.breakpoint).collect();
         drop(shared);
         for component in stops.iter().filter(|stop| stop.transition.is_some()).map(|stop| stop.component) {
             want(Offers::CONDITIONS, ExtraKind::Conditions { component: component as u16 }, 1);
@@ -58,6 +58,11 @@ impl Attached<'_> {
         self.extras.stops = stops;
         for &kind in self.extras.watched.keys().filter(|kind| !wanted.contains_key(kind)) {
             self.client.watch_extra(kind, 0)?;
+            if let ExtraKind::Conditions { component } = kind {
+                let mut shared = self.session.shared();
+                let time_us = shared.history.span().1;
+                shared.history.add_conditions(time_us, component.into(), None);
+            }
         }
         for (&kind, &every) in &wanted {
             if self.extras.watched.get(&kind) != Some(&every) {
@@ -68,26 +73,24 @@ impl Attached<'_> {
         Ok(())
     }
 
-    /// Takes over what a world in this process tells beside the link.
-    pub(super) fn world_extras(&mut self) {
-        let Some(world) = &self.world else { return };
-        for extra in world.extras.take() {
-            self.extra(extra);
-        }
-    }
-
     /// Takes over what came over the link.
     pub(super) fn link_extra(&mut self, event: Event) {
         match event {
             Event::Conditions { time_us, component, conditions } => {
                 let conditions: Vec<_> =
                     conditions.iter().map(|one| one.map(|one| (one.holds, one.since_us))).collect();
-                self.taken(time_us, component, &conditions);
-                self.extra(Extra::Conditions(time_us, vec![(component, conditions)]));
+                if self.world.is_none() {
+                    self.taken(time_us, component, &conditions);
+                }
+                self.session.show_conditions(time_us, component, conditions);
             }
-            Event::Truth(truth) => self.extra(Extra::Truth(truth.time_us, page_truth(&truth))),
+            Event::Truth(truth) => self.session.show_truth(truth.time_us, page_truth(&truth)),
             // An image of which a part was lost is empty.
-            Event::Image(image) if !image.yuyv.is_empty() => self.extra(Extra::Image(stored(image))),
+            Event::Image(image) if !image.yuyv.is_empty() => {
+                let image = stored(image);
+                self.session.record_robot(|recorder| recorder.image(&image));
+                self.session.show_image(image);
+            }
             Event::Costs(costs) => self.link_costs(&costs),
             _ => {}
         }
@@ -104,45 +107,21 @@ impl Attached<'_> {
         if self.extras.stops.contains(&breakpoint) {
             self.reached.push(Reached { time_us, breakpoint });
         }
-        self.session.shared().history.add_taken(time_us, component, transition);
+        self.session.shared().history.taken.push(time_us, (component, transition));
     }
 
-    fn link_costs(&mut self, Costs { cycles, components }: &Costs) {
+    fn link_costs(&self, Costs { cycles, components }: &Costs) {
         for (component, cost) in components.iter().enumerate().filter(|(_, cost)| cost.overruns > 0) {
-            self.extra(Extra::Overrun(cost.overrun_us, component as u16));
+            self.session.shared().history.overruns.push(cost.overrun_us, component as u16);
         }
         let one = |cost: &LinkCost| ComponentCost(cost.runs, cost.mean_us, cost.max_us);
-        self.extra(Extra::Costs {
+        self.session.show_costs(protocol::Costs {
             time_us: cycles.time_us,
             window_us: cycles.window_us,
             components: components.iter().map(one).collect(),
             chain_us: (cycles.mean_us, cycles.max_us),
             worst_us: cycles.worst_us,
         });
-    }
-
-    fn extra(&mut self, extra: Extra) {
-        let session = self.session;
-        match extra {
-            Extra::Image(image) => {
-                session.record_robot(|recorder| recorder.image(&image));
-                session.show_image(image);
-            }
-            Extra::Truth(time_us, truth) => session.show_truth(time_us, truth),
-            Extra::Conditions(time_us, all) => session.show_conditions(time_us, all),
-            Extra::Taken(time_us, all) => {
-                let mut shared = session.shared();
-                for (component, transition) in all {
-                    shared.history.add_taken(time_us, component, transition);
-                }
-            }
-            Extra::Overrun(time_us, component) => session.shared().history.add_overrun(time_us, component),
-            Extra::Costs { time_us, window_us, components, chain_us, worst_us } => {
-                let session_id = session.id;
-                let costs = ToPage::Costs { session: session_id, time_us, window_us, components, chain_us, worst_us };
-                session.show_costs(costs);
-            }
-        }
     }
 }
 

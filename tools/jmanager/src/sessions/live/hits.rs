@@ -9,12 +9,12 @@ impl Attached<'_> {
     /// Sends which breakpoints were reached. A world of this process has paused at the cycle itself. One behind a link is paused
     /// now, some cycles later; a robot is never stopped.
     pub(super) fn stop_at_breakpoints(&mut self) -> Result<(), Error> {
-        let own = self.session.pacer.as_ref().map(|pacer| pacer.reached()).unwrap_or_default();
-        for &reached in &own {
-            self.session.hit(reached, true);
+        let own = self.session.pacer.as_ref().map(|pacer| pacer.news()).unwrap_or_default();
+        for (time_us, taken) in own.taken {
+            self.session.shared().history.taken.push(time_us, taken);
         }
-        if !own.is_empty() {
-            self.session.announce();
+        for &reached in &own.reached {
+            self.session.hit(reached, true);
         }
         let reached = std::mem::take(&mut self.reached);
         if reached.is_empty() {

@@ -139,7 +139,7 @@ fn run(session: &Arc<Session>, mut source: Source, inbox: &Inbox) {
                 let world = matches!(source, Source::World(_));
                 let connection = match session.shared().connection {
                     _ if world => Connection::Ended,
-                    Connection::Connecting => Connection::Connecting,
+                    known @ (Connection::Connecting | Connection::Ended) => known,
                     _ => Connection::Lost,
                 };
                 session.set_connection(connection, format!("{}: {}", failed.text, failed.help));
@@ -162,6 +162,9 @@ fn run(session: &Arc<Session>, mut source: Source, inbox: &Inbox) {
                     }
                     Exit::Lost(_) | Exit::Retry => {}
                 }
+            }
+            (Exit::Lost(_), Source::Robot(_)) if !session.shared().result.is_empty() => {
+                session.set_connection(Connection::Ended, "the next run is shown when it begins");
             }
             (Exit::Lost(failed), Source::Robot(_)) => {
                 session.set_connection(Connection::Lost, format!("{}; connecting again", failed.text));

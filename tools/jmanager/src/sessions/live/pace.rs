@@ -66,13 +66,14 @@ impl Attached<'_> {
         result
     }
 
-    /// Takes in whether the world is paused.
-    pub(super) fn world_state(&mut self, paused: bool) -> Result<(), Error> {
-        let changed = std::mem::replace(&mut self.session.shared().paused, paused) != paused;
-        if changed {
-            self.session.announce();
-            return self.watch_extras();
+    /// Announces that the world is paused or goes on, whoever has done it: the world at a breakpoint or its end, a page, an operator.
+    pub(super) fn look_at_pause(&mut self) -> Result<(), Error> {
+        let paused = self.session.is_paused();
+        if std::mem::replace(&mut self.is_paused, paused) == paused {
+            return Ok(());
         }
-        Ok(())
+        self.look();
+        self.session.announce();
+        self.watch_extras()
     }
 }

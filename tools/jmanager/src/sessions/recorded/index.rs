@@ -10,8 +10,10 @@ use serde_json::Value;
 
 use super::tree;
 use crate::protocol::{Capabilities, Connection, Failed, HoldKind, LogKind, LogLine};
+use crate::sessions::files;
 use crate::sessions::robot_recording::{NOTE, holds_of, line_of};
 use crate::sessions::session::Session;
+use crate::sessions::storage::failed;
 use crate::sessions::value::page_hold;
 
 /// What a page says of a recording that a monitor made.
@@ -27,8 +29,9 @@ type FileRecording = Recording<BufReader<File>>;
 
 /// Opens a recording and reads its header.
 pub(super) fn open(path: &Path) -> Result<FileRecording, Failed> {
-    let failed = |error: Error| Failed::new(format!("cannot open `{}`: {error}", path.display()), error.help());
-    let recording = FileRecording::open(path).map_err(failed)?.without_images();
+    let file = files::open(path).map_err(|error| failed("open", path, &error, "choose a recording of the list"))?;
+    let failed = |error: Error| failed("open", path, &error, error.help());
+    let recording = FileRecording::new(BufReader::with_capacity(1 << 16, file)).map_err(failed)?.without_images();
     tree::describe(recording.header())?;
     Ok(recording)
 }
@@ -84,12 +87,20 @@ pub(super) fn read(session: &Session, mut recording: FileRecording) {
         }
         match batch(session, &mut recording, &header, &mut requested) {
             Ok(true) => {}
-            Ok(false) => break header.monitor.as_ref().map_or_else(String::new, |_| OF_MONITOR.to_owned()),
+            Ok(false) => {
+                let time_us = session.shared().history.span().1;
+                for line in lines(recording.rest(), &header, time_us) {
+                    session.shared().add_line(line);
+                }
+                break header.monitor.as_ref().map_or_else(String::new, |_| OF_MONITOR.to_owned());
+            }
             Err(note) => break note,
         }
         let percent = 100 * recording.position() / length;
         session.set_connection(Connection::Connecting, format!("{percent} % read"));
     };
+    let has_images = !session.shared().recorded.places.is_empty();
+    session.shared().can.images = has_images;
     session.set_connection(Connection::Connected, note);
     session.announce();
     session.show_update(Vec::new());
@@ -135,7 +146,9 @@ fn batch(
             let number = place.id.wrapping_sub(1);
             shared.recorded.places.push((number, place.time / 1000, place));
         }
-        lines(&cycle, header, time_us).for_each(|line| shared.history.add_line(line));
+        for line in lines(&cycle, header, time_us) {
+            shared.add_line(line);
+        }
         for value in cycle.information.iter().flat_map(|record| &record.values) {
             let (component, index) = (usize::from(value.component), usize::from(value.index));
             let declared = header.tree.components.get(component).and_then(|one| one.information.get(index));
@@ -156,8 +169,10 @@ fn lines<'a>(cycle: &'a RecordedCycle, header: &'a Header, time_us: u64) -> impl
     let line = move |level, kind, text: String| LogLine { time_us, level, kind, text, component: None };
     let requests = cycle.requests.iter().map(move |one| line(2, LogKind::Request, one.describe(&header.tree)));
     let events = cycle.events.iter().map(move |event| {
-        let separator = if event.detail.is_empty() { "" } else { ", " };
-        line(2, LogKind::Referee, format!("{}{separator}{}", event.kind, event.detail))
+        let is_result = event.detail.is_empty() && event.kind.ends_with("goal");
+        let detail = if is_result { format!("at {:.2} s", event.at_ns as f64 / 1e9) } else { event.detail.clone() };
+        let separator = if detail.is_empty() { "" } else { ", " };
+        line(2, LogKind::Referee, format!("{}{separator}{detail}", event.kind))
     });
     let log = cycle.log.iter().map(move |one| match one.text.strip_prefix(NOTE) {
         _ if header.monitor.is_some() => {

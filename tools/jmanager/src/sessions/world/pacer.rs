@@ -32,8 +32,17 @@ struct State {
     /// Why the recording ended.
     not_recorded: Option<String>,
     breakpoints: Vec<Place>,
-    /// Breakpoints that were reached, and that nobody knows yet.
-    reached: Vec<Reached>,
+    /// What happened since the session looked last.
+    news: News,
+}
+
+/// What happened in a world that its link does not tell.
+#[derive(Debug, Default)]
+pub(crate) struct News {
+    /// Breakpoints that were reached.
+    pub(crate) reached: Vec<Reached>,
+    /// Transitions that were taken: time, µs, component and index.
+    pub(crate) taken: Vec<(u64, (usize, usize))>,
 }
 
 impl Pacer {
@@ -77,7 +86,7 @@ impl Pacer {
 
     /// Pauses after this cycle if a breakpoint was reached in it; `before` and `now` are the states of all components, `taken` the
     /// transitions that were taken: component and index.
-    pub(super) fn cycle(&self, time_us: u64, before: &[Activity], now: &[Activity], taken: &[(usize, usize)]) {
+    pub(super) fn cycle(&self, time_us: u64, before: &[Activity], now: &[Activity], taken: Vec<(usize, usize)>) {
         let mut state = lock(&self.state);
         let reached = |place: &&Place| {
             let component = place.breakpoint.component;
@@ -89,13 +98,14 @@ impl Pacer {
         let all: Vec<Breakpoint> = state.breakpoints.iter().filter(reached).map(|place| place.breakpoint).collect();
         if !all.is_empty() {
             (state.paused, state.steps) = (true, 0);
-            state.reached.extend(all.into_iter().map(|breakpoint| Reached { time_us, breakpoint }));
+            state.news.reached.extend(all.into_iter().map(|breakpoint| Reached { time_us, breakpoint }));
         }
+        state.news.taken.extend(taken.into_iter().map(|taken| (time_us, taken)));
     }
 
-    /// Breakpoints that were reached since this was called last.
-    pub(crate) fn reached(&self) -> Vec<Reached> {
-        std::mem::take(&mut lock(&self.state).reached)
+    /// What happened since this was called last.
+    pub(crate) fn news(&self) -> News {
+        std::mem::take(&mut lock(&self.state).news)
     }
 
     /// Whether the rules have ended the game.
@@ -167,16 +177,16 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_breakpoint_at_a_transition_is_reached_when_it_is_taken_and_not_when_another_one_between_the_same_states_is() {
+    fn a_transition_breakpoint_ignores_other_transitions_between_the_same_states() {
         let pacer = Pacer::default();
         pacer.set_breakpoints(vec![Place::at(Breakpoint { component: 1, state: None, transition: Some(3) })]);
         let stays = [(true, None), (true, Some(0))];
-        for taken in [&[][..], &[(1, 2)], &[(0, 3)]] {
-            pacer.cycle(10, &stays, &stays, taken);
-            assert!(!pacer.is_paused() && pacer.reached().is_empty(), "{taken:?}");
+        for taken in [vec![], vec![(1, 2)], vec![(0, 3)]] {
+            pacer.cycle(10, &stays, &stays, taken.clone());
+            assert!(!pacer.is_paused() && pacer.news().reached.is_empty(), "{taken:?}");
         }
-        pacer.cycle(20, &stays, &stays, &[(0, 1), (1, 3)]);
+        pacer.cycle(20, &stays, &stays, vec![(0, 1), (1, 3)]);
         assert!(pacer.is_paused());
-        assert_eq!(pacer.reached()[0].time_us, 20);
+        assert_eq!(pacer.news().reached[0].time_us, 20);
     }
 }
