@@ -56,6 +56,9 @@ fn scaled(yuyv: &[u8], (width, height): (u16, u16)) -> Vec<u8> {
         let pair = &yuyv[(320 * y + x) / 2 * 4..][..4];
         [pair[2 * (x % 2)], pair[1], pair[3]]
     };
-    let pairs = (0..height).flat_map(|y| (0..width).step_by(2).map(move |x| (x, y))).map(|(x, y)| (at(x, y), at(x + 1, y)));
-    pairs.flat_map(|([y0, cb0, cr0], [y1, cb1, cr1])| [y0, u8::midpoint(cb0, cb1), y1, u8::midpoint(cr0, cr1)]).collect()
+    let pairs =
+        (0..height).flat_map(|y| (0..width).step_by(2).map(move |x| (x, y))).map(|(x, y)| (at(x, y), at(x + 1, y)));
+    pairs
+        .flat_map(|([y0, cb0, cr0], [y1, cb1, cr1])| [y0, u8::midpoint(cb0, cb1), y1, u8::midpoint(cr0, cr1)])
+        .collect()
 }
