@@ -9,8 +9,9 @@ use std::time::Instant;
 use peers::boxed::Boxed;
 use peers::framework::{self, BicaSubject};
 use peers::machine::{ByHand, Smlang, Statig};
-use peers::part::{DIAMOND, FORWARD, chain};
+use peers::part::{DIAMOND, FORWARD, chain, set_rounds};
 use peers::plain;
+use peers::report::claim::overhead;
 use peers::report::figures::{Design, Figures, Workload};
 use peers::report::table;
 use peers::subject::{CYCLE_US, Subject};
@@ -67,12 +68,23 @@ fn cases() -> Vec<Case> {
         machine_by_hand: ByHand Machine = ByHand::new(());
         machine_statig: Statig Machine = Statig::new();
         machine_smlang: Smlang Machine = Smlang::new();
+        sized_chain_bica: Bica SizedChain10 = BicaSubject::<framework::Chain10, _>::new(());
+        sized_chain_by_hand: ByHand SizedChain10 = plain::Chain::<_, 10, false>::new(());
+        sized_chain_boxed: Boxed SizedChain10 = Boxed::new(&chain::<10>(), ());
+        sized_tree_bica: Bica SizedForward = BicaSubject::<framework::Forward, _>::new(());
+        sized_tree_by_hand: ByHand SizedForward = plain::Forward::<_, false>::new(());
+        sized_tree_boxed: Boxed SizedForward = Boxed::new(&FORWARD, ());
+        sized_machine_bica: Bica SizedMachine = BicaSubject::<framework::Machine, _>::new(());
+        sized_machine_by_hand: ByHand SizedMachine = ByHand::new(());
+        sized_machine_statig: Statig SizedMachine = Statig::new();
+        sized_machine_smlang: Smlang SizedMachine = Smlang::new();
     }
 }
 
 fn main() {
     let mut cases = cases();
-    for (_, _, run) in &mut cases {
+    for (_, workload, run) in &mut cases {
+        set_rounds(workload.rounds());
         run(1000);
     }
     if std::env::args().any(|word| word == "once") {
@@ -81,10 +93,11 @@ fn main() {
     let mut figures = Figures::default();
     for _ in 0..ROUNDS {
         for (design, workload, run) in &mut cases {
+            set_rounds(workload.rounds());
             let began = Instant::now();
             run(CYCLES);
             figures.record(*design, *workload, began.elapsed().as_nanos() as f64 / CYCLES as f64);
         }
     }
-    println!("{}", table::times(&figures));
+    println!("{}\n{}\n{}", table::times(&figures), table::sized_times(&figures), overhead(&figures));
 }

@@ -6,7 +6,7 @@
 use std::cell::{Cell, RefCell};
 use std::collections::HashMap;
 
-use crate::part::{MAX_INPUTS, OUTPUTS, Part, mix};
+use crate::part::{MAX_INPUTS, OUTPUTS, Part, combine, mix};
 use crate::subject::{CYCLE_US, Subject};
 
 /// Value on the blackboard.
@@ -145,7 +145,7 @@ impl Subject for Callbacks {
     fn result(&self) -> u64 {
         match self.outputs[..] {
             [one] => self.board.read(one),
-            _ => self.outputs.iter().fold(0, |sum, name| mix(sum, [self.board.read(name)])),
+            _ => self.outputs.iter().fold(0, |sum, name| combine(sum, [self.board.read(name)])),
         }
     }
 }

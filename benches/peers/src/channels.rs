@@ -9,7 +9,7 @@ use std::rc::Rc;
 use std::sync::mpsc::{Receiver, Sender, channel};
 
 use crate::callbacks::{Value, outputs};
-use crate::part::{MAX_INPUTS, Part, mix};
+use crate::part::{MAX_INPUTS, Part, combine, work};
 use crate::subject::{CYCLE_US, Subject};
 
 struct Message {
@@ -62,7 +62,7 @@ impl Member {
         }
         if cycle >= self.next {
             self.next = cycle + self.every;
-            let number = self.needs.iter().fold(self.salt, |sum, &(_, need)| mix(sum, [need]));
+            let number = work(self.needs.iter().fold(self.salt, |sum, &(_, need)| combine(sum, [need])));
             // The blackboard lives as long as its components.
             _ = self.outbox.send(Message { name: self.name.clone(), value: Value::Whole(number) });
         }
@@ -117,7 +117,7 @@ impl Subject for Channels {
         let read = |name: &str| self.board.topics.get(name).map_or(0, |topic| topic.value.whole());
         match self.outputs[..] {
             [one] => read(one),
-            _ => self.outputs.iter().fold(0, |sum, name| mix(sum, [read(name)])),
+            _ => self.outputs.iter().fold(0, |sum, name| combine(sum, [read(name)])),
         }
     }
 }

@@ -1,7 +1,7 @@
 //! The applications.
 
 use cu29::prelude::{CuResult, RobotClock};
-use peers::part::mix;
+use peers::part::combine;
 use peers::subject::Subject;
 
 use crate::task::results;
@@ -74,5 +74,5 @@ application! {
 /// Result of one output, or a mixture of several.
 fn result<const N: usize>() -> u64 {
     let outputs = results::<N>();
-    if let [one] = outputs[..] { one } else { mix(0, outputs) }
+    if let [one] = outputs[..] { one } else { combine(0, outputs) }
 }

@@ -3,6 +3,7 @@
 use std::hint::black_box;
 use std::time::Instant;
 
+use peers::part::set_rounds;
 use peers::report::figures::{Design, Workload};
 use peers::subject::{CYCLE_US, Subject};
 
@@ -23,11 +24,13 @@ impl Case {
 
     /// Runs `cycles` cycles.
     pub fn run(&mut self, cycles: u64) {
+        set_rounds(self.workload.rounds());
         self.runner.run(cycles);
     }
 
     /// Measures the mean time of a cycle over `cycles` cycles, ns.
     pub fn time(&mut self, cycles: u64) -> f64 {
+        set_rounds(self.workload.rounds());
         let began = Instant::now();
         self.runner.run(cycles);
         began.elapsed().as_nanos() as f64 / cycles as f64

@@ -27,6 +27,7 @@ pub fn all(slow: bool) -> Result<Vec<Case>, String> {
     cases.extend(by_hand());
     cases.extend(inlined());
     cases.extend(late());
+    cases.extend(sized());
     cases.push(Case::new(Design::Statig, Workload::Machine, Statig::new()));
     cases.push(Case::new(Design::Smlang, Workload::Machine, Smlang::new()));
     Ok(cases)
@@ -35,9 +36,9 @@ pub fn all(slow: bool) -> Result<Vec<Case>, String> {
 /// Adds the cases of a tree with the given number of components: without a probe, and with a stopwatch that reads the
 /// counter that Copper reads. With `slow`, each also has a probe that takes time.
 macro_rules! bica {
-    ($cases:ident, $slow:ident: $($tree:ident of $count:literal,)*) => {
+    ($cases:ident, $slow:ident: $($workload:ident $tree:ident of $count:literal,)*) => {
         $({
-            let (workload, watch) = (Workload::$tree, Stopwatch::<_, $count>::new(read_raw_counter));
+            let (workload, watch) = (Workload::$workload, Stopwatch::<_, $count>::new(read_raw_counter));
             $cases.extend(if $slow {
                 [
                     Case::new(Design::Bica, workload, BicaSubject::<framework::$tree, _>::new(SlowProbe::<$count>)),
@@ -56,8 +57,10 @@ macro_rules! bica {
 fn bica(slow: bool) -> Vec<Case> {
     let mut cases = Vec::new();
     bica! { cases, slow:
-        Chain3 of 3, Chain10 of 10, Chain100 of 100, Diamond of 4, Machine of 1, Forward of 25,
-        Tree10 of 10, Tree100 of 100, Active of 10, Latent of 100,
+        Chain3 Chain3 of 3, Chain10 Chain10 of 10, Chain100 Chain100 of 100, Diamond Diamond of 4,
+        Machine Machine of 1, Forward Forward of 25,
+        SizedChain10 Chain10 of 10, SizedMachine Machine of 1, SizedForward Forward of 25,
+        Tree10 Tree10 of 10, Tree100 Tree100 of 100, Active Active of 10, Latent Latent of 100,
     }
     cases
 }
@@ -99,6 +102,21 @@ fn inlined() -> Vec<Case> {
         Case::new(inlined, Workload::Chain100, plain::Chain::<_, 100, true>::new(())),
         Case::new(inlined, Workload::Diamond, plain::Diamond::<_, true>::new(())),
         Case::new(inlined, Workload::Forward, plain::Forward::<_, true>::new(())),
+    ]
+}
+
+/// The other designs with steps of realistic size.
+fn sized() -> Vec<Case> {
+    vec![
+        Case::new(Design::ByHand, Workload::SizedChain10, plain::Chain::<_, 10, false>::new(())),
+        Case::new(Design::ByHandInlined, Workload::SizedChain10, plain::Chain::<_, 10, true>::new(())),
+        Case::new(Design::Boxed, Workload::SizedChain10, Boxed::new(&chain::<10>(), ())),
+        Case::new(Design::ByHand, Workload::SizedForward, plain::Forward::<_, false>::new(())),
+        Case::new(Design::ByHandInlined, Workload::SizedForward, plain::Forward::<_, true>::new(())),
+        Case::new(Design::Boxed, Workload::SizedForward, Boxed::new(&FORWARD, ())),
+        Case::new(Design::ByHand, Workload::SizedMachine, ByHand::new(())),
+        Case::new(Design::Statig, Workload::SizedMachine, Statig::new()),
+        Case::new(Design::Smlang, Workload::SizedMachine, Smlang::new()),
     ]
 }
 

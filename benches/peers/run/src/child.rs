@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use peers::part::mix;
+use peers::part::combine;
 use peers::report::figures::Workload;
 use peers_run::case::Case;
 use peers_run::cases;
@@ -49,7 +49,7 @@ fn compare(cases: &mut [Case]) -> Result<(), String> {
         let name = case.design.name();
         let result = (0..COMPARED).fold(0, |sum, _| {
             case.run(1);
-            mix(sum, [case.result()])
+            combine(sum, [case.result()])
         });
         let &mut (other, expected) = results.entry(case.workload).or_insert((name, result));
         if result != expected {

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::{env, fs};
 
-use peers::report::claim::{deep, judge};
+use peers::report::claim::{judge, overhead};
 use peers::report::figures::{Design, Figures, Workload};
 use peers::report::table;
 
@@ -60,13 +60,10 @@ pub(crate) fn run(options: &Options) -> Result<bool, String> {
         figures.sizes.insert((design, workload), programs.size(program)?.saturating_sub(empty));
     }
     let verdicts = judge(&figures);
-    for table in [table::times(&figures), table::growth(&figures), table::heap(&figures), table::sizes(&figures)] {
-        println!("{table}");
+    for table in [table::times, table::sized_times, table::growth, table::heap, table::sizes] {
+        println!("{}", table(&figures));
     }
-    println!("{NOTES}\n{}", table::verdicts(&verdicts));
-    if let Some(note) = deep(&figures) {
-        println!("{note}");
-    }
+    println!("{NOTES}\n{}\n{}", table::verdicts(&verdicts), overhead(&figures));
     Ok(verdicts.iter().all(|verdict| verdict.holds))
 }
 

@@ -3,7 +3,7 @@
 use bica::prelude::*;
 
 use crate::framework::WorkloadTree;
-use crate::part::mix;
+use crate::part::{combine, mix};
 
 /// Component: `Name: hz, salt, [own | nothing; request | nothing], reads -> writes`.
 ///
@@ -77,6 +77,6 @@ impl WorkloadTree for Forward {
 
     fn result(&self) -> u64 {
         let legs = self.get::<Legs>().own;
-        mix(0, [self.get::<Head>().own, legs, self.get::<Arms>().own, self.get::<Lights>().own])
+        combine(0, [self.get::<Head>().own, legs, self.get::<Arms>().own, self.get::<Lights>().own])
     }
 }

@@ -11,6 +11,7 @@ pub use by_hand::ByHand;
 pub use smlang::Smlang;
 pub use statig::Statig;
 
+use crate::part;
 use crate::subject::CYCLE_US;
 
 /// Duration of state B, ms.
@@ -31,7 +32,7 @@ pub const fn input(now: u64) -> u32 {
 /// Applies the code of a state, given by its index in the ring, to the number.
 #[inline]
 #[must_use]
-pub const fn work<const STATE: usize>(number: u64) -> u64 {
+pub fn work<const STATE: usize>(number: u64) -> u64 {
     let factor = [31, 37, 41, 43, 47][STATE];
-    number.wrapping_mul(factor).wrapping_add(STATE as u64 + 1)
+    part::work(number.wrapping_mul(factor).wrapping_add(STATE as u64 + 1))
 }

@@ -83,6 +83,12 @@ named! {
         Machine = "machine of 5",
         /// The tree of the forward.
         Forward = "tree of 25",
+        /// The chain of ten with steps of realistic size.
+        SizedChain10 = "chain of 10, 20 ns",
+        /// The machine with steps of realistic size.
+        SizedMachine = "machine of 5, 20 ns",
+        /// The tree of the forward with steps of realistic size.
+        SizedForward = "tree of 25, 20 ns",
         /// Ten components: one requires nine.
         Tree10 = "10 in a tree",
         /// Hundred components: one requires eleven, each of which requires eight.
@@ -91,6 +97,17 @@ named! {
         Active = "10 of 10 active",
         /// A hundred components, ten of them active.
         Latent = "10 of 100 active",
+    }
+}
+
+impl Workload {
+    /// Rounds of work in each step: 24 take about 20 ns.
+    #[must_use]
+    pub const fn rounds(self) -> u32 {
+        match self {
+            Self::Chain3 | Self::Chain10 | Self::Chain100 | Self::Diamond | Self::Machine | Self::Forward => 0,
+            _ => 24,
+        }
     }
 }
 

@@ -5,9 +5,12 @@ use std::collections::BTreeMap;
 use super::claim::Verdict;
 use super::figures::{Design, Figures, Workload};
 
-/// Workloads of all designs.
+/// Workloads of all designs with empty steps.
 const WORKLOADS: [Workload; 6] =
     [Workload::Chain3, Workload::Chain10, Workload::Chain100, Workload::Diamond, Workload::Machine, Workload::Forward];
+
+/// Workloads with steps of realistic size.
+const SIZED: [Workload; 3] = [Workload::SizedChain10, Workload::SizedMachine, Workload::SizedForward];
 
 /// Workloads that show the growth of the cost with the number of components; only BICA runs them.
 const GROWING: [Workload; 4] = [Workload::Tree10, Workload::Tree100, Workload::Active, Workload::Latent];
@@ -15,21 +18,31 @@ const GROWING: [Workload; 4] = [Workload::Tree10, Workload::Tree100, Workload::A
 /// Minimum times of a cycle and, in brackets, the ratio to BICA's time.
 #[must_use]
 pub fn times(figures: &Figures) -> String {
+    times_of(figures, "ns per cycle (times BICA's)", &WORKLOADS)
+}
+
+/// The same with steps of realistic size.
+#[must_use]
+pub fn sized_times(figures: &Figures) -> String {
+    times_of(figures, "steps of 20 ns: ns per cycle (times BICA's)", &SIZED)
+}
+
+fn times_of(figures: &Figures, title: &str, workloads: &[Workload]) -> String {
     let cell = |design, workload| {
         let ns = figures.times.get(&(design, workload))?;
         let ratio = figures.ratio((design, workload), (Design::Bica, workload));
         let ratio =
-            ratio.filter(|_| design != Design::Bica).map_or_else(String::new, |ratio| format!(" ({ratio:.1} x)"));
+            ratio.filter(|_| design != Design::Bica).map_or_else(String::new, |ratio| format!(" ({ratio:.2} x)"));
         Some(format!("{}{ratio}", short(*ns)))
     };
-    table("ns per cycle (times BICA's)", cell)
+    table_of(title, workloads, cell)
 }
 
 /// Times of a cycle of BICA for growing trees, ns.
 #[must_use]
 pub fn growth(figures: &Figures) -> String {
     let cell = |design, workload| figures.times.get(&(design, workload)).map(|&ns| short(ns));
-    table_of("ns per cycle, as trees grow", &GROWING, cell)
+    table_of("steps of 20 ns: ns per cycle, as trees grow", &GROWING, cell)
 }
 
 /// Heap allocations per cycle.
