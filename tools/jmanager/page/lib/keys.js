@@ -33,8 +33,39 @@ function isTaken(event) {
   return false;
 }
 
+/** The field in which somebody typed last. */
+let field = null;
+
+/** Whether keys were meant for a field that is gone: letters that are still typed are no commands. */
+const isOrphan = ({ target, key }) => target === document.body && field !== null && (!field.isConnected || field.disabled) && key.length === 1;
+
+window.addEventListener('focusin', ({ target }) => {
+  field = target.isContentEditable || target.tagName === 'TEXTAREA' || (target.tagName === 'INPUT' && TYPED.has(target.type)) ? target : null;
+});
+window.addEventListener('focusout', ({ target }) => setTimeout(() => {
+  if (field === target && target.isConnected && !target.disabled && document.activeElement !== target) field = null;
+}));
+window.addEventListener('pointerdown', () => { field = null; }, true);
+
+// A button that was clicked gives the focus to its panel: Space and letters that follow are for the page, not for the button once more.
+window.addEventListener('click', (event) => {
+  const button = event.target.closest('button, summary, [role=tab]');
+  if (event.detail === 0 || !button || button !== document.activeElement || button.closest('dialog')) return;
+  const panel = button.closest('.panel');
+  if (panel) panel.focus({ preventScroll: true });
+  else button.blur();
+});
+
+/** What got the focus from the pointer. */
+let pointed = null;
+window.addEventListener('focusin', () => { pointed = null; });
+window.addEventListener('pointerup', () => { pointed = document.activeElement; }, true);
+
+/** Whether an element has the focus because it was clicked: Space is for the page then. */
+export const isPointed = (element) => element === pointed;
+
 window.addEventListener('keydown', (event) => {
-  if (event.defaultPrevented) return;
+  if (event.defaultPrevented || isOrphan(event)) return;
   const name = nameOf(event);
   if (name === 'Escape' && isTaken(event)) event.target.blur();
   if (isTaken(event) && name !== 'Escape') return;

@@ -1,6 +1,7 @@
 // Small parts that panels share.
 
 import { html, useRef, useState } from './dom.js';
+import { cursor } from './store.js';
 
 /** Two lines for a panel that has nothing to show: what is missing, and what to do. */
 export const Empty = ({ what, help }) => html`<div class="empty" role="status"><strong>${what}</strong><span>${help}</span></div>`;
@@ -30,17 +31,18 @@ export function Field({ value, label, onCommit, type = 'text', width, ...rest })
     }} />`;
 }
 
-/** A curve of the last values, drawn as one path. */
+/** A curve of the last values before the shown moment, drawn as one path. */
 export function Spark({ information, path, pick, span = 10e6 }) {
   void information.version.value;
   const { times, values } = information;
-  const last = times.at(-1);
+  const end = cursor.value === null ? times.length : information.count(cursor.value);
+  const last = times[end - 1];
   if (last === undefined) return html`<svg class="spark" aria-hidden="true"></svg>`;
-  let start = times.length;
+  let start = end;
   while (start > 0 && times[start - 1] >= last - span) start -= 1;
-  const step = Math.max(1, Math.floor((times.length - start) / 60));
+  const step = Math.max(1, Math.floor((end - start) / 60));
   const points = [];
-  for (let index = start; index < times.length; index += step) {
+  for (let index = start; index < end; index += step) {
     const value = pick(values[index], path);
     if (value !== null) points.push([times[index], value]);
   }

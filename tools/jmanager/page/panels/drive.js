@@ -38,7 +38,8 @@ export function Drive({ visible }) {
 
 function Controls({ shown, description, body, head, visible }) {
   const root = description.components.findIndex((component) => component.root);
-  const now = shown.moment.value?.components;
+  // What is driven is the present, also while the page shows the past.
+  const now = shown.live.value?.components;
   const held = (part) => now?.[part?.component]?.[1] === 'active';
   const taken = shown.info.value.control === 'yours' && now?.[root]?.[1] === 'latent';
   const face = shown.find('FaceBall');
@@ -151,7 +152,7 @@ function useLoop(state, keys, visible) {
 function useKeyboard(state, keys, visible, moving, stop, panel) {
   useEffect(() => {
     const all = new Set(Object.values(KEYS).flat());
-    const inside = () => visible.peek() && panel.current?.contains(document.activeElement);
+    const inside = () => visible.peek() && panel.current?.closest('.panel').contains(document.activeElement);
     const down = (event) => {
       if (!state.current.taken || !inside()) return;
       if (event.key === 'Shift' && !event.repeat) moving.value = true;

@@ -28,6 +28,12 @@ export function Recordings({ visible }) {
 }
 
 async function open(name) {
+  // What is open already is shown: another copy of it would be equal to it.
+  const known = [...sessions.value.values()].find(({ info }) => info.value.kind === 'recording' && info.value.name === name);
+  if (known) {
+    show(known.id);
+    return;
+  }
   const opened = await ask('open', { source: { kind: 'recording', name } });
   if (opened) show(opened.session);
 }
@@ -87,7 +93,9 @@ function Compare() {
   const chosen = useSignal([null, null]);
   const result = useSignal(null);
   if (recordings.length < 2) return html`<section aria-label="Compare"><h3>Compare</h3><p class="dim">Open two recordings to find the first difference between them.</p></section>`;
-  const [one, other] = [chosen.value[0] ?? recordings[0].id, chosen.value[1] ?? recordings[1].id];
+  const ids = recordings.map(({ id }) => id);
+  const one = ids.includes(chosen.value[0]) ? chosen.value[0] : ids[0];
+  const other = ids.includes(chosen.value[1]) ? chosen.value[1] : ids.find((id) => id !== one);
   const pick = (at, label) => html`<select aria-label=${label} onChange=${(event) => { chosen.value = chosen.value.with(at, Number(event.target.value)); }}>
     ${recordings.map((of) => html`<option value=${of.id} selected=${of.id === [one, other][at]}>${of.info.value.name}</option>`)}</select>`;
   const compare = async () => { result.value = (await ask('compare', { session: one, other })) ?? null; };
@@ -95,7 +103,7 @@ function Compare() {
     show(one);
     setTimeout(() => seek(result.value.time_us));
   };
-  return html`<section aria-label="Compare"><h3>Compare</h3><div class="join">${pick(0, 'First recording')}${pick(1, 'Second recording')}<button onClick=${compare}>Compare</button></div>
+  return html`<section aria-label="Compare"><h3>Compare</h3><div class="join">${pick(0, 'First recording')}${pick(1, 'Second recording')}<button disabled=${one === other} title=${one === other ? 'Choose two recordings' : ''} onClick=${compare}>Compare</button></div>
     ${result.value && (result.value.equal ? html`<p class="yes">${result.value.copies ? 'They are copies of one recording.' : 'They are equal.'}</p>` : html`<p><b class="warn">First difference</b> in cycle ${result.value.cycle}: ${result.value.field}. ${result.value.text} <button class="small" onClick=${go}>Show</button></p>`)}</section>`;
 }
 
