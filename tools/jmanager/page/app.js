@@ -21,7 +21,7 @@ function Notices() {
   </div>`;
 }
 
-/** What the person must know of the connection, and of the shown session. */
+/** The state of the connection and of the shown session, if a person must know it. */
 function Lost() {
   const lost = (text) => html`<div class="banner lost" role="alert">${text}</div>`;
   if (link.value === 'lost') return lost('The connection to the program is lost. It is being restored; what you operated has ended. If the program was started again, open the new address that it printed.');
@@ -87,7 +87,7 @@ const KEYS = [
 for (const [key, text, group, run] of KEYS) bind({ key, text, group, run });
 bind({ key: 'Escape', text: 'close this list', group: 'Page', run: () => { helpShown.value = false; } });
 
-// ---- a link to a moment: #session=NAME&t=SECONDS&layout=NAME. The address has session and moment; a layout would undo changes.
+// ---- a link to a moment: #session=NAME&t=SECONDS&layout=NAME. The address has no layout: after a reload it would undo changes.
 
 /** The session and the time of a link, until the page shows them. */
 const pending = signal(null);

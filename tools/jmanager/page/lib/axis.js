@@ -13,7 +13,7 @@ export const newest = computed(() => {
 /** Visible interval: [from, until], µs. */
 export const visibleRange = computed(() => {
   const { span, end } = range.value;
-  // Of a session that is younger than the interval the beginning is at the left.
+  // A session shorter than the interval begins at the left.
   const until = end ?? Math.max(newest.value, (session.value?.info.value.from_us ?? 0) + span);
   return [until - span, until];
 });

@@ -18,7 +18,7 @@ export const layoutName = signal('overview');
 function content({ name }) {
   const element = document.createElement('div');
   element.className = 'panel';
-  // A click on its text gives it the focus: keys of the panel are for it then.
+  // A click on text of the panel focuses the panel, so that its keys work.
   element.tabIndex = -1;
   const visible = signal(true);
   return {

@@ -94,8 +94,8 @@ export function zoomed(image, width, height, zoom, factor, x, y) {
 }
 
 /**
- * Handlers of a picture: zoom with the wheel, move by dragging, the pixel under the pointer. A press outlives renderings: each image of a
- * live camera is one.
+ * Handlers of a picture: zoom with the wheel, move by dragging, the pixel under the pointer. A press lasts over several renderings: each
+ * image of a live camera causes one.
  */
 export function usePicture(image, zoom, pointer) {
   const start = useRef(null);

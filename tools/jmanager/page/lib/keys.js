@@ -33,10 +33,10 @@ function isTaken(event) {
   return false;
 }
 
-/** The field in which somebody typed last. */
+/** The text field that was focused last. */
 let field = null;
 
-/** Whether keys were meant for a field that is gone: letters that are still typed are no commands. */
+/** Whether the focused field was removed: what is still typed is text, and no command. */
 const isOrphan = ({ target, key }) => target === document.body && field !== null && (!field.isConnected || field.disabled) && key.length === 1;
 
 window.addEventListener('focusin', ({ target }) => {
@@ -47,7 +47,7 @@ window.addEventListener('focusout', ({ target }) => setTimeout(() => {
 }));
 window.addEventListener('pointerdown', () => { field = null; }, true);
 
-// A button that was clicked gives the focus to its panel: Space and letters that follow are for the page, not for the button once more.
+// After a click on a button, its panel gets the focus. Otherwise Space would press the button again.
 window.addEventListener('click', (event) => {
   const button = event.target.closest('button, summary, [role=tab]');
   if (event.detail === 0 || !button || button !== document.activeElement || button.closest('dialog')) return;
@@ -56,12 +56,12 @@ window.addEventListener('click', (event) => {
   else button.blur();
 });
 
-/** What got the focus from the pointer. */
+/** The element that was focused by a click. */
 let pointed = null;
 window.addEventListener('focusin', () => { pointed = null; });
 window.addEventListener('pointerup', () => { pointed = document.activeElement; }, true);
 
-/** Whether an element has the focus because it was clicked: Space is for the page then. */
+/** Whether an element was focused by a click. Then Space is a key of the page. */
 export const isPointed = (element) => element === pointed;
 
 window.addEventListener('keydown', (event) => {

@@ -60,7 +60,7 @@ export class Information {
 }
 
 let lastLine = 0;
-/** A line with a number of its own: an element of the page is of one line. */
+/** A line with a unique number, by which its element on the page is found again. */
 const numbered = (line) => ({ ...line, key: (lastLine += 1) });
 
 export class Session {
@@ -73,7 +73,7 @@ export class Session {
     this.moment = signal(null);
     /** The newest state, whatever the cursor shows. */
     this.live = signal(null);
-    /** At the cursor, or the newest, as the two below. */
+    /** Costs at the cursor, or the newest ones; as truth and image below. */
     this.costs = signal(null);
     this.worst = signal([]);
     this.truth = signal(null);
@@ -84,7 +84,7 @@ export class Session {
     this.images = [];
     /** Whether a recording was shown from its beginning. */
     this.begun = false;
-    /** Time that was shown when another session was chosen. */
+    /** Time of the cursor when another session was chosen. */
     this.left = null;
     /** The interval of a recording that is still being read, until somebody changes it. */
     this.untouched = null;
@@ -136,7 +136,7 @@ export class Session {
     for (const information of this.information.values()) information.showNewest();
   }
 
-  /** Shows a moment of the past: the answer to `at`, which was asked for information and an image. What is not known of it is empty. */
+  /** Shows a moment of the past: the answer to `at`, with the requested outputs and image. What is not known is empty. */
   showMoment(moment, info, image) {
     const { time_us, truth, costs } = moment;
     this.moment.value = moment;

@@ -44,7 +44,7 @@ export function dismiss(id) {
   notices.value = notices.value.filter((notice) => notice.id !== id);
 }
 
-/** Sessions of which this page has asked for the end of its control. */
+/** Sessions whose control this page has asked to end. */
 const leaving = new Set();
 
 /** Sends a request of the current session; an error becomes a notice. Resolves to undefined after an error. */
@@ -70,7 +70,7 @@ export async function ask(type, fields = {}, done = '') {
   }
 }
 
-/** Becomes the operator if nobody is; says why not otherwise. */
+/** Becomes the operator if nobody is; otherwise reports why not. */
 export async function operate() {
   const info = session.value?.info.value;
   if (!info) return false;
@@ -90,7 +90,7 @@ export async function operate() {
 /** Why this page's control of a session has ended. */
 const ENDS = { other_page: 'another page has taken control', other_monitor: 'another monitor has taken control', free: 'the log says why; holds, rates and modulations have ended' };
 
-/** Says who operates now, once that is known: whoever takes control gets it after it was given back. */
+/** Reports who operates now. The server first ends this page's control, and then gives it to another page. */
 function controlEnded({ id, info }) {
   if (leaving.delete(id)) return;
   setTimeout(() => {
@@ -189,7 +189,7 @@ export function seek(time) {
     cursor.value = at;
     const { span, end } = range.value;
     if (at === null) range.value = { span, end: null };
-    // Beside the begin and the end of what is known no room is left empty.
+    // The interval stays within the known time, except for a margin.
     else if (end === null || at > end || at < end - span) range.value = { span, end: Math.max(Math.min(at + span / 2, newest + span * 0.02), from_us + span * 0.98) };
   });
   if (at === null) {
@@ -201,7 +201,7 @@ export function seek(time) {
 /** Identifier of the request whose image is shown. */
 let asked = 0;
 
-/** Asks for the state at the cursor; while an answer is awaited only the last wish is kept. */
+/** Asks for the state at the cursor. While an answer is pending, only the last request is kept. */
 async function seekSoon() {
   if (seeking) {
     seekAgain = true;
@@ -243,12 +243,12 @@ export const cycle_us = computed(() => 1e6 / (session.value?.description.value?.
 
 // ---- messages
 
-/** Reads the log of the time before this page was opened: all of it, as this page knows only later how far it goes. */
+/** Reads the whole log: this page does not know yet when it ends. */
 async function readLines(of) {
   try {
     of.setLines(await request('lines', { session: of.id, from_us: 0, until_us: Number.MAX_SAFE_INTEGER, limit: 2000 }));
   } catch {
-    // New lines come anyhow.
+    // New lines are sent in any case.
   }
 }
 
@@ -256,7 +256,7 @@ function sessionOf(id) {
   return sessions.value.get(id);
 }
 
-/** Sessions that were closed: what was sent of them before arrives later. */
+/** Closed sessions; messages about them may still arrive. */
 const gone = new Set();
 
 function showSession(info) {
@@ -266,7 +266,7 @@ function showSession(info) {
     const before = known.info.value;
     known.info.value = info;
     if (before.control === 'yours' && info.control !== 'yours' && info.control !== 'unavailable') controlEnded(known);
-    // The lines of a recording are known when it is read.
+    // The server knows all lines of a recording when it has read it.
     if (info.kind === 'recording' && before.connection === 'connecting' && info.connection !== 'connecting') {
       readLines(known);
       if (known.untouched === range.value) whole(known);
@@ -350,7 +350,7 @@ const HANDLERS = {
   },
   described(message, of) {
     of.describe(message.description, message.drawing);
-    // The past of a game that began again is forgotten.
+    // A restarted game has no past.
     if (cursor.value !== null && of === session.value && of.info.value.kind !== 'recording') seek(null);
     readLines(of);
     if (of === session.value) {

@@ -83,7 +83,7 @@ function Controls({ shown, description, body, head, visible }) {
   };
   return html`<article class="tab drive" ref=${panel}>
     <section aria-label="Take over"><h3>Driven by ${taken ? 'you' : 'the forward'}</h3>
-      <p class="dim">${taken ? 'The root is held latent. What you asked for ends when you give the forward back, or 3 s after this page is gone.' : 'Take over: the root is held latent, body and head are held active.'}</p>
+      <p class="dim">${taken ? 'The root is held latent. Your requests end when you give the forward back, or 3 s after this page is closed.' : 'Take over: the root is held latent, body and head are held active.'}</p>
       <div class="buttons">${taken ? html`<button class="primary" onClick=${give}>Give back</button>` : html`<button class="primary" onClick=${take}>Take over</button>`}
         ${face >= 0 && html`<button role="switch" aria-checked=${faces} class=${faces ? 'on' : ''} disabled=${!taken} onClick=${() => followBall(!faces)} title="Holds FaceBall active">Head follows the ball</button>`}</div>
     </section>

@@ -104,7 +104,7 @@ function useHistory(shown, description, curves, visible) {
         try {
           information.prepend(await request('series', { session: shown.id, component: place[0], info: place[1], from_us: from, until_us: until, points: POINTS }));
         } catch {
-          // A recording may lack it; live samples come anyhow.
+          // A recording may lack it; live samples are sent in any case.
         }
       }
     };

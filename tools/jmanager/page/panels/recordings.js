@@ -28,7 +28,7 @@ export function Recordings({ visible }) {
 }
 
 async function open(name) {
-  // What is open already is shown: another copy of it would be equal to it.
+  // An open recording is shown, and not opened a second time.
   const known = [...sessions.value.values()].find(({ info }) => info.value.kind === 'recording' && info.value.name === name);
   if (known) {
     show(known.id);
@@ -53,7 +53,7 @@ function Current({ shown, read }) {
   return html`<section aria-label="This session"><h3>This session</h3>
     <p>${info.recording.on ? html`The last ${duration(Math.max(0, info.until_us - info.recording.from_us))} are recorded, ${bytes(info.recording.bytes)}.` : html`<span class="warn">It is not recorded.</span>`}
       ${info.recording.file && html` It is written to <b>${info.recording.file}</b>.`} <span class=${info.recording.on && info.recording.note ? 'warn' : 'dim'}>${info.recording.note}</span></p>
-    ${info.kind === 'robot' && html`<p class="dim">What the robot sent is kept, images while a camera panel shows them. It can be looked at, not run again: for that, record where the robot runs (player play --record).</p>`}
+    ${info.kind === 'robot' && html`<p class="dim">The recording has what the robot sent, and images of the times when a camera panel was open. It can be viewed, but not run again; for that, record on the robot (player play --record).</p>`}
     <form class="join" onSubmit=${keep}><input aria-label="Name of the recording" placeholder=${stamp()} value=${name.value ?? ''} onInput=${(event) => { name.value = event.target.value || null; }} />
       <button disabled=${!info.recording.on}>Keep recording</button></form></section>`;
 }
@@ -79,7 +79,7 @@ function Replay({ shown, info }) {
   return html`<section aria-label="Replay"><h3>${info.name}</h3>
     <p>${duration(info.until_us - info.from_us)}, from ${time(info.from_us)} to ${time(info.until_us)}. <span class="dim">${info.note}</span></p>
     <div class="buttons"><button onClick=${() => seek(info.from_us)} aria-label="To the beginning">|◂</button><button class="wide" onClick=${playOrPause}>${playing.value ? 'Pause' : 'Play'}</button><button onClick=${() => seek(info.until_us)} aria-label="To the end">▸|</button></div>
-    ${info.can.run_again && html`<h3>Run again</h3><p class="dim">The code of this program runs again on what was recorded; with other values of parameters, if you add some.</p>
+    ${info.can.run_again && html`<h3>Run again</h3><p class="dim">Runs the code of this program again on the recorded inputs. Add parameters to change their values.</p>
       <div class="join"><input list="params-of-run" aria-label="Parameter" placeholder="FaceBall.gain" value=${path.value} onInput=${(event) => { path.value = event.target.value; }} />
         <datalist id="params-of-run">${all.map((one) => html`<option value=${one.name}></option>`)}</datalist>
         <input class="short" aria-label="Value" placeholder="0.9" value=${value.value} onInput=${(event) => { value.value = event.target.value; }} onKeyDown=${(event) => event.key === 'Enter' && add()} /><button onClick=${add}>Add</button></div>

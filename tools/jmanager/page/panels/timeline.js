@@ -296,7 +296,7 @@ function drawPointer(context, view, shown, { x, y }) {
   context.fillText(text, left + 7, top + 10.5);
 }
 
-/** `press` outlives renderings: {x, row, scrubs} while the pointer is down, or null. */
+/** `press.current` is {x, row, scrubs} while the pointer is down, else null. It is kept over renderings. */
 function pointers({ place, press, pointer, selection, scroll, listed, description }) {
   const view = () => viewOf(place.current.clientWidth, place.current.clientHeight, listed(), scroll.value);
   return {

@@ -62,7 +62,7 @@ export function Tree({ visible }) {
 }
 
 const matches = (component, text) => component.name.toLowerCase().includes(text.toLowerCase().trim());
-/** The text of a search; empty if it finds nothing. */
+/** The text of a search, or an empty one if no component matches. */
 const foundAny = ({ components }, text) => (components.some((component) => matches(component, text)) ? text : '');
 const whole = (drawing) => [0, 0, drawing.width, drawing.height];
 
@@ -150,7 +150,7 @@ function Drawn({ shown, description, drawing, search, activeOnly, folded, box, v
     if (!next.delete(index)) next.add(index);
     folded.value = next;
   };
-  // One component is in the order of Tab; arrows go to its neighbours.
+  // Tab reaches one component; the arrow keys go to its neighbours.
   const stop = Math.max(0, description.components.findIndex((component) => (selected.value ? component.name === selected.value : component.root)));
   const key = (event, component, index) => {
     if (event.key === 'Enter' || (event.key === ' ' && !isPointed(event.currentTarget))) openComponent(component.name, event.shiftKey);

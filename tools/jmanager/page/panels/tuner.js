@@ -56,7 +56,7 @@ export function Tuner({ visible }) {
     const next = await command('pick_colours', { class: chosen.value, remove: remove.value, image: one.number, pixels: pixels.filter((_, index) => index % step === 0) });
     if (next) await changed(shown, one, next, score);
   };
-  // What is pressed stays under the pointer.
+  // The image is held, so that the pressed pixel is the one that is picked.
   const hold = () => {
     edited.value = image();
     live.value = false;
@@ -142,7 +142,7 @@ async function changed(shown, image, next, score) {
   if (score.value) score.value = (await ask('score_colours', { session: shown.id })) ?? score.value;
 }
 
-/** Classifies the shown image, again for each new one and for other limits, one at a time. */
+/** Classifies the shown image, again for each new image and after each change of the limits, one at a time. */
 function useClassify(shown, visible, image, live, params) {
   const shownImage = useRef(image);
   shownImage.current = image;

@@ -27,7 +27,7 @@ export function Designer({ visible, retitle }) {
   useEffect(() => {
     if (name && opened.value) retitle(name);
   }, [name, opened.value?.file]);
-  // A search is of one component.
+  // Each component has its own search.
   useEffect(() => { search.value = ''; }, [name, opened.value?.file]);
   useEffect(() => (visible.value ? bindCanvasKeys() : undefined), [visible.value]);
   if (hello.value && !hello.value.source) return html`<${Empty} what="No folder of sources is open" help="Start the program with --source FOLDER to draw and edit the state machines in it." />`;

@@ -12,49 +12,31 @@ use crate::server::target;
 /// Longest time in which it ends its browsers.
 const END: Duration = Duration::from_secs(5);
 
-/// A browser.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Browser {
-    Chromium,
-    Firefox,
+/// Whether `JMANAGER_BROWSER` is `firefox`; else the browser is Chromium.
+pub(crate) fn is_firefox() -> bool {
+    std::env::var("JMANAGER_BROWSER").is_ok_and(|name| name == "firefox")
 }
 
-impl Browser {
-    /// The browser that `JMANAGER_BROWSER` names, `chromium` or `firefox`; else Chromium.
-    pub(crate) fn wanted() -> Self {
-        match std::env::var("JMANAGER_BROWSER").as_deref() {
-            Err(_) | Ok("chromium") => Self::Chromium,
-            Ok("firefox") => Self::Firefox,
-            Ok(other) => panic!("JMANAGER_BROWSER is `{other}`: it names chromium or firefox"),
-        }
-    }
-
-    /// The driver, its argument, and the words before the port in what it prints.
-    fn driver(self) -> (PathBuf, &'static str, &'static str) {
-        match self {
-            Self::Chromium => ("chromedriver".into(), "--port=0", "successfully on port "),
-            Self::Firefox => {
-                let installed = target().join("geckodriver/bin/geckodriver");
-                let program = if installed.exists() { installed } else { "geckodriver".into() };
-                (program, "--port=0", "Listening on 127.0.0.1:")
-            }
-        }
-    }
+fn geckodriver() -> PathBuf {
+    let installed = target().join("geckodriver/bin/geckodriver");
+    if installed.exists() { installed } else { "geckodriver".into() }
 }
 
 /// A driver that ends with its browsers when this is dropped.
 pub(crate) struct Driver {
     child: Child,
-    browser: Browser,
     pub(crate) url: String,
 }
 
 impl Driver {
-    pub(crate) fn start(browser: Browser) -> Self {
-        let (program, argument, before) = browser.driver();
+    pub(crate) fn start() -> Self {
+        let (program, before) = match is_firefox() {
+            true => (geckodriver(), "Listening on 127.0.0.1:"),
+            false => ("chromedriver".into(), "successfully on port "),
+        };
         let name = program.display();
         let mut child = Command::new(&program)
-            .arg(argument)
+            .arg("--port=0")
             .stdout(Stdio::piped())
             .stderr(Stdio::null())
             .process_group(0)
@@ -67,12 +49,12 @@ impl Driver {
             .unwrap_or_else(|| panic!("{name} prints no port"));
         // The rest is read, so that the driver never waits for a reader.
         std::thread::spawn(move || lines.for_each(drop));
-        Self { child, browser, url: format!("http://127.0.0.1:{port}") }
+        Self { child, url: format!("http://127.0.0.1:{port}") }
     }
 
     /// Asks it to end its browsers and then itself. Killed, it would leave them behind.
     fn shut_down(&self) -> std::io::Result<()> {
-        if self.browser == Browser::Firefox {
+        if is_firefox() {
             // Geckodriver knows no such request. It and its browser are one group.
             let group = format!("-{}", self.child.id());
             return Command::new("kill").args(["-TERM", "--", &group]).status().map(drop);

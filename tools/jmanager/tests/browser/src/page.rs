@@ -8,7 +8,7 @@ use hyper_util::client::legacy::connect::HttpConnector;
 use serde_json::{Value, json};
 use tokio::time::sleep;
 
-use crate::driver::{Browser, Driver};
+use crate::driver::{Driver, is_firefox};
 use crate::server::{Server, target};
 
 /// Longest wait for a condition on a busy machine.
@@ -65,21 +65,17 @@ impl Page {
     /// # Panics
     /// If the browser does not start.
     pub async fn open_with(url: &str, (width, height): (u32, u32), arguments: &[&str]) -> Self {
-        let browser = Browser::wanted();
-        let driver = Driver::start(browser);
+        let driver = Driver::start();
         let size = format!("--window-size={width},{height}");
+        let fixed =
+            ["--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--hide-scrollbars", "--no-first-run", &size];
+        let arguments: Vec<_> = fixed.iter().chain(arguments).collect();
         let mut capabilities = Capabilities::new();
-        match browser {
-            Browser::Chromium => {
-                let fixed =
-                    ["--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--hide-scrollbars", "--no-first-run"];
-                let arguments: Vec<_> = fixed.into_iter().chain([&*size]).chain(arguments.iter().copied()).collect();
-                capabilities.insert("goog:chromeOptions".to_owned(), json!({ "args": arguments }));
-                capabilities.insert("goog:loggingPrefs".to_owned(), json!({ "browser": "ALL" }));
-            }
-            Browser::Firefox => {
-                capabilities.insert("moz:firefoxOptions".to_owned(), json!({ "args": ["-headless"] }));
-            }
+        if is_firefox() {
+            capabilities.insert("moz:firefoxOptions".to_owned(), json!({ "args": ["-headless"] }));
+        } else {
+            capabilities.insert("goog:chromeOptions".to_owned(), json!({ "args": arguments }));
+            capabilities.insert("goog:loggingPrefs".to_owned(), json!({ "browser": "ALL" }));
         }
         let client = ClientBuilder::new(HttpConnector::new()).capabilities(capabilities).connect(&driver.url).await;
         let client = client.expect("a browser");

@@ -39,7 +39,8 @@ async fn conditions_and_costs_of_a_paused_view_are_of_its_moment() {
     assert!(costs.contains("mean"), "{costs}");
     // At the newest moment they go on.
     page.press("l").await;
-    page.until("costs change", &format!("return document.querySelector('[aria-label=Chain]').innerText !== {costs:?}")).await;
+    page.until("costs change", &format!("return document.querySelector('[aria-label=Chain]').innerText !== {costs:?}"))
+        .await;
     page.close().await;
 }
 
@@ -98,7 +99,8 @@ async fn a_changed_layout_stays_and_a_link_leads_to_its_session() {
     page.until("the same tabs are there", &format!("{tabs} === {before}")).await;
     // A second session; the link of the first leads back.
     page.click("button", "Open another session", "").await;
-    let worlds = "return [...document.querySelectorAll('select[aria-label=World] option')].map((one) => one.value).join()";
+    let worlds =
+        "return [...document.querySelectorAll('select[aria-label=World] option')].map((one) => one.value).join()";
     assert_eq!(page.run(worlds, vec![]).await, "built-in,firmware");
     page.find("textbox", "Seed of the world", "").await.set("7").await;
     page.click("button", "Start", "").await;
@@ -108,31 +110,4 @@ async fn a_changed_layout_stays_and_a_link_leads_to_its_session() {
     page.until("the first session is shown", &shown("seed 0")).await;
     page.find("button", "Time: paused", "").await;
     page.close().await;
-}
-
-#[tokio::test]
-async fn who_loses_control_is_told_and_equal_messages_are_one() {
-    let server = Server::start("taken", &["--token-file", "token"]);
-    let page = open(&server).await;
-    let token = std::fs::read_to_string(server.folder.join("token")).expect("the token file");
-    let own = page.run("return location.origin", vec![]).await.as_str().expect("an origin").to_owned();
-    let other = Page::open_with(&own, WIDE, &[]).await;
-    other.find("textbox", "token", "").await.set(token.trim()).await;
-    other.click("button", "Enter", "").await;
-    page.press("c").await;
-    page.reads("operator: you").await;
-    other.reads("operator: another page").await;
-    for _ in 0..3 {
-        other.press("c").await;
-    }
-    other.reads("3 times").await;
-    other.click("button", "Take control", "").await;
-    page.reads("another page has taken control").await;
-    // Who gives it back knows.
-    other.reads("operator: you").await;
-    other.press("g").await;
-    other.reads("operator: nobody").await;
-    assert!(!other.text().await.contains("you no longer operate"));
-    page.close().await;
-    other.close().await;
 }

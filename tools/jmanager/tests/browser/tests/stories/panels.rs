@@ -57,22 +57,6 @@ async fn the_timeline_is_paused_scrubbed_and_live_again() {
 }
 
 #[tokio::test]
-async fn a_link_leads_to_a_moment() {
-    let (_server, page) = game("link").await;
-    page.until(
-        "some seconds have passed",
-        "return Number.parseFloat(document.querySelector('.clock b').textContent) > 2",
-    )
-    .await;
-    page.run("location.hash = '#t=1.000&layout=overview'", vec![]).await;
-    // A busy server leaves cycles out: the last one before the moment is shown.
-    let shown =
-        "const at = Number.parseFloat(document.querySelector('.clock b').textContent); return at > 0.5 && at <= 1";
-    page.until("the moment is shown", shown).await;
-    page.close().await;
-}
-
-#[tokio::test]
 async fn the_camera_shows_images_and_toggles_overlays() {
     let (_server, page) = game("camera").await;
     page.until("an image is drawn", &drawn("Camera image")).await;
@@ -109,7 +93,8 @@ async fn curves_are_added_to_a_plot_and_removed() {
     field.set("Odometry.walked").await;
     page.click("button", "Add", "Plot").await;
     page.until("each number of a struct is a curve", "return document.querySelectorAll('.curve').length === 4").await;
-    let axis = "return import('/lib/format.js').then(({ time }) => [59.9e6, 60e6, 3600e6].map((at) => time(at, 0)).join())";
+    let axis =
+        "return import('/lib/format.js').then(({ time }) => [59.9e6, 60e6, 3600e6].map((at) => time(at, 0)).join())";
     assert_eq!(page.run(axis, vec![]).await, "1:00,1:00,1:00:00");
     for part in ["x", "y", "heading"] {
         page.click("button", &format!("Remove Odometry.walked.{part}"), "").await;
