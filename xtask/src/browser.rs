@@ -1,6 +1,6 @@
-//! Tests of JManager's page in Chromium, in their own workspace, so that nothing else needs their dependencies.
+//! Tests of JManager's page in Chromium and Firefox, in their own workspace, so that nothing else needs their dependencies.
 
-use crate::install::packages;
+use crate::install::{folder, packages};
 use crate::process::{run, works};
 
 /// The workspace of these tests.
@@ -20,6 +20,9 @@ pub(crate) const TEST: [&str; 9] = [
     "--nocapture",
 ];
 
+/// Firefox's `WebDriver`, with its version.
+const GECKODRIVER: &str = "geckodriver@0.37.1";
+
 /// Builds JManager and tests its page.
 ///
 /// # Errors
@@ -27,7 +30,9 @@ pub(crate) const TEST: [&str; 9] = [
 pub(crate) fn test(figures: bool) -> Result<(), String> {
     if !figures {
         prepare()?;
-        return run("cargo", &TEST, &[]);
+        run("cargo", &TEST, &[])?;
+        // What a press and a drag are differs between browsers.
+        return run("cargo", &[&TEST[..], &["pressing"]].concat(), &[("JMANAGER_BROWSER", "firefox")]);
     }
     install()?;
     run("cargo", &[&PROGRAMS[..], &["--release"]].concat(), &[])?;
@@ -45,13 +50,22 @@ pub(crate) fn prepare() -> Result<(), String> {
     run("cargo", &PROGRAMS, &[])
 }
 
-/// Installs Chromium and its `WebDriver`.
+/// Installs Chromium, Firefox and their `WebDriver`s.
 ///
 /// # Errors
-/// If the installation fails.
+/// If an installation fails.
 pub(crate) fn install() -> Result<(), String> {
-    if works("chromedriver", &["--version"]) && works("chromium", &["--version"]) {
+    if !works("chromedriver", &["--version"]) || !works("chromium", &["--version"]) {
+        packages(&["chromium", "chromium-driver"])?;
+    }
+    if !works("firefox-esr", &["--version"]) {
+        packages(&["firefox-esr"])?;
+    }
+    // Debian has no package of it.
+    let root = folder("geckodriver").display().to_string();
+    if works("geckodriver", &["--version"]) || works(&format!("{root}/bin/geckodriver"), &["--version"]) {
         return Ok(());
     }
-    packages(&["chromium", "chromium-driver"])
+    let install = ["install", GECKODRIVER, "--locked", "--debug", "--quiet", "--root", &root];
+    run("cargo", &install, &[("CARGO_PROFILE_DEV_DEBUG", "0")])
 }

@@ -16,33 +16,38 @@ import { Carried } from './vicode/carry.js';
 function Notices() {
   return html`<div class="notices" role="log" aria-live="polite" aria-label="Messages">
     ${store.notices.value.map((notice) => html`<div key=${notice.id} class=${`notice ${notice.level}`} role=${notice.level === 'error' ? 'alert' : 'status'}>
-      <span><strong>${notice.text}</strong>${notice.help && html` ${notice.help}`}</span>
+      <span><strong>${notice.text}</strong>${notice.count > 1 && html` <span class="dim">${notice.count} times</span>`}${notice.help && html` ${notice.help}`}</span>
       <button aria-label="Dismiss message" onClick=${() => store.dismiss(notice.id)}>×</button></div>`)}
   </div>`;
 }
 
+/** The state of the connection and of the shown session, if a person must know it. */
 function Lost() {
-  const lost = link.value === 'lost';
+  const lost = (text) => html`<div class="banner lost" role="alert">${text}</div>`;
+  if (link.value === 'lost') return lost('The connection to the program is lost. It is being restored; what you operated has ended. If the program was started again, open the new address that it printed.');
   const own = store.session.value?.info.value;
-  if (lost) return html`<div class="lost" role="alert">The connection to the program is lost. It is being restored; what you operated has ended. If the program was started again, open the new address that it printed.</div>`;
-  if (own?.connection === 'lost') return html`<div class="lost" role="alert">${own.name}: the connection is lost and is being restored. ${own.note}</div>`;
-  if (own?.result) return html`<div class="ended" role="status">${own.name}: <b>${own.result}</b>. ${own.note}</div>`;
-  if (own?.connection === 'ended') return html`<div class="lost" role="alert">${own.name}: it has ended. ${own.note}</div>`;
-  return null;
+  if (!own || own.connection === 'connecting') return null;
+  const { name, connection, note, result, kind } = own;
+  if (connection === 'lost') return lost(`${name}: the connection is lost and is being restored. ${note}`);
+  if (result && kind !== 'recording' && (note || connection === 'ended')) return html`<div class="banner" role="status">${name}: <b>${result}</b>. ${note}</div>`;
+  if (connection === 'ended') return lost(`${name}: it has ended. ${note}`);
+  return kind !== 'recording' && note && html`<div class="banner" role="status">${name}: ${note}</div>`;
 }
 
 function App() {
   return html`<${Fragment}><${Header} /><${Lost} /><div id="dock" ref=${startDock}></div><${Notices} /><${Help} /><${Form} /><${Carried} /></${Fragment}>`;
 }
 
+const parametersOf = ({ hash }) => Object.fromEntries(new URLSearchParams(hash.slice(1)));
+/** What the page was opened with. */
+const wanted = parametersOf(location);
 let started = false;
 
 function startDock(element) {
   if (!element || started) return;
   started = true;
   dock.start(element);
-  const wanted = new URLSearchParams(location.hash.slice(1)).get('layout');
-  if (PRESETS[wanted]) dock.preset(wanted);
+  if (PRESETS[wanted.layout]) dock.preset(wanted.layout);
   else if (!dock.restore()) dock.preset('overview');
 }
 
@@ -76,47 +81,52 @@ const KEYS = [
   ['c', 'take control if nobody has it', 'Operate', store.operate],
   ['g', 'give control back', 'Operate', () => store.act('release', {}, 'control was given back')],
   ['u', 'undo the last change of a parameter', 'Operate', store.undoParams],
-  ['w', 'pause or continue a simulated world', 'Operate', () => store.act(store.session.value?.info.value.paused ? 'resume' : 'pause')],
+  [',', 'pause or continue a simulated world', 'Operate', () => store.act(store.session.value?.info.value.paused ? 'resume' : 'pause')],
   ['.', 'one cycle of a paused world', 'Operate', () => store.act('step', { cycles: 1 })],
 ];
 for (const [key, text, group, run] of KEYS) bind({ key, text, group, run });
 bind({ key: 'Escape', text: 'close this list', group: 'Page', run: () => { helpShown.value = false; } });
 
-// ---- a link to a moment: #t=SECONDS&layout=NAME
+// ---- a link to a moment: #session=NAME&t=SECONDS&layout=NAME. The address has no layout: after a reload it would undo changes.
 
+/** The session and the time of a link, until the page shows them. */
 const pending = signal(null);
 let writing = null;
 
 /** Follows a link. The address may have been written again since its event. */
 function follow(event) {
-  const { hash } = event ? new URL(event.newURL) : location;
-  const parameters = new URLSearchParams(hash.slice(1));
-  const time = Number.parseFloat(parameters.get('t'));
-  if (Number.isFinite(time)) pending.value = time * 1e6;
+  const { session, t } = parametersOf(event ? new URL(event.newURL) : location);
+  const time = Number.parseFloat(t);
+  if (session || Number.isFinite(time)) pending.value = { name: session, time: Number.isFinite(time) ? time * 1e6 : null };
 }
 
-
 effect(() => {
-  const time = pending.value;
-  if (time === null || !store.session.value?.description.value) return;
+  if (!pending.value || !store.hello.value) return;
+  const { name, time } = pending.value;
+  const all = [...store.sessions.value.values()];
+  const one = name ? all.find((each) => each.info.value.name === name) : store.session.value;
+  if (name && !one) {
+    pending.value = null;
+    store.notify('error', `the session “${name}” of the link is not open`, 'open it with +, then follow the link again');
+  }
+  if (!one?.description.value) return;
   pending.value = null;
   clearTimeout(writing);
   // The cursor must not become a dependency of this effect.
-  setTimeout(() => seek(time));
+  setTimeout(() => {
+    store.show(one.id);
+    if (time !== null) seek(time);
+  });
 });
 window.addEventListener('hashchange', follow);
 follow();
 
 effect(() => {
   const at = store.cursor.value;
-  const name = dock.layoutName.value;
+  const name = store.session.value?.info.value.name;
+  const several = store.sessions.value.size > 1;
   clearTimeout(writing);
-  writing = setTimeout(() => {
-    const parts = [];
-    if (at !== null) parts.push(`t=${(at / 1e6).toFixed(3)}`);
-    if (PRESETS[name]) parts.push(`layout=${name}`);
-    history.replaceState(null, '', parts.length > 0 ? `#${parts.join('&')}` : location.pathname);
-  }, 400);
+  writing = setTimeout(() => history.replaceState(null, '', dock.address({ session: several || at !== null ? name : null, time: at })), 400);
 });
 
 effect(() => {

@@ -11,17 +11,18 @@ import * as store from './lib/store.js';
 import { theme, toggleTheme } from './lib/theme.js';
 import { Menu, download } from './lib/ui.js';
 import { helpShown } from './help.js';
+import { askForm } from './vicode/ask.js';
 
 const CONNECTION = { connecting: 'connecting', connected: '', lost: 'lost', ended: 'ended' };
 
 function Sessions() {
   const all = [...store.sessions.value.values()];
-  return html`<div class="sessions" role="tablist" aria-label="Sessions">
+  return html`<div class="sessions" role="group" aria-label="Sessions">
     ${all.map((one) => {
       const info = one.info.value;
       const chosen = one.id === store.current.value;
       return html`<span key=${one.id} class=${`session ${chosen ? 'chosen' : ''}`}>
-        <button role="tab" aria-selected=${chosen} title=${info.note || info.name} onClick=${() => store.show(one.id)}>
+        <button aria-pressed=${chosen} title=${info.note || info.name} onClick=${() => store.show(one.id)}>
           <i class=${`state ${info.result && info.connection === 'ended' ? '' : info.connection}`} aria-hidden="true"></i>${info.name}${CONNECTION[info.connection] && html` <em>${CONNECTION[info.connection]}</em>`}</button>
         ${chosen && all.length > 1 && html`<button class="close" aria-label=${`Close ${info.name}`} onClick=${() => store.act('close')}>×</button>`}
       </span>`;
@@ -70,7 +71,7 @@ function Costs() {
   if (!shown) return null;
   return html`<button class="chip" title="Mean duration of a cycle, from sensor values to command; opens Latency" onClick=${() => dock.open('latency')}>
       chain ${costs ? duration(costs.chain_us[0]) : '–'}${budget ? html` <span class="dim">of ${number(budget)} ms</span>` : ''}</button>
-    <span class=${`chip ${live?.overruns ? 'warn' : ''}`} title="Cycles that ended after the next one was due">${live?.overruns ?? 0} late</span>`;
+    ${store.cursor.value === null && live?.overruns > 0 && html`<span class="chip warn" title="Cycles that ended after the next one was due">${live.overruns} late</span>`}`;
 }
 
 const CONTROL = {
@@ -95,8 +96,8 @@ function Control() {
 function World() {
   const info = store.session.value?.info.value;
   if (!info?.can.pause) return null;
-  return html`<span class="chip world" role="group" aria-label="Simulated world">world
-    <button onClick=${() => store.act(info.paused ? 'resume' : 'pause')} title="Key w">${info.paused ? 'Continue' : 'Pause'}</button>
+  return html`<span class="chip world" role="group" aria-label="Simulated world"><span class="dim">world</span>
+    <button onClick=${() => store.act(info.paused ? 'resume' : 'pause')} title="Key ,">${info.paused ? 'Continue' : 'Pause'}</button>
     <button disabled=${!info.paused} onClick=${() => store.act('step', { cycles: 1 })} title="Key . — one cycle">Step</button>
     ${info.kind === 'world' && html`<button onClick=${() => store.act('restart', { seed: null }, 'the world begins again')} title="The same game from its beginning">Restart</button>`}</span>`;
 }
@@ -109,7 +110,8 @@ function Recording() {
 }
 
 async function shareLayout() {
-  const name = prompt('Name of the layout');
+  const asked = await askForm({ title: 'Save layout', submit: 'Save', fields: [{ name: 'name', label: 'Name of the layout' }] });
+  const name = asked?.name.trim();
   if (!name) return;
   await store.ask('save_layout', { name, layout: dock.layout() }, `layout “${name}” was saved`);
 }
@@ -146,7 +148,8 @@ function View() {
 
 async function copyLink() {
   const at = store.cursor.value ?? store.session.value?.moment.value?.time_us ?? 0;
-  const url = `${location.origin}/#t=${(at / 1e6).toFixed(3)}&layout=${PRESETS[dock.layoutName.value] ? dock.layoutName.value : 'overview'}`;
+  const layout = PRESETS[dock.layoutName.value] ? dock.layoutName.value : null;
+  const url = location.origin + dock.address({ session: store.session.value?.info.value.name, time: at, layout });
   try {
     await navigator.clipboard.writeText(url);
     store.notify('done', 'the link to this moment is in the clipboard');

@@ -13,7 +13,8 @@ export const newest = computed(() => {
 /** Visible interval: [from, until], µs. */
 export const visibleRange = computed(() => {
   const { span, end } = range.value;
-  const until = end ?? newest.value;
+  // A session shorter than the interval begins at the left.
+  const until = end ?? Math.max(newest.value, (session.value?.info.value.from_us ?? 0) + span);
   return [until - span, until];
 });
 

@@ -4,7 +4,7 @@ import { createDockview } from '../vendor/dockview.js';
 import { Fragment, html, render, signal } from './dom.js';
 import { PANELS } from './panels.js';
 import { PRESETS } from './presets.js';
-import { selected } from './store.js';
+import { hello, selected } from './store.js';
 import { theme } from './theme.js';
 
 let api = null;
@@ -18,6 +18,8 @@ export const layoutName = signal('overview');
 function content({ name }) {
   const element = document.createElement('div');
   element.className = 'panel';
+  // A click on text of the panel focuses the panel, so that its keys work.
+  element.tabIndex = -1;
   const visible = signal(true);
   return {
     element,
@@ -61,6 +63,7 @@ export function start(element) {
     opened.value = new Set(api.panels.map((panel) => panel.id));
     saveSoon();
   });
+  window.addEventListener('pagehide', save);
 }
 
 /** Opens a panel, or shows it if it is open. */
@@ -112,7 +115,7 @@ export function focusNext(by) {
 export function preset(name) {
   const { clientWidth: width, clientHeight: height } = document.documentElement;
   api.clear();
-  for (const [id, where] of PRESETS[name].panels(width, height)) {
+  for (const [id, where] of PRESETS[name].panels(width, height, hello.peek()?.source ?? true)) {
     const [kind, argument] = id.split(':');
     const params = kind === 'component' && argument ? { component: argument } : where.params;
     const title = kind === 'component' && argument ? argument : where.title ?? PANELS[kind].title;
@@ -128,6 +131,15 @@ export function preset(name) {
     });
   }
   layoutName.value = name;
+}
+
+/** An address of this page: of a session, a moment, µs, and a layout, if they are given. */
+export function address({ session, time = null, layout: shown }) {
+  const parts = new URLSearchParams();
+  if (session) parts.set('session', session);
+  if (time !== null) parts.set('t', (time / 1e6).toFixed(3));
+  if (shown) parts.set('layout', shown);
+  return `${location.pathname}${parts.size > 0 ? `#${parts}` : ''}`;
 }
 
 /** The layout as data, and back. */
@@ -149,14 +161,17 @@ const KEY = 'jmanager-layout';
 let saving = null;
 
 function saveSoon() {
-  saving ??= setTimeout(() => {
-    saving = null;
-    try {
-      localStorage.setItem(KEY, JSON.stringify(api.toJSON()));
-    } catch {
-      // Without storage the layout holds until the page is closed.
-    }
-  }, 500);
+  saving ??= setTimeout(save, 500);
+}
+
+function save() {
+  clearTimeout(saving);
+  saving = null;
+  try {
+    localStorage.setItem(KEY, JSON.stringify(api.toJSON()));
+  } catch {
+    // Without storage the layout holds until the page is closed.
+  }
 }
 
 /** Restores the layout of the last visit; returns whether there was one. */

@@ -15,10 +15,10 @@ export function number(value) {
 /** A time of the robot, as 1:02.345. */
 export function time(us, digits = 2) {
   if (us === null || us === undefined) return '–';
-  const seconds = us / 1e6;
+  const seconds = Number((us / 1e6).toFixed(digits));
   const minutes = Math.floor(seconds / 60);
   if (minutes === 0) return `${seconds.toFixed(digits)} s`;
-  const rest = (seconds - minutes * 60).toFixed(digits).padStart(digits + 3, '0');
+  const rest = (seconds - minutes * 60).toFixed(digits).padStart(digits > 0 ? digits + 3 : 2, '0');
   return minutes < 60
     ? `${minutes}:${rest}`
     : `${Math.floor(minutes / 60)}:${String(minutes % 60).padStart(2, '0')}:${rest}`;
@@ -63,10 +63,12 @@ export function numbers(value, path = '', found = []) {
   return found;
 }
 
+/** The value at a path of `numbers`. */
+export const valueAt = (value, path) => (path.match(/[^.[\]]+/g) ?? []).reduce((inner, part) => inner?.[part], value);
+
 /** The number at a path of `numbers`; null if there is none. */
 export function numberAt(value, path) {
-  let inner = value;
-  for (const part of path.match(/[^.[\]]+/g) ?? []) inner = inner?.[part];
+  const inner = valueAt(value, path);
   if (typeof inner === 'boolean') return inner ? 1 : 0;
   return typeof inner === 'number' ? inner : null;
 }

@@ -1,5 +1,7 @@
 // Images: YUYV to RGBA, PNG, and drawing with zoom.
 
+import { useRef } from './dom.js';
+
 const CLAMP = new Uint8ClampedArray(1);
 // Contributions of Cb and Cr (JFIF), in fixed point.
 const RED_OF_CR = Int32Array.from({ length: 256 }, (_, cr) => Math.round(1.402 * (cr - 128)));
@@ -89,4 +91,37 @@ export function zoomed(image, width, height, zoom, factor, x, y) {
   if (scale === 1) return FITTED;
   const next = placed(image, width, height, { ...zoom, scale });
   return { scale, x: partX + (width / 2 - x) / next.scale / image.width, y: partY + (height / 2 - y) / next.scale / image.height };
+}
+
+/**
+ * Handlers of a picture: zoom with the wheel, move by dragging, the pixel under the pointer. A press lasts over several renderings: each
+ * image of a live camera causes one.
+ */
+export function usePicture(image, zoom, pointer) {
+  const start = useRef(null);
+  return {
+    onWheel(event) {
+      const one = image();
+      if (!one) return;
+      event.preventDefault();
+      const { clientWidth, clientHeight } = event.currentTarget;
+      zoom.value = zoomed(one, clientWidth, clientHeight, zoom.value, event.deltaY > 0 ? 0.8 : 1.25, event.offsetX, event.offsetY);
+    },
+    onPointerDown(event) {
+      event.currentTarget.setPointerCapture(event.pointerId);
+      start.current = { x: event.offsetX, y: event.offsetY, zoom: zoom.value };
+    },
+    onPointerMove(event) {
+      pointer.value = { x: event.offsetX, y: event.offsetY };
+      const [one, from] = [image(), start.current];
+      if (!from || !one || event.buttons === 0 || from.zoom.scale === 1) return;
+      const { scale } = placed(one, event.currentTarget.clientWidth, event.currentTarget.clientHeight, from.zoom);
+      zoom.value = { ...from.zoom, x: from.zoom.x - (event.offsetX - from.x) / scale / one.width, y: from.zoom.y - (event.offsetY - from.y) / scale / one.height };
+    },
+    onPointerUp() { start.current = null; },
+    onPointerLeave() {
+      start.current = null;
+      pointer.value = null;
+    },
+  };
 }

@@ -33,8 +33,39 @@ function isTaken(event) {
   return false;
 }
 
+/** The text field that was focused last. */
+let field = null;
+
+/** Whether the focused field was removed: what is still typed is text, and no command. */
+const isOrphan = ({ target, key }) => target === document.body && field !== null && (!field.isConnected || field.disabled) && key.length === 1;
+
+window.addEventListener('focusin', ({ target }) => {
+  field = target.isContentEditable || target.tagName === 'TEXTAREA' || (target.tagName === 'INPUT' && TYPED.has(target.type)) ? target : null;
+});
+window.addEventListener('focusout', ({ target }) => setTimeout(() => {
+  if (field === target && target.isConnected && !target.disabled && document.activeElement !== target) field = null;
+}));
+window.addEventListener('pointerdown', () => { field = null; }, true);
+
+// After a click on a button, its panel gets the focus. Otherwise Space would press the button again.
+window.addEventListener('click', (event) => {
+  const button = event.target.closest('button, summary, [role=tab]');
+  if (event.detail === 0 || !button || button !== document.activeElement || button.closest('dialog')) return;
+  const panel = button.closest('.panel');
+  if (panel) panel.focus({ preventScroll: true });
+  else button.blur();
+});
+
+/** The element that was focused by a click. */
+let pointed = null;
+window.addEventListener('focusin', () => { pointed = null; });
+window.addEventListener('pointerup', () => { pointed = document.activeElement; }, true);
+
+/** Whether an element was focused by a click. Then Space is a key of the page. */
+export const isPointed = (element) => element === pointed;
+
 window.addEventListener('keydown', (event) => {
-  if (event.defaultPrevented) return;
+  if (event.defaultPrevented || isOrphan(event)) return;
   const name = nameOf(event);
   if (name === 'Escape' && isTaken(event)) event.target.blur();
   if (isTaken(event) && name !== 'Escape') return;

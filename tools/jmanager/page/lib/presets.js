@@ -38,8 +38,8 @@ export const PRESETS = {
       ? narrow('tree', ['component', 'log'], ['timeline', 'plot:1'])
       : [
         ['tree', {}],
-        ['timeline', below('tree', height * 0.37)],
         ['component', right('tree', Math.max(320, width * 0.3))],
+        ['timeline', below('tree', height * 0.37)],
         ['log', below('component', height * 0.2)],
         ['plot:1', with_('timeline')],
         ['drive', with_('component')],
@@ -87,7 +87,7 @@ export const PRESETS = {
   },
   designer: {
     title: 'Designing state machines',
-    panels: (width, height) => (width < 900
+    panels: (width, height, hasSource) => (!hasSource ? [['vicode', {}], ['tree', right('vicode', width * 0.6)]] : width < 900
       ? narrow('vicode', ['sources', 'tree'], ['code', 'inspector', 'log'])
       : [
         ['sources', {}],

@@ -28,6 +28,10 @@ export class Information {
     }
   }
 
+  showNewest() {
+    this.now.value = this.times.length > 0 ? { time: this.times.at(-1), value: this.values.at(-1) } : null;
+  }
+
   /** Puts older samples in front of those that are known. */
   prepend(samples) {
     const first = this.times[0] ?? Infinity;
@@ -38,17 +42,26 @@ export class Information {
     this.version.value += 1;
   }
 
-  /** The last value that is not later. */
-  at(time) {
+  /** Number of the samples that are not later. */
+  count(time) {
     let [low, high] = [0, this.times.length];
     while (low < high) {
       const middle = (low + high) >> 1;
       if (this.times[middle] <= time) low = middle + 1;
       else high = middle;
     }
-    return low === 0 ? undefined : this.values[low - 1];
+    return low;
+  }
+
+  /** The last value that is not later. */
+  at(time) {
+    return this.values[this.count(time) - 1];
   }
 }
+
+let lastLine = 0;
+/** A line with a unique number, by which its element on the page is found again. */
+const numbered = (line) => ({ ...line, key: (lastLine += 1) });
 
 export class Session {
   constructor(info) {
@@ -60,20 +73,25 @@ export class Session {
     this.moment = signal(null);
     /** The newest state, whatever the cursor shows. */
     this.live = signal(null);
+    /** Costs at the cursor, or the newest ones; as truth and image below. */
     this.costs = signal(null);
     this.worst = signal([]);
     this.truth = signal(null);
     this.image = signal(null);
+    /** The newest {costs, truth, image}, and conditions by component, whatever the cursor shows. */
+    this.newest = { costs: null, truth: null, image: null, conditions: new Map() };
     /** The last images: the newest one waits for what was found in it. */
     this.images = [];
     /** Whether a recording was shown from its beginning. */
     this.begun = false;
+    /** Time of the cursor when another session was chosen. */
+    this.left = null;
+    /** The interval of a recording that is still being read, until somebody changes it. */
+    this.untouched = null;
     this.params = signal([]);
     this.lines = [];
     this.linesVersion = signal(0);
     this.conditions = new Map();
-    /** The newest conditions by component, and costs, whatever the cursor shows. */
-    this.latest = new Map();
     this.information = new Map();
     this.incoming = [];
   }
@@ -87,10 +105,11 @@ export class Session {
     this.lines = [];
     this.linesVersion.value += 1;
     this.worst.value = [];
-    this.images = [];
     this.information.clear();
     this.conditions.clear();
-    this.latest.clear();
+    this.live.value = null;
+    this.newest = { costs: null, truth: null, image: null, conditions: new Map() };
+    this.showNewest();
     this.params.value = components.map((component) => component.params.map((param) => param.value ?? param.default));
     this.drawing.value = drawing;
     this.description.value = description;
@@ -106,6 +125,28 @@ export class Session {
   showImage(image, live) {
     this.images = live ? [...this.images.slice(1 - MAX_IMAGES), image] : [image];
     this.image.value = image;
+  }
+
+  /** Shows the newest of everything. */
+  showNewest() {
+    const { costs, truth, image, conditions } = this.newest;
+    [this.moment.value, this.costs.value, this.truth.value, this.image.value] = [this.live.value, costs, truth, image];
+    this.images = image ? [image] : [];
+    for (const [component, shown] of this.conditions) shown.value = conditions.get(component) ?? null;
+    for (const information of this.information.values()) information.showNewest();
+  }
+
+  /** Shows a moment of the past: the answer to `at`, with the requested outputs and image. What is not known is empty. */
+  showMoment(moment, info, image) {
+    const { time_us, truth, costs } = moment;
+    this.moment.value = moment;
+    this.truth.value = truth && { time_us, truth };
+    this.costs.value = costs;
+    for (const shown of this.conditions.values()) shown.value = null;
+    for (const one of moment.conditions) this.conditions_of(one.component).value = one;
+    for (const [component, index] of info) this.info_of(component, index).now.value = { time: null, value: null };
+    for (const [component, index, time, value] of moment.info) this.info_of(component, index).now.value = { time, value };
+    if (image && moment.image === null) [this.images, this.image.value] = [[], null];
   }
 
   /**
@@ -133,24 +174,16 @@ export class Session {
     return known;
   }
 
-  /** Shows the newest conditions and costs. */
-  showLatest() {
-    for (const [of, message] of this.latest) {
-      if (of === 'costs') this.costs.value = message;
-      else this.conditions_of(of).value = message;
-    }
-  }
-
   /** Adds the lines that the server knows to those that came since it was asked; a line that is in both is there once. */
   setLines(lines) {
     const key = ({ time_us, kind, component, text }) => JSON.stringify([time_us, kind, component, text]);
     const known = new Set(lines.map(key));
-    this.lines = [...lines, ...this.lines.filter((line) => !known.has(key(line)))].sort((a, b) => a.time_us - b.time_us);
+    this.lines = [...lines.map(numbered), ...this.lines.filter((line) => !known.has(key(line)))].sort((a, b) => a.time_us - b.time_us);
     this.linesVersion.value += 1;
   }
 
   addLines(lines) {
-    this.lines.push(...lines);
+    this.lines.push(...lines.map(numbered));
     if (this.lines.length > MAX_LINES) this.lines.splice(0, this.lines.length - MAX_LINES);
     this.linesVersion.value += 1;
   }

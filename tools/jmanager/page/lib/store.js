@@ -31,17 +31,21 @@ export const undo = signal([]);
 
 let lastNotice = 0;
 
-/** Shows a message for some seconds. */
+/** Shows a message for some seconds; one that is shown already is counted. */
 export function notify(level, text, help = '') {
   lastNotice += 1;
-  const notice = { id: lastNotice, level, text, help };
-  notices.value = [...notices.value.slice(-4), notice];
+  const isSame = (one) => one.level === level && one.text === text && one.help === help;
+  const notice = { id: lastNotice, level, text, help, count: (notices.value.find(isSame)?.count ?? 0) + 1 };
+  notices.value = [...notices.value.filter((one) => !isSame(one)).slice(-4), notice];
   setTimeout(() => dismiss(notice.id), level === 'error' ? 12000 : 4000);
 }
 
 export function dismiss(id) {
   notices.value = notices.value.filter((notice) => notice.id !== id);
 }
+
+/** Sessions whose control this page has asked to end. */
+const leaving = new Set();
 
 /** Sends a request of the current session; an error becomes a notice. Resolves to undefined after an error. */
 export async function act(type, fields = {}, done = '') {
@@ -50,6 +54,7 @@ export async function act(type, fields = {}, done = '') {
     notify('error', 'no session is open', 'open a world, a robot or a recording first');
     return undefined;
   }
+  if ((type === 'release' || type === 'restart') && shown.info.value.control === 'yours') leaving.add(shown.id);
   return ask(type, { session: shown.id, ...fields }, done);
 }
 
@@ -65,7 +70,7 @@ export async function ask(type, fields = {}, done = '') {
   }
 }
 
-/** Becomes the operator if nobody is; says why not otherwise. */
+/** Becomes the operator if nobody is; otherwise reports why not. */
 export async function operate() {
   const info = session.value?.info.value;
   if (!info) return false;
@@ -80,6 +85,17 @@ export async function operate() {
       notify('error', 'somebody else operates this robot', 'press “Take control” if that is agreed');
       return false;
   }
+}
+
+/** Why this page's control of a session has ended. */
+const ENDS = { other_page: 'another page has taken control', other_monitor: 'another monitor has taken control', free: 'the log says why; holds, rates and modulations have ended' };
+
+/** Reports who operates now. The server first ends this page's control, and then gives it to another page. */
+function controlEnded({ id, info }) {
+  if (leaving.delete(id)) return;
+  setTimeout(() => {
+    if (info.value.control !== 'yours') notify('error', `you no longer operate ${info.value.name}`, ENDS[info.value.control]);
+  }, 500);
 }
 
 /** Sends a request that only the operator may send. */
@@ -162,29 +178,30 @@ function sendWatch() {
 let seeking = false;
 let seekAgain = false;
 
-/** Shows another time; null: the newest. */
+/** Shows another time; null: the newest, or the end of a recording. */
 export function seek(time) {
   const shown = session.value;
   if (!shown) return;
-  const { from_us, until_us } = shown.info.value;
+  const { kind, from_us, until_us } = shown.info.value;
   const newest = Math.max(until_us, shown.live.value?.time_us ?? 0);
-  const at = time === null ? null : Math.round(Math.min(Math.max(time, from_us), newest));
+  const at = time === null && kind !== 'recording' ? null : Math.round(Math.min(Math.max(time ?? newest, from_us), newest));
   batch(() => {
     cursor.value = at;
     const { span, end } = range.value;
     if (at === null) range.value = { span, end: null };
-    else if (end === null || at > end || at < end - span) {
-      range.value = { span, end: Math.min(Math.max(at + span / 2, span * 0.98), newest + span * 0.02) };
-    }
+    // The interval stays within the known time, except for a margin.
+    else if (end === null || at > end || at < end - span) range.value = { span, end: Math.max(Math.min(at + span / 2, newest + span * 0.02), from_us + span * 0.98) };
   });
   if (at === null) {
     playing.value = false;
-    if (shown.live.value) shown.moment.value = shown.live.value;
-    shown.showLatest();
+    batch(() => shown.showNewest());
   } else seekSoon();
 }
 
-/** Asks for the state at the cursor; while an answer is awaited only the last wish is kept. */
+/** Identifier of the request whose image is shown. */
+let asked = 0;
+
+/** Asks for the state at the cursor. While an answer is pending, only the last request is kept. */
 async function seekSoon() {
   if (seeking) {
     seekAgain = true;
@@ -197,17 +214,10 @@ async function seekSoon() {
   try {
     const info = wishedInfo().map((wish) => [wish.component, wish.info]);
     const image = [...wishes].some((wish) => wish.images);
-    const moment = await request('at', { session: shown.id, time_us: at, info, image });
-    if (cursor.value !== null && shown === session.value) {
-      batch(() => {
-        shown.moment.value = moment;
-        if (moment.truth) shown.truth.value = { time_us: moment.time_us, truth: moment.truth };
-        shown.costs.value = moment.costs;
-        for (const known of shown.conditions.values()) known.value = null;
-        for (const one of moment.conditions) shown.conditions_of(one.component).value = one;
-        for (const [component, index, time, value] of moment.info) shown.info_of(component, index).now.value = { time, value };
-      });
-    }
+    const answer = request('at', { session: shown.id, time_us: at, info, image });
+    asked = answer.id;
+    const moment = await answer;
+    if (cursor.value !== null && shown === session.value) batch(() => shown.showMoment(moment, info, image));
   } catch (error) {
     if (!seekAgain) notify('error', error.text ?? String(error), error.help ?? '');
   }
@@ -233,12 +243,12 @@ export const cycle_us = computed(() => 1e6 / (session.value?.description.value?.
 
 // ---- messages
 
-/** Reads the log of the time before this page was opened: all of it, as this page knows only later how far it goes. */
+/** Reads the whole log: this page does not know yet when it ends. */
 async function readLines(of) {
   try {
     of.setLines(await request('lines', { session: of.id, from_us: 0, until_us: Number.MAX_SAFE_INTEGER, limit: 2000 }));
   } catch {
-    // New lines come anyhow.
+    // New lines are sent in any case.
   }
 }
 
@@ -246,16 +256,21 @@ function sessionOf(id) {
   return sessions.value.get(id);
 }
 
-/** Sessions that were closed: what was sent of them before arrives later. */
+/** Closed sessions; messages about them may still arrive. */
 const gone = new Set();
 
 function showSession(info) {
   if (gone.has(info.id)) return;
   const known = sessionOf(info.id);
   if (known) {
-    const wasRead = known.info.value.connection === 'connecting' && info.connection === 'connected';
+    const before = known.info.value;
     known.info.value = info;
-    if (wasRead && info.kind === 'recording') readLines(known);
+    if (before.control === 'yours' && info.control !== 'yours' && info.control !== 'unavailable') controlEnded(known);
+    // The server knows all lines of a recording when it has read it.
+    if (info.kind === 'recording' && before.connection === 'connecting' && info.connection !== 'connecting') {
+      readLines(known);
+      if (known.untouched === range.value) whole(known);
+    }
     begin(known);
     return;
   }
@@ -268,12 +283,28 @@ function begin(of) {
   const { kind, from_us, until_us } = of.info.value;
   if (kind !== 'recording' || of.begun || of !== session.value || !of.description.value || until_us === 0) return;
   of.begun = true;
-  if (cursor.value === null) seek(from_us);
+  if (cursor.value === null) seek(of.left ?? from_us);
+  of.untouched = range.value;
+  if (of.info.value.connection !== 'connecting') whole(of);
+}
+
+/** Longest recording that is shown whole when it is opened, µs. */
+const WHOLE = 120e6;
+
+function whole(of) {
+  const { from_us, until_us } = of.info.value;
+  const span = Math.max(Math.min(until_us - from_us, WHOLE), 1e6);
+  range.value = { span, end: from_us + span };
 }
 
 /** Shows another session in all panels. */
 export function show(id) {
   if (current.value === id) return;
+  const [before, next] = [session.value, sessionOf(id)];
+  if (before) {
+    [before.left, before.begun] = [cursor.value, false];
+    before.showNewest();
+  }
   batch(() => {
     current.value = id;
     cursor.value = null;
@@ -283,7 +314,11 @@ export function show(id) {
   });
   lastWatch = '';
   watchSoon();
+  if (next) begin(next);
 }
+
+/** Whether the newest of a session is shown, and not its past. */
+const isNewest = (of) => cursor.value === null || of !== session.value;
 
 const HANDLERS = {
   hello(message) {
@@ -315,6 +350,8 @@ const HANDLERS = {
   },
   described(message, of) {
     of.describe(message.description, message.drawing);
+    // A restarted game has no past.
+    if (cursor.value !== null && of === session.value && of.info.value.kind !== 'recording') seek(null);
     readLines(of);
     if (of === session.value) {
       lastWatch = '';
@@ -324,7 +361,7 @@ const HANDLERS = {
   },
   update(message, of) {
     of.live.value = message;
-    if (cursor.value === null || of !== session.value) of.moment.value = message;
+    if (isNewest(of)) of.moment.value = message;
   },
   info(message, of) {
     const changed = new Set();
@@ -334,22 +371,23 @@ const HANDLERS = {
       changed.add(information);
     }
     for (const information of changed) {
-      if (cursor.value === null) information.now.value = { time: information.times.at(-1), value: information.values.at(-1) };
+      if (isNewest(of)) information.showNewest();
       information.version.value += 1;
     }
   },
   conditions(message, of) {
-    of.latest.set(message.component, message);
-    if (cursor.value === null || of !== session.value) of.conditions_of(message.component).value = message;
+    of.newest.conditions.set(message.component, message);
+    if (isNewest(of)) of.conditions_of(message.component).value = message;
   },
   costs(message, of) {
-    of.latest.set('costs', message);
-    if (cursor.value === null || of !== session.value) of.costs.value = message;
+    of.newest.costs = message;
+    if (isNewest(of)) of.costs.value = message;
     const worst = [...of.worst.value, { time: message.worst_us, us: message.chain_us[1] }];
     of.worst.value = worst.sort((a, b) => b.us - a.us).slice(0, 20);
   },
   truth(message, of) {
-    if (cursor.value === null) of.truth.value = message;
+    of.newest.truth = message;
+    if (isNewest(of)) of.truth.value = message;
   },
   params(message, of) {
     of.params.value = of.params.value.with(message.component, message.values);
@@ -388,7 +426,10 @@ function image(frame) {
   if (!of) return;
   const shown = { ...head, pixels: new Uint8Array(frame, 32) };
   if (head.kind === 2) classified.value = shown;
-  else if (head.id !== 0 || cursor.value === null || of !== session.value) of.showImage(shown, head.id === 0);
+  else if (head.id === 0) {
+    of.newest.image = shown;
+    if (isNewest(of)) of.showImage(shown, true);
+  } else if (head.id === asked && !isNewest(of)) of.showImage(shown, false);
 }
 
 // ---- control: the lease ends 3 s after the last message of a page that froze or was closed

@@ -1,8 +1,9 @@
 // Small parts that panels share.
 
 import { html, useRef, useState } from './dom.js';
+import { cursor } from './store.js';
 
-/** Two lines for a panel that has nothing to show: what is missing, and what to do. */
+/** Two lines in a panel without content: what is missing, and the remedy. */
 export const Empty = ({ what, help }) => html`<div class="empty" role="status"><strong>${what}</strong><span>${help}</span></div>`;
 
 /** The bar above a panel's content. */
@@ -12,7 +13,7 @@ export const Toggle = ({ on, label, title, onChange, colour, disabled }) => html
   <button class=${`toggle ${on ? 'on' : ''}`} role="switch" aria-checked=${on} title=${title} disabled=${disabled}
     onClick=${() => onChange(!on)}>${colour && html`<i class="dot" ref=${(dot) => dot && (dot.style.background = colour)}></i>`}${label}</button>`;
 
-/** A text field that hands its value on when Enter is pressed or it loses the focus. */
+/** A text field that commits its value on Enter, or when it loses the focus. */
 export function Field({ value, label, onCommit, type = 'text', width, ...rest }) {
   const [typed, setTyped] = useState(null);
   const commit = () => {
@@ -30,17 +31,18 @@ export function Field({ value, label, onCommit, type = 'text', width, ...rest })
     }} />`;
 }
 
-/** A curve of the last values, drawn as one path. */
+/** A curve of the last values before the shown moment, drawn as one path. */
 export function Spark({ information, path, pick, span = 10e6 }) {
   void information.version.value;
   const { times, values } = information;
-  const last = times.at(-1);
+  const end = cursor.value === null ? times.length : information.count(cursor.value);
+  const last = times[end - 1];
   if (last === undefined) return html`<svg class="spark" aria-hidden="true"></svg>`;
-  let start = times.length;
+  let start = end;
   while (start > 0 && times[start - 1] >= last - span) start -= 1;
-  const step = Math.max(1, Math.floor((times.length - start) / 60));
+  const step = Math.max(1, Math.floor((end - start) / 60));
   const points = [];
-  for (let index = start; index < times.length; index += step) {
+  for (let index = start; index < end; index += step) {
     const value = pick(values[index], path);
     if (value !== null) points.push([times[index], value]);
   }
@@ -59,7 +61,7 @@ export function Spark({ information, path, pick, span = 10e6 }) {
 export function Menu({ label, title, children, onOpen }) {
   const button = useRef(null);
   const items = useRef(null);
-  // `toggle` comes some time after the menu is shown: what a person has typed by then must stay.
+  // `toggle` follows some time after the menu is shown; what was typed meanwhile must stay.
   const opens = (event) => { if (event.newState === 'open') onOpen?.(); };
   const toggled = (event) => {
     if (event.newState !== 'open') return;

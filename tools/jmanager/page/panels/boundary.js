@@ -4,11 +4,10 @@ import { html, useEffect, useMemo, useSignal } from '../lib/dom.js';
 import { Canvas } from '../lib/canvas.js';
 import { request } from '../lib/connection.js';
 import { text, words } from '../lib/format.js';
-import { FITTED, Picture, placed } from '../lib/image.js';
+import { FITTED, Picture, placed, usePicture } from '../lib/image.js';
 import { ask, classified, cursor, session, watch } from '../lib/store.js';
 import { css } from '../lib/theme.js';
 import { Bar, Empty, Toggle } from '../lib/ui.js';
-import { pictureHandlers } from './camera.js';
 
 /** Distance of two scan columns, px, and the green pixels in a row that begin the field. */
 const COLUMNS = 8;
@@ -30,11 +29,12 @@ export function Boundary({ visible }) {
     if (!visible.value || component < 0) return undefined;
     return watch({ images: true, info: infos.map((_, index) => [component, index, 1]) });
   }, [visible.value, component, description]);
-  const green = useGreen(shown, visible, held, component);
+  const image = () => (held.value?.session === shown?.id ? held.value : shown?.image.value ?? null);
+  const green = useGreen(shown, visible, image, component);
+  const handlers = usePicture(image, zoom, pointer);
 
   if (!shown || component < 0) return html`<${Empty} what="No end of field" help=${shown ? 'This tree has no component FieldBoundary.' : 'Open a session first.'} />`;
   if (!shown.info.value.can.images) return html`<${Empty} what="No images" help="This session sends no images." />`;
-  const image = () => held.value ?? shown.image.value;
   const read = (name, time) => {
     const index = infos.findIndex((info) => info.name === name);
     if (index < 0) return null;
@@ -47,7 +47,7 @@ export function Boundary({ visible }) {
     const at = placed(one, width, height, zoom.value);
     context.drawImage(picture.of(one), at.left, at.top, one.width * at.scale, one.height * at.scale);
     const ends = read('ends', one.time_us)?.filter(Boolean) ?? [];
-    if (columns.value && green.value !== null && classified.value?.number === one.number) drawColumns(context, at, classified.value, green.value, ends);
+    if (columns.value && green.value !== null && classified.value?.session === shown.id && classified.value.number === one.number) drawColumns(context, at, classified.value, green.value, ends);
     if (ends.length === 2) {
       context.strokeStyle = css('--cursor');
       context.lineWidth = 2.5;
@@ -59,19 +59,19 @@ export function Boundary({ visible }) {
   };
   return html`<${Bar} label="End of field"><${Toggle} on=${columns.value} label="Scan columns" title="The page computes them from the classes of the pixels" onChange=${(on) => { columns.value = on; }} />
       <span class="dim">● first green of a column · <span class="warn">× far from the line</span> · — found by the robot</span><span class="grow"></span>
-      <${Toggle} on=${held.value !== null} label="Freeze" onChange=${(on) => { held.value = on ? shown.image.value : null; }} /><//>
-    <div class="fill picture"><${Canvas} reads=${() => { void [shown.image.value, held.value, classified.value, columns.value, zoom.value, cursor.value, green.value]; }} draw=${draw} visible=${visible} label="End of the field in the image" ...${pictureHandlers(image, zoom, pointer)} /></div>
+      <${Toggle} on=${held.value?.session === shown.id} label="Freeze" onChange=${(on) => { held.value = on ? shown.image.value : null; }} /><//>
+    <div class="fill picture"><${Canvas} reads=${() => { void [shown.image.value, held.value, classified.value, columns.value, zoom.value, cursor.value, green.value]; }} draw=${draw} visible=${visible} label="End of the field in the image" ...${handlers} /></div>
     <dl class="facts-row">${infos.map((info, index) => html`<div title=${info.doc}><dt>${words(info.name)}</dt><dd>${visible.value ? text(shown.info_of(component, index).now.value?.value) : ''} ${info.unit ?? ''}</dd></div>`)}</dl>`;
 }
 
 /** Classifies one image at a time; returns the index of the green class. */
-function useGreen(shown, visible, held, component) {
+function useGreen(shown, visible, image, component) {
   const green = useSignal(null);
   useEffect(() => {
     if (!shown || component < 0) return undefined;
     let [busy, last] = [false, null];
     const timer = setInterval(async () => {
-      const one = held.peek() ?? shown.image.peek();
+      const one = image();
       if (busy || !visible.peek() || !one || one.number === last) return;
       busy = true;
       last = one.number;

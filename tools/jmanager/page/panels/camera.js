@@ -4,7 +4,7 @@ import { html, useEffect, useMemo, useRef, useSignal } from '../lib/dom.js';
 import { Canvas } from '../lib/canvas.js';
 import { number, time } from '../lib/format.js';
 import { ground, groundInfo } from '../lib/ground.js';
-import { FITTED, Picture, pixel, placed, rgb, zoomed } from '../lib/image.js';
+import { FITTED, Picture, pixel, placed, rgb, usePicture } from '../lib/image.js';
 import { drawOverlay, drawable, overlayColour } from '../lib/overlays.js';
 import { bind } from '../lib/keys.js';
 import { classified, cursor, seek, session, watch } from '../lib/store.js';
@@ -28,16 +28,20 @@ export function Camera({ visible }) {
     const info = overlays.flatMap(({ place, infos, extra }) => [...infos, ...extra].map(({ index }) => [place, index, 1]));
     return watch({ images: true, info: [...info, ...groundInfo(shown)] });
   }, [visible.value, shown, description]);
-  const freeze = () => { frozen.value = frozen.value ? null : session.value?.image.value ?? null; };
+  const freeze = () => { frozen.value = isFrozen() ? null : session.value?.image.value ?? null; };
+  const isFrozen = () => frozen.value !== null && frozen.value.session === session.value?.id;
   useEffect(() => bind({ key: 'z', text: 'freeze the image', group: 'Camera', run: freeze }), []);
 
   const image = () => {
-    const shownNow = session.value;
-    const newest = cursor.value === null && shownNow?.image.value ? shownNow.matchedImage(findings) : shownNow?.image.value;
-    const wanted = newest && (only.value === 'both' || (only.value === 'bottom') === newest.bottom) ? newest : null;
-    if (wanted) last.current = wanted;
-    return frozen.value ?? last.current;
+    if (frozen.value?.session === shown?.id) return frozen.value;
+    const [newest, isLive] = [shown?.image.value, cursor.value === null];
+    const one = newest && isLive ? shown.matchedImage(findings) : newest;
+    const isWanted = one && (only.value === 'both' || (only.value === 'bottom') === one.bottom);
+    // Between two live images of the camera that is wanted the last one stays.
+    if (isWanted || !isLive || last.current?.session !== shown?.id) last.current = isWanted ? one : null;
+    return last.current;
   };
+  const handlers = usePicture(image, zoom, pointer);
   if (!shown || !shown.info.value.can.images) {
     return html`<${Empty} what="No images" help=${shown ? 'This session sends no images. A world, a recording with images, or a robot that sends its camera does.' : 'Open a session first.'} />`;
   }
@@ -51,7 +55,7 @@ export function Camera({ visible }) {
     if (!one) {
       context.fillStyle = css('--dim');
       context.font = `13px ${css('--font')}`;
-      context.fillText('Waiting for an image', 12, 24);
+      context.fillText(cursor.value === null ? 'Waiting for an image' : `No image ${only.value === 'both' ? '' : `of the ${only.value} camera `}is known of this moment`, 12, 24);
       return;
     }
     const at = placed(one, width, height, zoom.value);
@@ -73,7 +77,7 @@ export function Camera({ visible }) {
     if (!next.delete(component)) next.add(component);
     hidden.value = next;
   };
-  const one = frozen.value ?? shown.image.value;
+  const one = image();
   const which = one?.bottom ? 'bottom' : 'top';
   const toggles = () => overlays.map(({ component }, index) => html`<${Toggle} on=${!hidden.value.has(component)} label=${component} colour=${overlayColour(index)} title=${`Findings of ${component}`} onChange=${() => toggle(component)} />`);
   return html`<${Bar} label="Camera">
@@ -81,13 +85,13 @@ export function Camera({ visible }) {
       <span class="grow"></span>
       <span class="overlays many">${toggles()}</span><span class="overlays few"><${Menu} label="Findings" title="Findings of components">${toggles()}<//></span>
       <select aria-label="Which camera" onChange=${(event) => { only.value = event.target.value; }}>${['both', 'top', 'bottom'].map((name) => html`<option selected=${only.value === name}>${name}</option>`)}</select>
-      <${Toggle} on=${frozen.value !== null} label="Freeze" title="Key z" onChange=${freeze} />
+      <${Toggle} on=${isFrozen()} label="Freeze" title="Key z" onChange=${freeze} />
       <button aria-label="Previous image" title="Previous image" onClick=${() => stepImage(shown, -1)}>◂</button><button aria-label="Next image" title="Next image" onClick=${() => stepImage(shown, 1)}>▸</button>
       ${zoom.value.scale > 1 && html`<button onClick=${() => { zoom.value = FITTED; }}>Fit</button>`}
       <${Menu} label="Save" title="Save the image">
         <button class="item" disabled=${!one} onClick=${() => savePng(one)}>as PNG</button><button class="item" disabled=${!one} onClick=${() => download(`image-${one.number}.yuyv`, new Blob([one.pixels]))}>as YUYV</button><//>
     <//>
-    <div class="fill picture"><${Canvas} reads=${reads} draw=${draw} visible=${visible} label="Camera image" ...${pictureHandlers(image, zoom, pointer)} /></div>`;
+    <div class="fill picture"><${Canvas} reads=${reads} draw=${draw} visible=${visible} label="Camera image" ...${handlers} /></div>`;
 }
 
 /** Moves the cursor by one image. */
@@ -96,35 +100,6 @@ function stepImage(shown, by) {
   if (!now) return;
   // Images come at most every other cycle; the server answers with the last image that is not later.
   seek((cursor.value ?? now.time_us) + by * 33400);
-}
-
-/** Handlers of a picture: zoom with the wheel, move by dragging, the pixel under the pointer. */
-export function pictureHandlers(image, zoom, pointer) {
-  let start = null;
-  return {
-    onWheel(event) {
-      const one = image();
-      if (!one) return;
-      event.preventDefault();
-      const { clientWidth, clientHeight } = event.currentTarget;
-      zoom.value = zoomed(one, clientWidth, clientHeight, zoom.value, event.deltaY > 0 ? 0.8 : 1.25, event.offsetX, event.offsetY);
-    },
-    onPointerDown(event) {
-      start = { x: event.offsetX, y: event.offsetY, zoom: zoom.value };
-    },
-    onPointerMove(event) {
-      pointer.value = { x: event.offsetX, y: event.offsetY };
-      const one = image();
-      if (!start || !one || event.buttons === 0 || start.zoom.scale === 1) return;
-      const { scale } = placed(one, event.currentTarget.clientWidth, event.currentTarget.clientHeight, start.zoom);
-      zoom.value = { ...start.zoom, x: start.zoom.x - (event.offsetX - start.x) / scale / one.width, y: start.zoom.y - (event.offsetY - start.y) / scale / one.height };
-    },
-    onPointerUp() { start = null; },
-    onPointerLeave() {
-      start = null;
-      pointer.value = null;
-    },
-  };
 }
 
 function classOf(shown, image, x, y) {

@@ -84,7 +84,7 @@ function ByHand({ shown, component, index }) {
       <button class="small" disabled=${!can || now?.[3] === component.hz} title=${`Declared: ${number(component.hz)} Hz`} onClick=${() => setRate(null)}>declared</button></div>`}
     <div class="row"><span>cost</span><span class="wide2">${cost?.[0]
       ? html`<b class=${component.budget_us && cost[1] > component.budget_us ? 'warn' : ''}>${number(cost[1])} µs</b> mean, ${number(cost[2])} µs longest${component.budget_us ? `, budget ${number(component.budget_us)} µs` : ''}, ${((cost[0] / costs.window_us) * 1e6).toFixed(0)} runs/s`
-      : html`<span class="dim">${component.budget_us ? `not run now, budget ${number(component.budget_us)} µs` : 'not run now'}</span>`}</span></div>
+      : html`<span class="dim">${!costs && cursor.value !== null ? 'not known of this moment' : component.budget_us ? `not run now, budget ${number(component.budget_us)} µs` : 'not run now'}</span>`}</span></div>
   </section>`;
 }
 

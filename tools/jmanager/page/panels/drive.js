@@ -38,7 +38,8 @@ export function Drive({ visible }) {
 
 function Controls({ shown, description, body, head, visible }) {
   const root = description.components.findIndex((component) => component.root);
-  const now = shown.moment.value?.components;
+  // What is driven is the present, also while the page shows the past.
+  const now = shown.live.value?.components;
   const held = (part) => now?.[part?.component]?.[1] === 'active';
   const taken = shown.info.value.control === 'yours' && now?.[root]?.[1] === 'latent';
   const face = shown.find('FaceBall');
@@ -82,7 +83,7 @@ function Controls({ shown, description, body, head, visible }) {
   };
   return html`<article class="tab drive" ref=${panel}>
     <section aria-label="Take over"><h3>Driven by ${taken ? 'you' : 'the forward'}</h3>
-      <p class="dim">${taken ? 'The root is held latent. What you asked for ends when you give the forward back, or 3 s after this page is gone.' : 'Take over: the root is held latent, body and head are held active.'}</p>
+      <p class="dim">${taken ? 'The root is held latent. Your requests end when you give the forward back, or 3 s after this page is closed.' : 'Take over: the root is held latent, body and head are held active.'}</p>
       <div class="buttons">${taken ? html`<button class="primary" onClick=${give}>Give back</button>` : html`<button class="primary" onClick=${take}>Take over</button>`}
         ${face >= 0 && html`<button role="switch" aria-checked=${faces} class=${faces ? 'on' : ''} disabled=${!taken} onClick=${() => followBall(!faces)} title="Holds FaceBall active">Head follows the ball</button>`}</div>
     </section>
@@ -151,7 +152,7 @@ function useLoop(state, keys, visible) {
 function useKeyboard(state, keys, visible, moving, stop, panel) {
   useEffect(() => {
     const all = new Set(Object.values(KEYS).flat());
-    const inside = () => visible.peek() && panel.current?.contains(document.activeElement);
+    const inside = () => visible.peek() && panel.current?.closest('.panel').contains(document.activeElement);
     const down = (event) => {
       if (!state.current.taken || !inside()) return;
       if (event.key === 'Shift' && !event.repeat) moving.value = true;

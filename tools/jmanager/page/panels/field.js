@@ -60,6 +60,7 @@ export function FieldMap({ visible }) {
     }
     if (now) drawBelief(context, map, now, read);
     if (truth && truthShown.value) drawTruth(context, map, truth);
+    drawLegend(context, map, Boolean(truth && truthShown.value));
     if (dragged.value) disc(context, map, dragged.value, 0.06, 9, { stroke: css('--truth') });
   };
   return html`<${Bar} label="Field">
@@ -139,6 +140,24 @@ function drawField(context, map, attacksBlue) {
     context.moveTo(x(end * half), y(FIELD.goal / 2));
     context.lineTo(x(end * half), y(-FIELD.goal / 2));
     context.stroke();
+  }
+}
+
+/** What the colours mean, in the border of the field, as far as there is room. */
+function drawLegend(context, map, withTruth) {
+  const all = [['--control', 'robot'], ['--ball', 'ball'], ['--machine', 'goal'], ['--act', 'other robots'], ...(withTruth ? [['--truth', 'truth (dashed)']] : [])];
+  context.font = `11px ${css('--font')}`;
+  context.textBaseline = 'middle';
+  const [y, right] = [map.height / 2 + (FIELD.width / 2 + FIELD.border / 2) * map.scale, map.width / 2 + FIELD.length / 2 * map.scale];
+  let x = map.width / 2 - FIELD.length / 2 * map.scale;
+  for (const [colour, text] of all) {
+    const width = context.measureText(text).width + 24;
+    if (x + width > right) return;
+    context.fillStyle = css(colour);
+    context.fillRect(x, y - 4, 8, 8);
+    context.fillStyle = css('--marking');
+    context.fillText(text, x + 12, y + 0.5);
+    x += width;
   }
 }
 

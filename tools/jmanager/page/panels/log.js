@@ -43,7 +43,7 @@ export function Log({ visible }) {
       ? html`<${Empty} what=${shown.lines.length ? 'No line passes the filters' : 'No line yet'} help=${shown.lines.length ? 'Turn more kinds on, or clear the text.' : 'Transitions, events of the referee, requests and notes appear here. Add a note in the timeline.'} />`
       : html`<ol class="log" ref=${list} aria-label="Log lines">${lines.map((line) => {
           const component = line.component === undefined ? null : shown.description.value?.components[line.component]?.name;
-          return html`<li class=${`level${line.level} ${line.kind} ${cursor.value !== null && line.time_us > cursor.value ? 'later' : ''}`}>
+          return html`<li key=${line.key} class=${`level${line.level} ${line.kind} ${cursor.value !== null && line.time_us > cursor.value ? 'later' : ''}`}>
             <button class="time" title="Show this moment" onClick=${() => seek(line.time_us)}>${time(line.time_us)}</button><span class="kind">${KINDS[line.kind]}</span>
             <span class="text">${component && html`<button class="name" onClick=${() => openComponent(component)}>${component}</button>`}${line.text}</span></li>`;
         })}</ol>`}`;

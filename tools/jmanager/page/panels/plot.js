@@ -3,7 +3,7 @@
 import uPlot from '../vendor/uplot.js';
 import { effect, html, useEffect, useRef, useSignal } from '../lib/dom.js';
 import { request } from '../lib/connection.js';
-import { number, numberAt, numbers, time } from '../lib/format.js';
+import { number, numberAt, numbers, text, time, valueAt } from '../lib/format.js';
 import { marks, shownTime, showRange, visibleRange } from '../lib/axis.js';
 import { cursor, notify, range, seek, session, watch } from '../lib/store.js';
 import { css, curveColour, theme } from '../lib/theme.js';
@@ -36,8 +36,13 @@ export function Plot({ visible, params, remember }) {
   const add = (name) => {
     const curve = resolve(shown, name);
     if (!curve) notify('error', `there is no information “${name}”`, 'write Component.information, as in the list of the field');
-    else if (!names.value.includes(name)) set([...names.value, ...expand(shown, curve)]);
+    else if (!names.value.includes(name)) set([...names.value, name]);
   };
+  // A struct becomes one curve for each of its numbers, as soon as a value of it is known.
+  useEffect(() => effect(() => {
+    const all = curves.flatMap((curve) => expand(shown, curve));
+    if (all.length > curves.length) setTimeout(() => set([...new Set(all)]));
+  }), [shown, description, names.value.join()]);
   useEffect(() => (visible.value && curves.length > 0 ? watch({ info: curves.map(({ place }) => [...place, 2]) }) : undefined), [visible.value, shown, description, names.value.join()]);
   useHistory(shown, description, curves, visible);
 
@@ -60,7 +65,7 @@ export function Plot({ visible, params, remember }) {
       <datalist id="all-information">${all.map((name) => html`<option value=${name}></option>`)}</datalist>
       <div class="legend" role="list" aria-label="Curves">${names.value.map((name, index) => html`<${Curve} key=${name} ...${{ name, index, shown, remove: () => set(names.value.filter((one) => one !== name)) }} />`)}</div>
       <span class="grow"></span>
-      ${range.value.end !== null && html`<button class="live" onClick=${() => seek(null)}>Live</button>`}
+      ${shown.info.value.kind !== 'recording' && range.value.end !== null && html`<button class="live" onClick=${() => seek(null)}>Live</button>`}
       <button disabled=${curves.length === 0} onClick=${() => csv(shown, curves)}>CSV</button>
     <//>
     ${curves.length === 0
@@ -69,11 +74,12 @@ export function Plot({ visible, params, remember }) {
   </div>`;
 }
 
-/** A struct becomes one curve for each of its numbers. */
+/** Names of the curves of a value: of a struct, one for each of its numbers. */
 function expand(shown, { name, place, path }) {
-  const value = shown.info_of(...place).values.findLast((one) => one !== null);
-  const inner = path ? undefined : value;
-  const parts = inner !== null && typeof inner === 'object' ? numbers(inner) : [];
+  const information = shown.info_of(...place);
+  void information.version.value;
+  const value = valueAt(information.now.value?.value ?? information.values.findLast((one) => one !== null), path);
+  const parts = value !== null && typeof value === 'object' ? numbers(value) : [];
   return parts.length > 0 ? parts.slice(0, 6).map(([one]) => name + one) : [name];
 }
 
@@ -81,7 +87,7 @@ function Curve({ name, index, shown, remove }) {
   const curve = resolve(shown, name);
   const now = curve ? shown.info_of(...curve.place).now.value?.value : null;
   return html`<span class="curve" role="listitem"><i class="dot" ref=${(dot) => { if (dot) dot.style.background = curveColour(index); }}></i>${name}
-    <b>${number(curve ? numberAt(now, curve.path) : null)}</b> <span class="unit">${curve?.unit?.includes(',') ? '' : curve?.unit ?? ''}</span><button aria-label=${`Remove ${name}`} onClick=${remove}>×</button></span>`;
+    <b>${curve ? number(numberAt(now, curve.path) ?? text(valueAt(now, curve.path))) : '–'}</b> <span class="unit">${curve?.unit?.includes(',') ? '' : curve?.unit ?? ''}</span><button aria-label=${`Remove ${name}`} onClick=${remove}>×</button></span>`;
 }
 
 /** Reads the samples before the curve was added, and those of another interval of the past. */
@@ -98,7 +104,7 @@ function useHistory(shown, description, curves, visible) {
         try {
           information.prepend(await request('series', { session: shown.id, component: place[0], info: place[1], from_us: from, until_us: until, points: POINTS }));
         } catch {
-          // A recording may lack it; live samples come anyhow.
+          // A recording may lack it; live samples are sent in any case.
         }
       }
     };

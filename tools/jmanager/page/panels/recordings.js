@@ -28,6 +28,12 @@ export function Recordings({ visible }) {
 }
 
 async function open(name) {
+  // An open recording is shown, and not opened a second time.
+  const known = [...sessions.value.values()].find(({ info }) => info.value.kind === 'recording' && info.value.name === name);
+  if (known) {
+    show(known.id);
+    return;
+  }
   const opened = await ask('open', { source: { kind: 'recording', name } });
   if (opened) show(opened.session);
 }
@@ -47,7 +53,7 @@ function Current({ shown, read }) {
   return html`<section aria-label="This session"><h3>This session</h3>
     <p>${info.recording.on ? html`The last ${duration(Math.max(0, info.until_us - info.recording.from_us))} are recorded, ${bytes(info.recording.bytes)}.` : html`<span class="warn">It is not recorded.</span>`}
       ${info.recording.file && html` It is written to <b>${info.recording.file}</b>.`} <span class=${info.recording.on && info.recording.note ? 'warn' : 'dim'}>${info.recording.note}</span></p>
-    ${info.kind === 'robot' && html`<p class="dim">What the robot sent is kept, images while a camera panel shows them. It can be looked at, not run again: for that, record where the robot runs (player play --record).</p>`}
+    ${info.kind === 'robot' && html`<p class="dim">The recording has what the robot sent, and images of the times when a camera panel was open. It can be viewed, but not run again; for that, record on the robot (player play --record).</p>`}
     <form class="join" onSubmit=${keep}><input aria-label="Name of the recording" placeholder=${stamp()} value=${name.value ?? ''} onInput=${(event) => { name.value = event.target.value || null; }} />
       <button disabled=${!info.recording.on}>Keep recording</button></form></section>`;
 }
@@ -73,7 +79,7 @@ function Replay({ shown, info }) {
   return html`<section aria-label="Replay"><h3>${info.name}</h3>
     <p>${duration(info.until_us - info.from_us)}, from ${time(info.from_us)} to ${time(info.until_us)}. <span class="dim">${info.note}</span></p>
     <div class="buttons"><button onClick=${() => seek(info.from_us)} aria-label="To the beginning">|◂</button><button class="wide" onClick=${playOrPause}>${playing.value ? 'Pause' : 'Play'}</button><button onClick=${() => seek(info.until_us)} aria-label="To the end">▸|</button></div>
-    ${info.can.run_again && html`<h3>Run again</h3><p class="dim">The code of this program runs again on what was recorded; with other values of parameters, if you add some.</p>
+    ${info.can.run_again && html`<h3>Run again</h3><p class="dim">Runs the code of this program again on the recorded inputs. Add parameters to change their values.</p>
       <div class="join"><input list="params-of-run" aria-label="Parameter" placeholder="FaceBall.gain" value=${path.value} onInput=${(event) => { path.value = event.target.value; }} />
         <datalist id="params-of-run">${all.map((one) => html`<option value=${one.name}></option>`)}</datalist>
         <input class="short" aria-label="Value" placeholder="0.9" value=${value.value} onInput=${(event) => { value.value = event.target.value; }} onKeyDown=${(event) => event.key === 'Enter' && add()} /><button onClick=${add}>Add</button></div>
@@ -87,7 +93,9 @@ function Compare() {
   const chosen = useSignal([null, null]);
   const result = useSignal(null);
   if (recordings.length < 2) return html`<section aria-label="Compare"><h3>Compare</h3><p class="dim">Open two recordings to find the first difference between them.</p></section>`;
-  const [one, other] = [chosen.value[0] ?? recordings[0].id, chosen.value[1] ?? recordings[1].id];
+  const ids = recordings.map(({ id }) => id);
+  const one = ids.includes(chosen.value[0]) ? chosen.value[0] : ids[0];
+  const other = ids.includes(chosen.value[1]) ? chosen.value[1] : ids.find((id) => id !== one);
   const pick = (at, label) => html`<select aria-label=${label} onChange=${(event) => { chosen.value = chosen.value.with(at, Number(event.target.value)); }}>
     ${recordings.map((of) => html`<option value=${of.id} selected=${of.id === [one, other][at]}>${of.info.value.name}</option>`)}</select>`;
   const compare = async () => { result.value = (await ask('compare', { session: one, other })) ?? null; };
@@ -95,7 +103,7 @@ function Compare() {
     show(one);
     setTimeout(() => seek(result.value.time_us));
   };
-  return html`<section aria-label="Compare"><h3>Compare</h3><div class="join">${pick(0, 'First recording')}${pick(1, 'Second recording')}<button onClick=${compare}>Compare</button></div>
+  return html`<section aria-label="Compare"><h3>Compare</h3><div class="join">${pick(0, 'First recording')}${pick(1, 'Second recording')}<button disabled=${one === other} title=${one === other ? 'Choose two recordings' : ''} onClick=${compare}>Compare</button></div>
     ${result.value && (result.value.equal ? html`<p class="yes">${result.value.copies ? 'They are copies of one recording.' : 'They are equal.'}</p>` : html`<p><b class="warn">First difference</b> in cycle ${result.value.cycle}: ${result.value.field}. ${result.value.text} <button class="small" onClick=${go}>Show</button></p>`)}</section>`;
 }
 

@@ -27,6 +27,7 @@ export function Timeline({ visible }) {
   const selection = useSignal(null);
   const scroll = useSignal(0);
   const place = useRef(null);
+  const press = useRef(null);
   useReading(shown, rows, visible, place);
 
   if (!description) return html`<${Empty} what="Nothing has happened yet" help="Rows appear when a robot, a world or a recording is connected." />`;
@@ -44,7 +45,7 @@ export function Timeline({ visible }) {
     drawCursor(context, view.x(shownTime.value), height);
     if (pointer.value) drawPointer(context, view, shown, pointer.value);
   };
-  const handlers = pointers({ place, pointer, selection, scroll, listed, description });
+  const handlers = pointers({ place, press, pointer, selection, scroll, listed, description });
   const addNote = async (event) => {
     event.preventDefault();
     const text = note.value.trim();
@@ -57,7 +58,7 @@ export function Timeline({ visible }) {
       <button aria-label="Zoom in on time" onClick=${() => zoomAt(shownTime.value, 0.5)}>+</button><button aria-label="Zoom out of time" onClick=${() => zoomAt(shownTime.value, 2)}>−</button>
       ${[[2e6, '2 s'], [20e6, '20 s'], [120e6, '2 min']].map(([span, text]) => html`<button class=${range.value.span === span ? 'on' : ''} onClick=${() => { range.value = { span, end: range.value.end }; }}>${text}</button>`)}
       <button onClick=${() => showRange(shown.info.value.from_us, Math.max(shown.info.value.until_us, shownTime.value))}>Whole</button>
-      ${(cursor.value !== null || range.value.end !== null) && html`<button class="live" onClick=${() => seek(null)}>Live</button>`}
+      ${shown.info.value.kind !== 'recording' && (cursor.value !== null || range.value.end !== null) && html`<button class="live" onClick=${() => seek(null)}>Live</button>`}
       <span class="grow"></span>
       <span class="dim hint wide">click: show that moment · drag: zoom · wheel: zoom · Shift+wheel: move</span>
       <form class="note" onSubmit=${addNote}><input placeholder="Note…" aria-label="Note" maxlength="500" value=${note.value} onInput=${(event) => { note.value = event.target.value; }} /><button>Add note</button></form>
@@ -159,7 +160,7 @@ function drawRows(context, view, shown, pointer) {
     context.clip();
     drawBars(context, view, { bars, component, colour, y, now: live?.components?.[index], last: live?.time_us });
     context.fillStyle = css('--error');
-    for (const time of overruns) context.fillRect(view.x(time) - 1, y + 1, 2, row - 2);
+    for (const time of overruns) context.fillRect(view.x(time) - 1, y + row - 4, 2, 4);
     context.restore();
   });
   context.strokeStyle = css('--line');
@@ -295,37 +296,38 @@ function drawPointer(context, view, shown, { x, y }) {
   context.fillText(text, left + 7, top + 10.5);
 }
 
-function pointers({ place, pointer, selection, scroll, listed, description }) {
+/** `press.current` is {x, row, scrubs} while the pointer is down, else null. It is kept over renderings. */
+function pointers({ place, press, pointer, selection, scroll, listed, description }) {
   const view = () => viewOf(place.current.clientWidth, place.current.clientHeight, listed(), scroll.value);
-  let start = null;
-  let scrubs = false;
   return {
     tabindex: '0',
     onPointerDown(event) {
       if (event.button !== 0) return;
       event.currentTarget.setPointerCapture(event.pointerId);
-      start = event.offsetX;
-      scrubs = event.offsetY > view().height - AXIS;
-      if (scrubs) seek(view().time(event.offsetX));
+      const now = view();
+      press.current = { x: event.offsetX, row: now.rows[now.rowAt(event.offsetY)], scrubs: event.offsetY > now.height - AXIS };
+      if (press.current.scrubs) seek(now.time(event.offsetX));
     },
     onPointerMove(event) {
       pointer.value = { x: event.offsetX, y: event.offsetY };
-      const row = view().rows[view().rowAt(event.offsetY)];
-      hovered.value = row?.index ?? null;
-      if (start === null) return;
-      if (scrubs) seek(view().time(event.offsetX));
-      else if (Math.abs(event.offsetX - start) > 4 && start > LABELS) selection.value = [start, event.offsetX];
+      const [now, pressed] = [view(), press.current];
+      hovered.value = now.rows[now.rowAt(event.offsetY)]?.index ?? null;
+      if (!pressed) return;
+      if (pressed.scrubs) seek(now.time(event.offsetX));
+      else if (Math.abs(event.offsetX - pressed.x) > 4 && pressed.x > LABELS) selection.value = [pressed.x, event.offsetX];
     },
     onPointerUp(event) {
-      const chosen = selection.value;
+      const [chosen, pressed] = [selection.value, press.current];
       if (chosen) showRange(...chosen.map((x) => view().time(x)).sort((a, b) => a - b));
-      else if (start !== null && !scrubs) {
-        const row = view().rows[view().rowAt(event.offsetY)];
-        if (event.offsetX < LABELS) {
-          if (row) openComponent(description.components[row.index].name, event.shiftKey);
-        } else seek(view().time(event.offsetX));
+      else if (pressed && !pressed.scrubs) {
+        if (pressed.x >= LABELS) seek(view().time(event.offsetX));
+        else if (pressed.row) openComponent(description.components[pressed.row.index].name, event.shiftKey);
       }
-      start = null;
+      press.current = null;
+      selection.value = null;
+    },
+    onLostPointerCapture() {
+      press.current = null;
       selection.value = null;
     },
     onPointerLeave() {

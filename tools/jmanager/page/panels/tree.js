@@ -1,7 +1,7 @@
 // The activation tree: what is active, in which state, at which rate and cost.
 
 import { effect, html, useEffect, useMemo, useRef, useSignal } from '../lib/dom.js';
-import { bind } from '../lib/keys.js';
+import { bind, isPointed } from '../lib/keys.js';
 import { duration, number } from '../lib/format.js';
 import { openComponent } from '../lib/dock.js';
 import { hovered, selected, session, watch } from '../lib/store.js';
@@ -50,8 +50,8 @@ export function Tree({ visible }) {
   const zoom = (factor) => { box.value = zoomed(box.value ?? whole(drawing), factor, 0.5, 0.5); };
   return html`<${Bar} label="Activation tree">
       <input ref=${field} type="search" placeholder="Search ( / )" aria-label="Search components" value=${search.value} onInput=${(event) => { search.value = event.target.value; }}
-        onKeyDown=${(event) => event.key === 'Enter' && openFirst(description, search.value)} />
-      <span class="dim count" role="status"><${Counts} shown=${shown} />${search.value ? ` · ${found} found` : ''}</span>
+        onKeyDown=${(event) => event.key === 'Enter' && openFirst(description, search)} />
+      <span class="dim count" role="status"><${Counts} shown=${shown} />${search.value ? html` · <span class=${found ? '' : 'warn'}>${found} found</span>` : ''}</span>
       <span class="grow"></span>
       <${Toggle} on=${activeOnly.value} label="Active only" title="Hide latent components" onChange=${(on) => { activeOnly.value = on; }} />
       <button aria-label="Zoom in" onClick=${() => zoom(0.8)}>+</button><button aria-label="Zoom out" onClick=${() => zoom(1.25)}>−</button>
@@ -62,11 +62,16 @@ export function Tree({ visible }) {
 }
 
 const matches = (component, text) => component.name.toLowerCase().includes(text.toLowerCase().trim());
+/** The text of a search, or an empty one if no component matches. */
+const foundAny = ({ components }, text) => (components.some((component) => matches(component, text)) ? text : '');
 const whole = (drawing) => [0, 0, drawing.width, drawing.height];
 
-function openFirst(description, text) {
-  const first = description.components.find((component) => matches(component, text));
-  if (first) openComponent(first.name);
+/** Opens the first component that is found; the search ends then. */
+function openFirst(description, search) {
+  const first = description.components.find((component) => matches(component, search.value));
+  if (!first) return;
+  openComponent(first.name);
+  search.value = '';
 }
 
 function zoomed([x, y, width, height], factor, partX, partY) {
@@ -112,7 +117,7 @@ function Drawn({ shown, description, drawing, search, activeOnly, folded, box, v
       const components = shown.moment.value?.components;
       const costs = shown.costs.value;
       const hidden = hiddenBy(description, folded.value);
-      boxes.forEach((element, index) => drawComponent(element, { index, now: components?.[index], cost: costs?.components[index], window: costs?.window_us, description, hidden, folded: folded.value.has(index), search: search.value, activeOnly: activeOnly.value, compact: compact.value }));
+      boxes.forEach((element, index) => drawComponent(element, { index, now: components?.[index], cost: costs?.components[index], window: costs?.window_us, description, hidden, folded: folded.value.has(index), search: foundAny(description, search.value), activeOnly: activeOnly.value, compact: compact.value }));
       paths.forEach((element, index) => {
         const { from, to, state } = links[index];
         const active = isActive(components, links[index]);
@@ -138,16 +143,19 @@ function Drawn({ shown, description, drawing, search, activeOnly, folded, box, v
     const move = (moved) => { box.value = [from[0] - (moved.clientX - start[0]) * scale, from[1] - (moved.clientY - start[1]) * scale, from[2], from[3]]; };
     svg.current.setPointerCapture(event.pointerId);
     svg.current.onpointermove = move;
-    svg.current.onpointerup = () => { svg.current.onpointermove = null; };
+    svg.current.onlostpointercapture = () => { svg.current.onpointermove = null; };
   };
   const fold = (index) => {
     const next = new Set(folded.value);
     if (!next.delete(index)) next.add(index);
     folded.value = next;
   };
+  // Tab reaches one component; the arrow keys go to its neighbours.
+  const stop = Math.max(0, description.components.findIndex((component) => (selected.value ? component.name === selected.value : component.root)));
   const key = (event, component, index) => {
-    if (event.key === 'Enter' || event.key === ' ') openComponent(component.name, event.shiftKey);
+    if (event.key === 'Enter' || (event.key === ' ' && !isPointed(event.currentTarget))) openComponent(component.name, event.shiftKey);
     else if (event.key === 'f') fold(index);
+    else if (event.key in TURNS && !isPointed(event.currentTarget)) walk(event.currentTarget, TURNS[event.key]);
     else return;
     event.preventDefault();
     event.stopPropagation();
@@ -156,7 +164,7 @@ function Drawn({ shown, description, drawing, search, activeOnly, folded, box, v
     ${drawing.links.map(({ from, path }) => html`<path class=${`link ${drawing.boxes[from].kind}`} d=${path} />`)}
     ${description.components.map((component, index) => {
       const { x: centre, y: top, kind } = drawing.boxes[index];
-      return html`<g key=${component.name} class=${`component ${kind}`} transform=${`translate(${centre - WIDTH / 2} ${top})`} role="button" tabindex="0" aria-label=${component.name}
+      return html`<g key=${component.name} class=${`component ${kind}`} transform=${`translate(${centre - WIDTH / 2} ${top})`} role="button" tabindex=${index === stop ? 0 : -1} aria-label=${component.name}
         aria-pressed=${selected.value === component.name} onClick=${(event) => openComponent(component.name, event.shiftKey)} onPointerDown=${(event) => carry(event, component.name)} onDblClick=${() => fold(index)} onKeyDown=${(event) => key(event, component, index)}
         onPointerEnter=${() => { hovered.value = index; }} onPointerLeave=${() => { hovered.value = null; }}>
         <title>${component.doc || component.name}${'\n'}Click: show. Shift-click: own tab. Double click or f: fold. Drag onto a state: make it a child.</title>
@@ -164,6 +172,24 @@ function Drawn({ shown, description, drawing, search, activeOnly, folded, box, v
         <rect class="cost" x="5" y=${HEIGHT - 5} height="2" width="0" rx="1" /><text class="held" x=${WIDTH - 6} y="11"></text></g>`;
     })}
   </svg>`;
+}
+
+/** Directions of the arrow keys. */
+const TURNS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
+
+/** Moves the focus to the nearest box in a direction. */
+function walk(from, [ux, uy]) {
+  const centre = (element) => {
+    const { x, y, width, height } = element.getBoundingClientRect();
+    return [x + width / 2, y + height / 2];
+  };
+  const [x, y] = centre(from);
+  const others = [...from.parentElement.querySelectorAll('.component:not(.gone)')].map((element) => {
+    const [dx, dy] = centre(element).map((value, axis) => value - [x, y][axis]);
+    const ahead = dx * ux + dy * uy;
+    return { element, ahead, cost: ahead + 2 * Math.abs(dx * uy + dy * ux) };
+  });
+  others.filter(({ ahead }) => ahead > 4).sort((a, b) => a.cost - b.cost)[0]?.element.focus();
 }
 
 /** Whether a link activates its target now. */

@@ -1,20 +1,19 @@
 // The colour tuner: pixels of an image are assigned to classes, or taken away; the segmented image is beside it.
 
-import { html, signal, useEffect, useMemo, useSignal } from '../lib/dom.js';
+import { html, signal, useEffect, useMemo, useRef, useSignal } from '../lib/dom.js';
 import { Canvas } from '../lib/canvas.js';
 import { request } from '../lib/connection.js';
-import { FITTED, Picture, pixel, placed } from '../lib/image.js';
+import { FITTED, Picture, pixel, placed, usePicture } from '../lib/image.js';
 import { act, ask, command, classified, session, watch } from '../lib/store.js';
 import { css } from '../lib/theme.js';
 import { Bar, Empty, Toggle } from '../lib/ui.js';
-import { pictureHandlers } from './camera.js';
 
 /** Pixels that are sent at once. */
 const MAX_PIXELS = 2000;
 /** Colours of classes without one. */
 const CLASS_COLOURS = { orange: [255, 130, 30], yellow: [245, 220, 40], blue: [60, 140, 255], green: [50, 170, 80], white: [240, 240, 240] };
 
-/** Kept while the panel is closed: {image, session} under edit, and the classes. */
+/** Kept while the panel is closed: the image that is held, and the classes. */
 const edited = signal(null);
 const colours = signal(null);
 /** Why the classes are not known: {text, help}. */
@@ -42,26 +41,34 @@ export function Tuner({ visible }) {
   const region = useSignal(null);
   const [picture, segments, plane] = useMemo(() => [new Picture(), new Segments(), new Plane()], []);
   useEffect(() => (visible.value && shown ? watch({ images: true }) : undefined), [visible.value, shown]);
+  // The limits that are in force change with the robot's parameters.
+  const params = shown?.params.value[shown.find('Colours')];
   useEffect(() => {
     if (visible.value && shown?.description.value) readColours();
-  }, [visible.value, shown, shown?.description.value]);
-  useClassify(shown, visible, live);
-
-  if (!shown || !shown.info.value.can.images) return html`<${Empty} what="No images to tune on" help="Open a world, a recording with images, or a robot that sends its camera." />`;
-  if (!colours.value) return html`<${Empty} what=${unknown.value?.text ?? 'No colour classes yet'} help=${unknown.value?.help ?? 'They come from the component Colours of the tree.'} />`;
-  const image = () => edited.value ?? shown.image.value;
-  const { classes } = colours.value;
+  }, [visible.value, shown, shown?.description.value, params]);
+  const isHeld = () => edited.value !== null && edited.value.session === shown?.id;
+  const image = () => (isHeld() ? edited.value : shown?.image.value ?? null);
+  useClassify(shown, visible, image, live, params);
   const pick = async (pixels) => {
     const one = image();
     if (!one || pixels.length === 0) return;
-    edited.value = one;
-    live.value = false;
     const step = Math.ceil(pixels.length / MAX_PIXELS);
     const next = await command('pick_colours', { class: chosen.value, remove: remove.value, image: one.number, pixels: pixels.filter((_, index) => index % step === 0) });
     if (next) await changed(shown, one, next, score);
   };
-  const undo = async () => {
-    const next = await command('undo_colours');
+  // The image is held, so that the pressed pixel is the one that is picked.
+  const hold = () => {
+    edited.value = image();
+    live.value = false;
+  };
+  const pickHandlers = usePicking({ image, zoom, pointer, region, brush, remove, pick, hold });
+  const segmentsHandlers = usePicture(image, zoom, pointer);
+
+  if (!shown || !shown.info.value.can.images) return html`<${Empty} what="No images to tune on" help="Open a world, a recording with images, or a robot that sends its camera." />`;
+  if (!colours.value) return html`<${Empty} what=${unknown.value?.text ?? 'No colour classes yet'} help=${unknown.value?.help ?? 'They come from the component Colours of the tree.'} />`;
+  const { classes } = colours.value;
+  const replace = async (type, fields) => {
+    const next = await command(type, fields);
     if (next) await changed(shown, image(), next, score);
   };
   const reads = () => { void [shown.image.value, edited.value, classified.value, zoom.value, pointer.value, region.value, chosen.value, colours.value]; };
@@ -92,7 +99,8 @@ export function Tuner({ visible }) {
         <i class="dot" ref=${(dot) => { if (dot) dot.style.background = classColour(index); }}></i>${one.name}</button>`)}</div>
       <${Toggle} on=${remove.value} label="Take away" title="Picked pixels are not of the class (or hold Alt)" onChange=${(on) => { remove.value = on; }} />
       <select aria-label="How to pick" onChange=${(event) => { brush.value = event.target.value; }}>${['pixel', 'region', 'paint'].map((name) => html`<option selected=${brush.value === name}>${name}</option>`)}</select>
-      <button onClick=${undo}>Undo</button>
+      <button onClick=${() => replace('undo_colours')}>Undo</button>
+      <button title="Begin again with the limits that the robot has now" onClick=${() => replace('load_colours', { name: 'robot' })}>From robot</button>
       <${Toggle} on=${live.value} label="Live" title="Follow the camera; picking holds the image" onChange=${(on) => { live.value = on; if (on) edited.value = null; else edited.value = shown.image.value; }} />
       <span class="grow"></span>
       <button onClick=${measure} title="On labelled images, if the program was started with --images">Score</button>
@@ -100,8 +108,8 @@ export function Tuner({ visible }) {
       <form class="join" onSubmit=${(event) => { event.preventDefault(); save(); }}><input class="short" aria-label="Name of the profile" value=${saveName.value} onInput=${(event) => { saveName.value = event.target.value; }} /><button>Save profile</button></form>
     <//>
     <div class="tuner fill">
-      <figure><figcaption>image ${image()?.number ?? ''} ${edited.value ? '(held)' : ''}</figcaption><div class="picture pick"><${Canvas} reads=${reads} draw=${drawPicture} visible=${visible} label="Image to pick colours from" ...${picking({ image, zoom, pointer, region, brush, remove, pick })} /></div></figure>
-      <figure><figcaption>classes</figcaption><div class="picture"><${Canvas} reads=${reads} draw=${drawSegments} visible=${visible} label="Classes of the pixels" ...${pictureHandlers(image, zoom, pointer)} /></div></figure>
+      <figure><figcaption>image ${image()?.number ?? ''} ${isHeld() ? '(held)' : ''}</figcaption><div class="picture pick"><${Canvas} reads=${reads} draw=${drawPicture} visible=${visible} label="Image to pick colours from" ...${pickHandlers} /></div></figure>
+      <figure><figcaption>classes</figcaption><div class="picture"><${Canvas} reads=${reads} draw=${drawSegments} visible=${visible} label="Classes of the pixels" ...${segmentsHandlers} /></div></figure>
       <figure><figcaption>Cb to the right, Cr up: all pixels grey, ${classes[chosen.value]?.name} coloured</figcaption><div class="picture"><${Canvas} reads=${reads} draw=${drawPlane} visible=${visible} label="Histogram of Cb and Cr" /></div></figure>
       <figure class="score"><figcaption>limits${score.value ? ' and score' : ''}</figcaption><div>
         ${score.value && html`<table><thead><tr><th>object</th><th class="n">recall</th><th class="n">precision</th></tr></thead><tbody>${score.value.rows.map((row) => html`<tr><td>${row.object}</td><td class="n">${percent(row.recall)}</td><td class="n">${percent(row.precision)}</td></tr>`)}</tbody></table>`}
@@ -134,13 +142,15 @@ async function changed(shown, image, next, score) {
   if (score.value) score.value = (await ask('score_colours', { session: shown.id })) ?? score.value;
 }
 
-/** Classifies the shown image, again for each new one, one at a time. */
-function useClassify(shown, visible, live) {
+/** Classifies the shown image, again for each new image and after each change of the limits, one at a time. */
+function useClassify(shown, visible, image, live, params) {
+  const shownImage = useRef(image);
+  shownImage.current = image;
   useEffect(() => {
     if (!shown) return undefined;
     let [busy, last] = [false, null];
     const timer = setInterval(async () => {
-      const one = edited.peek() ?? shown.image.peek();
+      const one = shownImage.current();
       if (busy || !visible.peek() || !one || !colours.peek() || one.number === last) return;
       busy = true;
       last = one.number;
@@ -148,13 +158,14 @@ function useClassify(shown, visible, live) {
       busy = false;
     }, live.value ? 150 : 300);
     return () => clearInterval(timer);
-  }, [shown, live.value]);
+  }, [shown, live.value, params]);
 }
 
 /** Click: a pixel. Region: a rectangle. Paint: what the pointer passes. Alt takes away. */
-function picking({ image, zoom, pointer, region, brush, remove, pick }) {
-  const base = pictureHandlers(image, zoom, pointer);
-  let [start, painted] = [null, new Map()];
+function usePicking({ image, zoom, pointer, region, brush, remove, pick, hold }) {
+  const base = usePicture(image, zoom, pointer);
+  /** The pixel at which the pointer was pressed, and what it has passed since then: {start, painted}, or null. */
+  const press = useRef(null);
   const at = (event) => {
     const one = image();
     if (!one) return null;
@@ -171,21 +182,23 @@ function picking({ image, zoom, pointer, region, brush, remove, pick }) {
   return {
     ...base,
     onPointerDown(event) {
-      start = at(event);
-      painted = new Map();
+      if (event.button !== 0) return;
+      const start = at(event);
+      if (start) hold();
+      press.current = start && { start, painted: new Map() };
       event.currentTarget.setPointerCapture(event.pointerId);
     },
     onPointerMove(event) {
       pointer.value = { x: event.offsetX, y: event.offsetY };
-      const now = at(event);
-      if (!start || !now) return;
-      if (brush.value === 'region') region.value = [...start, ...now];
-      if (brush.value === 'paint') painted.set(now.join(), now);
+      const [now, pressed] = [at(event), press.current];
+      if (!pressed || !now) return;
+      if (brush.value === 'region') region.value = [...pressed.start, ...now];
+      if (brush.value === 'paint') pressed.painted.set(now.join(), now);
     },
     onPointerUp(event) {
-      const now = at(event);
-      if (start && now) withAlt(event, brush.value === 'region' ? inside(region.value ?? [...start, ...now]) : brush.value === 'paint' ? [...painted.set(now.join(), now).values()] : [now]);
-      start = null;
+      const [now, pressed] = [at(event), press.current];
+      if (pressed && now) withAlt(event, brush.value === 'region' ? inside(region.value ?? [...pressed.start, ...now]) : brush.value === 'paint' ? [...pressed.painted.set(now.join(), now).values()] : [now]);
+      press.current = null;
       region.value = null;
     },
   };

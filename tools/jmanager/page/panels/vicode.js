@@ -27,6 +27,8 @@ export function Designer({ visible, retitle }) {
   useEffect(() => {
     if (name && opened.value) retitle(name);
   }, [name, opened.value?.file]);
+  // Each component has its own search.
+  useEffect(() => { search.value = ''; }, [name, opened.value?.file]);
   useEffect(() => (visible.value ? bindCanvasKeys() : undefined), [visible.value]);
   if (hello.value && !hello.value.source) return html`<${Empty} what="No folder of sources is open" help="Start the program with --source FOLDER to draw and edit the state machines in it." />`;
   // While the text is no Rust, what it hides stays drawn, in grey.

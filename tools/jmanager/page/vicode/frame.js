@@ -58,7 +58,7 @@ function Stops() {
   const info = shown.info.value;
   const simulated = info.can.pause;
   return html`<span class="chip stops" role="group" aria-label="Breakpoints">${stops.value.length} ${stops.value.length === 1 ? 'breakpoint' : 'breakpoints'}
-    ${simulated && info.paused && html`<button onClick=${() => command('step', { cycles: 1 })} title="One cycle (.)">Step</button><button onClick=${() => command('resume')} title="Key w">Continue</button>`}
+    ${simulated && info.paused && html`<button onClick=${() => command('step', { cycles: 1 })} title="One cycle (.)">Step</button><button onClick=${() => command('resume')} title="Key ,">Continue</button>`}
     ${(cursor.value !== null || info.kind === 'recording') && html`<button onClick=${nextHit} title="The next moment at which one is reached">Next</button>`}
     <button onClick=${clearStops} aria-label="Remove all breakpoints" title="Remove all">×</button></span>`;
 }

@@ -78,7 +78,7 @@ export function wordsOf({ component: index, state = null, transition = null }, o
 function reached(message) {
   hit.value = message;
   if (message.session !== session.value?.id) return;
-  notify('done', `Breakpoint: ${wordsOf(message)}`, message.paused ? 'The world is paused; “.” makes a step, “w” continues.' : 'The robot goes on.');
+  notify('done', `Breakpoint: ${wordsOf(message)}`, message.paused ? 'The world is paused; “.” makes a step, “,” continues.' : 'The robot goes on.');
 }
 
 /** Goes to the next moment in memory at which a breakpoint is reached. */

@@ -208,9 +208,9 @@ pub enum Request {
     },
     /// Undoes the last change of the profile under edit. [as `Colours`]
     UndoColours {},
-    /// Replaces the profile under edit by a saved or built-in one. [as `Colours`]
+    /// Replaces the profile under edit by a saved or built-in one, or by the limits of the robot. [as `Colours`]
     LoadColours {
-        /// Name of the profile without ending.
+        /// Name of the profile without ending, or `robot`.
         name: String,
     },
     /// Classifies an image with the profile under edit: a binary frame with this `id` comes before the answer.

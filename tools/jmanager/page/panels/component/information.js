@@ -3,7 +3,7 @@
 import { html, useSignal } from '../../lib/dom.js';
 import { open } from '../../lib/dock.js';
 import { number, numberAt, numbers, text, time, words } from '../../lib/format.js';
-import { seek } from '../../lib/store.js';
+import { cursor, seek } from '../../lib/store.js';
 import { Spark } from '../../lib/ui.js';
 
 /** Numbers of a list or struct that are shown one by one. */
@@ -51,10 +51,10 @@ function History({ information }) {
   void information.version.value;
   const changes = [];
   let last;
-  for (let index = information.times.length - 1; index >= 0 && changes.length < 8; index -= 1) {
+  for (let index = (cursor.value === null ? information.times.length : information.count(cursor.value)) - 1; index >= 0 && changes.length < 8; index -= 1) {
     const shown = text(information.values[index]);
     if (shown !== last) changes.push([information.times[index], shown]);
     last = shown;
   }
-  return html`<ol>${changes.map(([at, shown]) => html`<li><button class="time" onClick=${() => seek(at)}>${time(at)}</button> ${shown}</li>`)}</ol>`;
+  return html`<ol>${changes.map(([at, shown]) => html`<li key=${at}><button class="time" onClick=${() => seek(at)}>${time(at)}</button> ${shown}</li>`)}</ol>`;
 }

@@ -2,7 +2,7 @@
 
 import { html, useSignal } from '../../lib/dom.js';
 import { number, words } from '../../lib/format.js';
-import { act, hello, notify, setParams, undo, undoParams } from '../../lib/store.js';
+import { act, cursor, hello, notify, setParams, undo, undoParams } from '../../lib/store.js';
 
 const CHOICE = { bool: ['true', 'false'] };
 
@@ -13,7 +13,7 @@ export function Parameters({ shown, component, index }) {
   const changed = component.params.map((param, number) => (actual[number] !== param.default ? number : null)).filter((number) => number !== null);
   const reset = () => setParams(changed.map((param) => ({ component: index, param, value: component.params[param].default })));
   const listed = component.params.map((param, number) => ({ param, number })).filter(({ number }) => !onlyChanged.value || changed.includes(number));
-  return html`<section aria-label="Parameters"><h3>Parameters
+  return html`<section aria-label="Parameters"><h3>Parameters${cursor.value !== null && html` <span>${shown.info.value.kind === 'recording' ? 'at the beginning' : 'of the present'}</span>`}
       ${component.params.length > 8 && html`<button class=${`small ${onlyChanged.value ? 'on' : ''}`} role="switch" aria-checked=${onlyChanged.value} onClick=${() => { onlyChanged.value = !onlyChanged.value; }}>changed only</button>`}</h3>
     ${!shown.description.value.tunable && html`<p class="dim">This tree was built without <code>tunable</code>: its parameters are constants.</p>`}
     ${listed.map(({ param, number }) => html`<${Parameter} key=${param.name} ...${{ param, component: index, number, actual: actual[number], can }} />`)}

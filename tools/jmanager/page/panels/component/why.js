@@ -3,6 +3,7 @@
 import { html } from '../../lib/dom.js';
 import { duration } from '../../lib/format.js';
 import { openComponent } from '../../lib/dock.js';
+import { cursor } from '../../lib/store.js';
 
 export function Why({ shown, component, index }) {
   const components = shown.moment.value?.components;
@@ -28,13 +29,13 @@ function Machine({ shown, component, index, active }) {
       const holds = condition?.holds;
       const waits = condition?.remaining_ms > 0;
       const since = condition ? Math.max(0, shown.moment.value.time_us - condition.since_us) : null;
-      return html`<div class=${`why ${holds === true ? 'true' : holds === false ? 'false' : ''}`} title=${transition.doc}>
+      return html`<div key=${transition.number} class=${`why ${holds ? 'true' : ''} ${waits ? 'false' : ''}`} title=${transition.doc}>
         <b>${transition.name}</b> <span class="to">→ ${component.states[transition.to]?.name}</span>
         <span class="value">${condition === undefined ? '' : holds === null ? 'not evaluated' : `${holds}${since !== null ? ` for ${duration(since)}` : ''}`}</span>
         ${transition.after_ms !== null && html`<span class=${`timer ${waits ? 'warn' : 'dim'}`}>${waits ? `${(condition.remaining_ms / 1000).toFixed(1)} s of ${transition.after_ms / 1000} s left` : `after ${transition.after_ms / 1000} s`}</span>`}
       </div>`;
     })}
-    ${leaving.length > 0 && !conditions && html`<p class="dim">${shown.info.value.can.conditions ? 'Values of the conditions follow.' : 'This session does not send the values of conditions.'}</p>`}</section>`;
+    ${leaving.length > 0 && !conditions && html`<p class="dim">${!shown.info.value.can.conditions ? 'This session does not send the values of conditions.' : cursor.value === null ? 'Values of the conditions follow.' : 'The values of the conditions at this moment are not known.'}</p>`}</section>`;
 }
 
 /** Who activates it, or what would. */
@@ -59,7 +60,7 @@ function Activators({ shown, component, index, components, active }) {
     ${held === 'latent' && html`<div class="why false"><b>An operator holds it latent.</b> Choose “by the tree” below.</div>`}
     ${held === 'active' && html`<div class="why true"><b>An operator holds it active.</b></div>`}
     ${component.root && held === 'tree' && html`<div class="why true"><b>It is the root</b> of the tree.</div>`}
-    ${rows.map(({ from, why }) => html`<div class=${`why ${why.level === 'yes' ? 'true' : why.level === 'no' ? 'false' : ''}`}>
+    ${rows.map(({ from, why }) => html`<div key=${from} class=${`why ${why.level === 'yes' ? 'true' : why.level === 'no' ? 'false' : ''}`}>
       <button class="name" onClick=${() => openComponent(description.components[from].name)}>${description.components[from].name}</button> <span>${why.text}</span></div>`)}
     ${rows.length === 0 && !component.root && html`<p class="dim">No component activates it.</p>`}</section>`;
 }

@@ -35,6 +35,8 @@ const MAX_PICKED: usize = 10_000;
 const NO_CLASS: u8 = 255;
 /// Component of the robot with the limits as parameters.
 const COMPONENT: &str = "Colours";
+/// Name with which [`Request::LoadColours`] loads the limits of the robot.
+const OF_ROBOT: &str = "robot";
 
 /// A profile under edit.
 #[derive(Clone, Debug)]
@@ -161,9 +163,12 @@ pub(super) fn handle(
             edit.limits = last.ok_or_else(|| Failed::new("there is nothing to undo", "pick pixels first"))?;
         }
         Request::LoadColours { name, .. } => {
-            let filters = load(session, name)?;
+            let loaded = match name.as_str() {
+                OF_ROBOT => Edit::of_robot(session.shared().description.as_deref()),
+                _ => Edit::new(&load(session, name)?),
+            };
             edit.begin_change();
-            edit.limits = Edit::new(&filters).limits;
+            edit.limits = loaded.limits;
             edit.picked = Default::default();
         }
         Request::Classify { image, .. } => {
@@ -186,7 +191,8 @@ pub(super) fn handle(
             storage::replace(&path, profile::write(&edit.filters(), &Notes::default()).as_bytes())?;
             return Ok(Some(json!({ "path": path.display().to_string() })));
         }
-        _ => {}
+        // Until something is changed, the limits that are in force are those of the robot.
+        _ => return Ok(Some(edit.to_json())),
     }
     let answer = edit.to_json();
     if !matches!(request, Request::Colours {}) {

@@ -1,12 +1,26 @@
-//! Chromium's WebDriver.
+//! The program that drives a browser: chromedriver or geckodriver.
 
 use std::io::{BufRead, BufReader, Read, Write};
 use std::net::TcpStream;
+use std::os::unix::process::CommandExt;
+use std::path::PathBuf;
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
+use crate::server::target;
+
 /// Longest time in which it ends its browsers.
 const END: Duration = Duration::from_secs(5);
+
+/// Whether `JMANAGER_BROWSER` is `firefox`; else the browser is Chromium.
+pub(crate) fn is_firefox() -> bool {
+    std::env::var("JMANAGER_BROWSER").is_ok_and(|name| name == "firefox")
+}
+
+fn geckodriver() -> PathBuf {
+    let installed = target().join("geckodriver/bin/geckodriver");
+    if installed.exists() { installed } else { "geckodriver".into() }
+}
 
 /// A driver that ends with its browsers when this is dropped.
 pub(crate) struct Driver {
@@ -16,26 +30,35 @@ pub(crate) struct Driver {
 
 impl Driver {
     pub(crate) fn start() -> Self {
-        let mut child = Command::new("chromedriver")
+        let (program, before) = match is_firefox() {
+            true => (geckodriver(), "Listening on 127.0.0.1:"),
+            false => ("chromedriver".into(), "successfully on port "),
+        };
+        let name = program.display();
+        let mut child = Command::new(&program)
             .arg("--port=0")
             .stdout(Stdio::piped())
             .stderr(Stdio::null())
+            .process_group(0)
             .spawn()
-            .expect("chromedriver is installed: `cargo xtask browser` installs it");
+            .unwrap_or_else(|error| panic!("{name}: {error}; `cargo xtask browser` installs it"));
         let output = BufReader::new(child.stdout.take().expect("the output is a pipe"));
         let mut lines = output.lines().map_while(Result::ok);
         let port = lines
-            .find_map(|line| line.split_once("successfully on port ")?.1.trim_end_matches('.').parse::<u16>().ok())
-            .expect("chromedriver prints its port");
+            .find_map(|line| line.split_once(before)?.1.trim_end_matches('.').parse::<u16>().ok())
+            .unwrap_or_else(|| panic!("{name} prints no port"));
         // The rest is read, so that the driver never waits for a reader.
         std::thread::spawn(move || lines.for_each(drop));
         Self { child, url: format!("http://127.0.0.1:{port}") }
     }
-}
 
-impl Driver {
     /// Asks it to end its browsers and then itself. Killed, it would leave them behind.
     fn shut_down(&self) -> std::io::Result<()> {
+        if is_firefox() {
+            // Geckodriver knows no such request. It and its browser are one group.
+            let group = format!("-{}", self.child.id());
+            return Command::new("kill").args(["-TERM", "--", &group]).status().map(drop);
+        }
         let address = self.url.trim_start_matches("http://");
         let mut stream = TcpStream::connect(address)?;
         stream.set_read_timeout(Some(END))?;

@@ -8,12 +8,15 @@ use hyper_util::client::legacy::connect::HttpConnector;
 use serde_json::{Value, json};
 use tokio::time::sleep;
 
-use crate::driver::Driver;
+use crate::driver::{Driver, is_firefox};
 use crate::server::{Server, target};
 
 /// Longest wait for a condition on a busy machine.
 const LIMIT: Duration = Duration::from_secs(90);
 const POLL: Duration = Duration::from_millis(100);
+/// Time for which a person presses a button of the mouse, and between two steps of a drag, ms.
+const PRESS_MS: u64 = 100;
+const STEP_MS: u64 = 15;
 
 /// Finds elements by role and name, as a screen reader would.
 const FIND: &str = r"
@@ -68,8 +71,12 @@ impl Page {
             ["--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--hide-scrollbars", "--no-first-run", &size];
         let arguments: Vec<_> = fixed.iter().chain(arguments).collect();
         let mut capabilities = Capabilities::new();
-        capabilities.insert("goog:chromeOptions".to_owned(), json!({ "args": arguments }));
-        capabilities.insert("goog:loggingPrefs".to_owned(), json!({ "browser": "ALL" }));
+        if is_firefox() {
+            capabilities.insert("moz:firefoxOptions".to_owned(), json!({ "args": ["-headless"] }));
+        } else {
+            capabilities.insert("goog:chromeOptions".to_owned(), json!({ "args": arguments }));
+            capabilities.insert("goog:loggingPrefs".to_owned(), json!({ "browser": "ALL" }));
+        }
         let client = ClientBuilder::new(HttpConnector::new()).capabilities(capabilities).connect(&driver.url).await;
         let client = client.expect("a browser");
         client.set_window_size(width, height).await.expect("a window");
@@ -216,19 +223,24 @@ impl Page {
 
     /// Drags with the mouse from a point of the window to another, in steps as a hand does.
     pub async fn drag(&self, from: (f64, f64), to: (f64, f64)) {
-        let mut actions = vec![moved(from), json!({ "type": "pointerDown", "button": 0 })];
+        let mut actions = vec![moved(from), button("pointerDown"), pause(PRESS_MS)];
         for step in 1..=8 {
             let part = f64::from(step) / 8.0;
             actions.push(moved((from.0 + (to.0 - from.0) * part, from.1 + (to.1 - from.1) * part)));
+            actions.push(pause(STEP_MS));
         }
-        actions.push(json!({ "type": "pointerUp", "button": 0 }));
+        actions.push(button("pointerUp"));
         self.mouse(&actions).await;
+    }
+
+    /// Presses the button of the mouse at a point of the window, as long as a person does.
+    pub async fn click_at(&self, at: (f64, f64)) {
+        self.mouse(&[&[moved(at)][..], &press()].concat()).await;
     }
 
     /// Clicks twice at a point of the window.
     pub async fn double_click(&self, at: (f64, f64)) {
-        let (down, up) = (json!({ "type": "pointerDown", "button": 0 }), json!({ "type": "pointerUp", "button": 0 }));
-        self.mouse(&[moved(at), down.clone(), up.clone(), down, up]).await;
+        self.mouse(&[&[moved(at)][..], &press(), &press()].concat()).await;
     }
 
     async fn mouse(&self, actions: &[Value]) {
@@ -281,6 +293,18 @@ fn moved((x, y): (f64, f64)) -> Value {
     json!({ "type": "pointerMove", "duration": 0, "x": x.round() as i64, "y": y.round() as i64, "origin": "viewport" })
 }
 
+fn button(kind: &str) -> Value {
+    json!({ "type": kind, "button": 0 })
+}
+
+fn pause(ms: u64) -> Value {
+    json!({ "type": "pause", "duration": ms })
+}
+
+fn press() -> [Value; 3] {
+    [button("pointerDown"), pause(PRESS_MS), button("pointerUp")]
+}
+
 /// The command Perform Actions.
 #[derive(Debug)]
 struct Actions(Value);
@@ -311,12 +335,7 @@ impl Element<'_> {
         let script = "arguments[0].scrollIntoView({ block: 'nearest' }); const { x, y, width, height } = arguments[0].getBoundingClientRect(); \
             return [Math.round(x + width / 2), Math.round(y + height / 2)]";
         let middle = self.run(script, Value::Null).await;
-        let actions = json!([
-            { "type": "pointerMove", "duration": 0, "x": middle[0], "y": middle[1], "origin": "viewport" },
-            { "type": "pointerDown", "button": 0 },
-            { "type": "pointerUp", "button": 0 },
-        ]);
-        self.page.act(json!([{ "type": "pointer", "id": "mouse", "parameters": { "pointerType": "mouse" }, "actions": actions }])).await;
+        self.page.click_at([0, 1].map(|axis| middle[axis].as_f64().expect("a number")).into()).await;
     }
 
     /// Gives it the focus.

@@ -104,7 +104,8 @@ async fn the_key_is_in_no_address_and_no_other_site_is_told_of_the_page() {
     let server = Server::start("referrer", &[]);
     let page = Page::open(&server, WIDE).await;
     page.find("button", "View", "").await;
-    let addresses = "return [location.href, document.referrer, ...performance.getEntriesByType('resource').map((one) => one.name)]";
+    let addresses =
+        "return [location.href, document.referrer, ...performance.getEntriesByType('resource').map((one) => one.name)]";
     let addresses = page.run(addresses, vec![]).await;
     assert!(addresses.as_array().expect("a list").len() > 5 && !addresses.to_string().contains("key="), "{addresses}");
     assert_eq!(page.run("return document.cookie", vec![]).await, "");

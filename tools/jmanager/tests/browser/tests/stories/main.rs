@@ -7,9 +7,11 @@ mod faults;
 mod figures;
 mod firmware;
 mod looks;
+mod moments;
 mod operating;
 mod panels;
 mod pictures;
+mod pressing;
 mod recordings;
 mod running;
 
@@ -42,11 +44,20 @@ async fn open_in(server: &Server, size: (u32, u32)) -> Page {
             &format!("return Number.parseFloat(document.querySelector('.clock b').textContent) < {before}"),
         )
         .await;
-        // A key that is pressed next is for the page, not for the button.
-        page.run("document.activeElement.blur()", vec![]).await;
     }
     page.until("the game has begun", "return document.querySelectorAll('.component.active').length > 5").await;
     page
+}
+
+/// A script with `data`, the pixels of the camera's canvas, `width` and `height`. The canvas itself is not read: that would change how it
+/// is drawn.
+fn camera(script: &str) -> String {
+    format!(
+        "const canvas = document.querySelector('canvas[aria-label=\"Camera image\"]'); \
+        if (!canvas || canvas.width < 20) return null; const {{ width, height }} = canvas; \
+        const copy = new OffscreenCanvas(width, height).getContext('2d', {{ willReadFrequently: true }}); \
+        copy.drawImage(canvas, 0, 0); const {{ data }} = copy.getImageData(0, 0, width, height); {script}"
+    )
 }
 
 /// Shows a tab of a group.

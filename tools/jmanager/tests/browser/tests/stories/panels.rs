@@ -17,6 +17,9 @@ async fn the_tree_is_searched_folded_and_opens_a_component() {
     let search = page.find("textbox", "Search components", "Activation tree").await;
     search.set("detector").await;
     page.reads("4 found").await;
+    search.set("nothing").await;
+    page.reads("0 found").await;
+    assert_eq!(page.run("return document.querySelectorAll('.component.other').length", vec![]).await, 0);
     search.set("").await;
     page.until("a component runs", "return document.querySelector('[aria-label=RobotState]').getAttribute('aria-description').startsWith('active')").await;
     page.click("button", "FaceBall", "Activation tree").await;
@@ -54,22 +57,6 @@ async fn the_timeline_is_paused_scrubbed_and_live_again() {
 }
 
 #[tokio::test]
-async fn a_link_leads_to_a_moment() {
-    let (_server, page) = game("link").await;
-    page.until(
-        "some seconds have passed",
-        "return Number.parseFloat(document.querySelector('.clock b').textContent) > 2",
-    )
-    .await;
-    page.run("location.hash = '#t=1.000&layout=overview'", vec![]).await;
-    // A busy server leaves cycles out: the last one before the moment is shown.
-    let shown =
-        "const at = Number.parseFloat(document.querySelector('.clock b').textContent); return at > 0.5 && at <= 1";
-    page.until("the moment is shown", shown).await;
-    page.close().await;
-}
-
-#[tokio::test]
 async fn the_camera_shows_images_and_toggles_overlays() {
     let (_server, page) = game("camera").await;
     page.until("an image is drawn", &drawn("Camera image")).await;
@@ -103,6 +90,15 @@ async fn curves_are_added_to_a_plot_and_removed() {
     page.until("the curve has a value", "return /-?\\d/.test(document.querySelector('.curve b')?.textContent ?? '')")
         .await;
     page.until("it is drawn", "return document.querySelector('.chart canvas')?.width > 100").await;
+    field.set("Odometry.walked").await;
+    page.click("button", "Add", "Plot").await;
+    page.until("each number of a struct is a curve", "return document.querySelectorAll('.curve').length === 4").await;
+    let axis =
+        "return import('/lib/format.js').then(({ time }) => [59.9e6, 60e6, 3600e6].map((at) => time(at, 0)).join())";
+    assert_eq!(page.run(axis, vec![]).await, "1:00,1:00,1:00:00");
+    for part in ["x", "y", "heading"] {
+        page.click("button", &format!("Remove Odometry.walked.{part}"), "").await;
+    }
     page.click("button", "Remove Head.pan", "").await;
     page.reads("No curve yet").await;
     page.close().await;
@@ -143,6 +139,11 @@ async fn a_note_is_in_the_log_as_text_whatever_it_contains() {
 #[tokio::test]
 async fn layouts_are_chosen_saved_and_restored() {
     let (_server, page) = game("layouts").await;
+    page.click("button", "View: layouts and panels", "").await;
+    page.click("button", "Save layout as…", "").await;
+    page.find("textbox", "Name of the layout", "").await.set("mine").await;
+    page.click("button", "Save", "").await;
+    page.reads("layout “mine” was saved").await;
     page.press("4").await;
     page.find("slider", "Body forward", "Drive").await;
     page.press("5").await;

@@ -165,7 +165,7 @@ async fn a_machine_is_drawn_built_run_stopped_and_changed_while_it_runs() {
     page.until("one cycle was run", &format!("return document.querySelector('.clock b').textContent !== {before}"))
         .await;
     page.click("button", "Remove all breakpoints", "").await;
-    page.press("w").await;
+    page.press(",").await;
 
     // It is changed while it runs, and run again at the same rules.
     timer(&page, "rest", "begin", "tired", "200").await;
