@@ -166,7 +166,7 @@ impl RefusalCode {
             Self::Expired => "the request came after its expiry: send it again",
             Self::Tree => "the tree refused the change",
             Self::Unsupported => "the robot's program accepts no requests, monitors may only watch",
-            Self::World => "this is no simulated world",
+            Self::World => "the robot is not in a simulated world",
         }
     }
 }

@@ -123,7 +123,7 @@ fn watches() -> impl Strategy<Value = FromMonitor> {
 }
 
 fn leases() -> impl Strategy<Value = FromMonitor> {
-    (0..4_u8, any::<u32>()).prop_map(|(action, lease)| {
+    (0..4_u8, any::<u64>()).prop_map(|(action, lease)| {
         FromMonitor::Lease(match action {
             0 => LeaseAction::Acquire,
             1 => LeaseAction::Take,
@@ -153,7 +153,7 @@ fn requests() -> impl Strategy<Value = FromMonitor> {
         Change::Modulate { component, modulation, arguments: arguments.into_iter().collect() }
     });
     let change = prop_oneof![hold, rate, params, modulate];
-    (any::<u32>(), any::<u32>(), any::<u64>(), change).prop_map(|(number, lease, expires_us, change)| {
+    (any::<u32>(), any::<u64>(), any::<u64>(), change).prop_map(|(number, lease, expires_us, change)| {
         FromMonitor::Request(Request { number, lease, expires_us, change })
     })
 }

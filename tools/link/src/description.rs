@@ -239,7 +239,7 @@ impl Param {
     }
 
     fn wrong(&self, text: &str, expected: &str) -> Result<Value, Error> {
-        let what = format!("`{text}` is no value of `{}`", self.name);
+        let what = format!("`{text}` is not a value of `{}`", self.name);
         Err(Error::Unknown { what, help: format!("it is {expected}") })
     }
 }
@@ -280,7 +280,7 @@ impl Description {
     /// # Errors
     /// [`Error::Unknown`], with similar names.
     pub fn info(&self, path: &str) -> Result<(usize, usize), Error> {
-        self.member(path, "information", |component| component.info.iter().map(|info| info.name.as_str()).collect())
+        self.member(path, "output", |component| component.info.iter().map(|info| info.name.as_str()).collect())
     }
 
     /// Finds a modulation by `Component.name`: the indices of the component and of the modulation.
@@ -301,7 +301,7 @@ impl Description {
     ) -> Result<(usize, usize), Error> {
         let Some((component, name)) = path.split_once('.') else {
             let help = format!("write Component.{what}, as `player link ADDR describe` prints it");
-            return Err(Error::Unknown { what: format!("`{path}` names no {what}"), help });
+            return Err(Error::Unknown { what: format!("`{path}` is not a name `Component.{what}`"), help });
         };
         let index = self.component(component)?;
         let names = names(&self.components[index]);

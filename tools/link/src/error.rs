@@ -94,7 +94,7 @@ impl Error {
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Address(text) => write!(f, "`{text}` is no address of a link"),
+            Self::Address(text) => write!(f, "`{text}` is not the address of a link"),
             Self::NotLoopback(address) => {
                 write!(f, "{address} can be reached from other computers, and whoever reaches it controls the robot")
             }

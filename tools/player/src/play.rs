@@ -12,6 +12,10 @@ use crate::tuning::layers;
 
 /// Plays as the command line requests.
 pub(crate) fn run(args: &Play) -> Result<Outcome, Failure> {
+    if args.image.is_some() && args.world != World::Firmware {
+        let what = "--image names a firmware image, and this game is played without firmware";
+        return Err(Failure::new(what, "give --world firmware, too"));
+    }
     let built = FirmwareImage::built(args.size, args.link.serve.is_some());
     let image = || args.image.clone().unwrap_or_else(|| built.into());
     let firmware = (args.world == World::Firmware).then(|| FirmwareImage::new(image(), args.size)).transpose()?;

@@ -69,12 +69,12 @@ impl fmt::Display for Error {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Io(error) => error.fmt(out),
-            Self::NotAFile => out.write_str("this is a folder, a pipe or a device, no file"),
+            Self::NotAFile => out.write_str("this is a folder, a pipe or a device, not a file"),
             Self::NoHeader => out.write_str("neither the header nor its copy is intact"),
-            Self::NotMcap => out.write_str("this is no MCAP file"),
-            Self::NotARecording => {
-                out.write_str("this MCAP file is no recording of a robot: no metadata `bica` precede its messages")
-            }
+            Self::NotMcap => out.write_str("this is not an MCAP file"),
+            Self::NotARecording => out.write_str(
+                "this MCAP file is not a recording of a robot: no metadata record `bica` precedes its messages",
+            ),
             Self::Format(format) => {
                 let (oldest, newest) = (crate::header::OLDEST_FORMAT, crate::header::FORMAT);
                 write!(out, "the recording has format {format}; this program reads formats {oldest} to {newest}")

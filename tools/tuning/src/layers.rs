@@ -75,7 +75,7 @@ impl Layers {
     pub fn assign(&mut self, assignment: &str, source: &str) -> Result<(), Failure> {
         let parts = assignment.split_once('=').and_then(|(name, value)| Some((name.split_once('.')?, value)));
         let Some(((component, name), value)) = parts else {
-            let what = format!("`{assignment}` is no assignment");
+            let what = format!("`{assignment}` is not an assignment");
             return Err(Failure::new(what, "write it as `Component.name=value`, as `FaceBall.gain=0.9`"));
         };
         let place = find(self.graph, component.trim(), name.trim())?;
@@ -151,7 +151,7 @@ pub(crate) fn value_failure(at: &str, place: &Place, reason: Reason) -> Failure 
     };
     let what = match reason {
         Reason::UnknownVariant { .. } => "there is no such variant".to_owned(),
-        Reason::WrongKind { expected, .. } => format!("this is no {expected}"),
+        Reason::WrongKind { expected, .. } => format!("expected {expected}"),
         reason => reason.to_string(),
     };
     Failure::new(format!("{at}: `{component}.{name}`: {what}"), help)

@@ -100,13 +100,13 @@ fn a_whole_number_is_a_valid_f32_and_nothing_else_changes_its_kind() {
     assert_eq!(value(&layers("[Kicker]\nfar = 1\n"), "far").0, "1.0");
     let read = |text: &str| Layers::new(&GRAPH).read_text("t", text);
     let runs = "write a whole number from 0 to 9";
-    assert_fails(read("[Kicker]\nruns = 1.0"), "`t` line 2: `Kicker.runs`: this is no u32", runs);
-    assert_fails(read("[Kicker]\nruns = \"1\""), "`t` line 2: `Kicker.runs`: this is no u32", runs);
-    assert_fails(read("[Kicker]\nruns = true"), "`t` line 2: `Kicker.runs`: this is no u32", runs);
+    assert_fails(read("[Kicker]\nruns = 1.0"), "`t` line 2: `Kicker.runs`: expected u32", runs);
+    assert_fails(read("[Kicker]\nruns = \"1\""), "`t` line 2: `Kicker.runs`: expected u32", runs);
+    assert_fails(read("[Kicker]\nruns = true"), "`t` line 2: `Kicker.runs`: expected u32", runs);
     let far = "write a number from 0.0 to 1.0 m";
-    assert_fails(read("[Kicker]\nfar = \"0.5\""), "`t` line 2: `Kicker.far`: this is no f32", far);
-    assert_fails(read("[Kicker]\nfar = [0.5]"), "`t` line 2: `Kicker.far`: this is no f32", far);
-    assert_fails(read("[Kicker]\nenabled = 1"), "`t` line 2: `Kicker.enabled`: this is no bool", "write true or false");
+    assert_fails(read("[Kicker]\nfar = \"0.5\""), "`t` line 2: `Kicker.far`: expected f32", far);
+    assert_fails(read("[Kicker]\nfar = [0.5]"), "`t` line 2: `Kicker.far`: expected f32", far);
+    assert_fails(read("[Kicker]\nenabled = 1"), "`t` line 2: `Kicker.enabled`: expected bool", "write true or false");
     let foot = "`t` line 2: `Kicker.foot`: there is no such variant";
     assert_fails(read("[Kicker]\nfoot = \"left\""), foot, "write one of Left, Right");
     assert_fails(read("[Kicker]\nfoot = 0"), foot, "write one of Left, Right");
@@ -160,8 +160,8 @@ fn a_wrong_assignment_is_an_error() {
     );
     let set = |text: &str| Layers::new(&GRAPH).assign(text, "--set");
     let help = "write it as `Component.name=value`, as `FaceBall.gain=0.9`";
-    assert_fails(set("Kicker.far"), "`Kicker.far` is no assignment", help);
-    assert_fails(set("far=0.1"), "`far=0.1` is no assignment", help);
+    assert_fails(set("Kicker.far"), "`Kicker.far` is not an assignment", help);
+    assert_fails(set("far=0.1"), "`far=0.1` is not an assignment", help);
     assert_fails(set("Kicker.fra=0.1"), "`Kicker` has no parameter `fra`", "did you mean `far`?");
     assert_fails(
         set("Kicker.far=2"),

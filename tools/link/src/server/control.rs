@@ -212,8 +212,8 @@ impl Control {
         let time = self.lease_time(now);
         let WorldRequest { number, lease, expires_us, change } = request;
         let (offer, not_offered) = match change {
-            WorldChange::Ball { .. } => (Offers::BALL, "this is no simulated world whose ball can be placed"),
-            _ => (Offers::PAUSE, "this is no simulated world whose time can be stopped"),
+            WorldChange::Ball { .. } => (Offers::BALL, "the ball can be placed only in a simulated world"),
+            _ => (Offers::PAUSE, "time can be stopped only in a simulated world"),
         };
         if !self.hub.offers().contains(offer) {
             self.refuse(connection, number, arrived, RefusalCode::World, 0, not_offered.to_owned());

@@ -28,7 +28,7 @@ impl Snapshot {
         let status = |index| tree.status(ComponentId::new(index));
         self.states.extend((0..T::COUNT).filter_map(status).map(|status| ComponentState {
             active: status.active,
-            held: status.held.into(),
+            held: status.held,
             state: status.state.map(|state| state as u16),
             hz: status.hz,
         }));

@@ -80,7 +80,7 @@ fn a_robot_without_a_world_and_a_server_for_watching_refuse() {
     assert_eq!(error.to_string(), "the robot's program does not offer to place the ball");
     // A client that does not know what the robot offers.
     let number = client.send_world_with(BALL, client.lease().lease, u64::MAX).unwrap();
-    let expected = (RefusalCode::World, "this is no simulated world whose ball can be placed".to_owned());
+    let expected = (RefusalCode::World, "the ball can be placed only in a simulated world".to_owned());
     assert_eq!(refusal(client.answer(number)), expected);
     session.run(20);
 

@@ -105,7 +105,7 @@ pub(crate) struct Play {
     #[arg(long, value_name = "WxH", default_value_if("world", "firmware", "160x120"), default_value = "320x240")]
     pub(crate) size: Frame,
     /// Longest duration of a game, in simulated seconds
-    #[arg(long, value_name = "S", default_value_t = 120.0, value_parser = seconds)]
+    #[arg(long, value_name = "S", default_value_t = 120.0, value_parser = seconds, allow_negative_numbers = true)]
     pub(crate) seconds: f64,
     /// Write a picture (PNG) of every change of the tree; each game of a series has its own folder
     #[arg(long, value_name = "DIR")]

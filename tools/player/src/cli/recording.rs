@@ -73,10 +73,10 @@ pub(crate) struct Trim {
     #[command(flatten)]
     pub(crate) files: Recover,
     /// Begin of the span, s since the start of the run
-    #[arg(long, value_name = "S", default_value_t = 0.0, value_parser = time)]
+    #[arg(long, value_name = "S", default_value_t = 0.0, value_parser = time, allow_negative_numbers = true)]
     pub(crate) from: f64,
     /// End of the span, s [default: the end of the recording]
-    #[arg(long, value_name = "S", value_parser = time)]
+    #[arg(long, value_name = "S", value_parser = time, allow_negative_numbers = true)]
     pub(crate) until: Option<f64>,
 }
 
@@ -86,10 +86,10 @@ pub(crate) struct Replay {
     #[arg(value_name = "FILE")]
     pub(crate) file: PathBuf,
     /// Compare from this time on, s; the code runs from the start in any case
-    #[arg(long, value_name = "S", default_value_t = 0.0, value_parser = time)]
+    #[arg(long, value_name = "S", default_value_t = 0.0, value_parser = time, allow_negative_numbers = true)]
     pub(crate) from: f64,
     /// End at this time, s [default: the end of the recording]
-    #[arg(long, value_name = "S", value_parser = time)]
+    #[arg(long, value_name = "S", value_parser = time, allow_negative_numbers = true)]
     pub(crate) until: Option<f64>,
     /// Compare with another recording instead of running the code
     #[arg(long, value_name = "FILE")]

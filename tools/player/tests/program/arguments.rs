@@ -21,6 +21,8 @@ fn errors_name_the_wrong_argument_and_the_valid_ones() {
     refused(&["--robots", "9"], &["9", "from 0 to 8"]);
     refused(&["--seconds", "0"], &["--seconds", "from 0.01 to 86400"]);
     refused(&["--seconds", "NaN"], &["NaN", "from 0.01 to 86400"]);
+    refused(&["--seconds", "-1"], &["--seconds", "from 0.01 to 86400"]);
+    refused(&["--image", "forward.elf"], &["--image", "--world firmware"]);
     refused(&["--games", "0"], &["--games"]);
     refused(&["--threads", "2"], &["--games"]);
     refused(&["play", "--games", "2", "--threads", "0"], &["--threads"]);

@@ -101,7 +101,7 @@ fn an_operator_describes_sets_holds_changes_rates_and_calls() {
 
     for (args, error) in [
         (&["set", "FaceBall.gain=9"][..], "is outside"),
-        (&["set", "FaceBall.gain=high"], "`high` is no value of `gain`"),
+        (&["set", "FaceBall.gain=high"], "`high` is not a value of `gain`"),
         (&["set", "FaceBall.gian=0.5"], "the nearest name is `gain`"),
         (&["set", "FaceBal.gain=0.5"], "the nearest name is `FaceBall`"),
         (&["hold", "Playr", "latent"], "the nearest name is `Player`"),

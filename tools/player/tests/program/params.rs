@@ -153,10 +153,10 @@ fn wrong_parameters_are_errors_of_every_command_that_takes_them() {
             let args = with(args);
             fails(&args.iter().map(String::as_str).collect::<Vec<_>>(), words);
         };
-        fails(&["--set", "FaceBall.gain"], &["no assignment", "Component.name=value"]);
+        fails(&["--set", "FaceBall.gain"], &["not an assignment", "Component.name=value"]);
         fails(&["--set", "FaceBal.gain=0.5"], &["`FaceBal`", "did you mean `FaceBall`?"]);
         fails(&["--set", "FaceBall.gian=0.5"], &["`gian`", "did you mean `gain`?"]);
-        fails(&["--set", "FaceBall.gain=x"], &["FaceBall.gain", "no f32", "write a number from"]);
+        fails(&["--set", "FaceBall.gain=x"], &["FaceBall.gain", "expected f32", "write a number from"]);
         fails(&["--set", "FaceBall.gain=7"], &["FaceBall.gain", "7 is outside"]);
         fails(&["--tune", folder.text()], &[&format!("`{file}` line 3"), "did you mean `gain`?"]);
         fails(&["--tune", folder.text(), "--robot", "rob"], &["help: "]);

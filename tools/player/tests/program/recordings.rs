@@ -162,13 +162,13 @@ fn errors_name_the_file_and_the_remedy() {
     for command in [&["replay"][..], &["record", "info"]] {
         fails(command, 2, &["FILE"]);
         fails(&[command, &[&none]].concat(), 2, &[&none, "help: "]);
-        fails(&[command, &[&text]].concat(), 2, &[&text, "no MCAP file", "--record"]);
+        fails(&[command, &[&text]].concat(), 2, &[&text, "not an MCAP file", "--record"]);
     }
     for command in ["recover", "trim", "export"] {
         fails(&["record", command, &file], 2, &["OUT"]);
         fails(&["record", command, &file, &text], 2, &[&text, "--force"]);
         fails(&["record", command, &file, &file, "--force"], 2, &["the same file"]);
-        fails(&["record", command, &text, &none], 2, &["no MCAP file"]);
+        fails(&["record", command, &text, &none], 2, &["not an MCAP file"]);
         let _ = fs::remove_file(&none);
     }
     let (early, linked) = (path(&folder, "early.mcap"), path(&folder, "linked.mcap"));
@@ -180,7 +180,7 @@ fn errors_name_the_file_and_the_remedy() {
     assert_eq!(fs::read(&file).unwrap(), bytes, "it is still there");
     fails(&["record", "info", folder.text()], 2, &["a folder, a pipe or a device"]);
     fails(&["record"], 2, &["Usage"]);
-    fails(&["replay", &file, "--from", "-1"], 2, &["-1"]);
+    fails(&["replay", &file, "--from", "-1"], 2, &["-1", "0 or more"]);
     fails(&["replay", &file, "--from", "2", "--until", "1"], 2, &["--until"]);
     fails(&["record", "trim", &file, &none, "--from", "2", "--until", "1"], 2, &["--until"]);
     fails(&["replay", &file, "--against", &text], 2, &[&text]);

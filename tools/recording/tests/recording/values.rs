@@ -218,7 +218,7 @@ fn an_export_is_no_recording_but_complete() {
     let exported = export(&recorded(60)[..], &mut target).expect("a recording");
     assert_eq!((exported.cycles, exported.bytes), (60, target.len() as u64));
     let error = Recording::new(&target[..]).expect_err("no header").to_string();
-    assert!(error.contains("no metadata `bica`"), "{error}");
+    assert!(error.contains("no metadata record `bica`"), "{error}");
     let mut reader = bica_recording::mcap::Reader::new(&target[..]).expect("MCAP");
     let mut images = 0;
     loop {
