@@ -3,7 +3,7 @@
 
 use super::diagram::height;
 use crate::files::{Layout, Position};
-use crate::model::{Component, named_edges};
+use crate::model::{Component, Graph};
 
 /// Distance of the centres of two columns, points.
 const COLUMN: i32 = 340;
@@ -18,7 +18,8 @@ const SWEEPS: usize = 12;
 #[must_use]
 pub fn automatic(component: &Component, layout: &Layout) -> Vec<Position> {
     // Transitions from all states say nothing about neighbourhood.
-    let columns = columns(component, &named_edges(component));
+    let named = Graph::of(component).edges.into_iter().filter(|edge| !edge.from_any);
+    let columns = columns(component, &named.map(|edge| (edge.from, edge.to)).collect::<Vec<_>>());
     let mut positions = vec![FIRST; component.states.len()];
     let heights: Vec<i32> = (0..component.states.len()).map(|state| height(component, state).ceil() as i32).collect();
     let total = |states: &Vec<usize>| states.iter().map(|state| heights[*state] + GAP).sum::<i32>() - GAP;
@@ -78,16 +79,9 @@ fn sort(columns: &mut [Vec<usize>], edges: &[(usize, usize)], forward: bool) {
     for index in order {
         let fixed = columns[if forward { index - 1 } else { index + 1 }].clone();
         let key = |state: usize, old: usize| {
-            let places = edges.iter().filter_map(|(from, to)| {
-                let other = if *from == state {
-                    to
-                } else if *to == state {
-                    from
-                } else {
-                    return None;
-                };
-                fixed.iter().position(|one| one == other)
-            });
+            let ends = edges.iter().flat_map(|(from, to)| [(from, to), (to, from)]);
+            let others = ends.filter(|(end, other)| **end == state && other != end).map(|(_, other)| other);
+            let places = others.filter_map(|other| fixed.iter().position(|one| one == other));
             let (sum, number) = places.fold((0, 0), |(sum, number), place| (sum + place, number + 1));
             // In thousandths, so that no rounding of floats decides.
             (sum * 1000_usize).checked_div(number).unwrap_or(old * 1000)

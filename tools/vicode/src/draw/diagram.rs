@@ -3,7 +3,7 @@
 use super::automatic;
 use super::route::{course, place_names};
 use crate::files::Layout;
-use crate::model::{Component, Graph, Link, LinkKind, Sources, own_links};
+use crate::model::{Component, Graph, Link, LinkKind, own_links};
 
 /// Width and least height of a state, points.
 const WIDTH: f32 = 160.0;
@@ -65,7 +65,6 @@ impl Diagram {
     /// A component as it is arranged, states without a position automatically.
     #[must_use]
     pub fn of(component: &Component, layout: &Layout) -> Self {
-        let graph = Graph::of(component);
         let positions = automatic(component, layout);
         let mut nodes: Vec<Node> = Vec::new();
         for (index, (state, at)) in component.states.iter().zip(positions).enumerate() {
@@ -76,12 +75,12 @@ impl Diagram {
             nodes.push(Node { name, initial: state.initial, last: state.last, centre, size, hooks, links });
         }
         let mut diagram = Self { name: component.name.text.clone(), nodes, ..Self::default() };
-        diagram.connect(component, &graph);
+        diagram.connect(&Graph::of(component));
         diagram.frame();
         diagram
     }
 
-    fn connect(&mut self, component: &Component, graph: &Graph) {
+    fn connect(&mut self, graph: &Graph) {
         let timed = |name: &str, after: Option<u32>| {
             after.map_or_else(|| name.to_owned(), |ms| format!("{name} after {ms} ms"))
         };
@@ -91,21 +90,10 @@ impl Diagram {
             Some((_, labels)) => labels.push(label),
             None => pairs.push((pair, vec![label])),
         };
-        let any = |name: &str, to: usize| {
-            let arrows = component.transition(name).map(|transition| &transition.arrows);
-            let target = &component.states[to].function.name.text;
-            arrows.is_some_and(|arrows| {
-                arrows
-                    .iter()
-                    .any(|arrow| arrow.from == Sources::Any && arrow.to.as_ref().is_some_and(|to| to.text == *target))
-            })
-        };
         for edge in &graph.edges {
-            let from = (!any(&edge.name, edge.to)).then_some(edge.from);
-            add((from, edge.to), timed(&edge.name, edge.after_ms));
+            add(((!edge.from_any).then_some(edge.from), edge.to), timed(&edge.name, edge.after_ms));
         }
-        let arrows: Vec<Edge> = pairs.into_iter().map(|((from, to), labels)| self.edge(from, to, labels)).collect();
-        self.edges = arrows;
+        self.edges = pairs.into_iter().map(|((from, to), labels)| self.edge(from, to, labels)).collect();
         place_names(&mut self.edges, &self.nodes);
     }
 

@@ -1,5 +1,7 @@
 //! New components: a file, its `mod` line, its entry in a tree.
 
+use std::iter::successors;
+
 use ra_ap_syntax::ast::{self, HasName, HasVisibility};
 use ra_ap_syntax::{AstNode, T};
 
@@ -7,9 +9,11 @@ use super::plan::Context;
 use super::request::Refusal;
 use super::splice::Splice;
 use super::style::{Style, indentation};
+use super::types::previous;
 use super::{fragment, imports};
+use crate::DEFAULT_WIDTH;
 use crate::model::{Model, Span};
-use crate::read::{Token, parse, span, tokens};
+use crate::read::{content, parse, span};
 
 /// The name of the file and module of a component: `ball_keeper` of `BallKeeper`.
 ///
@@ -53,7 +57,7 @@ pub fn blank(name: &str) -> String {
 pub fn declare(text: &str, name: &str) -> Result<Vec<Splice>, Refusal> {
     let module = module_of(name)?;
     let root = parse(text).ok_or_else(|| Refusal::new("this file is nested too deeply"))?;
-    let style = Style::of(text, None, super::super::DEFAULT_WIDTH);
+    let style = Style::of(text, None, DEFAULT_WIDTH);
     let place = |node: &ra_ap_syntax::SyntaxNode| span(node.text_range());
     let modules: Vec<ast::Module> = root.tree.children().filter_map(ast::Module::cast).collect();
     let named = |item: &ast::Module| item.name().map(|name| name.text().to_string()).unwrap_or_default();
@@ -86,42 +90,32 @@ pub fn declare(text: &str, name: &str) -> Result<Vec<Splice>, Refusal> {
 /// If the file has no tree, or the tree has the component.
 pub fn enlist(text: &str, model: &Model, name: &str, import: Option<&str>) -> Result<Vec<Splice>, Refusal> {
     fragment::ty(name)?;
-    let all = parse(text).map(|root| tokens(&root.tree)).unwrap_or_default();
-    let start = all
-        .windows(3)
-        .position(|three| three[0].name.text == "components" && three[1].kind == T![:] && three[2].kind == T!['[']);
-    let Some(start) = start else {
+    let root = parse(text);
+    let trees = root.iter().flat_map(|root| root.tree.descendants()).filter_map(ast::TokenTree::cast);
+    let is_list = |tree: &ast::TokenTree| {
+        let before: Vec<_> =
+            tree.syntax().first_token().iter().flat_map(|open| successors(previous(open), previous)).take(2).collect();
+        matches!(&before[..], [colon, key] if colon.kind() == T![:] && key.text() == "components")
+    };
+    let Some((place, list)) = trees.filter(is_list).map(|tree| content(&tree)).next() else {
         return Err(Refusal::new("no `components: [...]` of an `activation_tree!` is in this file"));
     };
-    let mut depth = 0_usize;
-    let list: Vec<&Token> = all[start + 2..]
-        .iter()
-        .take_while(|token| {
-            match token.kind {
-                T!['('] | T!['['] | T!['{'] => depth += 1,
-                T![')'] | T![']'] | T!['}'] => depth -= 1,
-                _ => {}
-            }
-            depth > 0
-        })
-        .collect();
     if let Some(taken) = list.iter().find(|token| token.name.text == name) {
         return Err(Refusal::at(taken.name.span, format!("the tree has a component `{name}` already")));
     }
-    let Some(last) = list.last() else { return Ok(Vec::new()) };
-    let at = last.name.span.end;
-    let newline = Style::of(text, None, 100).newline;
-    let lines = Span::new(list[0].name.span.start, at).of(text).contains('\n');
-    let added = match (last.kind, lines) {
-        (T!['['], _) => name.to_owned(),
-        (T![,], true) => format!("{newline}{}{name},", indentation(text, at)),
-        (T![,], false) => format!(" {name},"),
+    let newline = Style::of(text, None, DEFAULT_WIDTH).newline;
+    let at = list.last().map_or(place.start, |last| last.name.span.end);
+    let lines = Span::new(place.start, at).of(text).contains('\n');
+    let added = match (list.last().map(|last| last.kind), lines) {
+        (None, _) => name.to_owned(),
+        (Some(T![,]), true) => format!("{newline}{}{name},", indentation(text, at)),
+        (Some(T![,]), false) => format!(" {name},"),
         _ => format!(", {name}"),
     };
     let mut splices = vec![Splice::insert(at, added)];
     if let Some(import) = import {
         fragment::path(import)?;
-        splices.extend(imports::add(&Context { text, model, width: super::super::DEFAULT_WIDTH }, 0, import, name));
+        splices.extend(imports::add(&Context { text, model, width: DEFAULT_WIDTH }, 0, import, name));
     }
     Ok(splices)
 }

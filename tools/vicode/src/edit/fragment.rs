@@ -20,57 +20,45 @@ pub(super) fn name(name: &str) -> Result<(), Refusal> {
     }
 }
 
+const BRACES: &str = "this code closes more braces than it opens";
+
 /// Refuses code that cannot stand in the braces of a function.
 pub(super) fn body(code: &str) -> Result<(), Refusal> {
-    let items = items(&format!("fn body() {{\n{code}\n}}"), "this code")?;
-    match &items[..] {
-        [ast::Item::Fn(_)] => Ok(()),
-        _ => Err(Refusal::new("this code closes more braces than it opens")),
-    }
+    only::<ast::Fn>(&format!("fn body() {{\n{code}\n}}"), "this code", BRACES).map(drop)
 }
 
 /// Refuses what is no value.
 pub(super) fn value(value: &str, what: &str) -> Result<(), Refusal> {
     one_line(value, what)?;
-    match &items(&format!("const VALUE: () = {value};"), what)?[..] {
-        [ast::Item::Const(_)] => Ok(()),
-        _ => Err(Refusal::new(format!("`{value}` is no value for {what}"))),
-    }
+    let message = format!("`{value}` is no value for {what}");
+    only::<ast::Const>(&format!("const VALUE: () = {value};"), what, &message).map(drop)
 }
 
 /// Refuses what is no type of a component.
 pub(super) fn ty(ty: &str) -> Result<(), Refusal> {
     one_line(ty, "a type")?;
-    let items = items(&format!("type Type = {ty};"), "this type")?;
-    let is_path = |item: &ast::TypeAlias| matches!(item.ty(), Some(ast::Type::PathType(_)));
-    match &items[..] {
-        [ast::Item::TypeAlias(alias)] if is_path(alias) => Ok(()),
-        _ => Err(Refusal::new(format!("`{ty}` is no type of a component: write its name, as in `BallDetector`"))),
-    }
+    let message = format!("`{ty}` is no type of a component: write its name, as in `BallDetector`");
+    let alias = only::<ast::TypeAlias>(&format!("type Type = {ty};"), "this type", &message)?;
+    if matches!(alias.ty(), Some(ast::Type::PathType(_))) { Ok(()) } else { Err(Refusal::new(message)) }
 }
 
 /// Refuses what is no path of a module.
 pub(super) fn path(path: &str) -> Result<(), Refusal> {
     one_line(path, "a path")?;
-    match &items(&format!("use {path}::Name;"), "this path")?[..] {
-        [ast::Item::Use(_)] if !path.contains(['{', ',', ';', ' ']) => Ok(()),
-        _ => Err(Refusal::new(format!("`{path}` is no path of a module: write it as in `crate::perception`"))),
-    }
+    let message = format!("`{path}` is no path of a module: write it as in `crate::perception`");
+    only::<ast::Use>(&format!("use {path}::Name;"), "this path", &message)?;
+    if path.contains(['{', ',', ';', ' ']) { Err(Refusal::new(message)) } else { Ok(()) }
 }
 
 /// The names of functions in code for an impl block; refuses other items.
 pub(super) fn functions(code: &str) -> Result<Vec<String>, Refusal> {
-    let items = items(&format!("impl Block {{\n{code}\n}}"), "this code")?;
-    let [ast::Item::Impl(block)] = &items[..] else {
-        return Err(Refusal::new("this code closes more braces than it opens"));
-    };
-    let list = block.assoc_item_list();
+    let block = only::<ast::Impl>(&format!("impl Block {{\n{code}\n}}"), "this code", BRACES)?;
     let name = |item| match item {
         ast::AssocItem::Fn(function) => Ok(function.name().map(|name| name.text().to_string()).unwrap_or_default()),
         _ => Err(Refusal::new("only functions can be inserted here")),
     };
-    let names: Vec<String> =
-        list.iter().flat_map(ast::AssocItemList::assoc_items).map(name).collect::<Result<_, Refusal>>()?;
+    let items = block.assoc_item_list().into_iter().flat_map(|list| list.assoc_items().collect::<Vec<_>>());
+    let names: Vec<String> = items.map(name).collect::<Result<_, Refusal>>()?;
     if names.is_empty() { Err(Refusal::new("this code has no function")) } else { Ok(names) }
 }
 
@@ -82,11 +70,13 @@ fn one_line(code: &str, what: &str) -> Result<(), Refusal> {
     Ok(())
 }
 
-/// The items of a text that is Rust.
-fn items(text: &str, what: &str) -> Result<Vec<ast::Item>, Refusal> {
+/// The item of a text; refuses, with `message`, what is not this one item.
+fn only<Item: AstNode>(text: &str, what: &str, message: &str) -> Result<Item, Refusal> {
     let root = parse(text).ok_or_else(|| Refusal::new(format!("{what} is nested too deeply")))?;
     if let Some(problem) = root.problems.first() {
         return Err(Refusal::new(format!("{what} is no Rust: {}", problem.message)));
     }
-    Ok(root.tree.children().filter_map(ast::Item::cast).collect())
+    let items: Vec<ast::Item> = root.tree.children().filter_map(ast::Item::cast).collect();
+    let item = if let [item] = &items[..] { Item::cast(item.syntax().clone()) } else { None };
+    item.ok_or_else(|| Refusal::new(message))
 }

@@ -1,6 +1,6 @@
 //! `use` lines.
 
-use ra_ap_syntax::ast::{self, HasAttrs, HasName, HasVisibility};
+use ra_ap_syntax::ast::{self, HasAttrs, HasVisibility};
 use ra_ap_syntax::{AstNode, SyntaxKind, SyntaxNode};
 
 use super::fragment;
@@ -8,11 +8,12 @@ use super::plan::Context;
 use super::request::Refusal;
 use super::splice::Splice;
 use super::style::{Style, indentation, line_end, line_start, starts_line};
+use super::types::{imported, named};
 use crate::model::Span;
 use crate::read::{scope, span, tokens};
 
 /// `Eye` of `Eye<320, 240>`; nothing of a path.
-fn imported(child: &str) -> Option<&str> {
+fn name_of(child: &str) -> Option<&str> {
     let name = child.split('<').next().unwrap_or(child).trim();
     (!name.contains("::")).then_some(name)
 }
@@ -30,7 +31,7 @@ fn is_plain(item: &ast::Use) -> bool {
 
 /// Imports a child from a module, unless its name is known in the module of the file that contains the byte `at`.
 pub(super) fn add(context: &Context<'_>, at: usize, path: &str, child: &str) -> Vec<Splice> {
-    let Some(name) = imported(child) else { return Vec::new() };
+    let Some(name) = name_of(child) else { return Vec::new() };
     let text = context.text;
     let Some(scope) = scope(text, at).filter(|scope| !is_known(scope, name)) else { return Vec::new() };
     let style = Style::of(text, None, context.width);
@@ -68,22 +69,14 @@ pub(super) fn name(context: &Context<'_>, path: &str, name: &str) -> Result<Vec<
 
 /// Whether a module has the name: by `use`, or by an item.
 fn is_known(scope: &SyntaxNode, name: &str) -> bool {
-    let named = |ident: Option<ast::Name>| ident.is_some_and(|ident| ident.text() == name);
-    let known = scope.children().any(|node| {
-        if let Some(item) = ast::Use::cast(node.clone()) {
-            let leaf = |tree: ast::UseTree| {
-                let last = tree.path().and_then(|path| path.segment()).and_then(|segment| segment.name_ref());
-                let renamed = tree.rename().and_then(|rename| rename.name());
-                tree.use_tree_list().is_none()
-                    && renamed
-                        .map_or_else(|| last.is_some_and(|last| last.text() == name), |renamed| renamed.text() == name)
-            };
-            return item.syntax().descendants().filter_map(ast::UseTree::cast).any(leaf);
-        }
-        named(ast::Struct::cast(node.clone()).and_then(|item| item.name()))
-            || named(ast::Enum::cast(node.clone()).and_then(|item| item.name()))
-            || named(ast::TypeAlias::cast(node).and_then(|item| item.name()))
-    });
+    let trees = items(scope).into_iter().flat_map(|item| item.syntax().descendants().filter_map(ast::UseTree::cast));
+    let has = |node| match ast::Item::cast(node) {
+        Some(ast::Item::Struct(item)) => named(&item, name),
+        Some(ast::Item::Enum(item)) => named(&item, name),
+        Some(ast::Item::TypeAlias(item)) => named(&item, name),
+        _ => false,
+    };
+    let known = trees.map(|tree| imported(&tree, name)).any(|path| path.is_some()) || scope.children().any(has);
     // `use super::*` brings the names of the module around it.
     let outer = || {
         scope.ancestors().skip(1).find(|node| [SyntaxKind::ITEM_LIST, SyntaxKind::SOURCE_FILE].contains(&node.kind()))
@@ -177,7 +170,7 @@ fn first_item(scope: &SyntaxNode) -> usize {
 
 /// Removes an import that only the link at `place` needed.
 pub(super) fn remove(context: &Context<'_>, child: &str, place: Span) -> Vec<Splice> {
-    let Some(name) = imported(child) else { return Vec::new() };
+    let Some(name) = name_of(child) else { return Vec::new() };
     let text = context.text;
     let Some(scope) = scope(text, place.start) else { return Vec::new() };
     let all = items(&scope);

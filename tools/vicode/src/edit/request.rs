@@ -22,7 +22,6 @@ pub enum Edit {
         last: bool,
         #[serde(default)]
         body: String,
-        #[serde(default)]
         after: Option<String>,
     },
     /// Adds a transition `name` from the states `from` (`["*"]`: all) to the state `to`. Without `body` it is never taken, or with
@@ -32,13 +31,11 @@ pub enum Edit {
         name: String,
         from: Vec<String>,
         to: String,
-        #[serde(default)]
         after_ms: Option<u32>,
         #[serde(default)]
         body: String,
         #[serde(default)]
         docs: String,
-        #[serde(default)]
         after: Option<String>,
     },
     /// Adds a hook `name`; `states` are those of an entry or exit hook.
@@ -52,27 +49,16 @@ pub enum Edit {
         body: String,
         #[serde(default)]
         docs: String,
-        #[serde(default)]
         after: Option<String>,
     },
     /// Adds functions as written: what was copied from another component.
-    InsertCode {
-        component: String,
-        code: String,
-        #[serde(default)]
-        after: Option<String>,
-    },
+    InsertCode { component: String, code: String, after: Option<String> },
     /// Renames a function and all its uses in the block, and by the component's name in the file.
     Rename { component: String, function: String, to: String },
     /// Deletes a function; with a state what only that state needs.
     Delete { component: String, function: String },
     /// Moves a function before another, or behind all.
-    Move {
-        component: String,
-        function: String,
-        #[serde(default)]
-        before: Option<String>,
-    },
+    Move { component: String, function: String, before: Option<String> },
     /// Copies a function under another name, behind the original. A copied state is not initial.
     Copy { component: String, function: String, name: String },
     /// Makes a state the one in which the machine starts.
@@ -80,14 +66,7 @@ pub enum Edit {
     /// Sets whether no transition leaves a state.
     SetLast { component: String, state: String, last: bool },
     /// Adds a `#[transition]` to a condition.
-    AddArrow {
-        component: String,
-        transition: String,
-        from: Vec<String>,
-        to: String,
-        #[serde(default)]
-        after_ms: Option<u32>,
-    },
+    AddArrow { component: String, transition: String, from: Vec<String>, to: String, after_ms: Option<u32> },
     /// Removes a `#[transition]` of several of a condition.
     RemoveArrow { component: String, transition: String, arrow: usize },
     /// Sets the states that a transition leaves.
@@ -119,12 +98,7 @@ pub enum Edit {
     /// Sets the code in the braces of a function; for a transition its condition.
     SetBody { component: String, function: String, body: String },
     /// Sets the doc comment of a function, or of the component.
-    SetDocs {
-        component: String,
-        #[serde(default)]
-        function: Option<String>,
-        docs: String,
-    },
+    SetDocs { component: String, function: Option<String>, docs: String },
     /// Sets or removes an option; `resume` takes an empty value.
     SetOption { component: String, option: String, value: Option<String> },
     /// Adds a child to the signature of a function. `import` is the path of the module that has it.
@@ -133,9 +107,7 @@ pub enum Edit {
         function: String,
         child: String,
         kind: LinkKind,
-        #[serde(default)]
         argument: Option<String>,
-        #[serde(default)]
         import: Option<String>,
     },
     /// Removes a child from the signature of a function, and its import if nothing else uses it.

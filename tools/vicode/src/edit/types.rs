@@ -1,6 +1,6 @@
 //! Which types in a text are a component: as far as the text of one file decides it.
 
-use ra_ap_syntax::ast::{self, HasArgList, HasGenericArgs, HasGenericParams, HasName};
+use ra_ap_syntax::ast::{self, HasGenericArgs, HasGenericParams, HasName};
 use ra_ap_syntax::{AstNode, SyntaxKind, SyntaxNode, SyntaxToken, T};
 
 use super::uses::Target;
@@ -108,9 +108,12 @@ impl Types<'_> {
         }
     }
 
-    /// `Player::new()`: what a function of that name returns.
+    /// What `Player::new()` or `Player(1)` makes.
     fn of_call(&self, function: &SyntaxToken) -> Option<bool> {
-        matches!(function.text(), "new" | "default").then(|| self.before_colons(&before_separator(function)?))?
+        match function.text() {
+            "new" | "default" => self.before_colons(&before_separator(function)?),
+            name => is_type(name).then(|| self.before_colons(function))?,
+        }
     }
 
     /// `self.field`, `self.0`
@@ -135,7 +138,12 @@ impl Types<'_> {
         let function = variable.parent_ancestors().filter_map(ast::Fn::cast).last()?;
         let before = variable.text_range().start();
         let bindings = function.syntax().descendants().filter_map(ast::IdentPat::cast);
-        let bindings = bindings.filter(|one| named(one, variable.text()) && one.syntax().text_range().start() < before);
+        // `let k = k;` gives the value of the outer `k`.
+        let around = |one: &ast::IdentPat| {
+            one.syntax().parent().is_some_and(|parent| parent.text_range().contains_range(variable.text_range()))
+        };
+        let bindings = bindings
+            .filter(|one| named(one, variable.text()) && one.syntax().text_range().start() < before && !around(one));
         let mut answers = bindings.map(|one| self.of_binding(&one));
         let first = answers.next()??;
         answers.all(|other| other == Some(first)).then_some(first)
@@ -149,41 +157,24 @@ impl Types<'_> {
         let binding = ast::LetStmt::cast(parent)?;
         match binding.ty() {
             Some(ty) => self.of(&ty),
-            None => self.of_value(binding.initializer()?),
+            None => self.of_value(&binding.initializer()?),
         }
     }
 
     /// The value of `let a = value`.
-    fn of_value(&self, value: ast::Expr) -> Option<bool> {
+    fn of_value(&self, value: &ast::Expr) -> Option<bool> {
         match value {
-            ast::Expr::RefExpr(inner) => self.of_value(inner.expr()?),
-            ast::Expr::ParenExpr(inner) => self.of_value(inner.expr()?),
-            ast::Expr::PrefixExpr(inner) => self.of_value(inner.expr()?),
-            ast::Expr::Literal(_) | ast::Expr::ArrayExpr(_) | ast::Expr::TupleExpr(_) => Some(false),
+            ast::Expr::RefExpr(inner) => self.of_value(&inner.expr()?),
+            ast::Expr::ParenExpr(inner) => self.of_value(&inner.expr()?),
+            ast::Expr::PrefixExpr(inner) => self.of_value(&inner.expr()?),
+            ast::Expr::ArrayExpr(_) | ast::Expr::TupleExpr(_) => Some(false),
             ast::Expr::RecordExpr(record) => self.of_ast_path(&record.path()?),
-            ast::Expr::PathExpr(path) => {
-                let last = path.syntax().last_token()?;
-                if last.kind() == T![self] { self.of_receiver(&last) } else { self.of_unit(&path.path()?) }
-            }
-            ast::Expr::CallExpr(call) => {
-                call.arg_list()?;
-                let ast::Expr::PathExpr(callee) = call.expr()? else { return None };
-                let path = callee.path()?;
-                match path.qualifier() {
-                    Some(of) if matches!(path.segment()?.name_ref()?.text(), "new" | "default") => {
-                        self.of_ast_path(&of)
-                    }
-                    _ => self.of_unit(&path),
-                }
+            ast::Expr::PathExpr(_) | ast::Expr::CallExpr(_) | ast::Expr::Literal(_) => {
+                let last = value.syntax().last_token()?;
+                if is_type(last.text()) { self.before_colons(&last) } else { self.of_receiver(&last) }
             }
             _ => None,
         }
-    }
-
-    /// `Player` or `Player(1)`: a path whose last word is that of a type.
-    fn of_unit(&self, path: &ast::Path) -> Option<bool> {
-        let is_type = path.segment()?.name_ref()?.text().starts_with(|first: char| first.is_uppercase());
-        is_type.then(|| self.of_ast_path(path))?
     }
 
     /// Whether a type, references and pointers left out, is the component.
@@ -322,7 +313,7 @@ impl Types<'_> {
 }
 
 /// The path by which a `use` brings a name.
-fn imported(tree: &ast::UseTree, name: &str) -> Option<Vec<String>> {
+pub(super) fn imported(tree: &ast::UseTree, name: &str) -> Option<Vec<String>> {
     if tree.use_tree_list().is_some() || tree.star_token().is_some() {
         return None;
     }
@@ -343,8 +334,13 @@ fn path_of(tree: &ast::UseTree) -> Vec<String> {
     path.segments().map(|segment| segment.syntax().text().to_string()).collect()
 }
 
-fn named(item: &impl HasName, name: &str) -> bool {
+pub(super) fn named(item: &impl HasName, name: &str) -> bool {
     item.name().is_some_and(|known| known.text() == name)
+}
+
+/// Whether a name is written as that of a type, not as that of a constant.
+fn is_type(name: &str) -> bool {
+    name.starts_with(char::is_uppercase) && (name.len() == 1 || name.contains(char::is_lowercase))
 }
 
 fn is_word(token: &SyntaxToken) -> bool {

@@ -1,7 +1,5 @@
 //! The machine with all names resolved, as the macro puts it into `GRAPH`.
 
-use std::collections::BTreeMap;
-
 use super::{Component, Function, LinkKind, Name, Sources, State};
 
 /// Links and transitions of a component, by indices of states.
@@ -35,44 +33,31 @@ pub struct Edge {
     pub to: usize,
     /// Least time in the state before it, ms.
     pub after_ms: Option<u32>,
+    /// Whether the attribute names all states by `*`.
+    pub from_any: bool,
 }
 
 impl Graph {
     /// The graph of a component. What names an unknown state is left out.
     #[must_use]
     pub fn of(component: &Component) -> Self {
-        let mut graph = Self { links: Vec::new(), edges: edges(component) };
+        let edges = edges(component);
         if !component.is_machine() {
-            graph.links = links(None, component.step.iter());
-            return graph;
+            return Self { links: links(None, component.step.iter()), edges };
         }
-        for (index, state) in component.states.iter().enumerate() {
-            let left: Vec<&str> =
-                graph.edges.iter().filter(|edge| edge.from == index).map(|edge| edge.name.as_str()).collect();
+        let of_state = |(index, state): (usize, &State)| {
+            let leaves = |name: &str| edges.iter().any(|edge| edge.from == index && edge.name == name);
             let conditions = component.transitions.iter().map(|transition| &transition.function);
-            let conditions = conditions.filter(|function| left.contains(&function.name.text.as_str()));
-            let links = links(Some(index), own_functions(component, state).chain(conditions));
-            graph.links.extend(links);
-        }
-        graph
+            let conditions = conditions.filter(|function| leaves(&function.name.text));
+            links(Some(index), own_functions(component, state).chain(conditions))
+        };
+        Self { links: component.states.iter().enumerate().flat_map(of_state).collect(), edges }
     }
 }
 
 /// The links of a state and of its hooks, without those of the transitions that leave it.
 pub(crate) fn own_links(component: &Component, state: usize) -> Vec<Link> {
     component.states.get(state).map_or_else(Vec::new, |one| links(Some(state), own_functions(component, one)))
-}
-
-/// From and to of the transitions that name the states that they leave.
-pub(crate) fn named_edges(component: &Component) -> Vec<(usize, usize)> {
-    let places = places(component);
-    let find = |name: &Name| places.get(name.text.as_str()).copied();
-    let mut edges = Vec::new();
-    for arrow in component.transitions.iter().flat_map(|transition| &transition.arrows) {
-        let (Some(to), Sources::These(names)) = (arrow.to.as_ref().and_then(find), &arrow.from) else { continue };
-        edges.extend(names.iter().filter_map(find).map(|from| (from, to)));
-    }
-    edges
 }
 
 /// The functions of a state that do not depend on the transitions: its own and those of its hooks.
@@ -82,29 +67,20 @@ fn own_functions<'a>(component: &'a Component, state: &'a State) -> impl Iterato
     [&state.function].into_iter().chain(hooks.map(|hook| &hook.function))
 }
 
-/// Index of each state by its name: of the first one, if several have it.
-fn places(component: &Component) -> BTreeMap<&str, usize> {
-    let mut places = BTreeMap::new();
-    for (index, state) in component.states.iter().enumerate() {
-        places.entry(state.function.name.text.as_str()).or_insert(index);
-    }
-    places
-}
-
 fn edges(component: &Component) -> Vec<Edge> {
-    let places = places(component);
-    let find = |name: &Name| places.get(name.text.as_str()).copied();
+    let names: Vec<&str> = component.states.iter().map(|state| &*state.function.name.text).collect();
+    let find = |name: &Name| names.iter().position(|state| *state == name.text);
     let mut edges = Vec::new();
     for transition in &component.transitions {
         for arrow in &transition.arrows {
             let Some(to) = arrow.to.as_ref().and_then(find) else { continue };
             let from: Vec<usize> = match &arrow.from {
-                Sources::Any => (0..component.states.len()).filter(|state| *state != to).collect(),
+                Sources::Any => (0..names.len()).filter(|state| *state != to).collect(),
                 Sources::These(names) => names.iter().filter_map(find).collect(),
             };
-            let after_ms = arrow.after_ms.map(|(value, _)| value);
+            let (after_ms, from_any) = (arrow.after_ms.map(|(value, _)| value), arrow.from == Sources::Any);
             let name = &transition.function.name.text;
-            edges.extend(from.into_iter().map(|from| Edge { name: name.clone(), from, to, after_ms }));
+            edges.extend(from.into_iter().map(|from| Edge { name: name.clone(), from, to, after_ms, from_any }));
         }
     }
     edges
@@ -115,16 +91,13 @@ fn links<'a>(state: Option<usize>, functions: impl Iterator<Item = &'a Function>
     let mut links: Vec<Link> = Vec::new();
     for (_, kind, child) in functions.flat_map(Function::links) {
         match links.iter_mut().find(|link| link.child == child) {
-            Some(link) if kind == LinkKind::Modulation => link.kind = kind,
-            Some(link) if link.kind == LinkKind::Rate => link.kind = kind,
+            Some(link) if kind == LinkKind::Modulation || link.kind == LinkKind::Rate => link.kind = kind,
             Some(_) => {}
             None => links.push(Link { state, child: child.to_owned(), kind }),
         }
     }
-    for link in &mut links {
-        if link.kind == LinkKind::Rate {
-            link.kind = LinkKind::Modulation;
-        }
+    for link in links.iter_mut().filter(|link| link.kind == LinkKind::Rate) {
+        link.kind = LinkKind::Modulation;
     }
     links
 }

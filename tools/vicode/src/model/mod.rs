@@ -15,8 +15,8 @@ pub use self::component::{
     Arrow, Component, Hook, HookRole, Info, Modulation, Options, Setting, Sources, State, Transition,
 };
 pub use self::function::{Argument, Docs, Function, Input, LinkKind};
+pub(crate) use self::graph::own_links;
 pub use self::graph::{Edge, Graph, Link};
-pub(crate) use self::graph::{named_edges, own_links};
 pub use self::params::{Key, Parameter, ParameterGroup};
 pub use self::span::{Name, Span};
 

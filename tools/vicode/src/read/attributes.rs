@@ -29,7 +29,7 @@ pub(super) fn attribute(attribute: &ast::Attr) -> Option<Attribute> {
 }
 
 /// What stands between the brackets of a tree.
-pub(super) fn content(tree: &ast::TokenTree) -> (Span, Vec<Token>) {
+pub(crate) fn content(tree: &ast::TokenTree) -> (Span, Vec<Token>) {
     let mut all = tokens(tree.syntax());
     let whole = span(tree.syntax().text_range());
     let (mut start, mut end) = (whole.start, whole.end);

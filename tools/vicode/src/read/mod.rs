@@ -16,7 +16,8 @@ use ra_ap_syntax::{AstNode, Edition, SourceFile, SyntaxNode, TextRange, ast};
 
 use crate::model::{Component, Model, Name, Problem, Reporter, Span};
 
-pub(crate) use self::tokens::{Token, tokens};
+pub(crate) use self::attributes::content;
+pub(crate) use self::tokens::tokens;
 
 /// Reads a file.
 #[must_use]

@@ -3,102 +3,93 @@
 use std::collections::BTreeSet;
 
 use bica::Tree;
-use bica::graph::{Graph, LinkKind, Node};
-use bica_vicode::model::{Component, Edge, Graph as Read, ParameterGroup};
+use bica_vicode::model::{Component, Function, Graph, LinkKind, ParameterGroup};
+use serde_json::{Value, json};
 
 use crate::sources;
 
-fn number(component: &Component, key: &str) -> Option<f32> {
-    component.options.get(key).map(|one| one.value.as_ref().unwrap().text.parse().unwrap())
+fn list<T>(of: &[T], one: impl Fn(&T) -> Value) -> Value {
+    of.iter().map(one).collect()
 }
 
-/// Compares a component with its node in `GRAPH`.
-fn agrees(component: &Component, node: &Node, graph: &Graph) {
-    let name = node.name;
-    assert_eq!(component.docs.text, node.doc, "{name}");
-    assert_eq!((number(component, "hz"), number(component, "budget_us")), (node.hz, node.budget_us), "{name}");
-    assert_eq!(component.options.get("resume").is_some(), node.resume, "{name}");
-    let states: Vec<_> = component
-        .states
-        .iter()
-        .map(|one| (&*one.function.name.text, &*one.function.docs.text, one.initial, one.last))
-        .collect();
-    let expected: Vec<_> = node.states.iter().map(|one| (one.name, one.doc, one.initial, one.last)).collect();
-    assert_eq!(states, expected, "{name}");
-    let read = Read::of(component);
-    let edge = |one: &bica::graph::Transition| Edge {
-        name: one.name.to_owned(),
-        from: one.from,
-        to: one.to,
-        after_ms: one.after_ms,
-    };
-    assert_eq!(read.edges, node.transitions.iter().map(edge).collect::<Vec<_>>(), "{name}");
-    let kind = |modulation: bool| if modulation { "modulation" } else { "requirement" };
-    let links: BTreeSet<_> = read
-        .links
-        .iter()
-        .map(|link| (link.state, link.child.clone(), kind(link.kind != bica_vicode::model::LinkKind::Requirement)))
-        .collect();
-    let expected: BTreeSet<_> = node
-        .links
-        .iter()
-        .map(|link| {
-            let child = graph.nodes[link.to].name.to_owned();
-            (link.state, child, kind(link.kind == LinkKind::Modulation))
-        })
-        .collect();
-    assert_eq!(links, expected, "{name}");
-    operator(component, node);
+/// A component as [`node`] has it.
+fn model(component: &Component) -> Value {
+    let number = |key| component.options.get(key).map(|one| one.value.as_ref().unwrap().text.parse::<f64>().unwrap());
+    let doc = |function: &Function| function.docs.text.clone();
+    let named = |function: &Function| (function.name.text.clone(), doc(function));
+    let graph = Graph::of(component);
+    let kind = |kind| if kind == LinkKind::Requirement { "requirement" } else { "modulation" };
+    let links: BTreeSet<_> =
+        graph.links.iter().map(|one| json!([one.state, one.child, kind(one.kind)]).to_string()).collect();
+    json!({
+        "name": component.name.text,
+        "doc": component.docs.text,
+        "options": [number("hz"), number("budget_us"), component.options.get("resume").is_some()],
+        "states": list(&component.states, |one| json!([named(&one.function), one.initial, one.last])),
+        "transitions": list(&graph.edges, |one| {
+            let function = &component.transition(&one.name).unwrap().function;
+            json!([named(function), one.from, one.to, one.after_ms])
+        }),
+        "links": links,
+        "info": list(&component.info, |one| json!([named(&one.function), one.unit, one.ty.as_ref().unwrap().text])),
+        "modulations": list(&component.modulations, |one| {
+            json!([named(&one.function), list(&one.function.arguments, |one| json!(one.name.text))])
+        }),
+    })
 }
 
-fn operator(component: &Component, node: &Node) {
-    let info: Vec<_> = component
-        .info
-        .iter()
-        .map(|one| (&*one.function.name.text, &*one.function.docs.text, one.unit.as_deref()))
-        .collect();
-    assert_eq!(info, node.info.iter().map(|one| (one.name, one.doc, one.unit)).collect::<Vec<_>>(), "{}", node.name);
-    let modulation = |one: &bica_vicode::model::Modulation| {
-        let arguments = one.function.arguments.iter().map(|argument| argument.name.text.clone()).collect::<Vec<_>>();
-        (one.function.name.text.clone(), one.function.docs.text.clone(), arguments)
-    };
-    let expected = |one: &bica::modulation::Modulation| {
-        let arguments = one.arguments.iter().map(|argument| argument.name.to_owned()).collect::<Vec<_>>();
-        (one.name.to_owned(), one.doc.to_owned(), arguments)
-    };
-    let modulations: Vec<_> = component.modulations.iter().map(modulation).collect();
-    assert_eq!(modulations, node.modulations.iter().map(expected).collect::<Vec<_>>(), "{}", node.name);
+/// A component of a tree's `GRAPH` without its parameters.
+fn node(node: &Value, tree: &Value) -> Value {
+    let each = |key: &str, one: &dyn Fn(&Value) -> Value| list(node[key].as_array().unwrap(), one);
+    let named = |one: &Value| json!([one["name"], one["doc"]]);
+    let child = |link: &Value| tree["nodes"][usize::try_from(link["to"].as_u64().unwrap()).unwrap()]["name"].clone();
+    let links = node["links"].as_array().unwrap().iter();
+    let links: BTreeSet<_> = links.map(|one| json!([one["state"], child(one), one["kind"]]).to_string()).collect();
+    json!({
+        "name": node["name"],
+        "doc": node["doc"],
+        "options": [node["hz"].as_f64(), node["budget_us"].as_f64(), node["resume"]],
+        "states": each("states", &|one| json!([named(one), one["initial"], one["last"]])),
+        "transitions": each("transitions", &|one| json!([named(one), one["from"], one["to"], one["after_ms"]])),
+        "links": links,
+        "info": each("info", &|one| json!([named(one), one["unit"], one["type"]])),
+        "modulations": each("modulations", &|one| {
+            json!([named(one), list(one["arguments"].as_array().unwrap(), |one| one["name"].clone())])
+        }),
+    })
+}
+
+/// Compares a component with its node in the `GRAPH` of a tree; returns the node.
+pub(crate) fn agrees<'a>(component: &Component, tree: &'a Value) -> &'a Value {
+    let mut nodes = tree["nodes"].as_array().unwrap().iter();
+    let found = nodes.find(|node| node["name"] == component.name.text.as_str()).expect("a component of the tree");
+    assert_eq!(model(component), node(found, tree));
+    found
 }
 
 #[test]
-fn the_model_of_every_component_of_the_forward_is_what_its_graph_says() {
-    let graph = &bica_player::Forward::GRAPH;
-    let mut seen = BTreeSet::new();
-    let mut groups: Vec<ParameterGroup> = Vec::new();
+fn model_of_every_component_of_the_forward_is_its_node_in_the_graph() {
+    let tree: Value = serde_json::from_str(&bica_player::Forward::GRAPH.json().to_string()).unwrap();
+    let mut seen = 0;
     for (_, text) in sources::components("player/src") {
         let model = bica_vicode::read(&text);
         assert_eq!(model.problems, []);
-        for component in &model.components {
-            let node =
-                graph.nodes.iter().find(|node| node.name == component.name.text).expect("a component of the tree");
-            agrees(component, node, graph);
-            seen.insert(node.name);
-        }
+        seen += model.components.iter().map(|component| agrees(component, &tree)).count();
     }
-    assert_eq!(seen, graph.nodes.iter().map(|node| node.name).collect());
-    for path in sources::files(&sources::root().join("player/src")) {
-        groups.extend(bica_vicode::read(&std::fs::read_to_string(path).unwrap()).parameters);
-    }
+    assert_eq!(seen, tree["nodes"].as_array().unwrap().len());
+    let texts = sources::files(&sources::root().join("player/src")).into_iter().map(std::fs::read_to_string);
+    let groups: Vec<ParameterGroup> = texts.flat_map(|text| bica_vicode::read(&text.unwrap()).parameters).collect();
     let mut compared = 0;
-    for expected in graph.nodes.iter().flat_map(|node| node.params) {
-        let group = groups.iter().find(|group| group.name.text == expected.name).expect(expected.name);
-        assert_eq!(group.docs.text, expected.doc);
-        let fields: Vec<_> = group.parameters.iter().map(|one| (&*one.name.text, &*one.docs.text)).collect();
-        assert_eq!(fields, expected.params.iter().map(|one| (one.name, one.doc)).collect::<Vec<_>>());
-        for (parameter, of) in group.parameters.iter().zip(expected.params) {
+    for expected in tree["nodes"].as_array().unwrap().iter().flat_map(|node| node["params"].as_array().unwrap()) {
+        let group = groups.iter().find(|group| expected["name"] == group.name.text).expect("a struct of parameters");
+        assert_eq!(expected["doc"], group.docs.text);
+        let fields = list(&group.parameters, |one| json!([one.name.text, one.docs.text]));
+        let params = expected["params"].as_array().unwrap();
+        assert_eq!(fields, list(params, |one| json!([one["name"], one["doc"]])));
+        for (parameter, of) in group.parameters.iter().zip(params) {
             let default = &parameter.value("default").expect("a default").text;
-            if let (Ok(number), bica::params::Value::F32(value)) = (default.parse::<f32>(), of.default) {
-                assert_eq!(number.to_bits(), value.to_bits(), "{}", of.name);
+            if let (Ok(number), Some(value)) = (default.parse::<f64>(), of["default"].as_f64()) {
+                assert_eq!(number.to_bits(), value.to_bits(), "{of}");
                 compared += 1;
             }
         }
