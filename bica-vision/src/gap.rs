@@ -37,8 +37,7 @@ impl Gap {
     }
 }
 
-/// Finds the widest free section between posts at `left` and `right`, ground frame, m. `None` if none is free or
-/// visible.
+/// Finds the widest free section between posts at `left` and `right`, ground frame, m. `None` if none is free or visible.
 #[must_use]
 pub fn widest(frame: &Frame<'_>, colours: &impl Classify, camera: &Camera, left: Vec2, right: Vec2) -> Option<Gap> {
     let free = |place: usize| is_free(frame, colours, camera, left.lerp(right, share(place)));

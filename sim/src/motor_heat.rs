@@ -10,8 +10,7 @@ const AMBIENT: f32 = 25.0;
 /// Steady-state rise above ambient at the continuous current, K. Our estimate: it leads to 85 °C, at which a NAO's firmware has
 /// long reduced the stiffness.
 const STEADY_RISE: f32 = 60.0;
-/// Thermal time constant, s. Our estimate for a motor of 22 mm in a shell: teams report hot knees after a half-time of
-/// ten minutes.
+/// Thermal time constant, s. Our estimate for a motor of 22 mm in a shell: teams report hot knees after a half-time of ten minutes.
 const TIME_CONSTANT: f32 = 600.0;
 
 /// Currents and temperatures of all motors. Each motor with its gear is a first-order thermal model: copper loss (current

@@ -81,8 +81,7 @@ pub struct Stall {
     pub aside_time: f32,
 }
 
-/// Walks to the ball in the direction of the head, which faces the ball. A stalled approach sidesteps, alternately to
-/// both sides.
+/// Walks to the ball in the direction of the head, which faces the ball. A stalled approach sidesteps, alternately to both sides.
 #[derive(Debug)]
 pub struct FollowBall {
     turning: bool,
@@ -150,8 +149,7 @@ impl FollowBall {
         self.stalled_time > stall.progress_time
     }
 
-    /// Whether the ball is in front of the feet: centred in the bottom camera, with the head far down and nearly
-    /// straight.
+    /// Whether the ball is in front of the feet: centred in the bottom camera, with the head far down and nearly straight.
     #[info]
     #[must_use]
     pub const fn reached(&self) -> bool {

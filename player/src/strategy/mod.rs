@@ -90,8 +90,7 @@ impl Task<'_> {
         best.1
     }
 
-    /// Plan for a kick and its cost, rad of turning; `None` if the cost is not below `limit`, or an obstacle prevents the
-    /// kick.
+    /// Plan for a kick and its cost, rad of turning; `None` if the cost is not below `limit`, or an obstacle prevents the kick.
     fn weigh(&self, aim: &Aim, kick: Kick, again: f32, limit: f32) -> Option<(f32, Plan)> {
         let Self { situation, kicks, planning, clearance } = *self;
         let path = aim.at - situation.ball;

@@ -102,8 +102,7 @@ impl ImageSensor {
     }
 }
 
-/// Returns the shifts of the pictures to be averaged, along the motion in the image, pixels. Their number is a power of
-/// two.
+/// Returns the shifts of the pictures to be averaged, along the motion in the image, pixels. Their number is a power of two.
 fn taps(motion: Vec2) -> Vec<(isize, isize)> {
     let length = motion.length();
     if length < MIN_BLUR {

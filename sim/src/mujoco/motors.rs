@@ -79,9 +79,8 @@ pub(crate) fn currents(torques: &Joints) -> Joints {
 
 /// Returns a motor's position gain at full stiffness, Nm/rad, and its torque limit, Nm.
 ///
-/// The values lie between those published for other simulators. With the damping of the joints the no-load speed is
-/// 0.65 to 1.3 times the published one: 5 rad/s in the legs, where the robot's roll joints have 4.5 and its pitch
-/// joints 7.0.
+/// The values lie between those published for other simulators. With the damping of the joints the no-load speed is 0.65 to 1.3
+/// times the published one: 5 rad/s in the legs, where the robot's roll joints have 4.5 and its pitch joints 7.0.
 const fn strength(joint: Joint, physics: &Physics) -> (f32, f32) {
     use Joint::{
         HeadPitch, HeadYaw, LElbowRoll, LElbowYaw, LHand, LShoulderPitch, LShoulderRoll, LWristYaw, RElbowRoll,

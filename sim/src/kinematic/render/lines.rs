@@ -87,8 +87,7 @@ impl LineMap {
 pub(crate) struct Nearest([i8; LANES]);
 
 impl Nearest {
-    /// Returns the fraction of a spot around a point that is line; `None` unless it is certainly 0 or 1. `spot`: its
-    /// width, m.
+    /// Returns the fraction of a spot around a point that is line; `None` unless it is certainly 0 or 1. `spot`: its width, m.
     pub(crate) fn certain_share(&self, index: usize, spot: f32) -> Option<f32> {
         let distance = self.0[index] as f32 * UNIT;
         (distance.abs() > spot / 2.0 + STEP).then_some(if distance < 0.0 { 1.0 } else { 0.0 })

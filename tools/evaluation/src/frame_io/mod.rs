@@ -26,8 +26,7 @@ pub fn list(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
     Ok(files)
 }
 
-/// Returns the name of an image in files of poses and labels: without folder and extension and, for a raw image, without
-/// the size.
+/// Returns the name of an image in files of poses and labels: without folder and extension and, for a raw image, without the size.
 #[must_use]
 pub fn stem(name: &str) -> &str {
     let name = name.rsplit('/').next().unwrap_or(name);
