@@ -298,7 +298,7 @@ mod tests {
     use proptest::prelude::*;
 
     #[test]
-    fn direction_is_the_unit_vector_of_its_angle() {
+    fn direction_is_unit_vector_of_its_angle() {
         for degrees in -720..=720_i16 {
             let (c, s) = direction(degrees);
             let angle = f64::from(degrees).to_radians();

@@ -79,7 +79,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn high_load_heats_all_motors_of_an_arm_alike() {
+    fn high_load_heats_all_motors_of_arm_alike() {
         let mut heat = MotorHeat::new();
         let loaded = Joints(Joint::ALL.map(|joint| Nao::ACTUATORS[joint].current(1.3)));
         for _ in 0..6000 {
@@ -92,7 +92,7 @@ mod tests {
     }
 
     #[test]
-    fn temperature_approaches_the_steady_rise_with_the_time_constant() {
+    fn temperature_approaches_steady_rise_with_time_constant() {
         let mut heat = MotorHeat::new();
         let minutes = |heat: &mut MotorHeat, minutes: u32, currents: Joints| {
             for _ in 0..6000 * minutes {

@@ -215,7 +215,7 @@ mod tests {
     }
 
     #[test]
-    fn the_robot_walks_and_sidesteps_with_the_tuned_speeds() {
+    fn robot_walks_and_sidesteps_with_tuned_speeds() {
         let tuned = Tuned::new(Approach { speed: 0.17, ..Approach::DEFAULT });
         let stall = Tuned::new(Stall { progress_time: 1.0, aside_speed: 0.06, ..Stall::DEFAULT });
         let (mut follow, ball, head) = (FollowBall::new(), BallDetector::new(), Head::new());
@@ -227,7 +227,7 @@ mod tests {
     }
 
     #[test]
-    fn limits_in_the_wrong_order_are_refused() {
+    fn limits_in_wrong_order_are_refused() {
         assert!(Approach::DEFAULT.check().is_ok());
         for wrong in [
             Approach { ahead_pan: 0.62, ..Approach::DEFAULT },
