@@ -37,9 +37,8 @@ pub struct OwnedImage {
 }
 
 impl Recording {
-    /// Records `cycles` cycles of a game after the first `before`. The robot walks towards a ball in front of a goal,
-    /// with other robots beside it. Localization is held active, so all detectors run. Returns the recording and the
-    /// forward after the game.
+    /// Records `cycles` cycles of a game after the first `before`. The robot walks towards a ball in front of a goal, with other
+    /// robots beside it. Localization is held active, so all detectors run. Returns the recording and the forward after the game.
     ///
     /// # Panics
     /// If the size of an image is not accepted.

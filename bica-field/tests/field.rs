@@ -41,7 +41,7 @@ fn left_post_comes_first() {
 }
 
 #[test]
-fn line_distances_are_those_of_the_rules() {
+fn line_distances_are_those_of_rules() {
     for (x, y, distance) in [
         (0.0, 0.0, 0.0),
         (3.0, 0.3, 0.0),
@@ -79,7 +79,7 @@ fn crossing_arms_match_its_kind() {
 }
 
 #[test]
-fn each_goal_colour_is_the_other_of_the_other() {
+fn each_goal_colour_is_other_of_other() {
     for colour in [GoalColour::Yellow, GoalColour::SkyBlue] {
         assert_ne!(colour.other(), colour);
         assert_eq!(colour.other().other(), colour);

@@ -107,8 +107,7 @@ impl<M: RobotModel> GetUp<M> {
         self.failed || self.index >= self.first_frames().len() + rise
     }
 
-    /// Index of the key posture that is being approached, counted from the beginning of the motion; `None` if there is no
-    /// get-up.
+    /// Index of the key posture that is being approached, counted from the beginning of the motion; `None` if there is no get-up.
     #[must_use]
     pub fn index(&self) -> Option<usize> {
         (self.index != usize::MAX).then_some(self.index)

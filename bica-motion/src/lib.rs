@@ -1,9 +1,8 @@
 //! Motion of a humanoid robot: joints, kinematics, head, walk, kicks, get-up, odometry, fall detection, health.
 //!
-//! Plain algorithms without a framework, `no_std` and without `alloc`. They take the robot as a type parameter, see
-//! [`model`]; the default is the NAO. Metres, radians, seconds, newtons; x forward, y left, z up. The *robot* frame has its
-//! origin midway between the hip joints; the *ground* frame lies on the ground between the feet (see
-//! [`kinematics::ground_from_robot`]).
+//! Plain algorithms without a framework, `no_std` and without `alloc`. They take the robot as a type parameter, see [`model`]; the
+//! default is the NAO. Metres, radians, seconds, newtons; x forward, y left, z up. The *robot* frame has its origin midway between
+//! the hip joints; the *ground* frame lies on the ground between the feet (see [`kinematics::ground_from_robot`]).
 //!
 //! ```
 //! use bica_motion::joints::Joint;

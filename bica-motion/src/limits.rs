@@ -21,8 +21,7 @@ impl Joints<f32> {
         Joint::ALL.into_iter().all(|joint| M::LIMITS[joint].contains(self[joint]))
     }
 
-    /// Angles after `dt` seconds of motion to `targets`, each joint at most at its maximum speed
-    /// ([`RobotModel::MAX_SPEEDS`]).
+    /// Angles after `dt` seconds of motion to `targets`, each joint at most at its maximum speed ([`RobotModel::MAX_SPEEDS`]).
     ///
     /// A joint with a NaN target does not move; no joint moves if `dt` is negative or NaN.
     #[must_use]

@@ -53,8 +53,7 @@ impl Side {
         }
     }
 
-    /// Joints of this side's arm from the shoulder out: shoulder pitch, shoulder roll, elbow yaw, elbow roll, wrist yaw,
-    /// hand.
+    /// Joints of this side's arm from the shoulder out: shoulder pitch, shoulder roll, elbow yaw, elbow roll, wrist yaw, hand.
     #[must_use]
     pub const fn arm(self) -> [Joint; 6] {
         use Joint::{

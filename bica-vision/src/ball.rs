@@ -308,8 +308,7 @@ impl<'a, C: Classify> CandidateSearch<'a, C> {
         orange as f32 / seen.max(1) as f32
     }
 
-    /// Whether the centre is in the image or the ball is large: a circle through a sliver of a small ball is
-    /// unreliable.
+    /// Whether the centre is in the image or the ball is large: a circle through a sliver of a small ball is unreliable.
     fn is_sufficiently_visible(&self, centre: Vec2, radius: f32) -> bool {
         let size = Vec2::new(f32::from(self.frame.width()), f32::from(self.frame.height()));
         let outside = (-centre).max(centre - size + Vec2::ONE).max_element();

@@ -191,7 +191,7 @@ mod tests {
     extern crate std;
 
     #[test]
-    fn segments_of_half_a_circle_give_its_centre() {
+    fn segments_of_half_circle_give_its_centre() {
         let centre = Vec2::new(1.5, -0.4);
         let mut lines = arc(centre, FIELD.centre_circle_radius(), 3, 11);
         lines.push(Line { from: centre - Vec2::new(0.9, 0.9), to: centre + Vec2::new(0.2, 0.2) });

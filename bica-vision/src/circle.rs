@@ -41,9 +41,8 @@ impl Circle {
         points.iter().filter(|point| squares.contains(&point.distance_squared(self.centre))).count()
     }
 
-    /// Fits a circle to the largest set of inliers. A point within `tolerance(radius)` px is an inlier. The points
-    /// should be ordered around the circle, which makes the triples well conditioned. `None` for fewer than three
-    /// points or collinear ones.
+    /// Fits a circle to the largest set of inliers. A point within `tolerance(radius)` px is an inlier. The points should be
+    /// ordered around the circle, which makes the triples well conditioned. `None` for fewer than three points or collinear ones.
     #[must_use]
     pub fn fit(points: &[Vec2], tolerance: impl Fn(f32) -> f32) -> Option<Self> {
         let n = points.len();

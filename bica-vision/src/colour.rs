@@ -134,8 +134,7 @@ impl Filter {
 
     /// Accepts hues from `from` counter-clockwise to `to` only, degrees, at most 180 apart; 0 is along Cb, 90 along Cr.
     ///
-    /// A ball of 2009 has hue 120–150, a yellow goal 160–185, carpet 200–285, a sky-blue goal 290–345, red plastic
-    /// 90–118.
+    /// A ball of 2009 has hue 120–150, a yellow goal 160–185, carpet 200–285, a sky-blue goal 290–345, red plastic 90–118.
     #[must_use]
     pub const fn hue(mut self, from: i16, to: i16) -> Self {
         self.from = direction(from);
@@ -299,7 +298,7 @@ mod tests {
     use proptest::prelude::*;
 
     #[test]
-    fn direction_is_the_unit_vector_of_its_angle() {
+    fn direction_is_unit_vector_of_its_angle() {
         for degrees in -720..=720_i16 {
             let (c, s) = direction(degrees);
             let angle = f64::from(degrees).to_radians();

@@ -1,9 +1,8 @@
 //! Detection of line crossings: corners (L), junctions (T) and crosses (X).
 //!
-//! Candidates are the intersections of lines that are perpendicular on the ground, and of the centre circle with the
-//! halfway line. The image decides which of the four arms of a candidate exist, because detected lines have gaps and a
-//! robot or the image edge may hide an arm. A crossing is reported only if the presence or absence of all four arms is
-//! known.
+//! Candidates are the intersections of lines that are perpendicular on the ground, and of the centre circle with the halfway line.
+//! The image decides which of the four arms of a candidate exist, because detected lines have gaps and a robot or the image edge
+//! may hide an arm. A crossing is reported only if the presence or absence of all four arms is known.
 //!
 //! Cost: each pair of lines once and 16 samples for each candidate, 5 µs.
 
@@ -51,8 +50,7 @@ pub struct Crossing {
     pub ground: Pose2,
 }
 
-/// Finds the crossings among lines on the ground, m, and those of the circle with the halfway line, up to `farthest` m
-/// away.
+/// Finds the crossings among lines on the ground, m, and those of the circle with the halfway line, up to `farthest` m away.
 #[must_use]
 pub fn find(
     frame: &Frame<'_>,

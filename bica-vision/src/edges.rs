@@ -37,8 +37,7 @@ enum End {
     Faint,
 }
 
-/// Follows rays from `centre` through pixels that `belong` to the blob, up to twice the blob's `size`, its approximate
-/// width in px.
+/// Follows rays from `centre` through pixels that `belong` to the blob, up to twice the blob's `size`, its approximate width in px.
 #[must_use]
 pub fn around(frame: &Frame<'_>, belongs: impl Fn(Pixel) -> bool, centre: Vec2, size: f32) -> Edges {
     let mut edges = Edges::default();

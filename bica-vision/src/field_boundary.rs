@@ -1,12 +1,10 @@
 //! Field boundary in the image (the paper's "end of field"): the top of the green in each column, then a convex line.
 //!
-//! In each scanned column the greenest stretch, lines included, gives a point: the edge of the carpet. With a known
-//! camera pose nothing above the horizon is carpet. Goals, robots and the ball occlude the edge and move points down;
-//! green objects in the hall move them up. The boundary is the convex line of one to three straight sides with the most
-//! inliers.
+//! In each scanned column the greenest stretch, lines included, gives a point: the edge of the carpet. With a known camera pose
+//! nothing above the horizon is carpet. Goals, robots and the ball occlude the edge and move points down; green objects in the hall
+//! move them up. The boundary is the convex line of one to three straight sides with the most inliers.
 //!
-//! Cost: [`COLUMNS`] columns × half the rows, about 2 ns each, and up to 200 lines × 40 points for each side: 16 µs at
-//! 320 × 240.
+//! Cost: [`COLUMNS`] columns × half the rows, about 2 ns each, and up to 200 lines × 40 points for each side: 16 µs at 320 × 240.
 
 mod hull;
 
@@ -59,8 +57,7 @@ impl FieldBoundary {
         Self::find_with(frame, colours, None)
     }
 
-    /// Finds the field boundary as [`find`](Self::find) does. With `camera`, ignores rows more than 2° above the
-    /// horizon.
+    /// Finds the field boundary as [`find`](Self::find) does. With `camera`, ignores rows more than 2° above the horizon.
     #[must_use]
     pub fn find_with(frame: &Frame<'_>, colours: &impl Classify, camera: Option<&Camera>) -> Self {
         Self::find_tuned(frame, colours, camera, &BoundaryTuning::DEFAULT)
@@ -107,8 +104,7 @@ impl FieldBoundary {
         hull::line_at(&self.corners, x)
     }
 
-    /// Lowest row of a scanned column, by its number from the left, that may not be green; all scanned rows below it
-    /// are green.
+    /// Lowest row of a scanned column, by its number from the left, that may not be green; all scanned rows below it are green.
     pub(crate) fn green_below(&self, column: usize) -> u16 {
         self.green_below.get(column).copied().unwrap_or(u16::MAX)
     }

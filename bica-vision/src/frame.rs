@@ -222,7 +222,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn pixel_has_the_values_of_its_bytes() {
+    fn pixel_has_values_of_its_bytes() {
         let mut bytes = [0; 2 * 16 * 16];
         bytes[2 * (16 * 5 + 6)..][..4].copy_from_slice(&[10, 20, 30, 40]);
         let frame = Frame::new(16, 16, &bytes).unwrap();

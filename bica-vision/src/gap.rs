@@ -37,8 +37,7 @@ impl Gap {
     }
 }
 
-/// Finds the widest free section between posts at `left` and `right`, ground frame, m. `None` if none is free or
-/// visible.
+/// Finds the widest free section between posts at `left` and `right`, ground frame, m. `None` if none is free or visible.
 #[must_use]
 pub fn widest(frame: &Frame<'_>, colours: &impl Classify, camera: &Camera, left: Vec2, right: Vec2) -> Option<Gap> {
     let free = |place: usize| is_free(frame, colours, camera, left.lerp(right, share(place)));
@@ -104,7 +103,7 @@ mod tests {
     }
 
     #[test]
-    fn wider_side_of_the_goalkeeper_is_found() {
+    fn wider_side_of_goalkeeper_is_found() {
         let gap = gap_with_keeper(0.1, 0.4).expect("there is room on both sides");
         assert!((gap.from - 0.43).abs() < 0.05 && (gap.to - 1.0).abs() < 0.05, "{gap:?}");
         let gap = gap_with_keeper(-0.4, -0.1).expect("there is room on both sides");

@@ -1,8 +1,7 @@
 //! Detection of the yellow and the sky-blue goal, each of two posts and a crossbar.
 //!
-//! Posts are upright bars that stand on the field and rise above its boundary. The crossbar distinguishes the left from the
-//! right post when only one post is in view. Cost at 320 × 240: 30 µs for the segmentation of every second row, then 5
-//! µs.
+//! Posts are upright bars that stand on the field and rise above its boundary. The crossbar distinguishes the left from the right
+//! post when only one post is in view. Cost at 320 × 240: 30 µs for the segmentation of every second row, then 5 µs.
 
 mod posts;
 

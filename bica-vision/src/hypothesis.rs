@@ -1,9 +1,8 @@
 //! Hypothesis tests against the camera model.
 //!
-//! A circle in the image may be a ball on the ground. Pixel and camera pose give its position, and the position gives
-//! its expected size in the image. If the measured size differs by more than the errors of pose and pixels allow, the
-//! hypothesis is rejected. If it is accepted, the size improves the position. Likewise the foot of a post predicts the
-//! position of its top. Cost: 0.1 µs.
+//! A circle in the image may be a ball on the ground. Pixel and camera pose give its position, and the position gives its expected
+//! size in the image. If the measured size differs by more than the errors of pose and pixels allow, the hypothesis is rejected. If
+//! it is accepted, the size improves the position. Likewise the foot of a post predicts the position of its top. Cost: 0.1 µs.
 
 use glam::{Vec2, Vec3};
 use libm::sqrtf;

@@ -1,8 +1,7 @@
 //! Vision of a soccer robot: frames, colour, detectors, camera projection, object memory and localization.
 //!
-//! Plain algorithms without a framework, `no_std` and without `alloc`. Lists have a fixed capacity; a full list drops
-//! its least useful entries and counts them. No input causes a panic, whatever the frame shows and however wrong a pose
-//! is.
+//! Plain algorithms without a framework, `no_std` and without `alloc`. Lists have a fixed capacity; a full list drops its least
+//! useful entries and counts them. No input causes a panic, whatever the frame shows and however wrong a pose is.
 //!
 //! ```
 //! use bica_vision::{

@@ -41,8 +41,7 @@ impl Markings {
     /// No markings.
     pub const NONE: Self = Self { lines: Lines::new(), crossings: Crossings::new(), circle: None };
 
-    /// Projects the lines of an image, px, to the ground and finds the other markings. Cost: 8 µs, up to 50 µs with
-    /// many lines.
+    /// Projects the lines of an image, px, to the ground and finds the other markings. Cost: 8 µs, up to 50 µs with many lines.
     #[must_use]
     pub fn of(frame: &Frame<'_>, colours: &impl Classify, camera: &Camera, lines: &[Line]) -> Self {
         Self::of_tuned(frame, colours, camera, lines, &MarkingTuning::DEFAULT)

@@ -183,8 +183,7 @@ impl OwnBody {
 }
 
 impl Capsule {
-    /// Whether the ray from the camera along the unit vector `ray` comes within the radius plus `margin` times the
-    /// distance.
+    /// Whether the ray from the camera along the unit vector `ray` comes within the radius plus `margin` times the distance.
     fn is_near(&self, ray: Vec3, margin: f32) -> bool {
         let (away, share) = self.nearest(ray);
         let ahead = (self.from + share * self.along).dot(ray);
@@ -198,8 +197,7 @@ impl Capsule {
         away.length() > self.radius + angle * reach + ROUNDING
     }
 
-    /// Perpendicular vector from the ray to the nearest point of the segment, and that point's position along the
-    /// segment, 0 to 1.
+    /// Perpendicular vector from the ray to the nearest point of the segment, and that point's position along the segment, 0 to 1.
     fn nearest(&self, ray: Vec3) -> (Vec3, f32) {
         let across = |v: Vec3| v - v.dot(ray) * ray;
         let (from, along) = (across(self.from), across(self.along));

@@ -73,9 +73,8 @@ pub struct Camera {
 }
 
 impl Camera {
-    /// Creates a camera from its pose in the ground frame: `pose.transform_point3(p)` maps points of the camera frame
-    /// to the ground frame. The linear part must be a rotation. With a pose that is not finite every projection is
-    /// `None`.
+    /// Creates a camera from its pose in the ground frame: `pose.transform_point3(p)` maps points of the camera frame to the ground
+    /// frame. The linear part must be a rotation. With a pose that is not finite every projection is `None`.
     #[must_use]
     pub fn new(pose: Affine3A, intrinsics: Intrinsics) -> Self {
         let turn = pose.matrix3.transpose();

@@ -365,7 +365,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn robots_are_those_of_a_search_in_all_rows(bytes in frame()) {
+        fn robots_are_those_of_search_in_all_rows(bytes in frame()) {
             let frame = Frame::new(WIDTH, HEIGHT, &bytes).expect("a frame");
             let boundary = FieldBoundary::find(&frame, &ByLuma);
             let expected = find(&frame, &ByLuma, &boundary.without_columns(), None);

@@ -1,8 +1,7 @@
 //! Run-length encoding: each scanned row becomes runs of one colour class, on pixel pairs.
 //!
-//! Runs are emitted only for the selected classes, so the cost depends on them: about 1.5 ns for each pair (a table
-//! lookup and a compare), and 5 ns for each run. 320 × 240 on every row: 60 µs. [`Area`] restricts the region of
-//! interest and thins the rows.
+//! Runs are emitted only for the selected classes, so the cost depends on them: about 1.5 ns for each pair (a table lookup and a
+//! compare), and 5 ns for each run. 320 × 240 on every row: 60 µs. [`Area`] restricts the region of interest and thins the rows.
 
 use heapless::Vec;
 
@@ -195,8 +194,7 @@ impl<'a, C: Classify> Seek<'a, C> {
         true
     }
 
-    /// Class of a pair if it is selected. Branch-free: borders between other classes are frequent and would be
-    /// mispredicted.
+    /// Class of a pair if it is selected. Branch-free: borders between other classes are frequent and would be mispredicted.
     #[inline(always)]
     fn class(&self, pair: [u8; 4]) -> Colour {
         let class = self.colours.classify(Pair(pair).mean());

@@ -248,7 +248,7 @@ mod tests {
         #![proptest_config(ProptestConfig::with_cases(24))]
 
         #[test]
-        fn table_in_parts_equals_the_whole_table(
+        fn table_in_parts_equals_whole_table(
             changes in prop::collection::vec((filters(), 0..=GradualTable::PARTS), 1..4),
         ) {
             let mut gradual = Box::new(GradualTable::new());
@@ -302,7 +302,7 @@ mod tests {
     }
 
     #[test]
-    fn pixels_are_inside_the_bounding_box_of_their_class() {
+    fn pixels_are_inside_bounding_box_of_their_class() {
         for filters in [BUILT_IN, NAO_2009, DARWIN_2013] {
             let table = CompactTable::compile(&filters);
             let corner = |cell: u8, size: u8, end: u8| size * cell + end * (size - 1);
@@ -317,7 +317,7 @@ mod tests {
     }
 
     #[test]
-    fn table_of_a_wrong_size_is_rejected() {
+    fn table_of_wrong_size_is_rejected() {
         assert!(FullTable::new(&vec![0; FULL_BYTES - 1]).is_none());
         assert!(FullTable::new(&vec![0; FULL_BYTES + 1]).is_none());
         assert!(FullTable::new(&vec![0; FULL_BYTES]).is_some());

@@ -26,9 +26,8 @@ pub struct Errors {
 }
 
 impl Errors {
-    /// Errors of a standing or walking NAO. In the frames of `nao2009` distances from projection and from the ball's
-    /// size differ by 3.7 % in the median at about one metre, which a pitch error of 0.015 rad explains. The other
-    /// values are estimates.
+    /// Errors of a standing or walking NAO. In the frames of `nao2009` distances from projection and from the ball's size differ by
+    /// 3.7 % in the median at about one metre, which a pitch error of 0.015 rad explains. The other values are estimates.
     pub const NAO: Self = Self { lean: 0.015, pan: 0.015, height: 0.008, pixels: 1.0 };
 }
 

@@ -38,9 +38,8 @@ struct Body {
     incomplete: u32,
 }
 
-/// Sends an image before the detectors have run, and a part of the next image. With memory for two images the detectors
-/// process the first, with memory for one they process none. Then the second image remains incomplete, and a third one
-/// is complete.
+/// Sends an image before the detectors have run, and a part of the next image. With memory for two images the detectors process the
+/// first, with memory for one they process none. Then the second image remains incomplete, and a third one is complete.
 ///
 /// # Errors
 /// If a detector runs on a part of an image, or on none of the complete ones, if the ball, which each image shows, is lost, or if

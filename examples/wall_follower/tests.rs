@@ -11,7 +11,7 @@ fn start() -> Harness<WallFollower, InWorld<Room>> {
 }
 
 #[test]
-fn robot_finds_a_wall_and_follows_it() {
+fn robot_finds_wall_and_follows_it() {
     let mut test = start();
     test.stays::<Explorer>("search_wall", Duration::from_secs(2));
     test.reaches::<Explorer>("turn_left", Duration::from_secs(10));
@@ -19,7 +19,7 @@ fn robot_finds_a_wall_and_follows_it() {
 }
 
 #[test]
-fn the_robot_drives_around_the_end_of_a_wall() {
+fn robot_drives_around_end_of_wall() {
     let mut test = start();
     test.reaches::<Explorer>("round_end", Duration::from_secs(60));
     test.reaches::<Explorer>("follow_wall", Duration::from_secs(5));

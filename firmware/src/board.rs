@@ -13,18 +13,16 @@ use embedded_io_async::{Read, Write};
 ///
 /// # Images
 ///
-/// With the feature `medium-frames` there is memory for one image. The tree has no image from the first chunk of an
-/// image until the [`bica_wire::ToRobot::Sensors`] message that completes it: a detector that is due in this interval
-/// keeps its result, and processes the next complete image. In lockstep no cycle runs in this interval. In free-running
-/// mode a body
+/// With the feature `medium-frames` there is memory for one image. The tree has no image from the first chunk of an image until the
+/// [`bica_wire::ToRobot::Sensors`] message that completes it: a detector that is due in this interval keeps its result, and
+/// processes the next complete image. In lockstep no cycle runs in this interval. In free-running mode a body
 ///
 /// - sends all chunks of an image and its sensor values within one cycle, 10 ms, or
 /// - waits for 40 ms, the longest time until each detector has run, before it sends the next image, or
 /// - starts the camera's transfer when the detectors have run, if the board owns the camera.
 ///
-/// Otherwise detectors miss images, but never process an incomplete one. An image with a missing chunk is counted, and
-/// the tree has no image until the next complete one. Without the feature the tree keeps the previous image in a second
-/// memory.
+/// Otherwise detectors miss images, but never process an incomplete one. An image with a missing chunk is counted, and the tree has
+/// no image until the next complete one. Without the feature the tree keeps the previous image in a second memory.
 pub trait Board: Sized {
     /// Receiver of bytes: a serial line, a TCP connection or any other ordered stream. Bytes may get lost.
     type Rx: Read;
@@ -33,8 +31,7 @@ pub trait Board: Sized {
     /// Receiver of bytes on the line for monitors. If its `read` is dropped before it is ready, no byte may be lost.
     /// [`NoLine`](crate::NoLine) on a board without such a line, and in an image without the feature `monitor`.
     type MonitorRx: Read;
-    /// Transmitter of bytes on the line for monitors. If its `write` is dropped before it is ready, nothing may be
-    /// written.
+    /// Transmitter of bytes on the line for monitors. If its `write` is dropped before it is ready, nothing may be written.
     type MonitorTx: Write;
     /// Rate of [`Self::counter`], Hz.
     const COUNTER_HZ: u32;

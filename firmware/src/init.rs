@@ -9,8 +9,7 @@ use crate::monitor::Monitor;
 use crate::stack;
 use crate::tree::Forward;
 
-/// The tree. It is created at the start, not in initialised memory, which would store its 20 KB, nearly all zero, in
-/// flash.
+/// The tree. It is created at the start, not in initialised memory, which would store its 20 KB, nearly all zero, in flash.
 static ROBOT: StaticCell<Forward> = StaticCell::new();
 
 /// The server for monitors. It is created at the start too: not all of its bytes are zero.

@@ -112,7 +112,7 @@ mod tests {
     }
 
     #[test]
-    fn a_given_start_changes_nothing_else_in_the_layout() {
+    fn given_start_changes_nothing_else_in_layout() {
         let drawn = Layout::new(&Setup::default(), &mut Random::new(0, Stream::Start));
         let start = Start { robot: Pose2::new(-1.0, 0.0, 0.0), ball: Vec2::new(0.0, 0.5) };
         let setup = Setup { start: Some(start), ..Setup::default() };

@@ -10,8 +10,7 @@ const AMBIENT: f32 = 25.0;
 /// Steady-state rise above ambient at the continuous current, K. Our estimate: it leads to 85 °C, at which a NAO's firmware has
 /// long reduced the stiffness.
 const STEADY_RISE: f32 = 60.0;
-/// Thermal time constant, s. Our estimate for a motor of 22 mm in a shell: teams report hot knees after a half-time of
-/// ten minutes.
+/// Thermal time constant, s. Our estimate for a motor of 22 mm in a shell: teams report hot knees after a half-time of ten minutes.
 const TIME_CONSTANT: f32 = 600.0;
 
 /// Currents and temperatures of all motors. Each motor with its gear is a first-order thermal model: copper loss (current
@@ -80,7 +79,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn high_load_heats_all_motors_of_an_arm_alike() {
+    fn high_load_heats_all_motors_of_arm_alike() {
         let mut heat = MotorHeat::new();
         let loaded = Joints(Joint::ALL.map(|joint| Nao::ACTUATORS[joint].current(1.3)));
         for _ in 0..6000 {
@@ -93,7 +92,7 @@ mod tests {
     }
 
     #[test]
-    fn temperature_approaches_the_steady_rise_with_the_time_constant() {
+    fn temperature_approaches_steady_rise_with_time_constant() {
         let mut heat = MotorHeat::new();
         let minutes = |heat: &mut MotorHeat, minutes: u32, currents: Joints| {
             for _ in 0..6000 * minutes {

@@ -93,7 +93,7 @@ mod tests {
     }
 
     #[test]
-    fn centred_disc_is_pushed_across_the_segment() {
+    fn centred_disc_is_pushed_across_segment() {
         let wall = Obstacle::net(Vec2::ZERO, Vec2::X);
         let (normal, depth) = wall.overlap(Vec2::new(0.5, 0.0), 0.05).unwrap();
         assert!(normal.dot(Vec2::X).abs() < 1e-6 && (depth - 0.06).abs() < 1e-6, "{normal} {depth}");

@@ -94,7 +94,7 @@ mod tests {
     }
 
     #[test]
-    fn a_post_or_a_robot_occupies_its_place() {
+    fn post_or_robot_occupies_its_place() {
         let (standing, lying) = (referee(Posture::Upright), referee(Posture::Down(Direction::Front)));
         let post = Vec2::new(3.0, -0.7);
         assert_eq!(check(post, &standing), Err(PlacementError::InPost(post)));

@@ -43,7 +43,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_foot_in_the_air_measures_nothing() {
+    fn foot_in_air_measures_nothing() {
         assert_eq!(measure_pressure(&FootPressure::default(), || 0.5), FootPressure::default());
     }
 

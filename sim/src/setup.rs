@@ -206,7 +206,7 @@ mod tests {
     }
 
     #[test]
-    fn an_invalid_setup_is_rejected_with_its_reason() {
+    fn invalid_setup_is_rejected_with_its_reason() {
         let ball = Vec2::new(1.0, 0.0);
         assert_eq!(start(0.0, 0.0, 0.0, ball), Ok(()));
         assert!(matches!(start(f32::NAN, 0.0, 0.0, ball), Err(SetupError::RobotOffCarpet(_))));
@@ -222,7 +222,7 @@ mod tests {
     }
 
     #[test]
-    fn a_frame_is_found_by_its_size() {
+    fn frame_is_found_by_its_size() {
         assert_eq!(Frame::of_size(640, 480), Some(Frame::Large));
         assert_eq!(Frame::of_size(641, 480), None);
         assert_eq!("320x240".parse(), Ok(Frame::Medium));

@@ -64,7 +64,7 @@ mod tests {
     }
 
     #[test]
-    fn shots_fill_the_ranges_that_are_documented() {
+    fn shots_fill_ranges_that_are_documented() {
         let goal = Vec2::new(-3.0, 0.0);
         let distances: Vec<f32> = shots().map(|shot| shot.from.distance(goal)).collect();
         let aims: Vec<f32> = shots().map(|shot| shot.aim.y).collect();

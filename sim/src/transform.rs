@@ -39,21 +39,21 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_level_pose_projects_back_to_itself() {
+    fn level_pose_projects_back_to_itself() {
         let pose = Pose2::new(1.5, -0.5, 2.0);
         let found = ground_pose(&level_pose(&pose));
         assert!(found.position.distance(pose.position) < 1e-6 && (found.heading - pose.heading).abs() < 1e-6);
     }
 
     #[test]
-    fn angular_velocity_is_in_the_rotating_frame() {
+    fn angular_velocity_is_in_rotating_frame() {
         let from = Affine3A::from_rotation_x(0.4).matrix3;
         let to = from * Affine3A::from_rotation_y(0.02).matrix3;
         assert!((angular_velocity(&from, &to) - Vec3::new(0.0, 2.0, 0.0)).length() < 1e-3);
     }
 
     #[test]
-    fn a_fall_is_named_after_the_larger_component() {
+    fn fall_is_named_after_larger_component() {
         for (x, y, expected) in [
             (1.0, 0.9, Direction::Front),
             (-1.0, 0.9, Direction::Back),

@@ -68,14 +68,14 @@ mod tests {
     use super::*;
 
     #[test]
-    fn thirty_of_a_hundred_cycles_have_a_new_image() {
+    fn thirty_of_hundred_cycles_have_new_image() {
         let cycles: Vec<u64> = (0..100).filter(|cycle| image_is_due(*cycle)).collect();
         assert_eq!(cycles.len(), 30);
         assert_eq!(cycles[..4], [0, 4, 7, 10]);
     }
 
     #[test]
-    fn image_index_changes_with_the_next_image() {
+    fn image_index_changes_with_next_image() {
         for cycle in 1..1_000 {
             let expected = frame(cycle - 1) + u64::from(image_is_due(cycle));
             assert_eq!(frame(cycle), expected, "cycle {cycle}");

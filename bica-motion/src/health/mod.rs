@@ -18,8 +18,7 @@ use crate::side::Side;
 
 /// Minimum stiffness at which a joint follows its target.
 pub const FOLLOWING_STIFFNESS: f32 = 0.6;
-/// Maximum roll and pitch of the torso at which feet and joints behave as in stand and walk, rad. Beyond, the robot falls or
-/// lies.
+/// Maximum roll and pitch of the torso at which feet and joints behave as in stand and walk, rad. Beyond, the robot falls or lies.
 pub const UPRIGHT_TILT: f32 = 0.4;
 /// Minimum deviation of a stuck joint from its target, rad: three times the lag in the fastest kick.
 const STUCK_DEVIATION: f32 = 0.7;

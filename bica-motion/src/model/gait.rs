@@ -46,8 +46,7 @@ pub struct Parameters {
     pub max_slow_down: Velocity,
     /// Velocity of the body when zero velocity is planned, caused by slip. Measured in trials.
     pub velocity_drift: Velocity,
-    /// Planned velocity per requested velocity, after [`velocity_drift`](Self::velocity_drift) is subtracted. Measured in
-    /// trials.
+    /// Planned velocity per requested velocity, after [`velocity_drift`](Self::velocity_drift) is subtracted. Measured in trials.
     pub velocity_scale: Velocity,
     /// Share of a turn that is made with the toes pointing inwards, 0 to 1.
     pub toe_in_share: f32,

@@ -33,8 +33,7 @@ pub struct Masses([Mass; SEGMENTS]);
 impl Masses {
     /// Masses of a symmetric body, from those of the trunk and of the left side.
     ///
-    /// `trunk`: torso, neck, head. `arm`: shoulder, biceps, elbow, forearm, hand. `leg`: pelvis, hip, thigh, tibia, ankle,
-    /// foot.
+    /// `trunk`: torso, neck, head. `arm`: shoulder, biceps, elbow, forearm, hand. `leg`: pelvis, hip, thigh, tibia, ankle, foot.
     #[must_use]
     pub const fn symmetric(trunk: [Mass; 3], arm: [Mass; 5], leg: [Mass; 6]) -> Self {
         let mut masses = [trunk[0]; SEGMENTS];

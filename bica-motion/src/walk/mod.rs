@@ -1,11 +1,10 @@
 //! Omnidirectional walk.
 //!
-//! Method: Walk2014 (Hengst 2014). Steps are planned in closed form from the requested velocity, foot pressure detects the
-//! change of the support foot, and a proportional term on the gyroscope stabilises the ankles. Two things differ in the
-//! quasi-static gait, which keeps the centre of mass over the feet: the hips sway from foot to foot in double support
-//! ([`Parameters::mid_step_hip_offset`]), and the swing foot comes down at rest relative to the ground instead of the body.
-//! A gait with a [pendulum](Parameters::pendulum_height) adds capture steps (Pratt et al. 2006) and a slowdown of the gait
-//! phase.
+//! Method: Walk2014 (Hengst 2014). Steps are planned in closed form from the requested velocity, foot pressure detects the change
+//! of the support foot, and a proportional term on the gyroscope stabilises the ankles. Two things differ in the quasi-static gait,
+//! which keeps the centre of mass over the feet: the hips sway from foot to foot in double support
+//! ([`Parameters::mid_step_hip_offset`]), and the swing foot comes down at rest relative to the ground instead of the body. A gait
+//! with a [pendulum](Parameters::pendulum_height) adds capture steps (Pratt et al. 2006) and a slowdown of the gait phase.
 
 mod adjustment;
 mod balance;
@@ -206,8 +205,7 @@ impl<M: RobotModel> Walk<M> {
         self.balance.capture_error(plan.support.other().sign(), self.time / plan.duration, self.gait)
     }
 
-    /// Advances the time of the step, except while the swing foot should leave the ground and the support foot measures no
-    /// contact.
+    /// Advances the time of the step, except while the swing foot should leave the ground and the support foot measures no contact.
     fn advance_time(&mut self, dt: f32, feedback: &Feedback) {
         let Some(plan) = self.plan else { return };
         let dt = self.gait.phase_rate(self.capture_error(&plan)) * valid(dt);

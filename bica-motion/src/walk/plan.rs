@@ -173,10 +173,9 @@ impl Plan {
 
 /// Support and swing foot at the end of a step of `duration` s, in the frame under the hips.
 ///
-/// Both feet have equal shares of the forward motion and of the turn. In lateral motion and in turning, only the foot on the
-/// side of the motion moves away from the other one; in the next step the other foot comes beside it (its share of a turn may
-/// point the toes inwards). In lateral motion both ends are closer together than in a stand, which uses the reach of the
-/// legs best.
+/// Both feet have equal shares of the forward motion and of the turn. In lateral motion and in turning, only the foot on the side
+/// of the motion moves away from the other one; in the next step the other foot comes beside it (its share of a turn may point the
+/// toes inwards). In lateral motion both ends are closer together than in a stand, which uses the reach of the legs best.
 fn feet_at_end(swing: Side, velocity: &Velocity, duration: f32, gait: &Parameters) -> [Pose2; 2] {
     let side = swing.sign();
     let half_step = 0.5 * velocity.forward * duration;

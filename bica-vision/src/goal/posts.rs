@@ -64,8 +64,7 @@ impl<const N: usize> PostSearch<'_, N> {
         bar.bottom.y >= end - margin && rises
     }
 
-    /// Whether the bar reaches the horizon, as a post is higher than the camera, and has a post's width at its
-    /// position.
+    /// Whether the bar reaches the horizon, as a post is higher than the camera, and has a post's width at its position.
     fn fits_camera(&self, bar: &Bar) -> bool {
         let Some(camera) = self.camera else { return true };
         let slack = self.tuning.pitch_error * camera.intrinsics().focal.y;

@@ -295,7 +295,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn parallel_scans_find_the_edges_of_single_scans(
+        fn parallel_scans_find_edges_of_single_scans(
             bytes in prop::collection::vec(prop_oneof![3 => 60_u8..90, 1 => any::<u8>()], 2 * 16 * 16),
             firsts in prop::collection::vec(0..=END, 1..=LANES),
             min_rise in 1..40_i16,

@@ -1,8 +1,7 @@
 //! Bright ridges between green pixels in one scan.
 //!
-//! A ridge begins where luma rises above the carpet and ends where it falls below the mid-level again. So a line
-//! thinner than a pixel is found too, although none of its pixels is white. The colour class is read only at both sides
-//! and in the middle.
+//! A ridge begins where luma rises above the carpet and ends where it falls below the mid-level again. So a line thinner than a
+//! pixel is found too, although none of its pixels is white. The colour class is read only at both sides and in the middle.
 
 use heapless::Vec;
 
@@ -12,8 +11,7 @@ use super::stripe::Axes;
 use crate::colour::{Classify, Colour};
 use crate::frame::{Frame, Lumas, Strip};
 
-/// Maximum number of ridges in one scan. Recorded images have at most 6; more is noise, and the rest of the scan is
-/// skipped.
+/// Maximum number of ridges in one scan. Recorded images have at most 6; more is noise, and the rest of the scan is skipped.
 pub(super) const RIDGES: usize = 8;
 /// Maximum number of rising edges followed in one scan. Recorded images have at most 17; more is noise.
 const RISES: u8 = 24;

@@ -39,8 +39,7 @@ impl Stripe {
 /// Segments in the making.
 pub(super) type Stripes = Vec<Stripe, LINES>;
 
-/// Merges segments of one line: ends within `apart` px of the longer segment's line and at most `between` px beyond its
-/// ends.
+/// Merges segments of one line: ends within `apart` px of the longer segment's line and at most `between` px beyond its ends.
 pub(super) fn join(lines: &mut Stripes, apart: f32, between: f32) {
     let mut at = 0;
     while at < lines.len() {

@@ -305,7 +305,7 @@ mod tests {
     }
 
     #[test]
-    fn likelihood_is_that_of_the_model_with_angles() {
+    fn likelihood_is_that_of_model_with_angles() {
         let (mut random, tuning) = (Random::new(5), LocalizerTuning::DEFAULT);
         let mut likely = 0;
         for _ in 0..5000 {

@@ -1,11 +1,10 @@
 //! Self-localization on the field, from lines, their crossings, the centre circle and goal posts.
 //!
-//! A particle filter: augmented Monte Carlo localization (Thrun, Burgard, Fox 2005, "Probabilistic Robotics", table
-//! 8.3) with the likelihood field of table 6.3 for points on lines, and low-variance resampling (table 4.4). New
-//! particles are drawn from the observation instead of the whole field (sensor resetting: Lenser, Veloso 2000, "Sensor
-//! Resetting Localization for Poorly Modelled Mobile Robots"): a goal determines the pose, a crossing leaves a few
-//! poses, a single post a circle. So a robot recovers after it was moved by hand. Lines look the same from the pose
-//! turned by 180°; the goals' colours resolve this symmetry.
+//! A particle filter: augmented Monte Carlo localization (Thrun, Burgard, Fox 2005, "Probabilistic Robotics", table 8.3) with the
+//! likelihood field of table 6.3 for points on lines, and low-variance resampling (table 4.4). New particles are drawn from the
+//! observation instead of the whole field (sensor resetting: Lenser, Veloso 2000, "Sensor Resetting Localization for Poorly
+//! Modelled Mobile Robots"): a goal determines the pose, a crossing leaves a few poses, a single post a circle. So a robot recovers
+//! after it was moved by hand. Lines look the same from the pose turned by 180°; the goals' colours resolve this symmetry.
 //!
 //! The filter has its own random numbers: equal sightings give equal poses, bit for bit. For any input, poses are
 //! finite and on the carpet. Cost with 200 particles: 10 µs for a motion, 60 to 150 µs for the sightings of an image.

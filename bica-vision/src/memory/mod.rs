@@ -1,10 +1,9 @@
 //! Perceptual memory: Kalman filters for objects that are out of view.
 //!
-//! Odometry moves each remembered position in the robot's frame. Sightings reduce its covariance; time and walked
-//! distance increase it and reduce the confidence. [`Memory`] is for static objects, [`ball::BallMemory`] for the ball,
-//! [`multi_target::MultiTargetMemory`] for several objects of one kind. [`visibility`] computes whether an object
-//! should be in view, so a missing object is forgotten. All results are finite. Cost: 50 ns for each motion or sighting
-//! of a `Memory`.
+//! Odometry moves each remembered position in the robot's frame. Sightings reduce its covariance; time and walked distance increase
+//! it and reduce the confidence. [`Memory`] is for static objects, [`ball::BallMemory`] for the ball,
+//! [`multi_target::MultiTargetMemory`] for several objects of one kind. [`visibility`] computes whether an object should be in
+//! view, so a missing object is forgotten. All results are finite. Cost: 50 ns for each motion or sighting of a `Memory`.
 
 pub mod ball;
 mod belief;

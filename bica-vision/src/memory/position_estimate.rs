@@ -7,8 +7,7 @@ use libm::{cosf, fabsf, logf, sinf};
 use super::MemoryTuning;
 use crate::uncertainty::{Covariance, inverse, round, square};
 
-/// Gate: maximum squared Mahalanobis distance of a sighting of the same object; 99.9 % quantile of χ² with two degrees
-/// of freedom.
+/// Gate: maximum squared Mahalanobis distance of a sighting of the same object; 99.9 % quantile of χ² with two degrees of freedom.
 pub(super) const GATE: f32 = 13.8;
 /// Share of outliers among sightings, such as a ball half hidden or at the image edge.
 const OUTLIERS: f32 = 0.03;

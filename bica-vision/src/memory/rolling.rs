@@ -97,8 +97,7 @@ impl Rolling {
         let moving = seconds.min(speed / deceleration);
         let stops = speed <= deceleration * seconds;
         let ahead = self.velocity.normalize_or_zero();
-        // Derivatives with respect to the velocity: ahead they persist, sideways they turn the path and shrink with the
-        // speed.
+        // Derivatives with respect to the velocity: ahead they persist, sideways they turn the path and shrink with the speed.
         let share = if stops { 1.0 } else { 1.0 - deceleration * moving / speed };
         let straight = square(ahead);
         let aside = Mat2::IDENTITY - straight;

@@ -20,8 +20,7 @@ use bica_wire::{FromMonitor, FromRobot, ToMonitor, ToRobot};
 
 use crate::session::{self, standing};
 
-/// Time of a cycle, µs of the robot's time. The body also waits this long, so that the robot's time is close to a
-/// clock's.
+/// Time of a cycle, µs of the robot's time. The body also waits this long, so that the robot's time is close to a clock's.
 pub(super) const CYCLE_US: u64 = 10_000;
 
 /// A cycle of the robot.

@@ -72,8 +72,7 @@ impl MonitorLine {
         was_served && self.sent == self.length
     }
 
-    /// Handles the received bytes; returns whether all were handled. If there is no room for an answer, the remaining
-    /// bytes wait.
+    /// Handles the received bytes; returns whether all were handled. If there is no room for an answer, the remaining bytes wait.
     fn handle<B: Board>(&mut self, controller: &mut Controller<B>) -> bool {
         loop {
             if !controller.monitor().is_ready(Line::Monitor) && !self.encode(controller) {

@@ -119,7 +119,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_velocity_has_the_tuned_speed_gains_and_limits() {
+    fn velocity_has_tuned_speed_gains_and_limits() {
         let tuned = Dribbling { speed: 0.2, aside_gain: 2.0, max_turn: 0.1, ..Dribbling::DEFAULT };
         let velocity = tuned.velocity(0.01, Vec2::new(1.0, -1.0));
         assert_eq!(velocity, Velocity { forward: 0.2, left: 0.02, turn: -0.1 });

@@ -225,7 +225,7 @@ mod tests {
     }
 
     #[test]
-    fn an_unknown_ball_position_allows_no_kick() {
+    fn unknown_ball_position_allows_no_kick() {
         let mut fixmove = Fixmove::new();
         fixmove.play(STRIKE);
         fixmove.settled = LineUp::DEFAULT.settled_runs as u8 - 1;
@@ -235,7 +235,7 @@ mod tests {
     }
 
     #[test]
-    fn the_kick_begins_after_the_tuned_number_of_runs() {
+    fn kick_begins_after_tuned_number_of_runs() {
         let fixmove = Fixmove { settled: 4, ..Fixmove::new() };
         for (settled_runs, begins) in [(4, true), (5, false)] {
             assert_eq!(fixmove.in_place(&Tuned::new(LineUp { settled_runs, ..LineUp::DEFAULT })), begins);

@@ -81,8 +81,7 @@ pub struct Stall {
     pub aside_time: f32,
 }
 
-/// Walks to the ball in the direction of the head, which faces the ball. A stalled approach sidesteps, alternately to
-/// both sides.
+/// Walks to the ball in the direction of the head, which faces the ball. A stalled approach sidesteps, alternately to both sides.
 #[derive(Debug)]
 pub struct FollowBall {
     turning: bool,
@@ -150,8 +149,7 @@ impl FollowBall {
         self.stalled_time > stall.progress_time
     }
 
-    /// Whether the ball is in front of the feet: centred in the bottom camera, with the head far down and nearly
-    /// straight.
+    /// Whether the ball is in front of the feet: centred in the bottom camera, with the head far down and nearly straight.
     #[info]
     #[must_use]
     pub const fn reached(&self) -> bool {
@@ -217,7 +215,7 @@ mod tests {
     }
 
     #[test]
-    fn the_robot_walks_and_sidesteps_with_the_tuned_speeds() {
+    fn robot_walks_and_sidesteps_with_tuned_speeds() {
         let tuned = Tuned::new(Approach { speed: 0.17, ..Approach::DEFAULT });
         let stall = Tuned::new(Stall { progress_time: 1.0, aside_speed: 0.06, ..Stall::DEFAULT });
         let (mut follow, ball, head) = (FollowBall::new(), BallDetector::new(), Head::new());
@@ -229,7 +227,7 @@ mod tests {
     }
 
     #[test]
-    fn limits_in_the_wrong_order_are_refused() {
+    fn limits_in_wrong_order_are_refused() {
         assert!(Approach::DEFAULT.check().is_ok());
         for wrong in [
             Approach { ahead_pan: 0.62, ..Approach::DEFAULT },

@@ -111,7 +111,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_turn_is_done_within_the_tuned_tolerance() {
+    fn turn_is_done_within_tuned_tolerance() {
         for (angle_tolerance, done) in [(0.1, false), (0.2, true)] {
             let tuned = Tuned::new(Circling { angle_tolerance, ..Circling::DEFAULT });
             let mut round = GoRound::new();
@@ -123,7 +123,7 @@ mod tests {
     }
 
     #[test]
-    fn the_robot_keeps_the_tuned_radius_and_speed() {
+    fn robot_keeps_tuned_radius_and_speed() {
         let tuned = Circling { radius: 0.3, speed: 0.06, ..Circling::DEFAULT };
         let at_radius = tuned.velocity(Vec2::new(0.3, 0.0), 1.0);
         assert!(fabsf(at_radius.forward) < 1e-6 && fabsf(at_radius.turn - 0.2) < 1e-6, "{at_radius:?}");

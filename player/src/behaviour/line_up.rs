@@ -80,7 +80,7 @@ mod tests {
     use crate::Model;
 
     #[test]
-    fn tolerances_gains_and_limits_are_the_tuned_ones() {
+    fn tolerances_gains_and_limits_are_tuned_ones() {
         let error = Pose { x: 0.02, y: -0.02, heading: 0.05 };
         let tuned = LineUp { position_tolerance: 0.03, position_gain: 2.0, max_turn: 0.05, ..LineUp::DEFAULT };
         assert!(tuned.allows(&error) && !LineUp::DEFAULT.allows(&error));
@@ -89,7 +89,7 @@ mod tests {
     }
 
     #[test]
-    fn ball_offset_is_mirrored_for_the_right_foot() {
+    fn ball_offset_is_mirrored_for_right_foot() {
         let kicks = &Model::KINEMATIC_PROFILE.kicks;
         let tuned = LineUp { ball_forward_offset: 0.01, ball_outward_offset: 0.02, ..LineUp::DEFAULT };
         for (foot, outward) in [(Side::Left, 0.02), (Side::Right, -0.02)] {

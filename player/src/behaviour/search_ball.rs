@@ -276,7 +276,7 @@ mod tests {
     }
 
     #[test]
-    fn the_remembered_position_is_searched_for_the_tuned_time() {
+    fn remembered_position_is_searched_for_tuned_time() {
         let search = SearchBall { recalled: 0.5, ..SearchBall::new() };
         for (recall_time, over) in [(0.4, true), (0.6, false)] {
             let tuned = Tuned::new(Search { recall_time, min_confidence: 0.0, ..Search::DEFAULT });
@@ -285,7 +285,7 @@ mod tests {
     }
 
     #[test]
-    fn the_circle_has_the_tuned_number_of_turns() {
+    fn circle_has_tuned_number_of_turns() {
         let search = SearchBall { glance: GLANCES.len(), turns: 4, ..SearchBall::new() };
         for (turns, complete) in [(4, true), (5, false)] {
             assert_eq!(search.circle_complete(&Tuned::new(Search { turns, ..Search::DEFAULT })), complete, "{turns}");
@@ -293,7 +293,7 @@ mod tests {
     }
 
     #[test]
-    fn walk_ends_at_its_distance_or_an_obstacle() {
+    fn walk_ends_at_its_distance_or_obstacle() {
         let tuned = Tuned::new(Search { walk_distance: 0.5, blocked_path: 0.6, ..Search::DEFAULT });
         for (path, walked, arrived) in [(0.7, 0.4, false), (0.7, 0.5, true), (0.5, 0.4, true)] {
             assert_eq!(SearchBall { path, walked, ..SearchBall::new() }.arrived(&tuned), arrived, "{walked} {path}");
@@ -313,7 +313,7 @@ mod tests {
     }
 
     #[test]
-    fn a_search_elsewhere_ends_recall_and_scan() {
+    fn search_elsewhere_ends_recall_and_scan() {
         let mut search = SearchBall::new();
         let tuned = Tuned::new(Search { min_confidence: 0.0, ..Search::DEFAULT });
         let ends =

@@ -6,8 +6,7 @@ use bica::prelude::*;
 use bica_motion::joints::Joints;
 use bica_motion::robot::{CameraId, Image};
 
-/// Bytes of the largest image: 640×480 pixels in YUYV 4:2:2, 160×120 with the feature `small-frames`, 320×240 with
-/// `medium-frames`.
+/// Bytes of the largest image: 640×480 pixels in YUYV 4:2:2, 160×120 with the feature `small-frames`, 320×240 with `medium-frames`.
 pub const IMAGE_BYTES: usize = if cfg!(feature = "medium-frames") {
     320 * 240 * 2
 } else if cfg!(feature = "small-frames") {

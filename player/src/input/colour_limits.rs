@@ -273,12 +273,12 @@ mod tests {
     use super::*;
 
     #[test]
-    fn default_limits_equal_the_built_in_profile() {
+    fn default_limits_equal_built_in_profile() {
         assert_eq!(ColourLimits::DEFAULT.filters(), profile::BUILT_IN);
     }
 
     #[test]
-    fn limits_out_of_order_break_the_rule() {
+    fn limits_out_of_order_break_rule() {
         let orange = OrangeLimits::DEFAULT;
         assert!(OrangeLimits { orange_hue_from: 147, ..orange }.is_ordered().is_err());
         assert!(OrangeLimits { orange_hue_to: 146 + 153, ..orange }.is_ordered().is_err());

@@ -169,7 +169,7 @@ mod tests {
     }
 
     #[test]
-    fn changed_limit_replaces_the_table_after_64_runs() {
+    fn changed_limit_replaces_table_after_64_runs() {
         let mut eye = eye();
         let mut ticks = (0..).map(|cycle| Instant::from_millis(10 * cycle));
         let mut run = |eye: &mut Eye, runs: usize| ticks.by_ref().take(runs).for_each(|now| eye.tick(now));

@@ -174,7 +174,7 @@ mod tests {
     }
 
     #[test]
-    fn non_finite_measurement_keeps_the_last_one() {
+    fn non_finite_measurement_keeps_last_one() {
         let mut state = RobotState::new();
         state.measure(&sensors(0.1, 0.3), &command(1.0));
         state.measure(&sensors(f32::NAN, f32::INFINITY), &command(1.0));

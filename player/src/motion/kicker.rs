@@ -11,8 +11,7 @@ use crate::output::Motors;
 /// Adjustment of the kicks of the robot's profile.
 #[derive(Clone, Debug, PartialEq, Params)]
 pub struct KickTuning {
-    /// Speed of the whole motion, except the strike, relative to the profile. Higher values are quicker and less
-    /// stable.
+    /// Speed of the whole motion, except the strike, relative to the profile. Higher values are quicker and less stable.
     #[param(default = 1.0, range = 0.5..=1.3, step = 0.05)]
     pub speed_scale: f32,
     /// Speed of the strike, in which the foot hits the ball, relative to the profile. Higher values kick harder.

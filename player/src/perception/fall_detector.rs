@@ -102,12 +102,12 @@ mod tests {
     use crate::output::JointCommand;
 
     #[test]
-    fn default_values_are_those_of_the_robot() {
+    fn default_values_are_those_of_robot() {
         assert_eq!(FallDetection::DEFAULT.tuning(), FallTuning::of::<Model>());
     }
 
     #[test]
-    fn robot_after_a_get_up_is_within_the_limits() {
+    fn robot_after_get_up_is_within_limits() {
         let detection = || FallDetection::DEFAULT;
         assert!(FallDetection { risen_tilt: 0.4, ..detection() }.is_ordered().is_err());
         assert!(FallDetection { forward_pitch: 0.3, ..detection() }.is_ordered().is_err());
@@ -115,7 +115,7 @@ mod tests {
     }
 
     #[test]
-    fn a_wider_limit_detects_the_same_tilt_as_upright() {
+    fn wider_limit_detects_same_tilt_as_upright() {
         let mut state = RobotState::new();
         let sensors = Sensors {
             angles: Joints([0.0; JOINTS]),

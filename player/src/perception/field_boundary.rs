@@ -90,7 +90,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn default_values_are_those_of_the_detector() {
+    fn default_values_are_those_of_detector() {
         assert_eq!(BoundaryDetection::DEFAULT.tuning(), BoundaryTuning::DEFAULT);
     }
 }

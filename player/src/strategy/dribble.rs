@@ -78,7 +78,7 @@ mod tests {
     }
 
     #[test]
-    fn distances_in_the_wrong_order_are_refused() {
+    fn distances_in_wrong_order_are_refused() {
         assert!(DribbleCondition { dribble_max_ahead: 0.2, ..DribbleCondition::DEFAULT }.check().is_err());
     }
 }

@@ -101,13 +101,13 @@ mod tests {
     }
 
     #[test]
-    fn without_a_field_in_view_there_is_no_path() {
+    fn without_field_in_view_there_is_no_path() {
         let free = free_path(&FieldBoundary::NONE, &camera(), core::iter::empty(), &Strip::DEFAULT);
         assert!(free <= 0.75, "{free} m: no more than the image does not show");
     }
 
     #[test]
-    fn only_robots_in_the_strip_shorten_the_path() {
+    fn only_robots_in_strip_shorten_path() {
         assert!((path(6.0, &[Vec2::new(1.0, 0.2)]) - 0.85).abs() < 1e-6);
         assert!((path(6.0, &[Vec2::new(1.0, -0.6), Vec2::new(-0.5, 0.0), Vec2::new(0.6, 0.5)]) - 2.5).abs() < 1e-6);
     }

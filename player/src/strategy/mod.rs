@@ -90,8 +90,7 @@ impl Task<'_> {
         best.1
     }
 
-    /// Plan for a kick and its cost, rad of turning; `None` if the cost is not below `limit`, or an obstacle prevents the
-    /// kick.
+    /// Plan for a kick and its cost, rad of turning; `None` if the cost is not below `limit`, or an obstacle prevents the kick.
     fn weigh(&self, aim: &Aim, kick: Kick, again: f32, limit: f32) -> Option<(f32, Plan)> {
         let Self { situation, kicks, planning, clearance } = *self;
         let path = aim.at - situation.ball;
@@ -169,7 +168,7 @@ mod tests {
     }
 
     #[test]
-    fn far_goal_ahead_selects_a_front_kick() {
+    fn far_goal_ahead_selects_front_kick() {
         for gap in [-0.4_f32, 0.3] {
             let (strike, _, way) = kick(&situation(BALL, Vec2::new(2.3, 0.0), 0.0, Some(gap), &[]));
             assert_eq!(strike.kick.kind, KickKind::Front);
@@ -178,7 +177,7 @@ mod tests {
     }
 
     #[test]
-    fn goal_to_a_side_selects_the_least_turning() {
+    fn goal_to_side_selects_least_turning() {
         for (direction, kind) in [(FRAC_PI_2, KickKind::Lateral), (0.8, KickKind::Diagonal)] {
             for side in [1.0, -1.0] {
                 let angle = side * direction;
@@ -191,7 +190,7 @@ mod tests {
     }
 
     #[test]
-    fn goal_behind_the_robot_needs_a_path_around_the_ball() {
+    fn goal_behind_robot_needs_path_around_ball() {
         let behind = situation(BALL, Vec2::new(-2.0, 0.0), PI, Some(0.0), &[]);
         assert!(matches!(default_plan(&behind, &KICKS, None), Plan::GoRound(angle) if angle.abs() > 3.0));
         let unknown = Situation { goal: None, ..behind };
@@ -199,7 +198,7 @@ mod tests {
     }
 
     #[test]
-    fn ball_at_the_keepers_foot_is_kicked_past_it() {
+    fn ball_at_keepers_foot_is_kicked_past_it() {
         for side in [1.0, -1.0] {
             let keeper = Vec2::new(0.37, -0.12 * side);
             let (_, stand, way) = kick(&situation(BALL, Vec2::new(0.5, 0.0), 0.0, Some(0.3 * side), &[keeper]));
@@ -212,7 +211,7 @@ mod tests {
     }
 
     #[test]
-    fn ball_beside_a_post_is_kicked_before_the_goal() {
+    fn ball_beside_post_is_kicked_before_goal() {
         let beside = situation(BALL, Vec2::new(0.32, 0.88), 0.0, Some(0.0), &[]);
         let Plan::GoRound(angle) = default_plan(&beside, &KICKS, None) else { panic!("the turn is too large") };
         let turned = rotate(BALL, -angle);
@@ -232,7 +231,7 @@ mod tests {
     }
 
     #[test]
-    fn the_path_around_the_ball_avoids_other_robots() {
+    fn path_around_ball_avoids_other_robots() {
         for side in [1.0, -1.0] {
             let goal = (Vec2::new(-2.0, 0.3 * side), PI);
             let Plan::GoRound(short) = default_plan(&situation(BALL, goal.0, goal.1, Some(0.0), &[]), &KICKS, None)
@@ -258,7 +257,7 @@ mod tests {
     }
 
     #[test]
-    fn costs_and_limits_of_the_planning_decide_between_kicks() {
+    fn costs_and_limits_of_planning_decide_between_kicks() {
         let aside = situation(BALL, BALL + 2.0 * Vec2::from_angle(0.8), 0.8, Some(0.0), &[]);
         let with = |planning: &Planning| plan(&aside, &KICKS, None, planning, &Clearance::DEFAULT);
         let kind = |plan| if let Plan::Kick(strike) = plan { Some(strike.kick.kind) } else { None };

@@ -96,7 +96,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn path_around_the_ball_is_the_shorter_one() {
+    fn path_around_ball_is_shorter_one() {
         let ball = Vec2::new(0.3, 0.0);
         let with = |robots: &[Vec2]| {
             let robots = robots.iter().map(|&at| Obstacle { at, radius: 0.12 });
@@ -114,7 +114,7 @@ mod tests {
     }
 
     #[test]
-    fn the_path_around_the_ball_has_the_tuned_radius() {
+    fn path_around_ball_has_tuned_radius() {
         let ball = Vec2::new(0.3, 0.0);
         let robot = Obstacle { at: ball - 0.55 * Vec2::Y, radius: 0.12 };
         let situation = Situation { ball, goal: None, obstacles: Obstacles([robot].into_iter().collect()) };

@@ -159,7 +159,7 @@ mod tests {
     }
 
     #[test]
-    fn a_soft_polygon_covers_its_area_around_its_centroid() {
+    fn soft_polygon_covers_its_area_around_its_centroid() {
         let mut random = Random::new(11, Stream::Start);
         for _ in 0..200 {
             let centre = Vec2::new(random.between(20.0, 44.0), random.between(16.0, 32.0));

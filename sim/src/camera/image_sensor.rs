@@ -102,8 +102,7 @@ impl ImageSensor {
     }
 }
 
-/// Returns the shifts of the pictures to be averaged, along the motion in the image, pixels. Their number is a power of
-/// two.
+/// Returns the shifts of the pictures to be averaged, along the motion in the image, pixels. Their number is a power of two.
 fn taps(motion: Vec2) -> Vec<(isize, isize)> {
     let length = motion.length();
     if length < MIN_BLUR {
@@ -163,7 +162,7 @@ mod tests {
     }
 
     #[test]
-    fn motion_blur_has_the_expected_width_and_keeps_the_light() {
+    fn motion_blur_has_expected_width_and_keeps_light() {
         let blurred = |angular_velocity| {
             let image = image_of_bar(angular_velocity);
             let row: Vec<u8> = image[2 * 320 * 120..][..640].iter().step_by(2).copied().collect();

@@ -189,7 +189,7 @@ mod tests {
     }
 
     #[test]
-    fn pixels_map_to_published_points_on_the_ground() {
+    fn pixels_map_to_published_points_on_ground() {
         use bica_motion::{joints::Joints, kinematics::camera, robot::CameraId};
         let cases = [
             (CameraId::Top, (320.0, 479.0), (1.286, 0.0)),
@@ -207,7 +207,7 @@ mod tests {
     }
 
     #[test]
-    fn polygons_and_spheres_behind_the_camera_are_clipped() {
+    fn polygons_and_spheres_behind_camera_are_clipped() {
         let view = PinholeCamera::new(Affine3A::IDENTITY, 320, 240);
         let behind = [Vec3::new(-1.0, 0.0, 0.0), Vec3::new(-1.0, 1.0, 0.0), Vec3::new(-2.0, 0.0, 1.0)];
         assert!(view.polygon(behind).is_empty());

@@ -98,7 +98,7 @@ mod tests {
     }
 
     #[test]
-    fn a_contact_with_a_static_obstacle_never_adds_energy() {
+    fn contact_with_static_obstacle_never_adds_energy() {
         let mut random = Random::new(5, Stream::Start);
         for _ in 0..2_000 {
             let position = Vec2::new(random.between(2.6, 3.6), random.between(-1.0, 1.0));
@@ -114,7 +114,7 @@ mod tests {
     }
 
     #[test]
-    fn a_post_returns_the_normal_speed_times_its_restitution() {
+    fn post_returns_normal_speed_times_its_restitution() {
         let mut ball = Ball { velocity: Vec2::new(1.0, 0.0), ..Ball::at(Vec2::new(2.9, 0.7), 0.3) };
         let mut turned = false;
         for _ in 0..200 {
@@ -131,7 +131,7 @@ mod tests {
     }
 
     #[test]
-    fn no_ball_passes_through_a_standing_or_lying_robot() {
+    fn no_ball_passes_through_standing_or_lying_robot() {
         let mut random = Random::new(6, Stream::Start);
         let (left, right) = (Vec2::new(0.0, 0.05), Vec2::new(0.0, -0.05));
         for robot in [Obstacle::legs(left, right), Obstacle::lying(left, right + Vec2::new(0.25, 0.0))] {
@@ -150,7 +150,7 @@ mod tests {
     }
 
     #[test]
-    fn ball_in_the_goal_rests_at_the_net() {
+    fn ball_in_goal_rests_at_net() {
         let mut ball = Ball { velocity: Vec2::new(3.0, 0.4), ..Ball::at(Vec2::new(2.5, 0.0), 0.3) };
         for _ in 0..5_000 {
             ball.roll(0.001);

@@ -144,7 +144,7 @@ mod tests {
     }
 
     #[test]
-    fn a_foot_at_any_speed_pushes_the_ball_ahead() {
+    fn foot_at_any_speed_pushes_ball_ahead() {
         for speed in [0.05, 0.5, 2.0, 4.0] {
             let ball = kick(Side::Right, speed, 0.02);
             let rolled = ball.position.x - 0.3;
@@ -154,13 +154,13 @@ mod tests {
     }
 
     #[test]
-    fn a_foot_above_the_ball_does_not_touch_it() {
+    fn foot_above_ball_does_not_touch_it() {
         assert_eq!(kick(Side::Left, 1.0, 0.07), Ball::at(Vec2::new(0.3, 0.0), 1e-6));
         assert_ne!(kick(Side::Left, 1.0, 0.05), Ball::at(Vec2::new(0.3, 0.0), 1e-6));
     }
 
     #[test]
-    fn ball_bounces_off_a_standing_foot_without_gain() {
+    fn ball_bounces_off_standing_foot_without_gain() {
         let mut random = Random::new(9, Stream::Start);
         let foot = FootContact::new(Side::Left, &at(0.0, 0.0, 0.0), &at(0.0, 0.0, 0.0), 0.01);
         for _ in 0..500 {

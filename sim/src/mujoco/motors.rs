@@ -79,9 +79,8 @@ pub(crate) fn currents(torques: &Joints) -> Joints {
 
 /// Returns a motor's position gain at full stiffness, Nm/rad, and its torque limit, Nm.
 ///
-/// The values lie between those published for other simulators. With the damping of the joints the no-load speed is
-/// 0.65 to 1.3 times the published one: 5 rad/s in the legs, where the robot's roll joints have 4.5 and its pitch
-/// joints 7.0.
+/// The values lie between those published for other simulators. With the damping of the joints the no-load speed is 0.65 to 1.3
+/// times the published one: 5 rad/s in the legs, where the robot's roll joints have 4.5 and its pitch joints 7.0.
 const fn strength(joint: Joint, physics: &Physics) -> (f32, f32) {
     use Joint::{
         HeadPitch, HeadYaw, LElbowRoll, LElbowYaw, LHand, LShoulderPitch, LShoulderRoll, LWristYaw, RElbowRoll,
@@ -112,7 +111,7 @@ mod tests {
     }
 
     #[test]
-    fn a_command_acts_after_the_dead_time() {
+    fn command_acts_after_dead_time() {
         for (dead_time, steps) in [(0.0, 0), (0.03, 15), (0.04, 20)] {
             let mut motors = Motors::holding(Joints::all(0.0), &Physics { dead_time, ..Physics::default() });
             motors.command(&command(0.05, 1.0));
@@ -124,7 +123,7 @@ mod tests {
     }
 
     #[test]
-    fn torque_is_proportional_to_stiffness_up_to_the_limit() {
+    fn torque_is_proportional_to_stiffness_up_to_limit() {
         let physics = Physics { dead_time: 0.0, torque_limit: 3.0, ..Physics::default() };
         for (target, stiffness, expected) in [(1.0, 1.0, 3.0), (0.05, 0.5, 1.0), (0.05, 0.0, 0.0), (0.05, 7.0, 2.0)] {
             let mut motors = Motors::holding(Joints::all(0.0), &physics);
@@ -134,7 +133,7 @@ mod tests {
     }
 
     #[test]
-    fn a_joint_with_an_invalid_command_has_no_torque() {
+    fn joint_with_invalid_command_has_no_torque() {
         for wrong in [command(f32::NAN, 1.0), command(0.1, f32::NAN), command(f32::INFINITY, 1.0)] {
             let mut motors = Motors::holding(Joints::all(0.0), &Physics { dead_time: 0.0, ..Physics::default() });
             motors.command(&wrong);

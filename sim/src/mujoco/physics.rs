@@ -80,7 +80,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_default_latency_is_that_of_a_nao() {
+    fn default_latency_is_that_of_nao() {
         let Physics { dead_time, sensor_delay, noise, .. } = Physics::default();
         // Dead time: B-Human 2015, 4.1.1.1. Latency from command to measurement: B-Human 2023, `minDelay`.
         assert_eq!((dead_time, noise), (0.030, 1.0));
@@ -88,7 +88,7 @@ mod tests {
     }
 
     #[test]
-    fn a_parameter_outside_its_range_is_rejected_by_name() {
+    fn parameter_outside_its_range_is_rejected_by_name() {
         assert_eq!(Physics::default().check(), Ok(()));
         for (name, wrong) in [
             ("friction", Physics { friction: f32::NAN, ..Physics::default() }),

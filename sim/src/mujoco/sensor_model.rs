@@ -133,7 +133,7 @@ mod tests {
     }
 
     #[test]
-    fn each_measurement_has_the_age_of_the_delay() {
+    fn each_measurement_has_age_of_delay() {
         for (sensor_delay, steps) in [(0.0, 0), (0.006, 3), (0.04, 20)] {
             let physics = Physics { sensor_delay, noise: 0.0, ..Physics::default() };
             let mut sensors = SensorModel::new(ideal(0), 1, &physics);
@@ -157,7 +157,7 @@ mod tests {
     }
 
     #[test]
-    fn noise_has_the_published_deviation_times_the_factor() {
+    fn noise_has_published_deviation_times_factor() {
         // Variances in B-Human 2023 `NaoProvider.h`; the other two are our estimates.
         let (gyro, acceleration) = (libm::sqrtf(3.87e-6), libm::sqrtf(3.74e-4));
         for noise in [0.0, 1.0, 5.0] {

@@ -117,7 +117,7 @@ mod tests {
     }
 
     #[test]
-    fn contacts_closer_than_half_a_second_are_one_touch() {
+    fn contacts_closer_than_half_second_are_one_touch() {
         for (second, touches) in [(490, 1), (510, 2)] {
             let (mut rules, mut referee) = (Rules::default(), referee());
             rules.record_touch(ms(0), Some(Side::Left), 0.0, &mut referee);
@@ -139,7 +139,7 @@ mod tests {
     }
 
     #[test]
-    fn ball_returns_after_an_out_and_after_a_goal() {
+    fn ball_returns_after_out_and_after_goal() {
         let cases = [
             (Vec2::new(3.2, 0.0), Event::Goal, 3_000, Vec2::ZERO),
             (Vec2::new(-3.2, 0.0), Event::OwnGoal, 3_000, Vec2::ZERO),
@@ -155,7 +155,7 @@ mod tests {
     }
 
     #[test]
-    fn ball_returns_beside_a_robot_in_its_place() {
+    fn ball_returns_beside_robot_in_its_place() {
         let (mut rules, mut referee) = (Rules::default(), referee());
         let place = Vec2::new(0.5, 1.6);
         referee.set_robot(Pose2 { position: place, heading: 0.0 }, crate::referee::Posture::Upright);

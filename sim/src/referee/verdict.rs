@@ -35,7 +35,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn goal_requires_the_whole_ball_over_the_line() {
+    fn goal_requires_whole_ball_over_line() {
         assert_eq!(judge(Vec2::new(3.025 + 0.032, 0.0)), Verdict::InPlay);
         assert_eq!(judge(Vec2::new(3.025 + 0.033, 0.0)), Verdict::Goal);
         assert_eq!(judge(Vec2::new(3.1, 0.64)), Verdict::Goal);
@@ -44,7 +44,7 @@ mod tests {
     }
 
     #[test]
-    fn a_ball_out_returns_on_the_throw_in_line() {
+    fn ball_out_returns_on_throw_in_line() {
         assert_eq!(judge(Vec2::new(0.5, -2.05)), Verdict::InPlay);
         assert_eq!(judge(Vec2::new(0.5, -2.06)), Verdict::Out(Vec2::new(0.5, -1.6)));
         assert_eq!(judge(Vec2::new(-2.7, 2.06)), Verdict::Out(Vec2::new(-2.0, 1.6)));

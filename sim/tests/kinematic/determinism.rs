@@ -46,7 +46,7 @@ fn different_seeds_give_different_games() {
 }
 
 #[test]
-fn reading_sensors_does_not_change_the_world() {
+fn reading_sensors_does_not_change_world() {
     let (_, words, truth) = game(11, 1);
     let (_, fewer_words, same_truth) = game(11, 10);
     assert_eq!(truth, same_truth);
@@ -56,7 +56,7 @@ fn reading_sensors_does_not_change_the_world() {
 }
 
 #[test]
-fn repeated_reads_in_a_cycle_return_equal_measurements() {
+fn repeated_reads_in_cycle_return_equal_measurements() {
     let mut world = KinematicWorld::new(&Setup::default()).expect("a valid setup");
     let mut images = 0;
     for _ in 0..10 {

@@ -57,7 +57,7 @@ fn fall_goes_to_the_unbalanced_side() {
 }
 
 #[test]
-fn a_robot_falls_only_after_fifteen_cycles_without_balance() {
+fn robot_falls_only_after_fifteen_cycles_without_balance() {
     // The foot is lifted for one cycle more than this.
     for (cycles, falls) in [(13, 0), (14, 0), (15, 1), (16, 1)] {
         let mut world = world();
@@ -71,7 +71,7 @@ fn a_robot_falls_only_after_fifteen_cycles_without_balance() {
 }
 
 #[test]
-fn robot_stands_on_the_foot_under_its_mass() {
+fn robot_stands_on_foot_under_its_mass() {
     let mut world = world();
     let mut lifted = swayed(Side::Left);
     lifted[1].2 = 0.04;
@@ -82,7 +82,7 @@ fn robot_stands_on_the_foot_under_its_mass() {
 }
 
 #[test]
-fn legs_without_stiffness_do_not_carry_the_robot() {
+fn legs_without_stiffness_do_not_carry_robot() {
     let mut world = world();
     for _ in 0..100 {
         world.act(&Command { stiffness: Joints::all(0.0), ..command(Nao::STAND) });
@@ -91,7 +91,7 @@ fn legs_without_stiffness_do_not_carry_the_robot() {
 }
 
 #[test]
-fn get_up_restores_the_stance_in_place() {
+fn get_up_restores_stance_in_place() {
     for to in Direction::ALL {
         let mut world = world();
         fall(&mut world, to);

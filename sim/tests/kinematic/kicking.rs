@@ -33,7 +33,7 @@ fn stand(world: &mut KinematicWorld, seconds: u32) {
 }
 
 #[test]
-fn kicked_ball_follows_the_swing_and_scores() {
+fn kicked_ball_follows_swing_and_scores() {
     for foot in Side::BOTH {
         let robot = Pose2::new(1.6, 0.0, 0.0);
         let ball = robot.place(Vec2::new(0.17, 0.055 * foot.sign()));
@@ -54,7 +54,7 @@ fn kicked_ball_follows_the_swing_and_scores() {
 }
 
 #[test]
-fn out_ball_returns_on_the_throw_in_line() {
+fn out_ball_returns_on_throw_in_line() {
     let robot = Pose2::new(0.5, 1.5, core::f32::consts::FRAC_PI_2);
     let mut world = alone(4, robot, robot.place(Vec2::new(0.17, 0.055)));
     kick(&mut world, Side::Left);
@@ -78,7 +78,7 @@ fn an_untouched_ball_does_not_move() {
 }
 
 #[test]
-fn a_kick_while_walking_moves_the_ball_straight_ahead() {
+fn kick_while_walking_moves_ball_straight_ahead() {
     for foot in Side::BOTH {
         let half = Nao::KINEMATIC_PROFILE.gait.half_spacing;
         let robot = Pose2::new(-1.5, 0.0, 0.0);

@@ -15,7 +15,7 @@ fn wait(world: &mut KinematicWorld, cycles: u32) {
 }
 
 #[test]
-fn a_placed_ball_lies_still_and_is_no_event() {
+fn placed_ball_lies_still_and_is_no_event() {
     let mut world = KinematicWorld::new(&Setup { seed: 3, robots: 8, ..Setup::default() }).expect("valid");
     let (mut placed, mut refused) = (0, 0);
     for row in -22..=22 {
@@ -34,7 +34,7 @@ fn a_placed_ball_lies_still_and_is_no_event() {
 }
 
 #[test]
-fn a_rolling_ball_that_is_placed_stops() {
+fn rolling_ball_that_is_placed_stops() {
     let mut world = alone(1, Pose2::new(-2.0, 0.0, 0.0), Vec2::ZERO);
     world.set_ball(Vec2::ZERO, Vec2::new(1.0, 0.5)).expect("a valid shot");
     wait(&mut world, 20);
@@ -44,7 +44,7 @@ fn a_rolling_ball_that_is_placed_stops() {
 }
 
 #[test]
-fn placement_after_a_goal_cancels_the_return() {
+fn placement_after_goal_cancels_return() {
     let mut world = alone(1, Pose2::new(-2.0, 0.0, 0.0), Vec2::ZERO);
     world.set_ball(Vec2::new(2.8, 0.0), Vec2::new(1.5, 0.0)).expect("a valid shot");
     wait(&mut world, 100);
@@ -73,7 +73,7 @@ fn refused_placement_leaves_a_rolling_ball() {
 }
 
 #[test]
-fn an_image_shows_the_ball_where_it_was_placed() {
+fn image_shows_ball_where_it_was_placed() {
     let mut world = alone(1, Pose2::new(-2.0, 0.0, 0.0), Vec2::new(2.0, 1.5));
     let pixels = |world: &mut KinematicWorld| world.sensors().image.expect("the first cycle has one").yuyv.to_vec();
     let mut placed = world.clone();

@@ -69,7 +69,7 @@ fn orange(yuyv: &[u8], near: Vec2, within: f32) -> (Vec2, f32) {
 }
 
 #[test]
-fn image_and_mask_show_the_ball_at_its_projection() {
+fn image_and_mask_show_ball_at_its_projection() {
     let mut random = Pcg32::new(7, 7);
     let mut any = |low: f32, high: f32| low + (high - low) * (random.next_u32() >> 8) as f32 / 16_777_216.0;
     let mut seen = 0;

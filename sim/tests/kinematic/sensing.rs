@@ -10,7 +10,7 @@ use crate::support::{TOGETHER, alone, command, glide, swayed};
 use bica_motion::side::Side;
 
 #[test]
-fn the_selected_camera_delivers_thirty_images_a_second() {
+fn selected_camera_delivers_thirty_images_second() {
     for frame in [Frame::Small, Frame::Medium, Frame::Large] {
         let mut world = KinematicWorld::new(&Setup { frame, ..Setup::default() }).expect("a valid setup");
         let (mut images, mut camera) = (0, CameraId::Top);
@@ -29,7 +29,7 @@ fn the_selected_camera_delivers_thirty_images_a_second() {
 }
 
 #[test]
-fn a_standing_robot_measures_its_weight_and_gravity() {
+fn standing_robot_measures_its_weight_and_gravity() {
     let mut world = alone(1, Pose2::new(-1.0, 0.5, 1.0), Vec2::ZERO);
     for _ in 0..100 {
         world.act(&command(Nao::STAND));
@@ -60,7 +60,7 @@ fn consecutive_images_differ_by_noise() {
 }
 
 #[test]
-fn the_pressure_moves_to_the_foot_under_the_hips() {
+fn pressure_moves_to_foot_under_hips() {
     let mut world = alone(1, Pose2::ORIGIN, Vec2::new(1.0, 1.0));
     glide(&mut world, TOGETHER, swayed(Side::Right), 60);
     glide(&mut world, swayed(Side::Right), swayed(Side::Right), 10);

@@ -28,7 +28,7 @@ fn unblocked_shots_are_own_goals() {
 }
 
 #[test]
-fn placed_ball_rolls_with_the_given_velocity() {
+fn placed_ball_rolls_with_given_velocity() {
     let mut world = alone(1, Pose2::new(-2.0, 0.0, 0.0), Vec2::ZERO);
     world.set_ball(Vec2::new(0.5, 1.0), Vec2::new(0.0, -1.0)).expect("a valid place");
     assert_eq!(world.referee().ball(), Vec2::new(0.5, 1.0));

@@ -30,7 +30,7 @@ fn step(world: &mut KinematicWorld, swing: Side, behind: f32, ahead: f32) {
 }
 
 #[test]
-fn scripted_steps_move_the_robot_by_their_length() {
+fn scripted_steps_move_robot_by_their_length() {
     let mut world = alone(3, Pose2::new(-2.0, 0.0, 0.0), Vec2::new(2.0, 1.5));
     let start = [(0.0, 0.05, 0.0), (0.0, -0.05, 0.0)];
     let over_right = start.map(|(x, y, lift)| (x, y + SWAY, lift));
@@ -47,7 +47,7 @@ fn scripted_steps_move_the_robot_by_their_length() {
 }
 
 #[test]
-fn the_walk_covers_the_commanded_distance_and_no_other() {
+fn walk_covers_commanded_distance_and_no_other() {
     // The gait loses up to 8 % of the distance while it starts and slips by some centimetres.
     let tolerance = Pose2::new(0.08, 0.08, 0.1);
     for velocity in [
@@ -66,7 +66,7 @@ fn the_walk_covers_the_commanded_distance_and_no_other() {
 }
 
 #[test]
-fn goal_post_stops_the_robot_and_presses_its_bumper() {
+fn goal_post_stops_robot_and_presses_its_bumper() {
     let mut world = alone(5, Pose2::new(2.5, 0.7, 0.0), Vec2::new(0.0, 1.5));
     let mut nearest = f32::INFINITY;
     let mut pressed = false;

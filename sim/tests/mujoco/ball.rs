@@ -27,7 +27,7 @@ fn rolling_resistance_limits_the_distance() {
 }
 
 #[test]
-fn goal_returns_the_ball_to_the_centre_mark() {
+fn goal_returns_ball_to_centre_mark() {
     let mut world = rolling(1, Vec2::new(2.3, 0.3), Vec2::new(1.5, 0.0));
     stand(&mut world, 600);
     let events: Vec<Event> = world.referee().events().iter().map(|timed| timed.event).collect();
@@ -55,7 +55,7 @@ fn ball_over_the_side_line_returns() {
 }
 
 #[test]
-fn a_placed_ball_lies_still_and_is_no_event() {
+fn placed_ball_lies_still_and_is_no_event() {
     let mut world = rolling(1, Vec2::new(-1.5, -1.0), Vec2::new(1.0, 0.0));
     stand(&mut world, 20);
     for at in [Vec2::new(3.0, 0.0), Vec2::new(-1.6, 1.5), Vec2::new(0.4, -2.0)] {
@@ -72,7 +72,7 @@ fn a_placed_ball_lies_still_and_is_no_event() {
 }
 
 #[test]
-fn placement_after_an_out_cancels_the_return() {
+fn placement_after_out_cancels_return() {
     let mut world = rolling(1, Vec2::new(0.5, -1.6), Vec2::new(0.0, -1.2));
     while world.referee().outs() == 0 {
         stand(&mut world, 1);

@@ -28,7 +28,7 @@ fn measurements(seed: u64) -> Vec<u32> {
 }
 
 #[test]
-fn the_same_seed_is_the_same_measurements() {
+fn same_seed_is_same_measurements() {
     assert!(measurements(3) == measurements(3));
     assert!(measurements(3) != measurements(4));
 }

@@ -53,7 +53,7 @@ fn either_motion_gets_up_from_front_and_back() {
 }
 
 #[test]
-fn a_robot_gets_up_from_its_side() {
+fn robot_gets_up_from_its_side() {
     for side in [1.0, -1.0] {
         let mut world = alone(1, &blind());
         let lying = fall(&mut world, Vec2::new(0.0, 2.3 * side));
@@ -66,7 +66,7 @@ fn a_robot_gets_up_from_its_side() {
 }
 
 #[test]
-fn a_robot_without_stiffness_after_a_motion_rolls_over() {
+fn robot_without_stiffness_after_motion_rolls_over() {
     for (push, lying, turned) in [(2.3, Direction::Front, Direction::Back), (-2.3, Direction::Back, Direction::Front)] {
         for failures in [2, 5] {
             let mut world = alone(3, &blind());

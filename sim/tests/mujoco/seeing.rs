@@ -93,7 +93,7 @@ fn views(ball_distance: (f32, f32), id: CameraId) -> Vec<(View, Vec2)> {
 }
 
 #[test]
-fn the_ball_is_drawn_at_its_projection() {
+fn ball_is_drawn_at_its_projection() {
     let (mut offsets, mut worst) = (Vec::new(), 0.0_f32);
     for (id, distance) in [(CameraId::Top, (0.9, 2.0)), (CameraId::Bottom, (0.35, 0.7))] {
         for (view, ball) in views(distance, id) {
@@ -138,7 +138,7 @@ fn line_pixels_are_bright_and_neighbours_dark() {
 }
 
 #[test]
-fn rendering_images_does_not_change_the_physics() {
+fn rendering_images_does_not_change_physics() {
     let angles = |cameras| {
         let mut world = world(&Setup { seed: 5, ..Setup::default() }, &Physics { cameras, ..Physics::default() });
         let mut angles = Vec::new();
@@ -168,7 +168,7 @@ fn equal_seeds_give_equal_images() {
 }
 
 #[test]
-fn spectator_view_does_not_change_the_physics() {
+fn spectator_view_does_not_change_physics() {
     let spectator = SpectatorCamera { eye: Vec3::new(-0.2, -1.5, 0.8), target: Vec3::new(0.2, 0.0, 0.2) };
     let start = Some(Start { robot: Pose2::ORIGIN, ball: Vec2::new(0.4, 0.1) });
     let setup = Setup { seed: 5, start, ..Setup::default() };

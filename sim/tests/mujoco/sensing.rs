@@ -11,7 +11,7 @@ use glam::Vec3;
 use crate::support::{alone, blind, command, stand};
 
 #[test]
-fn a_standing_robot_measures_its_weight_and_gravity() {
+fn standing_robot_measures_its_weight_and_gravity() {
     let mut world = alone(1, &blind());
     stand(&mut world, 200);
     let (mut weight, mut force, mut gyro) = (0.0, Vec3::ZERO, Vec3::ZERO);
@@ -90,7 +90,7 @@ fn measured_joint_has_dead_time_and_delay() {
 }
 
 #[test]
-fn joint_speed_is_near_the_published_one() {
+fn joint_speed_is_near_published_one() {
     let mut world = alone(1, &blind());
     stand(&mut world, 50);
     let mut targets = Nao::STAND;

@@ -19,7 +19,7 @@ fn a_standing_robot_does_not_drift() {
 }
 
 #[test]
-fn a_robot_falls_in_the_direction_of_a_push() {
+fn robot_falls_in_direction_of_push() {
     for (push, fall) in [
         (Vec2::new(2.5, 0.0), Direction::Front),
         (Vec2::new(-2.5, 0.0), Direction::Back),
@@ -36,7 +36,7 @@ fn a_robot_falls_in_the_direction_of_a_push() {
 }
 
 #[test]
-fn legs_without_stiffness_do_not_carry_the_robot() {
+fn legs_without_stiffness_do_not_carry_robot() {
     let mut world = alone(1, &blind());
     for _ in 0..300 {
         world.act(&command(Nao::STAND, 0.0));

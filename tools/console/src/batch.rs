@@ -51,7 +51,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn results_are_in_the_order_of_seeds() {
+    fn results_are_in_order_of_seeds() {
         for threads in [1, 2, 7, 40] {
             let batch = Batch::new(u64::MAX, 20, Some(threads));
             let seeds = batch.run(Ok).expect("no run fails");
@@ -61,7 +61,7 @@ mod tests {
     }
 
     #[test]
-    fn error_of_a_run_ends_the_batch() {
+    fn error_of_run_ends_batch() {
         let run = |seed| if seed == 3 { Err(Failure::new("seed 3", "")) } else { Ok(seed) };
         let result = Batch::new(0, 8, Some(2)).run(run);
         assert!(matches!(result, Err(Failure::Error { what, .. }) if what == "seed 3"));

@@ -155,7 +155,7 @@ mod tests {
     }
 
     #[test]
-    fn translucent_ink_is_blended_with_the_pixels_below() {
+    fn translucent_ink_is_blended_with_pixels_below() {
         let mut canvas = Canvas::new(4, 4, [100, 0, 200]);
         canvas.rounded_rectangle(Area::sized(0.0, 0.0, 2.0, 4.0), 0.0, Ink { rgb: [200, 200, 200], alpha: 0.5 });
         assert_eq!(canvas.bytes()[..3], [150, 100, 200]);

@@ -68,7 +68,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_written_picture_is_read_back_unchanged() {
+    fn written_picture_is_read_back_unchanged() {
         let path = std::env::temp_dir().join(format!("bica-player-{}.png", std::process::id()));
         let mut canvas = Canvas::new(3, 2, [1, 2, 3]);
         canvas.set(2, 1, [250, 0, 7]);

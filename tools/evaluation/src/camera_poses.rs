@@ -126,7 +126,7 @@ mod tests {
     }
 
     #[test]
-    fn camera_axis_meets_the_ground_as_computed() {
+    fn camera_axis_meets_ground_as_computed() {
         // 45° down, half a metre up: the middle of the image is half a metre ahead.
         let row = "1.png,0.70710678,0,0.70710678,0,1,0,-0.70710678,0,0.70710678,0,0,500,0";
         let poses = Poses::parse(&format!("{HEADER}{row}")).unwrap();

@@ -58,9 +58,8 @@ const fn motor(rpm: f32, [stall, continuous]: [f32; 2], gear_ratio: f32) -> Actu
 
 /// Thermal limits of the motors.
 ///
-/// Temperatures: the robot's firmware derates a leg's motor from 76 °C until it is below 70 °C (HULKs 2025
-/// `step_planner.rs`). Loads: our choice; in `MuJoCo` the knees reach 2.3 in walking, and a motor at full torque passes 4
-/// within nine seconds.
+/// Temperatures: the robot's firmware derates a leg's motor from 76 °C until it is below 70 °C (HULKs 2025 `step_planner.rs`).
+/// Loads: our choice; in `MuJoCo` the knees reach 2.3 in walking, and a motor at full torque passes 4 within nine seconds.
 pub(super) const THERMAL: ThermalLimits = ThermalLimits {
     temperature: Range { min: 70.0, max: 75.0 },
     load: Range { min: 3.0, max: 4.0 },

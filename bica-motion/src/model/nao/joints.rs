@@ -70,8 +70,7 @@ const fn max_speed(joint: Joint) -> f32 {
     }
 }
 
-/// Pitch range of the head: its shell would hit the shoulders. Sources: Aldebaran's joints page, B-Human 2023
-/// `headLimits.cfg`.
+/// Pitch range of the head: its shell would hit the shoulders. Sources: Aldebaran's joints page, B-Human 2023 `headLimits.cfg`.
 pub(super) const HEAD_PITCH_LIMITS: [HeadPitchLimit; 7] = [
     HeadPitchLimit::degrees(0.0, -38.50, 29.50),
     HeadPitchLimit::degrees(27.85, -38.50, 24.18),

@@ -1,9 +1,8 @@
 //! Kicks for a world without dynamics, with the left foot.
 //!
-//! Own design. Each kick shifts the weight over the right foot, lifts and swings the left foot back, strikes, stops and
-//! returns to the stand. All motion between two poses starts and ends at rest, so the foot is fastest halfway, where it
-//! meets the ball. The foot is lifted and set down vertically: a foot that moves laterally while it is loaded would drag the
-//! body along.
+//! Own design. Each kick shifts the weight over the right foot, lifts and swings the left foot back, strikes, stops and returns to
+//! the stand. All motion between two poses starts and ends at rest, so the foot is fastest halfway, where it meets the ball. The
+//! foot is lifted and set down vertically: a foot that moves laterally while it is loaded would drag the body along.
 
 use crate::model::KickFrame;
 

@@ -87,7 +87,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_ball_without_friction_crosses_on_a_straight_line() {
+    fn ball_without_friction_crosses_on_straight_line() {
         let tuned = Shooting { front: 0.1, deceleration: 0.0, ..Shooting::DEFAULT };
         let crossing = tuned.crossing(Vec2::new(2.1, 0.5), Vec2::new(-1.0, -0.1)).expect("it comes");
         assert!((crossing.aside - 0.3).abs() < 1e-5 && (crossing.seconds - 2.0).abs() < 1e-2, "{crossing:?}");

@@ -8,8 +8,7 @@ use bica_player::perception::{Localization, Odometry};
 /// Pose in the field frame, in which the robot starts: in the middle of its goal, facing the field.
 pub const START: Pose2 = Pose2::new(-2.95, 0.0, 0.0);
 
-/// The robot's pose on the field: the localization's pose while it is certain, otherwise odometry from the last certain
-/// pose.
+/// The robot's pose on the field: the localization's pose while it is certain, otherwise odometry from the last certain pose.
 #[derive(Debug)]
 pub struct FieldPose {
     /// Origin of the odometry in the field frame.

@@ -37,7 +37,7 @@ fn drawn() -> Vec<String> {
 }
 
 #[test]
-fn the_blank_canvas_is_what_vicode_makes() {
+fn blank_canvas_is_what_vicode_makes() {
     assert_eq!(text(&folder().join("blank.rs")), blank("Goalkeeper"));
 }
 
@@ -56,7 +56,7 @@ fn machine_is_complete_after_its_transitions() {
 }
 
 #[test]
-fn every_list_of_edits_is_a_step() {
+fn every_list_of_edits_is_step() {
     let files = fs::read_dir(folder()).expect("the folder of the steps").map(|entry| entry.expect("an entry").path());
     let lists = files.filter(|path| path.extension().is_some_and(|extension| extension == "json"));
     let mut names: Vec<String> =

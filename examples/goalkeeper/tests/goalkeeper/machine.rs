@@ -58,7 +58,7 @@ fn resting_ball_is_kicked_away() {
 }
 
 #[test]
-fn slow_near_ball_is_blocked_with_a_step() {
+fn slow_near_ball_is_blocked_with_step() {
     with_stack(|| {
         let mut test = shot(0.16, 1.6);
         test.reaches::<Goalkeeper>("step_aside", seconds(2));
@@ -69,7 +69,7 @@ fn slow_near_ball_is_blocked_with_a_step() {
 }
 
 #[test]
-fn far_ball_causes_a_dive_and_a_get_up() {
+fn far_ball_causes_dive_and_get_up() {
     with_stack(|| {
         for (aim, side) in [(0.45, Side::Left), (-0.45, Side::Right)] {
             let mut test = shot(aim, 1.8);
@@ -86,7 +86,7 @@ fn far_ball_causes_a_dive_and_a_get_up() {
 }
 
 #[test]
-fn a_goalkeeper_that_cannot_see_the_ball_searches_it() {
+fn goalkeeper_that_cannot_see_ball_searches_it() {
     with_stack(|| {
         let mut test = start(Vec2::new(2.8, -1.8));
         test.stays::<Goalkeeper>("look_for_ball", seconds(1));

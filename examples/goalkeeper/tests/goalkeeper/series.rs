@@ -4,7 +4,7 @@ use goalkeeper::cli::FRAME;
 use goalkeeper::shots::{Plan, Robot};
 
 #[test]
-fn a_series_has_equal_results_each_time() {
+fn series_has_equal_results_each_time() {
     let plan = Plan { seed: 4000, shots: 2, ..Plan::default() };
     let play = || plan.play(Robot::Goalkeeper(&[]), FRAME).expect("valid shots");
     let first = play();
@@ -14,7 +14,7 @@ fn a_series_has_equal_results_each_time() {
 
 #[test]
 #[ignore = "slow: CI plays 100 shots"]
-fn slow_goalkeeper_halves_the_goals_of_an_idle_robot() {
+fn slow_goalkeeper_halves_goals_of_idle_robot() {
     let plan = Plan::default();
     assert_eq!((plan.seed, plan.shots), (0, 100));
     let let_in = |robot| {

@@ -1,7 +1,6 @@
 //! The board mps2-an500 as QEMU emulates it: a Cortex-M7 at 25 MHz.
 //!
-//! With QEMU's option `-icount shift=0` an instruction takes one nanosecond, so the 25 MHz clock ticks once per 40
-//! instructions.
+//! With QEMU's option `-icount shift=0` an instruction takes one nanosecond, so the 25 MHz clock ticks once per 40 instructions.
 
 use bica_firmware::{Board, Links};
 use cortex_m::peripheral::SCB;

@@ -102,7 +102,7 @@ mod tests {
     }
 
     #[test]
-    fn default_values_are_those_of_the_detector() {
+    fn default_values_are_those_of_detector() {
         assert_eq!(BallDetection::DEFAULT.tuning(Errors::NAO), BallTuning::DEFAULT);
         let memory = MemoryTuning { half_life: 2.0, ..MemoryTuning::DEFAULT };
         let tuning = BallTracking::DEFAULT.tuning(&Odometry::new());

@@ -74,7 +74,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn defaults_are_an_exact_mounting_with_a_nao_s_errors() {
+    fn defaults_are_exact_mounting_with_nao_s_errors() {
         for camera in [CameraId::Top, CameraId::Bottom] {
             assert_eq!(CameraMounting::DEFAULT.of(camera), Mounting::EXACT);
         }

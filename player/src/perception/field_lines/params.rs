@@ -74,7 +74,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn default_values_are_those_of_the_detector() {
+    fn default_values_are_those_of_detector() {
         assert_eq!(LineDetection::DEFAULT.tuning(), LineTuning::DEFAULT);
         assert_eq!(MarkingDetection::DEFAULT.tuning(), MarkingTuning::DEFAULT);
     }

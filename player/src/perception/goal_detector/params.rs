@@ -105,7 +105,7 @@ mod tests {
     }
 
     #[test]
-    fn default_values_are_those_of_the_detector() {
+    fn default_values_are_those_of_detector() {
         assert_eq!(GoalDetection::DEFAULT.tuning(Errors::NAO), GoalTuning::DEFAULT);
         let tuning = GoalTracking::DEFAULT.tuning(&Odometry::new());
         assert_eq!(tuning, MemoryTuning { half_life: 20.0, ..MemoryTuning::DEFAULT });

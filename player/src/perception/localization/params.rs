@@ -76,7 +76,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn default_values_are_those_of_the_filter() {
+    fn default_values_are_those_of_filter() {
         assert_eq!(tuning(&MotionNoise::DEFAULT, &SightingUse::DEFAULT), LocalizerTuning::DEFAULT);
     }
 

@@ -120,7 +120,7 @@ mod tests {
     }
 
     #[test]
-    fn default_values_are_those_of_the_detector() {
+    fn default_values_are_those_of_detector() {
         assert_eq!(RobotDetection::DEFAULT.tuning(), RobotTuning::DEFAULT);
         let tuning = RobotTracking::DEFAULT.tuning(&Odometry::new());
         assert_eq!(tuning, MemoryTuning { half_life: 4.0, ..MemoryTuning::DEFAULT });

@@ -99,7 +99,7 @@ mod tests {
     }
 
     #[test]
-    fn support_polygon_includes_the_ground_between_soles() {
+    fn support_polygon_includes_ground_between_soles() {
         assert_eq!(standing(Vec3::new(0.02, 0.0, 0.25), 0.0).offset_outside_support(), None);
         assert_eq!(standing(Vec3::new(0.099, 0.0, 0.25), 0.0).offset_outside_support(), None);
         let offset = standing(Vec3::new(0.12, 0.0, 0.25), 0.0).offset_outside_support().unwrap();
@@ -109,7 +109,7 @@ mod tests {
     }
 
     #[test]
-    fn a_lifted_sole_supports_nothing_and_has_no_pressure() {
+    fn lifted_sole_supports_nothing_and_has_no_pressure() {
         let lifted = standing(Vec3::new(0.02, 0.0, 0.25), 0.01);
         let offset = lifted.offset_outside_support().unwrap();
         assert!((offset - Vec2::new(0.0, -0.0112)).length() < 1e-5, "{offset}");
@@ -118,7 +118,7 @@ mod tests {
     }
 
     #[test]
-    fn pressure_moves_with_the_centre_of_mass() {
+    fn pressure_moves_with_centre_of_mass() {
         let [left, right] = standing(Vec3::new(0.02, 0.0, 0.25), 0.0).pressure();
         assert!((left.total() - right.total()).abs() < 1e-3);
         let [left, right] = standing(Vec3::new(0.02, 0.04, 0.25), 0.0).pressure();

@@ -202,7 +202,7 @@ mod tests {
     }
 
     #[test]
-    fn only_a_robot_that_folded_its_knees_can_rise() {
+    fn only_robot_that_folded_its_knees_can_rise() {
         for (bend, rises) in [(FOLDED_KNEE - 0.02, false), (FOLDED_KNEE + 0.02, true)] {
             let mut folded = Nao::STAND;
             (folded[Joint::LKneePitch], folded[Joint::RKneePitch]) = (bend, bend);

@@ -59,7 +59,7 @@ mod tests {
     use crate::random::Stream;
 
     #[test]
-    fn the_unit_measures_gravity_and_angular_velocity() {
+    fn unit_measures_gravity_and_angular_velocity() {
         let mut random = Random::new(3, Stream::Sensors);
         let mut unit = InertialUnit::still(Affine3A::from_rotation_y(0.2));
         let still = unit.step(&Affine3A::from_rotation_y(0.2), &mut random);
@@ -71,7 +71,7 @@ mod tests {
     }
 
     #[test]
-    fn the_unit_measures_the_acceleration_of_the_torso() {
+    fn unit_measures_acceleration_of_torso() {
         let mut random = Random::new(3, Stream::Sensors);
         let mut unit = InertialUnit::still(Affine3A::IDENTITY);
         let mut measured = Vec3::ZERO;

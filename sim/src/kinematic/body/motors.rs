@@ -121,7 +121,7 @@ mod tests {
     }
 
     #[test]
-    fn speed_is_proportional_to_stiffness_up_to_a_fifth() {
+    fn speed_is_proportional_to_stiffness_below_a_fifth() {
         for (stiffness, share) in [(0.1, 0.5), (0.2, 1.0), (1.0, 1.0)] {
             let mut motors = Motors::holding(Joints::all(0.3));
             for _ in 0..4 {

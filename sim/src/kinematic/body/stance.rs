@@ -138,7 +138,7 @@ mod tests {
     }
 
     #[test]
-    fn support_foot_stays_and_torso_moves_by_the_step() {
+    fn support_foot_stays_and_torso_moves_by_step() {
         let skeleton = body([(0.02, 0.0), (-0.02, 0.0)]);
         let mut stance = Stance::under(Pose2::new(0.5, -0.3, 0.0), &skeleton);
         let seen = walk(&mut stance, 10);
@@ -157,7 +157,7 @@ mod tests {
     }
 
     #[test]
-    fn weight_shift_does_not_move_the_robot() {
+    fn weight_shift_does_not_move_robot() {
         let mut stance = Stance::under(Pose2::ORIGIN, &Skeleton::<Nao>::of(&Nao::STAND));
         for cycle in 0..1_000 {
             let skeleton = body([(0.001 * (cycle % 7) as f32, 0.0004 * (cycle % 3) as f32), (0.0, 0.0)]);
@@ -169,7 +169,7 @@ mod tests {
     }
 
     #[test]
-    fn a_slip_is_distributed_over_cycles_and_complete() {
+    fn slip_is_distributed_over_cycles_and_complete() {
         let mut stance = Stance::under(Pose2::ORIGIN, &Skeleton::<Nao>::of(&Nao::STAND));
         let right = body([(0.0, 0.01), (0.0, 0.0)]);
         let before = ground_pose(&stance.robot(&right));

@@ -87,8 +87,7 @@ impl LineMap {
 pub(crate) struct Nearest([i8; LANES]);
 
 impl Nearest {
-    /// Returns the fraction of a spot around a point that is line; `None` unless it is certainly 0 or 1. `spot`: its
-    /// width, m.
+    /// Returns the fraction of a spot around a point that is line; `None` unless it is certainly 0 or 1. `spot`: its width, m.
     pub(crate) fn certain_share(&self, index: usize, spot: f32) -> Option<f32> {
         let distance = self.0[index] as f32 * UNIT;
         (distance.abs() > spot / 2.0 + STEP).then_some(if distance < 0.0 { 1.0 } else { 0.0 })
@@ -138,7 +137,7 @@ mod tests {
     use crate::random::{Random, Stream};
 
     #[test]
-    fn lines_are_where_the_rules_put_them() {
+    fn lines_are_where_rules_put_them() {
         let map = LineMap::new();
         let share = |x, y| map.share(x, y, 0.004);
         for (x, y) in
@@ -172,7 +171,7 @@ mod tests {
     }
 
     #[test]
-    fn points_outside_the_carpet_or_not_finite_are_handled() {
+    fn points_outside_carpet_or_not_finite_are_handled() {
         let map = LineMap::new();
         for x in [1e9, -1e9, f32::INFINITY, f32::NAN] {
             assert!(map.clearance(Vec2::new(x, 2.5)).is_finite());

@@ -66,7 +66,7 @@ fn vector(numbers: &[f64]) -> Vec3A {
 }
 
 #[test]
-fn segments_and_cameras_have_the_poses_of_the_kinematics() {
+fn segments_and_cameras_have_poses_of_kinematics() {
     let mut random = Random::new(1, Stream::Start);
     for _ in 0..30 {
         let (angles, model) = (any_angles(&mut random), model());
@@ -104,7 +104,7 @@ fn masses_equal_those_of_the_kinematics() {
 }
 
 #[test]
-fn joint_ranges_are_those_of_the_robot_model() {
+fn joint_ranges_are_those_of_robot_model() {
     let model = model().physics;
     for joint in Joint::ALL {
         let id = find(&model, MjtObjBase::mjOBJ_JOINT, &format!("{joint:?}")).unwrap();
@@ -115,7 +115,7 @@ fn joint_ranges_are_those_of_the_robot_model() {
 }
 
 #[test]
-fn no_load_speed_is_near_the_published_one() {
+fn no_load_speed_is_near_published_one() {
     let model = model().physics;
     let physics = Physics { dead_time: 0.0, ..Physics::default() };
     let end = |far: fn(Joint) -> f32| Joints(Joint::ALL.map(far));
@@ -154,7 +154,7 @@ fn published(joint: Joint) -> f32 {
 }
 
 #[test]
-fn actuators_have_the_order_of_the_joints() {
+fn actuators_have_order_of_joints() {
     let model = model().physics;
     for joint in Joint::ALL {
         let name = model.id_to_name(MjtObjBase::mjOBJ_ACTUATOR, joint.index());

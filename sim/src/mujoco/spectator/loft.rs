@@ -148,7 +148,7 @@ mod tests {
     }
 
     #[test]
-    fn a_loft_is_closed_and_its_faces_point_outward() {
+    fn loft_is_closed_and_its_faces_point_outward() {
         for side in [1.0, -1.0] {
             let (vertices, faces) = mesh(side);
             let edges: Vec<(usize, usize)> =

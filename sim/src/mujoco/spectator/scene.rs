@@ -115,7 +115,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn mocap_indices_and_height_are_those_of_a_nao() {
+    fn mocap_indices_and_height_are_those_of_nao() {
         let setup = Setup { goalkeeper: false, ..Setup::default() };
         let layout = Layout::new(&setup, &mut Random::new(0, Stream::Start));
         let model = Box::new(MjModel::from_xml_string(&write(&setup, &layout)).unwrap());

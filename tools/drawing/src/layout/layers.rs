@@ -148,8 +148,7 @@ impl Layers {
     }
 }
 
-/// Layer of each component: below all its activators, and the lowest one if it activates nothing. Links that close a
-/// cycle lead up.
+/// Layer of each component: below all its activators, and the lowest one if it activates nothing. Links that close a cycle lead up.
 fn depths(graph: &Graph) -> Vec<usize> {
     let ranks: [usize; CAPACITY] = ranks(graph.nodes);
     let links = graph.nodes.iter().enumerate().flat_map(|(from, node)| node.links.iter().map(move |l| (from, l.to)));

@@ -1,5 +1,4 @@
-//! Layered layout of an activation tree (after Sugiyama): layers, crossing reduction, coordinates, and the route of each
-//! link.
+//! Layered layout of an activation tree (after Sugiyama): layers, crossing reduction, coordinates, and the route of each link.
 
 mod kind;
 mod layers;

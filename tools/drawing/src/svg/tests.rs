@@ -42,7 +42,7 @@ fn random(seed: u64, cyclic: bool) -> Graph {
 }
 
 #[test]
-fn boxes_do_not_overlap_and_lie_inside_the_drawing() {
+fn boxes_do_not_overlap_and_lie_inside_drawing() {
     for seed in 0..200 {
         let layers = Layers::new(&random(seed, seed % 2 == 0));
         let placement = Placement::new(&layers);
@@ -87,7 +87,7 @@ fn segments_lead_from_owner_to_target() {
 }
 
 #[test]
-fn a_drawing_names_every_component_and_escapes_text() {
+fn drawing_names_every_component_and_escapes_text() {
     for seed in 0..100 {
         let graph = random(seed, seed % 2 == 0);
         let drawn = svg(&graph);
@@ -100,7 +100,7 @@ fn a_drawing_names_every_component_and_escapes_text() {
 }
 
 #[test]
-fn the_kind_of_a_component_follows_from_its_links() {
+fn kind_of_component_follows_from_its_links() {
     let link = |to, kind| Link { to, kind, state: None };
     let (read, write) = (LinkKind::Requirement, LinkKind::Modulation);
     let states = &[State { name: "only", doc: "", initial: true, last: true }];

@@ -26,8 +26,7 @@ pub fn list(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
     Ok(files)
 }
 
-/// Returns the name of an image in files of poses and labels: without folder and extension and, for a raw image, without
-/// the size.
+/// Returns the name of an image in files of poses and labels: without folder and extension and, for a raw image, without the size.
 #[must_use]
 pub fn stem(name: &str) -> &str {
     let name = name.rsplit('/').next().unwrap_or(name);
@@ -107,7 +106,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn rgb_of_a_yuyv_colour_converts_back_to_it() {
+    fn rgb_of_yuyv_colour_converts_back_to_it() {
         let (y, cb, cr) = (120.0_f32, 90.0_f32, 170.0_f32);
         let (b, r) = (cb - 128.0, cr - 128.0);
         let rgb = [y + 1.402 * r, y - 0.344_136 * b - 0.714_136 * r, y + 1.772 * b].map(|v| v.round() as u8);
@@ -118,7 +117,7 @@ mod tests {
     }
 
     #[test]
-    fn the_stem_has_no_folder_extension_or_size() {
+    fn stem_has_no_folder_extension_or_size() {
         let names = ["a/008.png", "008_640x240.yuyv", "008.jpeg", "hall_2.png", "a.b.png", "x"];
         assert_eq!(names.map(stem), ["008", "008", "008", "hall_2", "a.b", "x"]);
     }

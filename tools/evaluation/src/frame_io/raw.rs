@@ -45,7 +45,7 @@ mod tests {
     }
 
     #[test]
-    fn the_size_is_parsed_from_the_name() {
+    fn size_is_parsed_from_name() {
         assert_eq!(size(Path::new("a/b_1_640x240.yuyv")), Some((640, 240)));
         for name in ["640x240.yuyv", "a_640.yuyv", "a_0x240.yuyv", "a_640x-2.yuyv", "a_99999x2.yuyv"] {
             assert_eq!(size(Path::new(name)), None, "{name}");

@@ -40,7 +40,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_written_profile_is_parsed_back_unchanged() {
+    fn written_profile_is_parsed_back_unchanged() {
         for (name, filters) in NAMED {
             let text = write(&filters, &Notes::default());
             let back = parse::parse(&text).unwrap_or_else(|wrong| panic!("{name}: {}", wrong.what));
@@ -50,7 +50,7 @@ mod tests {
     }
 
     #[test]
-    fn the_files_of_profiles_equal_the_built_in_ones() {
+    fn files_of_profiles_equal_built_in_ones() {
         let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../profiles/");
         for (name, filters) in NAMED {
             let file = load(&format!("{folder}{name}.toml")).expect(name);

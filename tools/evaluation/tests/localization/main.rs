@@ -8,7 +8,7 @@ use lookout::{Lookout, print};
 
 #[test]
 #[ignore = "slow: `cargo xtask ci` runs it"]
-fn slow_the_robot_is_localized_after_ten_seconds() {
+fn slow_robot_is_localized_after_ten_seconds() {
     for size in [Frame::Small, Frame::Medium] {
         let outcomes: Vec<_> = (0..15).map(|seed| Lookout::new(seed, 0, size).look_around(10.0)).collect();
         print(&outcomes);

@@ -131,7 +131,7 @@ mod tests {
     }
 
     #[test]
-    fn a_box_is_drawn_with_its_projected_size() {
+    fn box_is_drawn_with_its_projected_size() {
         let view = PinholeCamera::new(Affine3A::IDENTITY, 320, 240);
         let pose = Affine3A::from_translation(Vec3::new(2.1, 0.0, 0.0));
         let mut canvas = drawn(&view, Solid::Block { pose, half: Vec3::new(0.1, 0.2, 0.3), colour: COLOUR });
@@ -142,7 +142,7 @@ mod tests {
     }
 
     #[test]
-    fn a_shadow_darkens_only_the_pixels_that_it_covers() {
+    fn shadow_darkens_only_pixels_that_it_covers() {
         let view = PinholeCamera::new(Affine3A::from_rotation_y(1.2), 320, 240);
         let view = PinholeCamera::new(Affine3A::from_translation(0.5 * Vec3::Z) * view.pose, 320, 240);
         let mut canvas = Canvas::new(320, 240);
