@@ -17,6 +17,9 @@ use crate::params::{ParamGroup, Value};
     note = "write `#[component]` on the impl block that holds its `step` or its states"
 )]
 pub trait Component: Sized + 'static {
+    /// The type itself: a tree that names it finds out whether it is a component.
+    #[doc(hidden)]
+    type Itself;
     /// The type's name, without its path.
     const NAME: &'static str;
     /// The doc comment of the impl block, or else of the step.

@@ -54,17 +54,6 @@ fn messages(tokens: TokenStream) -> Vec<String> {
 }
 
 #[test]
-fn a_machine_expands_to_its_block_two_trait_impls_and_a_reserved_name() {
-    let file = expanded(&machine());
-    let traits = file.items.iter().map(|item| {
-        let Item::Impl(block) = item else { panic!("only impl blocks") };
-        block.trait_.as_ref().map(|(path, _)| path.segments.last().unwrap().ident.to_string())
-    });
-    let traits = traits.collect::<Vec<_>>();
-    assert_eq!(traits, [None, Some("Component".to_owned()), Some("MemberOf".to_owned()), None]);
-}
-
-#[test]
 fn role_attributes_are_removed_and_all_else_is_kept() {
     let file = expanded(&quote! {
         impl Head {

@@ -44,6 +44,18 @@ pub(crate) fn milliseconds(value: &Expr, key: &str) -> Result<u32, String> {
     }
 }
 
+/// The value of a literal of a whole number, also of a negative one.
+pub(crate) fn whole(value: &Expr) -> Option<i128> {
+    let number = literal(value).filter(|number| number.whole)?;
+    let digits: i128 = number.digits.parse().ok()?;
+    Some(if number.negative { -digits } else { digits })
+}
+
+/// Whether the value is a literal of a number.
+pub(crate) fn is_literal(value: &Expr) -> bool {
+    literal(value).is_some()
+}
+
 struct Literal {
     digits: String,
     suffix: String,

@@ -26,6 +26,7 @@
 
 use core::cell::UnsafeCell;
 use core::marker::PhantomData;
+use core::mem::ManuallyDrop;
 use core::ptr;
 
 use super::component_state::ComponentState;
@@ -41,8 +42,9 @@ pub struct Slot<C, S = ()> {
     state: ComponentState,
     rate: UnsafeCell<Rate<C>>,
     value: UnsafeCell<C>,
-    /// In no `UnsafeCell`: a cycle only reads it.
-    params: S,
+    /// In no `UnsafeCell`: a cycle only reads it. Parameters are plain values that need no drop; said here, it keeps the
+    /// compiler from asking for the parameters of a listed type that is no component, once for each variable.
+    params: ManuallyDrop<S>,
 }
 
 impl<C: 'static> Slot<C> {
@@ -56,17 +58,22 @@ impl<C: 'static, S> Slot<C, S> {
     /// The same with parameters, which can be changed.
     pub const fn with<T: Has<C>>(value: C, params: S) -> Self {
         let rate = Rate::at(<T::Member as Component>::HZ);
-        Self { state: ComponentState::new(), rate: UnsafeCell::new(rate), value: UnsafeCell::new(value), params }
+        Self {
+            state: ComponentState::new(),
+            rate: UnsafeCell::new(rate),
+            value: UnsafeCell::new(value),
+            params: ManuallyDrop::new(params),
+        }
     }
 
     /// The parameters.
     #[inline]
-    pub const fn params(&self) -> &S {
+    pub fn params(&self) -> &S {
         &self.params
     }
 
     /// The parameters, between two cycles.
-    pub const fn params_mut(&mut self) -> &mut S {
+    pub fn params_mut(&mut self) -> &mut S {
         &mut self.params
     }
 

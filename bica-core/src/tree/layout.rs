@@ -18,7 +18,10 @@ use crate::probe::Probe;
 #[diagnostic::on_unimplemented(
     message = "activation tree `{Self}` does not hold component `{C}`",
     label = "`{C}` is not in the list",
-    note = "add `{C}` to `components: [...]` of `{Self}`"
+    note = "if `{C}` is a component, add it to `components: [...]` of `{Self}`",
+    note = "if it is a struct with `#[derive(Params)]`, the argument is `&Tuned<{C}>`",
+    note = "if it is `Time`, `Rate` or `Tuned` by another name, write that name: `#[component]` reads names",
+    note = "if it is a tree, take its components instead, each by an argument"
 )]
 pub trait Has<C: 'static>: Layout {
     /// `C`, known to be a component whose children the tree holds. It is the one place that requires this.

@@ -16,7 +16,7 @@ pub(crate) enum Foot {
 
 /// How to kick.
 #[derive(Clone, Debug, PartialEq, Params)]
-#[params(crate = bica_core, check = Self::is_ordered)]
+#[params(crate = bica_core, check = Self::is_ordered, check = Self::is_possible)]
 pub(crate) struct Kicking {
     /// Swing back.
     #[param(default = -0.5, range = -1.0..=1.0, unit = "rad", step = 0.01)]
@@ -40,6 +40,10 @@ const LEAST: i32 = -7;
 impl Kicking {
     const fn is_ordered(&self) -> Result<(), &'static str> {
         if self.forward >= 0 && self.kicks == 5 { Err("five kicks are only for backward swings") } else { Ok(()) }
+    }
+
+    const fn is_possible(&self) -> Result<(), &'static str> {
+        if self.kicks > 3 && !self.turns { Err("more than three kicks need turns") } else { Ok(()) }
     }
 }
 
@@ -251,6 +255,7 @@ fn all_values_of_a_component_are_replaced_at_once_or_not() {
             Kicking { forward: 1, kicks: 5, ..Kicking::default() },
             Reason::Rule("five kicks are only for backward swings"),
         ),
+        (Kicking { kicks: 4, turns: false, ..Kicking::default() }, Reason::Rule("more than three kicks need turns")),
     ];
     for (values, reason) in wrong {
         let set = tree.set_params_of::<Kicker>((Tuned::new(values), Tuned::DEFAULT));

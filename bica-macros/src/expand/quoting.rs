@@ -2,11 +2,27 @@
 
 use proc_macro2::{Span, TokenStream, TokenTree};
 use quote::{ToTokens, quote};
+use syn::Path;
 use syn::spanned::Spanned;
 
 /// `Some(value)` or `None`, written out.
 pub(crate) fn option<T: ToTokens>(value: Option<&T>) -> TokenStream {
     value.map_or_else(|| quote!(::core::option::Option::None), |value| quote!(::core::option::Option::Some(#value)))
+}
+
+/// The path to what generated code uses, inside [`enclosed`].
+pub(crate) fn runtime() -> TokenStream {
+    quote!(__bica)
+}
+
+/// Items in a scope of their own, which names the crate once: a wrong path gives one message.
+pub(crate) fn enclosed(krate: &Path, items: &TokenStream) -> TokenStream {
+    quote! {
+        const _: () = {
+            use #krate::__private as __bica;
+            #items
+        };
+    }
 }
 
 /// Where the compiler shall point when code generated for these tokens does not hold.

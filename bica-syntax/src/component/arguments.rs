@@ -3,8 +3,8 @@
 use proc_macro2::TokenStream;
 use quote::ToTokens;
 use syn::{
-    Attribute, FnArg, GenericArgument, Lifetime, PathArguments, PathSegment, Signature, Type, TypePath, TypeReference,
-    parse_quote,
+    Attribute, FnArg, GenericArgument, Generics, Lifetime, PathArguments, PathSegment, Signature, Type, TypePath,
+    TypeReference, parse_quote,
 };
 
 use super::model::Argument;
@@ -13,34 +13,17 @@ use crate::report::Report;
 use crate::types::plain;
 use crate::{text, wording};
 
-/// Types of the language and of its library that can be no components.
-const VALUES: [&str; 25] = [
-    "bool",
-    "char",
-    "str",
-    "f32",
-    "f64",
-    "u8",
-    "u16",
-    "u32",
-    "u64",
-    "u128",
-    "usize",
-    "i8",
-    "i16",
-    "i32",
-    "i64",
-    "i128",
+/// Types of the language that can be no components.
+const VALUES: [&str; 17] = [
+    "bool", "char", "str", "f32", "f64", "u8", "u16", "u32", "u64", "u128", "usize", "i8", "i16", "i32", "i64", "i128",
     "isize",
-    "String",
-    "Vec",
-    "Box",
-    "Option",
-    "Result",
-    "Instant",
-    "Duration",
-    "ComponentId",
 ];
+
+/// Types of libraries: a component of such a name is written with its path.
+const OF_LIBRARIES: [&str; 5] = ["String", "Instant", "Duration", "ComponentId", "Setting"];
+
+/// Generic types of the standard library around what was meant. Without a type in angle brackets it is another type.
+const WRAPPERS: [&str; 9] = ["Vec", "Box", "Option", "Result", "Rc", "Arc", "RefCell", "Mutex", "RwLock"];
 
 /// Reads the arguments beside `self`. A wrong one is left out.
 pub(crate) fn read(signature: &Signature, own: &Type, form: Form, report: &mut Report) -> Vec<Argument> {
@@ -106,8 +89,8 @@ fn argument(kind: &Type, own: &Type, form: Form, signature: &Signature, report: 
     };
     let Type::Path(path) = plain(&reference.elem) else { return no_component(plain(kind), report) };
     let segment = path.path.segments.last()?;
-    if is_value(path) {
-        report.add(kind, no_value(path));
+    if let Some(problem) = no_value(path) {
+        report.add(kind, problem);
         return None;
     }
     // Lifetimes that the function declares are reported there.
@@ -128,10 +111,10 @@ fn argument(kind: &Type, own: &Type, form: Form, signature: &Signature, report: 
 fn owned(path: &TypePath, form: Form, report: &mut Report) -> Option<Argument> {
     let written = text::written(path);
     let problem = match path.path.segments.last()?.ident.to_string().as_str() {
+        _ if let Some(problem) = no_value(path) => problem,
         "Time" => wording::owned_time(&written),
         "Rate" => wording::owned_rate(&written),
         "Tuned" => wording::owned_tuned(&written),
-        _ if is_value(path) => no_value(path),
         _ if form == Form::Condition => wording::owned_condition(&written),
         _ => wording::owned(&written),
     };
@@ -139,18 +122,23 @@ fn owned(path: &TypePath, form: Form, report: &mut Report) -> Option<Argument> {
     None
 }
 
-fn is_value(path: &TypePath) -> bool {
-    let segments = &path.path.segments;
-    segments.len() == 1 && segments.last().is_some_and(|last| VALUES.iter().any(|name| last.ident == name))
-}
-
-fn no_value(path: &TypePath) -> String {
-    let written = text::written(path);
-    match path.path.segments.last() {
-        Some(last) if last.ident == "Option" => wording::option(&written),
-        Some(last) if !last.arguments.is_none() => wording::no_component(&written),
-        _ => wording::value(&written),
+/// The message about a type that can be no component.
+fn no_value(path: &TypePath) -> Option<String> {
+    let (written, last) = (text::written(path), path.path.segments.last()?);
+    let is_one_of = |names: &[&str]| names.iter().any(|name| last.ident == name);
+    let is_of_std = ["std", "core", "alloc"].iter().any(|root| path.path.segments[0].ident == root);
+    if is_one_of(&WRAPPERS) && (is_of_std || path.path.segments.len() == 1) {
+        let inner = plain(only_type(last)?);
+        let inner = if let Type::Reference(reference) = inner { plain(&reference.elem) } else { inner };
+        return Some(wording::wrapped(&written, &text::written(inner)));
     }
+    if path.path.segments.len() > 1 {
+        return None;
+    }
+    if is_one_of(&OF_LIBRARIES) {
+        return Some(wording::value_of_library(&written));
+    }
+    is_one_of(&VALUES).then(|| wording::value(&written))
 }
 
 fn no_component(kind: &Type, report: &mut Report) -> Option<Argument> {
@@ -172,6 +160,15 @@ fn is_tuned(kind: &Type) -> bool {
         Type::Reference(reference) => is_tuned(&reference.elem),
         Type::Path(path) => path.path.segments.last().is_some_and(|last| last.ident == "Tuned"),
         _ => false,
+    }
+}
+
+/// Reports a `&Tuned<P>` of a type parameter: its values would be no constant of the component.
+pub(super) fn concrete(argument: &Argument, generics: &Generics, report: &mut Report) {
+    if let Argument::Tuned(Type::Path(path)) = argument
+        && generics.type_params().any(|parameter| path.path.is_ident(&parameter.ident))
+    {
+        report.add(path, wording::tuned_parameter(&text::written(path)));
     }
 }
 

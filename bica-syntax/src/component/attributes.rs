@@ -56,11 +56,26 @@ pub(crate) fn misspelt(attribute: &Attribute) -> Option<String> {
     synonym.or_else(near).filter(|ours| *ours != last).map(|ours| wording::misspelt_attribute(&last, ours))
 }
 
+/// Whether it is `#[component]`, by any path.
+pub(crate) fn is_component(attribute: &Attribute) -> bool {
+    attribute.path().segments.last().is_some_and(|last| last.ident == "component")
+}
+
 /// Whether a `cfg_attr` may add one of our attributes.
 pub(crate) fn conditional_role(attribute: &Attribute) -> bool {
-    let names_role = |token| matches!(token, TokenTree::Ident(name) if ROLES.iter().any(|role| name == role));
+    adds(attribute, &ROLES)
+}
+
+/// Whether the item may be left out of a build.
+pub(crate) fn is_condition(attribute: &Attribute) -> bool {
+    attribute.path().is_ident("cfg") || adds(attribute, &["cfg"])
+}
+
+/// Whether a `cfg_attr` may add an attribute of one of these names.
+fn adds(attribute: &Attribute, names: &[&str]) -> bool {
+    let is_named = |token| matches!(token, TokenTree::Ident(word) if names.iter().any(|name| word == name));
     match &attribute.meta {
-        Meta::List(list) => list.path.is_ident("cfg_attr") && list.tokens.clone().into_iter().any(names_role),
+        Meta::List(list) => list.path.is_ident("cfg_attr") && list.tokens.clone().into_iter().any(is_named),
         _ => false,
     }
 }

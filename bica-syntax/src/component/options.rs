@@ -80,8 +80,9 @@ fn one(input: ParseStream, options: &mut Options, seen: &mut Vec<Ident>, report:
             options.resume = Some(key.clone());
         }
         "crate" => {
-            input.parse::<Token![=]>()?;
-            options.krate = input.call(Path::parse_mod_style)?;
+            let form = |found: syn::Error| syn::Error::new(found.span(), wording::crate_form("crate = bica_core"));
+            input.parse::<Token![=]>().map_err(form)?;
+            options.krate = input.call(Path::parse_mod_style).map_err(form)?;
         }
         other => return Err(unknown(&key, other)),
     }

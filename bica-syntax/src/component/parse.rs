@@ -2,7 +2,7 @@
 
 use proc_macro2::TokenStream;
 use quote::ToTokens;
-use syn::{Attribute, Generics, Item as AnyItem, Type, parse_quote};
+use syn::{Attribute, GenericArgument, Generics, Item as AnyItem, Lifetime, PathArguments, Type, parse_quote};
 
 use super::block::{self, Block, Item};
 use super::model::{Component, Function, Hook, State, Transition};
@@ -57,7 +57,12 @@ pub fn parse(options: TokenStream, item: &TokenStream, report: &mut Report) -> P
     if let Some((at, problem)) = misplaced {
         return without_roles(component, at, &problem, report);
     }
-    for lifetime in component.block.header.generics.lifetimes() {
+    for second in component.block.header.attrs.extract_if(.., |one| attributes::is_component(one)) {
+        report.add(second, wording::TWICE);
+    }
+    let unnamed = unnamed_lifetimes(component.own()).map(ToTokens::to_token_stream);
+    let named = component.block.header.generics.lifetimes().map(ToTokens::to_token_stream);
+    for lifetime in named.chain(unnamed) {
         report.add(lifetime, wording::LIFETIME);
     }
     let reason = parse_quote!(#[allow(clippy::new_without_default, reason = "a tree makes it by `new`")]);
@@ -74,6 +79,19 @@ fn without_roles(mut component: Component, at: TokenStream, problem: &str, repor
     let meant = component_name(component.own()).is_some() && (!of_a_trait || component.functions().next().is_some());
     let of = meant.then(|| Box::new((component.block.header.generics.clone(), component.own().clone())));
     Parsed::Misplaced { item: component.block.to_token_stream(), of }
+}
+
+/// Each `'_` in a type.
+fn unnamed_lifetimes(own: &Type) -> impl Iterator<Item = &Lifetime> {
+    let last = if let Type::Path(path) = own { path.path.segments.last() } else { None };
+    let arguments = last.and_then(|last| match &last.arguments {
+        PathArguments::AngleBracketed(list) => Some(&list.args),
+        _ => None,
+    });
+    arguments.into_iter().flatten().filter_map(|argument| match argument {
+        GenericArgument::Lifetime(lifetime) if lifetime.ident == "_" => Some(lifetime),
+        _ => None,
+    })
 }
 
 fn component_name(own: &Type) -> Option<String> {
@@ -100,15 +118,25 @@ fn no_block(item: &TokenStream, report: &mut Report) -> Parsed {
 fn functions(component: &mut Component, report: &mut Report) {
     component.incomplete |= component.block.unreadable;
     let mut items = std::mem::take(&mut component.block.items);
-    let mut names = Vec::new();
+    let twice = twice(&items);
+    let mut reported = false;
     for item in &mut items {
         match item {
             Item::Function(function) => {
-                // The compiler itself reports two functions of one name.
-                component.incomplete |= names.contains(&function.signature.ident);
-                names.push(function.signature.ident.clone());
+                let name = text::name(&function.signature.ident);
                 let ours = take_ours(component, function, report);
-                sort(component, function, ours, report);
+                let is_called = name == "step" || !ours.is_empty();
+                match twice.iter().find(|(other, _)| *other == name) {
+                    Some((_, condition)) if is_called => {
+                        component.incomplete = true;
+                        if !std::mem::replace(&mut reported, true)
+                            && let Some(condition) = condition
+                        {
+                            report.add(condition, wording::two_functions(&name));
+                        }
+                    }
+                    _ => sort(component, function, ours, report),
+                }
             }
             Item::Other { attributes, .. } => {
                 for attribute in attributes.extract_if(.., |one| attributes::role(one).is_some()) {
@@ -119,6 +147,25 @@ fn functions(component: &mut Component, report: &mut Report) {
         }
     }
     component.block.items = items;
+}
+
+/// The names that several functions have, each with a condition of one of them. Without a condition the compiler reports
+/// them.
+fn twice(items: &[Item]) -> Vec<(String, Option<Attribute>)> {
+    let mut names: Vec<(String, usize, Option<Attribute>)> = Vec::new();
+    for item in items {
+        let Item::Function(function) = item else { continue };
+        let name = text::name(&function.signature.ident);
+        let condition = function.attributes.iter().find(|one| attributes::is_condition(one)).cloned();
+        match names.iter_mut().find(|(other, ..)| *other == name) {
+            Some((_, count, first)) => {
+                *count += 1;
+                *first = first.take().or(condition);
+            }
+            None => names.push((name, 1, condition)),
+        }
+    }
+    names.into_iter().filter(|(_, count, _)| *count > 1).map(|(name, _, condition)| (name, condition)).collect()
 }
 
 /// Takes our attributes off, and those that were meant to be ours.
@@ -136,7 +183,7 @@ fn take_ours(component: &mut Component, function: &mut block::Function, report: 
 
 fn sort(component: &mut Component, function: &mut block::Function, roles: Vec<Attribute>, report: &mut Report) {
     let Some(first) = roles.first() else {
-        if function.signature.ident == "step" {
+        if text::name(&function.signature.ident) == "step" {
             component.step = Some(called(component, function, Form::Step, report));
             if component.doc.is_empty() {
                 component.doc = text::doc(&function.attributes);
@@ -146,11 +193,11 @@ fn sort(component: &mut Component, function: &mut block::Function, roles: Vec<At
     };
     let role = attributes::role(first);
     for other in &roles[1..] {
-        if attributes::role(other) != role {
-            report.add(other, wording::TWO_ROLES);
-        } else if role != Some("transition") {
-            report.add(other, wording::TWICE);
+        if attributes::role(other) == role && role == Some("transition") {
+            continue;
         }
+        component.incomplete = true;
+        report.add(other, if attributes::role(other) == role { wording::TWICE } else { wording::TWO_ROLES });
     }
     match role {
         Some("state") => state(component, function, first, report),
@@ -210,11 +257,14 @@ fn hook(component: &mut Component, function: &mut block::Function, attribute: &A
 /// while the children are visited, and a tree as deep as its longest chain would need the stack of all of them at once.
 fn called(component: &Component, function: &mut block::Function, form: Form, report: &mut Report) -> Function {
     let arguments = signature::read(&function.signature, component.own(), form, report);
+    for argument in &arguments {
+        arguments::concrete(argument, &component.block.header.generics, report);
+    }
     arguments::complete_rates(&mut function.signature);
-    let attributes = &mut function.attributes;
-    for condition in attributes.extract_if(.., |attribute| attribute.path().is_ident("cfg")) {
+    for condition in function.attributes.extract_if(.., |one| attributes::is_condition(one)) {
         report.add(condition, wording::CONDITIONAL);
     }
+    let attributes = &mut function.attributes;
     let doc = text::doc(attributes);
     attributes.push(parse_quote!(#[allow(
         unused_variables,

@@ -9,7 +9,7 @@ use syn::{Attribute, Expr, ExprLit, ExprRange, Lit, Meta, RangeLimits, Token, Ty
 use super::model::{Field, Kind, Number, NumberKind};
 use crate::report::Report;
 use crate::types::plain;
-use crate::{text, wording};
+use crate::{number, text, wording};
 
 const KEYS: [&str; 4] = ["default", "range", "unit", "step"];
 const KNOWN: &str = "`default`, `range`, `unit` and `step`";
@@ -137,6 +137,16 @@ fn kind(name: &Ident, ty: &Type, keys: &Keys, report: &mut Report) -> Option<Kin
         "u32" => NumberKind::U32,
         other => return other_kind(other, ty, keys, report),
     };
+    let number = match of {
+        NumberKind::F32 => None,
+        NumberKind::I32 => Some((i64::from(i32::MIN), i64::from(i32::MAX))),
+        NumberKind::U32 => Some((0, i64::from(u32::MAX))),
+    };
+    if let Some(limits) = number
+        && !fits(keys, &last, limits, report)
+    {
+        return None;
+    }
     let Some((min, max, _)) = keys.range.clone() else {
         report.add(name, wording::no_range(&text::name(name), &written));
         return None;
@@ -144,11 +154,32 @@ fn kind(name: &Ident, ty: &Type, keys: &Keys, report: &mut Report) -> Option<Kin
     Some(Kind::Number(Box::new(Number { of, min, max, step: keys.step.clone() })))
 }
 
+/// Whether the whole numbers among the keys fit into the type, as far as they are literals.
+fn fits(keys: &Keys, kind: &str, (min, max): (i64, i64), report: &mut Report) -> bool {
+    let ends = keys.range.iter().flat_map(|(min, max, _)| [min, max]);
+    let mut good = true;
+    for value in ends.chain(&keys.default).chain(&keys.step) {
+        if let Some(number) = number::whole(value)
+            && !(i128::from(min)..=i128::from(max)).contains(&number)
+        {
+            report.add(value, wording::does_not_fit(number, kind, min, max));
+            good = false;
+        }
+    }
+    good
+}
+
 fn other_kind(last: &str, ty: &Type, keys: &Keys, report: &mut Report) -> Option<Kind> {
     let written = text::written(plain(ty));
     let instead = OTHER_NUMBERS.iter().find(|(other, _)| *other == last).map(|(_, ours)| *ours);
     if instead.is_some() || NO_KINDS.contains(&last) {
         report.add(ty, wording::no_kind(&written, instead));
+        return None;
+    }
+    if last != "bool"
+        && let Some(instead) = meant_by_alias(keys)
+    {
+        report.add(ty, wording::alias(&written, instead));
         return None;
     }
     let number_only = [
@@ -169,6 +200,20 @@ fn other_kind(last: &str, ty: &Type, keys: &Keys, report: &mut Report) -> Option
         good = false;
     }
     good.then_some(kind)
+}
+
+/// The type that was meant if the keys are none of an enum: its name is a type alias.
+fn meant_by_alias(keys: &Keys) -> Option<&'static str> {
+    match &keys.default {
+        Some(Expr::Lit(ExprLit { lit: Lit::Bool(_), .. })) => Some("`bool`"),
+        Some(default) if number::whole(default).is_some() => Some("`i32` or `u32`"),
+        Some(default) if number::is_literal(default) => Some("`f32`"),
+        default if keys.range.is_some() => {
+            let is_variant = matches!(default, Some(Expr::Path(path)) if path.path.segments.len() > 1);
+            (!is_variant).then_some("`f32`, `i32` or `u32`")
+        }
+        _ => None,
+    }
 }
 
 /// The last name of a path, which is that of a variant.

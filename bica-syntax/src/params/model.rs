@@ -17,8 +17,8 @@ pub struct Params {
     pub is_struct: bool,
     /// Whether it has parameters of the language, which is a mistake.
     pub generic: bool,
-    /// The function that checks several values together.
-    pub check: Option<Path>,
+    /// The functions that check several values together.
+    pub checks: Vec<Path>,
     /// The crate that generated code uses.
     pub krate: Path,
 }

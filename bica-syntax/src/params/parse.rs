@@ -12,12 +12,12 @@ use crate::{text, wording};
 /// Reads a struct with `#[derive(Params)]`. With mistakes the model has the fields that could be read.
 pub fn params(item: TokenStream, report: &mut Report) -> Option<Params> {
     let input: DeriveInput = report.take(syn::parse2(item))?;
-    let (krate, check) = options(&input.attrs, report);
+    let (krate, checks) = options(&input.attrs, report);
     let doc = text::doc(&input.attrs);
     let generic = !input.generics.params.is_empty();
     let is_struct = matches!(input.data, Data::Struct(_));
     let (fields, written) = (Vec::new(), Vec::new());
-    let mut params = Params { name: input.ident, doc, fields, written, is_struct, generic, check, krate };
+    let mut params = Params { name: input.ident, doc, fields, written, is_struct, generic, checks, krate };
     let Data::Struct(data) = &input.data else {
         report.add(&params.name, wording::PARAMS_STRUCT);
         return Some(params);
@@ -69,17 +69,18 @@ fn one(field: &syn::Field, report: &mut Report) -> Option<Field> {
 }
 
 /// `#[params(check = path, crate = path)]`
-fn options(attributes: &[Attribute], report: &mut Report) -> (Path, Option<Path>) {
-    let (mut krate, mut check) = (parse_quote!(::bica), None);
+fn options(attributes: &[Attribute], report: &mut Report) -> (Path, Vec<Path>) {
+    let (mut krate, mut checks) = (parse_quote!(::bica), Vec::new());
     for attribute in attributes.iter().filter(|attribute| attribute.path().is_ident("params")) {
         let parsed = attribute.parse_nested_meta(|meta| {
             if meta.path.is_ident("crate") {
-                meta.input.parse::<Token![=]>()?;
-                krate = meta.input.call(Path::parse_mod_style)?;
+                let form = |found: syn::Error| syn::Error::new(found.span(), wording::crate_form("crate = bica_core"));
+                meta.input.parse::<Token![=]>().map_err(form)?;
+                krate = meta.input.call(Path::parse_mod_style).map_err(form)?;
             } else if meta.path.is_ident("check") {
                 let form = |found: syn::Error| syn::Error::new(found.span(), wording::CHECK_FORM);
                 meta.input.parse::<Token![=]>().map_err(form)?;
-                check = Some(meta.input.parse::<Path>().map_err(form)?);
+                checks.push(meta.input.parse::<Path>().map_err(form)?);
             } else {
                 let found = text::written(&meta.path);
                 let nearest = text::nearest(&found, ["check"].into_iter());
@@ -92,13 +93,16 @@ fn options(attributes: &[Attribute], report: &mut Report) -> (Path, Option<Path>
         });
         report.take(parsed);
     }
-    (krate, check)
+    (krate, checks)
 }
 
 /// Reads an enum with `#[derive(ParamEnum)]`.
 pub fn choice(item: TokenStream, report: &mut Report) -> Option<Choice> {
     let input: DeriveInput = report.take(syn::parse2(item))?;
-    let (krate, _) = options(&input.attrs, report);
+    let (krate, checks) = options(&input.attrs, report);
+    if let Some(check) = checks.first() {
+        report.add(check, wording::CHOICE_CHECK);
+    }
     let mut choice = Choice { name: input.ident, variants: Vec::new(), krate };
     let Data::Enum(data) = &input.data else {
         report.add(&choice.name, wording::CHOICE_ENUM);

@@ -1,12 +1,14 @@
 //! The rules that the text of a tree can break.
 
+use proc_macro2::Ident;
+
 use super::model::{Draft, Entry, Tree};
 use crate::report::Report;
 use crate::{text, wording};
 
 /// The tree, or `None` with mistakes reported.
 pub fn check(draft: &Draft, report: &mut Report) -> Option<Tree> {
-    let components = draft.components.as_ref().map(|entries| distinct(entries, report));
+    let components = draft.components.as_ref().map(|entries| distinct(entries, &draft.name, report));
     // After an error of the parser nothing is missing: it was not read.
     if report.is_empty() {
         let gaps = [
@@ -38,11 +40,13 @@ pub fn check(draft: &Draft, report: &mut Report) -> Option<Tree> {
 }
 
 /// Each component once. Two paths to one type are left to the compiler.
-fn distinct(components: &[Entry], report: &mut Report) -> Vec<Entry> {
+fn distinct(components: &[Entry], tree: &Ident, report: &mut Report) -> Vec<Entry> {
     let mut distinct: Vec<Entry> = Vec::new();
     for entry in components {
         let name = text::written(&entry.kind);
-        if distinct.iter().any(|known| text::written(&known.kind) == name) {
+        if name == text::name(tree) || name == "Self" {
+            report.add(&entry.kind, wording::TREE_IN_ITSELF);
+        } else if distinct.iter().any(|known| text::written(&known.kind) == name) {
             report.add(&entry.kind, wording::listed_twice(&name));
         } else {
             distinct.push(entry.clone());

@@ -92,7 +92,10 @@ fn one(input: ParseStream, seen: &mut Vec<Ident>, draft: &mut Draft, report: &mu
         "cycle_hz" => draft.cycle_hz = number::positive(&value(input, &name)?, &name, report),
         "budget_ms" => draft.budget_ms = number::positive(&value(input, &name)?, &name, report),
         "components" => components(input, draft, report)?,
-        _ => draft.krate = input.call(Path::parse_mod_style)?,
+        _ => {
+            let form = |found: syn::Error| syn::Error::new(found.span(), wording::crate_form("crate: bica_core"));
+            draft.krate = input.call(Path::parse_mod_style).map_err(form)?;
+        }
     }
     Ok(())
 }

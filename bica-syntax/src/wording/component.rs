@@ -36,6 +36,13 @@ pub(crate) const STEP_ATTRIBUTE: &str = "the step has no attribute: name the fun
 pub(crate) const CONDITIONAL: &str =
     "the tree calls this function in every build: remove the condition, or put it on the component and on its tree";
 
+pub(crate) fn two_functions(name: &str) -> String {
+    format!(
+        "the tree calls `{name}` in every build: keep one `{name}` without a condition, and call from it a helper that \
+         exists under each condition"
+    )
+}
+
 pub(crate) fn misspelt_attribute(found: &str, ours: &str) -> String {
     format!("there is no attribute `{found}`: did you mean `#[{ours}]`?")
 }
@@ -183,8 +190,14 @@ pub(crate) fn value(written: &str) -> String {
     format!("`{written}` is no component: keep the value in a field of `self`, or in the component that provides it")
 }
 
-pub(crate) fn option(written: &str) -> String {
-    format!("`{written}` is no link, a child is always there: write `&Name` to read it, `&mut Name` to modulate it")
+pub(crate) fn value_of_library(written: &str) -> String {
+    format!("{}; a component of this name is written with its path, `&self::{written}`", value(written))
+}
+
+pub(crate) fn wrapped(written: &str, inner: &str) -> String {
+    format!(
+        "`{written}` is no link, the tree keeps the component: write `&{inner}` to read it, `&mut {inner}` to modulate it"
+    )
 }
 
 pub(crate) fn no_component(written: &str) -> String {

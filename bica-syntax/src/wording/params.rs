@@ -63,6 +63,14 @@ pub(crate) fn for_numbers(key: &str, kind: &str) -> String {
     format!("`{key}` is for numbers, and `{kind}` is none: remove `{key}`")
 }
 
+pub(crate) fn alias(kind: &str, instead: &str) -> String {
+    format!("the macro reads names, and `{kind}` is read as the name of an enum: write {instead} itself")
+}
+
+pub(crate) fn does_not_fit(number: i128, kind: &str, min: i64, max: i64) -> String {
+    format!("`{number}` does not fit into `{kind}`: write a number from {min} to {max}")
+}
+
 pub(crate) fn choice_default(kind: &str) -> String {
     format!("the default of an enum is one of its variants: write `default = {kind}::Variant`")
 }
@@ -70,6 +78,9 @@ pub(crate) fn choice_default(kind: &str) -> String {
 // Enums.
 pub(crate) const CHOICE_ENUM: &str =
     "the choices of a parameter are the variants of an enum: write `enum Name { ... }`";
+
+pub(crate) const CHOICE_CHECK: &str =
+    "a rule is for the values of a struct with `#[derive(Params)]`: move it there, or remove it";
 
 pub(crate) fn variant_fields(name: &str) -> String {
     format!("variant `{name}` has fields, but a choice is only a name: remove them")
@@ -80,6 +91,10 @@ pub(crate) const TUNED_OF_WHAT: &str = "which parameters? Write `&Tuned<Name>`, 
 
 pub(crate) fn tuned(written: &str) -> String {
     format!("parameters are only read, an operator sets them: write `&{written}`")
+}
+
+pub(crate) fn tuned_parameter(name: &str) -> String {
+    format!("the parameters of a component are one struct, and `{name}` can be any: write the name of a struct here")
 }
 
 pub(crate) fn owned_tuned(written: &str) -> String {

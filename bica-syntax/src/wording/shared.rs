@@ -13,6 +13,10 @@ pub(super) fn meant(nearest: Option<&str>, known: &str) -> String {
     nearest.map_or_else(|| format!("there is {known}"), |nearest| format!("did you mean `{nearest}`?"))
 }
 
+pub(crate) fn crate_form(example: &str) -> String {
+    format!("this is the path of the framework, no text: write `{example}`")
+}
+
 pub(crate) fn not_positive(key: &str) -> String {
     format!("`{key}` must be above zero")
 }

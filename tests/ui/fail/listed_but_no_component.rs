@@ -15,16 +15,20 @@ impl Player {
     const fn new() -> Self {
         Self
     }
+
+    fn step(&mut self, head: &mut Head) {}
 }
 
 activation_tree! {
     struct Forward {
         root: Player,
         cycle_hz: 100,
+        tunable,
         components: [Player, Head],
     }
 }
 
 fn main() {
-    Forward::new().tick(Instant::from_ticks(0));
+    let mut forward = Forward::new();
+    forward.tick(Instant::from_ticks(0));
 }

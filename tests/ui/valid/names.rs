@@ -15,6 +15,15 @@ impl Größe {
     fn stop(&mut self) {}
 }
 
+struct Option;
+
+#[component]
+impl Option {
+    const fn new() -> Self {
+        Self
+    }
+}
+
 struct r#Match {
     kicks: u32,
 }
@@ -42,7 +51,7 @@ impl r#Match {
     }
 
     #[entry(r#final)]
-    fn turn(&mut self) {
+    fn step(&mut self, option: &Option) {
         self.kicks += 1;
     }
 }
@@ -51,7 +60,7 @@ activation_tree! {
     struct Robot {
         root: r#Match,
         cycle_hz: 100,
-        components: [r#Match, Größe],
+        components: [r#Match, Größe, Option],
     }
 }
 

@@ -4,14 +4,14 @@ use proc_macro2::TokenStream;
 use quote::quote;
 use syn::{GenericParam, Generics, Type, parse_quote};
 
+use super::operator;
 use super::tuning::Tuning;
-use super::{operator, runtime};
-use crate::expand::quoting::option;
+use crate::expand::quoting::{option, runtime};
 use bica_syntax::component::model::{Behaviour, Component, Machine, MachineState};
 use bica_syntax::text;
 
 pub(super) fn expand(component: &Component, behaviour: &Behaviour) -> TokenStream {
-    let p = runtime(component);
+    let p = runtime();
     let own = component.own();
     let generics = owned(&component.block.header.generics);
     let (parameters, _, bounds) = generics.split_for_impl();
@@ -20,12 +20,13 @@ pub(super) fn expand(component: &Component, behaviour: &Behaviour) -> TokenStrea
     let hz = option(component.options.hz.as_ref());
     let budget_us = option(component.options.budget_us.as_ref());
     let resume = component.options.resume.is_some();
-    let states = states(component, behaviour);
-    let tuning = Tuning::of(component).items(component);
+    let states = states(behaviour);
+    let tuning = Tuning::of(component).items();
     let operator = operator::descriptions(component);
     quote! {
         #[automatically_derived]
         impl #parameters #p::Component for #own #bounds {
+            type Itself = Self;
             const NAME: &'static str = #name;
             const DOC: &'static str = #p::doc(#doc);
             const HZ: ::core::option::Option<f32> = #hz;
@@ -57,8 +58,8 @@ pub(super) fn name(own: &Type) -> String {
     }
 }
 
-fn states(component: &Component, behaviour: &Behaviour) -> TokenStream {
-    let p = runtime(component);
+fn states(behaviour: &Behaviour) -> TokenStream {
+    let p = runtime();
     let Behaviour::Machine(machine) = behaviour else {
         return quote!(const STATES: &'static [#p::State] = &[];);
     };

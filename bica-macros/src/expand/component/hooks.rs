@@ -3,12 +3,13 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use super::call;
 use super::tuning::Tuning;
-use super::{call, runtime};
+use crate::expand::quoting::runtime;
 use bica_syntax::component::model::{Component, Function};
 
 pub(super) fn expand(component: &Component, tuning: &Tuning) -> TokenStream {
-    let p = runtime(component);
+    let p = runtime();
     let start = hook(&p, &quote!(start), &component.starts, tuning);
     let stop = hook(&p, &quote!(stop), &component.stops, tuning);
     quote!(#start #stop)

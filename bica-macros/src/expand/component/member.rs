@@ -8,13 +8,13 @@ use syn::{Type, WherePredicate, parse_quote, parse_quote_spanned};
 
 use super::tuning::Tuning;
 use super::visits::Visits;
-use super::{description, hooks, machine, node, operator, runtime, step};
-use crate::expand::quoting::{at, placed};
+use super::{description, hooks, machine, node, operator, step};
+use crate::expand::quoting::{at, placed, runtime};
 use bica_syntax::component::model::{Argument, Behaviour, Component};
 use bica_syntax::text;
 
 pub(super) fn expand(component: &Component, behaviour: &Behaviour) -> TokenStream {
-    let p = runtime(component);
+    let p = runtime();
     let own = component.own();
     let visits = Visits::of(&p, behaviour);
     let tuning = Tuning::of(component);
@@ -23,9 +23,9 @@ pub(super) fn expand(component: &Component, behaviour: &Behaviour) -> TokenStrea
     let bounds = generics.make_where_clause();
     // Only parameters need that the tree's member is the component itself: a tree with mistakes has another.
     bounds.predicates.push(if tuning.is_empty() {
-        parse_quote!(__T: #p::Has<#own>)
+        parse_quote!(__T: #p::Has<Self>)
     } else {
-        parse_quote!(__T: #p::Has<#own, Member = #own>)
+        parse_quote!(__T: #p::Has<Self, Member = Self>)
     });
     for child in children(&visits) {
         bounds.predicates.push(holds(&p, child));

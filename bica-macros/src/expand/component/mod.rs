@@ -14,11 +14,12 @@ mod visits;
 
 use proc_macro2::TokenStream;
 use quote::{quote, quote_spanned};
-use syn::{FnArg, Path};
+use syn::FnArg;
 
-use crate::expand::quoting::at;
+use crate::expand::quoting::{at, enclosed};
 use bica_syntax::component::block::Function;
 use bica_syntax::component::model::{Behaviour, Component};
+use bica_syntax::text;
 
 pub(crate) use stub::{misplaced, stub};
 
@@ -27,8 +28,10 @@ pub(crate) fn expand(component: &Component, behaviour: &Behaviour) -> TokenStrea
     let block = &component.block;
     let description = description::expand(component, behaviour);
     let member = member::expand(component, behaviour);
-    let no_step = (component.step.is_none() && is_whole(component)).then(|| no_step(component));
-    quote!(#block #description #member #no_step)
+    let is_free = component.block.functions().all(|function| text::name(&function.signature.ident) != "step");
+    let no_step = (is_free && is_whole(component)).then(|| no_step(component));
+    let traits = enclosed(&component.options.krate, &quote!(#description #member));
+    quote!(#block #traits #no_step)
 }
 
 /// Whether the block is the one that makes the component, rather than one of helpers with an attribute too much: it has
@@ -49,13 +52,4 @@ fn no_step(component: &Component) -> TokenStream {
             const step: () = ();
         }
     }
-}
-
-/// The path to what generated code uses.
-fn runtime(component: &Component) -> TokenStream {
-    private(&component.options.krate)
-}
-
-fn private(krate: &Path) -> TokenStream {
-    quote!(#krate::__private)
 }

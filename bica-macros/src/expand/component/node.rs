@@ -4,19 +4,18 @@ use proc_macro2::TokenStream;
 use quote::{quote, quote_spanned};
 use syn::Type;
 
-use super::runtime;
 use super::visits::Visits;
-use crate::expand::quoting::{at, option, placed};
+use crate::expand::quoting::{at, option, placed, runtime};
 use bica_syntax::component::model::{Argument, Behaviour, Component, Edge, Function};
 use bica_syntax::text;
 
 pub(super) fn expand(component: &Component, behaviour: &Behaviour, visits: &Visits) -> TokenStream {
-    let p = runtime(component);
+    let p = runtime();
     let transitions: Vec<_> = match behaviour {
         Behaviour::Step(_) => Vec::new(),
         Behaviour::Machine(machine) => machine.edges.iter().map(|edge| transition(&p, edge)).collect(),
     };
-    let distinct: TokenStream = component.functions().map(|function| distinct(component, function)).collect();
+    let distinct: TokenStream = component.functions().map(|function| distinct(function)).collect();
     let (written, count) = (visits.written(), visits.len());
     quote! {
         const WRITTEN: &'static [#p::WrittenLink] = #written;
@@ -42,8 +41,8 @@ pub(super) fn expand(component: &Component, behaviour: &Behaviour, visits: &Visi
 }
 
 /// Two paths to one type in a signature are two links to one component: the macro reads paths, the constant types.
-fn distinct(component: &Component, function: &Function) -> TokenStream {
-    let p = runtime(component);
+fn distinct(function: &Function) -> TokenStream {
+    let p = runtime();
     let links: Vec<_> = function.arguments.iter().filter_map(link).collect();
     if links.len() < 2 {
         return TokenStream::new();

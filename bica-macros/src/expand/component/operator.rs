@@ -3,15 +3,14 @@
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote, quote_spanned};
 
-use super::runtime;
 use crate::expand::params::describe;
-use crate::expand::quoting::{at, option, placed};
+use crate::expand::quoting::{at, option, placed, runtime};
 use bica_syntax::component::model::{Component, Info, Modulation};
 use bica_syntax::text;
 
 /// The descriptions, for `impl Component`.
 pub(super) fn descriptions(component: &Component) -> TokenStream {
-    let p = runtime(component);
+    let p = runtime();
     let infos = component.infos.iter().map(|info| {
         let (name, doc, unit, ty) =
             (text::name(&info.name), &info.doc, option(info.unit.as_ref()), text::written(&info.ty));
@@ -47,7 +46,7 @@ fn modulations(p: &TokenStream, all: &[Modulation]) -> TokenStream {
 
 /// The functions of `impl MemberOf`.
 pub(super) fn functions(component: &Component) -> TokenStream {
-    let p = runtime(component);
+    let p = runtime();
     let read = (!component.infos.is_empty()).then(|| read(&p, &component.infos));
     let call = (!component.modulations.is_empty()).then(|| call(&p, &component.modulations));
     quote!(#read #call)

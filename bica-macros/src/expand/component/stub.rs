@@ -2,9 +2,10 @@
 
 use proc_macro2::TokenStream;
 use quote::quote;
-use syn::{GenericParam, Generics, Path, Type, parse_quote};
+use syn::{GenericArgument, GenericParam, Generics, Path, PathArguments, Type, parse_quote};
 
-use super::{description, private};
+use super::description;
+use crate::expand::quoting::{enclosed, runtime};
 use bica_syntax::component::model::Component;
 use bica_syntax::report::Report;
 
@@ -22,27 +23,27 @@ pub(crate) fn misplaced(item: &TokenStream, of: Option<&(Generics, Type)>, repor
     quote!(#item #nothing #errors)
 }
 
-/// A component that trees accept and do not check.
-///
-/// A type that borrows can be no component: another message about that would only repeat ours.
-fn nothing(krate: &Path, generics: &Generics, own: &Type) -> Option<TokenStream> {
-    if generics.params.iter().any(|parameter| matches!(parameter, GenericParam::Lifetime(_))) {
-        return None;
-    }
-    let p = private(krate);
+/// A component that trees accept and do not check. A type that borrows can be no component: its lifetimes become `'static`.
+fn nothing(krate: &Path, generics: &Generics, own: &Type) -> TokenStream {
+    let p = runtime();
+    let own = &without_lifetimes(own.clone());
+    let mut generics = generics.clone();
+    generics.params =
+        generics.params.into_iter().filter(|parameter| !matches!(parameter, GenericParam::Lifetime(_))).collect();
     let name = description::name(own);
     let time = (name == "Time")
         .then(|| quote!(impl #p::CycleTime for #own { fn of(_: &#p::Time) -> &Self { ::core::unreachable!() } }));
-    let generics = description::owned(generics);
+    let generics = description::owned(&generics);
     let mut member = generics.clone();
     member.params.push(parse_quote!(__T: #p::Has<#own>));
     let (parameters, _, bounds) = generics.split_for_impl();
     let (member_parameters, _, _) = member.split_for_impl();
-    Some(quote! {
+    let items = quote! {
         #time
 
         #[automatically_derived]
         impl #parameters #p::Component for #own #bounds {
+            type Itself = Self;
             const NAME: &'static str = #name;
             const DOC: &'static str = "";
             const HZ: ::core::option::Option<f32> = ::core::option::Option::None;
@@ -65,5 +66,20 @@ fn nothing(krate: &Path, generics: &Generics, own: &Type) -> Option<TokenStream>
                 const { ::core::panic!("a component that could not be read cannot run") }
             }
         }
-    })
+    };
+    enclosed(krate, &items)
+}
+
+fn without_lifetimes(mut own: Type) -> Type {
+    if let Type::Path(path) = &mut own
+        && let Some(last) = path.path.segments.last_mut()
+        && let PathArguments::AngleBracketed(list) = &mut last.arguments
+    {
+        for argument in &mut list.args {
+            if let GenericArgument::Lifetime(lifetime) = argument {
+                *lifetime = parse_quote!('static);
+            }
+        }
+    }
+    own
 }

@@ -5,8 +5,7 @@ use quote::{ToTokens, quote, quote_spanned};
 use syn::Type;
 
 use super::call::nested;
-use super::runtime;
-use crate::expand::quoting::{at, placed};
+use crate::expand::quoting::{at, placed, runtime};
 use bica_syntax::component::model::{Argument, Component};
 use bica_syntax::text;
 
@@ -41,8 +40,8 @@ impl Tuning {
     ///
     /// All of them name a struct as `<P as Params>`, at its place in the signature: if it is none, the compiler finds the
     /// same mistake in each, and reports it once.
-    pub(super) fn items(&self, component: &Component) -> TokenStream {
-        let p = runtime(component);
+    pub(super) fn items(&self) -> TokenStream {
+        let p = runtime();
         let types = nested(self.0.iter().map(|kind| quote!(#p::Tuned<#kind>)).collect());
         let place = self.0.first().map_or_else(Span::call_site, at);
         let types = quote_spanned!(place => type Params = #types;);

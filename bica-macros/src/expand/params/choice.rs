@@ -3,19 +3,19 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use crate::expand::quoting::{enclosed, runtime};
 use bica_syntax::params::model::Choice;
 use bica_syntax::report::Report;
 use bica_syntax::text;
 
 /// The trait of an enum that is a parameter.
 pub(crate) fn choice(choice: &Choice) -> TokenStream {
-    let (krate, name) = (&choice.krate, &choice.name);
-    let p = quote!(#krate::__private);
+    let (p, name) = (runtime(), &choice.name);
     let variants: Vec<_> = choice.variants.iter().map(|(variant, _)| variant).collect();
     let labels = choice.variants.iter().map(|(variant, _)| text::name(variant));
     let docs = choice.variants.iter().map(|(_, doc)| doc);
     let indices: Vec<u32> = (0..).take(variants.len()).collect();
-    quote! {
+    let items = quote! {
         #[automatically_derived]
         impl #p::ParamEnum for #name {
             const VARIANTS: &'static [#p::Variant] = &[#(#p::Variant { name: #labels, doc: #p::doc(#docs) }),*];
@@ -33,14 +33,15 @@ pub(crate) fn choice(choice: &Choice) -> TokenStream {
                 }
             }
         }
-    }
+    };
+    enclosed(&choice.krate, &items)
 }
 
 /// The mistakes, and an enum without choices.
 pub(crate) fn choice_stub(choice: &Choice, report: &Report) -> TokenStream {
     let (name, krate, errors) = (&choice.name, &choice.krate, report.to_compile_errors());
-    let p = quote!(#krate::__private);
-    quote! {
+    let p = runtime();
+    let items = quote! {
         #[automatically_derived]
         impl #p::ParamEnum for #name {
             const VARIANTS: &'static [#p::Variant] = &[];
@@ -51,7 +52,7 @@ pub(crate) fn choice_stub(choice: &Choice, report: &Report) -> TokenStream {
                 ::core::option::Option::None
             }
         }
-
-        #errors
-    }
+    };
+    let items = enclosed(krate, &items);
+    quote!(#items #errors)
 }

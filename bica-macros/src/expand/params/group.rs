@@ -1,19 +1,19 @@
 //! `impl Params`.
 
 use proc_macro2::TokenStream;
-use quote::{quote, quote_spanned};
+use quote::{format_ident, quote, quote_spanned};
+use syn::Path;
 
 use super::describe;
-use crate::expand::quoting::{at, placed};
+use crate::expand::quoting::{at, enclosed, placed, runtime};
 use bica_syntax::params::model::Params;
 use bica_syntax::report::Report;
 use bica_syntax::text;
 
 /// The traits of a struct of parameters, and the assertions about it.
 pub(crate) fn params(params: &Params) -> TokenStream {
-    let krate = &params.krate;
-    let p = quote!(#krate::__private);
-    let (name, label, doc) = (&params.name, params.name.to_string(), &params.doc);
+    let p = runtime();
+    let (name, label, doc) = (&params.name, text::name(&params.name), &params.doc);
     let names: Vec<_> = params.fields.iter().map(|field| &field.name).collect();
     let defaults = params.fields.iter().map(|field| &field.default);
     let descriptions = params.fields.iter().map(|field| {
@@ -25,15 +25,17 @@ pub(crate) fn params(params: &Params) -> TokenStream {
             describe::assertions(&p, field, &quote!(<#name as #p::Params>::GROUP.params[#place]))
         });
     let access = access(params, &p);
-    let check = params.check.as_ref().map(|check| {
-        quote_spanned! {at(check) =>
+    let each = params.checks.iter().map(|check| quote_spanned!(at(check) => #check(self)?;));
+    let check = (!params.checks.is_empty()).then(|| {
+        quote! {
             fn check(&self) -> ::core::result::Result<(), &'static str> {
-                #check(self)
+                #(#each)*
+                ::core::result::Result::Ok(())
             }
         }
     });
-    let rule = rule(params, &p);
-    quote! {
+    let rules = rules(params, &p);
+    let items = quote! {
         #[automatically_derived]
         impl #p::Params for #name {
             const DEFAULT: Self = Self { #(#names: #defaults),* };
@@ -52,8 +54,9 @@ pub(crate) fn params(params: &Params) -> TokenStream {
         }
 
         #(#assertions)*
-        #rule
-    }
+        #rules
+    };
+    enclosed(&params.krate, &items)
 }
 
 /// The functions that read and write a parameter by its index.
@@ -84,25 +87,28 @@ fn access(params: &Params, p: &TokenStream) -> TokenStream {
     }
 }
 
-/// The defaults meet the rule between several values.
-fn rule(params: &Params, p: &TokenStream) -> Option<TokenStream> {
-    let (name, check) = (&params.name, params.check.as_ref()?);
-    let p = placed(p, at(check));
-    Some(quote_spanned! {at(check) =>
-        impl #name {
-            #[doc(hidden)]
-            const __CHECKED: () = #p::assert_rule(#check(&<Self as #p::Params>::DEFAULT));
+/// The defaults meet the rules between several values.
+fn rules(params: &Params, p: &TokenStream) -> TokenStream {
+    let name = &params.name;
+    let rule = |(index, check): (usize, &Path)| {
+        let (p, checked) = (placed(p, at(check)), format_ident!("__CHECKED_{index}"));
+        quote_spanned! {at(check) =>
+            impl #name {
+                #[doc(hidden)]
+                const #checked: () = #p::assert_rule(#check(&<Self as #p::Params>::DEFAULT));
+            }
+            const _: () = #name::#checked;
         }
-        const _: () = #name::__CHECKED;
-    })
+    };
+    params.checks.iter().enumerate().map(rule).collect()
 }
 
 /// The mistakes, and a struct without parameters, so that one mistake gives one message.
 pub(crate) fn stub(params: &Params, report: &Report) -> TokenStream {
     let (name, krate, errors) = (&params.name, &params.krate, report.to_compile_errors());
-    let p = quote!(#krate::__private);
+    let p = runtime();
     let Some(default) = any_values(params).filter(|_| !params.generic) else { return errors };
-    quote! {
+    let items = quote! {
         #[automatically_derived]
         impl #p::Params for #name {
             const DEFAULT: Self = #default;
@@ -112,9 +118,9 @@ pub(crate) fn stub(params: &Params, report: &Report) -> TokenStream {
             }
             fn put(&mut self, _: usize, _: #p::Value) {}
         }
-
-        #errors
-    }
+    };
+    let items = enclosed(krate, &items);
+    quote!(#items #errors)
 }
 
 /// Values for the fields of a struct with mistakes; `None` if there is a type of which no value is known.

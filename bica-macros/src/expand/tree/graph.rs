@@ -3,20 +3,20 @@
 use proc_macro2::TokenStream;
 use quote::{quote, quote_spanned};
 
-use super::runtime;
+use super::{kinds, root, runtime};
 use crate::expand::quoting::{at, option, placed};
 use bica_syntax::text;
 use bica_syntax::tree::model::Tree;
 
 pub(super) fn expand(tree: &Tree) -> TokenStream {
     let p = runtime(tree);
-    let (name, root, cycle_hz) = (&tree.name, &tree.root, tree.cycle_hz);
-    let root = quote_spanned!(at(root) => <Self as #p::Has<#root>>::INDEX);
-    let label = name.to_string();
+    let (name, root, cycle_hz) = (&tree.name, root(tree), tree.cycle_hz);
+    let root = quote_spanned!(at(&root) => <Self as #p::Has<#root>>::INDEX);
+    let label = text::name(name);
     let doc = text::doc(&tree.attributes);
     let budget_ms = option(tree.budget_ms.as_ref());
-    let nodes = tree.components.iter().map(|entry| {
-        let (kind, label) = (&entry.kind, text::written(&entry.kind));
+    let nodes = tree.components.iter().zip(kinds(tree)).map(|(entry, kind)| {
+        let label = text::written(&entry.kind);
         quote!(#p::node::<#name, #kind>(#label))
     });
     let check = check(tree, &p);
@@ -42,7 +42,7 @@ pub(super) fn expand(tree: &Tree) -> TokenStream {
 /// The rules for the tree as a whole, unless a component has mistakes of its own.
 fn check(tree: &Tree, p: &TokenStream) -> TokenStream {
     let name = &tree.name;
-    let kinds = tree.components.iter().map(|entry| &entry.kind);
+    let kinds = kinds(tree);
     let stubs = quote!(#(#p::is_stub::<#name, #kinds>()),*);
     let p = placed(p, at(name));
     quote_spanned!(at(name) => const _: () = #p::check_complete(&<#name as #p::Tree>::GRAPH, &[#stubs]);)

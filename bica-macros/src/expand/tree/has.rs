@@ -1,25 +1,28 @@
 //! `impl Has`: the place of each component.
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Ident, TokenStream};
 use quote::{quote, quote_spanned};
 
-use super::{fields, runtime, stored};
+use super::{fields, kinds, runtime, stored};
 use crate::expand::quoting::{at, placed};
 use bica_syntax::tree::model::Tree;
 
 pub(super) fn expand(tree: &Tree) -> TokenStream {
     let p = runtime(tree);
     let name = &tree.name;
-    let each = tree.components.iter().zip(fields(tree)).enumerate().map(|(index, (entry, field))| {
-        let kind = &entry.kind;
+    let each = kinds(tree).into_iter().zip(fields(tree)).enumerate().map(|(index, (kind, field))| {
+        let kind = &kind;
         let p = placed(&p, at(kind));
         let (listed, stored) = (listed(&p, name, index, kind), stored(tree, kind));
         let params = tree.tunable.then(|| params(&p, kind, &field));
+        // In a tunable tree everything asks for `Component`, so that the compiler reports a type that is none once.
+        let member =
+            if tree.tunable { quote_spanned!(at(kind) => <#kind as #p::Component>::Itself) } else { quote!(#kind) };
         quote_spanned! {at(kind) =>
             #[doc(hidden)]
             #[automatically_derived]
             impl #p::Has<#kind> for #name {
-                type Member = #kind;
+                type Member = #member;
                 type Stored = #stored;
                 const INDEX: usize = #index;
 
@@ -40,7 +43,7 @@ pub(super) fn expand(tree: &Tree) -> TokenStream {
 }
 
 /// The parameters of a tunable tree.
-fn params(p: &TokenStream, kind: &syn::Type, field: &proc_macro2::Ident) -> TokenStream {
+fn params(p: &TokenStream, kind: &Ident, field: &Ident) -> TokenStream {
     quote_spanned! {at(kind) =>
         #[inline]
         fn params(slots: &Self::Slots) -> &#p::ParamsOf<Self, #kind> {
@@ -54,7 +57,7 @@ fn params(p: &TokenStream, kind: &syn::Type, field: &proc_macro2::Ident) -> Toke
 }
 
 /// A component less visible than its tree: the compiler refuses it as an associated type, and points at the list.
-fn listed(p: &TokenStream, name: &proc_macro2::Ident, index: usize, kind: &syn::Type) -> TokenStream {
+fn listed(p: &TokenStream, name: &Ident, index: usize, kind: &Ident) -> TokenStream {
     let p = placed(p, at(kind));
     quote_spanned! {at(kind) =>
         #[doc(hidden)]

@@ -3,15 +3,15 @@
 use proc_macro2::TokenStream;
 use quote::{quote, quote_spanned};
 
-use super::{fields, runtime, slots};
-use crate::expand::quoting::at;
+use super::{fields, kinds, root, runtime, slots};
+use crate::expand::quoting::{at, placed};
 use bica_syntax::tree::model::Tree;
 
 pub(super) fn expand(tree: &Tree) -> TokenStream {
     let p = runtime(tree);
     let (name, slots, cycle_hz) = (&tree.name, slots(tree), tree.cycle_hz);
     let count = tree.components.len();
-    let root = &tree.root;
+    let root = &root(tree);
     let visit = quote_spanned!(at(root) => <Self as #p::Has<#root>>::visit);
     let visit_steady = quote_spanned!(at(root) => <Self as #p::Has<#root>>::visit_steady);
     let (plan, access) = (plan(tree, &p), access(tree, &p));
@@ -53,7 +53,7 @@ pub(super) fn expand(tree: &Tree) -> TokenStream {
 /// The plan of a steady tick.
 fn plan(tree: &Tree, p: &TokenStream) -> TokenStream {
     let count = tree.components.len();
-    let kinds = tree.components.iter().map(|entry| &entry.kind);
+    let kinds = kinds(tree);
     quote! {
         const PLAN: #p::Plan = const {
             &#p::Planned::<#count>::of(
@@ -67,8 +67,11 @@ fn plan(tree: &Tree, p: &TokenStream) -> TokenStream {
 
 /// The functions that reach a component by its index.
 fn access(tree: &Tree, p: &TokenStream) -> TokenStream {
-    let fields = fields(tree);
-    let kinds: Vec<_> = tree.components.iter().map(|entry| &entry.kind).collect();
+    let states = fields(tree).into_iter().map(|field| {
+        let slots = placed(&quote!(slots), at(&field));
+        quote_spanned!(at(&field) => #slots.#field.state())
+    });
+    let kinds = kinds(tree);
     let places: Vec<usize> = (0..kinds.len()).collect();
     quote! {
         fn visit<__P: #p::Probe>(cycle: &mut #p::Cycle<'_, Self, __P>, index: usize) {
@@ -87,7 +90,7 @@ fn access(tree: &Tree, p: &TokenStream) -> TokenStream {
 
         fn component_state(slots: &Self::Slots, index: usize) -> ::core::option::Option<&#p::ComponentState> {
             match index {
-                #(#places => ::core::option::Option::Some(slots.#fields.state()),)*
+                #(#places => ::core::option::Option::Some(#states),)*
                 _ => ::core::option::Option::None,
             }
         }

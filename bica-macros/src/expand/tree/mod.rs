@@ -8,11 +8,11 @@ mod slots;
 mod stub;
 
 use proc_macro2::{Ident, TokenStream};
-use quote::{format_ident, quote, quote_spanned};
-use syn::Type;
+use quote::{ToTokens, format_ident, quote, quote_spanned};
 
 use crate::expand::quoting::{at, placed};
-use bica_syntax::tree::model::Tree;
+use bica_syntax::text;
+use bica_syntax::tree::model::{Entry, Tree};
 
 pub(crate) use stub::stub;
 
@@ -23,17 +23,48 @@ pub(crate) fn expand(tree: &Tree) -> TokenStream {
     let layout = layout::expand(tree);
     let graph = graph::expand(tree);
     let has = has::expand(tree);
-    quote!(#owner #slots #layout #graph #has)
+    let names = names(tree);
+    quote!(#names #owner #slots #layout #graph #has)
 }
 
-/// The path to what generated code uses.
+/// Names for the crate and for each type that the tree lists. All other code uses these names, so that the compiler finds
+/// a path that leads nowhere once.
+fn names(tree: &Tree) -> TokenStream {
+    let (krate, runtime, root) = (&tree.krate, runtime(tree), root(tree));
+    let (names, kinds) = (kinds(tree), tree.components.iter().map(|entry| &entry.kind));
+    let unlisted = (!names.contains(&root)).then(|| {
+        let kind = &tree.root;
+        quote!(type #root = #kind;)
+    });
+    quote! {
+        #[doc(hidden)]
+        use #krate::__private as #runtime;
+        #(type #names = #kinds;)*
+        #unlisted
+    }
+}
+
+/// The names of the listed types.
+fn kinds(tree: &Tree) -> Vec<Ident> {
+    let name = |(place, entry): (usize, &Entry)| format_ident!("__{}{place}", tree.name, span = at(&entry.kind));
+    tree.components.iter().enumerate().map(name).collect()
+}
+
+/// The name of the root's type.
+fn root(tree: &Tree) -> Ident {
+    let root = text::written(&tree.root);
+    let place = tree.components.iter().position(|entry| text::written(&entry.kind) == root);
+    let name = place.map_or_else(|| "Root".to_owned(), |place| place.to_string());
+    format_ident!("__{}{name}", tree.name, span = at(&tree.root))
+}
+
+/// The name of the crate for generated code.
 fn runtime(tree: &Tree) -> TokenStream {
-    let krate = &tree.krate;
-    quote!(#krate::__private)
+    format_ident!("__{}Runtime", tree.name).into_token_stream()
 }
 
 /// What the slot of a component stores of its parameters.
-fn stored(tree: &Tree, kind: &Type) -> TokenStream {
+fn stored(tree: &Tree, kind: &Ident) -> TokenStream {
     let p = placed(&runtime(tree), at(kind));
     if tree.tunable { quote_spanned!(at(kind) => <#kind as #p::Component>::Params) } else { quote!(()) }
 }
@@ -45,14 +76,16 @@ fn slots(tree: &Tree) -> Ident {
 
 /// The fields of that struct, one for each component: its name in small letters and its place.
 fn fields(tree: &Tree) -> Vec<Ident> {
-    let field = |(place, entry): (usize, &bica_syntax::tree::model::Entry)| {
-        let name: String = quote::ToTokens::to_token_stream(&entry.kind)
+    let field = |(place, entry): (usize, &Entry)| {
+        let name: String = entry
+            .kind
+            .to_token_stream()
             .into_iter()
             .filter_map(|token| if let proc_macro2::TokenTree::Ident(word) = token { Some(word) } else { None })
             .last()
             .map(|word| word.to_string().to_lowercase())
             .unwrap_or_default();
-        format_ident!("{name}_{place}")
+        format_ident!("{name}_{place}", span = at(&entry.kind))
     };
     tree.components.iter().enumerate().map(field).collect()
 }

@@ -1,23 +1,23 @@
 //! The struct that the user names.
 
 use proc_macro2::TokenStream;
-use quote::{quote, quote_spanned};
+use quote::{ToTokens, quote, quote_spanned};
 
-use super::{fields, runtime, slots};
+use super::{fields, kinds, runtime, slots};
 use crate::expand::quoting::{at, placed};
 use bica_syntax::tree::model::Tree;
 
 pub(super) fn expand(tree: &Tree) -> TokenStream {
     let p = runtime(tree);
     let (attributes, visibility, name, slots) = (&tree.attributes, &tree.visibility, &tree.name, slots(tree));
-    let values = tree.components.iter().map(|entry| {
-        let kind = &entry.kind;
+    let values = tree.components.iter().zip(kinds(tree)).map(|(entry, kind)| {
+        let kind = &kind;
         let new = || quote_spanned!(at(kind) => <#kind>::new());
         let value = entry.value.as_ref().map_or_else(new, |value| quote!(#value));
         if tree.tunable {
-            let placed = placed(&p, at(kind));
-            let params = quote_spanned!(at(kind) => <#kind as #placed::Component>::DEFAULT_PARAMS);
-            quote!(#p::Slot::with::<#name>(#value, #params))
+            let (p, name) = (placed(&p, at(kind)), placed(&name.to_token_stream(), at(kind)));
+            let params = quote_spanned!(at(kind) => <#kind as #p::Component>::DEFAULT_PARAMS);
+            quote_spanned!(at(kind) => #p::Slot::with::<#name>(#value, #params))
         } else {
             quote!(#p::Slot::new::<#name>(#value))
         }
@@ -33,7 +33,7 @@ pub(super) fn expand(tree: &Tree) -> TokenStream {
             /// The tree at rest: every component new, none active yet.
             #[must_use]
             #visibility const fn new() -> Self {
-                Self { engine: #p::Engine::new(#slots { #(#fields: #values),* }) }
+                Self { engine: #p::Engine::new(#slots { #(#fields: #values,)* end: () }) }
             }
         }
 

@@ -53,6 +53,7 @@ fn traits(draft: &Draft, p: &TokenStream) -> TokenStream {
         pub struct Any;
 
         impl #p::Component for Any {
+            type Itself = Self;
             const NAME: &'static str = "";
             const DOC: &'static str = "";
             const HZ: ::core::option::Option<f32> = ::core::option::Option::None;
