@@ -30,8 +30,9 @@ pub use worst_case::{Choice, WorstCase, load, longest_chain, steps};
 
 use crate::graph::Graph;
 
-/// Largest number of components of a tree, and of states of a state machine.
-pub const CAPACITY: usize = 256;
+/// Largest number of components of a tree, and of states of a state machine: recordings and links number both in one byte,
+/// in which 255 stands for none.
+pub const CAPACITY: usize = 255;
 
 /// Stops the compiler with a message if a rule is broken. The compiler points at the caller.
 ///

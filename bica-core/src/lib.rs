@@ -51,8 +51,8 @@
 //!
 //! # Limits
 //!
-//! A tree has at most 256 components, a state machine at most 256 states, a signature at most 255 links
-//! ([`check::CAPACITY`]). What exceeds them is reported when the tree is compiled.
+//! A tree has at most 255 components, a state machine at most 255 states ([`check::CAPACITY`]). The compiler reports what
+//! exceeds them.
 #![no_std]
 
 pub mod check;

@@ -7,17 +7,17 @@ const BITS: usize = u128::BITS as usize;
 /// A set of components, or of states, by their index, each below [`CAPACITY`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Set {
-    words: [u128; CAPACITY / BITS],
+    words: [u128; CAPACITY.div_ceil(BITS)],
 }
 
 impl Set {
     /// The set of nothing.
-    pub const EMPTY: Self = Self { words: [0; CAPACITY / BITS] };
+    pub const EMPTY: Self = Self { words: [0; CAPACITY.div_ceil(BITS)] };
 
     /// Whether an index is in the set.
     ///
     /// # Panics
-    /// If the index is not below [`CAPACITY`].
+    /// If the index is above [`CAPACITY`].
     #[must_use]
     pub const fn contains(&self, index: usize) -> bool {
         self.words[index / BITS] >> (index % BITS) & 1 == 1
@@ -26,7 +26,7 @@ impl Set {
     /// The set with one index more.
     ///
     /// # Panics
-    /// If the index is not below [`CAPACITY`].
+    /// If the index is above [`CAPACITY`].
     #[must_use]
     pub const fn with(mut self, index: usize) -> Self {
         self.words[index / BITS] |= 1 << (index % BITS);

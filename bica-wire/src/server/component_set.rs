@@ -7,11 +7,11 @@ const BITS: usize = u32::BITS as usize;
 /// A set of components of one tree, by their indices.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ComponentSet {
-    words: [u32; CAPACITY / BITS],
+    words: [u32; CAPACITY.div_ceil(BITS)],
 }
 
 impl ComponentSet {
-    pub(super) const EMPTY: Self = Self { words: [0; CAPACITY / BITS] };
+    pub(super) const EMPTY: Self = Self { words: [0; CAPACITY.div_ceil(BITS)] };
 
     /// Adds or removes a component. An index that no tree has is left out.
     pub(super) fn set(&mut self, component: u16, is_member: bool) {

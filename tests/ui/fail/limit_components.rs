@@ -43,7 +43,7 @@ activation_tree! {
             Leaf<226>, Leaf<227>, Leaf<228>, Leaf<229>, Leaf<230>, Leaf<231>, Leaf<232>, Leaf<233>, Leaf<234>,
             Leaf<235>, Leaf<236>, Leaf<237>, Leaf<238>, Leaf<239>, Leaf<240>, Leaf<241>, Leaf<242>, Leaf<243>,
             Leaf<244>, Leaf<245>, Leaf<246>, Leaf<247>, Leaf<248>, Leaf<249>, Leaf<250>, Leaf<251>, Leaf<252>,
-            Leaf<253>, Leaf<254>, Leaf<255>, Leaf<256>,
+            Leaf<253>, Leaf<254>, Leaf<255>,
         ],
     }
 }

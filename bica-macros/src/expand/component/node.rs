@@ -15,7 +15,7 @@ pub(super) fn expand(component: &Component, behaviour: &Behaviour, visits: &Visi
         Behaviour::Step(_) => Vec::new(),
         Behaviour::Machine(machine) => machine.edges.iter().map(|edge| transition(&p, edge)).collect(),
     };
-    let distinct: TokenStream = component.functions().map(|function| distinct(function)).collect();
+    let distinct: TokenStream = component.functions().map(distinct).collect();
     let (written, count) = (visits.written(), visits.len());
     quote! {
         const WRITTEN: &'static [#p::WrittenLink] = #written;

@@ -1,4 +1,4 @@
-//! A chain of 256 components.
+//! A chain of 255 components.
 
 use bica::prelude::*;
 
@@ -20,15 +20,15 @@ macro_rules! chain {
         )*
 
         activation_tree! {
-            struct Chain { root: C0, cycle_hz: 100, components: [$($name,)* C255] }
+            struct Chain { root: C0, cycle_hz: 100, components: [$($name,)* C254] }
         }
     };
 }
 
-struct C255(u64);
+struct C254(u64);
 
 #[component]
-impl C255 {
+impl C254 {
     const fn new() -> Self {
         Self(1)
     }
@@ -68,11 +68,11 @@ chain! {
     (C229 C230) (C230 C231) (C231 C232) (C232 C233) (C233 C234) (C234 C235) (C235 C236) (C236 C237)
     (C237 C238) (C238 C239) (C239 C240) (C240 C241) (C241 C242) (C242 C243) (C243 C244) (C244 C245)
     (C245 C246) (C246 C247) (C247 C248) (C248 C249) (C249 C250) (C250 C251) (C251 C252) (C252 C253)
-    (C253 C254) (C254 C255)
+    (C253 C254)
 }
 
 fn main() {
     let mut tree = Chain::new();
     tree.tick(Instant::from_millis(0));
-    assert_eq!((tree.active().count(), tree.get::<C0>().0), (256, 257));
+    assert_eq!((tree.active().count(), tree.get::<C0>().0), (255, 256));
 }

@@ -1,4 +1,4 @@
-//! A machine with 256 states.
+//! A machine with 255 states.
 
 use bica::prelude::*;
 
@@ -75,7 +75,7 @@ machine! {
     (s233 s234 t233) (s234 s235 t234) (s235 s236 t235) (s236 s237 t236) (s237 s238 t237) (s238 s239 t238)
     (s239 s240 t239) (s240 s241 t240) (s241 s242 t241) (s242 s243 t242) (s243 s244 t243) (s244 s245 t244)
     (s245 s246 t245) (s246 s247 t246) (s247 s248 t247) (s248 s249 t248) (s249 s250 t249) (s250 s251 t250)
-    (s251 s252 t251) (s252 s253 t252) (s253 s254 t253) (s254 s255 t254)
+    (s251 s252 t251) (s252 s253 t252) (s253 s254 t253)
 }
 
 activation_tree! {
@@ -84,10 +84,10 @@ activation_tree! {
 
 fn main() {
     let mut tree = Waiting::new();
-    for n in 0..255 {
+    for n in 0..254 {
         tree.tick(Instant::from_ticks(n));
     }
-    assert_eq!(tree.state_name::<Patient>(), Some("s255"));
+    assert_eq!(tree.state_name::<Patient>(), Some("s254"));
     tree.tick(Instant::from_secs(2));
     assert_eq!(tree.state_name::<Patient>(), Some("s0"));
 }
