@@ -61,7 +61,7 @@
 #[doc(hidden)]
 pub use bica_core::__private;
 pub use bica_core::*;
-pub use bica_macros::{ParamEnum, Params, activation_tree, component};
+pub use bica_macros::{ComponentDoc, ParamEnum, Params, activation_tree, component, output};
 #[doc(inline)]
 pub use bica_runner as runner;
 
@@ -70,7 +70,7 @@ pub mod prelude {
     pub use bica_core::{
         Component, ComponentId, Duration, Has, Hold, Instant, ParamEnum, Params, Probe, Rate, Time, Tree, Tuned,
     };
-    pub use bica_macros::{ParamEnum, Params, activation_tree, component};
+    pub use bica_macros::{ComponentDoc, ParamEnum, Params, activation_tree, component, output};
 }
 
 #[cfg(doctest)]

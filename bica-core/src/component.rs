@@ -22,7 +22,7 @@ pub trait Component: Sized + 'static {
     type Itself;
     /// The type's name, without its path.
     const NAME: &'static str;
-    /// The doc comment of the impl block, or else of the step.
+    /// The doc comment of the impl block, or else of the type with `#[derive(ComponentDoc)]`, or else of the step.
     const DOC: &'static str;
     /// Declared rate, runs per second; `None` is a run in every cycle.
     const HZ: Option<f32>;

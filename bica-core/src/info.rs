@@ -53,19 +53,45 @@ pub struct Info {
     pub ty: &'static str,
 }
 
-/// A type that information can have: `serde::Serialize` and `postcard_schema::Schema`.
+/// A type that an output can have: `serde::Serialize` and `postcard_schema::Schema`.
 #[cfg(feature = "info")]
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` cannot be the type of an output",
+    label = "its values cannot be taken out",
+    note = "write `#[output]` before the struct or enum, and before each one of your own that it holds"
+)]
 pub trait Information: serde::Serialize + postcard_schema::Schema {}
 
 #[cfg(feature = "info")]
+#[diagnostic::do_not_recommend]
 impl<V: serde::Serialize + postcard_schema::Schema + ?Sized> Information for V {}
 
-/// A type that information can have: any, as the feature `info` is not enabled.
+/// A type that an output can have: any, as the feature `info` is not enabled.
 #[cfg(not(feature = "info"))]
 pub trait Information {}
 
 #[cfg(not(feature = "info"))]
 impl<V: ?Sized> Information for V {}
+
+/// Derives what a type of an output needs, with the attributes in braces.
+#[cfg(feature = "info")]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __output {
+    ({ $($attributes:tt)* } $($item:tt)*) => {
+        #[derive($crate::__private::serde::Serialize, $crate::__private::postcard_schema::Schema)]
+        $($attributes)*
+        $($item)*
+    };
+}
+
+/// Leaves the item as it is.
+#[cfg(not(feature = "info"))]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __output {
+    ({ $($attributes:tt)* } $($item:tt)*) => { $($item)* };
+}
 
 /// Takes the value of an output.
 pub trait InfoSink {

@@ -1,5 +1,6 @@
 //! What generated code uses. It is no part of the public interface and changes without notice.
 
+pub use crate::__output as output;
 pub use crate::__visit_functions as visit_functions;
 pub use crate::check::{activators, check, ranks};
 pub use crate::component::{Component, Time};
@@ -22,10 +23,27 @@ pub use crate::tree::steady::{DueGroups, is_fixed, visits_first};
 pub use crate::tree::written::{DistinctLinks, WrittenKind, WrittenLink, assert_single_link, counts};
 pub use crate::tree::{Has, Layout, Member, MemberOf, ParamsOf, Tree};
 
+#[cfg(feature = "info")]
+pub use {postcard_schema, serde};
+
 /// Returns a doc comment; nothing with the feature `terse`.
 #[must_use]
 pub const fn doc(text: &'static str) -> &'static str {
     if cfg!(feature = "terse") { "" } else { text }
+}
+
+/// The doc comment of a component's type: `#[derive(ComponentDoc)]` writes a constant of this name that takes precedence.
+pub trait ComponentDoc {
+    /// Nothing, as the macro on the impl block cannot see it.
+    const __DOC: &'static str = "";
+}
+
+impl<C> ComponentDoc for C {}
+
+/// Returns the doc comment of a component's type or, if it has none, of its step.
+#[must_use]
+pub const fn doc_of(own: &'static str, step: &'static str) -> &'static str {
+    doc(if own.is_empty() { step } else { own })
 }
 
 /// Checks the graph of a tree unless one of its components has mistakes of its own, which are reported already.

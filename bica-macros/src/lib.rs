@@ -1,4 +1,5 @@
-//! The macros of BICA: `#[component]`, `activation_tree!`, `#[derive(Params)]` and `#[derive(ParamEnum)]`.
+//! The macros of BICA: `#[component]`, `activation_tree!`, `#[derive(Params)]`, `#[derive(ParamEnum)]`, `#[output]` and
+//! `#[derive(ComponentDoc)]`.
 //!
 //! Each is a pipeline: parse (from tokens to a model) → check (rules within one item) → expand (to code). The first two
 //! and the wording of every message are the crate `bica-syntax`, which tools use too; `expand` has one file for each thing
@@ -15,6 +16,7 @@
 mod component;
 mod expand;
 mod params;
+mod plain_item;
 #[cfg(test)]
 mod tests;
 mod tree;
@@ -43,6 +45,18 @@ pub fn params(item: TokenStream) -> TokenStream {
 #[proc_macro_derive(ParamEnum, attributes(params))]
 pub fn param_enum(item: TokenStream) -> TokenStream {
     params::choice(item.into()).into()
+}
+
+#[doc = include_str!("../doc/component_doc.md")]
+#[proc_macro_derive(ComponentDoc)]
+pub fn component_doc(item: TokenStream) -> TokenStream {
+    plain_item::component_doc(item.into()).into()
+}
+
+#[doc = include_str!("../doc/output.md")]
+#[proc_macro_attribute]
+pub fn output(options: TokenStream, item: TokenStream) -> TokenStream {
+    plain_item::output(options.into(), &item.into()).into()
 }
 
 #[cfg(doctest)]

@@ -7,6 +7,7 @@
 pub mod component;
 mod number;
 pub mod params;
+pub mod plain_item;
 pub mod report;
 pub mod text;
 pub mod tree;

@@ -63,6 +63,15 @@ pub(crate) fn hook_states(role: &str) -> String {
     format!("which states is this hook for? Write `#[{role}(state)]` or `#[{role}(one | other)]`")
 }
 
+// Items beside the block.
+pub(crate) const OUTPUT_ITEM: &str = "`#[output]` belongs on a struct or an enum: move it there, or remove it";
+pub(crate) const OUTPUT_FORM: &str =
+    "write `#[output]`, or `#[output(crate = bica_core)]` for another path of the framework";
+
+pub(crate) fn component_doc(name: &str) -> String {
+    format!("`{name}` has no doc comment that its component could have: write one above it, `/// ...`")
+}
+
 // What an operator may look at and call.
 pub(crate) const INFO_FORM: &str = "write `#[info]` or `#[info(unit = \"m\")]`";
 pub(crate) const INFO_ARGUMENTS: &str = "information is read without arguments: remove this";

@@ -16,7 +16,7 @@ pub(super) fn expand(component: &Component, behaviour: &Behaviour) -> TokenStrea
     let generics = owned(&component.block.header.generics);
     let (parameters, _, bounds) = generics.split_for_impl();
     let name = name(own);
-    let doc = &component.doc;
+    let doc = doc(&p, component);
     let hz = option(component.options.hz.as_ref());
     let budget_us = option(component.options.budget_us.as_ref());
     let resume = component.options.resume.is_some();
@@ -28,7 +28,7 @@ pub(super) fn expand(component: &Component, behaviour: &Behaviour) -> TokenStrea
         impl #parameters #p::Component for #own #bounds {
             type Itself = Self;
             const NAME: &'static str = #name;
-            const DOC: &'static str = #p::doc(#doc);
+            const DOC: &'static str = #doc;
             const HZ: ::core::option::Option<f32> = #hz;
             const BUDGET_US: ::core::option::Option<f32> = #budget_us;
             const RESUME: bool = #resume;
@@ -37,6 +37,19 @@ pub(super) fn expand(component: &Component, behaviour: &Behaviour) -> TokenStrea
             #operator
         }
     }
+}
+
+/// The doc comment of the block, or else of the type, or else of the step.
+fn doc(p: &TokenStream, component: &Component) -> TokenStream {
+    let block = text::doc(&component.block.header.attrs);
+    if !block.is_empty() {
+        return quote!(#p::doc(#block));
+    }
+    let step = component.step.as_ref().map(|step| step.doc.as_str()).unwrap_or_default();
+    quote!({
+        use #p::ComponentDoc as _;
+        #p::doc_of(Self::__DOC, #step)
+    })
 }
 
 /// The generics of the impl block, its types bound to outlive everything as a component must.
