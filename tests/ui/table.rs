@@ -9,7 +9,7 @@ use std::{env, fs};
 
 use bica_syntax::component::{self, check, parse::Parsed};
 use bica_syntax::report::Report;
-use bica_syntax::{params, tree};
+use bica_syntax::{params, plain_item, tree};
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 
 #[test]
@@ -87,26 +87,31 @@ fn read(item: TokenStream, report: &mut Report) {
         let _ = params::parse::choice(item, report);
     } else if attributes.iter().any(|one| one.contains("Params")) {
         let _ = params::parse::params(item, report);
+    } else if attributes.iter().any(|one| one.contains("ComponentDoc")) {
+        let _ = plain_item::component_doc(item, report);
+    } else if attributes.iter().any(|one| one.starts_with("output")) {
+        let (options, item) = split("output", item);
+        let _ = plain_item::output(options, &item, report);
     } else {
-        component(item, report);
+        let (options, item) = split("component", item);
+        if let Parsed::Component(component) = component::parse::parse(options, &item, report) {
+            let _ = check::check(&component, report);
+        }
     }
 }
 
-/// Reads `#[component(options)] item`.
-fn component(item: TokenStream, report: &mut Report) {
+/// The options of `#[name(options)] item`, and the item.
+fn split(name: &str, item: TokenStream) -> (TokenStream, TokenStream) {
     let mut tokens: Vec<TokenTree> = item.into_iter().collect();
-    let attribute = tokens.iter().position(|token| bracketed(token).is_some_and(|text| text.starts_with("component")));
-    let attribute = attribute.expect("a component, a tree, a struct or an enum of parameters");
+    let attribute = tokens.iter().position(|token| bracketed(token).is_some_and(|text| text.starts_with(name)));
+    let attribute = attribute.expect("an item with an attribute of ours");
     let TokenTree::Group(brackets) = tokens.remove(attribute) else { unreachable!("brackets are a group") };
     tokens.remove(attribute - 1);
     let options = brackets.stream().into_iter().nth(1).map(|token| match token {
         TokenTree::Group(options) => options.stream(),
         other => other.into(),
     });
-    let item = tokens.into_iter().collect();
-    if let Parsed::Component(component) = component::parse::parse(options.unwrap_or_default(), &item, report) {
-        let _ = check::check(&component, report);
-    }
+    (options.unwrap_or_default(), tokens.into_iter().collect())
 }
 
 fn attributes(item: &TokenStream) -> Vec<String> {

@@ -181,7 +181,16 @@ fn tuned(reference: &TypeReference, segment: &PathSegment, report: &mut Report) 
         report.add(reference, wording::tuned(&text::written(&reference.elem)));
         return None;
     }
-    Some(Argument::Tuned(plain(of).clone()))
+    is_named(of, report).then(|| Argument::Tuned(plain(of).clone()))
+}
+
+/// Reports a `&` in the angle brackets of `Tuned` or `Rate`.
+fn is_named(of: &Type, report: &mut Report) -> bool {
+    if let Type::Reference(reference) = plain(of) {
+        report.add(of, wording::name_alone(&text::written(&reference.elem)));
+        return false;
+    }
+    true
 }
 
 /// The type in angle brackets.
@@ -212,7 +221,7 @@ fn rate(
         report.add(reference, wording::rate(&text::written(of)));
         return None;
     }
-    Some(if is_own(of, own) { Argument::OwnRate } else { Argument::Rate(plain(of).clone()) })
+    is_named(of, report).then(|| if is_own(of, own) { Argument::OwnRate } else { Argument::Rate(plain(of).clone()) })
 }
 
 fn link(reference: &TypeReference, own: &Type, form: Form, report: &mut Report) -> Option<Argument> {

@@ -78,7 +78,10 @@ fn without_roles(mut component: Component, at: TokenStream, problem: &str, repor
     let of_a_trait = component.block.header.trait_.is_some();
     let meant = component_name(component.own()).is_some() && (!of_a_trait || component.functions().next().is_some());
     let of = meant.then(|| Box::new((component.block.header.generics.clone(), component.own().clone())));
-    Parsed::Misplaced { item: component.block.to_token_stream(), of }
+    // The compiler would refuse the block of another type once more.
+    let is_type = of_a_trait || component_name(component.own()).is_some();
+    let item = if is_type { component.block.to_token_stream() } else { TokenStream::new() };
+    Parsed::Misplaced { item, of }
 }
 
 /// Each `'_` in a type.

@@ -81,6 +81,9 @@ fn options(attributes: &[Attribute], report: &mut Report) -> (Path, Vec<Path>) {
                 let form = |found: syn::Error| syn::Error::new(found.span(), wording::CHECK_FORM);
                 meta.input.parse::<Token![=]>().map_err(form)?;
                 checks.push(meta.input.parse::<Path>().map_err(form)?);
+                if !meta.input.is_empty() && !meta.input.peek(Token![,]) {
+                    return Err(meta.input.error(wording::CHECK_FORM));
+                }
             } else {
                 let found = text::written(&meta.path);
                 let nearest = text::nearest(&found, ["check"].into_iter());

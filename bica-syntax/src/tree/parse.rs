@@ -25,6 +25,9 @@ pub fn parse(input: TokenStream, report: &mut Report) -> Option<Draft> {
         let content;
         braced!(content in input);
         input.parse::<Option<Token![;]>>()?;
+        if !input.is_empty() {
+            report.add(input.parse::<TokenStream>()?, wording::AFTER_TREE);
+        }
         fields::parse(&content, draft, report)
     };
     let parsed = parser.parse2(input);

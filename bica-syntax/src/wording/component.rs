@@ -162,14 +162,17 @@ pub(crate) fn returns_bool(function: &str) -> String {
 // Arguments.
 pub(crate) const CONDITIONAL_ARGUMENT: &str =
     "the tree passes this argument in every build: remove the condition, or put it on the component and on its tree";
-pub(crate) const HOOK_LINKS: &str =
-    "a `start` or `stop` hook has no links: remove this argument, or use it in `step`, in a state or in an entry hook";
+pub(crate) const HOOK_LINKS: &str = "a `start` or `stop` hook takes only `&Tuned<P>`: remove this argument, or use it in `step`, a state or an entry hook";
 pub(crate) const OWN_LINK: &str = "a component cannot activate itself: remove this argument and use `self`";
 pub(crate) const TRANSITION_WRITES: &str =
     "a transition only reads: write `&`, and change things in an `#[entry]` or `#[exit]` hook";
 pub(crate) const RATE_IN_CONDITION: &str =
     "a transition cannot modulate a rate: move this argument to a state, or to an `#[entry]` or `#[exit]` hook";
 pub(crate) const RATE_OF_WHAT: &str = "the rate of which component? Write `&mut Rate<Child>`";
+
+pub(crate) fn name_alone(name: &str) -> String {
+    format!("the type itself stands here, without `&`: write `{name}`")
+}
 
 pub(crate) fn time(written: &str) -> String {
     format!("the time can only be read: write `&{written}`")

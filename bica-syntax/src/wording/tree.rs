@@ -4,6 +4,7 @@ pub(crate) const TREE_FORM: &str = "write `pub struct Name { root: ..., cycle_hz
 pub(crate) const TREE_GENERIC: &str = "a tree has no parameters, it lists concrete components: remove this";
 pub(crate) const TREE_CONDITION: &str = "put the condition on the macro: `#[cfg(...)] activation_tree! { ... }`";
 pub(crate) const TREE_FIELDS: &str = "the fields of a tree stand in braces: `struct Name { root: ..., ... }`";
+pub(crate) const AFTER_TREE: &str = "nothing follows the braces of a tree: write this outside the macro";
 pub(crate) const EMPTY_TREE: &str = "a tree lists at least its root: `components: [Name]`";
 pub(crate) const COMPONENT_LIST: &str = "the components are a list in brackets: `components: [One, Other]`";
 pub(crate) const COMPONENT_TYPE: &str = "a component is listed by its type, which the tree owns: write its name here";

@@ -1,8 +1,8 @@
 //! `impl Params`.
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote, quote_spanned};
-use syn::Path;
+use syn::{Expr, ExprLit, Lit, Path};
 
 use super::describe;
 use crate::expand::quoting::{at, enclosed, placed, runtime};
@@ -25,7 +25,10 @@ pub(crate) fn params(params: &Params) -> TokenStream {
             describe::assertions(&p, field, &quote!(<#name as #p::Params>::GROUP.params[#place]))
         });
     let access = access(params, &p);
-    let each = params.checks.iter().map(|check| quote_spanned!(at(check) => #check(self)?;));
+    let each = (0..params.checks.len()).map(|index| {
+        let rule = rule_name(index);
+        quote!(self.#rule()?;)
+    });
     let check = (!params.checks.is_empty()).then(|| {
         quote! {
             fn check(&self) -> ::core::result::Result<(), &'static str> {
@@ -87,17 +90,23 @@ fn access(params: &Params, p: &TokenStream) -> TokenStream {
     }
 }
 
-/// The defaults meet the rules between several values.
+fn rule_name(index: usize) -> Ident {
+    format_ident!("__rule_{index}")
+}
+
+/// The rules between several values, and the check that the defaults meet them. The path to each stands once.
 fn rules(params: &Params, p: &TokenStream) -> TokenStream {
     let name = &params.name;
     let rule = |(index, check): (usize, &Path)| {
-        let (p, checked) = (placed(p, at(check)), format_ident!("__CHECKED_{index}"));
+        let (p, rule) = (placed(p, at(check)), rule_name(index));
         quote_spanned! {at(check) =>
             impl #name {
                 #[doc(hidden)]
-                const #checked: () = #p::assert_rule(#check(&<Self as #p::Params>::DEFAULT));
+                const fn #rule(&self) -> ::core::result::Result<(), &'static str> {
+                    #check(self)
+                }
             }
-            const _: () = #name::#checked;
+            const _: () = #p::assert_rule(#name::#rule(&<#name as #p::Params>::DEFAULT));
         }
     };
     params.checks.iter().enumerate().map(rule).collect()
@@ -126,11 +135,11 @@ pub(crate) fn stub(params: &Params, report: &Report) -> TokenStream {
 /// Values for the fields of a struct with mistakes; `None` if there is a type of which no value is known.
 fn any_values(params: &Params) -> Option<TokenStream> {
     let values = params.written.iter().map(|(name, kind, default)| {
-        let value = match (default, text::written(kind).as_str()) {
-            (Some(default), _) => quote!(#default),
-            (None, "f32" | "f64") => quote!(0.0),
-            (None, "bool") => quote!(false),
-            (None, "i8" | "i16" | "i32" | "i64" | "isize" | "u8" | "u16" | "u32" | "u64" | "usize") => quote!(0),
+        let value = match (text::written(kind).as_str(), default) {
+            ("f32" | "f64", _) => quote!(0.0),
+            ("bool", _) => quote!(false),
+            ("i8" | "i16" | "i32" | "i64" | "isize" | "u8" | "u16" | "u32" | "u64" | "usize", _) => quote!(0),
+            (_, Some(default)) if !matches!(default, Expr::Lit(ExprLit { lit: Lit::Str(_), .. })) => quote!(#default),
             _ => return None,
         };
         Some(quote!(#name: #value))
