@@ -13,7 +13,6 @@ mod path;
 mod reach;
 mod set;
 mod sum_message;
-mod text;
 mod violation;
 mod weight;
 mod wording;
@@ -21,14 +20,17 @@ mod worst_case;
 
 pub use message::message;
 pub use order::{activators, cycle, ranks};
+#[doc(hidden)]
 pub use path::Path;
 pub use reach::{reachable, states_reached, unreachable};
+#[doc(hidden)]
 pub use set::Set;
-pub use text::Text;
 pub use violation::{Number, Violation, first_violation};
 pub use worst_case::{Choice, WorstCase, load, longest_chain, steps};
 
 use crate::graph::Graph;
+#[doc(hidden)]
+pub use crate::text::Text;
 
 /// Largest number of components of a tree, and of states of a state machine: recordings and links number both in one byte,
 /// in which 255 stands for none.

@@ -4,9 +4,10 @@ mod hash;
 
 pub use hash::hash;
 
+use crate::id::ComponentId;
 use crate::info::Info;
 use crate::modulation::Modulation;
-use crate::params::ParamGroup;
+use crate::params::{Param, ParamGroup};
 
 /// Description of a tree of components: all that is known before it runs.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -25,6 +26,14 @@ pub struct Graph {
     pub root: usize,
     /// The components, in the order in which the tree lists them.
     pub nodes: &'static [Node],
+}
+
+impl Graph {
+    /// Returns the component with this name.
+    #[must_use]
+    pub fn find(&self, name: &str) -> Option<ComponentId> {
+        self.nodes.iter().position(|node| node.name == name).map(ComponentId::new)
+    }
 }
 
 /// One component of a tree.
@@ -72,6 +81,24 @@ impl Node {
             info: &[],
             modulations: &[],
         }
+    }
+
+    /// Returns the parameter with this name, and its index counted through all groups.
+    #[must_use]
+    pub fn find_param(&self, name: &str) -> Option<(usize, &'static Param)> {
+        self.params.iter().flat_map(|group| group.params).enumerate().find(|(_, param)| param.name == name)
+    }
+
+    /// Returns the index of the output with this name in [`info`](Self::info).
+    #[must_use]
+    pub fn find_info(&self, name: &str) -> Option<usize> {
+        self.info.iter().position(|info| info.name == name)
+    }
+
+    /// Returns the index of the modulation with this name in [`modulations`](Self::modulations).
+    #[must_use]
+    pub fn find_modulation(&self, name: &str) -> Option<usize> {
+        self.modulations.iter().position(|modulation| modulation.name == name)
     }
 
     /// Number of parameters in all groups.

@@ -56,19 +56,19 @@
 #![no_std]
 
 pub mod check;
-pub mod component;
+mod component;
 pub mod graph;
-pub mod hold;
-pub mod id;
+mod hold;
+mod id;
 pub mod info;
 pub mod modulation;
 pub mod params;
 pub mod probe;
 pub mod rate;
-pub mod refusal;
 pub mod render;
 pub mod stopwatch;
-pub mod tree;
+mod text;
+mod tree;
 
 #[doc(hidden)]
 #[path = "private.rs"]
@@ -79,12 +79,12 @@ pub use embassy_time::{Duration, Instant};
 pub use graph::Graph;
 pub use hold::Hold;
 pub use id::ComponentId;
+pub use params::refusal::{self, Refusal};
 pub use params::{ParamEnum, Params, Setting, Tuned, Value};
 pub use probe::Probe;
 pub use rate::Rate;
-pub use refusal::Refusal;
 pub use stopwatch::Stopwatch;
-pub use tree::{Has, Status, Tree};
+pub use tree::{Has, ParamsOf, Status, Tree};
 
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]

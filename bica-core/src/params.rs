@@ -61,6 +61,7 @@ use core::ops::Deref;
 
 mod declare;
 mod kind;
+pub mod refusal;
 mod text;
 
 pub use kind::{Kind, Value, Variant};

@@ -41,8 +41,7 @@ impl ByHand {
     {
         let component = Forward::id::<C>();
         let node: &Node = &Forward::GRAPH.nodes[component.index()];
-        let index = node.modulations.iter().position(|modulation| modulation.name == name);
-        let index = index.unwrap_or_else(|| panic!("{} has no modulation `{name}`", node.name));
+        let index = node.find_modulation(name).unwrap_or_else(|| panic!("{} has no modulation `{name}`", node.name));
         let request = Request::Modulate { component, index, arguments };
         request.apply(self.0.robot_mut()).unwrap_or_else(|refusal| panic!("{refusal}"));
     }

@@ -34,12 +34,11 @@ fn params(component: ComponentId) -> impl Iterator<Item = (u16, &'static Param)>
 /// A setting by the name that a person sees, such as `Head.stiffness`.
 fn setting(name: &str, value: f32) -> Setting {
     let (component, param) = name.split_once('.').expect("a component and a parameter");
-    let index = Forward::GRAPH.nodes.iter().position(|node| node.name == component);
-    let id = ComponentId::new(index.unwrap_or_else(|| panic!("no component {component}")));
-    let found = params(id).find(|(_, found)| found.name == param);
+    let id = Forward::GRAPH.find(component).unwrap_or_else(|| panic!("no component {component}"));
+    let found = Forward::GRAPH.nodes[id.index()].find_param(param);
     let (index, found) = found.unwrap_or_else(|| panic!("no parameter {name}"));
     let value = if matches!(found.kind, Kind::U32 { .. }) { Value::U32(value as u32) } else { Value::F32(value) };
-    Setting::new(id, index, value)
+    Setting::new(id, index as u16, value)
 }
 
 /// Parameters of behaviour, strategy and motion that have an effect in the game of seed 6.

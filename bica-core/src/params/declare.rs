@@ -3,7 +3,7 @@
 //! Each mistake is reported once: a default or a step is not checked against a range that is itself wrong.
 
 use super::{Kind, Param, ParamGroup, Value, Variant};
-use crate::check::Text;
+use crate::text::Text;
 
 /// Stops the compiler if the range holds no number.
 ///

@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use crate::refusal::Reason;
+use super::refusal::Reason;
 
 /// Value of a parameter, or of an argument of a modulation.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -2,8 +2,8 @@
 
 use core::fmt;
 
+use super::refusal::Reason;
 use super::{Kind, Value};
-use crate::refusal::Reason;
 
 impl Kind {
     /// Reads a value: a number, `true` or `false`, or the name of a variant.

@@ -24,7 +24,7 @@ pub(crate) struct CycleState {
     previous: Cell<Parity>,
     /// Number of cycles in which the active set is still to be rechecked. With [`HELD_ACTIVE`] it is not 0 as long as
     /// components are held active.
-    unsettled: Cell<u8>,
+    rechecks_left: Cell<u8>,
     /// Whether the last tick unwound.
     interrupted: Cell<bool>,
     /// Whether the next tick is steady.
@@ -84,7 +84,7 @@ impl CycleState {
             now: Cell::new(0),
             parity: Cell::new(Parity::EVEN),
             previous: Cell::new(Parity::ODD),
-            unsettled: Cell::new(rechecked as u8),
+            rechecks_left: Cell::new(rechecked as u8),
             interrupted: Cell::new(false),
             steady: Cell::new(false),
             held_active: Cell::new(0),
@@ -93,7 +93,7 @@ impl CycleState {
 
     /// All but parity and time.
     pub(crate) fn relative(&self) -> u64 {
-        let flags = u64::from(self.unsettled.get())
+        let flags = u64::from(self.rechecks_left.get())
             | u64::from(self.interrupted.get()) << 8
             | u64::from(self.steady.get()) << 9;
         flags | u64::from(self.held_active.get()) << 16
@@ -103,7 +103,7 @@ impl CycleState {
         self.now.set(other.now.get());
         self.parity.set(other.parity.get());
         self.previous.set(other.previous.get());
-        self.unsettled.set(other.unsettled.get());
+        self.rechecks_left.set(other.rechecks_left.get());
         self.interrupted.set(other.interrupted.get());
         self.steady.set(other.steady.get());
         self.held_active.set(other.held_active.get());
@@ -133,7 +133,7 @@ impl CycleState {
     /// Records that the active set may change.
     #[inline]
     pub(crate) fn request_recheck(&self) {
-        self.unsettled.set(RECHECKED);
+        self.rechecks_left.set(RECHECKED);
     }
 
     /// Records how a component is held, which the active set depends on.
@@ -152,19 +152,19 @@ impl CycleState {
     /// state, and no hold changed. Then the same components are visited as in the previous cycle.
     #[inline]
     pub(crate) fn is_settled(&self) -> bool {
-        self.unsettled.get() == 0
+        self.rechecks_left.get() == 0
     }
 
     /// Returns whether the active set may have changed in this cycle, which is not settled.
     pub(crate) fn takes_recheck(&self) -> bool {
-        let unsettled = self.unsettled.get();
+        let rechecks_left = self.rechecks_left.get();
         if self.held_active.get() == 0 {
-            self.unsettled.set(unsettled.wrapping_sub(1));
+            self.rechecks_left.set(rechecks_left.wrapping_sub(1));
             return true;
         }
-        let rechecks = unsettled & !HELD_ACTIVE;
-        self.unsettled.set(HELD_ACTIVE | rechecks.saturating_sub(1));
-        rechecks > 0
+        let count = rechecks_left & !HELD_ACTIVE;
+        self.rechecks_left.set(HELD_ACTIVE | count.saturating_sub(1));
+        count > 0
     }
 
     /// Whether the tick is steady, or between two cycles whether the next one is.

@@ -38,7 +38,7 @@ impl<T: Layout> Engine<T> {
             visit_root(&mut cycle);
         }
         if !cycle.store.cycle_state().is_settled() {
-            settle(&mut cycle);
+            update_active(&mut cycle);
         }
         cycle.probe.cycle_end();
         // Dropping a cycle marks the tree as interrupted.
@@ -118,7 +118,7 @@ fn visit_root<T: Layout, P: Probe>(cycle: &mut Cycle<'_, T, P>) {
 
 /// Visits what is held active, and stops what is not active any more.
 #[inline]
-fn settle<T: Layout, P: Probe>(cycle: &mut Cycle<'_, T, P>) {
+fn update_active<T: Layout, P: Probe>(cycle: &mut Cycle<'_, T, P>) {
     let held_active = cycle.store.cycle_state().held_active();
     if held_active > 0 {
         visit_held_active(cycle, held_active);

@@ -42,7 +42,7 @@ pub(super) fn get<T: Tree>(tree: &T, component: ComponentId, index: usize) -> Op
 }
 
 /// What a batch does with the parameters of a component.
-struct Settle<'a, T> {
+struct Merge<'a, T> {
     tree: &'a mut T,
     batch: &'a [Setting],
     component: ComponentId,
@@ -50,7 +50,7 @@ struct Settle<'a, T> {
     keep: bool,
 }
 
-impl<T: Tree> Member<T> for Settle<'_, T> {
+impl<T: Tree> Member<T> for Merge<'_, T> {
     type Output = Result<(), &'static str>;
 
     fn visit<C: 'static>(self) -> Result<(), &'static str>
@@ -82,8 +82,8 @@ pub(super) fn set<T: Tree>(tree: &mut T, batch: &[Setting]) -> Result<(), Refusa
     }
     for keep in [false, true] {
         for (entry, setting) in batch.iter().enumerate().filter(|(entry, _)| is_first_of_component(batch, *entry)) {
-            let settle = Settle { tree: &mut *tree, batch, component: setting.component, keep };
-            if let Some(Err(rule)) = T::member(setting.component.index(), settle) {
+            let merge = Merge { tree: &mut *tree, batch, component: setting.component, keep };
+            if let Some(Err(rule)) = T::member(setting.component.index(), merge) {
                 return Err(refused::<T>(entry, setting.component, "", Reason::Rule(rule)));
             }
         }

@@ -3,8 +3,8 @@
 //! Two signatures can name one component by two paths. A macro reads only the paths, so it cannot recognise that; the
 //! indices in a tree are equal.
 
-use crate::check::Text;
 use crate::graph::{Link, LinkKind};
+use crate::text::Text;
 
 /// One link as an argument writes it.
 #[derive(Clone, Copy)]

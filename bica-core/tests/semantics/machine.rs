@@ -133,9 +133,7 @@ fn player(tree: &mut Team, ms: u64) -> Vec<&'static str> {
 }
 
 fn state<T: Tree>(tree: &T, name: &str) -> Option<&'static str> {
-    let index = T::GRAPH.nodes.iter().position(|node| node.name == name)?;
-    let state = tree.state(bica_core::ComponentId::new(index))?;
-    Some(T::GRAPH.nodes[index].states[state].name)
+    tree.state_name_at(T::GRAPH.find(name)?)
 }
 
 #[test]

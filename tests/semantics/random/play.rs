@@ -1,7 +1,7 @@
 //! Playing of a script on a tree and on its model.
 
 use bica::prelude::*;
-use bica::tree::Status;
+use bica::Status;
 use proptest::prelude::*;
 
 use super::event::{Recorder, take_events};

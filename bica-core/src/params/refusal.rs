@@ -3,7 +3,7 @@
 use core::error::Error;
 use core::fmt;
 
-use crate::params::Value;
+use super::kind::Value;
 
 /// A request that a tree refused; it changed nothing.
 ///
