@@ -3,7 +3,7 @@
 use proc_macro2::{Ident, TokenTree};
 use syn::ext::IdentExt;
 use syn::parse::ParseStream;
-use syn::{Expr, Path, Token, Type, bracketed, token};
+use syn::{Attribute, Expr, Path, Token, Type, bracketed, token};
 
 use super::model::{Draft, Entry};
 use crate::report::Report;
@@ -72,6 +72,7 @@ fn at_a_field(input: ParseStream) -> bool {
 }
 
 fn one(input: ParseStream, seen: &mut Vec<Ident>, draft: &mut Draft, report: &mut Report) -> syn::Result<()> {
+    no_attribute(input)?;
     let key = input.call(Ident::parse_any).map_err(|found| syn::Error::new(found.span(), wording::FIELD_NAME))?;
     let name = key.to_string();
     if seen.contains(&key) {
@@ -104,7 +105,13 @@ fn value(input: ParseStream, key: &str) -> syn::Result<Expr> {
     input.parse().map_err(|found: syn::Error| syn::Error::new(found.span(), wording::no_number(key)))
 }
 
+fn no_attribute(input: ParseStream) -> syn::Result<()> {
+    let attributes = input.call(Attribute::parse_outer)?;
+    attributes.first().map_or(Ok(()), |first| Err(syn::Error::new_spanned(first, wording::FIELD_ATTRIBUTE)))
+}
+
 fn component(input: ParseStream) -> syn::Result<Type> {
+    no_attribute(input)?;
     if input.peek(Token![,]) {
         return Err(input.error(wording::EXTRA_COMMA));
     }

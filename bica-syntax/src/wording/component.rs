@@ -43,6 +43,14 @@ pub(crate) fn two_functions(name: &str) -> String {
     )
 }
 
+pub(crate) fn role_twice(role: &str) -> String {
+    match role {
+        "entry" | "exit" => format!("a function has one `#[{role}]`: write `#[{role}(one | other)]`"),
+        "state" => "a function has one `#[state]`: write `#[state(initial, last)]`".to_owned(),
+        _ => super::shared::TWICE.to_owned(),
+    }
+}
+
 pub(crate) fn misspelt_attribute(found: &str, ours: &str) -> String {
     format!("there is no attribute `{found}`: did you mean `#[{ours}]`?")
 }
@@ -109,6 +117,10 @@ pub(crate) fn no_initial(first: &str) -> String {
 
 pub(crate) fn unknown_state(found: &str, nearest: Option<&str>, known: &str) -> String {
     format!("no state is called `{found}`: {}", meant(nearest, known))
+}
+
+pub(crate) fn from_nowhere(state: &str) -> String {
+    format!("`*` is every state except `{state}`, and there is no other: add one, or remove this transition")
 }
 
 pub(crate) fn two_initial(first: &str) -> String {

@@ -71,6 +71,14 @@ pub(crate) fn does_not_fit(number: i128, kind: &str, min: i64, max: i64) -> Stri
     format!("`{number}` does not fit into `{kind}`: write a number from {min} to {max}")
 }
 
+pub(crate) fn without_point(number: i128) -> String {
+    format!("a number of the type `f32` has a point: write `{number}.0`")
+}
+
+pub(crate) fn with_point(kind: &str) -> String {
+    format!("a number of the type `{kind}` is whole: write one, or make the parameter an `f32`")
+}
+
 pub(crate) fn choice_default(kind: &str) -> String {
     format!("the default of an enum is one of its variants: write `default = {kind}::Variant`")
 }
