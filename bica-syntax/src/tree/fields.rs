@@ -29,7 +29,7 @@ const SYNONYMS: [(&str, &str); 11] = [
     ("adjustable", "tunable"),
 ];
 
-/// Reads the fields of a tree; goes on behind one that is wrong.
+/// Reads the fields of a tree; continues after one that is wrong.
 pub(super) fn parse(input: ParseStream, draft: &mut Draft, report: &mut Report) -> syn::Result<()> {
     let mut seen: Vec<Ident> = Vec::new();
     let mut semicolons = false;
@@ -58,7 +58,7 @@ fn comma(input: ParseStream) -> syn::Result<()> {
     input.parse::<Token![,]>().map(|_| ()).map_err(|found| syn::Error::new(found.span(), wording::COMMA))
 }
 
-/// Goes on before the next name of a field.
+/// Skips to the next name of a field.
 fn skip(input: ParseStream) -> syn::Result<()> {
     while !input.is_empty() && !at_a_field(input) {
         input.parse::<TokenTree>()?;
@@ -126,7 +126,7 @@ fn component(input: ParseStream) -> syn::Result<Type> {
     Ok(kind)
 }
 
-/// Reads the list; goes on behind an entry that is wrong.
+/// Reads the list; continues after an entry that is wrong.
 fn components(input: ParseStream, draft: &mut Draft, report: &mut Report) -> syn::Result<()> {
     if !input.peek(token::Bracket) {
         return Err(input.error(wording::COMPONENT_LIST));
