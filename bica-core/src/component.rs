@@ -13,7 +13,7 @@ use crate::params::{ParamGroup, Value};
 /// hand.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is no component",
-    label = "its impl block bears no `#[component]`",
+    label = "its impl block has no `#[component]`",
     note = "write `#[component]` on the impl block that holds its `step` or its states"
 )]
 pub trait Component: Sized + 'static {

@@ -9,7 +9,7 @@ use super::wording;
 const TYPES: [&str; 15] =
     ["", "f32", "f64", "u8", "u16", "u32", "u64", "u128", "usize", "i8", "i16", "i32", "i64", "i128", "isize"];
 
-/// Units that a user may write behind a number, with their size in seconds or in hertz.
+/// Units that a user may write after a number, with their size in seconds or in hertz.
 const UNITS: [(&str, f64); 8] =
     [("s", 1.0), ("ms", 1e-3), ("us", 1e-6), ("µs", 1e-6), ("ns", 1e-9), ("hz", 1.0), ("khz", 1e3), ("mhz", 1e6)];
 
@@ -17,7 +17,7 @@ const UNITS: [(&str, f64); 8] =
 pub(crate) fn positive(value: &Expr, key: &str, report: &mut Report) -> Option<f32> {
     let problem = match literal(value) {
         Some(Literal { digits, suffix, .. }) if !TYPES.contains(&suffix.as_str()) => {
-            wording::unit_behind(key, &suffix, converted(&digits, &suffix, key).as_deref())
+            wording::unit_after(key, &suffix, converted(&digits, &suffix, key).as_deref())
         }
         Some(Literal { digits, negative, .. }) => match digits.parse::<f32>() {
             Ok(number) if number.is_infinite() => wording::too_large(key),
@@ -35,7 +35,7 @@ pub(crate) fn positive(value: &Expr, key: &str, report: &mut Report) -> Option<f
 pub(crate) fn milliseconds(value: &Expr, key: &str) -> Result<u32, String> {
     match literal(value) {
         Some(Literal { digits, suffix, .. }) if !TYPES.contains(&suffix.as_str()) => {
-            Err(wording::unit_behind(key, &suffix, converted(&digits, &suffix, key).as_deref()))
+            Err(wording::unit_after(key, &suffix, converted(&digits, &suffix, key).as_deref()))
         }
         Some(Literal { digits, negative: false, whole: true, .. }) => {
             digits.parse().map_err(|_| wording::too_long(key))
@@ -79,7 +79,7 @@ fn literal(value: &Expr) -> Option<Literal> {
     }
 }
 
-/// The number in the unit of the key, if the unit behind it is known and of the same kind.
+/// The number in the unit of the key, if the unit after it is known and of the same kind.
 fn converted(digits: &str, suffix: &str, key: &str) -> Option<String> {
     let size = |unit: &str| UNITS.iter().find(|(name, _)| *name == unit).map(|(_, size)| *size);
     let unit = key.rsplit('_').next()?;

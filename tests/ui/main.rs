@@ -7,7 +7,7 @@
 //! `TRYBUILD=overwrite cargo test -p bica-ui-tests -- --include-ignored` replaces the expected messages; review them
 //! before a commit.
 //!
-//! `limits` has one program for each limit. What is larger by one is refused, see `fail/limit_*.rs`.
+//! `limits` has one program for each limit. What is larger by one is refused; `messages.rs` of bica-core tests that.
 
 mod table;
 

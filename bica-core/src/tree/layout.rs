@@ -88,7 +88,7 @@ pub trait Member<T: Layout> {
 /// A component as a member of tree `T`; `#[component]` implements it for every tree that holds the component's children.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is no component",
-    label = "its impl block bears no `#[component]`",
+    label = "its impl block has no `#[component]`",
     note = "write `#[component]` on the impl block that holds its `step` or its states"
 )]
 pub trait MemberOf<T: Layout>: Component {

@@ -123,10 +123,10 @@ fn overload() {
 fn too_many() {
     let nodes = Box::leak(vec![node("Player"); 256].into_boxed_slice());
     reports(graph(nodes), "tree `Forward` lists 256 components, and a tree can be checked for 255 at most; merge some");
-    let states = Box::leak(vec![state("wait"); 300].into_boxed_slice());
+    let states = Box::leak(vec![state("wait"); 256].into_boxed_slice());
     let nodes = Box::leak(Box::new([Node { states, ..node("Player") }]));
     reports(
         graph(nodes),
-        "component `Player` has 300 states, and a machine can be checked for 255 at most; make a component of some",
+        "component `Player` has 256 states, and a machine can be checked for 255 at most; make a component of some",
     );
 }

@@ -133,7 +133,7 @@ fn no_value(path: &TypePath) -> Option<String> {
         return Some(wording::wrapped(&written, &text::written(inner)));
     }
     if path.path.segments.len() > 1 {
-        return None;
+        return is_of_std.then(|| wording::value(&written));
     }
     if is_one_of(&OF_LIBRARIES) {
         return Some(wording::value_of_library(&written));

@@ -101,7 +101,7 @@ fn item(input: ParseStream) -> syn::Result<Item> {
     Ok(Item::Other { attributes, tokens: other.to_token_stream() })
 }
 
-/// Whether the tokens behind the attributes begin a function.
+/// Whether the tokens after the attributes begin a function.
 fn is_function(input: ParseStream) -> bool {
     let begin = || -> syn::Result<()> {
         input.parse::<Visibility>()?;

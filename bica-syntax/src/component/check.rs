@@ -17,6 +17,7 @@ pub fn check(component: &Component, report: &mut Report) -> Option<Behaviour> {
     }
     if let Some(step) = &component.step {
         report.add(&step.name, wording::STEP_AND_STATES);
+        return None;
     }
     let machine = resolve::machine(component, report)?;
     reachable(&machine, report);

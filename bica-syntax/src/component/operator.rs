@@ -1,4 +1,4 @@
-//! `#[info]` and `#[modulation]`: what an operator may look at and call.
+//! `#[info]` and `#[modulation]`: outputs and calls for an operator.
 
 use proc_macro2::Ident;
 use quote::ToTokens;

@@ -54,7 +54,7 @@ fn comma(input: ParseStream) -> syn::Result<()> {
     input.parse::<Token![,]>().map(|_| ()).map_err(missing)
 }
 
-/// Goes on behind the next comma.
+/// Skips to the token after the next comma.
 fn skip(input: ParseStream) -> syn::Result<()> {
     while !input.is_empty() {
         if input.parse::<Option<Token![,]>>()?.is_some() {

@@ -9,6 +9,7 @@ use super::model::{Component, Function, Hook, State, Transition};
 use super::signature::{self, Form};
 use super::{arguments, attributes, operator, options};
 use crate::report::Report;
+use crate::types::plain;
 use crate::{text, wording};
 
 /// What an item with `#[component]` turned out to be.
@@ -26,7 +27,8 @@ pub enum Parsed {
 
 /// Reads the item.
 pub fn parse(options: TokenStream, item: &TokenStream, report: &mut Report) -> Parsed {
-    let Some(block) = Block::read(item) else { return no_block(item, report) };
+    let Some(mut block) = Block::read(item) else { return no_block(item, report) };
+    *block.header.self_ty = plain(&block.header.self_ty).clone();
     let own = &block.header.self_ty;
     let name = component_name(own);
     let misplaced = match (&block.header.trait_, &name) {
@@ -200,7 +202,11 @@ fn sort(component: &mut Component, function: &mut block::Function, roles: Vec<At
             continue;
         }
         component.incomplete = true;
-        report.add(other, if attributes::role(other) == role { wording::TWICE } else { wording::TWO_ROLES });
+        let problem = match attributes::role(other) {
+            Some(same) if Some(same) == role => wording::role_twice(same),
+            _ => wording::TWO_ROLES.to_owned(),
+        };
+        report.add(other, problem);
     }
     match role {
         Some("state") => state(component, function, first, report),

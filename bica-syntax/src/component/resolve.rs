@@ -86,6 +86,10 @@ impl Names {
             Sources::These(names) => names.iter().map(|name| self.find(name, report)).collect(),
         };
         let Some(to) = to else { return false };
+        if from.is_empty() {
+            report.add(&transition.attribute, wording::from_nowhere(&self.0[to]));
+            return false;
+        }
         for (place, from) in from.iter().enumerate() {
             let Some(from) = *from else { return false };
             let same =

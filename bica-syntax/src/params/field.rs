@@ -137,14 +137,8 @@ fn kind(name: &Ident, ty: &Type, keys: &Keys, report: &mut Report) -> Option<Kin
         "u32" => NumberKind::U32,
         other => return other_kind(other, ty, keys, report),
     };
-    let number = match of {
-        NumberKind::F32 => None,
-        NumberKind::I32 => Some((i64::from(i32::MIN), i64::from(i32::MAX))),
-        NumberKind::U32 => Some((0, i64::from(u32::MAX))),
-    };
-    if let Some(limits) = number
-        && !fits(keys, &last, limits, report)
-    {
+    if let Some((value, problem)) = misfit(keys, of, &last) {
+        report.add(value, problem);
         return None;
     }
     let Some((min, max, _)) = keys.range.clone() else {
@@ -154,19 +148,24 @@ fn kind(name: &Ident, ty: &Type, keys: &Keys, report: &mut Report) -> Option<Kin
     Some(Kind::Number(Box::new(Number { of, min, max, step: keys.step.clone() })))
 }
 
-/// Whether the whole numbers among the keys fit into the type, as far as they are literals.
-fn fits(keys: &Keys, kind: &str, (min, max): (i64, i64), report: &mut Report) -> bool {
+/// The first literal among the keys that is no number of the type, and the message about it.
+fn misfit<'k>(keys: &'k Keys, of: NumberKind, kind: &str) -> Option<(&'k Expr, String)> {
+    let (min, max) = match of {
+        NumberKind::I32 => (i64::from(i32::MIN), i64::from(i32::MAX)),
+        NumberKind::F32 | NumberKind::U32 => (0, i64::from(u32::MAX)),
+    };
     let ends = keys.range.iter().flat_map(|(min, max, _)| [min, max]);
-    let mut good = true;
-    for value in ends.chain(&keys.default).chain(&keys.step) {
-        if let Some(number) = number::whole(value)
-            && !(i128::from(min)..=i128::from(max)).contains(&number)
-        {
-            report.add(value, wording::does_not_fit(number, kind, min, max));
-            good = false;
-        }
-    }
-    good
+    ends.chain(&keys.default).chain(&keys.step).find_map(|value| {
+        let problem = match (number::whole(value), of) {
+            (Some(number), NumberKind::F32) => wording::without_point(number),
+            (Some(number), _) if number < i128::from(min) || number > i128::from(max) => {
+                wording::does_not_fit(number, kind, min, max)
+            }
+            (None, NumberKind::I32 | NumberKind::U32) if number::is_literal(value) => wording::with_point(kind),
+            _ => return None,
+        };
+        Some((value, problem))
+    })
 }
 
 fn other_kind(last: &str, ty: &Type, keys: &Keys, report: &mut Report) -> Option<Kind> {

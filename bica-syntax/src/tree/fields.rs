@@ -3,7 +3,7 @@
 use proc_macro2::{Ident, TokenTree};
 use syn::ext::IdentExt;
 use syn::parse::ParseStream;
-use syn::{Expr, Path, Token, Type, bracketed, token};
+use syn::{Attribute, Expr, Path, Token, Type, bracketed, token};
 
 use super::model::{Draft, Entry};
 use crate::report::Report;
@@ -29,7 +29,7 @@ const SYNONYMS: [(&str, &str); 11] = [
     ("adjustable", "tunable"),
 ];
 
-/// Reads the fields of a tree; goes on behind one that is wrong.
+/// Reads the fields of a tree; continues after one that is wrong.
 pub(super) fn parse(input: ParseStream, draft: &mut Draft, report: &mut Report) -> syn::Result<()> {
     let mut seen: Vec<Ident> = Vec::new();
     let mut semicolons = false;
@@ -58,7 +58,7 @@ fn comma(input: ParseStream) -> syn::Result<()> {
     input.parse::<Token![,]>().map(|_| ()).map_err(|found| syn::Error::new(found.span(), wording::COMMA))
 }
 
-/// Goes on before the next name of a field.
+/// Skips to the next name of a field.
 fn skip(input: ParseStream) -> syn::Result<()> {
     while !input.is_empty() && !at_a_field(input) {
         input.parse::<TokenTree>()?;
@@ -72,6 +72,7 @@ fn at_a_field(input: ParseStream) -> bool {
 }
 
 fn one(input: ParseStream, seen: &mut Vec<Ident>, draft: &mut Draft, report: &mut Report) -> syn::Result<()> {
+    no_attribute(input)?;
     let key = input.call(Ident::parse_any).map_err(|found| syn::Error::new(found.span(), wording::FIELD_NAME))?;
     let name = key.to_string();
     if seen.contains(&key) {
@@ -104,7 +105,13 @@ fn value(input: ParseStream, key: &str) -> syn::Result<Expr> {
     input.parse().map_err(|found: syn::Error| syn::Error::new(found.span(), wording::no_number(key)))
 }
 
+fn no_attribute(input: ParseStream) -> syn::Result<()> {
+    let attributes = input.call(Attribute::parse_outer)?;
+    attributes.first().map_or(Ok(()), |first| Err(syn::Error::new_spanned(first, wording::FIELD_ATTRIBUTE)))
+}
+
 fn component(input: ParseStream) -> syn::Result<Type> {
+    no_attribute(input)?;
     if input.peek(Token![,]) {
         return Err(input.error(wording::EXTRA_COMMA));
     }
@@ -119,7 +126,7 @@ fn component(input: ParseStream) -> syn::Result<Type> {
     Ok(kind)
 }
 
-/// Reads the list; goes on behind an entry that is wrong.
+/// Reads the list; continues after an entry that is wrong.
 fn components(input: ParseStream, draft: &mut Draft, report: &mut Report) -> syn::Result<()> {
     if !input.peek(token::Bracket) {
         return Err(input.error(wording::COMPONENT_LIST));

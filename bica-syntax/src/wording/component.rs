@@ -8,7 +8,7 @@ pub(crate) const TRAIT_IMPL: &str =
     "`#[component]` belongs on the type's own impl block, not on that of a trait: write `impl Name { ... }`";
 pub(crate) const NOT_A_NAME: &str = "a component is a struct or an enum: write its name here";
 pub(crate) const LIFETIME: &str =
-    "a component cannot borrow, its tree owns it: store values, and read other components in `step`";
+    "a component cannot borrow, because its tree owns it: store values, and read other components in `step`";
 
 pub(crate) fn reserved(name: &str) -> String {
     let used = match name {
@@ -16,7 +16,7 @@ pub(crate) fn reserved(name: &str) -> String {
         "Rate" => "`Rate<C>` is the rate of C",
         _ => "`Tuned<P>` is a struct of parameters",
     };
-    format!("a component cannot be called `{name}`, {used}: choose another name")
+    format!("a component cannot be called `{name}`: {used}; choose another name")
 }
 
 // The options.
@@ -27,10 +27,12 @@ pub(crate) const RESUME_WITHOUT_STATES: &str =
 
 // The attributes of functions.
 pub(crate) const STATE_WORDS: &str = "write `#[state]`, `#[state(initial)]` or `#[state(last)]`";
-pub(crate) const ARROW: &str = "which states does it leave and enter? Write `#[transition(from -> to)]`";
+pub(crate) const ARROW: &str =
+    "a transition names the states that it leaves and enters: write `#[transition(from -> to)]`";
 pub(crate) const ONE_TARGET: &str = "a transition enters one state: write one `#[transition]` for each";
-pub(crate) const TIMER: &str = "after the arrow only `after_ms = 1500` can follow: remove this";
-pub(crate) const TWO_ROLES: &str = "a function has one role, `state`, `transition`, `entry`, `exit`, `start`, `stop`, `info` or `modulation`: remove one";
+pub(crate) const TIMER: &str = "only `after_ms = 1500` can follow the arrow: remove this";
+pub(crate) const TWO_ROLES: &str = "a function has one role (`state`, `transition`, `entry`, `exit`, \
+                                     `start`, `stop`, `info` or `modulation`): remove one";
 pub(crate) const PLACE_OF_A_ROLE: &str = "this attribute belongs on a function: move it there, or remove it";
 pub(crate) const STEP_ATTRIBUTE: &str = "the step has no attribute: name the function `step` and remove this";
 pub(crate) const CONDITIONAL: &str =
@@ -41,6 +43,14 @@ pub(crate) fn two_functions(name: &str) -> String {
         "the tree calls `{name}` in every build: keep one `{name}` without a condition, and call from it a helper that \
          exists under each condition"
     )
+}
+
+pub(crate) fn role_twice(role: &str) -> String {
+    match role {
+        "entry" | "exit" => format!("a function has one `#[{role}]`: write `#[{role}(one | other)]`"),
+        "state" => "a function has one `#[state]`: write `#[state(initial, last)]`".to_owned(),
+        _ => super::shared::TWICE.to_owned(),
+    }
 }
 
 pub(crate) fn misspelt_attribute(found: &str, ours: &str) -> String {
@@ -60,7 +70,7 @@ pub(crate) fn no_arguments(role: &str) -> String {
 }
 
 pub(crate) fn hook_states(role: &str) -> String {
-    format!("which states is this hook for? Write `#[{role}(state)]` or `#[{role}(one | other)]`")
+    format!("a hook names its states: write `#[{role}(state)]` or `#[{role}(one | other)]`")
 }
 
 // Items beside the block.
@@ -72,19 +82,19 @@ pub(crate) fn component_doc(name: &str) -> String {
     format!("`{name}` has no doc comment that its component could have: write one above it, `/// ...`")
 }
 
-// What an operator may look at and call.
+// Outputs and calls for an operator.
 pub(crate) const INFO_FORM: &str = "write `#[info]` or `#[info(unit = \"m\")]`";
-pub(crate) const INFO_ARGUMENTS: &str = "information is read without arguments: remove this";
+pub(crate) const INFO_ARGUMENTS: &str = "an output is read without arguments: remove this";
 pub(crate) const MODULATION_FORM: &str =
-    "`#[modulation]` takes nothing: describe the arguments, each by `#[range(a..=b)]` and `#[unit(\"...\")]` before it";
+    "`#[modulation]` takes no options: describe each argument by `#[range(a..=b)]` and `#[unit(\"...\")]` before it";
 pub(crate) const ARGUMENT_NAME: &str = "tools show the name of this argument: write a name here";
 
 pub(crate) fn info_value(name: &str) -> String {
-    format!("`{name}` returns nothing to look at: add `-> Type`")
+    format!("`{name}` returns no value: add `-> Type`")
 }
 
 pub(crate) fn operator_doc(role: &str, name: &str) -> String {
-    format!("`{name}` has `#[{role}]` and no doc comment: say above it what an operator sees, `/// ...`")
+    format!("`{name}` has `#[{role}]` but no doc comment: describe it for an operator, `/// ...`")
 }
 
 pub(crate) fn argument_form(key: &str) -> String {
@@ -94,12 +104,12 @@ pub(crate) fn argument_form(key: &str) -> String {
         "step" => "#[step(0.01)]",
         _ => "#[default(0.5)]",
     };
-    format!("`{key}` of an argument stands in parentheses: write `{example}`")
+    format!("the value of `{key}` stands in parentheses: write `{example}`")
 }
 
 // The machine.
-pub(crate) const STEP_AND_STATES: &str =
-    "a state machine has no `step`, it runs the function of its state: rename this function, or make it a `#[state]`";
+pub(crate) const STEP_AND_STATES: &str = "a state machine has no `step`, because it runs the function of its state: \
+                                           rename this function, or make it a `#[state]`";
 
 pub(crate) fn no_initial(first: &str) -> String {
     format!(
@@ -111,8 +121,12 @@ pub(crate) fn unknown_state(found: &str, nearest: Option<&str>, known: &str) -> 
     format!("no state is called `{found}`: {}", meant(nearest, known))
 }
 
+pub(crate) fn from_nowhere(state: &str) -> String {
+    format!("`*` is every state except `{state}`, and there is no other: add one, or remove this transition")
+}
+
 pub(crate) fn two_initial(first: &str) -> String {
-    format!("state `{first}` is already initial, a machine starts in one: remove `initial` from one of the two")
+    format!("state `{first}` is already initial: remove `initial` from one of the two")
 }
 
 pub(crate) fn unreachable(state: &str) -> String {
@@ -132,11 +146,11 @@ pub(crate) fn without_states(role: &str) -> String {
 }
 
 pub(crate) fn not_called_step(name: &str) -> String {
-    format!("no tree calls `{name}`: rename it to `step`, or give it a name that is less like it")
+    format!("no tree calls `{name}`: rename it to `step`, or to a name that is less similar")
 }
 
 // Signatures.
-pub(crate) const ASYNC: &str = "a function that the tree calls runs to its end without waiting: remove `async`";
+pub(crate) const ASYNC: &str = "the tree calls this function and does not wait for it: remove `async`";
 pub(crate) const UNSAFE: &str = "the tree calls this function and cannot keep an unsafe contract: remove `unsafe`";
 pub(crate) const GENERIC: &str =
     "a tree cannot choose this parameter: name concrete types, or move the parameter to the impl block";
@@ -148,7 +162,7 @@ pub(crate) fn lifetime(name: &str) -> String {
 }
 
 pub(crate) fn receiver(function: &str, receiver: &str) -> String {
-    format!("the tree keeps the component, `{function}` borrows it: its first argument must be `{receiver}`")
+    format!("the tree owns the component and `{function}` borrows it: write `{receiver}` as the first argument")
 }
 
 pub(crate) fn returns_nothing(function: &str) -> String {
@@ -156,19 +170,20 @@ pub(crate) fn returns_nothing(function: &str) -> String {
 }
 
 pub(crate) fn returns_bool(function: &str) -> String {
-    format!("transition `{function}` must return `bool`: whether it is taken")
+    format!("transition `{function}` must return whether it is taken: write `-> bool`")
 }
 
 // Arguments.
 pub(crate) const CONDITIONAL_ARGUMENT: &str =
     "the tree passes this argument in every build: remove the condition, or put it on the component and on its tree";
-pub(crate) const HOOK_LINKS: &str = "a `start` or `stop` hook takes only `&Tuned<P>`: remove this argument, or use it in `step`, a state or an entry hook";
+pub(crate) const HOOK_LINKS: &str = "a `start` or `stop` hook takes only `&Tuned<P>`: remove this argument, or use it in \
+                                      `step`, a state or an entry hook";
 pub(crate) const OWN_LINK: &str = "a component cannot activate itself: remove this argument and use `self`";
 pub(crate) const TRANSITION_WRITES: &str =
     "a transition only reads: write `&`, and change things in an `#[entry]` or `#[exit]` hook";
 pub(crate) const RATE_IN_CONDITION: &str =
     "a transition cannot modulate a rate: move this argument to a state, or to an `#[entry]` or `#[exit]` hook";
-pub(crate) const RATE_OF_WHAT: &str = "the rate of which component? Write `&mut Rate<Child>`";
+pub(crate) const RATE_OF_WHAT: &str = "a rate belongs to a component: write `&mut Rate<Child>`";
 
 pub(crate) fn name_alone(name: &str) -> String {
     format!("the type itself stands here, without `&`: write `{name}`")
@@ -208,7 +223,8 @@ pub(crate) fn value_of_library(written: &str) -> String {
 
 pub(crate) fn wrapped(written: &str, inner: &str) -> String {
     format!(
-        "`{written}` is no link, the tree keeps the component: write `&{inner}` to read it, `&mut {inner}` to modulate it"
+        "`{written}` is no link, because the tree owns the component: write `&{inner}` to read it, `&mut {inner}` to \
+         modulate it"
     )
 }
 

@@ -4,20 +4,20 @@
 pub(crate) const PARAMS_STRUCT: &str =
     "parameters are the named fields of a struct: write `struct Name { ... }` with at least one field";
 pub(crate) const PARAMS_GENERIC: &str = "parameters have concrete types: remove this";
-pub(crate) const CHECK_FORM: &str = "which function checks the values? Write `check = Self::name`, a `const fn`";
+pub(crate) const CHECK_FORM: &str = "a rule is a `const fn` of the struct: write `check = Self::name`";
 
 pub(crate) fn params_doc(name: &str) -> String {
-    format!("`{name}` has no doc comment: say above it what these parameters adjust, `/// ...`")
+    format!("`{name}` has no doc comment: write above it what these parameters adjust, `/// ...`")
 }
 
 pub(crate) fn param_doc(name: &str) -> String {
-    format!("parameter `{name}` has no doc comment: say above it what it means, `/// ...`")
+    format!("parameter `{name}` has no doc comment: write above it what it means, `/// ...`")
 }
 
 // The fields.
 pub(crate) const PARAM_FORM: &str =
     "a parameter is described by `#[param(default = 0.5, range = 0.0..=1.0)]`, and by `unit` and `step` if it has them";
-pub(crate) const RANGE_FORM: &str = "a range has two ends that belong to it: write `a..=b`";
+pub(crate) const RANGE_FORM: &str = "a range includes both of its ends: write `a..=b`";
 pub(crate) const UNIT_FORM: &str = "a unit is a text such as \"m/s\"; leave it out for a pure number";
 
 pub(crate) fn no_param(name: &str, kind: &str) -> String {
@@ -64,11 +64,19 @@ pub(crate) fn for_numbers(key: &str, kind: &str) -> String {
 }
 
 pub(crate) fn alias(kind: &str, instead: &str) -> String {
-    format!("the macro reads names, and `{kind}` is read as the name of an enum: write {instead} itself")
+    format!("`#[derive(Params)]` reads names and takes `{kind}` for an enum: write {instead} instead")
 }
 
 pub(crate) fn does_not_fit(number: i128, kind: &str, min: i64, max: i64) -> String {
     format!("`{number}` does not fit into `{kind}`: write a number from {min} to {max}")
+}
+
+pub(crate) fn without_point(number: i128) -> String {
+    format!("a number of the type `f32` has a point: write `{number}.0`")
+}
+
+pub(crate) fn with_point(kind: &str) -> String {
+    format!("a number of the type `{kind}` is whole: write one, or make the parameter an `f32`")
 }
 
 pub(crate) fn choice_default(kind: &str) -> String {
@@ -87,14 +95,14 @@ pub(crate) fn variant_fields(name: &str) -> String {
 }
 
 // The argument.
-pub(crate) const TUNED_OF_WHAT: &str = "which parameters? Write `&Tuned<Name>`, the struct with `#[derive(Params)]`";
+pub(crate) const TUNED_OF_WHAT: &str = "`Tuned` holds a struct with `#[derive(Params)]`: write `&Tuned<Name>`";
 
 pub(crate) fn tuned(written: &str) -> String {
     format!("parameters are only read, an operator sets them: write `&{written}`")
 }
 
 pub(crate) fn tuned_parameter(name: &str) -> String {
-    format!("the parameters of a component are one struct, and `{name}` can be any: write the name of a struct here")
+    format!("`{name}` can be any type, but the parameters of a component are fixed: write the name of a struct")
 }
 
 pub(crate) fn owned_tuned(written: &str) -> String {

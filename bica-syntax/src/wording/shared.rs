@@ -36,14 +36,14 @@ pub(crate) fn no_number(key: &str) -> String {
     format!("`{key}` needs a number literal: `{example}`")
 }
 
-pub(crate) fn unit_behind(key: &str, unit: &str, converted: Option<&str>) -> String {
+pub(crate) fn unit_after(key: &str, unit: &str, converted: Option<&str>) -> String {
     let of = match key.rsplit('_').next() {
         Some("us") => "microseconds",
         Some("ms") => "milliseconds",
         _ => "hertz",
     };
     let remedy = converted.map_or_else(|| format!("remove `{unit}`"), |number| format!("write `{number}`"));
-    format!("the unit is in the name, `{key}` is in {of}: {remedy}")
+    format!("`{key}` is in {of}, as its name says: {remedy}")
 }
 
 pub(crate) fn not_whole(key: &str) -> String {

@@ -3,6 +3,8 @@
 pub(crate) const TREE_FORM: &str = "write `pub struct Name { root: ..., cycle_hz: ..., components: [...] }`";
 pub(crate) const TREE_GENERIC: &str = "a tree has no parameters, it lists concrete components: remove this";
 pub(crate) const TREE_CONDITION: &str = "put the condition on the macro: `#[cfg(...)] activation_tree! { ... }`";
+pub(crate) const FIELD_ATTRIBUTE: &str =
+    "the fields and components of a tree have no attributes: remove this; for another list write another tree";
 pub(crate) const TREE_FIELDS: &str = "the fields of a tree stand in braces: `struct Name { root: ..., ... }`";
 pub(crate) const AFTER_TREE: &str = "nothing follows the braces of a tree: write this outside the macro";
 pub(crate) const EMPTY_TREE: &str = "a tree lists at least its root: `components: [Name]`";
@@ -23,7 +25,7 @@ pub(crate) fn derived(name: &str) -> String {
 }
 
 pub(crate) fn colon(key: &str) -> String {
-    format!("a colon stands behind the name of a field: `{key}: ...`")
+    format!("a colon follows the name of a field: `{key}: ...`")
 }
 
 pub(crate) fn missing(key: &str, example: &str) -> String {

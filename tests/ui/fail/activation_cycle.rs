@@ -23,11 +23,7 @@ impl Head {
 }
 
 activation_tree! {
-    struct Forward {
-        root: FaceBall,
-        cycle_hz: 100,
-        components: [FaceBall, Head],
-    }
+    struct Forward { root: FaceBall, cycle_hz: 100, components: [FaceBall, Head] }
 }
 
 fn main() {

@@ -21,12 +21,7 @@ impl Player {
 }
 
 activation_tree! {
-    struct Forward {
-        root: Player,
-        cycle_hz: 100,
-        budget_ms: 1,
-        components: [Player, Head],
-    }
+    struct Forward { root: Player, cycle_hz: 100, budget_ms: 1, components: [Player, Head] }
 }
 
 fn main() {

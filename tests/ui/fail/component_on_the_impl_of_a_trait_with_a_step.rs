@@ -18,11 +18,7 @@ impl Step for Player {
 }
 
 activation_tree! {
-    struct Forward {
-        root: Player,
-        cycle_hz: 100,
-        components: [Player],
-    }
+    struct Forward { root: Player, cycle_hz: 100, components: [Player] }
 }
 
 fn main() {

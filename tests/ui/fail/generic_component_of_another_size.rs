@@ -21,11 +21,7 @@ impl Player {
 }
 
 activation_tree! {
-    struct Forward {
-        root: Player,
-        cycle_hz: 100,
-        components: [Player, Eye<640>],
-    }
+    struct Forward { root: Player, cycle_hz: 100, components: [Player, Eye<640>] }
 }
 
 fn main() {

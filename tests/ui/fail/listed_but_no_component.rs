@@ -20,12 +20,7 @@ impl Player {
 }
 
 activation_tree! {
-    struct Forward {
-        root: Player,
-        cycle_hz: 100,
-        tunable,
-        components: [Player, Head],
-    }
+    struct Forward { root: Player, cycle_hz: 100, tunable, components: [Player, Head] }
 }
 
 fn main() {

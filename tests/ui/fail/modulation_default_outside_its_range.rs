@@ -18,11 +18,7 @@ impl Turn {
 }
 
 activation_tree! {
-    struct Robot {
-        root: Turn,
-        cycle_hz: 100,
-        components: [Turn],
-    }
+    struct Robot { root: Turn, cycle_hz: 100, components: [Turn] }
 }
 
 fn main() {

@@ -4,7 +4,7 @@ use bica::prelude::*;
 #[derive(Params)]
 pub struct Following {
     /// Gain.
-    #[param(default = 1, range = 0.0..=2.0)]
+    #[param(default = true, range = 0.0..=2.0)]
     gain: f32,
 }
 

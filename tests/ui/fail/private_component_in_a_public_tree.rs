@@ -21,11 +21,7 @@ impl Player {
 }
 
 activation_tree! {
-    pub struct Forward {
-        root: Player,
-        cycle_hz: 100,
-        components: [Player, Ball],
-    }
+    pub struct Forward { root: Player, cycle_hz: 100, components: [Player, Ball] }
 }
 
 fn main() {

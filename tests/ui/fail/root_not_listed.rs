@@ -21,11 +21,7 @@ impl Player {
 }
 
 activation_tree! {
-    struct Forward {
-        root: Player,
-        cycle_hz: 100,
-        components: [Head],
-    }
+    struct Forward { root: Player, cycle_hz: 100, components: [Head] }
 }
 
 fn main() {

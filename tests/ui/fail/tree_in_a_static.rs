@@ -12,11 +12,7 @@ impl Player {
 }
 
 activation_tree! {
-    struct Forward {
-        root: Player,
-        cycle_hz: 100,
-        components: [Player],
-    }
+    struct Forward { root: Player, cycle_hz: 100, components: [Player] }
 }
 
 static ROBOT: Forward = Forward::new();

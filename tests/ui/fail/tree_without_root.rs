@@ -10,9 +10,7 @@ impl Player {
 }
 
 activation_tree! {
-    struct Forward {
-        components: [Player],
-    }
+    struct Forward { components: [Player] }
 }
 
 fn main() {

@@ -20,12 +20,7 @@ impl Player {
 }
 
 activation_tree! {
-    struct Forward {
-        root: Player,
-        cycle_hz: 100,
-        tunable,
-        components: [Player],
-    }
+    struct Forward { root: Player, cycle_hz: 100, tunable, components: [Player] }
 }
 
 fn main() {

@@ -17,11 +17,7 @@ impl Player {
 }
 
 activation_tree! {
-    struct Forward {
-        root: Player,
-        cycle_hz: 100,
-        components: [Player],
-    }
+    struct Forward { root: Player, cycle_hz: 100, components: [Player] }
 }
 
 fn main() {

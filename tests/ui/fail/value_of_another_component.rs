@@ -30,11 +30,7 @@ impl Player {
 }
 
 activation_tree! {
-    struct Forward {
-        root: Player,
-        cycle_hz: 100,
-        components: [Player, Ball = Head::new(), Head],
-    }
+    struct Forward { root: Player, cycle_hz: 100, components: [Player, Ball = Head::new(), Head] }
 }
 
 fn main() {

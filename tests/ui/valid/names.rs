@@ -57,11 +57,7 @@ impl r#Match {
 }
 
 activation_tree! {
-    struct Robot {
-        root: r#Match,
-        cycle_hz: 100,
-        components: [r#Match, Größe, Option],
-    }
+    struct Robot { root: r#Match, cycle_hz: 100, components: [r#Match, Größe, Option] }
 }
 
 #[test]

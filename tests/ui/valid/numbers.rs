@@ -23,12 +23,7 @@ impl Slow {
 }
 
 activation_tree! {
-    struct Robot {
-        root: Slow,
-        cycle_hz: ((100.0)),
-        budget_ms: 0b1010,
-        components: [Slow, Fast],
-    }
+    struct Robot { root: Slow, cycle_hz: ((100.0)), budget_ms: 0b1010, components: [Slow, Fast] }
 }
 
 #[test]

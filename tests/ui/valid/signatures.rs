@@ -60,11 +60,7 @@ impl Player {
 }
 
 activation_tree! {
-    struct Robot {
-        root: Player,
-        cycle_hz: 100,
-        components: [Player, Ball, Head],
-    }
+    struct Robot { root: Player, cycle_hz: 100, components: [Player, Ball, Head] }
 }
 
 #[test]

@@ -1,4 +1,4 @@
-//! What an operator may look at and call: `#[info]` and `#[modulation]`.
+//! Outputs and calls for an operator: `#[info]` and `#[modulation]`.
 
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote, quote_spanned};

@@ -63,7 +63,7 @@ fn nothing(krate: &Path, generics: &Generics, own: &Type) -> TokenStream {
             const TIMED: bool = false;
 
             fn pass<__P: #p::Probe>(_: &mut #p::Cycle<'_, __T, __P>, _: #p::Visit) {
-                const { ::core::panic!("a component that could not be read cannot run") }
+                const { ::core::panic!("`#[component]` could not read the block of this component: write it in plainer Rust") }
             }
         }
     };
