@@ -236,7 +236,7 @@ fn describe_change(change: &Change) -> (Option<u16>, &'static str, &'static str)
         Change::Hold { component, .. } => (Some(*component), "operator: hold", "operator: refused: hold"),
         Change::Rate { component, .. } => (Some(*component), "operator: rate", "operator: refused: rate"),
         Change::Params(batch) => {
-            (batch.first().map(|setting| setting.component), "operator: set", "operator: refused: set")
+            (batch.first().map(|setting| setting.component.index() as u16), "operator: set", "operator: refused: set")
         }
         Change::Modulate { component, .. } => (Some(*component), "operator: call", "operator: refused: call"),
     }

@@ -1,14 +1,9 @@
 //! Wrong arguments: exit code 2, nothing on stdout, and a message with the mistake and the remedy.
 
-use crate::process::{Folder, run};
+use crate::process::{self, Folder, run};
 
 fn refused(args: &[&str], words: &[&str]) {
-    let ran = run(args);
-    assert_eq!(ran.code, Some(2), "{args:?}: {}{}", ran.stdout, ran.stderr);
-    assert_eq!(ran.stdout, "", "{args:?}");
-    for word in words {
-        assert!(ran.stderr.contains(word), "{args:?} lacks `{word}`:\n{}", ran.stderr);
-    }
+    assert_eq!(process::refused(args, words).stdout, "", "{args:?}");
 }
 
 #[test]

@@ -4,19 +4,7 @@ use std::fs;
 
 use serde_json::Value;
 
-use crate::process::{Folder, Ran, run};
-
-fn path(folder: &Folder, name: &str) -> String {
-    folder.path().join(name).to_str().expect("UTF-8").to_owned()
-}
-
-fn fails(args: &[&str], words: &[&str]) {
-    let ran = run(args);
-    assert_eq!(ran.code, Some(2), "{args:?}: {}{}", ran.stdout, ran.stderr);
-    for word in words {
-        assert!(ran.stderr.contains(word), "{args:?} lacks `{word}`:\n{}", ran.stderr);
-    }
-}
+use crate::process::{Folder, Ran, refused, run};
 
 /// Returns the value and the source of `FaceBall.gain`.
 fn gain(args: &[&str]) -> (String, Value) {
@@ -58,8 +46,8 @@ fn limit(name: &str, args: &[&str]) -> (String, Value) {
 #[test]
 fn a_colour_profile_is_a_layer_between_the_files_of_world_and_robot() {
     let folder = Folder::new("tune-profile");
-    fs::write(path(&folder, "built-in.toml"), "[Colours]\norange_hue_to = 140\ngreen_luma_max = 199\n").unwrap();
-    fs::write(path(&folder, "rob.toml"), "[Colours]\nblue_luma_max = 150\n").unwrap();
+    fs::write(folder.file("built-in.toml"), "[Colours]\norange_hue_to = 140\ngreen_luma_max = 199\n").unwrap();
+    fs::write(folder.file("rob.toml"), "[Colours]\nblue_luma_max = 150\n").unwrap();
     let tune = ["--tune", folder.text(), "--profile", "nao2009"];
     let profile = Value::from("profile nao2009");
     // The values are those of profiles/nao2009.toml.
@@ -77,7 +65,7 @@ fn a_colour_profile_is_a_layer_between_the_files_of_world_and_robot() {
 fn a_colour_profile_becomes_a_tune_file_with_the_same_values() {
     let folder = Folder::new("tune-convert");
     for profile in ["nao2009", "darwin2013"] {
-        let file = path(&folder, &format!("{profile}.toml"));
+        let file = folder.file(&format!("{profile}.toml"));
         assert_eq!(run(&["params", "--profile", profile, "--write", &file]).code, Some(0));
         let values = |args: &[&str]| {
             let json = run(&[&["params", "Colours", "--json"], args].concat()).json();
@@ -94,34 +82,34 @@ fn a_colour_profile_becomes_a_tune_file_with_the_same_values() {
 #[test]
 fn a_profile_that_parameters_cannot_express_is_refused() {
     let folder = Folder::new("tune-inexpressible");
-    let file = path(&folder, "hall.toml");
+    let file = folder.file("hall.toml");
     let of_profile = fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../../profiles/nao2009.toml")).unwrap();
     let changed = |from: &str, to: &str, words: &[&str]| {
         assert!(of_profile.contains(from), "{from}");
         fs::write(&file, of_profile.replace(from, to)).unwrap();
-        fails(&["params", "--profile", &file], words);
+        refused(&["params", "--profile", &file], words);
     };
     changed("hue = [119, 145]", "", &["hall.toml", "`orange` has no range of hues", "hue = [from, to]"]);
     changed("saturation = [22, 400]", "", &["`orange` has no range of saturations"]);
     changed("saturation = [22, 400]", "saturation = [22, 1001]", &["profile", "orange_saturation_max", "0 to 1000"]);
     changed("saturation = [0, 8]", "saturation = [1, 8]", &["`white` has other limits"]);
     changed("hue = [119, 145]", "hue = [119]", &["line", "orange.hue"]);
-    fails(&["params", "--profile", "nao2010"], &["nao2010", "built-in, nao2009 and darwin2013"]);
+    refused(&["params", "--profile", "nao2010"], &["nao2010", "built-in, nao2009 and darwin2013"]);
 }
 
 #[test]
 fn a_tune_file_of_the_world_then_of_the_robot_then_the_command_line_decide() {
     let folder = Folder::new("tune-layers");
-    fs::write(path(&folder, "built-in.toml"), "[FaceBall]\ngain = 0.5\n").unwrap();
-    fs::write(path(&folder, "rob.toml"), "[FaceBall]\ngain = 0.6\n").unwrap();
+    fs::write(folder.file("built-in.toml"), "[FaceBall]\ngain = 0.5\n").unwrap();
+    fs::write(folder.file("rob.toml"), "[FaceBall]\ngain = 0.6\n").unwrap();
     let tune = ["--tune", folder.text()];
-    let of_world = format!("{} line 2", path(&folder, "built-in.toml"));
+    let of_world = format!("{} line 2", folder.file("built-in.toml"));
     assert_eq!(gain(&tune), ("0.5".to_owned(), of_world.into()));
     let robot = [&tune[..], &["--robot", "rob"]].concat();
-    let of_robot = format!("{} line 2", path(&folder, "rob.toml"));
+    let of_robot = format!("{} line 2", folder.file("rob.toml"));
     assert_eq!(gain(&robot), ("0.6".to_owned(), of_robot.into()));
     assert_eq!(gain(&[&robot[..], &["--set", "FaceBall.gain=0.8"]].concat()).0, "0.8");
-    fails(&[&["params", "--kind", "other"][..], &tune].concat(), &["other.toml", "help: "]);
+    refused(&[&["params", "--kind", "other"][..], &tune].concat(), &["other.toml", "help: "]);
     let fingerprint = |args: &[&str]| short_game(args).json()["fingerprint"].clone();
     let (plain, tuned) = (fingerprint(&[]), fingerprint(&tune));
     assert_ne!(plain, tuned);
@@ -132,47 +120,47 @@ fn a_tune_file_of_the_world_then_of_the_robot_then_the_command_line_decide() {
 #[test]
 fn a_written_tune_file_gives_the_same_values() {
     let folder = Folder::new("tune-write");
-    let file = path(&folder, "built-in.toml");
+    let file = folder.file("built-in.toml");
     let set = ["--set", "FaceBall.gain=0.9", "--write", &file];
     let written = run(&[&["params"][..], &set].concat());
     assert_eq!(written.code, Some(0), "{}", written.stderr);
     assert!(written.stdout.contains("1 value"), "{}", written.stdout);
     assert_eq!(gain(&["--tune", folder.text()]).0, "0.9");
-    fails(&[&["params"][..], &set].concat(), &[&file, "exists", "--force"]);
+    refused(&[&["params"][..], &set].concat(), &[&file, "exists", "--force"]);
     assert_eq!(run(&[&["params", "--force"][..], &set].concat()).code, Some(0));
 }
 
 #[test]
 fn wrong_parameters_are_errors_of_every_command_that_takes_them() {
     let folder = Folder::new("tune-errors");
-    let file = path(&folder, "built-in.toml");
+    let file = folder.file("built-in.toml");
     fs::write(&file, "# comment\n[FaceBall]\ngian = 0.5\n").unwrap();
     for command in [&["play", "--seconds", "0.1"][..], &["params"]] {
         let with = |args: &[&str]| [command, args].concat().iter().map(|arg| (*arg).to_owned()).collect::<Vec<_>>();
-        let fails = |args: &[&str], words: &[&str]| {
+        let refused = |args: &[&str], words: &[&str]| {
             let args = with(args);
-            fails(&args.iter().map(String::as_str).collect::<Vec<_>>(), words);
+            refused(&args.iter().map(String::as_str).collect::<Vec<_>>(), words);
         };
-        fails(&["--set", "FaceBall.gain"], &["not an assignment", "Component.name=value"]);
-        fails(&["--set", "FaceBal.gain=0.5"], &["`FaceBal`", "did you mean `FaceBall`?"]);
-        fails(&["--set", "FaceBall.gian=0.5"], &["`gian`", "did you mean `gain`?"]);
-        fails(&["--set", "FaceBall.gain=x"], &["FaceBall.gain", "expected f32", "write a number from"]);
-        fails(&["--set", "FaceBall.gain=7"], &["FaceBall.gain", "7 is outside"]);
-        fails(&["--tune", folder.text()], &[&format!("`{file}` line 3"), "did you mean `gain`?"]);
-        fails(&["--tune", folder.text(), "--robot", "rob"], &["help: "]);
-        fails(&["--robot", "rob"], &["rob.toml", "--write"]);
-        fails(&["--tune", &path(&folder, "missing")], &["missing/built-in.toml", "--write"]);
+        refused(&["--set", "FaceBall.gain"], &["not an assignment", "Component.name=value"]);
+        refused(&["--set", "FaceBal.gain=0.5"], &["`FaceBal`", "did you mean `FaceBall`?"]);
+        refused(&["--set", "FaceBall.gian=0.5"], &["`gian`", "did you mean `gain`?"]);
+        refused(&["--set", "FaceBall.gain=x"], &["FaceBall.gain", "expected f32", "write a number from"]);
+        refused(&["--set", "FaceBall.gain=7"], &["FaceBall.gain", "7 is outside"]);
+        refused(&["--tune", folder.text()], &[&format!("`{file}` line 3"), "did you mean `gain`?"]);
+        refused(&["--tune", folder.text(), "--robot", "rob"], &["help: "]);
+        refused(&["--robot", "rob"], &["rob.toml", "--write"]);
+        refused(&["--tune", &folder.file("missing")], &["missing/built-in.toml", "--write"]);
         let twice = ["--set", "FaceBall.gain=0.5", "--set", "FaceBall.gain=0.6"];
-        fails(&twice, &["`FaceBall.gain=0.5` and `FaceBall.gain=0.6`", "leave one of them out"]);
+        refused(&twice, &["`FaceBall.gain=0.5` and `FaceBall.gain=0.6`", "leave one of them out"]);
     }
-    fails(&["params", "FaceBal"], &["did you mean `FaceBall`?"]);
-    fails(&["--world", "firmware", "--set", "FaceBall.gain=0.5"], &["help: "]);
+    refused(&["params", "FaceBal"], &["did you mean `FaceBall`?"]);
+    refused(&["--world", "firmware", "--set", "FaceBall.gain=0.5"], &["help: "]);
 }
 
 #[test]
 fn a_replay_uses_the_recorded_parameters_and_shows_what_others_would_have_decided() {
     let folder = Folder::new("tune-replay");
-    let file = path(&folder, "run.mcap");
+    let file = folder.file("run.mcap");
     let played = short_game(&["--set", "FaceBall.gain=0.5", "--record", &file]);
     assert_eq!(played.json()["recording"]["recorded_cycles"], 500, "{}", played.stderr);
     let header = run(&["record", "info", &file, "--json"]).json()["header"].clone();
@@ -187,7 +175,7 @@ fn a_replay_uses_the_recorded_parameters_and_shows_what_others_would_have_decide
     assert!(json["first_difference"]["field"].as_str().is_some_and(|field| field.starts_with("command.")), "{json}");
     assert!(other.stderr.contains("other parameters: FaceBall.gain=0.7"), "{}", other.stderr);
     let twice = ["--set", "FaceBall.gain=0.7", "--set", "FaceBall.gain=0.7"];
-    fails(&[&["replay", &file][..], &twice].concat(), &["--set sets one parameter twice"]);
-    fails(&["replay", &file, "--set", "FaceBall.gian=0.7"], &["did you mean `gain`?"]);
-    fails(&["replay", &file, "--set", "FaceBall.gain=0.7", "--against", &file], &["--set", "--against"]);
+    refused(&[&["replay", &file][..], &twice].concat(), &["--set sets one parameter twice"]);
+    refused(&["replay", &file, "--set", "FaceBall.gian=0.7"], &["did you mean `gain`?"]);
+    refused(&["replay", &file, "--set", "FaceBall.gain=0.7", "--against", &file], &["--set", "--against"]);
 }

@@ -27,6 +27,16 @@ pub(crate) fn run(args: &[&str]) -> Ran {
     Ran { code: status.code(), stdout: text(stdout), stderr: text(stderr) }
 }
 
+/// Runs the program, which must end with exit code 2 and these words on stderr.
+pub(crate) fn refused(args: &[&str], words: &[&str]) -> Ran {
+    let ran = run(args);
+    assert_eq!(ran.code, Some(2), "{args:?}: {}{}", ran.stdout, ran.stderr);
+    for word in words {
+        assert!(ran.stderr.contains(word), "{args:?} lacks `{word}`:\n{}", ran.stderr);
+    }
+    ran
+}
+
 impl Ran {
     /// Parses the output, which must be one JSON value.
     pub(crate) fn json(&self) -> Value {
@@ -63,6 +73,11 @@ impl Folder {
 
     pub(crate) fn text(&self) -> &str {
         self.0.to_str().expect("UTF-8")
+    }
+
+    /// Returns the path of a file in it.
+    pub(crate) fn file(&self, name: &str) -> String {
+        self.0.join(name).into_os_string().into_string().expect("UTF-8")
     }
 
     /// Returns the names of its files, sorted.

@@ -10,22 +10,10 @@ use bica_link::{Component, Description};
 use bica_recording::{Header, MonitorRecorder, RecordedCycle, RequestRecord, Tick};
 use serde_json::Value;
 
-use crate::process::{Folder, Ran, player, run};
-
-fn path(folder: &Folder, name: &str) -> String {
-    folder.path().join(name).to_str().expect("UTF-8").to_owned()
-}
+use crate::process::{Folder, Ran, player, refused, run};
 
 fn record(file: &str, args: &[&str]) -> Ran {
     run(&[&["--seed", "3", "--size", "160x120", "--record", file], args].concat())
-}
-
-fn fails(args: &[&str], code: i32, words: &[&str]) {
-    let ran = run(args);
-    assert_eq!(ran.code, Some(code), "{args:?}: {}{}", ran.stdout, ran.stderr);
-    for word in words {
-        assert!(ran.stderr.contains(word), "{args:?} lacks `{word}`:\n{}", ran.stderr);
-    }
 }
 
 #[test]
@@ -33,7 +21,7 @@ fn a_recorded_game_is_the_same_game_and_replays() {
     let folder = Folder::new("recorded-game");
     let plain = run(&["--seed", "3", "--size", "160x120", "--seconds", "1", "--json"]).json();
     for images in ["all", "none"] {
-        let file = path(&folder, &format!("{images}.mcap"));
+        let file = folder.file(&format!("{images}.mcap"));
         let played = record(&file, &["--seconds", "1", "--images", images, "--json"]).json();
         assert_eq!(played["fingerprint"], plain["fingerprint"]);
         let recording = &played["recording"];
@@ -50,7 +38,7 @@ fn a_recorded_game_is_the_same_game_and_replays() {
         assert_eq!((&replayed["equal"], &replayed["cycles"]), (&true.into(), &100.into()));
         assert_eq!(replayed["source"], if images == "all" { "stored" } else { "rules" });
     }
-    let (all, none) = (path(&folder, "all.mcap"), path(&folder, "none.mcap"));
+    let (all, none) = (folder.file("all.mcap"), folder.file("none.mcap"));
     let text = run(&["replay", &all, "--from", "0.2", "--until", "0.5", "--against", &none]);
     assert_eq!(text.code, Some(0));
     assert!(text.stdout.contains("31 cycles") && text.stdout.contains("equal, bit for bit"), "{}", text.stdout);
@@ -63,7 +51,7 @@ fn a_recorded_game_is_the_same_game_and_replays() {
 #[test]
 fn other_games_differ_with_exit_code_one() {
     let folder = Folder::new("recorded-others");
-    let (one, two) = (path(&folder, "one.mcap"), path(&folder, "two.mcap"));
+    let (one, two) = (folder.file("one.mcap"), folder.file("two.mcap"));
     record(&one, &["--seconds", "0.5"]);
     run(&["--seed", "4", "--size", "160x120", "--seconds", "0.5", "--record", &two]);
     let ran = run(&["replay", &one, "--against", &two, "--json"]);
@@ -75,26 +63,26 @@ fn other_games_differ_with_exit_code_one() {
 #[test]
 fn files_are_mended_cut_and_exported() {
     let folder = Folder::new("recorded-files");
-    let file = path(&folder, "run.mcap");
+    let file = folder.file("run.mcap");
     record(&file, &["--seconds", "3"]);
-    let part = path(&folder, "part.mcap");
+    let part = folder.file("part.mcap");
     let trimmed = run(&["record", "trim", &file, &part, "--from", "0.5", "--until", "1", "--json"]).json();
     assert_eq!((&trimmed["cycles"], &trimmed["schema"]), (&51.into(), &"bica-player/written/1".into()));
-    fails(&["replay", &part], 2, &["begins with cycle 50", "help: "]);
+    refused(&["replay", &part], &["begins with cycle 50", "help: "]);
     let bytes = fs::read(&file).unwrap();
-    let cut = path(&folder, "cut.mcap");
+    let cut = folder.file("cut.mcap");
     fs::write(&cut, &bytes[..bytes.len() * 4 / 5]).unwrap();
     let shown = run(&["record", "info", &cut]);
     assert!(shown.code == Some(0) && shown.stdout.contains("cut off"), "{}", shown.stdout);
     assert_eq!(run(&["replay", &cut]).code, Some(1));
-    let whole = path(&folder, "whole.mcap");
+    let whole = folder.file("whole.mcap");
     let recovered = run(&["record", "recover", &cut, &whole, "--json"]).json();
     assert!(
         recovered["cycles"].as_u64().unwrap() > 50 && recovered["damages"][0].as_str().unwrap().contains("cut off")
     );
     let replayed = run(&["replay", &whole, "--json"]);
     assert_eq!((replayed.code, &replayed.json()["cycles"]), (Some(0), &recovered["cycles"]));
-    let view = path(&folder, "view.mcap");
+    let view = folder.file("view.mcap");
     let exported = run(&["record", "export", &file, &view, "--json"]).json();
     assert_eq!(
         (&exported["cycles"], exported["bytes"].as_u64()),
@@ -123,7 +111,7 @@ fn monitored(file: &str) {
 #[test]
 fn what_a_monitor_recorded_is_shown_cut_mended_and_exported_and_not_replayed() {
     let folder = Folder::new("recorded-monitor");
-    let (file, game) = (path(&folder, "sent.mcap"), path(&folder, "game.mcap"));
+    let (file, game) = (folder.file("sent.mcap"), folder.file("game.mcap"));
     monitored(&file);
     record(&game, &["--seconds", "0.1"]);
     let shown = run(&["record", "info", &file]).stdout;
@@ -134,56 +122,56 @@ fn what_a_monitor_recorded_is_shown_cut_mended_and_exported_and_not_replayed() {
     let info = run(&["record", "info", &file, "--json"]).json();
     assert_eq!((&info["header"]["monitor"]["address"], &info["damage"]), (&"tcp://lamp:7400".into(), &Value::Null));
     let words = ["without sensor values and commands", "tcp://lamp:7400", "player play --serve"];
-    fails(&["replay", &file], 2, &words);
-    fails(&["replay", &game, "--against", &file], 2, &words);
-    fails(&["replay", &file, "--against", &game], 2, &words);
+    refused(&["replay", &file], &words);
+    refused(&["replay", &game, "--against", &file], &words);
+    refused(&["replay", &file, "--against", &game], &words);
     for command in [&["trim", "--from", "1"][..], &["recover"], &["export"]] {
-        let out = path(&folder, &format!("{}.mcap", command[0]));
+        let out = folder.file(&format!("{}.mcap", command[0]));
         let written = run(&[&["record"], command, &[&file, &out, "--json"]].concat()).json();
         let cycles = if command[0] == "trim" { 100 } else { 200 };
         assert_eq!(written["cycles"], cycles, "{command:?}");
     }
-    let trimmed = run(&["record", "info", &path(&folder, "trim.mcap"), "--json"]).json();
+    let trimmed = run(&["record", "info", &folder.file("trim.mcap"), "--json"]).json();
     assert_eq!((&trimmed["cycles"], trimmed["requests"].as_array().map(Vec::len)), (&100.into(), Some(1)));
 }
 
 #[test]
 fn errors_name_the_file_and_the_remedy() {
     let folder = Folder::new("recorded-errors");
-    let (file, none, text) = (path(&folder, "run.mcap"), path(&folder, "none.mcap"), path(&folder, "text.mcap"));
+    let (file, none, text) = (folder.file("run.mcap"), folder.file("none.mcap"), folder.file("text.mcap"));
     record(&file, &["--seconds", "0.1"]);
     fs::write(&text, "no recording").unwrap();
-    fails(&["--seconds", "0.1", "--record", &file], 2, &[&file, "--force"]);
-    fails(&["--seconds", "0.1", "--record", &path(&folder, "missing/run.mcap")], 2, &["missing", "help: "]);
-    fails(&["--images", "none"], 2, &["--record"]);
-    fails(&["--force"], 2, &["--record"]);
-    fails(&["--games", "2", "--record", &file], 2, &["--record", "--games"]);
-    fails(&["--record", &none, "--images", "some"], 2, &["some", "all, none"]);
+    refused(&["--seconds", "0.1", "--record", &file], &[&file, "--force"]);
+    refused(&["--seconds", "0.1", "--record", &folder.file("missing/run.mcap")], &["missing", "help: "]);
+    refused(&["--images", "none"], &["--record"]);
+    refused(&["--force"], &["--record"]);
+    refused(&["--games", "2", "--record", &file], &["--record", "--games"]);
+    refused(&["--record", &none, "--images", "some"], &["some", "all, none"]);
     for command in [&["replay"][..], &["record", "info"]] {
-        fails(command, 2, &["FILE"]);
-        fails(&[command, &[&none]].concat(), 2, &[&none, "help: "]);
-        fails(&[command, &[&text]].concat(), 2, &[&text, "not an MCAP file", "--record"]);
+        refused(command, &["FILE"]);
+        refused(&[command, &[&none]].concat(), &[&none, "help: "]);
+        refused(&[command, &[&text]].concat(), &[&text, "not an MCAP file", "--record"]);
     }
     for command in ["recover", "trim", "export"] {
-        fails(&["record", command, &file], 2, &["OUT"]);
-        fails(&["record", command, &file, &text], 2, &[&text, "--force"]);
-        fails(&["record", command, &file, &file, "--force"], 2, &["the same file"]);
-        fails(&["record", command, &text, &none], 2, &["not an MCAP file"]);
+        refused(&["record", command, &file], &["OUT"]);
+        refused(&["record", command, &file, &text], &[&text, "--force"]);
+        refused(&["record", command, &file, &file, "--force"], &["the same file"]);
+        refused(&["record", command, &text, &none], &["not an MCAP file"]);
         let _ = fs::remove_file(&none);
     }
-    let (early, linked) = (path(&folder, "early.mcap"), path(&folder, "linked.mcap"));
+    let (early, linked) = (folder.file("early.mcap"), folder.file("linked.mcap"));
     let bytes = fs::read(&file).unwrap();
     fs::write(&early, &bytes[..2000]).unwrap();
-    fails(&["record", "recover", &early, &none], 2, &["neither the header nor its copy", "record the run again"]);
+    refused(&["record", "recover", &early, &none], &["neither the header nor its copy", "record the run again"]);
     fs::hard_link(&file, &linked).unwrap();
-    fails(&["record", "trim", &file, &linked, "--force"], 2, &["the same file"]);
+    refused(&["record", "trim", &file, &linked, "--force"], &["the same file"]);
     assert_eq!(fs::read(&file).unwrap(), bytes, "it is still there");
-    fails(&["record", "info", folder.text()], 2, &["a folder, a pipe or a device"]);
-    fails(&["record"], 2, &["Usage"]);
-    fails(&["replay", &file, "--from", "-1"], 2, &["-1", "0 or more"]);
-    fails(&["replay", &file, "--from", "2", "--until", "1"], 2, &["--until"]);
-    fails(&["record", "trim", &file, &none, "--from", "2", "--until", "1"], 2, &["--until"]);
-    fails(&["replay", &file, "--against", &text], 2, &[&text]);
+    refused(&["record", "info", folder.text()], &["a folder, a pipe or a device"]);
+    refused(&["record"], &["Usage"]);
+    refused(&["replay", &file, "--from", "-1"], &["-1", "0 or more"]);
+    refused(&["replay", &file, "--from", "2", "--until", "1"], &["--until"]);
+    refused(&["record", "trim", &file, &none, "--from", "2", "--until", "1"], &["--until"]);
+    refused(&["replay", &file, "--against", &text], &[&text]);
     let forced = record(&file, &["--seconds", "0.2", "--force"]);
     assert!(forced.stdout.contains("20 cycles"), "{}", forced.stdout);
 }
@@ -195,7 +183,7 @@ fn a_full_disk_does_not_end_the_game() {
     assert_eq!((ran.code, ran.stdout.as_str()), (Some(2), ""), "the header cannot be written: {}", ran.stderr);
     // A limit on the size of files lets the header pass. Several chunks come after it, so that the game is not over then.
     let folder = Folder::new("recorded-full");
-    let file = path(&folder, "run.mcap");
+    let file = folder.file("run.mcap");
     let program = env!("CARGO_BIN_EXE_player");
     let line =
         format!("trap '' XFSZ; ulimit -f 1500; exec {program} --seconds 12 --size 160x120 --json --record {file}");
@@ -215,10 +203,10 @@ fn a_full_disk_does_not_end_the_game() {
 #[test]
 fn a_pipe_is_refused_without_waiting_for_its_other_end() {
     let folder = Folder::new("recorded-pipe");
-    let pipe = path(&folder, "pipe.mcap");
+    let pipe = folder.file("pipe.mcap");
     assert!(std::process::Command::new("mkfifo").arg(&pipe).status().unwrap().success());
-    fails(&["replay", &pipe], 2, &["a folder, a pipe or a device"]);
-    fails(&["record", "recover", &pipe, &path(&folder, "out.mcap")], 2, &["a folder, a pipe or a device"]);
+    refused(&["replay", &pipe], &["a folder, a pipe or a device"]);
+    refused(&["record", "recover", &pipe, &folder.file("out.mcap")], &["a folder, a pipe or a device"]);
 }
 
 /// Kills a recording program after a time; returns the recorded time and the time since the file was made, s.
@@ -249,7 +237,7 @@ fn killed_after(file: &str, time: Duration) -> (f64, f64) {
 #[ignore = "slow: `cargo xtask ci` runs it"]
 fn slow_what_was_recorded_before_a_kill_replays() {
     let folder = Folder::new("recorded-kill");
-    let (recorded, _) = killed_after(&path(&folder, "run.mcap"), Duration::from_millis(2500));
+    let (recorded, _) = killed_after(&folder.file("run.mcap"), Duration::from_millis(2500));
     assert!(recorded > 0.0);
 }
 
@@ -258,7 +246,7 @@ fn slow_what_was_recorded_before_a_kill_replays() {
 fn long_a_kill_loses_at_most_half_a_second() {
     let folder = Folder::new("recorded-kills");
     for trial in 0..50_u64 {
-        let file = path(&folder, &format!("{trial}.mcap"));
+        let file = folder.file(&format!("{trial}.mcap"));
         let (recorded, lasted) = killed_after(&file, Duration::from_millis(300 + trial * 7919 % 3000));
         assert!(recorded > lasted - 0.5, "trial {trial}: {recorded} s of {lasted} s");
     }
