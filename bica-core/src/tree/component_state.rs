@@ -137,11 +137,6 @@ impl ComponentState {
         self.activation.copy_from(&other.activation);
     }
 
-    /// Whether all that decides about visits and runs is the same.
-    pub(crate) fn behaves_as(&self, other: &Self) -> bool {
-        self.grid() == other.grid() && self.state == other.state && self.activation == other.activation
-    }
-
     /// Activation relative to the parity of the last tick, and above it the age of the grid point in clock ticks if the component
     /// is not latent.
     pub(crate) fn relative(&self, parity: Parity, now: Instant) -> u64 {

@@ -74,18 +74,6 @@ impl<T: Layout> Engine<T> {
         }
     }
 
-    /// Whether all that decides about visits and runs is the same as in another tree.
-    ///
-    /// Times in states and since runs are left out: the engine reads them only for timers and `&Time`.
-    #[must_use]
-    pub fn behaves_as(&self, other: &Self) -> bool {
-        let same = |index| match (self.component_state(index), other.component_state(index)) {
-            (Some(state), Some(other)) => state.behaves_as(other),
-            _ => false,
-        };
-        self.store.cycle_state() == other.store.cycle_state() && order::<T>().map(ComponentId::new).all(same)
-    }
-
     /// Returns all that decides about visits and runs in the coming cycles: first what the components share, then one value for
     /// each component. Instants are relative to the last tick and rounded to clock ticks. Left out are the states of
     /// machines, the times in them, and the grids of latent components, which start anew.

@@ -78,12 +78,6 @@ impl Shape {
         Self { len, states: [1; COMPONENTS], links: [[NO_LINKS; STATES]; COMPONENTS], rates }
     }
 
-    /// Whether several links lead to a component, as the framework counts them.
-    pub(crate) fn is_shared(&self, index: usize) -> bool {
-        let rows = (0..index).flat_map(|from| &self.links[from][..self.states[from]]);
-        rows.filter(|row| row[index] != Link::None).count() > 1
-    }
-
     /// Whether a chain of links leads from the root to each component.
     fn is_reachable(&self) -> bool {
         let mut reached = [true, false, false, false];

@@ -10,19 +10,20 @@
 //! requests to hold a component. Links that a cycle does not read are not varied. Each node is reached once, and all its
 //! edges are compared, so that every sequence of cycles is covered, of any length.
 //!
-//! The index of a state is not part of a node. Engine and model only store it and report it, and both reports are compared.
-//! The families of `main.rs` explore trees with constant links and all indices.
+//! The index of a state is not part of a node. Engine and model only store it and report it, and both reports are compared. Trees
+//! with constant links and states of all indices are tested at random.
 
+use std::fmt::Debug;
 use std::ops::AddAssign;
 
-use bica_core::{ComponentId, Hold, Instant};
+use bica_core::{ComponentId, Hold, Instant, Tree};
 
 use super::choice::{Choice, each_choice};
-use super::explore::compare;
 use super::key::{Known, key};
 use super::model::Model;
 use super::shape::{COMPONENTS, NO_LINKS, Row, STATES, Shape};
 use super::subject::{Exploration, Recorder, Subject};
+use crate::rules::Event;
 
 /// Exploration of all trees with the rates of a shape, whose other data is not used.
 pub(crate) struct States {
@@ -80,7 +81,7 @@ impl Exploration for States {
 #[derive(Default)]
 struct Buffers {
     seen: Recorder,
-    expected: Vec<crate::rules::Event>,
+    expected: Vec<Event>,
 }
 
 struct Graph<'a, T> {
@@ -154,4 +155,14 @@ impl<T: Subject> Graph<'_, T> {
 pub(crate) fn trees(len: usize) -> u64 {
     let rows = |index: usize| 3_u64.pow((len - 1 - index) as u32);
     (0..len).map(|index| (1..=STATES as u32).map(|states| rows(index).pow(states)).sum::<u64>()).product()
+}
+
+/// Compares the events and the reported status with the model.
+fn compare<T: Tree>(tree: &T, model: &Model, seen: &[Event], expected: &[Event], case: (&Shape, &impl Debug, u64)) {
+    assert_eq!(seen, expected, "{case:#?}\nbefore: {model:#?}");
+    for (index, memory) in model.components.iter().enumerate() {
+        let status = tree.status(ComponentId::new(index)).expect("a component of the tree");
+        let expected = (memory.active, memory.hold, memory.state);
+        assert_eq!((status.active, status.held, status.state), expected, "{index}: {case:#?}");
+    }
 }

@@ -8,4 +8,3 @@ mod real;
 mod recorded;
 mod stages;
 mod tuning;
-mod world;

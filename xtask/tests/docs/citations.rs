@@ -24,18 +24,25 @@ fn is_citation(code: &str) -> bool {
 
 /// Returns a message for each citation of a page that is in no source.
 pub(crate) fn broken(page: &Page, sources: &[Page]) -> Vec<String> {
-    let missing = of(&page.text).filter(|citation| !sources.iter().any(|source| has(source, citation)));
+    let missing = of(&page.text).filter(|citation| !sources.iter().any(|source| has(source, citation, &page.text)));
     missing.map(|citation| format!("{}: `{citation}`", page.name)).collect()
 }
 
-/// Whether a source is the cited file, or contains the cited test.
-fn has(source: &Page, citation: &str) -> bool {
+/// Whether a source is the file that a page cites, or contains the cited test.
+fn has(source: &Page, citation: &str, page: &str) -> bool {
     let Some((place, name)) = citation.rsplit_once("::") else { return Path::new(&source.name).ends_with(citation) };
     let mut parts = place.split("::").flat_map(|part| part.split('/')).map(|part| part.trim_end_matches(".rs"));
     let file = Path::new(&source.name).with_extension("");
-    let contains = |part| file.iter().any(|other| other == part);
+    let is_alias = |part| alias(page, part).is_some_and(|target| target.ends_with(&source.name));
+    let contains = |part| file.iter().any(|other| other == part) || is_alias(part);
     let function = format!("fn {name}(");
     parts.all(contains) && source.text.contains(&function)
+}
+
+/// Target of a name that the page explains, as ``- `web`: [`attacks/main.rs`](../tests/attacks/main.rs)``.
+fn alias<'a>(page: &'a str, name: &str) -> Option<&'a str> {
+    let (_, rest) = page.split_once(&format!("\n- `{name}`: ["))?;
+    Some(rest.split_once("](")?.1.split_once(')')?.0)
 }
 
 #[test]
@@ -48,11 +55,19 @@ fn only_files_and_tests_are_citations() {
 #[test]
 fn citation_needs_its_function_in_a_file_of_its_path() {
     let (name, text) = ("tools/link/tests/link/attacks.rs".to_owned(), "fn a_lease_is_void() {}".to_owned());
+    let page = "Tests:\n- `x`: [`attacks.rs`](../tools/link/tests/link/attacks.rs);\n- `y`: [`z.rs`](../z.rs)";
     let source = Page { path: "attacks.rs".into(), name, text };
-    for right in ["link::attacks::a_lease_is_void", "link/attacks.rs::a_lease_is_void", "tests/link/attacks.rs"] {
-        assert!(has(&source, right), "{right}");
+    for right in [
+        "link::attacks::a_lease_is_void",
+        "link/attacks.rs::a_lease_is_void",
+        "tests/link/attacks.rs",
+        "x::a_lease_is_void",
+    ] {
+        assert!(has(&source, right, page), "{right}");
     }
-    for wrong in ["link::attacks::a_lease_is", "link::faults::a_lease_is_void", "tests/attacks.rs"] {
-        assert!(!has(&source, wrong), "{wrong}");
+    for wrong in
+        ["link::attacks::a_lease_is", "link::faults::a_lease_is_void", "tests/attacks.rs", "y::a_lease_is_void"]
+    {
+        assert!(!has(&source, wrong, page), "{wrong}");
     }
 }
